@@ -1,0 +1,2 @@
+//! Placeholder while the crates below it come up.
+fn main() {}

@@ -1,0 +1,1 @@
+//! OpenGL 2.1 over the rasterizer.

@@ -1,0 +1,98 @@
+//! Bytes for vertices and indices, shared with the draws that read them, copied only when written
+//! meanwhile.
+
+use std::sync::Arc;
+
+/// Bytes that draws read. Cloning shares them.
+#[derive(Clone, Debug, Default)]
+pub struct Buffer(Arc<Vec<u8>>);
+
+impl Buffer {
+    /// A buffer that holds these bytes.
+    pub fn new(bytes: Vec<u8>) -> Self {
+        Self(Arc::new(bytes))
+    }
+
+    /// What it holds.
+    pub fn bytes(&self) -> &[u8] {
+        &self.0
+    }
+
+    /// Its bytes for writing. Draws that were recorded earlier keep what they saw.
+    pub fn bytes_mut(&mut self) -> &mut Vec<u8> {
+        Arc::make_mut(&mut self.0)
+    }
+}
+
+/// The type of an attribute's components in memory.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum VertexType {
+    /// Signed byte.
+    I8,
+    /// Unsigned byte.
+    U8,
+    /// Signed 16 bits.
+    I16,
+    /// Unsigned 16 bits.
+    U16,
+    /// Signed 32 bits.
+    I32,
+    /// Unsigned 32 bits.
+    U32,
+    /// Single precision.
+    F32,
+    /// Double precision.
+    F64,
+}
+
+impl VertexType {
+    /// Bytes of a component.
+    pub fn size(self) -> usize {
+        match self {
+            Self::I8 | Self::U8 => 1,
+            Self::I16 | Self::U16 => 2,
+            Self::I32 | Self::U32 | Self::F32 => 4,
+            Self::F64 => 8,
+        }
+    }
+}
+
+/// How an attribute's components become `f32`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum VertexFormat {
+    /// Converted: 255 gives 255.0.
+    Plain,
+    /// Integers are divided by their largest value; signed by `(2c + 1) / (2^b - 1)` (GL 2.1, table 2.9).
+    Normalized,
+}
+
+/// Where an attribute comes from. Missing components are 0, 0, 0, 1.
+#[derive(Clone, Debug)]
+pub enum VertexSource {
+    /// The same for every vertex.
+    Constant([f32; 4]),
+    /// From memory. What lies past the buffer's end reads as zero bytes.
+    Array {
+        /// The bytes.
+        buffer: Buffer,
+        /// Byte of vertex 0.
+        offset: usize,
+        /// Bytes from a vertex to the next.
+        stride: usize,
+        /// Type of each component.
+        ty: VertexType,
+        /// 1 to 4.
+        components: u8,
+        /// The conversion.
+        format: VertexFormat,
+    },
+}
+
+/// The source of the attribute at a location.
+#[derive(Clone, Debug)]
+pub struct VertexBinding {
+    /// Which attribute.
+    pub location: u8,
+    /// Where from.
+    pub source: VertexSource,
+}

@@ -1,0 +1,147 @@
+//! What a client can ask for. A command buffer is printable: a trace is its `Debug`.
+
+use super::buffer::{Buffer, VertexBinding};
+use super::image::PassDesc;
+use super::pipeline::Pipeline;
+use std::sync::Arc;
+use texunit::plan::SamplePlan;
+
+/// Where window coordinates lie (GL 2.1, section 2.11.1). May reach outside the attachments.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Viewport {
+    /// Left edge in pixels.
+    pub x: f32,
+    /// Lower edge in pixels.
+    pub y: f32,
+    /// Width in pixels.
+    pub width: f32,
+    /// Height in pixels.
+    pub height: f32,
+    /// Window depth of the near plane, 0 to 1.
+    pub near: f32,
+    /// Window depth of the far plane, 0 to 1.
+    pub far: f32,
+}
+
+/// A rectangle of pixels; row 0 is the lowest.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Rect {
+    /// Left.
+    pub x: i32,
+    /// Lowest row.
+    pub y: i32,
+    /// Width.
+    pub width: u32,
+    /// Height.
+    pub height: u32,
+}
+
+/// What a clear writes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ClearValue {
+    /// To one colour attachment, through a mask of red, green, blue, alpha.
+    Color {
+        /// Which attachment.
+        target: u8,
+        /// RGBA, clamped as the attachment's format says.
+        value: [f32; 4],
+        /// Which components are written.
+        mask: [bool; 4],
+    },
+    /// To the depth attachment.
+    Depth(f32),
+}
+
+/// The type of an index.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum IndexType {
+    /// 8 bits.
+    U8,
+    /// 16 bits.
+    U16,
+    /// 32 bits.
+    U32,
+}
+
+/// The indices of a draw. What lies past the buffer's end reads as index 0.
+#[derive(Clone, Debug)]
+pub struct Indices {
+    /// The bytes.
+    pub buffer: Buffer,
+    /// Byte of the first index.
+    pub offset: usize,
+    /// Their type.
+    pub ty: IndexType,
+    /// Added to every index.
+    pub base_vertex: i32,
+}
+
+/// One step. State set by a command holds until the end of the pass.
+#[derive(Clone, Debug)]
+pub enum Command {
+    /// Opens a pass over these attachments.
+    BeginPass(PassDesc),
+    /// Fills a rectangle of an attachment, in order with the draws.
+    Clear {
+        /// What is written where.
+        value: ClearValue,
+        /// Which pixels.
+        area: Rect,
+    },
+    /// The shaders and fixed state of the draws to come.
+    BindPipeline(Pipeline),
+    /// The attributes of the draws to come. An attribute without a binding is (0, 0, 0, 1).
+    BindVertices(Arc<[VertexBinding]>),
+    /// The textures of the draws to come, by slot of the vertex and the fragment stage.
+    BindTextures {
+        /// For the vertex module's slots.
+        vertex: Arc<[Option<Arc<SamplePlan>>]>,
+        /// For the fragment module's slots.
+        fragment: Arc<[Option<Arc<SamplePlan>>]>,
+    },
+    /// The uniform words of both stages.
+    SetUniforms(Arc<[u32]>),
+    /// The viewport.
+    SetViewport(Viewport),
+    /// The scissor rectangle; `None` lets every pixel of the attachments through.
+    SetScissor(Option<Rect>),
+    /// Draws vertices `first .. first + count` for each instance.
+    Draw {
+        /// First vertex.
+        first: u32,
+        /// How many.
+        count: u32,
+        /// How many times over.
+        instances: u32,
+    },
+    /// Draws by `count` indices for each instance.
+    DrawIndexed {
+        /// Where the indices are.
+        indices: Indices,
+        /// How many.
+        count: u32,
+        /// How many times over.
+        instances: u32,
+    },
+    /// Closes the pass.
+    EndPass,
+}
+
+/// Recorded commands.
+#[derive(Clone, Debug, Default)]
+pub struct CommandBuffer {
+    /// In order.
+    pub commands: Vec<Command>,
+}
+
+impl CommandBuffer {
+    /// Nothing recorded.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Appends a command.
+    pub fn push(&mut self, command: Command) {
+        self.commands.push(command);
+    }
+}

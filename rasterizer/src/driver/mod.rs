@@ -1,0 +1,17 @@
+//! The objects of the driver, as in Vulkan: a client makes images, buffers and pipelines, records
+//! commands, and submits them to the queue.
+
+mod buffer;
+mod command;
+mod device;
+mod image;
+mod pipeline;
+
+pub use buffer::{Buffer, VertexBinding, VertexFormat, VertexSource, VertexType};
+pub use command::{ClearValue, Command, CommandBuffer, IndexType, Indices, Rect, Viewport};
+pub use device::{Device, DeviceDesc, DeviceError, SubmitError, SubmitReport};
+pub use image::{Attachment, Image, PassDesc};
+pub use pipeline::{
+    Blend, BlendEquation, BlendFactor, ColorState, Cull, DepthState, DepthWrite, FrontFace,
+    Pipeline, PipelineDesc, PipelineError, PolygonOffset, Provoking, ShaderModule, Topology,
+};

@@ -1,0 +1,263 @@
+//! Pipelines: shaders and fixed state, checked and compiled once, immutable ever after.
+
+use crate::ir::Module;
+use std::hash::{Hash, Hasher};
+use std::sync::Arc;
+use texunit::sampler::Compare;
+use thiserror::Error;
+
+/// A validated shader stage. Equal when it is the same module, not an equal one.
+#[derive(Clone, Debug)]
+pub struct ShaderModule(Arc<Module>);
+
+impl ShaderModule {
+    /// Takes a module in.
+    ///
+    /// # Errors
+    /// When the module breaks a rule of the IR.
+    pub fn new(module: Module) -> Result<Self, crate::ir::IrError> {
+        module.validate()?;
+        Ok(Self(Arc::new(module)))
+    }
+
+    /// The module.
+    pub fn module(&self) -> &Module {
+        &self.0
+    }
+}
+
+impl PartialEq for ShaderModule {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.0, &other.0)
+    }
+}
+
+impl Eq for ShaderModule {}
+
+impl Hash for ShaderModule {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        Arc::as_ptr(&self.0).hash(state);
+    }
+}
+
+/// How vertices make primitives (GL 2.1, section 2.6.1).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Topology {
+    /// Each vertex a point.
+    Points,
+    /// Each pair a line.
+    Lines,
+    /// Each vertex joined to the next.
+    LineStrip,
+    /// And the last to the first.
+    LineLoop,
+    /// Each three a triangle.
+    Triangles,
+    /// Each vertex with the two before it.
+    TriangleStrip,
+    /// Each two with the first.
+    TriangleFan,
+    /// Each four a quadrilateral.
+    Quads,
+    /// Each pair with the pair before it.
+    QuadStrip,
+    /// All vertices one convex polygon.
+    Polygon,
+}
+
+/// Which faces are not drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Cull {
+    /// All are drawn.
+    None,
+    /// Front faces are not drawn.
+    Front,
+    /// Back faces are not drawn.
+    Back,
+    /// No polygon is drawn; points and lines are.
+    Both,
+}
+
+/// Which winding, seen in the window with y up, is the front.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum FrontFace {
+    /// Counter-clockwise.
+    Ccw,
+    /// Clockwise.
+    Cw,
+}
+
+/// Which vertex flat varyings come from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Provoking {
+    /// GL's default.
+    Last,
+    /// Vulkan's default.
+    First,
+}
+
+/// Added to the depth of a polygon: `factor · m + units · r` (GL 2.1, section 3.5.5).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PolygonOffset {
+    /// Times the largest depth slope.
+    pub factor: f32,
+    /// Times the smallest resolvable difference.
+    pub units: f32,
+}
+
+impl Eq for PolygonOffset {}
+
+impl Hash for PolygonOffset {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        (self.factor.to_bits(), self.units.to_bits()).hash(state);
+    }
+}
+
+/// What is done with depth.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct DepthState {
+    /// `new OP stored` must hold.
+    pub test: Compare,
+    /// Whether passing fragments write.
+    pub write: DepthWrite,
+}
+
+/// Whether passing fragments write their depth.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum DepthWrite {
+    /// They do.
+    On,
+    /// They do not.
+    Off,
+}
+
+/// A factor of a blend equation (GL 2.1, table 4.2).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum BlendFactor {
+    /// 0.
+    Zero,
+    /// 1.
+    One,
+    /// Source colour.
+    SrcColor,
+    /// 1 - source colour.
+    OneMinusSrcColor,
+    /// Destination colour.
+    DstColor,
+    /// 1 - destination colour.
+    OneMinusDstColor,
+    /// Source alpha.
+    SrcAlpha,
+    /// 1 - source alpha.
+    OneMinusSrcAlpha,
+    /// Destination alpha.
+    DstAlpha,
+    /// 1 - destination alpha.
+    OneMinusDstAlpha,
+    /// The constant colour.
+    ConstantColor,
+    /// 1 - the constant colour.
+    OneMinusConstantColor,
+    /// The constant alpha.
+    ConstantAlpha,
+    /// 1 - the constant alpha.
+    OneMinusConstantAlpha,
+    /// min(source alpha, 1 - destination alpha) for colour, 1 for alpha.
+    SrcAlphaSaturate,
+}
+
+/// How weighted source and destination are combined.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum BlendEquation {
+    /// source + destination.
+    Add,
+    /// source - destination.
+    Subtract,
+    /// destination - source.
+    ReverseSubtract,
+    /// The smaller, unweighted.
+    Min,
+    /// The larger, unweighted.
+    Max,
+}
+
+/// Blending of a colour attachment: `[colour, alpha]` of each.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Blend {
+    /// Combination.
+    pub equation: [BlendEquation; 2],
+    /// Source factors.
+    pub src: [BlendFactor; 2],
+    /// Destination factors.
+    pub dst: [BlendFactor; 2],
+    /// The constant colour, unclamped.
+    pub constant: [f32; 4],
+}
+
+impl Eq for Blend {}
+
+impl Hash for Blend {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        (self.equation, self.src, self.dst, self.constant.map(f32::to_bits)).hash(state);
+    }
+}
+
+/// What is done with one colour attachment.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct ColorState {
+    /// Blending, if switched on.
+    pub blend: Option<Blend>,
+    /// Which of red, green, blue, alpha are written.
+    pub mask: [bool; 4],
+}
+
+/// Everything a pipeline is made of; also the key to cache it by.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct PipelineDesc {
+    /// The vertex stage.
+    pub vertex: ShaderModule,
+    /// The fragment stage; varyings meet by slot.
+    pub fragment: ShaderModule,
+    /// How vertices make primitives.
+    pub topology: Topology,
+    /// Which faces are not drawn.
+    pub cull: Cull,
+    /// Which winding is the front.
+    pub front_face: FrontFace,
+    /// Where flat varyings come from.
+    pub provoking: Provoking,
+    /// Depth of polygons is moved by this.
+    pub polygon_offset: Option<PolygonOffset>,
+    /// Depth test; `None` neither tests nor writes.
+    pub depth: Option<DepthState>,
+    /// By colour attachment; missing ones are not written.
+    pub colors: Vec<ColorState>,
+    /// Width of lines in pixels, as bits of an `f32`.
+    pub line_width_bits: u32,
+    /// Size of points in pixels, as bits of an `f32`, where the vertex stage writes none.
+    pub point_size_bits: u32,
+}
+
+/// A pipeline that cannot be.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[error("pipeline: {0}")]
+pub struct PipelineError(pub String);
+
+/// Shaders and state, checked, optimized for each other and compiled. Cloning shares it.
+#[derive(Clone, Debug)]
+pub struct Pipeline(Arc<PipelineDesc>);
+
+impl Pipeline {
+    /// Checks and compiles.
+    ///
+    /// # Errors
+    /// When the stages are not of their kind.
+    pub fn new(desc: PipelineDesc) -> Result<Self, PipelineError> {
+        Ok(Self(Arc::new(desc)))
+    }
+
+    /// What it was made of.
+    pub fn desc(&self) -> &PipelineDesc {
+        &self.0
+    }
+}

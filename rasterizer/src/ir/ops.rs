@@ -1,0 +1,292 @@
+//! Every operation of the IR, once: name, types, meaning over one lane.
+//!
+//! The table gives the enum, its listing names, the constant folder ([`Op::eval`]) and the lane
+//! kernel ([`Op::run`]) from one body, so that they cannot differ. All bodies are branch-free
+//! scalar code that LLVM vectorizes over the 64 lanes.
+
+use super::{TRUE, Ty};
+use texunit::lanes::{LANES, U32s, math};
+
+/// A scalar of the IR as a Rust type.
+trait Scalar: Copy {
+    const TY: Ty;
+    fn from_word(word: u32) -> Self;
+    fn to_word(self) -> u32;
+}
+
+impl Scalar for f32 {
+    const TY: Ty = Ty::F32;
+    #[inline(always)]
+    fn from_word(word: u32) -> Self {
+        Self::from_bits(word)
+    }
+    #[inline(always)]
+    fn to_word(self) -> u32 {
+        self.to_bits()
+    }
+}
+
+impl Scalar for i32 {
+    const TY: Ty = Ty::I32;
+    #[inline(always)]
+    fn from_word(word: u32) -> Self {
+        word as Self
+    }
+    #[inline(always)]
+    fn to_word(self) -> u32 {
+        self as u32
+    }
+}
+
+impl Scalar for u32 {
+    const TY: Ty = Ty::U32;
+    #[inline(always)]
+    fn from_word(word: u32) -> Self {
+        word
+    }
+    #[inline(always)]
+    fn to_word(self) -> u32 {
+        self
+    }
+}
+
+impl Scalar for bool {
+    const TY: Ty = Ty::Bool;
+    #[inline(always)]
+    fn from_word(word: u32) -> Self {
+        word != 0
+    }
+    #[inline(always)]
+    fn to_word(self) -> u32 {
+        if self { TRUE } else { 0 }
+    }
+}
+
+/// Integer division that is total: by zero gives all ones, `MIN / -1` wraps.
+#[inline(always)]
+fn div_i32(a: i32, b: i32) -> i32 {
+    if b == 0 { -1 } else { a.wrapping_div(b) }
+}
+
+#[inline(always)]
+fn rem_i32(a: i32, b: i32) -> i32 {
+    if b == 0 { -1 } else { a.wrapping_rem(b) }
+}
+
+#[inline(always)]
+fn div_u32(a: u32, b: u32) -> u32 {
+    if b == 0 { u32::MAX } else { a / b }
+}
+
+#[inline(always)]
+fn rem_u32(a: u32, b: u32) -> u32 {
+    if b == 0 { u32::MAX } else { a % b }
+}
+
+macro_rules! operations {
+    ($(
+        $(#[doc = $doc:literal])+
+        $Name:ident $name:literal ($a:ident: $A:ty $(, $b:ident: $B:ty $(, $c:ident: $C:ty)?)?) -> $R:ty = $body:expr;
+    )*) => {
+        /// An operation on scalars.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+        pub enum Op {
+            $($(#[doc = $doc])+ $Name,)*
+        }
+
+        impl Op {
+            /// Every operation, in the order of the table.
+            pub const ALL: &'static [Self] = &[$(Self::$Name),*];
+
+            /// The name in listings.
+            pub fn name(self) -> &'static str {
+                match self { $(Self::$Name => $name,)* }
+            }
+
+            /// The types of the operands; its length is the arity.
+            pub fn args(self) -> &'static [Ty] {
+                match self {
+                    $(Self::$Name => &[<$A>::TY $(, <$B>::TY $(, <$C>::TY)?)?],)*
+                }
+            }
+
+            /// The type of the result.
+            pub fn result(self) -> Ty {
+                match self { $(Self::$Name => <$R>::TY,)* }
+            }
+
+            /// The operation on one lane. Operands beyond the arity are not looked at.
+            #[inline(always)]
+            pub fn eval(self, args: [u32; 3]) -> u32 {
+                match self {
+                    $(Self::$Name => {
+                        let $a = <$A>::from_word(args[0]);
+                        $(let $b = <$B>::from_word(args[1]);
+                        $(let $c = <$C>::from_word(args[2]);)?)?
+                        let result: $R = $body;
+                        result.to_word()
+                    })*
+                }
+            }
+
+            /// The operation on 64 lanes. Operands beyond the arity are not looked at.
+            #[inline(always)]
+            pub fn run(self, out: &mut U32s, args: [&U32s; 3]) {
+                match self {
+                    $(Self::$Name => {
+                        for lane in 0..LANES {
+                            let $a = <$A>::from_word(args[0][lane]);
+                            $(let $b = <$B>::from_word(args[1][lane]);
+                            $(let $c = <$C>::from_word(args[2][lane]);)?)?
+                            let result: $R = $body;
+                            out[lane] = result.to_word();
+                        }
+                    })*
+                }
+            }
+        }
+    };
+}
+
+operations! {
+    /// `a + b`.
+    Add "add" (a: f32, b: f32) -> f32 = a + b;
+    /// `a - b`.
+    Sub "sub" (a: f32, b: f32) -> f32 = a - b;
+    /// `a · b`.
+    Mul "mul" (a: f32, b: f32) -> f32 = a * b;
+    /// `a / b`, IEEE.
+    Div "div" (a: f32, b: f32) -> f32 = a / b;
+    /// The sign bit flipped.
+    Neg "neg" (a: f32) -> f32 = -a;
+    /// The sign bit cleared.
+    Abs "abs" (a: f32) -> f32 = a.abs();
+    /// -1, 0 or 1 (0 for NaN).
+    Sign "sign" (a: f32) -> f32 = if a > 0.0 { 1.0 } else if a < 0.0 { -1.0 } else { 0.0 };
+    /// The smaller; `b` if `a` is NaN.
+    Min "min" (a: f32, b: f32) -> f32 = math::min(a, b);
+    /// The larger; `b` if `a` is NaN.
+    Max "max" (a: f32, b: f32) -> f32 = math::max(a, b);
+    /// The largest integer not above.
+    Floor "floor" (a: f32) -> f32 = math::floor(a);
+    /// The smallest integer not below.
+    Ceil "ceil" (a: f32) -> f32 = math::ceil(a);
+    /// The integer part toward zero.
+    Trunc "trunc" (a: f32) -> f32 = math::trunc(a);
+    /// The nearest integer, halves to even.
+    RoundEven "round_even" (a: f32) -> f32 = math::round_even(a);
+    /// `a - floor(a)`.
+    Fract "fract" (a: f32) -> f32 = math::fract(a);
+    /// IEEE square root.
+    Sqrt "sqrt" (a: f32) -> f32 = a.sqrt();
+    /// `1 / sqrt(a)`, two roundings.
+    InverseSqrt "inverse_sqrt" (a: f32) -> f32 = 1.0 / a.sqrt();
+
+    /// `a < b`.
+    Less "less" (a: f32, b: f32) -> bool = a < b;
+    /// `a <= b`.
+    LessEqual "less_equal" (a: f32, b: f32) -> bool = a <= b;
+    /// `a == b`.
+    Equal "equal" (a: f32, b: f32) -> bool = a == b;
+    /// `a != b` (true for NaN).
+    NotEqual "not_equal" (a: f32, b: f32) -> bool = a != b;
+
+    /// Wrapping sum; serves `u32` too through a change of type.
+    IAdd "iadd" (a: i32, b: i32) -> i32 = a.wrapping_add(b);
+    /// Wrapping difference.
+    ISub "isub" (a: i32, b: i32) -> i32 = a.wrapping_sub(b);
+    /// Wrapping product.
+    IMul "imul" (a: i32, b: i32) -> i32 = a.wrapping_mul(b);
+    /// Quotient toward zero; by zero gives -1.
+    IDiv "idiv" (a: i32, b: i32) -> i32 = div_i32(a, b);
+    /// Remainder with the sign of `a`; by zero gives -1.
+    IRem "irem" (a: i32, b: i32) -> i32 = rem_i32(a, b);
+    /// Wrapping negation.
+    INeg "ineg" (a: i32) -> i32 = a.wrapping_neg();
+    /// Wrapping magnitude.
+    IAbs "iabs" (a: i32) -> i32 = a.wrapping_abs();
+    /// -1, 0 or 1.
+    ISign "isign" (a: i32) -> i32 = i32::from(a > 0) - i32::from(a < 0);
+    /// The smaller.
+    IMin "imin" (a: i32, b: i32) -> i32 = if a < b { a } else { b };
+    /// The larger.
+    IMax "imax" (a: i32, b: i32) -> i32 = if a > b { a } else { b };
+    /// `a < b`.
+    ILess "iless" (a: i32, b: i32) -> bool = a < b;
+    /// `a <= b`.
+    ILessEqual "iless_equal" (a: i32, b: i32) -> bool = a <= b;
+    /// `a == b`.
+    IEqual "iequal" (a: i32, b: i32) -> bool = a == b;
+    /// `a != b`.
+    INotEqual "inot_equal" (a: i32, b: i32) -> bool = a != b;
+    /// Shift right, filling with the sign; the count modulo 32.
+    IShiftRight "ishift_right" (a: i32, b: u32) -> i32 = a >> (b & 31);
+
+    /// Wrapping sum.
+    UAdd "uadd" (a: u32, b: u32) -> u32 = a.wrapping_add(b);
+    /// Wrapping difference.
+    USub "usub" (a: u32, b: u32) -> u32 = a.wrapping_sub(b);
+    /// Wrapping product.
+    UMul "umul" (a: u32, b: u32) -> u32 = a.wrapping_mul(b);
+    /// Quotient; by zero gives all ones.
+    UDiv "udiv" (a: u32, b: u32) -> u32 = div_u32(a, b);
+    /// Remainder; by zero gives all ones.
+    URem "urem" (a: u32, b: u32) -> u32 = rem_u32(a, b);
+    /// The smaller.
+    UMin "umin" (a: u32, b: u32) -> u32 = if a < b { a } else { b };
+    /// The larger.
+    UMax "umax" (a: u32, b: u32) -> u32 = if a > b { a } else { b };
+    /// `a < b`.
+    ULess "uless" (a: u32, b: u32) -> bool = a < b;
+    /// `a <= b`.
+    ULessEqual "uless_equal" (a: u32, b: u32) -> bool = a <= b;
+    /// Bits of both.
+    BitAnd "bit_and" (a: u32, b: u32) -> u32 = a & b;
+    /// Bits of either.
+    BitOr "bit_or" (a: u32, b: u32) -> u32 = a | b;
+    /// Bits of one.
+    BitXor "bit_xor" (a: u32, b: u32) -> u32 = a ^ b;
+    /// Every bit flipped.
+    BitNot "bit_not" (a: u32) -> u32 = !a;
+    /// Shift left; the count modulo 32.
+    ShiftLeft "shift_left" (a: u32, b: u32) -> u32 = a << (b & 31);
+    /// Shift right, filling with zeros; the count modulo 32.
+    UShiftRight "ushift_right" (a: u32, b: u32) -> u32 = a >> (b & 31);
+
+    /// Both.
+    And "and" (a: bool, b: bool) -> bool = a & b;
+    /// Either.
+    Or "or" (a: bool, b: bool) -> bool = a | b;
+    /// Exactly one.
+    Xor "xor" (a: bool, b: bool) -> bool = a ^ b;
+    /// The other.
+    Not "not" (a: bool) -> bool = !a;
+
+    /// `b` where `a`, else `c`.
+    SelectF "select_f32" (a: bool, b: f32, c: f32) -> f32 = if a { b } else { c };
+    /// `b` where `a`, else `c`.
+    SelectI "select_i32" (a: bool, b: i32, c: i32) -> i32 = if a { b } else { c };
+    /// `b` where `a`, else `c`.
+    SelectU "select_u32" (a: bool, b: u32, c: u32) -> u32 = if a { b } else { c };
+    /// `b` where `a`, else `c`.
+    SelectB "select_bool" (a: bool, b: bool, c: bool) -> bool = if a { b } else { c };
+
+    /// The integer part toward zero; out of range clamps, NaN gives the smallest.
+    FloatToInt "float_to_int" (a: f32) -> i32 = math::to_i32(a);
+    /// The integer part toward zero; negative gives 0, too large clamps, NaN gives 0.
+    FloatToUint "float_to_uint" (a: f32) -> u32 = math::to_u32(a);
+    /// The nearest `f32`.
+    IntToFloat "int_to_float" (a: i32) -> f32 = a as f32;
+    /// The nearest `f32`.
+    UintToFloat "uint_to_float" (a: u32) -> f32 = a as f32;
+    /// The same bits.
+    IntToUint "int_to_uint" (a: i32) -> u32 = a as u32;
+    /// The same bits.
+    UintToInt "uint_to_int" (a: u32) -> i32 = a as i32;
+    /// 1.0 or 0.0.
+    BoolToFloat "bool_to_float" (a: bool) -> f32 = if a { 1.0 } else { 0.0 };
+    /// 1 or 0.
+    BoolToInt "bool_to_int" (a: bool) -> i32 = i32::from(a);
+    /// 1 or 0.
+    BoolToUint "bool_to_uint" (a: bool) -> u32 = u32::from(a);
+}

@@ -1,0 +1,80 @@
+//! Gathers: the largest index of the batch is checked once, then 64 words are read unchecked.
+
+use super::{F32s, LANES, U32s};
+
+/// Panics unless `size` bytes at `index * scale` lie inside `len` bytes in every lane, and every
+/// byte offset fits the signed 32 bits that the instructions take.
+#[inline(always)]
+pub(super) fn check(len: usize, indices: &U32s, scale: u64, size: u64) {
+    let mut largest = 0;
+    for lane in 0..LANES {
+        largest = if indices[lane] > largest { indices[lane] } else { largest };
+    }
+    let end = u64::from(largest) * scale + size;
+    assert!(end <= len as u64 && end <= i32::MAX as u64, "gather at {largest} of {len} bytes");
+}
+
+#[inline(always)]
+pub(super) fn scalar(bytes: &[u8], offsets: &U32s) -> U32s {
+    check(bytes.len(), offsets, 1, 4);
+    let mut out = U32s::ZERO;
+    for lane in 0..LANES {
+        // SAFETY: `check` saw that these four bytes are inside `bytes`.
+        out[lane] = u32::from_le(unsafe {
+            bytes.as_ptr().add(offsets[lane] as usize).cast::<u32>().read_unaligned()
+        });
+    }
+    out
+}
+
+#[inline(always)]
+pub(super) fn scalar_f32(table: &[f32], indices: &U32s) -> F32s {
+    check(size_of_val(table), indices, 4, 4);
+    let mut out = F32s::ZERO;
+    for lane in 0..LANES {
+        // SAFETY: `check` saw that this element is inside `table`.
+        out[lane] = unsafe { *table.as_ptr().add(indices[lane] as usize) };
+    }
+    out
+}
+
+/// # Safety
+/// AVX2 is there, and the four bytes at every `index * SCALE` can be read.
+#[cfg(target_arch = "x86_64")]
+#[inline(always)]
+pub(super) unsafe fn avx2<const SCALE: i32>(base: *const u8, indices: &U32s) -> U32s {
+    use std::arch::x86_64::{
+        __m256i, _mm256_i32gather_epi32, _mm256_load_si256, _mm256_store_si256,
+    };
+    let mut out = U32s::ZERO;
+    for chunk in 0..LANES / 8 {
+        // SAFETY: both batches are 64-byte aligned and hold 8 words at each chunk; the caller
+        // vouches for the gathered bytes.
+        unsafe {
+            let index = _mm256_load_si256(indices.0.as_ptr().add(chunk * 8).cast::<__m256i>());
+            let words = _mm256_i32gather_epi32::<SCALE>(base.cast::<i32>(), index);
+            _mm256_store_si256(out.0.as_mut_ptr().add(chunk * 8).cast::<__m256i>(), words);
+        }
+    }
+    out
+}
+
+/// # Safety
+/// AVX-512F is there, and the four bytes at every `index * SCALE` can be read.
+#[cfg(target_arch = "x86_64")]
+#[inline(always)]
+pub(super) unsafe fn avx512<const SCALE: i32>(base: *const u8, indices: &U32s) -> U32s {
+    use std::arch::x86_64::{
+        __m512i, _mm512_i32gather_epi32, _mm512_load_si512, _mm512_store_si512,
+    };
+    let mut out = U32s::ZERO;
+    for chunk in 0..LANES / 16 {
+        // SAFETY: as for `avx2`, with 16 words a chunk.
+        unsafe {
+            let index = _mm512_load_si512(indices.0.as_ptr().add(chunk * 16).cast::<__m512i>());
+            let words = _mm512_i32gather_epi32::<SCALE>(index, base.cast::<i32>());
+            _mm512_store_si512(out.0.as_mut_ptr().add(chunk * 16).cast::<__m512i>(), words);
+        }
+    }
+    out
+}

@@ -1,0 +1,247 @@
+//! Which instruction set a kernel is compiled for, and the one place that picks.
+
+use super::gather;
+use super::{F32s, U32s};
+use thiserror::Error;
+
+/// An instruction set that this processor has. Values exist only for instruction sets that were
+/// detected, which is what makes [`Isa::run`] safe.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Isa(Level);
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+enum Level {
+    Baseline,
+    #[cfg(target_arch = "x86_64")]
+    Avx2,
+    #[cfg(target_arch = "x86_64")]
+    Avx512,
+}
+
+/// `DETGL_ISA` asked for something this machine does not have.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[error("DETGL_ISA={asked}: this machine has {available}; unset it to take the best of them")]
+pub struct IsaError {
+    asked: String,
+    available: String,
+}
+
+impl Isa {
+    /// The plain target of the build: SSE2 on x86-64, NEON on AArch64.
+    pub const BASELINE: Self = Self(Level::Baseline);
+
+    /// Every instruction set of this processor, from the plainest to the widest.
+    pub fn available() -> Vec<Self> {
+        #[allow(unused_mut)]
+        let mut found = vec![Self::BASELINE];
+        #[cfg(target_arch = "x86_64")]
+        {
+            if is_x86_feature_detected!("avx2") {
+                found.push(Self(Level::Avx2));
+                if is_x86_feature_detected!("avx512f")
+                    && is_x86_feature_detected!("avx512bw")
+                    && is_x86_feature_detected!("avx512dq")
+                    && is_x86_feature_detected!("avx512vl")
+                {
+                    found.push(Self(Level::Avx512));
+                }
+            }
+        }
+        found
+    }
+
+    /// The widest instruction set of this processor.
+    pub fn best() -> Self {
+        Self::available().into_iter().max().unwrap_or(Self::BASELINE)
+    }
+
+    /// The instruction set named by `DETGL_ISA`, else the widest.
+    ///
+    /// # Errors
+    /// When the variable names an instruction set that does not exist or that this processor lacks.
+    pub fn from_env() -> Result<Self, IsaError> {
+        match std::env::var("DETGL_ISA") {
+            Ok(name) => Self::by_name(&name),
+            Err(_) => Ok(Self::best()),
+        }
+    }
+
+    /// The instruction set called `baseline`, `avx2` or `avx512`.
+    ///
+    /// # Errors
+    /// When the name is none of these or this processor lacks it.
+    pub fn by_name(name: &str) -> Result<Self, IsaError> {
+        let available = Self::available();
+        available.iter().copied().find(|isa| isa.name() == name).ok_or_else(|| IsaError {
+            asked: name.to_owned(),
+            available: available.iter().map(|isa| isa.name()).collect::<Vec<_>>().join(", "),
+        })
+    }
+
+    /// The name that `DETGL_ISA` takes.
+    pub fn name(self) -> &'static str {
+        match self.0 {
+            Level::Baseline => "baseline",
+            #[cfg(target_arch = "x86_64")]
+            Level::Avx2 => "avx2",
+            #[cfg(target_arch = "x86_64")]
+            Level::Avx512 => "avx512",
+        }
+    }
+
+    /// Runs `kernel` as compiled for this instruction set.
+    #[inline]
+    pub fn run<K: Kernel>(self, kernel: K) -> K::Output {
+        match self.0 {
+            Level::Baseline => kernel.run::<Baseline>(),
+            // SAFETY: the value exists, so the processor was seen to have these features.
+            #[cfg(target_arch = "x86_64")]
+            Level::Avx2 => unsafe { run_avx2(kernel) },
+            // SAFETY: as above.
+            #[cfg(target_arch = "x86_64")]
+            Level::Avx512 => unsafe { run_avx512(kernel) },
+        }
+    }
+}
+
+/// One body of loops over lanes, compiled once per instruction set.
+///
+/// `run`, and every function it calls on the hot path, must be `#[inline(always)]`: only what is
+/// inlined takes on the instruction set. What is not inlined is still right, only slower.
+pub trait Kernel {
+    /// What the kernel gives back.
+    type Output;
+    /// The body. `S` provides the few operations that LLVM does not find by itself.
+    fn run<S: Simd>(self) -> Self::Output;
+}
+
+/// The operations that plain loops do not reach on every instruction set.
+pub trait Simd: Copy + private::Sealed {
+    /// Reads the four bytes at each byte offset as a little-endian word.
+    ///
+    /// # Panics
+    /// When an offset's four bytes are not all inside `bytes`.
+    fn gather(bytes: &[u8], offsets: &U32s) -> U32s;
+
+    /// Reads `table[index]` in each lane.
+    ///
+    /// # Panics
+    /// When an index is not inside `table`.
+    fn gather_f32(table: &[f32], indices: &U32s) -> F32s;
+}
+
+mod private {
+    /// Keeps [`super::Simd`] to the instruction sets of this module.
+    pub trait Sealed {}
+}
+
+#[derive(Clone, Copy)]
+struct Baseline;
+impl private::Sealed for Baseline {}
+impl Simd for Baseline {
+    #[inline(always)]
+    fn gather(bytes: &[u8], offsets: &U32s) -> U32s {
+        gather::scalar(bytes, offsets)
+    }
+    #[inline(always)]
+    fn gather_f32(table: &[f32], indices: &U32s) -> F32s {
+        gather::scalar_f32(table, indices)
+    }
+}
+
+#[cfg(target_arch = "x86_64")]
+#[derive(Clone, Copy)]
+struct Avx2;
+#[cfg(target_arch = "x86_64")]
+impl private::Sealed for Avx2 {}
+#[cfg(target_arch = "x86_64")]
+impl Simd for Avx2 {
+    #[inline(always)]
+    fn gather(bytes: &[u8], offsets: &U32s) -> U32s {
+        gather::check(bytes.len(), offsets, 1, 4);
+        // SAFETY: the offsets were checked; this type is reached only through `run_avx2`.
+        unsafe { gather::avx2::<1>(bytes.as_ptr(), offsets) }
+    }
+    #[inline(always)]
+    fn gather_f32(table: &[f32], indices: &U32s) -> F32s {
+        gather::check(size_of_val(table), indices, 4, 4);
+        // SAFETY: the indices were checked; this type is reached only through `run_avx2`.
+        *unsafe { gather::avx2::<4>(table.as_ptr().cast(), indices) }.as_f32()
+    }
+}
+
+#[cfg(target_arch = "x86_64")]
+#[derive(Clone, Copy)]
+struct Avx512;
+#[cfg(target_arch = "x86_64")]
+impl private::Sealed for Avx512 {}
+#[cfg(target_arch = "x86_64")]
+impl Simd for Avx512 {
+    #[inline(always)]
+    fn gather(bytes: &[u8], offsets: &U32s) -> U32s {
+        gather::check(bytes.len(), offsets, 1, 4);
+        // SAFETY: the offsets were checked; this type is reached only through `run_avx512`.
+        unsafe { gather::avx512::<1>(bytes.as_ptr(), offsets) }
+    }
+    #[inline(always)]
+    fn gather_f32(table: &[f32], indices: &U32s) -> F32s {
+        gather::check(size_of_val(table), indices, 4, 4);
+        // SAFETY: the indices were checked; this type is reached only through `run_avx512`.
+        *unsafe { gather::avx512::<4>(table.as_ptr().cast(), indices) }.as_f32()
+    }
+}
+
+// `fma` is left out on purpose: nothing here may contract a multiply and an add.
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx2,bmi1,bmi2,lzcnt,popcnt")]
+fn run_avx2<K: Kernel>(kernel: K) -> K::Output {
+    kernel.run::<Avx2>()
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx512f,avx512bw,avx512dq,avx512vl,avx2,bmi1,bmi2,lzcnt,popcnt")]
+fn run_avx512<K: Kernel>(kernel: K) -> K::Output {
+    kernel.run::<Avx512>()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::lanes::LANES;
+
+    struct Gather<'a>(&'a [u8], &'a U32s);
+    impl Kernel for Gather<'_> {
+        type Output = U32s;
+        #[inline(always)]
+        fn run<S: Simd>(self) -> U32s {
+            S::gather(self.0, self.1)
+        }
+    }
+
+    #[test]
+    fn every_instruction_set_gathers_the_same_unaligned_words() {
+        let bytes: Vec<u8> = (0..1024u32).map(|i| (i * 37 + i / 7) as u8).collect();
+        let offsets = U32s::from_fn(|lane| (lane as u32 * 131) % 1020);
+        for isa in Isa::available() {
+            let got = isa.run(Gather(&bytes, &offsets));
+            for lane in 0..LANES {
+                let at = offsets[lane] as usize;
+                let want = u32::from_le_bytes(bytes[at..at + 4].try_into().unwrap());
+                assert_eq!(got[lane], want, "{} lane {lane}", isa.name());
+            }
+        }
+    }
+
+    #[test]
+    fn a_gather_outside_its_slice_panics_on_every_instruction_set() {
+        let bytes = [0; 64];
+        for bad in [61, 64, u32::MAX, 1 << 31] {
+            let mut offsets = U32s::ZERO;
+            offsets[63] = bad;
+            for isa in Isa::available() {
+                let run = std::panic::catch_unwind(|| isa.run(Gather(&bytes, &offsets)));
+                assert!(run.is_err(), "{} took offset {bad}", isa.name());
+            }
+        }
+    }
+}

@@ -1,0 +1,87 @@
+//! Exact and bounded math, one definition for every instruction set.
+//!
+//! No function here calls the platform's `libm`. Each is plain arithmetic without branches, so
+//! that a loop over lanes vectorizes, and states its error bound in ULP, measured against `f64`.
+
+/// 2^23, from which on every `f32` is an integer.
+const INTEGERS_FROM: f32 = 8_388_608.0;
+
+/// The integer part toward zero as an `i32`; out of range clamps, NaN gives the smallest.
+#[inline(always)]
+pub fn to_i32(x: f32) -> i32 {
+    // The order of each comparison sends NaN to the lower bound. 2147483520 is the largest `f32`
+    // below 2^31.
+    let low = if x >= -2_147_483_648.0 { x } else { -2_147_483_648.0 };
+    let clamped = if low <= 2_147_483_520.0 { low } else { 2_147_483_520.0 };
+    // SAFETY: not NaN, and within the range of `i32` after the clamps.
+    unsafe { clamped.to_int_unchecked::<i32>() }
+}
+
+/// The integer part toward zero as a `u32`; negative and NaN give 0, too large clamps.
+#[inline(always)]
+pub fn to_u32(x: f32) -> u32 {
+    let low = if x >= 0.0 { x } else { 0.0 };
+    let clamped = if low <= 4_294_967_040.0 { low } else { 4_294_967_040.0 };
+    // Through two halves of 31 bits: only signed conversions are vector instructions everywhere.
+    let high = clamped >= 2_147_483_648.0;
+    let part = if high { clamped - 2_147_483_648.0 } else { clamped };
+    // SAFETY: `part` is in 0 ..= 2147483520.
+    let bits = unsafe { part.to_int_unchecked::<i32>() } as u32;
+    if high { bits | 0x8000_0000 } else { bits }
+}
+
+/// The integer part toward zero. Exact; keeps inf and NaN.
+#[inline(always)]
+pub fn trunc(x: f32) -> f32 {
+    let whole = to_i32(x) as f32;
+    let inside = x.abs() < INTEGERS_FROM;
+    if inside { whole } else { x }
+}
+
+/// The largest integer not above `x`. Exact; keeps inf and NaN; `floor(-0.0)` is `0.0`.
+#[inline(always)]
+pub fn floor(x: f32) -> f32 {
+    let whole = trunc(x);
+    if whole > x { whole - 1.0 } else { whole }
+}
+
+/// The smallest integer not below `x`. Exact; keeps inf and NaN.
+#[inline(always)]
+pub fn ceil(x: f32) -> f32 {
+    let whole = trunc(x);
+    if whole < x { whole + 1.0 } else { whole }
+}
+
+/// `x - floor(x)`, GLSL's `fract`. In [0, 1]; exact unless it rounds up to 1 for tiny negative `x`.
+#[inline(always)]
+pub fn fract(x: f32) -> f32 {
+    x - floor(x)
+}
+
+/// The nearest integer, halves to even. Exact; keeps inf and NaN.
+#[inline(always)]
+pub fn round_even(x: f32) -> f32 {
+    // Adding and taking away 2^23 rounds to an integer in the one rounding mode there is.
+    let magnitude = x.abs();
+    let rounded = (magnitude + INTEGERS_FROM) - INTEGERS_FROM;
+    let result = if magnitude < INTEGERS_FROM { rounded } else { magnitude };
+    result.copysign(x)
+}
+
+/// The smaller; `b` if `a` is NaN. (Rust's and each processor's own `min` differ on NaN and ±0.)
+#[inline(always)]
+pub fn min(a: f32, b: f32) -> f32 {
+    if a < b { a } else { b }
+}
+
+/// The larger; `b` if `a` is NaN.
+#[inline(always)]
+pub fn max(a: f32, b: f32) -> f32 {
+    if a > b { a } else { b }
+}
+
+/// `x` held between `low` and `high`; NaN gives `low`.
+#[inline(always)]
+pub fn clamp(x: f32, low: f32, high: f32) -> f32 {
+    min(max(x, low), high)
+}

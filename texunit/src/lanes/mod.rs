@@ -1,0 +1,26 @@
+//! The unit of work: a batch of 64 lanes, and the same plain loops compiled per instruction set.
+//!
+//! A value is an array of 64 ([`F32s`], [`I32s`], [`U32s`]: 64-byte aligned); a kernel is an
+//! ordinary loop over lanes, which LLVM vectorizes. A [`Kernel`] is one body, compiled for the
+//! baseline, AVX2 and AVX-512 by [`Isa::run`]; everything it calls on the hot path is
+//! `#[inline(always)]`, so that it takes on the instruction set of its caller.
+//!
+//! This module is one of the two places in DetGL where `unsafe` is allowed (the other is the C
+//! ABI): it calls functions compiled for instruction sets that were detected, and gathers.
+//!
+//! # Lane order: quad-planar
+//!
+//! The 64 lanes of an 8×8 pixel block are 16 quads of 2×2 pixels. Lane `e * 16 + q` is pixel `e`
+//! of quad `q`: `e = 0` is (x, y), 1 is (x+1, y), 2 is (x, y+1), 3 is (x+1, y+1); quads run row by
+//! row, 4 to a row. Neighbours for a derivative are then whole vectors apart, never shuffled:
+//! `d/dx` of lanes 0..16 is lanes 16..32 minus lanes 0..16. [`lane_x`] and [`lane_y`] give a
+//! lane's place in its block. Vertices fill lanes in plain order.
+#![allow(unsafe_code)]
+
+mod batch;
+mod gather;
+mod isa;
+pub mod math;
+
+pub use batch::{F32s, I32s, LANES, QUADS, U32s, lane_x, lane_y};
+pub use isa::{Isa, IsaError, Kernel, Simd};

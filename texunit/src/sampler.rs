@@ -1,0 +1,117 @@
+//! The state that says how an image is read.
+
+/// What happens to a coordinate outside [0, 1] (GL 2.1, section 3.8.7).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Wrap {
+    /// `GL_REPEAT`.
+    Repeat,
+    /// `GL_CLAMP`: to [0, 1], so that a linear filter mixes in the border.
+    Clamp,
+    /// `GL_CLAMP_TO_EDGE`.
+    ClampToEdge,
+    /// `GL_CLAMP_TO_BORDER`.
+    ClampToBorder,
+    /// `GL_MIRRORED_REPEAT`.
+    MirroredRepeat,
+}
+
+/// How the texels of one level are combined.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Filter {
+    /// The texel that the point lies in.
+    Nearest,
+    /// The weighted mean of the nearest 2×2.
+    Linear,
+}
+
+/// How levels are combined when the image is minified.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Mipmap {
+    /// Only the base level.
+    None,
+    /// The nearest level.
+    Nearest,
+    /// The weighted mean of the two nearest levels.
+    Linear,
+}
+
+/// A depth comparison, `reference OP texel`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Compare {
+    /// False.
+    Never,
+    /// `<`.
+    Less,
+    /// `==`.
+    Equal,
+    /// `<=`.
+    LessEqual,
+    /// `>`.
+    Greater,
+    /// `!=`.
+    NotEqual,
+    /// `>=`.
+    GreaterEqual,
+    /// True.
+    Always,
+}
+
+/// How a depth texel becomes a colour (`GL_DEPTH_TEXTURE_MODE`).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum DepthMode {
+    /// (D, D, D, 1).
+    Luminance,
+    /// (D, D, D, D).
+    Intensity,
+    /// (0, 0, 0, D).
+    Alpha,
+}
+
+/// Everything beside the texels that a sample depends on.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sampler {
+    /// Wrap of s, t, r.
+    pub wrap: [Wrap; 3],
+    /// Within a level, when minified.
+    pub min: Filter,
+    /// Between levels, when minified.
+    pub mipmap: Mipmap,
+    /// When magnified.
+    pub mag: Filter,
+    /// Added to λ before the clamp: object and unit together; the shader's own comes with the call.
+    pub lod_bias: f32,
+    /// Lower bound of λ.
+    pub min_lod: f32,
+    /// Upper bound of λ.
+    pub max_lod: f32,
+    /// `GL_TEXTURE_BASE_LEVEL`.
+    pub base_level: u32,
+    /// `GL_TEXTURE_MAX_LEVEL`.
+    pub max_level: u32,
+    /// RGBA, unclamped.
+    pub border: [f32; 4],
+    /// Depth compare, if switched on.
+    pub compare: Option<Compare>,
+    /// How depth becomes a colour.
+    pub depth_mode: DepthMode,
+}
+
+impl Default for Sampler {
+    /// The state of a new GL texture object (GL 2.1, table 6.16).
+    fn default() -> Self {
+        Self {
+            wrap: [Wrap::Repeat; 3],
+            min: Filter::Nearest,
+            mipmap: Mipmap::Linear,
+            mag: Filter::Linear,
+            lod_bias: 0.0,
+            min_lod: -1000.0,
+            max_lod: 1000.0,
+            base_level: 0,
+            max_level: 1000,
+            border: [0.0; 4],
+            compare: None,
+            depth_mode: DepthMode::Luminance,
+        }
+    }
+}
