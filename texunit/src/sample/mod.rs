@@ -1,0 +1,191 @@
+//! The steps of a sample, in the order of the specification's chapter:
+//! face → LOD → wrap → fetch and border → compare → filter → mip → expand.
+//!
+//! A batch runs level by level: the distinct (filter, face, level) of its 64 lanes are found, each
+//! is sampled once in all lanes, and a mask keeps the lanes that asked for it. Most batches touch
+//! one to three. What a lane gets does not depend on its neighbours' levels.
+
+mod compare;
+mod cube;
+mod expand;
+mod fetch;
+mod filter;
+pub(crate) mod lod;
+mod wrap;
+
+use crate::image::Shape;
+use crate::lanes::math::clamp;
+use crate::lanes::{F32s, Kernel, LANES, Simd, U32s};
+use crate::plan::{Detail, Lod, Texture};
+use crate::sampler::Filter;
+
+/// One call: 64 samples of a complete texture.
+pub(crate) struct Sample<'a> {
+    pub texture: &'a Texture,
+    pub coords: [&'a F32s; 3],
+    pub reference: Option<&'a F32s>,
+    pub lod: Lod<'a>,
+    pub out: &'a mut [F32s; 4],
+}
+
+impl Kernel for Sample<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<S: Simd>(self) {
+        let Self { texture, coords, reference, lod, out } = self;
+        let reference = unit_range(reference.unwrap_or(coords[2]));
+        let projected;
+        let (face, st) = match texture.shape {
+            Shape::D2 => (&U32s::ZERO, [coords[0], coords[1]]),
+            Shape::Cube => {
+                projected = cube::project(coords);
+                (&projected.face, [&projected.st[0], &projected.st[1]])
+            }
+        };
+        let taps = taps(texture, face, coords, lod);
+        sample_taps::<S>(texture, &taps, st, &reference, out);
+        expand::expand(texture.format.base(), texture.depth_mode, out);
+    }
+}
+
+/// The reference of a comparison is clamped to [0, 1] (GL 2.1, section 3.8.14).
+#[inline(always)]
+fn unit_range(reference: &F32s) -> F32s {
+    let mut out = F32s::ZERO;
+    for lane in 0..LANES {
+        out[lane] = clamp(reference[lane], 0.0, 1.0);
+    }
+    out
+}
+
+/// Per lane the two (filter, face, level) that are mixed, as keys, and the weight of the second.
+/// A lane that reads one level has twice the same key and no weight.
+struct Taps {
+    keys: [U32s; 2],
+    weight: F32s,
+}
+
+/// A (filter, face, level) as a number above 0. Levels count from the base level.
+#[inline(always)]
+fn key(filter: Filter, face: u32, level: u32) -> u32 {
+    let filter = match filter {
+        Filter::Nearest => 1 << 8,
+        Filter::Linear => 2 << 8,
+    };
+    filter | face << 5 | level
+}
+
+/// The inverse of [`key`].
+#[inline(always)]
+fn parts(key: u32) -> (Filter, usize, usize) {
+    let filter = if key >> 8 == 1 { Filter::Nearest } else { Filter::Linear };
+    (filter, (key >> 5 & 7) as usize, (key & 31) as usize)
+}
+
+/// What each lane reads.
+#[inline(always)]
+fn taps(texture: &Texture, face: &U32s, coords: [&F32s; 3], lod: Lod<'_>) -> Taps {
+    let mut taps = Taps { keys: [U32s::ZERO; 2], weight: F32s::ZERO };
+    match &texture.detail {
+        Detail::Fixed { filter, level, .. } => {
+            for lane in 0..LANES {
+                taps.keys[0][lane] = key(*filter, face[lane], *level);
+            }
+            taps.keys[1] = taps.keys[0];
+        }
+        Detail::PerLane { min, mag, range } => {
+            let lambda = match lod {
+                Lod::Implicit { bias } => {
+                    let dx = coords.map(lod::across);
+                    let dy = coords.map(lod::upward);
+                    range.lambda(&lambda_base(texture, face, coords, &dx, &dy), bias)
+                }
+                Lod::Explicit(base) => range.lambda(base, None),
+                Lod::Gradient { dx, dy } => {
+                    let (dx, dy) = (dx.map(|d| *d), dy.map(|d| *d));
+                    range.lambda(&lambda_base(texture, face, coords, &dx, &dy), None)
+                }
+            };
+            for lane in 0..LANES {
+                let (d1, d2, weight) = range.levels(lambda[lane]);
+                let minified = lambda[lane] > range.magnified_to;
+                let first = key(*min, face[lane], d1);
+                let second = if weight > 0.0 { key(*min, face[lane], d2) } else { first };
+                let magnified = key(*mag, face[lane], 0);
+                taps.keys[0][lane] = if minified { first } else { magnified };
+                taps.keys[1][lane] = if minified { second } else { magnified };
+                taps.weight[lane] = if minified { weight } else { 0.0 };
+            }
+        }
+    }
+    taps
+}
+
+/// λ before bias and clamp, from the derivatives of the coordinates.
+#[inline(always)]
+fn lambda_base(
+    texture: &Texture,
+    face: &U32s,
+    coords: [&F32s; 3],
+    dx: &[F32s; 3],
+    dy: &[F32s; 3],
+) -> F32s {
+    match texture.shape {
+        Shape::D2 => lod::lambda_base([&dx[0], &dx[1]], [&dy[0], &dy[1]], texture.size),
+        Shape::Cube => {
+            let dx = cube::derivatives(face, coords, dx.each_ref());
+            let dy = cube::derivatives(face, coords, dy.each_ref());
+            lod::lambda_base(dx.each_ref(), dy.each_ref(), texture.size)
+        }
+    }
+}
+
+/// Samples every distinct key once and mixes.
+#[inline(always)]
+fn sample_taps<S: Simd>(
+    texture: &Texture,
+    taps: &Taps,
+    st: [&F32s; 2],
+    reference: &F32s,
+    out: &mut [F32s; 4],
+) {
+    let channels = texture.format.channels();
+    let mut second = [F32s::ZERO; 4];
+    let mut sampled = [F32s::ZERO; 4];
+    let mut next = least_above(taps, 0);
+    while let Some(key) = next {
+        let (filter, face, level) = parts(key);
+        let level = &texture.levels[face][level];
+        filter::sample_level::<S>(texture, level, filter, st, reference, &mut sampled);
+        for channel in 0..channels {
+            for lane in 0..LANES {
+                let value = sampled[channel][lane];
+                let (first_here, second_here) =
+                    (taps.keys[0][lane] == key, taps.keys[1][lane] == key);
+                out[channel][lane] = if first_here { value } else { out[channel][lane] };
+                second[channel][lane] = if second_here { value } else { second[channel][lane] };
+            }
+        }
+        next = least_above(taps, key);
+    }
+    for channel in 0..channels {
+        for lane in 0..LANES {
+            out[channel][lane] =
+                filter::lerp(out[channel][lane], second[channel][lane], taps.weight[lane]);
+        }
+    }
+}
+
+/// The least key of the batch above `floor`.
+#[inline(always)]
+fn least_above(taps: &Taps, floor: u32) -> Option<u32> {
+    let mut least = u32::MAX;
+    for keys in &taps.keys {
+        for lane in 0..LANES {
+            let candidate = if keys[lane] > floor { keys[lane] } else { u32::MAX };
+            least = if candidate < least { candidate } else { least };
+        }
+    }
+    (least != u32::MAX).then_some(least)
+}
