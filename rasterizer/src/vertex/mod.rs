@@ -1,0 +1,7 @@
+//! The vertex stage: fetch attributes, run the vertex program over 64 vertices at once, and place
+//! the results in the window.
+
+mod fetch;
+mod shade;
+
+pub use shade::{GUARD_BAND, Geometry, Outcode, ShadedVertex, VertexStage, shade};
