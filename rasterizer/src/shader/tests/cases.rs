@@ -1,0 +1,1 @@
+//! Programs written by hand: control flow, arrays, derivatives, budgets, depth.
