@@ -120,8 +120,8 @@ impl DrawPlan {
                 .map(|component| output(Output::Color { target: target as u8, component }));
             let stored = stored_components(format);
             let mut write_mask = 0;
-            for component in 0..4 {
-                if state.mask[component] && stored[component] {
+            for (component, (mask, stored)) in state.mask.into_iter().zip(stored).enumerate() {
+                if mask && stored {
                     write_mask |= 0xFF << (8 * component);
                 }
             }

@@ -1,7 +1,7 @@
 //! The device: which instruction set, how many threads, and the queue.
 
 use super::command::CommandBuffer;
-use super::submit;
+use super::{check, submit};
 use parking_lot::Mutex;
 use std::collections::BTreeSet;
 use texunit::lanes::{Isa, IsaError};
@@ -125,7 +125,7 @@ impl Device {
     /// # Errors
     /// When a command breaks a rule; then nothing was run.
     pub fn submit(&self, commands: &CommandBuffer) -> Result<SubmitReport, SubmitError> {
-        submit::check(&commands.commands)?;
+        check::check(&commands.commands)?;
         Ok(self.pool.install(|| submit::run(self, &commands.commands)))
     }
 

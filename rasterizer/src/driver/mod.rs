@@ -2,9 +2,11 @@
 //! commands, and submits them to the queue.
 
 mod buffer;
+mod check;
 mod command;
 mod device;
 mod image;
+mod pass;
 mod pipeline;
 mod submit;
 

@@ -71,7 +71,7 @@ impl Primitives {
                 Primitive::Triangle([first, first + 1, first + 2], self.last_or_first(2, 0))
             }
             Topology::TriangleStrip => {
-                if i % 2 == 0 {
+                if i.is_multiple_of(2) {
                     Primitive::Triangle([i, i + 1, i + 2], self.last_or_first(2, 0))
                 } else {
                     Primitive::Triangle([i + 1, i, i + 2], self.last_or_first(2, 1))

@@ -3,10 +3,13 @@
 use super::assemble::Primitive;
 use super::clip::{Clip, clip, planes};
 use crate::driver::{Cull, FrontFace, Viewport};
-use crate::vertex::{Geometry, Outcode, ShadedVertex};
+use crate::vertex::{GUARD_BAND, Geometry, Outcode, ShadedVertex};
 
 /// Subpixels of a pixel along an axis (`GL_SUBPIXEL_BITS` = 8).
 pub const SUBPIXEL: i32 = 256;
+
+/// The largest size of a point in pixels.
+const MAX_POINT_SIZE: f64 = 2048.0;
 
 /// Which side of a polygon is seen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -215,15 +218,11 @@ impl Setup {
 
     /// A point as a square around its place (GL 2.1, section 3.3.1).
     fn point(&self, vertex: &ShadedVertex, index: u32, out: &mut Vec<Shape>) {
-        let visible = Outcode::REJECT | Outcode::INVALID | Outcode::GUARD;
-        let size = f64::from(vertex.point_size.round());
-        if vertex.outcode.0 & visible != 0 || !(1.0..=8192.0).contains(&size) {
-            // A size below one is drawn as one.
-            if vertex.outcode.0 & visible != 0 || !(size < 1.0) {
-                return;
-            }
+        if vertex.outcode.0 & (Outcode::REJECT | Outcode::INVALID | Outcode::GUARD) != 0 {
+            return;
         }
-        let size = size.max(1.0);
+        // A size below one, or none at all, is drawn as one.
+        let size = f64::from(vertex.point_size).clamp(1.0, MAX_POINT_SIZE).round();
         // Odd sizes are centred on a pixel's centre, even ones on a corner.
         let low = vertex.window.map(|v| {
             if size % 2.0 == 1.0 {
@@ -262,9 +261,13 @@ fn window(p: &Clip, viewport: &Viewport) -> [f64; 2] {
     ]
 }
 
-/// To the nearest subpixel. The guard band keeps it within 24 bits.
+/// To the nearest subpixel, within 24 bits. The clamp acts only where a cut between coordinates of
+/// 1e30 and of 1 has rounded to a point outside the guard band.
 fn snap(window: [f64; 2]) -> [i32; 2] {
-    window.map(|v| (v * f64::from(SUBPIXEL) + 0.5).floor() as i32)
+    window.map(|v| {
+        let v = v.clamp(-GUARD_BAND, GUARD_BAND);
+        (v * f64::from(SUBPIXEL) + 0.5).floor() as i32
+    })
 }
 
 /// Twice the area of a triangle, positive counter-clockwise.

@@ -367,8 +367,8 @@ fn clear(pass: &PassJob, job: &ClearJob, tile: &mut TileJob) {
                 return;
             };
             let mut write = 0_u32;
-            for component in 0..4 {
-                if mask[component] && stored[component] {
+            for (component, (mask, stored)) in mask.into_iter().zip(*stored).enumerate() {
+                if mask && stored {
                     write |= 0xFF << (8 * component);
                 }
             }

@@ -2,6 +2,8 @@
 //! the results in the window.
 
 mod fetch;
+mod ids;
 mod shade;
 
+pub use ids::{Ids, Unique, ordinals};
 pub use shade::{GUARD_BAND, Geometry, Outcode, ShadedVertex, VertexStage, shade};

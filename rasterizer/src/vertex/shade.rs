@@ -274,7 +274,7 @@ fn place(vertex: &mut ShadedVertex, viewport: &Viewport) {
         x / w * half[0] + (f64::from(viewport.x) + half[0]),
         y / w * half[1] + (f64::from(viewport.y) + half[1]),
     ];
-    let guard = |v: f64| !(v.abs() <= GUARD_BAND);
+    let guard = |v: f64| v.is_nan() || v.abs() > GUARD_BAND;
     vertex.outcode = Outcode(
         bit(x < -w, Outcode::LEFT)
             | bit(x > w, Outcode::RIGHT)
