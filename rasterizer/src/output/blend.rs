@@ -56,11 +56,6 @@ impl Colors<'_> {
     #[inline(always)]
     fn factor(&self, factor: BlendFactor, out: &mut F32s) {
         let Colors { source, destination, constant, channel } = self;
-        let one_minus = |of: &F32s, out: &mut F32s| {
-            for lane in 0..LANES {
-                out[lane] = 1.0 - of[lane];
-            }
-        };
         match factor {
             BlendFactor::Zero => *out = F32s::ZERO,
             BlendFactor::One => *out = F32s::splat(1.0),
@@ -86,5 +81,12 @@ impl Colors<'_> {
                 }
             }
         }
+    }
+}
+
+#[inline(always)]
+fn one_minus(of: &F32s, out: &mut F32s) {
+    for lane in 0..LANES {
+        out[lane] = 1.0 - of[lane];
     }
 }

@@ -1,6 +1,6 @@
 //! The depth test (GL 2.1, section 4.1.6), on the words that the attachment holds.
 
-use super::color::expand_mask;
+use super::color::{expand_mask, pack_mask};
 use crate::driver::DepthWrite;
 use texunit::format::Format;
 use texunit::lanes::{F32s, Kernel, LANES, Simd, U32s};
@@ -96,32 +96,33 @@ impl Kernel for DepthTest<'_> {
         }
         let covered = expand_mask(mask);
         let mut pass = U32s::ZERO;
-        let mut compare = |holds: fn(u32, u32) -> bool| {
-            for lane in 0..LANES {
-                let holds = if holds(new[lane], stored[lane]) { !0 } else { 0 };
-                pass[lane] = holds & covered[lane];
-            }
-        };
         match plan.test {
             Compare::Never => {}
-            Compare::Less => compare(|a, b| a < b),
-            Compare::Equal => compare(|a, b| a == b),
-            Compare::LessEqual => compare(|a, b| a <= b),
-            Compare::Greater => compare(|a, b| a > b),
-            Compare::NotEqual => compare(|a, b| a != b),
-            Compare::GreaterEqual => compare(|a, b| a >= b),
-            Compare::Always => pass = covered,
+            Compare::Less => compare(&mut pass, &new, stored, |a, b| a < b),
+            Compare::Equal => compare(&mut pass, &new, stored, |a, b| a == b),
+            Compare::LessEqual => compare(&mut pass, &new, stored, |a, b| a <= b),
+            Compare::Greater => compare(&mut pass, &new, stored, |a, b| a > b),
+            Compare::NotEqual => compare(&mut pass, &new, stored, |a, b| a != b),
+            Compare::GreaterEqual => compare(&mut pass, &new, stored, |a, b| a >= b),
+            Compare::Always => pass = U32s::splat(!0),
+        }
+        for lane in 0..LANES {
+            pass[lane] &= covered[lane];
         }
         if plan.write == DepthWrite::On {
             for lane in 0..LANES {
                 stored[lane] = (new[lane] & pass[lane]) | (stored[lane] & !pass[lane]);
             }
         }
-        let mut passed = 0;
-        for lane in 0..LANES {
-            passed |= u64::from(pass[lane] != 0) << lane;
-        }
-        passed
+        pack_mask(&pass)
+    }
+}
+
+/// All ones in the lanes where `holds`.
+#[inline(always)]
+fn compare(pass: &mut U32s, new: &U32s, stored: &U32s, holds: impl Fn(u32, u32) -> bool) {
+    for lane in 0..LANES {
+        pass[lane] = if holds(new[lane], stored[lane]) { !0 } else { 0 };
     }
 }
 

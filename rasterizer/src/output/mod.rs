@@ -4,5 +4,5 @@ mod blend;
 mod color;
 mod depth;
 
-pub use color::{ColorPlan, WriteColor, color_word, expand_mask};
+pub use color::{ColorPlan, WriteColor, color_word, expand_mask, pack_mask};
 pub use depth::{DepthFormat, DepthPlan, DepthTest};

@@ -26,9 +26,12 @@ pub struct Batch {
     blocks: [u8; QUADS],
     /// Which quad of its block each is.
     quads: [u8; QUADS],
+    /// Its first pixel within the block.
+    dx: [f32; QUADS],
+    dy: [f32; QUADS],
     /// The first pixel of the block.
-    x: [i32; QUADS],
-    y: [i32; QUADS],
+    x: [f32; QUADS],
+    y: [f32; QUADS],
     front: [u32; QUADS],
     planes: Vec<QuadPlane>,
     /// By block: the quads that wait in this batch.
@@ -50,8 +53,10 @@ impl Default for Batch {
             mask: 0,
             blocks: [0; QUADS],
             quads: [0; QUADS],
-            x: [0; QUADS],
-            y: [0; QUADS],
+            dx: [0.0; QUADS],
+            dy: [0.0; QUADS],
+            x: [0.0; QUADS],
+            y: [0.0; QUADS],
             front: [0; QUADS],
             planes: Vec::new(),
             waiting: [0; 64],
@@ -124,8 +129,10 @@ impl Batch {
         self.blocks[at] = of.block as u8;
         self.quads[at] = quad as u8;
         self.waiting[of.block] |= 1 << quad;
-        self.x[at] = of.x;
-        self.y[at] = of.y;
+        self.dx[at] = (quad % 4 * 2) as f32;
+        self.dy[at] = (quad / 4 * 2) as f32;
+        self.x[at] = of.x as f32;
+        self.y[at] = of.y as f32;
         self.front[at] = front_word(of.facing);
         for e in 0..4 {
             self.mask |= (lanes >> (e * QUADS + quad) & 1) << (e * QUADS + at);
@@ -142,12 +149,13 @@ impl Batch {
         self.clear(planes);
         self.len = QUADS;
         self.mask = lanes;
+        // Its quads are not noted in `blocks`: a whole block runs at once and never waits.
         for quad in 0..QUADS {
-            self.quads[quad] = quad as u8;
+            self.dx[quad] = (quad % 4 * 2) as f32;
+            self.dy[quad] = (quad / 4 * 2) as f32;
         }
-        // `blocks` stays what it was: a whole block runs at once and never waits.
-        self.x = [of.x; QUADS];
-        self.y = [of.y; QUADS];
+        self.x = [of.x as f32; QUADS];
+        self.y = [of.y as f32; QUADS];
         self.front = [front_word(of.facing); QUADS];
         for (index, plane) in self.planes.iter_mut().enumerate() {
             plane.corner = [of.planes.at(index, of.x, of.y); QUADS];
@@ -182,32 +190,14 @@ impl Kernel for Interpolate<'_> {
     #[inline(always)]
     fn run<S: Simd>(self) {
         let Self { plan, batch, machine, depth } = self;
-        let mut dx = F32s::ZERO;
-        let mut dy = F32s::ZERO;
-        for e in 0..4 {
-            for q in 0..QUADS {
-                let lane = e * QUADS + q;
-                dx[lane] = (i32::from(batch.quads[q] & 3) * 2 + (e & 1) as i32) as f32;
-                dy[lane] = (i32::from(batch.quads[q] >> 2) * 2 + (e >> 1) as i32) as f32;
-            }
-        }
-        let plane = |index: usize, out: &mut F32s| {
-            let p = &batch.planes[index];
-            for e in 0..4 {
-                for q in 0..QUADS {
-                    let lane = e * QUADS + q;
-                    out[lane] = (p.corner[q] + dx[lane] * p.a[q]) + dy[lane] * p.b[q];
-                }
-            }
-        };
         if let Some(index) = plan.depth_plane {
-            plane(index, depth);
+            batch.evaluate(index, depth);
             clamp_depth(depth);
         }
         let mut w = F32s::ZERO;
         if let Some(index) = plan.denominator_plane {
             let mut over = F32s::ZERO;
-            plane(index, &mut over);
+            batch.evaluate(index, &mut over);
             for lane in 0..LANES {
                 w[lane] = 1.0 / over[lane];
             }
@@ -217,49 +207,54 @@ impl Kernel for Interpolate<'_> {
             match *input {
                 FragmentInput::Smooth(index) => {
                     let mut over = F32s::ZERO;
-                    plane(index, &mut over);
+                    batch.evaluate(index, &mut over);
                     let out = out.as_f32_mut();
                     for lane in 0..LANES {
                         out[lane] = over[lane] * w[lane];
                     }
                 }
-                FragmentInput::Linear(index) => plane(index, out.as_f32_mut()),
+                FragmentInput::Linear(index) => batch.evaluate(index, out.as_f32_mut()),
                 FragmentInput::Depth => *out.as_f32_mut() = *depth,
                 FragmentInput::Flat(index) => {
-                    let p = &batch.planes[index];
-                    let out = out.as_f32_mut();
-                    for e in 0..4 {
-                        for q in 0..QUADS {
-                            out[e * QUADS + q] = p.corner[q];
-                        }
-                    }
+                    by_quad(out, |_, q| batch.planes[index].corner[q].to_bits());
                 }
                 FragmentInput::X => {
-                    let out = out.as_f32_mut();
-                    for e in 0..4 {
-                        for q in 0..QUADS {
-                            let lane = e * QUADS + q;
-                            out[lane] = batch.x[q] as f32 + (dx[lane] + 0.5);
-                        }
-                    }
+                    by_quad(out, |e, q| (batch.x[q] + (batch.dx[q] + X[e] + 0.5)).to_bits());
                 }
                 FragmentInput::Y => {
-                    let out = out.as_f32_mut();
-                    for e in 0..4 {
-                        for q in 0..QUADS {
-                            let lane = e * QUADS + q;
-                            out[lane] = batch.y[q] as f32 + (dy[lane] + 0.5);
-                        }
-                    }
+                    by_quad(out, |e, q| (batch.y[q] + (batch.dy[q] + Y[e] + 0.5)).to_bits());
                 }
-                FragmentInput::Front => {
-                    for e in 0..4 {
-                        for q in 0..QUADS {
-                            out[e * QUADS + q] = batch.front[q];
-                        }
-                    }
-                }
+                FragmentInput::Front => by_quad(out, |_, q| batch.front[q]),
                 FragmentInput::Zero => *out = U32s::ZERO,
+            }
+        }
+    }
+}
+
+/// Column of each pixel of a quad.
+const X: [f32; 4] = [0.0, 1.0, 0.0, 1.0];
+/// Row of each pixel of a quad.
+const Y: [f32; 4] = [0.0, 0.0, 1.0, 1.0];
+
+/// Fills lanes from the pixel of the quad and the quad.
+#[inline(always)]
+fn by_quad(out: &mut U32s, word: impl Fn(usize, usize) -> u32) {
+    for e in 0..4 {
+        for q in 0..QUADS {
+            out[e * QUADS + q] = word(e, q);
+        }
+    }
+}
+
+impl Batch {
+    /// A plane at every lane.
+    #[inline(always)]
+    fn evaluate(&self, plane: usize, out: &mut F32s) {
+        let p = &self.planes[plane];
+        for e in 0..4 {
+            for q in 0..QUADS {
+                let (dx, dy) = (self.dx[q] + X[e], self.dy[q] + Y[e]);
+                out[e * QUADS + q] = (p.corner[q] + dx * p.a[q]) + dy * p.b[q];
             }
         }
     }

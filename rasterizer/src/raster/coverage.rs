@@ -5,8 +5,9 @@
 //! 256 `dy`, so `E mod 256` is the same at every centre, and `floor(E / 256)` has the same sign as
 //! `E` and moves in steps of `dx` and `dy`: exact in 32 bits wherever an edge crosses a block.
 
+use crate::output::pack_mask;
 use crate::primitive::SUBPIXEL;
-use texunit::lanes::{I32s, Isa, Kernel, LANES, Simd, lane_x, lane_y};
+use texunit::lanes::{I32s, Isa, Kernel, LANES, Simd, U32s, lane_x, lane_y};
 
 /// An edge function, scaled down by 256, relative to the centre of a tile's first pixel.
 #[derive(Clone, Copy, Debug, Default)]
@@ -103,17 +104,14 @@ impl Kernel for Inside {
     #[inline(always)]
     fn run<S: Simd>(self) -> u64 {
         let [(e0, x0, y0), (e1, x1, y1), (e2, x2, y2)] = self.0;
-        let mut outside = I32s::ZERO;
+        let mut inside = U32s::ZERO;
         for lane in 0..LANES {
             let (x, y) = (X.0[lane], Y.0[lane]);
-            outside[lane] =
-                (e0 + x * x0 + y * y0) | (e1 + x * x1 + y * y1) | (e2 + x * x2 + y * y2);
+            let least = (e0 + x * x0 + y * y0) | (e1 + x * x1 + y * y1) | (e2 + x * x2 + y * y2);
+            // The sign bit is set if any of the three has it.
+            inside[lane] = u32::from(least >= 0);
         }
-        let mut mask = 0;
-        for lane in 0..LANES {
-            mask |= u64::from(outside[lane] >= 0) << lane;
-        }
-        mask
+        pack_mask(&inside)
     }
 }
 
