@@ -77,24 +77,21 @@ fn check_pass(desc: &PassDesc) -> Result<(), String> {
         .map(|a| (a, "colour"))
         .chain(desc.depth.iter().map(|a| (a, "depth")));
     for (attachment, kind) in attachments {
-        let texels = attachment.image.texels();
-        let Some(level) = texels.level(attachment.face.into(), attachment.level.into()) else {
+        let extent = attachment.image.extent(attachment.face, attachment.level);
+        let Some((format, width, height)) = extent else {
             return Err(format!(
                 "BeginPass: the {kind} attachment has no level {} of face {}",
                 attachment.level, attachment.face
             ));
         };
-        if level.width < desc.width || level.height < desc.height {
+        if width < desc.width || height < desc.height {
             return Err(format!(
-                "BeginPass: the {kind} attachment is {}×{}, smaller than the pass's {}×{}",
-                level.width, level.height, desc.width, desc.height
+                "BeginPass: the {kind} attachment is {width}×{height}, smaller than the pass's {}×{}",
+                desc.width, desc.height
             ));
         }
-        if DepthFormat::of(level.format).is_some() != (kind == "depth") {
-            return Err(format!(
-                "BeginPass: {:?} is no format of a {kind} attachment",
-                level.format
-            ));
+        if DepthFormat::of(format).is_some() != (kind == "depth") {
+            return Err(format!("BeginPass: {format:?} is no format of a {kind} attachment"));
         }
     }
     Ok(())

@@ -7,6 +7,7 @@
 use crate::target::Surface;
 use parking_lot::Mutex;
 use std::sync::Arc;
+use texunit::format::Format;
 use texunit::image::Image as Texels;
 
 /// An image of the driver. Cloning gives another handle to the same image.
@@ -66,6 +67,13 @@ impl Image {
     /// Whether both handles name the same image.
     pub fn same(&self, other: &Self) -> bool {
         Arc::ptr_eq(&self.0, &other.0)
+    }
+
+    /// Format, width and height of a level, if it exists.
+    pub(crate) fn extent(&self, face: u8, level: u8) -> Option<(Format, u32, u32)> {
+        let state = self.0.lock();
+        let level = state.texels.level(face.into(), level.into())?;
+        Some((level.format, level.width, level.height))
     }
 
     /// Takes a level out in the attachment layout; `None` if it does not exist.

@@ -104,35 +104,32 @@ impl Surface {
         let row_bytes = self.width as usize * size;
         let across = self.tiles_across() as usize;
         let used = row_bytes * self.height as usize;
-        level.texels[..used]
-            .par_chunks_mut(row_bytes * TILE as usize)
-            .zip(self.planes.par_chunks(across))
-            .for_each(|(rows, planes)| {
-                for (y, row) in rows.chunks_exact_mut(row_bytes).enumerate() {
-                    for (tile, plane) in row.chunks_mut(TILE as usize * size).zip(planes) {
-                        store_row(self.format, plane, y, tile);
-                    }
-                }
-            });
+        for (y, row) in level.texels[..used].chunks_exact_mut(row_bytes).enumerate() {
+            let planes = &self.planes[y / TILE as usize * across..][..across];
+            for (texels, plane) in row.chunks_mut(TILE as usize * size).zip(planes) {
+                store_row(self.format, plane, y % TILE as usize, texels);
+            }
+        }
     }
 }
 
 /// Row `y` of a tile into the texels of one row.
 fn store_row(format: Format, plane: &Plane, y: usize, row: &mut [u8]) {
     let size = format.bytes();
-    let lanes = LANE_AT[y % 8];
     for (column, texels) in row.chunks_mut(8 * size).enumerate() {
-        match plane {
-            Plane::Cleared(word) => {
-                for texel in texels.chunks_exact_mut(size) {
-                    texel_of(format, *word, texel);
-                }
-            }
+        let words = match plane {
+            Plane::Cleared(word) => [*word; 8],
             Plane::Words(words) => {
                 let block = &words[y / 8 * 8 + column];
-                for (texel, lane) in texels.chunks_exact_mut(size).zip(lanes) {
-                    texel_of(format, block[lane as usize], texel);
-                }
+                LANE_AT[y % 8].map(|lane| block[usize::from(lane)])
+            }
+        };
+        // Words of four bytes are the texels themselves.
+        if size == 4 {
+            texels.copy_from_slice(&bytemuck::bytes_of(&words.map(u32::to_le))[..texels.len()]);
+        } else {
+            for (texel, word) in texels.chunks_exact_mut(size).zip(words) {
+                texel_of(format, word, texel);
             }
         }
     }
