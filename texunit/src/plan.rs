@@ -213,8 +213,8 @@ impl Detail {
             last,
         };
         // No λ is above `max`, so no level above that one's is read.
-        let (first, second, _) = range.levels(range.max);
-        range.last = first.max(second);
+        let ([first, second], _) = range.levels(&F32s::splat(range.max));
+        range.last = first[0].max(second[0]);
         Self::PerLane { min, mag, range }
     }
 

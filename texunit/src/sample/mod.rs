@@ -62,46 +62,50 @@ fn unit_range(reference: &F32s) -> F32s {
     out
 }
 
-/// What the lanes of a batch read.
-enum Taps {
-    /// All the same (filter, face, level), as a key.
-    Same(u32),
-    /// Per lane two keys that are mixed, and the weight of the second. A lane that reads one level
-    /// has twice the same key and no weight.
-    Mixed { keys: [U32s; 2], weight: F32s },
+/// What the lanes of a batch read: per lane two (filter, face, level), as keys, and the weight of
+/// the second. A lane that reads one level has twice the same key and no weight.
+struct Taps {
+    /// The one key of the whole batch, where it is one; then the other fields do not matter.
+    same: Option<u32>,
+    keys: [U32s; 2],
+    weight: F32s,
 }
+
+/// Where the face and the filter begin in a key; the level is below.
+const FACE: u32 = 5;
+const FILTER: u32 = 8;
 
 /// A (filter, face, level) as a number above 0. Levels count from the base level.
 #[inline(always)]
 fn key(filter: Filter, face: u32, level: u32) -> u32 {
     let filter = match filter {
-        Filter::Nearest => 1 << 8,
-        Filter::Linear => 2 << 8,
+        Filter::Nearest => 1,
+        Filter::Linear => 2,
     };
-    filter | face << 5 | level
+    filter << FILTER | face << FACE | level
 }
 
 /// The inverse of [`key`].
 #[inline(always)]
 fn parts(key: u32) -> (Filter, usize, usize) {
-    let filter = if key >> 8 == 1 { Filter::Nearest } else { Filter::Linear };
-    (filter, (key >> 5 & 7) as usize, (key & 31) as usize)
+    let filter = if key >> FILTER == 1 { Filter::Nearest } else { Filter::Linear };
+    (filter, (key >> FACE & 7) as usize, (key & 31) as usize)
 }
 
 /// What each lane reads.
 #[inline(always)]
 fn taps(texture: &Texture, face: &U32s, coords: [&F32s; 3], lod: Lod<'_>) -> Taps {
-    let mut keys = [U32s::ZERO; 2];
-    let mut weights = F32s::ZERO;
+    let mut taps = Taps { same: None, keys: [U32s::ZERO; 2], weight: F32s::ZERO };
     match &texture.detail {
         Detail::Fixed { filter, level, .. } => {
             if texture.shape == Shape::D2 {
-                return Taps::Same(key(*filter, 0, *level));
+                taps.same = Some(key(*filter, 0, *level));
+                return taps;
             }
             for lane in 0..LANES {
-                keys[0][lane] = key(*filter, face[lane], *level);
+                taps.keys[0][lane] = key(*filter, face[lane], *level);
             }
-            keys[1] = keys[0];
+            taps.keys[1] = taps.keys[0];
         }
         Detail::PerLane { min, mag, range } => {
             let lambda = match lod {
@@ -116,23 +120,25 @@ fn taps(texture: &Texture, face: &U32s, coords: [&F32s; 3], lod: Lod<'_>) -> Tap
                     range.lambda(&lambda_base(texture, face, coords, dx, dy), None)
                 }
             };
+            let (levels, weight) = range.levels(&lambda);
+            let (min, mag) = (key(*min, 0, 0), key(*mag, 0, 0));
             for lane in 0..LANES {
-                let (d1, d2, weight) = range.levels(lambda[lane]);
                 let minified = lambda[lane] > range.magnified_to;
-                let first = key(*min, face[lane], d1);
-                let second = if weight > 0.0 { key(*min, face[lane], d2) } else { first };
-                let magnified = key(*mag, face[lane], 0);
-                keys[0][lane] = if minified { first } else { magnified };
-                keys[1][lane] = if minified { second } else { magnified };
-                weights[lane] = if minified { weight } else { 0.0 };
+                let face = face[lane] << FACE;
+                let first = min | face | levels[0][lane];
+                let second = min | face | levels[1][lane];
+                let second = if weight[lane] > 0.0 { second } else { first };
+                taps.keys[0][lane] = if minified { first } else { mag | face };
+                taps.keys[1][lane] = if minified { second } else { mag | face };
+                taps.weight[lane] = if minified { weight[lane] } else { 0.0 };
             }
         }
     }
-    let least = least_above(&keys, 0);
-    if least_above(&keys, least) == NONE {
-        return Taps::Same(least);
+    let least = least_above(&taps, 0);
+    if least_above(&taps, least) == NONE {
+        taps.same = Some(least);
     }
-    Taps::Mixed { keys, weight: weights }
+    taps
 }
 
 /// λ before bias and clamp, from the derivatives of the coordinates.
@@ -166,30 +172,31 @@ fn sample_taps<S: Simd>(
     let channels = texture.format.channels();
     let mut first = [F32s::ZERO; 4];
     let mut second = [F32s::ZERO; 4];
-    let mut key = match taps {
-        Taps::Same(key) => *key,
-        Taps::Mixed { keys, .. } => least_above(keys, 0),
+    let mut key = match taps.same {
+        Some(key) => key,
+        None => least_above(taps, 0),
     };
     while key != NONE {
         let (filter, face, level) = parts(key);
         let level = &texture.levels[face][level];
         filter::sample_level::<S>(texture, level, filter, st, reference, out);
-        let Taps::Mixed { keys, .. } = taps else { return };
+        if taps.same.is_some() {
+            return;
+        }
         for channel in 0..channels {
             for lane in 0..LANES {
                 let value = out[channel][lane];
-                let (in_first, in_second) = (keys[0][lane] == key, keys[1][lane] == key);
+                let (in_first, in_second) = (taps.keys[0][lane] == key, taps.keys[1][lane] == key);
                 first[channel][lane] = if in_first { value } else { first[channel][lane] };
                 second[channel][lane] = if in_second { value } else { second[channel][lane] };
             }
         }
-        key = least_above(keys, key);
+        key = least_above(taps, key);
     }
-    let Taps::Mixed { weight, .. } = taps else { return };
     for channel in 0..channels {
         for lane in 0..LANES {
             out[channel][lane] =
-                filter::lerp(first[channel][lane], second[channel][lane], weight[lane]);
+                filter::lerp(first[channel][lane], second[channel][lane], taps.weight[lane]);
         }
     }
 }
@@ -199,11 +206,12 @@ const NONE: u32 = u32::MAX;
 
 /// The least key of the batch above `floor`.
 #[inline(always)]
-fn least_above(keys: &[U32s; 2], floor: u32) -> u32 {
+fn least_above(taps: &Taps, floor: u32) -> u32 {
+    let [first, second] = &taps.keys;
     let mut least = NONE;
     for lane in 0..LANES {
-        let a = if keys[0][lane] > floor { keys[0][lane] } else { NONE };
-        let b = if keys[1][lane] > floor { keys[1][lane] } else { NONE };
+        let a = if first[lane] > floor { first[lane] } else { NONE };
+        let b = if second[lane] > floor { second[lane] } else { NONE };
         let lower = if a < b { a } else { b };
         least = if lower < least { lower } else { least };
     }
