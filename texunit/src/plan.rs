@@ -1,6 +1,6 @@
 //! One decision per draw: how this image is sampled with this sampler.
 
-use crate::format::Format;
+use crate::format::{Encoding, Format};
 use crate::image::{Image, Incomplete, Level, Shape};
 use crate::lanes::{F32s, Isa};
 use crate::sample::Sample;
@@ -146,6 +146,18 @@ impl Texture {
         self.wrap[0].reaches_border(filter) || self.wrap[1].reaches_border(filter)
     }
 
+    /// Whether texels of this channel are linear bytes that are neither compared nor mixed with
+    /// the border.
+    #[inline(always)]
+    pub fn is_plain_byte(&self, filter: Filter, channel: usize) -> bool {
+        match self.format.info().encoding {
+            Encoding::Unorm8 | Encoding::Srgb8 => {
+                !self.format.is_srgb_channel(channel) && !self.reaches_border(filter)
+            }
+            Encoding::Unorm16 | Encoding::Unorm24 | Encoding::Float32 => false,
+        }
+    }
+
     fn describe(&self) -> String {
         let Self { shape, format, size: [width, height], wrap: [s, t], .. } = self;
         let mut line = format!("{shape:?} {format:?} {width}x{height}, wrap {s:?} {t:?}");
@@ -201,8 +213,8 @@ impl Detail {
             last,
         };
         // No λ is above `max`, so no level above that one's is read.
-        let (first, second, _) = range.levels(range.max);
-        range.last = first.max(second);
+        let ([first, second], _) = range.levels(&F32s::splat(range.max));
+        range.last = first[0].max(second[0]);
         Self::PerLane { min, mag, range }
     }
 

@@ -17,6 +17,12 @@ fn unorm8(byte: u32) -> f32 {
     c * BYTE_HIGH + c * BYTE_LOW
 }
 
+/// A linear byte channel of a texel's word.
+#[inline(always)]
+pub(crate) fn byte_channel(word: u32, channel: usize) -> f32 {
+    unorm8(word >> (8 * channel) & 0xFF)
+}
+
 /// The nearest of `0 ..= largest` to `x * largest`, halves to even. Clamps; NaN gives 0.
 #[inline(always)]
 fn to_unorm(x: f32, largest: f32) -> u32 {
@@ -37,7 +43,7 @@ pub fn decode_channel<S: Simd>(format: Format, channel: usize, words: &U32s) -> 
         }
         Encoding::Unorm8 | Encoding::Srgb8 => {
             for lane in 0..LANES {
-                out[lane] = unorm8(words[lane] >> (8 * channel) & 0xFF);
+                out[lane] = byte_channel(words[lane], channel);
             }
         }
         Encoding::Unorm16 => {

@@ -79,8 +79,8 @@ pub enum Incomplete {
     },
     /// A level's size does not follow from the base level's.
     #[error(
-        "level {level}{} is {}×{}, but after a base level of its size it must be {}×{}: each \
-         level has half the width and height of the one before, rounded down, at least 1",
+        "level {level}{} is {}×{}, but must be {}×{}: each level has half the width and height of \
+         the one before, rounded down, at least 1",
         face_name(*.shape, *.face), .got[0], .got[1], .expected[0], .expected[1]
     )]
     WrongSize {

@@ -1,7 +1,7 @@
 //! The level of detail (GL 2.1, section 3.8.8): ρ, λ, and which levels a lane reads.
 
 use crate::lanes::math::{clamp, max, to_i32};
-use crate::lanes::{F32s, LANES, QUADS, log2};
+use crate::lanes::{F32s, LANES, QUADS, U32s, log2};
 use crate::sampler::{MAX_LOD_BIAS, Mipmap};
 
 /// What turns λ of the base level into levels and weights.
@@ -89,27 +89,37 @@ impl LodRange {
         out
     }
 
-    /// The two levels of a minified lane, counted from the base level, and the weight of the
-    /// second.
+    /// The two levels of each lane, if it is minified, counted from the base level, and the weight
+    /// of the second.
     #[inline(always)]
-    pub fn levels(&self, lambda: f32) -> (u32, u32, f32) {
+    pub fn levels(&self, lambda: &F32s) -> ([U32s; 2], F32s) {
+        let mut levels = [U32s::ZERO; 2];
+        let mut weight = F32s::ZERO;
         let last = self.last as i32;
-        let inside = clamp(lambda, 0.0, last as f32);
         match self.mipmap {
-            Mipmap::None => (0, 0, 0.0),
+            Mipmap::None => {}
             Mipmap::Nearest => {
-                // ceil(λ + 1/2) - 1 is the nearest level, of two equally near the larger texels'.
-                let whole = to_i32(inside);
-                let fraction = inside - whole as f32;
-                let d = if fraction > 0.5 { whole + 1 } else { whole } as u32;
-                (d, d, 0.0)
+                for lane in 0..LANES {
+                    // ceil(λ + 1/2) - 1 is the nearest level, of two equally near the finer.
+                    let inside = clamp(lambda[lane], 0.0, last as f32);
+                    let whole = to_i32(inside);
+                    let up = if inside - whole as f32 > 0.5 { 1 } else { 0 };
+                    levels[0][lane] = (whole + up) as u32;
+                }
+                levels[1] = levels[0];
             }
             Mipmap::Linear => {
-                let d1 = to_i32(inside);
-                let d2 = if d1 < last { d1 + 1 } else { last };
-                (d1 as u32, d2 as u32, inside - d1 as f32)
+                for lane in 0..LANES {
+                    let inside = clamp(lambda[lane], 0.0, last as f32);
+                    let whole = to_i32(inside);
+                    let next = if whole < last { whole + 1 } else { last };
+                    levels[0][lane] = whole as u32;
+                    levels[1][lane] = next as u32;
+                    weight[lane] = inside - whole as f32;
+                }
             }
         }
+        (levels, weight)
     }
 }
 
@@ -121,15 +131,18 @@ mod tests {
         LodRange { bias: 0.0, min: -1000.0, max: 1000.0, magnified_to: 0.0, mipmap, last: 4 }
     }
 
+    fn levels(mipmap: Mipmap, lambda: f32) -> (u32, u32, f32) {
+        let ([first, second], weight) = range(mipmap).levels(&F32s::splat(lambda));
+        (first[9], second[9], weight[9])
+    }
+
     #[test]
     fn levels_follow_the_equations() {
-        let nearest = range(Mipmap::Nearest);
         for (lambda, d) in
             [(0.1, 0), (0.5, 0), (0.50001, 1), (1.5, 1), (3.6, 4), (4.4, 4), (99.0, 4)]
         {
-            assert_eq!(nearest.levels(lambda), (d, d, 0.0), "{lambda}");
+            assert_eq!(levels(Mipmap::Nearest, lambda), (d, d, 0.0), "{lambda}");
         }
-        let linear = range(Mipmap::Linear);
         for (lambda, want) in [
             (0.25, (0, 1, 0.25)),
             (1.0, (1, 2, 0.0)),
@@ -139,7 +152,7 @@ mod tests {
             (f32::NEG_INFINITY, (0, 1, 0.0)),
             (f32::NAN, (0, 1, 0.0)),
         ] {
-            assert_eq!(linear.levels(lambda), want, "{lambda}");
+            assert_eq!(levels(Mipmap::Linear, lambda), want, "{lambda}");
         }
     }
 

@@ -34,7 +34,10 @@ impl Kernel for Sample<'_> {
     #[inline(always)]
     fn run<S: Simd>(self) {
         let Self { texture, coords, reference, lod, out } = self;
-        let reference = unit_range(reference.unwrap_or(coords[2]));
+        let reference = match texture.compare {
+            Some(_) => unit_range(reference.unwrap_or(coords[2])),
+            None => F32s::ZERO,
+        };
         let projected;
         let (face, st) = match texture.shape {
             Shape::D2 => (&U32s::ZERO, [coords[0], coords[1]]),
@@ -59,36 +62,46 @@ fn unit_range(reference: &F32s) -> F32s {
     out
 }
 
-/// Per lane the two (filter, face, level) that are mixed, as keys, and the weight of the second.
-/// A lane that reads one level has twice the same key and no weight.
+/// What the lanes of a batch read: per lane two (filter, face, level), as keys, and the weight of
+/// the second. A lane that reads one level has twice the same key and no weight.
 struct Taps {
+    /// The one key of the whole batch, where it is one; then the other fields do not matter.
+    same: Option<u32>,
     keys: [U32s; 2],
     weight: F32s,
 }
+
+/// Where the face and the filter begin in a key; the level is below.
+const FACE: u32 = 5;
+const FILTER: u32 = 8;
 
 /// A (filter, face, level) as a number above 0. Levels count from the base level.
 #[inline(always)]
 fn key(filter: Filter, face: u32, level: u32) -> u32 {
     let filter = match filter {
-        Filter::Nearest => 1 << 8,
-        Filter::Linear => 2 << 8,
+        Filter::Nearest => 1,
+        Filter::Linear => 2,
     };
-    filter | face << 5 | level
+    filter << FILTER | face << FACE | level
 }
 
 /// The inverse of [`key`].
 #[inline(always)]
 fn parts(key: u32) -> (Filter, usize, usize) {
-    let filter = if key >> 8 == 1 { Filter::Nearest } else { Filter::Linear };
-    (filter, (key >> 5 & 7) as usize, (key & 31) as usize)
+    let filter = if key >> FILTER == 1 { Filter::Nearest } else { Filter::Linear };
+    (filter, (key >> FACE & 7) as usize, (key & 31) as usize)
 }
 
 /// What each lane reads.
 #[inline(always)]
 fn taps(texture: &Texture, face: &U32s, coords: [&F32s; 3], lod: Lod<'_>) -> Taps {
-    let mut taps = Taps { keys: [U32s::ZERO; 2], weight: F32s::ZERO };
+    let mut taps = Taps { same: None, keys: [U32s::ZERO; 2], weight: F32s::ZERO };
     match &texture.detail {
         Detail::Fixed { filter, level, .. } => {
+            if texture.shape == Shape::D2 {
+                taps.same = Some(key(*filter, 0, *level));
+                return taps;
+            }
             for lane in 0..LANES {
                 taps.keys[0][lane] = key(*filter, face[lane], *level);
             }
@@ -97,27 +110,33 @@ fn taps(texture: &Texture, face: &U32s, coords: [&F32s; 3], lod: Lod<'_>) -> Tap
         Detail::PerLane { min, mag, range } => {
             let lambda = match lod {
                 Lod::Implicit { bias } => {
-                    let dx = coords.map(lod::across);
-                    let dy = coords.map(lod::upward);
-                    range.lambda(&lambda_base(texture, face, coords, &dx, &dy), bias)
+                    let [s, t, r] = coords;
+                    let dx = [&lod::across(s), &lod::across(t), &lod::across(r)];
+                    let dy = [&lod::upward(s), &lod::upward(t), &lod::upward(r)];
+                    range.lambda(&lambda_base(texture, face, coords, dx, dy), bias)
                 }
                 Lod::Explicit(base) => range.lambda(base, None),
                 Lod::Gradient { dx, dy } => {
-                    let (dx, dy) = (dx.map(|d| *d), dy.map(|d| *d));
-                    range.lambda(&lambda_base(texture, face, coords, &dx, &dy), None)
+                    range.lambda(&lambda_base(texture, face, coords, dx, dy), None)
                 }
             };
+            let (levels, weight) = range.levels(&lambda);
+            let (min, mag) = (key(*min, 0, 0), key(*mag, 0, 0));
             for lane in 0..LANES {
-                let (d1, d2, weight) = range.levels(lambda[lane]);
                 let minified = lambda[lane] > range.magnified_to;
-                let first = key(*min, face[lane], d1);
-                let second = if weight > 0.0 { key(*min, face[lane], d2) } else { first };
-                let magnified = key(*mag, face[lane], 0);
-                taps.keys[0][lane] = if minified { first } else { magnified };
-                taps.keys[1][lane] = if minified { second } else { magnified };
-                taps.weight[lane] = if minified { weight } else { 0.0 };
+                let face = face[lane] << FACE;
+                let first = min | face | levels[0][lane];
+                let second = min | face | levels[1][lane];
+                let second = if weight[lane] > 0.0 { second } else { first };
+                taps.keys[0][lane] = if minified { first } else { mag | face };
+                taps.keys[1][lane] = if minified { second } else { mag | face };
+                taps.weight[lane] = if minified { weight[lane] } else { 0.0 };
             }
         }
+    }
+    let least = least_above(&taps, 0);
+    if least_above(&taps, least) == NONE {
+        taps.same = Some(least);
     }
     taps
 }
@@ -128,15 +147,15 @@ fn lambda_base(
     texture: &Texture,
     face: &U32s,
     coords: [&F32s; 3],
-    dx: &[F32s; 3],
-    dy: &[F32s; 3],
+    dx: [&F32s; 3],
+    dy: [&F32s; 3],
 ) -> F32s {
     match texture.shape {
-        Shape::D2 => lod::lambda_base([&dx[0], &dx[1]], [&dy[0], &dy[1]], texture.size),
+        Shape::D2 => lod::lambda_base([dx[0], dx[1]], [dy[0], dy[1]], texture.size),
         Shape::Cube => {
-            let dx = cube::derivatives(face, coords, dx.each_ref());
-            let dy = cube::derivatives(face, coords, dy.each_ref());
-            lod::lambda_base(dx.each_ref(), dy.each_ref(), texture.size)
+            let [dsdx, dtdx] = cube::derivatives(face, coords, dx);
+            let [dsdy, dtdy] = cube::derivatives(face, coords, dy);
+            lod::lambda_base([&dsdx, &dtdx], [&dsdy, &dtdy], texture.size)
         }
     }
 }
@@ -151,41 +170,50 @@ fn sample_taps<S: Simd>(
     out: &mut [F32s; 4],
 ) {
     let channels = texture.format.channels();
+    let mut first = [F32s::ZERO; 4];
     let mut second = [F32s::ZERO; 4];
-    let mut sampled = [F32s::ZERO; 4];
-    let mut next = least_above(taps, 0);
-    while let Some(key) = next {
+    let mut key = match taps.same {
+        Some(key) => key,
+        None => least_above(taps, 0),
+    };
+    while key != NONE {
         let (filter, face, level) = parts(key);
         let level = &texture.levels[face][level];
-        filter::sample_level::<S>(texture, level, filter, st, reference, &mut sampled);
+        filter::sample_level::<S>(texture, level, filter, st, reference, out);
+        if taps.same.is_some() {
+            return;
+        }
         for channel in 0..channels {
             for lane in 0..LANES {
-                let value = sampled[channel][lane];
-                let (first_here, second_here) =
-                    (taps.keys[0][lane] == key, taps.keys[1][lane] == key);
-                out[channel][lane] = if first_here { value } else { out[channel][lane] };
-                second[channel][lane] = if second_here { value } else { second[channel][lane] };
+                let value = out[channel][lane];
+                let (in_first, in_second) = (taps.keys[0][lane] == key, taps.keys[1][lane] == key);
+                first[channel][lane] = if in_first { value } else { first[channel][lane] };
+                second[channel][lane] = if in_second { value } else { second[channel][lane] };
             }
         }
-        next = least_above(taps, key);
+        key = least_above(taps, key);
     }
     for channel in 0..channels {
         for lane in 0..LANES {
             out[channel][lane] =
-                filter::lerp(out[channel][lane], second[channel][lane], taps.weight[lane]);
+                filter::lerp(first[channel][lane], second[channel][lane], taps.weight[lane]);
         }
     }
 }
 
+/// What [`least_above`] gives when there is none.
+const NONE: u32 = u32::MAX;
+
 /// The least key of the batch above `floor`.
 #[inline(always)]
-fn least_above(taps: &Taps, floor: u32) -> Option<u32> {
-    let mut least = u32::MAX;
-    for keys in &taps.keys {
-        for lane in 0..LANES {
-            let candidate = if keys[lane] > floor { keys[lane] } else { u32::MAX };
-            least = if candidate < least { candidate } else { least };
-        }
+fn least_above(taps: &Taps, floor: u32) -> u32 {
+    let [first, second] = &taps.keys;
+    let mut least = NONE;
+    for lane in 0..LANES {
+        let a = if first[lane] > floor { first[lane] } else { NONE };
+        let b = if second[lane] > floor { second[lane] } else { NONE };
+        let lower = if a < b { a } else { b };
+        least = if lower < least { lower } else { least };
     }
-    (least != u32::MAX).then_some(least)
+    least
 }

@@ -31,14 +31,10 @@ impl Tally {
             return;
         }
         self.checked += 1;
-        for c in 0..4 {
-            let error = (f64::from(got[c][lane]) - want.rgba[c]).abs();
-            assert!(
-                error <= TOLERANCE,
-                "{what}: lane {lane} component {c}: {} for {}, off by {error:e}",
-                got[c][lane],
-                want.rgba[c]
-            );
+        for (got, want) in got.iter().zip(want.rgba) {
+            let got = got[lane];
+            let error = (f64::from(got) - want).abs();
+            assert!(error <= TOLERANCE, "{what}: lane {lane}: {got} for {want}, off by {error:e}");
         }
     }
 }
