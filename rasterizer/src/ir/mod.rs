@@ -28,7 +28,10 @@
 mod build;
 mod ops;
 mod print;
+#[cfg(test)]
+mod tests;
 mod validate;
+mod visit;
 
 pub use build::Builder;
 pub use ops::Op;

@@ -4,6 +4,7 @@
 //!
 //! | module | is |
 //! |---|---|
+//! | [`optimize`] | passes over the structured IR |
 //! | [`lower`] | structured IR → flat [`inst`]ructions over virtual registers |
 //! | [`preamble`] | the values that a draw computes once |
 //! | [`allocate`] | real registers for virtual ones |
@@ -14,6 +15,7 @@ mod inst;
 mod lower;
 mod machine;
 mod mask;
+mod optimize;
 mod preamble;
 
 pub use machine::Machine;
@@ -33,6 +35,8 @@ use texunit::plan::SamplePlan;
 pub struct Program {
     /// Unlike any other program's.
     id: u64,
+    /// Of the module before and after it was optimized.
+    statements: [usize; 2],
     code: Vec<Inst>,
     layout: Layout,
     preamble: Preamble,
@@ -89,8 +93,15 @@ impl Program {
     /// The module has been validated.
     pub fn new(module: &Module, keep: impl Fn(Output) -> bool) -> Self {
         let mut module = module.clone();
+        let size = |module: &Module| {
+            let mut size = 0;
+            module.body.iter().for_each(|stmt| stmt.walk(&mut |_| size += 1));
+            size
+        };
+        let before = size(&module);
         module.outputs.retain(|(output, _)| keep(*output));
-        Self::lowered(&module)
+        optimize::optimize(&mut module);
+        Self { statements: [before, size(&module)], ..Self::lowered(&module) }
     }
 
     /// Lowers `module` as it stands.
@@ -99,6 +110,7 @@ impl Program {
         let layout = allocate::allocate(&mut lowered);
         Self {
             id: identity(),
+            statements: [0; 2],
             code: lowered.code,
             layout,
             preamble: lowered.preamble,
@@ -134,7 +146,9 @@ impl Program {
     /// One line that says what the program became.
     pub fn describe(&self) -> String {
         let mut line = format!(
-            "{} instructions, {} registers, {} values once per draw",
+            "{} statements, {} optimized, {} instructions, {} registers, {} values once per draw",
+            self.statements[0],
+            self.statements[1],
             self.code.len(),
             self.layout.registers,
             self.preamble.operations(),
