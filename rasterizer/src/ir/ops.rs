@@ -182,6 +182,31 @@ operations! {
     /// `1 / sqrt(a)`, two roundings.
     InverseSqrt "inverse_sqrt" (a: f32) -> f32 = 1.0 / a.sqrt();
 
+    /// Sine.
+    Sin "sin" (a: f32) -> f32 = a.sin();
+    /// Cosine.
+    Cos "cos" (a: f32) -> f32 = a.cos();
+    /// Tangent.
+    Tan "tan" (a: f32) -> f32 = a.tan();
+    /// Arc sine.
+    Asin "asin" (a: f32) -> f32 = a.asin();
+    /// Arc cosine.
+    Acos "acos" (a: f32) -> f32 = a.acos();
+    /// Arc tangent.
+    Atan "atan" (a: f32) -> f32 = a.atan();
+    /// Angle of the point (x, y).
+    Atan2 "atan2" (y: f32, x: f32) -> f32 = y.atan2(x);
+    /// Natural exponential.
+    Exp "exp" (a: f32) -> f32 = a.exp();
+    /// Power of two.
+    Exp2 "exp2" (a: f32) -> f32 = a.exp2();
+    /// Natural logarithm.
+    Log "log" (a: f32) -> f32 = a.ln();
+    /// Logarithm to base two.
+    Log2 "log2" (a: f32) -> f32 = a.log2();
+    /// Power.
+    Pow "pow" (a: f32, b: f32) -> f32 = a.powf(b);
+
     /// `a < b`.
     Less "less" (a: f32, b: f32) -> bool = a < b;
     /// `a <= b`.
