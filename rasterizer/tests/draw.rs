@@ -2,12 +2,52 @@
 
 mod common;
 
-use common::{devices, fragment, picture, pipeline, vertex};
+use common::{bindings, bytes, device, fragment, image, pass, pipeline, vertex, viewport};
 use rasterizer::driver::{
-    Blend, BlendEquation, BlendFactor, Cull, DepthState, DepthWrite, PipelineDesc, Topology,
+    Blend, BlendEquation, BlendFactor, ClearValue, Command, CommandBuffer, Cull, DepthState,
+    DepthWrite, Device, Pipeline, PipelineDesc, Rect, Topology,
 };
 use rasterizer::ir::{Builder, Input, Op, Value};
+use texunit::format::Format;
+use texunit::lanes::Isa;
 use texunit::sampler::Compare;
+
+/// Every instruction set with 1, 2 and 8 threads.
+fn devices() -> Vec<Device> {
+    let mut all = Vec::new();
+    for isa in Isa::available() {
+        for threads in [1, 2, 8] {
+            all.push(device(isa, threads));
+        }
+    }
+    all
+}
+
+/// Draws `count` vertices of `desc` into a fresh picture; gives its bytes.
+fn picture(
+    device: &Device,
+    desc: &PipelineDesc,
+    vertices: &[f32],
+    attributes: u8,
+    size: (u32, u32),
+) -> Vec<u8> {
+    let color = image(Format::Rgba8, size.0, size.1);
+    let depth = image(Format::D24, size.0, size.1);
+    let mut commands = CommandBuffer::new();
+    commands.push(pass(&color, Some(&depth), size.0, size.1));
+    commands.push(Command::Clear {
+        value: ClearValue::Depth(1.0),
+        area: Rect { x: 0, y: 0, width: size.0, height: size.1 },
+    });
+    commands.push(Command::BindPipeline(Pipeline::new(desc.clone()).expect("valid")));
+    commands.push(Command::BindVertices(bindings(vertices, attributes)));
+    commands.push(viewport(size.0, size.1));
+    let count = vertices.len() as u32 / (u32::from(attributes) * 4);
+    commands.push(Command::Draw { first: 0, count, instances: 1 });
+    commands.push(Command::EndPass);
+    device.submit(&commands).expect("legal");
+    bytes(&color)
+}
 
 /// The colour is varyings 0 to 3.
 fn varyings(b: &mut Builder) -> [Value; 4] {
@@ -270,7 +310,7 @@ fn lines_and_points_cover_their_pixels() {
 
 #[test]
 fn a_draw_that_needs_little_says_what_it_left_out() {
-    let device = common::device(texunit::lanes::Isa::BASELINE, 1);
+    let device = device(Isa::BASELINE, 1);
     let desc = pipeline(
         vertex(4),
         fragment(4, |b| {

@@ -10,17 +10,7 @@ use texunit::format::Format;
 use texunit::image::{Image as Texels, Level, Shape};
 use texunit::lanes::Isa;
 
-/// Every instruction set with 1, 2 and 8 threads.
-pub fn devices() -> Vec<Device> {
-    let mut all = Vec::new();
-    for isa in Isa::available() {
-        for threads in [1, 2, 8] {
-            all.push(device(isa, threads));
-        }
-    }
-    all
-}
-
+/// A device that keeps its plans.
 pub fn device(isa: Isa, threads: usize) -> Device {
     let desc = DeviceDesc { isa, threads, budget: 1 << 20, explain: Explain::Keep };
     Device::new(desc).expect("threads start")
@@ -128,30 +118,4 @@ pub fn viewport(width: u32, height: u32) -> Command {
         near: 0.0,
         far: 1.0,
     })
-}
-
-/// Draws `count` vertices of `desc` into a fresh picture; gives its bytes.
-pub fn picture(
-    device: &Device,
-    desc: &PipelineDesc,
-    vertices: &[f32],
-    attributes: u8,
-    size: (u32, u32),
-) -> Vec<u8> {
-    let color = image(Format::Rgba8, size.0, size.1);
-    let depth = image(Format::D24, size.0, size.1);
-    let mut commands = CommandBuffer::new();
-    commands.push(pass(&color, Some(&depth), size.0, size.1));
-    commands.push(Command::Clear {
-        value: rasterizer::driver::ClearValue::Depth(1.0),
-        area: rasterizer::driver::Rect { x: 0, y: 0, width: size.0, height: size.1 },
-    });
-    commands.push(Command::BindPipeline(Pipeline::new(desc.clone()).expect("valid")));
-    commands.push(Command::BindVertices(bindings(vertices, attributes)));
-    commands.push(viewport(size.0, size.1));
-    let count = vertices.len() as u32 / (u32::from(attributes) * 4);
-    commands.push(Command::Draw { first: 0, count, instances: 1 });
-    commands.push(Command::EndPass);
-    device.submit(&commands).expect("legal");
-    bytes(&color)
 }
