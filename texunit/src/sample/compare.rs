@@ -25,3 +25,29 @@ fn each(reference: &F32s, texels: &mut F32s, passes: impl Fn(f32, f32) -> bool) 
         texels[lane] = if passes(reference[lane], texels[lane]) { 1.0 } else { 0.0 };
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_operator_passes_what_it_names() {
+        // Whether a reference below, at and above the texel passes.
+        let cases = [
+            (Compare::Never, [0.0, 0.0, 0.0]),
+            (Compare::Less, [1.0, 0.0, 0.0]),
+            (Compare::Equal, [0.0, 1.0, 0.0]),
+            (Compare::LessEqual, [1.0, 1.0, 0.0]),
+            (Compare::Greater, [0.0, 0.0, 1.0]),
+            (Compare::NotEqual, [1.0, 0.0, 1.0]),
+            (Compare::GreaterEqual, [0.0, 1.0, 1.0]),
+            (Compare::Always, [1.0, 1.0, 1.0]),
+        ];
+        let reference = F32s::from_fn(|lane| [0.25, 0.5, 0.75][lane % 3]);
+        for (op, want) in cases {
+            let mut texels = F32s::splat(0.5);
+            compare(op, &reference, &mut texels);
+            assert_eq!(texels.0[..3], want, "{op:?}");
+        }
+    }
+}

@@ -88,7 +88,7 @@ fn check(image: &Image, sampler: &Sampler, seed: u64) -> Tally {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(300))]
+    #![proptest_config(ProptestConfig::with_cases(500))]
     #[test]
     fn a_sample_is_what_the_formulas_give(
         shape in scene::shapes(),

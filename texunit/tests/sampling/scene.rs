@@ -35,7 +35,10 @@ pub fn image(shape: Shape, format: Format, width: u32, height: u32, seed: u64) -
             let mut texels = Level::new(format, w, h).unwrap();
             for y in 0..h {
                 for x in 0..w {
-                    texels.put(x, y, [0; 4].map(|_| random.within(0.0, 1.0)));
+                    let noise = [0; 4].map(|_| random.within(0.0, 1.0));
+                    // Few depths, so that comparisons meet equal ones.
+                    let depth = (noise[0] * 4.0).floor() / 3.0;
+                    texels.put(x, y, if format.is_depth() { [depth; 4] } else { noise });
                 }
             }
             image.set_level(face, level as usize, texels).unwrap();
@@ -44,12 +47,16 @@ pub fn image(shape: Shape, format: Format, width: u32, height: u32, seed: u64) -
     image
 }
 
-/// Coordinates of an 8×8 block: a random affine map of the pixels, about `scale` texels apart.
+/// Coordinates of an 8×8 block: a random affine map of the pixels, up to `scale` apart, each moved
+/// a little, so that the rows and columns of a quad differ.
 pub fn block(random: &mut Random, scale: f32) -> [F32s; 3] {
     [(); 3].map(|()| {
         let start = random.within(-2.0, 2.0);
         let (dx, dy) = (random.within(-scale, scale), random.within(-scale, scale));
-        F32s::from_fn(|lane| start + lane_x(lane) as f32 * dx + lane_y(lane) as f32 * dy)
+        F32s::from_fn(|lane| {
+            let moved = random.within(-0.3, 0.3) * scale;
+            start + lane_x(lane) as f32 * dx + lane_y(lane) as f32 * dy + moved
+        })
     })
 }
 
