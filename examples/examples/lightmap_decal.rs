@@ -53,8 +53,7 @@ fn draw(window: &mut Window) {
         glViewport(panel * width, 0, width, window.height);
         for (unit, used) in (GL_TEXTURE0..).zip(units) {
             glActiveTexture(unit);
-            let set = if used { glEnable } else { glDisable };
-            set(GL_TEXTURE_2D);
+            if used { glEnable(GL_TEXTURE_2D) } else { glDisable(GL_TEXTURE_2D) }
         }
         for (surface, decal, lightmap) in &room {
             draw_surface(surface, *decal, *lightmap);

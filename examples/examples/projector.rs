@@ -112,23 +112,27 @@ fn draw(window: &mut Window) {
     let aspect = f64::from(width) / f64::from(window.height);
     for (x, slide) in [(0, by_hand), (width, by_proj)] {
         glViewport(x, 0, width, window.height);
-        for (program, pass) in [(dim, glDisable as fn(GLenum)), (slide, glEnable)] {
-            pass(GL_BLEND);
-            glBlendFunc(GL_ONE, GL_ONE);
-            glUseProgram(program);
-            let uniform = |name| safe_glGetUniformLocation(program, name);
-            safe_glUniform1i(uniform("vTexUnit0"), 0);
-            let eye = look_at(dvec3(5.2, 3.9, 6.2), dvec3(0., 1.15, 0.));
-            safe_glUniformMatrix4fv(uniform("uModelViewMatrix"), &eye);
-            safe_glUniformMatrix4fv(uniform("uProjMatrix"), &perspective(38., aspect, 0.5, 40.));
-            // The projector is a camera whose picture is the unit square.
-            let projector = look_at(dvec3(4.6, 2.6, 3.4), dvec3(-1.3, 1.35, -1.0));
-            safe_glUniformMatrix4fv(uniform("uSModelViewMatrix"), &projector);
-            let domain = unit_square() * perspective(32., 1., 0.5, 40.);
-            safe_glUniformMatrix4fv(uniform("uSProjMatrix"), &domain);
-            model.draw(program);
-        }
+        glDisable(GL_BLEND);
+        draw_room(&model, dim, aspect);
+        glEnable(GL_BLEND);
+        glBlendFunc(GL_ONE, GL_ONE);
+        draw_room(&model, slide, aspect);
     }
+}
+
+fn draw_room(model: &Model, program: GLuint, aspect: f64) {
+    glUseProgram(program);
+    let uniform = |name| safe_glGetUniformLocation(program, name);
+    safe_glUniform1i(uniform("vTexUnit0"), 0);
+    let eye = look_at(dvec3(5.2, 3.9, 6.2), dvec3(0., 1.15, 0.));
+    safe_glUniformMatrix4fv(uniform("uModelViewMatrix"), &eye);
+    safe_glUniformMatrix4fv(uniform("uProjMatrix"), &perspective(38., aspect, 0.5, 40.));
+    // The projector is a camera whose picture is the unit square.
+    let projector = look_at(dvec3(4.6, 2.6, 3.4), dvec3(-1.3, 1.35, -1.0));
+    safe_glUniformMatrix4fv(uniform("uSModelViewMatrix"), &projector);
+    let domain = unit_square() * perspective(32., 1., 0.5, 40.);
+    safe_glUniformMatrix4fv(uniform("uSProjMatrix"), &domain);
+    model.draw(program);
 }
 
 /// Two walls and a floor that meet in a corner, a ball and a box.
@@ -140,7 +144,7 @@ fn room() -> Mesh {
     room.append(Mesh::plane().moved(rotate(-90., DVec3::X) * wide).colored([0.72, 0.60, 0.48]));
     let ball = translate(-0.2, 0.6, -0.2) * DMat4::from_scale(DVec3::splat(0.6));
     room.append(Mesh::sphere().moved(ball));
-    let crate_ = translate(-1.2, 0.45, 0.9) * rotate(28., DVec3::Y);
-    room.append(Mesh::cube().moved(crate_ * DMat4::from_scale(DVec3::splat(0.45))));
+    let box_place = translate(-1.2, 0.45, 0.9) * rotate(28., DVec3::Y);
+    room.append(Mesh::cube().moved(box_place * DMat4::from_scale(DVec3::splat(0.45))));
     room
 }

@@ -13,6 +13,7 @@
 //! | [`matrix`] | matrices in `f64` |
 //! | [`mod@picture`] | picture files, and the drawn pictures that stand in for them |
 //! | [`corridor`] | the room of the lightmap picture, and its baked light |
+//! | [`programs`] | the list of programs |
 //! | [`gallery`] | all pictures, and the page that shows them |
 
 // The program files name this crate as they do when they run alone.
@@ -23,6 +24,7 @@ pub mod gallery;
 pub mod matrix;
 pub mod mesh;
 pub mod picture;
+pub mod programs;
 #[allow(non_snake_case, reason = "the lecture's names")]
 pub mod shader;
 pub mod texture;
@@ -40,41 +42,4 @@ pub mod lecture {
     pub use gl_api::entry::*;
     pub use gl_api::glu::*;
     pub use gl_api::types::*;
-}
-
-/// The program files, in the order of the lectures.
-pub mod programs {
-    #[path = "../../examples/demon_triangle.rs"]
-    pub mod demon_triangle;
-    #[path = "../../examples/environment_map.rs"]
-    pub mod environment_map;
-    #[path = "../../examples/lecture_mistakes.rs"]
-    pub mod lecture_mistakes;
-    #[path = "../../examples/lightmap_decal.rs"]
-    pub mod lightmap_decal;
-    #[path = "../../examples/multipass.rs"]
-    pub mod multipass;
-    #[path = "../../examples/normal_mapping.rs"]
-    pub mod normal_mapping;
-    #[path = "../../examples/projector.rs"]
-    pub mod projector;
-    #[path = "../../examples/shadow_map.rs"]
-    pub mod shadow_map;
-    #[path = "../../examples/textured_square.rs"]
-    pub mod textured_square;
-
-    use crate::window::Program;
-
-    /// All of them.
-    pub const ALL: [Program; 9] = [
-        demon_triangle::PROGRAM,
-        lightmap_decal::PROGRAM,
-        textured_square::PROGRAM,
-        normal_mapping::PROGRAM,
-        environment_map::PROGRAM,
-        projector::PROGRAM,
-        multipass::PROGRAM,
-        shadow_map::PROGRAM,
-        lecture_mistakes::PROGRAM,
-    ];
 }
