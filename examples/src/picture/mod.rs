@@ -17,7 +17,6 @@ pub use file::{load, save, stand_in};
 use bytemuck::{Pod, Zeroable};
 
 /// A pixel of the lecture's `ppmread`.
-#[expect(non_camel_case_types, reason = "the lecture's name")]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
 #[repr(C)]
 pub struct packed_pixel_t {
