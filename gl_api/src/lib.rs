@@ -36,6 +36,7 @@
 //! | `fixed` | the fixed function as generated shaders |
 //! | `draw` | vertices, draw calls, and their translation into driver commands |
 //! | `query` | `glGet` |
+//! | [`glu`] | the utility library over the free functions |
 #![deny(unsafe_code)]
 
 pub mod constants;
@@ -47,6 +48,7 @@ pub mod error;
 mod fixed;
 mod framebuffer;
 pub mod glsl;
+pub mod glu;
 pub mod interface;
 mod object;
 mod program;

@@ -3,10 +3,10 @@
 //! Matrices are kept in `f64` and rounded once, when a draw or a query reads them: `f64` code in
 //! glam is the same scalar code on every machine, and long products keep their precision.
 
-use super::trig::sin_cos_degrees;
 use crate::constants::*;
 use crate::context::Context;
 use crate::error::{ErrorCode, GlError, Result, Table, invalid_operation, invalid_value};
+use crate::glu::angle::sin_cos_degrees;
 use crate::interface::MAX_TEXTURE_UNITS;
 use crate::types::*;
 use glam::{DMat4, DVec3};

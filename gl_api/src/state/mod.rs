@@ -6,7 +6,6 @@ pub(crate) mod fragment;
 pub(crate) mod matrix;
 pub(crate) mod pixel_store;
 pub(crate) mod raster;
-pub(crate) mod trig;
 pub(crate) mod viewport;
 
 use crate::env::Units;

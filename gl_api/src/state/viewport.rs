@@ -52,5 +52,5 @@ pub(crate) fn depth_rangef(context: &mut Context, near: GLclampf, far: GLclampf)
 
 /// Clamped to [0, 1]; NaN gives 0.
 pub(crate) fn unit(value: f64) -> f64 {
-    value.max(0.0).min(1.0)
+    if value > 0.0 { value.min(1.0) } else { 0.0 }
 }

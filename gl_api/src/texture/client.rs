@@ -3,6 +3,7 @@
 use crate::constants::*;
 use crate::error::{Result, Table, invalid_operation};
 use crate::state::pixel_store::PixelStore;
+use crate::state::viewport::unit;
 use crate::types::*;
 
 /// The components of a pixel in memory (GL 2.1, table 3.6).
@@ -117,12 +118,12 @@ pub(crate) const TYPE: Table<ClientType> = Table {
 
 /// The nearest of `0 ..= largest`; clamps, NaN gives 0.
 fn unsigned(value: f64, largest: f64) -> f64 {
-    (value.max(0.0).min(1.0) * largest).round_ties_even()
+    (unit(value) * largest).round_ties_even()
 }
 
 /// GL 2.1, table 4.9: `((2^b - 1) f - 1) / 2`, of a value clamped to [-1, 1].
 fn signed(value: f64, largest: f64) -> f64 {
-    ((value.max(-1.0).min(1.0) * largest - 1.0) / 2.0).round_ties_even()
+    ((value.clamp(-1.0, 1.0) * largest - 1.0) / 2.0).round_ties_even()
 }
 
 impl ClientType {
