@@ -1,0 +1,186 @@
+//! The lecture's mistakes: its shaders exactly as printed.
+//!
+//! *CS380, Texture Mapping*, slides 14, 15, 22, 30 and 31. As they stand they do not compile: a
+//! `mat4 * vec2`, a `sampler2D` handed to `textureCube`, names mixed up. First they go through a
+//! context as the specification wants it, which says what is wrong; then through one with repairs
+//! switched on, which lists what it repaired, and draws.
+#![allow(non_snake_case, non_upper_case_globals, reason = "the lecture's names")]
+
+use examples::lecture::*;
+use std::process::ExitCode;
+
+/// This program, for the gallery.
+pub const PROGRAM: Program = Program {
+    name: "lecture_mistakes",
+    lecture: "CS380: slides 14, 15, 22, 30 and 31, as printed",
+    source: include_str!("lecture_mistakes.rs"),
+    halves: [3, 1],
+    draw,
+};
+
+/// Draws it alone.
+pub fn main() -> ExitCode {
+    examples::window::main(&PROGRAM)
+}
+
+const SQUARE_VERTEX_SHADER: &str = "\
+#version 130
+uniform float uVertexScale;
+uniform mat4 uProjMatrix;
+uniform mat4 uModelViewMatrix;
+in vec2 aVertex;
+in vec2 aTexCoord;
+in vec3 aColor;
+out vec3 vColor;
+out vec2 vTexCoord;
+
+void main()
+{
+    gl_Position = vec4(uProjMatrix * uModelViewMatrix * aVertex);
+    vColor = aColor;
+    vTexCoord = aTexCoord;
+}
+";
+
+const SQUARE_FRAGMENT_SHADER: &str = "\
+#version 130
+
+uniform sampler2D uTexUnit0;
+in vec2 vTexCoord;
+out vec4 fragColor;
+
+void main() {
+    vec4 texColor0 = texture2D(uTexUnit0, vTexCoord);
+    fragColor = texColor0;
+}
+";
+
+const ENVIRONMENT_FRAGMENT_SHADER: &str = "\
+#version 130
+uniform sampler2D uTexUnit0;
+in vec3 nNormal;
+in vec4 vPosition;
+out vec4 fragColor;
+
+vec3 reflect(vec3 w, vec3 n){
+    return n*(dot(w,n)*2.0) - w; // bounce vector
+}
+
+void main() {
+    vec3 normal = normalize(vNormal);
+    vec3 reflected = reflect(normalize(vec3(-vPosition)), normal);
+    vec4 texColor0 = textureCube(uTexUnit0, reflected);
+    fragColor = vec4(texColor0.r, texColor0.g, texColor0.b, 1.0);
+}
+";
+
+const PROJECTOR_VERTEX_SHADER: &str = "\
+#version 130
+
+uniform mat4 uModelViewMatrix;
+uniform mat4 uProjMatrix;
+
+uniform mat4 uSProjMatrix;
+uniform mat4 uSModelViewMatrix;
+
+in vec4 aVertex;
+out vec4 aTexCoord;
+
+void main(){
+    vTexCoord = uSProjMatrix * uSModelViewMatrix * aVertex;
+    gl_Position = uProjMatrix * uModelViewMatrix * aVertex;
+}
+";
+
+const PROJECTOR_FRAGMENT_SHADER: &str = "\
+#version 130
+
+uniform sampler2D vTexUnit0;
+
+in vec4 aTexCoord;
+out vec4 fragColor;
+
+void main(){
+    vec2 tex2;
+    tex2.x = vTexCoord.x/vTexCoord.w;
+    tex2.y = vTexCoord.y/vTexCoord.w;
+    vec4 texColor0 = texture2D(vTexUnit0, tex2);
+    fragColor = texColor0;
+}
+";
+
+/// Not the lecture's, which prints none for the environment map.
+const ENVIRONMENT_VERTEX_SHADER: &str = "\
+#version 130
+uniform mat4 uProjMatrix;
+uniform mat4 uModelViewMatrix;
+in vec4 aVertex;
+in vec3 aNormal;
+out vec3 nNormal;
+out vec4 vPosition;
+
+void main() {
+    nNormal = vec3(uModelViewMatrix * vec4(aNormal, 0.0));
+    vPosition = uModelViewMatrix * aVertex;
+    gl_Position = uProjMatrix * vPosition;
+}
+";
+
+/// The programs: slides, vertex shader, fragment shader.
+const PROGRAMS: [(&str, &str, &str); 3] = [
+    ("slides 14 and 15", SQUARE_VERTEX_SHADER, SQUARE_FRAGMENT_SHADER),
+    ("slide 22", ENVIRONMENT_VERTEX_SHADER, ENVIRONMENT_FRAGMENT_SHADER),
+    ("slides 30 and 31", PROJECTOR_VERTEX_SHADER, PROJECTOR_FRAGMENT_SHADER),
+];
+
+fn draw(window: &mut Window) {
+    for (slides, vertex, fragment) in PROGRAMS {
+        window.note(&format!("== {slides}, as the specification wants it"));
+        initShaders(window, vertex, fragment);
+    }
+
+    window.switch_repairs_on();
+    glClearColor(0.08, 0.09, 0.11, 1);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    glEnable(GL_DEPTH_TEST);
+    let width = window.width / 3;
+    for (panel, (slides, vertex, fragment)) in (0..).zip(PROGRAMS) {
+        window.note(&format!("== {slides}, with repairs"));
+        let program = initShaders(window, vertex, fragment);
+        glViewport(panel * width, 0, width, window.height);
+        draw_panel(window, panel, program);
+    }
+}
+
+/// What the slides around the shaders show: a square, a mirror, a slide in the corner of a room.
+fn draw_panel(window: &Window, panel: i32, program: GLuint) {
+    glUseProgram(program);
+    let uniform = |name| safe_glGetUniformLocation(program, name);
+    safe_glUniform1i(uniform("uTexUnit0"), 0);
+    safe_glUniform1i(uniform("vTexUnit0"), 0);
+    safe_glUniformMatrix4fv(uniform("uProjMatrix"), &perspective(40., 1., 0.1, 50.));
+    let place = translate(0., 0., -3.6);
+    let (mesh, model_view) = match panel {
+        0 => {
+            load_texture(0, window.picture("reachup.ppm"), GL_CLAMP_TO_EDGE);
+            (Mesh::plane(), place * rotate(-24., DVec3::Y))
+        }
+        1 => {
+            load_cube_map(window);
+            (Mesh::torus(0.4), place * rotate(55., DVec3::X))
+        }
+        _ => {
+            load_texture(0, window.picture("slide.ppm"), GL_CLAMP_TO_BORDER);
+            let projector = look_at(dvec3(2.6, 1.2, 2.6), DVec3::ZERO);
+            safe_glUniformMatrix4fv(uniform("uSModelViewMatrix"), &projector);
+            let domain = unit_square() * perspective(34., 1., 0.5, 20.);
+            safe_glUniformMatrix4fv(uniform("uSProjMatrix"), &domain);
+            let mut corner = Mesh::plane().moved(translate(0., 0., -1.));
+            corner.append(Mesh::plane().moved(translate(-1., 0., 0.) * rotate(90., DVec3::Y)));
+            corner.append(Mesh::plane().moved(translate(0., -1., 0.) * rotate(-90., DVec3::X)));
+            (corner, place * rotate(24., DVec3::X) * rotate(-38., DVec3::Y))
+        }
+    };
+    safe_glUniformMatrix4fv(uniform("uModelViewMatrix"), &model_view);
+    mesh.upload().draw(program);
+}

@@ -1,0 +1,150 @@
+//! Projector texture mapping: a slide projector lights the corner of a room.
+//!
+//! *CS380, Texture Mapping*, slides 25 to 32. On the left the fragment shader divides by w itself;
+//! on the right `texture2DProj` does. The lecture mixes up `aTexCoord` and `vTexCoord`; here that is
+//! repaired by hand. The room is drawn first in dim light, then the slide is added to it.
+#![allow(non_snake_case, non_upper_case_globals, reason = "the lecture's names")]
+
+use examples::lecture::*;
+use std::process::ExitCode;
+
+/// This program, for the gallery.
+pub const PROGRAM: Program = Program {
+    name: "projector",
+    lecture: "CS380: slides 25 to 32, \"Projector texture mapping\"",
+    source: include_str!("projector.rs"),
+    halves: [3, 2],
+    draw,
+};
+
+/// Draws it alone.
+pub fn main() -> ExitCode {
+    examples::window::main(&PROGRAM)
+}
+
+const VERTEX_SHADER: &str = "\
+#version 130
+
+uniform mat4 uModelViewMatrix;
+uniform mat4 uProjMatrix;
+
+uniform mat4 uSProjMatrix;
+uniform mat4 uSModelViewMatrix;
+
+in vec4 aVertex;
+out vec4 vTexCoord;
+
+void main(){
+    vTexCoord = uSProjMatrix * uSModelViewMatrix * aVertex;
+    gl_Position = uProjMatrix * uModelViewMatrix * aVertex;
+}
+";
+
+const DIVIDE_FRAGMENT_SHADER: &str = "\
+#version 130
+
+uniform sampler2D vTexUnit0;
+
+in vec4 vTexCoord;
+out vec4 fragColor;
+
+void main(){
+    vec2 tex2;
+    tex2.x = vTexCoord.x/vTexCoord.w;
+    tex2.y = vTexCoord.y/vTexCoord.w;
+    vec4 texColor0 = texture2D(vTexUnit0, tex2);
+    fragColor = texColor0;
+}
+";
+
+const PROJ_FRAGMENT_SHADER: &str = "\
+#version 130
+
+uniform sampler2D vTexUnit0;
+
+in vec4 vTexCoord;
+out vec4 fragColor;
+
+void main(){
+    fragColor = texture2DProj(vTexUnit0, vTexCoord);
+}
+";
+
+/// The room without the slide.
+const ROOM_VERTEX_SHADER: &str = "\
+#version 130
+uniform mat4 uModelViewMatrix;
+uniform mat4 uProjMatrix;
+in vec4 aVertex;
+in vec3 aNormal;
+in vec3 aColor;
+out vec3 vColor;
+
+void main(){
+    vColor = aColor * (0.16 + 0.14 * max(0.0, dot(aNormal, vec3(0.36, 0.80, 0.48))));
+    gl_Position = uProjMatrix * uModelViewMatrix * aVertex;
+}
+";
+
+const ROOM_FRAGMENT_SHADER: &str = "\
+#version 130
+in vec3 vColor;
+out vec4 fragColor;
+
+void main(){
+    fragColor = vec4(vColor, 1.0);
+}
+";
+
+fn draw(window: &mut Window) {
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LEQUAL);
+    // What is not on the slide is the border's black: no light.
+    load_texture(0, window.picture("slide.ppm"), GL_CLAMP_TO_BORDER);
+
+    let model = room().upload();
+    let dim = initShaders(window, ROOM_VERTEX_SHADER, ROOM_FRAGMENT_SHADER);
+    let by_hand = initShaders(window, VERTEX_SHADER, DIVIDE_FRAGMENT_SHADER);
+    let by_proj = initShaders(window, VERTEX_SHADER, PROJ_FRAGMENT_SHADER);
+
+    let width = window.width / 2;
+    let aspect = f64::from(width) / f64::from(window.height);
+    for (x, slide) in [(0, by_hand), (width, by_proj)] {
+        glViewport(x, 0, width, window.height);
+        glDisable(GL_BLEND);
+        draw_room(&model, dim, aspect);
+        glEnable(GL_BLEND);
+        glBlendFunc(GL_ONE, GL_ONE);
+        draw_room(&model, slide, aspect);
+    }
+}
+
+fn draw_room(model: &Model, program: GLuint, aspect: f64) {
+    glUseProgram(program);
+    let uniform = |name| safe_glGetUniformLocation(program, name);
+    safe_glUniform1i(uniform("vTexUnit0"), 0);
+    let eye = look_at(dvec3(5.2, 3.9, 6.2), dvec3(0., 1.15, 0.));
+    safe_glUniformMatrix4fv(uniform("uModelViewMatrix"), &eye);
+    safe_glUniformMatrix4fv(uniform("uProjMatrix"), &perspective(38., aspect, 0.5, 40.));
+    // The projector is a camera whose picture is the unit square.
+    let projector = look_at(dvec3(4.6, 2.6, 3.4), dvec3(-1.3, 1.35, -1.0));
+    safe_glUniformMatrix4fv(uniform("uSModelViewMatrix"), &projector);
+    let domain = unit_square() * perspective(32., 1., 0.5, 40.);
+    safe_glUniformMatrix4fv(uniform("uSProjMatrix"), &domain);
+    model.draw(program);
+}
+
+/// Two walls and a floor that meet in a corner, a ball and a box.
+fn room() -> Mesh {
+    let wide = DMat4::from_scale(DVec3::splat(2.));
+    let mut room = Mesh::plane().moved(translate(0., 2., -2.) * wide).colored([0.9, 0.88, 0.85]);
+    let left = translate(-2., 2., 0.) * rotate(90., DVec3::Y) * wide;
+    room.append(Mesh::plane().moved(left).colored([0.82, 0.86, 0.92]));
+    room.append(Mesh::plane().moved(rotate(-90., DVec3::X) * wide).colored([0.72, 0.60, 0.48]));
+    let ball = translate(-0.2, 0.6, -0.2) * DMat4::from_scale(DVec3::splat(0.6));
+    room.append(Mesh::sphere().moved(ball));
+    let box_place = translate(-1.2, 0.45, 0.9) * rotate(28., DVec3::Y);
+    room.append(Mesh::cube().moved(box_place * DMat4::from_scale(DVec3::splat(0.45))));
+    room
+}

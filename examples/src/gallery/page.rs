@@ -1,0 +1,77 @@
+//! `index.html`: the pictures with their programs.
+
+use super::Entry;
+use std::fmt::Write;
+
+const HEAD: &str = r#"<!DOCTYPE html>
+<html lang="en">
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width">
+<title>DetGL: the lecture gallery</title>
+<style>
+:root { color-scheme: light dark; }
+body { font: 16px/1.5 system-ui, sans-serif; max-width: 60rem; margin: 2rem auto; padding: 0 1rem; }
+section { margin: 3rem 0; }
+img { display: block; max-width: 100%; height: auto; border-radius: 6px; }
+h2 { margin-bottom: 0; }
+.about { color: gray; margin-top: 0; }
+pre { overflow-x: auto; padding: 1rem; font-size: 13px; line-height: 1.4;
+      background: color-mix(in srgb, currentColor 7%, transparent); border-radius: 6px; }
+summary { cursor: pointer; margin: .5rem 0; }
+</style>
+<h1>DetGL: the lecture gallery</h1>
+"#;
+
+/// The whole page; pictures are beside it.
+pub fn page(entries: &[Entry]) -> String {
+    let mut page = String::from(HEAD);
+    entries.iter().for_each(|entry| section(&mut page, entry));
+    page.push_str("</html>\n");
+    page
+}
+
+fn section(page: &mut String, (program, rendered): &Entry) {
+    let (name, lecture) = (program.name, escape(program.lecture));
+    let (width, height) = (rendered.picture.width, rendered.picture.height);
+    let (time, checksum) = (rendered.time.as_millis(), rendered.picture.checksum());
+    let title = name.replace('_', " ");
+    let source = escape(program.source);
+    let messages = [rendered.notes.clone(), rendered.errors.join("\n")].concat();
+    write!(
+        page,
+        r#"<section id="{name}">
+<h2>{title}</h2>
+<p class="about">{lecture} · {width}×{height} · {time} ms · {checksum:016x}</p>
+<img src="{name}.png" width="{width}" height="{height}" alt="{title}">
+"#,
+    )
+    .expect("a String takes everything");
+    if !messages.is_empty() {
+        let messages = escape(&messages);
+        write!(
+            page,
+            "<details open><summary>What it says</summary><pre>{messages}</pre></details>\n"
+        )
+        .expect("a String takes everything");
+    }
+    write!(
+        page,
+        "<details><summary>{name}.rs</summary><pre>{source}</pre></details>\n</section>\n"
+    )
+    .expect("a String takes everything");
+}
+
+/// Text that HTML shows as it is.
+fn escape(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn source_text_cannot_end_its_element() {
+        assert_eq!(escape("if a<b && c>\"d\""), "if a&lt;b &amp;&amp; c&gt;&quot;d&quot;");
+    }
+}

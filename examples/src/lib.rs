@@ -1,0 +1,45 @@
+//! # The lecture programs
+//!
+//! Each file in `examples/examples/` is one program that follows the code of a lecture, statement
+//! by statement. It runs alone (`cargo run --release -p examples --example textured_square --
+//! picture.ppm`), and this library collects all of them for the gallery.
+//!
+//! | module | is |
+//! |---|---|
+//! | [`window`] | the context, the picture it shows, the command line of a program |
+//! | [`shader`] | compiling and uniforms, under the names of the CS380 lecture |
+//! | [`texture`] | texture objects, where how they are made is not the point |
+//! | [`mesh`] | planes, boxes, spheres, tori |
+//! | [`matrix`] | matrices in `f64` |
+//! | [`mod@picture`] | picture files, and the drawn pictures that stand in for them |
+//! | [`corridor`] | the room of the lightmap picture, and its baked light |
+//! | [`programs`] | the list of programs |
+//! | [`gallery`] | all pictures, and the page that shows them |
+
+// The program files name this crate as they do when they run alone.
+extern crate self as examples;
+
+pub mod corridor;
+pub mod gallery;
+pub mod matrix;
+pub mod mesh;
+pub mod picture;
+pub mod programs;
+#[allow(non_snake_case, reason = "the lecture's names")]
+pub mod shader;
+pub mod texture;
+pub mod window;
+
+/// What a program file needs: GL, GLU, and the helpers.
+pub mod lecture {
+    pub use crate::matrix::*;
+    pub use crate::mesh::*;
+    pub use crate::picture::packed_pixel_t;
+    pub use crate::shader::*;
+    pub use crate::texture::{load_cube_map, load_texture};
+    pub use crate::window::{Program, Window};
+    pub use gl_api::constants::*;
+    pub use gl_api::entry::*;
+    pub use gl_api::glu::*;
+    pub use gl_api::types::*;
+}

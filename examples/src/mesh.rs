@@ -1,0 +1,207 @@
+//! Things to draw: planes, boxes, spheres and tori, in one buffer of triangles.
+
+use crate::matrix::{DMat4, DVec3, dvec3};
+use bytemuck::{Pod, Zeroable};
+use gl_api::constants::*;
+use gl_api::entry::*;
+use gl_api::glu::angle::sin_cos_degrees;
+use gl_api::types::{GLint, GLuint};
+use std::mem::{offset_of, size_of};
+
+/// What a vertex brings, under the attribute names of [`Model::draw`].
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[repr(C)]
+pub struct Vertex {
+    /// `aVertex`.
+    pub position: [f32; 3],
+    /// `aNormal`, of length 1.
+    pub normal: [f32; 3],
+    /// `aTexCoord`.
+    pub tex_coord: [f32; 2],
+    /// `aColor`.
+    pub color: [f32; 3],
+}
+
+/// Triangles, counterclockwise from outside.
+#[derive(Clone, Debug, Default)]
+pub struct Mesh {
+    /// The corners.
+    pub vertices: Vec<Vertex>,
+    /// Three a triangle.
+    pub indices: Vec<GLuint>,
+}
+
+/// A point of a surface: position, normal.
+type Point = (DVec3, DVec3);
+
+impl Mesh {
+    /// A surface over the unit square of texture coordinates, in `columns` × `rows` cells.
+    pub fn surface(columns: u32, rows: u32, point: impl Fn(f64, f64) -> Point) -> Self {
+        let mut mesh = Self::default();
+        for row in 0..=rows {
+            for column in 0..=columns {
+                let (s, t) =
+                    (f64::from(column) / f64::from(columns), f64::from(row) / f64::from(rows));
+                let (position, normal) = point(s, t);
+                mesh.vertices.push(Vertex {
+                    position: position.as_vec3().to_array(),
+                    normal: normal.as_vec3().to_array(),
+                    tex_coord: [s as f32, t as f32],
+                    color: [1.0; 3],
+                });
+            }
+        }
+        for row in 0..rows {
+            for column in 0..columns {
+                let a = row * (columns + 1) + column;
+                let (b, c, d) = (a + 1, a + columns + 1, a + columns + 2);
+                mesh.indices.extend([a, b, d, a, d, c]);
+            }
+        }
+        mesh
+    }
+
+    /// The square from -1 to 1 in x and y, facing +z.
+    pub fn plane() -> Self {
+        Self::surface(1, 1, |s, t| (dvec3(2.0 * s - 1.0, 2.0 * t - 1.0, 0.0), DVec3::Z))
+    }
+
+    /// A sphere of radius 1.
+    pub fn sphere() -> Self {
+        Self::surface(96, 48, |s, t| {
+            let (sin_s, cos_s) = sin_cos_degrees(360.0 * s);
+            let (sin_t, cos_t) = sin_cos_degrees(180.0 * t);
+            let out = dvec3(sin_t * sin_s, -cos_t, sin_t * cos_s);
+            (out, out)
+        })
+    }
+
+    /// A torus around the y axis: a tube of radius `tube` around a circle of radius 1.
+    pub fn torus(tube: f64) -> Self {
+        Self::surface(128, 64, |s, t| {
+            let (sin_s, cos_s) = sin_cos_degrees(360.0 * s);
+            let (sin_t, cos_t) = sin_cos_degrees(360.0 * t);
+            let around = dvec3(sin_s, 0.0, cos_s);
+            let out = around * -cos_t + DVec3::Y * -sin_t;
+            (around + out * tube, out)
+        })
+    }
+
+    /// The cube from -1 to 1.
+    pub fn cube() -> Self {
+        let mut mesh = Self::default();
+        for axis in [DVec3::X, DVec3::Y, DVec3::Z] {
+            for out in [axis, -axis] {
+                // Any two directions that make a right-handed frame with the face's.
+                let side = if axis == DVec3::Y { DVec3::X } else { DVec3::Y.cross(out) };
+                let up = out.cross(side);
+                mesh.append(Self::surface(1, 1, |s, t| {
+                    (out + side * (2.0 * s - 1.0) + up * (2.0 * t - 1.0), out)
+                }));
+            }
+        }
+        mesh
+    }
+
+    /// Adds another mesh.
+    pub fn append(&mut self, other: Self) {
+        let base = self.vertices.len() as GLuint;
+        self.vertices.extend(other.vertices);
+        self.indices.extend(other.indices.into_iter().map(|index| base + index));
+    }
+
+    /// Moved by a matrix that keeps angles.
+    #[must_use]
+    pub fn moved(mut self, by: DMat4) -> Self {
+        for vertex in &mut self.vertices {
+            let position = DVec3::from_array(vertex.position.map(f64::from));
+            let normal = DVec3::from_array(vertex.normal.map(f64::from));
+            vertex.position = by.transform_point3(position).as_vec3().to_array();
+            vertex.normal = by.transform_vector3(normal).normalize().as_vec3().to_array();
+        }
+        self
+    }
+
+    /// In one colour.
+    #[must_use]
+    pub fn colored(mut self, color: [f32; 3]) -> Self {
+        self.vertices.iter_mut().for_each(|vertex| vertex.color = color);
+        self
+    }
+
+    /// With texture coordinates that many times as large.
+    #[must_use]
+    pub fn tiled(mut self, s: f32, t: f32) -> Self {
+        for vertex in &mut self.vertices {
+            vertex.tex_coord = [vertex.tex_coord[0] * s, vertex.tex_coord[1] * t];
+        }
+        self
+    }
+
+    /// In buffer objects of the current context.
+    pub fn upload(&self) -> Model {
+        let mut buffers: [GLuint; 2] = [0; 2];
+        glGenBuffers(2, &mut buffers);
+        let [vertices, indices] = buffers;
+        let (vertex_bytes, index_bytes): (&[u8], &[u8]) =
+            (bytemuck::cast_slice(&self.vertices), bytemuck::cast_slice(&self.indices));
+        glBindBuffer(GL_ARRAY_BUFFER, vertices);
+        glBufferData(GL_ARRAY_BUFFER, vertex_bytes.len(), vertex_bytes, GL_STATIC_DRAW);
+        glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices);
+        glBufferData(GL_ELEMENT_ARRAY_BUFFER, index_bytes.len(), index_bytes, GL_STATIC_DRAW);
+        Model { vertices, indices, count: self.indices.len() }
+    }
+}
+
+/// A mesh in buffer objects.
+#[derive(Clone, Copy, Debug)]
+pub struct Model {
+    vertices: GLuint,
+    indices: GLuint,
+    count: usize,
+}
+
+impl Model {
+    /// Draws it with a program that is in use, through those of the attributes `aVertex`,
+    /// `aNormal`, `aTexCoord` and `aColor` that the program reads.
+    pub fn draw(&self, program: GLuint) {
+        glBindBuffer(GL_ARRAY_BUFFER, self.vertices);
+        glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, self.indices);
+        for (name, size, offset) in [
+            ("aVertex", 3, offset_of!(Vertex, position)),
+            ("aNormal", 3, offset_of!(Vertex, normal)),
+            ("aTexCoord", 2, offset_of!(Vertex, tex_coord)),
+            ("aColor", 3, offset_of!(Vertex, color)),
+        ] {
+            let location: GLint = glGetAttribLocation(program, name);
+            if location >= 0 {
+                let (stride, offset) = (size_of::<Vertex>(), BUFFER_OFFSET(offset));
+                glVertexAttribPointer(location, size, GL_FLOAT, GL_FALSE, stride, offset);
+                glEnableVertexAttribArray(location);
+            }
+        }
+        glDrawElements(GL_TRIANGLES, self.count, GL_UNSIGNED_INT, BUFFER_OFFSET(0));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn triangles_face_outward() {
+        for mesh in [Mesh::plane(), Mesh::sphere(), Mesh::torus(0.4), Mesh::cube()] {
+            let corner = |index: GLuint| {
+                let vertex = mesh.vertices[index as usize];
+                let position = DVec3::from_array(vertex.position.map(f64::from));
+                (position, DVec3::from_array(vertex.normal.map(f64::from)))
+            };
+            for triangle in mesh.indices.chunks_exact(3) {
+                let [a, b, c] = [0, 1, 2].map(|at| corner(triangle[at]));
+                let face = (b.0 - a.0).cross(c.0 - a.0);
+                // The triangles at a sphere's pole have no area.
+                assert!(face.dot(a.1 + b.1 + c.1) > -1e-9, "{a:?} {b:?} {c:?}");
+            }
+        }
+    }
+}

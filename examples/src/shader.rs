@@ -1,0 +1,89 @@
+//! Compiling and setting uniforms, in the words of the CS380 lecture's own helpers.
+
+use crate::matrix::DMat4;
+use crate::window::Window;
+use gl_api::constants::*;
+use gl_api::entry::*;
+use gl_api::types::{GLenum, GLfloat, GLint, GLuint};
+
+/// Longest info log that is shown.
+const LOG: usize = 1 << 16;
+
+/// Compiles one shader, and notes what the compiler says; 0 when it was rejected.
+pub fn readAndCompileShader(window: &mut Window, kind: GLenum, source: &str) -> GLuint {
+    let shader = glCreateShader(kind);
+    glShaderSource(shader, 1, source, NULL);
+    glCompileShader(shader);
+    let mut log = String::new();
+    glGetShaderInfoLog(shader, LOG, NULL, &mut log);
+    window.note(&log);
+    let mut status: GLint = 0;
+    glGetShaderiv(shader, GL_COMPILE_STATUS, &mut status);
+    if status == 0 {
+        glDeleteShader(shader);
+        return 0;
+    }
+    shader
+}
+
+/// Compiles and links a program, and notes what the compiler and linker say; 0 when rejected.
+pub fn initShaders(window: &mut Window, vertex: &str, fragment: &str) -> GLuint {
+    let vs = readAndCompileShader(window, GL_VERTEX_SHADER, vertex);
+    let fs = readAndCompileShader(window, GL_FRAGMENT_SHADER, fragment);
+    if vs == 0 || fs == 0 {
+        return 0;
+    }
+    let program = glCreateProgram();
+    glAttachShader(program, vs);
+    glAttachShader(program, fs);
+    glLinkProgram(program);
+    let mut log = String::new();
+    glGetProgramInfoLog(program, LOG, NULL, &mut log);
+    window.note(&log);
+    let mut status: GLint = 0;
+    glGetProgramiv(program, GL_LINK_STATUS, &mut status);
+    if status == 0 { 0 } else { program }
+}
+
+/// The location of a uniform; -1 for one that the program does not use.
+pub fn safe_glGetUniformLocation(program: GLuint, name: &str) -> GLint {
+    glGetUniformLocation(program, name)
+}
+
+/// The location of an attribute; -1 for one that the program does not use.
+pub fn safe_glGetAttribLocation(program: GLuint, name: &str) -> GLint {
+    glGetAttribLocation(program, name)
+}
+
+/// Sets an `int` or a sampler; -1 is nothing to set.
+pub fn safe_glUniform1i(location: GLint, value: GLint) {
+    glUniform1i(location, value);
+}
+
+/// Sets a `float`; -1 is nothing to set.
+pub fn safe_glUniform1f(location: GLint, value: impl Arg<GLfloat>) {
+    glUniform1f(location, value);
+}
+
+/// Sets a `vec3`; -1 is nothing to set.
+pub fn safe_glUniform3f(
+    location: GLint,
+    x: impl Arg<GLfloat>,
+    y: impl Arg<GLfloat>,
+    z: impl Arg<GLfloat>,
+) {
+    glUniform3f(location, x, y, z);
+}
+
+/// Sets a `mat4`; -1 is nothing to set.
+pub fn safe_glUniformMatrix4fv(location: GLint, matrix: &DMat4) {
+    glUniformMatrix4fv(location, 1, GL_FALSE, &matrix.as_mat4().to_cols_array());
+}
+
+/// Gives an attribute the data of the bound buffer from its start, and enables it; -1 is none.
+pub fn safe_glVertexAttribPointer(location: GLint, size: GLint) {
+    if location >= 0 {
+        glVertexAttribPointer(location, size, GL_FLOAT, GL_FALSE, 0, 0);
+        glEnableVertexAttribArray(location);
+    }
+}

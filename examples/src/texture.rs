@@ -1,0 +1,47 @@
+//! Texture objects, where how they are made is not the program's point.
+
+use crate::picture::Picture;
+use crate::picture::sky::FACES;
+use crate::window::Window;
+use gl_api::constants::*;
+use gl_api::entry::*;
+use gl_api::glu::gluBuild2DMipmaps;
+use gl_api::types::{GLenum, GLuint};
+
+/// A new texture of a picture on a unit, with mipmaps and trilinear filter, its bottom row at
+/// t = 0; `wrap` goes for both directions.
+pub fn load_texture(unit: u32, picture: Picture, wrap: GLenum) -> GLuint {
+    let picture = picture.flipped();
+    let mut texture: GLuint = 0;
+    glGenTextures(1, &mut texture);
+    glActiveTexture(GL_TEXTURE0 + unit);
+    glBindTexture(GL_TEXTURE_2D, texture);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrap);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrap);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    let (width, height) = (picture.width, picture.height);
+    let data = &picture.pixels;
+    gluBuild2DMipmaps(GL_TEXTURE_2D, GL_RGB8, width, height, GL_RGB, GL_UNSIGNED_BYTE, data);
+    texture
+}
+
+/// A new cube map of the environment on unit 0, with a linear filter.
+pub fn load_cube_map(window: &Window) -> GLuint {
+    let mut texture: GLuint = 0;
+    glGenTextures(1, &mut texture);
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_CUBE_MAP, texture);
+    glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    for (target, face) in (GL_TEXTURE_CUBE_MAP_POSITIVE_X..).zip(FACES) {
+        let image = window.picture(face).squared();
+        let (width, height, data) = (image.width, image.height, &image.pixels);
+        glTexImage2D(target, 0, GL_RGB8, width, height, 0, GL_RGB, GL_UNSIGNED_BYTE, data);
+    }
+    texture
+}

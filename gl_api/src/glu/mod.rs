@@ -1,0 +1,24 @@
+//! GLU 1.3: the utility library that the lectures' programs call beside GL.
+//!
+//! Everything here goes through GL's public functions, as the real GLU does.
+//!
+//! | module | is |
+//! |---|---|
+//! | [`angle`] | sine and cosine with the same bits on every machine |
+//! | [`matrix`] | `gluPerspective`, `gluLookAt`, `gluOrtho2D` |
+//! | [`pixels`] | client memory to numbers and back |
+//! | [`mod@scale`] | the box filter |
+//! | [`mipmap`] | `gluBuild2DMipmaps`, `gluScaleImage` |
+//! | [`error`] | GLU's error codes, `gluErrorString` |
+#![allow(non_snake_case)]
+
+pub mod angle;
+pub mod error;
+pub mod matrix;
+pub mod mipmap;
+pub mod pixels;
+pub mod scale;
+
+pub use error::*;
+pub use matrix::{gluLookAt, gluOrtho2D, gluPerspective};
+pub use mipmap::{gluBuild2DMipmaps, gluScaleImage};
