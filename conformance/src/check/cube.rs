@@ -16,7 +16,7 @@ use crate::oracle::wrap::Wrap;
 /// Which texel of which face.
 pub const FACE: Check = Check {
     name: "cube-face",
-    citation: "GL 2.1, 3.8.6 (table 3.18)",
+    citation: "GL 2.1, 3.8.6: faces by major axis",
     what: "face and texel that a direction selects",
     unit: Unit::Bytes,
     tolerance: 0.01,

@@ -11,7 +11,7 @@ use crate::oracle::compare::Compare;
 /// All eight comparisons.
 pub const TEST: Check = Check {
     name: "depth-test",
-    citation: "GL 2.1, 4.1.5",
+    citation: "GL 2.1, 4.1.6",
     what: "the 8 functions of glDepthFunc, nearer, farther and equal",
     unit: Unit::Bytes,
     tolerance: 0.01,

@@ -11,7 +11,7 @@ use crate::oracle::env::{self, Base, Inputs, Mode};
 /// The fixed function's arithmetic.
 pub const ENVIRONMENT: Check = Check {
     name: "env",
-    citation: "GL 2.1, 3.8.13 (tables 3.22 to 3.24)",
+    citation: "GL 2.1, 3.8.13: texture functions",
     what: "GL_REPLACE, GL_MODULATE, GL_DECAL, GL_BLEND, GL_ADD × 6 base formats",
     unit: Unit::Bytes,
     tolerance: 0.501,

@@ -2,8 +2,14 @@
 //!
 //! A check makes its cases (the same ones every time), asks oracle and driver about each, and
 //! keeps the largest difference. [`CHECKS`] is the list, in the order of the pipeline.
+//!
+//! To add one: write the formula as an [`oracle`](crate::oracle), with a unit test from values
+//! computed by hand; write a file here that makes cases and calls [`Bench::compare`]; add it to
+//! [`CHECKS`]; and add the mistakes that it must notice to
+//! [`MUTATIONS`](crate::mutation::MUTATIONS), which a test then tries one by one.
 
 mod bench;
+mod blend;
 mod coverage;
 mod cube;
 mod depth_test;
@@ -64,6 +70,7 @@ pub const CHECKS: &[Check] = &[
     shadow::COMPARE,
     env::ENVIRONMENT,
     depth_test::TEST,
+    blend::BLEND,
 ];
 
 impl Check {

@@ -15,7 +15,7 @@ use crate::oracle::wrap::Wrap;
 /// Which texel each wrap mode reads.
 pub const NEAREST: Check = Check {
     name: "wrap-nearest",
-    citation: "GL 2.1, 3.8.7 (table 3.19)",
+    citation: "GL 2.1, 3.8.7",
     what: "texel or border that each pair of wrap modes reads",
     unit: Unit::Bytes,
     tolerance: 0.01,

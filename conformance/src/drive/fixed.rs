@@ -112,10 +112,6 @@ impl Session {
         let picture = self.read()?;
         Ok(picture.into_iter().map(|[times, ..]| [f64::from(times), 0.0, 0.0, 0.0]).collect())
     }
-
-    fn read_components(&self) -> Result<Vec<[f64; 4]>, DriveError> {
-        Ok(self.read()?.into_iter().map(|p| p.map(|c| f64::from(c) / 255.0)).collect())
-    }
 }
 
 /// A quad over each cell, at the depth that the iterator gives.

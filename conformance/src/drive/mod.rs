@@ -5,12 +5,14 @@
 //! pixel of the cell is read. Values come back as bytes, or exactly: [`pack`] spreads a float over
 //! the four bytes of a pixel.
 
+mod blend;
 mod fixed;
 pub mod pack;
 mod session;
 pub mod shader;
 mod texture;
 
+pub use blend::{BlendState, BlendedCell};
 pub use fixed::FixedCell;
 pub use session::{Session, Vertex};
 pub use shader::{Precision, Program};

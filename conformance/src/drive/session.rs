@@ -97,7 +97,7 @@ impl Session {
         match program.precision {
             Precision::Bytes => {
                 immediate(mode, vertices);
-                Ok(self.read()?.into_iter().map(|p| p.map(|c| f64::from(c) / 255.0)).collect())
+                self.read_components()
             }
             Precision::Exact { components } => {
                 let mut picture = vec![[0.0; 4]; SIZE * SIZE];
@@ -114,6 +114,11 @@ impl Session {
                 Ok(picture)
             }
         }
+    }
+
+    /// The picture as RGBA in [0, 1].
+    pub(super) fn read_components(&self) -> Result<Vec<[f64; 4]>, DriveError> {
+        Ok(self.read()?.into_iter().map(|p| p.map(|c| f64::from(c) / 255.0)).collect())
     }
 
     /// The picture as RGBA bytes.

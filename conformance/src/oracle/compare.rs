@@ -1,4 +1,4 @@
-//! Depth comparison, of textures (section 3.8.14) and of fragments (section 4.1.5).
+//! Depth comparison, of textures (section 3.8.14) and of fragments (section 4.1.6).
 
 use crate::mutation::{Mutation, Variant};
 

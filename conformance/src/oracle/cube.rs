@@ -1,4 +1,4 @@
-//! Cube map texture selection (section 3.8.6, table 3.18).
+//! Cube map texture selection (section 3.8.6).
 
 use crate::mutation::{Mutation, Variant};
 
@@ -46,7 +46,7 @@ impl Face {
         Self::ALL[axis + usize::from(other)]
     }
 
-    /// `(sc, tc, ma)` of table 3.18.
+    /// `(sc, tc, ma)` as the table of section 3.8.6 has them.
     fn coordinates(self, [x, y, z]: [f64; 3]) -> [f64; 3] {
         match self {
             Self::PositiveX => [-z, -y, x],

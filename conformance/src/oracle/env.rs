@@ -1,4 +1,4 @@
-//! Texture environments (section 3.8.13, tables 3.22 to 3.24).
+//! Texture environments (section 3.8.13).
 
 use crate::mutation::{Mutation, Variant};
 
@@ -60,7 +60,7 @@ impl Base {
 }
 
 /// The source colour `Cs` and alpha `As` that an RGBA texel becomes in a format, `None` where the
-/// format has none (section 3.6.4 takes luminance and intensity from red; table 3.22).
+/// format has none (section 3.6.4 takes luminance and intensity from red; section 3.8.13 says what they become).
 pub fn source(base: Base, texel: [f64; 4]) -> (Option<[f64; 3]>, Option<f64>) {
     let [r, g, b, a] = texel;
     match base {

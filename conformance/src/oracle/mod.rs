@@ -3,6 +3,7 @@
 //! Each takes a [`Variant`](crate::mutation::Variant), so that a mistake can be built in where it
 //! would be made. Sections are those of the OpenGL 2.1 specification (December 2006).
 
+pub mod blend;
 pub mod compare;
 pub mod coverage;
 pub mod cube;

@@ -1,4 +1,4 @@
-//! Wrap modes (section 3.8.7, table 3.19), and which texels a coordinate reads (section 3.8.8).
+//! Wrap modes (section 3.8.7), and which texels a coordinate reads (section 3.8.8).
 
 use crate::mutation::{Mutation, Variant};
 
