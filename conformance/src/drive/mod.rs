@@ -39,13 +39,18 @@ fn cell_corners(k: usize) -> [[f32; 2]; 4] {
 /// What keeps a check from being measured.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum DriveError {
+    /// There is no context.
+    #[error("no context: {0}")]
+    Context(String),
     /// A GL call set the error flag.
-    #[error("GL error {code:#06x} after {after}")]
+    #[error("GL error {code:#06x} after {after}: {message}")]
     Gl {
         /// What was being done.
         after: &'static str,
         /// What `glGetError` answered.
         code: u32,
+        /// What the context says about it.
+        message: String,
     },
     /// A shader did not compile, or a program not link.
     #[error("{stage} was rejected: {log}")]

@@ -3,7 +3,7 @@
 use super::shader::{Precision, Program};
 use super::{CELLS, DriveError, SIZE, cell_corners, cell_values, pack};
 use gl_api::constants::*;
-use gl_api::context::Context;
+use gl_api::context::{Context, ContextDesc, Message, Severity};
 use gl_api::entry::*;
 
 /// A vertex: clip coordinates, and the three vectors that the shaders call `a`, `b` and `c`.
@@ -25,9 +25,12 @@ impl Session {
     /// A new context in its initial state, with a picture of [`SIZE`] × [`SIZE`] pixels.
     ///
     /// # Errors
-    /// When the new context has an error already.
+    /// When the context cannot be made, or has an error already.
     pub fn open() -> Result<Self, DriveError> {
-        let session = Self { _current: Context::new(SIZE as u32, SIZE as u32).make_current() };
+        let side = SIZE as u32;
+        let desc = ContextDesc { width: side, height: side, ..ContextDesc::default() };
+        let context = Context::new(desc).map_err(|error| DriveError::Context(error.to_string()))?;
+        let session = Self { _current: context.make_current() };
         glViewport(0, 0, SIZE, SIZE);
         glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
         glPixelStorei(GL_PACK_ALIGNMENT, 1);
@@ -42,7 +45,7 @@ impl Session {
     pub(super) fn check(&self, after: &'static str) -> Result<(), DriveError> {
         match glGetError() {
             GL_NO_ERROR => Ok(()),
-            code => Err(DriveError::Gl { after, code }),
+            code => Err(DriveError::Gl { after, code, message: last_error() }),
         }
     }
 
@@ -128,6 +131,13 @@ impl Session {
         self.check("drawing and reading")?;
         Ok(bytes.chunks_exact(4).map(|p| [p[0], p[1], p[2], p[3]]).collect())
     }
+}
+
+/// What the context says about its last error.
+fn last_error() -> String {
+    let messages = with_current(Context::messages).unwrap_or_default();
+    let error = |message: &&Message| message.severity == Severity::Error;
+    messages.iter().rfind(error).map_or_else(String::new, |message| message.text.clone())
 }
 
 fn immediate(mode: u32, vertices: &[Vertex]) {
