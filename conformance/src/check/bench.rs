@@ -1,0 +1,134 @@
+//! The bench that checks run on: who is measured, how many cases, and the tally of errors.
+
+use super::outcome::Unit;
+use crate::drive::{DriveError, Session};
+use crate::mutation::Variant;
+use std::fmt::Debug;
+
+/// Who is measured.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Subject {
+    /// DetGL, through GL's functions.
+    Driver,
+    /// The true oracle itself: with a wrong variant on the other side it shows that a check can
+    /// fail, without any driver.
+    Oracle,
+}
+
+/// How many cases are tried.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Effort {
+    /// A few, for the tests.
+    Quick,
+    /// All.
+    Full,
+}
+
+/// How checks are run.
+#[derive(Clone, Copy, Debug)]
+pub struct Bench {
+    /// Who is measured.
+    pub subject: Subject,
+    /// How many cases.
+    pub effort: Effort,
+    /// The oracle to measure against.
+    pub variant: Variant,
+}
+
+impl Bench {
+    /// The number of cases out of `full`.
+    pub fn cases(&self, full: usize) -> usize {
+        match self.effort {
+            Effort::Quick => full.div_ceil(16),
+            Effort::Full => full,
+        }
+    }
+
+    /// Compares the subject with the oracle over `cases` and tallies the differences.
+    ///
+    /// `expect` is the oracle; `observe` asks the driver, in a fresh context, for the values of
+    /// all cases in order. Components that a check does not look at are 0 in both.
+    ///
+    /// # Errors
+    /// When the driver reports a GL error or rejects a shader.
+    pub fn compare<C: Debug>(
+        &self,
+        tally: &mut Tally,
+        scene: &dyn Debug,
+        cases: &[C],
+        expect: impl Fn(&C, Variant) -> [f64; 4],
+        observe: impl FnOnce(&Session) -> Result<Vec<[f64; 4]>, DriveError>,
+    ) -> Result<(), DriveError> {
+        let measured = match self.subject {
+            Subject::Driver => observe(&Session::open()?)?,
+            Subject::Oracle => cases.iter().map(|case| expect(case, Variant::TRUE)).collect(),
+        };
+        for (case, measured) in cases.iter().zip(measured) {
+            let expected = expect(case, self.variant);
+            tally.add(expected, measured, || format!("{scene:?}, {case:?}"));
+        }
+        Ok(())
+    }
+}
+
+/// Counts cases and keeps the worst.
+#[derive(Clone, Debug)]
+pub struct Tally {
+    unit: Unit,
+    cases: u64,
+    largest: f64,
+    worst: String,
+}
+
+impl Tally {
+    /// Nothing yet.
+    pub fn new(unit: Unit) -> Self {
+        Self { unit, cases: 0, largest: 0.0, worst: String::new() }
+    }
+
+    /// Takes one case in. A NaN is infinitely wrong.
+    pub fn add(&mut self, expected: [f64; 4], measured: [f64; 4], case: impl FnOnce() -> String) {
+        self.cases += 1;
+        let differences = expected.iter().zip(measured).map(|(e, m)| (e - m).abs());
+        let error = differences
+            .map(|d| if d.is_nan() { f64::INFINITY } else { d * self.unit.per_one() })
+            .fold(0.0, f64::max);
+        if error > self.largest {
+            self.largest = error;
+            self.worst = format!("{}: expected {expected:?}, measured {measured:?}", case());
+        }
+    }
+
+    /// How many cases were taken in.
+    pub fn cases(&self) -> u64 {
+        self.cases
+    }
+
+    /// The largest error, in the check's unit.
+    pub fn largest(&self) -> f64 {
+        self.largest
+    }
+
+    /// The case that had it.
+    pub fn into_worst(self) -> String {
+        self.worst
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_worst_case_is_kept_and_nan_is_worst() {
+        let mut tally = Tally::new(Unit::Bytes);
+        tally.add([0.5; 4], [0.5; 4], || "equal".to_owned());
+        assert_eq!((tally.cases(), tally.largest()), (1, 0.0));
+        tally.add([0.0; 4], [0.0, 2.0 / 255.0, 0.0, 0.0], || "two off".to_owned());
+        tally.add([0.0; 4], [1.0 / 255.0; 4], || "one off".to_owned());
+        assert!((tally.largest() - 2.0).abs() < 1e-12);
+        tally.add([0.0; 4], [f64::NAN; 4], || "nan".to_owned());
+        assert_eq!(tally.largest(), f64::INFINITY);
+        assert!(tally.into_worst().starts_with("nan"));
+    }
+}

@@ -1,0 +1,102 @@
+//! What is compared with what: one file a check.
+//!
+//! A check makes its cases (the same ones every time), asks oracle and driver about each, and
+//! keeps the largest difference. [`CHECKS`] is the list, in the order of the pipeline.
+//!
+//! To add one: write the formula as an [`oracle`](crate::oracle), with a unit test from values
+//! computed by hand; write a file here that makes cases and calls [`Bench::compare`]; add it to
+//! [`CHECKS`]; and add the mistakes that it must notice to
+//! [`MUTATIONS`](crate::mutation::MUTATIONS), which a test then tries one by one.
+
+mod bench;
+mod blend;
+mod coverage;
+mod cube;
+mod depth_test;
+mod env;
+mod filter;
+mod interpolation;
+mod level;
+mod lod;
+mod outcome;
+mod projection;
+mod rng;
+mod shadow;
+mod srgb;
+mod wrap;
+
+pub use bench::{Bench, Effort, Subject, Tally};
+pub use outcome::{Outcome, Unit, Verdict};
+
+use crate::drive::DriveError;
+use std::time::Instant;
+
+/// A check: what it is about, how exact the driver has to be and why, and how it is run.
+#[derive(Clone, Copy, Debug)]
+pub struct Check {
+    /// Short name, for `--only` and for the list of mutations.
+    pub name: &'static str,
+    /// Where the formula stands.
+    pub citation: &'static str,
+    /// What is checked, in words.
+    pub what: &'static str,
+    /// What errors are measured in.
+    pub unit: Unit,
+    /// The largest error that passes.
+    pub tolerance: f64,
+    /// Why the tolerance is what it is.
+    pub why: &'static str,
+    /// Makes the cases and compares them.
+    pub run: fn(&Bench, &mut Tally) -> Result<(), DriveError>,
+}
+
+/// Every check, in the order in which a fragment meets what they are about.
+pub const CHECKS: &[Check] = &[
+    coverage::COVERAGE,
+    coverage::SHARED_EDGES,
+    interpolation::PERSPECTIVE,
+    interpolation::DEPTH,
+    projection::PROJECTIVE,
+    cube::FACE,
+    cube::FILTER,
+    lod::LOD,
+    lod::BIAS_CLAMP,
+    level::LEVEL,
+    wrap::NEAREST,
+    wrap::LINEAR,
+    filter::NEAREST,
+    filter::BILINEAR,
+    srgb::DECODE,
+    shadow::COMPARE,
+    env::ENVIRONMENT,
+    depth_test::TEST,
+    blend::BLEND,
+];
+
+impl Check {
+    /// Runs it.
+    pub fn run(&self, bench: &Bench) -> Outcome {
+        let start = Instant::now();
+        let mut tally = Tally::new(self.unit);
+        let result = (self.run)(bench, &mut tally);
+        let verdict = match result {
+            Err(error) => Verdict::Broken(error.to_string()),
+            Ok(()) if tally.cases() == 0 => Verdict::Broken("no cases".to_owned()),
+            Ok(()) if tally.largest() <= self.tolerance => Verdict::Pass,
+            Ok(()) => Verdict::Fail,
+        };
+        Outcome {
+            name: self.name,
+            citation: self.citation,
+            what: self.what,
+            cases: tally.cases(),
+            largest_error: tally.largest(),
+            unit: self.unit,
+            tolerance: self.tolerance,
+            why: self.why,
+            worst: tally.into_worst(),
+            seconds: start.elapsed().as_secs_f64(),
+            verdict,
+        }
+    }
+}

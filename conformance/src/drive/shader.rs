@@ -1,0 +1,131 @@
+//! The shaders of the checks, and how they are compiled.
+
+use super::session::Session;
+use super::{DriveError, pack};
+use gl_api::constants::*;
+use gl_api::entry::*;
+
+/// How values come back.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Precision {
+    /// All four components at once, rounded to bytes.
+    Bytes,
+    /// The first `components` components, one draw each, to the last bit of an `f32`.
+    Exact {
+        /// 1 to 4.
+        components: usize,
+    },
+}
+
+/// A linked program and how it answers.
+#[derive(Clone, Copy, Debug)]
+pub struct Program {
+    pub(super) name: u32,
+    pub(super) precision: Precision,
+}
+
+const VERTEX: &str = "#version 120
+varying vec4 a, b, c;
+void main() {
+    gl_Position = gl_Vertex;
+    a = gl_MultiTexCoord0;
+    b = gl_MultiTexCoord1;
+    c = gl_MultiTexCoord2;
+}
+";
+
+const FRAGMENT: &str = "#version 120
+varying vec4 a, b, c;
+";
+
+const BYTES: &str = "
+void main() {
+    gl_FragColor = value();
+}
+";
+
+/// `image` at (a.s, a.t).
+pub const TEXTURE_2D: &str = "
+uniform sampler2D image;
+vec4 value() { return texture2D(image, a.xy); }
+";
+
+/// `image` at (a.s, a.t), with derivatives b.xy by x and b.zw by y, and bias c.x. The quads that
+/// differences are taken over are the cells.
+pub const TEXTURE_2D_BIAS: &str = "
+uniform sampler2D image;
+vec4 value() {
+    vec2 pixel = mod(floor(gl_FragCoord.xy), 2.0);
+    return texture2D(image, a.xy + pixel.x * b.xy + pixel.y * b.zw, c.x);
+}
+";
+
+/// `image` at (a.s/a.q, a.t/a.q).
+pub const TEXTURE_2D_PROJ: &str = "
+uniform sampler2D image;
+vec4 value() { return texture2DProj(image, a); }
+";
+
+/// `image` in direction (a.x, a.y, a.z).
+pub const TEXTURE_CUBE: &str = "
+uniform samplerCube image;
+vec4 value() { return textureCube(image, a.xyz); }
+";
+
+/// `image` at (a.s, a.t) compared with a.z.
+pub const SHADOW_2D: &str = "
+uniform sampler2DShadow image;
+vec4 value() { return shadow2D(image, a.xyz); }
+";
+
+/// What was interpolated.
+pub const INPUT: &str = "
+vec4 value() { return a; }
+";
+
+/// Window depth.
+pub const FRAGMENT_DEPTH: &str = "
+vec4 value() { return vec4(gl_FragCoord.z, 0.0, 0.0, 0.0); }
+";
+
+impl Session {
+    /// Compiles and links the program whose fragments answer `value()` of `body`.
+    ///
+    /// # Errors
+    /// With the info log, when it is rejected.
+    pub fn program(&self, body: &str, precision: Precision) -> Result<Program, DriveError> {
+        let main = match precision {
+            Precision::Bytes => BYTES,
+            Precision::Exact { .. } => pack::GLSL,
+        };
+        let name = glCreateProgram();
+        compile(name, GL_VERTEX_SHADER, "vertex shader", VERTEX)?;
+        let fragment = format!("{FRAGMENT}{body}{main}");
+        compile(name, GL_FRAGMENT_SHADER, "fragment shader", &fragment)?;
+        glLinkProgram(name);
+        let mut linked = 0;
+        glGetProgramiv(name, GL_LINK_STATUS, &mut linked);
+        if linked == 0 {
+            let mut log = String::new();
+            glGetProgramInfoLog(name, 1 << 16, NULL, &mut log);
+            return Err(DriveError::Shader { stage: "program", log });
+        }
+        self.check("linking")?;
+        Ok(Program { name, precision })
+    }
+}
+
+fn compile(program: u32, kind: u32, stage: &'static str, source: &str) -> Result<(), DriveError> {
+    let shader = glCreateShader(kind);
+    glShaderSource(shader, 1, source, NULL);
+    glCompileShader(shader);
+    let mut compiled = 0;
+    glGetShaderiv(shader, GL_COMPILE_STATUS, &mut compiled);
+    if compiled == 0 {
+        let mut log = String::new();
+        glGetShaderInfoLog(shader, 1 << 16, NULL, &mut log);
+        return Err(DriveError::Shader { stage, log });
+    }
+    glAttachShader(program, shader);
+    Ok(())
+}

@@ -1,0 +1,18 @@
+//! The formulas in `f64`, written from the specification, one file a chapter.
+//!
+//! Each takes a [`Variant`](crate::mutation::Variant), so that a mistake can be built in where it
+//! would be made. Sections are those of the OpenGL 2.1 specification (December 2006).
+
+pub mod blend;
+pub mod compare;
+pub mod coverage;
+pub mod cube;
+pub mod env;
+pub mod filter;
+pub mod interpolation;
+pub mod lod;
+pub mod projection;
+pub mod sample;
+pub mod srgb;
+pub mod texture;
+pub mod wrap;
