@@ -75,12 +75,12 @@ fn rem_i32(a: i32, b: i32) -> i32 {
 
 #[inline(always)]
 fn div_u32(a: u32, b: u32) -> u32 {
-    if b == 0 { u32::MAX } else { a / b }
+    a.checked_div(b).unwrap_or(u32::MAX)
 }
 
 #[inline(always)]
 fn rem_u32(a: u32, b: u32) -> u32 {
-    if b == 0 { u32::MAX } else { a % b }
+    a.checked_rem(b).unwrap_or(u32::MAX)
 }
 
 macro_rules! operations {

@@ -1,6 +1,7 @@
 //! What validation refuses, and what listings look like.
 
 use super::*;
+use texunit::image::Shape;
 
 /// A fragment builder with varyings, and the red output.
 fn fragment() -> (Builder, Var) {

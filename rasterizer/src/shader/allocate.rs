@@ -114,10 +114,11 @@ impl Allocation {
         }
     }
 
-    fn touched(&self, kind: Kind, after: u32, until: u32, roles: &[Role]) -> bool {
+    /// Whether a variable is accessed from one instruction until before another.
+    fn touched(&self, kind: Kind, from: u32, until: u32, roles: &[Role]) -> bool {
         let Kind::Variable { var } = kind else { return true };
         let accesses = &self.accesses[var.0 as usize];
-        let first = accesses.partition_point(|access| access.at <= after);
+        let first = accesses.partition_point(|access| access.at < from);
         accesses[first..]
             .iter()
             .take_while(|access| access.at < until)
@@ -153,12 +154,18 @@ impl Allocation {
         accesses[at].at = to;
     }
 
-    /// A load needs no copy when its variable is not written while the value lives.
+    /// A load needs no copy when its variable is not written while the value lives, its last use
+    /// included.
     fn borrow_variables(&mut self, lowered: &Lowered) {
         for (at, inst) in lowered.code.iter().enumerate() {
             let Inst::Move { out, from } = inst else { continue };
             let Some(span) = self.spans[out.0 as usize] else { continue };
-            if !self.touched(lowered.kinds[from.0 as usize], at as u32, span.end, &[Role::Write]) {
+            if !self.touched(
+                lowered.kinds[from.0 as usize],
+                at as u32,
+                span.end + 1,
+                &[Role::Write],
+            ) {
                 self.instead[out.0 as usize] = *from;
                 self.spans[out.0 as usize] = None;
                 self.removed[at] = true;
@@ -212,9 +219,9 @@ impl Allocation {
                     && let Some(span) = self.spans[virt]
                     && self.real[virt].0 == u32::MAX
                 {
-                    // Every instruction reads before it writes.
+                    // An output never shares a register with an input.
                     while let Some(&Reverse((end, place))) = live.peek()
-                        && end <= at
+                        && end < at
                     {
                         live.pop();
                         free.push(Reverse(place));
@@ -226,8 +233,7 @@ impl Allocation {
                         },
                         |Reverse(place)| place,
                     );
-                    // A value that nobody reads still takes its place for one instruction.
-                    live.push(Reverse((span.end.max(at + u32::from(span.reads == 0)), place)));
+                    live.push(Reverse((span.end, place)));
                     self.real[virt] = Reg(place);
                 }
                 *reg = self.real[virt];

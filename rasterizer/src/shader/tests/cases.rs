@@ -2,8 +2,8 @@
 
 use super::{check, run};
 use crate::ir::{
-    Axis, Block, Builder, Expr, Input, Interpolation, Lod, MAX_NESTING, Module, Op, Output, Sample,
-    Stage, Stmt, Texture, TextureDecl, Ty, Value, Var,
+    Axis, Block, Builder, Expr, Input, Interpolation, Lod, MAX_NESTING, Module, Op, Output, Stage,
+    Stmt, TextureDecl, Ty, Var,
 };
 use crate::shader::{OverBudget, Program};
 use texunit::image::Shape;
