@@ -2,7 +2,60 @@
 //!
 //! The GL state machine: entry points, validation, objects, GLU, the GLSL front end, and the
 //! translation of validated state into commands of the driver.
+//!
+//! ```
+//! use gl_api::*;
+//! let _current = Context::new(ContextDesc { width: 64, height: 64, ..Default::default() })
+//!     .expect("a device")
+//!     .make_current();
+//! glClearColor(0, 0.5, 1, 1);
+//! glClear(GL_COLOR_BUFFER_BIT);
+//! glBegin(GL_TRIANGLES);
+//! glTexCoord2f(0, 1);
+//! glVertex2f(-0.8, 0.8);
+//! glVertex2f(0.8, 0.8);
+//! glVertex2f(0, -0.8);
+//! glEnd();
+//! assert_eq!(glGetError(), GL_NO_ERROR);
+//! ```
+//!
+//! The modules in the order in which a call passes through them:
+//!
+//! | module | is |
+//! |---|---|
+//! | [`entry`] | the tables of entry points: methods on [`Context`] and free functions |
+//! | [`constants`], [`types`] | GL's constants, from the Khronos registry, and C's types |
+//! | [`error`] | refusals, and the tables that convert enums at the door |
+//! | [`context`] | the context, its messages and limits |
+//! | `state`, `env` | plain state by chapter; texture units and environments |
+//! | `object` | names of textures, buffers, framebuffers, shaders, programs |
+//! | `texture` | client pixels, internal formats, images and parameters |
+//! | `framebuffer` | attachments, completeness, clearing, reading back |
+//! | `program` | uniforms, attributes, what a link found |
+//! | [`glsl`], [`interface`] | the GLSL front end, and where programs and state meet |
+//! | `fixed` | the fixed function as generated shaders |
+//! | `draw` | vertices, draw calls, and their translation into driver commands |
+//! | `query` | `glGet` |
 #![deny(unsafe_code)]
 
+pub mod constants;
+pub mod context;
+mod draw;
+pub mod entry;
+mod env;
+pub mod error;
+mod fixed;
+mod framebuffer;
 pub mod glsl;
 pub mod interface;
+mod object;
+mod program;
+mod query;
+mod state;
+mod texture;
+pub mod types;
+
+pub use constants::*;
+pub use context::{Context, ContextDesc, ContextError, Message, Severity};
+pub use entry::*;
+pub use types::*;

@@ -8,10 +8,21 @@
 //! | module | is |
 //! |---|---|
 //! | [`driver`] | device, images, buffers, pipelines, command buffers, queue |
-//! | [`ir`] | what a shader is: typed, scalar, structured |
-//! | [`shader`] | optimizer, register program, 64-lane interpreter |
+//! | `plan` | every decision of a draw, taken once before its loops |
+//! | `vertex` | attributes to lanes, the vertex program, the viewport |
+//! | `primitive` | assembly, clipping, snapping, culling |
+//! | `raster` | tiles, coverage, interpolation, batches of fragments |
+//! | [`ir`], [`shader`] | what a shader is; optimizer, register program, 64-lane interpreter |
+//! | `output` | depth test, blending, masks, packing |
+//! | `target` | attachments as tiles of words in lane order |
 #![forbid(unsafe_code)]
 
 pub mod driver;
 pub mod ir;
+mod output;
+mod plan;
+mod primitive;
+mod raster;
 pub mod shader;
+mod target;
+mod vertex;

@@ -10,8 +10,10 @@
 //! | [`lanes`] | the batch of 64, instruction-set dispatch, gather, exact math; the only `unsafe` |
 //! | [`format`](mod@format) | the table of texel formats, and their conversions to and from `f32` |
 //! | [`image`] | levels and faces of texels, shared by reference, copied when written |
+//! | [`mipmap`] | the box filter that makes a level from the one before |
 //! | [`sampler`] | wrap modes, filters, LOD range, compare: the state beside the texels |
 //! | [`plan`] | one decision per draw: which kernels sample this image with this sampler |
+//! | `sample` | the steps of a sample: face → LOD → wrap → fetch → compare → filter → expand |
 //!
 //! **Invariant: one definition of each number.** The order of scalar `f32` operations in this
 //! source is the definition. Every instruction set gives the same bits.
@@ -19,5 +21,7 @@
 pub mod format;
 pub mod image;
 pub mod lanes;
+pub mod mipmap;
 pub mod plan;
+mod sample;
 pub mod sampler;

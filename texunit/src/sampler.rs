@@ -15,6 +15,19 @@ pub enum Wrap {
     MirroredRepeat,
 }
 
+impl Wrap {
+    /// Whether a sample can mix in the border colour. `Clamp` holds the point inside, so that only
+    /// a linear filter reaches past the edge.
+    pub const fn reaches_border(self, filter: Filter) -> bool {
+        match (self, filter) {
+            (Self::ClampToBorder, Filter::Nearest | Filter::Linear)
+            | (Self::Clamp, Filter::Linear) => true,
+            (Self::Clamp, Filter::Nearest)
+            | (Self::Repeat | Self::ClampToEdge | Self::MirroredRepeat, _) => false,
+        }
+    }
+}
+
 /// How the texels of one level are combined.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Filter {
@@ -66,6 +79,9 @@ pub enum DepthMode {
     /// (0, 0, 0, D).
     Alpha,
 }
+
+/// Bound of the sum of the LOD biases, both ways (`GL_MAX_TEXTURE_LOD_BIAS`).
+pub const MAX_LOD_BIAS: f32 = 16.0;
 
 /// Everything beside the texels that a sample depends on.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,11 +1,31 @@
 //! The GLSL front end: text in, IR of the rasterizer out.
 //!
-//! The modules in the order in which a shader passes through them: preprocessor, lexer, parser,
-//! checker, built-ins, linker, lowering.
+//! The modules in the order in which a shader passes through them: `preprocess` over the tokens of
+//! `lexer`, `parser` to the syntax tree of `ast`, `check` to the typed tree of `hir`, which names
+//! the rows of `builtins`; then `link` matches the stages and `lower` makes IR of them. What is
+//! wrong on the way is a row in the log of `diagnostics`; `repair` applies what it suggests.
+
+mod ast;
+mod builtins;
+mod check;
+mod diagnostics;
+mod hir;
+mod lexer;
+mod link;
+mod lower;
+mod parser;
+mod preprocess;
+mod repair;
+mod source;
+mod types;
+mod version;
 
 use crate::interface::StateBinding;
 use rasterizer::ir::Module;
+use diagnostics::{Diagnostic, Log};
+use source::{Source, Span};
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 /// Which stage a shader object is for.
 pub use rasterizer::ir::Stage;
@@ -29,7 +49,9 @@ pub struct Options {
 
 /// A compiled, checked shader object.
 #[derive(Clone, Debug)]
-pub struct Shader {}
+pub struct Shader {
+    unit: Arc<hir::Unit>,
+}
 
 /// What a compilation gives.
 #[derive(Clone, Debug)]
@@ -147,14 +169,47 @@ pub struct Linked {
     pub log: String,
 }
 
+/// One run of the compiler over one text.
+struct Pass {
+    unit: hir::Unit,
+    source: Source,
+    log: Log,
+}
+
+impl Pass {
+    /// The shader, if nothing is wrong with it.
+    fn shader(self) -> Option<Shader> {
+        (!self.log.has_errors()).then(|| Shader { unit: Arc::new(self.unit) })
+    }
+}
+
+fn compile_once(stage: Stage, text: &str) -> Pass {
+    let mut log = Log::default();
+    let too_long = text.len() > Source::MAX_LEN;
+    let mut source = Source::new(if too_long { "" } else { text });
+    if too_long {
+        let message = format!("the source has more than {} bytes", Source::MAX_LEN);
+        log.push(Diagnostic::error(Span::default(), message));
+    }
+    let preprocessed = preprocess::preprocess(&mut source, &mut log);
+    let items = parser::parse(&preprocessed.tokens, preprocessed.version, &mut log);
+    let unit = check::check(&items, stage, preprocessed.version, &source, &mut log);
+    Pass { unit, source, log }
+}
+
 /// Compiles one shader. Any text is fine; it never panics.
 pub fn compile(stage: Stage, source: &str, options: &Options) -> Compiled {
-    let _ = (stage, source, options);
-    Compiled { shader: None, log: String::new() }
+    match options.repairs {
+        Repairs::Off => {
+            let pass = compile_once(stage, source);
+            let log = pass.log.render(Some(&pass.source));
+            Compiled { shader: pass.shader(), log }
+        }
+        Repairs::On => repair::compile(stage, source),
+    }
 }
 
 /// Links shaders into a program.
 pub fn link(shaders: &[&Shader], bindings: &Bindings) -> Linked {
-    let _ = (shaders, bindings);
-    Linked { program: None, log: String::new() }
+    link::link(shaders, bindings)
 }

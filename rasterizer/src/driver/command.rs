@@ -63,6 +63,17 @@ pub enum IndexType {
     U32,
 }
 
+impl IndexType {
+    /// Bytes of an index.
+    pub fn size(self) -> usize {
+        match self {
+            Self::U8 => 1,
+            Self::U16 => 2,
+            Self::U32 => 4,
+        }
+    }
+}
+
 /// The indices of a draw. What lies past the buffer's end reads as index 0.
 #[derive(Clone, Debug)]
 pub struct Indices {

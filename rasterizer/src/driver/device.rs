@@ -1,6 +1,9 @@
 //! The device: which instruction set, how many threads, and the queue.
 
 use super::command::CommandBuffer;
+use super::{check, submit};
+use parking_lot::Mutex;
+use std::collections::BTreeSet;
 use texunit::lanes::{Isa, IsaError};
 use thiserror::Error;
 
@@ -13,10 +16,28 @@ pub struct DeviceDesc {
     pub threads: usize,
     /// How many instructions a batch of a shader may run before its draw is dropped.
     pub budget: u64,
+    /// Whether each draw's plan is printed.
+    pub explain: Explain,
+}
+
+/// Whether each draw's plan is printed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Explain {
+    /// It is not.
+    #[default]
+    Off,
+    /// Each different plan once, to standard error.
+    Print,
+    /// Each different plan is kept for [`Device::take_explanations`].
+    Keep,
 }
 
 impl DeviceDesc {
-    /// From `DETGL_ISA` and `DETGL_THREADS`, else the widest instruction set and every core.
+    /// The default budget.
+    pub const BUDGET: u64 = 1 << 26;
+
+    /// From `DETGL_ISA`, `DETGL_THREADS` and `DETGL_EXPLAIN`, else the widest instruction set,
+    /// every core, and silence.
     ///
     /// # Errors
     /// When a variable asks for what this machine does not have.
@@ -30,7 +51,11 @@ impl DeviceDesc {
                 .ok_or(DeviceError::Threads(text))?,
             Err(_) => std::thread::available_parallelism().map_or(1, usize::from),
         };
-        Ok(Self { isa, threads, budget: 1 << 26 })
+        let explain = match std::env::var("DETGL_EXPLAIN") {
+            Ok(text) if text != "0" => Explain::Print,
+            Ok(_) | Err(_) => Explain::Off,
+        };
+        Ok(Self { isa, threads, budget: Self::BUDGET, explain })
     }
 }
 
@@ -70,6 +95,10 @@ pub struct SubmitReport {
 #[derive(Debug)]
 pub struct Device {
     desc: DeviceDesc,
+    pool: rayon::ThreadPool,
+    /// The plans seen so far.
+    explained: Mutex<BTreeSet<String>>,
+    kept: Mutex<Vec<String>>,
 }
 
 impl Device {
@@ -78,7 +107,12 @@ impl Device {
     /// # Errors
     /// When its threads cannot be started.
     pub fn new(desc: DeviceDesc) -> Result<Self, DeviceError> {
-        Ok(Self { desc })
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(desc.threads.max(1))
+            .thread_name(|index| format!("detgl-{index}"))
+            .build()
+            .map_err(|error| DeviceError::Pool(error.to_string()))?;
+        Ok(Self { desc, pool, explained: Mutex::default(), kept: Mutex::default() })
     }
 
     /// What it was made from.
@@ -91,7 +125,29 @@ impl Device {
     /// # Errors
     /// When a command breaks a rule; then nothing was run.
     pub fn submit(&self, commands: &CommandBuffer) -> Result<SubmitReport, SubmitError> {
-        let _ = commands;
-        Ok(SubmitReport::default())
+        check::check(&commands.commands)?;
+        Ok(self.pool.install(|| submit::run(self, &commands.commands)))
+    }
+
+    /// The plans kept since the last call, each different one once ([`Explain::Keep`]).
+    pub fn take_explanations(&self) -> Vec<String> {
+        self.explained.lock().clear();
+        std::mem::take(&mut self.kept.lock())
+    }
+
+    /// Takes note of a draw's plan.
+    pub(crate) fn explain(&self, plan: &dyn Fn() -> String) {
+        if self.desc.explain == Explain::Off {
+            return;
+        }
+        let text = plan();
+        if !self.explained.lock().insert(text.clone()) {
+            return;
+        }
+        match self.desc.explain {
+            Explain::Off => {}
+            Explain::Print => eprintln!("draw\n{text}"),
+            Explain::Keep => self.kept.lock().push(text),
+        }
     }
 }

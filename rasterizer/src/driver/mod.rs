@@ -2,14 +2,17 @@
 //! commands, and submits them to the queue.
 
 mod buffer;
+mod check;
 mod command;
 mod device;
 mod image;
+mod pass;
 mod pipeline;
+mod submit;
 
 pub use buffer::{Buffer, VertexBinding, VertexFormat, VertexSource, VertexType};
 pub use command::{ClearValue, Command, CommandBuffer, IndexType, Indices, Rect, Viewport};
-pub use device::{Device, DeviceDesc, DeviceError, SubmitError, SubmitReport};
+pub use device::{Device, DeviceDesc, DeviceError, Explain, SubmitError, SubmitReport};
 pub use image::{Attachment, Image, PassDesc};
 pub use pipeline::{
     Blend, BlendEquation, BlendFactor, ColorState, Cull, DepthState, DepthWrite, FrontFace,

@@ -1,6 +1,7 @@
 //! Pipelines: shaders and fixed state, checked and compiled once, immutable ever after.
 
-use crate::ir::Module;
+use crate::ir::{Input, Interpolation, Module, Output, Stage};
+use crate::shader::Program;
 use std::hash::{Hash, Hasher};
 use std::sync::Arc;
 use texunit::sampler::Compare;
@@ -211,6 +212,15 @@ pub struct ColorState {
     pub mask: [bool; 4],
 }
 
+impl ColorState {
+    /// Whether a component of the source colour has any effect.
+    fn needs(&self, component: usize) -> bool {
+        // Blending weights every component by source alpha, or may.
+        self.mask[component]
+            || (component == 3 && self.blend.is_some() && self.mask.contains(&true))
+    }
+}
+
 /// Everything a pipeline is made of; also the key to cache it by.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct PipelineDesc {
@@ -245,7 +255,21 @@ pub struct PipelineError(pub String);
 
 /// Shaders and state, checked, optimized for each other and compiled. Cloning shares it.
 #[derive(Clone, Debug)]
-pub struct Pipeline(Arc<PipelineDesc>);
+pub struct Pipeline(Arc<Compiled>);
+
+/// What a pipeline holds.
+#[derive(Debug)]
+pub(crate) struct Compiled {
+    pub desc: PipelineDesc,
+    /// The vertex program, without the varyings that the fragment program does not read.
+    pub vertex: Program,
+    /// The fragment program, without outputs that nobody takes.
+    pub fragment: Program,
+    /// The varying slots that the fragment program reads, ascending, and how each is interpolated.
+    pub varyings: Vec<(u16, Interpolation)>,
+    /// How many varying slots the vertex module writes.
+    pub written_varyings: usize,
+}
 
 impl Pipeline {
     /// Checks and compiles.
@@ -253,11 +277,65 @@ impl Pipeline {
     /// # Errors
     /// When the stages are not of their kind.
     pub fn new(desc: PipelineDesc) -> Result<Self, PipelineError> {
-        Ok(Self(Arc::new(desc)))
+        let (vertex, fragment) = (desc.vertex.module(), desc.fragment.module());
+        if vertex.stage != Stage::Vertex {
+            return Err(PipelineError("`vertex` must be a module of the vertex stage".into()));
+        }
+        if fragment.stage != Stage::Fragment {
+            return Err(PipelineError("`fragment` must be a module of the fragment stage".into()));
+        }
+        let fragment_program = Program::new(fragment, |output| match output {
+            Output::Color { target, component } => desc
+                .colors
+                .get(usize::from(target))
+                .is_some_and(|color| color.needs(usize::from(component))),
+            Output::Depth => desc.depth.is_some(),
+            Output::Position(_)
+            | Output::PointSize
+            | Output::ClipDistance(_)
+            | Output::Varying(_) => false,
+        });
+        let mut varyings: Vec<(u16, Interpolation)> = fragment_program
+            .inputs()
+            .iter()
+            .filter_map(|input| match *input {
+                Input::Varying(slot) => {
+                    let mode = fragment.varyings.get(usize::from(slot)).copied();
+                    Some((slot, mode.unwrap_or(Interpolation::Smooth)))
+                }
+                Input::Attribute { .. }
+                | Input::VertexId
+                | Input::InstanceId
+                | Input::FragCoord(_)
+                | Input::FrontFacing
+                | Input::PointCoord(_) => None,
+            })
+            .collect();
+        varyings.sort_unstable_by_key(|&(slot, _)| slot);
+        let vertex_program = Program::new(vertex, |output| match output {
+            Output::Position(_) => true,
+            Output::PointSize => desc.topology == Topology::Points,
+            Output::Varying(slot) => varyings.iter().any(|&(read, _)| read == slot),
+            // Clip distances cut nothing yet.
+            Output::ClipDistance(_) | Output::Color { .. } | Output::Depth => false,
+        });
+        let written_varyings =
+            vertex.outputs.iter().filter(|(o, _)| matches!(o, Output::Varying(_))).count();
+        Ok(Self(Arc::new(Compiled {
+            vertex: vertex_program,
+            fragment: fragment_program,
+            varyings,
+            written_varyings,
+            desc,
+        })))
     }
 
     /// What it was made of.
     pub fn desc(&self) -> &PipelineDesc {
+        &self.0.desc
+    }
+
+    pub(crate) fn compiled(&self) -> &Compiled {
         &self.0
     }
 }

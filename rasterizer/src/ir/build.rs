@@ -53,16 +53,7 @@ impl Builder {
 
     /// Adds an expression and, unless it is the same everywhere, evaluates it here.
     pub fn value(&mut self, expr: Expr) -> Value {
-        let everywhere = match expr {
-            Expr::Const { .. } | Expr::Input(_) | Expr::Uniform { .. } => true,
-            Expr::UniformAt { .. }
-            | Expr::Load(_)
-            | Expr::LoadAt { .. }
-            | Expr::Op { .. }
-            | Expr::Derivative { .. }
-            | Expr::Sample(_)
-            | Expr::Component { .. } => false,
-        };
+        let everywhere = expr.is_everywhere();
         let value = Value(self.module.values.len() as u32);
         self.module.values.push(expr);
         if !everywhere {

@@ -20,16 +20,22 @@
 //! - **Operations** ([`Op`]) are pure, total (no operation traps: an integer division by zero is
 //!   defined) and the same bits everywhere.
 //! - **Derivatives** and implicit-LOD samples read the neighbours of the lane's quad, active or not.
+//!   What an inactive neighbour holds is the same on every machine, but not otherwise defined: it
+//!   may change with the optimizer (GLSL 1.30, section 8.8, leaves it undefined).
 //!
 //! [`Module::validate`] checks all of this; the rest of the crate relies on it.
 
 mod build;
 mod ops;
+mod print;
+#[cfg(test)]
+mod tests;
 mod validate;
+mod visit;
 
 pub use build::Builder;
 pub use ops::Op;
-pub use validate::IrError;
+pub use validate::{IrError, MAX_NESTING, MAX_VALUES, MAX_VARIABLE_WORDS};
 
 /// The word that stands for `true`.
 pub const TRUE: u32 = !0;
@@ -135,7 +141,7 @@ pub struct TextureDecl {
 }
 
 /// The level of detail of a sample.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Lod {
     /// From the quad's differences, plus a bias. In the vertex stage: the base level plus the bias.
     Implicit {
@@ -154,7 +160,7 @@ pub enum Lod {
 }
 
 /// One texture access.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Sample {
     /// Which texture.
     pub texture: Texture,
@@ -176,7 +182,7 @@ pub enum Axis {
 }
 
 /// How a value comes to be.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Expr {
     /// These bits.
     Const {

@@ -182,6 +182,43 @@ operations! {
     /// `1 / sqrt(a)`, two roundings.
     InverseSqrt "inverse_sqrt" (a: f32) -> f32 = 1.0 / a.sqrt();
 
+    /// Sine of an angle in radians; bounds of this and the next are those of [`math`].
+    Sin "sin" (a: f32) -> f32 = math::sin(a);
+    /// Cosine.
+    Cos "cos" (a: f32) -> f32 = math::cos(a);
+    /// Tangent.
+    Tan "tan" (a: f32) -> f32 = math::tan(a);
+    /// The angle of this sine.
+    Asin "asin" (a: f32) -> f32 = math::asin(a);
+    /// The angle of this cosine.
+    Acos "acos" (a: f32) -> f32 = math::acos(a);
+    /// The angle of this tangent.
+    Atan "atan" (a: f32) -> f32 = math::atan(a);
+    /// The angle of the point (`b`, `a`).
+    Atan2 "atan2" (a: f32, b: f32) -> f32 = math::atan2(a, b);
+    /// Hyperbolic sine.
+    Sinh "sinh" (a: f32) -> f32 = math::sinh(a);
+    /// Hyperbolic cosine.
+    Cosh "cosh" (a: f32) -> f32 = math::cosh(a);
+    /// Hyperbolic tangent.
+    Tanh "tanh" (a: f32) -> f32 = math::tanh(a);
+    /// Inverse hyperbolic sine.
+    Asinh "asinh" (a: f32) -> f32 = math::asinh(a);
+    /// Inverse hyperbolic cosine.
+    Acosh "acosh" (a: f32) -> f32 = math::acosh(a);
+    /// Inverse hyperbolic tangent.
+    Atanh "atanh" (a: f32) -> f32 = math::atanh(a);
+    /// `e^a`.
+    Exp "exp" (a: f32) -> f32 = math::exp(a);
+    /// `2^a`.
+    Exp2 "exp2" (a: f32) -> f32 = math::exp2(a);
+    /// Natural logarithm.
+    Log "log" (a: f32) -> f32 = math::log(a);
+    /// Logarithm to base 2.
+    Log2 "log2" (a: f32) -> f32 = math::log2(a);
+    /// `a^b`; NaN for negative `a`, see [`math::pow`].
+    Pow "pow" (a: f32, b: f32) -> f32 = math::pow(a, b);
+
     /// `a < b`.
     Less "less" (a: f32, b: f32) -> bool = a < b;
     /// `a <= b`.

@@ -1,12 +1,35 @@
 //! What a module must keep to, checked once, so that everything after can rely on it.
+//!
+//! One pass in program order, linear in the size of the module. Blocks may nest [`MAX_NESTING`]
+//! deep, so that whoever walks a valid module may recurse over its blocks.
 
-use super::Module;
+use super::{
+    Block, Expr, Input, Lod, Module, Op, Output, Sample, Stage, Stmt, TRUE, Ty, Value, Var,
+};
+use std::collections::BTreeSet;
 use thiserror::Error;
+
+/// How deep blocks may nest.
+pub const MAX_NESTING: usize = 256;
+/// How many values a module may have.
+pub const MAX_VALUES: usize = 1 << 18;
+/// How many elements all variables of a module may have together.
+pub const MAX_VARIABLE_WORDS: u64 = 1 << 16;
 
 /// A module that breaks a rule of the IR.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error("{0}")]
 pub struct IrError(pub String);
+
+type Checked = Result<(), IrError>;
+
+macro_rules! rule {
+    ($holds:expr, $($text:tt)*) => {
+        if !$holds {
+            return Err(IrError(format!($($text)*)));
+        }
+    };
+}
 
 impl Module {
     /// Checks the rules that the module documentation of [`super`] states.
@@ -14,6 +37,309 @@ impl Module {
     /// # Errors
     /// The first rule that is broken, naming the value or statement.
     pub fn validate(&self) -> Result<(), IrError> {
+        self.declarations()?;
+        self.outputs()?;
+        let mut body = Body {
+            module: self,
+            state: vec![State::Waiting; self.values.len()],
+            visible: Vec::new(),
+            nesting: 0,
+        };
+        for (at, expr) in self.values.iter().enumerate() {
+            body.everywhere(Value(at as u32), expr)?;
+        }
+        body.block(&self.body, Around { in_loop: Jumps::None, in_scope: false })
+    }
+
+    fn declarations(&self) -> Checked {
+        rule!(self.values.len() <= MAX_VALUES, "more than {MAX_VALUES} values");
+        let mut words = 0;
+        for (at, variable) in self.variables.iter().enumerate() {
+            rule!(variable.len >= 1, "variable v{at} ({}) has no elements", variable.name);
+            words += u64::from(variable.len);
+            rule!(words <= MAX_VARIABLE_WORDS, "more than {MAX_VARIABLE_WORDS} variable elements");
+        }
+        rule!(
+            self.stage == Stage::Fragment || self.varyings.is_empty(),
+            "a vertex module declares the interpolation of varyings"
+        );
         Ok(())
+    }
+
+    fn outputs(&self) -> Checked {
+        let mut seen = BTreeSet::new();
+        for &(output, var) in &self.outputs {
+            let (stage, in_range) = match output {
+                Output::Position(component) => (Stage::Vertex, component < 4),
+                Output::PointSize | Output::Varying(_) => (Stage::Vertex, true),
+                Output::ClipDistance(plane) => (Stage::Vertex, plane < 8),
+                Output::Color { component, .. } => (Stage::Fragment, component < 4),
+                Output::Depth => (Stage::Fragment, true),
+            };
+            rule!(stage == self.stage, "output {output:?} in a {:?} module", self.stage);
+            rule!(in_range, "output {output:?} has no such component");
+            rule!(seen.insert(output), "output {output:?} twice");
+            let Some(variable) = self.variables.get(var.0 as usize) else {
+                return Err(IrError(format!("output {output:?}: there is no v{}", var.0)));
+            };
+            rule!(
+                variable.len == 1 && variable.ty == Ty::F32,
+                "output {output:?}: v{} is not one f32",
+                var.0
+            );
+        }
+        Ok(())
+    }
+}
+
+/// Where a value stands in its life.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum State {
+    /// Not evaluated yet.
+    Waiting,
+    /// Can be used.
+    Visible,
+    /// The block that evaluated it has ended.
+    Gone,
+    /// Needs no evaluation.
+    Everywhere,
+}
+
+/// Which jumps to the innermost loop are allowed.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Jumps {
+    None,
+    Break,
+    BreakAndContinue,
+}
+
+#[derive(Clone, Copy)]
+struct Around {
+    in_loop: Jumps,
+    in_scope: bool,
+}
+
+struct Body<'a> {
+    module: &'a Module,
+    /// By value.
+    state: Vec<State>,
+    /// The visible values, outermost block first.
+    visible: Vec<Value>,
+    nesting: usize,
+}
+
+impl Body<'_> {
+    /// Checks a value that needs no evaluation.
+    fn everywhere(&mut self, value: Value, expr: &Expr) -> Checked {
+        let at = value.0;
+        match expr {
+            Expr::Const { bits, ty } => {
+                rule!(*ty != Ty::Bool || *bits == 0 || *bits == TRUE, "%{at}: bool {bits:#x}");
+            }
+            Expr::Input(input) => self.input(at, *input)?,
+            Expr::Uniform { word, .. } => {
+                let words = self.module.uniform_words;
+                rule!(*word < words, "%{at}: uniform word {word} of {words}");
+            }
+            Expr::UniformAt { .. }
+            | Expr::Load(_)
+            | Expr::LoadAt { .. }
+            | Expr::Op { .. }
+            | Expr::Derivative { .. }
+            | Expr::Sample(_)
+            | Expr::Component { .. } => return Ok(()),
+        }
+        self.state[at as usize] = State::Everywhere;
+        Ok(())
+    }
+
+    fn input(&self, at: u32, input: Input) -> Checked {
+        let (stage, in_range) = match input {
+            Input::Attribute { component, .. } => (Stage::Vertex, component < 4),
+            Input::VertexId | Input::InstanceId => (Stage::Vertex, true),
+            Input::Varying(slot) => {
+                (Stage::Fragment, usize::from(slot) < self.module.varyings.len())
+            }
+            Input::FragCoord(component) => (Stage::Fragment, component < 4),
+            Input::FrontFacing => (Stage::Fragment, true),
+            Input::PointCoord(component) => (Stage::Fragment, component < 2),
+        };
+        rule!(stage == self.module.stage, "%{at}: {input:?} in a {:?} module", self.module.stage);
+        rule!(in_range, "%{at}: {input:?} is not declared or has no such component");
+        Ok(())
+    }
+
+    fn block(&mut self, block: &Block, around: Around) -> Checked {
+        self.nesting += 1;
+        rule!(self.nesting <= MAX_NESTING, "blocks nest deeper than {MAX_NESTING}");
+        let outside = self.visible.len();
+        for stmt in block {
+            self.stmt(stmt, around)?;
+        }
+        for value in self.visible.drain(outside..) {
+            self.state[value.0 as usize] = State::Gone;
+        }
+        self.nesting -= 1;
+        Ok(())
+    }
+
+    fn stmt(&mut self, stmt: &Stmt, around: Around) -> Checked {
+        match stmt {
+            Stmt::Eval(value) => self.eval(*value),
+            Stmt::Store { var, value } => {
+                let ty = self.scalar(*var, "store")?;
+                self.operand(*value, ty, "store")
+            }
+            Stmt::StoreAt { var, index, value } => {
+                let ty = self.array(*var, "store")?;
+                self.index(*index, "store")?;
+                self.operand(*value, ty, "store")
+            }
+            Stmt::If { condition, accept, reject } => {
+                self.operand(*condition, Ty::Bool, "if")?;
+                self.block(accept, around)?;
+                self.block(reject, around)
+            }
+            Stmt::Loop { body, continuing } => {
+                self.block(body, Around { in_loop: Jumps::BreakAndContinue, ..around })?;
+                self.block(continuing, Around { in_loop: Jumps::Break, ..around })
+            }
+            Stmt::Scope(body) => self.block(body, Around { in_scope: true, ..around }),
+            Stmt::Break => {
+                rule!(around.in_loop != Jumps::None, "break outside a loop");
+                Ok(())
+            }
+            Stmt::Continue => {
+                let allowed = around.in_loop == Jumps::BreakAndContinue;
+                rule!(allowed, "continue outside the body of a loop");
+                Ok(())
+            }
+            Stmt::Leave => {
+                rule!(around.in_scope, "leave outside a scope");
+                Ok(())
+            }
+            Stmt::Discard => self.fragment_only("discard"),
+        }
+    }
+
+    fn fragment_only(&self, what: &str) -> Checked {
+        rule!(self.module.stage == Stage::Fragment, "{what} outside a fragment module");
+        Ok(())
+    }
+
+    fn eval(&mut self, value: Value) -> Checked {
+        let module = self.module;
+        let Some(expr) = module.values.get(value.0 as usize) else {
+            return Err(IrError(format!("eval: there is no %{}", value.0)));
+        };
+        let state = self.state[value.0 as usize];
+        if state == State::Everywhere {
+            return Ok(());
+        }
+        let user = format!("%{}", value.0);
+        rule!(state == State::Waiting, "{user} is evaluated twice");
+        match expr {
+            Expr::Const { .. } | Expr::Input(_) | Expr::Uniform { .. } => {}
+            Expr::UniformAt { base, len, index, .. } => {
+                let (end, words) = (u64::from(*base) + u64::from(*len), module.uniform_words);
+                rule!(*len >= 1, "{user}: no uniform words to index");
+                rule!(end <= u64::from(words), "{user}: uniform words up to {end} of {words}");
+                self.index(*index, &user)?;
+            }
+            Expr::Load(var) => {
+                self.scalar(*var, &user)?;
+            }
+            Expr::LoadAt { var, index } => {
+                self.array(*var, &user)?;
+                self.index(*index, &user)?;
+            }
+            Expr::Op { op, args } => self.op(*op, args, &user)?,
+            Expr::Derivative { value, .. } => {
+                self.fragment_only("derivative")?;
+                self.operand(*value, Ty::F32, &user)?;
+            }
+            Expr::Sample(sample) => self.sample(sample, &user)?,
+            Expr::Component { sample, component } => {
+                self.visible(*sample, &user)?;
+                let sampled = matches!(module.expr(*sample), Expr::Sample(_));
+                rule!(sampled, "{user}: %{} is not a sample", sample.0);
+                rule!(*component < 4, "{user}: component {component}");
+            }
+        }
+        self.state[value.0 as usize] = State::Visible;
+        self.visible.push(value);
+        Ok(())
+    }
+
+    fn op(&self, op: Op, args: &[Value; 3], user: &str) -> Checked {
+        for (arg, ty) in args.iter().zip(op.args()) {
+            self.operand(*arg, *ty, user)?;
+        }
+        Ok(())
+    }
+
+    fn sample(&self, sample: &Sample, user: &str) -> Checked {
+        let slot = sample.texture.0;
+        let Some(decl) = self.module.textures.get(slot as usize) else {
+            return Err(IrError(format!("{user}: there is no texture slot {slot}")));
+        };
+        rule!(
+            decl.compare == sample.reference.is_some(),
+            "{user}: texture slot {slot} {} a reference",
+            if decl.compare { "compares and needs" } else { "does not compare but has" }
+        );
+        let (lod, gradient): (Option<Value>, _) = match sample.lod {
+            Lod::Implicit { bias } => (bias, None),
+            Lod::Explicit(lod) => (Some(lod), None),
+            Lod::Gradient { dx, dy } => (None, Some([dx, dy])),
+        };
+        let gradient = gradient.iter().flatten().flatten();
+        for value in sample.coords.iter().chain(&sample.reference).chain(&lod).chain(gradient) {
+            self.operand(*value, Ty::F32, user)?;
+        }
+        Ok(())
+    }
+
+    fn visible(&self, value: Value, user: &str) -> Checked {
+        let at = value.0;
+        match self.state.get(at as usize) {
+            Some(State::Visible | State::Everywhere) => Ok(()),
+            Some(State::Waiting) => {
+                Err(IrError(format!("{user}: %{at} has not been evaluated before")))
+            }
+            Some(State::Gone) => {
+                Err(IrError(format!("{user}: the block that evaluated %{at} has ended")))
+            }
+            None => Err(IrError(format!("{user}: there is no %{at}"))),
+        }
+    }
+
+    fn operand(&self, value: Value, ty: Ty, user: &str) -> Checked {
+        self.visible(value, user)?;
+        let whole_sample = matches!(self.module.expr(value), Expr::Sample(_));
+        rule!(!whole_sample, "{user}: %{} is a whole sample, not a component", value.0);
+        let found = self.module.ty(value);
+        rule!(found == ty, "{user}: %{} is {found:?}, not {ty:?}", value.0);
+        Ok(())
+    }
+
+    fn index(&self, value: Value, user: &str) -> Checked {
+        self.visible(value, user)?;
+        let ty = self.module.ty(value);
+        rule!(matches!(ty, Ty::I32 | Ty::U32), "{user}: the index %{} is {ty:?}", value.0);
+        Ok(())
+    }
+
+    fn array(&self, var: Var, user: &str) -> Result<Ty, IrError> {
+        let variable = self.module.variables.get(var.0 as usize);
+        variable
+            .map(|variable| variable.ty)
+            .ok_or_else(|| IrError(format!("{user}: there is no v{}", var.0)))
+    }
+
+    fn scalar(&self, var: Var, user: &str) -> Result<Ty, IrError> {
+        let ty = self.array(var, user)?;
+        rule!(self.module.variable(var).len == 1, "{user}: v{} is an array", var.0);
+        Ok(ty)
     }
 }

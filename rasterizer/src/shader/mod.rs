@@ -1,22 +1,64 @@
 //! From IR to lanes: optimize, lower to a register program, run it over 64 lanes.
+//!
+//! The modules in the order in which a shader passes through them:
+//!
+//! | module | is |
+//! |---|---|
+//! | [`optimize`] | passes over the structured IR |
+//! | [`lower`] | structured IR → flat [`inst`]ructions over virtual registers |
+//! | [`preamble`] | the values that a draw computes once |
+//! | [`allocate`] | real registers for virtual ones |
+//! | [`machine`] | the interpreter: 64 lanes an instruction, with an execution [`mask`] |
 
-use crate::ir::{Input, Module, Output, Stage};
+mod allocate;
+mod inst;
+mod lower;
+mod machine;
+mod mask;
+mod optimize;
+mod preamble;
+
+pub use machine::Machine;
+
+use crate::ir::{Input, Module, Output};
+use allocate::Layout;
+use inst::Inst;
+use preamble::Preamble;
+use std::fmt::Write;
 use std::sync::Arc;
-use texunit::lanes::{Isa, U32s};
+use std::sync::atomic::{AtomicU64, Ordering};
+use texunit::lanes::Isa;
 use texunit::plan::SamplePlan;
 
 /// A compiled stage.
 #[derive(Debug)]
-pub struct Program {}
+pub struct Program {
+    /// Unlike any other program's.
+    id: u64,
+    /// Of the module before and after it was optimized.
+    statements: [usize; 2],
+    code: Vec<Inst>,
+    layout: Layout,
+    preamble: Preamble,
+    inputs: Vec<Input>,
+    outputs: Vec<Output>,
+    textures: Vec<u32>,
+    slots: u32,
+    discards: bool,
+    reads_uniforms: bool,
+}
 
 /// What of a program is computed once per draw: its uniform words, and every value that depends on
 /// nothing else.
 #[derive(Debug)]
-pub struct Prepared {}
-
-/// The registers of a thread, reused from batch to batch and from program to program.
-#[derive(Debug, Default)]
-pub struct Machine {}
+pub struct Prepared {
+    /// Unlike any other draw's.
+    id: u64,
+    /// By word of the preamble.
+    words: Vec<u32>,
+    /// The draw's uniform words, if the program indexes them per lane.
+    uniforms: Vec<u32>,
+}
 
 /// What one run needs besides the registers.
 #[derive(Clone, Copy)]
@@ -31,7 +73,8 @@ pub struct Run<'a> {
     pub textures: &'a [Option<Arc<SamplePlan>>],
     /// Which lanes run, bit by lane. For fragments: whole quads.
     pub active: u64,
-    /// How many instructions may run.
+    /// How many instructions may run: the program's length, plus each loop's length for each turn
+    /// after the first.
     pub budget: u64,
 }
 
@@ -39,27 +82,81 @@ pub struct Run<'a> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct OverBudget;
 
+/// Tells programs and draws apart, so that a machine knows what its registers hold. Never 0.
+fn identity() -> u64 {
+    static NEXT: AtomicU64 = AtomicU64::new(1);
+    NEXT.fetch_add(1, Ordering::Relaxed)
+}
+
 impl Program {
     /// Optimizes and lowers `module`, keeping only the outputs that `keep` says somebody reads.
     /// The module has been validated.
     pub fn new(module: &Module, keep: impl Fn(Output) -> bool) -> Self {
-        let _ = (module, &keep, Stage::Vertex);
-        Self {}
+        let mut module = module.clone();
+        let size = |module: &Module| {
+            let mut size = 0;
+            module.body.iter().for_each(|stmt| stmt.walk(&mut |_| size += 1));
+            size
+        };
+        let before = size(&module);
+        module.outputs.retain(|(output, _)| keep(*output));
+        optimize::optimize(&mut module);
+        Self { statements: [before, size(&module)], ..Self::lowered(&module) }
+    }
+
+    /// Lowers `module` as it stands.
+    fn lowered(module: &Module) -> Self {
+        let mut lowered = lower::lower(module);
+        let layout = allocate::allocate(&mut lowered);
+        Self {
+            id: identity(),
+            statements: [0; 2],
+            code: lowered.code,
+            layout,
+            preamble: lowered.preamble,
+            inputs: lowered.inputs,
+            outputs: module.outputs.iter().map(|(output, _)| *output).collect(),
+            textures: lowered.textures,
+            slots: lowered.slots,
+            discards: lowered.discards,
+            reads_uniforms: lowered.reads_uniforms,
+        }
     }
 
     /// The inputs that the program reads, each once. Their order is that of [`Machine::input_mut`].
     pub fn inputs(&self) -> &[Input] {
-        &[]
+        &self.inputs
     }
 
     /// The outputs that the program writes, each once. Their order is that of [`Machine::output`].
     pub fn outputs(&self) -> &[Output] {
-        &[]
+        &self.outputs
     }
 
     /// Whether any lane can be thrown away.
     pub fn discards(&self) -> bool {
-        false
+        self.discards
+    }
+
+    /// The texture slots that the program samples, ascending.
+    pub fn texture_slots(&self) -> &[u32] {
+        &self.textures
+    }
+
+    /// One line that says what the program became.
+    pub fn describe(&self) -> String {
+        let mut line = format!(
+            "{} statements, {} optimized, {} instructions, {} registers, {} values once per draw",
+            self.statements[0],
+            self.statements[1],
+            self.code.len(),
+            self.layout.registers,
+            self.preamble.operations(),
+        );
+        for slot in &self.textures {
+            let _ = write!(line, ", samples slot {slot}");
+        }
+        line
     }
 
     /// Computes what depends on uniforms only. Missing words read as zero.
@@ -69,35 +166,15 @@ impl Program {
         uniforms: &[u32],
         textures: &[Option<Arc<SamplePlan>>],
     ) -> Prepared {
-        let _ = (isa, uniforms, textures);
-        Prepared {}
+        // Scalar steps are the same on every instruction set, and none of them samples.
+        let _ = (isa, textures);
+        Prepared {
+            id: identity(),
+            words: self.preamble.run(uniforms),
+            uniforms: if self.reads_uniforms { uniforms.to_vec() } else { Vec::new() },
+        }
     }
 }
 
-impl Machine {
-    /// Makes room for a program's registers.
-    pub fn begin(&mut self, program: &Program) {
-        let _ = program;
-    }
-
-    /// The register of the program's input `index`, to be filled before each run.
-    pub fn input_mut(&mut self, index: usize) -> &mut U32s {
-        let _ = index;
-        unimplemented!()
-    }
-
-    /// Runs the program once over the active lanes; gives the lanes that were not discarded.
-    ///
-    /// # Errors
-    /// When the budget is used up.
-    pub fn run(&mut self, run: Run<'_>) -> Result<u64, OverBudget> {
-        let _ = run;
-        Ok(0)
-    }
-
-    /// The register of the program's output `index`, after a run. Inactive lanes hold any bits.
-    pub fn output(&self, index: usize) -> &U32s {
-        let _ = index;
-        unimplemented!()
-    }
-}
+#[cfg(test)]
+mod tests;

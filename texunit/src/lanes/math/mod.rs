@@ -3,6 +3,14 @@
 //! No function here calls the platform's `libm`. Each is plain arithmetic without branches, so
 //! that a loop over lanes vectorizes, and states its error bound in ULP, measured against `f64`.
 
+mod exponential;
+#[cfg(test)]
+mod tests;
+mod trigonometric;
+
+pub use exponential::{acosh, asinh, atanh, cosh, exp, exp2, log, log2, pow, sinh, tanh};
+pub use trigonometric::{acos, asin, atan, atan2, cos, sin, tan};
+
 /// 2^23, from which on every `f32` is an integer.
 const INTEGERS_FROM: f32 = 8_388_608.0;
 

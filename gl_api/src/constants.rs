@@ -1,0 +1,15 @@
+//! Every `GL_*` constant, from the Khronos registry.
+
+#![allow(non_upper_case_globals, reason = "the registry's own names, such as ASTC_4x4")]
+
+include!(concat!(env!("OUT_DIR"), "/constants.rs"));
+
+/// The name of a value for messages: `GL_TEXTURE_2D`; a number where no name is known or where
+/// the value is so small that a name says nothing.
+pub fn enum_name(value: u32) -> String {
+    match NAMES.binary_search_by_key(&value, |row| row.0) {
+        Ok(row) if value > 0xff => NAMES[row].1.to_owned(),
+        _ if value > 9 => format!("{value:#06x}"),
+        _ => value.to_string(),
+    }
+}

@@ -1,0 +1,20 @@
+//! The limits that `glGet` reports and that calls are checked against.
+
+/// `GL_MAX_TEXTURE_SIZE`, `GL_MAX_CUBE_MAP_TEXTURE_SIZE` and `GL_MAX_RENDERBUFFER_SIZE`.
+pub(crate) const MAX_TEXTURE_SIZE: u32 = 8192;
+/// Levels of the largest texture: 8192 to 1.
+pub(crate) const MAX_TEXTURE_LEVELS: usize = MAX_TEXTURE_SIZE.ilog2() as usize + 1;
+/// `GL_MAX_VIEWPORT_DIMS`, both.
+pub(crate) const MAX_VIEWPORT_DIMS: u32 = 8192;
+/// `GL_MAX_COLOR_ATTACHMENTS` and `GL_MAX_DRAW_BUFFERS`.
+pub(crate) const MAX_COLOR_ATTACHMENTS: usize = 8;
+/// `GL_MAX_TEXTURE_LOD_BIAS`.
+pub(crate) const MAX_TEXTURE_LOD_BIAS: f32 = 16.0;
+/// `GL_MAX_VERTEX_UNIFORM_COMPONENTS` and `GL_MAX_FRAGMENT_UNIFORM_COMPONENTS`.
+pub(crate) const MAX_UNIFORM_COMPONENTS: i32 = 4096;
+/// `GL_MAX_VARYING_FLOATS`.
+pub(crate) const MAX_VARYING_FLOATS: i32 = 64;
+/// The largest buffer object, in bytes.
+pub(crate) const MAX_BUFFER_SIZE: usize = 1 << 31;
+/// `GL_POINT_SIZE_RANGE` and `GL_LINE_WIDTH_RANGE`, upper ends.
+pub(crate) const MAX_WIDTH: f32 = 64.0;

@@ -1,0 +1,334 @@
+//! Vertex arrays: GL 2.1, section 2.8.
+//!
+//! A client array is copied when the pointer call is made, since a slice cannot be kept: later
+//! writes to the client's memory are not seen. Buffer objects are read when the draw is made.
+
+use crate::constants::*;
+use crate::context::Context;
+use crate::entry::Data;
+use crate::error::{Result, Table, invalid_operation, invalid_value, not_negative};
+use crate::interface::*;
+use crate::query::put;
+use crate::state::LOCATIONS;
+use crate::types::*;
+use rasterizer::driver::{Buffer, VertexFormat, VertexSource, VertexType};
+
+const SECTION: &str = "GL 2.1, section 2.8";
+
+/// Where an array's bytes are.
+#[derive(Clone, Debug)]
+pub(crate) enum Source {
+    /// A copy of the client's memory.
+    Client(Buffer),
+    /// A buffer object by name, from a byte on.
+    Object { name: GLuint, offset: usize },
+}
+
+/// One attribute's array.
+#[derive(Clone, Debug)]
+pub(crate) struct Array {
+    pub enabled: bool,
+    pub components: u8,
+    pub ty: VertexType,
+    pub format: VertexFormat,
+    /// As it was given; 0 is tightly packed.
+    pub stride: usize,
+    pub source: Source,
+}
+
+/// The arrays by attribute location.
+#[derive(Clone, Debug)]
+pub(crate) struct Arrays {
+    pub by_location: [Array; LOCATIONS],
+}
+
+impl Default for Arrays {
+    fn default() -> Self {
+        Self {
+            by_location: std::array::from_fn(|_| Array {
+                enabled: false,
+                components: 4,
+                ty: VertexType::F32,
+                format: VertexFormat::Plain,
+                stride: 0,
+                source: Source::Client(Buffer::default()),
+            }),
+        }
+    }
+}
+
+impl Arrays {
+    /// Arrays of a deleted buffer object become empty.
+    pub fn forget_buffer(&mut self, buffer: GLuint) {
+        for array in &mut self.by_location {
+            if matches!(array.source, Source::Object { name, .. } if name == buffer) {
+                array.source = Source::Client(Buffer::default());
+            }
+        }
+    }
+}
+
+/// Where the array of a location is for the driver.
+pub(crate) fn vertex_source(context: &Context, location: usize) -> VertexSource {
+    let array = &context.state.arrays.by_location[location];
+    let (buffer, offset) = match &array.source {
+        Source::Client(buffer) => (buffer.clone(), 0),
+        Source::Object { name, offset } => {
+            let object = context.objects.buffers.get(*name);
+            (object.map(|object| object.buffer.clone()).unwrap_or_default(), *offset)
+        }
+    };
+    let tight = usize::from(array.components) * array.ty.size();
+    VertexSource::Array {
+        buffer,
+        offset,
+        stride: if array.stride > 0 { array.stride } else { tight },
+        ty: array.ty,
+        components: array.components,
+        format: array.format,
+    }
+}
+
+const ALL_TYPES: &[(GLenum, VertexType)] = &[
+    (GL_SHORT, VertexType::I16),
+    (GL_INT, VertexType::I32),
+    (GL_FLOAT, VertexType::F32),
+    (GL_DOUBLE, VertexType::F64),
+    (GL_BYTE, VertexType::I8),
+    (GL_UNSIGNED_BYTE, VertexType::U8),
+    (GL_UNSIGNED_SHORT, VertexType::U16),
+    (GL_UNSIGNED_INT, VertexType::U32),
+];
+
+/// GL 2.1, table 2.4: of texture coordinates and vertices.
+const COORDINATE_TYPE: Table<VertexType> =
+    Table { section: "GL 2.1, table 2.4", rows: ALL_TYPES.split_at(4).0 };
+/// Of normals.
+const NORMAL_TYPE: Table<VertexType> =
+    Table { section: "GL 2.1, table 2.4", rows: ALL_TYPES.split_at(5).0 };
+/// Of fog coordinates.
+const FOG_TYPE: Table<VertexType> =
+    Table { section: "GL 2.1, table 2.4", rows: ALL_TYPES.split_at(4).0.split_at(2).1 };
+/// Of colours and generic attributes.
+const ANY_TYPE: Table<VertexType> = Table { section: "GL 2.1, table 2.4", rows: ALL_TYPES };
+
+/// Which sizes an array can have, and how its integers are read.
+struct Rules {
+    sizes: std::ops::RangeInclusive<GLint>,
+    types: Table<VertexType>,
+    format: VertexFormat,
+}
+
+fn set(
+    context: &mut Context,
+    location: u8,
+    rules: &Rules,
+    size: GLint,
+    ty: GLenum,
+    stride: GLsizei,
+    pointer: Data<'_>,
+) -> Result<()> {
+    if !rules.sizes.contains(&size) {
+        let (least, most) = (rules.sizes.start(), rules.sizes.end());
+        return invalid_value(SECTION, format!("size = {size} must be {least} to {most}"));
+    }
+    let ty = rules.types.decode("type", ty)?;
+    let stride = not_negative(SECTION, "stride", stride.into())?;
+    let name = context.state.bindings.array_buffer;
+    let source = match pointer {
+        Data::Bytes(_) if name != 0 => {
+            return invalid_operation(
+                SECTION,
+                format!(
+                    "pointer is a slice, but buffer {name} is bound to GL_ARRAY_BUFFER: pass \
+                     BUFFER_OFFSET(n), or call glBindBuffer(GL_ARRAY_BUFFER, 0)"
+                ),
+            );
+        }
+        Data::Bytes(bytes) => Source::Client(Buffer::new(bytes.to_vec())),
+        Data::Null if name == 0 => Source::Client(Buffer::default()),
+        Data::Offset(0) if name == 0 => Source::Client(Buffer::default()),
+        Data::Null => Source::Object { name, offset: 0 },
+        Data::Offset(offset) if name != 0 => Source::Object { name, offset },
+        Data::Offset(offset) => {
+            return invalid_operation(
+                SECTION,
+                format!(
+                    "pointer = offset {offset}, but no buffer is bound to GL_ARRAY_BUFFER: pass a \
+                     slice, or call glBindBuffer"
+                ),
+            );
+        }
+    };
+    let array = &mut context.state.arrays.by_location[usize::from(location)];
+    array.components = size as u8;
+    array.ty = ty;
+    array.format = rules.format;
+    array.stride = stride;
+    array.source = source;
+    Ok(())
+}
+
+pub(crate) fn vertex_pointer(
+    context: &mut Context,
+    size: GLint,
+    ty: GLenum,
+    stride: GLsizei,
+    pointer: Data<'_>,
+) -> Result<()> {
+    let rules = Rules { sizes: 2..=4, types: COORDINATE_TYPE, format: VertexFormat::Plain };
+    set(context, ATTRIB_VERTEX, &rules, size, ty, stride, pointer)
+}
+
+pub(crate) fn normal_pointer(
+    context: &mut Context,
+    ty: GLenum,
+    stride: GLsizei,
+    pointer: Data<'_>,
+) -> Result<()> {
+    let rules = Rules { sizes: 3..=3, types: NORMAL_TYPE, format: VertexFormat::Normalized };
+    set(context, ATTRIB_NORMAL, &rules, 3, ty, stride, pointer)
+}
+
+pub(crate) fn color_pointer(
+    context: &mut Context,
+    size: GLint,
+    ty: GLenum,
+    stride: GLsizei,
+    pointer: Data<'_>,
+) -> Result<()> {
+    let rules = Rules { sizes: 3..=4, types: ANY_TYPE, format: VertexFormat::Normalized };
+    set(context, ATTRIB_COLOR, &rules, size, ty, stride, pointer)
+}
+
+pub(crate) fn secondary_color_pointer(
+    context: &mut Context,
+    size: GLint,
+    ty: GLenum,
+    stride: GLsizei,
+    pointer: Data<'_>,
+) -> Result<()> {
+    let rules = Rules { sizes: 3..=3, types: ANY_TYPE, format: VertexFormat::Normalized };
+    set(context, ATTRIB_SECONDARY_COLOR, &rules, size, ty, stride, pointer)
+}
+
+pub(crate) fn fog_coord_pointer(
+    context: &mut Context,
+    ty: GLenum,
+    stride: GLsizei,
+    pointer: Data<'_>,
+) -> Result<()> {
+    let rules = Rules { sizes: 1..=1, types: FOG_TYPE, format: VertexFormat::Plain };
+    set(context, ATTRIB_FOG_COORD, &rules, 1, ty, stride, pointer)
+}
+
+pub(crate) fn tex_coord_pointer(
+    context: &mut Context,
+    size: GLint,
+    ty: GLenum,
+    stride: GLsizei,
+    pointer: Data<'_>,
+) -> Result<()> {
+    let rules = Rules { sizes: 1..=4, types: COORDINATE_TYPE, format: VertexFormat::Plain };
+    let location = ATTRIB_TEX_COORD + context.state.units.client_active;
+    set(context, location, &rules, size, ty, stride, pointer)
+}
+
+/// A generic attribute's location.
+pub(crate) fn generic(index: GLuint) -> Result<u8> {
+    match u8::try_from(index) {
+        Ok(index) if index < MAX_VERTEX_ATTRIBS => Ok(index),
+        _ => invalid_value(
+            SECTION,
+            format!("index = {index} must be below GL_MAX_VERTEX_ATTRIBS, {MAX_VERTEX_ATTRIBS}"),
+        ),
+    }
+}
+
+#[expect(clippy::too_many_arguments, reason = "GL's signature")]
+pub(crate) fn vertex_attrib_pointer(
+    context: &mut Context,
+    index: GLuint,
+    size: GLint,
+    ty: GLenum,
+    normalized: bool,
+    stride: GLsizei,
+    pointer: Data<'_>,
+) -> Result<()> {
+    let format = if normalized { VertexFormat::Normalized } else { VertexFormat::Plain };
+    let rules = Rules { sizes: 1..=4, types: ANY_TYPE, format };
+    set(context, generic(index)?, &rules, size, ty, stride, pointer)
+}
+
+pub(crate) fn enable_vertex_attrib_array(context: &mut Context, index: GLuint) -> Result<()> {
+    context.state.arrays.by_location[usize::from(generic(index)?)].enabled = true;
+    Ok(())
+}
+
+pub(crate) fn disable_vertex_attrib_array(context: &mut Context, index: GLuint) -> Result<()> {
+    context.state.arrays.by_location[usize::from(generic(index)?)].enabled = false;
+    Ok(())
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Property {
+    Enabled,
+    Size,
+    Stride,
+    Type,
+    Normalized,
+    Buffer,
+    Current,
+}
+
+const PROPERTY: Table<Property> = Table {
+    section: "GL 2.1, section 6.1.14",
+    rows: &[
+        (GL_VERTEX_ATTRIB_ARRAY_ENABLED, Property::Enabled),
+        (GL_VERTEX_ATTRIB_ARRAY_SIZE, Property::Size),
+        (GL_VERTEX_ATTRIB_ARRAY_STRIDE, Property::Stride),
+        (GL_VERTEX_ATTRIB_ARRAY_TYPE, Property::Type),
+        (GL_VERTEX_ATTRIB_ARRAY_NORMALIZED, Property::Normalized),
+        (GL_VERTEX_ATTRIB_ARRAY_BUFFER_BINDING, Property::Buffer),
+        (GL_CURRENT_VERTEX_ATTRIB, Property::Current),
+    ],
+};
+
+fn property(context: &Context, index: GLuint, pname: GLenum) -> Result<Vec<f32>> {
+    let location = usize::from(generic(index)?);
+    let property = PROPERTY.decode("pname", pname)?;
+    let array = &context.state.arrays.by_location[location];
+    Ok(match property {
+        Property::Enabled => vec![f32::from(u8::from(array.enabled))],
+        Property::Size => vec![array.components.into()],
+        Property::Stride => vec![array.stride as f32],
+        Property::Type => vec![ANY_TYPE.encode(array.ty) as f32],
+        Property::Normalized => {
+            vec![f32::from(u8::from(array.format == VertexFormat::Normalized))]
+        }
+        Property::Buffer => match array.source {
+            Source::Object { name, .. } => vec![name as f32],
+            Source::Client(_) => vec![0.0],
+        },
+        Property::Current => context.state.current[location].to_vec(),
+    })
+}
+
+pub(crate) fn get_vertex_attribfv(
+    context: &mut Context,
+    index: GLuint,
+    pname: GLenum,
+    params: &mut [GLfloat],
+) -> Result<()> {
+    put(params, &property(context, index, pname)?)
+}
+
+pub(crate) fn get_vertex_attribiv(
+    context: &mut Context,
+    index: GLuint,
+    pname: GLenum,
+    params: &mut [GLint],
+) -> Result<()> {
+    let values = property(context, index, pname)?;
+    put(params, &values.into_iter().map(|value| value.round() as GLint).collect::<Vec<_>>())
+}

@@ -1,0 +1,202 @@
+//! The draw calls on vertex arrays: GL 2.1, section 2.8.
+
+use super::arrays::vertex_source;
+use super::translate::{Elements, draw};
+use crate::constants::*;
+use crate::context::Context;
+use crate::entry::Data;
+use crate::error::{Result, Table, invalid_operation, invalid_value, not_negative};
+use crate::interface::ATTRIB_VERTEX;
+use crate::state::LOCATIONS;
+use crate::types::*;
+use rasterizer::driver::{Buffer, IndexType, Indices, Topology, VertexBinding, VertexSource};
+
+const SECTION: &str = "GL 2.1, section 2.8";
+
+pub(crate) const TOPOLOGY: Table<Topology> = Table {
+    section: "GL 2.1, section 2.6.1",
+    rows: &[
+        (GL_POINTS, Topology::Points),
+        (GL_LINES, Topology::Lines),
+        (GL_LINE_STRIP, Topology::LineStrip),
+        (GL_LINE_LOOP, Topology::LineLoop),
+        (GL_TRIANGLES, Topology::Triangles),
+        (GL_TRIANGLE_STRIP, Topology::TriangleStrip),
+        (GL_TRIANGLE_FAN, Topology::TriangleFan),
+        (GL_QUADS, Topology::Quads),
+        (GL_QUAD_STRIP, Topology::QuadStrip),
+        (GL_POLYGON, Topology::Polygon),
+    ],
+};
+
+const INDEX_TYPE: Table<IndexType> = Table {
+    section: SECTION,
+    rows: &[
+        (GL_UNSIGNED_BYTE, IndexType::U8),
+        (GL_UNSIGNED_SHORT, IndexType::U16),
+        (GL_UNSIGNED_INT, IndexType::U32),
+    ],
+};
+
+fn index_size(ty: IndexType) -> usize {
+    match ty {
+        IndexType::U8 => 1,
+        IndexType::U16 => 2,
+        IndexType::U32 => 4,
+    }
+}
+
+/// Where every attribute of an array draw comes from. Generic attribute 0 and the vertex array
+/// stand in for each other (GL 2.1, section 2.8).
+fn bindings(context: &Context) -> Vec<VertexBinding> {
+    let arrays = &context.state.arrays.by_location;
+    let vertex = usize::from(ATTRIB_VERTEX);
+    (0..LOCATIONS)
+        .map(|location| {
+            let from = match location {
+                0 if !arrays[0].enabled => vertex,
+                _ if location == vertex && arrays[0].enabled => 0,
+                _ => location,
+            };
+            let source = if arrays[from].enabled {
+                vertex_source(context, from)
+            } else {
+                VertexSource::Constant(context.state.current[location])
+            };
+            VertexBinding { location: location as u8, source }
+        })
+        .collect()
+}
+
+/// Whether there are positions to draw; without, nothing is drawn.
+fn has_positions(context: &mut Context) -> bool {
+    let arrays = &context.state.arrays.by_location;
+    let any = arrays[0].enabled
+        || arrays[usize::from(ATTRIB_VERTEX)].enabled
+        || context.state.bindings.program != 0 && arrays.iter().any(|array| array.enabled);
+    if !any {
+        context.debug.warn(
+            "a draw of vertex arrays drew nothing: no array of positions is enabled, call \
+             glEnableClientState(GL_VERTEX_ARRAY) or glEnableVertexAttribArray"
+                .into(),
+        );
+    }
+    any
+}
+
+pub(crate) fn draw_arrays(
+    context: &mut Context,
+    mode: GLenum,
+    first: GLint,
+    count: GLsizei,
+) -> Result<()> {
+    let topology = TOPOLOGY.decode("mode", mode)?;
+    let first = not_negative(SECTION, "first", first.into())?;
+    let count = not_negative(SECTION, "count", count.into())?;
+    if count > 0 && has_positions(context) {
+        let vertices = bindings(context);
+        let elements = Elements::Range { first: first as u32, count: count as u32 };
+        draw(context, topology, vertices, &elements)?;
+    }
+    Ok(())
+}
+
+pub(crate) fn multi_draw_arrays(
+    context: &mut Context,
+    mode: GLenum,
+    first: &[GLint],
+    count: &[GLsizei],
+    primcount: GLsizei,
+) -> Result<()> {
+    let draws = not_negative(SECTION, "primcount", primcount.into())?;
+    if first.len() < draws || count.len() < draws {
+        return invalid_operation(
+            SECTION,
+            format!("primcount = {draws}, but first has {} and count {}", first.len(), count.len()),
+        );
+    }
+    for &count in &count[..draws] {
+        not_negative(SECTION, "count", count.into())?;
+    }
+    for (&first, &count) in first.iter().zip(count).take(draws) {
+        draw_arrays(context, mode, first, count)?;
+    }
+    Ok(())
+}
+
+pub(crate) fn draw_elements(
+    context: &mut Context,
+    mode: GLenum,
+    count: GLsizei,
+    ty: GLenum,
+    indices: Data<'_>,
+) -> Result<()> {
+    let topology = TOPOLOGY.decode("mode", mode)?;
+    let count = not_negative(SECTION, "count", count.into())?;
+    let ty = INDEX_TYPE.decode("type", ty)?;
+    let needed = count * index_size(ty);
+    let name = context.state.bindings.element_array_buffer;
+    let object = context.objects.buffers.get(name).map(|object| object.buffer.clone());
+    let (buffer, offset) = match (indices, object) {
+        (Data::Bytes(bytes), None) => match bytes.get(..needed) {
+            Some(bytes) => (Buffer::new(bytes.to_vec()), 0),
+            None => {
+                return invalid_operation(
+                    SECTION,
+                    format!(
+                        "count = {count} indices take {needed} bytes, the slice has {}",
+                        bytes.len()
+                    ),
+                );
+            }
+        },
+        (Data::Offset(offset), Some(buffer)) => (buffer, offset),
+        (Data::Null, Some(buffer)) => (buffer, 0),
+        (Data::Bytes(_), Some(_)) => {
+            return invalid_operation(
+                SECTION,
+                format!(
+                    "indices is a slice, but buffer {name} is bound to GL_ELEMENT_ARRAY_BUFFER: \
+                     pass BUFFER_OFFSET(n), or bind buffer 0"
+                ),
+            );
+        }
+        (Data::Offset(_) | Data::Null, None) => {
+            return invalid_operation(
+                SECTION,
+                "indices must be a slice, as no buffer is bound to GL_ELEMENT_ARRAY_BUFFER",
+            );
+        }
+    };
+    if offset.checked_add(needed).is_none_or(|end| end > buffer.bytes().len()) {
+        return invalid_operation(
+            SECTION,
+            format!(
+                "count = {count} indices from byte {offset} reach past the buffer's {} bytes",
+                buffer.bytes().len()
+            ),
+        );
+    }
+    if count > 0 && has_positions(context) {
+        let vertices = bindings(context);
+        let indices = Indices { buffer, offset, ty, base_vertex: 0 };
+        draw(context, topology, vertices, &Elements::Indexed { indices, count: count as u32 })?;
+    }
+    Ok(())
+}
+
+#[expect(clippy::too_many_arguments, reason = "GL's signature")]
+pub(crate) fn draw_range_elements(
+    context: &mut Context,
+    mode: GLenum,
+    start: GLuint,
+    end: GLuint,
+    count: GLsizei,
+    ty: GLenum,
+    indices: Data<'_>,
+) -> Result<()> {
+    if end < start {
+        return invalid_value(SECTION, format!("end = {end} must not be below start = {start}"));
+    }
+    draw_elements(context, mode, count, ty, indices)
+}

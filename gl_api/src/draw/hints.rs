@@ -1,0 +1,68 @@
+//! Warnings for a draw whose picture may not be what was meant: the usual reasons of a black one.
+
+use crate::constants::*;
+use crate::context::Context;
+use crate::interface::MAX_TEXTURE_UNITS;
+use crate::texture::{TARGET, TextureTarget};
+
+/// A texture that is sampled but incomplete: the unit is as if switched off, a shader reads black.
+pub(super) fn incomplete(context: &mut Context, unit: u8, target: TextureTarget, reason: &str) {
+    let name = context.state.units.units[usize::from(unit)].bound[target as usize];
+    context.debug.warn(format!(
+        "draw: texture {name} on {} of unit {unit} is incomplete: {reason} (GL 2.1, section 3.8.10)",
+        enum_name(TARGET.encode(target))
+    ));
+}
+
+/// A sampler uniform whose unit has nothing for it.
+pub(super) fn sampler(context: &mut Context, unit: u8, target: TextureTarget, word: u32) {
+    let bound = context.state.units.units[usize::from(unit)].bound;
+    let name = bound[target as usize];
+    let reason = context.objects.texture(target, name).incomplete_reason();
+    let Some(reason) = reason else { return };
+    let uniform = context
+        .objects
+        .linked_program(context.state.bindings.program)
+        .and_then(|linked| linked.program.uniforms.iter().rfind(|uniform| uniform.word <= word))
+        .map_or_else(String::new, |uniform| format!(" \"{}\"", uniform.name));
+    let other = TextureTarget::ALL.into_iter().find(|other| *other != target);
+    if let (0, Some(other)) = (name, other)
+        && bound[other as usize] != 0
+    {
+        context.debug.warn(format!(
+            "draw: sampler{uniform} samples {} of unit {unit}, where nothing is bound; texture {} \
+             is bound to {} there",
+            enum_name(TARGET.encode(target)),
+            bound[other as usize],
+            enum_name(TARGET.encode(other))
+        ));
+        return;
+    }
+    context.debug.warn(format!(
+        "draw: sampler{uniform} reads black, as texture {name} on {} of unit {unit} is incomplete: \
+         {reason} (GL 2.1, section 3.8.10)",
+        enum_name(TARGET.encode(target))
+    ));
+}
+
+/// Textures are bound, but no unit is switched on and no program is in use.
+pub(super) fn nothing_enabled(context: &mut Context) {
+    if context.state.bindings.program != 0 {
+        return;
+    }
+    let units = &context.state.units.units;
+    if units.iter().any(|unit| unit.enabled.contains(&true)) {
+        return;
+    }
+    let bound = units.iter().zip(0..MAX_TEXTURE_UNITS).find_map(|(unit, number)| {
+        let target = TextureTarget::ALL.into_iter().find(|t| unit.bound[*t as usize] != 0)?;
+        Some((number, target, unit.bound[target as usize]))
+    });
+    if let Some((unit, target, name)) = bound {
+        let target = enum_name(TARGET.encode(target));
+        context.debug.warn(format!(
+            "draw: texture {name} is bound to {target} of unit {unit}, but texturing is off: call \
+             glEnable({target})"
+        ));
+    }
+}

@@ -1,0 +1,136 @@
+//! Immediate mode: GL 2.1, sections 2.6 and 2.7.
+//!
+//! `glBegin` opens a collection of vertices: positions, and a column for each attribute that is set
+//! before `glEnd`, which draws them. Attributes that are not set are constants of the draw.
+
+use super::arrays::generic;
+use super::calls::TOPOLOGY;
+use super::translate::{Elements, draw};
+use crate::context::Context;
+use crate::error::{Result, invalid_operation};
+use crate::interface::{ATTRIB_TEX_COORD, ATTRIB_VERTEX};
+use crate::object::textures::texture_unit;
+use crate::state::LOCATIONS;
+use crate::types::*;
+use rasterizer::driver::{Buffer, Topology, VertexBinding, VertexFormat, VertexSource, VertexType};
+
+const SECTION: &str = "GL 2.1, section 2.6.3";
+/// Bytes of a value in a column.
+const VALUE: usize = 16;
+/// More vertices than this between `glBegin` and `glEnd` are an error.
+const MAX_VERTICES: usize = 1 << 26;
+
+/// The vertices since `glBegin`.
+#[derive(Debug)]
+pub(crate) struct Immediate {
+    topology: Topology,
+    positions: Vec<[f32; 4]>,
+    /// By location; empty until the attribute is set.
+    columns: Vec<Vec<[f32; 4]>>,
+    /// The locations whose columns are in use.
+    used: Vec<usize>,
+}
+
+/// What an attribute call sets.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Slot {
+    /// The position: ends the vertex.
+    Vertex,
+    /// A conventional attribute by its location.
+    Location(u8),
+    /// The coordinates of a texture unit, as `GL_TEXTUREi`.
+    TexCoord(GLenum),
+    /// A generic attribute by its index; 0 is the position.
+    Generic(GLuint),
+}
+
+pub(crate) fn begin(context: &mut Context, mode: GLenum) -> Result<()> {
+    if context.immediate.is_some() {
+        return invalid_operation(SECTION, "glBegin was called before: glEnd is missing");
+    }
+    let topology = TOPOLOGY.decode("mode", mode)?;
+    context.immediate = Some(Immediate {
+        topology,
+        positions: Vec::new(),
+        columns: vec![Vec::new(); LOCATIONS],
+        used: Vec::new(),
+    });
+    Ok(())
+}
+
+pub(crate) fn end(context: &mut Context) -> Result<()> {
+    let Some(immediate) = context.immediate.take() else {
+        return invalid_operation(SECTION, "glBegin was not called before");
+    };
+    let count = immediate.positions.len();
+    if count == 0 {
+        return Ok(());
+    }
+    let mut bytes = Vec::with_capacity((immediate.used.len() + 1) * count * VALUE);
+    bytes.extend_from_slice(bytemuck::cast_slice(&immediate.positions));
+    for &location in &immediate.used {
+        bytes.extend_from_slice(bytemuck::cast_slice(&immediate.columns[location]));
+    }
+    let buffer = Buffer::new(bytes);
+    let column = |index: usize| VertexSource::Array {
+        buffer: buffer.clone(),
+        offset: index * count * VALUE,
+        stride: VALUE,
+        ty: VertexType::F32,
+        components: 4,
+        format: VertexFormat::Plain,
+    };
+    let vertices = (0..LOCATIONS)
+        .map(|location| {
+            let source = if location == 0 || location == usize::from(ATTRIB_VERTEX) {
+                column(0)
+            } else {
+                match immediate.used.iter().position(|used| *used == location) {
+                    Some(index) => column(index + 1),
+                    None => VertexSource::Constant(context.state.current[location]),
+                }
+            };
+            VertexBinding { location: location as u8, source }
+        })
+        .collect();
+    let elements = Elements::Range { first: 0, count: count as u32 };
+    draw(context, immediate.topology, vertices, &elements)
+}
+
+/// Sets an attribute; a position ends the vertex.
+pub(crate) fn attribute(context: &mut Context, slot: Slot, value: [f32; 4]) -> Result<()> {
+    let location = match slot {
+        Slot::Vertex => return vertex(context, value),
+        Slot::Location(location) => usize::from(location),
+        Slot::TexCoord(texture) => {
+            usize::from(ATTRIB_TEX_COORD + texture_unit("GL 2.1, section 2.7", texture)?)
+        }
+        Slot::Generic(index) => match generic(index)? {
+            0 => return vertex(context, value),
+            index => usize::from(index),
+        },
+    };
+    if let Some(immediate) = &mut context.immediate {
+        let column = &mut immediate.columns[location];
+        if !immediate.used.contains(&location) {
+            // The vertices so far had the value from before.
+            column.resize(immediate.positions.len(), context.state.current[location]);
+            immediate.used.push(location);
+        }
+    }
+    context.state.current[location] = value;
+    Ok(())
+}
+
+/// Ends a vertex. Outside `glBegin` and `glEnd` it has no effect.
+fn vertex(context: &mut Context, position: [f32; 4]) -> Result<()> {
+    let Some(immediate) = &mut context.immediate else { return Ok(()) };
+    if immediate.positions.len() == MAX_VERTICES {
+        return invalid_operation(SECTION, format!("more than {MAX_VERTICES} vertices"));
+    }
+    for &location in &immediate.used {
+        immediate.columns[location].push(context.state.current[location]);
+    }
+    immediate.positions.push(position);
+    Ok(())
+}

@@ -1,0 +1,138 @@
+//! Drawing: from calls to commands of the driver.
+//!
+//! The modules in the order in which vertices pass through them: arrays and immediate mode collect
+//! them, the draw calls check them, the stages are chosen, and the translation records commands.
+
+pub(crate) mod arrays;
+pub(crate) mod calls;
+pub(crate) mod hints;
+pub(crate) mod immediate;
+mod stages;
+mod translate;
+mod words;
+
+use crate::context::Context;
+use crate::fixed::FixedModules;
+use rasterizer::driver::{
+    Attachment, Command, CommandBuffer, Device, Image, PassDesc, Pipeline, PipelineDesc,
+    ShaderModule,
+};
+use std::collections::HashMap;
+use std::sync::Arc;
+
+/// A command buffer of this many commands is submitted.
+const MAX_COMMANDS: usize = 1 << 14;
+
+/// What has been recorded and not submitted, and what was compiled for it.
+#[derive(Debug)]
+pub(crate) struct Recorder {
+    device: Arc<Device>,
+    commands: CommandBuffer,
+    /// The pass that is open.
+    pass: Option<PassDesc>,
+    /// What the recorded passes write to.
+    written: Vec<Image>,
+    /// What the open pass was last told.
+    told: Told,
+    pipelines: HashMap<PipelineDesc, Pipeline>,
+    pub fixed: FixedModules,
+    variants: HashMap<stages::VariantKey, ShaderModule>,
+}
+
+/// State that holds until the end of a pass and need not be recorded again.
+#[derive(Debug, Default)]
+struct Told {
+    pipeline: Option<PipelineDesc>,
+    words: Option<Arc<[u32]>>,
+}
+
+impl Recorder {
+    pub fn new(device: Arc<Device>) -> Self {
+        Self {
+            device,
+            commands: CommandBuffer::new(),
+            pass: None,
+            written: Vec::new(),
+            told: Told::default(),
+            pipelines: HashMap::new(),
+            fixed: FixedModules::default(),
+            variants: HashMap::new(),
+        }
+    }
+
+    /// Records a command into the open pass.
+    pub fn push(&mut self, command: Command) {
+        self.commands.push(command);
+    }
+
+    fn end_pass(&mut self) {
+        if self.pass.take().is_some() {
+            self.commands.push(Command::EndPass);
+        }
+        self.told = Told::default();
+    }
+}
+
+fn same_attachment(a: Option<&Attachment>, b: Option<&Attachment>) -> bool {
+    match (a, b) {
+        (Some(a), Some(b)) => a.image.same(&b.image) && a.face == b.face && a.level == b.level,
+        (None, None) => true,
+        (Some(_), None) | (None, Some(_)) => false,
+    }
+}
+
+fn same_pass(a: &PassDesc, b: &PassDesc) -> bool {
+    (a.width, a.height, a.colors.len()) == (b.width, b.height, b.colors.len())
+        && same_attachment(a.depth.as_ref(), b.depth.as_ref())
+        && a.colors.iter().zip(&b.colors).all(|(a, b)| same_attachment(a.as_ref(), b.as_ref()))
+}
+
+/// Goes on with the open pass if it draws to the same attachments, else opens one.
+pub(crate) fn begin_pass(context: &mut Context, pass: PassDesc) {
+    let recorder = &mut context.recorder;
+    if recorder.pass.as_ref().is_some_and(|open| same_pass(open, &pass)) {
+        if recorder.commands.commands.len() < MAX_COMMANDS {
+            return;
+        }
+        submit(context);
+    }
+    let recorder = &mut context.recorder;
+    recorder.end_pass();
+    for attachment in pass.colors.iter().chain([&pass.depth]).flatten() {
+        if !recorder.written.iter().any(|image| image.same(&attachment.image)) {
+            recorder.written.push(attachment.image.clone());
+        }
+    }
+    recorder.push(Command::BeginPass(pass.clone()));
+    recorder.pass = Some(pass);
+}
+
+/// Carries out what was recorded, if it writes to an image that is about to be read or changed.
+pub(crate) fn settle(context: &mut Context, image: &Image) {
+    if context.recorder.written.iter().any(|written| written.same(image)) {
+        submit(context);
+    }
+}
+
+/// Carries out everything that was recorded.
+pub(crate) fn submit(context: &mut Context) {
+    context.recorder.end_pass();
+    let commands = std::mem::take(&mut context.recorder.commands);
+    if commands.commands.is_empty() {
+        return;
+    }
+    match context.recorder.device.submit(&commands) {
+        Ok(report) => {
+            if !report.over_budget.is_empty() {
+                context.debug.warn(
+                    "a shader ran so long that its draw was left out: look for a loop that does \
+                     not end"
+                        .into(),
+                );
+            }
+        }
+        Err(error) => context.debug.warn(format!("the driver refused recorded draws: {error}")),
+    }
+    let written = std::mem::take(&mut context.recorder.written);
+    context.objects.images_changed(|image| written.iter().any(|other| other.same(image)));
+}

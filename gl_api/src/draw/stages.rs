@@ -1,0 +1,217 @@
+//! Which shaders a draw runs, with which textures: the program in use, or the fixed function for
+//! each stage that it lacks.
+
+use super::hints;
+use super::words::{put_bindings, put_fixed};
+use crate::context::Context;
+use crate::error::{ErrorCode, GlError, Result};
+use crate::fixed::{
+    FragmentKey, UnitKey, VertexKey, add_alpha_test, cached, environment_base, set_shade_model,
+};
+use crate::glsl::SamplerSlot;
+use crate::interface::{ATTRIB_TEX_COORD, MAX_TEXTURE_UNITS};
+use crate::state::enable::Flag;
+use crate::texture::TextureTarget;
+use glam::{DMat4, DVec4};
+use rasterizer::driver::{ShaderModule, VertexBinding, VertexSource};
+use rasterizer::ir::{Interpolation, IrError, Stage};
+use std::sync::Arc;
+use texunit::plan::SamplePlan;
+use texunit::sampler::Compare;
+
+/// The texture of each slot of a stage.
+type Textures = Arc<[Option<Arc<SamplePlan>>]>;
+
+/// What a draw runs.
+pub(super) struct Stages {
+    pub vertex: ShaderModule,
+    pub fragment: ShaderModule,
+    pub words: Vec<u32>,
+    pub vertex_textures: Textures,
+    pub fragment_textures: Textures,
+}
+
+/// A program's fragment stage with state of the context built in.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub(super) struct VariantKey {
+    module: ShaderModule,
+    shade_model: Interpolation,
+    /// The alpha test and the word of its reference.
+    alpha: Option<(Compare, u32)>,
+}
+
+/// The alpha test, unless it lets everything through.
+fn alpha_test(context: &Context) -> Option<Compare> {
+    let compare = context.state.fragment.alpha_func;
+    (context.state.enables.has(Flag::AlphaTest) && compare != Compare::Always).then_some(compare)
+}
+
+fn internal(error: &IrError) -> GlError {
+    GlError {
+        code: ErrorCode::InvalidOperation,
+        rule: format!(
+            "a generated shader breaks a rule of the IR, which is DetGL's mistake: {error}"
+        ),
+        section: "GL 2.1, section 2.15",
+    }
+}
+
+/// Chooses the stages.
+pub(super) fn choose(context: &mut Context, vertices: &[VertexBinding]) -> Result<Stages> {
+    let name = context.state.bindings.program;
+    let mut words = Vec::new();
+    let (mut vertex, mut fragment, mut samplers) = (None, None, Vec::new());
+    if let Some(linked) = context.objects.linked_program(name) {
+        let program = &linked.program;
+        words.clone_from(&linked.words);
+        words.resize(program.words as usize, 0);
+        put_bindings(context, &mut words, &program.state);
+        (vertex, fragment) = (linked.vertex.clone(), linked.fragment.clone());
+        samplers.clone_from(&program.samplers);
+    }
+    let base = words.len() as u32;
+    put_fixed(context, &mut words, base);
+
+    let vertex_textures = match &vertex {
+        Some(module) => program_textures(context, Stage::Vertex, module, &samplers, &words),
+        None => Arc::from([]),
+    };
+    let (fragment, fragment_textures) = match fragment.take() {
+        Some(module) => {
+            let textures = program_textures(context, Stage::Fragment, &module, &samplers, &words);
+            (program_fragment(context, module, base)?, textures)
+        }
+        None => {
+            let units = enabled_units(context, vertex.is_none().then_some(vertices));
+            let textures =
+                units.iter().map(|unit| Some(plan(context, unit.unit, unit_target(unit))));
+            let textures = textures.collect();
+            let key = FragmentKey {
+                base,
+                units,
+                shade_model: context.state.raster.shade_model,
+                alpha: alpha_test(context),
+            };
+            let module = context.recorder.fixed.fragment(key).map_err(|error| internal(&error))?;
+            (module, textures)
+        }
+    };
+    let vertex = match vertex.take() {
+        Some(module) => module,
+        None => {
+            let mut matrices = 0;
+            for (unit, stack) in context.state.matrices.texture.iter().enumerate() {
+                matrices |= u8::from(stack.top != DMat4::IDENTITY) << unit;
+            }
+            let key = VertexKey { base, matrices };
+            context.recorder.fixed.vertex(key).map_err(|error| internal(&error))?
+        }
+    };
+    Ok(Stages { vertex, fragment, words, vertex_textures, fragment_textures })
+}
+
+/// A program's fragment stage with shade model and alpha test built in where they matter.
+fn program_fragment(
+    context: &mut Context,
+    module: ShaderModule,
+    base: u32,
+) -> Result<ShaderModule> {
+    let shade_model = context.state.raster.shade_model;
+    let alpha = alpha_test(context).map(|compare| (compare, base + crate::fixed::word::ALPHA_REF));
+    if shade_model == Interpolation::Smooth && alpha.is_none() {
+        return Ok(module);
+    }
+    let key = VariantKey { module, shade_model, alpha };
+    cached(&mut context.recorder.variants, key, |key| {
+        let mut variant = key.module.module().clone();
+        if key.shade_model == Interpolation::Flat {
+            set_shade_model(&mut variant, Interpolation::Flat);
+        }
+        if let Some((compare, reference)) = key.alpha {
+            add_alpha_test(&mut variant, compare, reference);
+        }
+        variant
+    })
+    .map_err(|error| internal(&error))
+}
+
+/// The textures of a program's stage, from the units that its sampler uniforms name.
+fn program_textures(
+    context: &mut Context,
+    stage: Stage,
+    module: &ShaderModule,
+    samplers: &[SamplerSlot],
+    words: &[u32],
+) -> Textures {
+    let slots = module.module().textures.iter().enumerate();
+    slots
+        .map(|(slot, decl)| {
+            let sampler = samplers
+                .iter()
+                .find(|sampler| sampler.stage == stage && sampler.slot as usize == slot)?;
+            let unit = *words.get(sampler.word as usize)?;
+            let unit = u8::try_from(unit).ok().filter(|unit| *unit < MAX_TEXTURE_UNITS)?;
+            let target = TextureTarget::ALL.into_iter().find(|t| t.shape() == decl.shape)?;
+            hints::sampler(context, unit, target, sampler.word);
+            Some(plan(context, unit, target))
+        })
+        .collect()
+}
+
+fn unit_target(unit: &UnitKey) -> TextureTarget {
+    match unit.shape {
+        texunit::image::Shape::D2 => TextureTarget::D2,
+        texunit::image::Shape::Cube => TextureTarget::Cube,
+    }
+}
+
+/// How a unit samples the texture of a target, as everything recorded leaves it.
+fn plan(context: &mut Context, unit: u8, target: TextureTarget) -> Arc<SamplePlan> {
+    let state = &context.state.units.units[usize::from(unit)];
+    let (name, bias) = (state.bound[target as usize], state.lod_bias);
+    let image = context.objects.texture(target, name).image.clone();
+    super::settle(context, &image);
+    context.objects.texture_mut(target, name).plan(bias)
+}
+
+/// The units that texture: enabled, with a complete texture (GL 2.1, section 3.8.15).
+/// `vertices` are those of the fixed-function vertex stage, where it runs.
+fn enabled_units(context: &mut Context, vertices: Option<&[VertexBinding]>) -> Vec<UnitKey> {
+    let mut units = Vec::new();
+    for unit in 0..MAX_TEXTURE_UNITS {
+        let state = &context.state.units.units[usize::from(unit)];
+        let winner = TextureTarget::ALL.into_iter().rfind(|target| state.enabled[*target as usize]);
+        let Some(target) = winner else { continue };
+        let texture = context.objects.texture(target, state.bound[target as usize]);
+        if let Some(reason) = texture.incomplete_reason() {
+            hints::incomplete(context, unit, target, &reason);
+            continue;
+        }
+        let sampler = &texture.sampler;
+        let texels = texture.image.texels();
+        let Some(level) = texels.level(0, sampler.base_level as usize) else { continue };
+        units.push(UnitKey {
+            unit,
+            mode: state.mode,
+            base: environment_base(level.format.base(), sampler.depth_mode),
+            shape: target.shape(),
+            compare: level.format.is_depth() && sampler.compare.is_some(),
+            projective: is_projective(context, unit, vertices),
+        });
+    }
+    units
+}
+
+/// Whether a unit's q may be other than 1.
+fn is_projective(context: &Context, unit: u8, vertices: Option<&[VertexBinding]>) -> bool {
+    let Some(vertices) = vertices else { return true };
+    if context.state.matrices.texture[usize::from(unit)].top.row(3) != DVec4::W {
+        return true;
+    }
+    let location = ATTRIB_TEX_COORD + unit;
+    match vertices.iter().find(|binding| binding.location == location).map(|found| &found.source) {
+        Some(VertexSource::Constant(value)) => value[3] != 1.0,
+        Some(VertexSource::Array { components, .. }) => *components == 4,
+        None => false,
+    }
+}

@@ -1,0 +1,143 @@
+//! From validated state to commands of the driver.
+
+use super::{Told, begin_pass, hints, stages};
+use crate::context::Context;
+use crate::error::{ErrorCode, GlError, Result, invalid_operation};
+use crate::framebuffer::complete::draw_pass;
+use crate::state::enable::Flag;
+use rasterizer::driver::{
+    ColorState, Command, Cull, DepthState, Indices, PassDesc, Pipeline, PipelineDesc,
+    PolygonOffset, Provoking, ShaderModule, Topology, VertexBinding, Viewport,
+};
+use std::sync::Arc;
+
+/// More pipelines than this are forgotten and made again.
+const KEPT: usize = 1024;
+
+/// Which vertices a draw takes.
+pub(super) enum Elements {
+    Range { first: u32, count: u32 },
+    Indexed { indices: Indices, count: u32 },
+}
+
+/// Records a draw.
+///
+/// # Errors
+/// When the framebuffer is incomplete or the program in use is not linked.
+pub(super) fn draw(
+    context: &mut Context,
+    topology: Topology,
+    vertices: Vec<VertexBinding>,
+    elements: &Elements,
+) -> Result<()> {
+    let pass = draw_pass(context)?;
+    let program = context.state.bindings.program;
+    if program != 0 && context.objects.linked_program(program).is_none() {
+        return invalid_operation(
+            "GL 2.1, section 2.15.3",
+            format!("program {program} is in use but not linked: see glGetProgramInfoLog"),
+        );
+    }
+    hints::nothing_enabled(context);
+    // Choosing may carry out what was recorded, if a texture of this draw was drawn to.
+    let stages = stages::choose(context, &vertices)?;
+    let desc = pipeline_desc(context, &pass, topology, stages.vertex, stages.fragment);
+    let pipeline = pipeline(context, &desc)?;
+    begin_pass(context, pass);
+
+    let viewport = viewport(context);
+    let scissor =
+        context.state.enables.has(Flag::ScissorTest).then_some(context.state.fragment.scissor);
+    let recorder = &mut context.recorder;
+    let Told { pipeline: told, words } = &mut recorder.told;
+    let commands = &mut recorder.commands;
+    if told.as_ref() != Some(&desc) {
+        commands.push(Command::BindPipeline(pipeline));
+        *told = Some(desc);
+    }
+    if words.as_deref() != Some(&stages.words) {
+        let shared: Arc<[u32]> = stages.words.into();
+        commands.push(Command::SetUniforms(Arc::clone(&shared)));
+        *words = Some(shared);
+    }
+    commands.push(Command::SetViewport(viewport));
+    commands.push(Command::SetScissor(scissor));
+    commands.push(Command::BindVertices(vertices.into()));
+    commands.push(Command::BindTextures {
+        vertex: stages.vertex_textures,
+        fragment: stages.fragment_textures,
+    });
+    commands.push(match elements {
+        Elements::Range { first, count } => {
+            Command::Draw { first: *first, count: *count, instances: 1 }
+        }
+        Elements::Indexed { indices, count } => {
+            Command::DrawIndexed { indices: indices.clone(), count: *count, instances: 1 }
+        }
+    });
+    Ok(())
+}
+
+fn viewport(context: &Context) -> Viewport {
+    let viewport = &context.state.viewport;
+    let [near, far] = viewport.depth;
+    Viewport {
+        x: viewport.x as f32,
+        y: viewport.y as f32,
+        width: viewport.width as f32,
+        height: viewport.height as f32,
+        near: near as f32,
+        far: far as f32,
+    }
+}
+
+/// The state that a pipeline is made of; what has no effect is left at its default, so that equal
+/// draws share one.
+fn pipeline_desc(
+    context: &Context,
+    pass: &PassDesc,
+    topology: Topology,
+    vertex: ShaderModule,
+    fragment: ShaderModule,
+) -> PipelineDesc {
+    let enables = &context.state.enables;
+    let raster = &context.state.raster;
+    let state = &context.state.fragment;
+    let depth = (enables.has(Flag::DepthTest) && pass.depth.is_some())
+        .then_some(DepthState { test: state.depth_func, write: state.depth_write });
+    let offset = PolygonOffset { factor: raster.offset_factor, units: raster.offset_units };
+    let color = ColorState {
+        blend: enables.has(Flag::Blend).then_some(state.blend),
+        mask: state.color_mask,
+    };
+    PipelineDesc {
+        vertex,
+        fragment,
+        topology,
+        cull: if enables.has(Flag::CullFace) { raster.cull } else { Cull::None },
+        front_face: raster.front_face,
+        provoking: Provoking::Last,
+        polygon_offset: enables.has(Flag::PolygonOffsetFill).then_some(offset),
+        depth,
+        colors: vec![color; pass.colors.len()],
+        line_width_bits: raster.line_width.to_bits(),
+        point_size_bits: raster.point_size.to_bits(),
+    }
+}
+
+fn pipeline(context: &mut Context, desc: &PipelineDesc) -> Result<Pipeline> {
+    let pipelines = &mut context.recorder.pipelines;
+    if let Some(pipeline) = pipelines.get(desc) {
+        return Ok(pipeline.clone());
+    }
+    if pipelines.len() >= KEPT {
+        pipelines.clear();
+    }
+    let pipeline = Pipeline::new(desc.clone()).map_err(|error| GlError {
+        code: ErrorCode::InvalidOperation,
+        rule: error.to_string(),
+        section: "GL 2.1, section 2.15.3",
+    })?;
+    pipelines.insert(desc.clone(), pipeline.clone());
+    Ok(pipeline)
+}

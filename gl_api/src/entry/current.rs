@@ -1,0 +1,117 @@
+//! The thread's current context.
+//!
+//! A call takes the context out of its place for as long as it runs, so that nothing can borrow it
+//! twice; a call from within a call finds no context, and is ignored.
+
+use crate::context::Context;
+use std::cell::Cell;
+use std::fmt;
+use std::marker::PhantomData;
+
+thread_local! {
+    static CURRENT: Cell<Option<Box<Context>>> = const { Cell::new(None) };
+    static WARNED: Cell<bool> = const { Cell::new(false) };
+}
+
+/// What a call answers where it has nothing to say.
+pub trait Fallback {
+    /// The answer.
+    fn fallback() -> Self;
+}
+
+impl Fallback for () {
+    fn fallback() {}
+}
+
+impl Fallback for bool {
+    fn fallback() -> Self {
+        false
+    }
+}
+
+impl Fallback for u32 {
+    fn fallback() -> Self {
+        0
+    }
+}
+
+impl Fallback for i32 {
+    fn fallback() -> Self {
+        -1
+    }
+}
+
+impl Fallback for &'static str {
+    fn fallback() -> Self {
+        ""
+    }
+}
+
+/// Puts the context back, even when a call panics.
+struct Taken(Option<Box<Context>>);
+
+impl Drop for Taken {
+    fn drop(&mut self) {
+        CURRENT.set(self.0.take());
+    }
+}
+
+/// Runs `f` with the thread's current context, if there is one.
+pub fn with_current<R>(f: impl FnOnce(&mut Context) -> R) -> Option<R> {
+    let mut taken = Taken(Some(CURRENT.take()?));
+    taken.0.as_deref_mut().map(f)
+}
+
+/// Runs the entry point `name`.
+pub(super) fn call<R: Fallback>(name: &str, f: impl FnOnce(&mut Context) -> R) -> R {
+    with_current(f).unwrap_or_else(|| {
+        if !WARNED.replace(true) {
+            eprintln!("detgl: {name}: ignored, as this thread has no current context");
+        }
+        R::fallback()
+    })
+}
+
+/// Makes a context the thread's current one, or none; gives the one that was.
+pub fn set_current(context: Option<Context>) -> Option<Context> {
+    let old = CURRENT.replace(context.map(Box::new));
+    old.map(|context| *context)
+}
+
+/// A context that is current until this is dropped; then the one before is current again.
+pub struct Current {
+    before: Option<Context>,
+    released: bool,
+    /// A context is current on one thread.
+    _thread: PhantomData<*const ()>,
+}
+
+impl Context {
+    /// Makes this the thread's current context, for as long as the guard lives.
+    #[must_use = "the context is current only as long as the guard lives"]
+    pub fn make_current(self) -> Current {
+        Current { before: set_current(Some(self)), released: false, _thread: PhantomData }
+    }
+}
+
+impl Current {
+    /// Ends being current and gives the context back, unless the thread has lost it meanwhile.
+    pub fn release(mut self) -> Option<Context> {
+        self.released = true;
+        set_current(self.before.take())
+    }
+}
+
+impl Drop for Current {
+    fn drop(&mut self) {
+        if !self.released {
+            set_current(self.before.take());
+        }
+    }
+}
+
+impl fmt::Debug for Current {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("Current")
+    }
+}

@@ -1,0 +1,123 @@
+//! The entry points: one table row each.
+//!
+//! A row gives GL's name (and its aliases), the parameters with C's types, and the function that
+//! does the work; `entry_points!` makes of it a method on [`Context`] and free functions with GL's
+//! own names over the thread's current context. What a parameter accepts is in [`Arg`].
+//!
+//! The tables follow the chapters of the specification.
+
+/// The table of a chapter; see the module's documentation.
+macro_rules! entry_points {
+    ($($place:ident in $module:ident {
+        $(
+            $(#[$doc:meta])+
+            $method:ident: $gl:ident $(| $alias:ident)* ($($params:tt)*) $(-> $ret:ty)?;
+        )*
+    })*) => {
+        $($(entry_points!(@row $place $module $method [$(#[$doc])+]
+            $gl [$($alias)*] ($($params)*) [$(-> $ret)?]);)*)*
+        /// Name and number of parameters.
+        pub(super) const ENTRIES: &[&[(&str, usize)]] = &[$($(
+            entry_points!(@entries [$gl $($alias)*] ($($params)*)),
+        )*)*];
+    };
+    (@row $place:ident $module:ident $method:ident $doc:tt $gl:ident [$($alias:ident)*]
+        $params:tt $ret:tt) => {
+        entry_points!(@method $place $module $method $gl $doc $params $ret);
+        entry_points!(@free $method $gl $doc $params $ret);
+        $(entry_points!(@free $method $alias $doc $params $ret);)*
+    };
+    (@method $place:ident $module:ident $method:ident $gl:ident [$($doc:tt)+]
+        ($($param:ident: $ty:ty),*) [$(-> $ret:ty)?]) => {
+        impl $crate::context::Context {
+            $($doc)+
+            #[allow(
+                clippy::extra_unused_lifetimes,
+                clippy::needless_lifetimes,
+                clippy::too_many_arguments,
+                reason = "GL's signature; 'a is there for the rows that borrow"
+            )]
+            pub fn $method<'a>(&mut self $(, $param: $ty)*) $(-> $ret)? {
+                self.call(stringify!($gl), $crate::entry::Place::$place, |context| {
+                    $module::$method(context $(, $param)*)
+                })
+            }
+        }
+    };
+    (@free $method:ident $gl:ident [$($doc:tt)+]
+        ($($param:ident: $ty:ty),*) [$(-> $ret:ty)?]) => {
+        $($doc)+
+        #[allow(
+            non_snake_case,
+            clippy::extra_unused_lifetimes,
+            clippy::too_many_arguments,
+            reason = "GL's name and signature; 'a is there for the rows that borrow"
+        )]
+        pub fn $gl<'a>($($param: impl $crate::entry::Arg<$ty>),*) $(-> $ret)? {
+            $crate::entry::current::call(stringify!($gl), |context| {
+                context.$method($($param.arg()),*)
+            })
+        }
+    };
+    (@entries [$($gl:ident)+] ($($param:ident: $ty:ty),*)) => {{
+        const PARAMETERS: &[&str] = &[$(stringify!($param)),*];
+        &[$((stringify!($gl), PARAMETERS.len())),+]
+    }};
+}
+
+mod args;
+mod current;
+
+mod attributes;
+mod fragments;
+mod framebuffers;
+mod pixels;
+mod programs;
+mod queries;
+mod rasterization;
+mod textures;
+mod transform;
+mod vertices;
+
+pub use args::{Arg, BUFFER_OFFSET, Data, DataOut, NULL, Null, Offset, Strings, TextOut};
+pub(crate) use current::Fallback;
+pub use current::{Current, set_current, with_current};
+
+pub use attributes::*;
+pub use fragments::*;
+pub use framebuffers::*;
+pub use pixels::*;
+pub use programs::*;
+pub use queries::*;
+pub use rasterization::*;
+pub use textures::*;
+pub use transform::*;
+pub use vertices::*;
+
+/// Whether a call may stand between `glBegin` and `glEnd` (GL 2.1, section 2.6.3).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Place {
+    /// It may.
+    Anywhere,
+    /// It may not.
+    Outside,
+}
+
+/// Every entry point by name, with the number of its parameters.
+pub fn implemented() -> impl Iterator<Item = (&'static str, usize)> {
+    [
+        attributes::ENTRIES,
+        framebuffers::ENTRIES,
+        fragments::ENTRIES,
+        pixels::ENTRIES,
+        programs::ENTRIES,
+        queries::ENTRIES,
+        rasterization::ENTRIES,
+        textures::ENTRIES,
+        transform::ENTRIES,
+        vertices::ENTRIES,
+    ]
+    .into_iter()
+    .flatten()
+    .flat_map(|chapter| chapter.iter().copied())
+}

@@ -1,0 +1,22 @@
+//! Pixel rectangles: GL 2.1, sections 3.6.1 and 4.3.2.
+
+use super::DataOut;
+use crate::framebuffer::read;
+use crate::state::pixel_store;
+use crate::types::*;
+
+entry_points! {
+    Outside in pixel_store {
+        /// Sets how pixels lie in the client's memory.
+        pixel_storei: glPixelStorei (pname: GLenum, param: GLint);
+        /// Sets how pixels lie in the client's memory.
+        pixel_storef: glPixelStoref (pname: GLenum, param: GLfloat);
+    }
+    Outside in read {
+        /// Reads a rectangle of the read framebuffer; row 0 is the lowest.
+        read_pixels: glReadPixels (
+            x: GLint, y: GLint, width: GLsizei, height: GLsizei, format: GLenum, ty: GLenum,
+            pixels: DataOut<'a>
+        );
+    }
+}

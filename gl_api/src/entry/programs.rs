@@ -1,0 +1,183 @@
+//! Shaders and programs: GL 2.1, sections 2.15, 3.11 and 6.1.14.
+
+use super::{Strings, TextOut};
+use crate::object::{programs, shaders};
+use crate::program::{attribute, inspect, uniform};
+use crate::types::*;
+
+entry_points! {
+    Outside in shaders {
+        /// Makes a shader object for a stage.
+        create_shader: glCreateShader (ty: GLenum) -> GLuint;
+        /// Deletes a shader, once it is attached to no program.
+        delete_shader: glDeleteShader (shader: GLuint);
+        /// Whether a name is a shader.
+        is_shader: glIsShader (shader: GLuint) -> bool;
+        /// Replaces a shader's source by strings, of which `lengths` may say how long they are.
+        shader_source: glShaderSource
+            (shader: GLuint, count: GLsizei, strings: Strings<'a>, lengths: &'a [GLint]);
+        /// Compiles a shader; `glGetShaderiv` says whether it worked.
+        compile_shader: glCompileShader (shader: GLuint);
+        /// Reads what is known of a shader.
+        get_shaderiv: glGetShaderiv (shader: GLuint, pname: GLenum, params: &'a mut [GLint]);
+        /// Reads what the compiler said.
+        get_shader_info_log: glGetShaderInfoLog
+            (shader: GLuint, max_length: GLsizei, length: &'a mut [GLsizei], info_log: TextOut<'a>);
+        /// Reads a shader's source.
+        get_shader_source: glGetShaderSource
+            (shader: GLuint, max_length: GLsizei, length: &'a mut [GLsizei], source: TextOut<'a>);
+    }
+    Outside in programs {
+        /// Makes a program object.
+        create_program: glCreateProgram () -> GLuint;
+        /// Deletes a program, once it is not in use.
+        delete_program: glDeleteProgram (program: GLuint);
+        /// Whether a name is a program.
+        is_program: glIsProgram (program: GLuint) -> bool;
+        /// Adds a shader to a program.
+        attach_shader: glAttachShader (program: GLuint, shader: GLuint);
+        /// Takes a shader from a program.
+        detach_shader: glDetachShader (program: GLuint, shader: GLuint);
+        /// Sets the location that an attribute gets at the next link.
+        bind_attrib_location: glBindAttribLocation (program: GLuint, index: GLuint, name: &'a str);
+        /// Sets the colour number that a fragment output gets at the next link.
+        bind_frag_data_location: glBindFragDataLocation | glBindFragDataLocationEXT
+            (program: GLuint, color: GLuint, name: &'a str);
+        /// Links a program; `glGetProgramiv` says whether it worked.
+        link_program: glLinkProgram (program: GLuint);
+        /// Makes a program the one that draws use; 0 brings the fixed function back.
+        use_program: glUseProgram (program: GLuint);
+        /// Checks whether a program could run as things stand.
+        validate_program: glValidateProgram (program: GLuint);
+    }
+    Outside in inspect {
+        /// Reads what is known of a program.
+        get_programiv: glGetProgramiv (program: GLuint, pname: GLenum, params: &'a mut [GLint]);
+        /// Reads what the linker said.
+        get_program_info_log: glGetProgramInfoLog
+            (program: GLuint, max_length: GLsizei, length: &'a mut [GLsizei], info_log: TextOut<'a>);
+        /// Reads which shaders are attached.
+        get_attached_shaders: glGetAttachedShaders
+            (program: GLuint, max_count: GLsizei, count: &'a mut [GLsizei], shaders: &'a mut [GLuint]);
+        /// Reads name, type and size of a uniform by index.
+        get_active_uniform: glGetActiveUniform (
+            program: GLuint, index: GLuint, max_length: GLsizei, length: &'a mut [GLsizei],
+            size: &'a mut [GLint], ty: &'a mut [GLenum], name: TextOut<'a>
+        );
+        /// Reads name, type and size of an attribute by index.
+        get_active_attrib: glGetActiveAttrib (
+            program: GLuint, index: GLuint, max_length: GLsizei, length: &'a mut [GLsizei],
+            size: &'a mut [GLint], ty: &'a mut [GLenum], name: TextOut<'a>
+        );
+        /// The location of a uniform, or -1.
+        get_uniform_location: glGetUniformLocation (program: GLuint, name: &'a str) -> GLint;
+        /// The location of an attribute, or -1.
+        get_attrib_location: glGetAttribLocation (program: GLuint, name: &'a str) -> GLint;
+        /// The colour number of a fragment output that was bound to one, or -1.
+        get_frag_data_location: glGetFragDataLocation | glGetFragDataLocationEXT
+            (program: GLuint, name: &'a str) -> GLint;
+        /// Reads a uniform.
+        get_uniformfv: glGetUniformfv (program: GLuint, location: GLint, params: &'a mut [GLfloat]);
+        /// Reads a uniform.
+        get_uniformiv: glGetUniformiv (program: GLuint, location: GLint, params: &'a mut [GLint]);
+    }
+    Outside in uniform {
+        /// Sets a `float`, or a `bool`.
+        uniform_1f: glUniform1f (location: GLint, x: GLfloat);
+        /// Sets a `vec2`, or a `bvec2`.
+        uniform_2f: glUniform2f (location: GLint, x: GLfloat, y: GLfloat);
+        /// Sets a `vec3`, or a `bvec3`.
+        uniform_3f: glUniform3f (location: GLint, x: GLfloat, y: GLfloat, z: GLfloat);
+        /// Sets a `vec4`, or a `bvec4`.
+        uniform_4f: glUniform4f
+            (location: GLint, x: GLfloat, y: GLfloat, z: GLfloat, w: GLfloat);
+        /// Sets an `int`, a `bool`, or the texture unit of a sampler.
+        uniform_1i: glUniform1i (location: GLint, x: GLint);
+        /// Sets an `ivec2`, or a `bvec2`.
+        uniform_2i: glUniform2i (location: GLint, x: GLint, y: GLint);
+        /// Sets an `ivec3`, or a `bvec3`.
+        uniform_3i: glUniform3i (location: GLint, x: GLint, y: GLint, z: GLint);
+        /// Sets an `ivec4`, or a `bvec4`.
+        uniform_4i: glUniform4i (location: GLint, x: GLint, y: GLint, z: GLint, w: GLint);
+        /// Sets a `uint`, or a `bool`.
+        uniform_1ui: glUniform1ui (location: GLint, x: GLuint);
+        /// Sets a `uvec2`, or a `bvec2`.
+        uniform_2ui: glUniform2ui (location: GLint, x: GLuint, y: GLuint);
+        /// Sets a `uvec3`, or a `bvec3`.
+        uniform_3ui: glUniform3ui (location: GLint, x: GLuint, y: GLuint, z: GLuint);
+        /// Sets a `uvec4`, or a `bvec4`.
+        uniform_4ui: glUniform4ui (location: GLint, x: GLuint, y: GLuint, z: GLuint, w: GLuint);
+        /// Sets `count` elements of `float`.
+        uniform_1fv: glUniform1fv (location: GLint, count: GLsizei, value: &'a [GLfloat]);
+        /// Sets `count` elements of `vec2`.
+        uniform_2fv: glUniform2fv (location: GLint, count: GLsizei, value: &'a [GLfloat]);
+        /// Sets `count` elements of `vec3`.
+        uniform_3fv: glUniform3fv (location: GLint, count: GLsizei, value: &'a [GLfloat]);
+        /// Sets `count` elements of `vec4`.
+        uniform_4fv: glUniform4fv (location: GLint, count: GLsizei, value: &'a [GLfloat]);
+        /// Sets `count` elements of `int`, or texture units of samplers.
+        uniform_1iv: glUniform1iv (location: GLint, count: GLsizei, value: &'a [GLint]);
+        /// Sets `count` elements of `ivec2`.
+        uniform_2iv: glUniform2iv (location: GLint, count: GLsizei, value: &'a [GLint]);
+        /// Sets `count` elements of `ivec3`.
+        uniform_3iv: glUniform3iv (location: GLint, count: GLsizei, value: &'a [GLint]);
+        /// Sets `count` elements of `ivec4`.
+        uniform_4iv: glUniform4iv (location: GLint, count: GLsizei, value: &'a [GLint]);
+        /// Sets `count` elements of `uint`.
+        uniform_1uiv: glUniform1uiv (location: GLint, count: GLsizei, value: &'a [GLuint]);
+        /// Sets `count` elements of `uvec2`.
+        uniform_2uiv: glUniform2uiv (location: GLint, count: GLsizei, value: &'a [GLuint]);
+        /// Sets `count` elements of `uvec3`.
+        uniform_3uiv: glUniform3uiv (location: GLint, count: GLsizei, value: &'a [GLuint]);
+        /// Sets `count` elements of `uvec4`.
+        uniform_4uiv: glUniform4uiv (location: GLint, count: GLsizei, value: &'a [GLuint]);
+        /// Sets `count` elements of `mat2`.
+        uniform_matrix_2fv: glUniformMatrix2fv
+            (location: GLint, count: GLsizei, transpose: bool, value: &'a [GLfloat]);
+        /// Sets `count` elements of `mat3`.
+        uniform_matrix_3fv: glUniformMatrix3fv
+            (location: GLint, count: GLsizei, transpose: bool, value: &'a [GLfloat]);
+        /// Sets `count` elements of `mat4`.
+        uniform_matrix_4fv: glUniformMatrix4fv
+            (location: GLint, count: GLsizei, transpose: bool, value: &'a [GLfloat]);
+        /// Sets `count` elements of `mat2x3`.
+        uniform_matrix_2x3fv: glUniformMatrix2x3fv
+            (location: GLint, count: GLsizei, transpose: bool, value: &'a [GLfloat]);
+        /// Sets `count` elements of `mat3x2`.
+        uniform_matrix_3x2fv: glUniformMatrix3x2fv
+            (location: GLint, count: GLsizei, transpose: bool, value: &'a [GLfloat]);
+        /// Sets `count` elements of `mat2x4`.
+        uniform_matrix_2x4fv: glUniformMatrix2x4fv
+            (location: GLint, count: GLsizei, transpose: bool, value: &'a [GLfloat]);
+        /// Sets `count` elements of `mat4x2`.
+        uniform_matrix_4x2fv: glUniformMatrix4x2fv
+            (location: GLint, count: GLsizei, transpose: bool, value: &'a [GLfloat]);
+        /// Sets `count` elements of `mat3x4`.
+        uniform_matrix_3x4fv: glUniformMatrix3x4fv
+            (location: GLint, count: GLsizei, transpose: bool, value: &'a [GLfloat]);
+        /// Sets `count` elements of `mat4x3`.
+        uniform_matrix_4x3fv: glUniformMatrix4x3fv
+            (location: GLint, count: GLsizei, transpose: bool, value: &'a [GLfloat]);
+    }
+    Anywhere in attribute {
+        /// Sets a generic attribute; attribute 0 ends the vertex.
+        vertex_attrib_1f: glVertexAttrib1f | glVertexAttrib1fARB (index: GLuint, x: GLfloat);
+        /// Sets a generic attribute; attribute 0 ends the vertex.
+        vertex_attrib_2f: glVertexAttrib2f | glVertexAttrib2fARB
+            (index: GLuint, x: GLfloat, y: GLfloat);
+        /// Sets a generic attribute; attribute 0 ends the vertex.
+        vertex_attrib_3f: glVertexAttrib3f | glVertexAttrib3fARB
+            (index: GLuint, x: GLfloat, y: GLfloat, z: GLfloat);
+        /// Sets a generic attribute; attribute 0 ends the vertex.
+        vertex_attrib_4f: glVertexAttrib4f | glVertexAttrib4fARB
+            (index: GLuint, x: GLfloat, y: GLfloat, z: GLfloat, w: GLfloat);
+        /// Sets a generic attribute; attribute 0 ends the vertex.
+        vertex_attrib_1fv: glVertexAttrib1fv | glVertexAttrib1fvARB (index: GLuint, v: &'a [GLfloat]);
+        /// Sets a generic attribute; attribute 0 ends the vertex.
+        vertex_attrib_2fv: glVertexAttrib2fv | glVertexAttrib2fvARB (index: GLuint, v: &'a [GLfloat]);
+        /// Sets a generic attribute; attribute 0 ends the vertex.
+        vertex_attrib_3fv: glVertexAttrib3fv | glVertexAttrib3fvARB (index: GLuint, v: &'a [GLfloat]);
+        /// Sets a generic attribute; attribute 0 ends the vertex.
+        vertex_attrib_4fv: glVertexAttrib4fv | glVertexAttrib4fvARB (index: GLuint, v: &'a [GLfloat]);
+    }
+}

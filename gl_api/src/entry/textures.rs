@@ -1,0 +1,101 @@
+//! Textures: GL 2.1, section 3.8 (and 6.1.3, 6.1.4 for queries).
+
+use super::{Data, DataOut};
+use crate::env;
+use crate::object::textures;
+use crate::texture::{copy, get, mipmap, parameter, specify};
+use crate::types::*;
+
+entry_points! {
+    Outside in textures {
+        /// Makes `n` unused texture names.
+        gen_textures: glGenTextures | glGenTexturesEXT (n: GLsizei, textures: &'a mut [GLuint]);
+        /// Deletes textures; bound ones are unbound, unknown names ignored.
+        delete_textures: glDeleteTextures | glDeleteTexturesEXT (n: GLsizei, textures: &'a [GLuint]);
+        /// Makes a texture the current one of a target of the active unit. Any name will do: an
+        /// unknown one is created.
+        bind_texture: glBindTexture | glBindTextureEXT (target: GLenum, texture: GLuint);
+        /// Whether a name is a texture that has been bound.
+        is_texture: glIsTexture | glIsTextureEXT (texture: GLuint) -> bool;
+        /// Accepted: every texture is resident.
+        prioritize_textures: glPrioritizeTextures
+            (n: GLsizei, textures: &'a [GLuint], priorities: &'a [GLfloat]);
+        /// Whether all are resident: they are.
+        are_textures_resident: glAreTexturesResident
+            (n: GLsizei, textures: &'a [GLuint], residences: &'a mut [GLboolean]) -> bool;
+        /// Selects the texture unit that texture calls and matrices work on.
+        active_texture: glActiveTexture | glActiveTextureARB (texture: GLenum);
+        /// Selects the texture unit that `glTexCoordPointer` works on.
+        client_active_texture: glClientActiveTexture | glClientActiveTextureARB (texture: GLenum);
+    }
+    Outside in specify {
+        /// Specifies a level of a 2D texture or of a face of a cube map, in the client's format.
+        /// The slice must be long enough for the unpack state.
+        tex_image_2d: glTexImage2D (
+            target: GLenum, level: GLint, internalformat: GLint, width: GLsizei, height: GLsizei,
+            border: GLint, format: GLenum, ty: GLenum, pixels: Data<'a>
+        );
+        /// Replaces a rectangle of a level.
+        tex_sub_image_2d: glTexSubImage2D | glTexSubImage2DEXT (
+            target: GLenum, level: GLint, xoffset: GLint, yoffset: GLint, width: GLsizei,
+            height: GLsizei, format: GLenum, ty: GLenum, pixels: Data<'a>
+        );
+    }
+    Outside in copy {
+        /// Specifies a level from a rectangle of the read framebuffer.
+        copy_tex_image_2d: glCopyTexImage2D | glCopyTexImage2DEXT (
+            target: GLenum, level: GLint, internalformat: GLenum, x: GLint, y: GLint,
+            width: GLsizei, height: GLsizei, border: GLint
+        );
+        /// Replaces a rectangle of a level by one of the read framebuffer.
+        copy_tex_sub_image_2d: glCopyTexSubImage2D | glCopyTexSubImage2DEXT (
+            target: GLenum, level: GLint, xoffset: GLint, yoffset: GLint, x: GLint, y: GLint,
+            width: GLsizei, height: GLsizei
+        );
+    }
+    Outside in parameter {
+        /// Sets a parameter of a texture.
+        tex_parameteri: glTexParameteri (target: GLenum, pname: GLenum, param: GLint);
+        /// Sets a parameter of a texture.
+        tex_parameterf: glTexParameterf (target: GLenum, pname: GLenum, param: GLfloat);
+        /// Sets a parameter of a texture; a border colour is scaled from the whole `i32` range.
+        tex_parameteriv: glTexParameteriv (target: GLenum, pname: GLenum, params: &'a [GLint]);
+        /// Sets a parameter of a texture.
+        tex_parameterfv: glTexParameterfv (target: GLenum, pname: GLenum, params: &'a [GLfloat]);
+        /// Reads a parameter of a texture.
+        get_tex_parameteriv: glGetTexParameteriv
+            (target: GLenum, pname: GLenum, params: &'a mut [GLint]);
+        /// Reads a parameter of a texture.
+        get_tex_parameterfv: glGetTexParameterfv
+            (target: GLenum, pname: GLenum, params: &'a mut [GLfloat]);
+    }
+    Outside in mipmap {
+        /// Makes all levels above the base from the base level.
+        generate_mipmap: glGenerateMipmap | glGenerateMipmapEXT (target: GLenum);
+    }
+    Outside in get {
+        /// Reads what is known of a level.
+        get_tex_level_parameteriv: glGetTexLevelParameteriv
+            (target: GLenum, level: GLint, pname: GLenum, params: &'a mut [GLint]);
+        /// Reads what is known of a level.
+        get_tex_level_parameterfv: glGetTexLevelParameterfv
+            (target: GLenum, level: GLint, pname: GLenum, params: &'a mut [GLfloat]);
+        /// Reads the texels of a level.
+        get_tex_image: glGetTexImage
+            (target: GLenum, level: GLint, format: GLenum, ty: GLenum, pixels: DataOut<'a>);
+    }
+    Outside in env {
+        /// Sets a parameter of the active unit's texture environment.
+        tex_envi: glTexEnvi (target: GLenum, pname: GLenum, param: GLint);
+        /// Sets a parameter of the active unit's texture environment.
+        tex_envf: glTexEnvf (target: GLenum, pname: GLenum, param: GLfloat);
+        /// Sets a parameter of the active unit's texture environment.
+        tex_enviv: glTexEnviv (target: GLenum, pname: GLenum, params: &'a [GLint]);
+        /// Sets a parameter of the active unit's texture environment.
+        tex_envfv: glTexEnvfv (target: GLenum, pname: GLenum, params: &'a [GLfloat]);
+        /// Reads a parameter of the active unit's texture environment.
+        get_tex_enviv: glGetTexEnviv (target: GLenum, pname: GLenum, params: &'a mut [GLint]);
+        /// Reads a parameter of the active unit's texture environment.
+        get_tex_envfv: glGetTexEnvfv (target: GLenum, pname: GLenum, params: &'a mut [GLfloat]);
+    }
+}

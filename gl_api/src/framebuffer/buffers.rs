@@ -1,0 +1,161 @@
+//! Which buffers are drawn to and read from: GL 2.1, sections 4.2.1 and 4.3.2.
+
+use super::Window;
+use super::complete::draw_depth_bits;
+use crate::constants::*;
+use crate::context::{Context, limits};
+use crate::error::{Result, invalid_enum, invalid_operation, invalid_value, not_negative};
+use crate::types::*;
+
+const DRAW: &str = "GL 2.1, section 4.2.1";
+const READ: &str = "GL 2.1, section 4.3.2";
+
+/// The draw and read buffers of a framebuffer, as GL names them.
+#[derive(Clone, Debug)]
+pub(crate) struct Selection {
+    /// By fragment colour.
+    pub draw: [GLenum; limits::MAX_COLOR_ATTACHMENTS],
+    pub read: GLenum,
+}
+
+impl Selection {
+    fn first(buffer: GLenum) -> Self {
+        let mut draw = [GL_NONE; limits::MAX_COLOR_ATTACHMENTS];
+        draw[0] = buffer;
+        Self { draw, read: buffer }
+    }
+
+    /// Of a new default framebuffer.
+    pub fn window() -> Self {
+        Self::first(GL_FRONT)
+    }
+
+    /// Of a new framebuffer object.
+    pub fn object() -> Self {
+        Self::first(GL_COLOR_ATTACHMENT0)
+    }
+}
+
+/// The attachment that a name stands for in a framebuffer object.
+pub(crate) fn attachment_index(buffer: GLenum) -> Option<usize> {
+    let index = buffer.checked_sub(GL_COLOR_ATTACHMENT0)? as usize;
+    (index < limits::MAX_COLOR_ATTACHMENTS).then_some(index)
+}
+
+/// Names of the default framebuffer's only colour buffer.
+const WINDOW: [GLenum; 6] =
+    [GL_FRONT, GL_BACK, GL_LEFT, GL_FRONT_LEFT, GL_BACK_LEFT, GL_FRONT_AND_BACK];
+/// Names of buffers that the default framebuffer lacks.
+const ABSENT: [GLenum; 7] =
+    [GL_RIGHT, GL_FRONT_RIGHT, GL_BACK_RIGHT, GL_AUX0, GL_AUX1, GL_AUX2, GL_AUX3];
+
+/// Checks the name of a buffer against a framebuffer (0 is the default one).
+fn checked(
+    section: &'static str,
+    framebuffer: GLuint,
+    argument: &str,
+    buffer: GLenum,
+) -> Result<()> {
+    let name = enum_name(buffer);
+    let of_object = buffer.wrapping_sub(GL_COLOR_ATTACHMENT0) < 16;
+    if buffer == GL_NONE
+        || framebuffer == 0 && WINDOW.contains(&buffer)
+        || framebuffer != 0 && attachment_index(buffer).is_some()
+    {
+        return Ok(());
+    }
+    if of_object && framebuffer == 0 {
+        return invalid_operation(
+            section,
+            format!("{argument} = {name}, but the default framebuffer is bound; use GL_BACK"),
+        );
+    }
+    if framebuffer != 0 && (WINDOW.contains(&buffer) || ABSENT.contains(&buffer)) {
+        return invalid_operation(
+            section,
+            format!(
+                "{argument} = {name}, but framebuffer {framebuffer} is bound; use \
+                 GL_COLOR_ATTACHMENTi"
+            ),
+        );
+    }
+    if ABSENT.contains(&buffer) || of_object {
+        return invalid_operation(section, format!("{argument} = {name}: there is no such buffer"));
+    }
+    invalid_enum(section, format!("{argument} = {name} must name a colour buffer"))
+}
+
+fn selection(context: &mut Context, framebuffer: GLuint) -> &mut Selection {
+    match context.objects.framebuffers.get_mut(framebuffer) {
+        Some(object) => &mut object.selection,
+        None => &mut context.window.selection,
+    }
+}
+
+pub(crate) fn draw_buffer(context: &mut Context, buf: GLenum) -> Result<()> {
+    let framebuffer = context.state.bindings.draw_framebuffer;
+    checked(DRAW, framebuffer, "buf", buf)?;
+    let selection = selection(context, framebuffer);
+    selection.draw = Selection::first(buf).draw;
+    Ok(())
+}
+
+pub(crate) fn draw_buffers(context: &mut Context, n: GLsizei, bufs: &[GLenum]) -> Result<()> {
+    let n = not_negative(DRAW, "n", n.into())?;
+    if n > limits::MAX_COLOR_ATTACHMENTS {
+        return invalid_value(
+            DRAW,
+            format!("n = {n} must not be above {}", limits::MAX_COLOR_ATTACHMENTS),
+        );
+    }
+    let Some(bufs) = bufs.get(..n) else {
+        return invalid_operation(DRAW, format!("n = {n}, but the slice has {}", bufs.len()));
+    };
+    let framebuffer = context.state.bindings.draw_framebuffer;
+    for (index, &buf) in bufs.iter().enumerate() {
+        checked(DRAW, framebuffer, &format!("bufs[{index}]"), buf)?;
+        if buf != GL_NONE && bufs[..index].contains(&buf) {
+            return invalid_operation(
+                DRAW,
+                format!("bufs[{index}] = {} was named before", enum_name(buf)),
+            );
+        }
+    }
+    let mut draw = [GL_NONE; limits::MAX_COLOR_ATTACHMENTS];
+    draw[..n].copy_from_slice(bufs);
+    selection(context, framebuffer).draw = draw;
+    Ok(())
+}
+
+pub(crate) fn read_buffer(context: &mut Context, src: GLenum) -> Result<()> {
+    let framebuffer = context.state.bindings.read_framebuffer;
+    checked(READ, framebuffer, "src", src)?;
+    selection(context, framebuffer).read = src;
+    Ok(())
+}
+
+/// State of framebuffers that `glGet` reads.
+pub(crate) enum Answer {
+    Symbol(GLenum),
+    Bits(i32),
+}
+
+/// Reads state by its name, if it is a framebuffer's.
+pub(crate) fn state_value(context: &Context, pname: GLenum) -> Option<Answer> {
+    let Window { selection: window, .. } = &context.window;
+    let of = |framebuffer: GLuint| {
+        context.objects.framebuffers.get(framebuffer).map_or(window, |object| &object.selection)
+    };
+    let draw = of(context.state.bindings.draw_framebuffer);
+    Some(match pname {
+        GL_DRAW_BUFFER => Answer::Symbol(draw.draw[0]),
+        GL_READ_BUFFER => Answer::Symbol(of(context.state.bindings.read_framebuffer).read),
+        _ if (GL_DRAW_BUFFER0..GL_DRAW_BUFFER0 + 8).contains(&pname) => {
+            Answer::Symbol(draw.draw[(pname - GL_DRAW_BUFFER0) as usize])
+        }
+        GL_RED_BITS | GL_GREEN_BITS | GL_BLUE_BITS | GL_ALPHA_BITS => Answer::Bits(8),
+        GL_DEPTH_BITS => Answer::Bits(draw_depth_bits(context)),
+        GL_STENCIL_BITS => Answer::Bits(0),
+        _ => return None,
+    })
+}

@@ -1,0 +1,288 @@
+//! Calls: which function is meant (GLSL 1.30 section 6.1).
+
+use super::Checker;
+use super::expr::convert;
+use super::operators::converts;
+use super::scope::Symbol;
+use crate::glsl::ast::{self, BinaryOp};
+use crate::glsl::builtins::functions::{self, Lower, P, Row};
+use crate::glsl::diagnostics::{Diagnostic, closest};
+use crate::glsl::hir::{Direction, Expr, ExprKind, VarRef};
+use crate::glsl::source::Span;
+use crate::glsl::types::{Sampler, Type};
+use crate::glsl::version::{Stages, Version, stage_name};
+use rasterizer::ir::Stage;
+
+/// A function that a call may mean.
+#[derive(Clone, Debug)]
+enum Target {
+    User(u32),
+    Builtin(&'static Row),
+}
+
+#[derive(Clone, Debug)]
+struct Candidate {
+    target: Target,
+    parameters: Vec<Type>,
+    directions: Vec<Direction>,
+    result: Type,
+}
+
+impl Candidate {
+    /// How many arguments need a conversion; `None` if one does not fit.
+    fn conversions(&self, arguments: &[Expr], version: Version) -> Option<usize> {
+        if arguments.len() != self.parameters.len() {
+            return None;
+        }
+        let mut count = 0;
+        for ((argument, parameter), direction) in
+            arguments.iter().zip(&self.parameters).zip(&self.directions)
+        {
+            if argument.ty == *parameter {
+                continue;
+            }
+            if *direction != Direction::In || !converts(&argument.ty, parameter, version) {
+                return None;
+            }
+            count += 1;
+        }
+        Some(count)
+    }
+
+    fn signature(&self, name: &str) -> String {
+        let types: Vec<String> = self.parameters.iter().map(ToString::to_string).collect();
+        format!("{name}({})", types.join(", "))
+    }
+}
+
+impl Checker<'_> {
+    pub(super) fn call(&mut self, name: &ast::Name, arguments: &[ast::Expr], span: Span) -> Expr {
+        if let Some(Symbol::Struct(structure)) = self.scopes.find(&name.text).cloned() {
+            let arguments: Vec<Expr> = arguments.iter().map(|a| self.expr(a)).collect();
+            return self.construct_struct(&structure, arguments, span);
+        }
+        let arguments: Vec<Expr> = arguments.iter().map(|a| self.expr(a)).collect();
+        if arguments.iter().any(Expr::is_error) {
+            return Expr::error(span);
+        }
+        if let Some(void) = arguments.iter().find(|argument| argument.ty == Type::Void) {
+            self.error(void.span, "an argument has no value");
+            return Expr::error(span);
+        }
+        let candidates = self.candidates(name);
+        if candidates.is_empty() {
+            self.unknown_function(name);
+            return Expr::error(span);
+        }
+        let fits = |candidate: &&Candidate| candidate.conversions(&arguments, self.version);
+        let best = candidates.iter().filter(|c| fits(c).is_some()).min_by_key(|c| fits(c));
+        let Some(best) = best.cloned() else {
+            self.no_match(name, &arguments, &candidates);
+            return Expr::error(span);
+        };
+        self.finish_call(name, best, arguments, span)
+    }
+
+    /// What a name can mean in a call: the shader's functions hide those of the language that take
+    /// the same.
+    fn candidates(&mut self, name: &ast::Name) -> Vec<Candidate> {
+        let mut candidates = Vec::new();
+        match self.scopes.find(&name.text) {
+            Some(Symbol::Functions(all)) => {
+                for &index in all {
+                    let function = &self.unit.functions[index as usize];
+                    candidates.push(Candidate {
+                        target: Target::User(index),
+                        parameters: function.parameters().cloned().collect(),
+                        directions: function.directions.clone(),
+                        result: function.result.clone(),
+                    });
+                }
+            }
+            Some(Symbol::Variable(_)) => return candidates,
+            Some(Symbol::Struct(_) | Symbol::Undeclared(_)) | None => {}
+        }
+        for row in functions::find(&name.text, self.stage, self.version) {
+            for (parameters, result) in row.signatures() {
+                if candidates.iter().any(|candidate| candidate.parameters == parameters) {
+                    continue;
+                }
+                let direction = |p: &P| if *p == P::Out { Direction::Out } else { Direction::In };
+                let directions = row.parameters.iter().map(direction).collect();
+                let target = Target::Builtin(row);
+                candidates.push(Candidate { target, parameters, directions, result });
+            }
+        }
+        candidates
+    }
+
+    fn unknown_function(&mut self, name: &ast::Name) {
+        let text = &name.text;
+        if let Some(Symbol::Variable(_)) = self.scopes.find(text) {
+            self.error(name.span, format!("`{text}` is a variable, not a function"));
+            return;
+        }
+        let mut problem = Diagnostic::error(name.span, format!("there is no function `{text}`"));
+        let other = match self.stage {
+            Stage::Vertex => Stage::Fragment,
+            Stage::Fragment => Stage::Vertex,
+        };
+        let later = Version::ALL
+            .into_iter()
+            .find(|version| functions::find(text, self.stage, *version).next().is_some());
+        if let Some(later) = later {
+            problem = problem.help(format!("it came with `#version {}`", later.number()));
+        } else if functions::find(text, other, self.version).next().is_some() {
+            let stage = stage_name(other);
+            problem = problem.note(format!("only the {stage} stage has it"));
+        } else {
+            let user = self.unit.functions.iter().map(|function| &*function.name);
+            let builtin: Vec<&str> = functions::names(self.stage, self.version).collect();
+            let names = user.chain(builtin);
+            if let Some(near) = closest(text, names) {
+                problem =
+                    problem.fix(format!("did you mean `{near}`?"), name.span, near.to_owned());
+            }
+        }
+        self.log.push(problem);
+    }
+
+    /// Says why no candidate takes the arguments.
+    fn no_match(&mut self, name: &ast::Name, arguments: &[Expr], candidates: &[Candidate]) {
+        let types: Vec<String> = arguments.iter().map(|a| a.ty.to_string()).collect();
+        let message = format!("no `{}` takes ({})", name.text, types.join(", "));
+        let rule = format!("{} section 6.1", self.version.title());
+        let mut problem = Diagnostic::error(name.span, message).rule(rule);
+        let same_length = |c: &&Candidate| c.parameters.len() == arguments.len();
+        let mut shown: Vec<&Candidate> = candidates.iter().filter(same_length).collect();
+        if shown.is_empty() {
+            shown = candidates.iter().collect();
+        }
+        let list: Vec<String> = shown.iter().take(6).map(|c| c.signature(&name.text)).collect();
+        let more = if shown.len() > 6 { ", ..." } else { "" };
+        problem = problem.note(format!("there are: {}{more}", list.join(", ")));
+
+        // One argument alone may be in the way.
+        let mut wrong = None;
+        for candidate in candidates.iter().filter(same_length) {
+            let fits = |index: usize| {
+                let (ty, parameter) = (&arguments[index].ty, &candidate.parameters[index]);
+                ty == parameter || converts(ty, parameter, self.version)
+            };
+            let mut misfits = (0..arguments.len()).filter(|&index| !fits(index));
+            if let (Some(index), None) = (misfits.next(), misfits.next()) {
+                wrong = wrong.or(Some((index, candidate.parameters[index].clone())));
+            }
+        }
+        if let Some((index, parameter)) = wrong {
+            let argument = &arguments[index];
+            problem.span = Some(argument.span);
+            problem = problem.label(format!("{}, not {parameter}", argument.ty));
+            if matches!((&argument.ty, &parameter), (Type::Sampler(_), Type::Sampler(_))) {
+                problem = self.with_sampler_fix(problem, argument, &parameter);
+            } else if parameter == crate::glsl::types::FLOAT
+                && argument.ty == crate::glsl::types::INT
+            {
+                problem = self.with_float_fix(problem, argument);
+            }
+        }
+        self.log.push(problem);
+    }
+
+    /// Advice for a sampler of the wrong kind: declare it as the kind that is needed.
+    fn with_sampler_fix(&self, problem: Diagnostic, argument: &Expr, needed: &Type) -> Diagnostic {
+        let ExprKind::Var(VarRef::Global(index)) = argument.kind else { return problem };
+        let variable = &self.unit.globals[index as usize];
+        let Some(span) = variable.type_span else { return problem };
+        if self.source.slice(span) != argument.ty.to_string() {
+            return problem;
+        }
+        let line = self.source.position(span.start).line;
+        let text = format!("declare `{}` in line {line} as `{needed}`", variable.name);
+        problem.fix(text, span, needed.to_string())
+    }
+
+    fn finish_call(
+        &mut self,
+        name: &ast::Name,
+        best: Candidate,
+        arguments: Vec<Expr>,
+        span: Span,
+    ) -> Expr {
+        let mut converted = Vec::new();
+        for ((argument, parameter), direction) in
+            arguments.into_iter().zip(&best.parameters).zip(&best.directions)
+        {
+            match direction {
+                Direction::In => converted.push(convert(argument, parameter)),
+                Direction::Out | Direction::Inout => {
+                    self.written(&argument, "pass as an `out` argument");
+                    converted.push(argument);
+                }
+            }
+        }
+        let ty = best.result;
+        match best.target {
+            Target::User(index) => {
+                match &mut self.body {
+                    Some(body) => body.calls.push((index, name.span)),
+                    None => {
+                        let message = "functions of the shader cannot be called outside of functions";
+                        self.error(span, message);
+                    }
+                }
+                Expr { ty, span, constant: false, kind: ExprKind::Call(index, converted) }
+            }
+            Target::Builtin(row) => self.finish_builtin(row, ty, name, converted, span),
+        }
+    }
+
+    fn finish_builtin(
+        &mut self,
+        row: &'static Row,
+        ty: Type,
+        name: &ast::Name,
+        arguments: Vec<Expr>,
+        span: Span,
+    ) -> Expr {
+        match row.lower {
+            Lower::Unsupported => {
+                let message = match row.parameters.first() {
+                    Some(P::Sampler(sampler @ (Sampler::D1 | Sampler::D3 | Sampler::D1Shadow))) => {
+                        let ty = Type::Sampler(*sampler);
+                        format!("`{}` on {ty} is not supported by DetGL yet", name.text)
+                    }
+                    _ => format!("`{}` is not supported by DetGL yet", name.text),
+                };
+                self.error(name.span, message);
+                return Expr::error(span);
+            }
+            Lower::Ftransform => {
+                let matrix = self.builtin_expr("gl_ModelViewProjectionMatrix", span);
+                let vertex = self.builtin_expr("gl_Vertex", span);
+                return self.binary(BinaryOp::Mul, matrix, vertex, span);
+            }
+            Lower::Texture(_, functions::LodForm::Explicit)
+                if !self.is_vertex() && self.version < Version::V130 =>
+            {
+                let message = format!("`{}` in the fragment stage is an extension", name.text);
+                let warning = Diagnostic::warning(name.span, message)
+                    .help("write `#extension GL_ARB_shader_texture_lod : enable` first");
+                if !self.source.text().contains("GL_ARB_shader_texture_lod") {
+                    self.log.push(warning);
+                }
+            }
+            Lower::Texture(..)
+            | Lower::Map(_)
+            | Lower::With(_)
+            | Lower::Derivative(_)
+            | Lower::Modf => {}
+        }
+        // From 1.20 on a function of constants is constant (section 4.3.3).
+        let constant = row.folds()
+            && row.stages == Stages::Any
+            && self.version >= Version::V120
+            && arguments.iter().all(|argument| argument.constant);
+        Expr { ty, span, constant, kind: ExprKind::Builtin(row, arguments) }
+    }
+}

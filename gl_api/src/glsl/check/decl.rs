@@ -1,0 +1,472 @@
+//! Declarations of variables and types (GLSL 1.30 chapter 4).
+
+use super::Checker;
+use super::scope::Symbol;
+use crate::glsl::Scalar;
+use crate::glsl::ast::{self, Qualifier, TypeBase};
+use crate::glsl::diagnostics::{Diagnostic, closest};
+use crate::glsl::hir::{Expr, Storage, VarRef, Variable};
+use crate::glsl::source::Span;
+use crate::glsl::types::{MAX_SCALARS, Struct, Type};
+use crate::glsl::version::{Version, stage_name};
+use rasterizer::ir::{Interpolation, Stage};
+use std::sync::Arc;
+
+/// How deep structures may stand inside one another.
+const MAX_STRUCT_DEPTH: u32 = 32;
+
+impl Checker<'_> {
+    /// The type that is written, with the array size after the name.
+    pub(super) fn type_of(
+        &mut self,
+        name: &ast::TypeName,
+        after: Option<&ast::ArraySize>,
+    ) -> Type {
+        let base = match &name.base {
+            TypeBase::Struct(declared) => self.structure(declared, name.span),
+            TypeBase::Named(word) => self.named_type(word, name.span),
+        };
+        let mut ty = base;
+        for size in name.array.iter().chain(after) {
+            if matches!(ty, Type::Array(..)) {
+                let rule = format!("{} section 4.1.9", self.version.title());
+                let message = "arrays of arrays are not in this version";
+                self.log.push(Diagnostic::error(size.span, message).rule(rule));
+                return Type::Error;
+            }
+            ty = self.array_of(ty, size);
+        }
+        if ty.scalars() > MAX_SCALARS {
+            let message = format!("{ty} has more than {MAX_SCALARS} components");
+            self.error(name.span, message);
+            return Type::Error;
+        }
+        ty
+    }
+
+    fn named_type(&mut self, word: &Arc<str>, span: Span) -> Type {
+        if let Some(ty) = Type::named(word, self.version) {
+            return ty;
+        }
+        if let Some(Symbol::Struct(structure)) = self.scopes.find(word) {
+            return Type::Struct(structure.clone());
+        }
+        let mut problem = Diagnostic::error(span, format!("there is no type `{word}`"));
+        let later = Version::ALL.into_iter().find(|version| Type::named(word, *version).is_some());
+        if let Some(later) = later {
+            problem = problem.help(format!("it came with `#version {}`", later.number()));
+        } else if let Some(near) = closest(word, Type::names(self.version)) {
+            problem = problem.fix(format!("did you mean `{near}`?"), span, near.to_owned());
+        }
+        self.log.push(problem);
+        Type::Error
+    }
+
+    fn array_of(&mut self, element: Type, size: &ast::ArraySize) -> Type {
+        let Some(expr) = &size.size else { return Type::Array(Box::new(element), None) };
+        let checked = self.expr(expr);
+        if checked.is_error() || element == Type::Error {
+            return Type::Error;
+        }
+        let integer = matches!(checked.ty, Type::Vector(Scalar::Int | Scalar::Uint, 1));
+        let value = self.evaluate(&checked).filter(|_| integer);
+        let Some(value) = value else {
+            let message = "the size of an array is a constant integer";
+            let rule = format!("{} section 4.1.9", self.version.title());
+            self.log.push(Diagnostic::error(size.span, message).rule(rule));
+            return Type::Error;
+        };
+        match value[0] as i32 {
+            len @ 1.. => Type::Array(Box::new(element), Some(len as u32)),
+            len => {
+                self.error(size.span, format!("the size of an array is at least 1, not {len}"));
+                Type::Error
+            }
+        }
+    }
+
+    fn structure(&mut self, declared: &ast::StructDecl, span: Span) -> Type {
+        let mut fields: Vec<(Arc<str>, Type)> = Vec::new();
+        let (mut scalars, mut depth) = (0u32, 1);
+        for (ty, name, array) in &declared.fields {
+            if matches!(ty.base, TypeBase::Struct(_)) {
+                let message = "a structure cannot be declared inside another";
+                self.error(ty.span, message);
+                return Type::Error;
+            }
+            let field = self.type_of(ty, array.as_ref());
+            if fields.iter().any(|(known, _)| *known == name.text) {
+                self.error(name.span, format!("a second member `{}`", name.text));
+                continue;
+            }
+            match &field {
+                Type::Error => return Type::Error,
+                Type::Void => self.error(name.span, "a member cannot be void"),
+                Type::Array(_, None) => {
+                    self.error(name.span, "an array in a structure needs a size");
+                }
+                Type::Vector(..)
+                | Type::Matrix(..)
+                | Type::Sampler(_)
+                | Type::Struct(_)
+                | Type::Array(..) => {}
+            }
+            if let Type::Struct(inner) = field.base() {
+                depth = depth.max(inner.depth + 1);
+            }
+            scalars = scalars.saturating_add(field.scalars());
+            fields.push((name.text.clone(), field));
+        }
+        if fields.is_empty() {
+            self.error(span, "a structure needs a member");
+            return Type::Error;
+        }
+        if scalars > MAX_SCALARS || depth > MAX_STRUCT_DEPTH {
+            let message = format!(
+                "the structure has more than {MAX_SCALARS} components or {MAX_STRUCT_DEPTH} levels"
+            );
+            self.error(span, message);
+            return Type::Error;
+        }
+        let name = declared.name.as_ref().map_or(Arc::from(""), |name| name.text.clone());
+        let structure = Arc::new(Struct { name: name.clone(), fields, scalars, depth });
+        if let Some(declared) = &declared.name {
+            self.check_new(declared);
+            self.scopes.add(name, Symbol::Struct(structure.clone()));
+        }
+        Type::Struct(structure)
+    }
+
+    /// Reports a name that the innermost scope has already, or that is reserved.
+    pub(super) fn check_new(&mut self, name: &ast::Name) {
+        if name.text.starts_with("gl_") {
+            let message = format!("`{}`: names that begin with gl_ are reserved", name.text);
+            let rule = format!("{} section 3.7", self.version.title());
+            self.log.push(Diagnostic::error(name.span, message).rule(rule));
+        }
+        match self.scopes.find_innermost(&name.text) {
+            None | Some(Symbol::Undeclared(_)) => {}
+            Some(symbol) => {
+                let mut message = format!("`{}` is declared already", name.text);
+                if let Symbol::Variable(var) = symbol {
+                    let line = self.source.position(self.variable(*var).span.start).line;
+                    message = format!("{message}, in line {line}");
+                }
+                let rule = format!("{} section 4.2.2", self.version.title());
+                self.log.push(Diagnostic::error(name.span, message).rule(rule));
+            }
+        }
+    }
+
+    /// `invariant a, b;`: invariance holds always here, so only the names are checked.
+    pub(super) fn invariant(&mut self, names: &[ast::Name]) {
+        for name in names {
+            let symbol = self.scopes.find(&name.text).cloned();
+            let var = match symbol {
+                Some(Symbol::Variable(var)) => Some(var),
+                Some(Symbol::Struct(_) | Symbol::Functions(_) | Symbol::Undeclared(_)) => None,
+                None => self.builtin_variable(&name.text),
+            };
+            if var.is_none() {
+                self.undeclared(&name.text, name.span);
+            }
+        }
+    }
+
+    pub(super) fn global_declaration(&mut self, declaration: &ast::Declaration) {
+        let Some(storage) = self.global_storage(&declaration.ty) else { return };
+        if declaration.names.is_empty() {
+            let _ = self.type_of(&declaration.ty.ty, None);
+            return;
+        }
+        for declared in &declaration.names {
+            let ty = self.type_of(&declaration.ty.ty, declared.array.as_ref());
+            if self.redeclares_builtin(declared, &ty) || self.completes_array(declared, &ty) {
+                continue;
+            }
+            self.check_new(&declared.name);
+            self.check_interface(storage, &ty, declared.name.span);
+            let init = declared.init.as_ref().map(|init| (init, self.expr(init)));
+            let type_span = (declaration.names.len() == 1).then_some(declaration.ty.ty.span);
+            let mut variable = self.new_variable(declared, ty, storage);
+            variable.type_span = type_span.filter(|_| declared.array.is_none());
+            self.initialize(&mut variable, init.map(|(_, checked)| checked), declared.name.span);
+            self.check_sized(&variable);
+            let var = VarRef::Global(self.unit.globals.len() as u32);
+            self.unit.globals.push(variable);
+            self.scopes.add(declared.name.text.clone(), Symbol::Variable(var));
+        }
+    }
+
+    pub(super) fn new_variable(
+        &self,
+        declared: &ast::Declarator,
+        ty: Type,
+        storage: Storage,
+    ) -> Variable {
+        Variable {
+            name: declared.name.text.clone(),
+            ty,
+            storage,
+            span: declared.name.span,
+            type_span: None,
+            written: false,
+            dynamic: false,
+            indexed: 0,
+            used: false,
+            constant: None,
+            init: None,
+        }
+    }
+
+    /// Checks an initializer, and keeps it in the variable.
+    pub(super) fn initialize(&mut self, variable: &mut Variable, init: Option<Expr>, span: Span) {
+        let Some(init) = init else {
+            if variable.storage == Storage::Const {
+                let message = format!("the constant `{}` needs a value", variable.name);
+                let rule = format!("{} section 4.3.2", self.version.title());
+                self.log.push(Diagnostic::error(span, message).rule(rule));
+            }
+            return;
+        };
+        let unfit = match variable.storage {
+            Storage::Plain | Storage::Const => None,
+            Storage::Uniform if self.version >= Version::V120 => None,
+            Storage::Uniform => Some("uniforms take no value in GLSL 1.10"),
+            Storage::Attribute
+            | Storage::Output(_)
+            | Storage::Input(_)
+            | Storage::FragmentOutput
+            | Storage::Parameter(_)
+            | Storage::Builtin(_) => Some("what passes between stages takes no value"),
+        };
+        if let Some(message) = unfit {
+            self.error(init.span, message);
+            return;
+        }
+        if let (Type::Array(element, None), Type::Array(other, Some(len))) = (&variable.ty, &init.ty)
+            && element == other
+        {
+            variable.ty = Type::Array(element.clone(), Some(*len));
+        }
+        if self.version < Version::V120 && variable.ty.has_array() {
+            self.error(init.span, "arrays take no value in GLSL 1.10");
+        }
+        let init = self.converted(init, &variable.ty.clone(), "initialize with");
+        if init.is_error() {
+            variable.constant = None;
+            variable.init = Some(init);
+            return;
+        }
+        let words = self.evaluate(&init);
+        let must_fold = match variable.storage {
+            Storage::Const => Some("a constant"),
+            Storage::Uniform => Some("a uniform"),
+            Storage::Plain if self.body.is_none() => Some("a global variable"),
+            _ => None,
+        };
+        if let (Some(what), None) = (must_fold, &words) {
+            let message = format!("the value of {what} is not a constant expression");
+            let rule = format!("{} section 4.3.3", self.version.title());
+            self.log.push(Diagnostic::error(init.span, message).rule(rule));
+        }
+        if variable.storage == Storage::Const {
+            variable.constant = words;
+        }
+        variable.init = Some(init);
+    }
+
+    /// Arrays without a size wait for one only where later declarations can bring it.
+    pub(super) fn check_sized(&mut self, variable: &Variable) {
+        if matches!(variable.ty, Type::Array(_, None)) && self.body.is_some() {
+            self.error(variable.span, format!("the array `{}` needs a size", variable.name));
+        }
+        if variable.ty == Type::Void {
+            self.error(variable.span, format!("`{}` cannot be void", variable.name));
+        }
+        if variable.ty.has_sampler()
+            && !matches!(variable.storage, Storage::Uniform | Storage::Parameter(_))
+        {
+            let message = format!("the sampler `{}` must be a uniform", variable.name);
+            let rule = format!("{} section 4.1.7", self.version.title());
+            self.log.push(
+                Diagnostic::error(variable.span, message).rule(rule).help("write `uniform` before"),
+            );
+        }
+    }
+
+    /// What the qualifiers of a global make it; `None` when they contradict each other.
+    fn global_storage(&mut self, ty: &ast::QualifiedType) -> Option<Storage> {
+        let mut storage: Option<(Qualifier, Span)> = None;
+        let mut interpolation = None;
+        for &(qualifier, span) in &ty.qualifiers {
+            match qualifier {
+                Qualifier::Const
+                | Qualifier::Attribute
+                | Qualifier::Varying
+                | Qualifier::Uniform
+                | Qualifier::In
+                | Qualifier::Out
+                | Qualifier::Inout => {
+                    if storage.replace((qualifier, span)).is_some() {
+                        self.error(span, "a second word that says what the variable is for");
+                        return None;
+                    }
+                }
+                Qualifier::Smooth => interpolation = Some(Interpolation::Smooth),
+                Qualifier::Flat => interpolation = Some(Interpolation::Flat),
+                Qualifier::NoPerspective => interpolation = Some(Interpolation::NoPerspective),
+                // Invariance always holds, and every sample is at the centre.
+                Qualifier::Invariant | Qualifier::Centroid | Qualifier::Precision => {}
+            }
+        }
+        let smooth = interpolation.unwrap_or(Interpolation::Smooth);
+        let Some((qualifier, span)) = storage else { return Some(Storage::Plain) };
+        let old = self.version < Version::V130;
+        let stage = stage_name(self.stage);
+        let wrong = match (qualifier, self.stage) {
+            (Qualifier::Const, _) => return Some(Storage::Const),
+            (Qualifier::Uniform, _) => return Some(Storage::Uniform),
+            (Qualifier::In | Qualifier::Out, _) if old => {
+                let (attribute, word) = match (qualifier, self.stage) {
+                    (Qualifier::In, Stage::Vertex) => ("attribute", "in"),
+                    (Qualifier::In, Stage::Fragment) => ("varying", "in"),
+                    _ => ("varying", "out"),
+                };
+                let message = format!("`{word}` of global variables came with `#version 130`");
+                let problem = Diagnostic::error(span, message)
+                    .rule(format!("{} section 4.3", self.version.title()));
+                let help = format!("write `{attribute}`, or `#version 130` first");
+                self.log.push(problem.help(help));
+                // Taken as what it means in 1.30, so that only this is reported.
+                return Some(match (qualifier, self.stage) {
+                    (Qualifier::In, Stage::Vertex) => Storage::Attribute,
+                    (Qualifier::In, Stage::Fragment) => Storage::Input(smooth),
+                    (_, Stage::Vertex) => Storage::Output(smooth),
+                    (_, Stage::Fragment) => Storage::FragmentOutput,
+                });
+            }
+            (Qualifier::Attribute | Qualifier::In, Stage::Vertex) => {
+                return Some(Storage::Attribute);
+            }
+            (Qualifier::Varying | Qualifier::Out, Stage::Vertex) => {
+                return Some(Storage::Output(smooth));
+            }
+            (Qualifier::Varying | Qualifier::In, Stage::Fragment) => {
+                return Some(Storage::Input(smooth));
+            }
+            (Qualifier::Out, Stage::Fragment) => return Some(Storage::FragmentOutput),
+            (Qualifier::Attribute, Stage::Fragment) => {
+                format!("the {stage} stage has no attributes")
+            }
+            (Qualifier::Inout, _) => "`inout` is for parameters only".to_owned(),
+            _ => "this word does not fit a global variable".to_owned(),
+        };
+        let rule = format!("{} section 4.3", self.version.title());
+        self.log.push(Diagnostic::error(span, wrong).rule(rule));
+        None
+    }
+
+    /// Which types may pass between the stages (GLSL 1.30 sections 4.3.4 to 4.3.6).
+    fn check_interface(&mut self, storage: Storage, ty: &Type, span: Span) {
+        let integer = |ty: &Type| {
+            ty.any(&|part| matches!(part, Type::Vector(Scalar::Int | Scalar::Uint, _)))
+        };
+        let boolean = ty.any(&|part| matches!(part, Type::Vector(Scalar::Bool, _)));
+        let structure = ty.any(&|part| matches!(part, Type::Struct(_)));
+        let old = self.version < Version::V130;
+        let wrong = match storage {
+            Storage::Attribute => {
+                if boolean || structure || ty.has_array() || (old && integer(ty)) {
+                    Some("a vertex attribute is a float, a vector or a matrix of floats")
+                } else {
+                    None
+                }
+            }
+            Storage::Output(interpolation) | Storage::Input(interpolation) => {
+                if boolean || (structure && old) || (old && integer(ty)) {
+                    Some("what passes between the stages is made of floats")
+                } else if integer(ty) && interpolation != Interpolation::Flat && !self.is_vertex() {
+                    Some("integers that pass between the stages are `flat`")
+                } else {
+                    None
+                }
+            }
+            Storage::FragmentOutput => {
+                let fits = match ty {
+                    Type::Vector(scalar, _) => *scalar != Scalar::Bool,
+                    Type::Error => true,
+                    _ => false,
+                };
+                (!fits).then_some("an output of the fragment stage is a scalar or a vector")
+            }
+            Storage::Plain
+            | Storage::Const
+            | Storage::Uniform
+            | Storage::Parameter(_)
+            | Storage::Builtin(_) => None,
+        };
+        if let Some(message) = wrong {
+            let rule = format!("{} section 4.3", self.version.title());
+            self.log.push(Diagnostic::error(span, format!("{message}; this is {ty}")).rule(rule));
+        }
+    }
+
+    /// A redeclaration of `gl_TexCoord` with a size, or of another built-in with qualifiers.
+    fn redeclares_builtin(&mut self, declared: &ast::Declarator, ty: &Type) -> bool {
+        let name = &declared.name;
+        if !name.text.starts_with("gl_") {
+            return false;
+        }
+        let known = match self.scopes.find_global(&name.text) {
+            Some(Symbol::Variable(var)) => Some(*var),
+            _ => self.builtin_variable(&name.text),
+        };
+        let Some(var) = known else { return false };
+        let known = self.variable(var).ty.clone();
+        let fits = match (&known, ty) {
+            (Type::Array(a, Some(limit)), Type::Array(b, len)) => {
+                a == b && len.is_none_or(|len| len <= *limit)
+            }
+            _ => known == *ty,
+        };
+        if !fits && *ty != Type::Error {
+            self.error(name.span, format!("`{}` is {known}, not {ty}", name.text));
+        }
+        true
+    }
+
+    /// The second declaration of an array, which brings its size.
+    fn completes_array(&mut self, declared: &ast::Declarator, ty: &Type) -> bool {
+        let Some(Symbol::Variable(var)) = self.scopes.find_innermost(&declared.name.text) else {
+            return false;
+        };
+        let var = *var;
+        let (Type::Array(old, None), Type::Array(new, Some(_))) = (&self.variable(var).ty, ty)
+        else {
+            return false;
+        };
+        if old != new {
+            return false;
+        }
+        self.variable_mut(var).ty = ty.clone();
+        true
+    }
+
+    /// Makes an array without a size at least `len` long.
+    pub(super) fn grow(&mut self, var: VarRef, len: u32) {
+        let variable = self.variable_mut(var);
+        variable.indexed = variable.indexed.max(len);
+    }
+
+    /// Gives the arrays without a size the one that their largest index needs.
+    pub(super) fn settle_arrays(&mut self) {
+        for variable in &mut self.unit.globals {
+            if let Type::Array(element, None) = &variable.ty
+                && variable.indexed > 0
+            {
+                variable.ty = Type::Array(element.clone(), Some(variable.indexed));
+            }
+        }
+    }
+}

@@ -1,0 +1,180 @@
+//! Functions: prototypes, definitions, parameters (GLSL 1.30 section 6.1).
+
+use super::scope::Symbol;
+use super::{Body, Checker};
+use crate::glsl::ast::{self, Qualifier};
+use crate::glsl::diagnostics::Diagnostic;
+use crate::glsl::hir::{Direction, Function, Storage, VarRef, Variable};
+use crate::glsl::types::Type;
+
+impl Checker<'_> {
+    pub(super) fn function(&mut self, declared: &ast::Function) {
+        let result = self.type_of(&declared.ty.ty, None);
+        for (qualifier, span) in &declared.ty.qualifiers {
+            if *qualifier != Qualifier::Precision {
+                self.error(*span, "what a function returns takes no such word");
+            }
+        }
+        if result.has_sampler() || matches!(result, Type::Array(_, None)) {
+            self.error(declared.ty.ty.span, format!("a function cannot return {result}"));
+        }
+        let mut directions = Vec::new();
+        let mut locals = Vec::new();
+        for parameter in &declared.parameters {
+            let (direction, variable) = self.parameter(parameter);
+            directions.push(direction);
+            locals.push(variable);
+        }
+        let function = Function {
+            name: declared.name.text.clone(),
+            directions,
+            result,
+            locals,
+            body: None,
+            span: declared.name.span,
+            calls: Vec::new(),
+            globals: Vec::new(),
+        };
+        if &*declared.name.text == "main"
+            && (function.result != Type::Void || !function.directions.is_empty())
+        {
+            let rule = format!("{} section 6.1: `void main()`", self.version.title());
+            let message = "`main` returns nothing and takes nothing";
+            self.log.push(Diagnostic::error(declared.name.span, message).rule(rule));
+        }
+        let Some(index) = self.declare_function(declared, function) else { return };
+        if let Some(body) = &declared.body {
+            self.function_body(index, body, declared);
+        }
+    }
+
+    fn parameter(&mut self, parameter: &ast::Parameter) -> (Direction, Variable) {
+        let mut direction = Direction::In;
+        for (qualifier, span) in &parameter.ty.qualifiers {
+            match qualifier {
+                Qualifier::In => direction = Direction::In,
+                Qualifier::Out => direction = Direction::Out,
+                Qualifier::Inout => direction = Direction::Inout,
+                Qualifier::Const | Qualifier::Precision => {}
+                Qualifier::Attribute
+                | Qualifier::Varying
+                | Qualifier::Uniform
+                | Qualifier::Centroid
+                | Qualifier::Invariant
+                | Qualifier::Smooth
+                | Qualifier::Flat
+                | Qualifier::NoPerspective => {
+                    self.error(*span, "a parameter is `in`, `out`, `inout` or `const in`");
+                }
+            }
+        }
+        let ty = self.type_of(&parameter.ty.ty, parameter.array.as_ref());
+        let span = parameter.name.as_ref().map_or(parameter.ty.ty.span, |name| name.span);
+        if matches!(ty, Type::Void | Type::Array(_, None)) {
+            self.error(span, format!("a parameter cannot be {ty}"));
+        }
+        if ty.has_sampler() && direction != Direction::In {
+            self.error(span, "a sampler cannot be an `out` parameter");
+        }
+        let constant = parameter.ty.qualifiers.iter().any(|(q, _)| *q == Qualifier::Const);
+        let storage =
+            if constant { Storage::Const } else { Storage::Parameter(direction) };
+        let variable = Variable {
+            name: parameter.name.as_ref().map_or("".into(), |name| name.text.clone()),
+            ty,
+            storage,
+            span,
+            type_span: None,
+            written: direction != Direction::In,
+            dynamic: false,
+            indexed: 0,
+            used: false,
+            constant: None,
+            init: None,
+        };
+        (direction, variable)
+    }
+
+    /// Enters a function, or finds the prototype that announced it.
+    fn declare_function(&mut self, declared: &ast::Function, new: Function) -> Option<usize> {
+        let name = &declared.name;
+        let mut known = match self.scopes.find_global(&name.text) {
+            Some(Symbol::Functions(all)) => all.clone(),
+            Some(Symbol::Undeclared(_)) | None => Vec::new(),
+            Some(Symbol::Variable(_) | Symbol::Struct(_)) => {
+                self.check_new(name);
+                return None;
+            }
+        };
+        if name.text.starts_with("gl_") {
+            self.check_new(name);
+        }
+        let same = known.iter().copied().find(|&index| {
+            let other = &self.unit.functions[index as usize];
+            other.parameters().eq(new.parameters())
+        });
+        if let Some(index) = same {
+            let other = &self.unit.functions[index as usize];
+            let rule = format!("{} section 6.1", self.version.title());
+            let line = self.source.position(other.span.start).line;
+            let problem = if other.result != new.result || other.directions != new.directions {
+                Some(format!("`{}` differs from its declaration in line {line}", name.text))
+            } else if other.body.is_some() && declared.body.is_some() {
+                Some(format!("`{}` is defined already, in line {line}", new.signature()))
+            } else {
+                None
+            };
+            if let Some(message) = problem {
+                self.log.push(Diagnostic::error(name.span, message).rule(rule));
+                return None;
+            }
+            if declared.body.is_some() {
+                let old = &mut self.unit.functions[index as usize];
+                *old = new;
+            }
+            return Some(index as usize);
+        }
+        let index = self.unit.functions.len();
+        self.unit.functions.push(new);
+        known.push(index as u32);
+        self.scopes.add_global(name.text.clone(), Symbol::Functions(known));
+        Some(index)
+    }
+
+    fn function_body(&mut self, index: usize, body: &[ast::Stmt], declared: &ast::Function) {
+        let function = &self.unit.functions[index];
+        let (locals, result) = (function.locals.clone(), function.result.clone());
+        self.body = Some(Body {
+            function: index,
+            result: Some(result.clone()),
+            locals,
+            ..Body::default()
+        });
+        self.scopes.open();
+        for (number, parameter) in declared.parameters.iter().enumerate() {
+            if let Some(name) = &parameter.name {
+                self.check_new(name);
+                let var = VarRef::Local(number as u32);
+                self.scopes.add(name.text.clone(), Symbol::Variable(var));
+            }
+        }
+        let statements = self.statements(body);
+        self.scopes.close();
+        let Some(body) = self.body.take() else { return };
+        if result != Type::Void && result != Type::Error && !body.returns {
+            let message = format!("`{}` never returns a value", declared.name.text);
+            let rule = format!("{} section 6.1", self.version.title());
+            self.log.push(Diagnostic::error(declared.name.span, message).rule(rule));
+        }
+        let function = &mut self.unit.functions[index];
+        function.locals = body.locals;
+        function.body = Some(statements);
+        function.calls = body.calls;
+        function.globals = body.globals.into_iter().collect();
+    }
+
+    /// Which way a parameter goes, for messages about `return`.
+    pub(super) fn result_type(&self) -> Option<&Type> {
+        self.body.as_ref().and_then(|body| body.result.as_ref())
+    }
+}

@@ -1,0 +1,179 @@
+//! Syntax tree to checked shader: names, types, qualifiers, constants (GLSL 1.30 chapters 4 to 6).
+
+mod call;
+mod construct;
+mod decl;
+mod expr;
+mod functions;
+mod lvalue;
+mod operators;
+mod recursion;
+mod scope;
+mod stmt;
+
+use super::ast::Item;
+use super::diagnostics::{Diagnostic, Log};
+use super::hir::{Expr, Stmt, Unit, VarRef, Variable};
+use super::source::{Source, Span};
+use super::types::Type;
+use super::version::Version;
+use rasterizer::ir::Stage;
+pub use recursion::recursive_call;
+use scope::{Scopes, Undeclared};
+use std::sync::Arc;
+
+/// What is known while a function's body is checked.
+#[derive(Debug, Default)]
+struct Body {
+    /// The function's index in the unit.
+    function: usize,
+    /// What it returns.
+    result: Option<Type>,
+    /// Parameters and local variables so far.
+    locals: Vec<Variable>,
+    /// How many loops are open.
+    loops: u32,
+    /// How many loops and switches are open.
+    breakable: u32,
+    /// The functions called.
+    calls: Vec<(u32, Span)>,
+    /// The globals named.
+    globals: std::collections::BTreeSet<u32>,
+    /// Whether a `return` was seen.
+    returns: bool,
+}
+
+/// The state of the checker.
+struct Checker<'a> {
+    source: &'a Source,
+    log: &'a mut Log,
+    stage: Stage,
+    version: Version,
+    unit: Unit,
+    scopes: Scopes,
+    undeclared: Vec<Undeclared>,
+    body: Option<Body>,
+    /// The globals that initializers of globals name.
+    outside: std::collections::BTreeSet<u32>,
+}
+
+/// Checks a shader; what is wrong is in the log.
+pub fn check(
+    items: &[Item],
+    stage: Stage,
+    version: Version,
+    source: &Source,
+    log: &mut Log,
+) -> Unit {
+    let unit = Unit { stage, version, globals: Vec::new(), functions: Vec::new() };
+    let mut checker = Checker {
+        source,
+        log,
+        stage,
+        version,
+        unit,
+        scopes: Scopes::new(),
+        undeclared: Vec::new(),
+        body: None,
+        outside: std::collections::BTreeSet::new(),
+    };
+    for item in items {
+        match item {
+            Item::Declaration(declaration) => checker.global_declaration(declaration),
+            Item::Function(function) => checker.function(function),
+            Item::Invariant(names) => checker.invariant(names),
+        }
+        if checker.log.is_full() {
+            break;
+        }
+    }
+    checker.finish()
+}
+
+impl Checker<'_> {
+    fn finish(mut self) -> Unit {
+        self.report_undeclared();
+        self.settle_arrays();
+        let missing_size = |variable: &Variable| matches!(variable.ty, Type::Array(_, None));
+        for index in 0..self.unit.globals.len() {
+            if missing_size(&self.unit.globals[index]) {
+                let variable = &self.unit.globals[index];
+                let message = format!("the array `{}` never gets a size", variable.name);
+                self.log.push(Diagnostic::error(variable.span, message));
+            }
+        }
+        if let Some((name, span)) = recursive_call(&self.unit.functions) {
+            let message = format!("`{name}` calls itself, directly or through others");
+            let rule = "GLSL 1.30 section 6.1: recursion is not allowed";
+            self.log.push(Diagnostic::error(span, message).rule(rule));
+        }
+        if !self.log.has_errors() {
+            self.both_color_outputs();
+        }
+        self.unit
+    }
+
+    /// A shader may write `gl_FragColor` or `gl_FragData`, not both (GLSL 1.30 section 7.2).
+    fn both_color_outputs(&mut self) {
+        let written = |name: &str| {
+            self.unit.globals.iter().any(|global| &*global.name == name && global.written)
+        };
+        if written("gl_FragColor") && written("gl_FragData") {
+            let message = "`gl_FragColor` and `gl_FragData` are both written";
+            let span = Span::default();
+            self.log.push(Diagnostic::error(span, message).rule("GLSL 1.30 section 7.2"));
+        }
+    }
+
+    fn error(&mut self, span: Span, message: impl Into<String>) {
+        self.log.push(Diagnostic::error(span, message));
+    }
+
+    fn variable(&self, var: VarRef) -> &Variable {
+        match var {
+            VarRef::Global(index) => &self.unit.globals[index as usize],
+            VarRef::Local(index) => match &self.body {
+                Some(body) => &body.locals[index as usize],
+                None => unreachable!("locals are named in bodies only"),
+            },
+        }
+    }
+
+    fn variable_mut(&mut self, var: VarRef) -> &mut Variable {
+        match var {
+            VarRef::Global(index) => &mut self.unit.globals[index as usize],
+            VarRef::Local(index) => match &mut self.body {
+                Some(body) => &mut body.locals[index as usize],
+                None => unreachable!("locals are named in bodies only"),
+            },
+        }
+    }
+
+    /// Notes that a variable is named here.
+    fn note_use(&mut self, var: VarRef) {
+        self.variable_mut(var).used = true;
+        if let VarRef::Global(index) = var {
+            match &mut self.body {
+                Some(body) => body.globals.insert(index),
+                None => self.outside.insert(index),
+            };
+        }
+    }
+
+    /// The words of a constant expression.
+    fn evaluate(&self, expr: &Expr) -> Option<Arc<[u32]>> {
+        if !expr.constant || expr.is_error() {
+            return None;
+        }
+        let locals = self.body.as_ref().map_or(&[][..], |body| &body.locals);
+        super::lower::constant(expr, &self.unit.globals, locals).map(Arc::from)
+    }
+
+    /// A body of statements in a scope of its own.
+    fn scoped(&mut self, check: impl FnOnce(&mut Self) -> Vec<Stmt>) -> Vec<Stmt> {
+        self.scopes.open();
+        let statements = check(self);
+        self.scopes.close();
+        statements
+    }
+}

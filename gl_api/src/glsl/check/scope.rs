@@ -1,0 +1,173 @@
+//! Names: scopes, and what to do about a name that is not declared.
+
+use super::Checker;
+use crate::glsl::builtins::{functions, variables};
+use crate::glsl::diagnostics::{Diagnostic, Edit, Suggestion, edit_distance};
+use crate::glsl::hir::VarRef;
+use crate::glsl::source::Span;
+use crate::glsl::types::Struct;
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+/// What a name means.
+#[derive(Clone, Debug)]
+pub enum Symbol {
+    /// A variable.
+    Variable(VarRef),
+    /// A structure.
+    Struct(Arc<Struct>),
+    /// Functions: their indices in the unit.
+    Functions(Vec<u32>),
+    /// Nothing: reported, by index into the undeclared names.
+    Undeclared(usize),
+}
+
+/// The open scopes; the first is the global one.
+#[derive(Debug)]
+pub struct Scopes {
+    open: Vec<BTreeMap<Arc<str>, Symbol>>,
+}
+
+impl Scopes {
+    /// The global scope.
+    pub fn new() -> Self {
+        Self { open: vec![BTreeMap::new()] }
+    }
+
+    /// Opens a scope.
+    pub fn open(&mut self) {
+        self.open.push(BTreeMap::new());
+    }
+
+    /// Closes the innermost scope.
+    pub fn close(&mut self) {
+        self.open.pop();
+    }
+
+    /// What a name means here.
+    pub fn find(&self, name: &str) -> Option<&Symbol> {
+        self.open.iter().rev().find_map(|scope| scope.get(name))
+    }
+
+    /// What a name means in the innermost scope.
+    pub fn find_innermost(&self, name: &str) -> Option<&Symbol> {
+        self.open.last().and_then(|scope| scope.get(name))
+    }
+
+    /// What a name means in the global scope.
+    pub fn find_global(&self, name: &str) -> Option<&Symbol> {
+        self.open[0].get(name)
+    }
+
+    /// Adds a name to the innermost scope.
+    pub fn add(&mut self, name: Arc<str>, symbol: Symbol) {
+        if let Some(scope) = self.open.last_mut() {
+            scope.insert(name, symbol);
+        }
+    }
+
+    /// Adds a name to the global scope.
+    pub fn add_global(&mut self, name: Arc<str>, symbol: Symbol) {
+        self.open[0].insert(name, symbol);
+    }
+
+    fn names(&self) -> impl Iterator<Item = (&Arc<str>, &Symbol)> {
+        self.open.iter().rev().flatten()
+    }
+}
+
+/// A variable whose name is close to one that is not declared.
+#[derive(Debug)]
+struct Candidate {
+    distance: usize,
+    name: Arc<str>,
+    /// The variable and, of a local one, its function; `None` for what the language brings.
+    declared: Option<(VarRef, Option<usize>)>,
+}
+
+/// A name that is used and not declared.
+#[derive(Debug)]
+pub struct Undeclared {
+    name: Arc<str>,
+    /// Everywhere it is used.
+    uses: Vec<Span>,
+    candidates: Vec<Candidate>,
+}
+
+impl Checker<'_> {
+    /// Notes the use of a name that is not declared.
+    pub(super) fn undeclared(&mut self, name: &Arc<str>, span: Span) {
+        if let Some(Symbol::Undeclared(index)) = self.scopes.find(name) {
+            self.undeclared[*index].uses.push(span);
+            return;
+        }
+        let limit = (name.len() / 3).clamp(1, 3);
+        let function = self.body.as_ref().map(|body| body.function);
+        let declared = self.scopes.names().filter_map(|(near, symbol)| match symbol {
+            Symbol::Variable(var) => {
+                let of = match var {
+                    VarRef::Local(_) => function,
+                    VarRef::Global(_) => None,
+                };
+                edit_distance(name, near, limit).map(|distance| Candidate {
+                    distance,
+                    name: near.clone(),
+                    declared: Some((*var, of)),
+                })
+            }
+            Symbol::Struct(_) | Symbol::Functions(_) | Symbol::Undeclared(_) => None,
+        });
+        let mut candidates: Vec<Candidate> = declared.collect();
+        for near in variables::names(self.stage, self.version) {
+            if let Some(distance) = edit_distance(name, near, limit) {
+                candidates.push(Candidate { distance, name: near.into(), declared: None });
+            }
+        }
+        candidates.sort_by_key(|candidate| candidate.distance);
+        let index = self.undeclared.len();
+        self.undeclared.push(Undeclared { name: name.clone(), uses: vec![span], candidates });
+        self.scopes.add_global(name.clone(), Symbol::Undeclared(index));
+    }
+
+    /// Reports the undeclared names, now that it is known which declared ones nobody uses.
+    pub(super) fn report_undeclared(&mut self) {
+        for undeclared in std::mem::take(&mut self.undeclared) {
+            let Undeclared { name, uses, candidates } = undeclared;
+            let mut problem = Diagnostic::error(uses[0], format!("`{name}` is not declared"))
+                .rule(format!("{} section 4.2: a name is declared before it is used", {
+                    self.version.title()
+                }));
+            let unused = candidates.iter().find_map(|candidate| {
+                let (var, function) = candidate.declared?;
+                let variable = match (var, function) {
+                    (VarRef::Global(index), _) => self.unit.globals.get(index as usize),
+                    (VarRef::Local(index), Some(function)) => self
+                        .unit
+                        .functions
+                        .get(function)
+                        .and_then(|function| function.locals.get(index as usize)),
+                    (VarRef::Local(_), None) => None,
+                }?;
+                let plain = self.source.slice(variable.span) == &*candidate.name;
+                (!variable.used && plain).then_some((variable.span, candidate.name.clone()))
+            });
+            if let Some((span, near)) = unused {
+                let line = self.source.position(span.start).line;
+                let text = format!(
+                    "`{near}`, declared in line {line}, is never used: declare it as `{name}`"
+                );
+                problem = problem.fix(text, span, name.to_string());
+            } else if let Some(candidate) = candidates.first() {
+                let near = &candidate.name;
+                let plain = |span: &&Span| self.source.slice(**span) == &*name;
+                let edit = |span: &Span| Edit { span: *span, text: near.to_string() };
+                let edits = uses.iter().filter(plain).map(edit).collect();
+                let text = format!("did you mean `{near}`?");
+                problem.suggestion = Some(Suggestion { text, edits });
+            } else if functions::find(&name, self.stage, self.version).next().is_some() {
+                problem = problem.note(format!("`{name}` is a function: it is called with `()`"));
+            }
+            self.log.push(problem);
+        }
+    }
+}

@@ -1,0 +1,237 @@
+//! Checked shader to IR: every vector taken apart into scalars, every call inlined.
+
+mod call;
+pub mod emit;
+mod expr;
+mod interface;
+mod place;
+mod stmt;
+mod texture;
+
+use super::builtins::variables::PerUnit;
+use super::hir::{Expr, Function, Unit, VarRef, Variable};
+use crate::interface::{MAX_TEXTURE_UNITS, StateBinding, StateVar};
+use emit::{Emit, MAX_VALUES};
+pub use interface::{Binding, lower_stage, varying_slots};
+use place::Slot;
+use rasterizer::ir::{Stage, Texture, TextureDecl, Ty, Value, Var};
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+/// How deep statements, expressions and calls may stand inside one another, calls inlined.
+const MAX_DEPTH: u32 = 1024;
+
+/// Why a stage cannot be lowered; ends up in the link log.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Failure(pub String);
+
+type Lowered<T> = Result<T, Failure>;
+
+/// The uniform words of a program, and the state among them.
+#[derive(Clone, Debug, Default)]
+pub struct Words {
+    /// The next free word.
+    pub next: u32,
+    /// State that is read.
+    pub state: Vec<StateBinding>,
+    /// State of all units in a row.
+    arrays: BTreeMap<PerUnit, u32>,
+}
+
+impl Words {
+    /// The first word of a piece of state.
+    pub fn state(&mut self, var: StateVar) -> u32 {
+        match self.state.iter().find(|binding| binding.var == var) {
+            Some(binding) => binding.word,
+            None => self.add(var),
+        }
+    }
+
+    /// The first word of the state of unit 0, the other units following.
+    fn units(&mut self, per: PerUnit) -> u32 {
+        if let Some(&word) = self.arrays.get(&per) {
+            return word;
+        }
+        let first = self.next;
+        for unit in 0..MAX_TEXTURE_UNITS {
+            self.add(per.of(unit));
+        }
+        self.arrays.insert(per, first);
+        first
+    }
+
+    fn add(&mut self, var: StateVar) -> u32 {
+        let word = self.next;
+        self.state.push(StateBinding { var, word });
+        self.next += var.words();
+        word
+    }
+}
+
+/// A construct that `break`, `continue` and `return` may leave.
+#[derive(Clone, Copy, Debug)]
+enum Region {
+    /// The scope of a function.
+    Function,
+    /// A loop.
+    Loop,
+    /// A `switch`, which is a scope; what jumps out farther sets a flag.
+    Switch { returned: Option<Var>, continued: Option<Var> },
+}
+
+/// A function being inlined.
+struct Frame<'a> {
+    /// Which unit it is in.
+    unit: usize,
+    /// Its variables.
+    locals: &'a [Variable],
+    /// Where they live, once they are declared.
+    slots: Vec<Option<Slot>>,
+    /// What is open in it, outermost first.
+    regions: Vec<Region>,
+    /// Where its result goes, if it can return early.
+    result: Vec<Var>,
+    /// Whether declarations may be skipped by a jump to a label, so that each needs a variable.
+    labelled: bool,
+}
+
+/// A stage on its way to IR.
+struct Lowerer<'a> {
+    emit: Emit,
+    /// The globals of each unit.
+    units: Vec<&'a [Variable]>,
+    /// The functions with bodies, by signature.
+    functions: BTreeMap<String, (usize, &'a Function)>,
+    /// The functions of each unit.
+    unit_functions: Vec<&'a [Function]>,
+    /// Where the globals live, by name.
+    globals: BTreeMap<Arc<str>, Slot>,
+    frames: Vec<Frame<'a>>,
+    depth: u32,
+    /// How many loops are open.
+    loops: u32,
+    words: Words,
+    textures: BTreeMap<(u32, u8), Texture>,
+    /// The slots and the words that hold their units.
+    samplers: Vec<(Texture, u32)>,
+}
+
+impl<'a> Lowerer<'a> {
+    fn new(stage: Stage, units: Vec<&'a [Variable]>) -> Self {
+        Self {
+            emit: Emit::new(stage),
+            units,
+            functions: BTreeMap::new(),
+            unit_functions: Vec::new(),
+            globals: BTreeMap::new(),
+            frames: Vec::new(),
+            depth: 0,
+            loops: 0,
+            words: Words::default(),
+            textures: BTreeMap::new(),
+            samplers: Vec::new(),
+        }
+    }
+
+    fn frame(&mut self) -> &mut Frame<'a> {
+        self.frames.last_mut().expect("a frame is open wherever code is lowered")
+    }
+
+    fn open_frame(&mut self, unit: usize, locals: &'a [Variable]) {
+        let slots = vec![None; locals.len()];
+        let (regions, result) = (Vec::new(), Vec::new());
+        let labelled = false;
+        self.frames.push(Frame { unit, locals, slots, regions, result, labelled });
+    }
+
+    /// Fails when there are too many values.
+    fn check_size(&self) -> Lowered<()> {
+        if self.emit.is_full() {
+            return Err(Failure(format!(
+                "function calls and loops expand to too many operations (more than {MAX_VALUES})"
+            )));
+        }
+        Ok(())
+    }
+
+    /// Runs `lower` one level deeper.
+    fn nested<T>(&mut self, lower: impl FnOnce(&mut Self) -> Lowered<T>) -> Lowered<T> {
+        if self.depth >= MAX_DEPTH {
+            let message = "statements, expressions and calls nest too deeply";
+            return Err(Failure(message.to_owned()));
+        }
+        self.depth += 1;
+        let result = lower(self);
+        self.depth -= 1;
+        result
+    }
+
+    /// The declaration of a variable.
+    fn variable(&mut self, var: VarRef) -> &'a Variable {
+        match var {
+            VarRef::Global(index) => {
+                let unit = self.frame().unit;
+                &self.units[unit][index as usize]
+            }
+            VarRef::Local(index) => &self.frame().locals[index as usize],
+        }
+    }
+
+    /// Constant words as values.
+    fn constants(&mut self, words: &[u32], types: &[Ty]) -> Vec<Value> {
+        words.iter().zip(types).map(|(&word, &ty)| self.emit.constant(word, ty)).collect()
+    }
+}
+
+/// The words of a constant expression, if it is one.
+pub fn constant(expr: &Expr, globals: &[Variable], locals: &[Variable]) -> Option<Vec<u32>> {
+    let mut lowerer = Lowerer::new(Stage::Vertex, vec![globals]);
+    lowerer.open_frame(0, locals);
+    let values = lowerer.expr(expr).ok()?;
+    values.into_iter().map(|value| lowerer.emit.known(value)).collect()
+}
+
+/// The functions of some units, by signature, and every unit's.
+fn functions<'a>(units: &[&'a Unit]) -> BTreeMap<String, (usize, &'a Function)> {
+    let mut all = BTreeMap::new();
+    for (index, unit) in units.iter().enumerate() {
+        for function in unit.functions.iter().filter(|function| function.body.is_some()) {
+            all.insert(function.signature(), (index, function));
+        }
+    }
+    all
+}
+
+/// The functions that `main` reaches, `main` first, each with its unit.
+pub fn reachable<'a>(units: &[&'a Unit]) -> Result<Vec<(usize, &'a Function)>, String> {
+    let bodies = functions(units);
+    let Some(&main) = bodies.get("main()") else { return Ok(Vec::new()) };
+    let mut seen = vec![main];
+    let mut names = std::collections::BTreeSet::from(["main()".to_owned()]);
+    let mut next = 0;
+    while next < seen.len() {
+        let (unit, function) = seen[next];
+        next += 1;
+        for &(call, _) in &function.calls {
+            let signature = units[unit].functions[call as usize].signature();
+            match bodies.get(&signature) {
+                Some(&target) => {
+                    if names.insert(signature) {
+                        seen.push(target);
+                    }
+                }
+                None => return Err(signature),
+            }
+        }
+    }
+    Ok(seen)
+}
+
+/// A texture declaration as a key.
+fn texture_key(decl: TextureDecl) -> u8 {
+    let shape = match decl.shape {
+        texunit::image::Shape::D2 => 0,
+        texunit::image::Shape::Cube => 2,
+    };
+    shape + u8::from(decl.compare)
+}

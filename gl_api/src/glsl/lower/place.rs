@@ -1,0 +1,342 @@
+//! Where variables live, and reading and writing parts of them.
+
+use super::{Failure, Lowered, Lowerer};
+use crate::glsl::builtins::variables::PerUnit;
+use crate::glsl::hir::{Expr, ExprKind, VarRef};
+use crate::glsl::types::Type;
+use rasterizer::ir::{Expr as IrExpr, Op, Stmt, Ty, Value, Var};
+use std::rc::Rc;
+
+/// Where the scalars of a variable live.
+#[derive(Clone, Debug)]
+pub enum Slot {
+    /// They are these, and never change.
+    Values(Rc<[Value]>),
+    /// A variable each.
+    Vars(Rc<[Var]>),
+    /// Elements of arrays, one array for each type of scalar, all as long as the variable.
+    Arrays(Rc<Arrays>),
+    /// Uniform words in a row, beginning here.
+    Uniform(u32, Rc<[Ty]>),
+    /// State of each texture unit: so many words a unit.
+    Units(PerUnit, u32),
+    /// A part of another variable.
+    Alias(Rc<Place>),
+}
+
+/// Arrays that hold a variable which is indexed dynamically.
+#[derive(Clone, Debug)]
+pub struct Arrays {
+    /// The type of each scalar.
+    types: Rc<[Ty]>,
+    /// The array of each type.
+    vars: Vec<(Ty, Var)>,
+}
+
+/// A part of a variable.
+#[derive(Clone, Debug)]
+pub struct Place {
+    /// Where the whole variable lives.
+    pub slot: Slot,
+    /// How many scalars the whole variable has.
+    total: u32,
+    /// The first scalar, besides `dynamic`.
+    pub base: u32,
+    /// A `u32` to add, below the total.
+    pub dynamic: Option<Value>,
+    /// The components of a swizzle.
+    components: Option<Vec<u8>>,
+    /// The type of the part.
+    pub ty: Type,
+}
+
+impl Place {
+    /// The scalars of the part, besides `dynamic`.
+    fn offsets(&self) -> Vec<u32> {
+        match &self.components {
+            Some(components) => components.iter().map(|&c| self.base + u32::from(c)).collect(),
+            None => (self.base..self.base + self.ty.scalars()).collect(),
+        }
+    }
+}
+
+impl Lowerer<'_> {
+    /// New variables for scalars of these types; arrays if they are indexed dynamically.
+    pub(super) fn new_slot(&mut self, name: &str, types: &[Ty], dynamic: bool) -> Slot {
+        let builder = &mut self.emit.builder;
+        if !dynamic {
+            return Slot::Vars(types.iter().map(|&ty| builder.variable(name, ty)).collect());
+        }
+        let mut vars: Vec<(Ty, Var)> = Vec::new();
+        for &ty in types {
+            if !vars.iter().any(|(known, _)| *known == ty) {
+                vars.push((ty, builder.array(name, ty, types.len() as u32)));
+            }
+        }
+        Slot::Arrays(Rc::new(Arrays { types: types.into(), vars }))
+    }
+
+    /// Writes every scalar of a variable.
+    pub(super) fn fill(&mut self, slot: &Slot, values: &[Value]) {
+        match slot {
+            Slot::Vars(vars) => {
+                for (&var, &value) in vars.iter().zip(values) {
+                    self.emit.push(Stmt::Store { var, value });
+                }
+            }
+            Slot::Arrays(arrays) => {
+                for (index, &value) in values.iter().enumerate() {
+                    self.store_element(arrays, index as u32, None, value);
+                }
+            }
+            Slot::Values(_) | Slot::Uniform(..) | Slot::Units(..) | Slot::Alias(_) => {}
+        }
+    }
+
+    fn store_element(&mut self, arrays: &Arrays, at: u32, dynamic: Option<Value>, value: Value) {
+        let ty = arrays.types[at as usize];
+        let found = arrays.vars.iter().find(|(known, _)| *known == ty);
+        let Some(&(_, var)) = found else { return };
+        let index = self.index(at, dynamic);
+        if arrays.types.len() == 1 {
+            self.emit.push(Stmt::Store { var, value });
+        } else {
+            self.emit.push(Stmt::StoreAt { var, index, value });
+        }
+    }
+
+    /// `at + dynamic` as a `u32`.
+    fn index(&mut self, at: u32, dynamic: Option<Value>) -> Value {
+        let constant = self.emit.uint(at);
+        match dynamic {
+            None => constant,
+            Some(dynamic) if at == 0 => dynamic,
+            Some(dynamic) => self.emit.op(Op::UAdd, &[dynamic, constant]),
+        }
+    }
+
+    /// Where a variable lives.
+    pub(super) fn slot(&mut self, var: VarRef) -> Lowered<Slot> {
+        let variable = self.variable(var);
+        let known = match var {
+            VarRef::Global(_) => self.globals.get(&variable.name).cloned(),
+            VarRef::Local(index) => self.frame().slots[index as usize].clone(),
+        };
+        if let Some(slot) = known {
+            return Ok(slot);
+        }
+        match &variable.constant {
+            Some(words) => {
+                let types = variable.ty.flat();
+                Ok(Slot::Values(self.constants(words, &types).into()))
+            }
+            None => Err(Failure(format!("`{}` has no storage here", variable.name))),
+        }
+    }
+
+    /// The part of a variable that an expression names; `None` if it is a value.
+    pub(super) fn place(&mut self, expr: &Expr) -> Lowered<Option<Place>> {
+        if expr.root().is_none() {
+            return Ok(None);
+        }
+        self.nested(|lowerer| lowerer.part(expr)).map(Some)
+    }
+
+    fn part(&mut self, expr: &Expr) -> Lowered<Place> {
+        match &expr.kind {
+            ExprKind::Var(var) => {
+                let slot = self.slot(*var)?;
+                let ty = self.variable(*var).ty.clone();
+                Ok(match slot {
+                    Slot::Alias(place) => (*place).clone(),
+                    slot => Place {
+                        slot,
+                        total: ty.scalars(),
+                        base: 0,
+                        dynamic: None,
+                        components: None,
+                        ty,
+                    },
+                })
+            }
+            ExprKind::Field(base, index) => {
+                let mut place = self.part(base)?;
+                if let Type::Struct(structure) = &base.ty {
+                    let before = &structure.fields[..*index as usize];
+                    place.base += before.iter().map(|(_, ty)| ty.scalars()).sum::<u32>();
+                }
+                place.ty = expr.ty.clone();
+                Ok(place)
+            }
+            ExprKind::Swizzle(base, components) => {
+                let mut place = self.part(base)?;
+                let inner = place.components.take();
+                let through = |&c: &u8| inner.as_ref().map_or(c, |inner| inner[usize::from(c)]);
+                place.components = Some(components.iter().map(through).collect());
+                place.ty = expr.ty.clone();
+                Ok(place)
+            }
+            ExprKind::Index(base, index) => {
+                let place = self.part(base)?;
+                let index = self.expr(index)?[0];
+                self.element(place, index, &expr.ty)
+            }
+            _ => Err(Failure("a value is used as a variable".to_owned())),
+        }
+    }
+
+    /// An element of a part; an index out of range means the last element.
+    pub(super) fn element(&mut self, place: Place, index: Value, ty: &Type) -> Lowered<Place> {
+        let stride = ty.scalars().max(1);
+        let len = (place.ty.scalars() / stride).max(1);
+        let index = self.emit.convert(index, Ty::U32);
+        let last = self.emit.uint(len - 1);
+        let index = self.emit.op(Op::UMin, &[index, last]);
+        let mut place = place;
+        if let Some(known) = self.emit.known(index) {
+            match &place.components {
+                Some(components) => place.base += u32::from(components[known as usize]),
+                None => place.base += known * stride,
+            }
+            place.components = None;
+        } else {
+            if place.components.is_some() {
+                let values = self.load(&place)?;
+                let total = values.len() as u32;
+                let slot = Slot::Values(values.into());
+                let (base, dynamic, components) = (0, None, None);
+                place = Place { slot, total, base, dynamic, components, ty: place.ty };
+            }
+            let stride = self.emit.uint(stride);
+            let offset = self.emit.op(Op::UMul, &[index, stride]);
+            place.dynamic = Some(match place.dynamic {
+                Some(other) => self.emit.op(Op::UAdd, &[other, offset]),
+                None => offset,
+            });
+        }
+        place.ty = ty.clone();
+        Ok(place)
+    }
+
+    /// A place that holds these values.
+    pub(super) fn value_place(values: Vec<Value>, ty: Type) -> Place {
+        let total = values.len() as u32;
+        let slot = Slot::Values(values.into());
+        Place { slot, total, base: 0, dynamic: None, components: None, ty }
+    }
+
+    /// Reads a part.
+    pub(super) fn load(&mut self, place: &Place) -> Lowered<Vec<Value>> {
+        let offsets = place.offsets();
+        let slot = place.slot.clone();
+        match (&slot, place.dynamic) {
+            (Slot::Values(values), None) => {
+                Ok(offsets.iter().map(|&at| values[at as usize]).collect())
+            }
+            (Slot::Vars(vars), None) => {
+                Ok(offsets.iter().map(|&at| self.emit.load(vars[at as usize])).collect())
+            }
+            (Slot::Values(values), Some(dynamic)) => {
+                let spilt = self.spill(values);
+                Ok(self.load_elements(&spilt, &offsets, Some(dynamic)))
+            }
+            (Slot::Vars(vars), Some(dynamic)) => {
+                let values: Vec<Value> = vars.iter().map(|&var| self.emit.load(var)).collect();
+                let spilt = self.spill(&values);
+                Ok(self.load_elements(&spilt, &offsets, Some(dynamic)))
+            }
+            (Slot::Arrays(arrays), dynamic) => {
+                let arrays = arrays.clone();
+                Ok(self.load_elements(&arrays, &offsets, dynamic))
+            }
+            (Slot::Uniform(word, types), None) => {
+                let load = |&at: &u32| self.emit.uniform(word + at, types[at as usize]);
+                Ok(offsets.iter().map(load).collect())
+            }
+            (Slot::Uniform(word, types), Some(index)) => {
+                let load = |&at: &u32| {
+                    let (base, len, ty) = (word + at, place.total - at, types[at as usize]);
+                    let uniforms = &mut self.emit.builder.module_mut().uniform_words;
+                    *uniforms = (*uniforms).max(word + place.total);
+                    self.emit.value(IrExpr::UniformAt { base, len, index, ty }, ty)
+                };
+                Ok(offsets.iter().map(load).collect())
+            }
+            (Slot::Units(per, stride), None) => {
+                let load = |&at: &u32| {
+                    let word = self.words.state(per.of((at / stride) as u8));
+                    self.emit.uniform(word + at % stride, Ty::F32)
+                };
+                Ok(offsets.iter().map(load).collect())
+            }
+            (Slot::Units(per, _), Some(_)) => {
+                let word = self.words.units(*per);
+                let types = vec![Ty::F32; place.total as usize];
+                let slot = Slot::Uniform(word, types.into());
+                self.load(&Place { slot, ..place.clone() })
+            }
+            (Slot::Alias(_), _) => Err(Failure("an alias of an alias".to_owned())),
+        }
+    }
+
+    fn load_elements(
+        &mut self,
+        arrays: &Arrays,
+        offsets: &[u32],
+        dynamic: Option<Value>,
+    ) -> Vec<Value> {
+        let mut values = Vec::with_capacity(offsets.len());
+        for &at in offsets {
+            let ty = arrays.types[at as usize];
+            let found = arrays.vars.iter().find(|(known, _)| *known == ty);
+            let Some(&(_, var)) = found else { continue };
+            let index = self.index(at, dynamic);
+            values.push(if arrays.types.len() == 1 {
+                self.emit.load(var)
+            } else {
+                self.emit.load_at(var, index)
+            });
+        }
+        values
+    }
+
+    /// Puts values into arrays, to be indexed dynamically.
+    fn spill(&mut self, values: &[Value]) -> Arrays {
+        let types: Vec<Ty> = values.iter().map(|&value| self.emit.ty(value)).collect();
+        let slot = self.new_slot("spilt", &types, true);
+        self.fill(&slot, values);
+        match slot {
+            Slot::Arrays(arrays) => (*arrays).clone(),
+            Slot::Values(_)
+            | Slot::Vars(_)
+            | Slot::Uniform(..)
+            | Slot::Units(..)
+            | Slot::Alias(_) => Arrays { types: types.into(), vars: Vec::new() },
+        }
+    }
+
+    /// Writes a part.
+    pub(super) fn store(&mut self, place: &Place, values: &[Value]) -> Lowered<()> {
+        let offsets = place.offsets();
+        match (&place.slot, place.dynamic) {
+            (Slot::Vars(vars), None) => {
+                for (&at, &value) in offsets.iter().zip(values) {
+                    self.emit.push(Stmt::Store { var: vars[at as usize], value });
+                }
+                Ok(())
+            }
+            (Slot::Arrays(arrays), dynamic) => {
+                let arrays = arrays.clone();
+                for (&at, &value) in offsets.iter().zip(values) {
+                    self.store_element(&arrays, at, dynamic, value);
+                }
+                Ok(())
+            }
+            (Slot::Vars(_), Some(_))
+            | (Slot::Values(_) | Slot::Uniform(..) | Slot::Units(..) | Slot::Alias(_), _) => {
+                let message = "writing a dynamically indexed swizzle is not supported by DetGL yet";
+                Err(Failure(message.to_owned()))
+            }
+        }
+    }
+}

@@ -1,0 +1,230 @@
+//! Declarations, functions and types (GLSL 1.30 chapters 4 and 6).
+
+use super::keywords::{self, Word};
+use super::{Parsed, Parser};
+use crate::glsl::ast::{
+    ArraySize, Declaration, Declarator, Function, Item, Name, Parameter, Qualifier, QualifiedType,
+    StructDecl, TypeBase, TypeName,
+};
+use crate::glsl::diagnostics::Diagnostic;
+use crate::glsl::lexer::Kind;
+use crate::glsl::version::Version;
+use std::sync::Arc;
+
+impl Parser<'_> {
+    /// One item; `None` for what declares nothing.
+    pub(super) fn item(&mut self) -> Parsed<Option<Item>> {
+        if self.eat(";") {
+            return Ok(None);
+        }
+        if self.is_word("precision") && self.version >= Version::V130 {
+            return self.default_precision().map(|()| None);
+        }
+        if self.is_word("invariant")
+            && keywords::qualifier("invariant", self.version).is_some()
+            && (self.ahead(2).is(";") || self.ahead(2).is(","))
+        {
+            self.bump();
+            let mut names = vec![self.name()?];
+            while self.eat(",") {
+                names.push(self.name()?);
+            }
+            self.expect(";")?;
+            return Ok(Some(Item::Invariant(names)));
+        }
+        let ty = self.qualified_type()?;
+        if self.ahead(1).is("(") && self.token().word().is_some() {
+            return self.function(ty).map(|function| Some(Item::Function(function)));
+        }
+        let declaration = self.declarators(ty)?;
+        self.expect(";")?;
+        Ok(Some(Item::Declaration(declaration)))
+    }
+
+    fn default_precision(&mut self) -> Parsed<()> {
+        self.bump();
+        if !(self.eat_word("lowp") || self.eat_word("mediump") || self.eat_word("highp")) {
+            return self.fail("expected `lowp`, `mediump` or `highp`");
+        }
+        self.type_name()?;
+        self.expect(";")
+    }
+
+    /// Qualifiers and a type.
+    pub(super) fn qualified_type(&mut self) -> Parsed<QualifiedType> {
+        let mut qualifiers = Vec::new();
+        while let Some(word) = self.token().word() {
+            let span = self.span();
+            match keywords::qualifier(word, self.version) {
+                Some(qualifier) => {
+                    self.bump();
+                    qualifiers.push((qualifier, span));
+                }
+                None => {
+                    let later = keywords::later_qualifier(word, self.version);
+                    let Some(later) = later.filter(|_| self.ahead(1).word().is_some()) else {
+                        break;
+                    };
+                    let message = format!("`{word}` is not in {}", self.version.title());
+                    let help = format!("write `#version {}` first", later.number());
+                    self.log.push(Diagnostic::error(span, message).help(help));
+                    self.bump();
+                    // Declared twice would only hide the point.
+                    qualifiers.push((Qualifier::Precision, span));
+                }
+            }
+        }
+        let ty = self.type_name()?;
+        Ok(QualifiedType { qualifiers, ty })
+    }
+
+    /// A type, with the size of an array of it.
+    pub(super) fn type_name(&mut self) -> Parsed<TypeName> {
+        let span = self.span();
+        let base = if self.is_word("struct") {
+            TypeBase::Struct(Arc::new(self.nested(Self::structure)?))
+        } else {
+            let token = self.token();
+            let Some(word) = token.word() else {
+                return self.fail(format!("expected a type, found {}", token.describe()));
+            };
+            match keywords::classify(word, self.version) {
+                Word::Type | Word::Name => {
+                    self.bump();
+                    TypeBase::Named(word.clone())
+                }
+                Word::Keyword => return self.fail(format!("expected a type, found `{word}`")),
+                Word::Reserved => {
+                    return self.fail(format!("`{word}` is reserved for later versions"));
+                }
+            }
+        };
+        let span = span.to(self.last_span());
+        let array = self.array_size()?;
+        if let Some(array) = &array
+            && self.version < Version::V120
+        {
+            self.log.push(
+                Diagnostic::error(array.span, "the size of an array stands after the name")
+                    .rule("GLSL 1.10 section 4.1.9")
+                    .help("write `#version 120` for sizes after the type"),
+            );
+        }
+        Ok(TypeName { span, base, array })
+    }
+
+    /// `[]` or `[size]`, if one is here.
+    pub(super) fn array_size(&mut self) -> Parsed<Option<ArraySize>> {
+        let span = self.span();
+        if !self.eat("[") {
+            return Ok(None);
+        }
+        let size = if self.is("]") {
+            None
+        } else {
+            Some(Box::new(self.nested(Self::conditional)?))
+        };
+        self.expect("]")?;
+        Ok(Some(ArraySize { span: span.to(self.last_span()), size }))
+    }
+
+    fn structure(&mut self) -> Parsed<StructDecl> {
+        self.bump();
+        let name = if self.is("{") { None } else { Some(self.name()?) };
+        self.expect("{")?;
+        let mut fields = Vec::new();
+        while !self.is("}") {
+            if self.kind() == &Kind::End {
+                return self.fail("the structure is not closed by `}`");
+            }
+            let ty = self.qualified_type()?;
+            for (qualifier, span) in &ty.qualifiers {
+                if *qualifier != Qualifier::Precision {
+                    let message = "members of a structure take no qualifiers";
+                    self.log.push(
+                        Diagnostic::error(*span, message).rule("GLSL 1.30 section 4.1.8"),
+                    );
+                }
+            }
+            loop {
+                let name = self.name()?;
+                let array = self.array_size()?;
+                fields.push((ty.ty.clone(), name, array));
+                if !self.eat(",") {
+                    break;
+                }
+            }
+            self.expect(";")?;
+        }
+        self.expect("}")?;
+        Ok(StructDecl { name, fields })
+    }
+
+    /// The names of a declaration, up to the `;`.
+    pub(super) fn declarators(&mut self, ty: QualifiedType) -> Parsed<Declaration> {
+        let mut names = Vec::new();
+        if self.is(";") {
+            return Ok(Declaration { ty, names });
+        }
+        loop {
+            let name = self.declared_name(&ty)?;
+            let array = self.array_size()?;
+            let init = if self.eat("=") { Some(self.assignment()?) } else { None };
+            names.push(Declarator { name, array, init });
+            if !self.eat(",") {
+                return Ok(Declaration { ty, names });
+            }
+        }
+    }
+
+    /// The name after a type; a misspelt qualifier or type before it is the likely mistake.
+    fn declared_name(&mut self, ty: &QualifiedType) -> Parsed<Name> {
+        let misplaced = match &ty.ty.base {
+            TypeBase::Named(word) if self.token().word().is_some() => {
+                let unknown = keywords::classify(word, self.version) == Word::Name;
+                let next = self.token().word().map_or(Word::Name, |next| {
+                    keywords::classify(next, self.version)
+                });
+                let broken = unknown && matches!(next, Word::Type | Word::Keyword);
+                broken.then(|| word.clone())
+            }
+            TypeBase::Named(_) | TypeBase::Struct(_) => None,
+        };
+        let Some(word) = misplaced else { return self.name() };
+        let mut problem = Diagnostic::error(ty.ty.span, format!("unknown word `{word}`"));
+        if let Some(near) = self.near_keyword(&word) {
+            let text = format!("did you mean `{near}`?");
+            problem = problem.fix(text, ty.ty.span, near.to_owned());
+        }
+        self.log.push(problem);
+        Err(super::Broken)
+    }
+
+    fn function(&mut self, ty: QualifiedType) -> Parsed<Function> {
+        let name = self.name()?;
+        self.expect("(")?;
+        let mut parameters = Vec::new();
+        if self.is_word("void") && self.ahead(1).is(")") {
+            self.bump();
+        }
+        while !self.is(")") {
+            if !parameters.is_empty() {
+                self.expect(",")?;
+            }
+            let ty = self.qualified_type()?;
+            let name = if self.token().word().is_some() { Some(self.name()?) } else { None };
+            let array = self.array_size()?;
+            parameters.push(Parameter { ty, name, array });
+        }
+        self.expect(")")?;
+        let body = if self.eat(";") {
+            None
+        } else if self.is("{") {
+            Some(self.nested(Self::block)?)
+        } else {
+            let found = self.token().describe();
+            return self.fail(format!("expected `;` or `{{` after the function's head, found {found}"));
+        };
+        Ok(Function { ty, name, parameters, body })
+    }
+}

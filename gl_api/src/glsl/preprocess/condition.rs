@@ -1,0 +1,165 @@
+//! The expressions of `#if` and `#elif` (GLSL 1.30 section 3.3).
+
+use super::macros::Macros;
+use crate::glsl::diagnostics::Diagnostic;
+use crate::glsl::lexer::{Kind, Literal, Token, literal};
+use crate::glsl::source::{Source, Span};
+use crate::glsl::version::Version;
+
+/// How deep parentheses and signs may nest.
+const MAX_DEPTH: usize = 64;
+
+/// Evaluates a condition.
+pub fn evaluate(
+    span: Span,
+    line: &[Token],
+    macros: &mut Macros,
+    source: &Source,
+    version: Version,
+) -> Result<i64, Diagnostic> {
+    let tokens = macros.expand(resolve_defined(line, macros)?, source, version)?;
+    let mut parser = Parser { tokens: &tokens, at: 0, end: span, depth: 0 };
+    let value = parser.binary(0, Need::Value)?;
+    match parser.tokens.get(parser.at) {
+        None => Ok(value),
+        Some(token) => {
+            Err(Diagnostic::error(token.span, format!("unexpected {}", token.describe())))
+        }
+    }
+}
+
+/// Replaces `defined X` and `defined(X)` before macros are expanded.
+fn resolve_defined(line: &[Token], macros: &Macros) -> Result<Vec<Token>, Diagnostic> {
+    let mut output = Vec::new();
+    let mut rest = line;
+    while let [token, more @ ..] = rest {
+        rest = more;
+        if token.word().is_none_or(|word| &**word != "defined") {
+            output.push(token.clone());
+            continue;
+        }
+        let (name, after) = match more {
+            [open, name, close, after @ ..] if open.is("(") && close.is(")") => (name, after),
+            [name, after @ ..] => (name, after),
+            [] => return Err(Diagnostic::error(token.span, "`defined` needs a name")),
+        };
+        let Some(word) = name.word() else {
+            return Err(Diagnostic::error(name.span, "`defined` needs a name"));
+        };
+        let value = if macros.is_defined(word) { "1" } else { "0" };
+        output.push(Token { kind: Kind::Number(value.into()), span: token.span });
+        rest = after;
+    }
+    Ok(output)
+}
+
+/// Whether an operand's value matters: what `0 &&` and `1 ||` leave out may be undefined.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Need {
+    Value,
+    Nothing,
+}
+
+struct Parser<'a> {
+    tokens: &'a [Token],
+    at: usize,
+    end: Span,
+    depth: usize,
+}
+
+/// Binary operators and how tightly they bind.
+const OPERATORS: [(&str, u8); 18] = [
+    ("||", 1), ("&&", 2), ("|", 3), ("^", 4), ("&", 5), ("==", 6), ("!=", 6), ("<", 7), (">", 7),
+    ("<=", 7), (">=", 7), ("<<", 8), (">>", 8), ("+", 9), ("-", 9), ("*", 10), ("/", 10), ("%", 10),
+];
+
+impl Parser<'_> {
+    fn binary(&mut self, loosest: u8, need: Need) -> Result<i64, Diagnostic> {
+        let mut left = self.unary(need)?;
+        while let Some(token) = self.tokens.get(self.at) {
+            let row = OPERATORS.iter().find(|(name, _)| token.is(name));
+            let Some(&(operator, binding)) = row.filter(|row| row.1 > loosest) else { break };
+            let span = token.span;
+            self.at += 1;
+            let decided = operator == "||" && left != 0 || operator == "&&" && left == 0;
+            let need = if decided { Need::Nothing } else { need };
+            let right = self.binary(binding, need)?;
+            if matches!(operator, "/" | "%") && right == 0 {
+                if need == Need::Value {
+                    return Err(Diagnostic::error(span, "division by zero in the condition"));
+                }
+                continue;
+            }
+            left = apply(operator, left, right);
+        }
+        Ok(left)
+    }
+
+    fn unary(&mut self, need: Need) -> Result<i64, Diagnostic> {
+        let Some(token) = self.tokens.get(self.at) else {
+            return Err(Diagnostic::error(self.end, "the condition is not complete"));
+        };
+        self.at += 1;
+        self.depth += 1;
+        if self.depth > MAX_DEPTH {
+            return Err(Diagnostic::error(token.span, "the condition is nested too deeply"));
+        }
+        let value = match &token.kind {
+            Kind::Punct("-") => self.unary(need)?.wrapping_neg(),
+            Kind::Punct("+") => self.unary(need)?,
+            Kind::Punct("!") => i64::from(self.unary(need)? == 0),
+            Kind::Punct("~") => !self.unary(need)?,
+            Kind::Punct("(") => {
+                let value = self.binary(0, need)?;
+                match self.tokens.get(self.at) {
+                    Some(close) if close.is(")") => self.at += 1,
+                    _ => return Err(Diagnostic::error(token.span, "`(` is not closed")),
+                }
+                value
+            }
+            Kind::Number(text) => match literal(text) {
+                Ok(Literal::Int(value)) => i64::from(value),
+                Ok(Literal::Uint(value)) => i64::from(value),
+                Ok(Literal::Float(_)) | Err(_) => {
+                    let message = format!("{} is not an integer", token.describe());
+                    return Err(Diagnostic::error(token.span, message));
+                }
+            },
+            Kind::Word(name) if need == Need::Value => {
+                return Err(Diagnostic::error(token.span, format!("`{name}` is not defined"))
+                    .rule("GLSL 1.30 section 3.3: undefined names do not count as 0")
+                    .help(format!("test it with `defined({name})`")));
+            }
+            Kind::Word(_) => 0,
+            Kind::Punct(_) | Kind::Stray(_) | Kind::Newline | Kind::End => {
+                let message = format!("unexpected {}", token.describe());
+                return Err(Diagnostic::error(token.span, message));
+            }
+        };
+        self.depth -= 1;
+        Ok(value)
+    }
+}
+
+fn apply(operator: &str, a: i64, b: i64) -> i64 {
+    match operator {
+        "||" => i64::from(a != 0 || b != 0),
+        "&&" => i64::from(a != 0 && b != 0),
+        "|" => a | b,
+        "^" => a ^ b,
+        "&" => a & b,
+        "==" => i64::from(a == b),
+        "!=" => i64::from(a != b),
+        "<" => i64::from(a < b),
+        ">" => i64::from(a > b),
+        "<=" => i64::from(a <= b),
+        ">=" => i64::from(a >= b),
+        "<<" => a.wrapping_shl(b as u32),
+        ">>" => a.wrapping_shr(b as u32),
+        "+" => a.wrapping_add(b),
+        "-" => a.wrapping_sub(b),
+        "*" => a.wrapping_mul(b),
+        "/" => a.wrapping_div(b),
+        _ => a.wrapping_rem(b),
+    }
+}

@@ -1,0 +1,278 @@
+//! The directives: `#define`, `#if`, `#version`, `#extension`, `#line`, `#error`, `#pragma`.
+
+use super::condition;
+use super::macros::Macro;
+use super::{Conditional, Group, Preprocessor};
+use crate::glsl::diagnostics::{Diagnostic, closest};
+use crate::glsl::lexer::{Kind, Token};
+use crate::glsl::source::Span;
+use crate::glsl::version::{EXTENSIONS, Version};
+
+/// The names of the directives.
+const NAMES: [&str; 13] = [
+    "define", "undef", "if", "ifdef", "ifndef", "else", "elif", "endif", "error", "pragma",
+    "extension", "version", "line",
+];
+
+/// How many conditionals can be open at once.
+const MAX_CONDITIONALS: usize = 256;
+
+impl Preprocessor<'_> {
+    pub(super) fn directive(&mut self, hash: &Token, line: &[Token]) {
+        let Some((first, rest)) = line.split_first() else { return };
+        let span = hash.span.to(first.span);
+        let name = first.word().map_or("", |word| word);
+        match name {
+            "if" | "ifdef" | "ifndef" => self.open(name, span, rest),
+            "elif" => self.elif(span, rest),
+            "else" => self.otherwise(span, rest),
+            "endif" => {
+                self.nothing_more(rest);
+                if self.conditionals.pop().is_none() {
+                    self.error(span, "`#endif` without `#if`");
+                }
+            }
+            _ if !self.taking() => {}
+            "define" => self.define(span, rest),
+            "undef" => self.undef(span, rest),
+            "error" => {
+                let text = rest.first().zip(rest.last());
+                let text = text.map(|(a, b)| self.source.slice(a.span.to(b.span)).to_owned());
+                let message = format!("#error {}", text.unwrap_or_default());
+                self.error(span, message.trim_end());
+            }
+            "pragma" => {}
+            "version" => self.version(span, rest),
+            "extension" => self.extension(span, rest),
+            "line" => self.line(span, rest),
+            _ => {
+                let mut problem =
+                    Diagnostic::error(first.span, format!("unknown directive {}", first.describe()))
+                        .rule("GLSL 1.30 section 3.3 lists the directives");
+                if let Some(near) = closest(name, NAMES.into_iter()) {
+                    problem = problem.fix(
+                        format!("did you mean `#{near}`?"),
+                        first.span,
+                        near.to_owned(),
+                    );
+                }
+                self.log.push(problem);
+            }
+        }
+    }
+
+    fn nothing_more(&mut self, rest: &[Token]) {
+        if let Some(token) = rest.first() {
+            let message = format!("unexpected {} after the directive", token.describe());
+            self.log.push(Diagnostic::warning(token.span, message));
+        }
+    }
+
+    /// The name that a directive is about.
+    fn name<'t>(&mut self, span: Span, rest: &'t [Token]) -> Option<(&'t str, &'t [Token])> {
+        match rest {
+            [Token { kind: Kind::Word(name), .. }, more @ ..] => Some((name, more)),
+            _ => {
+                self.error(rest.first().map_or(span, |token| token.span), "a name is expected");
+                None
+            }
+        }
+    }
+
+    fn open(&mut self, kind: &str, span: Span, rest: &[Token]) {
+        if self.conditionals.len() >= MAX_CONDITIONALS {
+            self.error(span, "conditionals are nested too deeply");
+            return;
+        }
+        let state = if !self.taking() {
+            Group::Done
+        } else {
+            let holds = match kind {
+                "if" => self.condition(span, rest),
+                _ => self.name(span, rest).is_some_and(|(name, more)| {
+                    self.nothing_more(more);
+                    self.macros.is_defined(name) == (kind == "ifdef")
+                }),
+            };
+            if holds { Group::Taken } else { Group::Waiting }
+        };
+        self.conditionals.push(Conditional { span, state, after_else: false });
+    }
+
+    fn condition(&mut self, span: Span, rest: &[Token]) -> bool {
+        let value = condition::evaluate(span, rest, &mut self.macros, self.source, self.version);
+        match value {
+            Ok(value) => value != 0,
+            Err(problem) => {
+                self.log.push(problem);
+                false
+            }
+        }
+    }
+
+    fn elif(&mut self, span: Span, rest: &[Token]) {
+        let Some(last) = self.conditionals.last() else {
+            self.error(span, "`#elif` without `#if`");
+            return;
+        };
+        let (state, after_else) = (last.state, last.after_else);
+        if after_else {
+            self.error(span, "`#elif` after `#else`");
+        }
+        let state = match state {
+            Group::Taken | Group::Done => Group::Done,
+            Group::Waiting if self.condition(span, rest) => Group::Taken,
+            Group::Waiting => Group::Waiting,
+        };
+        if let Some(last) = self.conditionals.last_mut() {
+            last.state = state;
+        }
+    }
+
+    fn otherwise(&mut self, span: Span, rest: &[Token]) {
+        self.nothing_more(rest);
+        let Some(last) = self.conditionals.last_mut() else {
+            self.error(span, "`#else` without `#if`");
+            return;
+        };
+        last.state = match last.state {
+            Group::Taken | Group::Done => Group::Done,
+            Group::Waiting => Group::Taken,
+        };
+        if std::mem::replace(&mut last.after_else, true) {
+            self.error(span, "a second `#else` for the same `#if`");
+        }
+    }
+
+    fn define(&mut self, span: Span, rest: &[Token]) {
+        let Some((name, more)) = self.name(span, rest) else { return };
+        let at = rest[0].span;
+        let protected = ["defined", "__LINE__", "__FILE__", "__VERSION__"].contains(&name);
+        if protected || name.starts_with("GL_") {
+            let message = format!("`{name}` cannot be defined");
+            let rule = "GLSL 1.30 section 3.3: predefined names and names that begin with \
+                        GL_ are reserved";
+            self.log.push(Diagnostic::error(at, message).rule(rule));
+            return;
+        }
+        if name.contains("__") {
+            let message = format!("`{name}` holds two underscores in a row, which is reserved");
+            self.log.push(Diagnostic::warning(at, message));
+        }
+        match Macro::parse(at, more) {
+            Ok(new) => {
+                if !self.macros.define(name, new) {
+                    let message = format!("`{name}` is already defined differently");
+                    self.log.push(
+                        Diagnostic::error(at, message)
+                            .help(format!("write `#undef {name}` first")),
+                    );
+                }
+            }
+            Err(problem) => self.log.push(problem),
+        }
+    }
+
+    fn undef(&mut self, span: Span, rest: &[Token]) {
+        let Some((name, more)) = self.name(span, rest) else { return };
+        self.nothing_more(more);
+        if name.starts_with("__") || name.starts_with("GL_") {
+            self.error(rest[0].span, format!("`{name}` cannot be undefined"));
+        } else {
+            self.macros.undefine(name);
+        }
+    }
+
+    fn version(&mut self, span: Span, rest: &[Token]) {
+        let rule = "GLSL 1.30 section 3.3: `#version` comes before anything but comments and blanks";
+        if self.begun {
+            let message = "`#version` is not at the beginning";
+            self.log.push(Diagnostic::error(span, message).rule(rule));
+            return;
+        }
+        let number = match rest.first().map(|token| &token.kind) {
+            Some(Kind::Number(number)) => number.parse::<i32>().ok(),
+            _ => None,
+        };
+        let at = rest.first().map_or(span, |token| token.span);
+        let Some(number) = number else {
+            self.error(at, "a version number is expected");
+            return;
+        };
+        match Version::ALL.into_iter().find(|version| version.number() == number) {
+            Some(version) => {
+                self.version = version;
+                self.nothing_more(&rest[1..]);
+            }
+            None => self.log.push(
+                Diagnostic::error(at, format!("GLSL version {number} is not supported"))
+                    .help("DetGL knows the versions 110, 120 and 130"),
+            ),
+        }
+    }
+
+    fn extension(&mut self, span: Span, rest: &[Token]) {
+        let [name, colon, behaviour, ..] = rest else {
+            self.error(span, "`#extension name : behaviour` is expected");
+            return;
+        };
+        let (Some(extension), true, Some(behaviour_name)) =
+            (name.word(), colon.is(":"), behaviour.word())
+        else {
+            self.error(span, "`#extension name : behaviour` is expected");
+            return;
+        };
+        let known = EXTENSIONS.contains(&&**extension);
+        let all = &**extension == "all";
+        let unknown = format!("extension `{extension}` is not supported");
+        match &**behaviour_name {
+            "require" | "enable" if all => {
+                let message = "`all` can only be warned about or disabled";
+                self.log.push(
+                    Diagnostic::error(span, message).rule("GLSL 1.30 section 3.3, `#extension`"),
+                );
+            }
+            "require" if !known => self.error(name.span, unknown),
+            "enable" | "warn" if !known && !all => {
+                self.log.push(Diagnostic::warning(name.span, unknown));
+            }
+            "require" | "enable" | "warn" | "disable" => {}
+            _ => self.error(
+                behaviour.span,
+                "the behaviour is one of `require`, `enable`, `warn` and `disable`",
+            ),
+        }
+    }
+
+    fn line(&mut self, span: Span, rest: &[Token]) {
+        let expanded = match self.macros.expand(rest.to_vec(), self.source, self.version) {
+            Ok(expanded) => expanded,
+            Err(problem) => {
+                self.log.push(problem);
+                return;
+            }
+        };
+        let number = |token: &Token| match &token.kind {
+            Kind::Number(number) => number.parse::<u32>().ok().map(i64::from),
+            _ => None,
+        };
+        match &expanded[..] {
+            [line] => {
+                if let Some(line) = number(line) {
+                    // Versions before 3.30 number the line of the directive itself, so that the
+                    // next one is `line + 1` (GLSL 1.30 section 3.3).
+                    self.source.renumber(span.start, line + 1, None);
+                    return;
+                }
+            }
+            [line, string] => {
+                if let (Some(line), Some(string)) = (number(line), number(string)) {
+                    self.source.renumber(span.start, line + 1, Some(string));
+                    return;
+                }
+            }
+            _ => {}
+        }
+        self.error(span, "`#line line` or `#line line string` is expected");
+    }
+}

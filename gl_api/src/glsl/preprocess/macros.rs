@@ -1,0 +1,333 @@
+//! Macros and their expansion, bounded in what it may produce.
+
+use crate::glsl::diagnostics::Diagnostic;
+use crate::glsl::lexer::{Kind, Token};
+use crate::glsl::source::{Source, Span};
+use crate::glsl::version::{EXTENSIONS, Version};
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
+
+/// How many tokens the expansions of a shader may produce together.
+const MAX_TOKENS: usize = 1 << 20;
+/// How deep calls of macros may stand in arguments of one another.
+const MAX_DEPTH: usize = 64;
+
+/// A macro.
+#[derive(Clone, Debug)]
+pub struct Macro {
+    /// The parameters; `None` when it takes no parentheses.
+    parameters: Option<Vec<Arc<str>>>,
+    body: Vec<Token>,
+}
+
+impl Macro {
+    /// Reads what follows the name `at` in a `#define`.
+    pub fn parse(at: Span, rest: &[Token]) -> Result<Self, Diagnostic> {
+        // Only a parenthesis without a blank before it begins parameters.
+        let [open, more @ ..] = rest else {
+            return Ok(Self { parameters: None, body: Vec::new() });
+        };
+        if !(open.is("(") && open.span.start == at.end) {
+            return Ok(Self { parameters: None, body: rest.to_vec() });
+        }
+        let Some(close) = more.iter().position(|token| token.is(")")) else {
+            return Err(Diagnostic::error(open.span, "macro parameters are not closed by `)`"));
+        };
+        let mut parameters: Vec<Arc<str>> = Vec::new();
+        for (index, token) in more[..close].iter().enumerate() {
+            match token.word() {
+                Some(name) if index % 2 == 0 && !parameters.contains(name) => {
+                    parameters.push(name.clone());
+                }
+                None if index % 2 == 1 && token.is(",") && index + 1 < close => {}
+                _ => {
+                    let message = "a list of distinct macro parameters is expected";
+                    return Err(Diagnostic::error(token.span, message));
+                }
+            }
+        }
+        Ok(Self { parameters: Some(parameters), body: more[close + 1..].to_vec() })
+    }
+
+    /// Whether a second definition says the same.
+    fn same(&self, other: &Self) -> bool {
+        self.parameters == other.parameters
+            && self.body.len() == other.body.len()
+            && self.body.iter().zip(&other.body).all(|(a, b)| a.kind == b.kind)
+    }
+}
+
+/// A token on its way through the expansion.
+enum Item {
+    Token(Token),
+    /// A token of a macro inside its own expansion: never expanded again.
+    Painted(Token),
+    /// The expansion of this macro ends here.
+    EndOf(Arc<str>),
+}
+
+/// All macros.
+#[derive(Debug)]
+pub struct Macros {
+    table: BTreeMap<Arc<str>, Macro>,
+    produced: usize,
+}
+
+impl Macros {
+    /// The extensions' macros.
+    pub fn new() -> Self {
+        let one = Token { kind: Kind::Number("1".into()), span: Span::default() };
+        let row = |name: &str| (name.into(), Macro { parameters: None, body: vec![one.clone()] });
+        Self { table: EXTENSIONS.into_iter().map(row).collect(), produced: 0 }
+    }
+
+    /// Adds a macro; false if there is a different one.
+    pub fn define(&mut self, name: &str, new: Macro) -> bool {
+        if let Some(old) = self.table.get(name) {
+            return old.same(&new);
+        }
+        self.table.insert(name.into(), new);
+        true
+    }
+
+    /// Removes a macro.
+    pub fn undefine(&mut self, name: &str) {
+        self.table.remove(name);
+    }
+
+    /// Whether a name is a macro.
+    pub fn is_defined(&self, name: &str) -> bool {
+        self.table.contains_key(name) || ["__LINE__", "__FILE__", "__VERSION__"].contains(&name)
+    }
+
+    /// Expands every macro in `tokens`.
+    pub fn expand(
+        &mut self,
+        tokens: Vec<Token>,
+        source: &Source,
+        version: Version,
+    ) -> Result<Vec<Token>, Diagnostic> {
+        let mut produced = self.produced;
+        let mut expansion =
+            Expansion { macros: self, source, version, active: BTreeSet::new(), produced: &mut produced };
+        let result = expansion.run(tokens.into_iter().map(Item::Token).collect(), None, 0);
+        self.produced = produced;
+        let plain = |item| match item {
+            Item::Token(token) | Item::Painted(token) => Some(token),
+            Item::EndOf(_) => None,
+        };
+        Ok(result?.into_iter().filter_map(plain).collect())
+    }
+}
+
+/// One expansion under way.
+struct Expansion<'a> {
+    macros: &'a Macros,
+    source: &'a Source,
+    version: Version,
+    /// The macros whose bodies are being read.
+    active: BTreeSet<Arc<str>>,
+    produced: &'a mut usize,
+}
+
+impl Expansion<'_> {
+    /// `call` is the place of the outermost macro call, for what stands in its expansion.
+    fn run(
+        &mut self,
+        items: Vec<Item>,
+        call: Option<Span>,
+        depth: usize,
+    ) -> Result<Vec<Item>, Diagnostic> {
+        let mut work: Vec<Item> = items.into_iter().rev().collect();
+        let mut output = Vec::new();
+        while let Some(item) = work.pop() {
+            let token = match item {
+                Item::Token(token) => token,
+                Item::Painted(token) => {
+                    output.push(Item::Painted(token));
+                    continue;
+                }
+                Item::EndOf(name) => {
+                    self.active.remove(&name);
+                    continue;
+                }
+            };
+            let at = call.unwrap_or(token.span);
+            let Some(name) = token.word().cloned() else {
+                output.push(Item::Token(token));
+                continue;
+            };
+            if let Some(number) = self.predefined(&name, at) {
+                let kind = Kind::Number(number.to_string().into());
+                output.push(Item::Token(Token { kind, span: at }));
+                continue;
+            }
+            let Some(found) = self.macros.table.get(&name) else {
+                output.push(Item::Token(token));
+                continue;
+            };
+            if self.active.contains(&name) {
+                output.push(Item::Painted(token));
+                continue;
+            }
+            let body = match &found.parameters {
+                None => self.paste(&found.body, &[], &[], token.span)?,
+                Some(parameters) => {
+                    let next = work.iter().rev().find(|item| !matches!(item, Item::EndOf(_)));
+                    if !matches!(next, Some(Item::Token(next)) if next.is("(")) {
+                        output.push(Item::Token(token));
+                        continue;
+                    }
+                    if depth >= MAX_DEPTH {
+                        let message = "macro calls are nested too deeply";
+                        return Err(Diagnostic::error(token.span, message));
+                    }
+                    let raw = self.arguments(&mut work, &token)?;
+                    let count = if raw.len() == 1 && raw[0].is_empty() && parameters.is_empty() {
+                        0
+                    } else {
+                        raw.len()
+                    };
+                    if count != parameters.len() {
+                        let message = format!(
+                            "macro `{name}` takes {} argument(s), not {count}",
+                            parameters.len()
+                        );
+                        return Err(Diagnostic::error(token.span, message));
+                    }
+                    let mut arguments = Vec::new();
+                    for argument in raw {
+                        let items = argument.into_iter().map(Item::Token).collect();
+                        let active = self.active.clone();
+                        arguments.push(self.run(items, None, depth + 1)?);
+                        self.active = active;
+                    }
+                    self.paste(&found.body, parameters, &arguments, token.span)?
+                }
+            };
+            *self.produced += body.len() + 1;
+            if *self.produced > MAX_TOKENS {
+                let message = format!("macros expand to more than {MAX_TOKENS} tokens");
+                return Err(Diagnostic::error(token.span, message));
+            }
+            self.active.insert(name.clone());
+            work.push(Item::EndOf(name));
+            work.extend(body.into_iter().rev());
+        }
+        Ok(output)
+    }
+
+    /// `__LINE__` and the like.
+    fn predefined(&self, name: &str, at: Span) -> Option<i64> {
+        match name {
+            "__LINE__" => Some(self.source.position(at.start).line),
+            "__FILE__" => Some(self.source.position(at.start).string),
+            "__VERSION__" => Some(i64::from(self.version.number())),
+            _ => None,
+        }
+    }
+
+    /// Takes a call's arguments, with both parentheses, off the work.
+    fn arguments(
+        &mut self,
+        work: &mut Vec<Item>,
+        name: &Token,
+    ) -> Result<Vec<Vec<Token>>, Diagnostic> {
+        let mut arguments = vec![Vec::new()];
+        let mut depth = 0usize;
+        while let Some(item) = work.pop() {
+            let token = match item {
+                Item::Token(token) | Item::Painted(token) => token,
+                Item::EndOf(name) => {
+                    self.active.remove(&name);
+                    continue;
+                }
+            };
+            if token.is("(") {
+                depth += 1;
+                if depth == 1 {
+                    continue;
+                }
+            } else if token.is(")") {
+                depth -= 1;
+                if depth == 0 {
+                    return Ok(arguments);
+                }
+            } else if token.is(",") && depth == 1 {
+                arguments.push(Vec::new());
+                continue;
+            }
+            if let Some(last) = arguments.last_mut() {
+                last.push(token);
+            }
+        }
+        let message = format!("the call of macro {} is not closed by `)`", name.describe());
+        Err(Diagnostic::error(name.span, message))
+    }
+
+    /// The body with arguments in place of parameters, `##` applied (GLSL 1.30 section 3.3).
+    fn paste(
+        &self,
+        body: &[Token],
+        parameters: &[Arc<str>],
+        arguments: &[Vec<Item>],
+        at: Span,
+    ) -> Result<Vec<Item>, Diagnostic> {
+        let mut output: Vec<Item> = Vec::new();
+        let mut joining = false;
+        for token in body {
+            if token.is("##") {
+                if output.is_empty() || self.version < Version::V130 {
+                    let message = "`##` has nothing to join here";
+                    return Err(Diagnostic::error(token.span, message)
+                        .rule("GLSL 1.30 section 3.3: `##` joins two tokens, from version 130 on"));
+                }
+                joining = true;
+                continue;
+            }
+            let parameter = token.word().and_then(|w| parameters.iter().position(|p| p == w));
+            let start = output.len();
+            match parameter {
+                Some(index) => {
+                    for item in &arguments[index] {
+                        match item {
+                            Item::Token(t) => output.push(Item::Token(t.clone())),
+                            Item::Painted(t) => output.push(Item::Painted(t.clone())),
+                            Item::EndOf(_) => {}
+                        }
+                    }
+                    if *self.produced + output.len() > MAX_TOKENS {
+                        let message = format!("macros expand to more than {MAX_TOKENS} tokens");
+                        return Err(Diagnostic::error(at, message));
+                    }
+                }
+                None => output.push(Item::Token(Token { kind: token.kind.clone(), span: at })),
+            }
+            if std::mem::take(&mut joining) && start > 0 && start < output.len() {
+                join(&mut output, start, at)?;
+            }
+        }
+        Ok(output)
+    }
+}
+
+/// Joins the tokens at `start - 1` and `start` into one.
+fn join(output: &mut Vec<Item>, start: usize, at: Span) -> Result<(), Diagnostic> {
+    let text = |item: &Item| match item {
+        Item::Token(token) | Item::Painted(token) => match &token.kind {
+            Kind::Word(text) | Kind::Number(text) => text.to_string(),
+            Kind::Punct(text) => (*text).to_owned(),
+            Kind::Stray(_) | Kind::Newline | Kind::End => String::new(),
+        },
+        Item::EndOf(_) => String::new(),
+    };
+    let joined = format!("{}{}", text(&output[start - 1]), text(&output[start]));
+    match &crate::glsl::lexer::tokens(&joined).0[..] {
+        [one, _, _] => {
+            output[start - 1] = Item::Token(Token { kind: one.kind.clone(), span: at });
+            output.remove(start);
+            Ok(())
+        }
+        _ => Err(Diagnostic::error(at, format!("`##` gives `{joined}`, which is no token"))),
+    }
+}

@@ -1,0 +1,127 @@
+//! The preprocessor (GLSL 1.30 section 3.3): directives, conditionals, macros. Tokens in, the
+//! tokens of the program out.
+
+mod condition;
+mod directives;
+mod macros;
+
+use super::diagnostics::{Diagnostic, Log};
+use super::lexer::{Kind, Token, UnclosedComment, tokens};
+use super::source::{Source, Span};
+use super::version::Version;
+use macros::Macros;
+
+/// What comes out.
+#[derive(Debug)]
+pub struct Preprocessed {
+    /// The program; the last is [`Kind::End`].
+    pub tokens: Vec<Token>,
+    /// What `#version` asked for.
+    pub version: Version,
+}
+
+/// An `#if` that is open.
+#[derive(Debug)]
+struct Conditional {
+    /// Where it began.
+    span: Span,
+    /// What its groups do.
+    state: Group,
+    /// Whether `#else` came.
+    after_else: bool,
+}
+
+/// The state of a conditional's current group.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Group {
+    /// Its lines count.
+    Taken,
+    /// Skipped; a later group may be taken.
+    Waiting,
+    /// Skipped; so are all later groups.
+    Done,
+}
+
+/// The state of the preprocessor.
+struct Preprocessor<'a> {
+    source: &'a mut Source,
+    log: &'a mut Log,
+    version: Version,
+    macros: Macros,
+    conditionals: Vec<Conditional>,
+    /// Whether anything but blanks and comments came before.
+    begun: bool,
+}
+
+/// Preprocesses a source. `#line` is applied to the source, so that later messages keep to it.
+pub fn preprocess(source: &mut Source, log: &mut Log) -> Preprocessed {
+    let (all, unclosed) = tokens(source.text());
+    if let Some(UnclosedComment(span)) = unclosed {
+        log.push(Diagnostic::error(span, "comment is not closed by `*/`"));
+    }
+    let mut preprocessor = Preprocessor {
+        source,
+        log,
+        version: Version::V110,
+        macros: Macros::new(),
+        conditionals: Vec::new(),
+        begun: false,
+    };
+    let tokens = preprocessor.run(&all);
+    Preprocessed { tokens, version: preprocessor.version }
+}
+
+impl Preprocessor<'_> {
+    fn run(&mut self, all: &[Token]) -> Vec<Token> {
+        let mut output = Vec::new();
+        // Text lines between directives, expanded together: a macro's arguments may span lines.
+        let mut text: Vec<Token> = Vec::new();
+        for line in all.split_inclusive(|token| token.kind == Kind::Newline) {
+            if self.log.is_full() {
+                break;
+            }
+            let line = match line {
+                [line @ .., last] if matches!(last.kind, Kind::Newline | Kind::End) => line,
+                line => line,
+            };
+            match line {
+                [] => {}
+                [hash, rest @ ..] if hash.is("#") => {
+                    self.flush(&mut text, &mut output);
+                    self.directive(hash, rest);
+                    self.begun = true;
+                }
+                _ => {
+                    self.begun = true;
+                    if self.taking() {
+                        text.extend_from_slice(line);
+                    }
+                }
+            }
+        }
+        self.flush(&mut text, &mut output);
+        for conditional in &self.conditionals {
+            let message = "conditional is not closed by `#endif`";
+            self.log.push(Diagnostic::error(conditional.span, message));
+        }
+        let end = self.source.text().len() as u32;
+        output.push(Token { kind: Kind::End, span: Span { start: end, end } });
+        output
+    }
+
+    fn flush(&mut self, text: &mut Vec<Token>, output: &mut Vec<Token>) {
+        match self.macros.expand(std::mem::take(text), self.source, self.version) {
+            Ok(expanded) => output.extend(expanded),
+            Err(problem) => self.log.push(problem),
+        }
+    }
+
+    /// Whether lines count here.
+    fn taking(&self) -> bool {
+        self.conditionals.iter().all(|conditional| conditional.state == Group::Taken)
+    }
+
+    fn error(&mut self, span: Span, message: impl Into<String>) {
+        self.log.push(Diagnostic::error(span, message));
+    }
+}

@@ -1,0 +1,91 @@
+//! Compiling with repairs: the suggested edits are applied to the text, round by round, until
+//! nothing is left to repair.
+
+use super::diagnostics::{Diagnostic, Edit, Severity};
+use super::source::Span;
+use super::{Compiled, Pass, Stage, compile_once};
+
+/// How many rounds of repairs there are at most: one repair can uncover another mistake.
+const MAX_ROUNDS: usize = 8;
+
+/// Compiles `text`, applying what the diagnostics suggest.
+pub fn compile(stage: Stage, text: &str) -> Compiled {
+    let mut text = text.to_owned();
+    let mut rounds: Vec<Vec<Edit>> = Vec::new();
+    let mut repaired: Vec<Diagnostic> = Vec::new();
+    let mut pass = compile_once(stage, &text);
+    let original = pass.source.clone();
+    while pass.log.has_errors() && rounds.len() < MAX_ROUNDS {
+        let edits = applicable(&pass, &rounds, &mut repaired);
+        if edits.is_empty() {
+            break;
+        }
+        text = apply(&text, &edits);
+        rounds.push(edits);
+        pass = compile_once(stage, &text);
+    }
+    repaired.sort_by_key(|warning| warning.span);
+    let mut log: String = repaired.iter().map(|warning| warning.render(Some(&original))).collect();
+    log.push_str(&pass.log.render(Some(&pass.source)));
+    Compiled { shader: pass.shader(), log }
+}
+
+/// The edits of a pass, in order and apart from each other, and the warnings that tell of them.
+fn applicable(pass: &Pass, rounds: &[Vec<Edit>], repaired: &mut Vec<Diagnostic>) -> Vec<Edit> {
+    let mut edits: Vec<Edit> = Vec::new();
+    for item in &pass.log.items {
+        let Some(suggestion) = &item.suggestion else { continue };
+        let new = &suggestion.edits;
+        let apart = |edit: &Edit| {
+            edits.iter().all(|known| {
+                edit.span.end <= known.span.start && edit.span != known.span
+                    || known.span.end <= edit.span.start && edit.span != known.span
+            })
+        };
+        if item.severity != Severity::Error || new.is_empty() || !new.iter().all(apart) {
+            continue;
+        }
+        let span = item.span.unwrap_or_default();
+        let span = Span { start: original(span.start, rounds), end: original(span.end, rounds) };
+        let message = format!("repaired: {}", item.message);
+        let mut warning = Diagnostic::warning(span, message);
+        warning.rule.clone_from(&item.rule);
+        repaired.push(warning.help(suggestion.text.clone()));
+        edits.extend(new.iter().cloned());
+    }
+    edits.sort_by_key(|edit| edit.span);
+    edits
+}
+
+fn apply(text: &str, edits: &[Edit]) -> String {
+    let mut result = String::with_capacity(text.len() + 64);
+    let mut at = 0;
+    for edit in edits {
+        result.push_str(text.get(at..edit.span.start as usize).unwrap_or(""));
+        result.push_str(&edit.text);
+        at = edit.span.end as usize;
+    }
+    result.push_str(text.get(at..).unwrap_or(""));
+    result
+}
+
+/// Where an offset of the repaired text was in the original.
+fn original(offset: u32, rounds: &[Vec<Edit>]) -> u32 {
+    rounds.iter().rev().fold(offset, |offset, edits| {
+        // How much longer the text before the offset became.
+        let mut grown = 0i64;
+        for edit in edits {
+            let start = i64::from(edit.span.start) + grown;
+            let (new, old) =
+                (edit.text.len() as i64, i64::from(edit.span.end) - i64::from(edit.span.start));
+            if i64::from(offset) <= start {
+                break;
+            }
+            if i64::from(offset) < start + new {
+                return edit.span.start;
+            }
+            grown += new - old;
+        }
+        u32::try_from(i64::from(offset) - grown).unwrap_or(0)
+    })
+}

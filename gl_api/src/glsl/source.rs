@@ -1,0 +1,106 @@
+//! The text of a shader and where things stand in it.
+
+/// A run of bytes of the source.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Span {
+    /// Offset of the first byte.
+    pub start: u32,
+    /// Offset after the last byte.
+    pub end: u32,
+}
+
+impl Span {
+    /// From the start of `self` to the end of `other`.
+    pub fn to(self, other: Self) -> Self {
+        Self { start: self.start.min(other.start), end: self.end.max(other.end) }
+    }
+}
+
+/// Where something stands, as an info log says it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Position {
+    /// The source string number that `#line` set, else 0.
+    pub string: i64,
+    /// The line, from 1, as renumbered by `#line`.
+    pub line: i64,
+    /// The column in characters, from 1.
+    pub column: usize,
+}
+
+/// What a `#line` says about the lines that follow.
+#[derive(Clone, Copy, Debug)]
+struct Renumbering {
+    /// Index of the first line it holds for.
+    first: usize,
+    /// The number of that line.
+    line: i64,
+    /// The source string number.
+    string: i64,
+}
+
+/// A shader's text with its lines.
+#[derive(Clone, Debug)]
+pub struct Source {
+    text: String,
+    /// Offset of the first byte of each line.
+    lines: Vec<u32>,
+    renumberings: Vec<Renumbering>,
+}
+
+impl Source {
+    /// The longest text that is taken, in bytes.
+    pub const MAX_LEN: usize = 1 << 24;
+
+    /// Finds the lines of `text`.
+    pub fn new(text: &str) -> Self {
+        let newlines = text.bytes().enumerate().filter(|&(_, byte)| byte == b'\n');
+        let lines = std::iter::once(0).chain(newlines.map(|(at, _)| at as u32 + 1)).collect();
+        Self { text: text.to_owned(), lines, renumberings: Vec::new() }
+    }
+
+    /// The whole text.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// The text of a span.
+    pub fn slice(&self, span: Span) -> &str {
+        self.text.get(span.start as usize..span.end as usize).unwrap_or("")
+    }
+
+    /// The index of the line that holds a byte.
+    pub fn line_index(&self, offset: u32) -> usize {
+        self.lines.partition_point(|&start| start <= offset).saturating_sub(1)
+    }
+
+    /// The line that holds a byte, without its end, and the offset at which it begins.
+    pub fn line_text(&self, offset: u32) -> (&str, u32) {
+        let start = self.lines[self.line_index(offset)];
+        let rest = &self.text[start as usize..];
+        let line = rest.split('\n').next().unwrap_or("");
+        (line.trim_end_matches('\r'), start)
+    }
+
+    /// What `#line` says of a byte's position.
+    pub fn position(&self, offset: u32) -> Position {
+        let index = self.line_index(offset);
+        let (text, start) = self.line_text(offset);
+        let before = (offset - start) as usize;
+        let column = 1 + text.char_indices().take_while(|&(at, _)| at < before).count();
+        let ruling = self.renumberings.iter().rev().find(|renumbering| renumbering.first <= index);
+        let (string, line) = match ruling {
+            Some(ruling) => {
+                (ruling.string, ruling.line.saturating_add((index - ruling.first) as i64))
+            }
+            None => (0, index as i64 + 1),
+        };
+        Position { string, line, column }
+    }
+
+    /// Applies a `#line`: the line after the one of `directive` gets the number `line`.
+    pub fn renumber(&mut self, directive: u32, line: i64, string: Option<i64>) {
+        let string = string.unwrap_or_else(|| self.position(directive).string);
+        let first = self.line_index(directive) + 1;
+        self.renumberings.push(Renumbering { first, line, string });
+    }
+}

@@ -1,0 +1,277 @@
+//! The types of the language (GLSL 1.30 section 4.1).
+
+use super::version::Version;
+use super::{DataType, Scalar};
+use rasterizer::ir::Ty;
+use std::fmt;
+use std::sync::Arc;
+
+/// How many scalars a variable may have.
+pub const MAX_SCALARS: u32 = 1 << 16;
+
+/// A kind of sampler.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Sampler {
+    /// `sampler1D`.
+    D1,
+    /// `sampler2D`.
+    D2,
+    /// `sampler3D`.
+    D3,
+    /// `samplerCube`.
+    Cube,
+    /// `sampler1DShadow`.
+    D1Shadow,
+    /// `sampler2DShadow`.
+    D2Shadow,
+}
+
+/// A type.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Type {
+    /// `void`.
+    Void,
+    /// A scalar (1 component) or a vector (2 to 4).
+    Vector(Scalar, u8),
+    /// Columns, rows; 2 to 4 each.
+    Matrix(u8, u8),
+    /// A sampler.
+    Sampler(Sampler),
+    /// A structure.
+    Struct(Arc<Struct>),
+    /// An array; `None` until its size is known.
+    Array(Box<Type>, Option<u32>),
+    /// The type of what was wrong already; goes with everything.
+    Error,
+}
+
+/// A structure.
+#[derive(Debug, PartialEq, Eq)]
+pub struct Struct {
+    /// Its name; empty when it has none.
+    pub name: Arc<str>,
+    /// Its members.
+    pub fields: Vec<(Arc<str>, Type)>,
+    /// How many scalars it has.
+    pub scalars: u32,
+    /// How deep structures stand inside one another in it.
+    pub depth: u32,
+}
+
+/// `float`.
+pub const FLOAT: Type = Type::Vector(Scalar::Float, 1);
+/// `int`.
+pub const INT: Type = Type::Vector(Scalar::Int, 1);
+/// `uint`.
+pub const UINT: Type = Type::Vector(Scalar::Uint, 1);
+/// `bool`.
+pub const BOOL: Type = Type::Vector(Scalar::Bool, 1);
+
+/// `vecN`, or `float`.
+pub const fn vec(size: u8) -> Type {
+    Type::Vector(Scalar::Float, size)
+}
+
+/// The words that name types, and since when.
+static NAMES: [(&str, Type, Version); 35] = {
+    use Scalar::{Bool, Float, Int, Uint};
+    use Type::{Matrix, Vector, Void};
+    use Version::{V110, V120, V130};
+    [
+        ("void", Void, V110),
+        ("float", Vector(Float, 1), V110),
+        ("int", Vector(Int, 1), V110),
+        ("bool", Vector(Bool, 1), V110),
+        ("uint", Vector(Uint, 1), V130),
+        ("vec2", Vector(Float, 2), V110),
+        ("vec3", Vector(Float, 3), V110),
+        ("vec4", Vector(Float, 4), V110),
+        ("ivec2", Vector(Int, 2), V110),
+        ("ivec3", Vector(Int, 3), V110),
+        ("ivec4", Vector(Int, 4), V110),
+        ("bvec2", Vector(Bool, 2), V110),
+        ("bvec3", Vector(Bool, 3), V110),
+        ("bvec4", Vector(Bool, 4), V110),
+        ("uvec2", Vector(Uint, 2), V130),
+        ("uvec3", Vector(Uint, 3), V130),
+        ("uvec4", Vector(Uint, 4), V130),
+        ("mat2", Matrix(2, 2), V110),
+        ("mat3", Matrix(3, 3), V110),
+        ("mat4", Matrix(4, 4), V110),
+        ("mat2x2", Matrix(2, 2), V120),
+        ("mat2x3", Matrix(2, 3), V120),
+        ("mat2x4", Matrix(2, 4), V120),
+        ("mat3x2", Matrix(3, 2), V120),
+        ("mat3x3", Matrix(3, 3), V120),
+        ("mat3x4", Matrix(3, 4), V120),
+        ("mat4x2", Matrix(4, 2), V120),
+        ("mat4x3", Matrix(4, 3), V120),
+        ("mat4x4", Matrix(4, 4), V120),
+        ("sampler1D", Type::Sampler(Sampler::D1), V110),
+        ("sampler2D", Type::Sampler(Sampler::D2), V110),
+        ("sampler3D", Type::Sampler(Sampler::D3), V110),
+        ("samplerCube", Type::Sampler(Sampler::Cube), V110),
+        ("sampler1DShadow", Type::Sampler(Sampler::D1Shadow), V110),
+        ("sampler2DShadow", Type::Sampler(Sampler::D2Shadow), V110),
+    ]
+};
+
+impl Type {
+    /// The type that a word names.
+    pub fn named(word: &str, version: Version) -> Option<Self> {
+        let row = NAMES.iter().find(|row| row.0 == word && row.2 <= version);
+        row.map(|row| row.1.clone())
+    }
+
+    /// The words that name types.
+    pub fn names(version: Version) -> impl Iterator<Item = &'static str> {
+        NAMES.iter().filter(move |row| row.2 <= version).map(|row| row.0)
+    }
+
+    /// How many scalars it has; a sampler counts as one. Saturates.
+    pub fn scalars(&self) -> u32 {
+        match self {
+            Self::Void | Self::Error => 0,
+            Self::Vector(_, size) => u32::from(*size),
+            Self::Matrix(columns, rows) => u32::from(columns * rows),
+            Self::Sampler(_) => 1,
+            Self::Struct(structure) => structure.scalars,
+            Self::Array(element, len) => element.scalars().saturating_mul(len.unwrap_or(0)),
+        }
+    }
+
+    /// The types of its scalars, in order; a sampler is its unit, an `i32`.
+    pub fn flat(&self) -> Vec<Ty> {
+        let mut all = Vec::with_capacity(self.scalars() as usize);
+        self.flatten(&mut all);
+        all
+    }
+
+    fn flatten(&self, all: &mut Vec<Ty>) {
+        match self {
+            Self::Void | Self::Error => {}
+            Self::Vector(scalar, size) => all.extend((0..*size).map(|_| scalar.ty())),
+            Self::Matrix(columns, rows) => all.extend((0..columns * rows).map(|_| Ty::F32)),
+            Self::Sampler(_) => all.push(Ty::I32),
+            Self::Struct(structure) => {
+                structure.fields.iter().for_each(|(_, field)| field.flatten(all));
+            }
+            Self::Array(element, len) => {
+                (0..len.unwrap_or(0)).for_each(|_| element.flatten(all));
+            }
+        }
+    }
+
+    /// What a vector or matrix is made of.
+    pub fn scalar(&self) -> Option<Scalar> {
+        match self {
+            Self::Vector(scalar, _) => Some(*scalar),
+            Self::Matrix(..) => Some(Scalar::Float),
+            Self::Void | Self::Sampler(_) | Self::Struct(_) | Self::Array(..) | Self::Error => None,
+        }
+    }
+
+    /// The same shape made of another scalar.
+    pub fn with_scalar(&self, scalar: Scalar) -> Self {
+        match self {
+            Self::Vector(_, size) => Self::Vector(scalar, *size),
+            other => other.clone(),
+        }
+    }
+
+    /// Whether this is a scalar.
+    pub fn is_scalar(&self) -> bool {
+        matches!(self, Self::Vector(_, 1))
+    }
+
+    /// What indexing gives, and how many of them there are (`None`: not known yet).
+    pub fn element(&self) -> Option<(Self, Option<u32>)> {
+        match self {
+            Self::Vector(scalar, size @ 2..) => {
+                Some((Self::Vector(*scalar, 1), Some(u32::from(*size))))
+            }
+            Self::Matrix(columns, rows) => Some((vec(*rows), Some(u32::from(*columns)))),
+            Self::Array(element, len) => Some(((**element).clone(), *len)),
+            Self::Vector(..) | Self::Void | Self::Sampler(_) | Self::Struct(_) | Self::Error => None,
+        }
+    }
+
+    /// The type of the elements, or itself when it is no array.
+    pub fn base(&self) -> &Self {
+        match self {
+            Self::Array(element, _) => element,
+            Self::Void
+            | Self::Vector(..)
+            | Self::Matrix(..)
+            | Self::Sampler(_)
+            | Self::Struct(_)
+            | Self::Error => self,
+        }
+    }
+
+    /// Whether something in it satisfies `test`.
+    pub fn any(&self, test: &dyn Fn(&Self) -> bool) -> bool {
+        test(self)
+            || match self {
+                Self::Struct(structure) => structure.fields.iter().any(|(_, ty)| ty.any(test)),
+                Self::Array(element, _) => element.any(test),
+                Self::Void | Self::Vector(..) | Self::Matrix(..) | Self::Sampler(_) | Self::Error => {
+                    false
+                }
+            }
+    }
+
+    /// Whether it has a sampler in it.
+    pub fn has_sampler(&self) -> bool {
+        self.any(&|ty| matches!(ty, Self::Sampler(_)))
+    }
+
+    /// Whether it has an array in it.
+    pub fn has_array(&self) -> bool {
+        self.any(&|ty| matches!(ty, Self::Array(..)))
+    }
+
+    /// As GL reports an element of it; `None` for what GL does not report.
+    pub fn data_type(&self) -> Option<DataType> {
+        match self {
+            Self::Vector(scalar, size) => Some(DataType::Vector(*scalar, *size)),
+            Self::Matrix(columns, rows) => Some(DataType::Matrix(*columns, *rows)),
+            Self::Sampler(Sampler::D2) => Some(DataType::Sampler2D),
+            Self::Sampler(Sampler::D2Shadow) => Some(DataType::Sampler2DShadow),
+            Self::Sampler(Sampler::Cube) => Some(DataType::SamplerCube),
+            Self::Sampler(Sampler::D1 | Sampler::D3 | Sampler::D1Shadow)
+            | Self::Void
+            | Self::Struct(_)
+            | Self::Array(..)
+            | Self::Error => None,
+        }
+    }
+}
+
+impl Scalar {
+    /// The type in the IR.
+    pub fn ty(self) -> Ty {
+        match self {
+            Self::Float => Ty::F32,
+            Self::Int => Ty::I32,
+            Self::Uint => Ty::U32,
+            Self::Bool => Ty::Bool,
+        }
+    }
+}
+
+impl fmt::Display for Type {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Struct(structure) if structure.name.is_empty() => write!(f, "struct"),
+            Self::Struct(structure) => write!(f, "{}", structure.name),
+            Self::Array(element, Some(len)) => write!(f, "{element}[{len}]"),
+            Self::Array(element, None) => write!(f, "{element}[]"),
+            Self::Error => write!(f, "unknown type"),
+            other => match NAMES.iter().find(|row| row.1 == *other) {
+                Some(row) => write!(f, "{}", row.0),
+                None => write!(f, "unknown type"),
+            },
+        }
+    }
+}

@@ -1,0 +1,282 @@
+//! Program objects: GL 2.1, section 2.15.2.
+
+use super::Objects;
+use super::shaders::{ShaderObject, forget_if_doomed, shader};
+use crate::constants::*;
+use crate::context::{Context, limits};
+use crate::error::{Result, invalid_operation, invalid_value};
+use crate::glsl;
+use crate::interface::MAX_VERTEX_ATTRIBS;
+use crate::types::*;
+use rasterizer::driver::ShaderModule;
+use rasterizer::ir::{IrError, Module};
+
+const SECTION: &str = "GL 2.1, section 2.15.2";
+
+/// Shaders and programs share one space of names.
+#[derive(Debug)]
+pub(crate) enum ShaderOrProgram {
+    Shader(ShaderObject),
+    Program(Box<ProgramObject>),
+}
+
+/// A program object.
+#[derive(Debug, Default)]
+pub(crate) struct ProgramObject {
+    /// Names of the attached shaders.
+    pub attached: Vec<GLuint>,
+    pub bindings: glsl::Bindings,
+    /// The result of the last link; a failed one leaves the program in use as it was until another
+    /// is used, which DetGL does not keep: it is unlinked.
+    pub linked: Option<Linked>,
+    pub log: String,
+    pub validated: bool,
+    pub doomed: bool,
+}
+
+/// A linked program, ready to draw with.
+#[derive(Debug)]
+pub(crate) struct Linked {
+    pub program: glsl::Program,
+    pub vertex: Option<ShaderModule>,
+    pub fragment: Option<ShaderModule>,
+    /// The values of its uniforms; state is filled in when it draws.
+    pub words: Vec<u32>,
+}
+
+impl Objects {
+    /// What a linked program draws with.
+    pub fn linked_program(&self, name: GLuint) -> Option<&Linked> {
+        match self.programs.get(name)? {
+            ShaderOrProgram::Program(program) => program.linked.as_ref(),
+            ShaderOrProgram::Shader(_) => None,
+        }
+    }
+}
+
+/// The program of a name.
+pub(crate) fn program(context: &mut Context, name: GLuint) -> Result<&mut ProgramObject> {
+    match context.objects.programs.get_mut(name) {
+        Some(ShaderOrProgram::Program(program)) => Ok(program),
+        Some(ShaderOrProgram::Shader(_)) => {
+            invalid_operation(SECTION, format!("program = {name} is a shader, not a program"))
+        }
+        None => invalid_value(SECTION, format!("program = {name} is no program")),
+    }
+}
+
+pub(crate) fn create_program(context: &mut Context) -> Result<GLuint> {
+    Ok(context.objects.programs.add(ShaderOrProgram::Program(Box::default())))
+}
+
+pub(crate) fn delete_program(context: &mut Context, name: GLuint) -> Result<()> {
+    if name == 0 {
+        return Ok(());
+    }
+    program(context, name)?.doomed = true;
+    if context.state.bindings.program == name { Ok(()) } else { forget(context, name) }
+}
+
+/// Removes a program and lets go of its shaders.
+fn forget(context: &mut Context, name: GLuint) -> Result<()> {
+    let attached = std::mem::take(&mut program(context, name)?.attached);
+    context.objects.programs.remove(name);
+    for name in attached {
+        release(context, name)?;
+    }
+    Ok(())
+}
+
+/// One program less holds a shader.
+fn release(context: &mut Context, name: GLuint) -> Result<()> {
+    shader(context, name)?.attachments -= 1;
+    forget_if_doomed(context, name)
+}
+
+pub(crate) fn is_program(context: &mut Context, name: GLuint) -> Result<bool> {
+    Ok(matches!(context.objects.programs.get(name), Some(ShaderOrProgram::Program(_))))
+}
+
+pub(crate) fn attach_shader(context: &mut Context, name: GLuint, added: GLuint) -> Result<()> {
+    shader(context, added)?;
+    let program = program(context, name)?;
+    if program.attached.contains(&added) {
+        return invalid_operation(SECTION, format!("shader {added} is attached already"));
+    }
+    program.attached.push(added);
+    shader(context, added)?.attachments += 1;
+    Ok(())
+}
+
+pub(crate) fn detach_shader(context: &mut Context, name: GLuint, gone: GLuint) -> Result<()> {
+    shader(context, gone)?;
+    let program = program(context, name)?;
+    match program.attached.iter().position(|attached| *attached == gone) {
+        Some(place) => {
+            program.attached.remove(place);
+            release(context, gone)
+        }
+        None => invalid_operation(SECTION, format!("shader {gone} is not attached to it")),
+    }
+}
+
+/// A name that a location can be bound to.
+fn checked_name(name: &str) -> Result<&str> {
+    if name.starts_with("gl_") {
+        return invalid_operation(
+            "GL 2.1, section 2.15.3",
+            format!("name = \"{name}\" begins with gl_, which is reserved"),
+        );
+    }
+    Ok(name)
+}
+
+pub(crate) fn bind_attrib_location(
+    context: &mut Context,
+    name: GLuint,
+    index: GLuint,
+    attribute: &str,
+) -> Result<()> {
+    let location = match u8::try_from(index) {
+        Ok(location) if location < MAX_VERTEX_ATTRIBS => location,
+        _ => {
+            return invalid_value(
+                "GL 2.1, section 2.15.3",
+                format!("index = {index} must be below {MAX_VERTEX_ATTRIBS}"),
+            );
+        }
+    };
+    let attribute = checked_name(attribute)?.to_owned();
+    program(context, name)?.bindings.attributes.insert(attribute, location);
+    Ok(())
+}
+
+pub(crate) fn bind_frag_data_location(
+    context: &mut Context,
+    name: GLuint,
+    color: GLuint,
+    output: &str,
+) -> Result<()> {
+    let limit = limits::MAX_COLOR_ATTACHMENTS;
+    if color as usize >= limit {
+        return invalid_value(
+            "GL 3.0, section 3.12.2",
+            format!("color = {color} must be below {limit}"),
+        );
+    }
+    let output = checked_name(output)?.to_owned();
+    program(context, name)?.bindings.frag_data.insert(output, color as u8);
+    Ok(())
+}
+
+/// A linker's result, ready to draw with.
+fn ready(program: glsl::Program) -> std::result::Result<Linked, IrError> {
+    let module = |module: &Option<Module>| module.clone().map(ShaderModule::new).transpose();
+    let (vertex, fragment) = (module(&program.vertex)?, module(&program.fragment)?);
+    let mut words = vec![0; program.words as usize];
+    for uniform in &program.uniforms {
+        let place = words.get_mut(uniform.word as usize..).unwrap_or_default();
+        for (word, initial) in place.iter_mut().zip(&uniform.initial) {
+            *word = *initial;
+        }
+    }
+    Ok(Linked { program, vertex, fragment, words })
+}
+
+pub(crate) fn link_program(context: &mut Context, name: GLuint) -> Result<()> {
+    let attached = program(context, name)?.attached.clone();
+    let mut log = String::new();
+    let mut shaders = Vec::new();
+    for &attached in &attached {
+        let Some(ShaderOrProgram::Shader(shader)) = context.objects.programs.get(attached) else {
+            continue;
+        };
+        match &shader.compiled {
+            Some(compiled) => shaders.push(compiled),
+            None => log.push_str(&format!("error: shader {attached} is not compiled\n")),
+        }
+    }
+    if attached.is_empty() {
+        log.push_str("error: no shader is attached\n");
+    }
+    let mut linked = None;
+    if log.is_empty() {
+        let bindings = match context.objects.programs.get(name) {
+            Some(ShaderOrProgram::Program(program)) => program.bindings.clone(),
+            Some(ShaderOrProgram::Shader(_)) | None => glsl::Bindings::default(),
+        };
+        let result = glsl::link(&shaders, &bindings);
+        log = result.log;
+        match result.program.map(ready).transpose() {
+            Ok(program) => linked = program,
+            Err(error) => log.push_str(&format!("error: internal: {error}\n")),
+        }
+    }
+    let failed = linked.is_none();
+    let program = program(context, name)?;
+    program.linked = linked;
+    program.log = log;
+    program.validated = false;
+    if failed {
+        let text = format!("glLinkProgram: program {name} did not link:\n{}", program.log);
+        context.debug.warn(text);
+    }
+    Ok(())
+}
+
+pub(crate) fn use_program(context: &mut Context, name: GLuint) -> Result<()> {
+    const SECTION: &str = "GL 2.1, section 2.15.2";
+    if name != 0 && program(context, name)?.linked.is_none() {
+        return invalid_operation(
+            SECTION,
+            format!("program {name} is not linked: see glGetProgramInfoLog"),
+        );
+    }
+    let before = std::mem::replace(&mut context.state.bindings.program, name);
+    if before != name && before != 0 && program(context, before)?.doomed {
+        forget(context, before)?;
+    }
+    Ok(())
+}
+
+pub(crate) fn validate_program(context: &mut Context, name: GLuint) -> Result<()> {
+    let program = program(context, name)?;
+    program.validated = program.linked.is_some();
+    if !program.validated {
+        program.log = format!("error: program {name} is not linked\n");
+    }
+    Ok(())
+}
+
+/// The type of a uniform or attribute as GL names it.
+pub(crate) fn gl_type(ty: glsl::DataType) -> GLenum {
+    use glsl::{DataType, Scalar};
+    let of = |types: [GLenum; 4], size: u8| types[usize::from(size.clamp(1, 4) - 1)];
+    match ty {
+        DataType::Vector(Scalar::Float, size) => {
+            of([GL_FLOAT, GL_FLOAT_VEC2, GL_FLOAT_VEC3, GL_FLOAT_VEC4], size)
+        }
+        DataType::Vector(Scalar::Int, size) => {
+            of([GL_INT, GL_INT_VEC2, GL_INT_VEC3, GL_INT_VEC4], size)
+        }
+        DataType::Vector(Scalar::Uint, size) => of(
+            [GL_UNSIGNED_INT, GL_UNSIGNED_INT_VEC2, GL_UNSIGNED_INT_VEC3, GL_UNSIGNED_INT_VEC4],
+            size,
+        ),
+        DataType::Vector(Scalar::Bool, size) => {
+            of([GL_BOOL, GL_BOOL_VEC2, GL_BOOL_VEC3, GL_BOOL_VEC4], size)
+        }
+        DataType::Matrix(columns, rows) => {
+            const MATRICES: [[GLenum; 3]; 3] = [
+                [GL_FLOAT_MAT2, GL_FLOAT_MAT2x3, GL_FLOAT_MAT2x4],
+                [GL_FLOAT_MAT3x2, GL_FLOAT_MAT3, GL_FLOAT_MAT3x4],
+                [GL_FLOAT_MAT4x2, GL_FLOAT_MAT4x3, GL_FLOAT_MAT4],
+            ];
+            let index = |size: u8| usize::from(size.clamp(2, 4) - 2);
+            MATRICES[index(columns)][index(rows)]
+        }
+        DataType::Sampler2D => GL_SAMPLER_2D,
+        DataType::Sampler2DShadow => GL_SAMPLER_2D_SHADOW,
+        DataType::SamplerCube => GL_SAMPLER_CUBE,
+    }
+}

@@ -1,0 +1,112 @@
+//! Texture names and units: GL 2.1, sections 3.8.12 and 2.7.
+
+use super::doomed;
+use crate::constants::*;
+use crate::context::Context;
+use crate::error::{Result, invalid_enum, invalid_operation, invalid_value};
+use crate::interface::MAX_TEXTURE_UNITS;
+use crate::texture::{TARGET, Texture};
+use crate::types::*;
+
+const SECTION: &str = "GL 2.1, section 3.8.12";
+
+pub(crate) fn gen_textures(
+    context: &mut Context,
+    n: GLsizei,
+    textures: &mut [GLuint],
+) -> Result<()> {
+    context.objects.textures.reserve(SECTION, n, textures)
+}
+
+pub(crate) fn delete_textures(
+    context: &mut Context,
+    n: GLsizei,
+    textures: &[GLuint],
+) -> Result<()> {
+    for &name in doomed(SECTION, n, textures)?.iter().filter(|&&name| name != 0) {
+        for unit in &mut context.state.units.units {
+            for bound in unit.bound.iter_mut().filter(|bound| **bound == name) {
+                *bound = 0;
+            }
+        }
+        crate::framebuffer::attach::detach_texture(context, name);
+        context.objects.textures.remove(name);
+    }
+    Ok(())
+}
+
+pub(crate) fn bind_texture(context: &mut Context, target: GLenum, texture: GLuint) -> Result<()> {
+    let target = TARGET.decode("target", target)?;
+    if let Some(object) = context.objects.textures.get(texture)
+        && object.target != target
+    {
+        let (was, is) = (TARGET.encode(object.target), TARGET.encode(target));
+        return invalid_operation(
+            SECTION,
+            format!(
+                "texture {texture} was first bound to {}, it cannot be bound to {}",
+                enum_name(was),
+                enum_name(is)
+            ),
+        );
+    }
+    context.objects.textures.create(texture, || Texture::new(target));
+    context.state.units.active_mut().bound[target as usize] = texture;
+    Ok(())
+}
+
+pub(crate) fn is_texture(context: &mut Context, texture: GLuint) -> Result<bool> {
+    Ok(context.objects.textures.get(texture).is_some())
+}
+
+pub(crate) fn prioritize_textures(
+    _: &mut Context,
+    n: GLsizei,
+    textures: &[GLuint],
+    priorities: &[GLfloat],
+) -> Result<()> {
+    let n = doomed(SECTION, n, textures)?.len();
+    if priorities.len() < n {
+        return invalid_operation(SECTION, format!("priorities has {} of {n}", priorities.len()));
+    }
+    Ok(())
+}
+
+pub(crate) fn are_textures_resident(
+    context: &mut Context,
+    n: GLsizei,
+    textures: &[GLuint],
+    _: &mut [GLboolean],
+) -> Result<bool> {
+    for &name in doomed(SECTION, n, textures)? {
+        if context.objects.textures.get(name).is_none() {
+            return invalid_value(SECTION, format!("{name} is no texture"));
+        }
+    }
+    Ok(true)
+}
+
+/// The unit that `GL_TEXTUREi` names.
+pub(crate) fn texture_unit(section: &'static str, texture: GLenum) -> Result<u8> {
+    match texture.checked_sub(GL_TEXTURE0) {
+        Some(unit) if unit < u32::from(MAX_TEXTURE_UNITS) => Ok(unit as u8),
+        _ => invalid_enum(
+            section,
+            format!(
+                "texture = {} must be GL_TEXTURE0 to GL_TEXTURE{}",
+                enum_name(texture),
+                MAX_TEXTURE_UNITS - 1
+            ),
+        ),
+    }
+}
+
+pub(crate) fn active_texture(context: &mut Context, texture: GLenum) -> Result<()> {
+    context.state.units.active = texture_unit("GL 2.1, section 2.11.2", texture)?;
+    Ok(())
+}
+
+pub(crate) fn client_active_texture(context: &mut Context, texture: GLenum) -> Result<()> {
+    context.state.units.client_active = texture_unit("GL 2.1, section 2.8", texture)?;
+    Ok(())
+}

@@ -1,0 +1,5 @@
+//! What is set and asked of programs: uniforms, attributes, and what a link found.
+
+pub(crate) mod attribute;
+pub(crate) mod inspect;
+pub(crate) mod uniform;

@@ -1,0 +1,243 @@
+//! Uniforms: GL 2.1, section 2.15.3.
+
+use crate::constants::enum_name;
+use crate::context::Context;
+use crate::error::{Result, invalid_operation, invalid_value, not_negative};
+use crate::glsl::{DataType, Scalar, Uniform};
+use crate::interface::MAX_TEXTURE_UNITS;
+use crate::object::programs::{ShaderOrProgram, gl_type};
+use crate::types::*;
+use rasterizer::ir::TRUE;
+
+const SECTION: &str = "GL 2.1, section 2.15.3";
+
+/// Values as a call brings them: words, and what they are.
+#[derive(Clone, Copy, Debug)]
+struct Values<'a> {
+    scalar: Scalar,
+    /// Numbers of an element: 1 to 4 of a vector.
+    size: u8,
+    words: &'a [u32],
+}
+
+/// Words of an element of a type.
+pub(super) fn element_words(ty: DataType) -> usize {
+    match ty {
+        DataType::Vector(_, size) => size.into(),
+        DataType::Matrix(columns, rows) => usize::from(columns) * usize::from(rows),
+        DataType::Sampler2D | DataType::Sampler2DShadow | DataType::SamplerCube => 1,
+    }
+}
+
+/// The uniform at a location, and which element of it.
+pub(super) fn at_location(uniforms: &[Uniform], location: GLint) -> Option<(&Uniform, usize)> {
+    let location = u32::try_from(location).ok()?;
+    uniforms.iter().find_map(|uniform| {
+        let element = location.checked_sub(uniform.location)?;
+        (element < uniform.array.unwrap_or(1)).then_some((uniform, element as usize))
+    })
+}
+
+/// Writes `count` elements from a location on. `check` sees the uniform; `convert` makes a word of
+/// the uniform from one of the call.
+fn store(
+    context: &mut Context,
+    location: GLint,
+    count: GLsizei,
+    given: usize,
+    check: impl FnOnce(&Uniform) -> Result<()>,
+    word: impl Fn(&Uniform, usize) -> u32,
+) -> Result<()> {
+    let count = not_negative(SECTION, "count", count.into())?;
+    let name = context.state.bindings.program;
+    let program = match context.objects.programs.get_mut(name) {
+        Some(ShaderOrProgram::Program(program)) => program.linked.as_mut(),
+        Some(ShaderOrProgram::Shader(_)) | None => None,
+    };
+    let Some(linked) = program else {
+        return invalid_operation(SECTION, "no linked program is in use: call glUseProgram");
+    };
+    if location == -1 {
+        return Ok(());
+    }
+    let Some((uniform, element)) = at_location(&linked.program.uniforms, location) else {
+        return invalid_operation(
+            SECTION,
+            format!("location = {location} is no uniform's of program {name}"),
+        );
+    };
+    if count > 1 && uniform.array.is_none() {
+        return invalid_operation(
+            SECTION,
+            format!("count = {count}, but \"{}\" is no array", uniform.name),
+        );
+    }
+    check(uniform)?;
+    let each = element_words(uniform.ty);
+    if given < count * each {
+        return invalid_operation(
+            SECTION,
+            format!(
+                "count = {count} elements take {} numbers, the slice has {given}",
+                count * each
+            ),
+        );
+    }
+    // What lies past an array's end is ignored.
+    let count = count.min(uniform.array.unwrap_or(1) as usize - element);
+    let first = uniform.word as usize + element * each;
+    let place = linked.words.get_mut(first..first + count * each).unwrap_or_default();
+    for (index, place) in place.iter_mut().enumerate() {
+        *place = word(uniform, index);
+    }
+    Ok(())
+}
+
+fn set(context: &mut Context, location: GLint, count: GLsizei, values: Values<'_>) -> Result<()> {
+    let Values { scalar, size, words } = values;
+    let check = |uniform: &Uniform| match uniform.ty {
+        DataType::Vector(Scalar::Bool, expected) if expected == size => Ok(()),
+        DataType::Vector(expected, length) if expected == scalar && length == size => Ok(()),
+        DataType::Sampler2D | DataType::Sampler2DShadow | DataType::SamplerCube
+            if scalar == Scalar::Int && size == 1 =>
+        {
+            let units = 0..u32::from(MAX_TEXTURE_UNITS);
+            let elements = usize::try_from(count).unwrap_or(0);
+            match words.iter().take(elements).find(|unit| !units.contains(unit)) {
+                Some(unit) => invalid_value(
+                    SECTION,
+                    format!(
+                        "\"{}\" is a sampler: its value {} must be a texture unit, 0 to {}",
+                        uniform.name,
+                        *unit as i32,
+                        MAX_TEXTURE_UNITS - 1
+                    ),
+                ),
+                None => Ok(()),
+            }
+        }
+        DataType::Vector(..)
+        | DataType::Matrix(..)
+        | DataType::Sampler2D
+        | DataType::Sampler2DShadow
+        | DataType::SamplerCube => mismatch(uniform, gl_type(DataType::Vector(scalar, size))),
+    };
+    let convert = |uniform: &Uniform, index: usize| {
+        let word = words[index];
+        match uniform.ty {
+            DataType::Vector(Scalar::Bool, _) => {
+                let zero = match scalar {
+                    Scalar::Float => f32::from_bits(word) == 0.0,
+                    Scalar::Int | Scalar::Uint | Scalar::Bool => word == 0,
+                };
+                if zero { 0 } else { TRUE }
+            }
+            DataType::Vector(..)
+            | DataType::Matrix(..)
+            | DataType::Sampler2D
+            | DataType::Sampler2DShadow
+            | DataType::SamplerCube => word,
+        }
+    };
+    store(context, location, count, words.len(), check, convert)
+}
+
+fn mismatch(uniform: &Uniform, given: GLenum) -> Result<()> {
+    let (is, given) = (enum_name(gl_type(uniform.ty)), enum_name(given));
+    invalid_operation(SECTION, format!("\"{}\" is a {is}, the call brings {given}", uniform.name))
+}
+
+fn set_matrix(
+    context: &mut Context,
+    location: GLint,
+    count: GLsizei,
+    transpose: bool,
+    [columns, rows]: [u8; 2],
+    value: &[GLfloat],
+) -> Result<()> {
+    let ty = DataType::Matrix(columns, rows);
+    let check = |uniform: &Uniform| {
+        if uniform.ty == ty { Ok(()) } else { mismatch(uniform, gl_type(ty)) }
+    };
+    let (columns, rows) = (usize::from(columns), usize::from(rows));
+    let word = |_: &Uniform, index: usize| {
+        let (element, at) = (index / (columns * rows), index % (columns * rows));
+        let source = if transpose { at % rows * columns + at / rows } else { at };
+        value[element * columns * rows + source].to_bits()
+    };
+    store(context, location, count, value.len(), check, word)
+}
+
+/// `glUniform{size}{letter}` and its vector form.
+macro_rules! uniforms {
+    ($($scalar:ident $ty:ty as $to_word:path {
+        $($name:ident $vector:ident $size:literal ($($x:ident),*);)*
+    })*) => {
+        $($(
+            pub(crate) fn $name(context: &mut Context, location: GLint $(, $x: $ty)*) -> Result<()> {
+                let words = [$($x),*].map($to_word);
+                let values = Values { scalar: Scalar::$scalar, size: $size, words: &words };
+                set(context, location, 1, values)
+            }
+
+            pub(crate) fn $vector(
+                context: &mut Context,
+                location: GLint,
+                count: GLsizei,
+                value: &[$ty],
+            ) -> Result<()> {
+                let words: Vec<u32> = value.iter().copied().map($to_word).collect();
+                let values = Values { scalar: Scalar::$scalar, size: $size, words: &words };
+                set(context, location, count, values)
+            }
+        )*)*
+    };
+}
+
+uniforms! {
+    Float GLfloat as f32::to_bits {
+    uniform_1f uniform_1fv 1 (x);
+    uniform_2f uniform_2fv 2 (x, y);
+    uniform_3f uniform_3fv 3 (x, y, z);
+    uniform_4f uniform_4fv 4 (x, y, z, w);
+    }
+    Int GLint as i32::cast_unsigned {
+    uniform_1i uniform_1iv 1 (x);
+    uniform_2i uniform_2iv 2 (x, y);
+    uniform_3i uniform_3iv 3 (x, y, z);
+    uniform_4i uniform_4iv 4 (x, y, z, w);
+    }
+    Uint GLuint as u32::from {
+    uniform_1ui uniform_1uiv 1 (x);
+    uniform_2ui uniform_2uiv 2 (x, y);
+    uniform_3ui uniform_3uiv 3 (x, y, z);
+    uniform_4ui uniform_4uiv 4 (x, y, z, w);
+    }
+}
+
+/// `glUniformMatrix{columns}x{rows}fv`.
+macro_rules! matrices {
+    ($($name:ident $columns:literal $rows:literal;)*) => {
+        $(pub(crate) fn $name(
+            context: &mut Context,
+            location: GLint,
+            count: GLsizei,
+            transpose: bool,
+            value: &[GLfloat],
+        ) -> Result<()> {
+            set_matrix(context, location, count, transpose, [$columns, $rows], value)
+        })*
+    };
+}
+
+matrices! {
+    uniform_matrix_2fv 2 2;
+    uniform_matrix_3fv 3 3;
+    uniform_matrix_4fv 4 4;
+    uniform_matrix_2x3fv 2 3;
+    uniform_matrix_3x2fv 3 2;
+    uniform_matrix_2x4fv 2 4;
+    uniform_matrix_4x2fv 4 2;
+    uniform_matrix_3x4fv 3 4;
+    uniform_matrix_4x3fv 4 3;
+}

@@ -1,0 +1,15 @@
+//! `glFlush` and `glFinish`: GL 2.1, section 5.5.
+
+use crate::context::Context;
+use crate::draw;
+use crate::error::Result;
+
+pub(crate) fn flush(context: &mut Context) -> Result<()> {
+    draw::submit(context);
+    Ok(())
+}
+
+pub(crate) fn finish(context: &mut Context) -> Result<()> {
+    draw::submit(context);
+    Ok(())
+}

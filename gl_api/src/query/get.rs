@@ -1,0 +1,93 @@
+//! `glGetError`, `glGetString` and the conversions of `glGet`: GL 2.1, section 6.1.2.
+
+use super::put;
+use super::table::{Value, state_value};
+use crate::constants::*;
+use crate::context::Context;
+use crate::env::unit_to_signed;
+use crate::error::{Result, Table};
+use crate::types::*;
+
+/// The extensions that are implemented.
+pub(crate) const EXTENSIONS: &str = "GL_ARB_depth_texture GL_ARB_framebuffer_object \
+    GL_ARB_multitexture GL_ARB_shader_objects GL_ARB_shadow GL_ARB_texture_border_clamp \
+    GL_ARB_texture_cube_map GL_ARB_texture_env_add GL_ARB_texture_mirrored_repeat \
+    GL_ARB_texture_non_power_of_two GL_ARB_texture_rg GL_ARB_transpose_matrix \
+    GL_EXT_blend_color GL_EXT_blend_equation_separate GL_EXT_blend_func_separate \
+    GL_EXT_blend_minmax GL_EXT_blend_subtract GL_EXT_framebuffer_object GL_EXT_texture_sRGB \
+    GL_SGIS_generate_mipmap";
+
+/// Between `glBegin` and `glEnd` this is refused like any other call, which sets the flag.
+pub(crate) fn get_error(context: &mut Context) -> Result<GLenum> {
+    Ok(context.debug.take_flag().map_or(GL_NO_ERROR, crate::error::ErrorCode::to_gl))
+}
+
+pub(crate) fn get_string(_: &mut Context, name: GLenum) -> Result<&'static str> {
+    const STRING: Table<&str> = Table {
+        section: "GL 2.1, section 6.1.11",
+        rows: &[
+            (GL_VENDOR, "DetGL"),
+            (GL_RENDERER, "DetGL"),
+            (GL_VERSION, concat!("2.1 DetGL ", env!("CARGO_PKG_VERSION"))),
+            (GL_SHADING_LANGUAGE_VERSION, "1.30"),
+            (GL_EXTENSIONS, EXTENSIONS),
+        ],
+    };
+    STRING.decode("name", name)
+}
+
+pub(crate) fn get_booleanv(
+    context: &mut Context,
+    pname: GLenum,
+    params: &mut [GLboolean],
+) -> Result<()> {
+    let values: Vec<GLboolean> = match state_value(context, pname)? {
+        Value::Bools(values) => values.into_iter().map(u8::from).collect(),
+        Value::Ints(values) => values.into_iter().map(|value| u8::from(value != 0)).collect(),
+        Value::Floats(values) | Value::Unit(values) => {
+            values.into_iter().map(|value| u8::from(value != 0.0)).collect()
+        }
+    };
+    put(params, &values)
+}
+
+pub(crate) fn get_integerv(
+    context: &mut Context,
+    pname: GLenum,
+    params: &mut [GLint],
+) -> Result<()> {
+    let values: Vec<GLint> = match state_value(context, pname)? {
+        Value::Bools(values) => values.into_iter().map(GLint::from).collect(),
+        Value::Ints(values) => values,
+        Value::Floats(values) => values.into_iter().map(|value| value.round() as GLint).collect(),
+        Value::Unit(values) => {
+            values.into_iter().map(|value| unit_to_signed(value as f32)).collect()
+        }
+    };
+    put(params, &values)
+}
+
+pub(crate) fn get_floatv(
+    context: &mut Context,
+    pname: GLenum,
+    params: &mut [GLfloat],
+) -> Result<()> {
+    let values = doubles(state_value(context, pname)?);
+    put(params, &values.into_iter().map(|value| value as GLfloat).collect::<Vec<_>>())
+}
+
+pub(crate) fn get_doublev(
+    context: &mut Context,
+    pname: GLenum,
+    params: &mut [GLdouble],
+) -> Result<()> {
+    put(params, &doubles(state_value(context, pname)?))
+}
+
+fn doubles(value: Value) -> Vec<f64> {
+    match value {
+        Value::Bools(values) => values.into_iter().map(|on| f64::from(u8::from(on))).collect(),
+        Value::Ints(values) => values.into_iter().map(f64::from).collect(),
+        Value::Floats(values) | Value::Unit(values) => values,
+    }
+}

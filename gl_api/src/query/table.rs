@@ -1,0 +1,280 @@
+//! The table of state that `glGet` reads: GL 2.1, tables 6.5 to 6.37.
+
+use crate::constants::*;
+use crate::context::{Context, limits};
+use crate::env::Unit;
+use crate::error::{Result, invalid_enum};
+use crate::interface::*;
+use crate::state::enable::{CAPABILITY, CLIENT_ARRAY};
+use crate::state::fragment::{BLEND_EQUATION, COMPARE, DST_FACTOR, SRC_FACTOR};
+use crate::state::matrix::{MATRIX_MODE, MAX_MODELVIEW_STACK_DEPTH, MAX_STACK_DEPTH, Stack};
+use crate::state::pixel_store::PixelStore;
+use crate::state::raster::{FACE, FRONT_FACE, HINTS, SHADE_MODEL};
+use crate::types::*;
+use rasterizer::driver::DepthWrite;
+
+/// State, before the conversion to the type that was asked for.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Value {
+    Bools(Vec<bool>),
+    Ints(Vec<i32>),
+    Floats(Vec<f64>),
+    /// Colours, normals and depths: as integers, 1 is the largest one.
+    Unit(Vec<f64>),
+}
+
+fn flag(value: bool) -> Result<Value> {
+    Ok(Value::Bools(vec![value]))
+}
+
+fn int(value: impl TryInto<i32>) -> Result<Value> {
+    Ok(Value::Ints(vec![value.try_into().unwrap_or(i32::MAX)]))
+}
+
+fn symbol(value: GLenum) -> Result<Value> {
+    Ok(Value::Ints(vec![value as i32]))
+}
+
+fn ints(values: &[i32]) -> Result<Value> {
+    Ok(Value::Ints(values.to_vec()))
+}
+
+fn float(value: f32) -> Result<Value> {
+    Ok(Value::Floats(vec![value.into()]))
+}
+
+fn floats(values: &[f32]) -> Result<Value> {
+    Ok(Value::Floats(values.iter().map(|&value| value.into()).collect()))
+}
+
+fn unit(values: &[f32]) -> Result<Value> {
+    Ok(Value::Unit(values.iter().map(|&value| value.into()).collect()))
+}
+
+fn matrix(stack: &Stack, transposed: bool) -> Result<Value> {
+    let matrix = if transposed { stack.top.transpose() } else { stack.top };
+    Ok(Value::Floats(matrix.to_cols_array().to_vec()))
+}
+
+fn pixel_store(
+    store: &PixelStore,
+    [swap, lsb, length, rows, pixels, _]: [GLenum; 6],
+    pname: GLenum,
+) -> Result<Value> {
+    match pname {
+        _ if pname == swap => flag(store.swap_bytes),
+        _ if pname == lsb => flag(store.lsb_first),
+        _ if pname == length => int(store.row_length),
+        _ if pname == rows => int(store.skip_rows),
+        _ if pname == pixels => int(store.skip_pixels),
+        _ => int(store.alignment),
+    }
+}
+
+/// State by its name.
+///
+/// # Errors
+/// `GL_INVALID_ENUM` where there is none of that name.
+pub(crate) fn state_value(context: &Context, pname: GLenum) -> Result<Value> {
+    if CAPABILITY.get(pname).is_some() || CLIENT_ARRAY.get(pname).is_some() {
+        return flag(is_on(context, pname));
+    }
+    if let Some(place) = HINTS.get(pname) {
+        return symbol(context.state.raster.hints[place]);
+    }
+    let chapters =
+        [limit, transform, current, raster, fragment, pixels, texture, framebuffer, bindings];
+    for chapter in chapters {
+        if let Some(value) = chapter(context, pname) {
+            return value;
+        }
+    }
+    invalid_enum(
+        "GL 2.1, section 6.1.1",
+        format!("pname = {} names no state that DetGL has", enum_name(pname)),
+    )
+}
+
+fn is_on(context: &Context, pname: GLenum) -> bool {
+    crate::state::enable::is_on(context, pname).unwrap_or(false)
+}
+
+type Answer = Option<Result<Value>>;
+
+fn limit(_: &Context, pname: GLenum) -> Answer {
+    let units = i32::from(MAX_TEXTURE_UNITS);
+    let attachments = limits::MAX_COLOR_ATTACHMENTS as i32;
+    let sizes = limits::MAX_VIEWPORT_DIMS as i32;
+    Some(match pname {
+        GL_MAX_TEXTURE_SIZE | GL_MAX_CUBE_MAP_TEXTURE_SIZE | GL_MAX_RENDERBUFFER_SIZE => {
+            int(limits::MAX_TEXTURE_SIZE)
+        }
+        GL_MAX_VIEWPORT_DIMS => ints(&[sizes; 2]),
+        GL_MAX_TEXTURE_UNITS
+        | GL_MAX_TEXTURE_COORDS
+        | GL_MAX_TEXTURE_IMAGE_UNITS
+        | GL_MAX_VERTEX_TEXTURE_IMAGE_UNITS
+        | GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS => int(units),
+        GL_MAX_TEXTURE_LOD_BIAS => float(limits::MAX_TEXTURE_LOD_BIAS),
+        GL_MAX_VERTEX_ATTRIBS => int(MAX_VERTEX_ATTRIBS),
+        GL_MAX_VERTEX_UNIFORM_COMPONENTS | GL_MAX_FRAGMENT_UNIFORM_COMPONENTS => {
+            int(limits::MAX_UNIFORM_COMPONENTS)
+        }
+        GL_MAX_VARYING_FLOATS => int(limits::MAX_VARYING_FLOATS),
+        GL_MAX_COLOR_ATTACHMENTS | GL_MAX_DRAW_BUFFERS => int(attachments),
+        GL_MAX_MODELVIEW_STACK_DEPTH => int(MAX_MODELVIEW_STACK_DEPTH),
+        GL_MAX_PROJECTION_STACK_DEPTH | GL_MAX_TEXTURE_STACK_DEPTH => int(MAX_STACK_DEPTH),
+        GL_MAX_ELEMENTS_VERTICES | GL_MAX_ELEMENTS_INDICES => int(1 << 20),
+        GL_SUBPIXEL_BITS => int(8),
+        GL_MAX_LIGHTS | GL_MAX_CLIP_PLANES => int(0),
+        GL_POINT_SIZE_RANGE
+        | GL_LINE_WIDTH_RANGE
+        | GL_ALIASED_LINE_WIDTH_RANGE
+        | GL_ALIASED_POINT_SIZE_RANGE => floats(&[1.0, limits::MAX_WIDTH]),
+        GL_NUM_COMPRESSED_TEXTURE_FORMATS => int(0),
+        GL_COMPRESSED_TEXTURE_FORMATS => ints(&[]),
+        GL_MAJOR_VERSION => int(2),
+        GL_MINOR_VERSION => int(1),
+        GL_NUM_EXTENSIONS => int(super::get::EXTENSIONS.split(' ').count()),
+        GL_SAMPLE_BUFFERS | GL_SAMPLES | GL_STEREO | GL_AUX_BUFFERS | GL_INDEX_BITS => int(0),
+        GL_DOUBLEBUFFER => flag(false),
+        GL_RGBA_MODE => flag(true),
+        _ => return None,
+    })
+}
+
+fn transform(context: &Context, pname: GLenum) -> Answer {
+    let state = &context.state;
+    let matrices = &state.matrices;
+    let texture = &matrices.texture[usize::from(state.units.active)];
+    Some(match pname {
+        GL_MATRIX_MODE => symbol(MATRIX_MODE.encode(matrices.mode)),
+        GL_MODELVIEW_MATRIX => matrix(&matrices.modelview, false),
+        GL_PROJECTION_MATRIX => matrix(&matrices.projection, false),
+        GL_TEXTURE_MATRIX => matrix(texture, false),
+        GL_TRANSPOSE_MODELVIEW_MATRIX => matrix(&matrices.modelview, true),
+        GL_TRANSPOSE_PROJECTION_MATRIX => matrix(&matrices.projection, true),
+        GL_TRANSPOSE_TEXTURE_MATRIX => matrix(texture, true),
+        GL_MODELVIEW_STACK_DEPTH => int(matrices.modelview.depth()),
+        GL_PROJECTION_STACK_DEPTH => int(matrices.projection.depth()),
+        GL_TEXTURE_STACK_DEPTH => int(texture.depth()),
+        GL_VIEWPORT => {
+            let viewport = &state.viewport;
+            ints(&[viewport.x, viewport.y, viewport.width, viewport.height])
+        }
+        GL_DEPTH_RANGE => Ok(Value::Unit(state.viewport.depth.to_vec())),
+        _ => return None,
+    })
+}
+
+fn current(context: &Context, pname: GLenum) -> Answer {
+    let state = &context.state;
+    let at = |location: u8| &state.current[usize::from(location)];
+    Some(match pname {
+        GL_CURRENT_COLOR => unit(at(ATTRIB_COLOR)),
+        GL_CURRENT_SECONDARY_COLOR => unit(at(ATTRIB_SECONDARY_COLOR)),
+        GL_CURRENT_NORMAL => unit(&at(ATTRIB_NORMAL)[..3]),
+        GL_CURRENT_FOG_COORD => float(at(ATTRIB_FOG_COORD)[0]),
+        GL_CURRENT_TEXTURE_COORDS => floats(at(ATTRIB_TEX_COORD + state.units.active)),
+        _ => return None,
+    })
+}
+
+fn raster(context: &Context, pname: GLenum) -> Answer {
+    let raster = &context.state.raster;
+    Some(match pname {
+        GL_CULL_FACE_MODE => symbol(FACE.encode(raster.cull)),
+        GL_FRONT_FACE => symbol(FRONT_FACE.encode(raster.front_face)),
+        GL_SHADE_MODEL => symbol(SHADE_MODEL.encode(raster.shade_model)),
+        GL_POLYGON_MODE => ints(&[GL_FILL as i32; 2]),
+        GL_POLYGON_OFFSET_FACTOR => float(raster.offset_factor),
+        GL_POLYGON_OFFSET_UNITS => float(raster.offset_units),
+        GL_LINE_WIDTH => float(raster.line_width),
+        GL_POINT_SIZE => float(raster.point_size),
+        _ => return None,
+    })
+}
+
+fn fragment(context: &Context, pname: GLenum) -> Answer {
+    let fragment = &context.state.fragment;
+    let blend = &fragment.blend;
+    let clear = &context.state.clear;
+    Some(match pname {
+        GL_SCISSOR_BOX => {
+            let area = fragment.scissor;
+            ints(&[area.x, area.y, area.width as i32, area.height as i32])
+        }
+        GL_ALPHA_TEST_FUNC => symbol(COMPARE.encode(fragment.alpha_func)),
+        GL_ALPHA_TEST_REF => unit(&[fragment.alpha_ref]),
+        GL_DEPTH_FUNC => symbol(COMPARE.encode(fragment.depth_func)),
+        GL_DEPTH_WRITEMASK => flag(fragment.depth_write == DepthWrite::On),
+        GL_COLOR_WRITEMASK => Ok(Value::Bools(fragment.color_mask.to_vec())),
+        GL_BLEND_SRC | GL_BLEND_SRC_RGB => symbol(SRC_FACTOR.encode(blend.src[0])),
+        GL_BLEND_SRC_ALPHA => symbol(SRC_FACTOR.encode(blend.src[1])),
+        GL_BLEND_DST | GL_BLEND_DST_RGB => symbol(DST_FACTOR.encode(blend.dst[0])),
+        GL_BLEND_DST_ALPHA => symbol(DST_FACTOR.encode(blend.dst[1])),
+        GL_BLEND_EQUATION => symbol(BLEND_EQUATION.encode(blend.equation[0])),
+        GL_BLEND_EQUATION_ALPHA => symbol(BLEND_EQUATION.encode(blend.equation[1])),
+        GL_BLEND_COLOR => unit(&blend.constant),
+        GL_COLOR_CLEAR_VALUE => unit(&clear.color),
+        GL_DEPTH_CLEAR_VALUE => Ok(Value::Unit(vec![clear.depth])),
+        GL_STENCIL_CLEAR_VALUE => int(clear.stencil),
+        _ => return None,
+    })
+}
+
+fn pixels(context: &Context, pname: GLenum) -> Answer {
+    let unpack = [
+        GL_UNPACK_SWAP_BYTES,
+        GL_UNPACK_LSB_FIRST,
+        GL_UNPACK_ROW_LENGTH,
+        GL_UNPACK_SKIP_ROWS,
+        GL_UNPACK_SKIP_PIXELS,
+        GL_UNPACK_ALIGNMENT,
+    ];
+    let pack = [
+        GL_PACK_SWAP_BYTES,
+        GL_PACK_LSB_FIRST,
+        GL_PACK_ROW_LENGTH,
+        GL_PACK_SKIP_ROWS,
+        GL_PACK_SKIP_PIXELS,
+        GL_PACK_ALIGNMENT,
+    ];
+    match pname {
+        _ if unpack.contains(&pname) => Some(pixel_store(&context.state.unpack, unpack, pname)),
+        _ if pack.contains(&pname) => Some(pixel_store(&context.state.pack, pack, pname)),
+        _ => None,
+    }
+}
+
+fn texture(context: &Context, pname: GLenum) -> Answer {
+    let units = &context.state.units;
+    let Unit { bound, .. } = units.active();
+    Some(match pname {
+        GL_ACTIVE_TEXTURE => symbol(GL_TEXTURE0 + u32::from(units.active)),
+        GL_CLIENT_ACTIVE_TEXTURE => symbol(GL_TEXTURE0 + u32::from(units.client_active)),
+        GL_TEXTURE_BINDING_2D => symbol(bound[0]),
+        GL_TEXTURE_BINDING_CUBE_MAP => symbol(bound[1]),
+        _ => return None,
+    })
+}
+
+fn framebuffer(context: &Context, pname: GLenum) -> Answer {
+    crate::framebuffer::buffers::state_value(context, pname).map(|value| match value {
+        crate::framebuffer::buffers::Answer::Symbol(value) => symbol(value),
+        crate::framebuffer::buffers::Answer::Bits(value) => int(value),
+    })
+}
+
+fn bindings(context: &Context, pname: GLenum) -> Answer {
+    let bindings = &context.state.bindings;
+    Some(match pname {
+        GL_ARRAY_BUFFER_BINDING => symbol(bindings.array_buffer),
+        GL_ELEMENT_ARRAY_BUFFER_BINDING => symbol(bindings.element_array_buffer),
+        GL_FRAMEBUFFER_BINDING => symbol(bindings.draw_framebuffer),
+        GL_READ_FRAMEBUFFER_BINDING => symbol(bindings.read_framebuffer),
+        GL_RENDERBUFFER_BINDING => symbol(bindings.renderbuffer),
+        GL_CURRENT_PROGRAM => symbol(bindings.program),
+        _ => return None,
+    })
+}

@@ -1,0 +1,226 @@
+//! Per-fragment operations: GL 2.1, section 4.1; masks and clear values: section 4.2.
+
+use super::viewport::unit;
+use crate::constants::*;
+use crate::context::Context;
+use crate::error::{Result, Table, not_negative};
+use crate::types::*;
+use rasterizer::driver::{Blend, BlendEquation, BlendFactor, DepthWrite, Rect};
+use texunit::sampler::Compare;
+
+/// What happens to fragments.
+#[derive(Clone, Debug)]
+pub(crate) struct FragmentState {
+    pub scissor: Rect,
+    pub alpha_func: Compare,
+    pub alpha_ref: f32,
+    pub depth_func: Compare,
+    pub depth_write: DepthWrite,
+    pub blend: Blend,
+    pub color_mask: [bool; 4],
+}
+
+impl FragmentState {
+    pub fn new(width: u32, height: u32) -> Self {
+        Self {
+            scissor: Rect { x: 0, y: 0, width, height },
+            alpha_func: Compare::Always,
+            alpha_ref: 0.0,
+            depth_func: Compare::Less,
+            depth_write: DepthWrite::On,
+            blend: Blend {
+                equation: [BlendEquation::Add; 2],
+                src: [BlendFactor::One; 2],
+                dst: [BlendFactor::Zero; 2],
+                constant: [0.0; 4],
+            },
+            color_mask: [true; 4],
+        }
+    }
+}
+
+/// What `glClear` writes.
+#[derive(Clone, Debug)]
+pub(crate) struct ClearState {
+    pub color: [f32; 4],
+    pub depth: f64,
+    pub stencil: i32,
+}
+
+impl Default for ClearState {
+    fn default() -> Self {
+        Self { color: [0.0; 4], depth: 1.0, stencil: 0 }
+    }
+}
+
+pub(crate) const COMPARE: Table<Compare> = Table {
+    section: "GL 2.1, section 4.1.5",
+    rows: &[
+        (GL_NEVER, Compare::Never),
+        (GL_LESS, Compare::Less),
+        (GL_EQUAL, Compare::Equal),
+        (GL_LEQUAL, Compare::LessEqual),
+        (GL_GREATER, Compare::Greater),
+        (GL_NOTEQUAL, Compare::NotEqual),
+        (GL_GEQUAL, Compare::GreaterEqual),
+        (GL_ALWAYS, Compare::Always),
+    ],
+};
+
+pub(crate) const BLEND_EQUATION: Table<BlendEquation> = Table {
+    section: "GL 2.1, section 4.1.8",
+    rows: &[
+        (GL_FUNC_ADD, BlendEquation::Add),
+        (GL_FUNC_SUBTRACT, BlendEquation::Subtract),
+        (GL_FUNC_REVERSE_SUBTRACT, BlendEquation::ReverseSubtract),
+        (GL_MIN, BlendEquation::Min),
+        (GL_MAX, BlendEquation::Max),
+    ],
+};
+
+const DESTINATION: &[(GLenum, BlendFactor)] = &[
+    (GL_ZERO, BlendFactor::Zero),
+    (GL_ONE, BlendFactor::One),
+    (GL_SRC_COLOR, BlendFactor::SrcColor),
+    (GL_ONE_MINUS_SRC_COLOR, BlendFactor::OneMinusSrcColor),
+    (GL_DST_COLOR, BlendFactor::DstColor),
+    (GL_ONE_MINUS_DST_COLOR, BlendFactor::OneMinusDstColor),
+    (GL_SRC_ALPHA, BlendFactor::SrcAlpha),
+    (GL_ONE_MINUS_SRC_ALPHA, BlendFactor::OneMinusSrcAlpha),
+    (GL_DST_ALPHA, BlendFactor::DstAlpha),
+    (GL_ONE_MINUS_DST_ALPHA, BlendFactor::OneMinusDstAlpha),
+    (GL_CONSTANT_COLOR, BlendFactor::ConstantColor),
+    (GL_ONE_MINUS_CONSTANT_COLOR, BlendFactor::OneMinusConstantColor),
+    (GL_CONSTANT_ALPHA, BlendFactor::ConstantAlpha),
+    (GL_ONE_MINUS_CONSTANT_ALPHA, BlendFactor::OneMinusConstantAlpha),
+    (GL_SRC_ALPHA_SATURATE, BlendFactor::SrcAlphaSaturate),
+];
+
+const FACTORS: &str = "GL 2.1, table 4.2";
+
+/// What a source is weighted with.
+pub(crate) const SRC_FACTOR: Table<BlendFactor> = Table { section: FACTORS, rows: DESTINATION };
+
+/// What a destination is weighted with: everything but `GL_SRC_ALPHA_SATURATE`.
+pub(crate) const DST_FACTOR: Table<BlendFactor> =
+    Table { section: FACTORS, rows: DESTINATION.split_at(14).0 };
+
+pub(crate) fn alpha_func(context: &mut Context, func: GLenum, reference: GLclampf) -> Result<()> {
+    let func = COMPARE.decode("func", func)?;
+    context.state.fragment.alpha_func = func;
+    context.state.fragment.alpha_ref = unit(reference.into()) as f32;
+    Ok(())
+}
+
+pub(crate) fn blend_func(context: &mut Context, sfactor: GLenum, dfactor: GLenum) -> Result<()> {
+    blend_func_separate(context, sfactor, dfactor, sfactor, dfactor)
+}
+
+pub(crate) fn blend_func_separate(
+    context: &mut Context,
+    src_rgb: GLenum,
+    dst_rgb: GLenum,
+    src_alpha: GLenum,
+    dst_alpha: GLenum,
+) -> Result<()> {
+    let src = [
+        SRC_FACTOR.decode("source factor", src_rgb)?,
+        SRC_FACTOR.decode("source alpha factor", src_alpha)?,
+    ];
+    let dst = [
+        DST_FACTOR.decode("destination factor", dst_rgb)?,
+        DST_FACTOR.decode("destination alpha factor", dst_alpha)?,
+    ];
+    context.state.fragment.blend.src = src;
+    context.state.fragment.blend.dst = dst;
+    Ok(())
+}
+
+pub(crate) fn blend_equation(context: &mut Context, mode: GLenum) -> Result<()> {
+    blend_equation_separate(context, mode, mode)
+}
+
+pub(crate) fn blend_equation_separate(
+    context: &mut Context,
+    mode_rgb: GLenum,
+    mode_alpha: GLenum,
+) -> Result<()> {
+    context.state.fragment.blend.equation = [
+        BLEND_EQUATION.decode("mode", mode_rgb)?,
+        BLEND_EQUATION.decode("alpha mode", mode_alpha)?,
+    ];
+    Ok(())
+}
+
+/// Clamped, as framebuffers are fixed-point.
+pub(crate) fn blend_color(
+    context: &mut Context,
+    red: GLclampf,
+    green: GLclampf,
+    blue: GLclampf,
+    alpha: GLclampf,
+) -> Result<()> {
+    context.state.fragment.blend.constant =
+        [red, green, blue, alpha].map(|c| unit(c.into()) as f32);
+    Ok(())
+}
+
+pub(crate) fn depth_func(context: &mut Context, func: GLenum) -> Result<()> {
+    context.state.fragment.depth_func = COMPARE.decode("func", func)?;
+    Ok(())
+}
+
+pub(crate) fn depth_mask(context: &mut Context, flag: bool) -> Result<()> {
+    context.state.fragment.depth_write = if flag { DepthWrite::On } else { DepthWrite::Off };
+    Ok(())
+}
+
+pub(crate) fn color_mask(
+    context: &mut Context,
+    red: bool,
+    green: bool,
+    blue: bool,
+    alpha: bool,
+) -> Result<()> {
+    context.state.fragment.color_mask = [red, green, blue, alpha];
+    Ok(())
+}
+
+pub(crate) fn scissor(
+    context: &mut Context,
+    x: GLint,
+    y: GLint,
+    width: GLsizei,
+    height: GLsizei,
+) -> Result<()> {
+    const SECTION: &str = "GL 2.1, section 4.1.2";
+    not_negative(SECTION, "width", width.into())?;
+    not_negative(SECTION, "height", height.into())?;
+    context.state.fragment.scissor = Rect { x, y, width: width as u32, height: height as u32 };
+    Ok(())
+}
+
+pub(crate) fn clear_color(
+    context: &mut Context,
+    red: GLclampf,
+    green: GLclampf,
+    blue: GLclampf,
+    alpha: GLclampf,
+) -> Result<()> {
+    context.state.clear.color = [red, green, blue, alpha].map(|c| unit(c.into()) as f32);
+    Ok(())
+}
+
+pub(crate) fn clear_depth(context: &mut Context, depth: GLclampd) -> Result<()> {
+    context.state.clear.depth = unit(depth);
+    Ok(())
+}
+
+pub(crate) fn clear_depthf(context: &mut Context, depth: GLclampf) -> Result<()> {
+    clear_depth(context, depth.into())
+}
+
+pub(crate) fn clear_stencil(context: &mut Context, s: GLint) -> Result<()> {
+    context.state.clear.stencil = s;
+    Ok(())
+}

@@ -1,0 +1,289 @@
+//! Matrix stacks: GL 2.1, section 2.11.2.
+//!
+//! Matrices are kept in `f64` and rounded once, when a draw or a query reads them: `f64` code in
+//! glam is the same scalar code on every machine, and long products keep their precision.
+
+use super::trig::sin_cos_degrees;
+use crate::constants::*;
+use crate::context::Context;
+use crate::error::{ErrorCode, GlError, Result, Table, invalid_operation, invalid_value};
+use crate::interface::MAX_TEXTURE_UNITS;
+use crate::types::*;
+use glam::{DMat4, DVec3};
+
+const SECTION: &str = "GL 2.1, section 2.11.2";
+
+/// Depth of the model-view stack.
+pub(crate) const MAX_MODELVIEW_STACK_DEPTH: usize = 32;
+/// Depth of the other stacks.
+pub(crate) const MAX_STACK_DEPTH: usize = 10;
+
+/// Which stack matrix calls work on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum MatrixMode {
+    ModelView,
+    Projection,
+    Texture,
+}
+
+pub(crate) const MATRIX_MODE: Table<MatrixMode> = Table {
+    section: SECTION,
+    rows: &[
+        (GL_MODELVIEW, MatrixMode::ModelView),
+        (GL_PROJECTION, MatrixMode::Projection),
+        (GL_TEXTURE, MatrixMode::Texture),
+    ],
+};
+
+/// A stack; never empty.
+#[derive(Clone, Debug)]
+pub(crate) struct Stack {
+    below: Vec<DMat4>,
+    pub top: DMat4,
+    limit: usize,
+}
+
+impl Stack {
+    fn new(limit: usize) -> Self {
+        Self { below: Vec::new(), top: DMat4::IDENTITY, limit }
+    }
+
+    /// How many matrices are on it.
+    pub fn depth(&self) -> usize {
+        self.below.len() + 1
+    }
+}
+
+/// All stacks.
+#[derive(Clone, Debug)]
+pub(crate) struct Matrices {
+    pub mode: MatrixMode,
+    pub modelview: Stack,
+    pub projection: Stack,
+    pub texture: [Stack; MAX_TEXTURE_UNITS as usize],
+}
+
+impl Default for Matrices {
+    fn default() -> Self {
+        Self {
+            mode: MatrixMode::ModelView,
+            modelview: Stack::new(MAX_MODELVIEW_STACK_DEPTH),
+            projection: Stack::new(MAX_STACK_DEPTH),
+            texture: std::array::from_fn(|_| Stack::new(MAX_STACK_DEPTH)),
+        }
+    }
+}
+
+/// The stack that the matrix mode selects.
+fn stack(context: &mut Context) -> &mut Stack {
+    let unit = usize::from(context.state.units.active);
+    let matrices = &mut context.state.matrices;
+    match matrices.mode {
+        MatrixMode::ModelView => &mut matrices.modelview,
+        MatrixMode::Projection => &mut matrices.projection,
+        MatrixMode::Texture => &mut matrices.texture[unit],
+    }
+}
+
+fn multiply(context: &mut Context, matrix: DMat4) -> Result<()> {
+    let stack = stack(context);
+    stack.top *= matrix;
+    Ok(())
+}
+
+/// 16 numbers, column by column.
+fn matrix<T: Copy + Into<f64>>(m: &[T]) -> Result<DMat4> {
+    match m.first_chunk::<16>() {
+        Some(m) => Ok(DMat4::from_cols_array(&m.map(Into::into))),
+        None => {
+            invalid_operation(SECTION, format!("m has {} of the 16 numbers of a matrix", m.len()))
+        }
+    }
+}
+
+pub(crate) fn matrix_mode(context: &mut Context, mode: GLenum) -> Result<()> {
+    context.state.matrices.mode = MATRIX_MODE.decode("mode", mode)?;
+    Ok(())
+}
+
+pub(crate) fn load_identity(context: &mut Context) -> Result<()> {
+    stack(context).top = DMat4::IDENTITY;
+    Ok(())
+}
+
+pub(crate) fn load_matrixf(context: &mut Context, m: &[GLfloat]) -> Result<()> {
+    stack(context).top = matrix(m)?;
+    Ok(())
+}
+
+pub(crate) fn load_matrixd(context: &mut Context, m: &[GLdouble]) -> Result<()> {
+    stack(context).top = matrix(m)?;
+    Ok(())
+}
+
+pub(crate) fn load_transpose_matrixf(context: &mut Context, m: &[GLfloat]) -> Result<()> {
+    stack(context).top = matrix(m)?.transpose();
+    Ok(())
+}
+
+pub(crate) fn load_transpose_matrixd(context: &mut Context, m: &[GLdouble]) -> Result<()> {
+    stack(context).top = matrix(m)?.transpose();
+    Ok(())
+}
+
+pub(crate) fn mult_matrixf(context: &mut Context, m: &[GLfloat]) -> Result<()> {
+    multiply(context, matrix(m)?)
+}
+
+pub(crate) fn mult_matrixd(context: &mut Context, m: &[GLdouble]) -> Result<()> {
+    multiply(context, matrix(m)?)
+}
+
+pub(crate) fn mult_transpose_matrixf(context: &mut Context, m: &[GLfloat]) -> Result<()> {
+    multiply(context, matrix(m)?.transpose())
+}
+
+pub(crate) fn mult_transpose_matrixd(context: &mut Context, m: &[GLdouble]) -> Result<()> {
+    multiply(context, matrix(m)?.transpose())
+}
+
+pub(crate) fn push_matrix(context: &mut Context) -> Result<()> {
+    let stack = stack(context);
+    if stack.depth() == stack.limit {
+        return Err(GlError {
+            code: ErrorCode::StackOverflow,
+            rule: format!("the stack holds {} matrices and no more", stack.limit),
+            section: SECTION,
+        });
+    }
+    stack.below.push(stack.top);
+    Ok(())
+}
+
+pub(crate) fn pop_matrix(context: &mut Context) -> Result<()> {
+    let stack = stack(context);
+    match stack.below.pop() {
+        Some(matrix) => {
+            stack.top = matrix;
+            Ok(())
+        }
+        None => Err(GlError {
+            code: ErrorCode::StackUnderflow,
+            rule: "the stack holds one matrix, which cannot be popped".into(),
+            section: SECTION,
+        }),
+    }
+}
+
+pub(crate) fn rotatef(
+    context: &mut Context,
+    angle: GLfloat,
+    x: GLfloat,
+    y: GLfloat,
+    z: GLfloat,
+) -> Result<()> {
+    rotated(context, angle.into(), x.into(), y.into(), z.into())
+}
+
+/// An axis of length zero turns nothing; the specification leaves it open.
+pub(crate) fn rotated(
+    context: &mut Context,
+    angle: GLdouble,
+    x: GLdouble,
+    y: GLdouble,
+    z: GLdouble,
+) -> Result<()> {
+    let length = DVec3::new(x, y, z).length();
+    if length == 0.0 {
+        return Ok(());
+    }
+    let (x, y, z) = (x / length, y / length, z / length);
+    let (s, c) = sin_cos_degrees(angle);
+    let t = 1.0 - c;
+    multiply(
+        context,
+        DMat4::from_cols_array_2d(&[
+            [x * x * t + c, y * x * t + z * s, x * z * t - y * s, 0.0],
+            [x * y * t - z * s, y * y * t + c, y * z * t + x * s, 0.0],
+            [x * z * t + y * s, y * z * t - x * s, z * z * t + c, 0.0],
+            [0.0, 0.0, 0.0, 1.0],
+        ]),
+    )
+}
+
+pub(crate) fn translatef(context: &mut Context, x: GLfloat, y: GLfloat, z: GLfloat) -> Result<()> {
+    translated(context, x.into(), y.into(), z.into())
+}
+
+pub(crate) fn translated(
+    context: &mut Context,
+    x: GLdouble,
+    y: GLdouble,
+    z: GLdouble,
+) -> Result<()> {
+    multiply(context, DMat4::from_translation(DVec3::new(x, y, z)))
+}
+
+pub(crate) fn scalef(context: &mut Context, x: GLfloat, y: GLfloat, z: GLfloat) -> Result<()> {
+    scaled(context, x.into(), y.into(), z.into())
+}
+
+pub(crate) fn scaled(context: &mut Context, x: GLdouble, y: GLdouble, z: GLdouble) -> Result<()> {
+    multiply(context, DMat4::from_scale(DVec3::new(x, y, z)))
+}
+
+pub(crate) fn frustum(
+    context: &mut Context,
+    left: GLdouble,
+    right: GLdouble,
+    bottom: GLdouble,
+    top: GLdouble,
+    near: GLdouble,
+    far: GLdouble,
+) -> Result<()> {
+    if !(near > 0.0 && far > 0.0) {
+        return invalid_value(SECTION, format!("near = {near} and far = {far} must be positive"));
+    }
+    box_has_volume([left, right], [bottom, top], [near, far])?;
+    let (width, height, depth) = (right - left, top - bottom, far - near);
+    multiply(
+        context,
+        DMat4::from_cols_array_2d(&[
+            [2.0 * near / width, 0.0, 0.0, 0.0],
+            [0.0, 2.0 * near / height, 0.0, 0.0],
+            [(right + left) / width, (top + bottom) / height, -(far + near) / depth, -1.0],
+            [0.0, 0.0, -(2.0 * far * near) / depth, 0.0],
+        ]),
+    )
+}
+
+pub(crate) fn ortho(
+    context: &mut Context,
+    left: GLdouble,
+    right: GLdouble,
+    bottom: GLdouble,
+    top: GLdouble,
+    near: GLdouble,
+    far: GLdouble,
+) -> Result<()> {
+    box_has_volume([left, right], [bottom, top], [near, far])?;
+    let (width, height, depth) = (right - left, top - bottom, far - near);
+    multiply(
+        context,
+        DMat4::from_cols_array_2d(&[
+            [2.0 / width, 0.0, 0.0, 0.0],
+            [0.0, 2.0 / height, 0.0, 0.0],
+            [0.0, 0.0, -2.0 / depth, 0.0],
+            [-(right + left) / width, -(top + bottom) / height, -(far + near) / depth, 1.0],
+        ]),
+    )
+}
+
+fn box_has_volume(x: [f64; 2], y: [f64; 2], z: [f64; 2]) -> Result<()> {
+    for (axis, [from, to]) in [("left and right", x), ("bottom and top", y), ("near and far", z)] {
+        if from == to {
+            return invalid_value(SECTION, format!("{axis} must differ; both are {from}"));
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,75 @@
+//! The state of a context, by chapter of the specification: plain values and the calls that set
+//! them. Objects are in [`crate::object`], texture environments in [`crate::env`].
+
+pub(crate) mod enable;
+pub(crate) mod fragment;
+pub(crate) mod matrix;
+pub(crate) mod pixel_store;
+pub(crate) mod raster;
+pub(crate) mod trig;
+pub(crate) mod viewport;
+
+use crate::env::Units;
+use crate::interface::{ATTRIB_COLOR, ATTRIB_NORMAL};
+use crate::types::GLuint;
+use enable::Enables;
+use fragment::{ClearState, FragmentState};
+use matrix::Matrices;
+use pixel_store::PixelStore;
+use raster::RasterState;
+use viewport::ViewportState;
+
+/// How many attribute locations there are, conventional ones included; see [`crate::interface`].
+pub(crate) const LOCATIONS: usize = 32;
+
+/// The names of what is bound; 0 where nothing is.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Bindings {
+    pub array_buffer: GLuint,
+    pub element_array_buffer: GLuint,
+    pub draw_framebuffer: GLuint,
+    pub read_framebuffer: GLuint,
+    pub renderbuffer: GLuint,
+    pub program: GLuint,
+}
+
+/// Everything that is no object.
+#[derive(Debug)]
+pub(crate) struct State {
+    pub matrices: Matrices,
+    pub viewport: ViewportState,
+    /// The current value of each attribute, by location.
+    pub current: [[f32; 4]; LOCATIONS],
+    pub arrays: crate::draw::arrays::Arrays,
+    pub enables: Enables,
+    pub raster: RasterState,
+    pub fragment: FragmentState,
+    pub clear: ClearState,
+    pub pack: PixelStore,
+    pub unpack: PixelStore,
+    pub units: Units,
+    pub bindings: Bindings,
+}
+
+impl State {
+    /// The initial state for a window of this size.
+    pub fn new(width: u32, height: u32) -> Self {
+        let mut current = [[0.0, 0.0, 0.0, 1.0]; LOCATIONS];
+        current[usize::from(ATTRIB_COLOR)] = [1.0; 4];
+        current[usize::from(ATTRIB_NORMAL)] = [0.0, 0.0, 1.0, 1.0];
+        Self {
+            matrices: Matrices::default(),
+            viewport: ViewportState::new(width, height),
+            current,
+            arrays: crate::draw::arrays::Arrays::default(),
+            enables: Enables::default(),
+            raster: RasterState::default(),
+            fragment: FragmentState::new(width, height),
+            clear: ClearState::default(),
+            pack: PixelStore::default(),
+            unpack: PixelStore::default(),
+            units: Units::default(),
+            bindings: Bindings::default(),
+        }
+    }
+}

@@ -1,0 +1,125 @@
+//! How primitives become fragments: GL 2.1, sections 3.3 to 3.5, and 2.14.7.
+
+use crate::constants::*;
+use crate::context::Context;
+use crate::error::{Result, Table, invalid_value};
+use crate::types::*;
+use rasterizer::driver::{Cull, FrontFace};
+use rasterizer::ir::Interpolation;
+
+/// What primitives are drawn how.
+#[derive(Clone, Debug)]
+pub(crate) struct RasterState {
+    pub cull: Cull,
+    pub front_face: FrontFace,
+    pub shade_model: Interpolation,
+    pub offset_factor: f32,
+    pub offset_units: f32,
+    pub line_width: f32,
+    pub point_size: f32,
+    /// By row of [`HINTS`].
+    pub hints: [GLenum; HINTS.rows.len()],
+}
+
+impl Default for RasterState {
+    fn default() -> Self {
+        Self {
+            cull: Cull::Back,
+            front_face: FrontFace::Ccw,
+            shade_model: Interpolation::Smooth,
+            offset_factor: 0.0,
+            offset_units: 0.0,
+            line_width: 1.0,
+            point_size: 1.0,
+            hints: [GL_DONT_CARE; HINTS.rows.len()],
+        }
+    }
+}
+
+pub(crate) const FACE: Table<Cull> = Table {
+    section: "GL 2.1, section 3.5.1",
+    rows: &[(GL_FRONT, Cull::Front), (GL_BACK, Cull::Back), (GL_FRONT_AND_BACK, Cull::Both)],
+};
+
+pub(crate) const FRONT_FACE: Table<FrontFace> = Table {
+    section: "GL 2.1, section 3.5.1",
+    rows: &[(GL_CCW, FrontFace::Ccw), (GL_CW, FrontFace::Cw)],
+};
+
+pub(crate) const SHADE_MODEL: Table<Interpolation> = Table {
+    section: "GL 2.1, section 2.14.7",
+    rows: &[(GL_SMOOTH, Interpolation::Smooth), (GL_FLAT, Interpolation::Flat)],
+};
+
+/// The hints that are kept, by their place.
+pub(crate) const HINTS: Table<usize> = Table {
+    section: "GL 2.1, section 5.6",
+    rows: &[
+        (GL_PERSPECTIVE_CORRECTION_HINT, 0),
+        (GL_POINT_SMOOTH_HINT, 1),
+        (GL_LINE_SMOOTH_HINT, 2),
+        (GL_POLYGON_SMOOTH_HINT, 3),
+        (GL_FOG_HINT, 4),
+        (GL_GENERATE_MIPMAP_HINT, 5),
+        (GL_TEXTURE_COMPRESSION_HINT, 6),
+        (GL_FRAGMENT_SHADER_DERIVATIVE_HINT, 7),
+    ],
+};
+
+const HINT_MODE: Table<GLenum> = Table {
+    section: "GL 2.1, section 5.6",
+    rows: &[(GL_FASTEST, GL_FASTEST), (GL_NICEST, GL_NICEST), (GL_DONT_CARE, GL_DONT_CARE)],
+};
+
+pub(crate) fn cull_face(context: &mut Context, mode: GLenum) -> Result<()> {
+    context.state.raster.cull = FACE.decode("mode", mode)?;
+    Ok(())
+}
+
+pub(crate) fn front_face(context: &mut Context, mode: GLenum) -> Result<()> {
+    context.state.raster.front_face = FRONT_FACE.decode("mode", mode)?;
+    Ok(())
+}
+
+pub(crate) fn shade_model(context: &mut Context, mode: GLenum) -> Result<()> {
+    context.state.raster.shade_model = SHADE_MODEL.decode("mode", mode)?;
+    Ok(())
+}
+
+/// Polygons are filled; points and lines are not there yet.
+pub(crate) fn polygon_mode(_: &mut Context, face: GLenum, mode: GLenum) -> Result<()> {
+    const POLYGON_MODE: Table<()> =
+        Table { section: "GL 2.1, section 3.5.4", rows: &[(GL_FILL, ())] };
+    FACE.decode("face", face)?;
+    POLYGON_MODE.decode("mode", mode)
+}
+
+pub(crate) fn polygon_offset(context: &mut Context, factor: GLfloat, units: GLfloat) -> Result<()> {
+    context.state.raster.offset_factor = factor;
+    context.state.raster.offset_units = units;
+    Ok(())
+}
+
+fn positive(section: &'static str, argument: &str, value: f32) -> Result<f32> {
+    if value > 0.0 {
+        Ok(value)
+    } else {
+        invalid_value(section, format!("{argument} = {value} must be positive"))
+    }
+}
+
+pub(crate) fn line_width(context: &mut Context, width: GLfloat) -> Result<()> {
+    context.state.raster.line_width = positive("GL 2.1, section 3.4", "width", width)?;
+    Ok(())
+}
+
+pub(crate) fn point_size(context: &mut Context, size: GLfloat) -> Result<()> {
+    context.state.raster.point_size = positive("GL 2.1, section 3.3", "size", size)?;
+    Ok(())
+}
+
+pub(crate) fn hint(context: &mut Context, target: GLenum, mode: GLenum) -> Result<()> {
+    let place = HINTS.decode("target", target)?;
+    context.state.raster.hints[place] = HINT_MODE.decode("mode", mode)?;
+    Ok(())
+}

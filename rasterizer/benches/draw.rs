@@ -1,0 +1,192 @@
+//! Full-screen draws at 1024×1024, per instruction set, on one thread: what a pixel costs from
+//! coverage to the attachment.
+
+use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+use rasterizer::driver::{
+    Attachment, Buffer, ColorState, Command, CommandBuffer, Cull, Device, DeviceDesc, Explain,
+    FrontFace, Image, PassDesc, Pipeline, PipelineDesc, Provoking, ShaderModule, Topology,
+    VertexBinding, VertexFormat, VertexSource, VertexType, Viewport,
+};
+use rasterizer::ir::{Builder, Input, Interpolation, Lod, Output, Stage, TextureDecl, Value};
+use std::hint::black_box;
+use std::sync::Arc;
+use std::time::Duration;
+use texunit::format::Format;
+use texunit::image::{Image as Texels, Level, Shape};
+use texunit::lanes::Isa;
+use texunit::plan::SamplePlan;
+use texunit::sampler::{Filter, Mipmap, Sampler};
+
+const SIZE: u32 = 1024;
+
+fn module(b: Builder) -> ShaderModule {
+    ShaderModule::new(b.finish()).expect("valid")
+}
+
+/// Position, and s, t as slots 0 and 1.
+fn vertex() -> ShaderModule {
+    let mut b = Builder::new(Stage::Vertex);
+    for component in 0..4 {
+        let value = b.input(Input::Attribute { location: 0, component });
+        let out = b.output(Output::Position(component));
+        b.store(out, value);
+    }
+    for slot in 0..2 {
+        let value = b.input(Input::Attribute { location: 1, component: slot });
+        let out = b.output(Output::Varying(slot.into()));
+        b.store(out, value);
+    }
+    module(b)
+}
+
+fn fragment(color: impl FnOnce(&mut Builder) -> [Value; 4]) -> ShaderModule {
+    let mut b = Builder::new(Stage::Fragment);
+    b.module_mut().varyings = vec![Interpolation::Smooth; 2];
+    let rgba = color(&mut b);
+    for (component, value) in rgba.into_iter().enumerate() {
+        let out = b.output(Output::Color { target: 0, component: component as u8 });
+        b.store(out, value);
+    }
+    module(b)
+}
+
+fn textured() -> ShaderModule {
+    fragment(|b| {
+        let texture = b.texture(TextureDecl { shape: Shape::D2, compare: false });
+        let (s, t, zero) = (b.input(Input::Varying(0)), b.input(Input::Varying(1)), b.float(0.0));
+        b.sample(texture, [s, t, zero], None, Lod::Implicit { bias: None })
+    })
+}
+
+/// A texture of noise with mipmaps.
+fn texels() -> Texels {
+    let mut level = Level::new(Format::Rgba8, 512, 512).expect("small");
+    for (i, byte) in level.texels.iter_mut().enumerate() {
+        *byte = (i as u32).wrapping_mul(2_654_435_761).to_le_bytes()[3];
+    }
+    let mut image = Texels::new(Shape::D2);
+    image.set_level(0, 0, level).expect("face 0");
+    image.generate_mipmaps(0, 1000).expect("small");
+    image
+}
+
+/// A square in the plane, or a floor in perspective.
+fn vertices(far_w: f32, repeat: f32) -> Arc<[VertexBinding]> {
+    let corner = |x: f32, y: f32| {
+        let w = if y > 0.0 { far_w } else { 1.0 };
+        [x * w, y * w, 0.0, w, (x + 1.0) * repeat, (y + 1.0) * repeat, 0.0, 1.0]
+    };
+    let floats: Vec<f32> =
+        [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]]
+            .into_iter()
+            .flat_map(|[x, y]| corner(x, y))
+            .collect();
+    let buffer = Buffer::new(floats.iter().flat_map(|v| v.to_le_bytes()).collect());
+    (0..2)
+        .map(|location| VertexBinding {
+            location,
+            source: VertexSource::Array {
+                buffer: buffer.clone(),
+                offset: usize::from(location) * 16,
+                stride: 32,
+                ty: VertexType::F32,
+                components: 4,
+                format: VertexFormat::Plain,
+            },
+        })
+        .collect()
+}
+
+struct Scene {
+    name: &'static str,
+    fragment: ShaderModule,
+    sampler: Sampler,
+    vertices: Arc<[VertexBinding]>,
+}
+
+fn scenes() -> Vec<Scene> {
+    let sampler =
+        |filter, mipmap| Sampler { min: filter, mag: filter, mipmap, ..Sampler::default() };
+    let flat = fragment(|b| [0.1, 0.2, 0.3, 1.0].map(|v| b.float(v)));
+    let smooth = fragment(|b| {
+        let (s, t, one) = (b.input(Input::Varying(0)), b.input(Input::Varying(1)), b.float(1.0));
+        [s, t, one, one]
+    });
+    let nearest = sampler(Filter::Nearest, Mipmap::None);
+    let linear = sampler(Filter::Linear, Mipmap::None);
+    let trilinear = sampler(Filter::Linear, Mipmap::Linear);
+    let scene = |name, fragment: &ShaderModule, sampler: &Sampler, far_w, repeat| Scene {
+        name,
+        fragment: fragment.clone(),
+        sampler: sampler.clone(),
+        vertices: vertices(far_w, repeat),
+    };
+    let textured = textured();
+    vec![
+        scene("constant", &flat, &nearest, 1.0, 1.0),
+        scene("interpolated", &smooth, &nearest, 4.0, 0.5),
+        scene("nearest", &textured, &nearest, 1.0, 1.0),
+        scene("bilinear", &textured, &linear, 1.0, 1.0),
+        scene("trilinear_floor", &textured, &trilinear, 16.0, 4.0),
+    ]
+}
+
+fn draws(c: &mut Criterion) {
+    let texels = texels();
+    for isa in Isa::available() {
+        let desc =
+            DeviceDesc { isa, threads: 1, budget: DeviceDesc::BUDGET, explain: Explain::Off };
+        let device = Device::new(desc).expect("a thread starts");
+        let mut group = c.benchmark_group(format!("draw_{}", isa.name()));
+        group.throughput(Throughput::Elements(u64::from(SIZE * SIZE)));
+        group.sample_size(10).measurement_time(Duration::from_secs(1));
+        group.warm_up_time(Duration::from_millis(200));
+        for scene in scenes() {
+            let mut target = Texels::new(Shape::D2);
+            let level = Level::new(Format::Rgba8, SIZE, SIZE).expect("small");
+            target.set_level(0, 0, level).expect("face 0");
+            let commands = commands(&scene, &texels, Image::new(target));
+            group.bench_function(scene.name, |b| {
+                b.iter(|| black_box(device.submit(&commands)).expect("legal"));
+            });
+        }
+        group.finish();
+    }
+}
+
+fn commands(scene: &Scene, texels: &Texels, target: Image) -> CommandBuffer {
+    let plan = Arc::new(SamplePlan::new(texels, &scene.sampler));
+    let pipeline = Pipeline::new(PipelineDesc {
+        vertex: vertex(),
+        fragment: scene.fragment.clone(),
+        topology: Topology::Triangles,
+        cull: Cull::None,
+        front_face: FrontFace::Ccw,
+        provoking: Provoking::Last,
+        polygon_offset: None,
+        depth: None,
+        colors: vec![ColorState { blend: None, mask: [true; 4] }],
+        line_width_bits: 1.0_f32.to_bits(),
+        point_size_bits: 1.0_f32.to_bits(),
+    });
+    let (x, y, width, height) = (0.0, 0.0, SIZE as f32, SIZE as f32);
+    CommandBuffer {
+        commands: vec![
+            Command::BeginPass(PassDesc {
+                colors: vec![Some(Attachment { image: target, face: 0, level: 0 })],
+                depth: None,
+                width: SIZE,
+                height: SIZE,
+            }),
+            Command::BindPipeline(pipeline.expect("valid")),
+            Command::BindVertices(scene.vertices.clone()),
+            Command::BindTextures { vertex: Arc::new([]), fragment: Arc::new([Some(plan)]) },
+            Command::SetViewport(Viewport { x, y, width, height, near: 0.0, far: 1.0 }),
+            Command::Draw { first: 0, count: 6, instances: 1 },
+            Command::EndPass,
+        ],
+    }
+}
+
+criterion_group!(benches, draws);
+criterion_main!(benches);

@@ -1,0 +1,98 @@
+//! What a command buffer must keep to: checked whole before any of it runs.
+
+use super::command::{ClearValue, Command};
+use super::device::SubmitError;
+use super::image::PassDesc;
+use crate::output::DepthFormat;
+
+/// Checks the order and the ranges of commands.
+pub fn check(commands: &[Command]) -> Result<(), SubmitError> {
+    let mut pass: Option<&PassDesc> = None;
+    let mut pipeline = false;
+    let mut viewport = false;
+    for (index, command) in commands.iter().enumerate() {
+        let fail = |rule: &str| Err(SubmitError { index, rule: rule.to_owned() });
+        if pass.is_none() && !matches!(command, Command::BeginPass(_)) {
+            return fail("only BeginPass may stand outside a pass");
+        }
+        match command {
+            Command::BeginPass(desc) => {
+                if pass.is_some() {
+                    return fail("BeginPass: the pass before it was not ended");
+                }
+                if let Err(rule) = check_pass(desc) {
+                    return fail(&rule);
+                }
+                (pass, pipeline, viewport) = (Some(desc), false, false);
+            }
+            Command::EndPass => pass = None,
+            Command::Draw { .. } | Command::DrawIndexed { .. } => {
+                if !pipeline {
+                    return fail("a draw needs BindPipeline before it in the pass");
+                }
+                if !viewport {
+                    return fail("a draw needs SetViewport before it in the pass");
+                }
+            }
+            Command::BindPipeline(_) => pipeline = true,
+            Command::SetViewport(v) => {
+                let all = [v.x, v.y, v.width, v.height, v.near, v.far];
+                let fits = |v: f32| v.is_finite() && v.abs() <= 32768.0;
+                if !all.into_iter().all(fits) || v.width < 0.0 || v.height < 0.0 {
+                    return fail(
+                        "SetViewport: numbers must be finite, at most 32768, sizes not negative",
+                    );
+                }
+                viewport = true;
+            }
+            Command::Clear { value, .. } => {
+                let nan = match value {
+                    ClearValue::Color { .. } => false,
+                    ClearValue::Depth(depth) => depth.is_nan(),
+                };
+                if nan {
+                    return fail("Clear: the depth is NaN");
+                }
+            }
+            Command::BindVertices(_)
+            | Command::BindTextures { .. }
+            | Command::SetUniforms(_)
+            | Command::SetScissor(_) => {}
+        }
+    }
+    if pass.is_some() {
+        return Err(SubmitError {
+            index: commands.len(),
+            rule: "the last pass was not ended".into(),
+        });
+    }
+    Ok(())
+}
+
+fn check_pass(desc: &PassDesc) -> Result<(), String> {
+    let attachments = desc
+        .colors
+        .iter()
+        .flatten()
+        .map(|a| (a, "colour"))
+        .chain(desc.depth.iter().map(|a| (a, "depth")));
+    for (attachment, kind) in attachments {
+        let extent = attachment.image.extent(attachment.face, attachment.level);
+        let Some((format, width, height)) = extent else {
+            return Err(format!(
+                "BeginPass: the {kind} attachment has no level {} of face {}",
+                attachment.level, attachment.face
+            ));
+        };
+        if width < desc.width || height < desc.height {
+            return Err(format!(
+                "BeginPass: the {kind} attachment is {width}×{height}, smaller than the pass's {}×{}",
+                desc.width, desc.height
+            ));
+        }
+        if DepthFormat::of(format).is_some() != (kind == "depth") {
+            return Err(format!("BeginPass: {format:?} is no format of a {kind} attachment"));
+        }
+    }
+    Ok(())
+}

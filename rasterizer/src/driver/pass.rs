@@ -1,0 +1,361 @@
+//! A pass: the unit of work.
+//!
+//! Its draws are shaded by vertices and set up as they come, their shapes binned to tiles; when the
+//! pass ends (or the bins are full) every tile runs, in parallel, its part of the whole pass.
+
+use super::buffer::VertexBinding;
+use super::command::{ClearValue, Command, Rect, Viewport};
+use super::device::{Device, SubmitReport};
+use super::image::PassDesc;
+use super::pipeline::Pipeline;
+use crate::output::DepthFormat;
+use crate::plan::{DrawPlan, PlanInput, Textures};
+use crate::primitive::{Primitives, SUBPIXEL, Setup, primitives, setup};
+use crate::raster::{Chunk, ClearJob, DrawJob, Entry, PassJob, TileJob, Worker};
+use crate::shader::{OverBudget, Prepared};
+use crate::target::{Plane, Surface, TILE, stored_components};
+use crate::vertex::{Ids, Unique, VertexStage, ordinals, shade};
+use rayon::prelude::*;
+use std::ops::Range;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use texunit::format::Format;
+use texunit::plan::SamplePlan;
+
+/// Primitives of a draw that are shaded and set up together.
+const CHUNK: u32 = 1 << 15;
+/// Primitives that are set up by one task.
+const TASK: u32 = 1 << 11;
+/// Shapes in the bins from which on they are drawn before the pass ends.
+const BINS_FULL: usize = 1 << 20;
+
+/// The state that commands set.
+struct Bound {
+    pipeline: Option<Pipeline>,
+    vertices: Arc<[VertexBinding]>,
+    vertex_textures: Textures,
+    fragment_textures: Textures,
+    uniforms: Arc<[u32]>,
+    viewport: Viewport,
+    scissor: Option<Rect>,
+}
+
+/// What is the same for all chunks of a draw.
+struct DrawState<'a> {
+    /// Its index in the pass.
+    draw: usize,
+    pipeline: &'a Pipeline,
+    ids: &'a Ids<'a>,
+    primitives: Primitives,
+    /// The vertex program's values of this draw.
+    prepared: Prepared,
+    /// The varying slots that the fragment stage reads.
+    slots: Vec<u16>,
+    setup: Setup,
+}
+
+/// A pass that is being recorded into bins.
+pub struct Pass<'a> {
+    device: &'a Device,
+    desc: &'a PassDesc,
+    colors: Vec<Option<Surface>>,
+    depth: Option<Surface>,
+    across: u32,
+    bins: Vec<Vec<Entry>>,
+    job: PassJob,
+    /// The command of each draw.
+    commands: Vec<usize>,
+    shapes: usize,
+    bound: Bound,
+}
+
+impl<'a> Pass<'a> {
+    /// Opens a pass.
+    pub fn begin(device: &'a Device, desc: &'a PassDesc) -> Self {
+        let across = desc.width.div_ceil(TILE);
+        let tiles = across as usize * desc.height.div_ceil(TILE) as usize;
+        let none: Arc<[Option<Arc<SamplePlan>>]> = Arc::new([]);
+        Self {
+            device,
+            desc,
+            colors: desc
+                .colors
+                .iter()
+                .map(|color| color.as_ref().and_then(|a| a.image.attach(a.face, a.level)))
+                .collect(),
+            depth: desc.depth.as_ref().and_then(|a| a.image.attach(a.face, a.level)),
+            across,
+            bins: vec![Vec::new(); tiles],
+            job: PassJob {
+                isa: device.desc().isa,
+                budget: device.desc().budget,
+                width: desc.width,
+                height: desc.height,
+                draws: Vec::new(),
+                chunks: Vec::new(),
+                clears: Vec::new(),
+            },
+            commands: Vec::new(),
+            shapes: 0,
+            bound: Bound {
+                pipeline: None,
+                vertices: Arc::new([]),
+                vertex_textures: none.clone(),
+                fragment_textures: none,
+                uniforms: Arc::new([]),
+                viewport: Viewport { x: 0.0, y: 0.0, width: 0.0, height: 0.0, near: 0.0, far: 1.0 },
+                scissor: None,
+            },
+        }
+    }
+
+    /// Takes one command of the pass.
+    pub fn command(&mut self, index: usize, command: &Command, report: &mut SubmitReport) {
+        match command {
+            Command::BeginPass(_) | Command::EndPass => {}
+            Command::BindPipeline(pipeline) => self.bound.pipeline = Some(pipeline.clone()),
+            Command::BindVertices(bindings) => self.bound.vertices = bindings.clone(),
+            Command::BindTextures { vertex, fragment } => {
+                self.bound.vertex_textures = vertex.clone();
+                self.bound.fragment_textures = fragment.clone();
+            }
+            Command::SetUniforms(words) => self.bound.uniforms = words.clone(),
+            Command::SetViewport(viewport) => self.bound.viewport = *viewport,
+            Command::SetScissor(scissor) => self.bound.scissor = *scissor,
+            Command::Clear { value, area } => self.clear(*value, *area),
+            &Command::Draw { first, count, instances } => {
+                self.draw(index, &Ids::Range(first), count, instances, report);
+            }
+            Command::DrawIndexed { indices, count, instances } => {
+                self.draw(index, &Ids::Indexed(indices), *count, *instances, report);
+            }
+        }
+    }
+
+    /// First and one past the last pixel that `rect` leaves of the pass, x then y.
+    fn area(&self, rect: Option<Rect>) -> [[i32; 2]; 2] {
+        let whole = [self.desc.width as i32, self.desc.height as i32];
+        let Some(rect) = rect else { return [[0, 0], whole] };
+        let far = |start: i32, size: u32, most: i32| {
+            (i64::from(start) + i64::from(size)).clamp(0, i64::from(most)) as i32
+        };
+        [
+            [rect.x.max(0), rect.y.max(0)],
+            [far(rect.x, rect.width, whole[0]), far(rect.y, rect.height, whole[1])],
+        ]
+    }
+
+    fn clear(&mut self, value: ClearValue, rect: Rect) {
+        let area = self.area(Some(rect));
+        let index = self.job.clears.len() as u32;
+        self.job.clears.push(ClearJob { value, area });
+        self.bin(area[0], [area[1][0] - 1, area[1][1] - 1], Entry::Clear(index));
+    }
+
+    /// Puts an entry into the tiles from pixel `low` to pixel `high`, both inside the pass.
+    fn bin(&mut self, low: [i32; 2], high: [i32; 2], entry: Entry) {
+        if low[0] > high[0] || low[1] > high[1] {
+            return;
+        }
+        for ty in low[1] / TILE as i32..=high[1] / TILE as i32 {
+            for tx in low[0] / TILE as i32..=high[0] / TILE as i32 {
+                self.bins[ty as usize * self.across as usize + tx as usize].push(entry);
+            }
+        }
+    }
+
+    fn draw(
+        &mut self,
+        command: usize,
+        ids: &Ids<'_>,
+        count: u32,
+        instances: u32,
+        report: &mut SubmitReport,
+    ) {
+        let area = self.area(self.bound.scissor);
+        let Some(pipeline) = self.bound.pipeline.clone() else { return };
+        if area[0][0] >= area[1][0] || area[0][1] >= area[1][1] {
+            return;
+        }
+        let isa = self.job.isa;
+        let format = |surface: &Option<Surface>| surface.as_ref().map(|s| s.format);
+        let formats: Vec<Option<Format>> = self.colors.iter().map(format).collect();
+        let plan = DrawPlan::new(
+            &pipeline,
+            PlanInput {
+                isa,
+                colors: &formats,
+                depth: format(&self.depth),
+                uniforms: &self.bound.uniforms,
+                textures: self.bound.fragment_textures.clone(),
+                viewport: self.bound.viewport,
+            },
+        );
+        self.device.explain(&|| plan.describe());
+        let draw = self.job.draws.len();
+        self.job.draws.push(DrawJob { plan, area, stopped: AtomicBool::new(false) });
+        self.commands.push(command);
+
+        let compiled = pipeline.compiled();
+        let desc = pipeline.desc();
+        let state = DrawState {
+            draw,
+            pipeline: &pipeline,
+            ids,
+            primitives: primitives(desc.topology, desc.provoking, count),
+            prepared: compiled.vertex.prepare(
+                isa,
+                &self.bound.uniforms,
+                &self.bound.vertex_textures,
+            ),
+            slots: compiled.varyings.iter().map(|&(slot, _)| slot).collect(),
+            setup: Setup {
+                viewport: self.bound.viewport,
+                cull: desc.cull,
+                front_face: desc.front_face,
+                line_width: f32::from_bits(desc.line_width_bits),
+                area,
+            },
+        };
+        for instance in 0..instances {
+            let mut start = 0;
+            while start < state.primitives.len {
+                let range = start..state.primitives.len.min(start + CHUNK);
+                start = range.end;
+                if self.chunk(&state, range, instance).is_err() {
+                    self.job.draws[draw].stopped.store(true, Ordering::Relaxed);
+                    return;
+                }
+                if self.shapes >= BINS_FULL {
+                    self.run_tiles(report);
+                }
+            }
+        }
+    }
+
+    /// Shades, sets up and bins a chunk of primitives.
+    fn chunk(
+        &mut self,
+        state: &DrawState<'_>,
+        range: Range<u32>,
+        instance: u32,
+    ) -> Result<(), OverBudget> {
+        let desc = state.pipeline.desc();
+        let ordinals = ordinals(desc.topology, &state.primitives, &range);
+        let wanted: Vec<u32> = ordinals.iter().map(|ordinal| state.ids.get(ordinal)).collect();
+        let unique = Unique::of(&wanted, state.ids);
+        let stage = VertexStage {
+            isa: self.job.isa,
+            budget: self.job.budget,
+            program: &state.pipeline.compiled().vertex,
+            prepared: &state.prepared,
+            textures: &self.bound.vertex_textures,
+            bindings: &self.bound.vertices,
+            viewport: state.setup.viewport,
+            varyings: &state.slots,
+            point_size: f32::from_bits(desc.point_size_bits),
+        };
+        let geometry = shade(&stage, &unique.ids, instance)?;
+        let local = |ordinal: u32| unique.local(&ordinals, &wanted, ordinal);
+        let task = |start: u32| {
+            let task = start..range.end.min(start + TASK);
+            let mut shapes = Vec::with_capacity(task.len());
+            let of_task = task.map(|i| state.primitives.get(i));
+            setup(&state.setup, &geometry, of_task, local, &mut shapes);
+            shapes
+        };
+        let shapes = if range.len() <= TASK as usize {
+            task(range.start)
+        } else {
+            let starts: Vec<u32> = range.clone().step_by(TASK as usize).collect();
+            starts.into_par_iter().map(task).collect::<Vec<_>>().concat()
+        };
+        let chunk = self.job.chunks.len() as u32;
+        for (index, shape) in shapes.iter().enumerate() {
+            let (mut low, mut high) = ([0; 2], [0; 2]);
+            for axis in 0..2 {
+                let c = shape.corners.map(|corner| corner[axis]);
+                let [first, last] = [c[0].min(c[1]).min(c[2]), c[0].max(c[1]).max(c[2])]
+                    .map(|v| v.div_euclid(SUBPIXEL));
+                low[axis] = first.max(state.setup.area[0][axis]);
+                high[axis] = last.min(state.setup.area[1][axis] - 1);
+            }
+            self.bin(low, high, Entry::Shape(chunk, index as u32));
+        }
+        self.shapes += shapes.len();
+        self.job.chunks.push(Chunk { draw: state.draw, geometry, shapes });
+        Ok(())
+    }
+
+    /// Runs every tile that has something to do, and empties the bins.
+    fn run_tiles(&mut self, report: &mut SubmitReport) {
+        let mut tiles = Vec::new();
+        let mut homes = Vec::new();
+        for (index, bin) in self.bins.iter_mut().enumerate() {
+            if bin.is_empty() {
+                continue;
+            }
+            let (tx, ty) = (index as u32 % self.across, index as u32 / self.across);
+            let take = |surface: &mut Surface| {
+                let at = (ty * surface.tiles_across() + tx) as usize;
+                std::mem::replace(&mut surface.planes[at], Plane::Cleared(0))
+            };
+            tiles.push(TileJob {
+                x: (tx * TILE) as i32,
+                y: (ty * TILE) as i32,
+                colors: self
+                    .colors
+                    .iter_mut()
+                    .map(|color| color.as_mut().map(|s| (take(s), stored_components(s.format))))
+                    .collect(),
+                depth: self
+                    .depth
+                    .as_mut()
+                    .and_then(|s| DepthFormat::of(s.format).map(|format| (take(s), format))),
+                entries: std::mem::take(bin),
+            });
+            homes.push((tx, ty));
+        }
+        let job = &self.job;
+        tiles
+            .par_iter_mut()
+            .with_max_len(1)
+            .for_each_init(Worker::default, |worker, tile| worker.run(job, tile));
+        for (tile, (tx, ty)) in tiles.into_iter().zip(homes) {
+            let put = |surface: &mut Surface, plane: Plane| {
+                let at = (ty * surface.tiles_across() + tx) as usize;
+                surface.planes[at] = plane;
+            };
+            for (surface, plane) in self.colors.iter_mut().zip(tile.colors) {
+                if let (Some(surface), Some((plane, _))) = (surface, plane) {
+                    put(surface, plane);
+                }
+            }
+            if let (Some(surface), Some((plane, _))) = (&mut self.depth, tile.depth) {
+                put(surface, plane);
+            }
+        }
+        for (draw, &command) in self.job.draws.iter().zip(&self.commands) {
+            if draw.stopped.load(Ordering::Relaxed) && !report.over_budget.contains(&command) {
+                report.over_budget.push(command);
+            }
+        }
+        // The draws stay: one of them may still be adding chunks.
+        self.job.chunks.clear();
+        self.job.clears.clear();
+        self.shapes = 0;
+    }
+
+    /// Runs what is left and gives the attachments back.
+    pub fn end(mut self, report: &mut SubmitReport) {
+        self.run_tiles(report);
+        for (attachment, surface) in self.desc.colors.iter().zip(self.colors) {
+            if let (Some(a), Some(surface)) = (attachment, surface) {
+                a.image.detach(a.face, a.level, surface);
+            }
+        }
+        if let (Some(a), Some(surface)) = (&self.desc.depth, self.depth) {
+            a.image.detach(a.face, a.level, surface);
+        }
+    }
+}

@@ -1,0 +1,35 @@
+//! The queue: runs a checked command buffer pass by pass.
+
+use super::command::Command;
+use super::device::{Device, SubmitReport};
+use super::pass::Pass;
+
+/// Runs checked commands.
+pub fn run(device: &Device, commands: &[Command]) -> SubmitReport {
+    let mut report = SubmitReport::default();
+    let mut pass = None;
+    for (index, command) in commands.iter().enumerate() {
+        match command {
+            Command::BeginPass(desc) => pass = Some(Pass::begin(device, desc)),
+            Command::EndPass => {
+                if let Some(pass) = pass.take() {
+                    pass.end(&mut report);
+                }
+            }
+            Command::Clear { .. }
+            | Command::BindPipeline(_)
+            | Command::BindVertices(_)
+            | Command::BindTextures { .. }
+            | Command::SetUniforms(_)
+            | Command::SetViewport(_)
+            | Command::SetScissor(_)
+            | Command::Draw { .. }
+            | Command::DrawIndexed { .. } => {
+                if let Some(pass) = pass.as_mut() {
+                    pass.command(index, command, &mut report);
+                }
+            }
+        }
+    }
+    report
+}

@@ -1,0 +1,92 @@
+//! Blending (GL 2.1, section 4.1.8), in `f32` on clamped colours.
+
+use crate::driver::{Blend, BlendEquation, BlendFactor};
+use texunit::lanes::{F32s, LANES, math};
+
+/// The blended colour of 64 fragments, unclamped.
+#[inline(always)]
+pub fn blend(state: &Blend, source: &[F32s; 4], destination: &[F32s; 4]) -> [F32s; 4] {
+    let constant = state.constant.map(|c| math::clamp(c, 0.0, 1.0));
+    let mut out = [F32s::ZERO; 4];
+    for (channel, out) in out.iter_mut().enumerate() {
+        let part = usize::from(channel == 3);
+        let (s, d) = (&source[channel], &destination[channel]);
+        let colors = Colors { source, destination, constant, channel };
+        match state.equation[part] {
+            BlendEquation::Min => {
+                for lane in 0..LANES {
+                    out[lane] = math::min(s[lane], d[lane]);
+                }
+            }
+            BlendEquation::Max => {
+                for lane in 0..LANES {
+                    out[lane] = math::max(s[lane], d[lane]);
+                }
+            }
+            equation @ (BlendEquation::Add
+            | BlendEquation::Subtract
+            | BlendEquation::ReverseSubtract) => {
+                let mut sf = F32s::ZERO;
+                let mut df = F32s::ZERO;
+                colors.factor(state.src[part], &mut sf);
+                colors.factor(state.dst[part], &mut df);
+                for lane in 0..LANES {
+                    let (a, b) = (s[lane] * sf[lane], d[lane] * df[lane]);
+                    out[lane] = match equation {
+                        BlendEquation::Add | BlendEquation::Min | BlendEquation::Max => a + b,
+                        BlendEquation::Subtract => a - b,
+                        BlendEquation::ReverseSubtract => b - a,
+                    };
+                }
+            }
+        }
+    }
+    out
+}
+
+/// What the factors of a channel are made of.
+struct Colors<'a> {
+    source: &'a [F32s; 4],
+    destination: &'a [F32s; 4],
+    constant: [f32; 4],
+    channel: usize,
+}
+
+impl Colors<'_> {
+    #[inline(always)]
+    fn factor(&self, factor: BlendFactor, out: &mut F32s) {
+        let Colors { source, destination, constant, channel } = self;
+        match factor {
+            BlendFactor::Zero => *out = F32s::ZERO,
+            BlendFactor::One => *out = F32s::splat(1.0),
+            BlendFactor::SrcColor => *out = source[*channel],
+            BlendFactor::OneMinusSrcColor => one_minus(&source[*channel], out),
+            BlendFactor::DstColor => *out = destination[*channel],
+            BlendFactor::OneMinusDstColor => one_minus(&destination[*channel], out),
+            BlendFactor::SrcAlpha => *out = source[3],
+            BlendFactor::OneMinusSrcAlpha => one_minus(&source[3], out),
+            BlendFactor::DstAlpha => *out = destination[3],
+            BlendFactor::OneMinusDstAlpha => one_minus(&destination[3], out),
+            BlendFactor::ConstantColor => *out = F32s::splat(constant[*channel]),
+            BlendFactor::OneMinusConstantColor => *out = F32s::splat(1.0 - constant[*channel]),
+            BlendFactor::ConstantAlpha => *out = F32s::splat(constant[3]),
+            BlendFactor::OneMinusConstantAlpha => *out = F32s::splat(1.0 - constant[3]),
+            BlendFactor::SrcAlphaSaturate => {
+                if *channel == 3 {
+                    *out = F32s::splat(1.0);
+                } else {
+                    for lane in 0..LANES {
+                        out[lane] = math::min(source[3][lane], 1.0 - destination[3][lane]);
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[inline(always)]
+fn one_minus(of: &F32s, out: &mut F32s) {
+    for lane in 0..LANES {
+        out[lane] = 1.0 - of[lane];
+    }
+}

@@ -1,0 +1,135 @@
+//! The depth test (GL 2.1, section 4.1.6), on the words that the attachment holds.
+
+use super::color::{expand_mask, pack_mask};
+use crate::driver::DepthWrite;
+use texunit::format::Format;
+use texunit::lanes::{F32s, Kernel, LANES, Simd, U32s};
+use texunit::sampler::Compare;
+
+/// How depth is stored.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DepthFormat {
+    /// 16 bits.
+    D16,
+    /// 24 bits.
+    D24,
+    /// `f32`.
+    D32F,
+}
+
+impl DepthFormat {
+    /// The depth format of an attachment, if it is one.
+    pub fn of(format: Format) -> Option<Self> {
+        match format {
+            Format::D16 => Some(Self::D16),
+            Format::D24 => Some(Self::D24),
+            Format::D32F => Some(Self::D32F),
+            Format::A8
+            | Format::L8
+            | Format::La8
+            | Format::I8
+            | Format::R8
+            | Format::Rg8
+            | Format::Rgb8
+            | Format::Rgba8
+            | Format::Srgb8
+            | Format::Srgb8A8
+            | Format::Sl8
+            | Format::Sl8A8 => None,
+        }
+    }
+
+    /// The smallest resolvable difference; `None` where it depends on the value.
+    pub fn resolution(self) -> Option<f64> {
+        match self {
+            Self::D16 => Some(1.0 / 65536.0),
+            Self::D24 => Some(1.0 / 16_777_216.0),
+            Self::D32F => None,
+        }
+    }
+
+    /// The word of a depth in [0, 1].
+    #[inline(always)]
+    pub fn word(self, depth: f32) -> u32 {
+        // `f64` holds the product exactly, so there is one rounding.
+        match self {
+            Self::D16 => (f64::from(depth) * 65535.0 + 0.5) as u32,
+            Self::D24 => (f64::from(depth) * 16_777_215.0 + 0.5) as u32,
+            Self::D32F => depth.to_bits(),
+        }
+    }
+}
+
+/// What a draw does with depth.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct DepthPlan {
+    /// How it is stored.
+    pub format: DepthFormat,
+    /// `new OP stored` must hold.
+    pub test: Compare,
+    /// Whether passing fragments write.
+    pub write: DepthWrite,
+}
+
+/// Tests and writes 64 fragments; gives those that passed.
+pub struct DepthTest<'a> {
+    /// What is done.
+    pub plan: DepthPlan,
+    /// The depth of each, in [0, 1].
+    pub depth: &'a F32s,
+    /// The attachment's words.
+    pub stored: &'a mut U32s,
+    /// Which fragments there are.
+    pub mask: u64,
+}
+
+impl Kernel for DepthTest<'_> {
+    type Output = u64;
+    #[inline(always)]
+    fn run<S: Simd>(self) -> u64 {
+        let Self { plan, depth, stored, mask } = self;
+        let mut new = U32s::ZERO;
+        match plan.format {
+            DepthFormat::D16 => quantize(depth, 65535.0, &mut new),
+            DepthFormat::D24 => quantize(depth, 16_777_215.0, &mut new),
+            DepthFormat::D32F => new = *depth.as_u32(),
+        }
+        let covered = expand_mask(mask);
+        let mut pass = U32s::ZERO;
+        match plan.test {
+            Compare::Never => {}
+            Compare::Less => compare(&mut pass, &new, stored, |a, b| a < b),
+            Compare::Equal => compare(&mut pass, &new, stored, |a, b| a == b),
+            Compare::LessEqual => compare(&mut pass, &new, stored, |a, b| a <= b),
+            Compare::Greater => compare(&mut pass, &new, stored, |a, b| a > b),
+            Compare::NotEqual => compare(&mut pass, &new, stored, |a, b| a != b),
+            Compare::GreaterEqual => compare(&mut pass, &new, stored, |a, b| a >= b),
+            Compare::Always => pass = U32s::splat(!0),
+        }
+        for lane in 0..LANES {
+            pass[lane] &= covered[lane];
+        }
+        if plan.write == DepthWrite::On {
+            for lane in 0..LANES {
+                stored[lane] = (new[lane] & pass[lane]) | (stored[lane] & !pass[lane]);
+            }
+        }
+        pack_mask(&pass)
+    }
+}
+
+/// All ones in the lanes where `holds`.
+#[inline(always)]
+fn compare(pass: &mut U32s, new: &U32s, stored: &U32s, holds: impl Fn(u32, u32) -> bool) {
+    for lane in 0..LANES {
+        pass[lane] = if holds(new[lane], stored[lane]) { !0 } else { 0 };
+    }
+}
+
+/// [`DepthFormat::word`] over lanes.
+#[inline(always)]
+fn quantize(depth: &F32s, largest: f64, out: &mut U32s) {
+    for lane in 0..LANES {
+        out[lane] = (f64::from(depth[lane]) * largest + 0.5) as i32 as u32;
+    }
+}

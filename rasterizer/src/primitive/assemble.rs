@@ -1,0 +1,152 @@
+//! Which vertices make which primitive (GL 2.1, section 2.6.1), as arithmetic, so that a draw can
+//! be cut into chunks anywhere.
+
+use crate::driver::{Provoking, Topology};
+
+/// One primitive: the ordinals of its vertices within the draw, and which of them provokes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Primitive {
+    /// A point.
+    Point(u32),
+    /// A line; the index of the provoking vertex.
+    Line([u32; 2], u8),
+    /// A triangle; the index of the provoking vertex.
+    Triangle([u32; 3], u8),
+}
+
+/// The primitives that `count` vertices make.
+#[derive(Clone, Copy, Debug)]
+pub struct Primitives {
+    topology: Topology,
+    provoking: Provoking,
+    vertices: u32,
+    /// How many primitives.
+    pub len: u32,
+}
+
+/// The primitives that `vertices` vertices make. Incomplete ones at the end are left out.
+pub fn primitives(topology: Topology, provoking: Provoking, vertices: u32) -> Primitives {
+    let n = vertices;
+    let len = match topology {
+        Topology::Points => n,
+        Topology::Lines => n / 2,
+        Topology::LineStrip => n.saturating_sub(1),
+        Topology::LineLoop => {
+            if n < 2 {
+                0
+            } else {
+                n
+            }
+        }
+        Topology::Triangles => n / 3,
+        Topology::TriangleStrip | Topology::TriangleFan | Topology::Polygon => n.saturating_sub(2),
+        Topology::Quads => n / 4 * 2,
+        Topology::QuadStrip => (n / 2).saturating_sub(1) * 2,
+    };
+    Primitives { topology, provoking, vertices, len }
+}
+
+impl Primitives {
+    /// The primitive `i`.
+    pub fn get(&self, i: u32) -> Primitive {
+        let line = |a, b| match self.provoking {
+            Provoking::Last => Primitive::Line([a, b], 1),
+            Provoking::First => Primitive::Line([a, b], 0),
+        };
+        // Cut from the second to the fourth vertex: both halves hold the fourth, which provokes.
+        let quad = |q: [u32; 4], half: u32| {
+            if half == 0 {
+                Primitive::Triangle([q[0], q[1], q[3]], 2)
+            } else {
+                Primitive::Triangle([q[1], q[2], q[3]], 2)
+            }
+        };
+        match self.topology {
+            Topology::Points => Primitive::Point(i),
+            Topology::Lines => line(2 * i, 2 * i + 1),
+            Topology::LineStrip => line(i, i + 1),
+            Topology::LineLoop => line(i, if i + 1 == self.vertices { 0 } else { i + 1 }),
+            Topology::Triangles => {
+                let first = 3 * i;
+                Primitive::Triangle([first, first + 1, first + 2], self.last_or_first(2, 0))
+            }
+            Topology::TriangleStrip => {
+                if i.is_multiple_of(2) {
+                    Primitive::Triangle([i, i + 1, i + 2], self.last_or_first(2, 0))
+                } else {
+                    Primitive::Triangle([i + 1, i, i + 2], self.last_or_first(2, 1))
+                }
+            }
+            Topology::TriangleFan => {
+                Primitive::Triangle([0, i + 1, i + 2], self.last_or_first(2, 1))
+            }
+            Topology::Polygon => Primitive::Triangle([0, i + 1, i + 2], 0),
+            Topology::Quads => {
+                let first = i / 2 * 4;
+                quad([first, first + 1, first + 2, first + 3], i % 2)
+            }
+            Topology::QuadStrip => {
+                let first = i / 2 * 2;
+                // Around the quadrilateral, so that its last vertex (2i + 3) comes last.
+                quad([first + 2, first, first + 1, first + 3], i % 2)
+            }
+        }
+    }
+
+    fn last_or_first(&self, last: u8, first: u8) -> u8 {
+        match self.provoking {
+            Provoking::Last => last,
+            Provoking::First => first,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn triangles(topology: Topology, vertices: u32) -> Vec<[u32; 3]> {
+        let all = primitives(topology, Provoking::Last, vertices);
+        (0..all.len)
+            .map(|i| match all.get(i) {
+                Primitive::Triangle(v, _) => v,
+                other => panic!("{other:?}"),
+            })
+            .collect()
+    }
+
+    #[test]
+    fn each_topology_makes_its_primitives() {
+        assert_eq!(triangles(Topology::Triangles, 7), [[0, 1, 2], [3, 4, 5]]);
+        assert_eq!(triangles(Topology::TriangleStrip, 5), [[0, 1, 2], [2, 1, 3], [2, 3, 4]]);
+        assert_eq!(triangles(Topology::TriangleFan, 5), [[0, 1, 2], [0, 2, 3], [0, 3, 4]]);
+        assert_eq!(triangles(Topology::Quads, 7), [[0, 1, 3], [1, 2, 3]]);
+        assert_eq!(triangles(Topology::QuadStrip, 5), [[2, 0, 3], [0, 1, 3]]);
+        for (topology, vertices) in [
+            (Topology::Points, 0),
+            (Topology::Lines, 1),
+            (Topology::LineStrip, 1),
+            (Topology::LineLoop, 1),
+            (Topology::Triangles, 2),
+            (Topology::Polygon, 2),
+            (Topology::Quads, 3),
+            (Topology::QuadStrip, 3),
+        ] {
+            assert_eq!(primitives(topology, Provoking::Last, vertices).len, 0, "{topology:?}");
+        }
+        let looped = primitives(Topology::LineLoop, Provoking::Last, 3);
+        assert_eq!(looped.get(2), Primitive::Line([2, 0], 1));
+    }
+
+    /// A strip of quadrilaterals winds like the triangles of a strip over the same vertices.
+    #[test]
+    fn the_provoking_vertex_of_a_quad_is_in_both_halves() {
+        for topology in [Topology::Quads, Topology::QuadStrip] {
+            let all = primitives(topology, Provoking::Last, 4);
+            for i in 0..2 {
+                let Primitive::Triangle(v, provoking) = all.get(i) else { panic!() };
+                assert_eq!(v[usize::from(provoking)], 3, "{topology:?}");
+            }
+        }
+    }
+}

@@ -1,0 +1,292 @@
+//! A batch of fragments: up to 16 quads, of one block or of many, of one shape or of many.
+
+use super::interpolate::Planes;
+use crate::plan::{DrawPlan, FragmentInput};
+use crate::primitive::Facing;
+use crate::shader::Machine;
+use texunit::lanes::{F32s, Kernel, LANES, QUADS, Simd, U32s};
+
+/// The three numbers of a plane for each quad: at the first pixel of its block, per pixel across,
+/// per pixel up.
+#[derive(Clone, Debug)]
+struct QuadPlane {
+    corner: [f32; QUADS],
+    a: [f32; QUADS],
+    b: [f32; QUADS],
+}
+
+/// The quads that are to be shaded together.
+#[derive(Debug)]
+pub struct Batch {
+    /// How many quads.
+    len: usize,
+    /// Which lanes are covered.
+    pub mask: u64,
+    /// Which block of the tile each quad is in.
+    blocks: [u8; QUADS],
+    /// Which quad of its block each is.
+    quads: [u8; QUADS],
+    /// Its first pixel within the block.
+    dx: [f32; QUADS],
+    dy: [f32; QUADS],
+    /// The first pixel of the block.
+    x: [f32; QUADS],
+    y: [f32; QUADS],
+    front: [u32; QUADS],
+    planes: Vec<QuadPlane>,
+    /// By block: the quads that wait in this batch.
+    waiting: [u16; 64],
+}
+
+/// Where a batch's pixels lie in a tile.
+pub enum Place<'a> {
+    /// All of one block.
+    Block(usize),
+    /// The block and quad of each of its quads.
+    Quads(&'a [u8], &'a [u8]),
+}
+
+impl Default for Batch {
+    fn default() -> Self {
+        Self {
+            len: 0,
+            mask: 0,
+            blocks: [0; QUADS],
+            quads: [0; QUADS],
+            dx: [0.0; QUADS],
+            dy: [0.0; QUADS],
+            x: [0.0; QUADS],
+            y: [0.0; QUADS],
+            front: [0; QUADS],
+            planes: Vec::new(),
+            waiting: [0; 64],
+        }
+    }
+}
+
+/// A block of a shape, to be put into a batch.
+pub struct BlockOf<'a> {
+    /// Its planes.
+    pub planes: &'a Planes,
+    /// Which side is seen.
+    pub facing: Facing,
+    /// Which block of the tile.
+    pub block: usize,
+    /// Its first pixel.
+    pub x: i32,
+    /// Its first row.
+    pub y: i32,
+}
+
+/// The quads of a mask of lanes, bit by quad.
+#[inline]
+pub fn quads_of(mask: u64) -> u16 {
+    (mask | mask >> QUADS | mask >> (2 * QUADS) | mask >> (3 * QUADS)) as u16
+}
+
+impl Batch {
+    /// Whether nothing waits.
+    pub fn is_empty(&self) -> bool {
+        self.len == 0
+    }
+
+    /// Whether no quad fits any more.
+    pub fn is_full(&self) -> bool {
+        self.len == QUADS
+    }
+
+    /// Whether any of the quads of a block waits here: what comes after must not overtake it.
+    pub fn holds(&self, block: usize, quads: u16) -> bool {
+        self.waiting[block] & quads != 0
+    }
+
+    /// Lanes that run: whole quads.
+    pub fn active(&self) -> u64 {
+        let quads = if self.len == QUADS { 0xFFFF } else { (1 << self.len) - 1 };
+        quads | quads << QUADS | quads << (2 * QUADS) | quads << (3 * QUADS)
+    }
+
+    /// Where its pixels are.
+    pub fn place(&self) -> Place<'_> {
+        Place::Quads(&self.blocks[..self.len], &self.quads[..self.len])
+    }
+
+    /// Forgets its quads and makes room for a draw with `planes` planes.
+    pub fn clear(&mut self, planes: usize) {
+        for &block in &self.blocks[..self.len] {
+            self.waiting[usize::from(block)] = 0;
+        }
+        self.len = 0;
+        self.mask = 0;
+        let none = QuadPlane { corner: [0.0; QUADS], a: [0.0; QUADS], b: [0.0; QUADS] };
+        self.planes.resize(planes, none);
+    }
+
+    /// Adds one quad of a block; `lanes` are the block's covered lanes.
+    pub fn push(&mut self, of: &BlockOf<'_>, quad: usize, lanes: u64) {
+        let at = self.len;
+        self.len += 1;
+        self.blocks[at] = of.block as u8;
+        self.quads[at] = quad as u8;
+        self.waiting[of.block] |= 1 << quad;
+        self.dx[at] = (quad % 4 * 2) as f32;
+        self.dy[at] = (quad / 4 * 2) as f32;
+        self.x[at] = of.x as f32;
+        self.y[at] = of.y as f32;
+        self.front[at] = front_word(of.facing);
+        for e in 0..4 {
+            self.mask |= (lanes >> (e * QUADS + quad) & 1) << (e * QUADS + at);
+        }
+        for (index, plane) in self.planes.iter_mut().enumerate() {
+            plane.corner[at] = of.planes.at(index, of.x, of.y);
+            plane.a[at] = of.planes.planes[index].a as f32;
+            plane.b[at] = of.planes.planes[index].b as f32;
+        }
+    }
+
+    /// Makes it a whole block.
+    pub fn set_block(&mut self, of: &BlockOf<'_>, lanes: u64, planes: usize) {
+        self.clear(planes);
+        self.len = QUADS;
+        self.mask = lanes;
+        // Its quads are not noted in `blocks`: a whole block runs at once and never waits.
+        for quad in 0..QUADS {
+            self.dx[quad] = (quad % 4 * 2) as f32;
+            self.dy[quad] = (quad / 4 * 2) as f32;
+        }
+        self.x = [of.x as f32; QUADS];
+        self.y = [of.y as f32; QUADS];
+        self.front = [front_word(of.facing); QUADS];
+        for (index, plane) in self.planes.iter_mut().enumerate() {
+            plane.corner = [of.planes.at(index, of.x, of.y); QUADS];
+            plane.a = [of.planes.planes[index].a as f32; QUADS];
+            plane.b = [of.planes.planes[index].b as f32; QUADS];
+        }
+    }
+}
+
+fn front_word(facing: Facing) -> u32 {
+    match facing {
+        Facing::Front => crate::ir::TRUE,
+        Facing::Back => 0,
+    }
+}
+
+/// Fills the input registers of a program from a batch, and the depth of each lane if a plane
+/// holds it.
+pub struct Interpolate<'a> {
+    /// The draw.
+    pub plan: &'a DrawPlan,
+    /// The quads.
+    pub batch: &'a Batch,
+    /// Takes the inputs.
+    pub machine: &'a mut Machine,
+    /// Takes the depth, where the plan has a plane for it.
+    pub depth: &'a mut F32s,
+}
+
+impl Kernel for Interpolate<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn run<S: Simd>(self) {
+        let Self { plan, batch, machine, depth } = self;
+        if let Some(index) = plan.depth_plane {
+            batch.evaluate(index, depth);
+            clamp_depth(depth);
+        }
+        let mut w = F32s::ZERO;
+        if let Some(index) = plan.denominator_plane {
+            let mut over = F32s::ZERO;
+            batch.evaluate(index, &mut over);
+            for lane in 0..LANES {
+                w[lane] = 1.0 / over[lane];
+            }
+        }
+        for (index, input) in plan.inputs.iter().enumerate() {
+            let out = machine.input_mut(index);
+            match *input {
+                FragmentInput::Smooth(index) => {
+                    let mut over = F32s::ZERO;
+                    batch.evaluate(index, &mut over);
+                    let out = out.as_f32_mut();
+                    for lane in 0..LANES {
+                        out[lane] = over[lane] * w[lane];
+                    }
+                }
+                FragmentInput::Linear(index) => batch.evaluate(index, out.as_f32_mut()),
+                FragmentInput::Depth => *out.as_f32_mut() = *depth,
+                FragmentInput::Flat(index) => {
+                    by_quad(out, |_, q| batch.planes[index].corner[q].to_bits());
+                }
+                FragmentInput::X => {
+                    by_quad(out, |e, q| (batch.x[q] + (batch.dx[q] + X[e] + 0.5)).to_bits());
+                }
+                FragmentInput::Y => {
+                    by_quad(out, |e, q| (batch.y[q] + (batch.dy[q] + Y[e] + 0.5)).to_bits());
+                }
+                FragmentInput::Front => by_quad(out, |_, q| batch.front[q]),
+                FragmentInput::Zero => *out = U32s::ZERO,
+            }
+        }
+    }
+}
+
+/// Column of each pixel of a quad.
+const X: [f32; 4] = [0.0, 1.0, 0.0, 1.0];
+/// Row of each pixel of a quad.
+const Y: [f32; 4] = [0.0, 0.0, 1.0, 1.0];
+
+/// Fills lanes from the pixel of the quad and the quad.
+#[inline(always)]
+fn by_quad(out: &mut U32s, word: impl Fn(usize, usize) -> u32) {
+    for e in 0..4 {
+        for q in 0..QUADS {
+            out[e * QUADS + q] = word(e, q);
+        }
+    }
+}
+
+impl Batch {
+    /// A plane at every lane.
+    #[inline(always)]
+    fn evaluate(&self, plane: usize, out: &mut F32s) {
+        let p = &self.planes[plane];
+        for e in 0..4 {
+            for q in 0..QUADS {
+                let (dx, dy) = (self.dx[q] + X[e], self.dy[q] + Y[e]);
+                out[e * QUADS + q] = (p.corner[q] + dx * p.a[q]) + dy * p.b[q];
+            }
+        }
+    }
+}
+
+/// Window depth lies in [0, 1], whatever the planes and offsets gave (GL 2.1, section 2.11.1).
+#[inline(always)]
+pub fn clamp_depth(depth: &mut F32s) {
+    for lane in 0..LANES {
+        depth[lane] = texunit::lanes::math::clamp(depth[lane], 0.0, 1.0);
+    }
+}
+
+/// The depth of a block of one shape: the same numbers as [`Interpolate`] gives, before anything is
+/// shaded.
+pub struct BlockDepth {
+    /// At the first pixel, per pixel across, per pixel up.
+    pub plane: [f32; 3],
+}
+
+impl Kernel for BlockDepth {
+    type Output = F32s;
+    #[inline(always)]
+    fn run<S: Simd>(self) -> F32s {
+        let [corner, a, b] = self.plane;
+        let mut out = F32s::ZERO;
+        for lane in 0..LANES {
+            let dx = texunit::lanes::lane_x(lane) as f32;
+            let dy = texunit::lanes::lane_y(lane) as f32;
+            out[lane] = (corner + dx * a) + dy * b;
+        }
+        clamp_depth(&mut out);
+        out
+    }
+}

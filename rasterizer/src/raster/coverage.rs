@@ -1,0 +1,178 @@
+//! Which pixels a triangle covers: exact integer edge functions, top-left rule.
+//!
+//! An edge function is `E(p) = dx · (p.y - y0) - dy · (p.x - x0)` in subpixels, never negative
+//! inside a counter-clockwise triangle. Between pixel centres it moves in steps of 256 `dx` and
+//! 256 `dy`, so `E mod 256` is the same at every centre, and `floor(E / 256)` has the same sign as
+//! `E` and moves in steps of `dx` and `dy`: exact in 32 bits wherever an edge crosses a block.
+
+use crate::output::pack_mask;
+use crate::primitive::SUBPIXEL;
+use texunit::lanes::{I32s, Isa, Kernel, LANES, Simd, U32s, lane_x, lane_y};
+
+/// An edge function, scaled down by 256, relative to the centre of a tile's first pixel.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Edge {
+    /// Value at the first pixel.
+    value: i64,
+    /// Step to the next pixel across.
+    x: i32,
+    /// Step to the next pixel up.
+    y: i32,
+}
+
+/// How a block lies to a triangle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Coverage {
+    /// No pixel is covered.
+    None,
+    /// Every pixel is.
+    Full,
+    /// These are, bit by lane.
+    Partial(u64),
+}
+
+/// The three edges of a counter-clockwise triangle, seen from a tile whose first pixel is
+/// `(x, y)`.
+pub fn edges(corners: &[[i32; 2]; 3], x: i32, y: i32) -> [Edge; 3] {
+    [0, 1, 2].map(|i| {
+        let (a, b) = (corners[i], corners[(i + 1) % 3]);
+        let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
+        let px = i64::from(x) * i64::from(SUBPIXEL) + i64::from(SUBPIXEL / 2) - i64::from(a[0]);
+        let py = i64::from(y) * i64::from(SUBPIXEL) + i64::from(SUBPIXEL / 2) - i64::from(a[1]);
+        // A centre on a left edge (going down) or on a top edge (going left) is inside.
+        let top_left = dy < 0 || (dy == 0 && dx < 0);
+        let e = i64::from(dx) * py - i64::from(dy) * px - i64::from(!top_left);
+        Edge { value: e.div_euclid(i64::from(SUBPIXEL)), x: -dy, y: dx }
+    })
+}
+
+/// The coverage of block column `bx`, row `by` of the tile.
+#[inline]
+pub fn block(isa: Isa, edges: &[Edge; 3], bx: i32, by: i32) -> Coverage {
+    let mut crossing = [(0, 0, 0); 3];
+    let mut partial = false;
+    for (edge, out) in edges.iter().zip(&mut crossing) {
+        let first = edge.value
+            + i64::from(edge.x) * i64::from(8 * bx)
+            + i64::from(edge.y) * i64::from(8 * by);
+        let (dx, dy) = (7 * i64::from(edge.x), 7 * i64::from(edge.y));
+        if first + dx.max(0) + dy.max(0) < 0 {
+            return Coverage::None;
+        }
+        if first + dx.min(0) + dy.min(0) < 0 {
+            partial = true;
+            // It changes sign within the block, so it is no larger than its steps.
+            *out = (first as i32, edge.x, edge.y);
+        }
+    }
+    if !partial {
+        return Coverage::Full;
+    }
+    match isa.run(Inside(crossing)) {
+        0 => Coverage::None,
+        mask => Coverage::Partial(mask),
+    }
+}
+
+/// The lanes where no edge function is negative.
+struct Inside([(i32, i32, i32); 3]);
+
+/// Columns of the lanes.
+const X: I32s = {
+    let mut x = I32s::ZERO;
+    let mut lane = 0;
+    while lane < LANES {
+        x.0[lane] = lane_x(lane) as i32;
+        lane += 1;
+    }
+    x
+};
+
+/// Rows of the lanes.
+const Y: I32s = {
+    let mut y = I32s::ZERO;
+    let mut lane = 0;
+    while lane < LANES {
+        y.0[lane] = lane_y(lane) as i32;
+        lane += 1;
+    }
+    y
+};
+
+impl Kernel for Inside {
+    type Output = u64;
+    #[inline(always)]
+    fn run<S: Simd>(self) -> u64 {
+        let [(e0, x0, y0), (e1, x1, y1), (e2, x2, y2)] = self.0;
+        let mut inside = U32s::ZERO;
+        for lane in 0..LANES {
+            let (x, y) = (X.0[lane], Y.0[lane]);
+            let least = (e0 + x * x0 + y * y0) | (e1 + x * x1 + y * y1) | (e2 + x * x2 + y * y2);
+            // The sign bit is set if any of the three has it.
+            inside[lane] = u32::from(least >= 0);
+        }
+        pack_mask(&inside)
+    }
+}
+
+/// The lanes of block column `bx`, row `by` of a tile at `(x, y)` that lie in `area` (first and one
+/// past the last pixel, x then y).
+pub fn inside_area(area: &[[i32; 2]; 2], x: i32, y: i32, bx: i32, by: i32) -> u64 {
+    let (left, low) = (x + 8 * bx, y + 8 * by);
+    if left >= area[0][0] && low >= area[0][1] && left + 8 <= area[1][0] && low + 8 <= area[1][1] {
+        return !0;
+    }
+    (0..LANES).fold(0, |mask, lane| {
+        let p = [left + lane_x(lane) as i32, low + lane_y(lane) as i32];
+        let inside = (0..2).all(|axis| p[axis] >= area[0][axis] && p[axis] < area[1][axis]);
+        mask | u64::from(inside) << lane
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    /// The lanes whose centre is inside by exact 128-bit arithmetic.
+    fn oracle(corners: &[[i32; 2]; 3], x: i32, y: i32) -> u64 {
+        (0..LANES).fold(0, |mask, lane| {
+            let px = i128::from(x + lane_x(lane) as i32) * 256 + 128;
+            let py = i128::from(y + lane_y(lane) as i32) * 256 + 128;
+            let inside = (0..3).all(|i| {
+                let (a, b) = (corners[i], corners[(i + 1) % 3]);
+                let (dx, dy) = (i128::from(b[0] - a[0]), i128::from(b[1] - a[1]));
+                let e = dx * (py - i128::from(a[1])) - dy * (px - i128::from(a[0]));
+                e > 0 || (e == 0 && (dy < 0 || (dy == 0 && dx < 0)))
+            });
+            mask | u64::from(inside) << lane
+        })
+    }
+
+    fn mask(coverage: Coverage) -> u64 {
+        match coverage {
+            Coverage::None => 0,
+            Coverage::Full => !0,
+            Coverage::Partial(mask) => mask,
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn blocks_are_covered_as_exact_arithmetic_says(
+            raw in prop::array::uniform6(prop_oneof![-4000..6000i32, -8_388_608..=8_388_608i32, (-4..8i32).prop_map(|v| v * 128)]),
+            bx in 0..8i32, by in 0..8i32,
+        ) {
+            let mut corners = [[raw[0], raw[1]], [raw[2], raw[3]], [raw[4], raw[5]]];
+            let d = |p: [i32; 2], k: usize| i64::from(p[k]) - i64::from(corners[0][k]);
+            if d(corners[1], 0) * d(corners[2], 1) < d(corners[2], 0) * d(corners[1], 1) {
+                corners.swap(1, 2);
+            }
+            let edges = edges(&corners, 0, 0);
+            let want = oracle(&corners, 8 * bx, 8 * by);
+            for isa in Isa::available() {
+                prop_assert_eq!(mask(block(isa, &edges, bx, by)), want, "{}", isa.name());
+            }
+        }
+    }
+}

@@ -1,0 +1,288 @@
+//! How depth and varyings run over a shape: plane equations in `f64`.
+//!
+//! For a triangle with clip vertices `p_i`, let `l_i(x, y)` be the plane that is `1 / w_i` at the
+//! window position of `p_i` and zero at the other two. Then, everywhere on the triangle,
+//!
+//! ```text
+//! 1 / w = Σ l_i      v / w = Σ v_i l_i      z / w = Σ z_i l_i
+//! ```
+//!
+//! (GL 2.1, equations 3.6 and 3.8, without barycentric coordinates). The coefficients of the `l_i`
+//! are the rows of the inverse of the matrix whose columns are the homogeneous window positions, so
+//! they hold whether or not a vertex is in front of the eye: a clipped triangle is interpolated by
+//! the planes of the whole one.
+//!
+//! A value at a pixel is `(corner + dx · A) + dy · B` in `f32`, where `corner` is the plane in `f64`
+//! at the first pixel of the screen-aligned 8×8 block, and `dx`, `dy` count pixels within it.
+
+use crate::driver::{PolygonOffset, Viewport};
+use crate::primitive::{Kind, SUBPIXEL, Shape};
+use crate::vertex::{Geometry, Outcode};
+
+/// What one plane of a draw holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PlaneSource {
+    /// Window depth.
+    Depth,
+    /// What smooth varyings are divided by: `1/w`, or 1 where all three `w` are the same.
+    Denominator,
+    /// `1/w` itself (`gl_FragCoord.w`).
+    InverseW,
+    /// A varying over `w` (its index in the geometry).
+    Smooth(usize),
+    /// A varying, linear in the window.
+    NoPerspective(usize),
+    /// A varying of the provoking vertex.
+    Flat(usize),
+    /// `gl_PointCoord`, 0 for s, 1 for t.
+    PointCoord(u8),
+}
+
+/// `a · (x - origin.x) + b · (y - origin.y) + c`.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Plane {
+    /// Per pixel across.
+    pub a: f64,
+    /// Per pixel up.
+    pub b: f64,
+    /// At the origin.
+    pub c: f64,
+}
+
+impl Plane {
+    fn constant(c: f64) -> Self {
+        Self { a: 0.0, b: 0.0, c }
+    }
+
+    /// `Σ value_i · row_i`.
+    fn sum(rows: &[Self; 3], values: [f64; 3]) -> Self {
+        let dot = |part: fn(&Self) -> f64| {
+            part(&rows[0]) * values[0] + part(&rows[1]) * values[1] + part(&rows[2]) * values[2]
+        };
+        Self { a: dot(|p| p.a), b: dot(|p| p.b), c: dot(|p| p.c) }
+    }
+
+    fn scaled(self, factor: f64) -> Self {
+        Self { a: self.a * factor, b: self.b * factor, c: self.c * factor }
+    }
+
+    fn is_finite(self) -> bool {
+        self.a.is_finite() && self.b.is_finite() && self.c.is_finite()
+    }
+}
+
+/// What the planes of a draw's shapes depend on besides the shape.
+#[derive(Clone, Copy, Debug)]
+pub struct PlaneSetup<'a> {
+    /// Which planes.
+    pub sources: &'a [PlaneSource],
+    /// Where the window is.
+    pub viewport: Viewport,
+    /// Moves the depth of triangles.
+    pub offset: Option<PolygonOffset>,
+    /// The smallest resolvable difference of depth; `None` for floating-point depth.
+    pub resolution: Option<f64>,
+}
+
+/// The planes of a shape.
+#[derive(Debug, Default)]
+pub struct Planes {
+    origin: [f64; 2],
+    /// In the order of [`PlaneSetup::sources`].
+    pub planes: Vec<Plane>,
+}
+
+impl Planes {
+    /// The value of a plane at the centre of pixel `(x, y)`.
+    #[inline]
+    pub fn at(&self, plane: usize, x: i32, y: i32) -> f32 {
+        let p = &self.planes[plane];
+        let (dx, dy) = (f64::from(x) + 0.5 - self.origin[0], f64::from(y) + 0.5 - self.origin[1]);
+        ((dx * p.a + dy * p.b) + p.c) as f32
+    }
+
+    /// Computes the planes of `shape`.
+    pub fn compute(&mut self, setup: &PlaneSetup<'_>, geometry: &Geometry, shape: &Shape) {
+        self.origin = shape.corners[0].map(|v| f64::from(v) / f64::from(SUBPIXEL));
+        let rows = Rows::new(shape, geometry, &setup.viewport, self.origin);
+        let varyings = shape.vertices.map(|v| geometry.varyings_of(v));
+        let provoking = varyings[usize::from(shape.provoking)];
+        let values = |at: usize| [0, 1, 2].map(|i| f64::from(varyings[i][at]));
+        self.planes.clear();
+        for source in setup.sources {
+            let plane = match *source {
+                PlaneSource::Depth => rows.depth(setup, shape, geometry),
+                PlaneSource::Denominator => rows.denominator,
+                PlaneSource::InverseW => rows.inverse_w,
+                PlaneSource::Smooth(at) => Plane::sum(&rows.smooth, values(at)),
+                PlaneSource::NoPerspective(at) => Plane::sum(&rows.linear, values(at)),
+                PlaneSource::Flat(at) => Plane::constant(f64::from(provoking[at])),
+                PlaneSource::PointCoord(axis) => match shape.kind {
+                    Kind::Point(low, size) => {
+                        let low = low.map(f64::from);
+                        let per = 1.0 / f64::from(size);
+                        if axis == 0 {
+                            Plane { a: per, b: 0.0, c: (self.origin[0] - low[0]) * per }
+                        } else {
+                            // t runs down from the upper edge (`GL_UPPER_LEFT`).
+                            Plane { a: 0.0, b: -per, c: 1.0 - (self.origin[1] - low[1]) * per }
+                        }
+                    }
+                    Kind::Triangle | Kind::Line => Plane::constant(0.0),
+                },
+            };
+            // A shape so thin that its planes overflow has the value of its provoking vertex.
+            self.planes.push(if plane.is_finite() {
+                plane
+            } else {
+                Plane::constant(match *source {
+                    PlaneSource::Smooth(at)
+                    | PlaneSource::NoPerspective(at)
+                    | PlaneSource::Flat(at) => f64::from(provoking[at]),
+                    PlaneSource::Denominator | PlaneSource::InverseW => 1.0,
+                    PlaneSource::Depth | PlaneSource::PointCoord(_) => 0.0,
+                })
+            });
+        }
+    }
+}
+
+/// The planes that weight the three vertices.
+struct Rows {
+    /// `l_i`: sums to `1/w`.
+    projective: [Plane; 3],
+    /// Weights of a smooth varying, before it is divided by `denominator`.
+    smooth: [Plane; 3],
+    /// Weights that sum to 1: linear in the window.
+    linear: [Plane; 3],
+    denominator: Plane,
+    inverse_w: Plane,
+}
+
+impl Rows {
+    fn new(shape: &Shape, geometry: &Geometry, viewport: &Viewport, origin: [f64; 2]) -> Self {
+        let vertices = shape.vertices.map(|v| &geometry.vertices[v as usize]);
+        let w = vertices.map(|v| f64::from(v.clip[3]));
+        let projective = match shape.kind {
+            Kind::Triangle => triangle(shape, geometry, viewport, origin),
+            Kind::Line => line(shape, geometry, viewport, origin),
+            Kind::Point(..) => [Plane::constant(1.0 / w[0]), Plane::default(), Plane::default()],
+        };
+        let inverse_w = Plane::sum(&projective, [1.0; 3]);
+        let in_front = w.iter().all(|&w| w > 0.0);
+        let linear = [0, 1, 2].map(|i| projective[i].scaled(w[i]));
+        // The same `w` everywhere: nothing to divide by. (Its plane is constant up to noise.)
+        if w[0] == w[1] && w[0] == w[2] {
+            return Self {
+                projective,
+                smooth: linear,
+                linear,
+                denominator: Plane::constant(1.0),
+                inverse_w: Plane::constant(1.0 / w[0]),
+            };
+        }
+        Self {
+            projective,
+            smooth: projective,
+            // Linear in the window means nothing for a triangle that reaches behind the eye.
+            linear: if in_front { linear } else { projective },
+            denominator: inverse_w,
+            inverse_w,
+        }
+    }
+
+    /// Window depth (GL 2.1, section 2.11.1), moved by the polygon offset (section 3.5.5).
+    fn depth(&self, setup: &PlaneSetup<'_>, shape: &Shape, geometry: &Geometry) -> Plane {
+        let z = shape.vertices.map(|v| f64::from(geometry.vertices[v as usize].clip[2]));
+        let (near, far) = (f64::from(setup.viewport.near), f64::from(setup.viewport.far));
+        let mut plane = Plane::sum(&self.projective, z).scaled((far - near) * 0.5);
+        plane.c += (near + far) * 0.5;
+        if let (Kind::Triangle, Some(offset)) = (shape.kind, setup.offset) {
+            let slope = plane.a.abs().max(plane.b.abs());
+            let r = setup.resolution.unwrap_or_else(|| {
+                // The exponent of the largest depth of the triangle.
+                let largest = shape.corners.iter().fold(0.0_f64, |largest, corner| {
+                    let dx = f64::from(corner[0] - shape.corners[0][0]) / f64::from(SUBPIXEL);
+                    let dy = f64::from(corner[1] - shape.corners[0][1]) / f64::from(SUBPIXEL);
+                    largest.max((dx * plane.a + dy * plane.b + plane.c).abs())
+                });
+                let exponent = (largest as f32).to_bits() & 0x7F80_0000;
+                f64::from(f32::from_bits(exponent)) / 8_388_608.0
+            });
+            plane.c += f64::from(offset.factor) * slope + f64::from(offset.units) * r;
+        }
+        plane
+    }
+}
+
+/// The homogeneous window position of a vertex, relative to the origin.
+fn homogeneous(clip: [f32; 4], viewport: &Viewport, origin: [f64; 2]) -> [f64; 3] {
+    let [x, y, _, w] = clip.map(f64::from);
+    let half = [f64::from(viewport.width) * 0.5, f64::from(viewport.height) * 0.5];
+    [
+        x * half[0] + w * (f64::from(viewport.x) + half[0] - origin[0]),
+        y * half[1] + w * (f64::from(viewport.y) + half[1] - origin[1]),
+        w,
+    ]
+}
+
+/// The `l_i` of a triangle. A triangle thinner than the subpixel grid can show is interpolated over
+/// the corners it was snapped to, so that no pixel it covers lies far outside its values.
+fn triangle(
+    shape: &Shape,
+    geometry: &Geometry,
+    viewport: &Viewport,
+    origin: [f64; 2],
+) -> [Plane; 3] {
+    let vertices = shape.vertices.map(|v| &geometry.vertices[v as usize]);
+    let p = vertices.map(|v| homogeneous(v.clip, viewport, origin));
+    let exact = invert(p);
+    let cut = vertices.iter().any(|v| v.outcode.0 & Outcode::CUT != 0);
+    if cut {
+        return exact;
+    }
+    let window = vertices.map(|v| v.window);
+    let side = |a: [f64; 2], b: [f64; 2]| [b[0] - a[0], b[1] - a[1]];
+    let (s, t, u) =
+        (side(window[0], window[1]), side(window[0], window[2]), side(window[1], window[2]));
+    let doubled_area = (s[0] * t[1] - t[0] * s[1]).abs();
+    let longest = [s, t, u].map(|e| e[0] * e[0] + e[1] * e[1]).into_iter().fold(0.0, f64::max);
+    // Altitude over the longest side below an eighth of a pixel.
+    if doubled_area * doubled_area >= longest / 64.0 {
+        return exact;
+    }
+    let w = vertices.map(|v| f64::from(v.clip[3]));
+    let snapped =
+        window.map(|v| v.map(|v| (v * f64::from(SUBPIXEL) + 0.5).floor() / f64::from(SUBPIXEL)));
+    let q = [0, 1, 2].map(|i| [(snapped[i][0] - origin[0]), (snapped[i][1] - origin[1]), 1.0]);
+    let rows = invert(q);
+    [0, 1, 2].map(|i| rows[i].scaled(1.0 / w[i]))
+}
+
+/// The rows of the inverse of the matrix whose columns are `p`: row `i` is 1 at `p[i]`.
+fn invert(p: [[f64; 3]; 3]) -> [Plane; 3] {
+    let cross = |a: [f64; 3], b: [f64; 3]| {
+        [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+    };
+    let (r0, r1, r2) = (cross(p[1], p[2]), cross(p[2], p[0]), cross(p[0], p[1]));
+    let determinant = p[0][0] * r0[0] + p[0][1] * r0[1] + p[0][2] * r0[2];
+    [r0, r1, r2].map(|r| Plane {
+        a: r[0] / determinant,
+        b: r[1] / determinant,
+        c: r[2] / determinant,
+    })
+}
+
+/// The weights of a line: constant across it, so that `l_0 + l_1 = 1/w` along it (GL 2.1, equation
+/// 3.4 and 3.5).
+fn line(shape: &Shape, geometry: &Geometry, viewport: &Viewport, origin: [f64; 2]) -> [Plane; 3] {
+    let ends = [0, 1]
+        .map(|i| homogeneous(geometry.vertices[shape.vertices[i] as usize].clip, viewport, origin));
+    // A third point off the line, whose own weight is left out: at infinity, across it.
+    let along = [
+        ends[1][0] * ends[0][2] - ends[0][0] * ends[1][2],
+        ends[1][1] * ends[0][2] - ends[0][1] * ends[1][2],
+    ];
+    let rows = invert([ends[0], ends[1], [-along[1], along[0], 0.0]]);
+    [rows[0], rows[1], Plane::default()]
+}

@@ -1,0 +1,12 @@
+//! Filling: which pixels a shape covers, how values run over it, and the tiles that do the work.
+//!
+//! A pass is cut into tiles of 64×64 pixels; each thread takes tiles, and within a tile every
+//! clear and shape of the pass is done in order, so that the result does not depend on threads.
+
+mod batch;
+mod coverage;
+mod interpolate;
+mod tile;
+
+pub use interpolate::PlaneSource;
+pub use tile::{Chunk, ClearJob, DrawJob, Entry, PassJob, TileJob, Worker};

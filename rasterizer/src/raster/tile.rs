@@ -1,0 +1,405 @@
+//! A tile: everything of a pass that touches its 64×64 pixels, in order.
+
+use super::batch::{Batch, BlockDepth, BlockOf, Interpolate, Place, quads_of};
+use super::coverage::{self, Coverage};
+use super::interpolate::{PlaneSetup, Planes};
+use crate::driver::ClearValue;
+use crate::output::{DepthFormat, DepthTest, WriteColor, color_word, expand_mask};
+use crate::plan::{DepthTiming, DrawPlan, Shading};
+use crate::primitive::{Facing, SUBPIXEL, Shape};
+use crate::shader::{Machine, Run};
+use crate::target::{Plane, TILE};
+use crate::vertex::Geometry;
+use std::sync::atomic::{AtomicBool, Ordering};
+use texunit::lanes::{F32s, Isa, LANES, QUADS, U32s};
+
+/// Quads of a block from which on it is shaded by itself rather than packed with others.
+const DENSE: u32 = 12;
+
+/// A draw of a pass.
+#[derive(Debug)]
+pub struct DrawJob {
+    /// Its decisions.
+    pub plan: DrawPlan,
+    /// First and one past the last pixel it may touch, x then y.
+    pub area: [[i32; 2]; 2],
+    /// Set when its shader ran over the budget: nothing more of it is drawn.
+    pub stopped: AtomicBool,
+}
+
+/// The shapes of a run of primitives and the vertices they stand on.
+#[derive(Debug)]
+pub struct Chunk {
+    /// Which draw.
+    pub draw: usize,
+    /// The vertices.
+    pub geometry: Geometry,
+    /// The shapes.
+    pub shapes: Vec<Shape>,
+}
+
+/// A clear of a pass.
+#[derive(Clone, Copy, Debug)]
+pub struct ClearJob {
+    /// What is written.
+    pub value: ClearValue,
+    /// First and one past the last pixel, within the pass, x then y.
+    pub area: [[i32; 2]; 2],
+}
+
+/// Something that happens in a tile.
+#[derive(Clone, Copy, Debug)]
+pub enum Entry {
+    /// A clear, by index.
+    Clear(u32),
+    /// A shape, by chunk and index.
+    Shape(u32, u32),
+}
+
+/// Everything that tiles read.
+#[derive(Debug)]
+pub struct PassJob {
+    /// The instruction set.
+    pub isa: Isa,
+    /// Instructions a batch may run.
+    pub budget: u64,
+    /// Pixels across.
+    pub width: u32,
+    /// Pixels up.
+    pub height: u32,
+    /// The draws.
+    pub draws: Vec<DrawJob>,
+    /// The chunks of all draws, in order.
+    pub chunks: Vec<Chunk>,
+    /// The clears.
+    pub clears: Vec<ClearJob>,
+}
+
+/// One tile, and what happens in it.
+#[derive(Debug)]
+pub struct TileJob {
+    /// Its first pixel.
+    pub x: i32,
+    /// Its first row.
+    pub y: i32,
+    /// Its part of each colour attachment, and which components that stores.
+    pub colors: Vec<Option<(Plane, [bool; 4])>>,
+    /// Its part of the depth attachment.
+    pub depth: Option<(Plane, DepthFormat)>,
+    /// What happens, in order.
+    pub entries: Vec<Entry>,
+}
+
+/// What a thread keeps from tile to tile.
+#[derive(Debug, Default)]
+pub struct Worker {
+    shader: Shader,
+    /// Quads that wait for others, of the current draw.
+    waiting: Batch,
+    /// A block that runs at once.
+    block: Batch,
+    planes: Planes,
+    /// The draw whose shapes come now.
+    draw: Option<usize>,
+}
+
+impl Worker {
+    /// Does everything that happens in `tile`.
+    pub fn run(&mut self, pass: &PassJob, tile: &mut TileJob) {
+        for entry in std::mem::take(&mut tile.entries) {
+            match entry {
+                Entry::Clear(index) => {
+                    self.flush(pass, tile);
+                    clear(pass, &pass.clears[index as usize], tile);
+                }
+                Entry::Shape(chunk, index) => {
+                    let chunk = &pass.chunks[chunk as usize];
+                    self.select(pass, tile, chunk.draw);
+                    if !pass.draws[chunk.draw].stopped.load(Ordering::Relaxed) {
+                        self.fill(pass, tile, chunk, &chunk.shapes[index as usize]);
+                    }
+                }
+            }
+        }
+        self.flush(pass, tile);
+        self.draw = None;
+    }
+
+    /// Makes `draw` the one whose shapes come next.
+    fn select(&mut self, pass: &PassJob, tile: &mut TileJob, draw: usize) {
+        if self.draw == Some(draw) {
+            return;
+        }
+        self.flush(pass, tile);
+        self.draw = Some(draw);
+        let plan = &pass.draws[draw].plan;
+        self.shader.machine.begin(&plan.pipeline.compiled().fragment);
+        self.waiting.clear(plan.planes.len());
+    }
+
+    /// Shades what waits.
+    fn flush(&mut self, pass: &PassJob, tile: &mut TileJob) {
+        if let Some(draw) = self.draw.filter(|_| !self.waiting.is_empty()) {
+            let job = &pass.draws[draw];
+            self.shader.shade(pass, job, &self.waiting, self.waiting.place(), tile);
+            self.waiting.clear(job.plan.planes.len());
+        }
+    }
+
+    /// Fills one shape.
+    fn fill(&mut self, pass: &PassJob, tile: &mut TileJob, chunk: &Chunk, shape: &Shape) {
+        let job = &pass.draws[chunk.draw];
+        let plan = &job.plan;
+        let Some(range) = block_range(shape, &job.area, tile.x, tile.y) else { return };
+        let setup = PlaneSetup {
+            sources: &plan.planes,
+            viewport: plan.viewport,
+            offset: plan.offset,
+            resolution: tile.depth.as_ref().and_then(|(_, format)| format.resolution()),
+        };
+        self.planes.compute(&setup, &chunk.geometry, shape);
+        let edges = coverage::edges(&shape.corners, tile.x, tile.y);
+        for by in range[0][1]..=range[1][1] {
+            for bx in range[0][0]..=range[1][0] {
+                let covered = match coverage::block(pass.isa, &edges, bx, by) {
+                    Coverage::None => continue,
+                    Coverage::Full => !0,
+                    Coverage::Partial(mask) => mask,
+                };
+                let mask = covered & coverage::inside_area(&job.area, tile.x, tile.y, bx, by);
+                if mask != 0 {
+                    self.fill_block(pass, tile, job, shape.facing, [bx, by], mask);
+                }
+            }
+        }
+    }
+
+    /// Tests the depth of a block's covered lanes and puts what is left into a batch.
+    fn fill_block(
+        &mut self,
+        pass: &PassJob,
+        tile: &mut TileJob,
+        job: &DrawJob,
+        facing: Facing,
+        [bx, by]: [i32; 2],
+        mut mask: u64,
+    ) {
+        let plan = &job.plan;
+        let (x, y) = (tile.x + 8 * bx, tile.y + 8 * by);
+        let of = BlockOf { planes: &self.planes, facing, block: (by * 8 + bx) as usize, x, y };
+        if let DepthTiming::Early(test) = plan.depth {
+            // What waits has passed its own test already, so the order holds.
+            mask = early_depth(pass.isa, plan, test, &of, mask, tile);
+        }
+        if mask == 0 || plan.shading == Shading::Off {
+            return;
+        }
+        let quads = quads_of(mask);
+        let run_waiting = |waiting: &mut Batch, shader: &mut Shader, tile: &mut TileJob| {
+            shader.shade(pass, job, waiting, waiting.place(), tile);
+            waiting.clear(plan.planes.len());
+        };
+        if self.waiting.holds(of.block, quads) {
+            run_waiting(&mut self.waiting, &mut self.shader, tile);
+        }
+        if quads.count_ones() >= DENSE {
+            self.block.set_block(&of, mask, plan.planes.len());
+            self.shader.shade(pass, job, &self.block, Place::Block(of.block), tile);
+            return;
+        }
+        let mut left = quads;
+        while left != 0 {
+            let quad = left.trailing_zeros() as usize;
+            left &= left - 1;
+            if self.waiting.is_full() {
+                run_waiting(&mut self.waiting, &mut self.shader, tile);
+            }
+            self.waiting.push(&of, quad, mask);
+        }
+    }
+}
+
+/// The blocks of the tile that a shape's bounding box touches within `area`: first and last, x then
+/// y.
+fn block_range(shape: &Shape, area: &[[i32; 2]; 2], x: i32, y: i32) -> Option<[[i32; 2]; 2]> {
+    let mut range = [[0; 2]; 2];
+    for (axis, start) in [x, y].into_iter().enumerate() {
+        let corners = shape.corners.map(|corner| corner[axis]);
+        let low = corners.into_iter().fold(i32::MAX, i32::min).div_euclid(SUBPIXEL);
+        let high = corners.into_iter().fold(i32::MIN, i32::max).div_euclid(SUBPIXEL);
+        let first = low.max(area[0][axis]).max(start) - start;
+        let last = high.min(area[1][axis] - 1).min(start + TILE as i32 - 1) - start;
+        if first > last {
+            return None;
+        }
+        range[0][axis] = first / 8;
+        range[1][axis] = last / 8;
+    }
+    Some(range)
+}
+
+fn early_depth(
+    isa: Isa,
+    plan: &DrawPlan,
+    test: crate::output::DepthPlan,
+    of: &BlockOf<'_>,
+    mask: u64,
+    tile: &mut TileJob,
+) -> u64 {
+    let (Some((stored, _)), Some(index)) = (tile.depth.as_mut(), plan.depth_plane) else {
+        return mask;
+    };
+    let plane = &of.planes.planes[index];
+    let plane = [of.planes.at(index, of.x, of.y), plane.a as f32, plane.b as f32];
+    let depth = isa.run(BlockDepth { plane });
+    let stored = &mut stored.blocks_mut()[of.block];
+    isa.run(DepthTest { plan: test, depth: &depth, stored, mask })
+}
+
+/// Runs batches and writes what comes out.
+#[derive(Debug, Default)]
+struct Shader {
+    machine: Machine,
+    depth: F32s,
+}
+
+impl Shader {
+    fn shade(
+        &mut self,
+        pass: &PassJob,
+        job: &DrawJob,
+        batch: &Batch,
+        place: Place<'_>,
+        tile: &mut TileJob,
+    ) {
+        let (isa, plan) = (pass.isa, &job.plan);
+        isa.run(Interpolate { plan, batch, machine: &mut self.machine, depth: &mut self.depth });
+        let compiled = plan.pipeline.compiled();
+        let kept = self.machine.run(Run {
+            isa,
+            program: &compiled.fragment,
+            prepared: &plan.prepared,
+            textures: &plan.textures,
+            active: batch.active(),
+            budget: pass.budget,
+        });
+        let Ok(kept) = kept else {
+            job.stopped.store(true, Ordering::Relaxed);
+            return;
+        };
+        let mut mask = batch.mask & kept;
+        if mask == 0 {
+            return;
+        }
+        if let (DepthTiming::Late(test, output), Some((stored, _))) =
+            (plan.depth, tile.depth.as_mut())
+        {
+            if let Some(output) = output {
+                self.depth = *self.machine.output(output).as_f32();
+                isa.run(ClampDepth(&mut self.depth));
+            }
+            let depth = &self.depth;
+            mask = with_words(stored, &place, |stored| {
+                isa.run(DepthTest { plan: test, depth, stored, mask })
+            });
+        }
+        if mask == 0 {
+            return;
+        }
+        const ZERO: F32s = F32s::splat(0.0);
+        const ONE: F32s = F32s::splat(1.0);
+        for color in &plan.colors {
+            let Some((stored, _)) = tile.colors[color.target].as_mut() else { continue };
+            let machine = &self.machine;
+            let rgba = [0, 1, 2, 3].map(|component| match color.outputs[component] {
+                Some(output) => machine.output(output).as_f32(),
+                None if component == 3 => &ONE,
+                None => &ZERO,
+            });
+            with_words(stored, &place, |stored| {
+                isa.run(WriteColor { plan: color, color: rgba, stored, mask });
+            });
+        }
+    }
+}
+
+/// [`super::batch::clamp_depth`] as a kernel.
+struct ClampDepth<'a>(&'a mut F32s);
+
+impl texunit::lanes::Kernel for ClampDepth<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn run<S: texunit::lanes::Simd>(self) {
+        super::batch::clamp_depth(self.0);
+    }
+}
+
+/// Lets `change` see the words of a batch's pixels as lanes, and puts them back.
+fn with_words<R>(plane: &mut Plane, place: &Place<'_>, change: impl FnOnce(&mut U32s) -> R) -> R {
+    let blocks = plane.blocks_mut();
+    match *place {
+        Place::Block(block) => change(&mut blocks[block]),
+        Place::Quads(of, quads) => {
+            let mut words = U32s::ZERO;
+            for (at, (&block, &quad)) in of.iter().zip(quads).enumerate() {
+                let from = &blocks[usize::from(block)];
+                for e in 0..4 {
+                    words[e * QUADS + at] = from[e * QUADS + usize::from(quad)];
+                }
+            }
+            let result = change(&mut words);
+            for (at, (&block, &quad)) in of.iter().zip(quads).enumerate() {
+                let to = &mut blocks[usize::from(block)];
+                for e in 0..4 {
+                    to[e * QUADS + usize::from(quad)] = words[e * QUADS + at];
+                }
+            }
+            result
+        }
+    }
+}
+
+/// Clears a tile's part of an attachment.
+fn clear(pass: &PassJob, job: &ClearJob, tile: &mut TileJob) {
+    let (plane, word, write) = match job.value {
+        ClearValue::Color { target, value, mask } => {
+            let Some(Some((plane, stored))) = tile.colors.get_mut(usize::from(target)) else {
+                return;
+            };
+            let mut write = 0_u32;
+            for (component, (mask, stored)) in mask.into_iter().zip(*stored).enumerate() {
+                if mask && stored {
+                    write |= 0xFF << (8 * component);
+                }
+            }
+            // What the format does not store keeps its fixed value (alpha 1).
+            let all = stored.iter().zip(mask).all(|(stored, mask)| !stored || mask);
+            let word = color_word(value);
+            let fixed = if stored[3] { 0 } else { 0xFF00_0000 };
+            if all { (plane, word & write | fixed, !0) } else { (plane, word, write) }
+        }
+        ClearValue::Depth(depth) => {
+            let Some((plane, format)) = tile.depth.as_mut() else { return };
+            let depth = texunit::lanes::math::clamp(depth, 0.0, 1.0);
+            (plane, format.word(depth), !0)
+        }
+    };
+    // What a tile has beyond the pass is never seen.
+    let end = |start: i32, size: u32| (start + TILE as i32).min(size as i32);
+    let whole = job.area[0][0] <= tile.x
+        && job.area[0][1] <= tile.y
+        && job.area[1][0] >= end(tile.x, pass.width)
+        && job.area[1][1] >= end(tile.y, pass.height);
+    if whole && write == !0 {
+        *plane = Plane::Cleared(word);
+        return;
+    }
+    for (index, block) in plane.blocks_mut().iter_mut().enumerate() {
+        let (bx, by) = (index as i32 % 8, index as i32 / 8);
+        let lanes = expand_mask(coverage::inside_area(&job.area, tile.x, tile.y, bx, by));
+        for lane in 0..LANES {
+            let write = lanes[lane] & write;
+            block[lane] = (word & write) | (block[lane] & !write);
+        }
+    }
+}

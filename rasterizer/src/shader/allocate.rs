@@ -1,0 +1,311 @@
+//! Real registers for virtual ones.
+//!
+//! The file of registers is: splats, inputs, variables, temporaries. The first three keep their
+//! place for the whole run; temporaries share theirs, the most recently freed first, so that the
+//! working set stays small. A temporary lives from the instruction that writes it to the last that
+//! reads it; if that stands in a loop which the write does not, to the end of the loop.
+
+use super::inst::{Inst, Reg, Role, Target};
+use super::lower::{Kind, Lowered};
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+
+/// Where things are in the file of registers.
+#[derive(Debug, Default)]
+pub(super) struct Layout {
+    /// By register from 0: which word of the preamble it repeats.
+    pub splats: Vec<u32>,
+    /// The first input.
+    pub inputs: u32,
+    /// By output of the program.
+    pub outputs: Vec<u32>,
+    /// How many registers there are.
+    pub registers: u32,
+}
+
+/// Replaces the virtual registers of `lowered.code` by real ones.
+pub(super) fn allocate(lowered: &mut Lowered) -> Layout {
+    let mut allocation = Allocation::new(lowered);
+    allocation.measure(lowered);
+    allocation.forward_stores(lowered);
+    allocation.borrow_variables(lowered);
+    let layout = allocation.place(lowered);
+    zero_variables(lowered, &allocation);
+    layout
+}
+
+/// Where a virtual register is used.
+#[derive(Clone, Copy, Debug, Default)]
+struct Span {
+    start: u32,
+    end: u32,
+    reads: u32,
+}
+
+/// A use of a variable.
+#[derive(Clone, Copy, Debug)]
+struct Access {
+    at: u32,
+    role: Role,
+}
+
+struct Allocation {
+    /// By virtual register; of temporaries only.
+    spans: Vec<Option<Span>>,
+    /// By variable, in the order of the code.
+    accesses: Vec<Vec<Access>>,
+    /// By virtual register: the register that is used instead.
+    instead: Vec<Reg>,
+    /// By instruction.
+    removed: Vec<bool>,
+    /// By instruction: whether it writes a variable in all lanes, always.
+    moves: Vec<bool>,
+    /// By virtual register.
+    real: Vec<Reg>,
+}
+
+impl Allocation {
+    fn new(lowered: &Lowered) -> Self {
+        let variables = lowered.kinds.iter().map(|kind| match kind {
+            Kind::Variable { var } => var.0 as usize + 1,
+            Kind::Temp | Kind::Splat { .. } | Kind::Input { .. } => 0,
+        });
+        let count = lowered.kinds.len();
+        Self {
+            accesses: vec![Vec::new(); variables.max().unwrap_or(0)],
+            spans: vec![None; count],
+            instead: (0..count as u32).map(Reg).collect(),
+            removed: vec![false; lowered.code.len()],
+            moves: lowered.code.iter().map(|inst| matches!(inst, Inst::Move { .. })).collect(),
+            real: Vec::new(),
+        }
+    }
+
+    /// Finds the span of each temporary and the accesses of each variable.
+    fn measure(&mut self, lowered: &mut Lowered) {
+        let kinds = &lowered.kinds;
+        let ends = loop_ends(&lowered.code);
+        // First and last instruction of the open loops, outermost first.
+        let mut open: Vec<(u32, u32)> = Vec::new();
+        for (at, inst) in lowered.code.iter_mut().enumerate() {
+            let at = at as u32;
+            while open.last().is_some_and(|&(_, end)| end < at) {
+                open.pop();
+            }
+            open.extend(ends[at as usize].iter().rev().map(|&end| (at, end)));
+            inst.operands(&mut |reg, role| match kinds[reg.0 as usize] {
+                Kind::Variable { var } => self.accesses[var.0 as usize].push(Access { at, role }),
+                Kind::Temp => {
+                    let span = self.spans[reg.0 as usize].get_or_insert(Span {
+                        start: at,
+                        end: at,
+                        reads: 0,
+                    });
+                    if role == Role::Read {
+                        span.reads += 1;
+                        // The outermost loop that was entered after the value was written.
+                        let first = open.partition_point(|&(head, _)| head <= span.start);
+                        let end = open.get(first).map_or(at, |&(_, end)| end);
+                        span.end = span.end.max(end);
+                    }
+                }
+                Kind::Splat { .. } | Kind::Input { .. } => {}
+            });
+        }
+    }
+
+    fn touched(&self, kind: Kind, after: u32, until: u32, roles: &[Role]) -> bool {
+        let Kind::Variable { var } = kind else { return true };
+        let accesses = &self.accesses[var.0 as usize];
+        let first = accesses.partition_point(|access| access.at <= after);
+        accesses[first..]
+            .iter()
+            .take_while(|access| access.at < until)
+            .any(|access| roles.contains(&access.role))
+    }
+
+    /// A value whose only use is to be stored in all lanes is computed into the variable.
+    fn forward_stores(&mut self, lowered: &Lowered) {
+        for (at, inst) in lowered.code.iter().enumerate() {
+            let Inst::Move { out, from } = inst else { continue };
+            let Some(span) = self.spans[from.0 as usize] else { continue };
+            let kind = lowered.kinds[out.0 as usize];
+            let copied = matches!(lowered.code[span.start as usize], Inst::Move { .. });
+            if !copied
+                && span.reads == 1
+                && span.end == at as u32
+                && !self.touched(kind, span.start, at as u32, &[Role::Read, Role::Write])
+            {
+                self.instead[from.0 as usize] = *out;
+                self.spans[from.0 as usize] = None;
+                self.removed[at] = true;
+                self.moves[span.start as usize] = true;
+                self.write_earlier(kind, at as u32, span.start);
+            }
+        }
+    }
+
+    /// Nothing touches the variable between the two instructions, so its accesses stay in order.
+    fn write_earlier(&mut self, kind: Kind, from: u32, to: u32) {
+        let Kind::Variable { var } = kind else { return };
+        let accesses = &mut self.accesses[var.0 as usize];
+        let at = accesses.partition_point(|access| access.at < from);
+        accesses[at].at = to;
+    }
+
+    /// A load needs no copy when its variable is not written while the value lives.
+    fn borrow_variables(&mut self, lowered: &Lowered) {
+        for (at, inst) in lowered.code.iter().enumerate() {
+            let Inst::Move { out, from } = inst else { continue };
+            let Some(span) = self.spans[out.0 as usize] else { continue };
+            if !self.touched(lowered.kinds[from.0 as usize], at as u32, span.end, &[Role::Write]) {
+                self.instead[out.0 as usize] = *from;
+                self.spans[out.0 as usize] = None;
+                self.removed[at] = true;
+            }
+        }
+    }
+
+    /// Gives every virtual register a place, and writes the places into the code.
+    fn place(&mut self, lowered: &mut Lowered) -> Layout {
+        let mut layout = Layout::default();
+        self.real = vec![Reg(u32::MAX); lowered.kinds.len()];
+        let used = self.used(lowered);
+        for (virt, kind) in lowered.kinds.iter().enumerate() {
+            if let Kind::Splat { word } = kind
+                && used[virt]
+            {
+                self.real[virt] = Reg(layout.splats.len() as u32);
+                layout.splats.push(*word);
+            }
+        }
+        layout.inputs = layout.splats.len() as u32;
+        let mut next = layout.inputs + lowered.inputs.len() as u32;
+        for (virt, kind) in lowered.kinds.iter().enumerate() {
+            match kind {
+                Kind::Input { index } => self.real[virt] = Reg(layout.inputs + index),
+                Kind::Variable { .. } => {
+                    self.real[virt] = Reg(next);
+                    next += 1;
+                }
+                Kind::Temp | Kind::Splat { .. } => {}
+            }
+        }
+        let mut free = BinaryHeap::new();
+        let mut live: BinaryHeap<Reverse<(u32, u32)>> = BinaryHeap::new();
+        for (at, inst) in lowered.code.iter_mut().enumerate() {
+            if self.removed[at] {
+                continue;
+            }
+            let at = at as u32;
+            if let Inst::Sample(sample) = inst {
+                for out in &mut sample.out {
+                    *out = out.filter(|reg| {
+                        self.instead[reg.0 as usize] != *reg
+                            || self.spans[reg.0 as usize].is_some_and(|span| span.reads > 0)
+                    });
+                }
+            }
+            inst.operands(&mut |reg, role| {
+                let virt = self.instead[reg.0 as usize].0 as usize;
+                if role == Role::Write
+                    && let Some(span) = self.spans[virt]
+                    && self.real[virt].0 == u32::MAX
+                {
+                    // Every instruction reads before it writes.
+                    while let Some(&Reverse((end, place))) = live.peek()
+                        && end <= at
+                    {
+                        live.pop();
+                        free.push(Reverse(place));
+                    }
+                    let place = free.pop().map_or_else(
+                        || {
+                            next += 1;
+                            next - 1
+                        },
+                        |Reverse(place)| place,
+                    );
+                    // A value that nobody reads still takes its place for one instruction.
+                    live.push(Reverse((span.end.max(at + u32::from(span.reads == 0)), place)));
+                    self.real[virt] = Reg(place);
+                }
+                *reg = self.real[virt];
+            });
+        }
+        layout.registers = next;
+        layout.outputs =
+            lowered.outputs.iter().map(|(_, reg)| self.real[reg.0 as usize].0).collect();
+        compact(&mut lowered.code, &self.removed);
+        layout
+    }
+
+    /// By virtual register: whether the code still names it.
+    fn used(&self, lowered: &mut Lowered) -> Vec<bool> {
+        let mut used = vec![false; lowered.kinds.len()];
+        for (inst, removed) in lowered.code.iter_mut().zip(&self.removed) {
+            if !removed {
+                inst.operands(&mut |reg, _| {
+                    used[self.instead[reg.0 as usize].0 as usize] = true;
+                });
+            }
+        }
+        used
+    }
+}
+
+/// By instruction: the last instructions of the loops that begin there, innermost first.
+fn loop_ends(code: &[Inst]) -> Vec<Vec<u32>> {
+    let mut ends = vec![Vec::new(); code.len()];
+    for (at, inst) in code.iter().enumerate() {
+        if let Inst::Again { head, .. } = inst {
+            ends[head.0 as usize].push(at as u32);
+        }
+    }
+    ends
+}
+
+/// Takes the removed instructions out.
+fn compact(code: &mut Vec<Inst>, removed: &[bool]) {
+    let mut moved = Vec::with_capacity(code.len() + 1);
+    let mut kept = 0;
+    for removed in removed {
+        moved.push(kept);
+        kept += u32::from(!removed);
+    }
+    moved.push(kept);
+    let mut at = 0;
+    code.retain(|_| {
+        at += 1;
+        !removed[at - 1]
+    });
+    for inst in code {
+        if let Some(Target(to)) = inst.target_mut() {
+            *to = moved[*to as usize];
+        }
+    }
+}
+
+/// Variables start as zero, unless all lanes are written before anything else happens to them.
+fn zero_variables(lowered: &mut Lowered, allocation: &Allocation) {
+    let mut zeros = Vec::new();
+    for &(first, len) in &lowered.variables {
+        let Kind::Variable { var } = lowered.kinds[first.0 as usize] else { continue };
+        let first_access = allocation.accesses[var.0 as usize].first();
+        let written = len == 1
+            && first_access.is_some_and(|access| {
+                access.role == Role::Write && allocation.moves[access.at as usize]
+            });
+        if !written {
+            zeros.push(Inst::Zero { out: allocation.real[first.0 as usize], len });
+        }
+    }
+    let shift = zeros.len() as u32;
+    for inst in &mut lowered.code {
+        if let Some(Target(to)) = inst.target_mut() {
+            *to += shift;
+        }
+    }
+    zeros.append(&mut lowered.code);
+    lowered.code = zeros;
+}

@@ -1,0 +1,172 @@
+//! The register program: flat instructions whose operands are registers of 64 lanes.
+//!
+//! Control flow is structured code laid out flat. The set of lanes that execute is a mask; each
+//! construct owns mask slots in which lanes wait for the place where they join again. Leaving a
+//! construct (`Break`, `Continue`, `Leave`) is one thing: move the executing lanes to the slot of
+//! the place they go to. So a join is a union of two masks, and nothing is ever recomputed.
+
+use crate::ir::{Axis, Op};
+
+/// A register. While lowering: a virtual one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) struct Reg(pub u32);
+
+/// A place where lanes wait.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Slot(pub u32);
+
+/// An index into the instructions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Target(pub u32);
+
+/// One step of a register program.
+#[derive(Clone, Debug)]
+pub(super) enum Inst {
+    /// All lanes; operands beyond the arity repeat the first.
+    Op { op: Op, out: Reg, args: [Reg; 3] },
+    /// All lanes.
+    Move { out: Reg, from: Reg },
+    /// Zero in all lanes of `len` registers.
+    Zero { out: Reg, len: u32 },
+    /// Executing lanes only.
+    Store { out: Reg, from: Reg },
+    /// All lanes; `out = registers[base + min(index, len - 1)]`.
+    LoadAt { out: Reg, base: Reg, len: u32, index: Reg },
+    /// Executing lanes only.
+    StoreAt { base: Reg, len: u32, index: Reg, from: Reg },
+    /// All lanes; `out = uniforms[base + min(index, len - 1)]`.
+    UniformAt { out: Reg, base: u32, len: u32, index: Reg },
+    /// All lanes.
+    Derivative { axis: Axis, out: Reg, from: Reg },
+    /// All lanes.
+    Sample(Box<SampleInst>),
+    /// Lanes where the condition is false wait in the slot; `reject` is taken when no lane is left.
+    If { condition: Reg, slot: Slot, reject: Target },
+    /// Lanes of the slot execute, those of the accepted block wait.
+    Else { slot: Slot, end: Target },
+    /// Lanes of the slot join.
+    Join { slot: Slot },
+    /// Empties the slot.
+    Open { slot: Slot },
+    /// The executing lanes go to the slot.
+    Leave { slot: Slot },
+    /// The executing lanes are thrown away.
+    Discard,
+    /// Goes on at `to` when no lane executes.
+    SkipEmpty { to: Target },
+    /// The loop's next turn, or its end: then the lanes of `exit` execute.
+    Again { head: Target, exit: Slot },
+}
+
+/// The operands of a texture access.
+#[derive(Clone, Debug)]
+pub(super) struct SampleInst {
+    pub texture: u32,
+    pub coords: [Reg; 3],
+    pub reference: Option<Reg>,
+    pub lod: SampleLod,
+    /// Components that nobody reads have no register.
+    pub out: [Option<Reg>; 4],
+}
+
+/// Where a sample's level of detail comes from.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum SampleLod {
+    Implicit { bias: Option<Reg> },
+    Explicit(Reg),
+    Gradient { dx: [Reg; 3], dy: [Reg; 3] },
+}
+
+/// What an instruction does with an operand.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Role {
+    Read,
+    Write,
+}
+
+impl Inst {
+    /// Visits every register operand, those that are read first.
+    pub fn operands(&mut self, f: &mut impl FnMut(&mut Reg, Role)) {
+        match self {
+            Self::Op { op, out, args } => {
+                for arg in &mut args[..op.args().len()] {
+                    f(arg, Role::Read);
+                }
+                f(out, Role::Write);
+                for i in op.args().len()..args.len() {
+                    args[i] = args[0];
+                }
+            }
+            Self::Move { out, from }
+            | Self::Store { out, from }
+            | Self::Derivative { out, from, .. } => {
+                f(from, Role::Read);
+                f(out, Role::Write);
+            }
+            Self::Zero { out, .. } => f(out, Role::Write),
+            Self::LoadAt { out, base, index, .. } => {
+                f(index, Role::Read);
+                f(base, Role::Read);
+                f(out, Role::Write);
+            }
+            Self::StoreAt { base, index, from, .. } => {
+                f(index, Role::Read);
+                f(from, Role::Read);
+                f(base, Role::Write);
+            }
+            Self::UniformAt { out, index, .. } => {
+                f(index, Role::Read);
+                f(out, Role::Write);
+            }
+            Self::Sample(sample) => {
+                sample.reads(|reg| f(reg, Role::Read));
+                for reg in sample.out.iter_mut().flatten() {
+                    f(reg, Role::Write);
+                }
+            }
+            Self::If { condition, .. } => f(condition, Role::Read),
+            Self::Else { .. }
+            | Self::Join { .. }
+            | Self::Open { .. }
+            | Self::Leave { .. }
+            | Self::Discard
+            | Self::SkipEmpty { .. }
+            | Self::Again { .. } => {}
+        }
+    }
+
+    /// The instruction this one can jump to.
+    pub fn target_mut(&mut self) -> Option<&mut Target> {
+        match self {
+            Self::If { reject: to, .. }
+            | Self::Else { end: to, .. }
+            | Self::SkipEmpty { to }
+            | Self::Again { head: to, .. } => Some(to),
+            Self::Op { .. }
+            | Self::Move { .. }
+            | Self::Zero { .. }
+            | Self::Store { .. }
+            | Self::LoadAt { .. }
+            | Self::StoreAt { .. }
+            | Self::UniformAt { .. }
+            | Self::Derivative { .. }
+            | Self::Sample(_)
+            | Self::Join { .. }
+            | Self::Open { .. }
+            | Self::Leave { .. }
+            | Self::Discard => None,
+        }
+    }
+}
+
+impl SampleInst {
+    fn reads(&mut self, mut f: impl FnMut(&mut Reg)) {
+        self.coords.iter_mut().for_each(&mut f);
+        self.reference.iter_mut().for_each(&mut f);
+        match &mut self.lod {
+            SampleLod::Implicit { bias } => bias.iter_mut().for_each(f),
+            SampleLod::Explicit(lod) => f(lod),
+            SampleLod::Gradient { dx, dy } => dx.iter_mut().chain(dy).for_each(f),
+        }
+    }
+}

@@ -1,0 +1,432 @@
+//! From the structured IR to flat instructions over virtual registers.
+//!
+//! Each value gets a virtual register; so does each element of a variable, those of one variable
+//! in a row. [`super::allocate`] gives them real ones. The recursion is over the nesting of
+//! blocks, which validation limits.
+
+use super::inst::{Inst, Reg, SampleInst, SampleLod, Slot, Target};
+use super::preamble::Preamble;
+use crate::ir::{Block, Expr, Input, Lod, Module, Output, Sample, Stage, Stmt, Value, Var};
+
+/// What a virtual register stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    /// A value; written once, in all lanes.
+    Temp,
+    /// A word of the preamble, the same in every lane and batch.
+    Splat { word: u32 },
+    /// An input of the program.
+    Input { index: u32 },
+    /// An element of a variable.
+    Variable { var: Var },
+}
+
+/// A program over virtual registers.
+#[derive(Debug, Default)]
+pub(super) struct Lowered {
+    pub code: Vec<Inst>,
+    /// By virtual register.
+    pub kinds: Vec<Kind>,
+    pub preamble: Preamble,
+    pub inputs: Vec<Input>,
+    pub outputs: Vec<(Output, Reg)>,
+    /// Every variable that is used: its first register and its length.
+    pub variables: Vec<(Reg, u32)>,
+    pub slots: u32,
+    pub textures: Vec<u32>,
+    pub discards: bool,
+    pub reads_uniforms: bool,
+}
+
+/// Lowers a valid module.
+pub(super) fn lower(module: &Module) -> Lowered {
+    let mut lowering = Lowering {
+        module,
+        out: Lowered::default(),
+        values: vec![None; module.values.len()],
+        samples: vec![None; module.values.len()],
+        variables: vec![None; module.variables.len()],
+        words: Vec::new(),
+        joins: vec![Vec::new()],
+        loops: Vec::new(),
+        scopes: Vec::new(),
+        slots: 0,
+        nesting: 0,
+        straight: true,
+    };
+    for &(output, var) in &module.outputs {
+        let reg = lowering.variable(var);
+        lowering.out.outputs.push((output, reg));
+    }
+    lowering.block(&module.body);
+    lowering.join();
+    let mut out = lowering.out;
+    out.textures.sort_unstable();
+    out.textures.dedup();
+    out
+}
+
+/// The slots of a loop.
+#[derive(Clone, Copy)]
+struct LoopSlots {
+    exit: Slot,
+    again: Slot,
+}
+
+struct Lowering<'a> {
+    module: &'a Module,
+    out: Lowered,
+    /// By value.
+    values: Vec<Option<Reg>>,
+    /// By value: the registers of a sample's components.
+    samples: Vec<Option<[Reg; 4]>>,
+    /// By variable: its first register.
+    variables: Vec<Option<Reg>>,
+    /// By word of the preamble.
+    words: Vec<Option<Reg>>,
+    /// By open block: the jumps that go to where its lanes join again.
+    joins: Vec<Vec<usize>>,
+    loops: Vec<LoopSlots>,
+    scopes: Vec<Slot>,
+    slots: u32,
+    nesting: u32,
+    /// Whether every lane of the run still executes, as far as the code shows.
+    straight: bool,
+}
+
+impl Lowering<'_> {
+    fn register(&mut self, kind: Kind) -> Reg {
+        self.out.kinds.push(kind);
+        Reg(self.out.kinds.len() as u32 - 1)
+    }
+
+    fn variable(&mut self, var: Var) -> Reg {
+        if let Some(reg) = self.variables[var.0 as usize] {
+            return reg;
+        }
+        let len = self.module.variable(var).len;
+        let first = self.register(Kind::Variable { var });
+        for _ in 1..len {
+            self.register(Kind::Variable { var });
+        }
+        self.variables[var.0 as usize] = Some(first);
+        self.out.variables.push((first, len));
+        first
+    }
+
+    /// The register that holds a value.
+    fn value(&mut self, value: Value) -> Reg {
+        if let Some(reg) = self.values[value.0 as usize] {
+            return reg;
+        }
+        let reg = if let Some(word) = self.out.preamble.word(self.module, value) {
+            self.splat(word)
+        } else if let Expr::Input(input) = self.module.expr(value) {
+            self.input(*input)
+        } else {
+            self.register(Kind::Temp)
+        };
+        self.values[value.0 as usize] = Some(reg);
+        reg
+    }
+
+    fn splat(&mut self, word: u32) -> Reg {
+        let at = word as usize;
+        if self.words.len() <= at {
+            self.words.resize(at + 1, None);
+        }
+        if let Some(reg) = self.words[at] {
+            return reg;
+        }
+        let reg = self.register(Kind::Splat { word });
+        self.words[at] = Some(reg);
+        reg
+    }
+
+    fn input(&mut self, input: Input) -> Reg {
+        let found = self.out.inputs.iter().position(|other| *other == input);
+        let index = found.unwrap_or_else(|| {
+            self.out.inputs.push(input);
+            self.out.inputs.len() - 1
+        }) as u32;
+        self.register(Kind::Input { index })
+    }
+
+    fn emit(&mut self, inst: Inst) -> usize {
+        self.out.code.push(inst);
+        self.out.code.len() - 1
+    }
+
+    fn here(&self) -> Target {
+        Target(self.out.code.len() as u32)
+    }
+
+    /// Points a jump at the next instruction.
+    fn land(&mut self, jump: usize) {
+        let here = self.here();
+        if let Some(target) = self.out.code[jump].target_mut() {
+            *target = here;
+        }
+    }
+
+    /// Here the lanes of the innermost open block join again.
+    fn join(&mut self) {
+        for jump in self.joins.pop().unwrap_or_default() {
+            self.land(jump);
+        }
+    }
+
+    fn slot(&mut self) -> Slot {
+        self.slots += 1;
+        self.out.slots = self.out.slots.max(self.slots);
+        Slot(self.slots - 1)
+    }
+
+    /// Lowers a block whose lanes join at the next [`Self::join`].
+    fn nested(&mut self, block: &Block) {
+        self.joins.push(Vec::new());
+        self.nesting += 1;
+        self.block(block);
+        self.nesting -= 1;
+    }
+
+    fn block(&mut self, block: &Block) {
+        for (i, stmt) in block.iter().enumerate() {
+            match stmt {
+                Stmt::Eval(value) => self.eval(*value),
+                Stmt::Store { var, value } => {
+                    let (from, out) = (self.value(*value), self.variable(*var));
+                    self.store(out, from);
+                }
+                Stmt::StoreAt { var, index, value } => self.store_at(*var, *index, *value),
+                Stmt::If { condition, accept, reject } => self.branch(*condition, accept, reject),
+                Stmt::Loop { body, continuing } => self.repeat(body, continuing),
+                Stmt::Scope(body) => {
+                    let slot = self.slot();
+                    self.emit(Inst::Open { slot });
+                    self.scopes.push(slot);
+                    self.joins.push(Vec::new());
+                    let straight = self.straight;
+                    self.block(body);
+                    self.straight = straight && !self.out.discards;
+                    self.scopes.pop();
+                    self.join();
+                    self.emit(Inst::Join { slot });
+                    self.slots -= 1;
+                }
+                Stmt::Break => return self.leave(self.loops.last().map(|slots| slots.exit)),
+                Stmt::Continue => return self.leave(self.loops.last().map(|slots| slots.again)),
+                Stmt::Leave => {
+                    self.straight = false;
+                    return self.leave(self.scopes.last().copied());
+                }
+                Stmt::Discard => {
+                    self.straight = false;
+                    self.out.discards = true;
+                    self.emit(Inst::Discard);
+                    return;
+                }
+            }
+            if i + 1 < block.len() && may_empty(stmt) {
+                let jump = self.emit(Inst::SkipEmpty { to: Target(0) });
+                if let Some(join) = self.joins.last_mut() {
+                    join.push(jump);
+                }
+            }
+        }
+    }
+
+    fn leave(&mut self, slot: Option<Slot>) {
+        if let Some(slot) = slot {
+            self.emit(Inst::Leave { slot });
+        }
+    }
+
+    fn store(&mut self, out: Reg, from: Reg) {
+        // Lanes that the run did not begin with may hold anything.
+        if self.straight && self.nesting == 0 {
+            self.emit(Inst::Move { out, from });
+        } else {
+            self.emit(Inst::Store { out, from });
+        }
+    }
+
+    /// The element that a constant index reaches.
+    fn constant_element(&mut self, var: Var, index: Value) -> Option<Reg> {
+        let Expr::Const { bits, .. } = self.module.expr(index) else { return None };
+        let element = (*bits).min(self.module.variable(var).len - 1);
+        Some(Reg(self.variable(var).0 + element))
+    }
+
+    fn store_at(&mut self, var: Var, index: Value, value: Value) {
+        let from = self.value(value);
+        if let Some(out) = self.constant_element(var, index) {
+            return self.store(out, from);
+        }
+        let (base, len) = (self.variable(var), self.module.variable(var).len);
+        let index = self.value(index);
+        self.emit(Inst::StoreAt { base, len, index, from });
+    }
+
+    fn branch(&mut self, condition: Value, accept: &Block, reject: &Block) {
+        let condition = self.value(condition);
+        let slot = self.slot();
+        let branch = self.emit(Inst::If { condition, slot, reject: Target(0) });
+        self.nested(accept);
+        self.join();
+        if reject.is_empty() {
+            self.land(branch);
+        } else {
+            let skip = self.emit(Inst::Else { slot, end: Target(0) });
+            self.land(branch);
+            self.nested(reject);
+            self.join();
+            self.land(skip);
+        }
+        self.emit(Inst::Join { slot });
+        self.slots -= 1;
+    }
+
+    fn repeat(&mut self, body: &Block, continuing: &Block) {
+        let (exit, again) = (self.slot(), self.slot());
+        self.emit(Inst::Open { slot: exit });
+        self.emit(Inst::Open { slot: again });
+        let head = self.here();
+        self.loops.push(LoopSlots { exit, again });
+        self.nested(body);
+        self.join();
+        self.emit(Inst::Join { slot: again });
+        self.joins.push(Vec::new());
+        if !continuing.is_empty() {
+            let skip = self.emit(Inst::SkipEmpty { to: Target(0) });
+            if let Some(join) = self.joins.last_mut() {
+                join.push(skip);
+            }
+        }
+        self.nesting += 1;
+        self.block(continuing);
+        self.nesting -= 1;
+        self.join();
+        self.loops.pop();
+        self.emit(Inst::Again { head, exit });
+        self.slots -= 2;
+    }
+
+    fn eval(&mut self, value: Value) {
+        if self.out.preamble.word(self.module, value).is_some() {
+            return;
+        }
+        match self.module.expr(value) {
+            Expr::Const { .. } | Expr::Uniform { .. } | Expr::Input(_) => {}
+            Expr::UniformAt { base, len, index, .. } => {
+                self.out.reads_uniforms = true;
+                let (index, out) = (self.value(*index), self.value(value));
+                self.emit(Inst::UniformAt { out, base: *base, len: *len, index });
+            }
+            Expr::Load(var) => {
+                let (from, out) = (self.variable(*var), self.value(value));
+                self.emit(Inst::Move { out, from });
+            }
+            Expr::LoadAt { var, index } => {
+                if let Some(from) = self.constant_element(*var, *index) {
+                    let out = self.value(value);
+                    self.emit(Inst::Move { out, from });
+                    return;
+                }
+                let (base, len) = (self.variable(*var), self.module.variable(*var).len);
+                let (index, out) = (self.value(*index), self.value(value));
+                self.emit(Inst::LoadAt { out, base, len, index });
+            }
+            Expr::Op { op, args } => {
+                let mut regs = [self.value(args[0]); 3];
+                for i in 1..op.args().len() {
+                    regs[i] = self.value(args[i]);
+                }
+                let out = self.value(value);
+                self.emit(Inst::Op { op: *op, out, args: regs });
+            }
+            Expr::Derivative { axis, value: of } => {
+                let (from, out) = (self.value(*of), self.value(value));
+                self.emit(Inst::Derivative { axis: *axis, out, from });
+            }
+            Expr::Sample(sample) => self.sample(value, sample),
+            Expr::Component { sample, component } => {
+                let regs = self.samples[sample.0 as usize];
+                self.values[value.0 as usize] = regs.map(|regs| regs[usize::from(*component)]);
+            }
+        }
+    }
+
+    fn sample(&mut self, value: Value, sample: &Sample) {
+        let coords = sample.coords.map(|coord| self.value(coord));
+        let reference = sample.reference.map(|reference| self.value(reference));
+        let lod = match (sample.lod, self.module.stage) {
+            (Lod::Implicit { bias }, Stage::Fragment) => {
+                SampleLod::Implicit { bias: bias.map(|bias| self.value(bias)) }
+            }
+            // A vertex has no neighbours: the base level plus the bias.
+            (Lod::Implicit { bias: Some(bias) }, Stage::Vertex) => {
+                SampleLod::Explicit(self.value(bias))
+            }
+            (Lod::Implicit { bias: None }, Stage::Vertex) => {
+                let zero = self.out.preamble.constant(0);
+                SampleLod::Explicit(self.splat(zero))
+            }
+            (Lod::Explicit(lod), Stage::Vertex | Stage::Fragment) => {
+                SampleLod::Explicit(self.value(lod))
+            }
+            (Lod::Gradient { dx, dy }, Stage::Vertex | Stage::Fragment) => SampleLod::Gradient {
+                dx: dx.map(|value| self.value(value)),
+                dy: dy.map(|value| self.value(value)),
+            },
+        };
+        let out = [0; 4].map(|_| self.register(Kind::Temp));
+        self.samples[value.0 as usize] = Some(out);
+        self.out.textures.push(sample.texture.0);
+        let (texture, out) = (sample.texture.0, out.map(Some));
+        self.emit(Inst::Sample(Box::new(SampleInst { texture, coords, reference, lod, out })));
+    }
+}
+
+/// Whether lanes can leave the block through a statement, so that none may be left after it.
+fn may_empty(stmt: &Stmt) -> bool {
+    let exits = Exits::of(stmt);
+    exits.turn || exits.scope || exits.discard
+}
+
+/// The ways out of a statement.
+#[derive(Clone, Copy, Default)]
+struct Exits {
+    /// `Break` or `Continue`.
+    turn: bool,
+    scope: bool,
+    discard: bool,
+}
+
+impl Exits {
+    fn of(stmt: &Stmt) -> Self {
+        match stmt {
+            Stmt::Eval(_) | Stmt::Store { .. } | Stmt::StoreAt { .. } => Self::default(),
+            Stmt::If { accept, reject, .. } => Self::any(accept).or(Self::any(reject)),
+            Stmt::Loop { body, continuing } => {
+                Self { turn: false, ..Self::any(body).or(Self::any(continuing)) }
+            }
+            Stmt::Scope(body) => Self { scope: false, ..Self::any(body) },
+            Stmt::Break | Stmt::Continue => Self { turn: true, ..Self::default() },
+            Stmt::Leave => Self { scope: true, ..Self::default() },
+            Stmt::Discard => Self { discard: true, ..Self::default() },
+        }
+    }
+
+    fn any(block: &Block) -> Self {
+        block.iter().map(Self::of).fold(Self::default(), Self::or)
+    }
+
+    fn or(self, other: Self) -> Self {
+        Self {
+            turn: self.turn || other.turn,
+            scope: self.scope || other.scope,
+            discard: self.discard || other.discard,
+        }
+    }
+}

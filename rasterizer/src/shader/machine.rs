@@ -1,0 +1,267 @@
+//! Running a register program over 64 lanes.
+//!
+//! One run is one [`Kernel`]: the loop over the instructions is compiled per instruction set with
+//! every operation's loop inlined. An operation writes a scratch register that is then swapped
+//! with the destination (two pointers), so that no output ever aliases an input.
+
+use super::inst::{Inst, Reg, SampleInst, SampleLod};
+use super::mask::{Extent, Mask};
+use super::preamble::uniform_at;
+use super::{OverBudget, Prepared, Program, Run};
+use crate::ir::Axis;
+use texunit::lanes::{F32s, Kernel, LANES, QUADS, Simd, U32s};
+use texunit::plan::Lod;
+
+/// The registers of a thread, reused from batch to batch and from program to program.
+#[derive(Debug, Default)]
+pub struct Machine {
+    registers: Vec<Box<U32s>>,
+    scratch: Box<U32s>,
+    /// The lanes that execute.
+    exec: Mask,
+    /// The lanes that the run began with.
+    start: Box<U32s>,
+    discarded: Mask,
+    slots: Vec<Mask>,
+    sampled: Box<[F32s; 4]>,
+    /// Identity of the program that the registers are laid out for; 0 is none.
+    program: u64,
+    /// Identity of the draw whose words the registers hold; 0 is none.
+    prepared: u64,
+    inputs: usize,
+    outputs: Vec<u32>,
+}
+
+impl Machine {
+    /// Makes room for a program's registers. Costs nothing when the machine holds it already.
+    pub fn begin(&mut self, program: &Program) {
+        if self.program == program.id {
+            return;
+        }
+        let count = program.layout.registers as usize;
+        if self.registers.len() < count {
+            self.registers.resize_with(count, Box::default);
+        }
+        if self.slots.len() < program.slots as usize {
+            self.slots.resize_with(program.slots as usize, Mask::default);
+        }
+        self.inputs = program.layout.inputs as usize;
+        self.outputs.clone_from(&program.layout.outputs);
+        self.program = program.id;
+        self.prepared = 0;
+    }
+
+    /// The register of the program's input `index`, to be filled before each run.
+    pub fn input_mut(&mut self, index: usize) -> &mut U32s {
+        &mut self.registers[self.inputs + index]
+    }
+
+    /// Runs the program once over the active lanes; gives the lanes that were not discarded.
+    ///
+    /// # Errors
+    /// When the budget is used up.
+    pub fn run(&mut self, run: Run<'_>) -> Result<u64, OverBudget> {
+        self.begin(run.program);
+        if self.prepared != run.prepared.id {
+            for (reg, word) in self.registers.iter_mut().zip(&run.program.layout.splats) {
+                **reg = U32s::splat(run.prepared.words[*word as usize]);
+            }
+            self.prepared = run.prepared.id;
+        }
+        self.exec.whole(run.active);
+        self.start.clone_from(&self.exec.lanes);
+        self.discarded.clear();
+        let left = run.budget.checked_sub(run.program.code.len() as u64).ok_or(OverBudget)?;
+        run.isa.run(Interpreter { machine: self, run, left })?;
+        Ok(run.active & !self.discarded.bits())
+    }
+
+    /// The register of the program's output `index`, after a run. Inactive lanes hold any bits.
+    pub fn output(&self, index: usize) -> &U32s {
+        &self.registers[self.outputs[index] as usize]
+    }
+
+    #[inline(always)]
+    fn reg(&self, reg: Reg) -> &U32s {
+        &self.registers[reg.0 as usize]
+    }
+
+    /// Makes the scratch register the value of `out`.
+    #[inline(always)]
+    fn set(&mut self, out: Reg) {
+        std::mem::swap(&mut self.registers[out.0 as usize], &mut self.scratch);
+    }
+
+    #[inline(always)]
+    fn load_at(&mut self, out: Reg, base: Reg, len: u32, index: Reg) {
+        let array = &self.registers[base.0 as usize..][..len as usize];
+        let index = &self.registers[index.0 as usize];
+        for lane in 0..LANES {
+            self.scratch[lane] = array[index[lane].min(len - 1) as usize][lane];
+        }
+        self.set(out);
+    }
+
+    #[inline(always)]
+    fn store(&mut self, out: Reg, from: Reg) {
+        match self.exec.extent {
+            Extent::Empty => return,
+            Extent::Part => {
+                let old = &self.registers[out.0 as usize];
+                let new = &self.registers[from.0 as usize];
+                for lane in 0..LANES {
+                    let mask = self.exec.lanes[lane];
+                    self.scratch[lane] = (new[lane] & mask) | (old[lane] & !mask);
+                }
+            }
+            Extent::Whole => *self.scratch = **&self.registers[from.0 as usize],
+        }
+        self.set(out);
+    }
+
+    #[inline(always)]
+    fn store_at(&mut self, base: Reg, len: u32, index: Reg, from: Reg) {
+        if self.exec.is_empty() {
+            return;
+        }
+        let (index, from) = (*self.reg(index), *self.reg(from));
+        let array = &mut self.registers[base.0 as usize..][..len as usize];
+        for lane in 0..LANES {
+            if self.exec.lanes[lane] != 0 {
+                array[index[lane].min(len - 1) as usize][lane] = from[lane];
+            }
+        }
+    }
+
+    /// Fine derivatives: the difference within each row or column of a quad. Lane order is
+    /// quad-planar, see [`texunit::lanes`].
+    #[inline(always)]
+    fn derivative(&mut self, axis: Axis, out: Reg, from: Reg) {
+        let from = self.registers[from.0 as usize].as_f32();
+        let scratch = self.scratch.as_f32_mut();
+        // By pixel of the quad: the planes of the near and the far neighbour.
+        let planes = match axis {
+            Axis::X => [(0, 1), (0, 1), (2, 3), (2, 3)],
+            Axis::Y => [(0, 2), (1, 3), (0, 2), (1, 3)],
+        };
+        for (pixel, (near, far)) in planes.into_iter().enumerate() {
+            for quad in 0..QUADS {
+                scratch[pixel * QUADS + quad] =
+                    from[far * QUADS + quad] - from[near * QUADS + quad];
+            }
+        }
+        self.set(out);
+    }
+
+    #[inline(always)]
+    fn sample(&mut self, run: &Run<'_>, sample: &SampleInst) {
+        match run.textures.get(sample.texture as usize) {
+            Some(Some(plan)) => {
+                let reg = |reg: Reg| self.registers[reg.0 as usize].as_f32();
+                let lod = match sample.lod {
+                    SampleLod::Implicit { bias } => Lod::Implicit { bias: bias.map(reg) },
+                    SampleLod::Explicit(lod) => Lod::Explicit(reg(lod)),
+                    SampleLod::Gradient { dx, dy } => {
+                        Lod::Gradient { dx: dx.map(reg), dy: dy.map(reg) }
+                    }
+                };
+                let coords = sample.coords.map(reg);
+                plan.sample(run.isa, coords, sample.reference.map(reg), lod, &mut self.sampled);
+            }
+            Some(None) | None => {
+                *self.sampled = [0.0, 0.0, 0.0, 1.0].map(F32s::splat);
+            }
+        }
+        for (out, texel) in sample.out.iter().zip(self.sampled.iter()) {
+            if let Some(out) = out {
+                *self.registers[out.0 as usize] = *texel.as_u32();
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn uniform_at(&mut self, prepared: &Prepared, out: Reg, base: u32, len: u32, index: Reg) {
+        let index = &self.registers[index.0 as usize];
+        for lane in 0..LANES {
+            self.scratch[lane] = uniform_at(&prepared.uniforms, base, len, index[lane]);
+        }
+        self.set(out);
+    }
+}
+
+struct Interpreter<'a> {
+    machine: &'a mut Machine,
+    run: Run<'a>,
+    /// How many instructions may still run.
+    left: u64,
+}
+
+impl Kernel for Interpreter<'_> {
+    type Output = Result<(), OverBudget>;
+
+    #[inline(always)]
+    fn run<S: Simd>(self) -> Result<(), OverBudget> {
+        let Self { machine: m, run, mut left } = self;
+        let code = &run.program.code[..];
+        let mut pc = 0;
+        while let Some(inst) = code.get(pc) {
+            pc += 1;
+            match *inst {
+                Inst::Op { op, out, args } => {
+                    let args = args.map(|reg| &*m.registers[reg.0 as usize]);
+                    op.run(&mut m.scratch, args);
+                    m.set(out);
+                }
+                Inst::Move { out, from } => {
+                    *m.scratch = *m.registers[from.0 as usize];
+                    m.set(out);
+                }
+                Inst::Zero { out, len } => {
+                    for reg in &mut m.registers[out.0 as usize..][..len as usize] {
+                        **reg = U32s::ZERO;
+                    }
+                }
+                Inst::Store { out, from } => m.store(out, from),
+                Inst::LoadAt { out, base, len, index } => m.load_at(out, base, len, index),
+                Inst::StoreAt { base, len, index, from } => m.store_at(base, len, index, from),
+                Inst::UniformAt { out, base, len, index } => {
+                    m.uniform_at(run.prepared, out, base, len, index);
+                }
+                Inst::Derivative { axis, out, from } => m.derivative(axis, out, from),
+                Inst::Sample(ref sample) => m.sample(&run, sample),
+                Inst::If { condition, slot, reject } => {
+                    let rest = &mut m.slots[slot.0 as usize];
+                    m.exec.split(&m.registers[condition.0 as usize], rest);
+                    if m.exec.is_empty() {
+                        m.exec.take(rest, &m.start);
+                        pc = reject.0 as usize;
+                    }
+                }
+                Inst::Else { slot, end } => {
+                    std::mem::swap(&mut m.exec, &mut m.slots[slot.0 as usize]);
+                    if m.exec.is_empty() {
+                        pc = end.0 as usize;
+                    }
+                }
+                Inst::Join { slot } => m.exec.take(&mut m.slots[slot.0 as usize], &m.start),
+                Inst::Open { slot } => m.slots[slot.0 as usize].clear(),
+                Inst::Leave { slot } => m.slots[slot.0 as usize].take(&mut m.exec, &m.start),
+                Inst::Discard => m.discarded.take(&mut m.exec, &m.start),
+                Inst::SkipEmpty { to } => {
+                    if m.exec.is_empty() {
+                        pc = to.0 as usize;
+                    }
+                }
+                Inst::Again { head, exit } => {
+                    if m.exec.is_empty() {
+                        m.exec.take(&mut m.slots[exit.0 as usize], &m.start);
+                    } else {
+                        left = left.checked_sub((pc - head.0 as usize) as u64).ok_or(OverBudget)?;
+                        pc = head.0 as usize;
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+}

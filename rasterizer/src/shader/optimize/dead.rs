@@ -1,0 +1,206 @@
+//! What no output depends on goes: values, stores, and control flow around nothing.
+//!
+//! Marks backwards from the outputs and the discards. A construct is needed when something needed
+//! stands in it; then so are its condition, and every jump to its end. A loop that nothing leaves
+//! is needed too, so that a program that cannot end still runs into its budget.
+
+use crate::ir::{Block, Expr, Module, Stmt, Value, Var};
+
+/// Runs the pass.
+pub(super) fn run(module: &mut Module) {
+    let mut marking = Marking {
+        module,
+        nodes: vec![Node::default()],
+        writes: vec![Vec::new(); module.variables.len()],
+        values: vec![false; module.values.len()],
+        variables: vec![false; module.variables.len()],
+        work: Vec::new(),
+    };
+    let mut roots = Vec::new();
+    marking.build(&module.body, Around { node: 0, in_loop: 0, in_scope: 0 }, &mut roots);
+    for at in 0..marking.nodes.len() {
+        if marking.nodes[at].is_loop && !marking.nodes[at].is_left {
+            roots.push(at);
+        }
+    }
+    marking.work.extend(roots.into_iter().map(Item::Node));
+    marking.work.extend(module.outputs.iter().map(|(_, var)| Item::Variable(*var)));
+    marking.run();
+    let Marking { nodes, values, variables, .. } = marking;
+    let mut next = 1;
+    let mut body = std::mem::take(&mut module.body);
+    sweep(&mut body, &nodes, &values, &variables, &mut next);
+    module.body = body;
+}
+
+/// An `If`, a `Loop` or a `Scope`; node 0 is the whole body. In program order.
+#[derive(Default)]
+struct Node {
+    parent: usize,
+    condition: Option<Value>,
+    /// The nodes in which a jump to the end of this one, or to its next turn, stands.
+    jumps: Vec<usize>,
+    is_loop: bool,
+    /// Whether anything leaves the loop.
+    is_left: bool,
+    needed: bool,
+    /// The node after the last inside.
+    end: usize,
+}
+
+/// A store.
+#[derive(Clone, Copy)]
+struct Write {
+    value: Value,
+    index: Option<Value>,
+    node: usize,
+}
+
+enum Item {
+    Node(usize),
+    Value(Value),
+    Variable(Var),
+}
+
+/// Nodes around a statement; 0 where there is none.
+#[derive(Clone, Copy)]
+struct Around {
+    node: usize,
+    in_loop: usize,
+    in_scope: usize,
+}
+
+struct Marking<'a> {
+    module: &'a Module,
+    nodes: Vec<Node>,
+    /// By variable.
+    writes: Vec<Vec<Write>>,
+    /// By value: whether it is needed.
+    values: Vec<bool>,
+    /// By variable.
+    variables: Vec<bool>,
+    work: Vec<Item>,
+}
+
+impl Marking<'_> {
+    fn open(&mut self, parent: usize, condition: Option<Value>) -> usize {
+        self.nodes.push(Node { parent, condition, ..Node::default() });
+        self.nodes.len() - 1
+    }
+
+    fn build(&mut self, block: &Block, around: Around, discards: &mut Vec<usize>) {
+        let node = around.node;
+        for stmt in block {
+            match stmt {
+                Stmt::Eval(_) => {}
+                Stmt::Store { var, value } => {
+                    self.writes[var.0 as usize].push(Write { value: *value, index: None, node });
+                }
+                Stmt::StoreAt { var, index, value } => {
+                    let write = Write { value: *value, index: Some(*index), node };
+                    self.writes[var.0 as usize].push(write);
+                }
+                Stmt::If { condition, accept, reject } => {
+                    let inner = self.open(node, Some(*condition));
+                    self.build(accept, Around { node: inner, ..around }, discards);
+                    self.build(reject, Around { node: inner, ..around }, discards);
+                    self.nodes[inner].end = self.nodes.len();
+                }
+                Stmt::Loop { body, continuing } => {
+                    let inner = self.open(node, None);
+                    self.nodes[inner].is_loop = true;
+                    let around = Around { node: inner, in_loop: inner, ..around };
+                    self.build(body, around, discards);
+                    self.build(continuing, around, discards);
+                    self.nodes[inner].end = self.nodes.len();
+                }
+                Stmt::Scope(body) => {
+                    let inner = self.open(node, None);
+                    self.build(body, Around { node: inner, in_scope: inner, ..around }, discards);
+                    self.nodes[inner].end = self.nodes.len();
+                }
+                Stmt::Break => {
+                    self.nodes[around.in_loop].jumps.push(node);
+                    self.leave(node, around.in_loop);
+                }
+                Stmt::Continue => self.nodes[around.in_loop].jumps.push(node),
+                Stmt::Leave => {
+                    self.nodes[around.in_scope].jumps.push(node);
+                    self.leave(node, around.in_scope);
+                }
+                Stmt::Discard => {
+                    discards.push(node);
+                    self.leave(node, 0);
+                }
+            }
+        }
+    }
+
+    /// Marks the nodes from `from` out to `to` as left.
+    fn leave(&mut self, from: usize, to: usize) {
+        let mut at = from;
+        while at != to {
+            self.nodes[at].is_left = true;
+            at = self.nodes[at].parent;
+        }
+        self.nodes[to].is_left = true;
+    }
+
+    fn run(&mut self) {
+        while let Some(item) = self.work.pop() {
+            match item {
+                Item::Node(at) => {
+                    let node = &mut self.nodes[at];
+                    if !std::mem::replace(&mut node.needed, true) {
+                        self.work.push(Item::Node(node.parent));
+                        self.work.extend(node.condition.map(Item::Value));
+                        self.work.extend(node.jumps.iter().copied().map(Item::Node));
+                    }
+                }
+                Item::Value(value) => {
+                    if !std::mem::replace(&mut self.values[value.0 as usize], true) {
+                        let expr = self.module.expr(value);
+                        expr.operands(|operand| self.work.push(Item::Value(operand)));
+                        if let Expr::Load(var) | Expr::LoadAt { var, .. } = expr {
+                            self.work.push(Item::Variable(*var));
+                        }
+                    }
+                }
+                Item::Variable(var) => {
+                    if !std::mem::replace(&mut self.variables[var.0 as usize], true) {
+                        for write in &self.writes[var.0 as usize] {
+                            self.work.push(Item::Node(write.node));
+                            self.work.push(Item::Value(write.value));
+                            self.work.extend(write.index.map(Item::Value));
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+fn sweep(block: &mut Block, nodes: &[Node], values: &[bool], variables: &[bool], next: &mut usize) {
+    block.retain_mut(|stmt| match stmt {
+        Stmt::Eval(value) => values[value.0 as usize],
+        Stmt::Store { var, .. } | Stmt::StoreAt { var, .. } => variables[var.0 as usize],
+        Stmt::If { .. } | Stmt::Loop { .. } | Stmt::Scope(_) => {
+            let node = &nodes[*next];
+            if !node.needed {
+                *next = node.end;
+                return false;
+            }
+            *next += 1;
+            match stmt {
+                Stmt::If { accept: a, reject: b, .. } | Stmt::Loop { body: a, continuing: b } => {
+                    sweep(a, nodes, values, variables, next);
+                    sweep(b, nodes, values, variables, next);
+                }
+                Stmt::Scope(body) => sweep(body, nodes, values, variables, next),
+                _ => {}
+            }
+            true
+        }
+        Stmt::Break | Stmt::Continue | Stmt::Leave | Stmt::Discard => true,
+    });
+}

@@ -1,0 +1,81 @@
+//! Constants, and identities that are exact for every operand, NaN and both zeros included.
+
+use crate::ir::{Expr, Module, Op, TRUE, Value};
+
+/// What an operation turns out to be.
+pub(super) enum Folded {
+    /// These bits.
+    Const(u32),
+    /// One of its operands, or of theirs.
+    Same(Value),
+    /// Itself.
+    Op,
+}
+
+const ONE: u32 = 0x3f80_0000;
+const MINUS_ZERO: u32 = 0x8000_0000;
+
+/// Looks at an operation whose operands are simplified already.
+pub(super) fn fold(module: &Module, op: Op, args: [Value; 3]) -> Folded {
+    let constant = |value: Value| match module.expr(value) {
+        Expr::Const { bits, .. } => Some(*bits),
+        _ => None,
+    };
+    let known = args.map(constant);
+    let arity = op.args().len();
+    if let Some(words) = all(&known[..arity]) {
+        return Folded::Const(op.eval(words));
+    }
+    let [a, b, c] = args;
+    match (op, known[0], known[1]) {
+        (Op::Mul, Some(ONE), _) => Folded::Same(b),
+        (Op::Mul | Op::Div, _, Some(ONE)) => Folded::Same(a),
+        // x + -0 is x even for -0; x + 0 is not.
+        (Op::Add, Some(MINUS_ZERO), _) => Folded::Same(b),
+        (Op::Add, _, Some(MINUS_ZERO)) | (Op::Sub, _, Some(0)) => Folded::Same(a),
+        (Op::Neg | Op::INeg | Op::Not | Op::BitNot, ..) => undo(module, op, op, a),
+        (Op::IntToUint, ..) => undo(module, op, Op::UintToInt, a),
+        (Op::UintToInt, ..) => undo(module, op, Op::IntToUint, a),
+
+        (Op::IAdd | Op::UAdd | Op::BitOr | Op::BitXor, Some(0), _) => Folded::Same(b),
+        (Op::IAdd | Op::ISub | Op::UAdd | Op::USub | Op::BitOr | Op::BitXor, _, Some(0))
+        | (Op::ShiftLeft | Op::UShiftRight | Op::IShiftRight, _, Some(0)) => Folded::Same(a),
+        (Op::IMul | Op::UMul, Some(1), _) | (Op::BitAnd, Some(u32::MAX), _) => Folded::Same(b),
+        (Op::IMul | Op::UMul | Op::IDiv | Op::UDiv, _, Some(1))
+        | (Op::BitAnd, _, Some(u32::MAX)) => Folded::Same(a),
+        (Op::IMul | Op::UMul | Op::BitAnd, Some(0), _)
+        | (Op::IMul | Op::UMul | Op::BitAnd, _, Some(0)) => Folded::Const(0),
+
+        (Op::And, Some(TRUE), _) | (Op::Or | Op::Xor, Some(0), _) => Folded::Same(b),
+        (Op::And, _, Some(TRUE)) | (Op::Or | Op::Xor, _, Some(0)) => Folded::Same(a),
+        (Op::And, Some(0), _) | (Op::And, _, Some(0)) => Folded::Const(0),
+        (Op::Or, Some(TRUE), _) | (Op::Or, _, Some(TRUE)) => Folded::Const(TRUE),
+        (Op::And | Op::Or | Op::Min | Op::Max, ..) if a == b => Folded::Same(a),
+        (Op::IMin | Op::IMax | Op::UMin | Op::UMax, ..) if a == b => Folded::Same(a),
+
+        (Op::SelectF | Op::SelectI | Op::SelectU | Op::SelectB, Some(0), _) => Folded::Same(c),
+        (Op::SelectF | Op::SelectI | Op::SelectU | Op::SelectB, Some(_), _) => Folded::Same(b),
+        (Op::SelectF | Op::SelectI | Op::SelectU | Op::SelectB, ..) if b == c => Folded::Same(b),
+        (Op::SelectB, _, Some(TRUE)) if known[2] == Some(0) => Folded::Same(a),
+        _ => Folded::Op,
+    }
+}
+
+fn all(known: &[Option<u32>]) -> Option<[u32; 3]> {
+    let mut words = [0; 3];
+    for (word, known) in words.iter_mut().zip(known) {
+        *word = (*known)?;
+    }
+    Some(words)
+}
+
+/// `op(inverse(x))` is `x`.
+fn undo(module: &Module, op: Op, inverse: Op, arg: Value) -> Folded {
+    match module.expr(arg) {
+        Expr::Op { op: inner, args } if *inner == inverse => {
+            debug_assert_eq!(op.args(), &[inverse.result()]);
+            Folded::Same(args[0])
+        }
+        _ => Folded::Op,
+    }
+}

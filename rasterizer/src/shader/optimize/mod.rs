@@ -1,0 +1,43 @@
+//! The optimizer: passes over the structured IR, each in its own file. Every pass keeps the bits.
+//!
+//! | pass | does |
+//! |---|---|
+//! | [`scopes`] | early returns become `else` |
+//! | [`simplify`] | one walk in program order: [`fold`] constants, [`forward`] stores to loads, share [`common`] values, take branches that are decided |
+//! | [`arrays`] | arrays that are only indexed by constants become scalars |
+//! | [`flatten`] | small branches become selects |
+//! | [`stores`] | stores that are overwritten before anybody reads them go |
+//! | [`dead`] | what no output depends on goes |
+//!
+//! What depends on uniform words only is split off later, by [`super::preamble`].
+
+mod arrays;
+mod common;
+mod dead;
+mod flatten;
+mod fold;
+mod forward;
+mod scopes;
+mod simplify;
+mod stores;
+
+use crate::ir::Module;
+
+/// How often the passes that make work for each other are repeated at most.
+const ROUNDS: usize = 6;
+
+/// Optimizes a valid module in place.
+pub(super) fn optimize(module: &mut Module) {
+    scopes::run(module);
+    for _ in 0..ROUNDS {
+        simplify::run(module);
+        dead::run(module);
+        let split = arrays::run(module);
+        let flattened = flatten::run(module);
+        if !split && !flattened {
+            break;
+        }
+    }
+    stores::run(module);
+    dead::run(module);
+}

@@ -1,0 +1,178 @@
+//! One walk in program order that simplifies each value with all that is known where it stands.
+
+use super::common::Common;
+use super::fold::{Folded, fold};
+use super::forward::Memory;
+use crate::ir::{Block, Expr, Module, Stmt, Ty, Value};
+
+/// Runs the pass.
+pub(super) fn run(module: &mut Module) {
+    let body = std::mem::take(&mut module.body);
+    let mut walk = Walk {
+        instead: (0..module.values.len() as u32).map(Value).collect(),
+        common: Common::default(),
+        memory: Memory::new(Vec::new()),
+        module,
+    };
+    for at in 0..walk.module.values.len() {
+        if walk.module.values[at].is_everywhere() {
+            walk.share(Value(at as u32));
+        }
+    }
+    // Variables start as zero.
+    let zero = [Ty::F32, Ty::I32, Ty::U32, Ty::Bool].map(|ty| (ty, walk.constant(0, ty)));
+    let known = walk.module.variables.iter().map(|variable| {
+        zero.iter().find(|(ty, _)| variable.len == 1 && *ty == variable.ty).map(|(_, zero)| *zero)
+    });
+    walk.memory = Memory::new(known.collect());
+    let mut out = Vec::with_capacity(body.len());
+    walk.block(body, &mut out);
+    walk.module.body = out;
+}
+
+struct Walk<'a> {
+    module: &'a mut Module,
+    /// By value: the one to use in its place.
+    instead: Vec<Value>,
+    memory: Memory,
+    common: Common,
+}
+
+impl Walk<'_> {
+    fn constant(&mut self, bits: u32, ty: Ty) -> Value {
+        let value = Value(self.module.values.len() as u32);
+        self.module.values.push(Expr::Const { bits, ty });
+        self.instead.push(value);
+        self.share(value);
+        self.instead[value.0 as usize]
+    }
+
+    /// Uses an equal value that is there already; says whether there is one.
+    fn share(&mut self, value: Value) -> bool {
+        let found = self.common.find(self.module.expr(value), value);
+        if let Some(found) = found {
+            self.instead[value.0 as usize] = found;
+        }
+        found.is_some()
+    }
+
+    fn instead(&self, value: Value) -> Value {
+        self.instead[value.0 as usize]
+    }
+
+    /// Appends what is left of a block to `out`.
+    fn block(&mut self, block: Block, out: &mut Block) {
+        for stmt in block {
+            match stmt {
+                Stmt::Eval(value) => {
+                    if self.eval(value) {
+                        out.push(stmt);
+                    }
+                }
+                Stmt::Store { var, value } => {
+                    let value = self.instead(value);
+                    if self.memory.get(var) != Some(value) {
+                        self.memory.stored(var, value);
+                        out.push(Stmt::Store { var, value });
+                    }
+                }
+                Stmt::StoreAt { var, index, value } => {
+                    let (index, value) = (self.instead(index), self.instead(value));
+                    out.push(Stmt::StoreAt { var, index, value });
+                }
+                Stmt::If { condition, accept, reject } => {
+                    self.branch(condition, accept, reject, out);
+                }
+                Stmt::Loop { body, continuing } => {
+                    self.memory.forget_stores([&body, &continuing]);
+                    let body = self.nested(body);
+                    let continuing = self.nested(continuing);
+                    out.push(Stmt::Loop { body, continuing });
+                }
+                Stmt::Scope(body) => {
+                    let start = self.memory.mark();
+                    let body = self.nested(body);
+                    self.memory.forget(start, self.memory.mark());
+                    out.push(Stmt::Scope(body));
+                }
+                Stmt::Break | Stmt::Continue | Stmt::Leave | Stmt::Discard => out.push(stmt),
+            }
+            if out.last().is_some_and(Stmt::is_jump) {
+                return;
+            }
+        }
+    }
+
+    /// A block of its own: what becomes known in it is forgotten at its end.
+    fn nested(&mut self, block: Block) -> Block {
+        let (memory, common) = (self.memory.mark(), self.common.mark());
+        let mut out = Vec::with_capacity(block.len());
+        self.block(block, &mut out);
+        self.memory.undo(memory);
+        self.common.undo(common);
+        out
+    }
+
+    fn branch(&mut self, condition: Value, accept: Block, reject: Block, out: &mut Block) {
+        let condition = self.instead(condition);
+        if let Expr::Const { bits, .. } = self.module.expr(condition) {
+            return self.block(if *bits == 0 { reject } else { accept }, out);
+        }
+        let start = self.memory.mark();
+        let accept = self.nested(accept);
+        let middle = self.memory.mark();
+        let reject = self.nested(reject);
+        let end = self.memory.mark();
+        // Lanes that jumped away do not come back with what they stored.
+        if !accept.last().is_some_and(Stmt::is_jump) {
+            self.memory.forget(start, middle);
+        }
+        if !reject.last().is_some_and(Stmt::is_jump) {
+            self.memory.forget(middle, end);
+        }
+        if !accept.is_empty() || !reject.is_empty() {
+            out.push(Stmt::If { condition, accept, reject });
+        }
+    }
+
+    /// Simplifies a value; says whether it must still be evaluated.
+    fn eval(&mut self, value: Value) -> bool {
+        let at = value.0 as usize;
+        let expr = self.module.values[at].map(&mut |operand| self.instead(operand));
+        let expr = match expr {
+            Expr::Load(var) => {
+                if let Some(known) = self.memory.get(var) {
+                    self.instead[at] = known;
+                    return false;
+                }
+                self.memory.loaded(var, value);
+                return true;
+            }
+            Expr::Op { op, args } => match fold(self.module, op, args) {
+                Folded::Const(bits) => Expr::Const { bits, ty: op.result() },
+                Folded::Same(same) => {
+                    self.instead[at] = same;
+                    return false;
+                }
+                Folded::Op => expr,
+            },
+            Expr::UniformAt { base, len, index, ty } => match self.module.expr(index) {
+                Expr::Const { bits, .. } => Expr::Uniform { word: base + (*bits).min(len - 1), ty },
+                _ => expr,
+            },
+            Expr::LoadAt { .. } => {
+                self.module.values[at] = expr;
+                return true;
+            }
+            Expr::Const { .. }
+            | Expr::Input(_)
+            | Expr::Uniform { .. }
+            | Expr::Derivative { .. }
+            | Expr::Sample(_)
+            | Expr::Component { .. } => expr,
+        };
+        let everywhere = expr.is_everywhere();
+        self.module.values[at] = expr;
+        !self.share(value) && !everywhere
+    }
+}

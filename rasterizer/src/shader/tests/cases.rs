@@ -1,0 +1,246 @@
+//! Programs written by hand: control flow, arrays, derivatives, budgets, depth.
+
+use super::{check, run};
+use crate::ir::{
+    Axis, Block, Builder, Expr, Input, Interpolation, Lod, MAX_NESTING, Module, Op, Output, Sample,
+    Stage, Stmt, Texture, TextureDecl, Ty, Value, Var,
+};
+use crate::shader::{OverBudget, Program};
+use texunit::image::Shape;
+use texunit::lanes::{Isa, LANES, U32s, lane_x, lane_y};
+
+const ALL: u64 = !0;
+
+/// A fragment builder with varyings, and the red output.
+fn fragment() -> (Builder, Var) {
+    let mut b = Builder::new(Stage::Fragment);
+    b.module_mut().varyings = vec![Interpolation::Smooth; 4];
+    let red = b.output(Output::Color { target: 0, component: 0 });
+    (b, red)
+}
+
+fn by_lane(input: Input, lane: usize) -> u32 {
+    match input {
+        Input::Varying(slot) => (lane as f32 - 20.0 + f32::from(slot)).to_bits(),
+        other => unreachable!("{other:?}"),
+    }
+}
+
+/// The red output of each lane on every instruction set.
+fn red(module: &Module) -> Vec<f32> {
+    module.validate().unwrap();
+    let program = Program::new(module, |_| true);
+    let mut all = Isa::available().into_iter().map(|isa| {
+        let lanes = run(isa, &program, &[], ALL, 1_000_000, by_lane).unwrap();
+        lanes.into_iter().map(|out| out.map_or(f32::NAN, |out| f32::from_bits(out[0]))).collect()
+    });
+    let first: Vec<f32> = all.next().unwrap();
+    assert!(all.all(|other| other == first));
+    first
+}
+
+struct OneOp<'a>(Op, &'a mut U32s, [&'a U32s; 3]);
+
+impl texunit::lanes::Kernel for OneOp<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn run<S: texunit::lanes::Simd>(self) {
+        self.0.run(self.1, self.2);
+    }
+}
+
+#[test]
+fn every_operation_is_the_same_on_one_lane_and_on_64_of_every_instruction_set() {
+    let corners = [
+        0,
+        1,
+        2,
+        31,
+        32,
+        !0,
+        1 << 31,
+        i32::MAX as u32,
+        0x3f80_0000,
+        0xbf80_0000,
+        0x7f80_0000,
+        0xff80_0000,
+        0x7fc0_0000,
+        0x4049_0fdb,
+        0x0040_0000,
+        0x4f00_0000,
+        0x5f00_0000,
+        0x3eaa_aaab,
+    ];
+    let boolean = |word: u32| if word & 1 == 0 { 0 } else { !0 };
+    for &op in Op::ALL {
+        for round in 0..40usize {
+            let args: [U32s; 3] = [0, 1, 2].map(|arg| {
+                U32s::from_fn(|lane| {
+                    let at = round * 64 + lane;
+                    let word =
+                        match arg {
+                            0 => corners[at % corners.len()],
+                            1 => corners[at / corners.len() % corners.len()],
+                            _ => (at as u32).wrapping_mul(0x9e37_79b9),
+                        } ^ if round > 10 { (at as u32).wrapping_mul(0x85eb_ca6b) } else { 0 };
+                    if op.args().get(arg) == Some(&Ty::Bool) { boolean(word) } else { word }
+                })
+            });
+            for isa in Isa::available() {
+                let mut out = U32s::ZERO;
+                isa.run(OneOp(op, &mut out, [&args[0], &args[1], &args[2]]));
+                for lane in 0..LANES {
+                    let want = op.eval([args[0][lane], args[1][lane], args[2][lane]]);
+                    let (got, want) = (super::any_nan(out[lane]), super::any_nan(want));
+                    assert_eq!(got, want, "{} on {} lane {lane}", op.name(), isa.name());
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn derivatives_are_the_differences_within_a_quad() {
+    for axis in [Axis::X, Axis::Y] {
+        let (mut b, out) = fragment();
+        let s = b.input(Input::Varying(0));
+        let d = b.derivative(axis, s);
+        b.store(out, d);
+        let module = b.finish();
+        let program = Program::new(&module, |_| true);
+        let height = |x: usize, y: usize| (x * x * 3 + y * y * y) as f32;
+        for isa in Isa::available() {
+            let input = |_, lane| height(lane_x(lane), lane_y(lane)).to_bits();
+            let got = run(isa, &program, &[], ALL, 1000, input).unwrap();
+            for (lane, got) in got.iter().enumerate() {
+                let (x, y) = (lane_x(lane), lane_y(lane));
+                let want = match axis {
+                    Axis::X => height(x | 1, y) - height(x & !1, y),
+                    Axis::Y => height(x, y | 1) - height(x, y & !1),
+                };
+                assert_eq!(got.as_ref().unwrap()[0], want.to_bits(), "lane {lane}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_slot_without_a_texture_samples_as_opaque_black() {
+    let (mut b, red) = fragment();
+    let alpha = b.output(Output::Color { target: 0, component: 3 });
+    let slot = b.texture(TextureDecl { shape: Shape::D2, compare: false });
+    let s = b.input(Input::Varying(0));
+    let texel = b.sample(slot, [s; 3], None, Lod::Implicit { bias: None });
+    b.store(red, texel[0]);
+    b.store(alpha, texel[3]);
+    let module = b.finish();
+    module.validate().unwrap();
+    let program = Program::new(&module, |_| true);
+    assert_eq!(program.texture_slots(), &[0]);
+    let got = run(Isa::best(), &program, &[], ALL, 1000, by_lane).unwrap();
+    assert!(got.iter().all(|out| *out == Some(vec![0, 1f32.to_bits()])));
+}
+
+/// `while (true) { if (i >= s) break; i += 1 }`
+fn count_up_to_s() -> Module {
+    let (mut b, out) = fragment();
+    let s = b.input(Input::Varying(0));
+    let one = b.float(1.0);
+    b.begin();
+    let i = b.load(out);
+    let over = b.op(Op::LessEqual, &[s, i]);
+    b.push(Stmt::If { condition: over, accept: vec![Stmt::Break], reject: vec![] });
+    let next = b.op(Op::Add, &[i, one]);
+    b.store(out, next);
+    let body = b.end();
+    b.push(Stmt::Loop { body, continuing: vec![] });
+    b.finish()
+}
+
+#[test]
+fn each_lane_leaves_a_loop_when_it_would_alone() {
+    let want: Vec<f32> = (0..LANES).map(|lane| (lane as f32 - 20.0).max(0.0)).collect();
+    assert_eq!(red(&count_up_to_s()), want);
+    check(&count_up_to_s(), &[], by_lane);
+}
+
+#[test]
+fn a_loop_that_does_not_end_runs_out_of_budget() {
+    let program = Program::new(&count_up_to_s(), |_| true);
+    let mut endless = Builder::new(Stage::Fragment);
+    endless.push(Stmt::Loop { body: vec![], continuing: vec![] });
+    let endless = Program::new(&endless.finish(), |_| true);
+    for isa in Isa::available() {
+        let forever = |_, _| f32::INFINITY.to_bits();
+        assert_eq!(run(isa, &program, &[], ALL, 10_000, forever), Err(OverBudget));
+        assert_eq!(run(isa, &endless, &[], ALL, 10_000, forever), Err(OverBudget));
+        assert!(run(isa, &program, &[], ALL, 10_000, by_lane).is_ok());
+    }
+}
+
+#[test]
+fn array_indices_are_clamped_per_lane() {
+    let (mut b, out) = fragment();
+    let array = b.array("a", Ty::F32, 4);
+    let s = b.input(Input::Varying(0));
+    let index = b.op(Op::FloatToInt, &[s]);
+    let ten = b.float(10.0);
+    b.push(Stmt::StoreAt { var: array, index, value: ten });
+    let three = b.int(3);
+    let last = b.value(Expr::LoadAt { var: array, index: three });
+    b.store(out, last);
+    let got = red(&b.finish());
+    for (lane, got) in got.into_iter().enumerate() {
+        // Negative indices reach the last element too; -0.x truncates to 0.
+        let index = lane as i32 - 20;
+        assert_eq!(got, if (0..3).contains(&index) { 0.0 } else { 10.0 }, "lane {lane}");
+    }
+}
+
+#[test]
+fn outputs_that_nobody_reads_take_their_inputs_with_them() {
+    let mut b = Builder::new(Stage::Vertex);
+    for slot in 0..4 {
+        let value = b.input(Input::Attribute { location: slot, component: 0 });
+        let out = b.output(Output::Varying(u16::from(slot)));
+        b.store(out, value);
+    }
+    let module = b.finish();
+    let program = Program::new(&module, |output| output == Output::Varying(2));
+    assert_eq!(program.inputs(), &[Input::Attribute { location: 2, component: 0 }]);
+    assert_eq!(program.outputs(), &[Output::Varying(2)]);
+}
+
+#[test]
+fn what_depends_on_uniform_words_only_is_computed_once_per_draw() {
+    let (mut b, out) = fragment();
+    let (u, s) = (b.uniform(0, Ty::F32), b.input(Input::Varying(0)));
+    let root = b.op(Op::Sqrt, &[u]);
+    let sine = b.op(Op::Sin, &[root]);
+    let product = b.op(Op::Mul, &[sine, s]);
+    b.store(out, product);
+    let program = Program::new(&b.finish(), |_| true);
+    assert_eq!(program.code.len(), 1, "{}", program.describe());
+    assert!(program.describe().contains("2 values once per draw"), "{}", program.describe());
+}
+
+/// `depth` nested branches.
+fn nested(depth: usize) -> Module {
+    let (mut b, out) = fragment();
+    let s = b.input(Input::Varying(0));
+    let zero = b.float(0.0);
+    let condition = b.op(Op::Less, &[zero, s]);
+    let mut block: Block = vec![Stmt::Store { var: out, value: s }];
+    for _ in 0..depth {
+        block = vec![Stmt::If { condition, accept: block, reject: vec![] }];
+    }
+    block.into_iter().for_each(|stmt| b.push(stmt));
+    b.finish()
+}
+
+#[test]
+fn blocks_nest_as_deep_as_the_limit_and_no_deeper() {
+    check(&nested(MAX_NESTING - 1), &[], by_lane);
+    let error = nested(MAX_NESTING).validate().unwrap_err();
+    assert!(error.0.contains("nest deeper"), "{error}");
+}

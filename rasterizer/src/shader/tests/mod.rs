@@ -1,0 +1,68 @@
+//! Whole programs: against a scalar reference, on every instruction set, optimized or not.
+
+mod cases;
+mod random;
+mod reference;
+
+use super::{Machine, OverBudget, Program, Run};
+use crate::ir::{Input, Module};
+use reference::Outcome;
+use texunit::lanes::{Isa, LANES, U32s};
+
+/// What the machine makes of a module: by lane, its outputs, or nothing where it was discarded.
+fn run(
+    isa: Isa,
+    program: &Program,
+    uniforms: &[u32],
+    active: u64,
+    budget: u64,
+    input: impl Fn(Input, usize) -> u32,
+) -> Result<Vec<Option<Vec<u32>>>, OverBudget> {
+    let prepared = program.prepare(isa, uniforms, &[]);
+    let mut machine = Machine::default();
+    machine.begin(program);
+    for (index, wanted) in program.inputs().iter().enumerate() {
+        *machine.input_mut(index) = U32s::from_fn(|lane| input(*wanted, lane));
+    }
+    let kept =
+        machine.run(Run { isa, program, prepared: &prepared, textures: &[], active, budget })?;
+    Ok((0..LANES)
+        .map(|lane| {
+            (kept >> lane & 1 != 0).then(|| {
+                (0..program.outputs().len())
+                    .map(|index| any_nan(machine.output(index)[lane]))
+                    .collect()
+            })
+        })
+        .collect())
+}
+
+/// One word for all NaN: which one an operation gives is left open by IEEE and by Rust, and no
+/// operation of the IR tells them apart.
+fn any_nan(word: u32) -> u32 {
+    if f32::from_bits(word).is_nan() { f32::NAN.to_bits() } else { word }
+}
+
+/// Holds optimized and unoptimized programs on every instruction set to the reference.
+fn check(module: &Module, uniforms: &[u32], input: impl Fn(Input, usize) -> u32 + Copy) {
+    module.validate().unwrap_or_else(|error| panic!("{error}\n{module}"));
+    let active = 0xffff_0f0f_ffff_fff1;
+    let want: Vec<Outcome> = (0..LANES)
+        .map(|lane| reference::run(module, uniforms, 20_000, |wanted| input(wanted, lane)))
+        .collect();
+    if want.iter().any(|outcome| matches!(outcome, Outcome::Endless)) {
+        return;
+    }
+    for program in [Program::lowered(module), Program::new(module, |_| true)] {
+        for isa in Isa::available() {
+            let got = run(isa, &program, uniforms, active, 10_000_000, input).unwrap();
+            for lane in (0..LANES).filter(|lane| active >> lane & 1 != 0) {
+                let want = match &want[lane] {
+                    Outcome::Done(outputs) => Some(outputs),
+                    Outcome::Discarded | Outcome::Endless => None,
+                };
+                assert_eq!(got[lane].as_ref(), want, "{} lane {lane}\n{module}", isa.name());
+            }
+        }
+    }
+}

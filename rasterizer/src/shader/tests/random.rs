@@ -1,0 +1,246 @@
+//! Random modules, for properties that hold for all.
+
+use super::check;
+use crate::ir::{
+    Block, Builder, Expr, Input, Interpolation, Op, Output, Stage, Stmt, Ty, Value, Var,
+};
+use proptest::prelude::*;
+
+const TYPES: [Ty; 4] = [Ty::F32, Ty::I32, Ty::U32, Ty::Bool];
+const UNIFORMS: u32 = 8;
+
+/// Draws decisions from a list of random numbers; zeros when it is used up.
+struct Dice<'a>(std::slice::Iter<'a, u32>);
+
+impl Dice<'_> {
+    fn below(&mut self, count: usize) -> usize {
+        self.0.next().map_or(0, |roll| *roll as usize % count)
+    }
+
+    fn of<T: Copy>(&mut self, all: &[T]) -> T {
+        all[self.below(all.len())]
+    }
+}
+
+struct Generator<'a> {
+    dice: Dice<'a>,
+    b: Builder,
+    scalars: Vec<Var>,
+    arrays: Vec<Var>,
+    /// The values that can be used here.
+    visible: Vec<Value>,
+    loops: usize,
+    continuing: usize,
+    scopes: usize,
+    size: usize,
+}
+
+/// A valid module made from random numbers. Its loops end, as each counts its turns.
+pub fn module(rolls: &[u32]) -> crate::ir::Module {
+    let mut b = Builder::new(Stage::Fragment);
+    b.module_mut().uniform_words = UNIFORMS;
+    b.module_mut().varyings = vec![Interpolation::Smooth; 4];
+    let mut scalars: Vec<Var> =
+        (0..3).map(|component| b.output(Output::Color { target: 0, component })).collect();
+    let mut arrays = Vec::new();
+    for ty in TYPES {
+        scalars.extend([b.variable("s", ty), b.variable("s", ty)]);
+        arrays.push(b.array("a", ty, 3));
+    }
+    let mut visible: Vec<Value> = (0..4).map(|slot| b.input(Input::Varying(slot))).collect();
+    visible.push(b.input(Input::FrontFacing));
+    for word in 0..UNIFORMS {
+        visible.push(b.uniform(word, TYPES[word as usize % 4]));
+    }
+    for ty in TYPES {
+        visible.push(b.constant(0, ty));
+    }
+    visible.extend([b.float(1.0), b.float(-0.0), b.int(1), b.uint(!0), b.boolean(true)]);
+    let mut g = Generator {
+        dice: Dice(rolls.iter()),
+        b,
+        scalars,
+        arrays,
+        visible,
+        loops: 0,
+        continuing: 0,
+        scopes: 0,
+        size: 0,
+    };
+    for _ in 0..40 {
+        g.stmt();
+    }
+    // Give the outputs something to depend on.
+    for output in 0..3 {
+        let value = g.value(Ty::F32);
+        let old = g.b.load(g.scalars[output]);
+        let sum = g.b.op(Op::Add, &[value, old]);
+        g.b.store(g.scalars[output], sum);
+    }
+    g.b.finish()
+}
+
+impl Generator<'_> {
+    fn value(&mut self, ty: Ty) -> Value {
+        let all: Vec<Value> =
+            self.visible.iter().copied().filter(|v| self.b.module().ty(*v) == ty).collect();
+        // Mostly recent ones, so that chains grow.
+        let recent = all.len().saturating_sub(6);
+        if self.dice.below(3) > 0 { self.dice.of(&all[recent..]) } else { self.dice.of(&all) }
+    }
+
+    fn var(&mut self, array: bool) -> Var {
+        if array { self.dice.of(&self.arrays.clone()) } else { self.dice.of(&self.scalars.clone()) }
+    }
+
+    fn index(&mut self) -> Value {
+        let ty = self.dice.of(&[Ty::I32, Ty::U32]);
+        self.value(ty)
+    }
+
+    fn block(&mut self) -> Block {
+        let outside = self.visible.len();
+        self.b.begin();
+        for _ in 0..self.dice.below(6) {
+            self.stmt();
+        }
+        if self.dice.below(4) == 0 {
+            self.jump();
+        }
+        self.visible.truncate(outside);
+        self.b.end()
+    }
+
+    fn jump(&mut self) {
+        let stmt = match self.dice.below(5) {
+            0 if self.loops > 0 => Stmt::Break,
+            1 if self.loops > 0 && self.continuing == 0 => Stmt::Continue,
+            2 | 3 if self.scopes > 0 => Stmt::Leave,
+            4 if self.dice.below(4) == 0 => Stmt::Discard,
+            _ => return,
+        };
+        self.b.push(stmt);
+    }
+
+    fn stmt(&mut self) {
+        self.size += 1;
+        if self.size > 300 {
+            return;
+        }
+        match self.dice.below(20) {
+            0..=8 => {
+                let op = self.dice.of(Op::ALL);
+                let args: Vec<Value> = op.args().iter().map(|ty| self.value(*ty)).collect();
+                let value = self.b.op(op, &args);
+                self.visible.push(value);
+            }
+            9..=10 => {
+                let var = self.var(false);
+                let value = self.b.load(var);
+                self.visible.push(value);
+            }
+            11..=12 => {
+                let var = self.var(false);
+                let ty = self.b.module().variable(var).ty;
+                let value = self.value(ty);
+                self.b.store(var, value);
+            }
+            13 => {
+                let (var, index) = (self.var(true), self.index());
+                let value = self.b.value(Expr::LoadAt { var, index });
+                self.visible.push(value);
+            }
+            14 => {
+                let (var, index) = (self.var(true), self.index());
+                let ty = self.b.module().variable(var).ty;
+                let value = self.value(ty);
+                self.b.push(Stmt::StoreAt { var, index, value });
+            }
+            15 => {
+                let (index, ty) = (self.index(), self.dice.of(&TYPES[..3]));
+                let value = self.b.value(Expr::UniformAt { base: 2, len: 5, index, ty });
+                self.visible.push(value);
+            }
+            16..=17 => {
+                let condition = self.value(Ty::Bool);
+                let (accept, reject) = (self.block(), self.block());
+                self.b.push(Stmt::If { condition, accept, reject });
+            }
+            18 => self.counted_loop(),
+            _ => {
+                self.scopes += 1;
+                // Breaks do not leave a function.
+                let (loops, continuing) = (self.loops, self.continuing);
+                (self.loops, self.continuing) = (0, 0);
+                let body = self.block();
+                (self.loops, self.continuing) = (loops, continuing);
+                self.scopes -= 1;
+                self.b.push(Stmt::Scope(body));
+            }
+        }
+    }
+
+    fn counted_loop(&mut self) {
+        let counter = self.b.variable("turns", Ty::I32);
+        let zero = self.b.int(0);
+        self.b.store(counter, zero);
+        let continuing = std::mem::take(&mut self.continuing);
+        self.loops += 1;
+        self.b.begin();
+        let turns = self.b.load(counter);
+        let one = self.b.int(1);
+        let next = self.b.op(Op::IAdd, &[turns, one]);
+        self.b.store(counter, next);
+        let limit = self.value(Ty::I32);
+        let three = self.b.int(3);
+        let limit = self.b.op(Op::IMin, &[limit, three]);
+        let over = self.b.op(Op::ILess, &[limit, turns]);
+        self.b.push(Stmt::If { condition: over, accept: vec![Stmt::Break], reject: vec![] });
+        let inner = self.block();
+        for stmt in inner {
+            self.b.push(stmt);
+        }
+        let body = self.b.end();
+        self.continuing = 1;
+        let continuing_block = self.block();
+        self.continuing = continuing;
+        self.loops -= 1;
+        self.b.push(Stmt::Loop { body, continuing: continuing_block });
+    }
+}
+
+/// Words that reach the corners of every type.
+fn word(seed: u32, lane: usize) -> u32 {
+    let hash = (seed ^ (lane as u32).wrapping_mul(0x9e37_79b9)).wrapping_mul(0x85eb_ca6b);
+    let hash = (hash ^ hash >> 13).wrapping_mul(0xc2b2_ae35);
+    match hash >> 28 {
+        0..=6 => ((hash & 0xffff) as f32 / 1024.0 - 16.0).to_bits(),
+        7..=9 => hash & 7,
+        10 => 0,
+        11 => f32::INFINITY.to_bits(),
+        12 => (-0.0f32).to_bits(),
+        _ => hash,
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 400, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn every_program_agrees_with_the_reference(
+        rolls in proptest::collection::vec(any::<u32>(), 50..900),
+        seed in any::<u32>(),
+    ) {
+        let uniforms: Vec<u32> = (0..UNIFORMS as usize)
+            .map(|at| match TYPES[at % 4] {
+                Ty::Bool => if word(seed, at) & 1 == 0 { 0 } else { crate::ir::TRUE },
+                Ty::F32 | Ty::I32 | Ty::U32 => word(seed, at),
+            })
+            .collect();
+        check(&module(&rolls), &uniforms, |input, lane| match input {
+            Input::FrontFacing => if word(seed, lane + 1000) & 1 == 0 { 0 } else { crate::ir::TRUE },
+            Input::Varying(slot) => word(seed, lane * 8 + usize::from(slot)),
+            other => unreachable!("{other:?}"),
+        });
+    }
+}

@@ -1,0 +1,127 @@
+//! Attributes from memory to lanes.
+
+use crate::driver::{VertexFormat, VertexSource, VertexType};
+use texunit::lanes::{F32s, LANES};
+
+/// Component `component` of an attribute for each of `ids`.
+pub fn component(source: &VertexSource, component: u8, ids: &[u32], out: &mut F32s) {
+    match source {
+        VertexSource::Constant(value) => *out = F32s::splat(value[usize::from(component)]),
+        VertexSource::Array { components, .. } if component >= *components => {
+            *out = F32s::splat(if component == 3 { 1.0 } else { 0.0 });
+        }
+        VertexSource::Array { buffer, offset, stride, ty, format, .. } => {
+            let start = offset + usize::from(component) * ty.size();
+            let words = Words { bytes: buffer.bytes(), start, stride: *stride, ids };
+            match (ty, format) {
+                (VertexType::F32, _) => words.each(out, f32::from_le_bytes),
+                (VertexType::F64, _) => words.each(out, |b| f64::from_le_bytes(b) as f32),
+                (VertexType::I8, VertexFormat::Plain) => {
+                    words.each(out, |b| f32::from(i8::from_le_bytes(b)));
+                }
+                (VertexType::U8, VertexFormat::Plain) => words.each(out, |[b]| f32::from(b)),
+                (VertexType::I16, VertexFormat::Plain) => {
+                    words.each(out, |b| f32::from(i16::from_le_bytes(b)));
+                }
+                (VertexType::U16, VertexFormat::Plain) => {
+                    words.each(out, |b| f32::from(u16::from_le_bytes(b)));
+                }
+                (VertexType::I32, VertexFormat::Plain) => {
+                    words.each(out, |b| i32::from_le_bytes(b) as f32);
+                }
+                (VertexType::U32, VertexFormat::Plain) => {
+                    words.each(out, |b| u32::from_le_bytes(b) as f32);
+                }
+                // GL 2.1, table 2.9, in f64 so that the quotient is rounded once.
+                (VertexType::I8, VertexFormat::Normalized) => {
+                    words.each(out, |b| signed(i8::from_le_bytes(b).into(), 255.0));
+                }
+                (VertexType::U8, VertexFormat::Normalized) => {
+                    words.each(out, |[b]| f32::from(b) / 255.0);
+                }
+                (VertexType::I16, VertexFormat::Normalized) => {
+                    words.each(out, |b| signed(i16::from_le_bytes(b).into(), 65535.0));
+                }
+                (VertexType::U16, VertexFormat::Normalized) => {
+                    words.each(out, |b| f32::from(u16::from_le_bytes(b)) / 65535.0);
+                }
+                (VertexType::I32, VertexFormat::Normalized) => {
+                    words.each(out, |b| signed(i32::from_le_bytes(b).into(), 4_294_967_295.0));
+                }
+                (VertexType::U32, VertexFormat::Normalized) => {
+                    let largest = f64::from(u32::MAX);
+                    words.each(out, |b| (f64::from(u32::from_le_bytes(b)) / largest) as f32);
+                }
+            }
+        }
+    }
+}
+
+/// `(2c + 1) / (2^b - 1)`.
+fn signed(c: f64, largest: f64) -> f32 {
+    ((2.0 * c + 1.0) / largest) as f32
+}
+
+/// One component of a strided array.
+struct Words<'a> {
+    bytes: &'a [u8],
+    start: usize,
+    stride: usize,
+    ids: &'a [u32],
+}
+
+impl Words<'_> {
+    /// Reads `N` bytes a vertex; what lies past the end reads as zeros.
+    fn each<const N: usize>(&self, out: &mut F32s, convert: impl Fn([u8; N]) -> f32) {
+        debug_assert!(self.ids.len() <= LANES);
+        for (value, &id) in out.0.iter_mut().zip(self.ids) {
+            let word = (id as usize)
+                .checked_mul(self.stride)
+                .and_then(|at| at.checked_add(self.start))
+                .and_then(|at| self.bytes.get(at..)?.first_chunk::<N>())
+                .copied()
+                .unwrap_or([0; N]);
+            *value = convert(word);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::driver::Buffer;
+
+    #[test]
+    fn components_convert_as_table_2_9_says() {
+        let cases: &[(VertexType, VertexFormat, &[u8], f32)] = &[
+            (VertexType::U8, VertexFormat::Plain, &[255], 255.0),
+            (VertexType::U8, VertexFormat::Normalized, &[255], 1.0),
+            (VertexType::U8, VertexFormat::Normalized, &[51], 0.2),
+            (VertexType::I8, VertexFormat::Normalized, &[127], 1.0),
+            (VertexType::I8, VertexFormat::Normalized, &[128], -1.0),
+            (VertexType::I16, VertexFormat::Plain, &[0, 128], -32768.0),
+            (VertexType::U16, VertexFormat::Normalized, &[255, 255], 1.0),
+            (VertexType::U32, VertexFormat::Normalized, &[255; 4], 1.0),
+            (VertexType::I32, VertexFormat::Plain, &[254, 255, 255, 255], -2.0),
+            (VertexType::F32, VertexFormat::Plain, &[0, 0, 128, 63], 1.0),
+            (VertexType::F64, VertexFormat::Plain, &[0, 0, 0, 0, 0, 0, 0xE0, 0x3F], 0.5),
+            // Too short for its type: zero bytes.
+            (VertexType::F32, VertexFormat::Plain, &[0, 0, 128], 0.0),
+        ];
+        for (ty, format, bytes, want) in cases {
+            let source = VertexSource::Array {
+                buffer: Buffer::new(bytes.to_vec()),
+                offset: 0,
+                stride: 16,
+                ty: *ty,
+                components: 1,
+                format: *format,
+            };
+            let mut out = F32s::ZERO;
+            component(&source, 0, &[0, 1, u32::MAX], &mut out);
+            assert_eq!(out[0], *want, "{ty:?} {format:?}");
+            component(&source, 3, &[0], &mut out);
+            assert_eq!(out[0], 1.0);
+        }
+    }
+}

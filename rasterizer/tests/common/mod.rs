@@ -1,0 +1,157 @@
+//! Small scenes for the tests of the driver.
+
+use rasterizer::driver::{
+    Attachment, Buffer, ColorState, Command, CommandBuffer, Cull, Device, DeviceDesc, Explain,
+    FrontFace, Image, PassDesc, Pipeline, PipelineDesc, Provoking, ShaderModule, Topology,
+    VertexBinding, VertexFormat, VertexSource, VertexType, Viewport,
+};
+use rasterizer::ir::{Builder, Input, Interpolation, Output, Stage, Value};
+use texunit::format::Format;
+use texunit::image::{Image as Texels, Level, Shape};
+use texunit::lanes::Isa;
+
+/// Every instruction set with 1, 2 and 8 threads.
+pub fn devices() -> Vec<Device> {
+    let mut all = Vec::new();
+    for isa in Isa::available() {
+        for threads in [1, 2, 8] {
+            all.push(device(isa, threads));
+        }
+    }
+    all
+}
+
+pub fn device(isa: Isa, threads: usize) -> Device {
+    let desc = DeviceDesc { isa, threads, budget: 1 << 20, explain: Explain::Keep };
+    Device::new(desc).expect("threads start")
+}
+
+/// An image of one level.
+pub fn image(format: Format, width: u32, height: u32) -> Image {
+    let mut texels = Texels::new(Shape::D2);
+    texels.set_level(0, 0, Level::new(format, width, height).expect("small")).expect("face 0");
+    Image::new(texels)
+}
+
+/// The bytes of an image's only level, without padding.
+pub fn bytes(image: &Image) -> Vec<u8> {
+    let texels = image.texels();
+    let level = texels.level(0, 0).expect("made with one");
+    level.texels[..level.row_bytes() * level.height as usize].to_vec()
+}
+
+/// A vertex module that passes attribute 0 on as the position and `varyings` scalars of attributes
+/// 1, 2, … as slots 0, 1, …
+pub fn vertex(varyings: u16) -> ShaderModule {
+    let mut b = Builder::new(Stage::Vertex);
+    for component in 0..4 {
+        let value = b.input(Input::Attribute { location: 0, component });
+        let out = b.output(Output::Position(component));
+        b.store(out, value);
+    }
+    for slot in 0..varyings {
+        let value = b.input(Input::Attribute {
+            location: 1 + (slot / 4) as u8,
+            component: (slot % 4) as u8,
+        });
+        let out = b.output(Output::Varying(slot));
+        b.store(out, value);
+    }
+    ShaderModule::new(b.finish()).expect("valid")
+}
+
+/// A fragment module with `varyings` smooth slots whose colour `f` gives.
+pub fn fragment(varyings: u16, f: impl FnOnce(&mut Builder) -> [Value; 4]) -> ShaderModule {
+    let mut b = Builder::new(Stage::Fragment);
+    b.module_mut().varyings = vec![Interpolation::Smooth; usize::from(varyings)];
+    let color = f(&mut b);
+    for (component, value) in color.into_iter().enumerate() {
+        let out = b.output(Output::Color { target: 0, component: component as u8 });
+        b.store(out, value);
+    }
+    ShaderModule::new(b.finish()).expect("valid")
+}
+
+/// A pipeline of triangles that writes one colour attachment.
+pub fn pipeline(vertex: ShaderModule, fragment: ShaderModule) -> PipelineDesc {
+    PipelineDesc {
+        vertex,
+        fragment,
+        topology: Topology::Triangles,
+        cull: Cull::None,
+        front_face: FrontFace::Ccw,
+        provoking: Provoking::Last,
+        polygon_offset: None,
+        depth: None,
+        colors: vec![ColorState { blend: None, mask: [true; 4] }],
+        line_width_bits: 1.0_f32.to_bits(),
+        point_size_bits: 1.0_f32.to_bits(),
+    }
+}
+
+/// Interleaved `f32` vertices: four of position, then four for each further attribute.
+pub fn bindings(vertices: &[f32], attributes: u8) -> std::sync::Arc<[VertexBinding]> {
+    let buffer = Buffer::new(vertices.iter().flat_map(|v| v.to_le_bytes()).collect());
+    (0..attributes)
+        .map(|location| VertexBinding {
+            location,
+            source: VertexSource::Array {
+                buffer: buffer.clone(),
+                offset: usize::from(location) * 16,
+                stride: usize::from(attributes) * 16,
+                ty: VertexType::F32,
+                components: 4,
+                format: VertexFormat::Plain,
+            },
+        })
+        .collect()
+}
+
+/// A pass over `color` and `depth`.
+pub fn pass(color: &Image, depth: Option<&Image>, width: u32, height: u32) -> Command {
+    let attach = |image: &Image| Attachment { image: image.clone(), face: 0, level: 0 };
+    Command::BeginPass(PassDesc {
+        colors: vec![Some(attach(color))],
+        depth: depth.map(attach),
+        width,
+        height,
+    })
+}
+
+/// A viewport over the whole of an image.
+pub fn viewport(width: u32, height: u32) -> Command {
+    Command::SetViewport(Viewport {
+        x: 0.0,
+        y: 0.0,
+        width: width as f32,
+        height: height as f32,
+        near: 0.0,
+        far: 1.0,
+    })
+}
+
+/// Draws `count` vertices of `desc` into a fresh picture; gives its bytes.
+pub fn picture(
+    device: &Device,
+    desc: &PipelineDesc,
+    vertices: &[f32],
+    attributes: u8,
+    size: (u32, u32),
+) -> Vec<u8> {
+    let color = image(Format::Rgba8, size.0, size.1);
+    let depth = image(Format::D24, size.0, size.1);
+    let mut commands = CommandBuffer::new();
+    commands.push(pass(&color, Some(&depth), size.0, size.1));
+    commands.push(Command::Clear {
+        value: rasterizer::driver::ClearValue::Depth(1.0),
+        area: rasterizer::driver::Rect { x: 0, y: 0, width: size.0, height: size.1 },
+    });
+    commands.push(Command::BindPipeline(Pipeline::new(desc.clone()).expect("valid")));
+    commands.push(Command::BindVertices(bindings(vertices, attributes)));
+    commands.push(viewport(size.0, size.1));
+    let count = vertices.len() as u32 / (u32::from(attributes) * 4);
+    commands.push(Command::Draw { first: 0, count, instances: 1 });
+    commands.push(Command::EndPass);
+    device.submit(&commands).expect("legal");
+    bytes(&color)
+}

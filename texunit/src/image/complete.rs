@@ -1,0 +1,251 @@
+//! Completeness: whether an image can be sampled with a sampler (GL 2.1, section 3.8.10).
+
+use super::{Image, Level, Shape};
+use crate::format::Format;
+use crate::sampler::{Filter, Mipmap, Sampler};
+use std::sync::Arc;
+use thiserror::Error;
+
+/// The levels a complete image is sampled from, both included.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Levels {
+    /// The level of the largest texels that are read.
+    pub base: u32,
+    /// The last of the pyramid, or `base` without mipmaps.
+    pub last: u32,
+}
+
+/// Why an image cannot be sampled. The message names what to do about it.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+pub enum Incomplete {
+    /// The base level was never given.
+    #[error(
+        "level {level}{} has no image: give it one with glTexImage2D (GL_TEXTURE_BASE_LEVEL is \
+         {level})",
+        face_name(*.shape, *.face)
+    )]
+    NoBase {
+        /// The image's shape.
+        shape: Shape,
+        /// Which face.
+        face: usize,
+        /// The base level.
+        level: u32,
+    },
+    /// The base level has a side of 0.
+    #[error("level {level}{} has a size of 0: give it an image with glTexImage2D",
+        face_name(*.shape, *.face))]
+    Empty {
+        /// The image's shape.
+        shape: Shape,
+        /// Which face.
+        face: usize,
+        /// The base level.
+        level: u32,
+    },
+    /// `base_level` is above `max_level` and the filter needs mipmaps.
+    #[error(
+        "GL_TEXTURE_BASE_LEVEL {base} is above GL_TEXTURE_MAX_LEVEL {max}, so there is no level \
+         for the minification filter {filter}"
+    )]
+    NoLevels {
+        /// The base level.
+        base: u32,
+        /// The largest level.
+        max: u32,
+        /// GL's name of the minification filter.
+        filter: &'static str,
+    },
+    /// A level of the pyramid was never given.
+    #[error(
+        "level {level}{} is missing: the minification filter {filter} needs levels {base} to \
+         {last}; call glGenerateMipmap, gluBuild2DMipmaps, or set GL_TEXTURE_MIN_FILTER to \
+         GL_LINEAR",
+        face_name(*.shape, *.face)
+    )]
+    Missing {
+        /// The image's shape.
+        shape: Shape,
+        /// Which face.
+        face: usize,
+        /// Which level.
+        level: u32,
+        /// GL's name of the minification filter.
+        filter: &'static str,
+        /// First level needed.
+        base: u32,
+        /// Last level needed.
+        last: u32,
+    },
+    /// A level's size does not follow from the base level's.
+    #[error(
+        "level {level}{} is {}×{}, but must be {}×{}: each level has half the width and height of \
+         the one before, rounded down, at least 1",
+        face_name(*.shape, *.face), .got[0], .got[1], .expected[0], .expected[1]
+    )]
+    WrongSize {
+        /// The image's shape.
+        shape: Shape,
+        /// Which face.
+        face: usize,
+        /// Which level.
+        level: u32,
+        /// Its width and height.
+        got: [u32; 2],
+        /// Those that were needed.
+        expected: [u32; 2],
+    },
+    /// Two levels or faces are stored differently.
+    #[error(
+        "level {level}{} is stored as {got:?}, the base level as {expected:?}: give all levels \
+         and faces the same internal format",
+        face_name(*.shape, *.face)
+    )]
+    MixedFormats {
+        /// The image's shape.
+        shape: Shape,
+        /// Which face.
+        face: usize,
+        /// Which level.
+        level: u32,
+        /// Its format.
+        got: Format,
+        /// The base level's format.
+        expected: Format,
+    },
+    /// A cube face that is not a square.
+    #[error("level {level}{} is {}×{}, but the faces of a cube map must be square",
+        face_name(Shape::Cube, *.face), .got[0], .got[1])]
+    NotSquare {
+        /// Which face.
+        face: usize,
+        /// The base level.
+        level: u32,
+        /// Its width and height.
+        got: [u32; 2],
+    },
+    /// Cube faces of different sizes.
+    #[error(
+        "level {level}{} is {}×{}, but the face +X is {}×{}: all six faces of a cube map must \
+         have the same size",
+        face_name(Shape::Cube, *.face), .got[0], .got[1], .expected[0], .expected[1]
+    )]
+    UnequalFaces {
+        /// Which face.
+        face: usize,
+        /// The base level.
+        level: u32,
+        /// Its width and height.
+        got: [u32; 2],
+        /// Those of the first face.
+        expected: [u32; 2],
+    },
+}
+
+fn face_name(shape: Shape, face: usize) -> &'static str {
+    const NAMES: [&str; 6] = [
+        " of the face +X",
+        " of the face -X",
+        " of the face +Y",
+        " of the face -Y",
+        " of the face +Z",
+        " of the face -Z",
+    ];
+    match shape {
+        Shape::D2 => "",
+        Shape::Cube => NAMES.get(face).copied().unwrap_or(""),
+    }
+}
+
+/// GL's name of the sampler's minification filter.
+fn filter_name(sampler: &Sampler) -> &'static str {
+    match (sampler.min, sampler.mipmap) {
+        (Filter::Nearest, Mipmap::None) => "GL_NEAREST",
+        (Filter::Linear, Mipmap::None) => "GL_LINEAR",
+        (Filter::Nearest, Mipmap::Nearest) => "GL_NEAREST_MIPMAP_NEAREST",
+        (Filter::Linear, Mipmap::Nearest) => "GL_LINEAR_MIPMAP_NEAREST",
+        (Filter::Nearest, Mipmap::Linear) => "GL_NEAREST_MIPMAP_LINEAR",
+        (Filter::Linear, Mipmap::Linear) => "GL_LINEAR_MIPMAP_LINEAR",
+    }
+}
+
+impl Image {
+    /// The levels this sampler reads, if all of them are there and fit each other (GL 2.1,
+    /// section 3.8.10).
+    ///
+    /// # Errors
+    /// Why they do not.
+    pub fn completeness(&self, sampler: &Sampler) -> Result<Levels, Incomplete> {
+        let base = sampler.base_level;
+        let first = self.base(0, base)?;
+        if self.shape == Shape::Cube {
+            self.check_faces(base, first)?;
+        }
+        if sampler.mipmap == Mipmap::None {
+            return Ok(Levels { base, last: base });
+        }
+        let filter = filter_name(sampler);
+        if base > sampler.max_level {
+            return Err(Incomplete::NoLevels { base, max: sampler.max_level, filter });
+        }
+        let smallest = base + first.width.max(first.height).ilog2();
+        let last = smallest.min(sampler.max_level);
+        for face in 0..self.shape.faces() {
+            for level in base + 1..=last {
+                let shape = self.shape;
+                let Some(got) = self.level(face, level as usize) else {
+                    return Err(Incomplete::Missing { shape, face, level, filter, base, last });
+                };
+                let half = |size: u32| (size >> (level - base)).max(1);
+                let expected = [half(first.width), half(first.height)];
+                let size = [got.width, got.height];
+                if size != expected {
+                    return Err(Incomplete::WrongSize { shape, face, level, got: size, expected });
+                }
+                self.check_format(face, level, got, first)?;
+            }
+        }
+        Ok(Levels { base, last })
+    }
+
+    fn base(&self, face: usize, level: u32) -> Result<&Arc<Level>, Incomplete> {
+        let shape = self.shape;
+        let found = self.level(face, level as usize);
+        let found = found.ok_or(Incomplete::NoBase { shape, face, level })?;
+        if found.width == 0 || found.height == 0 {
+            return Err(Incomplete::Empty { shape, face, level });
+        }
+        Ok(found)
+    }
+
+    /// Cube completeness: six squares of one size and format.
+    fn check_faces(&self, level: u32, first: &Level) -> Result<(), Incomplete> {
+        for face in 0..self.shape.faces() {
+            let found = self.base(face, level)?;
+            let got = [found.width, found.height];
+            let expected = [first.width, first.height];
+            if got[0] != got[1] {
+                return Err(Incomplete::NotSquare { face, level, got });
+            }
+            if got != expected {
+                return Err(Incomplete::UnequalFaces { face, level, got, expected });
+            }
+            self.check_format(face, level, found, first)?;
+        }
+        Ok(())
+    }
+
+    fn check_format(
+        &self,
+        face: usize,
+        level: u32,
+        got: &Level,
+        first: &Level,
+    ) -> Result<(), Incomplete> {
+        if got.format == first.format {
+            return Ok(());
+        }
+        let (shape, got, expected) = (self.shape, got.format, first.format);
+        Err(Incomplete::MixedFormats { shape, face, level, got, expected })
+    }
+}

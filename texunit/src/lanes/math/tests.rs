@@ -1,0 +1,136 @@
+//! Every function against `f64`, over strided bit patterns of the whole domain and the extremes.
+
+use super::*;
+
+/// Zeros, subnormals, ones, quarter turns, limits, infinities, NaN; each with its neighbours.
+fn extremes() -> impl Iterator<Item = f32> {
+    let corners = [
+        0.0,
+        f32::MIN_POSITIVE,
+        f32::from_bits(1),
+        0.125,
+        0.5,
+        1.0,
+        1.5,
+        2.0,
+        std::f32::consts::FRAC_PI_4,
+        std::f32::consts::FRAC_PI_2,
+        std::f32::consts::PI,
+        88.722_84,
+        89.415_985,
+        103.972_08,
+        126.0,
+        127.0,
+        128.0,
+        149.0,
+        150.0,
+        16_367_173.0 * 4.0,
+        2_147_483_648.0,
+        4_294_967_296.0,
+        8_388_608.0,
+        268_435_456.0,
+        f32::MAX,
+        f32::INFINITY,
+        f32::NAN,
+    ];
+    corners.into_iter().flat_map(|x: f32| {
+        [x, f32::from_bits(x.to_bits().wrapping_sub(1)), f32::from_bits(x.to_bits() + 1)]
+            .into_iter()
+            .flat_map(|x| [x, -x])
+    })
+}
+
+fn domain(stride: usize) -> impl Iterator<Item = f32> {
+    (0..=u32::MAX).step_by(stride).map(f32::from_bits).chain(extremes())
+}
+
+/// The error in units of the last place of the exact result.
+fn ulps(got: f32, want: f64) -> f64 {
+    let rounded = want as f32;
+    if rounded.is_nan() || got.is_nan() {
+        return if rounded.is_nan() && got.is_nan() { 0.0 } else { f64::INFINITY };
+    }
+    if rounded.is_infinite() || got.is_infinite() || want == 0.0 {
+        return if got.to_bits() == rounded.to_bits() { 0.0 } else { f64::INFINITY };
+    }
+    let exponent = (want.abs().to_bits() >> 52) as i32 - 1023;
+    let ulp = 2f64.powi(exponent.max(-126) - 23);
+    (f64::from(got) - want).abs() / ulp
+}
+
+fn unary(name: &str, bound: f64, got: fn(f32) -> f32, want: fn(f64) -> f64) {
+    let mut worst = (0.0, 0.0);
+    for x in domain(4801) {
+        let error = ulps(got(x), want(f64::from(x)));
+        if error > worst.0 {
+            worst = (error, x);
+        }
+    }
+    assert!(worst.0 <= bound, "{name}({:?}) is {} ULP off", worst.1, worst.0);
+}
+
+#[test]
+fn functions_of_one_number_keep_their_bounds() {
+    unary("exp", 0.51, exp, f64::exp);
+    unary("exp2", 0.51, exp2, f64::exp2);
+    unary("log", 0.51, log, f64::ln);
+    unary("log2", 0.51, log2, f64::log2);
+    unary("asin", 0.51, asin, f64::asin);
+    unary("acos", 0.51, acos, f64::acos);
+    unary("atan", 0.51, atan, f64::atan);
+    unary("sinh", 0.51, sinh, f64::sinh);
+    unary("cosh", 0.51, cosh, f64::cosh);
+    unary("tanh", 0.51, tanh, f64::tanh);
+    unary("asinh", 0.51, asinh, |x| x.abs().asinh().copysign(x));
+    unary("acosh", 0.51, acosh, f64::acosh);
+    unary("atanh", 0.51, atanh, f64::atanh);
+}
+
+#[test]
+fn circular_functions_keep_their_bounds_and_are_defined_far_out() {
+    /// The oracle, with angles beyond 2^28 at zero.
+    fn far(f: fn(f64) -> f64, x: f64) -> f64 {
+        let sign = 0f64.copysign(x);
+        f(if x.abs() <= 268_435_456.0 || !x.is_finite() { x } else { sign })
+    }
+    unary("sin", 0.51, sin, |x| far(f64::sin, x));
+    unary("cos", 0.51, cos, |x| far(f64::cos, x));
+    unary("tan", 0.51, tan, |x| far(f64::tan, x));
+}
+
+#[test]
+fn functions_of_two_numbers_keep_their_bounds() {
+    let values: Vec<f32> = domain(12_345_677).collect();
+    for &a in &values {
+        for &b in &values {
+            let error = ulps(atan2(a, b), f64::from(a).atan2(f64::from(b)));
+            assert!(error <= 0.51, "atan2({a:?}, {b:?}) is {error} ULP off");
+            let want =
+                if a < 0.0 && b != 0.0 { f64::NAN } else { f64::from(a.abs()).powf(b.into()) };
+            let error = ulps(pow(a, b), want);
+            assert!(error <= 0.51, "pow({a:?}, {b:?}) = {} is {error} ULP off", pow(a, b));
+        }
+    }
+    // Where results are ordinary numbers.
+    for i in 1..1000u16 {
+        for j in 0..200u8 {
+            let (a, b) = (f32::from(i) / 97.0, f32::from(j) / 3.0 - 30.0);
+            let error = ulps(pow(a, b), f64::from(a).powf(b.into()));
+            assert!(error <= 0.51, "pow({a}, {b}) is {error} ULP off");
+        }
+    }
+}
+
+#[test]
+fn rounding_is_exact() {
+    for x in domain(40_009) {
+        let same = |got: f32, want: f32| got == want || (got.is_nan() && want.is_nan());
+        assert!(same(floor(x), x.floor()), "floor({x:?})");
+        assert!(same(ceil(x), x.ceil()), "ceil({x:?})");
+        assert!(same(trunc(x), x.trunc()), "trunc({x:?})");
+        assert!(same(round_even(x), x.round_ties_even()), "round_even({x:?})");
+        let int = if x.is_nan() { i32::MIN } else { x as i32 };
+        assert!(to_i32(x) == int || x >= 2_147_483_520.0, "to_i32({x:?})");
+        assert!(to_u32(x) == x as u32 || x >= 4_294_967_040.0, "to_u32({x:?})");
+    }
+}

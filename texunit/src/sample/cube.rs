@@ -1,0 +1,102 @@
+//! Which face a direction meets, and where (GL 2.1, section 3.8.6, table 3.19).
+//!
+//! The derivatives of the face coordinates are those of the projection at the pixel itself,
+//! `∂(sc/|ma|) = (∂sc·|ma| - sc·∂|ma|) / ma²`, applied to the derivatives of the direction. A quad
+//! that straddles an edge of the cube thus needs no neighbour's coordinates on another face.
+
+use crate::lanes::{F32s, LANES, U32s};
+
+/// Directions projected onto the faces they meet.
+pub struct Projected {
+    /// Per lane 0 to 5: +X, -X, +Y, -Y, +Z, -Z.
+    pub face: U32s,
+    /// Coordinates on the face, 0 to 1. The zero direction and infinite ones give NaN.
+    pub st: [F32s; 2],
+}
+
+/// Projects 64 directions. Of equal magnitudes the earlier axis is taken.
+#[inline(always)]
+pub fn project(direction: [&F32s; 3]) -> Projected {
+    let mut face = U32s::ZERO;
+    let mut st = [F32s::ZERO; 2];
+    for lane in 0..LANES {
+        face[lane] = select(direction[0][lane], direction[1][lane], direction[2][lane]);
+        let [sc, tc, ma] =
+            turn(face[lane], direction[0][lane], direction[1][lane], direction[2][lane]);
+        st[0][lane] = 0.5 * (sc / ma + 1.0);
+        st[1][lane] = 0.5 * (tc / ma + 1.0);
+    }
+    Projected { face, st }
+}
+
+/// The derivatives of the face coordinates, given those of the direction.
+#[inline(always)]
+pub fn derivatives(face: &U32s, direction: [&F32s; 3], change: [&F32s; 3]) -> [F32s; 2] {
+    let mut out = [F32s::ZERO; 2];
+    for lane in 0..LANES {
+        let [sc, tc, ma] =
+            turn(face[lane], direction[0][lane], direction[1][lane], direction[2][lane]);
+        let [dsc, dtc, dma] = turn(face[lane], change[0][lane], change[1][lane], change[2][lane]);
+        out[0][lane] = 0.5 * ((dsc - sc / ma * dma) / ma);
+        out[1][lane] = 0.5 * ((dtc - tc / ma * dma) / ma);
+    }
+    out
+}
+
+#[inline(always)]
+fn select(x: f32, y: f32, z: f32) -> u32 {
+    let (ax, ay, az) = (x.abs(), y.abs(), z.abs());
+    let on_x = if x < 0.0 { 1 } else { 0 };
+    let on_y = if y < 0.0 { 3 } else { 2 };
+    let on_z = if z < 0.0 { 5 } else { 4 };
+    let not_x = if ay >= az { on_y } else { on_z };
+    if (ax >= ay) & (ax >= az) { on_x } else { not_x }
+}
+
+/// `(sc, tc, |ma|)` of table 3.19: linear in the direction, so that its derivative is itself.
+#[inline(always)]
+fn turn(face: u32, x: f32, y: f32, z: f32) -> [f32; 3] {
+    let negative = face & 1 == 1;
+    let axis = face >> 1;
+    let (on_x, on_y) = (axis == 0, axis == 1);
+    // The sign of the face turns ma, and sc on the X and Z faces, and tc on the Y faces.
+    let sign = |v: f32| if negative { -v } else { v };
+    let sc = if on_x {
+        sign(-z)
+    } else if on_y {
+        x
+    } else {
+        sign(x)
+    };
+    let tc = if on_y { sign(z) } else { -y };
+    let ma = if on_x {
+        sign(x)
+    } else if on_y {
+        sign(y)
+    } else {
+        sign(z)
+    };
+    [sc, tc, ma]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_face_is_turned_as_in_table_3_19() {
+        // Direction, face, sc, tc, |ma|, written out from the table.
+        let cases: [([f32; 3], u32, [f32; 3]); 6] = [
+            ([3.0, 1.0, 2.0], 0, [-2.0, -1.0, 3.0]),
+            ([-3.0, 1.0, 2.0], 1, [2.0, -1.0, 3.0]),
+            ([1.0, 3.0, 2.0], 2, [1.0, 2.0, 3.0]),
+            ([1.0, -3.0, 2.0], 3, [1.0, -2.0, 3.0]),
+            ([1.0, 2.0, 3.0], 4, [1.0, -2.0, 3.0]),
+            ([1.0, 2.0, -3.0], 5, [-1.0, -2.0, 3.0]),
+        ];
+        for ([x, y, z], face, want) in cases {
+            assert_eq!(select(x, y, z), face);
+            assert_eq!(turn(face, x, y, z), want, "face {face}");
+        }
+    }
+}

@@ -1,0 +1,37 @@
+//! Stored channels to R, G, B, A (GL 2.1, section 3.8.13 and table 3.15; depth: section 3.8.14).
+
+use crate::format::BaseFormat;
+use crate::lanes::F32s;
+use crate::sampler::DepthMode;
+
+/// Spreads the stored channels, which come first in `c`, over all four.
+#[inline(always)]
+pub fn expand(base: BaseFormat, depth: DepthMode, c: &mut [F32s; 4]) {
+    const ZERO: F32s = F32s::ZERO;
+    const ONE: F32s = F32s::splat(1.0);
+    let as_stored = match base {
+        BaseFormat::Depth => match depth {
+            DepthMode::Luminance => BaseFormat::Luminance,
+            DepthMode::Intensity => BaseFormat::Intensity,
+            DepthMode::Alpha => BaseFormat::Alpha,
+        },
+        BaseFormat::Alpha
+        | BaseFormat::Luminance
+        | BaseFormat::LuminanceAlpha
+        | BaseFormat::Intensity
+        | BaseFormat::Red
+        | BaseFormat::Rg
+        | BaseFormat::Rgb
+        | BaseFormat::Rgba => base,
+    };
+    match as_stored {
+        BaseFormat::Alpha => *c = [ZERO, ZERO, ZERO, c[0]],
+        BaseFormat::Luminance | BaseFormat::Depth => *c = [c[0], c[0], c[0], ONE],
+        BaseFormat::LuminanceAlpha => *c = [c[0], c[0], c[0], c[1]],
+        BaseFormat::Intensity => *c = [c[0]; 4],
+        BaseFormat::Red => *c = [c[0], ZERO, ZERO, ONE],
+        BaseFormat::Rg => *c = [c[0], c[1], ZERO, ONE],
+        BaseFormat::Rgb => c[3] = ONE,
+        BaseFormat::Rgba => {}
+    }
+}

@@ -1,0 +1,117 @@
+//! Coordinates and levels of detail that no picture has, and what they are defined to give.
+
+use crate::scene;
+use texunit::format::Format;
+use texunit::image::Shape;
+use texunit::lanes::{F32s, Isa, LANES};
+use texunit::plan::{Lod, SamplePlan};
+use texunit::sampler::{Filter, Mipmap, Sampler, Wrap};
+
+const WRAPS: [Wrap; 5] =
+    [Wrap::Repeat, Wrap::Clamp, Wrap::ClampToEdge, Wrap::ClampToBorder, Wrap::MirroredRepeat];
+
+fn sample(plan: &SamplePlan, s: f32, t: f32, lambda: f32) -> [f32; 4] {
+    let mut out = [F32s::ZERO; 4];
+    let (s, t, lambda) = (F32s::splat(s), F32s::splat(t), F32s::splat(lambda));
+    plan.sample(Isa::best(), [&s, &t, &F32s::ZERO], None, Lod::Explicit(&lambda), &mut out);
+    for component in &out {
+        assert_eq!(component.0, [component[0]; LANES]);
+    }
+    out.map(|component| component[0])
+}
+
+#[test]
+fn nan_counts_as_zero_and_infinity_as_the_end_of_the_range() {
+    let image = scene::image(Shape::D2, Format::Rgba8, 8, 8, 1);
+    for filter in [Filter::Nearest, Filter::Linear] {
+        for wrap in WRAPS {
+            let sampler = Sampler {
+                wrap: [wrap; 3],
+                min: filter,
+                mag: filter,
+                mipmap: Mipmap::None,
+                border: [0.25, 0.5, 0.75, 1.0],
+                ..Sampler::default()
+            };
+            let plan = SamplePlan::new(&image, &sampler);
+            let at = |s| sample(&plan, s, 0.4, 0.0);
+            assert_eq!(at(f32::NAN), at(0.0), "{wrap:?} {filter:?}");
+            let (low, high) = match wrap {
+                Wrap::Repeat | Wrap::MirroredRepeat => (0.0, 0.0),
+                Wrap::Clamp | Wrap::ClampToEdge | Wrap::ClampToBorder => (-9.0, 9.0),
+            };
+            assert_eq!(at(f32::NEG_INFINITY), at(low), "{wrap:?} {filter:?}");
+            assert_eq!(at(f32::INFINITY), at(high), "{wrap:?} {filter:?}");
+            // 10^7 is an even integer: every repeat starts there.
+            let (low, high) = if (low, high) == (0.0, 0.0) { (0.0, 0.0) } else { (low, high) };
+            assert_eq!(at(-1e7), at(low), "{wrap:?} {filter:?}");
+            assert_eq!(at(1e7), at(high), "{wrap:?} {filter:?}");
+            assert_eq!(at(1e-45), at(0.0), "{wrap:?} {filter:?}");
+            assert_eq!(at(f32::MAX), at(high), "{wrap:?} {filter:?}");
+        }
+    }
+}
+
+#[test]
+fn any_lod_reaches_a_level_that_is_there() {
+    let image = scene::image(Shape::D2, Format::L8, 16, 4, 2);
+    for mipmap in [Mipmap::Nearest, Mipmap::Linear] {
+        let sampler =
+            Sampler { min: Filter::Nearest, mag: Filter::Nearest, mipmap, ..Sampler::default() };
+        let plan = SamplePlan::new(&image, &sampler);
+        let texel = |level: usize| {
+            let level = image.level(0, level).unwrap();
+            f32::from(level.texel(0, 0)[0]) / 255.0
+        };
+        for (lambda, level) in [
+            (f32::NEG_INFINITY, 0),
+            (-1e30, 0),
+            (f32::NAN, 0),
+            (2.0, 2),
+            (4.0, 4),
+            (1e30, 4),
+            (f32::INFINITY, 4),
+        ] {
+            assert_eq!(sample(&plan, 0.01, 0.01, lambda)[0], texel(level), "{mipmap:?} {lambda}");
+        }
+    }
+}
+
+#[test]
+fn directions_without_a_face_are_defined() {
+    let image = scene::image(Shape::Cube, Format::Rgba8, 8, 8, 3);
+    let plan = SamplePlan::new(&image, &Sampler::default());
+    for direction in [
+        [0.0, 0.0, 0.0],
+        [f32::NAN; 3],
+        [f32::INFINITY, f32::NEG_INFINITY, 1.0],
+        [f32::NAN, 1.0, f32::MAX],
+        [1e-45, 0.0, 1e-45],
+    ] {
+        let coords = direction.map(F32s::splat);
+        let mut out = [F32s::splat(f32::NAN); 4];
+        plan.sample(Isa::best(), coords.each_ref(), None, Lod::Implicit { bias: None }, &mut out);
+        for component in &out {
+            assert!(component.0.iter().all(|x| (0.0..=1.0).contains(x)), "{direction:?}");
+        }
+    }
+}
+
+#[test]
+fn a_constant_image_is_constant_wherever_it_is_sampled() {
+    let mut image = scene::image(Shape::D2, Format::Rgb8, 13, 7, 4);
+    let level = image.level_mut(0, 0).unwrap();
+    for y in 0..7 {
+        for x in 0..13 {
+            level.put(x, y, [0.3, 0.6, 0.9, 0.0]);
+        }
+    }
+    image.generate_mipmaps(0, 1000).unwrap();
+    let sampler = Sampler { min: Filter::Linear, ..Sampler::default() };
+    let plan = SamplePlan::new(&image, &sampler);
+    let want = sample(&plan, 0.5, 0.5, 0.0);
+    for i in 0..200 {
+        let x = i as f32;
+        assert_eq!(sample(&plan, x * 0.137, -x * 0.71, x * 0.02), want);
+    }
+}
