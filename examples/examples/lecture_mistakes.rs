@@ -171,14 +171,14 @@ fn draw_panel(window: &Window, panel: i32, program: GLuint) {
         }
         _ => {
             load_texture(0, window.picture("slide.ppm"), GL_CLAMP_TO_BORDER);
-            let projector = look_at(dvec3(2.6, 1.2, 2.6), DVec3::ZERO);
+            let projector = look_at(dvec3(2.8, 0.9, 1.6), DVec3::splat(-0.3));
             safe_glUniformMatrix4fv(uniform("uSModelViewMatrix"), &projector);
             let domain = unit_square() * perspective(34., 1., 0.5, 20.);
             safe_glUniformMatrix4fv(uniform("uSProjMatrix"), &domain);
             let mut corner = Mesh::plane().moved(translate(0., 0., -1.));
             corner.append(Mesh::plane().moved(translate(-1., 0., 0.) * rotate(90., DVec3::Y)));
             corner.append(Mesh::plane().moved(translate(0., -1., 0.) * rotate(-90., DVec3::X)));
-            (corner, place * rotate(24., DVec3::X) * rotate(-38., DVec3::Y))
+            (corner, look_at(dvec3(2.6, 1.9, 2.6), DVec3::splat(-0.15)))
         }
     };
     safe_glUniformMatrix4fv(uniform("uModelViewMatrix"), &model_view);

@@ -151,7 +151,7 @@ fn draw_scene(program: GLuint) {
         &perspective(45., 1., 0.1, 20.),
     );
     let h_uModelViewMatrix = safe_glGetUniformLocation(program, "uModelViewMatrix");
-    let place = translate(0., 0., -4.2) * rotate(38., DVec3::X);
+    let place = translate(0., 0., -4.9) * rotate(38., DVec3::X);
     let ring = Mesh::torus(0.3).tiled(6., 2.);
     for (degrees, color) in [(0., [1.0, 0.75, 0.35]), (90., [0.45, 0.95, 1.0])] {
         let across = DMat4::from_translation(DVec3::X * (degrees / 90. - 0.5));

@@ -56,7 +56,7 @@ void main() {
     normal = normalize((uModelViewMatrix * vec4(normal, 0.0)).xyz);
 
     vec3 toLight = uLight - vec3(vPosition);
-    float fall = 7.0 / (3.0 + dot(toLight, toLight));
+    float fall = 3.2 / (2.0 + dot(toLight, toLight));
     toLight = normalize(toLight);
     vec3 toV = normalize(vec3(-vPosition));
     vec3 h = normalize(toV + toLight);
@@ -94,7 +94,7 @@ fn draw(window: &mut Window) {
     let light = view.transform_point3(dvec3(0.55, 0.75, 0.7));
     safe_glUniform3f(safe_glGetUniformLocation(h_program, "uLight"), light.x, light.y, light.z);
 
-    let wall = Mesh::plane().moved(DMat4::from_scale(dvec3(4., 4., 1.))).tiled(3.5, 3.5).upload();
+    let wall = Mesh::plane().moved(DMat4::from_scale(dvec3(4., 4., 1.))).tiled(5., 5.).upload();
     let h_uBumps = safe_glGetUniformLocation(h_program, "uBumps");
     let third = window.width / 3;
     glEnable(GL_SCISSOR_TEST);

@@ -126,7 +126,7 @@ fn draw_room(model: &Model, program: GLuint, aspect: f64) {
     safe_glUniform1i(uniform("vTexUnit0"), 0);
     let eye = look_at(dvec3(5.2, 3.9, 6.2), dvec3(0., 1.15, 0.));
     safe_glUniformMatrix4fv(uniform("uModelViewMatrix"), &eye);
-    safe_glUniformMatrix4fv(uniform("uProjMatrix"), &perspective(38., aspect, 0.5, 40.));
+    safe_glUniformMatrix4fv(uniform("uProjMatrix"), &perspective(52., aspect, 0.5, 40.));
     // The projector is a camera whose picture is the unit square.
     let projector = look_at(dvec3(4.6, 2.6, 3.4), dvec3(-1.3, 1.35, -1.0));
     safe_glUniformMatrix4fv(uniform("uSModelViewMatrix"), &projector);

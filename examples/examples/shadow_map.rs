@@ -79,7 +79,7 @@ void main() {
     vec3 t = vTexCoord.xyz / vTexCoord.w;
     float seen = texture2D(uTexUnit0, t.xy).r;
     // Without a bias a surface would shadow itself, texel by texel.
-    float lit = t.z - 0.0008 <= seen ? 1.0 : 0.0;
+    float lit = t.z - 0.0015 <= seen ? 1.0 : 0.0;
     fragColor = vec4(vColor * (0.22 + 0.85 * diffuse * lit), 1.0);
 }
 ";
@@ -95,20 +95,20 @@ out vec4 fragColor;
 
 void main() {
     float diffuse = max(0.0, dot(normalize(vNormal), normalize(vToLight)));
-    vec4 biased = vTexCoord - vec4(0.0, 0.0, 0.0008 * vTexCoord.w, 0.0);
+    vec4 biased = vTexCoord - vec4(0.0, 0.0, 0.0015 * vTexCoord.w, 0.0);
     float lit = shadow2DProj(uTexUnit0, biased).r;
     fragColor = vec4(vColor * (0.22 + 0.85 * diffuse * lit), 1.0);
 }
 ";
 
 /// Side of the depth texture.
-const SIZE: GLsizei = 512;
+const SIZE: GLsizei = 1024;
 
 fn draw(window: &mut Window) {
     glEnable(GL_DEPTH_TEST);
     let (fbo, _) = depth_framebuffer();
     let model = scene().upload();
-    let light_projection = perspective(44., 1., 3., 14.);
+    let light_projection = perspective(60., 1., 3., 14.);
     let light_view = look_at(dvec3(3.2, 6.0, 2.6), DVec3::ZERO);
 
     // Pass 1: from the light, into the framebuffer object.
@@ -141,7 +141,7 @@ fn draw(window: &mut Window) {
         glUseProgram(program);
         let uniform = |name| safe_glGetUniformLocation(program, name);
         safe_glUniform1i(uniform("uTexUnit0"), 0);
-        safe_glUniformMatrix4fv(uniform("uProjMatrix"), &perspective(40., aspect, 0.5, 40.));
+        safe_glUniformMatrix4fv(uniform("uProjMatrix"), &perspective(52., aspect, 0.5, 40.));
         let eye = look_at(dvec3(-3.4, 4.2, 5.8), dvec3(0.15, 0.45, 0.));
         safe_glUniformMatrix4fv(uniform("uModelViewMatrix"), &eye);
         safe_glUniformMatrix4fv(uniform("uSModelViewMatrix"), &light_view);

@@ -79,7 +79,7 @@ const BLOCKS: [Block; 5] = [
 const SIZE: DVec3 = dvec3(4.0, 3.0, 16.0);
 
 /// Light from everywhere.
-const AMBIENT: Color = [0.045, 0.045, 0.06];
+const AMBIENT: Color = [0.07, 0.07, 0.09];
 /// Lightmap texels in a unit of length.
 const LUXELS: f64 = 8.0;
 /// The lamps' size, for soft shadows.
@@ -173,7 +173,7 @@ impl Lamp {
             BLOCKS.iter().all(|block| !block.blocks(point, seen))
         });
         let visible = corners.count() as f64 / 8.0;
-        dim(self.color, visible * facing / (0.6 + distance * distance * 0.55))
+        dim(self.color, visible * facing / (0.6 + distance * distance * 0.40))
     }
 }
 
