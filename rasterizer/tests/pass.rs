@@ -309,3 +309,32 @@ fn what_breaks_a_rule_is_refused_whole() {
         assert!(error.to_string().contains(want), "{error} does not say {want}");
     }
 }
+
+#[test]
+fn nothing_is_drawn_beyond_the_viewport() {
+    // The square reaches far out of the view volume on every side.
+    let target = image(Format::Rgba8, 40, 30);
+    let desc = pipeline(vertex(0), constant([1.0; 4]));
+    let wide: Vec<f32> =
+        square(0.0).chunks(4).flat_map(|v| [v[0] * 5.0, v[1] * 5.0, v[2], v[3]]).collect();
+    let commands = [
+        pass(&target, None, 40, 30),
+        Command::SetViewport(rasterizer::driver::Viewport {
+            x: 10.0,
+            y: 5.0,
+            width: 20.0,
+            height: 8.0,
+            near: 0.0,
+            far: 1.0,
+        }),
+        Command::BindPipeline(Pipeline::new(desc).expect("valid")),
+        Command::BindVertices(bindings(&wide, 1)),
+        Command::Draw { first: 0, count: 6, instances: 1 },
+        Command::EndPass,
+    ];
+    submit(&one(), commands);
+    for (i, pixel) in bytes(&target).chunks(4).enumerate() {
+        let inside = (10..30).contains(&(i % 40)) && (5..13).contains(&(i / 40));
+        assert_eq!(pixel, [u8::from(inside) * 255; 4], "{},{}", i % 40, i / 40);
+    }
+}

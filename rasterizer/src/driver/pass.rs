@@ -7,7 +7,7 @@ use super::buffer::VertexBinding;
 use super::command::{ClearValue, Command, Rect, Viewport};
 use super::device::{Device, SubmitReport};
 use super::image::PassDesc;
-use super::pipeline::Pipeline;
+use super::pipeline::{Pipeline, PipelineDesc, Topology};
 use crate::output::DepthFormat;
 use crate::plan::{DrawPlan, PlanInput, Textures};
 use crate::primitive::{Primitives, SUBPIXEL, Setup, primitives, setup};
@@ -145,6 +145,38 @@ impl<'a> Pass<'a> {
         ]
     }
 
+    /// The pixels that a draw may touch: those of the scissor that lie in the view volume.
+    ///
+    /// Clipping cuts nothing at the sides of the view volume, whose pixels are those with their
+    /// centre in the viewport; this does. A line is as much wider as it is wide; a point whose
+    /// centre is inside is drawn whole (GL 2.1, section 2.12).
+    fn draw_area(&self, desc: &PipelineDesc) -> [[i32; 2]; 2] {
+        let mut area = self.area(self.bound.scissor);
+        let margin = match desc.topology {
+            Topology::Points => return area,
+            Topology::Lines | Topology::LineStrip | Topology::LineLoop => {
+                f64::from(f32::from_bits(desc.line_width_bits)) * 0.5
+            }
+            Topology::Triangles
+            | Topology::TriangleStrip
+            | Topology::TriangleFan
+            | Topology::Quads
+            | Topology::QuadStrip
+            | Topology::Polygon => 0.0,
+        };
+        let viewport = &self.bound.viewport;
+        for (axis, (start, size)) in
+            [(viewport.x, viewport.width), (viewport.y, viewport.height)].into_iter().enumerate()
+        {
+            let (start, size) = (f64::from(start), f64::from(size));
+            let first = (start - margin - 0.5).ceil() as i32;
+            let end = (start + size + margin - 0.5).ceil() as i32;
+            area[0][axis] = area[0][axis].max(first);
+            area[1][axis] = area[1][axis].min(end);
+        }
+        area
+    }
+
     fn clear(&mut self, value: ClearValue, rect: Rect) {
         let area = self.area(Some(rect));
         let index = self.job.clears.len() as u32;
@@ -172,8 +204,8 @@ impl<'a> Pass<'a> {
         instances: u32,
         report: &mut SubmitReport,
     ) {
-        let area = self.area(self.bound.scissor);
         let Some(pipeline) = self.bound.pipeline.clone() else { return };
+        let area = self.draw_area(pipeline.desc());
         if area[0][0] >= area[1][0] || area[0][1] >= area[1][1] {
             return;
         }
