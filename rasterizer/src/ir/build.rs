@@ -8,8 +8,9 @@ use super::{
 /// Appends to a [`Module`].
 ///
 /// ```
-/// use rasterizer::ir::{Builder, Input, Op, Output, Stage};
+/// use rasterizer::ir::{Builder, Input, Interpolation, Op, Output, Stage};
 /// let mut b = Builder::new(Stage::Fragment);
+/// b.module_mut().varyings.push(Interpolation::Smooth);
 /// let half = b.float(0.5);
 /// let s = b.input(Input::Varying(0));
 /// let red = b.op(Op::Mul, &[s, half]);

@@ -114,11 +114,10 @@ impl Allocation {
         }
     }
 
-    /// Whether a variable is accessed from one instruction until before another.
-    fn touched(&self, kind: Kind, from: u32, until: u32, roles: &[Role]) -> bool {
+    fn touched(&self, kind: Kind, after: u32, until: u32, roles: &[Role]) -> bool {
         let Kind::Variable { var } = kind else { return true };
         let accesses = &self.accesses[var.0 as usize];
-        let first = accesses.partition_point(|access| access.at < from);
+        let first = accesses.partition_point(|access| access.at <= after);
         accesses[first..]
             .iter()
             .take_while(|access| access.at < until)
@@ -154,18 +153,12 @@ impl Allocation {
         accesses[at].at = to;
     }
 
-    /// A load needs no copy when its variable is not written while the value lives, its last use
-    /// included.
+    /// A load needs no copy when its variable is not written while the value lives.
     fn borrow_variables(&mut self, lowered: &Lowered) {
         for (at, inst) in lowered.code.iter().enumerate() {
             let Inst::Move { out, from } = inst else { continue };
             let Some(span) = self.spans[out.0 as usize] else { continue };
-            if !self.touched(
-                lowered.kinds[from.0 as usize],
-                at as u32,
-                span.end + 1,
-                &[Role::Write],
-            ) {
+            if !self.touched(lowered.kinds[from.0 as usize], at as u32, span.end, &[Role::Write]) {
                 self.instead[out.0 as usize] = *from;
                 self.spans[out.0 as usize] = None;
                 self.removed[at] = true;
@@ -219,9 +212,9 @@ impl Allocation {
                     && let Some(span) = self.spans[virt]
                     && self.real[virt].0 == u32::MAX
                 {
-                    // An output never shares a register with an input.
+                    // Every instruction reads before it writes.
                     while let Some(&Reverse((end, place))) = live.peek()
-                        && end < at
+                        && end <= at
                     {
                         live.pop();
                         free.push(Reverse(place));
@@ -233,7 +226,8 @@ impl Allocation {
                         },
                         |Reverse(place)| place,
                     );
-                    live.push(Reverse((span.end, place)));
+                    // A value that nobody reads still takes its place for one instruction.
+                    live.push(Reverse((span.end.max(at + u32::from(span.reads == 0)), place)));
                     self.real[virt] = Reg(place);
                 }
                 *reg = self.real[virt];

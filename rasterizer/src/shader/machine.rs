@@ -1,13 +1,13 @@
 //! Running a register program over 64 lanes.
 //!
 //! One run is one [`Kernel`]: the loop over the instructions is compiled per instruction set with
-//! every operation's loop inlined. Registers never move, so that the addresses of an instruction
-//! do not wait for the one before it.
+//! every operation's loop inlined. An operation writes a scratch register that is then swapped
+//! with the destination (two pointers), so that no output ever aliases an input.
 
 use super::inst::{Inst, Reg, SampleInst, SampleLod};
 use super::mask::{Extent, Mask};
 use super::preamble::uniform_at;
-use super::{OverBudget, Program, Run};
+use super::{OverBudget, Prepared, Program, Run};
 use crate::ir::Axis;
 use texunit::lanes::{F32s, Kernel, LANES, QUADS, Simd, U32s};
 use texunit::plan::Lod;
@@ -15,7 +15,9 @@ use texunit::plan::Lod;
 /// The registers of a thread, reused from batch to batch and from program to program.
 #[derive(Debug, Default)]
 pub struct Machine {
-    registers: Vec<U32s>,
+    #[expect(clippy::vec_box, reason = "registers are swapped by pointer")]
+    registers: Vec<Box<U32s>>,
+    scratch: Box<U32s>,
     /// The lanes that execute.
     exec: Mask,
     /// The lanes that the run began with.
@@ -39,7 +41,7 @@ impl Machine {
         }
         let count = program.layout.registers as usize;
         if self.registers.len() < count {
-            self.registers.resize(count, U32s::ZERO);
+            self.registers.resize_with(count, Box::default);
         }
         if self.slots.len() < program.slots as usize {
             self.slots.resize_with(program.slots as usize, Mask::default);
@@ -63,7 +65,7 @@ impl Machine {
         self.begin(run.program);
         if self.prepared != run.prepared.id {
             for (reg, word) in self.registers.iter_mut().zip(&run.program.layout.splats) {
-                *reg = U32s::splat(run.prepared.words[*word as usize]);
+                **reg = U32s::splat(run.prepared.words[*word as usize]);
             }
             self.prepared = run.prepared.id;
         }
@@ -79,115 +81,112 @@ impl Machine {
     pub fn output(&self, index: usize) -> &U32s {
         &self.registers[self.outputs[index] as usize]
     }
-}
 
-/// The registers beside the one that an instruction writes.
-#[derive(Clone, Copy)]
-struct Others<'a> {
-    below: &'a [U32s],
-    above: &'a [U32s],
-}
-
-impl<'a> Others<'a> {
     #[inline(always)]
-    fn get(self, reg: Reg) -> &'a U32s {
-        let at = reg.0 as usize;
-        let (part, at) = if at < self.below.len() {
-            (self.below, at)
-        } else {
-            (self.above, at.wrapping_sub(self.below.len() + 1))
-        };
-        &part[at]
+    fn reg(&self, reg: Reg) -> &U32s {
+        &self.registers[reg.0 as usize]
     }
-}
 
-/// A register to write and the others to read: allocation keeps an output apart from the inputs.
-#[inline(always)]
-fn split(registers: &mut [U32s], out: Reg) -> (&mut U32s, Others<'_>) {
-    let (below, rest) = registers.split_at_mut(out.0 as usize);
-    let (out, above) = rest.split_at_mut(1);
-    (&mut out[0], Others { below, above })
-}
-
-#[inline(always)]
-fn load_at(registers: &mut [U32s], out: Reg, base: Reg, len: u32, index: Reg) {
-    let (out, others) = split(registers, out);
-    let index = others.get(index);
-    for lane in 0..LANES {
-        out[lane] = others.get(Reg(base.0 + index[lane].min(len - 1)))[lane];
+    /// Makes the scratch register the value of `out`.
+    #[inline(always)]
+    fn set(&mut self, out: Reg) {
+        std::mem::swap(&mut self.registers[out.0 as usize], &mut self.scratch);
     }
-}
 
-#[inline(always)]
-fn store(registers: &mut [U32s], exec: &Mask, out: Reg, from: Reg) {
-    let (out, others) = split(registers, out);
-    let from = others.get(from);
-    match exec.extent {
-        Extent::Empty => {}
-        Extent::Part => {
-            for lane in 0..LANES {
-                let mask = exec.lanes[lane];
-                out[lane] = (from[lane] & mask) | (out[lane] & !mask);
+    #[inline(always)]
+    fn load_at(&mut self, out: Reg, base: Reg, len: u32, index: Reg) {
+        let array = &self.registers[base.0 as usize..][..len as usize];
+        let index = &self.registers[index.0 as usize];
+        for lane in 0..LANES {
+            self.scratch[lane] = array[index[lane].min(len - 1) as usize][lane];
+        }
+        self.set(out);
+    }
+
+    #[inline(always)]
+    fn store(&mut self, out: Reg, from: Reg) {
+        match self.exec.extent {
+            Extent::Empty => return,
+            Extent::Part => {
+                let old = &self.registers[out.0 as usize];
+                let new = &self.registers[from.0 as usize];
+                for lane in 0..LANES {
+                    let mask = self.exec.lanes[lane];
+                    self.scratch[lane] = (new[lane] & mask) | (old[lane] & !mask);
+                }
+            }
+            Extent::Whole => *self.scratch = *self.registers[from.0 as usize],
+        }
+        self.set(out);
+    }
+
+    #[inline(always)]
+    fn store_at(&mut self, base: Reg, len: u32, index: Reg, from: Reg) {
+        if self.exec.is_empty() {
+            return;
+        }
+        let (index, from) = (*self.reg(index), *self.reg(from));
+        let array = &mut self.registers[base.0 as usize..][..len as usize];
+        for lane in 0..LANES {
+            if self.exec.lanes[lane] != 0 {
+                array[index[lane].min(len - 1) as usize][lane] = from[lane];
             }
         }
-        Extent::Whole => *out = *from,
     }
-}
 
-#[inline(always)]
-fn store_at(registers: &mut [U32s], exec: &Mask, base: Reg, len: u32, index: Reg, from: Reg) {
-    if exec.is_empty() {
-        return;
-    }
-    let (index, from) = (registers[index.0 as usize], registers[from.0 as usize]);
-    let array = &mut registers[base.0 as usize..][..len as usize];
-    for lane in 0..LANES {
-        if exec.lanes[lane] != 0 {
-            let element = &mut array[index[lane].min(len - 1) as usize];
-            element[lane] = from[lane];
+    /// Fine derivatives: the difference within each row or column of a quad. Lane order is
+    /// quad-planar, see [`texunit::lanes`].
+    #[inline(always)]
+    fn derivative(&mut self, axis: Axis, out: Reg, from: Reg) {
+        let from = self.registers[from.0 as usize].as_f32();
+        let scratch = self.scratch.as_f32_mut();
+        // By pixel of the quad: the planes of the near and the far neighbour.
+        let planes = match axis {
+            Axis::X => [(0, 1), (0, 1), (2, 3), (2, 3)],
+            Axis::Y => [(0, 2), (1, 3), (0, 2), (1, 3)],
+        };
+        for (pixel, (near, far)) in planes.into_iter().enumerate() {
+            for quad in 0..QUADS {
+                scratch[pixel * QUADS + quad] =
+                    from[far * QUADS + quad] - from[near * QUADS + quad];
+            }
         }
+        self.set(out);
     }
-}
 
-/// Fine derivatives: the difference within each row or column of a quad. Lane order is
-/// quad-planar, see [`texunit::lanes`].
-#[inline(always)]
-fn derivative(registers: &mut [U32s], axis: Axis, out: Reg, from: Reg) {
-    let (out, others) = split(registers, out);
-    let (out, from) = (out.as_f32_mut(), others.get(from).as_f32());
-    // By pixel of the quad: the planes of the near and the far neighbour.
-    let planes = match axis {
-        Axis::X => [(0, 1), (0, 1), (2, 3), (2, 3)],
-        Axis::Y => [(0, 2), (1, 3), (0, 2), (1, 3)],
-    };
-    for (pixel, (near, far)) in planes.into_iter().enumerate() {
-        for quad in 0..QUADS {
-            out[pixel * QUADS + quad] = from[far * QUADS + quad] - from[near * QUADS + quad];
+    #[inline(always)]
+    fn sample(&mut self, run: &Run<'_>, sample: &SampleInst) {
+        match run.textures.get(sample.texture as usize) {
+            Some(Some(plan)) => {
+                let reg = |reg: Reg| self.registers[reg.0 as usize].as_f32();
+                let lod = match sample.lod {
+                    SampleLod::Implicit { bias } => Lod::Implicit { bias: bias.map(reg) },
+                    SampleLod::Explicit(lod) => Lod::Explicit(reg(lod)),
+                    SampleLod::Gradient { dx, dy } => {
+                        Lod::Gradient { dx: dx.map(reg), dy: dy.map(reg) }
+                    }
+                };
+                let coords = sample.coords.map(reg);
+                plan.sample(run.isa, coords, sample.reference.map(reg), lod, &mut self.sampled);
+            }
+            Some(None) | None => {
+                *self.sampled = [0.0, 0.0, 0.0, 1.0].map(F32s::splat);
+            }
+        }
+        for (out, texel) in sample.out.iter().zip(self.sampled.iter()) {
+            if let Some(out) = out {
+                *self.registers[out.0 as usize] = *texel.as_u32();
+            }
         }
     }
-}
 
-#[inline(always)]
-fn sample(registers: &mut [U32s], sampled: &mut [F32s; 4], run: &Run<'_>, sample: &SampleInst) {
-    match run.textures.get(sample.texture as usize) {
-        Some(Some(plan)) => {
-            let reg = |reg: Reg| registers[reg.0 as usize].as_f32();
-            let lod = match sample.lod {
-                SampleLod::Implicit { bias } => Lod::Implicit { bias: bias.map(reg) },
-                SampleLod::Explicit(lod) => Lod::Explicit(reg(lod)),
-                SampleLod::Gradient { dx, dy } => {
-                    Lod::Gradient { dx: dx.map(reg), dy: dy.map(reg) }
-                }
-            };
-            let coords = sample.coords.map(reg);
-            plan.sample(run.isa, coords, sample.reference.map(reg), lod, sampled);
+    #[inline(always)]
+    fn uniform_at(&mut self, prepared: &Prepared, out: Reg, base: u32, len: u32, index: Reg) {
+        let index = &self.registers[index.0 as usize];
+        for lane in 0..LANES {
+            self.scratch[lane] = uniform_at(&prepared.uniforms, base, len, index[lane]);
         }
-        Some(None) | None => *sampled = [0.0, 0.0, 0.0, 1.0].map(F32s::splat),
-    }
-    for (out, texel) in sample.out.iter().zip(sampled.iter()) {
-        if let Some(out) = out {
-            registers[out.0 as usize] = *texel.as_u32();
-        }
+        self.set(out);
     }
 }
 
@@ -204,42 +203,36 @@ impl Kernel for Interpreter<'_> {
     #[inline(always)]
     fn run<S: Simd>(self) -> Result<(), OverBudget> {
         let Self { machine: m, run, mut left } = self;
-        let registers = &mut m.registers[..];
         let code = &run.program.code[..];
         let mut pc = 0;
         while let Some(inst) = code.get(pc) {
             pc += 1;
             match *inst {
                 Inst::Op { op, out, args } => {
-                    let (out, others) = split(registers, out);
-                    op.run(out, args.map(|reg| others.get(reg)));
+                    let args = args.map(|reg| &*m.registers[reg.0 as usize]);
+                    op.run(&mut m.scratch, args);
+                    m.set(out);
                 }
                 Inst::Move { out, from } => {
-                    let (out, others) = split(registers, out);
-                    *out = *others.get(from);
+                    *m.scratch = *m.registers[from.0 as usize];
+                    m.set(out);
                 }
                 Inst::Zero { out, len } => {
-                    registers[out.0 as usize..][..len as usize].fill(U32s::ZERO);
-                }
-                Inst::Store { out, from } => store(registers, &m.exec, out, from),
-                Inst::LoadAt { out, base, len, index } => {
-                    load_at(registers, out, base, len, index);
-                }
-                Inst::StoreAt { base, len, index, from } => {
-                    store_at(registers, &m.exec, base, len, index, from);
-                }
-                Inst::UniformAt { out, base, len, index } => {
-                    let (out, others) = split(registers, out);
-                    let index = others.get(index);
-                    for lane in 0..LANES {
-                        out[lane] = uniform_at(&run.prepared.uniforms, base, len, index[lane]);
+                    for reg in &mut m.registers[out.0 as usize..][..len as usize] {
+                        **reg = U32s::ZERO;
                     }
                 }
-                Inst::Derivative { axis, out, from } => derivative(registers, axis, out, from),
-                Inst::Sample(ref inst) => sample(registers, &mut m.sampled, &run, inst),
+                Inst::Store { out, from } => m.store(out, from),
+                Inst::LoadAt { out, base, len, index } => m.load_at(out, base, len, index),
+                Inst::StoreAt { base, len, index, from } => m.store_at(base, len, index, from),
+                Inst::UniformAt { out, base, len, index } => {
+                    m.uniform_at(run.prepared, out, base, len, index);
+                }
+                Inst::Derivative { axis, out, from } => m.derivative(axis, out, from),
+                Inst::Sample(ref sample) => m.sample(&run, sample),
                 Inst::If { condition, slot, reject } => {
                     let rest = &mut m.slots[slot.0 as usize];
-                    m.exec.split(&registers[condition.0 as usize], rest);
+                    m.exec.split(&m.registers[condition.0 as usize], rest);
                     if m.exec.is_empty() {
                         m.exec.take(rest, &m.start);
                         pc = reject.0 as usize;
