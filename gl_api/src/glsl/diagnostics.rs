@@ -141,9 +141,8 @@ impl Diagnostic {
         let excerpt = ascii(&line[first..last]);
         let (begin, end) = (begin - first, (end - first).min(excerpt.len()));
         let begin = begin.min(excerpt.len());
-        let snippet = Snippet::source(excerpt)
-            .line_start(usize::try_from(at.line).unwrap_or(1))
-            .annotation(
+        let snippet =
+            Snippet::source(excerpt).line_start(usize::try_from(at.line).unwrap_or(1)).annotation(
                 AnnotationKind::Primary
                     .span(begin..end.max(begin))
                     .label((!self.label.is_empty()).then(|| ascii(&self.label))),
@@ -196,9 +195,8 @@ impl Log {
         if self.items.len() >= 2 * MAX_ERRORS || self.is_full() {
             return;
         }
-        let same = |item: &Diagnostic| {
-            item.span == diagnostic.span && item.message == diagnostic.message
-        };
+        let same =
+            |item: &Diagnostic| item.span == diagnostic.span && item.message == diagnostic.message;
         if self.items.iter().any(same) {
             return;
         }
@@ -271,6 +269,9 @@ mod tests {
         assert_eq!(edit_distance("nNormal", "vNormal", 3), Some(1));
         assert_eq!(edit_distance("abc", "acb", 3), Some(1));
         assert_eq!(edit_distance("vTexUnit0", "vTexCoord", 3), None);
-        assert_eq!(closest("textur2D", ["texture2D", "textureCube"].into_iter()), Some("texture2D"));
+        assert_eq!(
+            closest("textur2D", ["texture2D", "textureCube"].into_iter()),
+            Some("texture2D")
+        );
     }
 }

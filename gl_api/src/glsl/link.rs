@@ -93,8 +93,11 @@ fn build(shaders: &[&Shader], bindings: &Bindings, log: &mut Log) -> Option<Prog
                 *words = lowered.words;
                 let slots = lowered.samplers.into_iter();
                 let stage = stage.stage;
-                samplers
-                    .extend(slots.map(|(slot, word)| SamplerSlot { stage, slot: slot.0, word }));
+                samplers.extend(slots.map(|(slot, word)| SamplerSlot {
+                    stage,
+                    slot: slot.0,
+                    word,
+                }));
                 Some(lowered.module)
             }
             Err(failure) => {
@@ -369,9 +372,8 @@ fn varyings(
     let (mut next, mut scalars) = (VARYING_USER, 0u32);
     for input in fragment.with(|storage| matches!(storage, Storage::Input(_))) {
         let name = &input.name;
-        let output = vertex.and_then(|vertex| {
-            vertex.declared().find(|v| v.name == *name && is_output(v.storage))
-        });
+        let output = vertex
+            .and_then(|vertex| vertex.declared().find(|v| v.name == *name && is_output(v.storage)));
         let Some(output) = output else {
             let message =
                 format!("the fragment shader reads `{name}`, which no vertex shader writes");
@@ -401,9 +403,8 @@ fn varyings(
         }
         scalars += input.ty.scalars();
         if scalars > u32::from(MAX_VARYING_FLOATS) {
-            let message = format!(
-                "more than {MAX_VARYING_FLOATS} components pass between the stages"
-            );
+            let message =
+                format!("more than {MAX_VARYING_FLOATS} components pass between the stages");
             log.push(Diagnostic::link_error(message));
             return;
         }

@@ -21,8 +21,8 @@ mod types;
 mod version;
 
 use crate::interface::StateBinding;
-use rasterizer::ir::Module;
 use diagnostics::{Diagnostic, Log};
+use rasterizer::ir::Module;
 use source::{Source, Span};
 use std::collections::BTreeMap;
 use std::sync::Arc;

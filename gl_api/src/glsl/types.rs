@@ -192,7 +192,9 @@ impl Type {
             }
             Self::Matrix(columns, rows) => Some((vec(*rows), Some(u32::from(*columns)))),
             Self::Array(element, len) => Some(((**element).clone(), *len)),
-            Self::Vector(..) | Self::Void | Self::Sampler(_) | Self::Struct(_) | Self::Error => None,
+            Self::Vector(..) | Self::Void | Self::Sampler(_) | Self::Struct(_) | Self::Error => {
+                None
+            }
         }
     }
 
@@ -215,9 +217,11 @@ impl Type {
             || match self {
                 Self::Struct(structure) => structure.fields.iter().any(|(_, ty)| ty.any(test)),
                 Self::Array(element, _) => element.any(test),
-                Self::Void | Self::Vector(..) | Self::Matrix(..) | Self::Sampler(_) | Self::Error => {
-                    false
-                }
+                Self::Void
+                | Self::Vector(..)
+                | Self::Matrix(..)
+                | Self::Sampler(_)
+                | Self::Error => false,
             }
     }
 

@@ -92,9 +92,9 @@ pub fn find(name: &str, stage: Stage, version: Version) -> Option<Variable> {
     if !name.starts_with("gl_") {
         return None;
     }
-    let row = rows().into_iter().find(|row| {
-        row.name == name && row.stages.has(stage) && row.since <= version
-    })?;
+    let row = rows()
+        .into_iter()
+        .find(|row| row.name == name && row.stages.has(stage) && row.since <= version)?;
     let constant = match row.builtin {
         Builtin::Limit(value) => Some(Arc::from([value as u32])),
         _ => None,
@@ -149,8 +149,14 @@ fn rows() -> Vec<Row> {
     row("gl_SecondaryColor", vec(4), Vertex, V110, ReadOnly, attribute(ATTRIB_SECONDARY_COLOR));
     row("gl_FogCoord", FLOAT, Vertex, V110, ReadOnly, attribute(ATTRIB_FOG_COORD));
     const TEX_COORDS: [&str; 8] = [
-        "gl_MultiTexCoord0", "gl_MultiTexCoord1", "gl_MultiTexCoord2", "gl_MultiTexCoord3",
-        "gl_MultiTexCoord4", "gl_MultiTexCoord5", "gl_MultiTexCoord6", "gl_MultiTexCoord7",
+        "gl_MultiTexCoord0",
+        "gl_MultiTexCoord1",
+        "gl_MultiTexCoord2",
+        "gl_MultiTexCoord3",
+        "gl_MultiTexCoord4",
+        "gl_MultiTexCoord5",
+        "gl_MultiTexCoord6",
+        "gl_MultiTexCoord7",
     ];
     for (name, unit) in TEX_COORDS.into_iter().zip(0..MAX_TEXTURE_UNITS) {
         row(name, vec(4), Vertex, V110, ReadOnly, attribute(ATTRIB_TEX_COORD + unit));

@@ -227,7 +227,8 @@ impl Checker<'_> {
                 match &mut self.body {
                     Some(body) => body.calls.push((index, name.span)),
                     None => {
-                        let message = "functions of the shader cannot be called outside of functions";
+                        let message =
+                            "functions of the shader cannot be called outside of functions";
                         self.error(span, message);
                     }
                 }

@@ -17,11 +17,7 @@ const MAX_STRUCT_DEPTH: u32 = 32;
 
 impl Checker<'_> {
     /// The type that is written, with the array size after the name.
-    pub(super) fn type_of(
-        &mut self,
-        name: &ast::TypeName,
-        after: Option<&ast::ArraySize>,
-    ) -> Type {
+    pub(super) fn type_of(&mut self, name: &ast::TypeName, after: Option<&ast::ArraySize>) -> Type {
         let base = match &name.base {
             TypeBase::Struct(declared) => self.structure(declared, name.span),
             TypeBase::Named(word) => self.named_type(word, name.span),
@@ -244,7 +240,8 @@ impl Checker<'_> {
             self.error(init.span, message);
             return;
         }
-        if let (Type::Array(element, None), Type::Array(other, Some(len))) = (&variable.ty, &init.ty)
+        if let (Type::Array(element, None), Type::Array(other, Some(len))) =
+            (&variable.ty, &init.ty)
             && element == other
         {
             variable.ty = Type::Array(element.clone(), Some(*len));
@@ -369,9 +366,8 @@ impl Checker<'_> {
 
     /// Which types may pass between the stages (GLSL 1.30 sections 4.3.4 to 4.3.6).
     fn check_interface(&mut self, storage: Storage, ty: &Type, span: Span) {
-        let integer = |ty: &Type| {
-            ty.any(&|part| matches!(part, Type::Vector(Scalar::Int | Scalar::Uint, _)))
-        };
+        let integer =
+            |ty: &Type| ty.any(&|part| matches!(part, Type::Vector(Scalar::Int | Scalar::Uint, _)));
         let boolean = ty.any(&|part| matches!(part, Type::Vector(Scalar::Bool, _)));
         let structure = ty.any(&|part| matches!(part, Type::Struct(_)));
         let old = self.version < Version::V130;

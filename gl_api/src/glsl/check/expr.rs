@@ -7,7 +7,7 @@ use crate::glsl::Scalar;
 use crate::glsl::ast::{self, BinaryOp, UnaryOp};
 use crate::glsl::builtins::variables;
 use crate::glsl::diagnostics::{Diagnostic, closest};
-use crate::glsl::hir::{Expr, ExprKind, Storage, VarRef};
+use crate::glsl::hir::{Expr, ExprKind, VarRef};
 use crate::glsl::source::Span;
 use crate::glsl::types::{BOOL, FLOAT, INT, Type, UINT};
 use crate::glsl::version::Version;
@@ -106,9 +106,7 @@ impl Checker<'_> {
         }
         let scalar = operand.ty.scalar();
         let fits = match op {
-            UnaryOp::Plus | UnaryOp::Negate => {
-                scalar.is_some_and(|scalar| scalar != Scalar::Bool)
-            }
+            UnaryOp::Plus | UnaryOp::Negate => scalar.is_some_and(|scalar| scalar != Scalar::Bool),
             UnaryOp::Not => operand.ty == BOOL,
             UnaryOp::BitNot => {
                 let integer = matches!(scalar, Some(Scalar::Int | Scalar::Uint));
@@ -221,14 +219,18 @@ impl Checker<'_> {
         let text = self.source.slice(integer.span);
         let literal = !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit());
         if self.version == Version::V110 && literal {
-            return problem
-                .note("GLSL 1.10 does not convert int to float by itself")
-                .fix(format!("write `{text}.0`"), integer.span, format!("{text}.0"));
+            return problem.note("GLSL 1.10 does not convert int to float by itself").fix(
+                format!("write `{text}.0`"),
+                integer.span,
+                format!("{text}.0"),
+            );
         }
         if self.version == Version::V110 && integer.ty == INT {
-            return problem
-                .note("GLSL 1.10 does not convert int to float by itself")
-                .fix(format!("write `float({text})`"), integer.span, format!("float({text})"));
+            return problem.note("GLSL 1.10 does not convert int to float by itself").fix(
+                format!("write `float({text})`"),
+                integer.span,
+                format!("float({text})"),
+            );
         }
         problem
     }
@@ -387,10 +389,8 @@ impl Checker<'_> {
     fn check_bounds(&mut self, base: &Expr, value: u32, len: Option<u32>, span: Span) {
         let limit = len.unwrap_or(crate::glsl::types::MAX_SCALARS / 16);
         if value >= limit {
-            let message = format!(
-                "index {} is out of range: {} has {limit} elements",
-                value as i32, base.ty
-            );
+            let message =
+                format!("index {} is out of range: {} has {limit} elements", value as i32, base.ty);
             let rule = format!("{} section 5.7", self.version.title());
             self.log.push(Diagnostic::error(span, message).rule(rule));
         } else if len.is_none()
@@ -420,22 +420,20 @@ impl Checker<'_> {
                 let (ty, constant) = (structure.fields[index].1.clone(), base.constant);
                 Expr { ty, span, constant, kind: ExprKind::Field(Box::new(base), index as u32) }
             }
-            Type::Vector(scalar, size @ 2..) => {
-                match swizzle(&name.text, *size) {
-                    Ok(components) => {
-                        let ty = Type::Vector(*scalar, components.len() as u8);
-                        let constant = base.constant;
-                        let kind = ExprKind::Swizzle(Box::new(base), components);
-                        Expr { ty, span, constant, kind }
-                    }
-                    Err(problem) => {
-                        let message = format!("`.{}` on {}: {problem}", name.text, base.ty);
-                        let rule = format!("{} section 5.5", self.version.title());
-                        self.log.push(Diagnostic::error(name.span, message).rule(rule));
-                        Expr::error(span)
-                    }
+            Type::Vector(scalar, size @ 2..) => match swizzle(&name.text, *size) {
+                Ok(components) => {
+                    let ty = Type::Vector(*scalar, components.len() as u8);
+                    let constant = base.constant;
+                    let kind = ExprKind::Swizzle(Box::new(base), components);
+                    Expr { ty, span, constant, kind }
                 }
-            }
+                Err(problem) => {
+                    let message = format!("`.{}` on {}: {problem}", name.text, base.ty);
+                    let rule = format!("{} section 5.5", self.version.title());
+                    self.log.push(Diagnostic::error(name.span, message).rule(rule));
+                    Expr::error(span)
+                }
+            },
             ty => {
                 let message = format!("{ty} has no members or components");
                 self.error(name.span, message);
@@ -467,11 +465,6 @@ impl Checker<'_> {
     /// A reference to a variable of the language, which the stage has.
     pub(super) fn builtin_expr(&mut self, name: &str, span: Span) -> Expr {
         self.name(&Arc::from(name), span)
-    }
-
-    /// Whether a global is an input of the language or of the shader.
-    pub(super) fn storage(&self, expr: &Expr) -> Option<Storage> {
-        expr.root().map(|root| self.variable(root).storage)
     }
 }
 

@@ -77,8 +77,7 @@ impl Checker<'_> {
             self.error(span, "a sampler cannot be an `out` parameter");
         }
         let constant = parameter.ty.qualifiers.iter().any(|(q, _)| *q == Qualifier::Const);
-        let storage =
-            if constant { Storage::Const } else { Storage::Parameter(direction) };
+        let storage = if constant { Storage::Const } else { Storage::Parameter(direction) };
         let variable = Variable {
             name: parameter.name.as_ref().map_or("".into(), |name| name.text.clone()),
             ty,
@@ -144,12 +143,8 @@ impl Checker<'_> {
     fn function_body(&mut self, index: usize, body: &[ast::Stmt], declared: &ast::Function) {
         let function = &self.unit.functions[index];
         let (locals, result) = (function.locals.clone(), function.result.clone());
-        self.body = Some(Body {
-            function: index,
-            result: Some(result.clone()),
-            locals,
-            ..Body::default()
-        });
+        self.body =
+            Some(Body { function: index, result: Some(result.clone()), locals, ..Body::default() });
         self.scopes.open();
         for (number, parameter) in declared.parameters.iter().enumerate() {
             if let Some(name) = &parameter.name {

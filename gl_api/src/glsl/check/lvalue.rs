@@ -17,8 +17,8 @@ impl Checker<'_> {
         loop {
             match &part.kind {
                 ExprKind::Swizzle(base, components) => {
-                    let twice = (1..components.len())
-                        .any(|i| components[..i].contains(&components[i]));
+                    let twice =
+                        (1..components.len()).any(|i| components[..i].contains(&components[i]));
                     if twice {
                         let message = "a swizzle that is written cannot name a component twice";
                         self.rejected(part.span, message);

@@ -133,10 +133,11 @@ impl Checker<'_> {
     pub(super) fn report_undeclared(&mut self) {
         for undeclared in std::mem::take(&mut self.undeclared) {
             let Undeclared { name, uses, candidates } = undeclared;
-            let mut problem = Diagnostic::error(uses[0], format!("`{name}` is not declared"))
-                .rule(format!("{} section 4.2: a name is declared before it is used", {
-                    self.version.title()
-                }));
+            let mut problem =
+                Diagnostic::error(uses[0], format!("`{name}` is not declared"))
+                    .rule(format!("{} section 4.2: a name is declared before it is used", {
+                        self.version.title()
+                    }));
             let unused = candidates.iter().find_map(|candidate| {
                 let (var, function) = candidate.declared?;
                 let variable = match (var, function) {

@@ -157,7 +157,10 @@ impl Checker<'_> {
     }
 
     /// `bool name = value` as the condition of a loop.
-    fn declared_condition(&mut self, declaration: &ast::Declaration) -> (Option<u32>, Option<Expr>) {
+    fn declared_condition(
+        &mut self,
+        declaration: &ast::Declaration,
+    ) -> (Option<u32>, Option<Expr>) {
         let mut declared = Vec::new();
         self.local_declaration(declaration, &mut declared);
         match declared.pop() {
@@ -244,7 +247,10 @@ impl Checker<'_> {
         let selector = self.expr(selector);
         let integer = matches!(selector.ty, Type::Vector(Scalar::Int | Scalar::Uint, 1));
         if !integer && !selector.is_error() {
-            self.error(selector.span, format!("`switch` chooses by an integer, not {}", selector.ty));
+            self.error(
+                selector.span,
+                format!("`switch` chooses by an integer, not {}", selector.ty),
+            );
         }
         if let Some(body) = &mut self.body {
             body.breakable += 1;
@@ -266,8 +272,7 @@ impl Checker<'_> {
                         }
                         None => {
                             if !label.is_error() && !selector.is_error() {
-                                let message =
-                                    format!("a label is a constant {}", selector.ty);
+                                let message = format!("a label is a constant {}", selector.ty);
                                 self.error(label.span, message);
                             }
                             None

@@ -261,12 +261,8 @@ impl Lowerer<'_> {
             BinaryOp::Rem => (pick(Op::IRem, Op::IRem, Op::URem), [a, b]),
             BinaryOp::Less => (pick(Op::Less, Op::ILess, Op::ULess), [a, b]),
             BinaryOp::Greater => (pick(Op::Less, Op::ILess, Op::ULess), [b, a]),
-            BinaryOp::LessEqual => {
-                (pick(Op::LessEqual, Op::ILessEqual, Op::ULessEqual), [a, b])
-            }
-            BinaryOp::GreaterEqual => {
-                (pick(Op::LessEqual, Op::ILessEqual, Op::ULessEqual), [b, a])
-            }
+            BinaryOp::LessEqual => (pick(Op::LessEqual, Op::ILessEqual, Op::ULessEqual), [a, b]),
+            BinaryOp::GreaterEqual => (pick(Op::LessEqual, Op::ILessEqual, Op::ULessEqual), [b, a]),
             BinaryOp::And => (Op::And, [a, b]),
             BinaryOp::Or => (Op::Or, [a, b]),
             BinaryOp::Xor => (Op::Xor, [a, b]),

@@ -180,7 +180,9 @@ impl Lowerer<'_> {
                 }
                 Ok(storage)
             }
-            (Storage::Builtin(builtin), _) => self.builtin_global(variable, &types, builtin, copies),
+            (Storage::Builtin(builtin), _) => {
+                self.builtin_global(variable, &types, builtin, copies)
+            }
             (
                 Storage::Uniform
                 | Storage::Attribute
@@ -350,15 +352,13 @@ impl Lowerer<'_> {
                 return Ok(self.inputs(variable, types, read));
             }
             Builtin::FragCoord => {
-                let read = |lowerer: &mut Self, at: u32| {
-                    lowerer.emit.input(Input::FragCoord(at as u8))
-                };
+                let read =
+                    |lowerer: &mut Self, at: u32| lowerer.emit.input(Input::FragCoord(at as u8));
                 return Ok(self.inputs(variable, types, read));
             }
             Builtin::PointCoord => {
-                let read = |lowerer: &mut Self, at: u32| {
-                    lowerer.emit.input(Input::PointCoord(at as u8))
-                };
+                let read =
+                    |lowerer: &mut Self, at: u32| lowerer.emit.input(Input::PointCoord(at as u8));
                 return Ok(self.inputs(variable, types, read));
             }
             Builtin::FrontFacing => {

@@ -88,7 +88,8 @@ impl Lowerer<'_> {
         // There is no texture by number in the IR: sample all, choose one.
         let count = types.len() as u32 - place.base;
         if count > MAX_DYNAMIC_SAMPLERS || types.iter().any(|&ty| ty != Ty::I32) {
-            let message = "a sampler in a structure or large array, indexed by what is not constant";
+            let message =
+                "a sampler in a structure or large array, indexed by what is not constant";
             return Err(Failure(format!("{message}, is not supported by DetGL yet")));
         }
         let mut chosen = self.sample(first, decl, lookup);

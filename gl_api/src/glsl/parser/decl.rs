@@ -3,7 +3,7 @@
 use super::keywords::{self, Word};
 use super::{Parsed, Parser};
 use crate::glsl::ast::{
-    ArraySize, Declaration, Declarator, Function, Item, Name, Parameter, Qualifier, QualifiedType,
+    ArraySize, Declaration, Declarator, Function, Item, Name, Parameter, QualifiedType, Qualifier,
     StructDecl, TypeBase, TypeName,
 };
 use crate::glsl::diagnostics::Diagnostic;
@@ -119,11 +119,8 @@ impl Parser<'_> {
         if !self.eat("[") {
             return Ok(None);
         }
-        let size = if self.is("]") {
-            None
-        } else {
-            Some(Box::new(self.nested(Self::conditional)?))
-        };
+        let size =
+            if self.is("]") { None } else { Some(Box::new(self.nested(Self::conditional)?)) };
         self.expect("]")?;
         Ok(Some(ArraySize { span: span.to(self.last_span()), size }))
     }
@@ -141,9 +138,8 @@ impl Parser<'_> {
             for (qualifier, span) in &ty.qualifiers {
                 if *qualifier != Qualifier::Precision {
                     let message = "members of a structure take no qualifiers";
-                    self.log.push(
-                        Diagnostic::error(*span, message).rule("GLSL 1.30 section 4.1.8"),
-                    );
+                    self.log
+                        .push(Diagnostic::error(*span, message).rule("GLSL 1.30 section 4.1.8"));
                 }
             }
             loop {
@@ -182,9 +178,10 @@ impl Parser<'_> {
         let misplaced = match &ty.ty.base {
             TypeBase::Named(word) if self.token().word().is_some() => {
                 let unknown = keywords::classify(word, self.version) == Word::Name;
-                let next = self.token().word().map_or(Word::Name, |next| {
-                    keywords::classify(next, self.version)
-                });
+                let next = self
+                    .token()
+                    .word()
+                    .map_or(Word::Name, |next| keywords::classify(next, self.version));
                 let broken = unknown && matches!(next, Word::Type | Word::Keyword);
                 broken.then(|| word.clone())
             }
@@ -223,7 +220,8 @@ impl Parser<'_> {
             Some(self.nested(Self::block)?)
         } else {
             let found = self.token().describe();
-            return self.fail(format!("expected `;` or `{{` after the function's head, found {found}"));
+            return self
+                .fail(format!("expected `;` or `{{` after the function's head, found {found}"));
         };
         Ok(Function { ty, name, parameters, body })
     }

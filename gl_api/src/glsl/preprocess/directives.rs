@@ -10,8 +10,19 @@ use crate::glsl::version::{EXTENSIONS, Version};
 
 /// The names of the directives.
 const NAMES: [&str; 13] = [
-    "define", "undef", "if", "ifdef", "ifndef", "else", "elif", "endif", "error", "pragma",
-    "extension", "version", "line",
+    "define",
+    "undef",
+    "if",
+    "ifdef",
+    "ifndef",
+    "else",
+    "elif",
+    "endif",
+    "error",
+    "pragma",
+    "extension",
+    "version",
+    "line",
 ];
 
 /// How many conditionals can be open at once.
@@ -46,9 +57,11 @@ impl Preprocessor<'_> {
             "extension" => self.extension(span, rest),
             "line" => self.line(span, rest),
             _ => {
-                let mut problem =
-                    Diagnostic::error(first.span, format!("unknown directive {}", first.describe()))
-                        .rule("GLSL 1.30 section 3.3 lists the directives");
+                let mut problem = Diagnostic::error(
+                    first.span,
+                    format!("unknown directive {}", first.describe()),
+                )
+                .rule("GLSL 1.30 section 3.3 lists the directives");
                 if let Some(near) = closest(name, NAMES.into_iter()) {
                     problem = problem.fix(
                         format!("did you mean `#{near}`?"),
@@ -164,8 +177,7 @@ impl Preprocessor<'_> {
                 if !self.macros.define(name, new) {
                     let message = format!("`{name}` is already defined differently");
                     self.log.push(
-                        Diagnostic::error(at, message)
-                            .help(format!("write `#undef {name}` first")),
+                        Diagnostic::error(at, message).help(format!("write `#undef {name}` first")),
                     );
                 }
             }
@@ -184,7 +196,8 @@ impl Preprocessor<'_> {
     }
 
     fn version(&mut self, span: Span, rest: &[Token]) {
-        let rule = "GLSL 1.30 section 3.3: `#version` comes before anything but comments and blanks";
+        let rule =
+            "GLSL 1.30 section 3.3: `#version` comes before anything but comments and blanks";
         if self.begun {
             let message = "`#version` is not at the beginning";
             self.log.push(Diagnostic::error(span, message).rule(rule));

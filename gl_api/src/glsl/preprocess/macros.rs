@@ -108,8 +108,13 @@ impl Macros {
         version: Version,
     ) -> Result<Vec<Token>, Diagnostic> {
         let mut produced = self.produced;
-        let mut expansion =
-            Expansion { macros: self, source, version, active: BTreeSet::new(), produced: &mut produced };
+        let mut expansion = Expansion {
+            macros: self,
+            source,
+            version,
+            active: BTreeSet::new(),
+            produced: &mut produced,
+        };
         let result = expansion.run(tokens.into_iter().map(Item::Token).collect(), None, 0);
         self.produced = produced;
         let plain = |item| match item {
@@ -279,8 +284,9 @@ impl Expansion<'_> {
             if token.is("##") {
                 if output.is_empty() || self.version < Version::V130 {
                     let message = "`##` has nothing to join here";
-                    return Err(Diagnostic::error(token.span, message)
-                        .rule("GLSL 1.30 section 3.3: `##` joins two tokens, from version 130 on"));
+                    return Err(Diagnostic::error(token.span, message).rule(
+                        "GLSL 1.30 section 3.3: `##` joins two tokens, from version 130 on",
+                    ));
                 }
                 joining = true;
                 continue;
