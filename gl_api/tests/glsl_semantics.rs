@@ -469,7 +469,7 @@ fn table() {
         }
         let program =
             Program::new(&module, |output| matches!(output, Output::Color { target: 0, .. }));
-        for &isa in Isa::available() {
+        for isa in Isa::available() {
             let prepared = program.prepare(isa, &words, &[]);
             let mut machine = Machine::default();
             machine.begin(&program);
