@@ -45,6 +45,7 @@ fn rejected_soon() {
         ("ifs", main(open("if (true) "))),
         ("else ifs", main(format!("if (true) ; {}", open("else if (true) ; ")))),
         ("identifiers", open("a ")),
+        ("names", main((0..100_000).map(|i| format!("v{i};")).collect())),
         ("macro bomb", define(40)),
         ("macro calls", format!("#define F(a) a\nfloat f = {};", open("F("))),
         ("conditionals", open("#if 1\n")),
@@ -72,6 +73,38 @@ fn long_but_fine() {
     let shader = compiled(&source).shader.expect("it is a fine shader");
     let linked = link(&[&shader], &Bindings::default());
     assert!(linked.program.is_some(), "{}", linked.log);
+}
+
+#[test]
+fn deep_but_bounded() {
+    let mut calls = "float f0(float a) { return a; }\n".to_owned();
+    for level in 1..1_500 {
+        calls.push_str(&format!("float f{level}(float a) {{ return f{}(a); }}\n", level - 1));
+    }
+    calls.push_str("void main() { gl_FragColor = vec4(f1499(1.0)); }\n");
+    let mut sums = "uniform float u;\nfloat f0(float a) { return a; }\n".to_owned();
+    for level in 1..4 {
+        let sum = " + u".repeat(300);
+        sums.push_str(&format!("float f{level}(float a) {{ return f{}(a){sum}; }}\n", level - 1));
+    }
+    sums.push_str("void main() { gl_FragColor = vec4(f3(1.0)); }\n");
+    let blocks = format!("void main() {{ {}{} }}", "{".repeat(250), "}".repeat(250));
+    let uniforms: String = (0..20_000).map(|i| format!("uniform float u{i};\n")).collect();
+    let uses: String = (0..20_000).map(|i| format!("f += u{i};\n")).collect();
+    let many = format!("{uniforms}void main() {{ float f; {uses} gl_FragColor = vec4(f); }}");
+    for (name, source, links) in [
+        ("calls", calls, false),
+        ("sums", sums, true),
+        ("blocks", blocks, true),
+        ("many", many, true),
+    ] {
+        let result = compiled(&source);
+        let shader = result.shader.unwrap_or_else(|| panic!("{name}: {}", result.log));
+        let start = Instant::now();
+        let linked = link(&[&shader], &Bindings::default());
+        assert!(start.elapsed() < Duration::from_secs(5), "{name}");
+        assert_eq!(linked.program.is_some(), links, "{name}: {}", linked.log);
+    }
 }
 
 /// Bits of shaders, to be put together at random.

@@ -4,14 +4,20 @@
 //! Every row is the body of a `main` that sets `r`. It can use
 //! `u = (1, 2, 3, 4)`, `k = 2`, `yes = true`, `list = {10, 20, 30, 40}`, `m` with the elements 1 to
 //! 16 column by column, and `x = gl_FragCoord.x`, which is 3.5 in the lane that is looked at.
+//! Lanes are the pixels of an 8 by 8 block, quads by planes (see `texunit::lanes`).
 
 use gl_api::glsl::{Bindings, Options, Stage, compile, link};
 use rasterizer::ir::{Input, Output};
 use rasterizer::shader::{Machine, Program, Run};
 use texunit::lanes::{Isa, LANES};
 
-/// The lane that is looked at.
-const LANE: usize = 3;
+/// The lane that is looked at: the one of column 3, row 0.
+const LANE: usize = 17;
+
+/// The column of a lane in its block.
+fn column(lane: usize) -> usize {
+    lane % 4 * 2 + lane / 16 % 2
+}
 
 struct Row(u32, &'static str, &'static str, [f32; 4]);
 
@@ -476,9 +482,8 @@ fn table() {
             for (index, input) in program.inputs().iter().enumerate() {
                 let register = machine.input_mut(index);
                 for lane in 0..LANES {
-                    // Quads are 2 by 2: lanes 0 and 1 above 2 and 3.
                     let value = match input {
-                        Input::FragCoord(0) => 2.5 + (lane % 2) as f32,
+                        Input::FragCoord(0) => 0.5 + column(lane) as f32,
                         other => panic!("no value for {other:?}"),
                     };
                     register[lane] = value.to_bits();
