@@ -116,11 +116,11 @@ uniform mat4 uProjMatrix;
 uniform mat4 uModelViewMatrix;
 in vec4 aVertex;
 in vec3 aNormal;
-out vec3 nNormal;
+out vec3 vNormal;
 out vec4 vPosition;
 
 void main() {
-    nNormal = vec3(uModelViewMatrix * vec4(aNormal, 0.0));
+    vNormal = vec3(uModelViewMatrix * vec4(aNormal, 0.0));
     vPosition = uModelViewMatrix * aVertex;
     gl_Position = uProjMatrix * vPosition;
 }

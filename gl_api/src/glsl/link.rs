@@ -11,7 +11,7 @@ use super::version::stage_name;
 use super::{Attribute, Bindings, Linked, Program, SamplerSlot, Shader, Stage, Uniform};
 use crate::interface::{MAX_VERTEX_ATTRIBS, VARYING_USER};
 use rasterizer::ir::{Interpolation, Module};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 /// How many uniform words a program may have.
@@ -129,18 +129,18 @@ fn collect<'a>(shaders: &[&'a Shader], stage: Stage, log: &mut Log) -> Option<St
     if units.is_empty() {
         return None;
     }
-    let mut bodies: Vec<String> = Vec::new();
+    let mut bodies: BTreeSet<String> = BTreeSet::new();
     for function in units.iter().flat_map(|unit| &unit.functions) {
         if function.body.is_some() {
             let signature = function.signature();
-            if bodies.contains(&signature) {
+            if !bodies.insert(signature) {
+                let signature = function.signature();
                 let message = format!("`{signature}` is defined in two {name} shaders");
                 log.push(Diagnostic::link_error(message));
             }
-            bodies.push(signature);
         }
     }
-    if !bodies.iter().any(|signature| signature == "main()") {
+    if !bodies.contains("main()") {
         let message = format!("no {name} shader has a function `main`");
         log.push(Diagnostic::link_error(message).rule("GLSL 1.30 section 6.1"));
         return None;
@@ -167,9 +167,10 @@ fn collect<'a>(shaders: &[&'a Shader], stage: Stage, log: &mut Log) -> Option<St
     }
     order.sort_unstable();
     let mut used: Vec<&Variable> = Vec::new();
+    let mut names: BTreeSet<&str> = BTreeSet::new();
     for (unit, global) in order {
         let variable = &units[unit].globals[global as usize];
-        if !used.iter().any(|known| known.name == variable.name) {
+        if names.insert(&variable.name) {
             used.push(variable);
         }
     }
@@ -214,14 +215,16 @@ struct Uniforms {
 
 fn uniforms(stages: &[&StageUnits<'_>], words: &mut Words, log: &mut Log) -> Uniforms {
     let mut all: Vec<(&Variable, Vec<u32>)> = Vec::new();
+    let mut names: BTreeMap<&str, usize> = BTreeMap::new();
     for stage in stages {
         for variable in stage.with(|storage| storage == Storage::Uniform) {
             let initial = initial(variable);
-            let known = all.iter_mut().find(|(known, _)| known.name == variable.name);
-            let Some((known, value)) = known else {
+            let Some(&index) = names.get(&*variable.name) else {
+                names.insert(&variable.name, all.len());
                 all.push((variable, initial));
                 continue;
             };
+            let (known, value) = &mut all[index];
             if known.ty != variable.ty {
                 let message = format!(
                     "uniform `{}` is {} in the vertex stage and {} in the fragment stage",

@@ -38,8 +38,9 @@ fn applicable(pass: &Pass, rounds: &[Vec<Edit>], repaired: &mut Vec<Diagnostic>)
         let new = &suggestion.edits;
         let apart = |edit: &Edit| {
             edits.iter().all(|known| {
-                edit.span.end <= known.span.start && edit.span != known.span
-                    || known.span.end <= edit.span.start && edit.span != known.span
+                let before = edit.span.end <= known.span.start;
+                let after = known.span.end <= edit.span.start;
+                edit.span != known.span && (before || after)
             })
         };
         if item.severity != Severity::Error || new.is_empty() || !new.iter().all(apart) {

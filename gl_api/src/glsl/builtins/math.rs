@@ -30,7 +30,7 @@ impl Args<'_> {
 /// The operation on each component; a scalar goes with all components.
 pub fn map(emit: &mut Emit, args: Args<'_>, op: Op) -> Vec<Value> {
     each(emit, args, |emit, at| {
-        let operands: Vec<Value> = (0..args.values.len()).map(|which| at(which)).collect();
+        let operands: Vec<Value> = (0..args.values.len()).map(at).collect();
         emit.op(op, &operands)
     })
 }

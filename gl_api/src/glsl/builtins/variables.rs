@@ -10,7 +10,7 @@ use crate::interface::{
     VARYING_BACK_COLOR, VARYING_COLOR, VARYING_FOG, VARYING_SECONDARY_COLOR, VARYING_TEX_COORD,
 };
 use rasterizer::ir::Stage;
-use std::sync::Arc;
+use std::sync::{Arc, LazyLock};
 
 /// How many render targets `gl_FragData` has.
 pub const MAX_DRAW_BUFFERS: u8 = 8;
@@ -92,8 +92,8 @@ pub fn find(name: &str, stage: Stage, version: Version) -> Option<Variable> {
     if !name.starts_with("gl_") {
         return None;
     }
-    let row = rows()
-        .into_iter()
+    let row = ROWS
+        .iter()
         .find(|row| row.name == name && row.stages.has(stage) && row.since <= version)?;
     let constant = match row.builtin {
         Builtin::Limit(value) => Some(Arc::from([value as u32])),
@@ -101,7 +101,7 @@ pub fn find(name: &str, stage: Stage, version: Version) -> Option<Variable> {
     };
     Some(Variable {
         name: row.name.into(),
-        ty: row.ty,
+        ty: row.ty.clone(),
         storage: Storage::Builtin(row.builtin),
         span: Span::default(),
         type_span: None,
@@ -116,15 +116,17 @@ pub fn find(name: &str, stage: Stage, version: Version) -> Option<Variable> {
 
 /// The names that a stage has.
 pub fn names(stage: Stage, version: Version) -> impl Iterator<Item = &'static str> {
-    let rows = rows().into_iter();
-    rows.filter(move |row| row.stages.has(stage) && row.since <= version).map(|row| row.name)
+    ROWS.iter().filter(move |row| row.stages.has(stage) && row.since <= version).map(|row| row.name)
 }
 
 /// Whether a stage may write it.
 pub fn is_writable(builtin: Builtin, stage: Stage) -> bool {
-    let access = rows().into_iter().find(|row| row.builtin == builtin && row.stages.has(stage));
+    let access = ROWS.iter().find(|row| row.builtin == builtin && row.stages.has(stage));
     access.is_some_and(|row| row.access == Access::ReadWrite)
 }
+
+/// Every built-in variable, in both stages.
+static ROWS: LazyLock<Vec<Row>> = LazyLock::new(rows);
 
 fn rows() -> Vec<Row> {
     use Access::{ReadOnly, ReadWrite};

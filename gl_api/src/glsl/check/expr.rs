@@ -7,7 +7,7 @@ use crate::glsl::Scalar;
 use crate::glsl::ast::{self, BinaryOp, UnaryOp};
 use crate::glsl::builtins::variables;
 use crate::glsl::diagnostics::{Diagnostic, closest};
-use crate::glsl::hir::{Expr, ExprKind, Storage, VarRef};
+use crate::glsl::hir::{Expr, ExprKind, VarRef};
 use crate::glsl::source::Span;
 use crate::glsl::types::{BOOL, FLOAT, INT, Type, UINT};
 use crate::glsl::version::Version;
@@ -465,11 +465,6 @@ impl Checker<'_> {
     /// A reference to a variable of the language, which the stage has.
     pub(super) fn builtin_expr(&mut self, name: &str, span: Span) -> Expr {
         self.name(&Arc::from(name), span)
-    }
-
-    /// Whether a global is an input of the language or of the shader.
-    pub(super) fn storage(&self, expr: &Expr) -> Option<Storage> {
-        expr.root().map(|root| self.variable(root).storage)
     }
 }
 

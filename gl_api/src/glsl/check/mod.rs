@@ -65,7 +65,7 @@ pub fn check(
     source: &Source,
     log: &mut Log,
 ) -> Unit {
-    let unit = Unit { stage, version, globals: Vec::new(), functions: Vec::new() };
+    let unit = Unit { stage, globals: Vec::new(), functions: Vec::new() };
     let mut checker = Checker {
         source,
         log,

@@ -2,8 +2,8 @@
 
 use super::Checker;
 use crate::glsl::builtins::{functions, variables};
-use crate::glsl::diagnostics::{Diagnostic, Edit, Suggestion, edit_distance};
-use crate::glsl::hir::VarRef;
+use crate::glsl::diagnostics::{Diagnostic, Edit, MAX_ERRORS, Suggestion, edit_distance};
+use crate::glsl::hir::{Storage, VarRef};
 use crate::glsl::source::Span;
 use crate::glsl::types::Struct;
 use std::collections::BTreeMap;
@@ -98,7 +98,9 @@ impl Checker<'_> {
     /// Notes the use of a name that is not declared.
     pub(super) fn undeclared(&mut self, name: &Arc<str>, span: Span) {
         if let Some(Symbol::Undeclared(index)) = self.scopes.find(name) {
-            self.undeclared[*index].uses.push(span);
+            if let Some(known) = self.undeclared.get_mut(*index) {
+                known.uses.push(span);
+            }
             return;
         }
         let limit = (name.len() / 3).clamp(1, 3);
@@ -127,6 +129,9 @@ impl Checker<'_> {
         let index = self.undeclared.len();
         self.undeclared.push(Undeclared { name: name.clone(), uses: vec![span], candidates });
         self.scopes.add_global(name.clone(), Symbol::Undeclared(index));
+        if self.undeclared.len() >= MAX_ERRORS {
+            self.report_undeclared();
+        }
     }
 
     /// Reports the undeclared names, now that it is known which declared ones nobody uses.
@@ -150,7 +155,9 @@ impl Checker<'_> {
                     (VarRef::Local(_), None) => None,
                 }?;
                 let plain = self.source.slice(variable.span) == &*candidate.name;
-                (!variable.used && plain).then_some((variable.span, candidate.name.clone()))
+                // The application knows uniforms and attributes by name.
+                let own = !matches!(variable.storage, Storage::Uniform | Storage::Attribute);
+                (!variable.used && plain && own).then_some((variable.span, candidate.name.clone()))
             });
             if let Some((span, near)) = unused {
                 let line = self.source.position(span.start).line;

@@ -77,7 +77,7 @@ pub fn lower_stage(
     lowerer.unit_functions = units.iter().map(|unit| &unit.functions[..]).collect();
     lowerer.words = words;
     let mut copies = Vec::new();
-    for variable in used_globals(units, reachable) {
+    for variable in used_globals(units, reachable, bindings) {
         let unit = variable.0;
         lowerer.open_frame(unit, &[]);
         let slot = lowerer.global(&variable.1, bindings, &mut copies);
@@ -109,25 +109,43 @@ pub fn lower_stage(
 }
 
 /// The globals that the functions name, each once by name, with what all units do to it.
-fn used_globals(units: &[&Unit], reachable: &[(usize, &Function)]) -> Vec<(usize, Variable)> {
+fn used_globals(
+    units: &[&Unit],
+    reachable: &[(usize, &Function)],
+    bindings: &BTreeMap<Arc<str>, Binding>,
+) -> Vec<(usize, Variable)> {
     let mut order: Vec<(usize, u32)> = Vec::new();
     for (unit, function) in reachable {
         order.extend(function.globals.iter().map(|&global| (*unit, global)));
     }
+    // What the other stage reads exists, as zeros, even if this one never names it.
+    for (unit, declared) in units.iter().enumerate() {
+        for (global, variable) in declared.globals.iter().enumerate() {
+            let read = matches!(bindings.get(&variable.name), Some(Binding::Varying(Some(_))));
+            if read && matches!(variable.storage, Storage::Output(_)) {
+                order.push((unit, global as u32));
+            }
+        }
+    }
     order.sort_unstable();
     order.dedup();
     let mut merged: Vec<(usize, Variable)> = Vec::new();
+    let mut names: BTreeMap<&str, usize> = BTreeMap::new();
     for (unit, global) in order {
         let variable = &units[unit].globals[global as usize];
-        match merged.iter_mut().find(|(_, known)| known.name == variable.name) {
-            Some((_, known)) => {
+        match names.get(&*variable.name) {
+            Some(&index) => {
+                let known: &mut Variable = &mut merged[index].1;
                 known.written |= variable.written;
                 known.dynamic |= variable.dynamic;
                 if known.init.is_none() {
                     known.init = variable.init.clone();
                 }
             }
-            None => merged.push((unit, variable.clone())),
+            None => {
+                names.insert(&variable.name, merged.len());
+                merged.push((unit, variable.clone()));
+            }
         }
     }
     merged

@@ -16,20 +16,20 @@ pub fn evaluate(
     macros: &mut Macros,
     source: &Source,
     version: Version,
-) -> Result<i64, Diagnostic> {
+) -> Result<i64, Box<Diagnostic>> {
     let tokens = macros.expand(resolve_defined(line, macros)?, source, version)?;
     let mut parser = Parser { tokens: &tokens, at: 0, end: span, depth: 0 };
     let value = parser.binary(0, Need::Value)?;
     match parser.tokens.get(parser.at) {
         None => Ok(value),
         Some(token) => {
-            Err(Diagnostic::error(token.span, format!("unexpected {}", token.describe())))
+            Err(Diagnostic::error(token.span, format!("unexpected {}", token.describe())).into())
         }
     }
 }
 
 /// Replaces `defined X` and `defined(X)` before macros are expanded.
-fn resolve_defined(line: &[Token], macros: &Macros) -> Result<Vec<Token>, Diagnostic> {
+fn resolve_defined(line: &[Token], macros: &Macros) -> Result<Vec<Token>, Box<Diagnostic>> {
     let mut output = Vec::new();
     let mut rest = line;
     while let [token, more @ ..] = rest {
@@ -41,10 +41,10 @@ fn resolve_defined(line: &[Token], macros: &Macros) -> Result<Vec<Token>, Diagno
         let (name, after) = match more {
             [open, name, close, after @ ..] if open.is("(") && close.is(")") => (name, after),
             [name, after @ ..] => (name, after),
-            [] => return Err(Diagnostic::error(token.span, "`defined` needs a name")),
+            [] => return Err(Diagnostic::error(token.span, "`defined` needs a name").into()),
         };
         let Some(word) = name.word() else {
-            return Err(Diagnostic::error(name.span, "`defined` needs a name"));
+            return Err(Diagnostic::error(name.span, "`defined` needs a name").into());
         };
         let value = if macros.is_defined(word) { "1" } else { "0" };
         output.push(Token { kind: Kind::Number(value.into()), span: token.span });
@@ -90,7 +90,7 @@ const OPERATORS: [(&str, u8); 18] = [
 ];
 
 impl Parser<'_> {
-    fn binary(&mut self, loosest: u8, need: Need) -> Result<i64, Diagnostic> {
+    fn binary(&mut self, loosest: u8, need: Need) -> Result<i64, Box<Diagnostic>> {
         let mut left = self.unary(need)?;
         while let Some(token) = self.tokens.get(self.at) {
             let row = OPERATORS.iter().find(|(name, _)| token.is(name));
@@ -102,7 +102,7 @@ impl Parser<'_> {
             let right = self.binary(binding, need)?;
             if matches!(operator, "/" | "%") && right == 0 {
                 if need == Need::Value {
-                    return Err(Diagnostic::error(span, "division by zero in the condition"));
+                    return Err(Diagnostic::error(span, "division by zero in the condition").into());
                 }
                 continue;
             }
@@ -111,14 +111,14 @@ impl Parser<'_> {
         Ok(left)
     }
 
-    fn unary(&mut self, need: Need) -> Result<i64, Diagnostic> {
+    fn unary(&mut self, need: Need) -> Result<i64, Box<Diagnostic>> {
         let Some(token) = self.tokens.get(self.at) else {
-            return Err(Diagnostic::error(self.end, "the condition is not complete"));
+            return Err(Diagnostic::error(self.end, "the condition is not complete").into());
         };
         self.at += 1;
         self.depth += 1;
         if self.depth > MAX_DEPTH {
-            return Err(Diagnostic::error(token.span, "the condition is nested too deeply"));
+            return Err(Diagnostic::error(token.span, "the condition is nested too deeply").into());
         }
         let value = match &token.kind {
             Kind::Punct("-") => self.unary(need)?.wrapping_neg(),
@@ -129,7 +129,7 @@ impl Parser<'_> {
                 let value = self.binary(0, need)?;
                 match self.tokens.get(self.at) {
                     Some(close) if close.is(")") => self.at += 1,
-                    _ => return Err(Diagnostic::error(token.span, "`(` is not closed")),
+                    _ => return Err(Diagnostic::error(token.span, "`(` is not closed").into()),
                 }
                 value
             }
@@ -138,18 +138,19 @@ impl Parser<'_> {
                 Ok(Literal::Uint(value)) => i64::from(value),
                 Ok(Literal::Float(_)) | Err(_) => {
                     let message = format!("{} is not an integer", token.describe());
-                    return Err(Diagnostic::error(token.span, message));
+                    return Err(Diagnostic::error(token.span, message).into());
                 }
             },
             Kind::Word(name) if need == Need::Value => {
                 return Err(Diagnostic::error(token.span, format!("`{name}` is not defined"))
                     .rule("GLSL 1.30 section 3.3: undefined names do not count as 0")
-                    .help(format!("test it with `defined({name})`")));
+                    .help(format!("test it with `defined({name})`"))
+                    .into());
             }
             Kind::Word(_) => 0,
             Kind::Punct(_) | Kind::Stray(_) | Kind::Newline | Kind::End => {
                 let message = format!("unexpected {}", token.describe());
-                return Err(Diagnostic::error(token.span, message));
+                return Err(Diagnostic::error(token.span, message).into());
             }
         };
         self.depth -= 1;

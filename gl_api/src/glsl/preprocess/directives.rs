@@ -117,7 +117,7 @@ impl Preprocessor<'_> {
         match value {
             Ok(value) => value != 0,
             Err(problem) => {
-                self.log.push(problem);
+                self.log.push(*problem);
                 false
             }
         }
@@ -181,7 +181,7 @@ impl Preprocessor<'_> {
                     );
                 }
             }
-            Err(problem) => self.log.push(problem),
+            Err(problem) => self.log.push(*problem),
         }
     }
 
@@ -261,7 +261,7 @@ impl Preprocessor<'_> {
         let expanded = match self.macros.expand(rest.to_vec(), self.source, self.version) {
             Ok(expanded) => expanded,
             Err(problem) => {
-                self.log.push(problem);
+                self.log.push(*problem);
                 return;
             }
         };

@@ -22,7 +22,7 @@ pub struct Macro {
 
 impl Macro {
     /// Reads what follows the name `at` in a `#define`.
-    pub fn parse(at: Span, rest: &[Token]) -> Result<Self, Diagnostic> {
+    pub fn parse(at: Span, rest: &[Token]) -> Result<Self, Box<Diagnostic>> {
         // Only a parenthesis without a blank before it begins parameters.
         let [open, more @ ..] = rest else {
             return Ok(Self { parameters: None, body: Vec::new() });
@@ -31,7 +31,9 @@ impl Macro {
             return Ok(Self { parameters: None, body: rest.to_vec() });
         }
         let Some(close) = more.iter().position(|token| token.is(")")) else {
-            return Err(Diagnostic::error(open.span, "macro parameters are not closed by `)`"));
+            return Err(
+                Diagnostic::error(open.span, "macro parameters are not closed by `)`").into()
+            );
         };
         let mut parameters: Vec<Arc<str>> = Vec::new();
         for (index, token) in more[..close].iter().enumerate() {
@@ -42,7 +44,7 @@ impl Macro {
                 None if index % 2 == 1 && token.is(",") && index + 1 < close => {}
                 _ => {
                     let message = "a list of distinct macro parameters is expected";
-                    return Err(Diagnostic::error(token.span, message));
+                    return Err(Diagnostic::error(token.span, message).into());
                 }
             }
         }
@@ -106,7 +108,7 @@ impl Macros {
         tokens: Vec<Token>,
         source: &Source,
         version: Version,
-    ) -> Result<Vec<Token>, Diagnostic> {
+    ) -> Result<Vec<Token>, Box<Diagnostic>> {
         let mut produced = self.produced;
         let mut expansion = Expansion {
             macros: self,
@@ -142,7 +144,7 @@ impl Expansion<'_> {
         items: Vec<Item>,
         call: Option<Span>,
         depth: usize,
-    ) -> Result<Vec<Item>, Diagnostic> {
+    ) -> Result<Vec<Item>, Box<Diagnostic>> {
         let mut work: Vec<Item> = items.into_iter().rev().collect();
         let mut output = Vec::new();
         while let Some(item) = work.pop() {
@@ -185,7 +187,7 @@ impl Expansion<'_> {
                     }
                     if depth >= MAX_DEPTH {
                         let message = "macro calls are nested too deeply";
-                        return Err(Diagnostic::error(token.span, message));
+                        return Err(Diagnostic::error(token.span, message).into());
                     }
                     let raw = self.arguments(&mut work, &token)?;
                     let count = if raw.len() == 1 && raw[0].is_empty() && parameters.is_empty() {
@@ -198,7 +200,7 @@ impl Expansion<'_> {
                             "macro `{name}` takes {} argument(s), not {count}",
                             parameters.len()
                         );
-                        return Err(Diagnostic::error(token.span, message));
+                        return Err(Diagnostic::error(token.span, message).into());
                     }
                     let mut arguments = Vec::new();
                     for argument in raw {
@@ -213,7 +215,7 @@ impl Expansion<'_> {
             *self.produced += body.len() + 1;
             if *self.produced > MAX_TOKENS {
                 let message = format!("macros expand to more than {MAX_TOKENS} tokens");
-                return Err(Diagnostic::error(token.span, message));
+                return Err(Diagnostic::error(token.span, message).into());
             }
             self.active.insert(name.clone());
             work.push(Item::EndOf(name));
@@ -237,7 +239,7 @@ impl Expansion<'_> {
         &mut self,
         work: &mut Vec<Item>,
         name: &Token,
-    ) -> Result<Vec<Vec<Token>>, Diagnostic> {
+    ) -> Result<Vec<Vec<Token>>, Box<Diagnostic>> {
         let mut arguments = vec![Vec::new()];
         let mut depth = 0usize;
         while let Some(item) = work.pop() {
@@ -267,7 +269,7 @@ impl Expansion<'_> {
             }
         }
         let message = format!("the call of macro {} is not closed by `)`", name.describe());
-        Err(Diagnostic::error(name.span, message))
+        Err(Diagnostic::error(name.span, message).into())
     }
 
     /// The body with arguments in place of parameters, `##` applied (GLSL 1.30 section 3.3).
@@ -277,16 +279,16 @@ impl Expansion<'_> {
         parameters: &[Arc<str>],
         arguments: &[Vec<Item>],
         at: Span,
-    ) -> Result<Vec<Item>, Diagnostic> {
+    ) -> Result<Vec<Item>, Box<Diagnostic>> {
         let mut output: Vec<Item> = Vec::new();
         let mut joining = false;
         for token in body {
             if token.is("##") {
                 if output.is_empty() || self.version < Version::V130 {
                     let message = "`##` has nothing to join here";
-                    return Err(Diagnostic::error(token.span, message).rule(
-                        "GLSL 1.30 section 3.3: `##` joins two tokens, from version 130 on",
-                    ));
+                    return Err(Diagnostic::error(token.span, message)
+                        .rule("GLSL 1.30 section 3.3: `##` joins two tokens, from version 130 on")
+                        .into());
                 }
                 joining = true;
                 continue;
@@ -304,7 +306,7 @@ impl Expansion<'_> {
                     }
                     if *self.produced + output.len() > MAX_TOKENS {
                         let message = format!("macros expand to more than {MAX_TOKENS} tokens");
-                        return Err(Diagnostic::error(at, message));
+                        return Err(Diagnostic::error(at, message).into());
                     }
                 }
                 None => output.push(Item::Token(Token { kind: token.kind.clone(), span: at })),
@@ -318,7 +320,7 @@ impl Expansion<'_> {
 }
 
 /// Joins the tokens at `start - 1` and `start` into one.
-fn join(output: &mut Vec<Item>, start: usize, at: Span) -> Result<(), Diagnostic> {
+fn join(output: &mut Vec<Item>, start: usize, at: Span) -> Result<(), Box<Diagnostic>> {
     let text = |item: &Item| match item {
         Item::Token(token) | Item::Painted(token) => match &token.kind {
             Kind::Word(text) | Kind::Number(text) => text.to_string(),
@@ -334,6 +336,6 @@ fn join(output: &mut Vec<Item>, start: usize, at: Span) -> Result<(), Diagnostic
             output.remove(start);
             Ok(())
         }
-        _ => Err(Diagnostic::error(at, format!("`##` gives `{joined}`, which is no token"))),
+        _ => Err(Diagnostic::error(at, format!("`##` gives `{joined}`, which is no token")).into()),
     }
 }

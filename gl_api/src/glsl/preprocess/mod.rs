@@ -112,7 +112,7 @@ impl Preprocessor<'_> {
     fn flush(&mut self, text: &mut Vec<Token>, output: &mut Vec<Token>) {
         match self.macros.expand(std::mem::take(text), self.source, self.version) {
             Ok(expanded) => output.extend(expanded),
-            Err(problem) => self.log.push(problem),
+            Err(problem) => self.log.push(*problem),
         }
     }
 
