@@ -1,9 +1,9 @@
 //! Small scenes for the tests of the driver.
 
 use rasterizer::driver::{
-    Attachment, Buffer, ColorState, Command, CommandBuffer, Cull, Device, DeviceDesc, Explain,
-    FrontFace, Image, PassDesc, Pipeline, PipelineDesc, Provoking, ShaderModule, Topology,
-    VertexBinding, VertexFormat, VertexSource, VertexType, Viewport,
+    Attachment, Buffer, ColorState, Command, Cull, Device, DeviceDesc, Explain, FrontFace, Image,
+    PassDesc, PipelineDesc, Provoking, ShaderModule, Topology, VertexBinding, VertexFormat,
+    VertexSource, VertexType, Viewport,
 };
 use rasterizer::ir::{Builder, Input, Interpolation, Output, Stage, Value};
 use texunit::format::Format;
