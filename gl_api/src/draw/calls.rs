@@ -5,7 +5,7 @@ use super::translate::{Elements, draw};
 use crate::constants::*;
 use crate::context::Context;
 use crate::entry::Data;
-use crate::error::{Result, Table, invalid_operation, invalid_value, not_negative};
+use crate::error::{Result, Table, invalid_enum, invalid_operation, invalid_value, not_negative};
 use crate::interface::ATTRIB_VERTEX;
 use crate::state::LOCATIONS;
 use crate::types::*;
@@ -13,7 +13,7 @@ use rasterizer::driver::{Buffer, IndexType, Indices, Topology, VertexBinding, Ve
 
 const SECTION: &str = "GL 2.1, section 2.8";
 
-pub(crate) const TOPOLOGY: Table<Topology> = Table {
+const TOPOLOGY: Table<Topology> = Table {
     section: "GL 2.1, section 2.6.1",
     rows: &[
         (GL_POINTS, Topology::Points),
@@ -28,6 +28,25 @@ pub(crate) const TOPOLOGY: Table<Topology> = Table {
         (GL_POLYGON, Topology::Polygon),
     ],
 };
+
+/// What `mode` means. The values are so small that their names need saying here.
+///
+/// # Errors
+/// `GL_INVALID_ENUM`.
+pub(super) fn topology(mode: GLenum) -> Result<Topology> {
+    match TOPOLOGY.get(mode) {
+        Some(topology) => Ok(topology),
+        None => invalid_enum(
+            TOPOLOGY.section,
+            format!(
+                "mode = {} must be GL_POINTS, GL_LINES, GL_LINE_LOOP, GL_LINE_STRIP, \
+                 GL_TRIANGLES, GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN, GL_QUADS, GL_QUAD_STRIP or \
+                 GL_POLYGON",
+                enum_name(mode)
+            ),
+        ),
+    }
+}
 
 const INDEX_TYPE: Table<IndexType> = Table {
     section: SECTION,
@@ -90,7 +109,7 @@ pub(crate) fn draw_arrays(
     first: GLint,
     count: GLsizei,
 ) -> Result<()> {
-    let topology = TOPOLOGY.decode("mode", mode)?;
+    let topology = topology(mode)?;
     let first = not_negative(SECTION, "first", first.into())?;
     let count = not_negative(SECTION, "count", count.into())?;
     if count > 0 && has_positions(context) {
@@ -131,7 +150,7 @@ pub(crate) fn draw_elements(
     ty: GLenum,
     indices: Data<'_>,
 ) -> Result<()> {
-    let topology = TOPOLOGY.decode("mode", mode)?;
+    let topology = topology(mode)?;
     let count = not_negative(SECTION, "count", count.into())?;
     let ty = INDEX_TYPE.decode("type", ty)?;
     let needed = count * index_size(ty);
@@ -185,7 +204,6 @@ pub(crate) fn draw_elements(
     Ok(())
 }
 
-#[expect(clippy::too_many_arguments, reason = "GL's signature")]
 pub(crate) fn draw_range_elements(
     context: &mut Context,
     mode: GLenum,

@@ -38,8 +38,7 @@ fn read_channel(format: Format, texel: &[u8], channel: usize) -> f64 {
 
 /// The bytes of a texel that holds R, G, B, A (depth as R), clamped to [0, 1].
 fn encode(format: Format, rgba: [f64; 4]) -> [u8; 4] {
-    let unorm =
-        |value: f64, largest: f64| (unit(value) * largest).round_ties_even() as u32;
+    let unorm = |value: f64, largest: f64| (unit(value) * largest).round_ties_even() as u32;
     match format {
         Format::D16 => unorm(rgba[0], 65_535.0).to_le_bytes(),
         Format::D24 => unorm(rgba[0], 16_777_215.0).to_le_bytes(),
