@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 #[test]
 fn every_entry_point_is_one_of_the_registry_with_as_many_parameters() {
-    let registry: BTreeMap<&str, usize> = constants::COMMANDS.iter().copied().collect();
+    let registry: BTreeMap<&str, usize> = COMMANDS.iter().copied().collect();
     let mut seen = BTreeSet::new();
     for (name, arity) in implemented() {
         assert_eq!(registry.get(name), Some(&arity), "{name}");

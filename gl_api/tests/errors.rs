@@ -294,6 +294,15 @@ const CASES: &[Case] = &[
         GL_INVALID_OPERATION,
         "GL_ARRAY_BUFFER",
     ),
+    (
+        |c| {
+            c.enable_client_state(GL_VERTEX_ARRAY);
+            c.vertex_pointer(3, GL_FLOAT, 0, Data::Bytes(&[0; 36]));
+            c.draw_arrays(GL_TRIANGLES, 1, i32::MAX);
+        },
+        GL_INVALID_OPERATION,
+        "which has 36",
+    ),
     (|c| c.draw_arrays(GL_LINEAR, 0, 3), GL_INVALID_ENUM, "mode"),
     (|c| c.draw_arrays(GL_TRIANGLES, 0, -1), GL_INVALID_VALUE, "count = -1"),
     (|c| c.draw_arrays(GL_TRIANGLES, -1, 0), GL_INVALID_VALUE, "first = -1"),
@@ -348,12 +357,12 @@ const CASES: &[Case] = &[
     (|c| c.draw_buffers(9, &[GL_NONE; 9]), GL_INVALID_VALUE, "must not be above 8"),
     (|c| c.draw_buffers(2, &[GL_BACK; 2]), GL_INVALID_OPERATION, "was named before"),
     // Programs and queries.
-    (|c| drop(c.create_shader(GL_TEXTURE_2D)), GL_INVALID_ENUM, "GL_VERTEX_SHADER"),
+    (|c| assert_eq!(c.create_shader(GL_TEXTURE_2D), 0), GL_INVALID_ENUM, "GL_VERTEX_SHADER"),
     (|c| c.compile_shader(7), GL_INVALID_VALUE, "shader = 7 is no shader"),
     (|c| c.link_program(7), GL_INVALID_VALUE, "program = 7 is no program"),
     (|c| c.use_program(7), GL_INVALID_VALUE, "program = 7"),
     (|c| c.uniform_1f(0, 1.0), GL_INVALID_OPERATION, "no linked program is in use"),
-    (|c| drop(c.get_string(GL_TEXTURE)), GL_INVALID_ENUM, "GL_VENDOR"),
+    (|c| assert_eq!(c.get_string(GL_TEXTURE), ""), GL_INVALID_ENUM, "GL_VENDOR"),
     (|c| c.get_integerv(GL_LINEAR, &mut [0]), GL_INVALID_ENUM, "GL_LINEAR names no state"),
     (|c| c.get_integerv(GL_VIEWPORT, &mut [0]), GL_INVALID_OPERATION, "has 4 values"),
 ];

@@ -103,6 +103,32 @@ fn has_positions(context: &mut Context) -> bool {
     any
 }
 
+/// Checks that the array of positions has all vertices of a draw; without one, the first array.
+/// Other arrays that are too short read as zeros.
+fn check_range(vertices: &[VertexBinding], first: usize, count: usize) -> Result<()> {
+    let arrays = vertices.iter().filter_map(|binding| match &binding.source {
+        VertexSource::Array { buffer, offset, stride, ty, components, .. } => {
+            let vertex = usize::from(*components) * ty.size();
+            Some((binding.location, buffer.bytes().len(), *offset, *stride, vertex))
+        }
+        VertexSource::Constant(_) => None,
+    });
+    let by_rank = arrays.min_by_key(|array| (array.0 != ATTRIB_VERTEX, array.0));
+    let Some((_, length, offset, stride, vertex)) = by_rank else { return Ok(()) };
+    let last = first as u128 + count as u128 - 1;
+    let needed = offset as u128 + last * stride as u128 + vertex as u128;
+    if needed > length as u128 {
+        return invalid_operation(
+            SECTION,
+            format!(
+                "vertices {first} to {last} take {needed} bytes of the array of positions, which \
+                 has {length}"
+            ),
+        );
+    }
+    Ok(())
+}
+
 pub(crate) fn draw_arrays(
     context: &mut Context,
     mode: GLenum,
@@ -114,6 +140,7 @@ pub(crate) fn draw_arrays(
     let count = not_negative(SECTION, "count", count.into())?;
     if count > 0 && has_positions(context) {
         let vertices = bindings(context);
+        check_range(&vertices, first, count)?;
         let elements = Elements::Range { first: first as u32, count: count as u32 };
         draw(context, topology, vertices, &elements)?;
     }

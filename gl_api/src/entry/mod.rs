@@ -106,7 +106,7 @@ pub(crate) enum Place {
 /// Every entry point by name, with the number of its parameters.
 pub fn implemented() -> impl Iterator<Item = (&'static str, usize)> {
     [
-        attributes::ENTRIES,
+        ATTRIBUTE_ENTRIES,
         framebuffers::ENTRIES,
         fragments::ENTRIES,
         pixels::ENTRIES,
