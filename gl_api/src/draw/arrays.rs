@@ -245,7 +245,6 @@ pub(crate) fn generic(index: GLuint) -> Result<u8> {
     }
 }
 
-#[expect(clippy::too_many_arguments, reason = "GL's signature")]
 pub(crate) fn vertex_attrib_pointer(
     context: &mut Context,
     index: GLuint,

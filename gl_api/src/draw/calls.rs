@@ -5,7 +5,7 @@ use super::translate::{Elements, draw};
 use crate::constants::*;
 use crate::context::Context;
 use crate::entry::Data;
-use crate::error::{Result, Table, invalid_operation, invalid_value, not_negative};
+use crate::error::{Result, Table, invalid_enum, invalid_operation, invalid_value, not_negative};
 use crate::interface::ATTRIB_VERTEX;
 use crate::state::LOCATIONS;
 use crate::types::*;
@@ -13,7 +13,7 @@ use rasterizer::driver::{Buffer, IndexType, Indices, Topology, VertexBinding, Ve
 
 const SECTION: &str = "GL 2.1, section 2.8";
 
-pub(crate) const TOPOLOGY: Table<Topology> = Table {
+const TOPOLOGY: Table<Topology> = Table {
     section: "GL 2.1, section 2.6.1",
     rows: &[
         (GL_POINTS, Topology::Points),
@@ -28,6 +28,25 @@ pub(crate) const TOPOLOGY: Table<Topology> = Table {
         (GL_POLYGON, Topology::Polygon),
     ],
 };
+
+/// What `mode` means. The values are so small that their names need saying here.
+///
+/// # Errors
+/// `GL_INVALID_ENUM`.
+pub(super) fn topology(mode: GLenum) -> Result<Topology> {
+    match TOPOLOGY.get(mode) {
+        Some(topology) => Ok(topology),
+        None => invalid_enum(
+            TOPOLOGY.section,
+            format!(
+                "mode = {} must be GL_POINTS, GL_LINES, GL_LINE_LOOP, GL_LINE_STRIP, \
+                 GL_TRIANGLES, GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN, GL_QUADS, GL_QUAD_STRIP or \
+                 GL_POLYGON",
+                enum_name(mode)
+            ),
+        ),
+    }
+}
 
 const INDEX_TYPE: Table<IndexType> = Table {
     section: SECTION,
@@ -84,17 +103,44 @@ fn has_positions(context: &mut Context) -> bool {
     any
 }
 
+/// Checks that the array of positions has all vertices of a draw; without one, the first array.
+/// Other arrays that are too short read as zeros.
+fn check_range(vertices: &[VertexBinding], first: usize, count: usize) -> Result<()> {
+    let arrays = vertices.iter().filter_map(|binding| match &binding.source {
+        VertexSource::Array { buffer, offset, stride, ty, components, .. } => {
+            let vertex = usize::from(*components) * ty.size();
+            Some((binding.location, buffer.bytes().len(), *offset, *stride, vertex))
+        }
+        VertexSource::Constant(_) => None,
+    });
+    let by_rank = arrays.min_by_key(|array| (array.0 != ATTRIB_VERTEX, array.0));
+    let Some((_, length, offset, stride, vertex)) = by_rank else { return Ok(()) };
+    let last = first as u128 + count as u128 - 1;
+    let needed = offset as u128 + last * stride as u128 + vertex as u128;
+    if needed > length as u128 {
+        return invalid_operation(
+            SECTION,
+            format!(
+                "vertices {first} to {last} take {needed} bytes of the array of positions, which \
+                 has {length}"
+            ),
+        );
+    }
+    Ok(())
+}
+
 pub(crate) fn draw_arrays(
     context: &mut Context,
     mode: GLenum,
     first: GLint,
     count: GLsizei,
 ) -> Result<()> {
-    let topology = TOPOLOGY.decode("mode", mode)?;
+    let topology = topology(mode)?;
     let first = not_negative(SECTION, "first", first.into())?;
     let count = not_negative(SECTION, "count", count.into())?;
     if count > 0 && has_positions(context) {
         let vertices = bindings(context);
+        check_range(&vertices, first, count)?;
         let elements = Elements::Range { first: first as u32, count: count as u32 };
         draw(context, topology, vertices, &elements)?;
     }
@@ -131,7 +177,7 @@ pub(crate) fn draw_elements(
     ty: GLenum,
     indices: Data<'_>,
 ) -> Result<()> {
-    let topology = TOPOLOGY.decode("mode", mode)?;
+    let topology = topology(mode)?;
     let count = not_negative(SECTION, "count", count.into())?;
     let ty = INDEX_TYPE.decode("type", ty)?;
     let needed = count * index_size(ty);
@@ -185,7 +231,6 @@ pub(crate) fn draw_elements(
     Ok(())
 }
 
-#[expect(clippy::too_many_arguments, reason = "GL's signature")]
 pub(crate) fn draw_range_elements(
     context: &mut Context,
     mode: GLenum,

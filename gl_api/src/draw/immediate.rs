@@ -4,7 +4,7 @@
 //! before `glEnd`, which draws them. Attributes that are not set are constants of the draw.
 
 use super::arrays::generic;
-use super::calls::TOPOLOGY;
+use super::calls::topology;
 use super::translate::{Elements, draw};
 use crate::context::Context;
 use crate::error::{Result, invalid_operation};
@@ -48,7 +48,7 @@ pub(crate) fn begin(context: &mut Context, mode: GLenum) -> Result<()> {
     if context.immediate.is_some() {
         return invalid_operation(SECTION, "glBegin was called before: glEnd is missing");
     }
-    let topology = TOPOLOGY.decode("mode", mode)?;
+    let topology = topology(mode)?;
     context.immediate = Some(Immediate {
         topology,
         positions: Vec::new(),

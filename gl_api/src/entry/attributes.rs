@@ -66,7 +66,7 @@ macro_rules! attribute_calls {
             $(attribute_calls!(@free_vector $doc $lead $vector $vector_alias $ty);)?
         )*)*
         /// Name and number of parameters.
-        pub(super) const ENTRIES: &[&[(&str, usize)]] = &[$($(
+        pub(super) const ATTRIBUTES: &[&[(&str, usize)]] = &[$($(
             attribute_calls!(@entries $lead [$gl $($alias)?] $params),
             attribute_calls!(@entries $lead [$gl_vector $($vector_alias)?] (v)),
         )*)*];

@@ -5,6 +5,7 @@ use crate::state::fragment;
 use crate::types::*;
 
 entry_points! {
+    FRAGMENTS;
     Outside in fragment {
         /// Sets the alpha test.
         alpha_func: glAlphaFunc (func: GLenum, reference: GLclampf);

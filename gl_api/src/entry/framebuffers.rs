@@ -6,6 +6,7 @@ use crate::object::{framebuffers, renderbuffers};
 use crate::types::*;
 
 entry_points! {
+    FRAMEBUFFERS;
     Outside in framebuffers {
         /// Makes `n` unused framebuffer names.
         gen_framebuffers: glGenFramebuffers | glGenFramebuffersEXT

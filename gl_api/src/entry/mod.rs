@@ -8,7 +8,7 @@
 
 /// The table of a chapter; see the module's documentation.
 macro_rules! entry_points {
-    ($($place:ident in $module:ident {
+    ($table:ident; $($place:ident in $module:ident {
         $(
             $(#[$doc:meta])+
             $method:ident: $gl:ident $(| $alias:ident)* ($($params:tt)*) $(-> $ret:ty)?;
@@ -17,7 +17,7 @@ macro_rules! entry_points {
         $($(entry_points!(@row $place $module $method [$(#[$doc])+]
             $gl [$($alias)*] ($($params)*) [$(-> $ret)?]);)*)*
         /// Name and number of parameters.
-        pub(super) const ENTRIES: &[&[(&str, usize)]] = &[$($(
+        pub(super) const $table: &[&[(&str, usize)]] = &[$($(
             entry_points!(@entries [$gl $($alias)*] ($($params)*)),
         )*)*];
     };
@@ -106,16 +106,16 @@ pub(crate) enum Place {
 /// Every entry point by name, with the number of its parameters.
 pub fn implemented() -> impl Iterator<Item = (&'static str, usize)> {
     [
-        attributes::ENTRIES,
-        framebuffers::ENTRIES,
-        fragments::ENTRIES,
-        pixels::ENTRIES,
-        programs::ENTRIES,
-        queries::ENTRIES,
-        rasterization::ENTRIES,
-        textures::ENTRIES,
-        transform::ENTRIES,
-        vertices::ENTRIES,
+        ATTRIBUTES,
+        FRAMEBUFFERS,
+        FRAGMENTS,
+        PIXELS,
+        PROGRAMS,
+        QUERIES,
+        RASTERIZATION,
+        TEXTURES,
+        TRANSFORM,
+        VERTICES,
     ]
     .into_iter()
     .flatten()

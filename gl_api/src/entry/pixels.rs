@@ -6,6 +6,7 @@ use crate::state::pixel_store;
 use crate::types::*;
 
 entry_points! {
+    PIXELS;
     Outside in pixel_store {
         /// Sets how pixels lie in the client's memory.
         pixel_storei: glPixelStorei (pname: GLenum, param: GLint);

@@ -6,6 +6,7 @@ use crate::program::{attribute, inspect, uniform};
 use crate::types::*;
 
 entry_points! {
+    PROGRAMS;
     Outside in shaders {
         /// Makes a shader object for a stage.
         create_shader: glCreateShader (ty: GLenum) -> GLuint;

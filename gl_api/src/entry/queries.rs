@@ -4,6 +4,7 @@ use crate::query::{flush, get};
 use crate::types::*;
 
 entry_points! {
+    QUERIES;
     Outside in get {
         /// The first error since the last call, or `GL_NO_ERROR`.
         get_error: glGetError () -> GLenum;

@@ -4,6 +4,7 @@ use crate::state::{enable, raster};
 use crate::types::*;
 
 entry_points! {
+    RASTERIZATION;
     Outside in enable {
         /// Switches a capability on.
         enable: glEnable (cap: GLenum);

@@ -7,6 +7,7 @@ use crate::texture::{copy, get, mipmap, parameter, specify};
 use crate::types::*;
 
 entry_points! {
+    TEXTURES;
     Outside in textures {
         /// Makes `n` unused texture names.
         gen_textures: glGenTextures | glGenTexturesEXT (n: GLsizei, textures: &'a mut [GLuint]);

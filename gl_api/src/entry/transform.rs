@@ -4,6 +4,7 @@ use crate::state::{matrix, viewport};
 use crate::types::*;
 
 entry_points! {
+    TRANSFORM;
     Outside in matrix {
         /// Selects the stack that matrix calls work on.
         matrix_mode: glMatrixMode (mode: GLenum);

@@ -7,6 +7,7 @@ use crate::object::buffers;
 use crate::types::*;
 
 entry_points! {
+    VERTICES;
     Anywhere in immediate {
         /// Begins a group of vertices.
         begin: glBegin (mode: GLenum);

@@ -108,11 +108,16 @@ impl PartialEq for Table<Parameter> {
 fn set(context: &mut Context, parameter: Parameter, first: f32, color: [f32; 4]) -> Result<()> {
     let unit = context.state.units.active_mut();
     match parameter {
-        Parameter::Mode => unit.mode = MODE.decode("param", first as GLenum)?,
+        Parameter::Mode => unit.mode = MODE.decode("param", symbol(first))?,
         Parameter::Color => unit.color = color.map(|c| clamp_unit(c.into()) as f32),
         Parameter::LodBias => unit.lod_bias = lod_bias(first),
     }
     Ok(())
+}
+
+/// A number as a named constant; what cannot be one gives a constant that no table has.
+pub(crate) fn symbol(value: f32) -> GLenum {
+    if value >= 0.0 && value.trunc() == value { value as GLenum } else { GLenum::MAX }
 }
 
 /// A level-of-detail bias within the limits; NaN counts as 0.

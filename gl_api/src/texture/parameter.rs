@@ -114,7 +114,7 @@ fn set(
     parameter: Parameter,
     value: f32,
 ) -> Result<()> {
-    let symbol = value as GLenum;
+    let symbol = crate::env::symbol(value);
     let texture = bound_mut(context, target);
     let sampler = &mut texture.sampler;
     match parameter {

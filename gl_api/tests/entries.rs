@@ -1,0 +1,89 @@
+//! The tables of entry points against the Khronos registry, and calls as C writes them.
+
+use gl_api::*;
+use std::collections::{BTreeMap, BTreeSet};
+
+#[test]
+fn every_entry_point_is_one_of_the_registry_with_as_many_parameters() {
+    let registry: BTreeMap<&str, usize> = COMMANDS.iter().copied().collect();
+    let mut seen = BTreeSet::new();
+    for (name, arity) in implemented() {
+        assert_eq!(registry.get(name), Some(&arity), "{name}");
+        assert!(seen.insert(name), "{name} is there twice");
+    }
+    assert!(seen.len() > 350, "{}", seen.len());
+}
+
+#[test]
+fn values_have_the_names_that_one_expects() {
+    for (value, name) in [
+        (GL_TEXTURE_2D, "GL_TEXTURE_2D"),
+        (GL_TEXTURE_CUBE_MAP, "GL_TEXTURE_CUBE_MAP"),
+        (GL_LINEAR_MIPMAP_LINEAR, "GL_LINEAR_MIPMAP_LINEAR"),
+        (GL_UNSIGNED_BYTE, "GL_UNSIGNED_BYTE"),
+        (GL_FRAMEBUFFER, "GL_FRAMEBUFFER"),
+        (GL_COLOR_ATTACHMENT0, "GL_COLOR_ATTACHMENT0"),
+        (GL_DEPTH_COMPONENT24, "GL_DEPTH_COMPONENT24"),
+        (GL_SRGB8_ALPHA8, "GL_SRGB8_ALPHA8"),
+        (GL_INVALID_FRAMEBUFFER_OPERATION, "GL_INVALID_FRAMEBUFFER_OPERATION"),
+        (3, "3"),
+    ] {
+        assert_eq!(enum_name(value), name);
+    }
+}
+
+#[test]
+fn calls_compile_as_c_writes_them() {
+    let desc = ContextDesc { width: 4, height: 4, ..ContextDesc::default() };
+    let current = Context::new(desc).expect("a device").make_current();
+    let (twidth, theight): (GLint, GLint) = (2, 2);
+    let pixdata: Vec<[u8; 3]> = vec![[1, 2, 3]; 8];
+    let mut h_texture: GLuint = 0;
+    glActiveTexture(GL_TEXTURE0);
+    glGenTextures(1, &mut h_texture);
+    glBindTexture(GL_TEXTURE_2D, h_texture);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTexEnvf(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_SRGB, twidth, theight, 0, GL_RGB, GL_UNSIGNED_BYTE, &pixdata);
+    glTexImage2D(GL_TEXTURE_2D, 0, 3, 2, 2, 0, GL_RGB, GL_UNSIGNED_BYTE, NULL);
+    let vertices = [[-1.0f32, -1.0], [3.0, -1.0], [-1.0, 3.0]];
+    glEnableClientState(GL_VERTEX_ARRAY);
+    glVertexPointer(2, GL_FLOAT, 0, &vertices);
+    glColor4ub(255, 0, 0, 255);
+    glDrawElements(GL_TRIANGLES, 3, GL_UNSIGNED_BYTE, &[0u8, 1, 2]);
+    let mut buffer: GLuint = 0;
+    glGenBuffers(1, &mut buffer);
+    glBindBuffer(GL_ARRAY_BUFFER, buffer);
+    glBufferData(GL_ARRAY_BUFFER, size_of_val(&vertices), &vertices, GL_STATIC_DRAW);
+    glVertexPointer(2, GL_FLOAT, 0, BUFFER_OFFSET(0));
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    let mut pixels = [[0u8; 4]; 16];
+    glReadPixels(0, 0, 4, 4, GL_RGBA, GL_UNSIGNED_BYTE, &mut pixels);
+    assert_eq!(pixels, [[255, 0, 0, 255]; 16]);
+    glMultiTexCoord2f(GL_TEXTURE0, 0, 0.5);
+    glLoadMatrixf(&[[1.0f32; 4]; 4]);
+    glDepthMask(GL_FALSE);
+    glDeleteTextures(1, &h_texture);
+    assert_eq!(glGetError(), GL_NO_ERROR);
+    let mut context = current.release().expect("it was current");
+    let texts: Vec<String> = context.messages().iter().map(ToString::to_string).collect();
+    assert!(texts.iter().all(|text| text.contains("texturing is off")), "{texts:?}");
+}
+
+#[test]
+fn contexts_are_current_one_inside_the_other() {
+    let make = |width| Context::new(ContextDesc { width, height: 1, ..ContextDesc::default() });
+    let width = || with_current(|context| context.size().0);
+    let outer = make(1).expect("a device").make_current();
+    {
+        let _inner = make(2).expect("a device").make_current();
+        assert_eq!(width(), Some(2));
+    }
+    assert_eq!(width(), Some(1));
+    assert_eq!(with_current(|_| width()), Some(None), "a call within a call has none");
+    assert_eq!(outer.release().map(|context| context.size()), Some((1, 1)));
+    assert_eq!(width(), None);
+}
