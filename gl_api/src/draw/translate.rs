@@ -46,7 +46,7 @@ pub(super) fn draw(
     begin_pass(context, pass);
 
     let viewport = viewport(context);
-    let scissor = Some(scissor(context));
+    let scissor = scissor(context);
     let recorder = &mut context.recorder;
     let Told { pipeline: told, words } = &mut recorder.told;
     let commands = &mut recorder.commands;
@@ -90,25 +90,9 @@ fn viewport(context: &Context) -> Viewport {
     }
 }
 
-/// The pixels that a draw reaches: those of the viewport, whose sides the driver leaves to the
-/// scissor rectangle, within the scissor rectangle of the state.
-fn scissor(context: &Context) -> Rect {
-    let viewport = &context.state.viewport;
-    let (width, height) = (viewport.width as u32, viewport.height as u32);
-    if !context.state.enables.has(Flag::ScissorTest) {
-        return Rect { x: viewport.x, y: viewport.y, width, height };
-    }
-    let scissor = context.state.fragment.scissor;
-    let (x, width) = overlap([viewport.x, scissor.x], [width, scissor.width]);
-    let (y, height) = overlap([viewport.y, scissor.y], [height, scissor.height]);
-    Rect { x, y, width, height }
-}
-
-/// Where two intervals overlap, as start and length.
-fn overlap(start: [i32; 2], length: [u32; 2]) -> (i32, u32) {
-    let end = |i: usize| i64::from(start[i]) + i64::from(length[i]);
-    let from = start[0].max(start[1]);
-    (from, (end(0).min(end(1)) - i64::from(from)).max(0) as u32)
+/// The scissor rectangle, if the test is on.
+fn scissor(context: &Context) -> Option<Rect> {
+    context.state.enables.has(Flag::ScissorTest).then_some(context.state.fragment.scissor)
 }
 
 /// The state that a pipeline is made of; what has no effect is left at its default, so that equal
