@@ -40,7 +40,9 @@ impl Kernel for Sample<'_> {
         };
         let projected;
         let (face, st) = match texture.shape {
-            Shape::D2 => (&U32s::ZERO, [coords[0], coords[1]]),
+            Shape::D1 | Shape::D2 | Shape::D3 | Shape::Rect | Shape::D1Array | Shape::D2Array => {
+                (&U32s::ZERO, [coords[0], coords[1]])
+            }
             Shape::Cube => {
                 projected = cube::project(coords);
                 (&projected.face, [&projected.st[0], &projected.st[1]])
@@ -151,7 +153,9 @@ fn lambda_base(
     dy: [&F32s; 3],
 ) -> F32s {
     match texture.shape {
-        Shape::D2 => lod::lambda_base([dx[0], dx[1]], [dy[0], dy[1]], texture.size),
+        Shape::D1 | Shape::D2 | Shape::D3 | Shape::Rect | Shape::D1Array | Shape::D2Array => {
+            lod::lambda_base([dx[0], dx[1]], [dy[0], dy[1]], texture.size)
+        }
         Shape::Cube => {
             let [dsdx, dtdx] = cube::derivatives(face, coords, dx);
             let [dsdy, dtdy] = cube::derivatives(face, coords, dy);

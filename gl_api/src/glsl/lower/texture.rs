@@ -48,8 +48,9 @@ impl Lowerer<'_> {
         let zero = self.emit.float(0.0);
         let reference = decl.compare.then(|| coords.get(2).copied().unwrap_or(zero));
         let used = match decl.shape {
-            Shape::D2 => 2,
-            Shape::Cube => 3,
+            Shape::D1 => 1,
+            Shape::D2 | Shape::Rect | Shape::D1Array => 2,
+            Shape::D3 | Shape::Cube | Shape::D2Array => 3,
         };
         let three = |values: &[Value]| {
             [0, 1, 2].map(|i| if i < used { values.get(i).copied().unwrap_or(zero) } else { zero })
