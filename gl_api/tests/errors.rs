@@ -101,7 +101,7 @@ fn sub_image(context: &mut Context, level: i32, area: [i32; 4], bytes: &[u8]) {
 
 const CASES: &[Case] = &[
     // Textures.
-    (|c| c.bind_texture(GL_TEXTURE_3D, 1), GL_INVALID_ENUM, "GL_TEXTURE_3D must be GL_TEXTURE_2D"),
+    (|c| c.bind_texture(GL_TEXTURE0, 1), GL_INVALID_ENUM, "GL_TEXTURE0 must be GL_TEXTURE_1D"),
     (|c| c.bind_texture(GL_TEXTURE_CUBE_MAP, 1), GL_INVALID_OPERATION, "first bound to"),
     (|c| c.gen_textures(-1, &mut []), GL_INVALID_VALUE, "n = -1 must not be negative"),
     (|c| c.gen_textures(3, &mut [0]), GL_INVALID_OPERATION, "the slice has 1"),
@@ -134,9 +134,9 @@ const CASES: &[Case] = &[
         "level = -1",
     ),
     (
-        |c| c.tex_image_2d(GL_TEXTURE_2D, 0, 3, 3, 3, 1, GL_RGB, GL_FLOAT, Data::Null),
+        |c| c.tex_image_2d(GL_TEXTURE_2D, 0, 3, 3, 3, 2, GL_RGB, GL_FLOAT, Data::Null),
         GL_INVALID_VALUE,
-        "border = 1 must be 0",
+        "border = 2 must be 0 or 1",
     ),
     (
         |c| c.tex_image_2d(GL_TEXTURE_CUBE_MAP, 0, 3, 1, 1, 0, GL_RGB, GL_FLOAT, Data::Null),
@@ -154,7 +154,7 @@ const CASES: &[Case] = &[
     (
         |c| c.tex_image_2d(GL_TEXTURE_2D, 0, 3, 1, 1, 0, GL_RGB, GL_FLOAT, Data::Offset(64)),
         GL_INVALID_OPERATION,
-        "no pixel buffer objects",
+        "no buffer is bound to GL_PIXEL_UNPACK_BUFFER",
     ),
     (|c| sub_image(c, 3, [0, 0, 1, 1], &[0; 4]), GL_INVALID_OPERATION, "call glTexImage2D first"),
     (|c| sub_image(c, 0, [1, 0, 2, 1], &[0; 8]), GL_INVALID_VALUE, "reach outside 0 to 2"),

@@ -4,6 +4,10 @@
 pub(crate) const MAX_TEXTURE_SIZE: u32 = 8192;
 /// Levels of the largest texture: 8192 to 1.
 pub(crate) const MAX_TEXTURE_LEVELS: usize = MAX_TEXTURE_SIZE.ilog2() as usize + 1;
+/// `GL_MAX_3D_TEXTURE_SIZE`.
+pub(crate) const MAX_3D_TEXTURE_SIZE: u32 = 512;
+/// `GL_MAX_ARRAY_TEXTURE_LAYERS`.
+pub(crate) const MAX_ARRAY_TEXTURE_LAYERS: u32 = 2048;
 /// `GL_MAX_VIEWPORT_DIMS`, both.
 pub(crate) const MAX_VIEWPORT_DIMS: u32 = 8192;
 /// `GL_MAX_COLOR_ATTACHMENTS` and `GL_MAX_DRAW_BUFFERS`.

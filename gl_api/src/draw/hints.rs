@@ -18,17 +18,16 @@ pub(super) fn incomplete(context: &mut Context, unit: u8, target: TextureTarget,
 pub(super) fn sampler(context: &mut Context, unit: u8, target: TextureTarget, word: u32) {
     let bound = context.state.units.units[usize::from(unit)].bound;
     let name = bound[target as usize];
-    let reason = context.objects.texture(target, name).incomplete_reason();
+    let state = super::stages::sampler(context, unit, target);
+    let reason = context.objects.texture(target, name).incomplete_reason(&state);
     let Some(reason) = reason else { return };
     let uniform = context
         .objects
         .linked_program(context.state.bindings.program)
         .and_then(|linked| linked.program.uniforms.iter().rfind(|uniform| uniform.word <= word))
         .map_or_else(String::new, |uniform| format!(" \"{}\"", uniform.name));
-    let other = TextureTarget::ALL.into_iter().find(|other| *other != target);
-    if let (0, Some(other)) = (name, other)
-        && bound[other as usize] != 0
-    {
+    let other = TextureTarget::ALL.into_iter().find(|other| bound[*other as usize] != 0);
+    if let (0, Some(other)) = (name, other) {
         context.debug.warn(format!(
             "draw: sampler{uniform} samples {} of unit {unit}, where nothing is bound; texture {} \
              is bound to {} there",

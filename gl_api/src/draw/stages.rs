@@ -16,9 +16,8 @@ use glam::{DMat4, DVec4};
 use rasterizer::driver::{ShaderModule, VertexBinding, VertexSource};
 use rasterizer::ir::{Interpolation, IrError, Stage};
 use std::sync::Arc;
-use texunit::image::Shape;
 use texunit::plan::SamplePlan;
-use texunit::sampler::Compare;
+use texunit::sampler::{Compare, Sampler};
 
 /// The texture of each slot of a stage.
 type Textures = Arc<[Option<Arc<SamplePlan>>]>;
@@ -84,8 +83,9 @@ pub(super) fn choose(context: &mut Context, vertices: &[VertexBinding]) -> Resul
         }
         None => {
             let units = enabled_units(context, vertex.is_none().then_some(vertices));
-            let textures =
-                units.iter().map(|unit| Some(plan(context, unit.unit, target_of(unit.shape)?)));
+            let textures = units
+                .iter()
+                .map(|unit| Some(plan(context, unit.unit, TextureTarget::of(unit.shape))));
             let textures = textures.collect();
             let key = FragmentKey {
                 base,
@@ -152,25 +152,30 @@ fn program_textures(
                 .find(|sampler| sampler.stage == stage && sampler.slot as usize == slot)?;
             let unit = *words.get(sampler.word as usize)?;
             let unit = u8::try_from(unit).ok().filter(|unit| *unit < MAX_TEXTURE_UNITS)?;
-            let target = target_of(decl.shape)?;
+            let target = TextureTarget::of(decl.shape);
             hints::sampler(context, unit, target, sampler.word);
             Some(plan(context, unit, target))
         })
         .collect()
 }
 
-/// What images of this shape are bound to.
-fn target_of(shape: Shape) -> Option<TextureTarget> {
-    TextureTarget::ALL.into_iter().find(|target| target.shape() == shape)
+/// The sampler state of a unit and target: that of the bound sampler object or else the texture's,
+/// with the unit's bias.
+pub(super) fn sampler(context: &Context, unit: u8, target: TextureTarget) -> Sampler {
+    let state = &context.state.units.units[usize::from(unit)];
+    let texture = context.objects.texture(target, state.bound[target as usize]);
+    let mut sampler = texture.sampler.clone();
+    sampler.lod_bias = crate::env::lod_bias(sampler.lod_bias + state.lod_bias);
+    sampler
 }
 
 /// How a unit samples the texture of a target, as everything recorded leaves it.
 fn plan(context: &mut Context, unit: u8, target: TextureTarget) -> Arc<SamplePlan> {
-    let state = &context.state.units.units[usize::from(unit)];
-    let (name, bias) = (state.bound[target as usize], state.lod_bias);
+    let name = context.state.units.units[usize::from(unit)].bound[target as usize];
     let image = context.objects.texture(target, name).image.clone();
     super::settle(context, &image);
-    context.objects.texture_mut(target, name).plan(bias)
+    let sampler = sampler(context, unit, target);
+    context.objects.texture_mut(target, name).plan(&sampler)
 }
 
 /// The units that texture: enabled, with a complete texture (GL 2.1, section 3.8.15).
@@ -182,11 +187,11 @@ fn enabled_units(context: &mut Context, vertices: Option<&[VertexBinding]>) -> V
         let winner = TextureTarget::ALL.into_iter().rfind(|target| state.enabled[*target as usize]);
         let Some(target) = winner else { continue };
         let texture = context.objects.texture(target, state.bound[target as usize]);
-        if let Some(reason) = texture.incomplete_reason() {
+        let sampler = sampler(context, unit, target);
+        if let Some(reason) = texture.incomplete_reason(&sampler) {
             hints::incomplete(context, unit, target, &reason);
             continue;
         }
-        let sampler = &texture.sampler;
         let texels = texture.image.texels();
         let Some(level) = texels.level(0, sampler.base_level as usize) else { continue };
         units.push(UnitKey {

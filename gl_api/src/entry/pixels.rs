@@ -3,6 +3,7 @@
 use super::DataOut;
 use crate::framebuffer::read;
 use crate::state::pixel_store;
+use crate::texture::transfer;
 use crate::types::*;
 
 entry_points! {
@@ -12,6 +13,12 @@ entry_points! {
         pixel_storei: glPixelStorei (pname: GLenum, param: GLint);
         /// Sets how pixels lie in the client's memory.
         pixel_storef: glPixelStoref (pname: GLenum, param: GLfloat);
+    }
+    Outside in transfer {
+        /// Sets the scale or bias of a component of every pixel on its way in or out.
+        pixel_transferf: glPixelTransferf (pname: GLenum, param: GLfloat);
+        /// Sets the scale or bias of a component of every pixel on its way in or out.
+        pixel_transferi: glPixelTransferi (pname: GLenum, param: GLint);
     }
     Outside in read {
         /// Reads a rectangle of the read framebuffer; row 0 is the lowest.

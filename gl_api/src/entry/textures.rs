@@ -3,7 +3,7 @@
 use super::{Data, DataOut};
 use crate::env;
 use crate::object::textures;
-use crate::texture::{copy, get, mipmap, parameter, specify};
+use crate::texture::{copy, get, mipmap, parameter, query, specify, sub};
 use crate::types::*;
 
 entry_points! {
@@ -30,28 +30,65 @@ entry_points! {
         client_active_texture: glClientActiveTexture | glClientActiveTextureARB (texture: GLenum);
     }
     Outside in specify {
-        /// Specifies a level of a 2D texture or of a face of a cube map, in the client's format.
-        /// The slice must be long enough for the unpack state.
+        /// Specifies a level of a 1D texture, in the client's format. The slice must be long enough
+        /// for the unpack state; so for all calls that take pixels.
+        tex_image_1d: glTexImage1D (
+            target: GLenum, level: GLint, internalformat: GLint, width: GLsizei, border: GLint,
+            format: GLenum, ty: GLenum, pixels: Data<'a>
+        );
+        /// Specifies a level of a 2D, rectangle or 1D array texture or of a face of a cube map.
         tex_image_2d: glTexImage2D (
             target: GLenum, level: GLint, internalformat: GLint, width: GLsizei, height: GLsizei,
             border: GLint, format: GLenum, ty: GLenum, pixels: Data<'a>
+        );
+        /// Specifies a level of a 3D or 2D array texture.
+        tex_image_3d: glTexImage3D (
+            target: GLenum, level: GLint, internalformat: GLint, width: GLsizei, height: GLsizei,
+            depth: GLsizei, border: GLint, format: GLenum, ty: GLenum, pixels: Data<'a>
+        );
+    }
+    Outside in sub {
+        /// Replaces a run of a level.
+        tex_sub_image_1d: glTexSubImage1D | glTexSubImage1DEXT (
+            target: GLenum, level: GLint, xoffset: GLint, width: GLsizei, format: GLenum,
+            ty: GLenum, pixels: Data<'a>
         );
         /// Replaces a rectangle of a level.
         tex_sub_image_2d: glTexSubImage2D | glTexSubImage2DEXT (
             target: GLenum, level: GLint, xoffset: GLint, yoffset: GLint, width: GLsizei,
             height: GLsizei, format: GLenum, ty: GLenum, pixels: Data<'a>
         );
+        /// Replaces a box of a level.
+        tex_sub_image_3d: glTexSubImage3D | glTexSubImage3DEXT (
+            target: GLenum, level: GLint, xoffset: GLint, yoffset: GLint, zoffset: GLint,
+            width: GLsizei, height: GLsizei, depth: GLsizei, format: GLenum, ty: GLenum,
+            pixels: Data<'a>
+        );
     }
     Outside in copy {
+        /// Specifies a level from a row of the read framebuffer.
+        copy_tex_image_1d: glCopyTexImage1D | glCopyTexImage1DEXT (
+            target: GLenum, level: GLint, internalformat: GLenum, x: GLint, y: GLint,
+            width: GLsizei, border: GLint
+        );
         /// Specifies a level from a rectangle of the read framebuffer.
         copy_tex_image_2d: glCopyTexImage2D | glCopyTexImage2DEXT (
             target: GLenum, level: GLint, internalformat: GLenum, x: GLint, y: GLint,
             width: GLsizei, height: GLsizei, border: GLint
         );
+        /// Replaces a run of a level by one of the read framebuffer.
+        copy_tex_sub_image_1d: glCopyTexSubImage1D | glCopyTexSubImage1DEXT (
+            target: GLenum, level: GLint, xoffset: GLint, x: GLint, y: GLint, width: GLsizei
+        );
         /// Replaces a rectangle of a level by one of the read framebuffer.
         copy_tex_sub_image_2d: glCopyTexSubImage2D | glCopyTexSubImage2DEXT (
             target: GLenum, level: GLint, xoffset: GLint, yoffset: GLint, x: GLint, y: GLint,
             width: GLsizei, height: GLsizei
+        );
+        /// Replaces a rectangle of a slice by one of the read framebuffer.
+        copy_tex_sub_image_3d: glCopyTexSubImage3D | glCopyTexSubImage3DEXT (
+            target: GLenum, level: GLint, xoffset: GLint, yoffset: GLint, zoffset: GLint, x: GLint,
+            y: GLint, width: GLsizei, height: GLsizei
         );
     }
     Outside in parameter {
@@ -74,13 +111,15 @@ entry_points! {
         /// Makes all levels above the base from the base level.
         generate_mipmap: glGenerateMipmap | glGenerateMipmapEXT (target: GLenum);
     }
-    Outside in get {
+    Outside in query {
         /// Reads what is known of a level.
         get_tex_level_parameteriv: glGetTexLevelParameteriv
             (target: GLenum, level: GLint, pname: GLenum, params: &'a mut [GLint]);
         /// Reads what is known of a level.
         get_tex_level_parameterfv: glGetTexLevelParameterfv
             (target: GLenum, level: GLint, pname: GLenum, params: &'a mut [GLfloat]);
+    }
+    Outside in get {
         /// Reads the texels of a level.
         get_tex_image: glGetTexImage
             (target: GLenum, level: GLint, format: GLenum, ty: GLenum, pixels: DataOut<'a>);

@@ -5,6 +5,7 @@ use crate::context::{Context, limits};
 use crate::error::{Result, Table, invalid_operation};
 use crate::interface::MAX_TEXTURE_UNITS;
 use crate::state::viewport::unit as clamp_unit;
+use crate::texture::TextureTarget;
 use crate::types::*;
 
 const SECTION: &str = "GL 2.1, section 3.8.13";
@@ -34,10 +35,10 @@ pub(crate) const MODE: Table<Mode> = Table {
 /// One texture unit.
 #[derive(Clone, Debug)]
 pub(crate) struct Unit {
-    /// By [`crate::texture::TextureTarget`]; of several, cube maps win (section 3.8.15).
-    pub enabled: [bool; 2],
+    /// By [`TextureTarget`]; of several, the last in its list wins (section 3.8.15).
+    pub enabled: [bool; TextureTarget::COUNT],
     /// Texture names, by target.
-    pub bound: [GLuint; 2],
+    pub bound: [GLuint; TextureTarget::COUNT],
     pub mode: Mode,
     pub color: [f32; 4],
     pub lod_bias: f32,
@@ -54,8 +55,8 @@ pub(crate) struct Units {
 impl Default for Units {
     fn default() -> Self {
         let unit = Unit {
-            enabled: [false; 2],
-            bound: [0; 2],
+            enabled: [false; TextureTarget::COUNT],
+            bound: [0; TextureTarget::COUNT],
             mode: Mode::Modulate,
             color: [0.0; 4],
             lod_bias: 0.0,

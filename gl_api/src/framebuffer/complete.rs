@@ -39,6 +39,9 @@ fn find(context: &Context, attached: Attached) -> std::result::Result<Found, Str
             };
             let texels = texture.image.texels();
             match texels.level(target.face.into(), level) {
+                Some(texels) if texels.border != [0; 3] => Err(format!(
+                    "texture {name} has a border at level {level}, which cannot be drawn to"
+                )),
                 Some(texels) if texels.width > 0 && texels.height > 0 => Ok(Found {
                     format: texels.format,
                     width: texels.width,

@@ -5,9 +5,11 @@ use super::complete::read_attachment;
 use crate::context::Context;
 use crate::entry::DataOut;
 use crate::error::{Result, invalid_operation, not_negative};
-use crate::texture::client::{ClientFormat, Layout, format_and_type};
-use crate::texture::convert;
-use crate::texture::get::destination;
+use crate::texture::client::Pixel;
+use crate::texture::layout::{Extent, Layout};
+use crate::texture::specify::kinds_match;
+use crate::texture::transfer::Transfer;
+use crate::texture::{convert, memory};
 use crate::types::*;
 use rasterizer::driver::Attachment;
 use std::sync::Arc;
@@ -60,23 +62,34 @@ pub(crate) fn read_pixels(
 ) -> Result<()> {
     let width = not_negative(SECTION, "width", width.into())?;
     let height = not_negative(SECTION, "height", height.into())?;
-    let (format, ty) = format_and_type(format, ty)?;
-    let layout = Layout::new(&context.state.pack, format, ty, width, height)?;
-    let bytes = destination(&layout, pixels)?;
-    let source = match format {
-        ClientFormat::Depth => depth_source(context)?,
-        ClientFormat::Red
-        | ClientFormat::Green
-        | ClientFormat::Blue
-        | ClientFormat::Alpha
-        | ClientFormat::Rg
-        | ClientFormat::Rgb
-        | ClientFormat::Bgr
-        | ClientFormat::Rgba
-        | ClientFormat::Bgra
-        | ClientFormat::Luminance
-        | ClientFormat::LuminanceAlpha => color_source(context)?,
+    let pixel = Pixel::new(format, ty)?;
+    let layout = Layout::new(&context.state.pack, pixel, [width, height, 1], Extent::Flat)?;
+    let source =
+        if pixel.format.is_depth() { depth_source(context)? } else { color_source(context)? };
+    kinds_match(pixel, source.format)?;
+    let region = Region::new(x, y, width, height);
+    let transfer = context.state.transfer;
+    memory::write_pixels(context, &layout, pixels, |bytes| {
+        pack(&source, region, &layout, &transfer, bytes);
+    })
+}
+
+/// A region of a level into the client's memory. Pixels outside the level are left as they are.
+fn pack(level: &Level, region: Region, layout: &Layout, transfer: &Transfer, bytes: &mut [u8]) {
+    let Some(visible) = region.within(level.width, level.height) else { return };
+    let size = level.format.bytes();
+    let from = (visible.y as i64 - region.y) as usize * layout.stride
+        + (visible.x as i64 - region.x) as usize * layout.pixel.bytes();
+    let row = Layout {
+        size: [visible.width, 1, 1],
+        needed: visible.width * layout.pixel.bytes(),
+        start: 0,
+        ..*layout
     };
-    convert::pack(&source, Region::new(x, y, width, height), &layout, bytes);
-    Ok(())
+    for y in 0..visible.height {
+        let texels = &level.texels[(visible.y + y) * level.row_bytes() + visible.x * size..];
+        let at = layout.start + from + y * layout.stride;
+        let texels = &texels[..visible.width * size];
+        convert::pack(&row, level.format, transfer, texels, &mut bytes[at..]);
+    }
 }

@@ -2,6 +2,7 @@
 //! is taken before anything is converted.
 
 use crate::constants::*;
+use crate::texture::packed::{PACKED, Packed};
 use crate::types::GLenum;
 
 /// An image as numbers: rows from first to last, `count` components a pixel.
@@ -36,56 +37,6 @@ pub enum Storage {
     F32,
     /// All components of a pixel in one number.
     Packed(Packed),
-}
-
-/// A packed pixel type.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Packed {
-    /// Bytes of the whole pixel: 1, 2 or 4.
-    bytes: u8,
-    /// Bits of each component, the first component first.
-    bits: &'static [u8],
-    /// Where the first component is.
-    first: First,
-}
-
-/// The end of a packed pixel at which its first component is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum First {
-    Top,
-    /// The `_REV` types.
-    Bottom,
-}
-
-/// The packed types (GL 2.1 table 3.8).
-const PACKED: [(GLenum, Packed); 12] = [
-    (GL_UNSIGNED_BYTE_3_3_2, Packed { bytes: 1, bits: &[3, 3, 2], first: First::Top }),
-    (GL_UNSIGNED_BYTE_2_3_3_REV, Packed { bytes: 1, bits: &[3, 3, 2], first: First::Bottom }),
-    (GL_UNSIGNED_SHORT_5_6_5, Packed { bytes: 2, bits: &[5, 6, 5], first: First::Top }),
-    (GL_UNSIGNED_SHORT_5_6_5_REV, Packed { bytes: 2, bits: &[5, 6, 5], first: First::Bottom }),
-    (GL_UNSIGNED_SHORT_4_4_4_4, Packed { bytes: 2, bits: &[4, 4, 4, 4], first: First::Top }),
-    (GL_UNSIGNED_SHORT_4_4_4_4_REV, Packed { bytes: 2, bits: &[4, 4, 4, 4], first: First::Bottom }),
-    (GL_UNSIGNED_SHORT_5_5_5_1, Packed { bytes: 2, bits: &[5, 5, 5, 1], first: First::Top }),
-    (GL_UNSIGNED_SHORT_1_5_5_5_REV, Packed { bytes: 2, bits: &[5, 5, 5, 1], first: First::Bottom }),
-    (GL_UNSIGNED_INT_8_8_8_8, Packed { bytes: 4, bits: &[8, 8, 8, 8], first: First::Top }),
-    (GL_UNSIGNED_INT_8_8_8_8_REV, Packed { bytes: 4, bits: &[8, 8, 8, 8], first: First::Bottom }),
-    (GL_UNSIGNED_INT_10_10_10_2, Packed { bytes: 4, bits: &[10, 10, 10, 2], first: First::Top }),
-    (
-        GL_UNSIGNED_INT_2_10_10_10_REV,
-        Packed { bytes: 4, bits: &[10, 10, 10, 2], first: First::Bottom },
-    ),
-];
-
-impl Packed {
-    /// How far component `index` is from the lowest bit, and its largest value.
-    fn field(self, index: usize) -> (u32, u32) {
-        let bits = self.bits[index];
-        let below: u8 = match self.first {
-            First::Top => self.bits[index + 1..].iter().sum(),
-            First::Bottom => self.bits[..index].iter().sum(),
-        };
-        (u32::from(below), (1 << bits) - 1)
-    }
 }
 
 impl Storage {

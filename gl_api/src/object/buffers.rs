@@ -25,6 +25,12 @@ pub(crate) struct BufferObject {
 pub(crate) enum BufferTarget {
     Array,
     ElementArray,
+    PixelPack,
+    PixelUnpack,
+}
+
+impl BufferTarget {
+    const ALL: [Self; 4] = [Self::Array, Self::ElementArray, Self::PixelPack, Self::PixelUnpack];
 }
 
 pub(crate) const BUFFER_TARGET: Table<BufferTarget> = Table {
@@ -32,6 +38,8 @@ pub(crate) const BUFFER_TARGET: Table<BufferTarget> = Table {
     rows: &[
         (GL_ARRAY_BUFFER, BufferTarget::Array),
         (GL_ELEMENT_ARRAY_BUFFER, BufferTarget::ElementArray),
+        (GL_PIXEL_PACK_BUFFER, BufferTarget::PixelPack),
+        (GL_PIXEL_UNPACK_BUFFER, BufferTarget::PixelUnpack),
     ],
 };
 
@@ -55,6 +63,8 @@ fn binding(context: &mut Context, target: BufferTarget) -> &mut GLuint {
     match target {
         BufferTarget::Array => &mut context.state.bindings.array_buffer,
         BufferTarget::ElementArray => &mut context.state.bindings.element_array_buffer,
+        BufferTarget::PixelPack => &mut context.state.bindings.pixel_pack_buffer,
+        BufferTarget::PixelUnpack => &mut context.state.bindings.pixel_unpack_buffer,
     }
 }
 
@@ -76,7 +86,7 @@ pub(crate) fn gen_buffers(context: &mut Context, n: GLsizei, buffers: &mut [GLui
 
 pub(crate) fn delete_buffers(context: &mut Context, n: GLsizei, buffers: &[GLuint]) -> Result<()> {
     for &name in doomed(SECTION, n, buffers)?.iter().filter(|&&name| name != 0) {
-        for target in [BufferTarget::Array, BufferTarget::ElementArray] {
+        for target in BufferTarget::ALL {
             let bound = binding(context, target);
             if *bound == name {
                 *bound = 0;

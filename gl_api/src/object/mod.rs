@@ -110,7 +110,7 @@ fn doomed<'a>(section: &'static str, n: GLsizei, names: &'a [GLuint]) -> Result<
 pub(crate) struct Objects {
     pub textures: Names<Texture>,
     /// The textures named 0, by target.
-    pub default_textures: [Texture; 2],
+    pub default_textures: [Texture; TextureTarget::COUNT],
     pub buffers: Names<buffers::BufferObject>,
     pub framebuffers: Names<framebuffers::Framebuffer>,
     pub renderbuffers: Names<renderbuffers::Renderbuffer>,
@@ -122,7 +122,7 @@ impl Default for Objects {
     fn default() -> Self {
         Self {
             textures: Names::default(),
-            default_textures: [Texture::new(TextureTarget::D2), Texture::new(TextureTarget::Cube)],
+            default_textures: TextureTarget::ALL.map(Texture::new),
             buffers: Names::default(),
             framebuffers: Names::default(),
             renderbuffers: Names::default(),

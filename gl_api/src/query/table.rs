@@ -3,13 +3,14 @@
 use crate::constants::*;
 use crate::context::{Context, limits};
 use crate::env::Unit;
-use crate::error::{Result, invalid_enum};
+use crate::error::{Result, Table, invalid_enum};
 use crate::interface::*;
 use crate::state::enable::{CAPABILITY, CLIENT_ARRAY};
 use crate::state::fragment::{BLEND_EQUATION, COMPARE, DST_FACTOR, SRC_FACTOR};
 use crate::state::matrix::{MATRIX_MODE, MAX_MODELVIEW_STACK_DEPTH, MAX_STACK_DEPTH, Stack};
 use crate::state::pixel_store::PixelStore;
 use crate::state::raster::{FACE, FRONT_FACE, HINTS, SHADE_MODEL};
+use crate::texture::{TextureTarget, transfer};
 use crate::types::*;
 use rasterizer::driver::DepthWrite;
 
@@ -58,7 +59,7 @@ fn matrix(stack: &Stack, transposed: bool) -> Result<Value> {
 
 fn pixel_store(
     store: &PixelStore,
-    [swap, lsb, length, rows, pixels, _]: [GLenum; 6],
+    [swap, lsb, length, rows, pixels, height, images, _]: [GLenum; 8],
     pname: GLenum,
 ) -> Result<Value> {
     match pname {
@@ -67,6 +68,8 @@ fn pixel_store(
         _ if pname == length => int(store.row_length),
         _ if pname == rows => int(store.skip_rows),
         _ if pname == pixels => int(store.skip_pixels),
+        _ if pname == height => int(store.image_height),
+        _ if pname == images => int(store.skip_images),
         _ => int(store.alignment),
     }
 }
@@ -106,9 +109,12 @@ fn limit(_: &Context, pname: GLenum) -> Answer {
     let attachments = limits::MAX_COLOR_ATTACHMENTS as i32;
     let sizes = limits::MAX_VIEWPORT_DIMS as i32;
     Some(match pname {
-        GL_MAX_TEXTURE_SIZE | GL_MAX_CUBE_MAP_TEXTURE_SIZE | GL_MAX_RENDERBUFFER_SIZE => {
-            int(limits::MAX_TEXTURE_SIZE)
-        }
+        GL_MAX_TEXTURE_SIZE
+        | GL_MAX_CUBE_MAP_TEXTURE_SIZE
+        | GL_MAX_RECTANGLE_TEXTURE_SIZE
+        | GL_MAX_RENDERBUFFER_SIZE => int(limits::MAX_TEXTURE_SIZE),
+        GL_MAX_3D_TEXTURE_SIZE => int(limits::MAX_3D_TEXTURE_SIZE),
+        GL_MAX_ARRAY_TEXTURE_LAYERS => int(limits::MAX_ARRAY_TEXTURE_LAYERS),
         GL_MAX_VIEWPORT_DIMS => ints(&[sizes; 2]),
         GL_MAX_TEXTURE_UNITS
         | GL_MAX_TEXTURE_COORDS
@@ -230,6 +236,8 @@ fn pixels(context: &Context, pname: GLenum) -> Answer {
         GL_UNPACK_ROW_LENGTH,
         GL_UNPACK_SKIP_ROWS,
         GL_UNPACK_SKIP_PIXELS,
+        GL_UNPACK_IMAGE_HEIGHT,
+        GL_UNPACK_SKIP_IMAGES,
         GL_UNPACK_ALIGNMENT,
     ];
     let pack = [
@@ -238,14 +246,30 @@ fn pixels(context: &Context, pname: GLenum) -> Answer {
         GL_PACK_ROW_LENGTH,
         GL_PACK_SKIP_ROWS,
         GL_PACK_SKIP_PIXELS,
+        GL_PACK_IMAGE_HEIGHT,
+        GL_PACK_SKIP_IMAGES,
         GL_PACK_ALIGNMENT,
     ];
     match pname {
         _ if unpack.contains(&pname) => Some(pixel_store(&context.state.unpack, unpack, pname)),
         _ if pack.contains(&pname) => Some(pixel_store(&context.state.pack, pack, pname)),
-        _ => None,
+        _ => transfer::PARAMETER.get(pname).map(|which| float(context.state.transfer.get(which))),
     }
 }
+
+/// The queries of what is bound to a target.
+const BINDING: Table<TextureTarget> = Table {
+    section: "GL 2.1, table 6.16",
+    rows: &[
+        (GL_TEXTURE_BINDING_1D, TextureTarget::D1),
+        (GL_TEXTURE_BINDING_2D, TextureTarget::D2),
+        (GL_TEXTURE_BINDING_3D, TextureTarget::D3),
+        (GL_TEXTURE_BINDING_CUBE_MAP, TextureTarget::Cube),
+        (GL_TEXTURE_BINDING_RECTANGLE, TextureTarget::Rect),
+        (GL_TEXTURE_BINDING_1D_ARRAY, TextureTarget::D1Array),
+        (GL_TEXTURE_BINDING_2D_ARRAY, TextureTarget::D2Array),
+    ],
+};
 
 fn texture(context: &Context, pname: GLenum) -> Answer {
     let units = &context.state.units;
@@ -253,9 +277,7 @@ fn texture(context: &Context, pname: GLenum) -> Answer {
     Some(match pname {
         GL_ACTIVE_TEXTURE => symbol(GL_TEXTURE0 + u32::from(units.active)),
         GL_CLIENT_ACTIVE_TEXTURE => symbol(GL_TEXTURE0 + u32::from(units.client_active)),
-        GL_TEXTURE_BINDING_2D => symbol(bound[0]),
-        GL_TEXTURE_BINDING_CUBE_MAP => symbol(bound[1]),
-        _ => return None,
+        _ => symbol(bound[BINDING.get(pname)? as usize]),
     })
 }
 
@@ -271,6 +293,8 @@ fn bindings(context: &Context, pname: GLenum) -> Answer {
     Some(match pname {
         GL_ARRAY_BUFFER_BINDING => symbol(bindings.array_buffer),
         GL_ELEMENT_ARRAY_BUFFER_BINDING => symbol(bindings.element_array_buffer),
+        GL_PIXEL_PACK_BUFFER_BINDING => symbol(bindings.pixel_pack_buffer),
+        GL_PIXEL_UNPACK_BUFFER_BINDING => symbol(bindings.pixel_unpack_buffer),
         GL_FRAMEBUFFER_BINDING => symbol(bindings.draw_framebuffer),
         GL_READ_FRAMEBUFFER_BINDING => symbol(bindings.read_framebuffer),
         GL_RENDERBUFFER_BINDING => symbol(bindings.renderbuffer),

@@ -44,7 +44,10 @@ pub(crate) const CAPABILITY: Table<Capability> = Table {
         (GL_MULTISAMPLE, Capability::Flag(Flag::Multisample)),
         (GL_POLYGON_OFFSET_FILL, Capability::Flag(Flag::PolygonOffsetFill)),
         (GL_SCISSOR_TEST, Capability::Flag(Flag::ScissorTest)),
+        (GL_TEXTURE_1D, Capability::Texture(TextureTarget::D1)),
         (GL_TEXTURE_2D, Capability::Texture(TextureTarget::D2)),
+        (GL_TEXTURE_3D, Capability::Texture(TextureTarget::D3)),
+        (GL_TEXTURE_RECTANGLE, Capability::Texture(TextureTarget::Rect)),
         (GL_TEXTURE_CUBE_MAP, Capability::Texture(TextureTarget::Cube)),
     ],
 };

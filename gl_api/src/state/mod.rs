@@ -10,6 +10,8 @@ pub(crate) mod viewport;
 
 use crate::env::Units;
 use crate::interface::{ATTRIB_COLOR, ATTRIB_NORMAL};
+use crate::texture::Proxies;
+use crate::texture::transfer::Transfer;
 use crate::types::GLuint;
 use enable::Enables;
 use fragment::{ClearState, FragmentState};
@@ -26,6 +28,8 @@ pub(crate) const LOCATIONS: usize = 32;
 pub(crate) struct Bindings {
     pub array_buffer: GLuint,
     pub element_array_buffer: GLuint,
+    pub pixel_pack_buffer: GLuint,
+    pub pixel_unpack_buffer: GLuint,
     pub draw_framebuffer: GLuint,
     pub read_framebuffer: GLuint,
     pub renderbuffer: GLuint,
@@ -46,6 +50,8 @@ pub(crate) struct State {
     pub clear: ClearState,
     pub pack: PixelStore,
     pub unpack: PixelStore,
+    pub transfer: Transfer,
+    pub proxies: Proxies,
     pub units: Units,
     pub bindings: Bindings,
 }
@@ -67,6 +73,8 @@ impl State {
             clear: ClearState::default(),
             pack: PixelStore::default(),
             unpack: PixelStore::default(),
+            transfer: Transfer::default(),
+            proxies: Proxies::default(),
             units: Units::default(),
             bindings: Bindings::default(),
         }

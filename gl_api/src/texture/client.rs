@@ -1,13 +1,17 @@
-//! How pixels lie in the client's memory: formats, types and rows (GL 2.1, sections 3.6.3, 3.6.4).
+//! Pixels in the client's memory: formats and types (GL 2.1, tables 3.5 and 3.6; GL 3.0 for floats
+//! and integers), and the conversion of one pixel to numbers and back.
+//!
+//! Every component is an `f64`, which holds each of GL's types exactly.
 
+use super::packed::{PACKED, Packed};
 use crate::constants::*;
-use crate::error::{Result, Table, invalid_operation};
-use crate::state::pixel_store::PixelStore;
+use crate::error::{Result, Table, invalid_enum, invalid_operation};
 use crate::state::viewport::unit;
 use crate::types::*;
+use half::f16;
 
 /// The components of a pixel in memory (GL 2.1, table 3.6).
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum ClientFormat {
     Red,
     Green,
@@ -21,24 +25,53 @@ pub(crate) enum ClientFormat {
     Luminance,
     LuminanceAlpha,
     Depth,
+    /// Depth, then stencil.
+    DepthStencil,
 }
 
-/// The formats that are implemented.
-pub(crate) const FORMAT: Table<ClientFormat> = Table {
+/// What the integers of a pixel mean.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Numbers {
+    /// Fractions: unsigned `c / (2^b - 1)`, signed `(2c + 1) / (2^b - 1)` (GL 2.1, table 2.9).
+    Fixed,
+    /// As `Fixed`, but signed `max(c / (2^(b-1) - 1), -1)`: to and from signed normalized texels
+    /// (`EXT_texture_snorm`).
+    SignedNormalized,
+    /// Themselves (`EXT_texture_integer`).
+    Integer,
+}
+
+use ClientFormat::*;
+use Numbers::{Fixed, Integer};
+
+/// What `format` can be.
+pub(crate) const FORMAT: Table<(ClientFormat, Numbers)> = Table {
     section: "GL 2.1, table 3.6",
     rows: &[
-        (GL_RED, ClientFormat::Red),
-        (GL_GREEN, ClientFormat::Green),
-        (GL_BLUE, ClientFormat::Blue),
-        (GL_ALPHA, ClientFormat::Alpha),
-        (GL_RG, ClientFormat::Rg),
-        (GL_RGB, ClientFormat::Rgb),
-        (GL_BGR, ClientFormat::Bgr),
-        (GL_RGBA, ClientFormat::Rgba),
-        (GL_BGRA, ClientFormat::Bgra),
-        (GL_LUMINANCE, ClientFormat::Luminance),
-        (GL_LUMINANCE_ALPHA, ClientFormat::LuminanceAlpha),
-        (GL_DEPTH_COMPONENT, ClientFormat::Depth),
+        (GL_RED, (Red, Fixed)),
+        (GL_GREEN, (Green, Fixed)),
+        (GL_BLUE, (Blue, Fixed)),
+        (GL_ALPHA, (Alpha, Fixed)),
+        (GL_RG, (Rg, Fixed)),
+        (GL_RGB, (Rgb, Fixed)),
+        (GL_BGR, (Bgr, Fixed)),
+        (GL_RGBA, (Rgba, Fixed)),
+        (GL_BGRA, (Bgra, Fixed)),
+        (GL_LUMINANCE, (Luminance, Fixed)),
+        (GL_LUMINANCE_ALPHA, (LuminanceAlpha, Fixed)),
+        (GL_DEPTH_COMPONENT, (Depth, Fixed)),
+        (GL_DEPTH_STENCIL, (DepthStencil, Fixed)),
+        (GL_RED_INTEGER, (Red, Integer)),
+        (GL_GREEN_INTEGER, (Green, Integer)),
+        (GL_BLUE_INTEGER, (Blue, Integer)),
+        (GL_ALPHA_INTEGER_EXT, (Alpha, Integer)),
+        (GL_RG_INTEGER, (Rg, Integer)),
+        (GL_RGB_INTEGER, (Rgb, Integer)),
+        (GL_BGR_INTEGER, (Bgr, Integer)),
+        (GL_RGBA_INTEGER, (Rgba, Integer)),
+        (GL_BGRA_INTEGER, (Bgra, Integer)),
+        (GL_LUMINANCE_INTEGER_EXT, (Luminance, Integer)),
+        (GL_LUMINANCE_ALPHA_INTEGER_EXT, (LuminanceAlpha, Integer)),
     ],
 };
 
@@ -46,28 +79,37 @@ impl ClientFormat {
     /// Components of a pixel.
     pub fn components(self) -> usize {
         match self {
-            Self::Red | Self::Green | Self::Blue | Self::Alpha | Self::Luminance | Self::Depth => 1,
-            Self::Rg | Self::LuminanceAlpha => 2,
-            Self::Rgb | Self::Bgr => 3,
-            Self::Rgba | Self::Bgra => 4,
+            Red | Green | Blue | Alpha | Luminance | Depth => 1,
+            Rg | LuminanceAlpha | DepthStencil => 2,
+            Rgb | Bgr => 3,
+            Rgba | Bgra => 4,
         }
     }
 
-    /// The pixel as R, G, B, A; depth as R (GL 2.1, section 3.6.4, final expansion).
+    /// Whether it is of depth, not of colour.
+    pub fn is_depth(self) -> bool {
+        match self {
+            Depth | DepthStencil => true,
+            Red | Green | Blue | Alpha | Rg | Rgb | Bgr | Rgba | Bgra | Luminance
+            | LuminanceAlpha => false,
+        }
+    }
+
+    /// The pixel as R, G, B, A; depth as R, stencil as G (GL 2.1, section 3.6.4, final expansion).
     #[inline]
     pub fn expand(self, [a, b, c, d]: [f64; 4]) -> [f64; 4] {
         match self {
-            Self::Red | Self::Depth => [a, 0.0, 0.0, 1.0],
-            Self::Green => [0.0, a, 0.0, 1.0],
-            Self::Blue => [0.0, 0.0, a, 1.0],
-            Self::Alpha => [0.0, 0.0, 0.0, a],
-            Self::Rg => [a, b, 0.0, 1.0],
-            Self::Rgb => [a, b, c, 1.0],
-            Self::Bgr => [c, b, a, 1.0],
-            Self::Rgba => [a, b, c, d],
-            Self::Bgra => [c, b, a, d],
-            Self::Luminance => [a, a, a, 1.0],
-            Self::LuminanceAlpha => [a, a, a, b],
+            Red | Depth => [a, 0.0, 0.0, 1.0],
+            Green => [0.0, a, 0.0, 1.0],
+            Blue => [0.0, 0.0, a, 1.0],
+            Alpha => [0.0, 0.0, 0.0, a],
+            Rg | DepthStencil => [a, b, 0.0, 1.0],
+            Rgb => [a, b, c, 1.0],
+            Bgr => [c, b, a, 1.0],
+            Rgba => [a, b, c, d],
+            Bgra => [c, b, a, d],
+            Luminance => [a, a, a, 1.0],
+            LuminanceAlpha => [a, a, a, b],
         }
     }
 
@@ -75,22 +117,22 @@ impl ClientFormat {
     #[inline]
     pub fn select(self, [r, g, b, a]: [f64; 4]) -> [f64; 4] {
         match self {
-            Self::Red | Self::Depth => [r, 0.0, 0.0, 0.0],
-            Self::Green => [g, 0.0, 0.0, 0.0],
-            Self::Blue => [b, 0.0, 0.0, 0.0],
-            Self::Alpha => [a, 0.0, 0.0, 0.0],
-            Self::Rg => [r, g, 0.0, 0.0],
-            Self::Rgb => [r, g, b, 0.0],
-            Self::Bgr => [b, g, r, 0.0],
-            Self::Rgba => [r, g, b, a],
-            Self::Bgra => [b, g, r, a],
-            Self::Luminance => [r + g + b, 0.0, 0.0, 0.0],
-            Self::LuminanceAlpha => [r + g + b, a, 0.0, 0.0],
+            Red | Depth => [r, 0.0, 0.0, 0.0],
+            Green => [g, 0.0, 0.0, 0.0],
+            Blue => [b, 0.0, 0.0, 0.0],
+            Alpha => [a, 0.0, 0.0, 0.0],
+            Rg | DepthStencil => [r, g, 0.0, 0.0],
+            Rgb => [r, g, b, 0.0],
+            Bgr => [b, g, r, 0.0],
+            Rgba => [r, g, b, a],
+            Bgra => [b, g, r, a],
+            Luminance => [r + g + b, 0.0, 0.0, 0.0],
+            LuminanceAlpha => [r + g + b, a, 0.0, 0.0],
         }
     }
 }
 
-/// The type of a component in memory (GL 2.1, table 3.5).
+/// How the components of a pixel are written (GL 2.1, table 3.5).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum ClientType {
     U8,
@@ -99,177 +141,412 @@ pub(crate) enum ClientType {
     I16,
     U32,
     I32,
+    F16,
     F32,
+    /// All components in one word.
+    Packed(Packed),
+    /// Three 9-bit mantissas with a common exponent (`EXT_texture_shared_exponent`).
+    Rgb9E5,
+    /// Unsigned floats of 11, 11 and 10 bits (`EXT_packed_float`).
+    R11G11B10F,
+    /// 24 bits of depth above 8 of stencil.
+    Depth24Stencil8,
+    /// A float of depth, then a word with 8 bits of stencil.
+    Depth32FStencil8,
 }
 
-/// The types that are implemented.
-pub(crate) const TYPE: Table<ClientType> = Table {
-    section: "GL 2.1, table 3.5",
-    rows: &[
-        (GL_UNSIGNED_BYTE, ClientType::U8),
-        (GL_BYTE, ClientType::I8),
-        (GL_UNSIGNED_SHORT, ClientType::U16),
-        (GL_SHORT, ClientType::I16),
-        (GL_UNSIGNED_INT, ClientType::U32),
-        (GL_INT, ClientType::I32),
-        (GL_FLOAT, ClientType::F32),
-    ],
+const PLAIN: [(GLenum, ClientType); 12] = [
+    (GL_UNSIGNED_BYTE, ClientType::U8),
+    (GL_BYTE, ClientType::I8),
+    (GL_UNSIGNED_SHORT, ClientType::U16),
+    (GL_SHORT, ClientType::I16),
+    (GL_UNSIGNED_INT, ClientType::U32),
+    (GL_INT, ClientType::I32),
+    (GL_FLOAT, ClientType::F32),
+    (GL_HALF_FLOAT, ClientType::F16),
+    (GL_UNSIGNED_INT_5_9_9_9_REV, ClientType::Rgb9E5),
+    (GL_UNSIGNED_INT_10F_11F_11F_REV, ClientType::R11G11B10F),
+    (GL_UNSIGNED_INT_24_8, ClientType::Depth24Stencil8),
+    (GL_FLOAT_32_UNSIGNED_INT_24_8_REV, ClientType::Depth32FStencil8),
+];
+
+const TYPES: [(GLenum, ClientType); PLAIN.len() + PACKED.len()] = {
+    let mut rows = [PLAIN[0]; PLAIN.len() + PACKED.len()];
+    let mut row = 0;
+    while row < rows.len() {
+        rows[row] = if row < PLAIN.len() {
+            PLAIN[row]
+        } else {
+            let (name, packed) = PACKED[row - PLAIN.len()];
+            (name, ClientType::Packed(packed))
+        };
+        row += 1;
+    }
+    rows
 };
+
+/// What `type` can be.
+pub(crate) const TYPE: Table<ClientType> = Table { section: "GL 2.1, table 3.5", rows: &TYPES };
 
 /// The nearest of `0 ..= largest`; clamps, NaN gives 0.
 fn unsigned(value: f64, largest: f64) -> f64 {
     (unit(value) * largest).round_ties_even()
 }
 
-/// GL 2.1, table 4.9: `((2^b - 1) f - 1) / 2`, of a value clamped to [-1, 1].
-fn signed(value: f64, largest: f64) -> f64 {
-    ((value.clamp(-1.0, 1.0) * largest - 1.0) / 2.0).round_ties_even()
-}
-
 impl ClientType {
-    /// Bytes of a component.
+    /// Bytes of an element, a component or a whole packed pixel: what alignment and byte order
+    /// are about.
     pub fn size(self) -> usize {
         match self {
             Self::U8 | Self::I8 => 1,
-            Self::U16 | Self::I16 => 2,
+            Self::U16 | Self::I16 | Self::F16 => 2,
             Self::U32 | Self::I32 | Self::F32 => 4,
+            Self::Rgb9E5 | Self::R11G11B10F | Self::Depth24Stencil8 | Self::Depth32FStencil8 => 4,
+            Self::Packed(packed) => packed.bytes.into(),
         }
     }
 
-    /// A component as a number (GL 2.1, table 2.9). `bytes` has [`ClientType::size`] bytes.
-    #[inline]
-    pub fn read(self, bytes: [u8; 4]) -> f64 {
-        let [a, b, ..] = bytes;
-        let word = u32::from_ne_bytes(bytes);
+    /// Elements of a pixel of so many components.
+    pub fn elements(self, components: usize) -> usize {
         match self {
-            Self::U8 => f64::from(a) / 255.0,
-            Self::I8 => (2.0 * f64::from(a as i8) + 1.0) / 255.0,
-            Self::U16 => f64::from(u16::from_ne_bytes([a, b])) / 65_535.0,
-            Self::I16 => (2.0 * f64::from(i16::from_ne_bytes([a, b])) + 1.0) / 65_535.0,
-            Self::U32 => f64::from(word) / f64::from(u32::MAX),
-            Self::I32 => (2.0 * f64::from(word as i32) + 1.0) / f64::from(u32::MAX),
-            Self::F32 => f64::from(f32::from_bits(word)),
+            Self::U8 | Self::I8 | Self::U16 | Self::I16 | Self::U32 | Self::I32 => components,
+            Self::F16 | Self::F32 => components,
+            Self::Packed(_) | Self::Rgb9E5 | Self::R11G11B10F | Self::Depth24Stencil8 => 1,
+            Self::Depth32FStencil8 => 2,
         }
     }
 
-    /// A number as a component (GL 2.1, table 4.9), in the first [`ClientType::size`] bytes.
-    #[inline]
-    pub fn write(self, value: f64) -> [u8; 4] {
-        let two = |[a, b]: [u8; 2]| [a, b, 0, 0];
+    fn is_float(self) -> bool {
         match self {
-            Self::U8 => [unsigned(value, 255.0) as u8, 0, 0, 0],
-            Self::I8 => [signed(value, 255.0) as i8 as u8, 0, 0, 0],
-            Self::U16 => two((unsigned(value, 65_535.0) as u16).to_ne_bytes()),
-            Self::I16 => two((signed(value, 65_535.0) as i16).to_ne_bytes()),
-            Self::U32 => (unsigned(value, u32::MAX.into()) as u32).to_ne_bytes(),
-            Self::I32 => (signed(value, u32::MAX.into()) as i32).to_ne_bytes(),
-            Self::F32 => (value as f32).to_ne_bytes(),
+            Self::F16 | Self::F32 | Self::Rgb9E5 | Self::R11G11B10F | Self::Depth32FStencil8 => {
+                true
+            }
+            Self::U8 | Self::I8 | Self::U16 | Self::I16 | Self::U32 | Self::I32 => false,
+            Self::Packed(_) | Self::Depth24Stencil8 => false,
+        }
+    }
+
+    /// Bits and sign of the integers, if it is of integers of its own.
+    fn integer(self) -> Option<(u32, bool)> {
+        Some(match self {
+            Self::U8 => (8, false),
+            Self::I8 => (8, true),
+            Self::U16 => (16, false),
+            Self::I16 => (16, true),
+            Self::U32 => (32, false),
+            Self::I32 => (32, true),
+            Self::F16 | Self::F32 | Self::Packed(_) | Self::Rgb9E5 | Self::R11G11B10F => {
+                return None;
+            }
+            Self::Depth24Stencil8 | Self::Depth32FStencil8 => return None,
+        })
+    }
+
+    /// The components of a pixel from its elements.
+    #[inline]
+    pub fn read(self, words: [u32; 4], numbers: Numbers) -> [f64; 4] {
+        if let Some((bits, is_signed)) = self.integer() {
+            return words.map(|word| {
+                if is_signed {
+                    read_signed(
+                        f64::from((word << (32 - bits)) as i32 >> (32 - bits)),
+                        bits,
+                        numbers,
+                    )
+                } else {
+                    read_unsigned(word, u32::MAX >> (32 - bits), numbers)
+                }
+            });
+        }
+        let [first, second, ..] = words;
+        match self {
+            Self::F16 => words.map(|word| f16::from_bits(word as u16).to_f64()),
+            Self::Packed(packed) => {
+                let fields = packed.split(first);
+                let mut out = [0.0; 4];
+                for index in 0..packed.bits.len() {
+                    out[index] = read_unsigned(fields[index], packed.field(index).1, numbers);
+                }
+                out
+            }
+            Self::Rgb9E5 => read_rgb9e5(first),
+            Self::R11G11B10F => [
+                read_small_float(first & 0x7FF, 6),
+                read_small_float(first >> 11 & 0x7FF, 6),
+                read_small_float(first >> 22, 5),
+                0.0,
+            ],
+            Self::Depth24Stencil8 => {
+                [f64::from(first >> 8) / 16_777_215.0, f64::from(first & 0xFF), 0.0, 0.0]
+            }
+            Self::Depth32FStencil8 => {
+                [f64::from(f32::from_bits(first)), f64::from(second & 0xFF), 0.0, 0.0]
+            }
+            Self::F32 | Self::U8 | Self::I8 | Self::U16 | Self::I16 | Self::U32 | Self::I32 => {
+                words.map(|word| f64::from(f32::from_bits(word)))
+            }
+        }
+    }
+
+    /// The elements of a pixel from its components.
+    #[inline]
+    pub fn write(self, values: [f64; 4], numbers: Numbers) -> [u32; 4] {
+        if let Some((bits, is_signed)) = self.integer() {
+            let mask = u32::MAX >> (32 - bits);
+            return values.map(|value| {
+                if is_signed {
+                    write_signed(value, bits, numbers) & mask
+                } else {
+                    write_unsigned(value, mask, numbers)
+                }
+            });
+        }
+        let [a, b, ..] = values;
+        match self {
+            Self::F16 => values.map(|value| f16::from_f64(value).to_bits().into()),
+            Self::Packed(packed) => {
+                let mut fields = [0; 4];
+                for index in 0..packed.bits.len() {
+                    fields[index] = write_unsigned(values[index], packed.field(index).1, numbers);
+                }
+                [packed.join(fields), 0, 0, 0]
+            }
+            Self::Rgb9E5 => [write_rgb9e5(values), 0, 0, 0],
+            Self::R11G11B10F => {
+                let [r, g, b, _] = values;
+                let word = write_small_float(r, 6)
+                    | write_small_float(g, 6) << 11
+                    | write_small_float(b, 5) << 22;
+                [word, 0, 0, 0]
+            }
+            Self::Depth24Stencil8 => {
+                [(unsigned(a, 16_777_215.0) as u32) << 8 | b as u8 as u32, 0, 0, 0]
+            }
+            Self::Depth32FStencil8 => [(a as f32).to_bits(), (b as u8).into(), 0, 0],
+            Self::F32 | Self::U8 | Self::I8 | Self::U16 | Self::I16 | Self::U32 | Self::I32 => {
+                values.map(|value| (value as f32).to_bits())
+            }
         }
     }
 }
 
-/// Where a rectangle of pixels lies in the client's memory.
+fn read_unsigned(value: u32, largest: u32, numbers: Numbers) -> f64 {
+    match numbers {
+        Fixed | Numbers::SignedNormalized => f64::from(value) / f64::from(largest),
+        Integer => value.into(),
+    }
+}
+
+fn read_signed(value: f64, bits: u32, numbers: Numbers) -> f64 {
+    match numbers {
+        Fixed => (2.0 * value + 1.0) / f64::from(u32::MAX >> (32 - bits)),
+        Numbers::SignedNormalized => (value / f64::from(i32::MAX >> (32 - bits))).max(-1.0),
+        Integer => value,
+    }
+}
+
+fn write_unsigned(value: f64, largest: u32, numbers: Numbers) -> u32 {
+    match numbers {
+        Fixed | Numbers::SignedNormalized => unsigned(value, largest.into()) as u32,
+        Integer => (value as i64).clamp(0, largest.into()) as u32,
+    }
+}
+
+/// GL 2.1, table 4.9: `((2^b - 1) f - 1) / 2`, of a value clamped to [-1, 1].
+fn write_signed(value: f64, bits: u32, numbers: Numbers) -> u32 {
+    let (low, high) = (i32::MIN >> (32 - bits), i32::MAX >> (32 - bits));
+    let integer = match numbers {
+        Fixed => {
+            let all = f64::from(u32::MAX >> (32 - bits));
+            ((value.clamp(-1.0, 1.0) * all - 1.0) / 2.0).round_ties_even()
+        }
+        Numbers::SignedNormalized => (value.clamp(-1.0, 1.0) * f64::from(high)).round_ties_even(),
+        Integer => value,
+    };
+    (integer as i64).clamp(low.into(), high.into()) as u32
+}
+
+/// `2^exponent`, of exponents that `f64` has without denormals.
+fn power_of_two(exponent: i32) -> f64 {
+    f64::from_bits(((1023 + exponent) as u64) << 52)
+}
+
+/// `EXT_texture_shared_exponent`, section 3.8.X: `mantissa · 2^(exponent - 15 - 9)`.
+fn read_rgb9e5(word: u32) -> [f64; 4] {
+    let scale = power_of_two((word >> 27) as i32 - 24);
+    [0, 9, 18, 27].map(
+        |shift| {
+            if shift == 27 { 0.0 } else { f64::from(word >> shift & 0x1FF) * scale }
+        },
+    )
+}
+
+fn write_rgb9e5([r, g, b, _]: [f64; 4]) -> u32 {
+    /// `(2^9 - 1) / 2^9 · 2^(31 - 15)`.
+    const LARGEST: f64 = 65_408.0;
+    let [r, g, b] = [r, g, b].map(|c| if c > 0.0 { c.min(LARGEST) } else { 0.0 });
+    let max = r.max(g).max(b);
+    // floor(log2 max) from the bits; below 2^-16 the exponent field is 0.
+    let log2 = (max.to_bits() >> 52) as i32 - 1023;
+    let mut exponent = log2.max(-16) + 1 + 15;
+    if (max * power_of_two(24 - exponent) + 0.5).floor() >= 512.0 {
+        exponent += 1;
+    }
+    let scale = power_of_two(24 - exponent);
+    let [r, g, b] = [r, g, b].map(|c| (c * scale + 0.5).floor() as u32);
+    r | g << 9 | b << 18 | (exponent as u32) << 27
+}
+
+/// An unsigned float of a 5-bit exponent above so many bits of mantissa (`EXT_packed_float`,
+/// section 2.1.A).
+fn read_small_float(bits: u32, mantissa_bits: u32) -> f64 {
+    // A half float has 10 bits of mantissa and the same exponent.
+    f16::from_bits((bits << (10 - mantissa_bits)) as u16).to_f64()
+}
+
+/// The nearest such float, halves to even; negative gives 0, too large the largest, NaN a NaN.
+fn write_small_float(value: f64, mantissa_bits: u32) -> u32 {
+    let infinity = 31 << mantissa_bits;
+    if value.is_nan() {
+        return infinity | 1;
+    }
+    if value <= 0.0 {
+        return 0;
+    }
+    if value == f64::INFINITY {
+        return infinity;
+    }
+    // In steps of the last place: 2^(e - mantissa_bits), with e no less than -14.
+    let exponent = ((value.to_bits() >> 52) as i32 - 1023).clamp(-14, 16);
+    let steps = (value * power_of_two(mantissa_bits as i32 - exponent)).round_ties_even();
+    // Steps carry into the exponent by themselves.
+    let bits = (((exponent + 14) as u32) << mantissa_bits) + steps.min(1e6) as u32;
+    bits.min(infinity - 1)
+}
+
+/// Format and type of a call, which go together.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Layout {
+pub(crate) struct Pixel {
     pub format: ClientFormat,
+    pub numbers: Numbers,
     pub ty: ClientType,
-    pub width: usize,
-    pub height: usize,
-    /// Byte of the first pixel.
-    pub start: usize,
-    /// Bytes from a row to the next.
-    pub stride: usize,
-    /// Bytes that the memory must have.
-    pub needed: usize,
-    /// Whether the bytes of each component are reversed.
-    pub swap: bool,
 }
 
-impl Layout {
-    /// GL 2.1, section 3.6.4, equation 3.10.
+impl Pixel {
+    /// What a call's `format` and `type` name.
     ///
     /// # Errors
-    /// When it reaches beyond the address space.
-    pub fn new(
-        store: &PixelStore,
-        format: ClientFormat,
-        ty: ClientType,
-        width: usize,
-        height: usize,
-    ) -> Result<Self> {
-        let pixel = format.components() * ty.size();
-        let per_row = if store.row_length > 0 { store.row_length } else { width };
-        // At most 2^31 pixels of 16 bytes, times 2^31 rows: no overflow in 128 bits.
-        let row = per_row as u128 * pixel as u128;
-        let stride = if ty.size() >= store.alignment {
-            row
-        } else {
-            row.next_multiple_of(store.alignment as u128)
+    /// `GL_INVALID_ENUM` for unknown ones and for integers written as floats,
+    /// `GL_INVALID_OPERATION` for packed types that hold another number of components
+    /// (GL 2.1, table 3.8).
+    pub fn new(format: GLenum, ty: GLenum) -> Result<Self> {
+        let pixel = Self::decoded(format, ty)?;
+        let refuse = |what: &str| {
+            invalid_operation(
+                "GL 2.1, table 3.8",
+                format!("type = {} takes {what}, not {}", enum_name(ty), enum_name(format)),
+            )
         };
-        let start = store.skip_rows as u128 * stride + store.skip_pixels as u128 * pixel as u128;
-        let needed = if width == 0 || height == 0 {
-            0
-        } else {
-            start + (height as u128 - 1) * stride + width as u128 * pixel as u128
+        let (count, rgb) = (pixel.format.components(), pixel.format == Rgb);
+        match pixel.ty {
+            ClientType::Packed(packed) if packed.bits.len() == 3 && !rgb => refuse("GL_RGB"),
+            ClientType::Packed(packed) if packed.bits.len() != count => {
+                refuse("GL_RGBA or GL_BGRA")
+            }
+            ClientType::Rgb9E5 | ClientType::R11G11B10F if !rgb => refuse("GL_RGB"),
+            ClientType::Depth24Stencil8 | ClientType::Depth32FStencil8
+                if pixel.format != DepthStencil =>
+            {
+                refuse("GL_DEPTH_STENCIL")
+            }
+            _ => Ok(pixel),
+        }
+    }
+
+    fn decoded(format: GLenum, ty: GLenum) -> Result<Self> {
+        let (name, ty_name) = (format, ty);
+        let (format, numbers) = FORMAT.decode("format", name)?;
+        let ty = TYPE.decode("type", ty_name)?;
+        let refuse = |section, what: &str| {
+            invalid_enum(
+                section,
+                format!("type = {} with {}: {what}", enum_name(ty_name), enum_name(name)),
+            )
         };
-        let byte =
-            |value: u128| usize::try_from(value).ok().filter(|&bytes| bytes <= isize::MAX as usize);
-        match (byte(start), byte(stride), byte(needed)) {
-            (Some(start), Some(stride), Some(needed)) => Ok(Self {
-                format,
-                ty,
-                width,
-                height,
-                start,
-                stride,
-                needed,
-                swap: store.swap_bytes && ty.size() > 1,
-            }),
-            _ => invalid_operation(
-                "GL 2.1, section 3.6.4",
-                format!(
-                    "{width}×{height} pixels laid out so take {needed} bytes, more than there are"
-                ),
+        match (format, numbers, ty) {
+            (_, Integer, ty) if ty.is_float() => {
+                refuse("EXT_texture_integer, section 3.6.4", "integers are not written as floats")
+            }
+            (DepthStencil, _, ClientType::Depth24Stencil8 | ClientType::Depth32FStencil8) => {
+                Ok(Self { format, numbers, ty })
+            }
+            (DepthStencil, ..) => refuse(
+                "EXT_packed_depth_stencil, section 3.6.4",
+                "must be GL_UNSIGNED_INT_24_8 or GL_FLOAT_32_UNSIGNED_INT_24_8_REV",
             ),
+            (_, _, ty) => Ok(Self { format, numbers, ty }),
         }
     }
 
     /// Bytes of a pixel.
-    pub fn pixel_bytes(&self) -> usize {
-        self.format.components() * self.ty.size()
-    }
-
-    /// Checks that the client's memory is long enough. `alignment` is the pixel store's parameter
-    /// (`GL_UNPACK_ALIGNMENT`), named in the message where changing it would help.
-    pub fn check_length(&self, has: usize, alignment: &str) -> Result<()> {
-        if has >= self.needed {
-            return Ok(());
-        }
-        let tight = self.width * self.pixel_bytes();
-        let hint = if has >= tight * self.height && self.stride > tight && self.start == 0 {
-            format!(
-                "; its rows of {tight} bytes seem to be tightly packed: call \
-                 glPixelStorei({alignment}, 1)"
-            )
-        } else {
-            String::new()
-        };
-        invalid_operation(
-            "GL 2.1, section 3.6.4",
-            format!(
-                "{}×{} pixels of {} bytes, rows {} bytes apart, take {} bytes; the slice has \
-                 {has}{hint}",
-                self.width,
-                self.height,
-                self.pixel_bytes(),
-                self.stride,
-                self.needed
-            ),
-        )
+    pub fn bytes(self) -> usize {
+        self.ty.size() * self.ty.elements(self.format.components())
     }
 }
 
-/// Format and type of a call.
-pub(crate) fn format_and_type(format: GLenum, ty: GLenum) -> Result<(ClientFormat, ClientType)> {
-    Ok((FORMAT.decode("format", format)?, TYPE.decode("type", ty)?))
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn small_floats_read_back_and_round_to_nearest() {
+        for mantissa in [5, 6] {
+            for bits in 0..31 << mantissa {
+                let value = read_small_float(bits, mantissa);
+                assert_eq!(write_small_float(value, mantissa), bits);
+                let middle = (value + read_small_float(bits + 1, mantissa)) / 2.0;
+                if middle.is_finite() {
+                    assert_eq!(write_small_float(middle, mantissa), bits + (bits & 1), "{bits}");
+                }
+            }
+            assert_eq!(write_small_float(1e9, mantissa), (31 << mantissa) - 1);
+            assert_eq!(write_small_float(-1.0, mantissa), 0);
+            assert!(read_small_float(write_small_float(f64::NAN, mantissa), mantissa).is_nan());
+        }
+    }
+
+    #[test]
+    fn shared_exponents_read_back() {
+        for word in (0..u32::MAX).step_by(65_537) {
+            let color = read_rgb9e5(word);
+            assert_eq!(read_rgb9e5(write_rgb9e5(color)), color, "{word:#x}");
+        }
+        assert_eq!(
+            read_rgb9e5(write_rgb9e5([1e9, -1.0, f64::NAN, 0.0])),
+            [65_408.0, 0.0, 0.0, 0.0]
+        );
+        // Rounding the largest mantissa up carries into the exponent.
+        assert_eq!(read_rgb9e5(write_rgb9e5([0.9999, 0.5, 0.0, 0.0]))[0], 1.0);
+    }
+
+    #[test]
+    fn every_word_of_every_integer_type_reads_back() {
+        for ty in [ClientType::U8, ClientType::I8, ClientType::U16, ClientType::I16] {
+            let bits = 8 * ty.size() as u32;
+            for numbers in [Fixed, Numbers::SignedNormalized, Integer] {
+                for word in 0..1_u32 << bits {
+                    let values = ty.read([word; 4], numbers);
+                    let back = ty.write(values, numbers)[0];
+                    let lowest = word == 1 << (bits - 1) && numbers == Numbers::SignedNormalized;
+                    assert!(back == word || lowest, "{ty:?} {numbers:?} {word}: {back}");
+                }
+            }
+        }
+        for (_, packed) in PACKED {
+            let ty = ClientType::Packed(packed);
+            for word in (0..u32::MAX >> (32 - 8 * ty.size())).step_by(251) {
+                assert_eq!(ty.write(ty.read([word; 4], Fixed), Fixed)[0], word, "{ty:?}");
+            }
+        }
+    }
 }

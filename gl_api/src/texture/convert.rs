@@ -1,168 +1,337 @@
 //! Pixels in the client's memory to stored texels and back.
 //!
-//! sRGB formats hold what the client gave: it is encoded already (`EXT_texture_sRGB`).
+//! The general path takes each pixel through `f64`: elements → components → R, G, B, A → transfer →
+//! channels → texel. Where client and texel have the same elements, in whatever order, [`Shuffle`]
+//! copies them instead; which goes where it finds out by sending marked numbers down the general
+//! path.
 
-use super::client::{ClientFormat, ClientType, Layout};
-use crate::framebuffer::Region;
-use crate::state::viewport::unit;
-use texunit::format::{BaseFormat, Format};
+use super::client::{ClientType, Numbers};
+use super::layout::Layout;
+use super::texel::{self, Bytes};
+use super::transfer::{self, Kind, Linear, Transfer};
+use texunit::format::{Encoding, Format};
 use texunit::image::Level;
 
-/// How many channels a texel stores, and which of R, G, B, A each takes (GL 2.1, table 3.15).
-fn sources(base: BaseFormat) -> &'static [usize] {
-    base.sources()
+/// What both directions know of a conversion.
+struct Conversion<'a> {
+    layout: &'a Layout,
+    format: Format,
+    numbers: Numbers,
+    linear: [Linear; 4],
 }
 
-/// A channel of a stored texel as a number; depth and unsigned normalized alike.
-fn read_channel(format: Format, texel: &[u8], channel: usize) -> f64 {
-    match format {
-        Format::D16 => f64::from(u16::from_le_bytes([texel[0], texel[1]])) / 65_535.0,
-        Format::D24 => {
-            f64::from(u32::from_le_bytes([texel[0], texel[1], texel[2], 0])) / 16_777_215.0
-        }
-        Format::D32F => f64::from(f32::from_le_bytes([texel[0], texel[1], texel[2], texel[3]])),
-        Format::A8
-        | Format::L8
-        | Format::La8
-        | Format::I8
-        | Format::R8
-        | Format::Rg8
-        | Format::Rgb8
-        | Format::Rgba8
-        | Format::Srgb8
-        | Format::Srgb8A8
-        | Format::Sl8
-        | Format::Sl8A8 => f64::from(texel[channel]) / 255.0,
+impl<'a> Conversion<'a> {
+    fn new(layout: &'a Layout, format: Format, transfer: &Transfer) -> Self {
+        let numbers = texel::numbers(format, layout.pixel.numbers);
+        let kind = if format.is_depth() { Kind::Depth } else { Kind::Color };
+        Self { layout, format, numbers, linear: transfer.of(kind, numbers) }
     }
-}
 
-/// The bytes of a texel that holds R, G, B, A (depth as R), clamped to [0, 1].
-fn encode(format: Format, rgba: [f64; 4]) -> [u8; 4] {
-    let unorm = |value: f64, largest: f64| (unit(value) * largest).round_ties_even() as u32;
-    match format {
-        Format::D16 => unorm(rgba[0], 65_535.0).to_le_bytes(),
-        Format::D24 => unorm(rgba[0], 16_777_215.0).to_le_bytes(),
-        Format::D32F => (unit(rgba[0]) as f32).to_le_bytes(),
-        Format::A8
-        | Format::L8
-        | Format::La8
-        | Format::I8
-        | Format::R8
-        | Format::Rg8
-        | Format::Rgb8
-        | Format::Rgba8
-        | Format::Srgb8
-        | Format::Srgb8A8
-        | Format::Sl8
-        | Format::Sl8A8 => {
-            let mut texel = [0; 4];
-            for (byte, &source) in texel.iter_mut().zip(sources(format.base())) {
-                *byte = unorm(rgba[source], 255.0) as u8;
+    /// A pixel of the client's as a texel.
+    #[inline]
+    fn unpack(&self, pixel: &[u8]) -> Bytes {
+        let (ty, size) = (self.layout.pixel.ty, self.layout.pixel.ty.size());
+        let mut words = [0; 4];
+        for (word, element) in words.iter_mut().zip(pixel.chunks_exact(size)) {
+            *word = load(element, self.layout.swap);
+        }
+        let components = ty.read(words, self.numbers);
+        let rgba = self.layout.pixel.format.expand(components);
+        texel::encode(self.format, transfer::apply(&self.linear, rgba))
+    }
+
+    /// A texel as a pixel of the client's.
+    #[inline]
+    fn pack(&self, texel: &[u8], pixel: &mut [u8]) {
+        let (ty, size) = (self.layout.pixel.ty, self.layout.pixel.ty.size());
+        let rgba = transfer::apply(&self.linear, texel::decode(self.format, texel));
+        let words = ty.write(self.layout.pixel.format.select(rgba), self.numbers);
+        for (word, element) in words.into_iter().zip(pixel.chunks_exact_mut(size)) {
+            store(word, element, self.layout.swap);
+        }
+    }
+
+    fn unpack_row(&self, row: &[u8], texels: &mut [u8]) {
+        let (pixel, texel) = (self.layout.pixel.bytes(), self.format.bytes());
+        for (pixel, out) in row.chunks_exact(pixel).zip(texels.chunks_exact_mut(texel)) {
+            out.copy_from_slice(&self.unpack(pixel)[..texel]);
+        }
+    }
+
+    fn pack_row(&self, texels: &[u8], row: &mut [u8]) {
+        let (pixel, texel) = (self.layout.pixel.bytes(), self.format.bytes());
+        for (texel, out) in texels.chunks_exact(texel).zip(row.chunks_exact_mut(pixel)) {
+            self.pack(texel, out);
+        }
+    }
+
+    /// The elements of the client's pixel, if a texel has the same, and where each component's is.
+    fn elements(&self) -> Option<(usize, [usize; 4])> {
+        let ty = self.layout.pixel.ty;
+        let plain = (ty.size(), [0, 1, 2, 3]);
+        let is_native = cfg!(target_endian = "little") && !self.layout.swap;
+        let same = match (self.format.info().encoding, ty) {
+            (Encoding::Unorm8 | Encoding::Srgb8, ClientType::U8) => Some(plain),
+            (Encoding::Unorm8 | Encoding::Srgb8, ClientType::Packed(packed))
+                if packed.bits == [8; 4] =>
+            {
+                // Where the first component is at the top, it comes last in memory.
+                let is_top = packed.field(0).0 != 0;
+                let is_last = is_top == is_native;
+                Some((1, if is_last { [3, 2, 1, 0] } else { [0, 1, 2, 3] }))
             }
-            texel
-        }
-    }
-}
-
-/// A stored texel as R, G, B, A, as queries see it (GL 2.1, table 6.1): luminance and intensity as
-/// R alone.
-fn decode(format: Format, texel: &[u8]) -> [f64; 4] {
-    let channel = |channel| read_channel(format, texel, channel);
-    match format.base() {
-        BaseFormat::Alpha => [0.0, 0.0, 0.0, channel(0)],
-        BaseFormat::Luminance | BaseFormat::Intensity | BaseFormat::Red | BaseFormat::Depth => {
-            [channel(0), 0.0, 0.0, 1.0]
-        }
-        BaseFormat::LuminanceAlpha => [channel(0), 0.0, 0.0, channel(1)],
-        BaseFormat::Rg => [channel(0), channel(1), 0.0, 1.0],
-        BaseFormat::Rgb => [channel(0), channel(1), channel(2), 1.0],
-        BaseFormat::Rgba => [channel(0), channel(1), channel(2), channel(3)],
-    }
-}
-
-/// Whether bytes can be copied as they are.
-fn is_same(layout: &Layout, format: Format) -> bool {
-    layout.ty == ClientType::U8
-        && match format {
-            Format::Rgba8 | Format::Srgb8A8 => layout.format == ClientFormat::Rgba,
-            Format::Rgb8 | Format::Srgb8 => layout.format == ClientFormat::Rgb,
-            Format::R8 => layout.format == ClientFormat::Red,
-            Format::Rg8 => layout.format == ClientFormat::Rg,
-            Format::A8 => layout.format == ClientFormat::Alpha,
-            Format::L8 | Format::Sl8 => {
-                matches!(layout.format, ClientFormat::Luminance | ClientFormat::Red)
+            (Encoding::Unorm16, ClientType::U16) if is_native => Some(plain),
+            (Encoding::Float32, ClientType::F32) if is_native && !self.format.is_depth() => {
+                Some(plain)
             }
-            Format::La8 | Format::Sl8A8 => layout.format == ClientFormat::LuminanceAlpha,
-            Format::I8 => matches!(layout.format, ClientFormat::Luminance | ClientFormat::Red),
-            Format::D16 | Format::D24 | Format::D32F => false,
+            (
+                Encoding::Unorm8
+                | Encoding::Srgb8
+                | Encoding::Unorm16
+                | Encoding::Unorm24
+                | Encoding::Float32,
+                _,
+            ) => None,
+        };
+        same.filter(|_| transfer::is_identity(&self.linear) && self.numbers != Numbers::Integer)
+    }
+
+    fn unpack_shuffle(&self) -> Option<Shuffle> {
+        let (size, places) = self.elements()?;
+        let rgba = self.layout.pixel.format.expand(MARKS);
+        let channels = texel::channels(self.format.base(), rgba);
+        let count = self.format.channels();
+        let one = self.layout.pixel.ty.write([1.0; 4], self.numbers)[0];
+        let from = self.layout.pixel.format.components();
+        Shuffle::new(size, from, &channels[..count], one, |component| places[component])
+    }
+
+    fn pack_shuffle(&self) -> Option<Shuffle> {
+        let (size, places) = self.elements()?;
+        let rgba = texel::rgba(self.format.base(), MARKS);
+        let components = self.layout.pixel.format.select(rgba);
+        let count = self.layout.pixel.format.components();
+        let mut placed = [0.0; 4];
+        for (component, value) in components.into_iter().enumerate().take(count) {
+            placed[places[component]] = value;
         }
+        let one = self.layout.pixel.ty.write([1.0; 4], self.numbers)[0];
+        Shuffle::new(size, self.format.channels(), &placed[..count], one, |channel| channel)
+    }
 }
 
-/// The client's pixels as texels of `format`, tightly packed. `bytes` has `layout.needed` bytes.
-pub(crate) fn unpack(layout: &Layout, bytes: &[u8], format: Format) -> Vec<u8> {
-    let size = format.bytes();
-    let mut texels = Vec::with_capacity(layout.width * layout.height * size);
-    let (pixel, component) = (layout.pixel_bytes(), layout.ty.size());
-    for row in 0..layout.height {
-        let at = layout.start + row * layout.stride;
-        let row = &bytes[at..at + layout.width * pixel];
-        if is_same(layout, format) {
-            texels.extend_from_slice(row);
-            continue;
+/// Numbers that a conversion without arithmetic hands on as they are, or not at all; no sum of
+/// some of them is another.
+const MARKS: [f64; 4] = [10.0, 100.0, 1_000.0, 10_000.0];
+
+/// A copy of elements, or of the constants 0 and 1.
+struct Shuffle {
+    /// Bytes of an element.
+    size: usize,
+    /// Elements of what is read.
+    from: usize,
+    /// Of each element that is written: the element that is read, or else the constant.
+    elements: Vec<Result<usize, u32>>,
+}
+
+impl Shuffle {
+    /// `marks` are what came of [`MARKS`]; `place` says where the component is that had a mark.
+    fn new(
+        size: usize,
+        from: usize,
+        marks: &[f64],
+        one: u32,
+        place: impl Fn(usize) -> usize,
+    ) -> Option<Self> {
+        let one = if size == 1 { one & 0xFF } else { one };
+        let element = |&mark: &f64| match MARKS.iter().position(|&other| other == mark) {
+            Some(index) => Some(Ok(place(index))),
+            None if mark == 0.0 => Some(Err(0)),
+            None if mark == 1.0 => Some(Err(one)),
+            None => None,
+        };
+        let elements = marks.iter().map(element).collect::<Option<_>>()?;
+        Some(Self { size, from, elements })
+    }
+
+    fn is_copy(&self) -> bool {
+        self.from == self.elements.len()
+            && self.elements.iter().enumerate().all(|(at, from)| *from == Ok(at))
+    }
+
+    fn run(&self, from: &[u8], to: &mut [u8]) {
+        if self.is_copy() {
+            to.copy_from_slice(from);
+            return;
         }
-        for pixel in row.chunks_exact(pixel) {
-            let mut values = [0.0; 4];
-            for (value, bytes) in values.iter_mut().zip(pixel.chunks_exact(component)) {
-                let mut word = [0; 4];
-                word[..component].copy_from_slice(bytes);
-                if layout.swap {
-                    word[..component].reverse();
+        match self.size {
+            1 => self.run_sized::<1>(from, to),
+            2 => self.run_sized::<2>(from, to),
+            _ => self.run_sized::<4>(from, to),
+        }
+    }
+
+    fn run_sized<const SIZE: usize>(&self, from: &[u8], to: &mut [u8]) {
+        let count = self.elements.len();
+        for (at, element) in self.elements.iter().enumerate() {
+            let to = to.chunks_exact_mut(SIZE).skip(at).step_by(count);
+            match element {
+                Ok(place) => {
+                    let from = from.chunks_exact(SIZE).skip(*place).step_by(self.from);
+                    to.zip(from).for_each(|(to, from)| to.copy_from_slice(from));
                 }
-                *value = layout.ty.read(word);
+                Err(constant) => {
+                    let bytes = constant.to_le_bytes();
+                    to.for_each(|to| to.copy_from_slice(&bytes[..SIZE]));
+                }
             }
-            texels.extend_from_slice(&encode(format, layout.format.expand(values))[..size]);
         }
     }
-    texels
 }
 
-/// A region of a level into the client's memory, which has `layout.needed` bytes. Pixels outside
-/// the level are left as they are.
-pub(crate) fn pack(level: &Level, region: Region, layout: &Layout, bytes: &mut [u8]) {
-    let (size, pixel, component) = (level.format.bytes(), layout.pixel_bytes(), layout.ty.size());
-    let Some(visible) = region.within(level.width, level.height) else { return };
-    for y in visible.y..visible.y + visible.height {
-        let row =
-            &level.texels[y * level.row_bytes()..][visible.x * size..][..visible.width * size];
-        let at = layout.start
-            + (y as i64 - region.y) as usize * layout.stride
-            + (visible.x as i64 - region.x) as usize * pixel;
-        let out = &mut bytes[at..at + visible.width * pixel];
-        if is_same(layout, level.format) {
-            out.copy_from_slice(row);
-            continue;
+/// An element of up to four bytes as a word.
+#[inline]
+fn load(element: &[u8], swap: bool) -> u32 {
+    let mut bytes = [0; 4];
+    bytes[..element.len()].copy_from_slice(element);
+    if swap {
+        bytes[..element.len()].reverse();
+    }
+    match (bytes, element.len()) {
+        ([a, ..], 1) => a.into(),
+        ([a, b, ..], 2) => u16::from_ne_bytes([a, b]).into(),
+        (bytes, _) => u32::from_ne_bytes(bytes),
+    }
+}
+
+/// The low bytes of a word as an element.
+#[inline]
+fn store(word: u32, element: &mut [u8], swap: bool) {
+    match element.len() {
+        1 => element[0] = word as u8,
+        2 => element.copy_from_slice(&(word as u16).to_ne_bytes()),
+        _ => element.copy_from_slice(&word.to_ne_bytes()),
+    }
+    if swap {
+        element.reverse();
+    }
+}
+
+/// The client's pixels as texels of `format`, tightly packed into `texels`. `bytes` has
+/// `layout.needed` bytes.
+pub(crate) fn unpack(
+    layout: &Layout,
+    bytes: &[u8],
+    format: Format,
+    transfer: &Transfer,
+    texels: &mut [u8],
+) {
+    if layout.needed == 0 {
+        return;
+    }
+    let conversion = Conversion::new(layout, format, transfer);
+    let shuffle = conversion.unpack_shuffle();
+    let run = layout.size[0] * format.bytes();
+    for (at, out) in layout.rows().zip(texels.chunks_exact_mut(run)) {
+        let row = &bytes[at..at + layout.row_bytes()];
+        match &shuffle {
+            Some(shuffle) => shuffle.run(row, out),
+            None => conversion.unpack_row(row, out),
         }
-        for (texel, out) in row.chunks_exact(size).zip(out.chunks_exact_mut(pixel)) {
-            let values = layout.format.select(decode(level.format, texel));
-            for (value, out) in values.into_iter().zip(out.chunks_exact_mut(component)) {
-                let mut word = layout.ty.write(value);
-                if layout.swap {
-                    word[..component].reverse();
-                }
-                out.copy_from_slice(&word[..component]);
-            }
+    }
+}
+
+/// Rows of texels of `format`, each with as many as the layout's rows have pixels, into the
+/// client's memory, which has `layout.needed` bytes.
+pub(crate) fn pack(
+    layout: &Layout,
+    format: Format,
+    transfer: &Transfer,
+    texels: &[u8],
+    bytes: &mut [u8],
+) {
+    if layout.needed == 0 {
+        return;
+    }
+    let conversion = Conversion::new(layout, format, transfer);
+    let shuffle = conversion.pack_shuffle();
+    let run = layout.size[0] * format.bytes();
+    for (at, row) in layout.rows().zip(texels.chunks_exact(run)) {
+        let out = &mut bytes[at..at + layout.row_bytes()];
+        match &shuffle {
+            Some(shuffle) => shuffle.run(row, out),
+            None => conversion.pack_row(row, out),
         }
     }
 }
 
 /// Texels of one format as texels of another, as a copy from a framebuffer makes them: luminance
 /// and intensity take R (GL 2.1, table 3.15).
-pub(crate) fn transcode(from: Format, texels: &[u8], to: Format) -> Vec<u8> {
-    if from == to {
+pub(crate) fn transcode(from: Format, texels: &[u8], to: Format, transfer: &Transfer) -> Vec<u8> {
+    let kind = if from.is_depth() { Kind::Depth } else { Kind::Color };
+    let linear = transfer.of(kind, texel::numbers(from, Numbers::Fixed));
+    if from == to && transfer::is_identity(&linear) {
         return texels.to_vec();
     }
     texels
         .chunks_exact(from.bytes())
-        .flat_map(|texel| encode(to, decode(from, texel)).into_iter().take(to.bytes()))
+        .flat_map(|texel| {
+            let rgba = transfer::apply(&linear, texel::decode(from, texel));
+            texel::encode(to, rgba).into_iter().take(to.bytes())
+        })
         .collect()
+}
+
+/// The texels of a level, border included, without the padding.
+pub(crate) fn texels(level: &Level) -> &[u8] {
+    &level.texels[..level.texels.len() - texunit::image::PADDING]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::client::{FORMAT, Pixel, TYPE};
+    use super::super::layout::Extent;
+    use super::*;
+    use crate::state::pixel_store::PixelStore;
+
+    /// Every shuffle gives the bytes of the general path, both ways.
+    #[test]
+    fn shuffles_are_the_general_path_to_the_bit() {
+        let noise: Vec<u8> =
+            (0..7 * 16_u32).map(|i| (i.wrapping_mul(0x9E37_79B9) >> 24) as u8).collect();
+        // Floats of which none is a signalling NaN.
+        let floats: Vec<u8> = (0..28).flat_map(|i| (i as f32 / 7.0 - 1.5).to_ne_bytes()).collect();
+        let mut found = 0;
+        for (name, _) in FORMAT.rows {
+            for (type_name, ty) in TYPE.rows {
+                let Ok(pixel) = Pixel::new(*name, *type_name) else { continue };
+                for swap_bytes in [false, true] {
+                    let store = PixelStore { swap_bytes, alignment: 1, ..PixelStore::default() };
+                    let layout = Layout::new(&store, pixel, [7, 1, 1], Extent::Flat).unwrap();
+                    for format in Format::ALL {
+                        let transfer = Transfer::default();
+                        let conversion = Conversion::new(&layout, format, &transfer);
+                        let bytes = if *ty == ClientType::F32 { &floats } else { &noise };
+                        if let Some(shuffle) = conversion.unpack_shuffle() {
+                            let mut got = vec![9; 7 * format.bytes()];
+                            let mut want = vec![8; 7 * format.bytes()];
+                            shuffle.run(&bytes[..layout.needed], &mut got);
+                            conversion.unpack_row(&bytes[..layout.needed], &mut want);
+                            assert_eq!(got, want, "{pixel:?} {format:?}");
+                            found += 1;
+                        }
+                        if let Some(shuffle) = conversion.pack_shuffle() {
+                            let (mut got, mut want) =
+                                (vec![9; layout.needed], vec![8; layout.needed]);
+                            shuffle.run(&bytes[..7 * format.bytes()], &mut got);
+                            conversion.pack_row(&bytes[..7 * format.bytes()], &mut want);
+                            assert_eq!(got, want, "{pixel:?} {format:?}");
+                            found += 1;
+                        }
+                    }
+                }
+            }
+        }
+        assert!(found > 200, "{found}");
+    }
 }

@@ -1,14 +1,15 @@
-//! `glCopyTexImage2D` and `glCopyTexSubImage2D`: GL 2.1, section 3.8.2.
+//! `glCopyTexImage` and `glCopyTexSubImage`: GL 2.1, section 3.8.2.
 
 use super::internal::INTERNAL_FORMAT;
-use super::specify::{checked_area, checked_size, store_level, write_area};
-use super::{FACE_TARGET, checked_level, convert, storage_error};
+use super::specify::{Request, store_level};
+use super::sub::{checked_area, room, write_area};
+use super::target::{Dimensions, ImageTarget};
+use super::{convert, storage_error};
 use crate::context::Context;
 use crate::error::{Result, invalid_operation};
 use crate::framebuffer::{Region, read};
 use crate::types::*;
 use texunit::format::Format;
-use texunit::image::Level;
 
 const SECTION: &str = "GL 2.1, section 3.8.2";
 
@@ -21,7 +22,7 @@ fn copied(context: &mut Context, region: Region, format: Format) -> Result<Vec<u
         return invalid_operation(SECTION, "depth is copied from depth, colours from colours");
     }
     let size = source.format.bytes();
-    let mut texels = vec![0; region.width * region.height * size];
+    let mut texels = room(source.format, [region.width, region.height, 1])?;
     if let Some(visible) = region.within(source.width, source.height) {
         for y in visible.y..visible.y + visible.height {
             let row = &source.texels[y * source.row_bytes()..][visible.x * size..];
@@ -31,7 +32,60 @@ fn copied(context: &mut Context, region: Region, format: Format) -> Result<Vec<u
             texels[at..at + visible.width * size].copy_from_slice(&row[..visible.width * size]);
         }
     }
-    Ok(convert::transcode(source.format, &texels, format))
+    Ok(convert::transcode(source.format, &texels, format, &context.state.transfer))
+}
+
+fn copy_tex_image(
+    context: &mut Context,
+    (dimensions, target): (Dimensions, GLenum),
+    level: GLint,
+    internal: GLenum,
+    [x, y]: [GLint; 2],
+    size: [GLsizei; 3],
+    border: GLint,
+) -> Result<()> {
+    let image = ImageTarget::Bound(dimensions.bound(target)?);
+    let format = INTERNAL_FORMAT.decode("internalformat", internal)?;
+    let request = Request::new(image, level, internal, format, size, border)?;
+    let Some(target) = request.bound(context)? else { return Ok(()) };
+    let [width, height, _] = request.given;
+    let texels = copied(context, Region::new(x, y, width as usize, height as usize), format)?;
+    let mut level = request.storage()?;
+    let corner = level.border.map(|side| -(side as i32));
+    level
+        .write_box(corner, level.stored_size(), &texels)
+        .map_err(|error| storage_error(SECTION, &error))?;
+    store_level(context, target, request.level, internal, level)
+}
+
+fn copy_tex_sub_image(
+    context: &mut Context,
+    (dimensions, target): (Dimensions, GLenum),
+    level: GLint,
+    offset: [GLint; 3],
+    [x, y]: [GLint; 2],
+    [width, height]: [GLsizei; 2],
+) -> Result<()> {
+    let target = dimensions.bound(target)?;
+    let area = checked_area(context, target, level, offset, [width, height, 1])?;
+    let region = Region::new(x, y, width as usize, height as usize);
+    let texels = copied(context, region, area.format)?;
+    write_area(context, &area, &texels)
+}
+
+#[expect(clippy::too_many_arguments, reason = "GL's signature")]
+pub(crate) fn copy_tex_image_1d(
+    context: &mut Context,
+    target: GLenum,
+    level: GLint,
+    internalformat: GLenum,
+    x: GLint,
+    y: GLint,
+    width: GLsizei,
+    border: GLint,
+) -> Result<()> {
+    let target = (Dimensions::One, target);
+    copy_tex_image(context, target, level, internalformat, [x, y], [width, 1, 1], border)
 }
 
 #[expect(clippy::too_many_arguments, reason = "GL's signature")]
@@ -46,15 +100,21 @@ pub(crate) fn copy_tex_image_2d(
     height: GLsizei,
     border: GLint,
 ) -> Result<()> {
-    let target = FACE_TARGET.decode("target", target)?;
-    let level = checked_level(SECTION, level)?;
-    let format = INTERNAL_FORMAT.decode("internalformat", internalformat)?;
-    let (width, height) = checked_size(target, level, width, height, border)?;
-    let region = Region::new(x, y, width as usize, height as usize);
-    let texels = copied(context, region, format)?;
-    let texels = Level::from_texels(format, width, height, &texels)
-        .map_err(|error| storage_error(SECTION, &error))?;
-    store_level(context, target, level, internalformat, texels)
+    let target = (Dimensions::Two, target);
+    copy_tex_image(context, target, level, internalformat, [x, y], [width, height, 1], border)
+}
+
+pub(crate) fn copy_tex_sub_image_1d(
+    context: &mut Context,
+    target: GLenum,
+    level: GLint,
+    xoffset: GLint,
+    x: GLint,
+    y: GLint,
+    width: GLsizei,
+) -> Result<()> {
+    let target = (Dimensions::One, target);
+    copy_tex_sub_image(context, target, level, [xoffset, 0, 0], [x, y], [width, 1])
 }
 
 #[expect(clippy::too_many_arguments, reason = "GL's signature")]
@@ -69,10 +129,23 @@ pub(crate) fn copy_tex_sub_image_2d(
     width: GLsizei,
     height: GLsizei,
 ) -> Result<()> {
-    let target = FACE_TARGET.decode("target", target)?;
-    let level = checked_level(SECTION, level)?;
-    let (format, area) = checked_area(context, target, level, [xoffset, yoffset], [width, height])?;
-    let region = Region::new(x, y, width as usize, height as usize);
-    let texels = copied(context, region, format)?;
-    write_area(context, target, level, area, &texels)
+    let target = (Dimensions::Two, target);
+    copy_tex_sub_image(context, target, level, [xoffset, yoffset, 0], [x, y], [width, height])
+}
+
+#[expect(clippy::too_many_arguments, reason = "GL's signature")]
+pub(crate) fn copy_tex_sub_image_3d(
+    context: &mut Context,
+    target: GLenum,
+    level: GLint,
+    xoffset: GLint,
+    yoffset: GLint,
+    zoffset: GLint,
+    x: GLint,
+    y: GLint,
+    width: GLsizei,
+    height: GLsizei,
+) -> Result<()> {
+    let (target, offset) = ((Dimensions::Three, target), [xoffset, yoffset, zoffset]);
+    copy_tex_sub_image(context, target, level, offset, [x, y], [width, height])
 }

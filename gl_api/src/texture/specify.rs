@@ -1,10 +1,13 @@
-//! `glTexImage2D` and `glTexSubImage2D`: GL 2.1, sections 3.8.1 and 3.8.2.
+//! `glTexImage1D`, `2D` and `3D`: GL 2.1, section 3.8.1.
 
-use super::client::{ClientFormat, Layout, format_and_type};
+use super::client::{ClientFormat, Numbers, Pixel};
 use super::internal::{INTERNAL_FORMAT, texture_format};
-use super::{FACE_TARGET, FaceTarget, TextureTarget, bound, bound_mut, checked_level, convert};
+use super::layout::{Extent, Layout};
+use super::memory::pixel_source;
+use super::target::{Dimensions, ImageTarget};
+use super::{FaceTarget, Proxy, TextureTarget, bound, bound_mut, checked_level, convert, texel};
 use crate::constants::*;
-use crate::context::{Context, limits};
+use crate::context::Context;
 use crate::entry::Data;
 use crate::error::{Result, invalid_operation, invalid_value, not_negative};
 use crate::types::*;
@@ -12,7 +15,6 @@ use texunit::format::Format;
 use texunit::image::Level;
 
 const SECTION: &str = "GL 2.1, section 3.8.1";
-const SUB_SECTION: &str = "GL 2.1, section 3.8.2";
 
 /// The format that a texture image was asked to have.
 pub(super) fn checked_internal(internal: GLenum) -> Result<Format> {
@@ -29,62 +31,142 @@ pub(super) fn checked_internal(internal: GLenum) -> Result<Format> {
     }
 }
 
-/// Checks the size of a level, and that cube maps are square.
-pub(super) fn checked_size(
-    target: FaceTarget,
-    level: usize,
-    width: GLsizei,
-    height: GLsizei,
-    border: GLint,
-) -> Result<(u32, u32)> {
-    let limit = (limits::MAX_TEXTURE_SIZE >> level) as usize;
-    for (argument, size) in [("width", width), ("height", height)] {
-        if not_negative(SECTION, argument, size.into())? > limit {
+/// A level that a call asks for.
+pub(super) struct Request {
+    pub image: ImageTarget,
+    pub level: usize,
+    pub internal: GLenum,
+    pub format: Format,
+    /// Width, height and depth as the call has them: with the border, layers of a one-dimensional
+    /// array as height.
+    pub given: [u32; 3],
+    /// Width, height and depth of the level, without border.
+    pub size: [u32; 3],
+    pub border: u32,
+    /// The first side that is too large, if one is.
+    too_large: Option<String>,
+}
+
+impl Request {
+    /// Checks everything but the pixels.
+    pub fn new(
+        image: ImageTarget,
+        level: GLint,
+        internal: GLenum,
+        format: Format,
+        given: [GLsizei; 3],
+        border: GLint,
+    ) -> Result<Self> {
+        let target = image.target();
+        let level = checked_level(SECTION, target, level)?;
+        let border = checked_border(target, border)?;
+        if target == TextureTarget::D3 && format.is_depth() {
+            return invalid_operation(SECTION, "three-dimensional textures have no depth formats");
+        }
+        let borders = target.level_box(target.shape().border(border));
+        let (limits, axes) = (target.limits(), target.shape().axes());
+        let mut sides = [0; 3];
+        let mut too_large = None;
+        for (axis, argument) in ["width", "height", "depth"].into_iter().enumerate() {
+            let side = not_negative(SECTION, argument, given[axis].into())? as u32;
+            let Some(inside) = side.checked_sub(2 * borders[axis]) else {
+                return invalid_value(
+                    SECTION,
+                    format!("{argument} = {side} must be at least 2, as border = 1"),
+                );
+            };
+            let limit = if axis < axes { limits[axis] >> level } else { limits[axis] };
+            if inside > limit && too_large.is_none() {
+                too_large = Some(format!(
+                    "{argument} = {side} must not be above {} at level {level}",
+                    limit + 2 * borders[axis]
+                ));
+            }
+            sides[axis] = inside;
+        }
+        if target == TextureTarget::Cube && given[0] != given[1] {
+            let [width, height, _] = given;
             return invalid_value(
                 SECTION,
-                format!("{argument} = {size} must not be above {limit} at level {level}"),
+                format!("width = {width} and height = {height} of a cube map's face must be equal"),
             );
         }
+        let given = given.map(|side| side as u32);
+        let size = target.level_box(sides);
+        Ok(Self { image, level, internal, format, given, size, border, too_large })
     }
-    if target.target == TextureTarget::Cube && width != height {
-        return invalid_value(
-            SECTION,
-            format!("width = {width} and height = {height} of a cube map's face must be equal"),
-        );
-    }
-    if border != 0 {
-        return invalid_value(
-            SECTION,
-            format!("border = {border} must be 0: DetGL has no textures with border texels"),
-        );
-    }
-    Ok((width as u32, height as u32))
-}
 
-/// Depth pixels go to depth textures, and colours to the others.
-fn kinds_match(format: ClientFormat, stored: Format) -> Result<()> {
-    if (format == ClientFormat::Depth) == stored.is_depth() {
-        return Ok(());
-    }
-    invalid_operation(
-        SECTION,
-        "format GL_DEPTH_COMPONENT and a depth internalformat go together, and not with colours",
-    )
-}
-
-/// The client's memory with enough bytes for the layout, or `None` for a null pointer.
-fn source<'a>(layout: &Layout, pixels: Data<'a>) -> Result<Option<&'a [u8]>> {
-    match pixels {
-        Data::Null => Ok(None),
-        Data::Bytes(bytes) => {
-            layout.check_length(bytes.len(), "GL_UNPACK_ALIGNMENT")?;
-            Ok(Some(bytes))
+    /// The image to put the level into; a proxy is answered, and then there is none.
+    pub fn bound(&self, context: &mut Context) -> Result<Option<FaceTarget>> {
+        match (self.image, &self.too_large) {
+            (ImageTarget::Bound(_), Some(rule)) => invalid_value(SECTION, rule.clone()),
+            (ImageTarget::Bound(target), None) => Ok(Some(target)),
+            (ImageTarget::Proxy(target), too_large) => {
+                let Self { size, border, internal, format, .. } = *self;
+                let [width, height, depth] = target.shape().border(border).map(|side| 2 * side);
+                let bytes = Level::required_bytes(
+                    format,
+                    size[0] + width,
+                    size[1] + height,
+                    size[2] + depth,
+                );
+                let fits = too_large.is_none() && bytes.is_some();
+                context.state.proxies[target as usize][self.level] =
+                    fits.then_some(Proxy { size, border, internal, format });
+                Ok(None)
+            }
         }
-        Data::Offset(offset) => invalid_operation(
-            "GL 2.1, section 4.3.2",
-            format!("pixels = offset {offset}: DetGL has no pixel buffer objects yet"),
-        ),
     }
+
+    /// A level as asked for, its bytes all 0.
+    pub fn storage(&self) -> Result<Level> {
+        let border = self.image.target().shape().border(self.border);
+        Level::with_size(self.format, self.size, border)
+            .map_err(|error| super::storage_error(SECTION, &error))
+    }
+}
+
+fn checked_border(target: TextureTarget, border: GLint) -> Result<u32> {
+    match (target, border) {
+        (_, 0) => Ok(0),
+        (TextureTarget::Rect, _) => {
+            invalid_value(SECTION, format!("border = {border} of a rectangle must be 0"))
+        }
+        (
+            TextureTarget::D1
+            | TextureTarget::D2
+            | TextureTarget::D3
+            | TextureTarget::Cube
+            | TextureTarget::D1Array
+            | TextureTarget::D2Array,
+            1,
+        ) => Ok(1),
+        (_, _) => invalid_value(SECTION, format!("border = {border} must be 0 or 1")),
+    }
+}
+
+/// Depth pixels go to depth textures, integers to integer textures, colours to the others.
+pub(crate) fn kinds_match(pixel: Pixel, stored: Format) -> Result<()> {
+    if pixel.format.is_depth() != stored.is_depth() {
+        return invalid_operation(
+            SECTION,
+            "format GL_DEPTH_COMPONENT and a depth internalformat go together, and not with colours",
+        );
+    }
+    if (pixel.format == ClientFormat::DepthStencil) && !texel::has_stencil(stored) {
+        return invalid_operation(
+            SECTION,
+            "format GL_DEPTH_STENCIL needs an internalformat with stencil",
+        );
+    }
+    if (pixel.numbers == Numbers::Integer) != texel::is_integer(stored) {
+        return invalid_operation(
+            "EXT_texture_integer, section 3.8.1",
+            "formats of integers (GL_RGBA_INTEGER) and integer internalformats go together, and \
+             not with others",
+        );
+    }
+    Ok(())
 }
 
 /// Puts a level in place and lets everything that depends on it know.
@@ -108,6 +190,67 @@ pub(super) fn store_level(
     super::mipmap::base_level_changed(texture, level)
 }
 
+/// A call's format, type and pixels.
+struct Pixels<'a> {
+    format: GLenum,
+    ty: GLenum,
+    data: Data<'a>,
+}
+
+fn tex_image(
+    context: &mut Context,
+    (dimensions, target): (Dimensions, GLenum),
+    level: GLint,
+    internal: GLint,
+    given: [GLsizei; 3],
+    border: GLint,
+    pixels: Pixels<'_>,
+) -> Result<()> {
+    let image = dimensions.image(target)?;
+    let internal = internal as GLenum;
+    let format = checked_internal(internal)?;
+    let request = Request::new(image, level, internal, format, given, border)?;
+    let pixel = Pixel::new(pixels.format, pixels.ty)?;
+    kinds_match(pixel, format)?;
+    let Some(target) = request.bound(context)? else { return Ok(()) };
+    let extent = extent(dimensions);
+    let size = request.given.map(|side| side as usize);
+    let layout = Layout::new(&context.state.unpack, pixel, size, extent)?;
+    let source = pixel_source(context, &layout, pixels.data)?;
+    let mut texels = request.storage()?;
+    if let Some(source) = source {
+        let room = texels.texels.len() - texunit::image::PADDING;
+        let out = &mut texels.texels[..room];
+        convert::unpack(&layout, source.bytes(), format, &context.state.transfer, out);
+    }
+    store_level(context, target, request.level, internal, texels)
+}
+
+/// Which parts of the pixel store count for a call of so many dimensions.
+pub(super) fn extent(dimensions: Dimensions) -> Extent {
+    match dimensions {
+        Dimensions::One | Dimensions::Two => Extent::Flat,
+        Dimensions::Three => Extent::Volume,
+    }
+}
+
+#[expect(clippy::too_many_arguments, reason = "GL's signature")]
+pub(crate) fn tex_image_1d(
+    context: &mut Context,
+    target: GLenum,
+    level: GLint,
+    internalformat: GLint,
+    width: GLsizei,
+    border: GLint,
+    format: GLenum,
+    ty: GLenum,
+    data: Data<'_>,
+) -> Result<()> {
+    let pixels = Pixels { format, ty, data };
+    let target = (Dimensions::One, target);
+    tex_image(context, target, level, internalformat, [width, 1, 1], border, pixels)
+}
+
 #[expect(clippy::too_many_arguments, reason = "GL's signature")]
 pub(crate) fn tex_image_2d(
     context: &mut Context,
@@ -119,109 +262,28 @@ pub(crate) fn tex_image_2d(
     border: GLint,
     format: GLenum,
     ty: GLenum,
-    pixels: Data<'_>,
+    data: Data<'_>,
 ) -> Result<()> {
-    let target = FACE_TARGET.decode("target", target)?;
-    let level = checked_level(SECTION, level)?;
-    let stored = checked_internal(internalformat as GLenum)?;
-    let (width, height) = checked_size(target, level, width, height, border)?;
-    let (client, ty) = format_and_type(format, ty)?;
-    kinds_match(client, stored)?;
-    let layout = Layout::new(&context.state.unpack, client, ty, width as usize, height as usize)?;
-    let error = |error| super::storage_error(SECTION, &error);
-    let texels = match source(&layout, pixels)? {
-        Some(bytes) => {
-            let texels = convert::unpack(&layout, bytes, stored);
-            Level::from_texels(stored, width, height, &texels).map_err(error)?
-        }
-        None => Level::new(stored, width, height).map_err(error)?,
-    };
-    store_level(context, target, level, internalformat as GLenum, texels)
-}
-
-/// Checks that a rectangle lies inside a level that exists; gives the level's format and the
-/// rectangle.
-pub(super) fn checked_area(
-    context: &Context,
-    target: FaceTarget,
-    level: usize,
-    [x, y]: [GLint; 2],
-    [width, height]: [GLsizei; 2],
-) -> Result<(Format, [u32; 4])> {
-    not_negative(SUB_SECTION, "width", width.into())?;
-    not_negative(SUB_SECTION, "height", height.into())?;
-    let image = bound(context, target.target).image.texels();
-    let Some(texels) = image.level(target.face.into(), level) else {
-        return invalid_operation(
-            SUB_SECTION,
-            format!("level {level} has no image yet: call glTexImage2D first"),
-        );
-    };
-    for (offset, at, argument, size, limit) in [
-        ("xoffset", x, "width", width, texels.width),
-        ("yoffset", y, "height", height, texels.height),
-    ] {
-        if at < 0 || i64::from(at) + i64::from(size) > i64::from(limit) {
-            return invalid_value(
-                SUB_SECTION,
-                format!("{offset} = {at} and {argument} = {size} reach outside 0 to {limit}"),
-            );
-        }
-    }
-    Ok((texels.format, [x as u32, y as u32, width as u32, height as u32]))
-}
-
-/// Overwrites a rectangle that [`checked_area`] accepted.
-pub(super) fn write_area(
-    context: &mut Context,
-    target: FaceTarget,
-    level: usize,
-    [x, y, width, height]: [u32; 4],
-    texels: &[u8],
-) -> Result<()> {
-    let image = bound(context, target.target).image.clone();
-    crate::draw::settle(context, &image);
-    let texture = bound_mut(context, target.target);
-    let written = texture.image.update(|image| {
-        image
-            .level_mut(target.face.into(), level)
-            .map_or(Ok(()), |level| level.write(x, y, width, height, texels))
-    });
-    written.map_err(|error| super::storage_error(SUB_SECTION, &error))?;
-    texture.changed();
-    super::mipmap::base_level_changed(texture, level)
+    let pixels = Pixels { format, ty, data };
+    let target = (Dimensions::Two, target);
+    tex_image(context, target, level, internalformat, [width, height, 1], border, pixels)
 }
 
 #[expect(clippy::too_many_arguments, reason = "GL's signature")]
-pub(crate) fn tex_sub_image_2d(
+pub(crate) fn tex_image_3d(
     context: &mut Context,
     target: GLenum,
     level: GLint,
-    xoffset: GLint,
-    yoffset: GLint,
+    internalformat: GLint,
     width: GLsizei,
     height: GLsizei,
+    depth: GLsizei,
+    border: GLint,
     format: GLenum,
     ty: GLenum,
-    pixels: Data<'_>,
+    data: Data<'_>,
 ) -> Result<()> {
-    let target = FACE_TARGET.decode("target", target)?;
-    let level = checked_level(SUB_SECTION, level)?;
-    let (stored, area) = checked_area(context, target, level, [xoffset, yoffset], [width, height])?;
-    let (client, ty) = format_and_type(format, ty)?;
-    kinds_match(client, stored)?;
-    let layout = Layout::new(&context.state.unpack, client, ty, width as usize, height as usize)?;
-    if layout.needed == 0 {
-        return Ok(());
-    }
-    match source(&layout, pixels)? {
-        Some(bytes) => {
-            let texels = convert::unpack(&layout, bytes, stored);
-            write_area(context, target, level, area, &texels)
-        }
-        None => invalid_operation(
-            SUB_SECTION,
-            format!("pixels must not be NULL: {} bytes are needed", layout.needed),
-        ),
-    }
+    let pixels = Pixels { format, ty, data };
+    let target = (Dimensions::Three, target);
+    tex_image(context, target, level, internalformat, [width, height, depth], border, pixels)
 }

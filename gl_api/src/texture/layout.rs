@@ -1,0 +1,131 @@
+//! Where pixels lie in the client's memory (GL 2.1, section 3.6.4).
+
+use super::client::Pixel;
+use crate::error::{Result, invalid_operation};
+use crate::state::pixel_store::PixelStore;
+
+/// Which of the skips and heights of the pixel store count.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Extent {
+    /// One row, or rows.
+    Flat,
+    /// Rows of images: `IMAGE_HEIGHT` and `SKIP_IMAGES` count too (section 3.6.1).
+    Volume,
+}
+
+/// Where a box of pixels lies in the client's memory.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Layout {
+    pub pixel: Pixel,
+    /// Pixels in a row, rows, images.
+    pub size: [usize; 3],
+    /// Byte of the first pixel.
+    pub start: usize,
+    /// Bytes from a row to the next.
+    pub stride: usize,
+    /// Bytes from an image to the next.
+    pub image_stride: usize,
+    /// Bytes that the memory must have.
+    pub needed: usize,
+    /// Whether the bytes of each element are reversed.
+    pub swap: bool,
+}
+
+impl Layout {
+    /// GL 2.1, section 3.6.4, equation 3.10.
+    ///
+    /// # Errors
+    /// When it reaches beyond the address space.
+    pub fn new(store: &PixelStore, pixel: Pixel, size: [usize; 3], extent: Extent) -> Result<Self> {
+        let [width, height, depth] = size;
+        let bytes = pixel.bytes() as u128;
+        let per_row = if store.row_length > 0 { store.row_length } else { width };
+        // At most 2^31 pixels of 16 bytes, times 2^31 rows, times 2^31 images: no overflow in 128
+        // bits.
+        let row = per_row as u128 * bytes;
+        let stride = if pixel.ty.size() >= store.alignment {
+            row
+        } else {
+            row.next_multiple_of(store.alignment as u128)
+        };
+        let (image_height, skip_images) = match extent {
+            Extent::Flat => (0, 0),
+            Extent::Volume => (store.image_height, store.skip_images),
+        };
+        let per_image = if image_height > 0 { image_height } else { height };
+        let image_stride = stride * per_image as u128;
+        let start = skip_images as u128 * image_stride
+            + store.skip_rows as u128 * stride
+            + store.skip_pixels as u128 * bytes;
+        let needed = if size.contains(&0) {
+            0
+        } else {
+            start
+                + (depth as u128 - 1) * image_stride
+                + (height as u128 - 1) * stride
+                + width as u128 * bytes
+        };
+        let byte =
+            |value: u128| usize::try_from(value).ok().filter(|&bytes| bytes <= isize::MAX as usize);
+        match (byte(start), byte(stride), byte(image_stride), byte(needed)) {
+            (Some(start), Some(stride), Some(image_stride), Some(needed)) => Ok(Self {
+                pixel,
+                size,
+                start,
+                stride,
+                image_stride,
+                needed,
+                swap: store.swap_bytes && pixel.ty.size() > 1,
+            }),
+            _ => invalid_operation(
+                "GL 2.1, section 3.6.4",
+                format!(
+                    "{width}×{height}×{depth} pixels laid out so take {needed} bytes, more than \
+                     there are"
+                ),
+            ),
+        }
+    }
+
+    /// Where each row of pixels begins, row by row and image by image.
+    pub fn rows(&self) -> impl Iterator<Item = usize> {
+        let [_, height, depth] = self.size;
+        let (start, stride, image_stride) = (self.start, self.stride, self.image_stride);
+        (0..depth)
+            .flat_map(move |z| (0..height).map(move |y| start + z * image_stride + y * stride))
+    }
+
+    /// Bytes of the pixels of a row.
+    pub fn row_bytes(&self) -> usize {
+        self.size[0] * self.pixel.bytes()
+    }
+
+    /// Checks that the client's memory is long enough. `alignment` is the pixel store's parameter
+    /// (`GL_UNPACK_ALIGNMENT`), named in the message where changing it would help.
+    pub fn check_length(&self, has: usize, alignment: &str) -> Result<()> {
+        if has >= self.needed {
+            return Ok(());
+        }
+        let tight = self.row_bytes();
+        let [width, height, depth] = self.size;
+        let hint = if has >= tight * height * depth && self.stride > tight && self.start == 0 {
+            format!(
+                "; its rows of {tight} bytes seem to be tightly packed: call \
+                 glPixelStorei({alignment}, 1)"
+            )
+        } else {
+            String::new()
+        };
+        let images = if depth == 1 { String::new() } else { format!("×{depth}") };
+        invalid_operation(
+            "GL 2.1, section 3.6.4",
+            format!(
+                "{width}×{height}{images} pixels of {} bytes, rows {} bytes apart, take {} bytes; \
+                 the slice has {has}{hint}",
+                self.pixel.bytes(),
+                self.stride,
+                self.needed
+            ),
+        )
+    }
+}

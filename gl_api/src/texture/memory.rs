@@ -1,0 +1,148 @@
+//! The memory that pixels come from and go to: the client's, or a pixel buffer object
+//! (`ARB_pixel_buffer_object`, section 3.6.1).
+
+use super::layout::Layout;
+use crate::context::Context;
+use crate::entry::{Data, DataOut};
+use crate::error::{Result, invalid_operation};
+use crate::types::GLuint;
+use rasterizer::driver::Buffer;
+
+const SECTION: &str = "ARB_pixel_buffer_object, section 3.6.1";
+
+/// Memory that is read from.
+pub(crate) enum Source<'a> {
+    Client(&'a [u8]),
+    /// A buffer object from an offset on.
+    Buffer(Buffer, usize),
+}
+
+impl Source<'_> {
+    pub fn bytes(&self) -> &[u8] {
+        match self {
+            Self::Client(bytes) => bytes,
+            Self::Buffer(buffer, offset) => &buffer.bytes()[*offset..],
+        }
+    }
+}
+
+/// What a call's `pixels` are read from, or `None` for a null pointer.
+pub(crate) fn source<'a>(context: &Context, pixels: Data<'a>) -> Result<Option<Source<'a>>> {
+    let name = context.state.bindings.pixel_unpack_buffer;
+    match (context.objects.buffers.get(name), pixels) {
+        (None, Data::Null | Data::Offset(0)) => Ok(None),
+        (None, Data::Bytes(bytes)) => Ok(Some(Source::Client(bytes))),
+        (None, Data::Offset(offset)) => no_buffer(offset, "GL_PIXEL_UNPACK_BUFFER"),
+        (Some(_), Data::Bytes(_)) => slice_and_buffer("GL_PIXEL_UNPACK_BUFFER"),
+        (Some(object), Data::Null) => Ok(Some(Source::Buffer(object.buffer.clone(), 0))),
+        (Some(object), Data::Offset(offset)) => {
+            check_offset(offset, object.buffer.bytes().len())?;
+            Ok(Some(Source::Buffer(object.buffer.clone(), offset)))
+        }
+    }
+}
+
+/// The client's pixels, with enough bytes for the layout, or `None` for a null pointer.
+pub(crate) fn pixel_source<'a>(
+    context: &Context,
+    layout: &Layout,
+    pixels: Data<'a>,
+) -> Result<Option<Source<'a>>> {
+    let source = source(context, pixels)?;
+    if let Some(source) = &source {
+        layout.check_length(source.bytes().len(), "GL_UNPACK_ALIGNMENT")?;
+        if let Source::Buffer(_, offset) = source {
+            check_multiple(layout, *offset)?;
+        }
+    }
+    Ok(source)
+}
+
+/// Lets `write` write `needed` bytes to where a call's `pixels` are.
+pub(crate) fn write_bytes(
+    context: &mut Context,
+    pixels: DataOut<'_>,
+    needed: usize,
+    write: impl FnOnce(&mut [u8]),
+) -> Result<()> {
+    let name: GLuint = context.state.bindings.pixel_pack_buffer;
+    match (context.objects.buffers.get_mut(name), pixels) {
+        (_, DataOut::Null | DataOut::Offset(0)) if needed == 0 => Ok(()),
+        (None, DataOut::Bytes(bytes)) => {
+            check_room(bytes.len(), needed)?;
+            write(bytes);
+            Ok(())
+        }
+        (None, DataOut::Null | DataOut::Offset(0)) => invalid_operation(
+            SECTION,
+            format!("pixels must not be NULL: {needed} bytes are needed"),
+        ),
+        (None, DataOut::Offset(offset)) => no_buffer(offset, "GL_PIXEL_PACK_BUFFER"),
+        (Some(_), DataOut::Bytes(_)) => slice_and_buffer("GL_PIXEL_PACK_BUFFER"),
+        (Some(object), out @ (DataOut::Null | DataOut::Offset(_))) => {
+            let offset = if let DataOut::Offset(offset) = out { offset } else { 0 };
+            let length = object.buffer.bytes().len();
+            check_offset(offset, length)?;
+            check_room(length - offset, needed)?;
+            write(&mut object.buffer.bytes_mut()[offset..]);
+            Ok(())
+        }
+    }
+}
+
+/// Lets `write` write pixels of this layout to where a call's `pixels` are.
+pub(crate) fn write_pixels(
+    context: &mut Context,
+    layout: &Layout,
+    pixels: DataOut<'_>,
+    write: impl FnOnce(&mut [u8]),
+) -> Result<()> {
+    match &pixels {
+        DataOut::Bytes(bytes) => layout.check_length(bytes.len(), "GL_PACK_ALIGNMENT")?,
+        DataOut::Offset(offset) => check_multiple(layout, *offset)?,
+        DataOut::Null => {}
+    }
+    write_bytes(context, pixels, layout.needed, write)
+}
+
+fn check_room(has: usize, needed: usize) -> Result<()> {
+    if has >= needed {
+        return Ok(());
+    }
+    invalid_operation(SECTION, format!("{needed} bytes are needed; there are {has}"))
+}
+
+fn check_offset(offset: usize, length: usize) -> Result<()> {
+    if offset <= length {
+        return Ok(());
+    }
+    invalid_operation(
+        SECTION,
+        format!("pixels = offset {offset} lies behind the buffer's {length} bytes"),
+    )
+}
+
+fn check_multiple(layout: &Layout, offset: usize) -> Result<()> {
+    let size = layout.pixel.ty.size();
+    if offset.is_multiple_of(size) {
+        return Ok(());
+    }
+    invalid_operation(
+        SECTION,
+        format!("pixels = offset {offset} must be a multiple of the type's {size} bytes"),
+    )
+}
+
+fn no_buffer<T>(offset: usize, target: &str) -> Result<T> {
+    invalid_operation(
+        SECTION,
+        format!("pixels = offset {offset}, but no buffer is bound to {target}"),
+    )
+}
+
+fn slice_and_buffer<T>(target: &str) -> Result<T> {
+    invalid_operation(
+        SECTION,
+        format!("pixels is memory, but a buffer is bound to {target}: pass an offset into it"),
+    )
+}

@@ -1,0 +1,115 @@
+//! What is known of a level: GL 2.1, section 6.1.3.
+
+use super::internal::{Component, component_bits};
+use super::target::{ImageTarget, any_image};
+use super::{bound, checked_level};
+use crate::constants::*;
+use crate::context::Context;
+use crate::error::{Result, Table};
+use crate::query::put;
+use crate::types::*;
+use texunit::format::Format;
+
+const SECTION: &str = "GL 2.1, section 6.1.3";
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Property {
+    Width,
+    Height,
+    DepthOfVolume,
+    Border,
+    InternalFormat,
+    Compressed,
+    Bits(Component),
+}
+
+const PROPERTY: Table<Property> = Table {
+    section: SECTION,
+    rows: &[
+        (GL_TEXTURE_WIDTH, Property::Width),
+        (GL_TEXTURE_HEIGHT, Property::Height),
+        (GL_TEXTURE_DEPTH, Property::DepthOfVolume),
+        (GL_TEXTURE_BORDER, Property::Border),
+        (GL_TEXTURE_INTERNAL_FORMAT, Property::InternalFormat),
+        (GL_TEXTURE_COMPRESSED, Property::Compressed),
+        (GL_TEXTURE_RED_SIZE, Property::Bits(Component::Red)),
+        (GL_TEXTURE_GREEN_SIZE, Property::Bits(Component::Green)),
+        (GL_TEXTURE_BLUE_SIZE, Property::Bits(Component::Blue)),
+        (GL_TEXTURE_ALPHA_SIZE, Property::Bits(Component::Alpha)),
+        (GL_TEXTURE_LUMINANCE_SIZE, Property::Bits(Component::Luminance)),
+        (GL_TEXTURE_INTENSITY_SIZE, Property::Bits(Component::Intensity)),
+        (GL_TEXTURE_DEPTH_SIZE, Property::Bits(Component::Depth)),
+    ],
+};
+
+/// What a level is, or what a proxy said that it could be.
+struct Known {
+    /// Width, height and depth as a call has them, border included.
+    given: [u32; 3],
+    border: u32,
+    internal: GLenum,
+    format: Format,
+}
+
+fn known(context: &Context, image: ImageTarget, level: usize) -> Option<Known> {
+    let target = image.target();
+    let (size, border, internal, format) = match image {
+        ImageTarget::Bound(face) => {
+            let texture = bound(context, target);
+            let number = usize::from(face.face);
+            let texels = texture.image.texels();
+            let found = texels.level(number, level)?;
+            let requested = texture.requested[number][level];
+            (found.size(), found.border[0], requested, found.format)
+        }
+        ImageTarget::Proxy(_) => {
+            let proxy = context.state.proxies[target as usize][level]?;
+            (proxy.size, proxy.border, proxy.internal, proxy.format)
+        }
+    };
+    let borders = target.shape().border(border);
+    let given = target.level_box([0, 1, 2].map(|axis| size[axis] + 2 * borders[axis]));
+    Some(Known { given, border, internal, format })
+}
+
+fn property(context: &Context, target: GLenum, level: GLint, pname: GLenum) -> Result<GLint> {
+    let image = any_image(target)?;
+    let level = checked_level(SECTION, image.target(), level)?;
+    let property = PROPERTY.decode("pname", pname)?;
+    let Some(known) = known(context, image, level) else {
+        // GL 2.1, table 6.17: the initial value; of a proxy, that the image does not fit.
+        let is_initial =
+            property == Property::InternalFormat && matches!(image, ImageTarget::Bound(_));
+        return Ok(i32::from(is_initial));
+    };
+    let [width, height, depth] = known.given.map(|side| side as GLint);
+    Ok(match property {
+        Property::InternalFormat => known.internal as GLint,
+        Property::Width => width,
+        Property::Height => height,
+        Property::DepthOfVolume => depth,
+        Property::Border => known.border as GLint,
+        Property::Compressed => 0,
+        Property::Bits(component) => component_bits(known.format, component),
+    })
+}
+
+pub(crate) fn get_tex_level_parameteriv(
+    context: &mut Context,
+    target: GLenum,
+    level: GLint,
+    pname: GLenum,
+    params: &mut [GLint],
+) -> Result<()> {
+    put(params, &[property(context, target, level, pname)?])
+}
+
+pub(crate) fn get_tex_level_parameterfv(
+    context: &mut Context,
+    target: GLenum,
+    level: GLint,
+    pname: GLenum,
+    params: &mut [GLfloat],
+) -> Result<()> {
+    put(params, &[property(context, target, level, pname)? as GLfloat])
+}

@@ -1,0 +1,180 @@
+//! `glTexSubImage1D`, `2D` and `3D`: GL 2.1, section 3.8.2.
+
+use super::client::Pixel;
+use super::layout::Layout;
+use super::memory::pixel_source;
+use super::specify::{extent, kinds_match};
+use super::target::Dimensions;
+use super::{FaceTarget, bound, bound_mut, checked_level, convert};
+use crate::context::Context;
+use crate::entry::Data;
+use crate::error::{ErrorCode, GlError, Result, invalid_operation, invalid_value, not_negative};
+use crate::types::*;
+use texunit::format::Format;
+
+const SECTION: &str = "GL 2.1, section 3.8.2";
+
+/// A box of a level that exists.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Area {
+    pub target: FaceTarget,
+    pub level: usize,
+    /// The level's format.
+    pub format: Format,
+    /// The lowest corner within the level; -1 is the border.
+    pub at: [i32; 3],
+    /// Width, height and depth within the level.
+    pub size: [u32; 3],
+}
+
+/// Checks that a box, as a call names it, lies inside a level that exists or its border.
+pub(super) fn checked_area(
+    context: &Context,
+    target: FaceTarget,
+    level: GLint,
+    offset: [GLint; 3],
+    size: [GLsizei; 3],
+) -> Result<Area> {
+    let level = checked_level(SECTION, target.target, level)?;
+    for (argument, side) in ["width", "height", "depth"].into_iter().zip(size) {
+        not_negative(SECTION, argument, side.into())?;
+    }
+    let image = bound(context, target.target).image.texels();
+    let Some(texels) = image.level(target.face.into(), level) else {
+        return invalid_operation(
+            SECTION,
+            format!("level {level} has no image yet: call glTexImage2D first"),
+        );
+    };
+    let limits = target.target.level_box(texels.size());
+    let borders = target.target.level_box(texels.border);
+    let names = [("xoffset", "width"), ("yoffset", "height"), ("zoffset", "depth")];
+    for (axis, (name, argument)) in names.into_iter().enumerate() {
+        let (at, side) = (offset[axis], size[axis]);
+        let (low, high) = (-i64::from(borders[axis]), i64::from(limits[axis] + borders[axis]));
+        if i64::from(at) < low || i64::from(at) + i64::from(side) > high {
+            return invalid_value(
+                SECTION,
+                format!("{name} = {at} and {argument} = {side} reach outside {low} to {high}"),
+            );
+        }
+    }
+    Ok(Area {
+        target,
+        level,
+        format: texels.format,
+        at: target.target.level_box(offset),
+        size: target.target.level_box(size.map(|side| side as u32)),
+    })
+}
+
+/// Overwrites a box that [`checked_area`] accepted.
+pub(super) fn write_area(context: &mut Context, area: &Area, texels: &[u8]) -> Result<()> {
+    let target = area.target;
+    let image = bound(context, target.target).image.clone();
+    crate::draw::settle(context, &image);
+    let texture = bound_mut(context, target.target);
+    let written = texture.image.update(|image| {
+        image
+            .level_mut(target.face.into(), area.level)
+            .map_or(Ok(()), |level| level.write_box(area.at, area.size, texels))
+    });
+    written.map_err(|error| super::storage_error(SECTION, &error))?;
+    texture.changed();
+    super::mipmap::base_level_changed(texture, area.level)
+}
+
+/// Memory for the texels of a box.
+pub(super) fn room(format: Format, size: [usize; 3]) -> Result<Vec<u8>> {
+    // Inside a level, which is below 2^31 bytes.
+    let bytes = size.iter().product::<usize>() * format.bytes();
+    let mut texels = Vec::new();
+    texels.try_reserve_exact(bytes).map_err(|_| GlError {
+        code: ErrorCode::OutOfMemory,
+        rule: format!("there is no memory for {bytes} bytes of texels"),
+        section: SECTION,
+    })?;
+    texels.resize(bytes, 0);
+    Ok(texels)
+}
+
+fn tex_sub_image(
+    context: &mut Context,
+    (dimensions, target): (Dimensions, GLenum),
+    level: GLint,
+    offset: [GLint; 3],
+    size: [GLsizei; 3],
+    (format, ty): (GLenum, GLenum),
+    pixels: Data<'_>,
+) -> Result<()> {
+    let target = dimensions.bound(target)?;
+    let pixel = Pixel::new(format, ty)?;
+    let area = checked_area(context, target, level, offset, size)?;
+    kinds_match(pixel, area.format)?;
+    let size = size.map(|side| side as usize);
+    let layout = Layout::new(&context.state.unpack, pixel, size, extent(dimensions))?;
+    if layout.needed == 0 {
+        return Ok(());
+    }
+    let Some(source) = pixel_source(context, &layout, pixels)? else {
+        return invalid_operation(
+            SECTION,
+            format!("pixels must not be NULL: {} bytes are needed", layout.needed),
+        );
+    };
+    let mut texels = room(area.format, size)?;
+    let transfer = &context.state.transfer;
+    convert::unpack(&layout, source.bytes(), area.format, transfer, &mut texels);
+    write_area(context, &area, &texels)
+}
+
+#[expect(clippy::too_many_arguments, reason = "GL's signature")]
+pub(crate) fn tex_sub_image_1d(
+    context: &mut Context,
+    target: GLenum,
+    level: GLint,
+    xoffset: GLint,
+    width: GLsizei,
+    format: GLenum,
+    ty: GLenum,
+    pixels: Data<'_>,
+) -> Result<()> {
+    let target = (Dimensions::One, target);
+    tex_sub_image(context, target, level, [xoffset, 0, 0], [width, 1, 1], (format, ty), pixels)
+}
+
+#[expect(clippy::too_many_arguments, reason = "GL's signature")]
+pub(crate) fn tex_sub_image_2d(
+    context: &mut Context,
+    target: GLenum,
+    level: GLint,
+    xoffset: GLint,
+    yoffset: GLint,
+    width: GLsizei,
+    height: GLsizei,
+    format: GLenum,
+    ty: GLenum,
+    pixels: Data<'_>,
+) -> Result<()> {
+    let (target, offset) = ((Dimensions::Two, target), [xoffset, yoffset, 0]);
+    tex_sub_image(context, target, level, offset, [width, height, 1], (format, ty), pixels)
+}
+
+#[expect(clippy::too_many_arguments, reason = "GL's signature")]
+pub(crate) fn tex_sub_image_3d(
+    context: &mut Context,
+    target: GLenum,
+    level: GLint,
+    xoffset: GLint,
+    yoffset: GLint,
+    zoffset: GLint,
+    width: GLsizei,
+    height: GLsizei,
+    depth: GLsizei,
+    format: GLenum,
+    ty: GLenum,
+    pixels: Data<'_>,
+) -> Result<()> {
+    let (target, offset) = ((Dimensions::Three, target), [xoffset, yoffset, zoffset]);
+    tex_sub_image(context, target, level, offset, [width, height, depth], (format, ty), pixels)
+}
