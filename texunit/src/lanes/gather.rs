@@ -100,8 +100,8 @@ pub(super) unsafe fn avx512<const SCALE: i32>(base: *const u8, indices: &U32s) -
 #[inline(always)]
 pub(super) unsafe fn avx2_pairs(base: *const u8, offsets: &U32s) -> [U32s; 2] {
     use std::arch::x86_64::{
-        __m128i, __m256i, _mm_load_si128, _mm256_castpd_si256, _mm256_castsi256_ps,
-        _mm256_castps_pd, _mm256_i32gather_epi64, _mm256_permute4x64_pd, _mm256_shuffle_ps,
+        __m128i, __m256i, _mm_load_si128, _mm256_castpd_si256, _mm256_castps_pd,
+        _mm256_castsi256_ps, _mm256_i32gather_epi64, _mm256_permute4x64_pd, _mm256_shuffle_ps,
         _mm256_store_si256,
     };
     let mut out = [U32s::ZERO; 2];

@@ -122,6 +122,7 @@ pub fn samplers() -> impl Strategy<Value = Sampler> {
                 border,
                 compare,
                 depth_mode,
+                ..Sampler::default()
             }
         })
 }
