@@ -17,7 +17,7 @@ use rasterizer::driver::{ShaderModule, VertexBinding, VertexSource};
 use rasterizer::ir::{Interpolation, IrError, Stage};
 use std::sync::Arc;
 use texunit::plan::SamplePlan;
-use texunit::sampler::{Compare, Sampler};
+use texunit::sampler::{Compare, Sampler, Seamless};
 
 /// The texture of each slot of a stage.
 type Textures = Arc<[Option<Arc<SamplePlan>>]>;
@@ -164,7 +164,24 @@ fn program_textures(
 pub(super) fn sampler(context: &Context, unit: u8, target: TextureTarget) -> Sampler {
     let state = &context.state.units.units[usize::from(unit)];
     let texture = context.objects.texture(target, state.bound[target as usize]);
-    let mut sampler = texture.sampler.clone();
+    let own = &texture.state.sampler;
+    let mut sampler = match context.objects.samplers.get(state.sampler) {
+        Some(object) => Sampler {
+            base_level: own.base_level,
+            max_level: own.max_level,
+            depth_mode: own.depth_mode,
+            swizzle: own.swizzle,
+            ..object.sampler.clone()
+        },
+        None => own.clone(),
+    };
+    if context.state.enables.has(Flag::SeamlessCubeMaps) {
+        sampler.seamless = Seamless::On;
+    }
+    // GL 2.1, section 3.8.4: a border of fractions is one; floats and integers keep theirs.
+    if !texture.has_wide_texels() {
+        sampler.border = sampler.border.map(|c| crate::state::viewport::unit(c.into()) as f32);
+    }
     sampler.lod_bias = crate::env::lod_bias(sampler.lod_bias + state.lod_bias);
     sampler
 }

@@ -2,7 +2,7 @@
 
 use super::{Data, DataOut};
 use crate::env;
-use crate::object::textures;
+use crate::object::{samplers, textures};
 use crate::texture::{copy, get, mipmap, parameter, query, specify, sub};
 use crate::types::*;
 
@@ -18,7 +18,7 @@ entry_points! {
         bind_texture: glBindTexture | glBindTextureEXT (target: GLenum, texture: GLuint);
         /// Whether a name is a texture that has been bound.
         is_texture: glIsTexture | glIsTextureEXT (texture: GLuint) -> bool;
-        /// Accepted: every texture is resident.
+        /// Sets what `GL_TEXTURE_PRIORITY` answers; every texture is resident.
         prioritize_textures: glPrioritizeTextures
             (n: GLsizei, textures: &'a [GLuint], priorities: &'a [GLfloat]);
         /// Whether all are resident: they are.
@@ -106,6 +106,58 @@ entry_points! {
         /// Reads a parameter of a texture.
         get_tex_parameterfv: glGetTexParameterfv
             (target: GLenum, pname: GLenum, params: &'a mut [GLfloat]);
+    }
+    Outside in parameter {
+        /// Sets a parameter of a texture; a border colour is of integers as they are.
+        tex_parameter_i_iv: glTexParameterIiv | glTexParameterIivEXT
+            (target: GLenum, pname: GLenum, params: &'a [GLint]);
+        /// Sets a parameter of a texture; a border colour is of integers as they are.
+        tex_parameter_i_uiv: glTexParameterIuiv | glTexParameterIuivEXT
+            (target: GLenum, pname: GLenum, params: &'a [GLuint]);
+        /// Reads a parameter of a texture; a border colour as integers, not scaled.
+        get_tex_parameter_i_iv: glGetTexParameterIiv | glGetTexParameterIivEXT
+            (target: GLenum, pname: GLenum, params: &'a mut [GLint]);
+        /// Reads a parameter of a texture; a border colour as integers, not scaled.
+        get_tex_parameter_i_uiv: glGetTexParameterIuiv | glGetTexParameterIuivEXT
+            (target: GLenum, pname: GLenum, params: &'a mut [GLuint]);
+    }
+    Outside in samplers {
+        /// Makes `n` sampler objects.
+        gen_samplers: glGenSamplers (n: GLsizei, samplers: &'a mut [GLuint]);
+        /// Deletes sampler objects; bound ones are unbound.
+        delete_samplers: glDeleteSamplers (n: GLsizei, samplers: &'a [GLuint]);
+        /// Whether a name is a sampler object.
+        is_sampler: glIsSampler (sampler: GLuint) -> bool;
+        /// Makes a sampler object stand for the sampler state of a unit's textures; 0 for none.
+        bind_sampler: glBindSampler (unit: GLuint, sampler: GLuint);
+        /// Sets a parameter of a sampler object.
+        sampler_parameteri: glSamplerParameteri (sampler: GLuint, pname: GLenum, param: GLint);
+        /// Sets a parameter of a sampler object.
+        sampler_parameterf: glSamplerParameterf (sampler: GLuint, pname: GLenum, param: GLfloat);
+        /// Sets a parameter of a sampler object.
+        sampler_parameteriv: glSamplerParameteriv
+            (sampler: GLuint, pname: GLenum, params: &'a [GLint]);
+        /// Sets a parameter of a sampler object.
+        sampler_parameterfv: glSamplerParameterfv
+            (sampler: GLuint, pname: GLenum, params: &'a [GLfloat]);
+        /// Sets a parameter of a sampler object.
+        sampler_parameter_i_iv: glSamplerParameterIiv
+            (sampler: GLuint, pname: GLenum, params: &'a [GLint]);
+        /// Sets a parameter of a sampler object.
+        sampler_parameter_i_uiv: glSamplerParameterIuiv
+            (sampler: GLuint, pname: GLenum, params: &'a [GLuint]);
+        /// Reads a parameter of a sampler object.
+        get_sampler_parameteriv: glGetSamplerParameteriv
+            (sampler: GLuint, pname: GLenum, params: &'a mut [GLint]);
+        /// Reads a parameter of a sampler object.
+        get_sampler_parameterfv: glGetSamplerParameterfv
+            (sampler: GLuint, pname: GLenum, params: &'a mut [GLfloat]);
+        /// Reads a parameter of a sampler object.
+        get_sampler_parameter_i_iv: glGetSamplerParameterIiv
+            (sampler: GLuint, pname: GLenum, params: &'a mut [GLint]);
+        /// Reads a parameter of a sampler object.
+        get_sampler_parameter_i_uiv: glGetSamplerParameterIuiv
+            (sampler: GLuint, pname: GLenum, params: &'a mut [GLuint]);
     }
     Outside in mipmap {
         /// Makes all levels above the base from the base level.

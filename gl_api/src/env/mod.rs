@@ -39,6 +39,8 @@ pub(crate) struct Unit {
     pub enabled: [bool; TextureTarget::COUNT],
     /// Texture names, by target.
     pub bound: [GLuint; TextureTarget::COUNT],
+    /// The sampler object, whose state stands for the textures', or 0.
+    pub sampler: GLuint,
     pub mode: Mode,
     pub color: [f32; 4],
     pub lod_bias: f32,
@@ -57,6 +59,7 @@ impl Default for Units {
         let unit = Unit {
             enabled: [false; TextureTarget::COUNT],
             bound: [0; TextureTarget::COUNT],
+            sampler: 0,
             mode: Mode::Modulate,
             color: [0.0; 4],
             lod_bias: 0.0,

@@ -4,10 +4,12 @@ pub(crate) mod buffers;
 pub(crate) mod framebuffers;
 pub(crate) mod programs;
 pub(crate) mod renderbuffers;
+pub(crate) mod samplers;
 pub(crate) mod shaders;
 pub(crate) mod textures;
 
 use crate::error::{Result, invalid_operation, not_negative};
+use crate::texture::sampler::SamplerState;
 use crate::texture::{Texture, TextureTarget};
 use crate::types::*;
 use rasterizer::driver::Image;
@@ -111,6 +113,7 @@ pub(crate) struct Objects {
     pub textures: Names<Texture>,
     /// The textures named 0, by target.
     pub default_textures: [Texture; TextureTarget::COUNT],
+    pub samplers: Names<SamplerState>,
     pub buffers: Names<buffers::BufferObject>,
     pub framebuffers: Names<framebuffers::Framebuffer>,
     pub renderbuffers: Names<renderbuffers::Renderbuffer>,
@@ -123,6 +126,7 @@ impl Default for Objects {
         Self {
             textures: Names::default(),
             default_textures: TextureTarget::ALL.map(Texture::new),
+            samplers: Names::default(),
             buffers: Names::default(),
             framebuffers: Names::default(),
             renderbuffers: Names::default(),

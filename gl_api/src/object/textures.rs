@@ -5,6 +5,7 @@ use crate::constants::*;
 use crate::context::Context;
 use crate::error::{Result, invalid_enum, invalid_operation, invalid_value};
 use crate::interface::MAX_TEXTURE_UNITS;
+use crate::state::viewport::unit;
 use crate::texture::{TARGET, Texture};
 use crate::types::*;
 
@@ -60,7 +61,7 @@ pub(crate) fn is_texture(context: &mut Context, texture: GLuint) -> Result<bool>
 }
 
 pub(crate) fn prioritize_textures(
-    _: &mut Context,
+    context: &mut Context,
     n: GLsizei,
     textures: &[GLuint],
     priorities: &[GLfloat],
@@ -68,6 +69,11 @@ pub(crate) fn prioritize_textures(
     let n = doomed(SECTION, n, textures)?.len();
     if priorities.len() < n {
         return invalid_operation(SECTION, format!("priorities has {} of {n}", priorities.len()));
+    }
+    for (&name, &priority) in textures.iter().zip(priorities).take(n) {
+        if let Some(texture) = context.objects.textures.get_mut(name) {
+            texture.priority = unit(priority.into()) as f32;
+        }
     }
     Ok(())
 }

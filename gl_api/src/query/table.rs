@@ -121,6 +121,7 @@ fn limit(_: &Context, pname: GLenum) -> Answer {
         | GL_MAX_TEXTURE_IMAGE_UNITS
         | GL_MAX_VERTEX_TEXTURE_IMAGE_UNITS
         | GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS => int(units),
+        GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT => float(texunit::sampler::MAX_ANISOTROPY),
         GL_MAX_TEXTURE_LOD_BIAS => float(limits::MAX_TEXTURE_LOD_BIAS),
         GL_MAX_VERTEX_ATTRIBS => int(MAX_VERTEX_ATTRIBS),
         GL_MAX_VERTEX_UNIFORM_COMPONENTS | GL_MAX_FRAGMENT_UNIFORM_COMPONENTS => {
@@ -277,6 +278,7 @@ fn texture(context: &Context, pname: GLenum) -> Answer {
     Some(match pname {
         GL_ACTIVE_TEXTURE => symbol(GL_TEXTURE0 + u32::from(units.active)),
         GL_CLIENT_ACTIVE_TEXTURE => symbol(GL_TEXTURE0 + u32::from(units.client_active)),
+        GL_SAMPLER_BINDING => symbol(units.active().sampler),
         _ => symbol(bound[BINDING.get(pname)? as usize]),
     })
 }

@@ -21,6 +21,7 @@ pub(crate) enum Flag {
     Multisample,
     PolygonOffsetFill,
     ScissorTest,
+    SeamlessCubeMaps,
 }
 
 /// What `glEnable` takes.
@@ -44,6 +45,7 @@ pub(crate) const CAPABILITY: Table<Capability> = Table {
         (GL_MULTISAMPLE, Capability::Flag(Flag::Multisample)),
         (GL_POLYGON_OFFSET_FILL, Capability::Flag(Flag::PolygonOffsetFill)),
         (GL_SCISSOR_TEST, Capability::Flag(Flag::ScissorTest)),
+        (GL_TEXTURE_CUBE_MAP_SEAMLESS, Capability::Flag(Flag::SeamlessCubeMaps)),
         (GL_TEXTURE_1D, Capability::Texture(TextureTarget::D1)),
         (GL_TEXTURE_2D, Capability::Texture(TextureTarget::D2)),
         (GL_TEXTURE_3D, Capability::Texture(TextureTarget::D3)),

@@ -1,17 +1,17 @@
 //! Making mipmaps: `glGenerateMipmap` (`EXT_framebuffer_object`, section 3.8.8) and
 //! `GL_GENERATE_MIPMAP` (GL 2.1, section 3.8.8).
 
-use super::{TARGET, Texture, bound, bound_mut};
+use super::{TARGET, Texture, TextureTarget, bound, bound_mut};
 use crate::constants::*;
 use crate::context::{Context, limits};
-use crate::error::{Result, invalid_operation};
+use crate::error::{Result, invalid_enum, invalid_operation};
 use crate::types::*;
 
 const SECTION: &str = "EXT_framebuffer_object, section 3.8.8";
 
 /// Makes the levels above the base from it.
 fn generate(texture: &mut Texture) -> Result<()> {
-    let (base, max) = (texture.sampler.base_level, texture.sampler.max_level);
+    let (base, max) = (texture.state.sampler.base_level, texture.state.sampler.max_level);
     let max = max.min(limits::MAX_TEXTURE_LEVELS as u32 - 1);
     texture
         .image
@@ -29,7 +29,7 @@ fn generate(texture: &mut Texture) -> Result<()> {
 
 /// With `GL_GENERATE_MIPMAP` set, a new base level brings new mipmaps.
 pub(super) fn base_level_changed(texture: &mut Texture, level: usize) -> Result<()> {
-    let base = texture.sampler.base_level as usize;
+    let base = texture.state.sampler.base_level as usize;
     let image = texture.image.texels();
     let whole = (0..image.shape().faces()).all(|face| image.level(face, base).is_some());
     if texture.generate_mipmap && level == base && whole { generate(texture) } else { Ok(()) }
@@ -37,10 +37,13 @@ pub(super) fn base_level_changed(texture: &mut Texture, level: usize) -> Result<
 
 pub(crate) fn generate_mipmap(context: &mut Context, target: GLenum) -> Result<()> {
     let target = TARGET.decode("target", target)?;
+    if target == TextureTarget::Rect {
+        return invalid_enum(SECTION, "target = GL_TEXTURE_RECTANGLE has no mipmaps");
+    }
     let image = bound(context, target).image.clone();
     crate::draw::settle(context, &image);
     let texture = bound_mut(context, target);
-    let base = texture.sampler.base_level as usize;
+    let base = texture.state.sampler.base_level as usize;
     let texels = texture.image.texels();
     let mut sizes = Vec::new();
     for face in 0..texels.shape().faces() {

@@ -15,6 +15,7 @@ pub(crate) mod mipmap;
 pub(crate) mod packed;
 pub(crate) mod parameter;
 pub(crate) mod query;
+pub(crate) mod sampler;
 pub(crate) mod specify;
 pub(crate) mod sub;
 mod target;
@@ -26,24 +27,23 @@ use crate::context::{Context, limits};
 use crate::error::{ErrorCode, GlError};
 use crate::types::*;
 use rasterizer::driver::Image;
+use sampler::SamplerState;
 use std::sync::Arc;
 pub(crate) use target::{FACE_TARGET, FaceTarget, TARGET, TextureTarget, checked_level};
 use texunit::format::Format;
 use texunit::image::{Image as Texels, ImageError};
 use texunit::plan::SamplePlan;
-use texunit::sampler::{Compare, Filter, Mipmap, Sampler, Wrap};
+use texunit::sampler::{Filter, Mipmap, Sampler, Wrap};
 
 /// A texture object.
 #[derive(Debug)]
 pub(crate) struct Texture {
     pub target: TextureTarget,
     pub image: Image,
-    pub sampler: Sampler,
+    pub state: SamplerState,
     /// Whether a change of the base level makes the others anew.
     pub generate_mipmap: bool,
     pub priority: f32,
-    /// `GL_TEXTURE_COMPARE_FUNC`, whether comparing is on or not.
-    pub compare_func: Compare,
     /// The internal format that was asked for, by face and level.
     pub requested: Vec<[GLenum; limits::MAX_TEXTURE_LEVELS]>,
     /// How it is sampled with some sampler state, until something changes.
@@ -87,10 +87,9 @@ impl Texture {
         Self {
             target,
             image: Image::new(Texels::new(shape)),
-            sampler: default_sampler(target),
+            state: SamplerState { sampler: default_sampler(target), ..SamplerState::default() },
             generate_mipmap: false,
             priority: 1.0,
-            compare_func: Compare::LessEqual,
             requested: vec![[GL_NONE; limits::MAX_TEXTURE_LEVELS]; shape.faces()],
             plan: None,
         }
@@ -111,6 +110,13 @@ impl Texture {
                 plan
             }
         }
+    }
+
+    /// Whether the base level's texels are floats or integers, not fractions.
+    pub fn has_wide_texels(&self) -> bool {
+        let base = self.state.sampler.base_level as usize;
+        let texels = self.image.texels();
+        texels.level(0, base).is_some_and(|level| texel::is_wide(level.format))
     }
 
     /// Why it cannot be sampled, if so.

@@ -1,50 +1,17 @@
 //! Texture parameters: GL 2.1, section 3.8.4 and tables 3.18, 6.17.
 
+use super::sampler::{SAMPLER_PARAMETER, SamplerParameter, Values, needs_vector};
 use super::{TARGET, TextureTarget, bound, bound_mut};
 use crate::constants::*;
 use crate::context::Context;
-use crate::env::{lod_bias, signed_to_unit, unit_to_signed};
-use crate::error::{Result, Table, invalid_enum, invalid_operation, invalid_value};
+use crate::env::{symbol, unit_to_signed};
+use crate::error::{Result, Table, invalid_enum, invalid_value};
 use crate::query::put;
-use crate::state::fragment::COMPARE;
 use crate::state::viewport::unit;
 use crate::types::*;
-use texunit::sampler::{Compare, DepthMode, Filter, Mipmap, Wrap};
+use texunit::sampler::{DepthMode, Swizzle};
 
 const SECTION: &str = "GL 2.1, section 3.8.4";
-
-const WRAP: Table<Wrap> = Table {
-    section: "GL 2.1, table 3.18",
-    rows: &[
-        (GL_REPEAT, Wrap::Repeat),
-        (GL_CLAMP, Wrap::Clamp),
-        (GL_CLAMP_TO_EDGE, Wrap::ClampToEdge),
-        (GL_CLAMP_TO_BORDER, Wrap::ClampToBorder),
-        (GL_MIRRORED_REPEAT, Wrap::MirroredRepeat),
-    ],
-};
-
-const MIN_FILTER: Table<(Filter, Mipmap)> = Table {
-    section: "GL 2.1, table 3.18",
-    rows: &[
-        (GL_NEAREST, (Filter::Nearest, Mipmap::None)),
-        (GL_LINEAR, (Filter::Linear, Mipmap::None)),
-        (GL_NEAREST_MIPMAP_NEAREST, (Filter::Nearest, Mipmap::Nearest)),
-        (GL_LINEAR_MIPMAP_NEAREST, (Filter::Linear, Mipmap::Nearest)),
-        (GL_NEAREST_MIPMAP_LINEAR, (Filter::Nearest, Mipmap::Linear)),
-        (GL_LINEAR_MIPMAP_LINEAR, (Filter::Linear, Mipmap::Linear)),
-    ],
-};
-
-const MAG_FILTER: Table<Filter> = Table {
-    section: "GL 2.1, table 3.18",
-    rows: &[(GL_NEAREST, Filter::Nearest), (GL_LINEAR, Filter::Linear)],
-};
-
-const COMPARE_MODE: Table<bool> = Table {
-    section: "GL 2.1, table 3.18",
-    rows: &[(GL_NONE, false), (GL_COMPARE_R_TO_TEXTURE, true)],
-};
 
 const DEPTH_MODE: Table<DepthMode> = Table {
     section: "GL 2.1, table 3.18",
@@ -55,55 +22,83 @@ const DEPTH_MODE: Table<DepthMode> = Table {
     ],
 };
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Parameter {
-    /// Of s, t or r.
-    Wrap(u8),
-    MinFilter,
-    MagFilter,
-    BorderColor,
-    Priority,
-    Resident,
-    MinLod,
-    MaxLod,
-    BaseLevel,
-    MaxLevel,
-    LodBias,
-    DepthMode,
-    CompareMode,
-    CompareFunc,
-    GenerateMipmap,
-}
-
-const PARAMETER: Table<Parameter> = Table {
-    section: SECTION,
+const SWIZZLE: Table<Swizzle> = Table {
+    section: "EXT_texture_swizzle, section 3.8.4",
     rows: &[
-        (GL_TEXTURE_WRAP_S, Parameter::Wrap(0)),
-        (GL_TEXTURE_WRAP_T, Parameter::Wrap(1)),
-        (GL_TEXTURE_WRAP_R, Parameter::Wrap(2)),
-        (GL_TEXTURE_MIN_FILTER, Parameter::MinFilter),
-        (GL_TEXTURE_MAG_FILTER, Parameter::MagFilter),
-        (GL_TEXTURE_BORDER_COLOR, Parameter::BorderColor),
-        (GL_TEXTURE_PRIORITY, Parameter::Priority),
-        (GL_TEXTURE_RESIDENT, Parameter::Resident),
-        (GL_TEXTURE_MIN_LOD, Parameter::MinLod),
-        (GL_TEXTURE_MAX_LOD, Parameter::MaxLod),
-        (GL_TEXTURE_BASE_LEVEL, Parameter::BaseLevel),
-        (GL_TEXTURE_MAX_LEVEL, Parameter::MaxLevel),
-        (GL_TEXTURE_LOD_BIAS, Parameter::LodBias),
-        (GL_DEPTH_TEXTURE_MODE, Parameter::DepthMode),
-        (GL_TEXTURE_COMPARE_MODE, Parameter::CompareMode),
-        (GL_TEXTURE_COMPARE_FUNC, Parameter::CompareFunc),
-        (GL_GENERATE_MIPMAP, Parameter::GenerateMipmap),
+        (GL_RED, Swizzle::Red),
+        (GL_GREEN, Swizzle::Green),
+        (GL_BLUE, Swizzle::Blue),
+        (GL_ALPHA, Swizzle::Alpha),
+        (GL_ZERO, Swizzle::Zero),
+        (GL_ONE, Swizzle::One),
     ],
 };
 
-fn level_number(pname: GLenum, value: f32) -> Result<u32> {
-    if value >= 0.0 {
-        Ok(value.round() as u32)
-    } else {
-        invalid_value(SECTION, format!("{} = {value} must not be negative", enum_name(pname)))
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Parameter {
+    Sampler(SamplerParameter),
+    BorderColor,
+    Priority,
+    Resident,
+    BaseLevel,
+    MaxLevel,
+    DepthMode,
+    GenerateMipmap,
+    /// Of one component.
+    Swizzle(u8),
+    /// Of all four.
+    Swizzles,
+}
+
+/// Those that sampler objects have not.
+const PARAMETER: Table<Parameter> = Table {
+    section: SECTION,
+    rows: &[
+        (GL_TEXTURE_BORDER_COLOR, Parameter::BorderColor),
+        (GL_TEXTURE_PRIORITY, Parameter::Priority),
+        (GL_TEXTURE_RESIDENT, Parameter::Resident),
+        (GL_TEXTURE_BASE_LEVEL, Parameter::BaseLevel),
+        (GL_TEXTURE_MAX_LEVEL, Parameter::MaxLevel),
+        (GL_DEPTH_TEXTURE_MODE, Parameter::DepthMode),
+        (GL_GENERATE_MIPMAP, Parameter::GenerateMipmap),
+        (GL_TEXTURE_SWIZZLE_R, Parameter::Swizzle(0)),
+        (GL_TEXTURE_SWIZZLE_G, Parameter::Swizzle(1)),
+        (GL_TEXTURE_SWIZZLE_B, Parameter::Swizzle(2)),
+        (GL_TEXTURE_SWIZZLE_A, Parameter::Swizzle(3)),
+        (GL_TEXTURE_SWIZZLE_RGBA, Parameter::Swizzles),
+    ],
+};
+
+fn parameter(pname: GLenum) -> Result<Parameter> {
+    if let Some(parameter) = SAMPLER_PARAMETER.get(pname) {
+        return Ok(Parameter::Sampler(parameter));
     }
+    match PARAMETER.get(pname) {
+        Some(parameter) => Ok(parameter),
+        None => invalid_enum(
+            SECTION,
+            format!(
+                "pname = {} must be {}, {}",
+                enum_name(pname),
+                SAMPLER_PARAMETER.list(),
+                PARAMETER.list()
+            ),
+        ),
+    }
+}
+
+fn level_number(target: TextureTarget, pname: GLenum, value: f32) -> Result<u32> {
+    let name = enum_name(pname);
+    if !(value >= 0.0) {
+        return invalid_value(SECTION, format!("{name} = {value} must not be negative"));
+    }
+    if target == TextureTarget::Rect && pname == GL_TEXTURE_BASE_LEVEL && value != 0.0 {
+        return invalid_value(
+            "ARB_texture_rectangle, section 3.8.4",
+            format!("{name} = {value} of a rectangle must be 0"),
+        );
+    }
+    Ok(value.round() as u32)
 }
 
 /// Sets a parameter of one number.
@@ -114,37 +109,21 @@ fn set(
     parameter: Parameter,
     value: f32,
 ) -> Result<()> {
-    let symbol = crate::env::symbol(value);
+    let symbol = symbol(value);
     let texture = bound_mut(context, target);
-    let sampler = &mut texture.sampler;
+    let sampler = &mut texture.state.sampler;
     match parameter {
-        Parameter::Wrap(axis) => sampler.wrap[usize::from(axis)] = WRAP.decode("param", symbol)?,
-        Parameter::MinFilter => {
-            (sampler.min, sampler.mipmap) = MIN_FILTER.decode("param", symbol)?;
-        }
-        Parameter::MagFilter => sampler.mag = MAG_FILTER.decode("param", symbol)?,
+        Parameter::Sampler(parameter) => texture.state.set(Some(target), parameter, value)?,
         Parameter::Priority => texture.priority = unit(value.into()) as f32,
-        Parameter::MinLod => sampler.min_lod = value,
-        Parameter::MaxLod => sampler.max_lod = value,
-        Parameter::BaseLevel => sampler.base_level = level_number(pname, value)?,
-        Parameter::MaxLevel => sampler.max_level = level_number(pname, value)?,
-        Parameter::LodBias => sampler.lod_bias = lod_bias(value),
+        Parameter::BaseLevel => sampler.base_level = level_number(target, pname, value)?,
+        Parameter::MaxLevel => sampler.max_level = level_number(target, pname, value)?,
         Parameter::DepthMode => sampler.depth_mode = DEPTH_MODE.decode("param", symbol)?,
-        Parameter::CompareMode => {
-            let func = texture.compare_func;
-            sampler.compare = COMPARE_MODE.decode("param", symbol)?.then_some(func);
-        }
-        Parameter::CompareFunc => {
-            let func = COMPARE.decode("param", symbol)?;
-            texture.compare_func = func;
-            sampler.compare = sampler.compare.map(|_: Compare| func);
-        }
         Parameter::GenerateMipmap => texture.generate_mipmap = value != 0.0,
-        Parameter::BorderColor => {
-            return invalid_enum(
-                SECTION,
-                "pname = GL_TEXTURE_BORDER_COLOR has four components: use glTexParameterfv",
-            );
+        Parameter::Swizzle(component) => {
+            sampler.swizzle[usize::from(component)] = SWIZZLE.decode("param", symbol)?;
+        }
+        Parameter::BorderColor | Parameter::Swizzles => {
+            return needs_vector(SECTION, pname, "glTexParameter");
         }
         Parameter::Resident => {
             return invalid_enum(SECTION, "pname = GL_TEXTURE_RESIDENT can only be read");
@@ -156,34 +135,38 @@ fn set(
 
 fn scalar(context: &mut Context, target: GLenum, pname: GLenum, value: f32) -> Result<()> {
     let target = TARGET.decode("target", target)?;
-    set(context, target, pname, PARAMETER.decode("pname", pname)?, value)
+    set(context, target, pname, parameter(pname)?, value)
 }
 
-fn vector(
-    context: &mut Context,
-    target: GLenum,
-    pname: GLenum,
-    values: &[f32],
-    color: &[f32],
-) -> Result<()> {
+fn vector(context: &mut Context, target: GLenum, pname: GLenum, values: &Values) -> Result<()> {
     let target = TARGET.decode("target", target)?;
-    let parameter = PARAMETER.decode("pname", pname)?;
-    let needed = if parameter == Parameter::BorderColor { 4 } else { 1 };
-    if values.len() < needed {
-        return invalid_operation(
-            SECTION,
-            format!("params has {} of {needed} values of {}", values.len(), enum_name(pname)),
-        );
-    }
-    match color.first_chunk::<4>() {
-        Some(color) if parameter == Parameter::BorderColor => {
-            let texture = bound_mut(context, target);
-            texture.sampler.border = color.map(|c| unit(c.into()) as f32);
-            texture.changed();
-            Ok(())
+    let parameter = parameter(pname)?;
+    match parameter {
+        Parameter::BorderColor => {
+            let color = values.four(SECTION, pname)?;
+            bound_mut(context, target).state.sampler.border = color;
         }
-        _ => set(context, target, pname, parameter, values[0]),
+        Parameter::Swizzles => {
+            values.four(SECTION, pname)?;
+            let mut swizzle = Swizzle::IDENTITY;
+            for (component, &value) in swizzle.iter_mut().zip(&values.plain) {
+                *component = SWIZZLE.decode("params", symbol(value))?;
+            }
+            bound_mut(context, target).state.sampler.swizzle = swizzle;
+        }
+        Parameter::Sampler(_)
+        | Parameter::Priority
+        | Parameter::Resident
+        | Parameter::BaseLevel
+        | Parameter::MaxLevel
+        | Parameter::DepthMode
+        | Parameter::GenerateMipmap
+        | Parameter::Swizzle(_) => {
+            return set(context, target, pname, parameter, values.one(SECTION, pname)?);
+        }
     }
+    bound_mut(context, target).changed();
+    Ok(())
 }
 
 pub(crate) fn tex_parameteri(
@@ -210,9 +193,7 @@ pub(crate) fn tex_parameteriv(
     pname: GLenum,
     params: &[GLint],
 ) -> Result<()> {
-    let values: Vec<f32> = params.iter().take(4).map(|&value| value as f32).collect();
-    let color: Vec<f32> = params.iter().take(4).map(|&value| signed_to_unit(value)).collect();
-    vector(context, target, pname, &values, &color)
+    vector(context, target, pname, &Values::fixed(params))
 }
 
 pub(crate) fn tex_parameterfv(
@@ -221,31 +202,52 @@ pub(crate) fn tex_parameterfv(
     pname: GLenum,
     params: &[GLfloat],
 ) -> Result<()> {
-    vector(context, target, pname, params, params)
+    vector(context, target, pname, &Values::floats(params))
 }
 
-/// A parameter as one number.
-fn get(context: &Context, target: TextureTarget, parameter: Parameter) -> f32 {
+pub(crate) fn tex_parameter_i_iv(
+    context: &mut Context,
+    target: GLenum,
+    pname: GLenum,
+    params: &[GLint],
+) -> Result<()> {
+    vector(context, target, pname, &Values::signed(params))
+}
+
+pub(crate) fn tex_parameter_i_uiv(
+    context: &mut Context,
+    target: GLenum,
+    pname: GLenum,
+    params: &[GLuint],
+) -> Result<()> {
+    vector(context, target, pname, &Values::unsigned(params))
+}
+
+/// The numbers of a parameter. Colours go to integers by another rule than the others.
+fn get(context: &Context, target: TextureTarget, parameter: Parameter) -> Vec<f32> {
     let texture = bound(context, target);
-    let sampler = &texture.sampler;
-    let symbol = |value: GLenum| value as f32;
-    match parameter {
-        Parameter::Wrap(axis) => symbol(WRAP.encode(sampler.wrap[usize::from(axis)])),
-        Parameter::MinFilter => symbol(MIN_FILTER.encode((sampler.min, sampler.mipmap))),
-        Parameter::MagFilter => symbol(MAG_FILTER.encode(sampler.mag)),
-        Parameter::BorderColor => sampler.border[0],
+    let sampler = &texture.state.sampler;
+    let one = match parameter {
+        Parameter::BorderColor => return sampler.border.to_vec(),
+        Parameter::Swizzles => {
+            return sampler.swizzle.iter().map(|&from| SWIZZLE.encode(from) as f32).collect();
+        }
+        Parameter::Sampler(parameter) => texture.state.get(parameter),
         Parameter::Priority => texture.priority,
         Parameter::Resident => 1.0,
-        Parameter::MinLod => sampler.min_lod,
-        Parameter::MaxLod => sampler.max_lod,
         Parameter::BaseLevel => sampler.base_level as f32,
         Parameter::MaxLevel => sampler.max_level as f32,
-        Parameter::LodBias => sampler.lod_bias,
-        Parameter::DepthMode => symbol(DEPTH_MODE.encode(sampler.depth_mode)),
-        Parameter::CompareMode => symbol(COMPARE_MODE.encode(sampler.compare.is_some())),
-        Parameter::CompareFunc => symbol(COMPARE.encode(texture.compare_func)),
+        Parameter::DepthMode => DEPTH_MODE.encode(sampler.depth_mode) as f32,
         Parameter::GenerateMipmap => f32::from(u8::from(texture.generate_mipmap)),
-    }
+        Parameter::Swizzle(at) => SWIZZLE.encode(sampler.swizzle[usize::from(at)]) as f32,
+    };
+    vec![one]
+}
+
+fn got(context: &Context, target: GLenum, pname: GLenum) -> Result<(Vec<f32>, Parameter)> {
+    let target = TARGET.decode("target", target)?;
+    let parameter = parameter(pname)?;
+    Ok((get(context, target, parameter), parameter))
 }
 
 pub(crate) fn get_tex_parameteriv(
@@ -254,13 +256,12 @@ pub(crate) fn get_tex_parameteriv(
     pname: GLenum,
     params: &mut [GLint],
 ) -> Result<()> {
-    let target = TARGET.decode("target", target)?;
-    match PARAMETER.decode("pname", pname)? {
-        Parameter::BorderColor => {
-            put(params, &bound(context, target).sampler.border.map(unit_to_signed))
-        }
-        parameter => put(params, &[get(context, target, parameter).round() as GLint]),
-    }
+    let (values, parameter) = got(context, target, pname)?;
+    let integer = |&value: &f32| match parameter {
+        Parameter::BorderColor => unit_to_signed(value),
+        _ => value.round() as GLint,
+    };
+    put(params, &values.iter().map(integer).collect::<Vec<_>>())
 }
 
 pub(crate) fn get_tex_parameterfv(
@@ -269,9 +270,25 @@ pub(crate) fn get_tex_parameterfv(
     pname: GLenum,
     params: &mut [GLfloat],
 ) -> Result<()> {
-    let target = TARGET.decode("target", target)?;
-    match PARAMETER.decode("pname", pname)? {
-        Parameter::BorderColor => put(params, &bound(context, target).sampler.border),
-        parameter => put(params, &[get(context, target, parameter)]),
-    }
+    put(params, &got(context, target, pname)?.0)
+}
+
+pub(crate) fn get_tex_parameter_i_iv(
+    context: &mut Context,
+    target: GLenum,
+    pname: GLenum,
+    params: &mut [GLint],
+) -> Result<()> {
+    let (values, _) = got(context, target, pname)?;
+    put(params, &values.iter().map(|value| value.round() as GLint).collect::<Vec<_>>())
+}
+
+pub(crate) fn get_tex_parameter_i_uiv(
+    context: &mut Context,
+    target: GLenum,
+    pname: GLenum,
+    params: &mut [GLuint],
+) -> Result<()> {
+    let (values, _) = got(context, target, pname)?;
+    put(params, &values.iter().map(|value| value.round() as GLuint).collect::<Vec<_>>())
 }

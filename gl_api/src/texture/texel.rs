@@ -110,3 +110,8 @@ pub(crate) fn has_stencil(_: Format) -> bool {
 pub(crate) fn is_integer(_: Format) -> bool {
     false
 }
+
+/// Whether texels are floats or integers, which a border colour need not be a fraction for.
+pub(crate) fn is_wide(_: Format) -> bool {
+    false
+}

@@ -1,0 +1,210 @@
+//! Sampler objects: `ARB_sampler_objects`, section 3.8.2.
+
+use super::doomed;
+use crate::constants::*;
+use crate::context::Context;
+use crate::env::unit_to_signed;
+use crate::error::{Result, invalid_enum, invalid_operation, invalid_value};
+use crate::interface::MAX_TEXTURE_UNITS;
+use crate::query::put;
+use crate::texture::sampler::{
+    SAMPLER_PARAMETER, SamplerParameter, SamplerState, Values, needs_vector,
+};
+use crate::types::*;
+
+const SECTION: &str = "ARB_sampler_objects, section 3.8.2";
+
+pub(crate) fn gen_samplers(
+    context: &mut Context,
+    n: GLsizei,
+    samplers: &mut [GLuint],
+) -> Result<()> {
+    context.objects.samplers.reserve(SECTION, n, samplers)?;
+    // Generated names are samplers at once, unlike those of textures.
+    for &name in samplers.iter().take(n as usize) {
+        context.objects.samplers.create(name, SamplerState::default);
+    }
+    Ok(())
+}
+
+pub(crate) fn delete_samplers(
+    context: &mut Context,
+    n: GLsizei,
+    samplers: &[GLuint],
+) -> Result<()> {
+    for &name in doomed(SECTION, n, samplers)?.iter().filter(|&&name| name != 0) {
+        for unit in context.state.units.units.iter_mut().filter(|unit| unit.sampler == name) {
+            unit.sampler = 0;
+        }
+        context.objects.samplers.remove(name);
+    }
+    Ok(())
+}
+
+pub(crate) fn is_sampler(context: &mut Context, sampler: GLuint) -> Result<bool> {
+    Ok(context.objects.samplers.get(sampler).is_some())
+}
+
+pub(crate) fn bind_sampler(context: &mut Context, unit: GLuint, sampler: GLuint) -> Result<()> {
+    if unit >= u32::from(MAX_TEXTURE_UNITS) {
+        return invalid_value(
+            SECTION,
+            format!(
+                "unit = {unit} must be below {MAX_TEXTURE_UNITS}: it is a number, not GL_TEXTURE0 + i"
+            ),
+        );
+    }
+    if sampler != 0 {
+        found(context, sampler)?;
+    }
+    context.state.units.units[unit as usize].sampler = sampler;
+    Ok(())
+}
+
+fn found(context: &mut Context, sampler: GLuint) -> Result<&mut SamplerState> {
+    match context.objects.samplers.get_mut(sampler) {
+        Some(state) => Ok(state),
+        None => {
+            invalid_operation(SECTION, format!("sampler = {sampler} was not made by glGenSamplers"))
+        }
+    }
+}
+
+/// A parameter of one number, or `None` for the border colour.
+fn parameter(pname: GLenum) -> Result<Option<SamplerParameter>> {
+    match (pname, SAMPLER_PARAMETER.get(pname)) {
+        (GL_TEXTURE_BORDER_COLOR, _) => Ok(None),
+        (_, Some(parameter)) => Ok(Some(parameter)),
+        (_, None) => invalid_enum(
+            SECTION,
+            format!(
+                "pname = {} must be GL_TEXTURE_BORDER_COLOR, {}",
+                enum_name(pname),
+                SAMPLER_PARAMETER.list()
+            ),
+        ),
+    }
+}
+
+fn scalar(context: &mut Context, sampler: GLuint, pname: GLenum, value: f32) -> Result<()> {
+    let state = found(context, sampler)?;
+    match parameter(pname)? {
+        Some(parameter) => state.set(None, parameter, value),
+        None => needs_vector(SECTION, pname, "glSamplerParameter"),
+    }
+}
+
+fn vector(context: &mut Context, sampler: GLuint, pname: GLenum, values: &Values) -> Result<()> {
+    let state = found(context, sampler)?;
+    match parameter(pname)? {
+        Some(parameter) => state.set(None, parameter, values.one(SECTION, pname)?),
+        None => {
+            state.sampler.border = values.four(SECTION, pname)?;
+            Ok(())
+        }
+    }
+}
+
+pub(crate) fn sampler_parameteri(
+    context: &mut Context,
+    sampler: GLuint,
+    pname: GLenum,
+    param: GLint,
+) -> Result<()> {
+    scalar(context, sampler, pname, param as f32)
+}
+
+pub(crate) fn sampler_parameterf(
+    context: &mut Context,
+    sampler: GLuint,
+    pname: GLenum,
+    param: GLfloat,
+) -> Result<()> {
+    scalar(context, sampler, pname, param)
+}
+
+pub(crate) fn sampler_parameteriv(
+    context: &mut Context,
+    sampler: GLuint,
+    pname: GLenum,
+    params: &[GLint],
+) -> Result<()> {
+    vector(context, sampler, pname, &Values::fixed(params))
+}
+
+pub(crate) fn sampler_parameterfv(
+    context: &mut Context,
+    sampler: GLuint,
+    pname: GLenum,
+    params: &[GLfloat],
+) -> Result<()> {
+    vector(context, sampler, pname, &Values::floats(params))
+}
+
+pub(crate) fn sampler_parameter_i_iv(
+    context: &mut Context,
+    sampler: GLuint,
+    pname: GLenum,
+    params: &[GLint],
+) -> Result<()> {
+    vector(context, sampler, pname, &Values::signed(params))
+}
+
+pub(crate) fn sampler_parameter_i_uiv(
+    context: &mut Context,
+    sampler: GLuint,
+    pname: GLenum,
+    params: &[GLuint],
+) -> Result<()> {
+    vector(context, sampler, pname, &Values::unsigned(params))
+}
+
+fn got(context: &mut Context, sampler: GLuint, pname: GLenum) -> Result<Vec<f32>> {
+    let state = found(context, sampler)?;
+    Ok(match parameter(pname)? {
+        Some(parameter) => vec![state.get(parameter)],
+        None => state.sampler.border.to_vec(),
+    })
+}
+
+pub(crate) fn get_sampler_parameteriv(
+    context: &mut Context,
+    sampler: GLuint,
+    pname: GLenum,
+    params: &mut [GLint],
+) -> Result<()> {
+    let integer = |&value: &f32| match pname {
+        GL_TEXTURE_BORDER_COLOR => unit_to_signed(value),
+        _ => value.round() as GLint,
+    };
+    put(params, &got(context, sampler, pname)?.iter().map(integer).collect::<Vec<_>>())
+}
+
+pub(crate) fn get_sampler_parameterfv(
+    context: &mut Context,
+    sampler: GLuint,
+    pname: GLenum,
+    params: &mut [GLfloat],
+) -> Result<()> {
+    put(params, &got(context, sampler, pname)?)
+}
+
+pub(crate) fn get_sampler_parameter_i_iv(
+    context: &mut Context,
+    sampler: GLuint,
+    pname: GLenum,
+    params: &mut [GLint],
+) -> Result<()> {
+    let values = got(context, sampler, pname)?;
+    put(params, &values.iter().map(|value| value.round() as GLint).collect::<Vec<_>>())
+}
+
+pub(crate) fn get_sampler_parameter_i_uiv(
+    context: &mut Context,
+    sampler: GLuint,
+    pname: GLenum,
+    params: &mut [GLuint],
+) -> Result<()> {
+    let values = got(context, sampler, pname)?;
+    put(params, &values.iter().map(|value| value.round() as GLuint).collect::<Vec<_>>())
+}

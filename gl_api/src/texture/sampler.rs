@@ -1,0 +1,245 @@
+//! The parameters that textures and sampler objects share: GL 2.1, table 3.18;
+//! `ARB_sampler_objects`, `EXT_texture_filter_anisotropic`, `EXT_texture_mirror_clamp`.
+
+use super::TextureTarget;
+use crate::constants::*;
+use crate::env::{lod_bias, symbol};
+use crate::error::{Result, Table, invalid_enum, invalid_value};
+use crate::state::fragment::COMPARE;
+use crate::types::*;
+use texunit::sampler::{Compare, Filter, MAX_ANISOTROPY, Mipmap, Sampler, Wrap};
+
+const WRAP: Table<Wrap> = Table {
+    section: "GL 2.1, table 3.18",
+    rows: &[
+        (GL_REPEAT, Wrap::Repeat),
+        (GL_CLAMP, Wrap::Clamp),
+        (GL_CLAMP_TO_EDGE, Wrap::ClampToEdge),
+        (GL_CLAMP_TO_BORDER, Wrap::ClampToBorder),
+        (GL_MIRRORED_REPEAT, Wrap::MirroredRepeat),
+        (GL_MIRROR_CLAMP_EXT, Wrap::MirrorClamp),
+        (GL_MIRROR_CLAMP_TO_EDGE, Wrap::MirrorClampToEdge),
+    ],
+};
+
+const RECTANGLE_WRAP: Table<Wrap> = Table {
+    section: "ARB_texture_rectangle, section 3.8.4",
+    rows: &[
+        (GL_CLAMP, Wrap::Clamp),
+        (GL_CLAMP_TO_EDGE, Wrap::ClampToEdge),
+        (GL_CLAMP_TO_BORDER, Wrap::ClampToBorder),
+    ],
+};
+
+const MIN_FILTER: Table<(Filter, Mipmap)> = Table {
+    section: "GL 2.1, table 3.18",
+    rows: &[
+        (GL_NEAREST, (Filter::Nearest, Mipmap::None)),
+        (GL_LINEAR, (Filter::Linear, Mipmap::None)),
+        (GL_NEAREST_MIPMAP_NEAREST, (Filter::Nearest, Mipmap::Nearest)),
+        (GL_LINEAR_MIPMAP_NEAREST, (Filter::Linear, Mipmap::Nearest)),
+        (GL_NEAREST_MIPMAP_LINEAR, (Filter::Nearest, Mipmap::Linear)),
+        (GL_LINEAR_MIPMAP_LINEAR, (Filter::Linear, Mipmap::Linear)),
+    ],
+};
+
+const RECTANGLE_MIN_FILTER: Table<(Filter, Mipmap)> = Table {
+    section: "ARB_texture_rectangle, section 3.8.4",
+    rows: &[
+        (GL_NEAREST, (Filter::Nearest, Mipmap::None)),
+        (GL_LINEAR, (Filter::Linear, Mipmap::None)),
+    ],
+};
+
+const MAG_FILTER: Table<Filter> = Table {
+    section: "GL 2.1, table 3.18",
+    rows: &[(GL_NEAREST, Filter::Nearest), (GL_LINEAR, Filter::Linear)],
+};
+
+const COMPARE_MODE: Table<bool> = Table {
+    section: "GL 2.1, table 3.18",
+    rows: &[(GL_NONE, false), (GL_COMPARE_R_TO_TEXTURE, true)],
+};
+
+/// A parameter of one number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum SamplerParameter {
+    /// Of s, t or r.
+    Wrap(u8),
+    MinFilter,
+    MagFilter,
+    MinLod,
+    MaxLod,
+    LodBias,
+    CompareMode,
+    CompareFunc,
+    MaxAnisotropy,
+}
+
+pub(crate) const SAMPLER_PARAMETER: Table<SamplerParameter> = Table {
+    section: "GL 2.1, table 3.18; ARB_sampler_objects",
+    rows: &[
+        (GL_TEXTURE_WRAP_S, SamplerParameter::Wrap(0)),
+        (GL_TEXTURE_WRAP_T, SamplerParameter::Wrap(1)),
+        (GL_TEXTURE_WRAP_R, SamplerParameter::Wrap(2)),
+        (GL_TEXTURE_MIN_FILTER, SamplerParameter::MinFilter),
+        (GL_TEXTURE_MAG_FILTER, SamplerParameter::MagFilter),
+        (GL_TEXTURE_MIN_LOD, SamplerParameter::MinLod),
+        (GL_TEXTURE_MAX_LOD, SamplerParameter::MaxLod),
+        (GL_TEXTURE_LOD_BIAS, SamplerParameter::LodBias),
+        (GL_TEXTURE_COMPARE_MODE, SamplerParameter::CompareMode),
+        (GL_TEXTURE_COMPARE_FUNC, SamplerParameter::CompareFunc),
+        (GL_TEXTURE_MAX_ANISOTROPY_EXT, SamplerParameter::MaxAnisotropy),
+    ],
+};
+
+/// How a texture or sampler object is read.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct SamplerState {
+    pub sampler: Sampler,
+    /// `GL_TEXTURE_COMPARE_FUNC`, whether comparing is on or not.
+    pub compare_func: CompareFunc,
+}
+
+/// A comparison, at first `GL_LEQUAL`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct CompareFunc(pub Compare);
+
+impl Default for CompareFunc {
+    fn default() -> Self {
+        Self(Compare::LessEqual)
+    }
+}
+
+impl SamplerState {
+    /// Sets a parameter; `target` is a texture's, none a sampler object's.
+    pub fn set(
+        &mut self,
+        target: Option<TextureTarget>,
+        parameter: SamplerParameter,
+        value: f32,
+    ) -> Result<()> {
+        let sampler = &mut self.sampler;
+        let symbol = symbol(value);
+        let (wrap, min_filter) = match target {
+            Some(TextureTarget::Rect) => (&RECTANGLE_WRAP, &RECTANGLE_MIN_FILTER),
+            Some(
+                TextureTarget::D1
+                | TextureTarget::D2
+                | TextureTarget::D3
+                | TextureTarget::Cube
+                | TextureTarget::D1Array
+                | TextureTarget::D2Array,
+            )
+            | None => (&WRAP, &MIN_FILTER),
+        };
+        match parameter {
+            SamplerParameter::Wrap(axis) => {
+                sampler.wrap[usize::from(axis)] = wrap.decode("param", symbol)?;
+            }
+            SamplerParameter::MinFilter => {
+                (sampler.min, sampler.mipmap) = min_filter.decode("param", symbol)?;
+            }
+            SamplerParameter::MagFilter => sampler.mag = MAG_FILTER.decode("param", symbol)?,
+            SamplerParameter::MinLod => sampler.min_lod = value,
+            SamplerParameter::MaxLod => sampler.max_lod = value,
+            SamplerParameter::LodBias => sampler.lod_bias = lod_bias(value),
+            SamplerParameter::CompareMode => {
+                let is_on = COMPARE_MODE.decode("param", symbol)?;
+                sampler.compare = is_on.then_some(self.compare_func.0);
+            }
+            SamplerParameter::CompareFunc => {
+                let func = COMPARE.decode("param", symbol)?;
+                self.compare_func = CompareFunc(func);
+                sampler.compare = sampler.compare.map(|_| func);
+            }
+            SamplerParameter::MaxAnisotropy if value >= 1.0 => {
+                sampler.max_anisotropy = value.min(MAX_ANISOTROPY);
+            }
+            SamplerParameter::MaxAnisotropy => {
+                return invalid_value(
+                    "EXT_texture_filter_anisotropic, section 3.8.4",
+                    format!("GL_TEXTURE_MAX_ANISOTROPY_EXT = {value} must be at least 1"),
+                );
+            }
+        }
+        Ok(())
+    }
+
+    /// A parameter as a number.
+    pub fn get(&self, parameter: SamplerParameter) -> f32 {
+        let sampler = &self.sampler;
+        let symbol = |value: GLenum| value as f32;
+        match parameter {
+            SamplerParameter::Wrap(axis) => symbol(WRAP.encode(sampler.wrap[usize::from(axis)])),
+            SamplerParameter::MinFilter => symbol(MIN_FILTER.encode((sampler.min, sampler.mipmap))),
+            SamplerParameter::MagFilter => symbol(MAG_FILTER.encode(sampler.mag)),
+            SamplerParameter::MinLod => sampler.min_lod,
+            SamplerParameter::MaxLod => sampler.max_lod,
+            SamplerParameter::LodBias => sampler.lod_bias,
+            SamplerParameter::CompareMode => symbol(COMPARE_MODE.encode(sampler.compare.is_some())),
+            SamplerParameter::CompareFunc => symbol(COMPARE.encode(self.compare_func.0)),
+            SamplerParameter::MaxAnisotropy => sampler.max_anisotropy,
+        }
+    }
+}
+
+/// The numbers of a call, as its type has them.
+#[derive(Clone, Debug)]
+pub(crate) struct Values {
+    /// As they are.
+    pub plain: Vec<f32>,
+    /// As a colour has them: `glTexParameteriv` scales the whole `i32` range to [-1, 1].
+    pub color: Vec<f32>,
+}
+
+impl Values {
+    pub fn floats(values: &[GLfloat]) -> Self {
+        let plain: Vec<f32> = values.iter().take(4).copied().collect();
+        Self { color: plain.clone(), plain }
+    }
+
+    pub fn fixed(values: &[GLint]) -> Self {
+        let color = values.iter().take(4).map(|&value| crate::env::signed_to_unit(value)).collect();
+        Self { color, ..Self::signed(values) }
+    }
+
+    /// Of the `I` calls: a colour is what it is.
+    pub fn signed(values: &[GLint]) -> Self {
+        let plain: Vec<f32> = values.iter().take(4).map(|&value| value as f32).collect();
+        Self { color: plain.clone(), plain }
+    }
+
+    pub fn unsigned(values: &[GLuint]) -> Self {
+        let plain: Vec<f32> = values.iter().take(4).map(|&value| value as f32).collect();
+        Self { color: plain.clone(), plain }
+    }
+
+    /// The first number.
+    pub fn one(&self, section: &'static str, pname: GLenum) -> Result<f32> {
+        match self.plain.first() {
+            Some(&value) => Ok(value),
+            None => self.too_few(section, pname, 1),
+        }
+    }
+
+    /// All four, as a colour.
+    pub fn four(&self, section: &'static str, pname: GLenum) -> Result<[f32; 4]> {
+        match self.color.first_chunk() {
+            Some(&color) => Ok(color),
+            None => self.too_few(section, pname, 4),
+        }
+    }
+
+    fn too_few<T>(&self, section: &'static str, pname: GLenum, needed: usize) -> Result<T> {
+        crate::error::invalid_operation(
+            section,
+            format!("params has {} of {needed} values of {}", self.plain.len(), enum_name(pname)),
+        )
+    }
+}
+
+/// A parameter of several numbers given to a call of one.
+pub(crate) fn needs_vector<T>(section: &'static str, pname: GLenum, call: &str) -> Result<T> {
+    invalid_enum(section, format!("pname = {} has four components: use {call}fv", enum_name(pname)))
+}
