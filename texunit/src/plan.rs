@@ -1,6 +1,6 @@
 //! One decision per draw: how this image is sampled with this sampler.
 
-use crate::format::{Encoding, Format};
+use crate::format::Format;
 use crate::image::{Image, Incomplete, Level, Shape};
 use crate::lanes::{F32s, Isa};
 use crate::sample::Sample;
@@ -150,12 +150,7 @@ impl Texture {
     /// the border.
     #[inline(always)]
     pub fn is_plain_byte(&self, filter: Filter, channel: usize) -> bool {
-        match self.format.info().encoding {
-            Encoding::Unorm8 | Encoding::Srgb8 => {
-                !self.format.is_srgb_channel(channel) && !self.reaches_border(filter)
-            }
-            Encoding::Unorm16 | Encoding::Unorm24 | Encoding::Float32 => false,
-        }
+        self.format.is_byte_channel(channel) && !self.reaches_border(filter)
     }
 
     fn describe(&self) -> String {
