@@ -5,6 +5,7 @@
 //! and [`block`].
 
 pub mod block;
+pub mod client;
 pub mod convert;
 pub mod integer;
 pub mod shared_exponent;
