@@ -255,6 +255,20 @@ impl Format {
             }
     }
 
+    /// Whether every channel is a byte over 255, one after the other.
+    #[inline(always)]
+    pub const fn is_bytes(self) -> bool {
+        let channels = self.channels();
+        let mut channel = 0;
+        while channel < channels {
+            if !self.is_byte_channel(channel) {
+                return false;
+            }
+            channel += 1;
+        }
+        true
+    }
+
     /// Bits of a stored channel; of a compressed format, those of a decoded texel.
     pub const fn channel_bits(self, channel: usize) -> u32 {
         match self.info().encoding {

@@ -32,11 +32,11 @@ impl Oracle<'_> {
     pub fn sample(&self, at: [f64; 3], detail: Detail) -> Answer {
         let sampler = self.sampler;
         let (face, [s, t], mut margin) = match self.image.shape() {
-            Shape::D2 => (0, [at[0], at[1]], f64::INFINITY),
             Shape::Cube => {
                 let (face, margin) = select_face(at);
                 (face, project(face, at), margin)
             }
+            _ => (0, [at[0], at[1]], f64::INFINITY),
         };
         let base = sampler.base_level as usize;
         let level0 = self.image.level(face, base).unwrap();
@@ -46,7 +46,6 @@ impl Oracle<'_> {
             Detail::Lambda(lambda) => lambda + f64::from(sampler.lod_bias).clamp(-16.0, 16.0),
             Detail::Derivatives { dx, dy, bias } => {
                 let along = |d: [f64; 3]| match self.image.shape() {
-                    Shape::D2 => [d[0], d[1]],
                     Shape::Cube => {
                         // The projection's own slope, by a central difference.
                         let h = 1e-6;
@@ -54,6 +53,7 @@ impl Oracle<'_> {
                         let behind = project(face, [0, 1, 2].map(|i| at[i] - h * d[i]));
                         [0, 1].map(|i| (ahead[i] - behind[i]) / (2.0 * h))
                     }
+                    _ => [d[0], d[1]],
                 };
                 let length = |d: [f64; 2]| (d[0] * size[0]).hypot(d[1] * size[1]);
                 let rho = length(along(dx)).max(length(along(dy)));
@@ -204,6 +204,8 @@ fn wrapped(wrap: Wrap, s: f64, n: f64) -> f64 {
             let even = s.floor().rem_euclid(2.0) == 0.0;
             (if even { fraction } else { 1.0 - fraction }).clamp(half, 1.0 - half)
         }
+        Wrap::MirrorClamp => s.abs().clamp(half, 1.0),
+        Wrap::MirrorClampToEdge => s.abs().clamp(half, 1.0 - half),
     }
 }
 

@@ -123,6 +123,7 @@ pub fn samplers() -> impl Strategy<Value = Sampler> {
                 border,
                 compare,
                 depth_mode,
+                ..Sampler::default()
             }
         })
 }
