@@ -1,6 +1,6 @@
 //! One decision per draw: how this image is sampled with this sampler.
 
-use crate::format::{Encoding, Format};
+use crate::format::Format;
 use crate::image::{Image, Incomplete, Level, Shape};
 use crate::lanes::math::clamp;
 use crate::lanes::{F32s, I32s, Isa, LANES};
@@ -57,7 +57,28 @@ pub(crate) struct Texture {
     pub compare: Option<Compare>,
     pub depth_mode: DepthMode,
     pub swizzle: [Swizzle; 4],
+    pub way: Way,
     pub detail: Detail,
+}
+
+/// Which kernels read texels. Both give the same bits.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Way {
+    /// Any texture.
+    General,
+    /// Two-dimensional linear bytes, where no border is reached.
+    Plain,
+}
+
+impl Way {
+    fn new(shape: Shape, format: Format, seamless: Seamless) -> Self {
+        let flat = match shape {
+            Shape::D2 | Shape::Rect => true,
+            Shape::Cube => seamless == Seamless::Off,
+            Shape::D1 | Shape::D3 | Shape::D1Array | Shape::D2Array => false,
+        };
+        if flat && format.is_bytes() { Self::Plain } else { Self::General }
+    }
 }
 
 /// How lanes come to their filter and level.
@@ -208,6 +229,7 @@ impl Texture {
             compare: if format.is_depth() { sampler.compare } else { None },
             depth_mode: sampler.depth_mode,
             swizzle: sampler.swizzle,
+            way: Way::new(shape, format, sampler.seamless),
             detail,
         })
     }
@@ -226,18 +248,6 @@ impl Texture {
     #[inline(always)]
     pub fn is_array(&self) -> bool {
         matches!(self.shape, Shape::D1Array | Shape::D2Array)
-    }
-
-    /// Whether texels of this channel are linear bytes that are neither compared nor mixed with
-    /// the border.
-    #[inline(always)]
-    pub fn is_plain_byte(&self, filter: Filter, channel: usize) -> bool {
-        match self.format.info().encoding {
-            Encoding::Unorm8 | Encoding::Srgb8 => {
-                !self.format.is_srgb_channel(channel) && !self.reaches_border(filter)
-            }
-            Encoding::Unorm16 | Encoding::Unorm24 | Encoding::Float32 => false,
-        }
     }
 
     fn describe(&self) -> String {

@@ -3,7 +3,7 @@
 use super::{Data, DataOut};
 use crate::env;
 use crate::object::{samplers, textures};
-use crate::texture::{copy, get, mipmap, parameter, query, specify, sub};
+use crate::texture::{compressed, copy, get, mipmap, parameter, query, specify, sub};
 use crate::types::*;
 
 entry_points! {
@@ -64,6 +64,42 @@ entry_points! {
             width: GLsizei, height: GLsizei, depth: GLsizei, format: GLenum, ty: GLenum,
             pixels: Data<'a>
         );
+    }
+    Outside in compressed {
+        /// Specifies a level from compressed texels; no format takes one dimension.
+        compressed_tex_image_1d: glCompressedTexImage1D | glCompressedTexImage1DARB (
+            target: GLenum, level: GLint, internalformat: GLenum, width: GLsizei, border: GLint,
+            image_size: GLsizei, data: Data<'a>
+        );
+        /// Specifies a level from compressed texels.
+        compressed_tex_image_2d: glCompressedTexImage2D | glCompressedTexImage2DARB (
+            target: GLenum, level: GLint, internalformat: GLenum, width: GLsizei, height: GLsizei,
+            border: GLint, image_size: GLsizei, data: Data<'a>
+        );
+        /// Specifies a level of a 2D array from compressed texels.
+        compressed_tex_image_3d: glCompressedTexImage3D | glCompressedTexImage3DARB (
+            target: GLenum, level: GLint, internalformat: GLenum, width: GLsizei, height: GLsizei,
+            depth: GLsizei, border: GLint, image_size: GLsizei, data: Data<'a>
+        );
+        /// Replaces blocks of a level; no format takes one dimension.
+        compressed_tex_sub_image_1d: glCompressedTexSubImage1D | glCompressedTexSubImage1DARB (
+            target: GLenum, level: GLint, xoffset: GLint, width: GLsizei, format: GLenum,
+            image_size: GLsizei, data: Data<'a>
+        );
+        /// Replaces blocks of a level.
+        compressed_tex_sub_image_2d: glCompressedTexSubImage2D | glCompressedTexSubImage2DARB (
+            target: GLenum, level: GLint, xoffset: GLint, yoffset: GLint, width: GLsizei,
+            height: GLsizei, format: GLenum, image_size: GLsizei, data: Data<'a>
+        );
+        /// Replaces blocks of a level of a 2D array.
+        compressed_tex_sub_image_3d: glCompressedTexSubImage3D | glCompressedTexSubImage3DARB (
+            target: GLenum, level: GLint, xoffset: GLint, yoffset: GLint, zoffset: GLint,
+            width: GLsizei, height: GLsizei, depth: GLsizei, format: GLenum, image_size: GLsizei,
+            data: Data<'a>
+        );
+        /// Reads the blocks of a compressed level.
+        get_compressed_tex_image: glGetCompressedTexImage | glGetCompressedTexImageARB
+            (target: GLenum, level: GLint, img: DataOut<'a>);
     }
     Outside in copy {
         /// Specifies a level from a row of the read framebuffer.

@@ -8,6 +8,7 @@ use crate::context::Context;
 use crate::error::{ErrorCode, GlError, Result};
 use crate::object::framebuffers::Attached;
 use crate::texture::internal::{Component, component_bits};
+use crate::texture::texel::is_renderable;
 use crate::types::*;
 use rasterizer::driver::{Attachment, PassDesc};
 use texunit::format::Format;
@@ -106,6 +107,9 @@ pub(super) fn completeness(context: &Context, name: GLuint) -> std::result::Resu
         let Some(attached) = attached else { continue };
         any = true;
         let reason = match find(context, attached) {
+            Ok(found) if !is_renderable(found.format) => {
+                format!("nothing is drawn to images of {:?}", found.format)
+            }
             Ok(found) if found.format.is_depth() == wants_depth => continue,
             Ok(_) if wants_depth => "its format has no depth".to_owned(),
             Ok(_) => "a depth format cannot be a colour".to_owned(),

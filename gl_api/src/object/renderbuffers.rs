@@ -4,14 +4,15 @@ use super::doomed;
 use crate::constants::*;
 use crate::context::{Context, limits};
 use crate::error::{
-    ErrorCode, GlError, Result, Table, invalid_operation, invalid_value, not_negative,
+    ErrorCode, GlError, Result, Table, invalid_enum, invalid_operation, invalid_value, not_negative,
 };
 use crate::framebuffer::surface;
 use crate::query::put;
 use crate::texture::internal::{Component, INTERNAL_FORMAT, component_bits};
+use crate::texture::texel::is_renderable;
 use crate::types::*;
 use rasterizer::driver::Image;
-use texunit::format::Format;
+use texunit::format::{BaseFormat, Encoding, Format};
 
 const SECTION: &str = "ARB_framebuffer_object, section 4.4.2";
 
@@ -87,7 +88,16 @@ pub(crate) fn renderbuffer_storage(
     height: GLsizei,
 ) -> Result<()> {
     RENDERBUFFER_TARGET.decode("target", target)?;
-    let format = INTERNAL_FORMAT.decode("internalformat", internalformat)?;
+    let format = drawn(INTERNAL_FORMAT.decode("internalformat", internalformat)?);
+    if !is_renderable(format) {
+        return invalid_enum(
+            SECTION,
+            format!(
+                "internalformat = {} is of numbers that nothing is drawn to",
+                enum_name(internalformat)
+            ),
+        );
+    }
     for (argument, size) in [("width", width), ("height", height)] {
         if not_negative(SECTION, argument, size.into())? > limits::MAX_TEXTURE_SIZE as usize {
             return invalid_value(
@@ -110,6 +120,17 @@ pub(crate) fn renderbuffer_storage(
         storage: (width > 0 && height > 0).then_some((format, image)),
     };
     Ok(())
+}
+
+/// What a renderbuffer of fractions stores: a byte each.
+fn drawn(format: Format) -> Format {
+    match (format.info().encoding, format.base()) {
+        (Encoding::Unorm, BaseFormat::Red) => Format::R8,
+        (Encoding::Unorm, BaseFormat::Rg) => Format::Rg8,
+        (Encoding::Unorm, BaseFormat::Rgb) => Format::Rgb8,
+        (Encoding::Unorm, BaseFormat::Rgba) => Format::Rgba8,
+        (_, _) => format,
+    }
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

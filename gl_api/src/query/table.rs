@@ -10,6 +10,7 @@ use crate::state::fragment::{BLEND_EQUATION, COMPARE, DST_FACTOR, SRC_FACTOR};
 use crate::state::matrix::{MATRIX_MODE, MAX_MODELVIEW_STACK_DEPTH, MAX_STACK_DEPTH, Stack};
 use crate::state::pixel_store::PixelStore;
 use crate::state::raster::{FACE, FRONT_FACE, HINTS, SHADE_MODEL};
+use crate::texture::internal::COMPRESSED_FORMAT;
 use crate::texture::{TextureTarget, transfer};
 use crate::types::*;
 use rasterizer::driver::DepthWrite;
@@ -138,8 +139,10 @@ fn limit(_: &Context, pname: GLenum) -> Answer {
         | GL_LINE_WIDTH_RANGE
         | GL_ALIASED_LINE_WIDTH_RANGE
         | GL_ALIASED_POINT_SIZE_RANGE => floats(&[1.0, limits::MAX_WIDTH]),
-        GL_NUM_COMPRESSED_TEXTURE_FORMATS => int(0),
-        GL_COMPRESSED_TEXTURE_FORMATS => ints(&[]),
+        GL_NUM_COMPRESSED_TEXTURE_FORMATS => int(COMPRESSED_FORMAT.rows.len()),
+        GL_COMPRESSED_TEXTURE_FORMATS => {
+            Ok(Value::Ints(COMPRESSED_FORMAT.rows.iter().map(|row| row.0 as i32).collect()))
+        }
         GL_MAJOR_VERSION => int(2),
         GL_MINOR_VERSION => int(1),
         GL_NUM_EXTENSIONS => int(super::get::EXTENSIONS.split(' ').count()),

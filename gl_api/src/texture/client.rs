@@ -8,7 +8,8 @@ use crate::constants::*;
 use crate::error::{Result, Table, invalid_enum, invalid_operation};
 use crate::state::viewport::unit;
 use crate::types::*;
-use half::f16;
+use texunit::format::shared_exponent;
+use texunit::format::small_float::{decode_half, decode_unsigned, encode_half, encode_unsigned};
 
 /// The components of a pixel in memory (GL 2.1, table 3.6).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -260,7 +261,7 @@ impl ClientType {
         }
         let [first, second, ..] = words;
         match self {
-            Self::F16 => words.map(|word| f16::from_bits(word as u16).to_f64()),
+            Self::F16 => words.map(|word| decode_half(word).into()),
             Self::Packed(packed) => {
                 let fields = packed.split(first);
                 let mut out = [0.0; 4];
@@ -271,9 +272,9 @@ impl ClientType {
             }
             Self::Rgb9E5 => read_rgb9e5(first),
             Self::R11G11B10F => [
-                read_small_float(first & 0x7FF, 6),
-                read_small_float(first >> 11 & 0x7FF, 6),
-                read_small_float(first >> 22, 5),
+                decode_unsigned(first & 0x7FF, 6).into(),
+                decode_unsigned(first >> 11 & 0x7FF, 6).into(),
+                decode_unsigned(first >> 22, 5).into(),
                 0.0,
             ],
             Self::Depth24Stencil8 => {
@@ -303,7 +304,7 @@ impl ClientType {
         }
         let [a, b, ..] = values;
         match self {
-            Self::F16 => values.map(|value| f16::from_f64(value).to_bits().into()),
+            Self::F16 => values.map(|value| encode_half(value as f32)),
             Self::Packed(packed) => {
                 let mut fields = [0; 4];
                 for index in 0..packed.bits.len() {
@@ -311,12 +312,15 @@ impl ClientType {
                 }
                 [packed.join(fields), 0, 0, 0]
             }
-            Self::Rgb9E5 => [write_rgb9e5(values), 0, 0, 0],
+            Self::Rgb9E5 => {
+                let [r, g, b, _] = values.map(|value| value as f32);
+                [shared_exponent::encode(r, g, b), 0, 0, 0]
+            }
             Self::R11G11B10F => {
-                let [r, g, b, _] = values;
-                let word = write_small_float(r, 6)
-                    | write_small_float(g, 6) << 11
-                    | write_small_float(b, 5) << 22;
+                let [r, g, b, _] = values.map(|value| value as f32);
+                let word = encode_unsigned(r, 6)
+                    | encode_unsigned(g, 6) << 11
+                    | encode_unsigned(b, 5) << 22;
                 [word, 0, 0, 0]
             }
             Self::Depth24Stencil8 => {
@@ -379,49 +383,6 @@ fn read_rgb9e5(word: u32) -> [f64; 4] {
             if shift == 27 { 0.0 } else { f64::from(word >> shift & 0x1FF) * scale }
         },
     )
-}
-
-fn write_rgb9e5([r, g, b, _]: [f64; 4]) -> u32 {
-    /// `(2^9 - 1) / 2^9 · 2^(31 - 15)`.
-    const LARGEST: f64 = 65_408.0;
-    let [r, g, b] = [r, g, b].map(|c| if c > 0.0 { c.min(LARGEST) } else { 0.0 });
-    let max = r.max(g).max(b);
-    // floor(log2 max) from the bits; below 2^-16 the exponent field is 0.
-    let log2 = (max.to_bits() >> 52) as i32 - 1023;
-    let mut exponent = log2.max(-16) + 1 + 15;
-    if (max * power_of_two(24 - exponent) + 0.5).floor() >= 512.0 {
-        exponent += 1;
-    }
-    let scale = power_of_two(24 - exponent);
-    let [r, g, b] = [r, g, b].map(|c| (c * scale + 0.5).floor() as u32);
-    r | g << 9 | b << 18 | (exponent as u32) << 27
-}
-
-/// An unsigned float of a 5-bit exponent above so many bits of mantissa (`EXT_packed_float`,
-/// section 2.1.A).
-fn read_small_float(bits: u32, mantissa_bits: u32) -> f64 {
-    // A half float has 10 bits of mantissa and the same exponent.
-    f16::from_bits((bits << (10 - mantissa_bits)) as u16).to_f64()
-}
-
-/// The nearest such float, halves to even; negative gives 0, too large the largest, NaN a NaN.
-fn write_small_float(value: f64, mantissa_bits: u32) -> u32 {
-    let infinity = 31 << mantissa_bits;
-    if value.is_nan() {
-        return infinity | 1;
-    }
-    if value <= 0.0 {
-        return 0;
-    }
-    if value == f64::INFINITY {
-        return infinity;
-    }
-    // In steps of the last place: 2^(e - mantissa_bits), with e no less than -14.
-    let exponent = ((value.to_bits() >> 52) as i32 - 1023).clamp(-14, 16);
-    let steps = (value * power_of_two(mantissa_bits as i32 - exponent)).round_ties_even();
-    // Steps carry into the exponent by themselves.
-    let bits = (((exponent + 14) as u32) << mantissa_bits) + steps.min(1e6) as u32;
-    bits.min(infinity - 1)
 }
 
 /// Format and type of a call, which go together.
@@ -499,34 +460,17 @@ mod tests {
     use super::*;
 
     #[test]
-    fn small_floats_read_back_and_round_to_nearest() {
-        for mantissa in [5, 6] {
-            for bits in 0..31 << mantissa {
-                let value = read_small_float(bits, mantissa);
-                assert_eq!(write_small_float(value, mantissa), bits);
-                let middle = (value + read_small_float(bits + 1, mantissa)) / 2.0;
-                if middle.is_finite() {
-                    assert_eq!(write_small_float(middle, mantissa), bits + (bits & 1), "{bits}");
-                }
-            }
-            assert_eq!(write_small_float(1e9, mantissa), (31 << mantissa) - 1);
-            assert_eq!(write_small_float(-1.0, mantissa), 0);
-            assert!(read_small_float(write_small_float(f64::NAN, mantissa), mantissa).is_nan());
-        }
-    }
-
-    #[test]
-    fn shared_exponents_read_back() {
+    fn packed_floats_read_back() {
         for word in (0..u32::MAX).step_by(65_537) {
-            let color = read_rgb9e5(word);
-            assert_eq!(read_rgb9e5(write_rgb9e5(color)), color, "{word:#x}");
+            let ty = ClientType::Rgb9E5;
+            let color = ty.read([word; 4], Fixed);
+            assert_eq!(ty.read(ty.write(color, Fixed), Fixed), color, "{word:#x}");
+            let ty = ClientType::R11G11B10F;
+            let color = ty.read([word; 4], Fixed);
+            if color.iter().all(|c| c.is_finite()) {
+                assert_eq!(ty.write(color, Fixed)[0], word);
+            }
         }
-        assert_eq!(
-            read_rgb9e5(write_rgb9e5([1e9, -1.0, f64::NAN, 0.0])),
-            [65_408.0, 0.0, 0.0, 0.0]
-        );
-        // Rounding the largest mantissa up carries into the exponent.
-        assert_eq!(read_rgb9e5(write_rgb9e5([0.9999, 0.5, 0.0, 0.0]))[0], 1.0);
     }
 
     #[test]

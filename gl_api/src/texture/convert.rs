@@ -70,9 +70,15 @@ impl<'a> Conversion<'a> {
         let ty = self.layout.pixel.ty;
         let plain = (ty.size(), [0, 1, 2, 3]);
         let is_native = cfg!(target_endian = "little") && !self.layout.swap;
-        let same = match (self.format.info().encoding, ty) {
-            (Encoding::Unorm8 | Encoding::Srgb8, ClientType::U8) => Some(plain),
-            (Encoding::Unorm8 | Encoding::Srgb8, ClientType::Packed(packed))
+        let info = self.format.info();
+        let bits = info.fields[0].bits;
+        // Channels one after the other, as `FormatInfo::uniform` has them.
+        let is_uniform = bits as usize * self.format.channels() == 8 * info.bytes
+            && info.fields[..self.format.channels()].iter().all(|field| field.bits == bits)
+            && !self.format.is_depth();
+        let same = match (info.encoding, ty, bits) {
+            (Encoding::Unorm | Encoding::Srgb, ClientType::U8, 8) => Some(plain),
+            (Encoding::Unorm | Encoding::Srgb, ClientType::Packed(packed), 8)
                 if packed.bits == [8; 4] =>
             {
                 // Where the first component is at the top, it comes last in memory.
@@ -80,19 +86,14 @@ impl<'a> Conversion<'a> {
                 let is_last = is_top == is_native;
                 Some((1, if is_last { [3, 2, 1, 0] } else { [0, 1, 2, 3] }))
             }
-            (Encoding::Unorm16, ClientType::U16) if is_native => Some(plain),
-            (Encoding::Float32, ClientType::F32) if is_native && !self.format.is_depth() => {
+            (Encoding::Unorm, ClientType::U16, 16) | (Encoding::Float, ClientType::F32, 32)
+                if is_native =>
+            {
                 Some(plain)
             }
-            (
-                Encoding::Unorm8
-                | Encoding::Srgb8
-                | Encoding::Unorm16
-                | Encoding::Unorm24
-                | Encoding::Float32,
-                _,
-            ) => None,
+            (_, _, _) => None,
         };
+        let same = same.filter(|_| is_uniform);
         same.filter(|_| transfer::is_identity(&self.linear) && self.numbers != Numbers::Integer)
     }
 

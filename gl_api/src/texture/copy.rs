@@ -1,10 +1,10 @@
 //! `glCopyTexImage` and `glCopyTexSubImage`: GL 2.1, section 3.8.2.
 
-use super::internal::INTERNAL_FORMAT;
+use super::internal::{COMPRESSED_FORMAT, INTERNAL_FORMAT};
 use super::specify::{Request, store_level};
 use super::sub::{checked_area, room, write_area};
 use super::target::{Dimensions, ImageTarget};
-use super::{convert, storage_error};
+use super::{blocks, convert, storage_error};
 use crate::context::Context;
 use crate::error::{Result, invalid_operation};
 use crate::framebuffer::{Region, read};
@@ -13,11 +13,14 @@ use texunit::format::Format;
 
 const SECTION: &str = "GL 2.1, section 3.8.2";
 
-/// The pixels of a rectangle of the read framebuffer as texels of `format`; black where it lies
-/// outside.
+/// The pixels of a rectangle of the read framebuffer as texels of `format`, or as the colours that
+/// are compressed; black where it lies outside.
 fn copied(context: &mut Context, region: Region, format: Format) -> Result<Vec<u8>> {
     let source =
         if format.is_depth() { read::depth_source(context)? } else { read::color_source(context)? };
+    if format.is_integer() {
+        return invalid_operation(SECTION, "integer formats are not copied from colours");
+    }
     if source.format.is_depth() != format.is_depth() {
         return invalid_operation(SECTION, "depth is copied from depth, colours from colours");
     }
@@ -32,7 +35,8 @@ fn copied(context: &mut Context, region: Region, format: Format) -> Result<Vec<u
             texels[at..at + visible.width * size].copy_from_slice(&row[..visible.width * size]);
         }
     }
-    Ok(convert::transcode(source.format, &texels, format, &context.state.transfer))
+    let to = if format.block().is_some() { blocks::COLORS } else { format };
+    Ok(convert::transcode(source.format, &texels, to, &context.state.transfer))
 }
 
 fn copy_tex_image(
@@ -45,11 +49,18 @@ fn copy_tex_image(
     border: GLint,
 ) -> Result<()> {
     let image = ImageTarget::Bound(dimensions.bound(target)?);
-    let format = INTERNAL_FORMAT.decode("internalformat", internal)?;
+    let format = match COMPRESSED_FORMAT.get(internal) {
+        Some(format) => format,
+        None => INTERNAL_FORMAT.decode("internalformat", internal)?,
+    };
     let request = Request::new(image, level, internal, format, size, border)?;
     let Some(target) = request.bound(context)? else { return Ok(()) };
     let [width, height, _] = request.given;
     let texels = copied(context, Region::new(x, y, width as usize, height as usize), format)?;
+    if format.block().is_some() {
+        let level = blocks::compress(format, request.size, &texels)?;
+        return store_level(context, target, request.level, internal, level);
+    }
     let mut level = request.storage()?;
     let corner = level.border.map(|side| -(side as i32));
     level
@@ -70,6 +81,10 @@ fn copy_tex_sub_image(
     let area = checked_area(context, target, level, offset, [width, height, 1])?;
     let region = Region::new(x, y, width as usize, height as usize);
     let texels = copied(context, region, area.format)?;
+    if area.format.block().is_some() {
+        let level = blocks::compress(area.format, area.size, &texels)?;
+        return write_area(context, &area, convert::texels(&level));
+    }
     write_area(context, &area, &texels)
 }
 

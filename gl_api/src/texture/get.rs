@@ -4,7 +4,7 @@ use super::client::Pixel;
 use super::layout::{Extent, Layout};
 use super::specify::kinds_match;
 use super::target::any_bound;
-use super::{TextureTarget, bound, checked_level, convert, memory};
+use super::{TextureTarget, blocks, bound, checked_level, convert, memory};
 use crate::context::Context;
 use crate::entry::DataOut;
 use crate::error::Result;
@@ -39,6 +39,12 @@ pub(crate) fn get_tex_image(
     };
     let layout = Layout::new(&context.state.pack, pixel, size, extent)?;
     let transfer = context.state.transfer;
+    if level.format.block().is_some() {
+        let colors = blocks::decompress(level)?;
+        return memory::write_pixels(context, &layout, pixels, |bytes| {
+            convert::pack(&layout, blocks::COLORS, &transfer, &colors, bytes);
+        });
+    }
     memory::write_pixels(context, &layout, pixels, |bytes| {
         convert::pack(&layout, level.format, &transfer, convert::texels(level), bytes);
     })

@@ -4,7 +4,9 @@
 //! scale and bias, which images and internal formats there are, the conversion between both, the
 //! calls that specify images, parameters, mipmaps, and reading back.
 
+mod blocks;
 pub(crate) mod client;
+pub(crate) mod compressed;
 pub(crate) mod convert;
 pub(crate) mod copy;
 pub(crate) mod get;
@@ -139,5 +141,15 @@ pub(crate) fn bound_mut(context: &mut Context, target: TextureTarget) -> &mut Te
 
 /// What an image that cannot be stored means to the client.
 pub(crate) fn storage_error(section: &'static str, error: &ImageError) -> GlError {
-    GlError { code: ErrorCode::OutOfMemory, rule: error.to_string(), section }
+    let code = match error {
+        ImageError::NoMean { .. } | ImageError::CutsBlocks { .. } => ErrorCode::InvalidOperation,
+        ImageError::TooLarge { .. }
+        | ImageError::OutOfMemory { .. }
+        | ImageError::WrongBorder { .. }
+        | ImageError::TooShort { .. }
+        | ImageError::Outside { .. }
+        | ImageError::NoSuchLevel { .. }
+        | ImageError::Missing { .. } => ErrorCode::OutOfMemory,
+    };
+    GlError { code, rule: error.to_string(), section }
 }

@@ -5,10 +5,11 @@ use super::target::{ImageTarget, any_image};
 use super::{bound, checked_level};
 use crate::constants::*;
 use crate::context::Context;
-use crate::error::{Result, Table};
+use crate::error::{Result, Table, invalid_operation};
 use crate::query::put;
 use crate::types::*;
 use texunit::format::Format;
+use texunit::image::Level;
 
 const SECTION: &str = "GL 2.1, section 6.1.3";
 
@@ -20,6 +21,7 @@ enum Property {
     Border,
     InternalFormat,
     Compressed,
+    CompressedBytes,
     Bits(Component),
 }
 
@@ -38,6 +40,8 @@ const PROPERTY: Table<Property> = Table {
         (GL_TEXTURE_ALPHA_SIZE, Property::Bits(Component::Alpha)),
         (GL_TEXTURE_LUMINANCE_SIZE, Property::Bits(Component::Luminance)),
         (GL_TEXTURE_INTENSITY_SIZE, Property::Bits(Component::Intensity)),
+        (GL_TEXTURE_COMPRESSED_IMAGE_SIZE, Property::CompressedBytes),
+        (GL_TEXTURE_STENCIL_SIZE, Property::Bits(Component::Stencil)),
         (GL_TEXTURE_DEPTH_SIZE, Property::Bits(Component::Depth)),
     ],
 };
@@ -89,7 +93,15 @@ fn property(context: &Context, target: GLenum, level: GLint, pname: GLenum) -> R
         Property::Height => height,
         Property::DepthOfVolume => depth,
         Property::Border => known.border as GLint,
-        Property::Compressed => 0,
+        Property::Compressed => i32::from(known.format.block().is_some()),
+        Property::CompressedBytes if known.format.block().is_none() => {
+            return invalid_operation(SECTION, "the image is not compressed");
+        }
+        Property::CompressedBytes => {
+            let [width, height, depth] = known.given;
+            let bytes = Level::required_bytes(known.format, width, height, depth);
+            bytes.map_or(0, |bytes| bytes as GLint)
+        }
         Property::Bits(component) => component_bits(known.format, component),
     })
 }

@@ -4,8 +4,9 @@ use super::client::{ClientFormat, Numbers, Pixel};
 use super::internal::{INTERNAL_FORMAT, texture_format};
 use super::layout::{Extent, Layout};
 use super::memory::pixel_source;
+use super::sub::room;
 use super::target::{Dimensions, ImageTarget};
-use super::{FaceTarget, Proxy, TextureTarget, bound, bound_mut, checked_level, convert, texel};
+use super::{FaceTarget, Proxy, TextureTarget, blocks, bound, bound_mut, checked_level, convert};
 use crate::constants::*;
 use crate::context::Context;
 use crate::entry::Data;
@@ -62,6 +63,9 @@ impl Request {
         let border = checked_border(target, border)?;
         if target == TextureTarget::D3 && format.is_depth() {
             return invalid_operation(SECTION, "three-dimensional textures have no depth formats");
+        }
+        if format.block().is_some() {
+            checked_blocks(target, border)?;
         }
         let borders = target.level_box(target.shape().border(border));
         let (limits, axes) = (target.limits(), target.shape().axes());
@@ -126,6 +130,20 @@ impl Request {
     }
 }
 
+/// Blocks are of two dimensions and have no border.
+fn checked_blocks(target: TextureTarget, border: u32) -> Result<()> {
+    const SECTION: &str = "EXT_texture_compression_s3tc, section 3.8.3";
+    match target {
+        TextureTarget::D2 | TextureTarget::Cube | TextureTarget::D2Array if border == 0 => Ok(()),
+        TextureTarget::D2 | TextureTarget::Cube | TextureTarget::D2Array => {
+            invalid_operation(SECTION, "compressed images have no border")
+        }
+        TextureTarget::D1 | TextureTarget::D3 | TextureTarget::Rect | TextureTarget::D1Array => {
+            invalid_operation(SECTION, "this target takes no compressed internalformat")
+        }
+    }
+}
+
 fn checked_border(target: TextureTarget, border: GLint) -> Result<u32> {
     match (target, border) {
         (_, 0) => Ok(0),
@@ -153,13 +171,13 @@ pub(crate) fn kinds_match(pixel: Pixel, stored: Format) -> Result<()> {
             "format GL_DEPTH_COMPONENT and a depth internalformat go together, and not with colours",
         );
     }
-    if (pixel.format == ClientFormat::DepthStencil) && !texel::has_stencil(stored) {
+    if (pixel.format == ClientFormat::DepthStencil) && !stored.has_stencil() {
         return invalid_operation(
             SECTION,
             "format GL_DEPTH_STENCIL needs an internalformat with stencil",
         );
     }
-    if (pixel.numbers == Numbers::Integer) != texel::is_integer(stored) {
+    if (pixel.numbers == Numbers::Integer) != stored.is_integer() {
         return invalid_operation(
             "EXT_texture_integer, section 3.8.1",
             "formats of integers (GL_RGBA_INTEGER) and integer internalformats go together, and \
@@ -217,12 +235,22 @@ fn tex_image(
     let size = request.given.map(|side| side as usize);
     let layout = Layout::new(&context.state.unpack, pixel, size, extent)?;
     let source = pixel_source(context, &layout, pixels.data)?;
-    let mut texels = request.storage()?;
-    if let Some(source) = source {
-        let room = texels.texels.len() - texunit::image::PADDING;
-        let out = &mut texels.texels[..room];
-        convert::unpack(&layout, source.bytes(), format, &context.state.transfer, out);
-    }
+    let texels = match (source, format.block()) {
+        (None, _) => request.storage()?,
+        (Some(source), None) => {
+            let mut texels = request.storage()?;
+            let room = texels.texels.len() - texunit::image::PADDING;
+            let out = &mut texels.texels[..room];
+            convert::unpack(&layout, source.bytes(), format, &context.state.transfer, out);
+            texels
+        }
+        (Some(source), Some(_)) => {
+            let mut colors = room(blocks::COLORS, size)?;
+            let transfer = &context.state.transfer;
+            convert::unpack(&layout, source.bytes(), blocks::COLORS, transfer, &mut colors);
+            blocks::compress(format, request.size, &colors)?
+        }
+    };
     store_level(context, target, request.level, internal, texels)
 }
 

@@ -5,7 +5,7 @@ use super::layout::Layout;
 use super::memory::pixel_source;
 use super::specify::{extent, kinds_match};
 use super::target::Dimensions;
-use super::{FaceTarget, bound, bound_mut, checked_level, convert};
+use super::{FaceTarget, blocks, bound, bound_mut, checked_level, convert};
 use crate::context::Context;
 use crate::entry::Data;
 use crate::error::{ErrorCode, GlError, Result, invalid_operation, invalid_value, not_negative};
@@ -122,9 +122,13 @@ fn tex_sub_image(
             format!("pixels must not be NULL: {} bytes are needed", layout.needed),
         );
     };
-    let mut texels = room(area.format, size)?;
-    let transfer = &context.state.transfer;
-    convert::unpack(&layout, source.bytes(), area.format, transfer, &mut texels);
+    let format = if area.format.block().is_some() { blocks::COLORS } else { area.format };
+    let mut texels = room(format, size)?;
+    convert::unpack(&layout, source.bytes(), format, &context.state.transfer, &mut texels);
+    if area.format.block().is_some() {
+        let level = blocks::compress(area.format, area.size, &texels)?;
+        return write_area(context, &area, convert::texels(&level));
+    }
     write_area(context, &area, &texels)
 }
 

@@ -4,23 +4,18 @@
 //! sRGB formats hold what the client gave: it is encoded already (`EXT_texture_sRGB`).
 
 use super::client::Numbers;
-use crate::state::viewport::unit;
+use texunit::format::client::{read_channel, write_texel};
+use texunit::format::integer::{decode_int, set_stencil, stencil};
 use texunit::format::{BaseFormat, Encoding, Format};
 
-/// The most bytes of a texel.
-pub(crate) const TEXEL_BYTES: usize = 16;
-
 /// The bytes of a texel, the first ones those that its format has.
-pub(crate) type Bytes = [u8; TEXEL_BYTES];
+pub(crate) type Bytes = [u8; 16];
 
 /// What integers of the client's mean for a texel of this format.
 pub(crate) fn numbers(format: Format, client: Numbers) -> Numbers {
-    match format.info().encoding {
-        Encoding::Unorm8
-        | Encoding::Srgb8
-        | Encoding::Unorm16
-        | Encoding::Unorm24
-        | Encoding::Float32 => client,
+    match (client, format.info().encoding) {
+        (Numbers::Fixed, Encoding::Snorm) => Numbers::SignedNormalized,
+        (Numbers::Fixed | Numbers::SignedNormalized | Numbers::Integer, _) => client,
     }
 }
 
@@ -48,70 +43,49 @@ pub(crate) fn channels(base: BaseFormat, rgba: [f64; 4]) -> [f64; 4] {
     out
 }
 
-fn word(texel: &[u8]) -> u32 {
-    let mut bytes = [0; 4];
-    for (to, from) in bytes.iter_mut().zip(texel) {
-        *to = *from;
-    }
-    u32::from_le_bytes(bytes)
-}
-
-/// The channels of a texel.
-fn read(format: Format, texel: &[u8]) -> [f64; 4] {
-    let mut out = [0.0; 4];
-    let bytes = format.bytes() / format.channels();
-    for (value, texel) in out.iter_mut().zip(texel.chunks_exact(bytes)) {
-        let word = word(texel);
-        *value = match format.info().encoding {
-            Encoding::Unorm8 | Encoding::Srgb8 => f64::from(word) / 255.0,
-            Encoding::Unorm16 => f64::from(word) / 65_535.0,
-            Encoding::Unorm24 => f64::from(word & 0xFF_FFFF) / 16_777_215.0,
-            Encoding::Float32 => f32::from_bits(word).into(),
-        };
-    }
-    out
-}
-
-fn write(format: Format, channels: [f64; 4]) -> Bytes {
-    let unorm = |value: f64, largest: f64| (unit(value) * largest).round_ties_even() as u32;
-    let mut out = [0; TEXEL_BYTES];
-    let bytes = format.bytes() / format.channels();
-    for (value, out) in
-        channels.into_iter().zip(out.chunks_exact_mut(bytes)).take(format.channels())
-    {
-        let word = match format.info().encoding {
-            Encoding::Unorm8 | Encoding::Srgb8 => unorm(value, 255.0),
-            Encoding::Unorm16 => unorm(value, 65_535.0),
-            Encoding::Unorm24 => unorm(value, 16_777_215.0),
-            Encoding::Float32 if format.is_depth() => (unit(value) as f32).to_bits(),
-            Encoding::Float32 => (value as f32).to_bits(),
-        };
-        out.copy_from_slice(&word.to_le_bytes()[..bytes]);
-    }
-    out
-}
-
-/// The bytes of a texel that holds R, G, B, A (depth as R), clamped to what the format can hold.
+/// The bytes of a texel that holds R, G, B, A (depth as R, stencil as G), clamped to what the
+/// format can hold.
 pub(crate) fn encode(format: Format, rgba: [f64; 4]) -> Bytes {
-    write(format, channels(format.base(), rgba))
+    let mut texel = write_texel(format, rgba);
+    if format.has_stencil() {
+        set_stencil(format, &mut texel, rgba[1] as u8);
+    }
+    texel
 }
 
-/// A stored texel as R, G, B, A (depth as R).
+/// A stored texel as R, G, B, A (depth as R, stencil as G).
 pub(crate) fn decode(format: Format, texel: &[u8]) -> [f64; 4] {
-    rgba(format.base(), read(format, texel))
-}
-
-/// Whether texels hold stencil beside depth.
-pub(crate) fn has_stencil(_: Format) -> bool {
-    false
-}
-
-/// Whether texels are integers that are no fractions.
-pub(crate) fn is_integer(_: Format) -> bool {
-    false
+    if format.is_integer() {
+        return decode_int(format, texel).map(|value| value as f64);
+    }
+    let mut channels = [0.0; 4];
+    for (channel, value) in channels.iter_mut().enumerate().take(format.channels()) {
+        *value = read_channel(format, texel, channel);
+    }
+    let mut rgba = rgba(format.base(), channels);
+    if let Some(stencil) = stencil(format, texel) {
+        rgba[1] = stencil.into();
+    }
+    rgba
 }
 
 /// Whether texels are floats or integers, which a border colour need not be a fraction for.
-pub(crate) fn is_wide(_: Format) -> bool {
-    false
+pub(crate) fn is_wide(format: Format) -> bool {
+    match format.info().encoding {
+        Encoding::Float | Encoding::SharedExponent | Encoding::Uint | Encoding::Sint => true,
+        Encoding::Unorm
+        | Encoding::Snorm
+        | Encoding::Srgb
+        | Encoding::Block(_)
+        | Encoding::SrgbBlock(_) => false,
+    }
+}
+
+/// Whether the driver draws to images of this format: bytes, and depth of one word.
+pub(crate) fn is_renderable(format: Format) -> bool {
+    if format.is_depth() {
+        return matches!(format, Format::D16 | Format::D24 | Format::D32F);
+    }
+    format.bytes() == format.channels()
+        && matches!(format.info().encoding, Encoding::Unorm | Encoding::Srgb)
 }

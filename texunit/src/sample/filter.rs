@@ -4,11 +4,11 @@
 //! `a + (b - a) · α` in this order: two equal texels give exactly themselves.
 
 use super::wrap::{Axis, Indices, enclosing};
-use super::{compare, fetch, seamless};
-use crate::format::convert::{byte_channel, decode_channel};
+use super::{compare, fetch, plain, seamless};
+use crate::format::convert::decode_channel;
 use crate::image::{Level, Shape};
 use crate::lanes::{F32s, LANES, Simd, U32s};
-use crate::plan::Texture;
+use crate::plan::{Texture, Way};
 use crate::sampler::{Filter, Seamless};
 
 /// A level, and all that is the same for each of its texels.
@@ -43,6 +43,17 @@ impl Place<'_> {
 /// Samples one level in all 64 lanes. Only the stored channels of `out` are written.
 #[inline(always)]
 pub fn sample_level<S: Simd>(place: &Place<'_>, at: [&F32s; 3], out: &mut [F32s; 4]) {
+    match (place.texture.way, place.filter) {
+        (Way::Plain, Filter::Nearest) if !place.texture.reaches_border(Filter::Nearest) => {
+            return plain::nearest::<S>(place, at, out);
+        }
+        (Way::Plain, Filter::Linear) if !place.texture.reaches_border(Filter::Linear) => {
+            if plain::linear::<S>(place, at, out) {
+                return;
+            }
+        }
+        (Way::Plain | Way::General, Filter::Nearest | Filter::Linear) => {}
+    }
     match place.filter {
         Filter::Nearest => nearest::<S>(place, at, out),
         Filter::Linear => linear::<S>(place, at, out),
@@ -103,19 +114,21 @@ fn linear<S: Simd>(place: &Place<'_>, at: [&F32s; 3], out: &mut [F32s; 4]) {
     for slice in 0..slices {
         let z = &zs[slice];
         let lower = row::<S>(place, &xs, close, &ys[0], z);
-        let upper = if axes > 1 { row::<S>(place, &xs, close, &ys[1], z) } else { lower };
-        let words = [lower[0], lower[1], upper[0], upper[1]];
+        let above;
+        let upper = if axes > 1 {
+            above = row::<S>(place, &xs, close, &ys[1], z);
+            &above
+        } else {
+            &lower
+        };
+        let words = [&lower[0], &lower[1], &upper[0], &upper[1]];
         for (channel, out) in out.iter_mut().enumerate().take(place.texture.format.channels()) {
-            let mean = if place.texture.is_plain_byte(Filter::Linear, channel) {
-                mean_of_bytes(channel, &words, &alpha, &beta)
-            } else {
-                let mut texels = [F32s::ZERO; 4];
-                for corner in 0..4 {
-                    let outside = fetch::outside(&xs[corner % 2], &ys[corner / 2], z);
-                    texels[corner] = texel::<S>(place, channel, &words[corner], &outside);
-                }
-                mean(&texels, &alpha, &beta)
-            };
+            let mut texels = [F32s::ZERO; 4];
+            for corner in 0..4 {
+                let outside = fetch::outside(&xs[corner % 2], &ys[corner / 2], z);
+                texels[corner] = texel::<S>(place, channel, words[corner], &outside);
+            }
+            let mean = mean(&texels, &alpha, &beta);
             if slice == 0 {
                 *out = mean;
             } else {
@@ -152,20 +165,6 @@ pub fn mean(texels: &[F32s; 4], alpha: &F32s, beta: &F32s) -> F32s {
         let lower = lerp(texels[0][lane], texels[1][lane], alpha[lane]);
         let upper = lerp(texels[2][lane], texels[3][lane], alpha[lane]);
         out[lane] = lerp(lower, upper, beta[lane]);
-    }
-    out
-}
-
-/// [`mean`] of byte channels that need nothing but conversion, which stays in registers.
-#[inline(always)]
-fn mean_of_bytes(channel: usize, words: &[U32s; 4], alpha: &F32s, beta: &F32s) -> F32s {
-    let mut out = F32s::ZERO;
-    for lane in 0..LANES {
-        let a = byte_channel(words[0][lane], channel);
-        let b = byte_channel(words[1][lane], channel);
-        let c = byte_channel(words[2][lane], channel);
-        let d = byte_channel(words[3][lane], channel);
-        out[lane] = lerp(lerp(a, b, alpha[lane]), lerp(c, d, alpha[lane]), beta[lane]);
     }
     out
 }

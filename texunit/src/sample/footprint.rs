@@ -46,11 +46,6 @@ pub struct Probes {
     pub step: [F32s; 3],
 }
 
-impl Probes {
-    /// One probe everywhere.
-    pub const ONE: Self = Self { most: 1, count: F32s::splat(1.0), step: [F32s::ZERO; 3] };
-}
-
 /// `JᵀJ`: the squares of both derivatives and their product.
 struct Metric {
     xx: F32s,
@@ -92,9 +87,14 @@ pub fn isotropic(d: &Derivatives, axes: usize, scale: [f32; 3]) -> F32s {
     lambda
 }
 
-/// λ of each probe, and the probes.
+/// λ of each probe, and the probes, if any lane has more than one.
 #[inline(always)]
-pub fn anisotropic(d: &Derivatives, axes: usize, scale: [f32; 3], most: f32) -> (F32s, Probes) {
+pub fn anisotropic(
+    d: &Derivatives,
+    axes: usize,
+    scale: [f32; 3],
+    most: f32,
+) -> (F32s, Option<Probes>) {
     let metric = metric(d, axes, scale);
     // The squares of σ₁ and σ₂, and the major axis (1, t) or (t, 1) in the pixel's x and y.
     let mut major = F32s::ZERO;
@@ -112,9 +112,9 @@ pub fn anisotropic(d: &Derivatives, axes: usize, scale: [f32; 3], most: f32) -> 
         lambda[lane] = log2_of_root(major[lane]);
     }
     if !elongated {
-        return (lambda, Probes::ONE);
+        return (lambda, None);
     }
-    let mut probes = Probes::ONE;
+    let mut probes = Probes { most: 1, count: F32s::ZERO, step: [F32s::ZERO; 3] };
     let mut largest = 1.0;
     for lane in 0..LANES {
         let (major, minor) = (major[lane], minor[lane]);
@@ -142,7 +142,7 @@ pub fn anisotropic(d: &Derivatives, axes: usize, scale: [f32; 3], most: f32) -> 
         }
     }
     probes.most = largest as u32;
-    (lambda, probes)
+    (lambda, Some(probes))
 }
 
 /// Up to this ratio the axes count as alike: rounding alone must not cost a probe.

@@ -12,6 +12,7 @@ mod fetch;
 mod filter;
 mod footprint;
 pub(crate) mod lod;
+mod plain;
 mod seamless;
 mod taps;
 pub(crate) mod texel;
@@ -56,8 +57,10 @@ impl Kernel for Sample<'_> {
                 at.st = Some(projected.st);
             }
         }
-        let taps = taps::taps(texture, &at, lod);
-        sample_taps::<S>(texture, &taps, &at, offset, &reference, out);
+        let (taps, probes) = taps::taps(texture, &at, lod);
+        let probes = probes.as_ref();
+        let samples = Samples { texture, at: &at, offset, probes, reference: &reference };
+        sample_taps::<S>(&samples, &taps, out);
         expand::expand(texture.format.base(), texture.depth_mode, out);
         expand::swizzle(texture.swizzle, out);
     }
@@ -96,36 +99,37 @@ fn unit_range(reference: &F32s) -> F32s {
     out
 }
 
+/// What stays the same over the levels of a batch.
+struct Samples<'a> {
+    texture: &'a Texture,
+    at: &'a Coordinates<'a>,
+    offset: [i32; 3],
+    probes: Option<&'a Probes>,
+    reference: &'a F32s,
+}
+
 /// Samples every distinct key once and mixes.
 #[inline(always)]
-fn sample_taps<S: Simd>(
-    texture: &Texture,
-    taps: &Taps,
-    at: &Coordinates,
-    offset: [i32; 3],
-    reference: &F32s,
-    out: &mut [F32s; 4],
-) {
-    let channels = texture.format.channels();
-    let mut first = [F32s::ZERO; 4];
-    let mut second = [F32s::ZERO; 4];
-    let mut key = match taps.same {
-        Some(key) => key,
-        None => taps.next_key(0),
+fn sample_taps<S: Simd>(samples: &Samples<'_>, taps: &Taps, out: &mut [F32s; 4]) {
+    let channels = samples.texture.format.channels();
+    let mut kept = None;
+    let mut key = match taps {
+        Taps::Same(key) => *key,
+        Taps::Mixed { keys, .. } => taps::next_key(keys, 0),
     };
     while key != taps::NONE {
-        sample_key::<S>(texture, key, taps, at, offset, reference, out);
-        if taps.same.is_some() {
-            return;
-        }
-        keep(&taps.keys[0], key, channels, out, &mut first);
-        keep(&taps.keys[1], key, channels, out, &mut second);
-        key = taps.next_key(key);
+        sample_key::<S>(samples, key, out);
+        let Taps::Mixed { keys, .. } = taps else { return };
+        let [first, second] = kept.get_or_insert([[F32s::ZERO; 4]; 2]);
+        keep(&keys[0], key, channels, out, first);
+        keep(&keys[1], key, channels, out, second);
+        key = taps::next_key(keys, key);
     }
+    let (Taps::Mixed { weight, .. }, Some([first, second])) = (taps, &kept) else { return };
     for channel in 0..channels {
         for lane in 0..LANES {
             out[channel][lane] =
-                filter::lerp(first[channel][lane], second[channel][lane], taps.weight[lane]);
+                filter::lerp(first[channel][lane], second[channel][lane], weight[lane]);
         }
     }
 }
@@ -151,51 +155,66 @@ fn keep(keys: &U32s, key: u32, channels: usize, values: &[F32s; 4], kept: &mut [
 /// One level of one face: the mean of the probes, whose running form leaves equal ones as they
 /// are.
 #[inline(always)]
-fn sample_key<S: Simd>(
-    texture: &Texture,
-    key: u32,
-    taps: &Taps,
-    at: &Coordinates,
-    offset: [i32; 3],
-    reference: &F32s,
-    out: &mut [F32s; 4],
-) {
-    let Probes { most, count, step } = &taps.probes;
+fn sample_key<S: Simd>(samples: &Samples<'_>, key: u32, out: &mut [F32s; 4]) {
+    let Samples { texture, at, offset, probes, reference } = *samples;
     let (filter, face, number) = taps::parts(key);
     let level = &*texture.levels[face][number];
     let place = filter::Place { texture, filter, face, number, level, layer: &at.layer, reference };
-    let shift = shift(texture, level, offset);
-    let still = *most == 1 && offset == [0; 3];
-    let axes = texture.shape.axes();
-    let mut one = [F32s::ZERO; 4];
-    for probe in 0..*most {
-        let target = if probe == 0 { &mut *out } else { &mut one };
-        let mut moved = [F32s::ZERO; 3];
-        let [s, t, r] = &mut moved;
-        let st = if still {
+    let most = match probes {
+        Some(probes) => probes.most,
+        None => 1,
+    };
+    let mut one = None;
+    for probe in 0..most {
+        let moved;
+        let st = if probes.is_none() && offset == [0; 3] {
             at.filtered()
         } else {
-            for (axis, moved) in [&mut *s, &mut *t, &mut *r].into_iter().enumerate().take(axes) {
-                let from = at.filtered()[axis];
+            moved = moved_to(&place, at, offset, probe, probes);
+            [&moved[0], &moved[1], &moved[2]]
+        };
+        let target = if probe == 0 { &mut *out } else { one.get_or_insert([F32s::ZERO; 4]) };
+        filter::sample_level::<S>(&place, st, target);
+        let (Some(probes), Some(one)) = (probes, &one) else { continue };
+        let share = 1.0 / (probe + 1) as f32;
+        for channel in 0..texture.format.channels() {
+            for lane in 0..LANES {
+                let mean = filter::lerp(out[channel][lane], one[channel][lane], share);
+                let counts = (probe as f32) < probes.count[lane];
+                out[channel][lane] = if counts { mean } else { out[channel][lane] };
+            }
+        }
+    }
+}
+
+/// The coordinates of a probe, and the offset added.
+#[inline(always)]
+fn moved_to(
+    place: &filter::Place<'_>,
+    at: &Coordinates<'_>,
+    offset: [i32; 3],
+    probe: u32,
+    probes: Option<&Probes>,
+) -> [F32s; 3] {
+    let shift = shift(place.texture, place.level, offset);
+    let mut moved = [F32s::ZERO; 3];
+    for axis in 0..place.texture.shape.axes() {
+        let from = at.filtered()[axis];
+        match probes {
+            Some(Probes { count, step, .. }) => {
                 for lane in 0..LANES {
                     let steps = probe as f32 - 0.5 * (count[lane] - 1.0);
-                    moved[lane] = from[lane] + (steps * step[axis][lane] + shift[axis]);
+                    moved[axis][lane] = from[lane] + (steps * step[axis][lane] + shift[axis]);
                 }
             }
-            [&*s, &*t, &*r]
-        };
-        filter::sample_level::<S>(&place, st, target);
-        if probe > 0 {
-            let share = 1.0 / (probe + 1) as f32;
-            for channel in 0..texture.format.channels() {
+            None => {
                 for lane in 0..LANES {
-                    let mean = filter::lerp(out[channel][lane], one[channel][lane], share);
-                    let counts = (probe as f32) < count[lane];
-                    out[channel][lane] = if counts { mean } else { out[channel][lane] };
+                    moved[axis][lane] = from[lane] + shift[axis];
                 }
             }
         }
     }
+    moved
 }
 
 /// An offset in texels of this level, in units of the coordinates.

@@ -7,14 +7,13 @@ use crate::lanes::{F32s, LANES, U32s};
 use crate::plan::{Detail, Lod, Texture};
 use crate::sampler::Filter;
 
-/// Per lane two (filter, face, level), as keys, and the weight of the second. A lane that reads
-/// one level has twice the same key and no weight.
-pub struct Taps {
-    /// The one key of the whole batch, where it is one; then keys and weights do not matter.
-    pub same: Option<u32>,
-    pub keys: [U32s; 2],
-    pub weight: F32s,
-    pub probes: Probes,
+/// What the lanes of a batch read.
+pub enum Taps {
+    /// All of them this key.
+    Same(u32),
+    /// Per lane two (filter, face, level), as keys, and the weight of the second. A lane that reads
+    /// one level has twice the same key and no weight.
+    Mixed { keys: [U32s; 2], weight: F32s },
 }
 
 /// Where the face and the filter begin in a key; the level is below.
@@ -38,22 +37,21 @@ pub fn parts(key: u32) -> (Filter, usize, usize) {
     (filter, (key >> FACE & 7) as usize, (key & 31) as usize)
 }
 
-/// What each lane reads.
+/// What each lane reads, and its probes.
 #[inline(always)]
-pub fn taps(texture: &Texture, at: &Coordinates, lod: Lod<'_>) -> Taps {
-    let mut taps =
-        Taps { same: None, keys: [U32s::ZERO; 2], weight: F32s::ZERO, probes: Probes::ONE };
-    let one_face = texture.shape != Shape::Cube;
+pub fn taps(texture: &Texture, at: &Coordinates, lod: Lod<'_>) -> (Taps, Option<Probes>) {
+    let mut probes = None;
+    let mut keys = [U32s::ZERO; 2];
+    let mut weights = F32s::ZERO;
     match &texture.detail {
         Detail::Fixed { filter, level, .. } => {
-            if one_face {
-                taps.same = Some(key(*filter, 0, *level));
-                return taps;
+            if texture.shape != Shape::Cube {
+                return (Taps::Same(key(*filter, 0, *level)), None);
             }
             for lane in 0..LANES {
-                taps.keys[0][lane] = key(*filter, at.face[lane], *level);
+                keys[0][lane] = key(*filter, at.face[lane], *level);
             }
-            taps.keys[1] = taps.keys[0];
+            keys[1] = keys[0];
         }
         Detail::PerLane { min, mag, range, probes: most } => {
             let base;
@@ -64,7 +62,7 @@ pub fn taps(texture: &Texture, at: &Coordinates, lod: Lod<'_>) -> Taps {
                     let axes = texture.shape.axes();
                     if *most > 1 {
                         let most = *most as f32;
-                        (base, taps.probes) = footprint::anisotropic(&d, axes, texture.scale, most);
+                        (base, probes) = footprint::anisotropic(&d, axes, texture.scale, most);
                     } else {
                         base = footprint::isotropic(&d, axes, texture.scale);
                     }
@@ -84,17 +82,17 @@ pub fn taps(texture: &Texture, at: &Coordinates, lod: Lod<'_>) -> Taps {
                 let first = min | face | levels[0][lane];
                 let second = min | face | levels[1][lane];
                 let second = if weight[lane] > 0.0 { second } else { first };
-                taps.keys[0][lane] = if minified { first } else { mag | face };
-                taps.keys[1][lane] = if minified { second } else { mag | face };
-                taps.weight[lane] = if minified { weight[lane] } else { 0.0 };
+                keys[0][lane] = if minified { first } else { mag | face };
+                keys[1][lane] = if minified { second } else { mag | face };
+                weights[lane] = if minified { weight[lane] } else { 0.0 };
             }
         }
     }
-    let least = taps.next_key(0);
-    if taps.next_key(least) == NONE {
-        taps.same = Some(least);
+    let least = next_key(&keys, 0);
+    if next_key(&keys, least) == NONE {
+        return (Taps::Same(least), probes);
     }
-    taps
+    (Taps::Mixed { keys, weight: weights }, probes)
 }
 
 /// The derivatives of the coordinates that are filtered along; of a cube's, on the face.
@@ -113,21 +111,19 @@ fn derivatives(texture: &Texture, at: &Coordinates, lod: &Lod<'_>) -> Derivative
     Derivatives { dx: [dsdx, dtdx, F32s::ZERO], dy: [dsdy, dtdy, F32s::ZERO] }
 }
 
-/// What [`Taps::next_key`] gives when there is none.
+/// What [`next_key`] gives when there is none.
 pub const NONE: u32 = u32::MAX;
 
-impl Taps {
-    /// The least key of the batch above `floor`.
-    #[inline(always)]
-    pub fn next_key(&self, floor: u32) -> u32 {
-        let [first, second] = &self.keys;
-        let mut least = NONE;
-        for lane in 0..LANES {
-            let a = if first[lane] > floor { first[lane] } else { NONE };
-            let b = if second[lane] > floor { second[lane] } else { NONE };
-            let lower = if a < b { a } else { b };
-            least = if lower < least { lower } else { least };
-        }
-        least
+/// The least key of the batch above `floor`.
+#[inline(always)]
+pub fn next_key(keys: &[U32s; 2], floor: u32) -> u32 {
+    let [first, second] = keys;
+    let mut least = NONE;
+    for lane in 0..LANES {
+        let a = if first[lane] > floor { first[lane] } else { NONE };
+        let b = if second[lane] > floor { second[lane] } else { NONE };
+        let lower = if a < b { a } else { b };
+        least = if lower < least { lower } else { least };
     }
+    least
 }

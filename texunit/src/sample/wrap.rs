@@ -185,7 +185,7 @@ pub fn layer(r: &F32s, layers: u32) -> U32s {
 
 /// The largest integer not above `x`, which is far inside the range of `i32`.
 #[inline(always)]
-fn floor_i32(x: f32) -> i32 {
+pub fn floor_i32(x: f32) -> i32 {
     let whole = to_i32(x);
     if whole as f32 > x { whole - 1 } else { whole }
 }

@@ -4,7 +4,7 @@
 //! a point close to the step may fall on either side in `f32`. Each answer therefore carries its
 //! distance from the nearest step that it took.
 
-use texunit::format::Format;
+use texunit::format::BaseFormat;
 use texunit::image::{Image, Level, Shape};
 use texunit::sampler::{Compare, DepthMode, Filter, Mipmap, Sampler, Wrap};
 
@@ -154,16 +154,22 @@ impl Oracle<'_> {
         let inside =
             i >= 0.0 && j >= 0.0 && i < f64::from(level.width) && j < f64::from(level.height);
         let border = self.sampler.border.map(f64::from);
-        let bytes = level.texel(i.max(0.0) as u32, j.max(0.0) as u32);
+        let base = level.format.base();
+        let channels = match level.channels_at([i as i32, j as i32, 0]).filter(|_| inside) {
+            // Conversions have their own oracles, beside them.
+            Some(channels) => channels.map(f64::from),
+            None => {
+                let mut channels = [0.0; 4];
+                for (channel, &source) in channels.iter_mut().zip(base.sources()) {
+                    *channel = border[source];
+                }
+                channels
+            }
+        };
         if !level.format.is_depth() {
-            return if inside {
-                color(level.format, bytes)
-            } else {
-                border_color(level.format, border)
-            };
+            return color(base, channels);
         }
-        // Depths are compared as the `f32` that they are.
-        let depth = if inside { f64::from(depth(level.format, bytes) as f32) } else { border[0] };
+        let depth = channels[0];
         let r = if self.reference.is_nan() { 0.0 } else { self.reference.clamp(0.0, 1.0) };
         let pass = |on: bool| if on { 1.0 } else { 0.0 };
         let d = match self.sampler.compare {
@@ -225,51 +231,16 @@ fn project(face: usize, [x, y, z]: [f64; 3]) -> [f64; 2] {
     [0.5 * (sc / ma.abs() + 1.0), 0.5 * (tc / ma.abs() + 1.0)]
 }
 
-fn unorm(byte: u8) -> f64 {
-    f64::from(byte) / 255.0
-}
-
-fn srgb(byte: u8) -> f64 {
-    let c = unorm(byte);
-    if c <= 0.04045 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) }
-}
-
-fn color(format: Format, b: &[u8]) -> [f64; 4] {
-    match format {
-        Format::A8 => [0.0, 0.0, 0.0, unorm(b[0])],
-        Format::L8 => [unorm(b[0]), unorm(b[0]), unorm(b[0]), 1.0],
-        Format::La8 => [unorm(b[0]), unorm(b[0]), unorm(b[0]), unorm(b[1])],
-        Format::I8 => [unorm(b[0]); 4],
-        Format::R8 => [unorm(b[0]), 0.0, 0.0, 1.0],
-        Format::Rg8 => [unorm(b[0]), unorm(b[1]), 0.0, 1.0],
-        Format::Rgb8 => [unorm(b[0]), unorm(b[1]), unorm(b[2]), 1.0],
-        Format::Rgba8 => [unorm(b[0]), unorm(b[1]), unorm(b[2]), unorm(b[3])],
-        Format::Srgb8 => [srgb(b[0]), srgb(b[1]), srgb(b[2]), 1.0],
-        Format::Srgb8A8 => [srgb(b[0]), srgb(b[1]), srgb(b[2]), unorm(b[3])],
-        Format::Sl8 => [srgb(b[0]), srgb(b[0]), srgb(b[0]), 1.0],
-        Format::Sl8A8 => [srgb(b[0]), srgb(b[0]), srgb(b[0]), unorm(b[1])],
-        Format::D16 | Format::D24 | Format::D32F => [depth(format, b); 4],
-    }
-}
-
-fn border_color(format: Format, [r, g, b, a]: [f64; 4]) -> [f64; 4] {
-    match format {
-        Format::A8 => [0.0, 0.0, 0.0, a],
-        Format::L8 | Format::Sl8 => [r, r, r, 1.0],
-        Format::La8 | Format::Sl8A8 => [r, r, r, a],
-        Format::I8 => [r; 4],
-        Format::R8 => [r, 0.0, 0.0, 1.0],
-        Format::Rg8 => [r, g, 0.0, 1.0],
-        Format::Rgb8 | Format::Srgb8 => [r, g, b, 1.0],
-        Format::Rgba8 | Format::Srgb8A8 => [r, g, b, a],
-        Format::D16 | Format::D24 | Format::D32F => [r; 4],
-    }
-}
-
-fn depth(format: Format, b: &[u8]) -> f64 {
-    match format {
-        Format::D16 => f64::from(u16::from_le_bytes([b[0], b[1]])) / 65_535.0,
-        Format::D24 => f64::from(u32::from_le_bytes([b[0], b[1], b[2], 0])) / 16_777_215.0,
-        _ => f64::from(f32::from_le_bytes([b[0], b[1], b[2], b[3]])),
+/// Table 3.15, from the channels that are stored.
+fn color(base: BaseFormat, [a, b, c, d]: [f64; 4]) -> [f64; 4] {
+    match base {
+        BaseFormat::Alpha => [0.0, 0.0, 0.0, a],
+        BaseFormat::Luminance | BaseFormat::Depth => [a, a, a, 1.0],
+        BaseFormat::LuminanceAlpha => [a, a, a, b],
+        BaseFormat::Intensity => [a; 4],
+        BaseFormat::Red => [a, 0.0, 0.0, 1.0],
+        BaseFormat::Rg => [a, b, 0.0, 1.0],
+        BaseFormat::Rgb => [a, b, c, 1.0],
+        BaseFormat::Rgba => [a, b, c, d],
     }
 }

@@ -72,7 +72,8 @@ pub fn quad_derivatives(v: &F32s, lane: usize) -> [f64; 2] {
 }
 
 pub fn formats() -> impl Strategy<Value = Format> {
-    prop::sample::select(Format::ALL.to_vec())
+    let sampled = |format: &Format| format.words() == 1 && !format.is_integer();
+    prop::sample::select(Format::ALL.into_iter().filter(sampled).collect::<Vec<_>>())
 }
 
 pub fn shapes() -> impl Strategy<Value = Shape> {
