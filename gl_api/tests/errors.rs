@@ -117,7 +117,7 @@ const CASES: &[Case] = &[
     (|c| image(c, 8192, 8192, &[0; 9]), GL_INVALID_OPERATION, "201326592 bytes; the slice has 9"),
     (|c| image(c, 5, 5, &[0; 75]), GL_INVALID_OPERATION, "glPixelStorei(GL_UNPACK_ALIGNMENT, 1)"),
     (|c| image(c, 4, 4, &[0; 47]), GL_INVALID_OPERATION, "take 48 bytes; the slice has 47"),
-    (|c| typed(c, GL_RGBA16F, GL_RGBA, GL_FLOAT), GL_INVALID_VALUE, "GL_RGBA16F must be 1 to 4"),
+    (|c| typed(c, GL_BGRA, GL_RGBA, GL_FLOAT), GL_INVALID_VALUE, "GL_BGRA must be 1 to 4"),
     (|c| typed(c, 5, GL_RGBA, GL_FLOAT), GL_INVALID_VALUE, "internalformat = 5"),
     (|c| typed(c, GL_RGBA, GL_COLOR_INDEX, GL_FLOAT), GL_INVALID_ENUM, "format = GL_COLOR_INDEX"),
     (|c| typed(c, GL_RGBA, GL_RGBA, GL_BITMAP), GL_INVALID_ENUM, "type = GL_BITMAP must be"),

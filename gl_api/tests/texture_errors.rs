@@ -280,10 +280,15 @@ fn copies() {
     }
 }
 
+/// Target, format, size, border, `imageSize`, and what is said.
+type Blocks = (GLenum, GLenum, [i32; 2], i32, i32, GLenum, &'static str);
+/// Target, offset, size, format, `imageSize`, and what is said.
+type SubBlocks = (GLenum, [i32; 2], [i32; 2], GLenum, i32, GLenum, &'static str);
+
 #[test]
 fn compressed_images() {
     const DXT1: GLenum = GL_COMPRESSED_RGB_S3TC_DXT1_EXT;
-    let rows: &[(GLenum, GLenum, [i32; 2], i32, i32, GLenum, &str)] = &[
+    let rows: &[Blocks] = &[
         (GL_TEXTURE_3D, DXT1, [4, 4], 0, 8, ENUM, "target"),
         (GL_TEXTURE_2D, GL_RGBA, [4, 4], 0, 8, ENUM, "internalformat = GL_RGBA"),
         (GL_TEXTURE_2D, GL_COMPRESSED_RGBA, [4, 4], 0, 8, ENUM, "GL_COMPRESSED_RGBA"),
@@ -304,7 +309,7 @@ fn compressed_images() {
             c.compressed_tex_image_2d(target, 0, internal, w, h, border, size, data);
         });
     }
-    let rows: &[(GLenum, [i32; 2], [i32; 2], GLenum, i32, GLenum, &str)] = &[
+    let rows: &[SubBlocks] = &[
         (FACE, [0, 0], [4, 4], GL_RGBA, 8, ENUM, "format = GL_RGBA"),
         (GL_TEXTURE_2D, [0, 0], [4, 4], DXT1, 8, OPERATION, "must be the level's"),
         (FACE, [0, 0], [4, 4], GL_COMPRESSED_RED_RGTC1, 8, OPERATION, "must be the level's"),
@@ -354,7 +359,7 @@ fn parameters_and_samplers() {
         (GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, f32::NAN, VALUE, "must not be negative"),
         (GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, 0.5, VALUE, "must be at least 1"),
         (GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, f32::NAN, VALUE, "must be at least 1"),
-        (GL_TEXTURE_2D, GL_TEXTURE_SWIZZLE_R, GL_LUMINANCE as f32, ENUM, "GL_ZERO or GL_ONE"),
+        (GL_TEXTURE_2D, GL_TEXTURE_SWIZZLE_R, GL_LUMINANCE as f32, ENUM, "GL_ALPHA, 0 or 1"),
         (GL_TEXTURE_2D, GL_TEXTURE_SWIZZLE_RGBA, GL_RED as f32, ENUM, "four components"),
         (GL_TEXTURE_2D, GL_DEPTH_TEXTURE_MODE, GL_RGBA as f32, ENUM, "GL_INTENSITY"),
         (GL_TEXTURE_2D, GL_TEXTURE_RESIDENT, 1.0, ENUM, "can only be read"),

@@ -105,8 +105,8 @@ fn integers_stay_themselves() {
 #[test]
 fn every_packed_type_is_read_and_written() {
     for (format, ty, bytes) in [
-        (GL_RGB, GL_UNSIGNED_BYTE_3_3_2, &[0b101_011_10][..]),
-        (GL_RGB, GL_UNSIGNED_BYTE_2_3_3_REV, &[0b10_011_101]),
+        (GL_RGB, GL_UNSIGNED_BYTE_3_3_2, &[0xAE][..]),
+        (GL_RGB, GL_UNSIGNED_BYTE_2_3_3_REV, &[0x9D]),
         (GL_RGB, GL_UNSIGNED_SHORT_5_6_5, &[0x34, 0xA2]),
         (GL_RGB, GL_UNSIGNED_SHORT_5_6_5_REV, &[0x34, 0xA2]),
         (GL_RGBA, GL_UNSIGNED_SHORT_4_4_4_4, &[0x34, 0xA2]),
@@ -375,4 +375,31 @@ fn copies_take_the_framebuffer_to_every_target() {
         }
     }
     ok(&mut c);
+}
+
+#[test]
+fn glu_builds_the_levels_of_a_row() {
+    let current = Context::new(ContextDesc { width: 4, height: 4, ..ContextDesc::default() })
+        .expect("a device")
+        .make_current();
+    let row: Vec<u8> = (0..8).map(|i| 10 * i).collect();
+    let (l, ty) = (GL_LUMINANCE, GL_UNSIGNED_BYTE);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    assert_eq!(glu::gluBuild1DMipmaps(GL_TEXTURE_1D, l, 8, l, ty, &row), 0);
+    let mut out = [0_u8; 4];
+    glGetTexImage(GL_TEXTURE_1D, 1, l, ty, &mut out);
+    assert_eq!(out, [5, 25, 45, 65]);
+    glGetTexImage(GL_TEXTURE_1D, 3, l, ty, &mut out[..1]);
+    assert_eq!(out[0], 35);
+    // Only level 2 of an image that is level 1.
+    glBindTexture(GL_TEXTURE_1D, 1);
+    assert_eq!(glu::gluBuild1DMipmapLevels(GL_TEXTURE_1D, l, 4, l, ty, 1, 2, 2, &row), 0);
+    let mut widths = [0; 4];
+    for (level, width) in widths.iter_mut().enumerate() {
+        glGetTexLevelParameteriv(GL_TEXTURE_1D, level, GL_TEXTURE_WIDTH, width);
+    }
+    assert_eq!(widths, [0, 0, 2, 0]);
+    assert_eq!(glu::gluBuild1DMipmapLevels(GL_TEXTURE_1D, l, 4, l, ty, 1, 0, 2, &row), 100_901);
+    assert_eq!(glGetError(), GL_NO_ERROR);
+    drop(current);
 }

@@ -1,10 +1,10 @@
-//! `gluBuild2DMipmaps` and `gluScaleImage`.
+//! `gluBuild1DMipmaps`, `gluBuild2DMipmaps` and `gluScaleImage`.
 
 use super::error::{GLU_INVALID_ENUM, GLU_INVALID_OPERATION, GLU_INVALID_VALUE};
 use super::pixels::{self, ByteOrder, Components, Layout, Storage, Store, TIGHT, TooShort};
 use super::scale::scale;
 use crate::constants::*;
-use crate::entry::{Arg, Data, DataOut, glGetIntegerv, glPixelStorei, glTexImage2D};
+use crate::entry::{Arg, Data, DataOut, glGetIntegerv, glPixelStorei, glTexImage1D, glTexImage2D};
 use crate::types::{GLenum, GLint, GLsizei};
 
 /// Builds every mipmap level of a texture from one image of any size: scales it to powers of two
@@ -25,28 +25,130 @@ pub fn gluBuild2DMipmaps<'a>(
     type_: impl Arg<GLenum>,
     data: impl Arg<Data<'a>>,
 ) -> GLenum {
-    let (target, internal_format) = (target.arg(), internal_format.arg());
-    let (width, height, data) = (width.arg(), height.arg(), data.arg());
-    let (format, type_) = (format.arg(), type_.arg());
-    let upload = |level: usize, width: GLsizei, height: GLsizei, data: Data<'_>| {
-        glTexImage2D(target, level, internal_format, width, height, 0, format, type_, data);
-    };
+    let all = Numbers { level: 0, base: 0, max: GLint::MAX };
+    let texture = Texture::D2(target.arg(), internal_format.arg());
+    let size = (width.arg(), height.arg());
+    build(texture, size, (format.arg(), type_.arg()), all, data.arg())
+}
+
+/// [`gluBuild2DMipmaps`] of which only the levels from `base` to `max` are handed to GL; `data` is
+/// that of level `level`. `GLU_INVALID_VALUE` unless `0 <= level <= base <= max`.
+#[expect(clippy::too_many_arguments, reason = "GLU's signature")]
+pub fn gluBuild2DMipmapLevels<'a>(
+    target: impl Arg<GLenum>,
+    internal_format: impl Arg<GLint>,
+    width: impl Arg<GLsizei>,
+    height: impl Arg<GLsizei>,
+    format: impl Arg<GLenum>,
+    type_: impl Arg<GLenum>,
+    level: impl Arg<GLint>,
+    base: impl Arg<GLint>,
+    max: impl Arg<GLint>,
+    data: impl Arg<Data<'a>>,
+) -> GLenum {
+    let numbers = Numbers { level: level.arg(), base: base.arg(), max: max.arg() };
+    let texture = Texture::D2(target.arg(), internal_format.arg());
+    let size = (width.arg(), height.arg());
+    build(texture, size, (format.arg(), type_.arg()), numbers, data.arg())
+}
+
+/// [`gluBuild2DMipmaps`] of a row, by `glTexImage1D`.
+pub fn gluBuild1DMipmaps<'a>(
+    target: impl Arg<GLenum>,
+    internal_format: impl Arg<GLint>,
+    width: impl Arg<GLsizei>,
+    format: impl Arg<GLenum>,
+    type_: impl Arg<GLenum>,
+    data: impl Arg<Data<'a>>,
+) -> GLenum {
+    let all = Numbers { level: 0, base: 0, max: GLint::MAX };
+    let texture = Texture::D1(target.arg(), internal_format.arg());
+    build(texture, (width.arg(), 1), (format.arg(), type_.arg()), all, data.arg())
+}
+
+/// [`gluBuild2DMipmapLevels`] of a row, by `glTexImage1D`.
+#[expect(clippy::too_many_arguments, reason = "GLU's signature")]
+pub fn gluBuild1DMipmapLevels<'a>(
+    target: impl Arg<GLenum>,
+    internal_format: impl Arg<GLint>,
+    width: impl Arg<GLsizei>,
+    format: impl Arg<GLenum>,
+    type_: impl Arg<GLenum>,
+    level: impl Arg<GLint>,
+    base: impl Arg<GLint>,
+    max: impl Arg<GLint>,
+    data: impl Arg<Data<'a>>,
+) -> GLenum {
+    let numbers = Numbers { level: level.arg(), base: base.arg(), max: max.arg() };
+    let texture = Texture::D1(target.arg(), internal_format.arg());
+    build(texture, (width.arg(), 1), (format.arg(), type_.arg()), numbers, data.arg())
+}
+
+/// The call that takes the levels: its target and internal format.
+#[derive(Clone, Copy)]
+enum Texture {
+    D1(GLenum, GLint),
+    D2(GLenum, GLint),
+}
+
+impl Texture {
+    fn upload(
+        self,
+        level: GLint,
+        (width, height): (GLsizei, GLsizei),
+        (format, type_): (GLenum, GLenum),
+        data: Data<'_>,
+    ) {
+        match self {
+            Self::D1(target, internal) => {
+                glTexImage1D(target, level, internal, width, 0, format, type_, data);
+            }
+            Self::D2(target, internal) => {
+                glTexImage2D(target, level, internal, width, height, 0, format, type_, data);
+            }
+        }
+    }
+}
+
+/// The number of the level that the data is of, and of those that are wanted.
+#[derive(Clone, Copy)]
+struct Numbers {
+    level: GLint,
+    base: GLint,
+    max: GLint,
+}
+
+fn build(
+    texture: Texture,
+    (width, height): (GLsizei, GLsizei),
+    (format, type_): (GLenum, GLenum),
+    numbers: Numbers,
+    data: Data<'_>,
+) -> GLenum {
+    let Numbers { level, base, max } = numbers;
+    if level < 0 || base < level || max < base {
+        return GLU_INVALID_VALUE;
+    }
     let store = Store::current(&UNPACK);
     let layout = match layout(width, height, format, type_, store) {
         Ok(layout) => layout,
         Err(code) => return code,
     };
     let Ok(image) = layout.read(bytes(data)) else {
-        upload(0, width, height, data);
+        texture.upload(level, (width, height), (format, type_), data);
         return GLU_INVALID_VALUE;
     };
     let limit = get(GL_MAX_TEXTURE_SIZE).max(1);
     TIGHT.make_current(&UNPACK);
-    for (level, image) in chain(image, layout.storage, limit).enumerate() {
+    for (number, image) in (level..).zip(chain(image, layout.storage, limit)) {
+        if !(base..=max).contains(&number) {
+            continue;
+        }
         let layout = Layout::tight(image.width, image.height, image.count, layout.storage);
         let mut texels = vec![0; layout.needed()];
         if layout.write(&image, &mut texels).is_ok() {
-            upload(level, image.width as GLsizei, image.height as GLsizei, Data::Bytes(&texels));
+            let size = (image.width as GLsizei, image.height as GLsizei);
+            texture.upload(number, size, (format, type_), Data::Bytes(&texels));
         }
     }
     store.make_current(&UNPACK);

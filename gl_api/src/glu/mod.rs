@@ -21,4 +21,7 @@ pub mod scale;
 
 pub use error::*;
 pub use matrix::{gluLookAt, gluOrtho2D, gluPerspective};
-pub use mipmap::{gluBuild2DMipmaps, gluScaleImage};
+pub use mipmap::{
+    gluBuild1DMipmapLevels, gluBuild1DMipmaps, gluBuild2DMipmapLevels, gluBuild2DMipmaps,
+    gluScaleImage,
+};

@@ -89,7 +89,7 @@ fn parameter(pname: GLenum) -> Result<Parameter> {
 
 fn level_number(target: TextureTarget, pname: GLenum, value: f32) -> Result<u32> {
     let name = enum_name(pname);
-    if !(value >= 0.0) {
+    if value.is_nan() || value < 0.0 {
         return invalid_value(SECTION, format!("{name} = {value} must not be negative"));
     }
     if target == TextureTarget::Rect && pname == GL_TEXTURE_BASE_LEVEL && value != 0.0 {
