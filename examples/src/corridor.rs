@@ -36,8 +36,8 @@ struct Block {
 }
 
 const LAMPS: [Lamp; 4] = [
-    Lamp { at: dvec3(-1.4, 2.4, -3.0), color: [2.3, 1.75, 1.0] },
-    Lamp { at: dvec3(1.4, 2.3, -7.2), color: [2.6, 1.35, 0.55] },
+    Lamp { at: dvec3(-0.9, 2.1, -3.4), color: [1.9, 1.5, 0.95] },
+    Lamp { at: dvec3(1.3, 2.1, -7.2), color: [2.8, 1.5, 0.65] },
     Lamp { at: dvec3(-1.2, 2.2, -12.2), color: [0.7, 1.3, 2.6] },
     Lamp { at: dvec3(0.9, 0.7, -15.0), color: [0.5, 1.0, 0.45] },
 ];
@@ -173,7 +173,7 @@ impl Lamp {
             BLOCKS.iter().all(|block| !block.blocks(point, seen))
         });
         let visible = corners.count() as f64 / 8.0;
-        dim(self.color, visible * facing / (0.6 + distance * distance * 0.40))
+        dim(self.color, visible * facing / (0.9 + distance * distance * 0.30))
     }
 }
 

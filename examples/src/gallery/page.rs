@@ -29,7 +29,7 @@ pub fn page(entries: &[Entry]) -> String {
     page
 }
 
-fn section(page: &mut String, (program, rendered): &Entry) {
+fn section(page: &mut String, Entry { program, rendered, plans }: &Entry) {
     let (name, lecture) = (program.name, escape(program.lecture));
     let (width, height) = (rendered.picture.width, rendered.picture.height);
     let (time, checksum) = (rendered.time.as_millis(), rendered.picture.checksum());
@@ -46,6 +46,9 @@ fn section(page: &mut String, (program, rendered): &Entry) {
         details(page, "What it says", "open", &messages);
     }
     details(page, &format!("{name}.rs"), "", program.source);
+    if !plans.is_empty() {
+        details(page, "What the draws ran, and what they left out", "", &plans.join("\n"));
+    }
     page.push_str("</section>\n");
 }
 

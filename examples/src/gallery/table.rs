@@ -9,7 +9,7 @@ pub fn table(entries: &[Entry]) -> Table {
     let mut table = Table::new();
     table.load_preset(UTF8_FULL_CONDENSED);
     table.set_header(["picture", "lecture", "size", "ms", "checksum", "errors"]);
-    for (program, rendered) in entries {
+    for Entry { program, rendered, .. } in entries {
         let number = |value: String| Cell::new(value).set_alignment(CellAlignment::Right);
         table.add_row([
             Cell::new(program.name),
