@@ -38,7 +38,7 @@ fn section(page: &mut String, Entry { program, rendered, plans }: &Entry) {
     page.push_str(&format!(
         r#"<section id="{name}">
 <h2>{title}</h2>
-<p class="about">{lecture} · {width}×{height} · {time} ms · {checksum:016x}</p>
+<p class="about">{lecture} · {width}×{height} · {time} ms of GL · {checksum:016x}</p>
 <img src="{name}.png" width="{width}" height="{height}" alt="{title}">
 "#,
     ));
