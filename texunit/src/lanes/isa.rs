@@ -18,6 +18,40 @@ enum Level {
     Avx512,
 }
 
+impl Level {
+    /// Every level of this architecture, from the plainest to the widest.
+    const ALL: &'static [Self] = &[
+        Self::Baseline,
+        #[cfg(target_arch = "x86_64")]
+        Self::Avx2,
+        #[cfg(target_arch = "x86_64")]
+        Self::Avx512,
+    ];
+
+    /// Whether this processor has every feature that the level's kernels are compiled with.
+    fn is_there(self) -> bool {
+        match self {
+            Self::Baseline => true,
+            #[cfg(target_arch = "x86_64")]
+            Self::Avx2 => {
+                is_x86_feature_detected!("avx2")
+                    && is_x86_feature_detected!("bmi1")
+                    && is_x86_feature_detected!("bmi2")
+                    && is_x86_feature_detected!("lzcnt")
+                    && is_x86_feature_detected!("popcnt")
+            }
+            #[cfg(target_arch = "x86_64")]
+            Self::Avx512 => {
+                Self::Avx2.is_there()
+                    && is_x86_feature_detected!("avx512f")
+                    && is_x86_feature_detected!("avx512bw")
+                    && is_x86_feature_detected!("avx512dq")
+                    && is_x86_feature_detected!("avx512vl")
+            }
+        }
+    }
+}
+
 /// `DETGL_ISA` asked for something this machine does not have.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error("DETGL_ISA={asked}: this machine has {available}; unset it to take the best of them")]
@@ -32,22 +66,7 @@ impl Isa {
 
     /// Every instruction set of this processor, from the plainest to the widest.
     pub fn available() -> Vec<Self> {
-        #[allow(unused_mut)]
-        let mut found = vec![Self::BASELINE];
-        #[cfg(target_arch = "x86_64")]
-        {
-            if is_x86_feature_detected!("avx2") {
-                found.push(Self(Level::Avx2));
-                if is_x86_feature_detected!("avx512f")
-                    && is_x86_feature_detected!("avx512bw")
-                    && is_x86_feature_detected!("avx512dq")
-                    && is_x86_feature_detected!("avx512vl")
-                {
-                    found.push(Self(Level::Avx512));
-                }
-            }
-        }
-        found
+        Level::ALL.iter().copied().filter(|level| level.is_there()).map(Self).collect()
     }
 
     /// The widest instruction set of this processor.
