@@ -43,7 +43,7 @@ fn section(page: &mut String, Entry { program, rendered, plans }: &Entry) {
 "#,
     ));
     if !messages.is_empty() {
-        details(page, "What it says", "open", &messages);
+        details(page, "What it says", " open", &messages);
     }
     details(page, &format!("{name}.rs"), "", program.source);
     if !plans.is_empty() {
@@ -56,7 +56,7 @@ fn section(page: &mut String, Entry { program, rendered, plans }: &Entry) {
 fn details(page: &mut String, summary: &str, state: &str, text: &str) {
     let text = escape(text);
     page.push_str(&format!(
-        "<details {state}><summary>{summary}</summary><pre>{text}</pre></details>\n"
+        "<details{state}><summary>{summary}</summary><pre>{text}</pre></details>\n"
     ));
 }
 
