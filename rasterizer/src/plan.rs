@@ -257,7 +257,12 @@ impl DrawPlan {
             },
         );
         match self.shading {
-            Shading::On => line("fragment", compiled.fragment.describe()),
+            Shading::On => {
+                line("fragment", compiled.fragment.describe());
+                for note in &desc.fragment.module().notes {
+                    line("", note.clone());
+                }
+            }
             Shading::Off => line("fragment", "left out: no colour is written".into()),
         }
         for (slot, texture) in self.textures.iter().enumerate() {
