@@ -361,7 +361,7 @@ fn still_works(c: &mut Context) {
     c.bind_framebuffer(GL_FRAMEBUFFER, 0);
     c.draw_buffer(GL_BACK);
     c.read_buffer(GL_BACK);
-    c.color_mask(true.into(), true.into(), true.into(), true.into());
+    c.color_mask(true, true, true, true);
     c.disable(GL_SCISSOR_TEST);
     c.clear_color(1.0, 1.0, 1.0, 1.0);
     c.clear(GL_COLOR_BUFFER_BIT);
