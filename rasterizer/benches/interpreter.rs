@@ -29,12 +29,8 @@ fn of_type(b: &mut Builder, ty: Ty, slot: u16) -> Value {
 fn chain(op: Op) -> Program {
     let mut b = Builder::new(Stage::Fragment);
     b.module_mut().varyings = vec![Interpolation::Smooth; 4];
-    let mut args: Vec<Value> = op
-        .args()
-        .iter()
-        .enumerate()
-        .map(|(slot, ty)| of_type(&mut b, *ty, slot as u16))
-        .collect();
+    let mut args: Vec<Value> =
+        op.args().iter().enumerate().map(|(slot, ty)| of_type(&mut b, *ty, slot as u16)).collect();
     let mut last = args[0];
     for turn in 0..CHAIN {
         last = b.op(op, &args);
@@ -88,7 +84,8 @@ fn main() {
             continue;
         }
         // Its chain folds away, or what it gives is of no use to it.
-        let repeats = op.args().contains(&op.result()) && !matches!(op, Op::Not | Op::BitNot | Op::Neg | Op::INeg);
+        let folds = matches!(op, Op::Not | Op::BitNot | Op::Neg | Op::INeg);
+        let repeats = op.args().contains(&op.result()) && !folds;
         if repeats {
             let program = chain(op);
             print!("{:<16}", op.name());

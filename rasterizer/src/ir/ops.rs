@@ -2,7 +2,8 @@
 //!
 //! The table gives the enum, its listing names, the constant folder ([`Op::eval`]) and the lane
 //! kernel ([`Op::run`]) from one body, so that they cannot differ. All bodies are branch-free
-//! scalar code that LLVM vectorizes over the 64 lanes.
+//! scalar code that LLVM vectorizes over the 64 lanes. A row may say `where rare(a) => far(a)`: a
+//! piece of the operation that is computed lane by lane, when a lane of the batch needs it.
 
 use super::{TRUE, Ty};
 use texunit::lanes::{LANES, U32s, math};
@@ -83,10 +84,34 @@ fn rem_u32(a: u32, b: u32) -> u32 {
     a.checked_rem(b).unwrap_or(u32::MAX)
 }
 
+/// `b` where `a`, else `c`, by bits: both are always loaded, so that nothing is left to branch on.
+#[inline(always)]
+fn select<T: Scalar>(a: bool, b: T, c: T) -> T {
+    let mask = a.to_word();
+    T::from_word((b.to_word() & mask) | (c.to_word() & !mask))
+}
+
 macro_rules! operations {
+    (@rare $out:ident $args:ident $a:ident: $A:ty,) => {};
+    (@rare $out:ident $args:ident $a:ident: $A:ty, $rare:expr, $far:expr) => {
+        let mut any = false;
+        for lane in 0..LANES {
+            let $a = <$A>::from_word($args[0][lane]);
+            any |= $rare;
+        }
+        if any {
+            for lane in 0..LANES {
+                let $a = <$A>::from_word($args[0][lane]);
+                if $rare {
+                    $out[lane] = $far.to_word();
+                }
+            }
+        }
+    };
     ($(
         $(#[doc = $doc:literal])+
-        $Name:ident $name:literal ($a:ident: $A:ty $(, $b:ident: $B:ty $(, $c:ident: $C:ty)?)?) -> $R:ty = $body:expr;
+        $Name:ident $name:literal ($a:ident: $A:ty $(, $b:ident: $B:ty $(, $c:ident: $C:ty)?)?) -> $R:ty = $body:expr
+        $(, where $rare:expr => $far:expr)?;
     )*) => {
         /// An operation on scalars.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -123,6 +148,10 @@ macro_rules! operations {
                         let $a = <$A>::from_word(args[0]);
                         $(let $b = <$B>::from_word(args[1]);
                         $(let $c = <$C>::from_word(args[2]);)?)?
+                        $(if $rare {
+                            let result: $R = $far;
+                            return result.to_word();
+                        })?
                         let result: $R = $body;
                         result.to_word()
                     })*
@@ -141,6 +170,7 @@ macro_rules! operations {
                             let result: $R = $body;
                             out[lane] = result.to_word();
                         }
+                        operations!(@rare out args $a: $A, $($rare, $far)?);
                     })*
                 }
             }
@@ -183,11 +213,14 @@ operations! {
     InverseSqrt "inverse_sqrt" (a: f32) -> f32 = 1.0 / a.sqrt();
 
     /// Sine of an angle in radians; bounds of this and the next are those of [`math`].
-    Sin "sin" (a: f32) -> f32 = math::sin(a);
+    Sin "sin" (a: f32) -> f32 = math::sin_near(a),
+        where math::is_far(a) => math::sin_far(a);
     /// Cosine.
-    Cos "cos" (a: f32) -> f32 = math::cos(a);
+    Cos "cos" (a: f32) -> f32 = math::cos_near(a),
+        where math::is_far(a) => math::cos_far(a);
     /// Tangent.
-    Tan "tan" (a: f32) -> f32 = math::tan(a);
+    Tan "tan" (a: f32) -> f32 = math::tan_near(a),
+        where math::is_far(a) => math::tan_far(a);
     /// The angle of this sine.
     Asin "asin" (a: f32) -> f32 = math::asin(a);
     /// The angle of this cosine.
@@ -300,13 +333,13 @@ operations! {
     Not "not" (a: bool) -> bool = !a;
 
     /// `b` where `a`, else `c`.
-    SelectF "select_f32" (a: bool, b: f32, c: f32) -> f32 = if a { b } else { c };
+    SelectF "select_f32" (a: bool, b: f32, c: f32) -> f32 = select(a, b, c);
     /// `b` where `a`, else `c`.
-    SelectI "select_i32" (a: bool, b: i32, c: i32) -> i32 = if a { b } else { c };
+    SelectI "select_i32" (a: bool, b: i32, c: i32) -> i32 = select(a, b, c);
     /// `b` where `a`, else `c`.
-    SelectU "select_u32" (a: bool, b: u32, c: u32) -> u32 = if a { b } else { c };
+    SelectU "select_u32" (a: bool, b: u32, c: u32) -> u32 = select(a, b, c);
     /// `b` where `a`, else `c`.
-    SelectB "select_bool" (a: bool, b: bool, c: bool) -> bool = if a { b } else { c };
+    SelectB "select_bool" (a: bool, b: bool, c: bool) -> bool = select(a, b, c);
 
     /// The integer part toward zero; out of range clamps, NaN gives the smallest.
     FloatToInt "float_to_int" (a: f32) -> i32 = math::to_i32(a);
