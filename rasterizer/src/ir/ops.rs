@@ -6,7 +6,7 @@
 //! piece of the operation that is computed lane by lane, when a lane of the batch needs it.
 
 use super::{TRUE, Ty};
-use texunit::lanes::{LANES, U32s, math};
+use texunit::lanes::{Baseline, LANES, Simd, U32s, math};
 
 /// A scalar of the IR as a Rust type.
 trait Scalar: Copy {
@@ -141,8 +141,13 @@ macro_rules! operations {
             }
 
             /// The operation on one lane. Operands beyond the arity are not looked at.
-            #[inline(always)]
             pub fn eval(self, args: [u32; 3]) -> u32 {
+                self.lane::<Baseline>(args)
+            }
+
+            /// [`Self::eval`] inside a kernel.
+            #[inline(always)]
+            pub fn lane<S: Simd>(self, args: [u32; 3]) -> u32 {
                 match self {
                     $(Self::$Name => {
                         let $a = <$A>::from_word(args[0]);
@@ -160,7 +165,7 @@ macro_rules! operations {
 
             /// The operation on 64 lanes. Operands beyond the arity are not looked at.
             #[inline(always)]
-            pub fn run(self, out: &mut U32s, args: [&U32s; 3]) {
+            pub fn run<S: Simd>(self, out: &mut U32s, args: [&U32s; 3]) {
                 match self {
                     $(Self::$Name => {
                         for lane in 0..LANES {
@@ -198,15 +203,15 @@ operations! {
     /// The larger; `b` if `a` is NaN.
     Max "max" (a: f32, b: f32) -> f32 = math::max(a, b);
     /// The largest integer not above.
-    Floor "floor" (a: f32) -> f32 = math::floor(a);
+    Floor "floor" (a: f32) -> f32 = S::floor(a);
     /// The smallest integer not below.
-    Ceil "ceil" (a: f32) -> f32 = math::ceil(a);
+    Ceil "ceil" (a: f32) -> f32 = S::ceil(a);
     /// The integer part toward zero.
-    Trunc "trunc" (a: f32) -> f32 = math::trunc(a);
+    Trunc "trunc" (a: f32) -> f32 = S::trunc(a);
     /// The nearest integer, halves to even.
-    RoundEven "round_even" (a: f32) -> f32 = math::round_even(a);
+    RoundEven "round_even" (a: f32) -> f32 = S::round_even(a);
     /// `a - floor(a)`.
-    Fract "fract" (a: f32) -> f32 = math::fract(a);
+    Fract "fract" (a: f32) -> f32 = a - S::floor(a);
     /// IEEE square root.
     Sqrt "sqrt" (a: f32) -> f32 = a.sqrt();
     /// `1 / sqrt(a)`, two roundings.
