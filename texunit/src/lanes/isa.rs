@@ -1,7 +1,7 @@
 //! Which instruction set a kernel is compiled for, and the one place that picks.
 
-use super::gather;
 use super::{F32s, U32s};
+use super::{gather, math};
 use thiserror::Error;
 
 /// An instruction set that this processor has. Values exist only for instruction sets that were
@@ -147,6 +147,54 @@ pub trait Simd: Copy + private::Sealed {
     /// # Panics
     /// When an index is not inside `table`.
     fn gather_f32(table: &[f32], indices: &U32s) -> F32s;
+
+    /// [`math::floor`] of one lane.
+    #[inline(always)]
+    fn floor(x: f32) -> f32 {
+        math::floor(x)
+    }
+
+    /// [`math::ceil`] of one lane.
+    #[inline(always)]
+    fn ceil(x: f32) -> f32 {
+        math::ceil(x)
+    }
+
+    /// [`math::trunc`] of one lane.
+    #[inline(always)]
+    fn trunc(x: f32) -> f32 {
+        math::trunc(x)
+    }
+
+    /// [`math::round_even`] of one lane.
+    #[inline(always)]
+    fn round_even(x: f32) -> f32 {
+        math::round_even(x)
+    }
+}
+
+/// Rounding by the instruction that AVX has for it; the same bits as [`math`]'s, whose zeros are
+/// positive but for `round_even`'s.
+#[cfg(target_arch = "x86_64")]
+macro_rules! rounding_instructions {
+    () => {
+        #[inline(always)]
+        fn floor(x: f32) -> f32 {
+            x.floor() + 0.0
+        }
+        #[inline(always)]
+        fn ceil(x: f32) -> f32 {
+            x.ceil() + 0.0
+        }
+        #[inline(always)]
+        fn trunc(x: f32) -> f32 {
+            x.trunc() + 0.0
+        }
+        #[inline(always)]
+        fn round_even(x: f32) -> f32 {
+            x.round_ties_even()
+        }
+    };
 }
 
 mod private {
@@ -154,8 +202,9 @@ mod private {
     pub trait Sealed {}
 }
 
-#[derive(Clone, Copy)]
-struct Baseline;
+/// Plain operations, for one lane outside of a kernel too.
+#[derive(Clone, Copy, Debug)]
+pub struct Baseline;
 impl private::Sealed for Baseline {}
 impl Simd for Baseline {
     #[inline(always)]
@@ -175,6 +224,7 @@ struct Avx2;
 impl private::Sealed for Avx2 {}
 #[cfg(target_arch = "x86_64")]
 impl Simd for Avx2 {
+    rounding_instructions!();
     #[inline(always)]
     fn gather(bytes: &[u8], offsets: &U32s) -> U32s {
         gather::check(bytes.len(), offsets, 1, 4);
@@ -196,6 +246,7 @@ struct Avx512;
 impl private::Sealed for Avx512 {}
 #[cfg(target_arch = "x86_64")]
 impl Simd for Avx512 {
+    rounding_instructions!();
     #[inline(always)]
     fn gather(bytes: &[u8], offsets: &U32s) -> U32s {
         gather::check(bytes.len(), offsets, 1, 4);
