@@ -73,6 +73,13 @@ const TABLE: &[Row] = &[
     Row(110, "", "r = vec4(u.w, vec3(u).zx, 0.0);", [4.0, 3.0, 1.0, 0.0]),
     Row(110, "", "r = vec4(u[0], u[k], 0.0, 0.0); r[3] = 5.0; r[k] = 6.0;", [1.0, 3.0, 6.0, 5.0]),
     Row(110, "", "r = vec4((u * 2.0)[k], u.zw[1], u.wzyx[k], 0.0);", [6.0, 4.0, 2.0, 0.0]),
+    Row(110, "", "r.wzyx[k] = 5.0; r.zy[k - 2] += 2.0;", [0.0, 5.0, 2.0, 0.0]),
+    Row(
+        110,
+        "",
+        "vec4 a[2]; a[k - 1].zx[k - 1] = 7.0; r = a[1]; r.w = a[k - 1].yx[k - 1];",
+        [7.0, 0.0, 0.0, 7.0],
+    ),
     // Matrices, column by column
     Row(110, "", "r = m[0];", [1.0, 2.0, 3.0, 4.0]),
     Row(110, "", "r = m[k];", [9.0, 10.0, 11.0, 12.0]),
@@ -278,6 +285,12 @@ const TABLE: &[Row] = &[
         "float u2(const in float a) { return a; }",
         "float k = 5.0; { float k = 6.0; r.x = u2(k); } r.y = k;",
         [6.0, 5.0, 0.0, 0.0],
+    ),
+    Row(
+        120,
+        "void f(out int i, out ivec2 j) { i = 7; j = ivec2(8, 9); }",
+        "f(r.x, r.wz);",
+        [7.0, 0.0, 9.0, 8.0],
     ),
     // Arrays and structures
     Row(110, "", "r = vec4(list[0], list[k], list[3], list[k + 40]);", [10.0, 30.0, 40.0, 40.0]),

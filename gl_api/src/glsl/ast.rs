@@ -92,6 +92,19 @@ pub const BINARY: [(&str, BinaryOp, u8); 19] = [
 ];
 
 impl BinaryOp {
+    /// Whether it is for integers only, and so came with GLSL 1.30.
+    pub fn is_integer(self) -> bool {
+        matches!(
+            self,
+            Self::Rem
+                | Self::BitAnd
+                | Self::BitOr
+                | Self::BitXor
+                | Self::ShiftLeft
+                | Self::ShiftRight
+        )
+    }
+
     /// As it is written.
     pub fn text(self) -> &'static str {
         BINARY.iter().find(|row| row.1 == self).map_or("", |row| row.0)

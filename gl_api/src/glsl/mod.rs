@@ -11,6 +11,7 @@ mod check;
 mod diagnostics;
 mod hir;
 mod lexer;
+mod limits;
 mod link;
 mod lower;
 mod parser;
@@ -185,10 +186,10 @@ impl Pass {
 
 fn compile_once(stage: Stage, text: &str) -> Pass {
     let mut log = Log::default();
-    let too_long = text.len() > Source::MAX_LEN;
+    let too_long = text.len() > limits::MAX_SOURCE;
     let mut source = Source::new(if too_long { "" } else { text });
     if too_long {
-        let message = format!("the source has more than {} bytes", Source::MAX_LEN);
+        let message = format!("the source has more than {} bytes", limits::MAX_SOURCE);
         log.push(Diagnostic::error(Span::default(), message));
     }
     let preprocessed = preprocess::preprocess(&mut source, &mut log);

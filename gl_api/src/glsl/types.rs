@@ -6,9 +6,6 @@ use rasterizer::ir::Ty;
 use std::fmt;
 use std::sync::Arc;
 
-/// How many scalars a variable may have.
-pub const MAX_SCALARS: u32 = 1 << 16;
-
 /// A kind of sampler.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Sampler {
@@ -169,6 +166,16 @@ impl Type {
             Self::Matrix(..) => Some(Scalar::Float),
             Self::Void | Self::Sampler(_) | Self::Struct(_) | Self::Array(..) | Self::Error => None,
         }
+    }
+
+    /// How many columns a matrix has.
+    pub fn columns(&self) -> Option<u8> {
+        if let Self::Matrix(columns, _) = self { Some(*columns) } else { None }
+    }
+
+    /// How many rows a matrix has.
+    pub fn rows(&self) -> Option<u8> {
+        if let Self::Matrix(_, rows) = self { Some(*rows) } else { None }
     }
 
     /// The same shape made of another scalar.

@@ -95,10 +95,8 @@ pub fn find(name: &str, stage: Stage, version: Version) -> Option<Variable> {
     let row = ROWS
         .iter()
         .find(|row| row.name == name && row.stages.has(stage) && row.since <= version)?;
-    let constant = match row.builtin {
-        Builtin::Limit(value) => Some(Arc::from([value as u32])),
-        _ => None,
-    };
+    let constant =
+        if let Builtin::Limit(value) = row.builtin { Some([value as u32].into()) } else { None };
     Some(Variable {
         name: row.name.into(),
         ty: row.ty.clone(),

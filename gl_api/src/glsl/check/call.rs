@@ -41,7 +41,13 @@ impl Candidate {
             if argument.ty == *parameter {
                 continue;
             }
-            if *direction != Direction::In || !converts(&argument.ty, parameter, version) {
+            // An `out` argument takes the parameter's value back (GLSL 1.30 section 6.1).
+            let fits = match direction {
+                Direction::In => converts(&argument.ty, parameter, version),
+                Direction::Out => converts(parameter, &argument.ty, version),
+                Direction::Inout => false,
+            };
+            if !fits {
                 return None;
             }
             count += 1;

@@ -5,6 +5,7 @@ mod construct;
 mod decl;
 mod expr;
 mod functions;
+mod interface;
 mod lvalue;
 mod operators;
 mod recursion;
@@ -123,6 +124,11 @@ impl Checker<'_> {
             let span = Span::default();
             self.log.push(Diagnostic::error(span, message).rule("GLSL 1.30 section 7.2"));
         }
+    }
+
+    /// A section of the specification of the shader's version, as a message cites it.
+    fn rule(&self, section: &str) -> String {
+        format!("{} section {section}", self.version.title())
     }
 
     fn error(&mut self, span: Span, message: impl Into<String>) {

@@ -2,8 +2,9 @@
 
 use super::Checker;
 use crate::glsl::builtins::{functions, variables};
-use crate::glsl::diagnostics::{Diagnostic, Edit, MAX_ERRORS, Suggestion, edit_distance};
+use crate::glsl::diagnostics::{Diagnostic, Edit, Suggestion, edit_distance};
 use crate::glsl::hir::{Storage, VarRef};
+use crate::glsl::limits::MAX_ERRORS;
 use crate::glsl::source::Span;
 use crate::glsl::types::Struct;
 use std::collections::BTreeMap;

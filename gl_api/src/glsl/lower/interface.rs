@@ -1,9 +1,11 @@
 //! A stage's inputs, outputs and uniforms as IR, around its `main`.
 
+use super::call::{returns_early, without_last_return};
 use super::place::Slot;
 use super::{Failure, Lowered, Lowerer, Words, functions};
-use crate::glsl::builtins::variables::{Builtin, MAX_DRAW_BUFFERS};
+use crate::glsl::builtins::variables::Builtin;
 use crate::glsl::hir::{Function, Storage, Unit, Variable};
+use crate::glsl::limits::MAX_DRAW_BUFFERS;
 use crate::interface::VARYING_BACK_COLOR;
 use rasterizer::ir::{
     Input, Interpolation, Module, Op, Output, Stage, Stmt, Texture, Ty, Value, Var,
@@ -92,13 +94,11 @@ pub fn lower_stage(
         return Err(Failure("there is no function `main`".to_owned()));
     };
     lowerer.open_frame(unit, &main.locals);
-    // A last `return` needs no scope either.
-    let result = match body.split_last() {
-        _ if super::call::returns_early(body) => lowerer.scope(body),
-        Some((crate::glsl::hir::Stmt::Return(_), before)) => lowerer.statements(before),
-        _ => lowerer.statements(body),
-    };
-    result?;
+    if returns_early(body) {
+        lowerer.scope(body)?;
+    } else {
+        lowerer.statements(without_last_return(body))?;
+    }
     lowerer.frames.pop();
     for copy in copies {
         lowerer.copy(&copy)?;
@@ -169,10 +169,7 @@ impl Lowerer<'_> {
                 Ok(Slot::Uniform(word, types.into()))
             }
             (Storage::Attribute, Some(Binding::Attribute(location))) => {
-                let columns = match variable.ty {
-                    crate::glsl::types::Type::Matrix(_, rows) => u32::from(rows),
-                    _ => 4,
-                };
+                let columns = variable.ty.rows().map_or(4, u32::from);
                 let read = |lowerer: &mut Self, at: u32| {
                     let location = location + (at / columns) as u8;
                     let component = (at % columns) as u8;

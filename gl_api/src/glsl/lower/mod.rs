@@ -10,16 +10,14 @@ mod texture;
 
 use super::builtins::variables::PerUnit;
 use super::hir::{Expr, Function, Unit, VarRef, Variable};
+use super::limits::{MAX_INLINED_DEPTH, MAX_VALUES};
 use crate::interface::{MAX_TEXTURE_UNITS, StateBinding, StateVar};
-use emit::{Emit, MAX_VALUES};
+use emit::Emit;
 pub use interface::{Binding, lower_stage, varying_slots};
 use place::Slot;
 use rasterizer::ir::{Stage, Texture, TextureDecl, Ty, Value, Var};
 use std::collections::BTreeMap;
 use std::sync::Arc;
-
-/// How deep statements, expressions and calls may stand inside one another, calls inlined.
-const MAX_DEPTH: u32 = 1024;
 
 /// Why a stage cannot be lowered; ends up in the link log.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -156,7 +154,7 @@ impl<'a> Lowerer<'a> {
 
     /// Runs `lower` one level deeper.
     fn nested<T>(&mut self, lower: impl FnOnce(&mut Self) -> Lowered<T>) -> Lowered<T> {
-        if self.depth >= MAX_DEPTH {
+        if self.depth >= MAX_INLINED_DEPTH {
             let message = "statements, expressions and calls nest too deeply";
             return Err(Failure(message.to_owned()));
         }

@@ -1,5 +1,6 @@
 //! Where variables live, and reading and writing parts of them.
 
+use super::expr::not_a_variable;
 use super::{Failure, Lowered, Lowerer};
 use crate::glsl::builtins::variables::PerUnit;
 use crate::glsl::hir::{Expr, ExprKind, VarRef};
@@ -181,7 +182,18 @@ impl Lowerer<'_> {
                 let index = self.expr(index)?[0];
                 self.element(place, index, &expr.ty)
             }
-            _ => Err(Failure("a value is used as a variable".to_owned())),
+            ExprKind::Const(_)
+            | ExprKind::Convert(_)
+            | ExprKind::Unary(..)
+            | ExprKind::Binary(..)
+            | ExprKind::Assign(..)
+            | ExprKind::Step(..)
+            | ExprKind::Conditional(_)
+            | ExprKind::Comma(_)
+            | ExprKind::Construct(_)
+            | ExprKind::Call(..)
+            | ExprKind::Builtin(..)
+            | ExprKind::Error => Err(not_a_variable()),
         }
     }
 
@@ -200,15 +212,13 @@ impl Lowerer<'_> {
             }
             place.components = None;
         } else {
-            if place.components.is_some() {
-                let values = self.load(&place)?;
-                let total = values.len() as u32;
-                let slot = Slot::Values(values.into());
-                let (base, dynamic, components) = (0, None, None);
-                place = Place { slot, total, base, dynamic, components, ty: place.ty };
-            }
-            let stride = self.emit.uint(stride);
-            let offset = self.emit.op(Op::UMul, &[index, stride]);
+            let offset = match place.components.take() {
+                Some(components) => self.swizzled(&components, index),
+                None => {
+                    let stride = self.emit.uint(stride);
+                    self.emit.op(Op::UMul, &[index, stride])
+                }
+            };
             place.dynamic = Some(match place.dynamic {
                 Some(other) => self.emit.op(Op::UAdd, &[other, offset]),
                 None => offset,
@@ -216,6 +226,17 @@ impl Lowerer<'_> {
         }
         place.ty = ty.clone();
         Ok(place)
+    }
+
+    /// Which component element `index` of a swizzle is.
+    fn swizzled(&mut self, components: &[u8], index: Value) -> Value {
+        let mut chosen = self.emit.uint(0);
+        for (at, &component) in components.iter().enumerate() {
+            let (at, component) = (self.emit.uint(at as u32), self.emit.uint(component.into()));
+            let here = self.emit.equal(index, at);
+            chosen = self.emit.select(here, component, chosen);
+        }
+        chosen
     }
 
     /// A place that holds these values.
@@ -334,8 +355,7 @@ impl Lowerer<'_> {
             }
             (Slot::Vars(_), Some(_))
             | (Slot::Values(_) | Slot::Uniform(..) | Slot::Units(..) | Slot::Alias(_), _) => {
-                let message = "writing a dynamically indexed swizzle is not supported by DetGL yet";
-                Err(Failure(message.to_owned()))
+                Err(not_a_variable())
             }
         }
     }

@@ -4,12 +4,10 @@ use super::place::{Place, Slot};
 use super::{Failure, Lowered, Lowerer, texture_key};
 use crate::glsl::builtins::functions::{LodForm, Projection};
 use crate::glsl::hir::Expr;
+use crate::glsl::limits::MAX_DYNAMIC_SAMPLERS;
 use crate::glsl::types::{Sampler, Type};
 use rasterizer::ir::{Lod, Op, Texture, TextureDecl, Ty, Value};
 use texunit::image::Shape;
-
-/// How many samplers an array may have that is indexed dynamically.
-const MAX_DYNAMIC_SAMPLERS: u32 = 32;
 
 /// A lookup, but for the texture.
 struct Lookup {

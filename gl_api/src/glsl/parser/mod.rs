@@ -8,12 +8,10 @@ mod stmt;
 use super::ast::{Item, Name};
 use super::diagnostics::{Diagnostic, Log, closest};
 use super::lexer::{Kind, Token};
+use super::limits::MAX_NESTING;
 use super::source::Span;
 use super::version::Version;
 use keywords::Word;
-
-/// How many statements and expressions may stand inside one another.
-pub const MAX_DEPTH: u32 = 256;
 
 /// Where to go on after an error that has been reported.
 #[derive(Clone, Copy, Debug)]
@@ -153,7 +151,7 @@ impl<'a> Parser<'a> {
 
     /// Runs `parse` one level deeper, or reports that this is too deep.
     fn nested<T>(&mut self, parse: impl FnOnce(&mut Self) -> Parsed<T>) -> Parsed<T> {
-        if self.depth >= MAX_DEPTH {
+        if self.depth >= MAX_NESTING {
             return self.too_deep();
         }
         self.depth += 1;
@@ -165,7 +163,7 @@ impl<'a> Parser<'a> {
     fn too_deep<T>(&mut self) -> Parsed<T> {
         if !self.hopeless {
             self.hopeless = true;
-            let message = format!("nested more than {MAX_DEPTH} levels deep");
+            let message = format!("nested more than {MAX_NESTING} levels deep");
             self.log.push(Diagnostic::error(self.span(), message));
         }
         Err(Broken)
@@ -191,7 +189,11 @@ impl<'a> Parser<'a> {
                         return;
                     }
                 }
-                _ => {}
+                Kind::Word(_)
+                | Kind::Number(_)
+                | Kind::Punct(_)
+                | Kind::Stray(_)
+                | Kind::Newline => {}
             }
             self.bump();
         }

@@ -177,12 +177,12 @@ impl Parser<'_> {
         let mut depth = 0usize;
         loop {
             let token = self.ahead(distance);
-            match token.kind {
-                Kind::Punct("[") => depth += 1,
-                Kind::Punct("]") if depth > 0 => depth -= 1,
-                Kind::End | Kind::Punct(";" | "{" | "}") => return token,
-                _ if depth == 0 => return token,
-                _ => {}
+            if token.is("[") {
+                depth += 1;
+            } else if token.is("]") && depth > 0 {
+                depth -= 1;
+            } else if depth == 0 || matches!(token.kind, Kind::End | Kind::Punct(";" | "{" | "}")) {
+                return token;
             }
             distance += 1;
         }

@@ -3,11 +3,9 @@
 use super::macros::Macros;
 use crate::glsl::diagnostics::Diagnostic;
 use crate::glsl::lexer::{Kind, Literal, Token, literal};
+use crate::glsl::limits::MAX_CONDITION_DEPTH;
 use crate::glsl::source::{Source, Span};
 use crate::glsl::version::Version;
-
-/// How deep parentheses and signs may nest.
-const MAX_DEPTH: usize = 64;
 
 /// Evaluates a condition.
 pub fn evaluate(
@@ -117,7 +115,7 @@ impl Parser<'_> {
         };
         self.at += 1;
         self.depth += 1;
-        if self.depth > MAX_DEPTH {
+        if self.depth > MAX_CONDITION_DEPTH {
             return Err(Diagnostic::error(token.span, "the condition is nested too deeply").into());
         }
         let value = match &token.kind {

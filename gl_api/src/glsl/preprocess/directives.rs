@@ -5,6 +5,7 @@ use super::macros::Macro;
 use super::{Conditional, Group, Preprocessor};
 use crate::glsl::diagnostics::{Diagnostic, closest};
 use crate::glsl::lexer::{Kind, Token};
+use crate::glsl::limits::MAX_CONDITIONALS;
 use crate::glsl::source::Span;
 use crate::glsl::version::{EXTENSIONS, Version};
 
@@ -25,8 +26,11 @@ const NAMES: [&str; 13] = [
     "line",
 ];
 
-/// How many conditionals can be open at once.
-const MAX_CONDITIONALS: usize = 256;
+/// The value of a decimal number.
+fn number(token: &Token) -> Option<i64> {
+    let Kind::Number(number) = &token.kind else { return None };
+    number.parse::<u32>().ok().map(i64::from)
+}
 
 impl Preprocessor<'_> {
     pub(super) fn directive(&mut self, hash: &Token, line: &[Token]) {
@@ -203,16 +207,13 @@ impl Preprocessor<'_> {
             self.log.push(Diagnostic::error(span, message).rule(rule));
             return;
         }
-        let number = match rest.first().map(|token| &token.kind) {
-            Some(Kind::Number(number)) => number.parse::<i32>().ok(),
-            _ => None,
-        };
+        let number = rest.first().and_then(number);
         let at = rest.first().map_or(span, |token| token.span);
         let Some(number) = number else {
             self.error(at, "a version number is expected");
             return;
         };
-        match Version::ALL.into_iter().find(|version| version.number() == number) {
+        match Version::ALL.into_iter().find(|version| i64::from(version.number()) == number) {
             Some(version) => {
                 self.version = version;
                 self.nothing_more(&rest[1..]);
@@ -264,10 +265,6 @@ impl Preprocessor<'_> {
                 self.log.push(*problem);
                 return;
             }
-        };
-        let number = |token: &Token| match &token.kind {
-            Kind::Number(number) => number.parse::<u32>().ok().map(i64::from),
-            _ => None,
         };
         match &expanded[..] {
             [line] => {

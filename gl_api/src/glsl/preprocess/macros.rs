@@ -2,15 +2,11 @@
 
 use crate::glsl::diagnostics::Diagnostic;
 use crate::glsl::lexer::{Kind, Token};
+use crate::glsl::limits::{MAX_EXPANDED_TOKENS, MAX_MACRO_DEPTH};
 use crate::glsl::source::{Source, Span};
 use crate::glsl::version::{EXTENSIONS, Version};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
-
-/// How many tokens the expansions of a shader may produce together.
-const MAX_TOKENS: usize = 1 << 20;
-/// How deep calls of macros may stand in arguments of one another.
-const MAX_DEPTH: usize = 64;
 
 /// A macro.
 #[derive(Clone, Debug)]
@@ -185,7 +181,7 @@ impl Expansion<'_> {
                         output.push(Item::Token(token));
                         continue;
                     }
-                    if depth >= MAX_DEPTH {
+                    if depth >= MAX_MACRO_DEPTH {
                         let message = "macro calls are nested too deeply";
                         return Err(Diagnostic::error(token.span, message).into());
                     }
@@ -213,8 +209,8 @@ impl Expansion<'_> {
                 }
             };
             *self.produced += body.len() + 1;
-            if *self.produced > MAX_TOKENS {
-                let message = format!("macros expand to more than {MAX_TOKENS} tokens");
+            if *self.produced > MAX_EXPANDED_TOKENS {
+                let message = format!("macros expand to more than {MAX_EXPANDED_TOKENS} tokens");
                 return Err(Diagnostic::error(token.span, message).into());
             }
             self.active.insert(name.clone());
@@ -304,8 +300,9 @@ impl Expansion<'_> {
                             Item::EndOf(_) => {}
                         }
                     }
-                    if *self.produced + output.len() > MAX_TOKENS {
-                        let message = format!("macros expand to more than {MAX_TOKENS} tokens");
+                    if *self.produced + output.len() > MAX_EXPANDED_TOKENS {
+                        let message =
+                            format!("macros expand to more than {MAX_EXPANDED_TOKENS} tokens");
                         return Err(Diagnostic::error(at, message).into());
                     }
                 }
