@@ -310,6 +310,8 @@ pub enum Item {
     Function(Function),
     /// `invariant a, b;`.
     Invariant(Vec<Name>),
+    /// `precision highp float;`, with the type.
+    Precision(TypeName),
 }
 
 /// A statement.
@@ -326,6 +328,8 @@ pub struct Stmt {
 pub enum StmtKind {
     /// `;`.
     Empty,
+    /// `precision highp float;`, with the type.
+    Precision(TypeName),
     /// Variables.
     Declaration(Declaration),
     /// An expression.

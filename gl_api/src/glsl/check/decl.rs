@@ -4,6 +4,7 @@ use super::Checker;
 use super::scope::Symbol;
 use crate::glsl::Scalar;
 use crate::glsl::ast::{self, TypeBase};
+use crate::glsl::builtins::variables;
 use crate::glsl::diagnostics::{Diagnostic, closest};
 use crate::glsl::hir::{Expr, Storage, VarRef, Variable};
 use crate::glsl::limits::{MAX_SCALARS, MAX_STRUCT_DEPTH};
@@ -38,17 +39,22 @@ impl Checker<'_> {
     }
 
     fn named_type(&mut self, word: &Arc<str>, span: Span) -> Type {
-        if let Some(ty) = Type::named(word, self.version) {
+        if let Some(ty) = Type::named(word, self.language) {
             return ty;
         }
         if let Some(Symbol::Struct(structure)) = self.scopes.find(word) {
             return Type::Struct(structure.clone());
         }
-        let mut problem = Diagnostic::error(span, format!("there is no type `{word}`"));
-        let later = Version::ALL.into_iter().find(|version| Type::named(word, *version).is_some());
-        if let Some(later) = later {
-            problem = problem.help(format!("it came with `#version {}`", later.number()));
-        } else if let Some(near) = closest(word, Type::names(self.version)) {
+        if let Some(ty) = variables::structure(word, self.language) {
+            return ty;
+        }
+        let mut problem = Diagnostic::error(span, format!("there is no type `{word}`"))
+            .rule(self.rule("4.1"));
+        if let Some(since) = Type::since(word) {
+            if let Some(advice) = self.language.advice(since) {
+                problem = problem.help(advice);
+            }
+        } else if let Some(near) = closest(word, Type::names(self.language)) {
             problem = problem.fix(format!("did you mean `{near}`?"), span, near.to_owned());
         }
         self.log.push(problem);
@@ -168,6 +174,7 @@ impl Checker<'_> {
 
     pub(super) fn global_declaration(&mut self, declaration: &ast::Declaration) {
         let Some(storage) = self.global_storage(&declaration.ty) else { return };
+        self.check_precision(&declaration.ty);
         if declaration.names.is_empty() {
             let _ = self.type_of(&declaration.ty.ty, None);
             return;
@@ -225,7 +232,7 @@ impl Checker<'_> {
         let unfit = match variable.storage {
             Storage::Plain | Storage::Const => None,
             Storage::Uniform if self.version >= Version::V120 => None,
-            Storage::Uniform => Some("uniforms take no value in GLSL 1.10"),
+            Storage::Uniform => Some("uniforms take no value before GLSL 1.20"),
             Storage::Attribute
             | Storage::Output(_)
             | Storage::Input(_)
@@ -244,7 +251,7 @@ impl Checker<'_> {
             variable.ty = Type::Array(element.clone(), Some(*len));
         }
         if self.version < Version::V120 && variable.ty.has_array() {
-            self.error(init.span, "arrays take no value in GLSL 1.10");
+            self.error(init.span, "arrays take no value before GLSL 1.20");
         }
         let init = self.converted(init, &variable.ty.clone(), "initialize with");
         if init.is_error() {
@@ -314,7 +321,11 @@ impl Checker<'_> {
             known == *ty
         };
         if !fits && *ty != Type::Error {
-            self.error(name.span, format!("`{}` is {known}, not {ty}", name.text));
+            let message = format!("`{}` is {known}, not {ty}", name.text);
+            let problem = Diagnostic::error(name.span, message).rule(self.rule("7.6"));
+            self.log.push(problem.help("redeclare it as it is, or with a smaller size"));
+        } else if matches!(ty, Type::Array(_, Some(_))) {
+            self.variable_mut(var).ty = ty.clone();
         }
         true
     }

@@ -11,7 +11,7 @@ use crate::glsl::hir::{Expr, ExprKind, VarRef};
 use crate::glsl::limits::MAX_IMPLICIT_SIZE;
 use crate::glsl::source::Span;
 use crate::glsl::types::{BOOL, FLOAT, INT, Type, UINT};
-use crate::glsl::version::Version;
+use crate::glsl::version::{Extension, Since, Version};
 use rasterizer::ir::TRUE;
 use std::sync::Arc;
 
@@ -93,7 +93,7 @@ impl Checker<'_> {
 
     /// Brings a built-in variable into the global scope.
     pub(super) fn builtin_variable(&mut self, name: &str) -> Option<VarRef> {
-        let variable = variables::find(name, self.stage, self.version)?;
+        let variable = variables::find(name, self.stage, self.language)?;
         let var = VarRef::Global(self.unit.globals.len() as u32);
         self.scopes.add_global(variable.name.clone(), Symbol::Variable(var));
         self.unit.globals.push(variable);
@@ -136,7 +136,7 @@ impl Checker<'_> {
 
     /// Whether the version has integer operators; says so if not.
     fn has_integers(&mut self, span: Span) -> bool {
-        if self.version < Version::V130 {
+        if !self.language.has(Since::V130.or(Extension::GpuShader4)) {
             let message = "bits, shifts and remainders of integers are reserved in this version";
             let problem = Diagnostic::error(span, message)
                 .rule(format!("{} section 5.1", self.version.title()));
@@ -210,16 +210,17 @@ impl Checker<'_> {
     /// Advice for an `int` where a `float` is needed.
     pub(super) fn with_float_fix(&self, problem: Diagnostic, integer: &Expr) -> Diagnostic {
         let text = self.source.slice(integer.span);
+        let title = self.version.title();
         let literal = !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit());
-        if self.version == Version::V110 && literal {
-            return problem.note("GLSL 1.10 does not convert int to float by itself").fix(
+        if self.version < Version::V120 && literal {
+            return problem.note(format!("{title} does not convert int to float by itself")).fix(
                 format!("write `{text}.0`"),
                 integer.span,
                 format!("{text}.0"),
             );
         }
-        if self.version == Version::V110 && integer.ty == INT {
-            return problem.note("GLSL 1.10 does not convert int to float by itself").fix(
+        if self.version < Version::V120 && integer.ty == INT {
+            return problem.note(format!("{title} does not convert int to float by itself")).fix(
                 format!("write `float({text})`"),
                 integer.span,
                 format!("float({text})"),
@@ -245,7 +246,8 @@ impl Checker<'_> {
         let value = match op {
             None => {
                 if self.version < Version::V120 && ty.has_array() {
-                    self.error(span, "arrays cannot be assigned in GLSL 1.10");
+                    let message = format!("arrays cannot be assigned in {}", self.version.title());
+                    self.error(span, message);
                 }
                 self.converted(value, &ty, "assign")
             }
@@ -435,7 +437,8 @@ impl Checker<'_> {
         match &base.ty {
             Type::Array(_, Some(len)) if &*name.text == "length" => {
                 if self.version < Version::V120 {
-                    self.error(name.span, "`.length()` is not in GLSL 1.10");
+                    let message = format!("`.length()` is not in {}", self.version.title());
+                    self.error(name.span, message);
                 }
                 word(span, INT, *len)
             }

@@ -7,7 +7,7 @@ use crate::glsl::ast::{self, Qualifier};
 use crate::glsl::diagnostics::Diagnostic;
 use crate::glsl::hir::Storage;
 use crate::glsl::source::Span;
-use crate::glsl::types::Type;
+use crate::glsl::types::{FLOAT, INT, Type};
 use crate::glsl::version::Version;
 use rasterizer::ir::{Interpolation, Stage};
 
@@ -157,5 +157,39 @@ impl Checker<'_> {
             let rule = format!("{} section 4.3", self.version.title());
             self.log.push(Diagnostic::error(span, format!("{message}; this is {ty}")).rule(rule));
         }
+    }
+
+    /// `precision highp float;`: every number has 32 bits here, so only the type is checked.
+    pub(super) fn default_precision(&mut self, name: &ast::TypeName) {
+        let ty = self.type_of(name, None);
+        match ty {
+            FLOAT => self.float_precision = true,
+            INT | Type::Sampler(_) | Type::Error => {}
+            Type::Void
+            | Type::Vector(..)
+            | Type::Matrix(..)
+            | Type::Struct(_)
+            | Type::Array(..) => {
+                let message = format!("{ty} has no default precision");
+                let problem = Diagnostic::error(name.span, message).rule(self.rule("4.5.3"));
+                self.log.push(problem.help("float, int and the samplers have one"));
+            }
+        }
+    }
+
+    /// Floats of the fragment stage need a precision in GLSL ES.
+    pub(super) fn check_precision(&mut self, ty: &ast::QualifiedType) {
+        let given = ty.qualifiers.iter().any(|(qualifier, _)| *qualifier == Qualifier::Precision);
+        let ast::TypeBase::Named(word) = &ty.ty.base else { return };
+        let named = Type::named(word, self.language);
+        let float = named.is_some_and(|named| named.scalar() == Some(Scalar::Float));
+        if self.float_precision || given || !float {
+            return;
+        }
+        // Once is enough.
+        self.float_precision = true;
+        let message = "floats of the fragment stage have no precision yet";
+        let problem = Diagnostic::error(ty.ty.span, message).rule(self.rule("4.5.3"));
+        self.log.push(problem.help("write `precision mediump float;` first"));
     }
 }

@@ -17,7 +17,7 @@ use super::diagnostics::{Diagnostic, Log};
 use super::hir::{Expr, Stmt, Unit, VarRef, Variable};
 use super::source::{Source, Span};
 use super::types::Type;
-use super::version::Version;
+use super::version::{Language, Version};
 use rasterizer::ir::Stage;
 pub use recursion::recursive_call;
 use scope::{Scopes, Undeclared};
@@ -49,7 +49,10 @@ struct Checker<'a> {
     source: &'a Source,
     log: &'a mut Log,
     stage: Stage,
+    language: Language,
     version: Version,
+    /// Whether floats have a precision (GLSL ES 1.00 section 4.5.3).
+    float_precision: bool,
     unit: Unit,
     scopes: Scopes,
     undeclared: Vec<Undeclared>,
@@ -62,16 +65,19 @@ struct Checker<'a> {
 pub fn check(
     items: &[Item],
     stage: Stage,
-    version: Version,
+    language: Language,
     source: &Source,
     log: &mut Log,
 ) -> Unit {
+    let version = language.version;
     let unit = Unit { stage, globals: Vec::new(), functions: Vec::new() };
     let mut checker = Checker {
         source,
         log,
         stage,
+        language,
         version,
+        float_precision: version != Version::Es100 || stage == Stage::Vertex,
         unit,
         scopes: Scopes::new(),
         undeclared: Vec::new(),
@@ -83,6 +89,7 @@ pub fn check(
             Item::Declaration(declaration) => checker.global_declaration(declaration),
             Item::Function(function) => checker.function(function),
             Item::Invariant(names) => checker.invariant(names),
+            Item::Precision(ty) => checker.default_precision(ty),
         }
         if checker.log.is_full() {
             break;

@@ -26,6 +26,7 @@ impl Checker<'_> {
     fn statement(&mut self, statement: &ast::Stmt, all: &mut Vec<Stmt>) {
         match &statement.kind {
             StmtKind::Empty => {}
+            StmtKind::Precision(ty) => self.default_precision(ty),
             StmtKind::Declaration(declaration) => self.local_declaration(declaration, all),
             StmtKind::Expr(expr) => {
                 let expr = self.expr(expr);
@@ -196,6 +197,7 @@ impl Checker<'_> {
                 }
             }
         }
+        self.check_precision(&declaration.ty);
         if declaration.names.is_empty() {
             let _ = self.type_of(&declaration.ty.ty, None);
         }
@@ -262,6 +264,7 @@ impl Checker<'_> {
                     Some(Label::Default)
                 }
                 StmtKind::Empty
+                | StmtKind::Precision(_)
                 | StmtKind::Declaration(_)
                 | StmtKind::Expr(_)
                 | StmtKind::Block(_)

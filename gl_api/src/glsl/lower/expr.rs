@@ -333,8 +333,8 @@ impl Lowerer<'_> {
     }
 
     fn builtin(&mut self, row: &Row, arguments: &[Expr], result: &Type) -> Lowered<Vec<Value>> {
-        if let Lower::Texture(projection, lod) = row.lower {
-            return self.texture(projection, lod, arguments, result);
+        if let Lower::Texture(lookup) = row.lower {
+            return self.texture(lookup, arguments, result);
         }
         if let (Lower::Modf, [x, whole]) = (row.lower, arguments) {
             let values = self.expr(x)?;
@@ -358,8 +358,8 @@ impl Lowerer<'_> {
             Lower::Derivative(axis) => {
                 Ok(values[0].iter().map(|&value| self.emit.derivative(axis, value)).collect())
             }
-            Lower::Texture(..) | Lower::Modf | Lower::Ftransform | Lower::Unsupported => {
-                Err(Failure(format!("`{}` is not supported by DetGL yet", row.name)))
+            Lower::Texture(_) | Lower::Modf | Lower::Ftransform => {
+                Err(Failure(format!("`{}` takes other arguments", row.name)))
             }
         }
     }

@@ -8,16 +8,17 @@ mod place;
 mod stmt;
 mod texture;
 
-use super::builtins::variables::PerUnit;
+use super::builtins::state::StateArray;
 use super::hir::{Expr, Function, Unit, VarRef, Variable};
 use super::limits::{MAX_INLINED_DEPTH, MAX_VALUES};
-use crate::interface::{MAX_TEXTURE_UNITS, StateBinding, StateVar};
+use crate::interface::{StateBinding, StateVar};
 use emit::Emit;
 pub use interface::{Binding, lower_stage, varying_slots};
 use place::Slot;
 use rasterizer::ir::{Stage, Texture, TextureDecl, Ty, Value, Var};
 use std::collections::BTreeMap;
 use std::sync::Arc;
+pub use texture::unsupported;
 
 /// Why a stage cannot be lowered; ends up in the link log.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -32,8 +33,8 @@ pub struct Words {
     pub next: u32,
     /// State that is read.
     pub state: Vec<StateBinding>,
-    /// State of all units in a row.
-    arrays: BTreeMap<PerUnit, u32>,
+    /// State of all elements in a row.
+    arrays: BTreeMap<StateArray, u32>,
 }
 
 impl Words {
@@ -45,16 +46,16 @@ impl Words {
         }
     }
 
-    /// The first word of the state of unit 0, the other units following.
-    fn units(&mut self, per: PerUnit) -> u32 {
-        if let Some(&word) = self.arrays.get(&per) {
+    /// The first word of element 0, the other elements following.
+    fn array(&mut self, array: StateArray) -> u32 {
+        if let Some(&word) = self.arrays.get(&array) {
             return word;
         }
         let first = self.next;
-        for unit in 0..MAX_TEXTURE_UNITS {
-            self.add(per.of(unit));
+        for index in 0..array.len() {
+            self.add(array.of(index));
         }
-        self.arrays.insert(per, first);
+        self.arrays.insert(array, first);
         first
     }
 

@@ -2,7 +2,7 @@
 
 use super::expr::not_a_variable;
 use super::{Failure, Lowered, Lowerer};
-use crate::glsl::builtins::variables::PerUnit;
+use crate::glsl::builtins::state::StateArray;
 use crate::glsl::hir::{Expr, ExprKind, VarRef};
 use crate::glsl::types::Type;
 use rasterizer::ir::{Expr as IrExpr, Op, Stmt, Ty, Value, Var};
@@ -19,8 +19,8 @@ pub enum Slot {
     Arrays(Rc<Arrays>),
     /// Uniform words in a row, beginning here.
     Uniform(u32, Rc<[Ty]>),
-    /// State of each texture unit: so many words a unit.
-    Units(PerUnit, u32),
+    /// State of each unit, light or plane: so many words an element, of these types all.
+    States(StateArray, u32, Rc<[Ty]>),
     /// A part of another variable.
     Alias(Rc<Place>),
 }
@@ -90,7 +90,7 @@ impl Lowerer<'_> {
                     self.store_element(arrays, index as u32, None, value);
                 }
             }
-            Slot::Values(_) | Slot::Uniform(..) | Slot::Units(..) | Slot::Alias(_) => {}
+            Slot::Values(_) | Slot::Uniform(..) | Slot::States(..) | Slot::Alias(_) => {}
         }
     }
 
@@ -283,17 +283,15 @@ impl Lowerer<'_> {
                 };
                 Ok(offsets.iter().map(load).collect())
             }
-            (Slot::Units(per, stride), None) => {
+            (Slot::States(array, stride, types), None) => {
                 let load = |&at: &u32| {
-                    let word = self.words.state(per.of((at / stride) as u8));
-                    self.emit.uniform(word + at % stride, Ty::F32)
+                    let word = self.words.state(array.of((at / stride) as u8));
+                    self.emit.uniform(word + at % stride, types[at as usize])
                 };
                 Ok(offsets.iter().map(load).collect())
             }
-            (Slot::Units(per, _), Some(_)) => {
-                let word = self.words.units(*per);
-                let types = vec![Ty::F32; place.total as usize];
-                let slot = Slot::Uniform(word, types.into());
+            (Slot::States(array, _, types), Some(_)) => {
+                let slot = Slot::Uniform(self.words.array(*array), types.clone());
                 self.load(&Place { slot, ..place.clone() })
             }
             (Slot::Alias(_), _) => Err(Failure("an alias of an alias".to_owned())),
@@ -331,7 +329,7 @@ impl Lowerer<'_> {
             Slot::Values(_)
             | Slot::Vars(_)
             | Slot::Uniform(..)
-            | Slot::Units(..)
+            | Slot::States(..)
             | Slot::Alias(_) => Arrays { types: types.into(), vars: Vec::new() },
         }
     }
@@ -354,7 +352,7 @@ impl Lowerer<'_> {
                 Ok(())
             }
             (Slot::Vars(_), Some(_))
-            | (Slot::Values(_) | Slot::Uniform(..) | Slot::Units(..) | Slot::Alias(_), _) => {
+            | (Slot::Values(_) | Slot::Uniform(..) | Slot::States(..) | Slot::Alias(_), _) => {
                 Err(not_a_variable())
             }
         }

@@ -241,7 +241,7 @@ impl Parser<'_> {
                 let span = span.to(self.last_span());
                 Ok(Expr { span, ..inner })
             }
-            Kind::Word(word) => match keywords::classify(word, self.version) {
+            Kind::Word(word) => match keywords::classify(word, self.language) {
                 Word::Type => {
                     let ty = self.type_name()?;
                     if !self.is("(") {

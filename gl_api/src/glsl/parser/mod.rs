@@ -10,7 +10,7 @@ use super::diagnostics::{Diagnostic, Log, closest};
 use super::lexer::{Kind, Token};
 use super::limits::MAX_NESTING;
 use super::source::Span;
-use super::version::Version;
+use super::version::{Language, Version};
 use keywords::Word;
 
 /// Where to go on after an error that has been reported.
@@ -23,6 +23,7 @@ type Parsed<T> = Result<T, Broken>;
 struct Parser<'a> {
     tokens: &'a [Token],
     at: usize,
+    language: Language,
     version: Version,
     log: &'a mut Log,
     depth: u32,
@@ -31,8 +32,9 @@ struct Parser<'a> {
 }
 
 /// Parses a shader; what is wrong is in the log.
-pub fn parse(tokens: &[Token], version: Version, log: &mut Log) -> Vec<Item> {
-    let mut parser = Parser { tokens, at: 0, version, log, depth: 0, hopeless: false };
+pub fn parse(tokens: &[Token], language: Language, log: &mut Log) -> Vec<Item> {
+    let version = language.version;
+    let mut parser = Parser { tokens, at: 0, language, version, log, depth: 0, hopeless: false };
     let mut items = Vec::new();
     while parser.kind() != &Kind::End && !parser.log.is_full() && !parser.hopeless {
         let start = parser.at;
@@ -125,7 +127,7 @@ impl<'a> Parser<'a> {
         let Some(word) = token.word() else {
             return self.fail(format!("expected a name, found {}", token.describe()));
         };
-        match keywords::classify(word, self.version) {
+        match keywords::classify(word, self.language) {
             Word::Name => {
                 self.bump();
                 Ok(Name { text: word.clone(), span: token.span })
@@ -209,6 +211,6 @@ impl<'a> Parser<'a> {
 
     /// A name that is close to a misspelt word.
     fn near_keyword(&self, word: &str) -> Option<&'static str> {
-        closest(word, keywords::known(self.version))
+        closest(word, keywords::known(self.language))
     }
 }

@@ -38,6 +38,10 @@ fn resolve_defined(line: &[Token], macros: &Macros) -> Result<Vec<Token>, Box<Di
         }
         let (name, after) = match more {
             [open, name, close, after @ ..] if open.is("(") && close.is(")") => (name, after),
+            [open, ..] if open.is("(") => {
+                let problem = Diagnostic::error(open.span, "`defined(` takes one name and a `)`");
+                return Err(problem.rule("GLSL 1.30 section 3.3").into());
+            }
             [name, after @ ..] => (name, after),
             [] => return Err(Diagnostic::error(token.span, "`defined` needs a name").into()),
         };

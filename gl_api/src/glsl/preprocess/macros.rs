@@ -4,9 +4,12 @@ use crate::glsl::diagnostics::Diagnostic;
 use crate::glsl::lexer::{Kind, Token};
 use crate::glsl::limits::{MAX_EXPANDED_TOKENS, MAX_MACRO_DEPTH};
 use crate::glsl::source::{Source, Span};
-use crate::glsl::version::{EXTENSIONS, Version};
+use crate::glsl::version::{Extension, Version};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
+
+/// What GLSL ES defines: section 3.4, and that the fragment stage has `highp` (section 4.5.4).
+const ES: [&str; 2] = ["GL_ES", "GL_FRAGMENT_PRECISION_HIGH"];
 
 /// A macro.
 #[derive(Clone, Debug)]
@@ -72,11 +75,17 @@ pub struct Macros {
 }
 
 impl Macros {
-    /// The extensions' macros.
-    pub fn new() -> Self {
+    /// What a version defines: its extensions and, of GLSL ES, `GL_ES`.
+    pub fn new(version: Version) -> Self {
         let one = Token { kind: Kind::Number("1".into()), span: Span::default() };
         let row = |name: &str| (name.into(), Macro { parameters: None, body: vec![one.clone()] });
-        Self { table: EXTENSIONS.into_iter().map(row).collect(), produced: 0 }
+        let extensions = Extension::ALL.iter().filter(|known| known.0.is_in(version));
+        let names = extensions.map(|known| known.1);
+        let table = match version {
+            Version::Es100 => names.chain(ES).map(row).collect(),
+            Version::V110 | Version::V120 | Version::V130 => names.map(row).collect(),
+        };
+        Self { table, produced: 0 }
     }
 
     /// Adds a macro; false if there is a different one.
@@ -327,7 +336,7 @@ fn join(output: &mut Vec<Item>, start: usize, at: Span) -> Result<(), Box<Diagno
         Item::EndOf(_) => String::new(),
     };
     let joined = format!("{}{}", text(&output[start - 1]), text(&output[start]));
-    match &crate::glsl::lexer::tokens(&joined).0[..] {
+    match &crate::glsl::lexer::tokens(&joined).tokens[..] {
         [one, _, _] => {
             output[start - 1] = Item::Token(Token { kind: one.kind.clone(), span: at });
             output.remove(start);
