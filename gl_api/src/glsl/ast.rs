@@ -92,6 +92,19 @@ pub const BINARY: [(&str, BinaryOp, u8); 19] = [
 ];
 
 impl BinaryOp {
+    /// Whether it is for integers only, and so came with GLSL 1.30.
+    pub fn is_integer(self) -> bool {
+        matches!(
+            self,
+            Self::Rem
+                | Self::BitAnd
+                | Self::BitOr
+                | Self::BitXor
+                | Self::ShiftLeft
+                | Self::ShiftRight
+        )
+    }
+
     /// As it is written.
     pub fn text(self) -> &'static str {
         BINARY.iter().find(|row| row.1 == self).map_or("", |row| row.0)
@@ -297,6 +310,8 @@ pub enum Item {
     Function(Function),
     /// `invariant a, b;`.
     Invariant(Vec<Name>),
+    /// `precision highp float;`, with the type.
+    Precision(TypeName),
 }
 
 /// A statement.
@@ -313,6 +328,8 @@ pub struct Stmt {
 pub enum StmtKind {
     /// `;`.
     Empty,
+    /// `precision highp float;`, with the type.
+    Precision(TypeName),
     /// Variables.
     Declaration(Declaration),
     /// An expression.

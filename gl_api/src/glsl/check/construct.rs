@@ -54,7 +54,8 @@ impl Checker<'_> {
                 return self.bad_constructor(matrix.span, message);
             }
             if self.version < Version::V120 {
-                let message = "making matrices of matrices is reserved in GLSL 1.10".to_owned();
+                let message =
+                    format!("making matrices of matrices is reserved in {}", self.version.title());
                 return self.bad_constructor(span, message);
             }
         } else if !(arguments.len() == 1 && arguments[0].ty.is_scalar()) {
@@ -112,7 +113,7 @@ impl Checker<'_> {
         span: Span,
     ) -> Expr {
         if self.version < Version::V120 {
-            let message = "constructors of arrays are not in GLSL 1.10".to_owned();
+            let message = format!("constructors of arrays are not in {}", self.version.title());
             return self.bad_constructor(span, message);
         }
         let have = arguments.len() as u32;

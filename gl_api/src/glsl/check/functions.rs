@@ -9,6 +9,7 @@ use crate::glsl::types::Type;
 
 impl Checker<'_> {
     pub(super) fn function(&mut self, declared: &ast::Function) {
+        self.check_precision(&declared.ty);
         let result = self.type_of(&declared.ty.ty, None);
         for (qualifier, span) in &declared.ty.qualifiers {
             if *qualifier != Qualifier::Precision {
@@ -68,6 +69,7 @@ impl Checker<'_> {
                 }
             }
         }
+        self.check_precision(&parameter.ty);
         let ty = self.type_of(&parameter.ty.ty, parameter.array.as_ref());
         let span = parameter.name.as_ref().map_or(parameter.ty.ty.span, |name| name.span);
         if matches!(ty, Type::Void | Type::Array(_, None)) {

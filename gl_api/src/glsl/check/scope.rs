@@ -2,8 +2,9 @@
 
 use super::Checker;
 use crate::glsl::builtins::{functions, variables};
-use crate::glsl::diagnostics::{Diagnostic, Edit, MAX_ERRORS, Suggestion, edit_distance};
+use crate::glsl::diagnostics::{Diagnostic, Edit, Suggestion, edit_distance};
 use crate::glsl::hir::{Storage, VarRef};
+use crate::glsl::limits::MAX_ERRORS;
 use crate::glsl::source::Span;
 use crate::glsl::types::Struct;
 use std::collections::BTreeMap;
@@ -120,7 +121,7 @@ impl Checker<'_> {
             Symbol::Struct(_) | Symbol::Functions(_) | Symbol::Undeclared(_) => None,
         });
         let mut candidates: Vec<Candidate> = declared.collect();
-        for near in variables::names(self.stage, self.version) {
+        for near in variables::names(self.stage, self.language) {
             if let Some(distance) = edit_distance(name, near, limit) {
                 candidates.push(Candidate { distance, name: near.into(), declared: None });
             }
@@ -172,7 +173,11 @@ impl Checker<'_> {
                 let edits = uses.iter().filter(plain).map(edit).collect();
                 let text = format!("did you mean `{near}`?");
                 problem.suggestion = Some(Suggestion { text, edits });
-            } else if functions::find(&name, self.stage, self.version).next().is_some() {
+            } else if let Some(advice) =
+                variables::since(&name, self.stage).and_then(|since| self.language.advice(since))
+            {
+                problem = problem.help(advice);
+            } else if functions::find(&name, self.stage, self.language).next().is_some() {
                 problem = problem.note(format!("`{name}` is a function: it is called with `()`"));
             }
             self.log.push(problem);
