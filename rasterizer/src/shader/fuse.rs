@@ -247,8 +247,8 @@ impl Match {
 mod tests {
     use super::*;
     use crate::ir::{Builder, Input, Interpolation, Output, Stage, Value};
-    use crate::shader::tests::check;
     use crate::shader::Program;
+    use crate::shader::tests::check;
 
     fn build(b: &mut Builder, tree: &Tree) -> Value {
         match tree {
