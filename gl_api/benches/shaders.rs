@@ -147,9 +147,9 @@ fn commands(text: &str) -> CommandBuffer {
         .map(|declared| Some(Arc::new(SamplePlan::new(&texels(declared.shape), &sampler))))
         .collect();
     let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
-    let floats = corners.into_iter().flat_map(|[x, y]: [f32; 2]| {
-        [x, y, 0.0, 1.0, (x + 1.0) * 0.5, (y + 1.0) * 0.5, 0.0, 1.0]
-    });
+    let floats = corners
+        .into_iter()
+        .flat_map(|[x, y]: [f32; 2]| [x, y, 0.0, 1.0, (x + 1.0) * 0.5, (y + 1.0) * 0.5, 0.0, 1.0]);
     let buffer = Buffer::new(floats.flat_map(f32::to_le_bytes).collect());
     let vertices = program
         .attributes

@@ -137,7 +137,7 @@ fused! {
 pub(super) fn run(lowered: &mut Lowered) {
     let mut definitions = Definitions::of(lowered);
     for at in (0..lowered.code.len()).rev() {
-        let Inst::Op { op, out, args } = lowered.code[at] else { continue };
+        let Inst::Op { out, .. } = lowered.code[at] else { continue };
         if definitions.taken[at] {
             continue;
         }
@@ -145,7 +145,6 @@ pub(super) fn run(lowered: &mut Lowered) {
             let mut found = Match::default();
             found.node(&lowered.code, &definitions, at, tree).then_some((*fused, found))
         });
-        let _ = (op, args);
         if let Some((fused, found)) = best {
             let first = found.operands.iter().flatten().next().copied().unwrap_or(out);
             let args = found.operands.map(|operand| operand.unwrap_or(first));
@@ -241,5 +240,48 @@ impl Match {
                 self.node(code, definitions, at, tree)
             }),
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ir::{Builder, Input, Interpolation, Output, Stage, Value};
+    use crate::shader::Program;
+    use crate::shader::tests::check;
+
+    fn build(b: &mut Builder, tree: &Tree) -> Value {
+        match tree {
+            Tree::Operand(operand) => b.input(Input::Varying(*operand as u16)),
+            Tree::Node(op, trees) => {
+                let args: Vec<Value> = trees.iter().map(|tree| build(b, tree)).collect();
+                b.op(*op, &args)
+            }
+        }
+    }
+
+    #[test]
+    fn every_tree_is_found_and_gives_what_its_operations_give() {
+        for (fused, tree) in Fused::ALL {
+            let mut b = Builder::new(Stage::Fragment);
+            b.module_mut().varyings = vec![Interpolation::Smooth; OPERANDS];
+            let value = build(&mut b, tree);
+            let red = b.output(Output::Color { target: 0, component: 0 });
+            b.store(red, value);
+            let module = b.finish();
+            let program = Program::new(&module, |_| true);
+            assert_eq!(program.code.len(), 1, "{fused:?}: {:?}", program.code);
+            let corners = [0.0, -0.0, 1.0, -2.5, 3.75, 1e30, -1e-30, f32::INFINITY, f32::NAN];
+            check(&module, &[], |input, lane| match input {
+                Input::Varying(slot) => {
+                    let roll = (lane * 7 + 3) * (usize::from(slot) * 5 + 2);
+                    match corners.get(roll % 16) {
+                        Some(corner) => corner.to_bits(),
+                        None => (roll as f32 / 37.0 - 4.0).to_bits(),
+                    }
+                }
+                other => unreachable!("{other:?}"),
+            });
+        }
     }
 }

@@ -44,7 +44,7 @@ fn any_nan(word: u32) -> u32 {
 }
 
 /// Holds optimized and unoptimized programs on every instruction set to the reference.
-fn check(module: &Module, uniforms: &[u32], input: impl Fn(Input, usize) -> u32 + Copy) {
+pub(super) fn check(module: &Module, uniforms: &[u32], input: impl Fn(Input, usize) -> u32 + Copy) {
     module.validate().unwrap_or_else(|error| panic!("{error}\n{module}"));
     let active = 0xffff_0f0f_ffff_fff1;
     let want: Vec<Outcome> = (0..LANES)

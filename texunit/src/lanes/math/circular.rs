@@ -114,7 +114,7 @@ fn half_turns(x: f32) -> u128 {
     let words = &INVERSE_PI[first / 32..][..4];
     let window = words.iter().fold(0, |window, word| window << 32 | u128::from(*word));
     let window = (window << (first % 32)) >> 32;
-    (mantissa * window) & (1 << 96) - 1
+    (mantissa * window) & ((1 << 96) - 1)
 }
 
 /// Parts of `half_turns` (2^-`step`): their number, nearest, and what is left, in radians.

@@ -48,7 +48,7 @@ pub fn atan(x: f32) -> f32 {
 /// `asin(s) / s` as a polynomial in `s²`, for |s| <= 1/2; relative error below 2^-35.
 #[inline(always)]
 fn asin_over(s2: f64) -> f64 {
-    let p = 0.034_951_560_034_103_444;
+    let p = 0.034_951_560_034_103_44;
     let p = p * s2 + 0.007_223_822_727_088_222;
     let p = p * s2 + 0.024_711_544_611_968_97;
     let p = p * s2 + 0.030_092_208_957_170_734;
