@@ -10,7 +10,7 @@ use crate::types::*;
 
 /// The extensions that are implemented.
 pub(crate) const EXTENSIONS: &str = "GL_ARB_depth_texture GL_ARB_framebuffer_object \
-    GL_ARB_multitexture GL_ARB_shader_objects GL_ARB_shadow GL_ARB_texture_border_clamp \
+    GL_ARB_multitexture GL_ARB_shadow GL_ARB_texture_border_clamp \
     GL_ARB_texture_cube_map GL_ARB_texture_env_add GL_ARB_texture_mirrored_repeat \
     GL_ARB_texture_non_power_of_two GL_ARB_texture_rg GL_ARB_transpose_matrix \
     GL_EXT_blend_color GL_EXT_blend_equation_separate GL_EXT_blend_func_separate \

@@ -329,6 +329,8 @@ pub struct Module {
     pub outputs: Vec<(Output, Var)>,
     /// What runs.
     pub body: Block,
+    /// What its maker left out of it and why, for explanations. No meaning.
+    pub notes: Vec<String>,
 }
 
 impl Input {
@@ -357,6 +359,7 @@ impl Module {
             varyings: Vec::new(),
             outputs: Vec::new(),
             body: Vec::new(),
+            notes: Vec::new(),
         }
     }
 

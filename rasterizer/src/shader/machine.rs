@@ -69,9 +69,11 @@ impl Machine {
             }
             self.prepared = run.prepared.id;
         }
-        self.exec.whole(run.active);
-        self.start.clone_from(&self.exec.lanes);
         self.discarded.clear();
+        if run.program.masked {
+            self.exec.whole(run.active);
+            self.start.clone_from(&self.exec.lanes);
+        }
         let left = run.budget.checked_sub(run.program.code.len() as u64).ok_or(OverBudget)?;
         run.isa.run(Interpreter { machine: self, run, left })?;
         Ok(run.active & !self.discarded.bits())
@@ -210,7 +212,12 @@ impl Kernel for Interpreter<'_> {
             match *inst {
                 Inst::Op { op, out, args } => {
                     let args = args.map(|reg| &*m.registers[reg.0 as usize]);
-                    op.run(&mut m.scratch, args);
+                    op.run::<S>(&mut m.scratch, args);
+                    m.set(out);
+                }
+                Inst::Fused { fused, out, args } => {
+                    let args = args.map(|reg| &*m.registers[reg.0 as usize]);
+                    fused.run::<S>(&mut m.scratch, args);
                     m.set(out);
                 }
                 Inst::Move { out, from } => {

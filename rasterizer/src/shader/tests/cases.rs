@@ -45,7 +45,7 @@ impl texunit::lanes::Kernel for OneOp<'_> {
     type Output = ();
     #[inline(always)]
     fn run<S: texunit::lanes::Simd>(self) {
-        self.0.run(self.1, self.2);
+        self.0.run::<S>(self.1, self.2);
     }
 }
 
