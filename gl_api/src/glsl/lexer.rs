@@ -52,6 +52,7 @@ impl Token {
                 format!("`{short}`")
             }
             Kind::Punct(punct) => format!("`{punct}`"),
+            Kind::Stray(c) if c.is_ascii_graphic() => format!("the character `{c}`"),
             Kind::Stray(c) => format!("the character U+{:04X}", u32::from(*c)),
             Kind::Newline => "the end of the line".to_owned(),
             Kind::End => "the end of the shader".to_owned(),

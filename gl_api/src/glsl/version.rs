@@ -161,11 +161,15 @@ impl Language {
 
     /// What to write to have what came so, if anything helps.
     pub fn advice(self, since: Since) -> Option<String> {
-        if let Some(extension) = since.extension.filter(|extension| extension.is_in(self.version)) {
-            return Some(format!("write `#extension {} : enable` first", extension.name()));
+        if self.has_core(since) {
+            return None;
         }
-        let core = since.core.filter(|core| *core > self.version)?;
-        Some(format!("it came with `#version {}`", core.number()))
+        let extension = since.extension.filter(|extension| extension.is_in(self.version));
+        let extension = extension.map(|known| format!("`#extension {} : enable`", known.name()));
+        let core = since.core.filter(|core| *core > self.version || self.version == Version::Es100);
+        let core = core.map(|core| format!("`#version {}`", core.number()));
+        let ways: Vec<String> = core.into_iter().chain(extension).collect();
+        (!ways.is_empty()).then(|| format!("write {} first", ways.join(" or ")))
     }
 }
 

@@ -75,7 +75,7 @@ impl Checker<'_> {
             return Expr::error(span);
         }
         if let Some(void) = arguments.iter().find(|argument| argument.ty == Type::Void) {
-            self.error(void.span, "an argument has no value");
+            self.error(void.span, "6.1", "an argument has no value");
             return Expr::error(span);
         }
         let candidates = self.candidates(name);
@@ -128,7 +128,7 @@ impl Checker<'_> {
     fn unknown_function(&mut self, name: &ast::Name) {
         let text = &name.text;
         if let Some(Symbol::Variable(_)) = self.scopes.find(text) {
-            self.error(name.span, format!("`{text}` is a variable, not a function"));
+            self.error(name.span, "6.4", format!("`{text}` is a variable, not a function"));
             return;
         }
         let mut problem = Diagnostic::error(name.span, format!("there is no function `{text}`"));
@@ -239,7 +239,7 @@ impl Checker<'_> {
                     None => {
                         let message =
                             "functions of the shader cannot be called outside of functions";
-                        self.error(span, message);
+                        self.error(span, "6.1", message);
                     }
                 }
                 Expr { ty, span, constant: false, kind: ExprKind::Call(index, converted) }

@@ -24,7 +24,7 @@ impl Checker<'_> {
         match ty {
             Type::Error => Expr::error(span),
             Type::Void | Type::Sampler(_) => {
-                self.error(span, format!("{ty} has no constructor"));
+                self.error(span, "4.1.8", format!("{ty} has no constructor"));
                 Expr::error(span)
             }
             Type::Struct(structure) => self.construct_struct(&structure, arguments, span),

@@ -32,7 +32,7 @@ impl Checker<'_> {
         }
         if ty.scalars() > MAX_SCALARS {
             let message = format!("{ty} has more than {MAX_SCALARS} components");
-            self.error(name.span, message);
+            self.error(name.span, "4.1", message);
             return Type::Error;
         }
         ty
@@ -48,8 +48,8 @@ impl Checker<'_> {
         if let Some(ty) = variables::structure(word, self.language) {
             return ty;
         }
-        let mut problem = Diagnostic::error(span, format!("there is no type `{word}`"))
-            .rule(self.rule("4.1"));
+        let mut problem =
+            Diagnostic::error(span, format!("there is no type `{word}`")).rule(self.rule("4.1"));
         if let Some(since) = Type::since(word) {
             if let Some(advice) = self.language.advice(since) {
                 problem = problem.help(advice);
@@ -78,7 +78,11 @@ impl Checker<'_> {
         match value[0] as i32 {
             len @ 1.. => Type::Array(Box::new(element), Some(len as u32)),
             len => {
-                self.error(size.span, format!("the size of an array is at least 1, not {len}"));
+                self.error(
+                    size.span,
+                    "4.1.9",
+                    format!("the size of an array is at least 1, not {len}"),
+                );
                 Type::Error
             }
         }
@@ -90,19 +94,19 @@ impl Checker<'_> {
         for (ty, name, array) in &declared.fields {
             if matches!(ty.base, TypeBase::Struct(_)) {
                 let message = "a structure cannot be declared inside another";
-                self.error(ty.span, message);
+                self.error(ty.span, "4.1.8", message);
                 return Type::Error;
             }
             let field = self.type_of(ty, array.as_ref());
             if fields.iter().any(|(known, _)| *known == name.text) {
-                self.error(name.span, format!("a second member `{}`", name.text));
+                self.error(name.span, "4.1.8", format!("a second member `{}`", name.text));
                 continue;
             }
             match &field {
                 Type::Error => return Type::Error,
-                Type::Void => self.error(name.span, "a member cannot be void"),
+                Type::Void => self.error(name.span, "4.1.1", "a member cannot be void"),
                 Type::Array(_, None) => {
-                    self.error(name.span, "an array in a structure needs a size");
+                    self.error(name.span, "4.1.9", "an array in a structure needs a size");
                 }
                 Type::Vector(..)
                 | Type::Matrix(..)
@@ -117,14 +121,14 @@ impl Checker<'_> {
             fields.push((name.text.clone(), field));
         }
         if fields.is_empty() {
-            self.error(span, "a structure needs a member");
+            self.error(span, "4.1.8", "a structure needs a member");
             return Type::Error;
         }
         if scalars > MAX_SCALARS || depth > MAX_STRUCT_DEPTH {
             let message = format!(
                 "the structure has more than {MAX_SCALARS} components or {MAX_STRUCT_DEPTH} levels"
             );
-            self.error(span, message);
+            self.error(span, "4.1.8", message);
             return Type::Error;
         }
         let name = declared.name.as_ref().map_or(Arc::from(""), |name| name.text.clone());
@@ -241,7 +245,7 @@ impl Checker<'_> {
             | Storage::Builtin(_) => Some("what passes between stages takes no value"),
         };
         if let Some(message) = unfit {
-            self.error(init.span, message);
+            self.error(init.span, "6.4", message);
             return;
         }
         if let (Type::Array(element, None), Type::Array(other, Some(len))) =
@@ -251,7 +255,7 @@ impl Checker<'_> {
             variable.ty = Type::Array(element.clone(), Some(*len));
         }
         if self.version < Version::V120 && variable.ty.has_array() {
-            self.error(init.span, "arrays take no value before GLSL 1.20");
+            self.error(init.span, "4.3", "arrays take no value before GLSL 1.20");
         }
         let init = self.converted(init, &variable.ty.clone(), "initialize with");
         if init.is_error() {
@@ -285,10 +289,14 @@ impl Checker<'_> {
     /// Arrays without a size wait for one only where later declarations can bring it.
     pub(super) fn check_sized(&mut self, variable: &Variable) {
         if matches!(variable.ty, Type::Array(_, None)) && self.body.is_some() {
-            self.error(variable.span, format!("the array `{}` needs a size", variable.name));
+            self.error(
+                variable.span,
+                "4.1.9",
+                format!("the array `{}` needs a size", variable.name),
+            );
         }
         if variable.ty == Type::Void {
-            self.error(variable.span, format!("`{}` cannot be void", variable.name));
+            self.error(variable.span, "4.1.1", format!("`{}` cannot be void", variable.name));
         }
         if variable.ty.has_sampler()
             && !matches!(variable.storage, Storage::Uniform | Storage::Parameter(_))

@@ -47,7 +47,7 @@ impl Checker<'_> {
                 let number = operand.ty.scalar().is_some_and(|scalar| scalar != Scalar::Bool);
                 if !number {
                     let message = format!("cannot count a {} up or down", operand.ty);
-                    self.error(span, message);
+                    self.error(span, "5.9", message);
                     return Expr::error(span);
                 }
                 self.written(&operand, "change");
@@ -75,7 +75,7 @@ impl Checker<'_> {
             Some(Symbol::Variable(var)) => Some(*var),
             Some(Symbol::Struct(_) | Symbol::Functions(_)) => {
                 let message = format!("`{name}` is not a variable");
-                self.error(span, message);
+                self.error(span, "5.1", message);
                 return Expr::error(span);
             }
             Some(Symbol::Undeclared(_)) => None,
@@ -196,6 +196,10 @@ impl Checker<'_> {
             ));
         } else {
             problem = problem.rule(format!("{title} section 5.9"));
+            let vectors = !a.is_scalar() && a == b;
+            if let (Some(name), true) = (op.vector_function(), vectors) {
+                problem = problem.help(format!("for vectors, use the function `{name}`"));
+            }
             let numbers = |x: &Type, y: &Type| {
                 x.scalar() == Some(Scalar::Int) && y.scalar() == Some(Scalar::Float)
             };
@@ -247,7 +251,7 @@ impl Checker<'_> {
             None => {
                 if self.version < Version::V120 && ty.has_array() {
                     let message = format!("arrays cannot be assigned in {}", self.version.title());
-                    self.error(span, message);
+                    self.error(span, "5.8", message);
                 }
                 self.converted(value, &ty, "assign")
             }
@@ -262,7 +266,7 @@ impl Checker<'_> {
                         op.text(),
                         typed.result
                     );
-                    self.error(span, message);
+                    self.error(span, "5.8", message);
                     return Expr::error(span);
                 }
                 if op.is_integer() {
@@ -320,7 +324,7 @@ impl Checker<'_> {
             return Expr::error(span);
         };
         if ty.has_sampler() || ty == Type::Void || ty.has_array() && self.version < Version::V130 {
-            self.error(span, format!("`?:` cannot choose between two of {ty}"));
+            self.error(span, "6.4", format!("`?:` cannot choose between two of {ty}"));
             return Expr::error(span);
         }
         let constant = condition.constant && accept.constant && reject.constant;
@@ -344,7 +348,7 @@ impl Checker<'_> {
         };
         if !matches!(index.ty, Type::Vector(Scalar::Int | Scalar::Uint, 1)) {
             let message = format!("an index is an int, not {}", index.ty);
-            self.error(index.span, message);
+            self.error(index.span, "5.7", message);
             return Expr::error(span);
         }
         let value = self.evaluate(&index).map(|words| words[0]);
@@ -423,7 +427,7 @@ impl Checker<'_> {
             },
             ty => {
                 let message = format!("{ty} has no members or components");
-                self.error(name.span, message);
+                self.error(name.span, "4.1.8", message);
                 Expr::error(span)
             }
         }
@@ -438,13 +442,13 @@ impl Checker<'_> {
             Type::Array(_, Some(len)) if &*name.text == "length" => {
                 if self.version < Version::V120 {
                     let message = format!("`.length()` is not in {}", self.version.title());
-                    self.error(name.span, message);
+                    self.error(name.span, "5.7", message);
                 }
                 word(span, INT, *len)
             }
             ty => {
                 let message = format!("{ty} has no function `{}`", name.text);
-                self.error(name.span, message);
+                self.error(name.span, "5.1", message);
                 Expr::error(span)
             }
         }

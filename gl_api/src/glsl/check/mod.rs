@@ -107,7 +107,9 @@ impl Checker<'_> {
             if missing_size(&self.unit.globals[index]) {
                 let variable = &self.unit.globals[index];
                 let message = format!("the array `{}` never gets a size", variable.name);
-                self.log.push(Diagnostic::error(variable.span, message));
+                let problem = Diagnostic::error(variable.span, message).rule(self.rule("4.1.9"));
+                let help = "declare it with a size, or index it by a constant";
+                self.log.push(problem.help(help));
             }
         }
         if let Some((name, span)) = recursive_call(&self.unit.functions) {
@@ -138,8 +140,10 @@ impl Checker<'_> {
         format!("{} section {section}", self.version.title())
     }
 
-    fn error(&mut self, span: Span, message: impl Into<String>) {
-        self.log.push(Diagnostic::error(span, message));
+    /// Reports what is against a section of the specification.
+    fn error(&mut self, span: Span, section: &str, message: impl Into<String>) {
+        let rule = self.rule(section);
+        self.log.push(Diagnostic::error(span, message).rule(rule));
     }
 
     fn variable(&self, var: VarRef) -> &Variable {

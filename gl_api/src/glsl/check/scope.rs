@@ -7,6 +7,8 @@ use crate::glsl::hir::{Storage, VarRef};
 use crate::glsl::limits::MAX_ERRORS;
 use crate::glsl::source::Span;
 use crate::glsl::types::Struct;
+use crate::glsl::version::stage_name;
+use rasterizer::ir::Stage;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -160,7 +162,15 @@ impl Checker<'_> {
                 let own = !matches!(variable.storage, Storage::Uniform | Storage::Attribute);
                 (!variable.used && plain && own).then_some((variable.span, candidate.name.clone()))
             });
-            if let Some((span, near)) = unused {
+            let since = variables::since(&name, self.stage);
+            let other = [Stage::Vertex, Stage::Fragment]
+                .into_iter()
+                .find(|stage| *stage != self.stage && variables::since(&name, *stage).is_some());
+            if let Some(advice) = since.and_then(|since| self.language.advice(since)) {
+                problem = problem.help(advice);
+            } else if let Some(other) = other {
+                problem = problem.note(format!("only the {} stage has it", stage_name(other)));
+            } else if let Some((span, near)) = unused {
                 let line = self.source.position(span.start).line;
                 let text = format!(
                     "`{near}`, declared in line {line}, is never used: declare it as `{name}`"

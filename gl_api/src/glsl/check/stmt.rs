@@ -70,7 +70,7 @@ impl Checker<'_> {
             StmtKind::Switch(selector, body) => self.switch(selector, body, all),
             StmtKind::Case(_) | StmtKind::Default => {
                 let message = "`case` and `default` stand directly in a `switch`";
-                self.error(statement.span, message);
+                self.error(statement.span, "6.2", message);
             }
             StmtKind::Return(value) => self.return_statement(value.as_ref(), statement.span, all),
             StmtKind::Break => {
@@ -170,7 +170,7 @@ impl Checker<'_> {
             self.variable_mut(VarRef::Local(local)).written = true;
             return (Some(local), Some(value));
         }
-        self.error(declaration.ty.ty.span, "the condition declares no value");
+        self.error(declaration.ty.ty.span, "6.2", "the condition declares no value");
         (None, None)
     }
 
@@ -227,12 +227,12 @@ impl Checker<'_> {
         let value = match (value, &result) {
             (None, Type::Void | Type::Error) => None,
             (None, ty) => {
-                self.error(span, format!("the function returns {ty}: a value is missing"));
+                self.error(span, "6.4", format!("the function returns {ty}: a value is missing"));
                 None
             }
             (Some(value), Type::Void) => {
                 if !value.is_error() {
-                    self.error(value.span, "the function returns nothing");
+                    self.error(value.span, "6.4", "the function returns nothing");
                 }
                 None
             }
@@ -259,7 +259,7 @@ impl Checker<'_> {
                 StmtKind::Case(label) => self.case_label(label, &selector, &mut seen),
                 StmtKind::Default => {
                     if std::mem::replace(&mut seen.default, true) {
-                        self.error(statement.span, "a second `default`");
+                        self.error(statement.span, "6.2", "a second `default`");
                     }
                     Some(Label::Default)
                 }
@@ -300,6 +300,7 @@ impl Checker<'_> {
                 match label {
                     Label::Value(value) => case.labels.push(value),
                     Label::Default => case.default = true,
+                    Label::Wrong => {}
                 }
             }
         }
@@ -340,7 +341,7 @@ impl Checker<'_> {
                 self.log.push(Diagnostic::error(label.span, message).rule(self.rule("6.2")));
             }
         }
-        None
+        Some(Label::Wrong)
     }
 }
 
@@ -351,6 +352,8 @@ enum Label {
     Value(u32),
     /// `default`.
     Default,
+    /// A `case` that is reported.
+    Wrong,
 }
 
 /// The labels of a `switch` so far.

@@ -127,6 +127,13 @@ impl Parser<'_> {
         let size =
             if self.is("]") { None } else { Some(Box::new(self.nested(Self::conditional)?)) };
         self.expect("]")?;
+        if self.is("[") {
+            let message = "arrays of arrays are not in this version";
+            let problem = Diagnostic::error(self.span(), message)
+                .rule(format!("{} section 4.1.9", self.version.title()));
+            self.log.push(problem.help("write one array of all elements, or of structures"));
+            return Err(super::Broken);
+        }
         Ok(Some(ArraySize { span: span.to(self.last_span()), size }))
     }
 

@@ -215,8 +215,9 @@ impl Parser<'_> {
             self.bump();
         }
         while !self.is(")") {
-            if !arguments.is_empty() {
-                self.expect(",")?;
+            if !arguments.is_empty() && !self.eat(",") {
+                let found = self.token().describe();
+                return self.fail(format!("expected `,` or `)` after the argument, found {found}"));
             }
             arguments.push(self.assignment()?);
         }
