@@ -2,6 +2,7 @@
 
 mod complete;
 mod error;
+mod fetch;
 mod level;
 mod shape;
 

@@ -1,6 +1,6 @@
 //! One decision per draw: how this image is sampled with this sampler.
 
-use crate::format::{Encoding, Format};
+use crate::format::Format;
 use crate::image::{Image, Incomplete, Level, Shape};
 use crate::lanes::math::clamp;
 use crate::lanes::{F32s, I32s, Isa, LANES};
@@ -71,16 +71,14 @@ pub(crate) enum Way {
 }
 
 impl Way {
-    fn new(shape: Shape, format: Format, seamless: Seamless) -> Self {
+    fn new(shape: Shape, format: Format, compare: Option<Compare>, seamless: Seamless) -> Self {
         let flat = match shape {
             Shape::D2 | Shape::Rect => true,
             Shape::Cube => seamless == Seamless::Off,
             Shape::D1 | Shape::D3 | Shape::D1Array | Shape::D2Array => false,
         };
-        match format.info().encoding {
-            Encoding::Unorm8 if flat => Self::Plain,
-            _ => Self::General,
-        }
+        let bytes = (0..format.channels()).all(|channel| format.is_byte_channel(channel));
+        if flat && bytes && compare.is_none() { Self::Plain } else { Self::General }
     }
 }
 
@@ -217,6 +215,7 @@ impl Texture {
         for (to, &from) in border.iter_mut().zip(format.base().sources()) {
             *to = sampler.border[from];
         }
+        let compare = if format.is_depth() { sampler.compare } else { None };
         Ok(Self {
             shape,
             format,
@@ -229,10 +228,10 @@ impl Texture {
             wrap: sampler.wrap.map(|wrap| wrap_of(shape, sampler.seamless, wrap)),
             seamless: if shape == Shape::Cube { sampler.seamless } else { Seamless::Off },
             border,
-            compare: if format.is_depth() { sampler.compare } else { None },
+            compare,
             depth_mode: sampler.depth_mode,
             swizzle: sampler.swizzle,
-            way: Way::new(shape, format, sampler.seamless),
+            way: Way::new(shape, format, compare, sampler.seamless),
             detail,
         })
     }

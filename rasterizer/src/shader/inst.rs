@@ -5,7 +5,7 @@
 //! construct (`Break`, `Continue`, `Leave`) is one thing: move the executing lanes to the slot of
 //! the place they go to. So a join is a union of two masks, and nothing is ever recomputed.
 
-use crate::ir::{Axis, Op};
+use crate::ir::{Access, Axis, Op};
 
 /// A register. While lowering: a virtual one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -62,6 +62,7 @@ pub(super) enum Inst {
 #[derive(Clone, Debug)]
 pub(super) struct SampleInst {
     pub texture: u32,
+    pub access: Access,
     pub coords: [Reg; 3],
     pub reference: Option<Reg>,
     pub lod: SampleLod,

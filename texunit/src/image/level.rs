@@ -1,7 +1,7 @@
 //! One face of one level: its size, its border, and its texels.
 
 use super::{ImageError, MAX_LAYERS, MAX_SIZE};
-use crate::format::{Format, convert};
+use crate::format::{Format, block, convert};
 
 /// The most bytes of a level: offsets then fit the signed 32 bits that a gather takes.
 pub const MAX_LEVEL_BYTES: usize = 1 << 30;
@@ -12,7 +12,8 @@ pub const PADDING: usize = 3;
 /// One face of one level. Rows run from t = 0 up and slices from r = 0 up, tightly packed.
 ///
 /// Sizes are those of the image without its border. The border's texels are stored where they
-/// lie: with a border along an axis, indices -1 and `size` are texels too.
+/// lie: with a border along an axis, indices -1 and `size` are texels too. A compressed level is
+/// rows of blocks of 4×4 texels, those at the edges in full, and has no border.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Level {
     /// How its texels are stored.
@@ -43,7 +44,9 @@ impl Level {
         }
         // At most (2^14 + 2)² · (2^11 + 2) · 16: far from overflow.
         let count = |axis: usize| u64::from(size[axis] + 2 * border[axis]);
-        let bytes = count(0) * count(1) * count(2) * format.bytes() as u64;
+        let side = u64::from(format.block_side());
+        let blocks = count(0).div_ceil(side) * count(1).div_ceil(side) * count(2);
+        let bytes = blocks * format.bytes() as u64;
         usize::try_from(bytes).ok().filter(|&bytes| bytes <= MAX_LEVEL_BYTES)
     }
 
@@ -58,10 +61,12 @@ impl Level {
     /// A level of this width, height and depth, and border along s, t, r, whose bytes are all 0.
     ///
     /// # Errors
-    /// When it is too large, the border is wider than 1, or there is no memory.
+    /// When it is too large, the border is wider than 1 (or the format compressed), or there is no
+    /// memory.
     pub fn with_size(format: Format, size: [u32; 3], border: [u32; 3]) -> Result<Self, ImageError> {
         let [width, height, depth] = size;
-        if border.iter().any(|&side| side > 1) {
+        let widest = if format.block().is_some() { 0 } else { 1 };
+        if border.iter().any(|&side| side > widest) {
             return Err(ImageError::WrongBorder { border });
         }
         let bytes = Self::bytes_with_border(format, size, border).ok_or(ImageError::TooLarge {
@@ -101,18 +106,19 @@ impl Level {
         [0, 1, 2].map(|axis| self.size()[axis] + 2 * self.border[axis])
     }
 
-    /// Bytes of a row, border included.
+    /// Bytes of a row of texels, border included, or of a row of blocks.
     pub fn row_bytes(&self) -> usize {
-        self.stored_size()[0] as usize * self.format.bytes()
+        self.stored_size()[0].div_ceil(self.format.block_side()) as usize * self.format.bytes()
     }
 
     /// Bytes of a slice or layer, border included.
     pub fn slice_bytes(&self) -> usize {
-        self.row_bytes() * self.stored_size()[1] as usize
+        self.row_bytes() * self.stored_size()[1].div_ceil(self.format.block_side()) as usize
     }
 
     /// Where the bytes of texel (0, 0, 0) begin: after those of the border before it. The texel
-    /// at (x, y, z) begins `z · slice_bytes + y · row_bytes + x · bytes` further.
+    /// at (x, y, z) begins `z · slice_bytes + y · row_bytes + x · bytes` further (of a compressed
+    /// level its block, with `⌊y / 4⌋` and `⌊x / 4⌋`).
     pub fn origin(&self) -> usize {
         let [s, t, r] = self.border.map(|side| side as usize);
         r * self.slice_bytes() + t * self.row_bytes() + s * self.format.bytes()
@@ -128,7 +134,8 @@ impl Level {
         }
     }
 
-    /// The bytes of one texel, of the border too (index -1 or the size), or none outside.
+    /// The bytes of one texel, of the border too (index -1 or the size), or none outside. Of a
+    /// compressed level, those of the texel's block.
     pub fn texel_at(&self, at: [i32; 3]) -> &[u8] {
         match self.offset(at) {
             Some(offset) => &self.texels[offset..offset + self.format.bytes()],
@@ -136,7 +143,27 @@ impl Level {
         }
     }
 
-    /// Where a texel begins, if it is one of the level or its border.
+    /// The stored channels of one texel, of the border too; unused ones are 0.
+    pub fn channels_at(&self, at: [i32; 3]) -> Option<[f32; 4]> {
+        let bytes = self.texel_at(at);
+        if bytes.is_empty() {
+            return None;
+        }
+        match self.format.block() {
+            Some(_) => {
+                let words = convert::words_of(self.format, bytes);
+                Some(block::decode_channels(self.format, words, within(at)))
+            }
+            None => Some(convert::decode_channels(self.format, bytes)),
+        }
+    }
+
+    /// The colour of one texel, of the border too, as a sample returns it; depth as luminance.
+    pub fn color_at(&self, at: [i32; 3]) -> Option<[f32; 4]> {
+        self.channels_at(at).map(|channels| convert::expand(self.format.base(), channels))
+    }
+
+    /// Where a texel (or its block) begins, if it is one of the level or its border.
     fn offset(&self, at: [i32; 3]) -> Option<usize> {
         let stored = self.stored_size();
         let mut from_corner = [0; 3];
@@ -148,6 +175,8 @@ impl Level {
             from_corner[axis] = index as usize;
         }
         let [x, y, z] = from_corner;
+        let side = self.format.block_side() as usize;
+        let (x, y) = (x / side, y / side);
         Some(z * self.slice_bytes() + y * self.row_bytes() + x * self.format.bytes())
     }
 
@@ -160,12 +189,49 @@ impl Level {
     }
 
     /// Writes one colour, of the border too, converted as [`convert::encode`] does. Outside:
-    /// nothing.
+    /// nothing. A block of a compressed level is compressed anew; use [`Level::fill`] for many.
     pub fn put_at(&mut self, at: [i32; 3], rgba: [f32; 4]) {
-        if let Some(offset) = self.offset(at) {
-            let bytes = self.format.bytes();
-            let texel = convert::encode(self.format, rgba);
-            self.texels[offset..offset + bytes].copy_from_slice(&texel[..bytes]);
+        let Some(offset) = self.offset(at) else { return };
+        let format = self.format;
+        let bytes = format.bytes();
+        let texel = match format.block() {
+            Some(_) => {
+                let old = &self.texels[offset..offset + bytes];
+                let mut colors: [[f32; 4]; 16] =
+                    std::array::from_fn(|i| block::decode(format, old, i as u32));
+                colors[within(at) as usize] = rgba;
+                block::encode(format, &colors)
+            }
+            None => convert::encode(format, rgba),
+        };
+        self.texels[offset..offset + bytes].copy_from_slice(&texel[..bytes]);
+    }
+
+    /// Writes every texel, the border's too, from its place: compresses where the format is
+    /// compressed, else converts as [`convert::encode`] does.
+    pub fn fill(&mut self, mut color: impl FnMut([i32; 3]) -> [f32; 4]) {
+        let side = self.format.block_side() as usize;
+        let border = self.border.map(|side| side as i32);
+        let end = [0, 1, 2].map(|axis| self.size()[axis] as i32 + border[axis]);
+        for z in -border[2]..end[2] {
+            for y in (-border[1]..end[1]).step_by(side) {
+                for x in (-border[0]..end[0]).step_by(side) {
+                    if self.format.block().is_none() {
+                        self.put_at([x, y, z], color([x, y, z]));
+                        continue;
+                    }
+                    // Beyond the edge, a block repeats it.
+                    let colors: [[f32; 4]; 16] = std::array::from_fn(|i| {
+                        let (right, up) = (x + i as i32 % 4, y + i as i32 / 4);
+                        color([right.min(end[0] - 1), up.min(end[1] - 1), z])
+                    });
+                    if let Some(offset) = self.offset([x, y, z]) {
+                        let bytes = self.format.bytes();
+                        let block = block::encode(self.format, &colors);
+                        self.texels[offset..offset + bytes].copy_from_slice(&block[..bytes]);
+                    }
+                }
+            }
         }
     }
 
@@ -187,10 +253,12 @@ impl Level {
     }
 
     /// Writes a box of texels in this level's format, rows upward, then slices, tightly packed.
-    /// `at` is its lowest corner; -1 is the border, where there is one.
+    /// `at` is its lowest corner; -1 is the border, where there is one. Of a compressed level,
+    /// rows of blocks.
     ///
     /// # Errors
-    /// When the box reaches outside or `texels` is too short; nothing is written then.
+    /// When the box reaches outside or cuts blocks, or `texels` is too short; nothing is written
+    /// then.
     pub fn write_box(
         &mut self,
         at: [i32; 3],
@@ -204,10 +272,19 @@ impl Level {
                 return Err(ImageError::Outside { at, size, level: self.size() });
             }
         }
-        let bytes = self.format.bytes();
+        let side = self.format.block_side();
+        let cut = (0..2).any(|axis| {
+            let reaches_edge =
+                at[axis] as i64 + i64::from(size[axis]) >= i64::from(self.size()[axis]);
+            at[axis].rem_euclid(side as i32) != 0 || size[axis] % side != 0 && !reaches_edge
+        });
+        if cut {
+            return Err(ImageError::CutsBlocks { at, size });
+        }
         let [width, height, depth] = size;
-        let run = width as usize * bytes;
-        let needed = run * height as usize * depth as usize;
+        let run = width.div_ceil(side) as usize * self.format.bytes();
+        let rows = height.div_ceil(side) as usize;
+        let needed = run * rows * depth as usize;
         if texels.len() < needed {
             let got = texels.len();
             return Err(ImageError::TooShort { width, height, depth, needed, got });
@@ -218,10 +295,15 @@ impl Level {
         let (row_bytes, slice_bytes) = (self.row_bytes(), self.slice_bytes());
         let Some(corner) = self.offset(at) else { return Ok(()) };
         for (number, from) in texels[..needed].chunks_exact(run).enumerate() {
-            let (row, slice) = (number % height as usize, number / height as usize);
+            let (row, slice) = (number % rows, number / rows);
             let to = corner + slice * slice_bytes + row * row_bytes;
             self.texels[to..to + run].copy_from_slice(from);
         }
         Ok(())
     }
+}
+
+/// Which texel of its block: column plus 4 times row.
+fn within([x, y, _]: [i32; 3]) -> u32 {
+    ((x & 3) + 4 * (y & 3)) as u32
 }

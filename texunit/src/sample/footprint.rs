@@ -89,7 +89,12 @@ pub fn isotropic(d: &Derivatives, axes: usize, scale: [f32; 3]) -> F32s {
 
 /// λ of each probe, and the probes, if any lane has more than one.
 #[inline(always)]
-pub fn anisotropic(d: &Derivatives, axes: usize, scale: [f32; 3], most: f32) -> (F32s, Option<Probes>) {
+pub fn anisotropic(
+    d: &Derivatives,
+    axes: usize,
+    scale: [f32; 3],
+    most: f32,
+) -> (F32s, Option<Probes>) {
     let metric = metric(d, axes, scale);
     // The squares of σ₁ and σ₂, and the major axis (1, t) or (t, 1) in the pixel's x and y.
     let mut major = F32s::ZERO;

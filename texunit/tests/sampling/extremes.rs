@@ -7,9 +7,6 @@ use texunit::lanes::{F32s, Isa, LANES};
 use texunit::plan::{Lod, SamplePlan};
 use texunit::sampler::{Filter, Mipmap, Sampler, Wrap};
 
-const WRAPS: [Wrap; 5] =
-    [Wrap::Repeat, Wrap::Clamp, Wrap::ClampToEdge, Wrap::ClampToBorder, Wrap::MirroredRepeat];
-
 fn sample(plan: &SamplePlan, s: f32, t: f32, lambda: f32) -> [f32; 4] {
     let mut out = [F32s::ZERO; 4];
     let (s, t, lambda) = (F32s::splat(s), F32s::splat(t), F32s::splat(lambda));
@@ -24,7 +21,7 @@ fn sample(plan: &SamplePlan, s: f32, t: f32, lambda: f32) -> [f32; 4] {
 fn nan_counts_as_zero_and_infinity_as_the_end_of_the_range() {
     let image = scene::image(Shape::D2, Format::Rgba8, 8, 8, 1);
     for filter in [Filter::Nearest, Filter::Linear] {
-        for wrap in WRAPS {
+        for wrap in Wrap::ALL {
             let sampler = Sampler {
                 wrap: [wrap; 3],
                 min: filter,
@@ -39,6 +36,7 @@ fn nan_counts_as_zero_and_infinity_as_the_end_of_the_range() {
             let (low, high) = match wrap {
                 Wrap::Repeat | Wrap::MirroredRepeat => (0.0, 0.0),
                 Wrap::Clamp | Wrap::ClampToEdge | Wrap::ClampToBorder => (-9.0, 9.0),
+                Wrap::MirrorClamp | Wrap::MirrorClampToEdge => (9.0, 9.0),
             };
             assert_eq!(at(f32::NEG_INFINITY), at(low), "{wrap:?} {filter:?}");
             assert_eq!(at(f32::INFINITY), at(high), "{wrap:?} {filter:?}");
