@@ -1,10 +1,19 @@
 //! The table of texel formats.
 //!
-//! Texels are stored as what they are; a filter converts the ones it reads. The columns of the
-//! table are in [`Format::info`]; the conversions that follow from them in [`convert`].
+//! Texels are stored as what they are; a filter converts the ones it reads. The table itself is
+//! in `format/table.rs`; the conversions that follow from its columns in [`convert`], [`integer`]
+//! and [`block`].
 
+pub mod block;
 pub mod convert;
+pub mod integer;
+pub mod shared_exponent;
+pub mod small_float;
 pub mod srgb;
+mod table;
+
+use block::Block;
+pub use table::Format;
 
 /// What a format's components mean, and so what a sample of it returns (GL 2.1, table 3.15).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -25,7 +34,7 @@ pub enum BaseFormat {
     Rgb,
     /// (R, G, B, A).
     Rgba,
-    /// (D, D, D, 1) as luminance; see `DEPTH_TEXTURE_MODE`.
+    /// (D, D, D, 1) as luminance; see `DEPTH_TEXTURE_MODE`. With or without a stencil beside it.
     Depth,
 }
 
@@ -44,19 +53,57 @@ impl BaseFormat {
     }
 }
 
-/// How the channels of a texel are written as bits.
+/// What number the bits of a channel are. `n` is the channel's width in bits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Encoding {
-    /// A byte `c` is `c / 255`.
-    Unorm8,
-    /// A byte of a colour channel is sRGB-encoded; alpha is as in [`Encoding::Unorm8`].
-    Srgb8,
-    /// Two bytes `c`, little end first, are `c / 65535`.
-    Unorm16,
-    /// The low 24 bits `c` of four bytes, little end first, are `c / 16777215`.
-    Unorm24,
-    /// An IEEE `f32`, little end first.
-    Float32,
+    /// `c` is `c / (2^n - 1)`.
+    Unorm,
+    /// `c`, in two's complement, is `max(c / (2^(n-1) - 1), -1)` (`EXT_texture_snorm`).
+    Snorm,
+    /// A byte of a colour channel is sRGB-encoded; alpha is as in [`Encoding::Unorm`].
+    Srgb,
+    /// IEEE `f32` (32 bits) and half float (16), and their unsigned forms of 11 and 10 bits with
+    /// a mantissa of 6 and 5 (`EXT_packed_float`).
+    Float,
+    /// A mantissa of 9 bits, the exponent of all channels in the top 5 bits of the word
+    /// (`EXT_texture_shared_exponent`).
+    SharedExponent,
+    /// An unsigned integer (`EXT_texture_integer`).
+    Uint,
+    /// An integer in two's complement (`EXT_texture_integer`).
+    Sint,
+    /// A block of 4×4 texels.
+    Block(Block),
+    /// A block whose colours are sRGB-encoded once it is decoded.
+    SrgbBlock(Block),
+}
+
+/// Where the bits of one channel are: in which word of the texel, from which bit on, how many.
+/// Words are of four bytes, little end first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Field {
+    /// 0 to 3.
+    pub word: usize,
+    /// 0 to 31.
+    pub shift: u32,
+    /// 1 to 32; 0 where there is no such channel.
+    pub bits: u32,
+}
+
+impl Field {
+    const NONE: Self = Self { word: 0, shift: 0, bits: 0 };
+
+    /// All ones in as many bits as the field has.
+    #[inline(always)]
+    pub const fn mask(self) -> u32 {
+        if self.bits == 0 { 0 } else { u32::MAX >> (32 - self.bits) }
+    }
+
+    /// The bits of the field in its word.
+    #[inline(always)]
+    pub const fn of(self, word: u32) -> u32 {
+        word >> self.shift & self.mask()
+    }
 }
 
 /// One row of the table of formats.
@@ -64,96 +111,74 @@ pub enum Encoding {
 pub struct FormatInfo {
     /// What the channels mean.
     pub base: BaseFormat,
-    /// How they are written.
+    /// What number the bits of a channel are.
     pub encoding: Encoding,
-    /// Bytes of a texel, 1 to 4.
+    /// Bytes of a texel, 1 to 16; of a compressed format, of a block of 4×4 texels.
     pub bytes: usize,
+    /// Where each channel is. None of a compressed format.
+    pub fields: [Field; 4],
+    /// Where the stencil is, in a format of depth and stencil.
+    pub stencil: Field,
 }
 
-/// How a texel is stored.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Format {
-    /// One byte of alpha.
-    A8,
-    /// One byte of luminance.
-    L8,
-    /// Luminance, alpha.
-    La8,
-    /// One byte that is all four components.
-    I8,
-    /// One byte of red.
-    R8,
-    /// Red, green.
-    Rg8,
-    /// Red, green, blue, three bytes.
-    Rgb8,
-    /// Red, green, blue, alpha.
-    Rgba8,
-    /// sRGB-encoded red, green, blue.
-    Srgb8,
-    /// sRGB-encoded red, green, blue, and linear alpha.
-    Srgb8A8,
-    /// sRGB-encoded luminance.
-    Sl8,
-    /// sRGB-encoded luminance, and linear alpha.
-    Sl8A8,
-    /// 16-bit unsigned normalized depth.
-    D16,
-    /// 24-bit unsigned normalized depth in the low bits of a 32-bit word.
-    D24,
-    /// `f32` depth.
-    D32F,
+impl FormatInfo {
+    /// Channels of `bits` each, one after the other.
+    const fn uniform(base: BaseFormat, encoding: Encoding, bits: u32) -> Self {
+        let channels = base.sources().len();
+        let mut fields = [Field::NONE; 4];
+        let mut channel = 0;
+        while channel < channels {
+            let at = channel * bits as usize;
+            fields[channel] = Field { word: at / 32, shift: (at % 32) as u32, bits };
+            channel += 1;
+        }
+        let bytes = channels * bits as usize / 8;
+        Self { base, encoding, bytes, fields, stencil: Field::NONE }
+    }
+
+    /// Channels in one word of `bytes`, each given as (shift, bits).
+    const fn packed(
+        base: BaseFormat,
+        encoding: Encoding,
+        bytes: usize,
+        places: [(u32, u32); 4],
+    ) -> Self {
+        let mut fields = [Field::NONE; 4];
+        let mut channel = 0;
+        while channel < 4 {
+            let (shift, bits) = places[channel];
+            fields[channel] = Field { word: 0, shift, bits };
+            channel += 1;
+        }
+        Self { base, encoding, bytes, fields, stencil: Field::NONE }
+    }
+
+    /// Depth of `bits` in the first word, from bit `shift` on, and no stencil.
+    const fn depth(encoding: Encoding, bytes: usize, shift: u32, bits: u32) -> Self {
+        let none = (0, 0);
+        Self::packed(BaseFormat::Depth, encoding, bytes, [(shift, bits), none, none, none])
+    }
+
+    /// The same with a stencil in the low byte of this word.
+    const fn with_stencil(mut self, word: usize) -> Self {
+        self.stencil = Field { word, shift: 0, bits: 8 };
+        self
+    }
+
+    const fn blocks(base: BaseFormat, encoding: Encoding, bytes: usize) -> Self {
+        Self { base, encoding, bytes, fields: [Field::NONE; 4], stencil: Field::NONE }
+    }
 }
 
 impl Format {
-    /// Every format, in the order of the table.
-    pub const ALL: [Self; 15] = [
-        Self::A8,
-        Self::L8,
-        Self::La8,
-        Self::I8,
-        Self::R8,
-        Self::Rg8,
-        Self::Rgb8,
-        Self::Rgba8,
-        Self::Srgb8,
-        Self::Srgb8A8,
-        Self::Sl8,
-        Self::Sl8A8,
-        Self::D16,
-        Self::D24,
-        Self::D32F,
-    ];
-
-    /// The row of this format.
-    pub const fn info(self) -> FormatInfo {
-        use BaseFormat::{Alpha, Depth, Intensity, Luminance, LuminanceAlpha, Red, Rg, Rgb, Rgba};
-        use Encoding::{Float32, Srgb8, Unorm8, Unorm16, Unorm24};
-        const fn row(base: BaseFormat, encoding: Encoding, bytes: usize) -> FormatInfo {
-            FormatInfo { base, encoding, bytes }
-        }
-        match self {
-            Self::A8 => row(Alpha, Unorm8, 1),
-            Self::L8 => row(Luminance, Unorm8, 1),
-            Self::La8 => row(LuminanceAlpha, Unorm8, 2),
-            Self::I8 => row(Intensity, Unorm8, 1),
-            Self::R8 => row(Red, Unorm8, 1),
-            Self::Rg8 => row(Rg, Unorm8, 2),
-            Self::Rgb8 => row(Rgb, Unorm8, 3),
-            Self::Rgba8 => row(Rgba, Unorm8, 4),
-            Self::Srgb8 => row(Rgb, Srgb8, 3),
-            Self::Srgb8A8 => row(Rgba, Srgb8, 4),
-            Self::Sl8 => row(Luminance, Srgb8, 1),
-            Self::Sl8A8 => row(LuminanceAlpha, Srgb8, 2),
-            Self::D16 => row(Depth, Unorm16, 2),
-            Self::D24 => row(Depth, Unorm24, 4),
-            Self::D32F => row(Depth, Float32, 4),
-        }
-    }
-
-    /// Bytes of a texel, 1 to 4.
+    /// Bytes of a texel, 1 to 16; of a compressed format, of a block of 4×4 texels.
     pub const fn bytes(self) -> usize {
         self.info().bytes
+    }
+
+    /// Words of four bytes that a texel (or a block) takes, 1 to 4, the last perhaps in part.
+    pub const fn words(self) -> usize {
+        self.bytes().div_ceil(4)
     }
 
     /// What the channels mean.
@@ -166,18 +191,104 @@ impl Format {
         self.base().sources().len()
     }
 
-    /// Whether this is a depth format.
+    /// Whether this is a depth format, with or without stencil.
     pub const fn is_depth(self) -> bool {
         matches!(self.base(), BaseFormat::Depth)
     }
 
+    /// Whether a stencil is stored beside the depth.
+    pub const fn has_stencil(self) -> bool {
+        self.info().stencil.bits > 0
+    }
+
+    /// Whether texels are integers, which are not filtered and reach a shader as integers.
+    pub const fn is_integer(self) -> bool {
+        matches!(self.info().encoding, Encoding::Uint | Encoding::Sint)
+    }
+
+    /// The kind of block, of a compressed format.
+    pub const fn block(self) -> Option<Block> {
+        match self.info().encoding {
+            Encoding::Block(block) | Encoding::SrgbBlock(block) => Some(block),
+            Encoding::Unorm
+            | Encoding::Snorm
+            | Encoding::Srgb
+            | Encoding::Float
+            | Encoding::SharedExponent
+            | Encoding::Uint
+            | Encoding::Sint => None,
+        }
+    }
+
+    /// How many texels wide and high a unit of storage is: 4 of a compressed format, else 1.
+    pub const fn block_side(self) -> u32 {
+        if self.block().is_some() { 4 } else { 1 }
+    }
+
     /// Whether colours are stored sRGB-encoded.
     pub const fn is_srgb(self) -> bool {
-        matches!(self.info().encoding, Encoding::Srgb8)
+        matches!(self.info().encoding, Encoding::Srgb | Encoding::SrgbBlock(_))
     }
 
     /// Whether this stored channel is sRGB-encoded: colour of an sRGB format, never alpha.
     pub const fn is_srgb_channel(self, channel: usize) -> bool {
         self.is_srgb() && self.base().sources()[channel] != 3
+    }
+
+    /// Whether this stored channel is byte number `channel` of the texel, over 255.
+    #[inline(always)]
+    pub const fn is_byte_channel(self, channel: usize) -> bool {
+        let FormatInfo { encoding, fields, .. } = self.info();
+        fields[channel].bits == 8
+            && fields[channel].shift == 8 * channel as u32
+            && match encoding {
+                Encoding::Unorm => true,
+                Encoding::Srgb => !self.is_srgb_channel(channel),
+                Encoding::Snorm
+                | Encoding::Float
+                | Encoding::SharedExponent
+                | Encoding::Uint
+                | Encoding::Sint
+                | Encoding::Block(_)
+                | Encoding::SrgbBlock(_) => false,
+            }
+    }
+
+    /// Bits of a stored channel; of a compressed format, those of a decoded texel.
+    pub const fn channel_bits(self, channel: usize) -> u32 {
+        match self.info().encoding {
+            Encoding::Block(block) | Encoding::SrgbBlock(block) => block.channel_bits(channel),
+            Encoding::Unorm
+            | Encoding::Snorm
+            | Encoding::Srgb
+            | Encoding::Float
+            | Encoding::SharedExponent
+            | Encoding::Uint
+            | Encoding::Sint => self.info().fields[channel].bits,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_fields_of_a_texel_lie_within_its_bytes_and_apart() {
+        for format in Format::ALL {
+            let info = format.info();
+            let mut taken = [0_u32; 4];
+            let stencil = format.has_stencil().then_some(info.stencil);
+            for field in info.fields.into_iter().filter(|f| f.bits > 0).chain(stencil) {
+                let bits = field.mask() << field.shift;
+                assert_eq!(bits.count_ones(), field.bits, "{format:?}");
+                assert_eq!(taken[field.word] & bits, 0, "{format:?}");
+                assert!(4 * field.word * 8 + (field.shift + field.bits) as usize <= 8 * info.bytes);
+                taken[field.word] |= bits;
+            }
+            let there = info.fields.iter().filter(|f| f.bits > 0).count();
+            let want = if format.block().is_some() { 0 } else { format.channels() };
+            assert_eq!(there, want, "{format:?}");
+        }
     }
 }

@@ -1,11 +1,15 @@
 //! One decision per draw: how this image is sampled with this sampler.
 
-use crate::format::{Encoding, Format};
+use crate::format::Format;
 use crate::image::{Image, Incomplete, Level, Shape};
-use crate::lanes::{F32s, Isa};
+use crate::lanes::math::clamp;
+use crate::lanes::{F32s, I32s, Isa, LANES};
 use crate::sample::Sample;
 use crate::sample::lod::LodRange;
-use crate::sampler::{Compare, DepthMode, Filter, Mipmap, Sampler, Wrap};
+use crate::sample::texel::Fetch;
+use crate::sampler::{
+    Compare, DepthMode, Filter, MAX_ANISOTROPY, Mipmap, Sampler, Seamless, Swizzle, Wrap,
+};
 use std::sync::Arc;
 
 /// Where the level of detail of a batch comes from.
@@ -36,18 +40,46 @@ pub struct SamplePlan(Result<Texture, Incomplete>);
 pub(crate) struct Texture {
     pub shape: Shape,
     pub format: Format,
-    /// Width and height of the base level.
-    pub size: [u32; 2],
-    /// `levels[face][level]`, levels counted from the base level; those that are reached.
+    /// Width, height and depth (layers) of the base level.
+    pub size: [u32; 3],
+    /// Texels of the base level per unit of s, t, r.
+    pub scale: [f32; 3],
+    /// `levels[face][level]`, levels counted from the base level: those that a filter reaches,
+    /// and those that fit them, which only a fetch reads.
     pub levels: Vec<Vec<Arc<Level>>>,
-    /// Wrap of s and t.
-    pub wrap: [Wrap; 2],
+    /// Wrap of s, t, r.
+    pub wrap: [Wrap; 3],
+    /// Only ever on for cubes.
+    pub seamless: Seamless,
     /// The border colour as stored channels.
     pub border: [f32; 4],
     /// Set only where texels are depths.
     pub compare: Option<Compare>,
     pub depth_mode: DepthMode,
+    pub swizzle: [Swizzle; 4],
+    pub way: Way,
     pub detail: Detail,
+}
+
+/// Which kernels read texels. Both give the same bits.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Way {
+    /// Any texture.
+    General,
+    /// Two-dimensional linear bytes, where no border is reached.
+    Plain,
+}
+
+impl Way {
+    fn new(shape: Shape, format: Format, compare: Option<Compare>, seamless: Seamless) -> Self {
+        let flat = match shape {
+            Shape::D2 | Shape::Rect => true,
+            Shape::Cube => seamless == Seamless::Off,
+            Shape::D1 | Shape::D3 | Shape::D1Array | Shape::D2Array => false,
+        };
+        let bytes = (0..format.channels()).all(|channel| format.is_byte_channel(channel));
+        if flat && bytes && compare.is_none() { Self::Plain } else { Self::General }
+    }
 }
 
 /// How lanes come to their filter and level.
@@ -61,7 +93,13 @@ pub(crate) enum Detail {
         why: &'static str,
     },
     /// λ decides.
-    PerLane { min: Filter, mag: Filter, range: LodRange },
+    PerLane {
+        min: Filter,
+        mag: Filter,
+        range: LodRange,
+        /// The most probes of a footprint.
+        probes: u32,
+    },
 }
 
 impl SamplePlan {
@@ -92,9 +130,10 @@ impl SamplePlan {
         }
     }
 
-    /// Samples 64 lanes. `coords` are s, t, r (those the shape has are read); `reference` is
-    /// compared when the plan compares, and is r where there is none. Any bits are legal
-    /// coordinates in any lane: NaN counts as 0.
+    /// Samples 64 lanes. `coords` are s, t, r (those the shape has are read; the coordinate after
+    /// those that are filtered along is the layer of an array); `reference` is compared when the
+    /// plan compares, and is r where there is none. Any bits are legal coordinates in any lane:
+    /// NaN counts as 0.
     pub fn sample(
         &self,
         isa: Isa,
@@ -103,39 +142,96 @@ impl SamplePlan {
         lod: Lod<'_>,
         out: &mut [F32s; 4],
     ) {
+        self.sample_offset(isa, coords, reference, [0; 3], lod, out);
+    }
+
+    /// [`SamplePlan::sample`] with texels added along s, t, r on each level that is read
+    /// (`textureOffset`, GLSL 1.30, section 8.7). λ does not depend on them.
+    pub fn sample_offset(
+        &self,
+        isa: Isa,
+        coords: [&F32s; 3],
+        reference: Option<&F32s>,
+        offset: [i32; 3],
+        lod: Lod<'_>,
+        out: &mut [F32s; 4],
+    ) {
         match &self.0 {
-            Ok(texture) => isa.run(Sample { texture, coords, reference, lod, out }),
-            Err(_) => *out = [F32s::ZERO, F32s::ZERO, F32s::ZERO, F32s::splat(1.0)],
+            Ok(texture) => isa.run(Sample { texture, coords, reference, offset, lod, out }),
+            Err(_) => *out = OPAQUE_BLACK,
         }
     }
+
+    /// Single texels by column, row and slice (of an array: layer, after the coordinates that are
+    /// filtered along), of a level counted from the base level (`texelFetch`). No filter, no wrap,
+    /// no compare. A texel or level that is not there gives 0 in all components, and so do the
+    /// border's texels.
+    pub fn fetch(
+        &self,
+        isa: Isa,
+        texel: [&I32s; 3],
+        level: &I32s,
+        offset: [i32; 3],
+        out: &mut [F32s; 4],
+    ) {
+        match &self.0 {
+            Ok(texture) => isa.run(Fetch { texture, texel, level, offset, out }),
+            Err(_) => *out = OPAQUE_BLACK,
+        }
+    }
+
+    /// Width, height and depth of a level counted from the base level (`textureSize`); the number
+    /// of layers comes after the sizes of what is filtered along. 0 where there is no such level.
+    pub fn size(&self, level: &I32s) -> [I32s; 3] {
+        let mut out = [I32s::ZERO; 3];
+        let Ok(texture) = &self.0 else { return out };
+        for lane in 0..LANES {
+            let found = usize::try_from(level[lane]).ok().and_then(|n| texture.levels[0].get(n));
+            let Some(found) = found else { continue };
+            let mut size = found.size();
+            if texture.shape == Shape::D1Array {
+                size.swap(1, 2);
+            }
+            for (out, side) in out.iter_mut().zip(size) {
+                out[lane] = side as i32;
+            }
+        }
+        out
+    }
 }
+
+/// What an incomplete texture gives (GL 2.1, section 3.11.2).
+const OPAQUE_BLACK: [F32s; 4] = [F32s::ZERO, F32s::ZERO, F32s::ZERO, F32s::splat(1.0)];
 
 impl Texture {
     fn new(image: &Image, sampler: &Sampler) -> Result<Self, Incomplete> {
         let reached = image.completeness(sampler)?;
-        let detail = Detail::new(sampler, reached.last - reached.base);
-        let levels: Vec<Vec<Arc<Level>>> = (0..image.shape().faces())
-            .map(|face| {
-                (reached.base..=reached.base + detail.last_level())
-                    .filter_map(|level| image.level(face, level as usize).cloned())
-                    .collect()
-            })
-            .collect();
+        let shape = image.shape();
+        let detail = Detail::new(shape, sampler, reached.last - reached.base);
+        let levels = levels(image, reached.base, detail.last_level());
         let base = &levels[0][0];
-        let (format, size) = (base.format, [base.width, base.height]);
+        let (format, size) = (base.format, base.size());
         let mut border = [0.0; 4];
         for (to, &from) in border.iter_mut().zip(format.base().sources()) {
             *to = sampler.border[from];
         }
+        let compare = if format.is_depth() { sampler.compare } else { None };
         Ok(Self {
-            shape: image.shape(),
+            shape,
             format,
             size,
+            scale: match shape {
+                Shape::Rect => [1.0; 3],
+                _ => size.map(|side| side as f32),
+            },
             levels,
-            wrap: [sampler.wrap[0], sampler.wrap[1]],
+            wrap: sampler.wrap.map(|wrap| wrap_of(shape, sampler.seamless, wrap)),
+            seamless: if shape == Shape::Cube { sampler.seamless } else { Seamless::Off },
             border,
-            compare: if format.is_depth() { sampler.compare } else { None },
+            compare,
             depth_mode: sampler.depth_mode,
+            swizzle: sampler.swizzle,
+            way: Way::new(shape, format, compare, sampler.seamless),
             detail,
         })
     }
@@ -143,24 +239,33 @@ impl Texture {
     /// Whether a sample with this filter can mix in the border colour.
     #[inline(always)]
     pub fn reaches_border(&self, filter: Filter) -> bool {
-        self.wrap[0].reaches_border(filter) || self.wrap[1].reaches_border(filter)
+        let axes = self.shape.axes();
+        self.seamless == Seamless::Off
+            && (self.wrap[0].reaches_border(filter)
+                || (axes > 1 && self.wrap[1].reaches_border(filter))
+                || (axes > 2 && self.wrap[2].reaches_border(filter)))
     }
 
-    /// Whether texels of this channel are linear bytes that are neither compared nor mixed with
-    /// the border.
+    /// Whether one coordinate is a layer.
     #[inline(always)]
-    pub fn is_plain_byte(&self, filter: Filter, channel: usize) -> bool {
-        match self.format.info().encoding {
-            Encoding::Unorm8 | Encoding::Srgb8 => {
-                !self.format.is_srgb_channel(channel) && !self.reaches_border(filter)
-            }
-            Encoding::Unorm16 | Encoding::Unorm24 | Encoding::Float32 => false,
-        }
+    pub fn is_array(&self) -> bool {
+        matches!(self.shape, Shape::D1Array | Shape::D2Array)
     }
 
     fn describe(&self) -> String {
-        let Self { shape, format, size: [width, height], wrap: [s, t], .. } = self;
-        let mut line = format!("{shape:?} {format:?} {width}x{height}, wrap {s:?} {t:?}");
+        let Self { shape, format, size, wrap, .. } = self;
+        let mut sides = 3;
+        while sides > shape.axes() && size[sides - 1] == 1 {
+            sides -= 1;
+        }
+        let size = size[..sides].iter().map(u32::to_string).collect::<Vec<_>>().join("x");
+        let mut line = format!("{shape:?} {format:?} {size}, wrap");
+        for wrap in &wrap[..shape.axes()] {
+            line += &format!(" {wrap:?}");
+        }
+        if self.seamless == Seamless::On {
+            line += ", seamless";
+        }
         if let Some(op) = self.compare {
             line += &format!(", depth compare {op:?} before the filter");
         }
@@ -168,21 +273,60 @@ impl Texture {
             Detail::Fixed { filter, level, why } => {
                 line += &format!(", {filter:?} of level {level} (from the base), no LOD: {why}");
             }
-            Detail::PerLane { min, mag, range } => {
+            Detail::PerLane { min, mag, range, probes } => {
                 let LodRange { mipmap, last, magnified_to, .. } = range;
                 line += &format!(
                     ", min {min:?} mipmap {mipmap:?} of levels 0 to {last} (from the base), \
                      mag {mag:?} up to lambda {magnified_to}, LOD per lane"
                 );
+                if *probes > 1 {
+                    line += &format!(", up to {probes} probes along the major axis");
+                }
             }
         }
         line
     }
 }
 
+/// The wrap mode that this shape takes: rectangles do not repeat (ARB_texture_rectangle), and the
+/// coordinate on a seamless face only has to stay on it.
+fn wrap_of(shape: Shape, seamless: Seamless, wrap: Wrap) -> Wrap {
+    match (shape, seamless, wrap) {
+        (Shape::Cube, Seamless::On, _) => Wrap::Clamp,
+        (
+            Shape::Rect,
+            _,
+            Wrap::Repeat | Wrap::MirroredRepeat | Wrap::MirrorClamp | Wrap::MirrorClampToEdge,
+        ) => Wrap::ClampToEdge,
+        (_, _, wrap) => wrap,
+    }
+}
+
+/// The levels of each face from `base` on: `last` more, and then as many as fit them.
+fn levels(image: &Image, base: u32, last: u32) -> Vec<Vec<Arc<Level>>> {
+    let mut levels = vec![Vec::new(); image.shape().faces()];
+    for number in 0.. {
+        let found = |face: usize| image.level(face, (base + number) as usize);
+        let all: Option<Vec<_>> = (0..levels.len()).map(found).collect();
+        let Some(all) = all else { return levels };
+        if number > last {
+            let before: &Arc<Level> = &levels[0][number as usize - 1];
+            let half = image.shape().halved(before.size());
+            let fits = |level: &&Arc<Level>| level.size() == half && level.format == before.format;
+            if before.size() == half || !all.iter().all(fits) {
+                return levels;
+            }
+        }
+        for (face, level) in levels.iter_mut().zip(all) {
+            face.push(Arc::clone(level));
+        }
+    }
+    levels
+}
+
 impl Detail {
     /// Decides whether λ is needed at all. `last` counts from the base level.
-    fn new(sampler: &Sampler, last: u32) -> Self {
+    fn new(shape: Shape, sampler: &Sampler, last: u32) -> Self {
         let Sampler { min, mipmap, mag, .. } = *sampler;
         // GL 2.1, section 3.8.9: the switch-over to magnification.
         let magnified_to = match (mag, min, mipmap) {
@@ -192,10 +336,17 @@ impl Detail {
             | (Filter::Nearest, _, _) => 0.0,
         };
         let fixed = |filter, why| Self::Fixed { filter, level: 0, why };
-        if sampler.max_lod <= magnified_to {
+        // A line has no minor axis.
+        let probes = match shape {
+            Shape::D1 | Shape::D1Array => 1,
+            Shape::D2 | Shape::D3 | Shape::Rect | Shape::Cube | Shape::D2Array => {
+                clamp(sampler.max_anisotropy, 1.0, MAX_ANISOTROPY) as u32
+            }
+        };
+        if probes == 1 && sampler.max_lod <= magnified_to {
             return fixed(mag, "the largest LOD never leaves magnification");
         }
-        if min == mag {
+        if probes == 1 && min == mag {
             match mipmap {
                 Mipmap::None => return fixed(mag, "both filters are alike and without mipmaps"),
                 Mipmap::Nearest | Mipmap::Linear if last == 0 => {
@@ -215,7 +366,7 @@ impl Detail {
         // No λ is above `max`, so no level above that one's is read.
         let ([first, second], _) = range.levels(&F32s::splat(range.max));
         range.last = first[0].max(second[0]);
-        Self::PerLane { min, mag, range }
+        Self::PerLane { min, mag, range, probes }
     }
 
     /// The last level that is read, counted from the base level.

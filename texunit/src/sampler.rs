@@ -13,17 +13,35 @@ pub enum Wrap {
     ClampToBorder,
     /// `GL_MIRRORED_REPEAT`.
     MirroredRepeat,
+    /// `GL_MIRROR_CLAMP_EXT`: mirrored once at 0, then as `Clamp`.
+    MirrorClamp,
+    /// `GL_MIRROR_CLAMP_TO_EDGE_EXT`: mirrored once at 0, then as `ClampToEdge`.
+    MirrorClampToEdge,
 }
 
 impl Wrap {
+    /// Every mode.
+    pub const ALL: [Self; 7] = [
+        Self::Repeat,
+        Self::Clamp,
+        Self::ClampToEdge,
+        Self::ClampToBorder,
+        Self::MirroredRepeat,
+        Self::MirrorClamp,
+        Self::MirrorClampToEdge,
+    ];
+
     /// Whether a sample can mix in the border colour. `Clamp` holds the point inside, so that only
     /// a linear filter reaches past the edge.
     pub const fn reaches_border(self, filter: Filter) -> bool {
         match (self, filter) {
             (Self::ClampToBorder, Filter::Nearest | Filter::Linear)
-            | (Self::Clamp, Filter::Linear) => true,
-            (Self::Clamp, Filter::Nearest)
-            | (Self::Repeat | Self::ClampToEdge | Self::MirroredRepeat, _) => false,
+            | (Self::Clamp | Self::MirrorClamp, Filter::Linear) => true,
+            (Self::Clamp | Self::MirrorClamp, Filter::Nearest)
+            | (
+                Self::Repeat | Self::ClampToEdge | Self::MirroredRepeat | Self::MirrorClampToEdge,
+                Filter::Nearest | Filter::Linear,
+            ) => false,
         }
     }
 }
@@ -80,6 +98,41 @@ pub enum DepthMode {
     Alpha,
 }
 
+/// What a linear filter does at the edges of a cube's faces (ARB_seamless_cube_map).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Seamless {
+    /// Each face by itself, with its wrap modes.
+    Off,
+    /// Texels beyond an edge are those of the face there; at a corner, where there is none, the
+    /// mean of the other three. Wrap modes do not matter.
+    On,
+}
+
+/// Where a component of a sample comes from (EXT_texture_swizzle).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Swizzle {
+    /// Red of the sample.
+    Red,
+    /// Green of the sample.
+    Green,
+    /// Blue of the sample.
+    Blue,
+    /// Alpha of the sample.
+    Alpha,
+    /// 0.
+    Zero,
+    /// 1.
+    One,
+}
+
+impl Swizzle {
+    /// Each component from itself.
+    pub const IDENTITY: [Self; 4] = [Self::Red, Self::Green, Self::Blue, Self::Alpha];
+}
+
+/// The largest useful `max_anisotropy` (`GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT`).
+pub const MAX_ANISOTROPY: f32 = 16.0;
+
 /// Bound of the sum of the LOD biases, both ways (`GL_MAX_TEXTURE_LOD_BIAS`).
 pub const MAX_LOD_BIAS: f32 = 16.0;
 
@@ -110,6 +163,12 @@ pub struct Sampler {
     pub compare: Option<Compare>,
     /// How depth becomes a colour.
     pub depth_mode: DepthMode,
+    /// The most probes along a stretched footprint, 1 to [`MAX_ANISOTROPY`]; at 1, off.
+    pub max_anisotropy: f32,
+    /// At the edges of cube faces.
+    pub seamless: Seamless,
+    /// The last step of a sample: which component each one is taken from.
+    pub swizzle: [Swizzle; 4],
 }
 
 impl Default for Sampler {
@@ -128,6 +187,9 @@ impl Default for Sampler {
             border: [0.0; 4],
             compare: None,
             depth_mode: DepthMode::Luminance,
+            max_anisotropy: 1.0,
+            seamless: Seamless::Off,
+            swizzle: Swizzle::IDENTITY,
         }
     }
 }

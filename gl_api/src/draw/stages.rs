@@ -16,6 +16,7 @@ use glam::{DMat4, DVec4};
 use rasterizer::driver::{ShaderModule, VertexBinding, VertexSource};
 use rasterizer::ir::{Interpolation, IrError, Stage};
 use std::sync::Arc;
+use texunit::image::Shape;
 use texunit::plan::SamplePlan;
 use texunit::sampler::Compare;
 
@@ -84,7 +85,7 @@ pub(super) fn choose(context: &mut Context, vertices: &[VertexBinding]) -> Resul
         None => {
             let units = enabled_units(context, vertex.is_none().then_some(vertices));
             let textures =
-                units.iter().map(|unit| Some(plan(context, unit.unit, unit_target(unit))));
+                units.iter().map(|unit| Some(plan(context, unit.unit, target_of(unit.shape)?)));
             let textures = textures.collect();
             let key = FragmentKey {
                 base,
@@ -151,18 +152,16 @@ fn program_textures(
                 .find(|sampler| sampler.stage == stage && sampler.slot as usize == slot)?;
             let unit = *words.get(sampler.word as usize)?;
             let unit = u8::try_from(unit).ok().filter(|unit| *unit < MAX_TEXTURE_UNITS)?;
-            let target = TextureTarget::ALL.into_iter().find(|t| t.shape() == decl.shape)?;
+            let target = target_of(decl.shape)?;
             hints::sampler(context, unit, target, sampler.word);
             Some(plan(context, unit, target))
         })
         .collect()
 }
 
-fn unit_target(unit: &UnitKey) -> TextureTarget {
-    match unit.shape {
-        texunit::image::Shape::D2 => TextureTarget::D2,
-        texunit::image::Shape::Cube => TextureTarget::Cube,
-    }
+/// What images of this shape are bound to.
+fn target_of(shape: Shape) -> Option<TextureTarget> {
+    TextureTarget::ALL.into_iter().find(|target| target.shape() == shape)
 }
 
 /// How a unit samples the texture of a target, as everything recorded leaves it.

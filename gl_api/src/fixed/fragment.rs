@@ -89,8 +89,9 @@ fn sample(b: &mut Builder, unit: &UnitKey) -> [Value; 4] {
     }
     let zero = b.float(0.0);
     let coords = match unit.shape {
-        Shape::D2 => [s, t, zero],
-        Shape::Cube => [s, t, r],
+        Shape::D1 => [s, zero, zero],
+        Shape::D2 | Shape::Rect | Shape::D1Array => [s, t, zero],
+        Shape::D3 | Shape::Cube | Shape::D2Array => [s, t, r],
     };
     let reference = unit.compare.then_some(r);
     b.sample(texture, coords, reference, Lod::Implicit { bias: None })

@@ -6,7 +6,7 @@
 //! the place they go to. So a join is a union of two masks, and nothing is ever recomputed.
 
 use super::fuse::{Fused, OPERANDS};
-use crate::ir::{Axis, Op};
+use crate::ir::{Access, Axis, Op};
 
 /// A register. While lowering: a virtual one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -65,6 +65,7 @@ pub(super) enum Inst {
 #[derive(Clone, Debug)]
 pub(super) struct SampleInst {
     pub texture: u32,
+    pub access: Access,
     pub coords: [Reg; 3],
     pub reference: Option<Reg>,
     pub lod: SampleLod,

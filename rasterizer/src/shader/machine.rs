@@ -8,7 +8,7 @@ use super::inst::{Inst, Reg, SampleInst, SampleLod};
 use super::mask::{Extent, Mask};
 use super::preamble::uniform_at;
 use super::{OverBudget, Prepared, Program, Run};
-use crate::ir::Axis;
+use crate::ir::{Access, Axis};
 use texunit::lanes::{F32s, Kernel, LANES, QUADS, Simd, U32s};
 use texunit::plan::Lod;
 
@@ -169,7 +169,31 @@ impl Machine {
                     }
                 };
                 let coords = sample.coords.map(reg);
-                plan.sample(run.isa, coords, sample.reference.map(reg), lod, &mut self.sampled);
+                let reference = sample.reference.map(reg);
+                let out = &mut *self.sampled;
+                match (sample.access, lod) {
+                    (Access::Fetch { offset }, Lod::Explicit(level)) => {
+                        let texel = coords.map(|c| c.as_u32().as_i32());
+                        plan.fetch(run.isa, texel, level.as_u32().as_i32(), offset, out);
+                    }
+                    (Access::Size, Lod::Explicit(level)) => {
+                        let size = plan.size(level.as_u32().as_i32());
+                        out[3] = F32s::ZERO;
+                        for (out, size) in out.iter_mut().zip(&size) {
+                            for lane in 0..LANES {
+                                out[lane] = size[lane] as f32;
+                            }
+                        }
+                    }
+                    (Access::Filter { offset }, lod) => {
+                        plan.sample_offset(run.isa, coords, reference, offset, lod, out);
+                    }
+                    // Validation wants a level for these.
+                    (Access::Fetch { .. } | Access::Size, Lod::Implicit { .. })
+                    | (Access::Fetch { .. } | Access::Size, Lod::Gradient { .. }) => {
+                        *out = [F32s::ZERO; 4];
+                    }
+                }
             }
             Some(None) | None => {
                 *self.sampled = [0.0, 0.0, 0.0, 1.0].map(F32s::splat);

@@ -1,14 +1,25 @@
 //! Texel bits to `f32` and back: one definition for single texels and for lanes.
+//!
+//! A channel is a [`Field`] of one of the texel's words, so it is decoded from that word alone.
+//! Blocks of 4×4 texels are in [`super::block`].
 
-use super::srgb;
-use super::{BaseFormat, Encoding, Format};
-use crate::lanes::math::{clamp, round_even, to_i32};
+use super::small_float::{
+    HALF_MANTISSA, decode_half, decode_unsigned, encode_half, encode_unsigned,
+};
+use super::{BaseFormat, Encoding, Field, Format, block, shared_exponent, srgb};
+use crate::lanes::math::{clamp, max, round_even, to_i32, to_u32};
 use crate::lanes::{F32s, LANES, Simd, U32s};
 
 /// 1/255 in two parts. The first has 16 significant bits, so that its product with a byte is
 /// exact; the sum with the second then rounds as the quotient does (a test holds all 256).
 const BYTE_HIGH: f32 = f32::from_bits((1.0_f32 / 255.0).to_bits() & 0xFFFF_FF00);
 const BYTE_LOW: f32 = (1.0 / 255.0 - BYTE_HIGH as f64) as f32;
+
+/// The one NaN that is stored, so that the bits do not depend on which instruction made it.
+const NAN: u32 = 0x7FC0_0000;
+
+/// The largest 32-bit unsigned normalized number.
+const UNORM32: f64 = u32::MAX as f64;
 
 /// `byte / 255` for 0 to 255, the nearest `f32`, without a division.
 #[inline(always)]
@@ -23,104 +34,258 @@ pub(crate) fn byte_channel(word: u32, channel: usize) -> f32 {
     unorm8(word >> (8 * channel) & 0xFF)
 }
 
+#[inline(always)]
+fn unorm32(bits: u32) -> f32 {
+    (f64::from(bits) / UNORM32) as f32
+}
+
+/// A signed normalized number of the top bits of `c`, whose largest is `largest`.
+#[inline(always)]
+fn snorm(c: i32, largest: f32) -> f32 {
+    max(c as f32 / largest, -1.0)
+}
+
+/// The field of a word in two's complement.
+#[inline(always)]
+pub(crate) fn signed(field: Field, word: u32) -> i32 {
+    let unused = 32 - field.bits;
+    ((field.of(word) << unused) as i32) >> unused
+}
+
+/// The bits of a mantissa in a float of this many bits without sign.
+#[inline(always)]
+const fn mantissa(bits: u32) -> u32 {
+    bits - 5
+}
+
 /// The nearest of `0 ..= largest` to `x * largest`, halves to even. Clamps; NaN gives 0.
 #[inline(always)]
 fn to_unorm(x: f32, largest: f32) -> u32 {
     to_i32(round_even(clamp(x, 0.0, 1.0) * largest)) as u32
 }
 
-/// One stored channel of 64 texels, whose bytes are in `words`, the first lowest.
+/// Which word of a texel holds this stored channel.
+#[inline(always)]
+pub const fn word_of(format: Format, channel: usize) -> usize {
+    format.info().fields[channel].word
+}
+
+/// One stored channel of 64 texels from the word that holds it ([`word_of`]). Bits above the
+/// texel's bytes do not matter. Integers become the nearest `f32`. Not for compressed formats,
+/// which give 0.
 #[inline(always)]
 pub fn decode_channel<S: Simd>(format: Format, channel: usize, words: &U32s) -> F32s {
+    let info = format.info();
+    let field = info.fields[channel];
     let mut out = F32s::ZERO;
-    match format.info().encoding {
-        Encoding::Srgb8 if format.is_srgb_channel(channel) => {
+    match info.encoding {
+        Encoding::Srgb if format.is_srgb_channel(channel) => {
             let mut bytes = U32s::ZERO;
             for lane in 0..LANES {
-                bytes[lane] = words[lane] >> (8 * channel) & 0xFF;
+                bytes[lane] = words[lane] >> field.shift & 0xFF;
             }
             out = S::gather_f32(&srgb::DECODE, &bytes);
         }
-        Encoding::Unorm8 | Encoding::Srgb8 => {
+        Encoding::Unorm | Encoding::Srgb if field.bits == 8 => {
             for lane in 0..LANES {
-                out[lane] = byte_channel(words[lane], channel);
+                out[lane] = unorm8(words[lane] >> field.shift & 0xFF);
             }
         }
-        Encoding::Unorm16 => {
+        Encoding::Unorm | Encoding::Srgb if field.bits == 32 => {
             for lane in 0..LANES {
-                out[lane] = (words[lane] & 0xFFFF) as i32 as f32 / 65_535.0;
+                out[lane] = unorm32(words[lane]);
             }
         }
-        Encoding::Unorm24 => {
+        Encoding::Unorm | Encoding::Srgb => {
+            let largest = field.mask() as i32 as f32;
             for lane in 0..LANES {
-                out[lane] = (words[lane] & 0xFF_FFFF) as i32 as f32 / 16_777_215.0;
+                out[lane] = field.of(words[lane]) as i32 as f32 / largest;
             }
         }
-        Encoding::Float32 => {
+        Encoding::Snorm => {
+            let largest = (field.mask() >> 1) as i32 as f32;
+            for lane in 0..LANES {
+                out[lane] = snorm(signed(field, words[lane]), largest);
+            }
+        }
+        Encoding::Float if field.bits == 32 => {
             for lane in 0..LANES {
                 out[lane] = f32::from_bits(words[lane]);
             }
         }
+        Encoding::Float if field.bits == 16 => {
+            for lane in 0..LANES {
+                out[lane] = decode_half(field.of(words[lane]));
+            }
+        }
+        Encoding::Float => {
+            for lane in 0..LANES {
+                out[lane] = decode_unsigned(field.of(words[lane]), mantissa(field.bits));
+            }
+        }
+        Encoding::SharedExponent => {
+            for lane in 0..LANES {
+                out[lane] = shared_exponent::decode(words[lane], field.of(words[lane]));
+            }
+        }
+        Encoding::Uint => {
+            for lane in 0..LANES {
+                out[lane] = field.of(words[lane]) as f32;
+            }
+        }
+        Encoding::Sint => {
+            for lane in 0..LANES {
+                out[lane] = signed(field, words[lane]) as f32;
+            }
+        }
+        Encoding::Block(_) | Encoding::SrgbBlock(_) => {}
     }
     out
 }
 
-/// The texels of 64 colours, the first byte lowest; the bytes above the texel's are 0. Colours
-/// are clamped to 0 to 1 and rounded to nearest, on the encoded scale for sRGB; NaN gives 0.
-/// [`encode`] is the same for one.
+/// The stored channels of 64 texels from their words, of which there are [`Format::words`]. Only
+/// the stored channels of `out` are written. Not for compressed formats: see
+/// [`block::decode_lanes`].
 #[inline(always)]
-pub fn encode_lanes(format: Format, rgba: &[F32s; 4]) -> U32s {
-    let mut out = U32s::ZERO;
-    for (channel, &source) in format.base().sources().iter().enumerate() {
-        let values = &rgba[source];
+pub fn decode_lanes<S: Simd>(format: Format, words: &[U32s], out: &mut [F32s; 4]) {
+    for (channel, out) in out.iter_mut().enumerate().take(format.channels()) {
+        *out = decode_channel::<S>(format, channel, &words[word_of(format, channel)]);
+    }
+}
+
+/// One stored channel of a texel's words: [`decode_channel`] for one.
+#[inline(always)]
+pub(crate) fn decode_field(format: Format, channel: usize, words: [u32; 4]) -> f32 {
+    let info = format.info();
+    let field = info.fields[channel];
+    let word = words[field.word];
+    let bits = field.of(word);
+    match info.encoding {
+        Encoding::Srgb if format.is_srgb_channel(channel) => srgb::DECODE[(bits & 0xFF) as usize],
+        Encoding::Unorm | Encoding::Srgb => match field.bits {
+            8 => unorm8(bits),
+            32 => unorm32(bits),
+            _ => bits as f32 / field.mask() as f32,
+        },
+        Encoding::Snorm => snorm(signed(field, word), (field.mask() >> 1) as f32),
+        Encoding::Float => match field.bits {
+            32 => f32::from_bits(word),
+            16 => decode_half(bits),
+            _ => decode_unsigned(bits, mantissa(field.bits)),
+        },
+        Encoding::SharedExponent => shared_exponent::decode(word, bits),
+        Encoding::Uint => bits as f32,
+        Encoding::Sint => signed(field, word) as f32,
+        Encoding::Block(_) | Encoding::SrgbBlock(_) => 0.0,
+    }
+}
+
+/// The texels of 64 colours as words, the first byte lowest; bytes beyond the texel's are 0.
+/// [`encode`] is the same for one. Not for compressed formats, which give 0.
+#[inline(always)]
+pub fn encode_lanes(format: Format, rgba: &[F32s; 4]) -> [U32s; 4] {
+    let mut out = [U32s::ZERO; 4];
+    if format.info().encoding == Encoding::SharedExponent {
+        let [r, g, b, _] = rgba;
         for lane in 0..LANES {
-            out[lane] |= encode_channel(format, channel, values[lane]);
+            out[0][lane] = shared_exponent::encode(r[lane], g[lane], b[lane]);
+        }
+        return out;
+    }
+    for (channel, &source) in format.base().sources().iter().enumerate() {
+        let (values, to) = (&rgba[source], &mut out[word_of(format, channel)]);
+        for lane in 0..LANES {
+            to[lane] |= encode_channel(format, channel, values[lane]);
         }
     }
     out
 }
 
+/// The bits of a stored channel in their place. 0 where channels are not encoded one by one.
 #[inline(always)]
-fn encode_channel(format: Format, channel: usize, x: f32) -> u32 {
-    match format.info().encoding {
-        Encoding::Srgb8 if format.is_srgb_channel(channel) => {
-            u32::from(srgb::encode(x)) << (8 * channel)
+pub(crate) fn encode_channel(format: Format, channel: usize, x: f32) -> u32 {
+    let info = format.info();
+    let field = info.fields[channel];
+    let bits = match info.encoding {
+        Encoding::Srgb if format.is_srgb_channel(channel) => u32::from(srgb::encode(x)),
+        Encoding::Unorm | Encoding::Srgb if field.bits == 32 => {
+            // Saturates at the top.
+            (f64::from(clamp(x, 0.0, 1.0)) * UNORM32 + 0.5) as u32
         }
-        Encoding::Unorm8 | Encoding::Srgb8 => to_unorm(x, 255.0) << (8 * channel),
-        Encoding::Unorm16 => to_unorm(x, 65_535.0),
-        Encoding::Unorm24 => to_unorm(x, 16_777_215.0),
-        Encoding::Float32 => clamp(x, 0.0, 1.0).to_bits(),
-    }
+        Encoding::Unorm | Encoding::Srgb => to_unorm(x, field.mask() as i32 as f32),
+        Encoding::Snorm => {
+            let number = if x.is_nan() { 0.0 } else { x };
+            let largest = (field.mask() >> 1) as i32 as f32;
+            to_i32(round_even(clamp(number, -1.0, 1.0) * largest)) as u32
+        }
+        Encoding::Float if field.bits == 32 => {
+            let number = if format.is_depth() { clamp(x, 0.0, 1.0) } else { x };
+            if number.is_nan() { NAN } else { number.to_bits() }
+        }
+        Encoding::Float if field.bits == HALF_MANTISSA + 6 => encode_half(x),
+        Encoding::Float => encode_unsigned(x, mantissa(field.bits)),
+        Encoding::Uint => {
+            let whole = to_u32(round_even(x));
+            if whole < field.mask() { whole } else { field.mask() }
+        }
+        Encoding::Sint => {
+            let high = (field.mask() >> 1) as i32;
+            let number = to_i32(round_even(if x.is_nan() { 0.0 } else { x }));
+            let above = if number > -high - 1 { number } else { -high - 1 };
+            (if above < high { above } else { high }) as u32
+        }
+        Encoding::SharedExponent | Encoding::Block(_) | Encoding::SrgbBlock(_) => 0,
+    };
+    (bits & field.mask()) << field.shift
 }
 
-/// The texel of a colour: the first [`Format::bytes`] bytes of the result, the others 0. Colours
-/// are clamped to 0 to 1 and rounded to nearest, on the encoded scale for sRGB; NaN gives 0.
-pub fn encode(format: Format, rgba: [f32; 4]) -> [u8; 4] {
-    let mut word = 0;
+/// The texel of a colour: the first [`Format::bytes`] bytes of the result, the others 0.
+///
+/// Normalized formats clamp and round to nearest, on the encoded scale for sRGB, NaN to 0; floats
+/// are stored unclamped but for depth, integers rounded and clamped, a stencil is 0. A compressed
+/// format gives a block whose texels are all this colour.
+pub fn encode(format: Format, rgba: [f32; 4]) -> [u8; 16] {
+    if format.block().is_some() {
+        return block::encode(format, &[rgba; 16]);
+    }
+    let mut words = [0; 4];
+    if format.info().encoding == Encoding::SharedExponent {
+        words[0] = shared_exponent::encode(rgba[0], rgba[1], rgba[2]);
+    }
     for (channel, &source) in format.base().sources().iter().enumerate() {
-        word |= encode_channel(format, channel, rgba[source]);
+        words[word_of(format, channel)] |= encode_channel(format, channel, rgba[source]);
     }
-    word.to_le_bytes()
+    bytes_of(words)
 }
 
-/// The stored channels of a texel, unused ones 0. Bytes that are missing count as 0.
-pub fn decode_channels(format: Format, texel: &[u8]) -> [f32; 4] {
-    let mut bytes = [0; 4];
+/// The words of a texel. Bytes that are missing count as 0.
+pub(crate) fn words_of(format: Format, texel: &[u8]) -> [u32; 4] {
+    let mut bytes = [0; 16];
     for (to, from) in bytes.iter_mut().zip(texel.iter().take(format.bytes())) {
         *to = *from;
     }
-    let word = u32::from_le_bytes(bytes);
+    [0, 4, 8, 12].map(|i| u32::from_le_bytes([bytes[i], bytes[i + 1], bytes[i + 2], bytes[i + 3]]))
+}
+
+/// Words as bytes, little end first.
+pub(super) fn bytes_of(words: [u32; 4]) -> [u8; 16] {
+    let mut bytes = [0; 16];
+    for (to, word) in bytes.chunks_exact_mut(4).zip(words) {
+        to.copy_from_slice(&word.to_le_bytes());
+    }
+    bytes
+}
+
+/// The stored channels of a texel, unused ones 0. Bytes that are missing count as 0. Of a
+/// compressed format, those of its block's first texel.
+pub fn decode_channels(format: Format, texel: &[u8]) -> [f32; 4] {
+    let words = words_of(format, texel);
+    if format.block().is_some() {
+        return block::decode_channels(format, words, 0);
+    }
     let mut out = [0.0; 4];
     for (channel, value) in out.iter_mut().take(format.channels()).enumerate() {
-        *value = match format.info().encoding {
-            Encoding::Srgb8 if format.is_srgb_channel(channel) => {
-                srgb::DECODE[usize::from(bytes[channel])]
-            }
-            Encoding::Unorm8 | Encoding::Srgb8 => unorm8(u32::from(bytes[channel])),
-            Encoding::Unorm16 => (word & 0xFFFF) as f32 / 65_535.0,
-            Encoding::Unorm24 => (word & 0xFF_FFFF) as f32 / 16_777_215.0,
-            Encoding::Float32 => f32::from_bits(word),
-        };
+        *value = decode_field(format, channel, words);
     }
     out
 }
@@ -128,8 +293,12 @@ pub fn decode_channels(format: Format, texel: &[u8]) -> [f32; 4] {
 /// The colour of a texel as a sample returns it: channels expanded by the base format
 /// (GL 2.1, table 3.15 and section 3.8.8), depth as luminance.
 pub fn decode(format: Format, texel: &[u8]) -> [f32; 4] {
-    let [a, b, c, d] = decode_channels(format, texel);
-    match format.base() {
+    expand(format.base(), decode_channels(format, texel))
+}
+
+/// Stored channels as the colour that a sample returns, depth as luminance.
+pub fn expand(base: BaseFormat, [a, b, c, d]: [f32; 4]) -> [f32; 4] {
+    match base {
         BaseFormat::Alpha => [0.0, 0.0, 0.0, a],
         BaseFormat::Luminance | BaseFormat::Depth => [a, a, a, 1.0],
         BaseFormat::LuminanceAlpha => [a, a, a, b],
@@ -142,82 +311,4 @@ pub fn decode(format: Format, texel: &[u8]) -> [f32; 4] {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::lanes::{Isa, Kernel};
-
-    struct Decode(Format, usize, U32s);
-    impl Kernel for Decode {
-        type Output = F32s;
-        #[inline(always)]
-        fn run<S: Simd>(self) -> F32s {
-            decode_channel::<S>(self.0, self.1, &self.2)
-        }
-    }
-
-    struct Encode(Format, [F32s; 4]);
-    impl Kernel for Encode {
-        type Output = U32s;
-        #[inline(always)]
-        fn run<S: Simd>(self) -> U32s {
-            encode_lanes(self.0, &self.1)
-        }
-    }
-
-    #[test]
-    fn a_byte_is_the_rounded_quotient() {
-        for byte in 0..=255 {
-            assert_eq!(unorm8(byte).to_bits(), (byte as f32 / 255.0).to_bits(), "{byte}");
-        }
-    }
-
-    #[test]
-    fn every_texel_value_survives_a_round_trip() {
-        for format in Format::ALL {
-            let info = format.info();
-            let values: Vec<u32> = match info.encoding {
-                Encoding::Unorm8 | Encoding::Srgb8 => (0..256).map(|v| v * 0x0101_0101).collect(),
-                Encoding::Unorm16 => (0..65_536).collect(),
-                Encoding::Unorm24 => (0..1 << 24).step_by(251).chain([0xFF_FFFF]).collect(),
-                Encoding::Float32 => [0.0_f32, 1e-40, 0.1, 1.0].map(f32::to_bits).to_vec(),
-            };
-            for value in values {
-                let mut texel = value.to_le_bytes();
-                texel[info.bytes..].fill(0);
-                let mut color = decode(format, &texel);
-                if info.base == BaseFormat::Intensity {
-                    color[3] = 0.0;
-                }
-                assert_eq!(encode(format, color), texel, "{format:?}");
-            }
-        }
-    }
-
-    #[test]
-    fn lanes_convert_as_single_texels_on_every_instruction_set() {
-        let words = U32s::from_fn(|lane| (lane as u32).wrapping_mul(0x9E37_79B9));
-        let odd = [f32::NAN, f32::INFINITY, -f32::INFINITY, -0.0, 1e-40, 1.0, 0.5 / 255.0, 2.0];
-        let colors: [F32s; 4] = [0, 1, 2, 3].map(|c| {
-            F32s::from_fn(|lane| match odd.get(lane) {
-                Some(&x) => x,
-                None => ((lane * 37 + c * 101) % 256) as f32 / 240.0 - 0.02,
-            })
-        });
-        for isa in Isa::available() {
-            for format in Format::ALL {
-                let encoded = isa.run(Encode(format, colors));
-                for lane in 0..LANES {
-                    let want = encode(format, [0, 1, 2, 3].map(|c| colors[c][lane]));
-                    assert_eq!(encoded[lane].to_le_bytes(), want, "{format:?} {}", isa.name());
-                }
-                for channel in 0..format.channels() {
-                    let got = isa.run(Decode(format, channel, words));
-                    for lane in 0..LANES {
-                        let want = decode_channels(format, &words[lane].to_le_bytes())[channel];
-                        assert_eq!(got[lane].to_bits(), want.to_bits(), "{format:?}");
-                    }
-                }
-            }
-        }
-    }
-}
+mod tests;

@@ -45,7 +45,7 @@ pub fn encode(x: f32) -> u8 {
 }
 
 /// Linear light of an sRGB value in 0 to 1.
-const fn linear(c: f64) -> f64 {
+pub(super) const fn linear(c: f64) -> f64 {
     if c <= 0.04045 {
         c / 12.92
     } else {

@@ -152,7 +152,7 @@ fn face_name(shape: Shape, face: usize) -> &'static str {
         " of the face -Z",
     ];
     match shape {
-        Shape::D2 => "",
+        Shape::D1 | Shape::D2 | Shape::D3 | Shape::Rect | Shape::D1Array | Shape::D2Array => "",
         Shape::Cube => NAMES.get(face).copied().unwrap_or(""),
     }
 }

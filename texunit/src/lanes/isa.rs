@@ -142,6 +142,13 @@ pub trait Simd: Copy + private::Sealed {
     /// When an offset's four bytes are not all inside `bytes`.
     fn gather(bytes: &[u8], offsets: &U32s) -> U32s;
 
+    /// Reads the eight bytes at each byte offset as two little-endian words: two neighbouring
+    /// texels for the price of one.
+    ///
+    /// # Panics
+    /// When an offset's eight bytes are not all inside `bytes`.
+    fn gather_pairs(bytes: &[u8], offsets: &U32s) -> [U32s; 2];
+
     /// Reads `table[index]` in each lane.
     ///
     /// # Panics
@@ -212,6 +219,10 @@ impl Simd for Baseline {
         gather::scalar(bytes, offsets)
     }
     #[inline(always)]
+    fn gather_pairs(bytes: &[u8], offsets: &U32s) -> [U32s; 2] {
+        gather::scalar_pairs(bytes, offsets)
+    }
+    #[inline(always)]
     fn gather_f32(table: &[f32], indices: &U32s) -> F32s {
         gather::scalar_f32(table, indices)
     }
@@ -230,6 +241,12 @@ impl Simd for Avx2 {
         gather::check(bytes.len(), offsets, 1, 4);
         // SAFETY: the offsets were checked; this type is reached only through `run_avx2`.
         unsafe { gather::avx2::<1>(bytes.as_ptr(), offsets) }
+    }
+    #[inline(always)]
+    fn gather_pairs(bytes: &[u8], offsets: &U32s) -> [U32s; 2] {
+        gather::check(bytes.len(), offsets, 1, 8);
+        // SAFETY: the offsets were checked; this type is reached only through `run_avx2`.
+        unsafe { gather::avx2_pairs(bytes.as_ptr(), offsets) }
     }
     #[inline(always)]
     fn gather_f32(table: &[f32], indices: &U32s) -> F32s {
@@ -252,6 +269,12 @@ impl Simd for Avx512 {
         gather::check(bytes.len(), offsets, 1, 4);
         // SAFETY: the offsets were checked; this type is reached only through `run_avx512`.
         unsafe { gather::avx512::<1>(bytes.as_ptr(), offsets) }
+    }
+    #[inline(always)]
+    fn gather_pairs(bytes: &[u8], offsets: &U32s) -> [U32s; 2] {
+        gather::check(bytes.len(), offsets, 1, 8);
+        // SAFETY: the offsets were checked; this type is reached only through `run_avx512`.
+        unsafe { gather::avx512_pairs(bytes.as_ptr(), offsets) }
     }
     #[inline(always)]
     fn gather_f32(table: &[f32], indices: &U32s) -> F32s {
@@ -281,23 +304,25 @@ mod tests {
 
     struct Gather<'a>(&'a [u8], &'a U32s);
     impl Kernel for Gather<'_> {
-        type Output = U32s;
+        type Output = (U32s, [U32s; 2]);
         #[inline(always)]
-        fn run<S: Simd>(self) -> U32s {
-            S::gather(self.0, self.1)
+        fn run<S: Simd>(self) -> Self::Output {
+            (S::gather(self.0, self.1), S::gather_pairs(self.0, self.1))
         }
     }
 
     #[test]
     fn every_instruction_set_gathers_the_same_unaligned_words() {
         let bytes: Vec<u8> = (0..1024u32).map(|i| (i * 37 + i / 7) as u8).collect();
-        let offsets = U32s::from_fn(|lane| (lane as u32 * 131) % 1020);
+        let offsets = U32s::from_fn(|lane| (lane as u32 * 131) % 1017);
+        let word = |at: usize| u32::from_le_bytes(bytes[at..at + 4].try_into().unwrap());
         for isa in Isa::available() {
-            let got = isa.run(Gather(&bytes, &offsets));
+            let (single, [low, high]) = isa.run(Gather(&bytes, &offsets));
             for lane in 0..LANES {
                 let at = offsets[lane] as usize;
-                let want = u32::from_le_bytes(bytes[at..at + 4].try_into().unwrap());
-                assert_eq!(got[lane], want, "{} lane {lane}", isa.name());
+                assert_eq!(single[lane], word(at), "{} lane {lane}", isa.name());
+                assert_eq!(low[lane], word(at), "{} lane {lane}", isa.name());
+                assert_eq!(high[lane], word(at + 4), "{} lane {lane}", isa.name());
             }
         }
     }

@@ -4,7 +4,7 @@
 //! `∂(sc/|ma|) = (∂sc·|ma| - sc·∂|ma|) / ma²`, applied to the derivatives of the direction. A quad
 //! that straddles an edge of the cube thus needs no neighbour's coordinates on another face.
 
-use crate::lanes::{F32s, LANES, U32s};
+use crate::lanes::{F32s, I32s, LANES, U32s};
 
 /// Directions projected onto the faces they meet.
 pub struct Projected {
@@ -31,7 +31,7 @@ pub fn project(direction: [&F32s; 3]) -> Projected {
 
 /// The derivatives of the face coordinates, given those of the direction.
 #[inline(always)]
-pub fn derivatives(face: &U32s, direction: [&F32s; 3], change: [&F32s; 3]) -> [F32s; 2] {
+pub fn derivatives(face: &U32s, direction: [&F32s; 3], change: &[F32s; 3]) -> [F32s; 2] {
     let mut out = [F32s::ZERO; 2];
     for lane in 0..LANES {
         let [sc, tc, ma] =
@@ -77,6 +77,81 @@ fn turn(face: u32, x: f32, y: f32, z: f32) -> [f32; 3] {
         sign(z)
     };
     [sc, tc, ma]
+}
+
+/// Texels of a cube, found from indices that may lie just beyond a face.
+pub struct Beyond {
+    /// The face each lies on.
+    pub face: U32s,
+    /// Its column there.
+    pub x: U32s,
+    /// Its row there.
+    pub y: U32s,
+    /// `!0` beyond a corner, where there is no texel; then the others are some texel.
+    pub missing: U32s,
+}
+
+/// The texels at `(i, j) + step` of a face of `size`, of which each index is -1 to `size`. Beyond
+/// an edge, the texel of the other face that touches this edge at the same place: with indices
+/// doubled and centred, a texel's centre is `(2i + 1 - size, 2j + 1 - size, size)` in `(sc, tc, ma)`,
+/// and one beyond an edge is moved onto the edge, where both faces have the same direction.
+#[inline(always)]
+pub fn beyond(face: u32, i: &I32s, j: &I32s, step: [i32; 2], size: i32) -> Beyond {
+    let mut out =
+        Beyond { face: U32s::splat(face), x: U32s::ZERO, y: U32s::ZERO, missing: U32s::ZERO };
+    for lane in 0..LANES {
+        let sc = held(2 * (i[lane] + step[0]) + 1 - size, size);
+        let tc = held(2 * (j[lane] + step[1]) + 1 - size, size);
+        let off_s = (sc == size) | (sc == -size);
+        let off_t = (tc == size) | (tc == -size);
+        let direction = turn_back(face, sc, tc, size);
+        // The axis that the edge's other face stands on, and its sign.
+        let along = if off_s { turn_back(face, sc, 0, 0) } else { turn_back(face, 0, tc, 0) };
+        let [x, y, z] = along;
+        let axis = if x != 0 {
+            0
+        } else if y != 0 {
+            2
+        } else {
+            4
+        };
+        let other = axis + if x + y + z < 0 { 1 } else { 0 };
+        let crossed = off_s | off_t;
+        let there = if crossed { other } else { face };
+        let [sc, tc, _] =
+            turn(there, direction[0] as f32, direction[1] as f32, direction[2] as f32);
+        let index = |c: f32| held_index((c as i32 + size - 1) >> 1, size);
+        out.face[lane] = there;
+        out.x[lane] = index(sc);
+        out.y[lane] = index(tc);
+        out.missing[lane] = if off_s & off_t { !0 } else { 0 };
+    }
+    out
+}
+
+#[inline(always)]
+fn held(c: i32, size: i32) -> i32 {
+    let low = if c < -size { -size } else { c };
+    if low > size { size } else { low }
+}
+
+#[inline(always)]
+fn held_index(index: i32, size: i32) -> u32 {
+    let low = if index < 0 { 0 } else { index };
+    if low >= size { size as u32 - 1 } else { low as u32 }
+}
+
+/// The inverse of [`turn`]: the direction of `(sc, tc, ma)` on a face.
+#[inline(always)]
+fn turn_back(face: u32, sc: i32, tc: i32, ma: i32) -> [i32; 3] {
+    match face {
+        0 => [ma, -tc, -sc],
+        1 => [-ma, -tc, sc],
+        2 => [sc, ma, tc],
+        3 => [sc, -ma, -tc],
+        4 => [sc, -tc, ma],
+        _ => [-sc, -tc, -ma],
+    }
 }
 
 #[cfg(test)]

@@ -1,61 +1,133 @@
-//! One level: the nearest texel, or the weighted mean of 2×2 (GL 2.1, section 3.8.8).
+//! One level: the nearest texel, or the weighted mean of 2, 2×2 or 2×2×2 (GL 2.1, section 3.8.8).
 //!
-//! The mean is three linear interpolations, first along s, then along t, each `a + (b - a) · α` in
-//! this order: two equal texels give exactly themselves.
+//! The mean is linear interpolations, first along s, then along t, then along r, each
+//! `a + (b - a) · α` in this order: two equal texels give exactly themselves.
 
-use super::wrap::Indices;
-use super::{compare, fetch, wrap};
-use crate::format::convert::{byte_channel, decode_channel};
-use crate::image::Level;
+use super::wrap::{Axis, Indices, enclosing};
+use super::{fetch, plain, seamless};
+use crate::image::{Level, Shape};
 use crate::lanes::{F32s, LANES, Simd, U32s};
-use crate::plan::Texture;
-use crate::sampler::Filter;
+use crate::plan::{Texture, Way};
+use crate::sampler::{Filter, Seamless};
+
+/// A level, and all that is the same for each of its texels.
+#[derive(Clone, Copy)]
+pub struct Place<'a> {
+    pub texture: &'a Texture,
+    pub filter: Filter,
+    pub face: usize,
+    /// The level's number, from the base level.
+    pub number: usize,
+    pub level: &'a Level,
+    /// The layer of each lane; 0 where there are none.
+    pub layer: &'a U32s,
+    /// What texels are compared with.
+    pub reference: &'a F32s,
+}
+
+impl Place<'_> {
+    #[inline(always)]
+    pub fn axis(&self, axis: usize) -> Axis {
+        let size = [self.level.width, self.level.height, self.level.depth][axis];
+        let scale = if self.texture.shape == Shape::Rect { 1.0 } else { size as f32 };
+        Axis { wrap: self.texture.wrap[axis], size, border: self.level.border[axis], scale }
+    }
+
+    /// The slice that each lane reads where r is not filtered along.
+    #[inline(always)]
+    pub fn slice(&self) -> Indices {
+        Indices { index: *self.layer, outside: U32s::ZERO }
+    }
+}
 
 /// Samples one level in all 64 lanes. Only the stored channels of `out` are written.
 #[inline(always)]
-pub fn sample_level<S: Simd>(
-    texture: &Texture,
-    level: &Level,
-    filter: Filter,
-    st: [&F32s; 2],
-    reference: &F32s,
-    out: &mut [F32s; 4],
-) {
-    let [wrap_s, wrap_t] = texture.wrap;
-    let u = wrap::texel_coordinate(wrap_s, st[0], level.width);
-    let v = wrap::texel_coordinate(wrap_t, st[1], level.height);
-    match filter {
-        Filter::Nearest => {
-            let x = wrap::nearest(wrap_s, &u, level.width);
-            let y = wrap::nearest(wrap_t, &v, level.height);
-            let words = fetch::words::<S>(level, &x.index, &y.index);
-            for (channel, out) in out.iter_mut().enumerate().take(texture.format.channels()) {
-                *out = texel::<S>(texture, filter, channel, &words, &x, &y, reference);
+pub fn sample_level<S: Simd>(place: &Place<'_>, at: [&F32s; 3], out: &mut [F32s; 4]) {
+    match (place.texture.way, place.filter) {
+        (Way::Plain, Filter::Nearest) if !place.texture.reaches_border(Filter::Nearest) => {
+            return plain::nearest::<S>(place, at, out);
+        }
+        (Way::Plain, Filter::Linear) if !place.texture.reaches_border(Filter::Linear) => {
+            if plain::linear::<S>(place, at, out) {
+                return;
             }
         }
-        Filter::Linear => {
-            let ([x0, x1], alpha) = wrap::linear(wrap_s, &u, level.width);
-            let ([y0, y1], beta) = wrap::linear(wrap_t, &v, level.height);
-            // No closures here: what is not inlined by force misses the instruction set.
-            let corners = [(&x0, &y0), (&x1, &y0), (&x0, &y1), (&x1, &y1)];
-            let words = [
-                fetch::words::<S>(level, &x0.index, &y0.index),
-                fetch::words::<S>(level, &x1.index, &y0.index),
-                fetch::words::<S>(level, &x0.index, &y1.index),
-                fetch::words::<S>(level, &x1.index, &y1.index),
-            ];
-            for (channel, out) in out.iter_mut().enumerate().take(texture.format.channels()) {
-                if texture.is_plain_byte(filter, channel) {
-                    *out = mean_of_bytes(channel, &words, &alpha, &beta);
-                    continue;
+        (Way::Plain | Way::General, Filter::Nearest | Filter::Linear) => {}
+    }
+    match place.filter {
+        Filter::Nearest => nearest::<S>(place, at, out),
+        Filter::Linear => linear::<S>(place, at, out),
+    }
+}
+
+#[inline(always)]
+fn nearest<S: Simd>(place: &Place<'_>, at: [&F32s; 3], out: &mut [F32s; 4]) {
+    let axes = place.texture.shape.axes();
+    let axis = place.axis(0);
+    let x = axis.nearest(&axis.texel_coordinate(at[0]));
+    let mut y = Indices { index: U32s::ZERO, outside: U32s::ZERO };
+    let mut z = place.slice();
+    if axes > 1 {
+        let axis = place.axis(1);
+        y = axis.nearest(&axis.texel_coordinate(at[1]));
+    }
+    if axes > 2 {
+        let axis = place.axis(2);
+        z = axis.nearest(&axis.texel_coordinate(at[2]));
+    }
+    fetch::texels::<S>(place, [&x, &y, &z], out);
+}
+
+#[inline(always)]
+fn linear<S: Simd>(place: &Place<'_>, at: [&F32s; 3], out: &mut [F32s; 4]) {
+    let axes = place.texture.shape.axes();
+    let axis = place.axis(0);
+    let (i, alpha) = enclosing(&axis.texel_coordinate(at[0]));
+    let close = fetch::side_by_side(&i, axis.size);
+    let xs = axis.pair(&i);
+    let none = || Indices { index: U32s::ZERO, outside: U32s::ZERO };
+    let (mut ys, mut beta) = ([none(), none()], F32s::ZERO);
+    let (mut zs, mut gamma) = ([place.slice(), none()], F32s::ZERO);
+    if axes > 1 {
+        let axis = place.axis(1);
+        let j;
+        (j, beta) = enclosing(&axis.texel_coordinate(at[1]));
+        let crosses = place.texture.seamless == Seamless::On
+            && !(close && fetch::side_by_side(&j, axis.size));
+        if crosses {
+            return seamless::linear::<S>(place, [&i, &j], [&alpha, &beta], out);
+        }
+        ys = axis.pair(&j);
+    }
+    if axes > 2 {
+        let axis = place.axis(2);
+        let k;
+        (k, gamma) = enclosing(&axis.texel_coordinate(at[2]));
+        zs = axis.pair(&k);
+    }
+    let slices = if axes > 2 { 2 } else { 1 };
+    let mut corners = [[F32s::ZERO; 4]; 4];
+    for slice in 0..slices {
+        let z = &zs[slice];
+        for row in 0..axes.min(2) {
+            let y = &ys[row];
+            let [left, right] = &mut corners[2 * row..2 * row + 2] else { continue };
+            if close && place.level.format.words() == 1 && place.level.format.block().is_none() {
+                fetch::row::<S>(place, &xs, y, z, [left, right]);
+            } else {
+                fetch::texels::<S>(place, [&xs[0], y, z], left);
+                fetch::texels::<S>(place, [&xs[1], y, z], right);
+            }
+        }
+        for (channel, out) in out.iter_mut().enumerate().take(place.texture.format.channels()) {
+            let texels = corners.each_ref().map(|corner| &corner[channel]);
+            let mean = mean(texels, &alpha, &beta);
+            if slice == 0 {
+                *out = mean;
+            } else {
+                for lane in 0..LANES {
+                    out[lane] = lerp(out[lane], mean[lane], gamma[lane]);
                 }
-                let mut texels = [F32s::ZERO; 4];
-                for corner in 0..4 {
-                    let (x, y) = corners[corner];
-                    texels[corner] =
-                        texel::<S>(texture, filter, channel, &words[corner], x, y, reference);
-                }
-                *out = mean(&texels, &alpha, &beta);
             }
         }
     }
@@ -63,7 +135,7 @@ pub fn sample_level<S: Simd>(
 
 /// The mean of four texels, in the order (0, 0), (1, 0), (0, 1), (1, 1).
 #[inline(always)]
-fn mean(texels: &[F32s; 4], alpha: &F32s, beta: &F32s) -> F32s {
+pub fn mean(texels: [&F32s; 4], alpha: &F32s, beta: &F32s) -> F32s {
     let mut out = F32s::ZERO;
     for lane in 0..LANES {
         let lower = lerp(texels[0][lane], texels[1][lane], alpha[lane]);
@@ -73,84 +145,8 @@ fn mean(texels: &[F32s; 4], alpha: &F32s, beta: &F32s) -> F32s {
     out
 }
 
-/// [`mean`] of byte channels that need nothing but conversion, which stays in registers.
-#[inline(always)]
-fn mean_of_bytes(channel: usize, words: &[U32s; 4], alpha: &F32s, beta: &F32s) -> F32s {
-    let mut out = F32s::ZERO;
-    for lane in 0..LANES {
-        let a = byte_channel(words[0][lane], channel);
-        let b = byte_channel(words[1][lane], channel);
-        let c = byte_channel(words[2][lane], channel);
-        let d = byte_channel(words[3][lane], channel);
-        out[lane] = lerp(lerp(a, b, alpha[lane]), lerp(c, d, alpha[lane]), beta[lane]);
-    }
-    out
-}
-
 /// `a` to `b`, exact where they are equal and where `t` is 0.
 #[inline(always)]
 pub fn lerp(a: f32, b: f32, t: f32) -> f32 {
     a + (b - a) * t
-}
-
-/// One channel of 64 texels: converted, the border mixed in, compared.
-#[inline(always)]
-fn texel<S: Simd>(
-    texture: &Texture,
-    filter: Filter,
-    channel: usize,
-    words: &U32s,
-    x: &Indices,
-    y: &Indices,
-    reference: &F32s,
-) -> F32s {
-    let mut texels = decode_channel::<S>(texture.format, channel, words);
-    if texture.reaches_border(filter) {
-        fetch::mix_border(x, y, texture.border[channel], &mut texels);
-    }
-    if let Some(op) = texture.compare {
-        compare::compare(op, reference, &mut texels);
-    }
-    texels
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::format::Format;
-    use crate::lanes::{Isa, Kernel};
-
-    /// Both ways to the mean of a byte channel.
-    struct BothMeans(usize, [U32s; 4], F32s, F32s);
-    impl Kernel for BothMeans {
-        type Output = [F32s; 2];
-        #[inline(always)]
-        fn run<S: Simd>(self) -> [F32s; 2] {
-            let Self(channel, words, alpha, beta) = self;
-            let mut texels = [F32s::ZERO; 4];
-            for corner in 0..4 {
-                texels[corner] = decode_channel::<S>(Format::Rgba8, channel, &words[corner]);
-            }
-            [mean(&texels, &alpha, &beta), mean_of_bytes(channel, &words, &alpha, &beta)]
-        }
-    }
-
-    #[test]
-    fn the_mean_of_bytes_is_the_mean() {
-        for round in 0..200_u32 {
-            let noise = |lane: usize, salt: u32| {
-                let mixed = (lane as u32 + 64 * round).wrapping_mul(0x9E37_79B9) ^ salt;
-                mixed.wrapping_mul(0x85EB_CA6B) ^ mixed >> 15
-            };
-            let words = [1, 2, 3, 4].map(|salt| U32s::from_fn(|lane| noise(lane, salt)));
-            let weight =
-                |salt| F32s::from_fn(|lane| (noise(lane, salt) >> 8) as f32 / 16_777_216.0);
-            for isa in Isa::available() {
-                for channel in 0..4 {
-                    let [slow, fast] = isa.run(BothMeans(channel, words, weight(5), weight(6)));
-                    assert_eq!(slow.as_u32(), fast.as_u32(), "{}", isa.name());
-                }
-            }
-        }
-    }
 }

@@ -1,7 +1,7 @@
-//! The level of detail (GL 2.1, section 3.8.8): ρ, λ, and which levels a lane reads.
+//! The level of detail (GL 2.1, section 3.8.8): from λ to the levels that a lane reads.
 
-use crate::lanes::math::{clamp, max, to_i32};
-use crate::lanes::{F32s, LANES, QUADS, U32s, log2};
+use crate::lanes::math::{clamp, to_i32};
+use crate::lanes::{F32s, LANES, QUADS, U32s};
 use crate::sampler::{MAX_LOD_BIAS, Mipmap};
 
 /// What turns λ of the base level into levels and weights.
@@ -49,21 +49,6 @@ pub fn upward(v: &F32s) -> F32s {
         d[3 * QUADS + q] = right;
     }
     d
-}
-
-/// `λ_base = log2 ρ` and `ρ` itself, from `∂(s, t)/∂x` and `∂(s, t)/∂y` on a base level of
-/// `size` texels. The larger root is the root of the larger, so there is one root.
-#[inline(always)]
-pub fn lambda_base(dx: [&F32s; 2], dy: [&F32s; 2], size: [u32; 2]) -> F32s {
-    let (width, height) = (size[0] as f32, size[1] as f32);
-    let mut lambda = F32s::ZERO;
-    for lane in 0..LANES {
-        let (dudx, dvdx) = (dx[0][lane] * width, dx[1][lane] * height);
-        let (dudy, dvdy) = (dy[0][lane] * width, dy[1][lane] * height);
-        let rho = max(dudx * dudx + dvdx * dvdx, dudy * dudy + dvdy * dvdy).sqrt();
-        lambda[lane] = log2(rho);
-    }
-    lambda
 }
 
 impl LodRange {

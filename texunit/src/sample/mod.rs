@@ -1,5 +1,5 @@
 //! The steps of a sample, in the order of the specification's chapter:
-//! face → LOD → wrap → fetch and border → compare → filter → mip → expand.
+//! face → LOD → wrap → fetch and border → compare → filter → probes → mip → expand → swizzle.
 //!
 //! A batch runs level by level: the distinct (filter, face, level) of its 64 lanes are found, each
 //! is sampled once in all lanes, and a mask keeps the lanes that asked for it. Most batches touch
@@ -10,20 +10,28 @@ mod cube;
 mod expand;
 mod fetch;
 mod filter;
+mod footprint;
 pub(crate) mod lod;
+mod plain;
+mod seamless;
+mod taps;
+pub(crate) mod texel;
 mod wrap;
 
-use crate::image::Shape;
+use crate::image::{Level, Shape};
 use crate::lanes::math::clamp;
 use crate::lanes::{F32s, Kernel, LANES, Simd, U32s};
-use crate::plan::{Detail, Lod, Texture};
-use crate::sampler::Filter;
+use crate::plan::{Lod, Texture};
+use footprint::Probes;
+use taps::Taps;
 
 /// One call: 64 samples of a complete texture.
 pub(crate) struct Sample<'a> {
     pub texture: &'a Texture,
     pub coords: [&'a F32s; 3],
     pub reference: Option<&'a F32s>,
+    /// Texels added along s, t, r, on each level (GLSL 1.30, section 8.7).
+    pub offset: [i32; 3],
     pub lod: Lod<'a>,
     pub out: &'a mut [F32s; 4],
 }
@@ -33,22 +41,51 @@ impl Kernel for Sample<'_> {
 
     #[inline(always)]
     fn run<S: Simd>(self) {
-        let Self { texture, coords, reference, lod, out } = self;
+        let Self { texture, coords, reference, offset, lod, out } = self;
         let reference = match texture.compare {
             Some(_) => unit_range(reference.unwrap_or(coords[2])),
             None => F32s::ZERO,
         };
-        let projected;
-        let (face, st) = match texture.shape {
-            Shape::D2 => (&U32s::ZERO, [coords[0], coords[1]]),
+        let mut at = Coordinates { given: coords, face: U32s::ZERO, layer: U32s::ZERO, st: None };
+        match texture.shape {
+            Shape::D1 | Shape::D2 | Shape::Rect | Shape::D3 => {}
+            Shape::D1Array => at.layer = wrap::layer(coords[1], texture.size[2]),
+            Shape::D2Array => at.layer = wrap::layer(coords[2], texture.size[2]),
             Shape::Cube => {
-                projected = cube::project(coords);
-                (&projected.face, [&projected.st[0], &projected.st[1]])
+                let projected = cube::project(coords);
+                at.face = projected.face;
+                at.st = Some(projected.st);
             }
-        };
-        let taps = taps(texture, face, coords, lod);
-        sample_taps::<S>(texture, &taps, st, &reference, out);
+        }
+        let (taps, probes) = taps::taps(texture, &at, lod);
+        let probes = probes.as_ref();
+        let samples = Samples { texture, at: &at, offset, probes, reference: &reference };
+        sample_taps::<S>(&samples, &taps, out);
         expand::expand(texture.format.base(), texture.depth_mode, out);
+        expand::swizzle(texture.swizzle, out);
+    }
+}
+
+/// Where the lanes sample.
+pub(crate) struct Coordinates<'a> {
+    /// s, t, r as given; of a cube, the direction.
+    given: [&'a F32s; 3],
+    /// Of a cube, else 0.
+    face: U32s,
+    /// Of an array, else 0.
+    layer: U32s,
+    /// On the face of a cube.
+    st: Option<[F32s; 2]>,
+}
+
+impl Coordinates<'_> {
+    /// The coordinates to filter along.
+    #[inline(always)]
+    fn filtered(&self) -> [&F32s; 3] {
+        match &self.st {
+            Some([s, t]) => [s, t, self.given[2]],
+            None => self.given,
+        }
     }
 }
 
@@ -62,158 +99,135 @@ fn unit_range(reference: &F32s) -> F32s {
     out
 }
 
-/// What the lanes of a batch read: per lane two (filter, face, level), as keys, and the weight of
-/// the second. A lane that reads one level has twice the same key and no weight.
-struct Taps {
-    /// The one key of the whole batch, where it is one; then the other fields do not matter.
-    same: Option<u32>,
-    keys: [U32s; 2],
-    weight: F32s,
-}
-
-/// Where the face and the filter begin in a key; the level is below.
-const FACE: u32 = 5;
-const FILTER: u32 = 8;
-
-/// A (filter, face, level) as a number above 0. Levels count from the base level.
-#[inline(always)]
-fn key(filter: Filter, face: u32, level: u32) -> u32 {
-    let filter = match filter {
-        Filter::Nearest => 1,
-        Filter::Linear => 2,
-    };
-    filter << FILTER | face << FACE | level
-}
-
-/// The inverse of [`key`].
-#[inline(always)]
-fn parts(key: u32) -> (Filter, usize, usize) {
-    let filter = if key >> FILTER == 1 { Filter::Nearest } else { Filter::Linear };
-    (filter, (key >> FACE & 7) as usize, (key & 31) as usize)
-}
-
-/// What each lane reads.
-#[inline(always)]
-fn taps(texture: &Texture, face: &U32s, coords: [&F32s; 3], lod: Lod<'_>) -> Taps {
-    let mut taps = Taps { same: None, keys: [U32s::ZERO; 2], weight: F32s::ZERO };
-    match &texture.detail {
-        Detail::Fixed { filter, level, .. } => {
-            if texture.shape == Shape::D2 {
-                taps.same = Some(key(*filter, 0, *level));
-                return taps;
-            }
-            for lane in 0..LANES {
-                taps.keys[0][lane] = key(*filter, face[lane], *level);
-            }
-            taps.keys[1] = taps.keys[0];
-        }
-        Detail::PerLane { min, mag, range } => {
-            let lambda = match lod {
-                Lod::Implicit { bias } => {
-                    let [s, t, r] = coords;
-                    let dx = [&lod::across(s), &lod::across(t), &lod::across(r)];
-                    let dy = [&lod::upward(s), &lod::upward(t), &lod::upward(r)];
-                    range.lambda(&lambda_base(texture, face, coords, dx, dy), bias)
-                }
-                Lod::Explicit(base) => range.lambda(base, None),
-                Lod::Gradient { dx, dy } => {
-                    range.lambda(&lambda_base(texture, face, coords, dx, dy), None)
-                }
-            };
-            let (levels, weight) = range.levels(&lambda);
-            let (min, mag) = (key(*min, 0, 0), key(*mag, 0, 0));
-            for lane in 0..LANES {
-                let minified = lambda[lane] > range.magnified_to;
-                let face = face[lane] << FACE;
-                let first = min | face | levels[0][lane];
-                let second = min | face | levels[1][lane];
-                let second = if weight[lane] > 0.0 { second } else { first };
-                taps.keys[0][lane] = if minified { first } else { mag | face };
-                taps.keys[1][lane] = if minified { second } else { mag | face };
-                taps.weight[lane] = if minified { weight[lane] } else { 0.0 };
-            }
-        }
-    }
-    let least = least_above(&taps, 0);
-    if least_above(&taps, least) == NONE {
-        taps.same = Some(least);
-    }
-    taps
-}
-
-/// λ before bias and clamp, from the derivatives of the coordinates.
-#[inline(always)]
-fn lambda_base(
-    texture: &Texture,
-    face: &U32s,
-    coords: [&F32s; 3],
-    dx: [&F32s; 3],
-    dy: [&F32s; 3],
-) -> F32s {
-    match texture.shape {
-        Shape::D2 => lod::lambda_base([dx[0], dx[1]], [dy[0], dy[1]], texture.size),
-        Shape::Cube => {
-            let [dsdx, dtdx] = cube::derivatives(face, coords, dx);
-            let [dsdy, dtdy] = cube::derivatives(face, coords, dy);
-            lod::lambda_base([&dsdx, &dtdx], [&dsdy, &dtdy], texture.size)
-        }
-    }
+/// What stays the same over the levels of a batch.
+struct Samples<'a> {
+    texture: &'a Texture,
+    at: &'a Coordinates<'a>,
+    offset: [i32; 3],
+    probes: Option<&'a Probes>,
+    reference: &'a F32s,
 }
 
 /// Samples every distinct key once and mixes.
 #[inline(always)]
-fn sample_taps<S: Simd>(
-    texture: &Texture,
-    taps: &Taps,
-    st: [&F32s; 2],
-    reference: &F32s,
-    out: &mut [F32s; 4],
-) {
-    let channels = texture.format.channels();
-    let mut first = [F32s::ZERO; 4];
-    let mut second = [F32s::ZERO; 4];
-    let mut key = match taps.same {
-        Some(key) => key,
-        None => least_above(taps, 0),
+fn sample_taps<S: Simd>(samples: &Samples<'_>, taps: &Taps, out: &mut [F32s; 4]) {
+    let channels = samples.texture.format.channels();
+    let mut kept = None;
+    let mut key = match taps {
+        Taps::Same(key) => *key,
+        Taps::Mixed { keys, .. } => taps::next_key(keys, 0),
     };
-    while key != NONE {
-        let (filter, face, level) = parts(key);
-        let level = &texture.levels[face][level];
-        filter::sample_level::<S>(texture, level, filter, st, reference, out);
-        if taps.same.is_some() {
-            return;
-        }
-        for channel in 0..channels {
-            for lane in 0..LANES {
-                let value = out[channel][lane];
-                let (in_first, in_second) = (taps.keys[0][lane] == key, taps.keys[1][lane] == key);
-                first[channel][lane] = if in_first { value } else { first[channel][lane] };
-                second[channel][lane] = if in_second { value } else { second[channel][lane] };
-            }
-        }
-        key = least_above(taps, key);
+    while key != taps::NONE {
+        sample_key::<S>(samples, key, out);
+        let Taps::Mixed { keys, .. } = taps else { return };
+        let [first, second] = kept.get_or_insert([[F32s::ZERO; 4]; 2]);
+        keep(&keys[0], key, channels, out, first);
+        keep(&keys[1], key, channels, out, second);
+        key = taps::next_key(keys, key);
     }
+    let (Taps::Mixed { weight, .. }, Some([first, second])) = (taps, &kept) else { return };
     for channel in 0..channels {
         for lane in 0..LANES {
             out[channel][lane] =
-                filter::lerp(first[channel][lane], second[channel][lane], taps.weight[lane]);
+                filter::lerp(first[channel][lane], second[channel][lane], weight[lane]);
         }
     }
 }
 
-/// What [`least_above`] gives when there is none.
-const NONE: u32 = u32::MAX;
-
-/// The least key of the batch above `floor`.
+/// Takes the values of the lanes that asked for this key.
 #[inline(always)]
-fn least_above(taps: &Taps, floor: u32) -> u32 {
-    let [first, second] = &taps.keys;
-    let mut least = NONE;
+fn keep(keys: &U32s, key: u32, channels: usize, values: &[F32s; 4], kept: &mut [F32s; 4]) {
+    let mut asked = 0;
     for lane in 0..LANES {
-        let a = if first[lane] > floor { first[lane] } else { NONE };
-        let b = if second[lane] > floor { second[lane] } else { NONE };
-        let lower = if a < b { a } else { b };
-        least = if lower < least { lower } else { least };
+        asked += if keys[lane] == key { 1 } else { 0 };
     }
-    least
+    if asked == 0 {
+        return;
+    }
+    for channel in 0..channels {
+        for lane in 0..LANES {
+            let asked = keys[lane] == key;
+            kept[channel][lane] = if asked { values[channel][lane] } else { kept[channel][lane] };
+        }
+    }
+}
+
+/// One level of one face: the mean of the probes, whose running form leaves equal ones as they
+/// are.
+#[inline(always)]
+fn sample_key<S: Simd>(samples: &Samples<'_>, key: u32, out: &mut [F32s; 4]) {
+    let Samples { texture, at, offset, probes, reference } = *samples;
+    let (filter, face, number) = taps::parts(key);
+    let level = &*texture.levels[face][number];
+    let place = filter::Place { texture, filter, face, number, level, layer: &at.layer, reference };
+    let most = match probes {
+        Some(probes) => probes.most,
+        None => 1,
+    };
+    let mut one = None;
+    for probe in 0..most {
+        let moved;
+        let st = if probes.is_none() && offset == [0; 3] {
+            at.filtered()
+        } else {
+            moved = moved_to(&place, at, offset, probe, probes);
+            [&moved[0], &moved[1], &moved[2]]
+        };
+        let target = if probe == 0 { &mut *out } else { one.get_or_insert([F32s::ZERO; 4]) };
+        filter::sample_level::<S>(&place, st, target);
+        let (Some(probes), Some(one)) = (probes, &one) else { continue };
+        let share = 1.0 / (probe + 1) as f32;
+        for channel in 0..texture.format.channels() {
+            for lane in 0..LANES {
+                let mean = filter::lerp(out[channel][lane], one[channel][lane], share);
+                let counts = (probe as f32) < probes.count[lane];
+                out[channel][lane] = if counts { mean } else { out[channel][lane] };
+            }
+        }
+    }
+}
+
+/// The coordinates of a probe, and the offset added.
+#[inline(always)]
+fn moved_to(
+    place: &filter::Place<'_>,
+    at: &Coordinates<'_>,
+    offset: [i32; 3],
+    probe: u32,
+    probes: Option<&Probes>,
+) -> [F32s; 3] {
+    let shift = shift(place.texture, place.level, offset);
+    let mut moved = [F32s::ZERO; 3];
+    for axis in 0..place.texture.shape.axes() {
+        let from = at.filtered()[axis];
+        match probes {
+            Some(Probes { count, step, .. }) => {
+                for lane in 0..LANES {
+                    let steps = probe as f32 - 0.5 * (count[lane] - 1.0);
+                    moved[axis][lane] = from[lane] + (steps * step[axis][lane] + shift[axis]);
+                }
+            }
+            None => {
+                for lane in 0..LANES {
+                    moved[axis][lane] = from[lane] + shift[axis];
+                }
+            }
+        }
+    }
+    moved
+}
+
+/// An offset in texels of this level, in units of the coordinates.
+#[inline(always)]
+fn shift(texture: &Texture, level: &Level, offset: [i32; 3]) -> [f32; 3] {
+    if offset == [0; 3] {
+        return [0.0; 3];
+    }
+    let size = level.size();
+    let mut shift = [0.0; 3];
+    for axis in 0..texture.shape.axes() {
+        let scale = if texture.shape == Shape::Rect { 1.0 } else { size[axis] as f32 };
+        shift[axis] = offset[axis] as f32 / scale;
+    }
+    shift
 }

@@ -1,124 +1,191 @@
 //! From a coordinate to texel indices along one axis (GL 2.1, section 3.8.7, and the addressing of
-//! section 3.8.8).
+//! section 3.8.8; the mirror clamps are EXT_texture_mirror_clamp's).
 //!
-//! Every result is a legal index: what lies on the border has the nearest index and a mask.
-//! Defined beyond the specification: NaN counts as 0, and so does ±inf where coordinates repeat;
-//! elsewhere ±inf is the end of the range.
+//! Every result is a legal index of the stored texels, border included: what lies beyond them has
+//! the nearest index and a mask. Defined beyond the specification: NaN counts as 0, and so does
+//! ±inf where coordinates repeat; elsewhere ±inf is the end of the range.
 
 use crate::lanes::math::{clamp, floor, fract, max, to_i32};
-use crate::lanes::{F32s, LANES, U32s};
+use crate::lanes::{F32s, I32s, LANES, U32s};
 use crate::sampler::Wrap;
 
-/// Indices along one axis and whether they lie outside, on the border (a mask).
+/// One axis of a level.
+#[derive(Clone, Copy)]
+pub struct Axis {
+    /// What happens outside.
+    pub wrap: Wrap,
+    /// Texels, without the border.
+    pub size: u32,
+    /// Border texels stored on either side, 0 or 1.
+    pub border: u32,
+    /// Texels per unit of the coordinate: the size, or 1 where coordinates count texels.
+    pub scale: f32,
+}
+
+/// Indices along one axis and whether they lie outside of what is stored (a mask).
 pub struct Indices {
-    /// 0 to size - 1.
+    /// Of the stored texels: 0 is the first, the border's if there is one.
     pub index: U32s,
-    /// `!0` on the border, else 0.
-    pub border: U32s,
+    /// `!0` where the border colour stands, else 0.
+    pub outside: U32s,
 }
 
-/// `u`, the wrapped coordinate in texels: within [0, size], half a texel more for the border.
-#[inline(always)]
-pub fn texel_coordinate(wrap: Wrap, s: &F32s, size: u32) -> F32s {
-    let n = size as f32;
-    let mut u = F32s::ZERO;
-    match wrap {
-        Wrap::Repeat => {
-            for lane in 0..LANES {
-                u[lane] = max(fract(s[lane]), 0.0) * n;
+impl Axis {
+    /// `u`, the wrapped coordinate in texels: within [0, size], half a texel more for the border.
+    #[inline(always)]
+    pub fn texel_coordinate(self, s: &F32s) -> F32s {
+        let Self { wrap, scale, .. } = self;
+        let n = self.size as f32;
+        let mut u = F32s::ZERO;
+        match wrap {
+            Wrap::Repeat => {
+                for lane in 0..LANES {
+                    u[lane] = max(fract(s[lane]), 0.0) * n;
+                }
+            }
+            Wrap::Clamp => {
+                for lane in 0..LANES {
+                    u[lane] = clamp(s[lane] * scale, 0.0, n);
+                }
+            }
+            Wrap::ClampToEdge => {
+                for lane in 0..LANES {
+                    u[lane] = clamp(s[lane] * scale, 0.5, n - 0.5);
+                }
+            }
+            Wrap::ClampToBorder => {
+                for lane in 0..LANES {
+                    let x = s[lane] * scale;
+                    let number = if x.is_nan() { 0.0 } else { x };
+                    u[lane] = clamp(number, -0.5, n + 0.5);
+                }
+            }
+            Wrap::MirroredRepeat => {
+                for lane in 0..LANES {
+                    let whole = floor(s[lane]);
+                    let part = max(s[lane] - whole, 0.0);
+                    let half = whole * 0.5;
+                    let odd = floor(half) < half;
+                    let mirrored = if odd { 1.0 - part } else { part };
+                    u[lane] = clamp(mirrored * n, 0.5, n - 0.5);
+                }
+            }
+            Wrap::MirrorClamp => {
+                for lane in 0..LANES {
+                    u[lane] = clamp((s[lane] * scale).abs(), 0.5, n);
+                }
+            }
+            Wrap::MirrorClampToEdge => {
+                for lane in 0..LANES {
+                    u[lane] = clamp((s[lane] * scale).abs(), 0.5, n - 0.5);
+                }
             }
         }
-        Wrap::Clamp => {
-            for lane in 0..LANES {
-                u[lane] = clamp(s[lane] * n, 0.0, n);
-            }
-        }
-        Wrap::ClampToEdge => {
-            for lane in 0..LANES {
-                u[lane] = clamp(s[lane] * n, 0.5, n - 0.5);
-            }
-        }
-        Wrap::ClampToBorder => {
-            for lane in 0..LANES {
-                let x = s[lane] * n;
-                let number = if x.is_nan() { 0.0 } else { x };
-                u[lane] = clamp(number, -0.5, n + 0.5);
-            }
-        }
-        Wrap::MirroredRepeat => {
-            for lane in 0..LANES {
-                let whole = floor(s[lane]);
-                let part = max(s[lane] - whole, 0.0);
-                let half = whole * 0.5;
-                let odd = floor(half) < half;
-                let mirrored = if odd { 1.0 - part } else { part };
-                u[lane] = clamp(mirrored * n, 0.5, n - 0.5);
-            }
-        }
+        u
     }
-    u
-}
 
-/// The texel that `u` lies in; `u = size` lies in the last.
-#[inline(always)]
-pub fn nearest(wrap: Wrap, u: &F32s, size: u32) -> Indices {
-    let last = size as i32 - 1;
-    let mut out = Indices { index: U32s::ZERO, border: U32s::ZERO };
-    for lane in 0..LANES {
-        let i = floor_i32(u[lane]);
-        let low = if i < 0 { 0 } else { i };
-        out.index[lane] = if low > last { last } else { low } as u32;
-    }
-    if wrap == Wrap::ClampToBorder {
+    /// The texel that `u` lies in; `u = size` lies in the last, unless the border is reached.
+    #[inline(always)]
+    pub fn nearest(self, u: &F32s) -> Indices {
+        let mut i = I32s::ZERO;
         for lane in 0..LANES {
-            let i = floor_i32(u[lane]);
-            out.border[lane] = mask((i < 0) | (i > last));
+            i[lane] = floor_i32(u[lane]);
         }
+        match self.wrap {
+            Wrap::ClampToBorder => self.stored(&i),
+            Wrap::Repeat
+            | Wrap::Clamp
+            | Wrap::ClampToEdge
+            | Wrap::MirroredRepeat
+            | Wrap::MirrorClamp
+            | Wrap::MirrorClampToEdge => {
+                let last = self.size as i32 - 1;
+                let mut out = Indices { index: U32s::ZERO, outside: U32s::ZERO };
+                for lane in 0..LANES {
+                    let low = if i[lane] < 0 { 0 } else { i[lane] };
+                    let held = if low > last { last } else { low };
+                    out.index[lane] = held as u32 + self.border;
+                }
+                out
+            }
+        }
+    }
+
+    /// The lower and upper of the two texels that enclose `u`, whose lower is `i`.
+    #[inline(always)]
+    pub fn pair(self, i: &I32s) -> [Indices; 2] {
+        let last = self.size as i32 - 1;
+        match self.wrap {
+            Wrap::Repeat => {
+                let mut lower = Indices { index: U32s::ZERO, outside: U32s::ZERO };
+                let mut upper = Indices { index: U32s::ZERO, outside: U32s::ZERO };
+                for lane in 0..LANES {
+                    let low = if i[lane] < 0 { last } else { i[lane] };
+                    let high = if i[lane] < last { i[lane] + 1 } else { 0 };
+                    lower.index[lane] = low as u32 + self.border;
+                    upper.index[lane] = high as u32 + self.border;
+                }
+                [lower, upper]
+            }
+            Wrap::Clamp
+            | Wrap::ClampToEdge
+            | Wrap::ClampToBorder
+            | Wrap::MirroredRepeat
+            | Wrap::MirrorClamp
+            | Wrap::MirrorClampToEdge => {
+                let mut next = I32s::ZERO;
+                for lane in 0..LANES {
+                    next[lane] = i[lane] + 1;
+                }
+                [self.stored(i), self.stored(&next)]
+            }
+        }
+    }
+
+    /// The stored index of texel `i`, of which -1 and `size` may be the border's.
+    #[inline(always)]
+    fn stored(self, i: &I32s) -> Indices {
+        let border = self.border as i32;
+        let last = self.size as i32 - 1 + 2 * border;
+        let mut out = Indices { index: U32s::ZERO, outside: U32s::ZERO };
+        for lane in 0..LANES {
+            let at = i[lane] + border;
+            let low = if at < 0 { 0 } else { at };
+            out.index[lane] = if low > last { last } else { low } as u32;
+            out.outside[lane] = if (at < 0) | (at > last) { !0 } else { 0 };
+        }
+        out
+    }
+}
+
+/// The lower of the two texels whose centres enclose `u`, -1 at least, and the weight of the upper
+/// in [0, 1).
+#[inline(always)]
+pub fn enclosing(u: &F32s) -> (I32s, F32s) {
+    let mut i = I32s::ZERO;
+    let mut weight = F32s::ZERO;
+    for lane in 0..LANES {
+        let x = u[lane] - 0.5;
+        i[lane] = floor_i32(x);
+        weight[lane] = x - i[lane] as f32;
+    }
+    (i, weight)
+}
+
+/// The layer of an array: the nearest, held in range (GLSL 1.30, section 8.7). NaN is layer 0.
+#[inline(always)]
+pub fn layer(r: &F32s, layers: u32) -> U32s {
+    let mut out = U32s::ZERO;
+    for lane in 0..LANES {
+        let nearest = floor(clamp(r[lane], 0.0, layers as f32) + 0.5);
+        out[lane] = to_i32(clamp(nearest, 0.0, layers as f32 - 1.0)) as u32;
     }
     out
 }
 
-/// The two texels whose centres enclose `u`, and the weight of the second in [0, 1).
-#[inline(always)]
-pub fn linear(wrap: Wrap, u: &F32s, size: u32) -> ([Indices; 2], F32s) {
-    let last = size as i32 - 1;
-    let mut lower = Indices { index: U32s::ZERO, border: U32s::ZERO };
-    let mut upper = Indices { index: U32s::ZERO, border: U32s::ZERO };
-    let mut alpha = F32s::ZERO;
-    match wrap {
-        Wrap::Repeat => {
-            for lane in 0..LANES {
-                let x = u[lane] - 0.5;
-                let i = floor_i32(x);
-                alpha[lane] = x - i as f32;
-                lower.index[lane] = if i < 0 { last } else { i } as u32;
-                upper.index[lane] = if i < last { i + 1 } else { 0 } as u32;
-            }
-        }
-        Wrap::Clamp | Wrap::ClampToEdge | Wrap::ClampToBorder | Wrap::MirroredRepeat => {
-            for lane in 0..LANES {
-                let x = u[lane] - 0.5;
-                let i = floor_i32(x);
-                alpha[lane] = x - i as f32;
-                let low = if i < 0 { 0 } else { i };
-                lower.index[lane] = if low > last { last } else { low } as u32;
-                upper.index[lane] = if i < last { i + 1 } else { last } as u32;
-                lower.border[lane] = mask((i < 0) | (i > last));
-                upper.border[lane] = mask(i >= last);
-            }
-        }
-    }
-    ([lower, upper], alpha)
-}
-
 /// The largest integer not above `x`, which is far inside the range of `i32`.
 #[inline(always)]
-fn floor_i32(x: f32) -> i32 {
+pub fn floor_i32(x: f32) -> i32 {
     let whole = to_i32(x);
     if whole as f32 > x { whole - 1 } else { whole }
-}
-
-#[inline(always)]
-fn mask(on: bool) -> u32 {
-    if on { !0 } else { 0 }
 }

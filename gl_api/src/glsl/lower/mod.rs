@@ -228,9 +228,6 @@ pub fn reachable<'a>(units: &[&'a Unit]) -> Result<Vec<(usize, &'a Function)>, S
 
 /// A texture declaration as a key.
 fn texture_key(decl: TextureDecl) -> u8 {
-    let shape = match decl.shape {
-        texunit::image::Shape::D2 => 0,
-        texunit::image::Shape::Cube => 2,
-    };
+    let shape = 2 * decl.shape as u8;
     shape + u8::from(decl.compare)
 }

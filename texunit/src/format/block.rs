@@ -1,0 +1,247 @@
+//! Blocks of 4×4 texels: S3TC (`EXT_texture_compression_s3tc`, `EXT_texture_sRGB`) and RGTC
+//! (`ARB_texture_compression_rgtc`).
+//!
+//! Texels stay compressed; a fetch decodes the one it needs. Every decoded value is a fraction of
+//! small integers, so it is computed as such and divided once: the nearest `f32` to the
+//! specification's formula. sRGB blocks are decoded first and made linear afterwards, by tables
+//! over all fractions that there are.
+
+mod encode;
+mod interpolated;
+
+pub use encode::encode;
+
+use super::{Encoding, Format, srgb};
+use crate::lanes::{F32s, LANES, Simd, U32s};
+
+/// A kind of block, 8 or 16 bytes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Block {
+    /// Four colours on a line, or three and a transparent black.
+    Dxt1,
+    /// 4 bits of alpha a texel, and four colours on a line.
+    Dxt3,
+    /// Eight or six alphas on a line, and four colours on another.
+    Dxt5,
+    /// Eight or six reds on a line.
+    Rgtc1,
+    /// The same, signed.
+    Rgtc1Snorm,
+    /// Reds on a line, greens on another.
+    Rgtc2,
+    /// The same, signed.
+    Rgtc2Snorm,
+}
+
+impl Block {
+    /// Bits of a channel's end points.
+    pub(super) const fn channel_bits(self, channel: usize) -> u32 {
+        let alpha = match self {
+            Self::Dxt1 => 1,
+            Self::Dxt3 => 4,
+            Self::Dxt5 => 8,
+            Self::Rgtc1 | Self::Rgtc1Snorm | Self::Rgtc2 | Self::Rgtc2Snorm => return 8,
+        };
+        [5, 6, 5, alpha][channel]
+    }
+
+    /// How a channel is written, and the first word of its part of the block.
+    #[inline(always)]
+    const fn part(self, channel: usize) -> (Part, usize) {
+        use interpolated::Ends::{Signed, Unsigned};
+        match (self, channel) {
+            (Self::Dxt1, 3) => (Part::Punched, 0),
+            (Self::Dxt1, _) => (Part::Color(CHANNELS[channel], Palette::ByOrder), 0),
+            (Self::Dxt3, 3) => (Part::Explicit, 0),
+            (Self::Dxt5, 3) => (Part::Interpolated(Unsigned), 0),
+            (Self::Dxt3 | Self::Dxt5, _) => (Part::Color(CHANNELS[channel], Palette::Four), 2),
+            (Self::Rgtc1 | Self::Rgtc2, _) => (Part::Interpolated(Unsigned), 2 * (channel & 1)),
+            (Self::Rgtc1Snorm | Self::Rgtc2Snorm, _) => {
+                (Part::Interpolated(Signed), 2 * (channel & 1))
+            }
+        }
+    }
+}
+
+/// How a channel's part of a block is written.
+#[derive(Clone, Copy)]
+enum Part {
+    /// Of a colour on the line between two of 16 bits.
+    Color(ColorChannel, Palette),
+    /// 0 at the transparent black of DXT1, else 1.
+    Punched,
+    /// 4 bits a texel.
+    Explicit,
+    /// On the line between two bytes.
+    Interpolated(interpolated::Ends),
+}
+
+/// Which codes the two bits of a texel stand for.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Palette {
+    /// Four where the first colour is the larger number, else three and black.
+    ByOrder,
+    /// Four.
+    Four,
+}
+
+/// A channel of the 16 bits of a colour.
+#[derive(Clone, Copy)]
+struct ColorChannel {
+    shift: u32,
+    largest: u32,
+}
+
+const CHANNELS: [ColorChannel; 3] = [
+    ColorChannel { shift: 11, largest: 31 },
+    ColorChannel { shift: 5, largest: 63 },
+    ColorChannel { shift: 0, largest: 31 },
+];
+
+/// What the fractions of a colour are counted in: sixths serve halves and thirds.
+const SIXTHS: u32 = 6;
+
+/// Linear light of the sRGB values `k / 186` (five bits) and `k / 378` (six).
+static LINEAR_5: [f32; 187] = linear_table();
+static LINEAR_6: [f32; 379] = linear_table();
+
+const fn linear_table<const N: usize>() -> [f32; N] {
+    let mut table = [0.0; N];
+    let mut k = 0;
+    while k < N {
+        table[k] = srgb::linear(k as f64 / (N - 1) as f64) as f32;
+        k += 1;
+    }
+    table
+}
+
+/// The weights of the first and second colour in sixths, a hexadecimal digit per code.
+const FOUR: [u32; 2] = [0x2406, 0x4260];
+const THREE: [u32; 2] = [0x0306, 0x0360];
+
+/// A texel's colour channel in sixths of its largest. `ends` are the two colours, `codes` the 16
+/// pairs of bits.
+#[inline(always)]
+fn color_sixths(ends: u32, codes: u32, at: u32, of: ColorChannel, palette: Palette) -> u32 {
+    let (first, second) = (ends & 0xFFFF, ends >> 16);
+    let four = (first > second) | (palette == Palette::Four);
+    let digit = 4 * (codes >> (2 * at) & 3);
+    let [a, b] = [
+        (if four { FOUR[0] } else { THREE[0] }) >> digit & 15,
+        (if four { FOUR[1] } else { THREE[1] }) >> digit & 15,
+    ];
+    a * (first >> of.shift & of.largest) + b * (second >> of.shift & of.largest)
+}
+
+/// 0 at the transparent black, else 1.
+#[inline(always)]
+fn punched(ends: u32, codes: u32, at: u32) -> f32 {
+    let three = ends & 0xFFFF <= ends >> 16;
+    if three & (codes >> (2 * at) & 3 == 3) { 0.0 } else { 1.0 }
+}
+
+/// The 4 bits of a texel, over 15.
+#[inline(always)]
+fn explicit(low: u32, high: u32, at: u32) -> f32 {
+    let word = if at < 8 { low } else { high };
+    (word >> (4 * (at & 7)) & 15) as i32 as f32 / 15.0
+}
+
+/// One stored channel of 64 texels. `words` are the block's, `within` is the texel in it: its
+/// column plus 4 times its row, 0 to 15. 0 if the format is not compressed.
+#[inline(always)]
+pub fn decode_channel<S: Simd>(
+    format: Format,
+    channel: usize,
+    words: &[U32s; 4],
+    within: &U32s,
+) -> F32s {
+    let mut out = F32s::ZERO;
+    let Some(block) = format.block() else { return out };
+    let (part, first) = block.part(channel);
+    let (low, high) = (&words[first], &words[first + 1]);
+    match part {
+        Part::Color(of, palette) => {
+            let mut sixths = U32s::ZERO;
+            for lane in 0..LANES {
+                sixths[lane] = color_sixths(low[lane], high[lane], within[lane] & 15, of, palette);
+            }
+            if is_srgb_block(format) {
+                let five = of.largest == 31;
+                return S::gather_f32(if five { &LINEAR_5 } else { &LINEAR_6 }, &sixths);
+            }
+            let whole = (SIXTHS * of.largest) as i32 as f32;
+            for lane in 0..LANES {
+                out[lane] = sixths[lane] as i32 as f32 / whole;
+            }
+        }
+        Part::Punched => {
+            for lane in 0..LANES {
+                out[lane] = punched(low[lane], high[lane], within[lane] & 15);
+            }
+        }
+        Part::Explicit => {
+            for lane in 0..LANES {
+                out[lane] = explicit(low[lane], high[lane], within[lane] & 15);
+            }
+        }
+        Part::Interpolated(ends) => {
+            for lane in 0..LANES {
+                out[lane] = interpolated::decode(low[lane], high[lane], within[lane] & 15, ends);
+            }
+        }
+    }
+    out
+}
+
+#[inline(always)]
+const fn is_srgb_block(format: Format) -> bool {
+    matches!(format.info().encoding, Encoding::SrgbBlock(_))
+}
+
+/// The stored channels of 64 texels: see [`decode_channel`]. Only those of `out` are written.
+#[inline(always)]
+pub fn decode_lanes<S: Simd>(
+    format: Format,
+    words: &[U32s; 4],
+    within: &U32s,
+    out: &mut [F32s; 4],
+) {
+    for (channel, out) in out.iter_mut().enumerate().take(format.channels()) {
+        *out = decode_channel::<S>(format, channel, words, within);
+    }
+}
+
+/// The stored channels of one texel of a block; unused ones 0.
+pub(crate) fn decode_channels(format: Format, words: [u32; 4], within: u32) -> [f32; 4] {
+    let mut out = [0.0; 4];
+    let Some(block) = format.block() else { return out };
+    let at = within & 15;
+    for (channel, out) in out.iter_mut().enumerate().take(format.channels()) {
+        let (part, first) = block.part(channel);
+        let (low, high) = (words[first], words[first + 1]);
+        *out = match part {
+            Part::Color(of, palette) => {
+                let sixths = color_sixths(low, high, at, of, palette);
+                match (is_srgb_block(format), of.largest) {
+                    (false, largest) => sixths as f32 / (SIXTHS * largest) as f32,
+                    (true, 31) => LINEAR_5[sixths as usize],
+                    (true, _) => LINEAR_6[sixths as usize],
+                }
+            }
+            Part::Punched => punched(low, high, at),
+            Part::Explicit => explicit(low, high, at),
+            Part::Interpolated(ends) => interpolated::decode(low, high, at, ends),
+        };
+    }
+    out
+}
+
+/// The colour of one texel of a block (0 to 15: column plus 4 times row), as a sample returns it.
+pub fn decode(format: Format, block: &[u8], within: u32) -> [f32; 4] {
+    let words = super::convert::words_of(format, block);
+    super::convert::expand(format.base(), decode_channels(format, words, within))
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,136 @@
+//! Compressing a block: a range fit.
+//!
+//! The ends of a line are the texels farthest apart along the block's widest direction; each texel
+//! then takes the nearest of the values that the decoder makes from those ends. Deterministic and
+//! quick, exact for a block of one colour that the format holds, and no match for an offline
+//! compressor.
+
+use super::interpolated::{self, Ends};
+use super::{CHANNELS, Palette, Part, SIXTHS, color_sixths, is_srgb_block};
+use crate::format::{Format, srgb};
+use crate::lanes::math::{clamp, round_even};
+
+/// The block of 16 colours (column plus 4 times row), in its first [`Format::bytes`] bytes. All 0
+/// if the format is not compressed. Below an alpha of 1/2 a texel of DXT1 is transparent.
+pub fn encode(format: Format, texels: &[[f32; 4]; 16]) -> [u8; 16] {
+    let mut words = [0_u32; 4];
+    let Some(block) = format.block() else { return [0; 16] };
+    let sources = format.base().sources();
+    let mut has_colors = None;
+    for (channel, &source) in sources.iter().enumerate() {
+        let values = texels.map(|texel| texel[source]);
+        let (part, first) = block.part(channel);
+        match part {
+            Part::Color(_, palette) => has_colors = Some((palette, first)),
+            // Among the colours' codes.
+            Part::Punched => {}
+            Part::Explicit => {
+                for (at, value) in values.into_iter().enumerate() {
+                    words[first + at / 8] |= to_integer(value, 15.0) << (4 * (at % 8));
+                }
+            }
+            Part::Interpolated(ends) => {
+                [words[first], words[first + 1]] = fit_values(values, ends);
+            }
+        }
+    }
+    if let Some((palette, first)) = has_colors {
+        let transparent = match palette {
+            Palette::ByOrder if sources.len() == 4 => texels.map(|texel| !(texel[3] >= 0.5)),
+            Palette::ByOrder | Palette::Four => [false; 16],
+        };
+        let colors = texels.map(|[r, g, b, _]| {
+            [r, g, b].map(|c| {
+                if is_srgb_block(format) {
+                    f32::from(srgb::encode(c)) / 255.0
+                } else {
+                    clamp(c, 0.0, 1.0)
+                }
+            })
+        });
+        [words[first], words[first + 1]] = fit_colors(&colors, &transparent, palette);
+    }
+    crate::format::convert::bytes_of(words)
+}
+
+/// The nearest of 0 to `largest`; clamps, NaN gives 0.
+fn to_integer(x: f32, largest: f32) -> u32 {
+    round_even(clamp(x, 0.0, 1.0) * largest) as u32
+}
+
+/// The two ends and the codes of a line of colours.
+fn fit_colors(colors: &[[f32; 3]; 16], transparent: &[bool; 16], palette: Palette) -> [u32; 2] {
+    let opaque = || colors.iter().zip(transparent).filter(|&(_, &hidden)| !hidden).map(|(c, _)| *c);
+    let [low, high] = opaque().fold([[1.0_f32; 3], [0.0; 3]], |[low, high], color| {
+        [0, 1].map(|end| {
+            [0, 1, 2].map(|c| if end == 0 { low[c].min(color[c]) } else { high[c].max(color[c]) })
+        })
+    });
+    // The direction from the least to the greatest, each channel turned to rise with the widest.
+    let width = [0, 1, 2].map(|c| high[c] - low[c]);
+    let widest = (0..3).fold(0, |best, c| if width[c] > width[best] { c } else { best });
+    let middle = [0, 1, 2].map(|c| (low[c] + high[c]) / 2.0);
+    let axis = [0, 1, 2].map(|c| {
+        let rise: f32 = opaque().map(|x| (x[c] - middle[c]) * (x[widest] - middle[widest])).sum();
+        if rise < 0.0 { -width[c] } else { width[c] }
+    });
+    let along = |x: [f32; 3]| x[0] * axis[0] + x[1] * axis[1] + x[2] * axis[2];
+    let first = opaque().reduce(|a, b| if along(b) < along(a) { b } else { a });
+    let last = opaque().reduce(|a, b| if along(b) > along(a) { b } else { a });
+    let pack = |color: Option<[f32; 3]>| {
+        let color = color.unwrap_or([0.0; 3]);
+        CHANNELS.iter().zip(color).fold(0, |bits, (channel, value)| {
+            bits | to_integer(value, channel.largest as f32) << channel.shift
+        })
+    };
+    let (a, b) = (pack(first), pack(last));
+    // The order chooses the palette: four colours where the first is larger.
+    let three = palette == Palette::ByOrder && transparent.contains(&true);
+    let (smaller, larger) = if a < b { (a, b) } else { (b, a) };
+    let ends = if three { smaller | larger << 16 } else { larger | smaller << 16 };
+    // Black of the three-colour palette is transparent where alpha is stored: never take it.
+    let usable = if ends & 0xFFFF > ends >> 16 || palette == Palette::Four { 4 } else { 3 };
+    let mut codes = 0;
+    for (at, color) in colors.iter().enumerate() {
+        let distance = |code: u32| {
+            let mut sum = 0.0;
+            for (channel, value) in CHANNELS.into_iter().zip(color) {
+                let sixths = color_sixths(ends, code, 0, channel, palette);
+                let error = sixths as f32 / (SIXTHS * channel.largest) as f32 - value;
+                sum += error * error;
+            }
+            sum
+        };
+        let code = if transparent[at] { 3 } else { nearest(usable, distance) };
+        codes |= code << (2 * at);
+    }
+    [ends, codes]
+}
+
+/// The two ends and the codes of a line of values.
+fn fit_values(values: [f32; 16], ends: Ends) -> [u32; 2] {
+    let [smallest, largest] = ends.range().map(|end| end as f32);
+    let values = values.map(|x| {
+        let number = if x.is_nan() { 0.0 } else { x };
+        clamp(number, smallest / largest, 1.0)
+    });
+    let byte = |x: f32| (round_even(x * largest) as i32 & 0xFF) as u32;
+    let low = values.into_iter().fold(1.0, f32::min);
+    let high = values.into_iter().fold(smallest / largest, f32::max);
+    // The larger first: eight values; or both alike, where code 0 is exact.
+    let first = byte(high) | byte(low) << 8;
+    let mut bits = u64::from(first);
+    for (at, value) in values.into_iter().enumerate() {
+        let code = nearest(8, |code| {
+            let [low, high] = [first | code << 16, code >> 16];
+            (interpolated::decode(low, high, 0, ends) - value).abs()
+        });
+        bits |= u64::from(code) << (16 + 3 * at);
+    }
+    [bits as u32, (bits >> 32) as u32]
+}
+
+/// The code below `count` of the smallest distance; the first of equals.
+fn nearest(count: u32, distance: impl Fn(u32) -> f32) -> u32 {
+    (1..count).fold(0, |best, code| if distance(code) < distance(best) { code } else { best })
+}

@@ -1,0 +1,244 @@
+//! Blocks against the extensions' tables in `f64`, lanes against single texels, and compression.
+
+use super::*;
+use crate::format::convert;
+use crate::lanes::{Isa, Kernel};
+
+/// A small generator (splitmix64).
+struct Random(u64);
+
+impl Random {
+    fn bits(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        z ^ (z >> 31)
+    }
+}
+
+fn compressed() -> impl Iterator<Item = Format> {
+    Format::ALL.into_iter().filter(|format| format.block().is_some())
+}
+
+/// Random blocks, and some whose ends are equal or one apart.
+fn blocks(random: &mut Random) -> Vec<[u8; 16]> {
+    (0..400_u32)
+        .map(|number| {
+            let mut block = [0; 16];
+            block[..8].copy_from_slice(&random.bits().to_le_bytes());
+            block[8..].copy_from_slice(&random.bits().to_le_bytes());
+            if number % 4 == 0 {
+                for half in [0, 8] {
+                    block[half + 2] = block[half];
+                    block[half + 3] = block[half + 1];
+                    block[half + 1] = block[half].wrapping_add((number / 4 % 3) as u8);
+                }
+            }
+            if number % 7 == 0 {
+                (block[0], block[1]) = (0x81, 0x80);
+            }
+            block
+        })
+        .collect()
+}
+
+/// `EXT_texture_compression_s3tc`: the colour and alpha of a texel of the 8 bytes of a DXT1 block.
+fn s3tc_color(b: &[u8], at: usize, always_four: bool) -> ([f64; 3], f64) {
+    let number = |i: usize| u16::from(b[i]) + 256 * u16::from(b[i + 1]);
+    let (c0, c1) = (number(0), number(2));
+    let rgb = |c: u16| {
+        let part = |v: u16, n: f64| f64::from(v) / n;
+        [part(c >> 11, 31.0), part(c >> 5 & 63, 63.0), part(c & 31, 31.0)]
+    };
+    let mix = |m: f64, n: f64, whole: f64| {
+        let (x, y) = (rgb(c0), rgb(c1));
+        [0, 1, 2].map(|i| (m * x[i] + n * y[i]) / whole)
+    };
+    let code = b[4 + at / 4] >> (2 * (at % 4)) & 3;
+    match (code, always_four || c0 > c1) {
+        (0, _) => (rgb(c0), 1.0),
+        (1, _) => (rgb(c1), 1.0),
+        (2, true) => (mix(2.0, 1.0, 3.0), 1.0),
+        (3, true) => (mix(1.0, 2.0, 3.0), 1.0),
+        (2, false) => (mix(1.0, 1.0, 2.0), 1.0),
+        _ => ([0.0; 3], 0.0),
+    }
+}
+
+/// A value on a line, `ARB_texture_compression_rgtc` and the alpha of DXT5.
+fn line(b: &[u8], at: usize, signed: bool) -> f64 {
+    let mut bits = 0_u64;
+    for (i, &byte) in b[2..8].iter().enumerate() {
+        bits |= u64::from(byte) << (8 * i);
+    }
+    let code = bits >> (3 * at) & 7;
+    let value = |byte: u8| {
+        if signed { (f64::from(byte as i8) / 127.0).max(-1.0) } else { f64::from(byte) / 255.0 }
+    };
+    let (r0, r1) = (value(b[0]), value(b[1]));
+    let larger = if signed { b[0] as i8 > b[1] as i8 } else { b[0] > b[1] };
+    match (code, larger) {
+        (0, _) => r0,
+        (1, _) => r1,
+        (k, true) => ((8 - k) as f64 * r0 + (k - 1) as f64 * r1) / 7.0,
+        (6, false) => {
+            if signed {
+                -1.0
+            } else {
+                0.0
+            }
+        }
+        (7, false) => 1.0,
+        (k, false) => ((6 - k) as f64 * r0 + (k - 1) as f64 * r1) / 5.0,
+    }
+}
+
+fn oracle(format: Format, b: &[u8], at: usize) -> [f64; 4] {
+    let linear = |c: f64| {
+        if c <= 0.04045 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) }
+    };
+    let color = |b: &[u8], four: bool| {
+        let ([r, g, b], a) = s3tc_color(b, at, four);
+        if format.is_srgb() { ([r, g, b].map(linear), a) } else { ([r, g, b], a) }
+    };
+    match format.block().unwrap() {
+        Block::Dxt1 => {
+            let ([r, g, b], a) = color(b, false);
+            [r, g, b, if format.channels() == 4 { a } else { 1.0 }]
+        }
+        Block::Dxt3 => {
+            let ([r, g, blue], _) = color(&b[8..], true);
+            [r, g, blue, f64::from(b[at / 2] >> (4 * (at % 2)) & 15) / 15.0]
+        }
+        Block::Dxt5 => {
+            let ([r, g, blue], _) = color(&b[8..], true);
+            [r, g, blue, line(b, at, false)]
+        }
+        Block::Rgtc1 => [line(b, at, false), 0.0, 0.0, 1.0],
+        Block::Rgtc1Snorm => [line(b, at, true), 0.0, 0.0, 1.0],
+        Block::Rgtc2 => [line(b, at, false), line(&b[8..], at, false), 0.0, 1.0],
+        Block::Rgtc2Snorm => [line(b, at, true), line(&b[8..], at, true), 0.0, 1.0],
+    }
+}
+
+#[test]
+fn every_texel_is_the_nearest_float_to_the_extensions_formula() {
+    let blocks = blocks(&mut Random(1));
+    for format in compressed() {
+        for block in &blocks {
+            for at in 0..16 {
+                let got = decode(format, &block[..format.bytes()], at);
+                let want = oracle(format, block, at as usize);
+                for c in 0..4 {
+                    // The oracle's own roundings may fall on the other side of a tie.
+                    let error = (f64::from(got[c]) - want[c]).abs();
+                    let half_ulp = f64::from(f32::EPSILON) / 2.0 * want[c].abs();
+                    assert!(error <= half_ulp * 1.000_001, "{format:?} {block:x?} {at} {c}");
+                }
+            }
+        }
+    }
+}
+
+struct Decode<'a>(Format, &'a [U32s; 4], &'a U32s);
+impl Kernel for Decode<'_> {
+    type Output = [F32s; 4];
+    #[inline(always)]
+    fn run<S: Simd>(self) -> [F32s; 4] {
+        let mut out = [F32s::ZERO; 4];
+        decode_lanes::<S>(self.0, self.1, self.2, &mut out);
+        out
+    }
+}
+
+#[test]
+fn lanes_decode_as_single_texels_on_every_instruction_set() {
+    let mut random = Random(2);
+    let blocks = blocks(&mut random);
+    for format in compressed() {
+        for batch in blocks.chunks_exact(LANES) {
+            let words = [0, 1, 2, 3]
+                .map(|word| U32s::from_fn(|lane| convert::words_of(format, &batch[lane])[word]));
+            let within = U32s::from_fn(|_| (random.bits() & 15) as u32);
+            for isa in Isa::available() {
+                let got = isa.run(Decode(format, &words, &within));
+                for lane in 0..LANES {
+                    let single = [0, 1, 2, 3].map(|word| words[word][lane]);
+                    let want = decode_channels(format, single, within[lane]);
+                    for c in 0..format.channels() {
+                        assert_eq!(got[c][lane].to_bits(), want[c].to_bits(), "{format:?}");
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn a_block_of_one_colour_that_the_format_holds_is_exact() {
+    let mut random = Random(3);
+    for format in compressed() {
+        for _ in 0..200 {
+            let bits = random.bits();
+            let part = |shift: u32, largest: u64| (bits >> shift & largest) as f32 / largest as f32;
+            let mut color = match format.block().unwrap() {
+                Block::Dxt1 => [part(0, 31), part(8, 63), part(16, 31), part(24, 1)],
+                Block::Dxt3 => [part(0, 31), part(8, 63), part(16, 31), part(24, 15)],
+                Block::Dxt5 => [part(0, 31), part(8, 63), part(16, 31), part(24, 255)],
+                Block::Rgtc1 | Block::Rgtc2 => [part(0, 255), part(8, 255), 0.0, 1.0],
+                Block::Rgtc1Snorm | Block::Rgtc2Snorm => {
+                    let signed = |shift| (bits >> shift & 255) as u8 as i8;
+                    [signed(0), signed(8), 0, 127].map(|c| (f32::from(c) / 127.0).max(-1.0))
+                }
+            };
+            if format.is_srgb() {
+                continue;
+            }
+            let block = encode(format, &[color; 16]);
+            match format.base().sources().len() {
+                1 => color = [color[0], 0.0, 0.0, 1.0],
+                3 => color[3] = 1.0,
+                _ => {}
+            }
+            if format == Format::Dxt1Rgba && color[3] == 0.0 {
+                color = [0.0; 4];
+            }
+            for at in 0..16 {
+                assert_eq!(decode(format, &block, at), color, "{format:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_ramp_is_kept_within_a_step_of_its_line() {
+    for format in compressed().filter(|format| !format.is_srgb()) {
+        let texels: [[f32; 4]; 16] = std::array::from_fn(|i| {
+            let t = i as f32 / 15.0;
+            [0.2 + 0.6 * t, 0.9 - 0.5 * t, 0.1 + 0.2 * t, 0.5 + 0.5 * t]
+        });
+        let block = encode(format, &texels);
+        for (at, texel) in texels.iter().enumerate() {
+            let got = decode(format, &block, at as u32);
+            for &source in format.base().sources() {
+                // Half of a third of the line, and the rounding of its ends.
+                let bound = if format == Format::Dxt1Rgba && source == 3 { 0.5 } else { 0.14 };
+                assert!((got[source] - texel[source]).abs() < bound, "{format:?} {at} {source}");
+            }
+        }
+    }
+}
+
+#[test]
+fn any_numbers_compress() {
+    let odd = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, -0.0, 1e-40, 3.0, -7.0, 0.5];
+    let texels: [[f32; 4]; 16] = std::array::from_fn(|i| [0, 1, 2, 3].map(|c| odd[(i + c) % 8]));
+    for format in compressed() {
+        let block = encode(format, &texels);
+        for at in 0..16 {
+            let got = decode(format, &block, at);
+            assert!(got.iter().all(|c| (-1.0..=1.0).contains(c)), "{format:?}");
+        }
+    }
+}

@@ -1,0 +1,149 @@
+//! The footprint of a pixel on the texture: λ, and the probes of an anisotropic filter.
+//!
+//! With the Jacobian `J = (∂(u, v, w)/∂x, ∂(u, v, w)/∂y)` in texels of the base level, a pixel's
+//! square has the parallelogram `J` as its footprint, whose second moments are `J·Jᵀ / 12`. Its
+//! axes `σ₁ ≥ σ₂` are the singular values of `J`, from the metric `JᵀJ` (Heckbert's ellipse).
+//!
+//! *Isotropic* (GL 2.1, equation 3.20): `ρ² = max(|∂/∂x|², |∂/∂y|²)`.
+//!
+//! *Anisotropic* (EXT_texture_filter_anisotropic leaves the scheme open): `N` probes in a row along
+//! the major axis, `N = min(⌈σ₁/σ₂ - 1/64⌉, max)`, each filtered for a width of
+//! `m = max(σ₂, σ₁/N)`, so that `λ = log2 m`. They lie `g = √((σ₁² - m²) / (N² - 1))` apart, the one
+//! distance at which `N` boxes of width `m` have the second moment `σ₁²/12` of the parallelogram
+//! itself: where `σ₁ = N·m` the boxes touch, and as `σ₁` falls to `m` they close up, so that
+//! nothing jumps where `N` changes. The probes weigh the same, as the area integral asks.
+
+use super::lod::{across, upward};
+use crate::lanes::math::{ceil, clamp, max};
+use crate::lanes::{F32s, LANES, log2_of_root};
+
+/// Derivatives of the coordinates of each axis.
+pub struct Derivatives {
+    pub dx: [F32s; 3],
+    pub dy: [F32s; 3],
+}
+
+impl Derivatives {
+    /// Those of the first `axes` coordinates, from the differences within each quad.
+    #[inline(always)]
+    pub fn of_quads(coords: [&F32s; 3], axes: usize) -> Self {
+        let mut out = Self { dx: [F32s::ZERO; 3], dy: [F32s::ZERO; 3] };
+        for axis in 0..axes {
+            out.dx[axis] = across(coords[axis]);
+            out.dy[axis] = upward(coords[axis]);
+        }
+        out
+    }
+}
+
+/// Where the probes of a batch lie.
+pub struct Probes {
+    /// The most that a lane has.
+    pub most: u32,
+    /// How many each lane has, from 1 on.
+    pub count: F32s,
+    /// From one probe to the next, per axis, in units of the coordinate.
+    pub step: [F32s; 3],
+}
+
+/// `JᵀJ`: the squares of both derivatives and their product.
+struct Metric {
+    xx: F32s,
+    xy: F32s,
+    yy: F32s,
+}
+
+#[inline(always)]
+fn metric(d: &Derivatives, axes: usize, scale: [f32; 3]) -> Metric {
+    let mut out = Metric { xx: F32s::ZERO, xy: F32s::ZERO, yy: F32s::ZERO };
+    for axis in 0..axes {
+        for lane in 0..LANES {
+            let x = d.dx[axis][lane] * scale[axis];
+            let y = d.dy[axis][lane] * scale[axis];
+            out.xx[lane] += x * x;
+            out.xy[lane] += x * y;
+            out.yy[lane] += y * y;
+        }
+    }
+    out
+}
+
+/// λ of one probe for the whole footprint. `scale` is texels per unit of each coordinate.
+#[inline(always)]
+pub fn isotropic(d: &Derivatives, axes: usize, scale: [f32; 3]) -> F32s {
+    let mut lambda = F32s::ZERO;
+    if axes == 2 {
+        for lane in 0..LANES {
+            let (dudx, dvdx) = (d.dx[0][lane] * scale[0], d.dx[1][lane] * scale[1]);
+            let (dudy, dvdy) = (d.dy[0][lane] * scale[0], d.dy[1][lane] * scale[1]);
+            lambda[lane] = log2_of_root(max(dudx * dudx + dvdx * dvdx, dudy * dudy + dvdy * dvdy));
+        }
+        return lambda;
+    }
+    let metric = metric(d, axes, scale);
+    for lane in 0..LANES {
+        lambda[lane] = log2_of_root(max(metric.xx[lane], metric.yy[lane]));
+    }
+    lambda
+}
+
+/// λ of each probe, and the probes, if any lane has more than one.
+#[inline(always)]
+pub fn anisotropic(
+    d: &Derivatives,
+    axes: usize,
+    scale: [f32; 3],
+    most: f32,
+) -> (F32s, Option<Probes>) {
+    let metric = metric(d, axes, scale);
+    // The squares of σ₁ and σ₂, and the major axis (1, t) or (t, 1) in the pixel's x and y.
+    let mut major = F32s::ZERO;
+    let mut minor = F32s::ZERO;
+    let mut root = F32s::ZERO;
+    let mut lambda = F32s::ZERO;
+    let mut elongated = false;
+    for lane in 0..LANES {
+        let half = 0.5 * (metric.xx[lane] + metric.yy[lane]);
+        let difference = 0.5 * (metric.xx[lane] - metric.yy[lane]);
+        root[lane] = (difference * difference + metric.xy[lane] * metric.xy[lane]).sqrt();
+        major[lane] = half + root[lane];
+        minor[lane] = max(half - root[lane], 0.0);
+        elongated |= major[lane] > minor[lane] * (ALIKE * ALIKE);
+        lambda[lane] = log2_of_root(major[lane]);
+    }
+    if !elongated {
+        return (lambda, None);
+    }
+    let mut probes = Probes { most: 1, count: F32s::ZERO, step: [F32s::ZERO; 3] };
+    let mut largest = 1.0;
+    for lane in 0..LANES {
+        let (major, minor) = (major[lane], minor[lane]);
+        // Not where NaN comes from no footprint or an infinite one.
+        let stretched = major > minor * (ALIKE * ALIKE);
+        let n = clamp(ceil((major / minor).sqrt() - (ALIKE - 1.0)), 2.0, most);
+        let n = if stretched { n } else { 1.0 };
+        let width = max(minor, major / (n * n));
+        let width = if n > 1.0 { width } else { major };
+        lambda[lane] = log2_of_root(width);
+        probes.count[lane] = n;
+        largest = max(n, largest);
+
+        let difference = 0.5 * (metric.xx[lane] - metric.yy[lane]);
+        let slope = metric.xy[lane] / (difference.abs() + root[lane]);
+        let along = (1.0 - width / major) / ((n * n - 1.0) * (1.0 + slope * slope));
+        let along = if n > 1.0 { max(along, 0.0).sqrt() } else { 0.0 };
+        let across = if n > 1.0 { along * slope } else { 0.0 };
+        let steep = difference < 0.0;
+        let x = if steep { across } else { along };
+        let y = if steep { along } else { across };
+        for axis in 0..3 {
+            probes.step[axis][lane] =
+                if n > 1.0 { d.dx[axis][lane] * x + d.dy[axis][lane] * y } else { 0.0 };
+        }
+    }
+    probes.most = largest as u32;
+    (lambda, Some(probes))
+}
+
+/// Up to this ratio the axes count as alike: rounding alone must not cost a probe.
+const ALIKE: f32 = 1.0 + 1.0 / 64.0;
