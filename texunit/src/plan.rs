@@ -77,8 +77,7 @@ impl Way {
             Shape::Cube => seamless == Seamless::Off,
             Shape::D1 | Shape::D3 | Shape::D1Array | Shape::D2Array => false,
         };
-        let bytes = (0..format.channels()).all(|channel| format.is_byte_channel(channel));
-        if flat && bytes && compare.is_none() { Self::Plain } else { Self::General }
+        if flat && format.is_bytes() && compare.is_none() { Self::Plain } else { Self::General }
     }
 }
 
