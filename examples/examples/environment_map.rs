@@ -103,7 +103,7 @@ fn draw(window: &mut Window) {
 
     glEnable(GL_DEPTH_TEST);
     let place = translate(0., 0., -3.6);
-    let tilted = place * rotate(58., DVec3::X) * rotate(18., DVec3::Z);
+    let tilted = place * rotate(72., DVec3::X) * rotate(24., DVec3::Z);
     safe_glUniformMatrix4fv(h_uModelViewMatrix, &tilted);
     Mesh::torus(0.36).upload().draw(h_program);
     safe_glUniformMatrix4fv(h_uModelViewMatrix, &(place * DMat4::from_scale(DVec3::splat(0.5))));

@@ -167,7 +167,7 @@ fn draw_panel(window: &Window, panel: i32, program: GLuint) {
         }
         1 => {
             load_cube_map(window);
-            (Mesh::torus(0.4), place * rotate(55., DVec3::X))
+            (Mesh::torus(0.4), translate(0., 0., -4.6) * rotate(65., DVec3::X))
         }
         _ => {
             load_texture(0, window.picture("slide.ppm"), GL_CLAMP_TO_BORDER);

@@ -97,7 +97,7 @@ const SIZE: GLsizei = 512;
 fn draw(window: &mut Window) {
     let scene_program = initShaders(window, SCENE_VERTEX_SHADER, SCENE_FRAGMENT_SHADER);
     let screen_program = initShaders(window, SCREEN_VERTEX_SHADER, SCREEN_FRAGMENT_SHADER);
-    let decal = load_texture(0, window.picture("bricks.ppm"), GL_REPEAT);
+    let decal = load_texture(0, window.picture("flagstones.ppm"), GL_REPEAT);
     let (sharp_fbo, sharp) = framebuffer();
     let (blurred_fbo, blurred) = framebuffer();
     let square = Mesh::plane().upload();
@@ -129,7 +129,7 @@ fn draw(window: &mut Window) {
     glViewport(0, 0, window.width, window.height);
     glClear(GL_COLOR_BUFFER_BIT);
     glBindTexture(GL_TEXTURE_2D, blurred);
-    safe_glUniform3f(h_uStep, 0, 1.5 / f64::from(SIZE), 0.55);
+    safe_glUniform3f(h_uStep, 0, 1.5 / f64::from(SIZE), 0.75);
     square.draw(screen_program);
 
     let aspect = f64::from(window.width) / f64::from(window.height);

@@ -81,7 +81,7 @@ in vec3 aColor;
 out vec3 vColor;
 
 void main(){
-    vColor = aColor * (0.16 + 0.14 * max(0.0, dot(aNormal, vec3(0.36, 0.80, 0.48))));
+    vColor = aColor * (0.17 + 0.17 * max(0.0, dot(aNormal, vec3(0.36, 0.80, 0.48))));
     gl_Position = uProjMatrix * uModelViewMatrix * aVertex;
 }
 ";
@@ -126,7 +126,7 @@ fn draw_room(model: &Model, program: GLuint, aspect: f64) {
     safe_glUniform1i(uniform("vTexUnit0"), 0);
     let eye = look_at(dvec3(5.2, 3.9, 6.2), dvec3(0., 1.15, 0.));
     safe_glUniformMatrix4fv(uniform("uModelViewMatrix"), &eye);
-    safe_glUniformMatrix4fv(uniform("uProjMatrix"), &perspective(52., aspect, 0.5, 40.));
+    safe_glUniformMatrix4fv(uniform("uProjMatrix"), &perspective(44., aspect, 0.5, 40.));
     // The projector is a camera whose picture is the unit square.
     let projector = look_at(dvec3(4.6, 2.6, 3.4), dvec3(-1.3, 1.35, -1.0));
     safe_glUniformMatrix4fv(uniform("uSModelViewMatrix"), &projector);
@@ -137,11 +137,12 @@ fn draw_room(model: &Model, program: GLuint, aspect: f64) {
 
 /// Two walls and a floor that meet in a corner, a ball and a box.
 fn room() -> Mesh {
-    let wide = DMat4::from_scale(DVec3::splat(2.));
-    let mut room = Mesh::plane().moved(translate(0., 2., -2.) * wide).colored([0.9, 0.88, 0.85]);
-    let left = translate(-2., 2., 0.) * rotate(90., DVec3::Y) * wide;
+    let wide = DMat4::from_scale(DVec3::splat(4.));
+    let mut room = Mesh::plane().moved(translate(2., 4., -2.) * wide).colored([0.9, 0.88, 0.85]);
+    let floor = translate(2., 0., 2.) * rotate(-90., DVec3::X);
+    let left = translate(-2., 4., 2.) * rotate(90., DVec3::Y) * wide;
     room.append(Mesh::plane().moved(left).colored([0.82, 0.86, 0.92]));
-    room.append(Mesh::plane().moved(rotate(-90., DVec3::X) * wide).colored([0.72, 0.60, 0.48]));
+    room.append(Mesh::plane().moved(floor * wide).colored([0.72, 0.60, 0.48]));
     let ball = translate(-0.2, 0.6, -0.2) * DMat4::from_scale(DVec3::splat(0.6));
     room.append(Mesh::sphere().moved(ball));
     let box_place = translate(-1.2, 0.45, 0.9) * rotate(28., DVec3::Y);

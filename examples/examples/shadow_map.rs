@@ -79,7 +79,7 @@ void main() {
     vec3 t = vTexCoord.xyz / vTexCoord.w;
     float seen = texture2D(uTexUnit0, t.xy).r;
     // Without a bias a surface would shadow itself, texel by texel.
-    float lit = t.z - 0.0015 <= seen ? 1.0 : 0.0;
+    float lit = t.z - 0.0025 <= seen ? 1.0 : 0.0;
     fragColor = vec4(vColor * (0.22 + 0.85 * diffuse * lit), 1.0);
 }
 ";
@@ -95,7 +95,7 @@ out vec4 fragColor;
 
 void main() {
     float diffuse = max(0.0, dot(normalize(vNormal), normalize(vToLight)));
-    vec4 biased = vTexCoord - vec4(0.0, 0.0, 0.0015 * vTexCoord.w, 0.0);
+    vec4 biased = vTexCoord - vec4(0.0, 0.0, 0.0025 * vTexCoord.w, 0.0);
     float lit = shadow2DProj(uTexUnit0, biased).r;
     fragColor = vec4(vColor * (0.22 + 0.85 * diffuse * lit), 1.0);
 }
@@ -141,8 +141,8 @@ fn draw(window: &mut Window) {
         glUseProgram(program);
         let uniform = |name| safe_glGetUniformLocation(program, name);
         safe_glUniform1i(uniform("uTexUnit0"), 0);
-        safe_glUniformMatrix4fv(uniform("uProjMatrix"), &perspective(52., aspect, 0.5, 40.));
-        let eye = look_at(dvec3(-3.4, 4.2, 5.8), dvec3(0.15, 0.45, 0.));
+        safe_glUniformMatrix4fv(uniform("uProjMatrix"), &perspective(50., aspect, 0.5, 40.));
+        let eye = look_at(dvec3(-0.9, 5.2, 5.6), dvec3(-0.1, 0.4, 0.));
         safe_glUniformMatrix4fv(uniform("uModelViewMatrix"), &eye);
         safe_glUniformMatrix4fv(uniform("uSModelViewMatrix"), &light_view);
         safe_glUniformMatrix4fv(uniform("uSProjMatrix"), &(unit_square() * light_projection));
@@ -153,14 +153,14 @@ fn draw(window: &mut Window) {
 fn scene() -> Mesh {
     let floor = rotate(-90., DVec3::X) * DMat4::from_scale(DVec3::splat(2.4));
     let mut scene = Mesh::plane().moved(floor).colored([0.86, 0.84, 0.80]);
-    let ring = translate(-0.2, 1.25, 0.1) * rotate(64., DVec3::X) * rotate(20., DVec3::Z);
+    let ring = translate(0.1, 1.35, 0.1) * rotate(28., DVec3::X) * rotate(14., DVec3::Z);
     scene.append(Mesh::torus(0.26).moved(ring).colored([0.95, 0.55, 0.15]));
-    let ball = translate(-0.2, 1.25, 0.1) * DMat4::from_scale(DVec3::splat(0.42));
+    let ball = translate(0.1, 1.35, 0.1) * DMat4::from_scale(DVec3::splat(0.42));
     scene.append(Mesh::sphere().moved(ball).colored([0.25, 0.50, 0.95]));
     for (x, z, degrees, side, color) in [
-        (1.5, 0.9, 20., 0.32, [0.80, 0.25, 0.30]),
-        (1.3, -1.3, 50., 0.45, [0.35, 0.75, 0.45]),
-        (-1.6, -0.9, 75., 0.38, [0.70, 0.45, 0.85]),
+        (1.6, 1.2, 20., 0.32, [0.80, 0.25, 0.30]),
+        (1.4, -1.4, 50., 0.45, [0.35, 0.75, 0.45]),
+        (-1.7, 1.5, 75., 0.36, [0.70, 0.45, 0.85]),
     ] {
         let place = translate(x, side, z) * rotate(degrees, DVec3::Y);
         let block = Mesh::cube().moved(place * DMat4::from_scale(DVec3::splat(side)));

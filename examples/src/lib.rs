@@ -43,3 +43,8 @@ pub mod lecture {
     pub use gl_api::glu::*;
     pub use gl_api::types::*;
 }
+
+/// The README's program compiles and runs.
+#[cfg(doctest)]
+#[doc = include_str!("../../README.md")]
+pub struct Readme;

@@ -49,8 +49,11 @@ pub struct Rendered {
     pub notes: String,
     /// What GL complained about.
     pub errors: Vec<String>,
-    /// From the new context to the picture in memory.
+    /// From the new context to the picture in memory, without the pictures that the program paints
+    /// by formula.
     pub time: Duration,
+    /// What those took.
+    pub painting: Duration,
 }
 
 impl Window {
@@ -113,7 +116,7 @@ pub fn render(
     image: Option<Picture>,
     desc: &ContextDesc,
 ) -> Result<Rendered, Box<dyn Error>> {
-    let start = Instant::now();
+    let (start, painted) = (Instant::now(), picture::painting());
     let [width, height] = program.halves.map(|halves| (size * halves / 2).max(1));
     let desc = ContextDesc { width: width as u32, height: height as u32, ..desc.clone() };
     let mut window = Window {
@@ -128,7 +131,9 @@ pub fn render(
     let picture = window.read();
     let errors = with_current(Context::messages).unwrap_or_default();
     let errors = errors.iter().map(ToString::to_string).collect();
-    Ok(Rendered { picture, notes: window.notes, errors, time: start.elapsed() })
+    let painting = picture::painting() - painted;
+    let time = start.elapsed() - painting;
+    Ok(Rendered { picture, notes: window.notes, errors, time, painting })
 }
 
 #[derive(Debug, Parser)]

@@ -2,7 +2,10 @@
 
 use gl_api::glsl::{Bindings, Compiled, Options, Repairs, Stage, compile, link};
 use proptest::prelude::*;
+use rasterizer::ir::Module;
+use rasterizer::shader::{Machine, Program, Run};
 use std::time::{Duration, Instant};
+use texunit::lanes::Isa;
 
 fn compiled(source: &str) -> Compiled {
     let start = Instant::now();
@@ -186,5 +189,161 @@ proptest! {
                 }
             }
         }
+    }
+}
+
+/// Valid shaders that use most of the language.
+const VALID: [&str; 3] = [
+    "#version 120
+struct Light { vec3 toward; float power[2]; };
+uniform Light lights[2]; uniform sampler2D image; uniform int count;
+varying vec2 place;
+const float weights[3] = float[3](0.25, 0.5, 0.25);
+float lit(in Light light, inout vec3 n) { n = normalize(n); return max(dot(n, light.toward), 0.0); }
+void main() {
+    vec3 n = vec3(place, 1.0);
+    vec4 sum = vec4(0.0);
+    for (int i = 0; i < count; i++) {
+        if (i > 5) break; else if (i == 2) continue;
+        sum.xyz[i] += lit(lights[i], n) * weights[i] * lights[i].power[1];
+    }
+    while (sum.w < 4.0) { sum.w++; if (place.x > 0.5) discard; }
+    gl_FragColor = texture2D(image, place * mat2(1.0, 2.0, 3.0, 4.0)) + sum;
+}",
+    "#version 130
+#define TWICE(a) ((a) + (a))
+#if __VERSION__ > 120 && defined(TWICE)
+flat in uvec2 which; in vec4 v; out vec4 color;
+#endif
+uint hash(uint x) { x ^= x >> 16u; x *= 0x7feb352du; return x % 97u; }
+int chosen(int i) { switch (i) { case 0: return 1; case 1: break; default: i <<= 2; } return ~i & 7; }
+void main() {
+    int n = 0; do { n += TWICE(chosen(n)); } while (n < 20);
+    mat3x2 m = mat3x2(v.xyz, v.yzw); bvec2 b = lessThan(m[0], m[n]);
+    color = any(b) ? vec4(hash(which.x), n, m[1]) : mix(v, v.wzyx, noise1(v.xy));
+    color.zx[n & 1] = isnan(v.x) ? 1.0 : sinh(v.y);
+}",
+    "varying vec4 gl_TexCoord[2];
+void f(out float a, const int i) { float t[4]; t[i] = 3.0; a = t[i - 1] + t[3]; }
+void main() {
+    float a; f(a, int(gl_FragCoord.x));
+    vec4 l = gl_LightSource[0].diffuse * gl_FrontMaterial.ambient + gl_Fog.color;
+    gl_FragData[0] = a > 1.0 && !(a < 2.0 || a == 3.0) ? l : gl_TexCoord[1];
+    gl_FragData[1].rgb = dFdx(l.rgb) * gl_TextureMatrix[0][1].xyz;
+}",
+];
+
+/// What may stand in the place of a token, besides tokens of other shaders.
+const STRANGE: [&str; 16] = [
+    "",
+    "0",
+    "-1",
+    "1e38",
+    "0u",
+    "int",
+    "vec4",
+    "}",
+    "{",
+    ")",
+    "(",
+    ";",
+    "inout",
+    "while (true)",
+    "\n#define f f(\n",
+    "[99999999]",
+];
+
+/// The words, numbers and other characters of a source, and the blanks between.
+fn pieces(source: &str) -> Vec<&str> {
+    let mut all = Vec::new();
+    let mut rest = source;
+    while let Some(first) = rest.chars().next() {
+        let word = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '.';
+        let len = match rest.find(|c| !word(c)) {
+            Some(0) => first.len_utf8(),
+            Some(len) => len,
+            None => rest.len(),
+        };
+        let (piece, more) = rest.split_at(len);
+        all.push(piece);
+        rest = more;
+    }
+    all
+}
+
+/// Runs a stage over 64 lanes, on inputs of all kinds; how it ends does not matter, that it does.
+fn run(module: &Module, words: u32) {
+    module.validate().expect("what the linker gives is valid");
+    let program = Program::new(module, |_| true);
+    let isa = Isa::available()[0];
+    let words: Vec<u32> = (0..words).map(|word| word.wrapping_mul(0x9e37_79b9)).collect();
+    let textures = vec![None; module.textures.len()];
+    let prepared = program.prepare(isa, &words, &textures);
+    let mut machine = Machine::default();
+    machine.begin(&program);
+    for index in 0..program.inputs().len() {
+        let register = machine.input_mut(index);
+        for (lane, word) in register.0.iter_mut().enumerate() {
+            *word = (lane as u32).wrapping_mul(0x85eb_ca6b);
+        }
+    }
+    let run = Run {
+        isa,
+        program: &program,
+        prepared: &prepared,
+        textures: &textures,
+        active: !0,
+        budget: 20_000,
+    };
+    let _ = machine.run(run);
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(500))]
+
+    #[test]
+    fn mutated_shaders(
+        which in 0..VALID.len(),
+        edits in prop::collection::vec((any::<prop::sample::Index>(), any::<u16>(), 0..5u8), 1..4),
+    ) {
+        let mut all = pieces(VALID[which]);
+        for (place, number, kind) in edits {
+            let at = place.index(all.len());
+            let other = usize::from(number);
+            match kind {
+                0 => all[at] = STRANGE[other % STRANGE.len()],
+                1 => all.insert(at, all[other % all.len()]),
+                2 => {
+                    let len = all.len();
+                    all.swap(at, other % len);
+                }
+                3 => {
+                    let donor = pieces(VALID[(which + 1) % VALID.len()]);
+                    all[at] = donor[other % donor.len()];
+                }
+                _ => {
+                    all.remove(at);
+                    all.push(" ");
+                }
+            }
+        }
+        let source = all.concat();
+        if let Some(shader) = compiled(&source).shader {
+            let linked = link(&[&shader], &Bindings::default());
+            if let Some(program) = linked.program
+                && let Some(module) = &program.fragment
+            {
+                run(module, program.words);
+            }
+        }
+    }
+}
+
+#[test]
+fn the_shaders_to_mutate_are_valid() {
+    for source in VALID {
+        let shader = compiled(source);
+        let shader = shader.shader.unwrap_or_else(|| panic!("{}", shader.log));
+        let _ = link(&[&shader], &Bindings::default());
     }
 }

@@ -1,6 +1,15 @@
 //! The shaders of the CS380 lecture, as printed: which are rejected and why, and what repairs do.
 
-use gl_api::glsl::{Bindings, Compiled, DataType, Options, Repairs, Scalar, Stage, compile, link};
+use gl_api::glsl::{
+    Bindings, Comparison, Compiled, DataType, Dim, Options, Repairs, Sampler, Scalar, Stage,
+    compile, link,
+};
+
+const fn sampler(dim: Dim) -> DataType {
+    DataType::Sampler(Sampler { dim, scalar: Scalar::Float, comparison: Comparison::No })
+}
+const SAMPLER_2D: DataType = sampler(Dim::D2);
+const SAMPLER_CUBE: DataType = sampler(Dim::Cube);
 
 const TEXTURED_VERT: &str = include_str!("lecture/textured.vert");
 const TEXTURED_FRAG: &str = include_str!("lecture/textured.frag");
@@ -82,7 +91,7 @@ fn textured_square() {
         [
             ("uProjMatrix", matrix, 0, 0),
             ("uModelViewMatrix", matrix, 1, 16),
-            ("uTexUnit0", DataType::Sampler2D, 2, 32)
+            ("uTexUnit0", SAMPLER_2D, 2, 32)
         ]
     );
     assert_eq!(program.samplers.len(), 1);
@@ -94,5 +103,5 @@ fn textured_square() {
 fn projector_and_environment() {
     linked(PROJECTOR_VERT, PROJECTOR_FRAG);
     let program = linked(ENVIRONMENT_VERT, ENVIRONMENT_FRAG);
-    assert!(program.uniforms.iter().any(|u| u.ty == DataType::SamplerCube));
+    assert!(program.uniforms.iter().any(|u| u.ty == SAMPLER_CUBE));
 }

@@ -81,6 +81,11 @@ fn vertices(far_w: f32, repeat: f32) -> Arc<[VertexBinding]> {
             .into_iter()
             .flat_map(|[x, y]| corner(x, y))
             .collect();
+    bind(&floats)
+}
+
+/// Interleaved positions and texture coordinates.
+fn bind(floats: &[f32]) -> Arc<[VertexBinding]> {
     let buffer = Buffer::new(floats.iter().flat_map(|v| v.to_le_bytes()).collect());
     (0..2)
         .map(|location| VertexBinding {
@@ -97,11 +102,28 @@ fn vertices(far_w: f32, repeat: f32) -> Arc<[VertexBinding]> {
         .collect()
 }
 
+/// A grid of triangles of about five pixels each.
+fn small_triangles(across: u32, up: u32) -> Vec<f32> {
+    let mut floats = Vec::new();
+    let place = |i: f32, n: u32| i / n as f32 * 2.0 - 1.0;
+    for j in 0..up {
+        for i in 0..across {
+            for (dx, dy) in [(0.0, 0.0), (1.0, 0.1), (0.1, 1.0)] {
+                let (x, y) = (i as f32 + dx, j as f32 + dy);
+                floats.extend([place(x, across), place(y, up), 0.0, 1.0]);
+                floats.extend([x / across as f32, y / up as f32, 0.0, 1.0]);
+            }
+        }
+    }
+    floats
+}
+
 struct Scene {
     name: &'static str,
     fragment: ShaderModule,
     sampler: Sampler,
     vertices: Arc<[VertexBinding]>,
+    count: u32,
 }
 
 fn scenes() -> Vec<Scene> {
@@ -120,6 +142,7 @@ fn scenes() -> Vec<Scene> {
         fragment: fragment.clone(),
         sampler: sampler.clone(),
         vertices: vertices(far_w, repeat),
+        count: 6,
     };
     let textured = textured();
     vec![
@@ -128,6 +151,13 @@ fn scenes() -> Vec<Scene> {
         scene("nearest", &textured, &nearest, 1.0, 1.0),
         scene("bilinear", &textured, &linear, 1.0, 1.0),
         scene("trilinear_floor", &textured, &trilinear, 16.0, 4.0),
+        Scene {
+            name: "200000_small_triangles",
+            fragment: textured.clone(),
+            sampler: linear.clone(),
+            vertices: bind(&small_triangles(500, 400)),
+            count: 3 * 500 * 400,
+        },
     ]
 }
 
@@ -182,7 +212,7 @@ fn commands(scene: &Scene, texels: &Texels, target: Image) -> CommandBuffer {
             Command::BindVertices(scene.vertices.clone()),
             Command::BindTextures { vertex: Arc::new([]), fragment: Arc::new([Some(plan)]) },
             Command::SetViewport(Viewport { x, y, width, height, near: 0.0, far: 1.0 }),
-            Command::Draw { first: 0, count: 6, instances: 1 },
+            Command::Draw { first: 0, count: scene.count, instances: 1 },
             Command::EndPass,
         ],
     }

@@ -3,7 +3,7 @@
 //! "Leave out what a scene does not need" is this plan. What it leaves out costs neither time nor
 //! memory; `DETGL_EXPLAIN=1` prints it.
 
-use crate::driver::{DepthWrite, Pipeline, PolygonOffset, Topology, Viewport};
+use crate::driver::{DepthWrite, Pipeline, PolygonOffset, Viewport};
 use crate::ir::{Input, Interpolation, Output};
 use crate::output::{ColorPlan, DepthFormat, DepthPlan};
 use crate::raster::PlaneSource;
@@ -257,7 +257,12 @@ impl DrawPlan {
             },
         );
         match self.shading {
-            Shading::On => line("fragment", compiled.fragment.describe()),
+            Shading::On => {
+                line("fragment", compiled.fragment.describe());
+                for note in &desc.fragment.module().notes {
+                    line("", note.clone());
+                }
+            }
             Shading::Off => line("fragment", "left out: no colour is written".into()),
         }
         for (slot, texture) in self.textures.iter().enumerate() {
@@ -284,16 +289,7 @@ impl DrawPlan {
                 ),
             );
         }
-        let counted = match desc.topology {
-            Topology::Points | Topology::Lines | Topology::LineStrip | Topology::LineLoop => "",
-            Topology::Triangles
-            | Topology::TriangleStrip
-            | Topology::TriangleFan
-            | Topology::Quads
-            | Topology::QuadStrip
-            | Topology::Polygon => ", polygons",
-        };
-        line("planes", format!("{}{counted}", self.planes.len()));
+        line("planes", format!("{} evaluated a pixel", self.planes.len()));
         text
     }
 }

@@ -71,13 +71,13 @@ pub(crate) enum Way {
 }
 
 impl Way {
-    fn new(shape: Shape, format: Format, seamless: Seamless) -> Self {
+    fn new(shape: Shape, format: Format, compare: Option<Compare>, seamless: Seamless) -> Self {
         let flat = match shape {
             Shape::D2 | Shape::Rect => true,
             Shape::Cube => seamless == Seamless::Off,
             Shape::D1 | Shape::D3 | Shape::D1Array | Shape::D2Array => false,
         };
-        if flat && format.is_bytes() { Self::Plain } else { Self::General }
+        if flat && format.is_bytes() && compare.is_none() { Self::Plain } else { Self::General }
     }
 }
 
@@ -214,6 +214,7 @@ impl Texture {
         for (to, &from) in border.iter_mut().zip(format.base().sources()) {
             *to = sampler.border[from];
         }
+        let compare = if format.is_depth() { sampler.compare } else { None };
         Ok(Self {
             shape,
             format,
@@ -226,10 +227,10 @@ impl Texture {
             wrap: sampler.wrap.map(|wrap| wrap_of(shape, sampler.seamless, wrap)),
             seamless: if shape == Shape::Cube { sampler.seamless } else { Seamless::Off },
             border,
-            compare: if format.is_depth() { sampler.compare } else { None },
+            compare,
             depth_mode: sampler.depth_mode,
             swizzle: sampler.swizzle,
-            way: Way::new(shape, format, sampler.seamless),
+            way: Way::new(shape, format, compare, sampler.seamless),
             detail,
         })
     }

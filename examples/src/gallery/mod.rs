@@ -9,9 +9,11 @@ use crate::window::{Program, Rendered, render};
 use clap::Parser;
 use gl_api::context::ContextDesc;
 use indicatif::{ProgressBar, ProgressStyle};
+use rasterizer::driver::{Device, DeviceDesc, DeviceError, Explain};
 use std::error::Error;
 use std::fs;
 use std::path::PathBuf;
+use std::sync::Arc;
 
 /// Draws the pictures of the lectures
 #[derive(Clone, Debug, Parser)]
@@ -30,8 +32,13 @@ pub struct Arguments {
     out: PathBuf,
 }
 
-/// A program and what it drew.
-type Entry = (Program, Rendered);
+/// A program, what it drew, and how.
+struct Entry {
+    program: Program,
+    rendered: Rendered,
+    /// What the driver planned for its draws, each different plan once.
+    plans: Vec<String>,
+}
 
 /// Draws what is asked for, writes it, and prints the table.
 ///
@@ -41,13 +48,13 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let image = arguments.image.as_deref().map(crate::window::load).transpose()?;
     fs::create_dir_all(&arguments.out)?;
     let entries = draw(arguments, image.as_ref())?;
-    for (program, rendered) in &entries {
+    for Entry { program, rendered, .. } in &entries {
         picture::save(&rendered.picture, &arguments.out.join(format!("{}.png", program.name)))?;
     }
     let index = arguments.out.join("index.html");
     fs::write(&index, page::page(&entries))?;
     println!("{}", table::table(&entries));
-    for (program, rendered) in &entries {
+    for Entry { program, rendered, .. } in &entries {
         rendered.errors.iter().for_each(|error| eprintln!("{}: {error}", program.name));
     }
     println!("{}", index.display());
@@ -62,15 +69,26 @@ fn draw(arguments: &Arguments, image: Option<&Picture>) -> Result<Vec<Entry>, Bo
     // On anything but a terminal the bar draws nothing.
     let bar = ProgressBar::new(programs.len() as u64);
     bar.set_style(ProgressStyle::with_template("{bar:30} {pos}/{len} {msg}")?);
+    let device = device()?;
+    let desc = ContextDesc { device: Some(Arc::clone(&device)), ..ContextDesc::default() };
     let mut entries = Vec::with_capacity(programs.len());
     for program in programs {
         bar.set_message(program.name);
         bar.tick();
         let size = arguments.size as usize;
-        let rendered = render(&program, size, image.cloned(), &ContextDesc::default())?;
-        entries.push((program, rendered));
+        let rendered = render(&program, size, image.cloned(), &desc)?;
+        entries.push(Entry { program, rendered, plans: device.take_explanations() });
         bar.inc(1);
     }
     bar.finish_and_clear();
     Ok(entries)
+}
+
+/// A device that keeps the plans of its draws, unless `DETGL_EXPLAIN` wants them printed.
+fn device() -> Result<Arc<Device>, DeviceError> {
+    let mut desc = DeviceDesc::from_env()?;
+    if desc.explain == Explain::Off {
+        desc.explain = Explain::Keep;
+    }
+    Device::new(desc).map(Arc::new)
 }

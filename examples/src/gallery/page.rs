@@ -1,7 +1,6 @@
 //! `index.html`: the pictures with their programs.
 
 use super::Entry;
-use std::fmt::Write;
 
 const HEAD: &str = r#"<!DOCTYPE html>
 <html lang="en">
@@ -30,35 +29,35 @@ pub fn page(entries: &[Entry]) -> String {
     page
 }
 
-fn section(page: &mut String, (program, rendered): &Entry) {
+fn section(page: &mut String, Entry { program, rendered, plans }: &Entry) {
     let (name, lecture) = (program.name, escape(program.lecture));
     let (width, height) = (rendered.picture.width, rendered.picture.height);
     let (time, checksum) = (rendered.time.as_millis(), rendered.picture.checksum());
     let title = name.replace('_', " ");
-    let source = escape(program.source);
     let messages = [rendered.notes.clone(), rendered.errors.join("\n")].concat();
-    write!(
-        page,
+    page.push_str(&format!(
         r#"<section id="{name}">
 <h2>{title}</h2>
-<p class="about">{lecture} · {width}×{height} · {time} ms · {checksum:016x}</p>
+<p class="about">{lecture} · {width}×{height} · {time} ms of GL · {checksum:016x}</p>
 <img src="{name}.png" width="{width}" height="{height}" alt="{title}">
 "#,
-    )
-    .expect("a String takes everything");
+    ));
     if !messages.is_empty() {
-        let messages = escape(&messages);
-        write!(
-            page,
-            "<details open><summary>What it says</summary><pre>{messages}</pre></details>\n"
-        )
-        .expect("a String takes everything");
+        details(page, "What it says", " open", &messages);
     }
-    write!(
-        page,
-        "<details><summary>{name}.rs</summary><pre>{source}</pre></details>\n</section>\n"
-    )
-    .expect("a String takes everything");
+    details(page, &format!("{name}.rs"), "", program.source);
+    if !plans.is_empty() {
+        details(page, "What the draws ran, and what they left out", "", &plans.join("\n"));
+    }
+    page.push_str("</section>\n");
+}
+
+/// Text that can be folded away.
+fn details(page: &mut String, summary: &str, state: &str, text: &str) {
+    let text = escape(text);
+    page.push_str(&format!(
+        "<details{state}><summary>{summary}</summary><pre>{text}</pre></details>\n"
+    ));
 }
 
 /// Text that HTML shows as it is.

@@ -8,14 +8,15 @@ use comfy_table::{Cell, CellAlignment, Table};
 pub fn table(entries: &[Entry]) -> Table {
     let mut table = Table::new();
     table.load_preset(UTF8_FULL_CONDENSED);
-    table.set_header(["picture", "lecture", "size", "ms", "checksum", "errors"]);
-    for (program, rendered) in entries {
+    table.set_header(["picture", "lecture", "size", "GL ms", "painting ms", "checksum", "errors"]);
+    for Entry { program, rendered, .. } in entries {
         let number = |value: String| Cell::new(value).set_alignment(CellAlignment::Right);
         table.add_row([
             Cell::new(program.name),
             Cell::new(program.lecture),
             number(format!("{}×{}", rendered.picture.width, rendered.picture.height)),
             number(rendered.time.as_millis().to_string()),
+            number(rendered.painting.as_millis().to_string()),
             Cell::new(format!("{:016x}", rendered.picture.checksum())),
             number(rendered.errors.len().to_string()),
         ]);

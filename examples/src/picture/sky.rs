@@ -11,7 +11,7 @@ pub const FACES: [&str; 6] =
     ["sky_px.ppm", "sky_nx.ppm", "sky_py.ppm", "sky_ny.ppm", "sky_pz.ppm", "sky_nz.ppm"];
 
 /// Side of a face.
-const SIZE: usize = 256;
+const SIZE: usize = 512;
 
 /// A face of the cube map, by its place in [`FACES`]; its first row is at t = 0, as GL wants it.
 pub fn sky_face(face: usize) -> Picture {

@@ -1,6 +1,6 @@
 //! The uniform words of a draw: a program's uniforms and the state that its stages read.
 
-use crate::context::Context;
+use crate::context::{Context, limits};
 use crate::fixed::word;
 use crate::interface::*;
 use glam::{DMat3, DMat4};
@@ -32,6 +32,41 @@ fn put(words: &mut [u32], first: u32, values: impl IntoIterator<Item = f64>) {
     }
 }
 
+/// The initial value of state that no call changes (GL 2.1, tables 6.9 to 6.14 and 6.17).
+fn initial(var: StateVar) -> Vec<f64> {
+    let gray = |value: f64| [value, value, value, 1.0];
+    let (black, none, white) = (gray(0.0), [0.0; 4], gray(1.0));
+    let (ambient, diffuse, scene) = (gray(0.2), gray(0.8), gray(0.04));
+    match var {
+        StateVar::Material(_) => {
+            [black, ambient, diffuse, black].concat().into_iter().chain([0.0]).collect()
+        }
+        StateVar::Light(light) => {
+            let color = if light == 0 { white } else { black };
+            let toward = [0.0, 0.0, 1.0, 0.0];
+            let spot = [0.0, 0.0, -1.0, 0.0, 180.0, -1.0, 1.0, 0.0, 0.0];
+            [black, color, color, toward, toward].concat().into_iter().chain(spot).collect()
+        }
+        StateVar::LightModel => ambient.into(),
+        StateVar::LightModelProduct(_) => scene.into(),
+        StateVar::LightProduct(_, light) => {
+            let lit = if light == 0 { diffuse } else { black };
+            [black, lit, black].concat()
+        }
+        StateVar::TexGen(_, TexCoord::S, _) => vec![1.0, 0.0, 0.0, 0.0],
+        StateVar::TexGen(_, TexCoord::T, _) => vec![0.0, 1.0, 0.0, 0.0],
+        StateVar::TexGen(_, TexCoord::R | TexCoord::Q, _) | StateVar::ClipPlane(_) => none.into(),
+        StateVar::Fog => none.into_iter().chain([1.0, 0.0, 1.0, 1.0]).collect(),
+        StateVar::Matrix(..)
+        | StateVar::NormalMatrix
+        | StateVar::DepthRange
+        | StateVar::TextureEnvColor(_)
+        | StateVar::NormalScale
+        | StateVar::ClipEnables
+        | StateVar::Point => vec![0.0; var.words() as usize],
+    }
+}
+
 fn put_state(context: &Context, words: &mut [u32], binding: StateBinding) {
     let StateBinding { var, word } = binding;
     match var {
@@ -55,6 +90,23 @@ fn put_state(context: &Context, words: &mut [u32], binding: StateBinding) {
                 .map_or([0.0; 4], |unit| unit.color);
             put(words, word, color.map(f64::from));
         }
+        StateVar::NormalScale => {
+            let inverse = DMat3::from_mat4(context.state.matrices.modelview.top).inverse();
+            put(words, word, [1.0 / inverse.row(2).length()]);
+        }
+        StateVar::Point => {
+            let size = f64::from(context.state.raster.point_size);
+            put(words, word, [size, 0.0, limits::MAX_WIDTH.into(), 1.0, 1.0, 0.0, 0.0]);
+        }
+        StateVar::ClipPlane(_)
+        | StateVar::ClipEnables
+        | StateVar::Material(_)
+        | StateVar::Light(_)
+        | StateVar::LightModel
+        | StateVar::LightModelProduct(_)
+        | StateVar::LightProduct(..)
+        | StateVar::TexGen(..)
+        | StateVar::Fog => put(words, word, initial(var)),
     }
 }
 

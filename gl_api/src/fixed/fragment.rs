@@ -63,8 +63,17 @@ pub(super) fn module(key: &FragmentKey) -> Module {
         usize::from(VARYING_TEX_COORD) + 4 * MAX_TEXTURE_UNITS as usize
     ];
     set_shade_model(&mut module, key.shade_model);
-    if let Some(compare) = key.alpha {
-        add_alpha_test(&mut module, compare, key.base + word::ALPHA_REF);
+    match key.alpha {
+        Some(compare) => add_alpha_test(&mut module, compare, key.base + word::ALPHA_REF),
+        None => module.notes.push("left out: the alpha test (off, or lets everything pass)".into()),
+    }
+    let off: Vec<String> = (0..MAX_TEXTURE_UNITS)
+        .filter(|unit| key.units.iter().all(|key| key.unit != *unit))
+        .map(|unit| unit.to_string())
+        .collect();
+    if !off.is_empty() {
+        let why = "(disabled, or without a complete texture)";
+        module.notes.push(format!("left out: texture units {} {why}", off.join(", ")));
     }
     module
 }

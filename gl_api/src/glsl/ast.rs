@@ -92,6 +92,44 @@ pub const BINARY: [(&str, BinaryOp, u8); 19] = [
 ];
 
 impl BinaryOp {
+    /// The function that compares vectors as it compares scalars (section 8.6).
+    pub fn vector_function(self) -> Option<&'static str> {
+        match self {
+            Self::Less => Some("lessThan"),
+            Self::Greater => Some("greaterThan"),
+            Self::LessEqual => Some("lessThanEqual"),
+            Self::GreaterEqual => Some("greaterThanEqual"),
+            Self::Equal
+            | Self::NotEqual
+            | Self::Add
+            | Self::Sub
+            | Self::Mul
+            | Self::Div
+            | Self::Rem
+            | Self::ShiftLeft
+            | Self::ShiftRight
+            | Self::BitAnd
+            | Self::BitOr
+            | Self::BitXor
+            | Self::And
+            | Self::Or
+            | Self::Xor => None,
+        }
+    }
+
+    /// Whether it is for integers only, and so came with GLSL 1.30.
+    pub fn is_integer(self) -> bool {
+        matches!(
+            self,
+            Self::Rem
+                | Self::BitAnd
+                | Self::BitOr
+                | Self::BitXor
+                | Self::ShiftLeft
+                | Self::ShiftRight
+        )
+    }
+
     /// As it is written.
     pub fn text(self) -> &'static str {
         BINARY.iter().find(|row| row.1 == self).map_or("", |row| row.0)
@@ -297,6 +335,8 @@ pub enum Item {
     Function(Function),
     /// `invariant a, b;`.
     Invariant(Vec<Name>),
+    /// `precision highp float;`, with the type.
+    Precision(TypeName),
 }
 
 /// A statement.
@@ -313,6 +353,8 @@ pub struct Stmt {
 pub enum StmtKind {
     /// `;`.
     Empty,
+    /// `precision highp float;`, with the type.
+    Precision(TypeName),
     /// Variables.
     Declaration(Declaration),
     /// An expression.

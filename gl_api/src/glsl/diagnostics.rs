@@ -1,11 +1,10 @@
 //! What is wrong with a shader, as data, and how an info log shows it.
 
+use super::limits::MAX_ERRORS;
 use super::source::{Source, Span};
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 use std::fmt::Write as _;
 
-/// How many errors are reported before the compiler gives up.
-pub const MAX_ERRORS: usize = 20;
 /// How much of a long line is shown on each side of what is pointed at, in bytes.
 const CONTEXT: usize = 100;
 

@@ -52,6 +52,7 @@ impl Token {
                 format!("`{short}`")
             }
             Kind::Punct(punct) => format!("`{punct}`"),
+            Kind::Stray(c) if c.is_ascii_graphic() => format!("the character `{c}`"),
             Kind::Stray(c) => format!("the character U+{:04X}", u32::from(*c)),
             Kind::Newline => "the end of the line".to_owned(),
             Kind::End => "the end of the shader".to_owned(),
@@ -66,15 +67,22 @@ const PUNCTUATION: [&str; 47] = [
     "?", "=", "+", "-", "*", "/", "%", "<", ">", "!", "~", "&", "|", "^", "#",
 ];
 
-/// What the lexer found besides tokens.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct UnclosedComment(pub Span);
+/// A text taken apart.
+#[derive(Debug, Default)]
+pub struct Lexed {
+    /// Its tokens; the last is [`Kind::End`].
+    pub tokens: Vec<Token>,
+    /// Where a comment begins that does not end.
+    pub unclosed: Option<Span>,
+    /// The first line end that a backslash takes away.
+    pub continued: Option<Span>,
+}
 
-/// Splits a text into tokens; the last is [`Kind::End`].
-pub fn tokens(text: &str) -> (Vec<Token>, Option<UnclosedComment>) {
+/// Splits a text into tokens.
+pub fn tokens(text: &str) -> Lexed {
     let bytes = text.as_bytes();
     let mut tokens = Vec::new();
-    let mut unclosed = None;
+    let (mut unclosed, mut continued) = (None, None);
     let mut at = 0;
     while at < bytes.len() {
         let start = at;
@@ -88,6 +96,7 @@ pub fn tokens(text: &str) -> (Vec<Token>, Option<UnclosedComment>) {
                 None
             }
             b'\\' if continuation(&bytes[at + 1..]) > 0 => {
+                continued = continued.or(Some(Span { start: at as u32, end: at as u32 + 1 }));
                 at += 1 + continuation(&bytes[at + 1..]);
                 None
             }
@@ -101,7 +110,7 @@ pub fn tokens(text: &str) -> (Vec<Token>, Option<UnclosedComment>) {
                     None => {
                         at = bytes.len();
                         let span = Span { start: start as u32, end: start as u32 + 2 };
-                        unclosed = Some(UnclosedComment(span));
+                        unclosed = Some(span);
                     }
                 }
                 None
@@ -138,7 +147,7 @@ pub fn tokens(text: &str) -> (Vec<Token>, Option<UnclosedComment>) {
     let end = text.len() as u32;
     tokens.push(Token { kind: Kind::Newline, span: Span { start: end, end } });
     tokens.push(Token { kind: Kind::End, span: Span { start: end, end } });
-    (tokens, unclosed)
+    Lexed { tokens, unclosed, continued }
 }
 
 /// How many bytes of line end follow a backslash.

@@ -1,21 +1,18 @@
 //! Shaders to a program (GL 2.1 section 2.15, GLSL 1.30 section 4.3): the stages' interfaces are
 //! matched, locations and uniform words given, and both stages lowered.
 
-use super::builtins::variables::{MAX_DRAW_BUFFERS, MAX_VARYING_FLOATS};
 use super::check::recursive_call;
 use super::diagnostics::{Diagnostic, Log};
 use super::hir::{Function, Storage, Unit, Variable};
+use super::limits::{MAX_DRAW_BUFFERS, MAX_UNIFORM_WORDS, MAX_VARYING_FLOATS, MAX_VERTEX_ATTRIBS};
 use super::lower::{self, Binding, Words, lower_stage, varying_slots};
 use super::types::Type;
 use super::version::stage_name;
 use super::{Attribute, Bindings, Linked, Program, SamplerSlot, Shader, Stage, Uniform};
-use crate::interface::{MAX_VERTEX_ATTRIBS, VARYING_USER};
+use crate::interface::VARYING_USER;
 use rasterizer::ir::{Interpolation, Module};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
-
-/// How many uniform words a program may have.
-const MAX_UNIFORM_WORDS: u32 = 1 << 20;
 
 type Locations = BTreeMap<Arc<str>, Binding>;
 
@@ -310,10 +307,7 @@ fn attributes(
     log: &mut Log,
 ) -> Vec<Attribute> {
     let used = vertex.with(|storage| storage == Storage::Attribute);
-    let columns = |variable: &Variable| match variable.ty {
-        Type::Matrix(columns, _) => columns,
-        _ => 1,
-    };
+    let columns = |variable: &Variable| variable.ty.columns().unwrap_or(1);
     let mut taken = [false; MAX_VERTEX_ATTRIBS as usize];
     let mut found: Vec<Option<u8>> = Vec::new();
     for variable in &used {

@@ -11,6 +11,7 @@ mod check;
 mod diagnostics;
 mod hir;
 mod lexer;
+mod limits;
 mod link;
 mod lower;
 mod parser;
@@ -26,6 +27,9 @@ use rasterizer::ir::Module;
 use source::{Source, Span};
 use std::collections::BTreeMap;
 use std::sync::Arc;
+
+/// The kinds of sampler.
+pub use types::{Comparison, Dim, Sampler};
 
 /// Which stage a shader object is for.
 pub use rasterizer::ir::Stage;
@@ -69,16 +73,12 @@ pub enum DataType {
     Vector(Scalar, u8),
     /// A matrix: columns, rows.
     Matrix(u8, u8),
-    /// `sampler2D`.
-    Sampler2D,
-    /// `sampler2DShadow`.
-    Sampler2DShadow,
-    /// `samplerCube`.
-    SamplerCube,
+    /// A sampler.
+    Sampler(Sampler),
 }
 
 /// What a vector is made of.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Scalar {
     /// `float`.
     Float,
@@ -185,15 +185,15 @@ impl Pass {
 
 fn compile_once(stage: Stage, text: &str) -> Pass {
     let mut log = Log::default();
-    let too_long = text.len() > Source::MAX_LEN;
+    let too_long = text.len() > limits::MAX_SOURCE;
     let mut source = Source::new(if too_long { "" } else { text });
     if too_long {
-        let message = format!("the source has more than {} bytes", Source::MAX_LEN);
+        let message = format!("the source has more than {} bytes", limits::MAX_SOURCE);
         log.push(Diagnostic::error(Span::default(), message));
     }
     let preprocessed = preprocess::preprocess(&mut source, &mut log);
-    let items = parser::parse(&preprocessed.tokens, preprocessed.version, &mut log);
-    let unit = check::check(&items, stage, preprocessed.version, &source, &mut log);
+    let items = parser::parse(&preprocessed.tokens, preprocessed.language, &mut log);
+    let unit = check::check(&items, stage, preprocessed.language, &source, &mut log);
     Pass { unit, source, log }
 }
 

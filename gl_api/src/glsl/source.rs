@@ -48,9 +48,6 @@ pub struct Source {
 }
 
 impl Source {
-    /// The longest text that is taken, in bytes.
-    pub const MAX_LEN: usize = 1 << 24;
-
     /// Finds the lines of `text`.
     pub fn new(text: &str) -> Self {
         let newlines = text.bytes().enumerate().filter(|&(_, byte)| byte == b'\n');

@@ -1,17 +1,14 @@
 //! The types of the language (GLSL 1.30 section 4.1).
 
-use super::version::Version;
+use super::version::{Extension, Language, Since};
 use super::{DataType, Scalar};
 use rasterizer::ir::Ty;
 use std::fmt;
 use std::sync::Arc;
 
-/// How many scalars a variable may have.
-pub const MAX_SCALARS: u32 = 1 << 16;
-
-/// A kind of sampler.
+/// The shape of the textures that a sampler takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Sampler {
+pub enum Dim {
     /// `sampler1D`.
     D1,
     /// `sampler2D`.
@@ -20,10 +17,43 @@ pub enum Sampler {
     D3,
     /// `samplerCube`.
     Cube,
-    /// `sampler1DShadow`.
-    D1Shadow,
-    /// `sampler2DShadow`.
-    D2Shadow,
+    /// `sampler2DRect`.
+    Rect,
+    /// `sampler1DArray`.
+    D1Array,
+    /// `sampler2DArray`.
+    D2Array,
+}
+
+impl Dim {
+    /// How many coordinates find a texel, the layer included.
+    pub fn coords(self) -> usize {
+        match self {
+            Self::D1 => 1,
+            Self::D2 | Self::Rect | Self::D1Array => 2,
+            Self::D3 | Self::Cube | Self::D2Array => 3,
+        }
+    }
+}
+
+/// Whether a sampler compares with a reference (`sampler2DShadow`).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Comparison {
+    /// It gives the texel.
+    No,
+    /// It gives the result of the comparison.
+    Yes,
+}
+
+/// A kind of sampler.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Sampler {
+    /// The shape of its textures.
+    pub dim: Dim,
+    /// What their texels are made of.
+    pub scalar: Scalar,
+    /// Whether it compares.
+    pub comparison: Comparison,
 }
 
 /// A type.
@@ -73,31 +103,44 @@ pub const fn vec(size: u8) -> Type {
 }
 
 /// The words that name types, and since when.
-static NAMES: [(&str, Type, Version); 35] = {
+static NAMES: [(&str, Type, Since); 56] = {
+    use Dim::{Cube, D1, D1Array, D2, D2Array, D3, Rect};
     use Scalar::{Bool, Float, Int, Uint};
     use Type::{Matrix, Vector, Void};
-    use Version::{V110, V120, V130};
+    const ALWAYS: Since = Since::ALWAYS;
+    const V110: Since = Since::V110;
+    const V120: Since = Since::V120;
+    const V130: Since = Since::V130;
+    const INTEGER: Since = V130.or(Extension::GpuShader4);
+    const ARRAY: Since = V130.or(Extension::TextureArray);
+    const RECT: Since = Since::only(Extension::TextureRectangle);
+    const fn plain(dim: Dim, scalar: Scalar) -> Type {
+        Type::Sampler(Sampler { dim, scalar, comparison: Comparison::No })
+    }
+    const fn shadow(dim: Dim) -> Type {
+        Type::Sampler(Sampler { dim, scalar: Float, comparison: Comparison::Yes })
+    }
     [
-        ("void", Void, V110),
-        ("float", Vector(Float, 1), V110),
-        ("int", Vector(Int, 1), V110),
-        ("bool", Vector(Bool, 1), V110),
-        ("uint", Vector(Uint, 1), V130),
-        ("vec2", Vector(Float, 2), V110),
-        ("vec3", Vector(Float, 3), V110),
-        ("vec4", Vector(Float, 4), V110),
-        ("ivec2", Vector(Int, 2), V110),
-        ("ivec3", Vector(Int, 3), V110),
-        ("ivec4", Vector(Int, 4), V110),
-        ("bvec2", Vector(Bool, 2), V110),
-        ("bvec3", Vector(Bool, 3), V110),
-        ("bvec4", Vector(Bool, 4), V110),
-        ("uvec2", Vector(Uint, 2), V130),
-        ("uvec3", Vector(Uint, 3), V130),
-        ("uvec4", Vector(Uint, 4), V130),
-        ("mat2", Matrix(2, 2), V110),
-        ("mat3", Matrix(3, 3), V110),
-        ("mat4", Matrix(4, 4), V110),
+        ("void", Void, ALWAYS),
+        ("float", Vector(Float, 1), ALWAYS),
+        ("int", Vector(Int, 1), ALWAYS),
+        ("bool", Vector(Bool, 1), ALWAYS),
+        ("uint", Vector(Uint, 1), INTEGER),
+        ("vec2", Vector(Float, 2), ALWAYS),
+        ("vec3", Vector(Float, 3), ALWAYS),
+        ("vec4", Vector(Float, 4), ALWAYS),
+        ("ivec2", Vector(Int, 2), ALWAYS),
+        ("ivec3", Vector(Int, 3), ALWAYS),
+        ("ivec4", Vector(Int, 4), ALWAYS),
+        ("bvec2", Vector(Bool, 2), ALWAYS),
+        ("bvec3", Vector(Bool, 3), ALWAYS),
+        ("bvec4", Vector(Bool, 4), ALWAYS),
+        ("uvec2", Vector(Uint, 2), INTEGER),
+        ("uvec3", Vector(Uint, 3), INTEGER),
+        ("uvec4", Vector(Uint, 4), INTEGER),
+        ("mat2", Matrix(2, 2), ALWAYS),
+        ("mat3", Matrix(3, 3), ALWAYS),
+        ("mat4", Matrix(4, 4), ALWAYS),
         ("mat2x2", Matrix(2, 2), V120),
         ("mat2x3", Matrix(2, 3), V120),
         ("mat2x4", Matrix(2, 4), V120),
@@ -107,25 +150,51 @@ static NAMES: [(&str, Type, Version); 35] = {
         ("mat4x2", Matrix(4, 2), V120),
         ("mat4x3", Matrix(4, 3), V120),
         ("mat4x4", Matrix(4, 4), V120),
-        ("sampler1D", Type::Sampler(Sampler::D1), V110),
-        ("sampler2D", Type::Sampler(Sampler::D2), V110),
-        ("sampler3D", Type::Sampler(Sampler::D3), V110),
-        ("samplerCube", Type::Sampler(Sampler::Cube), V110),
-        ("sampler1DShadow", Type::Sampler(Sampler::D1Shadow), V110),
-        ("sampler2DShadow", Type::Sampler(Sampler::D2Shadow), V110),
+        ("sampler1D", plain(D1, Float), V110),
+        ("isampler1D", plain(D1, Int), INTEGER),
+        ("usampler1D", plain(D1, Uint), INTEGER),
+        ("sampler2D", plain(D2, Float), ALWAYS),
+        ("isampler2D", plain(D2, Int), INTEGER),
+        ("usampler2D", plain(D2, Uint), INTEGER),
+        ("sampler3D", plain(D3, Float), V110),
+        ("isampler3D", plain(D3, Int), INTEGER),
+        ("usampler3D", plain(D3, Uint), INTEGER),
+        ("samplerCube", plain(Cube, Float), ALWAYS),
+        ("isamplerCube", plain(Cube, Int), INTEGER),
+        ("usamplerCube", plain(Cube, Uint), INTEGER),
+        ("sampler2DRect", plain(Rect, Float), RECT),
+        ("isampler2DRect", plain(Rect, Int), Since::only(Extension::GpuShader4)),
+        ("usampler2DRect", plain(Rect, Uint), Since::only(Extension::GpuShader4)),
+        ("sampler1DArray", plain(D1Array, Float), ARRAY),
+        ("isampler1DArray", plain(D1Array, Int), INTEGER),
+        ("usampler1DArray", plain(D1Array, Uint), INTEGER),
+        ("sampler2DArray", plain(D2Array, Float), ARRAY),
+        ("isampler2DArray", plain(D2Array, Int), INTEGER),
+        ("usampler2DArray", plain(D2Array, Uint), INTEGER),
+        ("sampler1DShadow", shadow(D1), V110),
+        ("sampler2DShadow", shadow(D2), V110),
+        ("samplerCubeShadow", shadow(Cube), INTEGER),
+        ("sampler2DRectShadow", shadow(Rect), RECT),
+        ("sampler1DArrayShadow", shadow(D1Array), ARRAY),
+        ("sampler2DArrayShadow", shadow(D2Array), ARRAY),
     ]
 };
 
 impl Type {
     /// The type that a word names.
-    pub fn named(word: &str, version: Version) -> Option<Self> {
-        let row = NAMES.iter().find(|row| row.0 == word && row.2 <= version);
+    pub fn named(word: &str, language: Language) -> Option<Self> {
+        let row = NAMES.iter().find(|row| row.0 == word && language.has(row.2));
         row.map(|row| row.1.clone())
     }
 
+    /// What brings the type that a word names.
+    pub fn since(word: &str) -> Option<Since> {
+        NAMES.iter().find(|row| row.0 == word).map(|row| row.2)
+    }
+
     /// The words that name types.
-    pub fn names(version: Version) -> impl Iterator<Item = &'static str> {
-        NAMES.iter().filter(move |row| row.2 <= version).map(|row| row.0)
+    pub fn names(language: Language) -> impl Iterator<Item = &'static str> {
+        NAMES.iter().filter(move |row| language.has(row.2)).map(|row| row.0)
     }
 
     /// How many scalars it has; a sampler counts as one. Saturates.
@@ -169,6 +238,16 @@ impl Type {
             Self::Matrix(..) => Some(Scalar::Float),
             Self::Void | Self::Sampler(_) | Self::Struct(_) | Self::Array(..) | Self::Error => None,
         }
+    }
+
+    /// How many columns a matrix has.
+    pub fn columns(&self) -> Option<u8> {
+        if let Self::Matrix(columns, _) = self { Some(*columns) } else { None }
+    }
+
+    /// How many rows a matrix has.
+    pub fn rows(&self) -> Option<u8> {
+        if let Self::Matrix(_, rows) = self { Some(*rows) } else { None }
     }
 
     /// The same shape made of another scalar.
@@ -240,14 +319,8 @@ impl Type {
         match self {
             Self::Vector(scalar, size) => Some(DataType::Vector(*scalar, *size)),
             Self::Matrix(columns, rows) => Some(DataType::Matrix(*columns, *rows)),
-            Self::Sampler(Sampler::D2) => Some(DataType::Sampler2D),
-            Self::Sampler(Sampler::D2Shadow) => Some(DataType::Sampler2DShadow),
-            Self::Sampler(Sampler::Cube) => Some(DataType::SamplerCube),
-            Self::Sampler(Sampler::D1 | Sampler::D3 | Sampler::D1Shadow)
-            | Self::Void
-            | Self::Struct(_)
-            | Self::Array(..)
-            | Self::Error => None,
+            Self::Sampler(sampler) => Some(DataType::Sampler(*sampler)),
+            Self::Void | Self::Struct(_) | Self::Array(..) | Self::Error => None,
         }
     }
 }

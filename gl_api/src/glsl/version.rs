@@ -1,12 +1,15 @@
-//! The versions of the language and its extensions.
+//! The versions of the language, its extensions, and what either brings.
 
 use super::Stage;
 
-/// A version that `#version` can ask for.
+/// A version that `#version` can ask for, by what it has: GLSL ES 1.00 comes after 1.10, of which
+/// it is nearly a subset.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Version {
     /// GLSL 1.10, what a shader without `#version` is written in.
     V110,
+    /// GLSL ES 1.00.
+    Es100,
     /// GLSL 1.20.
     V120,
     /// GLSL 1.30.
@@ -15,12 +18,13 @@ pub enum Version {
 
 impl Version {
     /// Every version.
-    pub const ALL: [Self; 3] = [Self::V110, Self::V120, Self::V130];
+    pub const ALL: [Self; 4] = [Self::V110, Self::Es100, Self::V120, Self::V130];
 
     /// The number that `#version` takes and `__VERSION__` gives.
     pub fn number(self) -> i32 {
         match self {
             Self::V110 => 110,
+            Self::Es100 => 100,
             Self::V120 => 120,
             Self::V130 => 130,
         }
@@ -30,14 +34,181 @@ impl Version {
     pub fn title(self) -> &'static str {
         match self {
             Self::V110 => "GLSL 1.10",
+            Self::Es100 => "GLSL ES 1.00",
             Self::V120 => "GLSL 1.20",
             Self::V130 => "GLSL 1.30",
         }
     }
 }
 
-/// The extensions that a shader can enable.
-pub const EXTENSIONS: [&str; 2] = ["GL_ARB_draw_buffers", "GL_ARB_shader_texture_lod"];
+/// An extension that a shader can enable.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Extension {
+    /// `GL_ARB_draw_buffers`: `gl_FragData`, which every version has.
+    DrawBuffers,
+    /// `GL_ARB_draw_instanced`: `gl_InstanceIDARB`.
+    DrawInstanced,
+    /// `GL_ARB_shader_texture_lod`: explicit levels and gradients in both stages.
+    ShaderTextureLod,
+    /// `GL_ARB_texture_rectangle`: `sampler2DRect`.
+    TextureRectangle,
+    /// `GL_EXT_gpu_shader4`, as far as it is what GLSL 1.30 has.
+    GpuShader4,
+    /// `GL_EXT_texture_array`: `sampler1DArray`, `sampler2DArray`.
+    TextureArray,
+    /// `GL_OES_standard_derivatives`: `dFdx`, `dFdy`, `fwidth` of GLSL ES.
+    StandardDerivatives,
+}
+
+impl Extension {
+    /// Every extension and its name.
+    pub const ALL: [(Self, &'static str); 7] = [
+        (Self::DrawBuffers, "GL_ARB_draw_buffers"),
+        (Self::DrawInstanced, "GL_ARB_draw_instanced"),
+        (Self::ShaderTextureLod, "GL_ARB_shader_texture_lod"),
+        (Self::TextureRectangle, "GL_ARB_texture_rectangle"),
+        (Self::GpuShader4, "GL_EXT_gpu_shader4"),
+        (Self::TextureArray, "GL_EXT_texture_array"),
+        (Self::StandardDerivatives, "GL_OES_standard_derivatives"),
+    ];
+
+    /// The extension of that name.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.iter().find(|row| row.1 == name).map(|row| row.0)
+    }
+
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        Self::ALL.iter().find(|row| row.0 == self).map_or("", |row| row.1)
+    }
+
+    /// Whether shaders of a version can enable it.
+    pub fn is_in(self, version: Version) -> bool {
+        (self == Self::StandardDerivatives) == (version == Version::Es100)
+    }
+
+    fn bit(self) -> u16 {
+        1 << self as u16
+    }
+}
+
+/// What `#extension` asks for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Behaviour {
+    /// `require` or `enable`.
+    Enable,
+    /// `warn`: enabled, but uses are reported.
+    Warn,
+    /// `disable`, the default.
+    Disable,
+}
+
+/// A version with extensions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Language {
+    /// The version.
+    pub version: Version,
+    enabled: u16,
+    warned: u16,
+}
+
+impl From<Version> for Language {
+    /// A version without extensions.
+    fn from(version: Version) -> Self {
+        Self { version, enabled: 0, warned: 0 }
+    }
+}
+
+impl Language {
+    /// Applies an `#extension`.
+    pub fn set(&mut self, extension: Extension, behaviour: Behaviour) {
+        let bit = extension.bit();
+        self.enabled &= !bit;
+        self.warned &= !bit;
+        match behaviour {
+            Behaviour::Enable => self.enabled |= bit,
+            Behaviour::Warn => {
+                self.enabled |= bit;
+                self.warned |= bit;
+            }
+            Behaviour::Disable => {}
+        }
+    }
+
+    /// Whether an extension is enabled.
+    pub fn enabled(self, extension: Extension) -> bool {
+        self.enabled & extension.bit() != 0
+    }
+
+    /// Whether what came so is here.
+    pub fn has(self, since: Since) -> bool {
+        self.has_core(since) || since.extension.is_some_and(|extension| self.enabled(extension))
+    }
+
+    /// The extension that what came so is here by, if uses of it are to be reported.
+    pub fn warns(self, since: Since) -> Option<Extension> {
+        let extension = since.extension.filter(|extension| self.enabled(*extension))?;
+        (!self.has_core(since) && self.warned & extension.bit() != 0).then_some(extension)
+    }
+
+    fn has_core(self, since: Since) -> bool {
+        match (self.version, since.core) {
+            (Version::Es100, _) => since.es,
+            (Version::V110 | Version::V120 | Version::V130, Some(core)) => self.version >= core,
+            (Version::V110 | Version::V120 | Version::V130, None) => false,
+        }
+    }
+
+    /// What to write to have what came so, if anything helps.
+    pub fn advice(self, since: Since) -> Option<String> {
+        if self.has_core(since) {
+            return None;
+        }
+        let extension = since.extension.filter(|extension| extension.is_in(self.version));
+        let extension = extension.map(|known| format!("`#extension {} : enable`", known.name()));
+        let core = since.core.filter(|core| *core > self.version || self.version == Version::Es100);
+        let core = core.map(|core| format!("`#version {}`", core.number()));
+        let ways: Vec<String> = core.into_iter().chain(extension).collect();
+        (!ways.is_empty()).then(|| format!("write {} first", ways.join(" or ")))
+    }
+}
+
+/// Which versions and extensions bring something.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Since {
+    core: Option<Version>,
+    es: bool,
+    extension: Option<Extension>,
+}
+
+impl Since {
+    /// Every version.
+    pub const ALWAYS: Self = Self { es: true, ..Self::V110 };
+    /// Every version but that of OpenGL ES.
+    pub const V110: Self = Self { core: Some(Version::V110), es: false, extension: None };
+    /// From GLSL 1.20 on.
+    pub const V120: Self = Self { core: Some(Version::V120), ..Self::V110 };
+    /// From GLSL 1.30 on.
+    pub const V130: Self = Self { core: Some(Version::V130), ..Self::V110 };
+
+    /// GLSL ES 1.00 alone.
+    pub const ES: Self = Self { core: None, es: true, extension: None };
+
+    /// An extension alone.
+    pub const fn only(extension: Extension) -> Self {
+        Self { core: None, es: false, extension: Some(extension) }
+    }
+
+    /// An extension too.
+    pub const fn or(self, extension: Extension) -> Self {
+        Self { extension: Some(extension), ..self }
+    }
+
+    /// GLSL ES 1.00 too.
+    pub const fn and_es(self) -> Self {
+        Self { es: true, ..self }
+    }
+}
 
 /// What names are available to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -325,8 +325,8 @@ mod tests {
     #[test]
     fn packed_fields_are_where_table_3_9_draws_them() {
         for (type_, word, fields) in [
-            (GL_UNSIGNED_SHORT_5_6_5, 0b10000_100000_00001u32, vec![16.0, 32.0, 1.0]),
-            (GL_UNSIGNED_SHORT_5_6_5_REV, 0b10000_100000_00001, vec![1.0, 32.0, 16.0]),
+            (GL_UNSIGNED_SHORT_5_6_5, 0x8401u32, vec![16.0, 32.0, 1.0]),
+            (GL_UNSIGNED_SHORT_5_6_5_REV, 0x8401, vec![1.0, 32.0, 16.0]),
             (GL_UNSIGNED_SHORT_1_5_5_5_REV, 0x8001, vec![1.0, 0.0, 0.0, 1.0]),
             (GL_UNSIGNED_INT_10_10_10_2, 0x0040_0003, vec![1.0, 0.0, 0.0, 3.0]),
         ] {

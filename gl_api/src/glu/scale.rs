@@ -1,7 +1,8 @@
 //! GLU's box filter: each new pixel is the mean of the area it covers in the old image.
 //!
 //! The weights are whole numbers (an edge of the old image's pixel is `new size` long, one of the
-//! new image's `old size`), so that the mean of integers is exact before it is rounded once.
+//! new image's `old size`), so that the mean of integers is exact before it is rounded once, halves
+//! up. libGLU truncates where it rescales or halves a side of one pixel: its last bit differs there.
 
 use super::pixels::{Components, Storage};
 

@@ -275,8 +275,45 @@ pub(crate) fn gl_type(ty: glsl::DataType) -> GLenum {
             let index = |size: u8| usize::from(size.clamp(2, 4) - 2);
             MATRICES[index(columns)][index(rows)]
         }
-        DataType::Sampler2D => GL_SAMPLER_2D,
-        DataType::Sampler2DShadow => GL_SAMPLER_2D_SHADOW,
-        DataType::SamplerCube => GL_SAMPLER_CUBE,
+        DataType::Sampler(sampler) => sampler_type(sampler),
+    }
+}
+
+/// The type of a sampler as GL names it.
+fn sampler_type(sampler: glsl::Sampler) -> GLenum {
+    use glsl::{Comparison, Dim, Scalar};
+    let of = |float, int, uint| match sampler.scalar {
+        Scalar::Int => int,
+        Scalar::Uint => uint,
+        Scalar::Float | Scalar::Bool => float,
+    };
+    match (sampler.dim, sampler.comparison) {
+        (Dim::D1, Comparison::No) => {
+            of(GL_SAMPLER_1D, GL_INT_SAMPLER_1D, GL_UNSIGNED_INT_SAMPLER_1D)
+        }
+        (Dim::D2, Comparison::No) => {
+            of(GL_SAMPLER_2D, GL_INT_SAMPLER_2D, GL_UNSIGNED_INT_SAMPLER_2D)
+        }
+        (Dim::D3, Comparison::No) => {
+            of(GL_SAMPLER_3D, GL_INT_SAMPLER_3D, GL_UNSIGNED_INT_SAMPLER_3D)
+        }
+        (Dim::Cube, Comparison::No) => {
+            of(GL_SAMPLER_CUBE, GL_INT_SAMPLER_CUBE, GL_UNSIGNED_INT_SAMPLER_CUBE)
+        }
+        (Dim::Rect, Comparison::No) => {
+            of(GL_SAMPLER_2D_RECT, GL_INT_SAMPLER_2D_RECT, GL_UNSIGNED_INT_SAMPLER_2D_RECT)
+        }
+        (Dim::D1Array, Comparison::No) => {
+            of(GL_SAMPLER_1D_ARRAY, GL_INT_SAMPLER_1D_ARRAY, GL_UNSIGNED_INT_SAMPLER_1D_ARRAY)
+        }
+        (Dim::D2Array, Comparison::No) => {
+            of(GL_SAMPLER_2D_ARRAY, GL_INT_SAMPLER_2D_ARRAY, GL_UNSIGNED_INT_SAMPLER_2D_ARRAY)
+        }
+        (Dim::D1, Comparison::Yes) => GL_SAMPLER_1D_SHADOW,
+        (Dim::D2 | Dim::D3, Comparison::Yes) => GL_SAMPLER_2D_SHADOW,
+        (Dim::Cube, Comparison::Yes) => GL_SAMPLER_CUBE_SHADOW,
+        (Dim::Rect, Comparison::Yes) => GL_SAMPLER_2D_RECT_SHADOW,
+        (Dim::D1Array, Comparison::Yes) => GL_SAMPLER_1D_ARRAY_SHADOW,
+        (Dim::D2Array, Comparison::Yes) => GL_SAMPLER_2D_ARRAY_SHADOW,
     }
 }

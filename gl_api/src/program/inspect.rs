@@ -225,7 +225,7 @@ fn words(context: &mut Context, name: GLuint, location: GLint) -> Result<(Scalar
     let scalar = match uniform.ty {
         DataType::Vector(scalar, _) => scalar,
         DataType::Matrix(..) => Scalar::Float,
-        DataType::Sampler2D | DataType::Sampler2DShadow | DataType::SamplerCube => Scalar::Int,
+        DataType::Sampler(_) => Scalar::Int,
     };
     Ok((scalar, linked.words.get(first..first + each).unwrap_or_default().to_vec()))
 }

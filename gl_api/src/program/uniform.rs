@@ -25,7 +25,7 @@ pub(super) fn element_words(ty: DataType) -> usize {
     match ty {
         DataType::Vector(_, size) => size.into(),
         DataType::Matrix(columns, rows) => usize::from(columns) * usize::from(rows),
-        DataType::Sampler2D | DataType::Sampler2DShadow | DataType::SamplerCube => 1,
+        DataType::Sampler(_) => 1,
     }
 }
 
@@ -98,9 +98,7 @@ fn set(context: &mut Context, location: GLint, count: GLsizei, values: Values<'_
     let check = |uniform: &Uniform| match uniform.ty {
         DataType::Vector(Scalar::Bool, expected) if expected == size => Ok(()),
         DataType::Vector(expected, length) if expected == scalar && length == size => Ok(()),
-        DataType::Sampler2D | DataType::Sampler2DShadow | DataType::SamplerCube
-            if scalar == Scalar::Int && size == 1 =>
-        {
+        DataType::Sampler(_) if scalar == Scalar::Int && size == 1 => {
             let units = 0..u32::from(MAX_TEXTURE_UNITS);
             let elements = usize::try_from(count).unwrap_or(0);
             match words.iter().take(elements).find(|unit| !units.contains(unit)) {
@@ -116,11 +114,9 @@ fn set(context: &mut Context, location: GLint, count: GLsizei, values: Values<'_
                 None => Ok(()),
             }
         }
-        DataType::Vector(..)
-        | DataType::Matrix(..)
-        | DataType::Sampler2D
-        | DataType::Sampler2DShadow
-        | DataType::SamplerCube => mismatch(uniform, gl_type(DataType::Vector(scalar, size))),
+        DataType::Vector(..) | DataType::Matrix(..) | DataType::Sampler(_) => {
+            mismatch(uniform, gl_type(DataType::Vector(scalar, size)))
+        }
     };
     let convert = |uniform: &Uniform, index: usize| {
         let word = words[index];
@@ -132,11 +128,7 @@ fn set(context: &mut Context, location: GLint, count: GLsizei, values: Values<'_
                 };
                 if zero { 0 } else { TRUE }
             }
-            DataType::Vector(..)
-            | DataType::Matrix(..)
-            | DataType::Sampler2D
-            | DataType::Sampler2DShadow
-            | DataType::SamplerCube => word,
+            DataType::Vector(..) | DataType::Matrix(..) | DataType::Sampler(_) => word,
         }
     };
     store(context, location, count, words.len(), check, convert)

@@ -1,8 +1,8 @@
 //! Making modules: a builder that appends values and statements and keeps the nesting of blocks.
 
 use super::{
-    Axis, Block, Expr, Input, Lod, Module, Op, Output, Sample, Stage, Stmt, Texture, TextureDecl,
-    Ty, Value, Var, Variable,
+    Access, Axis, Block, Expr, Input, Lod, Module, Op, Output, Sample, Stage, Stmt, Texture,
+    TextureDecl, Ty, Value, Var, Variable,
 };
 
 /// Appends to a [`Module`].
@@ -140,7 +140,7 @@ impl Builder {
         Texture(self.module.textures.len() as u32 - 1)
     }
 
-    /// A texture access, as its four components.
+    /// A filtered sample, as its four components.
     pub fn sample(
         &mut self,
         texture: Texture,
@@ -148,7 +148,20 @@ impl Builder {
         reference: Option<Value>,
         lod: Lod,
     ) -> [Value; 4] {
-        let sample = self.value(Expr::Sample(Box::new(Sample { texture, coords, reference, lod })));
+        self.access(texture, Access::FILTER, coords, reference, lod)
+    }
+
+    /// A texture access of any kind, as its four components.
+    pub fn access(
+        &mut self,
+        texture: Texture,
+        access: Access,
+        coords: [Value; 3],
+        reference: Option<Value>,
+        lod: Lod,
+    ) -> [Value; 4] {
+        let sample = Sample { texture, access, coords, reference, lod };
+        let sample = self.value(Expr::Sample(Box::new(sample)));
         [0, 1, 2, 3].map(|component| self.value(Expr::Component { sample, component }))
     }
 

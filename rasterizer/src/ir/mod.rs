@@ -159,11 +159,37 @@ pub enum Lod {
     },
 }
 
+/// What a texture access does (GLSL 1.30, section 8.7).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Access {
+    /// `texture` and its kin, with texels added to the coordinates on each level.
+    Filter {
+        /// Along s, t, r.
+        offset: [i32; 3],
+    },
+    /// `texelFetch`: coordinates and the level (an explicit λ) are `i32`. No compare.
+    Fetch {
+        /// Added to the coordinates.
+        offset: [i32; 3],
+    },
+    /// `textureSize`: width, height and depth (or layers, after the sides that are filtered along)
+    /// of a level (an explicit λ, `i32`), whole numbers in `f32`. Coordinates do not matter. No
+    /// compare.
+    Size,
+}
+
+impl Access {
+    /// A filtered sample without offset.
+    pub const FILTER: Self = Self::Filter { offset: [0; 3] };
+}
+
 /// One texture access.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Sample {
     /// Which texture.
     pub texture: Texture,
+    /// What is done.
+    pub access: Access,
     /// s, t, r; coordinates that the shape lacks are a constant zero.
     pub coords: [Value; 3],
     /// The reference for depth compare, when the slot compares.
@@ -329,6 +355,8 @@ pub struct Module {
     pub outputs: Vec<(Output, Var)>,
     /// What runs.
     pub body: Block,
+    /// What its maker left out of it and why, for explanations. No meaning.
+    pub notes: Vec<String>,
 }
 
 impl Input {
@@ -357,6 +385,7 @@ impl Module {
             varyings: Vec::new(),
             outputs: Vec::new(),
             body: Vec::new(),
+            notes: Vec::new(),
         }
     }
 

@@ -2,10 +2,11 @@
 //!
 //! The table gives the enum, its listing names, the constant folder ([`Op::eval`]) and the lane
 //! kernel ([`Op::run`]) from one body, so that they cannot differ. All bodies are branch-free
-//! scalar code that LLVM vectorizes over the 64 lanes.
+//! scalar code that LLVM vectorizes over the 64 lanes. A row may say `where rare(a) => far(a)`: a
+//! piece of the operation that is computed lane by lane, when a lane of the batch needs it.
 
 use super::{TRUE, Ty};
-use texunit::lanes::{LANES, U32s, math};
+use texunit::lanes::{Baseline, LANES, Simd, U32s, math};
 
 /// A scalar of the IR as a Rust type.
 trait Scalar: Copy {
@@ -83,10 +84,34 @@ fn rem_u32(a: u32, b: u32) -> u32 {
     a.checked_rem(b).unwrap_or(u32::MAX)
 }
 
+/// `b` where `a`, else `c`, by bits: both are always loaded, so that nothing is left to branch on.
+#[inline(always)]
+fn select<T: Scalar>(a: bool, b: T, c: T) -> T {
+    let mask = a.to_word();
+    T::from_word((b.to_word() & mask) | (c.to_word() & !mask))
+}
+
 macro_rules! operations {
+    (@rare $out:ident $args:ident $a:ident: $A:ty,) => {};
+    (@rare $out:ident $args:ident $a:ident: $A:ty, $rare:expr, $far:expr) => {
+        let mut any = false;
+        for lane in 0..LANES {
+            let $a = <$A>::from_word($args[0][lane]);
+            any |= $rare;
+        }
+        if any {
+            for lane in 0..LANES {
+                let $a = <$A>::from_word($args[0][lane]);
+                if $rare {
+                    $out[lane] = $far.to_word();
+                }
+            }
+        }
+    };
     ($(
         $(#[doc = $doc:literal])+
-        $Name:ident $name:literal ($a:ident: $A:ty $(, $b:ident: $B:ty $(, $c:ident: $C:ty)?)?) -> $R:ty = $body:expr;
+        $Name:ident $name:literal ($a:ident: $A:ty $(, $b:ident: $B:ty $(, $c:ident: $C:ty)?)?) -> $R:ty = $body:expr
+        $(, where $rare:expr => $far:expr)?;
     )*) => {
         /// An operation on scalars.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -116,13 +141,22 @@ macro_rules! operations {
             }
 
             /// The operation on one lane. Operands beyond the arity are not looked at.
-            #[inline(always)]
             pub fn eval(self, args: [u32; 3]) -> u32 {
+                self.lane::<Baseline>(args)
+            }
+
+            /// [`Self::eval`] inside a kernel.
+            #[inline(always)]
+            pub fn lane<S: Simd>(self, args: [u32; 3]) -> u32 {
                 match self {
                     $(Self::$Name => {
                         let $a = <$A>::from_word(args[0]);
                         $(let $b = <$B>::from_word(args[1]);
                         $(let $c = <$C>::from_word(args[2]);)?)?
+                        $(if $rare {
+                            let result: $R = $far;
+                            return result.to_word();
+                        })?
                         let result: $R = $body;
                         result.to_word()
                     })*
@@ -131,7 +165,7 @@ macro_rules! operations {
 
             /// The operation on 64 lanes. Operands beyond the arity are not looked at.
             #[inline(always)]
-            pub fn run(self, out: &mut U32s, args: [&U32s; 3]) {
+            pub fn run<S: Simd>(self, out: &mut U32s, args: [&U32s; 3]) {
                 match self {
                     $(Self::$Name => {
                         for lane in 0..LANES {
@@ -141,6 +175,7 @@ macro_rules! operations {
                             let result: $R = $body;
                             out[lane] = result.to_word();
                         }
+                        operations!(@rare out args $a: $A, $($rare, $far)?);
                     })*
                 }
             }
@@ -168,26 +203,29 @@ operations! {
     /// The larger; `b` if `a` is NaN.
     Max "max" (a: f32, b: f32) -> f32 = math::max(a, b);
     /// The largest integer not above.
-    Floor "floor" (a: f32) -> f32 = math::floor(a);
+    Floor "floor" (a: f32) -> f32 = S::floor(a);
     /// The smallest integer not below.
-    Ceil "ceil" (a: f32) -> f32 = math::ceil(a);
+    Ceil "ceil" (a: f32) -> f32 = S::ceil(a);
     /// The integer part toward zero.
-    Trunc "trunc" (a: f32) -> f32 = math::trunc(a);
+    Trunc "trunc" (a: f32) -> f32 = S::trunc(a);
     /// The nearest integer, halves to even.
-    RoundEven "round_even" (a: f32) -> f32 = math::round_even(a);
+    RoundEven "round_even" (a: f32) -> f32 = S::round_even(a);
     /// `a - floor(a)`.
-    Fract "fract" (a: f32) -> f32 = math::fract(a);
+    Fract "fract" (a: f32) -> f32 = a - S::floor(a);
     /// IEEE square root.
     Sqrt "sqrt" (a: f32) -> f32 = a.sqrt();
     /// `1 / sqrt(a)`, two roundings.
     InverseSqrt "inverse_sqrt" (a: f32) -> f32 = 1.0 / a.sqrt();
 
     /// Sine of an angle in radians; bounds of this and the next are those of [`math`].
-    Sin "sin" (a: f32) -> f32 = math::sin(a);
+    Sin "sin" (a: f32) -> f32 = math::sin_near(a),
+        where math::is_far(a) => math::sin_far(a);
     /// Cosine.
-    Cos "cos" (a: f32) -> f32 = math::cos(a);
+    Cos "cos" (a: f32) -> f32 = math::cos_near(a),
+        where math::is_far(a) => math::cos_far(a);
     /// Tangent.
-    Tan "tan" (a: f32) -> f32 = math::tan(a);
+    Tan "tan" (a: f32) -> f32 = math::tan_near(a),
+        where math::is_far(a) => math::tan_far(a);
     /// The angle of this sine.
     Asin "asin" (a: f32) -> f32 = math::asin(a);
     /// The angle of this cosine.
@@ -300,13 +338,13 @@ operations! {
     Not "not" (a: bool) -> bool = !a;
 
     /// `b` where `a`, else `c`.
-    SelectF "select_f32" (a: bool, b: f32, c: f32) -> f32 = if a { b } else { c };
+    SelectF "select_f32" (a: bool, b: f32, c: f32) -> f32 = select(a, b, c);
     /// `b` where `a`, else `c`.
-    SelectI "select_i32" (a: bool, b: i32, c: i32) -> i32 = if a { b } else { c };
+    SelectI "select_i32" (a: bool, b: i32, c: i32) -> i32 = select(a, b, c);
     /// `b` where `a`, else `c`.
-    SelectU "select_u32" (a: bool, b: u32, c: u32) -> u32 = if a { b } else { c };
+    SelectU "select_u32" (a: bool, b: u32, c: u32) -> u32 = select(a, b, c);
     /// `b` where `a`, else `c`.
-    SelectB "select_bool" (a: bool, b: bool, c: bool) -> bool = if a { b } else { c };
+    SelectB "select_bool" (a: bool, b: bool, c: bool) -> bool = select(a, b, c);
 
     /// The integer part toward zero; out of range clamps, NaN gives the smallest.
     FloatToInt "float_to_int" (a: f32) -> i32 = math::to_i32(a);

@@ -2,7 +2,7 @@
 //!
 //! Values are `%n`, variables `vn`; constants, inputs and uniform words stand where they are used.
 
-use super::{Axis, Block, Expr, Lod, Module, Sample, Stmt, Ty, Value, Var};
+use super::{Access, Axis, Block, Expr, Lod, Module, Sample, Stmt, Ty, Value, Var};
 use std::fmt::{Display, Formatter, Result};
 
 impl Display for Module {
@@ -91,7 +91,15 @@ fn expr(f: &mut Formatter<'_>, module: &Module, value: Value) -> Result {
 }
 
 fn sample(f: &mut Formatter<'_>, module: &Module, sample: &Sample) -> Result {
-    write!(f, "sample {}, ({})", sample.texture.0, Operands(module, &sample.coords))?;
+    let (name, offset) = match sample.access {
+        Access::Filter { offset } => ("sample", offset),
+        Access::Fetch { offset } => ("fetch", offset),
+        Access::Size => ("size", [0; 3]),
+    };
+    write!(f, "{name} {}, ({})", sample.texture.0, Operands(module, &sample.coords))?;
+    if offset != [0; 3] {
+        write!(f, ", offset {offset:?}")?;
+    }
     if let Some(reference) = sample.reference {
         write!(f, ", compare {}", Operand(module, reference))?;
     }

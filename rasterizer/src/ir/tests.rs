@@ -61,7 +61,8 @@ fn modules_that_break_a_rule_are_refused_with_the_rule() {
         ("whole sample", |b, out, s| {
             let texture = b.texture(TextureDecl { shape: Shape::D2, compare: false });
             let lod = Lod::Explicit(s);
-            let sample = Sample { texture, coords: [s; 3], reference: None, lod };
+            let (access, coords) = (Access::FILTER, [s; 3]);
+            let sample = Sample { texture, access, coords, reference: None, lod };
             let sample = b.value(Expr::Sample(Box::new(sample)));
             b.store(out, sample);
         }),

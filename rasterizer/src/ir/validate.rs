@@ -4,7 +4,7 @@
 //! deep, so that whoever walks a valid module may recurse over its blocks.
 
 use super::{
-    Block, Expr, Input, Lod, Module, Op, Output, Sample, Stage, Stmt, TRUE, Ty, Value, Var,
+    Access, Block, Expr, Input, Lod, Module, Op, Output, Sample, Stage, Stmt, TRUE, Ty, Value, Var,
 };
 use std::collections::BTreeSet;
 use thiserror::Error;
@@ -283,11 +283,23 @@ impl Body<'_> {
         let Some(decl) = self.module.textures.get(slot as usize) else {
             return Err(IrError(format!("{user}: there is no texture slot {slot}")));
         };
-        rule!(
-            decl.compare == sample.reference.is_some(),
-            "{user}: texture slot {slot} {} a reference",
-            if decl.compare { "compares and needs" } else { "does not compare but has" }
-        );
+        let ty = match sample.access {
+            Access::Filter { .. } => {
+                rule!(
+                    decl.compare == sample.reference.is_some(),
+                    "{user}: texture slot {slot} {} a reference",
+                    if decl.compare { "compares and needs" } else { "does not compare but has" }
+                );
+                Ty::F32
+            }
+            Access::Fetch { .. } | Access::Size => {
+                rule!(
+                    sample.reference.is_none() && matches!(sample.lod, Lod::Explicit(_)),
+                    "{user}: a fetch and a size take a level and no reference"
+                );
+                Ty::I32
+            }
+        };
         let (lod, gradient): (Option<Value>, _) = match sample.lod {
             Lod::Implicit { bias } => (bias, None),
             Lod::Explicit(lod) => (Some(lod), None),
@@ -295,7 +307,7 @@ impl Body<'_> {
         };
         let gradient = gradient.iter().flatten().flatten();
         for value in sample.coords.iter().chain(&sample.reference).chain(&lod).chain(gradient) {
-            self.operand(*value, Ty::F32, user)?;
+            self.operand(*value, ty, user)?;
         }
         Ok(())
     }

@@ -24,6 +24,7 @@ impl Expr {
             Self::Derivative { axis, value } => Self::Derivative { axis: *axis, value: f(*value) },
             Self::Sample(sample) => Self::Sample(Box::new(Sample {
                 texture: sample.texture,
+                access: sample.access,
                 coords: sample.coords.map(&mut *f),
                 reference: sample.reference.map(&mut *f),
                 lod: match sample.lod {

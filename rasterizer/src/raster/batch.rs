@@ -100,9 +100,9 @@ impl Batch {
         self.waiting[block] & quads != 0
     }
 
-    /// Lanes that run: whole quads.
+    /// Lanes that run: whole quads, so that derivatives have their neighbours.
     pub fn active(&self) -> u64 {
-        let quads = if self.len == QUADS { 0xFFFF } else { (1 << self.len) - 1 };
+        let quads = u64::from(quads_of(self.mask));
         quads | quads << QUADS | quads << (2 * QUADS) | quads << (3 * QUADS)
     }
 

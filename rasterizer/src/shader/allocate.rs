@@ -266,7 +266,7 @@ fn loop_ends(code: &[Inst]) -> Vec<Vec<u32>> {
 }
 
 /// Takes the removed instructions out.
-fn compact(code: &mut Vec<Inst>, removed: &[bool]) {
+pub(super) fn compact(code: &mut Vec<Inst>, removed: &[bool]) {
     let mut moved = Vec::with_capacity(code.len() + 1);
     let mut kept = 0;
     for removed in removed {

@@ -5,7 +5,8 @@
 //! construct (`Break`, `Continue`, `Leave`) is one thing: move the executing lanes to the slot of
 //! the place they go to. So a join is a union of two masks, and nothing is ever recomputed.
 
-use crate::ir::{Axis, Op};
+use super::fuse::{Fused, OPERANDS};
+use crate::ir::{Access, Axis, Op};
 
 /// A register. While lowering: a virtual one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -24,6 +25,8 @@ pub(super) struct Target(pub u32);
 pub(super) enum Inst {
     /// All lanes; operands beyond the arity repeat the first.
     Op { op: Op, out: Reg, args: [Reg; 3] },
+    /// All lanes; operands beyond those of the tree repeat another.
+    Fused { fused: Fused, out: Reg, args: [Reg; OPERANDS] },
     /// All lanes.
     Move { out: Reg, from: Reg },
     /// Zero in all lanes of `len` registers.
@@ -62,6 +65,7 @@ pub(super) enum Inst {
 #[derive(Clone, Debug)]
 pub(super) struct SampleInst {
     pub texture: u32,
+    pub access: Access,
     pub coords: [Reg; 3],
     pub reference: Option<Reg>,
     pub lod: SampleLod,
@@ -96,6 +100,10 @@ impl Inst {
                 for i in op.args().len()..args.len() {
                     args[i] = args[0];
                 }
+            }
+            Self::Fused { out, args, .. } => {
+                args.iter_mut().for_each(|arg| f(arg, Role::Read));
+                f(out, Role::Write);
             }
             Self::Move { out, from }
             | Self::Store { out, from }
@@ -135,6 +143,36 @@ impl Inst {
         }
     }
 
+    /// Whether it reads or changes which lanes execute, or where the program goes on. Stores into
+    /// some of the lanes read it.
+    pub fn uses_mask(&self) -> bool {
+        self.is_control() || matches!(self, Self::Store { .. } | Self::StoreAt { .. })
+    }
+
+    /// Whether it changes which lanes execute, or where the program goes on.
+    pub fn is_control(&self) -> bool {
+        match self {
+            Self::If { .. }
+            | Self::Else { .. }
+            | Self::Join { .. }
+            | Self::Open { .. }
+            | Self::Leave { .. }
+            | Self::Discard
+            | Self::SkipEmpty { .. }
+            | Self::Again { .. } => true,
+            Self::Op { .. }
+            | Self::Fused { .. }
+            | Self::Move { .. }
+            | Self::Zero { .. }
+            | Self::Store { .. }
+            | Self::LoadAt { .. }
+            | Self::StoreAt { .. }
+            | Self::UniformAt { .. }
+            | Self::Derivative { .. }
+            | Self::Sample(_) => false,
+        }
+    }
+
     /// The instruction this one can jump to.
     pub fn target_mut(&mut self) -> Option<&mut Target> {
         match self {
@@ -143,6 +181,7 @@ impl Inst {
             | Self::SkipEmpty { to }
             | Self::Again { head: to, .. } => Some(to),
             Self::Op { .. }
+            | Self::Fused { .. }
             | Self::Move { .. }
             | Self::Zero { .. }
             | Self::Store { .. }

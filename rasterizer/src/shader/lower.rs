@@ -383,8 +383,9 @@ impl Lowering<'_> {
         let out = [0; 4].map(|_| self.register(Kind::Temp));
         self.samples[value.0 as usize] = Some(out);
         self.out.textures.push(sample.texture.0);
-        let (texture, out) = (sample.texture.0, out.map(Some));
-        self.emit(Inst::Sample(Box::new(SampleInst { texture, coords, reference, lod, out })));
+        let (texture, access, out) = (sample.texture.0, sample.access, out.map(Some));
+        let inst = SampleInst { texture, access, coords, reference, lod, out };
+        self.emit(Inst::Sample(Box::new(inst)));
     }
 }
 

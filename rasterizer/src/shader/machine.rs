@@ -8,7 +8,7 @@ use super::inst::{Inst, Reg, SampleInst, SampleLod};
 use super::mask::{Extent, Mask};
 use super::preamble::uniform_at;
 use super::{OverBudget, Prepared, Program, Run};
-use crate::ir::Axis;
+use crate::ir::{Access, Axis};
 use texunit::lanes::{F32s, Kernel, LANES, QUADS, Simd, U32s};
 use texunit::plan::Lod;
 
@@ -69,9 +69,11 @@ impl Machine {
             }
             self.prepared = run.prepared.id;
         }
-        self.exec.whole(run.active);
-        self.start.clone_from(&self.exec.lanes);
         self.discarded.clear();
+        if run.program.masked {
+            self.exec.whole(run.active);
+            self.start.clone_from(&self.exec.lanes);
+        }
         let left = run.budget.checked_sub(run.program.code.len() as u64).ok_or(OverBudget)?;
         run.isa.run(Interpreter { machine: self, run, left })?;
         Ok(run.active & !self.discarded.bits())
@@ -167,7 +169,31 @@ impl Machine {
                     }
                 };
                 let coords = sample.coords.map(reg);
-                plan.sample(run.isa, coords, sample.reference.map(reg), lod, &mut self.sampled);
+                let reference = sample.reference.map(reg);
+                let out = &mut *self.sampled;
+                match (sample.access, lod) {
+                    (Access::Fetch { offset }, Lod::Explicit(level)) => {
+                        let texel = coords.map(|c| c.as_u32().as_i32());
+                        plan.fetch(run.isa, texel, level.as_u32().as_i32(), offset, out);
+                    }
+                    (Access::Size, Lod::Explicit(level)) => {
+                        let size = plan.size(level.as_u32().as_i32());
+                        out[3] = F32s::ZERO;
+                        for (out, size) in out.iter_mut().zip(&size) {
+                            for lane in 0..LANES {
+                                out[lane] = size[lane] as f32;
+                            }
+                        }
+                    }
+                    (Access::Filter { offset }, lod) => {
+                        plan.sample_offset(run.isa, coords, reference, offset, lod, out);
+                    }
+                    // Validation wants a level for these.
+                    (Access::Fetch { .. } | Access::Size, Lod::Implicit { .. })
+                    | (Access::Fetch { .. } | Access::Size, Lod::Gradient { .. }) => {
+                        *out = [F32s::ZERO; 4];
+                    }
+                }
             }
             Some(None) | None => {
                 *self.sampled = [0.0, 0.0, 0.0, 1.0].map(F32s::splat);
@@ -210,7 +236,12 @@ impl Kernel for Interpreter<'_> {
             match *inst {
                 Inst::Op { op, out, args } => {
                     let args = args.map(|reg| &*m.registers[reg.0 as usize]);
-                    op.run(&mut m.scratch, args);
+                    op.run::<S>(&mut m.scratch, args);
+                    m.set(out);
+                }
+                Inst::Fused { fused, out, args } => {
+                    let args = args.map(|reg| &*m.registers[reg.0 as usize]);
+                    fused.run::<S>(&mut m.scratch, args);
                     m.set(out);
                 }
                 Inst::Move { out, from } => {

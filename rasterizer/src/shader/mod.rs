@@ -6,11 +6,13 @@
 //! |---|---|
 //! | [`optimize`] | passes over the structured IR |
 //! | [`lower`] | structured IR → flat [`inst`]ructions over virtual registers |
+//! | [`fuse`] | several operations as one instruction |
 //! | [`preamble`] | the values that a draw computes once |
 //! | [`allocate`] | real registers for virtual ones |
 //! | [`machine`] | the interpreter: 64 lanes an instruction, with an execution [`mask`] |
 
 mod allocate;
+mod fuse;
 mod inst;
 mod lower;
 mod machine;
@@ -46,6 +48,8 @@ pub struct Program {
     slots: u32,
     discards: bool,
     reads_uniforms: bool,
+    /// Whether it matters which lanes execute.
+    masked: bool,
 }
 
 /// What of a program is computed once per draw: its uniform words, and every value that depends on
@@ -78,6 +82,14 @@ pub struct Run<'a> {
     pub budget: u64,
 }
 
+/// Whether operations are fused.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Fusing {
+    On,
+    #[cfg(test)]
+    Off,
+}
+
 /// A run that would not end within its budget.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct OverBudget;
@@ -101,16 +113,20 @@ impl Program {
         let before = size(&module);
         module.outputs.retain(|(output, _)| keep(*output));
         optimize::optimize(&mut module);
-        Self { statements: [before, size(&module)], ..Self::lowered(&module) }
+        Self { statements: [before, size(&module)], ..Self::lowered(&module, Fusing::On) }
     }
 
     /// Lowers `module` as it stands.
-    fn lowered(module: &Module) -> Self {
+    fn lowered(module: &Module, fusing: Fusing) -> Self {
         let mut lowered = lower::lower(module);
+        if fusing == Fusing::On {
+            fuse::run(&mut lowered);
+        }
         let layout = allocate::allocate(&mut lowered);
         Self {
             id: identity(),
             statements: [0; 2],
+            masked: lowered.code.iter().any(Inst::uses_mask),
             code: lowered.code,
             layout,
             preamble: lowered.preamble,

@@ -276,7 +276,8 @@ impl Level {
         let cut = (0..2).any(|axis| {
             let reaches_edge =
                 at[axis] as i64 + i64::from(size[axis]) >= i64::from(self.size()[axis]);
-            at[axis].rem_euclid(side as i32) != 0 || size[axis] % side != 0 && !reaches_edge
+            at[axis].rem_euclid(side as i32) != 0
+                || !size[axis].is_multiple_of(side) && !reaches_edge
         });
         if cut {
             return Err(ImageError::CutsBlocks { at, size });

@@ -1,7 +1,7 @@
 //! Which instruction set a kernel is compiled for, and the one place that picks.
 
-use super::gather;
 use super::{F32s, U32s};
+use super::{gather, math};
 use thiserror::Error;
 
 /// An instruction set that this processor has. Values exist only for instruction sets that were
@@ -18,6 +18,40 @@ enum Level {
     Avx512,
 }
 
+impl Level {
+    /// Every level of this architecture, from the plainest to the widest.
+    const ALL: &'static [Self] = &[
+        Self::Baseline,
+        #[cfg(target_arch = "x86_64")]
+        Self::Avx2,
+        #[cfg(target_arch = "x86_64")]
+        Self::Avx512,
+    ];
+
+    /// Whether this processor has every feature that the level's kernels are compiled with.
+    fn is_there(self) -> bool {
+        match self {
+            Self::Baseline => true,
+            #[cfg(target_arch = "x86_64")]
+            Self::Avx2 => {
+                is_x86_feature_detected!("avx2")
+                    && is_x86_feature_detected!("bmi1")
+                    && is_x86_feature_detected!("bmi2")
+                    && is_x86_feature_detected!("lzcnt")
+                    && is_x86_feature_detected!("popcnt")
+            }
+            #[cfg(target_arch = "x86_64")]
+            Self::Avx512 => {
+                Self::Avx2.is_there()
+                    && is_x86_feature_detected!("avx512f")
+                    && is_x86_feature_detected!("avx512bw")
+                    && is_x86_feature_detected!("avx512dq")
+                    && is_x86_feature_detected!("avx512vl")
+            }
+        }
+    }
+}
+
 /// `DETGL_ISA` asked for something this machine does not have.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error("DETGL_ISA={asked}: this machine has {available}; unset it to take the best of them")]
@@ -32,22 +66,7 @@ impl Isa {
 
     /// Every instruction set of this processor, from the plainest to the widest.
     pub fn available() -> Vec<Self> {
-        #[allow(unused_mut)]
-        let mut found = vec![Self::BASELINE];
-        #[cfg(target_arch = "x86_64")]
-        {
-            if is_x86_feature_detected!("avx2") {
-                found.push(Self(Level::Avx2));
-                if is_x86_feature_detected!("avx512f")
-                    && is_x86_feature_detected!("avx512bw")
-                    && is_x86_feature_detected!("avx512dq")
-                    && is_x86_feature_detected!("avx512vl")
-                {
-                    found.push(Self(Level::Avx512));
-                }
-            }
-        }
-        found
+        Level::ALL.iter().copied().filter(|level| level.is_there()).map(Self).collect()
     }
 
     /// The widest instruction set of this processor.
@@ -135,6 +154,54 @@ pub trait Simd: Copy + private::Sealed {
     /// # Panics
     /// When an index is not inside `table`.
     fn gather_f32(table: &[f32], indices: &U32s) -> F32s;
+
+    /// [`math::floor`] of one lane.
+    #[inline(always)]
+    fn floor(x: f32) -> f32 {
+        math::floor(x)
+    }
+
+    /// [`math::ceil`] of one lane.
+    #[inline(always)]
+    fn ceil(x: f32) -> f32 {
+        math::ceil(x)
+    }
+
+    /// [`math::trunc`] of one lane.
+    #[inline(always)]
+    fn trunc(x: f32) -> f32 {
+        math::trunc(x)
+    }
+
+    /// [`math::round_even`] of one lane.
+    #[inline(always)]
+    fn round_even(x: f32) -> f32 {
+        math::round_even(x)
+    }
+}
+
+/// Rounding by the instruction that AVX has for it; the same bits as [`math`]'s, whose zeros are
+/// positive but for `round_even`'s.
+#[cfg(target_arch = "x86_64")]
+macro_rules! rounding_instructions {
+    () => {
+        #[inline(always)]
+        fn floor(x: f32) -> f32 {
+            x.floor() + 0.0
+        }
+        #[inline(always)]
+        fn ceil(x: f32) -> f32 {
+            x.ceil() + 0.0
+        }
+        #[inline(always)]
+        fn trunc(x: f32) -> f32 {
+            x.trunc() + 0.0
+        }
+        #[inline(always)]
+        fn round_even(x: f32) -> f32 {
+            x.round_ties_even()
+        }
+    };
 }
 
 mod private {
@@ -142,8 +209,9 @@ mod private {
     pub trait Sealed {}
 }
 
-#[derive(Clone, Copy)]
-struct Baseline;
+/// Plain operations, for one lane outside of a kernel too.
+#[derive(Clone, Copy, Debug)]
+pub struct Baseline;
 impl private::Sealed for Baseline {}
 impl Simd for Baseline {
     #[inline(always)]
@@ -167,6 +235,7 @@ struct Avx2;
 impl private::Sealed for Avx2 {}
 #[cfg(target_arch = "x86_64")]
 impl Simd for Avx2 {
+    rounding_instructions!();
     #[inline(always)]
     fn gather(bytes: &[u8], offsets: &U32s) -> U32s {
         gather::check(bytes.len(), offsets, 1, 4);
@@ -194,6 +263,7 @@ struct Avx512;
 impl private::Sealed for Avx512 {}
 #[cfg(target_arch = "x86_64")]
 impl Simd for Avx512 {
+    rounding_instructions!();
     #[inline(always)]
     fn gather(bytes: &[u8], offsets: &U32s) -> U32s {
         gather::check(bytes.len(), offsets, 1, 4);

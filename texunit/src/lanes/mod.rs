@@ -24,5 +24,5 @@ mod log2;
 pub mod math;
 
 pub use batch::{F32s, I32s, LANES, QUADS, U32s, lane_x, lane_y};
-pub use isa::{Isa, IsaError, Kernel, Simd};
+pub use isa::{Baseline, Isa, IsaError, Kernel, Simd};
 pub use log2::{log2, log2_of_root};

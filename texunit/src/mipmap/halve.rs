@@ -40,6 +40,11 @@ impl Cover {
         (self.first..).zip(self.weights.map(f64::from)).filter(|&(_, weight)| weight > 0.0)
     }
 
+    /// Whether one texel is covered.
+    fn is_alone(self) -> bool {
+        self.weights == [1, 0, 0]
+    }
+
     /// Whether two texels are covered alike.
     fn is_pair(self) -> bool {
         self.weights == [1, 1, 0]
@@ -76,7 +81,7 @@ impl Kernel for Halve<'_> {
                 let texels = |z: usize, y: usize| {
                     &from.texels[z * slice_bytes + y * row_bytes..][..row_bytes]
                 };
-                if pairs && slice.weights == [1, 0, 0] && (row.is_pair() || rows.len() == 1) {
+                if pairs && slice.is_alone() && (row.is_pair() || row.is_alone()) {
                     let lower = texels(slice.first, row.first);
                     // A single row counts twice, which leaves its mean.
                     let second = if row.is_pair() { row.first + 1 } else { row.first };

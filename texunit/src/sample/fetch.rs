@@ -1,27 +1,66 @@
-//! Texels of a level as words, and the border colour in their place.
+//! Texels of a level as channels, compared, with the border colour in its place.
 
+use super::compare;
+use super::filter::Place;
 use super::wrap::Indices;
+use crate::format::{Encoding, Field, convert};
 use crate::image::Level;
 use crate::lanes::{F32s, I32s, LANES, Simd, U32s};
 
-/// The byte offset of each stored texel (x, y) of slice z.
+/// One texel in each lane. Only the stored channels of `out` are written.
 #[inline(always)]
-pub fn offsets(level: &Level, x: &U32s, y: &U32s, z: &U32s) -> U32s {
-    let [width, height, depth] = level.stored_size();
-    let bytes = level.format.bytes() as u32;
-    let mut out = U32s::ZERO;
-    // Below 2^30 + 4: `MAX_LEVEL_BYTES` bounds the level.
-    if depth == 1 {
+pub fn texels<S: Simd>(place: &Place<'_>, [x, y, z]: [&Indices; 3], out: &mut [F32s; 4]) {
+    stored::<S>(place.level, [&x.index, &y.index, &z.index], out);
+    finish(place, [x, y, z], out);
+}
+
+/// The channels of stored texels; those of integer formats are their bits.
+#[inline(always)]
+pub fn stored<S: Simd>(level: &Level, at: [&U32s; 3], out: &mut [F32s; 4]) {
+    if !level.format.is_integer() {
+        return level.fetch_lanes::<S>(at, out);
+    }
+    let info = level.format.info();
+    let (words, _) = level.gather::<S>(at);
+    for (channel, out) in out.iter_mut().enumerate().take(level.format.channels()) {
+        let Field { word, shift, bits } = info.fields[channel];
+        // To the top, and back with the sign or zeros.
+        let (up, down) = (32 - bits - shift, 32 - bits);
+        let out = out.as_u32_mut();
         for lane in 0..LANES {
-            out[lane] = (y[lane].wrapping_mul(width).wrapping_add(x[lane])).wrapping_mul(bytes);
-        }
-    } else {
-        for lane in 0..LANES {
-            let row = z[lane].wrapping_mul(height).wrapping_add(y[lane]);
-            out[lane] = (row.wrapping_mul(width).wrapping_add(x[lane])).wrapping_mul(bytes);
+            let top = words[word][lane] << up;
+            out[lane] = if info.encoding == Encoding::Sint {
+                (top as i32 >> down) as u32
+            } else {
+                top >> down
+            };
         }
     }
-    out
+}
+
+/// The two texels of a row, which lie side by side in every lane and in one word each: one gather
+/// takes both.
+#[inline(always)]
+pub fn row<S: Simd>(
+    place: &Place<'_>,
+    xs: &[Indices; 2],
+    y: &Indices,
+    z: &Indices,
+    [left, right]: [&mut [F32s; 4]; 2],
+) {
+    let level = place.level;
+    let bytes = level.format.bytes() as u32;
+    let (row, slice) = (level.row_bytes() as u32, level.slice_bytes() as u32);
+    let mut offsets = U32s::ZERO;
+    for lane in 0..LANES {
+        let line = z.index[lane].wrapping_mul(slice).wrapping_add(y.index[lane].wrapping_mul(row));
+        offsets[lane] = xs[0].index[lane].wrapping_mul(bytes).wrapping_add(line);
+    }
+    let [first, second] = neighbours::<S>(level, &offsets);
+    convert::decode_lanes::<S>(level.format, &[first], left);
+    convert::decode_lanes::<S>(level.format, &[second], right);
+    finish(place, [&xs[0], y, z], left);
+    finish(place, [&xs[1], y, z], right);
 }
 
 /// Whether texel `i` and the next lie side by side in the row in every lane.
@@ -59,20 +98,19 @@ pub fn neighbours<S: Simd>(level: &Level, offsets: &U32s) -> [U32s; 2] {
     [low, high]
 }
 
-/// Puts `border` where the mask is set.
+/// The border colour where an index lies outside, then the comparison.
 #[inline(always)]
-pub fn mix_border(outside: &U32s, border: f32, texels: &mut F32s) {
-    for lane in 0..LANES {
-        texels[lane] = if outside[lane] != 0 { border } else { texels[lane] };
+fn finish(place: &Place<'_>, [x, y, z]: [&Indices; 3], texels: &mut [F32s; 4]) {
+    let texture = place.texture;
+    if texture.reaches_border(place.filter) {
+        for (texels, border) in texels.iter_mut().zip(texture.border) {
+            for lane in 0..LANES {
+                let outside = x.outside[lane] | y.outside[lane] | z.outside[lane] != 0;
+                texels[lane] = if outside { border } else { texels[lane] };
+            }
+        }
     }
-}
-
-/// Where any of the indices lies outside.
-#[inline(always)]
-pub fn outside(x: &Indices, y: &Indices, z: &Indices) -> U32s {
-    let mut out = U32s::ZERO;
-    for lane in 0..LANES {
-        out[lane] = x.outside[lane] | y.outside[lane] | z.outside[lane];
+    if let Some(op) = texture.compare {
+        compare::compare(op, place.reference, &mut texels[0]);
     }
-    out
 }

@@ -4,14 +4,14 @@
 //! `a + (b - a) · α` in this order: two equal texels give exactly themselves.
 
 use super::wrap::{Axis, Indices, enclosing};
-use super::{compare, fetch, plain, seamless};
-use crate::format::convert::decode_channel;
+use super::{fetch, plain, seamless};
 use crate::image::{Level, Shape};
 use crate::lanes::{F32s, LANES, Simd, U32s};
 use crate::plan::{Texture, Way};
 use crate::sampler::{Filter, Seamless};
 
 /// A level, and all that is the same for each of its texels.
+#[derive(Clone, Copy)]
 pub struct Place<'a> {
     pub texture: &'a Texture,
     pub filter: Filter,
@@ -28,14 +28,14 @@ pub struct Place<'a> {
 impl Place<'_> {
     #[inline(always)]
     pub fn axis(&self, axis: usize) -> Axis {
-        let size = self.level.size()[axis];
+        let size = [self.level.width, self.level.height, self.level.depth][axis];
         let scale = if self.texture.shape == Shape::Rect { 1.0 } else { size as f32 };
         Axis { wrap: self.texture.wrap[axis], size, border: self.level.border[axis], scale }
     }
 
     /// The slice that each lane reads where r is not filtered along.
     #[inline(always)]
-    fn slice(&self) -> Indices {
+    pub fn slice(&self) -> Indices {
         Indices { index: *self.layer, outside: U32s::ZERO }
     }
 }
@@ -75,12 +75,7 @@ fn nearest<S: Simd>(place: &Place<'_>, at: [&F32s; 3], out: &mut [F32s; 4]) {
         let axis = place.axis(2);
         z = axis.nearest(&axis.texel_coordinate(at[2]));
     }
-    let offsets = fetch::offsets(place.level, &x.index, &y.index, &z.index);
-    let words = S::gather(&place.level.texels, &offsets);
-    let outside = fetch::outside(&x, &y, &z);
-    for (channel, out) in out.iter_mut().enumerate().take(place.texture.format.channels()) {
-        *out = texel::<S>(place, channel, &words, &outside);
-    }
+    fetch::texels::<S>(place, [&x, &y, &z], out);
 }
 
 #[inline(always)]
@@ -111,24 +106,22 @@ fn linear<S: Simd>(place: &Place<'_>, at: [&F32s; 3], out: &mut [F32s; 4]) {
         zs = axis.pair(&k);
     }
     let slices = if axes > 2 { 2 } else { 1 };
+    let mut corners = [[F32s::ZERO; 4]; 4];
     for slice in 0..slices {
         let z = &zs[slice];
-        let lower = row::<S>(place, &xs, close, &ys[0], z);
-        let above;
-        let upper = if axes > 1 {
-            above = row::<S>(place, &xs, close, &ys[1], z);
-            &above
-        } else {
-            &lower
-        };
-        let words = [&lower[0], &lower[1], &upper[0], &upper[1]];
-        for (channel, out) in out.iter_mut().enumerate().take(place.texture.format.channels()) {
-            let mut texels = [F32s::ZERO; 4];
-            for corner in 0..4 {
-                let outside = fetch::outside(&xs[corner % 2], &ys[corner / 2], z);
-                texels[corner] = texel::<S>(place, channel, words[corner], &outside);
+        for row in 0..axes.min(2) {
+            let y = &ys[row];
+            let [left, right] = &mut corners[2 * row..2 * row + 2] else { continue };
+            if close && place.level.format.words() == 1 && place.level.format.block().is_none() {
+                fetch::row::<S>(place, &xs, y, z, [left, right]);
+            } else {
+                fetch::texels::<S>(place, [&xs[0], y, z], left);
+                fetch::texels::<S>(place, [&xs[1], y, z], right);
             }
-            let mean = mean(&texels, &alpha, &beta);
+        }
+        for (channel, out) in out.iter_mut().enumerate().take(place.texture.format.channels()) {
+            let texels = corners.each_ref().map(|corner| &corner[channel]);
+            let mean = mean(texels, &alpha, &beta);
             if slice == 0 {
                 *out = mean;
             } else {
@@ -140,26 +133,9 @@ fn linear<S: Simd>(place: &Place<'_>, at: [&F32s; 3], out: &mut [F32s; 4]) {
     }
 }
 
-/// The two texels of a row. Where they lie side by side in every lane, one gather takes both.
-#[inline(always)]
-fn row<S: Simd>(
-    place: &Place<'_>,
-    xs: &[Indices; 2],
-    close: bool,
-    y: &Indices,
-    z: &Indices,
-) -> [U32s; 2] {
-    let lower = fetch::offsets(place.level, &xs[0].index, &y.index, &z.index);
-    if close {
-        return fetch::neighbours::<S>(place.level, &lower);
-    }
-    let upper = fetch::offsets(place.level, &xs[1].index, &y.index, &z.index);
-    [S::gather(&place.level.texels, &lower), S::gather(&place.level.texels, &upper)]
-}
-
 /// The mean of four texels, in the order (0, 0), (1, 0), (0, 1), (1, 1).
 #[inline(always)]
-pub fn mean(texels: &[F32s; 4], alpha: &F32s, beta: &F32s) -> F32s {
+pub fn mean(texels: [&F32s; 4], alpha: &F32s, beta: &F32s) -> F32s {
     let mut out = F32s::ZERO;
     for lane in 0..LANES {
         let lower = lerp(texels[0][lane], texels[1][lane], alpha[lane]);
@@ -173,18 +149,4 @@ pub fn mean(texels: &[F32s; 4], alpha: &F32s, beta: &F32s) -> F32s {
 #[inline(always)]
 pub fn lerp(a: f32, b: f32, t: f32) -> f32 {
     a + (b - a) * t
-}
-
-/// One channel of 64 texels: converted, the border mixed in, compared.
-#[inline(always)]
-pub fn texel<S: Simd>(place: &Place<'_>, channel: usize, words: &U32s, outside: &U32s) -> F32s {
-    let texture = place.texture;
-    let mut texels = decode_channel::<S>(texture.format, channel, words);
-    if texture.reaches_border(place.filter) {
-        fetch::mix_border(outside, texture.border[channel], &mut texels);
-    }
-    if let Some(op) = texture.compare {
-        compare::compare(op, place.reference, &mut texels);
-    }
-    texels
 }

@@ -220,6 +220,9 @@ fn moved_to(
 /// An offset in texels of this level, in units of the coordinates.
 #[inline(always)]
 fn shift(texture: &Texture, level: &Level, offset: [i32; 3]) -> [f32; 3] {
+    if offset == [0; 3] {
+        return [0.0; 3];
+    }
     let size = level.size();
     let mut shift = [0.0; 3];
     for axis in 0..texture.shape.axes() {

@@ -3,8 +3,9 @@
 //! A texel beyond an edge is the one that touches the edge from the other face. Beyond a corner
 //! there is none: the mean of the other three stands for it.
 
-use super::cube;
-use super::filter::{Place, mean, texel};
+use super::filter::{Place, mean};
+use super::wrap::Indices;
+use super::{cube, fetch};
 use crate::lanes::{F32s, I32s, LANES, Simd, U32s};
 
 /// The mean of 2×2 texels, of which `i` and `j` (-1 to the size - 1) are the lower indices.
@@ -15,40 +16,32 @@ pub fn linear<S: Simd>(
     [alpha, beta]: [&F32s; 2],
     out: &mut [F32s; 4],
 ) {
-    let mut words = [U32s::ZERO; 4];
+    let mut corners = [[F32s::ZERO; 4]; 4];
     let mut missing = [U32s::ZERO; 4];
     for corner in 0..4 {
-        let found = cube::beyond(
-            place.face as u32,
-            i,
-            j,
-            [(corner & 1) as i32, (corner >> 1) as i32],
-            place.level.width as i32,
-        );
+        let step = [(corner & 1) as i32, (corner >> 1) as i32];
+        let found = cube::beyond(place.face as u32, i, j, step, place.level.width as i32);
         missing[corner] = found.missing;
-        words[corner] = gather::<S>(place, &found);
+        texels::<S>(place, &found, &mut corners[corner]);
     }
     for (channel, out) in out.iter_mut().enumerate().take(place.texture.format.channels()) {
-        let mut texels = [F32s::ZERO; 4];
-        for corner in 0..4 {
-            texels[corner] = texel::<S>(place, channel, &words[corner], &U32s::ZERO);
-        }
         for corner in 0..4 {
             for lane in 0..LANES {
-                let [a, b, c] = [1, 2, 3].map(|turn| texels[(corner + turn) % 4][lane]);
-                let filled = (a + b + c) / 3.0;
-                let here = missing[corner][lane] == 0;
-                texels[corner][lane] = if here { texels[corner][lane] } else { filled };
+                let a = corners[(corner + 1) % 4][channel][lane];
+                let b = corners[(corner + 2) % 4][channel][lane];
+                let c = corners[(corner + 3) % 4][channel][lane];
+                let here = corners[corner][channel][lane];
+                let there = missing[corner][lane] == 0;
+                corners[corner][channel][lane] = if there { here } else { (a + b + c) / 3.0 };
             }
         }
-        *out = mean(&texels, alpha, beta);
+        *out = mean(corners.each_ref().map(|corner| &corner[channel]), alpha, beta);
     }
 }
 
 /// One texel of each lane, from whichever faces the lanes ended up on.
 #[inline(always)]
-fn gather<S: Simd>(place: &Place<'_>, found: &cube::Beyond) -> U32s {
-    let mut out = U32s::ZERO;
+fn texels<S: Simd>(place: &Place<'_>, found: &cube::Beyond, out: &mut [F32s; 4]) {
     for (face, levels) in place.texture.levels.iter().enumerate() {
         let mut asked = 0;
         for lane in 0..LANES {
@@ -57,19 +50,20 @@ fn gather<S: Simd>(place: &Place<'_>, found: &cube::Beyond) -> U32s {
         if asked == 0 {
             continue;
         }
-        let level = &levels[place.number];
-        let zero = U32s::ZERO;
-        let [border_s, border_t, _] = level.border;
-        let mut x = found.x;
-        let mut y = found.y;
+        let level = &*levels[place.number];
+        let place = Place { face, level, ..*place };
+        let mut x = Indices { index: found.x, outside: U32s::ZERO };
+        let mut y = Indices { index: found.y, outside: U32s::ZERO };
         for lane in 0..LANES {
-            x[lane] += border_s;
-            y[lane] += border_t;
+            x.index[lane] += level.border[0];
+            y.index[lane] += level.border[1];
         }
-        let words = S::gather(&level.texels, &super::fetch::offsets(level, &x, &y, &zero));
-        for lane in 0..LANES {
-            out[lane] = if found.face[lane] == face as u32 { words[lane] } else { out[lane] };
+        let mut there = [F32s::ZERO; 4];
+        fetch::texels::<S>(&place, [&x, &y, &place.slice()], &mut there);
+        for (out, there) in out.iter_mut().zip(&there) {
+            for lane in 0..LANES {
+                out[lane] = if found.face[lane] == face as u32 { there[lane] } else { out[lane] };
+            }
         }
     }
-    out
 }

@@ -1,7 +1,6 @@
 //! Access by index instead of by filter (GLSL 1.30, section 8.7): `texelFetch` and `textureSize`.
 
 use super::{expand, fetch};
-use crate::format::convert::decode_channel;
 use crate::lanes::{F32s, I32s, Kernel, LANES, Simd, U32s};
 use crate::plan::Texture;
 
@@ -57,13 +56,11 @@ impl Kernel for Fetch<'_> {
                     index[axis][lane] = held + level.border[axis];
                 }
             }
-            let offsets = fetch::offsets(level, &index[0], &index[1], &index[2]);
-            let words = S::gather(&level.texels, &offsets);
-            for channel in 0..texture.format.channels() {
-                let values = decode_channel::<S>(texture.format, channel, &words);
+            let mut values = [F32s::ZERO; 4];
+            fetch::stored::<S>(level, [&index[0], &index[1], &index[2]], &mut values);
+            for (found, values) in found.iter_mut().zip(&values) {
                 for lane in 0..LANES {
-                    let taken = here[lane] != 0;
-                    found[channel][lane] = if taken { values[lane] } else { found[channel][lane] };
+                    found[lane] = if here[lane] != 0 { values[lane] } else { found[lane] };
                 }
             }
             for lane in 0..LANES {

@@ -46,10 +46,12 @@ fn check(image: &Image, sampler: &Sampler, seed: u64) -> Tally {
     let what = plan.describe();
     assert!(plan.incomplete().is_none(), "{what}");
     for scale in [0.001, 0.02, 0.3] {
+        let scale = if image.shape() == Shape::Rect { scale * SIDE as f32 } else { scale };
         let coords = scene::block(&mut random, scale);
         // Every other reference is a depth that the image holds, for the equalities.
         let base = image.level(0, sampler.base_level as usize).unwrap();
-        let held = texunit::format::convert::decode(base.format, base.texel(0, 0))[0];
+        let held = base.channels_at([0; 3]).unwrap()[0];
+        let offset = if random.bits() % 2 == 0 { [0; 3] } else { [3, -2, 1] };
         let reference = F32s::from_fn(|l| if l % 2 == 0 { held } else { random.within(-0.2, 1.2) });
         let bias = F32s::from_fn(|_| random.within(-1.0, 1.0));
         let lambda = F32s::from_fn(|_| random.within(-2.0, 7.0));
@@ -63,7 +65,8 @@ fn check(image: &Image, sampler: &Sampler, seed: u64) -> Tally {
         ];
         for lod in lods {
             let mut got = [F32s::splat(f32::NAN); 4];
-            plan.sample(Isa::best(), coords.each_ref(), Some(&reference), lod, &mut got);
+            let (at, reference_lanes) = (coords.each_ref(), Some(&reference));
+            plan.sample_offset(Isa::best(), at, reference_lanes, offset, lod, &mut got);
             for lane in 0..LANES {
                 let at = coords.each_ref().map(|c| f64::from(c[lane]));
                 let detail = match lod {
@@ -79,7 +82,8 @@ fn check(image: &Image, sampler: &Sampler, seed: u64) -> Tally {
                         Detail::Derivatives { dx: lane_of(dx), dy: lane_of(dy), bias: 0.0 }
                     }
                 };
-                let oracle = Oracle { image, sampler, reference: f64::from(reference[lane]) };
+                let reference = f64::from(reference[lane]);
+                let oracle = Oracle { image, sampler, reference, offset };
                 tally.check(&got, lane, oracle.sample(at, detail), &what);
             }
         }
@@ -99,6 +103,7 @@ proptest! {
         seed in any::<u64>(),
     ) {
         let image = scene::image(shape, format, width, height, seed);
+        let sampler = scene::for_shape(shape, sampler);
         let tally = check(&image, &sampler, seed);
         prop_assert!(tally.checked > tally.on_a_step, "too many points lie on a step");
     }

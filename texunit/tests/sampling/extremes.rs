@@ -7,9 +7,6 @@ use texunit::lanes::{F32s, Isa, LANES};
 use texunit::plan::{Lod, SamplePlan};
 use texunit::sampler::{Filter, Mipmap, Sampler, Wrap};
 
-const WRAPS: [Wrap; 5] =
-    [Wrap::Repeat, Wrap::Clamp, Wrap::ClampToEdge, Wrap::ClampToBorder, Wrap::MirroredRepeat];
-
 fn sample(plan: &SamplePlan, s: f32, t: f32, lambda: f32) -> [f32; 4] {
     let mut out = [F32s::ZERO; 4];
     let (s, t, lambda) = (F32s::splat(s), F32s::splat(t), F32s::splat(lambda));
@@ -24,7 +21,7 @@ fn sample(plan: &SamplePlan, s: f32, t: f32, lambda: f32) -> [f32; 4] {
 fn nan_counts_as_zero_and_infinity_as_the_end_of_the_range() {
     let image = scene::image(Shape::D2, Format::Rgba8, 8, 8, 1);
     for filter in [Filter::Nearest, Filter::Linear] {
-        for wrap in WRAPS {
+        for wrap in Wrap::ALL {
             let sampler = Sampler {
                 wrap: [wrap; 3],
                 min: filter,
@@ -39,6 +36,7 @@ fn nan_counts_as_zero_and_infinity_as_the_end_of_the_range() {
             let (low, high) = match wrap {
                 Wrap::Repeat | Wrap::MirroredRepeat => (0.0, 0.0),
                 Wrap::Clamp | Wrap::ClampToEdge | Wrap::ClampToBorder => (-9.0, 9.0),
+                Wrap::MirrorClamp | Wrap::MirrorClampToEdge => (9.0, 9.0),
             };
             assert_eq!(at(f32::NEG_INFINITY), at(low), "{wrap:?} {filter:?}");
             assert_eq!(at(f32::INFINITY), at(high), "{wrap:?} {filter:?}");
@@ -113,5 +111,103 @@ fn a_constant_image_is_constant_wherever_it_is_sampled() {
     for i in 0..200 {
         let x = i as f32;
         assert_eq!(sample(&plan, x * 0.137, -x * 0.71, x * 0.02), want);
+    }
+}
+
+#[test]
+fn thin_and_long_images_repeat_without_a_seam() {
+    for (width, height) in [(1, 1), (1, 64), (8192, 1)] {
+        let image = scene::image(Shape::D2, Format::Rgba8, width, height, 6);
+        let linear = Sampler { min: Filter::Linear, mipmap: Mipmap::None, ..Sampler::default() };
+        let plan = SamplePlan::new(&image, &linear);
+        for whole in [-3.0, -1.0, 0.0, 1.0, 2.0] {
+            // At the seam, the mean of the last texel and the first.
+            let seam = sample(&plan, whole, 0.5 / height as f32, 0.0)[0];
+            let ends =
+                [0, width as i32 - 1].map(|x| image.level(0, 0).unwrap().color_at([x, 0, 0]));
+            let mean = ends.map(|c| c.unwrap()[0]).iter().sum::<f32>() / 2.0;
+            assert!((seam - mean).abs() < 1e-6, "{width}×{height} at {whole}: {seam} for {mean}");
+        }
+    }
+}
+
+#[test]
+fn the_lower_bound_of_lod_wins_nothing_over_the_upper() {
+    let image = scene::image(Shape::D2, Format::L8, 16, 16, 2);
+    let sampler = Sampler {
+        min: Filter::Nearest,
+        mag: Filter::Nearest,
+        mipmap: Mipmap::Nearest,
+        min_lod: 3.0,
+        max_lod: 1.0,
+        ..Sampler::default()
+    };
+    let plan = SamplePlan::new(&image, &sampler);
+    let want = f32::from(image.level(0, 1).unwrap().texel(0, 0)[0]) / 255.0;
+    for lambda in [f32::NEG_INFINITY, 0.0, 2.0, f32::INFINITY] {
+        assert_eq!(sample(&plan, 0.01, 0.01, lambda)[0], want);
+    }
+}
+
+#[test]
+fn border_colours_and_float_texels_keep_what_is_outside_zero_to_one() {
+    let mut image = scene::image(Shape::D2, Format::Rgba32F, 4, 4, 2);
+    let level = image.level_mut(0, 0).unwrap();
+    for (x, bits) in [f32::INFINITY, f32::NEG_INFINITY, f32::NAN].into_iter().enumerate() {
+        level.texels[16 * x..16 * x + 4].copy_from_slice(&bits.to_le_bytes());
+    }
+    let sampler = Sampler {
+        wrap: [Wrap::ClampToBorder; 3],
+        min: Filter::Nearest,
+        mag: Filter::Nearest,
+        mipmap: Mipmap::None,
+        border: [-2.0, 7.5, 0.0, 1e9],
+        ..Sampler::default()
+    };
+    let plan = SamplePlan::new(&image, &sampler);
+    assert_eq!(sample(&plan, -3.0, 0.5, 0.0), [-2.0, 7.5, 0.0, 1e9]);
+    assert_eq!(sample(&plan, 0.1, 0.1, 0.0)[0], f32::INFINITY);
+    assert_eq!(sample(&plan, 0.3, 0.1, 0.0)[0], f32::NEG_INFINITY);
+    assert!(sample_bits(&plan, 0.6, 0.1).is_nan());
+}
+
+/// One component, which may be NaN.
+fn sample_bits(plan: &SamplePlan, s: f32, t: f32) -> f32 {
+    let mut out = [F32s::ZERO; 4];
+    let (s, t) = (F32s::splat(s), F32s::splat(t));
+    plan.sample(Isa::best(), [&s, &t, &F32s::ZERO], None, Lod::Implicit { bias: None }, &mut out);
+    out[0][0]
+}
+
+#[test]
+fn seamless_edges_and_corners_look_the_same_from_every_face() {
+    use texunit::sampler::Seamless;
+    let image = scene::image(Shape::Cube, Format::R8, 8, 8, 4);
+    let sampler = Sampler {
+        min: Filter::Linear,
+        mipmap: Mipmap::None,
+        seamless: Seamless::On,
+        ..Sampler::default()
+    };
+    let plan = SamplePlan::new(&image, &sampler);
+    let at = |direction: [f32; 3]| {
+        let coords = direction.map(F32s::splat);
+        let mut out = [F32s::ZERO; 4];
+        plan.sample(Isa::best(), coords.each_ref(), None, Lod::Implicit { bias: None }, &mut out);
+        out[0][0]
+    };
+    let near = 1.0 - 1e-6;
+    for a in [-1.0_f32, 1.0] {
+        for b in [-1.0_f32, 1.0] {
+            for along in [-0.8, -0.3, 0.05, 0.6, 1.0] {
+                for axis in 0..3 {
+                    // Just on either side of the edge (a corner where `along` is 1).
+                    let turned = |v: [f32; 3]| [v[axis], v[(axis + 1) % 3], v[(axis + 2) % 3]];
+                    let here = at(turned([a, b * near, along * near]));
+                    let there = at(turned([a * near, b, along * near]));
+                    assert!((here - there).abs() < 1e-4, "{a} {b} {along}: {here} {there}");
+                }
+            }
+        }
     }
 }

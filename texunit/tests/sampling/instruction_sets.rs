@@ -34,7 +34,7 @@ proptest! {
         seed in any::<u64>(),
     ) {
         let image = scene::image(shape, format, width, height, seed);
-        let plan = SamplePlan::new(&image, &sampler);
+        let plan = SamplePlan::new(&image, &scene::for_shape(shape, sampler));
         let mut random = Random(seed);
         for round in 0..3 {
             let coords = match round {

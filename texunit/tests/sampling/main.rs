@@ -1,6 +1,8 @@
 //! What a sample returns: against the formulas, over instruction sets, at the extremes.
 
+mod access;
 mod against_oracle;
+mod anisotropy;
 mod completeness;
 mod extremes;
 mod instruction_sets;

@@ -1,12 +1,12 @@
-//! The texture chapter of GL 2.1 in scalar `f64`, written from its text and not from the crate.
+//! The texture chapter of GL 2.1 and its extensions in scalar `f64`, written from their text and
+//! not from the crate. (What a texel's bytes mean is tested beside the formats.)
 //!
 //! Where the specification steps (a nearest texel, a nearest level, the switch between filters),
 //! a point close to the step may fall on either side in `f32`. Each answer therefore carries its
 //! distance from the nearest step that it took.
 
-use texunit::format::BaseFormat;
 use texunit::image::{Image, Level, Shape};
-use texunit::sampler::{Compare, DepthMode, Filter, Mipmap, Sampler, Wrap};
+use texunit::sampler::{Compare, DepthMode, Filter, Mipmap, Sampler, Seamless, Swizzle, Wrap};
 
 /// Where λ comes from.
 #[derive(Clone, Copy)]
@@ -26,42 +26,94 @@ pub struct Oracle<'a> {
     pub image: &'a Image,
     pub sampler: &'a Sampler,
     pub reference: f64,
+    pub offset: [i32; 3],
+}
+
+/// Where a sample is taken, once face and layer are known.
+#[derive(Clone, Copy)]
+struct Place {
+    face: usize,
+    layer: i32,
+    at: [f64; 3],
 }
 
 impl Oracle<'_> {
     pub fn sample(&self, at: [f64; 3], detail: Detail) -> Answer {
-        let sampler = self.sampler;
-        let (face, [s, t], mut margin) = match self.image.shape() {
-            Shape::Cube => {
-                let (face, margin) = select_face(at);
-                (face, project(face, at), margin)
-            }
-            _ => (0, [at[0], at[1]], f64::INFINITY),
-        };
+        let (shape, sampler) = (self.image.shape(), self.sampler);
         let base = sampler.base_level as usize;
-        let level0 = self.image.level(face, base).unwrap();
-        let size = [f64::from(level0.width), f64::from(level0.height)];
-
+        let size = self.image.level(0, base).unwrap().size().map(f64::from);
+        let mut margin = f64::INFINITY;
+        let mut place = Place { face: 0, layer: 0, at };
+        let mut layer_of = |r: f64| {
+            margin = (r + 0.5 - (r + 0.5).round()).abs();
+            (r + 0.5).floor().clamp(0.0, size[2] - 1.0) as i32
+        };
+        match shape {
+            Shape::D1 | Shape::D2 | Shape::D3 | Shape::Rect => {}
+            Shape::D1Array => place.layer = layer_of(at[1]),
+            Shape::D2Array => place.layer = layer_of(at[2]),
+            Shape::Cube => {
+                (place.face, margin) = select_face(at);
+                let [s, t] = project(place.face, at);
+                place.at = [s, t, 0.0];
+            }
+        }
+        let mut probes = vec![[0.0; 3]];
         let lambda_base = match detail {
             Detail::Lambda(lambda) => lambda + f64::from(sampler.lod_bias).clamp(-16.0, 16.0),
             Detail::Derivatives { dx, dy, bias } => {
-                let along = |d: [f64; 3]| match self.image.shape() {
-                    Shape::Cube => {
-                        // The projection's own slope, by a central difference.
-                        let h = 1e-6;
-                        let ahead = project(face, [0, 1, 2].map(|i| at[i] + h * d[i]));
-                        let behind = project(face, [0, 1, 2].map(|i| at[i] - h * d[i]));
-                        [0, 1].map(|i| (ahead[i] - behind[i]) / (2.0 * h))
-                    }
-                    _ => [d[0], d[1]],
-                };
-                let length = |d: [f64; 2]| (d[0] * size[0]).hypot(d[1] * size[1]);
-                let rho = length(along(dx)).max(length(along(dy)));
-                rho.log2() + (f64::from(sampler.lod_bias) + bias).clamp(-16.0, 16.0)
+                let [dx, dy] = [dx, dy].map(|d| self.on_face(place.face, at, d));
+                let scale = if shape == Shape::Rect { [1.0; 3] } else { size };
+                let (width, step, near) = footprint(sampler, shape, dx, dy, scale);
+                margin = margin.min(near);
+                probes = step;
+                width.log2() + (f64::from(sampler.lod_bias) + bias).clamp(-16.0, 16.0)
             }
         };
-        let lambda = lambda_base.max(f64::from(sampler.min_lod)).min(f64::from(sampler.max_lod));
+        let mut sum = Answer { rgba: [0.0; 4], margin };
+        for probe in &probes {
+            let at = [0, 1, 2].map(|axis| place.at[axis] + probe[axis]);
+            let one = self.levels(Place { at, ..place }, lambda_base);
+            for c in 0..4 {
+                sum.rgba[c] += one.rgba[c] / probes.len() as f64;
+            }
+            sum.margin = sum.margin.min(one.margin);
+        }
+        let from = sum.rgba;
+        sum.rgba = sampler.swizzle.map(|source| match source {
+            Swizzle::Red => from[0],
+            Swizzle::Green => from[1],
+            Swizzle::Blue => from[2],
+            Swizzle::Alpha => from[3],
+            Swizzle::Zero => 0.0,
+            Swizzle::One => 1.0,
+        });
+        sum
+    }
 
+    /// A derivative of the coordinates that are filtered along.
+    fn on_face(&self, face: usize, at: [f64; 3], d: [f64; 3]) -> [f64; 3] {
+        match self.image.shape() {
+            Shape::D1 | Shape::D1Array => [d[0], 0.0, 0.0],
+            Shape::D2 | Shape::Rect | Shape::D2Array => [d[0], d[1], 0.0],
+            Shape::D3 => d,
+            Shape::Cube => {
+                // The projection's own slope, by a central difference.
+                let h = 1e-6;
+                let ahead = project(face, [0, 1, 2].map(|i| at[i] + h * d[i]));
+                let behind = project(face, [0, 1, 2].map(|i| at[i] - h * d[i]));
+                let [s, t] = [0, 1].map(|i| (ahead[i] - behind[i]) / (2.0 * h));
+                [s, t, 0.0]
+            }
+        }
+    }
+
+    /// One probe, over the levels.
+    fn levels(&self, place: Place, lambda_base: f64) -> Answer {
+        let sampler = self.sampler;
+        let base = sampler.base_level as usize;
+        let mut margin = f64::INFINITY;
+        let lambda = lambda_base.max(f64::from(sampler.min_lod)).min(f64::from(sampler.max_lod));
         let c = match (sampler.mag, sampler.min, sampler.mipmap) {
             (Filter::Linear, Filter::Nearest, Mipmap::Nearest | Mipmap::Linear) => 0.5,
             _ => 0.0,
@@ -72,13 +124,14 @@ impl Oracle<'_> {
             margin = margin.min((lambda - c).abs());
         }
         if lambda <= c {
-            return self.level(face, base, sampler.mag, [s, t], margin);
+            return self.level(place, base, sampler.mag, margin);
         }
-        let largest = level0.width.max(level0.height);
-        let q = (base + largest.ilog2() as usize).min(sampler.max_level as usize);
+        let sides = &self.image.level(0, base).unwrap().size()[..self.image.shape().axes()];
+        let smallest = base + sides.iter().max().unwrap().ilog2() as usize;
+        let q = smallest.min(sampler.max_level as usize);
         let level = base as f64 + lambda;
         match sampler.mipmap {
-            Mipmap::None => self.level(face, base, sampler.min, [s, t], margin),
+            Mipmap::None => self.level(place, base, sampler.min, margin),
             Mipmap::Nearest => {
                 let step = (lambda - 0.5 - (lambda - 0.5).round()).abs();
                 let d = if lambda <= 0.5 {
@@ -88,13 +141,13 @@ impl Oracle<'_> {
                 } else {
                     q
                 };
-                self.level(face, d, sampler.min, [s, t], margin.min(step))
+                self.level(place, d, sampler.min, margin.min(step))
             }
             Mipmap::Linear => {
                 let d1 = if level >= q as f64 { q } else { level.floor() as usize };
                 let d2 = (d1 + 1).min(q);
-                let first = self.level(face, d1, sampler.min, [s, t], margin);
-                let second = self.level(face, d2, sampler.min, [s, t], margin);
+                let first = self.level(place, d1, sampler.min, margin);
+                let second = self.level(place, d2, sampler.min, margin);
                 let weight = if level >= q as f64 { 0.0 } else { lambda - lambda.floor() };
                 Answer {
                     rgba: [0, 1, 2, 3]
@@ -106,70 +159,126 @@ impl Oracle<'_> {
     }
 
     /// One level with one filter.
-    fn level(&self, face: usize, level: usize, filter: Filter, st: [f64; 2], m: f64) -> Answer {
-        let level = self.image.level(face, level).unwrap();
-        let sizes = [level.width, level.height];
-        let [u, v] = [0, 1].map(|i| wrapped(self.sampler.wrap[i], st[i], f64::from(sizes[i])));
-        match filter {
-            Filter::Nearest => {
-                let [(i, near_i), (j, near_j)] = [0, 1].map(|axis| {
-                    let (x, n) = ([u, v][axis], f64::from(sizes[axis]));
-                    let wrap = self.sampler.wrap[axis];
-                    let held = wrap == Wrap::Clamp && !(0.0..=1.0).contains(&st[axis]);
-                    let margin = if held { f64::INFINITY } else { (x - x.round()).abs() };
-                    let last = wrap != Wrap::ClampToBorder && x >= n;
-                    (if last { n - 1.0 } else { x.floor() }, margin)
-                });
-                Answer { rgba: self.texel(level, i, j), margin: m.min(near_i).min(near_j) }
-            }
-            Filter::Linear => {
-                let mut rgba = [0.0; 4];
-                let (i0, j0) = ((u - 0.5).floor(), (v - 0.5).floor());
-                let (alpha, beta) = (u - 0.5 - i0, v - 0.5 - j0);
-                for (dj, wj) in [(0.0, 1.0 - beta), (1.0, beta)] {
-                    for (di, wi) in [(0.0, 1.0 - alpha), (1.0, alpha)] {
-                        let fold = |wrap: Wrap, i: f64, n: u32| match wrap {
-                            Wrap::Repeat => i.rem_euclid(f64::from(n)),
-                            // Weightless beyond the edge.
-                            Wrap::ClampToEdge | Wrap::MirroredRepeat => {
-                                i.clamp(0.0, f64::from(n) - 1.0)
-                            }
-                            Wrap::Clamp | Wrap::ClampToBorder => i,
-                        };
-                        let i = fold(self.sampler.wrap[0], i0 + di, level.width);
-                        let j = fold(self.sampler.wrap[1], j0 + dj, level.height);
-                        let texel = self.texel(level, i, j);
-                        for c in 0..4 {
-                            rgba[c] += wi * wj * texel[c];
+    fn level(&self, place: Place, number: usize, filter: Filter, mut margin: f64) -> Answer {
+        let shape = self.image.shape();
+        let level = self.image.level(place.face, number).unwrap();
+        let seamless = shape == Shape::Cube && self.sampler.seamless == Seamless::On;
+        // Per axis the indices and their weights.
+        let mut along = [vec![(0.0, 1.0)], vec![(0.0, 1.0)], vec![(f64::from(place.layer), 1.0)]];
+        for axis in 0..shape.axes() {
+            let n = f64::from(level.size()[axis]);
+            let wrap = match (shape, self.sampler.wrap[axis]) {
+                (Shape::Cube, _) if seamless => Wrap::Clamp,
+                (Shape::Rect, Wrap::Clamp) => Wrap::Clamp,
+                (Shape::Rect, Wrap::ClampToBorder) => Wrap::ClampToBorder,
+                (Shape::Rect, _) => Wrap::ClampToEdge,
+                (_, wrap) => wrap,
+            };
+            let texels = if shape == Shape::Rect { 1.0 } else { n };
+            let s = place.at[axis] * texels / n + f64::from(self.offset[axis]) / n;
+            let u = wrapped(wrap, s, n);
+            along[axis] = match filter {
+                Filter::Nearest => {
+                    let held = match wrap {
+                        Wrap::Clamp => !(0.0..=1.0).contains(&s),
+                        Wrap::MirrorClamp => s.abs() > 1.0 || s.abs() < 0.5 / n,
+                        Wrap::MirrorClampToEdge => s.abs() < 0.5 / n || s.abs() > 1.0 - 0.5 / n,
+                        _ => false,
+                    };
+                    margin = margin.min(if held { f64::INFINITY } else { (u - u.round()).abs() });
+                    let last = wrap != Wrap::ClampToBorder && u >= n;
+                    vec![(if last { n - 1.0 } else { u.floor() }, 1.0)]
+                }
+                Filter::Linear => {
+                    let i = (u - 0.5).floor();
+                    let weight = u - 0.5 - i;
+                    let fold = |i: f64| match wrap {
+                        Wrap::Repeat => i.rem_euclid(n),
+                        // Weightless beyond the edge.
+                        Wrap::ClampToEdge | Wrap::MirroredRepeat | Wrap::MirrorClampToEdge => {
+                            i.clamp(0.0, n - 1.0)
                         }
+                        Wrap::Clamp | Wrap::ClampToBorder | Wrap::MirrorClamp => i,
+                    };
+                    vec![(fold(i), 1.0 - weight), (fold(i + 1.0), weight)]
+                }
+            };
+        }
+        let mut rgba = [0.0; 4];
+        let mut missing = 0.0;
+        let mut found = Vec::new();
+        for &(k, wk) in &along[2] {
+            for &(j, wj) in &along[1] {
+                for &(i, wi) in &along[0] {
+                    let at = [i as i32, j as i32, k as i32];
+                    let texel = if seamless {
+                        self.across(place.face, number, at)
+                    } else {
+                        Some(self.texel(level, at))
+                    };
+                    match texel {
+                        Some(texel) => {
+                            (0..4).for_each(|c| rgba[c] += wi * wj * wk * texel[c]);
+                            found.push(texel);
+                        }
+                        None => missing += wi * wj,
                     }
                 }
-                Answer { rgba, margin: m }
             }
         }
+        for c in 0..4 {
+            let mean = found.iter().map(|texel| texel[c]).sum::<f64>() / found.len() as f64;
+            rgba[c] += missing * mean;
+        }
+        Answer { rgba, margin }
     }
 
-    /// One texel or the border, compared, as a colour.
-    fn texel(&self, level: &Level, i: f64, j: f64) -> [f64; 4] {
-        let inside =
-            i >= 0.0 && j >= 0.0 && i < f64::from(level.width) && j < f64::from(level.height);
-        let border = self.sampler.border.map(f64::from);
-        let base = level.format.base();
-        let channels = match level.channels_at([i as i32, j as i32, 0]).filter(|_| inside) {
-            // Conversions have their own oracles, beside them.
-            Some(channels) => channels.map(f64::from),
-            None => {
-                let mut channels = [0.0; 4];
-                for (channel, &source) in channels.iter_mut().zip(base.sources()) {
-                    *channel = border[source];
-                }
-                channels
-            }
-        };
-        if !level.format.is_depth() {
-            return color(base, channels);
+    /// A texel of a seamless cube; none beyond a corner.
+    fn across(&self, face: usize, number: usize, [i, j, _]: [i32; 3]) -> Option<[f64; 4]> {
+        let level = self.image.level(face, number).unwrap();
+        let n = level.width as i32;
+        let inside = |i: i32| (0..n).contains(&i);
+        match (inside(i), inside(j)) {
+            (true, true) => return Some(self.texel(level, [i, j, 0])),
+            (false, false) => return None,
+            _ => {}
         }
-        let depth = channels[0];
+        // The direction of its place on the edge, a little further out, meets the other face.
+        let on_edge = |i: i32| {
+            let centre = (2.0 * f64::from(i) + 1.0) / f64::from(n) - 1.0;
+            centre.clamp(-1.0 - 1e-9, 1.0 + 1e-9)
+        };
+        let (sc, tc) = (on_edge(i), on_edge(j));
+        let direction = match face {
+            0 => [1.0, -tc, -sc],
+            1 => [-1.0, -tc, sc],
+            2 => [sc, 1.0, tc],
+            3 => [sc, -1.0, -tc],
+            4 => [sc, -tc, 1.0],
+            _ => [-sc, -tc, -1.0],
+        };
+        let (other, _) = select_face(direction);
+        let [x, y] =
+            project(other, direction).map(|s| ((s * f64::from(n)).floor() as i32).clamp(0, n - 1));
+        Some(self.texel(self.image.level(other, number).unwrap(), [x, y, 0]))
+    }
+
+    /// A texel, or the border colour where there is none.
+    fn texel(&self, level: &Level, at: [i32; 3]) -> [f64; 4] {
+        let border = self.sampler.border.map(f64::from);
+        if !level.format.is_depth() {
+            return match level.color_at(at) {
+                Some(color) => color.map(f64::from),
+                None => {
+                    let mut stored = [0.0; 4];
+                    for (to, &from) in stored.iter_mut().zip(level.format.base().sources()) {
+                        *to = self.sampler.border[from];
+                    }
+                    texunit::format::convert::expand(level.format.base(), stored).map(f64::from)
+                }
+            };
+        }
+        let depth = level.channels_at(at).map_or(border[0], |channels| f64::from(channels[0]));
         let r = if self.reference.is_nan() { 0.0 } else { self.reference.clamp(0.0, 1.0) };
         let pass = |on: bool| if on { 1.0 } else { 0.0 };
         let d = match self.sampler.compare {
@@ -189,6 +298,39 @@ impl Oracle<'_> {
             DepthMode::Alpha => [0.0, 0.0, 0.0, d],
         }
     }
+}
+
+/// The width of each probe in texels, where the probes lie, and the distance to another number of
+/// probes. From the singular values of the Jacobian, by the angle of its first right vector.
+fn footprint(
+    sampler: &Sampler,
+    shape: Shape,
+    dx: [f64; 3],
+    dy: [f64; 3],
+    scale: [f64; 3],
+) -> (f64, Vec<[f64; 3]>, f64) {
+    let dot =
+        |a: [f64; 3], b: [f64; 3]| (0..3).map(|i| a[i] * scale[i] * b[i] * scale[i]).sum::<f64>();
+    let (xx, xy, yy) = (dot(dx, dx), dot(dx, dy), dot(dy, dy));
+    let most = f64::from(sampler.max_anisotropy).clamp(1.0, 16.0).floor();
+    if most == 1.0 || shape.axes() == 1 {
+        return (xx.max(yy).sqrt(), vec![[0.0; 3]], f64::INFINITY);
+    }
+    let angle = 0.5 * (2.0 * xy).atan2(xx - yy);
+    let along = |angle: f64| [0, 1, 2].map(|i| dx[i] * angle.cos() + dy[i] * angle.sin());
+    let axis = along(angle);
+    let across = along(angle + std::f64::consts::FRAC_PI_2);
+    let (major, minor) = (dot(axis, axis).sqrt(), dot(across, across).sqrt());
+    let steps = major / minor - 1.0 / 64.0;
+    let n = steps.ceil().clamp(1.0, most);
+    let near = if steps > most { f64::INFINITY } else { (steps - steps.round()).abs() };
+    if n == 1.0 {
+        return (major, vec![[0.0; 3]], near);
+    }
+    let width = minor.max(major / n);
+    let gap = ((major * major - width * width) / (n * n - 1.0)).sqrt() / major;
+    let probe = |i: f64| axis.map(|a| a * gap * (i - 0.5 * (n - 1.0)));
+    (width, (0..n as usize).map(|i| probe(i as f64)).collect(), near)
 }
 
 /// Section 3.8.7: the coordinate after the wrap mode, in texels.
@@ -229,18 +371,4 @@ fn project(face: usize, [x, y, z]: [f64; 3]) -> [f64; 2] {
         _ => (-x, -y, z),
     };
     [0.5 * (sc / ma.abs() + 1.0), 0.5 * (tc / ma.abs() + 1.0)]
-}
-
-/// Table 3.15, from the channels that are stored.
-fn color(base: BaseFormat, [a, b, c, d]: [f64; 4]) -> [f64; 4] {
-    match base {
-        BaseFormat::Alpha => [0.0, 0.0, 0.0, a],
-        BaseFormat::Luminance | BaseFormat::Depth => [a, a, a, 1.0],
-        BaseFormat::LuminanceAlpha => [a, a, a, b],
-        BaseFormat::Intensity => [a; 4],
-        BaseFormat::Red => [a, 0.0, 0.0, 1.0],
-        BaseFormat::Rg => [a, b, 0.0, 1.0],
-        BaseFormat::Rgb => [a, b, c, 1.0],
-        BaseFormat::Rgba => [a, b, c, d],
-    }
 }

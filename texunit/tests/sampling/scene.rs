@@ -4,7 +4,7 @@ use proptest::prelude::*;
 use texunit::format::Format;
 use texunit::image::{Image, Level, Shape};
 use texunit::lanes::{F32s, LANES, lane_x, lane_y};
-use texunit::sampler::{Compare, DepthMode, Filter, Mipmap, Sampler, Wrap};
+use texunit::sampler::{Compare, DepthMode, Filter, Mipmap, Sampler, Seamless, Swizzle, Wrap};
 
 /// A small generator (splitmix64), so that a case is its seed.
 pub struct Random(pub u64);
@@ -24,25 +24,36 @@ impl Random {
     }
 }
 
-/// An image with all levels, each filled with its own noise. Cubes take the width.
+/// An image with all levels, each filled with its own noise; with a border where the shape and the
+/// format may have one and the seed is odd. Cubes take the width; what else the shape lacks is 1.
 pub fn image(shape: Shape, format: Format, width: u32, height: u32, seed: u64) -> Image {
     let mut random = Random(seed);
-    let height = if shape == Shape::Cube { width } else { height };
+    let mut size = match shape {
+        Shape::D1 => [width, 1, 1],
+        Shape::D2 | Shape::Rect => [width, height, 1],
+        Shape::D3 => [width, height, 5],
+        Shape::Cube => [width, width, 1],
+        Shape::D1Array => [width, 1, 3],
+        Shape::D2Array => [width, height, 3],
+    };
+    let border = shape.border(if format.block().is_none() { (seed % 2) as u32 } else { 0 });
     let mut image = Image::new(shape);
-    for face in 0..shape.faces() {
-        for level in 0..=width.max(height).ilog2() {
-            let (w, h) = ((width >> level).max(1), (height >> level).max(1));
-            let mut texels = Level::new(format, w, h).unwrap();
-            for y in 0..h {
-                for x in 0..w {
-                    let noise = [0; 4].map(|_| random.within(0.0, 1.0));
-                    // Few depths, so that comparisons meet equal ones.
-                    let depth = (noise[0] * 4.0).floor() / 3.0;
-                    texels.put(x, y, if format.is_depth() { [depth; 4] } else { noise });
-                }
-            }
+    let levels = match shape {
+        Shape::Rect => 1,
+        _ => size[..shape.axes()].iter().max().unwrap().ilog2() + 1,
+    };
+    for level in 0..levels {
+        for face in 0..shape.faces() {
+            let mut texels = Level::with_size(format, size, border).unwrap();
+            texels.fill(|_| {
+                let noise = [0; 4].map(|_| random.within(0.0, 1.0));
+                // Few depths, so that comparisons meet equal ones.
+                let depth = (noise[0] * 4.0).floor() / 3.0;
+                if format.is_depth() { [depth; 4] } else { noise }
+            });
             image.set_level(face, level as usize, texels).unwrap();
         }
+        size = shape.halved(size);
     }
     image
 }
@@ -71,18 +82,23 @@ pub fn quad_derivatives(v: &F32s, lane: usize) -> [f64; 2] {
     [at(x0 + 1, y) - at(x0, y), at(x, y0 + 1) - at(x, y0)]
 }
 
+/// What a filter may mix: integers are only fetched.
 pub fn formats() -> impl Strategy<Value = Format> {
-    let sampled = |format: &Format| format.words() == 1 && !format.is_integer();
-    prop::sample::select(Format::ALL.into_iter().filter(sampled).collect::<Vec<_>>())
+    let formats = Format::ALL.into_iter().filter(|format| !format.is_integer());
+    prop::sample::select(formats.collect::<Vec<_>>())
 }
 
 pub fn shapes() -> impl Strategy<Value = Shape> {
-    prop::sample::select(vec![Shape::D2, Shape::Cube])
+    prop::sample::select(Shape::ALL.to_vec())
 }
 
 fn wraps() -> impl Strategy<Value = Wrap> {
-    use Wrap::{Clamp, ClampToBorder, ClampToEdge, MirroredRepeat, Repeat};
-    prop::sample::select(vec![Repeat, Clamp, ClampToEdge, ClampToBorder, MirroredRepeat])
+    prop::sample::select(Wrap::ALL.to_vec())
+}
+
+fn swizzles() -> impl Strategy<Value = [Swizzle; 4]> {
+    let turned = [Swizzle::Alpha, Swizzle::One, Swizzle::Green, Swizzle::Zero];
+    prop::sample::select(vec![Swizzle::IDENTITY, Swizzle::IDENTITY, turned])
 }
 
 fn filters() -> impl Strategy<Value = Filter> {
@@ -100,6 +116,7 @@ pub fn samplers() -> impl Strategy<Value = Sampler> {
     let mipmaps = prop::sample::select(vec![Mipmap::None, Mipmap::Nearest, Mipmap::Linear]);
     let modes =
         prop::sample::select(vec![DepthMode::Luminance, DepthMode::Intensity, DepthMode::Alpha]);
+    let seams = prop::sample::select(vec![Seamless::Off, Seamless::On]);
     let lods = prop_oneof![Just([-1000.0, 1000.0]), Just([0.3, 2.2]), Just([-1.0, 0.0])];
     (
         [wraps(), wraps(), wraps()],
@@ -107,8 +124,10 @@ pub fn samplers() -> impl Strategy<Value = Sampler> {
         (-2.0_f32..2.0, lods, 0..3_u32, 1..6_u32),
         [-1.0_f32..2.0, -1.0_f32..2.0, -1.0_f32..2.0, -1.0_f32..2.0],
         (compares(), modes),
+        (prop::sample::select(vec![1.0, 1.0, 2.5, 16.0]), swizzles(), seams),
     )
-        .prop_map(|(wrap, (min, mipmap, mag), lod, border, (compare, depth_mode))| {
+        .prop_map(|(wrap, (min, mipmap, mag), lod, border, (compare, depth_mode), last)| {
+            let (max_anisotropy, swizzle, seamless) = last;
             let (lod_bias, [min_lod, max_lod], base_level, above) = lod;
             Sampler {
                 wrap,
@@ -123,7 +142,19 @@ pub fn samplers() -> impl Strategy<Value = Sampler> {
                 border,
                 compare,
                 depth_mode,
-                ..Sampler::default()
+                max_anisotropy,
+                seamless,
+                swizzle,
             }
         })
+}
+
+/// The sampler that a shape takes: rectangles have one level.
+pub fn for_shape(shape: Shape, sampler: Sampler) -> Sampler {
+    match shape {
+        Shape::Rect => Sampler { mipmap: Mipmap::None, base_level: 0, ..sampler },
+        Shape::D1 | Shape::D2 | Shape::D3 | Shape::Cube | Shape::D1Array | Shape::D2Array => {
+            sampler
+        }
+    }
 }

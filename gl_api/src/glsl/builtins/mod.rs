@@ -1,5 +1,9 @@
-//! What the language brings: functions, variables and constants, each a row of a table.
+//! What the language brings: its functions and variables as rows of tables.
 
 pub mod functions;
+pub mod lookups;
 pub mod math;
+mod noise;
+pub mod state;
+mod table;
 pub mod variables;

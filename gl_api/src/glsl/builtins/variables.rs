@@ -1,40 +1,21 @@
-//! The built-in variables and constants (GLSL 1.30 chapter 7).
+//! The built-in variables and constants (GLSL 1.30 chapter 7), but for the state of the context.
 
+use super::state::{self, StateArray};
 use crate::glsl::hir::{Storage, Variable};
+use crate::glsl::limits::{
+    MAX_CLIP_DISTANCES, MAX_CLIP_PLANES, MAX_DRAW_BUFFERS, MAX_LIGHTS, MAX_UNIFORM_COMPONENTS,
+    MAX_VARYING_FLOATS, MAX_VERTEX_ATTRIBS, TEXEL_OFFSETS,
+};
 use crate::glsl::source::Span;
-use crate::glsl::types::{BOOL, FLOAT, INT, Struct, Type, vec};
-use crate::glsl::version::{Stages, Version};
+use crate::glsl::types::{BOOL, FLOAT, INT, Type, vec};
+use crate::glsl::version::{Extension, Language, Since, Stages};
 use crate::interface::{
     ATTRIB_COLOR, ATTRIB_FOG_COORD, ATTRIB_NORMAL, ATTRIB_SECONDARY_COLOR, ATTRIB_TEX_COORD,
-    ATTRIB_VERTEX, MAX_TEXTURE_UNITS, MAX_VERTEX_ATTRIBS, MatrixForm, StateMatrix, StateVar,
-    VARYING_BACK_COLOR, VARYING_COLOR, VARYING_FOG, VARYING_SECONDARY_COLOR, VARYING_TEX_COORD,
+    ATTRIB_VERTEX, MAX_TEXTURE_UNITS, StateVar, VARYING_BACK_COLOR, VARYING_COLOR, VARYING_FOG,
+    VARYING_SECONDARY_COLOR, VARYING_TEX_COORD,
 };
 use rasterizer::ir::Stage;
-use std::sync::{Arc, LazyLock};
-
-/// How many render targets `gl_FragData` has.
-pub const MAX_DRAW_BUFFERS: u8 = 8;
-/// How many scalars may be handed from stage to stage.
-pub const MAX_VARYING_FLOATS: u16 = 64;
-
-/// State with an element for each texture unit.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum PerUnit {
-    /// `gl_TextureMatrix`.
-    Matrix(MatrixForm),
-    /// `gl_TextureEnvColor`.
-    EnvColor,
-}
-
-impl PerUnit {
-    /// The state of one unit.
-    pub fn of(self, unit: u8) -> StateVar {
-        match self {
-            Self::Matrix(form) => StateVar::Matrix(StateMatrix::Texture(unit), form),
-            Self::EnvColor => StateVar::TextureEnvColor(unit),
-        }
-    }
-}
+use std::sync::LazyLock;
 
 /// What a built-in variable stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -43,8 +24,12 @@ pub enum Builtin {
     Position,
     /// `gl_PointSize`.
     PointSize,
-    /// `gl_ClipVertex`: accepted and, without user clip planes, without effect.
+    /// `gl_ClipVertex`: what user clip planes are applied to.
     ClipVertex,
+    /// `gl_ClipDistance`.
+    ClipDistance,
+    /// `gl_InstanceID`.
+    InstanceId,
     /// `gl_VertexID`.
     VertexId,
     /// A conventional attribute, by location.
@@ -65,8 +50,8 @@ pub enum Builtin {
     FragDepth,
     /// State of the context.
     State(StateVar),
-    /// State of each texture unit.
-    Units(PerUnit),
+    /// State of each texture unit, light or plane.
+    States(StateArray),
     /// An implementation limit.
     Limit(i32),
 }
@@ -82,23 +67,21 @@ struct Row {
     name: &'static str,
     ty: Type,
     stages: Stages,
-    since: Version,
+    since: Since,
     access: Access,
     builtin: Builtin,
 }
 
 /// The built-in variable of that name, as a global of a shader.
-pub fn find(name: &str, stage: Stage, version: Version) -> Option<Variable> {
+pub fn find(name: &str, stage: Stage, language: Language) -> Option<Variable> {
     if !name.starts_with("gl_") {
         return None;
     }
     let row = ROWS
         .iter()
-        .find(|row| row.name == name && row.stages.has(stage) && row.since <= version)?;
-    let constant = match row.builtin {
-        Builtin::Limit(value) => Some(Arc::from([value as u32])),
-        _ => None,
-    };
+        .find(|row| row.name == name && row.stages.has(stage) && language.has(row.since))?;
+    let constant =
+        if let Builtin::Limit(value) = row.builtin { Some([value as u32].into()) } else { None };
     Some(Variable {
         name: row.name.into(),
         ty: row.ty.clone(),
@@ -114,9 +97,23 @@ pub fn find(name: &str, stage: Stage, version: Version) -> Option<Variable> {
     })
 }
 
+/// The structure of that name that a built-in variable has.
+pub fn structure(name: &str, language: Language) -> Option<Type> {
+    let named = |ty: &Type| matches!(ty, Type::Struct(structure) if *structure.name == *name);
+    let rows = ROWS.iter().filter(|row| language.has(row.since));
+    rows.map(|row| row.ty.base()).find(|ty| named(ty)).cloned()
+}
+
+/// What brings a variable that a stage has in some version.
+pub fn since(name: &str, stage: Stage) -> Option<Since> {
+    ROWS.iter().find(|row| row.name == name && row.stages.has(stage)).map(|row| row.since)
+}
+
 /// The names that a stage has.
-pub fn names(stage: Stage, version: Version) -> impl Iterator<Item = &'static str> {
-    ROWS.iter().filter(move |row| row.stages.has(stage) && row.since <= version).map(|row| row.name)
+pub fn names(stage: Stage, language: Language) -> impl Iterator<Item = &'static str> {
+    ROWS.iter()
+        .filter(move |row| row.stages.has(stage) && language.has(row.since))
+        .map(|row| row.name)
 }
 
 /// Whether a stage may write it.
@@ -131,18 +128,31 @@ static ROWS: LazyLock<Vec<Row>> = LazyLock::new(rows);
 fn rows() -> Vec<Row> {
     use Access::{ReadOnly, ReadWrite};
     use Stages::{Any, Fragment, Vertex};
-    use Version::{V110, V120, V130};
+    const ALWAYS: Since = Since::ALWAYS;
+    const V110: Since = Since::V110;
+    const V130: Since = Since::V130;
     let mut rows = Vec::new();
+    let units = u32::from(MAX_TEXTURE_UNITS);
+    let array = |ty, len| Type::Array(Box::new(ty), Some(len));
     let mut row = |name, ty, stages, since, access, builtin| {
         rows.push(Row { name, ty, stages, since, access, builtin });
     };
-    let units = u32::from(MAX_TEXTURE_UNITS);
-    let array = |ty, len| Type::Array(Box::new(ty), Some(len));
 
-    row("gl_Position", vec(4), Vertex, V110, ReadWrite, Builtin::Position);
-    row("gl_PointSize", FLOAT, Vertex, V110, ReadWrite, Builtin::PointSize);
+    row("gl_Position", vec(4), Vertex, ALWAYS, ReadWrite, Builtin::Position);
+    row("gl_PointSize", FLOAT, Vertex, ALWAYS, ReadWrite, Builtin::PointSize);
     row("gl_ClipVertex", vec(4), Vertex, V110, ReadWrite, Builtin::ClipVertex);
-    row("gl_VertexID", INT, Vertex, V130, ReadOnly, Builtin::VertexId);
+    row("gl_VertexID", INT, Vertex, V130.or(Extension::GpuShader4), ReadOnly, Builtin::VertexId);
+    for (name, extension) in [
+        ("gl_InstanceIDARB", Extension::DrawInstanced),
+        ("gl_InstanceID", Extension::DrawInstanced),
+        ("gl_InstanceID", Extension::GpuShader4),
+    ] {
+        row(name, INT, Vertex, Since::only(extension), ReadOnly, Builtin::InstanceId);
+    }
+    let distances = array(FLOAT, u32::from(MAX_CLIP_DISTANCES));
+    let distance = Builtin::ClipDistance;
+    row("gl_ClipDistance", distances.clone(), Vertex, V130, ReadWrite, distance);
+    row("gl_ClipDistance", distances, Fragment, V130, ReadOnly, distance);
 
     let attribute = Builtin::Attribute;
     row("gl_Vertex", vec(4), Vertex, V110, ReadOnly, attribute(ATTRIB_VERTEX));
@@ -178,94 +188,41 @@ fn rows() -> Vec<Row> {
     row("gl_TexCoord", array(vec(4), units), Fragment, V110, ReadOnly, varying(VARYING_TEX_COORD));
     row("gl_FogFragCoord", FLOAT, Fragment, V110, ReadOnly, varying(VARYING_FOG));
 
-    row("gl_FragCoord", vec(4), Fragment, V110, ReadOnly, Builtin::FragCoord);
-    row("gl_FrontFacing", BOOL, Fragment, V110, ReadOnly, Builtin::FrontFacing);
-    row("gl_PointCoord", vec(2), Fragment, V120, ReadOnly, Builtin::PointCoord);
-    row("gl_FragColor", vec(4), Fragment, V110, ReadWrite, Builtin::FragColor);
+    row("gl_FragCoord", vec(4), Fragment, ALWAYS, ReadOnly, Builtin::FragCoord);
+    row("gl_FrontFacing", BOOL, Fragment, ALWAYS, ReadOnly, Builtin::FrontFacing);
+    row("gl_PointCoord", vec(2), Fragment, Since::V120.and_es(), ReadOnly, Builtin::PointCoord);
+    row("gl_FragColor", vec(4), Fragment, ALWAYS, ReadWrite, Builtin::FragColor);
     let targets = array(vec(4), u32::from(MAX_DRAW_BUFFERS));
-    row("gl_FragData", targets, Fragment, V110, ReadWrite, Builtin::FragData);
+    row("gl_FragData", targets, Fragment, ALWAYS, ReadWrite, Builtin::FragData);
     row("gl_FragDepth", FLOAT, Fragment, V110, ReadWrite, Builtin::FragDepth);
 
-    let mut state = |name, ty, state| row(name, ty, Any, V110, ReadOnly, Builtin::State(state));
-    const MATRICES: [(StateMatrix, [&str; 4]); 3] = [
-        (
-            StateMatrix::ModelView,
-            [
-                "gl_ModelViewMatrix",
-                "gl_ModelViewMatrixInverse",
-                "gl_ModelViewMatrixTranspose",
-                "gl_ModelViewMatrixInverseTranspose",
-            ],
-        ),
-        (
-            StateMatrix::Projection,
-            [
-                "gl_ProjectionMatrix",
-                "gl_ProjectionMatrixInverse",
-                "gl_ProjectionMatrixTranspose",
-                "gl_ProjectionMatrixInverseTranspose",
-            ],
-        ),
-        (
-            StateMatrix::ModelViewProjection,
-            [
-                "gl_ModelViewProjectionMatrix",
-                "gl_ModelViewProjectionMatrixInverse",
-                "gl_ModelViewProjectionMatrixTranspose",
-                "gl_ModelViewProjectionMatrixInverseTranspose",
-            ],
-        ),
-    ];
-    const FORMS: [MatrixForm; 4] = [
-        MatrixForm::Plain,
-        MatrixForm::Inverse,
-        MatrixForm::Transpose,
-        MatrixForm::InverseTranspose,
-    ];
-    for (matrix, names) in MATRICES {
-        for (name, form) in names.into_iter().zip(FORMS) {
-            state(name, Type::Matrix(4, 4), StateVar::Matrix(matrix, form));
-        }
+    for (name, ty, since, builtin) in state::rows() {
+        row(name, ty, Any, since, ReadOnly, builtin);
     }
-    state("gl_NormalMatrix", Type::Matrix(3, 3), StateVar::NormalMatrix);
-    let depth_range = Struct {
-        name: "gl_DepthRangeParameters".into(),
-        fields: ["near", "far", "diff"].map(|name| (name.into(), FLOAT)).into(),
-        scalars: 3,
-        depth: 1,
-    };
-    state("gl_DepthRange", Type::Struct(Arc::new(depth_range)), StateVar::DepthRange);
-    let mut unit = |name, ty, per| {
-        row(name, array(ty, units), Any, V110, ReadOnly, Builtin::Units(per));
-    };
-    const TEXTURE_MATRICES: [&str; 4] = [
-        "gl_TextureMatrix",
-        "gl_TextureMatrixInverse",
-        "gl_TextureMatrixTranspose",
-        "gl_TextureMatrixInverseTranspose",
-    ];
-    for (name, form) in TEXTURE_MATRICES.into_iter().zip(FORMS) {
-        unit(name, Type::Matrix(4, 4), PerUnit::Matrix(form));
-    }
-    unit("gl_TextureEnvColor", vec(4), PerUnit::EnvColor);
 
     let per_unit = i32::from(MAX_TEXTURE_UNITS);
-    let limits: [(&str, i32, Version); 15] = [
-        ("gl_MaxLights", 8, V110),
-        ("gl_MaxClipPlanes", 6, V110),
+    let floats = i32::from(MAX_VARYING_FLOATS);
+    let es = Since::ES;
+    let limits: [(&str, i32, Since); 19] = [
+        ("gl_MaxLights", MAX_LIGHTS.into(), V110),
+        ("gl_MaxClipPlanes", MAX_CLIP_PLANES.into(), V110),
         ("gl_MaxTextureUnits", per_unit, V110),
         ("gl_MaxTextureCoords", per_unit, V110),
-        ("gl_MaxVertexAttribs", i32::from(MAX_VERTEX_ATTRIBS), V110),
-        ("gl_MaxVertexUniformComponents", 4096, V110),
-        ("gl_MaxVaryingFloats", i32::from(MAX_VARYING_FLOATS), V110),
-        ("gl_MaxVertexTextureImageUnits", per_unit, V110),
-        ("gl_MaxCombinedTextureImageUnits", per_unit, V110),
-        ("gl_MaxTextureImageUnits", per_unit, V110),
-        ("gl_MaxFragmentUniformComponents", 4096, V110),
-        ("gl_MaxDrawBuffers", i32::from(MAX_DRAW_BUFFERS), V110),
-        ("gl_MaxVaryingComponents", i32::from(MAX_VARYING_FLOATS), V130),
-        ("gl_MaxClipDistances", 6, V130),
-        ("gl_MaxFragmentUniformVectors", 1024, V130),
+        ("gl_MaxVertexAttribs", MAX_VERTEX_ATTRIBS.into(), ALWAYS),
+        ("gl_MaxVertexUniformComponents", MAX_UNIFORM_COMPONENTS, V110),
+        ("gl_MaxVaryingFloats", floats, V110),
+        ("gl_MaxVertexTextureImageUnits", per_unit, ALWAYS),
+        ("gl_MaxCombinedTextureImageUnits", per_unit, ALWAYS),
+        ("gl_MaxTextureImageUnits", per_unit, ALWAYS),
+        ("gl_MaxFragmentUniformComponents", MAX_UNIFORM_COMPONENTS, V110),
+        ("gl_MaxDrawBuffers", MAX_DRAW_BUFFERS.into(), ALWAYS),
+        ("gl_MaxVaryingComponents", floats, V130),
+        ("gl_MaxClipDistances", MAX_CLIP_DISTANCES.into(), V130),
+        ("gl_MaxVertexUniformVectors", MAX_UNIFORM_COMPONENTS / 4, es),
+        ("gl_MaxFragmentUniformVectors", MAX_UNIFORM_COMPONENTS / 4, es),
+        ("gl_MaxVaryingVectors", floats / 4, es),
+        ("gl_MinProgramTexelOffset", *TEXEL_OFFSETS.start(), V130),
+        ("gl_MaxProgramTexelOffset", *TEXEL_OFFSETS.end(), V130),
     ];
     for (name, value, since) in limits {
         row(name, INT, Any, since, ReadOnly, Builtin::Limit(value));

@@ -6,11 +6,14 @@ use super::operators::converts;
 use super::scope::Symbol;
 use crate::glsl::ast::{self, BinaryOp};
 use crate::glsl::builtins::functions::{self, Lower, P, Row};
+use crate::glsl::builtins::lookups::{LodForm, Lookup, Shift};
 use crate::glsl::diagnostics::{Diagnostic, closest};
 use crate::glsl::hir::{Direction, Expr, ExprKind, VarRef};
+use crate::glsl::limits::TEXEL_OFFSETS;
+use crate::glsl::lower::unsupported;
 use crate::glsl::source::Span;
-use crate::glsl::types::{Sampler, Type};
-use crate::glsl::version::{Stages, Version, stage_name};
+use crate::glsl::types::Type;
+use crate::glsl::version::{Extension, Stages, Version, stage_name};
 use rasterizer::ir::Stage;
 
 /// A function that a call may mean.
@@ -41,7 +44,13 @@ impl Candidate {
             if argument.ty == *parameter {
                 continue;
             }
-            if *direction != Direction::In || !converts(&argument.ty, parameter, version) {
+            // An `out` argument takes the parameter's value back (GLSL 1.30 section 6.1).
+            let fits = match direction {
+                Direction::In => converts(&argument.ty, parameter, version),
+                Direction::Out => converts(parameter, &argument.ty, version),
+                Direction::Inout => false,
+            };
+            if !fits {
                 return None;
             }
             count += 1;
@@ -66,7 +75,7 @@ impl Checker<'_> {
             return Expr::error(span);
         }
         if let Some(void) = arguments.iter().find(|argument| argument.ty == Type::Void) {
-            self.error(void.span, "an argument has no value");
+            self.error(void.span, "6.1", "an argument has no value");
             return Expr::error(span);
         }
         let candidates = self.candidates(name);
@@ -102,7 +111,7 @@ impl Checker<'_> {
             Some(Symbol::Variable(_)) => return candidates,
             Some(Symbol::Struct(_) | Symbol::Undeclared(_)) | None => {}
         }
-        for row in functions::find(&name.text, self.stage, self.version) {
+        for row in functions::find(&name.text, self.stage, self.language) {
             for (parameters, result) in row.signatures() {
                 if candidates.iter().any(|candidate| candidate.parameters == parameters) {
                     continue;
@@ -119,7 +128,7 @@ impl Checker<'_> {
     fn unknown_function(&mut self, name: &ast::Name) {
         let text = &name.text;
         if let Some(Symbol::Variable(_)) = self.scopes.find(text) {
-            self.error(name.span, format!("`{text}` is a variable, not a function"));
+            self.error(name.span, "6.4", format!("`{text}` is a variable, not a function"));
             return;
         }
         let mut problem = Diagnostic::error(name.span, format!("there is no function `{text}`"));
@@ -127,17 +136,18 @@ impl Checker<'_> {
             Stage::Vertex => Stage::Fragment,
             Stage::Fragment => Stage::Vertex,
         };
-        let later = Version::ALL
-            .into_iter()
-            .find(|version| functions::find(text, self.stage, *version).next().is_some());
-        if let Some(later) = later {
-            problem = problem.help(format!("it came with `#version {}`", later.number()));
-        } else if functions::find(text, other, self.version).next().is_some() {
+        let known: Vec<&Row> = functions::named(text).collect();
+        let here = |row: &&&Row| row.stages.has(self.stage);
+        if let Some(row) = known.iter().find(here) {
+            if let Some(advice) = self.language.advice(row.since) {
+                problem = problem.help(advice);
+            }
+        } else if !known.is_empty() {
             let stage = stage_name(other);
             problem = problem.note(format!("only the {stage} stage has it"));
         } else {
             let user = self.unit.functions.iter().map(|function| &*function.name);
-            let builtin: Vec<&str> = functions::names(self.stage, self.version).collect();
+            let builtin: Vec<&str> = functions::names(self.stage, self.language).collect();
             let names = user.chain(builtin);
             if let Some(near) = closest(text, names) {
                 problem =
@@ -229,7 +239,7 @@ impl Checker<'_> {
                     None => {
                         let message =
                             "functions of the shader cannot be called outside of functions";
-                        self.error(span, message);
+                        self.error(span, "6.1", message);
                     }
                 }
                 Expr { ty, span, constant: false, kind: ExprKind::Call(index, converted) }
@@ -247,37 +257,21 @@ impl Checker<'_> {
         span: Span,
     ) -> Expr {
         match row.lower {
-            Lower::Unsupported => {
-                let message = match row.parameters.first() {
-                    Some(P::Sampler(sampler @ (Sampler::D1 | Sampler::D3 | Sampler::D1Shadow))) => {
-                        let ty = Type::Sampler(*sampler);
-                        format!("`{}` on {ty} is not supported by DetGL yet", name.text)
-                    }
-                    _ => format!("`{}` is not supported by DetGL yet", name.text),
-                };
-                self.error(name.span, message);
-                return Expr::error(span);
-            }
             Lower::Ftransform => {
                 let matrix = self.builtin_expr("gl_ModelViewProjectionMatrix", span);
                 let vertex = self.builtin_expr("gl_Vertex", span);
                 return self.binary(BinaryOp::Mul, matrix, vertex, span);
             }
-            Lower::Texture(_, functions::LodForm::Explicit)
-                if !self.is_vertex() && self.version < Version::V130 =>
-            {
-                let message = format!("`{}` in the fragment stage is an extension", name.text);
-                let warning = Diagnostic::warning(name.span, message)
-                    .help("write `#extension GL_ARB_shader_texture_lod : enable` first");
-                if !self.source.text().contains("GL_ARB_shader_texture_lod") {
-                    self.log.push(warning);
+            Lower::Texture(lookup) => {
+                if !self.check_lookup(row, lookup, name, &arguments) {
+                    return Expr::error(span);
                 }
             }
-            Lower::Texture(..)
-            | Lower::Map(_)
-            | Lower::With(_)
-            | Lower::Derivative(_)
-            | Lower::Modf => {}
+            Lower::Map(_) | Lower::With(_) | Lower::Derivative(_) | Lower::Modf => {}
+        }
+        if let Some(extension) = self.language.warns(row.since) {
+            let message = format!("`{}` comes from {}", name.text, extension.name());
+            self.log.push(Diagnostic::warning(name.span, message));
         }
         // From 1.20 on a function of constants is constant (section 4.3.3).
         let constant = row.folds()
@@ -285,5 +279,52 @@ impl Checker<'_> {
             && self.version >= Version::V120
             && arguments.iter().all(|argument| argument.constant);
         Expr { ty, span, constant, kind: ExprKind::Builtin(row, arguments) }
+    }
+
+    /// What the types of a lookup's arguments do not say; whether it can be carried out.
+    fn check_lookup(
+        &mut self,
+        row: &Row,
+        lookup: Lookup,
+        name: &ast::Name,
+        arguments: &[Expr],
+    ) -> bool {
+        let Some(P::Sampler(sampler)) = row.parameters.first() else { return true };
+        if let Some(what) = unsupported(*sampler, lookup) {
+            let message = format!("`{}`: {what}", name.text);
+            let problem = Diagnostic::error(name.span, message);
+            self.log.push(problem.note("the call is right, but DetGL cannot carry it out yet"));
+            return false;
+        }
+        let explicit = matches!(lookup, Lookup::Sample(_, LodForm::Explicit, _));
+        if explicit && !self.is_vertex() && self.version < Version::V130 {
+            let message = format!("`{}` in the fragment stage is an extension", name.text);
+            let warning = Diagnostic::warning(name.span, message)
+                .help("write `#extension GL_ARB_shader_texture_lod : enable` first");
+            if !self.language.enabled(Extension::ShaderTextureLod) {
+                self.log.push(warning);
+            }
+        }
+        let shift = match lookup {
+            Lookup::Sample(_, form, Shift::Texels) => {
+                arguments.len().checked_sub(if form == LodForm::Bias { 2 } else { 1 })
+            }
+            Lookup::Fetch(Shift::Texels) => arguments.len().checked_sub(1),
+            Lookup::Sample(_, _, Shift::None) | Lookup::Fetch(Shift::None) | Lookup::Size => None,
+        };
+        if let Some(offset) = shift.and_then(|index| arguments.get(index)) {
+            let words = self.evaluate(offset);
+            let fits = words.as_ref().is_some_and(|words| {
+                words.iter().all(|&word| TEXEL_OFFSETS.contains(&(word as i32)))
+            });
+            if !fits {
+                let (low, high) = (TEXEL_OFFSETS.start(), TEXEL_OFFSETS.end());
+                let message = format!("an offset is a constant expression from {low} to {high}");
+                let problem = Diagnostic::error(offset.span, message).rule(self.rule("8.7"));
+                self.log.push(problem);
+                return false;
+            }
+        }
+        true
     }
 }

@@ -24,7 +24,7 @@ impl Checker<'_> {
         match ty {
             Type::Error => Expr::error(span),
             Type::Void | Type::Sampler(_) => {
-                self.error(span, format!("{ty} has no constructor"));
+                self.error(span, "4.1.8", format!("{ty} has no constructor"));
                 Expr::error(span)
             }
             Type::Struct(structure) => self.construct_struct(&structure, arguments, span),
@@ -54,7 +54,8 @@ impl Checker<'_> {
                 return self.bad_constructor(matrix.span, message);
             }
             if self.version < Version::V120 {
-                let message = "making matrices of matrices is reserved in GLSL 1.10".to_owned();
+                let message =
+                    format!("making matrices of matrices is reserved in {}", self.version.title());
                 return self.bad_constructor(span, message);
             }
         } else if !(arguments.len() == 1 && arguments[0].ty.is_scalar()) {
@@ -112,7 +113,7 @@ impl Checker<'_> {
         span: Span,
     ) -> Expr {
         if self.version < Version::V120 {
-            let message = "constructors of arrays are not in GLSL 1.10".to_owned();
+            let message = format!("constructors of arrays are not in {}", self.version.title());
             return self.bad_constructor(span, message);
         }
         let have = arguments.len() as u32;

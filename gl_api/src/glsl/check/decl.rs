@@ -3,17 +3,15 @@
 use super::Checker;
 use super::scope::Symbol;
 use crate::glsl::Scalar;
-use crate::glsl::ast::{self, Qualifier, TypeBase};
+use crate::glsl::ast::{self, TypeBase};
+use crate::glsl::builtins::variables;
 use crate::glsl::diagnostics::{Diagnostic, closest};
 use crate::glsl::hir::{Expr, Storage, VarRef, Variable};
+use crate::glsl::limits::{MAX_SCALARS, MAX_STRUCT_DEPTH};
 use crate::glsl::source::Span;
-use crate::glsl::types::{MAX_SCALARS, Struct, Type};
-use crate::glsl::version::{Version, stage_name};
-use rasterizer::ir::{Interpolation, Stage};
+use crate::glsl::types::{Struct, Type};
+use crate::glsl::version::Version;
 use std::sync::Arc;
-
-/// How deep structures may stand inside one another.
-const MAX_STRUCT_DEPTH: u32 = 32;
 
 impl Checker<'_> {
     /// The type that is written, with the array size after the name.
@@ -34,24 +32,29 @@ impl Checker<'_> {
         }
         if ty.scalars() > MAX_SCALARS {
             let message = format!("{ty} has more than {MAX_SCALARS} components");
-            self.error(name.span, message);
+            self.error(name.span, "4.1", message);
             return Type::Error;
         }
         ty
     }
 
     fn named_type(&mut self, word: &Arc<str>, span: Span) -> Type {
-        if let Some(ty) = Type::named(word, self.version) {
+        if let Some(ty) = Type::named(word, self.language) {
             return ty;
         }
         if let Some(Symbol::Struct(structure)) = self.scopes.find(word) {
             return Type::Struct(structure.clone());
         }
-        let mut problem = Diagnostic::error(span, format!("there is no type `{word}`"));
-        let later = Version::ALL.into_iter().find(|version| Type::named(word, *version).is_some());
-        if let Some(later) = later {
-            problem = problem.help(format!("it came with `#version {}`", later.number()));
-        } else if let Some(near) = closest(word, Type::names(self.version)) {
+        if let Some(ty) = variables::structure(word, self.language) {
+            return ty;
+        }
+        let mut problem =
+            Diagnostic::error(span, format!("there is no type `{word}`")).rule(self.rule("4.1"));
+        if let Some(since) = Type::since(word) {
+            if let Some(advice) = self.language.advice(since) {
+                problem = problem.help(advice);
+            }
+        } else if let Some(near) = closest(word, Type::names(self.language)) {
             problem = problem.fix(format!("did you mean `{near}`?"), span, near.to_owned());
         }
         self.log.push(problem);
@@ -75,7 +78,11 @@ impl Checker<'_> {
         match value[0] as i32 {
             len @ 1.. => Type::Array(Box::new(element), Some(len as u32)),
             len => {
-                self.error(size.span, format!("the size of an array is at least 1, not {len}"));
+                self.error(
+                    size.span,
+                    "4.1.9",
+                    format!("the size of an array is at least 1, not {len}"),
+                );
                 Type::Error
             }
         }
@@ -87,19 +94,19 @@ impl Checker<'_> {
         for (ty, name, array) in &declared.fields {
             if matches!(ty.base, TypeBase::Struct(_)) {
                 let message = "a structure cannot be declared inside another";
-                self.error(ty.span, message);
+                self.error(ty.span, "4.1.8", message);
                 return Type::Error;
             }
             let field = self.type_of(ty, array.as_ref());
             if fields.iter().any(|(known, _)| *known == name.text) {
-                self.error(name.span, format!("a second member `{}`", name.text));
+                self.error(name.span, "4.1.8", format!("a second member `{}`", name.text));
                 continue;
             }
             match &field {
                 Type::Error => return Type::Error,
-                Type::Void => self.error(name.span, "a member cannot be void"),
+                Type::Void => self.error(name.span, "4.1.1", "a member cannot be void"),
                 Type::Array(_, None) => {
-                    self.error(name.span, "an array in a structure needs a size");
+                    self.error(name.span, "4.1.9", "an array in a structure needs a size");
                 }
                 Type::Vector(..)
                 | Type::Matrix(..)
@@ -114,14 +121,14 @@ impl Checker<'_> {
             fields.push((name.text.clone(), field));
         }
         if fields.is_empty() {
-            self.error(span, "a structure needs a member");
+            self.error(span, "4.1.8", "a structure needs a member");
             return Type::Error;
         }
         if scalars > MAX_SCALARS || depth > MAX_STRUCT_DEPTH {
             let message = format!(
                 "the structure has more than {MAX_SCALARS} components or {MAX_STRUCT_DEPTH} levels"
             );
-            self.error(span, message);
+            self.error(span, "4.1.8", message);
             return Type::Error;
         }
         let name = declared.name.as_ref().map_or(Arc::from(""), |name| name.text.clone());
@@ -171,6 +178,7 @@ impl Checker<'_> {
 
     pub(super) fn global_declaration(&mut self, declaration: &ast::Declaration) {
         let Some(storage) = self.global_storage(&declaration.ty) else { return };
+        self.check_precision(&declaration.ty);
         if declaration.names.is_empty() {
             let _ = self.type_of(&declaration.ty.ty, None);
             return;
@@ -228,7 +236,7 @@ impl Checker<'_> {
         let unfit = match variable.storage {
             Storage::Plain | Storage::Const => None,
             Storage::Uniform if self.version >= Version::V120 => None,
-            Storage::Uniform => Some("uniforms take no value in GLSL 1.10"),
+            Storage::Uniform => Some("uniforms take no value before GLSL 1.20"),
             Storage::Attribute
             | Storage::Output(_)
             | Storage::Input(_)
@@ -237,7 +245,7 @@ impl Checker<'_> {
             | Storage::Builtin(_) => Some("what passes between stages takes no value"),
         };
         if let Some(message) = unfit {
-            self.error(init.span, message);
+            self.error(init.span, "6.4", message);
             return;
         }
         if let (Type::Array(element, None), Type::Array(other, Some(len))) =
@@ -247,7 +255,7 @@ impl Checker<'_> {
             variable.ty = Type::Array(element.clone(), Some(*len));
         }
         if self.version < Version::V120 && variable.ty.has_array() {
-            self.error(init.span, "arrays take no value in GLSL 1.10");
+            self.error(init.span, "4.3", "arrays take no value before GLSL 1.20");
         }
         let init = self.converted(init, &variable.ty.clone(), "initialize with");
         if init.is_error() {
@@ -259,8 +267,13 @@ impl Checker<'_> {
         let must_fold = match variable.storage {
             Storage::Const => Some("a constant"),
             Storage::Uniform => Some("a uniform"),
-            Storage::Plain if self.body.is_none() => Some("a global variable"),
-            _ => None,
+            Storage::Plain => self.body.is_none().then_some("a global variable"),
+            Storage::Attribute
+            | Storage::Output(_)
+            | Storage::Input(_)
+            | Storage::FragmentOutput
+            | Storage::Parameter(_)
+            | Storage::Builtin(_) => None,
         };
         if let (Some(what), None) = (must_fold, &words) {
             let message = format!("the value of {what} is not a constant expression");
@@ -276,10 +289,14 @@ impl Checker<'_> {
     /// Arrays without a size wait for one only where later declarations can bring it.
     pub(super) fn check_sized(&mut self, variable: &Variable) {
         if matches!(variable.ty, Type::Array(_, None)) && self.body.is_some() {
-            self.error(variable.span, format!("the array `{}` needs a size", variable.name));
+            self.error(
+                variable.span,
+                "4.1.9",
+                format!("the array `{}` needs a size", variable.name),
+            );
         }
         if variable.ty == Type::Void {
-            self.error(variable.span, format!("`{}` cannot be void", variable.name));
+            self.error(variable.span, "4.1.1", format!("`{}` cannot be void", variable.name));
         }
         if variable.ty.has_sampler()
             && !matches!(variable.storage, Storage::Uniform | Storage::Parameter(_))
@@ -292,122 +309,6 @@ impl Checker<'_> {
         }
     }
 
-    /// What the qualifiers of a global make it; `None` when they contradict each other.
-    fn global_storage(&mut self, ty: &ast::QualifiedType) -> Option<Storage> {
-        let mut storage: Option<(Qualifier, Span)> = None;
-        let mut interpolation = None;
-        for &(qualifier, span) in &ty.qualifiers {
-            match qualifier {
-                Qualifier::Const
-                | Qualifier::Attribute
-                | Qualifier::Varying
-                | Qualifier::Uniform
-                | Qualifier::In
-                | Qualifier::Out
-                | Qualifier::Inout => {
-                    if storage.replace((qualifier, span)).is_some() {
-                        self.error(span, "a second word that says what the variable is for");
-                        return None;
-                    }
-                }
-                Qualifier::Smooth => interpolation = Some(Interpolation::Smooth),
-                Qualifier::Flat => interpolation = Some(Interpolation::Flat),
-                Qualifier::NoPerspective => interpolation = Some(Interpolation::NoPerspective),
-                // Invariance always holds, and every sample is at the centre.
-                Qualifier::Invariant | Qualifier::Centroid | Qualifier::Precision => {}
-            }
-        }
-        let smooth = interpolation.unwrap_or(Interpolation::Smooth);
-        let Some((qualifier, span)) = storage else { return Some(Storage::Plain) };
-        let old = self.version < Version::V130;
-        let stage = stage_name(self.stage);
-        let wrong = match (qualifier, self.stage) {
-            (Qualifier::Const, _) => return Some(Storage::Const),
-            (Qualifier::Uniform, _) => return Some(Storage::Uniform),
-            (Qualifier::In | Qualifier::Out, _) if old => {
-                let (attribute, word) = match (qualifier, self.stage) {
-                    (Qualifier::In, Stage::Vertex) => ("attribute", "in"),
-                    (Qualifier::In, Stage::Fragment) => ("varying", "in"),
-                    _ => ("varying", "out"),
-                };
-                let message = format!("`{word}` of global variables came with `#version 130`");
-                let problem = Diagnostic::error(span, message)
-                    .rule(format!("{} section 4.3", self.version.title()));
-                let help = format!("write `{attribute}`, or `#version 130` first");
-                self.log.push(problem.help(help));
-                // Taken as what it means in 1.30, so that only this is reported.
-                return Some(match (qualifier, self.stage) {
-                    (Qualifier::In, Stage::Vertex) => Storage::Attribute,
-                    (Qualifier::In, Stage::Fragment) => Storage::Input(smooth),
-                    (_, Stage::Vertex) => Storage::Output(smooth),
-                    (_, Stage::Fragment) => Storage::FragmentOutput,
-                });
-            }
-            (Qualifier::Attribute | Qualifier::In, Stage::Vertex) => {
-                return Some(Storage::Attribute);
-            }
-            (Qualifier::Varying | Qualifier::Out, Stage::Vertex) => {
-                return Some(Storage::Output(smooth));
-            }
-            (Qualifier::Varying | Qualifier::In, Stage::Fragment) => {
-                return Some(Storage::Input(smooth));
-            }
-            (Qualifier::Out, Stage::Fragment) => return Some(Storage::FragmentOutput),
-            (Qualifier::Attribute, Stage::Fragment) => {
-                format!("the {stage} stage has no attributes")
-            }
-            (Qualifier::Inout, _) => "`inout` is for parameters only".to_owned(),
-            _ => "this word does not fit a global variable".to_owned(),
-        };
-        let rule = format!("{} section 4.3", self.version.title());
-        self.log.push(Diagnostic::error(span, wrong).rule(rule));
-        None
-    }
-
-    /// Which types may pass between the stages (GLSL 1.30 sections 4.3.4 to 4.3.6).
-    fn check_interface(&mut self, storage: Storage, ty: &Type, span: Span) {
-        let integer =
-            |ty: &Type| ty.any(&|part| matches!(part, Type::Vector(Scalar::Int | Scalar::Uint, _)));
-        let boolean = ty.any(&|part| matches!(part, Type::Vector(Scalar::Bool, _)));
-        let structure = ty.any(&|part| matches!(part, Type::Struct(_)));
-        let old = self.version < Version::V130;
-        let wrong = match storage {
-            Storage::Attribute => {
-                if boolean || structure || ty.has_array() || (old && integer(ty)) {
-                    Some("a vertex attribute is a float, a vector or a matrix of floats")
-                } else {
-                    None
-                }
-            }
-            Storage::Output(interpolation) | Storage::Input(interpolation) => {
-                if boolean || (structure && old) || (old && integer(ty)) {
-                    Some("what passes between the stages is made of floats")
-                } else if integer(ty) && interpolation != Interpolation::Flat && !self.is_vertex() {
-                    Some("integers that pass between the stages are `flat`")
-                } else {
-                    None
-                }
-            }
-            Storage::FragmentOutput => {
-                let fits = match ty {
-                    Type::Vector(scalar, _) => *scalar != Scalar::Bool,
-                    Type::Error => true,
-                    _ => false,
-                };
-                (!fits).then_some("an output of the fragment stage is a scalar or a vector")
-            }
-            Storage::Plain
-            | Storage::Const
-            | Storage::Uniform
-            | Storage::Parameter(_)
-            | Storage::Builtin(_) => None,
-        };
-        if let Some(message) = wrong {
-            let rule = format!("{} section 4.3", self.version.title());
-            self.log.push(Diagnostic::error(span, format!("{message}; this is {ty}")).rule(rule));
-        }
-    }
-
     /// A redeclaration of `gl_TexCoord` with a size, or of another built-in with qualifiers.
     fn redeclares_builtin(&mut self, declared: &ast::Declarator, ty: &Type) -> bool {
         let name = &declared.name;
@@ -416,18 +317,23 @@ impl Checker<'_> {
         }
         let known = match self.scopes.find_global(&name.text) {
             Some(Symbol::Variable(var)) => Some(*var),
-            _ => self.builtin_variable(&name.text),
+            Some(Symbol::Struct(_) | Symbol::Functions(_) | Symbol::Undeclared(_)) | None => {
+                self.builtin_variable(&name.text)
+            }
         };
         let Some(var) = known else { return false };
         let known = self.variable(var).ty.clone();
-        let fits = match (&known, ty) {
-            (Type::Array(a, Some(limit)), Type::Array(b, len)) => {
-                a == b && len.is_none_or(|len| len <= *limit)
-            }
-            _ => known == *ty,
+        let fits = if let (Type::Array(a, Some(limit)), Type::Array(b, len)) = (&known, ty) {
+            a == b && len.is_none_or(|len| len <= *limit)
+        } else {
+            known == *ty
         };
         if !fits && *ty != Type::Error {
-            self.error(name.span, format!("`{}` is {known}, not {ty}", name.text));
+            let message = format!("`{}` is {known}, not {ty}", name.text);
+            let problem = Diagnostic::error(name.span, message).rule(self.rule("7.6"));
+            self.log.push(problem.help("redeclare it as it is, or with a smaller size"));
+        } else if matches!(ty, Type::Array(_, Some(_))) {
+            self.variable_mut(var).ty = ty.clone();
         }
         true
     }

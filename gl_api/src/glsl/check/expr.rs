@@ -8,9 +8,10 @@ use crate::glsl::ast::{self, BinaryOp, UnaryOp};
 use crate::glsl::builtins::variables;
 use crate::glsl::diagnostics::{Diagnostic, closest};
 use crate::glsl::hir::{Expr, ExprKind, VarRef};
+use crate::glsl::limits::MAX_IMPLICIT_SIZE;
 use crate::glsl::source::Span;
 use crate::glsl::types::{BOOL, FLOAT, INT, Type, UINT};
-use crate::glsl::version::Version;
+use crate::glsl::version::{Extension, Since, Version};
 use rasterizer::ir::TRUE;
 use std::sync::Arc;
 
@@ -46,7 +47,7 @@ impl Checker<'_> {
                 let number = operand.ty.scalar().is_some_and(|scalar| scalar != Scalar::Bool);
                 if !number {
                     let message = format!("cannot count a {} up or down", operand.ty);
-                    self.error(span, message);
+                    self.error(span, "5.9", message);
                     return Expr::error(span);
                 }
                 self.written(&operand, "change");
@@ -74,7 +75,7 @@ impl Checker<'_> {
             Some(Symbol::Variable(var)) => Some(*var),
             Some(Symbol::Struct(_) | Symbol::Functions(_)) => {
                 let message = format!("`{name}` is not a variable");
-                self.error(span, message);
+                self.error(span, "5.1", message);
                 return Expr::error(span);
             }
             Some(Symbol::Undeclared(_)) => None,
@@ -92,7 +93,7 @@ impl Checker<'_> {
 
     /// Brings a built-in variable into the global scope.
     pub(super) fn builtin_variable(&mut self, name: &str) -> Option<VarRef> {
-        let variable = variables::find(name, self.stage, self.version)?;
+        let variable = variables::find(name, self.stage, self.language)?;
         let var = VarRef::Global(self.unit.globals.len() as u32);
         self.scopes.add_global(variable.name.clone(), Symbol::Variable(var));
         self.unit.globals.push(variable);
@@ -135,7 +136,7 @@ impl Checker<'_> {
 
     /// Whether the version has integer operators; says so if not.
     fn has_integers(&mut self, span: Span) -> bool {
-        if self.version < Version::V130 {
+        if !self.language.has(Since::V130.or(Extension::GpuShader4)) {
             let message = "bits, shifts and remainders of integers are reserved in this version";
             let problem = Diagnostic::error(span, message)
                 .rule(format!("{} section 5.1", self.version.title()));
@@ -149,16 +150,8 @@ impl Checker<'_> {
         if left.is_error() || right.is_error() {
             return Expr::error(span);
         }
-        match op {
-            BinaryOp::Rem
-            | BinaryOp::BitAnd
-            | BinaryOp::BitOr
-            | BinaryOp::BitXor
-            | BinaryOp::ShiftLeft
-            | BinaryOp::ShiftRight => {
-                self.has_integers(span);
-            }
-            _ => {}
+        if op.is_integer() {
+            self.has_integers(span);
         }
         let Some(typed) = operators::binary(op, &left.ty, &right.ty, self.version) else {
             self.mismatch(op, &left, &right, span);
@@ -174,41 +167,45 @@ impl Checker<'_> {
     /// Says why two operands do not go together.
     fn mismatch(&mut self, op: BinaryOp, left: &Expr, right: &Expr, span: Span) {
         let (a, b) = (&left.ty, &right.ty);
-        let verb = match op {
-            BinaryOp::Mul => format!("cannot multiply {a} by {b}"),
-            _ => format!("`{}` does not take {a} and {b}", op.text()),
+        let verb = if op == BinaryOp::Mul {
+            format!("cannot multiply {a} by {b}")
+        } else {
+            format!("`{}` does not take {a} and {b}", op.text())
         };
         let title = self.version.title();
         let mut problem = Diagnostic::error(span, verb);
-        match (op, a, b) {
-            (BinaryOp::Mul, Type::Matrix(columns, rows), Type::Vector(Scalar::Float, n @ 2..)) => {
-                problem.span = Some(right.span);
-                problem = problem.label(b.to_string()).rule(format!(
-                    "{title} section 5.9: a matrix of {columns} columns times a vector of \
+        let product = op == BinaryOp::Mul;
+        if let (true, Type::Matrix(columns, rows), Type::Vector(Scalar::Float, n @ 2..)) =
+            (product, a, b)
+        {
+            problem.span = Some(right.span);
+            problem = problem.label(b.to_string()).rule(format!(
+                "{title} section 5.9: a matrix of {columns} columns times a vector of \
                      {columns} components gives a vector of {rows}"
-                ));
-                if (*columns, *n) == (4, 2) || (*columns, *n) == (4, 3) {
-                    let text = self.source.slice(right.span);
-                    let rest = if *n == 2 { "0.0, 1.0" } else { "1.0" };
-                    let wide = format!("vec4({text}, {rest})");
-                    let help = format!("extend the position: `{wide}`");
-                    problem = problem.fix(help, right.span, wide);
-                }
+            ));
+            if (*columns, *n) == (4, 2) || (*columns, *n) == (4, 3) {
+                let text = self.source.slice(right.span);
+                let rest = if *n == 2 { "0.0, 1.0" } else { "1.0" };
+                let wide = format!("vec4({text}, {rest})");
+                let help = format!("extend the position: `{wide}`");
+                problem = problem.fix(help, right.span, wide);
             }
-            (BinaryOp::Mul, Type::Matrix(..), Type::Matrix(..)) => {
-                problem = problem.rule(format!(
-                    "{title} section 5.9: the left has as many columns as the right has rows"
-                ));
+        } else if product && a.rows().is_some() && b.rows().is_some() {
+            problem = problem.rule(format!(
+                "{title} section 5.9: the left has as many columns as the right has rows"
+            ));
+        } else {
+            problem = problem.rule(format!("{title} section 5.9"));
+            let vectors = !a.is_scalar() && a == b;
+            if let (Some(name), true) = (op.vector_function(), vectors) {
+                problem = problem.help(format!("for vectors, use the function `{name}`"));
             }
-            _ => {
-                problem = problem.rule(format!("{title} section 5.9"));
-                let numbers = |x: &Type, y: &Type| {
-                    x.scalar() == Some(Scalar::Int) && y.scalar() == Some(Scalar::Float)
-                };
-                if numbers(a, b) || numbers(b, a) {
-                    let integer = if numbers(a, b) { left } else { right };
-                    problem = self.with_float_fix(problem, integer);
-                }
+            let numbers = |x: &Type, y: &Type| {
+                x.scalar() == Some(Scalar::Int) && y.scalar() == Some(Scalar::Float)
+            };
+            if numbers(a, b) || numbers(b, a) {
+                let integer = if numbers(a, b) { left } else { right };
+                problem = self.with_float_fix(problem, integer);
             }
         }
         self.log.push(problem);
@@ -217,16 +214,17 @@ impl Checker<'_> {
     /// Advice for an `int` where a `float` is needed.
     pub(super) fn with_float_fix(&self, problem: Diagnostic, integer: &Expr) -> Diagnostic {
         let text = self.source.slice(integer.span);
+        let title = self.version.title();
         let literal = !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit());
-        if self.version == Version::V110 && literal {
-            return problem.note("GLSL 1.10 does not convert int to float by itself").fix(
+        if self.version < Version::V120 && literal {
+            return problem.note(format!("{title} does not convert int to float by itself")).fix(
                 format!("write `{text}.0`"),
                 integer.span,
                 format!("{text}.0"),
             );
         }
-        if self.version == Version::V110 && integer.ty == INT {
-            return problem.note("GLSL 1.10 does not convert int to float by itself").fix(
+        if self.version < Version::V120 && integer.ty == INT {
+            return problem.note(format!("{title} does not convert int to float by itself")).fix(
                 format!("write `float({text})`"),
                 integer.span,
                 format!("float({text})"),
@@ -252,7 +250,8 @@ impl Checker<'_> {
         let value = match op {
             None => {
                 if self.version < Version::V120 && ty.has_array() {
-                    self.error(span, "arrays cannot be assigned in GLSL 1.10");
+                    let message = format!("arrays cannot be assigned in {}", self.version.title());
+                    self.error(span, "5.8", message);
                 }
                 self.converted(value, &ty, "assign")
             }
@@ -267,18 +266,10 @@ impl Checker<'_> {
                         op.text(),
                         typed.result
                     );
-                    self.error(span, message);
+                    self.error(span, "5.8", message);
                     return Expr::error(span);
                 }
-                if matches!(
-                    op,
-                    BinaryOp::Rem
-                        | BinaryOp::BitAnd
-                        | BinaryOp::BitOr
-                        | BinaryOp::BitXor
-                        | BinaryOp::ShiftLeft
-                        | BinaryOp::ShiftRight
-                ) {
+                if op.is_integer() {
                     self.has_integers(span);
                 }
                 convert(value, &typed.right)
@@ -333,7 +324,7 @@ impl Checker<'_> {
             return Expr::error(span);
         };
         if ty.has_sampler() || ty == Type::Void || ty.has_array() && self.version < Version::V130 {
-            self.error(span, format!("`?:` cannot choose between two of {ty}"));
+            self.error(span, "6.4", format!("`?:` cannot choose between two of {ty}"));
             return Expr::error(span);
         }
         let constant = condition.constant && accept.constant && reject.constant;
@@ -357,7 +348,7 @@ impl Checker<'_> {
         };
         if !matches!(index.ty, Type::Vector(Scalar::Int | Scalar::Uint, 1)) {
             let message = format!("an index is an int, not {}", index.ty);
-            self.error(index.span, message);
+            self.error(index.span, "5.7", message);
             return Expr::error(span);
         }
         let value = self.evaluate(&index).map(|words| words[0]);
@@ -387,7 +378,7 @@ impl Checker<'_> {
 
     /// A constant index lies in the array; it makes an array without a size grow.
     fn check_bounds(&mut self, base: &Expr, value: u32, len: Option<u32>, span: Span) {
-        let limit = len.unwrap_or(crate::glsl::types::MAX_SCALARS / 16);
+        let limit = len.unwrap_or(MAX_IMPLICIT_SIZE);
         if value >= limit {
             let message =
                 format!("index {} is out of range: {} has {limit} elements", value as i32, base.ty);
@@ -436,7 +427,7 @@ impl Checker<'_> {
             },
             ty => {
                 let message = format!("{ty} has no members or components");
-                self.error(name.span, message);
+                self.error(name.span, "4.1.8", message);
                 Expr::error(span)
             }
         }
@@ -450,13 +441,14 @@ impl Checker<'_> {
         match &base.ty {
             Type::Array(_, Some(len)) if &*name.text == "length" => {
                 if self.version < Version::V120 {
-                    self.error(name.span, "`.length()` is not in GLSL 1.10");
+                    let message = format!("`.length()` is not in {}", self.version.title());
+                    self.error(name.span, "5.7", message);
                 }
                 word(span, INT, *len)
             }
             ty => {
                 let message = format!("{ty} has no function `{}`", name.text);
-                self.error(name.span, message);
+                self.error(name.span, "5.1", message);
                 Expr::error(span)
             }
         }

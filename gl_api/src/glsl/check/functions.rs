@@ -9,14 +9,15 @@ use crate::glsl::types::Type;
 
 impl Checker<'_> {
     pub(super) fn function(&mut self, declared: &ast::Function) {
+        self.check_precision(&declared.ty);
         let result = self.type_of(&declared.ty.ty, None);
         for (qualifier, span) in &declared.ty.qualifiers {
             if *qualifier != Qualifier::Precision {
-                self.error(*span, "what a function returns takes no such word");
+                self.error(*span, "6.4", "what a function returns takes no such word");
             }
         }
         if result.has_sampler() || matches!(result, Type::Array(_, None)) {
-            self.error(declared.ty.ty.span, format!("a function cannot return {result}"));
+            self.error(declared.ty.ty.span, "6.4", format!("a function cannot return {result}"));
         }
         let mut directions = Vec::new();
         let mut locals = Vec::new();
@@ -64,17 +65,18 @@ impl Checker<'_> {
                 | Qualifier::Smooth
                 | Qualifier::Flat
                 | Qualifier::NoPerspective => {
-                    self.error(*span, "a parameter is `in`, `out`, `inout` or `const in`");
+                    self.error(*span, "6.1", "a parameter is `in`, `out`, `inout` or `const in`");
                 }
             }
         }
+        self.check_precision(&parameter.ty);
         let ty = self.type_of(&parameter.ty.ty, parameter.array.as_ref());
         let span = parameter.name.as_ref().map_or(parameter.ty.ty.span, |name| name.span);
         if matches!(ty, Type::Void | Type::Array(_, None)) {
-            self.error(span, format!("a parameter cannot be {ty}"));
+            self.error(span, "6.1", format!("a parameter cannot be {ty}"));
         }
         if ty.has_sampler() && direction != Direction::In {
-            self.error(span, "a sampler cannot be an `out` parameter");
+            self.error(span, "6.1", "a sampler cannot be an `out` parameter");
         }
         let constant = parameter.ty.qualifiers.iter().any(|(q, _)| *q == Qualifier::Const);
         let storage = if constant { Storage::Const } else { Storage::Parameter(direction) };

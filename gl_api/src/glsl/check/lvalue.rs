@@ -28,7 +28,18 @@ impl Checker<'_> {
                 }
                 ExprKind::Index(base, _) | ExprKind::Field(base, _) => part = base,
                 ExprKind::Var(_) => break,
-                _ => {
+                ExprKind::Const(_)
+                | ExprKind::Convert(_)
+                | ExprKind::Unary(..)
+                | ExprKind::Binary(..)
+                | ExprKind::Assign(..)
+                | ExprKind::Step(..)
+                | ExprKind::Conditional(_)
+                | ExprKind::Comma(_)
+                | ExprKind::Construct(_)
+                | ExprKind::Call(..)
+                | ExprKind::Builtin(..)
+                | ExprKind::Error => {
                     let message = format!("cannot {what} this: it is a value, not a variable");
                     self.rejected(part.span, message);
                     return;

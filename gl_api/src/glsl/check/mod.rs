@@ -5,6 +5,7 @@ mod construct;
 mod decl;
 mod expr;
 mod functions;
+mod interface;
 mod lvalue;
 mod operators;
 mod recursion;
@@ -16,7 +17,7 @@ use super::diagnostics::{Diagnostic, Log};
 use super::hir::{Expr, Stmt, Unit, VarRef, Variable};
 use super::source::{Source, Span};
 use super::types::Type;
-use super::version::Version;
+use super::version::{Language, Version};
 use rasterizer::ir::Stage;
 pub use recursion::recursive_call;
 use scope::{Scopes, Undeclared};
@@ -48,7 +49,10 @@ struct Checker<'a> {
     source: &'a Source,
     log: &'a mut Log,
     stage: Stage,
+    language: Language,
     version: Version,
+    /// Whether floats have a precision (GLSL ES 1.00 section 4.5.3).
+    float_precision: bool,
     unit: Unit,
     scopes: Scopes,
     undeclared: Vec<Undeclared>,
@@ -61,16 +65,19 @@ struct Checker<'a> {
 pub fn check(
     items: &[Item],
     stage: Stage,
-    version: Version,
+    language: Language,
     source: &Source,
     log: &mut Log,
 ) -> Unit {
+    let version = language.version;
     let unit = Unit { stage, globals: Vec::new(), functions: Vec::new() };
     let mut checker = Checker {
         source,
         log,
         stage,
+        language,
         version,
+        float_precision: version != Version::Es100 || stage == Stage::Vertex,
         unit,
         scopes: Scopes::new(),
         undeclared: Vec::new(),
@@ -82,6 +89,7 @@ pub fn check(
             Item::Declaration(declaration) => checker.global_declaration(declaration),
             Item::Function(function) => checker.function(function),
             Item::Invariant(names) => checker.invariant(names),
+            Item::Precision(ty) => checker.default_precision(ty),
         }
         if checker.log.is_full() {
             break;
@@ -99,7 +107,9 @@ impl Checker<'_> {
             if missing_size(&self.unit.globals[index]) {
                 let variable = &self.unit.globals[index];
                 let message = format!("the array `{}` never gets a size", variable.name);
-                self.log.push(Diagnostic::error(variable.span, message));
+                let problem = Diagnostic::error(variable.span, message).rule(self.rule("4.1.9"));
+                let help = "declare it with a size, or index it by a constant";
+                self.log.push(problem.help(help));
             }
         }
         if let Some((name, span)) = recursive_call(&self.unit.functions) {
@@ -125,8 +135,15 @@ impl Checker<'_> {
         }
     }
 
-    fn error(&mut self, span: Span, message: impl Into<String>) {
-        self.log.push(Diagnostic::error(span, message));
+    /// A section of the specification of the shader's version, as a message cites it.
+    fn rule(&self, section: &str) -> String {
+        format!("{} section {section}", self.version.title())
+    }
+
+    /// Reports what is against a section of the specification.
+    fn error(&mut self, span: Span, section: &str, message: impl Into<String>) {
+        let rule = self.rule(section);
+        self.log.push(Diagnostic::error(span, message).rule(rule));
     }
 
     fn variable(&self, var: VarRef) -> &Variable {

@@ -101,19 +101,29 @@ fn arithmetic(op: BinaryOp, left: &Type, right: &Type, version: Version) -> Opti
         return None;
     }
     let (left, right) = (left.with_scalar(scalar), right.with_scalar(scalar));
-    let result = match (&left, &right) {
-        (_, Type::Vector(_, 1)) => left.clone(),
-        (Type::Vector(_, 1), _) => right.clone(),
-        (Type::Matrix(columns, rows), Type::Vector(_, n)) if op == BinaryOp::Mul => {
-            (columns == n).then(|| vec(*rows))?
-        }
-        (Type::Vector(_, n), Type::Matrix(columns, rows)) if op == BinaryOp::Mul => {
-            (rows == n).then(|| vec(*columns))?
-        }
-        (Type::Matrix(a, rows), Type::Matrix(columns, b)) if op == BinaryOp::Mul => {
-            (a == b).then_some(Type::Matrix(*columns, *rows))?
-        }
-        _ => (left == right).then(|| left.clone())?,
+    let result = if right.is_scalar() {
+        left.clone()
+    } else if left.is_scalar() {
+        right.clone()
+    } else if op == BinaryOp::Mul && (left.rows().is_some() || right.rows().is_some()) {
+        product(&left, &right)?
+    } else if left == right {
+        left.clone()
+    } else {
+        return None;
     };
     Some(Typed { left, right, result })
+}
+
+/// The type of a product of a matrix with a matrix or a vector.
+fn product(left: &Type, right: &Type) -> Option<Type> {
+    if let (Type::Matrix(a, rows), Type::Matrix(columns, b)) = (left, right) {
+        (a == b).then_some(Type::Matrix(*columns, *rows))
+    } else if let (Type::Matrix(columns, rows), Type::Vector(_, n)) = (left, right) {
+        (columns == n).then_some(vec(*rows))
+    } else if let (Type::Vector(_, n), Type::Matrix(columns, rows)) = (left, right) {
+        (rows == n).then_some(vec(*columns))
+    } else {
+        None
+    }
 }

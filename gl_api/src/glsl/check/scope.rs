@@ -2,10 +2,13 @@
 
 use super::Checker;
 use crate::glsl::builtins::{functions, variables};
-use crate::glsl::diagnostics::{Diagnostic, Edit, MAX_ERRORS, Suggestion, edit_distance};
+use crate::glsl::diagnostics::{Diagnostic, Edit, Suggestion, edit_distance};
 use crate::glsl::hir::{Storage, VarRef};
+use crate::glsl::limits::MAX_ERRORS;
 use crate::glsl::source::Span;
 use crate::glsl::types::Struct;
+use crate::glsl::version::stage_name;
+use rasterizer::ir::Stage;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -120,7 +123,7 @@ impl Checker<'_> {
             Symbol::Struct(_) | Symbol::Functions(_) | Symbol::Undeclared(_) => None,
         });
         let mut candidates: Vec<Candidate> = declared.collect();
-        for near in variables::names(self.stage, self.version) {
+        for near in variables::names(self.stage, self.language) {
             if let Some(distance) = edit_distance(name, near, limit) {
                 candidates.push(Candidate { distance, name: near.into(), declared: None });
             }
@@ -159,7 +162,15 @@ impl Checker<'_> {
                 let own = !matches!(variable.storage, Storage::Uniform | Storage::Attribute);
                 (!variable.used && plain && own).then_some((variable.span, candidate.name.clone()))
             });
-            if let Some((span, near)) = unused {
+            let since = variables::since(&name, self.stage);
+            let other = [Stage::Vertex, Stage::Fragment]
+                .into_iter()
+                .find(|stage| *stage != self.stage && variables::since(&name, *stage).is_some());
+            if let Some(advice) = since.and_then(|since| self.language.advice(since)) {
+                problem = problem.help(advice);
+            } else if let Some(other) = other {
+                problem = problem.note(format!("only the {} stage has it", stage_name(other)));
+            } else if let Some((span, near)) = unused {
                 let line = self.source.position(span.start).line;
                 let text = format!(
                     "`{near}`, declared in line {line}, is never used: declare it as `{name}`"
@@ -172,7 +183,11 @@ impl Checker<'_> {
                 let edits = uses.iter().filter(plain).map(edit).collect();
                 let text = format!("did you mean `{near}`?");
                 problem.suggestion = Some(Suggestion { text, edits });
-            } else if functions::find(&name, self.stage, self.version).next().is_some() {
+            } else if let Some(advice) =
+                variables::since(&name, self.stage).and_then(|since| self.language.advice(since))
+            {
+                problem = problem.help(advice);
+            } else if functions::find(&name, self.stage, self.language).next().is_some() {
                 problem = problem.note(format!("`{name}` is a function: it is called with `()`"));
             }
             self.log.push(problem);

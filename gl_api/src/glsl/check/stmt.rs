@@ -26,6 +26,7 @@ impl Checker<'_> {
     fn statement(&mut self, statement: &ast::Stmt, all: &mut Vec<Stmt>) {
         match &statement.kind {
             StmtKind::Empty => {}
+            StmtKind::Precision(ty) => self.default_precision(ty),
             StmtKind::Declaration(declaration) => self.local_declaration(declaration, all),
             StmtKind::Expr(expr) => {
                 let expr = self.expr(expr);
@@ -69,7 +70,7 @@ impl Checker<'_> {
             StmtKind::Switch(selector, body) => self.switch(selector, body, all),
             StmtKind::Case(_) | StmtKind::Default => {
                 let message = "`case` and `default` stand directly in a `switch`";
-                self.error(statement.span, message);
+                self.error(statement.span, "6.2", message);
             }
             StmtKind::Return(value) => self.return_statement(value.as_ref(), statement.span, all),
             StmtKind::Break => {
@@ -115,13 +116,13 @@ impl Checker<'_> {
 
     /// A statement that is a block of its own.
     fn branch(&mut self, statement: &ast::Stmt) -> Vec<Stmt> {
-        self.scoped(|checker| match &statement.kind {
-            StmtKind::Block(statements) => checker.statements(statements),
-            _ => {
-                let mut all = Vec::new();
-                checker.statement(statement, &mut all);
-                all
+        self.scoped(|checker| {
+            if let StmtKind::Block(statements) = &statement.kind {
+                return checker.statements(statements);
             }
+            let mut all = Vec::new();
+            checker.statement(statement, &mut all);
+            all
         })
     }
 
@@ -163,18 +164,14 @@ impl Checker<'_> {
     ) -> (Option<u32>, Option<Expr>) {
         let mut declared = Vec::new();
         self.local_declaration(declaration, &mut declared);
-        match declared.pop() {
-            Some(Stmt::Declare(local, Some(value))) => {
-                let value = self.boolean(value);
-                // Written anew in each turn.
-                self.variable_mut(VarRef::Local(local)).written = true;
-                (Some(local), Some(value))
-            }
-            _ => {
-                self.error(declaration.ty.ty.span, "the condition declares no value");
-                (None, None)
-            }
+        if let Some(Stmt::Declare(local, Some(value))) = declared.pop() {
+            let value = self.boolean(value);
+            // Written anew in each turn.
+            self.variable_mut(VarRef::Local(local)).written = true;
+            return (Some(local), Some(value));
         }
+        self.error(declaration.ty.ty.span, "6.2", "the condition declares no value");
+        (None, None)
     }
 
     fn local_declaration(&mut self, declaration: &ast::Declaration, all: &mut Vec<Stmt>) {
@@ -200,6 +197,7 @@ impl Checker<'_> {
                 }
             }
         }
+        self.check_precision(&declaration.ty);
         if declaration.names.is_empty() {
             let _ = self.type_of(&declaration.ty.ty, None);
         }
@@ -229,12 +227,12 @@ impl Checker<'_> {
         let value = match (value, &result) {
             (None, Type::Void | Type::Error) => None,
             (None, ty) => {
-                self.error(span, format!("the function returns {ty}: a value is missing"));
+                self.error(span, "6.4", format!("the function returns {ty}: a value is missing"));
                 None
             }
             (Some(value), Type::Void) => {
                 if !value.is_error() {
-                    self.error(value.span, "the function returns nothing");
+                    self.error(value.span, "6.4", "the function returns nothing");
                 }
                 None
             }
@@ -247,59 +245,51 @@ impl Checker<'_> {
         let selector = self.expr(selector);
         let integer = matches!(selector.ty, Type::Vector(Scalar::Int | Scalar::Uint, 1));
         if !integer && !selector.is_error() {
-            self.error(
-                selector.span,
-                format!("`switch` chooses by an integer, not {}", selector.ty),
-            );
+            let message = format!("`switch` chooses by an integer, not {}", selector.ty);
+            self.log.push(Diagnostic::error(selector.span, message).rule(self.rule("6.2")));
         }
         if let Some(body) = &mut self.body {
             body.breakable += 1;
         }
         self.scopes.open();
         let mut cases: Vec<Case> = Vec::new();
-        let mut seen = BTreeSet::new();
-        let mut default_seen = false;
+        let mut seen = Labels::default();
         for statement in body {
             let label = match &statement.kind {
-                StmtKind::Case(label) => {
-                    let label = self.expr(label);
-                    let value = self.evaluate(&label).filter(|_| label.ty == selector.ty);
-                    match value {
-                        Some(value) if seen.insert(value[0]) => Some(Some(value[0])),
-                        Some(_) => {
-                            self.error(label.span, "a second `case` with this value");
-                            None
-                        }
-                        None => {
-                            if !label.is_error() && !selector.is_error() {
-                                let message = format!("a label is a constant {}", selector.ty);
-                                self.error(label.span, message);
-                            }
-                            None
-                        }
-                    }
-                }
+                StmtKind::Case(label) => self.case_label(label, &selector, &mut seen),
                 StmtKind::Default => {
-                    if std::mem::replace(&mut default_seen, true) {
-                        self.error(statement.span, "a second `default`");
+                    if std::mem::replace(&mut seen.default, true) {
+                        self.error(statement.span, "6.2", "a second `default`");
                     }
-                    Some(None)
+                    Some(Label::Default)
                 }
-                _ => {
+                StmtKind::Empty
+                | StmtKind::Precision(_)
+                | StmtKind::Declaration(_)
+                | StmtKind::Expr(_)
+                | StmtKind::Block(_)
+                | StmtKind::If(..)
+                | StmtKind::For(..)
+                | StmtKind::While(..)
+                | StmtKind::DoWhile(..)
+                | StmtKind::Switch(..)
+                | StmtKind::Return(_)
+                | StmtKind::Break
+                | StmtKind::Continue
+                | StmtKind::Discard => {
+                    let mut block = Vec::new();
+                    self.statement(statement, &mut block);
                     match cases.last_mut() {
-                        Some(_) => {
-                            let mut block = Vec::new();
-                            self.statement(statement, &mut block);
-                            if let Some(case) = cases.last_mut() {
-                                case.body.append(&mut block);
-                            }
-                        }
+                        Some(case) => case.body.append(&mut block),
                         None => {
                             let message = "a statement in a `switch` before the first label";
-                            self.error(statement.span, message);
+                            let problem = Diagnostic::error(statement.span, message)
+                                .rule(self.rule("6.2"))
+                                .help("put it behind a `case` or before the `switch`");
+                            self.log.push(problem);
                         }
                     }
-                    continue;
+                    None
                 }
             };
             let Some(label) = label else { continue };
@@ -308,10 +298,20 @@ impl Checker<'_> {
             }
             if let Some(case) = cases.last_mut() {
                 match label {
-                    Some(value) => case.labels.push(value),
-                    None => case.default = true,
+                    Label::Value(value) => case.labels.push(value),
+                    Label::Default => case.default = true,
+                    Label::Wrong => {}
                 }
             }
+        }
+        if let (Some(case), Some(last)) = (cases.last(), body.last())
+            && case.body.is_empty()
+            && !matches!(last.kind, StmtKind::Empty)
+        {
+            let problem = Diagnostic::error(last.span, "nothing follows the last label")
+                .rule(self.rule("6.2"))
+                .help("write `break;` after it");
+            self.log.push(problem);
         }
         self.scopes.close();
         if let Some(body) = &mut self.body {
@@ -319,4 +319,46 @@ impl Checker<'_> {
         }
         all.push(Stmt::Switch(selector, cases));
     }
+
+    /// The value of a `case`, which no other has.
+    fn case_label(
+        &mut self,
+        label: &ast::Expr,
+        selector: &Expr,
+        seen: &mut Labels,
+    ) -> Option<Label> {
+        let label = self.expr(label);
+        let value = self.evaluate(&label).filter(|_| label.ty == selector.ty);
+        match value {
+            Some(value) if seen.values.insert(value[0]) => return Some(Label::Value(value[0])),
+            Some(_) => {
+                let problem = Diagnostic::error(label.span, "a second `case` with this value");
+                self.log.push(problem.rule(self.rule("6.2")));
+            }
+            None if label.is_error() || selector.is_error() => {}
+            None => {
+                let message = format!("a label is a constant {}", selector.ty);
+                self.log.push(Diagnostic::error(label.span, message).rule(self.rule("6.2")));
+            }
+        }
+        Some(Label::Wrong)
+    }
+}
+
+/// Where a `switch` jumps to.
+#[derive(Clone, Copy)]
+enum Label {
+    /// `case`, with its word.
+    Value(u32),
+    /// `default`.
+    Default,
+    /// A `case` that is reported.
+    Wrong,
+}
+
+/// The labels of a `switch` so far.
+#[derive(Default)]
+struct Labels {
+    values: BTreeSet<u32>,
+    default: bool,
 }

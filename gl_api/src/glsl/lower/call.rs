@@ -55,6 +55,10 @@ impl<'a> Lowerer<'a> {
         for ((place, slot), parameter) in places.into_iter().zip(slots).zip(&function.locals) {
             if let Some(place) = place {
                 let values = self.load_all(slot, &parameter.ty)?;
+                let types = place.ty.flat();
+                let pairs = values.into_iter().zip(types);
+                let values: Vec<Value> =
+                    pairs.map(|(value, ty)| self.emit.convert(value, ty)).collect();
                 self.store(&place, &values)?;
             }
         }
@@ -82,7 +86,7 @@ impl<'a> Lowerer<'a> {
         Ok(slot)
     }
 
-    fn load_all(&mut self, slot: Slot, ty: &Type) -> Lowered<Vec<Value>> {
+    pub(super) fn load_all(&mut self, slot: Slot, ty: &Type) -> Lowered<Vec<Value>> {
         let mut whole = Self::value_place(Vec::new(), ty.clone());
         whole.slot = slot;
         self.load(&whole)
@@ -123,13 +127,14 @@ impl<'a> Lowerer<'a> {
     }
 }
 
+/// The statements before a `return` at the very end, or all if there is none.
+pub(super) fn without_last_return(body: &[Stmt]) -> &[Stmt] {
+    if let Some((Stmt::Return(_), before)) = body.split_last() { before } else { body }
+}
+
 /// Whether a `return` stands anywhere but at the very end.
 pub(super) fn returns_early(body: &[Stmt]) -> bool {
-    let before = match body.split_last() {
-        Some((Stmt::Return(_), before)) => before,
-        _ => body,
-    };
-    contains(before, Jumps::Return)
+    contains(without_last_return(body), Jumps::Return)
 }
 
 /// Which jumps to look for.

@@ -1,13 +1,11 @@
 //! Appending IR: constants are folded on the way, inputs and uniforms named once, and the number
 //! of values is bounded.
 
+use crate::glsl::limits::MAX_VALUES;
 use rasterizer::ir::{
     Axis, Builder, Expr, Input, Lod, Op, Stage, Stmt, Texture, TextureDecl, Ty, Value, Var,
 };
 use std::collections::BTreeMap;
-
-/// How many values a stage may have.
-pub const MAX_VALUES: usize = 200_000;
 
 /// What is the same everywhere, and so is needed once.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -51,10 +49,8 @@ impl Emit {
 
     /// The word of a value that is constant.
     pub fn known(&self, value: Value) -> Option<u32> {
-        match self.builder.module().expr(value) {
-            Expr::Const { bits, .. } => Some(*bits),
-            _ => None,
-        }
+        let Expr::Const { bits, .. } = self.builder.module().expr(value) else { return None };
+        Some(*bits)
     }
 
     /// A constant.

@@ -158,10 +158,8 @@ impl Lowerer<'_> {
         }
         let block = self.emit.builder.end();
         b?;
-        let (accept, reject) = match op {
-            BinaryOp::And => (block, Vec::new()),
-            _ => (Vec::new(), block),
-        };
+        let (accept, reject) =
+            if op == BinaryOp::And { (block, Vec::new()) } else { (Vec::new(), block) };
         self.emit.push(Stmt::If { condition: a, accept, reject });
         Ok(vec![self.emit.load(var)])
     }
@@ -185,56 +183,45 @@ impl Lowerer<'_> {
             blocks.push(self.emit.builder.end());
             values?;
         }
-        let reject = blocks.pop().unwrap_or_default();
-        let accept = blocks.pop().unwrap_or_default();
-        self.emit.push(Stmt::If { condition, accept, reject });
-        match slot {
-            super::place::Slot::Vars(vars) => {
-                Ok(vars.iter().map(|&var| self.emit.load(var)).collect())
-            }
-            _ => Ok(Vec::new()),
-        }
+        let not_chosen = blocks.pop().unwrap_or_default();
+        let chosen = blocks.pop().unwrap_or_default();
+        self.emit.push(Stmt::If { condition, accept: chosen, reject: not_chosen });
+        self.load_all(slot, &accept.ty)
     }
 
     /// A binary operation but `&&` and `||`.
     fn binary(&mut self, op: BinaryOp, a: (&Type, &[Value]), b: (&Type, &[Value])) -> Vec<Value> {
-        match (op, a.0, b.0) {
-            (BinaryOp::Equal | BinaryOp::NotEqual, _, _) => {
-                let mut all = self.emit.constant(rasterizer::ir::TRUE, Ty::Bool);
-                for (&a, &b) in a.1.iter().zip(b.1) {
-                    let same = self.emit.equal(a, b);
-                    all = self.emit.op(Op::And, &[all, same]);
-                }
-                if op == BinaryOp::NotEqual {
-                    all = self.emit.op(Op::Not, &[all]);
-                }
-                vec![all]
+        if matches!(op, BinaryOp::Equal | BinaryOp::NotEqual) {
+            let mut all = self.emit.constant(rasterizer::ir::TRUE, Ty::Bool);
+            for (&a, &b) in a.1.iter().zip(b.1) {
+                let same = self.emit.equal(a, b);
+                all = self.emit.op(Op::And, &[all, same]);
             }
-            (BinaryOp::Mul, Type::Matrix(_, rows), Type::Vector(_, 2..)) => {
-                self.multiply(a.1, b.1, usize::from(*rows))
+            if op == BinaryOp::NotEqual {
+                all = self.emit.op(Op::Not, &[all]);
             }
-            (BinaryOp::Mul, Type::Matrix(_, rows), Type::Matrix(columns, inner)) => {
-                let (rows, inner) = (usize::from(*rows), usize::from(*inner));
-                let column = |c: u8| {
-                    let start = usize::from(c) * inner;
-                    self.multiply(a.1, &b.1[start..start + inner], rows)
-                };
-                (0..*columns).flat_map(column).collect()
+            return vec![all];
+        }
+        if op == BinaryOp::Mul && !a.0.is_scalar() && !b.0.is_scalar() {
+            if let Some(rows) = a.0.rows() {
+                return self.matrix_times(a.1, usize::from(rows), b.1);
             }
-            (BinaryOp::Mul, Type::Vector(_, 2..), Type::Matrix(columns, rows)) => {
-                let rows = usize::from(*rows);
-                let dot = |c: u8| {
-                    let start = usize::from(c) * rows;
-                    math::dot_product(&mut self.emit, a.1, &b.1[start..start + rows])
-                };
-                (0..*columns).map(dot).collect()
-            }
-            _ => {
-                let len = a.1.len().max(b.1.len());
-                let at = |values: &[Value], i: usize| values[i.min(values.len() - 1)];
-                (0..len).map(|i| self.scalar(op, at(a.1, i), at(b.1, i))).collect()
+            if let Some(rows) = b.0.rows() {
+                let columns = b.1.chunks(usize::from(rows));
+                return columns
+                    .map(|column| math::dot_product(&mut self.emit, a.1, column))
+                    .collect();
             }
         }
+        let len = a.1.len().max(b.1.len());
+        let at = |values: &[Value], i: usize| values[i.min(values.len() - 1)];
+        (0..len).map(|i| self.scalar(op, at(a.1, i), at(b.1, i))).collect()
+    }
+
+    /// A matrix of `rows` rows times a column, or the columns of a matrix one by one.
+    fn matrix_times(&mut self, matrix: &[Value], rows: usize, right: &[Value]) -> Vec<Value> {
+        let columns = right.chunks(matrix.len() / rows);
+        columns.flat_map(|column| self.multiply(matrix, column, rows)).collect()
     }
 
     /// Matrix times column: the columns weighted by the components, summed from the first on.
@@ -306,41 +293,48 @@ impl Lowerer<'_> {
         };
         let needed = ty.scalars() as usize;
         let convert = |lowerer: &mut Self, value| lowerer.emit.convert(value, scalar.ty());
-        match (ty, parts) {
-            (Type::Matrix(_, rows), [part]) => {
-                let source_rows = match part.ty {
-                    Type::Matrix(_, rows) => usize::from(rows),
-                    _ if all.len() > 1 => usize::from(*rows),
-                    _ => 0,
-                };
-                let (rows, value) = (usize::from(*rows), all[0]);
-                let value = convert(self, value);
-                let (zero, one) = (self.emit.float(0.0), self.emit.float(1.0));
-                let at = |index: usize| {
-                    let (column, row) = (index / rows, index % rows);
-                    if source_rows == 0 {
-                        return if column == row { value } else { zero };
-                    }
-                    let inside = row < source_rows && column * source_rows + row < all.len();
-                    match inside {
-                        true => all[column * source_rows + row],
-                        false if column == row => one,
-                        false => zero,
-                    }
-                };
-                Ok((0..needed).map(at).collect())
+        if let (Some(rows), [part]) = (ty.rows(), parts) {
+            let rows = usize::from(rows);
+            if let Some(source_rows) = part.ty.rows() {
+                return Ok(self.resized(&all, source_rows.into(), rows, needed));
             }
-            _ if all.len() == 1 => {
-                let value = convert(self, all[0]);
-                Ok(vec![value; needed])
+            if all.len() == 1 {
+                let (value, zero) = (convert(self, all[0]), self.emit.float(0.0));
+                let at = |index: usize| if index / rows == index % rows { value } else { zero };
+                return Ok((0..needed).map(at).collect());
             }
-            _ => Ok(all.iter().take(needed).map(|&value| convert(self, value)).collect()),
         }
+        if all.len() == 1 {
+            let value = convert(self, all[0]);
+            return Ok(vec![value; needed]);
+        }
+        Ok(all.iter().take(needed).map(|&value| convert(self, value)).collect())
+    }
+
+    /// A matrix made of a matrix: what the source lacks comes from the identity.
+    fn resized(
+        &mut self,
+        source: &[Value],
+        source_rows: usize,
+        rows: usize,
+        needed: usize,
+    ) -> Vec<Value> {
+        let (zero, one) = (self.emit.float(0.0), self.emit.float(1.0));
+        let at = |index: usize| {
+            let (column, row) = (index / rows, index % rows);
+            let inside = row < source_rows && column * source_rows + row < source.len();
+            match inside {
+                true => source[column * source_rows + row],
+                false if column == row => one,
+                false => zero,
+            }
+        };
+        (0..needed).map(at).collect()
     }
 
     fn builtin(&mut self, row: &Row, arguments: &[Expr], result: &Type) -> Lowered<Vec<Value>> {
-        if let Lower::Texture(projection, lod) = row.lower {
-            return self.texture(projection, lod, arguments, result);
+        if let Lower::Texture(lookup) = row.lower {
+            return self.texture(lookup, arguments, result);
         }
         if let (Lower::Modf, [x, whole]) = (row.lower, arguments) {
             let values = self.expr(x)?;
@@ -364,8 +358,8 @@ impl Lowerer<'_> {
             Lower::Derivative(axis) => {
                 Ok(values[0].iter().map(|&value| self.emit.derivative(axis, value)).collect())
             }
-            Lower::Texture(..) | Lower::Modf | Lower::Ftransform | Lower::Unsupported => {
-                Err(Failure(format!("`{}` is not supported by DetGL yet", row.name)))
+            Lower::Texture(_) | Lower::Modf | Lower::Ftransform => {
+                Err(Failure(format!("`{}` takes other arguments", row.name)))
             }
         }
     }

@@ -1,10 +1,13 @@
 //! A stage's inputs, outputs and uniforms as IR, around its `main`.
 
+use super::call::{returns_early, without_last_return};
 use super::place::Slot;
 use super::{Failure, Lowered, Lowerer, Words, functions};
-use crate::glsl::builtins::variables::{Builtin, MAX_DRAW_BUFFERS};
+use crate::glsl::builtins::math::dot_product;
+use crate::glsl::builtins::variables::Builtin;
 use crate::glsl::hir::{Function, Storage, Unit, Variable};
-use crate::interface::VARYING_BACK_COLOR;
+use crate::glsl::limits::{MAX_CLIP_PLANES, MAX_DRAW_BUFFERS};
+use crate::interface::{StateVar, VARYING_BACK_COLOR, VARYING_CLIP_DISTANCE};
 use rasterizer::ir::{
     Input, Interpolation, Module, Op, Output, Stage, Stmt, Texture, Ty, Value, Var,
 };
@@ -62,6 +65,10 @@ enum Part {
     Low,
     /// The high 16 bits.
     High,
+    /// Its value if this user clip plane is enabled, else 0, which cuts nothing away.
+    ClipDistance(u8),
+    /// The vector that begins there times this user clip plane, if it is enabled.
+    ClipVertex(u8),
 }
 
 /// Lowers a stage of some units. `reachable` are the functions that `main` reaches.
@@ -92,13 +99,11 @@ pub fn lower_stage(
         return Err(Failure("there is no function `main`".to_owned()));
     };
     lowerer.open_frame(unit, &main.locals);
-    // A last `return` needs no scope either.
-    let result = match body.split_last() {
-        _ if super::call::returns_early(body) => lowerer.scope(body),
-        Some((crate::glsl::hir::Stmt::Return(_), before)) => lowerer.statements(before),
-        _ => lowerer.statements(body),
-    };
-    result?;
+    if returns_early(body) {
+        lowerer.scope(body)?;
+    } else {
+        lowerer.statements(without_last_return(body))?;
+    }
     lowerer.frames.pop();
     for copy in copies {
         lowerer.copy(&copy)?;
@@ -169,10 +174,7 @@ impl Lowerer<'_> {
                 Ok(Slot::Uniform(word, types.into()))
             }
             (Storage::Attribute, Some(Binding::Attribute(location))) => {
-                let columns = match variable.ty {
-                    crate::glsl::types::Type::Matrix(_, rows) => u32::from(rows),
-                    _ => 4,
-                };
+                let columns = variable.ty.rows().map_or(4, u32::from);
                 let read = |lowerer: &mut Self, at: u32| {
                     let location = location + (at / columns) as u8;
                     let component = (at % columns) as u8;
@@ -331,7 +333,11 @@ impl Lowerer<'_> {
         let mut place = Self::value_place(Vec::new(), crate::glsl::types::FLOAT);
         place.slot = copy.slot.clone();
         place.base = copy.at;
-        let word = self.load(&place)?[0];
+        if let Part::ClipVertex(_) = copy.part {
+            place.ty = crate::glsl::types::vec(4);
+        }
+        let words = self.load(&place)?;
+        let word = words[0];
         let value = match copy.part {
             Part::Whole => word,
             Part::Low => {
@@ -344,10 +350,57 @@ impl Lowerer<'_> {
                 let sixteen = self.emit.uint(16);
                 self.emit.op(Op::UShiftRight, &[bits, sixteen])
             }
+            Part::ClipDistance(plane) => self.if_enabled(plane, word),
+            Part::ClipVertex(plane) => {
+                let first = self.words.state(StateVar::ClipPlane(plane));
+                let plane_words: Vec<Value> =
+                    (0..4).map(|i| self.emit.uniform(first + i, Ty::F32)).collect();
+                let distance = dot_product(&mut self.emit, &plane_words, &words);
+                self.if_enabled(plane, distance)
+            }
         };
         let value = self.emit.convert(value, Ty::F32);
         self.emit.push(Stmt::Store { var: copy.var, value });
         Ok(())
+    }
+
+    /// A distance if a user clip plane is enabled, else 0.
+    fn if_enabled(&mut self, plane: u8, distance: Value) -> Value {
+        let word = self.words.state(StateVar::ClipEnables) + u32::from(plane);
+        let enabled = self.emit.uniform(word, Ty::F32);
+        let enabled = self.emit.convert(enabled, Ty::Bool);
+        let zero = self.emit.float(0.0);
+        self.emit.select(enabled, distance, zero)
+    }
+
+    fn clip_vertex(&mut self, variable: &Variable, types: &[Ty], copies: &mut Vec<Copy>) -> Slot {
+        let slot = self.new_slot(&variable.name, types, variable.dynamic);
+        if variable.written {
+            for plane in 0..MAX_CLIP_PLANES {
+                let var = self.emit.builder.output(Output::ClipDistance(plane));
+                let part = Part::ClipVertex(plane);
+                copies.push(Copy { slot: slot.clone(), at: 0, part, var });
+            }
+        }
+        slot
+    }
+
+    fn clip_distances(
+        &mut self,
+        variable: &Variable,
+        types: &[Ty],
+        copies: &mut Vec<Copy>,
+    ) -> Slot {
+        let slot = self.new_slot(&variable.name, types, variable.dynamic);
+        if variable.written {
+            for plane in 0..types.len() as u8 {
+                let (at, part) = (plane.into(), Part::ClipDistance(plane));
+                let var = self.emit.builder.output(Output::ClipDistance(plane));
+                copies.push(Copy { slot: slot.clone(), at, part, var });
+            }
+            self.varying_output(&slot, types, VARYING_CLIP_DISTANCE, copies);
+        }
+        slot
     }
 
     fn builtin_global(
@@ -361,6 +414,10 @@ impl Lowerer<'_> {
         let single: fn(u32) -> Vec<Output> = match builtin {
             Builtin::VertexId => {
                 let read = |lowerer: &mut Self, _| lowerer.emit.input(Input::VertexId);
+                return Ok(self.inputs(variable, types, read));
+            }
+            Builtin::InstanceId => {
+                let read = |lowerer: &mut Self, _| lowerer.emit.input(Input::InstanceId);
                 return Ok(self.inputs(variable, types, read));
             }
             Builtin::Attribute(location) => {
@@ -398,9 +455,19 @@ impl Lowerer<'_> {
                 let word = self.words.state(state);
                 return Ok(Slot::Uniform(word, types.into()));
             }
-            Builtin::Units(per) => return Ok(Slot::Units(per, per.of(0).words())),
+            Builtin::States(array) => {
+                return Ok(Slot::States(array, array.of(0).words(), types.into()));
+            }
             Builtin::Limit(_) => return self.plain_global(variable, types),
-            Builtin::ClipVertex => |_| Vec::new(),
+            Builtin::ClipVertex => return Ok(self.clip_vertex(variable, types, copies)),
+            Builtin::ClipDistance => {
+                let first = VARYING_CLIP_DISTANCE;
+                if stage == Stage::Fragment {
+                    let smooth = Interpolation::Smooth;
+                    return Ok(self.varying_input(variable, types, first, smooth));
+                }
+                return Ok(self.clip_distances(variable, types, copies));
+            }
             Builtin::Position => |at| vec![Output::Position(at as u8)],
             Builtin::PointSize => |_| vec![Output::PointSize],
             Builtin::FragDepth => |_| vec![Output::Depth],

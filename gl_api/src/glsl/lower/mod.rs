@@ -8,18 +8,17 @@ mod place;
 mod stmt;
 mod texture;
 
-use super::builtins::variables::PerUnit;
+use super::builtins::state::StateArray;
 use super::hir::{Expr, Function, Unit, VarRef, Variable};
-use crate::interface::{MAX_TEXTURE_UNITS, StateBinding, StateVar};
-use emit::{Emit, MAX_VALUES};
+use super::limits::{MAX_INLINED_DEPTH, MAX_VALUES};
+use crate::interface::{StateBinding, StateVar};
+use emit::Emit;
 pub use interface::{Binding, lower_stage, varying_slots};
 use place::Slot;
 use rasterizer::ir::{Stage, Texture, TextureDecl, Ty, Value, Var};
 use std::collections::BTreeMap;
 use std::sync::Arc;
-
-/// How deep statements, expressions and calls may stand inside one another, calls inlined.
-const MAX_DEPTH: u32 = 1024;
+pub use texture::unsupported;
 
 /// Why a stage cannot be lowered; ends up in the link log.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -34,8 +33,8 @@ pub struct Words {
     pub next: u32,
     /// State that is read.
     pub state: Vec<StateBinding>,
-    /// State of all units in a row.
-    arrays: BTreeMap<PerUnit, u32>,
+    /// State of all elements in a row.
+    arrays: BTreeMap<StateArray, u32>,
 }
 
 impl Words {
@@ -47,16 +46,16 @@ impl Words {
         }
     }
 
-    /// The first word of the state of unit 0, the other units following.
-    fn units(&mut self, per: PerUnit) -> u32 {
-        if let Some(&word) = self.arrays.get(&per) {
+    /// The first word of element 0, the other elements following.
+    fn array(&mut self, array: StateArray) -> u32 {
+        if let Some(&word) = self.arrays.get(&array) {
             return word;
         }
         let first = self.next;
-        for unit in 0..MAX_TEXTURE_UNITS {
-            self.add(per.of(unit));
+        for index in 0..array.len() {
+            self.add(array.of(index));
         }
-        self.arrays.insert(per, first);
+        self.arrays.insert(array, first);
         first
     }
 
@@ -156,7 +155,7 @@ impl<'a> Lowerer<'a> {
 
     /// Runs `lower` one level deeper.
     fn nested<T>(&mut self, lower: impl FnOnce(&mut Self) -> Lowered<T>) -> Lowered<T> {
-        if self.depth >= MAX_DEPTH {
+        if self.depth >= MAX_INLINED_DEPTH {
             let message = "statements, expressions and calls nest too deeply";
             return Err(Failure(message.to_owned()));
         }

@@ -1,7 +1,8 @@
 //! Where variables live, and reading and writing parts of them.
 
+use super::expr::not_a_variable;
 use super::{Failure, Lowered, Lowerer};
-use crate::glsl::builtins::variables::PerUnit;
+use crate::glsl::builtins::state::StateArray;
 use crate::glsl::hir::{Expr, ExprKind, VarRef};
 use crate::glsl::types::Type;
 use rasterizer::ir::{Expr as IrExpr, Op, Stmt, Ty, Value, Var};
@@ -18,8 +19,8 @@ pub enum Slot {
     Arrays(Rc<Arrays>),
     /// Uniform words in a row, beginning here.
     Uniform(u32, Rc<[Ty]>),
-    /// State of each texture unit: so many words a unit.
-    Units(PerUnit, u32),
+    /// State of each unit, light or plane: so many words an element, of these types all.
+    States(StateArray, u32, Rc<[Ty]>),
     /// A part of another variable.
     Alias(Rc<Place>),
 }
@@ -89,7 +90,7 @@ impl Lowerer<'_> {
                     self.store_element(arrays, index as u32, None, value);
                 }
             }
-            Slot::Values(_) | Slot::Uniform(..) | Slot::Units(..) | Slot::Alias(_) => {}
+            Slot::Values(_) | Slot::Uniform(..) | Slot::States(..) | Slot::Alias(_) => {}
         }
     }
 
@@ -181,7 +182,18 @@ impl Lowerer<'_> {
                 let index = self.expr(index)?[0];
                 self.element(place, index, &expr.ty)
             }
-            _ => Err(Failure("a value is used as a variable".to_owned())),
+            ExprKind::Const(_)
+            | ExprKind::Convert(_)
+            | ExprKind::Unary(..)
+            | ExprKind::Binary(..)
+            | ExprKind::Assign(..)
+            | ExprKind::Step(..)
+            | ExprKind::Conditional(_)
+            | ExprKind::Comma(_)
+            | ExprKind::Construct(_)
+            | ExprKind::Call(..)
+            | ExprKind::Builtin(..)
+            | ExprKind::Error => Err(not_a_variable()),
         }
     }
 
@@ -200,15 +212,13 @@ impl Lowerer<'_> {
             }
             place.components = None;
         } else {
-            if place.components.is_some() {
-                let values = self.load(&place)?;
-                let total = values.len() as u32;
-                let slot = Slot::Values(values.into());
-                let (base, dynamic, components) = (0, None, None);
-                place = Place { slot, total, base, dynamic, components, ty: place.ty };
-            }
-            let stride = self.emit.uint(stride);
-            let offset = self.emit.op(Op::UMul, &[index, stride]);
+            let offset = match place.components.take() {
+                Some(components) => self.swizzled(&components, index),
+                None => {
+                    let stride = self.emit.uint(stride);
+                    self.emit.op(Op::UMul, &[index, stride])
+                }
+            };
             place.dynamic = Some(match place.dynamic {
                 Some(other) => self.emit.op(Op::UAdd, &[other, offset]),
                 None => offset,
@@ -216,6 +226,17 @@ impl Lowerer<'_> {
         }
         place.ty = ty.clone();
         Ok(place)
+    }
+
+    /// Which component element `index` of a swizzle is.
+    fn swizzled(&mut self, components: &[u8], index: Value) -> Value {
+        let mut chosen = self.emit.uint(0);
+        for (at, &component) in components.iter().enumerate() {
+            let (at, component) = (self.emit.uint(at as u32), self.emit.uint(component.into()));
+            let here = self.emit.equal(index, at);
+            chosen = self.emit.select(here, component, chosen);
+        }
+        chosen
     }
 
     /// A place that holds these values.
@@ -262,17 +283,15 @@ impl Lowerer<'_> {
                 };
                 Ok(offsets.iter().map(load).collect())
             }
-            (Slot::Units(per, stride), None) => {
+            (Slot::States(array, stride, types), None) => {
                 let load = |&at: &u32| {
-                    let word = self.words.state(per.of((at / stride) as u8));
-                    self.emit.uniform(word + at % stride, Ty::F32)
+                    let word = self.words.state(array.of((at / stride) as u8));
+                    self.emit.uniform(word + at % stride, types[at as usize])
                 };
                 Ok(offsets.iter().map(load).collect())
             }
-            (Slot::Units(per, _), Some(_)) => {
-                let word = self.words.units(*per);
-                let types = vec![Ty::F32; place.total as usize];
-                let slot = Slot::Uniform(word, types.into());
+            (Slot::States(array, _, types), Some(_)) => {
+                let slot = Slot::Uniform(self.words.array(*array), types.clone());
                 self.load(&Place { slot, ..place.clone() })
             }
             (Slot::Alias(_), _) => Err(Failure("an alias of an alias".to_owned())),
@@ -310,7 +329,7 @@ impl Lowerer<'_> {
             Slot::Values(_)
             | Slot::Vars(_)
             | Slot::Uniform(..)
-            | Slot::Units(..)
+            | Slot::States(..)
             | Slot::Alias(_) => Arrays { types: types.into(), vars: Vec::new() },
         }
     }
@@ -333,9 +352,8 @@ impl Lowerer<'_> {
                 Ok(())
             }
             (Slot::Vars(_), Some(_))
-            | (Slot::Values(_) | Slot::Uniform(..) | Slot::Units(..) | Slot::Alias(_), _) => {
-                let message = "writing a dynamically indexed swizzle is not supported by DetGL yet";
-                Err(Failure(message.to_owned()))
+            | (Slot::Values(_) | Slot::Uniform(..) | Slot::States(..) | Slot::Alias(_), _) => {
+                Err(not_a_variable())
             }
         }
     }

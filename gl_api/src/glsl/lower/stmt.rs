@@ -4,10 +4,8 @@ use super::call::{Jumps, contains};
 use super::place::Slot;
 use super::{Lowered, Lowerer, Region};
 use crate::glsl::hir::{Case, Expr, Loop, Stmt};
+use crate::glsl::limits::MAX_CLEARED;
 use rasterizer::ir::{Block, Op, Stmt as IrStmt, Ty, Value};
-
-/// Up to how many scalars a variable without initializer is set to zero in each turn of a loop.
-const MAX_CLEARED: usize = 64;
 
 impl<'a> Lowerer<'a> {
     pub(super) fn statements(&mut self, statements: &'a [Stmt]) -> Lowered<()> {

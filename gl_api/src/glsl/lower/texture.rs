@@ -2,39 +2,61 @@
 
 use super::place::{Place, Slot};
 use super::{Failure, Lowered, Lowerer, texture_key};
-use crate::glsl::builtins::functions::{LodForm, Projection};
+use crate::glsl::Scalar;
+use crate::glsl::builtins::lookups::{LodForm, Lookup, Projection, Shift};
 use crate::glsl::hir::Expr;
-use crate::glsl::types::{Sampler, Type};
+use crate::glsl::limits::MAX_DYNAMIC_SAMPLERS;
+use crate::glsl::types::{Comparison, Dim, Sampler, Type};
 use rasterizer::ir::{Lod, Op, Texture, TextureDecl, Ty, Value};
 use texunit::image::Shape;
 
-/// How many samplers an array may have that is indexed dynamically.
-const MAX_DYNAMIC_SAMPLERS: u32 = 32;
-
 /// A lookup, but for the texture.
-struct Lookup {
+struct Access {
     coords: [Value; 3],
     reference: Option<Value>,
     lod: Lod,
 }
 
+/// The shape of texture that a sampler takes, if there are such textures.
+fn shape(dim: Dim) -> Option<Shape> {
+    match dim {
+        Dim::D2 => Some(Shape::D2),
+        Dim::Cube => Some(Shape::Cube),
+        Dim::D1 | Dim::D3 | Dim::Rect | Dim::D1Array | Dim::D2Array => None,
+    }
+}
+
+/// Why a lookup cannot be carried out.
+pub fn unsupported(sampler: Sampler, lookup: Lookup) -> Option<String> {
+    let ty = Type::Sampler(sampler);
+    if shape(sampler.dim).is_none() || sampler.scalar != Scalar::Float {
+        return Some(format!("there are no textures for {ty}"));
+    }
+    match lookup {
+        Lookup::Sample(_, _, Shift::None) => None,
+        Lookup::Sample(_, _, Shift::Texels) => Some("offsets are not applied".to_owned()),
+        Lookup::Fetch(_) => Some("single texels cannot be fetched".to_owned()),
+        Lookup::Size => Some("the size of a texture is not known to shaders".to_owned()),
+    }
+}
+
 impl Lowerer<'_> {
     pub(super) fn texture(
         &mut self,
-        projection: Projection,
-        lod: LodForm,
+        lookup: Lookup,
         arguments: &[Expr],
         result: &Type,
     ) -> Lowered<Vec<Value>> {
         let [sampler, coords, rest @ ..] = arguments else {
             return Err(Failure("a texture lookup without coordinates".to_owned()));
         };
-        let decl = match sampler.ty {
-            Type::Sampler(Sampler::D2) => TextureDecl { shape: Shape::D2, compare: false },
-            Type::Sampler(Sampler::D2Shadow) => TextureDecl { shape: Shape::D2, compare: true },
-            Type::Sampler(Sampler::Cube) => TextureDecl { shape: Shape::Cube, compare: false },
-            _ => return Err(Failure(format!("{} is not supported by DetGL yet", sampler.ty))),
+        let Type::Sampler(kind) = sampler.ty else {
+            return Err(Failure(format!("{} is no sampler", sampler.ty)));
         };
+        let (Some(shape), Lookup::Sample(projection, form, _)) = (shape(kind.dim), lookup) else {
+            return Err(Failure(unsupported(kind, lookup).unwrap_or_default()));
+        };
+        let decl = TextureDecl { shape, compare: kind.comparison == Comparison::Yes };
         let place = self
             .place(sampler)?
             .ok_or_else(|| Failure("a sampler that is no uniform".to_owned()))?;
@@ -46,29 +68,26 @@ impl Lowerer<'_> {
             coords = coords.iter().map(|&c| self.emit.op(Op::Div, &[c, q])).collect();
         }
         let zero = self.emit.float(0.0);
-        let reference = decl.compare.then(|| coords.get(2).copied().unwrap_or(zero));
-        let used = match decl.shape {
-            Shape::D1 => 1,
-            Shape::D2 | Shape::Rect | Shape::D1Array => 2,
-            Shape::D3 | Shape::Cube | Shape::D2Array => 3,
-        };
+        let used = kind.dim.coords();
+        // The reference is the third component, or the one after the coordinates.
+        let reference = decl.compare.then(|| coords.get(used.max(2)).copied().unwrap_or(zero));
         let three = |values: &[Value]| {
             [0, 1, 2].map(|i| if i < used { values.get(i).copied().unwrap_or(zero) } else { zero })
         };
         let coords = three(&coords);
-        let mut rest = rest.iter().map(|expr| self.expr(expr)).collect::<Lowered<Vec<_>>>()?;
-        let lod = match lod {
+        let rest = rest.iter().map(|expr| self.expr(expr)).collect::<Lowered<Vec<_>>>()?;
+        let scalar = |values: Option<&Vec<Value>>| values.and_then(|v| v.first()).copied();
+        let lod = match form {
             LodForm::Implicit => Lod::Implicit { bias: None },
-            LodForm::Bias => Lod::Implicit { bias: rest.pop().map(|bias| bias[0]) },
-            LodForm::Explicit => Lod::Explicit(rest.pop().map_or(zero, |level| level[0])),
+            LodForm::Bias => Lod::Implicit { bias: scalar(rest.last()) },
+            LodForm::Explicit => Lod::Explicit(scalar(rest.first()).unwrap_or(zero)),
             LodForm::Gradient => {
-                let dy = rest.pop().unwrap_or_default();
-                let dx = rest.pop().unwrap_or_default();
-                Lod::Gradient { dx: three(&dx), dy: three(&dy) }
+                let derivative = |at: usize| three(rest.get(at).map_or(&[], |v| &v[..]));
+                Lod::Gradient { dx: derivative(0), dy: derivative(1) }
             }
         };
-        let lookup = Lookup { coords, reference, lod };
-        let mut values = self.look_up(&place, decl, &lookup)?;
+        let access = Access { coords, reference, lod };
+        let mut values = self.look_up(&place, decl, &access)?;
         values.truncate(result.scalars() as usize);
         Ok(values)
     }
@@ -77,14 +96,14 @@ impl Lowerer<'_> {
         &mut self,
         place: &Place,
         decl: TextureDecl,
-        lookup: &Lookup,
+        access: &Access,
     ) -> Lowered<Vec<Value>> {
         let Slot::Uniform(word, types) = &place.slot else {
             return Err(Failure("a sampler that is no uniform".to_owned()));
         };
         let (first, types) = (word + place.base, types.clone());
         let Some(dynamic) = place.dynamic else {
-            return Ok(self.sample(first, decl, lookup).to_vec());
+            return Ok(self.sample(first, decl, access).to_vec());
         };
         // There is no texture by number in the IR: sample all, choose one.
         let count = types.len() as u32 - place.base;
@@ -93,9 +112,9 @@ impl Lowerer<'_> {
                 "a sampler in a structure or large array, indexed by what is not constant";
             return Err(Failure(format!("{message}, is not supported by DetGL yet")));
         }
-        let mut chosen = self.sample(first, decl, lookup);
+        let mut chosen = self.sample(first, decl, access);
         for index in 1..count {
-            let other = self.sample(first + index, decl, lookup);
+            let other = self.sample(first + index, decl, access);
             let number = self.emit.uint(index);
             let here = self.emit.equal(dynamic, number);
             for (chosen, other) in chosen.iter_mut().zip(other) {
@@ -105,7 +124,7 @@ impl Lowerer<'_> {
         Ok(chosen.to_vec())
     }
 
-    fn sample(&mut self, word: u32, decl: TextureDecl, lookup: &Lookup) -> [Value; 4] {
+    fn sample(&mut self, word: u32, decl: TextureDecl, access: &Access) -> [Value; 4] {
         let key = (word, texture_key(decl));
         let texture: Texture = match self.textures.get(&key) {
             Some(&texture) => texture,
@@ -116,6 +135,6 @@ impl Lowerer<'_> {
                 texture
             }
         };
-        self.emit.sample(texture, lookup.coords, lookup.reference, lookup.lod)
+        self.emit.sample(texture, access.coords, access.reference, access.lod)
     }
 }

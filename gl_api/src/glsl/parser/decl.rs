@@ -17,11 +17,11 @@ impl Parser<'_> {
         if self.eat(";") {
             return Ok(None);
         }
-        if self.is_word("precision") && self.version >= Version::V130 {
-            return self.default_precision().map(|()| None);
+        if self.is_word("precision") && keywords::has_precision(self.language) {
+            return self.default_precision().map(|ty| Some(Item::Precision(ty)));
         }
         if self.is_word("invariant")
-            && keywords::qualifier("invariant", self.version).is_some()
+            && keywords::qualifier("invariant", self.language).is_some()
             && (self.ahead(2).is(";") || self.ahead(2).is(","))
         {
             self.bump();
@@ -41,13 +41,15 @@ impl Parser<'_> {
         Ok(Some(Item::Declaration(declaration)))
     }
 
-    fn default_precision(&mut self) -> Parsed<()> {
+    /// `precision highp float;`
+    pub(super) fn default_precision(&mut self) -> Parsed<TypeName> {
         self.bump();
         if !(self.eat_word("lowp") || self.eat_word("mediump") || self.eat_word("highp")) {
             return self.fail("expected `lowp`, `mediump` or `highp`");
         }
-        self.type_name()?;
-        self.expect(";")
+        let ty = self.type_name()?;
+        self.expect(";")?;
+        Ok(ty)
     }
 
     /// Qualifiers and a type.
@@ -55,19 +57,22 @@ impl Parser<'_> {
         let mut qualifiers = Vec::new();
         while let Some(word) = self.token().word() {
             let span = self.span();
-            match keywords::qualifier(word, self.version) {
+            match keywords::qualifier(word, self.language) {
                 Some(qualifier) => {
                     self.bump();
                     qualifiers.push((qualifier, span));
                 }
                 None => {
-                    let later = keywords::later_qualifier(word, self.version);
-                    let Some(later) = later.filter(|_| self.ahead(1).word().is_some()) else {
+                    let missing = keywords::missing_qualifier(word, self.language);
+                    let Some(since) = missing.filter(|_| self.ahead(1).word().is_some()) else {
                         break;
                     };
                     let message = format!("`{word}` is not in {}", self.version.title());
-                    let help = format!("write `#version {}` first", later.number());
-                    self.log.push(Diagnostic::error(span, message).help(help));
+                    let mut problem = Diagnostic::error(span, message);
+                    if let Some(advice) = self.language.advice(since) {
+                        problem = problem.help(advice);
+                    }
+                    self.log.push(problem);
                     self.bump();
                     // Declared twice would only hide the point.
                     qualifiers.push((Qualifier::Precision, span));
@@ -88,7 +93,7 @@ impl Parser<'_> {
             let Some(word) = token.word() else {
                 return self.fail(format!("expected a type, found {}", token.describe()));
             };
-            match keywords::classify(word, self.version) {
+            match keywords::classify(word, self.language) {
                 Word::Type | Word::Name => {
                     self.bump();
                     TypeBase::Named(word.clone())
@@ -122,6 +127,13 @@ impl Parser<'_> {
         let size =
             if self.is("]") { None } else { Some(Box::new(self.nested(Self::conditional)?)) };
         self.expect("]")?;
+        if self.is("[") {
+            let message = "arrays of arrays are not in this version";
+            let problem = Diagnostic::error(self.span(), message)
+                .rule(format!("{} section 4.1.9", self.version.title()));
+            self.log.push(problem.help("write one array of all elements, or of structures"));
+            return Err(super::Broken);
+        }
         Ok(Some(ArraySize { span: span.to(self.last_span()), size }))
     }
 
@@ -177,11 +189,11 @@ impl Parser<'_> {
     fn declared_name(&mut self, ty: &QualifiedType) -> Parsed<Name> {
         let misplaced = match &ty.ty.base {
             TypeBase::Named(word) if self.token().word().is_some() => {
-                let unknown = keywords::classify(word, self.version) == Word::Name;
+                let unknown = keywords::classify(word, self.language) == Word::Name;
                 let next = self
                     .token()
                     .word()
-                    .map_or(Word::Name, |next| keywords::classify(next, self.version));
+                    .map_or(Word::Name, |next| keywords::classify(next, self.language));
                 let broken = unknown && matches!(next, Word::Type | Word::Keyword);
                 broken.then(|| word.clone())
             }

@@ -1,13 +1,14 @@
 //! Expressions (GLSL 1.30 chapter 5).
 
 use super::keywords::{self, Word};
-use super::{MAX_DEPTH, Parsed, Parser};
+use super::{Parsed, Parser};
 use crate::glsl::ast::{
     ArraySize, BINARY, BinaryOp, Expr, ExprKind, Name, Step, StepResult, TypeBase, TypeName,
     UnaryOp,
 };
 use crate::glsl::diagnostics::Diagnostic;
 use crate::glsl::lexer::{Kind, Literal, literal};
+use crate::glsl::limits::MAX_TREE;
 use crate::glsl::source::Span;
 use crate::glsl::version::Version;
 
@@ -25,9 +26,6 @@ const ASSIGNMENTS: [(&str, Option<BinaryOp>); 11] = [
     ("|=", Some(BinaryOp::BitOr)),
     ("^=", Some(BinaryOp::BitXor)),
 ];
-
-/// How deep the tree of an expression may be, chains such as `a + b + c` included.
-const MAX_TREE: u32 = 2 * MAX_DEPTH;
 
 impl Parser<'_> {
     /// A node above `children`, unless the tree gets too deep.
@@ -217,8 +215,9 @@ impl Parser<'_> {
             self.bump();
         }
         while !self.is(")") {
-            if !arguments.is_empty() {
-                self.expect(",")?;
+            if !arguments.is_empty() && !self.eat(",") {
+                let found = self.token().describe();
+                return self.fail(format!("expected `,` or `)` after the argument, found {found}"));
             }
             arguments.push(self.assignment()?);
         }
@@ -243,7 +242,7 @@ impl Parser<'_> {
                 let span = span.to(self.last_span());
                 Ok(Expr { span, ..inner })
             }
-            Kind::Word(word) => match keywords::classify(word, self.version) {
+            Kind::Word(word) => match keywords::classify(word, self.language) {
                 Word::Type => {
                     let ty = self.type_name()?;
                     if !self.is("(") {

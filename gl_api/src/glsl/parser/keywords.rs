@@ -2,8 +2,13 @@
 
 use crate::glsl::ast::Qualifier;
 use crate::glsl::types::Type;
-use crate::glsl::version::Version;
-use Version::{V110, V120, V130};
+use crate::glsl::version::{Extension, Language, Since, Version};
+
+const ALWAYS: Since = Since::ALWAYS;
+const V120: Since = Since::V120;
+const V130: Since = Since::V130;
+/// Words about precision, which GLSL ES had first.
+const PRECISION: Since = V130.and_es();
 
 /// What a word is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -19,59 +24,59 @@ pub enum Word {
 }
 
 /// Keywords that are no types, and since when.
-const KEYWORDS: [(&str, Version); 29] = [
-    ("attribute", V110),
-    ("const", V110),
-    ("uniform", V110),
-    ("varying", V110),
-    ("break", V110),
-    ("continue", V110),
-    ("do", V110),
-    ("for", V110),
-    ("while", V110),
-    ("if", V110),
-    ("else", V110),
-    ("in", V110),
-    ("out", V110),
-    ("inout", V110),
-    ("true", V110),
-    ("false", V110),
-    ("discard", V110),
-    ("return", V110),
-    ("struct", V110),
+const KEYWORDS: [(&str, Since); 29] = [
+    ("attribute", ALWAYS),
+    ("const", ALWAYS),
+    ("uniform", ALWAYS),
+    ("varying", ALWAYS),
+    ("break", ALWAYS),
+    ("continue", ALWAYS),
+    ("do", ALWAYS),
+    ("for", ALWAYS),
+    ("while", ALWAYS),
+    ("if", ALWAYS),
+    ("else", ALWAYS),
+    ("in", ALWAYS),
+    ("out", ALWAYS),
+    ("inout", ALWAYS),
+    ("true", ALWAYS),
+    ("false", ALWAYS),
+    ("discard", ALWAYS),
+    ("return", ALWAYS),
+    ("struct", ALWAYS),
     ("centroid", V120),
-    ("invariant", V120),
-    ("flat", V130),
+    ("invariant", V120.and_es()),
+    ("flat", V130.or(Extension::GpuShader4)),
     ("smooth", V130),
-    ("noperspective", V130),
+    ("noperspective", V130.or(Extension::GpuShader4)),
     ("switch", V130),
     ("case", V130),
-    ("default", V110),
-    ("lowp", V130),
-    ("mediump", V130),
+    ("default", ALWAYS),
+    ("lowp", PRECISION),
+    ("mediump", PRECISION),
 ];
 
 /// Qualifiers, and since when.
-const QUALIFIERS: [(&str, Qualifier, Version); 15] = [
-    ("const", Qualifier::Const, V110),
-    ("attribute", Qualifier::Attribute, V110),
-    ("varying", Qualifier::Varying, V110),
-    ("uniform", Qualifier::Uniform, V110),
-    ("in", Qualifier::In, V110),
-    ("out", Qualifier::Out, V110),
-    ("inout", Qualifier::Inout, V110),
+const QUALIFIERS: [(&str, Qualifier, Since); 15] = [
+    ("const", Qualifier::Const, ALWAYS),
+    ("attribute", Qualifier::Attribute, ALWAYS),
+    ("varying", Qualifier::Varying, ALWAYS),
+    ("uniform", Qualifier::Uniform, ALWAYS),
+    ("in", Qualifier::In, ALWAYS),
+    ("out", Qualifier::Out, ALWAYS),
+    ("inout", Qualifier::Inout, ALWAYS),
     ("centroid", Qualifier::Centroid, V120),
-    ("invariant", Qualifier::Invariant, V120),
+    ("invariant", Qualifier::Invariant, V120.and_es()),
     ("smooth", Qualifier::Smooth, V130),
-    ("flat", Qualifier::Flat, V130),
-    ("noperspective", Qualifier::NoPerspective, V130),
-    ("lowp", Qualifier::Precision, V130),
-    ("mediump", Qualifier::Precision, V130),
-    ("highp", Qualifier::Precision, V130),
+    ("flat", Qualifier::Flat, V130.or(Extension::GpuShader4)),
+    ("noperspective", Qualifier::NoPerspective, V130.or(Extension::GpuShader4)),
+    ("lowp", Qualifier::Precision, PRECISION),
+    ("mediump", Qualifier::Precision, PRECISION),
+    ("highp", Qualifier::Precision, PRECISION),
 ];
 
 /// Reserved words.
-const RESERVED: [&str; 47] = [
+const RESERVED: [&str; 45] = [
     "asm",
     "class",
     "union",
@@ -107,9 +112,7 @@ const RESERVED: [&str; 47] = [
     "fvec2",
     "fvec3",
     "fvec4",
-    "sampler2DRect",
     "sampler3DRect",
-    "sampler2DRectShadow",
     "sizeof",
     "cast",
     "namespace",
@@ -122,36 +125,44 @@ const RESERVED: [&str; 47] = [
 ];
 
 /// What a word is in a version.
-pub fn classify(word: &str, version: Version) -> Word {
-    if Type::named(word, version).is_some() {
+pub fn classify(word: &str, language: Language) -> Word {
+    if Type::named(word, language).is_some() {
         return Word::Type;
     }
-    let keyword = KEYWORDS.iter().any(|row| row.0 == word && row.1 <= version)
-        || QUALIFIERS.iter().any(|row| row.0 == word && row.2 <= version);
+    let keyword = KEYWORDS.iter().any(|row| row.0 == word && language.has(row.1))
+        || QUALIFIERS.iter().any(|row| row.0 == word && language.has(row.2));
     if keyword {
         return Word::Keyword;
     }
     // `common`, `partition`, `active` and `filter` came with 1.30.
     let from_130 = ["common", "partition", "active", "filter"].contains(&word);
-    if RESERVED.contains(&word) && !(from_130 && version < V130) && word != "precision" {
+    if RESERVED.contains(&word)
+        && !(from_130 && language.version < Version::V130)
+        && word != "precision"
+    {
         return Word::Reserved;
     }
     Word::Name
 }
 
 /// The qualifier that a word is.
-pub fn qualifier(word: &str, version: Version) -> Option<Qualifier> {
-    let row = QUALIFIERS.iter().find(|row| row.0 == word && row.2 <= version);
+pub fn qualifier(word: &str, language: Language) -> Option<Qualifier> {
+    let row = QUALIFIERS.iter().find(|row| row.0 == word && language.has(row.2));
     row.map(|row| row.1)
 }
 
-/// Whether a word is a qualifier of a later version, and of which.
-pub fn later_qualifier(word: &str, version: Version) -> Option<Version> {
-    QUALIFIERS.iter().find(|row| row.0 == word && row.2 > version).map(|row| row.2)
+/// What brings a qualifier that the language of the shader lacks.
+pub fn missing_qualifier(word: &str, language: Language) -> Option<Since> {
+    QUALIFIERS.iter().find(|row| row.0 == word && !language.has(row.2)).map(|row| row.2)
+}
+
+/// Whether the language has `precision` statements.
+pub fn has_precision(language: Language) -> bool {
+    language.has(PRECISION)
 }
 
 /// Every keyword of a version, for misspelt words.
-pub fn known(version: Version) -> impl Iterator<Item = &'static str> {
-    let words = KEYWORDS.iter().filter(move |row| row.1 <= version).map(|row| row.0);
-    words.chain(Type::names(version))
+pub fn known(language: Language) -> impl Iterator<Item = &'static str> {
+    let words = KEYWORDS.iter().filter(move |row| language.has(row.1)).map(|row| row.0);
+    words.chain(Type::names(language))
 }

@@ -8,12 +8,10 @@ mod stmt;
 use super::ast::{Item, Name};
 use super::diagnostics::{Diagnostic, Log, closest};
 use super::lexer::{Kind, Token};
+use super::limits::MAX_NESTING;
 use super::source::Span;
-use super::version::Version;
+use super::version::{Language, Version};
 use keywords::Word;
-
-/// How many statements and expressions may stand inside one another.
-pub const MAX_DEPTH: u32 = 256;
 
 /// Where to go on after an error that has been reported.
 #[derive(Clone, Copy, Debug)]
@@ -25,6 +23,7 @@ type Parsed<T> = Result<T, Broken>;
 struct Parser<'a> {
     tokens: &'a [Token],
     at: usize,
+    language: Language,
     version: Version,
     log: &'a mut Log,
     depth: u32,
@@ -33,8 +32,9 @@ struct Parser<'a> {
 }
 
 /// Parses a shader; what is wrong is in the log.
-pub fn parse(tokens: &[Token], version: Version, log: &mut Log) -> Vec<Item> {
-    let mut parser = Parser { tokens, at: 0, version, log, depth: 0, hopeless: false };
+pub fn parse(tokens: &[Token], language: Language, log: &mut Log) -> Vec<Item> {
+    let version = language.version;
+    let mut parser = Parser { tokens, at: 0, language, version, log, depth: 0, hopeless: false };
     let mut items = Vec::new();
     while parser.kind() != &Kind::End && !parser.log.is_full() && !parser.hopeless {
         let start = parser.at;
@@ -127,7 +127,7 @@ impl<'a> Parser<'a> {
         let Some(word) = token.word() else {
             return self.fail(format!("expected a name, found {}", token.describe()));
         };
-        match keywords::classify(word, self.version) {
+        match keywords::classify(word, self.language) {
             Word::Name => {
                 self.bump();
                 Ok(Name { text: word.clone(), span: token.span })
@@ -153,7 +153,7 @@ impl<'a> Parser<'a> {
 
     /// Runs `parse` one level deeper, or reports that this is too deep.
     fn nested<T>(&mut self, parse: impl FnOnce(&mut Self) -> Parsed<T>) -> Parsed<T> {
-        if self.depth >= MAX_DEPTH {
+        if self.depth >= MAX_NESTING {
             return self.too_deep();
         }
         self.depth += 1;
@@ -165,7 +165,7 @@ impl<'a> Parser<'a> {
     fn too_deep<T>(&mut self) -> Parsed<T> {
         if !self.hopeless {
             self.hopeless = true;
-            let message = format!("nested more than {MAX_DEPTH} levels deep");
+            let message = format!("nested more than {MAX_NESTING} levels deep");
             self.log.push(Diagnostic::error(self.span(), message));
         }
         Err(Broken)
@@ -191,7 +191,11 @@ impl<'a> Parser<'a> {
                         return;
                     }
                 }
-                _ => {}
+                Kind::Word(_)
+                | Kind::Number(_)
+                | Kind::Punct(_)
+                | Kind::Stray(_)
+                | Kind::Newline => {}
             }
             self.bump();
         }
@@ -207,6 +211,6 @@ impl<'a> Parser<'a> {
 
     /// A name that is close to a misspelt word.
     fn near_keyword(&self, word: &str) -> Option<&'static str> {
-        closest(word, keywords::known(self.version))
+        closest(word, keywords::known(self.language))
     }
 }

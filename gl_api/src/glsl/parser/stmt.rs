@@ -141,9 +141,8 @@ impl Parser<'_> {
 
     /// A declaration or an expression, with its `;`.
     fn simple(&mut self) -> Parsed<StmtKind> {
-        let kind = if self.is_word("precision") && self.version >= Version::V130 {
-            let Ok(None) = self.item() else { return Err(Broken) };
-            return Ok(StmtKind::Empty);
+        let kind = if self.is_word("precision") && keywords::has_precision(self.language) {
+            return self.default_precision().map(StmtKind::Precision);
         } else if self.is_declaration() {
             let ty = self.qualified_type()?;
             if self.token().word().is_some() && self.ahead(1).is("(") {
@@ -161,10 +160,10 @@ impl Parser<'_> {
     /// Whether a declaration begins here: a qualifier, or a type that no `(` follows.
     fn is_declaration(&self) -> bool {
         let Some(word) = self.token().word() else { return false };
-        if &**word == "struct" || keywords::qualifier(word, self.version).is_some() {
+        if &**word == "struct" || keywords::qualifier(word, self.language).is_some() {
             return true;
         }
-        match keywords::classify(word, self.version) {
+        match keywords::classify(word, self.language) {
             Word::Type => !self.after_brackets().is("("),
             Word::Name => self.after_brackets().word().is_some(),
             Word::Keyword | Word::Reserved => false,
@@ -177,12 +176,12 @@ impl Parser<'_> {
         let mut depth = 0usize;
         loop {
             let token = self.ahead(distance);
-            match token.kind {
-                Kind::Punct("[") => depth += 1,
-                Kind::Punct("]") if depth > 0 => depth -= 1,
-                Kind::End | Kind::Punct(";" | "{" | "}") => return token,
-                _ if depth == 0 => return token,
-                _ => {}
+            if token.is("[") {
+                depth += 1;
+            } else if token.is("]") && depth > 0 {
+                depth -= 1;
+            } else if depth == 0 || matches!(token.kind, Kind::End | Kind::Punct(";" | "{" | "}")) {
+                return token;
             }
             distance += 1;
         }

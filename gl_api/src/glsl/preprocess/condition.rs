@@ -3,11 +3,9 @@
 use super::macros::Macros;
 use crate::glsl::diagnostics::Diagnostic;
 use crate::glsl::lexer::{Kind, Literal, Token, literal};
+use crate::glsl::limits::MAX_CONDITION_DEPTH;
 use crate::glsl::source::{Source, Span};
 use crate::glsl::version::Version;
-
-/// How deep parentheses and signs may nest.
-const MAX_DEPTH: usize = 64;
 
 /// Evaluates a condition.
 pub fn evaluate(
@@ -40,6 +38,10 @@ fn resolve_defined(line: &[Token], macros: &Macros) -> Result<Vec<Token>, Box<Di
         }
         let (name, after) = match more {
             [open, name, close, after @ ..] if open.is("(") && close.is(")") => (name, after),
+            [open, ..] if open.is("(") => {
+                let problem = Diagnostic::error(open.span, "`defined(` takes one name and a `)`");
+                return Err(problem.rule("GLSL 1.30 section 3.3").into());
+            }
             [name, after @ ..] => (name, after),
             [] => return Err(Diagnostic::error(token.span, "`defined` needs a name").into()),
         };
@@ -117,7 +119,7 @@ impl Parser<'_> {
         };
         self.at += 1;
         self.depth += 1;
-        if self.depth > MAX_DEPTH {
+        if self.depth > MAX_CONDITION_DEPTH {
             return Err(Diagnostic::error(token.span, "the condition is nested too deeply").into());
         }
         let value = match &token.kind {

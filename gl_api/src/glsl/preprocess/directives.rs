@@ -1,12 +1,13 @@
 //! The directives: `#define`, `#if`, `#version`, `#extension`, `#line`, `#error`, `#pragma`.
 
 use super::condition;
-use super::macros::Macro;
+use super::macros::{Macro, Macros};
 use super::{Conditional, Group, Preprocessor};
 use crate::glsl::diagnostics::{Diagnostic, closest};
 use crate::glsl::lexer::{Kind, Token};
+use crate::glsl::limits::MAX_CONDITIONALS;
 use crate::glsl::source::Span;
-use crate::glsl::version::{EXTENSIONS, Version};
+use crate::glsl::version::{Behaviour, Extension, Version};
 
 /// The names of the directives.
 const NAMES: [&str; 13] = [
@@ -25,8 +26,18 @@ const NAMES: [&str; 13] = [
     "line",
 ];
 
-/// How many conditionals can be open at once.
-const MAX_CONDITIONALS: usize = 256;
+/// Whether a shader goes without an extension.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Required {
+    No,
+    Yes,
+}
+
+/// The value of a decimal number.
+fn number(token: &Token) -> Option<i64> {
+    let Kind::Number(number) = &token.kind else { return None };
+    number.parse::<u32>().ok().map(i64::from)
+}
 
 impl Preprocessor<'_> {
     pub(super) fn directive(&mut self, hash: &Token, line: &[Token]) {
@@ -113,7 +124,8 @@ impl Preprocessor<'_> {
     }
 
     fn condition(&mut self, span: Span, rest: &[Token]) -> bool {
-        let value = condition::evaluate(span, rest, &mut self.macros, self.source, self.version);
+        let value =
+            condition::evaluate(span, rest, &mut self.macros, self.source, self.language.version);
         match value {
             Ok(value) => value != 0,
             Err(problem) => {
@@ -203,23 +215,21 @@ impl Preprocessor<'_> {
             self.log.push(Diagnostic::error(span, message).rule(rule));
             return;
         }
-        let number = match rest.first().map(|token| &token.kind) {
-            Some(Kind::Number(number)) => number.parse::<i32>().ok(),
-            _ => None,
-        };
+        let number = rest.first().and_then(number);
         let at = rest.first().map_or(span, |token| token.span);
         let Some(number) = number else {
             self.error(at, "a version number is expected");
             return;
         };
-        match Version::ALL.into_iter().find(|version| version.number() == number) {
+        match Version::ALL.into_iter().find(|version| i64::from(version.number()) == number) {
             Some(version) => {
-                self.version = version;
+                self.language = version.into();
+                self.macros = Macros::new(version);
                 self.nothing_more(&rest[1..]);
             }
             None => self.log.push(
                 Diagnostic::error(at, format!("GLSL version {number} is not supported"))
-                    .help("DetGL knows the versions 110, 120 and 130"),
+                    .help("DetGL knows the versions 110, 120, 130 and 100 (GLSL ES)"),
             ),
         }
     }
@@ -235,39 +245,70 @@ impl Preprocessor<'_> {
             self.error(span, "`#extension name : behaviour` is expected");
             return;
         };
-        let known = EXTENSIONS.contains(&&**extension);
-        let all = &**extension == "all";
-        let unknown = format!("extension `{extension}` is not supported");
-        match &**behaviour_name {
-            "require" | "enable" if all => {
+        let (name_span, behaviour_span) = (name.span, behaviour.span);
+        let (required, behaviour) = match &**behaviour_name {
+            "require" => (Required::Yes, Behaviour::Enable),
+            "enable" => (Required::No, Behaviour::Enable),
+            "warn" => (Required::No, Behaviour::Warn),
+            "disable" => (Required::No, Behaviour::Disable),
+            other => {
+                let names = ["require", "enable", "warn", "disable"];
+                let message = format!("`{other}` is no behaviour of an extension");
+                let mut problem = Diagnostic::error(behaviour_span, message)
+                    .rule("GLSL 1.30 section 3.3: it is `require`, `enable`, `warn` or `disable`");
+                if let Some(near) = closest(other, names.into_iter()) {
+                    let text = format!("did you mean `{near}`?");
+                    problem = problem.fix(text, behaviour_span, near.to_owned());
+                }
+                self.log.push(problem);
+                return;
+            }
+        };
+        if self.program_begun {
+            let message = "`#extension` stands behind a part of the program";
+            let problem = Diagnostic::warning(span, message);
+            self.log.push(problem.help("put it before anything but directives and comments"));
+        }
+        let version = self.language.version;
+        if &**extension == "all" {
+            if behaviour == Behaviour::Enable {
                 let message = "`all` can only be warned about or disabled";
-                self.log.push(
-                    Diagnostic::error(span, message).rule("GLSL 1.30 section 3.3, `#extension`"),
-                );
+                let rule = "GLSL 1.30 section 3.3, `#extension`";
+                self.log.push(Diagnostic::error(span, message).rule(rule));
+                return;
             }
-            "require" if !known => self.error(name.span, unknown),
-            "enable" | "warn" if !known && !all => {
-                self.log.push(Diagnostic::warning(name.span, unknown));
+            for (known, _) in Extension::ALL {
+                if known.is_in(version) {
+                    self.language.set(known, behaviour);
+                }
             }
-            "require" | "enable" | "warn" | "disable" => {}
-            _ => self.error(
-                behaviour.span,
-                "the behaviour is one of `require`, `enable`, `warn` and `disable`",
-            ),
+            return;
+        }
+        match Extension::named(extension).filter(|known| known.is_in(version)) {
+            Some(known) => self.language.set(known, behaviour),
+            None => {
+                let message = format!("extension `{extension}` is not supported");
+                let mut problem = match required {
+                    Required::Yes => Diagnostic::error(name_span, message),
+                    Required::No => Diagnostic::warning(name_span, message),
+                };
+                let names = Extension::ALL.iter().filter(|row| row.0.is_in(version));
+                if let Some(near) = closest(extension, names.map(|row| row.1)) {
+                    let text = format!("did you mean `{near}`?");
+                    problem = problem.fix(text, name_span, near.to_owned());
+                }
+                self.log.push(problem);
+            }
         }
     }
 
     fn line(&mut self, span: Span, rest: &[Token]) {
-        let expanded = match self.macros.expand(rest.to_vec(), self.source, self.version) {
+        let expanded = match self.macros.expand(rest.to_vec(), self.source, self.language.version) {
             Ok(expanded) => expanded,
             Err(problem) => {
                 self.log.push(*problem);
                 return;
             }
-        };
-        let number = |token: &Token| match &token.kind {
-            Kind::Number(number) => number.parse::<u32>().ok().map(i64::from),
-            _ => None,
         };
         match &expanded[..] {
             [line] => {

@@ -2,15 +2,14 @@
 
 use crate::glsl::diagnostics::Diagnostic;
 use crate::glsl::lexer::{Kind, Token};
+use crate::glsl::limits::{MAX_EXPANDED_TOKENS, MAX_MACRO_DEPTH};
 use crate::glsl::source::{Source, Span};
-use crate::glsl::version::{EXTENSIONS, Version};
+use crate::glsl::version::{Extension, Version};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
-/// How many tokens the expansions of a shader may produce together.
-const MAX_TOKENS: usize = 1 << 20;
-/// How deep calls of macros may stand in arguments of one another.
-const MAX_DEPTH: usize = 64;
+/// What GLSL ES defines: section 3.4, and that the fragment stage has `highp` (section 4.5.4).
+const ES: [&str; 2] = ["GL_ES", "GL_FRAGMENT_PRECISION_HIGH"];
 
 /// A macro.
 #[derive(Clone, Debug)]
@@ -76,11 +75,17 @@ pub struct Macros {
 }
 
 impl Macros {
-    /// The extensions' macros.
-    pub fn new() -> Self {
+    /// What a version defines: its extensions and, of GLSL ES, `GL_ES`.
+    pub fn new(version: Version) -> Self {
         let one = Token { kind: Kind::Number("1".into()), span: Span::default() };
         let row = |name: &str| (name.into(), Macro { parameters: None, body: vec![one.clone()] });
-        Self { table: EXTENSIONS.into_iter().map(row).collect(), produced: 0 }
+        let extensions = Extension::ALL.iter().filter(|known| known.0.is_in(version));
+        let names = extensions.map(|known| known.1);
+        let table = match version {
+            Version::Es100 => names.chain(ES).map(row).collect(),
+            Version::V110 | Version::V120 | Version::V130 => names.map(row).collect(),
+        };
+        Self { table, produced: 0 }
     }
 
     /// Adds a macro; false if there is a different one.
@@ -185,7 +190,7 @@ impl Expansion<'_> {
                         output.push(Item::Token(token));
                         continue;
                     }
-                    if depth >= MAX_DEPTH {
+                    if depth >= MAX_MACRO_DEPTH {
                         let message = "macro calls are nested too deeply";
                         return Err(Diagnostic::error(token.span, message).into());
                     }
@@ -213,8 +218,8 @@ impl Expansion<'_> {
                 }
             };
             *self.produced += body.len() + 1;
-            if *self.produced > MAX_TOKENS {
-                let message = format!("macros expand to more than {MAX_TOKENS} tokens");
+            if *self.produced > MAX_EXPANDED_TOKENS {
+                let message = format!("macros expand to more than {MAX_EXPANDED_TOKENS} tokens");
                 return Err(Diagnostic::error(token.span, message).into());
             }
             self.active.insert(name.clone());
@@ -304,8 +309,9 @@ impl Expansion<'_> {
                             Item::EndOf(_) => {}
                         }
                     }
-                    if *self.produced + output.len() > MAX_TOKENS {
-                        let message = format!("macros expand to more than {MAX_TOKENS} tokens");
+                    if *self.produced + output.len() > MAX_EXPANDED_TOKENS {
+                        let message =
+                            format!("macros expand to more than {MAX_EXPANDED_TOKENS} tokens");
                         return Err(Diagnostic::error(at, message).into());
                     }
                 }
@@ -330,7 +336,7 @@ fn join(output: &mut Vec<Item>, start: usize, at: Span) -> Result<(), Box<Diagno
         Item::EndOf(_) => String::new(),
     };
     let joined = format!("{}{}", text(&output[start - 1]), text(&output[start]));
-    match &crate::glsl::lexer::tokens(&joined).0[..] {
+    match &crate::glsl::lexer::tokens(&joined).tokens[..] {
         [one, _, _] => {
             output[start - 1] = Item::Token(Token { kind: one.kind.clone(), span: at });
             output.remove(start);

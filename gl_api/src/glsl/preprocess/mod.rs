@@ -6,9 +6,9 @@ mod directives;
 mod macros;
 
 use super::diagnostics::{Diagnostic, Log};
-use super::lexer::{Kind, Token, UnclosedComment, tokens};
+use super::lexer::{Kind, Token, tokens};
 use super::source::{Source, Span};
-use super::version::Version;
+use super::version::{Language, Version};
 use macros::Macros;
 
 /// What comes out.
@@ -16,8 +16,8 @@ use macros::Macros;
 pub struct Preprocessed {
     /// The program; the last is [`Kind::End`].
     pub tokens: Vec<Token>,
-    /// What `#version` asked for.
-    pub version: Version,
+    /// What `#version` and `#extension` asked for.
+    pub language: Language,
 }
 
 /// An `#if` that is open.
@@ -46,29 +46,38 @@ enum Group {
 struct Preprocessor<'a> {
     source: &'a mut Source,
     log: &'a mut Log,
-    version: Version,
+    language: Language,
     macros: Macros,
     conditionals: Vec<Conditional>,
     /// Whether anything but blanks and comments came before.
     begun: bool,
+    /// Whether anything but directives came before.
+    program_begun: bool,
 }
 
 /// Preprocesses a source. `#line` is applied to the source, so that later messages keep to it.
 pub fn preprocess(source: &mut Source, log: &mut Log) -> Preprocessed {
-    let (all, unclosed) = tokens(source.text());
-    if let Some(UnclosedComment(span)) = unclosed {
+    let lexed = tokens(source.text());
+    if let Some(span) = lexed.unclosed {
         log.push(Diagnostic::error(span, "comment is not closed by `*/`"));
+    }
+    if let Some(span) = lexed.continued {
+        let message = "a line continued by `\\` is not in this version";
+        let problem = Diagnostic::warning(span, message)
+            .rule("GLSL 1.30 section 3.1: the backslash is no character of the language");
+        log.push(problem.help("write it in one line; other compilers may refuse this"));
     }
     let mut preprocessor = Preprocessor {
         source,
         log,
-        version: Version::V110,
-        macros: Macros::new(),
+        language: Version::V110.into(),
+        macros: Macros::new(Version::V110),
         conditionals: Vec::new(),
         begun: false,
+        program_begun: false,
     };
-    let tokens = preprocessor.run(&all);
-    Preprocessed { tokens, version: preprocessor.version }
+    let tokens = preprocessor.run(&lexed.tokens);
+    Preprocessed { tokens, language: preprocessor.language }
 }
 
 impl Preprocessor<'_> {
@@ -94,6 +103,7 @@ impl Preprocessor<'_> {
                 _ => {
                     self.begun = true;
                     if self.taking() {
+                        self.program_begun = true;
                         text.extend_from_slice(line);
                     }
                 }
@@ -110,7 +120,7 @@ impl Preprocessor<'_> {
     }
 
     fn flush(&mut self, text: &mut Vec<Token>, output: &mut Vec<Token>) {
-        match self.macros.expand(std::mem::take(text), self.source, self.version) {
+        match self.macros.expand(std::mem::take(text), self.source, self.language.version) {
             Ok(expanded) => output.extend(expanded),
             Err(problem) => self.log.push(*problem),
         }

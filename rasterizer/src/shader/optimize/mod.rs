@@ -3,7 +3,7 @@
 //! | pass | does |
 //! |---|---|
 //! | [`scopes`] | early returns become `else` |
-//! | [`simplify`] | one walk in program order: [`fold`] constants, [`forward`] stores to loads, share [`common`] values, take branches that are decided |
+//! | [`simplify`] | one walk in program order: [`fold`] constants, [`forward`] stores to loads, share [`common`] values, take branches that are decided, [`unroll`] loops that are counted |
 //! | [`arrays`] | arrays that are only indexed by constants become scalars |
 //! | [`flatten`] | small branches become selects |
 //! | [`stores`] | stores that are overwritten before anybody reads them go |
@@ -20,6 +20,7 @@ mod forward;
 mod scopes;
 mod simplify;
 mod stores;
+mod unroll;
 
 use crate::ir::Module;
 

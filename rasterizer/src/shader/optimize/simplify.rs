@@ -3,7 +3,11 @@
 use super::common::Common;
 use super::fold::{Folded, fold};
 use super::forward::Memory;
+use super::unroll;
 use crate::ir::{Block, Expr, Module, Stmt, Ty, Value};
+
+/// How many statements the copies of all loops may have.
+const UNROLLED: usize = 4096;
 
 /// Runs the pass.
 pub(super) fn run(module: &mut Module) {
@@ -12,6 +16,7 @@ pub(super) fn run(module: &mut Module) {
         instead: (0..module.values.len() as u32).map(Value).collect(),
         common: Common::default(),
         memory: Memory::new(Vec::new()),
+        room: UNROLLED,
         module,
     };
     for at in 0..walk.module.values.len() {
@@ -36,6 +41,8 @@ struct Walk<'a> {
     instead: Vec<Value>,
     memory: Memory,
     common: Common,
+    /// How many statements unrolled loops may still add.
+    room: usize,
 }
 
 impl Walk<'_> {
@@ -84,6 +91,13 @@ impl Walk<'_> {
                     self.branch(condition, accept, reject, out);
                 }
                 Stmt::Loop { body, continuing } => {
+                    if let Some(copies) = self.unroll([&body, &continuing]) {
+                        self.block(copies, out);
+                        if out.last().is_some_and(Stmt::is_jump) {
+                            return;
+                        }
+                        continue;
+                    }
                     self.memory.forget_stores([&body, &continuing]);
                     let body = self.nested(body);
                     let continuing = self.nested(continuing);
@@ -101,6 +115,23 @@ impl Walk<'_> {
                 return;
             }
         }
+    }
+
+    /// The turns of a loop one after the other, if they can be counted.
+    fn unroll(&mut self, blocks: [&Block; 2]) -> Option<Block> {
+        let (instead, memory) = (&self.instead, &self.memory);
+        let constant = |module: &Module, value: Value| match module.expr(instead[value.0 as usize])
+        {
+            Expr::Const { bits, .. } => Some(*bits),
+            _ => None,
+        };
+        let variable =
+            |module: &Module, var| memory.get(var).and_then(|value| constant(module, value));
+        let copies = unroll::run(self.module, blocks, self.room, constant, variable)?;
+        self.room -= copies.len().min(self.room);
+        let old = self.instead.len() as u32;
+        self.instead.extend((old..self.module.values.len() as u32).map(Value));
+        Some(copies)
     }
 
     /// A block of its own: what becomes known in it is forgotten at its end.

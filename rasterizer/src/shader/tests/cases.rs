@@ -45,7 +45,7 @@ impl texunit::lanes::Kernel for OneOp<'_> {
     type Output = ();
     #[inline(always)]
     fn run<S: texunit::lanes::Simd>(self) {
-        self.0.run(self.1, self.2);
+        self.0.run::<S>(self.1, self.2);
     }
 }
 
@@ -243,4 +243,60 @@ fn blocks_nest_as_deep_as_the_limit_and_no_deeper() {
     check(&nested(MAX_NESTING - 1), &[], by_lane);
     let error = nested(MAX_NESTING).validate().unwrap_err();
     assert!(error.0.contains("nest deeper"), "{error}");
+}
+
+/// `for (i = 0; i < turns; i++) { if (s < i) out += i; else out -= 1 }`, nested in itself `depth` times.
+fn counted(turns: i32, depth: usize) -> Module {
+    let (mut b, out) = fragment();
+    let s = b.input(Input::Varying(0));
+    let (one, one_float) = (b.int(1), b.float(1.0));
+    let limit = b.int(turns);
+    let mut block = None;
+    for _ in 0..depth {
+        let i = b.variable("i", Ty::I32);
+        let zero = b.int(0);
+        b.begin();
+        let at = b.load(i);
+        let inside = b.op(Op::ILess, &[at, limit]);
+        b.push(Stmt::If { condition: inside, accept: vec![], reject: vec![Stmt::Break] });
+        let float = b.op(Op::IntToFloat, &[at]);
+        let below = b.op(Op::Less, &[s, float]);
+        let mut side = |op, by| {
+            b.begin();
+            let old = b.load(out);
+            let new = b.op(op, &[old, by]);
+            b.store(out, new);
+            b.end()
+        };
+        let (accept, reject) = (side(Op::Add, float), side(Op::Sub, one_float));
+        b.push(Stmt::If { condition: below, accept, reject });
+        if let Some(inner) = block.take() {
+            b.push(inner);
+        }
+        let body = b.end();
+        b.begin();
+        let at = b.load(i);
+        let next = b.op(Op::IAdd, &[at, one]);
+        b.store(i, next);
+        let continuing = b.end();
+        b.begin();
+        b.store(i, zero);
+        b.push(Stmt::Loop { body, continuing });
+        block = Some(Stmt::Scope(b.end()));
+    }
+    block.into_iter().for_each(|stmt| b.push(stmt));
+    b.finish()
+}
+
+#[test]
+fn counted_loops_become_straight_code_within_bounds() {
+    for (turns, depth, straight) in [(0, 1, true), (5, 1, true), (4, 2, true), (10_000, 1, false)] {
+        let module = counted(turns, depth);
+        check(&module, &[], by_lane);
+        let program = Program::new(&module, |_| true);
+        assert_eq!(!program.masked, straight, "{turns} turns: {}", program.describe());
+    }
+    // However deep, the code stays small.
+    let program = Program::new(&counted(30, 4), |_| true);
+    assert!(program.code.len() < 100_000, "{}", program.describe());
 }

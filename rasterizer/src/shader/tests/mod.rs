@@ -4,7 +4,7 @@ mod cases;
 mod random;
 mod reference;
 
-use super::{Machine, OverBudget, Program, Run};
+use super::{Fusing, Machine, OverBudget, Program, Run};
 use crate::ir::{Input, Module};
 use reference::Outcome;
 use texunit::lanes::{Isa, LANES, U32s};
@@ -44,7 +44,7 @@ fn any_nan(word: u32) -> u32 {
 }
 
 /// Holds optimized and unoptimized programs on every instruction set to the reference.
-fn check(module: &Module, uniforms: &[u32], input: impl Fn(Input, usize) -> u32 + Copy) {
+pub(super) fn check(module: &Module, uniforms: &[u32], input: impl Fn(Input, usize) -> u32 + Copy) {
     module.validate().unwrap_or_else(|error| panic!("{error}\n{module}"));
     let active = 0xffff_0f0f_ffff_fff1;
     let want: Vec<Outcome> = (0..LANES)
@@ -53,7 +53,12 @@ fn check(module: &Module, uniforms: &[u32], input: impl Fn(Input, usize) -> u32 
     if want.iter().any(|outcome| matches!(outcome, Outcome::Endless)) {
         return;
     }
-    for program in [Program::lowered(module), Program::new(module, |_| true)] {
+    let programs = [
+        Program::lowered(module, Fusing::Off),
+        Program::lowered(module, Fusing::On),
+        Program::new(module, |_| true),
+    ];
+    for program in programs {
         for isa in Isa::available() {
             let got = run(isa, &program, uniforms, active, 10_000_000, input).unwrap();
             for lane in (0..LANES).filter(|lane| active >> lane & 1 != 0) {

@@ -7,6 +7,9 @@ use crate::ir::{
 use proptest::prelude::*;
 
 const TYPES: [Ty; 4] = [Ty::F32, Ty::I32, Ty::U32, Ty::Bool];
+/// Operations that fused instructions are made of.
+const FUSED: [Op; 8] =
+    [Op::Add, Op::Sub, Op::Mul, Op::Mul, Op::Fract, Op::Less, Op::SelectF, Op::Max];
 const UNIFORMS: u32 = 8;
 
 /// Draws decisions from a list of random numbers; zeros when it is used up.
@@ -129,7 +132,11 @@ impl Generator<'_> {
         }
         match self.dice.below(20) {
             0..=8 => {
-                let op = self.dice.of(Op::ALL);
+                let op = if self.dice.below(3) == 0 {
+                    self.dice.of(&FUSED)
+                } else {
+                    self.dice.of(Op::ALL)
+                };
                 let args: Vec<Value> = op.args().iter().map(|ty| self.value(*ty)).collect();
                 let value = self.b.op(op, &args);
                 self.visible.push(value);

@@ -1,0 +1,195 @@
+//! What passes between stages: the words that say what a global is for, and the types that may
+//! pass (GLSL 1.30 section 4.3).
+
+use super::Checker;
+use crate::glsl::Scalar;
+use crate::glsl::ast::{self, Qualifier};
+use crate::glsl::diagnostics::Diagnostic;
+use crate::glsl::hir::Storage;
+use crate::glsl::source::Span;
+use crate::glsl::types::{FLOAT, INT, Type};
+use crate::glsl::version::Version;
+use rasterizer::ir::{Interpolation, Stage};
+
+/// What a storage qualifier makes a global in a stage; the error says why it cannot be there.
+fn storage(
+    qualifier: Qualifier,
+    stage: Stage,
+    interpolation: Interpolation,
+) -> Result<Storage, &'static str> {
+    match (qualifier, stage) {
+        (Qualifier::Const, _) => Ok(Storage::Const),
+        (Qualifier::Uniform, _) => Ok(Storage::Uniform),
+        (Qualifier::Attribute | Qualifier::In, Stage::Vertex) => Ok(Storage::Attribute),
+        (Qualifier::Varying | Qualifier::Out, Stage::Vertex) => Ok(Storage::Output(interpolation)),
+        (Qualifier::Varying | Qualifier::In, Stage::Fragment) => Ok(Storage::Input(interpolation)),
+        (Qualifier::Out, Stage::Fragment) => Ok(Storage::FragmentOutput),
+        (Qualifier::Attribute, Stage::Fragment) => {
+            Err("attributes belong to vertices: the fragment stage has none")
+        }
+        (Qualifier::Inout, _) => Err("`inout` is for parameters only"),
+        (
+            Qualifier::Centroid
+            | Qualifier::Invariant
+            | Qualifier::Smooth
+            | Qualifier::Flat
+            | Qualifier::NoPerspective
+            | Qualifier::Precision,
+            _,
+        ) => Ok(Storage::Plain),
+    }
+}
+
+impl Checker<'_> {
+    /// What the qualifiers of a global make it; `None` when they contradict each other.
+    pub(super) fn global_storage(&mut self, ty: &ast::QualifiedType) -> Option<Storage> {
+        let mut word: Option<(Qualifier, Span)> = None;
+        let mut interpolation: Option<(Interpolation, Span)> = None;
+        for &(qualifier, span) in &ty.qualifiers {
+            let smoothness = match qualifier {
+                Qualifier::Const
+                | Qualifier::Attribute
+                | Qualifier::Varying
+                | Qualifier::Uniform
+                | Qualifier::In
+                | Qualifier::Out
+                | Qualifier::Inout => {
+                    if word.replace((qualifier, span)).is_some() {
+                        let message = "a second word that says what the variable is for";
+                        self.log.push(Diagnostic::error(span, message).rule(self.rule("4.3")));
+                        return None;
+                    }
+                    continue;
+                }
+                Qualifier::Smooth => Interpolation::Smooth,
+                Qualifier::Flat => Interpolation::Flat,
+                Qualifier::NoPerspective => Interpolation::NoPerspective,
+                // Invariance always holds, and every sample is at the centre.
+                Qualifier::Invariant | Qualifier::Centroid | Qualifier::Precision => continue,
+            };
+            if interpolation.replace((smoothness, span)).is_some() {
+                let message = "a second word that says how the variable is interpolated";
+                self.log.push(Diagnostic::error(span, message).rule(self.rule("4.3.9")));
+            }
+        }
+        let smoothness = interpolation.map_or(Interpolation::Smooth, |(smoothness, _)| smoothness);
+        let found = match word {
+            Some((qualifier, span)) => {
+                self.check_old(qualifier, span);
+                storage(qualifier, self.stage, smoothness).map_err(|message| (message, span))
+            }
+            None => Ok(Storage::Plain),
+        };
+        match found {
+            Ok(storage) => {
+                let passes = matches!(storage, Storage::Output(_) | Storage::Input(_));
+                if let (Some((_, span)), false) = (interpolation, passes) {
+                    let message = "only what passes from the vertex to the fragment stage is \
+                                   interpolated";
+                    let problem = Diagnostic::error(span, message).rule(self.rule("4.3.9"));
+                    self.log.push(problem.help("leave this word out"));
+                }
+                Some(storage)
+            }
+            Err((message, span)) => {
+                self.log.push(Diagnostic::error(span, message).rule(self.rule("4.3")));
+                None
+            }
+        }
+    }
+
+    /// `in` and `out` of globals came with 1.30; before, they are taken as what they mean there, so
+    /// that only this is reported.
+    fn check_old(&mut self, qualifier: Qualifier, span: Span) {
+        let is_in = qualifier == Qualifier::In;
+        if self.version >= Version::V130 || !(is_in || qualifier == Qualifier::Out) {
+            return;
+        }
+        let word = if is_in { "in" } else { "out" };
+        let message = format!("`{word}` of global variables came with `#version 130`");
+        let old = match (is_in, self.stage) {
+            (true, Stage::Vertex) => "write `attribute`, or `#version 130` first",
+            (true, Stage::Fragment) | (false, Stage::Vertex) => {
+                "write `varying`, or `#version 130` first"
+            }
+            (false, Stage::Fragment) => "write gl_FragColor, or `#version 130` first",
+        };
+        self.log.push(Diagnostic::error(span, message).rule(self.rule("4.3")).help(old));
+    }
+
+    /// Which types may pass between the stages (GLSL 1.30 sections 4.3.4 to 4.3.6).
+    pub(super) fn check_interface(&mut self, storage: Storage, ty: &Type, span: Span) {
+        let integer =
+            |ty: &Type| ty.any(&|part| matches!(part, Type::Vector(Scalar::Int | Scalar::Uint, _)));
+        let boolean = ty.any(&|part| matches!(part, Type::Vector(Scalar::Bool, _)));
+        let structure = ty.any(&|part| matches!(part, Type::Struct(_)));
+        let old = self.version < Version::V130;
+        let wrong = match storage {
+            Storage::Attribute => {
+                if boolean || structure || ty.has_array() || (old && integer(ty)) {
+                    Some("a vertex attribute is a float, a vector or a matrix of floats")
+                } else {
+                    None
+                }
+            }
+            Storage::Output(interpolation) | Storage::Input(interpolation) => {
+                if boolean || (structure && old) || (old && integer(ty)) {
+                    Some("what passes between the stages is made of floats")
+                } else if integer(ty) && interpolation != Interpolation::Flat && !self.is_vertex() {
+                    Some("integers that pass between the stages are `flat`")
+                } else {
+                    None
+                }
+            }
+            Storage::FragmentOutput => {
+                let element = ty.base();
+                let fits = *element == Type::Error
+                    || matches!(element, Type::Vector(scalar, _) if *scalar != Scalar::Bool);
+                (!fits).then_some("an output of the fragment stage is a scalar or a vector")
+            }
+            Storage::Plain
+            | Storage::Const
+            | Storage::Uniform
+            | Storage::Parameter(_)
+            | Storage::Builtin(_) => None,
+        };
+        if let Some(message) = wrong {
+            let rule = format!("{} section 4.3", self.version.title());
+            self.log.push(Diagnostic::error(span, format!("{message}; this is {ty}")).rule(rule));
+        }
+    }
+
+    /// `precision highp float;`: every number has 32 bits here, so only the type is checked.
+    pub(super) fn default_precision(&mut self, name: &ast::TypeName) {
+        let ty = self.type_of(name, None);
+        match ty {
+            FLOAT => self.float_precision = true,
+            INT | Type::Sampler(_) | Type::Error => {}
+            Type::Void
+            | Type::Vector(..)
+            | Type::Matrix(..)
+            | Type::Struct(_)
+            | Type::Array(..) => {
+                let message = format!("{ty} has no default precision");
+                let problem = Diagnostic::error(name.span, message).rule(self.rule("4.5.3"));
+                self.log.push(problem.help("float, int and the samplers have one"));
+            }
+        }
+    }
+
+    /// Floats of the fragment stage need a precision in GLSL ES.
+    pub(super) fn check_precision(&mut self, ty: &ast::QualifiedType) {
+        let given = ty.qualifiers.iter().any(|(qualifier, _)| *qualifier == Qualifier::Precision);
+        let ast::TypeBase::Named(word) = &ty.ty.base else { return };
+        let named = Type::named(word, self.language);
+        let float = named.is_some_and(|named| named.scalar() == Some(Scalar::Float));
+        if self.float_precision || given || !float {
+            return;
+        }
+        // Once is enough.
+        self.float_precision = true;
+        let message = "floats of the fragment stage have no precision yet";
+        let problem = Diagnostic::error(ty.ty.span, message).rule(self.rule("4.5.3"));
+        self.log.push(problem.help("write `precision mediump float;` first"));
+    }
+}

@@ -1,0 +1,81 @@
+//! What a draw's plan says it left out.
+
+use gl_api::*;
+use rasterizer::driver::{Device, DeviceDesc, Explain};
+use std::sync::Arc;
+use texunit::lanes::Isa;
+
+/// The plans of what `draw` draws.
+fn plans(draw: impl FnOnce()) -> Vec<String> {
+    let explain = Explain::Keep;
+    let desc = DeviceDesc { isa: Isa::best(), threads: 1, budget: DeviceDesc::BUDGET, explain };
+    let device = Arc::new(Device::new(desc).expect("a thread starts"));
+    let desc =
+        ContextDesc { width: 16, height: 16, device: Some(device.clone()), ..Default::default() };
+    let _current = Context::new(desc).expect("a small context").make_current();
+    draw();
+    glFinish();
+    assert_eq!(glGetError(), GL_NO_ERROR);
+    device.take_explanations()
+}
+
+fn triangle() {
+    glBegin(GL_TRIANGLES);
+    for (x, y) in [(-1, -1), (1, -1), (0, 1)] {
+        glTexCoord2f(x, y);
+        glVertex2f(x, y);
+    }
+    glEnd();
+}
+
+fn texture() {
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    let white = [255_u8; 4];
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, &white);
+    glEnable(GL_TEXTURE_2D);
+}
+
+#[test]
+fn a_plain_draw_leaves_out_depth_blending_lod_and_the_other_units() {
+    let plans = plans(|| {
+        texture();
+        triangle();
+    });
+    assert_eq!(plans.len(), 1, "{plans:?}");
+    for part in [
+        "depth        left out: no depth test",
+        "left out: blending",
+        "no LOD: both filters are alike",
+        "left out: texture units 1, 2, 3, 4, 5, 6, 7",
+        "left out: the alpha test",
+    ] {
+        assert!(plans[0].contains(part), "`{part}` is not in\n{}", plans[0]);
+    }
+}
+
+#[test]
+fn a_draw_that_needs_them_has_them() {
+    let plans = plans(|| {
+        texture();
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+        glActiveTexture(GL_TEXTURE1);
+        texture();
+        glEnable(GL_DEPTH_TEST);
+        glEnable(GL_BLEND);
+        glEnable(GL_ALPHA_TEST);
+        glAlphaFunc(GL_GREATER, 0.5);
+        triangle();
+    });
+    assert_eq!(plans.len(), 1, "{plans:?}");
+    for part in [
+        "late, Less, write On: the shader throws fragments away",
+        "blended",
+        "left out: texture units 2, 3, 4, 5, 6, 7",
+        "texture 1",
+    ] {
+        assert!(plans[0].contains(part), "`{part}` is not in\n{}", plans[0]);
+    }
+    for part in ["left out: blending", "left out: the alpha test", "left out: no depth"] {
+        assert!(!plans[0].contains(part), "`{part}` is in\n{}", plans[0]);
+    }
+}

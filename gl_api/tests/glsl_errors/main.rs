@@ -1,0 +1,102 @@
+//! Wrong shaders and what the log says of them.
+
+mod shaders;
+
+use gl_api::glsl::{Bindings, Options, Repairs, Stage, compile, link};
+use shaders::{DIRECTIVES, FRAGMENT, VERTEX};
+use std::fmt::Write as _;
+
+/// The logs of a table, which must all be of errors.
+fn report(stage: Stage, table: &[(&str, &str)]) -> String {
+    let (mut report, mut accepted) = (String::new(), Vec::new());
+    for (name, source) in table {
+        let compiled = compile(stage, source, &Options::default());
+        if compiled.shader.is_some() {
+            accepted.push(name);
+        }
+        assert!(compiled.log.is_ascii(), "{name}");
+        let _ = writeln!(report, "== {name}\n{}", compiled.log.trim_end());
+    }
+    assert!(accepted.is_empty(), "accepted: {accepted:?}");
+    report
+}
+
+#[test]
+fn logs() {
+    insta::assert_snapshot!(report(Stage::Fragment, FRAGMENT));
+}
+
+#[test]
+fn directive_logs() {
+    insta::assert_snapshot!(report(Stage::Fragment, DIRECTIVES));
+}
+
+#[test]
+fn vertex_logs() {
+    insta::assert_snapshot!(report(Stage::Vertex, VERTEX));
+}
+
+#[test]
+fn there_are_many() {
+    assert!(FRAGMENT.len() + DIRECTIVES.len() + VERTEX.len() + PAIRS.len() >= 150);
+}
+
+/// Pairs of a vertex and a fragment shader that do not link.
+const PAIRS: &[(&str, &str, &str)] = &[
+    (
+        "types differ",
+        "varying vec2 v; void main() { v = vec2(1.0); gl_Position = vec4(v, v); }",
+        "varying vec3 v; void main() { gl_FragColor = vec4(v, 1.0); }",
+    ),
+    (
+        "not written",
+        "void main() { gl_Position = vec4(1.0); }",
+        "varying vec3 v; void main() { gl_FragColor = vec4(v, 1.0); }",
+    ),
+    (
+        "uniform differs",
+        "uniform vec4 u; void main() { gl_Position = u; }",
+        "uniform float u; void main() { gl_FragColor = vec4(u); }",
+    ),
+    ("no main", "void f() {}", "void main() { gl_FragColor = vec4(1.0); }"),
+    (
+        "never defined",
+        "void f(); void main() { f(); gl_Position = vec4(1.0); }",
+        "void main() { gl_FragColor = vec4(1.0); }",
+    ),
+    (
+        "too many attributes",
+        "attribute mat4 a, b, c, d, e; void main() { gl_Position = (a + b + c + d + e)[0]; }",
+        "void main() { gl_FragColor = vec4(1.0); }",
+    ),
+    (
+        "too many operations",
+        "void a(inout vec4 v) { v = v * v + v; v *= v; } void b(inout vec4 v) { a(v); a(v); a(v); a(v); a(v); a(v); a(v); a(v); a(v); a(v); } void c(inout vec4 v) { b(v); b(v); b(v); b(v); b(v); b(v); b(v); b(v); b(v); b(v); } void d(inout vec4 v) { c(v); c(v); c(v); c(v); c(v); c(v); c(v); c(v); c(v); c(v); } void e(inout vec4 v) { d(v); d(v); d(v); d(v); d(v); d(v); d(v); d(v); d(v); d(v); } void main() { gl_Position = vec4(1.0); e(gl_Position); }",
+        "void main() { gl_FragColor = vec4(1.0); }",
+    ),
+];
+
+#[test]
+fn link_logs() {
+    let mut report = String::new();
+    for (name, vertex, fragment) in PAIRS {
+        let shaders =
+            [(Stage::Vertex, vertex), (Stage::Fragment, fragment)].map(|(stage, source)| {
+                let compiled = compile(stage, source, &Options::default());
+                compiled.shader.unwrap_or_else(|| panic!("{name}: {}", compiled.log))
+            });
+        let linked = link(&[&shaders[0], &shaders[1]], &Bindings::default());
+        assert!(linked.program.is_none(), "{name} links");
+        let _ = writeln!(report, "== {name}\n{}", linked.log.trim_end());
+    }
+    insta::assert_snapshot!(report);
+}
+
+#[test]
+fn repairs_are_listed() {
+    let source =
+        "uniform vec4 color;\nvoid main() {\n    float f = 1\n    gl_FragColor = colour * f;\n}";
+    let compiled = compile(Stage::Fragment, source, &Options { repairs: Repairs::On });
+    assert!(compiled.shader.is_some(), "{}", compiled.log);
+    insta::assert_snapshot!(compiled.log);
+}

@@ -1,0 +1,156 @@
+//! Links: several shaders a stage, and what is asked for before the link.
+
+use gl_api::glsl::{Bindings, Linked, Options, Program, Shader, Stage, compile, link};
+use rasterizer::ir::Output;
+
+const VERTEX: &str = "void main() { gl_Position = gl_Vertex; }";
+const FRAGMENT: &str = "void main() { gl_FragColor = vec4(1.0); }";
+
+fn shader(stage: Stage, source: &str) -> Shader {
+    let compiled = compile(stage, source, &Options::default());
+    compiled.shader.unwrap_or_else(|| panic!("{source}\n{}", compiled.log))
+}
+
+fn linked(vertex: &[&str], fragment: &[&str], bindings: &Bindings) -> Linked {
+    let vertex = vertex.iter().map(|source| shader(Stage::Vertex, source));
+    let shaders: Vec<Shader> =
+        vertex.chain(fragment.iter().map(|source| shader(Stage::Fragment, source))).collect();
+    link(&shaders.iter().collect::<Vec<_>>(), bindings)
+}
+
+fn program(vertex: &[&str], fragment: &[&str], bindings: &Bindings) -> Program {
+    let linked = linked(vertex, fragment, bindings);
+    linked.program.unwrap_or_else(|| panic!("{}", linked.log))
+}
+
+/// Whether a link fails with this in its log.
+fn fails(vertex: &[&str], fragment: &[&str], because: &str) {
+    let linked = linked(vertex, fragment, &Bindings::default());
+    assert!(linked.program.is_none(), "{fragment:?} links");
+    assert!(linked.log.contains(because), "{because}: {}", linked.log);
+}
+
+#[test]
+fn several_shaders_make_a_stage() {
+    let library =
+        "uniform float scale; float count; float f(float a) { count += 1.0; return a * scale; }";
+    let main = "uniform float scale; float count; float f(float a);
+        void main() { gl_FragColor = vec4(f(1.0), f(2.0), count, scale); }";
+    for fragment in [[library, main], [main, library]] {
+        let program = program(&[VERTEX], &fragment, &Bindings::default());
+        assert_eq!(program.uniforms.len(), 1);
+    }
+}
+
+#[test]
+fn one_stage_is_enough() {
+    assert!(program(&[], &[FRAGMENT], &Bindings::default()).vertex.is_none());
+    assert!(program(&[VERTEX], &[], &Bindings::default()).fragment.is_none());
+}
+
+#[test]
+fn what_shaders_of_a_stage_may_not_do() {
+    let calls = "void f(); void main() { f(); }";
+    fails(&[VERTEX], &["void f() {}", "void f() {}", calls], "defined in two");
+    fails(
+        &[VERTEX],
+        &["void g(); void f() { g(); }", "void f(); void g() { f(); }", calls],
+        "itself",
+    );
+    fails(
+        &[VERTEX],
+        &["uniform float u;", "uniform vec2 u; void main() { gl_FragColor.xy = u; }"],
+        "`u`",
+    );
+    fails(&[VERTEX], &[FRAGMENT, FRAGMENT], "`main()` is defined in two");
+    fails(&[VERTEX], &[calls], "never defined");
+    fails(&[], &[], "no shader");
+}
+
+#[test]
+fn a_uniform_is_one_in_both_stages() {
+    let vertex = "#version 120\nuniform float u = 2.0; void main() { gl_Position = vec4(u); }";
+    let fragment = "#version 120\nuniform float u; void main() { gl_FragColor = vec4(u); }";
+    let program = program(&[vertex], &[fragment], &Bindings::default());
+    assert_eq!(program.uniforms.len(), 1);
+    assert_eq!(program.uniforms[0].initial, [2.0f32.to_bits()]);
+    let other = fragment.replace("uniform float u", "uniform float u = 3.0");
+    fails(&[vertex], &[&other], "two initial values");
+}
+
+#[test]
+fn structures_and_arrays_of_uniforms_are_listed_member_by_member() {
+    let fragment = "struct S { vec2 a; float b[2]; }; uniform S s[2]; uniform mat2 m[3];
+        void main() { gl_FragColor = vec4(s[1].a, s[0].b[1], m[2][0].x); }";
+    let program = program(&[VERTEX], &[fragment], &Bindings::default());
+    let names: Vec<(&str, Option<u32>, u32)> =
+        program.uniforms.iter().map(|u| (&*u.name, u.array, u.location)).collect();
+    let expected = [
+        ("s[0].a", None, 0),
+        ("s[0].b", Some(2), 1),
+        ("s[1].a", None, 3),
+        ("s[1].b", Some(2), 4),
+        ("m", Some(3), 6),
+    ];
+    assert_eq!(names, expected);
+}
+
+#[test]
+fn attributes_go_where_they_are_bound_and_the_others_around_them() {
+    let vertex = "attribute vec4 a; attribute mat3 b; attribute float c;
+        void main() { gl_Position = a + vec4(b[0], c); }";
+    let mut bindings = Bindings::default();
+    bindings.attributes.insert("c".to_owned(), 1);
+    bindings.attributes.insert("unknown".to_owned(), 0);
+    let program = program(&[vertex], &[FRAGMENT], &bindings);
+    let found: Vec<(&str, u8)> =
+        program.attributes.iter().map(|a| (&*a.name, a.location)).collect();
+    assert_eq!(found, [("a", 0), ("b", 2), ("c", 1)]);
+    bindings.attributes.insert("b".to_owned(), 14);
+    assert!(linked(&[vertex], &[FRAGMENT], &bindings).program.is_none());
+}
+
+#[test]
+fn fragment_outputs_go_where_they_are_bound() {
+    let fragment = "#version 130\nout vec4 a; out vec2 b; void main() { a = vec4(1.0); b = a.xy; }";
+    let mut bindings = Bindings::default();
+    bindings.frag_data.insert("a".to_owned(), 3);
+    let program = program(&[VERTEX], &[fragment], &bindings);
+    let outputs = &program.fragment.expect("a fragment stage was linked").outputs;
+    let has = |target, component| {
+        outputs.iter().any(|(output, _)| *output == Output::Color { target, component })
+    };
+    assert!(has(3, 3) && has(0, 1) && !has(0, 2) && !has(1, 0));
+    bindings.frag_data.insert("b".to_owned(), 3);
+    assert!(linked(&[VERTEX], &[fragment], &bindings).program.is_none());
+}
+
+#[test]
+fn clip_distances_and_clip_vertex_reach_the_clipper() {
+    let count = |source: &str| {
+        let program = program(&[source], &[FRAGMENT], &Bindings::default());
+        let outputs = program.vertex.expect("a vertex stage was linked").outputs;
+        outputs.iter().filter(|(output, _)| matches!(output, Output::ClipDistance(_))).count()
+    };
+    assert_eq!(count("void main() { gl_Position = gl_ClipVertex = gl_Vertex; }"), 6);
+    let distance =
+        "#version 130\nvoid main() { gl_Position = gl_Vertex; gl_ClipDistance[1] = 1.0; }";
+    assert_eq!(count(distance), 8);
+    assert_eq!(count(&distance.replace("void", "out float gl_ClipDistance[2]; void")), 2);
+}
+
+#[test]
+fn stages_agree_on_what_they_hand_on() {
+    let vertex = "#version 130\nflat out int i; smooth out vec2 v;
+        void main() { i = 1; v = vec2(2.0); gl_Position = vec4(v, v); }";
+    let read = |declared: &str, value: &str| {
+        format!("#version 130\n{declared} out vec4 c; void main() {{ c = vec4({value}); }}")
+    };
+    let fine = read("flat in int i; in vec2 v;", "i, v, 1");
+    program(&[vertex], &[&fine], &Bindings::default());
+    fails(&[vertex], &[&read("noperspective in vec2 v;", "v, v")], "noperspective");
+    fails(&[vertex], &[&read("in vec3 v;", "v, 1")], "vec3");
+    fails(&[vertex], &[&read("in vec3 w;", "w, 1")], "no vertex shader writes");
+    let many = "varying vec4 v[17]; void main() { gl_FragColor = v[16]; }";
+    fails(&["varying vec4 v[17]; void main() { v[0] = gl_Vertex; }"], &[many], "more than 64");
+}

@@ -1,0 +1,111 @@
+//! The preprocessor (GLSL 1.30 section 3.3) and GLSL ES 1.00.
+
+use super::Row;
+
+pub const TABLE: &[Row] = &[
+    // The preprocessor
+    Row(
+        110,
+        "#define TWICE(a) ((a) + (a))\n#define SUM(a, b) TWICE(a) + b\n",
+        "r.x = SUM(u.x, TWICE(u.y));",
+        [6.0, 0.0, 0.0, 0.0],
+    ),
+    Row(
+        120,
+        "#if __VERSION__ >= 120 && defined(GL_ARB_draw_buffers)\nconst float c = 1.0;\n#else\nconst float c = 2.0;\n#endif\n",
+        "r.x = c;",
+        [1.0, 0.0, 0.0, 0.0],
+    ),
+    Row(
+        130,
+        "#define JOIN(a, b) a##b\n",
+        "float ab = 4.0; r.x = JOIN(a, b);",
+        [4.0, 0.0, 0.0, 0.0],
+    ),
+    // The preprocessor
+    Row(110, "#define ONE 1.0\n#undef ONE\n#define ONE 2.0\n", "r.x = ONE;", [2.0, 0.0, 0.0, 0.0]),
+    Row(110, "#define EMPTY\n#define F() 3.0\n", "r.x = EMPTY F() EMPTY;", [3.0, 0.0, 0.0, 0.0]),
+    Row(
+        110,
+        "#define F(a) (a)\n#define G F\n",
+        "r.xy = vec2(G(4.0), F((1.0, 2.0)));",
+        [4.0, 2.0, 0.0, 0.0],
+    ),
+    Row(110, "#define A B\n#define B A\n", "r.x = 1.0;", [1.0, 0.0, 0.0, 0.0]),
+    Row(
+        110,
+        "#if defined A || !defined(B) && 1\n#define X 1.0\n#elif 1\n#define X 2.0\n#else\n#define X 3.0\n#endif\n",
+        "r.x = X;",
+        [1.0, 0.0, 0.0, 0.0],
+    ),
+    Row(
+        110,
+        "#if 0\n#error no\n#elif (3 > 2) == 1 && (7 & 3) == 3 && 1 << 2 == 4\nconst float c = 5.0;\n#endif\n",
+        "r.x = c;",
+        [5.0, 0.0, 0.0, 0.0],
+    ),
+    Row(
+        110,
+        "#if 0 && 1 / 0\n#else\nconst float c = 6.0;\n#endif\n",
+        "r.x = c;",
+        [6.0, 0.0, 0.0, 0.0],
+    ),
+    Row(110, "#ifndef GL_ES\nconst float c = 1.0;\n#endif\n", "r.x = c;", [1.0, 0.0, 0.0, 0.0]),
+    Row(110, "#line 41\n", "r.x = 1.0;", [1.0, 0.0, 0.0, 0.0]),
+    Row(
+        110,
+        "#line 5 7\nfloat l = float(__LINE__), f = float(__FILE__);\n",
+        "r.xyz = vec3(l, f, __VERSION__);",
+        [6.0, 7.0, 110.0, 0.0],
+    ),
+    Row(
+        120,
+        "#extension GL_ARB_texture_rectangle : enable\n#ifdef GL_ARB_texture_rectangle\nuniform sampler2DRect never;\n#endif\n",
+        "r.x = float(__VERSION__);",
+        [120.0, 0.0, 0.0, 0.0],
+    ),
+    Row(
+        120,
+        "#extension GL_EXT_gpu_shader4 : require\n",
+        "r = vec4(7 % k, 1 << 3, abs(-k), max(3, k));",
+        [1.0, 8.0, 2.0, 3.0],
+    ),
+    Row(
+        120,
+        "#extension all : disable\n#pragma anything(goes)\n#pragma STDGL invariant(all)\n",
+        "r.x = 1.0; // a comment \\\n r.y = 2.0; /* another\n */ r.z = 3.0;",
+        [1.0, 2.0, 3.0, 0.0],
+    ),
+    Row(
+        130,
+        "#define P(a, b) a ## b\n#define Q P(1, .5)\n",
+        "r.x = Q; int P(n, 1) = 3; r.y = float(n1);",
+        [1.5, 3.0, 0.0, 0.0],
+    ),
+    Row(
+        110,
+        "#define MAX(a, b) ((a) > (b) ? (a) : (b))\n",
+        "r.x = MAX(MAX(u.x, u.w),\n  u.y);",
+        [4.0, 0.0, 0.0, 0.0],
+    ),
+    // GLSL ES 1.00
+    Row(100, "precision mediump float;\n", "r = u;", [1.0, 2.0, 3.0, 4.0]),
+    Row(
+        100,
+        "precision mediump float;\n#ifdef GL_ES\nconst lowp float c = 2.0;\n#endif\n",
+        "highp vec2 v = u.zw; r = vec4(c, v, __VERSION__);",
+        [2.0, 3.0, 4.0, 100.0],
+    ),
+    Row(
+        100,
+        "precision mediump float;\n",
+        "r = vec4(gl_MaxVaryingVectors, gl_MaxFragmentUniformVectors, gl_MaxVertexUniformVectors, gl_MaxDrawBuffers);",
+        [16.0, 1024.0, 1024.0, 8.0],
+    ),
+    Row(
+        100,
+        "#extension GL_OES_standard_derivatives : enable\nprecision mediump float;\n",
+        "r.x = dFdx(x) + fwidth(x);",
+        [2.0, 0.0, 0.0, 0.0],
+    ),
+];

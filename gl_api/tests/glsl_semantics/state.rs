@@ -1,0 +1,152 @@
+//! Built-in state and limits: GLSL 1.30 chapter 7. State is zero in these runs; what is checked is
+//! that each name has its type and members.
+
+use super::Row;
+
+pub const TABLE: &[Row] = &[
+    // Built-in state, which is zero here unless said otherwise: names, members and types
+    Row(110, "", "r = gl_ModelViewMatrix[1];", [0.0, 0.0, 0.0, 0.0]),
+    Row(110, "", "r = gl_ModelViewMatrixInverse[1];", [0.0, 0.0, 0.0, 0.0]),
+    Row(110, "", "r = gl_ModelViewMatrixTranspose[1];", [0.0, 0.0, 0.0, 0.0]),
+    Row(110, "", "r = gl_ModelViewMatrixInverseTranspose[1];", [0.0, 0.0, 0.0, 0.0]),
+    Row(110, "", "r = gl_ProjectionMatrix[1];", [0.0, 0.0, 0.0, 0.0]),
+    Row(110, "", "r = gl_ProjectionMatrixInverse[1];", [0.0, 0.0, 0.0, 0.0]),
+    Row(110, "", "r = gl_ProjectionMatrixTranspose[1];", [0.0, 0.0, 0.0, 0.0]),
+    Row(110, "", "r = gl_ProjectionMatrixInverseTranspose[1];", [0.0, 0.0, 0.0, 0.0]),
+    Row(110, "", "r = gl_ModelViewProjectionMatrix[1];", [0.0, 0.0, 0.0, 0.0]),
+    Row(110, "", "r = gl_ModelViewProjectionMatrixInverse[1];", [0.0, 0.0, 0.0, 0.0]),
+    Row(110, "", "r = gl_ModelViewProjectionMatrixTranspose[1];", [0.0, 0.0, 0.0, 0.0]),
+    Row(110, "", "r = gl_ModelViewProjectionMatrixInverseTranspose[1];", [0.0, 0.0, 0.0, 0.0]),
+    Row(110, "", "r = gl_TextureMatrix[7][k] + gl_TextureMatrix[k][0];", [0.0, 0.0, 0.0, 0.0]),
+    Row(
+        110,
+        "",
+        "r = gl_TextureMatrixInverse[7][k] + gl_TextureMatrixInverse[k][0];",
+        [0.0, 0.0, 0.0, 0.0],
+    ),
+    Row(
+        110,
+        "",
+        "r = gl_TextureMatrixTranspose[7][k] + gl_TextureMatrixTranspose[k][0];",
+        [0.0, 0.0, 0.0, 0.0],
+    ),
+    Row(
+        110,
+        "",
+        "r = gl_TextureMatrixInverseTranspose[7][k] + gl_TextureMatrixInverseTranspose[k][0];",
+        [0.0, 0.0, 0.0, 0.0],
+    ),
+    Row(110, "", "r.xyz = gl_NormalMatrix[k]; r.w = gl_NormalScale;", [0.0, 0.0, 0.0, 0.0]),
+    Row(
+        110,
+        "",
+        "r.xyz = vec3(gl_DepthRange.near, gl_DepthRange.far, gl_DepthRange.diff);",
+        [0.0, 0.0, 0.0, 0.0],
+    ),
+    Row(
+        110,
+        "",
+        "r = vec4(gl_Point.size, gl_Point.sizeMin, gl_Point.sizeMax, gl_Point.fadeThresholdSize);",
+        [0.0, 0.0, 0.0, 0.0],
+    ),
+    Row(
+        110,
+        "",
+        "r.xyz = vec3(gl_Point.distanceConstantAttenuation, gl_Point.distanceLinearAttenuation, gl_Point.distanceQuadraticAttenuation);",
+        [0.0, 0.0, 0.0, 0.0],
+    ),
+    Row(
+        110,
+        "",
+        "r = gl_FrontMaterial.emission + gl_FrontMaterial.ambient + gl_FrontMaterial.diffuse + gl_FrontMaterial.specular * gl_FrontMaterial.shininess;",
+        [0.0, 0.0, 0.0, 0.0],
+    ),
+    Row(110, "", "r = gl_FrontLightModelProduct.sceneColor;", [0.0, 0.0, 0.0, 0.0]),
+    Row(
+        110,
+        "",
+        "r = gl_FrontLightProduct[k].ambient + gl_FrontLightProduct[0].diffuse + gl_FrontLightProduct[gl_MaxLights - 1].specular;",
+        [0.0, 0.0, 0.0, 0.0],
+    ),
+    Row(
+        110,
+        "",
+        "r = gl_BackMaterial.emission + gl_BackMaterial.ambient + gl_BackMaterial.diffuse + gl_BackMaterial.specular * gl_BackMaterial.shininess;",
+        [0.0, 0.0, 0.0, 0.0],
+    ),
+    Row(110, "", "r = gl_BackLightModelProduct.sceneColor;", [0.0, 0.0, 0.0, 0.0]),
+    Row(
+        110,
+        "",
+        "r = gl_BackLightProduct[k].ambient + gl_BackLightProduct[0].diffuse + gl_BackLightProduct[gl_MaxLights - 1].specular;",
+        [0.0, 0.0, 0.0, 0.0],
+    ),
+    Row(
+        110,
+        "",
+        "r = gl_LightSource[0].ambient + gl_LightSource[k].diffuse + gl_LightSource[7].specular;",
+        [0.0, 0.0, 0.0, 0.0],
+    ),
+    Row(
+        110,
+        "",
+        "r = gl_LightSource[0].position + gl_LightSource[k].halfVector; r.xyz += gl_LightSource[k].spotDirection;",
+        [0.0, 0.0, 0.0, 0.0],
+    ),
+    Row(
+        110,
+        "",
+        "r = vec4(gl_LightSource[k].spotExponent, gl_LightSource[1].spotCutoff, gl_LightSource[1].spotCosCutoff, gl_LightSource[k].constantAttenuation);",
+        [0.0, 0.0, 0.0, 0.0],
+    ),
+    Row(
+        110,
+        "",
+        "gl_LightSourceParameters s = gl_LightSource[k]; r.xy = vec2(s.linearAttenuation, s.quadraticAttenuation);",
+        [0.0, 0.0, 0.0, 0.0],
+    ),
+    Row(110, "", "r = gl_LightModel.ambient;", [0.0, 0.0, 0.0, 0.0]),
+    Row(
+        110,
+        "",
+        "r = gl_Fog.color + vec4(gl_Fog.density, gl_Fog.start, gl_Fog.end, gl_Fog.scale);",
+        [0.0, 0.0, 0.0, 0.0],
+    ),
+    Row(110, "", "r = gl_ClipPlane[0] + gl_ClipPlane[k];", [0.0, 0.0, 0.0, 0.0]),
+    Row(110, "", "r = gl_TextureEnvColor[0] + gl_TextureEnvColor[k];", [0.0, 0.0, 0.0, 0.0]),
+    Row(110, "", "r = gl_EyePlaneS[k] + gl_ObjectPlaneS[0];", [0.0, 0.0, 0.0, 0.0]),
+    Row(110, "", "r = gl_EyePlaneT[k] + gl_ObjectPlaneT[0];", [0.0, 0.0, 0.0, 0.0]),
+    Row(110, "", "r = gl_EyePlaneR[k] + gl_ObjectPlaneR[0];", [0.0, 0.0, 0.0, 0.0]),
+    Row(110, "", "r = gl_EyePlaneQ[k] + gl_ObjectPlaneQ[0];", [0.0, 0.0, 0.0, 0.0]),
+    // Limits
+    Row(
+        110,
+        "",
+        "r = vec4(gl_MaxLights, gl_MaxClipPlanes, gl_MaxTextureUnits, gl_MaxTextureCoords);",
+        [8.0, 6.0, 8.0, 8.0],
+    ),
+    Row(
+        110,
+        "",
+        "r = vec4(gl_MaxVertexAttribs, gl_MaxVertexUniformComponents, gl_MaxVaryingFloats, gl_MaxVertexTextureImageUnits);",
+        [16.0, 4096.0, 64.0, 8.0],
+    ),
+    Row(
+        110,
+        "",
+        "r = vec4(gl_MaxCombinedTextureImageUnits, gl_MaxTextureImageUnits, gl_MaxFragmentUniformComponents, gl_MaxDrawBuffers);",
+        [8.0, 8.0, 4096.0, 8.0],
+    ),
+    Row(
+        130,
+        "",
+        "r = vec4(gl_MaxVaryingComponents, gl_MaxClipDistances, gl_MinProgramTexelOffset, gl_MaxProgramTexelOffset);",
+        [64.0, 8.0, -8.0, 7.0],
+    ),
+    Row(
+        120,
+        "float a[gl_MaxLights];",
+        "a[7] = 1.0; r.xy = vec2(a.length(), a[7]);",
+        [8.0, 1.0, 0.0, 0.0],
+    ),
+];

@@ -1,0 +1,287 @@
+//! Several operations as one instruction, so that what is between them stays in registers.
+//!
+//! A row of the table is a tree of operations over up to four operands. It is read twice: as the
+//! kernel, where each node is the operation's own body ([`Op::lane`]), and as the pattern that is
+//! looked for in the code. So a fused instruction cannot differ from the operations it replaces.
+
+use super::inst::{Inst, Reg, Role};
+use super::lower::{Kind, Lowered};
+use crate::ir::Op;
+use texunit::lanes::{LANES, Simd, U32s};
+
+/// The most operands of a fused instruction.
+pub(super) const OPERANDS: usize = 4;
+
+/// A tree of operations.
+#[derive(Clone, Copy, Debug)]
+enum Tree {
+    /// An operand of the fused instruction; the same one each time it stands in the tree.
+    Operand(usize),
+    Node(Op, &'static [Self]),
+}
+
+macro_rules! tree {
+    ($op:ident ($($arg:tt)*)) => { Tree::Node(Op::$op, tree!(@list [] $($arg)*)) };
+    (@list [$($done:expr,)*]) => { &[$($done),*] };
+    (@list [$($done:expr,)*] $op:ident ($($arg:tt)*) $(, $($rest:tt)*)?) => {
+        tree!(@list [$($done,)* tree!($op ($($arg)*)),] $($($rest)*)?)
+    };
+    (@list [$($done:expr,)*] $operand:ident $(, $($rest:tt)*)?) => {
+        tree!(@list [$($done,)* Tree::Operand(operand::$operand),] $($($rest)*)?)
+    };
+}
+
+/// The operands by their letters in the table.
+#[expect(non_upper_case_globals, reason = "they are letters of the table")]
+mod operand {
+    pub const a: usize = 0;
+    pub const b: usize = 1;
+    pub const c: usize = 2;
+    pub const d: usize = 3;
+}
+
+/// The words of one lane: the tree as an expression.
+macro_rules! words {
+    ($S:ident $args:ident $lane:ident $op:ident ($($arg:tt)*)) => {
+        Op::$op.lane::<$S>(words!(@list $S $args $lane [] $($arg)*))
+    };
+    (@list $S:ident $args:ident $lane:ident [$x:expr,]) => { [$x, 0, 0] };
+    (@list $S:ident $args:ident $lane:ident [$x:expr, $y:expr,]) => { [$x, $y, 0] };
+    (@list $S:ident $args:ident $lane:ident [$x:expr, $y:expr, $z:expr,]) => { [$x, $y, $z] };
+    (@list $S:ident $args:ident $lane:ident [$($done:expr,)*] $op:ident ($($arg:tt)*) $(, $($rest:tt)*)?) => {
+        words!(@list $S $args $lane
+            [$($done,)* words!($S $args $lane $op ($($arg)*)),] $($($rest)*)?)
+    };
+    (@list $S:ident $args:ident $lane:ident [$($done:expr,)*] $operand:ident $(, $($rest:tt)*)?) => {
+        words!(@list $S $args $lane
+            [$($done,)* $args[operand::$operand][$lane],] $($($rest)*)?)
+    };
+}
+
+macro_rules! fused {
+    ($($(#[doc = $doc:literal])+ $Name:ident = $op:ident ($($arg:tt)*);)*) => {
+        /// An instruction made of several operations.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub(super) enum Fused {
+            $($(#[doc = $doc])+ $Name,)*
+        }
+
+        impl Fused {
+            /// Larger ones before those that they contain.
+            const ALL: &[(Self, Tree)] = &[$((Self::$Name, tree!($op ($($arg)*)))),*];
+
+            /// The operations on 64 lanes. Operands that the tree lacks are not looked at.
+            #[inline(always)]
+            pub fn run<S: Simd>(self, out: &mut U32s, args: [&U32s; OPERANDS]) {
+                match self {
+                    $(Self::$Name => {
+                        for lane in 0..LANES {
+                            out[lane] = words!(S args lane $op ($($arg)*));
+                        }
+                    })*
+                }
+            }
+        }
+    };
+}
+
+fused! {
+    /// Hermite's cubic, `a² (b - c a)`.
+    Smooth = Mul(Mul(a, a), Sub(b, Mul(c, a)));
+    /// GLSL's `mix`, `a (c - d) + b d`.
+    Mix = Add(Mul(a, Sub(c, d)), Mul(b, d));
+    /// `a b + c d`.
+    Dot2 = Add(Mul(a, b), Mul(c, d));
+    /// `a b - c d`.
+    Cross = Sub(Mul(a, b), Mul(c, d));
+    /// `(a b + c) d`.
+    MulAddMul = Mul(Add(Mul(a, b), c), d);
+    /// `(a b) c + d`.
+    MulMulAdd = Add(Mul(Mul(a, b), c), d);
+    /// `(a + b) c + d`.
+    AddMulAdd = Add(Mul(Add(a, b), c), d);
+    /// `(a - b) c + d`.
+    SubMulAdd = Add(Mul(Sub(a, b), c), d);
+    /// `c` where `a < b`, else `d`.
+    LessSelect = SelectF(Less(a, b), c, d);
+    /// `c` where `a <= b`, else `d`.
+    LessEqualSelect = SelectF(LessEqual(a, b), c, d);
+    /// `a` held between `b` and `c`.
+    Clamp = Min(Max(a, b), c);
+    /// `a b + c`, two roundings.
+    MulAdd = Add(Mul(a, b), c);
+    /// `a b - c`.
+    MulSub = Sub(Mul(a, b), c);
+    /// `c - a b`.
+    SubMul = Sub(c, Mul(a, b));
+    /// `(a + b) c`.
+    AddThenMul = Mul(Add(a, b), c);
+    /// `(a - b) c`.
+    SubThenMul = Mul(Sub(a, b), c);
+    /// `a b c`.
+    MulMul = Mul(Mul(a, b), c);
+    /// `a + b + c`.
+    AddAdd = Add(Add(a, b), c);
+    /// The fraction of `a b`.
+    MulFract = Fract(Mul(a, b));
+    /// The fraction of `a + b`.
+    AddFract = Fract(Add(a, b));
+    /// The larger of `a b` and `c`.
+    MulMax = Max(Mul(a, b), c);
+    /// The larger of `a + b` and `c`.
+    AddMax = Max(Add(a, b), c);
+}
+
+/// Replaces trees of operations by fused instructions. The code is over virtual registers, each
+/// temporary written once.
+pub(super) fn run(lowered: &mut Lowered) {
+    let mut definitions = Definitions::of(lowered);
+    for at in (0..lowered.code.len()).rev() {
+        let Inst::Op { out, .. } = lowered.code[at] else { continue };
+        if definitions.taken[at] {
+            continue;
+        }
+        let best = Fused::ALL.iter().find_map(|(fused, tree)| {
+            let mut found = Match::default();
+            found.node(&lowered.code, &definitions, at, tree).then_some((*fused, found))
+        });
+        if let Some((fused, found)) = best {
+            let first = found.operands.iter().flatten().next().copied().unwrap_or(out);
+            let args = found.operands.map(|operand| operand.unwrap_or(first));
+            lowered.code[at] = Inst::Fused { fused, out, args };
+            for inner in found.inner {
+                definitions.taken[inner] = true;
+            }
+        }
+    }
+    super::allocate::compact(&mut lowered.code, &definitions.taken);
+}
+
+/// Where temporaries are made, and whether only one instruction reads them.
+struct Definitions {
+    /// By virtual register.
+    of: Vec<Option<usize>>,
+    reads: Vec<u32>,
+    /// By instruction: the number of jumps, and places that are jumped to, before it.
+    block: Vec<u32>,
+    /// By instruction: whether it has become part of another.
+    taken: Vec<bool>,
+}
+
+impl Definitions {
+    fn of(lowered: &mut Lowered) -> Self {
+        let count = lowered.kinds.len();
+        let (mut of, mut reads) = (vec![None; count], vec![0; count]);
+        let mut block = Vec::with_capacity(lowered.code.len());
+        let mut blocks = 0;
+        for (at, inst) in lowered.code.iter_mut().enumerate() {
+            // Whatever is jumped to stands behind or at one of these.
+            blocks += u32::from(inst.is_control());
+            block.push(blocks);
+            inst.operands(&mut |reg, role| match role {
+                Role::Read => reads[reg.0 as usize] += 1,
+                Role::Write => {
+                    if lowered.kinds[reg.0 as usize] == Kind::Temp {
+                        of[reg.0 as usize] = Some(at);
+                    }
+                }
+            });
+        }
+        Self { of, reads, block, taken: vec![false; lowered.code.len()] }
+    }
+
+    /// The operation of the same straight run of code that makes `reg` for one reader only.
+    fn single(&self, reg: Reg, reader: usize) -> Option<usize> {
+        let at = self.of[reg.0 as usize]?;
+        let free = self.reads[reg.0 as usize] == 1 && !self.taken[at];
+        (free && self.block[at] == self.block[reader]).then_some(at)
+    }
+}
+
+/// A tree that is being recognized.
+#[derive(Clone, Debug, Default)]
+struct Match {
+    operands: [Option<Reg>; OPERANDS],
+    /// The instructions that become part of the one at the root.
+    inner: Vec<usize>,
+}
+
+impl Match {
+    /// Whether the instruction at `at` is this tree's root.
+    fn node(&mut self, code: &[Inst], definitions: &Definitions, at: usize, tree: &Tree) -> bool {
+        let (Tree::Node(wanted, trees), Inst::Op { op, args, .. }) = (tree, &code[at]) else {
+            return false;
+        };
+        if op != wanted {
+            return false;
+        }
+        let before = self.clone();
+        if self.all(code, definitions, at, &args[..trees.len()], trees) {
+            return true;
+        }
+        *self = before;
+        // Which of two NaN comes out of a sum or product is the only thing their order decides.
+        matches!(op, Op::Add | Op::Mul)
+            && self.all(code, definitions, at, &[args[1], args[0]], trees)
+    }
+
+    fn all(
+        &mut self,
+        code: &[Inst],
+        definitions: &Definitions,
+        reader: usize,
+        args: &[Reg],
+        trees: &[Tree],
+    ) -> bool {
+        args.iter().zip(trees).all(|(&reg, tree)| match tree {
+            Tree::Operand(operand) => *self.operands[*operand].get_or_insert(reg) == reg,
+            Tree::Node(..) => definitions.single(reg, reader).is_some_and(|at| {
+                self.inner.push(at);
+                self.node(code, definitions, at, tree)
+            }),
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ir::{Builder, Input, Interpolation, Output, Stage, Value};
+    use crate::shader::Program;
+    use crate::shader::tests::check;
+
+    fn build(b: &mut Builder, tree: &Tree) -> Value {
+        match tree {
+            Tree::Operand(operand) => b.input(Input::Varying(*operand as u16)),
+            Tree::Node(op, trees) => {
+                let args: Vec<Value> = trees.iter().map(|tree| build(b, tree)).collect();
+                b.op(*op, &args)
+            }
+        }
+    }
+
+    #[test]
+    fn every_tree_is_found_and_gives_what_its_operations_give() {
+        for (fused, tree) in Fused::ALL {
+            let mut b = Builder::new(Stage::Fragment);
+            b.module_mut().varyings = vec![Interpolation::Smooth; OPERANDS];
+            let value = build(&mut b, tree);
+            let red = b.output(Output::Color { target: 0, component: 0 });
+            b.store(red, value);
+            let module = b.finish();
+            let program = Program::new(&module, |_| true);
+            assert_eq!(program.code.len(), 1, "{fused:?}: {:?}", program.code);
+            let corners = [0.0, -0.0, 1.0, -2.5, 3.75, 1e30, -1e-30, f32::INFINITY, f32::NAN];
+            check(&module, &[], |input, lane| match input {
+                Input::Varying(slot) => {
+                    let roll = (lane * 7 + 3) * (usize::from(slot) * 5 + 2);
+                    match corners.get(roll % 16) {
+                        Some(corner) => corner.to_bits(),
+                        None => (roll as f32 / 37.0 - 4.0).to_bits(),
+                    }
+                }
+                other => unreachable!("{other:?}"),
+            });
+        }
+    }
+}

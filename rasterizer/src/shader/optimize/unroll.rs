@@ -1,0 +1,191 @@
+//! Loops whose turns can be counted become that many copies of their body.
+//!
+//! A loop is tried out: its statements run on what is known where it begins, until the one `break`
+//! at its outermost level is taken. So any counter, step and condition will do. Loops with other
+//! ways out, or with a `continue`, stay.
+
+use crate::ir::{Block, Expr, Module, Stmt, Value, Var};
+use std::collections::HashMap;
+
+/// How many statements the copies of one loop may have.
+const LARGEST: usize = 1024;
+
+/// The copies of a loop's statements, if it can be unrolled into at most `room` statements.
+/// `known` gives the word of a value that is constant, `variable` that of a variable, where the
+/// loop begins.
+pub(super) fn run(
+    module: &mut Module,
+    [body, continuing]: [&Block; 2],
+    room: usize,
+    known: impl Fn(&Module, Value) -> Option<u32>,
+    variable: impl Fn(&Module, Var) -> Option<u32>,
+) -> Option<Block> {
+    let turn: Vec<&Stmt> = body.iter().chain(continuing).collect();
+    let exit = exit_of(&turn)?;
+    let mut size = 0;
+    turn.iter().for_each(|stmt| stmt.walk(&mut |_| size += 1));
+    let turns =
+        Trial { module, known, variable, values: HashMap::new(), variables: HashMap::new() }
+            .turns(&turn, exit, LARGEST.min(room) / size)?;
+    let mut out = Vec::with_capacity(turns * turn.len() + exit);
+    for at in 0..=turns {
+        let mut copy = Copy { module, of: HashMap::new() };
+        let end = if at == turns { exit } else { turn.len() };
+        for (place, stmt) in turn[..end].iter().enumerate() {
+            if place != exit {
+                out.push(copy.stmt(stmt));
+            }
+        }
+    }
+    Some(out)
+}
+
+/// Where the only `break` of a loop stands, if nothing else cuts its turns short.
+fn exit_of(turn: &[&Stmt]) -> Option<usize> {
+    let mut exit = None;
+    for (at, stmt) in turn.iter().enumerate() {
+        match stmt {
+            Stmt::If { accept: a, reject: b, .. }
+                if matches!((&a[..], &b[..]), ([Stmt::Break], []) | ([], [Stmt::Break])) =>
+            {
+                if exit.replace(at).is_some() {
+                    return None;
+                }
+            }
+            _ if cuts(stmt) => return None,
+            _ => {}
+        }
+    }
+    exit
+}
+
+/// Whether a statement holds a `break` or `continue` of the loop that it stands in.
+fn cuts(stmt: &Stmt) -> bool {
+    match stmt {
+        Stmt::Break | Stmt::Continue => true,
+        Stmt::Loop { .. }
+        | Stmt::Eval(_)
+        | Stmt::Store { .. }
+        | Stmt::StoreAt { .. }
+        | Stmt::Leave
+        | Stmt::Discard => false,
+        Stmt::If { .. } | Stmt::Scope(_) => stmt.blocks().flatten().any(cuts),
+    }
+}
+
+/// A loop that is run on what is known.
+struct Trial<'a, K, V> {
+    module: &'a Module,
+    known: K,
+    variable: V,
+    /// What this turn's values are.
+    values: HashMap<Value, Option<u32>>,
+    /// What the loop has stored.
+    variables: HashMap<Var, Option<u32>>,
+}
+
+impl<K, V> Trial<'_, K, V>
+where
+    K: Fn(&Module, Value) -> Option<u32>,
+    V: Fn(&Module, Var) -> Option<u32>,
+{
+    /// How many whole turns there are, if at most `most`.
+    fn turns(mut self, turn: &[&Stmt], exit: usize, most: usize) -> Option<usize> {
+        for turns in 0..=most {
+            for (at, stmt) in turn.iter().enumerate() {
+                match stmt {
+                    Stmt::If { condition, accept, .. } if at == exit => {
+                        let holds = self.value(*condition)? != 0;
+                        if holds != accept.is_empty() {
+                            return Some(turns);
+                        }
+                    }
+                    Stmt::Eval(value) => {
+                        let word = self.eval(*value);
+                        self.values.insert(*value, word);
+                    }
+                    Stmt::Store { var, value } => {
+                        let word = self.value(*value);
+                        self.variables.insert(*var, word);
+                    }
+                    _ => stmt.walk(&mut |stmt| {
+                        if let Stmt::Store { var, .. } = stmt {
+                            self.variables.insert(*var, None);
+                        }
+                    }),
+                }
+            }
+        }
+        None
+    }
+
+    fn value(&self, value: Value) -> Option<u32> {
+        self.values.get(&value).copied().unwrap_or_else(|| (self.known)(self.module, value))
+    }
+
+    fn eval(&self, value: Value) -> Option<u32> {
+        match self.module.expr(value) {
+            Expr::Load(var) => {
+                let stored = self.variables.get(var).copied();
+                stored.unwrap_or_else(|| (self.variable)(self.module, *var))
+            }
+            Expr::Op { op, args } => {
+                let mut words = [0; 3];
+                for (word, arg) in words.iter_mut().zip(&args[..op.args().len()]) {
+                    *word = self.value(*arg)?;
+                }
+                Some(op.eval(words))
+            }
+            Expr::Const { .. }
+            | Expr::Input(_)
+            | Expr::Uniform { .. }
+            | Expr::UniformAt { .. }
+            | Expr::LoadAt { .. }
+            | Expr::Derivative { .. }
+            | Expr::Sample(_)
+            | Expr::Component { .. } => self.value(value),
+        }
+    }
+}
+
+/// A copy of a turn, with values of its own.
+struct Copy<'a> {
+    module: &'a mut Module,
+    of: HashMap<Value, Value>,
+}
+
+impl Copy<'_> {
+    fn value(&self, value: Value) -> Value {
+        self.of.get(&value).copied().unwrap_or(value)
+    }
+
+    fn block(&mut self, block: &Block) -> Block {
+        block.iter().map(|stmt| self.stmt(stmt)).collect()
+    }
+
+    fn stmt(&mut self, stmt: &Stmt) -> Stmt {
+        match stmt {
+            Stmt::Eval(value) => {
+                let expr = self.module.expr(*value).map(&mut |operand| self.value(operand));
+                let copy = Value(self.module.values.len() as u32);
+                self.module.values.push(expr);
+                self.of.insert(*value, copy);
+                Stmt::Eval(copy)
+            }
+            Stmt::Store { var, value } => Stmt::Store { var: *var, value: self.value(*value) },
+            Stmt::StoreAt { var, index, value } => {
+                Stmt::StoreAt { var: *var, index: self.value(*index), value: self.value(*value) }
+            }
+            Stmt::If { condition, accept, reject } => Stmt::If {
+                condition: self.value(*condition),
+                accept: self.block(accept),
+                reject: self.block(reject),
+            },
+            Stmt::Loop { body, continuing } => {
+                Stmt::Loop { body: self.block(body), continuing: self.block(continuing) }
+            }
+            Stmt::Scope(body) => Stmt::Scope(self.block(body)),
+            Stmt::Break | Stmt::Continue | Stmt::Leave | Stmt::Discard => stmt.clone(),
+        }
+    }
+}
