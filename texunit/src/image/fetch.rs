@@ -92,11 +92,11 @@ mod tests {
                 let at = [0, 1, 2].map(|axis| U32s::from_fn(|lane| place(lane)[axis]));
                 for isa in Isa::available() {
                     let got = isa.run(Fetch(&level, [&at[0], &at[1], &at[2]]));
-                    for lane in 0..LANES {
-                        let from = [0, 1, 2].map(|a| place(lane)[a] as i32 - border[a] as i32);
-                        let want = level.channels_at(from).unwrap();
-                        for c in 0..format.channels() {
-                            assert_eq!(got[c][lane].to_bits(), want[c].to_bits(), "{format:?}");
+                    for (c, got) in got.iter().enumerate().take(format.channels()) {
+                        for lane in 0..LANES {
+                            let from = [0, 1, 2].map(|a| place(lane)[a] as i32 - border[a] as i32);
+                            let want = level.channels_at(from).unwrap()[c];
+                            assert_eq!(got[lane].to_bits(), want.to_bits(), "{format:?}");
                         }
                     }
                 }
