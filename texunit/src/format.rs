@@ -5,6 +5,7 @@
 //! and [`block`].
 
 pub mod block;
+pub mod client;
 pub mod convert;
 pub mod integer;
 pub mod shared_exponent;
@@ -252,6 +253,20 @@ impl Format {
                 | Encoding::Block(_)
                 | Encoding::SrgbBlock(_) => false,
             }
+    }
+
+    /// Whether every channel is a byte over 255, one after the other.
+    #[inline(always)]
+    pub const fn is_bytes(self) -> bool {
+        let channels = self.channels();
+        let mut channel = 0;
+        while channel < channels {
+            if !self.is_byte_channel(channel) {
+                return false;
+            }
+            channel += 1;
+        }
+        true
     }
 
     /// Bits of a stored channel; of a compressed format, those of a decoded texel.

@@ -121,6 +121,69 @@ mod tests {
     }
 
     #[test]
+    fn a_border_is_stored_where_it_lies() {
+        let border = Shape::D3.border(1);
+        let mut level = Level::with_size(Format::Rg8, [2, 1, 1], border).unwrap();
+        assert_eq!(level.stored_size(), [4, 3, 3]);
+        assert_eq!([level.row_bytes(), level.slice_bytes()], [8, 24]);
+        assert_eq!(level.origin(), 24 + 8 + 2);
+        let all: Vec<u8> = (0..72).collect();
+        level.write_box([-1; 3], [4, 3, 3], &all).unwrap();
+        assert_eq!(level.texel(0, 0), [34, 35]);
+        assert_eq!(level.texel_at([2, 1, 1]), [70, 71]);
+        assert_eq!(level.texel(2, 0), [] as [u8; 0]);
+        assert_eq!(level.texel_at([3, 0, 0]), [] as [u8; 0]);
+        let outside = level.write_box([-2, 0, 0], [1; 3], &all).unwrap_err();
+        assert!(matches!(outside, ImageError::Outside { .. }));
+        let wide = Level::with_size(Format::L8, [2, 2, 1], [2, 0, 0]).unwrap_err();
+        assert_eq!(wide, ImageError::WrongBorder { border: [2, 0, 0] });
+    }
+
+    #[test]
+    fn compressed_levels_are_written_in_whole_blocks() {
+        let mut level = Level::new(Format::Dxt1Rgb, 10, 6).unwrap();
+        assert_eq!([level.row_bytes(), level.slice_bytes()], [24, 48]);
+        level.write(4, 0, 6, 4, &[7; 16]).unwrap();
+        assert_eq!(level.texel(9, 3), [7; 8]);
+        assert_eq!(level.texel(3, 3), [0; 8]);
+        for (at, size) in [([2, 0], [4, 4]), ([0, 0], [5, 4]), ([0, 4], [4, 1])] {
+            let cut = level.write(at[0], at[1], size[0], size[1], &[0; 64]);
+            assert!(matches!(cut, Err(ImageError::CutsBlocks { .. })), "{at:?}");
+        }
+        level.fill(|[x, _, _]| if x < 4 { [1.0, 0.0, 0.0, 1.0] } else { [0.0, 0.0, 1.0, 1.0] });
+        assert_eq!(level.color_at([3, 5, 0]), Some([1.0, 0.0, 0.0, 1.0]));
+        level.put(9, 5, [1.0; 4]);
+        assert_eq!(level.color_at([9, 5, 0]), Some([1.0; 4]));
+        assert_eq!(level.color_at([8, 5, 0]), Some([0.0, 0.0, 1.0, 1.0]));
+    }
+
+    #[test]
+    fn what_a_level_would_take_is_known_without_taking_it() {
+        let bytes = Level::required_bytes;
+        assert_eq!(bytes(Format::Rgba8, MAX_SIZE, MAX_SIZE, 1), Some(MAX_LEVEL_BYTES));
+        assert_eq!(bytes(Format::Rgba16F, MAX_SIZE, MAX_SIZE, 1), None);
+        assert_eq!(bytes(Format::Rgba16F, MAX_SIZE_3D, MAX_SIZE_3D, MAX_SIZE_3D), Some(1 << 30));
+        assert_eq!(bytes(Format::Rgba32F, MAX_SIZE_3D, MAX_SIZE_3D, MAX_SIZE_3D), None);
+        assert_eq!(bytes(Format::Dxt5, 5, 4, 3), Some(2 * 16 * 3));
+        assert_eq!(bytes(Format::A8, u32::MAX, u32::MAX, u32::MAX), None);
+    }
+
+    #[test]
+    fn a_shape_takes_only_sizes_and_borders_of_its_own() {
+        let set = |shape, size, border| {
+            Image::new(shape).set_level(0, 0, Level::with_size(Format::L8, size, border).unwrap())
+        };
+        assert!(set(Shape::D1, [4, 1, 1], [1, 0, 0]).is_ok());
+        assert!(matches!(set(Shape::D1, [4, 2, 1], [0; 3]), Err(ImageError::TooLarge { .. })));
+        assert!(matches!(set(Shape::D2, [4, 2, 2], [0; 3]), Err(ImageError::TooLarge { .. })));
+        assert!(set(Shape::D3, [512, 1, 512], [1; 3]).is_ok());
+        assert!(matches!(set(Shape::D3, [513, 1, 1], [0; 3]), Err(ImageError::TooLarge { .. })));
+        let wrong = Err(ImageError::WrongBorder { border: [1, 1, 0] });
+        assert_eq!(set(Shape::Rect, [4, 4, 1], [1, 1, 0]), wrong);
+        assert_eq!(set(Shape::D2Array, [4, 4, 7], [1, 1, 0]), Ok(()));
+    }
+
+    #[test]
     fn writing_copies_what_another_image_still_reads() {
         let mut image = Image::new(Shape::D2);
         image.set_level(0, 2, Level::new(Format::L8, 1, 1).unwrap()).unwrap();

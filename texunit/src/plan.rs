@@ -77,8 +77,7 @@ impl Way {
             Shape::Cube => seamless == Seamless::Off,
             Shape::D1 | Shape::D3 | Shape::D1Array | Shape::D2Array => false,
         };
-        let bytes = (0..format.channels()).all(|channel| format.is_byte_channel(channel));
-        if flat && bytes && compare.is_none() { Self::Plain } else { Self::General }
+        if flat && format.is_bytes() && compare.is_none() { Self::Plain } else { Self::General }
     }
 }
 
@@ -202,6 +201,15 @@ impl SamplePlan {
 
 /// What an incomplete texture gives (GL 2.1, section 3.11.2).
 const OPAQUE_BLACK: [F32s; 4] = [F32s::ZERO, F32s::ZERO, F32s::ZERO, F32s::splat(1.0)];
+
+#[cfg(test)]
+impl SamplePlan {
+    /// The same plan without its quicker kernels.
+    pub(crate) fn general(&self) -> Self {
+        let way = Way::General;
+        Self(self.0.clone().map(|texture| Texture { way, ..texture }))
+    }
+}
 
 impl Texture {
     fn new(image: &Image, sampler: &Sampler) -> Result<Self, Incomplete> {

@@ -4,65 +4,9 @@
 
 use super::client::{ClientFormat, ClientType, Layout};
 use crate::framebuffer::Region;
-use crate::state::viewport::unit;
-use texunit::format::{BaseFormat, Format};
+use texunit::format::client::{read_channel, write_texel};
+use texunit::format::{BaseFormat, Encoding, Format};
 use texunit::image::Level;
-
-/// How many channels a texel stores, and which of R, G, B, A each takes (GL 2.1, table 3.15).
-fn sources(base: BaseFormat) -> &'static [usize] {
-    base.sources()
-}
-
-/// A channel of a stored texel as a number; depth and unsigned normalized alike.
-fn read_channel(format: Format, texel: &[u8], channel: usize) -> f64 {
-    match format {
-        Format::D16 => f64::from(u16::from_le_bytes([texel[0], texel[1]])) / 65_535.0,
-        Format::D24 => {
-            f64::from(u32::from_le_bytes([texel[0], texel[1], texel[2], 0])) / 16_777_215.0
-        }
-        Format::D32F => f64::from(f32::from_le_bytes([texel[0], texel[1], texel[2], texel[3]])),
-        Format::A8
-        | Format::L8
-        | Format::La8
-        | Format::I8
-        | Format::R8
-        | Format::Rg8
-        | Format::Rgb8
-        | Format::Rgba8
-        | Format::Srgb8
-        | Format::Srgb8A8
-        | Format::Sl8
-        | Format::Sl8A8 => f64::from(texel[channel]) / 255.0,
-    }
-}
-
-/// The bytes of a texel that holds R, G, B, A (depth as R), clamped to [0, 1].
-fn encode(format: Format, rgba: [f64; 4]) -> [u8; 4] {
-    let unorm = |value: f64, largest: f64| (unit(value) * largest).round_ties_even() as u32;
-    match format {
-        Format::D16 => unorm(rgba[0], 65_535.0).to_le_bytes(),
-        Format::D24 => unorm(rgba[0], 16_777_215.0).to_le_bytes(),
-        Format::D32F => (unit(rgba[0]) as f32).to_le_bytes(),
-        Format::A8
-        | Format::L8
-        | Format::La8
-        | Format::I8
-        | Format::R8
-        | Format::Rg8
-        | Format::Rgb8
-        | Format::Rgba8
-        | Format::Srgb8
-        | Format::Srgb8A8
-        | Format::Sl8
-        | Format::Sl8A8 => {
-            let mut texel = [0; 4];
-            for (byte, &source) in texel.iter_mut().zip(sources(format.base())) {
-                *byte = unorm(rgba[source], 255.0) as u8;
-            }
-            texel
-        }
-    }
-}
 
 /// A stored texel as R, G, B, A, as queries see it (GL 2.1, table 6.1): luminance and intensity as
 /// R alone.
@@ -83,18 +27,19 @@ fn decode(format: Format, texel: &[u8]) -> [f64; 4] {
 /// Whether bytes can be copied as they are.
 fn is_same(layout: &Layout, format: Format) -> bool {
     layout.ty == ClientType::U8
-        && match format {
-            Format::Rgba8 | Format::Srgb8A8 => layout.format == ClientFormat::Rgba,
-            Format::Rgb8 | Format::Srgb8 => layout.format == ClientFormat::Rgb,
-            Format::R8 => layout.format == ClientFormat::Red,
-            Format::Rg8 => layout.format == ClientFormat::Rg,
-            Format::A8 => layout.format == ClientFormat::Alpha,
-            Format::L8 | Format::Sl8 => {
+        && format.bytes() == format.channels()
+        && matches!(format.info().encoding, Encoding::Unorm | Encoding::Srgb)
+        && match format.base() {
+            BaseFormat::Rgba => layout.format == ClientFormat::Rgba,
+            BaseFormat::Rgb => layout.format == ClientFormat::Rgb,
+            BaseFormat::Red => layout.format == ClientFormat::Red,
+            BaseFormat::Rg => layout.format == ClientFormat::Rg,
+            BaseFormat::Alpha => layout.format == ClientFormat::Alpha,
+            BaseFormat::Luminance | BaseFormat::Intensity => {
                 matches!(layout.format, ClientFormat::Luminance | ClientFormat::Red)
             }
-            Format::La8 | Format::Sl8A8 => layout.format == ClientFormat::LuminanceAlpha,
-            Format::I8 => matches!(layout.format, ClientFormat::Luminance | ClientFormat::Red),
-            Format::D16 | Format::D24 | Format::D32F => false,
+            BaseFormat::LuminanceAlpha => layout.format == ClientFormat::LuminanceAlpha,
+            BaseFormat::Depth => false,
         }
 }
 
@@ -120,7 +65,7 @@ pub(crate) fn unpack(layout: &Layout, bytes: &[u8], format: Format) -> Vec<u8> {
                 }
                 *value = layout.ty.read(word);
             }
-            texels.extend_from_slice(&encode(format, layout.format.expand(values))[..size]);
+            texels.extend_from_slice(&write_texel(format, layout.format.expand(values))[..size]);
         }
     }
     texels
@@ -163,6 +108,6 @@ pub(crate) fn transcode(from: Format, texels: &[u8], to: Format) -> Vec<u8> {
     }
     texels
         .chunks_exact(from.bytes())
-        .flat_map(|texel| encode(to, decode(from, texel)).into_iter().take(to.bytes()))
+        .flat_map(|texel| write_texel(to, decode(from, texel)).into_iter().take(to.bytes()))
         .collect()
 }

@@ -77,24 +77,13 @@ pub(crate) fn component_bits(format: Format, component: Component) -> i32 {
         Component::Intensity => matches!(base, Intensity),
         Component::Depth => matches!(base, Depth),
     };
-    match format {
-        _ if !there => 0,
-        Format::D16 => 16,
-        Format::D24 => 24,
-        Format::D32F => 32,
-        Format::A8
-        | Format::L8
-        | Format::La8
-        | Format::I8
-        | Format::R8
-        | Format::Rg8
-        | Format::Rgb8
-        | Format::Rgba8
-        | Format::Srgb8
-        | Format::Srgb8A8
-        | Format::Sl8
-        | Format::Sl8A8 => 8,
-    }
+    let channel = match component {
+        Component::Red | Component::Luminance | Component::Intensity | Component::Depth => 0,
+        Component::Green => 1,
+        Component::Blue => 2,
+        Component::Alpha => format.channels() - 1,
+    };
+    if there { format.channel_bits(channel) as i32 } else { 0 }
 }
 
 /// A component that has a size.

@@ -162,5 +162,16 @@ pub(crate) fn checked_level(section: &'static str, level: GLint) -> Result<usize
 
 /// What an image that cannot be stored means to the client.
 pub(crate) fn storage_error(section: &'static str, error: &ImageError) -> GlError {
-    GlError { code: ErrorCode::OutOfMemory, rule: error.to_string(), section }
+    let code = match error {
+        ImageError::NoMean { .. } => ErrorCode::InvalidOperation,
+        ImageError::TooLarge { .. }
+        | ImageError::OutOfMemory { .. }
+        | ImageError::WrongBorder { .. }
+        | ImageError::TooShort { .. }
+        | ImageError::Outside { .. }
+        | ImageError::CutsBlocks { .. }
+        | ImageError::NoSuchLevel { .. }
+        | ImageError::Missing { .. } => ErrorCode::OutOfMemory,
+    };
+    GlError { code, rule: error.to_string(), section }
 }

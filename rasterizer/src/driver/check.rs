@@ -3,7 +3,7 @@
 use super::command::{ClearValue, Command};
 use super::device::SubmitError;
 use super::image::PassDesc;
-use crate::output::DepthFormat;
+use crate::target::is_attachable;
 
 /// Checks the order and the ranges of commands.
 pub fn check(commands: &[Command]) -> Result<(), SubmitError> {
@@ -90,7 +90,7 @@ fn check_pass(desc: &PassDesc) -> Result<(), String> {
                 desc.width, desc.height
             ));
         }
-        if DepthFormat::of(format).is_some() != (kind == "depth") {
+        if format.is_depth() != (kind == "depth") || !is_attachable(format) {
             return Err(format!("BeginPass: {format:?} is no format of a {kind} attachment"));
         }
     }

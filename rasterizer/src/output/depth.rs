@@ -20,24 +20,13 @@ pub enum DepthFormat {
 impl DepthFormat {
     /// The depth format of an attachment, if it is one.
     pub fn of(format: Format) -> Option<Self> {
-        match format {
-            Format::D16 => Some(Self::D16),
-            Format::D24 => Some(Self::D24),
-            Format::D32F => Some(Self::D32F),
-            Format::A8
-            | Format::L8
-            | Format::La8
-            | Format::I8
-            | Format::R8
-            | Format::Rg8
-            | Format::Rgb8
-            | Format::Rgba8
-            | Format::Srgb8
-            | Format::Srgb8A8
-            | Format::Sl8
-            | Format::Sl8A8 => None,
-        }
+        let row = Self::FORMATS.iter().find(|(stored, _)| *stored == format);
+        row.map(|&(_, depth)| depth)
     }
+
+    /// What can be tested and written; other depth formats are only sampled.
+    const FORMATS: [(Format, Self); 3] =
+        [(Format::D16, Self::D16), (Format::D24, Self::D24), (Format::D32F, Self::D32F)];
 
     /// The smallest resolvable difference; `None` where it depends on the value.
     pub fn resolution(self) -> Option<f64> {

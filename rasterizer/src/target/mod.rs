@@ -2,5 +2,5 @@
 
 mod surface;
 
-pub(crate) use surface::stored_components;
 pub use surface::{Plane, Surface, TILE};
+pub(crate) use surface::{is_attachable, stored_components};

@@ -9,8 +9,9 @@
 //! them; a depth word is the integer of D16 or D24, or the bits of D32F. (Depth is never negative,
 //! so the bits of two floats compare as the floats do.)
 
+use crate::output::DepthFormat;
 use rayon::prelude::*;
-use texunit::format::{BaseFormat, Format};
+use texunit::format::{BaseFormat, Encoding, Format};
 use texunit::image::Level;
 use texunit::lanes::{LANES, U32s, lane_x, lane_y};
 
@@ -71,19 +72,25 @@ impl Surface {
         self.width.div_ceil(TILE)
     }
 
-    /// The texels of a level, in tiles.
+    /// The texels of a level, in tiles. Only of its first slice, without border; zeros where the
+    /// format has no attachment layout, which a command buffer with such an attachment is refused
+    /// for.
     pub fn from_level(level: &Level) -> Self {
         let across = level.width.div_ceil(TILE);
         let up = level.height.div_ceil(TILE);
         let size = level.format.bytes();
-        let row_bytes = level.width as usize * size;
+        let (row_bytes, origin) = (level.row_bytes(), level.origin());
+        let attachable = is_attachable(level.format);
         let planes = (0..across * up)
             .into_par_iter()
             .map(|tile| {
+                if !attachable {
+                    return Plane::Cleared(0);
+                }
                 let (x0, y0) = (tile % across * TILE, tile / across * TILE);
                 let mut words = vec![U32s::ZERO; BLOCKS];
                 for y in 0..TILE.min(level.height - y0) {
-                    let row = &level.texels[(y0 + y) as usize * row_bytes..][..row_bytes];
+                    let row = &level.texels[origin + (y0 + y) as usize * row_bytes..];
                     for x in 0..TILE.min(level.width - x0) {
                         let texel = &row[(x0 + x) as usize * size..][..size];
                         let block = (y / 8 * 8 + x / 8) as usize;
@@ -100,11 +107,14 @@ impl Surface {
     /// Writes the tiles back into the rows of the level they came from.
     pub fn store(&self, level: &mut Level) {
         debug_assert_eq!((self.width, self.height), (level.width, level.height));
+        if !is_attachable(self.format) {
+            return;
+        }
         let size = self.format.bytes();
-        let row_bytes = self.width as usize * size;
+        let (row_bytes, origin) = (level.row_bytes(), level.origin());
         let across = self.tiles_across() as usize;
-        let used = row_bytes * self.height as usize;
-        for (y, row) in level.texels[..used].chunks_exact_mut(row_bytes).enumerate() {
+        for y in 0..self.height as usize {
+            let row = &mut level.texels[origin + y * row_bytes..][..self.width as usize * size];
             let planes = &self.planes[y / TILE as usize * across..][..across];
             for (texels, plane) in row.chunks_mut(TILE as usize * size).zip(planes) {
                 store_row(self.format, plane, y % TILE as usize, texels);
@@ -135,34 +145,47 @@ fn store_row(format: Format, plane: &Plane, y: usize, row: &mut [u8]) {
     }
 }
 
-/// A texel as a word of the attachment layout. Components that the format lacks are 0, alpha 1.
+/// Whether levels of this format have an attachment layout: colour channels that are bytes, sRGB
+/// or not, and depth that is one word.
+pub(crate) fn is_attachable(format: Format) -> bool {
+    if format.is_depth() {
+        return DepthFormat::of(format).is_some();
+    }
+    format.bytes() == format.channels()
+        && matches!(format.info().encoding, Encoding::Unorm | Encoding::Srgb)
+}
+
+/// A texel of an attachable format as a word of the attachment layout. Components that the format
+/// lacks are 0, alpha 1.
 #[inline]
 fn word_of(format: Format, t: &[u8]) -> u32 {
     let rgba = |r, g, b, a| u32::from_le_bytes([r, g, b, a]);
-    match format {
-        Format::A8 => rgba(0, 0, 0, t[0]),
-        Format::L8 | Format::Sl8 | Format::R8 => rgba(t[0], 0, 0, 255),
-        Format::I8 => rgba(t[0], 0, 0, t[0]),
-        Format::La8 | Format::Sl8A8 => rgba(t[0], 0, 0, t[1]),
-        Format::Rg8 => rgba(t[0], t[1], 0, 255),
-        Format::Rgb8 | Format::Srgb8 => rgba(t[0], t[1], t[2], 255),
-        Format::Rgba8 | Format::Srgb8A8 => rgba(t[0], t[1], t[2], t[3]),
-        Format::D16 => u32::from(u16::from_le_bytes([t[0], t[1]])),
-        Format::D24 | Format::D32F => u32::from_le_bytes([t[0], t[1], t[2], t[3]]),
+    match format.base() {
+        BaseFormat::Alpha => rgba(0, 0, 0, t[0]),
+        BaseFormat::Luminance | BaseFormat::Red => rgba(t[0], 0, 0, 255),
+        BaseFormat::Intensity => rgba(t[0], 0, 0, t[0]),
+        BaseFormat::LuminanceAlpha => rgba(t[0], 0, 0, t[1]),
+        BaseFormat::Rg => rgba(t[0], t[1], 0, 255),
+        BaseFormat::Rgb => rgba(t[0], t[1], t[2], 255),
+        BaseFormat::Rgba => rgba(t[0], t[1], t[2], t[3]),
+        BaseFormat::Depth if t.len() == 2 => u32::from(u16::from_le_bytes([t[0], t[1]])),
+        BaseFormat::Depth => rgba(t[0], t[1], t[2], t[3]),
     }
 }
 
-/// A word of the attachment layout as a texel. Luminance and intensity take red (GL 2.1, table 3.15).
+/// A word of the attachment layout as a texel of an attachable format. Luminance and intensity
+/// take red (GL 2.1, table 3.15).
 #[inline]
 fn texel_of(format: Format, word: u32, t: &mut [u8]) {
     let b = word.to_le_bytes();
-    match format {
-        Format::A8 => t[0] = b[3],
-        Format::L8 | Format::Sl8 | Format::R8 | Format::I8 => t[0] = b[0],
-        Format::La8 | Format::Sl8A8 => t.copy_from_slice(&[b[0], b[3]]),
-        Format::Rg8 | Format::D16 => t.copy_from_slice(&b[..2]),
-        Format::Rgb8 | Format::Srgb8 => t.copy_from_slice(&b[..3]),
-        Format::Rgba8 | Format::Srgb8A8 | Format::D24 | Format::D32F => t.copy_from_slice(&b),
+    match format.base() {
+        BaseFormat::Alpha => t[0] = b[3],
+        BaseFormat::Luminance | BaseFormat::Red | BaseFormat::Intensity => t[0] = b[0],
+        BaseFormat::LuminanceAlpha => t.copy_from_slice(&[b[0], b[3]]),
+        BaseFormat::Rg => t.copy_from_slice(&b[..2]),
+        BaseFormat::Rgb => t.copy_from_slice(&b[..3]),
+        BaseFormat::Rgba => t.copy_from_slice(&b),
+        BaseFormat::Depth => t.copy_from_slice(&b[..t.len()]),
     }
 }
 

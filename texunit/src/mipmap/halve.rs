@@ -40,6 +40,11 @@ impl Cover {
         (self.first..).zip(self.weights.map(f64::from)).filter(|&(_, weight)| weight > 0.0)
     }
 
+    /// Whether one texel is covered.
+    fn is_alone(self) -> bool {
+        self.weights == [1, 0, 0]
+    }
+
     /// Whether two texels are covered alike.
     fn is_pair(self) -> bool {
         self.weights == [1, 1, 0]
@@ -64,7 +69,7 @@ impl Kernel for Halve<'_> {
         let format = from.format;
         let channels = format.channels();
         let (row_bytes, slice_bytes) = (from.row_bytes(), from.slice_bytes());
-        let pairs = is_bytes(format) && columns.iter().all(|column| column.is_pair());
+        let pairs = format.is_bytes() && columns.iter().all(|column| column.is_pair());
         let mut sums = vec![0.0; from.stored_size()[0] as usize * channels];
         let mut means = vec![0.0; columns.len() * channels];
         let to_row = to.row_bytes();
@@ -76,7 +81,7 @@ impl Kernel for Halve<'_> {
                 let texels = |z: usize, y: usize| {
                     &from.texels[z * slice_bytes + y * row_bytes..][..row_bytes]
                 };
-                if pairs && slice.weights == [1, 0, 0] && (row.is_pair() || rows.len() == 1) {
+                if pairs && slice.is_alone() && (row.is_pair() || row.is_alone()) {
                     let lower = texels(slice.first, row.first);
                     // A single row counts twice, which leaves its mean.
                     let second = if row.is_pair() { row.first + 1 } else { row.first };
@@ -106,12 +111,6 @@ impl Kernel for Halve<'_> {
             }
         }
     }
-}
-
-/// Whether every channel is a byte over 255.
-#[inline(always)]
-fn is_bytes(format: Format) -> bool {
-    (0..format.channels()).all(|channel| format.is_byte_channel(channel))
 }
 
 /// The means of 2×2 texels of byte channels, halves up: what the general path gives. `N` channels,
@@ -233,7 +232,7 @@ fn along_row<const N: usize>(columns: &[Cover], across: f64, sums: &[f64], means
 /// 1/2 and taking the integer part rounds halves up exactly.
 #[inline(always)]
 fn store(format: Format, means: &[f64], out: &mut [u8]) {
-    if is_bytes(format) {
+    if format.is_bytes() {
         for (byte, mean) in out.iter_mut().zip(means) {
             *byte = (mean + 0.5) as u8;
         }

@@ -26,11 +26,15 @@ fn noise(format: Format, size: [u32; 3], border: [u32; 3], seed: u32) -> Level {
 
 /// How much of texel `x` of `size` lies in texel `i` of `half`, along one axis with a border.
 fn overlap(size: u32, half: u32, i: i32, x: i32) -> f64 {
-    let outside = |at: i32, size: u32| at < 0 || at >= size as i32;
-    if outside(i, half) || outside(x, size) || half == size {
+    let (low, high) = (i < 0 || x < 0, i >= half as i32 || x >= size as i32);
+    if half == size || low || high {
         // A border belongs to the border on its own side.
-        let same_end = i == x || (i == half as i32 && x == size as i32);
-        return if same_end { 1.0 } else { 0.0 };
+        let same = if half == size {
+            i == x
+        } else {
+            (i < 0 && x < 0) || (i >= half as i32 && x >= size as i32)
+        };
+        return if same { 1.0 } else { 0.0 };
     }
     let scale = f64::from(size) / f64::from(half);
     let (from, to) = (f64::from(i) * scale, f64::from(i + 1) * scale);

@@ -36,7 +36,9 @@ pub fn encode(format: Format, texels: &[[f32; 4]; 16]) -> [u8; 16] {
     }
     if let Some((palette, first)) = has_colors {
         let transparent = match palette {
-            Palette::ByOrder if sources.len() == 4 => texels.map(|texel| !(texel[3] >= 0.5)),
+            Palette::ByOrder if sources.len() == 4 => {
+                texels.map(|texel| texel[3].is_nan() || texel[3] < 0.5)
+            }
             Palette::ByOrder | Palette::Four => [false; 16],
         };
         let colors = texels.map(|[r, g, b, _]| {

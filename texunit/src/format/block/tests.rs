@@ -134,7 +134,10 @@ fn every_texel_is_the_nearest_float_to_the_extensions_formula() {
                     // The oracle's own roundings may fall on the other side of a tie.
                     let error = (f64::from(got[c]) - want[c]).abs();
                     let half_ulp = f64::from(f32::EPSILON) / 2.0 * want[c].abs();
-                    assert!(error <= half_ulp * 1.000_001, "{format:?} {block:x?} {at} {c}");
+                    assert!(
+                        error <= half_ulp * 1.000_001 + 1e-15,
+                        "{format:?} {block:x?} {at} {c}"
+                    );
                 }
             }
         }
@@ -188,7 +191,7 @@ fn a_block_of_one_colour_that_the_format_holds_is_exact() {
                 Block::Dxt5 => [part(0, 31), part(8, 63), part(16, 31), part(24, 255)],
                 Block::Rgtc1 | Block::Rgtc2 => [part(0, 255), part(8, 255), 0.0, 1.0],
                 Block::Rgtc1Snorm | Block::Rgtc2Snorm => {
-                    let signed = |shift| (bits >> shift & 255) as u8 as i8;
+                    let signed = |shift: u32| (bits >> shift) as u8 as i8;
                     [signed(0), signed(8), 0, 127].map(|c| (f32::from(c) / 127.0).max(-1.0))
                 }
             };
@@ -224,7 +227,7 @@ fn a_ramp_is_kept_within_a_step_of_its_line() {
             for &source in format.base().sources() {
                 // Half of a third of the line, and the rounding of its ends.
                 let bound = if format == Format::Dxt1Rgba && source == 3 { 0.5 } else { 0.14 };
-                assert!((got[source] - texel[source]).abs() < bound, "{format:?} {at} {source}");
+                assert!((got[source] - texel[source]).abs() <= bound, "{format:?} {at} {source}");
             }
         }
     }

@@ -131,7 +131,7 @@ fn every_texel_value_survives_a_round_trip() {
             let exact = match format.info().encoding {
                 Encoding::Unorm | Encoding::Srgb => format != Format::D32,
                 Encoding::Snorm | Encoding::SharedExponent | Encoding::Float => false,
-                Encoding::Uint | Encoding::Sint => !format.channel_bits(0).eq(&32),
+                Encoding::Uint | Encoding::Sint => format.channel_bits(0) < 32,
                 Encoding::Block(_) | Encoding::SrgbBlock(_) => false,
             };
             if exact {
@@ -140,7 +140,9 @@ fn every_texel_value_survives_a_round_trip() {
                 let first = decode_channels(format, &texel);
                 for channel in 0..format.channels() {
                     let (a, b) = (first[channel], channels[channel]);
-                    assert!(a == b || a.is_nan() && b.is_nan(), "{format:?} {a} {b}");
+                    // The largest 32-bit integers have no `f32` of their own.
+                    let near = format.is_integer() && (a - b).abs() <= a.abs() * f32::EPSILON;
+                    assert!(a == b || near || a.is_nan() && b.is_nan(), "{format:?} {a} {b}");
                 }
             }
         }
