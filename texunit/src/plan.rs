@@ -202,6 +202,15 @@ impl SamplePlan {
 /// What an incomplete texture gives (GL 2.1, section 3.11.2).
 const OPAQUE_BLACK: [F32s; 4] = [F32s::ZERO, F32s::ZERO, F32s::ZERO, F32s::splat(1.0)];
 
+#[cfg(test)]
+impl SamplePlan {
+    /// The same plan without its quicker kernels.
+    pub(crate) fn general(&self) -> Self {
+        let way = Way::General;
+        Self(self.0.clone().map(|texture| Texture { way, ..texture }))
+    }
+}
+
 impl Texture {
     fn new(image: &Image, sampler: &Sampler) -> Result<Self, Incomplete> {
         let reached = image.completeness(sampler)?;

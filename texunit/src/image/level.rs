@@ -102,16 +102,21 @@ impl Level {
     }
 
     /// Width, height and depth as stored: with the border on both sides.
+    #[inline(always)]
     pub fn stored_size(&self) -> [u32; 3] {
-        [0, 1, 2].map(|axis| self.size()[axis] + 2 * self.border[axis])
+        // Not `map`, which is not inlined into kernels.
+        let [s, t, r] = self.border;
+        [self.width + 2 * s, self.height + 2 * t, self.depth + 2 * r]
     }
 
     /// Bytes of a row of texels, border included, or of a row of blocks.
+    #[inline(always)]
     pub fn row_bytes(&self) -> usize {
         self.stored_size()[0].div_ceil(self.format.block_side()) as usize * self.format.bytes()
     }
 
     /// Bytes of a slice or layer, border included.
+    #[inline(always)]
     pub fn slice_bytes(&self) -> usize {
         self.row_bytes() * self.stored_size()[1].div_ceil(self.format.block_side()) as usize
     }
@@ -119,9 +124,11 @@ impl Level {
     /// Where the bytes of texel (0, 0, 0) begin: after those of the border before it. The texel
     /// at (x, y, z) begins `z · slice_bytes + y · row_bytes + x · bytes` further (of a compressed
     /// level its block, with `⌊y / 4⌋` and `⌊x / 4⌋`).
+    #[inline(always)]
     pub fn origin(&self) -> usize {
-        let [s, t, r] = self.border.map(|side| side as usize);
-        r * self.slice_bytes() + t * self.row_bytes() + s * self.format.bytes()
+        let [s, t, r] = self.border;
+        let rows = t as usize * self.row_bytes() + s as usize * self.format.bytes();
+        r as usize * self.slice_bytes() + rows
     }
 
     /// The bytes of one texel of the first slice, or none outside the level.
