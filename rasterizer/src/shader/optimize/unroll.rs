@@ -42,21 +42,15 @@ pub(super) fn run(
 
 /// Where the only `break` of a loop stands, if nothing else cuts its turns short.
 fn exit_of(turn: &[&Stmt]) -> Option<usize> {
-    let mut exit = None;
-    for (at, stmt) in turn.iter().enumerate() {
-        match stmt {
-            Stmt::If { accept: a, reject: b, .. }
-                if matches!((&a[..], &b[..]), ([Stmt::Break], []) | ([], [Stmt::Break])) =>
-            {
-                if exit.replace(at).is_some() {
-                    return None;
-                }
-            }
-            _ if cuts(stmt) => return None,
-            _ => {}
+    let mut cutting = turn.iter().enumerate().filter(|(_, stmt)| cuts(stmt));
+    match (cutting.next(), cutting.next()) {
+        (Some((at, Stmt::If { accept, reject, .. })), None) => {
+            let exit =
+                matches!((&accept[..], &reject[..]), ([Stmt::Break], []) | ([], [Stmt::Break]));
+            exit.then_some(at)
         }
+        _ => None,
     }
-    exit
 }
 
 /// Whether a statement holds a `break` or `continue` of the loop that it stands in.
