@@ -42,7 +42,7 @@ entry_points! {
             border: GLint, format: GLenum, ty: GLenum, pixels: Data<'a>
         );
         /// Specifies a level of a 3D or 2D array texture.
-        tex_image_3d: glTexImage3D (
+        tex_image_3d: glTexImage3D | glTexImage3DEXT (
             target: GLenum, level: GLint, internalformat: GLint, width: GLsizei, height: GLsizei,
             depth: GLsizei, border: GLint, format: GLenum, ty: GLenum, pixels: Data<'a>
         );
