@@ -107,8 +107,7 @@ fn linear<S: Simd>(place: &Place<'_>, at: [&F32s; 3], out: &mut [F32s; 4]) {
     }
     let slices = if axes > 2 { 2 } else { 1 };
     let mut corners = [[F32s::ZERO; 4]; 4];
-    for slice in 0..slices {
-        let z = &zs[slice];
+    for (slice, z) in zs.iter().enumerate().take(slices) {
         for row in 0..axes.min(2) {
             let y = &ys[row];
             let [left, right] = &mut corners[2 * row..2 * row + 2] else { continue };

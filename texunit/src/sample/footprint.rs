@@ -28,9 +28,9 @@ impl Derivatives {
     #[inline(always)]
     pub fn of_quads(coords: [&F32s; 3], axes: usize) -> Self {
         let mut out = Self { dx: [F32s::ZERO; 3], dy: [F32s::ZERO; 3] };
-        for axis in 0..axes {
-            out.dx[axis] = across(coords[axis]);
-            out.dy[axis] = upward(coords[axis]);
+        for (axis, from) in coords.into_iter().enumerate().take(axes) {
+            out.dx[axis] = across(from);
+            out.dy[axis] = upward(from);
         }
         out
     }
@@ -56,10 +56,10 @@ struct Metric {
 #[inline(always)]
 fn metric(d: &Derivatives, axes: usize, scale: [f32; 3]) -> Metric {
     let mut out = Metric { xx: F32s::ZERO, xy: F32s::ZERO, yy: F32s::ZERO };
-    for axis in 0..axes {
+    for (axis, scale) in scale.into_iter().enumerate().take(axes) {
         for lane in 0..LANES {
-            let x = d.dx[axis][lane] * scale[axis];
-            let y = d.dy[axis][lane] * scale[axis];
+            let x = d.dx[axis][lane] * scale;
+            let y = d.dy[axis][lane] * scale;
             out.xx[lane] += x * x;
             out.xy[lane] += x * y;
             out.yy[lane] += y * y;

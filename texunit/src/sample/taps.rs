@@ -8,6 +8,7 @@ use crate::plan::{Detail, Lod, Texture};
 use crate::sampler::Filter;
 
 /// What the lanes of a batch read.
+#[expect(clippy::large_enum_variant, reason = "lives on one call's stack, where a box costs more")]
 pub enum Taps {
     /// All of them this key.
     Same(u32),
@@ -48,10 +49,11 @@ pub fn taps(texture: &Texture, at: &Coordinates, lod: Lod<'_>) -> (Taps, Option<
             if texture.shape != Shape::Cube {
                 return (Taps::Same(key(*filter, 0, *level)), None);
             }
+            let [first, second] = &mut keys;
             for lane in 0..LANES {
-                keys[0][lane] = key(*filter, at.face[lane], *level);
+                first[lane] = key(*filter, at.face[lane], *level);
             }
-            keys[1] = keys[0];
+            *second = *first;
         }
         Detail::PerLane { min, mag, range, probes: most } => {
             let base;

@@ -51,7 +51,7 @@ fn check(image: &Image, sampler: &Sampler, seed: u64) -> Tally {
         // Every other reference is a depth that the image holds, for the equalities.
         let base = image.level(0, sampler.base_level as usize).unwrap();
         let held = base.channels_at([0; 3]).unwrap()[0];
-        let offset = if random.bits() % 2 == 0 { [0; 3] } else { [3, -2, 1] };
+        let offset = if random.bits().is_multiple_of(2) { [0; 3] } else { [3, -2, 1] };
         let reference = F32s::from_fn(|l| if l % 2 == 0 { held } else { random.within(-0.2, 1.2) });
         let bias = F32s::from_fn(|_| random.within(-1.0, 1.0));
         let lambda = F32s::from_fn(|_| random.within(-2.0, 7.0));

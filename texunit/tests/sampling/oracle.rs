@@ -165,7 +165,7 @@ impl Oracle<'_> {
         let seamless = shape == Shape::Cube && self.sampler.seamless == Seamless::On;
         // Per axis the indices and their weights.
         let mut along = [vec![(0.0, 1.0)], vec![(0.0, 1.0)], vec![(f64::from(place.layer), 1.0)]];
-        for axis in 0..shape.axes() {
+        for (axis, along) in along.iter_mut().enumerate().take(shape.axes()) {
             let n = f64::from(level.size()[axis]);
             let wrap = match (shape, self.sampler.wrap[axis]) {
                 (Shape::Cube, _) if seamless => Wrap::Clamp,
@@ -177,7 +177,7 @@ impl Oracle<'_> {
             let texels = if shape == Shape::Rect { 1.0 } else { n };
             let s = place.at[axis] * texels / n + f64::from(self.offset[axis]) / n;
             let u = wrapped(wrap, s, n);
-            along[axis] = match filter {
+            *along = match filter {
                 Filter::Nearest => {
                     let held = match wrap {
                         Wrap::Clamp => !(0.0..=1.0).contains(&s),
