@@ -23,6 +23,25 @@ pub struct Viewport {
     pub far: f32,
 }
 
+impl Viewport {
+    /// Half its width and height.
+    pub(crate) fn half(&self) -> [f64; 2] {
+        [f64::from(self.width) * 0.5, f64::from(self.height) * 0.5]
+    }
+
+    /// The window position of clip coordinates (0, 0).
+    pub(crate) fn center(&self) -> [f64; 2] {
+        let half = self.half();
+        [f64::from(self.x) + half[0], f64::from(self.y) + half[1]]
+    }
+
+    /// Window x and y of clip coordinates; meaningless unless `w > 0`.
+    pub(crate) fn window(&self, clip: &[f64; 4]) -> [f64; 2] {
+        let (half, center) = (self.half(), self.center());
+        [clip[0] / clip[3] * half[0] + center[0], clip[1] / clip[3] * half[1] + center[1]]
+    }
+}
+
 /// A rectangle of pixels; row 0 is the lowest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Rect {

@@ -6,6 +6,17 @@ use texunit::format::Format;
 use texunit::lanes::{F32s, Kernel, LANES, Simd, U32s};
 use texunit::sampler::Compare;
 
+/// The word of depth 1 in 16 bits.
+const LARGEST_16: f64 = 65535.0;
+/// The word of depth 1 in 24 bits.
+const LARGEST_24: f64 = 16_777_215.0;
+
+/// A depth in [0, 1] as the nearest word. `f64` holds the product exactly, so there is one rounding.
+#[inline(always)]
+fn unorm(depth: f32, largest: f64) -> u32 {
+    (f64::from(depth) * largest + 0.5) as i32 as u32
+}
+
 /// How depth is stored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DepthFormat {
@@ -40,10 +51,9 @@ impl DepthFormat {
     /// The word of a depth in [0, 1].
     #[inline(always)]
     pub fn word(self, depth: f32) -> u32 {
-        // `f64` holds the product exactly, so there is one rounding.
         match self {
-            Self::D16 => (f64::from(depth) * 65535.0 + 0.5) as u32,
-            Self::D24 => (f64::from(depth) * 16_777_215.0 + 0.5) as u32,
+            Self::D16 => unorm(depth, LARGEST_16),
+            Self::D24 => unorm(depth, LARGEST_24),
             Self::D32F => depth.to_bits(),
         }
     }
@@ -79,8 +89,8 @@ impl Kernel for DepthTest<'_> {
         let Self { plan, depth, stored, mask } = self;
         let mut new = U32s::ZERO;
         match plan.format {
-            DepthFormat::D16 => quantize(depth, 65535.0, &mut new),
-            DepthFormat::D24 => quantize(depth, 16_777_215.0, &mut new),
+            DepthFormat::D16 => quantize(depth, LARGEST_16, &mut new),
+            DepthFormat::D24 => quantize(depth, LARGEST_24, &mut new),
             DepthFormat::D32F => new = *depth.as_u32(),
         }
         let covered = expand_mask(mask);
@@ -119,6 +129,6 @@ fn compare(pass: &mut U32s, new: &U32s, stored: &U32s, holds: impl Fn(u32, u32) 
 #[inline(always)]
 fn quantize(depth: &F32s, largest: f64, out: &mut U32s) {
     for lane in 0..LANES {
-        out[lane] = (f64::from(depth[lane]) * largest + 0.5) as i32 as u32;
+        out[lane] = unorm(depth[lane], largest);
     }
 }

@@ -19,8 +19,7 @@ type Plane = [f64; 4];
 
 /// The half spaces that a primitive is cut by: w > 0, near, far, and the guard band of a viewport.
 pub fn planes(viewport: &Viewport) -> [Plane; 7] {
-    let half = [f64::from(viewport.width) * 0.5, f64::from(viewport.height) * 0.5];
-    let center = [f64::from(viewport.x) + half[0], f64::from(viewport.y) + half[1]];
+    let (half, center) = (viewport.half(), viewport.center());
     // -G w <= x half + center w <= G w
     let low = |axis: usize| center[axis] + GUARD_BAND;
     let high = |axis: usize| GUARD_BAND - center[axis];

@@ -6,4 +6,4 @@ mod clip;
 mod setup;
 
 pub use assemble::{Primitives, primitives};
-pub use setup::{Facing, Kind, SUBPIXEL, Setup, Shape, setup};
+pub use setup::{Facing, Kind, SUBPIXEL, Setup, Shape, setup, snap};

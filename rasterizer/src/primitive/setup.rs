@@ -109,7 +109,7 @@ pub fn setup(
                     scratch.snapped.clear();
                     scratch
                         .snapped
-                        .extend(scratch.polygon.iter().map(|p| snap(window(p, &setup.viewport))));
+                        .extend(scratch.polygon.iter().map(|p| snap(setup.viewport.window(p))));
                     setup.emit(&scratch.snapped, shape, out);
                 }
             }
@@ -206,7 +206,7 @@ impl Setup {
             clip(&mut scratch.polygon, &mut scratch.other, planes);
         }
         let &[a, b] = scratch.polygon.as_slice() else { return };
-        let (a, b) = (window(&a, &self.viewport), window(&b, &self.viewport));
+        let (a, b) = (self.viewport.window(&a), self.viewport.window(&b));
         let half = f64::from(self.line_width.round().max(1.0)) * 0.5;
         let offset =
             if (b[0] - a[0]).abs() >= (b[1] - a[1]).abs() { [0.0, half] } else { [half, 0.0] };
@@ -252,18 +252,9 @@ impl Setup {
     }
 }
 
-/// Window coordinates of a clip vertex with `w > 0`.
-fn window(p: &Clip, viewport: &Viewport) -> [f64; 2] {
-    let half = [f64::from(viewport.width) * 0.5, f64::from(viewport.height) * 0.5];
-    [
-        p[0] / p[3] * half[0] + (f64::from(viewport.x) + half[0]),
-        p[1] / p[3] * half[1] + (f64::from(viewport.y) + half[1]),
-    ]
-}
-
 /// To the nearest subpixel, within 24 bits. The clamp acts only where a cut between coordinates of
 /// 1e30 and of 1 has rounded to a point outside the guard band.
-fn snap(window: [f64; 2]) -> [i32; 2] {
+pub fn snap(window: [f64; 2]) -> [i32; 2] {
     window.map(|v| {
         let v = v.clamp(-GUARD_BAND, GUARD_BAND);
         (v * f64::from(SUBPIXEL) + 0.5).floor() as i32

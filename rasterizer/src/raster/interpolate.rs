@@ -16,7 +16,7 @@
 //! at the first pixel of the screen-aligned 8×8 block, and `dx`, `dy` count pixels within it.
 
 use crate::driver::{PolygonOffset, Viewport};
-use crate::primitive::{Kind, SUBPIXEL, Shape};
+use crate::primitive::{Kind, SUBPIXEL, Shape, snap};
 use crate::vertex::{Geometry, Outcode};
 
 /// What one plane of a draw holds.
@@ -218,12 +218,8 @@ impl Rows {
 /// The homogeneous window position of a vertex, relative to the origin.
 fn homogeneous(clip: [f32; 4], viewport: &Viewport, origin: [f64; 2]) -> [f64; 3] {
     let [x, y, _, w] = clip.map(f64::from);
-    let half = [f64::from(viewport.width) * 0.5, f64::from(viewport.height) * 0.5];
-    [
-        x * half[0] + w * (f64::from(viewport.x) + half[0] - origin[0]),
-        y * half[1] + w * (f64::from(viewport.y) + half[1] - origin[1]),
-        w,
-    ]
+    let (half, center) = (viewport.half(), viewport.center());
+    [x * half[0] + w * (center[0] - origin[0]), y * half[1] + w * (center[1] - origin[1]), w]
 }
 
 /// The `l_i` of a triangle. A triangle thinner than the subpixel grid can show is interpolated over
@@ -252,8 +248,7 @@ fn triangle(
         return exact;
     }
     let w = vertices.map(|v| f64::from(v.clip[3]));
-    let snapped =
-        window.map(|v| v.map(|v| (v * f64::from(SUBPIXEL) + 0.5).floor() / f64::from(SUBPIXEL)));
+    let snapped = window.map(|v| snap(v).map(|v| f64::from(v) / f64::from(SUBPIXEL)));
     let q = [0, 1, 2].map(|i| [(snapped[i][0] - origin[0]), (snapped[i][1] - origin[1]), 1.0]);
     let rows = invert(q);
     [0, 1, 2].map(|i| rows[i].scaled(1.0 / w[i]))

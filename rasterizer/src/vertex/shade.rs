@@ -263,17 +263,13 @@ impl VertexStage<'_> {
 
 /// Viewport transform (GL 2.1, section 2.11.1) and clip tests of one vertex.
 fn place(vertex: &mut ShadedVertex, viewport: &Viewport) {
-    let [x, y, z, w] = vertex.clip.map(f64::from);
+    let clip @ [x, y, z, w] = vertex.clip.map(f64::from);
     let bit = |out: bool, bit: u16| if out { bit } else { 0 };
     if !(x.is_finite() && y.is_finite() && z.is_finite() && w.is_finite()) {
         vertex.outcode = Outcode(Outcode::INVALID);
         return;
     }
-    let half = [f64::from(viewport.width) * 0.5, f64::from(viewport.height) * 0.5];
-    vertex.window = [
-        x / w * half[0] + (f64::from(viewport.x) + half[0]),
-        y / w * half[1] + (f64::from(viewport.y) + half[1]),
-    ];
+    vertex.window = viewport.window(&clip);
     let guard = |v: f64| v.is_nan() || v.abs() > GUARD_BAND;
     vertex.outcode = Outcode(
         bit(x < -w, Outcode::LEFT)
