@@ -7,7 +7,7 @@ use crate::draw::Recorder;
 use crate::draw::immediate::Immediate;
 use crate::entry::{Fallback, Place};
 use crate::error::{GlError, Result, invalid_operation};
-use crate::framebuffer::Window;
+use crate::framebuffer::{Buffers, Window};
 use crate::glsl::Repairs;
 use crate::object::Objects;
 use crate::state::State;
@@ -100,7 +100,7 @@ impl Context {
         Ok(Self {
             state: State::new(width, height),
             objects: Objects::default(),
-            window: Window::new(width, height).map_err(|_| ContextError::Memory)?,
+            window: Window::new(width, height, Buffers::DEFAULT).map_err(|_| ContextError::Memory)?,
             debug: debug::Debug::from_env(),
             immediate: None,
             recorder: Recorder::new(device),

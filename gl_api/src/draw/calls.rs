@@ -1,10 +1,10 @@
 //! The draw calls on vertex arrays: GL 2.1, section 2.8.
 
-use super::arrays::vertex_source;
+use super::arrays::{reads_pointers, vertex_source};
 use super::translate::{Elements, draw};
 use crate::constants::*;
 use crate::context::Context;
-use crate::entry::Data;
+use crate::entry::{Data, Located};
 use crate::error::{Result, Table, invalid_enum, invalid_operation, invalid_value, not_negative};
 use crate::interface::ATTRIB_VERTEX;
 use crate::state::LOCATIONS;
@@ -65,9 +65,26 @@ fn index_size(ty: IndexType) -> usize {
     }
 }
 
+/// The smallest and the largest index.
+fn extent(bytes: &[u8], ty: IndexType) -> (u32, u32) {
+    let span = |indices: &mut dyn Iterator<Item = u32>| {
+        indices.fold((u32::MAX, 0), |(low, high), index| (low.min(index), high.max(index)))
+    };
+    let (low, high) = match ty {
+        IndexType::U8 => span(&mut bytes.iter().map(|&index| index.into())),
+        IndexType::U16 => span(
+            &mut bytes.as_chunks().0.iter().map(|&index| u16::from_ne_bytes(index).into()),
+        ),
+        IndexType::U32 => {
+            span(&mut bytes.as_chunks().0.iter().map(|&index| u32::from_ne_bytes(index)))
+        }
+    };
+    (low.min(high), high)
+}
+
 /// Where every attribute of an array draw comes from. Generic attribute 0 and the vertex array
 /// stand in for each other (GL 2.1, section 2.8).
-fn bindings(context: &Context) -> Vec<VertexBinding> {
+fn bindings(context: &Context, drawn: (u32, u32)) -> Result<Vec<VertexBinding>> {
     let arrays = &context.state.arrays.by_location;
     let vertex = usize::from(ATTRIB_VERTEX);
     (0..LOCATIONS)
@@ -78,11 +95,11 @@ fn bindings(context: &Context) -> Vec<VertexBinding> {
                 _ => location,
             };
             let source = if arrays[from].enabled {
-                vertex_source(context, from)
+                vertex_source(context, from, drawn)?
             } else {
                 VertexSource::Constant(context.state.current[location])
             };
-            VertexBinding { location: location as u8, source }
+            Ok(VertexBinding { location: location as u8, source })
         })
         .collect()
 }
@@ -139,7 +156,7 @@ pub(crate) fn draw_arrays(
     let first = not_negative(SECTION, "first", first.into())?;
     let count = not_negative(SECTION, "count", count.into())?;
     if count > 0 && has_positions(context) {
-        let vertices = bindings(context);
+        let vertices = bindings(context, (first as u32, (first + count - 1) as u32))?;
         check_range(&vertices, first, count)?;
         let elements = Elements::Range { first: first as u32, count: count as u32 };
         draw(context, topology, vertices, &elements)?;
@@ -183,8 +200,8 @@ pub(crate) fn draw_elements(
     let needed = count * index_size(ty);
     let name = context.state.bindings.element_array_buffer;
     let object = context.objects.buffers.get(name).map(|object| object.buffer.clone());
-    let (buffer, offset) = match (indices, object) {
-        (Data::Bytes(bytes), None) => match bytes.get(..needed) {
+    let (buffer, offset) = match (indices.locate(name, needed), object) {
+        (Located::Bytes(bytes), None) => match bytes.get(..needed) {
             Some(bytes) => (Buffer::new(bytes.to_vec()), 0),
             None => {
                 return invalid_operation(
@@ -196,9 +213,9 @@ pub(crate) fn draw_elements(
                 );
             }
         },
-        (Data::Offset(offset), Some(buffer)) => (buffer, offset),
-        (Data::Null, Some(buffer)) => (buffer, 0),
-        (Data::Bytes(_), Some(_)) => {
+        (Located::Offset(offset), Some(buffer)) => (buffer, offset),
+        (Located::Null, Some(buffer)) => (buffer, 0),
+        (Located::Bytes(_), Some(_)) => {
             return invalid_operation(
                 SECTION,
                 format!(
@@ -207,7 +224,7 @@ pub(crate) fn draw_elements(
                 ),
             );
         }
-        (Data::Offset(_) | Data::Null, None) => {
+        (Located::Offset(_) | Located::Null, None) => {
             return invalid_operation(
                 SECTION,
                 "indices must be a slice, as no buffer is bound to GL_ELEMENT_ARRAY_BUFFER",
@@ -224,7 +241,12 @@ pub(crate) fn draw_elements(
         );
     }
     if count > 0 && has_positions(context) {
-        let vertices = bindings(context);
+        let drawn = if reads_pointers(context) {
+            extent(&buffer.bytes()[offset..offset + needed], ty)
+        } else {
+            (0, 0)
+        };
+        let vertices = bindings(context, drawn)?;
         let indices = Indices { buffer, offset, ty, base_vertex: 0 };
         draw(context, topology, vertices, &Elements::Indexed { indices, count: count as u32 })?;
     }

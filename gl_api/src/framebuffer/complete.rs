@@ -2,7 +2,7 @@
 //! framebuffer is drawn in.
 
 use super::buffers::attachment_index;
-use super::whole;
+use super::{Presence, whole};
 use crate::constants::*;
 use crate::context::Context;
 use crate::error::{ErrorCode, GlError, Result};
@@ -94,8 +94,16 @@ pub(super) fn draw_depth_bits(context: &Context) -> GLint {
 
 /// Whether a framebuffer (0 is the default one, which is complete) can be used.
 pub(super) fn completeness(context: &Context, name: GLuint) -> std::result::Result<(), Incomplete> {
-    let Some(object) = context.objects.framebuffers.get(name) else { return Ok(()) };
     let incomplete = |status, reason: String| Err(Incomplete { status, reason });
+    let Some(object) = context.objects.framebuffers.get(name) else {
+        return match context.window.presence {
+            Presence::Present => Ok(()),
+            Presence::Absent => incomplete(
+                GL_FRAMEBUFFER_UNDEFINED,
+                "the context is current without a surface: bind a framebuffer object".into(),
+            ),
+        };
+    };
     let mut any = false;
     let colors = object
         .colors
@@ -166,6 +174,7 @@ pub(super) fn checked_complete(context: &Context, name: GLuint) -> Result<()> {
 /// `GL_INVALID_FRAMEBUFFER_OPERATION` where it is incomplete.
 pub(crate) fn draw_pass(context: &Context) -> Result<PassDesc> {
     let name = context.state.bindings.draw_framebuffer;
+    checked_complete(context, name)?;
     let Some(object) = context.objects.framebuffers.get(name) else {
         let window = &context.window;
         let color = (window.selection.draw[0] != GL_NONE).then(|| whole(&window.color));
@@ -176,7 +185,6 @@ pub(crate) fn draw_pass(context: &Context) -> Result<PassDesc> {
             height: window.height,
         });
     };
-    checked_complete(context, name)?;
     // Attachments of different sizes are drawn to where all of them are.
     let (mut width, mut height) = (u32::MAX, u32::MAX);
     let mut found = |attached: Option<Attached>| {
@@ -203,12 +211,12 @@ pub(crate) fn draw_pass(context: &Context) -> Result<PassDesc> {
 /// The image that is read from: colour, or depth.
 pub(super) fn read_attachment(context: &Context, depth: bool) -> Result<Option<Attachment>> {
     let name = context.state.bindings.read_framebuffer;
+    checked_complete(context, name)?;
     let Some(object) = context.objects.framebuffers.get(name) else {
         let window = &context.window;
         let color = (window.selection.read != GL_NONE).then(|| whole(&window.color));
         return Ok(if depth { Some(whole(&window.depth)) } else { color });
     };
-    checked_complete(context, name)?;
     let attached = if depth {
         object.depth
     } else {

@@ -6,6 +6,7 @@ pub(crate) mod clear;
 pub(crate) mod complete;
 pub(crate) mod read;
 
+use crate::context::Context;
 use buffers::Selection;
 use rasterizer::driver::{Attachment, Image};
 use texunit::format::Format;
@@ -67,16 +68,68 @@ pub(crate) struct Window {
     pub color: Image,
     pub depth: Image,
     pub selection: Selection,
+    pub presence: Presence,
+}
+
+/// Whether there is a default framebuffer at all: a context can be current without one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Presence {
+    Present,
+    Absent,
+}
+
+/// The formats of a default framebuffer.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Buffers {
+    pub color: Format,
+    pub depth: Format,
+}
+
+impl Buffers {
+    /// Of a context that does not say.
+    pub const DEFAULT: Self = Self { color: Format::Rgba8, depth: Format::D24 };
 }
 
 impl Window {
-    pub fn new(width: u32, height: u32) -> Result<Self, ImageError> {
+    pub fn new(width: u32, height: u32, buffers: Buffers) -> Result<Self, ImageError> {
         Ok(Self {
             width,
             height,
-            color: surface(Format::Rgba8, width, height)?,
-            depth: surface(Format::D24, width, height)?,
+            color: surface(buffers.color, width, height)?,
+            depth: surface(buffers.depth, width, height)?,
             selection: Selection::window(),
+            presence: Presence::Present,
         })
+    }
+
+    /// What stands in where there is none: complete it is not.
+    pub fn absent() -> Self {
+        let empty = || Image::new(Texels::new(Shape::D2));
+        Self {
+            width: 0,
+            height: 0,
+            color: empty(),
+            depth: empty(),
+            selection: Selection::window(),
+            presence: Presence::Absent,
+        }
+    }
+}
+
+impl Context {
+    /// Puts another default framebuffer in place, with everything drawn to the one that was. Which
+    /// of its buffers are drawn to and read from is the context's.
+    pub(crate) fn swap_window(&mut self, mut window: Window) -> Window {
+        crate::draw::submit(self);
+        window.selection = self.window.selection.clone();
+        std::mem::replace(&mut self.window, window)
+    }
+
+    /// Viewport and scissor take the size of the first default framebuffer (GL 2.1, sections 2.11.1
+    /// and 4.1.2).
+    pub(crate) fn first_window(&mut self, width: u32, height: u32) {
+        let fresh = crate::state::State::new(width, height);
+        self.state.viewport = fresh.viewport;
+        self.state.fragment.scissor = fresh.fragment.scissor;
     }
 }

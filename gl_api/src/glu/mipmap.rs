@@ -4,7 +4,7 @@ use super::error::{GLU_INVALID_ENUM, GLU_INVALID_OPERATION, GLU_INVALID_VALUE};
 use super::pixels::{self, ByteOrder, Components, Layout, Storage, Store, TIGHT, TooShort};
 use super::scale::scale;
 use crate::constants::*;
-use crate::entry::{Arg, Data, DataOut, glGetIntegerv, glPixelStorei, glTexImage1D, glTexImage2D};
+use crate::entry::{Arg, Data, DataOut, Located, LocatedOut, glGetIntegerv, glPixelStorei, glTexImage1D, glTexImage2D};
 use crate::types::{GLenum, GLint, GLsizei};
 
 /// Builds every mipmap level of a texture from one image of any size: scales it to powers of two
@@ -134,7 +134,7 @@ fn build(
         Ok(layout) => layout,
         Err(code) => return code,
     };
-    let Ok(image) = layout.read(bytes(data)) else {
+    let Ok(image) = layout.read(bytes(data, &layout)) else {
         texture.upload(level, (width, height), (format, type_), data);
         return GLU_INVALID_VALUE;
     };
@@ -177,8 +177,11 @@ pub fn gluScaleImage<'a>(
     let from = layout(width_in.arg(), height_in.arg(), format, type_in.arg(), unpack);
     let to = layout(width_out.arg(), height_out.arg(), format, type_out.arg(), pack);
     let result = from.and_then(|from| {
-        let DataOut::Bytes(out) = data_out.arg() else { return Err(GLU_INVALID_VALUE) };
-        rescale(&from, bytes(data_in.arg()), &to?, out).map_err(|_| GLU_INVALID_VALUE)
+        let to = to?;
+        let LocatedOut::Bytes(out) = data_out.arg().locate(0, to.needed()) else {
+            return Err(GLU_INVALID_VALUE);
+        };
+        rescale(&from, bytes(data_in.arg(), &from), &to, out).map_err(|_| GLU_INVALID_VALUE)
     });
     result.err().unwrap_or(0)
 }
@@ -196,10 +199,10 @@ fn rescale(from: &Layout, data: &[u8], to: &Layout, out: &mut [u8]) -> Result<()
 }
 
 /// The client's memory; GLU knows no buffer objects.
-fn bytes(data: Data<'_>) -> &[u8] {
-    match data {
-        Data::Bytes(bytes) => bytes,
-        Data::Offset(_) | Data::Null => &[],
+fn bytes<'a>(data: Data<'a>, layout: &Layout) -> &'a [u8] {
+    match data.locate(0, layout.needed()) {
+        Located::Bytes(bytes) => bytes,
+        Located::Offset(_) | Located::Null => &[],
     }
 }
 
