@@ -186,7 +186,8 @@ fn program_textures(
                 .iter()
                 .find(|sampler| sampler.stage == stage && sampler.slot as usize == slot)?;
             let unit = *words.get(sampler.word as usize)?;
-            let unit = u8::try_from(unit).ok().filter(|unit| *unit < MAX_COMBINED_TEXTURE_IMAGE_UNITS)?;
+            let unit =
+                u8::try_from(unit).ok().filter(|unit| *unit < MAX_COMBINED_TEXTURE_IMAGE_UNITS)?;
             let target = TextureTarget::of(decl.shape);
             hints::sampler(context, unit, target, sampler.word);
             Some(plan(context, unit, target))

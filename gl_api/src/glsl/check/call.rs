@@ -281,12 +281,7 @@ impl Checker<'_> {
     }
 
     /// What the types of a lookup's arguments do not say; whether it can be carried out.
-    fn check_lookup(
-        &mut self,
-        lookup: Lookup,
-        name: &ast::Name,
-        arguments: &[Expr],
-    ) -> bool {
+    fn check_lookup(&mut self, lookup: Lookup, name: &ast::Name, arguments: &[Expr]) -> bool {
         let explicit = matches!(lookup, Lookup::Sample(_, LodForm::Explicit, _));
         if explicit && !self.is_vertex() && self.version < Version::V130 {
             let message = format!("`{}` in the fragment stage is an extension", name.text);
