@@ -80,6 +80,7 @@ fn switch(context: &mut Context, cap: GLenum, on: bool) -> Result<()> {
     match CAPABILITY.decode("cap", cap)? {
         Capability::Flag(flag) => context.state.enables.set(flag, on),
         Capability::Texture(target) => {
+            context.state.units.active_coordinates("GL 2.1, section 3.8.16")?;
             context.state.units.active_mut().enabled[target as usize] = on;
         }
     }
