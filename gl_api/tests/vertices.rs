@@ -50,7 +50,8 @@ fn program(c: &mut Context, vertex: &str, fragment: &str) -> GLuint {
 
 #[test]
 fn every_way_to_say_two_triangles_gives_the_same_picture() {
-    let ways: &[(&str, fn(&mut Context))] = &[
+    type Way = (&'static str, fn(&mut Context));
+    let ways: &[Way] = &[
         ("arrays", |c| c.draw_arrays(GL_TRIANGLES, 0, 6)),
         ("elements", |c| {
             let indices = Data::Bytes(&[0, 1, 2, 3, 4, 5]);
