@@ -36,6 +36,7 @@
 //! | [`glsl`], [`interface`] | the GLSL front end, and where programs and state meet |
 //! | `fixed` | the fixed function as generated shaders |
 //! | `draw` | vertices, draw calls, and their translation into driver commands |
+//! | `list` | display lists |
 //! | `query` | `glGet` |
 //! | [`glu`] | the utility library over the free functions |
 #![deny(unsafe_code)]
@@ -52,6 +53,7 @@ mod framebuffer;
 pub mod glsl;
 pub mod glu;
 pub mod interface;
+mod list;
 mod object;
 mod program;
 mod query;

@@ -56,6 +56,11 @@ impl<'a> ClientPointer<'a> {
         unsafe { std::slice::from_raw_parts_mut(self.address, length) }
     }
 
+    /// The pointer, or offset, `bytes` further on.
+    pub(crate) fn forward(self, bytes: usize) -> Self {
+        Self { address: self.address.wrapping_add(bytes), ..self }
+    }
+
     /// The same pointer until it is replaced: GL reads arrays when it draws.
     pub(crate) fn kept(self) -> ClientPointer<'static> {
         ClientPointer { address: self.address, _memory: PhantomData }

@@ -1,7 +1,7 @@
 //! C's arguments and results, and what the methods of [`Context`](crate::Context) take and give.
 
 use super::memory::ClientPointer;
-use crate::entry::{Data, DataOut, Strings, TextOut};
+use crate::entry::{Data, DataOut, Pointers, Strings, TextOut};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::ffi::{CStr, CString, c_char, c_void};
@@ -290,6 +290,34 @@ impl<'a> Param<'a> for TextOut<'a> {
     }
 }
 
+impl<'a> Param<'a> for Pointers<'a> {
+    type Raw = *const *const c_void;
+    type Held = Vec<ClientPointer<'static>>;
+    const COUNTED: bool = true;
+
+    fn number(raw: *const *const c_void) -> isize {
+        raw.addr() as isize
+    }
+
+    unsafe fn hold(
+        raw: *const *const c_void,
+        length: usize,
+        _: &[isize],
+    ) -> Vec<ClientPointer<'static>> {
+        let length = if raw.is_null() { 0 } else { length };
+        (0..length)
+            .map(|at| {
+                // SAFETY: promised by the caller: `length` pointers, to what the call reads.
+                unsafe { ClientPointer::new(raw.add(at).read_unaligned().cast()) }
+            })
+            .collect()
+    }
+
+    fn lend(held: &'a mut Vec<ClientPointer<'static>>) -> Self {
+        Pointers(held.iter().map(|&pointer| Data::Client(pointer)).collect())
+    }
+}
+
 /// A result's type: ours and C's.
 pub(crate) trait Return {
     /// C's type.
@@ -310,7 +338,7 @@ macro_rules! results {
     )* };
 }
 
-results!((), u32, i32);
+results!((), u32, i32, *mut c_void);
 
 impl Return for bool {
     type Raw = u8;

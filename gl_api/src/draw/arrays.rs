@@ -37,12 +37,16 @@ pub(crate) struct Array {
     /// As it was given; 0 is tightly packed.
     pub stride: usize,
     pub source: Source,
+    /// 0 for an element a vertex, else one for so many instances.
+    pub divisor: u32,
 }
 
 /// The arrays by attribute location.
 #[derive(Clone, Debug)]
 pub(crate) struct Arrays {
     pub by_location: [Array; LOCATIONS],
+    /// The index that restarts a primitive.
+    pub restart_index: GLuint,
 }
 
 impl Default for Arrays {
@@ -55,7 +59,9 @@ impl Default for Arrays {
                 format: VertexFormat::Plain,
                 stride: 0,
                 source: Source::Client(Buffer::default()),
+                divisor: 0,
             }),
+            restart_index: 0,
         }
     }
 }
@@ -83,6 +89,24 @@ impl Array {
     }
 }
 
+/// What a draw reads of the arrays: the vertices from the first to the last, of so many instances.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Reach {
+    pub first: u32,
+    pub last: u32,
+    pub instances: u32,
+}
+
+impl Reach {
+    /// The elements of an array: one with a divisor has one for every so many instances.
+    fn elements(self, array: &Array) -> (usize, usize) {
+        match self.instances.saturating_sub(1).checked_div(array.divisor) {
+            Some(last) => (0, last as usize),
+            None => (self.first as usize, self.last as usize),
+        }
+    }
+}
+
 /// Whether a draw has to know which vertices it reads: some array is a C program's memory.
 pub(crate) fn reads_pointers(context: &Context) -> bool {
     let arrays = &context.state.arrays.by_location;
@@ -91,8 +115,8 @@ pub(crate) fn reads_pointers(context: &Context) -> bool {
 
 /// A C program's vertices from the first to the last of a draw. Nothing before them is read, as
 /// nothing says that it is there; those bytes are zeros that no page is ever mapped for.
-fn snapshot(array: &Array, pointer: ClientPointer<'_>, vertices: (u32, u32)) -> Result<Buffer> {
-    let (first, last) = (vertices.0 as usize, vertices.1 as usize);
+fn snapshot(array: &Array, pointer: ClientPointer<'_>, reach: Reach) -> Result<Buffer> {
+    let (first, last) = reach.elements(array);
     let end = last.checked_mul(array.step()).and_then(|at| at.checked_add(array.size()));
     let Some(end) = end.filter(|&end| end <= limits::MAX_BUFFER_SIZE) else {
         return Err(GlError {
@@ -107,17 +131,16 @@ fn snapshot(array: &Array, pointer: ClientPointer<'_>, vertices: (u32, u32)) -> 
     Ok(Buffer::new(bytes))
 }
 
-/// Where the array of a location is for the driver, of a draw of the vertices from the first to the
-/// last.
+/// Where the array of a location is for the driver, for a draw that reaches so far.
 pub(crate) fn vertex_source(
     context: &Context,
     location: usize,
-    vertices: (u32, u32),
+    reach: Reach,
 ) -> Result<VertexSource> {
     let array = &context.state.arrays.by_location[location];
     let (buffer, offset) = match &array.source {
         Source::Client(buffer) => (buffer.clone(), 0),
-        Source::Pointer(pointer) => (snapshot(array, *pointer, vertices)?, 0),
+        Source::Pointer(pointer) => (snapshot(array, *pointer, reach)?, 0),
         Source::Object { name, offset } => {
             let object = context.objects.buffers.get(*name);
             (object.map(|object| object.buffer.clone()).unwrap_or_default(), *offset)
@@ -130,6 +153,7 @@ pub(crate) fn vertex_source(
         ty: array.ty,
         components: array.components,
         format: array.format,
+        divisor: array.divisor,
     })
 }
 
@@ -155,6 +179,19 @@ const FOG_TYPE: Table<VertexType> =
     Table { section: "GL 2.1, table 2.4", rows: ALL_TYPES.split_at(4).0.split_at(2).1 };
 /// Of colours and generic attributes.
 const ANY_TYPE: Table<VertexType> = Table { section: "GL 2.1, table 2.4", rows: ALL_TYPES };
+
+/// Of generic attributes that stay integers.
+const INTEGER_TYPE: Table<VertexType> = Table {
+    section: "EXT_gpu_shader4, section 2.8",
+    rows: &[
+        (GL_BYTE, VertexType::I8),
+        (GL_UNSIGNED_BYTE, VertexType::U8),
+        (GL_SHORT, VertexType::I16),
+        (GL_UNSIGNED_SHORT, VertexType::U16),
+        (GL_INT, VertexType::I32),
+        (GL_UNSIGNED_INT, VertexType::U32),
+    ],
+};
 
 /// Which sizes an array can have, and how its integers are read.
 struct Rules {
@@ -306,6 +343,27 @@ pub(crate) fn vertex_attrib_pointer(
     set(context, generic(index)?, &rules, size, ty, stride, pointer)
 }
 
+pub(crate) fn vertex_attrib_i_pointer(
+    context: &mut Context,
+    index: GLuint,
+    size: GLint,
+    ty: GLenum,
+    stride: GLsizei,
+    pointer: Data<'_>,
+) -> Result<()> {
+    let rules = Rules { sizes: 1..=4, types: INTEGER_TYPE, format: VertexFormat::Integer };
+    set(context, generic(index)?, &rules, size, ty, stride, pointer)
+}
+
+pub(crate) fn vertex_attrib_divisor(
+    context: &mut Context,
+    index: GLuint,
+    divisor: GLuint,
+) -> Result<()> {
+    context.state.arrays.by_location[usize::from(generic(index)?)].divisor = divisor;
+    Ok(())
+}
+
 pub(crate) fn enable_vertex_attrib_array(context: &mut Context, index: GLuint) -> Result<()> {
     context.state.arrays.by_location[usize::from(generic(index)?)].enabled = true;
     Ok(())
@@ -323,6 +381,8 @@ enum Property {
     Stride,
     Type,
     Normalized,
+    Integer,
+    Divisor,
     Buffer,
     Current,
 }
@@ -335,6 +395,8 @@ const PROPERTY: Table<Property> = Table {
         (GL_VERTEX_ATTRIB_ARRAY_STRIDE, Property::Stride),
         (GL_VERTEX_ATTRIB_ARRAY_TYPE, Property::Type),
         (GL_VERTEX_ATTRIB_ARRAY_NORMALIZED, Property::Normalized),
+        (GL_VERTEX_ATTRIB_ARRAY_INTEGER, Property::Integer),
+        (GL_VERTEX_ATTRIB_ARRAY_DIVISOR, Property::Divisor),
         (GL_VERTEX_ATTRIB_ARRAY_BUFFER_BINDING, Property::Buffer),
         (GL_CURRENT_VERTEX_ATTRIB, Property::Current),
     ],
@@ -344,6 +406,12 @@ fn property(context: &Context, index: GLuint, pname: GLenum) -> Result<Vec<f32>>
     let location = usize::from(generic(index)?);
     let property = PROPERTY.decode("pname", pname)?;
     let array = &context.state.arrays.by_location[location];
+    if property == Property::Current && location == 0 {
+        return invalid_operation(
+            "GL 2.1, section 6.1.14",
+            "index = 0 has no current value: it is the position",
+        );
+    }
     Ok(match property {
         Property::Enabled => vec![f32::from(u8::from(array.enabled))],
         Property::Size => vec![array.components.into()],
@@ -352,6 +420,8 @@ fn property(context: &Context, index: GLuint, pname: GLenum) -> Result<Vec<f32>>
         Property::Normalized => {
             vec![f32::from(u8::from(array.format == VertexFormat::Normalized))]
         }
+        Property::Integer => vec![f32::from(u8::from(array.format == VertexFormat::Integer))],
+        Property::Divisor => vec![array.divisor as f32],
         Property::Buffer => match array.source {
             Source::Object { name, .. } => vec![name as f32],
             Source::Client(_) | Source::Pointer(_) => vec![0.0],

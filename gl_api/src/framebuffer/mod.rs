@@ -120,7 +120,7 @@ impl Context {
     /// Puts another default framebuffer in place, with everything drawn to the one that was. Which
     /// of its buffers are drawn to and read from is the context's.
     pub(crate) fn swap_window(&mut self, mut window: Window) -> Window {
-        crate::draw::submit(self);
+        self.flush();
         window.selection = self.window.selection.clone();
         std::mem::replace(&mut self.window, window)
     }

@@ -33,6 +33,7 @@ pub(crate) fn source<'a>(
     needed: usize,
 ) -> Result<Option<Source<'a>>> {
     let name = context.state.bindings.pixel_unpack_buffer;
+    not_mapped(context, name)?;
     match (context.objects.buffers.get(name), pixels.locate(name, needed)) {
         (None, Located::Null | Located::Offset(0)) => Ok(None),
         (None, Located::Bytes(bytes)) => Ok(Some(Source::Client(bytes))),
@@ -70,6 +71,7 @@ pub(crate) fn write_bytes(
     write: impl FnOnce(&mut [u8]),
 ) -> Result<()> {
     let name: GLuint = context.state.bindings.pixel_pack_buffer;
+    not_mapped(context, name)?;
     match (context.objects.buffers.get_mut(name), pixels.locate(name, needed)) {
         (_, LocatedOut::Null | LocatedOut::Offset(0)) if needed == 0 => Ok(()),
         (None, LocatedOut::Bytes(bytes)) => {
@@ -110,6 +112,17 @@ pub(crate) fn write_pixels(
         DataOut::Null | DataOut::Client(_) => {}
     }
     write_bytes(context, pixels, layout.needed, write)
+}
+
+/// Refuses a buffer that the client has mapped.
+fn not_mapped(context: &Context, name: GLuint) -> Result<()> {
+    match context.objects.buffers.get(name) {
+        Some(object) if object.map.is_some() => invalid_operation(
+            SECTION,
+            format!("buffer {name} is bound for pixels and mapped: call glUnmapBuffer"),
+        ),
+        Some(_) | None => Ok(()),
+    }
 }
 
 fn check_room(has: usize, needed: usize) -> Result<()> {

@@ -5,7 +5,8 @@ use super::constants::*;
 use super::error::{Code, Result, fail};
 use super::registry::{Api, ContextEntry, Id, Place, Registry, handle, registry, thread};
 use super::{Attrib, Handle, Int, put};
-use crate::context::{Context, ContextDesc};
+use crate::context::{Context, ContextDesc, ContextError};
+use crate::entry::with_current;
 
 impl Registry {
     /// Removes a context, now or when it is current no more.
@@ -80,6 +81,30 @@ fn check(attributes: &[(Int, Attrib)]) -> Result<()> {
     Ok(())
 }
 
+/// A context that shares objects with one that is current here, or nowhere.
+fn share_with(
+    display: Id,
+    share: Handle,
+    desc: ContextDesc,
+) -> Result<std::result::Result<Context, ContextError>> {
+    let mut registry = registry();
+    let (_, entry) = registry.context(display, share)?;
+    match &mut entry.place {
+        Place::Idle(context) => Ok(context.new_shared(desc)),
+        Place::Current(thread) if *thread == std::thread::current().id() => {
+            match with_current(|context| context.new_shared(desc)) {
+                Some(context) => Ok(context),
+                None => fail(Code::BadContext, "share_context is current, but inside a call"),
+            }
+        }
+        Place::Current(_) => fail(
+            Code::BadAccess,
+            "share_context is current on another thread: create the new context there, or release \
+             it first",
+        ),
+    }
+}
+
 pub(super) fn create(
     dpy: Handle,
     config: Handle,
@@ -94,14 +119,15 @@ pub(super) fn create(
             "there is no OpenGL ES: call eglBindAPI(EGL_OPENGL_API) before",
         );
     }
-    if !share.is_null() {
-        registry().context(display, share)?;
-        return fail(Code::BadMatch, "share_context: contexts do not share objects yet");
-    }
     check(attributes)?;
     // The surface comes with eglMakeCurrent.
     let desc = ContextDesc { width: 1, height: 1, ..ContextDesc::default() };
-    let context = match Context::new(desc) {
+    let context = if share.is_null() {
+        Context::new(desc)
+    } else {
+        share_with(display, share, desc)?
+    };
+    let context = match context {
         Ok(context) => context,
         Err(error) => return fail(Code::BadAlloc, error.to_string()),
     };

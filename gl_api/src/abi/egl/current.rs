@@ -34,7 +34,7 @@ fn put_back(registry: &mut Registry, binding: Binding, context: Option<Box<Conte
         }
         return;
     };
-    crate::draw::submit(&mut context);
+    context.flush();
     let window = context.swap_window(Window::absent());
     if let Some(id) = binding.surface
         && let Some(entry) = registry.surfaces.get_mut(&id)
@@ -189,7 +189,7 @@ pub(super) fn release_thread() -> Result<u32> {
 
 /// `eglWaitClient` and `eglWaitGL`: calls are carried out before they are waited for.
 pub(super) fn wait() -> Result<u32> {
-    with_current(crate::draw::submit);
+    with_current(Context::flush);
     Ok(1)
 }
 

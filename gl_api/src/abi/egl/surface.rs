@@ -176,7 +176,7 @@ pub(super) fn swap(dpy: Handle, surface: Handle) -> Result<u32> {
     let display = registry.display(dpy)?;
     registry.surface(display, surface)?;
     drop(registry);
-    crate::entry::with_current(crate::draw::submit);
+    crate::entry::with_current(crate::Context::flush);
     Ok(1)
 }
 

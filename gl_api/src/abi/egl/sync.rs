@@ -17,7 +17,7 @@ pub(super) fn create(dpy: Handle, ty: u32, attributes: &[(Int, Attrib)]) -> Resu
     if thread(|thread| thread.binding.borrow().is_none()) {
         return fail(Code::BadMatch, "no context is current");
     }
-    crate::entry::with_current(crate::draw::submit);
+    crate::entry::with_current(crate::Context::flush);
     let mut registry = registry();
     let id = registry.new_id();
     registry.syncs.insert(id, display);
