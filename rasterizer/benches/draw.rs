@@ -97,6 +97,7 @@ fn bind(floats: &[f32]) -> Arc<[VertexBinding]> {
                 ty: VertexType::F32,
                 components: 4,
                 format: VertexFormat::Plain,
+                divisor: 0,
             },
         })
         .collect()
