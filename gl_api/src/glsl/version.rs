@@ -48,6 +48,8 @@ pub enum Extension {
     DrawBuffers,
     /// `GL_ARB_draw_instanced`: `gl_InstanceIDARB`.
     DrawInstanced,
+    /// `GL_ARB_fragment_coord_conventions`: `layout(...)` of `gl_FragCoord`.
+    FragmentCoordConventions,
     /// `GL_ARB_shader_texture_lod`: explicit levels and gradients in both stages.
     ShaderTextureLod,
     /// `GL_ARB_texture_rectangle`: `sampler2DRect`.
@@ -62,9 +64,10 @@ pub enum Extension {
 
 impl Extension {
     /// Every extension and its name.
-    pub const ALL: [(Self, &'static str); 7] = [
+    pub const ALL: [(Self, &'static str); 8] = [
         (Self::DrawBuffers, "GL_ARB_draw_buffers"),
         (Self::DrawInstanced, "GL_ARB_draw_instanced"),
+        (Self::FragmentCoordConventions, "GL_ARB_fragment_coord_conventions"),
         (Self::ShaderTextureLod, "GL_ARB_shader_texture_lod"),
         (Self::TextureRectangle, "GL_ARB_texture_rectangle"),
         (Self::GpuShader4, "GL_EXT_gpu_shader4"),

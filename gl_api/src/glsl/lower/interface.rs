@@ -5,13 +5,13 @@ use super::place::Slot;
 use super::{Failure, Lowered, Lowerer, Words, functions};
 use crate::glsl::builtins::math::dot_product;
 use crate::glsl::builtins::variables::Builtin;
-use crate::glsl::hir::{Function, Storage, Unit, Variable};
+use crate::glsl::hir::{Function, Passing, Storage, Unit, Variable};
 use crate::glsl::limits::{MAX_CLIP_PLANES, MAX_DRAW_BUFFERS};
 use crate::interface::{StateVar, VARYING_BACK_COLOR, VARYING_CLIP_DISTANCE};
 use rasterizer::ir::{
     Input, Interpolation, Module, Op, Output, Stage, Stmt, Texture, Ty, Value, Var,
 };
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 /// How many targets `gl_FragColor` is written to.
@@ -113,16 +113,43 @@ pub fn lower_stage(
     Ok(LoweredStage { module: emit.builder.finish(), samplers, words })
 }
 
+/// The globals that the functions name, and those that their initializers name: unit and index, in
+/// order.
+pub fn named_globals(units: &[&Unit], reachable: &[(usize, &Function)]) -> Vec<(usize, u32)> {
+    let mut named: Vec<BTreeSet<u32>> = vec![BTreeSet::new(); units.len()];
+    for (unit, function) in reachable {
+        named[*unit].extend(&function.globals);
+    }
+    // A global of one shader may have its initializer in another.
+    let mut open: Vec<(usize, u32)> = Vec::new();
+    let with = |named: &[BTreeSet<u32>]| -> Vec<(usize, u32)> {
+        let all = named.iter().enumerate();
+        all.flat_map(|(unit, set)| set.iter().map(move |&global| (unit, global))).collect()
+    };
+    for (unit, global) in with(&named) {
+        let name = &units[unit].globals[global as usize].name;
+        for (other, declared) in units.iter().enumerate() {
+            let same = declared.globals.iter().position(|v| v.name == *name && v.init.is_some());
+            open.extend(same.map(|index| (other, index as u32)));
+        }
+    }
+    while let Some((unit, global)) = open.pop() {
+        named[unit].insert(global);
+        let Some(init) = &units[unit].globals[global as usize].init else { continue };
+        let mut found = BTreeSet::new();
+        init.add_globals(&mut found);
+        open.extend(found.into_iter().filter(|found| !named[unit].contains(found)).map(|g| (unit, g)));
+    }
+    with(&named)
+}
+
 /// The globals that the functions name, each once by name, with what all units do to it.
 fn used_globals(
     units: &[&Unit],
     reachable: &[(usize, &Function)],
     bindings: &BTreeMap<Arc<str>, Binding>,
 ) -> Vec<(usize, Variable)> {
-    let mut order: Vec<(usize, u32)> = Vec::new();
-    for (unit, function) in reachable {
-        order.extend(function.globals.iter().map(|&global| (*unit, global)));
-    }
+    let mut order = named_globals(units, reachable);
     // What the other stage reads exists, as zeros, even if this one never names it.
     for (unit, declared) in units.iter().enumerate() {
         for (global, variable) in declared.globals.iter().enumerate() {
@@ -143,8 +170,12 @@ fn used_globals(
                 let known: &mut Variable = &mut merged[index].1;
                 known.written |= variable.written;
                 known.dynamic |= variable.dynamic;
-                if known.init.is_none() {
-                    known.init = variable.init.clone();
+                if known.init.is_none() && variable.init.is_some() {
+                    // Its initializer may name what only its own unit has before it.
+                    let known = merged.remove(index);
+                    names.values_mut().for_each(|at| *at -= usize::from(*at > index));
+                    names.insert(&variable.name, merged.len());
+                    merged.push((unit, Variable { init: variable.init.clone(), ..known.1 }));
                 }
             }
             None => {
@@ -373,6 +404,21 @@ impl Lowerer<'_> {
         self.emit.select(enabled, distance, zero)
     }
 
+    /// A component of `gl_FragCoord`, counted as its layout says (ARB_fragment_coord_conventions).
+    fn frag_coord(&mut self, passing: Passing, at: u8) -> Value {
+        let mut value = self.emit.input(Input::FragCoord(at));
+        if at == 1 && passing.origin_upper_left {
+            let word = self.words.state(StateVar::FramebufferHeight);
+            let height = self.emit.uniform(word, Ty::F32);
+            value = self.emit.op(Op::Sub, &[height, value]);
+        }
+        if at < 2 && passing.pixel_center_integer {
+            let half = self.emit.float(0.5);
+            value = self.emit.op(Op::Sub, &[value, half]);
+        }
+        value
+    }
+
     fn clip_vertex(&mut self, variable: &Variable, types: &[Ty], copies: &mut Vec<Copy>) -> Slot {
         let slot = self.new_slot(&variable.name, types, variable.dynamic);
         if variable.written {
@@ -427,8 +473,8 @@ impl Lowerer<'_> {
                 return Ok(self.inputs(variable, types, read));
             }
             Builtin::FragCoord => {
-                let read =
-                    |lowerer: &mut Self, at: u32| lowerer.emit.input(Input::FragCoord(at as u8));
+                let passing = variable.passing;
+                let read = |lowerer: &mut Self, at: u32| lowerer.frag_coord(passing, at as u8);
                 return Ok(self.inputs(variable, types, read));
             }
             Builtin::PointCoord => {
@@ -442,7 +488,9 @@ impl Lowerer<'_> {
             }
             Builtin::Varying(slot) => {
                 if stage == Stage::Fragment {
-                    return Ok(self.varying_input(variable, types, slot, Interpolation::Smooth));
+                    let said = variable.passing.interpolation;
+                    let interpolation = said.unwrap_or(Interpolation::Smooth);
+                    return Ok(self.varying_input(variable, types, slot, interpolation));
                 }
                 let storage = self.new_slot(&variable.name, types, variable.dynamic);
                 if variable.written {

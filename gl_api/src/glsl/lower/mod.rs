@@ -13,7 +13,7 @@ use super::hir::{Expr, Function, Unit, VarRef, Variable};
 use super::limits::{MAX_INLINED_DEPTH, MAX_VALUES};
 use crate::interface::{StateBinding, StateVar};
 use emit::Emit;
-pub use interface::{Binding, lower_stage, varying_slots};
+pub use interface::{Binding, lower_stage, named_globals, varying_slots};
 use place::Slot;
 use rasterizer::ir::{Stage, Texture, TextureDecl, Ty, Value, Var};
 use std::collections::BTreeMap;
