@@ -5,6 +5,7 @@ use super::builtins::functions::Row;
 use super::builtins::variables::Builtin;
 use super::source::Span;
 use super::types::Type;
+use super::version::Version;
 use rasterizer::ir::{Interpolation, Stage};
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -14,6 +15,8 @@ use std::sync::Arc;
 pub struct Unit {
     /// Its stage.
     pub stage: Stage,
+    /// The version it is written in.
+    pub version: Version,
     /// Its global variables, those of the language that it names among them.
     pub globals: Vec<Variable>,
     /// Its functions, prototypes among them.

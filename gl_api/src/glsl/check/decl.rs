@@ -6,7 +6,7 @@ use crate::glsl::Scalar;
 use crate::glsl::ast::{self, TypeBase};
 use crate::glsl::builtins::variables;
 use crate::glsl::diagnostics::{Diagnostic, closest};
-use crate::glsl::hir::{Expr, Passing, Storage, VarRef, Variable};
+use crate::glsl::hir::{Expr, ExprKind, Passing, Storage, VarRef, Variable};
 use crate::glsl::limits::{MAX_SCALARS, MAX_STRUCT_DEPTH};
 use crate::glsl::source::Span;
 use crate::glsl::types::{Struct, Type};
@@ -291,10 +291,17 @@ impl Checker<'_> {
             let rule = format!("{} section 4.3.3", self.version.title());
             self.log.push(Diagnostic::error(init.span, message).rule(rule));
         }
-        if variable.storage == Storage::Const {
-            variable.constant = words;
+        match (variable.storage, words) {
+            (Storage::Const, words) => {
+                variable.constant = words;
+                variable.init = Some(init);
+            }
+            // The linker knows nothing of the constants that the value may be made of.
+            (Storage::Uniform, Some(words)) => {
+                variable.init = Some(Expr { kind: ExprKind::Const(words), ..init });
+            }
+            _ => variable.init = Some(init),
         }
-        variable.init = Some(init);
     }
 
     /// What no variable can be.

@@ -8,7 +8,7 @@ use crate::glsl::diagnostics::Diagnostic;
 use crate::glsl::hir::{Passing, Storage};
 use crate::glsl::source::Span;
 use crate::glsl::types::{FLOAT, INT, Type};
-use crate::glsl::version::{Extension, Version};
+use crate::glsl::version::{Extension, Since, Version};
 use rasterizer::ir::{Interpolation, Stage};
 
 /// What a storage qualifier makes a global in a stage; the error says why it cannot be there.
@@ -45,10 +45,7 @@ fn storage(
 impl Checker<'_> {
     /// What the qualifiers of a global make it, and how it passes; `None` when they contradict each
     /// other.
-    pub(super) fn global_storage(
-        &mut self,
-        ty: &ast::QualifiedType,
-    ) -> Option<(Storage, Passing)> {
+    pub(super) fn global_storage(&mut self, ty: &ast::QualifiedType) -> Option<(Storage, Passing)> {
         self.check_order(&ty.qualifiers);
         let mut word: Option<(Qualifier, Span)> = None;
         let mut passing = Passing::default();
@@ -134,12 +131,7 @@ impl Checker<'_> {
 
     /// Words about interpolation stand at what passes from the vertex to the fragment stage, and
     /// not at the deprecated `varying` (GLSL 1.30 section 4.3).
-    fn check_passing(
-        &mut self,
-        storage: Storage,
-        words: &[(Qualifier, Span)],
-        varying: bool,
-    ) {
+    fn check_passing(&mut self, storage: Storage, words: &[(Qualifier, Span)], varying: bool) {
         let passes = matches!(storage, Storage::Output(_) | Storage::Input(_));
         let deprecated = varying && !self.language.enabled(Extension::GpuShader4);
         for (qualifier, span) in words {
@@ -161,6 +153,10 @@ impl Checker<'_> {
     /// that only this is reported.
     fn check_old(&mut self, qualifier: Qualifier, span: Span) {
         let is_in = qualifier == Qualifier::In;
+        let layouts = self.language.enabled(Extension::FragmentCoordConventions);
+        if is_in && self.stage == Stage::Fragment && layouts {
+            return;
+        }
         if self.version >= Version::V130 || !(is_in || qualifier == Qualifier::Out) {
             return;
         }
@@ -182,7 +178,7 @@ impl Checker<'_> {
             |ty: &Type| ty.any(&|part| matches!(part, Type::Vector(Scalar::Int | Scalar::Uint, _)));
         let boolean = ty.any(&|part| matches!(part, Type::Vector(Scalar::Bool, _)));
         let structure = ty.any(&|part| matches!(part, Type::Struct(_)));
-        let old = self.version < Version::V130;
+        let old = !self.language.has(Since::V130.or(Extension::GpuShader4));
         let wrong = match storage {
             Storage::Attribute => {
                 if boolean || structure || ty.has_array() || (old && integer(ty)) {
@@ -192,7 +188,7 @@ impl Checker<'_> {
                 }
             }
             Storage::Output(interpolation) | Storage::Input(interpolation) => {
-                if boolean || (structure && old) || (old && integer(ty)) {
+                if boolean || structure || (old && integer(ty)) {
                     Some("what passes between the stages is made of floats")
                 } else if integer(ty) && interpolation != Interpolation::Flat && !self.is_vertex() {
                     Some("integers that pass between the stages are `flat`")

@@ -72,7 +72,7 @@ pub fn check(
     log: &mut Log,
 ) -> Unit {
     let version = language.version;
-    let unit = Unit { stage, globals: Vec::new(), functions: Vec::new() };
+    let unit = Unit { stage, version, globals: Vec::new(), functions: Vec::new() };
     let mut checker = Checker {
         source,
         log,
@@ -120,7 +120,8 @@ impl Checker<'_> {
         let written = |name: &str| {
             self.unit.globals.iter().any(|global| &*global.name == name && global.written)
         };
-        let own = self.unit.globals.iter().find(|v| v.written && v.storage == Storage::FragmentOutput);
+        let own =
+            self.unit.globals.iter().find(|v| v.written && v.storage == Storage::FragmentOutput);
         let written: Vec<&str> = ["gl_FragColor", "gl_FragData"]
             .into_iter()
             .filter(|name| written(name))

@@ -2,7 +2,7 @@
 //! (GLSL 1.30 sections 4.1.9 and 4.3).
 
 use crate::glsl::diagnostics::{Diagnostic, Log};
-use crate::glsl::hir::{Expr, ExprKind, Storage, Unit, VarRef, Variable};
+use crate::glsl::hir::{Expr, Storage, Unit, Variable};
 use crate::glsl::lower;
 use crate::glsl::types::Type;
 use std::collections::BTreeMap;
@@ -61,7 +61,8 @@ pub fn settled(units: impl Iterator<Item = Arc<Unit>>) -> Vec<Arc<Unit>> {
 /// Globals of the same name in several shaders of a stage are the same.
 pub fn same_globals(units: &[&Unit], stage: &str, log: &mut Log) {
     let mut known: BTreeMap<&str, (&Unit, &Variable)> = BTreeMap::new();
-    for (unit, variable) in units.iter().flat_map(|unit| unit.globals.iter().map(move |v| (*unit, v)))
+    for (unit, variable) in
+        units.iter().flat_map(|unit| unit.globals.iter().map(move |v| (*unit, v)))
     {
         let entry = known.entry(&variable.name).or_insert((unit, variable));
         let (home, other) = *entry;
@@ -69,6 +70,8 @@ pub fn same_globals(units: &[&Unit], stage: &str, log: &mut Log) {
             format!("is {} in one {stage} shader and {} in another", other.ty, variable.ty)
         } else if other.passing.invariant != variable.passing.invariant {
             format!("is invariant in one {stage} shader only")
+        } else if other.passing.centroid != variable.passing.centroid {
+            format!("is centroid in one {stage} shader only")
         } else if let (Some(a), Some(b)) = (&other.init, &variable.init)
             && variable.storage != Storage::Uniform
             && !same_value((home, a), (unit, b))
@@ -85,40 +88,9 @@ pub fn same_globals(units: &[&Unit], stage: &str, log: &mut Log) {
     }
 }
 
-/// Whether two initializers give one value: by what they fold to, or as they are written.
-fn same_value(a: (&Unit, &Expr), b: (&Unit, &Expr)) -> bool {
-    let fold = |(unit, init): (&Unit, &Expr)| lower::constant(init, &unit.globals, &[]);
-    match (fold(a), fold(b)) {
-        (Some(a), Some(b)) => a == b,
-        (Some(_), None) | (None, Some(_)) => false,
-        (None, None) => same(a, b),
-    }
-}
-
-/// Whether two expressions are the same, names being those of their units.
-fn same((home, a): (&Unit, &Expr), (away, b): (&Unit, &Expr)) -> bool {
-    let both = |a: &Expr, b: &Expr| same((home, a), (away, b));
-    let all = |a: &[Expr], b: &[Expr]| {
-        a.len() == b.len() && a.iter().zip(b).all(|(a, b)| both(a, b))
-    };
-    if a.ty != b.ty {
-        return false;
-    }
-    match (&a.kind, &b.kind) {
-        (ExprKind::Const(a), ExprKind::Const(b)) => a == b,
-        (ExprKind::Var(VarRef::Global(a)), ExprKind::Var(VarRef::Global(b))) => {
-            home.globals[*a as usize].name == away.globals[*b as usize].name
-        }
-        (ExprKind::Convert(a), ExprKind::Convert(b)) => both(a, b),
-        (ExprKind::Unary(p, a), ExprKind::Unary(q, b)) => p == q && both(a, b),
-        (ExprKind::Binary(p, a, c), ExprKind::Binary(q, b, d)) => p == q && both(a, b) && both(c, d),
-        (ExprKind::Conditional(a), ExprKind::Conditional(b)) => all(&a[..], &b[..]),
-        (ExprKind::Comma(a), ExprKind::Comma(b)) => all(a, b),
-        (ExprKind::Index(a, c), ExprKind::Index(b, d)) => both(a, b) && both(c, d),
-        (ExprKind::Field(a, p), ExprKind::Field(b, q)) => p == q && both(a, b),
-        (ExprKind::Swizzle(a, p), ExprKind::Swizzle(b, q)) => p == q && both(a, b),
-        (ExprKind::Construct(a), ExprKind::Construct(b)) => all(a, b),
-        (ExprKind::Builtin(p, a), ExprKind::Builtin(q, b)) => std::ptr::eq(*p, *q) && all(a, b),
-        _ => false,
-    }
+/// Whether two initializers give one value. Several shaders can only give what is constant
+/// (GLSL 1.30 section 4.3).
+fn same_value((home, a): (&Unit, &Expr), (away, b): (&Unit, &Expr)) -> bool {
+    let a = lower::constant(a, &home.globals, &[]);
+    a.is_some() && a == lower::constant(b, &away.globals, &[])
 }

@@ -12,6 +12,7 @@ use super::hir::{Function, Storage, Unit, Variable};
 use super::lower::{self, Binding, Words, lower_stage};
 use super::version::stage_name;
 use super::{Bindings, Linked, Program, SamplerSlot, Shader, Stage};
+use crate::interface::MAX_TEXTURE_IMAGE_UNITS;
 use rasterizer::ir::Module;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -80,7 +81,7 @@ fn build(shaders: &[&Shader], bindings: &Bindings, log: &mut Log) -> Option<Prog
         let position = vertex.used.iter().any(|v| &*v.name == "gl_Position" && v.written);
         if !position {
             let message = "the vertex shader never writes gl_Position";
-            log.push(Diagnostic::link_warning(message).rule("GLSL 1.30 section 7.1"));
+            log.push(Diagnostic::link_error(message).rule("GLSL 1.30 section 7.1"));
         }
     }
     if log.has_errors() {
@@ -95,6 +96,16 @@ fn build(shaders: &[&Shader], bindings: &Bindings, log: &mut Log) -> Option<Prog
                 *words = lowered.words;
                 let slots = lowered.samplers.into_iter();
                 let stage = stage.stage;
+                let active: BTreeSet<u32> = slots.clone().map(|(_, word)| word).collect();
+                if active.len() > usize::from(MAX_TEXTURE_IMAGE_UNITS) {
+                    let message = format!(
+                        "the {} shader uses {} samplers; a stage has {MAX_TEXTURE_IMAGE_UNITS} \
+                         texture image units",
+                        stage_name(stage),
+                        active.len()
+                    );
+                    log.push(Diagnostic::link_error(message).rule("GL 2.1 section 2.15.3"));
+                }
                 samplers.extend(slots.map(|(slot, word)| SamplerSlot {
                     stage,
                     slot: slot.0,
@@ -156,14 +167,7 @@ fn collect<'a>(units: &'a [Arc<Unit>], stage: Stage, log: &mut Log) -> Option<St
         }
         globals::same_globals(&units, name, log);
     }
-    let reachable = match lower::reachable(&units) {
-        Ok(reachable) => reachable,
-        Err(signature) => {
-            let message = format!("{name} shader: `{signature}` is called and never defined");
-            log.push(Diagnostic::link_error(message));
-            return None;
-        }
-    };
+    let reachable = lower::reachable(&units);
     let mut used: Vec<&Variable> = Vec::new();
     let mut names: BTreeSet<&str> = BTreeSet::new();
     for (unit, global) in lower::named_globals(&units, &reachable) {

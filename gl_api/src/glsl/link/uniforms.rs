@@ -34,17 +34,21 @@ pub fn uniforms(stages: &[&StageUnits<'_>], words: &mut Words, log: &mut Log) ->
             all.push((variable, initial(variable)));
         }
     }
+    let mut types: BTreeMap<&str, &Type> = BTreeMap::new();
     for variable in declared().filter(|variable| is_uniform(variable.storage)) {
+        let ty = *types.entry(&variable.name).or_insert(&variable.ty);
+        if *ty != variable.ty {
+            let message = format!(
+                "uniform `{}` is {ty} in one shader and {} in another",
+                variable.name, variable.ty
+            );
+            log.push(Diagnostic::link_error(message).rule("GLSL 1.30 section 4.3.5"));
+            continue;
+        }
         let Some(&index) = names.get(&*variable.name) else { continue };
         let (known, value) = &mut all[index];
         let mine = initial(variable);
-        if known.ty != variable.ty {
-            let message = format!(
-                "uniform `{}` is {} in one shader and {} in another",
-                variable.name, known.ty, variable.ty
-            );
-            log.push(Diagnostic::link_error(message).rule("GLSL 1.30 section 4.3.5"));
-        } else if known.init.is_none() && variable.init.is_some() {
+        if known.init.is_none() && variable.init.is_some() {
             (*known, *value) = (variable, mine);
         } else if variable.init.is_some() && *value != mine {
             let message = format!("uniform `{}` has two initial values", variable.name);

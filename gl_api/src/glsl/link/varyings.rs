@@ -5,6 +5,7 @@ use crate::glsl::diagnostics::{Diagnostic, Log};
 use crate::glsl::hir::{Storage, Variable};
 use crate::glsl::limits::MAX_VARYING_FLOATS;
 use crate::glsl::lower::{Binding, varying_slots};
+use crate::glsl::version::Version;
 use crate::interface::VARYING_USER;
 use rasterizer::ir::Interpolation;
 
@@ -34,6 +35,14 @@ pub fn varyings(
             log.push(Diagnostic::link_error(message).rule("GLSL 1.30 section 4.3.6"));
             continue;
         };
+        let vertex = vertex.iter();
+        let written =
+            vertex.flat_map(|vertex| vertex.declared()).any(|v| v.name == *name && v.written);
+        if !written && fragment.units.iter().all(|unit| unit.version <= Version::V120) {
+            let message =
+                format!("the fragment shader reads `{name}`, which the vertex shader never writes");
+            log.push(Diagnostic::link_error(message).rule("GLSL 1.20 section 4.3.6"));
+        }
         if output.ty != input.ty {
             let message = format!(
                 "`{name}` is {} in the vertex shader and {} in the fragment shader",

@@ -27,7 +27,7 @@ pub enum Word {
 }
 
 /// Keywords that are no types, and since when.
-const KEYWORDS: [(&str, Since); 30] = [
+const KEYWORDS: [(&str, Since); 31] = [
     ("attribute", ALWAYS),
     ("const", ALWAYS),
     ("uniform", ALWAYS),
@@ -57,6 +57,7 @@ const KEYWORDS: [(&str, Since); 30] = [
     ("default", ALWAYS),
     ("lowp", PRECISION),
     ("mediump", PRECISION),
+    ("precision", PRECISION),
     ("layout", LAYOUT),
 ];
 
@@ -93,13 +94,14 @@ const RESERVED: [&str; 40] = [
 
 /// Words that GLSL 1.30 reserves besides.
 #[rustfmt::skip]
-const RESERVED_130: [&str; 34] = [
+const RESERVED_130: [&str; 37] = [
     "common", "partition", "active", "filter", "image1D", "image2D",
     "image3D", "imageCube", "image1DArray", "image2DArray", "image1DShadow", "image2DShadow",
     "image1DArrayShadow", "image2DArrayShadow", "imageBuffer", "iimage1D", "iimage2D", "iimage3D",
     "iimageCube", "iimage1DArray", "iimage2DArray", "iimageBuffer", "uimage1D", "uimage2D",
     "uimage3D", "uimageCube", "uimage1DArray", "uimage2DArray", "uimageBuffer", "samplerBuffer",
-    "isamplerBuffer", "usamplerBuffer", "isampler2DRect", "usampler2DRect",
+    "isamplerBuffer", "usamplerBuffer", "isampler2DRect", "usampler2DRect", "sampler2DRect",
+    "sampler2DRectShadow", "row_major",
 ];
 
 /// What a word is in a version.

@@ -250,6 +250,10 @@ impl Preprocessor<'_> {
             self.error(span, "`#extension name : behaviour` is expected");
             return;
         };
+        if let Some(more) = rest.get(3) {
+            let message = format!("unexpected {} after the behaviour", more.describe());
+            self.error(more.span, message);
+        }
         let (name_span, behaviour_span) = (name.span, behaviour.span);
         let (required, behaviour) = match &**behaviour_name {
             "require" => (Required::Yes, Behaviour::Enable),
