@@ -165,7 +165,7 @@ impl Machine {
                     SampleLod::Implicit { bias } => Lod::Implicit { bias: bias.map(reg) },
                     SampleLod::Explicit(lod) => Lod::Explicit(reg(lod)),
                     SampleLod::Gradient { dx, dy } => {
-                        Lod::Gradient { dx: dx.map(reg), dy: dy.map(reg) }
+                        Lod::Gradient { dx: dx.map(reg), dy: dy.map(reg), bias: None }
                     }
                 };
                 let coords = sample.coords.map(reg);
