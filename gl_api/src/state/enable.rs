@@ -20,6 +20,7 @@ pub(crate) enum Flag {
     Dither,
     Multisample,
     PolygonOffsetFill,
+    PrimitiveRestart,
     ScissorTest,
     SeamlessCubeMaps,
 }
@@ -44,6 +45,7 @@ pub(crate) const CAPABILITY: Table<Capability> = Table {
         (GL_DITHER, Capability::Flag(Flag::Dither)),
         (GL_MULTISAMPLE, Capability::Flag(Flag::Multisample)),
         (GL_POLYGON_OFFSET_FILL, Capability::Flag(Flag::PolygonOffsetFill)),
+        (GL_PRIMITIVE_RESTART, Capability::Flag(Flag::PrimitiveRestart)),
         (GL_SCISSOR_TEST, Capability::Flag(Flag::ScissorTest)),
         (GL_TEXTURE_CUBE_MAP_SEAMLESS, Capability::Flag(Flag::SeamlessCubeMaps)),
         (GL_TEXTURE_1D, Capability::Texture(TextureTarget::D1)),
@@ -78,6 +80,7 @@ fn switch(context: &mut Context, cap: GLenum, on: bool) -> Result<()> {
     match CAPABILITY.decode("cap", cap)? {
         Capability::Flag(flag) => context.state.enables.set(flag, on),
         Capability::Texture(target) => {
+            context.state.units.active_coordinates("GL 2.1, section 3.8.16")?;
             context.state.units.active_mut().enabled[target as usize] = on;
         }
     }
@@ -127,6 +130,11 @@ fn client_location(context: &Context, location: u8) -> usize {
 }
 
 fn switch_client(context: &mut Context, array: GLenum, on: bool) -> Result<()> {
+    // NV_primitive_restart has it among the client's arrays.
+    if array == GL_PRIMITIVE_RESTART_NV {
+        context.state.enables.set(Flag::PrimitiveRestart, on);
+        return Ok(());
+    }
     let location = client_location(context, CLIENT_ARRAY.decode("array", array)?);
     context.state.arrays.by_location[location].enabled = on;
     Ok(())

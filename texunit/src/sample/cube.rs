@@ -51,7 +51,7 @@ pub fn over_edges(on: &Projected) -> Projected {
 
 /// The derivatives of the face coordinates, given those of the direction.
 #[inline(always)]
-pub fn derivatives(face: &U32s, direction: [&F32s; 3], change: &[F32s; 3]) -> [F32s; 2] {
+pub fn derivatives(face: &U32s, direction: [&F32s; 3], change: [&F32s; 3]) -> [F32s; 2] {
     let mut out = [F32s::ZERO; 2];
     for lane in 0..LANES {
         let [sc, tc, ma] =

@@ -14,27 +14,14 @@
 //! nothing jumps where `N` changes. The probes weigh the same, as the area integral asks. Each is a
 //! sample of its own, of the levels that λ tells; on a cube, of the face that it comes to lie on.
 
-use super::lod::{across, upward};
 use crate::lanes::math::{clamp, max};
 use crate::lanes::{F32s, LANES, Simd, U32s, log2_of_root};
 
 /// Derivatives of the coordinates of each axis.
-pub struct Derivatives {
-    pub dx: [F32s; 3],
-    pub dy: [F32s; 3],
-}
-
-impl Derivatives {
-    /// Those of the first `axes` coordinates, from the differences within each quad.
-    #[inline(always)]
-    pub fn of_quads(coords: [&F32s; 3], axes: usize) -> Self {
-        let mut out = Self { dx: [F32s::ZERO; 3], dy: [F32s::ZERO; 3] };
-        for (axis, from) in coords.into_iter().enumerate().take(axes) {
-            out.dx[axis] = across(from);
-            out.dy[axis] = upward(from);
-        }
-        out
-    }
+#[derive(Clone, Copy)]
+pub struct Derivatives<'a> {
+    pub dx: [&'a F32s; 3],
+    pub dy: [&'a F32s; 3],
 }
 
 /// Where the probes of a batch lie.
@@ -55,7 +42,7 @@ struct Metric {
 }
 
 #[inline(always)]
-fn metric(d: &Derivatives, axes: usize, scale: [f32; 3]) -> Metric {
+fn metric(d: &Derivatives<'_>, axes: usize, scale: [f32; 3]) -> Metric {
     let mut out = Metric { xx: F32s::ZERO, xy: F32s::ZERO, yy: F32s::ZERO };
     for (axis, scale) in scale.into_iter().enumerate().take(axes) {
         for lane in 0..LANES {
@@ -71,7 +58,7 @@ fn metric(d: &Derivatives, axes: usize, scale: [f32; 3]) -> Metric {
 
 /// λ of one probe for the whole footprint. `scale` is texels per unit of each coordinate.
 #[inline(always)]
-pub fn isotropic(d: &Derivatives, axes: usize, scale: [f32; 3]) -> F32s {
+pub fn isotropic(d: &Derivatives<'_>, axes: usize, scale: [f32; 3]) -> F32s {
     let mut lambda = F32s::ZERO;
     if axes == 2 {
         for lane in 0..LANES {
@@ -91,7 +78,7 @@ pub fn isotropic(d: &Derivatives, axes: usize, scale: [f32; 3]) -> F32s {
 /// λ of each probe, and the probes, if any lane has more than one.
 #[inline(always)]
 pub fn anisotropic<S: Simd>(
-    d: &Derivatives,
+    d: &Derivatives<'_>,
     axes: usize,
     scale: [f32; 3],
     most: f32,

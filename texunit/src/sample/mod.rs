@@ -60,8 +60,8 @@ impl Kernel for Sample<'_> {
         let (taps, probes) = taps::taps::<S>(texture, &at, lod);
         let samples = Samples { texture, offset, reference: &reference };
         sample_probes::<S>(&samples, &at, &taps, probes.as_ref(), out);
-        expand::expand(texture.format.base(), texture.depth_mode, out);
-        expand::swizzle(texture.swizzle, out);
+        expand::expand(texture.format, texture.depth_mode, out);
+        expand::swizzle(texture.format, texture.swizzle, out);
     }
 }
 

@@ -1,6 +1,7 @@
 //! Which levels and faces the lanes of a batch read, and with which filter.
 
 use super::footprint::{self, Derivatives, Probes};
+use super::lod::{across, upward};
 use super::{Coordinates, cube};
 use crate::image::Shape;
 use crate::lanes::{F32s, LANES, Simd, U32s};
@@ -97,8 +98,26 @@ pub fn taps<S: Simd>(texture: &Texture, at: &Coordinates, lod: Lod<'_>) -> (Taps
     let (base, probes, bias) = match lod {
         Lod::Explicit(lambda) => (*lambda, None, None),
         Lod::Implicit { bias } | Lod::Gradient { bias, .. } => {
-            let d = derivatives(texture, at, &lod);
             let axes = texture.shape.axes();
+            let differences;
+            let mut d = match &lod {
+                Lod::Gradient { dx, dy, .. } => Derivatives { dx: *dx, dy: *dy },
+                Lod::Implicit { .. } | Lod::Explicit(_) => {
+                    let read = if texture.shape == Shape::Cube { 3 } else { axes };
+                    differences = of_quads(at.given, read);
+                    let [dx, dy] = &differences;
+                    Derivatives { dx: dx.each_ref(), dy: dy.each_ref() }
+                }
+            };
+            let on_face;
+            if texture.shape == Shape::Cube {
+                on_face = [
+                    cube::derivatives(&at.face, at.given, d.dx),
+                    cube::derivatives(&at.face, at.given, d.dy),
+                ];
+                let [[dsdx, dtdx], [dsdy, dtdy]] = &on_face;
+                d = Derivatives { dx: [dsdx, dtdx, dtdx], dy: [dsdy, dtdy, dtdy] };
+            }
             let (base, probes) = if *most > 1 {
                 footprint::anisotropic::<S>(&d, axes, texture.scale, *most as f32)
             } else {
@@ -171,20 +190,15 @@ fn mixed<S: Simd>(keys: [U32s; 2], weight: F32s) -> Taps {
     Taps::Mixed { keys, weight }
 }
 
-/// The derivatives of the coordinates that are filtered along; of a cube's, on the face.
+/// The differences within each quad of the first `axes` coordinates.
 #[inline(always)]
-fn derivatives(texture: &Texture, at: &Coordinates, lod: &Lod<'_>) -> Derivatives {
-    let axes = if texture.shape == Shape::Cube { 3 } else { texture.shape.axes() };
-    let given = match lod {
-        Lod::Gradient { dx, dy, .. } => Derivatives { dx: dx.map(|d| *d), dy: dy.map(|d| *d) },
-        Lod::Implicit { .. } | Lod::Explicit(_) => Derivatives::of_quads(at.given, axes),
-    };
-    if texture.shape != Shape::Cube {
-        return given;
+fn of_quads(coords: [&F32s; 3], axes: usize) -> [[F32s; 3]; 2] {
+    let mut out = [[F32s::ZERO; 3]; 2];
+    for (axis, from) in coords.into_iter().enumerate().take(axes) {
+        out[0][axis] = across(from);
+        out[1][axis] = upward(from);
     }
-    let [dsdx, dtdx] = cube::derivatives(&at.face, at.given, &given.dx);
-    let [dsdy, dtdy] = cube::derivatives(&at.face, at.given, &given.dy);
-    Derivatives { dx: [dsdx, dtdx, F32s::ZERO], dy: [dsdy, dtdy, F32s::ZERO] }
+    out
 }
 
 /// What there is when there is no key.
