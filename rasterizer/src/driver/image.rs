@@ -40,6 +40,19 @@ struct Subresource {
     level: usize,
 }
 
+/// Format and size of a level.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct LevelInfo {
+    /// How its texels are stored.
+    pub format: Format,
+    /// Width, height, and depth or layers, without border.
+    pub size: [u32; 3],
+    /// Texels of border along each axis.
+    pub border: [u32; 3],
+    /// Samples of a pixel.
+    pub samples: u8,
+}
+
 /// The size and kind of what is attached.
 pub(crate) struct AttachmentInfo {
     pub format: Format,
@@ -94,6 +107,14 @@ impl Image {
         let mut state = self.0.lock();
         state.resolve();
         state.texels.clone()
+    }
+
+    /// What is known of a level without looking at its texels, if it exists.
+    pub fn level(&self, face: usize, level: usize) -> Option<LevelInfo> {
+        let state = self.0.lock();
+        let level = state.texels.level(face, level)?;
+        let (size, border, format) = (level.size(), level.border, level.format);
+        Some(LevelInfo { format, size, border, samples: state.samples })
     }
 
     /// Changes its texels. Draws that were recorded earlier keep what they saw.

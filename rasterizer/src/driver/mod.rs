@@ -15,7 +15,7 @@ pub use crate::output::texel_words;
 pub use buffer::{Buffer, VertexBinding, VertexFormat, VertexSource, VertexType};
 pub use command::{ClearValue, Command, CommandBuffer, IndexType, Indices, Rect, Viewport};
 pub use device::{Device, DeviceDesc, DeviceError, Explain, SubmitError, SubmitReport};
-pub use image::{Attachment, Image, PassDesc};
+pub use image::{Attachment, Image, LevelInfo, PassDesc};
 pub use output::{LogicOp, OutputState, SrgbWrite, StencilFace, StencilOp, StencilState};
 pub use pipeline::{
     Blend, BlendEquation, BlendFactor, ColorState, Cull, DepthState, DepthWrite, FrontFace,
