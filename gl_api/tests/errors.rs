@@ -107,7 +107,7 @@ const CASES: &[Case] = &[
     (|c| c.gen_textures(3, &mut [0]), GL_INVALID_OPERATION, "the slice has 1"),
     (|c| c.delete_textures(-2, &[]), GL_INVALID_VALUE, "n = -2"),
     (|c| c.delete_textures(2, &[1]), GL_INVALID_OPERATION, "the slice has 1"),
-    (|c| c.active_texture(GL_TEXTURE0 + 8), GL_INVALID_ENUM, "GL_TEXTURE0 to GL_TEXTURE7"),
+    (|c| c.active_texture(GL_TEXTURE0 + 32), GL_INVALID_ENUM, "GL_TEXTURE0 to GL_TEXTURE31"),
     (|c| c.active_texture(0), GL_INVALID_ENUM, "GL_TEXTURE0 to"),
     (|c| c.client_active_texture(GL_TEXTURE31), GL_INVALID_ENUM, "GL_TEXTURE31"),
     (|c| image(c, -1, 1, &[]), GL_INVALID_VALUE, "width = -1 must not be negative"),

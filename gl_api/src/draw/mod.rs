@@ -7,6 +7,8 @@ pub(crate) mod arrays;
 pub(crate) mod calls;
 pub(crate) mod hints;
 pub(crate) mod immediate;
+pub(crate) mod interleaved;
+pub(crate) mod restart;
 mod stages;
 pub(crate) mod translate;
 mod words;

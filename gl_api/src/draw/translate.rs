@@ -19,8 +19,8 @@ const KEPT: usize = 1024;
 /// Which vertices a draw takes.
 #[derive(Debug)]
 pub(crate) enum Elements {
-    Range { first: u32, count: u32 },
-    Indexed { indices: Indices, count: u32 },
+    Range { first: u32, count: u32, instances: u32 },
+    Indexed { indices: Indices, count: u32, instances: u32 },
 }
 
 /// Records a draw.
@@ -70,11 +70,11 @@ pub(crate) fn draw(
         fragment: stages.fragment_textures,
     });
     commands.push(match elements {
-        Elements::Range { first, count } => {
-            Command::Draw { first: *first, count: *count, instances: 1 }
+        Elements::Range { first, count, instances } => {
+            Command::Draw { first: *first, count: *count, instances: *instances }
         }
-        Elements::Indexed { indices, count } => {
-            Command::DrawIndexed { indices: indices.clone(), count: *count, instances: 1 }
+        Elements::Indexed { indices, count, instances } => {
+            Command::DrawIndexed { indices: indices.clone(), count: *count, instances: *instances }
         }
     });
     Ok(())

@@ -101,7 +101,7 @@ mod textures;
 mod transform;
 mod vertices;
 
-pub use args::{Arg, BUFFER_OFFSET, Data, DataOut, NULL, Null, Offset, Strings, TextOut};
+pub use args::{Arg, BUFFER_OFFSET, Data, DataOut, NULL, Null, Offset, Pointers, Strings, TextOut};
 pub(crate) use current::Fallback;
 pub use current::{Current, set_current, with_current};
 

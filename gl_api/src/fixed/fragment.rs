@@ -80,7 +80,8 @@ pub(super) fn module(key: &FragmentKey) -> Module {
 
 /// The texel of a unit: at `s/q, t/q`, compared with `r/q` where it is a shadow map.
 fn sample(b: &mut Builder, unit: &UnitKey) -> [Value; 4] {
-    let texture = b.texture(TextureDecl { shape: unit.shape, compare: unit.compare });
+    let texture =
+        b.texture(TextureDecl { compare: unit.compare, ..TextureDecl::color(unit.shape) });
     let first = VARYING_TEX_COORD + 4 * u16::from(unit.unit);
     let [mut s, mut t, mut r, q] = [0, 1, 2, 3].map(|i| b.input(Input::Varying(first + i)));
     // A cube map's coordinates are a direction, which q does not change.

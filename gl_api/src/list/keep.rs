@@ -3,7 +3,7 @@
 
 use super::pixels;
 use crate::context::Context;
-use crate::entry::{Data, DataOut, Strings, TextOut};
+use crate::entry::{Data, DataOut, Pointers, Strings, TextOut};
 use std::convert::Infallible;
 use std::marker::PhantomData;
 
@@ -154,6 +154,8 @@ macro_rules! answers {
 answers! {
     [T: 'static] &mut [T], [T; 1] => &'a mut [T];
     [] DataOut<'_>, DataOut<'static> => DataOut<'a>;
+    // Draws of arrays record themselves.
+    [] Pointers<'_>, Pointers<'static> => Pointers<'a>;
     // The source of a shader is taken at once.
     [] Strings<'_>, Strings<'static> => Strings<'a>;
     [] TextOut<'_>, TextOut<'static> => TextOut<'a>;

@@ -22,6 +22,7 @@ pub(crate) enum Flag {
     FramebufferSrgb,
     Multisample,
     PolygonOffsetFill,
+    PrimitiveRestart,
     ScissorTest,
     SeamlessCubeMaps,
     StencilTest,
@@ -50,6 +51,7 @@ pub(crate) const CAPABILITY: Table<Capability> = Table {
         (GL_FRAMEBUFFER_SRGB, Capability::Flag(Flag::FramebufferSrgb)),
         (GL_MULTISAMPLE, Capability::Flag(Flag::Multisample)),
         (GL_POLYGON_OFFSET_FILL, Capability::Flag(Flag::PolygonOffsetFill)),
+        (GL_PRIMITIVE_RESTART, Capability::Flag(Flag::PrimitiveRestart)),
         (GL_SCISSOR_TEST, Capability::Flag(Flag::ScissorTest)),
         (GL_STENCIL_TEST, Capability::Flag(Flag::StencilTest)),
         (GL_STENCIL_TEST_TWO_SIDE_EXT, Capability::Flag(Flag::StencilTestTwoSide)),
@@ -93,6 +95,7 @@ fn switch(context: &mut Context, cap: GLenum, on: bool) -> Result<()> {
             }
         }
         Capability::Texture(target) => {
+            context.state.units.active_coordinates("GL 2.1, section 3.8.16")?;
             context.state.units.active_mut().enabled[target as usize] = on;
         }
     }
@@ -142,6 +145,11 @@ fn client_location(context: &Context, location: u8) -> usize {
 }
 
 fn switch_client(context: &mut Context, array: GLenum, on: bool) -> Result<()> {
+    // NV_primitive_restart has it among the client's arrays.
+    if array == GL_PRIMITIVE_RESTART_NV {
+        context.state.enables.set(Flag::PrimitiveRestart, on);
+        return Ok(());
+    }
     let location = client_location(context, CLIENT_ARRAY.decode("array", array)?);
     context.state.arrays.by_location[location].enabled = on;
     Ok(())
