@@ -173,7 +173,6 @@ pub(crate) fn framebuffer_texture_2d(
     framebuffer_texture(context, (target, attachment), (2, textarget), &slice)
 }
 
-#[expect(clippy::too_many_arguments, reason = "GL's signature")]
 pub(crate) fn framebuffer_texture_3d(
     context: &mut Context,
     target: GLenum,

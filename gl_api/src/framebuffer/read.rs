@@ -139,7 +139,7 @@ pub(crate) fn read_pixels(
         kinds_match(pixel, from.format())?;
     }
     let region = Region::new(x, y, width, height);
-    let transfer = context.state.transfer.clone();
+    let transfer = context.state.transfer;
     memory::write_pixels(context, &layout, pixels, |bytes| {
         pack(&from, region, &layout, &transfer, bytes);
     })

@@ -23,7 +23,9 @@ fn stored(component: f32, how: Stored) -> (f64, f64) {
             let largest = 2.0_f64.powi(bits) - 1.0;
             ((f64::from(component) * largest).round() / largest, 1e-7)
         }
-        Float(bits) => (f64::from(component), f64::from(component) * 2.0_f64.powi(-bits - 1) + 1e-12),
+        Float(bits) => {
+            (f64::from(component), f64::from(component) * 2.0_f64.powi(-bits - 1) + 1e-12)
+        }
         Not(value) => (value.into(), 0.0),
     }
 }

@@ -57,8 +57,7 @@ fn nearest_takes_the_texel_under_the_centre_whichever_way_round() {
                     (0.0..1.0).contains(&along).then(|| (s0 + along * (s1 - s0)).floor())
                 };
                 let texel = at(x, 0).zip(at(y, 1));
-                let texel = texel
-                    .filter(|(u, v)| (0.0..8.0).contains(u) && (0.0..6.0).contains(v));
+                let texel = texel.filter(|(u, v)| (0.0..8.0).contains(u) && (0.0..6.0).contains(v));
                 let want = texel.map_or([255; 3], |(u, v)| [u as u8 * 20, v as u8 * 20, 0]);
                 let at = (y * 20 + x) as usize * 3;
                 assert_eq!(got[at..at + 3], want, "{src:?} to {dst:?} at {x}, {y}");

@@ -21,9 +21,8 @@ fn operate(op: GLenum, stored: u8, reference: u8) -> u8 {
 const OPS: [GLenum; 8] =
     [GL_KEEP, GL_ZERO, GL_REPLACE, GL_INCR, GL_DECR, GL_INVERT, GL_INCR_WRAP, GL_DECR_WRAP];
 
-const FUNCS: [GLenum; 8] = [
-    GL_NEVER, GL_LESS, GL_EQUAL, GL_LEQUAL, GL_GREATER, GL_NOTEQUAL, GL_GEQUAL, GL_ALWAYS,
-];
+const FUNCS: [GLenum; 8] =
+    [GL_NEVER, GL_LESS, GL_EQUAL, GL_LEQUAL, GL_GREATER, GL_NOTEQUAL, GL_GEQUAL, GL_ALWAYS];
 
 fn passes(func: GLenum, reference: u8, stored: u8) -> bool {
     match func {
