@@ -16,15 +16,19 @@ use crate::types::*;
 pub(crate) enum Flag {
     AlphaTest,
     Blend,
+    ColorLogicOp,
     CullFace,
     DebugOutputSynchronous,
     DepthTest,
     Dither,
+    FramebufferSrgb,
     Multisample,
     PolygonOffsetFill,
     PrimitiveRestart,
     ScissorTest,
     SeamlessCubeMaps,
+    StencilTest,
+    StencilTestTwoSide,
 }
 
 /// What `glEnable` takes.
@@ -44,15 +48,19 @@ pub(crate) const CAPABILITY: Table<Capability> = Table {
     rows: &[
         (GL_ALPHA_TEST, Capability::Flag(Flag::AlphaTest)),
         (GL_BLEND, Capability::Flag(Flag::Blend)),
+        (GL_COLOR_LOGIC_OP, Capability::Flag(Flag::ColorLogicOp)),
         (GL_CULL_FACE, Capability::Flag(Flag::CullFace)),
         (GL_DEBUG_OUTPUT, Capability::DebugOutput),
         (GL_DEBUG_OUTPUT_SYNCHRONOUS, Capability::Flag(Flag::DebugOutputSynchronous)),
         (GL_DEPTH_TEST, Capability::Flag(Flag::DepthTest)),
         (GL_DITHER, Capability::Flag(Flag::Dither)),
+        (GL_FRAMEBUFFER_SRGB, Capability::Flag(Flag::FramebufferSrgb)),
         (GL_MULTISAMPLE, Capability::Flag(Flag::Multisample)),
         (GL_POLYGON_OFFSET_FILL, Capability::Flag(Flag::PolygonOffsetFill)),
         (GL_PRIMITIVE_RESTART, Capability::Flag(Flag::PrimitiveRestart)),
         (GL_SCISSOR_TEST, Capability::Flag(Flag::ScissorTest)),
+        (GL_STENCIL_TEST, Capability::Flag(Flag::StencilTest)),
+        (GL_STENCIL_TEST_TWO_SIDE_EXT, Capability::Flag(Flag::StencilTestTwoSide)),
         (GL_TEXTURE_CUBE_MAP_SEAMLESS, Capability::Flag(Flag::SeamlessCubeMaps)),
         (GL_TEXTURE_1D, Capability::Texture(TextureTarget::D1)),
         (GL_TEXTURE_2D, Capability::Texture(TextureTarget::D2)),
@@ -77,14 +85,21 @@ impl Enables {
         self.0 >> flag as u32 & 1 == 1
     }
 
-    fn set(&mut self, flag: Flag, on: bool) {
+    pub fn set(&mut self, flag: Flag, on: bool) {
         self.0 = self.0 & !(1 << flag as u32) | u32::from(on) << flag as u32;
     }
 }
 
 fn switch(context: &mut Context, cap: GLenum, on: bool) -> Result<()> {
     match CAPABILITY.decode("cap", cap)? {
-        Capability::Flag(flag) => context.state.enables.set(flag, on),
+        Capability::Flag(flag) => {
+            context.state.enables.set(flag, on);
+            if flag == Flag::Blend {
+                for buffer in &mut context.state.fragment.buffers {
+                    buffer.blend = on;
+                }
+            }
+        }
         Capability::Texture(target) => {
             context.state.units.active_coordinates("GL 2.1, section 3.8.16")?;
             context.state.units.active_mut().enabled[target as usize] = on;

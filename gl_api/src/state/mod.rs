@@ -3,9 +3,11 @@
 
 pub(crate) mod enable;
 pub(crate) mod fragment;
+pub(crate) mod masks;
 pub(crate) mod matrix;
 pub(crate) mod pixel_store;
 pub(crate) mod raster;
+pub(crate) mod stencil;
 pub(crate) mod viewport;
 
 use crate::env::Units;
