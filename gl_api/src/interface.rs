@@ -10,6 +10,10 @@
 pub const MAX_VERTEX_ATTRIBS: u8 = 16;
 /// How many texture units there are: coordinates, images and fixed function alike.
 pub const MAX_TEXTURE_UNITS: u8 = 8;
+/// How many lights there are (`GL_MAX_LIGHTS`).
+pub const MAX_LIGHTS: u8 = 8;
+/// How many user clip planes there are (`GL_MAX_CLIP_PLANES`).
+pub const MAX_CLIP_PLANES: u8 = 6;
 
 /// Location of `gl_Vertex`.
 pub const ATTRIB_VERTEX: u8 = 16;

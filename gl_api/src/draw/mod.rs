@@ -5,14 +5,17 @@
 
 pub(crate) mod arrays;
 pub(crate) mod calls;
+mod fixed_words;
 pub(crate) mod hints;
 pub(crate) mod immediate;
+mod keys;
 mod stages;
 mod translate;
 mod words;
 
 use crate::context::Context;
 use crate::fixed::FixedModules;
+use fixed_words::FixedWords;
 use rasterizer::driver::{
     Attachment, Command, CommandBuffer, Device, Image, PassDesc, Pipeline, PipelineDesc,
     ShaderModule,
@@ -36,6 +39,7 @@ pub(crate) struct Recorder {
     told: Told,
     pipelines: HashMap<PipelineDesc, Pipeline>,
     pub fixed: FixedModules,
+    fixed_words: FixedWords,
     variants: HashMap<stages::VariantKey, ShaderModule>,
 }
 
@@ -56,6 +60,7 @@ impl Recorder {
             told: Told::default(),
             pipelines: HashMap::new(),
             fixed: FixedModules::default(),
+            fixed_words: FixedWords::default(),
             variants: HashMap::new(),
         }
     }

@@ -71,6 +71,7 @@ mod current;
 mod attributes;
 mod fragments;
 mod framebuffers;
+mod lighting;
 mod pixels;
 mod programs;
 mod queries;
@@ -86,6 +87,7 @@ pub use current::{Current, set_current, with_current};
 pub use attributes::*;
 pub use fragments::*;
 pub use framebuffers::*;
+pub use lighting::*;
 pub use pixels::*;
 pub use programs::*;
 pub use queries::*;
@@ -109,6 +111,7 @@ pub fn implemented() -> impl Iterator<Item = (&'static str, usize)> {
         ATTRIBUTES,
         FRAMEBUFFERS,
         FRAGMENTS,
+        LIGHTING,
         PIXELS,
         PROGRAMS,
         QUERIES,
