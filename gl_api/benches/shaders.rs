@@ -122,6 +122,7 @@ fn binding(location: u8, buffer: &Buffer, offset: usize) -> VertexBinding {
         ty: VertexType::F32,
         components: 4,
         format: VertexFormat::Plain,
+        divisor: 0,
     };
     VertexBinding { location, source }
 }

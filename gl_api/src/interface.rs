@@ -8,12 +8,19 @@
 
 /// How many generic vertex attributes there are (`GL_MAX_VERTEX_ATTRIBS`); locations 0 to 15.
 pub const MAX_VERTEX_ATTRIBS: u8 = 16;
-/// How many texture units there are: coordinates, images and fixed function alike.
+/// How many sets of texture coordinates there are, each with a fixed-function unit, a matrix and
+/// coordinate generation (`GL_MAX_TEXTURE_COORDS`, `GL_MAX_TEXTURE_UNITS`).
 pub const MAX_TEXTURE_UNITS: u8 = 8;
 /// How many lights there are (`GL_MAX_LIGHTS`).
 pub const MAX_LIGHTS: u8 = 8;
 /// How many user clip planes there are (`GL_MAX_CLIP_PLANES`).
 pub const MAX_CLIP_PLANES: u8 = 6;
+/// How many samplers each stage of a program may use (`GL_MAX_TEXTURE_IMAGE_UNITS`,
+/// `GL_MAX_VERTEX_TEXTURE_IMAGE_UNITS`).
+pub const MAX_TEXTURE_IMAGE_UNITS: u8 = 16;
+/// How many units textures can be bound to (`GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS`): enough for both
+/// stages.
+pub const MAX_COMBINED_TEXTURE_IMAGE_UNITS: u8 = 32;
 
 /// Location of `gl_Vertex`.
 pub const ATTRIB_VERTEX: u8 = 16;

@@ -4,6 +4,8 @@
 pub type GLenum = u32;
 /// Bits.
 pub type GLbitfield = u32;
+/// What a pointer without a type points to.
+pub type GLvoid = std::ffi::c_void;
 /// A truth value in memory: 0 or 1. Parameters and results are `bool`.
 pub type GLboolean = u8;
 /// 8 bits, signed.

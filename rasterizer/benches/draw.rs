@@ -52,7 +52,7 @@ fn fragment(color: impl FnOnce(&mut Builder) -> [Value; 4]) -> ShaderModule {
 
 fn textured() -> ShaderModule {
     fragment(|b| {
-        let texture = b.texture(TextureDecl { shape: Shape::D2, compare: false });
+        let texture = b.texture(TextureDecl::color(Shape::D2));
         let (s, t, zero) = (b.input(Input::Varying(0)), b.input(Input::Varying(1)), b.float(0.0));
         b.sample(texture, [s, t, zero], None, Lod::Implicit { bias: None })
     })
@@ -97,6 +97,7 @@ fn bind(floats: &[f32]) -> Arc<[VertexBinding]> {
                 ty: VertexType::F32,
                 components: 4,
                 format: VertexFormat::Plain,
+                divisor: 0,
             },
         })
         .collect()

@@ -204,7 +204,7 @@ fn a_texture_that_is_drawn_to_while_it_is_sampled_reads_what_it_held_before() {
     let sampler = Sampler { mipmap: Mipmap::None, mag: Filter::Nearest, ..Sampler::default() };
     let plan = Arc::new(SamplePlan::new(&target.texels(), &sampler));
     let shader = fragment(0, |b| {
-        let slot = b.texture(TextureDecl { shape: Shape::D2, compare: false });
+        let slot = b.texture(TextureDecl::color(Shape::D2));
         let coords: [Value; 3] = [0.5, 0.5, 0.0].map(|v| b.float(v));
         let lod = rasterizer::ir::Lod::Implicit { bias: None };
         let texel = b.sample(slot, coords, None, lod);

@@ -8,9 +8,11 @@ pub(crate) mod calls;
 mod fixed_words;
 pub(crate) mod hints;
 pub(crate) mod immediate;
+pub(crate) mod interleaved;
 mod keys;
+pub(crate) mod restart;
 mod stages;
-mod translate;
+pub(crate) mod translate;
 mod words;
 
 use crate::context::Context;
@@ -63,6 +65,11 @@ impl Recorder {
             fixed_words: FixedWords::default(),
             variants: HashMap::new(),
         }
+    }
+
+    /// The device that commands are submitted to.
+    pub fn device(&self) -> Arc<Device> {
+        Arc::clone(&self.device)
     }
 
     /// Records a command into the open pass.

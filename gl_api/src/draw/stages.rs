@@ -5,14 +5,15 @@ use super::fixed_words::{self, Keys};
 use super::words::put_bindings;
 use super::{hints, keys};
 use crate::context::Context;
-use crate::error::{ErrorCode, GlError, Result};
+use crate::error::{ErrorCode, GlError, Result, invalid_operation};
 use crate::fixed::{add_alpha_test, cached, set_shade_model};
 use crate::glsl::SamplerSlot;
-use crate::interface::MAX_TEXTURE_UNITS;
+use crate::interface::MAX_COMBINED_TEXTURE_IMAGE_UNITS;
 use crate::state::enable::Flag;
 use crate::texture::TextureTarget;
 use rasterizer::driver::{ShaderModule, VertexBinding};
-use rasterizer::ir::{Interpolation, IrError, Stage};
+use rasterizer::ir::{Interpolation, IrError, Stage, TextureDecl};
+use std::collections::BTreeMap;
 use std::sync::Arc;
 use texunit::plan::SamplePlan;
 use texunit::sampler::{Compare, Sampler, Seamless};
@@ -67,6 +68,7 @@ pub(super) fn choose(context: &mut Context, vertices: &[VertexBinding]) -> Resul
         (vertex, fragment) = (linked.vertex.clone(), linked.fragment.clone());
         samplers.clone_from(&program.samplers);
     }
+    one_type_per_unit(context, [vertex.as_ref(), fragment.as_ref()], &samplers, &words)?;
     let base = words.len() as u32;
 
     let vertex_textures = match &vertex {
@@ -130,6 +132,39 @@ fn program_fragment(
     .map_err(|error| internal(&error))
 }
 
+/// Whether samplers of different types name one unit, which no draw may have (GL 2.1, section
+/// 2.15.3).
+fn one_type_per_unit(
+    context: &Context,
+    modules: [Option<&ShaderModule>; 2],
+    samplers: &[SamplerSlot],
+    words: &[u32],
+) -> Result<()> {
+    let mut seen: BTreeMap<u32, (TextureDecl, u32)> = BTreeMap::new();
+    for slot in samplers {
+        let module = match slot.stage {
+            Stage::Vertex => modules[0],
+            Stage::Fragment => modules[1],
+        };
+        let decl = module.and_then(|m| m.module().textures.get(slot.slot as usize));
+        let (Some(&decl), Some(&unit)) = (decl, words.get(slot.word as usize)) else { continue };
+        let &mut (other, word) = seen.entry(unit).or_insert((decl, slot.word));
+        if other != decl {
+            let name = |word| hints::uniform_name(context, word);
+            return invalid_operation(
+                "GL 2.1, section 2.15.3",
+                format!(
+                    "samplers of different types,{} and{}, both name texture unit {unit}: set each \
+                     to a unit of its own with glUniform1i",
+                    name(word),
+                    name(slot.word)
+                ),
+            );
+        }
+    }
+    Ok(())
+}
+
 /// The textures of a program's stage, from the units that its sampler uniforms name.
 fn program_textures(
     context: &mut Context,
@@ -145,7 +180,8 @@ fn program_textures(
                 .iter()
                 .find(|sampler| sampler.stage == stage && sampler.slot as usize == slot)?;
             let unit = *words.get(sampler.word as usize)?;
-            let unit = u8::try_from(unit).ok().filter(|unit| *unit < MAX_TEXTURE_UNITS)?;
+            let unit =
+                u8::try_from(unit).ok().filter(|unit| *unit < MAX_COMBINED_TEXTURE_IMAGE_UNITS)?;
             let target = TextureTarget::of(decl.shape);
             hints::sampler(context, unit, target, sampler.word);
             Some(plan(context, unit, target))

@@ -15,16 +15,17 @@ use std::sync::Arc;
 const KEPT: usize = 1024;
 
 /// Which vertices a draw takes.
-pub(super) enum Elements {
-    Range { first: u32, count: u32 },
-    Indexed { indices: Indices, count: u32 },
+#[derive(Debug)]
+pub(crate) enum Elements {
+    Range { first: u32, count: u32, instances: u32 },
+    Indexed { indices: Indices, count: u32, instances: u32 },
 }
 
 /// Records a draw.
 ///
 /// # Errors
 /// When the framebuffer is incomplete or the program in use is not linked.
-pub(super) fn draw(
+pub(crate) fn draw(
     context: &mut Context,
     topology: Topology,
     vertices: Vec<VertexBinding>,
@@ -67,11 +68,11 @@ pub(super) fn draw(
         fragment: stages.fragment_textures,
     });
     commands.push(match elements {
-        Elements::Range { first, count } => {
-            Command::Draw { first: *first, count: *count, instances: 1 }
+        Elements::Range { first, count, instances } => {
+            Command::Draw { first: *first, count: *count, instances: *instances }
         }
-        Elements::Indexed { indices, count } => {
-            Command::DrawIndexed { indices: indices.clone(), count: *count, instances: 1 }
+        Elements::Indexed { indices, count, instances } => {
+            Command::DrawIndexed { indices: indices.clone(), count: *count, instances: *instances }
         }
     });
     Ok(())

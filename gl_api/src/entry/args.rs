@@ -134,6 +134,28 @@ impl<'a> Arg<Data<'a>> for usize {
     }
 }
 
+/// Where C has an array of `const void *`.
+#[derive(Clone, Debug)]
+pub struct Pointers<'a>(pub Vec<Data<'a>>);
+
+impl<'a> Arg<Pointers<'a>> for Pointers<'a> {
+    fn arg(self) -> Self {
+        self
+    }
+}
+
+impl<'a, T: Copy + Arg<Data<'a>>> Arg<Pointers<'a>> for &[T] {
+    fn arg(self) -> Pointers<'a> {
+        Pointers(self.iter().map(|&pointer| pointer.arg()).collect())
+    }
+}
+
+impl<'a, T: Copy + Arg<Data<'a>>, const N: usize> Arg<Pointers<'a>> for &[T; N] {
+    fn arg(self) -> Pointers<'a> {
+        self.as_slice().arg()
+    }
+}
+
 /// Where C has a `void *` that the call writes to.
 #[derive(Debug)]
 pub enum DataOut<'a> {

@@ -85,6 +85,7 @@ const PARAMETER: Table<Parameter> = Table {
 };
 
 fn set_tex_gen(context: &mut Context, coord: GLenum, pname: GLenum, params: &Params) -> Result<()> {
+    context.state.units.active_coordinates(SECTION)?;
     let coord = COORD.decode("coord", coord)?;
     let parameter = PARAMETER.decode("pname", pname)?;
     params.need(SECTION, pname, if parameter == Parameter::Mode { 1 } else { 4 })?;
@@ -120,6 +121,7 @@ pub(crate) fn tex_gendv(
 }
 
 fn get_tex_gen(context: &Context, coord: GLenum, pname: GLenum) -> Result<Value> {
+    context.state.units.active_coordinates(SECTION)?;
     let coord = COORD.decode("coord", coord)?;
     let generate = &context.state.units.active().generate[coord as usize];
     match PARAMETER.decode("pname", pname)? {

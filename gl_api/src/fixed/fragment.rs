@@ -35,8 +35,6 @@ pub(crate) enum Coordinates {
     Plain,
     /// From the vertex stage; s, t and r are divided by q.
     Projective,
-    /// From the place in a point sprite.
-    Sprite,
 }
 
 /// The state that changes the code.
@@ -144,15 +142,12 @@ fn texture(b: &mut Builder, key: &FragmentKey, primary: [Value; 4]) -> [Value; 4
 
 /// The texel of a unit: at `s/q, t/q`, compared with `r/q` where it is a shadow map.
 fn sample(b: &mut Builder, unit: &UnitKey) -> [Value; 4] {
-    let texture = b.texture(TextureDecl { shape: unit.shape, compare: unit.compare });
+    let texture =
+        b.texture(TextureDecl { compare: unit.compare, ..TextureDecl::color(unit.shape) });
     let first = VARYING_TEX_COORD + 4 * u16::from(unit.unit);
     let zero = b.float(0.0);
     let [s, t, r] = match unit.coordinates {
         Coordinates::Plain => [0, 1, 2].map(|i| b.input(Input::Varying(first + i))),
-        Coordinates::Sprite => {
-            let [s, t] = [0, 1].map(|i| b.input(Input::PointCoord(i)));
-            [s, t, zero]
-        }
         Coordinates::Projective => {
             let [s, t, r, q] = [0, 1, 2, 3].map(|i| b.input(Input::Varying(first + i)));
             // A cube map's coordinates are a direction, which q does not change.

@@ -9,7 +9,7 @@ use super::lower::{self, Binding, Words, lower_stage, varying_slots};
 use super::types::Type;
 use super::version::stage_name;
 use super::{Attribute, Bindings, Linked, Program, SamplerSlot, Shader, Stage, Uniform};
-use crate::interface::VARYING_USER;
+use crate::interface::{MAX_TEXTURE_IMAGE_UNITS, VARYING_USER};
 use rasterizer::ir::{Interpolation, Module};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -90,6 +90,16 @@ fn build(shaders: &[&Shader], bindings: &Bindings, log: &mut Log) -> Option<Prog
                 *words = lowered.words;
                 let slots = lowered.samplers.into_iter();
                 let stage = stage.stage;
+                let active: BTreeSet<u32> = slots.clone().map(|(_, word)| word).collect();
+                if active.len() > usize::from(MAX_TEXTURE_IMAGE_UNITS) {
+                    let message = format!(
+                        "the {} shader uses {} samplers; a stage has {MAX_TEXTURE_IMAGE_UNITS} \
+                         texture image units",
+                        stage_name(stage),
+                        active.len()
+                    );
+                    log.push(Diagnostic::link_error(message).rule("GL 2.1 section 2.15.3"));
+                }
                 samplers.extend(slots.map(|(slot, word)| SamplerSlot {
                     stage,
                     slot: slot.0,

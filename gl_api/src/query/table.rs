@@ -5,6 +5,7 @@ use crate::context::{Context, limits};
 use crate::env::Unit;
 use crate::error::{Result, Table, invalid_enum};
 use crate::interface::*;
+use crate::list::calls::{MAX_LIST_NESTING, MODE};
 use crate::state::enable::{CAPABILITY, CLIENT_ARRAY};
 use crate::state::fragment::{BLEND_EQUATION, COMPARE, DST_FACTOR, SRC_FACTOR};
 use crate::state::material::{FACES, TRACKED};
@@ -101,6 +102,7 @@ pub(crate) fn state_value(context: &Context, pname: GLenum) -> Result<Value> {
         texture,
         framebuffer,
         bindings,
+        lists,
     ];
     for chapter in chapters {
         if let Some(value) = chapter(context, pname) {
@@ -120,7 +122,6 @@ fn is_on(context: &Context, pname: GLenum) -> bool {
 type Answer = Option<Result<Value>>;
 
 fn limit(_: &Context, pname: GLenum) -> Answer {
-    let units = i32::from(MAX_TEXTURE_UNITS);
     let attachments = limits::MAX_COLOR_ATTACHMENTS as i32;
     let sizes = limits::MAX_VIEWPORT_DIMS as i32;
     Some(match pname {
@@ -131,11 +132,11 @@ fn limit(_: &Context, pname: GLenum) -> Answer {
         GL_MAX_3D_TEXTURE_SIZE => int(limits::MAX_3D_TEXTURE_SIZE),
         GL_MAX_ARRAY_TEXTURE_LAYERS => int(limits::MAX_ARRAY_TEXTURE_LAYERS),
         GL_MAX_VIEWPORT_DIMS => ints(&[sizes; 2]),
-        GL_MAX_TEXTURE_UNITS
-        | GL_MAX_TEXTURE_COORDS
-        | GL_MAX_TEXTURE_IMAGE_UNITS
-        | GL_MAX_VERTEX_TEXTURE_IMAGE_UNITS
-        | GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS => int(units),
+        GL_MAX_TEXTURE_UNITS | GL_MAX_TEXTURE_COORDS => int(MAX_TEXTURE_UNITS),
+        GL_MAX_TEXTURE_IMAGE_UNITS | GL_MAX_VERTEX_TEXTURE_IMAGE_UNITS => {
+            int(MAX_TEXTURE_IMAGE_UNITS)
+        }
+        GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS => int(MAX_COMBINED_TEXTURE_IMAGE_UNITS),
         GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT => float(texunit::sampler::MAX_ANISOTROPY),
         GL_MAX_TEXTURE_LOD_BIAS => float(limits::MAX_TEXTURE_LOD_BIAS),
         GL_MAX_VERTEX_ATTRIBS => int(MAX_VERTEX_ATTRIBS),
@@ -171,18 +172,21 @@ fn limit(_: &Context, pname: GLenum) -> Answer {
 fn transform(context: &Context, pname: GLenum) -> Answer {
     let state = &context.state;
     let matrices = &state.matrices;
-    let texture = &matrices.texture[usize::from(state.units.active)];
+    let texture = || {
+        let unit = state.units.active_coordinates("GL 2.1, section 2.11.2")?;
+        Ok(&matrices.texture[unit])
+    };
     Some(match pname {
         GL_MATRIX_MODE => symbol(MATRIX_MODE.encode(matrices.mode)),
         GL_MODELVIEW_MATRIX => matrix(&matrices.modelview, false),
         GL_PROJECTION_MATRIX => matrix(&matrices.projection, false),
-        GL_TEXTURE_MATRIX => matrix(texture, false),
+        GL_TEXTURE_MATRIX => texture().and_then(|texture| matrix(texture, false)),
         GL_TRANSPOSE_MODELVIEW_MATRIX => matrix(&matrices.modelview, true),
         GL_TRANSPOSE_PROJECTION_MATRIX => matrix(&matrices.projection, true),
-        GL_TRANSPOSE_TEXTURE_MATRIX => matrix(texture, true),
+        GL_TRANSPOSE_TEXTURE_MATRIX => texture().and_then(|texture| matrix(texture, true)),
         GL_MODELVIEW_STACK_DEPTH => int(matrices.modelview.depth()),
         GL_PROJECTION_STACK_DEPTH => int(matrices.projection.depth()),
-        GL_TEXTURE_STACK_DEPTH => int(texture.depth()),
+        GL_TEXTURE_STACK_DEPTH => texture().and_then(|texture| int(texture.depth())),
         GL_VIEWPORT => {
             let viewport = &state.viewport;
             ints(&[viewport.x, viewport.y, viewport.width, viewport.height])
@@ -200,7 +204,10 @@ fn current(context: &Context, pname: GLenum) -> Answer {
         GL_CURRENT_SECONDARY_COLOR => unit(at(ATTRIB_SECONDARY_COLOR)),
         GL_CURRENT_NORMAL => unit(&at(ATTRIB_NORMAL)[..3]),
         GL_CURRENT_FOG_COORD => float(at(ATTRIB_FOG_COORD)[0]),
-        GL_CURRENT_TEXTURE_COORDS => floats(at(ATTRIB_TEX_COORD + state.units.active)),
+        GL_CURRENT_TEXTURE_COORDS => {
+            let unit = state.units.active_coordinates("GL 2.1, section 2.7");
+            unit.and_then(|unit| floats(at(ATTRIB_TEX_COORD + unit as u8)))
+        }
         _ => return None,
     })
 }
@@ -317,6 +324,17 @@ fn framebuffer(context: &Context, pname: GLenum) -> Answer {
     })
 }
 
+fn lists(context: &Context, pname: GLenum) -> Answer {
+    let compiling = context.compiling.as_ref();
+    Some(match pname {
+        GL_LIST_BASE => symbol(context.lists.base()),
+        GL_LIST_INDEX => symbol(compiling.map_or(0, |list| list.name)),
+        GL_LIST_MODE => symbol(compiling.map_or(0, |list| MODE.encode(list.mode))),
+        GL_MAX_LIST_NESTING => int(MAX_LIST_NESTING as i32),
+        _ => return None,
+    })
+}
+
 fn bindings(context: &Context, pname: GLenum) -> Answer {
     let bindings = &context.state.bindings;
     Some(match pname {
@@ -324,6 +342,9 @@ fn bindings(context: &Context, pname: GLenum) -> Answer {
         GL_ELEMENT_ARRAY_BUFFER_BINDING => symbol(bindings.element_array_buffer),
         GL_PIXEL_PACK_BUFFER_BINDING => symbol(bindings.pixel_pack_buffer),
         GL_PIXEL_UNPACK_BUFFER_BINDING => symbol(bindings.pixel_unpack_buffer),
+        GL_COPY_READ_BUFFER => symbol(bindings.copy_read_buffer),
+        GL_COPY_WRITE_BUFFER => symbol(bindings.copy_write_buffer),
+        GL_VERTEX_ARRAY_BINDING => symbol(bindings.vertex_array),
         GL_FRAMEBUFFER_BINDING => symbol(bindings.draw_framebuffer),
         GL_READ_FRAMEBUFFER_BINDING => symbol(bindings.read_framebuffer),
         GL_RENDERBUFFER_BINDING => symbol(bindings.renderbuffer),

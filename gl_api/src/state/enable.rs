@@ -26,6 +26,7 @@ pub(crate) enum Flag {
     Multisample,
     Normalize,
     PolygonOffsetFill,
+    PrimitiveRestart,
     RescaleNormal,
     ScissorTest,
     SeamlessCubeMaps,
@@ -60,6 +61,7 @@ pub(crate) const CAPABILITY: Table<Capability> = Table {
         (GL_MULTISAMPLE, Capability::Flag(Flag::Multisample)),
         (GL_NORMALIZE, Capability::Flag(Flag::Normalize)),
         (GL_POLYGON_OFFSET_FILL, Capability::Flag(Flag::PolygonOffsetFill)),
+        (GL_PRIMITIVE_RESTART, Capability::Flag(Flag::PrimitiveRestart)),
         (GL_RESCALE_NORMAL, Capability::Flag(Flag::RescaleNormal)),
         (GL_SCISSOR_TEST, Capability::Flag(Flag::ScissorTest)),
         (GL_TEXTURE_CUBE_MAP_SEAMLESS, Capability::Flag(Flag::SeamlessCubeMaps)),
@@ -123,9 +125,11 @@ fn switch(context: &mut Context, cap: GLenum, on: bool) -> Result<()> {
             context.state.enables.set(flag, on);
         }
         Capability::Texture(target) => {
+            context.state.units.active_coordinates("GL 2.1, section 3.8.16")?;
             context.state.units.active_mut().enabled[target as usize] = on;
         }
         Capability::TexGen(coord) => {
+            context.state.units.active_coordinates("GL 2.1, section 2.11.4")?;
             context.state.units.active_mut().generate[coord as usize].enabled = on;
         }
         Capability::Light(light) => set_bit(&mut context.state.lights.enabled, light, on),
@@ -180,6 +184,11 @@ fn client_location(context: &Context, location: u8) -> usize {
 }
 
 fn switch_client(context: &mut Context, array: GLenum, on: bool) -> Result<()> {
+    // NV_primitive_restart has it among the client's arrays.
+    if array == GL_PRIMITIVE_RESTART_NV {
+        context.state.enables.set(Flag::PrimitiveRestart, on);
+        return Ok(());
+    }
     let location = client_location(context, CLIENT_ARRAY.decode("array", array)?);
     context.state.arrays.by_location[location].enabled = on;
     Ok(())

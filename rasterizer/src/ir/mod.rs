@@ -138,6 +138,16 @@ pub struct TextureDecl {
     pub shape: texunit::image::Shape,
     /// Whether samples are compared against a reference (`sampler2DShadow`).
     pub compare: bool,
+    /// What a sample is made of: `f32`, or the integers of an integer texture (`isampler2D`: `i32`,
+    /// `usampler2D`: `u32`). A texture of another kind gives its bits.
+    pub texels: Ty,
+}
+
+impl TextureDecl {
+    /// A slot for textures that do not compare and have colours, not integers.
+    pub const fn color(shape: texunit::image::Shape) -> Self {
+        Self { shape, compare: false, texels: Ty::F32 }
+    }
 }
 
 /// The level of detail of a sample.
@@ -173,8 +183,7 @@ pub enum Access {
         offset: [i32; 3],
     },
     /// `textureSize`: width, height and depth (or layers, after the sides that are filtered along)
-    /// of a level (an explicit λ, `i32`), whole numbers in `f32`. Coordinates do not matter. No
-    /// compare.
+    /// of a level (an explicit λ, `i32`), as `i32`. Coordinates do not matter. No compare.
     Size,
 }
 
@@ -262,7 +271,7 @@ pub enum Expr {
     },
     /// A texture access. Has four results, taken apart by [`Expr::Component`]; no type of its own.
     Sample(Box<Sample>),
-    /// Component 0 to 3 of a sample (`f32`).
+    /// Component 0 to 3 of a sample: of the slot's [`TextureDecl::texels`], of a size `i32`.
     Component {
         /// An [`Expr::Sample`].
         sample: Value,
@@ -406,7 +415,21 @@ impl Module {
             Expr::Input(input) => input.ty(),
             Expr::Load(var) | Expr::LoadAt { var, .. } => self.variable(*var).ty,
             Expr::Op { op, .. } => op.result(),
-            Expr::Derivative { .. } | Expr::Sample(_) | Expr::Component { .. } => Ty::F32,
+            Expr::Component { sample, .. } => match self.expr(*sample) {
+                Expr::Sample(sample) => self.component_ty(sample),
+                _ => Ty::F32,
+            },
+            Expr::Derivative { .. } | Expr::Sample(_) => Ty::F32,
+        }
+    }
+
+    /// The type of the components of a sample.
+    pub fn component_ty(&self, sample: &Sample) -> Ty {
+        match sample.access {
+            Access::Size => Ty::I32,
+            Access::Filter { .. } | Access::Fetch { .. } => {
+                self.textures.get(sample.texture.0 as usize).map_or(Ty::F32, |decl| decl.texels)
+            }
         }
     }
 }

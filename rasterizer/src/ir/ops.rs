@@ -315,6 +315,8 @@ operations! {
     ULess "uless" (a: u32, b: u32) -> bool = a < b;
     /// `a <= b`.
     ULessEqual "uless_equal" (a: u32, b: u32) -> bool = a <= b;
+    /// The bits of a float, as those of an integer attribute.
+    FloatBits "float_bits" (a: f32) -> u32 = a.to_bits();
     /// Bits of both.
     BitAnd "bit_and" (a: u32, b: u32) -> u32 = a & b;
     /// Bits of either.

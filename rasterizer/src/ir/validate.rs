@@ -283,6 +283,11 @@ impl Body<'_> {
         let Some(decl) = self.module.textures.get(slot as usize) else {
             return Err(IrError(format!("{user}: there is no texture slot {slot}")));
         };
+        rule!(
+            decl.texels == Ty::F32 || decl.texels != Ty::Bool && !decl.compare,
+            "{user}: texture slot {slot} gives {:?}",
+            decl.texels
+        );
         let ty = match sample.access {
             Access::Filter { .. } => {
                 rule!(

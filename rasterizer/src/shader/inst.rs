@@ -69,6 +69,8 @@ pub(super) struct SampleInst {
     pub coords: [Reg; 3],
     pub reference: Option<Reg>,
     pub lod: SampleLod,
+    /// The word of alpha where there is no texture.
+    pub one: u32,
     /// Components that nobody reads have no register.
     pub out: [Option<Reg>; 4],
 }

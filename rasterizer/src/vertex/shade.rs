@@ -5,8 +5,9 @@ use crate::driver::{VertexBinding, VertexSource, Viewport};
 use crate::ir::{Input, Output};
 use crate::shader::{Machine, OverBudget, Prepared, Program, Run};
 use rayon::prelude::*;
+use std::num::NonZeroU32;
 use std::sync::Arc;
-use texunit::lanes::{Isa, LANES};
+use texunit::lanes::{Isa, LANES, U32s};
 use texunit::plan::SamplePlan;
 
 /// Window coordinates beyond this many pixels are cut off before they become fixed point: with 8
@@ -151,6 +152,8 @@ pub fn shade(stage: &VertexStage<'_>, ids: &[u32], instance: u32) -> Result<Geom
 /// Where an input of the program comes from.
 enum Source<'a> {
     Attribute(&'a VertexSource, u8),
+    /// An attribute with an element for so many instances.
+    Instanced(&'a VertexSource, u8, NonZeroU32),
     /// An attribute without a binding.
     Missing(f32),
     VertexId,
@@ -178,7 +181,10 @@ impl VertexStage<'_> {
         match input {
             Input::Attribute { location, component } => {
                 match self.bindings.iter().find(|binding| binding.location == location) {
-                    Some(binding) => Source::Attribute(&binding.source, component),
+                    Some(VertexBinding { source, .. }) => match source.divisor() {
+                        Some(divisor) => Source::Instanced(source, component, divisor),
+                        None => Source::Attribute(source, component),
+                    },
                     None => Source::Missing(if component == 3 { 1.0 } else { 0.0 }),
                 }
             }
@@ -215,6 +221,11 @@ impl VertexStage<'_> {
             match source {
                 Source::Attribute(source, component) => {
                     fetch::component(source, *component, ids, lanes.as_f32_mut());
+                }
+                Source::Instanced(source, component, divisor) => {
+                    let element = instance / *divisor;
+                    fetch::component(source, *component, &[element], lanes.as_f32_mut());
+                    *lanes = U32s::splat(lanes[0]);
                 }
                 Source::Missing(value) => lanes.0 = [value.to_bits(); LANES],
                 Source::VertexId => lanes.0[..ids.len()].copy_from_slice(ids),

@@ -92,6 +92,7 @@ pub fn bindings(vertices: &[f32], attributes: u8) -> std::sync::Arc<[VertexBindi
                 ty: VertexType::F32,
                 components: 4,
                 format: VertexFormat::Plain,
+                divisor: 0,
             },
         })
         .collect()

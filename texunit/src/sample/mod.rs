@@ -61,8 +61,8 @@ impl Kernel for Sample<'_> {
         let probes = probes.as_ref();
         let samples = Samples { texture, at: &at, offset, probes, reference: &reference };
         sample_taps::<S>(&samples, &taps, out);
-        expand::expand(texture.format.base(), texture.depth_mode, out);
-        expand::swizzle(texture.swizzle, out);
+        expand::expand(texture.format, texture.depth_mode, out);
+        expand::swizzle(texture.format, texture.swizzle, out);
     }
 }
 

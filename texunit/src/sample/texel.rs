@@ -67,8 +67,8 @@ impl Kernel for Fetch<'_> {
                 inside[lane] |= here[lane];
             }
         }
-        expand::expand(texture.format.base(), texture.depth_mode, &mut found);
-        expand::swizzle(texture.swizzle, &mut found);
+        expand::expand(texture.format, texture.depth_mode, &mut found);
+        expand::swizzle(texture.format, texture.swizzle, &mut found);
         for (out, found) in out.iter_mut().zip(&found) {
             for lane in 0..LANES {
                 out[lane] = if inside[lane] != 0 { found[lane] } else { 0.0 };

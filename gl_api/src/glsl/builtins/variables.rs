@@ -11,8 +11,9 @@ use crate::glsl::types::{BOOL, FLOAT, INT, Type, vec};
 use crate::glsl::version::{Extension, Language, Since, Stages};
 use crate::interface::{
     ATTRIB_COLOR, ATTRIB_FOG_COORD, ATTRIB_NORMAL, ATTRIB_SECONDARY_COLOR, ATTRIB_TEX_COORD,
-    ATTRIB_VERTEX, MAX_TEXTURE_UNITS, StateVar, VARYING_BACK_COLOR, VARYING_COLOR, VARYING_FOG,
-    VARYING_SECONDARY_COLOR, VARYING_TEX_COORD,
+    ATTRIB_VERTEX, MAX_COMBINED_TEXTURE_IMAGE_UNITS, MAX_TEXTURE_IMAGE_UNITS, MAX_TEXTURE_UNITS,
+    StateVar, VARYING_BACK_COLOR, VARYING_COLOR, VARYING_FOG, VARYING_SECONDARY_COLOR,
+    VARYING_TEX_COORD,
 };
 use rasterizer::ir::Stage;
 use std::sync::LazyLock;
@@ -211,9 +212,9 @@ fn rows() -> Vec<Row> {
         ("gl_MaxVertexAttribs", MAX_VERTEX_ATTRIBS.into(), ALWAYS),
         ("gl_MaxVertexUniformComponents", MAX_UNIFORM_COMPONENTS, V110),
         ("gl_MaxVaryingFloats", floats, V110),
-        ("gl_MaxVertexTextureImageUnits", per_unit, ALWAYS),
-        ("gl_MaxCombinedTextureImageUnits", per_unit, ALWAYS),
-        ("gl_MaxTextureImageUnits", per_unit, ALWAYS),
+        ("gl_MaxVertexTextureImageUnits", MAX_TEXTURE_IMAGE_UNITS.into(), ALWAYS),
+        ("gl_MaxCombinedTextureImageUnits", MAX_COMBINED_TEXTURE_IMAGE_UNITS.into(), ALWAYS),
+        ("gl_MaxTextureImageUnits", MAX_TEXTURE_IMAGE_UNITS.into(), ALWAYS),
         ("gl_MaxFragmentUniformComponents", MAX_UNIFORM_COMPONENTS, V110),
         ("gl_MaxDrawBuffers", MAX_DRAW_BUFFERS.into(), ALWAYS),
         ("gl_MaxVaryingComponents", floats, V130),

@@ -10,7 +10,6 @@ use crate::glsl::builtins::lookups::{LodForm, Lookup, Shift};
 use crate::glsl::diagnostics::{Diagnostic, closest};
 use crate::glsl::hir::{Direction, Expr, ExprKind, VarRef};
 use crate::glsl::limits::TEXEL_OFFSETS;
-use crate::glsl::lower::unsupported;
 use crate::glsl::source::Span;
 use crate::glsl::types::Type;
 use crate::glsl::version::{Extension, Stages, Version, stage_name};
@@ -263,7 +262,7 @@ impl Checker<'_> {
                 return self.binary(BinaryOp::Mul, matrix, vertex, span);
             }
             Lower::Texture(lookup) => {
-                if !self.check_lookup(row, lookup, name, &arguments) {
+                if !self.check_lookup(lookup, name, &arguments) {
                     return Expr::error(span);
                 }
             }
@@ -282,26 +281,14 @@ impl Checker<'_> {
     }
 
     /// What the types of a lookup's arguments do not say; whether it can be carried out.
-    fn check_lookup(
-        &mut self,
-        row: &Row,
-        lookup: Lookup,
-        name: &ast::Name,
-        arguments: &[Expr],
-    ) -> bool {
-        let Some(P::Sampler(sampler)) = row.parameters.first() else { return true };
-        if let Some(what) = unsupported(*sampler, lookup) {
-            let message = format!("`{}`: {what}", name.text);
-            let problem = Diagnostic::error(name.span, message);
-            self.log.push(problem.note("the call is right, but DetGL cannot carry it out yet"));
-            return false;
-        }
+    fn check_lookup(&mut self, lookup: Lookup, name: &ast::Name, arguments: &[Expr]) -> bool {
         let explicit = matches!(lookup, Lookup::Sample(_, LodForm::Explicit, _));
         if explicit && !self.is_vertex() && self.version < Version::V130 {
             let message = format!("`{}` in the fragment stage is an extension", name.text);
             let warning = Diagnostic::warning(name.span, message)
                 .help("write `#extension GL_ARB_shader_texture_lod : enable` first");
-            if !self.language.enabled(Extension::ShaderTextureLod) {
+            let known = [Extension::ShaderTextureLod, Extension::GpuShader4];
+            if !known.iter().any(|known| self.language.enabled(*known)) {
                 self.log.push(warning);
             }
         }

@@ -178,7 +178,11 @@ impl Lowerer<'_> {
                 let read = |lowerer: &mut Self, at: u32| {
                     let location = location + (at / columns) as u8;
                     let component = (at % columns) as u8;
-                    lowerer.emit.input(Input::Attribute { location, component })
+                    let value = lowerer.emit.input(Input::Attribute { location, component });
+                    match types[at as usize] {
+                        Ty::F32 => value,
+                        Ty::I32 | Ty::U32 | Ty::Bool => lowerer.emit.op(Op::FloatBits, &[value]),
+                    }
                 };
                 Ok(self.inputs(variable, &types, read))
             }

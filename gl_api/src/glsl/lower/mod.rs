@@ -18,7 +18,6 @@ use place::Slot;
 use rasterizer::ir::{Stage, Texture, TextureDecl, Ty, Value, Var};
 use std::collections::BTreeMap;
 use std::sync::Arc;
-pub use texture::unsupported;
 
 /// Why a stage cannot be lowered; ends up in the link log.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -110,7 +109,7 @@ struct Lowerer<'a> {
     /// How many loops are open.
     loops: u32,
     words: Words,
-    textures: BTreeMap<(u32, u8), Texture>,
+    textures: BTreeMap<(u32, [u8; 3]), Texture>,
     /// The slots and the words that hold their units.
     samplers: Vec<(Texture, u32)>,
 }
@@ -227,7 +226,11 @@ pub fn reachable<'a>(units: &[&'a Unit]) -> Result<Vec<(usize, &'a Function)>, S
 }
 
 /// A texture declaration as a key.
-fn texture_key(decl: TextureDecl) -> u8 {
-    let shape = 2 * decl.shape as u8;
-    shape + u8::from(decl.compare)
+fn texture_key(decl: TextureDecl) -> [u8; 3] {
+    let texels = match decl.texels {
+        Ty::F32 | Ty::Bool => 0,
+        Ty::I32 => 1,
+        Ty::U32 => 2,
+    };
+    [decl.shape as u8, decl.compare.into(), texels]
 }
