@@ -136,10 +136,13 @@ fn spot(b: &mut Builder, spot: Spot, at: u32, toward: [Value; 3]) -> Value {
     let [x, y, z, cos_cutoff, exponent] = words(b, at);
     let opposite = dot(b, toward, [x, y, z]);
     let cosine = b.op(Op::Neg, &[opposite]);
-    let cosine = at_least_zero(b, cosine);
+    // Not clamped before it is compared: a cutoff of 90 degrees leaves out what is behind.
     let inside = b.op(Op::LessEqual, &[cos_cutoff, cosine]);
     let power = match spot {
-        Spot::Focused => b.op(Op::Pow, &[cosine, exponent]),
+        Spot::Focused => {
+            let base = at_least_zero(b, cosine);
+            b.op(Op::Pow, &[base, exponent])
+        }
         Spot::Off | Spot::Even => b.float(1.0),
     };
     let zero = b.float(0.0);
