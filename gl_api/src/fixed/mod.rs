@@ -29,19 +29,45 @@ const KEPT: usize = 1024;
 /// The modules that were generated.
 #[derive(Debug, Default)]
 pub(crate) struct FixedModules {
-    vertex: HashMap<VertexKey, ShaderModule>,
-    fragment: HashMap<FragmentKey, ShaderModule>,
+    vertex: Modules<VertexKey>,
+    fragment: Modules<FragmentKey>,
+}
+
+/// The modules of a stage, and the one that was last asked for: draws mostly come in runs.
+#[derive(Debug)]
+struct Modules<K> {
+    all: HashMap<K, ShaderModule>,
+    last: Option<(K, ShaderModule)>,
+}
+
+impl<K> Default for Modules<K> {
+    fn default() -> Self {
+        Self { all: HashMap::new(), last: None }
+    }
+}
+
+impl<K: Clone + Eq + std::hash::Hash> Modules<K> {
+    fn get(&mut self, key: &K, make: fn(&K) -> Module) -> Result<ShaderModule, IrError> {
+        if let Some((last, module)) = &self.last
+            && last == key
+        {
+            return Ok(module.clone());
+        }
+        let module = cached(&mut self.all, key, make)?;
+        self.last = Some((key.clone(), module.clone()));
+        Ok(module)
+    }
 }
 
 impl FixedModules {
     /// The vertex stage for this state.
     pub fn vertex(&mut self, key: &VertexKey) -> Result<ShaderModule, IrError> {
-        cached(&mut self.vertex, key, vertex::module)
+        self.vertex.get(key, vertex::module)
     }
 
     /// The fragment stage for this state.
     pub fn fragment(&mut self, key: &FragmentKey) -> Result<ShaderModule, IrError> {
-        cached(&mut self.fragment, key, fragment::module)
+        self.fragment.get(key, fragment::module)
     }
 }
 

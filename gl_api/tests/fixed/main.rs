@@ -5,12 +5,14 @@
 //! Where a program's fragment stage reads what the fixed vertex stage gives, it is read as 24 bits.
 
 mod combine;
+mod determinism;
 mod errors;
 mod fog;
 mod light;
 mod matrix;
 mod oracle;
 mod queries;
+mod shaders;
 mod texgen;
 
 use gl_api::*;

@@ -71,7 +71,7 @@ pub fn lit(
             if local { 1.0 / (k0 + k1 * distance + k2 * distance * distance) } else { 1.0 };
         if light.spot_cutoff != 180.0 {
             let cosine = dot(toward.map(|x| -x), normalize(light.spot_direction));
-            let inside = cosine >= light.spot_cutoff.to_radians().cos().max(1e-9);
+            let inside = cosine >= light.spot_cutoff.to_radians().cos();
             intensity *= if inside { cosine.max(0.0).powf(light.spot_exponent) } else { 0.0 };
         }
         let viewer = if model.local_viewer { normalize(eye.map(|x| -x)) } else { [0.0, 0.0, 1.0] };
