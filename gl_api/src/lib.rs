@@ -63,6 +63,8 @@ pub mod types;
 
 pub use abi::memory::ClientPointer;
 pub use constants::*;
-pub use context::{Context, ContextDesc, ContextError, Message, Severity};
+pub use context::{
+    Context, ContextDesc, ContextError, GLDEBUGPROC, Message, Severity, SurfaceColor, SurfaceDesc,
+};
 pub use entry::*;
 pub use types::*;

@@ -4,6 +4,7 @@
 //! (`LENGTHS` is generated from it). Where it only names a formula (`COMPSIZE(pname)`), the formula
 //! stands here; a new entry point whose formula is missing does not compile.
 
+use super::param::{Counted, TERMINATED};
 use crate::constants::*;
 use crate::entry::with_current;
 use crate::types::GLenum;
@@ -36,6 +37,10 @@ pub(crate) enum Rule {
     Named(usize),
     /// Computed from all arguments.
     Computed(fn(&[isize]) -> usize),
+    /// Text that a zero ends.
+    Terminated,
+    /// Text as long as an argument says, by position; a negative one means that a zero ends it.
+    Text(usize),
 }
 
 /// Where the registry is silent, or says the largest of several lengths.
@@ -102,6 +107,7 @@ const fn rule(command: &str, parameter: usize, length: Length) -> Rule {
             if same(formula, "COMPSIZE(pname)")
                 || same(formula, "COMPSIZE(target,pname)")
                 || same(formula, "COMPSIZE(id,pname)")
+                || same(formula, "COMPSIZE(target)")
             {
                 Rule::Named(arguments[arguments.len() - 1])
             } else if same(formula, "COMPSIZE(drawcount)")
@@ -111,6 +117,8 @@ const fn rule(command: &str, parameter: usize, length: Length) -> Rule {
                 Rule::Times(arguments[0], 1)
             } else if same(formula, "COMPSIZE(program,location)") {
                 Rule::Computed(uniform)
+            } else if same(formula, "COMPSIZE(buffer)") {
+                Rule::Computed(buffer)
             } else if same(formula, "COMPSIZE(target,stride,order)") {
                 Rule::Computed(map1)
             } else if same(formula, "COMPSIZE(target,ustride,uorder,vstride,vorder)") {
@@ -125,14 +133,27 @@ const fn rule(command: &str, parameter: usize, length: Length) -> Rule {
     }
 }
 
-/// The rules of an entry point's parameters; `counted` are those that need one.
-pub(crate) const fn rules<const N: usize>(command: &str, counted: [bool; N]) -> [Rule; N] {
+/// Text has a length only beside one that is an argument.
+const fn text_rule(length: Length) -> Rule {
+    match length {
+        Length::Formula(_, arguments) if arguments.len() == 2 => Rule::Text(arguments[1]),
+        Length::Times(argument, 1) => Rule::Text(argument),
+        Length::Formula(..) | Length::Times(..) | Length::Fixed(_) | Length::Unsaid => {
+            Rule::Terminated
+        }
+    }
+}
+
+/// The rules of an entry point's parameters; `counted` says which need one.
+pub(crate) const fn rules<const N: usize>(command: &str, counted: [Counted; N]) -> [Rule; N] {
     let lengths = registry(command);
     let mut rules = [Rule::None; N];
     let mut at = 0;
     while at < N {
-        if counted[at] {
-            rules[at] = rule(command, at, lengths[at]);
+        match counted[at] {
+            Counted::No => {}
+            Counted::Elements => rules[at] = rule(command, at, lengths[at]),
+            Counted::Text => rules[at] = text_rule(lengths[at]),
         }
         at += 1;
     }
@@ -151,6 +172,8 @@ impl Rule {
             }
             Self::Named(argument) => values(arguments[argument] as GLenum),
             Self::Computed(formula) => formula(arguments),
+            Self::Terminated => TERMINATED,
+            Self::Text(argument) => usize::try_from(arguments[argument]).unwrap_or(TERMINATED),
         }
     }
 }
@@ -218,6 +241,11 @@ fn uniform(arguments: &[isize]) -> usize {
     let (program, location) = (arguments[0] as u32, arguments[1] as i32);
     let words = with_current(|context| crate::program::inspect::words(context, program, location));
     words.and_then(Result::ok).map_or(0, |(_, words)| words.len())
+}
+
+/// `glClearBuffer`: (buffer, drawbuffer, value).
+fn buffer(arguments: &[isize]) -> usize {
+    if arguments[0] as GLenum == GL_COLOR { 4 } else { 1 }
 }
 
 /// Components of a control point of an evaluator (GL 2.1, table 5.1).

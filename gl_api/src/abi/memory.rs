@@ -28,6 +28,11 @@ impl<'a> ClientPointer<'a> {
         self.address.addr()
     }
 
+    /// The address, to give it back to the client.
+    pub(crate) fn address(self) -> *mut u8 {
+        self.address
+    }
+
     /// Whether it is C's null pointer.
     pub(crate) fn is_null(self) -> bool {
         self.address.is_null()

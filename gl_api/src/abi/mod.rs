@@ -12,6 +12,7 @@
 //! | [`lengths`] | how many elements a typed pointer has |
 //! | [`proc_address`] | functions by name |
 //! | [`egl`] | EGL 1.5: displays, configs, surfaces, contexts |
+//! | [`osmesa`] | OSMesa: contexts that draw into the client's memory |
 //! | [`glx`] | the names of GLX |
 //!
 //! This is the one place of this crate with `unsafe`. What it trusts is what C's prototypes cannot
@@ -22,6 +23,7 @@ mod egl;
 mod glx;
 pub(crate) mod lengths;
 pub(crate) mod memory;
+pub(crate) mod osmesa;
 pub(crate) mod param;
 pub(crate) mod proc_address;
 

@@ -1,11 +1,26 @@
 //! C's arguments and results, and what the methods of [`Context`](crate::Context) take and give.
 
 use super::memory::ClientPointer;
+use crate::context::GLDEBUGPROC;
 use crate::entry::{Data, DataOut, Pointers, Strings, TextOut};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::ffi::{CStr, CString, c_char, c_void};
 use std::sync::{Mutex, PoisonError};
+
+/// What says how long the memory behind a pointer is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Counted {
+    /// It is no pointer, or the call itself knows.
+    No,
+    /// A rule of [`super::lengths`].
+    Elements,
+    /// A final zero, or an argument that is not negative.
+    Text,
+}
+
+/// Of text: it ends with a zero.
+pub(crate) const TERMINATED: usize = usize::MAX;
 
 /// A parameter's type: C's, what is held of it during the call, and ours.
 pub(crate) trait Param<'a>: Sized {
@@ -14,7 +29,7 @@ pub(crate) trait Param<'a>: Sized {
     /// What lives as long as the call.
     type Held: 'static;
     /// Whether C's pointer needs a length from [`super::lengths`].
-    const COUNTED: bool = false;
+    const COUNTED: Counted = Counted::No;
 
     /// The argument as a number, for the lengths of others; of pointers the address.
     fn number(raw: Self::Raw) -> isize;
@@ -69,6 +84,34 @@ impl Param<'_> for bool {
     }
 }
 
+/// What is passed on as it is.
+macro_rules! opaque {
+    ($($ty:ty: $raw:ident => $number:expr;)*) => { $(
+        impl Param<'_> for $ty {
+            type Raw = $ty;
+            type Held = $ty;
+
+            fn number($raw: $ty) -> isize {
+                $number
+            }
+
+            unsafe fn hold(raw: $ty, _: usize, _: &[isize]) -> $ty {
+                raw
+            }
+
+            fn lend(held: &mut $ty) -> $ty {
+                *held
+            }
+        }
+    )* };
+}
+
+opaque! {
+    *const c_void: raw => raw.addr() as isize;
+    *mut c_void: raw => raw.addr() as isize;
+    GLDEBUGPROC: _raw => 0;
+}
+
 /// Elements that are read; a copy of them where C's pointer is misaligned.
 pub(crate) struct Elements<T> {
     pointer: *const T,
@@ -79,7 +122,7 @@ pub(crate) struct Elements<T> {
 impl<'a, T: Copy + 'static> Param<'a> for &'a [T] {
     type Raw = *const T;
     type Held = Elements<T>;
-    const COUNTED: bool = true;
+    const COUNTED: Counted = Counted::Elements;
 
     fn number(raw: *const T) -> isize {
         raw.addr() as isize
@@ -124,7 +167,7 @@ impl<T: Copy> Drop for ElementsMut<T> {
 impl<'a, T: Copy + 'static> Param<'a> for &'a mut [T] {
     type Raw = *mut T;
     type Held = ElementsMut<T>;
-    const COUNTED: bool = true;
+    const COUNTED: Counted = Counted::Elements;
 
     fn number(raw: *mut T) -> isize {
         raw.addr() as isize
@@ -189,29 +232,37 @@ fn utf8(bytes: &[u8]) -> String {
     }
 }
 
-/// C's string, up to its final zero; nothing for the null pointer.
+/// `length` bytes of C's, or [`TERMINATED`]; nothing for the null pointer.
 ///
 /// # Safety
-/// A pointer that is not null ends with a zero.
-unsafe fn string(raw: *const c_char) -> Cow<'static, str> {
+/// A pointer that is not null has that length.
+unsafe fn text(raw: *const c_char, length: usize) -> Cow<'static, str> {
     if raw.is_null() {
         return Cow::Borrowed("");
     }
     // SAFETY: promised by the caller.
-    Cow::Owned(utf8(unsafe { CStr::from_ptr(raw) }.to_bytes()))
+    let bytes = unsafe {
+        if length == TERMINATED {
+            CStr::from_ptr(raw).to_bytes()
+        } else {
+            ClientPointer::new(raw.cast()).bytes(length)
+        }
+    };
+    Cow::Owned(utf8(bytes))
 }
 
 impl<'a> Param<'a> for &'a str {
     type Raw = *const c_char;
     type Held = Cow<'static, str>;
+    const COUNTED: Counted = Counted::Text;
 
     fn number(raw: *const c_char) -> isize {
         raw.addr() as isize
     }
 
-    unsafe fn hold(raw: *const c_char, _: usize, _: &[isize]) -> Cow<'static, str> {
+    unsafe fn hold(raw: *const c_char, length: usize, _: &[isize]) -> Cow<'static, str> {
         // SAFETY: promised by the caller.
-        unsafe { string(raw) }
+        unsafe { text(raw, length) }
     }
 
     fn lend(held: &'a mut Cow<'static, str>) -> &'a str {
@@ -223,7 +274,7 @@ impl<'a> Param<'a> for &'a str {
 impl<'a> Param<'a> for Strings<'a> {
     type Raw = *const *const c_char;
     type Held = Vec<Cow<'static, str>>;
-    const COUNTED: bool = true;
+    const COUNTED: Counted = Counted::Elements;
 
     fn number(raw: *const *const c_char) -> isize {
         raw.addr() as isize
@@ -249,15 +300,8 @@ impl<'a> Param<'a> for Strings<'a> {
                     };
                     (raw.add(at).read_unaligned(), length)
                 };
-                match usize::try_from(length) {
-                    // SAFETY: the caller says that so many bytes are there.
-                    Ok(length) => Cow::Owned(utf8(unsafe {
-                        ClientPointer::new(text.cast())
-                    }
-                    .bytes(length))),
-                    // SAFETY: a negative length, or none, says that a zero ends it.
-                    Err(_) => unsafe { string(text) },
-                }
+                // SAFETY: so many bytes, or a negative length, which says that a zero ends it.
+                unsafe { self::text(text, usize::try_from(length).unwrap_or(TERMINATED)) }
             })
             .collect()
     }
@@ -270,7 +314,7 @@ impl<'a> Param<'a> for Strings<'a> {
 impl<'a> Param<'a> for TextOut<'a> {
     type Raw = *mut c_char;
     type Held = (ClientPointer<'static>, usize);
-    const COUNTED: bool = true;
+    const COUNTED: Counted = Counted::Elements;
 
     fn number(raw: *mut c_char) -> isize {
         raw.addr() as isize
@@ -293,7 +337,7 @@ impl<'a> Param<'a> for TextOut<'a> {
 impl<'a> Param<'a> for Pointers<'a> {
     type Raw = *const *const c_void;
     type Held = Vec<ClientPointer<'static>>;
-    const COUNTED: bool = true;
+    const COUNTED: Counted = Counted::Elements;
 
     fn number(raw: *const *const c_void) -> isize {
         raw.addr() as isize

@@ -16,8 +16,9 @@ pub(crate) fn gl(name: &str) -> *const c_void {
 
 /// A function of any of the libraries that this one stands in for; null where there is none.
 pub(crate) fn any(name: &str) -> *const c_void {
-    let found = gl(name);
-    if found.is_null() { super::egl::address(name) } else { found }
+    let libraries = [gl, super::egl::address, super::osmesa::address];
+    let found = libraries.into_iter().map(|library| library(name));
+    found.into_iter().find(|address| !address.is_null()).unwrap_or(std::ptr::null())
 }
 
 impl Context {

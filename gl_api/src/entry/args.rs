@@ -2,6 +2,7 @@
 //! has pointers.
 
 use crate::abi::memory::ClientPointer;
+use crate::context::GLDEBUGPROC;
 use crate::types::GLuint;
 use bytemuck::{NoUninit, Pod};
 
@@ -340,6 +341,30 @@ macro_rules! null_pointers {
 }
 
 null_pointers!(i8, u8, i16, u16, i32, u32, f32, f64);
+
+impl<T> Arg<*const T> for *const T {
+    fn arg(self) -> Self {
+        self
+    }
+}
+
+impl<T> Arg<*mut T> for *mut T {
+    fn arg(self) -> Self {
+        self
+    }
+}
+
+impl Arg<GLDEBUGPROC> for GLDEBUGPROC {
+    fn arg(self) -> Self {
+        self
+    }
+}
+
+impl<'a, T> Arg<&'a mut [*mut T]> for &'a mut *mut T {
+    fn arg(self) -> &'a mut [*mut T] {
+        std::slice::from_mut(self)
+    }
+}
 
 impl<'a> Arg<&'a str> for &'a str {
     fn arg(self) -> &'a str {

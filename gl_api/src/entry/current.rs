@@ -30,6 +30,12 @@ impl Fallback for bool {
     }
 }
 
+impl Fallback for u8 {
+    fn fallback() -> Self {
+        0
+    }
+}
+
 impl Fallback for u32 {
     fn fallback() -> Self {
         0

@@ -95,8 +95,10 @@ mod args;
 mod current;
 
 mod attributes;
+mod debugging;
 mod fragments;
 mod framebuffers;
+mod lighting;
 mod lists;
 mod pixels;
 mod programs;
@@ -112,8 +114,10 @@ pub(crate) use current::{Fallback, call, swap_current};
 pub use current::{Current, set_current, with_current};
 
 pub use attributes::*;
+pub use debugging::*;
 pub use fragments::*;
 pub use framebuffers::*;
+pub use lighting::*;
 pub use lists::*;
 pub use pixels::*;
 pub use programs::*;
@@ -144,8 +148,10 @@ pub fn implemented() -> impl Iterator<Item = (&'static str, usize)> {
 pub(crate) fn rows() -> impl Iterator<Item = Row> {
     [
         ATTRIBUTES,
+        DEBUGGING,
         FRAMEBUFFERS,
         FRAGMENTS,
+        LIGHTING,
         LISTS,
         PIXELS,
         PROGRAMS,

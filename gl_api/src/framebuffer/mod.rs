@@ -1,14 +1,20 @@
 //! Framebuffers: what is drawn to and read from (GL 2.1, chapter 4; framebuffer objects).
 
 pub(crate) mod attach;
+pub(crate) mod blit;
 pub(crate) mod buffers;
 pub(crate) mod clear;
 pub(crate) mod complete;
+pub(crate) mod inspect;
 pub(crate) mod read;
+mod swap;
 
-use crate::context::Context;
+use crate::context::{Context, SurfaceDesc};
+use crate::object::framebuffers::Planes;
+use crate::state::enable::Flag;
 use buffers::Selection;
-use rasterizer::driver::{Attachment, Image};
+use rasterizer::driver::{Attachment, Image, SrgbWrite};
+pub(crate) use swap::Presence;
 use texunit::format::Format;
 use texunit::image::{Image as Texels, ImageError, Level, Shape};
 
@@ -48,11 +54,11 @@ impl Region {
     }
 }
 
-/// A new image of one level.
-pub(crate) fn surface(format: Format, width: u32, height: u32) -> Result<Image, ImageError> {
+/// The texels of an image of one level.
+pub(crate) fn texels(format: Format, width: u32, height: u32) -> Result<Texels, ImageError> {
     let mut texels = Texels::new(Shape::D2);
     texels.set_level(0, 0, Level::new(format, width, height)?)?;
-    Ok(Image::new(texels))
+    Ok(texels)
 }
 
 /// The only face and level of a surface.
@@ -60,76 +66,54 @@ pub(crate) fn whole(image: &Image) -> Attachment {
     Attachment { image: image.clone(), face: 0, level: 0 }
 }
 
-/// The default framebuffer: one colour buffer, whatever it is called, and depth.
+/// The format of an attachment, if it exists.
+pub(crate) fn format_of(attachment: &Attachment) -> Option<Format> {
+    // Every face and slice of a level has the same.
+    attachment.image.level(0, attachment.level.into()).map(|level| level.format)
+}
+
+/// What is written to attachments of an sRGB format.
+pub(crate) fn srgb_write(context: &Context) -> SrgbWrite {
+    if context.state.enables.has(Flag::FramebufferSrgb) {
+        SrgbWrite::Encode
+    } else {
+        SrgbWrite::AsIs
+    }
+}
+
+/// The default framebuffer: one colour buffer, whatever it is called, depth and stencil.
 #[derive(Debug)]
 pub(crate) struct Window {
     pub width: u32,
     pub height: u32,
+    pub format: Format,
     pub color: Image,
-    pub depth: Image,
+    pub depth: Option<Image>,
+    /// Which planes of `depth` there are.
+    pub planes: Planes,
     pub selection: Selection,
     pub presence: Presence,
 }
 
-/// Whether there is a default framebuffer at all: a context can be current without one.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Presence {
-    Present,
-    Absent,
-}
-
-/// The formats of a default framebuffer.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Buffers {
-    pub color: Format,
-    pub depth: Format,
-}
-
-impl Buffers {
-    /// Of a context that does not say.
-    pub const DEFAULT: Self = Self { color: Format::Rgba8, depth: Format::D24 };
-}
-
 impl Window {
-    pub fn new(width: u32, height: u32, buffers: Buffers) -> Result<Self, ImageError> {
+    pub fn new(width: u32, height: u32, desc: SurfaceDesc) -> Result<Self, ImageError> {
+        let image =
+            |format| Ok(Image::with_samples(texels(format, width, height)?, desc.samples.max(1)));
+        let format = desc.color.format();
         Ok(Self {
             width,
             height,
-            color: surface(buffers.color, width, height)?,
-            depth: surface(buffers.depth, width, height)?,
+            format,
+            color: image(format)?,
+            depth: desc.depth_format().map(image).transpose()?,
+            planes: Planes { depth: desc.depth_bits > 0, stencil: desc.stencil_bits > 0 },
             selection: Selection::window(),
             presence: Presence::Present,
         })
     }
 
-    /// What stands in where there is none: complete it is not.
-    pub fn absent() -> Self {
-        let empty = || Image::new(Texels::new(Shape::D2));
-        Self {
-            width: 0,
-            height: 0,
-            color: empty(),
-            depth: empty(),
-            selection: Selection::window(),
-            presence: Presence::Absent,
-        }
-    }
-}
-
-impl Context {
-    /// Puts another default framebuffer in place, with everything drawn to the one that was. Which
-    /// of its buffers are drawn to and read from is the context's.
-    pub(crate) fn swap_window(&mut self, mut window: Window) -> Window {
-        self.flush();
-        window.selection = self.window.selection.clone();
-        std::mem::replace(&mut self.window, window)
-    }
-
-    /// Viewport and scissor take the size of the first default framebuffer (GL 2.1, sections 2.11.1
-    /// and 4.1.2).
-    pub(crate) fn first_window(&mut self, width: u32, height: u32) {
-        let fresh = crate::state::State::new(width, height);
-        self.state.viewport = fresh.viewport;
-        self.state.fragment.scissor = fresh.fragment.scissor;
+    /// How depth and stencil are stored.
+    pub fn depth_format(&self) -> Option<Format> {
+        self.depth.as_ref()?.level(0, 0).map(|level| level.format)
     }
 }

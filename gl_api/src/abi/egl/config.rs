@@ -5,13 +5,12 @@ use super::error::{Code, Result, fail};
 use super::registry::{Id, handle, registry};
 use super::{Attrib, Handle, Int, int_attributes, put};
 use crate::context::limits::MAX_VIEWPORT_DIMS;
-use crate::framebuffer::Buffers;
+use crate::context::{SurfaceColor, SurfaceDesc};
 use std::cmp::Reverse;
-use texunit::format::Format;
 
 /// What a default framebuffer has; sizes in bits.
-#[derive(Debug, PartialEq, Eq)]
-pub(super) struct Config {
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::abi) struct Config {
     pub id: Int,
     pub alpha: Int,
     pub depth: Int,
@@ -19,9 +18,28 @@ pub(super) struct Config {
     pub samples: Int,
 }
 
-/// Every config; `id` counts from 1.
-pub(super) static CONFIGS: [Config; 1] =
-    [Config { id: 1, alpha: 8, depth: 24, stencil: 0, samples: 0 }];
+/// Bits of alpha, with 8 each of red, green and blue.
+const ALPHA: [Int; 2] = [8, 0];
+/// Bits of depth and stencil.
+const DEPTH_STENCIL: [(Int, Int); 5] = [(24, 8), (24, 0), (16, 0), (0, 8), (0, 0)];
+/// Samples of a pixel; 0 is not multisampled.
+const SAMPLES: [Int; 2] = [0, 4];
+const COUNT: usize = ALPHA.len() * DEPTH_STENCIL.len() * SAMPLES.len();
+
+/// Every config: all combinations; `id` counts from 1.
+pub(super) static CONFIGS: [Config; COUNT] = {
+    let mut configs = [Config { id: 0, alpha: 0, depth: 0, stencil: 0, samples: 0 }; COUNT];
+    let mut at = 0;
+    while at < COUNT {
+        let (depth, stencil) = DEPTH_STENCIL[at % DEPTH_STENCIL.len()];
+        let at_color = at / DEPTH_STENCIL.len();
+        let alpha = ALPHA[at_color % ALPHA.len()];
+        let samples = SAMPLES[at_color / ALPHA.len()];
+        configs[at] = Config { id: at as Int + 1, alpha, depth, stencil, samples };
+        at += 1;
+    }
+    configs
+};
 
 /// How an attribute of a request is compared (EGL 1.5, table 3.4).
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -84,8 +102,13 @@ impl Config {
     }
 
     /// What the default framebuffer is made of.
-    pub fn buffers(&self) -> Buffers {
-        Buffers { color: Format::Rgba8, depth: Format::D24 }
+    pub fn surface(&self) -> SurfaceDesc {
+        SurfaceDesc {
+            color: if self.alpha > 0 { SurfaceColor::Rgba8 } else { SurfaceColor::Rgb8 },
+            depth_bits: self.depth as u8,
+            stencil_bits: self.stencil as u8,
+            samples: self.samples as u8,
+        }
     }
 
     fn handle_id(&self) -> Id {

@@ -82,7 +82,7 @@ fn check(attributes: &[(Int, Attrib)]) -> Result<()> {
 }
 
 /// A context that shares objects with one that is current here, or nowhere.
-fn share_with(
+pub(in crate::abi) fn share_with(
     display: Id,
     share: Handle,
     desc: ContextDesc,

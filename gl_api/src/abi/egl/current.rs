@@ -18,7 +18,7 @@ fn this_thread() -> ThreadId {
 }
 
 /// What was current on this thread goes back to where it lies otherwise.
-pub(super) fn release(thread: &Thread) {
+pub(in crate::abi) fn release(thread: &Thread) {
     let Some(binding) = thread.binding.take() else { return };
     let context = swap_current(None);
     put_back(&mut registry(), binding, context);
@@ -35,6 +35,7 @@ fn put_back(registry: &mut Registry, binding: Binding, context: Option<Box<Conte
         return;
     };
     context.flush();
+    context.mirror = None;
     let window = context.swap_window(Window::absent());
     if let Some(id) = binding.surface
         && let Some(entry) = registry.surfaces.get_mut(&id)
@@ -53,11 +54,6 @@ fn put_back(registry: &mut Registry, binding: Binding, context: Option<Box<Conte
     }
 }
 
-/// What is to be current, checked.
-struct Request {
-    binding: Binding,
-}
-
 /// Checks everything about making a context current; nothing has changed yet.
 fn check(
     registry: &mut Registry,
@@ -65,7 +61,7 @@ fn check(
     draw: Handle,
     read: Handle,
     context: Handle,
-) -> Result<Request> {
+) -> Result<Binding> {
     if draw.is_null() != read.is_null() {
         return fail(Code::BadMatch, "draw and read must both be surfaces, or both EGL_NO_SURFACE");
     }
@@ -79,7 +75,7 @@ fn check(
     }
     let config = entry.config;
     if draw.is_null() {
-        return Ok(Request { binding: Binding { display: dpy, context, surface: None } });
+        return Ok(Binding { display: dpy, context, surface: None });
     }
     let (read, _) = registry.surface(dpy, read)?;
     let (draw, surface) = registry.surface(dpy, draw)?;
@@ -89,10 +85,10 @@ fn check(
     if surface.thread.is_some_and(|thread| thread != here) {
         return fail(Code::BadAccess, "the surface is current on another thread");
     }
-    if config.is_some_and(|config| config.id != surface.config.id) {
+    if config.is_some() && config != surface.config {
         return fail(Code::BadMatch, "the surface's config is not the context's");
     }
-    Ok(Request { binding: Binding { display: dpy, context, surface: Some(draw) } })
+    Ok(Binding { display: dpy, context, surface: Some(draw) })
 }
 
 pub(super) fn make(dpy: Handle, draw: Handle, read: Handle, context: Handle) -> Result<u32> {
@@ -104,20 +100,18 @@ pub(super) fn make(dpy: Handle, draw: Handle, read: Handle, context: Handle) -> 
         thread(release);
         return Ok(1);
     }
-    let request = {
+    let binding = {
         let mut registry = registry();
         let dpy = registry.display(dpy)?;
         check(&mut registry, dpy, draw, read, context)?
     };
-    thread(|thread| {
-        // The request stays valid: what is current here is not doomed, and nobody else can take
-        // what is.
-        release(thread);
-        bind(thread, request)
-    })
+    thread(|thread| bind(thread, binding))?;
+    Ok(1)
 }
 
-fn bind(thread: &Thread, Request { binding }: Request) -> Result<u32> {
+/// Makes current what was checked, in place of what is.
+pub(in crate::abi) fn bind(thread: &Thread, binding: Binding) -> Result<()> {
+    release(thread);
     let mut registry = registry();
     let here = this_thread();
     let Some(entry) = registry.contexts.get_mut(&binding.context) else {
@@ -156,7 +150,7 @@ fn bind(thread: &Thread, Request { binding }: Request) -> Result<u32> {
     // A context that Rust code made current is dropped, as if the thread had ended.
     drop(swap_current(Some(context)));
     thread.binding.replace(Some(binding));
-    Ok(1)
+    Ok(())
 }
 
 fn binding() -> Option<Binding> {

@@ -6,7 +6,7 @@ use super::registry::thread;
 
 /// The error codes of EGL 1.5, table 3.1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Code {
+pub(in crate::abi) enum Code {
     NotInitialized,
     BadAccess,
     BadAlloc,
@@ -44,12 +44,12 @@ impl Code {
 
 /// A refused call.
 #[derive(Debug)]
-pub(super) struct Error {
+pub(in crate::abi) struct Error {
     pub code: Code,
     pub rule: String,
 }
 
-pub(super) type Result<T> = std::result::Result<T, Error>;
+pub(in crate::abi) type Result<T> = std::result::Result<T, Error>;
 
 pub(super) fn fail<T>(code: Code, rule: impl Into<String>) -> Result<T> {
     Err(Error { code, rule: rule.into() })

@@ -19,14 +19,15 @@
 
 mod config;
 mod context;
-mod current;
+pub(in crate::abi) mod current;
 mod display;
 mod error;
 mod functions;
-mod registry;
+pub(in crate::abi) mod registry;
 mod surface;
 mod sync;
 
+pub(in crate::abi) use context::share_with;
 pub(crate) use functions::address;
 
 use std::ffi::c_void;

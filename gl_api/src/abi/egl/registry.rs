@@ -11,7 +11,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::thread::ThreadId;
 
 /// A handle as a number.
-pub(super) type Id = usize;
+pub(in crate::abi) type Id = usize;
 
 /// Where a display came from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -37,6 +37,8 @@ impl Platform {
     }
 }
 
+/// What OSMesa's contexts have as display: no EGL handle is this number.
+pub(in crate::abi) const OSMESA: Id = 0x50;
 /// The handle of the one device.
 pub(super) const DEVICE: Id = 0x40;
 /// Objects' handles begin here.
@@ -44,7 +46,7 @@ const FIRST: Id = 0x1000;
 
 /// Where a context is.
 #[derive(Debug)]
-pub(super) enum Place {
+pub(in crate::abi) enum Place {
     /// Here, and current on no thread.
     Idle(Box<Context>),
     /// Current on a thread.
@@ -52,7 +54,7 @@ pub(super) enum Place {
 }
 
 #[derive(Debug)]
-pub(super) struct ContextEntry {
+pub(in crate::abi) struct ContextEntry {
     pub display: Id,
     /// `None` was made with `EGL_NO_CONFIG_KHR`.
     pub config: Option<&'static Config>,
@@ -64,9 +66,10 @@ pub(super) struct ContextEntry {
 }
 
 #[derive(Debug)]
-pub(super) struct SurfaceEntry {
+pub(in crate::abi) struct SurfaceEntry {
     pub display: Id,
-    pub config: &'static Config,
+    /// `None` is the memory of an OSMesa client.
+    pub config: Option<&'static Config>,
     pub width: u32,
     pub height: u32,
     pub largest: bool,
@@ -80,7 +83,7 @@ pub(super) struct SurfaceEntry {
 
 /// Everything that has a handle.
 #[derive(Debug)]
-pub(super) struct Registry {
+pub(in crate::abi) struct Registry {
     next: Id,
     pub initialized: Vec<Id>,
     pub contexts: BTreeMap<Id, ContextEntry>,
@@ -98,7 +101,7 @@ static REGISTRY: Mutex<Registry> = Mutex::new(Registry {
 });
 
 /// Locks the registry. Nothing is half done in it when a panic lets go of it.
-pub(super) fn registry() -> MutexGuard<'static, Registry> {
+pub(in crate::abi) fn registry() -> MutexGuard<'static, Registry> {
     REGISTRY.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
@@ -148,13 +151,13 @@ pub(super) fn display(handle: Handle) -> Result<Id> {
 }
 
 /// A number as a handle.
-pub(super) fn handle(id: Id) -> Handle {
+pub(in crate::abi) fn handle(id: Id) -> Handle {
     std::ptr::without_provenance_mut(id)
 }
 
 /// What is current on a thread.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Binding {
+pub(in crate::abi) struct Binding {
     pub display: Id,
     pub context: Id,
     /// `None` without a default framebuffer.
@@ -163,7 +166,7 @@ pub(super) struct Binding {
 
 /// The API that `eglBindAPI` chose.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Api {
+pub(in crate::abi) enum Api {
     /// Before the first call: OpenGL ES would be the default, but there is none.
     None,
     OpenGl,
@@ -171,7 +174,7 @@ pub(super) enum Api {
 
 /// What belongs to a thread.
 #[derive(Debug)]
-pub(super) struct Thread {
+pub(in crate::abi) struct Thread {
     pub error: Cell<Int>,
     pub api: Cell<Api>,
     pub binding: RefCell<Option<Binding>>,
@@ -192,6 +195,8 @@ impl Thread {
 
 impl Drop for Thread {
     fn drop(&mut self) {
+        // An OSMesa client's memory may have ended with its thread.
+        crate::entry::with_current(|context| context.mirror = None);
         super::current::release(self);
     }
 }
@@ -201,7 +206,7 @@ thread_local! {
 }
 
 /// Runs `f` with what belongs to this thread; a thread that is ending has forgotten it.
-pub(super) fn thread<R>(f: impl FnOnce(&Thread) -> R) -> R {
+pub(in crate::abi) fn thread<R>(f: impl FnOnce(&Thread) -> R) -> R {
     let mut f = Some(f);
     let known = THREAD.try_with(|thread| f.take().map(|f| f(thread))).ok().flatten();
     // `f` is still there exactly if it was not run.

@@ -76,14 +76,14 @@ pub(super) unsafe fn create_pbuffer(
         );
     }
     // A pbuffer may be empty, an image may not.
-    let window = match Window::new(width.max(1), height.max(1), config.buffers()) {
+    let window = match Window::new(width.max(1), height.max(1), config.surface()) {
         Ok(window) => Some(window),
         Err(_) => return fail(Code::BadAlloc, format!("no memory for {width}×{height} pixels")),
     };
     let id = registry.new_id();
     let entry = SurfaceEntry {
         display,
-        config,
+        config: Some(config),
         width,
         height,
         largest,
@@ -115,7 +115,7 @@ pub(super) unsafe fn query(
     let found = match attribute {
         EGL_WIDTH => entry.width as Int,
         EGL_HEIGHT => entry.height as Int,
-        EGL_CONFIG_ID => entry.config.id,
+        EGL_CONFIG_ID => entry.config.map_or(0, |config| config.id),
         EGL_LARGEST_PBUFFER => entry.largest.into(),
         EGL_RENDER_BUFFER => EGL_BACK_BUFFER,
         EGL_SWAP_BEHAVIOR => EGL_BUFFER_PRESERVED,
