@@ -166,7 +166,7 @@ fn limit(_: &Context, pname: GLenum) -> Answer {
         }
         GL_MAJOR_VERSION => int(2),
         GL_MINOR_VERSION => int(1),
-        GL_NUM_EXTENSIONS => int(super::get::EXTENSIONS.split(' ').count()),
+        GL_NUM_EXTENSIONS => int(super::extensions::EXTENSIONS.len()),
         GL_STEREO | GL_AUX_BUFFERS | GL_INDEX_BITS => int(0),
         GL_MAX_SAMPLES => int(limits::MAX_SAMPLES),
         GL_DOUBLEBUFFER => flag(false),
