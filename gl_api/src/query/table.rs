@@ -7,6 +7,7 @@ use crate::env::Unit;
 use crate::error::{Result, Table, invalid_enum};
 use crate::interface::*;
 use crate::list::calls::{MAX_LIST_NESTING, MODE};
+use crate::state::attrib::MAX_ATTRIB_STACK_DEPTH;
 use crate::state::enable::{CAPABILITY, CLIENT_ARRAY};
 use crate::state::fragment::{BLEND_EQUATION, COMPARE, DST_FACTOR, SRC_FACTOR};
 use crate::state::masks::LOGIC_OP;
@@ -384,6 +385,11 @@ fn lists(context: &Context, pname: GLenum) -> Answer {
         GL_LIST_BASE => symbol(context.lists.base()),
         GL_LIST_INDEX => symbol(compiling.map_or(0, |list| list.name)),
         GL_LIST_MODE => symbol(compiling.map_or(0, |list| MODE.encode(list.mode))),
+        GL_ATTRIB_STACK_DEPTH => int(context.attribs.depths()[0] as i32),
+        GL_CLIENT_ATTRIB_STACK_DEPTH => int(context.attribs.depths()[1] as i32),
+        GL_MAX_ATTRIB_STACK_DEPTH | GL_MAX_CLIENT_ATTRIB_STACK_DEPTH => {
+            int(MAX_ATTRIB_STACK_DEPTH as i32)
+        }
         GL_MAX_LIST_NESTING => int(MAX_LIST_NESTING as i32),
         _ => return None,
     })

@@ -1,6 +1,7 @@
 //! The state of a context, by chapter of the specification: plain values and the calls that set
 //! them. Objects are in [`crate::object`], texture environments in [`crate::env`].
 
+pub(crate) mod attrib;
 pub(crate) mod clip;
 pub(crate) mod enable;
 pub(crate) mod fog;
