@@ -166,11 +166,8 @@ fn commands(text: &str) -> CommandBuffer {
         cull: Cull::None,
         front_face: FrontFace::Ccw,
         provoking: Provoking::Last,
-        polygon_offset: None,
         depth: None,
         colors: vec![ColorState { blend: None, mask: [true; 4] }],
-        line_width_bits: 1.0_f32.to_bits(),
-        point_size_bits: 1.0_f32.to_bits(),
     });
     let mut target = Texels::new(Shape::D2);
     target.set_level(0, 0, Level::new(Format::Rgba8, SIZE, SIZE).expect("small")).expect("face 0");

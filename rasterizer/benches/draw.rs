@@ -193,11 +193,8 @@ fn commands(scene: &Scene, texels: &Texels, target: Image) -> CommandBuffer {
         cull: Cull::None,
         front_face: FrontFace::Ccw,
         provoking: Provoking::Last,
-        polygon_offset: None,
         depth: None,
         colors: vec![ColorState { blend: None, mask: [true; 4] }],
-        line_width_bits: 1.0_f32.to_bits(),
-        point_size_bits: 1.0_f32.to_bits(),
     });
     let (x, y, width, height) = (0.0, 0.0, SIZE as f32, SIZE as f32);
     CommandBuffer {

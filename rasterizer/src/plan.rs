@@ -3,7 +3,9 @@
 //! "Leave out what a scene does not need" is this plan. What it leaves out costs neither time nor
 //! memory; `DETGL_EXPLAIN=1` prints it.
 
-use crate::driver::{DepthWrite, Pipeline, PolygonOffset, Viewport};
+use crate::driver::{
+    DepthWrite, Pipeline, PipelineDesc, PolygonMode, PolygonOffset, RasterState, Topology, Viewport,
+};
 use crate::ir::{Input, Interpolation, Output};
 use crate::output::{ColorPlan, DepthFormat, DepthPlan};
 use crate::raster::PlaneSource;
@@ -12,7 +14,7 @@ use crate::target::stored_components;
 use std::fmt::Write;
 use std::sync::Arc;
 use texunit::format::Format;
-use texunit::lanes::Isa;
+use texunit::lanes::{Isa, LANES, lane_x, lane_y};
 use texunit::plan::SamplePlan;
 use texunit::sampler::Compare;
 
@@ -36,6 +38,8 @@ pub enum FragmentInput {
     Depth,
     /// Which side is seen.
     Front,
+    /// The part of the pixel that is covered.
+    Coverage,
     /// Not there in this stage.
     Zero,
 }
@@ -77,8 +81,12 @@ pub struct DrawPlan {
     pub shading: Shading,
     /// Where the window is.
     pub viewport: Viewport,
-    /// The polygon offset, where depth matters.
+    /// The offset of filled polygons, where depth matters.
     pub offset: Option<PolygonOffset>,
+    /// How primitives become fragments.
+    pub raster: Arc<RasterState>,
+    /// Which lanes the polygon stipple leaves of each block of its 32×32 pixels.
+    pub stipple: Option<[u64; 16]>,
 }
 
 /// Whether fragments are shaded.
@@ -104,6 +112,8 @@ pub struct PlanInput<'a> {
     pub textures: Textures,
     /// The viewport.
     pub viewport: Viewport,
+    /// How primitives become fragments.
+    pub raster: Arc<RasterState>,
 }
 
 impl DrawPlan {
@@ -165,12 +175,20 @@ impl DrawPlan {
         let depth_plane = (tests_z || reads_z).then(|| plane(PlaneSource::Depth));
         let mut denominator_plane = None;
         let read = if shading == Shading::On { fragment.inputs() } else { &[] };
+        let replaced = sprite_slots(desc, &input.raster);
         for &wanted in read {
             inputs.push(match wanted {
                 Input::Varying(slot) => {
                     let at = compiled.varyings.iter().position(|&(s, _)| s == slot);
                     let (at, mode) =
                         at.map_or((0, Interpolation::Flat), |at| (at, compiled.varyings[at].1));
+                    let sprite = replaced.iter().find(|&&first| (first..first + 4).contains(&slot));
+                    if let Some(first) = sprite {
+                        denominator_plane = Some(plane(PlaneSource::Denominator));
+                        let source = PlaneSource::Sprite(at, (slot - first) as u8);
+                        inputs.push(FragmentInput::Smooth(plane(source)));
+                        continue;
+                    }
                     match mode {
                         Interpolation::Smooth => {
                             denominator_plane = Some(plane(PlaneSource::Denominator));
@@ -187,6 +205,7 @@ impl DrawPlan {
                 Input::FragCoord(2) => FragmentInput::Depth,
                 Input::FragCoord(_) => FragmentInput::Linear(plane(PlaneSource::InverseW)),
                 Input::FrontFacing => FragmentInput::Front,
+                Input::Coverage => FragmentInput::Coverage,
                 Input::PointCoord(axis) => {
                     FragmentInput::Linear(plane(PlaneSource::PointCoord(axis)))
                 }
@@ -206,9 +225,17 @@ impl DrawPlan {
             colors,
             shading,
             viewport: input.viewport,
-            offset: desc.polygon_offset.filter(|_| depth_plane.is_some()),
+            offset: input.raster.polygon.offset[PolygonMode::Fill as usize]
+                .filter(|_| depth_plane.is_some()),
+            stipple: input.raster.polygon.stipple.as_ref().map(stipple_lanes),
+            raster: input.raster,
             pipeline: pipeline.clone(),
         }
+    }
+
+    /// Whether any fragment asks how much of its pixel is covered.
+    pub fn reads_coverage(&self) -> bool {
+        self.inputs.contains(&FragmentInput::Coverage)
     }
 
     /// What runs, what was left out, and why.
@@ -292,4 +319,31 @@ impl DrawPlan {
         line("planes", format!("{} evaluated a pixel", self.planes.len()));
         text
     }
+}
+
+/// The first slots of the varyings that points of a draw replace, where it draws any.
+fn sprite_slots<'a>(desc: &PipelineDesc, raster: &'a RasterState) -> &'a [u16] {
+    let points = match desc.topology {
+        Topology::Points => true,
+        Topology::Lines | Topology::LineStrip | Topology::LineLoop => false,
+        Topology::Triangles
+        | Topology::TriangleStrip
+        | Topology::TriangleFan
+        | Topology::Quads
+        | Topology::QuadStrip
+        | Topology::Polygon => raster.polygon.mode.contains(&PolygonMode::Point),
+    };
+    if points { raster.point.sprite.as_deref().unwrap_or(&[]) } else { &[] }
+}
+
+/// A stipple pattern (see [`crate::driver::PolygonState`]) as lanes of 4×4 blocks.
+fn stipple_lanes(rows: &[u32; 32]) -> [u64; 16] {
+    let mut blocks = [0; 16];
+    for (index, block) in blocks.iter_mut().enumerate() {
+        for lane in 0..LANES {
+            let (x, y) = (index % 4 * 8 + lane_x(lane), index / 4 * 8 + lane_y(lane));
+            *block |= u64::from(rows[y] >> (31 - x) & 1) << lane;
+        }
+    }
+    blocks
 }

@@ -8,6 +8,7 @@ mod device;
 mod image;
 mod pass;
 mod pipeline;
+mod raster;
 mod submit;
 
 pub use buffer::{Buffer, VertexBinding, VertexFormat, VertexSource, VertexType};
@@ -16,5 +17,9 @@ pub use device::{Device, DeviceDesc, DeviceError, Explain, SubmitError, SubmitRe
 pub use image::{Attachment, Image, PassDesc};
 pub use pipeline::{
     Blend, BlendEquation, BlendFactor, ColorState, Cull, DepthState, DepthWrite, FrontFace,
-    Pipeline, PipelineDesc, PipelineError, PolygonOffset, Provoking, ShaderModule, Topology,
+    Pipeline, PipelineDesc, PipelineError, Provoking, ShaderModule, Topology,
+};
+pub use raster::{
+    LineState, LineStipple, MAX_LINE_WIDTH, MAX_POINT_SIZE, PointSize, PointState, PolygonMode,
+    PolygonOffset, PolygonState, RasterState, Rim, SpriteOrigin,
 };

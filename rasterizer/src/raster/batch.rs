@@ -33,6 +33,8 @@ pub struct Batch {
     x: [f32; QUADS],
     y: [f32; QUADS],
     front: [u32; QUADS],
+    /// The part of each lane's pixel that is covered, where the draw asks.
+    coverage: F32s,
     planes: Vec<QuadPlane>,
     /// By block: the quads that wait in this batch.
     waiting: [u16; 64],
@@ -58,6 +60,7 @@ impl Default for Batch {
             x: [0.0; QUADS],
             y: [0.0; QUADS],
             front: [0; QUADS],
+            coverage: F32s::ZERO,
             planes: Vec::new(),
             waiting: [0; 64],
         }
@@ -76,6 +79,8 @@ pub struct BlockOf<'a> {
     pub x: i32,
     /// Its first row.
     pub y: i32,
+    /// The part of each lane's pixel that is covered, where the draw asks.
+    pub coverage: Option<&'a F32s>,
 }
 
 /// The quads of a mask of lanes, bit by quad.
@@ -137,6 +142,11 @@ impl Batch {
         for e in 0..4 {
             self.mask |= (lanes >> (e * QUADS + quad) & 1) << (e * QUADS + at);
         }
+        if let Some(coverage) = of.coverage {
+            for e in 0..4 {
+                self.coverage[e * QUADS + at] = coverage[e * QUADS + quad];
+            }
+        }
         for (index, plane) in self.planes.iter_mut().enumerate() {
             plane.corner[at] = of.planes.at(index, of.x, of.y);
             plane.a[at] = of.planes.planes[index].a as f32;
@@ -157,6 +167,9 @@ impl Batch {
         self.x = [of.x as f32; QUADS];
         self.y = [of.y as f32; QUADS];
         self.front = [front_word(of.facing); QUADS];
+        if let Some(coverage) = of.coverage {
+            self.coverage = *coverage;
+        }
         for (index, plane) in self.planes.iter_mut().enumerate() {
             plane.corner = [of.planes.at(index, of.x, of.y); QUADS];
             plane.a = [of.planes.planes[index].a as f32; QUADS];
@@ -225,6 +238,7 @@ impl Kernel for Interpolate<'_> {
                     by_quad(out, |e, q| (batch.y[q] + (batch.dy[q] + Y[e] + 0.5)).to_bits());
                 }
                 FragmentInput::Front => by_quad(out, |_, q| batch.front[q]),
+                FragmentInput::Coverage => *out.as_f32_mut() = batch.coverage,
                 FragmentInput::Zero => *out = U32s::ZERO,
             }
         }

@@ -1,12 +1,13 @@
 //! A tile: everything of a pass that touches its 64×64 pixels, in order.
 
 use super::batch::{Batch, BlockDepth, BlockOf, Interpolate, Place, quads_of};
-use super::coverage::{self, Coverage};
+use super::cover::Cover;
+use super::coverage;
 use super::interpolate::{PlaneSetup, Planes};
 use crate::driver::ClearValue;
 use crate::output::{DepthFormat, DepthTest, WriteColor, color_word, expand_mask};
 use crate::plan::{DepthTiming, DrawPlan, Shading};
-use crate::primitive::{Facing, SUBPIXEL, Shape};
+use crate::primitive::{Facing, Kind, Shape};
 use crate::shader::{Machine, Run};
 use crate::target::{Plane, TILE};
 use crate::vertex::Geometry;
@@ -21,7 +22,7 @@ const DENSE: u32 = 12;
 pub struct DrawJob {
     /// Its decisions.
     pub plan: DrawPlan,
-    /// First and one past the last pixel it may touch, x then y.
+    /// First and one past the last pixel its triangles may touch, x then y.
     pub area: [[i32; 2]; 2],
     /// Set when its shader ran over the budget: nothing more of it is drawn.
     pub stopped: AtomicBool,
@@ -99,6 +100,8 @@ pub struct Worker {
     /// A block that runs at once.
     block: Batch,
     planes: Planes,
+    /// How much of each lane's pixel the shape covers.
+    parts: F32s,
     /// The draw whose shapes come now.
     draw: Option<usize>,
 }
@@ -150,23 +153,34 @@ impl Worker {
     fn fill(&mut self, pass: &PassJob, tile: &mut TileJob, chunk: &Chunk, shape: &Shape) {
         let job = &pass.draws[chunk.draw];
         let plan = &job.plan;
-        let Some(range) = block_range(shape, &job.area, tile.x, tile.y) else { return };
+        let Some(range) = block_range(shape, tile.x, tile.y) else { return };
         let setup = PlaneSetup {
             sources: &plan.planes,
             viewport: plan.viewport,
             offset: plan.offset,
             resolution: tile.depth.as_ref().and_then(|(_, format)| format.resolution()),
+            origin: plan.raster.point.origin,
         };
         self.planes.compute(&setup, &chunk.geometry, shape);
-        let edges = coverage::edges(&shape.corners, tile.x, tile.y);
+        let at = [tile.x, tile.y];
+        let cover = Cover::new(plan, &chunk.geometry, shape, at);
+        let (area, stipple) = match shape.kind {
+            Kind::Triangle => (job.area, plan.stipple.as_ref()),
+            // Their outlines do not know where the view volume ends.
+            Kind::Line { .. } | Kind::Point { .. } => (pixels(&shape.bounds), None),
+        };
+        self.parts = F32s::splat(1.0);
         for by in range[0][1]..=range[1][1] {
             for bx in range[0][0]..=range[1][0] {
-                let covered = match coverage::block(pass.isa, &edges, bx, by) {
-                    Coverage::None => continue,
-                    Coverage::Full => !0,
-                    Coverage::Partial(mask) => mask,
-                };
-                let mask = covered & coverage::inside_area(&job.area, tile.x, tile.y, bx, by);
+                let covered = cover.block(pass.isa, plan, shape, at, [bx, by], &mut self.parts);
+                if covered == 0 {
+                    continue;
+                }
+                let mut mask = covered & coverage::inside_area(&area, tile.x, tile.y, bx, by);
+                if let Some(stipple) = stipple {
+                    let [column, row] = [at[0] / 8 + bx, at[1] / 8 + by];
+                    mask &= stipple[(row % 4 * 4 + column % 4) as usize];
+                }
                 if mask != 0 {
                     self.fill_block(pass, tile, job, shape.facing, [bx, by], mask);
                 }
@@ -186,7 +200,14 @@ impl Worker {
     ) {
         let plan = &job.plan;
         let (x, y) = (tile.x + 8 * bx, tile.y + 8 * by);
-        let of = BlockOf { planes: &self.planes, facing, block: (by * 8 + bx) as usize, x, y };
+        let of = BlockOf {
+            planes: &self.planes,
+            facing,
+            block: (by * 8 + bx) as usize,
+            x,
+            y,
+            coverage: plan.reads_coverage().then_some(&self.parts),
+        };
         if let DepthTiming::Early(test) = plan.depth {
             // What waits has passed its own test already, so the order holds.
             mask = early_depth(pass.isa, plan, test, &of, mask, tile);
@@ -219,16 +240,17 @@ impl Worker {
     }
 }
 
-/// The blocks of the tile that a shape's bounding box touches within `area`: first and last, x then
-/// y.
-fn block_range(shape: &Shape, area: &[[i32; 2]; 2], x: i32, y: i32) -> Option<[[i32; 2]; 2]> {
+/// A shape's bounds as first and one past the last pixel.
+fn pixels(bounds: &[[u16; 2]; 2]) -> [[i32; 2]; 2] {
+    [bounds[0].map(i32::from), bounds[1].map(|last| i32::from(last) + 1)]
+}
+
+/// The blocks of the tile that a shape may cover: first and last, x then y.
+fn block_range(shape: &Shape, x: i32, y: i32) -> Option<[[i32; 2]; 2]> {
     let mut range = [[0; 2]; 2];
     for (axis, start) in [x, y].into_iter().enumerate() {
-        let corners = shape.corners.map(|corner| corner[axis]);
-        let low = corners.into_iter().fold(i32::MAX, i32::min).div_euclid(SUBPIXEL);
-        let high = corners.into_iter().fold(i32::MIN, i32::max).div_euclid(SUBPIXEL);
-        let first = low.max(area[0][axis]).max(start) - start;
-        let last = high.min(area[1][axis] - 1).min(start + TILE as i32 - 1) - start;
+        let first = i32::from(shape.bounds[0][axis]).max(start) - start;
+        let last = i32::from(shape.bounds[1][axis]).min(start + TILE as i32 - 1) - start;
         if first > last {
             return None;
         }

@@ -6,4 +6,4 @@ mod ids;
 mod shade;
 
 pub use ids::{Ids, Unique, ordinals};
-pub use shade::{GUARD_BAND, Geometry, Outcode, ShadedVertex, VertexStage, shade};
+pub use shade::{GUARD_BAND, Geometry, Outcode, VertexStage, shade};
