@@ -4,6 +4,13 @@
 
 include!(concat!(env!("OUT_DIR"), "/constants.rs"));
 
+/// `GL_2_BYTES`, 0x1407, which no version of the registry requires.
+pub const GL_2_BYTES: u32 = 0x1407;
+/// `GL_3_BYTES`, 0x1408, which no version of the registry requires.
+pub const GL_3_BYTES: u32 = 0x1408;
+/// `GL_4_BYTES`, 0x1409, which no version of the registry requires.
+pub const GL_4_BYTES: u32 = 0x1409;
+
 /// The name of a value for messages: `GL_TEXTURE_2D`; a number where no name is known or where
 /// the value is so small that a name says nothing.
 pub fn enum_name(value: u32) -> String {

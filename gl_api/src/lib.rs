@@ -35,6 +35,7 @@
 //! | [`glsl`], [`interface`] | the GLSL front end, and where programs and state meet |
 //! | `fixed` | the fixed function as generated shaders |
 //! | `draw` | vertices, draw calls, and their translation into driver commands |
+//! | `list` | display lists |
 //! | `query` | `glGet` |
 //! | [`glu`] | the utility library over the free functions |
 #![deny(unsafe_code)]
@@ -50,6 +51,7 @@ mod framebuffer;
 pub mod glsl;
 pub mod glu;
 pub mod interface;
+mod list;
 mod object;
 mod program;
 mod query;

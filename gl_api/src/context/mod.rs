@@ -9,7 +9,9 @@ use crate::entry::{Fallback, Place};
 use crate::error::{GlError, Result, invalid_operation};
 use crate::framebuffer::Window;
 use crate::glsl::Repairs;
+use crate::list::{Compiling, Lists};
 use crate::object::Objects;
+use crate::object::sharing::{Entered, Group};
 use crate::state::State;
 pub use debug::{Message, Severity};
 use rasterizer::driver::{Device, DeviceDesc, DeviceError};
@@ -69,6 +71,13 @@ pub struct Context {
     /// Between `glBegin` and `glEnd`.
     pub(crate) immediate: Option<Immediate>,
     pub(crate) recorder: Recorder,
+    /// Display lists, and the one that is being compiled.
+    pub(crate) lists: Lists,
+    pub(crate) compiling: Option<Compiling>,
+    /// The contexts that this one shares objects with.
+    group: Option<Group>,
+    /// Whether a call runs.
+    pub(crate) entered: Entered,
     pub(crate) repairs: Repairs,
 }
 
@@ -104,8 +113,28 @@ impl Context {
             debug: debug::Debug::from_env(),
             immediate: None,
             recorder: Recorder::new(device),
+            lists: Lists::default(),
+            compiling: None,
+            group: None,
+            entered: Entered::No,
             repairs,
         })
+    }
+
+    /// A context that shares textures, samplers, buffers, renderbuffers, shaders, programs and
+    /// display lists with this one (GL 2.1, appendix D), and its device unless `desc` has one. The
+    /// two may be current on different threads; their calls take turns.
+    ///
+    /// # Errors
+    /// As [`Context::new`].
+    pub fn new_shared(&mut self, desc: ContextDesc) -> Result<Self, ContextError> {
+        let device = desc.device.clone().unwrap_or_else(|| self.recorder.device());
+        let mut context = Self::new(ContextDesc { device: Some(device), ..desc })?;
+        // What was recorded is drawn before another thread can change what it reads.
+        self.flush();
+        let objects = &mut self.objects;
+        context.group = Some(self.group.get_or_insert_with(|| Group::of(objects)).clone());
+        Ok(context)
     }
 
     /// Takes the messages that have gathered, oldest first.
@@ -125,12 +154,19 @@ impl Context {
         place: Place,
         f: impl FnOnce(&mut Self) -> Result<R>,
     ) -> R {
-        let result = match place {
-            Place::Outside if self.immediate.is_some() => invalid_operation(
+        let run = |context: &mut Self| match place {
+            Place::Outside if context.immediate.is_some() => invalid_operation(
                 "GL 2.1, section 2.6.3",
                 "must not be called between glBegin and glEnd",
             ),
-            Place::Outside | Place::Anywhere => f(self),
+            Place::Outside | Place::Anywhere => f(context),
+        };
+        let result = match (&self.group, self.entered) {
+            (Some(group), Entered::No) => {
+                let group = group.clone();
+                group.run(self, run)
+            }
+            (Some(_), Entered::Yes) | (None, _) => run(self),
         };
         result.unwrap_or_else(|error: GlError| {
             self.debug.error(name, &error);

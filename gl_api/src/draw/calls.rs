@@ -33,7 +33,7 @@ const TOPOLOGY: Table<Topology> = Table {
 ///
 /// # Errors
 /// `GL_INVALID_ENUM`.
-pub(super) fn topology(mode: GLenum) -> Result<Topology> {
+pub(crate) fn topology(mode: GLenum) -> Result<Topology> {
     match TOPOLOGY.get(mode) {
         Some(topology) => Ok(topology),
         None => invalid_enum(
@@ -129,6 +129,19 @@ fn check_range(vertices: &[VertexBinding], first: usize, count: usize) -> Result
     Ok(())
 }
 
+/// Draws, or adds the draw to the list that is compiled.
+fn draw_or_record(
+    context: &mut Context,
+    topology: Topology,
+    vertices: Vec<VertexBinding>,
+    elements: Elements,
+) -> Result<()> {
+    match context.record_arrays(topology, vertices, elements) {
+        Some((vertices, elements)) => draw(context, topology, vertices, &elements),
+        None => Ok(()),
+    }
+}
+
 pub(crate) fn draw_arrays(
     context: &mut Context,
     mode: GLenum,
@@ -142,7 +155,7 @@ pub(crate) fn draw_arrays(
         let vertices = bindings(context);
         check_range(&vertices, first, count)?;
         let elements = Elements::Range { first: first as u32, count: count as u32 };
-        draw(context, topology, vertices, &elements)?;
+        draw_or_record(context, topology, vertices, elements)?;
     }
     Ok(())
 }
@@ -226,7 +239,8 @@ pub(crate) fn draw_elements(
     if count > 0 && has_positions(context) {
         let vertices = bindings(context);
         let indices = Indices { buffer, offset, ty, base_vertex: 0 };
-        draw(context, topology, vertices, &Elements::Indexed { indices, count: count as u32 })?;
+        let elements = Elements::Indexed { indices, count: count as u32 };
+        draw_or_record(context, topology, vertices, elements)?;
     }
     Ok(())
 }

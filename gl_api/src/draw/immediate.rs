@@ -45,6 +45,9 @@ pub(crate) enum Slot {
 }
 
 pub(crate) fn begin(context: &mut Context, mode: GLenum) -> Result<()> {
+    if context.record_begin(mode) {
+        return Ok(());
+    }
     if context.immediate.is_some() {
         return invalid_operation(SECTION, "glBegin was called before: glEnd is missing");
     }
@@ -59,6 +62,9 @@ pub(crate) fn begin(context: &mut Context, mode: GLenum) -> Result<()> {
 }
 
 pub(crate) fn end(context: &mut Context) -> Result<()> {
+    if context.record_end() {
+        return Ok(());
+    }
     let Some(immediate) = context.immediate.take() else {
         return invalid_operation(SECTION, "glBegin was not called before");
     };
@@ -97,19 +103,28 @@ pub(crate) fn end(context: &mut Context) -> Result<()> {
     draw(context, immediate.topology, vertices, &elements)
 }
 
+/// The location that an attribute call sets; `None` for the position.
+///
+/// # Errors
+/// When there is no such unit or generic attribute.
+pub(crate) fn location(slot: Slot) -> Result<Option<usize>> {
+    Ok(match slot {
+        Slot::Vertex => None,
+        Slot::Location(location) => Some(usize::from(location)),
+        Slot::TexCoord(texture) => {
+            let unit = texture_unit("GL 2.1, section 2.7", texture)?;
+            Some(usize::from(ATTRIB_TEX_COORD + unit))
+        }
+        Slot::Generic(index) => Some(usize::from(generic(index)?)).filter(|&index| index != 0),
+    })
+}
+
 /// Sets an attribute; a position ends the vertex.
 pub(crate) fn attribute(context: &mut Context, slot: Slot, value: [f32; 4]) -> Result<()> {
-    let location = match slot {
-        Slot::Vertex => return vertex(context, value),
-        Slot::Location(location) => usize::from(location),
-        Slot::TexCoord(texture) => {
-            usize::from(ATTRIB_TEX_COORD + texture_unit("GL 2.1, section 2.7", texture)?)
-        }
-        Slot::Generic(index) => match generic(index)? {
-            0 => return vertex(context, value),
-            index => usize::from(index),
-        },
-    };
+    if context.record_attribute(slot, value) {
+        return Ok(());
+    }
+    let Some(location) = location(slot)? else { return vertex(context, value) };
     if let Some(immediate) = &mut context.immediate {
         let column = &mut immediate.columns[location];
         if !immediate.used.contains(&location) {
@@ -118,8 +133,13 @@ pub(crate) fn attribute(context: &mut Context, slot: Slot, value: [f32; 4]) -> R
             immediate.used.push(location);
         }
     }
-    context.state.current[location] = value;
+    set_current(context, location, value);
     Ok(())
+}
+
+/// Changes the current value of an attribute.
+pub(crate) fn set_current(context: &mut Context, location: usize, value: [f32; 4]) {
+    context.state.current[location] = value;
 }
 
 /// Ends a vertex. Outside `glBegin` and `glEnd` it has no effect.

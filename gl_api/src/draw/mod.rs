@@ -8,7 +8,7 @@ pub(crate) mod calls;
 pub(crate) mod hints;
 pub(crate) mod immediate;
 mod stages;
-mod translate;
+pub(crate) mod translate;
 mod words;
 
 use crate::context::Context;
@@ -58,6 +58,11 @@ impl Recorder {
             fixed: FixedModules::default(),
             variants: HashMap::new(),
         }
+    }
+
+    /// The device that commands are submitted to.
+    pub fn device(&self) -> Arc<Device> {
+        Arc::clone(&self.device)
     }
 
     /// Records a command into the open pass.

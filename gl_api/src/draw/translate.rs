@@ -15,7 +15,8 @@ use std::sync::Arc;
 const KEPT: usize = 1024;
 
 /// Which vertices a draw takes.
-pub(super) enum Elements {
+#[derive(Debug)]
+pub(crate) enum Elements {
     Range { first: u32, count: u32 },
     Indexed { indices: Indices, count: u32 },
 }
@@ -24,7 +25,7 @@ pub(super) enum Elements {
 ///
 /// # Errors
 /// When the framebuffer is incomplete or the program in use is not linked.
-pub(super) fn draw(
+pub(crate) fn draw(
     context: &mut Context,
     topology: Topology,
     vertices: Vec<VertexBinding>,

@@ -38,12 +38,33 @@ macro_rules! entry_points {
                 reason = "GL's signature; 'a is there for the rows that borrow"
             )]
             pub fn $method<'a>(&mut self $(, $param: $ty)*) $(-> $ret)? {
+                entry_points!(@record self $place $module $method $gl [$($param)*] [$($ret)?]);
                 self.call(stringify!($gl), $crate::entry::Place::$place, |context| {
                     $module::$method(context $(, $param)*)
                 })
             }
         }
     };
+    // A call that answers nothing may be part of a display list.
+    (@record $context:ident $place:ident $module:ident $method:ident $gl:ident
+        [$($param:ident)*] []) => {
+        if $context.compiling.is_some() {
+            let integers: &[i64] = &[$($crate::list::Keep::integer(&$param)),*];
+            let name = stringify!($gl);
+            if !$context.records(name, integers) {
+                // Carried out below.
+            } else if let (Some(()), $(Some($param),)*) =
+                (Some(()), $($crate::list::Keep::keep(&$param, $context, name, integers),)*)
+            {
+                let run = move |context: &mut $crate::context::Context| {
+                    $module::$method(context $(, $crate::list::Lend::lend(&$param))*)
+                };
+                return $context.record(name, $crate::entry::Place::$place, Box::new(run));
+            }
+        }
+    };
+    (@record $context:ident $place:ident $module:ident $method:ident $gl:ident
+        [$($param:ident)*] [$ret:ty]) => {};
     (@free $method:ident $gl:ident [$($doc:tt)+]
         ($($param:ident: $ty:ty),*) [$(-> $ret:ty)?]) => {
         $($doc)+
@@ -71,6 +92,7 @@ mod current;
 mod attributes;
 mod fragments;
 mod framebuffers;
+mod lists;
 mod pixels;
 mod programs;
 mod queries;
@@ -86,6 +108,7 @@ pub use current::{Current, set_current, with_current};
 pub use attributes::*;
 pub use fragments::*;
 pub use framebuffers::*;
+pub use lists::*;
 pub use pixels::*;
 pub use programs::*;
 pub use queries::*;
@@ -109,6 +132,7 @@ pub fn implemented() -> impl Iterator<Item = (&'static str, usize)> {
         ATTRIBUTES,
         FRAMEBUFFERS,
         FRAGMENTS,
+        LISTS,
         PIXELS,
         PROGRAMS,
         QUERIES,

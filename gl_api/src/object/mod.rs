@@ -6,14 +6,17 @@ pub(crate) mod programs;
 pub(crate) mod renderbuffers;
 pub(crate) mod samplers;
 pub(crate) mod shaders;
+pub(crate) mod sharing;
 pub(crate) mod textures;
 
 use crate::error::{Result, invalid_operation, not_negative};
+use crate::list::List;
 use crate::texture::sampler::SamplerState;
 use crate::texture::{Texture, TextureTarget};
 use crate::types::*;
 use rasterizer::driver::Image;
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 /// The names of one kind of object.
 #[derive(Debug)]
@@ -119,6 +122,8 @@ pub(crate) struct Objects {
     pub renderbuffers: Names<renderbuffers::Renderbuffer>,
     /// Shaders and programs share one space of names.
     pub programs: Names<programs::ShaderOrProgram>,
+    /// Display lists.
+    pub lists: BTreeMap<GLuint, Arc<List>>,
 }
 
 impl Default for Objects {
@@ -131,6 +136,7 @@ impl Default for Objects {
             framebuffers: Names::default(),
             renderbuffers: Names::default(),
             programs: Names::default(),
+            lists: BTreeMap::new(),
         }
     }
 }

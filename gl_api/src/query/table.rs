@@ -5,6 +5,7 @@ use crate::context::{Context, limits};
 use crate::env::Unit;
 use crate::error::{Result, Table, invalid_enum};
 use crate::interface::*;
+use crate::list::calls::{MAX_LIST_NESTING, MODE};
 use crate::state::enable::{CAPABILITY, CLIENT_ARRAY};
 use crate::state::fragment::{BLEND_EQUATION, COMPARE, DST_FACTOR, SRC_FACTOR};
 use crate::state::matrix::{MATRIX_MODE, MAX_MODELVIEW_STACK_DEPTH, MAX_STACK_DEPTH, Stack};
@@ -86,8 +87,18 @@ pub(crate) fn state_value(context: &Context, pname: GLenum) -> Result<Value> {
     if let Some(place) = HINTS.get(pname) {
         return symbol(context.state.raster.hints[place]);
     }
-    let chapters =
-        [limit, transform, current, raster, fragment, pixels, texture, framebuffer, bindings];
+    let chapters = [
+        limit,
+        transform,
+        current,
+        raster,
+        fragment,
+        pixels,
+        texture,
+        framebuffer,
+        bindings,
+        lists,
+    ];
     for chapter in chapters {
         if let Some(value) = chapter(context, pname) {
             return value;
@@ -290,6 +301,17 @@ fn framebuffer(context: &Context, pname: GLenum) -> Answer {
     crate::framebuffer::buffers::state_value(context, pname).map(|value| match value {
         crate::framebuffer::buffers::Answer::Symbol(value) => symbol(value),
         crate::framebuffer::buffers::Answer::Bits(value) => int(value),
+    })
+}
+
+fn lists(context: &Context, pname: GLenum) -> Answer {
+    let compiling = context.compiling.as_ref();
+    Some(match pname {
+        GL_LIST_BASE => symbol(context.lists.base()),
+        GL_LIST_INDEX => symbol(compiling.map_or(0, |list| list.name)),
+        GL_LIST_MODE => symbol(compiling.map_or(0, |list| MODE.encode(list.mode))),
+        GL_MAX_LIST_NESTING => int(MAX_LIST_NESTING as i32),
+        _ => return None,
     })
 }
 

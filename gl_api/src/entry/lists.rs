@@ -1,0 +1,30 @@
+//! Display lists: GL 2.1, section 5.4.
+
+use super::Data;
+use crate::list::calls;
+use crate::types::*;
+
+entry_points! {
+    LISTS;
+    Outside in calls {
+        /// Begins to compile a list.
+        new_list: glNewList (list: GLuint, mode: GLenum);
+        /// Ends the list; it takes the place of an older one.
+        end_list: glEndList ();
+        /// Reserves `range` names of empty lists in a row and gives the first, or 0 if there are no
+        /// such names.
+        gen_lists: glGenLists (range: GLsizei) -> GLuint;
+        /// Deletes lists; names without a list are ignored.
+        delete_lists: glDeleteLists (list: GLuint, range: GLsizei);
+        /// Whether there is a list of that name.
+        is_list: glIsList (list: GLuint) -> bool;
+    }
+    Anywhere in calls {
+        /// Carries out a list; without one, nothing happens.
+        call_list: glCallList (list: GLuint);
+        /// Carries out several lists, counted from `glListBase`.
+        call_lists: glCallLists (n: GLsizei, ty: GLenum, lists: Data<'a>);
+        /// Where `glCallLists` counts from.
+        list_base: glListBase (base: GLuint);
+    }
+}

@@ -1,0 +1,228 @@
+//! Display lists: GL 2.1, section 5.4.
+//!
+//! While a list is compiled, an entry point records its call with copies of its arguments instead
+//! of carrying it out; which calls are never compiled is in [`class`]. The vertices between
+//! `glBegin` and `glEnd` become one buffer, and a draw of vertex arrays keeps the buffers it would
+//! have read, so that calling a list costs what drawing from buffers costs.
+
+pub(crate) mod calls;
+mod class;
+mod keep;
+mod pixels;
+mod shapes;
+
+pub(crate) use keep::{Keep, Lend};
+
+use crate::context::Context;
+use crate::draw::immediate::Slot;
+use crate::draw::translate::{Elements, draw};
+use crate::entry::Place;
+use crate::error::Result;
+use crate::state::pixel_store::PixelStore;
+use crate::types::*;
+use rasterizer::driver::{Topology, VertexBinding, VertexSource};
+use shapes::{Open, Shapes};
+use std::fmt;
+
+/// A recorded call with its arguments.
+type Run = Box<dyn Fn(&mut Context) -> Result<()> + Send + Sync>;
+
+/// A draw of vertex arrays, with what it would have read. Constants are the current values of
+/// when the list is called.
+#[derive(Debug)]
+struct ArrayDraw {
+    topology: Topology,
+    vertices: Vec<VertexBinding>,
+    elements: Elements,
+}
+
+/// What a list does, one thing after the other.
+enum Step {
+    /// Any call. Pixels were taken when the list was compiled, and are unpacked as they lay then.
+    Call { name: &'static str, place: Place, unpack: Option<Box<PixelStore>>, run: Run },
+    /// An attribute on its own.
+    Attribute(Slot, [f32; 4]),
+    /// Everything from `glBegin` to `glEnd`.
+    Shapes(Shapes),
+    /// A draw of vertex arrays.
+    Arrays(ArrayDraw),
+}
+
+impl fmt::Debug for Step {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Call { name, .. } => f.write_str(name),
+            Self::Attribute(slot, value) => write!(f, "{slot:?} {value:?}"),
+            Self::Shapes(shapes) => write!(f, "{shapes:?}"),
+            Self::Arrays(draw) => write!(f, "{draw:?}"),
+        }
+    }
+}
+
+/// A compiled list.
+#[derive(Debug, Default)]
+pub(crate) struct List {
+    steps: Vec<Step>,
+}
+
+/// Where `glCallLists` counts from, and how far the calls of lists have come.
+#[derive(Debug, Default)]
+pub(crate) struct Lists {
+    base: GLuint,
+    /// How deep calls of lists are nested now.
+    depth: usize,
+    /// How many more lists the outermost call may call.
+    budget: usize,
+}
+
+impl Lists {
+    /// `GL_LIST_BASE`.
+    pub fn base(&self) -> GLuint {
+        self.base
+    }
+}
+
+/// Whether a list is also carried out while it is compiled.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Mode {
+    Compile,
+    CompileAndExecute,
+}
+
+/// The list between `glNewList` and `glEndList`.
+#[derive(Debug)]
+pub(crate) struct Compiling {
+    pub name: GLuint,
+    pub mode: Mode,
+    steps: Vec<Step>,
+    /// Since `glBegin`, as long as nothing but attributes followed.
+    open: Option<Open>,
+}
+
+impl Context {
+    /// Whether a call is to be recorded. Proxies are asked at once.
+    pub(crate) fn records(&self, name: &str, integers: &[i64]) -> bool {
+        class::of(name) == class::Class::Compiled
+            && !(name.starts_with("glTexImage") && class::is_proxy(integers[0]))
+    }
+
+    /// Records a call.
+    pub(crate) fn record(&mut self, name: &'static str, place: Place, run: Run) {
+        let unpack = pixels::reads_pixels(name).then(|| Box::new(self.state.unpack.clone()));
+        self.record_step(Step::Call { name, place, unpack, run });
+    }
+
+    /// Records a step; what was open before it is closed first.
+    fn record_step(&mut self, step: Step) {
+        self.finish_open();
+        self.keep_steps(vec![step]);
+    }
+
+    /// Adds steps to the list, and carries them out if it is to be carried out, too.
+    fn keep_steps(&mut self, steps: Vec<Step>) {
+        // What a list does is not recorded again.
+        let Some(mut compiling) = self.compiling.take() else { return };
+        if compiling.mode == Mode::CompileAndExecute {
+            for step in &steps {
+                self.run_step(step);
+            }
+        }
+        compiling.steps.extend(steps);
+        self.compiling = Some(compiling);
+    }
+
+    /// Ends a `glBegin` that the list leaves open.
+    fn finish_open(&mut self) {
+        let open = self.compiling.as_mut().and_then(|compiling| compiling.open.take());
+        if let Some(open) = open {
+            self.keep_steps(open.spill());
+        }
+    }
+
+    /// Records `glBegin`, if a list is compiled.
+    pub(crate) fn record_begin(&mut self, mode: GLenum) -> bool {
+        self.finish_open();
+        let Some(compiling) = &mut self.compiling else { return false };
+        compiling.open = Some(Open::new(mode));
+        true
+    }
+
+    /// Records `glEnd`, if a list is compiled.
+    pub(crate) fn record_end(&mut self) -> bool {
+        let Some(compiling) = &mut self.compiling else { return false };
+        let steps = match compiling.open.take() {
+            Some(open) => open.close(),
+            None => vec![shapes::end_step()],
+        };
+        self.keep_steps(steps);
+        true
+    }
+
+    /// Records an attribute, if a list is compiled.
+    pub(crate) fn record_attribute(&mut self, slot: Slot, value: [f32; 4]) -> bool {
+        let Some(compiling) = &mut self.compiling else { return false };
+        match &mut compiling.open {
+            Some(open) => open.push(slot, value),
+            None => self.keep_steps(vec![Step::Attribute(slot, value)]),
+        }
+        true
+    }
+
+    /// Records a draw of vertex arrays, if a list is compiled; else gives its parts back.
+    pub(crate) fn record_arrays(
+        &mut self,
+        topology: Topology,
+        vertices: Vec<VertexBinding>,
+        elements: Elements,
+    ) -> Option<(Vec<VertexBinding>, Elements)> {
+        if self.compiling.is_none() {
+            return Some((vertices, elements));
+        }
+        self.record_step(Step::Arrays(ArrayDraw { topology, vertices, elements }));
+        None
+    }
+
+    fn run_step(&mut self, step: &Step) {
+        match step {
+            Step::Call { name, place, unpack, run } => {
+                let before = unpack.as_ref().map(|store| {
+                    let bound = std::mem::take(&mut self.state.bindings.pixel_unpack_buffer);
+                    (std::mem::replace(&mut self.state.unpack, (**store).clone()), bound)
+                });
+                self.call(name, *place, &**run);
+                if let Some((store, buffer)) = before {
+                    self.state.unpack = store;
+                    self.state.bindings.pixel_unpack_buffer = buffer;
+                }
+            }
+            Step::Attribute(slot, value) => self.call("glCallList", Place::Anywhere, |context| {
+                crate::draw::immediate::attribute(context, *slot, *value)
+            }),
+            Step::Shapes(shapes) => {
+                self.call("glBegin", Place::Anywhere, |context| shapes.draw(context));
+            }
+            Step::Arrays(arrays) => {
+                self.call("glDrawArrays", Place::Outside, |context| arrays.draw(context));
+            }
+        }
+    }
+}
+
+impl ArrayDraw {
+    fn draw(&self, context: &mut Context) -> Result<()> {
+        let vertices = self
+            .vertices
+            .iter()
+            .map(|binding| VertexBinding {
+                location: binding.location,
+                source: match &binding.source {
+                    VertexSource::Constant(_) => {
+                        VertexSource::Constant(context.state.current[usize::from(binding.location)])
+                    }
+                    array @ VertexSource::Array { .. } => array.clone(),
+                },
+            })
+            .collect();
+        draw(context, self.topology, vertices, &self.elements)
+    }
+}
