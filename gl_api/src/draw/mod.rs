@@ -7,6 +7,7 @@ pub(crate) mod arrays;
 pub(crate) mod calls;
 pub(crate) mod hints;
 pub(crate) mod immediate;
+mod primitives;
 mod stages;
 pub(crate) mod translate;
 mod words;
@@ -15,7 +16,7 @@ use crate::context::Context;
 use crate::fixed::FixedModules;
 use rasterizer::driver::{
     Attachment, Command, CommandBuffer, Device, Image, PassDesc, Pipeline, PipelineDesc,
-    ShaderModule,
+    RasterState, ShaderModule,
 };
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -44,6 +45,7 @@ pub(crate) struct Recorder {
 struct Told {
     pipeline: Option<PipelineDesc>,
     words: Option<Arc<[u32]>>,
+    raster: Option<Arc<RasterState>>,
 }
 
 impl Recorder {

@@ -6,14 +6,15 @@ use super::words::{put_bindings, put_fixed};
 use crate::context::Context;
 use crate::error::{ErrorCode, GlError, Result};
 use crate::fixed::{
-    FragmentKey, UnitKey, VertexKey, add_alpha_test, cached, environment_base, set_shade_model,
+    FragmentKey, UnitKey, VertexKey, add_alpha_test, add_coverage, add_two_sides, cached,
+    environment_base, set_shade_model,
 };
 use crate::glsl::SamplerSlot;
 use crate::interface::{ATTRIB_TEX_COORD, MAX_TEXTURE_UNITS};
 use crate::state::enable::Flag;
 use crate::texture::TextureTarget;
 use glam::{DMat4, DVec4};
-use rasterizer::driver::{ShaderModule, VertexBinding, VertexSource};
+use rasterizer::driver::{Rim, ShaderModule, VertexBinding, VertexSource};
 use rasterizer::ir::{Interpolation, IrError, Stage};
 use std::sync::Arc;
 use texunit::plan::SamplePlan;
@@ -38,6 +39,15 @@ pub(super) struct VariantKey {
     shade_model: Interpolation,
     /// The alpha test and the word of its reference.
     alpha: Option<(Compare, u32)>,
+    sides: Sides,
+    rim: Rim,
+}
+
+/// Whether the back of a polygon has colours of its own (GL 2.1, section 2.15.4).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+enum Sides {
+    One,
+    Two,
 }
 
 /// The alpha test, unless it lets everything through.
@@ -57,7 +67,11 @@ fn internal(error: &IrError) -> GlError {
 }
 
 /// Chooses the stages.
-pub(super) fn choose(context: &mut Context, vertices: &[VertexBinding]) -> Result<Stages> {
+pub(super) fn choose(
+    context: &mut Context,
+    vertices: &[VertexBinding],
+    rim: Rim,
+) -> Result<Stages> {
     let name = context.state.bindings.program;
     let mut words = Vec::new();
     let (mut vertex, mut fragment, mut samplers) = (None, None, Vec::new());
@@ -72,6 +86,7 @@ pub(super) fn choose(context: &mut Context, vertices: &[VertexBinding]) -> Resul
     let base = words.len() as u32;
     put_fixed(context, &mut words, base);
 
+    let two_sided = vertex.is_some() && context.state.enables.has(Flag::VertexProgramTwoSide);
     let vertex_textures = match &vertex {
         Some(module) => program_textures(context, Stage::Vertex, module, &samplers, &words),
         None => Arc::from([]),
@@ -79,7 +94,7 @@ pub(super) fn choose(context: &mut Context, vertices: &[VertexBinding]) -> Resul
     let (fragment, fragment_textures) = match fragment.take() {
         Some(module) => {
             let textures = program_textures(context, Stage::Fragment, &module, &samplers, &words);
-            (program_fragment(context, module, base)?, textures)
+            (program_fragment(context, module, base, two_sided, rim)?, textures)
         }
         None => {
             let units = enabled_units(context, vertex.is_none().then_some(vertices));
@@ -92,6 +107,7 @@ pub(super) fn choose(context: &mut Context, vertices: &[VertexBinding]) -> Resul
                 units,
                 shade_model: context.state.raster.shade_model,
                 alpha: alpha_test(context),
+                rim,
             };
             let module = context.recorder.fixed.fragment(key).map_err(|error| internal(&error))?;
             (module, textures)
@@ -116,15 +132,25 @@ fn program_fragment(
     context: &mut Context,
     module: ShaderModule,
     base: u32,
+    two_sided: bool,
+    rim: Rim,
 ) -> Result<ShaderModule> {
     let shade_model = context.state.raster.shade_model;
     let alpha = alpha_test(context).map(|compare| (compare, base + crate::fixed::word::ALPHA_REF));
-    if shade_model == Interpolation::Smooth && alpha.is_none() {
+    let sides = if two_sided { Sides::Two } else { Sides::One };
+    let plain = shade_model == Interpolation::Smooth && alpha.is_none();
+    if plain && sides == Sides::One && rim == Rim::Aliased {
         return Ok(module);
     }
-    let key = VariantKey { module, shade_model, alpha };
+    let key = VariantKey { module, shade_model, alpha, sides, rim };
     cached(&mut context.recorder.variants, key, |key| {
         let mut variant = key.module.module().clone();
+        if key.sides == Sides::Two {
+            add_two_sides(&mut variant);
+        }
+        if key.rim == Rim::Smooth {
+            add_coverage(&mut variant);
+        }
         if key.shade_model == Interpolation::Flat {
             set_shade_model(&mut variant, Interpolation::Flat);
         }

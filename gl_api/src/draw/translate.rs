@@ -1,13 +1,14 @@
 //! From validated state to commands of the driver.
 
+use super::primitives::{raster_state, smoothness};
 use super::{Told, begin_pass, hints, stages};
 use crate::context::Context;
 use crate::error::{ErrorCode, GlError, Result, invalid_operation};
 use crate::framebuffer::complete::draw_pass;
 use crate::state::enable::Flag;
 use rasterizer::driver::{
-    ColorState, Command, Cull, DepthState, Indices, PassDesc, Pipeline, PipelineDesc,
-    PolygonOffset, Provoking, Rect, ShaderModule, Topology, VertexBinding, Viewport,
+    ColorState, Command, Cull, DepthState, Indices, PassDesc, Pipeline, PipelineDesc, Provoking,
+    Rect, ShaderModule, Topology, VertexBinding, Viewport,
 };
 use std::sync::Arc;
 
@@ -41,7 +42,8 @@ pub(crate) fn draw(
     }
     hints::nothing_enabled(context);
     // Choosing may carry out what was recorded, if a texture of this draw was drawn to.
-    let stages = stages::choose(context, &vertices)?;
+    let stages = stages::choose(context, &vertices, smoothness(context, topology))?;
+    let raster = raster_state(context, topology, &vertices);
     let desc = pipeline_desc(context, &pass, topology, stages.vertex, stages.fragment);
     let pipeline = pipeline(context, &desc)?;
     begin_pass(context, pass);
@@ -49,7 +51,7 @@ pub(crate) fn draw(
     let viewport = viewport(context);
     let scissor = scissor(context);
     let recorder = &mut context.recorder;
-    let Told { pipeline: told, words } = &mut recorder.told;
+    let Told { pipeline: told, words, raster: told_raster } = &mut recorder.told;
     let commands = &mut recorder.commands;
     if told.as_ref() != Some(&desc) {
         commands.push(Command::BindPipeline(pipeline));
@@ -59,6 +61,11 @@ pub(crate) fn draw(
         let shared: Arc<[u32]> = stages.words.into();
         commands.push(Command::SetUniforms(Arc::clone(&shared)));
         *words = Some(shared);
+    }
+    if told_raster.as_deref() != Some(&raster) {
+        let shared = Arc::new(raster);
+        commands.push(Command::SetRaster(Arc::clone(&shared)));
+        *told_raster = Some(shared);
     }
     commands.push(Command::SetViewport(viewport));
     commands.push(Command::SetScissor(scissor));
@@ -110,7 +117,6 @@ fn pipeline_desc(
     let state = &context.state.fragment;
     let depth = (enables.has(Flag::DepthTest) && pass.depth.is_some())
         .then_some(DepthState { test: state.depth_func, write: state.depth_write });
-    let offset = PolygonOffset { factor: raster.offset_factor, units: raster.offset_units };
     let color = ColorState {
         blend: enables.has(Flag::Blend).then_some(state.blend),
         mask: state.color_mask,
@@ -122,11 +128,8 @@ fn pipeline_desc(
         cull: if enables.has(Flag::CullFace) { raster.cull } else { Cull::None },
         front_face: raster.front_face,
         provoking: Provoking::Last,
-        polygon_offset: enables.has(Flag::PolygonOffsetFill).then_some(offset),
         depth,
         colors: vec![color; pass.colors.len()],
-        line_width_bits: raster.line_width.to_bits(),
-        point_size_bits: raster.point_size.to_bits(),
     }
 }
 

@@ -1,6 +1,6 @@
 //! The uniform words of a draw: a program's uniforms and the state that its stages read.
 
-use crate::context::{Context, limits};
+use crate::context::Context;
 use crate::fixed::word;
 use crate::interface::*;
 use glam::{DMat3, DMat4};
@@ -95,8 +95,10 @@ fn put_state(context: &Context, words: &mut [u32], binding: StateBinding) {
             put(words, word, [1.0 / inverse.row(2).length()]);
         }
         StateVar::Point => {
-            let size = f64::from(context.state.raster.point_size);
-            put(words, word, [size, 0.0, limits::MAX_WIDTH.into(), 1.0, 1.0, 0.0, 0.0]);
+            let points = &context.state.raster.points;
+            let limits = [points.size, points.size_min, points.size_max, points.fade];
+            let all = limits.into_iter().chain(points.attenuation);
+            put(words, word, all.map(f64::from));
         }
         StateVar::ClipPlane(_)
         | StateVar::ClipEnables

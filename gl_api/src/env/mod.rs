@@ -84,6 +84,7 @@ enum Parameter {
     Mode,
     Color,
     LodBias,
+    CoordReplace,
 }
 
 const ENV_PARAMETER: Table<Parameter> = Table {
@@ -94,10 +95,17 @@ const ENV_PARAMETER: Table<Parameter> = Table {
 const FILTER_PARAMETER: Table<Parameter> =
     Table { section: "GL 2.1, section 3.8.8", rows: &[(GL_TEXTURE_LOD_BIAS, Parameter::LodBias)] };
 
+const SPRITE_PARAMETER: Table<Parameter> =
+    Table { section: "GL 2.1, section 3.3", rows: &[(GL_COORD_REPLACE, Parameter::CoordReplace)] };
+
 fn parameter(target: GLenum, pname: GLenum) -> Result<Parameter> {
     const TARGET: Table<&Table<Parameter>> = Table {
         section: SECTION,
-        rows: &[(GL_TEXTURE_ENV, &ENV_PARAMETER), (GL_TEXTURE_FILTER_CONTROL, &FILTER_PARAMETER)],
+        rows: &[
+            (GL_TEXTURE_ENV, &ENV_PARAMETER),
+            (GL_TEXTURE_FILTER_CONTROL, &FILTER_PARAMETER),
+            (GL_POINT_SPRITE, &SPRITE_PARAMETER),
+        ],
     };
     TARGET.decode("target", target)?.decode("pname", pname)
 }
@@ -115,8 +123,24 @@ fn set(context: &mut Context, parameter: Parameter, first: f32, color: [f32; 4])
         Parameter::Mode => unit.mode = MODE.decode("param", symbol(first))?,
         Parameter::Color => unit.color = color.map(|c| clamp_unit(c.into()) as f32),
         Parameter::LodBias => unit.lod_bias = lod_bias(first),
+        Parameter::CoordReplace => {
+            let on = COORD_REPLACE.decode("param", symbol(first))?;
+            let bit = 1 << context.state.units.active;
+            let replace = &mut context.state.raster.points.coord_replace;
+            *replace = if on { *replace | bit } else { *replace & !bit };
+        }
     }
     Ok(())
+}
+
+/// Whether a unit's coordinates are replaced, as a number.
+const COORD_REPLACE: Table<bool> = Table {
+    section: "GL 2.1, section 3.3",
+    rows: &[(GL_FALSE as GLenum, false), (GL_TRUE as GLenum, true)],
+};
+
+fn coord_replace(context: &Context) -> bool {
+    context.state.raster.points.coord_replace >> context.state.units.active & 1 == 1
 }
 
 /// A number as a named constant; what cannot be one gives a constant that no table has.
@@ -136,7 +160,9 @@ fn set_scalar(context: &mut Context, target: GLenum, pname: GLenum, param: f32) 
             SECTION,
             "pname = GL_TEXTURE_ENV_COLOR has four components: use glTexEnvfv or glTexEnviv",
         ),
-        single @ (Parameter::Mode | Parameter::LodBias) => set(context, single, param, [0.0; 4]),
+        single @ (Parameter::Mode | Parameter::LodBias | Parameter::CoordReplace) => {
+            set(context, single, param, [0.0; 4])
+        }
     }
 }
 
@@ -217,6 +243,7 @@ pub(crate) fn get_tex_enviv(
         Parameter::Mode => crate::query::put(params, &[MODE.encode(unit.mode) as GLint]),
         Parameter::Color => crate::query::put(params, &unit.color.map(unit_to_signed)),
         Parameter::LodBias => crate::query::put(params, &[unit.lod_bias.round() as GLint]),
+        Parameter::CoordReplace => crate::query::put(params, &[coord_replace(context).into()]),
     }
 }
 
@@ -231,5 +258,8 @@ pub(crate) fn get_tex_envfv(
         Parameter::Mode => crate::query::put(params, &[MODE.encode(unit.mode) as GLfloat]),
         Parameter::Color => crate::query::put(params, &unit.color),
         Parameter::LodBias => crate::query::put(params, &[unit.lod_bias]),
+        Parameter::CoordReplace => {
+            crate::query::put(params, &[u8::from(coord_replace(context)).into()])
+        }
     }
 }

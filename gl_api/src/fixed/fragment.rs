@@ -6,6 +6,7 @@ pub(crate) use super::environment::environment_base;
 use super::{clamp, word};
 use crate::env::Mode;
 use crate::interface::*;
+use rasterizer::driver::Rim;
 use rasterizer::ir::{
     Builder, Expr, Input, Interpolation, Lod, Module, Op, Output, Stage, Stmt, TextureDecl, Ty,
     Value,
@@ -37,6 +38,8 @@ pub(crate) struct FragmentKey {
     pub shade_model: Interpolation,
     /// The alpha test, unless it lets everything through.
     pub alpha: Option<Compare>,
+    /// Whether coverage changes alpha.
+    pub rim: Rim,
 }
 
 /// Generates the stage.
@@ -63,6 +66,9 @@ pub(super) fn module(key: &FragmentKey) -> Module {
         usize::from(VARYING_TEX_COORD) + 4 * MAX_TEXTURE_UNITS as usize
     ];
     set_shade_model(&mut module, key.shade_model);
+    if key.rim == Rim::Smooth {
+        super::add_coverage(&mut module);
+    }
     match key.alpha {
         Some(compare) => add_alpha_test(&mut module, compare, key.base + word::ALPHA_REF),
         None => module.notes.push("left out: the alpha test (off, or lets everything pass)".into()),

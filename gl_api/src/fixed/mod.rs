@@ -5,11 +5,13 @@
 
 mod environment;
 mod fragment;
+mod rewrite;
 mod vertex;
 
 pub(crate) use fragment::{
     FragmentKey, UnitKey, add_alpha_test, environment_base, set_shade_model,
 };
+pub(crate) use rewrite::{add_coverage, add_two_sides};
 pub(crate) use vertex::VertexKey;
 
 use crate::interface::MAX_TEXTURE_UNITS;

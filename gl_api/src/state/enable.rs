@@ -4,8 +4,8 @@ use crate::constants::*;
 use crate::context::Context;
 use crate::error::{Result, Table};
 use crate::interface::{
-    ATTRIB_COLOR, ATTRIB_FOG_COORD, ATTRIB_NORMAL, ATTRIB_SECONDARY_COLOR, ATTRIB_TEX_COORD,
-    ATTRIB_VERTEX,
+    ATTRIB_COLOR, ATTRIB_EDGE_FLAG, ATTRIB_FOG_COORD, ATTRIB_NORMAL, ATTRIB_SECONDARY_COLOR,
+    ATTRIB_TEX_COORD, ATTRIB_VERTEX,
 };
 use crate::texture::TextureTarget;
 use crate::types::*;
@@ -18,10 +18,20 @@ pub(crate) enum Flag {
     CullFace,
     DepthTest,
     Dither,
+    LineSmooth,
+    LineStipple,
     Multisample,
+    PointSmooth,
+    PointSprite,
     PolygonOffsetFill,
+    PolygonOffsetLine,
+    PolygonOffsetPoint,
+    PolygonSmooth,
+    PolygonStipple,
     ScissorTest,
     SeamlessCubeMaps,
+    VertexProgramPointSize,
+    VertexProgramTwoSide,
 }
 
 /// What `glEnable` takes.
@@ -42,10 +52,20 @@ pub(crate) const CAPABILITY: Table<Capability> = Table {
         (GL_CULL_FACE, Capability::Flag(Flag::CullFace)),
         (GL_DEPTH_TEST, Capability::Flag(Flag::DepthTest)),
         (GL_DITHER, Capability::Flag(Flag::Dither)),
+        (GL_LINE_SMOOTH, Capability::Flag(Flag::LineSmooth)),
+        (GL_LINE_STIPPLE, Capability::Flag(Flag::LineStipple)),
         (GL_MULTISAMPLE, Capability::Flag(Flag::Multisample)),
+        (GL_POINT_SMOOTH, Capability::Flag(Flag::PointSmooth)),
+        (GL_POINT_SPRITE, Capability::Flag(Flag::PointSprite)),
         (GL_POLYGON_OFFSET_FILL, Capability::Flag(Flag::PolygonOffsetFill)),
+        (GL_POLYGON_OFFSET_LINE, Capability::Flag(Flag::PolygonOffsetLine)),
+        (GL_POLYGON_OFFSET_POINT, Capability::Flag(Flag::PolygonOffsetPoint)),
+        (GL_POLYGON_SMOOTH, Capability::Flag(Flag::PolygonSmooth)),
+        (GL_POLYGON_STIPPLE, Capability::Flag(Flag::PolygonStipple)),
         (GL_SCISSOR_TEST, Capability::Flag(Flag::ScissorTest)),
         (GL_TEXTURE_CUBE_MAP_SEAMLESS, Capability::Flag(Flag::SeamlessCubeMaps)),
+        (GL_VERTEX_PROGRAM_POINT_SIZE, Capability::Flag(Flag::VertexProgramPointSize)),
+        (GL_VERTEX_PROGRAM_TWO_SIDE, Capability::Flag(Flag::VertexProgramTwoSide)),
         (GL_TEXTURE_1D, Capability::Texture(TextureTarget::D1)),
         (GL_TEXTURE_2D, Capability::Texture(TextureTarget::D2)),
         (GL_TEXTURE_3D, Capability::Texture(TextureTarget::D3)),
@@ -115,6 +135,7 @@ pub(crate) const CLIENT_ARRAY: Table<u8> = Table {
         (GL_NORMAL_ARRAY, ATTRIB_NORMAL),
         (GL_COLOR_ARRAY, ATTRIB_COLOR),
         (GL_SECONDARY_COLOR_ARRAY, ATTRIB_SECONDARY_COLOR),
+        (GL_EDGE_FLAG_ARRAY, ATTRIB_EDGE_FLAG),
         (GL_FOG_COORD_ARRAY, ATTRIB_FOG_COORD),
         (GL_TEXTURE_COORD_ARRAY, ATTRIB_TEX_COORD),
     ],
