@@ -172,7 +172,7 @@ fn program(c: &mut Context, vertex: &str, fragment: &str) {
     let program = c.create_program();
     for (kind, text) in [(GL_VERTEX_SHADER, vertex), (GL_FRAGMENT_SHADER, fragment)] {
         let shader = c.create_shader(kind);
-        c.shader_source(shader, &[text]);
+        c.shader_source(shader, 1, text.arg(), Null.arg());
         c.compile_shader(shader);
         c.attach_shader(program, shader);
     }
