@@ -11,4 +11,4 @@ pub use assemble::{Primitives, primitives};
 pub use clip::{Corner, MAX_DISTANCES};
 pub use line::LineRun;
 pub use outline::{rectangle, stipple_lines};
-pub use setup::{Facing, Kind, SUBPIXEL, Setup, Shape, setup, snap};
+pub use setup::{Facing, Kind, SUBPIXEL, Setup, Shape, setup};

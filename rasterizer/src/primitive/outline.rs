@@ -80,7 +80,7 @@ impl Setup<'_> {
         if every & Outcode::REJECT != 0 || any & Outcode::INVALID != 0 {
             return;
         }
-        let mut corners = [snap(a.window), snap(b.window)];
+        let mut corners = [a.snapped, b.snapped];
         if any & Outcode::CUT != 0 {
             scratch.polygon.clear();
             scratch.polygon.extend(ends.map(|v| geometry.corner(v)));
@@ -174,7 +174,7 @@ impl Setup<'_> {
         };
         let Some(bounds) = bounds(&corners, rim, &self.area) else { return };
         out.push(Shape {
-            corners: [snap(shaded.window); 3],
+            corners: [shaded.snapped; 3],
             bounds,
             vertices: [vertex; 3],
             provoking: 0,

@@ -3,7 +3,7 @@
 use super::assemble::Primitive;
 use super::clip::{Corner, clip, planes};
 use crate::driver::{Cull, FrontFace, PolygonMode, RasterState, Rim, Viewport};
-use crate::vertex::{GUARD_BAND, Geometry, Outcode};
+use crate::vertex::{Geometry, Outcode};
 
 /// Subpixels of a pixel along an axis (`GL_SUBPIXEL_BITS` = 8).
 pub const SUBPIXEL: i32 = 256;
@@ -113,11 +113,23 @@ pub fn setup(
         match primitive {
             Primitive::Triangle(v, provoking, edges) => {
                 let vertices = v.map(&local);
-                let Some((area, facing)) = setup.triangle(geometry, vertices, &mut scratch) else {
+                let shaded = vertices.map(|v| &geometry.vertices[v as usize]);
+                let all = shaded.map(|v| v.outcode.0);
+                let (any, every) = (all[0] | all[1] | all[2], all[0] & all[1] & all[2]);
+                if every & Outcode::REJECT != 0 || any & Outcode::INVALID != 0 {
                     continue;
+                }
+                let triangle;
+                let corners = if any & Outcode::CUT == 0 {
+                    triangle = shaded.map(|v| v.snapped);
+                    &triangle
+                } else {
+                    setup.cut(geometry, vertices, &mut scratch);
+                    scratch.snapped.as_slice()
                 };
+                let Some((area, facing)) = setup.facing(corners) else { continue };
                 if filled || setup.raster.polygon.mode[facing as usize] == PolygonMode::Fill {
-                    setup.fill(&scratch.snapped, area, vertices, provoking, facing, out);
+                    setup.fill(corners, area, vertices, provoking, facing, out);
                 } else {
                     let outline = super::outline::Outline { vertices, provoking, edges, facing };
                     setup.outline(geometry, &outline, &mut scratch, out);
@@ -141,33 +153,20 @@ pub fn setup(
 }
 
 impl Setup<'_> {
-    /// A triangle as a convex polygon in `scratch.snapped`, twice its area, and which side is seen;
-    /// `None` where nothing of it is.
-    #[inline]
-    fn triangle(
-        &self,
-        geometry: &Geometry,
-        vertices: [u32; 3],
-        scratch: &mut Scratch,
-    ) -> Option<(i64, Facing)> {
-        let shaded = vertices.map(|v| &geometry.vertices[v as usize]);
-        let all = shaded.map(|v| v.outcode.0);
-        let (any, every) = (all[0] | all[1] | all[2], all[0] & all[1] & all[2]);
-        if every & Outcode::REJECT != 0 || any & Outcode::INVALID != 0 {
-            return None;
-        }
+    /// What clipping leaves of a triangle, as a convex polygon in `scratch.snapped`.
+    fn cut(&self, geometry: &Geometry, vertices: [u32; 3], scratch: &mut Scratch) {
+        scratch.polygon.clear();
+        scratch.polygon.extend(vertices.map(|v| geometry.corner(v)));
+        let user = vertices.iter().fold(0, |all, &v| all | geometry.vertices[v as usize].user);
+        clip(&mut scratch.polygon, &mut scratch.other, &scratch.planes, user);
         scratch.snapped.clear();
-        if any & Outcode::CUT == 0 {
-            scratch.snapped.extend(shaded.map(|v| snap(v.window)));
-        } else {
-            scratch.polygon.clear();
-            scratch.polygon.extend(vertices.map(|v| geometry.corner(v)));
-            let user = shaded[0].user | shaded[1].user | shaded[2].user;
-            clip(&mut scratch.polygon, &mut scratch.other, &scratch.planes, user);
-            let snapped = scratch.polygon.iter().map(|p| snap(self.viewport.window(&p.clip)));
-            scratch.snapped.extend(snapped);
-        }
-        let corners = &scratch.snapped;
+        let snapped = scratch.polygon.iter().map(|p| snap(self.viewport.window(&p.clip)));
+        scratch.snapped.extend(snapped);
+    }
+
+    /// Twice the area of a convex polygon, and which side is seen; `None` where nothing of it is.
+    #[inline]
+    fn facing(&self, corners: &[[i32; 2]]) -> Option<(i64, Facing)> {
         if corners.len() < 3 {
             return None;
         }
@@ -251,13 +250,9 @@ pub(super) fn bounds(
     Some(out)
 }
 
-/// To the nearest subpixel, within 24 bits. The clamp acts only where a cut between coordinates of
-/// 1e30 and of 1 has rounded to a point outside the guard band.
-pub fn snap(window: [f64; 2]) -> [i32; 2] {
-    window.map(|v| {
-        let v = v.clamp(-GUARD_BAND, GUARD_BAND);
-        (v * f64::from(SUBPIXEL) + 0.5).floor() as i32
-    })
+/// Window coordinates on the subpixel grid.
+pub(super) fn snap(window: [f64; 2]) -> [i32; 2] {
+    window.map(crate::vertex::snap)
 }
 
 /// Twice the area of a triangle, positive counter-clockwise.

@@ -16,7 +16,7 @@
 //! at the first pixel of the screen-aligned 8×8 block, and `dx`, `dy` count pixels within it.
 
 use crate::driver::{PolygonOffset, SpriteOrigin, Viewport};
-use crate::primitive::{Facing, Kind, SUBPIXEL, Shape, snap};
+use crate::primitive::{Facing, Kind, SUBPIXEL, Shape};
 use crate::vertex::{Geometry, Outcode};
 
 /// What one plane of a draw holds.
@@ -255,7 +255,7 @@ pub fn depth_offset(
     geometry: &Geometry,
     vertices: [u32; 3],
 ) -> f32 {
-    let corners = vertices.map(|v| snap(geometry.vertices[v as usize].window));
+    let corners = vertices.map(|v| geometry.vertices[v as usize].snapped);
     let shape = Shape {
         corners,
         bounds: [[0; 2]; 2],
@@ -311,7 +311,7 @@ fn triangle(
         return exact;
     }
     let w = vertices.map(|v| f64::from(v.clip[3]));
-    let snapped = window.map(|v| snap(v).map(|v| f64::from(v) / f64::from(SUBPIXEL)));
+    let snapped = vertices.map(|v| v.snapped.map(|v| f64::from(v) / f64::from(SUBPIXEL)));
     let q = [0, 1, 2].map(|i| [(snapped[i][0] - origin[0]), (snapped[i][1] - origin[1]), 1.0]);
     let rows = invert(q);
     [0, 1, 2].map(|i| rows[i].scaled(1.0 / w[i]))

@@ -3,7 +3,10 @@
 
 mod fetch;
 mod ids;
+mod place;
 mod shade;
 
 pub use ids::{Ids, Unique, ordinals};
-pub use shade::{GUARD_BAND, Geometry, Outcode, VertexStage, shade};
+pub use place::GUARD_BAND;
+pub use place::{Outcode, snap};
+pub use shade::{Geometry, VertexStage, shade};

@@ -1,6 +1,7 @@
 //! The vertex program over batches of 64, and the viewport transform of what it gives.
 
 use super::fetch;
+use super::place::{Place, Placed, ShadedVertex, cut};
 use crate::driver::{PointSize, PointState, VertexBinding, VertexSource, Viewport};
 use crate::ir::{Input, Output};
 use crate::primitive::{Corner, MAX_DISTANCES};
@@ -9,57 +10,6 @@ use rayon::prelude::*;
 use std::sync::Arc;
 use texunit::lanes::{F32s, Isa, LANES};
 use texunit::plan::SamplePlan;
-
-/// Window coordinates beyond this many pixels are cut off before they become fixed point: with 8
-/// bits of subpixels every edge function then fits its integers ([`crate::raster`]).
-pub const GUARD_BAND: f64 = 32768.0;
-
-/// On which sides of the clip volume a vertex is out; a bit each.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Outcode(pub u16);
-
-impl Outcode {
-    /// `x < -w`.
-    pub const LEFT: u16 = 1;
-    /// `x > w`.
-    pub const RIGHT: u16 = 2;
-    /// `y < -w`.
-    pub const BOTTOM: u16 = 4;
-    /// `y > w`.
-    pub const TOP: u16 = 8;
-    /// `z < -w`.
-    pub const NEAR: u16 = 16;
-    /// `z > w`.
-    pub const FAR: u16 = 32;
-    /// `w` is not above zero.
-    pub const BEHIND: u16 = 64;
-    /// Outside the guard band.
-    pub const GUARD: u16 = 128;
-    /// Beyond one of the user's clip planes.
-    pub const USER: u16 = 512;
-    /// A coordinate is inf or NaN: the primitive is dropped.
-    pub const INVALID: u16 = 256;
-    /// Out on one of these by every vertex: nothing can be seen.
-    pub const REJECT: u16 =
-        Self::LEFT | Self::RIGHT | Self::BOTTOM | Self::TOP | Self::NEAR | Self::FAR | Self::BEHIND;
-    /// Out on one of these by any vertex: the primitive is cut.
-    pub const CUT: u16 = Self::NEAR | Self::FAR | Self::BEHIND | Self::GUARD | Self::USER;
-}
-
-/// A vertex after its program.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct ShadedVertex {
-    /// Clip coordinates.
-    pub clip: [f32; 4],
-    /// Window x and y; meaningless unless `w > 0`.
-    pub window: [f64; 2],
-    /// `gl_PointSize`.
-    pub point_size: f32,
-    /// Where it is.
-    pub outcode: Outcode,
-    /// Beyond which of the user's clip planes, bit by plane.
-    pub user: u8,
-}
 
 /// The vertices of a chunk of a draw.
 #[derive(Debug, Default)]
@@ -295,17 +245,18 @@ impl VertexStage<'_> {
             budget: self.budget,
         })?;
         let stride = self.varyings.len();
-        for vertex in vertices.iter_mut() {
-            vertex.point_size = self.point.size;
+        let mut clip = [&F32s::ZERO; 4];
+        for (index, target) in targets.iter().enumerate() {
+            if let Target::Position(component) = *target {
+                clip[component] = machine.output(index).as_f32();
+            }
         }
+        let mut placed = Placed::default();
+        self.isa.run(Place { clip, viewport: &self.viewport, out: &mut placed });
+        placed.store(clip, self.point.size, vertices);
         for (index, target) in targets.iter().enumerate() {
             let lanes = machine.output(index).as_f32();
             match *target {
-                Target::Position(component) => {
-                    for (vertex, &value) in vertices.iter_mut().zip(&lanes.0) {
-                        vertex.clip[component] = value;
-                    }
-                }
                 Target::PointSize => {
                     for (vertex, &value) in vertices.iter_mut().zip(&lanes.0) {
                         vertex.point_size = value;
@@ -322,11 +273,8 @@ impl VertexStage<'_> {
                         all[at] = value;
                     }
                 }
-                Target::Nowhere => {}
+                Target::Position(_) | Target::Nowhere => {}
             }
-        }
-        for vertex in vertices.iter_mut() {
-            place(vertex, &self.viewport);
         }
         if !distances.is_empty() {
             let planes = distances.len() / ids.len();
@@ -336,38 +284,4 @@ impl VertexStage<'_> {
         }
         Ok(())
     }
-}
-
-/// Clip tests against the user's planes. A distance that is no number drops the primitive.
-fn cut(vertex: &mut ShadedVertex, distances: &[f32]) {
-    for (plane, distance) in distances.iter().enumerate() {
-        if !distance.is_finite() {
-            vertex.outcode = Outcode(Outcode::INVALID);
-        } else if *distance < 0.0 {
-            vertex.outcode.0 |= Outcode::USER;
-            vertex.user |= 1 << plane;
-        }
-    }
-}
-
-/// Viewport transform (GL 2.1, section 2.11.1) and clip tests of one vertex.
-fn place(vertex: &mut ShadedVertex, viewport: &Viewport) {
-    let clip @ [x, y, z, w] = vertex.clip.map(f64::from);
-    let bit = |out: bool, bit: u16| if out { bit } else { 0 };
-    if !(x.is_finite() && y.is_finite() && z.is_finite() && w.is_finite()) {
-        vertex.outcode = Outcode(Outcode::INVALID);
-        return;
-    }
-    vertex.window = viewport.window(&clip);
-    let guard = |v: f64| v.is_nan() || v.abs() > GUARD_BAND;
-    vertex.outcode = Outcode(
-        bit(x < -w, Outcode::LEFT)
-            | bit(x > w, Outcode::RIGHT)
-            | bit(y < -w, Outcode::BOTTOM)
-            | bit(y > w, Outcode::TOP)
-            | bit(z < -w, Outcode::NEAR)
-            | bit(z > w, Outcode::FAR)
-            | bit(w <= 0.0, Outcode::BEHIND)
-            | bit(guard(vertex.window[0]) || guard(vertex.window[1]), Outcode::GUARD),
-    );
 }
