@@ -1,6 +1,5 @@
 //! A batch of fragments: up to 16 quads, of one block or of many, of one shape or of many.
 
-use super::interpolate::Planes;
 use crate::plan::{DrawPlan, FragmentInput};
 use crate::primitive::Facing;
 use crate::shader::Machine;
@@ -69,8 +68,8 @@ impl Default for Batch {
 
 /// A block of a shape, to be put into a batch.
 pub struct BlockOf<'a> {
-    /// Its planes.
-    pub planes: &'a Planes,
+    /// Of each plane: at its first pixel, per pixel across, per pixel up.
+    pub planes: &'a [[f32; 3]],
     /// Which side is seen.
     pub facing: Facing,
     /// Which block of the tile.
@@ -129,7 +128,7 @@ impl Batch {
 
     /// Adds one quad of a block; `lanes` are the block's covered lanes.
     pub fn push(&mut self, of: &BlockOf<'_>, quad: usize, lanes: u64) {
-        let at = self.len;
+        let at = self.len % QUADS;
         self.len += 1;
         self.blocks[at] = of.block as u8;
         self.quads[at] = quad as u8;
@@ -147,10 +146,10 @@ impl Batch {
                 self.coverage[e * QUADS + at] = coverage[e * QUADS + quad];
             }
         }
-        for (index, plane) in self.planes.iter_mut().enumerate() {
-            plane.corner[at] = of.planes.at(index, of.x, of.y);
-            plane.a[at] = of.planes.planes[index].a as f32;
-            plane.b[at] = of.planes.planes[index].b as f32;
+        for (plane, &[corner, a, b]) in self.planes.iter_mut().zip(of.planes) {
+            plane.corner[at] = corner;
+            plane.a[at] = a;
+            plane.b[at] = b;
         }
     }
 
@@ -170,10 +169,10 @@ impl Batch {
         if let Some(coverage) = of.coverage {
             self.coverage = *coverage;
         }
-        for (index, plane) in self.planes.iter_mut().enumerate() {
-            plane.corner = [of.planes.at(index, of.x, of.y); QUADS];
-            plane.a = [of.planes.planes[index].a as f32; QUADS];
-            plane.b = [of.planes.planes[index].b as f32; QUADS];
+        for (plane, &[corner, a, b]) in self.planes.iter_mut().zip(of.planes) {
+            plane.corner = [corner; QUADS];
+            plane.a = [a; QUADS];
+            plane.b = [b; QUADS];
         }
     }
 }

@@ -91,20 +91,13 @@ pub struct PlaneSetup<'a> {
 /// The planes of a shape.
 #[derive(Debug, Default)]
 pub struct Planes {
-    origin: [f64; 2],
+    /// What the planes count from, in pixels.
+    pub origin: [f64; 2],
     /// In the order of [`PlaneSetup::sources`].
     pub planes: Vec<Plane>,
 }
 
 impl Planes {
-    /// The value of a plane at the centre of pixel `(x, y)`.
-    #[inline]
-    pub fn at(&self, plane: usize, x: i32, y: i32) -> f32 {
-        let p = &self.planes[plane];
-        let (dx, dy) = (f64::from(x) + 0.5 - self.origin[0], f64::from(y) + 0.5 - self.origin[1]);
-        ((dx * p.a + dy * p.b) + p.c) as f32
-    }
-
     /// Computes the planes of `shape`.
     pub fn compute(&mut self, setup: &PlaneSetup<'_>, geometry: &Geometry, shape: &Shape) {
         self.origin = match shape.kind {

@@ -7,6 +7,7 @@ mod area;
 mod batch;
 mod cover;
 mod coverage;
+mod group;
 mod interpolate;
 mod tile;
 

@@ -3,7 +3,8 @@
 use super::batch::{Batch, BlockDepth, BlockOf, Interpolate, Place, quads_of};
 use super::cover::Cover;
 use super::coverage;
-use super::interpolate::{PlaneSetup, Planes};
+use super::group::PlaneGroup;
+use super::interpolate::PlaneSetup;
 use crate::driver::ClearValue;
 use crate::output::{DepthFormat, DepthTest, WriteColor, color_word, expand_mask};
 use crate::plan::{DepthTiming, DrawPlan, Shading};
@@ -99,7 +100,9 @@ pub struct Worker {
     waiting: Batch,
     /// A block that runs at once.
     block: Batch,
-    planes: Planes,
+    group: PlaneGroup,
+    /// Of the block that is filled: each plane's value at its first pixel and steps.
+    planes: Vec<[f32; 3]>,
     /// How much of each lane's pixel the shape covers.
     parts: F32s,
     /// The draw whose shapes come now.
@@ -109,18 +112,22 @@ pub struct Worker {
 impl Worker {
     /// Does everything that happens in `tile`.
     pub fn run(&mut self, pass: &PassJob, tile: &mut TileJob) {
-        for entry in std::mem::take(&mut tile.entries) {
-            match entry {
+        let entries = std::mem::take(&mut tile.entries);
+        let mut rest = entries.as_slice();
+        while let Some(first) = rest.first() {
+            match *first {
                 Entry::Clear(index) => {
                     self.flush(pass, tile);
                     clear(pass, &pass.clears[index as usize], tile);
+                    rest = &rest[1..];
                 }
-                Entry::Shape(chunk, index) => {
-                    let chunk = &pass.chunks[chunk as usize];
-                    self.select(pass, tile, chunk.draw);
-                    if !pass.draws[chunk.draw].stopped.load(Ordering::Relaxed) {
-                        self.fill(pass, tile, chunk, &chunk.shapes[index as usize]);
-                    }
+                Entry::Shape(chunk, _) => {
+                    let of_chunk =
+                        |entry: &&Entry| matches!(entry, Entry::Shape(other, _) if *other == chunk);
+                    let len = rest.iter().take(LANES).take_while(of_chunk).count();
+                    let (group, after) = rest.split_at(len);
+                    rest = after;
+                    self.fill_group(pass, tile, &pass.chunks[chunk as usize], group);
                 }
             }
         }
@@ -149,11 +156,14 @@ impl Worker {
         }
     }
 
-    /// Fills one shape.
-    fn fill(&mut self, pass: &PassJob, tile: &mut TileJob, chunk: &Chunk, shape: &Shape) {
+    /// Fills shapes of one chunk, at most 64.
+    fn fill_group(&mut self, pass: &PassJob, tile: &mut TileJob, chunk: &Chunk, group: &[Entry]) {
+        self.select(pass, tile, chunk.draw);
         let job = &pass.draws[chunk.draw];
+        if job.stopped.load(Ordering::Relaxed) {
+            return;
+        }
         let plan = &job.plan;
-        let Some(range) = block_range(shape, tile.x, tile.y) else { return };
         let setup = PlaneSetup {
             sources: &plan.planes,
             viewport: plan.viewport,
@@ -161,7 +171,29 @@ impl Worker {
             resolution: tile.depth.as_ref().and_then(|(_, format)| format.resolution()),
             origin: plan.raster.point.origin,
         };
-        self.planes.compute(&setup, &chunk.geometry, shape);
+        let shapes = group.iter().map(|entry| match *entry {
+            Entry::Shape(_, index) | Entry::Clear(index) => &chunk.shapes[index as usize],
+        });
+        self.group.compute(pass.isa, &setup, &chunk.geometry, shapes.clone());
+        for (lane, shape) in shapes.enumerate() {
+            if !job.stopped.load(Ordering::Relaxed) {
+                self.fill(pass, tile, chunk, shape, lane);
+            }
+        }
+    }
+
+    /// Fills one shape, whose planes are in a lane of the group.
+    fn fill(
+        &mut self,
+        pass: &PassJob,
+        tile: &mut TileJob,
+        chunk: &Chunk,
+        shape: &Shape,
+        lane: usize,
+    ) {
+        let job = &pass.draws[chunk.draw];
+        let plan = &job.plan;
+        let Some(range) = block_range(shape, tile.x, tile.y) else { return };
         let at = [tile.x, tile.y];
         let cover = Cover::new(plan, &chunk.geometry, shape, at);
         let (area, stipple) = match shape.kind {
@@ -169,7 +201,9 @@ impl Worker {
             // Their outlines do not know where the view volume ends.
             Kind::Line { .. } | Kind::Point { .. } => (pixels(&shape.bounds), None),
         };
-        self.parts = F32s::splat(1.0);
+        if plan.reads_coverage() {
+            self.parts = F32s::splat(1.0);
+        }
         for by in range[0][1]..=range[1][1] {
             for bx in range[0][0]..=range[1][0] {
                 let covered = cover.block(pass.isa, plan, shape, at, [bx, by], &mut self.parts);
@@ -182,6 +216,8 @@ impl Worker {
                     mask &= stipple[(row % 4 * 4 + column % 4) as usize];
                 }
                 if mask != 0 {
+                    let (x, y) = (at[0] + 8 * bx, at[1] + 8 * by);
+                    self.group.at(lane, x, y, &mut self.planes);
                     self.fill_block(pass, tile, job, shape.facing, [bx, by], mask);
                 }
             }
@@ -271,8 +307,7 @@ fn early_depth(
     let (Some((stored, _)), Some(index)) = (tile.depth.as_mut(), plan.depth_plane) else {
         return mask;
     };
-    let plane = &of.planes.planes[index];
-    let plane = [of.planes.at(index, of.x, of.y), plane.a as f32, plane.b as f32];
+    let plane = of.planes[index];
     let depth = isa.run(BlockDepth { plane });
     let stored = &mut stored.blocks_mut()[of.block];
     isa.run(DepthTest { plan: test, depth: &depth, stored, mask })
