@@ -292,3 +292,82 @@ impl Kernel for ToDepth<'_> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::driver::{SpriteOrigin, Viewport};
+    use crate::primitive::Facing;
+    use crate::vertex::ShadedVertex;
+
+    /// A number in [-1, 1) from a counter.
+    fn random(state: &mut u64) -> f32 {
+        *state =
+            state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (*state >> 40) as f32 / 8_388_608.0 - 1.0
+    }
+
+    #[test]
+    fn shapes_together_have_the_planes_they_have_alone() {
+        let viewport =
+            Viewport { x: 3.0, y: 5.0, width: 640.0, height: 480.0, near: 0.25, far: 1.0 };
+        let mut state = 9;
+        let mut geometry = Geometry { stride: 3, ..Geometry::default() };
+        let mut shapes = Vec::new();
+        for n in 0..64_u32 {
+            let w = if n % 3 == 0 { 1.0 } else { 0.0 };
+            for k in 0..3 {
+                let w = if w > 0.0 { w } else { 1.5 + random(&mut state) };
+                // Some thin, some degenerate, some huge.
+                let size = [0.01, 1e-7, 1.0, 0.0][n as usize % 4];
+                let (x, y) = (random(&mut state) * size + 0.3, random(&mut state) * size - 0.2);
+                let clip = [x * w, y * w, random(&mut state) * w, w];
+                let window = viewport.window(&clip.map(f64::from));
+                geometry.vertices.push(ShadedVertex {
+                    clip,
+                    window,
+                    snapped: window.map(crate::vertex::snap),
+                    outcode: Outcode(if n % 11 == 0 && k == 0 { Outcode::NEAR } else { 0 }),
+                    ..ShadedVertex::default()
+                });
+                geometry.varyings.extend([0; 3].map(|_| random(&mut state)));
+            }
+            let vertices = [3 * n, 3 * n + 1, 3 * n + 2];
+            shapes.push(Shape {
+                corners: vertices.map(|v| geometry.vertices[v as usize].snapped),
+                bounds: [[0; 2]; 2],
+                vertices,
+                provoking: 2,
+                kind: Kind::Triangle,
+                facing: Facing::Front,
+            });
+        }
+        let setup = PlaneSetup {
+            sources: &[
+                PlaneSource::Depth,
+                PlaneSource::Denominator,
+                PlaneSource::Smooth(0),
+                PlaneSource::Smooth(2),
+                PlaneSource::Flat(1),
+            ],
+            viewport,
+            offset: None,
+            resolution: None,
+            origin: SpriteOrigin::UpperLeft,
+        };
+        let bits = |group: &PlaneGroup, lane: usize| {
+            let mut out = Vec::new();
+            group.at(lane, 320, 200, &mut out);
+            out.concat().into_iter().map(f32::to_bits).collect::<Vec<_>>()
+        };
+        let mut alone = PlaneGroup::default();
+        for isa in Isa::available() {
+            let mut together = PlaneGroup::default();
+            together.compute(isa, &setup, &geometry, shapes.iter());
+            for (lane, shape) in shapes.iter().enumerate() {
+                alone.compute(isa, &setup, &geometry, std::iter::once(shape));
+                assert_eq!(bits(&together, lane), bits(&alone, 0), "{} {lane}", isa.name());
+            }
+        }
+    }
+}

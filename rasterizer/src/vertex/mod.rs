@@ -8,5 +8,7 @@ mod shade;
 
 pub use ids::{Ids, Unique, ordinals};
 pub use place::GUARD_BAND;
+#[cfg(test)]
+pub use place::ShadedVertex;
 pub use place::{Outcode, snap};
 pub use shade::{Geometry, VertexStage, shade};
