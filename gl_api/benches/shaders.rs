@@ -6,8 +6,8 @@
 use gl_api::glsl::{Bindings, Options, Stage, compile, link};
 use rasterizer::driver::{
     Attachment, Buffer, ColorState, Command, CommandBuffer, Cull, Device, DeviceDesc, Explain,
-    FrontFace, Image, PassDesc, Pipeline, PipelineDesc, Provoking, ShaderModule, Topology,
-    VertexBinding, VertexFormat, VertexSource, VertexType, Viewport,
+    FrontFace, Image, OutputState, PassDesc, Pipeline, PipelineDesc, Provoking, ShaderModule,
+    Topology, VertexBinding, VertexFormat, VertexSource, VertexType, Viewport,
 };
 use std::sync::Arc;
 use std::time::Instant;
@@ -122,6 +122,7 @@ fn binding(location: u8, buffer: &Buffer, offset: usize) -> VertexBinding {
         ty: VertexType::F32,
         components: 4,
         format: VertexFormat::Plain,
+        divisor: 0,
     };
     VertexBinding { location, source }
 }
@@ -168,6 +169,7 @@ fn commands(text: &str) -> CommandBuffer {
         provoking: Provoking::Last,
         depth: None,
         colors: vec![ColorState { blend: None, mask: [true; 4] }],
+        output: OutputState::default(),
     });
     let mut target = Texels::new(Shape::D2);
     target.set_level(0, 0, Level::new(Format::Rgba8, SIZE, SIZE).expect("small")).expect("face 0");

@@ -8,8 +8,15 @@
 
 /// How many generic vertex attributes there are (`GL_MAX_VERTEX_ATTRIBS`); locations 0 to 15.
 pub const MAX_VERTEX_ATTRIBS: u8 = 16;
-/// How many texture units there are: coordinates, images and fixed function alike.
+/// How many sets of texture coordinates there are, each with a fixed-function unit, a matrix and
+/// coordinate generation (`GL_MAX_TEXTURE_COORDS`, `GL_MAX_TEXTURE_UNITS`).
 pub const MAX_TEXTURE_UNITS: u8 = 8;
+/// How many samplers each stage of a program may use (`GL_MAX_TEXTURE_IMAGE_UNITS`,
+/// `GL_MAX_VERTEX_TEXTURE_IMAGE_UNITS`).
+pub const MAX_TEXTURE_IMAGE_UNITS: u8 = 16;
+/// How many units textures can be bound to (`GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS`): enough for both
+/// stages.
+pub const MAX_COMBINED_TEXTURE_IMAGE_UNITS: u8 = 32;
 
 /// Location of `gl_Vertex`.
 pub const ATTRIB_VERTEX: u8 = 16;
@@ -136,6 +143,8 @@ pub enum StateVar {
     TexGen(TexGenPlane, TexCoord, u8),
     /// `gl_Fog`: colour (4 words), density, start, end, 1 / (end - start).
     Fog,
+    /// How many rows the draw framebuffer has: 1 word. `gl_FragCoord` counts from above with it.
+    FramebufferHeight,
 }
 
 impl StateVar {
@@ -145,7 +154,7 @@ impl StateVar {
             Self::Matrix(..) => 16,
             Self::NormalMatrix => 9,
             Self::DepthRange => 3,
-            Self::NormalScale => 1,
+            Self::NormalScale | Self::FramebufferHeight => 1,
             Self::TextureEnvColor(_)
             | Self::ClipPlane(_)
             | Self::LightModel

@@ -4,8 +4,8 @@
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use rasterizer::driver::{
     Attachment, Buffer, ColorState, Command, CommandBuffer, Cull, Device, DeviceDesc, Explain,
-    FrontFace, Image, PassDesc, Pipeline, PipelineDesc, Provoking, ShaderModule, Topology,
-    VertexBinding, VertexFormat, VertexSource, VertexType, Viewport,
+    FrontFace, Image, OutputState, PassDesc, Pipeline, PipelineDesc, Provoking, ShaderModule,
+    Topology, VertexBinding, VertexFormat, VertexSource, VertexType, Viewport,
 };
 use rasterizer::ir::{Builder, Input, Interpolation, Lod, Output, Stage, TextureDecl, Value};
 use std::hint::black_box;
@@ -52,7 +52,7 @@ fn fragment(color: impl FnOnce(&mut Builder) -> [Value; 4]) -> ShaderModule {
 
 fn textured() -> ShaderModule {
     fragment(|b| {
-        let texture = b.texture(TextureDecl { shape: Shape::D2, compare: false });
+        let texture = b.texture(TextureDecl::color(Shape::D2));
         let (s, t, zero) = (b.input(Input::Varying(0)), b.input(Input::Varying(1)), b.float(0.0));
         b.sample(texture, [s, t, zero], None, Lod::Implicit { bias: None })
     })
@@ -97,6 +97,7 @@ fn bind(floats: &[f32]) -> Arc<[VertexBinding]> {
                 ty: VertexType::F32,
                 components: 4,
                 format: VertexFormat::Plain,
+                divisor: 0,
             },
         })
         .collect()
@@ -195,6 +196,7 @@ fn commands(scene: &Scene, texels: &Texels, target: Image) -> CommandBuffer {
         provoking: Provoking::Last,
         depth: None,
         colors: vec![ColorState { blend: None, mask: [true; 4] }],
+        output: OutputState::default(),
     });
     let (x, y, width, height) = (0.0, 0.0, SIZE as f32, SIZE as f32);
     CommandBuffer {

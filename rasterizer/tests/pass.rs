@@ -204,7 +204,7 @@ fn a_texture_that_is_drawn_to_while_it_is_sampled_reads_what_it_held_before() {
     let sampler = Sampler { mipmap: Mipmap::None, mag: Filter::Nearest, ..Sampler::default() };
     let plan = Arc::new(SamplePlan::new(&target.texels(), &sampler));
     let shader = fragment(0, |b| {
-        let slot = b.texture(TextureDecl { shape: Shape::D2, compare: false });
+        let slot = b.texture(TextureDecl::color(Shape::D2));
         let coords: [Value; 3] = [0.5, 0.5, 0.0].map(|v| b.float(v));
         let lod = rasterizer::ir::Lod::Implicit { bias: None };
         let texel = b.sample(slot, coords, None, lod);
@@ -233,10 +233,10 @@ fn faces_and_levels_of_one_image_are_drawn_to_one_after_another() {
         }
     }
     let cube = Image::new(texels);
-    for face in 0..6_u8 {
+    for face in 0..6_u16 {
         for level in 0..2_u8 {
             let size = 8 >> level;
-            let value = f32::from(face * 2 + level + 1) * 10.0 / 255.0;
+            let value = f32::from(face * 2 + u16::from(level) + 1) * 10.0 / 255.0;
             let desc = pipeline(vertex(0), constant([value; 4]));
             let attachment = Attachment { image: cube.clone(), face, level };
             let mut commands = vec![

@@ -1,11 +1,12 @@
 //! One decision per draw: how this image is sampled with this sampler.
 
-use crate::format::Format;
+use crate::format::{Encoding, Format};
 use crate::image::{Image, Incomplete, Level, Shape};
-use crate::lanes::math::clamp;
+use crate::lanes::math::{clamp, to_i32, to_u32};
 use crate::lanes::{F32s, I32s, Isa, LANES};
 use crate::sample::Sample;
 use crate::sample::lod::LodRange;
+use crate::sample::plain::Class;
 use crate::sample::texel::Fetch;
 use crate::sampler::{
     Compare, DepthMode, Filter, MAX_ANISOTROPY, Mipmap, Sampler, Seamless, Swizzle, Wrap,
@@ -22,12 +23,14 @@ pub enum Lod<'a> {
     },
     /// This λ, to which the sampler's bias is added.
     Explicit(&'a F32s),
-    /// From these derivatives of s, t, r.
+    /// From these derivatives of s, t, r, plus a bias.
     Gradient {
         /// `∂(s, t, r)/∂x`.
         dx: [&'a F32s; 3],
         /// `∂(s, t, r)/∂y`.
         dy: [&'a F32s; 3],
+        /// As of [`Lod::Implicit`].
+        bias: Option<&'a F32s>,
     },
 }
 
@@ -66,18 +69,18 @@ pub(crate) struct Texture {
 pub(crate) enum Way {
     /// Any texture.
     General,
-    /// Two-dimensional linear bytes, where no border is reached.
-    Plain,
+    /// Two-dimensional, not compared, of a class of texels that is worth loops of its own.
+    Plain(Class),
 }
 
 impl Way {
-    fn new(shape: Shape, format: Format, compare: Option<Compare>, seamless: Seamless) -> Self {
-        let flat = match shape {
-            Shape::D2 | Shape::Rect => true,
-            Shape::Cube => seamless == Seamless::Off,
-            Shape::D1 | Shape::D3 | Shape::D1Array | Shape::D2Array => false,
+    fn new(shape: Shape, format: Format, compare: Option<Compare>) -> Self {
+        let class = match shape {
+            Shape::D2 | Shape::Rect | Shape::Cube if compare.is_none() => Class::of(format),
+            Shape::D2 | Shape::Rect | Shape::Cube => None,
+            Shape::D1 | Shape::D3 | Shape::D1Array | Shape::D2Array => None,
         };
-        if flat && format.is_bytes() && compare.is_none() { Self::Plain } else { Self::General }
+        class.map_or(Self::General, Self::Plain)
     }
 }
 
@@ -129,7 +132,7 @@ impl SamplePlan {
         }
     }
 
-    /// Samples 64 lanes. `coords` are s, t, r (those the shape has are read; the coordinate after
+    /// Samples 64 lanes. Components of integer formats are bits, not numbers. `coords` are s, t, r (those the shape has are read; the coordinate after
     /// those that are filtered along is the layer of an array); `reference` is compared when the
     /// plan compares, and is r where there is none. Any bits are legal coordinates in any lane:
     /// NaN counts as 0.
@@ -215,13 +218,17 @@ impl Texture {
     fn new(image: &Image, sampler: &Sampler) -> Result<Self, Incomplete> {
         let reached = image.completeness(sampler)?;
         let shape = image.shape();
-        let detail = Detail::new(shape, sampler, reached.last - reached.base);
+        let mut detail = Detail::new(shape, sampler, reached.last - reached.base);
         let levels = levels(image, reached.base, detail.last_level());
         let base = &levels[0][0];
         let (format, size) = (base.format, base.size());
+        if let (true, Detail::PerLane { probes, .. }) = (format.is_integer(), &mut detail) {
+            // Probes are averaged, which the bits of integers cannot be.
+            *probes = 1;
+        }
         let mut border = [0.0; 4];
-        for (to, &from) in border.iter_mut().zip(format.base().sources()) {
-            *to = sampler.border[from];
+        for (channel, (to, &from)) in border.iter_mut().zip(format.base().sources()).enumerate() {
+            *to = border_channel(format, channel, sampler.border[from]);
         }
         let compare = if format.is_depth() { sampler.compare } else { None };
         Ok(Self {
@@ -239,7 +246,7 @@ impl Texture {
             compare,
             depth_mode: sampler.depth_mode,
             swizzle: sampler.swizzle,
-            way: Way::new(shape, format, compare, sampler.seamless),
+            way: Way::new(shape, format, compare),
             detail,
         })
     }
@@ -293,6 +300,27 @@ impl Texture {
             }
         }
         line
+    }
+}
+
+/// A component of the border colour as a channel of texels: of integers the bits, held in what the
+/// channel can be.
+fn border_channel(format: Format, channel: usize, value: f32) -> f32 {
+    let info = format.info();
+    let largest = info.fields[channel].mask();
+    match info.encoding {
+        Encoding::Uint => f32::from_bits(to_u32(value).min(largest)),
+        Encoding::Sint => {
+            let most = (largest >> 1) as i32;
+            f32::from_bits(to_i32(value).clamp(-most - 1, most) as u32)
+        }
+        Encoding::Unorm
+        | Encoding::Snorm
+        | Encoding::Srgb
+        | Encoding::Float
+        | Encoding::SharedExponent
+        | Encoding::Block(_)
+        | Encoding::SrgbBlock(_) => value,
     }
 }
 

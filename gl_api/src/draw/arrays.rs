@@ -34,12 +34,16 @@ pub(crate) struct Array {
     /// As it was given; 0 is tightly packed.
     pub stride: usize,
     pub source: Source,
+    /// 0 for an element a vertex, else one for so many instances.
+    pub divisor: u32,
 }
 
 /// The arrays by attribute location.
 #[derive(Clone, Debug)]
 pub(crate) struct Arrays {
     pub by_location: [Array; LOCATIONS],
+    /// The index that restarts a primitive.
+    pub restart_index: GLuint,
 }
 
 impl Default for Arrays {
@@ -52,7 +56,9 @@ impl Default for Arrays {
                 format: VertexFormat::Plain,
                 stride: 0,
                 source: Source::Client(Buffer::default()),
+                divisor: 0,
             }),
+            restart_index: 0,
         }
     }
 }
@@ -86,6 +92,7 @@ pub(crate) fn vertex_source(context: &Context, location: usize) -> VertexSource 
         ty: array.ty,
         components: array.components,
         format: array.format,
+        divisor: array.divisor,
     }
 }
 
@@ -111,6 +118,19 @@ const FOG_TYPE: Table<VertexType> =
     Table { section: "GL 2.1, table 2.4", rows: ALL_TYPES.split_at(4).0.split_at(2).1 };
 /// Of colours and generic attributes.
 const ANY_TYPE: Table<VertexType> = Table { section: "GL 2.1, table 2.4", rows: ALL_TYPES };
+
+/// Of generic attributes that stay integers.
+const INTEGER_TYPE: Table<VertexType> = Table {
+    section: "EXT_gpu_shader4, section 2.8",
+    rows: &[
+        (GL_BYTE, VertexType::I8),
+        (GL_UNSIGNED_BYTE, VertexType::U8),
+        (GL_SHORT, VertexType::I16),
+        (GL_UNSIGNED_SHORT, VertexType::U16),
+        (GL_INT, VertexType::I32),
+        (GL_UNSIGNED_INT, VertexType::U32),
+    ],
+};
 
 /// Which sizes an array can have, and how its integers are read.
 struct Rules {
@@ -268,6 +288,27 @@ pub(crate) fn vertex_attrib_pointer(
     set(context, generic(index)?, &rules, size, ty, stride, pointer)
 }
 
+pub(crate) fn vertex_attrib_i_pointer(
+    context: &mut Context,
+    index: GLuint,
+    size: GLint,
+    ty: GLenum,
+    stride: GLsizei,
+    pointer: Data<'_>,
+) -> Result<()> {
+    let rules = Rules { sizes: 1..=4, types: INTEGER_TYPE, format: VertexFormat::Integer };
+    set(context, generic(index)?, &rules, size, ty, stride, pointer)
+}
+
+pub(crate) fn vertex_attrib_divisor(
+    context: &mut Context,
+    index: GLuint,
+    divisor: GLuint,
+) -> Result<()> {
+    context.state.arrays.by_location[usize::from(generic(index)?)].divisor = divisor;
+    Ok(())
+}
+
 pub(crate) fn enable_vertex_attrib_array(context: &mut Context, index: GLuint) -> Result<()> {
     context.state.arrays.by_location[usize::from(generic(index)?)].enabled = true;
     Ok(())
@@ -278,6 +319,42 @@ pub(crate) fn disable_vertex_attrib_array(context: &mut Context, index: GLuint) 
     Ok(())
 }
 
+/// Where an array begins: an offset into its buffer, or an address.
+fn address(array: &Array) -> usize {
+    match &array.source {
+        Source::Client(buffer) if buffer.bytes().is_empty() => 0,
+        Source::Client(buffer) => buffer.bytes().as_ptr() as usize,
+        Source::Object { offset, .. } => *offset,
+    }
+}
+
+/// Where a conventional array begins, by the name that `glGetPointerv` has for it.
+pub(crate) fn pointer(context: &Context, pname: GLenum) -> Option<usize> {
+    let location = match pname {
+        GL_VERTEX_ARRAY_POINTER => ATTRIB_VERTEX,
+        GL_NORMAL_ARRAY_POINTER => ATTRIB_NORMAL,
+        GL_COLOR_ARRAY_POINTER => ATTRIB_COLOR,
+        GL_SECONDARY_COLOR_ARRAY_POINTER => ATTRIB_SECONDARY_COLOR,
+        GL_FOG_COORD_ARRAY_POINTER => ATTRIB_FOG_COORD,
+        GL_TEXTURE_COORD_ARRAY_POINTER => ATTRIB_TEX_COORD + context.state.units.client_active,
+        _ => return None,
+    };
+    Some(address(&context.state.arrays.by_location[usize::from(location)]))
+}
+
+pub(crate) fn get_vertex_attrib_pointerv(
+    context: &mut Context,
+    index: GLuint,
+    pname: GLenum,
+    pointer: &mut [*mut GLvoid],
+) -> Result<()> {
+    const POINTER: Table<()> =
+        Table { section: "GL 2.1, section 6.1.14", rows: &[(GL_VERTEX_ATTRIB_ARRAY_POINTER, ())] };
+    let location = usize::from(generic(index)?);
+    POINTER.decode("pname", pname)?;
+    put(pointer, &[address(&context.state.arrays.by_location[location]) as *mut GLvoid])
+}
+
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Property {
     Enabled,
@@ -285,6 +362,8 @@ enum Property {
     Stride,
     Type,
     Normalized,
+    Integer,
+    Divisor,
     Buffer,
     Current,
 }
@@ -297,6 +376,8 @@ const PROPERTY: Table<Property> = Table {
         (GL_VERTEX_ATTRIB_ARRAY_STRIDE, Property::Stride),
         (GL_VERTEX_ATTRIB_ARRAY_TYPE, Property::Type),
         (GL_VERTEX_ATTRIB_ARRAY_NORMALIZED, Property::Normalized),
+        (GL_VERTEX_ATTRIB_ARRAY_INTEGER, Property::Integer),
+        (GL_VERTEX_ATTRIB_ARRAY_DIVISOR, Property::Divisor),
         (GL_VERTEX_ATTRIB_ARRAY_BUFFER_BINDING, Property::Buffer),
         (GL_CURRENT_VERTEX_ATTRIB, Property::Current),
     ],
@@ -306,6 +387,12 @@ fn property(context: &Context, index: GLuint, pname: GLenum) -> Result<Vec<f32>>
     let location = usize::from(generic(index)?);
     let property = PROPERTY.decode("pname", pname)?;
     let array = &context.state.arrays.by_location[location];
+    if property == Property::Current && location == 0 {
+        return invalid_operation(
+            "GL 2.1, section 6.1.14",
+            "index = 0 has no current value: it is the position",
+        );
+    }
     Ok(match property {
         Property::Enabled => vec![f32::from(u8::from(array.enabled))],
         Property::Size => vec![array.components.into()],
@@ -314,6 +401,8 @@ fn property(context: &Context, index: GLuint, pname: GLenum) -> Result<Vec<f32>>
         Property::Normalized => {
             vec![f32::from(u8::from(array.format == VertexFormat::Normalized))]
         }
+        Property::Integer => vec![f32::from(u8::from(array.format == VertexFormat::Integer))],
+        Property::Divisor => vec![array.divisor as f32],
         Property::Buffer => match array.source {
             Source::Object { name, .. } => vec![name as f32],
             Source::Client(_) => vec![0.0],

@@ -1,10 +1,11 @@
 //! The draw calls on vertex arrays: GL 2.1, section 2.8.
 
 use super::arrays::vertex_source;
+use super::immediate::{Slot, attribute};
 use super::translate::{Elements, draw};
 use crate::constants::*;
 use crate::context::Context;
-use crate::entry::Data;
+use crate::entry::{Data, Pointers};
 use crate::error::{Result, Table, invalid_enum, invalid_operation, invalid_value, not_negative};
 use crate::interface::ATTRIB_VERTEX;
 use crate::state::LOCATIONS;
@@ -12,6 +13,7 @@ use crate::types::*;
 use rasterizer::driver::{Buffer, IndexType, Indices, Topology, VertexBinding, VertexSource};
 
 const SECTION: &str = "GL 2.1, section 2.8";
+const INSTANCED: &str = "ARB_draw_instanced";
 
 const TOPOLOGY: Table<Topology> = Table {
     section: "GL 2.1, section 2.6.1",
@@ -56,14 +58,6 @@ const INDEX_TYPE: Table<IndexType> = Table {
         (GL_UNSIGNED_INT, IndexType::U32),
     ],
 };
-
-fn index_size(ty: IndexType) -> usize {
-    match ty {
-        IndexType::U8 => 1,
-        IndexType::U16 => 2,
-        IndexType::U32 => 4,
-    }
-}
 
 /// Where every attribute of an array draw comes from. Generic attribute 0 and the vertex array
 /// stand in for each other (GL 2.1, section 2.8).
@@ -148,16 +142,44 @@ pub(crate) fn draw_arrays(
     first: GLint,
     count: GLsizei,
 ) -> Result<()> {
+    draw_arrays_instanced(context, mode, first, count, 1)
+}
+
+pub(crate) fn draw_arrays_instanced(
+    context: &mut Context,
+    mode: GLenum,
+    first: GLint,
+    count: GLsizei,
+    instances: GLsizei,
+) -> Result<()> {
     let topology = topology(mode)?;
     let first = not_negative(SECTION, "first", first.into())?;
     let count = not_negative(SECTION, "count", count.into())?;
-    if count > 0 && has_positions(context) {
+    let instances = not_negative(INSTANCED, "primcount", instances.into())?;
+    if count > 0 && instances > 0 && has_positions(context) {
         let vertices = bindings(context);
         check_range(&vertices, first, count)?;
-        let elements = Elements::Range { first: first as u32, count: count as u32 };
+        let elements = Elements::Range {
+            first: first as u32,
+            count: count as u32,
+            instances: instances as u32,
+        };
         draw_or_record(context, topology, vertices, elements)?;
     }
     Ok(())
+}
+
+/// How many draws a multi-draw has, of as many counts.
+fn draws(primcount: GLsizei, lengths: [usize; 2]) -> Result<usize> {
+    let draws = not_negative(SECTION, "primcount", primcount.into())?;
+    let has = lengths[0].min(lengths[1]);
+    if has < draws {
+        return invalid_operation(
+            SECTION,
+            format!("primcount = {draws}, but the slices have {has} elements"),
+        );
+    }
+    Ok(draws)
 }
 
 pub(crate) fn multi_draw_arrays(
@@ -167,35 +189,39 @@ pub(crate) fn multi_draw_arrays(
     count: &[GLsizei],
     primcount: GLsizei,
 ) -> Result<()> {
-    let draws = not_negative(SECTION, "primcount", primcount.into())?;
-    if first.len() < draws || count.len() < draws {
-        return invalid_operation(
-            SECTION,
-            format!("primcount = {draws}, but first has {} and count {}", first.len(), count.len()),
-        );
-    }
-    for &count in &count[..draws] {
-        not_negative(SECTION, "count", count.into())?;
-    }
+    let draws = draws(primcount, [first.len(), count.len()])?;
     for (&first, &count) in first.iter().zip(count).take(draws) {
         draw_arrays(context, mode, first, count)?;
     }
     Ok(())
 }
 
-pub(crate) fn draw_elements(
-    context: &mut Context,
-    mode: GLenum,
+/// The indices of a draw: where they are, and how many of them there must be.
+struct IndexRequest<'a> {
     count: GLsizei,
     ty: GLenum,
+    indices: Data<'a>,
+    base_vertex: GLint,
+}
+
+/// The bytes of indices, and where they begin.
+fn index_buffer(
+    context: &Context,
     indices: Data<'_>,
-) -> Result<()> {
-    let topology = topology(mode)?;
-    let count = not_negative(SECTION, "count", count.into())?;
-    let ty = INDEX_TYPE.decode("type", ty)?;
-    let needed = count * index_size(ty);
+    count: usize,
+    needed: usize,
+) -> Result<(Buffer, usize)> {
     let name = context.state.bindings.element_array_buffer;
-    let object = context.objects.buffers.get(name).map(|object| object.buffer.clone());
+    let object = context.objects.buffers.get(name);
+    if object.is_some_and(|object| object.map.is_some()) {
+        return invalid_operation(
+            SECTION,
+            format!(
+                "buffer {name} is bound to GL_ELEMENT_ARRAY_BUFFER and mapped: call glUnmapBuffer"
+            ),
+        );
+    }
+    let object = object.map(|object| object.buffer.clone());
     let (buffer, offset) = match (indices, object) {
         (Data::Bytes(bytes), None) => match bytes.get(..needed) {
             Some(bytes) => (Buffer::new(bytes.to_vec()), 0),
@@ -236,13 +262,65 @@ pub(crate) fn draw_elements(
             ),
         );
     }
-    if count > 0 && has_positions(context) {
+    Ok((buffer, offset))
+}
+
+/// Draws by index.
+fn draw_indexed(
+    context: &mut Context,
+    mode: GLenum,
+    request: IndexRequest<'_>,
+    instances: GLsizei,
+) -> Result<()> {
+    let topology = topology(mode)?;
+    let count = not_negative(SECTION, "count", request.count.into())?;
+    let instances = not_negative(INSTANCED, "primcount", instances.into())? as u32;
+    let ty = INDEX_TYPE.decode("type", request.ty)?;
+    let (buffer, offset) = index_buffer(context, request.indices, count, count * ty.size())?;
+    if count == 0 || instances == 0 || !has_positions(context) {
+        return Ok(());
+    }
+    let base_vertex = request.base_vertex;
+    for run in super::restart::runs(context, &buffer, offset, ty, count) {
+        let offset = offset + run.start * ty.size();
+        let indices = Indices { buffer: buffer.clone(), offset, ty, base_vertex };
+        let elements = Elements::Indexed { indices, count: run.len() as u32, instances };
         let vertices = bindings(context);
-        let indices = Indices { buffer, offset, ty, base_vertex: 0 };
-        let elements = Elements::Indexed { indices, count: count as u32 };
         draw_or_record(context, topology, vertices, elements)?;
     }
     Ok(())
+}
+
+pub(crate) fn draw_elements(
+    context: &mut Context,
+    mode: GLenum,
+    count: GLsizei,
+    ty: GLenum,
+    indices: Data<'_>,
+) -> Result<()> {
+    draw_indexed(context, mode, IndexRequest { count, ty, indices, base_vertex: 0 }, 1)
+}
+
+pub(crate) fn draw_elements_instanced(
+    context: &mut Context,
+    mode: GLenum,
+    count: GLsizei,
+    ty: GLenum,
+    indices: Data<'_>,
+    instances: GLsizei,
+) -> Result<()> {
+    draw_indexed(context, mode, IndexRequest { count, ty, indices, base_vertex: 0 }, instances)
+}
+
+pub(crate) fn draw_elements_base_vertex(
+    context: &mut Context,
+    mode: GLenum,
+    count: GLsizei,
+    ty: GLenum,
+    indices: Data<'_>,
+    base_vertex: GLint,
+) -> Result<()> {
+    draw_indexed(context, mode, IndexRequest { count, ty, indices, base_vertex }, 1)
 }
 
 pub(crate) fn draw_range_elements(
@@ -258,4 +336,40 @@ pub(crate) fn draw_range_elements(
         return invalid_value(SECTION, format!("end = {end} must not be below start = {start}"));
     }
     draw_elements(context, mode, count, ty, indices)
+}
+
+pub(crate) fn multi_draw_elements(
+    context: &mut Context,
+    mode: GLenum,
+    count: &[GLsizei],
+    ty: GLenum,
+    indices: Pointers<'_>,
+    primcount: GLsizei,
+) -> Result<()> {
+    let draws = draws(primcount, [count.len(), indices.0.len()])?;
+    for (&count, &indices) in count.iter().zip(&indices.0).take(draws) {
+        draw_elements(context, mode, count, ty, indices)?;
+    }
+    Ok(())
+}
+
+/// GL 2.1, section 2.8: an element of every array that is enabled, the position last.
+pub(crate) fn array_element(context: &mut Context, index: GLint) -> Result<()> {
+    let index = not_negative(SECTION, "i", index.into())? as u32;
+    if super::restart::is_restart(context, index) {
+        return super::restart::primitive_restart(context);
+    }
+    let arrays = &context.state.arrays.by_location;
+    let enabled: Vec<usize> = (0..LOCATIONS).filter(|&at| arrays[at].enabled).collect();
+    let position = usize::from(ATTRIB_VERTEX);
+    let of_position = |location: &usize| *location == 0 || *location == position;
+    for &location in enabled.iter().filter(|location| !of_position(location)) {
+        let value = vertex_source(context, location).read(index);
+        attribute(context, Slot::Location(location as u8), value)?;
+    }
+    if let Some(&location) = enabled.iter().find(|location| of_position(location)) {
+        let value = vertex_source(context, location).read(index);
+        attribute(context, Slot::Vertex, value)?;
+    }
+    Ok(())
 }

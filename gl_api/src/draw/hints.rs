@@ -2,7 +2,7 @@
 
 use crate::constants::*;
 use crate::context::Context;
-use crate::interface::MAX_TEXTURE_UNITS;
+use crate::interface::MAX_COMBINED_TEXTURE_IMAGE_UNITS;
 use crate::texture::{TARGET, TextureTarget};
 
 /// A texture that is sampled but incomplete: the unit is as if switched off, a shader reads black.
@@ -21,11 +21,7 @@ pub(super) fn sampler(context: &mut Context, unit: u8, target: TextureTarget, wo
     let state = super::stages::sampler(context, unit, target);
     let reason = context.objects.texture(target, name).incomplete_reason(&state);
     let Some(reason) = reason else { return };
-    let uniform = context
-        .objects
-        .linked_program(context.state.bindings.program)
-        .and_then(|linked| linked.program.uniforms.iter().rfind(|uniform| uniform.word <= word))
-        .map_or_else(String::new, |uniform| format!(" \"{}\"", uniform.name));
+    let uniform = uniform_name(context, word);
     let other = TextureTarget::ALL.into_iter().find(|other| bound[*other as usize] != 0);
     if let (0, Some(other)) = (name, other) {
         context.debug.warn(format!(
@@ -44,6 +40,14 @@ pub(super) fn sampler(context: &mut Context, unit: u8, target: TextureTarget, wo
     ));
 }
 
+/// The uniform of the program in use that has this word, quoted, after a space.
+pub(super) fn uniform_name(context: &Context, word: u32) -> String {
+    let program = context.objects.linked_program(context.state.bindings.program);
+    let uniform = program
+        .and_then(|linked| linked.program.uniforms.iter().rfind(|uniform| uniform.word <= word));
+    uniform.map_or_else(String::new, |uniform| format!(" \"{}\"", uniform.name))
+}
+
 /// Textures are bound, but no unit is switched on and no program is in use.
 pub(super) fn nothing_enabled(context: &mut Context) {
     if context.state.bindings.program != 0 {
@@ -53,7 +57,7 @@ pub(super) fn nothing_enabled(context: &mut Context) {
     if units.iter().any(|unit| unit.enabled.contains(&true)) {
         return;
     }
-    let bound = units.iter().zip(0..MAX_TEXTURE_UNITS).find_map(|(unit, number)| {
+    let bound = units.iter().zip(0..MAX_COMBINED_TEXTURE_IMAGE_UNITS).find_map(|(unit, number)| {
         let target = TextureTarget::ALL.into_iter().find(|t| unit.bound[*t as usize] != 0)?;
         Some((number, target, unit.bound[target as usize]))
     });

@@ -52,13 +52,32 @@ pub(crate) fn begin(context: &mut Context, mode: GLenum) -> Result<()> {
         return invalid_operation(SECTION, "glBegin was called before: glEnd is missing");
     }
     let topology = topology(mode)?;
-    context.immediate = Some(Immediate {
-        topology,
-        positions: Vec::new(),
-        columns: vec![Vec::new(); LOCATIONS],
-        used: Vec::new(),
-    });
+    context.immediate = Some(Immediate::new(topology));
     Ok(())
+}
+
+impl Immediate {
+    fn new(topology: Topology) -> Self {
+        Self {
+            topology,
+            positions: Vec::new(),
+            columns: vec![Vec::new(); LOCATIONS],
+            used: Vec::new(),
+        }
+    }
+}
+
+/// Ends the primitive and begins another of its kind; false where none was begun.
+///
+/// # Errors
+/// As `glEnd`.
+pub(crate) fn restart(context: &mut Context) -> Result<bool> {
+    let Some(topology) = context.immediate.as_ref().map(|immediate| immediate.topology) else {
+        return Ok(false);
+    };
+    end(context)?;
+    context.immediate = Some(Immediate::new(topology));
+    Ok(true)
 }
 
 pub(crate) fn end(context: &mut Context) -> Result<()> {
@@ -85,6 +104,7 @@ pub(crate) fn end(context: &mut Context) -> Result<()> {
         ty: VertexType::F32,
         components: 4,
         format: VertexFormat::Plain,
+        divisor: 0,
     };
     let vertices = (0..LOCATIONS)
         .map(|location| {
@@ -99,7 +119,7 @@ pub(crate) fn end(context: &mut Context) -> Result<()> {
             VertexBinding { location: location as u8, source }
         })
         .collect();
-    let elements = Elements::Range { first: 0, count: count as u32 };
+    let elements = Elements::Range { first: 0, count: count as u32, instances: 1 };
     draw(context, immediate.topology, vertices, &elements)
 }
 

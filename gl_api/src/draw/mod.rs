@@ -7,7 +7,9 @@ pub(crate) mod arrays;
 pub(crate) mod calls;
 pub(crate) mod hints;
 pub(crate) mod immediate;
+pub(crate) mod interleaved;
 mod primitives;
+pub(crate) mod restart;
 mod stages;
 pub(crate) mod translate;
 mod words;
@@ -124,6 +126,7 @@ pub(crate) fn settle(context: &mut Context, image: &Image) {
 /// Carries out everything that was recorded.
 pub(crate) fn submit(context: &mut Context) {
     context.recorder.end_pass();
+    context.objects.syncs.signal();
     let commands = std::mem::take(&mut context.recorder.commands);
     if commands.commands.is_empty() {
         return;

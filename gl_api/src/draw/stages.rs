@@ -4,18 +4,19 @@
 use super::hints;
 use super::words::{put_bindings, put_fixed};
 use crate::context::Context;
-use crate::error::{ErrorCode, GlError, Result};
+use crate::error::{ErrorCode, GlError, Result, invalid_operation};
 use crate::fixed::{
     FragmentKey, UnitKey, VertexKey, add_alpha_test, add_coverage, add_two_sides, cached,
     environment_base, set_shade_model,
 };
 use crate::glsl::SamplerSlot;
-use crate::interface::{ATTRIB_TEX_COORD, MAX_TEXTURE_UNITS};
+use crate::interface::{ATTRIB_TEX_COORD, MAX_COMBINED_TEXTURE_IMAGE_UNITS, MAX_TEXTURE_UNITS};
 use crate::state::enable::Flag;
 use crate::texture::TextureTarget;
 use glam::{DMat4, DVec4};
 use rasterizer::driver::{Rim, ShaderModule, VertexBinding, VertexSource};
-use rasterizer::ir::{Interpolation, IrError, Stage};
+use rasterizer::ir::{Interpolation, IrError, Stage, TextureDecl};
+use std::collections::BTreeMap;
 use std::sync::Arc;
 use texunit::plan::SamplePlan;
 use texunit::sampler::{Compare, Sampler, Seamless};
@@ -37,6 +38,8 @@ pub(super) struct Stages {
 pub(super) struct VariantKey {
     module: ShaderModule,
     shade_model: Interpolation,
+    /// What the shaders say of the colours' interpolation.
+    said: [Option<Interpolation>; 2],
     /// The alpha test and the word of its reference.
     alpha: Option<(Compare, u32)>,
     sides: Sides,
@@ -75,6 +78,7 @@ pub(super) fn choose(
     let name = context.state.bindings.program;
     let mut words = Vec::new();
     let (mut vertex, mut fragment, mut samplers) = (None, None, Vec::new());
+    let mut said = [None; 2];
     if let Some(linked) = context.objects.linked_program(name) {
         let program = &linked.program;
         words.clone_from(&linked.words);
@@ -82,7 +86,9 @@ pub(super) fn choose(
         put_bindings(context, &mut words, &program.state);
         (vertex, fragment) = (linked.vertex.clone(), linked.fragment.clone());
         samplers.clone_from(&program.samplers);
+        said = program.color_interpolation;
     }
+    one_type_per_unit(context, [vertex.as_ref(), fragment.as_ref()], &samplers, &words)?;
     let base = words.len() as u32;
     put_fixed(context, &mut words, base);
 
@@ -94,7 +100,7 @@ pub(super) fn choose(
     let (fragment, fragment_textures) = match fragment.take() {
         Some(module) => {
             let textures = program_textures(context, Stage::Fragment, &module, &samplers, &words);
-            (program_fragment(context, module, base, two_sided, rim)?, textures)
+            (program_fragment(context, module, said, base, two_sided, rim)?, textures)
         }
         None => {
             let units = enabled_units(context, vertex.is_none().then_some(vertices));
@@ -131,6 +137,7 @@ pub(super) fn choose(
 fn program_fragment(
     context: &mut Context,
     module: ShaderModule,
+    said: [Option<Interpolation>; 2],
     base: u32,
     two_sided: bool,
     rim: Rim,
@@ -142,7 +149,7 @@ fn program_fragment(
     if plain && sides == Sides::One && rim == Rim::Aliased {
         return Ok(module);
     }
-    let key = VariantKey { module, shade_model, alpha, sides, rim };
+    let key = VariantKey { module, shade_model, said, alpha, sides, rim };
     cached(&mut context.recorder.variants, key, |key| {
         let mut variant = key.module.module().clone();
         if key.sides == Sides::Two {
@@ -152,7 +159,7 @@ fn program_fragment(
             add_coverage(&mut variant);
         }
         if key.shade_model == Interpolation::Flat {
-            set_shade_model(&mut variant, Interpolation::Flat);
+            set_shade_model(&mut variant, Interpolation::Flat, key.said);
         }
         if let Some((compare, reference)) = key.alpha {
             add_alpha_test(&mut variant, compare, reference);
@@ -160,6 +167,39 @@ fn program_fragment(
         variant
     })
     .map_err(|error| internal(&error))
+}
+
+/// Whether samplers of different types name one unit, which no draw may have (GL 2.1, section
+/// 2.15.3).
+fn one_type_per_unit(
+    context: &Context,
+    modules: [Option<&ShaderModule>; 2],
+    samplers: &[SamplerSlot],
+    words: &[u32],
+) -> Result<()> {
+    let mut seen: BTreeMap<u32, (TextureDecl, u32)> = BTreeMap::new();
+    for slot in samplers {
+        let module = match slot.stage {
+            Stage::Vertex => modules[0],
+            Stage::Fragment => modules[1],
+        };
+        let decl = module.and_then(|m| m.module().textures.get(slot.slot as usize));
+        let (Some(&decl), Some(&unit)) = (decl, words.get(slot.word as usize)) else { continue };
+        let &mut (other, word) = seen.entry(unit).or_insert((decl, slot.word));
+        if other != decl {
+            let name = |word| hints::uniform_name(context, word);
+            return invalid_operation(
+                "GL 2.1, section 2.15.3",
+                format!(
+                    "samplers of different types,{} and{}, both name texture unit {unit}: set each \
+                     to a unit of its own with glUniform1i",
+                    name(word),
+                    name(slot.word)
+                ),
+            );
+        }
+    }
+    Ok(())
 }
 
 /// The textures of a program's stage, from the units that its sampler uniforms name.
@@ -177,7 +217,8 @@ fn program_textures(
                 .iter()
                 .find(|sampler| sampler.stage == stage && sampler.slot as usize == slot)?;
             let unit = *words.get(sampler.word as usize)?;
-            let unit = u8::try_from(unit).ok().filter(|unit| *unit < MAX_TEXTURE_UNITS)?;
+            let unit =
+                u8::try_from(unit).ok().filter(|unit| *unit < MAX_COMBINED_TEXTURE_IMAGE_UNITS)?;
             let target = TextureTarget::of(decl.shape);
             hints::sampler(context, unit, target, sampler.word);
             Some(plan(context, unit, target))

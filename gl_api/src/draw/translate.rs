@@ -4,11 +4,13 @@ use super::primitives::{raster_state, smoothness};
 use super::{Told, begin_pass, hints, stages};
 use crate::context::Context;
 use crate::error::{ErrorCode, GlError, Result, invalid_operation};
-use crate::framebuffer::complete::draw_pass;
+use crate::framebuffer::complete::{draw_pass, draw_planes};
+use crate::framebuffer::srgb_write;
 use crate::state::enable::Flag;
+use crate::state::stencil::Side;
 use rasterizer::driver::{
-    ColorState, Command, Cull, DepthState, Indices, PassDesc, Pipeline, PipelineDesc, Provoking,
-    Rect, ShaderModule, Topology, VertexBinding, Viewport,
+    ColorState, Command, Cull, DepthState, Indices, OutputState, PassDesc, Pipeline, PipelineDesc,
+    Provoking, Rect, ShaderModule, Topology, VertexBinding, Viewport,
 };
 use std::sync::Arc;
 
@@ -18,8 +20,8 @@ const KEPT: usize = 1024;
 /// Which vertices a draw takes.
 #[derive(Debug)]
 pub(crate) enum Elements {
-    Range { first: u32, count: u32 },
-    Indexed { indices: Indices, count: u32 },
+    Range { first: u32, count: u32, instances: u32 },
+    Indexed { indices: Indices, count: u32, instances: u32 },
 }
 
 /// Records a draw.
@@ -75,11 +77,11 @@ pub(crate) fn draw(
         fragment: stages.fragment_textures,
     });
     commands.push(match elements {
-        Elements::Range { first, count } => {
-            Command::Draw { first: *first, count: *count, instances: 1 }
+        Elements::Range { first, count, instances } => {
+            Command::Draw { first: *first, count: *count, instances: *instances }
         }
-        Elements::Indexed { indices, count } => {
-            Command::DrawIndexed { indices: indices.clone(), count: *count, instances: 1 }
+        Elements::Indexed { indices, count, instances } => {
+            Command::DrawIndexed { indices: indices.clone(), count: *count, instances: *instances }
         }
     });
     Ok(())
@@ -115,11 +117,21 @@ fn pipeline_desc(
     let enables = &context.state.enables;
     let raster = &context.state.raster;
     let state = &context.state.fragment;
-    let depth = (enables.has(Flag::DepthTest) && pass.depth.is_some())
+    let has = draw_planes(context);
+    let depth = (enables.has(Flag::DepthTest) && has.depth)
         .then_some(DepthState { test: state.depth_func, write: state.depth_write });
-    let color = ColorState {
-        blend: enables.has(Flag::Blend).then_some(state.blend),
-        mask: state.color_mask,
+    let colors = state
+        .buffers
+        .iter()
+        .take(pass.colors.len())
+        .map(|buffer| ColorState { blend: buffer.blend.then_some(state.blend), mask: buffer.mask });
+    let two_side = enables.has(Flag::StencilTestTwoSide);
+    let back = if two_side { Side::TwoSideBack } else { Side::Back };
+    let output = OutputState {
+        stencil: (enables.has(Flag::StencilTest) && has.stencil)
+            .then(|| state.stencil.to_driver(back)),
+        logic_op: enables.has(Flag::ColorLogicOp).then_some(state.logic_op),
+        srgb: srgb_write(context),
     };
     PipelineDesc {
         vertex,
@@ -129,7 +141,8 @@ fn pipeline_desc(
         front_face: raster.front_face,
         provoking: Provoking::Last,
         depth,
-        colors: vec![color; pass.colors.len()],
+        colors: colors.collect(),
+        output,
     }
 }
 

@@ -2,6 +2,7 @@
 
 use crate::context::Context;
 use crate::fixed::word;
+use crate::framebuffer::complete::draw_pass;
 use crate::interface::*;
 use glam::{DMat3, DMat4};
 
@@ -63,6 +64,7 @@ fn initial(var: StateVar) -> Vec<f64> {
         | StateVar::TextureEnvColor(_)
         | StateVar::NormalScale
         | StateVar::ClipEnables
+        | StateVar::FramebufferHeight
         | StateVar::Point => vec![0.0; var.words() as usize],
     }
 }
@@ -99,6 +101,10 @@ fn put_state(context: &Context, words: &mut [u32], binding: StateBinding) {
             let limits = [points.size, points.size_min, points.size_max, points.fade];
             let all = limits.into_iter().chain(points.attenuation);
             put(words, word, all.map(f64::from));
+        }
+        StateVar::FramebufferHeight => {
+            let height = draw_pass(context).map_or(0, |pass| pass.height);
+            put(words, word, [height.into()]);
         }
         StateVar::ClipPlane(_)
         | StateVar::ClipEnables

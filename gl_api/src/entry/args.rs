@@ -1,6 +1,7 @@
 //! What a parameter of an entry point accepts: what C would convert implicitly, and slices where C
 //! has pointers.
 
+use crate::context::GLDEBUGPROC;
 use bytemuck::{NoUninit, Pod};
 
 /// Something that can be passed where an entry point expects a `T`.
@@ -134,6 +135,28 @@ impl<'a> Arg<Data<'a>> for usize {
     }
 }
 
+/// Where C has an array of `const void *`.
+#[derive(Clone, Debug)]
+pub struct Pointers<'a>(pub Vec<Data<'a>>);
+
+impl<'a> Arg<Pointers<'a>> for Pointers<'a> {
+    fn arg(self) -> Self {
+        self
+    }
+}
+
+impl<'a, T: Copy + Arg<Data<'a>>> Arg<Pointers<'a>> for &[T] {
+    fn arg(self) -> Pointers<'a> {
+        Pointers(self.iter().map(|&pointer| pointer.arg()).collect())
+    }
+}
+
+impl<'a, T: Copy + Arg<Data<'a>>, const N: usize> Arg<Pointers<'a>> for &[T; N] {
+    fn arg(self) -> Pointers<'a> {
+        self.as_slice().arg()
+    }
+}
+
 /// Where C has a `void *` that the call writes to.
 #[derive(Debug)]
 pub enum DataOut<'a> {
@@ -263,6 +286,30 @@ macro_rules! null_pointers {
 }
 
 null_pointers!(i8, u8, i16, u16, i32, u32, f32, f64);
+
+impl<T> Arg<*const T> for *const T {
+    fn arg(self) -> Self {
+        self
+    }
+}
+
+impl<T> Arg<*mut T> for *mut T {
+    fn arg(self) -> Self {
+        self
+    }
+}
+
+impl Arg<GLDEBUGPROC> for GLDEBUGPROC {
+    fn arg(self) -> Self {
+        self
+    }
+}
+
+impl<'a, T> Arg<&'a mut [*mut T]> for &'a mut *mut T {
+    fn arg(self) -> &'a mut [*mut T] {
+        std::slice::from_mut(self)
+    }
+}
 
 impl<'a> Arg<&'a str> for &'a str {
     fn arg(self) -> &'a str {

@@ -4,6 +4,7 @@
 //! twice; a call from within a call finds no context, and is ignored.
 
 use crate::context::Context;
+use crate::types::GLvoid;
 use std::cell::Cell;
 use std::fmt;
 use std::marker::PhantomData;
@@ -38,6 +39,12 @@ impl Fallback for u32 {
 impl Fallback for i32 {
     fn fallback() -> Self {
         -1
+    }
+}
+
+impl Fallback for *mut GLvoid {
+    fn fallback() -> Self {
+        std::ptr::null_mut()
     }
 }
 

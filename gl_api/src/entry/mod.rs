@@ -90,6 +90,7 @@ mod args;
 mod current;
 
 mod attributes;
+mod debugging;
 mod fragments;
 mod framebuffers;
 mod lists;
@@ -101,11 +102,12 @@ mod textures;
 mod transform;
 mod vertices;
 
-pub use args::{Arg, BUFFER_OFFSET, Data, DataOut, NULL, Null, Offset, Strings, TextOut};
+pub use args::{Arg, BUFFER_OFFSET, Data, DataOut, NULL, Null, Offset, Pointers, Strings, TextOut};
 pub(crate) use current::Fallback;
 pub use current::{Current, set_current, with_current};
 
 pub use attributes::*;
+pub use debugging::*;
 pub use fragments::*;
 pub use framebuffers::*;
 pub use lists::*;
@@ -130,6 +132,7 @@ pub(crate) enum Place {
 pub fn implemented() -> impl Iterator<Item = (&'static str, usize)> {
     [
         ATTRIBUTES,
+        DEBUGGING,
         FRAMEBUFFERS,
         FRAGMENTS,
         LISTS,

@@ -1,9 +1,9 @@
 //! Vertices: GL 2.1, sections 2.6 to 2.9. The attributes of immediate mode are in
 //! [`super::attributes`].
 
-use super::{Data, DataOut};
-use crate::draw::{arrays, calls, immediate};
-use crate::object::buffers;
+use super::{Data, DataOut, Pointers};
+use crate::draw::{arrays, calls, immediate, interleaved, restart};
+use crate::object::{buffer_map, buffers, vertex_arrays};
 use crate::types::*;
 
 entry_points! {
@@ -40,12 +40,23 @@ entry_points! {
             index: GLuint, size: GLint, ty: GLenum, normalized: bool, stride: GLsizei,
             pointer: Data<'a>
         );
+        /// Says where a generic attribute of integers is. A slice is copied now; later writes to it
+        /// are not seen.
+        vertex_attrib_i_pointer: glVertexAttribIPointer | glVertexAttribIPointerEXT (
+            index: GLuint, size: GLint, ty: GLenum, stride: GLsizei, pointer: Data<'a>
+        );
+        /// Lets a generic attribute go on once in so many instances; 0 is once a vertex.
+        vertex_attrib_divisor: glVertexAttribDivisor | glVertexAttribDivisorARB
+            (index: GLuint, divisor: GLuint);
         /// Switches the array of a generic attribute on.
         enable_vertex_attrib_array: glEnableVertexAttribArray | glEnableVertexAttribArrayARB
             (index: GLuint);
         /// Switches the array of a generic attribute off.
         disable_vertex_attrib_array: glDisableVertexAttribArray | glDisableVertexAttribArrayARB
             (index: GLuint);
+        /// Where the array of a generic attribute begins; an offset for one in a buffer.
+        get_vertex_attrib_pointerv: glGetVertexAttribPointerv | glGetVertexAttribPointervARB
+            (index: GLuint, pname: GLenum, pointer: &'a mut [*mut GLvoid]);
         /// Reads what is known of a generic attribute.
         get_vertex_attribfv: glGetVertexAttribfv | glGetVertexAttribfvARB
             (index: GLuint, pname: GLenum, params: &'a mut [GLfloat]);
@@ -53,9 +64,55 @@ entry_points! {
         get_vertex_attribiv: glGetVertexAttribiv | glGetVertexAttribivARB
             (index: GLuint, pname: GLenum, params: &'a mut [GLint]);
     }
+    Anywhere in calls {
+        /// Sets every attribute that has an array to an element of it, and ends the vertex.
+        array_element: glArrayElement | glArrayElementEXT (i: GLint);
+    }
+    Anywhere in restart {
+        /// Ends a primitive and begins another, between `glBegin` and `glEnd`.
+        primitive_restart: glPrimitiveRestartNV ();
+    }
+    Outside in restart {
+        /// The index that restarts a primitive while `GL_PRIMITIVE_RESTART` is on.
+        primitive_restart_index: glPrimitiveRestartIndex | glPrimitiveRestartIndexNV
+            (index: GLuint);
+    }
+    Outside in interleaved {
+        /// Says where several attributes are that lie side by side, and which arrays are on.
+        interleaved_arrays: glInterleavedArrays
+            (format: GLenum, stride: GLsizei, pointer: Data<'a>);
+    }
+    Outside in vertex_arrays {
+        /// Makes `n` unused names of vertex array objects.
+        gen_vertex_arrays: glGenVertexArrays (n: GLsizei, arrays: &'a mut [GLuint]);
+        /// Deletes vertex array objects; a bound one is unbound.
+        delete_vertex_arrays: glDeleteVertexArrays (n: GLsizei, arrays: &'a [GLuint]);
+        /// Makes a vertex array object the current one; 0 is the default one.
+        bind_vertex_array: glBindVertexArray (array: GLuint);
+        /// Whether a name is a vertex array object that has been bound.
+        is_vertex_array: glIsVertexArray (array: GLuint) -> bool;
+    }
     Outside in calls {
         /// Draws `count` vertices of the arrays from `first` on.
         draw_arrays: glDrawArrays (mode: GLenum, first: GLint, count: GLsizei);
+        /// Draws the same vertices of the arrays many times; `gl_InstanceID` counts.
+        draw_arrays_instanced: glDrawArraysInstanced | glDrawArraysInstancedARB
+                | glDrawArraysInstancedEXT
+            (mode: GLenum, first: GLint, count: GLsizei, instancecount: GLsizei);
+        /// Draws vertices of the arrays by index many times; `gl_InstanceID` counts.
+        draw_elements_instanced: glDrawElementsInstanced | glDrawElementsInstancedARB
+                | glDrawElementsInstancedEXT (
+            mode: GLenum, count: GLsizei, ty: GLenum, indices: Data<'a>, instancecount: GLsizei
+        );
+        /// Draws vertices of the arrays by index; `basevertex` is added to each.
+        draw_elements_base_vertex: glDrawElementsBaseVertex (
+            mode: GLenum, count: GLsizei, ty: GLenum, indices: Data<'a>, basevertex: GLint
+        );
+        /// Draws by several runs of indices.
+        multi_draw_elements: glMultiDrawElements | glMultiDrawElementsEXT (
+            mode: GLenum, count: &'a [GLsizei], ty: GLenum, indices: Pointers<'a>,
+            drawcount: GLsizei
+        );
         /// Draws several runs of vertices of the arrays.
         multi_draw_arrays: glMultiDrawArrays
             (mode: GLenum, first: &'a [GLint], count: &'a [GLsizei], primcount: GLsizei);
@@ -86,6 +143,28 @@ entry_points! {
         /// Reads a part of a buffer.
         get_buffer_sub_data: glGetBufferSubData | glGetBufferSubDataARB
             (target: GLenum, offset: GLintptr, size: GLsizeiptr, data: DataOut<'a>);
+    }
+    Outside in buffer_map {
+        /// Gives the buffer's bytes to the client until `glUnmapBuffer`; see also
+        /// [`crate::Context::mapped_bytes`].
+        map_buffer: glMapBuffer | glMapBufferARB (target: GLenum, access: GLenum) -> *mut GLvoid;
+        /// Gives a part of the buffer's bytes to the client until `glUnmapBuffer`.
+        map_buffer_range: glMapBufferRange (
+            target: GLenum, offset: GLintptr, length: GLsizeiptr, access: GLbitfield
+        ) -> *mut GLvoid;
+        /// Says which mapped bytes were written; all are taken at `glUnmapBuffer`.
+        flush_mapped_buffer_range: glFlushMappedBufferRange
+            (target: GLenum, offset: GLintptr, length: GLsizeiptr);
+        /// Takes the bytes back; false if it was not mapped.
+        unmap_buffer: glUnmapBuffer | glUnmapBufferARB (target: GLenum) -> bool;
+        /// Copies bytes from a buffer to another, or to itself.
+        copy_buffer_sub_data: glCopyBufferSubData (
+            readtarget: GLenum, writetarget: GLenum, readoffset: GLintptr, writeoffset: GLintptr,
+            size: GLsizeiptr
+        );
+        /// Where a buffer is mapped; null if it is not.
+        get_buffer_pointerv: glGetBufferPointerv | glGetBufferPointervARB
+            (target: GLenum, pname: GLenum, params: &'a mut [*mut GLvoid]);
         /// Reads what is known of a buffer.
         get_buffer_parameteriv: glGetBufferParameteriv | glGetBufferParameterivARB
             (target: GLenum, pname: GLenum, params: &'a mut [GLint]);

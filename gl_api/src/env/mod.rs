@@ -3,7 +3,7 @@
 use crate::constants::*;
 use crate::context::{Context, limits};
 use crate::error::{Result, Table, invalid_operation};
-use crate::interface::MAX_TEXTURE_UNITS;
+use crate::interface::{MAX_COMBINED_TEXTURE_IMAGE_UNITS, MAX_TEXTURE_UNITS};
 use crate::state::viewport::unit as clamp_unit;
 use crate::texture::TextureTarget;
 use crate::types::*;
@@ -49,7 +49,7 @@ pub(crate) struct Unit {
 /// All units, and which one calls work on.
 #[derive(Clone, Debug)]
 pub(crate) struct Units {
-    pub units: [Unit; MAX_TEXTURE_UNITS as usize],
+    pub units: [Unit; MAX_COMBINED_TEXTURE_IMAGE_UNITS as usize],
     pub active: u8,
     pub client_active: u8,
 }
@@ -75,6 +75,25 @@ impl Units {
 
     pub fn active_mut(&mut self) -> &mut Unit {
         &mut self.units[usize::from(self.active)]
+    }
+
+    /// The active unit as the number of a set of texture coordinates.
+    ///
+    /// # Errors
+    /// `GL_INVALID_OPERATION` where the unit is for images alone (GL 2.1, section 2.11.2).
+    pub fn active_coordinates(&self, section: &'static str) -> Result<usize> {
+        if self.active < MAX_TEXTURE_UNITS {
+            return Ok(self.active.into());
+        }
+        invalid_operation(
+            section,
+            format!(
+                "the active unit GL_TEXTURE{} is for images alone: coordinates and matrices are of \
+                 GL_TEXTURE0 to GL_TEXTURE{}",
+                self.active,
+                MAX_TEXTURE_UNITS - 1
+            ),
+        )
     }
 }
 

@@ -65,7 +65,7 @@ pub(super) fn module(key: &FragmentKey) -> Module {
         Interpolation::Smooth;
         usize::from(VARYING_TEX_COORD) + 4 * MAX_TEXTURE_UNITS as usize
     ];
-    set_shade_model(&mut module, key.shade_model);
+    set_shade_model(&mut module, key.shade_model, [None; 2]);
     if key.rim == Rim::Smooth {
         super::add_coverage(&mut module);
     }
@@ -86,7 +86,8 @@ pub(super) fn module(key: &FragmentKey) -> Module {
 
 /// The texel of a unit: at `s/q, t/q`, compared with `r/q` where it is a shadow map.
 fn sample(b: &mut Builder, unit: &UnitKey) -> [Value; 4] {
-    let texture = b.texture(TextureDecl { shape: unit.shape, compare: unit.compare });
+    let texture =
+        b.texture(TextureDecl { compare: unit.compare, ..TextureDecl::color(unit.shape) });
     let first = VARYING_TEX_COORD + 4 * u16::from(unit.unit);
     let [mut s, mut t, mut r, q] = [0, 1, 2, 3].map(|i| b.input(Input::Varying(first + i)));
     // A cube map's coordinates are a direction, which q does not change.
@@ -103,13 +104,20 @@ fn sample(b: &mut Builder, unit: &UnitKey) -> [Value; 4] {
     b.sample(texture, coords, reference, Lod::Implicit { bias: None })
 }
 
-/// Makes the colours of a fragment stage flat, or smooth (GL 2.1, section 2.14.7).
-pub(crate) fn set_shade_model(module: &mut Module, shade_model: Interpolation) {
-    let primary = VARYING_COLOR..VARYING_TEX_COORD;
-    let back = VARYING_BACK_COLOR..VARYING_USER;
-    for slot in primary.chain(back) {
-        if let Some(interpolation) = module.varyings.get_mut(usize::from(slot)) {
-            *interpolation = shade_model;
+/// Makes the colours of a fragment stage flat, or smooth (GL 2.1, section 2.14.7), but for those
+/// whose interpolation the shaders say: the colour, the secondary colour.
+pub(crate) fn set_shade_model(
+    module: &mut Module,
+    shade_model: Interpolation,
+    said: [Option<Interpolation>; 2],
+) {
+    for (first, said) in [0, 4].into_iter().zip(said) {
+        let front = VARYING_COLOR + first;
+        let back = VARYING_BACK_COLOR + first;
+        for slot in (front..front + 4).chain(back..back + 4) {
+            if let Some(interpolation) = module.varyings.get_mut(usize::from(slot)) {
+                *interpolation = said.unwrap_or(shade_model);
+            }
         }
     }
 }

@@ -112,8 +112,9 @@ static NAMES: [(&str, Type, Since); 56] = {
     const V120: Since = Since::V120;
     const V130: Since = Since::V130;
     const INTEGER: Since = V130.or(Extension::GpuShader4);
-    const ARRAY: Since = V130.or(Extension::TextureArray);
+    const ARRAY: Since = INTEGER.or(Extension::TextureArray);
     const RECT: Since = Since::only(Extension::TextureRectangle);
+    const INTEGER_RECT: Since = Since::only(Extension::GpuShader4).or(Extension::TextureRectangle);
     const fn plain(dim: Dim, scalar: Scalar) -> Type {
         Type::Sampler(Sampler { dim, scalar, comparison: Comparison::No })
     }
@@ -163,8 +164,8 @@ static NAMES: [(&str, Type, Since); 56] = {
         ("isamplerCube", plain(Cube, Int), INTEGER),
         ("usamplerCube", plain(Cube, Uint), INTEGER),
         ("sampler2DRect", plain(Rect, Float), RECT),
-        ("isampler2DRect", plain(Rect, Int), Since::only(Extension::GpuShader4)),
-        ("usampler2DRect", plain(Rect, Uint), Since::only(Extension::GpuShader4)),
+        ("isampler2DRect", plain(Rect, Int), INTEGER_RECT),
+        ("usampler2DRect", plain(Rect, Uint), INTEGER_RECT),
         ("sampler1DArray", plain(D1Array, Float), ARRAY),
         ("isampler1DArray", plain(D1Array, Int), INTEGER),
         ("usampler1DArray", plain(D1Array, Uint), INTEGER),

@@ -48,6 +48,8 @@ pub enum Extension {
     DrawBuffers,
     /// `GL_ARB_draw_instanced`: `gl_InstanceIDARB`.
     DrawInstanced,
+    /// `GL_ARB_fragment_coord_conventions`: `layout(...)` of `gl_FragCoord`.
+    FragmentCoordConventions,
     /// `GL_ARB_shader_texture_lod`: explicit levels and gradients in both stages.
     ShaderTextureLod,
     /// `GL_ARB_texture_rectangle`: `sampler2DRect`.
@@ -62,9 +64,10 @@ pub enum Extension {
 
 impl Extension {
     /// Every extension and its name.
-    pub const ALL: [(Self, &'static str); 7] = [
+    pub const ALL: [(Self, &'static str); 8] = [
         (Self::DrawBuffers, "GL_ARB_draw_buffers"),
         (Self::DrawInstanced, "GL_ARB_draw_instanced"),
+        (Self::FragmentCoordConventions, "GL_ARB_fragment_coord_conventions"),
         (Self::ShaderTextureLod, "GL_ARB_shader_texture_lod"),
         (Self::TextureRectangle, "GL_ARB_texture_rectangle"),
         (Self::GpuShader4, "GL_EXT_gpu_shader4"),
@@ -87,7 +90,7 @@ impl Extension {
         (self == Self::StandardDerivatives) == (version == Version::Es100)
     }
 
-    fn bit(self) -> u16 {
+    const fn bit(self) -> u16 {
         1 << self as u16
     }
 }
@@ -113,9 +116,12 @@ pub struct Language {
 }
 
 impl From<Version> for Language {
-    /// A version without extensions.
+    /// A version as it begins: rectangles are the one extension that is there unasked, as
+    /// `GL_ARB_texture_rectangle` says.
     fn from(version: Version) -> Self {
-        Self { version, enabled: 0, warned: 0 }
+        let rectangles = Extension::TextureRectangle;
+        let enabled = if rectangles.is_in(version) { rectangles.bit() } else { 0 };
+        Self { version, enabled, warned: 0 }
     }
 }
 
@@ -142,13 +148,16 @@ impl Language {
 
     /// Whether what came so is here.
     pub fn has(self, since: Since) -> bool {
-        self.has_core(since) || since.extension.is_some_and(|extension| self.enabled(extension))
+        self.has_core(since) || since.extensions & self.enabled != 0
     }
 
     /// The extension that what came so is here by, if uses of it are to be reported.
     pub fn warns(self, since: Since) -> Option<Extension> {
-        let extension = since.extension.filter(|extension| self.enabled(*extension))?;
-        (!self.has_core(since) && self.warned & extension.bit() != 0).then_some(extension)
+        let enabled = since.extensions & self.enabled;
+        if self.has_core(since) || enabled & !self.warned != 0 {
+            return None;
+        }
+        since.extensions().find(|extension| self.warned & extension.bit() != 0)
     }
 
     fn has_core(self, since: Since) -> bool {
@@ -164,11 +173,11 @@ impl Language {
         if self.has_core(since) {
             return None;
         }
-        let extension = since.extension.filter(|extension| extension.is_in(self.version));
-        let extension = extension.map(|known| format!("`#extension {} : enable`", known.name()));
+        let extensions = since.extensions().filter(|extension| extension.is_in(self.version));
+        let extensions = extensions.map(|known| format!("`#extension {} : enable`", known.name()));
         let core = since.core.filter(|core| *core > self.version || self.version == Version::Es100);
         let core = core.map(|core| format!("`#version {}`", core.number()));
-        let ways: Vec<String> = core.into_iter().chain(extension).collect();
+        let ways: Vec<String> = core.into_iter().chain(extensions).collect();
         (!ways.is_empty()).then(|| format!("write {} first", ways.join(" or ")))
     }
 }
@@ -178,30 +187,36 @@ impl Language {
 pub struct Since {
     core: Option<Version>,
     es: bool,
-    extension: Option<Extension>,
+    /// The bits of the extensions of which any brings it.
+    extensions: u16,
 }
 
 impl Since {
     /// Every version.
     pub const ALWAYS: Self = Self { es: true, ..Self::V110 };
     /// Every version but that of OpenGL ES.
-    pub const V110: Self = Self { core: Some(Version::V110), es: false, extension: None };
+    pub const V110: Self = Self { core: Some(Version::V110), es: false, extensions: 0 };
     /// From GLSL 1.20 on.
     pub const V120: Self = Self { core: Some(Version::V120), ..Self::V110 };
     /// From GLSL 1.30 on.
     pub const V130: Self = Self { core: Some(Version::V130), ..Self::V110 };
 
     /// GLSL ES 1.00 alone.
-    pub const ES: Self = Self { core: None, es: true, extension: None };
+    pub const ES: Self = Self { core: None, es: true, extensions: 0 };
 
     /// An extension alone.
     pub const fn only(extension: Extension) -> Self {
-        Self { core: None, es: false, extension: Some(extension) }
+        Self { core: None, es: false, extensions: extension.bit() }
     }
 
     /// An extension too.
     pub const fn or(self, extension: Extension) -> Self {
-        Self { extension: Some(extension), ..self }
+        Self { extensions: self.extensions | extension.bit(), ..self }
+    }
+
+    fn extensions(self) -> impl Iterator<Item = Extension> {
+        let all = Extension::ALL.into_iter().map(|(extension, _)| extension);
+        all.filter(move |extension| self.extensions & extension.bit() != 0)
     }
 
     /// GLSL ES 1.00 too.

@@ -16,6 +16,8 @@ pub(super) enum Class {
 
 /// The calls that are not recorded by the table of entry points, sorted.
 const IMMEDIATE: &[&str] = &[
+    "glArrayElement",
+    "glArrayElementEXT",
     "glAttachObjectARB",
     "glAttachShader",
     "glBegin",
@@ -74,10 +76,12 @@ const IMMEDIATE: &[&str] = &[
     "glDrawArraysEXT",
     "glDrawArraysInstanced",
     "glDrawArraysInstancedARB",
+    "glDrawArraysInstancedEXT",
     "glDrawElements",
     "glDrawElementsBaseVertex",
     "glDrawElementsInstanced",
     "glDrawElementsInstancedARB",
+    "glDrawElementsInstancedEXT",
     "glDrawRangeElements",
     "glDrawRangeElementsEXT",
     "glEdgeFlagPointer",

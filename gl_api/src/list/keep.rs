@@ -2,8 +2,8 @@
 //! call again.
 
 use super::pixels;
-use crate::context::Context;
-use crate::entry::{Data, DataOut, Strings, TextOut};
+use crate::context::{Context, GLDEBUGPROC};
+use crate::entry::{Data, DataOut, Pointers, Strings, TextOut};
 use std::convert::Infallible;
 use std::marker::PhantomData;
 
@@ -153,7 +153,13 @@ macro_rules! answers {
 
 answers! {
     [T: 'static] &mut [T], [T; 1] => &'a mut [T];
+    // Pointers that a call keeps are the client's own.
+    [T: 'static] *const T, *const T => *const T;
+    [T: 'static] *mut T, *mut T => *mut T;
+    [] GLDEBUGPROC, GLDEBUGPROC => GLDEBUGPROC;
     [] DataOut<'_>, DataOut<'static> => DataOut<'a>;
+    // Draws of arrays record themselves.
+    [] Pointers<'_>, Pointers<'static> => Pointers<'a>;
     // The source of a shader is taken at once.
     [] Strings<'_>, Strings<'static> => Strings<'a>;
     [] TextOut<'_>, TextOut<'static> => TextOut<'a>;

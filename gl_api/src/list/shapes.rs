@@ -167,6 +167,7 @@ impl Shapes {
             ty: VertexType::F32,
             components: 4,
             format: VertexFormat::Plain,
+            divisor: 0,
         };
         let vertices = (0..LOCATIONS)
             .map(|location| {
@@ -181,7 +182,7 @@ impl Shapes {
                 VertexBinding { location: location as u8, source }
             })
             .collect();
-        let elements = Elements::Range { first: 0, count: self.count as u32 };
+        let elements = Elements::Range { first: 0, count: self.count as u32, instances: 1 };
         draw(context, self.topology, vertices, &elements)
     }
 }

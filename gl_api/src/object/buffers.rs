@@ -7,7 +7,6 @@ use crate::entry::{Data, DataOut};
 use crate::error::{
     ErrorCode, GlError, Result, Table, invalid_operation, invalid_value, not_negative,
 };
-use crate::query::put;
 use crate::types::*;
 use rasterizer::driver::Buffer;
 
@@ -16,8 +15,33 @@ const SECTION: &str = "GL 2.1, section 2.9";
 /// A buffer object.
 #[derive(Clone, Debug)]
 pub(crate) struct BufferObject {
+    /// Empty while it is mapped.
     pub buffer: Buffer,
     pub usage: GLenum,
+    pub map: Option<Map>,
+    /// `GL_BUFFER_ACCESS`, of the last mapping.
+    pub access: GLenum,
+}
+
+impl BufferObject {
+    fn new() -> Self {
+        Self { buffer: Buffer::default(), usage: GL_STATIC_DRAW, map: None, access: GL_READ_WRITE }
+    }
+
+    /// Bytes, mapped or not.
+    pub fn len(&self) -> usize {
+        self.map.as_ref().map_or(self.buffer.bytes().len(), |map| map.bytes.len())
+    }
+}
+
+/// A buffer's bytes while the client has them.
+#[derive(Clone, Debug)]
+pub(crate) struct Map {
+    pub bytes: Vec<u8>,
+    /// Which of them.
+    pub range: std::ops::Range<usize>,
+    /// What the client said it would do (`GL_MAP_…_BIT`).
+    pub access: GLbitfield,
 }
 
 /// What a buffer can be bound to.
@@ -27,10 +51,19 @@ pub(crate) enum BufferTarget {
     ElementArray,
     PixelPack,
     PixelUnpack,
+    CopyRead,
+    CopyWrite,
 }
 
 impl BufferTarget {
-    const ALL: [Self; 4] = [Self::Array, Self::ElementArray, Self::PixelPack, Self::PixelUnpack];
+    const ALL: [Self; 6] = [
+        Self::Array,
+        Self::ElementArray,
+        Self::PixelPack,
+        Self::PixelUnpack,
+        Self::CopyRead,
+        Self::CopyWrite,
+    ];
 }
 
 pub(crate) const BUFFER_TARGET: Table<BufferTarget> = Table {
@@ -40,6 +73,8 @@ pub(crate) const BUFFER_TARGET: Table<BufferTarget> = Table {
         (GL_ELEMENT_ARRAY_BUFFER, BufferTarget::ElementArray),
         (GL_PIXEL_PACK_BUFFER, BufferTarget::PixelPack),
         (GL_PIXEL_UNPACK_BUFFER, BufferTarget::PixelUnpack),
+        (GL_COPY_READ_BUFFER, BufferTarget::CopyRead),
+        (GL_COPY_WRITE_BUFFER, BufferTarget::CopyWrite),
     ],
 };
 
@@ -59,17 +94,19 @@ const USAGE: Table<GLenum> = Table {
     ],
 };
 
-fn binding(context: &mut Context, target: BufferTarget) -> &mut GLuint {
+pub(super) fn binding(context: &mut Context, target: BufferTarget) -> &mut GLuint {
     match target {
         BufferTarget::Array => &mut context.state.bindings.array_buffer,
         BufferTarget::ElementArray => &mut context.state.bindings.element_array_buffer,
         BufferTarget::PixelPack => &mut context.state.bindings.pixel_pack_buffer,
         BufferTarget::PixelUnpack => &mut context.state.bindings.pixel_unpack_buffer,
+        BufferTarget::CopyRead => &mut context.state.bindings.copy_read_buffer,
+        BufferTarget::CopyWrite => &mut context.state.bindings.copy_write_buffer,
     }
 }
 
 /// The buffer that is bound to a target.
-fn bound(context: &mut Context, target: GLenum) -> Result<&mut BufferObject> {
+pub(super) fn bound(context: &mut Context, target: GLenum) -> Result<&mut BufferObject> {
     let name = *binding(context, BUFFER_TARGET.decode("target", target)?);
     match context.objects.buffers.get_mut(name) {
         Some(object) => Ok(object),
@@ -100,10 +137,7 @@ pub(crate) fn delete_buffers(context: &mut Context, n: GLsizei, buffers: &[GLuin
 
 pub(crate) fn bind_buffer(context: &mut Context, target: GLenum, buffer: GLuint) -> Result<()> {
     let target = BUFFER_TARGET.decode("target", target)?;
-    context
-        .objects
-        .buffers
-        .create(buffer, || BufferObject { buffer: Buffer::default(), usage: GL_STATIC_DRAW });
+    context.objects.buffers.create(buffer, BufferObject::new);
     *binding(context, target) = buffer;
     Ok(())
 }
@@ -152,16 +186,25 @@ pub(crate) fn buffer_data(
     }
     object.buffer = Buffer::new(bytes);
     object.usage = usage;
+    object.map = None;
     Ok(())
 }
 
+/// A buffer that the client does not have mapped.
+pub(super) fn unmapped(object: &mut BufferObject) -> Result<&mut BufferObject> {
+    match object.map {
+        None => Ok(object),
+        Some(_) => invalid_operation(SECTION, "the buffer is mapped: call glUnmapBuffer"),
+    }
+}
+
 /// The byte range of a call on a part of a buffer.
-fn range(
+pub(super) fn range(
     object: &BufferObject,
     offset: GLintptr,
     size: GLsizeiptr,
 ) -> Result<std::ops::Range<usize>> {
-    let length = object.buffer.bytes().len();
+    let length = object.len();
     let offset = not_negative(SECTION, "offset", offset as i64)?;
     let size = not_negative(SECTION, "size", size as i64)?;
     match offset.checked_add(size) {
@@ -180,7 +223,7 @@ pub(crate) fn buffer_sub_data(
     size: GLsizeiptr,
     data: Data<'_>,
 ) -> Result<()> {
-    let object = bound(context, target)?;
+    let object = unmapped(bound(context, target)?)?;
     let range = range(object, offset, size)?;
     match data {
         Data::Bytes(source) if source.len() >= range.len() => {
@@ -203,7 +246,7 @@ pub(crate) fn get_buffer_sub_data(
     size: GLsizeiptr,
     data: DataOut<'_>,
 ) -> Result<()> {
-    let object = bound(context, target)?;
+    let object = unmapped(bound(context, target)?)?;
     let range = range(object, offset, size)?;
     match data {
         DataOut::Bytes(out) if out.len() >= range.len() => {
@@ -216,37 +259,4 @@ pub(crate) fn get_buffer_sub_data(
         ),
         DataOut::Null | DataOut::Offset(_) => invalid_operation(SECTION, "data must be a slice"),
     }
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Property {
-    Size,
-    Usage,
-    Access,
-    Mapped,
-}
-
-pub(crate) fn get_buffer_parameteriv(
-    context: &mut Context,
-    target: GLenum,
-    pname: GLenum,
-    params: &mut [GLint],
-) -> Result<()> {
-    const PROPERTY: Table<Property> = Table {
-        section: "GL 2.1, section 6.1.13",
-        rows: &[
-            (GL_BUFFER_SIZE, Property::Size),
-            (GL_BUFFER_USAGE, Property::Usage),
-            (GL_BUFFER_ACCESS, Property::Access),
-            (GL_BUFFER_MAPPED, Property::Mapped),
-        ],
-    };
-    let object = bound(context, target)?;
-    let value = match PROPERTY.decode("pname", pname)? {
-        Property::Size => object.buffer.bytes().len() as GLint,
-        Property::Usage => object.usage as GLint,
-        Property::Access => GL_READ_WRITE as GLint,
-        Property::Mapped => 0,
-    };
-    put(params, &[value])
 }

@@ -1,5 +1,6 @@
 //! Objects and their names: GL 2.1, sections 2.9, 2.15 and 3.8.12; framebuffer objects.
 
+pub(crate) mod buffer_map;
 pub(crate) mod buffers;
 pub(crate) mod framebuffers;
 pub(crate) mod programs;
@@ -7,7 +8,9 @@ pub(crate) mod renderbuffers;
 pub(crate) mod samplers;
 pub(crate) mod shaders;
 pub(crate) mod sharing;
+pub(crate) mod syncs;
 pub(crate) mod textures;
+pub(crate) mod vertex_arrays;
 
 use crate::error::{Result, invalid_operation, not_negative};
 use crate::list::List;
@@ -77,6 +80,11 @@ impl<T> Names<T> {
         }
     }
 
+    /// Whether a name was made, with an object or without.
+    fn is_reserved(&self, name: GLuint) -> bool {
+        self.objects.contains_key(&name)
+    }
+
     /// The object of a name.
     pub fn get(&self, name: GLuint) -> Option<&T> {
         self.objects.get(&name)?.as_ref()
@@ -122,6 +130,10 @@ pub(crate) struct Objects {
     pub renderbuffers: Names<renderbuffers::Renderbuffer>,
     /// Shaders and programs share one space of names.
     pub programs: Names<programs::ShaderOrProgram>,
+    /// Vertex array objects; that of name 0 has a place of its own while another is bound.
+    pub vertex_arrays: Names<vertex_arrays::VertexArray>,
+    pub default_vertex_array: vertex_arrays::VertexArray,
+    pub syncs: syncs::Syncs,
     /// Display lists.
     pub lists: BTreeMap<GLuint, Arc<List>>,
 }
@@ -136,6 +148,9 @@ impl Default for Objects {
             framebuffers: Names::default(),
             renderbuffers: Names::default(),
             programs: Names::default(),
+            vertex_arrays: Names::default(),
+            default_vertex_array: vertex_arrays::VertexArray::default(),
+            syncs: syncs::Syncs::default(),
             lists: BTreeMap::new(),
         }
     }

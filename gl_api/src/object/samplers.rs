@@ -5,7 +5,7 @@ use crate::constants::*;
 use crate::context::Context;
 use crate::env::unit_to_signed;
 use crate::error::{Result, invalid_enum, invalid_operation, invalid_value};
-use crate::interface::MAX_TEXTURE_UNITS;
+use crate::interface::MAX_COMBINED_TEXTURE_IMAGE_UNITS;
 use crate::query::put;
 use crate::texture::sampler::{
     SAMPLER_PARAMETER, SamplerParameter, SamplerState, Values, needs_vector,
@@ -46,11 +46,12 @@ pub(crate) fn is_sampler(context: &mut Context, sampler: GLuint) -> Result<bool>
 }
 
 pub(crate) fn bind_sampler(context: &mut Context, unit: GLuint, sampler: GLuint) -> Result<()> {
-    if unit >= u32::from(MAX_TEXTURE_UNITS) {
+    if unit >= u32::from(MAX_COMBINED_TEXTURE_IMAGE_UNITS) {
         return invalid_value(
             SECTION,
             format!(
-                "unit = {unit} must be below {MAX_TEXTURE_UNITS}: it is a number, not GL_TEXTURE0 + i"
+                "unit = {unit} must be below {MAX_COMBINED_TEXTURE_IMAGE_UNITS}: it is a number, \
+                 not GL_TEXTURE0 + i"
             ),
         );
     }

@@ -4,7 +4,7 @@ use super::doomed;
 use crate::constants::*;
 use crate::context::Context;
 use crate::error::{Result, invalid_enum, invalid_operation, invalid_value};
-use crate::interface::MAX_TEXTURE_UNITS;
+use crate::interface::{MAX_COMBINED_TEXTURE_IMAGE_UNITS, MAX_TEXTURE_UNITS};
 use crate::state::viewport::unit;
 use crate::texture::{TARGET, Texture};
 use crate::types::*;
@@ -92,23 +92,29 @@ pub(crate) fn are_textures_resident(
     Ok(true)
 }
 
-/// The unit that `GL_TEXTUREi` names.
-pub(crate) fn texture_unit(section: &'static str, texture: GLenum) -> Result<u8> {
+/// The unit that `GL_TEXTUREi` names, of so many.
+fn unit_below(section: &'static str, texture: GLenum, count: u8) -> Result<u8> {
     match texture.checked_sub(GL_TEXTURE0) {
-        Some(unit) if unit < u32::from(MAX_TEXTURE_UNITS) => Ok(unit as u8),
+        Some(unit) if unit < u32::from(count) => Ok(unit as u8),
         _ => invalid_enum(
             section,
             format!(
                 "texture = {} must be GL_TEXTURE0 to GL_TEXTURE{}",
                 enum_name(texture),
-                MAX_TEXTURE_UNITS - 1
+                count - 1
             ),
         ),
     }
 }
 
+/// The set of texture coordinates that `GL_TEXTUREi` names.
+pub(crate) fn texture_unit(section: &'static str, texture: GLenum) -> Result<u8> {
+    unit_below(section, texture, MAX_TEXTURE_UNITS)
+}
+
 pub(crate) fn active_texture(context: &mut Context, texture: GLenum) -> Result<()> {
-    context.state.units.active = texture_unit("GL 2.1, section 2.11.2", texture)?;
+    let count = MAX_COMBINED_TEXTURE_IMAGE_UNITS;
+    context.state.units.active = unit_below("GL 2.1, section 2.11.2", texture, count)?;
     Ok(())
 }
 

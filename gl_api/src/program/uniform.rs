@@ -4,7 +4,7 @@ use crate::constants::enum_name;
 use crate::context::Context;
 use crate::error::{Result, invalid_operation, invalid_value, not_negative};
 use crate::glsl::{DataType, Scalar, Uniform};
-use crate::interface::MAX_TEXTURE_UNITS;
+use crate::interface::MAX_COMBINED_TEXTURE_IMAGE_UNITS;
 use crate::object::programs::{ShaderOrProgram, gl_type};
 use crate::types::*;
 use rasterizer::ir::TRUE;
@@ -99,7 +99,7 @@ fn set(context: &mut Context, location: GLint, count: GLsizei, values: Values<'_
         DataType::Vector(Scalar::Bool, expected) if expected == size => Ok(()),
         DataType::Vector(expected, length) if expected == scalar && length == size => Ok(()),
         DataType::Sampler(_) if scalar == Scalar::Int && size == 1 => {
-            let units = 0..u32::from(MAX_TEXTURE_UNITS);
+            let units = 0..u32::from(MAX_COMBINED_TEXTURE_IMAGE_UNITS);
             let elements = usize::try_from(count).unwrap_or(0);
             match words.iter().take(elements).find(|unit| !units.contains(unit)) {
                 Some(unit) => invalid_value(
@@ -108,7 +108,7 @@ fn set(context: &mut Context, location: GLint, count: GLsizei, values: Values<'_
                         "\"{}\" is a sampler: its value {} must be a texture unit, 0 to {}",
                         uniform.name,
                         *unit as i32,
-                        MAX_TEXTURE_UNITS - 1
+                        MAX_COMBINED_TEXTURE_IMAGE_UNITS - 1
                     ),
                 ),
                 None => Ok(()),

@@ -1,6 +1,7 @@
 //! The table of state that `glGet` reads: GL 2.1, tables 6.5 to 6.37.
 
 use crate::constants::*;
+use crate::context::log::{MAX_GROUPS, MAX_LABEL, MAX_LENGTH, MAX_LOGGED};
 use crate::context::{Context, limits};
 use crate::env::Unit;
 use crate::error::{Result, Table, invalid_enum};
@@ -8,11 +9,13 @@ use crate::interface::*;
 use crate::list::calls::{MAX_LIST_NESTING, MODE};
 use crate::state::enable::{CAPABILITY, CLIENT_ARRAY};
 use crate::state::fragment::{BLEND_EQUATION, COMPARE, DST_FACTOR, SRC_FACTOR};
+use crate::state::masks::LOGIC_OP;
 use crate::state::matrix::{MATRIX_MODE, MAX_MODELVIEW_STACK_DEPTH, MAX_STACK_DEPTH, Stack};
 use crate::state::pixel_store::PixelStore;
 use crate::state::points::ORIGIN;
 use crate::state::polygon::POLYGON_MODE;
 use crate::state::raster::{FACE, FRONT_FACE, HINTS, SHADE_MODEL};
+use crate::state::stencil::{ACTIVE_FACE, STENCIL_OP, Side};
 use crate::texture::internal::COMPRESSED_FORMAT;
 use crate::texture::{TextureTarget, transfer};
 use crate::types::*;
@@ -95,11 +98,13 @@ pub(crate) fn state_value(context: &Context, pname: GLenum) -> Result<Value> {
         current,
         raster,
         fragment,
+        stencil,
         pixels,
         texture,
         framebuffer,
         bindings,
         lists,
+        debug,
     ];
     for chapter in chapters {
         if let Some(value) = chapter(context, pname) {
@@ -119,7 +124,6 @@ fn is_on(context: &Context, pname: GLenum) -> bool {
 type Answer = Option<Result<Value>>;
 
 fn limit(_: &Context, pname: GLenum) -> Answer {
-    let units = i32::from(MAX_TEXTURE_UNITS);
     let attachments = limits::MAX_COLOR_ATTACHMENTS as i32;
     let sizes = limits::MAX_VIEWPORT_DIMS as i32;
     Some(match pname {
@@ -130,11 +134,11 @@ fn limit(_: &Context, pname: GLenum) -> Answer {
         GL_MAX_3D_TEXTURE_SIZE => int(limits::MAX_3D_TEXTURE_SIZE),
         GL_MAX_ARRAY_TEXTURE_LAYERS => int(limits::MAX_ARRAY_TEXTURE_LAYERS),
         GL_MAX_VIEWPORT_DIMS => ints(&[sizes; 2]),
-        GL_MAX_TEXTURE_UNITS
-        | GL_MAX_TEXTURE_COORDS
-        | GL_MAX_TEXTURE_IMAGE_UNITS
-        | GL_MAX_VERTEX_TEXTURE_IMAGE_UNITS
-        | GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS => int(units),
+        GL_MAX_TEXTURE_UNITS | GL_MAX_TEXTURE_COORDS => int(MAX_TEXTURE_UNITS),
+        GL_MAX_TEXTURE_IMAGE_UNITS | GL_MAX_VERTEX_TEXTURE_IMAGE_UNITS => {
+            int(MAX_TEXTURE_IMAGE_UNITS)
+        }
+        GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS => int(MAX_COMBINED_TEXTURE_IMAGE_UNITS),
         GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT => float(texunit::sampler::MAX_ANISOTROPY),
         GL_MAX_TEXTURE_LOD_BIAS => float(limits::MAX_TEXTURE_LOD_BIAS),
         GL_MAX_VERTEX_ATTRIBS => int(MAX_VERTEX_ATTRIBS),
@@ -158,7 +162,8 @@ fn limit(_: &Context, pname: GLenum) -> Answer {
         GL_MAJOR_VERSION => int(2),
         GL_MINOR_VERSION => int(1),
         GL_NUM_EXTENSIONS => int(super::get::EXTENSIONS.split(' ').count()),
-        GL_SAMPLE_BUFFERS | GL_SAMPLES | GL_STEREO | GL_AUX_BUFFERS | GL_INDEX_BITS => int(0),
+        GL_STEREO | GL_AUX_BUFFERS | GL_INDEX_BITS => int(0),
+        GL_MAX_SAMPLES => int(limits::MAX_SAMPLES),
         GL_DOUBLEBUFFER => flag(false),
         GL_RGBA_MODE => flag(true),
         _ => return None,
@@ -168,18 +173,21 @@ fn limit(_: &Context, pname: GLenum) -> Answer {
 fn transform(context: &Context, pname: GLenum) -> Answer {
     let state = &context.state;
     let matrices = &state.matrices;
-    let texture = &matrices.texture[usize::from(state.units.active)];
+    let texture = || {
+        let unit = state.units.active_coordinates("GL 2.1, section 2.11.2")?;
+        Ok(&matrices.texture[unit])
+    };
     Some(match pname {
         GL_MATRIX_MODE => symbol(MATRIX_MODE.encode(matrices.mode)),
         GL_MODELVIEW_MATRIX => matrix(&matrices.modelview, false),
         GL_PROJECTION_MATRIX => matrix(&matrices.projection, false),
-        GL_TEXTURE_MATRIX => matrix(texture, false),
+        GL_TEXTURE_MATRIX => texture().and_then(|texture| matrix(texture, false)),
         GL_TRANSPOSE_MODELVIEW_MATRIX => matrix(&matrices.modelview, true),
         GL_TRANSPOSE_PROJECTION_MATRIX => matrix(&matrices.projection, true),
-        GL_TRANSPOSE_TEXTURE_MATRIX => matrix(texture, true),
+        GL_TRANSPOSE_TEXTURE_MATRIX => texture().and_then(|texture| matrix(texture, true)),
         GL_MODELVIEW_STACK_DEPTH => int(matrices.modelview.depth()),
         GL_PROJECTION_STACK_DEPTH => int(matrices.projection.depth()),
-        GL_TEXTURE_STACK_DEPTH => int(texture.depth()),
+        GL_TEXTURE_STACK_DEPTH => texture().and_then(|texture| int(texture.depth())),
         GL_VIEWPORT => {
             let viewport = &state.viewport;
             ints(&[viewport.x, viewport.y, viewport.width, viewport.height])
@@ -198,7 +206,10 @@ fn current(context: &Context, pname: GLenum) -> Answer {
         GL_CURRENT_NORMAL => unit(&at(ATTRIB_NORMAL)[..3]),
         GL_EDGE_FLAG => flag(at(ATTRIB_EDGE_FLAG)[0] != 0.0),
         GL_CURRENT_FOG_COORD => float(at(ATTRIB_FOG_COORD)[0]),
-        GL_CURRENT_TEXTURE_COORDS => floats(at(ATTRIB_TEX_COORD + state.units.active)),
+        GL_CURRENT_TEXTURE_COORDS => {
+            let unit = state.units.active_coordinates("GL 2.1, section 2.7");
+            unit.and_then(|unit| floats(at(ATTRIB_TEX_COORD + unit as u8)))
+        }
         _ => return None,
     })
 }
@@ -238,17 +249,47 @@ fn fragment(context: &Context, pname: GLenum) -> Answer {
         GL_ALPHA_TEST_REF => unit(&[fragment.alpha_ref]),
         GL_DEPTH_FUNC => symbol(COMPARE.encode(fragment.depth_func)),
         GL_DEPTH_WRITEMASK => flag(fragment.depth_write == DepthWrite::On),
-        GL_COLOR_WRITEMASK => Ok(Value::Bools(fragment.color_mask.to_vec())),
+        GL_COLOR_WRITEMASK => Ok(Value::Bools(fragment.buffers[0].mask.to_vec())),
+        GL_LOGIC_OP_MODE => symbol(LOGIC_OP.encode(fragment.logic_op)),
         GL_BLEND_SRC | GL_BLEND_SRC_RGB => symbol(SRC_FACTOR.encode(blend.src[0])),
         GL_BLEND_SRC_ALPHA => symbol(SRC_FACTOR.encode(blend.src[1])),
         GL_BLEND_DST | GL_BLEND_DST_RGB => symbol(DST_FACTOR.encode(blend.dst[0])),
         GL_BLEND_DST_ALPHA => symbol(DST_FACTOR.encode(blend.dst[1])),
         GL_BLEND_EQUATION => symbol(BLEND_EQUATION.encode(blend.equation[0])),
         GL_BLEND_EQUATION_ALPHA => symbol(BLEND_EQUATION.encode(blend.equation[1])),
-        GL_BLEND_COLOR => unit(&blend.constant),
-        GL_COLOR_CLEAR_VALUE => unit(&clear.color),
+        GL_BLEND_COLOR => unit(&clamped(blend.constant)),
+        GL_COLOR_CLEAR_VALUE => unit(&clamped(clear.color.floats())),
         GL_DEPTH_CLEAR_VALUE => Ok(Value::Unit(vec![clear.depth])),
         GL_STENCIL_CLEAR_VALUE => int(clear.stencil),
+        _ => return None,
+    })
+}
+
+/// Clamped to [0, 1], as `glGet` answers for colours (`ARB_color_buffer_float`).
+fn clamped(color: [f32; 4]) -> [f32; 4] {
+    color.map(|c| crate::state::viewport::unit(c.into()) as f32)
+}
+
+fn stencil(context: &Context, pname: GLenum) -> Answer {
+    let stencil = &context.state.fragment.stencil;
+    let (front, back) = (stencil.active(), &stencil.faces[Side::Back as usize]);
+    let mask = |mask: GLuint| Ok(Value::Ints(vec![mask as i32]));
+    Some(match pname {
+        GL_STENCIL_FUNC => symbol(COMPARE.encode(front.func)),
+        GL_STENCIL_REF => int(front.reference),
+        GL_STENCIL_VALUE_MASK => mask(front.value_mask),
+        GL_STENCIL_WRITEMASK => mask(front.write_mask),
+        GL_STENCIL_FAIL => symbol(STENCIL_OP.encode(front.fail)),
+        GL_STENCIL_PASS_DEPTH_FAIL => symbol(STENCIL_OP.encode(front.depth_fail)),
+        GL_STENCIL_PASS_DEPTH_PASS => symbol(STENCIL_OP.encode(front.pass)),
+        GL_STENCIL_BACK_FUNC => symbol(COMPARE.encode(back.func)),
+        GL_STENCIL_BACK_REF => int(back.reference),
+        GL_STENCIL_BACK_VALUE_MASK => mask(back.value_mask),
+        GL_STENCIL_BACK_WRITEMASK => mask(back.write_mask),
+        GL_STENCIL_BACK_FAIL => symbol(STENCIL_OP.encode(back.fail)),
+        GL_STENCIL_BACK_PASS_DEPTH_FAIL => symbol(STENCIL_OP.encode(back.depth_fail)),
+        GL_STENCIL_BACK_PASS_DEPTH_PASS => symbol(STENCIL_OP.encode(back.pass)),
+        GL_ACTIVE_STENCIL_FACE_EXT => symbol(ACTIVE_FACE.encode(stencil.active)),
         _ => return None,
     })
 }
@@ -309,7 +350,25 @@ fn texture(context: &Context, pname: GLenum) -> Answer {
 fn framebuffer(context: &Context, pname: GLenum) -> Answer {
     crate::framebuffer::buffers::state_value(context, pname).map(|value| match value {
         crate::framebuffer::buffers::Answer::Symbol(value) => symbol(value),
-        crate::framebuffer::buffers::Answer::Bits(value) => int(value),
+        crate::framebuffer::buffers::Answer::Number(value) => int(value),
+        crate::framebuffer::buffers::Answer::Flag(value) => flag(value),
+    })
+}
+
+fn debug(context: &Context, pname: GLenum) -> Answer {
+    let log = &context.debug.log;
+    Some(match pname {
+        GL_DEBUG_LOGGED_MESSAGES => int(log.len() as i32),
+        GL_DEBUG_NEXT_LOGGED_MESSAGE_LENGTH => {
+            int(log.first().map_or(0, |first| first.text.len() as i32 + 1))
+        }
+        GL_DEBUG_GROUP_STACK_DEPTH => int(log.depth() as i32),
+        GL_MAX_DEBUG_LOGGED_MESSAGES => int(MAX_LOGGED as i32),
+        GL_MAX_DEBUG_MESSAGE_LENGTH => int(MAX_LENGTH as i32),
+        GL_MAX_DEBUG_GROUP_STACK_DEPTH => int(MAX_GROUPS as i32),
+        GL_MAX_LABEL_LENGTH => int(MAX_LABEL as i32),
+        GL_MAX_SERVER_WAIT_TIMEOUT => int(0),
+        _ => return None,
     })
 }
 
@@ -331,6 +390,9 @@ fn bindings(context: &Context, pname: GLenum) -> Answer {
         GL_ELEMENT_ARRAY_BUFFER_BINDING => symbol(bindings.element_array_buffer),
         GL_PIXEL_PACK_BUFFER_BINDING => symbol(bindings.pixel_pack_buffer),
         GL_PIXEL_UNPACK_BUFFER_BINDING => symbol(bindings.pixel_unpack_buffer),
+        GL_COPY_READ_BUFFER => symbol(bindings.copy_read_buffer),
+        GL_COPY_WRITE_BUFFER => symbol(bindings.copy_write_buffer),
+        GL_VERTEX_ARRAY_BINDING => symbol(bindings.vertex_array),
         GL_FRAMEBUFFER_BINDING => symbol(bindings.draw_framebuffer),
         GL_READ_FRAMEBUFFER_BINDING => symbol(bindings.read_framebuffer),
         GL_RENDERBUFFER_BINDING => symbol(bindings.renderbuffer),

@@ -2,6 +2,7 @@
 
 use crate::constants::*;
 use crate::context::Context;
+use crate::context::debug::Output;
 use crate::error::{Result, Table};
 use crate::interface::{
     ATTRIB_COLOR, ATTRIB_EDGE_FLAG, ATTRIB_FOG_COORD, ATTRIB_NORMAL, ATTRIB_SECONDARY_COLOR,
@@ -15,11 +16,14 @@ use crate::types::*;
 pub(crate) enum Flag {
     AlphaTest,
     Blend,
+    ColorLogicOp,
     CullFace,
+    DebugOutputSynchronous,
     DepthTest,
     Dither,
     LineSmooth,
     LineStipple,
+    FramebufferSrgb,
     Multisample,
     PointSmooth,
     PointSprite,
@@ -28,8 +32,11 @@ pub(crate) enum Flag {
     PolygonOffsetPoint,
     PolygonSmooth,
     PolygonStipple,
+    PrimitiveRestart,
     ScissorTest,
     SeamlessCubeMaps,
+    StencilTest,
+    StencilTestTwoSide,
     VertexProgramPointSize,
     VertexProgramTwoSide,
 }
@@ -40,20 +47,26 @@ pub(crate) enum Capability {
     Flag(Flag),
     /// Of the active texture unit.
     Texture(TextureTarget),
+    /// Whether the log of `KHR_debug` is kept.
+    DebugOutput,
 }
 
 /// What is implemented; anything else is `GL_INVALID_ENUM` with this list in the message.
-/// `GL_DITHER` and `GL_MULTISAMPLE` change nothing.
+/// `GL_DITHER` changes nothing, and messages are always synchronous.
 pub(crate) const CAPABILITY: Table<Capability> = Table {
     section: "GL 2.1, table 6.22 and others; what DetGL implements",
     rows: &[
         (GL_ALPHA_TEST, Capability::Flag(Flag::AlphaTest)),
         (GL_BLEND, Capability::Flag(Flag::Blend)),
+        (GL_COLOR_LOGIC_OP, Capability::Flag(Flag::ColorLogicOp)),
         (GL_CULL_FACE, Capability::Flag(Flag::CullFace)),
+        (GL_DEBUG_OUTPUT, Capability::DebugOutput),
+        (GL_DEBUG_OUTPUT_SYNCHRONOUS, Capability::Flag(Flag::DebugOutputSynchronous)),
         (GL_DEPTH_TEST, Capability::Flag(Flag::DepthTest)),
         (GL_DITHER, Capability::Flag(Flag::Dither)),
         (GL_LINE_SMOOTH, Capability::Flag(Flag::LineSmooth)),
         (GL_LINE_STIPPLE, Capability::Flag(Flag::LineStipple)),
+        (GL_FRAMEBUFFER_SRGB, Capability::Flag(Flag::FramebufferSrgb)),
         (GL_MULTISAMPLE, Capability::Flag(Flag::Multisample)),
         (GL_POINT_SMOOTH, Capability::Flag(Flag::PointSmooth)),
         (GL_POINT_SPRITE, Capability::Flag(Flag::PointSprite)),
@@ -62,7 +75,10 @@ pub(crate) const CAPABILITY: Table<Capability> = Table {
         (GL_POLYGON_OFFSET_POINT, Capability::Flag(Flag::PolygonOffsetPoint)),
         (GL_POLYGON_SMOOTH, Capability::Flag(Flag::PolygonSmooth)),
         (GL_POLYGON_STIPPLE, Capability::Flag(Flag::PolygonStipple)),
+        (GL_PRIMITIVE_RESTART, Capability::Flag(Flag::PrimitiveRestart)),
         (GL_SCISSOR_TEST, Capability::Flag(Flag::ScissorTest)),
+        (GL_STENCIL_TEST, Capability::Flag(Flag::StencilTest)),
+        (GL_STENCIL_TEST_TWO_SIDE_EXT, Capability::Flag(Flag::StencilTestTwoSide)),
         (GL_TEXTURE_CUBE_MAP_SEAMLESS, Capability::Flag(Flag::SeamlessCubeMaps)),
         (GL_VERTEX_PROGRAM_POINT_SIZE, Capability::Flag(Flag::VertexProgramPointSize)),
         (GL_VERTEX_PROGRAM_TWO_SIDE, Capability::Flag(Flag::VertexProgramTwoSide)),
@@ -89,16 +105,27 @@ impl Enables {
         self.0 >> flag as u32 & 1 == 1
     }
 
-    fn set(&mut self, flag: Flag, on: bool) {
+    pub fn set(&mut self, flag: Flag, on: bool) {
         self.0 = self.0 & !(1 << flag as u32) | u32::from(on) << flag as u32;
     }
 }
 
 fn switch(context: &mut Context, cap: GLenum, on: bool) -> Result<()> {
     match CAPABILITY.decode("cap", cap)? {
-        Capability::Flag(flag) => context.state.enables.set(flag, on),
+        Capability::Flag(flag) => {
+            context.state.enables.set(flag, on);
+            if flag == Flag::Blend {
+                for buffer in &mut context.state.fragment.buffers {
+                    buffer.blend = on;
+                }
+            }
+        }
         Capability::Texture(target) => {
+            context.state.units.active_coordinates("GL 2.1, section 3.8.16")?;
             context.state.units.active_mut().enabled[target as usize] = on;
+        }
+        Capability::DebugOutput => {
+            context.debug.output = if on { Output::On } else { Output::Off };
         }
     }
     Ok(())
@@ -124,6 +151,7 @@ pub(crate) fn is_on(context: &Context, cap: GLenum) -> Result<bool> {
     Ok(match CAPABILITY.decode("cap", cap)? {
         Capability::Flag(flag) => context.state.enables.has(flag),
         Capability::Texture(target) => context.state.units.active().enabled[target as usize],
+        Capability::DebugOutput => context.debug.output == Output::On,
     })
 }
 
@@ -148,6 +176,11 @@ fn client_location(context: &Context, location: u8) -> usize {
 }
 
 fn switch_client(context: &mut Context, array: GLenum, on: bool) -> Result<()> {
+    // NV_primitive_restart has it among the client's arrays.
+    if array == GL_PRIMITIVE_RESTART_NV {
+        context.state.enables.set(Flag::PrimitiveRestart, on);
+        return Ok(());
+    }
     let location = client_location(context, CLIENT_ARRAY.decode("array", array)?);
     context.state.arrays.by_location[location].enabled = on;
     Ok(())

@@ -75,18 +75,22 @@ impl Default for Matrices {
 }
 
 /// The stack that the matrix mode selects.
-fn stack(context: &mut Context) -> &mut Stack {
-    let unit = usize::from(context.state.units.active);
+///
+/// # Errors
+/// `GL_INVALID_OPERATION` for the texture matrix of a unit that has none.
+fn stack(context: &mut Context) -> Result<&mut Stack> {
     let matrices = &mut context.state.matrices;
-    match matrices.mode {
+    Ok(match matrices.mode {
         MatrixMode::ModelView => &mut matrices.modelview,
         MatrixMode::Projection => &mut matrices.projection,
-        MatrixMode::Texture => &mut matrices.texture[unit],
-    }
+        MatrixMode::Texture => {
+            &mut matrices.texture[context.state.units.active_coordinates(SECTION)?]
+        }
+    })
 }
 
 fn multiply(context: &mut Context, matrix: DMat4) -> Result<()> {
-    let stack = stack(context);
+    let stack = stack(context)?;
     stack.top *= matrix;
     Ok(())
 }
@@ -107,27 +111,27 @@ pub(crate) fn matrix_mode(context: &mut Context, mode: GLenum) -> Result<()> {
 }
 
 pub(crate) fn load_identity(context: &mut Context) -> Result<()> {
-    stack(context).top = DMat4::IDENTITY;
+    stack(context)?.top = DMat4::IDENTITY;
     Ok(())
 }
 
 pub(crate) fn load_matrixf(context: &mut Context, m: &[GLfloat]) -> Result<()> {
-    stack(context).top = matrix(m)?;
+    stack(context)?.top = matrix(m)?;
     Ok(())
 }
 
 pub(crate) fn load_matrixd(context: &mut Context, m: &[GLdouble]) -> Result<()> {
-    stack(context).top = matrix(m)?;
+    stack(context)?.top = matrix(m)?;
     Ok(())
 }
 
 pub(crate) fn load_transpose_matrixf(context: &mut Context, m: &[GLfloat]) -> Result<()> {
-    stack(context).top = matrix(m)?.transpose();
+    stack(context)?.top = matrix(m)?.transpose();
     Ok(())
 }
 
 pub(crate) fn load_transpose_matrixd(context: &mut Context, m: &[GLdouble]) -> Result<()> {
-    stack(context).top = matrix(m)?.transpose();
+    stack(context)?.top = matrix(m)?.transpose();
     Ok(())
 }
 
@@ -148,7 +152,7 @@ pub(crate) fn mult_transpose_matrixd(context: &mut Context, m: &[GLdouble]) -> R
 }
 
 pub(crate) fn push_matrix(context: &mut Context) -> Result<()> {
-    let stack = stack(context);
+    let stack = stack(context)?;
     if stack.depth() == stack.limit {
         return Err(GlError {
             code: ErrorCode::StackOverflow,
@@ -161,7 +165,7 @@ pub(crate) fn push_matrix(context: &mut Context) -> Result<()> {
 }
 
 pub(crate) fn pop_matrix(context: &mut Context) -> Result<()> {
-    let stack = stack(context);
+    let stack = stack(context)?;
     match stack.below.pop() {
         Some(matrix) => {
             stack.top = matrix;

@@ -3,11 +3,13 @@
 
 pub(crate) mod enable;
 pub(crate) mod fragment;
+pub(crate) mod masks;
 pub(crate) mod matrix;
 pub(crate) mod pixel_store;
 pub(crate) mod points;
 pub(crate) mod polygon;
 pub(crate) mod raster;
+pub(crate) mod stencil;
 pub(crate) mod viewport;
 
 use crate::env::Units;
@@ -32,6 +34,9 @@ pub(crate) struct Bindings {
     pub element_array_buffer: GLuint,
     pub pixel_pack_buffer: GLuint,
     pub pixel_unpack_buffer: GLuint,
+    pub copy_read_buffer: GLuint,
+    pub copy_write_buffer: GLuint,
+    pub vertex_array: GLuint,
     pub draw_framebuffer: GLuint,
     pub read_framebuffer: GLuint,
     pub renderbuffer: GLuint,

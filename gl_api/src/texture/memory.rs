@@ -29,6 +29,7 @@ impl Source<'_> {
 /// What a call's `pixels` are read from, or `None` for a null pointer.
 pub(crate) fn source<'a>(context: &Context, pixels: Data<'a>) -> Result<Option<Source<'a>>> {
     let name = context.state.bindings.pixel_unpack_buffer;
+    not_mapped(context, name)?;
     match (context.objects.buffers.get(name), pixels) {
         (None, Data::Null | Data::Offset(0)) => Ok(None),
         (None, Data::Bytes(bytes)) => Ok(Some(Source::Client(bytes))),
@@ -66,6 +67,7 @@ pub(crate) fn write_bytes(
     write: impl FnOnce(&mut [u8]),
 ) -> Result<()> {
     let name: GLuint = context.state.bindings.pixel_pack_buffer;
+    not_mapped(context, name)?;
     match (context.objects.buffers.get_mut(name), pixels) {
         (_, DataOut::Null | DataOut::Offset(0)) if needed == 0 => Ok(()),
         (None, DataOut::Bytes(bytes)) => {
@@ -103,6 +105,17 @@ pub(crate) fn write_pixels(
         DataOut::Null => {}
     }
     write_bytes(context, pixels, layout.needed, write)
+}
+
+/// Refuses a buffer that the client has mapped.
+fn not_mapped(context: &Context, name: GLuint) -> Result<()> {
+    match context.objects.buffers.get(name) {
+        Some(object) if object.map.is_some() => invalid_operation(
+            SECTION,
+            format!("buffer {name} is bound for pixels and mapped: call glUnmapBuffer"),
+        ),
+        Some(_) | None => Ok(()),
+    }
 }
 
 fn check_room(has: usize, needed: usize) -> Result<()> {

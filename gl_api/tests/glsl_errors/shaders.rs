@@ -41,7 +41,10 @@ pub const FRAGMENT: &[(&str, &str)] = &[
     ("reserved name", "float gl_Mine;\nvoid main() {}"),
     ("reserved word", "void main() { double d; }"),
     ("unknown member", "struct S { float near; };\nvoid main() { S s; s.naer = 1.0; }"),
-    ("1D texture", "uniform sampler1D t;\nvoid main() { gl_FragColor = texture1D(t, 0.5); }"),
+    (
+        "1D with 2D coordinates",
+        "uniform sampler1D t;\nvoid main() { gl_FragColor = texture1D(t, vec2(0.5)); }",
+    ),
     (
         "cube with 2D coordinates",
         "uniform samplerCube t;\nvoid main() { gl_FragColor = textureCube(t, vec2(0.5)); }",
@@ -232,7 +235,10 @@ pub const FRAGMENT: &[(&str, &str)] = &[
     ),
     ("rectangle without extension", "uniform sampler2DRect t;\nvoid main() {}"),
     ("array texture in 120", "#version 120\nuniform sampler2DArray t;\nvoid main() {}"),
-    ("3D texture", "uniform sampler3D t;\nvoid main() { gl_FragColor = texture3D(t, vec3(0.5)); }"),
+    (
+        "fetch in 120",
+        "uniform sampler3D t;\nvoid main() { gl_FragColor = texelFetch3D(t, ivec3(1), 0); }",
+    ),
     (
         "offset not constant",
         "#version 130\nuniform sampler2D t;\nuniform ivec2 o;\nvoid main() { gl_FragColor = textureOffset(t, vec2(0.5), o); }",

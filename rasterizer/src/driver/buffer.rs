@@ -1,7 +1,10 @@
 //! Bytes for vertices and indices, shared with the draws that read them, copied only when written
 //! meanwhile.
 
+use crate::vertex::fetch;
+use std::num::NonZeroU32;
 use std::sync::Arc;
+use texunit::lanes::F32s;
 
 /// Bytes that draws read. Cloning shares them.
 #[derive(Clone, Debug, Default)]
@@ -64,6 +67,9 @@ pub enum VertexFormat {
     Plain,
     /// Integers are divided by their largest value; signed by `(2c + 1) / (2^b - 1)` (GL 2.1, table 2.9).
     Normalized,
+    /// The bits of the integers, sign-extended to 32 (GL 3.0, section 2.7), for
+    /// [`crate::ir::Op::FloatBits`]; floats keep their bits.
+    Integer,
 }
 
 /// Where an attribute comes from. Missing components are 0, 0, 0, 1.
@@ -85,7 +91,28 @@ pub enum VertexSource {
         components: u8,
         /// The conversion.
         format: VertexFormat,
+        /// 0 for an element a vertex, else one for so many instances (`ARB_instanced_arrays`).
+        divisor: u32,
     },
+}
+
+impl VertexSource {
+    /// How many instances share an element, if instances have elements.
+    pub(crate) fn divisor(&self) -> Option<NonZeroU32> {
+        match self {
+            Self::Constant(_) => None,
+            Self::Array { divisor, .. } => NonZeroU32::new(*divisor),
+        }
+    }
+
+    /// The attribute of one vertex of the first instance.
+    pub fn read(&self, vertex: u32) -> [f32; 4] {
+        let mut lanes = F32s::ZERO;
+        [0, 1, 2, 3].map(|component| {
+            fetch::component(self, component, &[vertex], &mut lanes);
+            lanes[0]
+        })
+    }
 }
 
 /// The source of the attribute at a location.

@@ -1,5 +1,6 @@
 //! Pipelines: shaders and fixed state, checked and compiled once, immutable ever after.
 
+use super::output::OutputState;
 use crate::ir::{Input, Interpolation, Module, Output, Stage};
 use crate::shader::Program;
 use std::hash::{Hash, Hasher};
@@ -223,6 +224,8 @@ pub struct PipelineDesc {
     pub depth: Option<DepthState>,
     /// By colour attachment; missing ones are not written.
     pub colors: Vec<ColorState>,
+    /// What else happens to fragments after the shader.
+    pub output: OutputState,
 }
 
 /// A pipeline that cannot be.
@@ -276,7 +279,7 @@ impl Pipeline {
             .inputs()
             .iter()
             .filter_map(|input| match *input {
-                Input::Varying(slot) => {
+                Input::Varying(slot) | Input::Slope { slot, .. } => {
                     let mode = fragment.varyings.get(usize::from(slot)).copied();
                     Some((slot, mode.unwrap_or(Interpolation::Smooth)))
                 }
@@ -290,6 +293,7 @@ impl Pipeline {
             })
             .collect();
         varyings.sort_unstable_by_key(|&(slot, _)| slot);
+        varyings.dedup();
         let vertex_program = Program::new(vertex, |output| match output {
             Output::Position(_) => true,
             // Any topology can end as points, and what is written to clip distances cuts.

@@ -90,6 +90,14 @@ pub enum Input {
     InstanceId,
     /// A scalar that the vertex stage wrote to the same slot, interpolated (`f32`).
     Varying(u16),
+    /// How that scalar changes from pixel to pixel, at this pixel: the exact derivative of its
+    /// interpolation, from the planes of the primitive (`f32`).
+    Slope {
+        /// Of which varying.
+        slot: u16,
+        /// Along which axis.
+        axis: Axis,
+    },
     /// `gl_FragCoord`: window x, y, depth, and `1/w` (`f32`).
     FragCoord(u8),
     /// Whether the primitive faces the viewer (`bool`).
@@ -100,7 +108,8 @@ pub enum Input {
     Coverage,
 }
 
-/// What a shader writes to the pipeline, one scalar at a time. All are `f32`.
+/// What a shader writes to the pipeline, one scalar at a time. All are `f32`, but colours for
+/// attachments of integers, which are `i32` or `u32`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Output {
     /// `gl_Position`, in clip coordinates.
@@ -140,6 +149,16 @@ pub struct TextureDecl {
     pub shape: texunit::image::Shape,
     /// Whether samples are compared against a reference (`sampler2DShadow`).
     pub compare: bool,
+    /// What a sample is made of: `f32`, or the integers of an integer texture (`isampler2D`: `i32`,
+    /// `usampler2D`: `u32`). A texture of another kind gives its bits.
+    pub texels: Ty,
+}
+
+impl TextureDecl {
+    /// A slot for textures that do not compare and have colours, not integers.
+    pub const fn color(shape: texunit::image::Shape) -> Self {
+        Self { shape, compare: false, texels: Ty::F32 }
+    }
 }
 
 /// The level of detail of a sample.
@@ -152,12 +171,14 @@ pub enum Lod {
     },
     /// This λ.
     Explicit(Value),
-    /// From these derivatives of s, t, r (as many as the shape has).
+    /// From these derivatives of s, t, r (as many as the shape has), plus a bias.
     Gradient {
         /// `∂(s, t, r)/∂x`.
         dx: [Value; 3],
         /// `∂(s, t, r)/∂y`.
         dy: [Value; 3],
+        /// Added to λ before the clamp.
+        bias: Option<Value>,
     },
 }
 
@@ -175,8 +196,7 @@ pub enum Access {
         offset: [i32; 3],
     },
     /// `textureSize`: width, height and depth (or layers, after the sides that are filtered along)
-    /// of a level (an explicit λ, `i32`), whole numbers in `f32`. Coordinates do not matter. No
-    /// compare.
+    /// of a level (an explicit λ, `i32`), as `i32`. Coordinates do not matter. No compare.
     Size,
 }
 
@@ -201,7 +221,7 @@ pub struct Sample {
 }
 
 /// The axis of a derivative.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Axis {
     /// Window x.
     X,
@@ -264,7 +284,7 @@ pub enum Expr {
     },
     /// A texture access. Has four results, taken apart by [`Expr::Component`]; no type of its own.
     Sample(Box<Sample>),
-    /// Component 0 to 3 of a sample (`f32`).
+    /// Component 0 to 3 of a sample: of the slot's [`TextureDecl::texels`], of a size `i32`.
     Component {
         /// An [`Expr::Sample`].
         sample: Value,
@@ -369,6 +389,7 @@ impl Input {
             Self::FrontFacing => Ty::Bool,
             Self::Attribute { .. }
             | Self::Varying(_)
+            | Self::Slope { .. }
             | Self::FragCoord(_)
             | Self::PointCoord(_)
             | Self::Coverage => Ty::F32,
@@ -409,7 +430,21 @@ impl Module {
             Expr::Input(input) => input.ty(),
             Expr::Load(var) | Expr::LoadAt { var, .. } => self.variable(*var).ty,
             Expr::Op { op, .. } => op.result(),
-            Expr::Derivative { .. } | Expr::Sample(_) | Expr::Component { .. } => Ty::F32,
+            Expr::Component { sample, .. } => match self.expr(*sample) {
+                Expr::Sample(sample) => self.component_ty(sample),
+                _ => Ty::F32,
+            },
+            Expr::Derivative { .. } | Expr::Sample(_) => Ty::F32,
+        }
+    }
+
+    /// The type of the components of a sample.
+    pub fn component_ty(&self, sample: &Sample) -> Ty {
+        match sample.access {
+            Access::Size => Ty::I32,
+            Access::Filter { .. } | Access::Fetch { .. } => {
+                self.textures.get(sample.texture.0 as usize).map_or(Ty::F32, |decl| decl.texels)
+            }
         }
     }
 }

@@ -55,11 +55,11 @@ fn modules_that_break_a_rule_are_refused_with_the_rule() {
             ignore(b.sample(Texture(7), [s; 3], None, Lod::Implicit { bias: None }));
         }),
         ("compares and needs", |b, _, s| {
-            let slot = b.texture(TextureDecl { shape: Shape::D2, compare: true });
+            let slot = b.texture(TextureDecl { compare: true, ..TextureDecl::color(Shape::D2) });
             ignore(b.sample(slot, [s; 3], None, Lod::Explicit(s)));
         }),
         ("whole sample", |b, out, s| {
-            let texture = b.texture(TextureDecl { shape: Shape::D2, compare: false });
+            let texture = b.texture(TextureDecl::color(Shape::D2));
             let lod = Lod::Explicit(s);
             let (access, coords) = (Access::FILTER, [s; 3]);
             let sample = Sample { texture, access, coords, reference: None, lod };

@@ -294,6 +294,7 @@ impl Kernel for ToDepth<'_> {
 }
 
 #[cfg(test)]
+#[expect(clippy::field_reassign_with_default, reason = "its other fields are private")]
 mod tests {
     use super::*;
     use crate::driver::{SpriteOrigin, Viewport};
@@ -312,7 +313,8 @@ mod tests {
         let viewport =
             Viewport { x: 3.0, y: 5.0, width: 640.0, height: 480.0, near: 0.25, far: 1.0 };
         let mut state = 9;
-        let mut geometry = Geometry { stride: 3, ..Geometry::default() };
+        let mut geometry = Geometry::default();
+        geometry.stride = 3;
         let mut shapes = Vec::new();
         for n in 0..64_u32 {
             let w = if n % 3 == 0 { 1.0 } else { 0.0 };

@@ -12,4 +12,4 @@ mod interpolate;
 mod tile;
 
 pub use interpolate::{PlaneSource, depth_offset};
-pub use tile::{Chunk, ClearJob, DrawJob, Entry, PassJob, TileJob, Worker};
+pub use tile::{Chunk, ClearJob, ClearTarget, DrawJob, Entry, PassJob, TileJob, Worker};

@@ -6,7 +6,9 @@
 
 use super::inst::{Inst, Reg, SampleInst, SampleLod, Slot, Target};
 use super::preamble::Preamble;
-use crate::ir::{Block, Expr, Input, Lod, Module, Output, Sample, Stage, Stmt, Value, Var};
+use crate::ir::{
+    Access, Block, Expr, Input, Lod, Module, Output, Sample, Stage, Stmt, Ty, Value, Var,
+};
 
 /// What a virtual register stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -375,16 +377,24 @@ impl Lowering<'_> {
             (Lod::Explicit(lod), Stage::Vertex | Stage::Fragment) => {
                 SampleLod::Explicit(self.value(lod))
             }
-            (Lod::Gradient { dx, dy }, Stage::Vertex | Stage::Fragment) => SampleLod::Gradient {
-                dx: dx.map(|value| self.value(value)),
-                dy: dy.map(|value| self.value(value)),
-            },
+            (Lod::Gradient { dx, dy, bias }, Stage::Vertex | Stage::Fragment) => {
+                SampleLod::Gradient {
+                    dx: dx.map(|value| self.value(value)),
+                    dy: dy.map(|value| self.value(value)),
+                    bias: bias.map(|value| self.value(value)),
+                }
+            }
         };
         let out = [0; 4].map(|_| self.register(Kind::Temp));
         self.samples[value.0 as usize] = Some(out);
         self.out.textures.push(sample.texture.0);
         let (texture, access, out) = (sample.texture.0, sample.access, out.map(Some));
-        let inst = SampleInst { texture, access, coords, reference, lod, out };
+        let one = match (access, self.module.component_ty(sample)) {
+            (Access::Size, _) => 0,
+            (Access::Filter { .. } | Access::Fetch { .. }, Ty::F32) => 1f32.to_bits(),
+            (Access::Filter { .. } | Access::Fetch { .. }, Ty::I32 | Ty::U32 | Ty::Bool) => 1,
+        };
+        let inst = SampleInst { texture, access, coords, reference, lod, one, out };
         self.emit(Inst::Sample(Box::new(inst)));
     }
 }

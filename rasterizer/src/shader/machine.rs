@@ -158,14 +158,15 @@ impl Machine {
 
     #[inline(always)]
     fn sample(&mut self, run: &Run<'_>, sample: &SampleInst) {
-        match run.textures.get(sample.texture as usize) {
-            Some(Some(plan)) => {
+        let plan = run.textures.get(sample.texture as usize).and_then(Option::as_ref);
+        match plan.filter(|plan| plan.incomplete().is_none()) {
+            Some(plan) => {
                 let reg = |reg: Reg| self.registers[reg.0 as usize].as_f32();
                 let lod = match sample.lod {
                     SampleLod::Implicit { bias } => Lod::Implicit { bias: bias.map(reg) },
                     SampleLod::Explicit(lod) => Lod::Explicit(reg(lod)),
-                    SampleLod::Gradient { dx, dy } => {
-                        Lod::Gradient { dx: dx.map(reg), dy: dy.map(reg) }
+                    SampleLod::Gradient { dx, dy, bias } => {
+                        Lod::Gradient { dx: dx.map(reg), dy: dy.map(reg), bias: bias.map(reg) }
                     }
                 };
                 let coords = sample.coords.map(reg);
@@ -180,8 +181,9 @@ impl Machine {
                         let size = plan.size(level.as_u32().as_i32());
                         out[3] = F32s::ZERO;
                         for (out, size) in out.iter_mut().zip(&size) {
+                            let out = out.as_u32_mut();
                             for lane in 0..LANES {
-                                out[lane] = size[lane] as f32;
+                                out[lane] = size[lane] as u32;
                             }
                         }
                     }
@@ -195,9 +197,8 @@ impl Machine {
                     }
                 }
             }
-            Some(None) | None => {
-                *self.sampled = [0.0, 0.0, 0.0, 1.0].map(F32s::splat);
-            }
+            // GL 2.1, section 3.11.2: what is not there or not complete is (0, 0, 0, 1).
+            None => *self.sampled = [0, 0, 0, sample.one].map(|c| F32s::splat(f32::from_bits(c))),
         }
         for (out, texel) in sample.out.iter().zip(self.sampled.iter()) {
             if let Some(out) = out {

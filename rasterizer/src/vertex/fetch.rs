@@ -7,8 +7,12 @@ use texunit::lanes::{F32s, LANES};
 pub fn component(source: &VertexSource, component: u8, ids: &[u32], out: &mut F32s) {
     match source {
         VertexSource::Constant(value) => *out = F32s::splat(value[usize::from(component)]),
-        VertexSource::Array { components, .. } if component >= *components => {
-            *out = F32s::splat(if component == 3 { 1.0 } else { 0.0 });
+        VertexSource::Array { components, format, .. } if component >= *components => {
+            let one = match format {
+                VertexFormat::Plain | VertexFormat::Normalized => 1.0,
+                VertexFormat::Integer => bits(1),
+            };
+            *out = F32s::splat(if component == 3 { one } else { 0.0 });
         }
         VertexSource::Array { buffer, offset, stride, ty, format, .. } => {
             let start = offset + usize::from(component) * ty.size();
@@ -31,6 +35,19 @@ pub fn component(source: &VertexSource, component: u8, ids: &[u32], out: &mut F3
                 }
                 (VertexType::U32, VertexFormat::Plain) => {
                     words.each(out, |b| u32::from_le_bytes(b) as f32);
+                }
+                (VertexType::I8, VertexFormat::Integer) => {
+                    words.each(out, |b| bits(i8::from_le_bytes(b).into()));
+                }
+                (VertexType::U8, VertexFormat::Integer) => words.each(out, |[b]| bits(b.into())),
+                (VertexType::I16, VertexFormat::Integer) => {
+                    words.each(out, |b| bits(i16::from_le_bytes(b).into()));
+                }
+                (VertexType::U16, VertexFormat::Integer) => {
+                    words.each(out, |b| bits(u16::from_le_bytes(b).into()));
+                }
+                (VertexType::I32 | VertexType::U32, VertexFormat::Integer) => {
+                    words.each(out, f32::from_le_bytes);
                 }
                 // GL 2.1, table 2.9, in f64 so that the quotient is rounded once.
                 (VertexType::I8, VertexFormat::Normalized) => {
@@ -55,6 +72,11 @@ pub fn component(source: &VertexSource, component: u8, ids: &[u32], out: &mut F3
             }
         }
     }
+}
+
+/// An integer's bits, in the type that lanes of attributes have.
+fn bits(c: i32) -> f32 {
+    f32::from_bits(c as u32)
 }
 
 /// `(2c + 1) / (2^b - 1)`.
@@ -126,6 +148,7 @@ mod tests {
                 ty: *ty,
                 components: 1,
                 format: *format,
+                divisor: 0,
             };
             let mut out = F32s::ZERO;
             component(&source, 0, &[0, 1, u32::MAX], &mut out);

@@ -1,7 +1,7 @@
 //! The vertex stage: fetch attributes, run the vertex program over 64 vertices at once, and place
 //! the results in the window.
 
-mod fetch;
+pub(crate) mod fetch;
 mod ids;
 mod place;
 mod shade;

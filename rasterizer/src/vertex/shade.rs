@@ -7,8 +7,9 @@ use crate::ir::{Input, Output};
 use crate::primitive::{Corner, MAX_DISTANCES};
 use crate::shader::{Machine, OverBudget, Prepared, Program, Run};
 use rayon::prelude::*;
+use std::num::NonZeroU32;
 use std::sync::Arc;
-use texunit::lanes::{F32s, Isa, LANES};
+use texunit::lanes::{F32s, Isa, LANES, U32s};
 use texunit::plan::SamplePlan;
 
 /// The vertices of a chunk of a draw.
@@ -144,6 +145,8 @@ fn pieces(values: &mut [f32], count: usize, stride: usize) -> Vec<&mut [f32]> {
 /// Where an input of the program comes from.
 enum Source<'a> {
     Attribute(&'a VertexSource, u8),
+    /// An attribute with an element for so many instances.
+    Instanced(&'a VertexSource, u8, NonZeroU32),
     /// An attribute without a binding.
     Missing(f32),
     VertexId,
@@ -174,13 +177,17 @@ impl VertexStage<'_> {
         match input {
             Input::Attribute { location, component } => {
                 match self.bindings.iter().find(|binding| binding.location == location) {
-                    Some(binding) => Source::Attribute(&binding.source, component),
+                    Some(VertexBinding { source, .. }) => match source.divisor() {
+                        Some(divisor) => Source::Instanced(source, component, divisor),
+                        None => Source::Attribute(source, component),
+                    },
                     None => Source::Missing(if component == 3 { 1.0 } else { 0.0 }),
                 }
             }
             Input::VertexId => Source::VertexId,
             Input::InstanceId => Source::InstanceId,
             Input::Varying(_)
+            | Input::Slope { .. }
             | Input::FragCoord(_)
             | Input::FrontFacing
             | Input::PointCoord(_)
@@ -230,6 +237,11 @@ impl VertexStage<'_> {
             match source {
                 Source::Attribute(source, component) => {
                     fetch::component(source, *component, ids, lanes.as_f32_mut());
+                }
+                Source::Instanced(source, component, divisor) => {
+                    let element = *instance / *divisor;
+                    fetch::component(source, *component, &[element], lanes.as_f32_mut());
+                    *lanes = U32s::splat(lanes[0]);
                 }
                 Source::Missing(value) => lanes.0 = [value.to_bits(); LANES],
                 Source::VertexId => lanes.0[..ids.len()].copy_from_slice(ids),

@@ -2,8 +2,8 @@
 
 use rasterizer::driver::{
     Attachment, Buffer, ColorState, Command, Cull, Device, DeviceDesc, Explain, FrontFace, Image,
-    PassDesc, PipelineDesc, Provoking, ShaderModule, Topology, VertexBinding, VertexFormat,
-    VertexSource, VertexType, Viewport,
+    OutputState, PassDesc, PipelineDesc, Provoking, ShaderModule, Topology, VertexBinding,
+    VertexFormat, VertexSource, VertexType, Viewport,
 };
 use rasterizer::ir::{Builder, Input, Interpolation, Output, Stage, Value};
 use texunit::format::Format;
@@ -73,6 +73,7 @@ pub fn pipeline(vertex: ShaderModule, fragment: ShaderModule) -> PipelineDesc {
         provoking: Provoking::Last,
         depth: None,
         colors: vec![ColorState { blend: None, mask: [true; 4] }],
+        output: OutputState::default(),
     }
 }
 
@@ -89,6 +90,7 @@ pub fn bindings(vertices: &[f32], attributes: u8) -> std::sync::Arc<[VertexBindi
                 ty: VertexType::F32,
                 components: 4,
                 format: VertexFormat::Plain,
+                divisor: 0,
             },
         })
         .collect()

@@ -20,9 +20,8 @@ pub struct Levels {
 pub enum Incomplete {
     /// The base level was never given.
     #[error(
-        "level {level}{} has no image: give it one with glTexImage2D (GL_TEXTURE_BASE_LEVEL is \
-         {level})",
-        face_name(*.shape, *.face)
+        "level {level}{} has no image: give it one with {} (GL_TEXTURE_BASE_LEVEL is {level})",
+        face_name(*.shape, *.face), call_name(*.shape)
     )]
     NoBase {
         /// The image's shape.
@@ -33,8 +32,8 @@ pub enum Incomplete {
         level: u32,
     },
     /// The base level has a side of 0.
-    #[error("level {level}{} has a size of 0: give it an image with glTexImage2D",
-        face_name(*.shape, *.face))]
+    #[error("level {level}{} has a size of 0: give it an image with {}",
+        face_name(*.shape, *.face), call_name(*.shape))]
     Empty {
         /// The image's shape.
         shape: Shape,
@@ -79,9 +78,10 @@ pub enum Incomplete {
     },
     /// A level's size does not follow from the base level's.
     #[error(
-        "level {level}{} is {}×{}, but must be {}×{}: each level has half the width and height of \
-         the one before, rounded down, at least 1",
-        face_name(*.shape, *.face), .got[0], .got[1], .expected[0], .expected[1]
+        "level {level}{} is {}, but must be {}: each level has half the sides of the one before, \
+         rounded down, at least 1{}",
+        face_name(*.shape, *.face), sides(*.shape, .got), sides(*.shape, .expected),
+        layers_stay(*.shape)
     )]
     WrongSize {
         /// The image's shape.
@@ -90,10 +90,38 @@ pub enum Incomplete {
         face: usize,
         /// Which level.
         level: u32,
-        /// Its width and height.
-        got: [u32; 2],
+        /// Its width, height and depth (layers).
+        got: [u32; 3],
         /// Those that were needed.
-        expected: [u32; 2],
+        expected: [u32; 3],
+    },
+    /// Two levels or faces of which one has a border.
+    #[error(
+        "level {level}{} and the base level differ in their border: give all levels and faces the \
+         same border",
+        face_name(*.shape, *.face)
+    )]
+    MixedBorders {
+        /// The image's shape.
+        shape: Shape,
+        /// Which face.
+        face: usize,
+        /// Which level.
+        level: u32,
+    },
+    /// Integers, and a filter that takes their mean (EXT_texture_integer, section 3.8.10).
+    #[error(
+        "its texels are integers ({format:?}), which cannot be filtered: set \
+         GL_TEXTURE_MAG_FILTER (is {mag}) to GL_NEAREST and GL_TEXTURE_MIN_FILTER (is {min}) to \
+         GL_NEAREST or GL_NEAREST_MIPMAP_NEAREST"
+    )]
+    FilteredIntegers {
+        /// The base level's format.
+        format: Format,
+        /// GL's name of the magnification filter.
+        mag: &'static str,
+        /// GL's name of the minification filter.
+        min: &'static str,
     },
     /// Two levels or faces are stored differently.
     #[error(
@@ -157,6 +185,41 @@ fn face_name(shape: Shape, face: usize) -> &'static str {
     }
 }
 
+/// The call that gives images of a shape.
+fn call_name(shape: Shape) -> &'static str {
+    match shape {
+        Shape::D1 => "glTexImage1D",
+        Shape::D2 | Shape::Rect | Shape::Cube | Shape::D1Array => "glTexImage2D",
+        Shape::D3 | Shape::D2Array => "glTexImage3D",
+    }
+}
+
+/// Width, height and depth or layers, as far as the shape has them.
+fn sides(shape: Shape, [width, height, depth]: &[u32; 3]) -> String {
+    match shape {
+        Shape::D1 => width.to_string(),
+        Shape::D2 | Shape::Rect | Shape::Cube => format!("{width}×{height}"),
+        Shape::D3 => format!("{width}×{height}×{depth}"),
+        Shape::D1Array => format!("{width} in {depth} layers"),
+        Shape::D2Array => format!("{width}×{height} in {depth} layers"),
+    }
+}
+
+fn layers_stay(shape: Shape) -> &'static str {
+    match shape {
+        Shape::D1 | Shape::D2 | Shape::D3 | Shape::Rect | Shape::Cube => "",
+        Shape::D1Array | Shape::D2Array => "; all levels have as many layers",
+    }
+}
+
+/// GL's name of the sampler's magnification filter.
+fn mag_name(sampler: &Sampler) -> &'static str {
+    match sampler.mag {
+        Filter::Nearest => "GL_NEAREST",
+        Filter::Linear => "GL_LINEAR",
+    }
+}
+
 /// GL's name of the sampler's minification filter.
 fn filter_name(sampler: &Sampler) -> &'static str {
     match (sampler.min, sampler.mipmap) {
@@ -181,28 +244,34 @@ impl Image {
         if self.shape == Shape::Cube {
             self.check_faces(base, first)?;
         }
+        let filter = filter_name(sampler);
+        let means = [sampler.min, sampler.mag].contains(&Filter::Linear)
+            || sampler.mipmap == Mipmap::Linear;
+        if first.format.is_integer() && means {
+            let (format, mag, min) = (first.format, mag_name(sampler), filter);
+            return Err(Incomplete::FilteredIntegers { format, mag, min });
+        }
         if sampler.mipmap == Mipmap::None {
             return Ok(Levels { base, last: base });
         }
-        let filter = filter_name(sampler);
         if base > sampler.max_level {
             return Err(Incomplete::NoLevels { base, max: sampler.max_level, filter });
         }
-        let smallest = base + first.width.max(first.height).ilog2();
-        let last = smallest.min(sampler.max_level);
-        for face in 0..self.shape.faces() {
+        let shape = self.shape;
+        let largest = first.size()[..shape.axes()].iter().fold(1, |most, side| most.max(*side));
+        let last = (base + largest.ilog2()).min(sampler.max_level);
+        for face in 0..shape.faces() {
+            let mut expected = first.size();
             for level in base + 1..=last {
-                let shape = self.shape;
+                expected = shape.halved(expected);
                 let Some(got) = self.level(face, level as usize) else {
                     return Err(Incomplete::Missing { shape, face, level, filter, base, last });
                 };
-                let half = |size: u32| (size >> (level - base)).max(1);
-                let expected = [half(first.width), half(first.height)];
-                let size = [got.width, got.height];
+                let size = got.size();
                 if size != expected {
                     return Err(Incomplete::WrongSize { shape, face, level, got: size, expected });
                 }
-                self.check_format(face, level, got, first)?;
+                self.check_kind(face, level, got, first)?;
             }
         }
         Ok(Levels { base, last })
@@ -212,7 +281,7 @@ impl Image {
         let shape = self.shape;
         let found = self.level(face, level as usize);
         let found = found.ok_or(Incomplete::NoBase { shape, face, level })?;
-        if found.width == 0 || found.height == 0 {
+        if found.size().contains(&0) {
             return Err(Incomplete::Empty { shape, face, level });
         }
         Ok(found)
@@ -230,22 +299,27 @@ impl Image {
             if got != expected {
                 return Err(Incomplete::UnequalFaces { face, level, got, expected });
             }
-            self.check_format(face, level, found, first)?;
+            self.check_kind(face, level, found, first)?;
         }
         Ok(())
     }
 
-    fn check_format(
+    /// Levels and faces have the base level's format and border.
+    fn check_kind(
         &self,
         face: usize,
         level: u32,
         got: &Level,
         first: &Level,
     ) -> Result<(), Incomplete> {
-        if got.format == first.format {
-            return Ok(());
+        let shape = self.shape;
+        if got.format != first.format {
+            let (got, expected) = (got.format, first.format);
+            return Err(Incomplete::MixedFormats { shape, face, level, got, expected });
         }
-        let (shape, got, expected) = (self.shape, got.format, first.format);
-        Err(Incomplete::MixedFormats { shape, face, level, got, expected })
+        if got.border != first.border {
+            return Err(Incomplete::MixedBorders { shape, face, level });
+        }
+        Ok(())
     }
 }

@@ -82,3 +82,64 @@ fn each_defect_has_its_message() {
     faceless.remove(4, 0);
     assert!(reason(&faceless, &without_mipmaps()).contains("level 0 of the face +Z has no image"));
 }
+
+/// A pyramid of each shape; then one level of it is of another size, or of other layers.
+#[test]
+fn every_shape_needs_its_own_sizes() {
+    let rows: &[(Shape, [u32; 3], &[[u32; 3]], &str)] = &[
+        (Shape::D1, [8, 1, 1], &[[4, 1, 1], [2, 1, 1], [1, 1, 1]], ""),
+        (Shape::D1, [5, 1, 1], &[[2, 1, 1], [1, 1, 1]], ""),
+        (Shape::D1, [8, 1, 1], &[[3, 1, 1]], "level 1 is 3, but must be 4"),
+        (Shape::D3, [4, 2, 8], &[[2, 1, 4], [1, 1, 2], [1, 1, 1]], ""),
+        (Shape::D3, [1, 1, 8], &[[1, 1, 4], [1, 1, 2], [1, 1, 1]], ""),
+        (Shape::D3, [4, 2, 8], &[[2, 1, 8]], "level 1 is 2×1×8, but must be 2×1×4"),
+        (Shape::D3, [4, 2, 8], &[[2, 1, 4], [1, 1, 2]], "level 3 is missing"),
+        (Shape::D1Array, [4, 1, 8], &[[2, 1, 8], [1, 1, 8]], ""),
+        (Shape::D1Array, [4, 1, 8], &[[2, 1, 4]], "2 in 4 layers, but must be 2 in 8 layers"),
+        (Shape::D2Array, [4, 4, 16], &[[2, 2, 16], [1, 1, 16]], ""),
+        (Shape::D2Array, [4, 4, 2], &[[2, 2, 1]], "2×2 in 1 layers, but must be 2×2 in 2 layers"),
+        (Shape::D2, [8, 2, 1], &[[4, 1, 1], [2, 1, 1], [1, 1, 1]], ""),
+    ];
+    for (shape, base, smaller, words) in rows {
+        let mut image = Image::new(*shape);
+        for (number, size) in std::iter::once(base).chain(*smaller).enumerate() {
+            let level = Level::with_size(Format::R8, *size, [0; 3]).unwrap();
+            image.set_level(0, number, level).unwrap();
+        }
+        let said = image.completeness(&trilinear()).err().map(|reason| reason.to_string());
+        let said = said.unwrap_or_default();
+        assert_eq!(said.is_empty(), words.is_empty(), "{shape:?} {base:?}: {said}");
+        assert!(said.contains(words), "{shape:?} {base:?}: {said}");
+        assert!(image.completeness(&without_mipmaps()).is_ok());
+    }
+}
+
+#[test]
+fn integers_are_complete_with_nearest_filters_only() {
+    let image = scene::image(Shape::D2, Format::Rgba8UI, 4, 4, 1);
+    use Filter::{Linear, Nearest};
+    for (mag, min, mipmap, complete) in [
+        (Nearest, Nearest, Mipmap::None, true),
+        (Nearest, Nearest, Mipmap::Nearest, true),
+        (Nearest, Nearest, Mipmap::Linear, false),
+        (Nearest, Linear, Mipmap::None, false),
+        (Nearest, Linear, Mipmap::Nearest, false),
+        (Linear, Nearest, Mipmap::None, false),
+    ] {
+        let sampler = Sampler { mag, min, mipmap, ..Sampler::default() };
+        let said = image.completeness(&sampler).err().map(|reason| reason.to_string());
+        assert_eq!(said.is_none(), complete, "{mag:?} {min:?} {mipmap:?}: {said:?}");
+        assert!(said.is_none_or(|said| said.contains("GL_TEXTURE_MAG_FILTER")));
+    }
+}
+
+#[test]
+fn borders_of_all_levels_are_alike() {
+    let mut image = Image::new(Shape::D2);
+    for (number, side) in [4, 2, 1].into_iter().enumerate() {
+        let border = if number == 1 { [0; 3] } else { [1, 1, 0] };
+        let level = Level::with_size(Format::L8, [side, side, 1], border).unwrap();
+        image.set_level(0, number, level).unwrap();
+    }
+    assert!(reason(&image, &trilinear()).starts_with("level 1 and the base level differ in"));
+}

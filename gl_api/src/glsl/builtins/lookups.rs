@@ -1,5 +1,6 @@
-//! The texture lookups (GLSL 1.30 section 8.7, GLSL 1.20 section 8.7 and its extensions), generated
-//! from two tables: what each kind of sampler takes, and how the functions are named.
+//! The texture lookups (GLSL 1.30 section 8.7; GLSL 1.20 section 8.7; `EXT_gpu_shader4`,
+//! `EXT_texture_array`, `ARB_texture_rectangle`, `ARB_shader_texture_lod`), generated from a table of
+//! what each kind of sampler takes.
 
 use super::functions::{Lower, P, Row};
 use crate::glsl::Scalar;
@@ -74,9 +75,13 @@ struct Kind {
     /// Components of a size.
     size: u8,
     levels: Levels,
-    /// How the functions before 1.30 begin, and since when.
-    old: Option<(&'static str, Since)>,
+    /// How the functions before 1.30 begin.
+    prefix: &'static str,
+    /// What brought those of them that are not of `EXT_gpu_shader4` alone.
+    since: Since,
 }
+
+const GPU_SHADER4: Since = Since::only(Extension::GpuShader4);
 
 const KINDS: [Kind; 13] = {
     use Comparison::{No, Yes};
@@ -88,26 +93,26 @@ const KINDS: [Kind; 13] = {
         projected: &'static [u8],
         [gradient, offset, size]: [u8; 3],
         levels: Levels,
-        old: Option<(&'static str, Since)>,
+        (prefix, since): (&'static str, Since),
     ) -> Kind {
-        Kind { dim, comparison, coords, projected, gradient, offset, size, levels, old }
+        Kind { dim, comparison, coords, projected, gradient, offset, size, levels, prefix, since }
     }
     const RECT: Since = Since::only(Extension::TextureRectangle);
-    const ARRAY: Since = Since::only(Extension::TextureArray);
+    const ARRAY: Since = GPU_SHADER4.or(Extension::TextureArray);
     [
-        row((D1, No), 1, &[2, 4], [1, 1, 1], All, Some(("texture1D", Since::V110))),
-        row((D2, No), 2, &[3, 4], [2, 2, 2], All, Some(("texture2D", Since::ALWAYS))),
-        row((D3, No), 3, &[4], [3, 3, 3], All, Some(("texture3D", Since::V110))),
-        row((Cube, No), 3, &[], [3, 0, 2], All, Some(("textureCube", Since::ALWAYS))),
-        row((Rect, No), 2, &[3, 4], [2, 2, 2], Derived, Some(("texture2DRect", RECT))),
-        row((D1Array, No), 2, &[], [1, 1, 2], All, Some(("texture1DArray", ARRAY))),
-        row((D2Array, No), 3, &[], [2, 2, 3], All, Some(("texture2DArray", ARRAY))),
-        row((D1, Yes), 3, &[4], [1, 1, 1], All, Some(("shadow1D", Since::V110))),
-        row((D2, Yes), 3, &[4], [2, 2, 2], All, Some(("shadow2D", Since::V110))),
-        row((Cube, Yes), 4, &[], [3, 0, 2], Biased, None),
-        row((Rect, Yes), 3, &[4], [2, 2, 2], Derived, Some(("shadow2DRect", RECT))),
-        row((D1Array, Yes), 3, &[], [1, 1, 2], All, Some(("shadow1DArray", ARRAY))),
-        row((D2Array, Yes), 4, &[], [2, 2, 3], Derived, Some(("shadow2DArray", ARRAY))),
+        row((D1, No), 1, &[2, 4], [1, 1, 1], All, ("texture1D", Since::V110)),
+        row((D2, No), 2, &[3, 4], [2, 2, 2], All, ("texture2D", Since::ALWAYS)),
+        row((D3, No), 3, &[4], [3, 3, 3], All, ("texture3D", Since::V110)),
+        row((Cube, No), 3, &[], [3, 0, 2], All, ("textureCube", Since::ALWAYS)),
+        row((Rect, No), 2, &[3, 4], [2, 2, 2], Derived, ("texture2DRect", RECT)),
+        row((D1Array, No), 2, &[], [1, 1, 2], All, ("texture1DArray", ARRAY)),
+        row((D2Array, No), 3, &[], [2, 2, 3], All, ("texture2DArray", ARRAY)),
+        row((D1, Yes), 3, &[4], [1, 1, 1], All, ("shadow1D", Since::V110)),
+        row((D2, Yes), 3, &[4], [2, 2, 2], All, ("shadow2D", Since::V110)),
+        row((Cube, Yes), 4, &[], [3, 0, 2], Biased, ("shadowCube", GPU_SHADER4)),
+        row((Rect, Yes), 3, &[4], [2, 2, 2], Derived, ("shadow2DRect", RECT)),
+        row((D1Array, Yes), 3, &[], [1, 1, 2], All, ("shadow1DArray", ARRAY)),
+        row((D2Array, Yes), 4, &[], [2, 2, 3], Derived, ("shadow2DArray", ARRAY)),
     ]
 };
 
@@ -127,6 +132,25 @@ impl Kind {
     fn coordinates(&self) -> impl Iterator<Item = (Projection, u8)> {
         let projected = self.projected.iter().map(|&size| (Projection::Divide, size));
         std::iter::once((Projection::None, self.coords)).chain(projected)
+    }
+
+    /// The texels that its samplers give.
+    fn scalars(&self) -> &'static [Scalar] {
+        match self.comparison {
+            Comparison::Yes => &[Scalar::Float],
+            Comparison::No => &[Scalar::Float, Scalar::Int, Scalar::Uint],
+        }
+    }
+
+    /// Whether there is a layer among the coordinates.
+    fn is_array(&self) -> bool {
+        matches!(self.dim, Dim::D1Array | Dim::D2Array)
+    }
+
+    /// With offset and without, as far as there are offsets.
+    fn shifts(&self) -> &'static [(Shift, &'static str)] {
+        const ALL: [(Shift, &str); 2] = [(Shift::None, ""), (Shift::Texels, "Offset")];
+        if self.offset == 0 { &ALL[..1] } else { &ALL }
     }
 
     /// The parameters of a sample.
@@ -170,90 +194,94 @@ fn stages(form: LodForm) -> Stages {
 pub fn rows() -> Vec<Row> {
     let mut rows = Vec::new();
     for kind in &KINDS {
-        old(kind, &mut rows);
-        let scalars: &[Scalar] = match kind.comparison {
-            Comparison::Yes => &[Scalar::Float],
-            Comparison::No => &[Scalar::Float, Scalar::Int, Scalar::Uint],
-        };
-        for &scalar in scalars {
+        for &scalar in kind.scalars() {
             let sampler = Sampler { dim: kind.dim, scalar, comparison: kind.comparison };
-            new(kind, sampler, &mut rows);
+            named_by_kind(kind, sampler, &mut rows);
+            overloaded(kind, sampler, &mut rows);
         }
     }
     rows
 }
 
-/// The functions that have the kind of sampler in their names: `texture2DProjLod`.
-fn old(kind: &Kind, rows: &mut Vec<Row>) {
-    let Some((prefix, since)) = kind.old else { return };
-    let sampler = Sampler { dim: kind.dim, scalar: Scalar::Float, comparison: kind.comparison };
+/// A row of any stage.
+fn row(name: String, result: P, parameters: Vec<P>, since: Since, lookup: Lookup) -> Row {
+    let (stages, lower) = (Stages::Any, Lower::Texture(lookup));
+    Row { name, result, parameters, since, stages, lower }
+}
+
+/// The functions that have the kind of sampler in their names: `texture2DProjLod`. Integers,
+/// offsets and gradients are of `EXT_gpu_shader4`; gradients with an `ARB` behind them of
+/// `ARB_shader_texture_lod`.
+fn named_by_kind(kind: &Kind, sampler: Sampler, rows: &mut Vec<Row>) {
+    let prefix = kind.prefix;
+    let result = P::Fixed(sampler.scalar, 4);
     for (projection, size) in kind.coordinates() {
         for form in FORMS.into_iter().filter(|form| kind.allows(*form)) {
-            let suffix = if form == LodForm::Gradient { "ARB" } else { "" };
-            let since = match form {
-                LodForm::Gradient => Since::only(Extension::ShaderTextureLod),
-                LodForm::Implicit | LodForm::Bias | LodForm::Explicit => since,
-            };
-            rows.push(Row {
-                name: format!("{prefix}{}{suffix}", infix(projection, form)),
-                result: P::Fixed(Scalar::Float, 4),
-                parameters: kind.parameters(sampler, size, form, Shift::None),
-                since,
-                stages: stages(form),
-                lower: Lower::Texture(Lookup::Sample(projection, form, Shift::None)),
-            });
+            for &(shift, suffix) in kind.shifts() {
+                let lookup = Lookup::Sample(projection, form, shift);
+                let since = match (sampler.scalar, form, shift) {
+                    (Scalar::Float, LodForm::Gradient, Shift::None) if !kind.is_array() => {
+                        let name = format!("{prefix}{}ARB", infix(projection, form));
+                        let parameters = kind.parameters(sampler, size, form, shift);
+                        let since = Since::only(Extension::ShaderTextureLod);
+                        rows.push(row(name, result, parameters, since, lookup));
+                        GPU_SHADER4
+                    }
+                    (
+                        Scalar::Float,
+                        LodForm::Implicit | LodForm::Bias | LodForm::Explicit,
+                        Shift::None,
+                    ) => kind.since,
+                    (_, _, _) => GPU_SHADER4,
+                };
+                let name = format!("{prefix}{}{suffix}", infix(projection, form));
+                let parameters = kind.parameters(sampler, size, form, shift);
+                let row = row(name, result, parameters, since, lookup);
+                rows.push(Row { stages: stages(form), ..row });
+            }
         }
+    }
+    // `texelFetch2DRect`, `textureSize1DArray`.
+    if let Some(dim) = prefix.strip_prefix("texture") {
+        unfiltered(kind, sampler, dim, GPU_SHADER4, rows);
     }
 }
 
-/// The functions of GLSL 1.30: `textureProjLodOffset`, `texelFetch`, `textureSize`.
-fn new(kind: &Kind, sampler: Sampler, rows: &mut Vec<Row>) {
+/// The functions of GLSL 1.30: `textureProjLodOffset`.
+fn overloaded(kind: &Kind, sampler: Sampler, rows: &mut Vec<Row>) {
     let result = match kind.comparison {
         Comparison::Yes => P::Fixed(Scalar::Float, 1),
         Comparison::No => P::Fixed(sampler.scalar, 4),
     };
-    let mut row = |name: String, result, parameters, stages, lookup| {
-        let (since, lower) = (Since::V130, Lower::Texture(lookup));
-        rows.push(Row { name, result, parameters, since, stages, lower });
-    };
     for (projection, size) in kind.coordinates() {
         for form in FORMS.into_iter().filter(|form| kind.allows(*form)) {
-            for (shift, suffix) in [(Shift::None, ""), (Shift::Texels, "Offset")] {
-                if shift == Shift::Texels && kind.offset == 0 {
-                    continue;
-                }
+            for &(shift, suffix) in kind.shifts() {
                 let name = format!("texture{}{suffix}", infix(projection, form));
                 let parameters = kind.parameters(sampler, size, form, shift);
-                row(
-                    name,
-                    result,
-                    parameters,
-                    stages(form),
-                    Lookup::Sample(projection, form, shift),
-                );
+                let lookup = Lookup::Sample(projection, form, shift);
+                let row = row(name, result, parameters, Since::V130, lookup);
+                rows.push(Row { stages: stages(form), ..row });
             }
         }
     }
+    unfiltered(kind, sampler, "", Since::V130, rows);
+}
+
+/// `textureSize`, `texelFetch` and `texelFetchOffset`, with `dim` in their names.
+fn unfiltered(kind: &Kind, sampler: Sampler, dim: &str, since: Since, rows: &mut Vec<Row>) {
     let int = |size| P::Fixed(Scalar::Int, size);
-    let mut level = vec![int(1)];
-    if kind.dim == Dim::Rect {
-        level.clear();
-    }
-    let mut parameters = vec![P::Sampler(sampler)];
-    parameters.extend(&level);
-    row("textureSize".into(), int(kind.size), parameters, Stages::Any, Lookup::Size);
+    let result = P::Fixed(sampler.scalar, 4);
+    // A rectangle has one level.
+    let level: &[P] = if kind.dim == Dim::Rect { &[] } else { &[P::Fixed(Scalar::Int, 1)] };
+    let with = |more: &[P]| [&[P::Sampler(sampler)], more, level].concat();
+    let name = format!("textureSize{dim}");
+    rows.push(row(name, int(kind.size), with(&[]), since, Lookup::Size));
     if kind.comparison == Comparison::No && kind.offset > 0 {
-        let mut parameters = vec![P::Sampler(sampler), int(kind.coords)];
-        parameters.extend(&level);
-        row(
-            "texelFetch".into(),
-            result,
-            parameters.clone(),
-            Stages::Any,
-            Lookup::Fetch(Shift::None),
-        );
+        let mut parameters = with(&[int(kind.coords)]);
+        let name = format!("texelFetch{dim}");
+        rows.push(row(name, result, parameters.clone(), since, Lookup::Fetch(Shift::None)));
         parameters.push(int(kind.offset));
-        let lookup = Lookup::Fetch(Shift::Texels);
-        row("texelFetchOffset".into(), result, parameters, Stages::Any, lookup);
+        let name = format!("texelFetch{dim}Offset");
+        rows.push(row(name, result, parameters, since, Lookup::Fetch(Shift::Texels)));
     }
 }

@@ -10,10 +10,9 @@ use crate::glsl::builtins::lookups::{LodForm, Lookup, Shift};
 use crate::glsl::diagnostics::{Diagnostic, closest};
 use crate::glsl::hir::{Direction, Expr, ExprKind, VarRef};
 use crate::glsl::limits::TEXEL_OFFSETS;
-use crate::glsl::lower::unsupported;
 use crate::glsl::source::Span;
 use crate::glsl::types::Type;
-use crate::glsl::version::{Extension, Stages, Version, stage_name};
+use crate::glsl::version::{Extension, Version, stage_name};
 use rasterizer::ir::Stage;
 
 /// A function that a call may mean.
@@ -84,11 +83,19 @@ impl Checker<'_> {
             return Expr::error(span);
         }
         let fits = |candidate: &&Candidate| candidate.conversions(&arguments, self.version);
-        let best = candidates.iter().filter(|c| fits(c).is_some()).min_by_key(|c| fits(c));
-        let Some(best) = best.cloned() else {
+        let fitting: Vec<&Candidate> = candidates.iter().filter(|c| fits(c).is_some()).collect();
+        let Some(&best) = fitting.iter().min_by_key(|c| fits(c)) else {
             self.no_match(name, &arguments, &candidates);
             return Expr::error(span);
         };
+        if fits(&best) != Some(0) && fitting.len() > 1 {
+            let list: Vec<String> = fitting.iter().map(|c| c.signature(&name.text)).collect();
+            let message = format!("the call of `{}` fits more than one function", name.text);
+            let problem = Diagnostic::error(name.span, message).rule(self.rule("6.1"));
+            self.log.push(problem.note(format!("there are: {}", list.join(", "))));
+            return Expr::error(span);
+        }
+        let best = best.clone();
         self.finish_call(name, best, arguments, span)
     }
 
@@ -263,7 +270,7 @@ impl Checker<'_> {
                 return self.binary(BinaryOp::Mul, matrix, vertex, span);
             }
             Lower::Texture(lookup) => {
-                if !self.check_lookup(row, lookup, name, &arguments) {
+                if !self.check_lookup(lookup, name, &arguments) {
                     return Expr::error(span);
                 }
             }
@@ -275,33 +282,20 @@ impl Checker<'_> {
         }
         // From 1.20 on a function of constants is constant (section 4.3.3).
         let constant = row.folds()
-            && row.stages == Stages::Any
             && self.version >= Version::V120
             && arguments.iter().all(|argument| argument.constant);
         Expr { ty, span, constant, kind: ExprKind::Builtin(row, arguments) }
     }
 
     /// What the types of a lookup's arguments do not say; whether it can be carried out.
-    fn check_lookup(
-        &mut self,
-        row: &Row,
-        lookup: Lookup,
-        name: &ast::Name,
-        arguments: &[Expr],
-    ) -> bool {
-        let Some(P::Sampler(sampler)) = row.parameters.first() else { return true };
-        if let Some(what) = unsupported(*sampler, lookup) {
-            let message = format!("`{}`: {what}", name.text);
-            let problem = Diagnostic::error(name.span, message);
-            self.log.push(problem.note("the call is right, but DetGL cannot carry it out yet"));
-            return false;
-        }
+    fn check_lookup(&mut self, lookup: Lookup, name: &ast::Name, arguments: &[Expr]) -> bool {
         let explicit = matches!(lookup, Lookup::Sample(_, LodForm::Explicit, _));
         if explicit && !self.is_vertex() && self.version < Version::V130 {
             let message = format!("`{}` in the fragment stage is an extension", name.text);
             let warning = Diagnostic::warning(name.span, message)
                 .help("write `#extension GL_ARB_shader_texture_lod : enable` first");
-            if !self.language.enabled(Extension::ShaderTextureLod) {
+            let known = [Extension::ShaderTextureLod, Extension::GpuShader4];
+            if !known.iter().any(|known| self.language.enabled(*known)) {
                 self.log.push(warning);
             }
         }

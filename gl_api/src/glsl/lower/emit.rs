@@ -3,7 +3,7 @@
 
 use crate::glsl::limits::MAX_VALUES;
 use rasterizer::ir::{
-    Axis, Builder, Expr, Input, Lod, Op, Stage, Stmt, Texture, TextureDecl, Ty, Value, Var,
+    Access, Axis, Builder, Expr, Input, Lod, Op, Stage, Stmt, Texture, TextureDecl, Ty, Value, Var,
 };
 use std::collections::BTreeMap;
 
@@ -188,17 +188,20 @@ impl Emit {
     }
 
     /// A texture access.
-    pub fn sample(
+    pub fn access(
         &mut self,
         texture: Texture,
+        access: Access,
         coords: [Value; 3],
         reference: Option<Value>,
         lod: Lod,
     ) -> [Value; 4] {
         if self.is_full() {
-            return [self.float(0.0); 4];
+            let decl = self.builder.module().textures[texture.0 as usize];
+            let ty = if access == Access::Size { Ty::I32 } else { decl.texels };
+            return [self.constant(0, ty); 4];
         }
-        self.builder.sample(texture, coords, reference, lod)
+        self.builder.access(texture, access, coords, reference, lod)
     }
 
     /// A new texture slot.

@@ -7,36 +7,58 @@ use crate::glsl::builtins::lookups::{LodForm, Lookup, Projection, Shift};
 use crate::glsl::hir::Expr;
 use crate::glsl::limits::MAX_DYNAMIC_SAMPLERS;
 use crate::glsl::types::{Comparison, Dim, Sampler, Type};
-use rasterizer::ir::{Lod, Op, Texture, TextureDecl, Ty, Value};
+use rasterizer::ir::{self, Lod, Op, Texture, TextureDecl, Ty, Value};
 use texunit::image::Shape;
 
 /// A lookup, but for the texture.
 struct Access {
+    access: ir::Access,
     coords: [Value; 3],
     reference: Option<Value>,
     lod: Lod,
 }
 
-/// The shape of texture that a sampler takes, if there are such textures.
-fn shape(dim: Dim) -> Option<Shape> {
+/// The shape of texture that a sampler takes.
+fn shape(dim: Dim) -> Shape {
     match dim {
-        Dim::D2 => Some(Shape::D2),
-        Dim::Cube => Some(Shape::Cube),
-        Dim::D1 | Dim::D3 | Dim::Rect | Dim::D1Array | Dim::D2Array => None,
+        Dim::D1 => Shape::D1,
+        Dim::D2 => Shape::D2,
+        Dim::D3 => Shape::D3,
+        Dim::Cube => Shape::Cube,
+        Dim::Rect => Shape::Rect,
+        Dim::D1Array => Shape::D1Array,
+        Dim::D2Array => Shape::D2Array,
     }
 }
 
-/// Why a lookup cannot be carried out.
-pub fn unsupported(sampler: Sampler, lookup: Lookup) -> Option<String> {
-    let ty = Type::Sampler(sampler);
-    if shape(sampler.dim).is_none() || sampler.scalar != Scalar::Float {
-        return Some(format!("there are no textures for {ty}"));
+/// The slot that a sampler needs.
+fn slot(sampler: Sampler) -> TextureDecl {
+    let texels = match sampler.scalar {
+        Scalar::Float | Scalar::Bool => Ty::F32,
+        Scalar::Int => Ty::I32,
+        Scalar::Uint => Ty::U32,
+    };
+    let compare = sampler.comparison == Comparison::Yes;
+    TextureDecl { shape: shape(sampler.dim), compare, texels }
+}
+
+/// The arguments of a lookup behind the sampler, taken apart.
+struct Arguments<'a> {
+    kind: Sampler,
+    values: &'a [Vec<Value>],
+    /// 0 and 0.0.
+    zeros: [Value; 2],
+}
+
+impl Arguments<'_> {
+    fn scalar(&self, at: Option<usize>) -> Option<Value> {
+        self.values.get(at?).and_then(|values| values.first()).copied()
     }
-    match lookup {
-        Lookup::Sample(_, _, Shift::None) => None,
-        Lookup::Sample(_, _, Shift::Texels) => Some("offsets are not applied".to_owned()),
-        Lookup::Fetch(_) => Some("single texels cannot be fetched".to_owned()),
-        Lookup::Size => Some("the size of a texture is not known to shaders".to_owned()),
+
+    /// As many components as find a texel, the rest `zero`.
+    fn three(&self, values: &[Value], zero: Value) -> [Value; 3] {
+        let used = self.kind.dim.coords();
+        [0, 1, 2].map(|i| if i < used { values.get(i).copied().unwrap_or(zero) } else { zero })
     }
 }
 
@@ -47,49 +69,95 @@ impl Lowerer<'_> {
         arguments: &[Expr],
         result: &Type,
     ) -> Lowered<Vec<Value>> {
-        let [sampler, coords, rest @ ..] = arguments else {
-            return Err(Failure("a texture lookup without coordinates".to_owned()));
+        let [sampler, rest @ ..] = arguments else {
+            return Err(Failure("a texture lookup without a sampler".to_owned()));
         };
         let Type::Sampler(kind) = sampler.ty else {
             return Err(Failure(format!("{} is no sampler", sampler.ty)));
         };
-        let (Some(shape), Lookup::Sample(projection, form, _)) = (shape(kind.dim), lookup) else {
-            return Err(Failure(unsupported(kind, lookup).unwrap_or_default()));
-        };
-        let decl = TextureDecl { shape, compare: kind.comparison == Comparison::Yes };
         let place = self
             .place(sampler)?
             .ok_or_else(|| Failure("a sampler that is no uniform".to_owned()))?;
+        let values = rest.iter().map(|expr| self.expr(expr)).collect::<Lowered<Vec<_>>>()?;
+        let zeros = [self.emit.constant(0, Ty::I32), self.emit.float(0.0)];
+        let arguments = Arguments { kind, values: &values, zeros };
+        let access = match lookup {
+            Lookup::Sample(projection, form, shift) => {
+                self.sample_access(&arguments, projection, form, shift)
+            }
+            Lookup::Fetch(shift) => self.fetch_access(&arguments, shift),
+            Lookup::Size => {
+                let [zero, _] = zeros;
+                let lod = Lod::Explicit(arguments.scalar(Some(0)).unwrap_or(zero));
+                Access { access: ir::Access::Size, coords: [zero; 3], reference: None, lod }
+            }
+        };
+        let mut values = self.look_up(&place, slot(kind), &access)?;
+        values.truncate(result.scalars() as usize);
+        Ok(values)
+    }
 
-        let mut coords = self.expr(coords)?;
+    fn sample_access(
+        &mut self,
+        arguments: &Arguments<'_>,
+        projection: Projection,
+        form: LodForm,
+        shift: Shift,
+    ) -> Access {
+        let Arguments { kind, values, zeros: [_, zero] } = *arguments;
+        let mut coords = values.first().cloned().unwrap_or_default();
         if projection == Projection::Divide
             && let Some(q) = coords.pop()
         {
             coords = coords.iter().map(|&c| self.emit.op(Op::Div, &[c, q])).collect();
         }
-        let zero = self.emit.float(0.0);
-        let used = kind.dim.coords();
         // The reference is the third component, or the one after the coordinates.
-        let reference = decl.compare.then(|| coords.get(used.max(2)).copied().unwrap_or(zero));
-        let three = |values: &[Value]| {
-            [0, 1, 2].map(|i| if i < used { values.get(i).copied().unwrap_or(zero) } else { zero })
+        let behind = kind.dim.coords().max(2);
+        let compares = kind.comparison == Comparison::Yes;
+        let reference = compares.then(|| coords.get(behind).copied().unwrap_or(zero));
+        let last = values.len().checked_sub(1);
+        // Behind the offset, where there is one.
+        let bias = if form == LodForm::Bias { last } else { None };
+        let offset = match (shift, bias) {
+            (Shift::None, _) => None,
+            (Shift::Texels, None) => last,
+            (Shift::Texels, Some(bias)) => bias.checked_sub(1),
         };
-        let coords = three(&coords);
-        let rest = rest.iter().map(|expr| self.expr(expr)).collect::<Lowered<Vec<_>>>()?;
-        let scalar = |values: Option<&Vec<Value>>| values.and_then(|v| v.first()).copied();
         let lod = match form {
-            LodForm::Implicit => Lod::Implicit { bias: None },
-            LodForm::Bias => Lod::Implicit { bias: scalar(rest.last()) },
-            LodForm::Explicit => Lod::Explicit(scalar(rest.first()).unwrap_or(zero)),
+            LodForm::Implicit | LodForm::Bias => Lod::Implicit { bias: arguments.scalar(bias) },
+            LodForm::Explicit => Lod::Explicit(arguments.scalar(Some(1)).unwrap_or(zero)),
             LodForm::Gradient => {
-                let derivative = |at: usize| three(rest.get(at).map_or(&[], |v| &v[..]));
-                Lod::Gradient { dx: derivative(0), dy: derivative(1) }
+                let derivative =
+                    |at: usize| arguments.three(values.get(at).map_or(&[], |v| &v[..]), zero);
+                Lod::Gradient { dx: derivative(1), dy: derivative(2), bias: None }
             }
         };
-        let access = Access { coords, reference, lod };
-        let mut values = self.look_up(&place, decl, &access)?;
-        values.truncate(result.scalars() as usize);
-        Ok(values)
+        let access = ir::Access::Filter { offset: self.texel_offset(arguments, offset) };
+        Access { access, coords: arguments.three(&coords, zero), reference, lod }
+    }
+
+    fn fetch_access(&mut self, arguments: &Arguments<'_>, shift: Shift) -> Access {
+        let Arguments { kind, values, zeros: [zero, _] } = *arguments;
+        let coords = arguments.three(values.first().map_or(&[], |v| &v[..]), zero);
+        let (level, offset) = match (kind.dim, shift) {
+            (Dim::Rect, Shift::None) => (None, None),
+            (Dim::Rect, Shift::Texels) => (None, Some(1)),
+            (_, Shift::None) => (Some(1), None),
+            (_, Shift::Texels) => (Some(1), Some(2)),
+        };
+        let lod = Lod::Explicit(arguments.scalar(level).unwrap_or(zero));
+        let access = ir::Access::Fetch { offset: self.texel_offset(arguments, offset) };
+        Access { access, coords, reference: None, lod }
+    }
+
+    /// A constant offset, as the checker has seen it; 0 where there is none.
+    fn texel_offset(&self, arguments: &Arguments<'_>, at: Option<usize>) -> [i32; 3] {
+        let mut offset = [0; 3];
+        let values = at.and_then(|at| arguments.values.get(at)).into_iter().flatten();
+        for (offset, value) in offset.iter_mut().zip(values) {
+            *offset = self.emit.known(*value).unwrap_or(0) as i32;
+        }
+        offset
     }
 
     fn look_up(
@@ -135,6 +203,7 @@ impl Lowerer<'_> {
                 texture
             }
         };
-        self.emit.sample(texture, access.coords, access.reference, access.lod)
+        let Access { access, coords, reference, lod } = *access;
+        self.emit.access(texture, access, coords, reference, lod)
     }
 }

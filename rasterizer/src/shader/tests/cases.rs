@@ -22,6 +22,7 @@ fn fragment() -> (Builder, Var) {
 fn by_lane(input: Input, lane: usize) -> u32 {
     match input {
         Input::Varying(slot) => (lane as f32 - 20.0 + f32::from(slot)).to_bits(),
+        Input::Slope { .. } => 0,
         other => unreachable!("{other:?}"),
     }
 }
@@ -128,7 +129,7 @@ fn derivatives_are_the_differences_within_a_quad() {
 fn a_slot_without_a_texture_samples_as_opaque_black() {
     let (mut b, red) = fragment();
     let alpha = b.output(Output::Color { target: 0, component: 3 });
-    let slot = b.texture(TextureDecl { shape: Shape::D2, compare: false });
+    let slot = b.texture(TextureDecl::color(Shape::D2));
     let s = b.input(Input::Varying(0));
     let texel = b.sample(slot, [s; 3], None, Lod::Implicit { bias: None });
     b.store(red, texel[0]);

@@ -1,0 +1,56 @@
+//! Primitive restart (`NV_primitive_restart`, GL 3.1): an index that ends a primitive and begins
+//! the next. A draw by index becomes a draw of each run between such indices.
+
+use super::immediate;
+use crate::context::Context;
+use crate::error::{Result, invalid_operation};
+use crate::state::enable::Flag;
+use crate::types::*;
+use rasterizer::driver::{Buffer, IndexType};
+use std::ops::Range;
+
+/// Whether an index restarts.
+pub(super) fn is_restart(context: &Context, index: u32) -> bool {
+    context.state.enables.has(Flag::PrimitiveRestart) && index == context.state.arrays.restart_index
+}
+
+/// The runs of indices, as their numbers in the draw; all of them, where nothing restarts.
+pub(super) fn runs(
+    context: &Context,
+    buffer: &Buffer,
+    offset: usize,
+    ty: IndexType,
+    count: usize,
+) -> Vec<Range<usize>> {
+    if !context.state.enables.has(Flag::PrimitiveRestart) {
+        return Vec::from([Range { start: 0, end: count }]);
+    }
+    let bytes = &buffer.bytes()[offset..offset + count * ty.size()];
+    let mut runs = Vec::new();
+    let mut start = 0;
+    for (at, index) in bytes.chunks_exact(ty.size()).enumerate() {
+        let index = index.iter().rev().fold(0, |word, &byte| word << 8 | u32::from(byte));
+        if is_restart(context, index) {
+            runs.push(start..at);
+            start = at + 1;
+        }
+    }
+    runs.push(start..count);
+    runs.retain(|run| !run.is_empty());
+    runs
+}
+
+pub(crate) fn primitive_restart_index(context: &mut Context, index: GLuint) -> Result<()> {
+    context.state.arrays.restart_index = index;
+    Ok(())
+}
+
+pub(crate) fn primitive_restart(context: &mut Context) -> Result<()> {
+    if !immediate::restart(context)? {
+        return invalid_operation(
+            "NV_primitive_restart",
+            "must be called between glBegin and glEnd",
+        );
+    }
+    Ok(())
+}

@@ -1,0 +1,224 @@
+//! Buffer objects in the client's hands: GL 2.1, section 2.9, `ARB_map_buffer_range`,
+//! `ARB_copy_buffer`; and what is known of a buffer.
+//!
+//! A mapped buffer's bytes are taken out of it, so that a draw that was recorded earlier keeps what
+//! it saw and nothing else can read them; calls that would are refused.
+
+use super::buffers::{BUFFER_TARGET, BufferObject, Map, binding, bound, range, unmapped};
+use crate::constants::*;
+use crate::context::Context;
+use crate::error::{Result, Table, invalid_operation, invalid_value};
+use crate::query::put;
+use crate::types::*;
+use rasterizer::driver::Buffer;
+
+const SECTION: &str = "GL 2.1, section 2.9";
+const RANGE: &str = "ARB_map_buffer_range";
+
+const ACCESS: Table<GLbitfield> = Table {
+    section: SECTION,
+    rows: &[
+        (GL_READ_ONLY, GL_MAP_READ_BIT),
+        (GL_WRITE_ONLY, GL_MAP_WRITE_BIT),
+        (GL_READ_WRITE, GL_MAP_READ_BIT | GL_MAP_WRITE_BIT),
+    ],
+};
+
+/// Takes the bytes out.
+fn map(object: &mut BufferObject, range: std::ops::Range<usize>, access: GLbitfield) -> *mut u8 {
+    let mut buffer = std::mem::take(&mut object.buffer);
+    let bytes = std::mem::take(buffer.bytes_mut());
+    let both = access & (GL_MAP_READ_BIT | GL_MAP_WRITE_BIT);
+    object.access = ACCESS.encode(both);
+    let map = object.map.insert(Map { bytes, range: range.clone(), access });
+    map.bytes[range].as_mut_ptr()
+}
+
+pub(crate) fn map_buffer(
+    context: &mut Context,
+    target: GLenum,
+    access: GLenum,
+) -> Result<*mut GLvoid> {
+    let object = bound(context, target)?;
+    let access = ACCESS.decode("access", access)?;
+    let object = unmapped(object)?;
+    let all = 0..object.len();
+    Ok(map(object, all, access).cast())
+}
+
+pub(crate) fn map_buffer_range(
+    context: &mut Context,
+    target: GLenum,
+    offset: GLintptr,
+    length: GLsizeiptr,
+    access: GLbitfield,
+) -> Result<*mut GLvoid> {
+    const ALL: GLbitfield = GL_MAP_READ_BIT
+        | GL_MAP_WRITE_BIT
+        | GL_MAP_INVALIDATE_RANGE_BIT
+        | GL_MAP_INVALIDATE_BUFFER_BIT
+        | GL_MAP_FLUSH_EXPLICIT_BIT
+        | GL_MAP_UNSYNCHRONIZED_BIT;
+    let object = bound(context, target)?;
+    let range = range(object, offset, length)?;
+    if access & !ALL != 0 {
+        return invalid_value(RANGE, format!("access = {access:#x} has bits that mean nothing"));
+    }
+    let object = unmapped(object)?;
+    let has = |bits| access & bits != 0;
+    let rule = if !has(GL_MAP_READ_BIT | GL_MAP_WRITE_BIT) {
+        Some("must have GL_MAP_READ_BIT or GL_MAP_WRITE_BIT")
+    } else if has(GL_MAP_READ_BIT)
+        && has(GL_MAP_INVALIDATE_RANGE_BIT
+            | GL_MAP_INVALIDATE_BUFFER_BIT
+            | GL_MAP_UNSYNCHRONIZED_BIT)
+    {
+        Some(
+            "reads what it lets be undefined: GL_MAP_READ_BIT goes with no INVALIDATE or \
+              UNSYNCHRONIZED bit",
+        )
+    } else if has(GL_MAP_FLUSH_EXPLICIT_BIT) && !has(GL_MAP_WRITE_BIT) {
+        Some("has GL_MAP_FLUSH_EXPLICIT_BIT, which needs GL_MAP_WRITE_BIT")
+    } else {
+        None
+    };
+    if let Some(rule) = rule {
+        return invalid_operation(RANGE, format!("access = {access:#x} {rule}"));
+    }
+    if range.is_empty() {
+        return invalid_operation(RANGE, "length = 0 maps nothing");
+    }
+    Ok(map(object, range, access).cast())
+}
+
+pub(crate) fn flush_mapped_buffer_range(
+    context: &mut Context,
+    target: GLenum,
+    offset: GLintptr,
+    length: GLsizeiptr,
+) -> Result<()> {
+    let object = bound(context, target)?;
+    let Some(map) = &object.map else {
+        return invalid_operation(RANGE, "the buffer is not mapped");
+    };
+    if map.access & GL_MAP_FLUSH_EXPLICIT_BIT == 0 {
+        return invalid_operation(RANGE, "the buffer was mapped without GL_MAP_FLUSH_EXPLICIT_BIT");
+    }
+    let mapped = map.range.len();
+    if range(object, offset, length)?.end > mapped {
+        return invalid_value(
+            RANGE,
+            format!("offset = {offset} and length = {length} reach past the {mapped} mapped bytes"),
+        );
+    }
+    Ok(())
+}
+
+pub(crate) fn unmap_buffer(context: &mut Context, target: GLenum) -> Result<bool> {
+    let object = bound(context, target)?;
+    match object.map.take() {
+        Some(map) => {
+            object.buffer = Buffer::new(map.bytes);
+            Ok(true)
+        }
+        None => invalid_operation(SECTION, "the buffer is not mapped"),
+    }
+}
+
+impl Context {
+    /// The bytes of a mapped buffer, for clients that do not want to work with the pointer that
+    /// `glMapBuffer` gives. `None` if nothing is bound to the target or it is not mapped.
+    pub fn mapped_bytes(&mut self, target: GLenum) -> Option<&mut [u8]> {
+        let name = *binding(self, BUFFER_TARGET.get(target)?);
+        let map = self.objects.buffers.get_mut(name)?.map.as_mut()?;
+        Some(&mut map.bytes[map.range.clone()])
+    }
+}
+
+pub(crate) fn copy_buffer_sub_data(
+    context: &mut Context,
+    read_target: GLenum,
+    write_target: GLenum,
+    read_offset: GLintptr,
+    write_offset: GLintptr,
+    size: GLsizeiptr,
+) -> Result<()> {
+    let source = unmapped(bound(context, read_target)?)?;
+    let from = range(source, read_offset, size)?;
+    let source = source.buffer.clone();
+    let same = binding_of(context, read_target) == binding_of(context, write_target);
+    let target = unmapped(bound(context, write_target)?)?;
+    let to = range(target, write_offset, size)?;
+    if same && from.start < to.end && to.start < from.end {
+        return invalid_value(
+            "ARB_copy_buffer",
+            format!("bytes {from:?} and {to:?} of the same buffer must not overlap"),
+        );
+    }
+    target.buffer.bytes_mut()[to].copy_from_slice(&source.bytes()[from]);
+    Ok(())
+}
+
+fn binding_of(context: &mut Context, target: GLenum) -> Option<GLuint> {
+    BUFFER_TARGET.get(target).map(|target| *binding(context, target))
+}
+
+pub(crate) fn get_buffer_pointerv(
+    context: &mut Context,
+    target: GLenum,
+    pname: GLenum,
+    params: &mut [*mut GLvoid],
+) -> Result<()> {
+    const POINTER: Table<()> =
+        Table { section: "GL 2.1, section 6.1.13", rows: &[(GL_BUFFER_MAP_POINTER, ())] };
+    POINTER.decode("pname", pname)?;
+    let object = bound(context, target)?;
+    let pointer = match &mut object.map {
+        Some(map) => map.bytes[map.range.clone()].as_mut_ptr().cast(),
+        None => std::ptr::null_mut(),
+    };
+    put(params, &[pointer])
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Property {
+    Size,
+    Usage,
+    Access,
+    AccessFlags,
+    Mapped,
+    MapOffset,
+    MapLength,
+}
+
+pub(crate) fn get_buffer_parameteriv(
+    context: &mut Context,
+    target: GLenum,
+    pname: GLenum,
+    params: &mut [GLint],
+) -> Result<()> {
+    const PROPERTY: Table<Property> = Table {
+        section: "GL 2.1, section 6.1.13",
+        rows: &[
+            (GL_BUFFER_SIZE, Property::Size),
+            (GL_BUFFER_USAGE, Property::Usage),
+            (GL_BUFFER_ACCESS, Property::Access),
+            (GL_BUFFER_ACCESS_FLAGS, Property::AccessFlags),
+            (GL_BUFFER_MAPPED, Property::Mapped),
+            (GL_BUFFER_MAP_OFFSET, Property::MapOffset),
+            (GL_BUFFER_MAP_LENGTH, Property::MapLength),
+        ],
+    };
+    let object = bound(context, target)?;
+    let map = object.map.as_ref();
+    let value = match PROPERTY.decode("pname", pname)? {
+        Property::Size => object.len() as GLint,
+        Property::Usage => object.usage as GLint,
+        Property::Access => object.access as GLint,
+        Property::AccessFlags => map.map_or(0, |map| map.access as GLint),
+        Property::Mapped => GLint::from(map.is_some()),
+        Property::MapOffset => map.map_or(0, |map| map.range.start as GLint),
+        Property::MapLength => map.map_or(0, |map| map.range.len() as GLint),
+    };
+    put(params, &[value])
+}

@@ -1,0 +1,401 @@
+//! Where vertices come from: every way to say the same triangles gives the same picture; buffers in
+//! the client's hands; the errors of each call.
+
+use gl_api::*;
+
+const SIZE: GLsizei = 16;
+
+fn context() -> Context {
+    let desc = ContextDesc { width: SIZE as u32, height: SIZE as u32, ..ContextDesc::default() };
+    let mut c = Context::new(desc).expect("a device");
+    c.clear_color(0.1, 0.2, 0.3, 1.0);
+    c.clear(GL_COLOR_BUFFER_BIT);
+    c
+}
+
+fn picture(c: &mut Context) -> Vec<u8> {
+    let mut pixels = vec![0; (SIZE * SIZE * 4) as usize];
+    c.read_pixels(0, 0, SIZE, SIZE, GL_RGBA, GL_UNSIGNED_BYTE, DataOut::Bytes(&mut pixels));
+    assert_eq!(c.get_error(), GL_NO_ERROR, "{:?}", c.messages());
+    assert!(pixels.chunks(4).any(|pixel| pixel != &pixels[..4]), "nothing was drawn");
+    pixels
+}
+
+fn integer(c: &mut Context, pname: GLenum) -> GLint {
+    let mut value = [0];
+    c.get_integerv(pname, &mut value);
+    value[0]
+}
+
+/// x, y of two triangles.
+const CORNERS: [f32; 12] = [-0.9, -0.9, 0.1, -0.9, -0.9, 0.1, 0.9, 0.9, -0.1, 0.9, 0.9, -0.1];
+
+fn program(c: &mut Context, vertex: &str, fragment: &str) -> GLuint {
+    let program = c.create_program();
+    for (kind, text) in [(GL_VERTEX_SHADER, vertex), (GL_FRAGMENT_SHADER, fragment)] {
+        let shader = c.create_shader(kind);
+        c.shader_source(shader, 1, text.arg(), NULL.arg());
+        c.compile_shader(shader);
+        c.attach_shader(program, shader);
+    }
+    c.bind_attrib_location(program, 0, "position");
+    c.bind_attrib_location(program, 1, "extra");
+    c.link_program(program);
+    let mut log = String::new();
+    c.get_program_info_log(program, 4096, NULL.arg(), TextOut::String(&mut log));
+    assert_eq!(log, "");
+    c.use_program(program);
+    program
+}
+
+#[test]
+fn every_way_to_say_two_triangles_gives_the_same_picture() {
+    type Way = (&'static str, fn(&mut Context));
+    let ways: &[Way] = &[
+        ("arrays", |c| c.draw_arrays(GL_TRIANGLES, 0, 6)),
+        ("elements", |c| {
+            let indices = Data::Bytes(&[0, 1, 2, 3, 4, 5]);
+            c.draw_elements(GL_TRIANGLES, 6, GL_UNSIGNED_BYTE, indices);
+        }),
+        ("several runs", |c| c.multi_draw_arrays(GL_TRIANGLES, &[3, 0], &[3, 3], 2)),
+        ("several runs of indices", |c| {
+            let runs: [&[u8]; 2] = [&[5, 3, 4], &[0, 1, 2]];
+            let runs = Pointers(runs.map(Data::Bytes).to_vec());
+            c.multi_draw_elements(GL_TRIANGLES, &[3, 3], GL_UNSIGNED_BYTE, runs, 2);
+        }),
+        ("a base vertex", |c| {
+            let indices: Vec<u8> =
+                [10u16, 11, 12, 13, 14, 15].iter().flat_map(|i| i.to_ne_bytes()).collect();
+            let indices = Data::Bytes(&indices);
+            c.draw_elements_base_vertex(GL_TRIANGLES, 6, GL_UNSIGNED_SHORT, indices, -10);
+        }),
+        ("instances", |c| c.draw_arrays_instanced(GL_TRIANGLES, 0, 6, 3)),
+        ("restarted fans", |c| {
+            c.enable(GL_PRIMITIVE_RESTART);
+            c.primitive_restart_index(200);
+            let indices = Data::Bytes(&[0, 1, 2, 200, 200, 3, 4, 5, 200]);
+            c.draw_elements(GL_TRIANGLE_FAN, 9, GL_UNSIGNED_BYTE, indices);
+        }),
+        ("elements one by one", |c| {
+            c.begin(GL_TRIANGLES);
+            for i in 0..6 {
+                c.array_element(i);
+            }
+            c.end();
+        }),
+        ("restarts by hand", |c| {
+            c.enable_client_state(GL_PRIMITIVE_RESTART_NV);
+            c.primitive_restart_index(77);
+            c.begin(GL_TRIANGLE_STRIP);
+            for i in [0, 1, 2, 77, 3] {
+                c.array_element(i);
+            }
+            c.array_element(4);
+            c.array_element(5);
+            c.primitive_restart();
+            c.end();
+        }),
+        ("a buffer that was mapped", |c| {
+            c.bind_buffer(GL_ARRAY_BUFFER, 4);
+            let size = size_of_val(&CORNERS) as GLsizeiptr;
+            c.buffer_data(GL_ARRAY_BUFFER, size, Data::Null, GL_STATIC_DRAW);
+            assert!(!c.map_buffer(GL_ARRAY_BUFFER, GL_WRITE_ONLY).is_null());
+            let bytes = c.mapped_bytes(GL_ARRAY_BUFFER).expect("is mapped");
+            bytes.copy_from_slice(bytemuck::cast_slice(&CORNERS));
+            assert!(c.unmap_buffer(GL_ARRAY_BUFFER));
+            c.vertex_pointer(2, GL_FLOAT, 0, Data::Offset(0));
+            c.draw_arrays(GL_TRIANGLES, 0, 6);
+        }),
+        ("a vertex array object", |c| {
+            let mut names = [0; 2];
+            c.gen_vertex_arrays(2, &mut names);
+            c.bind_vertex_array(names[0]);
+            assert!(!c.is_enabled(GL_VERTEX_ARRAY));
+            c.enable_client_state(GL_VERTEX_ARRAY);
+            c.vertex_pointer(2, GL_FLOAT, 0, [0.0f32; 12].as_slice().arg());
+            c.bind_vertex_array(0);
+            assert!(c.is_vertex_array(names[0]) && !c.is_vertex_array(names[1]));
+            c.delete_vertex_arrays(2, &names);
+            c.draw_arrays(GL_TRIANGLES, 0, 6);
+        }),
+    ];
+    let mut first = None;
+    for (name, draw) in ways {
+        let mut c = context();
+        c.enable_client_state(GL_VERTEX_ARRAY);
+        c.vertex_pointer(2, GL_FLOAT, 0, CORNERS.as_slice().arg());
+        draw(&mut c);
+        let got = picture(&mut c);
+        assert!(first.get_or_insert_with(|| got.clone()) == &got, "{name}");
+    }
+}
+
+#[test]
+fn interleaved_arrays_are_their_pointers() {
+    // Format, floats of texture coordinates, colour and normal before the position, its size.
+    let rows: &[(GLenum, usize, usize, usize, usize)] = &[
+        (GL_V2F, 0, 0, 0, 2),
+        (GL_V3F, 0, 0, 0, 3),
+        (GL_C3F_V3F, 0, 3, 0, 3),
+        (GL_N3F_V3F, 0, 0, 3, 3),
+        (GL_C4F_N3F_V3F, 0, 4, 3, 3),
+        (GL_T2F_V3F, 2, 0, 0, 3),
+        (GL_T4F_V4F, 4, 0, 0, 4),
+        (GL_T2F_C3F_V3F, 2, 3, 0, 3),
+        (GL_T2F_N3F_V3F, 2, 0, 3, 3),
+        (GL_T2F_C4F_N3F_V3F, 2, 4, 3, 3),
+        (GL_T4F_C4F_N3F_V4F, 4, 4, 3, 4),
+    ];
+    for &(format, tex_coord, color, normal, position) in rows {
+        let mut direct = context();
+        let mut bytes: Vec<f32> = Vec::new();
+        direct.begin(GL_TRIANGLES);
+        for (index, corner) in CORNERS.chunks(2).enumerate() {
+            let shade = 0.1 + index as f32 / 8.0;
+            bytes.extend([shade, 0.5, 0.25, 1.0].iter().take(tex_coord));
+            let rgba = [shade, 1.0 - shade, 0.5, 0.75];
+            bytes.extend(rgba.iter().take(color));
+            bytes.extend([0.0, 0.0, 1.0].iter().take(normal));
+            bytes.extend([corner[0], corner[1], 0.0, 1.0].iter().take(position));
+            match color {
+                0 => {}
+                3 => direct.color_3f(rgba[0], rgba[1], rgba[2]),
+                _ => direct.color_4f(rgba[0], rgba[1], rgba[2], rgba[3]),
+            }
+            direct.vertex_2f(corner[0], corner[1]);
+        }
+        direct.end();
+        let mut c = context();
+        c.interleaved_arrays(format, 0, bytes.as_slice().arg());
+        c.draw_arrays(GL_TRIANGLES, 0, 6);
+        assert!(picture(&mut direct) == picture(&mut c), "{}", enum_name(format));
+        assert_eq!(c.is_enabled(GL_COLOR_ARRAY), color > 0);
+        assert_eq!(c.is_enabled(GL_NORMAL_ARRAY), normal > 0);
+        assert_eq!(c.is_enabled(GL_TEXTURE_COORD_ARRAY), tex_coord > 0);
+    }
+}
+
+#[test]
+fn instances_have_their_number_and_their_own_attributes() {
+    let vertex = "#version 130\n#extension GL_ARB_draw_instanced : enable\n\
+        in vec2 position; in float extra; out vec3 color;\n\
+        void main() { color = vec3(float(gl_InstanceID) / 2.0, extra, 0.0);\n\
+        gl_Position = vec4(position + vec2(float(gl_InstanceID), 0.0), 0.0, 1.0); }";
+    let fragment = "#version 130\nin vec3 color; void main() { gl_FragColor = vec4(color, 1.0); }";
+    let mut c = context();
+    program(&mut c, vertex, fragment);
+    // A strip a pixel wide at the left of each half, four instances with two elements.
+    let corners = [-1.0f32, -1.0, -0.5, -1.0, -1.0, 1.0, -0.5, 1.0];
+    c.enable_vertex_attrib_array(0);
+    c.vertex_attrib_pointer(0, 2, GL_FLOAT, false, 0, corners.as_slice().arg());
+    c.enable_vertex_attrib_array(1);
+    c.vertex_attrib_pointer(1, 1, GL_FLOAT, false, 0, [0.2f32, 1.0].as_slice().arg());
+    c.vertex_attrib_divisor(1, 1);
+    c.draw_arrays_instanced(GL_TRIANGLE_STRIP, 0, 4, 2);
+    let pixels = picture(&mut c);
+    assert_eq!(&pixels[4..8], [0, 51, 0, 255]);
+    assert_eq!(&pixels[9 * 4..10 * 4], [128, 255, 0, 255]);
+    let mut divisor = [0];
+    c.get_vertex_attribiv(1, GL_VERTEX_ATTRIB_ARRAY_DIVISOR, &mut divisor);
+    assert_eq!(divisor[0], 1);
+    // Two instances an element.
+    c.vertex_attrib_divisor(1, 2);
+    c.draw_elements_instanced(
+        GL_TRIANGLE_STRIP,
+        4,
+        GL_UNSIGNED_BYTE,
+        Data::Bytes(&[0, 1, 2, 3]),
+        2,
+    );
+    assert_eq!(&picture(&mut c)[9 * 4..10 * 4], [128, 51, 0, 255]);
+}
+
+#[test]
+fn integer_attributes_keep_all_their_bits() {
+    let vertex = "#version 130\nin vec2 position; in ivec2 extra; flat out ivec2 value;\n\
+        void main() { value = extra; gl_Position = vec4(position, 0.0, 1.0); }";
+    let fragment = "#version 130\nflat in ivec2 value;\n\
+        void main() { bool same = value == ivec2(-2147483647, 16777217);\n\
+        gl_FragColor = same ? vec4(0.0, 1.0, 0.0, 1.0) : vec4(1.0, 0.0, 0.0, 1.0); }";
+    let mut c = context();
+    program(&mut c, vertex, fragment);
+    c.enable_vertex_attrib_array(0);
+    c.vertex_attrib_pointer(0, 2, GL_FLOAT, false, 0, CORNERS.as_slice().arg());
+    c.enable_vertex_attrib_array(1);
+    let values: Vec<i32> = [-2_147_483_647, 16_777_217].repeat(6);
+    c.vertex_attrib_i_pointer(1, 2, GL_INT, 0, values.as_slice().arg());
+    c.draw_arrays(GL_TRIANGLES, 0, 6);
+    let pixels = picture(&mut c);
+    assert!(pixels.chunks(4).any(|pixel| pixel == [0, 255, 0, 255]));
+    assert!(!pixels.chunks(4).any(|pixel| pixel == [255, 0, 0, 255]));
+}
+
+#[test]
+fn mapped_buffers_belong_to_the_client() {
+    let mut c = context();
+    c.bind_buffer(GL_ARRAY_BUFFER, 1);
+    c.buffer_data(GL_ARRAY_BUFFER, 8, Data::Bytes(&[1, 2, 3, 4, 5, 6, 7, 8]), GL_STATIC_DRAW);
+    assert!(!c.map_buffer_range(GL_ARRAY_BUFFER, 2, 4, GL_MAP_WRITE_BIT).is_null());
+    let bytes = c.mapped_bytes(GL_ARRAY_BUFFER).expect("is mapped");
+    assert_eq!(bytes, [3, 4, 5, 6]);
+    bytes[0] = 30;
+    let mut value = [0];
+    for (pname, expected) in [
+        (GL_BUFFER_MAPPED, 1),
+        (GL_BUFFER_SIZE, 8),
+        (GL_BUFFER_MAP_OFFSET, 2),
+        (GL_BUFFER_MAP_LENGTH, 4),
+        (GL_BUFFER_ACCESS, GL_WRITE_ONLY as GLint),
+    ] {
+        c.get_buffer_parameteriv(GL_ARRAY_BUFFER, pname, &mut value);
+        assert_eq!(value[0], expected, "{}", enum_name(pname));
+    }
+    let mut pointer = [std::ptr::null_mut()];
+    c.get_buffer_pointerv(GL_ARRAY_BUFFER, GL_BUFFER_MAP_POINTER, &mut pointer);
+    assert!(!pointer[0].is_null());
+    assert!(c.unmap_buffer(GL_ARRAY_BUFFER));
+    let mut all = [0; 8];
+    c.get_buffer_sub_data(GL_ARRAY_BUFFER, 0, 8, DataOut::Bytes(&mut all));
+    assert_eq!(all, [1, 2, 30, 4, 5, 6, 7, 8]);
+    c.bind_buffer(GL_COPY_WRITE_BUFFER, 1);
+    c.copy_buffer_sub_data(GL_ARRAY_BUFFER, GL_COPY_WRITE_BUFFER, 0, 5, 3);
+    c.get_buffer_sub_data(GL_ARRAY_BUFFER, 0, 8, DataOut::Bytes(&mut all));
+    assert_eq!(all, [1, 2, 30, 4, 5, 1, 2, 30]);
+    assert_eq!(integer(&mut c, GL_COPY_WRITE_BUFFER), 1);
+    assert_eq!(c.get_error(), GL_NO_ERROR, "{:?}", c.messages());
+}
+
+#[test]
+fn errors_of_the_calls() {
+    type Row = (&'static str, GLenum, fn(&mut Context));
+    let rows: &[Row] = &[
+        ("map: target", GL_INVALID_ENUM, |c| {
+            c.map_buffer(GL_TEXTURE_2D, GL_READ_ONLY);
+        }),
+        ("map: access", GL_INVALID_ENUM, |c| {
+            c.map_buffer(GL_ARRAY_BUFFER, GL_READ_BUFFER);
+        }),
+        ("map: none bound", GL_INVALID_OPERATION, |c| {
+            c.map_buffer(GL_PIXEL_PACK_BUFFER, GL_READ_ONLY);
+        }),
+        ("map: twice", GL_INVALID_OPERATION, |c| {
+            c.map_buffer(GL_ARRAY_BUFFER, GL_READ_ONLY);
+            c.map_buffer(GL_ARRAY_BUFFER, GL_READ_ONLY);
+        }),
+        ("data of a mapped buffer", GL_INVALID_OPERATION, |c| {
+            c.map_buffer(GL_ARRAY_BUFFER, GL_READ_ONLY);
+            c.buffer_sub_data(GL_ARRAY_BUFFER, 0, 1, Data::Bytes(&[0]));
+        }),
+        ("reading a mapped buffer", GL_INVALID_OPERATION, |c| {
+            c.map_buffer(GL_ARRAY_BUFFER, GL_READ_ONLY);
+            c.get_buffer_sub_data(GL_ARRAY_BUFFER, 0, 1, DataOut::Bytes(&mut [0]));
+        }),
+        ("drawing from a mapped buffer", GL_INVALID_OPERATION, |c| {
+            c.enable_client_state(GL_VERTEX_ARRAY);
+            c.vertex_pointer(2, GL_FLOAT, 0, Data::Offset(0));
+            c.map_buffer(GL_ARRAY_BUFFER, GL_READ_ONLY);
+            c.draw_arrays(GL_TRIANGLES, 0, 3);
+        }),
+        ("indices in a mapped buffer", GL_INVALID_OPERATION, |c| {
+            c.bind_buffer(GL_ELEMENT_ARRAY_BUFFER, 1);
+            c.map_buffer(GL_ARRAY_BUFFER, GL_READ_ONLY);
+            c.draw_elements(GL_TRIANGLES, 3, GL_UNSIGNED_BYTE, Data::Offset(0));
+        }),
+        ("pixels in a mapped buffer", GL_INVALID_OPERATION, |c| {
+            c.bind_buffer(GL_PIXEL_UNPACK_BUFFER, 1);
+            c.map_buffer(GL_ARRAY_BUFFER, GL_READ_ONLY);
+            let (rgb, ty) = (GL_RGB as GLint, GL_UNSIGNED_BYTE);
+            c.tex_image_2d(GL_TEXTURE_2D, 0, rgb, 1, 1, 0, GL_RGB, ty, Data::Offset(0));
+        }),
+        ("range: negative", GL_INVALID_VALUE, |c| {
+            c.map_buffer_range(GL_ARRAY_BUFFER, -1, 1, GL_MAP_READ_BIT);
+        }),
+        ("range: too far", GL_INVALID_VALUE, |c| {
+            c.map_buffer_range(GL_ARRAY_BUFFER, 60, 5, GL_MAP_READ_BIT);
+        }),
+        ("range: bits", GL_INVALID_VALUE, |c| {
+            c.map_buffer_range(GL_ARRAY_BUFFER, 0, 1, 0x8000);
+        }),
+        ("range: empty", GL_INVALID_OPERATION, |c| {
+            c.map_buffer_range(GL_ARRAY_BUFFER, 0, 0, GL_MAP_READ_BIT);
+        }),
+        ("range: neither", GL_INVALID_OPERATION, |c| {
+            c.map_buffer_range(GL_ARRAY_BUFFER, 0, 1, GL_MAP_UNSYNCHRONIZED_BIT);
+        }),
+        ("range: reads what is invalid", GL_INVALID_OPERATION, |c| {
+            let access = GL_MAP_READ_BIT | GL_MAP_INVALIDATE_RANGE_BIT;
+            c.map_buffer_range(GL_ARRAY_BUFFER, 0, 1, access);
+        }),
+        ("range: flush without write", GL_INVALID_OPERATION, |c| {
+            let access = GL_MAP_READ_BIT | GL_MAP_FLUSH_EXPLICIT_BIT;
+            c.map_buffer_range(GL_ARRAY_BUFFER, 0, 1, access);
+        }),
+        ("flush: not mapped", GL_INVALID_OPERATION, |c| {
+            c.flush_mapped_buffer_range(GL_ARRAY_BUFFER, 0, 1);
+        }),
+        ("flush: not explicit", GL_INVALID_OPERATION, |c| {
+            c.map_buffer_range(GL_ARRAY_BUFFER, 0, 1, GL_MAP_WRITE_BIT);
+            c.flush_mapped_buffer_range(GL_ARRAY_BUFFER, 0, 1);
+        }),
+        ("flush: too far", GL_INVALID_VALUE, |c| {
+            let access = GL_MAP_WRITE_BIT | GL_MAP_FLUSH_EXPLICIT_BIT;
+            c.map_buffer_range(GL_ARRAY_BUFFER, 0, 4, access);
+            c.flush_mapped_buffer_range(GL_ARRAY_BUFFER, 2, 3);
+        }),
+        ("unmap: not mapped", GL_INVALID_OPERATION, |c| {
+            c.unmap_buffer(GL_ARRAY_BUFFER);
+        }),
+        ("copy: overlap", GL_INVALID_VALUE, |c| {
+            c.bind_buffer(GL_COPY_READ_BUFFER, 1);
+            c.copy_buffer_sub_data(GL_COPY_READ_BUFFER, GL_ARRAY_BUFFER, 0, 1, 2);
+        }),
+        ("copy: too far", GL_INVALID_VALUE, |c| {
+            c.copy_buffer_sub_data(GL_ARRAY_BUFFER, GL_ARRAY_BUFFER, 0, 60, 5);
+        }),
+        ("pointer: pname", GL_INVALID_ENUM, |c| {
+            let pointer = &mut [std::ptr::null_mut()];
+            c.get_buffer_pointerv(GL_ARRAY_BUFFER, GL_BUFFER_SIZE, pointer);
+        }),
+        ("parameter: pname", GL_INVALID_ENUM, |c| {
+            c.get_buffer_parameteriv(GL_ARRAY_BUFFER, GL_TEXTURE_2D, &mut [0]);
+        }),
+        ("instances", GL_INVALID_VALUE, |c| c.draw_arrays_instanced(GL_POINTS, 0, 1, -1)),
+        ("instances of elements", GL_INVALID_VALUE, |c| {
+            let indices = Data::Bytes(&[0]);
+            c.draw_elements_instanced(GL_POINTS, 1, GL_UNSIGNED_BYTE, indices, -1);
+        }),
+        ("runs", GL_INVALID_VALUE, |c| c.multi_draw_arrays(GL_POINTS, &[], &[], -1)),
+        ("too few runs", GL_INVALID_OPERATION, |c| c.multi_draw_arrays(GL_POINTS, &[0], &[], 1)),
+        ("too few runs of indices", GL_INVALID_OPERATION, |c| {
+            c.multi_draw_elements(GL_POINTS, &[1], GL_UNSIGNED_BYTE, Pointers(Vec::new()), 1);
+        }),
+        ("element", GL_INVALID_VALUE, |c| c.array_element(-1)),
+        ("restart outside", GL_INVALID_OPERATION, |c| c.primitive_restart()),
+        ("interleaved: format", GL_INVALID_ENUM, |c| {
+            c.interleaved_arrays(GL_FLOAT, 0, Data::Null);
+        }),
+        ("interleaved: stride", GL_INVALID_VALUE, |c| {
+            c.interleaved_arrays(GL_V2F, -1, Data::Null);
+        }),
+        ("integer pointer: type", GL_INVALID_ENUM, |c| {
+            c.vertex_attrib_i_pointer(1, 2, GL_FLOAT, 0, Data::Offset(0));
+        }),
+        ("integer pointer: size", GL_INVALID_VALUE, |c| {
+            c.vertex_attrib_i_pointer(1, 5, GL_INT, 0, Data::Offset(0));
+        }),
+        ("divisor", GL_INVALID_VALUE, |c| c.vertex_attrib_divisor(99, 1)),
+        ("vertex array", GL_INVALID_OPERATION, |c| c.bind_vertex_array(77)),
+        ("vertex arrays", GL_INVALID_VALUE, |c| c.gen_vertex_arrays(-1, &mut [])),
+        ("no vertex arrays", GL_INVALID_VALUE, |c| c.delete_vertex_arrays(-1, &[])),
+        ("the position has no value", GL_INVALID_OPERATION, |c| {
+            c.get_vertex_attribfv(0, GL_CURRENT_VERTEX_ATTRIB, &mut [0.0; 4]);
+        }),
+    ];
+    for (name, error, call) in rows {
+        let mut c = context();
+        c.bind_buffer(GL_ARRAY_BUFFER, 1);
+        c.buffer_data(GL_ARRAY_BUFFER, 64, Data::Null, GL_STATIC_DRAW);
+        call(&mut c);
+        assert_eq!(c.get_error(), *error, "{name}: {:?}", c.messages());
+    }
+}
