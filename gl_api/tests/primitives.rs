@@ -156,6 +156,17 @@ fn points_have_a_size_a_rim_and_sprites() {
 }
 
 #[test]
+fn the_size_of_points_falls_with_their_distance() {
+    let mut c = context();
+    c.point_size(8.0);
+    // The eye is at the origin: 8 pixels away, 8 · sqrt(1 / (8² / 4)) = 2.
+    c.point_parameterfv(GL_POINT_DISTANCE_ATTENUATION, &[0.0, 0.0, 0.25]);
+    assert_eq!(drawn(&mut c, GL_POINTS, &[[8.0, 0.1]]).len(), 2);
+    c.point_parameterf(GL_POINT_SIZE_MIN, 4.0);
+    assert_eq!(drawn(&mut c, GL_POINTS, &[[8.0, 8.0]]).len(), 16);
+}
+
+#[test]
 fn coverage_comes_before_the_alpha_test() {
     let mut c = context();
     c.enable(GL_LINE_SMOOTH);
@@ -254,7 +265,6 @@ fn what_is_wrong_is_refused() {
             GL_INVALID_ENUM,
             "must be GL_COORD_REPLACE",
         ),
-        (|c| c.tex_envi(GL_POINT_SPRITE, GL_COORD_REPLACE, 2), GL_INVALID_ENUM, "param"),
     ];
     const STATE: &[GLenum] = &[
         GL_POLYGON_MODE,

@@ -5,9 +5,11 @@
 
 pub(crate) mod arrays;
 pub(crate) mod calls;
+mod fixed_words;
 pub(crate) mod hints;
 pub(crate) mod immediate;
 pub(crate) mod interleaved;
+mod keys;
 mod primitives;
 pub(crate) mod restart;
 mod stages;
@@ -16,6 +18,7 @@ mod words;
 
 use crate::context::Context;
 use crate::fixed::FixedModules;
+use fixed_words::FixedWords;
 use rasterizer::driver::{
     Attachment, Command, CommandBuffer, Device, Image, PassDesc, Pipeline, PipelineDesc,
     RasterState, ShaderModule,
@@ -39,6 +42,7 @@ pub(crate) struct Recorder {
     told: Told,
     pipelines: HashMap<PipelineDesc, Pipeline>,
     pub fixed: FixedModules,
+    fixed_words: FixedWords,
     variants: HashMap<stages::VariantKey, ShaderModule>,
 }
 
@@ -60,6 +64,7 @@ impl Recorder {
             told: Told::default(),
             pipelines: HashMap::new(),
             fixed: FixedModules::default(),
+            fixed_words: FixedWords::default(),
             variants: HashMap::new(),
         }
     }

@@ -2,7 +2,7 @@
 //! its default, so that equal draws are told once.
 
 use crate::context::Context;
-use crate::interface::{ATTRIB_EDGE_FLAG, MAX_TEXTURE_UNITS, VARYING_TEX_COORD};
+use crate::interface::{ATTRIB_EDGE_FLAG, VARYING_TEX_COORD};
 use crate::state::enable::Flag;
 use rasterizer::driver::{
     LineState, LineStipple, PointSize, PointState, PolygonMode, PolygonOffset, PolygonState,
@@ -113,8 +113,8 @@ fn point_state(context: &Context) -> PointState {
         false => points.attenuates(),
     };
     let sprite = enables.has(Flag::PointSprite).then(|| {
-        let units = (0..MAX_TEXTURE_UNITS).filter(|unit| points.coord_replace >> unit & 1 == 1);
-        units.map(|unit| VARYING_TEX_COORD + 4 * u16::from(unit)).collect()
+        let units = (0..).zip(&context.state.units.units).filter(|(_, unit)| unit.coord_replace);
+        units.map(|(unit, _)| VARYING_TEX_COORD + 4 * unit).collect()
     });
     PointState {
         size: points.derived_size(),

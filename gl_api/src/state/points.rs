@@ -22,8 +22,6 @@ pub(crate) struct Points {
     /// Constant, linear and quadratic.
     pub attenuation: [f32; 3],
     pub origin: SpriteOrigin,
-    /// The units whose coordinates a sprite replaces, bit by unit.
-    pub coord_replace: u8,
 }
 
 impl Default for Points {
@@ -35,7 +33,6 @@ impl Default for Points {
             fade: 1.0,
             attenuation: [1.0, 0.0, 0.0],
             origin: SpriteOrigin::UpperLeft,
-            coord_replace: 0,
         }
     }
 }
