@@ -1,6 +1,7 @@
 //! The uniform words of the state that programs read (GLSL 1.30, section 7.4).
 
 use crate::context::{Context, limits};
+use crate::framebuffer::complete::draw_pass;
 use crate::interface::*;
 use crate::state::light::Light;
 use crate::state::material::{Material, material};
@@ -100,6 +101,10 @@ fn put_state(context: &Context, words: &mut [u32], binding: StateBinding) {
         StateVar::Point => {
             let size = f64::from(state.raster.point_size);
             put(words, word, [size, 0.0, limits::MAX_WIDTH.into(), 1.0, 1.0, 0.0, 0.0]);
+        }
+        StateVar::FramebufferHeight => {
+            let height = draw_pass(context).map_or(0, |pass| pass.height);
+            put(words, word, [height.into()]);
         }
         StateVar::ClipPlane(plane) => {
             if let Some(plane) = state.clip.planes.get(usize::from(plane)) {

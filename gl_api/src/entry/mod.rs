@@ -90,6 +90,7 @@ mod args;
 mod current;
 
 mod attributes;
+mod debugging;
 mod fragments;
 mod framebuffers;
 mod lighting;
@@ -107,6 +108,7 @@ pub(crate) use current::Fallback;
 pub use current::{Current, set_current, with_current};
 
 pub use attributes::*;
+pub use debugging::*;
 pub use fragments::*;
 pub use framebuffers::*;
 pub use lighting::*;
@@ -132,6 +134,7 @@ pub(crate) enum Place {
 pub fn implemented() -> impl Iterator<Item = (&'static str, usize)> {
     [
         ATTRIBUTES,
+        DEBUGGING,
         FRAMEBUFFERS,
         FRAGMENTS,
         LIGHTING,

@@ -75,7 +75,7 @@ pub(super) fn module(key: &FragmentKey) -> Module {
     }
     let mut module = b.finish();
     module.varyings = vec![Interpolation::Smooth; usize::from(VARYING_USER)];
-    set_shade_model(&mut module, key.shade_model);
+    set_shade_model(&mut module, key.shade_model, [None; 2]);
     if let Some(compare) = key.alpha {
         add_alpha_test(&mut module, compare, key.base + word::ALPHA_REF);
     }
@@ -177,13 +177,20 @@ fn color_sum(b: &mut Builder, key: &FragmentKey, primary: [Value; 4]) -> [Value;
     [red, green, blue, primary[3]]
 }
 
-/// Makes the colours of a fragment stage flat, or smooth (GL 2.1, section 2.14.7).
-pub(crate) fn set_shade_model(module: &mut Module, shade_model: Interpolation) {
-    let primary = VARYING_COLOR..VARYING_TEX_COORD;
-    let back = VARYING_BACK_COLOR..VARYING_USER;
-    for slot in primary.chain(back) {
-        if let Some(interpolation) = module.varyings.get_mut(usize::from(slot)) {
-            *interpolation = shade_model;
+/// Makes the colours of a fragment stage flat, or smooth (GL 2.1, section 2.14.7), but for those
+/// whose interpolation the shaders say: the colour, the secondary colour.
+pub(crate) fn set_shade_model(
+    module: &mut Module,
+    shade_model: Interpolation,
+    said: [Option<Interpolation>; 2],
+) {
+    for (first, said) in [0, 4].into_iter().zip(said) {
+        let front = VARYING_COLOR + first;
+        let back = VARYING_BACK_COLOR + first;
+        for slot in (front..front + 4).chain(back..back + 4) {
+            if let Some(interpolation) = module.varyings.get_mut(usize::from(slot)) {
+                *interpolation = said.unwrap_or(shade_model);
+            }
         }
     }
 }

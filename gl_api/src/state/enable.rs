@@ -2,6 +2,7 @@
 
 use crate::constants::*;
 use crate::context::Context;
+use crate::context::debug::Output;
 use crate::error::{Result, Table};
 use crate::interface::{
     ATTRIB_COLOR, ATTRIB_FOG_COORD, ATTRIB_NORMAL, ATTRIB_SECONDARY_COLOR, ATTRIB_TEX_COORD,
@@ -19,6 +20,7 @@ pub(crate) enum Flag {
     ColorMaterial,
     ColorSum,
     CullFace,
+    DebugOutputSynchronous,
     DepthTest,
     Dither,
     Fog,
@@ -42,10 +44,12 @@ pub(crate) enum Capability {
     TexGen(TexCoord),
     Light(u8),
     ClipPlane(u8),
+    /// Whether the log of `KHR_debug` is kept.
+    DebugOutput,
 }
 
 /// What is implemented; anything else is `GL_INVALID_ENUM` with this list in the message.
-/// `GL_DITHER` and `GL_MULTISAMPLE` change nothing.
+/// `GL_DITHER` changes nothing, and messages are always synchronous.
 pub(crate) const CAPABILITY: Table<Capability> = Table {
     section: "GL 2.1, table 6.22 and others; what DetGL implements",
     rows: &[
@@ -54,6 +58,8 @@ pub(crate) const CAPABILITY: Table<Capability> = Table {
         (GL_COLOR_MATERIAL, Capability::Flag(Flag::ColorMaterial)),
         (GL_COLOR_SUM, Capability::Flag(Flag::ColorSum)),
         (GL_CULL_FACE, Capability::Flag(Flag::CullFace)),
+        (GL_DEBUG_OUTPUT, Capability::DebugOutput),
+        (GL_DEBUG_OUTPUT_SYNCHRONOUS, Capability::Flag(Flag::DebugOutputSynchronous)),
         (GL_DEPTH_TEST, Capability::Flag(Flag::DepthTest)),
         (GL_DITHER, Capability::Flag(Flag::Dither)),
         (GL_FOG, Capability::Flag(Flag::Fog)),
@@ -134,6 +140,9 @@ fn switch(context: &mut Context, cap: GLenum, on: bool) -> Result<()> {
         }
         Capability::Light(light) => set_bit(&mut context.state.lights.enabled, light, on),
         Capability::ClipPlane(plane) => set_bit(&mut context.state.clip.enabled, plane, on),
+        Capability::DebugOutput => {
+            context.debug.output = if on { Output::On } else { Output::Off };
+        }
     }
     Ok(())
 }
@@ -161,6 +170,7 @@ pub(crate) fn is_on(context: &Context, cap: GLenum) -> Result<bool> {
         Capability::TexGen(coord) => context.state.units.active().generate[coord as usize].enabled,
         Capability::Light(light) => context.state.lights.enabled >> light & 1 == 1,
         Capability::ClipPlane(plane) => context.state.clip.enabled >> plane & 1 == 1,
+        Capability::DebugOutput => context.debug.output == Output::On,
     })
 }
 
