@@ -17,12 +17,14 @@ use crate::types::*;
 pub(crate) enum Flag {
     AlphaTest,
     Blend,
+    ColorLogicOp,
     ColorMaterial,
     ColorSum,
     CullFace,
     DebugOutputSynchronous,
     DepthTest,
     Dither,
+    FramebufferSrgb,
     Fog,
     Lighting,
     Multisample,
@@ -32,6 +34,8 @@ pub(crate) enum Flag {
     RescaleNormal,
     ScissorTest,
     SeamlessCubeMaps,
+    StencilTest,
+    StencilTestTwoSide,
 }
 
 /// What `glEnable` takes.
@@ -40,12 +44,12 @@ pub(crate) enum Capability {
     Flag(Flag),
     /// Of the active texture unit.
     Texture(TextureTarget),
+    /// Whether the log of `KHR_debug` is kept.
+    DebugOutput,
     /// A coordinate of the active texture unit is generated.
     TexGen(TexCoord),
     Light(u8),
     ClipPlane(u8),
-    /// Whether the log of `KHR_debug` is kept.
-    DebugOutput,
 }
 
 /// What is implemented; anything else is `GL_INVALID_ENUM` with this list in the message.
@@ -55,6 +59,7 @@ pub(crate) const CAPABILITY: Table<Capability> = Table {
     rows: &[
         (GL_ALPHA_TEST, Capability::Flag(Flag::AlphaTest)),
         (GL_BLEND, Capability::Flag(Flag::Blend)),
+        (GL_COLOR_LOGIC_OP, Capability::Flag(Flag::ColorLogicOp)),
         (GL_COLOR_MATERIAL, Capability::Flag(Flag::ColorMaterial)),
         (GL_COLOR_SUM, Capability::Flag(Flag::ColorSum)),
         (GL_CULL_FACE, Capability::Flag(Flag::CullFace)),
@@ -62,6 +67,7 @@ pub(crate) const CAPABILITY: Table<Capability> = Table {
         (GL_DEBUG_OUTPUT_SYNCHRONOUS, Capability::Flag(Flag::DebugOutputSynchronous)),
         (GL_DEPTH_TEST, Capability::Flag(Flag::DepthTest)),
         (GL_DITHER, Capability::Flag(Flag::Dither)),
+        (GL_FRAMEBUFFER_SRGB, Capability::Flag(Flag::FramebufferSrgb)),
         (GL_FOG, Capability::Flag(Flag::Fog)),
         (GL_LIGHTING, Capability::Flag(Flag::Lighting)),
         (GL_MULTISAMPLE, Capability::Flag(Flag::Multisample)),
@@ -70,6 +76,8 @@ pub(crate) const CAPABILITY: Table<Capability> = Table {
         (GL_PRIMITIVE_RESTART, Capability::Flag(Flag::PrimitiveRestart)),
         (GL_RESCALE_NORMAL, Capability::Flag(Flag::RescaleNormal)),
         (GL_SCISSOR_TEST, Capability::Flag(Flag::ScissorTest)),
+        (GL_STENCIL_TEST, Capability::Flag(Flag::StencilTest)),
+        (GL_STENCIL_TEST_TWO_SIDE_EXT, Capability::Flag(Flag::StencilTestTwoSide)),
         (GL_TEXTURE_CUBE_MAP_SEAMLESS, Capability::Flag(Flag::SeamlessCubeMaps)),
         (GL_TEXTURE_1D, Capability::Texture(TextureTarget::D1)),
         (GL_TEXTURE_2D, Capability::Texture(TextureTarget::D2)),
@@ -112,7 +120,7 @@ impl Enables {
         self.0 >> flag as u32 & 1 == 1
     }
 
-    fn set(&mut self, flag: Flag, on: bool) {
+    pub fn set(&mut self, flag: Flag, on: bool) {
         self.0 = self.0 & !(1 << flag as u32) | u32::from(on) << flag as u32;
     }
 }
@@ -129,10 +137,18 @@ fn switch(context: &mut Context, cap: GLenum, on: bool) -> Result<()> {
                 keep_tracked(context);
             }
             context.state.enables.set(flag, on);
+            if flag == Flag::Blend {
+                for buffer in &mut context.state.fragment.buffers {
+                    buffer.blend = on;
+                }
+            }
         }
         Capability::Texture(target) => {
             context.state.units.active_coordinates("GL 2.1, section 3.8.16")?;
             context.state.units.active_mut().enabled[target as usize] = on;
+        }
+        Capability::DebugOutput => {
+            context.debug.output = if on { Output::On } else { Output::Off };
         }
         Capability::TexGen(coord) => {
             context.state.units.active_coordinates("GL 2.1, section 2.11.4")?;
@@ -140,9 +156,6 @@ fn switch(context: &mut Context, cap: GLenum, on: bool) -> Result<()> {
         }
         Capability::Light(light) => set_bit(&mut context.state.lights.enabled, light, on),
         Capability::ClipPlane(plane) => set_bit(&mut context.state.clip.enabled, plane, on),
-        Capability::DebugOutput => {
-            context.debug.output = if on { Output::On } else { Output::Off };
-        }
     }
     Ok(())
 }
@@ -167,10 +180,10 @@ pub(crate) fn is_on(context: &Context, cap: GLenum) -> Result<bool> {
     Ok(match CAPABILITY.decode("cap", cap)? {
         Capability::Flag(flag) => context.state.enables.has(flag),
         Capability::Texture(target) => context.state.units.active().enabled[target as usize],
+        Capability::DebugOutput => context.debug.output == Output::On,
         Capability::TexGen(coord) => context.state.units.active().generate[coord as usize].enabled,
         Capability::Light(light) => context.state.lights.enabled >> light & 1 == 1,
         Capability::ClipPlane(plane) => context.state.clip.enabled >> plane & 1 == 1,
-        Capability::DebugOutput => context.debug.output == Output::On,
     })
 }
 

@@ -6,11 +6,13 @@ pub(crate) mod enable;
 pub(crate) mod fog;
 pub(crate) mod fragment;
 pub(crate) mod light;
+pub(crate) mod masks;
 pub(crate) mod material;
 pub(crate) mod matrix;
 pub(crate) mod params;
 pub(crate) mod pixel_store;
 pub(crate) mod raster;
+pub(crate) mod stencil;
 pub(crate) mod viewport;
 
 use crate::env::Units;
