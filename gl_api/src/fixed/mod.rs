@@ -4,6 +4,7 @@
 //! to draw (matrices, products of lights and materials, environment colours, the alpha reference)
 //! comes in uniform words ([`word`]).
 
+mod clamp;
 mod combine;
 mod environment;
 mod fog;
@@ -14,6 +15,7 @@ mod vector;
 mod vertex;
 pub(crate) mod word;
 
+pub(crate) use clamp::clamp_colors;
 pub(crate) use environment::{Environment, environment_base};
 pub(crate) use fog::{FogKey, constants as fog_constants};
 pub(crate) use fragment::{Coordinates, FragmentKey, UnitKey, add_alpha_test, set_shade_model};
