@@ -191,16 +191,17 @@ impl Kernel for Interpolate<'_> {
     #[inline(always)]
     fn run<S: Simd>(self) {
         let Self { plan, batch, machine, depth } = self;
+        // Planes and registers may overlap as far as the compiler knows: what is computed here is
+        // computed on the stack and stored whole.
         if let Some(index) = plan.depth_plane {
-            batch.evaluate(index, depth);
+            *depth = batch.evaluate(index);
             clamp_depth(depth);
         }
         let mut w = F32s::ZERO;
         let mut denominator = 0;
         if let Some(index) = plan.denominator_plane {
             denominator = index;
-            let mut over = F32s::ZERO;
-            batch.evaluate(index, &mut over);
+            let over = batch.evaluate(index);
             for lane in 0..LANES {
                 w[lane] = 1.0 / over[lane];
             }
@@ -209,24 +210,23 @@ impl Kernel for Interpolate<'_> {
             let out = machine.input_mut(index);
             match *input {
                 FragmentInput::Smooth(index) => {
-                    let mut over = F32s::ZERO;
-                    batch.evaluate(index, &mut over);
-                    let out = out.as_f32_mut();
+                    let mut value = batch.evaluate(index);
                     for lane in 0..LANES {
-                        out[lane] = over[lane] * w[lane];
+                        value[lane] *= w[lane];
                     }
+                    *out.as_f32_mut() = value;
                 }
-                FragmentInput::Linear(index) => batch.evaluate(index, out.as_f32_mut()),
+                FragmentInput::Linear(index) => *out.as_f32_mut() = batch.evaluate(index),
                 FragmentInput::SmoothSlope(index, axis) => {
-                    let out = out.as_f32_mut();
-                    batch.evaluate(index, out);
-                    let (of, by) = (batch.slope(index, axis), batch.slope(denominator, axis));
-                    let [a, b, c, d] = pixels(out);
+                    let mut slope = batch.evaluate(index);
+                    let (of, by) = (*batch.slope(index, axis), *batch.slope(denominator, axis));
+                    let [a, b, c, d] = pixels(&mut slope);
                     let [ia, ib, ic, id] = pixels(&mut w);
-                    Batch::slope_pixel(of, by, ia, a);
-                    Batch::slope_pixel(of, by, ib, b);
-                    Batch::slope_pixel(of, by, ic, c);
-                    Batch::slope_pixel(of, by, id, d);
+                    Batch::slope_pixel(&of, &by, ia, a);
+                    Batch::slope_pixel(&of, &by, ib, b);
+                    Batch::slope_pixel(&of, &by, ic, c);
+                    Batch::slope_pixel(&of, &by, id, d);
+                    *out.as_f32_mut() = slope;
                 }
                 FragmentInput::LinearSlope(index, axis) => {
                     by_quad(out, |_, q| batch.slope(index, axis)[q].to_bits());
@@ -273,13 +273,15 @@ impl Batch {
 
     /// A plane at every lane.
     #[inline(always)]
-    fn evaluate(&self, plane: usize, out: &mut F32s) {
+    fn evaluate(&self, plane: usize) -> F32s {
         let plane = &self.planes[plane];
-        let [first, second, third, fourth] = pixels(out);
+        let mut out = F32s::ZERO;
+        let [first, second, third, fourth] = pixels(&mut out);
         self.evaluate_pixel(plane, 0, first);
         self.evaluate_pixel(plane, 1, second);
         self.evaluate_pixel(plane, 2, third);
         self.evaluate_pixel(plane, 3, fourth);
+        out
     }
 
     /// A plane at one pixel of each quad.
