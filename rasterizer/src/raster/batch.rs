@@ -205,16 +205,17 @@ impl Kernel for Interpolate<'_> {
     #[inline(always)]
     fn run<S: Simd>(self) {
         let Self { plan, batch, machine, depth } = self;
+        // Planes and registers may overlap as far as the compiler knows: what is computed here is
+        // computed on the stack and stored whole.
         if let Some(index) = plan.depth_plane {
-            batch.evaluate(index, depth);
+            *depth = batch.evaluate(index);
             clamp_depth(depth);
         }
         let mut w = F32s::ZERO;
         let mut denominator = 0;
         if let Some(index) = plan.denominator_plane {
             denominator = index;
-            let mut over = F32s::ZERO;
-            batch.evaluate(index, &mut over);
+            let over = batch.evaluate(index);
             for lane in 0..LANES {
                 w[lane] = 1.0 / over[lane];
             }
@@ -223,27 +224,23 @@ impl Kernel for Interpolate<'_> {
             let out = machine.input_mut(index);
             match *input {
                 FragmentInput::Smooth(index) => {
-                    let mut over = F32s::ZERO;
-                    batch.evaluate(index, &mut over);
-                    let out = out.as_f32_mut();
+                    let mut value = batch.evaluate(index);
                     for lane in 0..LANES {
-                        out[lane] = over[lane] * w[lane];
+                        value[lane] *= w[lane];
                     }
+                    *out.as_f32_mut() = value;
                 }
-                FragmentInput::Linear(index) => batch.evaluate(index, out.as_f32_mut()),
+                FragmentInput::Linear(index) => *out.as_f32_mut() = batch.evaluate(index),
                 FragmentInput::SmoothSlope(index, axis) => {
-                    // The derivative of n/d is (n' - n/d · d') / d.
-                    let mut over = F32s::ZERO;
-                    batch.evaluate(index, &mut over);
-                    let (of, by) = (batch.slope(index, axis), batch.slope(denominator, axis));
-                    let out = out.as_f32_mut();
-                    for e in 0..4 {
-                        for q in 0..QUADS {
-                            let lane = e * QUADS + q;
-                            let value = over[lane] * w[lane];
-                            out[lane] = (of[q] - value * by[q]) * w[lane];
-                        }
-                    }
+                    let mut slope = batch.evaluate(index);
+                    let (of, by) = (*batch.slope(index, axis), *batch.slope(denominator, axis));
+                    let [a, b, c, d] = pixels(&mut slope);
+                    let [ia, ib, ic, id] = pixels(&mut w);
+                    Batch::slope_pixel(&of, &by, ia, a);
+                    Batch::slope_pixel(&of, &by, ib, b);
+                    Batch::slope_pixel(&of, &by, ic, c);
+                    Batch::slope_pixel(&of, &by, id, d);
+                    *out.as_f32_mut() = slope;
                 }
                 FragmentInput::LinearSlope(index, axis) => {
                     by_quad(out, |_, q| batch.slope(index, axis)[q].to_bits());
@@ -274,10 +271,8 @@ const Y: [f32; 4] = [0.0, 0.0, 1.0, 1.0];
 /// Fills lanes from the pixel of the quad and the quad.
 #[inline(always)]
 fn by_quad(out: &mut U32s, word: impl Fn(usize, usize) -> u32) {
-    for e in 0..4 {
-        for q in 0..QUADS {
-            out[e * QUADS + q] = word(e, q);
-        }
+    for lane in 0..LANES {
+        out[lane] = word(lane / QUADS, lane % QUADS);
     }
 }
 
@@ -293,15 +288,47 @@ impl Batch {
 
     /// A plane at every lane.
     #[inline(always)]
-    fn evaluate(&self, plane: usize, out: &mut F32s) {
-        let p = &self.planes[plane];
-        for e in 0..4 {
-            for q in 0..QUADS {
-                let (dx, dy) = (self.dx[q] + X[e], self.dy[q] + Y[e]);
-                out[e * QUADS + q] = (p.corner[q] + dx * p.a[q]) + dy * p.b[q];
-            }
+    fn evaluate(&self, plane: usize) -> F32s {
+        let plane = &self.planes[plane];
+        let mut out = F32s::ZERO;
+        let [first, second, third, fourth] = pixels(&mut out);
+        self.evaluate_pixel(plane, 0, first);
+        self.evaluate_pixel(plane, 1, second);
+        self.evaluate_pixel(plane, 2, third);
+        self.evaluate_pixel(plane, 3, fourth);
+        out
+    }
+
+    /// A plane at one pixel of each quad.
+    #[inline(always)]
+    fn evaluate_pixel(&self, p: &QuadPlane, e: usize, out: &mut [f32; QUADS]) {
+        for q in 0..QUADS {
+            let (dx, dy) = (self.dx[q] + X[e], self.dy[q] + Y[e]);
+            out[q] = (p.corner[q] + dx * p.a[q]) + dy * p.b[q];
         }
     }
+
+    /// The derivative of the quotient of two planes at one pixel of each quad:
+    /// `(n / d)' = (n' - n / d · d') / d`, given `1 / d` and, in `out`, `n`.
+    #[inline(always)]
+    fn slope_pixel(
+        of: &[f32; QUADS],
+        by: &[f32; QUADS],
+        inverse: &[f32; QUADS],
+        out: &mut [f32; QUADS],
+    ) {
+        for q in 0..QUADS {
+            let value = out[q] * inverse[q];
+            out[q] = (of[q] - value * by[q]) * inverse[q];
+        }
+    }
+}
+
+/// The lanes by pixel of the quad. A loop over pixels around a loop over quads would be vectorized
+/// the wrong way round, with scattered stores.
+#[inline(always)]
+fn pixels(lanes: &mut F32s) -> &mut [[f32; QUADS]; 4] {
+    bytemuck::cast_mut(&mut lanes.0)
 }
 
 /// Window depth lies in [0, 1], whatever the planes and offsets gave (GL 2.1, section 2.11.1).
