@@ -245,8 +245,8 @@ fn copies() {
         ((2, FACE, 0, GL_RGB, [1, 2, 1], 0, 0, 0), VALUE, "must be equal"),
         ((2, GL_TEXTURE_2D, 0, GL_RGB, ONE, 2, 0, 0), VALUE, "border = 2"),
         ((2, GL_TEXTURE_RECTANGLE, 0, GL_RGB, [3; 3], 1, 0, 0), VALUE, "rectangle"),
-        ((2, GL_TEXTURE_2D, 0, GL_RGBA8UI, ONE, 0, 0, 0), OPERATION, "integer formats"),
-        ((1, GL_TEXTURE_1D, 0, GL_R32I, ONE, 0, 0, 0), OPERATION, "integer formats"),
+        ((2, GL_TEXTURE_2D, 0, GL_RGBA8UI, ONE, 0, 0, 0), OPERATION, "integers stay"),
+        ((1, GL_TEXTURE_1D, 0, GL_R32I, ONE, 0, 0, 0), OPERATION, "integers stay"),
     ];
     for (row, flag, words) in rows {
         refused(row, *flag, words, |c| {

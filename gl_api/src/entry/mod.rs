@@ -90,8 +90,10 @@ mod args;
 mod current;
 
 mod attributes;
+mod debugging;
 mod fragments;
 mod framebuffers;
+mod lighting;
 mod lists;
 mod pixels;
 mod programs;
@@ -106,8 +108,10 @@ pub(crate) use current::Fallback;
 pub use current::{Current, set_current, with_current};
 
 pub use attributes::*;
+pub use debugging::*;
 pub use fragments::*;
 pub use framebuffers::*;
+pub use lighting::*;
 pub use lists::*;
 pub use pixels::*;
 pub use programs::*;
@@ -130,8 +134,10 @@ pub(crate) enum Place {
 pub fn implemented() -> impl Iterator<Item = (&'static str, usize)> {
     [
         ATTRIBUTES,
+        DEBUGGING,
         FRAMEBUFFERS,
         FRAGMENTS,
+        LIGHTING,
         LISTS,
         PIXELS,
         PROGRAMS,

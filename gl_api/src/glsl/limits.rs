@@ -2,12 +2,8 @@
 //! the others keep a hostile source from costing more time or memory than it is long.
 
 use crate::context::limits;
-pub use crate::interface::MAX_VERTEX_ATTRIBS;
+pub use crate::interface::{MAX_CLIP_PLANES, MAX_LIGHTS, MAX_VERTEX_ATTRIBS};
 
-/// `gl_MaxLights`.
-pub const MAX_LIGHTS: u8 = 8;
-/// `gl_MaxClipPlanes`.
-pub const MAX_CLIP_PLANES: u8 = 6;
 /// `gl_MaxClipDistances`.
 pub const MAX_CLIP_DISTANCES: u8 = 8;
 /// `gl_MaxDrawBuffers`: how many elements `gl_FragData` has.
@@ -36,7 +32,7 @@ pub const MAX_CONDITION_DEPTH: usize = 64;
 /// How many statements and expressions may stand inside one another.
 pub const MAX_NESTING: u32 = 256;
 /// How deep the tree of an expression may be, chains such as `a + b + c` included.
-pub const MAX_TREE: u32 = 2 * MAX_NESTING;
+pub const MAX_TREE: u32 = 3 * MAX_NESTING;
 
 /// How many scalars a variable may have.
 pub const MAX_SCALARS: u32 = 1 << 16;

@@ -165,6 +165,9 @@ fn checked_border(target: TextureTarget, border: GLint) -> Result<u32> {
 
 /// Depth pixels go to depth textures, integers to integer textures, colours to the others.
 pub(crate) fn kinds_match(pixel: Pixel, stored: Format) -> Result<()> {
+    if pixel.format == ClientFormat::Stencil {
+        return invalid_operation(SECTION, "format GL_STENCIL_INDEX is for framebuffers alone");
+    }
     if pixel.format.is_depth() != stored.is_depth() {
         return invalid_operation(
             SECTION,
@@ -205,7 +208,7 @@ pub(super) fn store_level(
         .map_err(|error| super::storage_error(SECTION, &error))?;
     texture.requested[face][level] = internal;
     texture.changed();
-    super::mipmap::base_level_changed(texture, level)
+    super::mipmap::base_level_changed(texture, face, level)
 }
 
 /// A call's format, type and pixels.

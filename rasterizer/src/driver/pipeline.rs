@@ -1,5 +1,6 @@
 //! Pipelines: shaders and fixed state, checked and compiled once, immutable ever after.
 
+use super::output::OutputState;
 use crate::ir::{Input, Interpolation, Module, Output, Stage};
 use crate::shader::Program;
 use std::hash::{Hash, Hasher};
@@ -246,6 +247,8 @@ pub struct PipelineDesc {
     pub line_width_bits: u32,
     /// Size of points in pixels, as bits of an `f32`, where the vertex stage writes none.
     pub point_size_bits: u32,
+    /// What else happens to fragments after the shader.
+    pub output: OutputState,
 }
 
 /// A pipeline that cannot be.
@@ -299,7 +302,7 @@ impl Pipeline {
             .inputs()
             .iter()
             .filter_map(|input| match *input {
-                Input::Varying(slot) => {
+                Input::Varying(slot) | Input::Slope { slot, .. } => {
                     let mode = fragment.varyings.get(usize::from(slot)).copied();
                     Some((slot, mode.unwrap_or(Interpolation::Smooth)))
                 }
@@ -312,6 +315,7 @@ impl Pipeline {
             })
             .collect();
         varyings.sort_unstable_by_key(|&(slot, _)| slot);
+        varyings.dedup();
         let vertex_program = Program::new(vertex, |output| match output {
             Output::Position(_) => true,
             Output::PointSize => desc.topology == Topology::Points,

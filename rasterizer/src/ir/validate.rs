@@ -82,11 +82,16 @@ impl Module {
             let Some(variable) = self.variables.get(var.0 as usize) else {
                 return Err(IrError(format!("output {output:?}: there is no v{}", var.0)));
             };
-            rule!(
-                variable.len == 1 && variable.ty == Ty::F32,
-                "output {output:?}: v{} is not one f32",
-                var.0
-            );
+            // Colours may be integers, for attachments of integers.
+            let fits = match output {
+                Output::Color { .. } => variable.ty != Ty::Bool,
+                Output::Position(_)
+                | Output::PointSize
+                | Output::ClipDistance(_)
+                | Output::Varying(_)
+                | Output::Depth => variable.ty == Ty::F32,
+            };
+            rule!(variable.len == 1 && fits, "output {output:?}: v{} is not one f32", var.0);
         }
         Ok(())
     }
@@ -157,7 +162,7 @@ impl Body<'_> {
         let (stage, in_range) = match input {
             Input::Attribute { component, .. } => (Stage::Vertex, component < 4),
             Input::VertexId | Input::InstanceId => (Stage::Vertex, true),
-            Input::Varying(slot) => {
+            Input::Varying(slot) | Input::Slope { slot, .. } => {
                 (Stage::Fragment, usize::from(slot) < self.module.varyings.len())
             }
             Input::FragCoord(component) => (Stage::Fragment, component < 4),
@@ -308,7 +313,7 @@ impl Body<'_> {
         let (lod, gradient): (Option<Value>, _) = match sample.lod {
             Lod::Implicit { bias } => (bias, None),
             Lod::Explicit(lod) => (Some(lod), None),
-            Lod::Gradient { dx, dy } => (None, Some([dx, dy])),
+            Lod::Gradient { dx, dy, bias } => (bias, Some([dx, dy])),
         };
         let gradient = gradient.iter().flatten().flatten();
         for value in sample.coords.iter().chain(&sample.reference).chain(&lod).chain(gradient) {

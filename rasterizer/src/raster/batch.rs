@@ -1,9 +1,11 @@
 //! A batch of fragments: up to 16 quads, of one block or of many, of one shape or of many.
 
 use super::interpolate::Planes;
+use crate::ir::Axis;
 use crate::plan::{DrawPlan, FragmentInput};
 use crate::primitive::Facing;
 use crate::shader::Machine;
+use crate::target::Place;
 use texunit::lanes::{F32s, Kernel, LANES, QUADS, Simd, U32s};
 
 /// The three numbers of a plane for each quad: at the first pixel of its block, per pixel across,
@@ -36,14 +38,6 @@ pub struct Batch {
     planes: Vec<QuadPlane>,
     /// By block: the quads that wait in this batch.
     waiting: [u16; 64],
-}
-
-/// Where a batch's pixels lie in a tile.
-pub enum Place<'a> {
-    /// All of one block.
-    Block(usize),
-    /// The block and quad of each of its quads.
-    Quads(&'a [u8], &'a [u8]),
 }
 
 impl Default for Batch {
@@ -103,6 +97,15 @@ impl Batch {
     /// Lanes that run: whole quads, so that derivatives have their neighbours.
     pub fn active(&self) -> u64 {
         let quads = u64::from(quads_of(self.mask));
+        quads | quads << QUADS | quads << (2 * QUADS) | quads << (3 * QUADS)
+    }
+
+    /// Lanes of back faces.
+    pub fn back(&self) -> u64 {
+        let mut quads = 0;
+        for (quad, &front) in self.front.iter().enumerate().take(self.len) {
+            quads |= u64::from(front == 0) << quad;
+        }
         quads | quads << QUADS | quads << (2 * QUADS) | quads << (3 * QUADS)
     }
 
@@ -195,7 +198,9 @@ impl Kernel for Interpolate<'_> {
             clamp_depth(depth);
         }
         let mut w = F32s::ZERO;
+        let mut denominator = 0;
         if let Some(index) = plan.denominator_plane {
+            denominator = index;
             let mut over = F32s::ZERO;
             batch.evaluate(index, &mut over);
             for lane in 0..LANES {
@@ -214,6 +219,23 @@ impl Kernel for Interpolate<'_> {
                     }
                 }
                 FragmentInput::Linear(index) => batch.evaluate(index, out.as_f32_mut()),
+                FragmentInput::SmoothSlope(index, axis) => {
+                    // The derivative of n/d is (n' - n/d · d') / d.
+                    let mut over = F32s::ZERO;
+                    batch.evaluate(index, &mut over);
+                    let (of, by) = (batch.slope(index, axis), batch.slope(denominator, axis));
+                    let out = out.as_f32_mut();
+                    for e in 0..4 {
+                        for q in 0..QUADS {
+                            let lane = e * QUADS + q;
+                            let value = over[lane] * w[lane];
+                            out[lane] = (of[q] - value * by[q]) * w[lane];
+                        }
+                    }
+                }
+                FragmentInput::LinearSlope(index, axis) => {
+                    by_quad(out, |_, q| batch.slope(index, axis)[q].to_bits());
+                }
                 FragmentInput::Depth => *out.as_f32_mut() = *depth,
                 FragmentInput::Flat(index) => {
                     by_quad(out, |_, q| batch.planes[index].corner[q].to_bits());
@@ -247,6 +269,15 @@ fn by_quad(out: &mut U32s, word: impl Fn(usize, usize) -> u32) {
 }
 
 impl Batch {
+    /// How a plane changes from pixel to pixel, by quad.
+    #[inline(always)]
+    fn slope(&self, plane: usize, axis: Axis) -> &[f32; QUADS] {
+        match axis {
+            Axis::X => &self.planes[plane].a,
+            Axis::Y => &self.planes[plane].b,
+        }
+    }
+
     /// A plane at every lane.
     #[inline(always)]
     fn evaluate(&self, plane: usize, out: &mut F32s) {

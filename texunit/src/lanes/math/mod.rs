@@ -63,6 +63,18 @@ pub fn floor(x: f32) -> f32 {
     if whole > x { whole - 1.0 } else { whole }
 }
 
+/// 1.5 · 2^23: its sum with a small number holds the nearest integer in its low bits.
+const MAGIC: f32 = 12_582_912.0;
+
+/// `floor(x)` as an integer and as a number, for magnitudes below 2^22, in fewer steps than through
+/// a conversion. Of larger magnitudes and NaN some integer, the same everywhere.
+#[inline(always)]
+pub fn floor_small(x: f32) -> (i32, f32) {
+    let nearest = (x + MAGIC) - MAGIC;
+    let whole = if nearest > x { nearest - 1.0 } else { nearest };
+    ((whole + MAGIC).to_bits().wrapping_sub(MAGIC.to_bits()) as i32, whole)
+}
+
 /// The smallest integer not below `x`. Exact; keeps inf and NaN.
 #[inline(always)]
 pub fn ceil(x: f32) -> f32 {
@@ -96,6 +108,18 @@ pub fn min(a: f32, b: f32) -> f32 {
 #[inline(always)]
 pub fn max(a: f32, b: f32) -> f32 {
     if a > b { a } else { b }
+}
+
+/// The smaller of two numbers; the other if one is NaN, as IEEE 754-2008's `minNum`.
+#[inline(always)]
+pub fn min_number(a: f32, b: f32) -> f32 {
+    if a < b || b.is_nan() { a } else { b }
+}
+
+/// The larger of two numbers; the other if one is NaN, as IEEE 754-2008's `maxNum`.
+#[inline(always)]
+pub fn max_number(a: f32, b: f32) -> f32 {
+    if a > b || b.is_nan() { a } else { b }
 }
 
 /// `x` held between `low` and `high`; NaN gives `low`.
