@@ -77,7 +77,7 @@ fn extremes_are_refused_or_cut_one_by_one() {
         0,
         GL_RGB,
         GL_UNSIGNED_BYTE,
-        (&BYTES[..30]).arg(),
+        (&[0u8; 30]).arg(),
     );
     assert_eq!(c.get_error(), GL_INVALID_OPERATION);
     let text: String = c.messages().iter().map(ToString::to_string).collect();
