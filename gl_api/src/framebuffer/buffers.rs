@@ -1,6 +1,5 @@
 //! Which buffers are drawn to and read from: GL 2.1, sections 4.2.1 and 4.3.2.
 
-use super::Window;
 use super::complete::{attached_format, samples};
 use crate::constants::*;
 use crate::context::{Context, limits};

@@ -10,9 +10,9 @@ use crate::env::Units;
 use crate::error::{ErrorCode, GlError, Result};
 use crate::framebuffer::buffers::{Selection, selection, selection_mut};
 use crate::state::matrix::MatrixMode;
+use crate::texture::TextureTarget;
 use crate::texture::sampler::SamplerState;
 use crate::texture::transfer::Transfer;
-use crate::texture::TextureTarget;
 use crate::types::*;
 
 const SECTION: &str = "GL 2.1, section 6.1.17";
@@ -75,13 +75,7 @@ impl AttribStacks {
 const FLAGS: &[(GLbitfield, &[Flag])] = &[
     (
         GL_COLOR_BUFFER_BIT,
-        &[
-            Flag::AlphaTest,
-            Flag::Blend,
-            Flag::ColorLogicOp,
-            Flag::Dither,
-            Flag::FramebufferSrgb,
-        ],
+        &[Flag::AlphaTest, Flag::Blend, Flag::ColorLogicOp, Flag::Dither, Flag::FramebufferSrgb],
     ),
     (GL_DEPTH_BUFFER_BIT, &[Flag::DepthTest]),
     (GL_FOG_BIT, &[Flag::Fog, Flag::ColorSum]),
