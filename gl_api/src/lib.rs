@@ -60,6 +60,6 @@ mod texture;
 pub mod types;
 
 pub use constants::*;
-pub use context::{Context, ContextDesc, ContextError, Message, Severity};
+pub use context::{Context, ContextDesc, ContextError, GLDEBUGPROC, Message, Severity};
 pub use entry::*;
 pub use types::*;

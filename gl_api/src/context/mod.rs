@@ -2,6 +2,8 @@
 
 pub(crate) mod debug;
 pub(crate) mod limits;
+pub(crate) mod log;
+pub(crate) mod log_calls;
 
 use crate::draw::Recorder;
 use crate::draw::immediate::Immediate;
@@ -14,6 +16,7 @@ use crate::object::Objects;
 use crate::object::sharing::{Entered, Group};
 use crate::state::State;
 pub use debug::{Message, Severity};
+pub use log::GLDEBUGPROC;
 use rasterizer::driver::{Device, DeviceDesc, DeviceError};
 use std::sync::{Arc, OnceLock};
 use thiserror::Error;
@@ -168,9 +171,11 @@ impl Context {
             }
             (Some(_), Entered::Yes) | (None, _) => run(self),
         };
-        result.unwrap_or_else(|error: GlError| {
+        let result = result.unwrap_or_else(|error: GlError| {
             self.debug.error(name, &error);
             R::fallback()
-        })
+        });
+        self.debug.deliver();
+        result
     }
 }
