@@ -105,6 +105,22 @@ formats! {
     Rgb16Snorm: Row::uniform(Rgb, Snorm, 16),
     /// 16 signed normalized bits each of red, green, blue and alpha.
     Rgba16Snorm: Row::uniform(Rgba, Snorm, 16),
+    /// 8 signed normalized bits of alpha.
+    A8Snorm: Row::uniform(Alpha, Snorm, 8),
+    /// 16 signed normalized bits of alpha.
+    A16Snorm: Row::uniform(Alpha, Snorm, 16),
+    /// 8 signed normalized bits of luminance.
+    L8Snorm: Row::uniform(Luminance, Snorm, 8),
+    /// 16 signed normalized bits of luminance.
+    L16Snorm: Row::uniform(Luminance, Snorm, 16),
+    /// 8 signed normalized bits each of luminance and alpha.
+    La8Snorm: Row::uniform(LuminanceAlpha, Snorm, 8),
+    /// 16 signed normalized bits each of luminance and alpha.
+    La16Snorm: Row::uniform(LuminanceAlpha, Snorm, 16),
+    /// 8 signed normalized bits of intensity.
+    I8Snorm: Row::uniform(Intensity, Snorm, 8),
+    /// 16 signed normalized bits of intensity.
+    I16Snorm: Row::uniform(Intensity, Snorm, 16),
     /// A half float of alpha.
     A16F: Row::uniform(Alpha, Float, 16),
     /// A half float of luminance.
