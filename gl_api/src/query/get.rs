@@ -10,18 +10,22 @@ use crate::types::*;
 
 /// The extensions that are implemented whole. Framebuffer objects are not: images of one and three
 /// dimensions cannot be attached.
-pub(crate) const EXTENSIONS: &str = "GL_ARB_depth_texture \
-    GL_ARB_half_float_pixel GL_ARB_multitexture GL_ARB_pixel_buffer_object \
-    GL_ARB_sampler_objects GL_ARB_seamless_cube_map GL_ARB_shadow GL_ARB_texture_border_clamp \
+pub(crate) const EXTENSIONS: &str = "GL_ARB_depth_texture GL_ARB_half_float_pixel \
+    GL_ARB_multitexture GL_ARB_pixel_buffer_object GL_ARB_sampler_objects \
+    GL_ARB_seamless_cube_map GL_ARB_shader_texture_lod GL_ARB_shadow GL_ARB_texture_border_clamp \
     GL_ARB_texture_compression GL_ARB_texture_compression_rgtc GL_ARB_texture_cube_map \
-    GL_ARB_texture_env_add GL_ARB_texture_float GL_ARB_texture_mirrored_repeat \
-    GL_ARB_texture_non_power_of_two GL_ARB_texture_rectangle GL_ARB_texture_rg \
-    GL_ARB_texture_swizzle GL_ARB_transpose_matrix GL_ATI_texture_mirror_once GL_EXT_bgra \
-    GL_EXT_blend_color GL_EXT_blend_equation_separate GL_EXT_blend_func_separate \
-    GL_EXT_blend_minmax GL_EXT_blend_subtract GL_EXT_packed_pixels \
-    GL_EXT_texture3D GL_EXT_texture_compression_s3tc GL_EXT_texture_filter_anisotropic \
-    GL_EXT_texture_lod_bias GL_EXT_texture_sRGB GL_EXT_texture_shared_exponent \
-    GL_EXT_texture_swizzle GL_SGIS_generate_mipmap GL_SGIS_texture_edge_clamp \
+    GL_ARB_texture_env_add GL_ARB_texture_float GL_ARB_texture_mirror_clamp_to_edge \
+    GL_ARB_texture_mirrored_repeat GL_ARB_texture_non_power_of_two GL_ARB_texture_rectangle \
+    GL_ARB_texture_rg GL_ARB_texture_rgb10_a2ui GL_ARB_texture_storage GL_ARB_texture_swizzle \
+    GL_ARB_transpose_matrix GL_ATI_texture_compression_3dc GL_ATI_texture_mirror_once \
+    GL_EXT_bgra GL_EXT_blend_color GL_EXT_blend_equation_separate GL_EXT_blend_func_separate \
+    GL_EXT_blend_minmax GL_EXT_blend_subtract GL_EXT_packed_pixels GL_EXT_shadow_funcs \
+    GL_EXT_texture3D GL_EXT_texture_compression_latc GL_EXT_texture_compression_rgtc \
+    GL_EXT_texture_compression_s3tc GL_EXT_texture_cube_map GL_EXT_texture_edge_clamp \
+    GL_EXT_texture_filter_anisotropic GL_EXT_texture_lod_bias GL_EXT_texture_rectangle \
+    GL_EXT_texture_sRGB GL_EXT_texture_shared_exponent GL_EXT_texture_snorm \
+    GL_EXT_texture_swizzle GL_IBM_texture_mirrored_repeat GL_NV_texture_rectangle \
+    GL_SGIS_generate_mipmap GL_SGIS_texture_border_clamp GL_SGIS_texture_edge_clamp \
     GL_SGIS_texture_lod";
 
 /// Between `glBegin` and `glEnd` this is refused like any other call, which sets the flag.

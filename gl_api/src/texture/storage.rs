@@ -126,10 +126,10 @@ fn store(
     levels: Vec<Level>,
 ) -> Result<()> {
     let mut all = Texels::new(target.shape());
-    let failed = |error| super::storage_error(SECTION, &error);
     for (number, level) in levels.iter().enumerate() {
         for face in 0..target.shape().faces() {
-            all.set_level(face, number, level.clone()).map_err(|error| failed(error))?;
+            all.set_level(face, number, level.clone())
+                .map_err(|error| super::storage_error(SECTION, &error))?;
         }
     }
     let image = bound(context, target).image.clone();

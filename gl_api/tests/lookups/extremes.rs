@@ -179,11 +179,14 @@ fn the_longest_texture_and_the_largest() {
     assert_eq!(glGetError(), GL_NO_ERROR);
 }
 
+/// Target, proxy, internal format, size; the proxy's width and what specifying it says.
+type Size = (GLenum, GLenum, GLenum, [i32; 3], i32, GLenum);
+
 /// What cannot be stored is a proxy's 0 or `GL_OUT_OF_MEMORY`, and leaves what was there.
 #[test]
 fn more_than_there_is_memory_for() {
     let _current = context();
-    let rows: &[(GLenum, GLenum, GLenum, [i32; 3], i32, GLenum)] = &[
+    let rows: &[Size] = &[
         (GL_TEXTURE_2D, GL_PROXY_TEXTURE_2D, GL_RGBA8, [8192, 8192, 1], 8192, GL_NO_ERROR),
         (GL_TEXTURE_2D, GL_PROXY_TEXTURE_2D, GL_RGBA8, [8193, 1, 1], 0, GL_INVALID_VALUE),
         (GL_TEXTURE_3D, GL_PROXY_TEXTURE_3D, GL_R8, [512, 512, 512], 512, GL_NO_ERROR),
