@@ -60,6 +60,8 @@ mod texture;
 pub mod types;
 
 pub use constants::*;
-pub use context::{Context, ContextDesc, ContextError, GLDEBUGPROC, Message, Severity};
+pub use context::{
+    Context, ContextDesc, ContextError, GLDEBUGPROC, Message, Severity, SurfaceColor, SurfaceDesc,
+};
 pub use entry::*;
 pub use types::*;

@@ -228,9 +228,9 @@ const CASES: &[Case] = &[
         "height = -1",
     ),
     (
-        |c| c.read_pixels(0, 0, 2, 1, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, DataOut::Null),
+        |c| c.read_pixels(0, 0, 2, 1, GL_COLOR_INDEX, GL_UNSIGNED_BYTE, DataOut::Null),
         GL_INVALID_ENUM,
-        "format = GL_STENCIL_INDEX",
+        "format = GL_COLOR_INDEX",
     ),
     // Transformation.
     (|c| c.matrix_mode(GL_FRONT), GL_INVALID_ENUM, "GL_MODELVIEW"),
@@ -255,7 +255,7 @@ const CASES: &[Case] = &[
     (|c| c.load_matrixf(&[0.0; 15]), GL_INVALID_OPERATION, "15 of the 16"),
     (|c| c.viewport(0, 0, -1, 0), GL_INVALID_VALUE, "width = -1"),
     // Rasterization and fragments.
-    (|c| c.enable(GL_LIGHTING), GL_INVALID_ENUM, "cap = GL_LIGHTING must be GL_ALPHA_TEST"),
+    (|c| c.enable(GL_LINEAR), GL_INVALID_ENUM, "cap = GL_LINEAR must be GL_ALPHA_TEST"),
     (|c| c.enable_client_state(GL_TEXTURE_2D), GL_INVALID_ENUM, "GL_VERTEX_ARRAY"),
     (|c| c.cull_face(GL_CW), GL_INVALID_ENUM, "mode = GL_CW must be GL_FRONT, GL_BACK or"),
     (|c| c.front_face(GL_FRONT), GL_INVALID_ENUM, "GL_CCW or GL_CW"),
@@ -337,9 +337,9 @@ const CASES: &[Case] = &[
         "the default framebuffer is bound",
     ),
     (
-        |c| c.framebuffer_texture_2d(GL_FRAMEBUFFER, GL_STENCIL_ATTACHMENT, GL_TEXTURE_2D, 1, 0),
+        |c| c.framebuffer_texture_2d(GL_FRAMEBUFFER, GL_STENCIL, GL_TEXTURE_2D, 1, 0),
         GL_INVALID_ENUM,
-        "attachment = GL_STENCIL_ATTACHMENT",
+        "attachment = GL_STENCIL",
     ),
     (
         |c| c.renderbuffer_storage(GL_RENDERBUFFER, GL_RGBA8, 1, 1),

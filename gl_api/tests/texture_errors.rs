@@ -245,8 +245,8 @@ fn copies() {
         ((2, FACE, 0, GL_RGB, [1, 2, 1], 0, 0, 0), VALUE, "must be equal"),
         ((2, GL_TEXTURE_2D, 0, GL_RGB, ONE, 2, 0, 0), VALUE, "border = 2"),
         ((2, GL_TEXTURE_RECTANGLE, 0, GL_RGB, [3; 3], 1, 0, 0), VALUE, "rectangle"),
-        ((2, GL_TEXTURE_2D, 0, GL_RGBA8UI, ONE, 0, 0, 0), OPERATION, "integer formats"),
-        ((1, GL_TEXTURE_1D, 0, GL_R32I, ONE, 0, 0, 0), OPERATION, "integer formats"),
+        ((2, GL_TEXTURE_2D, 0, GL_RGBA8UI, ONE, 0, 0, 0), OPERATION, "integers stay"),
+        ((1, GL_TEXTURE_1D, 0, GL_R32I, ONE, 0, 0, 0), OPERATION, "integers stay"),
     ];
     for (row, flag, words) in rows {
         refused(row, *flag, words, |c| {
@@ -402,7 +402,7 @@ fn parameters_and_samplers() {
     });
     refused(&"mipmaps", ENUM, "no mipmaps", |c| c.generate_mipmap(GL_TEXTURE_RECTANGLE));
     refused(&"NaN", VALUE, "must be a number", |c| c.pixel_transferf(GL_RED_SCALE, f32::NAN));
-    refused(&"table", ENUM, "GL_RED_SCALE", |c| c.pixel_transferi(GL_MAP_COLOR, 1));
+    refused(&"table", ENUM, "GL_RED_SCALE", |c| c.pixel_transferi(GL_PIXEL_MAP_R_TO_R, 1));
     refused(&"images", VALUE, "must not be negative", |c| {
         c.pixel_storei(GL_UNPACK_SKIP_IMAGES, -1);
     });

@@ -4,8 +4,8 @@
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use rasterizer::driver::{
     Attachment, Buffer, ColorState, Command, CommandBuffer, Cull, Device, DeviceDesc, Explain,
-    FrontFace, Image, PassDesc, Pipeline, PipelineDesc, Provoking, ShaderModule, Topology,
-    VertexBinding, VertexFormat, VertexSource, VertexType, Viewport,
+    FrontFace, Image, OutputState, PassDesc, Pipeline, PipelineDesc, Provoking, ShaderModule,
+    Topology, VertexBinding, VertexFormat, VertexSource, VertexType, Viewport,
 };
 use rasterizer::ir::{Builder, Input, Interpolation, Lod, Output, Stage, TextureDecl, Value};
 use std::hint::black_box;
@@ -199,6 +199,7 @@ fn commands(scene: &Scene, texels: &Texels, target: Image) -> CommandBuffer {
         colors: vec![ColorState { blend: None, mask: [true; 4] }],
         line_width_bits: 1.0_f32.to_bits(),
         point_size_bits: 1.0_f32.to_bits(),
+        output: OutputState::default(),
     });
     let (x, y, width, height) = (0.0, 0.0, SIZE as f32, SIZE as f32);
     CommandBuffer {

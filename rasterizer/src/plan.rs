@@ -3,12 +3,12 @@
 //! "Leave out what a scene does not need" is this plan. What it leaves out costs neither time nor
 //! memory; `DETGL_EXPLAIN=1` prints it.
 
-use crate::driver::{DepthWrite, Pipeline, PolygonOffset, Viewport};
+use crate::driver::{DepthState, DepthWrite, Pipeline, PolygonOffset, Viewport};
 use crate::ir::{Axis, Input, Interpolation, Output};
-use crate::output::{ColorPlan, DepthFormat, DepthPlan};
+use crate::output::{ColorPlan, DepthFormat, DepthPlan, StencilPlan, Tests};
 use crate::raster::PlaneSource;
 use crate::shader::Prepared;
-use crate::target::stored_components;
+use crate::target::component_bits;
 use std::fmt::Write;
 use std::sync::Arc;
 use texunit::format::Format;
@@ -44,16 +44,16 @@ pub enum FragmentInput {
     Zero,
 }
 
-/// When the depth test happens.
+/// When the stencil and depth tests happen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum DepthTiming {
+pub enum Timing {
     /// Neither test nor write.
     Never,
     /// Before shading: what fails is not shaded.
-    Early(DepthPlan),
+    Early,
     /// After shading: the shader throws fragments away or writes depth. The program output that
     /// holds the depth, if it does.
-    Late(DepthPlan, Option<usize>),
+    Late(Option<usize>),
 }
 
 /// The decisions of one draw.
@@ -73,8 +73,12 @@ pub struct DrawPlan {
     pub depth_plane: Option<usize>,
     /// The plane that smooth varyings are divided by, where there are any.
     pub denominator_plane: Option<usize>,
-    /// When depth is tested.
-    pub depth: DepthTiming,
+    /// The stencil and depth tests.
+    pub tests: Tests,
+    /// When they happen.
+    pub timing: Timing,
+    /// The smallest difference of depths, where it is the same for all.
+    pub resolution: Option<f64>,
     /// What is written to which colour attachment.
     pub colors: Vec<ColorPlan>,
     /// Whether the fragment program has to run at all.
@@ -110,6 +114,37 @@ pub struct PlanInput<'a> {
     pub viewport: Viewport,
 }
 
+impl Timing {
+    /// When a test is done, and what it writes.
+    fn describe(self, test: Compare, write: impl std::fmt::Debug) -> String {
+        match self {
+            Self::Never => "left out".into(),
+            Self::Early => format!("early, {test:?}, write {write:?}"),
+            Self::Late(output) => format!(
+                "late, {test:?}, write {write:?}: the shader {}",
+                if output.is_some() { "writes depth" } else { "throws fragments away" },
+            ),
+        }
+    }
+}
+
+/// The tests that a draw has to make.
+fn tests(pipeline: &Pipeline, format: Option<Format>) -> Tests {
+    let desc = &pipeline.compiled().desc;
+    let Some((stored, format)) = format.and_then(|f| Some((f, DepthFormat::of(f)?))) else {
+        return Tests::default();
+    };
+    let matters =
+        |state: &DepthState| state.test != Compare::Always || state.write == DepthWrite::On;
+    let depth = desc.depth.filter(matters).map(|state| DepthPlan {
+        format,
+        test: state.test,
+        write: state.write,
+    });
+    let stencil = desc.output.stencil.filter(|_| stored.has_stencil());
+    Tests { stencil: stencil.as_ref().and_then(StencilPlan::new), depth }
+}
+
 impl DrawPlan {
     /// Decides.
     pub fn new(pipeline: &Pipeline, input: PlanInput<'_>) -> Self {
@@ -122,38 +157,28 @@ impl DrawPlan {
             let Some(format) = input.colors.get(target).copied().flatten() else { continue };
             let outputs = [0, 1, 2, 3]
                 .map(|component| output(Output::Color { target: target as u8, component }));
-            let stored = stored_components(format);
-            let mut write_mask = 0;
-            for (component, (mask, stored)) in state.mask.into_iter().zip(stored).enumerate() {
-                if mask && stored {
-                    write_mask |= 0xFF << (8 * component);
-                }
-            }
+            let format = desc.output.srgb.format(format);
+            let write = component_bits(format, state.mask);
             // A target that the shader never mentions is not written.
             let mentioned = desc.fragment.module().outputs.iter().any(
                 |(o, _)| matches!(o, Output::Color { target: t, .. } if usize::from(*t) == target),
             );
-            if write_mask != 0 && mentioned {
-                colors.push(ColorPlan { target, outputs, blend: state.blend, write_mask });
+            if write != [0; 4] && mentioned {
+                let logic_op = desc.output.logic_op;
+                colors.push(ColorPlan::new(target, outputs, format, write, state.blend, logic_op));
             }
         }
 
-        let depth_output = output(Output::Depth);
-        let depth = match (desc.depth, input.depth.and_then(DepthFormat::of)) {
-            (Some(state), Some(format))
-                if state.test != Compare::Always || state.write == DepthWrite::On =>
-            {
-                let plan = DepthPlan { format, test: state.test, write: state.write };
-                let thrown_away = fragment.discards() && state.write == DepthWrite::On;
-                if thrown_away || depth_output.is_some() {
-                    DepthTiming::Late(plan, depth_output)
-                } else {
-                    DepthTiming::Early(plan)
-                }
-            }
-            _ => DepthTiming::Never,
+        let tests = tests(pipeline, input.depth);
+        let depth_output = output(Output::Depth).filter(|_| tests.depth.is_some());
+        let timing = if tests == Tests::default() {
+            Timing::Never
+        } else if fragment.discards() && tests.write() || depth_output.is_some() {
+            Timing::Late(depth_output)
+        } else {
+            Timing::Early
         };
-        let late = matches!(depth, DepthTiming::Late(..));
+        let late = matches!(timing, Timing::Late(_));
         let shading = if colors.is_empty() && !late { Shading::Off } else { Shading::On };
 
         let mut planes = Vec::new();
@@ -165,7 +190,7 @@ impl DrawPlan {
             })
         };
         let reads_z = fragment.inputs().contains(&Input::FragCoord(2));
-        let tests_z = matches!(depth, DepthTiming::Early(_) | DepthTiming::Late(_, None));
+        let tests_z = tests.depth.is_some() && depth_output.is_none();
         let depth_plane = (tests_z || reads_z).then(|| plane(PlaneSource::Depth));
         let mut denominator_plane = None;
         // Nothing but levels of detail is made of slopes.
@@ -225,7 +250,9 @@ impl DrawPlan {
             inputs,
             depth_plane,
             denominator_plane,
-            depth,
+            tests,
+            timing,
+            resolution: input.depth.and_then(DepthFormat::of).and_then(DepthFormat::resolution),
             colors,
             shading,
             viewport: input.viewport,
@@ -263,22 +290,17 @@ impl DrawPlan {
         );
         line(
             "depth",
-            match (self.depth, desc.depth) {
-                (DepthTiming::Never, None) => "left out: no depth test".into(),
-                (DepthTiming::Never, Some(_)) => {
+            match (self.tests.depth, desc.depth) {
+                (None, None) => "left out: no depth test".into(),
+                (None, Some(_)) => {
                     "left out: no depth attachment, or always passes and never writes".into()
                 }
-                (DepthTiming::Early(plan), _) => {
-                    format!("early, {:?}, write {:?}", plan.test, plan.write)
-                }
-                (DepthTiming::Late(plan, output), _) => format!(
-                    "late, {:?}, write {:?}: the shader {}",
-                    plan.test,
-                    plan.write,
-                    if output.is_some() { "writes depth" } else { "throws fragments away" },
-                ),
+                (Some(plan), _) => self.timing.describe(plan.test, plan.write),
             },
         );
+        if let Some(plan) = self.tests.stencil {
+            line("stencil", self.timing.describe(plan.front.test, plan.front.pass));
+        }
         match self.shading {
             Shading::On => {
                 line("fragment", compiled.fragment.describe());
@@ -303,12 +325,17 @@ impl DrawPlan {
             line(
                 &format!("colour {}", color.target),
                 format!(
-                    "{}, written bits {:08x}",
-                    match color.blend {
-                        Some(blend) => format!("blended, {:?}", blend.equation),
-                        None => "left out: blending (the old colour is not read)".into(),
+                    "{}, written bits {}",
+                    match (color.logic_op, color.blend) {
+                        (Some(op), _) => format!("logical operation, {op:?}"),
+                        (None, Some(blend)) => format!("blended, {:?}", blend.equation),
+                        (None, None) => "left out: blending (the old colour is not read)".into(),
                     },
-                    color.write_mask,
+                    color.write[..color.format.words()]
+                        .iter()
+                        .map(|word| format!("{word:08x}"))
+                        .collect::<Vec<_>>()
+                        .join(" "),
                 ),
             );
         }

@@ -233,10 +233,10 @@ fn faces_and_levels_of_one_image_are_drawn_to_one_after_another() {
         }
     }
     let cube = Image::new(texels);
-    for face in 0..6_u8 {
+    for face in 0..6_u16 {
         for level in 0..2_u8 {
             let size = 8 >> level;
-            let value = f32::from(face * 2 + level + 1) * 10.0 / 255.0;
+            let value = f32::from(face * 2 + u16::from(level) + 1) * 10.0 / 255.0;
             let desc = pipeline(vertex(0), constant([value; 4]));
             let attachment = Attachment { image: cube.clone(), face, level };
             let mut commands = vec![

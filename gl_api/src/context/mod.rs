@@ -4,6 +4,7 @@ pub(crate) mod debug;
 pub(crate) mod limits;
 pub(crate) mod log;
 pub(crate) mod log_calls;
+mod surface;
 
 use crate::draw::Recorder;
 use crate::draw::immediate::Immediate;
@@ -19,6 +20,7 @@ pub use debug::{Message, Severity};
 pub use log::GLDEBUGPROC;
 use rasterizer::driver::{Device, DeviceDesc, DeviceError};
 use std::sync::{Arc, OnceLock};
+pub use surface::{SurfaceColor, SurfaceDesc};
 use thiserror::Error;
 
 /// What a context is made from.
@@ -32,11 +34,14 @@ pub struct ContextDesc {
     pub repairs: Repairs,
     /// The device; `None` shares one that the environment describes.
     pub device: Option<Arc<Device>>,
+    /// What the default framebuffer has.
+    pub surface: SurfaceDesc,
 }
 
 impl Default for ContextDesc {
     fn default() -> Self {
-        Self { width: 512, height: 512, repairs: Repairs::Off, device: None }
+        let surface = SurfaceDesc::default();
+        Self { width: 512, height: 512, repairs: Repairs::Off, device: None, surface }
     }
 }
 
@@ -53,6 +58,9 @@ pub enum ContextError {
         /// The largest side.
         limit: u32,
     },
+    /// The default framebuffer cannot have so many bits or samples.
+    #[error("{0:?}: at most 32 bits of depth, 8 of stencil, and 4 samples")]
+    Surface(SurfaceDesc),
     /// There is no memory for the default framebuffer.
     #[error("no memory for the default framebuffer")]
     Memory,
@@ -61,7 +69,7 @@ pub enum ContextError {
     Device(#[from] DeviceError),
 }
 
-/// A GL context, with a default framebuffer of its own (RGBA8 and 24 bits of depth).
+/// A GL context, with a default framebuffer of its own ([`SurfaceDesc`]).
 ///
 /// Every entry point is a method, named without `gl` and in snake case; the free functions with
 /// GL's names work on the thread's current context (see [`Context::make_current`]).
@@ -100,10 +108,13 @@ impl Context {
     /// # Errors
     /// When the size is out of range or the device cannot be made.
     pub fn new(desc: ContextDesc) -> Result<Self, ContextError> {
-        let ContextDesc { width, height, repairs, device } = desc;
+        let ContextDesc { width, height, repairs, device, surface } = desc;
         let limit = limits::MAX_VIEWPORT_DIMS;
         if !(1..=limit).contains(&width) || !(1..=limit).contains(&height) {
             return Err(ContextError::Size { width, height, limit });
+        }
+        if !surface.is_possible() {
+            return Err(ContextError::Surface(surface));
         }
         let device = match device {
             Some(device) => device,
@@ -112,7 +123,7 @@ impl Context {
         Ok(Self {
             state: State::new(width, height),
             objects: Objects::default(),
-            window: Window::new(width, height).map_err(|_| ContextError::Memory)?,
+            window: Window::new(width, height, surface).map_err(|_| ContextError::Memory)?,
             debug: debug::Debug::from_env(),
             immediate: None,
             recorder: Recorder::new(device),

@@ -3,10 +3,12 @@
 use super::{Told, begin_pass, hints, stages};
 use crate::context::Context;
 use crate::error::{ErrorCode, GlError, Result, invalid_operation};
-use crate::framebuffer::complete::draw_pass;
+use crate::framebuffer::complete::{draw_pass, draw_planes};
+use crate::framebuffer::srgb_write;
 use crate::state::enable::Flag;
+use crate::state::stencil::Side;
 use rasterizer::driver::{
-    ColorState, Command, Cull, DepthState, Indices, PassDesc, Pipeline, PipelineDesc,
+    ColorState, Command, Cull, DepthState, Indices, OutputState, PassDesc, Pipeline, PipelineDesc,
     PolygonOffset, Provoking, Rect, ShaderModule, Topology, VertexBinding, Viewport,
 };
 use std::sync::Arc;
@@ -108,12 +110,22 @@ fn pipeline_desc(
     let enables = &context.state.enables;
     let raster = &context.state.raster;
     let state = &context.state.fragment;
-    let depth = (enables.has(Flag::DepthTest) && pass.depth.is_some())
+    let has = draw_planes(context);
+    let depth = (enables.has(Flag::DepthTest) && has.depth)
         .then_some(DepthState { test: state.depth_func, write: state.depth_write });
     let offset = PolygonOffset { factor: raster.offset_factor, units: raster.offset_units };
-    let color = ColorState {
-        blend: enables.has(Flag::Blend).then_some(state.blend),
-        mask: state.color_mask,
+    let colors = state
+        .buffers
+        .iter()
+        .take(pass.colors.len())
+        .map(|buffer| ColorState { blend: buffer.blend.then_some(state.blend), mask: buffer.mask });
+    let two_side = enables.has(Flag::StencilTestTwoSide);
+    let back = if two_side { Side::TwoSideBack } else { Side::Back };
+    let output = OutputState {
+        stencil: (enables.has(Flag::StencilTest) && has.stencil)
+            .then(|| state.stencil.to_driver(back)),
+        logic_op: enables.has(Flag::ColorLogicOp).then_some(state.logic_op),
+        srgb: srgb_write(context),
     };
     PipelineDesc {
         vertex,
@@ -124,7 +136,8 @@ fn pipeline_desc(
         provoking: Provoking::Last,
         polygon_offset: enables.has(Flag::PolygonOffsetFill).then_some(offset),
         depth,
-        colors: vec![color; pass.colors.len()],
+        colors: colors.collect(),
+        output,
         line_width_bits: raster.line_width.to_bits(),
         point_size_bits: raster.point_size.to_bits(),
     }

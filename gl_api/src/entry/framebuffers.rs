@@ -1,7 +1,7 @@
 //! Framebuffer objects: `ARB_framebuffer_object` and `EXT_framebuffer_object`; draw and read
 //! buffers: GL 2.1, sections 4.2.1 and 4.3.2.
 
-use crate::framebuffer::{attach, buffers};
+use crate::framebuffer::{attach, blit, buffers, inspect};
 use crate::object::{framebuffers, renderbuffers};
 use crate::types::*;
 
@@ -35,12 +35,31 @@ entry_points! {
         /// Gives the current renderbuffer a format and a size.
         renderbuffer_storage: glRenderbufferStorage | glRenderbufferStorageEXT
             (target: GLenum, internalformat: GLenum, width: GLsizei, height: GLsizei);
+        /// Gives the current renderbuffer a format, a size and a number of samples.
+        renderbuffer_storage_multisample:
+            glRenderbufferStorageMultisample | glRenderbufferStorageMultisampleEXT (
+            target: GLenum, samples: GLsizei, internalformat: GLenum, width: GLsizei,
+            height: GLsizei
+        );
         /// Reads what is known of the current renderbuffer.
         get_renderbuffer_parameteriv:
             glGetRenderbufferParameteriv | glGetRenderbufferParameterivEXT
             (target: GLenum, pname: GLenum, params: &'a mut [GLint]);
     }
     Outside in attach {
+        /// Attaches a level of a one-dimensional texture to the bound framebuffer.
+        framebuffer_texture_1d: glFramebufferTexture1D | glFramebufferTexture1DEXT (
+            target: GLenum, attachment: GLenum, textarget: GLenum, texture: GLuint, level: GLint
+        );
+        /// Attaches a slice of a level of a volume to the bound framebuffer.
+        framebuffer_texture_3d: glFramebufferTexture3D | glFramebufferTexture3DEXT (
+            target: GLenum, attachment: GLenum, textarget: GLenum, texture: GLuint, level: GLint,
+            zoffset: GLint
+        );
+        /// Attaches a slice of a volume or a layer of an array to the bound framebuffer.
+        framebuffer_texture_layer: glFramebufferTextureLayer | glFramebufferTextureLayerEXT (
+            target: GLenum, attachment: GLenum, texture: GLuint, level: GLint, layer: GLint
+        );
         /// Attaches a level of a texture, or of a face of a cube map, to the bound framebuffer.
         framebuffer_texture_2d: glFramebufferTexture2D | glFramebufferTexture2DEXT (
             target: GLenum, attachment: GLenum, textarget: GLenum, texture: GLuint, level: GLint
@@ -52,6 +71,15 @@ entry_points! {
         /// Whether the bound framebuffer can be drawn to: `GL_FRAMEBUFFER_COMPLETE`, or why not.
         check_framebuffer_status: glCheckFramebufferStatus | glCheckFramebufferStatusEXT
             (target: GLenum) -> GLenum;
+    }
+    Outside in blit {
+        /// Copies a rectangle of the read framebuffer to the draw framebuffer, scaled or mirrored.
+        blit_framebuffer: glBlitFramebuffer | glBlitFramebufferEXT (
+            src_x0: GLint, src_y0: GLint, src_x1: GLint, src_y1: GLint, dst_x0: GLint,
+            dst_y0: GLint, dst_x1: GLint, dst_y1: GLint, mask: GLbitfield, filter: GLenum
+        );
+    }
+    Outside in inspect {
         /// Reads what is known of an attachment.
         get_framebuffer_attachment_parameteriv:
             glGetFramebufferAttachmentParameteriv | glGetFramebufferAttachmentParameterivEXT

@@ -1,34 +1,40 @@
 //! Attaching images to framebuffer objects: `ARB_framebuffer_object`, sections 4.4.2 to 4.4.4.
 
 use super::buffers::attachment_index;
-use super::complete::{bits, completeness};
+use super::complete::completeness;
 use crate::constants::*;
 use crate::context::{Context, limits};
 use crate::error::{Result, Table, invalid_enum, invalid_operation, invalid_value};
-use crate::object::framebuffers::{Attached, FRAMEBUFFER_TARGET, Framebuffer, bound};
-use crate::query::put;
-use crate::texture::internal::Component;
-use crate::texture::{FACE_TARGET, TARGET};
+use crate::object::framebuffers::{
+    Attached, FRAMEBUFFER_TARGET, Framebuffer, Planes, Source, bound,
+};
+use crate::texture::{FaceTarget, TARGET, TextureTarget, attachable_target};
 use crate::types::*;
 
 const SECTION: &str = "ARB_framebuffer_object, section 4.4.2";
 
-/// A place where an image can be attached.
+/// Where an image can be attached.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Point {
+pub(super) enum Point {
     Color(usize),
     Depth,
+    Stencil,
+    /// Both at once.
+    DepthStencil,
 }
 
-fn point(attachment: GLenum) -> Result<Point> {
+pub(super) fn point(attachment: GLenum) -> Result<Point> {
     match attachment {
         GL_DEPTH_ATTACHMENT => Ok(Point::Depth),
+        GL_STENCIL_ATTACHMENT => Ok(Point::Stencil),
+        GL_DEPTH_STENCIL_ATTACHMENT => Ok(Point::DepthStencil),
         _ => match attachment_index(attachment) {
             Some(index) => Ok(Point::Color(index)),
             None => invalid_enum(
                 SECTION,
                 format!(
-                    "attachment = {} must be GL_COLOR_ATTACHMENT0 to {}, or GL_DEPTH_ATTACHMENT",
+                    "attachment = {} must be GL_COLOR_ATTACHMENT0 to {}, GL_DEPTH_ATTACHMENT, \
+                     GL_STENCIL_ATTACHMENT or GL_DEPTH_STENCIL_ATTACHMENT",
                     enum_name(attachment),
                     limits::MAX_COLOR_ATTACHMENTS - 1
                 ),
@@ -59,8 +65,100 @@ fn attach(
     match point {
         Point::Color(index) => object.colors[index] = attached,
         Point::Depth => object.depth = attached,
+        Point::Stencil => object.stencil = attached,
+        Point::DepthStencil => {
+            object.depth.clone_from(&attached);
+            object.stencil = attached;
+        }
     }
     Ok(())
+}
+
+/// A slice of a level of a texture, as a call names it.
+struct Slice {
+    texture: GLuint,
+    level: GLint,
+    /// The layer or slice, and the argument's name.
+    slice: (GLint, &'static str),
+}
+
+/// Checks that a level and slice can be there, and attaches it.
+fn attach_texture(
+    context: &mut Context,
+    target: GLenum,
+    point: Point,
+    of: FaceTarget,
+    slice: &Slice,
+) -> Result<()> {
+    let &Slice { texture: name, level, slice: (slice, argument) } = slice;
+    let Some(texture) = context.objects.textures.get(name) else {
+        return no_texture(name);
+    };
+    let image = texture.image.clone();
+    let level = crate::texture::checked_level(SECTION, of.target, level)?;
+    let most = match of.target {
+        TextureTarget::D3 => limits::MAX_3D_TEXTURE_SIZE,
+        TextureTarget::D1Array | TextureTarget::D2Array => limits::MAX_ARRAY_TEXTURE_LAYERS,
+        TextureTarget::D1 | TextureTarget::D2 | TextureTarget::Rect | TextureTarget::Cube => 1,
+    };
+    let slice = match u16::try_from(slice) {
+        Ok(slice) if u32::from(slice) < most => slice,
+        Ok(_) | Err(_) => {
+            return invalid_value(
+                SECTION,
+                format!("{argument} = {slice} must be 0 to {}", most - 1),
+            );
+        }
+    };
+    let source = Source::Texture { name, target: of, level, slice };
+    let planes = Planes { depth: true, stencil: true };
+    attach(context, target, point, Some(Attached { source, image, planes }))
+}
+
+fn no_texture<T>(name: GLuint) -> Result<T> {
+    invalid_operation(SECTION, format!("texture = {name} is no texture that was bound"))
+}
+
+/// `glFramebufferTexture1D`, `2D` and `3D`: the targets of a call with so many dimensions.
+fn framebuffer_texture(
+    context: &mut Context,
+    (target, attachment): (GLenum, GLenum),
+    (axes, textarget): (usize, GLenum),
+    slice: &Slice,
+) -> Result<()> {
+    FRAMEBUFFER_TARGET.decode("target", target)?;
+    let point = point(attachment)?;
+    if slice.texture == 0 {
+        return attach(context, target, point, None);
+    }
+    let face = attachable_target(axes, textarget)?;
+    let Some(texture) = context.objects.textures.get(slice.texture) else {
+        return no_texture(slice.texture);
+    };
+    if texture.target != face.target {
+        return invalid_operation(
+            SECTION,
+            format!(
+                "texture {} is a {}, textarget = {} does not fit",
+                slice.texture,
+                enum_name(TARGET.encode(texture.target)),
+                enum_name(textarget)
+            ),
+        );
+    }
+    attach_texture(context, target, point, face, slice)
+}
+
+pub(crate) fn framebuffer_texture_1d(
+    context: &mut Context,
+    target: GLenum,
+    attachment: GLenum,
+    textarget: GLenum,
+    texture: GLuint,
+    level: GLint,
+) -> Result<()> {
+    let slice = Slice { texture, level, slice: (0, "layer") };
+    framebuffer_texture(context, (target, attachment), (1, textarget), &slice)
 }
 
 pub(crate) fn framebuffer_texture_2d(
@@ -71,39 +169,52 @@ pub(crate) fn framebuffer_texture_2d(
     texture: GLuint,
     level: GLint,
 ) -> Result<()> {
+    let slice = Slice { texture, level, slice: (0, "layer") };
+    framebuffer_texture(context, (target, attachment), (2, textarget), &slice)
+}
+
+pub(crate) fn framebuffer_texture_3d(
+    context: &mut Context,
+    target: GLenum,
+    attachment: GLenum,
+    textarget: GLenum,
+    texture: GLuint,
+    level: GLint,
+    zoffset: GLint,
+) -> Result<()> {
+    let slice = Slice { texture, level, slice: (zoffset, "zoffset") };
+    framebuffer_texture(context, (target, attachment), (3, textarget), &slice)
+}
+
+pub(crate) fn framebuffer_texture_layer(
+    context: &mut Context,
+    target: GLenum,
+    attachment: GLenum,
+    texture: GLuint,
+    level: GLint,
+    layer: GLint,
+) -> Result<()> {
     FRAMEBUFFER_TARGET.decode("target", target)?;
     let point = point(attachment)?;
     if texture == 0 {
         return attach(context, target, point, None);
     }
-    let face = FACE_TARGET.decode("textarget", textarget)?;
-    let Some(object) = context.objects.textures.get(texture) else {
-        return invalid_operation(
-            SECTION,
-            format!("texture = {texture} is no texture that was bound"),
-        );
-    };
-    if object.target != face.target {
-        return invalid_operation(
-            SECTION,
-            format!(
-                "texture {texture} is a {}, textarget = {} does not fit",
-                enum_name(TARGET.encode(object.target)),
-                enum_name(textarget)
-            ),
-        );
-    }
-    let level = match usize::try_from(level) {
-        Ok(level) if level < limits::MAX_TEXTURE_LEVELS => level,
-        _ => {
-            return invalid_value(
+    let Some(object) = context.objects.textures.get(texture) else { return no_texture(texture) };
+    let of = FaceTarget { target: object.target, face: 0 };
+    match of.target {
+        TextureTarget::D3 | TextureTarget::D1Array | TextureTarget::D2Array => {}
+        TextureTarget::D1 | TextureTarget::D2 | TextureTarget::Rect | TextureTarget::Cube => {
+            return invalid_operation(
                 SECTION,
-                format!("level = {level} must be 0 to {}", limits::MAX_TEXTURE_LEVELS - 1),
+                format!(
+                    "texture {texture} is a {}, which has no layers",
+                    enum_name(TARGET.encode(of.target))
+                ),
             );
         }
-    };
-    let attached = Attached::Texture { name: texture, target: face, level };
-    attach(context, target, point, Some(attached))
+    }
+    let slice = Slice { texture, level, slice: (layer, "layer") };
+    attach_texture(context, target, point, of, &slice)
 }
 
 pub(crate) fn framebuffer_renderbuffer(
@@ -120,13 +231,18 @@ pub(crate) fn framebuffer_renderbuffer(
     if renderbuffer == 0 {
         return attach(context, target, point, None);
     }
-    if context.objects.renderbuffers.get(renderbuffer).is_none() {
+    let Some(object) = context.objects.renderbuffers.get(renderbuffer) else {
         return invalid_operation(
             SECTION,
             format!("renderbuffer = {renderbuffer} is no renderbuffer that was bound"),
         );
-    }
-    attach(context, target, point, Some(Attached::Renderbuffer(renderbuffer)))
+    };
+    let attached = Attached {
+        source: Source::Renderbuffer(renderbuffer),
+        image: object.image.clone(),
+        planes: object.planes(),
+    };
+    attach(context, target, point, Some(attached))
 }
 
 /// Says why a framebuffer is incomplete, as a message.
@@ -141,96 +257,13 @@ pub(crate) fn check_framebuffer_status(context: &mut Context, target: GLenum) ->
     })
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Property {
-    ObjectType,
-    ObjectName,
-    Level,
-    Face,
-    Layer,
-    Bits(Component),
-    StencilBits,
-}
-
-const PROPERTY: Table<Property> = Table {
-    section: "ARB_framebuffer_object, section 6.1.13",
-    rows: &[
-        (GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, Property::ObjectType),
-        (GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME, Property::ObjectName),
-        (GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL, Property::Level),
-        (GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_CUBE_MAP_FACE, Property::Face),
-        (GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LAYER, Property::Layer),
-        (GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE, Property::Bits(Component::Red)),
-        (GL_FRAMEBUFFER_ATTACHMENT_GREEN_SIZE, Property::Bits(Component::Green)),
-        (GL_FRAMEBUFFER_ATTACHMENT_BLUE_SIZE, Property::Bits(Component::Blue)),
-        (GL_FRAMEBUFFER_ATTACHMENT_ALPHA_SIZE, Property::Bits(Component::Alpha)),
-        (GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE, Property::Bits(Component::Depth)),
-        (GL_FRAMEBUFFER_ATTACHMENT_STENCIL_SIZE, Property::StencilBits),
-    ],
-};
-
-pub(crate) fn get_framebuffer_attachment_parameteriv(
-    context: &mut Context,
-    target: GLenum,
-    attachment: GLenum,
-    pname: GLenum,
-    params: &mut [GLint],
-) -> Result<()> {
-    const SECTION: &str = PROPERTY.section;
-    FRAMEBUFFER_TARGET.decode("target", target)?;
-    let point = point(attachment)?;
-    let property = PROPERTY.decode("pname", pname)?;
-    let object = object(context, target)?;
-    let attached = match point {
-        Point::Color(index) => object.colors[index],
-        Point::Depth => object.depth,
-    };
-    let value = match (property, attached) {
-        (Property::ObjectType, None) => GL_NONE as GLint,
-        (Property::ObjectType, Some(Attached::Texture { .. })) => GL_TEXTURE as GLint,
-        (Property::ObjectType, Some(Attached::Renderbuffer(_))) => GL_RENDERBUFFER as GLint,
-        (Property::ObjectName, None) => 0,
-        (
-            Property::ObjectName,
-            Some(Attached::Texture { name, .. } | Attached::Renderbuffer(name)),
-        ) => name as GLint,
-        (Property::Level, Some(Attached::Texture { level, .. })) => level as GLint,
-        (Property::Layer, Some(Attached::Texture { .. })) => 0,
-        (Property::Face, Some(Attached::Texture { target, .. })) => {
-            if TARGET.encode(target.target) == GL_TEXTURE_CUBE_MAP {
-                FACE_TARGET.encode(target) as GLint
-            } else {
-                0
-            }
-        }
-        (Property::Bits(component), Some(attached)) => bits(context, attached, component),
-        (Property::StencilBits, Some(_)) => 0,
-        (
-            Property::Level
-            | Property::Face
-            | Property::Layer
-            | Property::Bits(_)
-            | Property::StencilBits,
-            None | Some(Attached::Renderbuffer(_)),
-        ) => {
-            return invalid_enum(
-                SECTION,
-                format!("{} cannot be asked of what is attached", enum_name(pname)),
-            );
-        }
-    };
-    put(params, &[value])
-}
-
 /// Takes a deleted image from the bound framebuffers.
-fn detach(context: &mut Context, gone: impl Fn(Attached) -> bool) {
+fn detach(context: &mut Context, gone: impl Fn(Source) -> bool) {
     let bindings = &context.state.bindings;
     for name in [bindings.draw_framebuffer, bindings.read_framebuffer] {
         if let Some(object) = context.objects.framebuffers.get_mut(name) {
-            for point in object.points() {
-                if point.is_some_and(&gone) {
-                    *point = None;
-                }
+            for point in object.points_mut() {
+                point.take_if(|attached| gone(attached.source));
             }
         }
     }
@@ -238,13 +271,10 @@ fn detach(context: &mut Context, gone: impl Fn(Attached) -> bool) {
 
 /// Takes a deleted texture from the bound framebuffers.
 pub(crate) fn detach_texture(context: &mut Context, texture: GLuint) {
-    detach(
-        context,
-        |attached| matches!(attached, Attached::Texture { name, .. } if name == texture),
-    );
+    detach(context, |source| matches!(source, Source::Texture { name, .. } if name == texture));
 }
 
 /// Takes a deleted renderbuffer from the bound framebuffers.
 pub(crate) fn detach_renderbuffer(context: &mut Context, renderbuffer: GLuint) {
-    detach(context, |attached| attached == Attached::Renderbuffer(renderbuffer));
+    detach(context, |source| source == Source::Renderbuffer(renderbuffer));
 }

@@ -1,11 +1,13 @@
 //! Which buffers are drawn to and read from: GL 2.1, sections 4.2.1 and 4.3.2.
 
 use super::Window;
-use super::complete::draw_depth_bits;
+use super::complete::{attached_format, samples};
 use crate::constants::*;
 use crate::context::{Context, limits};
 use crate::error::{Result, invalid_enum, invalid_operation, invalid_value, not_negative};
+use crate::texture::internal::{Component, component_bits};
 use crate::types::*;
+use texunit::format::Format;
 
 const DRAW: &str = "GL 2.1, section 4.2.1";
 const READ: &str = "GL 2.1, section 4.3.2";
@@ -137,7 +139,8 @@ pub(crate) fn read_buffer(context: &mut Context, src: GLenum) -> Result<()> {
 /// State of framebuffers that `glGet` reads.
 pub(crate) enum Answer {
     Symbol(GLenum),
-    Bits(i32),
+    Number(i32),
+    Flag(bool),
 }
 
 /// Reads state by its name, if it is a framebuffer's.
@@ -146,16 +149,66 @@ pub(crate) fn state_value(context: &Context, pname: GLenum) -> Option<Answer> {
     let of = |framebuffer: GLuint| {
         context.objects.framebuffers.get(framebuffer).map_or(window, |object| &object.selection)
     };
-    let draw = of(context.state.bindings.draw_framebuffer);
+    let name = context.state.bindings.draw_framebuffer;
+    let draw = of(name);
+    let bits = |component| {
+        let format = drawn_format(context, component);
+        Answer::Number(format.map_or(0, |format| component_bits(format, component)))
+    };
     Some(match pname {
         GL_DRAW_BUFFER => Answer::Symbol(draw.draw[0]),
         GL_READ_BUFFER => Answer::Symbol(of(context.state.bindings.read_framebuffer).read),
         _ if (GL_DRAW_BUFFER0..GL_DRAW_BUFFER0 + 8).contains(&pname) => {
             Answer::Symbol(draw.draw[(pname - GL_DRAW_BUFFER0) as usize])
         }
-        GL_RED_BITS | GL_GREEN_BITS | GL_BLUE_BITS | GL_ALPHA_BITS => Answer::Bits(8),
-        GL_DEPTH_BITS => Answer::Bits(draw_depth_bits(context)),
-        GL_STENCIL_BITS => Answer::Bits(0),
+        GL_RED_BITS => bits(Component::Red),
+        GL_GREEN_BITS => bits(Component::Green),
+        GL_BLUE_BITS => bits(Component::Blue),
+        GL_ALPHA_BITS => bits(Component::Alpha),
+        GL_DEPTH_BITS => bits(Component::Depth),
+        GL_STENCIL_BITS => bits(Component::Stencil),
+        GL_SAMPLES => Answer::Number(samples(context, name).into()),
+        GL_SAMPLE_BUFFERS => Answer::Number((samples(context, name) > 0).into()),
+        GL_FRAMEBUFFER_SRGB_CAPABLE_EXT => {
+            Answer::Flag(drawn_format(context, Component::Red).is_some_and(Format::is_srgb))
+        }
+        GL_RGBA_INTEGER_MODE_EXT => {
+            Answer::Flag(drawn_format(context, Component::Red).is_some_and(Format::is_integer))
+        }
+        GL_IMPLEMENTATION_COLOR_READ_FORMAT => Answer::Symbol(GL_RGBA),
+        GL_IMPLEMENTATION_COLOR_READ_TYPE => Answer::Symbol(GL_UNSIGNED_BYTE),
         _ => return None,
     })
+}
+
+/// The format of the first buffer that is drawn to, or of depth or stencil.
+fn drawn_format(context: &Context, component: Component) -> Option<Format> {
+    let Some(object) = context.objects.framebuffers.get(context.state.bindings.draw_framebuffer)
+    else {
+        let window = &context.window;
+        return match component {
+            Component::Depth => window.depth_format().filter(|_| window.planes.depth),
+            Component::Stencil => window.depth_format().filter(|_| window.planes.stencil),
+            Component::Red
+            | Component::Green
+            | Component::Blue
+            | Component::Alpha
+            | Component::Luminance
+            | Component::Intensity => Some(window.format),
+        };
+    };
+    let attached = match component {
+        Component::Depth => object.depth.as_ref(),
+        Component::Stencil => object.stencil.as_ref(),
+        Component::Red
+        | Component::Green
+        | Component::Blue
+        | Component::Alpha
+        | Component::Luminance
+        | Component::Intensity => {
+            let drawn = object.selection.draw.iter().find_map(|&buffer| attachment_index(buffer));
+            object.colors[drawn?].as_ref()
+        }
+    };
+    attached_format(attached?)
 }

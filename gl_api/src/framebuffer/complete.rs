@@ -6,11 +6,11 @@ use super::whole;
 use crate::constants::*;
 use crate::context::Context;
 use crate::error::{ErrorCode, GlError, Result};
-use crate::object::framebuffers::Attached;
-use crate::texture::internal::{Component, component_bits};
+use crate::object::framebuffers::{Attached, Framebuffer, Planes, Source};
+use crate::texture::TextureTarget;
 use crate::texture::texel::is_renderable;
 use crate::types::*;
-use rasterizer::driver::{Attachment, PassDesc};
+use rasterizer::driver::{Attachment, LevelInfo, PassDesc};
 use texunit::format::Format;
 
 const SECTION: &str = "ARB_framebuffer_object, section 4.4.4";
@@ -24,71 +24,95 @@ pub(crate) struct Incomplete {
 }
 
 /// An attached image, found.
-struct Found {
-    format: Format,
-    width: u32,
-    height: u32,
-    attachment: Attachment,
+pub(super) struct Found {
+    pub format: Format,
+    pub width: u32,
+    pub height: u32,
+    pub samples: u8,
+    pub attachment: Attachment,
 }
 
-/// The image behind an attachment, or what is missing.
-fn find(context: &Context, attached: Attached) -> std::result::Result<Found, String> {
-    match attached {
-        Attached::Texture { name, target, level } => {
-            let Some(texture) = context.objects.textures.get(name) else {
-                return Err(format!("texture {name} was deleted"));
-            };
-            let texels = texture.image.texels();
-            match texels.level(target.face.into(), level) {
-                Some(texels) if texels.border != [0; 3] => Err(format!(
-                    "texture {name} has a border at level {level}, which cannot be drawn to"
-                )),
-                Some(texels) if texels.width > 0 && texels.height > 0 => Ok(Found {
-                    format: texels.format,
-                    width: texels.width,
-                    height: texels.height,
-                    attachment: Attachment {
-                        image: texture.image.clone(),
-                        face: target.face,
-                        level: level as u8,
-                    },
-                }),
-                Some(_) | None => Err(format!(
-                    "texture {name} has no image at level {level}: call glTexImage2D with a size"
-                )),
-            }
-        }
-        Attached::Renderbuffer(name) => {
-            let Some(renderbuffer) = context.objects.renderbuffers.get(name) else {
-                return Err(format!("renderbuffer {name} was deleted"));
-            };
-            match &renderbuffer.storage {
-                Some((format, image)) => Ok(Found {
-                    format: *format,
-                    width: renderbuffer.width,
-                    height: renderbuffer.height,
-                    attachment: whole(image),
-                }),
-                None => Err(format!(
-                    "renderbuffer {name} has no image: call glRenderbufferStorage with a size"
-                )),
-            }
-        }
+/// The level that is attached, if there is one.
+fn level_info(attached: &Attached) -> Option<LevelInfo> {
+    match attached.source {
+        Source::Texture { target, level, .. } => attached.image.level(target.face.into(), level),
+        Source::Renderbuffer(_) => attached.image.level(0, 0),
     }
 }
 
-/// Bits of a component of an attached image.
-pub(super) fn bits(context: &Context, attached: Attached, component: Component) -> GLint {
-    find(context, attached).map_or(0, |found| component_bits(found.format, component))
+/// The format of what is attached, if it has one.
+pub(super) fn attached_format(attached: &Attached) -> Option<Format> {
+    level_info(attached).map(|info| info.format)
 }
 
-/// Bits of the depth buffer that is drawn to.
-pub(super) fn draw_depth_bits(context: &Context) -> GLint {
-    match context.objects.framebuffers.get(context.state.bindings.draw_framebuffer) {
-        Some(object) => {
-            object.depth.map_or(0, |attached| bits(context, attached, Component::Depth))
+/// The image behind an attachment, or what is missing.
+fn find(attached: &Attached) -> std::result::Result<Found, String> {
+    let info = level_info(attached).filter(|info| !info.size.contains(&0));
+    let image = attached.image.clone();
+    let found = |info: LevelInfo, attachment| Found {
+        format: info.format,
+        width: info.size[0],
+        height: info.size[1],
+        samples: info.samples,
+        attachment,
+    };
+    match (attached.source, info) {
+        (Source::Texture { name, level, .. }, None) => Err(format!(
+            "texture {name} has no image at level {level}: call glTexImage2D with a size"
+        )),
+        (Source::Texture { name, level, .. }, Some(info)) if info.border != [0; 3] => {
+            Err(format!("texture {name} has a border at level {level}, which cannot be drawn to"))
         }
-        None => 24,
+        (Source::Texture { name, level, slice, .. }, Some(info))
+            if u32::from(slice) >= info.size[2] =>
+        {
+            Err(format!(
+                "texture {name} has {} slices or layers at level {level}, number {slice} is none",
+                info.size[2]
+            ))
+        }
+        (Source::Texture { target, level, slice, .. }, Some(info)) => {
+            let face = match target.target {
+                TextureTarget::Cube => target.face.into(),
+                TextureTarget::D1
+                | TextureTarget::D2
+                | TextureTarget::D3
+                | TextureTarget::Rect
+                | TextureTarget::D1Array
+                | TextureTarget::D2Array => slice,
+            };
+            Ok(found(info, Attachment { image, face, level: level as u8 }))
+        }
+        (Source::Renderbuffer(name), None) => {
+            Err(format!("renderbuffer {name} has no image: call glRenderbufferStorage with a size"))
+        }
+        (Source::Renderbuffer(_), Some(info)) => Ok(found(info, whole(&image))),
+    }
+}
+
+/// What an attachment point takes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Wants {
+    Color,
+    Depth,
+    Stencil,
+}
+
+/// Why an image cannot be at a point, if so.
+fn misfit(attached: &Attached, wants: Wants, found: &Found) -> Option<String> {
+    let format = found.format;
+    if !is_renderable(format) {
+        return Some(format!("nothing is drawn to images of {format:?}"));
+    }
+    match wants {
+        Wants::Color if format.is_depth() => Some("a depth format cannot be a colour".to_owned()),
+        Wants::Depth if !(format.is_depth() && attached.planes.depth) => {
+            Some("its format has no depth".to_owned())
+        }
+        Wants::Stencil if !(format.has_stencil() && attached.planes.stencil) => {
+            Some("its format has no stencil".to_owned())
+        }
+        Wants::Color | Wants::Depth | Wants::Stencil => None,
     }
 }
 
@@ -96,59 +120,78 @@ pub(super) fn draw_depth_bits(context: &Context) -> GLint {
 pub(super) fn completeness(context: &Context, name: GLuint) -> std::result::Result<(), Incomplete> {
     let Some(object) = context.objects.framebuffers.get(name) else { return Ok(()) };
     let incomplete = |status, reason: String| Err(Incomplete { status, reason });
-    let mut any = false;
-    let colors = object
-        .colors
-        .iter()
-        .enumerate()
-        .map(|(index, attached)| (format!("GL_COLOR_ATTACHMENT{index}"), *attached, false));
-    let depth = ("GL_DEPTH_ATTACHMENT".to_owned(), object.depth, true);
-    for (point, attached, wants_depth) in colors.chain([depth]) {
+    let mut samples = None;
+    let colors =
+        object.colors.iter().enumerate().map(|(index, attached)| (attached, Wants::Color, index));
+    let others = [(&object.depth, Wants::Depth, 0), (&object.stencil, Wants::Stencil, 0)];
+    for (attached, wants, index) in colors.chain(others) {
         let Some(attached) = attached else { continue };
-        any = true;
-        let reason = match find(context, attached) {
-            Ok(found) if !is_renderable(found.format) => {
-                format!("nothing is drawn to images of {:?}", found.format)
-            }
-            Ok(found) if found.format.is_depth() == wants_depth => continue,
-            Ok(_) if wants_depth => "its format has no depth".to_owned(),
-            Ok(_) => "a depth format cannot be a colour".to_owned(),
-            Err(reason) => reason,
+        let point = || match wants {
+            Wants::Color => format!("GL_COLOR_ATTACHMENT{index}"),
+            Wants::Depth => "GL_DEPTH_ATTACHMENT".to_owned(),
+            Wants::Stencil => "GL_STENCIL_ATTACHMENT".to_owned(),
         };
-        return incomplete(GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT, format!("{point}: {reason}"));
+        let reason = match find(attached) {
+            Ok(found) => {
+                if *samples.get_or_insert(found.samples) != found.samples {
+                    return incomplete(
+                        GL_FRAMEBUFFER_INCOMPLETE_MULTISAMPLE,
+                        format!("{} has {} samples, others differ", point(), found.samples),
+                    );
+                }
+                misfit(attached, wants, &found)
+            }
+            Err(reason) => Some(reason),
+        };
+        if let Some(reason) = reason {
+            return incomplete(
+                GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT,
+                format!("{}: {reason}", point()),
+            );
+        }
     }
-    if !any {
+    if samples.is_none() {
         return incomplete(
             GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT,
             format!("framebuffer {name} has no attachment at all"),
         );
     }
+    if let (Some(depth), Some(stencil)) = (&object.depth, &object.stencil)
+        && !depth.same(stencil)
+    {
+        return incomplete(
+            GL_FRAMEBUFFER_UNSUPPORTED,
+            "depth and stencil must be one image, of GL_DEPTH24_STENCIL8 or \
+             GL_DEPTH32F_STENCIL8: attach it to GL_DEPTH_STENCIL_ATTACHMENT"
+                .to_owned(),
+        );
+    }
+    selected(object).map_or(Ok(()), Err)
+}
+
+/// The selected buffer that nothing is attached to, if there is one.
+fn selected(object: &Framebuffer) -> Option<Incomplete> {
     let absent = |buffer: GLenum| {
         attachment_index(buffer).is_some_and(|index| object.colors[index].is_none())
     };
-    for &buffer in &object.selection.draw {
-        if absent(buffer) {
-            return incomplete(
-                GL_FRAMEBUFFER_INCOMPLETE_DRAW_BUFFER,
-                format!(
-                    "{} is drawn to, but nothing is attached there; without colours call \
-                     glDrawBuffer(GL_NONE)",
-                    enum_name(buffer)
-                ),
-            );
-        }
-    }
-    if absent(object.selection.read) {
-        return incomplete(
-            GL_FRAMEBUFFER_INCOMPLETE_READ_BUFFER,
-            format!(
-                "{} is read from, but nothing is attached there; without colours call \
-                 glReadBuffer(GL_NONE)",
-                enum_name(object.selection.read)
+    if let Some(&buffer) = object.selection.draw.iter().find(|&&buffer| absent(buffer)) {
+        return Some(Incomplete {
+            status: GL_FRAMEBUFFER_INCOMPLETE_DRAW_BUFFER,
+            reason: format!(
+                "{} is drawn to, but nothing is attached there; without colours call \
+                 glDrawBuffer(GL_NONE)",
+                enum_name(buffer)
             ),
-        );
+        });
     }
-    Ok(())
+    absent(object.selection.read).then(|| Incomplete {
+        status: GL_FRAMEBUFFER_INCOMPLETE_READ_BUFFER,
+        reason: format!(
+            "{} is read from, but nothing is attached there; without colours call \
+             glReadBuffer(GL_NONE)",
+            enum_name(object.selection.read)
+        ),
+    })
 }
 
 /// [`completeness`] as the error of a call that needs it.
@@ -160,7 +203,16 @@ pub(super) fn checked_complete(context: &Context, name: GLuint) -> Result<()> {
     })
 }
 
-/// The pass that the draw framebuffer is drawn in; colours by fragment output.
+/// Which of depth and stencil the draw framebuffer has.
+pub(crate) fn draw_planes(context: &Context) -> Planes {
+    match context.objects.framebuffers.get(context.state.bindings.draw_framebuffer) {
+        Some(object) => Planes { depth: object.depth.is_some(), stencil: object.stencil.is_some() },
+        None => context.window.planes,
+    }
+}
+
+/// The pass that the draw framebuffer is drawn in; colours by fragment output. Whether depth and
+/// stencil are there is said by [`draw_planes`].
 ///
 /// # Errors
 /// `GL_INVALID_FRAMEBUFFER_OPERATION` where it is incomplete.
@@ -171,7 +223,7 @@ pub(crate) fn draw_pass(context: &Context) -> Result<PassDesc> {
         let color = (window.selection.draw[0] != GL_NONE).then(|| whole(&window.color));
         return Ok(PassDesc {
             colors: vec![color],
-            depth: Some(whole(&window.depth)),
+            depth: window.depth.as_ref().map(whole),
             width: window.width,
             height: window.height,
         });
@@ -179,40 +231,63 @@ pub(crate) fn draw_pass(context: &Context) -> Result<PassDesc> {
     checked_complete(context, name)?;
     // Attachments of different sizes are drawn to where all of them are.
     let (mut width, mut height) = (u32::MAX, u32::MAX);
-    let mut found = |attached: Option<Attached>| {
-        let found = find(context, attached?).ok()?;
+    for found in object.attached().filter_map(|attached| find(attached).ok()) {
         width = width.min(found.width);
         height = height.min(found.height);
-        Some(found.attachment)
-    };
-    for attached in object.colors.iter().chain([&object.depth]) {
-        found(*attached);
     }
+    let found = |attached: &Option<Attached>| Some(find(attached.as_ref()?).ok()?.attachment);
     let mut colors: Vec<_> = object
         .selection
         .draw
         .iter()
-        .map(|&buffer| attachment_index(buffer).and_then(|index| found(object.colors[index])))
+        .map(|&buffer| attachment_index(buffer).and_then(|index| found(&object.colors[index])))
         .collect();
     let used = colors.iter().rposition(Option::is_some).map_or(0, |last| last + 1);
     colors.truncate(used);
-    let depth = found(object.depth);
+    let depth = found(&object.depth).or_else(|| found(&object.stencil));
     Ok(PassDesc { colors, depth, width, height })
 }
 
-/// The image that is read from: colour, or depth.
-pub(super) fn read_attachment(context: &Context, depth: bool) -> Result<Option<Attachment>> {
+/// What can be read from a framebuffer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Readable {
+    Color,
+    Depth,
+    Stencil,
+}
+
+/// The image that is read from, if there is one.
+pub(super) fn read_attachment(context: &Context, what: Readable) -> Result<Option<Attachment>> {
     let name = context.state.bindings.read_framebuffer;
     let Some(object) = context.objects.framebuffers.get(name) else {
         let window = &context.window;
-        let color = (window.selection.read != GL_NONE).then(|| whole(&window.color));
-        return Ok(if depth { Some(whole(&window.depth)) } else { color });
+        let depth = |there: bool| window.depth.as_ref().filter(|_| there).map(whole);
+        return Ok(match what {
+            Readable::Color => (window.selection.read != GL_NONE).then(|| whole(&window.color)),
+            Readable::Depth => depth(window.planes.depth),
+            Readable::Stencil => depth(window.planes.stencil),
+        });
     };
     checked_complete(context, name)?;
-    let attached = if depth {
-        object.depth
-    } else {
-        attachment_index(object.selection.read).and_then(|index| object.colors[index])
+    let attached = match what {
+        Readable::Color => {
+            attachment_index(object.selection.read).and_then(|index| object.colors[index].as_ref())
+        }
+        Readable::Depth => object.depth.as_ref(),
+        Readable::Stencil => object.stencil.as_ref(),
     };
-    Ok(attached.and_then(|attached| find(context, attached).ok()).map(|found| found.attachment))
+    Ok(attached.and_then(|attached| find(attached).ok()).map(|found| found.attachment))
+}
+
+/// The number of samples of a framebuffer, 0 if it is not multisampled or incomplete.
+pub(crate) fn samples(context: &Context, name: GLuint) -> u8 {
+    let samples = match context.objects.framebuffers.get(name) {
+        Some(object) => object
+            .attached()
+            .next()
+            .and_then(|attached| find(attached).ok())
+            .map_or(1, |found| found.samples),
+        None => context.window.color.samples(),
+    };
+    if samples > 1 { samples } else { 0 }
 }

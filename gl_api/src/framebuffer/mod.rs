@@ -1,13 +1,18 @@
 //! Framebuffers: what is drawn to and read from (GL 2.1, chapter 4; framebuffer objects).
 
 pub(crate) mod attach;
+pub(crate) mod blit;
 pub(crate) mod buffers;
 pub(crate) mod clear;
 pub(crate) mod complete;
+pub(crate) mod inspect;
 pub(crate) mod read;
 
+use crate::context::{Context, SurfaceDesc};
+use crate::object::framebuffers::Planes;
+use crate::state::enable::Flag;
 use buffers::Selection;
-use rasterizer::driver::{Attachment, Image};
+use rasterizer::driver::{Attachment, Image, SrgbWrite};
 use texunit::format::Format;
 use texunit::image::{Image as Texels, ImageError, Level, Shape};
 
@@ -47,11 +52,11 @@ impl Region {
     }
 }
 
-/// A new image of one level.
-pub(crate) fn surface(format: Format, width: u32, height: u32) -> Result<Image, ImageError> {
+/// The texels of an image of one level.
+pub(crate) fn texels(format: Format, width: u32, height: u32) -> Result<Texels, ImageError> {
     let mut texels = Texels::new(Shape::D2);
     texels.set_level(0, 0, Level::new(format, width, height)?)?;
-    Ok(Image::new(texels))
+    Ok(texels)
 }
 
 /// The only face and level of a surface.
@@ -59,24 +64,52 @@ pub(crate) fn whole(image: &Image) -> Attachment {
     Attachment { image: image.clone(), face: 0, level: 0 }
 }
 
-/// The default framebuffer: one colour buffer, whatever it is called, and depth.
+/// The format of an attachment, if it exists.
+pub(crate) fn format_of(attachment: &Attachment) -> Option<Format> {
+    // Every face and slice of a level has the same.
+    attachment.image.level(0, attachment.level.into()).map(|level| level.format)
+}
+
+/// What is written to attachments of an sRGB format.
+pub(crate) fn srgb_write(context: &Context) -> SrgbWrite {
+    if context.state.enables.has(Flag::FramebufferSrgb) {
+        SrgbWrite::Encode
+    } else {
+        SrgbWrite::AsIs
+    }
+}
+
+/// The default framebuffer: one colour buffer, whatever it is called, depth and stencil.
 #[derive(Debug)]
 pub(crate) struct Window {
     pub width: u32,
     pub height: u32,
+    pub format: Format,
     pub color: Image,
-    pub depth: Image,
+    pub depth: Option<Image>,
+    /// Which planes of `depth` there are.
+    pub planes: Planes,
     pub selection: Selection,
 }
 
 impl Window {
-    pub fn new(width: u32, height: u32) -> Result<Self, ImageError> {
+    pub fn new(width: u32, height: u32, desc: SurfaceDesc) -> Result<Self, ImageError> {
+        let image =
+            |format| Ok(Image::with_samples(texels(format, width, height)?, desc.samples.max(1)));
+        let format = desc.color.format();
         Ok(Self {
             width,
             height,
-            color: surface(Format::Rgba8, width, height)?,
-            depth: surface(Format::D24, width, height)?,
+            format,
+            color: image(format)?,
+            depth: desc.depth_format().map(image).transpose()?,
+            planes: Planes { depth: desc.depth_bits > 0, stencil: desc.stencil_bits > 0 },
             selection: Selection::window(),
         })
+    }
+
+    /// How depth and stencil are stored.
+    pub fn depth_format(&self) -> Option<Format> {
+        self.depth.as_ref()?.level(0, 0).map(|level| level.format)
     }
 }

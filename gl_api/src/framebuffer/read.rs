@@ -1,52 +1,121 @@
 //! `glReadPixels`: GL 2.1, section 4.3.2.
 
 use super::Region;
-use super::complete::read_attachment;
+use super::complete::{Readable, read_attachment};
 use crate::context::Context;
 use crate::entry::DataOut;
 use crate::error::{Result, invalid_operation, not_negative};
-use crate::texture::client::Pixel;
+use crate::texture::client::{ClientFormat, Numbers, Pixel};
 use crate::texture::layout::{Extent, Layout};
 use crate::texture::specify::kinds_match;
-use crate::texture::transfer::Transfer;
-use crate::texture::{convert, memory};
+use crate::texture::{convert, memory, texel};
 use crate::types::*;
 use rasterizer::driver::Attachment;
+use std::borrow::Cow;
 use std::sync::Arc;
-use texunit::image::Level;
+use texunit::format::Format;
+use texunit::image::{Level, Shape};
 
 const SECTION: &str = "GL 2.1, section 4.3.2";
 
-/// The texels of an attachment as everything recorded leaves them.
-fn settled(
-    context: &mut Context,
-    attachment: Option<Attachment>,
-    kind: &str,
-) -> Result<Arc<Level>> {
-    let level = attachment.and_then(|attachment| {
-        crate::draw::settle(context, &attachment.image);
-        let texels = attachment.image.texels();
-        texels.level(attachment.face.into(), attachment.level.into()).cloned()
-    });
-    match level {
-        Some(level) => Ok(level),
-        None => invalid_operation(
-            SECTION,
-            format!("the framebuffer that is read from has no {kind} buffer"),
-        ),
+/// A slice of a level that is read from.
+pub(crate) struct Pixels {
+    level: Arc<Level>,
+    slice: usize,
+}
+
+impl Pixels {
+    /// How its texels are stored.
+    pub fn format(&self) -> Format {
+        self.level.format
+    }
+
+    /// Pixels across and up.
+    pub fn size(&self) -> [u32; 2] {
+        [self.level.width, self.level.height]
+    }
+
+    /// The texels of a row from column `x` on, `width` of them.
+    pub fn row(&self, x: usize, y: usize, width: usize) -> &[u8] {
+        let size = self.level.format.bytes();
+        let first = self.level.origin()
+            + self.slice * self.level.slice_bytes()
+            + y * self.level.row_bytes()
+            + x * size;
+        &self.level.texels[first..first + width * size]
     }
 }
 
-/// The colours that are read.
-pub(crate) fn color_source(context: &mut Context) -> Result<Arc<Level>> {
-    let attachment = read_attachment(context, false)?;
-    settled(context, attachment, "colour")
+/// The pixels of an attachment as everything recorded leaves them.
+pub(super) fn settled(context: &mut Context, attachment: &Attachment) -> Option<Pixels> {
+    crate::draw::settle(context, &attachment.image);
+    let texels = attachment.image.texels();
+    let face = usize::from(attachment.face);
+    let (face, slice) = match texels.shape() {
+        Shape::Cube => (face, 0),
+        Shape::D1 | Shape::D2 | Shape::D3 | Shape::Rect | Shape::D1Array | Shape::D2Array => {
+            (0, face)
+        }
+    };
+    let level = texels.level(face, attachment.level.into())?.clone();
+    Some(Pixels { level, slice })
 }
 
-/// The depths that are read.
-pub(crate) fn depth_source(context: &mut Context) -> Result<Arc<Level>> {
-    let attachment = read_attachment(context, true)?;
-    settled(context, attachment, "depth")
+/// What is read from.
+///
+/// # Errors
+/// Where the framebuffer is incomplete or has no such buffer.
+pub(crate) fn source(context: &mut Context, what: Readable) -> Result<Pixels> {
+    let attachment = read_attachment(context, what)?;
+    match attachment.and_then(|attachment| settled(context, &attachment)) {
+        Some(pixels) => Ok(pixels),
+        None => {
+            let kind = match what {
+                Readable::Color => "colour",
+                Readable::Depth => "depth",
+                Readable::Stencil => "stencil",
+            };
+            invalid_operation(
+                SECTION,
+                format!("the framebuffer that is read from has no {kind} buffer"),
+            )
+        }
+    }
+}
+
+/// Refuses to read from several samples a pixel (`EXT_framebuffer_multisample`, section 4.3.2).
+fn check_samples(context: &Context) -> Result<()> {
+    let name = context.state.bindings.read_framebuffer;
+    if name != 0 && super::complete::samples(context, name) > 0 {
+        return invalid_operation(
+            "EXT_framebuffer_multisample, section 4.3.2",
+            format!("framebuffer {name} has several samples a pixel: call glBlitFramebuffer first"),
+        );
+    }
+    Ok(())
+}
+
+/// What a pixel of the client's is read from.
+fn chosen(context: &mut Context, format: ClientFormat) -> Result<Pixels> {
+    match format {
+        ClientFormat::Depth => source(context, Readable::Depth),
+        ClientFormat::Stencil => source(context, Readable::Stencil),
+        ClientFormat::DepthStencil => {
+            source(context, Readable::Stencil)?;
+            source(context, Readable::Depth)
+        }
+        ClientFormat::Red
+        | ClientFormat::Green
+        | ClientFormat::Blue
+        | ClientFormat::Alpha
+        | ClientFormat::Rg
+        | ClientFormat::Rgb
+        | ClientFormat::Bgr
+        | ClientFormat::Rgba
+        | ClientFormat::Bgra
+        | ClientFormat::Luminance
+        | ClientFormat::LuminanceAlpha => source(context, Readable::Color),
+    }
 }
 
 #[expect(clippy::too_many_arguments, reason = "GL's signature")]
@@ -64,21 +133,39 @@ pub(crate) fn read_pixels(
     let height = not_negative(SECTION, "height", height.into())?;
     let pixel = Pixel::new(format, ty)?;
     let layout = Layout::new(&context.state.pack, pixel, [width, height, 1], Extent::Flat)?;
-    let source =
-        if pixel.format.is_depth() { depth_source(context)? } else { color_source(context)? };
-    kinds_match(pixel, source.format)?;
+    let from = chosen(context, pixel.format)?;
+    check_samples(context)?;
+    if pixel.format != ClientFormat::Stencil {
+        kinds_match(pixel, from.format())?;
+    }
     let region = Region::new(x, y, width, height);
     let transfer = context.state.transfer;
     memory::write_pixels(context, &layout, pixels, |bytes| {
-        pack(&source, region, &layout, &transfer, bytes);
+        pack(&from, region, &layout, &transfer, bytes);
     })
 }
 
+/// The texels of a row in a format that the client's can be made of: a stencil is an integer of
+/// its own.
+fn readable_row(texels: &[u8], format: Format, pixel: Pixel) -> (Format, Cow<'_, [u8]>) {
+    if pixel.format != ClientFormat::Stencil {
+        return (format, Cow::Borrowed(texels));
+    }
+    let stencils = texels.chunks_exact(format.bytes()).map(|t| texel::stencil_of(format, t));
+    (Format::R8UI, Cow::Owned(stencils.collect()))
+}
+
 /// A region of a level into the client's memory. Pixels outside the level are left as they are.
-fn pack(level: &Level, region: Region, layout: &Layout, transfer: &Transfer, bytes: &mut [u8]) {
-    let Some(visible) = region.within(level.width, level.height) else { return };
-    let size = level.format.bytes();
-    let from = (visible.y as i64 - region.y) as usize * layout.stride
+fn pack(
+    from: &Pixels,
+    region: Region,
+    layout: &Layout,
+    transfer: &crate::texture::transfer::Transfer,
+    bytes: &mut [u8],
+) {
+    let [width, height] = from.size();
+    let Some(visible) = region.within(width, height) else { return };
+    let first = (visible.y as i64 - region.y) as usize * layout.stride
         + (visible.x as i64 - region.x) as usize * layout.pixel.bytes();
     let row = Layout {
         size: [visible.width, 1, 1],
@@ -87,9 +174,22 @@ fn pack(level: &Level, region: Region, layout: &Layout, transfer: &Transfer, byt
         ..*layout
     };
     for y in 0..visible.height {
-        let texels = &level.texels[(visible.y + y) * level.row_bytes() + visible.x * size..];
-        let at = layout.start + from + y * layout.stride;
-        let texels = &texels[..visible.width * size];
-        convert::pack(&row, level.format, transfer, texels, &mut bytes[at..]);
+        let texels = from.row(visible.x, visible.y + y, visible.width);
+        let (format, texels) = readable_row(texels, from.format(), layout.pixel);
+        let at = layout.start + first + y * layout.stride;
+        convert::pack(&row, format, transfer, &texels, &mut bytes[at..]);
     }
+}
+
+/// Whether integers go to integers and other numbers to others, as a copy needs.
+pub(crate) fn same_kind(a: Format, b: Format) -> bool {
+    let kind = |format: Format| {
+        (format.is_integer()).then(|| format.info().encoding == texunit::format::Encoding::Sint)
+    };
+    kind(a) == kind(b)
+}
+
+/// The numbers of what is read, for a copy.
+pub(crate) fn numbers_of(format: Format) -> Numbers {
+    if format.is_integer() { Numbers::Integer } else { Numbers::Fixed }
 }

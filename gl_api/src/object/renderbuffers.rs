@@ -1,34 +1,45 @@
 //! Renderbuffers: `ARB_framebuffer_object`, section 4.4.2.
 
 use super::doomed;
+use super::framebuffers::Planes;
 use crate::constants::*;
 use crate::context::{Context, limits};
 use crate::error::{
     ErrorCode, GlError, Result, Table, invalid_enum, invalid_operation, invalid_value, not_negative,
 };
-use crate::framebuffer::surface;
+use crate::framebuffer::texels;
 use crate::query::put;
-use crate::texture::internal::{Component, INTERNAL_FORMAT, component_bits};
+use crate::texture::internal::{
+    Component, INTERNAL_FORMAT, STENCIL_FORMAT, component_bits, is_generic_compressed,
+};
 use crate::texture::texel::is_renderable;
 use crate::types::*;
-use rasterizer::driver::Image;
-use texunit::format::{BaseFormat, Encoding, Format};
+use rasterizer::driver::{Image, LevelInfo};
+use texunit::format::Format;
+use texunit::image::{Image as Texels, Shape};
 
 const SECTION: &str = "ARB_framebuffer_object, section 4.4.2";
 
 /// A renderbuffer object.
 #[derive(Clone, Debug)]
 pub(crate) struct Renderbuffer {
-    pub width: u32,
-    pub height: u32,
     pub requested: GLenum,
-    /// What it stores; `None` until it has a size.
-    pub storage: Option<(Format, Image)>,
+    /// One level, once there is a size.
+    pub image: Image,
 }
 
 impl Renderbuffer {
     fn new() -> Self {
-        Self { width: 0, height: 0, requested: GL_RGBA, storage: None }
+        Self { requested: GL_RGBA, image: Image::new(Texels::new(Shape::D2)) }
+    }
+
+    fn level(&self) -> Option<LevelInfo> {
+        self.image.level(0, 0)
+    }
+
+    /// Which of depth and stencil it shows.
+    pub fn planes(&self) -> Planes {
+        Planes { depth: STENCIL_FORMAT.get(self.requested).is_none(), stencil: true }
     }
 }
 
@@ -80,6 +91,25 @@ fn bound(context: &mut Context) -> Result<&mut Renderbuffer> {
     }
 }
 
+/// What a renderbuffer of an internal format stores.
+fn storage_format(internal: GLenum) -> Result<Format> {
+    let named = INTERNAL_FORMAT.get(internal).or_else(|| STENCIL_FORMAT.get(internal));
+    let format = match named {
+        Some(format) => format,
+        None => INTERNAL_FORMAT.decode("internalformat", internal)?,
+    };
+    if is_generic_compressed(internal) || !is_renderable(format) {
+        return invalid_enum(
+            SECTION,
+            format!(
+                "internalformat = {} is of numbers that nothing is drawn to",
+                enum_name(internal)
+            ),
+        );
+    }
+    Ok(format)
+}
+
 pub(crate) fn renderbuffer_storage(
     context: &mut Context,
     target: GLenum,
@@ -87,17 +117,20 @@ pub(crate) fn renderbuffer_storage(
     width: GLsizei,
     height: GLsizei,
 ) -> Result<()> {
+    renderbuffer_storage_multisample(context, target, 0, internalformat, width, height)
+}
+
+/// There are one and four samples: what lies between is rounded up.
+pub(crate) fn renderbuffer_storage_multisample(
+    context: &mut Context,
+    target: GLenum,
+    samples: GLsizei,
+    internalformat: GLenum,
+    width: GLsizei,
+    height: GLsizei,
+) -> Result<()> {
     RENDERBUFFER_TARGET.decode("target", target)?;
-    let format = drawn(INTERNAL_FORMAT.decode("internalformat", internalformat)?);
-    if !is_renderable(format) {
-        return invalid_enum(
-            SECTION,
-            format!(
-                "internalformat = {} is of numbers that nothing is drawn to",
-                enum_name(internalformat)
-            ),
-        );
-    }
+    let format = storage_format(internalformat)?;
     for (argument, size) in [("width", width), ("height", height)] {
         if not_negative(SECTION, argument, size.into())? > limits::MAX_TEXTURE_SIZE as usize {
             return invalid_value(
@@ -106,31 +139,28 @@ pub(crate) fn renderbuffer_storage(
             );
         }
     }
-    bound(context)?;
-    let (width, height) = (width as u32, height as u32);
-    let image = surface(format, width, height).map_err(|error| GlError {
-        code: ErrorCode::OutOfMemory,
-        rule: error.to_string(),
-        section: SECTION,
-    })?;
-    *bound(context)? = Renderbuffer {
-        width,
-        height,
-        requested: internalformat,
-        storage: (width > 0 && height > 0).then_some((format, image)),
-    };
-    Ok(())
-}
-
-/// What a renderbuffer of fractions stores: a byte each.
-fn drawn(format: Format) -> Format {
-    match (format.info().encoding, format.base()) {
-        (Encoding::Unorm, BaseFormat::Red) => Format::R8,
-        (Encoding::Unorm, BaseFormat::Rg) => Format::Rg8,
-        (Encoding::Unorm, BaseFormat::Rgb) => Format::Rgb8,
-        (Encoding::Unorm, BaseFormat::Rgba) => Format::Rgba8,
-        (_, _) => format,
+    if not_negative(SECTION, "samples", samples.into())? > usize::from(limits::MAX_SAMPLES) {
+        return invalid_value(
+            SECTION,
+            format!("samples = {samples} must not be above {}", limits::MAX_SAMPLES),
+        );
     }
+    bound(context)?;
+    let texels = if width > 0 && height > 0 {
+        texels(format, width as u32, height as u32).map_err(|error| GlError {
+            code: ErrorCode::OutOfMemory,
+            rule: error.to_string(),
+            section: SECTION,
+        })?
+    } else {
+        Texels::new(Shape::D2)
+    };
+    let image = bound(context)?.image.clone();
+    // What was recorded draws to the image as it was.
+    crate::draw::settle(context, &image);
+    image.replace(texels, if samples > 0 { limits::MAX_SAMPLES } else { 1 });
+    bound(context)?.requested = internalformat;
+    Ok(())
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -139,7 +169,6 @@ enum Property {
     Height,
     InternalFormat,
     Samples,
-    StencilBits,
     Bits(Component),
 }
 
@@ -155,7 +184,7 @@ const PROPERTY: Table<Property> = Table {
         (GL_RENDERBUFFER_BLUE_SIZE, Property::Bits(Component::Blue)),
         (GL_RENDERBUFFER_ALPHA_SIZE, Property::Bits(Component::Alpha)),
         (GL_RENDERBUFFER_DEPTH_SIZE, Property::Bits(Component::Depth)),
-        (GL_RENDERBUFFER_STENCIL_SIZE, Property::StencilBits),
+        (GL_RENDERBUFFER_STENCIL_SIZE, Property::Bits(Component::Stencil)),
     ],
 };
 
@@ -168,15 +197,17 @@ pub(crate) fn get_renderbuffer_parameteriv(
     RENDERBUFFER_TARGET.decode("target", target)?;
     let property = PROPERTY.decode("pname", pname)?;
     let renderbuffer = bound(context)?;
+    let (level, planes) = (renderbuffer.level(), renderbuffer.planes());
+    let of_level = |f: &dyn Fn(LevelInfo) -> GLint| level.map_or(0, f);
     let value = match property {
-        Property::Width => renderbuffer.width as GLint,
-        Property::Height => renderbuffer.height as GLint,
+        Property::Width => of_level(&|level| level.size[0] as GLint),
+        Property::Height => of_level(&|level| level.size[1] as GLint),
         Property::InternalFormat => renderbuffer.requested as GLint,
-        Property::Samples | Property::StencilBits => 0,
-        Property::Bits(component) => renderbuffer
-            .storage
-            .as_ref()
-            .map_or(0, |(format, _)| component_bits(*format, component)),
+        Property::Samples => {
+            of_level(&|level| if level.samples > 1 { level.samples.into() } else { 0 })
+        }
+        Property::Bits(Component::Depth) if !planes.depth => 0,
+        Property::Bits(component) => of_level(&|level| component_bits(level.format, component)),
     };
     put(params, &[value])
 }

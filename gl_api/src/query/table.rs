@@ -9,9 +9,13 @@ use crate::interface::*;
 use crate::list::calls::{MAX_LIST_NESTING, MODE};
 use crate::state::enable::{CAPABILITY, CLIENT_ARRAY};
 use crate::state::fragment::{BLEND_EQUATION, COMPARE, DST_FACTOR, SRC_FACTOR};
+use crate::state::masks::LOGIC_OP;
+use crate::state::material::{FACES, TRACKED};
 use crate::state::matrix::{MATRIX_MODE, MAX_MODELVIEW_STACK_DEPTH, MAX_STACK_DEPTH, Stack};
 use crate::state::pixel_store::PixelStore;
 use crate::state::raster::{FACE, FRONT_FACE, HINTS, SHADE_MODEL};
+use crate::state::stencil::{ACTIVE_FACE, STENCIL_OP, Side};
+use crate::state::{fog, light};
 use crate::texture::internal::COMPRESSED_FORMAT;
 use crate::texture::pixel_map::MAX_PIXEL_MAP_TABLE;
 use crate::texture::{TextureTarget, transfer};
@@ -28,15 +32,15 @@ pub(crate) enum Value {
     Unit(Vec<f64>),
 }
 
-fn flag(value: bool) -> Result<Value> {
+pub(crate) fn flag(value: bool) -> Result<Value> {
     Ok(Value::Bools(vec![value]))
 }
 
-fn int(value: impl TryInto<i32>) -> Result<Value> {
+pub(crate) fn int(value: impl TryInto<i32>) -> Result<Value> {
     Ok(Value::Ints(vec![value.try_into().unwrap_or(i32::MAX)]))
 }
 
-fn symbol(value: GLenum) -> Result<Value> {
+pub(crate) fn symbol(value: GLenum) -> Result<Value> {
     Ok(Value::Ints(vec![value as i32]))
 }
 
@@ -44,15 +48,15 @@ fn ints(values: &[i32]) -> Result<Value> {
     Ok(Value::Ints(values.to_vec()))
 }
 
-fn float(value: f32) -> Result<Value> {
+pub(crate) fn float(value: f32) -> Result<Value> {
     Ok(Value::Floats(vec![value.into()]))
 }
 
-fn floats(values: &[f32]) -> Result<Value> {
+pub(crate) fn floats(values: &[f32]) -> Result<Value> {
     Ok(Value::Floats(values.iter().map(|&value| value.into()).collect()))
 }
 
-fn unit(values: &[f32]) -> Result<Value> {
+pub(crate) fn unit(values: &[f32]) -> Result<Value> {
     Ok(Value::Unit(values.iter().map(|&value| value.into()).collect()))
 }
 
@@ -92,9 +96,13 @@ pub(crate) fn state_value(context: &Context, pname: GLenum) -> Result<Value> {
     let chapters = [
         limit,
         transform,
+        light::state_value,
+        material,
+        fog::state_value,
         current,
         raster,
         fragment,
+        stencil,
         pixels,
         texture,
         framebuffer,
@@ -147,7 +155,8 @@ fn limit(_: &Context, pname: GLenum) -> Answer {
         GL_MAX_PROJECTION_STACK_DEPTH | GL_MAX_TEXTURE_STACK_DEPTH => int(MAX_STACK_DEPTH),
         GL_MAX_ELEMENTS_VERTICES | GL_MAX_ELEMENTS_INDICES => int(1 << 20),
         GL_SUBPIXEL_BITS => int(8),
-        GL_MAX_LIGHTS | GL_MAX_CLIP_PLANES => int(0),
+        GL_MAX_LIGHTS => int(MAX_LIGHTS),
+        GL_MAX_CLIP_PLANES => int(MAX_CLIP_PLANES),
         GL_POINT_SIZE_RANGE
         | GL_LINE_WIDTH_RANGE
         | GL_ALIASED_LINE_WIDTH_RANGE
@@ -159,7 +168,8 @@ fn limit(_: &Context, pname: GLenum) -> Answer {
         GL_MAJOR_VERSION => int(2),
         GL_MINOR_VERSION => int(1),
         GL_NUM_EXTENSIONS => int(super::get::EXTENSIONS.split(' ').count()),
-        GL_SAMPLE_BUFFERS | GL_SAMPLES | GL_STEREO | GL_AUX_BUFFERS | GL_INDEX_BITS => int(0),
+        GL_STEREO | GL_AUX_BUFFERS | GL_INDEX_BITS => int(0),
+        GL_MAX_SAMPLES => int(limits::MAX_SAMPLES),
         GL_DOUBLEBUFFER => flag(false),
         GL_RGBA_MODE => flag(true),
         _ => return None,
@@ -209,6 +219,15 @@ fn current(context: &Context, pname: GLenum) -> Answer {
     })
 }
 
+fn material(context: &Context, pname: GLenum) -> Answer {
+    let materials = &context.state.materials;
+    Some(match pname {
+        GL_COLOR_MATERIAL_FACE => symbol(FACES.encode(materials.faces)),
+        GL_COLOR_MATERIAL_PARAMETER => symbol(TRACKED.encode(materials.tracked)),
+        _ => return None,
+    })
+}
+
 fn raster(context: &Context, pname: GLenum) -> Answer {
     let raster = &context.state.raster;
     Some(match pname {
@@ -237,17 +256,47 @@ fn fragment(context: &Context, pname: GLenum) -> Answer {
         GL_ALPHA_TEST_REF => unit(&[fragment.alpha_ref]),
         GL_DEPTH_FUNC => symbol(COMPARE.encode(fragment.depth_func)),
         GL_DEPTH_WRITEMASK => flag(fragment.depth_write == DepthWrite::On),
-        GL_COLOR_WRITEMASK => Ok(Value::Bools(fragment.color_mask.to_vec())),
+        GL_COLOR_WRITEMASK => Ok(Value::Bools(fragment.buffers[0].mask.to_vec())),
+        GL_LOGIC_OP_MODE => symbol(LOGIC_OP.encode(fragment.logic_op)),
         GL_BLEND_SRC | GL_BLEND_SRC_RGB => symbol(SRC_FACTOR.encode(blend.src[0])),
         GL_BLEND_SRC_ALPHA => symbol(SRC_FACTOR.encode(blend.src[1])),
         GL_BLEND_DST | GL_BLEND_DST_RGB => symbol(DST_FACTOR.encode(blend.dst[0])),
         GL_BLEND_DST_ALPHA => symbol(DST_FACTOR.encode(blend.dst[1])),
         GL_BLEND_EQUATION => symbol(BLEND_EQUATION.encode(blend.equation[0])),
         GL_BLEND_EQUATION_ALPHA => symbol(BLEND_EQUATION.encode(blend.equation[1])),
-        GL_BLEND_COLOR => unit(&blend.constant),
-        GL_COLOR_CLEAR_VALUE => unit(&clear.color),
+        GL_BLEND_COLOR => unit(&clamped(blend.constant)),
+        GL_COLOR_CLEAR_VALUE => unit(&clamped(clear.color.floats())),
         GL_DEPTH_CLEAR_VALUE => Ok(Value::Unit(vec![clear.depth])),
         GL_STENCIL_CLEAR_VALUE => int(clear.stencil),
+        _ => return None,
+    })
+}
+
+/// Clamped to [0, 1], as `glGet` answers for colours (`ARB_color_buffer_float`).
+fn clamped(color: [f32; 4]) -> [f32; 4] {
+    color.map(|c| crate::state::viewport::unit(c.into()) as f32)
+}
+
+fn stencil(context: &Context, pname: GLenum) -> Answer {
+    let stencil = &context.state.fragment.stencil;
+    let (front, back) = (stencil.active(), &stencil.faces[Side::Back as usize]);
+    let mask = |mask: GLuint| Ok(Value::Ints(vec![mask as i32]));
+    Some(match pname {
+        GL_STENCIL_FUNC => symbol(COMPARE.encode(front.func)),
+        GL_STENCIL_REF => int(front.reference),
+        GL_STENCIL_VALUE_MASK => mask(front.value_mask),
+        GL_STENCIL_WRITEMASK => mask(front.write_mask),
+        GL_STENCIL_FAIL => symbol(STENCIL_OP.encode(front.fail)),
+        GL_STENCIL_PASS_DEPTH_FAIL => symbol(STENCIL_OP.encode(front.depth_fail)),
+        GL_STENCIL_PASS_DEPTH_PASS => symbol(STENCIL_OP.encode(front.pass)),
+        GL_STENCIL_BACK_FUNC => symbol(COMPARE.encode(back.func)),
+        GL_STENCIL_BACK_REF => int(back.reference),
+        GL_STENCIL_BACK_VALUE_MASK => mask(back.value_mask),
+        GL_STENCIL_BACK_WRITEMASK => mask(back.write_mask),
+        GL_STENCIL_BACK_FAIL => symbol(STENCIL_OP.encode(back.fail)),
+        GL_STENCIL_BACK_PASS_DEPTH_FAIL => symbol(STENCIL_OP.encode(back.depth_fail)),
+        GL_STENCIL_BACK_PASS_DEPTH_PASS => symbol(STENCIL_OP.encode(back.pass)),
+        GL_ACTIVE_STENCIL_FACE_EXT => symbol(ACTIVE_FACE.encode(stencil.active)),
         _ => return None,
     })
 }
@@ -316,7 +365,8 @@ fn texture(context: &Context, pname: GLenum) -> Answer {
 fn framebuffer(context: &Context, pname: GLenum) -> Answer {
     crate::framebuffer::buffers::state_value(context, pname).map(|value| match value {
         crate::framebuffer::buffers::Answer::Symbol(value) => symbol(value),
-        crate::framebuffer::buffers::Answer::Bits(value) => int(value),
+        crate::framebuffer::buffers::Answer::Number(value) => int(value),
+        crate::framebuffer::buffers::Answer::Flag(value) => flag(value),
     })
 }
 

@@ -1,11 +1,13 @@
 //! Per-fragment operations: GL 2.1, section 4.1; masks and clear values: section 4.2.
 
+use super::masks::{BUFFERS, BufferStates};
+use super::stencil::Stencil;
 use super::viewport::unit;
 use crate::constants::*;
 use crate::context::Context;
 use crate::error::{Result, Table, not_negative};
 use crate::types::*;
-use rasterizer::driver::{Blend, BlendEquation, BlendFactor, DepthWrite, Rect};
+use rasterizer::driver::{Blend, BlendEquation, BlendFactor, DepthWrite, LogicOp, Rect};
 use texunit::sampler::Compare;
 
 /// What happens to fragments.
@@ -17,7 +19,9 @@ pub(crate) struct FragmentState {
     pub depth_func: Compare,
     pub depth_write: DepthWrite,
     pub blend: Blend,
-    pub color_mask: [bool; 4],
+    pub stencil: Stencil,
+    pub logic_op: LogicOp,
+    pub buffers: BufferStates,
 }
 
 impl FragmentState {
@@ -34,7 +38,38 @@ impl FragmentState {
                 dst: [BlendFactor::Zero; 2],
                 constant: [0.0; 4],
             },
-            color_mask: [true; 4],
+            stencil: Stencil::default(),
+            logic_op: LogicOp::Copy,
+            buffers: BUFFERS,
+        }
+    }
+}
+
+/// The colour that `glClear` writes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum ClearColor {
+    Floats([f32; 4]),
+    /// For buffers of integers (`EXT_texture_integer`).
+    Signed([i32; 4]),
+    Unsigned([u32; 4]),
+}
+
+impl ClearColor {
+    /// The colour as floats.
+    pub fn floats(self) -> [f32; 4] {
+        match self {
+            Self::Floats(color) => color,
+            Self::Signed(color) => color.map(|c| c as f32),
+            Self::Unsigned(color) => color.map(|c| c as f32),
+        }
+    }
+
+    /// The colour as integers; of floats, those nearest to zero.
+    pub fn integers(self) -> [i64; 4] {
+        match self {
+            Self::Floats(color) => color.map(|c| c as i64),
+            Self::Signed(color) => color.map(i64::from),
+            Self::Unsigned(color) => color.map(i64::from),
         }
     }
 }
@@ -42,14 +77,14 @@ impl FragmentState {
 /// What `glClear` writes.
 #[derive(Clone, Debug)]
 pub(crate) struct ClearState {
-    pub color: [f32; 4],
+    pub color: ClearColor,
     pub depth: f64,
     pub stencil: i32,
 }
 
 impl Default for ClearState {
     fn default() -> Self {
-        Self { color: [0.0; 4], depth: 1.0, stencil: 0 }
+        Self { color: ClearColor::Floats([0.0; 4]), depth: 1.0, stencil: 0 }
     }
 }
 
@@ -152,7 +187,7 @@ pub(crate) fn blend_equation_separate(
     Ok(())
 }
 
-/// Clamped, as framebuffers are fixed-point.
+/// Kept as it is, and clamped where the framebuffer is fixed-point (`ARB_color_buffer_float`).
 pub(crate) fn blend_color(
     context: &mut Context,
     red: GLclampf,
@@ -160,8 +195,7 @@ pub(crate) fn blend_color(
     blue: GLclampf,
     alpha: GLclampf,
 ) -> Result<()> {
-    context.state.fragment.blend.constant =
-        [red, green, blue, alpha].map(|c| unit(c.into()) as f32);
+    context.state.fragment.blend.constant = [red, green, blue, alpha];
     Ok(())
 }
 
@@ -172,17 +206,6 @@ pub(crate) fn depth_func(context: &mut Context, func: GLenum) -> Result<()> {
 
 pub(crate) fn depth_mask(context: &mut Context, flag: bool) -> Result<()> {
     context.state.fragment.depth_write = if flag { DepthWrite::On } else { DepthWrite::Off };
-    Ok(())
-}
-
-pub(crate) fn color_mask(
-    context: &mut Context,
-    red: bool,
-    green: bool,
-    blue: bool,
-    alpha: bool,
-) -> Result<()> {
-    context.state.fragment.color_mask = [red, green, blue, alpha];
     Ok(())
 }
 
@@ -200,6 +223,7 @@ pub(crate) fn scissor(
     Ok(())
 }
 
+/// Kept as it is, and clamped where the buffer is fixed-point (`ARB_color_buffer_float`).
 pub(crate) fn clear_color(
     context: &mut Context,
     red: GLclampf,
@@ -207,7 +231,29 @@ pub(crate) fn clear_color(
     blue: GLclampf,
     alpha: GLclampf,
 ) -> Result<()> {
-    context.state.clear.color = [red, green, blue, alpha].map(|c| unit(c.into()) as f32);
+    context.state.clear.color = ClearColor::Floats([red, green, blue, alpha]);
+    Ok(())
+}
+
+pub(crate) fn clear_color_ii_ext(
+    context: &mut Context,
+    red: GLint,
+    green: GLint,
+    blue: GLint,
+    alpha: GLint,
+) -> Result<()> {
+    context.state.clear.color = ClearColor::Signed([red, green, blue, alpha]);
+    Ok(())
+}
+
+pub(crate) fn clear_color_iui_ext(
+    context: &mut Context,
+    red: GLuint,
+    green: GLuint,
+    blue: GLuint,
+    alpha: GLuint,
+) -> Result<()> {
+    context.state.clear.color = ClearColor::Unsigned([red, green, blue, alpha]);
     Ok(())
 }
 

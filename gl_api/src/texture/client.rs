@@ -26,6 +26,8 @@ pub(crate) enum ClientFormat {
     Luminance,
     LuminanceAlpha,
     Depth,
+    /// Stencil alone, an integer.
+    Stencil,
     /// Depth, then stencil.
     DepthStencil,
 }
@@ -61,6 +63,7 @@ pub(crate) const FORMAT: Table<(ClientFormat, Numbers)> = Table {
         (GL_LUMINANCE, (Luminance, Fixed)),
         (GL_LUMINANCE_ALPHA, (LuminanceAlpha, Fixed)),
         (GL_DEPTH_COMPONENT, (Depth, Fixed)),
+        (GL_STENCIL_INDEX, (Stencil, Integer)),
         (GL_DEPTH_STENCIL, (DepthStencil, Fixed)),
         (GL_RED_INTEGER, (Red, Integer)),
         (GL_GREEN_INTEGER, (Green, Integer)),
@@ -80,17 +83,17 @@ impl ClientFormat {
     /// Components of a pixel.
     pub fn components(self) -> usize {
         match self {
-            Red | Green | Blue | Alpha | Luminance | Depth => 1,
+            Red | Green | Blue | Alpha | Luminance | Depth | Stencil => 1,
             Rg | LuminanceAlpha | DepthStencil => 2,
             Rgb | Bgr => 3,
             Rgba | Bgra => 4,
         }
     }
 
-    /// Whether it is of depth, not of colour.
+    /// Whether it is of depth or stencil, not of colour.
     pub fn is_depth(self) -> bool {
         match self {
-            Depth | DepthStencil => true,
+            Depth | Stencil | DepthStencil => true,
             Red | Green | Blue | Alpha | Rg | Rgb | Bgr | Rgba | Bgra | Luminance
             | LuminanceAlpha => false,
         }
@@ -100,7 +103,7 @@ impl ClientFormat {
     #[inline]
     pub fn expand(self, [a, b, c, d]: [f64; 4]) -> [f64; 4] {
         match self {
-            Red | Depth => [a, 0.0, 0.0, 1.0],
+            Red | Depth | Stencil => [a, 0.0, 0.0, 1.0],
             Green => [0.0, a, 0.0, 1.0],
             Blue => [0.0, 0.0, a, 1.0],
             Alpha => [0.0, 0.0, 0.0, a],
@@ -118,7 +121,7 @@ impl ClientFormat {
     #[inline]
     pub fn select(self, [r, g, b, a]: [f64; 4]) -> [f64; 4] {
         match self {
-            Red | Depth => [r, 0.0, 0.0, 0.0],
+            Red | Depth | Stencil => [r, 0.0, 0.0, 0.0],
             Green => [g, 0.0, 0.0, 0.0],
             Blue => [b, 0.0, 0.0, 0.0],
             Alpha => [a, 0.0, 0.0, 0.0],
@@ -435,6 +438,7 @@ impl Pixel {
             )
         };
         match (format, numbers, ty) {
+            (Stencil, _, ty) => Ok(Self { format, numbers, ty }),
             (_, Integer, ty) if ty.is_float() => {
                 refuse("EXT_texture_integer, section 3.6.4", "integers are not written as floats")
             }

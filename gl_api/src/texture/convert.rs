@@ -270,7 +270,7 @@ pub(crate) fn pack(
 /// and intensity take R (GL 2.1, table 3.15).
 pub(crate) fn transcode(from: Format, texels: &[u8], to: Format, transfer: &Transfer) -> Vec<u8> {
     let kind = if from.is_depth() { Kind::Depth } else { Kind::Color };
-    let steps = transfer.of(kind, texel::numbers(from, Numbers::Fixed));
+    let steps = transfer.of(kind, crate::framebuffer::read::numbers_of(from));
     if from == to && steps.is_identity() {
         return texels.to_vec();
     }

@@ -7,7 +7,9 @@ use super::target::{Dimensions, ImageTarget};
 use super::{blocks, convert, storage_error};
 use crate::context::Context;
 use crate::error::{Result, invalid_operation};
-use crate::framebuffer::{Region, read};
+use crate::framebuffer::Region;
+use crate::framebuffer::complete::Readable;
+use crate::framebuffer::read::{self, same_kind};
 use crate::types::*;
 use texunit::format::Format;
 
@@ -16,27 +18,34 @@ const SECTION: &str = "GL 2.1, section 3.8.2";
 /// The pixels of a rectangle of the read framebuffer as texels of `format`, or as the colours that
 /// are compressed; black where it lies outside.
 fn copied(context: &mut Context, region: Region, format: Format) -> Result<Vec<u8>> {
-    let source =
-        if format.is_depth() { read::depth_source(context)? } else { read::color_source(context)? };
-    if format.is_integer() {
-        return invalid_operation(SECTION, "integer formats are not copied from colours");
+    let what = if format.is_depth() { Readable::Depth } else { Readable::Color };
+    let source = read::source(context, what)?;
+    if !same_kind(source.format(), format) {
+        return invalid_operation(
+            SECTION,
+            format!(
+                "{:?} is not converted to {format:?}: integers stay integers of their kind",
+                source.format()
+            ),
+        );
     }
-    if source.format.is_depth() != format.is_depth() {
+    if source.format().is_depth() != format.is_depth() {
         return invalid_operation(SECTION, "depth is copied from depth, colours from colours");
     }
-    let size = source.format.bytes();
-    let mut texels = room(source.format, [region.width, region.height, 1])?;
-    if let Some(visible) = region.within(source.width, source.height) {
+    let size = source.format().bytes();
+    let mut texels = room(source.format(), [region.width, region.height, 1])?;
+    let [width, height] = source.size();
+    if let Some(visible) = region.within(width, height) {
         for y in visible.y..visible.y + visible.height {
-            let row = &source.texels[y * source.row_bytes()..][visible.x * size..];
+            let row = source.row(visible.x, y, visible.width);
             let at = ((y as i64 - region.y) as usize * region.width
                 + (visible.x as i64 - region.x) as usize)
                 * size;
-            texels[at..at + visible.width * size].copy_from_slice(&row[..visible.width * size]);
+            texels[at..at + visible.width * size].copy_from_slice(row);
         }
     }
     let to = if format.block().is_some() { blocks::COLORS } else { format };
-    Ok(convert::transcode(source.format, &texels, to, &context.state.transfer))
+    Ok(convert::transcode(source.format(), &texels, to, &context.state.transfer))
 }
 
 fn copy_tex_image(

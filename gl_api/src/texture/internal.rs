@@ -177,6 +177,38 @@ pub(crate) const INTERNAL_FORMAT: Table<Format> = Table {
     ],
 };
 
+/// Stencils without depth, for renderbuffers (`EXT_framebuffer_object`, table 2.nnn). They are
+/// stored beside a depth that nobody sees.
+pub(crate) const STENCIL_FORMAT: Table<Format> = Table {
+    section: "EXT_framebuffer_object, section 4.4.2.1",
+    rows: &[
+        (GL_STENCIL_INDEX, Format::D24S8),
+        (GL_STENCIL_INDEX1, Format::D24S8),
+        (GL_STENCIL_INDEX4, Format::D24S8),
+        (GL_STENCIL_INDEX8, Format::D24S8),
+        (GL_STENCIL_INDEX16, Format::D24S8),
+    ],
+};
+
+/// Whether a generic compressed format was asked for, which is no format of renderbuffers.
+pub(crate) fn is_generic_compressed(internal: GLenum) -> bool {
+    const GENERIC: [GLenum; 12] = [
+        GL_COMPRESSED_ALPHA,
+        GL_COMPRESSED_LUMINANCE,
+        GL_COMPRESSED_LUMINANCE_ALPHA,
+        GL_COMPRESSED_INTENSITY,
+        GL_COMPRESSED_RED,
+        GL_COMPRESSED_RG,
+        GL_COMPRESSED_RGB,
+        GL_COMPRESSED_RGBA,
+        GL_COMPRESSED_SRGB,
+        GL_COMPRESSED_SRGB_ALPHA,
+        GL_COMPRESSED_SLUMINANCE,
+        GL_COMPRESSED_SLUMINANCE_ALPHA,
+    ];
+    GENERIC.contains(&internal)
+}
+
 /// The specific compressed formats (`EXT_texture_compression_s3tc`, `EXT_texture_sRGB`,
 /// `ARB_texture_compression_rgtc`, `EXT_texture_compression_latc`, `ATI_texture_compression_3dc`).
 pub(crate) const COMPRESSED_FORMAT: Table<Format> = Table {

@@ -33,7 +33,9 @@ use crate::types::*;
 use rasterizer::driver::Image;
 use sampler::SamplerState;
 use std::sync::Arc;
-pub(crate) use target::{FACE_TARGET, FaceTarget, TARGET, TextureTarget, checked_level};
+pub(crate) use target::{
+    FACE_TARGET, FaceTarget, TARGET, TextureTarget, attachable_target, checked_level,
+};
 use texunit::format::Format;
 use texunit::image::{Image as Texels, ImageError};
 use texunit::plan::SamplePlan;

@@ -174,6 +174,9 @@ fn checked_border(target: TextureTarget, border: GLint) -> Result<u32> {
 
 /// Depth pixels go to depth textures, integers to integer textures, colours to the others.
 pub(crate) fn kinds_match(pixel: Pixel, stored: Format) -> Result<()> {
+    if pixel.format == ClientFormat::Stencil {
+        return invalid_operation(SECTION, "format GL_STENCIL_INDEX is for framebuffers alone");
+    }
     if pixel.format.is_depth() != stored.is_depth() {
         return invalid_operation(
             SECTION,

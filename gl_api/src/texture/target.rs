@@ -147,6 +147,24 @@ pub(crate) const FACE_TARGET: Table<FaceTarget> = Table {
     ],
 };
 
+/// What `glFramebufferTexture1D` (1), `2D` (2) or `3D` (3) names as `textarget`.
+pub(crate) fn attachable_target(axes: usize, textarget: GLenum) -> Result<FaceTarget> {
+    const LINES: Table<FaceTarget> = Table {
+        section: "ARB_framebuffer_object, section 4.4.2",
+        rows: &[(GL_TEXTURE_1D, whole(TextureTarget::D1))],
+    };
+    const VOLUMES: Table<FaceTarget> = Table {
+        section: "ARB_framebuffer_object, section 4.4.2",
+        rows: &[(GL_TEXTURE_3D, whole(TextureTarget::D3))],
+    };
+    let table = match axes {
+        1 => &LINES,
+        2 => &FACE_TARGET,
+        _ => &VOLUMES,
+    };
+    table.decode("textarget", textarget)
+}
+
 const SECTION: &str = "GL 2.1, section 3.8.1";
 
 const IMAGE_1D: Table<ImageTarget> = Table {

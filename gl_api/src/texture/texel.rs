@@ -69,6 +69,25 @@ pub(crate) fn decode(format: Format, texel: &[u8]) -> [f64; 4] {
     rgba
 }
 
+/// The stencil of a texel; 0 where its format has none.
+pub(crate) fn stencil_of(format: Format, texel: &[u8]) -> u8 {
+    stencil(format, texel).unwrap_or(0)
+}
+
+/// Puts a stencil into a texel.
+pub(crate) fn put_stencil(format: Format, texel: &mut [u8], value: u8) {
+    set_stencil(format, texel, value);
+}
+
+/// The depth of one texel into another of the same format, whose stencil stays.
+pub(crate) fn copy_depth(format: Format, from: &[u8], to: &mut [u8]) {
+    let old = stencil(format, to);
+    to.copy_from_slice(from);
+    if let Some(old) = old {
+        set_stencil(format, to, old);
+    }
+}
+
 /// Whether texels are floats or integers, which a border colour need not be a fraction for.
 pub(crate) fn is_wide(format: Format) -> bool {
     match format.info().encoding {
@@ -81,11 +100,16 @@ pub(crate) fn is_wide(format: Format) -> bool {
     }
 }
 
-/// Whether the driver draws to images of this format: bytes, and depth of one word.
+/// Whether the driver draws to images of this format: not to compressed ones, and not to shared
+/// exponents.
 pub(crate) fn is_renderable(format: Format) -> bool {
-    if format.is_depth() {
-        return matches!(format, Format::D16 | Format::D24 | Format::D32F);
+    match format.info().encoding {
+        Encoding::Unorm
+        | Encoding::Snorm
+        | Encoding::Srgb
+        | Encoding::Float
+        | Encoding::Uint
+        | Encoding::Sint => format != Format::D32,
+        Encoding::SharedExponent | Encoding::Block(_) | Encoding::SrgbBlock(_) => false,
     }
-    format.bytes() == format.channels()
-        && matches!(format.info().encoding, Encoding::Unorm | Encoding::Srgb)
 }

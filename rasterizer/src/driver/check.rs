@@ -2,7 +2,7 @@
 
 use super::command::{ClearValue, Command};
 use super::device::SubmitError;
-use super::image::PassDesc;
+use super::image::{AttachmentInfo, PassDesc};
 use crate::target::is_attachable;
 
 /// Checks the order and the ranges of commands.
@@ -47,7 +47,9 @@ pub fn check(commands: &[Command]) -> Result<(), SubmitError> {
             }
             Command::Clear { value, .. } => {
                 let nan = match value {
-                    ClearValue::Color { .. } => false,
+                    ClearValue::Color { .. }
+                    | ClearValue::Texel { .. }
+                    | ClearValue::Stencil { .. } => false,
                     ClearValue::Depth(depth) => depth.is_nan(),
                 };
                 if nan {
@@ -76,14 +78,20 @@ fn check_pass(desc: &PassDesc) -> Result<(), String> {
         .flatten()
         .map(|a| (a, "colour"))
         .chain(desc.depth.iter().map(|a| (a, "depth")));
+    let mut all_samples = None;
     for (attachment, kind) in attachments {
-        let extent = attachment.image.extent(attachment.face, attachment.level);
-        let Some((format, width, height)) = extent else {
+        let info = attachment.image.attachment(attachment.face, attachment.level);
+        let Some(AttachmentInfo { format, width, height, samples }) = info else {
             return Err(format!(
-                "BeginPass: the {kind} attachment has no level {} of face {}",
+                "BeginPass: the {kind} attachment has no level {} of face or slice {}",
                 attachment.level, attachment.face
             ));
         };
+        if *all_samples.get_or_insert(samples) != samples {
+            return Err(format!(
+                "BeginPass: the {kind} attachment has {samples} samples, others have another number"
+            ));
+        }
         if width < desc.width || height < desc.height {
             return Err(format!(
                 "BeginPass: the {kind} attachment is {width}×{height}, smaller than the pass's {}×{}",

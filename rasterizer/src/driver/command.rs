@@ -62,13 +62,30 @@ pub enum ClearValue {
     Color {
         /// Which attachment.
         target: u8,
-        /// RGBA, clamped as the attachment's format says.
+        /// RGBA, clamped and encoded as the attachment's format says.
         value: [f32; 4],
+        /// Which components are written.
+        mask: [bool; 4],
+    },
+    /// To one colour attachment, through a mask of red, green, blue, alpha: these words of a texel
+    /// ([`super::texel_words`]).
+    Texel {
+        /// Which attachment.
+        target: u8,
+        /// The texel's bytes, the first lowest.
+        words: [u32; 4],
         /// Which components are written.
         mask: [bool; 4],
     },
     /// To the depth attachment.
     Depth(f32),
+    /// To the stencil of the depth attachment.
+    Stencil {
+        /// What is written.
+        value: u8,
+        /// Which bits are written.
+        mask: u8,
+    },
 }
 
 /// The type of an index.

@@ -3,12 +3,15 @@
 //! An image has its texels in rows, to be sampled; while one of its levels is drawn to, that level
 //! is in the attachment layout ([`crate::target`]). The transition back happens when somebody asks
 //! for the texels, not when a pass ends, so that passes that follow each other do not pay for it.
+//!
+//! The samples of a multisample image are only in its attachment layout; its rows are what they
+//! are resolved to.
 
 use crate::target::Surface;
 use parking_lot::Mutex;
 use std::sync::Arc;
 use texunit::format::Format;
-use texunit::image::Image as Texels;
+use texunit::image::{Image as Texels, Shape};
 
 /// An image of the driver. Cloning gives another handle to the same image.
 #[derive(Clone, Debug)]
@@ -17,25 +20,65 @@ pub struct Image(Arc<Mutex<State>>);
 #[derive(Debug)]
 struct State {
     texels: Texels,
+    samples: u8,
     attached: Option<Attached>,
 }
 
 #[derive(Debug)]
 struct Attached {
-    face: u8,
-    level: u8,
+    at: Subresource,
     surface: Surface,
     /// Whether the rows of the level are older than the surface.
     drawn: bool,
 }
 
+/// A slice of a level.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Subresource {
+    face: usize,
+    slice: usize,
+    level: usize,
+}
+
+/// Format and size of a level.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct LevelInfo {
+    /// How its texels are stored.
+    pub format: Format,
+    /// Width, height, and depth or layers, without border.
+    pub size: [u32; 3],
+    /// Texels of border along each axis.
+    pub border: [u32; 3],
+    /// Samples of a pixel.
+    pub samples: u8,
+}
+
+/// The size and kind of what is attached.
+pub(crate) struct AttachmentInfo {
+    pub format: Format,
+    pub width: u32,
+    pub height: u32,
+    pub samples: u8,
+}
+
 impl State {
+    /// Which slice of which face an attachment names.
+    fn place(&self, face: u16, level: u8) -> Subresource {
+        let (face, level) = (usize::from(face), usize::from(level));
+        match self.texels.shape() {
+            Shape::Cube => Subresource { face, slice: 0, level },
+            Shape::D1 | Shape::D2 | Shape::D3 | Shape::Rect | Shape::D1Array | Shape::D2Array => {
+                Subresource { face: 0, slice: face, level }
+            }
+        }
+    }
+
     /// Brings the rows up to date.
     fn resolve(&mut self) {
         if let Some(attached) = self.attached.as_mut().filter(|attached| attached.drawn) {
-            if let Some(level) = self.texels.level_mut(attached.face.into(), attached.level.into())
-            {
-                attached.surface.store(level);
+            let Subresource { face, slice, level } = attached.at;
+            if let Some(level) = self.texels.level_mut(face, level) {
+                attached.surface.store(level, slice);
             }
             attached.drawn = false;
         }
@@ -45,15 +88,33 @@ impl State {
 impl Image {
     /// An image with these texels.
     pub fn new(texels: Texels) -> Self {
-        Self(Arc::new(Mutex::new(State { texels, attached: None })))
+        Self::with_samples(texels, 1)
+    }
+
+    /// An image of one level with several samples a pixel, each with these texels.
+    pub fn with_samples(texels: Texels, samples: u8) -> Self {
+        Self(Arc::new(Mutex::new(State { texels, samples: samples.max(1), attached: None })))
+    }
+
+    /// How many samples a pixel has; 1 if it is no multisample image.
+    pub fn samples(&self) -> u8 {
+        self.0.lock().samples
     }
 
     /// Its texels as they are after everything submitted so far. Shares them: later writes to the
-    /// image copy.
+    /// image copy. Of a multisample image, what its samples are resolved to.
     pub fn texels(&self) -> Texels {
         let mut state = self.0.lock();
         state.resolve();
         state.texels.clone()
+    }
+
+    /// What is known of a level without looking at its texels, if it exists.
+    pub fn level(&self, face: usize, level: usize) -> Option<LevelInfo> {
+        let state = self.0.lock();
+        let level = state.texels.level(face, level)?;
+        let (size, border, format) = (level.size(), level.border, level.format);
+        Some(LevelInfo { format, size, border, samples: state.samples })
     }
 
     /// Changes its texels. Draws that were recorded earlier keep what they saw.
@@ -64,55 +125,71 @@ impl Image {
         change(&mut state.texels)
     }
 
+    /// Puts other texels in place of its own, with this many samples.
+    pub fn replace(&self, texels: Texels, samples: u8) {
+        *self.0.lock() = State { texels, samples: samples.max(1), attached: None };
+    }
+
     /// Whether both handles name the same image.
     pub fn same(&self, other: &Self) -> bool {
         Arc::ptr_eq(&self.0, &other.0)
     }
 
-    /// Format, width and height of a level, if it exists.
-    pub(crate) fn extent(&self, face: u8, level: u8) -> Option<(Format, u32, u32)> {
+    /// Format and size of what an attachment names, if it exists.
+    pub(crate) fn attachment(&self, face: u16, level: u8) -> Option<AttachmentInfo> {
         let state = self.0.lock();
-        let level = state.texels.level(face.into(), level.into())?;
-        Some((level.format, level.width, level.height))
+        let at = state.place(face, level);
+        let level = state.texels.level(at.face, at.level)?;
+        (at.slice < level.depth as usize).then_some(AttachmentInfo {
+            format: level.format,
+            width: level.width,
+            height: level.height,
+            samples: state.samples,
+        })
     }
 
-    /// Takes a level out in the attachment layout; `None` if it does not exist.
-    pub(crate) fn attach(&self, face: u8, level: u8) -> Option<Surface> {
+    /// Takes a slice of a level out in the attachment layout; `None` if it does not exist.
+    pub(crate) fn attach(&self, face: u16, level: u8) -> Option<Surface> {
         let mut state = self.0.lock();
-        if let Some(attached) = state.attached.take_if(|a| (a.face, a.level) == (face, level)) {
+        let at = state.place(face, level);
+        if let Some(attached) = state.attached.take_if(|attached| attached.at == at) {
             return Some(attached.surface);
         }
         state.resolve();
         state.attached = None;
-        state.texels.level(face.into(), level.into()).map(|level| Surface::from_level(level))
+        let samples = state.samples;
+        let texels = state.texels.level(at.face, at.level)?;
+        Some(Surface::from_level(texels, at.slice, samples))
     }
 
     /// Puts back what [`Image::attach`] took, drawn to.
-    pub(crate) fn detach(&self, face: u8, level: u8, surface: Surface) {
+    pub(crate) fn detach(&self, face: u16, level: u8, surface: Surface) {
         let mut state = self.0.lock();
         // Another level of the same image may have been drawn to in the same pass.
         state.resolve();
-        state.attached = Some(Attached { face, level, surface, drawn: true });
+        let at = state.place(face, level);
+        state.attached = Some(Attached { at, surface, drawn: true });
     }
 }
 
-/// One face of one level of an image, to be drawn to.
+/// One slice of one level of an image, to be drawn to.
 #[derive(Clone, Debug)]
 pub struct Attachment {
     /// The image.
     pub image: Image,
-    /// 0 for a 2D image, 0 to 5 for a cube.
-    pub face: u8,
+    /// Which face of a cube, slice of a volume, or layer of an array; else 0.
+    pub face: u16,
     /// Which level; it must exist.
     pub level: u8,
 }
 
-/// What a pass draws to. All attachments are at least `width` × `height`.
+/// What a pass draws to. All attachments are at least `width` × `height` and have the same number
+/// of samples.
 #[derive(Clone, Debug)]
 pub struct PassDesc {
-    /// Colour attachments by index; formats Rgba8, Rgb8, R8, L8 … (every 8-bit colour format).
+    /// Colour attachments by index, of any format but depths, compressed ones and shared exponents.
     pub colors: Vec<Option<Attachment>>,
-    /// Depth attachment: D16, D24 or D32F.
+    /// Depth attachment: D16, D24, D32F, or D24S8, D32FS8, which are the stencil attachment too.
     pub depth: Option<Attachment>,
     /// Pixels across.
     pub width: u32,

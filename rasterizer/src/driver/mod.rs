@@ -6,14 +6,17 @@ mod check;
 mod command;
 mod device;
 mod image;
+mod output;
 mod pass;
 mod pipeline;
 mod submit;
 
+pub use crate::output::texel_words;
 pub use buffer::{Buffer, VertexBinding, VertexFormat, VertexSource, VertexType};
 pub use command::{ClearValue, Command, CommandBuffer, IndexType, Indices, Rect, Viewport};
 pub use device::{Device, DeviceDesc, DeviceError, Explain, SubmitError, SubmitReport};
-pub use image::{Attachment, Image, PassDesc};
+pub use image::{Attachment, Image, LevelInfo, PassDesc};
+pub use output::{LogicOp, OutputState, SrgbWrite, StencilFace, StencilOp, StencilState};
 pub use pipeline::{
     Blend, BlendEquation, BlendFactor, ColorState, Cull, DepthState, DepthWrite, FrontFace,
     Pipeline, PipelineDesc, PipelineError, PolygonOffset, Provoking, ShaderModule, Topology,

@@ -8,12 +8,12 @@ use super::command::{ClearValue, Command, Rect, Viewport};
 use super::device::{Device, SubmitReport};
 use super::image::PassDesc;
 use super::pipeline::{Pipeline, PipelineDesc, Topology};
-use crate::output::DepthFormat;
+use crate::output::{DepthFormat, texel_words};
 use crate::plan::{DrawPlan, PlanInput, Textures};
 use crate::primitive::{Primitives, SUBPIXEL, Setup, primitives, setup};
-use crate::raster::{Chunk, ClearJob, DrawJob, Entry, PassJob, TileJob, Worker};
+use crate::raster::{Chunk, ClearJob, ClearTarget, DrawJob, Entry, PassJob, TileJob, Worker};
 use crate::shader::{OverBudget, Prepared};
-use crate::target::{Plane, Surface, TILE, stored_components};
+use crate::target::{Surface, TILE, all_bits, component_bits};
 use crate::vertex::{Ids, Unique, VertexStage, ordinals, shade};
 use rayon::prelude::*;
 use std::ops::Range;
@@ -179,8 +179,45 @@ impl<'a> Pass<'a> {
 
     fn clear(&mut self, value: ClearValue, rect: Rect) {
         let area = self.area(Some(rect));
+        let format = |surface: Option<&Option<Surface>>| surface?.as_ref().map(|s| s.format);
+        let color = |target: u8| format(self.colors.get(usize::from(target)));
+        let depth = format(Some(&self.depth));
+        let first = |word: u32| [word, 0, 0, 0];
+        let job = match value {
+            ClearValue::Color { target, value, mask } => color(target).map(|format| ClearJob {
+                target: ClearTarget::Color(target.into()),
+                words: texel_words(format, value),
+                write: component_bits(format, mask),
+                all: all_bits(format),
+                area,
+            }),
+            ClearValue::Texel { target, words, mask } => color(target).map(|format| ClearJob {
+                target: ClearTarget::Color(target.into()),
+                words,
+                write: component_bits(format, mask),
+                all: all_bits(format),
+                area,
+            }),
+            ClearValue::Depth(value) => depth.and_then(DepthFormat::of).map(|format| ClearJob {
+                target: ClearTarget::Depth,
+                words: first(format.word(texunit::lanes::math::clamp(value, 0.0, 1.0))),
+                write: first(!0),
+                all: first(!0),
+                area,
+            }),
+            ClearValue::Stencil { value, mask } => {
+                depth.filter(|format| format.has_stencil()).map(|_| ClearJob {
+                    target: ClearTarget::Stencil,
+                    words: first(value.into()),
+                    write: first(mask.into()),
+                    all: first(0xFF),
+                    area,
+                })
+            }
+        };
+        let Some(job) = job else { return };
         let index = self.job.clears.len() as u32;
-        self.job.clears.push(ClearJob { value, area });
+        self.job.clears.push(job);
         self.bin(area[0], [area[1][0] - 1, area[1][1] - 1], Entry::Clear(index));
     }
 
@@ -330,20 +367,13 @@ impl<'a> Pass<'a> {
             let (tx, ty) = (index as u32 % self.across, index as u32 / self.across);
             let take = |surface: &mut Surface| {
                 let at = (ty * surface.tiles_across() + tx) as usize;
-                std::mem::replace(&mut surface.planes[at], Plane::Cleared(0))
+                surface.take(at)
             };
             tiles.push(TileJob {
                 x: (tx * TILE) as i32,
                 y: (ty * TILE) as i32,
-                colors: self
-                    .colors
-                    .iter_mut()
-                    .map(|color| color.as_mut().map(|s| (take(s), stored_components(s.format))))
-                    .collect(),
-                depth: self
-                    .depth
-                    .as_mut()
-                    .and_then(|s| DepthFormat::of(s.format).map(|format| (take(s), format))),
+                colors: self.colors.iter_mut().map(|color| color.as_mut().map(take)).collect(),
+                depth: self.depth.as_mut().map(take),
                 entries: std::mem::take(bin),
             });
             homes.push((tx, ty));
@@ -354,17 +384,12 @@ impl<'a> Pass<'a> {
             .with_max_len(1)
             .for_each_init(Worker::default, |worker, tile| worker.run(job, tile));
         for (tile, (tx, ty)) in tiles.into_iter().zip(homes) {
-            let put = |surface: &mut Surface, plane: Plane| {
-                let at = (ty * surface.tiles_across() + tx) as usize;
-                surface.planes[at] = plane;
-            };
-            for (surface, plane) in self.colors.iter_mut().zip(tile.colors) {
-                if let (Some(surface), Some((plane, _))) = (surface, plane) {
-                    put(surface, plane);
+            let surfaces = self.colors.iter_mut().chain([&mut self.depth]);
+            for (surface, target) in surfaces.zip(tile.colors.into_iter().chain([tile.depth])) {
+                if let (Some(surface), Some(target)) = (surface, target) {
+                    let at = (ty * surface.tiles_across() + tx) as usize;
+                    surface.tiles[at] = target.planes;
                 }
-            }
-            if let (Some(surface), Some((plane, _))) = (&mut self.depth, tile.depth) {
-                put(surface, plane);
             }
         }
         for (draw, &command) in self.job.draws.iter().zip(&self.commands) {

@@ -1,5 +1,6 @@
 //! Pipelines: shaders and fixed state, checked and compiled once, immutable ever after.
 
+use super::output::OutputState;
 use crate::ir::{Input, Interpolation, Module, Output, Stage};
 use crate::shader::Program;
 use std::hash::{Hash, Hasher};
@@ -246,6 +247,8 @@ pub struct PipelineDesc {
     pub line_width_bits: u32,
     /// Size of points in pixels, as bits of an `f32`, where the vertex stage writes none.
     pub point_size_bits: u32,
+    /// What else happens to fragments after the shader.
+    pub output: OutputState,
 }
 
 /// A pipeline that cannot be.

@@ -106,7 +106,8 @@ pub enum Input {
     PointCoord(u8),
 }
 
-/// What a shader writes to the pipeline, one scalar at a time. All are `f32`.
+/// What a shader writes to the pipeline, one scalar at a time. All are `f32`, but colours for
+/// attachments of integers, which are `i32` or `u32`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Output {
     /// `gl_Position`, in clip coordinates.

@@ -82,11 +82,16 @@ impl Module {
             let Some(variable) = self.variables.get(var.0 as usize) else {
                 return Err(IrError(format!("output {output:?}: there is no v{}", var.0)));
             };
-            rule!(
-                variable.len == 1 && variable.ty == Ty::F32,
-                "output {output:?}: v{} is not one f32",
-                var.0
-            );
+            // Colours may be integers, for attachments of integers.
+            let fits = match output {
+                Output::Color { .. } => variable.ty != Ty::Bool,
+                Output::Position(_)
+                | Output::PointSize
+                | Output::ClipDistance(_)
+                | Output::Varying(_)
+                | Output::Depth => variable.ty == Ty::F32,
+            };
+            rule!(variable.len == 1 && fits, "output {output:?}: v{} is not one f32", var.0);
         }
         Ok(())
     }

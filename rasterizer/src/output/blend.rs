@@ -1,12 +1,46 @@
-//! Blending (GL 2.1, section 4.1.8), in `f32` on clamped colours.
+//! Blending (GL 2.1, section 4.1.8), in `f32`. Where the attachment is fixed-point, colours are
+//! clamped to what it can hold; the constant colour here, source and destination by the caller.
 
 use crate::driver::{Blend, BlendEquation, BlendFactor};
+use texunit::format::{Encoding, Format};
 use texunit::lanes::{F32s, LANES, math};
+
+/// The least and largest number that an attachment can hold, where it is fixed-point.
+pub type Range = Option<[f32; 2]>;
+
+/// The range of unsigned normalized numbers.
+pub const UNIT: Range = Some([0.0, 1.0]);
+
+/// What colours are clamped to before they are blended into this format
+/// (`ARB_color_buffer_float`, section 4.1.8).
+#[inline(always)]
+pub fn range(format: Format) -> Range {
+    match format.info().encoding {
+        Encoding::Unorm | Encoding::Srgb => UNIT,
+        Encoding::Snorm => Some([-1.0, 1.0]),
+        Encoding::Float
+        | Encoding::SharedExponent
+        | Encoding::Uint
+        | Encoding::Sint
+        | Encoding::Block(_)
+        | Encoding::SrgbBlock(_) => None,
+    }
+}
 
 /// The blended colour of 64 fragments, unclamped.
 #[inline(always)]
-pub fn blend(state: &Blend, source: &[F32s; 4], destination: &[F32s; 4]) -> [F32s; 4] {
-    let constant = state.constant.map(|c| math::clamp(c, 0.0, 1.0));
+pub fn blend(
+    state: &Blend,
+    source: &[F32s; 4],
+    destination: &[F32s; 4],
+    range: Range,
+) -> [F32s; 4] {
+    let mut constant = state.constant;
+    if let Some([low, high]) = range {
+        for c in &mut constant {
+            *c = math::clamp(*c, low, high);
+        }
+    }
     let mut out = [F32s::ZERO; 4];
     for (channel, out) in out.iter_mut().enumerate() {
         let part = usize::from(channel == 3);

@@ -1,6 +1,6 @@
 //! The depth test (GL 2.1, section 4.1.6), on the words that the attachment holds.
 
-use super::color::{expand_mask, pack_mask};
+use super::mask::{expand_mask, pack_mask};
 use crate::driver::DepthWrite;
 use texunit::format::Format;
 use texunit::lanes::{F32s, Kernel, LANES, Simd, U32s};
@@ -36,8 +36,13 @@ impl DepthFormat {
     }
 
     /// What can be tested and written; other depth formats are only sampled.
-    const FORMATS: [(Format, Self); 3] =
-        [(Format::D16, Self::D16), (Format::D24, Self::D24), (Format::D32F, Self::D32F)];
+    const FORMATS: [(Format, Self); 5] = [
+        (Format::D16, Self::D16),
+        (Format::D24, Self::D24),
+        (Format::D32F, Self::D32F),
+        (Format::D24S8, Self::D24),
+        (Format::D32FS8, Self::D32F),
+    ];
 
     /// The smallest resolvable difference; `None` where it depends on the value.
     pub fn resolution(self) -> Option<f64> {

@@ -1,8 +1,18 @@
-//! From shaded fragments to the words of the attachments: depth test, blending, masks, packing.
+//! From shaded fragments to the words of the attachments: stencil and depth test, blending, logic
+//! operations, masks, packing.
 
 mod blend;
 mod color;
 mod depth;
+mod encode;
+mod logic;
+mod mask;
+mod merge;
+mod stencil;
 
-pub use color::{ColorPlan, WriteColor, color_word, expand_mask, pack_mask};
-pub use depth::{DepthFormat, DepthPlan, DepthTest};
+pub use color::ColorPlan;
+pub use depth::{DepthFormat, DepthPlan};
+pub use encode::{decode_color, encode_color, texel_words};
+pub use mask::{expand_mask, pack_mask};
+pub use merge::{Fragments, Tests, test, write};
+pub use stencil::StencilPlan;

@@ -5,6 +5,7 @@ use crate::ir::Axis;
 use crate::plan::{DrawPlan, FragmentInput};
 use crate::primitive::Facing;
 use crate::shader::Machine;
+use crate::target::Place;
 use texunit::lanes::{F32s, Kernel, LANES, QUADS, Simd, U32s};
 
 /// The three numbers of a plane for each quad: at the first pixel of its block, per pixel across,
@@ -37,14 +38,6 @@ pub struct Batch {
     planes: Vec<QuadPlane>,
     /// By block: the quads that wait in this batch.
     waiting: [u16; 64],
-}
-
-/// Where a batch's pixels lie in a tile.
-pub enum Place<'a> {
-    /// All of one block.
-    Block(usize),
-    /// The block and quad of each of its quads.
-    Quads(&'a [u8], &'a [u8]),
 }
 
 impl Default for Batch {
@@ -104,6 +97,15 @@ impl Batch {
     /// Lanes that run: whole quads, so that derivatives have their neighbours.
     pub fn active(&self) -> u64 {
         let quads = u64::from(quads_of(self.mask));
+        quads | quads << QUADS | quads << (2 * QUADS) | quads << (3 * QUADS)
+    }
+
+    /// Lanes of back faces.
+    pub fn back(&self) -> u64 {
+        let mut quads = 0;
+        for (quad, &front) in self.front.iter().enumerate().take(self.len) {
+            quads |= u64::from(front == 0) << quad;
+        }
         quads | quads << QUADS | quads << (2 * QUADS) | quads << (3 * QUADS)
     }
 

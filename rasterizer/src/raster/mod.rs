@@ -9,4 +9,4 @@ mod interpolate;
 mod tile;
 
 pub use interpolate::PlaneSource;
-pub use tile::{Chunk, ClearJob, DrawJob, Entry, PassJob, TileJob, Worker};
+pub use tile::{Chunk, ClearJob, ClearTarget, DrawJob, Entry, PassJob, TileJob, Worker};

@@ -1,17 +1,16 @@
 //! A tile: everything of a pass that touches its 64×64 pixels, in order.
 
-use super::batch::{Batch, BlockDepth, BlockOf, Interpolate, Place, quads_of};
+use super::batch::{Batch, BlockDepth, BlockOf, Interpolate, quads_of};
 use super::coverage::{self, Coverage};
 use super::interpolate::{PlaneSetup, Planes};
-use crate::driver::ClearValue;
-use crate::output::{DepthFormat, DepthTest, WriteColor, color_word, expand_mask};
-use crate::plan::{DepthTiming, DrawPlan, Shading};
+use crate::output::{Fragments, expand_mask, test, write};
+use crate::plan::{DrawPlan, Shading, Timing};
 use crate::primitive::{Facing, SUBPIXEL, Shape};
 use crate::shader::{Machine, Run};
-use crate::target::{Plane, TILE};
+use crate::target::{Place, Plane, TILE, TileTarget, WordMask};
 use crate::vertex::Geometry;
 use std::sync::atomic::{AtomicBool, Ordering};
-use texunit::lanes::{F32s, Isa, LANES, QUADS, U32s};
+use texunit::lanes::{F32s, Isa, LANES};
 
 /// Quads of a block from which on it is shaded by itself rather than packed with others.
 const DENSE: u32 = 12;
@@ -38,11 +37,28 @@ pub struct Chunk {
     pub shapes: Vec<Shape>,
 }
 
+/// What a clear writes to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ClearTarget {
+    /// A colour attachment.
+    Color(usize),
+    /// The depths of the depth attachment.
+    Depth,
+    /// Its stencils.
+    Stencil,
+}
+
 /// A clear of a pass.
 #[derive(Clone, Copy, Debug)]
 pub struct ClearJob {
-    /// What is written.
-    pub value: ClearValue,
+    /// What is cleared.
+    pub target: ClearTarget,
+    /// The words of a texel.
+    pub words: WordMask,
+    /// Their bits that are written.
+    pub write: WordMask,
+    /// Their bits that hold anything.
+    pub all: WordMask,
     /// First and one past the last pixel, within the pass, x then y.
     pub area: [[i32; 2]; 2],
 }
@@ -82,10 +98,10 @@ pub struct TileJob {
     pub x: i32,
     /// Its first row.
     pub y: i32,
-    /// Its part of each colour attachment, and which components that stores.
-    pub colors: Vec<Option<(Plane, [bool; 4])>>,
+    /// Its part of each colour attachment.
+    pub colors: Vec<Option<TileTarget>>,
     /// Its part of the depth attachment.
-    pub depth: Option<(Plane, DepthFormat)>,
+    pub depth: Option<TileTarget>,
     /// What happens, in order.
     pub entries: Vec<Entry>,
 }
@@ -155,7 +171,7 @@ impl Worker {
             sources: &plan.planes,
             viewport: plan.viewport,
             offset: plan.offset,
-            resolution: tile.depth.as_ref().and_then(|(_, format)| format.resolution()),
+            resolution: plan.resolution,
         };
         self.planes.compute(&setup, &chunk.geometry, shape);
         let edges = coverage::edges(&shape.corners, tile.x, tile.y);
@@ -187,9 +203,9 @@ impl Worker {
         let plan = &job.plan;
         let (x, y) = (tile.x + 8 * bx, tile.y + 8 * by);
         let of = BlockOf { planes: &self.planes, facing, block: (by * 8 + bx) as usize, x, y };
-        if let DepthTiming::Early(test) = plan.depth {
+        if plan.timing == Timing::Early {
             // What waits has passed its own test already, so the order holds.
-            mask = early_depth(pass.isa, plan, test, &of, mask, tile);
+            mask = early_tests(pass.isa, plan, &of, mask, tile);
         }
         if mask == 0 || plan.shading == Shading::Off {
             return;
@@ -238,22 +254,22 @@ fn block_range(shape: &Shape, area: &[[i32; 2]; 2], x: i32, y: i32) -> Option<[[
     Some(range)
 }
 
-fn early_depth(
-    isa: Isa,
-    plan: &DrawPlan,
-    test: crate::output::DepthPlan,
-    of: &BlockOf<'_>,
-    mask: u64,
-    tile: &mut TileJob,
-) -> u64 {
-    let (Some((stored, _)), Some(index)) = (tile.depth.as_mut(), plan.depth_plane) else {
-        return mask;
+fn early_tests(isa: Isa, plan: &DrawPlan, of: &BlockOf<'_>, mask: u64, tile: &mut TileJob) -> u64 {
+    let Some(target) = tile.depth.as_mut() else { return mask };
+    let depth = match plan.depth_plane {
+        Some(index) => {
+            let plane = &of.planes.planes[index];
+            let plane = [of.planes.at(index, of.x, of.y), plane.a as f32, plane.b as f32];
+            isa.run(BlockDepth { plane })
+        }
+        None => F32s::ZERO,
     };
-    let plane = &of.planes.planes[index];
-    let plane = [of.planes.at(index, of.x, of.y), plane.a as f32, plane.b as f32];
-    let depth = isa.run(BlockDepth { plane });
-    let stored = &mut stored.blocks_mut()[of.block];
-    isa.run(DepthTest { plan: test, depth: &depth, stored, mask })
+    let back = match of.facing {
+        Facing::Front => 0,
+        Facing::Back => !0,
+    };
+    let fragments = Fragments { place: Place::Block(of.block), depth: &depth, back, mask };
+    test(isa, &plan.tests, target, 0, &fragments)
 }
 
 /// Runs batches and writes what comes out.
@@ -291,34 +307,23 @@ impl Shader {
         if mask == 0 {
             return;
         }
-        if let (DepthTiming::Late(test, output), Some((stored, _))) =
-            (plan.depth, tile.depth.as_mut())
-        {
+        if let (Timing::Late(output), Some(target)) = (plan.timing, tile.depth.as_mut()) {
             if let Some(output) = output {
                 self.depth = *self.machine.output(output).as_f32();
                 isa.run(ClampDepth(&mut self.depth));
             }
-            let depth = &self.depth;
-            mask = with_words(stored, &place, |stored| {
-                isa.run(DepthTest { plan: test, depth, stored, mask })
-            });
+            let fragments = Fragments { place, depth: &self.depth, back: batch.back(), mask };
+            mask = test(isa, &plan.tests, target, 0, &fragments);
         }
         if mask == 0 {
             return;
         }
-        const ZERO: F32s = F32s::splat(0.0);
-        const ONE: F32s = F32s::splat(1.0);
         for color in &plan.colors {
-            let Some((stored, _)) = tile.colors[color.target].as_mut() else { continue };
+            let Some(target) = tile.colors[color.target].as_mut() else { continue };
             let machine = &self.machine;
-            let rgba = [0, 1, 2, 3].map(|component| match color.outputs[component] {
-                Some(output) => machine.output(output).as_f32(),
-                None if component == 3 => &ONE,
-                None => &ZERO,
-            });
-            with_words(stored, &place, |stored| {
-                isa.run(WriteColor { plan: color, color: rgba, stored, mask });
-            });
+            let rgba = [0, 1, 2, 3]
+                .map(|i| color.outputs[i].map(|output| machine.output(output).as_f32()));
+            write(isa, color, target, 0, place, rgba, mask);
         }
     }
 }
@@ -334,72 +339,38 @@ impl texunit::lanes::Kernel for ClampDepth<'_> {
     }
 }
 
-/// Lets `change` see the words of a batch's pixels as lanes, and puts them back.
-fn with_words<R>(plane: &mut Plane, place: &Place<'_>, change: impl FnOnce(&mut U32s) -> R) -> R {
-    let blocks = plane.blocks_mut();
-    match *place {
-        Place::Block(block) => change(&mut blocks[block]),
-        Place::Quads(of, quads) => {
-            let mut words = U32s::ZERO;
-            for (at, (&block, &quad)) in of.iter().zip(quads).enumerate() {
-                let from = &blocks[usize::from(block)];
-                for e in 0..4 {
-                    words[e * QUADS + at] = from[e * QUADS + usize::from(quad)];
-                }
-            }
-            let result = change(&mut words);
-            for (at, (&block, &quad)) in of.iter().zip(quads).enumerate() {
-                let to = &mut blocks[usize::from(block)];
-                for e in 0..4 {
-                    to[e * QUADS + usize::from(quad)] = words[e * QUADS + at];
-                }
-            }
-            result
-        }
-    }
-}
-
 /// Clears a tile's part of an attachment.
 fn clear(pass: &PassJob, job: &ClearJob, tile: &mut TileJob) {
-    let (plane, word, write) = match job.value {
-        ClearValue::Color { target, value, mask } => {
-            let Some(Some((plane, stored))) = tile.colors.get_mut(usize::from(target)) else {
-                return;
-            };
-            let mut write = 0_u32;
-            for (component, (mask, stored)) in mask.into_iter().zip(*stored).enumerate() {
-                if mask && stored {
-                    write |= 0xFF << (8 * component);
-                }
-            }
-            // What the format does not store keeps its fixed value (alpha 1).
-            let all = stored.iter().zip(mask).all(|(stored, mask)| !stored || mask);
-            let word = color_word(value);
-            let fixed = if stored[3] { 0 } else { 0xFF00_0000 };
-            if all { (plane, word & write | fixed, !0) } else { (plane, word, write) }
-        }
-        ClearValue::Depth(depth) => {
-            let Some((plane, format)) = tile.depth.as_mut() else { return };
-            let depth = texunit::lanes::math::clamp(depth, 0.0, 1.0);
-            (plane, format.word(depth), !0)
-        }
+    let (target, first) = match job.target {
+        ClearTarget::Color(index) => (tile.colors.get_mut(index).and_then(Option::as_mut), 0),
+        ClearTarget::Depth => (tile.depth.as_mut(), 0),
+        ClearTarget::Stencil => (tile.depth.as_mut(), 1),
     };
+    let Some(target) = target else { return };
     // What a tile has beyond the pass is never seen.
     let end = |start: i32, size: u32| (start + TILE as i32).min(size as i32);
     let whole = job.area[0][0] <= tile.x
         && job.area[0][1] <= tile.y
         && job.area[1][0] >= end(tile.x, pass.width)
         && job.area[1][1] >= end(tile.y, pass.height);
-    if whole && write == !0 {
-        *plane = Plane::Cleared(word);
-        return;
-    }
-    for (index, block) in plane.blocks_mut().iter_mut().enumerate() {
-        let (bx, by) = (index as i32 % 8, index as i32 / 8);
-        let lanes = expand_mask(coverage::inside_area(&job.area, tile.x, tile.y, bx, by));
-        for lane in 0..LANES {
-            let write = lanes[lane] & write;
-            block[lane] = (word & write) | (block[lane] & !write);
+    for sample in target.planes.chunks_mut(target.words) {
+        for (index, plane) in sample.iter_mut().skip(first).enumerate() {
+            let (word, write, all) = (job.words[index], job.write[index], job.all[index]);
+            if write == 0 {
+                continue;
+            }
+            if whole && write == all {
+                *plane = Plane::Cleared(word);
+                continue;
+            }
+            for (index, block) in plane.blocks_mut().iter_mut().enumerate() {
+                let (bx, by) = (index as i32 % 8, index as i32 / 8);
+                let lanes = expand_mask(coverage::inside_area(&job.area, tile.x, tile.y, bx, by));
+                for lane in 0..LANES {
+                    let write = lanes[lane] & write;
+                    block[lane] = (word & write) | (block[lane] & !write);
+                }
+            }
         }
     }
 }

@@ -1,6 +1,11 @@
 //! What a pass draws into: attachments as tiles of 64×64 words in lane order.
 
+mod place;
+mod resolve;
 mod surface;
+mod words;
 
-pub use surface::{Plane, Surface, TILE};
-pub(crate) use surface::{is_attachable, stored_components};
+pub use place::{Place, with_texels, with_words};
+pub use surface::{Plane, Surface, TILE, TileTarget};
+pub(crate) use words::is_attachable;
+pub use words::{WordMask, all_bits, component_bits};

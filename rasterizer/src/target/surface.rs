@@ -1,17 +1,17 @@
-//! The attachment layout of a level: tiles, blocks, lanes.
+//! The attachment layout of a level: tiles, planes, blocks, lanes.
 //!
 //! While an image is drawn to, its texels are words in tiles of 64×64 pixels, each of 64 blocks of
 //! 8×8 pixels, each in lane order. A batch then reads and writes whole vectors, a tile's words stay
 //! in the cache of the thread that owns it, and tiles can be handed to threads as values. Going
 //! back to rows (to sample or to read back) is a transition of layout, as in Vulkan, and exact.
 //!
-//! A colour word is red, green, blue, alpha from its lowest byte up, whatever the format holds of
-//! them; a depth word is the integer of D16 or D24, or the bits of D32F. (Depth is never negative,
-//! so the bits of two floats compare as the floats do.)
+//! A texel of several words has a plane for each, and so has every sample of a multisample image.
+//! Which words a format has is in [`super::words`].
 
-use crate::output::DepthFormat;
+use super::resolve::resolve_tile;
+use super::words::{attachment_words, is_attachable, texel_of, words_of};
 use rayon::prelude::*;
-use texunit::format::{BaseFormat, Encoding, Format};
+use texunit::format::Format;
 use texunit::image::Level;
 use texunit::lanes::{LANES, U32s, lane_x, lane_y};
 
@@ -20,7 +20,7 @@ pub const TILE: u32 = 64;
 /// Blocks of 8×8 pixels in a tile.
 pub const BLOCKS: usize = 64;
 
-/// One tile of one attachment.
+/// One word of every pixel of a tile.
 #[derive(Clone, Debug)]
 pub enum Plane {
     /// The same word everywhere: a clear that nothing has drawn over.
@@ -40,6 +40,14 @@ impl Plane {
             Self::Cleared(_) => unreachable!("became words above"),
         }
     }
+
+    /// The words of a block.
+    pub fn block(&self, block: usize) -> U32s {
+        match self {
+            Self::Cleared(word) => U32s::splat(*word),
+            Self::Words(words) => words[block],
+        }
+    }
 }
 
 /// A level in the attachment layout.
@@ -51,8 +59,27 @@ pub struct Surface {
     pub width: u32,
     /// Pixels up.
     pub height: u32,
-    /// The tiles, row by row.
+    /// Samples of a pixel.
+    pub samples: u8,
+    /// The planes of each tile, row by row of tiles: word `w` of sample `s` is plane
+    /// `s · words + w`.
+    pub tiles: Vec<Vec<Plane>>,
+}
+
+/// One attachment's part of a tile.
+#[derive(Debug)]
+pub struct TileTarget {
+    /// Planes of a sample.
+    pub words: usize,
+    /// As in [`Surface::tiles`].
     pub planes: Vec<Plane>,
+}
+
+impl TileTarget {
+    /// The planes of one sample.
+    pub fn sample(&mut self, sample: usize) -> &mut [Plane] {
+        &mut self.planes[sample * self.words..][..self.words]
+    }
 }
 
 /// Lane of each pixel of a block's row.
@@ -72,134 +99,107 @@ impl Surface {
         self.width.div_ceil(TILE)
     }
 
-    /// The texels of a level, in tiles. Only of its first slice, without border; zeros where the
-    /// format has no attachment layout, which a command buffer with such an attachment is refused
-    /// for.
-    pub fn from_level(level: &Level) -> Self {
+    /// The texels of a slice of a level without border, in tiles, the same in every sample; zeros
+    /// where the format has no attachment layout, which a command buffer with such an attachment
+    /// is refused for.
+    pub fn from_level(level: &Level, slice: usize, samples: u8) -> Self {
         let across = level.width.div_ceil(TILE);
         let up = level.height.div_ceil(TILE);
-        let size = level.format.bytes();
-        let (row_bytes, origin) = (level.row_bytes(), level.origin());
-        let attachable = is_attachable(level.format);
-        let planes = (0..across * up)
+        let words = attachment_words(level.format);
+        let tiles = (0..across * up)
             .into_par_iter()
             .map(|tile| {
-                if !attachable {
-                    return Plane::Cleared(0);
-                }
                 let (x0, y0) = (tile % across * TILE, tile / across * TILE);
-                let mut words = vec![U32s::ZERO; BLOCKS];
-                for y in 0..TILE.min(level.height - y0) {
-                    let row = &level.texels[origin + (y0 + y) as usize * row_bytes..];
-                    for x in 0..TILE.min(level.width - x0) {
-                        let texel = &row[(x0 + x) as usize * size..][..size];
-                        let block = (y / 8 * 8 + x / 8) as usize;
-                        let lane = LANE_AT[(y % 8) as usize][(x % 8) as usize];
-                        words[block][lane as usize] = word_of(level.format, texel);
-                    }
-                }
-                Plane::Words(words)
+                let one = if is_attachable(level.format) {
+                    load_tile(level, slice, [x0, y0], words)
+                } else {
+                    vec![Plane::Cleared(0); words]
+                };
+                (0..samples).flat_map(|_| one.clone()).collect()
             })
             .collect();
-        Self { format: level.format, width: level.width, height: level.height, planes }
+        let &Level { format, width, height, .. } = level;
+        Self { format, width, height, samples, tiles }
     }
 
-    /// Writes the tiles back into the rows of the level they came from.
-    pub fn store(&self, level: &mut Level) {
+    /// Takes a tile's planes out.
+    pub fn take(&mut self, tile: usize) -> TileTarget {
+        let planes = std::mem::take(&mut self.tiles[tile]);
+        TileTarget { words: attachment_words(self.format), planes }
+    }
+
+    /// Writes the tiles back into the slice of the level they came from; of several samples, what
+    /// they are resolved to.
+    pub fn store(&self, level: &mut Level, slice: usize) {
         debug_assert_eq!((self.width, self.height), (level.width, level.height));
         if !is_attachable(self.format) {
             return;
         }
+        let resolved: Vec<Vec<Plane>>;
+        let tiles = if self.samples > 1 {
+            let resolve = |tile: &Vec<Plane>| resolve_tile(self.format, self.samples, tile);
+            resolved = self.tiles.par_iter().map(resolve).collect();
+            &resolved
+        } else {
+            &self.tiles
+        };
         let size = self.format.bytes();
-        let (row_bytes, origin) = (level.row_bytes(), level.origin());
+        let (row_bytes, slice_bytes) = (level.row_bytes(), level.slice_bytes());
+        let first = level.origin() + slice * slice_bytes;
         let across = self.tiles_across() as usize;
         for y in 0..self.height as usize {
-            let row = &mut level.texels[origin + y * row_bytes..][..self.width as usize * size];
-            let planes = &self.planes[y / TILE as usize * across..][..across];
-            for (texels, plane) in row.chunks_mut(TILE as usize * size).zip(planes) {
-                store_row(self.format, plane, y % TILE as usize, texels);
+            let row = &mut level.texels[first + y * row_bytes..][..self.width as usize * size];
+            let tiles = &tiles[y / TILE as usize * across..][..across];
+            for (texels, planes) in row.chunks_mut(TILE as usize * size).zip(tiles) {
+                store_row(self.format, planes, y % TILE as usize, texels);
             }
         }
     }
 }
 
+/// One sample of the tile whose first pixel is `(x0, y0)`.
+fn load_tile(level: &Level, slice: usize, [x0, y0]: [u32; 2], words: usize) -> Vec<Plane> {
+    let size = level.format.bytes();
+    let (row_bytes, first) = (level.row_bytes(), level.origin() + slice * level.slice_bytes());
+    let mut planes = vec![vec![U32s::ZERO; BLOCKS]; words];
+    for y in 0..TILE.min(level.height - y0) {
+        let row = &level.texels[first + (y0 + y) as usize * row_bytes..];
+        for x in 0..TILE.min(level.width - x0) {
+            let texel = &row[(x0 + x) as usize * size..][..size];
+            let block = (y / 8 * 8 + x / 8) as usize;
+            let lane = usize::from(LANE_AT[(y % 8) as usize][(x % 8) as usize]);
+            let texel = words_of(level.format, texel);
+            for (plane, word) in planes.iter_mut().zip(texel) {
+                plane[block][lane] = word;
+            }
+        }
+    }
+    planes.into_iter().map(Plane::Words).collect()
+}
+
 /// Row `y` of a tile into the texels of one row.
-fn store_row(format: Format, plane: &Plane, y: usize, row: &mut [u8]) {
+fn store_row(format: Format, planes: &[Plane], y: usize, row: &mut [u8]) {
     let size = format.bytes();
     for (column, texels) in row.chunks_mut(8 * size).enumerate() {
-        let words = match plane {
+        let words = |plane: &Plane| match plane {
             Plane::Cleared(word) => [*word; 8],
             Plane::Words(words) => {
                 let block = &words[y / 8 * 8 + column];
                 LANE_AT[y % 8].map(|lane| block[usize::from(lane)])
             }
         };
-        // Words of four bytes are the texels themselves.
-        if size == 4 {
-            texels.copy_from_slice(&bytemuck::bytes_of(&words.map(u32::to_le))[..texels.len()]);
-        } else {
-            for (texel, word) in texels.chunks_exact_mut(size).zip(words) {
-                texel_of(format, word, texel);
-            }
+        // One word of four bytes is the texel itself.
+        if let ([plane], 4) = (planes, size) {
+            let words = words(plane).map(u32::to_le);
+            texels.copy_from_slice(&bytemuck::bytes_of(&words)[..texels.len()]);
+            continue;
         }
-    }
-}
-
-/// Whether levels of this format have an attachment layout: colour channels that are bytes, sRGB
-/// or not, and depth that is one word.
-pub(crate) fn is_attachable(format: Format) -> bool {
-    if format.is_depth() {
-        return DepthFormat::of(format).is_some();
-    }
-    format.bytes() == format.channels()
-        && matches!(format.info().encoding, Encoding::Unorm | Encoding::Srgb)
-}
-
-/// A texel of an attachable format as a word of the attachment layout. Components that the format
-/// lacks are 0, alpha 1.
-#[inline]
-fn word_of(format: Format, t: &[u8]) -> u32 {
-    let rgba = |r, g, b, a| u32::from_le_bytes([r, g, b, a]);
-    match format.base() {
-        BaseFormat::Alpha => rgba(0, 0, 0, t[0]),
-        BaseFormat::Luminance | BaseFormat::Red => rgba(t[0], 0, 0, 255),
-        BaseFormat::Intensity => rgba(t[0], 0, 0, t[0]),
-        BaseFormat::LuminanceAlpha => rgba(t[0], 0, 0, t[1]),
-        BaseFormat::Rg => rgba(t[0], t[1], 0, 255),
-        BaseFormat::Rgb => rgba(t[0], t[1], t[2], 255),
-        BaseFormat::Rgba => rgba(t[0], t[1], t[2], t[3]),
-        BaseFormat::Depth if t.len() == 2 => u32::from(u16::from_le_bytes([t[0], t[1]])),
-        BaseFormat::Depth => rgba(t[0], t[1], t[2], t[3]),
-    }
-}
-
-/// A word of the attachment layout as a texel of an attachable format. Luminance and intensity
-/// take red (GL 2.1, table 3.15).
-#[inline]
-fn texel_of(format: Format, word: u32, t: &mut [u8]) {
-    let b = word.to_le_bytes();
-    match format.base() {
-        BaseFormat::Alpha => t[0] = b[3],
-        BaseFormat::Luminance | BaseFormat::Red | BaseFormat::Intensity => t[0] = b[0],
-        BaseFormat::LuminanceAlpha => t.copy_from_slice(&[b[0], b[3]]),
-        BaseFormat::Rg => t.copy_from_slice(&b[..2]),
-        BaseFormat::Rgb => t.copy_from_slice(&b[..3]),
-        BaseFormat::Rgba => t.copy_from_slice(&b),
-        BaseFormat::Depth => t.copy_from_slice(&b[..t.len()]),
-    }
-}
-
-/// Which components of a colour word a format holds.
-pub(crate) fn stored_components(format: Format) -> [bool; 4] {
-    match format.base() {
-        BaseFormat::Alpha => [false, false, false, true],
-        BaseFormat::Luminance | BaseFormat::Red | BaseFormat::Intensity => {
-            [true, false, false, false]
+        let mut all = [[0; 8]; 4];
+        for (to, plane) in all.iter_mut().zip(planes) {
+            *to = words(plane);
         }
-        BaseFormat::LuminanceAlpha => [true, false, false, true],
-        BaseFormat::Rg => [true, true, false, false],
-        BaseFormat::Rgb => [true, true, true, false],
-        BaseFormat::Rgba => [true; 4],
-        BaseFormat::Depth => [false; 4],
+        for (x, texel) in texels.chunks_exact_mut(size).enumerate() {
+            texel_of(format, all.map(|words| words[x]), texel);
+        }
     }
 }

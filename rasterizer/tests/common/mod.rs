@@ -2,8 +2,8 @@
 
 use rasterizer::driver::{
     Attachment, Buffer, ColorState, Command, Cull, Device, DeviceDesc, Explain, FrontFace, Image,
-    PassDesc, PipelineDesc, Provoking, ShaderModule, Topology, VertexBinding, VertexFormat,
-    VertexSource, VertexType, Viewport,
+    OutputState, PassDesc, PipelineDesc, Provoking, ShaderModule, Topology, VertexBinding,
+    VertexFormat, VertexSource, VertexType, Viewport,
 };
 use rasterizer::ir::{Builder, Input, Interpolation, Output, Stage, Value};
 use texunit::format::Format;
@@ -76,6 +76,7 @@ pub fn pipeline(vertex: ShaderModule, fragment: ShaderModule) -> PipelineDesc {
         colors: vec![ColorState { blend: None, mask: [true; 4] }],
         line_width_bits: 1.0_f32.to_bits(),
         point_size_bits: 1.0_f32.to_bits(),
+        output: OutputState::default(),
     }
 }
 

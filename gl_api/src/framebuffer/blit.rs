@@ -1,0 +1,338 @@
+//! `glBlitFramebuffer`: `ARB_framebuffer_object`, section 4.3.3.
+//!
+//! A multisample image is read as what it resolves to.
+
+use super::clear::drawn_area;
+use super::complete::{
+    Readable, checked_complete, draw_pass, draw_planes, read_attachment, samples,
+};
+use super::read::{Pixels, same_kind, settled};
+use super::srgb_write;
+use crate::constants::*;
+use crate::context::Context;
+use crate::error::{Result, Table, invalid_operation, invalid_value};
+use crate::texture::texel;
+use crate::types::*;
+use rasterizer::driver::{Attachment, Rect, SrgbWrite};
+use texunit::format::{Format, convert};
+use texunit::image::{Level, Shape};
+use texunit::sampler::Filter;
+
+const SECTION: &str = "ARB_framebuffer_object, section 4.3.3";
+
+const FILTER: Table<Filter> =
+    Table { section: SECTION, rows: &[(GL_NEAREST, Filter::Nearest), (GL_LINEAR, Filter::Linear)] };
+
+/// The way along one axis: from where to where, on both sides.
+#[derive(Clone, Copy)]
+struct Axis {
+    src: [GLint; 2],
+    dst: [GLint; 2],
+}
+
+/// Which two texels of the source a pixel is made of, and the weight of the second.
+#[derive(Clone, Copy)]
+struct Tap {
+    texels: [usize; 2],
+    weight: f64,
+}
+
+impl Axis {
+    /// The pixels of the destination from `first` on, `count` of them, as texels of a source of
+    /// `size`; `None` for those that lie outside of it.
+    fn taps(self, first: i32, count: u32, size: u32, filter: Filter) -> Vec<Option<Tap>> {
+        let [src0, src1] = self.src.map(i128::from);
+        let [dst0, dst1] = self.dst.map(i128::from);
+        // The source of the pixel's centre, in units of 1 / 2n texels.
+        let units = 2 * (dst1 - dst0);
+        let tap = |pixel: i32| {
+            let at = (2 * (i128::from(pixel) - dst0) + 1) * (src1 - src0) + src0 * units;
+            let (at, units) = if units < 0 { (-at, -units) } else { (at, units) };
+            let nearest = at.div_euclid(units);
+            let last = i128::from(size) - 1;
+            if nearest < 0 || nearest > last {
+                return None;
+            }
+            Some(match filter {
+                Filter::Nearest => Tap { texels: [nearest as usize; 2], weight: 0.0 },
+                Filter::Linear => {
+                    let at = at - units / 2;
+                    let low = at.div_euclid(units);
+                    let clamped = |texel: i128| texel.clamp(0, last) as usize;
+                    Tap {
+                        texels: [clamped(low), clamped(low + 1)],
+                        weight: at.rem_euclid(units) as f64 / units as f64,
+                    }
+                }
+            })
+        };
+        (0..count).map(|pixel| tap(first + pixel as i32)).collect()
+    }
+
+    /// First pixel of the destination, and one past the last.
+    fn covered(self) -> [GLint; 2] {
+        let [a, b] = self.dst;
+        [a.min(b), a.max(b)]
+    }
+
+    fn is_empty(self) -> bool {
+        self.src[0] == self.src[1] || self.dst[0] == self.dst[1]
+    }
+
+    fn is_scaled(self) -> bool {
+        let length = |[a, b]: [GLint; 2]| i64::from(a).abs_diff(b.into());
+        length(self.src) != length(self.dst)
+    }
+}
+
+/// A checked blit.
+struct Blit {
+    axes: [Axis; 2],
+    filter: Filter,
+    /// The pixels of the destination that are written.
+    area: Rect,
+    srgb: SrgbWrite,
+}
+
+/// What part of a texel is copied.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Part {
+    Color,
+    Depth,
+    Stencil,
+}
+
+/// A colour as it is copied: sRGB as light where it is written so.
+fn color(format: Format, texel: &[u8], srgb: SrgbWrite) -> [f64; 4] {
+    if srgb == SrgbWrite::Encode && format.is_srgb() {
+        let mut rgba = convert::decode(format, texel).map(f64::from);
+        if format.base().sources().first() == Some(&0) && format.channels() < 3 {
+            // Luminance is read as red (GL 2.1, table 4.7).
+            [rgba[1], rgba[2]] = [0.0; 2];
+        }
+        return rgba;
+    }
+    texel::decode(format, texel)
+}
+
+fn encode(format: Format, rgba: [f64; 4], srgb: SrgbWrite) -> texel::Bytes {
+    if srgb == SrgbWrite::Encode && format.is_srgb() {
+        return convert::encode(format, rgba.map(|c| c as f32));
+    }
+    texel::encode(format, rgba)
+}
+
+impl Blit {
+    /// The colour of a pixel.
+    fn filtered(&self, from: &Pixels, x: Tap, y: Tap) -> [f64; 4] {
+        let at = |x: usize, y: usize| color(from.format(), from.row(x, y, 1), self.srgb);
+        let mix = |a: [f64; 4], b: [f64; 4], w: f64| [0, 1, 2, 3].map(|i| a[i] + (b[i] - a[i]) * w);
+        let row = |y: usize| {
+            let [left, right] = x.texels.map(|x| at(x, y));
+            mix(left, right, x.weight)
+        };
+        match self.filter {
+            Filter::Nearest => at(x.texels[0], y.texels[0]),
+            Filter::Linear => mix(row(y.texels[0]), row(y.texels[1]), y.weight),
+        }
+    }
+
+    /// Copies to one attachment.
+    fn write(&self, context: &mut Context, from: &Pixels, to: &Attachment, part: Part) {
+        let [width, height] = from.size();
+        let area = self.area;
+        let columns = self.axes[0].taps(area.x, area.width, width, self.filter);
+        let rows = self.axes[1].taps(area.y, area.height, height, self.filter);
+        edit(context, to, |level, first| {
+            let (format, size) = (level.format, level.format.bytes());
+            let row_bytes = level.row_bytes();
+            for (y, tap) in (area.y as usize..).zip(&rows) {
+                let Some(y_tap) = tap else { continue };
+                let start = first + y * row_bytes + area.x as usize * size;
+                let texels = &mut level.texels[start..start + area.width as usize * size];
+                for (texel, tap) in texels.chunks_exact_mut(size).zip(&columns) {
+                    let Some(x_tap) = tap else { continue };
+                    let source = from.row(x_tap.texels[0], y_tap.texels[0], 1);
+                    match part {
+                        Part::Color
+                            if format == from.format() && self.filter == Filter::Nearest =>
+                        {
+                            texel.copy_from_slice(source);
+                        }
+                        Part::Color => {
+                            let rgba = self.filtered(from, *x_tap, *y_tap);
+                            texel.copy_from_slice(&encode(format, rgba, self.srgb)[..size]);
+                        }
+                        Part::Depth => texel::copy_depth(format, source, texel),
+                        Part::Stencil => {
+                            texel::put_stencil(format, texel, texel::stencil_of(format, source));
+                        }
+                    }
+                }
+            }
+        });
+    }
+}
+
+/// Lets `change` write the texels of an attachment: a level, and where in its bytes the attached
+/// slice begins.
+fn edit(context: &mut Context, attachment: &Attachment, change: impl FnOnce(&mut Level, usize)) {
+    let image = &attachment.image;
+    crate::draw::settle(context, image);
+    let face = usize::from(attachment.face);
+    image.update(|texels| {
+        let (face, slice) = match texels.shape() {
+            Shape::Cube => (face, 0),
+            Shape::D1 | Shape::D2 | Shape::D3 | Shape::Rect | Shape::D1Array | Shape::D2Array => {
+                (0, face)
+            }
+        };
+        if let Some(level) = texels.level_mut(face, attachment.level.into()) {
+            let first = level.origin() + slice * level.slice_bytes();
+            change(level, first);
+        }
+    });
+    context.objects.images_changed(|other| other.same(image));
+}
+
+/// What of a framebuffer a mask names, in the order in which it is copied.
+const PARTS: [(GLbitfield, Part, Readable); 3] = [
+    (GL_COLOR_BUFFER_BIT, Part::Color, Readable::Color),
+    (GL_DEPTH_BUFFER_BIT, Part::Depth, Readable::Depth),
+    (GL_STENCIL_BUFFER_BIT, Part::Stencil, Readable::Stencil),
+];
+
+/// Where a part is copied from and to.
+struct Copy {
+    part: Part,
+    from: Pixels,
+    to: Vec<Attachment>,
+}
+
+/// The attachments of the draw framebuffer that a part goes to.
+fn destinations(context: &Context, part: Part) -> Result<Vec<Attachment>> {
+    let (pass, planes) = (draw_pass(context)?, draw_planes(context));
+    let depth = |there: bool| pass.depth.clone().filter(|_| there).into_iter().collect();
+    Ok(match part {
+        Part::Color => pass.colors.into_iter().flatten().collect(),
+        Part::Depth => depth(planes.depth),
+        Part::Stencil => depth(planes.stencil),
+    })
+}
+
+/// Whether a part can go from one format to another with a filter.
+fn check_formats(part: Part, from: Format, to: Format, filter: Filter) -> Result<()> {
+    if part != Part::Color {
+        if from != to {
+            return invalid_operation(
+                SECTION,
+                format!("depth and stencil are not converted, from {from:?} to {to:?}"),
+            );
+        }
+        return Ok(());
+    }
+    if !same_kind(from, to) {
+        return invalid_operation(
+            SECTION,
+            format!("{from:?} is not converted to {to:?}: integers stay integers of their kind"),
+        );
+    }
+    if filter == Filter::Linear && from.is_integer() {
+        return invalid_operation(SECTION, "filter = GL_LINEAR, but integers are not filtered");
+    }
+    Ok(())
+}
+
+#[expect(clippy::too_many_arguments, reason = "GL's signature")]
+pub(crate) fn blit_framebuffer(
+    context: &mut Context,
+    src_x0: GLint,
+    src_y0: GLint,
+    src_x1: GLint,
+    src_y1: GLint,
+    dst_x0: GLint,
+    dst_y0: GLint,
+    dst_x1: GLint,
+    dst_y1: GLint,
+    mask: GLbitfield,
+    filter: GLenum,
+) -> Result<()> {
+    let known = PARTS.iter().fold(0, |known, part| known | part.0);
+    if mask & !known != 0 {
+        return invalid_value(
+            SECTION,
+            format!("mask = {mask:#x} has bits that name no buffer: {:#x}", mask & !known),
+        );
+    }
+    let filter = FILTER.decode("filter", filter)?;
+    if filter == Filter::Linear && mask & !GL_COLOR_BUFFER_BIT != 0 {
+        return invalid_operation(
+            SECTION,
+            "filter = GL_LINEAR, but depth and stencil are copied with GL_NEAREST",
+        );
+    }
+    let axes = [
+        Axis { src: [src_x0, src_x1], dst: [dst_x0, dst_x1] },
+        Axis { src: [src_y0, src_y1], dst: [dst_y0, dst_y1] },
+    ];
+    checked_complete(context, context.state.bindings.read_framebuffer)?;
+    let pass = draw_pass(context)?;
+    check_samples(context, axes)?;
+    let mut copies = Vec::new();
+    for (bit, part, readable) in PARTS {
+        if mask & bit == 0 {
+            continue;
+        }
+        // What is missing on either side is left out (section 4.3.3).
+        let to = destinations(context, part)?;
+        let Some(attachment) = read_attachment(context, readable)?.filter(|_| !to.is_empty())
+        else {
+            continue;
+        };
+        let Some(from) = settled(context, &attachment) else { continue };
+        for to in &to {
+            let format = super::format_of(to).unwrap_or(from.format());
+            check_formats(part, from.format(), format, filter)?;
+        }
+        copies.push(Copy { part, from, to });
+    }
+    let Some(area) = covered(axes, drawn_area(context, &pass)) else { return Ok(()) };
+    let blit = Blit { axes, filter, area, srgb: srgb_write(context) };
+    for Copy { part, from, to } in &copies {
+        for to in to {
+            blit.write(context, from, to, *part);
+        }
+    }
+    Ok(())
+}
+
+/// Several samples are resolved, not scaled (`EXT_framebuffer_multisample`, section 4.3.3).
+fn check_samples(context: &Context, axes: [Axis; 2]) -> Result<()> {
+    let bindings = &context.state.bindings;
+    let any = [bindings.read_framebuffer, bindings.draw_framebuffer]
+        .iter()
+        .any(|&name| samples(context, name) > 0);
+    if any && axes.iter().any(|axis| axis.is_scaled()) {
+        return invalid_operation(
+            "EXT_framebuffer_multisample, section 4.3.3",
+            "a framebuffer with several samples a pixel is not scaled: make both rectangles the \
+             same size",
+        );
+    }
+    Ok(())
+}
+
+/// The pixels that a blit writes, if any.
+fn covered(axes: [Axis; 2], drawn: Rect) -> Option<Rect> {
+    if axes.iter().any(|axis| axis.is_empty()) {
+        return None;
+    }
+    let within = |axis: Axis, start: i32, size: u32| {
+        let [first, end] = axis.covered();
+        let (first, end) = (first.max(start), end.min(start + size as i32));
+        (first < end).then_some((first, (end - first) as u32))
+    };
+    let (x, width) = within(axes[0], drawn.x, drawn.width)?;
+    let (y, height) = within(axes[1], drawn.y, drawn.height)?;
+    Some(Rect { x, y, width, height })
+}

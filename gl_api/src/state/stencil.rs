@@ -1,0 +1,212 @@
+//! The stencil test: GL 2.1, section 4.1.5, and `EXT_stencil_two_side`.
+
+use super::fragment::COMPARE;
+use crate::constants::*;
+use crate::context::Context;
+use crate::error::{Result, Table};
+use crate::types::*;
+use rasterizer::driver::{StencilFace, StencilOp, StencilState};
+use texunit::sampler::Compare;
+
+const SECTION: &str = "GL 2.1, section 4.1.5";
+
+/// The state of a face, as GL keeps it: reference and masks have all their bits.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Face {
+    pub func: Compare,
+    pub reference: GLint,
+    pub value_mask: GLuint,
+    pub write_mask: GLuint,
+    pub fail: StencilOp,
+    pub depth_fail: StencilOp,
+    pub pass: StencilOp,
+}
+
+impl Face {
+    /// As the driver takes it, for 8 bits of stencil.
+    fn to_driver(self) -> StencilFace {
+        StencilFace {
+            test: self.func,
+            reference: self.reference.clamp(0, 255) as u8,
+            read_mask: self.value_mask as u8,
+            write_mask: self.write_mask as u8,
+            fail: self.fail,
+            depth_fail: self.depth_fail,
+            pass: self.pass,
+        }
+    }
+}
+
+/// The faces that state is kept for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Side {
+    Front,
+    Back,
+    /// The back face of `EXT_stencil_two_side`, which has state of its own.
+    TwoSideBack,
+}
+
+/// The stencil state.
+#[derive(Clone, Debug)]
+pub(crate) struct Stencil {
+    /// By [`Side`].
+    pub faces: [Face; 3],
+    /// What `glStencilFunc`, `glStencilOp` and `glStencilMask` set with `EXT_stencil_two_side`.
+    pub active: Side,
+}
+
+impl Default for Stencil {
+    fn default() -> Self {
+        let face = Face {
+            func: Compare::Always,
+            reference: 0,
+            value_mask: !0,
+            write_mask: !0,
+            fail: StencilOp::Keep,
+            depth_fail: StencilOp::Keep,
+            pass: StencilOp::Keep,
+        };
+        Self { faces: [face; 3], active: Side::Front }
+    }
+}
+
+impl Stencil {
+    /// As the driver takes it; `back` says whose state back faces have.
+    pub fn to_driver(&self, back: Side) -> StencilState {
+        StencilState {
+            front: self.faces[Side::Front as usize].to_driver(),
+            back: self.faces[back as usize].to_driver(),
+        }
+    }
+
+    /// The state of the face that is asked about.
+    pub fn active(&self) -> &Face {
+        &self.faces[self.active as usize]
+    }
+
+    /// The faces that a call without a face sets.
+    fn unnamed(&mut self) -> &mut [Face] {
+        match self.active {
+            Side::Front | Side::Back => &mut self.faces[..2],
+            Side::TwoSideBack => &mut self.faces[2..],
+        }
+    }
+}
+
+/// Which of the faces [front, back] a call names.
+const NAMED: Table<[bool; 2]> = Table {
+    section: SECTION,
+    rows: &[(GL_FRONT, [true, false]), (GL_BACK, [false, true]), (GL_FRONT_AND_BACK, [true, true])],
+};
+
+pub(crate) const ACTIVE_FACE: Table<Side> = Table {
+    section: "EXT_stencil_two_side, section 4.1.5",
+    rows: &[(GL_FRONT, Side::Front), (GL_BACK, Side::TwoSideBack)],
+};
+
+pub(crate) const STENCIL_OP: Table<StencilOp> = Table {
+    section: SECTION,
+    rows: &[
+        (GL_KEEP, StencilOp::Keep),
+        (GL_ZERO, StencilOp::Zero),
+        (GL_REPLACE, StencilOp::Replace),
+        (GL_INCR, StencilOp::Increment),
+        (GL_DECR, StencilOp::Decrement),
+        (GL_INVERT, StencilOp::Invert),
+        (GL_INCR_WRAP, StencilOp::IncrementWrap),
+        (GL_DECR_WRAP, StencilOp::DecrementWrap),
+    ],
+};
+
+fn named(context: &mut Context, face: GLenum) -> Result<impl Iterator<Item = &mut Face>> {
+    let named = NAMED.decode("face", face)?;
+    let faces = context.state.fragment.stencil.faces.iter_mut().zip(named);
+    Ok(faces.filter(|(_, named)| *named).map(|(face, _)| face))
+}
+
+pub(crate) fn stencil_func(
+    context: &mut Context,
+    func: GLenum,
+    reference: GLint,
+    mask: GLuint,
+) -> Result<()> {
+    let func = COMPARE.decode("func", func)?;
+    for face in context.state.fragment.stencil.unnamed() {
+        *face = Face { func, reference, value_mask: mask, ..*face };
+    }
+    Ok(())
+}
+
+pub(crate) fn stencil_func_separate(
+    context: &mut Context,
+    face: GLenum,
+    func: GLenum,
+    reference: GLint,
+    mask: GLuint,
+) -> Result<()> {
+    let func = COMPARE.decode("func", func)?;
+    for face in named(context, face)? {
+        *face = Face { func, reference, value_mask: mask, ..*face };
+    }
+    Ok(())
+}
+
+/// `sfail`, `dpfail` and `dppass` of a call.
+fn operations(ops: [GLenum; 3]) -> Result<[StencilOp; 3]> {
+    let [fail, depth_fail, pass] = ops;
+    Ok([
+        STENCIL_OP.decode("sfail", fail)?,
+        STENCIL_OP.decode("dpfail", depth_fail)?,
+        STENCIL_OP.decode("dppass", pass)?,
+    ])
+}
+
+pub(crate) fn stencil_op(
+    context: &mut Context,
+    fail: GLenum,
+    zfail: GLenum,
+    zpass: GLenum,
+) -> Result<()> {
+    let [fail, depth_fail, pass] = operations([fail, zfail, zpass])?;
+    for face in context.state.fragment.stencil.unnamed() {
+        *face = Face { fail, depth_fail, pass, ..*face };
+    }
+    Ok(())
+}
+
+pub(crate) fn stencil_op_separate(
+    context: &mut Context,
+    face: GLenum,
+    sfail: GLenum,
+    dpfail: GLenum,
+    dppass: GLenum,
+) -> Result<()> {
+    let [fail, depth_fail, pass] = operations([sfail, dpfail, dppass])?;
+    for face in named(context, face)? {
+        *face = Face { fail, depth_fail, pass, ..*face };
+    }
+    Ok(())
+}
+
+pub(crate) fn stencil_mask(context: &mut Context, mask: GLuint) -> Result<()> {
+    for face in context.state.fragment.stencil.unnamed() {
+        face.write_mask = mask;
+    }
+    Ok(())
+}
+
+pub(crate) fn stencil_mask_separate(
+    context: &mut Context,
+    face: GLenum,
+    mask: GLuint,
+) -> Result<()> {
+    for face in named(context, face)? {
+        face.write_mask = mask;
+    }
+    Ok(())
+}
+
+pub(crate) fn active_stencil_face_ext(context: &mut Context, face: GLenum) -> Result<()> {
+    context.state.fragment.stencil.active = ACTIVE_FACE.decode("face", face)?;
+    Ok(())
+}

@@ -1,0 +1,285 @@
+//! What the calls about framebuffers refuse, and why a framebuffer is incomplete.
+
+use super::{context, framebuffer, renderbuffer};
+use gl_api::*;
+
+/// A call, the flag it must set, and words that its message must have.
+type Case = (fn(&mut Context), GLenum, &'static str);
+
+const FB: GLenum = GL_FRAMEBUFFER;
+const C0: GLenum = GL_COLOR_ATTACHMENT0;
+
+fn blit(c: &mut Context, mask: GLenum, filter: GLenum) {
+    c.blit_framebuffer(0, 0, 1, 1, 0, 0, 1, 1, mask, filter);
+}
+
+const CASES: &[Case] = &[
+    (|c| c.stencil_func(GL_ZERO, 0, 0), GL_INVALID_ENUM, "func = "),
+    (|c| c.stencil_func_separate(GL_LEFT, GL_LESS, 0, 0), GL_INVALID_ENUM, "face = GL_LEFT"),
+    (|c| c.stencil_func_separate(GL_BACK, GL_KEEP, 0, 0), GL_INVALID_ENUM, "func = GL_KEEP"),
+    (|c| c.stencil_op(GL_LESS, GL_KEEP, GL_KEEP), GL_INVALID_ENUM, "sfail = GL_LESS"),
+    (|c| c.stencil_op(GL_KEEP, GL_LESS, GL_KEEP), GL_INVALID_ENUM, "dpfail = GL_LESS"),
+    (|c| c.stencil_op(GL_KEEP, GL_KEEP, GL_LESS), GL_INVALID_ENUM, "dppass = GL_LESS"),
+    (
+        |c| c.stencil_op_separate(GL_AUX0, GL_KEEP, GL_KEEP, GL_KEEP),
+        GL_INVALID_ENUM,
+        "face = GL_AUX0",
+    ),
+    (|c| c.stencil_mask_separate(GL_RIGHT, 0), GL_INVALID_ENUM, "face = GL_RIGHT"),
+    (|c| c.active_stencil_face_ext(GL_FRONT_AND_BACK), GL_INVALID_ENUM, "GL_FRONT or GL_BACK"),
+    (|c| c.logic_op(GL_KEEP), GL_INVALID_ENUM, "opcode = GL_KEEP"),
+    (|c| c.color_maski(8, true, true, true, true), GL_INVALID_VALUE, "buf = 8 must be 0 to 7"),
+    (|c| c.enablei(GL_DEPTH_TEST, 0), GL_INVALID_ENUM, "must be GL_BLEND"),
+    (|c| c.disablei(GL_BLEND, 8), GL_INVALID_VALUE, "index = 8"),
+    (|c| assert!(!c.is_enabledi(GL_BLEND, 99)), GL_INVALID_VALUE, "index = 99"),
+    (|c| c.get_booleani_v(GL_BLEND, 8, &mut [0]), GL_INVALID_VALUE, "index = 8"),
+    (|c| c.get_booleani_v(GL_LINEAR, 0, &mut [0]), GL_INVALID_ENUM, "GL_COLOR_WRITEMASK"),
+    (|c| c.get_integeri_v(GL_COLOR_WRITEMASK, 0, &mut [0]), GL_INVALID_OPERATION, "4 values"),
+    (|c| c.clear_bufferiv(GL_DEPTH, 0, &[0]), GL_INVALID_ENUM, "GL_COLOR or GL_STENCIL"),
+    (|c| c.clear_bufferiv(GL_STENCIL, 1, &[0]), GL_INVALID_VALUE, "drawbuffer = 1 must be 0"),
+    (|c| c.clear_bufferiv(GL_COLOR, 0, &[0; 3]), GL_INVALID_OPERATION, "3 numbers of 4"),
+    (|c| c.clear_bufferuiv(GL_STENCIL, 0, &[0; 4]), GL_INVALID_ENUM, "must be GL_COLOR"),
+    (|c| c.clear_bufferuiv(GL_COLOR, -1, &[0; 4]), GL_INVALID_VALUE, "drawbuffer = -1"),
+    (|c| c.clear_bufferfv(GL_STENCIL, 0, &[0.0]), GL_INVALID_ENUM, "GL_COLOR or GL_DEPTH"),
+    (|c| c.clear_bufferfv(GL_COLOR, 8, &[0.0; 4]), GL_INVALID_VALUE, "must be 0 to 7"),
+    (|c| c.clear_bufferfi(GL_DEPTH, 0, 0.0, 0), GL_INVALID_ENUM, "GL_DEPTH_STENCIL"),
+    (|c| c.clear_bufferfi(GL_DEPTH_STENCIL, 2, 0.0, 0), GL_INVALID_VALUE, "drawbuffer = 2"),
+    (|c| blit(c, 1, GL_NEAREST), GL_INVALID_VALUE, "mask = 0x1"),
+    (|c| blit(c, GL_COLOR_BUFFER_BIT, GL_LINEAR_MIPMAP_LINEAR), GL_INVALID_ENUM, "filter"),
+    (|c| blit(c, GL_DEPTH_BUFFER_BIT, GL_LINEAR), GL_INVALID_OPERATION, "GL_NEAREST"),
+    (
+        |c| c.framebuffer_texture_1d(FB, C0, GL_TEXTURE_1D, 1, 0),
+        GL_INVALID_OPERATION,
+        "texture = 1 is no texture",
+    ),
+    (
+        |c| {
+            c.bind_texture(GL_TEXTURE_2D, 1);
+            framebuffer(c);
+            c.framebuffer_texture_1d(FB, C0, GL_TEXTURE_2D, 1, 0);
+        },
+        GL_INVALID_ENUM,
+        "must be GL_TEXTURE_1D",
+    ),
+    (
+        |c| {
+            c.bind_texture(GL_TEXTURE_2D, 1);
+            framebuffer(c);
+            c.framebuffer_texture_3d(FB, C0, GL_TEXTURE_3D, 1, 0, 0);
+        },
+        GL_INVALID_OPERATION,
+        "is a GL_TEXTURE_2D",
+    ),
+    (
+        |c| {
+            c.bind_texture(GL_TEXTURE_3D, 1);
+            framebuffer(c);
+            c.framebuffer_texture_3d(FB, C0, GL_TEXTURE_3D, 1, 0, 512);
+        },
+        GL_INVALID_VALUE,
+        "zoffset = 512 must be 0 to 511",
+    ),
+    (
+        |c| {
+            c.bind_texture(GL_TEXTURE_3D, 1);
+            framebuffer(c);
+            c.framebuffer_texture_layer(FB, C0, 1, 0, -1);
+        },
+        GL_INVALID_VALUE,
+        "layer = -1",
+    ),
+    (
+        |c| {
+            c.bind_texture(GL_TEXTURE_3D, 1);
+            framebuffer(c);
+            c.framebuffer_texture_layer(FB, C0, 1, 99, 0);
+        },
+        GL_INVALID_VALUE,
+        "level = 99",
+    ),
+    (
+        |c| {
+            c.bind_texture(GL_TEXTURE_2D, 1);
+            framebuffer(c);
+            c.framebuffer_texture_layer(FB, C0, 1, 0, 0);
+        },
+        GL_INVALID_OPERATION,
+        "has no layers",
+    ),
+    (
+        |c| c.framebuffer_texture_layer(FB, GL_DEPTH, 0, 0, 0),
+        GL_INVALID_ENUM,
+        "attachment = GL_DEPTH",
+    ),
+    (
+        |c| c.renderbuffer_storage_multisample(GL_RENDERBUFFER, 5, GL_RGBA8, 1, 1),
+        GL_INVALID_VALUE,
+        "samples = 5 must not be above 4",
+    ),
+    (
+        |c| c.renderbuffer_storage_multisample(GL_RENDERBUFFER, -1, GL_RGBA8, 1, 1),
+        GL_INVALID_VALUE,
+        "samples = -1",
+    ),
+    (
+        |c| c.renderbuffer_storage(GL_RENDERBUFFER, GL_RGB9_E5, 1, 1),
+        GL_INVALID_ENUM,
+        "nothing is drawn to",
+    ),
+    (
+        |c| c.renderbuffer_storage(GL_RENDERBUFFER, GL_COMPRESSED_RGB, 1, 1),
+        GL_INVALID_ENUM,
+        "GL_COMPRESSED_RGB",
+    ),
+    (
+        |c| {
+            c.get_framebuffer_attachment_parameteriv(FB, C0, GL_FRAMEBUFFER_DEFAULT, &mut [0]);
+        },
+        GL_INVALID_ENUM,
+        "pname",
+    ),
+    (
+        |c| {
+            let pname = GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE;
+            c.get_framebuffer_attachment_parameteriv(FB, C0, pname, &mut [0]);
+        },
+        GL_INVALID_ENUM,
+        "of the default framebuffer",
+    ),
+    (
+        |c| {
+            framebuffer(c);
+            let pname = GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL;
+            c.get_framebuffer_attachment_parameteriv(FB, C0, pname, &mut [0]);
+        },
+        GL_INVALID_ENUM,
+        "cannot be asked",
+    ),
+    (
+        |c| {
+            framebuffer(c);
+            c.clear(GL_COLOR_BUFFER_BIT);
+        },
+        GL_INVALID_FRAMEBUFFER_OPERATION,
+        "no attachment at all",
+    ),
+    (
+        |c| {
+            framebuffer(c);
+            renderbuffer(c, C0, GL_RGBA8, 2, 2);
+            c.read_pixels(0, 0, 1, 1, GL_STENCIL_INDEX, GL_BYTE, DataOut::Bytes(&mut [0; 4]));
+        },
+        GL_INVALID_OPERATION,
+        "no stencil buffer",
+    ),
+    (
+        |c| {
+            framebuffer(c);
+            renderbuffer(c, C0, GL_RGBA8UI, 2, 2);
+            c.read_pixels(0, 0, 1, 1, GL_RGBA, GL_BYTE, DataOut::Bytes(&mut [0; 4]));
+        },
+        GL_INVALID_OPERATION,
+        "integer",
+    ),
+];
+
+#[test]
+fn each_refusal_sets_its_flag_and_says_why() {
+    for (row, (call, flag, words)) in CASES.iter().enumerate() {
+        let mut c = context(4, 4);
+        call(&mut c);
+        let messages = c.messages();
+        assert_eq!(c.get_error(), *flag, "row {row}, {words:?}: {messages:?}");
+        let text = messages.last().expect("a message").to_string();
+        assert!(text.contains(words), "row {row}: {text:?} lacks {words:?}");
+        assert_eq!(c.get_error(), GL_NO_ERROR);
+    }
+}
+
+/// A framebuffer to be made, the status it must have, and words that its message must have.
+type Incomplete = (fn(&mut Context), GLenum, &'static str);
+
+const INCOMPLETE: &[Incomplete] = &[
+    (|_| {}, GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT, "no attachment at all"),
+    (
+        |c| renderbuffer(c, C0, GL_DEPTH_COMPONENT24, 2, 2),
+        GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT,
+        "GL_COLOR_ATTACHMENT0: a depth format cannot be a colour",
+    ),
+    (
+        |c| renderbuffer(c, GL_DEPTH_ATTACHMENT, GL_RGBA8, 2, 2),
+        GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT,
+        "GL_DEPTH_ATTACHMENT: its format has no depth",
+    ),
+    (
+        |c| renderbuffer(c, GL_DEPTH_ATTACHMENT, GL_STENCIL_INDEX8, 2, 2),
+        GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT,
+        "its format has no depth",
+    ),
+    (
+        |c| renderbuffer(c, GL_STENCIL_ATTACHMENT, GL_DEPTH_COMPONENT24, 2, 2),
+        GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT,
+        "its format has no stencil",
+    ),
+    (
+        |c| renderbuffer(c, C0, GL_RGBA8, 0, 2),
+        GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT,
+        "call glRenderbufferStorage",
+    ),
+    (
+        |c| {
+            renderbuffer(c, C0, GL_RGBA8, 2, 2);
+            renderbuffer(c, GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT24, 2, 2);
+            renderbuffer(c, GL_STENCIL_ATTACHMENT, GL_STENCIL_INDEX8, 2, 2);
+        },
+        GL_FRAMEBUFFER_UNSUPPORTED,
+        "must be one image",
+    ),
+    (
+        |c| {
+            renderbuffer(c, C0, GL_RGBA8, 2, 2);
+            renderbuffer(c, C0 + 1, GL_RGBA8, 2, 2);
+            c.renderbuffer_storage_multisample(GL_RENDERBUFFER, 4, GL_RGBA8, 2, 2);
+        },
+        GL_FRAMEBUFFER_INCOMPLETE_MULTISAMPLE,
+        "4 samples",
+    ),
+    (
+        |c| {
+            renderbuffer(c, C0, GL_RGBA8, 2, 2);
+            c.draw_buffer(C0 + 3);
+        },
+        GL_FRAMEBUFFER_INCOMPLETE_DRAW_BUFFER,
+        "GL_COLOR_ATTACHMENT3 is drawn to",
+    ),
+    (
+        |c| {
+            renderbuffer(c, C0, GL_RGBA8, 2, 2);
+            c.read_buffer(C0 + 3);
+        },
+        GL_FRAMEBUFFER_INCOMPLETE_READ_BUFFER,
+        "GL_COLOR_ATTACHMENT3 is read from",
+    ),
+    (
+        |c| {
+            c.bind_texture(GL_TEXTURE_2D, 5);
+            c.framebuffer_texture_2d(FB, C0, GL_TEXTURE_2D, 5, 3);
+        },
+        GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT,
+        "texture 5 has no image at level 3",
+    ),
+];
+
+#[test]
+fn an_incomplete_framebuffer_says_what_is_missing() {
+    for (make, status, words) in INCOMPLETE {
+        let mut c = context(4, 4);
+        framebuffer(&mut c);
+        make(&mut c);
+        assert_eq!(c.check_framebuffer_status(FB), *status, "{words}");
+        let messages = c.messages();
+        assert_eq!(c.get_error(), GL_NO_ERROR, "{messages:?}");
+        let text = messages.last().expect("a message").to_string();
+        assert!(text.contains(words), "{text:?} lacks {words:?}");
+    }
+}

@@ -1,0 +1,180 @@
+//! The stencil test and its operations against a table of what they mean.
+
+use super::{ALL, bytes, context, fine, rectangle};
+use gl_api::*;
+
+/// GL 2.1, section 4.1.5, in plain arithmetic.
+fn operate(op: GLenum, stored: u8, reference: u8) -> u8 {
+    match op {
+        GL_KEEP => stored,
+        GL_ZERO => 0,
+        GL_REPLACE => reference,
+        GL_INCR => stored.saturating_add(1),
+        GL_DECR => stored.saturating_sub(1),
+        GL_INCR_WRAP => stored.wrapping_add(1),
+        GL_DECR_WRAP => stored.wrapping_sub(1),
+        GL_INVERT => !stored,
+        _ => unreachable!("no operation"),
+    }
+}
+
+const OPS: [GLenum; 8] =
+    [GL_KEEP, GL_ZERO, GL_REPLACE, GL_INCR, GL_DECR, GL_INVERT, GL_INCR_WRAP, GL_DECR_WRAP];
+
+const FUNCS: [GLenum; 8] =
+    [GL_NEVER, GL_LESS, GL_EQUAL, GL_LEQUAL, GL_GREATER, GL_NOTEQUAL, GL_GEQUAL, GL_ALWAYS];
+
+fn passes(func: GLenum, reference: u8, stored: u8) -> bool {
+    match func {
+        GL_NEVER => false,
+        GL_LESS => reference < stored,
+        GL_EQUAL => reference == stored,
+        GL_LEQUAL => reference <= stored,
+        GL_GREATER => reference > stored,
+        GL_NOTEQUAL => reference != stored,
+        GL_GEQUAL => reference >= stored,
+        GL_ALWAYS => true,
+        _ => unreachable!("no function"),
+    }
+}
+
+/// Every value of a stencil, one a pixel of 16 × 16.
+fn ramp(c: &mut Context) {
+    c.disable(GL_STENCIL_TEST);
+    c.stencil_mask(!0);
+    c.enable(GL_SCISSOR_TEST);
+    for value in 0..256 {
+        c.scissor(value % 16, value / 16, 1, 1);
+        c.clear_stencil(value);
+        c.clear(GL_STENCIL_BUFFER_BIT);
+    }
+    c.disable(GL_SCISSOR_TEST);
+}
+
+fn stencils(c: &mut Context) -> Vec<u8> {
+    bytes(c, [0, 0, 16, 16], GL_STENCIL_INDEX, 1)
+}
+
+#[test]
+fn every_operation_does_to_every_value_what_it_should() {
+    let mut c = context(16, 16);
+    let reference = 0xA7;
+    for op in OPS {
+        for write_mask in [0xFF, 0x3C] {
+            for outcome in 0..3 {
+                ramp(&mut c);
+                c.clear(GL_DEPTH_BUFFER_BIT);
+                c.enable(GL_STENCIL_TEST);
+                c.enable(GL_DEPTH_TEST);
+                // Fails the stencil test, or the depth test, or passes both.
+                let func = if outcome == 0 { GL_NEVER } else { GL_ALWAYS };
+                c.depth_func(if outcome == 1 { GL_NEVER } else { GL_ALWAYS });
+                let mut ops = [GL_ZERO; 3];
+                ops[outcome] = op;
+                c.stencil_func(func, reference, 0xFF);
+                c.stencil_op(ops[0], ops[1], ops[2]);
+                c.stencil_mask(write_mask);
+                rectangle(&mut c, ALL, 0.0);
+                for (value, got) in stencils(&mut c).into_iter().enumerate() {
+                    let (value, mask) = (value as u8, write_mask as u8);
+                    let want = operate(op, value, reference as u8) & mask | value & !mask;
+                    assert_eq!(got, want, "{} of {value}, {outcome}", enum_name(op));
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn every_function_compares_through_the_mask() {
+    let mut c = context(16, 16);
+    for func in FUNCS {
+        for (reference, mask) in [(0, 0xFF), (0x80, 0xFF), (0xFF, 0xFF), (0x35, 0x3C), (300, 0xFF)]
+        {
+            ramp(&mut c);
+            c.clear_color(0.0, 0.0, 0.0, 0.0);
+            c.clear(GL_COLOR_BUFFER_BIT);
+            c.enable(GL_STENCIL_TEST);
+            c.stencil_func(func, reference, mask);
+            c.stencil_op(GL_KEEP, GL_KEEP, GL_KEEP);
+            rectangle(&mut c, ALL, 0.0);
+            let red = bytes(&mut c, [0, 0, 16, 16], GL_RED, 1);
+            for (stored, got) in red.into_iter().enumerate() {
+                let masked = mask as u8;
+                let reference = reference.clamp(0, 255) as u8;
+                let want = passes(func, reference & masked, stored as u8 & masked);
+                assert_eq!(got == 255, want, "{} {reference} {stored}", enum_name(func));
+            }
+        }
+    }
+}
+
+#[test]
+fn each_side_has_a_state_of_its_own() {
+    for two_side in [false, true] {
+        let mut c = context(16, 16);
+        c.clear(GL_STENCIL_BUFFER_BIT);
+        c.enable(GL_STENCIL_TEST);
+        if two_side {
+            c.enable(GL_STENCIL_TEST_TWO_SIDE_EXT);
+            c.active_stencil_face_ext(GL_BACK);
+            c.stencil_op(GL_KEEP, GL_KEEP, GL_REPLACE);
+            c.stencil_func(GL_ALWAYS, 9, !0);
+            c.active_stencil_face_ext(GL_FRONT);
+            c.stencil_op(GL_KEEP, GL_KEEP, GL_INCR);
+        } else {
+            c.stencil_op_separate(GL_FRONT, GL_KEEP, GL_KEEP, GL_INCR);
+            c.stencil_op_separate(GL_BACK, GL_KEEP, GL_KEEP, GL_REPLACE);
+            c.stencil_func_separate(GL_BACK, GL_ALWAYS, 9, !0);
+        }
+        rectangle(&mut c, [-1.0, -1.0, 0.0, 1.0], 0.0);
+        // Seen from behind.
+        rectangle(&mut c, [1.0, -1.0, 0.0, 1.0], 0.0);
+        for (i, got) in stencils(&mut c).into_iter().enumerate() {
+            assert_eq!(got, if i % 16 < 8 { 1 } else { 9 }, "{two_side} {i}");
+        }
+    }
+}
+
+#[test]
+fn a_fragment_that_is_thrown_away_leaves_no_stencil() {
+    let mut c = context(16, 16);
+    c.clear(GL_STENCIL_BUFFER_BIT);
+    c.enable(GL_STENCIL_TEST);
+    c.stencil_op(GL_INCR, GL_INCR, GL_INCR);
+    c.enable(GL_ALPHA_TEST);
+    c.alpha_func(GL_GREATER, 0.5);
+    c.color_4f(1.0, 1.0, 1.0, 0.2);
+    rectangle(&mut c, ALL, 0.0);
+    c.color_4f(1.0, 1.0, 1.0, 0.8);
+    rectangle(&mut c, [-1.0, -1.0, 0.0, 1.0], 0.0);
+    for (i, got) in stencils(&mut c).into_iter().enumerate() {
+        assert_eq!(got, u8::from(i % 16 < 8));
+    }
+}
+
+#[test]
+fn the_state_can_be_asked_for() {
+    let mut c = context(4, 4);
+    c.stencil_func_separate(GL_BACK, GL_LESS, -3, 0xF0);
+    c.stencil_op(GL_INCR_WRAP, GL_DECR_WRAP, GL_INVERT);
+    c.stencil_mask_separate(GL_FRONT, 0x0F);
+    for (pname, want) in [
+        (GL_STENCIL_FUNC, GL_ALWAYS as i32),
+        (GL_STENCIL_BACK_FUNC, GL_LESS as i32),
+        (GL_STENCIL_BACK_REF, -3),
+        (GL_STENCIL_BACK_VALUE_MASK, 0xF0),
+        (GL_STENCIL_FAIL, GL_INCR_WRAP as i32),
+        (GL_STENCIL_BACK_PASS_DEPTH_FAIL, GL_DECR_WRAP as i32),
+        (GL_STENCIL_PASS_DEPTH_PASS, GL_INVERT as i32),
+        (GL_STENCIL_WRITEMASK, 0x0F),
+        (GL_STENCIL_BACK_WRITEMASK, -1),
+        (GL_STENCIL_BITS, 8),
+        (GL_DEPTH_BITS, 24),
+    ] {
+        let mut value = [0];
+        c.get_integerv(pname, &mut value);
+        assert_eq!(value[0], want, "{}", enum_name(pname));
+    }
+    fine(&mut c);
+}

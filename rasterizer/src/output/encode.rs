@@ -1,0 +1,67 @@
+//! Colours to the words of an attachment and back, for every format that can be drawn to.
+
+use texunit::format::convert::{self, word_of};
+use texunit::format::{BaseFormat, Encoding, Format};
+use texunit::lanes::{F32s, Isa, Kernel, LANES, Simd, U32s, math};
+
+/// `[0, 1]` to 0 … `largest`, rounded to nearest; NaN gives 0 (GL 2.1, section 2.14.9).
+#[inline(always)]
+pub fn unorm(c: f32, largest: f32) -> u32 {
+    math::to_i32(math::clamp(c, 0.0, 1.0) * largest + 0.5) as u32
+}
+
+/// The texels of 64 colours.
+#[inline(always)]
+pub fn encode_color(format: Format, rgba: &[F32s; 4]) -> [U32s; 4] {
+    let info = format.info();
+    match info.encoding {
+        Encoding::Unorm => {}
+        Encoding::Srgb
+        | Encoding::Snorm
+        | Encoding::Float
+        | Encoding::SharedExponent
+        | Encoding::Uint
+        | Encoding::Sint
+        | Encoding::Block(_)
+        | Encoding::SrgbBlock(_) => return convert::encode_lanes(format, rgba),
+    }
+    let mut out = [U32s::ZERO; 4];
+    for (channel, &source) in format.base().sources().iter().enumerate() {
+        let field = info.fields[channel];
+        let largest = field.mask() as i32 as f32;
+        let (values, to) = (&rgba[source], &mut out[field.word]);
+        for lane in 0..LANES {
+            to[lane] |= unorm(values[lane], largest) << field.shift;
+        }
+    }
+    out
+}
+
+/// The colours of 64 texels, as blending sees them: what is not stored is 0, alpha 1.
+#[inline(always)]
+pub fn decode_color<S: Simd>(format: Format, words: &[U32s; 4]) -> [F32s; 4] {
+    let mut rgba = [F32s::ZERO, F32s::ZERO, F32s::ZERO, F32s::splat(1.0)];
+    for (channel, &source) in format.base().sources().iter().enumerate() {
+        let words = &words[word_of(format, channel)];
+        rgba[source] = convert::decode_channel::<S>(format, channel, words);
+    }
+    if format.base() == BaseFormat::Intensity {
+        rgba[3] = rgba[0];
+    }
+    rgba
+}
+
+/// The words of an RGBA colour in an attachment of this format, as a draw of that colour would
+/// write them.
+pub fn texel_words(format: Format, color: [f32; 4]) -> [u32; 4] {
+    struct Encode(Format, [f32; 4]);
+    impl Kernel for Encode {
+        type Output = [U32s; 4];
+        #[inline(always)]
+        fn run<S: Simd>(self) -> [U32s; 4] {
+            let [r, g, b, a] = self.1;
+            encode_color(self.0, &[F32s::splat(r), F32s::splat(g), F32s::splat(b), F32s::splat(a)])
+        }
+    }
+    Isa::best().run(Encode(format, color)).map(|words| words[0])
+}

@@ -1,0 +1,123 @@
+//! Fragments into the attachments of a tile: the tests, then the colours.
+
+use super::color::{ColorClass, ColorPlan, WriteBytes, WriteTexels};
+use super::depth::{DepthPlan, DepthTest};
+use super::stencil::{StencilPlan, StencilTest, StencilUpdate};
+use crate::driver::StencilFace;
+use crate::target::{Place, Plane, TileTarget, with_texels, with_words};
+use texunit::lanes::{F32s, Isa, U32s};
+
+/// The tests of a draw.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Tests {
+    /// The stencil test, if any.
+    pub stencil: Option<StencilPlan>,
+    /// The depth test, if any.
+    pub depth: Option<DepthPlan>,
+}
+
+impl Tests {
+    /// Whether a fragment that is tested may leave something behind.
+    pub fn write(&self) -> bool {
+        self.stencil.is_some_and(|stencil| stencil.writes())
+            || self.depth.is_some_and(|depth| depth.write == crate::driver::DepthWrite::On)
+    }
+}
+
+/// 64 fragments of one sample before the tests.
+pub struct Fragments<'a> {
+    /// Where they are.
+    pub place: Place<'a>,
+    /// Their depth, in [0, 1].
+    pub depth: &'a F32s,
+    /// Which of them are of back faces.
+    pub back: u64,
+    /// Which there are.
+    pub mask: u64,
+}
+
+/// Tests fragments against the planes of a sample and updates these; gives those that passed.
+pub fn test(
+    isa: Isa,
+    tests: &Tests,
+    target: &mut TileTarget,
+    sample: usize,
+    of: &Fragments<'_>,
+) -> u64 {
+    let Fragments { place, depth, back, mask } = *of;
+    let planes = target.sample(sample);
+    match (tests.stencil, planes) {
+        (Some(plan), [depths, stencils]) => with_words(stencils, place, |stored| {
+            let [front, back] =
+                [(plan.front, mask & !back), (plan.back, mask & back)].map(|(face, mask)| {
+                    (face, mask, isa.run(StencilTest { face: &face, stored, mask }))
+                });
+            let passed = front.2 | back.2;
+            let kept = test_depth(isa, tests.depth, depths, place, depth, passed);
+            for (face, mask, passed) in [front, back] {
+                finish(isa, &face, stored, mask, passed, kept);
+            }
+            kept
+        }),
+        (_, [depths, ..]) => test_depth(isa, tests.depth, depths, place, depth, mask),
+        (_, []) => mask,
+    }
+}
+
+/// The operations after both tests, of one face.
+fn finish(isa: Isa, face: &StencilFace, stored: &mut U32s, mask: u64, passed: u64, kept: u64) {
+    let outcomes = [
+        (face.fail, mask & !passed),
+        (face.depth_fail, passed & !kept),
+        (face.pass, passed & kept),
+    ];
+    for (op, mask) in outcomes {
+        if mask != 0 {
+            isa.run(StencilUpdate { op, face, stored, mask });
+        }
+    }
+}
+
+fn test_depth(
+    isa: Isa,
+    plan: Option<DepthPlan>,
+    plane: &mut Plane,
+    place: Place<'_>,
+    depth: &F32s,
+    mask: u64,
+) -> u64 {
+    match plan {
+        Some(plan) if mask != 0 => {
+            with_words(plane, place, |stored| isa.run(DepthTest { plan, depth, stored, mask }))
+        }
+        Some(_) | None => mask,
+    }
+}
+
+/// Writes the colours of fragments into the planes of a sample. A component that the shader does
+/// not write is `None`.
+pub fn write(
+    isa: Isa,
+    plan: &ColorPlan,
+    target: &mut TileTarget,
+    sample: usize,
+    place: Place<'_>,
+    color: [Option<&F32s>; 4],
+    mask: u64,
+) {
+    const ZERO: F32s = F32s::splat(0.0);
+    const ONE: F32s = F32s::splat(1.0);
+    const ONE_INTEGER: F32s = F32s::splat(f32::from_bits(1));
+    let one = if plan.class == ColorClass::Integers { &ONE_INTEGER } else { &ONE };
+    let [r, g, b, a] = color;
+    let color = [r.unwrap_or(&ZERO), g.unwrap_or(&ZERO), b.unwrap_or(&ZERO), a.unwrap_or(one)];
+    let planes = target.sample(sample);
+    match (plan.class, planes) {
+        (ColorClass::Bytes, [plane]) => with_words(plane, place, |stored| {
+            isa.run(WriteBytes { plan, color, stored, mask });
+        }),
+        (_, planes) => with_texels(planes, place, |stored| {
+            isa.run(WriteTexels { plan, color, stored, mask });
+        }),
+    }
+}

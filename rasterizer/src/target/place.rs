@@ -1,0 +1,71 @@
+//! Where a batch's pixels lie in a tile, and how their words come and go.
+
+use super::Plane;
+use texunit::lanes::{QUADS, U32s};
+
+/// Where a batch's pixels lie in a tile.
+#[derive(Clone, Copy)]
+pub enum Place<'a> {
+    /// All of one block.
+    Block(usize),
+    /// The block and quad of each of its quads.
+    Quads(&'a [u8], &'a [u8]),
+}
+
+/// Lets `change` see the words of a batch's pixels as lanes, and puts them back.
+pub fn with_words<R>(
+    plane: &mut Plane,
+    place: Place<'_>,
+    change: impl FnOnce(&mut U32s) -> R,
+) -> R {
+    let blocks = plane.blocks_mut();
+    match place {
+        Place::Block(block) => change(&mut blocks[block]),
+        Place::Quads(of, quads) => {
+            let mut words = gather(blocks, of, quads);
+            let result = change(&mut words);
+            scatter(blocks, of, quads, &words);
+            result
+        }
+    }
+}
+
+/// [`with_words`] for texels of up to four words, each in a plane of its own.
+pub fn with_texels<R>(
+    planes: &mut [Plane],
+    place: Place<'_>,
+    change: impl FnOnce(&mut [U32s; 4]) -> R,
+) -> R {
+    let mut texels = [U32s::ZERO; 4];
+    for (plane, words) in planes.iter_mut().zip(&mut texels) {
+        with_words(plane, place, |stored| *words = *stored);
+    }
+    let result = change(&mut texels);
+    for (plane, words) in planes.iter_mut().zip(&texels) {
+        match place {
+            Place::Block(block) => plane.blocks_mut()[block] = *words,
+            Place::Quads(of, quads) => scatter(plane.blocks_mut(), of, quads, words),
+        }
+    }
+    result
+}
+
+fn gather(blocks: &[U32s], of: &[u8], quads: &[u8]) -> U32s {
+    let mut words = U32s::ZERO;
+    for (at, (&block, &quad)) in of.iter().zip(quads).enumerate() {
+        let from = &blocks[usize::from(block)];
+        for e in 0..4 {
+            words[e * QUADS + at] = from[e * QUADS + usize::from(quad)];
+        }
+    }
+    words
+}
+
+fn scatter(blocks: &mut [U32s], of: &[u8], quads: &[u8], words: &U32s) {
+    for (at, (&block, &quad)) in of.iter().zip(quads).enumerate() {
+        let to = &mut blocks[usize::from(block)];
+        for e in 0..4 {
+            to[e * QUADS + usize::from(quad)] = words[e * QUADS + at];
+        }
+    }
+}

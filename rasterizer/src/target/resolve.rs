@@ -1,0 +1,69 @@
+//! From the samples of a pixel to one (`EXT_framebuffer_multisample`, section 4.3.2): colours are
+//! their mean; depth, stencil and integers are those of the first sample.
+
+use super::Plane;
+use super::surface::BLOCKS;
+use super::words::attachment_words;
+use crate::output::{decode_color, encode_color};
+use texunit::format::Format;
+use texunit::lanes::{F32s, Isa, Kernel, LANES, Simd, U32s};
+
+/// The planes of a tile of one sample.
+pub fn resolve_tile(format: Format, samples: u8, planes: &[Plane]) -> Vec<Plane> {
+    let words = attachment_words(format);
+    let samples: Vec<&[Plane]> = planes.chunks(words).take(usize::from(samples)).collect();
+    let Some((first, rest)) = samples.split_first() else { return Vec::new() };
+    let same = |plane: &Plane, word: usize| match (plane, &first[word]) {
+        (Plane::Cleared(a), Plane::Cleared(b)) => a == b,
+        (_, _) => false,
+    };
+    let is_clear = rest.iter().all(|s| s.iter().enumerate().all(|(word, p)| same(p, word)));
+    if format.is_depth() || format.is_integer() || is_clear {
+        return first.to_vec();
+    }
+    // Every instruction set gives the same bits.
+    let isa = Isa::best();
+    let mut out = vec![vec![U32s::ZERO; BLOCKS]; words];
+    for block in 0..BLOCKS {
+        let texels = isa.run(Mean { format, samples: &samples, block });
+        for (plane, words) in out.iter_mut().zip(texels) {
+            plane[block] = words;
+        }
+    }
+    out.into_iter().map(Plane::Words).collect()
+}
+
+/// The mean of the samples of a block.
+struct Mean<'a> {
+    format: Format,
+    samples: &'a [&'a [Plane]],
+    block: usize,
+}
+
+impl Kernel for Mean<'_> {
+    type Output = [U32s; 4];
+    #[inline(always)]
+    fn run<S: Simd>(self) -> [U32s; 4] {
+        let Self { format, samples, block } = self;
+        let mut sum = [F32s::ZERO; 4];
+        for sample in samples {
+            let mut words = [U32s::ZERO; 4];
+            for (word, plane) in words.iter_mut().zip(*sample) {
+                *word = plane.block(block);
+            }
+            let color = decode_color::<S>(format, &words);
+            for channel in 0..4 {
+                for lane in 0..LANES {
+                    sum[channel][lane] += color[channel][lane];
+                }
+            }
+        }
+        let count = samples.len() as f32;
+        for channel in &mut sum {
+            for lane in 0..LANES {
+                channel[lane] /= count;
+            }
+        }
+        encode_color(format, &sum)
+    }
+}
