@@ -232,7 +232,7 @@ fn program_textures(
 pub(super) fn sampler(context: &Context, unit: u8, target: TextureTarget) -> Sampler {
     let state = &context.state.units.units[usize::from(unit)];
     let texture = context.objects.texture(target, state.bound[target as usize]);
-    let own = &texture.state.sampler;
+    let own = texture.sampler();
     let mut sampler = match context.objects.samplers.get(state.sampler) {
         Some(object) => Sampler {
             base_level: own.base_level,
@@ -241,7 +241,7 @@ pub(super) fn sampler(context: &Context, unit: u8, target: TextureTarget) -> Sam
             swizzle: own.swizzle,
             ..object.sampler.clone()
         },
-        None => own.clone(),
+        None => own,
     };
     if context.state.enables.has(Flag::SeamlessCubeMaps) {
         sampler.seamless = Seamless::On;

@@ -20,6 +20,7 @@ use crate::state::raster::{FACE, FRONT_FACE, HINTS, SHADE_MODEL};
 use crate::state::stencil::{ACTIVE_FACE, STENCIL_OP, Side};
 use crate::state::{fog, light};
 use crate::texture::internal::COMPRESSED_FORMAT;
+use crate::texture::pixel_map::MAX_PIXEL_MAP_TABLE;
 use crate::texture::{TextureTarget, transfer};
 use crate::types::*;
 use rasterizer::driver::{DepthWrite, MAX_LINE_WIDTH, MAX_POINT_SIZE};
@@ -334,7 +335,15 @@ fn pixels(context: &Context, pname: GLenum) -> Answer {
     match pname {
         _ if unpack.contains(&pname) => Some(pixel_store(&context.state.unpack, unpack, pname)),
         _ if pack.contains(&pname) => Some(pixel_store(&context.state.pack, pack, pname)),
-        _ => transfer::PARAMETER.get(pname).map(|which| float(context.state.transfer.get(which))),
+        GL_MAX_PIXEL_MAP_TABLE => Some(int(MAX_PIXEL_MAP_TABLE)),
+        GL_MAP_COLOR => Some(flag(context.state.transfer.map_color)),
+        GL_MAP_STENCIL => Some(flag(context.state.transfer.map_stencil)),
+        GL_INDEX_SHIFT => Some(int(context.state.transfer.index_shift)),
+        GL_INDEX_OFFSET => Some(int(context.state.transfer.index_offset)),
+        _ => match transfer::PARAMETER.get(pname) {
+            Some(which) => Some(float(context.state.transfer.get(which))),
+            None => context.state.transfer.maps.size(pname).map(int),
+        },
     }
 }
 
