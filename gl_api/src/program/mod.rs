@@ -2,4 +2,5 @@
 
 pub(crate) mod attribute;
 pub(crate) mod inspect;
+pub(crate) mod integer;
 pub(crate) mod uniform;
