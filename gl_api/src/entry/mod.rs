@@ -93,6 +93,7 @@ mod attributes;
 mod debugging;
 mod fragments;
 mod framebuffers;
+mod integers;
 mod lighting;
 mod lists;
 mod pixels;
@@ -111,6 +112,7 @@ pub use attributes::*;
 pub use debugging::*;
 pub use fragments::*;
 pub use framebuffers::*;
+pub use integers::*;
 pub use lighting::*;
 pub use lists::*;
 pub use pixels::*;
@@ -137,6 +139,7 @@ pub fn implemented() -> impl Iterator<Item = (&'static str, usize)> {
         DEBUGGING,
         FRAMEBUFFERS,
         FRAGMENTS,
+        INTEGERS,
         LIGHTING,
         LISTS,
         PIXELS,

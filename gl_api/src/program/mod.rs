@@ -3,4 +3,5 @@
 pub(crate) mod arb;
 pub(crate) mod attribute;
 pub(crate) mod inspect;
+pub(crate) mod integer;
 pub(crate) mod uniform;
