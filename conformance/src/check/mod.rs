@@ -12,6 +12,7 @@ mod anisotropy;
 mod bench;
 mod blend;
 mod builtin;
+mod combine;
 mod compressed;
 mod coverage;
 mod cube;
@@ -33,6 +34,7 @@ mod shadow;
 mod srgb;
 mod target;
 mod texel_mode;
+mod vertex;
 mod wrap;
 
 pub use bench::{Bench, Effort, Subject, Tally};
@@ -113,7 +115,11 @@ pub const CHAPTERS: &[Chapter] = &[
             texel_mode::COMPARE_LINEAR,
         ],
     ),
-    ("Fragments", &[env::ENVIRONMENT, depth_test::TEST, blend::BLEND]),
+    ("Vertices", &[vertex::TEXGEN, vertex::LIGHTING]),
+    (
+        "Fragments",
+        &[env::ENVIRONMENT, combine::COMBINE, combine::FOG, depth_test::TEST, blend::BLEND],
+    ),
     ("The lectures", &[lecture::LECTURES]),
     ("Built-in functions", &builtin::ULP),
     ("Where built-in functions end", &[builtin::EXTREMES]),

@@ -116,6 +116,18 @@ impl Session {
         self.link(&format!("{VERSION}{head}"), body, precision)
     }
 
+    /// Uses a program without a vertex shader.
+    ///
+    /// # Errors
+    /// With the info log, when it is rejected.
+    pub(super) fn fragment_only(&self, source: &str) -> Result<(), DriveError> {
+        let name = glCreateProgram();
+        compile(name, GL_FRAGMENT_SHADER, "fragment shader", source)?;
+        glLinkProgram(name);
+        glUseProgram(name);
+        self.check("using a fragment shader")
+    }
+
     fn link(&self, head: &str, body: &str, precision: Precision) -> Result<Program, DriveError> {
         let main = match precision {
             Precision::Bytes => BYTES,
