@@ -12,6 +12,7 @@ mod anisotropy;
 mod bench;
 mod blend;
 mod builtin;
+mod combine;
 mod compressed;
 mod coverage;
 mod cube;
@@ -31,7 +32,9 @@ mod projection;
 mod seamless;
 mod shadow;
 mod srgb;
+mod target;
 mod texel_mode;
+mod vertex;
 mod wrap;
 
 pub use bench::{Bench, Effort, Subject, Tally};
@@ -101,6 +104,10 @@ pub const CHAPTERS: &[Chapter] = &[
             level::LEVEL,
             wrap::NEAREST,
             wrap::LINEAR,
+            target::FILTERED,
+            target::OFFSET,
+            target::PROJECTED,
+            target::FETCH,
             filter::NEAREST,
             filter::BILINEAR,
             anisotropy::ANISOTROPY,
@@ -108,14 +115,18 @@ pub const CHAPTERS: &[Chapter] = &[
             texel_mode::COMPARE_LINEAR,
         ],
     ),
-    ("Fragments", &[env::ENVIRONMENT, depth_test::TEST, blend::BLEND]),
+    ("Vertices", &[vertex::TEXGEN, vertex::LIGHTING]),
+    (
+        "Fragments",
+        &[env::ENVIRONMENT, combine::COMBINE, combine::FOG, depth_test::TEST, blend::BLEND],
+    ),
     ("The lectures", &[lecture::LECTURES]),
     ("Built-in functions", &builtin::ULP),
     ("Where built-in functions end", &[builtin::EXTREMES]),
 ];
 
 /// Every check.
-pub fn checks() -> impl Iterator<Item = &'static Check> {
+pub fn checks() -> impl Iterator<Item = &'static Check> + Clone {
     CHAPTERS.iter().flat_map(|(_, checks)| checks.iter())
 }
 

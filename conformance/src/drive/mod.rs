@@ -7,20 +7,25 @@
 //! spreads a float over the four bytes of a pixel.
 
 mod blend;
+mod extreme;
 mod field;
 mod fixed;
 mod mipmaps;
 pub mod pack;
 mod pixels;
+mod points;
 mod session;
 pub mod shader;
+mod target;
 mod texels;
 mod texture;
 
 pub use blend::{BlendState, BlendedCell};
+pub use extreme::{DepthBuffer, MatrixStep};
 pub use fixed::FixedCell;
 pub use mipmaps::MipmapRequest;
 pub use pixels::{ClientPixels, StoredBox};
+pub use points::GlTexGen;
 pub use session::{Session, Vertex};
 pub use shader::{Precision, Program};
 pub use texels::TexelRow;

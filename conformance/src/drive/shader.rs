@@ -40,7 +40,7 @@ const VERSION: &str = "#version 130
 #extension GL_EXT_texture_array : enable
 ";
 
-const FRAGMENT: &str = "#version 120
+const FRAGMENT: &str = "#version 130
 #extension GL_ARB_shader_texture_lod : enable
 #extension GL_ARB_texture_rectangle : enable
 #extension GL_EXT_texture_array : enable
@@ -114,6 +114,18 @@ impl Session {
         precision: Precision,
     ) -> Result<Program, DriveError> {
         self.link(&format!("{VERSION}{head}"), body, precision)
+    }
+
+    /// Uses a program without a vertex shader.
+    ///
+    /// # Errors
+    /// With the info log, when it is rejected.
+    pub(super) fn fragment_only(&self, source: &str) -> Result<(), DriveError> {
+        let name = glCreateProgram();
+        compile(name, GL_FRAGMENT_SHADER, "fragment shader", source)?;
+        glLinkProgram(name);
+        glUseProgram(name);
+        self.check("using a fragment shader")
     }
 
     fn link(&self, head: &str, body: &str, precision: Precision) -> Result<Program, DriveError> {

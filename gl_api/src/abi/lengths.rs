@@ -115,7 +115,9 @@ const fn rule(command: &str, parameter: usize, length: Length) -> Rule {
                 || same(formula, "COMPSIZE(count)")
             {
                 Rule::Times(arguments[0], 1)
-            } else if same(formula, "COMPSIZE(program,location)") {
+            } else if same(formula, "COMPSIZE(program,location)")
+                || same(formula, "COMPSIZE(programObj,location)")
+            {
                 Rule::Computed(uniform)
             } else if same(formula, "COMPSIZE(buffer)") {
                 Rule::Computed(buffer)

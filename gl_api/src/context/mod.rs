@@ -17,6 +17,7 @@ use crate::list::{Compiling, Lists};
 use crate::object::Objects;
 use crate::object::sharing::{Entered, Group};
 use crate::state::State;
+use crate::state::attrib::AttribStacks;
 pub use debug::{Message, Severity};
 pub use log::GLDEBUGPROC;
 use rasterizer::driver::{Device, DeviceDesc, DeviceError};
@@ -86,6 +87,7 @@ pub struct Context {
     /// Display lists, and the one that is being compiled.
     pub(crate) lists: Lists,
     pub(crate) compiling: Option<Compiling>,
+    pub(crate) attribs: AttribStacks,
     /// The contexts that this one shares objects with.
     group: Option<Group>,
     /// Whether a call runs.
@@ -132,6 +134,7 @@ impl Context {
             recorder: Recorder::new(device),
             lists: Lists::default(),
             compiling: None,
+            attribs: AttribStacks::default(),
             group: None,
             entered: Entered::No,
             repairs,

@@ -10,6 +10,7 @@ pub(crate) mod hints;
 pub(crate) mod immediate;
 pub(crate) mod interleaved;
 mod keys;
+mod primitives;
 pub(crate) mod restart;
 mod stages;
 pub(crate) mod translate;
@@ -20,7 +21,7 @@ use crate::fixed::FixedModules;
 use fixed_words::FixedWords;
 use rasterizer::driver::{
     Attachment, Command, CommandBuffer, Device, Image, PassDesc, Pipeline, PipelineDesc,
-    ShaderModule,
+    RasterState, ShaderModule,
 };
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -50,6 +51,7 @@ pub(crate) struct Recorder {
 struct Told {
     pipeline: Option<PipelineDesc>,
     words: Option<Arc<[u32]>>,
+    raster: Option<Arc<RasterState>>,
 }
 
 impl Recorder {

@@ -98,6 +98,7 @@ mod attributes;
 mod debugging;
 mod fragments;
 mod framebuffers;
+mod integers;
 mod lighting;
 mod lists;
 mod pixels;
@@ -117,6 +118,7 @@ pub use attributes::*;
 pub use debugging::*;
 pub use fragments::*;
 pub use framebuffers::*;
+pub use integers::*;
 pub use lighting::*;
 pub use lists::*;
 pub use pixels::*;
@@ -151,6 +153,7 @@ pub(crate) fn rows() -> impl Iterator<Item = Row> {
         DEBUGGING,
         FRAMEBUFFERS,
         FRAGMENTS,
+        INTEGERS,
         LIGHTING,
         LISTS,
         PIXELS,

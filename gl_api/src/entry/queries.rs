@@ -1,15 +1,19 @@
 //! State queries: GL 2.1, chapter 6; and the end of commands: section 5.5.
 
-use crate::query::{flush, get};
+use crate::query::{extensions, flush, get};
 use crate::types::*;
 
 entry_points! {
     QUERIES;
+    Outside in extensions {
+        /// Vendor, renderer, version, extensions; empty for other names.
+        get_string: glGetString (name: GLenum) -> &'static str;
+        /// The name of an extension.
+        get_stringi: glGetStringi (name: GLenum, index: GLuint) -> &'static str;
+    }
     Outside in get {
         /// The first error since the last call, or `GL_NO_ERROR`.
         get_error: glGetError () -> GLenum;
-        /// Vendor, renderer, version, extensions; empty for other names.
-        get_string: glGetString (name: GLenum) -> &'static str;
         /// Reads state as truth values.
         get_booleanv: glGetBooleanv (pname: GLenum, params: &'a mut [GLboolean]);
         /// Reads state as integers.

@@ -157,6 +157,11 @@ impl Default for Objects {
 }
 
 impl Objects {
+    /// The name, or 0 if there is no such buffer any more.
+    pub fn existing_buffer(&self, name: GLuint) -> GLuint {
+        if self.buffers.get(name).is_some() { name } else { 0 }
+    }
+
     /// The texture of a name; 0 is the default texture of the target.
     pub fn texture(&self, target: TextureTarget, name: GLuint) -> &Texture {
         self.textures.get(name).unwrap_or(&self.default_textures[target as usize])
