@@ -20,7 +20,7 @@ use crate::context::Context;
 use crate::fixed::FixedModules;
 use fixed_words::FixedWords;
 use rasterizer::driver::{
-    Attachment, Command, CommandBuffer, Device, Image, PassDesc, Pipeline, PipelineDesc,
+    Attachment, Command, CommandBuffer, Counter, Device, Image, PassDesc, Pipeline, PipelineDesc,
     RasterState, ShaderModule,
 };
 use std::collections::HashMap;
@@ -44,6 +44,8 @@ pub(crate) struct Recorder {
     pub fixed: FixedModules,
     fixed_words: FixedWords,
     variants: HashMap<stages::VariantKey, ShaderModule>,
+    /// What counts the samples of draws.
+    pub counter: Option<Counter>,
 }
 
 /// State that holds until the end of a pass and need not be recorded again.
@@ -66,6 +68,7 @@ impl Recorder {
             fixed: FixedModules::default(),
             fixed_words: FixedWords::default(),
             variants: HashMap::new(),
+            counter: None,
         }
     }
 

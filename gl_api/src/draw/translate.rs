@@ -71,6 +71,7 @@ pub(crate) fn draw(
     }
     commands.push(Command::SetViewport(viewport));
     commands.push(Command::SetScissor(scissor));
+    commands.push(Command::SetCounter(recorder.counter.clone()));
     commands.push(Command::BindVertices(vertices.into()));
     commands.push(Command::BindTextures {
         vertex: stages.vertex_textures,
