@@ -10,6 +10,7 @@
 //! | [`drive`] | the other side: GL contexts, draws of many cases at once, exact read-back |
 //! | [`check`] | what is compared with what: cases, tolerance and its reason |
 //! | [`report`] | the table and the JSON |
+//! | [`rng`] | the numbers that cases are made of |
 //!
 //! **Invariant: the oracles are independent.** Nothing here calls `texunit` or `rasterizer`; the
 //! driver is reached through GL's own functions only.
@@ -19,3 +20,4 @@ pub mod drive;
 pub mod mutation;
 pub mod oracle;
 pub mod report;
+pub mod rng;

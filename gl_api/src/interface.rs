@@ -141,6 +141,8 @@ pub enum StateVar {
     TexGen(TexGenPlane, TexCoord, u8),
     /// `gl_Fog`: colour (4 words), density, start, end, 1 / (end - start).
     Fog,
+    /// How many rows the draw framebuffer has: 1 word. `gl_FragCoord` counts from above with it.
+    FramebufferHeight,
 }
 
 impl StateVar {
@@ -150,7 +152,7 @@ impl StateVar {
             Self::Matrix(..) => 16,
             Self::NormalMatrix => 9,
             Self::DepthRange => 3,
-            Self::NormalScale => 1,
+            Self::NormalScale | Self::FramebufferHeight => 1,
             Self::TextureEnvColor(_)
             | Self::ClipPlane(_)
             | Self::LightModel

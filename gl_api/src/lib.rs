@@ -61,7 +61,7 @@ pub mod types;
 
 pub use constants::*;
 pub use context::{
-    Context, ContextDesc, ContextError, Message, Severity, SurfaceColor, SurfaceDesc,
+    Context, ContextDesc, ContextError, GLDEBUGPROC, Message, Severity, SurfaceColor, SurfaceDesc,
 };
 pub use entry::*;
 pub use types::*;

@@ -30,6 +30,14 @@ pub type GLclampf = f32;
 pub type GLdouble = f64;
 /// Double precision, clamped to [0, 1].
 pub type GLclampd = f64;
+/// A character of a text.
+pub type GLchar = std::ffi::c_char;
+/// A fence.
+pub type GLsync = *mut GLvoid;
+/// 64 bits, signed.
+pub type GLint64 = i64;
+/// 64 bits.
+pub type GLuint64 = u64;
 /// A place in a buffer object.
 pub type GLintptr = isize;
 /// A size of a buffer object.

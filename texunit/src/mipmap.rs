@@ -8,13 +8,22 @@
 //!
 //! Weights are integers. Normalized channels are summed as the integers that they are, exactly,
 //! and rounded half up; floats and the linear light of sRGB colours are summed in `f64`, first
-//! down the slices and rows, then along the row. Integer, depth and compressed texels have no mean.
+//! down the slices and rows, then along the row. Compressed texels are averaged as colours and
+//! compressed again. Integers have no mean, and neither has stencil.
 
 mod halve;
 
+use crate::format::Format;
 use crate::image::{Image, ImageError, Level, Shape};
 use crate::lanes::Isa;
 use halve::{Cover, Halve};
+
+impl Format {
+    /// Whether texels can be averaged: integers and stencil cannot.
+    pub const fn has_mean(self) -> bool {
+        !self.is_integer() && !self.has_stencil()
+    }
+}
 
 impl Level {
     /// The next smaller level of a two-dimensional image: half the width and height, rounded
@@ -33,8 +42,11 @@ impl Level {
     /// When texels of this format have no mean, or there is no memory.
     pub fn halved_as(&self, shape: Shape, isa: Isa) -> Result<Self, ImageError> {
         let format = self.format;
-        if format.is_integer() || format.is_depth() || format.block().is_some() {
+        if !format.has_mean() {
             return Err(ImageError::NoMean { format });
+        }
+        if format.block().is_some() {
+            return self.halved_blocks(shape, isa);
         }
         if self.size().contains(&0) {
             return Self::with_size(format, self.size(), self.border);
@@ -44,6 +56,16 @@ impl Level {
         let [columns, rows, slices] =
             [0, 1, 2].map(|axis| Cover::all(self.size()[axis], half[axis], self.border[axis]));
         isa.run(Halve { from: self, to: &mut smaller, columns, rows, slices });
+        Ok(smaller)
+    }
+
+    /// By way of the colours, in linear light.
+    fn halved_blocks(&self, shape: Shape, isa: Isa) -> Result<Self, ImageError> {
+        let mut colors = Self::with_size(Format::Rgba32F, self.size(), [0; 3])?;
+        colors.fill(|at| self.color_at(at).unwrap_or_default());
+        let half = colors.halved_as(shape, isa)?;
+        let mut smaller = Self::with_size(self.format, half.size(), [0; 3])?;
+        smaller.fill(|at| half.color_at(at).unwrap_or_default());
         Ok(smaller)
     }
 }
@@ -56,22 +78,34 @@ impl Image {
     /// When a face has no base level, its texels have no mean, or there is no memory; levels made
     /// until then stay.
     pub fn generate_mipmaps(&mut self, base: u32, max: u32) -> Result<(), ImageError> {
+        (0..self.shape().faces()).try_for_each(|face| self.generate_face_mipmaps(face, base, max))
+    }
+
+    /// [`Image::generate_mipmaps`] of one face.
+    ///
+    /// # Errors
+    /// As that.
+    pub fn generate_face_mipmaps(
+        &mut self,
+        face: usize,
+        base: u32,
+        max: u32,
+    ) -> Result<(), ImageError> {
         let shape = self.shape();
         let isa = Isa::from_env().unwrap_or(Isa::BASELINE);
-        for face in 0..shape.faces() {
-            let mut level = base as usize;
-            while let Some(larger) = self.level(face, level) {
-                let last = shape.halved(larger.size()) == larger.size();
-                if last || level as u64 >= u64::from(max) || shape == Shape::Rect {
-                    break;
-                }
-                let smaller = larger.halved_as(shape, isa)?;
-                level += 1;
-                self.set_level(face, level, smaller)?;
-            }
-            if self.level(face, base as usize).is_none() {
-                return Err(ImageError::Missing { face, level: base as usize });
-            }
+        let mut level = base as usize;
+        let Some(mut larger) = self.level(face, level) else {
+            return Err(ImageError::Missing { face, level });
+        };
+        while shape != Shape::Rect
+            && shape.halved(larger.size()) != larger.size()
+            && (level as u64) < u64::from(max)
+        {
+            let smaller = larger.halved_as(shape, isa)?;
+            level += 1;
+            self.set_level(face, level, smaller)?;
+            let Some(next) = self.level(face, level) else { break };
+            larger = next;
         }
         Ok(())
     }

@@ -3,10 +3,10 @@
 use super::Check;
 use super::bench::{Bench, Tally};
 use super::outcome::Unit;
-use super::rng::Rng;
 use crate::drive::{BlendState, BlendedCell, DriveError};
 use crate::mutation::Variant;
 use crate::oracle::blend::{self, Colors, Equation, Factor};
+use crate::rng::Rng;
 
 /// The arithmetic of `glBlendEquation` and `glBlendFunc`.
 pub const BLEND: Check = Check {

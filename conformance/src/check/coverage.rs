@@ -3,10 +3,10 @@
 use super::Check;
 use super::bench::{Bench, Tally};
 use super::outcome::Unit;
-use super::rng::Rng;
 use crate::drive::{DriveError, SIZE};
 use crate::mutation::Variant;
 use crate::oracle::coverage::{Point, UNITS, covers};
+use crate::rng::Rng;
 
 /// One triangle.
 pub const COVERAGE: Check = Check {

@@ -3,10 +3,10 @@
 use super::Check;
 use super::bench::{Bench, Tally};
 use super::outcome::Unit;
-use super::rng::Rng;
 use crate::drive::DriveError;
 use crate::mutation::Variant;
 use crate::oracle::compare::Compare;
+use crate::rng::Rng;
 
 /// All eight comparisons.
 pub const TEST: Check = Check {

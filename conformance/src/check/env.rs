@@ -3,10 +3,10 @@
 use super::Check;
 use super::bench::{Bench, Tally};
 use super::outcome::Unit;
-use super::rng::Rng;
 use crate::drive::{DriveError, FixedCell};
 use crate::mutation::Variant;
 use crate::oracle::env::{self, Base, Inputs, Mode};
+use crate::rng::Rng;
 
 /// The fixed function's arithmetic.
 pub const ENVIRONMENT: Check = Check {

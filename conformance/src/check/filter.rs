@@ -3,13 +3,13 @@
 use super::Check;
 use super::bench::{Bench, Tally};
 use super::outcome::Unit;
-use super::rng::Rng;
 use crate::drive::{DriveError, Precision, shader};
 use crate::oracle::filter::{self, Addressing};
 use crate::oracle::lod::{Filter, Filters, LevelRange, LodState};
 use crate::oracle::sample::Sampler;
 use crate::oracle::texture::Level;
 use crate::oracle::wrap::Wrap;
+use crate::rng::Rng;
 
 /// The texel that a point lies in.
 pub const NEAREST: Check = Check {

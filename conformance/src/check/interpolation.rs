@@ -3,10 +3,10 @@
 use super::Check;
 use super::bench::{Bench, Tally};
 use super::outcome::Unit;
-use super::rng::Rng;
 use crate::drive::{self, DriveError, Precision, SIZE, shader};
 use crate::mutation::Variant;
 use crate::oracle::interpolation::{self, Vertex, barycentric};
+use crate::rng::Rng;
 
 /// A varying.
 pub const PERSPECTIVE: Check = Check {

@@ -4,7 +4,6 @@ use super::Check;
 use super::bench::{Bench, Tally};
 use super::lod::Footprint;
 use super::outcome::Unit;
-use super::rng::Rng;
 use crate::drive::{DriveError, Precision, shader};
 use crate::mutation::Variant;
 use crate::oracle::filter::Addressing;
@@ -12,6 +11,7 @@ use crate::oracle::lod::{Filter, Filters, LevelRange, LodState};
 use crate::oracle::sample::{self, Sampler};
 use crate::oracle::texture::{Level, level_count, level_size};
 use crate::oracle::wrap::Wrap;
+use crate::rng::Rng;
 
 /// Which levels and filter a sample uses.
 pub const LEVEL: Check = Check {

@@ -7,7 +7,6 @@
 use super::Check;
 use super::bench::{Bench, Tally};
 use super::outcome::Unit;
-use super::rng::Rng;
 use crate::drive::{DriveError, Precision, shader};
 use crate::mutation::Variant;
 use crate::oracle::filter::Addressing;
@@ -15,6 +14,7 @@ use crate::oracle::lod::{self, Derivatives, Filter, Filters, LevelRange, LodStat
 use crate::oracle::sample::Sampler;
 use crate::oracle::texture::{Level, level_count, level_size};
 use crate::oracle::wrap::Wrap;
+use crate::rng::Rng;
 
 const WHY: &str = "f32: half an ulp of λ ≤ 9 is 2^-21, of its grey 2^-25 · 16 levels; \
                    log2 and ρ a few ulp more";

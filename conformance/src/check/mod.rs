@@ -1,28 +1,37 @@
 //! What is compared with what: one file a check.
 //!
 //! A check makes its cases (the same ones every time), asks oracle and driver about each, and
-//! keeps the largest difference. [`CHECKS`] is the list, in the order of the pipeline.
+//! keeps the largest difference. [`CHAPTERS`] is the list, in the order of the pipeline.
 //!
 //! To add one: write the formula as an [`oracle`](crate::oracle), with a unit test from values
 //! computed by hand; write a file here that makes cases and calls [`Bench::compare`]; add it to
-//! [`CHECKS`]; and add the mistakes that it must notice to
+//! [`CHAPTERS`]; and add the mistakes that it must notice to
 //! [`MUTATIONS`](crate::mutation::MUTATIONS), which a test then tries one by one.
 
+mod anisotropy;
 mod bench;
 mod blend;
+mod builtin;
+mod compressed;
 mod coverage;
 mod cube;
 mod depth_test;
 mod env;
 mod filter;
+mod format;
 mod interpolation;
+mod lecture;
 mod level;
 mod lod;
+mod lookup;
+mod mipmap;
 mod outcome;
+mod pixel;
 mod projection;
-mod rng;
+mod seamless;
 mod shadow;
 mod srgb;
+mod texel_mode;
 mod wrap;
 
 pub use bench::{Bench, Effort, Subject, Tally};
@@ -50,28 +59,65 @@ pub struct Check {
     pub run: fn(&Bench, &mut Tally) -> Result<(), DriveError>,
 }
 
-/// Every check, in the order in which a fragment meets what they are about.
-pub const CHECKS: &[Check] = &[
-    coverage::COVERAGE,
-    coverage::SHARED_EDGES,
-    interpolation::PERSPECTIVE,
-    interpolation::DEPTH,
-    projection::PROJECTIVE,
-    cube::FACE,
-    cube::FILTER,
-    lod::LOD,
-    lod::BIAS_CLAMP,
-    level::LEVEL,
-    wrap::NEAREST,
-    wrap::LINEAR,
-    filter::NEAREST,
-    filter::BILINEAR,
-    srgb::DECODE,
-    shadow::COMPARE,
-    env::ENVIRONMENT,
-    depth_test::TEST,
-    blend::BLEND,
+/// What belongs together, under a heading.
+pub type Chapter = (&'static str, &'static [Check]);
+
+/// Every check, chapter by chapter, in the order in which a fragment meets what they are about.
+pub const CHAPTERS: &[Chapter] = &[
+    ("The client's pixels", &[pixel::UNPACK, pixel::PACK, pixel::STORE, pixel::TRANSFER]),
+    (
+        "Texel formats",
+        &[
+            format::SAMPLED,
+            format::QUERIED,
+            format::INTEGERS,
+            compressed::COMPRESSED,
+            srgb::DECODE,
+            texel_mode::DEPTH_MODE,
+            texel_mode::SWIZZLE,
+        ],
+    ),
+    ("Mipmaps", &[mipmap::GENERATED, mipmap::FLOATS, mipmap::GLU]),
+    (
+        "Rasterization",
+        &[
+            coverage::COVERAGE,
+            coverage::SHARED_EDGES,
+            interpolation::PERSPECTIVE,
+            interpolation::DEPTH,
+        ],
+    ),
+    (
+        "Sampling",
+        &[
+            projection::PROJECTIVE,
+            cube::FACE,
+            cube::FILTER,
+            seamless::SEAMLESS,
+            lod::LOD,
+            lod::BIAS_CLAMP,
+            lookup::LOD,
+            lookup::GRAD,
+            level::LEVEL,
+            wrap::NEAREST,
+            wrap::LINEAR,
+            filter::NEAREST,
+            filter::BILINEAR,
+            anisotropy::ANISOTROPY,
+            shadow::COMPARE,
+            texel_mode::COMPARE_LINEAR,
+        ],
+    ),
+    ("Fragments", &[env::ENVIRONMENT, depth_test::TEST, blend::BLEND]),
+    ("The lectures", &[lecture::LECTURES]),
+    ("Built-in functions", &builtin::ULP),
+    ("Where built-in functions end", &[builtin::EXTREMES]),
 ];
+
+/// Every check.
+pub fn checks() -> impl Iterator<Item = &'static Check> {
+    CHAPTERS.iter().flat_map(|(_, checks)| checks.iter())
+}
 
 impl Check {
     /// Runs it.

@@ -16,15 +16,24 @@ pub enum Unit {
     Levels,
     /// Times that a pixel is drawn.
     Draws,
+    /// Units in the last place of the expected value as an `f32`.
+    Ulp,
+    /// Integers as they are stored or returned.
+    Codes,
 }
 
 impl Unit {
-    /// How many of this unit make a difference of 1 between an expected and a measured value.
-    pub fn per_one(self) -> f64 {
-        match self {
-            Self::Bytes => 255.0,
-            Self::FullScale | Self::Texels | Self::Levels | Self::Draws => 1.0,
-        }
+    /// How far a measured value is from an expected one. A NaN is infinitely wrong, but where a NaN
+    /// is expected in ULP.
+    pub fn error(self, expected: f64, measured: f64) -> f64 {
+        let error = match self {
+            Self::Bytes => 255.0 * (expected - measured).abs(),
+            Self::Ulp => return ulps(expected, measured),
+            Self::FullScale | Self::Texels | Self::Levels | Self::Draws | Self::Codes => {
+                (expected - measured).abs()
+            }
+        };
+        if error.is_nan() { f64::INFINITY } else { error }
     }
 
     /// As it stands behind a number.
@@ -35,8 +44,24 @@ impl Unit {
             Self::Texels => "texels",
             Self::Levels => "levels",
             Self::Draws => "draws",
+            Self::Ulp => "ULP",
+            Self::Codes => "codes",
         }
     }
+}
+
+/// The distance in units in the last place of `expected`, as an `f32` has them; those of denormals
+/// are all alike. What rounds to infinity is expected to be infinite.
+fn ulps(expected: f64, measured: f64) -> f64 {
+    if expected.is_nan() || measured.is_nan() {
+        return if expected.is_nan() && measured.is_nan() { 0.0 } else { f64::INFINITY };
+    }
+    let rounded = f64::from(expected as f32);
+    if rounded.is_infinite() || measured.is_infinite() {
+        return if rounded == measured { 0.0 } else { f64::INFINITY };
+    }
+    let exponent = if expected == 0.0 { -126.0 } else { expected.abs().log2().floor().max(-126.0) };
+    (expected - measured).abs() / (exponent - 23.0).exp2()
 }
 
 /// How a check ended.
@@ -76,4 +101,26 @@ pub struct Outcome {
     pub seconds: f64,
     /// How it ended.
     pub verdict: Verdict,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn units_in_the_last_place() {
+        let table = [
+            (1.0, 1.0 + 2f64.powi(-23), 1.0),
+            (1.999, 1.999 + 2f64.powi(-24), 0.5),
+            (0.0, 2f64.powi(-149), 1.0),
+            (1e39, f64::INFINITY, 0.0),
+            (f64::NAN, f64::NAN, 0.0),
+            (f64::NAN, 1.0, f64::INFINITY),
+            (f64::INFINITY, f64::NEG_INFINITY, f64::INFINITY),
+        ];
+        for (expected, measured, error) in table {
+            let got = Unit::Ulp.error(expected, measured);
+            assert!((got - error).abs() < 1e-6 || got == error, "{expected} {measured}: {got}");
+        }
+    }
 }

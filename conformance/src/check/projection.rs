@@ -3,7 +3,6 @@
 use super::Check;
 use super::bench::{Bench, Tally};
 use super::outcome::Unit;
-use super::rng::Rng;
 use crate::drive::{DriveError, Precision, shader};
 use crate::mutation::Variant;
 use crate::oracle::filter::{self, Addressing};
@@ -12,6 +11,7 @@ use crate::oracle::projection;
 use crate::oracle::sample::Sampler;
 use crate::oracle::texture::Level;
 use crate::oracle::wrap::Wrap;
+use crate::rng::Rng;
 
 /// The division by q.
 pub const PROJECTIVE: Check = Check {

@@ -3,10 +3,11 @@
 use super::Check;
 use super::bench::{Bench, Tally};
 use super::outcome::Unit;
-use super::rng::Rng;
 use crate::drive::{DepthTexture, DriveError, Precision, shader};
 use crate::mutation::Variant;
 use crate::oracle::compare::Compare;
+use crate::oracle::lod::Filter;
+use crate::rng::Rng;
 
 /// All eight comparisons.
 pub const COMPARE: Check = Check {
@@ -51,7 +52,8 @@ fn run(bench: &Bench, tally: &mut Tally) -> Result<(), DriveError> {
             [f64::from(u8::from(holds)), 0.0, 0.0, 0.0]
         };
         bench.compare(tally, &compare, &cases, expect, |session| {
-            session.depth_texture(&DepthTexture { compare, row: &depths })?;
+            let filter = Filter::Nearest;
+            session.depth_texture(&DepthTexture { compare, filter, row: &depths })?;
             let program = session.program(shader::SHADOW_2D, Precision::Bytes)?;
             let inputs: Vec<_> = cases
                 .iter()

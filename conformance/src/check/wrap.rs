@@ -3,7 +3,6 @@
 use super::Check;
 use super::bench::{Bench, Tally};
 use super::outcome::Unit;
-use super::rng::Rng;
 use crate::drive::{DriveError, Precision, shader};
 use crate::mutation::Variant;
 use crate::oracle::filter::{self, Addressing};
@@ -11,6 +10,7 @@ use crate::oracle::lod::{Filter, Filters, LevelRange, LodState};
 use crate::oracle::sample::Sampler;
 use crate::oracle::texture::Level;
 use crate::oracle::wrap::Wrap;
+use crate::rng::Rng;
 
 /// Which texel each wrap mode reads.
 pub const NEAREST: Check = Check {

@@ -2,24 +2,35 @@
 //!
 //! One case is one 2×2 cell of the picture, drawn as a quad whose vertices all carry the same
 //! three vectors; the fragment shader computes the value in question from them, and the lower left
-//! pixel of the cell is read. Values come back as bytes, or exactly: [`pack`] spreads a float over
-//! the four bytes of a pixel.
+//! pixel of the cell is read. Where neither derivatives nor vertices matter, a case is one pixel of
+//! a *field*, and its inputs are float texels. Values come back as bytes, or exactly: [`pack`]
+//! spreads a float over the four bytes of a pixel.
 
 mod blend;
+mod field;
 mod fixed;
+mod mipmaps;
 pub mod pack;
+mod pixels;
 mod session;
 pub mod shader;
+mod texels;
 mod texture;
 
 pub use blend::{BlendState, BlendedCell};
 pub use fixed::FixedCell;
+pub use mipmaps::MipmapRequest;
+pub use pixels::{ClientPixels, StoredBox};
 pub use session::{Session, Vertex};
 pub use shader::{Precision, Program};
+pub use texels::TexelRow;
 pub use texture::{DepthTexture, Storage};
 
-/// Pixels across and up of the picture that everything is drawn to.
+/// Pixels across and up of the picture that cells and triangles are drawn to.
 pub const SIZE: usize = 128;
+
+/// Pixels across and up of the picture of a field of values, one a pixel.
+pub const FIELD: usize = 256;
 
 /// Cells in a row of the picture.
 const CELLS: usize = SIZE / 2;

@@ -1,7 +1,7 @@
 //! A context of its own, and the draws in it.
 
 use super::shader::{Precision, Program};
-use super::{CELLS, DriveError, SIZE, cell_corners, cell_values, pack};
+use super::{CELLS, DriveError, FIELD, SIZE, cell_corners, cell_values, pack};
 use gl_api::constants::*;
 use gl_api::context::{Context, ContextDesc, Message, Severity};
 use gl_api::entry::*;
@@ -22,12 +22,12 @@ pub struct Session {
 }
 
 impl Session {
-    /// A new context in its initial state, with a picture of [`SIZE`] × [`SIZE`] pixels.
+    /// A new context in its initial state, of which [`SIZE`] × [`SIZE`] pixels are drawn to.
     ///
     /// # Errors
     /// When the context cannot be made, or has an error already.
     pub fn open() -> Result<Self, DriveError> {
-        let side = SIZE as u32;
+        let side = FIELD as u32;
         let desc = ContextDesc { width: side, height: side, ..ContextDesc::default() };
         let context = Context::new(desc).map_err(|error| DriveError::Context(error.to_string()))?;
         let session = Self { _current: context.make_current() };
@@ -126,8 +126,13 @@ impl Session {
 
     /// The picture as RGBA bytes.
     pub(super) fn read(&self) -> Result<Vec<[u8; 4]>, DriveError> {
-        let mut bytes = vec![0u8; SIZE * SIZE * 4];
-        glReadPixels(0, 0, SIZE, SIZE, GL_RGBA, GL_UNSIGNED_BYTE, &mut bytes);
+        self.read_square(SIZE)
+    }
+
+    /// The lower left `side` × `side` pixels as RGBA bytes.
+    pub(super) fn read_square(&self, side: usize) -> Result<Vec<[u8; 4]>, DriveError> {
+        let mut bytes = vec![0u8; side * side * 4];
+        glReadPixels(0, 0, side, side, GL_RGBA, GL_UNSIGNED_BYTE, &mut bytes);
         self.check("drawing and reading")?;
         Ok(bytes.chunks_exact(4).map(|p| [p[0], p[1], p[2], p[3]]).collect())
     }
@@ -140,7 +145,7 @@ fn last_error() -> String {
     messages.iter().rfind(error).map_or_else(String::new, |message| message.text.clone())
 }
 
-fn immediate(mode: u32, vertices: &[Vertex]) {
+pub(super) fn immediate(mode: u32, vertices: &[Vertex]) {
     glClear(GL_COLOR_BUFFER_BIT);
     glBegin(mode);
     for Vertex { position: [x, y, z, w], inputs } in vertices {

@@ -34,7 +34,16 @@ void main() {
 }
 ";
 
+const VERSION: &str = "#version 130
+#extension GL_ARB_shader_texture_lod : enable
+#extension GL_ARB_texture_rectangle : enable
+#extension GL_EXT_texture_array : enable
+";
+
 const FRAGMENT: &str = "#version 120
+#extension GL_ARB_shader_texture_lod : enable
+#extension GL_ARB_texture_rectangle : enable
+#extension GL_EXT_texture_array : enable
 varying vec4 a, b, c;
 ";
 
@@ -94,13 +103,27 @@ impl Session {
     /// # Errors
     /// With the info log, when it is rejected.
     pub fn program(&self, body: &str, precision: Precision) -> Result<Program, DriveError> {
+        self.link(FRAGMENT, body, precision)
+    }
+
+    /// The program of a field: `head` defines `value()`, for which `body` has its part.
+    pub(super) fn field_program(
+        &self,
+        head: &str,
+        body: &str,
+        precision: Precision,
+    ) -> Result<Program, DriveError> {
+        self.link(&format!("{VERSION}{head}"), body, precision)
+    }
+
+    fn link(&self, head: &str, body: &str, precision: Precision) -> Result<Program, DriveError> {
         let main = match precision {
             Precision::Bytes => BYTES,
             Precision::Exact { .. } => pack::GLSL,
         };
         let name = glCreateProgram();
         compile(name, GL_VERTEX_SHADER, "vertex shader", VERTEX)?;
-        let fragment = format!("{FRAGMENT}{body}{main}");
+        let fragment = format!("{head}{body}{main}");
         compile(name, GL_FRAGMENT_SHADER, "fragment shader", &fragment)?;
         glLinkProgram(name);
         let mut linked = 0;

@@ -24,6 +24,8 @@ pub enum Storage {
 pub struct DepthTexture<'a> {
     /// `GL_TEXTURE_COMPARE_FUNC`.
     pub compare: Compare,
+    /// How the answers of texels are combined.
+    pub filter: Filter,
     /// The texels.
     pub row: &'a [u16],
 }
@@ -72,6 +74,35 @@ impl Session {
         self.check("specifying a cube map")
     }
 
+    /// Lets linear filters cross the edges of cube maps.
+    ///
+    /// # Errors
+    /// When a call sets the error flag.
+    pub fn seamless_cubes(&self) -> Result<(), DriveError> {
+        glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+        self.check("enabling seamless cube maps")
+    }
+
+    /// Sets `GL_TEXTURE_MAX_ANISOTROPY_EXT` of the 2D texture that is bound.
+    ///
+    /// # Errors
+    /// When a call sets the error flag.
+    pub fn anisotropy(&self, limit: f32) -> Result<(), DriveError> {
+        glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, limit);
+        self.check("setting anisotropy")
+    }
+
+    /// Sets a parameter of the 2D texture that is bound to GL's names.
+    ///
+    /// # Errors
+    /// When a call sets the error flag.
+    pub fn parameters(&self, parameters: &[(u32, u32)]) -> Result<(), DriveError> {
+        for &(name, value) in parameters {
+            glTexParameteri(GL_TEXTURE_2D, name, value);
+        }
+        self.check("setting parameters of a texture")
+    }
+
     /// Binds a depth texture that compares to unit 0.
     ///
     /// # Errors
@@ -90,8 +121,9 @@ impl Session {
             GL_UNSIGNED_SHORT,
             texture.row,
         );
-        glTexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-        glTexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+        let filter = filter_enum(texture.filter);
+        glTexParameteri(target, GL_TEXTURE_MIN_FILTER, filter);
+        glTexParameteri(target, GL_TEXTURE_MAG_FILTER, filter);
         glTexParameteri(target, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_R_TO_TEXTURE);
         glTexParameteri(target, GL_TEXTURE_COMPARE_FUNC, compare_enum(texture.compare));
         self.check("specifying a depth texture")
@@ -126,6 +158,8 @@ fn wrap_enum(wrap: Wrap) -> u32 {
         Wrap::ClampToEdge => GL_CLAMP_TO_EDGE,
         Wrap::ClampToBorder => GL_CLAMP_TO_BORDER,
         Wrap::MirroredRepeat => GL_MIRRORED_REPEAT,
+        Wrap::MirrorClamp => GL_MIRROR_CLAMP_EXT,
+        Wrap::MirrorClampToEdge => GL_MIRROR_CLAMP_TO_EDGE_EXT,
     }
 }
 

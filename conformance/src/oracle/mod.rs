@@ -3,16 +3,25 @@
 //! Each takes a [`Variant`](crate::mutation::Variant), so that a mistake can be built in where it
 //! would be made. Sections are those of the OpenGL 2.1 specification (December 2006).
 
+pub mod anisotropy;
 pub mod blend;
+pub mod block;
+pub mod builtin;
 pub mod compare;
 pub mod coverage;
 pub mod cube;
 pub mod env;
 pub mod filter;
+pub mod format;
+pub mod format_table;
 pub mod interpolation;
+pub mod lecture;
 pub mod lod;
+pub mod mipmap;
+pub mod pixel;
 pub mod projection;
 pub mod sample;
+pub mod seamless;
 pub mod srgb;
 pub mod texture;
 pub mod wrap;

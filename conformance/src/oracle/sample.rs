@@ -27,6 +27,17 @@ pub fn sample(
     derivatives: &Derivatives,
     variant: Variant,
 ) -> [f64; 4] {
+    at_lambda(image, sampler, st, lambda(image, sampler, derivatives, variant), variant)
+}
+
+/// The filtered colour at a given λ, bias and clamp included.
+pub fn at_lambda(
+    image: &[Level],
+    sampler: &Sampler,
+    st: [f64; 2],
+    lambda: f64,
+    variant: Variant,
+) -> [f64; 4] {
     let read = |level: usize, filter: Filter| {
         let level = &image[level.min(image.len() - 1)];
         match filter {
@@ -34,12 +45,7 @@ pub fn sample(
             Filter::Linear => filter::linear(level, &sampler.at, st, variant),
         }
     };
-    match lod::levels(
-        lambda(image, sampler, derivatives, variant),
-        sampler.filters,
-        sampler.range,
-        variant,
-    ) {
+    match lod::levels(lambda, sampler.filters, sampler.range, variant) {
         Levels::One(level, filter) => read(level, filter),
         Levels::Two(levels, weight, filter) => {
             let [a, b] = levels.map(|level| read(level, filter));

@@ -16,6 +16,12 @@ pub fn decode(c: f64, variant: Variant) -> f64 {
     }
 }
 
+/// The inverse: `12.92·l` up to 0.0031308, and `1.055·l^(1/2.4) - 0.055` above
+/// (ARB_framebuffer_sRGB, section 4.1.X).
+pub fn encode(l: f64) -> f64 {
+    if l <= 0.003_130_8 { 12.92 * l } else { 1.055 * l.powf(1.0 / 2.4) - 0.055 }
+}
+
 /// A texel: alpha is linear already.
 pub fn decode_texel([r, g, b, a]: [f64; 4], variant: Variant) -> [f64; 4] {
     let alpha = if variant.has(Mutation::SrgbAlphaDecoded) { decode(a, variant) } else { a };

@@ -15,12 +15,23 @@ pub enum Wrap {
     ClampToBorder,
     /// `GL_MIRRORED_REPEAT`.
     MirroredRepeat,
+    /// `GL_MIRROR_CLAMP_EXT`.
+    MirrorClamp,
+    /// `GL_MIRROR_CLAMP_TO_EDGE_EXT`.
+    MirrorClampToEdge,
 }
 
 impl Wrap {
     /// All of them.
-    pub const ALL: [Self; 5] =
-        [Self::Repeat, Self::Clamp, Self::ClampToEdge, Self::ClampToBorder, Self::MirroredRepeat];
+    pub const ALL: [Self; 7] = [
+        Self::Repeat,
+        Self::Clamp,
+        Self::ClampToEdge,
+        Self::ClampToBorder,
+        Self::MirroredRepeat,
+        Self::MirrorClamp,
+        Self::MirrorClampToEdge,
+    ];
 }
 
 /// A texel of a row, or the border beside it.
@@ -36,7 +47,8 @@ pub enum Index {
 ///
 /// `s - floor(s)` repeats; `mirror(f)` is `f - floor(f)` for an even `floor(f)` and
 /// `1 - (f - floor(f))` for an odd one; the clamps are to [0, 1], to [1/2N, 1 - 1/2N] and to
-/// [-1/2N, 1 + 1/2N].
+/// [-1/2N, 1 + 1/2N]. The mirror clamps (EXT_texture_mirror_clamp) are of `|s|`, to [1/2N, 1] and
+/// to [1/2N, 1 - 1/2N].
 pub fn coordinate(wrap: Wrap, s: f64, size: usize, variant: Variant) -> f64 {
     let n = size as f64;
     let half = 0.5 / n;
@@ -53,6 +65,13 @@ pub fn coordinate(wrap: Wrap, s: f64, size: usize, variant: Variant) -> f64 {
             let odd = s.floor().rem_euclid(2.0) == 1.0 && !variant.has(Mutation::MirrorAsRepeat);
             (if odd { 1.0 - fraction } else { fraction }).clamp(half, 1.0 - half)
         }
+        Wrap::MirrorClamp | Wrap::MirrorClampToEdge
+            if variant.has(Mutation::MirrorNegativeIgnored) =>
+        {
+            s.clamp(half, 1.0 - half)
+        }
+        Wrap::MirrorClamp => s.abs().clamp(half, 1.0),
+        Wrap::MirrorClampToEdge => s.abs().clamp(half, 1.0 - half),
     };
     s * n
 }
@@ -62,7 +81,12 @@ fn index(wrap: Wrap, i: f64, size: usize, variant: Variant) -> Index {
     let n = size as f64;
     let inside = match wrap {
         Wrap::Repeat => i.rem_euclid(n),
-        Wrap::Clamp | Wrap::ClampToEdge | Wrap::ClampToBorder | Wrap::MirroredRepeat => i,
+        Wrap::Clamp
+        | Wrap::ClampToEdge
+        | Wrap::ClampToBorder
+        | Wrap::MirroredRepeat
+        | Wrap::MirrorClamp
+        | Wrap::MirrorClampToEdge => i,
     };
     if (0.0..n).contains(&inside) {
         Index::Texel(inside as usize)
@@ -78,7 +102,11 @@ pub fn nearest(wrap: Wrap, s: f64, size: usize, variant: Variant) -> Index {
     let u = coordinate(wrap, s, size, variant);
     let mut i = if variant.has(Mutation::RoundForFloor) { u.round() } else { u.floor() };
     match wrap {
-        Wrap::Clamp | Wrap::ClampToEdge | Wrap::MirroredRepeat => i = i.min(size as f64 - 1.0),
+        Wrap::Clamp
+        | Wrap::ClampToEdge
+        | Wrap::MirroredRepeat
+        | Wrap::MirrorClamp
+        | Wrap::MirrorClampToEdge => i = i.min(size as f64 - 1.0),
         Wrap::Repeat | Wrap::ClampToBorder => {}
     }
     if variant.has(Mutation::TexelOffByOne) {

@@ -2,8 +2,12 @@
 //!
 //! Messages are queued and never call back, so that nothing happens in the middle of a call.
 
+use super::log::{Kind, Log, Logged};
+use crate::constants::*;
 use crate::error::{ErrorCode, GlError};
+use crate::types::*;
 use std::collections::{BTreeSet, VecDeque};
+use std::ffi::CString;
 use std::fmt;
 
 /// The queue keeps this many messages; older ones are dropped.
@@ -53,6 +57,17 @@ pub(crate) struct Debug {
     /// Warnings that were given: a draw that repeats says them once.
     given: BTreeSet<String>,
     echo: Echo,
+    /// What `KHR_debug` reads.
+    pub log: Log,
+    /// Whether it is kept (`GL_DEBUG_OUTPUT`).
+    pub output: Output,
+}
+
+/// Whether messages go to the log of `KHR_debug`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Output {
+    Off,
+    On,
 }
 
 impl Debug {
@@ -63,6 +78,8 @@ impl Debug {
             flag: None,
             queue: VecDeque::new(),
             given: BTreeSet::new(),
+            log: Log::default(),
+            output: Output::Off,
             echo: if on { Echo::Stderr } else { Echo::Off },
         }
     }
@@ -70,7 +87,9 @@ impl Debug {
     /// Sets the flag and says why.
     pub fn error(&mut self, call: &str, error: &GlError) {
         self.flag.get_or_insert(error.code);
-        self.push(Message { severity: Severity::Error, text: format!("{call}: {error}") });
+        let text = format!("{call}: {error}");
+        self.log(GL_DEBUG_TYPE_ERROR, error.code.to_gl(), GL_DEBUG_SEVERITY_HIGH, &text);
+        self.push(Message { severity: Severity::Error, text });
     }
 
     /// Says something once.
@@ -79,7 +98,27 @@ impl Debug {
             self.given.clear();
         }
         if self.given.insert(text.clone()) {
+            self.log(GL_DEBUG_TYPE_OTHER, 0, GL_DEBUG_SEVERITY_MEDIUM, &text);
             self.push(Message { severity: Severity::Warning, text });
+        }
+    }
+
+    /// Adds a message of ours to the log, if it is kept.
+    fn log(&mut self, ty: GLenum, id: GLuint, severity: GLenum, text: &str) {
+        if self.output == Output::On {
+            let kind = Kind { source: GL_DEBUG_SOURCE_API, ty, severity };
+            self.log.push(Logged { kind, id, text: text.to_owned() });
+        }
+    }
+
+    /// Calls the program's callback with what the log has gathered.
+    pub fn deliver(&mut self) {
+        let Some((Some(procedure), user, messages)) = self.log.deliver() else { return };
+        for Logged { kind, id, text } in messages {
+            let length = text.len() as GLsizei;
+            let bytes = CString::new(text.replace('\0', " ")).unwrap_or_default();
+            let (source, ty, severity) = (kind.source, kind.ty, kind.severity);
+            procedure(source, ty, id, severity, length, bytes.as_ptr(), user as *mut GLvoid);
         }
     }
 

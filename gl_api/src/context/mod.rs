@@ -2,6 +2,8 @@
 
 pub(crate) mod debug;
 pub(crate) mod limits;
+pub(crate) mod log;
+pub(crate) mod log_calls;
 mod surface;
 
 use crate::draw::Recorder;
@@ -15,6 +17,7 @@ use crate::object::Objects;
 use crate::object::sharing::{Entered, Group};
 use crate::state::State;
 pub use debug::{Message, Severity};
+pub use log::GLDEBUGPROC;
 use rasterizer::driver::{Device, DeviceDesc, DeviceError};
 use std::sync::{Arc, OnceLock};
 pub use surface::{SurfaceColor, SurfaceDesc};
@@ -179,9 +182,11 @@ impl Context {
             }
             (Some(_), Entered::Yes) | (None, _) => run(self),
         };
-        result.unwrap_or_else(|error: GlError| {
+        let result = result.unwrap_or_else(|error: GlError| {
             self.debug.error(name, &error);
             R::fallback()
-        })
+        });
+        self.debug.deliver();
+        result
     }
 }

@@ -310,6 +310,42 @@ pub(crate) fn disable_vertex_attrib_array(context: &mut Context, index: GLuint) 
     Ok(())
 }
 
+/// Where an array begins: an offset into its buffer, or an address.
+fn address(array: &Array) -> usize {
+    match &array.source {
+        Source::Client(buffer) if buffer.bytes().is_empty() => 0,
+        Source::Client(buffer) => buffer.bytes().as_ptr() as usize,
+        Source::Object { offset, .. } => *offset,
+    }
+}
+
+/// Where a conventional array begins, by the name that `glGetPointerv` has for it.
+pub(crate) fn pointer(context: &Context, pname: GLenum) -> Option<usize> {
+    let location = match pname {
+        GL_VERTEX_ARRAY_POINTER => ATTRIB_VERTEX,
+        GL_NORMAL_ARRAY_POINTER => ATTRIB_NORMAL,
+        GL_COLOR_ARRAY_POINTER => ATTRIB_COLOR,
+        GL_SECONDARY_COLOR_ARRAY_POINTER => ATTRIB_SECONDARY_COLOR,
+        GL_FOG_COORD_ARRAY_POINTER => ATTRIB_FOG_COORD,
+        GL_TEXTURE_COORD_ARRAY_POINTER => ATTRIB_TEX_COORD + context.state.units.client_active,
+        _ => return None,
+    };
+    Some(address(&context.state.arrays.by_location[usize::from(location)]))
+}
+
+pub(crate) fn get_vertex_attrib_pointerv(
+    context: &mut Context,
+    index: GLuint,
+    pname: GLenum,
+    pointer: &mut [*mut GLvoid],
+) -> Result<()> {
+    const POINTER: Table<()> =
+        Table { section: "GL 2.1, section 6.1.14", rows: &[(GL_VERTEX_ATTRIB_ARRAY_POINTER, ())] };
+    let location = usize::from(generic(index)?);
+    POINTER.decode("pname", pname)?;
+    put(pointer, &[address(&context.state.arrays.by_location[location]) as *mut GLvoid])
+}
+
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Property {
     Enabled,

@@ -124,6 +124,7 @@ pub(crate) fn settle(context: &mut Context, image: &Image) {
 /// Carries out everything that was recorded.
 pub(crate) fn submit(context: &mut Context) {
     context.recorder.end_pass();
+    context.objects.syncs.signal();
     let commands = std::mem::take(&mut context.recorder.commands);
     if commands.commands.is_empty() {
         return;

@@ -37,6 +37,8 @@ pub(super) struct Stages {
 pub(super) struct VariantKey {
     module: ShaderModule,
     shade_model: Interpolation,
+    /// What the shaders say of the colours' interpolation.
+    said: [Option<Interpolation>; 2],
     /// The alpha test and the word of its reference.
     alpha: Option<(Compare, u32)>,
 }
@@ -62,6 +64,7 @@ pub(super) fn choose(context: &mut Context, vertices: &[VertexBinding]) -> Resul
     let name = context.state.bindings.program;
     let mut words = Vec::new();
     let (mut vertex, mut fragment, mut samplers) = (None, None, Vec::new());
+    let mut said = [None; 2];
     if let Some(linked) = context.objects.linked_program(name) {
         let program = &linked.program;
         words.clone_from(&linked.words);
@@ -69,6 +72,7 @@ pub(super) fn choose(context: &mut Context, vertices: &[VertexBinding]) -> Resul
         put_bindings(context, &mut words, &program.state);
         (vertex, fragment) = (linked.vertex.clone(), linked.fragment.clone());
         samplers.clone_from(&program.samplers);
+        said = program.color_interpolation;
     }
     one_type_per_unit(context, [vertex.as_ref(), fragment.as_ref()], &samplers, &words)?;
     let base = words.len() as u32;
@@ -81,7 +85,7 @@ pub(super) fn choose(context: &mut Context, vertices: &[VertexBinding]) -> Resul
     let (fragment, fragment_textures) = match fragment.take() {
         Some(module) => {
             let textures = program_textures(context, Stage::Fragment, &module, &samplers, &words);
-            (program_fragment(context, module, base)?, textures)
+            (program_fragment(context, module, said, base)?, textures)
         }
         None => {
             let units = enabled_units(context, vertex.is_none().then_some(vertices));
@@ -117,6 +121,7 @@ pub(super) fn choose(context: &mut Context, vertices: &[VertexBinding]) -> Resul
 fn program_fragment(
     context: &mut Context,
     module: ShaderModule,
+    said: [Option<Interpolation>; 2],
     base: u32,
 ) -> Result<ShaderModule> {
     let shade_model = context.state.raster.shade_model;
@@ -124,11 +129,11 @@ fn program_fragment(
     if shade_model == Interpolation::Smooth && alpha.is_none() {
         return Ok(module);
     }
-    let key = VariantKey { module, shade_model, alpha };
+    let key = VariantKey { module, shade_model, said, alpha };
     cached(&mut context.recorder.variants, key, |key| {
         let mut variant = key.module.module().clone();
         if key.shade_model == Interpolation::Flat {
-            set_shade_model(&mut variant, Interpolation::Flat);
+            set_shade_model(&mut variant, Interpolation::Flat, key.said);
         }
         if let Some((compare, reference)) = key.alpha {
             add_alpha_test(&mut variant, compare, reference);

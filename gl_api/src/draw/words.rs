@@ -2,6 +2,7 @@
 
 use crate::context::{Context, limits};
 use crate::fixed::word;
+use crate::framebuffer::complete::draw_pass;
 use crate::interface::*;
 use glam::{DMat3, DMat4};
 
@@ -63,6 +64,7 @@ fn initial(var: StateVar) -> Vec<f64> {
         | StateVar::TextureEnvColor(_)
         | StateVar::NormalScale
         | StateVar::ClipEnables
+        | StateVar::FramebufferHeight
         | StateVar::Point => vec![0.0; var.words() as usize],
     }
 }
@@ -97,6 +99,10 @@ fn put_state(context: &Context, words: &mut [u32], binding: StateBinding) {
         StateVar::Point => {
             let size = f64::from(context.state.raster.point_size);
             put(words, word, [size, 0.0, limits::MAX_WIDTH.into(), 1.0, 1.0, 0.0, 0.0]);
+        }
+        StateVar::FramebufferHeight => {
+            let height = draw_pass(context).map_or(0, |pass| pass.height);
+            put(words, word, [height.into()]);
         }
         StateVar::ClipPlane(_)
         | StateVar::ClipEnables

@@ -1,6 +1,7 @@
 //! What a parameter of an entry point accepts: what C would convert implicitly, and slices where C
 //! has pointers.
 
+use crate::context::GLDEBUGPROC;
 use bytemuck::{NoUninit, Pod};
 
 /// Something that can be passed where an entry point expects a `T`.
@@ -285,6 +286,30 @@ macro_rules! null_pointers {
 }
 
 null_pointers!(i8, u8, i16, u16, i32, u32, f32, f64);
+
+impl<T> Arg<*const T> for *const T {
+    fn arg(self) -> Self {
+        self
+    }
+}
+
+impl<T> Arg<*mut T> for *mut T {
+    fn arg(self) -> Self {
+        self
+    }
+}
+
+impl Arg<GLDEBUGPROC> for GLDEBUGPROC {
+    fn arg(self) -> Self {
+        self
+    }
+}
+
+impl<'a, T> Arg<&'a mut [*mut T]> for &'a mut *mut T {
+    fn arg(self) -> &'a mut [*mut T] {
+        std::slice::from_mut(self)
+    }
+}
 
 impl<'a> Arg<&'a str> for &'a str {
     fn arg(self) -> &'a str {

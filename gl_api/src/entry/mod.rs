@@ -90,6 +90,7 @@ mod args;
 mod current;
 
 mod attributes;
+mod debugging;
 mod fragments;
 mod framebuffers;
 mod lists;
@@ -106,6 +107,7 @@ pub(crate) use current::Fallback;
 pub use current::{Current, set_current, with_current};
 
 pub use attributes::*;
+pub use debugging::*;
 pub use fragments::*;
 pub use framebuffers::*;
 pub use lists::*;
@@ -130,6 +132,7 @@ pub(crate) enum Place {
 pub fn implemented() -> impl Iterator<Item = (&'static str, usize)> {
     [
         ATTRIBUTES,
+        DEBUGGING,
         FRAMEBUFFERS,
         FRAGMENTS,
         LISTS,

@@ -54,6 +54,9 @@ entry_points! {
         /// Switches the array of a generic attribute off.
         disable_vertex_attrib_array: glDisableVertexAttribArray | glDisableVertexAttribArrayARB
             (index: GLuint);
+        /// Where the array of a generic attribute begins; an offset for one in a buffer.
+        get_vertex_attrib_pointerv: glGetVertexAttribPointerv | glGetVertexAttribPointervARB
+            (index: GLuint, pname: GLenum, pointer: &'a mut [*mut GLvoid]);
         /// Reads what is known of a generic attribute.
         get_vertex_attribfv: glGetVertexAttribfv | glGetVertexAttribfvARB
             (index: GLuint, pname: GLenum, params: &'a mut [GLfloat]);

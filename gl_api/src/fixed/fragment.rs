@@ -62,7 +62,7 @@ pub(super) fn module(key: &FragmentKey) -> Module {
         Interpolation::Smooth;
         usize::from(VARYING_TEX_COORD) + 4 * MAX_TEXTURE_UNITS as usize
     ];
-    set_shade_model(&mut module, key.shade_model);
+    set_shade_model(&mut module, key.shade_model, [None; 2]);
     match key.alpha {
         Some(compare) => add_alpha_test(&mut module, compare, key.base + word::ALPHA_REF),
         None => module.notes.push("left out: the alpha test (off, or lets everything pass)".into()),
@@ -98,13 +98,20 @@ fn sample(b: &mut Builder, unit: &UnitKey) -> [Value; 4] {
     b.sample(texture, coords, reference, Lod::Implicit { bias: None })
 }
 
-/// Makes the colours of a fragment stage flat, or smooth (GL 2.1, section 2.14.7).
-pub(crate) fn set_shade_model(module: &mut Module, shade_model: Interpolation) {
-    let primary = VARYING_COLOR..VARYING_TEX_COORD;
-    let back = VARYING_BACK_COLOR..VARYING_USER;
-    for slot in primary.chain(back) {
-        if let Some(interpolation) = module.varyings.get_mut(usize::from(slot)) {
-            *interpolation = shade_model;
+/// Makes the colours of a fragment stage flat, or smooth (GL 2.1, section 2.14.7), but for those
+/// whose interpolation the shaders say: the colour, the secondary colour.
+pub(crate) fn set_shade_model(
+    module: &mut Module,
+    shade_model: Interpolation,
+    said: [Option<Interpolation>; 2],
+) {
+    for (first, said) in [0, 4].into_iter().zip(said) {
+        let front = VARYING_COLOR + first;
+        let back = VARYING_BACK_COLOR + first;
+        for slot in (front..front + 4).chain(back..back + 4) {
+            if let Some(interpolation) = module.varyings.get_mut(usize::from(slot)) {
+                *interpolation = said.unwrap_or(shade_model);
+            }
         }
     }
 }

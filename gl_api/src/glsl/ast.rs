@@ -271,6 +271,29 @@ pub enum Qualifier {
     NoPerspective,
     /// `lowp`, `mediump` or `highp`.
     Precision,
+    /// `layout(origin_upper_left)` of `gl_FragCoord`.
+    OriginUpperLeft,
+    /// `layout(pixel_center_integer)` of `gl_FragCoord`.
+    PixelCenterInteger,
+}
+
+impl Qualifier {
+    /// Where it stands among others (GLSL 1.30 section 4.7): invariance, interpolation, storage,
+    /// precision.
+    pub fn rank(self) -> u8 {
+        match self {
+            Self::OriginUpperLeft | Self::PixelCenterInteger | Self::Invariant => 0,
+            Self::Smooth | Self::Flat | Self::NoPerspective => 1,
+            Self::Centroid | Self::Const => 2,
+            Self::Attribute
+            | Self::Varying
+            | Self::Uniform
+            | Self::In
+            | Self::Out
+            | Self::Inout => 3,
+            Self::Precision => 4,
+        }
+    }
 }
 
 /// A qualified type.

@@ -5,7 +5,9 @@ use super::builtins::functions::Row;
 use super::builtins::variables::Builtin;
 use super::source::Span;
 use super::types::Type;
+use super::version::Version;
 use rasterizer::ir::{Interpolation, Stage};
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 /// A checked shader.
@@ -13,6 +15,8 @@ use std::sync::Arc;
 pub struct Unit {
     /// Its stage.
     pub stage: Stage,
+    /// The version it is written in.
+    pub version: Version,
     /// Its global variables, those of the language that it names among them.
     pub globals: Vec<Variable>,
     /// Its functions, prototypes among them.
@@ -62,6 +66,21 @@ pub enum Storage {
     Builtin(Builtin),
 }
 
+/// The words about how a variable passes between the stages, as written.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Passing {
+    /// `smooth`, `flat` or `noperspective`.
+    pub interpolation: Option<Interpolation>,
+    /// `invariant`.
+    pub invariant: bool,
+    /// `centroid`.
+    pub centroid: bool,
+    /// `layout(origin_upper_left)`.
+    pub origin_upper_left: bool,
+    /// `layout(pixel_center_integer)`.
+    pub pixel_center_integer: bool,
+}
+
 /// A variable.
 #[derive(Clone, Debug)]
 pub struct Variable {
@@ -83,6 +102,10 @@ pub struct Variable {
     pub indexed: u32,
     /// Whether anything names it.
     pub used: bool,
+    /// The words about how it passes between the stages, as written.
+    pub passing: Passing,
+    /// Whether the size of the array comes from its largest index alone.
+    pub implicit: bool,
     /// Its words, if it is a constant.
     pub constant: Option<Arc<[u32]>>,
     /// The initializer of a global.
@@ -203,6 +226,30 @@ impl Expr {
             | ExprKind::Call(..)
             | ExprKind::Builtin(..)
             | ExprKind::Error => None,
+        }
+    }
+
+    /// Adds the globals of its unit that it names.
+    pub fn add_globals(&self, found: &mut BTreeSet<u32>) {
+        match &self.kind {
+            ExprKind::Var(VarRef::Global(index)) => {
+                found.insert(*index);
+            }
+            ExprKind::Const(_) | ExprKind::Var(VarRef::Local(_)) | ExprKind::Error => {}
+            ExprKind::Convert(a)
+            | ExprKind::Unary(_, a)
+            | ExprKind::Step(_, _, a)
+            | ExprKind::Field(a, _)
+            | ExprKind::Swizzle(a, _) => a.add_globals(found),
+            ExprKind::Binary(_, a, b) | ExprKind::Index(a, b) | ExprKind::Assign(_, a, b) => {
+                a.add_globals(found);
+                b.add_globals(found);
+            }
+            ExprKind::Conditional(all) => all.iter().for_each(|part| part.add_globals(found)),
+            ExprKind::Comma(all)
+            | ExprKind::Construct(all)
+            | ExprKind::Call(_, all)
+            | ExprKind::Builtin(_, all) => all.iter().for_each(|part| part.add_globals(found)),
         }
     }
 

@@ -36,7 +36,7 @@ pub const MAX_CONDITION_DEPTH: usize = 64;
 /// How many statements and expressions may stand inside one another.
 pub const MAX_NESTING: u32 = 256;
 /// How deep the tree of an expression may be, chains such as `a + b + c` included.
-pub const MAX_TREE: u32 = 2 * MAX_NESTING;
+pub const MAX_TREE: u32 = 3 * MAX_NESTING;
 
 /// How many scalars a variable may have.
 pub const MAX_SCALARS: u32 = 1 << 16;

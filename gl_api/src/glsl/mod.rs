@@ -23,7 +23,7 @@ mod version;
 
 use crate::interface::StateBinding;
 use diagnostics::{Diagnostic, Log};
-use rasterizer::ir::Module;
+use rasterizer::ir::{Interpolation, Module};
 use source::{Source, Span};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -154,6 +154,9 @@ pub struct Program {
     pub uniforms: Vec<Uniform>,
     /// Which texture slots sample which units.
     pub samplers: Vec<SamplerSlot>,
+    /// How its shaders say that the colour and the secondary colour are interpolated; `None` leaves
+    /// it to the shade model (GLSL 1.30 section 4.3.7).
+    pub color_interpolation: [Option<Interpolation>; 2],
     /// GL state that it reads through uniform words.
     pub state: Vec<StateBinding>,
     /// How many uniform words a draw brings: uniforms and state together.

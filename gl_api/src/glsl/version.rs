@@ -48,6 +48,8 @@ pub enum Extension {
     DrawBuffers,
     /// `GL_ARB_draw_instanced`: `gl_InstanceIDARB`.
     DrawInstanced,
+    /// `GL_ARB_fragment_coord_conventions`: `layout(...)` of `gl_FragCoord`.
+    FragmentCoordConventions,
     /// `GL_ARB_shader_texture_lod`: explicit levels and gradients in both stages.
     ShaderTextureLod,
     /// `GL_ARB_texture_rectangle`: `sampler2DRect`.
@@ -62,9 +64,10 @@ pub enum Extension {
 
 impl Extension {
     /// Every extension and its name.
-    pub const ALL: [(Self, &'static str); 7] = [
+    pub const ALL: [(Self, &'static str); 8] = [
         (Self::DrawBuffers, "GL_ARB_draw_buffers"),
         (Self::DrawInstanced, "GL_ARB_draw_instanced"),
+        (Self::FragmentCoordConventions, "GL_ARB_fragment_coord_conventions"),
         (Self::ShaderTextureLod, "GL_ARB_shader_texture_lod"),
         (Self::TextureRectangle, "GL_ARB_texture_rectangle"),
         (Self::GpuShader4, "GL_EXT_gpu_shader4"),
@@ -113,9 +116,12 @@ pub struct Language {
 }
 
 impl From<Version> for Language {
-    /// A version without extensions.
+    /// A version as it begins: rectangles are the one extension that is there unasked, as
+    /// `GL_ARB_texture_rectangle` says.
     fn from(version: Version) -> Self {
-        Self { version, enabled: 0, warned: 0 }
+        let rectangles = Extension::TextureRectangle;
+        let enabled = if rectangles.is_in(version) { rectangles.bit() } else { 0 };
+        Self { version, enabled, warned: 0 }
     }
 }
 

@@ -1,10 +1,11 @@
-//! `gluBuild1DMipmaps`, `gluBuild2DMipmaps` and `gluScaleImage`.
+//! `gluBuild1DMipmaps`, `gluBuild2DMipmaps`, `gluBuild3DMipmaps`, and those of some levels.
 
-use super::error::{GLU_INVALID_ENUM, GLU_INVALID_OPERATION, GLU_INVALID_VALUE};
-use super::pixels::{self, ByteOrder, Components, Layout, Storage, Store, TIGHT, TooShort};
+use super::error::GLU_INVALID_VALUE;
+use super::image::{UNPACK, bytes, get, layout};
+use super::pixels::{Components, Layout, Storage, Store, TIGHT};
 use super::scale::scale;
 use crate::constants::*;
-use crate::entry::{Arg, Data, DataOut, glGetIntegerv, glPixelStorei, glTexImage1D, glTexImage2D};
+use crate::entry::{Arg, Data, glTexImage1D, glTexImage2D, glTexImage3D};
 use crate::types::{GLenum, GLint, GLsizei};
 
 /// Builds every mipmap level of a texture from one image of any size: scales it to powers of two
@@ -14,8 +15,8 @@ use crate::types::{GLenum, GLint, GLsizei};
 /// `data` is `width` by `height` pixels where the `GL_UNPACK_*` state says.
 ///
 /// Gives 0, or a GLU error code: `GLU_INVALID_VALUE` for a size below 1 or a slice that is too
-/// short (then `glTexImage2D` also says how many bytes were needed), `GLU_INVALID_ENUM` for a format or type GLU does not scale, `GLU_INVALID_OPERATION` for
-/// a format and type that do not go together. Errors of `glTexImage2D` are GL's.
+/// short (then `glTexImage2D` also says how many bytes were needed), `GLU_INVALID_ENUM` for a format
+/// or type GLU does not scale, `GLU_INVALID_OPERATION` for a format and type that do not go together. Errors of `glTexImage2D` are GL's.
 pub fn gluBuild2DMipmaps<'a>(
     target: impl Arg<GLenum>,
     internal_format: impl Arg<GLint>,
@@ -27,7 +28,7 @@ pub fn gluBuild2DMipmaps<'a>(
 ) -> GLenum {
     let all = Numbers { level: 0, base: 0, max: GLint::MAX };
     let texture = Texture::D2(target.arg(), internal_format.arg());
-    let size = (width.arg(), height.arg());
+    let size = [width.arg(), height.arg(), 1];
     build(texture, size, (format.arg(), type_.arg()), all, data.arg())
 }
 
@@ -48,7 +49,7 @@ pub fn gluBuild2DMipmapLevels<'a>(
 ) -> GLenum {
     let numbers = Numbers { level: level.arg(), base: base.arg(), max: max.arg() };
     let texture = Texture::D2(target.arg(), internal_format.arg());
-    let size = (width.arg(), height.arg());
+    let size = [width.arg(), height.arg(), 1];
     build(texture, size, (format.arg(), type_.arg()), numbers, data.arg())
 }
 
@@ -63,7 +64,7 @@ pub fn gluBuild1DMipmaps<'a>(
 ) -> GLenum {
     let all = Numbers { level: 0, base: 0, max: GLint::MAX };
     let texture = Texture::D1(target.arg(), internal_format.arg());
-    build(texture, (width.arg(), 1), (format.arg(), type_.arg()), all, data.arg())
+    build(texture, [width.arg(), 1, 1], (format.arg(), type_.arg()), all, data.arg())
 }
 
 /// [`gluBuild2DMipmapLevels`] of a row, by `glTexImage1D`.
@@ -81,7 +82,47 @@ pub fn gluBuild1DMipmapLevels<'a>(
 ) -> GLenum {
     let numbers = Numbers { level: level.arg(), base: base.arg(), max: max.arg() };
     let texture = Texture::D1(target.arg(), internal_format.arg());
-    build(texture, (width.arg(), 1), (format.arg(), type_.arg()), numbers, data.arg())
+    build(texture, [width.arg(), 1, 1], (format.arg(), type_.arg()), numbers, data.arg())
+}
+
+/// [`gluBuild2DMipmaps`] of a volume, by `glTexImage3D`, no side larger than
+/// `GL_MAX_3D_TEXTURE_SIZE`.
+#[expect(clippy::too_many_arguments, reason = "GLU's signature")]
+pub fn gluBuild3DMipmaps<'a>(
+    target: impl Arg<GLenum>,
+    internal_format: impl Arg<GLint>,
+    width: impl Arg<GLsizei>,
+    height: impl Arg<GLsizei>,
+    depth: impl Arg<GLsizei>,
+    format: impl Arg<GLenum>,
+    type_: impl Arg<GLenum>,
+    data: impl Arg<Data<'a>>,
+) -> GLenum {
+    let all = Numbers { level: 0, base: 0, max: GLint::MAX };
+    let texture = Texture::D3(target.arg(), internal_format.arg());
+    let size = [width.arg(), height.arg(), depth.arg()];
+    build(texture, size, (format.arg(), type_.arg()), all, data.arg())
+}
+
+/// [`gluBuild2DMipmapLevels`] of a volume, by `glTexImage3D`.
+#[expect(clippy::too_many_arguments, reason = "GLU's signature")]
+pub fn gluBuild3DMipmapLevels<'a>(
+    target: impl Arg<GLenum>,
+    internal_format: impl Arg<GLint>,
+    width: impl Arg<GLsizei>,
+    height: impl Arg<GLsizei>,
+    depth: impl Arg<GLsizei>,
+    format: impl Arg<GLenum>,
+    type_: impl Arg<GLenum>,
+    level: impl Arg<GLint>,
+    base: impl Arg<GLint>,
+    max: impl Arg<GLint>,
+    data: impl Arg<Data<'a>>,
+) -> GLenum {
+    let numbers = Numbers { level: level.arg(), base: base.arg(), max: max.arg() };
+    let texture = Texture::D3(target.arg(), internal_format.arg());
+    let size = [width.arg(), height.arg(), depth.arg()];
+    build(texture, size, (format.arg(), type_.arg()), numbers, data.arg())
 }
 
 /// The call that takes the levels: its target and internal format.
@@ -89,22 +130,43 @@ pub fn gluBuild1DMipmapLevels<'a>(
 enum Texture {
     D1(GLenum, GLint),
     D2(GLenum, GLint),
+    D3(GLenum, GLint),
 }
 
 impl Texture {
+    /// The largest side.
+    fn limit(self) -> usize {
+        let name = match self {
+            Self::D1(..) | Self::D2(..) => GL_MAX_TEXTURE_SIZE,
+            Self::D3(..) => GL_MAX_3D_TEXTURE_SIZE,
+        };
+        get(name).max(1)
+    }
+
+    /// The pixel store without what the call does not heed.
+    fn heeded(self, store: Store) -> Store {
+        match self {
+            Self::D1(..) | Self::D2(..) => Store { image_height: 0, skip_images: 0, ..store },
+            Self::D3(..) => store,
+        }
+    }
+
     fn upload(
         self,
         level: GLint,
-        (width, height): (GLsizei, GLsizei),
-        (format, type_): (GLenum, GLenum),
+        [width, height, depth]: [GLsizei; 3],
+        (format, ty): (GLenum, GLenum),
         data: Data<'_>,
     ) {
         match self {
             Self::D1(target, internal) => {
-                glTexImage1D(target, level, internal, width, 0, format, type_, data);
+                glTexImage1D(target, level, internal, width, 0, format, ty, data);
             }
             Self::D2(target, internal) => {
-                glTexImage2D(target, level, internal, width, height, 0, format, type_, data);
+                glTexImage2D(target, level, internal, width, height, 0, format, ty, data);
+            }
+            Self::D3(target, internal) => {
+                glTexImage3D(target, level, internal, width, height, depth, 0, format, ty, data);
             }
         }
     }
@@ -120,7 +182,7 @@ struct Numbers {
 
 fn build(
     texture: Texture,
-    (width, height): (GLsizei, GLsizei),
+    size: [GLsizei; 3],
     (format, type_): (GLenum, GLenum),
     numbers: Numbers,
     data: Data<'_>,
@@ -130,24 +192,23 @@ fn build(
         return GLU_INVALID_VALUE;
     }
     let store = Store::current(&UNPACK);
-    let layout = match layout(width, height, format, type_, store) {
+    let layout = match layout(size, format, type_, texture.heeded(store)) {
         Ok(layout) => layout,
         Err(code) => return code,
     };
     let Ok(image) = layout.read(bytes(data)) else {
-        texture.upload(level, (width, height), (format, type_), data);
+        texture.upload(level, size, (format, type_), data);
         return GLU_INVALID_VALUE;
     };
-    let limit = get(GL_MAX_TEXTURE_SIZE).max(1);
     TIGHT.make_current(&UNPACK);
-    for (number, image) in (level..).zip(chain(image, layout.storage, limit)) {
+    for (number, image) in (level..).zip(chain(image, layout.storage, texture.limit())) {
         if !(base..=max).contains(&number) {
             continue;
         }
-        let layout = Layout::tight(image.width, image.height, image.count, layout.storage);
+        let layout = Layout::tight(image.size, image.count, layout.storage);
         let mut texels = vec![0; layout.needed()];
         if layout.write(&image, &mut texels).is_ok() {
-            let size = (image.width as GLsizei, image.height as GLsizei);
+            let size = image.size.map(|side| side as GLsizei);
             texture.upload(number, size, (format, type_), Data::Bytes(&texels));
         }
     }
@@ -155,150 +216,20 @@ fn build(
     0
 }
 
-/// Scales an image in client memory with GLU's box filter, from the `GL_UNPACK_*` state's layout
-/// to the `GL_PACK_*` state's.
-///
-/// Gives 0 or a GLU error code, as [`gluBuild2DMipmaps`]; then `data_out` is as it was.
-#[expect(clippy::too_many_arguments, reason = "GLU's signature")]
-pub fn gluScaleImage<'a>(
-    format: impl Arg<GLenum>,
-    width_in: impl Arg<GLsizei>,
-    height_in: impl Arg<GLsizei>,
-    type_in: impl Arg<GLenum>,
-    data_in: impl Arg<Data<'a>>,
-    width_out: impl Arg<GLsizei>,
-    height_out: impl Arg<GLsizei>,
-    type_out: impl Arg<GLenum>,
-    data_out: impl Arg<DataOut<'a>>,
-) -> GLenum {
-    let format = format.arg();
-    let unpack = Store::current(&UNPACK);
-    let pack = Store::current(&PACK);
-    let from = layout(width_in.arg(), height_in.arg(), format, type_in.arg(), unpack);
-    let to = layout(width_out.arg(), height_out.arg(), format, type_out.arg(), pack);
-    let result = from.and_then(|from| {
-        let DataOut::Bytes(out) = data_out.arg() else { return Err(GLU_INVALID_VALUE) };
-        rescale(&from, bytes(data_in.arg()), &to?, out).map_err(|_| GLU_INVALID_VALUE)
-    });
-    result.err().unwrap_or(0)
-}
-
-fn rescale(from: &Layout, data: &[u8], to: &Layout, out: &mut [u8]) -> Result<(), TooShort> {
-    // Before any work: no size that the slice does not back.
-    if out.len() < to.needed() {
-        return Err(TooShort { needed: to.needed() });
-    }
-    let mut image = scale(&from.read(data)?, to.width, to.height, from.storage);
-    for (at, value) in image.values.iter_mut().enumerate() {
-        *value = from.storage.convert(to.storage, at % to.count, *value);
-    }
-    to.write(&image, out)
-}
-
-/// The client's memory; GLU knows no buffer objects.
-fn bytes(data: Data<'_>) -> &[u8] {
-    match data {
-        Data::Bytes(bytes) => bytes,
-        Data::Offset(_) | Data::Null => &[],
-    }
-}
-
 /// The images of all levels, the largest first.
 fn chain(image: Components, storage: Storage, limit: usize) -> impl Iterator<Item = Components> {
-    let fit = |size| nearest_power_of_two(size).min(limit);
-    let (width, height) = (fit(image.width), fit(image.height));
-    let base = resized(image, width, height, storage);
+    let size = image.size.map(|side| nearest_power_of_two(side).min(limit));
+    let base = if image.size == size { image } else { scale(&image, size, storage) };
     std::iter::successors(Some(base), move |image| {
-        let (width, height) = (image.width, image.height);
-        (width > 1 || height > 1)
-            .then(|| scale(image, (width / 2).max(1), (height / 2).max(1), storage))
+        let half = image.size.map(|side| (side / 2).max(1));
+        (half != image.size).then(|| scale(image, half, storage))
     })
-}
-
-fn resized(image: Components, width: usize, height: usize, storage: Storage) -> Components {
-    if (image.width, image.height) == (width, height) {
-        return image;
-    }
-    scale(&image, width, height, storage)
 }
 
 /// libGLU's `nearestPower`: up from 3 quarters of the way on (3 gives 4, 5 gives 4, 6 gives 8).
 fn nearest_power_of_two(size: usize) -> usize {
     let below = 1 << size.ilog2();
     if size >= below + below / 2 && size > 2 { below * 2 } else { below }
-}
-
-fn layout(
-    width: GLsizei,
-    height: GLsizei,
-    format: GLenum,
-    type_: GLenum,
-    store: Store,
-) -> Result<Layout, GLenum> {
-    if width < 1 || height < 1 {
-        return Err(GLU_INVALID_VALUE);
-    }
-    let count = pixels::components(format).ok_or(GLU_INVALID_ENUM)?;
-    let storage = Storage::of(type_).ok_or(GLU_INVALID_ENUM)?;
-    if !storage.holds(count) {
-        return Err(GLU_INVALID_OPERATION);
-    }
-    Ok(Layout { width: width as usize, height: height as usize, count, storage, store })
-}
-
-/// The names of half of the `glPixelStore` state.
-struct Names {
-    alignment: GLenum,
-    row_length: GLenum,
-    skip_rows: GLenum,
-    skip_pixels: GLenum,
-    swap_bytes: GLenum,
-}
-
-const UNPACK: Names = Names {
-    alignment: GL_UNPACK_ALIGNMENT,
-    row_length: GL_UNPACK_ROW_LENGTH,
-    skip_rows: GL_UNPACK_SKIP_ROWS,
-    skip_pixels: GL_UNPACK_SKIP_PIXELS,
-    swap_bytes: GL_UNPACK_SWAP_BYTES,
-};
-
-const PACK: Names = Names {
-    alignment: GL_PACK_ALIGNMENT,
-    row_length: GL_PACK_ROW_LENGTH,
-    skip_rows: GL_PACK_SKIP_ROWS,
-    skip_pixels: GL_PACK_SKIP_PIXELS,
-    swap_bytes: GL_PACK_SWAP_BYTES,
-};
-
-/// A piece of state that is never negative; 0 without a context.
-fn get(name: GLenum) -> usize {
-    let mut value: GLint = 0;
-    glGetIntegerv(name, &mut value);
-    usize::try_from(value).unwrap_or(0)
-}
-
-impl Store {
-    fn current(names: &Names) -> Self {
-        Self {
-            alignment: get(names.alignment).max(1),
-            row_length: get(names.row_length),
-            skip_rows: get(names.skip_rows),
-            skip_pixels: get(names.skip_pixels),
-            order: match get(names.swap_bytes) {
-                0 => ByteOrder::Native,
-                _ => ByteOrder::Swapped,
-            },
-        }
-    }
-
-    fn make_current(self, names: &Names) {
-        glPixelStorei(names.alignment, self.alignment as GLint);
-        glPixelStorei(names.row_length, self.row_length as GLint);
-        glPixelStorei(names.skip_rows, self.skip_rows as GLint);
-        glPixelStorei(names.skip_pixels, self.skip_pixels as GLint);
-        glPixelStorei(names.swap_bytes, GLint::from(self.order == ByteOrder::Swapped));
-    }
 }
 
 #[cfg(test)]
@@ -331,37 +262,22 @@ mod tests {
     fn a_chain_ends_at_one_pixel_and_keeps_the_mean_of_a_checkerboard() {
         let values: Vec<u8> =
             (0..128 * 128).map(|at| if (at + at / 128) % 2 == 0 { 0 } else { 255 }).collect();
-        let image = Layout::tight(128, 128, 1, Storage::U8).read(&values).unwrap();
+        let image = Layout::tight([128, 128, 1], 1, Storage::U8).read(&values).unwrap();
         let levels: Vec<_> = chain(image, Storage::U8, 8192).collect();
-        let sizes: Vec<_> = levels.iter().map(|level| (level.width, level.height)).collect();
+        let sizes: Vec<_> = levels.iter().map(|level| (level.size[0], level.size[1])).collect();
         assert_eq!(sizes, [128, 64, 32, 16, 8, 4, 2, 1].map(|side| (side, side)));
         assert!(levels[1..].iter().all(|level| level.values.iter().all(|&v| v == 128.0)));
     }
 
     #[test]
     fn a_long_image_is_halved_along_its_long_side_alone_at_the_end() {
-        let image = Layout::tight(5, 3, 1, Storage::U8).read(&[9; 15]).unwrap();
+        let image = Layout::tight([5, 3, 1], 1, Storage::U8).read(&[9; 15]).unwrap();
         let sizes: Vec<_> =
-            chain(image, Storage::U8, 8192).map(|level| (level.width, level.height)).collect();
+            chain(image, Storage::U8, 8192).map(|level| (level.size[0], level.size[1])).collect();
         assert_eq!(sizes, [(4, 4), (2, 2), (1, 1)]);
-        let image = Layout::tight(40, 2, 1, Storage::U8).read(&[9; 80]).unwrap();
+        let image = Layout::tight([40, 2, 1], 1, Storage::U8).read(&[9; 80]).unwrap();
         let sizes: Vec<_> =
-            chain(image, Storage::U8, 16).map(|level| (level.width, level.height)).collect();
+            chain(image, Storage::U8, 16).map(|level| (level.size[0], level.size[1])).collect();
         assert_eq!(sizes, [(16, 2), (8, 1), (4, 1), (2, 1), (1, 1)]);
-    }
-
-    #[test]
-    fn sizes_formats_and_types_are_checked() {
-        for (width, format, type_, expected) in [
-            (0, GL_RGB, GL_UNSIGNED_BYTE, GLU_INVALID_VALUE),
-            (-1, GL_RGB, GL_UNSIGNED_BYTE, GLU_INVALID_VALUE),
-            (2, GL_TEXTURE_2D, GL_UNSIGNED_BYTE, GLU_INVALID_ENUM),
-            (2, GL_RGB, GL_TEXTURE_2D, GLU_INVALID_ENUM),
-            (2, GL_RGB, GL_UNSIGNED_SHORT_4_4_4_4, GLU_INVALID_OPERATION),
-        ] {
-            assert_eq!(layout(width, 1, format, type_, TIGHT).err(), Some(expected));
-        }
-        let huge = layout(i32::MAX, i32::MAX, GL_RGBA, GL_FLOAT, TIGHT).unwrap();
-        assert_eq!(huge.read(&[0; 5]), Err(TooShort { needed: huge.needed() }));
     }
 }

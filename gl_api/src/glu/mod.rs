@@ -8,20 +8,23 @@
 //! | [`matrix`] | `gluPerspective`, `gluLookAt`, `gluOrtho2D` |
 //! | [`pixels`] | client memory to numbers and back |
 //! | [`mod@scale`] | the box filter |
-//! | [`mipmap`] | `gluBuild2DMipmaps`, `gluScaleImage` |
+//! | [`image`] | `gluScaleImage`, the pixel store |
+//! | [`mipmap`] | `gluBuild2DMipmaps` and its kin |
 //! | [`error`] | GLU's error codes, `gluErrorString` |
 #![allow(non_snake_case)]
 
 pub mod angle;
 pub mod error;
+pub mod image;
 pub mod matrix;
 pub mod mipmap;
 pub mod pixels;
 pub mod scale;
 
 pub use error::*;
+pub use image::gluScaleImage;
 pub use matrix::{gluLookAt, gluOrtho2D, gluPerspective};
 pub use mipmap::{
     gluBuild1DMipmapLevels, gluBuild1DMipmaps, gluBuild2DMipmapLevels, gluBuild2DMipmaps,
-    gluScaleImage,
+    gluBuild3DMipmapLevels, gluBuild3DMipmaps,
 };

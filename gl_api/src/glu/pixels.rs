@@ -5,16 +5,14 @@ use crate::constants::*;
 use crate::texture::packed::{PACKED, Packed};
 use crate::types::GLenum;
 
-/// An image as numbers: rows from first to last, `count` components a pixel.
+/// An image as numbers: slices and rows from first to last, `count` components a pixel.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Components {
-    /// Pixels in a row.
-    pub width: usize,
-    /// Rows.
-    pub height: usize,
+    /// Pixels in a row, rows in a slice, slices.
+    pub size: [usize; 3],
     /// Components of a pixel, 1 to 4.
     pub count: usize,
-    /// `width * height * count` numbers in steps of the storage: 0 to 255 for a byte.
+    /// `width * height * depth * count` numbers in steps of the storage: 0 to 255 for a byte.
     pub values: Vec<f64>,
 }
 
@@ -137,6 +135,10 @@ pub struct Store {
     pub skip_rows: usize,
     /// Pixels before the first of each row.
     pub skip_pixels: usize,
+    /// Rows in a slice of memory; 0 for the image's own height.
+    pub image_height: usize,
+    /// Slices before the first.
+    pub skip_images: usize,
     /// The order of an element's bytes.
     pub order: ByteOrder,
 }
@@ -151,16 +153,21 @@ pub enum ByteOrder {
 }
 
 /// Rows without gaps.
-pub const TIGHT: Store =
-    Store { alignment: 1, row_length: 0, skip_rows: 0, skip_pixels: 0, order: ByteOrder::Native };
+pub const TIGHT: Store = Store {
+    alignment: 1,
+    row_length: 0,
+    skip_rows: 0,
+    skip_pixels: 0,
+    image_height: 0,
+    skip_images: 0,
+    order: ByteOrder::Native,
+};
 
 /// An image in client memory (GL 2.1 section 3.6.4).
 #[derive(Clone, Copy, Debug)]
 pub struct Layout {
-    /// Pixels in a row.
-    pub width: usize,
-    /// Rows.
-    pub height: usize,
+    /// Pixels in a row, rows in a slice, slices.
+    pub size: [usize; 3],
     /// Components of a pixel.
     pub count: usize,
     /// How they are stored.
@@ -178,8 +185,8 @@ pub struct TooShort {
 
 impl Layout {
     /// An image without gaps.
-    pub fn tight(width: usize, height: usize, count: usize, storage: Storage) -> Self {
-        Self { width, height, count, storage, store: TIGHT }
+    pub fn tight(size: [usize; 3], count: usize, storage: Storage) -> Self {
+        Self { size, count, storage, store: TIGHT }
     }
 
     fn pixel(&self) -> usize {
@@ -187,25 +194,34 @@ impl Layout {
     }
 
     fn stride(&self) -> usize {
-        let length = if self.store.row_length == 0 { self.width } else { self.store.row_length };
+        let length = if self.store.row_length == 0 { self.size[0] } else { self.store.row_length };
         length.saturating_mul(self.pixel()).saturating_add(self.store.alignment - 1)
             & !(self.store.alignment - 1)
     }
 
-    /// Where row `y` begins.
-    fn row(&self, y: usize) -> usize {
-        let skipped = self.store.skip_pixels.saturating_mul(self.pixel());
-        (self.store.skip_rows.saturating_add(y))
-            .saturating_mul(self.stride())
-            .saturating_add(skipped)
+    /// Where row `y` of slice `z` begins.
+    fn row(&self, y: usize, z: usize) -> usize {
+        let Store { image_height, skip_images, skip_rows, skip_pixels, .. } = self.store;
+        let rows = if image_height == 0 { self.size[1] } else { image_height };
+        let rows = skip_images.saturating_add(z).saturating_mul(rows);
+        let row = rows.saturating_add(skip_rows).saturating_add(y);
+        let skipped = skip_pixels.saturating_mul(self.pixel());
+        row.saturating_mul(self.stride()).saturating_add(skipped)
+    }
+
+    /// Where each row begins.
+    fn rows(&self) -> impl Iterator<Item = usize> {
+        let [_, height, depth] = self.size;
+        (0..depth).flat_map(move |z| (0..height).map(move |y| self.row(y, z)))
     }
 
     /// How many bytes the image takes, counted from the start of the slice.
     pub fn needed(&self) -> usize {
-        match self.height {
-            0 => 0,
-            rows => self.row(rows - 1).saturating_add(self.width.saturating_mul(self.pixel())),
+        let [width, height, depth] = self.size;
+        if height == 0 || depth == 0 {
+            return 0;
         }
+        self.row(height - 1, depth - 1).saturating_add(width.saturating_mul(self.pixel()))
     }
 
     /// The image as numbers.
@@ -217,14 +233,14 @@ impl Layout {
         if bytes.len() < needed {
             return Err(TooShort { needed });
         }
-        let mut values = Vec::with_capacity(self.width * self.height * self.count);
-        for y in 0..self.height {
-            let row = &bytes[self.row(y)..][..self.width * self.pixel()];
+        let mut values = Vec::with_capacity(self.size.iter().product::<usize>() * self.count);
+        for at in self.rows() {
+            let row = &bytes[at..][..self.size[0] * self.pixel()];
             for element in row.chunks_exact(self.storage.bytes()) {
                 self.read_element(element, &mut values);
             }
         }
-        Ok(Components { width: self.width, height: self.height, count: self.count, values })
+        Ok(Components { size: self.size, count: self.count, values })
     }
 
     fn read_element(&self, element: &[u8], values: &mut Vec<f64>) {
@@ -262,8 +278,9 @@ impl Layout {
             return Err(TooShort { needed });
         }
         let (size, elements) = (self.storage.bytes(), self.storage.elements(self.count));
-        for (y, row) in image.values.chunks_exact((self.width * self.count).max(1)).enumerate() {
-            let out = &mut bytes[self.row(y)..][..self.width * self.pixel()];
+        let width = self.size[0];
+        for (at, row) in self.rows().zip(image.values.chunks_exact((width * self.count).max(1))) {
+            let out = &mut bytes[at..][..width * self.pixel()];
             let values = row.chunks_exact(self.count / elements);
             for (element, values) in out.chunks_exact_mut(size).zip(values) {
                 let word = self.word(values);
@@ -300,7 +317,7 @@ mod tests {
 
     #[test]
     fn rows_follow_alignment_row_length_and_skips() {
-        let mut layout = Layout::tight(3, 2, 3, Storage::U8);
+        let mut layout = Layout::tight([3, 2, 1], 3, Storage::U8);
         assert_eq!(layout.needed(), 18);
         layout.store.alignment = 4;
         assert_eq!(layout.needed(), 12 + 9);
@@ -316,8 +333,23 @@ mod tests {
     }
 
     #[test]
+    fn slices_follow_image_height_and_skip_images() {
+        let mut layout = Layout::tight([2, 2, 2], 1, Storage::U8);
+        assert_eq!(layout.needed(), 8);
+        layout.store = Store { image_height: 3, skip_images: 1, ..layout.store };
+        assert_eq!(layout.needed(), 6 + 6 + 4);
+        let bytes: Vec<u8> = (0..16).collect();
+        let image = layout.read(&bytes).unwrap();
+        assert_eq!(image.values, [6, 7, 8, 9, 12, 13, 14, 15].map(f64::from));
+        let mut back = vec![0; 16];
+        layout.write(&image, &mut back).unwrap();
+        assert_eq!(back[6..10], bytes[6..10]);
+        assert_eq!(back[12..], bytes[12..]);
+    }
+
+    #[test]
     fn the_lectures_451_pixel_rows_need_padding_at_the_default_alignment() {
-        let mut layout = Layout::tight(451, 300, 3, Storage::U8);
+        let mut layout = Layout::tight([451, 300, 1], 3, Storage::U8);
         layout.store.alignment = 4;
         assert_eq!(layout.needed(), 299 * 1356 + 1353);
     }
@@ -331,7 +363,7 @@ mod tests {
             (GL_UNSIGNED_INT_10_10_10_2, 0x0040_0003, vec![1.0, 0.0, 0.0, 3.0]),
         ] {
             let storage = Storage::of(type_).unwrap();
-            let layout = Layout::tight(1, 1, fields.len(), storage);
+            let layout = Layout::tight([1, 1, 1], fields.len(), storage);
             let bytes = &word.to_ne_bytes()[..layout.needed()];
             let image = layout.read(bytes).unwrap();
             assert_eq!(image.values, fields);
@@ -347,7 +379,7 @@ mod tests {
         for type_ in [GL_UNSIGNED_BYTE, GL_BYTE, GL_SHORT, GL_UNSIGNED_SHORT, GL_INT, GL_FLOAT] {
             for order in [ByteOrder::Native, ByteOrder::Swapped] {
                 let storage = Storage::of(type_).unwrap();
-                let mut layout = Layout::tight(3, 2, 4, storage);
+                let mut layout = Layout::tight([3, 2, 1], 4, storage);
                 layout.store.order = order;
                 let mut back = vec![0; layout.needed()];
                 layout.write(&layout.read(&bytes).unwrap(), &mut back).unwrap();

@@ -2,7 +2,7 @@
 //! call again.
 
 use super::pixels;
-use crate::context::Context;
+use crate::context::{Context, GLDEBUGPROC};
 use crate::entry::{Data, DataOut, Pointers, Strings, TextOut};
 use std::convert::Infallible;
 use std::marker::PhantomData;
@@ -153,6 +153,10 @@ macro_rules! answers {
 
 answers! {
     [T: 'static] &mut [T], [T; 1] => &'a mut [T];
+    // Pointers that a call keeps are the client's own.
+    [T: 'static] *const T, *const T => *const T;
+    [T: 'static] *mut T, *mut T => *mut T;
+    [] GLDEBUGPROC, GLDEBUGPROC => GLDEBUGPROC;
     [] DataOut<'_>, DataOut<'static> => DataOut<'a>;
     // Draws of arrays record themselves.
     [] Pointers<'_>, Pointers<'static> => Pointers<'a>;

@@ -8,6 +8,7 @@ pub(crate) mod renderbuffers;
 pub(crate) mod samplers;
 pub(crate) mod shaders;
 pub(crate) mod sharing;
+pub(crate) mod syncs;
 pub(crate) mod textures;
 pub(crate) mod vertex_arrays;
 
@@ -132,6 +133,7 @@ pub(crate) struct Objects {
     /// Vertex array objects; that of name 0 has a place of its own while another is bound.
     pub vertex_arrays: Names<vertex_arrays::VertexArray>,
     pub default_vertex_array: vertex_arrays::VertexArray,
+    pub syncs: syncs::Syncs,
     /// Display lists.
     pub lists: BTreeMap<GLuint, Arc<List>>,
 }
@@ -148,6 +150,7 @@ impl Default for Objects {
             programs: Names::default(),
             vertex_arrays: Names::default(),
             default_vertex_array: vertex_arrays::VertexArray::default(),
+            syncs: syncs::Syncs::default(),
             lists: BTreeMap::new(),
         }
     }

@@ -1,6 +1,7 @@
 //! The table of state that `glGet` reads: GL 2.1, tables 6.5 to 6.37.
 
 use crate::constants::*;
+use crate::context::log::{MAX_GROUPS, MAX_LABEL, MAX_LENGTH, MAX_LOGGED};
 use crate::context::{Context, limits};
 use crate::env::Unit;
 use crate::error::{Result, Table, invalid_enum};
@@ -101,6 +102,7 @@ pub(crate) fn state_value(context: &Context, pname: GLenum) -> Result<Value> {
         framebuffer,
         bindings,
         lists,
+        debug,
     ];
     for chapter in chapters {
         if let Some(value) = chapter(context, pname) {
@@ -341,6 +343,23 @@ fn framebuffer(context: &Context, pname: GLenum) -> Answer {
         crate::framebuffer::buffers::Answer::Symbol(value) => symbol(value),
         crate::framebuffer::buffers::Answer::Number(value) => int(value),
         crate::framebuffer::buffers::Answer::Flag(value) => flag(value),
+    })
+}
+
+fn debug(context: &Context, pname: GLenum) -> Answer {
+    let log = &context.debug.log;
+    Some(match pname {
+        GL_DEBUG_LOGGED_MESSAGES => int(log.len() as i32),
+        GL_DEBUG_NEXT_LOGGED_MESSAGE_LENGTH => {
+            int(log.first().map_or(0, |first| first.text.len() as i32 + 1))
+        }
+        GL_DEBUG_GROUP_STACK_DEPTH => int(log.depth() as i32),
+        GL_MAX_DEBUG_LOGGED_MESSAGES => int(MAX_LOGGED as i32),
+        GL_MAX_DEBUG_MESSAGE_LENGTH => int(MAX_LENGTH as i32),
+        GL_MAX_DEBUG_GROUP_STACK_DEPTH => int(MAX_GROUPS as i32),
+        GL_MAX_LABEL_LENGTH => int(MAX_LABEL as i32),
+        GL_MAX_SERVER_WAIT_TIMEOUT => int(0),
+        _ => return None,
     })
 }
 

@@ -2,6 +2,7 @@
 
 use crate::constants::*;
 use crate::context::Context;
+use crate::context::debug::Output;
 use crate::error::{Result, Table};
 use crate::interface::{
     ATTRIB_COLOR, ATTRIB_FOG_COORD, ATTRIB_NORMAL, ATTRIB_SECONDARY_COLOR, ATTRIB_TEX_COORD,
@@ -17,6 +18,7 @@ pub(crate) enum Flag {
     Blend,
     ColorLogicOp,
     CullFace,
+    DebugOutputSynchronous,
     DepthTest,
     Dither,
     FramebufferSrgb,
@@ -35,10 +37,12 @@ pub(crate) enum Capability {
     Flag(Flag),
     /// Of the active texture unit.
     Texture(TextureTarget),
+    /// Whether the log of `KHR_debug` is kept.
+    DebugOutput,
 }
 
 /// What is implemented; anything else is `GL_INVALID_ENUM` with this list in the message.
-/// `GL_DITHER` and `GL_MULTISAMPLE` change nothing.
+/// `GL_DITHER` changes nothing, and messages are always synchronous.
 pub(crate) const CAPABILITY: Table<Capability> = Table {
     section: "GL 2.1, table 6.22 and others; what DetGL implements",
     rows: &[
@@ -46,6 +50,8 @@ pub(crate) const CAPABILITY: Table<Capability> = Table {
         (GL_BLEND, Capability::Flag(Flag::Blend)),
         (GL_COLOR_LOGIC_OP, Capability::Flag(Flag::ColorLogicOp)),
         (GL_CULL_FACE, Capability::Flag(Flag::CullFace)),
+        (GL_DEBUG_OUTPUT, Capability::DebugOutput),
+        (GL_DEBUG_OUTPUT_SYNCHRONOUS, Capability::Flag(Flag::DebugOutputSynchronous)),
         (GL_DEPTH_TEST, Capability::Flag(Flag::DepthTest)),
         (GL_DITHER, Capability::Flag(Flag::Dither)),
         (GL_FRAMEBUFFER_SRGB, Capability::Flag(Flag::FramebufferSrgb)),
@@ -98,6 +104,9 @@ fn switch(context: &mut Context, cap: GLenum, on: bool) -> Result<()> {
             context.state.units.active_coordinates("GL 2.1, section 3.8.16")?;
             context.state.units.active_mut().enabled[target as usize] = on;
         }
+        Capability::DebugOutput => {
+            context.debug.output = if on { Output::On } else { Output::Off };
+        }
     }
     Ok(())
 }
@@ -122,6 +131,7 @@ pub(crate) fn is_on(context: &Context, cap: GLenum) -> Result<bool> {
     Ok(match CAPABILITY.decode("cap", cap)? {
         Capability::Flag(flag) => context.state.enables.has(flag),
         Capability::Texture(target) => context.state.units.active().enabled[target as usize],
+        Capability::DebugOutput => context.debug.output == Output::On,
     })
 }
 

@@ -6,20 +6,33 @@ use crate::constants::*;
 use crate::context::{Context, limits};
 use crate::error::{Result, invalid_enum, invalid_operation};
 use crate::types::*;
+use texunit::image::ImageError;
 
 const SECTION: &str = "EXT_framebuffer_object, section 3.8.8";
 
+/// The faces whose levels are made.
+#[derive(Clone, Copy)]
+enum Faces {
+    All,
+    One(usize),
+}
+
 /// Makes the levels above the base from it.
-fn generate(texture: &mut Texture) -> Result<()> {
+fn generate(texture: &mut Texture, faces: Faces) -> Result<()> {
     let (base, max) = (texture.state.sampler.base_level, texture.state.sampler.max_level);
     let max = max.min(limits::MAX_TEXTURE_LEVELS as u32 - 1);
-    texture
-        .image
-        .update(|image| image.generate_mipmaps(base, max))
-        .map_err(|error| super::storage_error(SECTION, &error))?;
+    let made = texture.image.update(|image| match faces {
+        Faces::All => image.generate_mipmaps(base, max),
+        Faces::One(face) => image.generate_face_mipmaps(face, base, max),
+    });
+    made.map_err(|error| super::storage_error(SECTION, &error))?;
     let base = base as usize;
-    for levels in &mut texture.requested {
-        if let Some(&format) = levels.get(base) {
+    for (face, levels) in texture.requested.iter_mut().enumerate() {
+        let made = match faces {
+            Faces::All => true,
+            Faces::One(one) => one == face,
+        };
+        if let (true, Some(&format)) = (made, levels.get(base)) {
             levels[base..].fill(format);
         }
     }
@@ -27,12 +40,17 @@ fn generate(texture: &mut Texture) -> Result<()> {
     Ok(())
 }
 
-/// With `GL_GENERATE_MIPMAP` set, a new base level brings new mipmaps.
-pub(super) fn base_level_changed(texture: &mut Texture, level: usize) -> Result<()> {
+/// With `GL_GENERATE_MIPMAP` set, a new base level of a face brings new mipmaps, if its texels
+/// have any.
+pub(super) fn base_level_changed(texture: &mut Texture, face: usize, level: usize) -> Result<()> {
     let base = texture.state.sampler.base_level as usize;
     let image = texture.image.texels();
-    let whole = (0..image.shape().faces()).all(|face| image.level(face, base).is_some());
-    if texture.generate_mipmap && level == base && whole { generate(texture) } else { Ok(()) }
+    let has_mean = image.level(face, level).is_some_and(|level| level.format.has_mean());
+    if texture.generate_mipmap && level == base && has_mean {
+        generate(texture, Faces::One(face))
+    } else {
+        Ok(())
+    }
 }
 
 pub(crate) fn generate_mipmap(context: &mut Context, target: GLenum) -> Result<()> {
@@ -45,7 +63,7 @@ pub(crate) fn generate_mipmap(context: &mut Context, target: GLenum) -> Result<(
     let texture = bound_mut(context, target);
     let base = texture.state.sampler.base_level as usize;
     let texels = texture.image.texels();
-    let mut sizes = Vec::new();
+    let mut kinds = Vec::new();
     for face in 0..texels.shape().faces() {
         let Some(level) = texels.level(face, base) else {
             return invalid_operation(
@@ -56,10 +74,14 @@ pub(crate) fn generate_mipmap(context: &mut Context, target: GLenum) -> Result<(
                 ),
             );
         };
-        sizes.push((level.width, level.height, level.format));
+        if !level.format.has_mean() {
+            let error = ImageError::NoMean { format: level.format };
+            return Err(super::storage_error(SECTION, &error));
+        }
+        kinds.push((level.size(), level.border, level.format));
     }
-    if sizes.iter().any(|size| *size != sizes[0]) {
+    if kinds.iter().any(|kind| *kind != kinds[0]) {
         return invalid_operation(SECTION, "the faces of the cube map differ in size or format");
     }
-    generate(texture)
+    generate(texture, Faces::All)
 }

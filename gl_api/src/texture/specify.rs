@@ -208,7 +208,7 @@ pub(super) fn store_level(
         .map_err(|error| super::storage_error(SECTION, &error))?;
     texture.requested[face][level] = internal;
     texture.changed();
-    super::mipmap::base_level_changed(texture, level)
+    super::mipmap::base_level_changed(texture, face, level)
 }
 
 /// A call's format, type and pixels.

@@ -81,7 +81,7 @@ pub(super) fn write_area(context: &mut Context, area: &Area, texels: &[u8]) -> R
     });
     written.map_err(|error| super::storage_error(SECTION, &error))?;
     texture.changed();
-    super::mipmap::base_level_changed(texture, area.level)
+    super::mipmap::base_level_changed(texture, target.face.into(), area.level)
 }
 
 /// Memory for the texels of a box.

@@ -198,10 +198,10 @@ operations! {
     Abs "abs" (a: f32) -> f32 = a.abs();
     /// -1, 0 or 1 (0 for NaN).
     Sign "sign" (a: f32) -> f32 = if a > 0.0 { 1.0 } else if a < 0.0 { -1.0 } else { 0.0 };
-    /// The smaller; `b` if `a` is NaN.
-    Min "min" (a: f32, b: f32) -> f32 = math::min(a, b);
-    /// The larger; `b` if `a` is NaN.
-    Max "max" (a: f32, b: f32) -> f32 = math::max(a, b);
+    /// The smaller; the other if one is NaN.
+    Min "min" (a: f32, b: f32) -> f32 = math::min_number(a, b);
+    /// The larger; the other if one is NaN.
+    Max "max" (a: f32, b: f32) -> f32 = math::max_number(a, b);
     /// The largest integer not above.
     Floor "floor" (a: f32) -> f32 = S::floor(a);
     /// The smallest integer not below.

@@ -87,7 +87,7 @@ pub enum ImageError {
         /// Level asked for.
         level: usize,
     },
-    /// Mipmaps of a format that has no mean: integers, depth and compressed blocks.
+    /// Mipmaps of a format that has no mean: integers and stencil.
     #[error("mipmaps of {format:?} texels cannot be generated: they are not averaged")]
     NoMean {
         /// The base level's format.

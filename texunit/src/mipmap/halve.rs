@@ -249,8 +249,8 @@ fn store(format: Format, means: &[f64], out: &mut [u8]) {
             words[field.word] |= match integer(format, channel) {
                 Some((field, smallest)) => {
                     // Truncation is the floor of what is not negative.
-                    let above = (mean - f64::from(smallest) + 0.5) as i32;
-                    ((above + smallest) as u32 & field.mask()) << field.shift
+                    let above = (mean - f64::from(smallest) + 0.5) as u32;
+                    (above.wrapping_add(smallest as u32) & field.mask()) << field.shift
                 }
                 None => encode_channel(format, channel, mean as f32),
             };

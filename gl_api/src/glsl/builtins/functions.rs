@@ -74,8 +74,8 @@ impl Row {
     /// Whether a call with constant arguments is constant.
     pub fn folds(&self) -> bool {
         match self.lower {
-            Lower::Map(_) | Lower::With(_) => true,
-            Lower::Derivative(_) | Lower::Texture(..) | Lower::Modf | Lower::Ftransform => false,
+            Lower::Map(_) | Lower::With(_) | Lower::Derivative(_) => true,
+            Lower::Texture(..) | Lower::Modf | Lower::Ftransform => false,
         }
     }
 

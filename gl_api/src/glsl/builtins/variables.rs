@@ -1,7 +1,7 @@
 //! The built-in variables and constants (GLSL 1.30 chapter 7), but for the state of the context.
 
 use super::state::{self, StateArray};
-use crate::glsl::hir::{Storage, Variable};
+use crate::glsl::hir::{Passing, Storage, Variable};
 use crate::glsl::limits::{
     MAX_CLIP_DISTANCES, MAX_CLIP_PLANES, MAX_DRAW_BUFFERS, MAX_LIGHTS, MAX_UNIFORM_COMPONENTS,
     MAX_VARYING_FLOATS, MAX_VERTEX_ATTRIBS, TEXEL_OFFSETS,
@@ -92,7 +92,9 @@ pub fn find(name: &str, stage: Stage, language: Language) -> Option<Variable> {
         written: false,
         dynamic: false,
         indexed: 0,
-        used: true,
+        used: false,
+        passing: Passing::default(),
+        implicit: false,
         constant,
         init: None,
     })
@@ -115,6 +117,28 @@ pub fn names(stage: Stage, language: Language) -> impl Iterator<Item = &'static 
     ROWS.iter()
         .filter(move |row| row.stages.has(stage) && language.has(row.since))
         .map(|row| row.name)
+}
+
+/// Whether a shader may declare it again: with a size, with words about its interpolation, or with
+/// a layout (GLSL 1.30 sections 7.1 and 7.6, ARB_fragment_coord_conventions).
+pub fn is_redeclarable(builtin: Builtin) -> bool {
+    match builtin {
+        Builtin::Varying(_) | Builtin::ClipDistance | Builtin::FragCoord => true,
+        Builtin::Position
+        | Builtin::PointSize
+        | Builtin::ClipVertex
+        | Builtin::VertexId
+        | Builtin::InstanceId
+        | Builtin::Attribute(_)
+        | Builtin::PointCoord
+        | Builtin::FrontFacing
+        | Builtin::FragColor
+        | Builtin::FragData
+        | Builtin::FragDepth
+        | Builtin::State(_)
+        | Builtin::States(_)
+        | Builtin::Limit(_) => false,
+    }
 }
 
 /// Whether a stage may write it.
@@ -150,7 +174,8 @@ fn rows() -> Vec<Row> {
     ] {
         row(name, INT, Vertex, Since::only(extension), ReadOnly, Builtin::InstanceId);
     }
-    let distances = array(FLOAT, u32::from(MAX_CLIP_DISTANCES));
+    // Without a size: the largest index or a redeclaration brings it (GLSL 1.30 section 7.1).
+    let distances = Type::Array(Box::new(FLOAT), None);
     let distance = Builtin::ClipDistance;
     row("gl_ClipDistance", distances.clone(), Vertex, V130, ReadWrite, distance);
     row("gl_ClipDistance", distances, Fragment, V130, ReadOnly, distance);

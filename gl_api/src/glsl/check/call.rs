@@ -12,7 +12,7 @@ use crate::glsl::hir::{Direction, Expr, ExprKind, VarRef};
 use crate::glsl::limits::TEXEL_OFFSETS;
 use crate::glsl::source::Span;
 use crate::glsl::types::Type;
-use crate::glsl::version::{Extension, Stages, Version, stage_name};
+use crate::glsl::version::{Extension, Version, stage_name};
 use rasterizer::ir::Stage;
 
 /// A function that a call may mean.
@@ -83,11 +83,19 @@ impl Checker<'_> {
             return Expr::error(span);
         }
         let fits = |candidate: &&Candidate| candidate.conversions(&arguments, self.version);
-        let best = candidates.iter().filter(|c| fits(c).is_some()).min_by_key(|c| fits(c));
-        let Some(best) = best.cloned() else {
+        let fitting: Vec<&Candidate> = candidates.iter().filter(|c| fits(c).is_some()).collect();
+        let Some(&best) = fitting.iter().min_by_key(|c| fits(c)) else {
             self.no_match(name, &arguments, &candidates);
             return Expr::error(span);
         };
+        if fits(&best) != Some(0) && fitting.len() > 1 {
+            let list: Vec<String> = fitting.iter().map(|c| c.signature(&name.text)).collect();
+            let message = format!("the call of `{}` fits more than one function", name.text);
+            let problem = Diagnostic::error(name.span, message).rule(self.rule("6.1"));
+            self.log.push(problem.note(format!("there are: {}", list.join(", "))));
+            return Expr::error(span);
+        }
+        let best = best.clone();
         self.finish_call(name, best, arguments, span)
     }
 
@@ -274,7 +282,6 @@ impl Checker<'_> {
         }
         // From 1.20 on a function of constants is constant (section 4.3.3).
         let constant = row.folds()
-            && row.stages == Stages::Any
             && self.version >= Version::V120
             && arguments.iter().all(|argument| argument.constant);
         Expr { ty, span, constant, kind: ExprKind::Builtin(row, arguments) }

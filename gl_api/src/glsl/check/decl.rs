@@ -6,7 +6,7 @@ use crate::glsl::Scalar;
 use crate::glsl::ast::{self, TypeBase};
 use crate::glsl::builtins::variables;
 use crate::glsl::diagnostics::{Diagnostic, closest};
-use crate::glsl::hir::{Expr, Storage, VarRef, Variable};
+use crate::glsl::hir::{Expr, ExprKind, Passing, Storage, VarRef, Variable};
 use crate::glsl::limits::{MAX_SCALARS, MAX_STRUCT_DEPTH};
 use crate::glsl::source::Span;
 use crate::glsl::types::{Struct, Type};
@@ -177,7 +177,7 @@ impl Checker<'_> {
     }
 
     pub(super) fn global_declaration(&mut self, declaration: &ast::Declaration) {
-        let Some(storage) = self.global_storage(&declaration.ty) else { return };
+        let Some((storage, passing)) = self.global_storage(&declaration.ty) else { return };
         self.check_precision(&declaration.ty);
         if declaration.names.is_empty() {
             let _ = self.type_of(&declaration.ty.ty, None);
@@ -185,16 +185,27 @@ impl Checker<'_> {
         }
         for declared in &declaration.names {
             let ty = self.type_of(&declaration.ty.ty, declared.array.as_ref());
-            if self.redeclares_builtin(declared, &ty) || self.completes_array(declared, &ty) {
+            if self.redeclares_builtin(declared, &ty, storage, passing) {
+                continue;
+            }
+            let init = declared.init.as_ref().map(|init| self.expr(init));
+            let ty = sized_by(ty, init.as_ref());
+            if let Some(var) = self.completes_array(declared, &ty) {
+                if init.is_some() {
+                    let mut variable = self.variable(var).clone();
+                    self.initialize(&mut variable, init, declared.name.span);
+                    *self.variable_mut(var) = variable;
+                }
                 continue;
             }
             self.check_new(&declared.name);
             self.check_interface(storage, &ty, declared.name.span);
-            let init = declared.init.as_ref().map(|init| (init, self.expr(init)));
+            self.check_layout(&declared.name, passing);
             let type_span = (declaration.names.len() == 1).then_some(declaration.ty.ty.span);
             let mut variable = self.new_variable(declared, ty, storage);
             variable.type_span = type_span.filter(|_| declared.array.is_none());
-            self.initialize(&mut variable, init.map(|(_, checked)| checked), declared.name.span);
+            variable.passing = passing;
+            self.initialize(&mut variable, init, declared.name.span);
             self.check_sized(&variable);
             let var = VarRef::Global(self.unit.globals.len() as u32);
             self.unit.globals.push(variable);
@@ -218,6 +229,8 @@ impl Checker<'_> {
             dynamic: false,
             indexed: 0,
             used: false,
+            passing: Passing::default(),
+            implicit: false,
             constant: None,
             init: None,
         }
@@ -248,12 +261,6 @@ impl Checker<'_> {
             self.error(init.span, "6.4", message);
             return;
         }
-        if let (Type::Array(element, None), Type::Array(other, Some(len))) =
-            (&variable.ty, &init.ty)
-            && element == other
-        {
-            variable.ty = Type::Array(element.clone(), Some(*len));
-        }
         if self.version < Version::V120 && variable.ty.has_array() {
             self.error(init.span, "4.3", "arrays take no value before GLSL 1.20");
         }
@@ -267,7 +274,11 @@ impl Checker<'_> {
         let must_fold = match variable.storage {
             Storage::Const => Some("a constant"),
             Storage::Uniform => Some("a uniform"),
-            Storage::Plain => self.body.is_none().then_some("a global variable"),
+            // The desktop's versions run other initializers before `main` (section 4.3).
+            Storage::Plain if self.version == Version::Es100 => {
+                self.body.is_none().then_some("a global variable")
+            }
+            Storage::Plain => None,
             Storage::Attribute
             | Storage::Output(_)
             | Storage::Input(_)
@@ -280,21 +291,21 @@ impl Checker<'_> {
             let rule = format!("{} section 4.3.3", self.version.title());
             self.log.push(Diagnostic::error(init.span, message).rule(rule));
         }
-        if variable.storage == Storage::Const {
-            variable.constant = words;
+        match (variable.storage, words) {
+            (Storage::Const, words) => {
+                variable.constant = words;
+                variable.init = Some(init);
+            }
+            // The linker knows nothing of the constants that the value may be made of.
+            (Storage::Uniform, Some(words)) => {
+                variable.init = Some(Expr { kind: ExprKind::Const(words), ..init });
+            }
+            _ => variable.init = Some(init),
         }
-        variable.init = Some(init);
     }
 
-    /// Arrays without a size wait for one only where later declarations can bring it.
+    /// What no variable can be.
     pub(super) fn check_sized(&mut self, variable: &Variable) {
-        if matches!(variable.ty, Type::Array(_, None)) && self.body.is_some() {
-            self.error(
-                variable.span,
-                "4.1.9",
-                format!("the array `{}` needs a size", variable.name),
-            );
-        }
         if variable.ty == Type::Void {
             self.error(variable.span, "4.1.1", format!("`{}` cannot be void", variable.name));
         }
@@ -308,67 +319,14 @@ impl Checker<'_> {
             );
         }
     }
+}
 
-    /// A redeclaration of `gl_TexCoord` with a size, or of another built-in with qualifiers.
-    fn redeclares_builtin(&mut self, declared: &ast::Declarator, ty: &Type) -> bool {
-        let name = &declared.name;
-        if !name.text.starts_with("gl_") {
-            return false;
+/// The type of an array, with the size that its initializer gives it.
+pub(super) fn sized_by(ty: Type, init: Option<&Expr>) -> Type {
+    match (&ty, init.map(|init| &init.ty)) {
+        (Type::Array(element, None), Some(Type::Array(other, Some(len)))) if element == other => {
+            Type::Array(element.clone(), Some(*len))
         }
-        let known = match self.scopes.find_global(&name.text) {
-            Some(Symbol::Variable(var)) => Some(*var),
-            Some(Symbol::Struct(_) | Symbol::Functions(_) | Symbol::Undeclared(_)) | None => {
-                self.builtin_variable(&name.text)
-            }
-        };
-        let Some(var) = known else { return false };
-        let known = self.variable(var).ty.clone();
-        let fits = if let (Type::Array(a, Some(limit)), Type::Array(b, len)) = (&known, ty) {
-            a == b && len.is_none_or(|len| len <= *limit)
-        } else {
-            known == *ty
-        };
-        if !fits && *ty != Type::Error {
-            let message = format!("`{}` is {known}, not {ty}", name.text);
-            let problem = Diagnostic::error(name.span, message).rule(self.rule("7.6"));
-            self.log.push(problem.help("redeclare it as it is, or with a smaller size"));
-        } else if matches!(ty, Type::Array(_, Some(_))) {
-            self.variable_mut(var).ty = ty.clone();
-        }
-        true
-    }
-
-    /// The second declaration of an array, which brings its size.
-    fn completes_array(&mut self, declared: &ast::Declarator, ty: &Type) -> bool {
-        let Some(Symbol::Variable(var)) = self.scopes.find_innermost(&declared.name.text) else {
-            return false;
-        };
-        let var = *var;
-        let (Type::Array(old, None), Type::Array(new, Some(_))) = (&self.variable(var).ty, ty)
-        else {
-            return false;
-        };
-        if old != new {
-            return false;
-        }
-        self.variable_mut(var).ty = ty.clone();
-        true
-    }
-
-    /// Makes an array without a size at least `len` long.
-    pub(super) fn grow(&mut self, var: VarRef, len: u32) {
-        let variable = self.variable_mut(var);
-        variable.indexed = variable.indexed.max(len);
-    }
-
-    /// Gives the arrays without a size the one that their largest index needs.
-    pub(super) fn settle_arrays(&mut self) {
-        for variable in &mut self.unit.globals {
-            if let Type::Array(element, None) = &variable.ty
-                && variable.indexed > 0
-            {
-                variable.ty = Type::Array(element.clone(), Some(variable.indexed));
-            }
-        }
+        _ => ty,
     }
 }

@@ -7,8 +7,8 @@ use crate::glsl::Scalar;
 use crate::glsl::ast::{self, BinaryOp, UnaryOp};
 use crate::glsl::builtins::variables;
 use crate::glsl::diagnostics::{Diagnostic, closest};
-use crate::glsl::hir::{Expr, ExprKind, VarRef};
-use crate::glsl::limits::MAX_IMPLICIT_SIZE;
+use crate::glsl::hir::{Expr, ExprKind, Storage, VarRef};
+use crate::glsl::limits::{MAX_CLIP_DISTANCES, MAX_IMPLICIT_SIZE};
 use crate::glsl::source::Span;
 use crate::glsl::types::{BOOL, FLOAT, INT, Type, UINT};
 use crate::glsl::version::{Extension, Since, Version};
@@ -323,7 +323,7 @@ impl Checker<'_> {
             self.log.push(Diagnostic::error(span, message).rule(rule));
             return Expr::error(span);
         };
-        if ty.has_sampler() || ty == Type::Void || ty.has_array() && self.version < Version::V130 {
+        if ty.has_sampler() || ty.has_array() && self.version < Version::V120 {
             self.error(span, "6.4", format!("`?:` cannot choose between two of {ty}"));
             return Expr::error(span);
         }
@@ -366,6 +366,10 @@ impl Checker<'_> {
                             .rule(format!("{} section 4.1.9", self.version.title())),
                     );
                 }
+                if base.ty.has_sampler() && self.version >= Version::V130 {
+                    let message = "samplers are indexed by constant expressions only";
+                    self.error(index.span, "4.1.7", message);
+                }
                 if let Some(root) = base.root() {
                     self.variable_mut(root).dynamic = true;
                 }
@@ -378,7 +382,12 @@ impl Checker<'_> {
 
     /// A constant index lies in the array; it makes an array without a size grow.
     fn check_bounds(&mut self, base: &Expr, value: u32, len: Option<u32>, span: Span) {
-        let limit = len.unwrap_or(MAX_IMPLICIT_SIZE);
+        let builtin = base.root().map(|root| self.variable(root).storage);
+        let implicit = match builtin {
+            Some(Storage::Builtin(_)) => MAX_CLIP_DISTANCES.into(),
+            _ => MAX_IMPLICIT_SIZE,
+        };
+        let limit = len.unwrap_or(implicit);
         if value >= limit {
             let message =
                 format!("index {} is out of range: {} has {limit} elements", value as i32, base.ty);

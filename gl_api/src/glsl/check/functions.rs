@@ -1,11 +1,13 @@
 //! Functions: prototypes, definitions, parameters (GLSL 1.30 section 6.1).
 
+use super::redeclare::settle_arrays;
 use super::scope::Symbol;
 use super::{Body, Checker};
 use crate::glsl::ast::{self, Qualifier};
 use crate::glsl::diagnostics::Diagnostic;
-use crate::glsl::hir::{Direction, Function, Storage, VarRef, Variable};
+use crate::glsl::hir::{Direction, Function, Passing, Storage, VarRef, Variable};
 use crate::glsl::types::Type;
+use crate::glsl::version::Version;
 
 impl Checker<'_> {
     pub(super) fn function(&mut self, declared: &ast::Function) {
@@ -50,6 +52,7 @@ impl Checker<'_> {
     }
 
     fn parameter(&mut self, parameter: &ast::Parameter) -> (Direction, Variable) {
+        self.check_order(&parameter.ty.qualifiers);
         let mut direction = Direction::In;
         for (qualifier, span) in &parameter.ty.qualifiers {
             match qualifier {
@@ -64,7 +67,9 @@ impl Checker<'_> {
                 | Qualifier::Invariant
                 | Qualifier::Smooth
                 | Qualifier::Flat
-                | Qualifier::NoPerspective => {
+                | Qualifier::NoPerspective
+                | Qualifier::OriginUpperLeft
+                | Qualifier::PixelCenterInteger => {
                     self.error(*span, "6.1", "a parameter is `in`, `out`, `inout` or `const in`");
                 }
             }
@@ -78,7 +83,14 @@ impl Checker<'_> {
         if ty.has_sampler() && direction != Direction::In {
             self.error(span, "6.1", "a sampler cannot be an `out` parameter");
         }
+        if ty.has_array() && direction != Direction::In && self.version < Version::V120 {
+            let message = "an array cannot be an `out` parameter: it is no l-value";
+            self.error(span, "5.8", message);
+        }
         let constant = parameter.ty.qualifiers.iter().any(|(q, _)| *q == Qualifier::Const);
+        if constant && direction != Direction::In {
+            self.error(span, "6.1", "a `const` parameter cannot be `out` or `inout`");
+        }
         let storage = if constant { Storage::Const } else { Storage::Parameter(direction) };
         let variable = Variable {
             name: parameter.name.as_ref().map_or("".into(), |name| name.text.clone()),
@@ -90,6 +102,8 @@ impl Checker<'_> {
             dynamic: false,
             indexed: 0,
             used: false,
+            passing: Passing::default(),
+            implicit: false,
             constant: None,
             init: None,
         };
@@ -157,7 +171,8 @@ impl Checker<'_> {
         }
         let statements = self.statements(body);
         self.scopes.close();
-        let Some(body) = self.body.take() else { return };
+        let Some(mut body) = self.body.take() else { return };
+        settle_arrays(&mut body.locals);
         if result != Type::Void && result != Type::Error && !body.returns {
             let message = format!("`{}` never returns a value", declared.name.text);
             let rule = format!("{} section 6.1", self.version.title());

@@ -5,10 +5,10 @@ use super::Checker;
 use crate::glsl::Scalar;
 use crate::glsl::ast::{self, Qualifier};
 use crate::glsl::diagnostics::Diagnostic;
-use crate::glsl::hir::Storage;
+use crate::glsl::hir::{Passing, Storage};
 use crate::glsl::source::Span;
 use crate::glsl::types::{FLOAT, INT, Type};
-use crate::glsl::version::Version;
+use crate::glsl::version::{Extension, Since, Version};
 use rasterizer::ir::{Interpolation, Stage};
 
 /// What a storage qualifier makes a global in a stage; the error says why it cannot be there.
@@ -34,17 +34,22 @@ fn storage(
             | Qualifier::Smooth
             | Qualifier::Flat
             | Qualifier::NoPerspective
-            | Qualifier::Precision,
+            | Qualifier::Precision
+            | Qualifier::OriginUpperLeft
+            | Qualifier::PixelCenterInteger,
             _,
         ) => Ok(Storage::Plain),
     }
 }
 
 impl Checker<'_> {
-    /// What the qualifiers of a global make it; `None` when they contradict each other.
-    pub(super) fn global_storage(&mut self, ty: &ast::QualifiedType) -> Option<Storage> {
+    /// What the qualifiers of a global make it, and how it passes; `None` when they contradict each
+    /// other.
+    pub(super) fn global_storage(&mut self, ty: &ast::QualifiedType) -> Option<(Storage, Passing)> {
+        self.check_order(&ty.qualifiers);
         let mut word: Option<(Qualifier, Span)> = None;
-        let mut interpolation: Option<(Interpolation, Span)> = None;
+        let mut passing = Passing::default();
+        let mut words_of_passing: Vec<(Qualifier, Span)> = Vec::new();
         for &(qualifier, span) in &ty.qualifiers {
             let smoothness = match qualifier {
                 Qualifier::Const
@@ -64,15 +69,34 @@ impl Checker<'_> {
                 Qualifier::Smooth => Interpolation::Smooth,
                 Qualifier::Flat => Interpolation::Flat,
                 Qualifier::NoPerspective => Interpolation::NoPerspective,
-                // Invariance always holds, and every sample is at the centre.
-                Qualifier::Invariant | Qualifier::Centroid | Qualifier::Precision => continue,
+                // Invariance always holds, and every sample is at the centre: these words are
+                // only compared.
+                Qualifier::Invariant => {
+                    passing.invariant = true;
+                    continue;
+                }
+                Qualifier::Centroid => {
+                    passing.centroid = true;
+                    words_of_passing.push((qualifier, span));
+                    continue;
+                }
+                Qualifier::OriginUpperLeft => {
+                    passing.origin_upper_left = true;
+                    continue;
+                }
+                Qualifier::PixelCenterInteger => {
+                    passing.pixel_center_integer = true;
+                    continue;
+                }
+                Qualifier::Precision => continue,
             };
-            if interpolation.replace((smoothness, span)).is_some() {
+            words_of_passing.push((qualifier, span));
+            if passing.interpolation.replace(smoothness).is_some() {
                 let message = "a second word that says how the variable is interpolated";
                 self.log.push(Diagnostic::error(span, message).rule(self.rule("4.3.9")));
             }
         }
-        let smoothness = interpolation.map_or(Interpolation::Smooth, |(smoothness, _)| smoothness);
+        let smoothness = passing.interpolation.unwrap_or(Interpolation::Smooth);
         let found = match word {
             Some((qualifier, span)) => {
                 self.check_old(qualifier, span);
@@ -82,14 +106,9 @@ impl Checker<'_> {
         };
         match found {
             Ok(storage) => {
-                let passes = matches!(storage, Storage::Output(_) | Storage::Input(_));
-                if let (Some((_, span)), false) = (interpolation, passes) {
-                    let message = "only what passes from the vertex to the fragment stage is \
-                                   interpolated";
-                    let problem = Diagnostic::error(span, message).rule(self.rule("4.3.9"));
-                    self.log.push(problem.help("leave this word out"));
-                }
-                Some(storage)
+                let old = word.is_some_and(|(qualifier, _)| qualifier == Qualifier::Varying);
+                self.check_passing(storage, &words_of_passing, old);
+                Some((storage, passing))
             }
             Err((message, span)) => {
                 self.log.push(Diagnostic::error(span, message).rule(self.rule("4.3")));
@@ -98,10 +117,46 @@ impl Checker<'_> {
         }
     }
 
+    /// Qualifiers follow each other in one order (GLSL 1.30 section 4.7).
+    pub(super) fn check_order(&mut self, qualifiers: &[(Qualifier, Span)]) {
+        let wrong = qualifiers.windows(2).find(|pair| pair[0].0.rank() > pair[1].0.rank());
+        if let Some([_, (_, span)]) = wrong {
+            let message = "this qualifier stands too late";
+            let problem = Diagnostic::error(*span, message).rule(self.rule("4.7"));
+            let order = "the order is: invariant; smooth, flat or noperspective; const or \
+                         centroid; in, out, varying and the like; the precision";
+            self.log.push(problem.help(order));
+        }
+    }
+
+    /// Words about interpolation stand at what passes from the vertex to the fragment stage, and
+    /// not at the deprecated `varying` (GLSL 1.30 section 4.3).
+    fn check_passing(&mut self, storage: Storage, words: &[(Qualifier, Span)], varying: bool) {
+        let passes = matches!(storage, Storage::Output(_) | Storage::Input(_));
+        let deprecated = varying && !self.language.enabled(Extension::GpuShader4);
+        for (qualifier, span) in words {
+            let (message, help) = if !passes {
+                let message = "only what passes from the vertex to the fragment stage is \
+                               interpolated";
+                (message, "leave this word out")
+            } else if deprecated && *qualifier != Qualifier::Centroid {
+                ("this word does not go with `varying`", "write `in` or `out`")
+            } else {
+                continue;
+            };
+            let problem = Diagnostic::error(*span, message).rule(self.rule("4.3.9"));
+            self.log.push(problem.help(help));
+        }
+    }
+
     /// `in` and `out` of globals came with 1.30; before, they are taken as what they mean there, so
     /// that only this is reported.
     fn check_old(&mut self, qualifier: Qualifier, span: Span) {
         let is_in = qualifier == Qualifier::In;
+        let layouts = self.language.enabled(Extension::FragmentCoordConventions);
+        if is_in && self.stage == Stage::Fragment && layouts {
+            return;
+        }
         if self.version >= Version::V130 || !(is_in || qualifier == Qualifier::Out) {
             return;
         }
@@ -123,7 +178,7 @@ impl Checker<'_> {
             |ty: &Type| ty.any(&|part| matches!(part, Type::Vector(Scalar::Int | Scalar::Uint, _)));
         let boolean = ty.any(&|part| matches!(part, Type::Vector(Scalar::Bool, _)));
         let structure = ty.any(&|part| matches!(part, Type::Struct(_)));
-        let old = self.version < Version::V130;
+        let old = !self.language.has(Since::V130.or(Extension::GpuShader4));
         let wrong = match storage {
             Storage::Attribute => {
                 if boolean || structure || ty.has_array() || (old && integer(ty)) {
@@ -133,7 +188,7 @@ impl Checker<'_> {
                 }
             }
             Storage::Output(interpolation) | Storage::Input(interpolation) => {
-                if boolean || (structure && old) || (old && integer(ty)) {
+                if boolean || structure || (old && integer(ty)) {
                     Some("what passes between the stages is made of floats")
                 } else if integer(ty) && interpolation != Interpolation::Flat && !self.is_vertex() {
                     Some("integers that pass between the stages are `flat`")
@@ -177,11 +232,24 @@ impl Checker<'_> {
         }
     }
 
-    /// Floats of the fragment stage need a precision in GLSL ES.
+    /// Only numbers and samplers have a precision (GLSL 1.30 section 4.5.2); floats of the fragment
+    /// stage need one in GLSL ES.
     pub(super) fn check_precision(&mut self, ty: &ast::QualifiedType) {
-        let given = ty.qualifiers.iter().any(|(qualifier, _)| *qualifier == Qualifier::Precision);
-        let ast::TypeBase::Named(word) = &ty.ty.base else { return };
-        let named = Type::named(word, self.language);
+        let word = ty.qualifiers.iter().find(|(qualifier, _)| *qualifier == Qualifier::Precision);
+        let given = word.is_some();
+        let named = match &ty.ty.base {
+            ast::TypeBase::Named(word) => Type::named(word, self.language),
+            ast::TypeBase::Struct(_) => None,
+        };
+        let precise = match &named {
+            Some(Type::Sampler(_)) => true,
+            Some(named) => named.scalar().is_some_and(|scalar| scalar != Scalar::Bool),
+            None => false,
+        };
+        if let (Some((_, span)), false) = (word, precise) {
+            let message = "only numbers, their vectors and matrices, and samplers have a precision";
+            self.error(*span, "4.5.2", message);
+        }
         let float = named.is_some_and(|named| named.scalar() == Some(Scalar::Float));
         if self.float_precision || given || !float {
             return;

@@ -9,17 +9,19 @@ mod interface;
 mod lvalue;
 mod operators;
 mod recursion;
+mod redeclare;
 mod scope;
 mod stmt;
 
 use super::ast::Item;
 use super::diagnostics::{Diagnostic, Log};
-use super::hir::{Expr, Stmt, Unit, VarRef, Variable};
+use super::hir::{Expr, Stmt, Storage, Unit, VarRef, Variable};
 use super::source::{Source, Span};
 use super::types::Type;
 use super::version::{Language, Version};
 use rasterizer::ir::Stage;
 pub use recursion::recursive_call;
+use redeclare::settle_arrays;
 use scope::{Scopes, Undeclared};
 use std::sync::Arc;
 
@@ -70,7 +72,7 @@ pub fn check(
     log: &mut Log,
 ) -> Unit {
     let version = language.version;
-    let unit = Unit { stage, globals: Vec::new(), functions: Vec::new() };
+    let unit = Unit { stage, version, globals: Vec::new(), functions: Vec::new() };
     let mut checker = Checker {
         source,
         log,
@@ -101,17 +103,7 @@ pub fn check(
 impl Checker<'_> {
     fn finish(mut self) -> Unit {
         self.report_undeclared();
-        self.settle_arrays();
-        let missing_size = |variable: &Variable| matches!(variable.ty, Type::Array(_, None));
-        for index in 0..self.unit.globals.len() {
-            if missing_size(&self.unit.globals[index]) {
-                let variable = &self.unit.globals[index];
-                let message = format!("the array `{}` never gets a size", variable.name);
-                let problem = Diagnostic::error(variable.span, message).rule(self.rule("4.1.9"));
-                let help = "declare it with a size, or index it by a constant";
-                self.log.push(problem.help(help));
-            }
-        }
+        settle_arrays(&mut self.unit.globals);
         if let Some((name, span)) = recursive_call(&self.unit.functions) {
             let message = format!("`{name}` calls itself, directly or through others");
             let rule = "GLSL 1.30 section 6.1: recursion is not allowed";
@@ -123,13 +115,20 @@ impl Checker<'_> {
         self.unit
     }
 
-    /// A shader may write `gl_FragColor` or `gl_FragData`, not both (GLSL 1.30 section 7.2).
+    /// A shader writes `gl_FragColor`, `gl_FragData` or outputs of its own (GLSL 1.30 section 7.2).
     fn both_color_outputs(&mut self) {
         let written = |name: &str| {
             self.unit.globals.iter().any(|global| &*global.name == name && global.written)
         };
-        if written("gl_FragColor") && written("gl_FragData") {
-            let message = "`gl_FragColor` and `gl_FragData` are both written";
+        let own =
+            self.unit.globals.iter().find(|v| v.written && v.storage == Storage::FragmentOutput);
+        let written: Vec<&str> = ["gl_FragColor", "gl_FragData"]
+            .into_iter()
+            .filter(|name| written(name))
+            .chain(own.map(|own| &*own.name))
+            .collect();
+        if let [first, second, ..] = written[..] {
+            let message = format!("`{first}` and `{second}` are both written");
             let span = Span::default();
             self.log.push(Diagnostic::error(span, message).rule("GLSL 1.30 section 7.2"));
         }

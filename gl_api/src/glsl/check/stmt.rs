@@ -1,6 +1,7 @@
 //! Statements (GLSL 1.30 sections 6.2 to 6.4).
 
 use super::Checker;
+use super::decl::sized_by;
 use super::scope::Symbol;
 use crate::glsl::Scalar;
 use crate::glsl::ast::{self, Qualifier, StmtKind};
@@ -190,7 +191,9 @@ impl Checker<'_> {
                 | Qualifier::Invariant
                 | Qualifier::Smooth
                 | Qualifier::Flat
-                | Qualifier::NoPerspective => {
+                | Qualifier::NoPerspective
+                | Qualifier::OriginUpperLeft
+                | Qualifier::PixelCenterInteger => {
                     let rule = format!("{} section 4.3", self.version.title());
                     let message = "a variable in a function can only be `const`";
                     self.log.push(Diagnostic::error(span, message).rule(rule));
@@ -204,6 +207,14 @@ impl Checker<'_> {
         for declared in &declaration.names {
             let ty = self.type_of(&declaration.ty.ty, declared.array.as_ref());
             let init = declared.init.as_ref().map(|init| self.expr(init));
+            let ty = sized_by(ty, init.as_ref());
+            if let Some(var) = self.completes_array(declared, &ty) {
+                if let (Some(init), VarRef::Local(local)) = (init, var) {
+                    let init = self.converted(init, &ty, "initialize with");
+                    all.push(Stmt::Declare(local, Some(init)));
+                }
+                continue;
+            }
             self.check_new(&declared.name);
             let mut variable = self.new_variable(declared, ty, storage);
             self.initialize(&mut variable, init, declared.name.span);

@@ -14,7 +14,7 @@ impl<'a> Lowerer<'a> {
         let unit = self.frame().unit;
         let signature = self.unit_functions[unit][index as usize].signature();
         let Some(&(unit, function)) = self.functions.get(&signature) else {
-            return Err(Failure(format!("function `{signature}` is declared and never defined")));
+            return Err(Failure(format!("`{signature}` is called and never defined")));
         };
 
         // Arguments belong to the caller; they are evaluated once, from left to right.

@@ -1,9 +1,11 @@
 //! Checked shader to IR: every vector taken apart into scalars, every call inlined.
 
+mod builtin;
 mod call;
 pub mod emit;
 mod expr;
 mod interface;
+mod outputs;
 mod place;
 mod stmt;
 mod texture;
@@ -13,7 +15,7 @@ use super::hir::{Expr, Function, Unit, VarRef, Variable};
 use super::limits::{MAX_INLINED_DEPTH, MAX_VALUES};
 use crate::interface::{StateBinding, StateVar};
 use emit::Emit;
-pub use interface::{Binding, lower_stage, varying_slots};
+pub use interface::{Binding, lower_stage, named_globals, varying_slots};
 use place::Slot;
 use rasterizer::ir::{Stage, Texture, TextureDecl, Ty, Value, Var};
 use std::collections::BTreeMap;
@@ -200,10 +202,11 @@ fn functions<'a>(units: &[&'a Unit]) -> BTreeMap<String, (usize, &'a Function)> 
     all
 }
 
-/// The functions that `main` reaches, `main` first, each with its unit.
-pub fn reachable<'a>(units: &[&'a Unit]) -> Result<Vec<(usize, &'a Function)>, String> {
+/// The functions that `main` reaches, `main` first, each with its unit. One that nobody defines is
+/// no mistake as long as the calls of it fold away.
+pub fn reachable<'a>(units: &[&'a Unit]) -> Vec<(usize, &'a Function)> {
     let bodies = functions(units);
-    let Some(&main) = bodies.get("main()") else { return Ok(Vec::new()) };
+    let Some(&main) = bodies.get("main()") else { return Vec::new() };
     let mut seen = vec![main];
     let mut names = std::collections::BTreeSet::from(["main()".to_owned()]);
     let mut next = 0;
@@ -212,17 +215,14 @@ pub fn reachable<'a>(units: &[&'a Unit]) -> Result<Vec<(usize, &'a Function)>, S
         next += 1;
         for &(call, _) in &function.calls {
             let signature = units[unit].functions[call as usize].signature();
-            match bodies.get(&signature) {
-                Some(&target) => {
-                    if names.insert(signature) {
-                        seen.push(target);
-                    }
-                }
-                None => return Err(signature),
+            if let Some(&target) = bodies.get(&signature)
+                && names.insert(signature)
+            {
+                seen.push(target);
             }
         }
     }
-    Ok(seen)
+    seen
 }
 
 /// A texture declaration as a key.

@@ -8,6 +8,7 @@ use crate::glsl::ast::{
 };
 use crate::glsl::diagnostics::Diagnostic;
 use crate::glsl::lexer::Kind;
+use crate::glsl::source::Span;
 use crate::glsl::version::Version;
 use std::sync::Arc;
 
@@ -57,6 +58,10 @@ impl Parser<'_> {
         let mut qualifiers = Vec::new();
         while let Some(word) = self.token().word() {
             let span = self.span();
+            if &**word == "layout" && keywords::has_layout(self.language) {
+                self.layout(&mut qualifiers)?;
+                continue;
+            }
             match keywords::qualifier(word, self.language) {
                 Some(qualifier) => {
                     self.bump();
@@ -83,11 +88,37 @@ impl Parser<'_> {
         Ok(QualifiedType { qualifiers, ty })
     }
 
+    /// `layout(origin_upper_left, pixel_center_integer)` (ARB_fragment_coord_conventions).
+    fn layout(&mut self, qualifiers: &mut Vec<(Qualifier, Span)>) -> Parsed<()> {
+        self.bump();
+        self.expect("(")?;
+        loop {
+            let name = self.name()?;
+            match &*name.text {
+                "origin_upper_left" => qualifiers.push((Qualifier::OriginUpperLeft, name.span)),
+                "pixel_center_integer" => {
+                    qualifiers.push((Qualifier::PixelCenterInteger, name.span));
+                }
+                other => {
+                    let message = format!("`{other}` is no layout");
+                    let known = "there are `origin_upper_left` and `pixel_center_integer`";
+                    self.log.push(Diagnostic::error(name.span, message).help(known));
+                }
+            }
+            if !self.eat(",") {
+                return self.expect(")");
+            }
+        }
+    }
+
     /// A type, with the size of an array of it.
     pub(super) fn type_name(&mut self) -> Parsed<TypeName> {
         let span = self.span();
         let base = if self.is_word("struct") {
             TypeBase::Struct(Arc::new(self.nested(Self::structure)?))
+        } else if keywords::has_unsigned_int(self.language) && self.eat_word("unsigned") {
+            self.eat_word("int");
+            TypeBase::Named("uint".into())
         } else {
             let token = self.token();
             let Some(word) = token.word() else {

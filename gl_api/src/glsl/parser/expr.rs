@@ -284,12 +284,18 @@ impl Parser<'_> {
                 self.log.push(problem);
                 ExprKind::Error
             }
-            Ok(Literal::Float(_)) if suffix && self.version < Version::V120 => {
-                let message = "the suffix `f` is not in GLSL 1.10";
+            Ok(Literal::Float(value)) if suffix && self.version < Version::V120 => {
+                let message = format!("the suffix `f` is not in {}", self.version.title());
                 let plain = text.trim_end_matches(['f', 'F']).to_owned();
-                let help = format!("write `{plain}`");
-                self.log.push(Diagnostic::error(span, message).fix(help, span, plain));
-                ExprKind::Error
+                let problem = match self.version {
+                    // Every compiler of the desktop takes it.
+                    Version::V110 => Diagnostic::warning(span, message),
+                    Version::Es100 | Version::V120 | Version::V130 => {
+                        Diagnostic::error(span, message)
+                    }
+                };
+                self.log.push(problem.fix(format!("write `{plain}`"), span, plain));
+                ExprKind::Float(value)
             }
             Ok(Literal::Uint(value)) => ExprKind::Uint(value),
             Ok(Literal::Float(value)) => ExprKind::Float(value),

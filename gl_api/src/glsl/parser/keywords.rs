@@ -10,6 +10,9 @@ const V130: Since = Since::V130;
 /// Words about precision, which GLSL ES had first.
 const PRECISION: Since = V130.and_es();
 
+/// `layout`, which this version has for `gl_FragCoord` alone.
+const LAYOUT: Since = Since::only(Extension::FragmentCoordConventions);
+
 /// What a word is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Word {
@@ -24,7 +27,7 @@ pub enum Word {
 }
 
 /// Keywords that are no types, and since when.
-const KEYWORDS: [(&str, Since); 29] = [
+const KEYWORDS: [(&str, Since); 31] = [
     ("attribute", ALWAYS),
     ("const", ALWAYS),
     ("uniform", ALWAYS),
@@ -44,7 +47,7 @@ const KEYWORDS: [(&str, Since); 29] = [
     ("discard", ALWAYS),
     ("return", ALWAYS),
     ("struct", ALWAYS),
-    ("centroid", V120),
+    ("centroid", V120.or(Extension::GpuShader4)),
     ("invariant", V120.and_es()),
     ("flat", V130.or(Extension::GpuShader4)),
     ("smooth", V130),
@@ -54,6 +57,8 @@ const KEYWORDS: [(&str, Since); 29] = [
     ("default", ALWAYS),
     ("lowp", PRECISION),
     ("mediump", PRECISION),
+    ("precision", PRECISION),
+    ("layout", LAYOUT),
 ];
 
 /// Qualifiers, and since when.
@@ -65,7 +70,7 @@ const QUALIFIERS: [(&str, Qualifier, Since); 15] = [
     ("in", Qualifier::In, ALWAYS),
     ("out", Qualifier::Out, ALWAYS),
     ("inout", Qualifier::Inout, ALWAYS),
-    ("centroid", Qualifier::Centroid, V120),
+    ("centroid", Qualifier::Centroid, V120.or(Extension::GpuShader4)),
     ("invariant", Qualifier::Invariant, V120.and_es()),
     ("smooth", Qualifier::Smooth, V130),
     ("flat", Qualifier::Flat, V130.or(Extension::GpuShader4)),
@@ -75,53 +80,28 @@ const QUALIFIERS: [(&str, Qualifier, Since); 15] = [
     ("highp", Qualifier::Precision, PRECISION),
 ];
 
-/// Reserved words.
-const RESERVED: [&str; 45] = [
-    "asm",
-    "class",
-    "union",
-    "enum",
-    "typedef",
-    "template",
-    "this",
-    "packed",
-    "goto",
-    "inline",
-    "noinline",
-    "volatile",
-    "public",
-    "static",
-    "extern",
-    "external",
-    "interface",
-    "long",
-    "short",
-    "double",
-    "half",
-    "fixed",
-    "unsigned",
-    "superp",
-    "input",
-    "output",
-    "hvec2",
-    "hvec3",
-    "hvec4",
-    "dvec2",
-    "dvec3",
-    "dvec4",
-    "fvec2",
-    "fvec3",
-    "fvec4",
-    "sampler3DRect",
-    "sizeof",
-    "cast",
-    "namespace",
-    "using",
-    "common",
-    "partition",
-    "active",
-    "filter",
-    "precision",
+/// Words that every version reserves.
+#[rustfmt::skip]
+const RESERVED: [&str; 40] = [
+    "asm", "class", "union", "enum", "typedef", "template",
+    "this", "packed", "goto", "inline", "noinline", "volatile",
+    "public", "static", "extern", "external", "interface", "long",
+    "short", "double", "half", "fixed", "unsigned", "superp",
+    "input", "output", "hvec2", "hvec3", "hvec4", "dvec2",
+    "dvec3", "dvec4", "fvec2", "fvec3", "fvec4", "sampler3DRect",
+    "sizeof", "cast", "namespace", "using",
+];
+
+/// Words that GLSL 1.30 reserves besides.
+#[rustfmt::skip]
+const RESERVED_130: [&str; 37] = [
+    "common", "partition", "active", "filter", "image1D", "image2D",
+    "image3D", "imageCube", "image1DArray", "image2DArray", "image1DShadow", "image2DShadow",
+    "image1DArrayShadow", "image2DArrayShadow", "imageBuffer", "iimage1D", "iimage2D", "iimage3D",
+    "iimageCube", "iimage1DArray", "iimage2DArray", "iimageBuffer", "uimage1D", "uimage2D",
+    "uimage3D", "uimageCube", "uimage1DArray", "uimage2DArray", "uimageBuffer", "samplerBuffer",
+    "isamplerBuffer", "usamplerBuffer", "isampler2DRect", "usampler2DRect", "sampler2DRect",
+    "sampler2DRectShadow", "row_major",
 ];
 
 /// What a word is in a version.
@@ -134,12 +114,8 @@ pub fn classify(word: &str, language: Language) -> Word {
     if keyword {
         return Word::Keyword;
     }
-    // `common`, `partition`, `active` and `filter` came with 1.30.
-    let from_130 = ["common", "partition", "active", "filter"].contains(&word);
-    if RESERVED.contains(&word)
-        && !(from_130 && language.version < Version::V130)
-        && word != "precision"
-    {
+    let later = language.version == Version::V130 && RESERVED_130.contains(&word);
+    if RESERVED.contains(&word) || later {
         return Word::Reserved;
     }
     Word::Name
@@ -154,6 +130,16 @@ pub fn qualifier(word: &str, language: Language) -> Option<Qualifier> {
 /// What brings a qualifier that the language of the shader lacks.
 pub fn missing_qualifier(word: &str, language: Language) -> Option<Since> {
     QUALIFIERS.iter().find(|row| row.0 == word && !language.has(row.2)).map(|row| row.2)
+}
+
+/// Whether the language has `layout(...)`.
+pub fn has_layout(language: Language) -> bool {
+    language.has(LAYOUT)
+}
+
+/// Whether the language spells `uint` as `unsigned int` too.
+pub fn has_unsigned_int(language: Language) -> bool {
+    language.enabled(Extension::GpuShader4)
 }
 
 /// Whether the language has `precision` statements.

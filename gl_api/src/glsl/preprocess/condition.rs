@@ -1,7 +1,7 @@
 //! The expressions of `#if` and `#elif` (GLSL 1.30 section 3.3).
 
 use super::macros::Macros;
-use crate::glsl::diagnostics::Diagnostic;
+use crate::glsl::diagnostics::{Diagnostic, Log};
 use crate::glsl::lexer::{Kind, Literal, Token, literal};
 use crate::glsl::limits::MAX_CONDITION_DEPTH;
 use crate::glsl::source::{Source, Span};
@@ -14,9 +14,10 @@ pub fn evaluate(
     macros: &mut Macros,
     source: &Source,
     version: Version,
+    log: &mut Log,
 ) -> Result<i64, Box<Diagnostic>> {
     let tokens = macros.expand(resolve_defined(line, macros)?, source, version)?;
-    let mut parser = Parser { tokens: &tokens, at: 0, end: span, depth: 0 };
+    let mut parser = Parser { tokens: &tokens, at: 0, end: span, depth: 0, version, log };
     let value = parser.binary(0, Need::Value)?;
     match parser.tokens.get(parser.at) {
         None => Ok(value),
@@ -67,6 +68,8 @@ struct Parser<'a> {
     at: usize,
     end: Span,
     depth: usize,
+    version: Version,
+    log: &'a mut Log,
 }
 
 /// Binary operators and how tightly they bind.
@@ -144,10 +147,8 @@ impl Parser<'_> {
                 }
             },
             Kind::Word(name) if need == Need::Value => {
-                return Err(Diagnostic::error(token.span, format!("`{name}` is not defined"))
-                    .rule("GLSL 1.30 section 3.3: undefined names do not count as 0")
-                    .help(format!("test it with `defined({name})`"))
-                    .into());
+                self.undefined(name, token.span)?;
+                0
             }
             Kind::Word(_) => 0,
             Kind::Punct(_) | Kind::Stray(_) | Kind::Newline | Kind::End => {
@@ -157,6 +158,27 @@ impl Parser<'_> {
         };
         self.depth -= 1;
         Ok(value)
+    }
+}
+
+impl Parser<'_> {
+    /// A name that is no macro. Up to GLSL 1.30 this is an error (section 3.3), from 4.30 on it
+    /// counts as 0, which is what every compiler of the desktop has made of it; GLSL ES rejects it.
+    fn undefined(&mut self, name: &str, span: Span) -> Result<(), Box<Diagnostic>> {
+        let help = format!("test it with `defined({name})`");
+        if self.version == Version::Es100 {
+            return Err(Diagnostic::error(span, format!("`{name}` is not defined"))
+                .rule("GLSL ES 1.00 section 3.4: undefined names do not count as 0")
+                .help(help)
+                .into());
+        }
+        let message = format!("`{name}` is not defined and counts as 0");
+        self.log.push(
+            Diagnostic::warning(span, message)
+                .rule("GLSL 1.30 section 3.3: other compilers may refuse this")
+                .help(help),
+        );
+        Ok(())
     }
 }
 

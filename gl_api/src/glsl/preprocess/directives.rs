@@ -124,8 +124,9 @@ impl Preprocessor<'_> {
     }
 
     fn condition(&mut self, span: Span, rest: &[Token]) -> bool {
+        let version = self.language.version;
         let value =
-            condition::evaluate(span, rest, &mut self.macros, self.source, self.language.version);
+            condition::evaluate(span, rest, &mut self.macros, self.source, version, self.log);
         match value {
             Ok(value) => value != 0,
             Err(problem) => {
@@ -225,7 +226,11 @@ impl Preprocessor<'_> {
             Some(version) => {
                 self.language = version.into();
                 self.macros = Macros::new(version);
-                self.nothing_more(&rest[1..]);
+                if let Some(more) = rest.get(1) {
+                    let message = format!("unexpected {} after the version", more.describe());
+                    let problem = Diagnostic::error(more.span, message);
+                    self.log.push(problem.rule("GLSL 1.30 section 3.3: `#version number`"));
+                }
             }
             None => self.log.push(
                 Diagnostic::error(at, format!("GLSL version {number} is not supported"))
@@ -245,6 +250,10 @@ impl Preprocessor<'_> {
             self.error(span, "`#extension name : behaviour` is expected");
             return;
         };
+        if let Some(more) = rest.get(3) {
+            let message = format!("unexpected {} after the behaviour", more.describe());
+            self.error(more.span, message);
+        }
         let (name_span, behaviour_span) = (name.span, behaviour.span);
         let (required, behaviour) = match &**behaviour_name {
             "require" => (Required::Yes, Behaviour::Enable),

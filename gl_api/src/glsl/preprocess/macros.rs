@@ -9,7 +9,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 /// What GLSL ES defines: section 3.4, and that the fragment stage has `highp` (section 4.5.4).
-const ES: [&str; 2] = ["GL_ES", "GL_FRAGMENT_PRECISION_HIGH"];
+const ES: [&str; 2] = ["GL_ES", HIGH];
+/// What GLSL 1.30 defines too, section 4.5.3.
+const HIGH: &str = "GL_FRAGMENT_PRECISION_HIGH";
 
 /// A macro.
 #[derive(Clone, Debug)]
@@ -26,6 +28,10 @@ impl Macro {
         let [open, more @ ..] = rest else {
             return Ok(Self { parameters: None, body: Vec::new() });
         };
+        if let Some(hash) = rest.iter().find(|token| token.is("#")) {
+            let problem = Diagnostic::error(hash.span, "`#` makes no strings: there are none");
+            return Err(problem.rule("GLSL 1.30 section 3.3").into());
+        }
         if !(open.is("(") && open.span.start == at.end) {
             return Ok(Self { parameters: None, body: rest.to_vec() });
         }
@@ -75,7 +81,7 @@ pub struct Macros {
 }
 
 impl Macros {
-    /// What a version defines: its extensions and, of GLSL ES, `GL_ES`.
+    /// What a version defines: its extensions, and what [`ES`] and [`HIGH`] say.
     pub fn new(version: Version) -> Self {
         let one = Token { kind: Kind::Number("1".into()), span: Span::default() };
         let row = |name: &str| (name.into(), Macro { parameters: None, body: vec![one.clone()] });
@@ -83,7 +89,8 @@ impl Macros {
         let names = extensions.map(|known| known.1);
         let table = match version {
             Version::Es100 => names.chain(ES).map(row).collect(),
-            Version::V110 | Version::V120 | Version::V130 => names.map(row).collect(),
+            Version::V130 => names.chain([HIGH]).map(row).collect(),
+            Version::V110 | Version::V120 => names.map(row).collect(),
         };
         Self { table, produced: 0 }
     }

@@ -3,12 +3,13 @@
 /// 1.5 · 2^52: adding it leaves an integer in the low bits of the sum.
 pub(super) const ROUND: f64 = 6_755_399_441_055_744.0;
 
-/// `2^t`, relative error below 2^-28.9. Beyond [-151, 130] held there: 0 or inf as `f32`.
+/// `2^t`, relative error below 2^-28.9. Beyond (-150, 130] 0 or inf as `f32`: 2^-150 itself is a
+/// tie that goes to 0.
 #[inline(always)]
 pub(super) fn exp2_wide(t: f64) -> f64 {
     // NaN fails both comparisons and goes through.
     let t = if t > 130.0 { 130.0 } else { t };
-    let t = if t < -151.0 { -151.0 } else { t };
+    let t = if t <= -150.0 { -151.0 } else { t };
     let shifted = t + ROUND;
     let z = t - (shifted - ROUND);
     let p = 0.000_153_458_081_331_983_55;

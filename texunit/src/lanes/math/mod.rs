@@ -98,6 +98,18 @@ pub fn max(a: f32, b: f32) -> f32 {
     if a > b { a } else { b }
 }
 
+/// The smaller of two numbers; the other if one is NaN, as IEEE 754-2008's `minNum`.
+#[inline(always)]
+pub fn min_number(a: f32, b: f32) -> f32 {
+    if a < b || b.is_nan() { a } else { b }
+}
+
+/// The larger of two numbers; the other if one is NaN, as IEEE 754-2008's `maxNum`.
+#[inline(always)]
+pub fn max_number(a: f32, b: f32) -> f32 {
+    if a > b || b.is_nan() { a } else { b }
+}
+
 /// `x` held between `low` and `high`; NaN gives `low`.
 #[inline(always)]
 pub fn clamp(x: f32, low: f32, high: f32) -> f32 {

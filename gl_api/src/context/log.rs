@@ -1,0 +1,179 @@
+//! `KHR_debug`: the log that a program reads, or is called with; filters, groups and labels.
+//!
+//! The log has what [`super::debug`] has, and what the program puts in. A callback is called when
+//! the call that caused a message is over, never in its middle.
+
+use crate::constants::*;
+use crate::types::*;
+use std::collections::{BTreeMap, VecDeque};
+
+/// `GL_MAX_DEBUG_LOGGED_MESSAGES`.
+pub(crate) const MAX_LOGGED: usize = 256;
+/// `GL_MAX_DEBUG_MESSAGE_LENGTH`, with C's final zero.
+pub(crate) const MAX_LENGTH: usize = 4096;
+/// `GL_MAX_DEBUG_GROUP_STACK_DEPTH`, with the one that is always there.
+pub(crate) const MAX_GROUPS: usize = 64;
+/// `GL_MAX_LABEL_LENGTH`, with C's final zero.
+pub(crate) const MAX_LABEL: usize = 256;
+/// More filters than this in a group are forgotten, oldest first.
+const MAX_FILTERS: usize = 1024;
+
+/// What a program is called with: source, type, id, severity, length, text, and its own pointer.
+pub type GLDEBUGPROC =
+    Option<extern "system" fn(GLenum, GLenum, GLuint, GLenum, GLsizei, *const GLchar, *mut GLvoid)>;
+
+/// Where a message comes from, what it is about, and how much it matters; `GL_DONT_CARE` in a
+/// filter.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Kind {
+    pub source: GLenum,
+    pub ty: GLenum,
+    pub severity: GLenum,
+}
+
+/// A message of the log.
+#[derive(Clone, Debug)]
+pub(crate) struct Logged {
+    pub kind: Kind,
+    pub id: GLuint,
+    pub text: String,
+}
+
+/// What is let through; the last filter that fits a message decides.
+#[derive(Clone, Debug)]
+pub(crate) struct Filter {
+    pub kind: Kind,
+    /// Only these, unless there are none.
+    pub ids: Vec<GLuint>,
+    pub on: bool,
+}
+
+impl Filter {
+    fn fits(&self, message: &Logged) -> bool {
+        let fits = |filter: GLenum, value: GLenum| filter == GL_DONT_CARE || filter == value;
+        fits(self.kind.source, message.kind.source)
+            && fits(self.kind.ty, message.kind.ty)
+            && fits(self.kind.severity, message.kind.severity)
+            && (self.ids.is_empty() || self.ids.contains(&message.id))
+    }
+}
+
+/// A group of messages: what was said when it began, and its filters.
+#[derive(Clone, Debug, Default)]
+struct Group {
+    begin: Option<Logged>,
+    filters: Vec<Filter>,
+}
+
+/// What is called with messages instead of keeping them.
+#[derive(Clone, Copy, Debug, Default)]
+struct Callback {
+    procedure: GLDEBUGPROC,
+    /// The program's pointer.
+    user: usize,
+}
+
+/// The log.
+#[derive(Debug)]
+pub(crate) struct Log {
+    queue: VecDeque<Logged>,
+    callback: Callback,
+    /// The groups that are open; the first always is.
+    groups: Vec<Group>,
+    /// By what an object is, and its name.
+    pub labels: BTreeMap<(GLenum, usize), String>,
+}
+
+impl Default for Log {
+    fn default() -> Self {
+        Self {
+            queue: VecDeque::new(),
+            callback: Callback::default(),
+            groups: vec![Group::default()],
+            labels: BTreeMap::new(),
+        }
+    }
+}
+
+impl Log {
+    fn lets_through(&self, message: &Logged) -> bool {
+        let filters = self.groups.last().map_or(&[][..], |group| &group.filters);
+        match filters.iter().rev().find(|filter| filter.fits(message)) {
+            Some(filter) => filter.on,
+            // KHR_debug, section 5.5.4: messages of low severity are off at first.
+            None => message.kind.severity != GL_DEBUG_SEVERITY_LOW,
+        }
+    }
+
+    /// Adds a message, if the filters let it through; a full log drops it.
+    pub fn push(&mut self, message: Logged) {
+        if self.queue.len() < MAX_LOGGED && self.lets_through(&message) {
+            self.queue.push_back(message);
+        }
+    }
+
+    /// Takes the messages for the callback, if there is one.
+    pub fn deliver(&mut self) -> Option<(GLDEBUGPROC, usize, VecDeque<Logged>)> {
+        if self.callback.procedure.is_none() || self.queue.is_empty() {
+            return None;
+        }
+        let Callback { procedure, user } = self.callback;
+        Some((procedure, user, std::mem::take(&mut self.queue)))
+    }
+
+    pub fn set_callback(&mut self, procedure: GLDEBUGPROC, user: usize) {
+        self.callback = Callback { procedure, user };
+    }
+
+    /// The callback's user pointer.
+    pub fn user(&self) -> usize {
+        self.callback.user
+    }
+
+    /// The callback as an address.
+    pub fn procedure(&self) -> usize {
+        self.callback.procedure.map_or(0, |procedure| procedure as usize)
+    }
+
+    pub fn add_filter(&mut self, filter: Filter) {
+        let Some(group) = self.groups.last_mut() else { return };
+        if group.filters.len() == MAX_FILTERS {
+            group.filters.remove(0);
+        }
+        group.filters.push(filter);
+    }
+
+    /// How many groups are open.
+    pub fn depth(&self) -> usize {
+        self.groups.len()
+    }
+
+    /// Opens a group; there must be room.
+    pub fn push_group(&mut self, begin: Logged) {
+        self.push(begin.clone());
+        let filters = self.groups.last().map_or(Vec::new(), |group| group.filters.clone());
+        self.groups.push(Group { begin: Some(begin), filters });
+    }
+
+    /// Closes a group; one besides the first must be open.
+    pub fn pop_group(&mut self) {
+        let Some(mut begin) = self.groups.pop().and_then(|group| group.begin) else { return };
+        begin.kind.ty = GL_DEBUG_TYPE_POP_GROUP;
+        self.push(begin);
+    }
+
+    /// How many messages wait.
+    pub fn len(&self) -> usize {
+        self.queue.len()
+    }
+
+    /// The oldest message.
+    pub fn first(&self) -> Option<&Logged> {
+        self.queue.front()
+    }
+
+    /// Takes the oldest message.
+    pub fn pop(&mut self) -> Option<Logged> {
+        self.queue.pop_front()
+    }
+}

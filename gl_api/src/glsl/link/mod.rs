@@ -1,0 +1,194 @@
+//! Shaders to a program (GL 2.1 section 2.15, GLSL 1.30 section 4.3): the stages' interfaces are
+//! matched, locations and uniform words given, and both stages lowered.
+
+mod globals;
+mod numbered;
+mod uniforms;
+mod varyings;
+
+use super::check::recursive_call;
+use super::diagnostics::{Diagnostic, Log};
+use super::hir::{Function, Storage, Unit, Variable};
+use super::lower::{self, Binding, Words, lower_stage};
+use super::version::stage_name;
+use super::{Bindings, Linked, Program, SamplerSlot, Shader, Stage};
+use crate::interface::MAX_TEXTURE_IMAGE_UNITS;
+use rasterizer::ir::Module;
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
+
+type Locations = BTreeMap<Arc<str>, Binding>;
+
+/// The shaders of one stage.
+struct StageUnits<'a> {
+    stage: Stage,
+    units: Vec<&'a Unit>,
+    /// What `main` reaches.
+    reachable: Vec<(usize, &'a Function)>,
+    /// The globals it names, each once by name, in order.
+    used: Vec<&'a Variable>,
+}
+
+impl<'a> StageUnits<'a> {
+    /// Every global of the stage.
+    fn declared(&self) -> impl Iterator<Item = &'a Variable> {
+        self.units.iter().flat_map(|unit| unit.globals.iter())
+    }
+
+    fn with(&self, test: impl Fn(Storage) -> bool) -> Vec<&'a Variable> {
+        self.used.iter().copied().filter(|variable| test(variable.storage)).collect()
+    }
+}
+
+/// Links shaders into a program.
+pub fn link(shaders: &[&Shader], bindings: &Bindings) -> Linked {
+    let mut log = Log::default();
+    let program = build(shaders, bindings, &mut log);
+    let program = program.filter(|_| !log.has_errors());
+    Linked { program, log: log.render(None) }
+}
+
+fn build(shaders: &[&Shader], bindings: &Bindings, log: &mut Log) -> Option<Program> {
+    if shaders.is_empty() {
+        log.push(Diagnostic::link_error("there is no shader to link"));
+    }
+    let units = globals::settled(shaders.iter().map(|shader| Arc::clone(&shader.unit)));
+    let vertex = collect(&units, Stage::Vertex, log);
+    let fragment = collect(&units, Stage::Fragment, log);
+    if log.has_errors() {
+        return None;
+    }
+    let mut in_vertex = Locations::new();
+    let mut in_fragment = Locations::new();
+    let stages: Vec<&StageUnits<'_>> = vertex.iter().chain(&fragment).collect();
+    let mut words = Words::default();
+    let uniforms = uniforms::uniforms(&stages, &mut words, log);
+    for (name, word) in &uniforms.words {
+        in_vertex.insert(name.clone(), Binding::Uniform(*word));
+        in_fragment.insert(name.clone(), Binding::Uniform(*word));
+    }
+    let attributes = match &vertex {
+        Some(vertex) => numbered::attributes(vertex, bindings, &mut in_vertex, log),
+        None => Vec::new(),
+    };
+    let (outputs, inputs) = (vertex.as_ref(), fragment.as_ref());
+    varyings::varyings(outputs, inputs, &mut in_vertex, &mut in_fragment, log);
+    let color_interpolation = varyings::colors(outputs, inputs, log);
+    if let Some(fragment) = &fragment {
+        numbered::targets(fragment, bindings, &mut in_fragment, log);
+    }
+    if let Some(vertex) = &vertex {
+        let position = vertex.used.iter().any(|v| &*v.name == "gl_Position" && v.written);
+        if !position {
+            let message = "the vertex shader never writes gl_Position";
+            log.push(Diagnostic::link_error(message).rule("GLSL 1.30 section 7.1"));
+        }
+    }
+    if log.has_errors() {
+        return None;
+    }
+
+    let mut samplers = Vec::new();
+    let mut lower = |stage: &Option<StageUnits<'_>>, locations: &Locations, words: &mut Words| {
+        let stage = stage.as_ref()?;
+        match lower_stage(stage.stage, &stage.units, &stage.reachable, locations, words.clone()) {
+            Ok(lowered) => {
+                *words = lowered.words;
+                let slots = lowered.samplers.into_iter();
+                let stage = stage.stage;
+                let active: BTreeSet<u32> = slots.clone().map(|(_, word)| word).collect();
+                if active.len() > usize::from(MAX_TEXTURE_IMAGE_UNITS) {
+                    let message = format!(
+                        "the {} shader uses {} samplers; a stage has {MAX_TEXTURE_IMAGE_UNITS} \
+                         texture image units",
+                        stage_name(stage),
+                        active.len()
+                    );
+                    log.push(Diagnostic::link_error(message).rule("GL 2.1 section 2.15.3"));
+                }
+                samplers.extend(slots.map(|(slot, word)| SamplerSlot {
+                    stage,
+                    slot: slot.0,
+                    word,
+                }));
+                Some(lowered.module)
+            }
+            Err(failure) => {
+                let stage = stage_name(stage.stage);
+                let message = format!("{stage} shader: {}", failure.0);
+                log.push(Diagnostic::link_error(message));
+                None
+            }
+        }
+    };
+    let vertex: Option<Module> = lower(&vertex, &in_vertex, &mut words);
+    let fragment: Option<Module> = lower(&fragment, &in_fragment, &mut words);
+    Some(Program {
+        vertex,
+        fragment,
+        attributes,
+        uniforms: uniforms.list,
+        samplers,
+        color_interpolation,
+        state: words.state,
+        words: words.next,
+    })
+}
+
+/// The shaders of a stage, checked against each other; `None` if it has none.
+fn collect<'a>(units: &'a [Arc<Unit>], stage: Stage, log: &mut Log) -> Option<StageUnits<'a>> {
+    let name = stage_name(stage);
+    let units: Vec<&Unit> =
+        units.iter().map(|unit| &**unit).filter(|unit| unit.stage == stage).collect();
+    if units.is_empty() {
+        return None;
+    }
+    let mut bodies: BTreeSet<String> = BTreeSet::new();
+    for function in units.iter().flat_map(|unit| &unit.functions) {
+        if function.body.is_some() {
+            let signature = function.signature();
+            if !bodies.insert(signature) {
+                let signature = function.signature();
+                let message = format!("`{signature}` is defined in two {name} shaders");
+                log.push(Diagnostic::link_error(message));
+            }
+        }
+    }
+    if !bodies.contains("main()") {
+        let message = format!("no {name} shader has a function `main`");
+        log.push(Diagnostic::link_error(message).rule("GLSL 1.30 section 6.1"));
+        return None;
+    }
+    if units.len() > 1 {
+        if let Some((name, _)) = recursive_call(&merged(&units)) {
+            let message = format!("`{name}` calls itself, directly or through others");
+            log.push(Diagnostic::link_error(message).rule("GLSL 1.30 section 6.1"));
+            return None;
+        }
+        globals::same_globals(&units, name, log);
+    }
+    let reachable = lower::reachable(&units);
+    let mut used: Vec<&Variable> = Vec::new();
+    let mut names: BTreeSet<&str> = BTreeSet::new();
+    for (unit, global) in lower::named_globals(&units, &reachable) {
+        let variable = &units[unit].globals[global as usize];
+        if names.insert(&variable.name) {
+            used.push(variable);
+        }
+    }
+    Some(StageUnits { stage, units, reachable, used })
+}
+
+/// The functions of several units as those of one.
+fn merged(units: &[&Unit]) -> Vec<Function> {
+    let mut all: Vec<Function> = Vec::new();
+    for unit in units {
+        let first = all.len() as u32;
+        for function in &unit.functions {
+            let mut function = function.clone();
+            function.calls.iter_mut().for_each(|(call, _)| *call += first);
+            all.push(function);
+        }
+    }
+    all
+}

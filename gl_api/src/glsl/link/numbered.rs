@@ -1,0 +1,112 @@
+//! What has a number that the application can choose: attributes and fragment outputs (GL 2.1
+//! section 2.15.3, GLSL 1.30 section 7.2).
+
+use super::{Locations, StageUnits};
+use crate::glsl::diagnostics::{Diagnostic, Log};
+use crate::glsl::hir::{Storage, Variable};
+use crate::glsl::limits::{MAX_DRAW_BUFFERS, MAX_VERTEX_ATTRIBS};
+use crate::glsl::lower::Binding;
+use crate::glsl::{Attribute, Bindings};
+
+/// Gives attributes their locations: first those that were bound, then the others in order.
+pub fn attributes(
+    vertex: &StageUnits<'_>,
+    bindings: &Bindings,
+    locations: &mut Locations,
+    log: &mut Log,
+) -> Vec<Attribute> {
+    let used = vertex.with(|storage| storage == Storage::Attribute);
+    let columns = |variable: &Variable| variable.ty.columns().unwrap_or(1);
+    let mut taken = [false; MAX_VERTEX_ATTRIBS as usize];
+    let mut found: Vec<Option<u8>> = Vec::new();
+    for variable in &used {
+        let bound = bindings.attributes.get(&*variable.name).copied();
+        found.push(bound);
+        if let Some(first) = bound {
+            let end = usize::from(first) + usize::from(columns(variable));
+            match taken.get_mut(usize::from(first)..end) {
+                Some(range) => range.fill(true),
+                None => {
+                    let message = format!(
+                        "attribute `{}` is bound to location {first} and does not fit below {}",
+                        variable.name, MAX_VERTEX_ATTRIBS
+                    );
+                    log.push(Diagnostic::link_error(message).rule("GL 2.1 section 2.15.3"));
+                }
+            }
+        }
+    }
+    let mut attributes = Vec::new();
+    for (variable, bound) in used.iter().zip(found) {
+        let count = usize::from(columns(variable));
+        let location = bound.or_else(|| {
+            let free = taken.windows(count).position(|range| !range.contains(&true))?;
+            taken[free..free + count].fill(true);
+            Some(free as u8)
+        });
+        let Some(location) = location else {
+            let message = format!(
+                "attribute `{}` finds no location: there are {MAX_VERTEX_ATTRIBS}",
+                variable.name
+            );
+            log.push(Diagnostic::link_error(message).rule("GL 2.1 section 2.15.3"));
+            continue;
+        };
+        locations.insert(variable.name.clone(), Binding::Attribute(location));
+        if let Some(ty) = variable.ty.data_type() {
+            attributes.push(Attribute { name: variable.name.to_string(), ty, location });
+        }
+    }
+    attributes
+}
+
+/// Gives the outputs of the fragment stage their render targets.
+pub fn targets(
+    fragment: &StageUnits<'_>,
+    bindings: &Bindings,
+    locations: &mut Locations,
+    log: &mut Log,
+) {
+    let outputs = fragment.with(|storage| storage == Storage::FragmentOutput);
+    let builtin = ["gl_FragColor", "gl_FragData"];
+    let old = fragment.used.iter().find(|v| v.written && builtin.contains(&&*v.name));
+    if let (Some(old), Some(new)) = (old, outputs.first()) {
+        let message = format!("both `{}` and the output `{}` are written", old.name, new.name);
+        log.push(Diagnostic::link_error(message).rule("GLSL 1.30 section 7.2"));
+    }
+    let mut taken = [false; MAX_DRAW_BUFFERS as usize];
+    let bound = |variable: &Variable| bindings.frag_data.get(&*variable.name).copied();
+    for output in &outputs {
+        let Some(target) = bound(output) else { continue };
+        match taken.get_mut(usize::from(target)) {
+            Some(taken) if !*taken => *taken = true,
+            Some(_) => {
+                let message = format!("two outputs are bound to colour {target}");
+                log.push(Diagnostic::link_error(message));
+            }
+            None => {
+                let message = format!(
+                    "output `{}` is bound to colour {target}; there are {MAX_DRAW_BUFFERS}",
+                    output.name
+                );
+                log.push(Diagnostic::link_error(message));
+            }
+        }
+        locations.insert(output.name.clone(), Binding::Target(target));
+    }
+    for output in &outputs {
+        if bound(output).is_some() {
+            continue;
+        }
+        match taken.iter().position(|taken| !taken) {
+            Some(free) => {
+                taken[free] = true;
+                locations.insert(output.name.clone(), Binding::Target(free as u8));
+            }
+            None => {
+                let message = format!("more than {MAX_DRAW_BUFFERS} outputs");
+                log.push(Diagnostic::link_error(message));
+            }
+        }
+    }
+}

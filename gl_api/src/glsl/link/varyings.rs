@@ -1,0 +1,134 @@
+//! What passes from the vertex to the fragment stage (GLSL 1.30 sections 4.3.6 and 4.3.7).
+
+use super::{Locations, StageUnits};
+use crate::glsl::diagnostics::{Diagnostic, Log};
+use crate::glsl::hir::{Storage, Variable};
+use crate::glsl::limits::MAX_VARYING_FLOATS;
+use crate::glsl::lower::{Binding, varying_slots};
+use crate::glsl::version::Version;
+use crate::interface::VARYING_USER;
+use rasterizer::ir::Interpolation;
+
+/// Matches what the vertex stage writes with what the fragment stage reads.
+pub fn varyings(
+    vertex: Option<&StageUnits<'_>>,
+    fragment: Option<&StageUnits<'_>>,
+    in_vertex: &mut Locations,
+    in_fragment: &mut Locations,
+    log: &mut Log,
+) {
+    let is_output = |storage| matches!(storage, Storage::Output(_));
+    for variable in vertex.iter().flat_map(|stage| stage.declared()) {
+        if is_output(variable.storage) {
+            in_vertex.insert(variable.name.clone(), Binding::Varying(None));
+        }
+    }
+    let Some(fragment) = fragment else { return };
+    let (mut next, mut scalars) = (VARYING_USER, 0u32);
+    for input in fragment.with(|storage| matches!(storage, Storage::Input(_))) {
+        let name = &input.name;
+        let output = vertex
+            .and_then(|vertex| vertex.declared().find(|v| v.name == *name && is_output(v.storage)));
+        let Some(output) = output else {
+            let message =
+                format!("the fragment shader reads `{name}`, which no vertex shader writes");
+            log.push(Diagnostic::link_error(message).rule("GLSL 1.30 section 4.3.6"));
+            continue;
+        };
+        let vertex = vertex.iter();
+        let written =
+            vertex.flat_map(|vertex| vertex.declared()).any(|v| v.name == *name && v.written);
+        if !written && fragment.units.iter().all(|unit| unit.version <= Version::V120) {
+            let message =
+                format!("the fragment shader reads `{name}`, which the vertex shader never writes");
+            log.push(Diagnostic::link_error(message).rule("GLSL 1.20 section 4.3.6"));
+        }
+        if output.ty != input.ty {
+            let message = format!(
+                "`{name}` is {} in the vertex shader and {} in the fragment shader",
+                output.ty, input.ty
+            );
+            log.push(Diagnostic::link_error(message).rule("GLSL 1.30 section 4.3.6"));
+        } else if let Some((a, b)) = mismatch(output, input) {
+            let message =
+                format!("`{name}` is {a} in the vertex shader and {b} in the fragment shader");
+            log.push(Diagnostic::link_error(message).rule("GLSL 1.30 section 4.3.7"));
+        }
+        scalars += input.ty.scalars();
+        if scalars > u32::from(MAX_VARYING_FLOATS) {
+            let message =
+                format!("more than {MAX_VARYING_FLOATS} components pass between the stages");
+            log.push(Diagnostic::link_error(message));
+            return;
+        }
+        in_vertex.insert(name.clone(), Binding::Varying(Some(next)));
+        in_fragment.insert(name.clone(), Binding::Varying(Some(next)));
+        next += varying_slots(&input.ty.flat());
+    }
+}
+
+/// The words about its passing that two declarations of a varying differ in.
+fn mismatch(output: &Variable, input: &Variable) -> Option<(&'static str, &'static str)> {
+    if let (Storage::Output(a), Storage::Input(b)) = (output.storage, input.storage)
+        && a != b
+    {
+        return Some((word(a), word(b)));
+    }
+    let words = |one: bool, word, without| if one { word } else { without };
+    let (a, b) = (output.passing, input.passing);
+    if a.centroid != b.centroid {
+        let of = |centroid| words(centroid, "centroid", "not centroid");
+        return Some((of(a.centroid), of(b.centroid)));
+    }
+    None
+}
+
+/// How an interpolation is written.
+fn word(interpolation: Interpolation) -> &'static str {
+    match interpolation {
+        Interpolation::Smooth => "smooth",
+        Interpolation::NoPerspective => "noperspective",
+        Interpolation::Flat => "flat",
+    }
+}
+
+/// What the fragment stage reads of a colour and what the vertex stage writes of it.
+const COLORS: [[&str; 3]; 2] = [
+    ["gl_Color", "gl_FrontColor", "gl_BackColor"],
+    ["gl_SecondaryColor", "gl_FrontSecondaryColor", "gl_BackSecondaryColor"],
+];
+
+/// The interpolation of the colour and the secondary colour, where the shaders say it: all of a
+/// colour that they use say the same (GLSL 1.30 section 4.3.7).
+pub fn colors(
+    vertex: Option<&StageUnits<'_>>,
+    fragment: Option<&StageUnits<'_>>,
+    log: &mut Log,
+) -> [Option<Interpolation>; 2] {
+    COLORS.map(|names| {
+        let used = |stage: Option<&StageUnits<'_>>, name: &str| {
+            stage.and_then(|stage| {
+                let found = stage.used.iter().find(|variable| *variable.name == *name);
+                found.map(|variable| variable.passing.interpolation)
+            })
+        };
+        let [input, front, back] = names;
+        let all = [
+            (input, used(fragment, input)),
+            (front, used(vertex, front)),
+            (back, used(vertex, back)),
+        ];
+        let mut said = all.into_iter().filter_map(|(name, said)| said.map(|said| (name, said)));
+        let Some((first, interpolation)) = said.next() else { return None };
+        if let Some((other, different)) = said.find(|(_, other)| *other != interpolation) {
+            let text = |said: Option<Interpolation>| said.map_or("not qualified", word);
+            let message = format!(
+                "`{first}` is {} and `{other}` is {}",
+                text(interpolation),
+                text(different)
+            );
+            log.push(Diagnostic::link_error(message).rule("GLSL 1.30 section 4.3.7"));
+        }
+        interpolation
+    })
+}

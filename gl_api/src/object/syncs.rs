@@ -1,0 +1,162 @@
+//! Fences: `ARB_sync`, GL 3.2, section 5.3. A fence is signalled once what was recorded before it is
+//! carried out; as submitting carries it out, that is when somebody flushes.
+
+use crate::constants::*;
+use crate::context::Context;
+use crate::draw::submit;
+use crate::error::{Result, Table, invalid_operation, invalid_value, not_negative};
+use crate::types::*;
+use std::collections::BTreeMap;
+
+const SECTION: &str = "ARB_sync, section 5.3";
+
+/// Whether what came before a fence is done.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Status {
+    Unsignaled,
+    Signaled,
+}
+
+/// The fences by the number that is their handle.
+#[derive(Debug, Default)]
+pub(crate) struct Syncs {
+    fences: BTreeMap<usize, Status>,
+    last: usize,
+}
+
+impl Syncs {
+    /// Whether a handle is a fence.
+    pub fn contains(&self, handle: usize) -> bool {
+        self.fences.contains_key(&handle)
+    }
+
+    /// Everything before the fences has been carried out.
+    pub fn signal(&mut self) {
+        for status in self.fences.values_mut() {
+            *status = Status::Signaled;
+        }
+    }
+}
+
+fn known(context: &Context, sync: GLsync) -> Result<Status> {
+    match context.objects.syncs.fences.get(&(sync as usize)) {
+        Some(status) => Ok(*status),
+        None => invalid_value(SECTION, "sync is no handle that glFenceSync gave"),
+    }
+}
+
+pub(crate) fn fence_sync(
+    context: &mut Context,
+    condition: GLenum,
+    flags: GLbitfield,
+) -> Result<GLsync> {
+    const CONDITION: Table<()> =
+        Table { section: SECTION, rows: &[(GL_SYNC_GPU_COMMANDS_COMPLETE, ())] };
+    CONDITION.decode("condition", condition)?;
+    if flags != 0 {
+        return invalid_value(SECTION, format!("flags = {flags:#x} must be 0"));
+    }
+    let syncs = &mut context.objects.syncs;
+    syncs.last += 1;
+    syncs.fences.insert(syncs.last, Status::Unsignaled);
+    Ok(syncs.last as GLsync)
+}
+
+pub(crate) fn is_sync(context: &mut Context, sync: GLsync) -> Result<bool> {
+    Ok(context.objects.syncs.contains(sync as usize))
+}
+
+pub(crate) fn delete_sync(context: &mut Context, sync: GLsync) -> Result<()> {
+    if !sync.is_null() {
+        known(context, sync)?;
+        context.objects.syncs.fences.remove(&(sync as usize));
+    }
+    Ok(())
+}
+
+pub(crate) fn client_wait_sync(
+    context: &mut Context,
+    sync: GLsync,
+    flags: GLbitfield,
+    _timeout: u64,
+) -> Result<GLenum> {
+    let status = known(context, sync)?;
+    if flags & !GL_SYNC_FLUSH_COMMANDS_BIT != 0 {
+        return invalid_value(
+            SECTION,
+            format!("flags = {flags:#x} must be 0 or GL_SYNC_FLUSH_COMMANDS_BIT"),
+        );
+    }
+    match status {
+        Status::Signaled => Ok(GL_ALREADY_SIGNALED),
+        Status::Unsignaled => {
+            submit(context);
+            Ok(GL_CONDITION_SATISFIED)
+        }
+    }
+}
+
+pub(crate) fn wait_sync(
+    context: &mut Context,
+    sync: GLsync,
+    flags: GLbitfield,
+    timeout: u64,
+) -> Result<()> {
+    known(context, sync)?;
+    if flags != 0 || timeout != GL_TIMEOUT_IGNORED {
+        return invalid_value(
+            SECTION,
+            format!("flags = {flags:#x} and timeout = {timeout:#x} must be 0, GL_TIMEOUT_IGNORED"),
+        );
+    }
+    Ok(())
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Property {
+    Type,
+    Status,
+    Condition,
+    Flags,
+}
+
+pub(crate) fn get_synciv(
+    context: &mut Context,
+    sync: GLsync,
+    pname: GLenum,
+    room: GLsizei,
+    length: &mut [GLsizei],
+    values: &mut [GLint],
+) -> Result<()> {
+    const PROPERTY: Table<Property> = Table {
+        section: SECTION,
+        rows: &[
+            (GL_OBJECT_TYPE, Property::Type),
+            (GL_SYNC_STATUS, Property::Status),
+            (GL_SYNC_CONDITION, Property::Condition),
+            (GL_SYNC_FLAGS, Property::Flags),
+        ],
+    };
+    let status = known(context, sync)?;
+    let property = PROPERTY.decode("pname", pname)?;
+    let room = not_negative(SECTION, "bufSize", room.into())?;
+    let value = match property {
+        Property::Type => GL_SYNC_FENCE,
+        Property::Status => match status {
+            Status::Signaled => GL_SIGNALED,
+            Status::Unsignaled => GL_UNSIGNALED,
+        },
+        Property::Condition => GL_SYNC_GPU_COMMANDS_COMPLETE,
+        Property::Flags => 0,
+    };
+    if room > 0 {
+        match values.first_mut() {
+            Some(place) => *place = value as GLint,
+            None => return invalid_operation(SECTION, "values has room for nothing"),
+        }
+    }
+    if let Some(length) = length.first_mut() {
+        *length = GLsizei::from(room > 0);
+    }
+    Ok(())
+}
