@@ -6,8 +6,8 @@
 use gl_api::glsl::{Bindings, Options, Stage, compile, link};
 use rasterizer::driver::{
     Attachment, Buffer, ColorState, Command, CommandBuffer, Cull, Device, DeviceDesc, Explain,
-    FrontFace, Image, PassDesc, Pipeline, PipelineDesc, Provoking, ShaderModule, Topology,
-    VertexBinding, VertexFormat, VertexSource, VertexType, Viewport,
+    FrontFace, Image, OutputState, PassDesc, Pipeline, PipelineDesc, Provoking, ShaderModule,
+    Topology, VertexBinding, VertexFormat, VertexSource, VertexType, Viewport,
 };
 use std::sync::Arc;
 use std::time::Instant;
@@ -172,6 +172,7 @@ fn commands(text: &str) -> CommandBuffer {
         colors: vec![ColorState { blend: None, mask: [true; 4] }],
         line_width_bits: 1.0_f32.to_bits(),
         point_size_bits: 1.0_f32.to_bits(),
+        output: OutputState::default(),
     });
     let mut target = Texels::new(Shape::D2);
     target.set_level(0, 0, Level::new(Format::Rgba8, SIZE, SIZE).expect("small")).expect("face 0");

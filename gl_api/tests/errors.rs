@@ -255,7 +255,7 @@ const CASES: &[Case] = &[
     (|c| c.load_matrixf(&[0.0; 15]), GL_INVALID_OPERATION, "15 of the 16"),
     (|c| c.viewport(0, 0, -1, 0), GL_INVALID_VALUE, "width = -1"),
     // Rasterization and fragments.
-    (|c| c.enable(GL_LIGHTING), GL_INVALID_ENUM, "cap = GL_LIGHTING must be GL_ALPHA_TEST"),
+    (|c| c.enable(GL_LINEAR), GL_INVALID_ENUM, "cap = GL_LINEAR must be GL_ALPHA_TEST"),
     (|c| c.enable_client_state(GL_TEXTURE_2D), GL_INVALID_ENUM, "GL_VERTEX_ARRAY"),
     (|c| c.cull_face(GL_CW), GL_INVALID_ENUM, "mode = GL_CW must be GL_FRONT, GL_BACK or"),
     (|c| c.front_face(GL_FRONT), GL_INVALID_ENUM, "GL_CCW or GL_CW"),

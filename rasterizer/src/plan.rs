@@ -4,7 +4,7 @@
 //! memory; `DETGL_EXPLAIN=1` prints it.
 
 use crate::driver::{DepthState, DepthWrite, Pipeline, PolygonOffset, Viewport};
-use crate::ir::{Input, Interpolation, Output};
+use crate::ir::{Axis, Input, Interpolation, Output};
 use crate::output::{ColorPlan, DepthFormat, DepthPlan, StencilPlan, Tests};
 use crate::raster::PlaneSource;
 use crate::shader::Prepared;
@@ -28,6 +28,10 @@ pub enum FragmentInput {
     Linear(usize),
     /// The plane's value at the provoking vertex.
     Flat(usize),
+    /// How a smooth value changes from pixel to pixel.
+    SmoothSlope(usize, Axis),
+    /// How a linear value changes from pixel to pixel.
+    LinearSlope(usize, Axis),
     /// Window x.
     X,
     /// Window y.
@@ -36,7 +40,7 @@ pub enum FragmentInput {
     Depth,
     /// Which side is seen.
     Front,
-    /// Not there in this stage.
+    /// Not there in this stage, or not needed by this draw.
     Zero,
 }
 
@@ -189,6 +193,12 @@ impl DrawPlan {
         let tests_z = tests.depth.is_some() && depth_output.is_none();
         let depth_plane = (tests_z || reads_z).then(|| plane(PlaneSource::Depth));
         let mut denominator_plane = None;
+        // Nothing but levels of detail is made of slopes.
+        let needs_slopes = fragment
+            .texture_slots()
+            .iter()
+            .filter_map(|&slot| input.textures.get(slot as usize)?.as_ref())
+            .any(|texture| texture.needs_lod());
         let read = if shading == Shading::On { fragment.inputs() } else { &[] };
         for &wanted in read {
             inputs.push(match wanted {
@@ -205,6 +215,19 @@ impl DrawPlan {
                             FragmentInput::Linear(plane(PlaneSource::NoPerspective(at)))
                         }
                         Interpolation::Flat => FragmentInput::Flat(plane(PlaneSource::Flat(at))),
+                    }
+                }
+                Input::Slope { slot, axis } => {
+                    let at = compiled.varyings.iter().position(|&(s, _)| s == slot);
+                    match at.map(|at| (at, compiled.varyings[at].1)).filter(|_| needs_slopes) {
+                        Some((at, Interpolation::Smooth)) => {
+                            denominator_plane = Some(plane(PlaneSource::Denominator));
+                            FragmentInput::SmoothSlope(plane(PlaneSource::Smooth(at)), axis)
+                        }
+                        Some((at, Interpolation::NoPerspective)) => {
+                            FragmentInput::LinearSlope(plane(PlaneSource::NoPerspective(at)), axis)
+                        }
+                        Some((_, Interpolation::Flat)) | None => FragmentInput::Zero,
                     }
                 }
                 Input::FragCoord(0) => FragmentInput::X,

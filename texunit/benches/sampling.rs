@@ -1,82 +1,181 @@
-//! How long 64 samples of a 512×512 RGBA8 image take, per filter and instruction set.
+//! Nanoseconds per sample: filter × format class × coherence, as the table of `RESULTS.md`.
 //!
-//! A pass samples 64×64 pixels, of an image repeated at an angle and slightly minified; its time
-//! over 4096 is the time of a sample.
+//! All cells are measured in turn, round after round, and the least time of each is kept, so that
+//! what disturbs the machine falls on all of them alike. `cargo bench -p texunit --bench sampling`
+//! prints every row; words after `--` pick rows that hold one of them. `DETGL_ISA` picks the
+//! instruction set.
 
-use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
 use std::hint::black_box;
-use std::time::Duration;
+use std::time::Instant;
 use texunit::format::Format;
 use texunit::image::{Image, Level, Shape};
-use texunit::lanes::{F32s, Isa, lane_x, lane_y};
+use texunit::lanes::{F32s, Isa, LANES, QUADS, lane_x, lane_y};
 use texunit::plan::{Lod, SamplePlan};
-use texunit::sampler::{Filter, Mipmap, Sampler};
+use texunit::sampler::{Filter, Mipmap, Sampler, Wrap};
 
+/// Texels of a side.
 const SIZE: u32 = 512;
+/// Blocks of 8×8 pixels of a side of the picture that is sampled.
 const BLOCKS: usize = 8;
+/// How often each cell is measured, and how many pictures a measurement takes.
+const ROUNDS: usize = 25;
+const PICTURES: usize = 8;
 
-fn image() -> Image {
-    let texels: Vec<u8> =
-        (0..SIZE * SIZE * 4).map(|i| (i.wrapping_mul(2_654_435_761) >> 24) as u8).collect();
+struct FilterRow {
+    name: &'static str,
+    min: Filter,
+    mipmap: Mipmap,
+    anisotropy: f32,
+}
+
+const FILTERS: [FilterRow; 5] = {
+    const fn row(name: &'static str, min: Filter, mipmap: Mipmap, anisotropy: f32) -> FilterRow {
+        FilterRow { name, min, mipmap, anisotropy }
+    }
+    [
+        row("nearest", Filter::Nearest, Mipmap::None, 1.0),
+        row("bilinear", Filter::Linear, Mipmap::None, 1.0),
+        row("trilinear", Filter::Linear, Mipmap::Linear, 1.0),
+        row("anisotropic 4:1", Filter::Linear, Mipmap::Linear, 4.0),
+        row("anisotropic 16:1", Filter::Linear, Mipmap::Linear, 16.0),
+    ]
+};
+
+const FORMATS: [(&str, Format); 7] = [
+    ("RGBA8", Format::Rgba8),
+    ("RGB8", Format::Rgb8),
+    ("L8", Format::L8),
+    ("SRGB8_ALPHA8", Format::Srgb8A8),
+    ("RGBA16F", Format::Rgba16F),
+    ("RGBA32F", Format::Rgba32F),
+    ("DXT1", Format::Dxt1Rgb),
+];
+
+/// How far apart the pixels of the picture are.
+#[derive(Clone, Copy)]
+enum Coherence {
+    /// Texels per pixel, of a picture at an angle.
+    Even(f32),
+    /// A texel per pixel within a quad, every quad somewhere else.
+    Random,
+}
+
+const COHERENCES: [(&str, Coherence); 4] = [
+    ("magnified", Coherence::Even(0.1)),
+    ("1:1", Coherence::Even(1.0)),
+    ("minified", Coherence::Even(2.7)),
+    ("random", Coherence::Random),
+];
+
+fn image(format: Format) -> Image {
     let mut image = Image::new(Shape::D2);
-    let base = Level::from_texels(Format::Rgba8, SIZE, SIZE, &texels).expect("a small level");
-    image.set_level(0, 0, base).expect("level 0 of a 2D image");
-    image.generate_mipmaps(0, 1000).expect("there is a base level");
+    let mut seed = 1_u32;
+    for number in 0..=SIZE.ilog2() {
+        let mut level = Level::new(format, SIZE >> number, SIZE >> number).expect("a small level");
+        level.fill(|_| {
+            [0; 4].map(|_| {
+                seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+                (seed >> 8) as f32 / 16_777_216.0
+            })
+        });
+        image.set_level(0, number as usize, level).expect("a level of a 2D image");
+    }
     image
 }
 
-/// Texture coordinates of a picture of 64×64 pixels, block by block.
-fn coordinates() -> Vec<[F32s; 2]> {
-    let step = 1.6 / SIZE as f32;
-    let place = |x: usize, y: usize| {
-        let (x, y) = (x as f32, y as f32);
-        [0.9 + (0.8 * x - 0.6 * y) * step, -0.1 + (0.6 * x + 0.8 * y) * step]
+/// Texture coordinates of a picture of 64×64 pixels, block by block. Anisotropic footprints are
+/// `stretch` times as long as wide.
+fn coordinates(coherence: Coherence, stretch: f32) -> Vec<[F32s; 2]> {
+    let mut seed = 7_u32;
+    let mut random = || {
+        seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        (seed >> 8) as f32 / 16_777_216.0
     };
     let mut blocks = Vec::new();
-    for by in 0..BLOCKS {
-        for bx in 0..BLOCKS {
-            blocks.push([0, 1].map(|axis| {
-                F32s::from_fn(|l| place(bx * 8 + lane_x(l), by * 8 + lane_y(l))[axis])
-            }));
-        }
+    for block in 0..BLOCKS * BLOCKS {
+        let starts: [[f32; 2]; QUADS] = [[0.0; 2]; QUADS].map(|_| [random(), random()]);
+        let place = |lane: usize| {
+            let (corner, texels, x, y) = match coherence {
+                Coherence::Even(texels) => {
+                    let x = block % BLOCKS * 8 + lane_x(lane);
+                    let y = block / BLOCKS * 8 + lane_y(lane);
+                    ([0.13, 0.29], texels, x, y)
+                }
+                Coherence::Random => {
+                    (starts[lane % QUADS], 1.0, lane_x(lane) % 2, lane_y(lane) % 2)
+                }
+            };
+            let unit = texels / SIZE as f32;
+            let (x, y) = (x as f32 * unit, y as f32 * unit * stretch);
+            [corner[0] + 0.8 * x - 0.6 * y, corner[1] + 0.6 * x + 0.8 * y]
+        };
+        blocks.push([0, 1].map(|axis| F32s::from_fn(|lane| place(lane)[axis])));
     }
     blocks
 }
 
-fn sampling(c: &mut Criterion) {
-    let image = image();
-    let blocks = coordinates();
-    let filters = [
-        ("nearest", Filter::Nearest, Mipmap::None),
-        ("bilinear", Filter::Linear, Mipmap::None),
-        ("trilinear", Filter::Linear, Mipmap::Linear),
-    ];
-    for (name, filter, mipmap) in filters {
-        let sampler = Sampler { min: filter, mag: filter, mipmap, ..Sampler::default() };
-        let plan = SamplePlan::new(&image, &sampler);
-        let mut group = c.benchmark_group(name);
-        group.throughput(Throughput::Elements((blocks.len() * 64) as u64));
-        group.sample_size(20);
-        group.warm_up_time(Duration::from_millis(300));
-        group.measurement_time(Duration::from_secs(1));
-        for isa in Isa::available() {
-            group.bench_function(isa.name(), |b| {
-                b.iter_batched_ref(
-                    || [F32s::ZERO; 4],
-                    |out| {
-                        for [s, t] in &blocks {
-                            let lod = Lod::Implicit { bias: None };
-                            plan.sample(isa, [s, t, &F32s::ZERO], None, lod, out);
-                            black_box(&mut *out);
-                        }
-                    },
-                    BatchSize::SmallInput,
-                );
-            });
+struct Cell {
+    plan: SamplePlan,
+    blocks: Vec<[F32s; 2]>,
+    least: f64,
+}
+
+impl Cell {
+    fn measure(&mut self, isa: Isa) {
+        let mut out = [F32s::ZERO; 4];
+        let start = Instant::now();
+        for _ in 0..PICTURES {
+            for [s, t] in &self.blocks {
+                let lod = Lod::Implicit { bias: None };
+                self.plan.sample(isa, [s, t, &F32s::ZERO], None, lod, &mut out);
+                black_box(&mut out);
+            }
         }
-        group.finish();
+        let samples = (PICTURES * self.blocks.len() * LANES) as f64;
+        self.least = self.least.min(start.elapsed().as_secs_f64() * 1e9 / samples);
     }
 }
 
-criterion_group!(benches, sampling);
-criterion_main!(benches);
+fn main() {
+    let isa = Isa::from_env().expect("an instruction set of this machine");
+    let words: Vec<String> = std::env::args().skip(1).filter(|a| !a.starts_with("--")).collect();
+    let mut rows = Vec::new();
+    for (format_name, format) in FORMATS {
+        let image = image(format);
+        for filter in &FILTERS {
+            for (wrap_name, wrap) in [("repeat", Wrap::Repeat), ("edge", Wrap::ClampToEdge)] {
+                let extra = format != Format::Rgba8 || filter.anisotropy > 1.0;
+                if extra && wrap == Wrap::ClampToEdge {
+                    continue;
+                }
+                let name = format!("{format_name}, {}, {wrap_name}", filter.name);
+                if !words.is_empty() && !words.iter().any(|word| name.contains(word.as_str())) {
+                    continue;
+                }
+                let sampler = Sampler {
+                    wrap: [wrap; 3],
+                    min: filter.min,
+                    mag: filter.min,
+                    mipmap: filter.mipmap,
+                    max_anisotropy: filter.anisotropy,
+                    ..Sampler::default()
+                };
+                let cells = COHERENCES.map(|(_, coherence)| Cell {
+                    plan: SamplePlan::new(&image, &sampler),
+                    blocks: coordinates(coherence, filter.anisotropy),
+                    least: f64::INFINITY,
+                });
+                rows.push((name, cells));
+            }
+        }
+    }
+    for _ in 0..ROUNDS {
+        rows.iter_mut().flat_map(|(_, cells)| cells).for_each(|cell| cell.measure(isa));
+    }
+    let heads = COHERENCES.map(|(name, _)| name).join(" | ");
+    println!("| {} | {heads} |\n|---|---|---|---|---|", isa.name());
+    for (name, cells) in rows {
+        let times = cells.map(|cell| format!("{:.1}", cell.least)).join(" | ");
+        println!("| {name} | {times} |");
+    }
+}

@@ -6,6 +6,7 @@ use crate::lanes::math::{clamp, to_i32, to_u32};
 use crate::lanes::{F32s, I32s, Isa, LANES};
 use crate::sample::Sample;
 use crate::sample::lod::LodRange;
+use crate::sample::plain::Class;
 use crate::sample::texel::Fetch;
 use crate::sampler::{
     Compare, DepthMode, Filter, MAX_ANISOTROPY, Mipmap, Sampler, Seamless, Swizzle, Wrap,
@@ -22,12 +23,14 @@ pub enum Lod<'a> {
     },
     /// This λ, to which the sampler's bias is added.
     Explicit(&'a F32s),
-    /// From these derivatives of s, t, r.
+    /// From these derivatives of s, t, r, plus a bias.
     Gradient {
         /// `∂(s, t, r)/∂x`.
         dx: [&'a F32s; 3],
         /// `∂(s, t, r)/∂y`.
         dy: [&'a F32s; 3],
+        /// As of [`Lod::Implicit`].
+        bias: Option<&'a F32s>,
     },
 }
 
@@ -66,18 +69,18 @@ pub(crate) struct Texture {
 pub(crate) enum Way {
     /// Any texture.
     General,
-    /// Two-dimensional linear bytes, where no border is reached.
-    Plain,
+    /// Two-dimensional, not compared, of a class of texels that is worth loops of its own.
+    Plain(Class),
 }
 
 impl Way {
-    fn new(shape: Shape, format: Format, compare: Option<Compare>, seamless: Seamless) -> Self {
-        let flat = match shape {
-            Shape::D2 | Shape::Rect => true,
-            Shape::Cube => seamless == Seamless::Off,
-            Shape::D1 | Shape::D3 | Shape::D1Array | Shape::D2Array => false,
+    fn new(shape: Shape, format: Format, compare: Option<Compare>) -> Self {
+        let class = match shape {
+            Shape::D2 | Shape::Rect | Shape::Cube if compare.is_none() => Class::of(format),
+            Shape::D2 | Shape::Rect | Shape::Cube => None,
+            Shape::D1 | Shape::D3 | Shape::D1Array | Shape::D2Array => None,
         };
-        if flat && format.is_bytes() && compare.is_none() { Self::Plain } else { Self::General }
+        class.map_or(Self::General, Self::Plain)
     }
 }
 
@@ -243,7 +246,7 @@ impl Texture {
             compare,
             depth_mode: sampler.depth_mode,
             swizzle: sampler.swizzle,
-            way: Way::new(shape, format, compare, sampler.seamless),
+            way: Way::new(shape, format, compare),
             detail,
         })
     }

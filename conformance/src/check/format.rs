@@ -152,8 +152,7 @@ mod tests {
 
     #[test]
     fn names_are_there_once() {
-        let mut names: Vec<u32> =
-            FORMATS.iter().chain(INTEGER_FORMATS).map(|row| row.0).collect();
+        let mut names: Vec<u32> = FORMATS.iter().chain(INTEGER_FORMATS).map(|row| row.0).collect();
         let count = names.len();
         names.sort_unstable();
         names.dedup();

@@ -3,7 +3,6 @@
 use super::Check;
 use super::bench::{Bench, Tally};
 use super::outcome::Unit;
-use crate::rng::Rng;
 use crate::drive::{DriveError, shader};
 use crate::mutation::Variant;
 use crate::oracle::filter::Addressing;
@@ -12,6 +11,7 @@ use crate::oracle::sample::Sampler;
 use crate::oracle::seamless;
 use crate::oracle::texture::Level;
 use crate::oracle::wrap::Wrap;
+use crate::rng::Rng;
 
 /// `GL_TEXTURE_CUBE_MAP_SEAMLESS`.
 pub const SEAMLESS: Check = Check {

@@ -5,9 +5,11 @@
 
 pub(crate) mod arrays;
 pub(crate) mod calls;
+mod fixed_words;
 pub(crate) mod hints;
 pub(crate) mod immediate;
 pub(crate) mod interleaved;
+mod keys;
 pub(crate) mod restart;
 mod stages;
 pub(crate) mod translate;
@@ -15,6 +17,7 @@ mod words;
 
 use crate::context::Context;
 use crate::fixed::FixedModules;
+use fixed_words::FixedWords;
 use rasterizer::driver::{
     Attachment, Command, CommandBuffer, Device, Image, PassDesc, Pipeline, PipelineDesc,
     ShaderModule,
@@ -38,6 +41,7 @@ pub(crate) struct Recorder {
     told: Told,
     pipelines: HashMap<PipelineDesc, Pipeline>,
     pub fixed: FixedModules,
+    fixed_words: FixedWords,
     variants: HashMap<stages::VariantKey, ShaderModule>,
 }
 
@@ -58,6 +62,7 @@ impl Recorder {
             told: Told::default(),
             pipelines: HashMap::new(),
             fixed: FixedModules::default(),
+            fixed_words: FixedWords::default(),
             variants: HashMap::new(),
         }
     }

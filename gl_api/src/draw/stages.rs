@@ -1,19 +1,17 @@
 //! Which shaders a draw runs, with which textures: the program in use, or the fixed function for
 //! each stage that it lacks.
 
-use super::hints;
-use super::words::{put_bindings, put_fixed};
+use super::fixed_words::{self, Keys};
+use super::words::put_bindings;
+use super::{hints, keys};
 use crate::context::Context;
 use crate::error::{ErrorCode, GlError, Result, invalid_operation};
-use crate::fixed::{
-    FragmentKey, UnitKey, VertexKey, add_alpha_test, cached, environment_base, set_shade_model,
-};
+use crate::fixed::{add_alpha_test, cached, set_shade_model};
 use crate::glsl::SamplerSlot;
-use crate::interface::{ATTRIB_TEX_COORD, MAX_COMBINED_TEXTURE_IMAGE_UNITS, MAX_TEXTURE_UNITS};
+use crate::interface::MAX_COMBINED_TEXTURE_IMAGE_UNITS;
 use crate::state::enable::Flag;
 use crate::texture::TextureTarget;
-use glam::{DMat4, DVec4};
-use rasterizer::driver::{ShaderModule, VertexBinding, VertexSource};
+use rasterizer::driver::{ShaderModule, VertexBinding};
 use rasterizer::ir::{Interpolation, IrError, Stage, TextureDecl};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -44,7 +42,7 @@ pub(super) struct VariantKey {
 }
 
 /// The alpha test, unless it lets everything through.
-fn alpha_test(context: &Context) -> Option<Compare> {
+pub(super) fn alpha_test(context: &Context) -> Option<Compare> {
     let compare = context.state.fragment.alpha_func;
     (context.state.enables.has(Flag::AlphaTest) && compare != Compare::Always).then_some(compare)
 }
@@ -76,44 +74,40 @@ pub(super) fn choose(context: &mut Context, vertices: &[VertexBinding]) -> Resul
     }
     one_type_per_unit(context, [vertex.as_ref(), fragment.as_ref()], &samplers, &words)?;
     let base = words.len() as u32;
-    put_fixed(context, &mut words, base);
 
     let vertex_textures = match &vertex {
         Some(module) => program_textures(context, Stage::Vertex, module, &samplers, &words),
         None => Arc::from([]),
     };
+    let mut fragment_key = None;
     let (fragment, fragment_textures) = match fragment.take() {
         Some(module) => {
             let textures = program_textures(context, Stage::Fragment, &module, &samplers, &words);
             (program_fragment(context, module, said, base)?, textures)
         }
         None => {
-            let units = enabled_units(context, vertex.is_none().then_some(vertices));
-            let textures = units
+            let key = keys::fragment_key(context, vertex.is_none().then_some(vertices), base);
+            let textures = key
+                .units
                 .iter()
                 .map(|unit| Some(plan(context, unit.unit, TextureTarget::of(unit.shape))));
             let textures = textures.collect();
-            let key = FragmentKey {
-                base,
-                units,
-                shade_model: context.state.raster.shade_model,
-                alpha: alpha_test(context),
-            };
+            let key = fragment_key.insert(key);
             let module = context.recorder.fixed.fragment(key).map_err(|error| internal(&error))?;
             (module, textures)
         }
     };
+    let mut vertex_key = None;
     let vertex = match vertex.take() {
         Some(module) => module,
         None => {
-            let mut matrices = 0;
-            for (unit, stack) in context.state.matrices.texture.iter().enumerate() {
-                matrices |= u8::from(stack.top != DMat4::IDENTITY) << unit;
-            }
-            let key = VertexKey { base, matrices };
+            let key = vertex_key.insert(keys::vertex_key(context, vertices, base));
             context.recorder.fixed.vertex(key).map_err(|error| internal(&error))?
         }
     };
+    let needed = vertex.module().uniform_words.max(fragment.module().uniform_words);
+    let keys = Keys { vertex: vertex_key.as_ref(), fragment: fragment_key.as_ref() };
+    fixed_words::append(context, &mut words, keys, needed);
     Ok(Stages { vertex, fragment, words, vertex_textures, fragment_textures })
 }
 
@@ -130,7 +124,7 @@ fn program_fragment(
         return Ok(module);
     }
     let key = VariantKey { module, shade_model, said, alpha };
-    cached(&mut context.recorder.variants, key, |key| {
+    cached(&mut context.recorder.variants, &key, |key| {
         let mut variant = key.module.module().clone();
         if key.shade_model == Interpolation::Flat {
             set_shade_model(&mut variant, Interpolation::Flat, key.said);
@@ -234,46 +228,4 @@ fn plan(context: &mut Context, unit: u8, target: TextureTarget) -> Arc<SamplePla
     super::settle(context, &image);
     let sampler = sampler(context, unit, target);
     context.objects.texture_mut(target, name).plan(&sampler)
-}
-
-/// The units that texture: enabled, with a complete texture (GL 2.1, section 3.8.15).
-/// `vertices` are those of the fixed-function vertex stage, where it runs.
-fn enabled_units(context: &mut Context, vertices: Option<&[VertexBinding]>) -> Vec<UnitKey> {
-    let mut units = Vec::new();
-    for unit in 0..MAX_TEXTURE_UNITS {
-        let state = &context.state.units.units[usize::from(unit)];
-        let winner = TextureTarget::ALL.into_iter().rfind(|target| state.enabled[*target as usize]);
-        let Some(target) = winner else { continue };
-        let texture = context.objects.texture(target, state.bound[target as usize]);
-        let sampler = sampler(context, unit, target);
-        if let Some(reason) = texture.incomplete_reason(&sampler) {
-            hints::incomplete(context, unit, target, &reason);
-            continue;
-        }
-        let texels = texture.image.texels();
-        let Some(level) = texels.level(0, sampler.base_level as usize) else { continue };
-        units.push(UnitKey {
-            unit,
-            mode: state.mode,
-            base: environment_base(level.format.base(), sampler.depth_mode),
-            shape: target.shape(),
-            compare: level.format.is_depth() && sampler.compare.is_some(),
-            projective: is_projective(context, unit, vertices),
-        });
-    }
-    units
-}
-
-/// Whether a unit's q may be other than 1.
-fn is_projective(context: &Context, unit: u8, vertices: Option<&[VertexBinding]>) -> bool {
-    let Some(vertices) = vertices else { return true };
-    if context.state.matrices.texture[usize::from(unit)].top.row(3) != DVec4::W {
-        return true;
-    }
-    let location = ATTRIB_TEX_COORD + unit;
-    match vertices.iter().find(|binding| binding.location == location).map(|found| &found.source) {
-        Some(VertexSource::Constant(value)) => value[3] != 1.0,
-        Some(VertexSource::Array { components, .. }) => *components == 4,
-        None => false,
-    }
 }

@@ -1,10 +1,12 @@
-//! The uniform words of a draw: a program's uniforms and the state that its stages read.
+//! The uniform words of the state that programs read (GLSL 1.30, section 7.4).
 
 use crate::context::{Context, limits};
-use crate::fixed::word;
 use crate::framebuffer::complete::draw_pass;
 use crate::interface::*;
-use glam::{DMat3, DMat4};
+use crate::state::light::Light;
+use crate::state::material::{Material, material};
+use crate::state::matrix::{inverse, inverse_3};
+use glam::DMat4;
 
 /// A matrix of the state, in one of its forms.
 fn matrix(context: &Context, matrix: StateMatrix, form: MatrixForm) -> DMat4 {
@@ -19,101 +21,148 @@ fn matrix(context: &Context, matrix: StateMatrix, form: MatrixForm) -> DMat4 {
     };
     match form {
         MatrixForm::Plain => plain,
-        MatrixForm::Inverse => plain.inverse(),
+        MatrixForm::Inverse => inverse(plain),
         MatrixForm::Transpose => plain.transpose(),
-        MatrixForm::InverseTranspose => plain.inverse().transpose(),
+        MatrixForm::InverseTranspose => inverse(plain).transpose(),
     }
 }
 
 /// Writes numbers as `f32` words from a place on; what lies beyond the end is left out.
-fn put(words: &mut [u32], first: u32, values: impl IntoIterator<Item = f64>) {
+pub(super) fn put(words: &mut [u32], first: u32, values: impl IntoIterator<Item = f64>) {
     let Some(words) = words.get_mut(first as usize..) else { return };
     for (word, value) in words.iter_mut().zip(values) {
         *word = (value as f32).to_bits();
     }
 }
 
-/// The initial value of state that no call changes (GL 2.1, tables 6.9 to 6.14 and 6.17).
-fn initial(var: StateVar) -> Vec<f64> {
-    let gray = |value: f64| [value, value, value, 1.0];
-    let (black, none, white) = (gray(0.0), [0.0; 4], gray(1.0));
-    let (ambient, diffuse, scene) = (gray(0.2), gray(0.8), gray(0.04));
-    match var {
-        StateVar::Material(_) => {
-            [black, ambient, diffuse, black].concat().into_iter().chain([0.0]).collect()
-        }
-        StateVar::Light(light) => {
-            let color = if light == 0 { white } else { black };
-            let toward = [0.0, 0.0, 1.0, 0.0];
-            let spot = [0.0, 0.0, -1.0, 0.0, 180.0, -1.0, 1.0, 0.0, 0.0];
-            [black, color, color, toward, toward].concat().into_iter().chain(spot).collect()
-        }
-        StateVar::LightModel => ambient.into(),
-        StateVar::LightModelProduct(_) => scene.into(),
-        StateVar::LightProduct(_, light) => {
-            let lit = if light == 0 { diffuse } else { black };
-            [black, lit, black].concat()
-        }
-        StateVar::TexGen(_, TexCoord::S, _) => vec![1.0, 0.0, 0.0, 0.0],
-        StateVar::TexGen(_, TexCoord::T, _) => vec![0.0, 1.0, 0.0, 0.0],
-        StateVar::TexGen(_, TexCoord::R | TexCoord::Q, _) | StateVar::ClipPlane(_) => none.into(),
-        StateVar::Fog => none.into_iter().chain([1.0, 0.0, 1.0, 1.0]).collect(),
-        StateVar::Matrix(..)
-        | StateVar::NormalMatrix
-        | StateVar::DepthRange
-        | StateVar::TextureEnvColor(_)
-        | StateVar::NormalScale
-        | StateVar::ClipEnables
-        | StateVar::FramebufferHeight
-        | StateVar::Point => vec![0.0; var.words() as usize],
-    }
+/// Colours one after the other.
+fn colors<const N: usize>(colors: [[f32; 4]; N]) -> impl Iterator<Item = f64> {
+    colors.into_iter().flatten().map(f64::from)
+}
+
+/// The product of two colours.
+fn product(left: [f32; 4], right: [f32; 4]) -> [f32; 4] {
+    std::array::from_fn(|i| (f64::from(left[i]) * f64::from(right[i])) as f32)
+}
+
+/// The emission and the product of the ambient colours; alpha is the material's.
+pub(super) fn scene_color(material: &Material, ambient: [f32; 4]) -> [f64; 4] {
+    let color = |i: usize| {
+        f64::from(material.emission[i]) + f64::from(material.ambient[i]) * f64::from(ambient[i])
+    };
+    [color(0), color(1), color(2), material.diffuse[3].into()]
+}
+
+/// `gl_LightSource` of a light.
+fn light(words: &mut [u32], first: u32, light: &Light) {
+    let direction = light.spot_direction.to_array();
+    let [constant, linear, quadratic] = light.attenuation.map(f64::from);
+    put(words, first, colors([light.ambient, light.diffuse, light.specular]));
+    put(words, first + 12, light.position.to_array());
+    put(words, first + 16, light.derived.half.extend(0.0).to_array());
+    put(words, first + 20, direction);
+    put(
+        words,
+        first + 23,
+        [
+            light.spot_exponent.into(),
+            light.spot_cutoff.into(),
+            light.derived.cos_cutoff,
+            constant,
+            linear,
+            quadratic,
+        ],
+    );
 }
 
 fn put_state(context: &Context, words: &mut [u32], binding: StateBinding) {
     let StateBinding { var, word } = binding;
+    let state = &context.state;
     match var {
         StateVar::Matrix(which, form) => {
             put(words, word, matrix(context, which, form).to_cols_array());
         }
         StateVar::NormalMatrix => {
-            let upper = DMat3::from_mat4(context.state.matrices.modelview.top);
-            put(words, word, upper.inverse().transpose().to_cols_array());
+            let inverse = inverse_3(state.matrices.modelview.top);
+            put(words, word, inverse.transpose().to_cols_array());
         }
         StateVar::DepthRange => {
-            let [near, far] = context.state.viewport.depth;
+            let [near, far] = state.viewport.depth;
             put(words, word, [near, far, far - near]);
         }
         StateVar::TextureEnvColor(unit) => {
-            let color = context
-                .state
-                .units
-                .units
-                .get(usize::from(unit))
-                .map_or([0.0; 4], |unit| unit.color);
-            put(words, word, color.map(f64::from));
+            if let Some(unit) = state.units.units.get(usize::from(unit)) {
+                put(words, word, colors([unit.color]));
+            }
         }
         StateVar::NormalScale => {
-            let inverse = DMat3::from_mat4(context.state.matrices.modelview.top).inverse();
-            put(words, word, [1.0 / inverse.row(2).length()]);
+            put(words, word, [normal_scale(context)]);
         }
         StateVar::Point => {
-            let size = f64::from(context.state.raster.point_size);
+            let size = f64::from(state.raster.point_size);
             put(words, word, [size, 0.0, limits::MAX_WIDTH.into(), 1.0, 1.0, 0.0, 0.0]);
         }
         StateVar::FramebufferHeight => {
             let height = draw_pass(context).map_or(0, |pass| pass.height);
             put(words, word, [height.into()]);
         }
-        StateVar::ClipPlane(_)
-        | StateVar::ClipEnables
-        | StateVar::Material(_)
-        | StateVar::Light(_)
-        | StateVar::LightModel
-        | StateVar::LightModelProduct(_)
-        | StateVar::LightProduct(..)
-        | StateVar::TexGen(..)
-        | StateVar::Fog => put(words, word, initial(var)),
+        StateVar::ClipPlane(plane) => {
+            if let Some(plane) = state.clip.planes.get(usize::from(plane)) {
+                put(words, word, plane.to_array());
+            }
+        }
+        StateVar::ClipEnables => {
+            let enabled = |plane: u8| f64::from(state.clip.enabled >> plane & 1);
+            put(words, word, (0..8).map(enabled));
+        }
+        StateVar::Material(side) => {
+            let Material { emission, ambient, diffuse, specular, shininess } =
+                material(context, side);
+            put(words, word, colors([emission, ambient, diffuse, specular]));
+            put(words, word + 16, [shininess.into()]);
+        }
+        StateVar::Light(index) => {
+            if let Some(source) = state.lights.lights.get(usize::from(index)) {
+                light(words, word, source);
+            }
+        }
+        StateVar::LightModel => put(words, word, colors([state.lights.model.ambient])),
+        StateVar::LightModelProduct(side) => {
+            put(words, word, scene_color(&material(context, side), state.lights.model.ambient));
+        }
+        StateVar::LightProduct(side, index) => {
+            if let Some(light) = state.lights.lights.get(usize::from(index)) {
+                let material = material(context, side);
+                let products = [
+                    product(light.ambient, material.ambient),
+                    product(light.diffuse, material.diffuse),
+                    product(light.specular, material.specular),
+                ];
+                put(words, word, colors(products));
+            }
+        }
+        StateVar::TexGen(plane, coord, unit) => {
+            if let Some(unit) = state.units.units.get(usize::from(unit)) {
+                let generate = &unit.generate[coord as usize];
+                let plane = match plane {
+                    TexGenPlane::Eye => generate.eye_plane,
+                    TexGenPlane::Object => generate.object_plane,
+                };
+                put(words, word, plane.to_array());
+            }
+        }
+        StateVar::Fog => {
+            let fog = &state.fog;
+            let (start, end) = (f64::from(fog.start), f64::from(fog.end));
+            put(words, word, colors([fog.color]));
+            put(words, word + 4, [fog.density.into(), start, end, 1.0 / (end - start)]);
+        }
     }
+}
+
+/// The factor of `GL_RESCALE_NORMAL` (GL 2.1, section 2.11.3).
+pub(super) fn normal_scale(context: &Context) -> f64 {
+    1.0 / inverse_3(context.state.matrices.modelview.top).row(2).length()
 }
 
 /// The state that a program reads, into its words.
@@ -121,22 +170,4 @@ pub(super) fn put_bindings(context: &Context, words: &mut [u32], bindings: &[Sta
     for &binding in bindings {
         put_state(context, words, binding);
     }
-}
-
-/// The state that the fixed function reads, from word `base` on.
-pub(super) fn put_fixed(context: &Context, words: &mut Vec<u32>, base: u32) {
-    words.resize((base + word::COUNT) as usize, 0);
-    let mut state = |var, word| {
-        put_state(context, words, StateBinding { var, word: base + word });
-    };
-    state(StateVar::Matrix(StateMatrix::ModelViewProjection, MatrixForm::Plain), word::MVP);
-    for unit in 0..MAX_TEXTURE_UNITS {
-        let number = u32::from(unit);
-        state(
-            StateVar::Matrix(StateMatrix::Texture(unit), MatrixForm::Plain),
-            word::TEXTURE_MATRIX + 16 * number,
-        );
-        state(StateVar::TextureEnvColor(unit), word::ENV_COLOR + 4 * number);
-    }
-    put(words, base + word::ALPHA_REF, [context.state.fragment.alpha_ref.into()]);
 }

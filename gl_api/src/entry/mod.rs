@@ -93,6 +93,7 @@ mod attributes;
 mod debugging;
 mod fragments;
 mod framebuffers;
+mod lighting;
 mod lists;
 mod pixels;
 mod programs;
@@ -110,6 +111,7 @@ pub use attributes::*;
 pub use debugging::*;
 pub use fragments::*;
 pub use framebuffers::*;
+pub use lighting::*;
 pub use lists::*;
 pub use pixels::*;
 pub use programs::*;
@@ -135,6 +137,7 @@ pub fn implemented() -> impl Iterator<Item = (&'static str, usize)> {
         DEBUGGING,
         FRAMEBUFFERS,
         FRAGMENTS,
+        LIGHTING,
         LISTS,
         PIXELS,
         PROGRAMS,

@@ -1,18 +1,25 @@
 //! Texture units and their environments: GL 2.1, sections 2.7, 3.8.12 and 3.8.13.
 
+pub(crate) mod combine;
+pub(crate) mod texgen;
+
 use crate::constants::*;
 use crate::context::{Context, limits};
-use crate::error::{Result, Table, invalid_operation};
+use crate::error::{Result, Table, invalid_enum, invalid_operation};
 use crate::interface::{MAX_COMBINED_TEXTURE_IMAGE_UNITS, MAX_TEXTURE_UNITS};
+use crate::query::table::{self, Value};
+use crate::state::params::{Params, parameter_calls, parameter_queries};
 use crate::state::viewport::unit as clamp_unit;
 use crate::texture::TextureTarget;
 use crate::types::*;
+use combine::{Arguments, COMBINER_PARAMETER, Combiner, CombinerParameter};
+use texgen::Generate;
 
 const SECTION: &str = "GL 2.1, section 3.8.13";
 
-/// What a unit does with the colour that comes from the unit before.
+/// What a unit without combiners does with the colour that comes from the unit before.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(crate) enum Mode {
+pub(crate) enum Standard {
     Replace,
     Modulate,
     Decal,
@@ -20,15 +27,24 @@ pub(crate) enum Mode {
     Add,
 }
 
-/// The modes that are implemented.
+/// What a unit does with the colour that comes from the unit before.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Mode {
+    Standard(Standard),
+    /// As the unit's combiners say.
+    Combine(Arguments),
+}
+
 pub(crate) const MODE: Table<Mode> = Table {
     section: SECTION,
     rows: &[
-        (GL_REPLACE, Mode::Replace),
-        (GL_MODULATE, Mode::Modulate),
-        (GL_DECAL, Mode::Decal),
-        (GL_BLEND, Mode::Blend),
-        (GL_ADD, Mode::Add),
+        (GL_REPLACE, Mode::Standard(Standard::Replace)),
+        (GL_MODULATE, Mode::Standard(Standard::Modulate)),
+        (GL_DECAL, Mode::Standard(Standard::Decal)),
+        (GL_BLEND, Mode::Standard(Standard::Blend)),
+        (GL_ADD, Mode::Standard(Standard::Add)),
+        (GL_COMBINE, Mode::Combine(Arguments::Two)),
+        (GL_COMBINE4_NV, Mode::Combine(Arguments::Four)),
     ],
 };
 
@@ -44,6 +60,12 @@ pub(crate) struct Unit {
     pub mode: Mode,
     pub color: [f32; 4],
     pub lod_bias: f32,
+    /// Of colour and of alpha.
+    pub combiners: [Combiner; 2],
+    /// How s, t, r and q are generated.
+    pub generate: [Generate; 4],
+    /// Whether point sprites replace the coordinates (section 3.3).
+    pub coord_replace: bool,
 }
 
 /// All units, and which one calls work on.
@@ -60,9 +82,12 @@ impl Default for Units {
             enabled: [false; TextureTarget::COUNT],
             bound: [0; TextureTarget::COUNT],
             sampler: 0,
-            mode: Mode::Modulate,
+            mode: Mode::Standard(Standard::Modulate),
             color: [0.0; 4],
             lod_bias: 0.0,
+            combiners: Combiner::initial(),
+            generate: Generate::initial(),
+            coord_replace: false,
         };
         Self { units: std::array::from_fn(|_| unit.clone()), active: 0, client_active: 0 }
     }
@@ -102,9 +127,12 @@ impl Units {
 enum Parameter {
     Mode,
     Color,
+    Combiner(CombinerParameter),
     LodBias,
+    CoordReplace,
 }
 
+/// What is set besides combiners.
 const ENV_PARAMETER: Table<Parameter> = Table {
     section: SECTION,
     rows: &[(GL_TEXTURE_ENV_MODE, Parameter::Mode), (GL_TEXTURE_ENV_COLOR, Parameter::Color)],
@@ -113,30 +141,77 @@ const ENV_PARAMETER: Table<Parameter> = Table {
 const FILTER_PARAMETER: Table<Parameter> =
     Table { section: "GL 2.1, section 3.8.8", rows: &[(GL_TEXTURE_LOD_BIAS, Parameter::LodBias)] };
 
-fn parameter(target: GLenum, pname: GLenum) -> Result<Parameter> {
-    const TARGET: Table<&Table<Parameter>> = Table {
-        section: SECTION,
-        rows: &[(GL_TEXTURE_ENV, &ENV_PARAMETER), (GL_TEXTURE_FILTER_CONTROL, &FILTER_PARAMETER)],
-    };
-    TARGET.decode("target", target)?.decode("pname", pname)
+const SPRITE_PARAMETER: Table<Parameter> =
+    Table { section: "GL 2.1, section 3.3", rows: &[(GL_COORD_REPLACE, Parameter::CoordReplace)] };
+
+/// What a call is about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Target {
+    Environment,
+    FilterControl,
+    PointSprite,
 }
 
-impl PartialEq for Table<Parameter> {
-    fn eq(&self, other: &Self) -> bool {
-        std::ptr::eq(self.rows, other.rows)
+const TARGET: Table<Target> = Table {
+    section: SECTION,
+    rows: &[
+        (GL_TEXTURE_ENV, Target::Environment),
+        (GL_TEXTURE_FILTER_CONTROL, Target::FilterControl),
+        (GL_POINT_SPRITE, Target::PointSprite),
+    ],
+};
+
+fn parameter(target: GLenum, pname: GLenum) -> Result<Parameter> {
+    match TARGET.decode("target", target)? {
+        Target::Environment => match COMBINER_PARAMETER.get(pname) {
+            Some(parameter) => Ok(Parameter::Combiner(parameter)),
+            None => ENV_PARAMETER.decode("pname", pname).or_else(|_| {
+                invalid_enum(
+                    SECTION,
+                    format!(
+                        "pname = {} must be {} or one of the combiners' parameters: {}",
+                        enum_name(pname),
+                        ENV_PARAMETER.list(),
+                        COMBINER_PARAMETER.list()
+                    ),
+                )
+            }),
+        },
+        Target::FilterControl => FILTER_PARAMETER.decode("pname", pname),
+        Target::PointSprite => SPRITE_PARAMETER.decode("pname", pname),
     }
 }
 
-/// Sets a parameter from its first number, or from all four where it is a colour.
-fn set(context: &mut Context, parameter: Parameter, first: f32, color: [f32; 4]) -> Result<()> {
+fn set_env(context: &mut Context, target: GLenum, pname: GLenum, params: &Params) -> Result<()> {
+    let parameter = parameter(target, pname)?;
+    params.need(SECTION, pname, if parameter == Parameter::Color { 4 } else { 1 })?;
     let unit = context.state.units.active_mut();
     match parameter {
-        Parameter::Mode => unit.mode = MODE.decode("param", symbol(first))?,
-        Parameter::Color => unit.color = color.map(|c| clamp_unit(c.into()) as f32),
-        Parameter::LodBias => unit.lod_bias = lod_bias(first),
+        Parameter::Mode => unit.mode = MODE.decode("param", params.symbol())?,
+        Parameter::Color => unit.color = params.color().map(|c| clamp_unit(c.into()) as f32),
+        Parameter::Combiner(parameter) => {
+            combine::set(&mut unit.combiners, parameter, params.number())?;
+        }
+        Parameter::LodBias => unit.lod_bias = lod_bias(params.number()),
+        Parameter::CoordReplace => unit.coord_replace = params.truth(),
     }
     Ok(())
 }
+
+parameter_calls!(set_env(target, pname): tex_envf, tex_envi, tex_envfv, tex_enviv);
+
+fn get_env(context: &Context, target: GLenum, pname: GLenum) -> Result<Value> {
+    let unit = context.state.units.active();
+    match parameter(target, pname)? {
+        Parameter::Mode => table::symbol(MODE.encode(unit.mode)),
+        Parameter::Color => table::unit(&unit.color),
+        Parameter::Combiner(parameter) => combine::get(&unit.combiners, parameter),
+        Parameter::LodBias => table::float(unit.lod_bias),
+        Parameter::CoordReplace => table::flag(unit.coord_replace),
+    }
+}
+
+parameter_queries!(get_env(target, pname): get_tex_envfv, get_tex_enviv);
 
 /// A number as a named constant; what cannot be one gives a constant that no table has.
 pub(crate) fn symbol(value: f32) -> GLenum {
@@ -149,72 +224,6 @@ pub(crate) fn lod_bias(value: f32) -> f32 {
     if value.is_nan() { 0.0 } else { value.clamp(-limit, limit) }
 }
 
-fn set_scalar(context: &mut Context, target: GLenum, pname: GLenum, param: f32) -> Result<()> {
-    match parameter(target, pname)? {
-        Parameter::Color => crate::error::invalid_enum(
-            SECTION,
-            "pname = GL_TEXTURE_ENV_COLOR has four components: use glTexEnvfv or glTexEnviv",
-        ),
-        single @ (Parameter::Mode | Parameter::LodBias) => set(context, single, param, [0.0; 4]),
-    }
-}
-
-fn set_vector(
-    context: &mut Context,
-    target: GLenum,
-    pname: GLenum,
-    values: &[f32],
-    colors: &[f32],
-) -> Result<()> {
-    let parameter = parameter(target, pname)?;
-    let needed = if parameter == Parameter::Color { 4 } else { 1 };
-    if values.len() < needed {
-        return invalid_operation(
-            SECTION,
-            format!("params has {} of {needed} values of {}", values.len(), enum_name(pname)),
-        );
-    }
-    set(context, parameter, values[0], colors.first_chunk().copied().unwrap_or_default())
-}
-
-pub(crate) fn tex_envi(
-    context: &mut Context,
-    target: GLenum,
-    pname: GLenum,
-    param: GLint,
-) -> Result<()> {
-    set_scalar(context, target, pname, param as f32)
-}
-
-pub(crate) fn tex_envf(
-    context: &mut Context,
-    target: GLenum,
-    pname: GLenum,
-    param: GLfloat,
-) -> Result<()> {
-    set_scalar(context, target, pname, param)
-}
-
-pub(crate) fn tex_enviv(
-    context: &mut Context,
-    target: GLenum,
-    pname: GLenum,
-    params: &[GLint],
-) -> Result<()> {
-    let values: Vec<f32> = params.iter().map(|&value| value as f32).collect();
-    let colors: Vec<f32> = params.iter().map(|&value| signed_to_unit(value)).collect();
-    set_vector(context, target, pname, &values, &colors)
-}
-
-pub(crate) fn tex_envfv(
-    context: &mut Context,
-    target: GLenum,
-    pname: GLenum,
-    params: &[GLfloat],
-) -> Result<()> {
-    set_vector(context, target, pname, params, params)
-}
-
 /// A signed integer as a colour component (GL 2.1, table 2.9).
 pub(crate) fn signed_to_unit(value: i32) -> f32 {
     ((2.0 * f64::from(value) + 1.0) / f64::from(u32::MAX)) as f32
@@ -223,32 +232,4 @@ pub(crate) fn signed_to_unit(value: i32) -> f32 {
 /// A colour component as a signed integer (GL 2.1, table 4.9).
 pub(crate) fn unit_to_signed(value: f32) -> i32 {
     ((f64::from(u32::MAX) * f64::from(value) - 1.0) / 2.0).round_ties_even() as i32
-}
-
-pub(crate) fn get_tex_enviv(
-    context: &mut Context,
-    target: GLenum,
-    pname: GLenum,
-    params: &mut [GLint],
-) -> Result<()> {
-    let unit = context.state.units.active();
-    match parameter(target, pname)? {
-        Parameter::Mode => crate::query::put(params, &[MODE.encode(unit.mode) as GLint]),
-        Parameter::Color => crate::query::put(params, &unit.color.map(unit_to_signed)),
-        Parameter::LodBias => crate::query::put(params, &[unit.lod_bias.round() as GLint]),
-    }
-}
-
-pub(crate) fn get_tex_envfv(
-    context: &mut Context,
-    target: GLenum,
-    pname: GLenum,
-    params: &mut [GLfloat],
-) -> Result<()> {
-    let unit = context.state.units.active();
-    match parameter(target, pname)? {
-        Parameter::Mode => crate::query::put(params, &[MODE.encode(unit.mode) as GLfloat]),
-        Parameter::Color => crate::query::put(params, &unit.color),
-        Parameter::LodBias => crate::query::put(params, &[unit.lod_bias]),
-    }
 }

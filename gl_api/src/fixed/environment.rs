@@ -1,6 +1,8 @@
 //! Texture environments: GL 2.1, tables 3.21 to 3.23.
 
-use crate::env::Mode;
+use super::combine::{CombineKey, Sources, combine};
+use crate::env::combine::Combiner;
+use crate::env::{Mode, Standard};
 use rasterizer::ir::{Builder, Op, Value};
 use texunit::format::BaseFormat;
 use texunit::sampler::DepthMode;
@@ -50,11 +52,44 @@ pub(crate) fn environment_base(base: BaseFormat, mode: DepthMode) -> BaseFormat 
     }
 }
 
-/// The colour that a unit passes on: `previous` is `Cp, Ap`, `source` is `Cs, As` as the texture
-/// gives it, `constant` is `Cc, Ac`.
+/// What a unit's environment does: a part of a module's key.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Environment {
+    Standard(Standard),
+    Combine(CombineKey),
+}
+
+impl Environment {
+    /// What a unit's state means.
+    pub fn new(mode: Mode, combiners: &[Combiner; 2]) -> Self {
+        match mode {
+            Mode::Standard(mode) => Self::Standard(mode),
+            Mode::Combine(arguments) => Self::Combine(CombineKey::new(arguments, combiners)),
+        }
+    }
+}
+
+/// The colour that a unit passes on; without a texture, that which came.
 pub(super) fn apply(
     b: &mut Builder,
-    mode: Mode,
+    environment: &Environment,
+    base: BaseFormat,
+    from: &Sources<'_>,
+) -> [Value; 4] {
+    match (environment, from.texel(from.unit)) {
+        (_, None) => from.previous,
+        (Environment::Combine(key), Some(_)) => combine(b, key, from),
+        (Environment::Standard(mode), Some(texel)) => {
+            standard(b, *mode, base, from.previous, texel, from.constant)
+        }
+    }
+}
+
+/// Tables 3.22 and 3.23: `previous` is `Cp, Ap`, `source` is `Cs, As` as the texture gives it,
+/// `constant` is `Cc, Ac`.
+fn standard(
+    b: &mut Builder,
+    mode: Standard,
     base: BaseFormat,
     previous: [Value; 4],
     source: [Value; 4],
@@ -67,12 +102,12 @@ pub(super) fn apply(
             return p;
         }
         match mode {
-            Mode::Replace => s,
-            Mode::Modulate => b.op(Op::Mul, &[p, s]),
-            Mode::Blend => blend(b, p, c, s),
-            Mode::Add => add(b, p, s),
+            Standard::Replace => s,
+            Standard::Modulate => b.op(Op::Mul, &[p, s]),
+            Standard::Blend => blend(b, p, c, s),
+            Standard::Add => add(b, p, s),
             // The tables define it for RGB and RGBA; other formats leave the colour as it is.
-            Mode::Decal => match base {
+            Standard::Decal => match base {
                 BaseFormat::Rgb => s,
                 BaseFormat::Rgba => blend(b, p, s, source[3]),
                 BaseFormat::Alpha
@@ -88,12 +123,12 @@ pub(super) fn apply(
     let [red, green, blue] = [0, 1, 2].map(|i| color(b, i));
     let (p, s, c) = (previous[3], source[3], constant[3]);
     let alpha = match (mode, alpha) {
-        (_, Alpha::Absent) | (Mode::Decal, Alpha::Present | Alpha::Intensity) => p,
-        (Mode::Replace, Alpha::Present | Alpha::Intensity) => s,
-        (Mode::Blend, Alpha::Intensity) => blend(b, p, c, s),
-        (Mode::Add, Alpha::Intensity) => add(b, p, s),
-        (Mode::Modulate, Alpha::Present | Alpha::Intensity)
-        | (Mode::Blend | Mode::Add, Alpha::Present) => b.op(Op::Mul, &[p, s]),
+        (_, Alpha::Absent) | (Standard::Decal, Alpha::Present | Alpha::Intensity) => p,
+        (Standard::Replace, Alpha::Present | Alpha::Intensity) => s,
+        (Standard::Blend, Alpha::Intensity) => blend(b, p, c, s),
+        (Standard::Add, Alpha::Intensity) => add(b, p, s),
+        (Standard::Modulate, Alpha::Present | Alpha::Intensity)
+        | (Standard::Blend | Standard::Add, Alpha::Present) => b.op(Op::Mul, &[p, s]),
     };
     [red, green, blue, alpha]
 }

@@ -1,10 +1,12 @@
-//! The fixed-function fragment stage: texturing (GL 2.1, section 3.8) and the alpha test (section
-//! 4.1.4).
+//! The fixed-function fragment stage: texturing (GL 2.1, section 3.8), colour sum (3.9), fog (3.10)
+//! and the alpha test (4.1.4).
 
-use super::environment::apply;
-pub(crate) use super::environment::environment_base;
-use super::{clamp, word};
-use crate::env::Mode;
+use super::combine::Sources;
+use super::environment::{Environment, apply};
+use super::fog::{FogKey, fog};
+use super::vector::{clamp, words};
+use super::word;
+use crate::context::limits::MAX_COLOR_ATTACHMENTS;
 use crate::interface::*;
 use rasterizer::ir::{
     Builder, Expr, Input, Interpolation, Lod, Module, Op, Output, Stage, Stmt, TextureDecl, Ty,
@@ -18,13 +20,21 @@ use texunit::sampler::Compare;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct UnitKey {
     pub unit: u8,
-    pub mode: Mode,
-    /// As [`environment_base`] gives it.
+    pub environment: Environment,
+    /// As [`super::environment_base`] gives it.
     pub base: BaseFormat,
     pub shape: Shape,
     pub compare: bool,
-    /// Whether q may be other than 1, so that s, t and r are divided by it.
-    pub projective: bool,
+    pub coordinates: Coordinates,
+}
+
+/// Where a unit's coordinates come from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Coordinates {
+    /// From the vertex stage; q is 1.
+    Plain,
+    /// From the vertex stage; s, t and r are divided by q.
+    Projective,
 }
 
 /// The state that changes the code.
@@ -35,6 +45,11 @@ pub(crate) struct FragmentKey {
     /// In order; the texture slots are numbered the same way.
     pub units: Vec<UnitKey>,
     pub shade_model: Interpolation,
+    /// Whether back faces have colours of their own.
+    pub two_sided: bool,
+    /// Whether the secondary colour is added.
+    pub color_sum: bool,
+    pub fog: Option<FogKey>,
     /// The alpha test, unless it lets everything through.
     pub alpha: Option<Compare>,
 }
@@ -42,30 +57,43 @@ pub(crate) struct FragmentKey {
 /// Generates the stage.
 pub(super) fn module(key: &FragmentKey) -> Module {
     let mut b = Builder::new(Stage::Fragment);
-    // A program's vertex stage may have written any colour (GL 2.1, section 2.14.6).
-    let mut color = [0, 1, 2, 3].map(|i| {
-        let value = b.input(Input::Varying(VARYING_COLOR + i));
-        clamp(&mut b, value)
-    });
-    for unit in &key.units {
-        let texel = sample(&mut b, unit);
-        let first = key.base + word::ENV_COLOR + 4 * u32::from(unit.unit);
-        let constant = [0, 1, 2, 3].map(|i| b.uniform(first + i, Ty::F32));
-        color = apply(&mut b, unit.mode, unit.base, color, texel, constant);
+    let primary = color(&mut b, key, VARYING_COLOR, VARYING_BACK_COLOR);
+    let mut color = texture(&mut b, key, primary);
+    if key.color_sum {
+        color = color_sum(&mut b, key, color);
     }
-    for (component, value) in (0..).zip(color) {
-        let var = b.output(Output::Color { target: 0, component });
-        b.store(var, value);
+    if let Some(fog_key) = key.fog {
+        let distance = b.input(Input::Varying(VARYING_FOG));
+        color = fog(&mut b, fog_key, key.base, color, distance);
+    }
+    // Section 4.2.1: every draw buffer takes the colour; the driver leaves out those that are none.
+    for target in 0..MAX_COLOR_ATTACHMENTS as u8 {
+        for (component, value) in (0..).zip(color) {
+            let var = b.output(Output::Color { target, component });
+            b.store(var, value);
+        }
     }
     let mut module = b.finish();
-    module.varyings = vec![
-        Interpolation::Smooth;
-        usize::from(VARYING_TEX_COORD) + 4 * MAX_TEXTURE_UNITS as usize
-    ];
+    module.varyings = vec![Interpolation::Smooth; usize::from(VARYING_USER)];
     set_shade_model(&mut module, key.shade_model, [None; 2]);
-    match key.alpha {
-        Some(compare) => add_alpha_test(&mut module, compare, key.base + word::ALPHA_REF),
-        None => module.notes.push("left out: the alpha test (off, or lets everything pass)".into()),
+    if let Some(compare) = key.alpha {
+        add_alpha_test(&mut module, compare, key.base + word::ALPHA_REF);
+    }
+    module.notes = left_out(key);
+    module
+}
+
+/// What the module does without, and why.
+fn left_out(key: &FragmentKey) -> Vec<String> {
+    let mut notes = Vec::new();
+    if key.alpha.is_none() {
+        notes.push("left out: the alpha test (off, or lets everything pass)".into());
+    }
+    if !key.color_sum {
+        notes.push("left out: colour sum".into());
+    }
+    if key.fog.is_none() {
+        notes.push("left out: fog".into());
     }
     let off: Vec<String> = (0..MAX_TEXTURE_UNITS)
         .filter(|unit| key.units.iter().all(|key| key.unit != *unit))
@@ -73,9 +101,43 @@ pub(super) fn module(key: &FragmentKey) -> Module {
         .collect();
     if !off.is_empty() {
         let why = "(disabled, or without a complete texture)";
-        module.notes.push(format!("left out: texture units {} {why}", off.join(", ")));
+        notes.push(format!("left out: texture units {} {why}", off.join(", ")));
     }
-    module
+    notes
+}
+
+/// A colour of the side that is seen. A program's vertex stage may have written any (GL 2.1,
+/// section 2.14.6).
+fn color(b: &mut Builder, key: &FragmentKey, front: u16, back: u16) -> [Value; 4] {
+    let [front, back] = [front, back].map(|first| [0, 1, 2, 3].map(|i| Input::Varying(first + i)));
+    let mut color = front.map(|input| b.input(input));
+    if key.two_sided {
+        let faces = b.input(Input::FrontFacing);
+        let back = back.map(|input| b.input(input));
+        color = std::array::from_fn(|i| b.op(Op::SelectF, &[faces, color[i], back[i]]));
+    }
+    color.map(|value| clamp(b, value))
+}
+
+/// The primary colour through the environments of all units.
+fn texture(b: &mut Builder, key: &FragmentKey, primary: [Value; 4]) -> [Value; 4] {
+    let mut texels = [None; MAX_TEXTURE_UNITS as usize];
+    for unit in &key.units {
+        texels[usize::from(unit.unit)] = Some(sample(b, unit));
+    }
+    let mut previous = primary;
+    for unit in &key.units {
+        // ARB_texture_env_crossbar: a unit that reads a texture which is not there does nothing.
+        if let Environment::Combine(combine) = &unit.environment
+            && combine.crossbar().any(|other| texels[usize::from(other)].is_none())
+        {
+            continue;
+        }
+        let constant = words(b, key.base + word::ENV_COLOR + 4 * u32::from(unit.unit));
+        let from = Sources { texels: &texels, unit: unit.unit, constant, primary, previous };
+        previous = apply(b, &unit.environment, unit.base, &from);
+    }
+    previous
 }
 
 /// The texel of a unit: at `s/q, t/q`, compared with `r/q` where it is a shadow map.
@@ -83,12 +145,19 @@ fn sample(b: &mut Builder, unit: &UnitKey) -> [Value; 4] {
     let texture =
         b.texture(TextureDecl { compare: unit.compare, ..TextureDecl::color(unit.shape) });
     let first = VARYING_TEX_COORD + 4 * u16::from(unit.unit);
-    let [mut s, mut t, mut r, q] = [0, 1, 2, 3].map(|i| b.input(Input::Varying(first + i)));
-    // A cube map's coordinates are a direction, which q does not change.
-    if unit.projective && unit.shape != Shape::Cube {
-        [s, t, r] = [s, t, r].map(|coord| b.op(Op::Div, &[coord, q]));
-    }
     let zero = b.float(0.0);
+    let [s, t, r] = match unit.coordinates {
+        Coordinates::Plain => [0, 1, 2].map(|i| b.input(Input::Varying(first + i))),
+        Coordinates::Projective => {
+            let [s, t, r, q] = [0, 1, 2, 3].map(|i| b.input(Input::Varying(first + i)));
+            // A cube map's coordinates are a direction, which q does not change.
+            if unit.shape == Shape::Cube {
+                [s, t, r]
+            } else {
+                [s, t, r].map(|coord| b.op(Op::Div, &[coord, q]))
+            }
+        }
+    };
     let coords = match unit.shape {
         Shape::D1 => [s, zero, zero],
         Shape::D2 | Shape::Rect | Shape::D1Array => [s, t, zero],
@@ -96,6 +165,16 @@ fn sample(b: &mut Builder, unit: &UnitKey) -> [Value; 4] {
     };
     let reference = unit.compare.then_some(r);
     b.sample(texture, coords, reference, Lod::Implicit { bias: None })
+}
+
+/// The secondary colour added (section 3.9).
+fn color_sum(b: &mut Builder, key: &FragmentKey, primary: [Value; 4]) -> [Value; 4] {
+    let secondary = color(b, key, VARYING_SECONDARY_COLOR, VARYING_BACK_COLOR + 4);
+    let [red, green, blue] = [0, 1, 2].map(|i| {
+        let sum = b.op(Op::Add, &[primary[i], secondary[i]]);
+        clamp(b, sum)
+    });
+    [red, green, blue, primary[3]]
 }
 
 /// Makes the colours of a fragment stage flat, or smooth (GL 2.1, section 2.14.7), but for those

@@ -2,12 +2,8 @@
 //! the others keep a hostile source from costing more time or memory than it is long.
 
 use crate::context::limits;
-pub use crate::interface::MAX_VERTEX_ATTRIBS;
+pub use crate::interface::{MAX_CLIP_PLANES, MAX_LIGHTS, MAX_VERTEX_ATTRIBS};
 
-/// `gl_MaxLights`.
-pub const MAX_LIGHTS: u8 = 8;
-/// `gl_MaxClipPlanes`.
-pub const MAX_CLIP_PLANES: u8 = 6;
 /// `gl_MaxClipDistances`.
 pub const MAX_CLIP_DISTANCES: u8 = 8;
 /// `gl_MaxDrawBuffers`: how many elements `gl_FragData` has.

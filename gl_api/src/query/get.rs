@@ -14,14 +14,17 @@ pub(crate) const EXTENSIONS: &str = "GL_ARB_depth_texture \
     GL_ARB_half_float_pixel GL_ARB_multitexture GL_ARB_pixel_buffer_object \
     GL_ARB_sampler_objects GL_ARB_seamless_cube_map GL_ARB_shadow GL_ARB_texture_border_clamp \
     GL_ARB_texture_compression GL_ARB_texture_compression_rgtc GL_ARB_texture_cube_map \
-    GL_ARB_texture_env_add GL_ARB_texture_float GL_ARB_texture_mirrored_repeat \
+    GL_ARB_texture_env_add GL_ARB_texture_env_combine GL_ARB_texture_env_crossbar \
+    GL_ARB_texture_env_dot3 GL_ARB_texture_float GL_ARB_texture_mirrored_repeat \
     GL_ARB_texture_non_power_of_two GL_ARB_texture_rectangle GL_ARB_texture_rg \
     GL_ARB_texture_swizzle GL_ARB_transpose_matrix GL_ATI_texture_mirror_once GL_EXT_bgra \
     GL_EXT_blend_color GL_EXT_blend_equation_separate GL_EXT_blend_func_separate \
-    GL_EXT_blend_minmax GL_EXT_blend_subtract GL_EXT_packed_pixels \
+    GL_EXT_blend_minmax GL_EXT_blend_subtract GL_EXT_fog_coord GL_EXT_packed_pixels \
+    GL_EXT_rescale_normal GL_EXT_secondary_color GL_EXT_separate_specular_color \
     GL_EXT_texture3D GL_EXT_texture_compression_s3tc GL_EXT_texture_filter_anisotropic \
     GL_EXT_texture_lod_bias GL_EXT_texture_sRGB GL_EXT_texture_shared_exponent \
-    GL_EXT_texture_swizzle GL_SGIS_generate_mipmap GL_SGIS_texture_edge_clamp \
+    GL_EXT_texture_swizzle GL_NV_texgen_reflection GL_NV_texture_env_combine4 \
+    GL_SGIS_generate_mipmap GL_SGIS_texture_edge_clamp \
     GL_SGIS_texture_lod";
 
 /// Between `glBegin` and `glEnd` this is refused like any other call, which sets the flag.
@@ -63,7 +66,28 @@ pub(crate) fn get_integerv(
     pname: GLenum,
     params: &mut [GLint],
 ) -> Result<()> {
-    let values: Vec<GLint> = match state_value(context, pname)? {
+    put_ints(params, state_value(context, pname)?)
+}
+
+pub(crate) fn get_floatv(
+    context: &mut Context,
+    pname: GLenum,
+    params: &mut [GLfloat],
+) -> Result<()> {
+    put_floats(params, state_value(context, pname)?)
+}
+
+pub(crate) fn get_doublev(
+    context: &mut Context,
+    pname: GLenum,
+    params: &mut [GLdouble],
+) -> Result<()> {
+    put_doubles(params, state_value(context, pname)?)
+}
+
+/// Answers in integers: floats are rounded, fractions scaled to the whole range.
+pub(crate) fn put_ints(params: &mut [GLint], value: Value) -> Result<()> {
+    let values: Vec<GLint> = match value {
         Value::Bools(values) => values.into_iter().map(GLint::from).collect(),
         Value::Ints(values) => values,
         Value::Floats(values) => values.into_iter().map(|value| value.round() as GLint).collect(),
@@ -74,21 +98,14 @@ pub(crate) fn get_integerv(
     put(params, &values)
 }
 
-pub(crate) fn get_floatv(
-    context: &mut Context,
-    pname: GLenum,
-    params: &mut [GLfloat],
-) -> Result<()> {
-    let values = doubles(state_value(context, pname)?);
-    put(params, &values.into_iter().map(|value| value as GLfloat).collect::<Vec<_>>())
+/// Answers in single precision.
+pub(crate) fn put_floats(params: &mut [GLfloat], value: Value) -> Result<()> {
+    put(params, &doubles(value).into_iter().map(|value| value as GLfloat).collect::<Vec<_>>())
 }
 
-pub(crate) fn get_doublev(
-    context: &mut Context,
-    pname: GLenum,
-    params: &mut [GLdouble],
-) -> Result<()> {
-    put(params, &doubles(state_value(context, pname)?))
+/// Answers in double precision.
+pub(crate) fn put_doubles(params: &mut [GLdouble], value: Value) -> Result<()> {
+    put(params, &doubles(value))
 }
 
 fn doubles(value: Value) -> Vec<f64> {

@@ -10,10 +10,12 @@ use crate::list::calls::{MAX_LIST_NESTING, MODE};
 use crate::state::enable::{CAPABILITY, CLIENT_ARRAY};
 use crate::state::fragment::{BLEND_EQUATION, COMPARE, DST_FACTOR, SRC_FACTOR};
 use crate::state::masks::LOGIC_OP;
+use crate::state::material::{FACES, TRACKED};
 use crate::state::matrix::{MATRIX_MODE, MAX_MODELVIEW_STACK_DEPTH, MAX_STACK_DEPTH, Stack};
 use crate::state::pixel_store::PixelStore;
 use crate::state::raster::{FACE, FRONT_FACE, HINTS, SHADE_MODEL};
 use crate::state::stencil::{ACTIVE_FACE, STENCIL_OP, Side};
+use crate::state::{fog, light};
 use crate::texture::internal::COMPRESSED_FORMAT;
 use crate::texture::{TextureTarget, transfer};
 use crate::types::*;
@@ -29,15 +31,15 @@ pub(crate) enum Value {
     Unit(Vec<f64>),
 }
 
-fn flag(value: bool) -> Result<Value> {
+pub(crate) fn flag(value: bool) -> Result<Value> {
     Ok(Value::Bools(vec![value]))
 }
 
-fn int(value: impl TryInto<i32>) -> Result<Value> {
+pub(crate) fn int(value: impl TryInto<i32>) -> Result<Value> {
     Ok(Value::Ints(vec![value.try_into().unwrap_or(i32::MAX)]))
 }
 
-fn symbol(value: GLenum) -> Result<Value> {
+pub(crate) fn symbol(value: GLenum) -> Result<Value> {
     Ok(Value::Ints(vec![value as i32]))
 }
 
@@ -45,15 +47,15 @@ fn ints(values: &[i32]) -> Result<Value> {
     Ok(Value::Ints(values.to_vec()))
 }
 
-fn float(value: f32) -> Result<Value> {
+pub(crate) fn float(value: f32) -> Result<Value> {
     Ok(Value::Floats(vec![value.into()]))
 }
 
-fn floats(values: &[f32]) -> Result<Value> {
+pub(crate) fn floats(values: &[f32]) -> Result<Value> {
     Ok(Value::Floats(values.iter().map(|&value| value.into()).collect()))
 }
 
-fn unit(values: &[f32]) -> Result<Value> {
+pub(crate) fn unit(values: &[f32]) -> Result<Value> {
     Ok(Value::Unit(values.iter().map(|&value| value.into()).collect()))
 }
 
@@ -93,6 +95,9 @@ pub(crate) fn state_value(context: &Context, pname: GLenum) -> Result<Value> {
     let chapters = [
         limit,
         transform,
+        light::state_value,
+        material,
+        fog::state_value,
         current,
         raster,
         fragment,
@@ -149,7 +154,8 @@ fn limit(_: &Context, pname: GLenum) -> Answer {
         GL_MAX_PROJECTION_STACK_DEPTH | GL_MAX_TEXTURE_STACK_DEPTH => int(MAX_STACK_DEPTH),
         GL_MAX_ELEMENTS_VERTICES | GL_MAX_ELEMENTS_INDICES => int(1 << 20),
         GL_SUBPIXEL_BITS => int(8),
-        GL_MAX_LIGHTS | GL_MAX_CLIP_PLANES => int(0),
+        GL_MAX_LIGHTS => int(MAX_LIGHTS),
+        GL_MAX_CLIP_PLANES => int(MAX_CLIP_PLANES),
         GL_POINT_SIZE_RANGE
         | GL_LINE_WIDTH_RANGE
         | GL_ALIASED_LINE_WIDTH_RANGE
@@ -208,6 +214,15 @@ fn current(context: &Context, pname: GLenum) -> Answer {
             let unit = state.units.active_coordinates("GL 2.1, section 2.7");
             unit.and_then(|unit| floats(at(ATTRIB_TEX_COORD + unit as u8)))
         }
+        _ => return None,
+    })
+}
+
+fn material(context: &Context, pname: GLenum) -> Answer {
+    let materials = &context.state.materials;
+    Some(match pname {
+        GL_COLOR_MATERIAL_FACE => symbol(FACES.encode(materials.faces)),
+        GL_COLOR_MATERIAL_PARAMETER => symbol(TRACKED.encode(materials.tracked)),
         _ => return None,
     })
 }

@@ -6,8 +6,9 @@ use crate::context::debug::Output;
 use crate::error::{Result, Table};
 use crate::interface::{
     ATTRIB_COLOR, ATTRIB_FOG_COORD, ATTRIB_NORMAL, ATTRIB_SECONDARY_COLOR, ATTRIB_TEX_COORD,
-    ATTRIB_VERTEX,
+    ATTRIB_VERTEX, TexCoord,
 };
+use crate::state::material::keep_tracked;
 use crate::texture::TextureTarget;
 use crate::types::*;
 
@@ -17,14 +18,20 @@ pub(crate) enum Flag {
     AlphaTest,
     Blend,
     ColorLogicOp,
+    ColorMaterial,
+    ColorSum,
     CullFace,
     DebugOutputSynchronous,
     DepthTest,
     Dither,
     FramebufferSrgb,
+    Fog,
+    Lighting,
     Multisample,
+    Normalize,
     PolygonOffsetFill,
     PrimitiveRestart,
+    RescaleNormal,
     ScissorTest,
     SeamlessCubeMaps,
     StencilTest,
@@ -39,6 +46,10 @@ pub(crate) enum Capability {
     Texture(TextureTarget),
     /// Whether the log of `KHR_debug` is kept.
     DebugOutput,
+    /// A coordinate of the active texture unit is generated.
+    TexGen(TexCoord),
+    Light(u8),
+    ClipPlane(u8),
 }
 
 /// What is implemented; anything else is `GL_INVALID_ENUM` with this list in the message.
@@ -49,15 +60,21 @@ pub(crate) const CAPABILITY: Table<Capability> = Table {
         (GL_ALPHA_TEST, Capability::Flag(Flag::AlphaTest)),
         (GL_BLEND, Capability::Flag(Flag::Blend)),
         (GL_COLOR_LOGIC_OP, Capability::Flag(Flag::ColorLogicOp)),
+        (GL_COLOR_MATERIAL, Capability::Flag(Flag::ColorMaterial)),
+        (GL_COLOR_SUM, Capability::Flag(Flag::ColorSum)),
         (GL_CULL_FACE, Capability::Flag(Flag::CullFace)),
         (GL_DEBUG_OUTPUT, Capability::DebugOutput),
         (GL_DEBUG_OUTPUT_SYNCHRONOUS, Capability::Flag(Flag::DebugOutputSynchronous)),
         (GL_DEPTH_TEST, Capability::Flag(Flag::DepthTest)),
         (GL_DITHER, Capability::Flag(Flag::Dither)),
         (GL_FRAMEBUFFER_SRGB, Capability::Flag(Flag::FramebufferSrgb)),
+        (GL_FOG, Capability::Flag(Flag::Fog)),
+        (GL_LIGHTING, Capability::Flag(Flag::Lighting)),
         (GL_MULTISAMPLE, Capability::Flag(Flag::Multisample)),
+        (GL_NORMALIZE, Capability::Flag(Flag::Normalize)),
         (GL_POLYGON_OFFSET_FILL, Capability::Flag(Flag::PolygonOffsetFill)),
         (GL_PRIMITIVE_RESTART, Capability::Flag(Flag::PrimitiveRestart)),
+        (GL_RESCALE_NORMAL, Capability::Flag(Flag::RescaleNormal)),
         (GL_SCISSOR_TEST, Capability::Flag(Flag::ScissorTest)),
         (GL_STENCIL_TEST, Capability::Flag(Flag::StencilTest)),
         (GL_STENCIL_TEST_TWO_SIDE_EXT, Capability::Flag(Flag::StencilTestTwoSide)),
@@ -67,6 +84,24 @@ pub(crate) const CAPABILITY: Table<Capability> = Table {
         (GL_TEXTURE_3D, Capability::Texture(TextureTarget::D3)),
         (GL_TEXTURE_RECTANGLE, Capability::Texture(TextureTarget::Rect)),
         (GL_TEXTURE_CUBE_MAP, Capability::Texture(TextureTarget::Cube)),
+        (GL_TEXTURE_GEN_S, Capability::TexGen(TexCoord::S)),
+        (GL_TEXTURE_GEN_T, Capability::TexGen(TexCoord::T)),
+        (GL_TEXTURE_GEN_R, Capability::TexGen(TexCoord::R)),
+        (GL_TEXTURE_GEN_Q, Capability::TexGen(TexCoord::Q)),
+        (GL_LIGHT0, Capability::Light(0)),
+        (GL_LIGHT1, Capability::Light(1)),
+        (GL_LIGHT2, Capability::Light(2)),
+        (GL_LIGHT3, Capability::Light(3)),
+        (GL_LIGHT4, Capability::Light(4)),
+        (GL_LIGHT5, Capability::Light(5)),
+        (GL_LIGHT6, Capability::Light(6)),
+        (GL_LIGHT7, Capability::Light(7)),
+        (GL_CLIP_PLANE0, Capability::ClipPlane(0)),
+        (GL_CLIP_PLANE1, Capability::ClipPlane(1)),
+        (GL_CLIP_PLANE2, Capability::ClipPlane(2)),
+        (GL_CLIP_PLANE3, Capability::ClipPlane(3)),
+        (GL_CLIP_PLANE4, Capability::ClipPlane(4)),
+        (GL_CLIP_PLANE5, Capability::ClipPlane(5)),
     ],
 };
 
@@ -90,9 +125,17 @@ impl Enables {
     }
 }
 
+/// Sets or clears a bit.
+fn set_bit(bits: &mut u8, bit: u8, on: bool) {
+    *bits = *bits & !(1 << bit) | u8::from(on) << bit;
+}
+
 fn switch(context: &mut Context, cap: GLenum, on: bool) -> Result<()> {
     match CAPABILITY.decode("cap", cap)? {
         Capability::Flag(flag) => {
+            if flag == Flag::ColorMaterial {
+                keep_tracked(context);
+            }
             context.state.enables.set(flag, on);
             if flag == Flag::Blend {
                 for buffer in &mut context.state.fragment.buffers {
@@ -107,6 +150,12 @@ fn switch(context: &mut Context, cap: GLenum, on: bool) -> Result<()> {
         Capability::DebugOutput => {
             context.debug.output = if on { Output::On } else { Output::Off };
         }
+        Capability::TexGen(coord) => {
+            context.state.units.active_coordinates("GL 2.1, section 2.11.4")?;
+            context.state.units.active_mut().generate[coord as usize].enabled = on;
+        }
+        Capability::Light(light) => set_bit(&mut context.state.lights.enabled, light, on),
+        Capability::ClipPlane(plane) => set_bit(&mut context.state.clip.enabled, plane, on),
     }
     Ok(())
 }
@@ -132,6 +181,9 @@ pub(crate) fn is_on(context: &Context, cap: GLenum) -> Result<bool> {
         Capability::Flag(flag) => context.state.enables.has(flag),
         Capability::Texture(target) => context.state.units.active().enabled[target as usize],
         Capability::DebugOutput => context.debug.output == Output::On,
+        Capability::TexGen(coord) => context.state.units.active().generate[coord as usize].enabled,
+        Capability::Light(light) => context.state.lights.enabled >> light & 1 == 1,
+        Capability::ClipPlane(plane) => context.state.clip.enabled >> plane & 1 == 1,
     })
 }
 

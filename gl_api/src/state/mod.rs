@@ -1,10 +1,15 @@
 //! The state of a context, by chapter of the specification: plain values and the calls that set
 //! them. Objects are in [`crate::object`], texture environments in [`crate::env`].
 
+pub(crate) mod clip;
 pub(crate) mod enable;
+pub(crate) mod fog;
 pub(crate) mod fragment;
+pub(crate) mod light;
 pub(crate) mod masks;
+pub(crate) mod material;
 pub(crate) mod matrix;
+pub(crate) mod params;
 pub(crate) mod pixel_store;
 pub(crate) mod raster;
 pub(crate) mod stencil;
@@ -15,8 +20,12 @@ use crate::interface::{ATTRIB_COLOR, ATTRIB_NORMAL};
 use crate::texture::Proxies;
 use crate::texture::transfer::Transfer;
 use crate::types::GLuint;
+use clip::ClipPlanes;
 use enable::Enables;
+use fog::FogState;
 use fragment::{ClearState, FragmentState};
+use light::Lights;
+use material::Materials;
 use matrix::Matrices;
 use pixel_store::PixelStore;
 use raster::RasterState;
@@ -50,6 +59,10 @@ pub(crate) struct State {
     pub current: [[f32; 4]; LOCATIONS],
     pub arrays: crate::draw::arrays::Arrays,
     pub enables: Enables,
+    pub lights: Lights,
+    pub materials: Materials,
+    pub fog: FogState,
+    pub clip: ClipPlanes,
     pub raster: RasterState,
     pub fragment: FragmentState,
     pub clear: ClearState,
@@ -73,6 +86,10 @@ impl State {
             current,
             arrays: crate::draw::arrays::Arrays::default(),
             enables: Enables::default(),
+            lights: Lights::default(),
+            materials: Materials::default(),
+            fog: FogState::default(),
+            clip: ClipPlanes::default(),
             raster: RasterState::default(),
             fragment: FragmentState::new(width, height),
             clear: ClearState::default(),

@@ -302,7 +302,7 @@ impl Pipeline {
             .inputs()
             .iter()
             .filter_map(|input| match *input {
-                Input::Varying(slot) => {
+                Input::Varying(slot) | Input::Slope { slot, .. } => {
                     let mode = fragment.varyings.get(usize::from(slot)).copied();
                     Some((slot, mode.unwrap_or(Interpolation::Smooth)))
                 }
@@ -315,6 +315,7 @@ impl Pipeline {
             })
             .collect();
         varyings.sort_unstable_by_key(|&(slot, _)| slot);
+        varyings.dedup();
         let vertex_program = Program::new(vertex, |output| match output {
             Output::Position(_) => true,
             Output::PointSize => desc.topology == Topology::Points,

@@ -90,6 +90,14 @@ pub enum Input {
     InstanceId,
     /// A scalar that the vertex stage wrote to the same slot, interpolated (`f32`).
     Varying(u16),
+    /// How that scalar changes from pixel to pixel, at this pixel: the exact derivative of its
+    /// interpolation, from the planes of the primitive (`f32`).
+    Slope {
+        /// Of which varying.
+        slot: u16,
+        /// Along which axis.
+        axis: Axis,
+    },
     /// `gl_FragCoord`: window x, y, depth, and `1/w` (`f32`).
     FragCoord(u8),
     /// Whether the primitive faces the viewer (`bool`).
@@ -161,12 +169,14 @@ pub enum Lod {
     },
     /// This λ.
     Explicit(Value),
-    /// From these derivatives of s, t, r (as many as the shape has).
+    /// From these derivatives of s, t, r (as many as the shape has), plus a bias.
     Gradient {
         /// `∂(s, t, r)/∂x`.
         dx: [Value; 3],
         /// `∂(s, t, r)/∂y`.
         dy: [Value; 3],
+        /// Added to λ before the clamp.
+        bias: Option<Value>,
     },
 }
 
@@ -209,7 +219,7 @@ pub struct Sample {
 }
 
 /// The axis of a derivative.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Axis {
     /// Window x.
     X,
@@ -377,6 +387,7 @@ impl Input {
             Self::FrontFacing => Ty::Bool,
             Self::Attribute { .. }
             | Self::Varying(_)
+            | Self::Slope { .. }
             | Self::FragCoord(_)
             | Self::PointCoord(_) => Ty::F32,
         }

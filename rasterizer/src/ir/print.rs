@@ -107,8 +107,9 @@ fn sample(f: &mut Formatter<'_>, module: &Module, sample: &Sample) -> Result {
         Lod::Implicit { bias: None } => Ok(()),
         Lod::Implicit { bias: Some(bias) } => write!(f, ", bias {}", Operand(module, bias)),
         Lod::Explicit(lod) => write!(f, ", lod {}", Operand(module, lod)),
-        Lod::Gradient { dx, dy } => {
-            write!(f, ", dx ({}), dy ({})", Operands(module, &dx), Operands(module, &dy))
+        Lod::Gradient { dx, dy, bias } => {
+            write!(f, ", dx ({}), dy ({})", Operands(module, &dx), Operands(module, &dy))?;
+            bias.map_or(Ok(()), |bias| write!(f, ", bias {}", Operand(module, bias)))
         }
     }
 }

@@ -162,7 +162,7 @@ impl Body<'_> {
         let (stage, in_range) = match input {
             Input::Attribute { component, .. } => (Stage::Vertex, component < 4),
             Input::VertexId | Input::InstanceId => (Stage::Vertex, true),
-            Input::Varying(slot) => {
+            Input::Varying(slot) | Input::Slope { slot, .. } => {
                 (Stage::Fragment, usize::from(slot) < self.module.varyings.len())
             }
             Input::FragCoord(component) => (Stage::Fragment, component < 4),
@@ -313,7 +313,7 @@ impl Body<'_> {
         let (lod, gradient): (Option<Value>, _) = match sample.lod {
             Lod::Implicit { bias } => (bias, None),
             Lod::Explicit(lod) => (Some(lod), None),
-            Lod::Gradient { dx, dy } => (None, Some([dx, dy])),
+            Lod::Gradient { dx, dy, bias } => (bias, Some([dx, dy])),
         };
         let gradient = gradient.iter().flatten().flatten();
         for value in sample.coords.iter().chain(&sample.reference).chain(&lod).chain(gradient) {

@@ -30,9 +30,11 @@ impl Expr {
                 lod: match sample.lod {
                     Lod::Implicit { bias } => Lod::Implicit { bias: bias.map(f) },
                     Lod::Explicit(lod) => Lod::Explicit(f(lod)),
-                    Lod::Gradient { dx, dy } => {
-                        Lod::Gradient { dx: dx.map(&mut *f), dy: dy.map(f) }
-                    }
+                    Lod::Gradient { dx, dy, bias } => Lod::Gradient {
+                        dx: dx.map(&mut *f),
+                        dy: dy.map(&mut *f),
+                        bias: bias.map(f),
+                    },
                 },
             })),
             Self::Component { sample, component } => {

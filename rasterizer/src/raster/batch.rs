@@ -1,6 +1,7 @@
 //! A batch of fragments: up to 16 quads, of one block or of many, of one shape or of many.
 
 use super::interpolate::Planes;
+use crate::ir::Axis;
 use crate::plan::{DrawPlan, FragmentInput};
 use crate::primitive::Facing;
 use crate::shader::Machine;
@@ -197,7 +198,9 @@ impl Kernel for Interpolate<'_> {
             clamp_depth(depth);
         }
         let mut w = F32s::ZERO;
+        let mut denominator = 0;
         if let Some(index) = plan.denominator_plane {
+            denominator = index;
             let mut over = F32s::ZERO;
             batch.evaluate(index, &mut over);
             for lane in 0..LANES {
@@ -216,6 +219,23 @@ impl Kernel for Interpolate<'_> {
                     }
                 }
                 FragmentInput::Linear(index) => batch.evaluate(index, out.as_f32_mut()),
+                FragmentInput::SmoothSlope(index, axis) => {
+                    // The derivative of n/d is (n' - n/d · d') / d.
+                    let mut over = F32s::ZERO;
+                    batch.evaluate(index, &mut over);
+                    let (of, by) = (batch.slope(index, axis), batch.slope(denominator, axis));
+                    let out = out.as_f32_mut();
+                    for e in 0..4 {
+                        for q in 0..QUADS {
+                            let lane = e * QUADS + q;
+                            let value = over[lane] * w[lane];
+                            out[lane] = (of[q] - value * by[q]) * w[lane];
+                        }
+                    }
+                }
+                FragmentInput::LinearSlope(index, axis) => {
+                    by_quad(out, |_, q| batch.slope(index, axis)[q].to_bits());
+                }
                 FragmentInput::Depth => *out.as_f32_mut() = *depth,
                 FragmentInput::Flat(index) => {
                     by_quad(out, |_, q| batch.planes[index].corner[q].to_bits());
@@ -249,6 +269,15 @@ fn by_quad(out: &mut U32s, word: impl Fn(usize, usize) -> u32) {
 }
 
 impl Batch {
+    /// How a plane changes from pixel to pixel, by quad.
+    #[inline(always)]
+    fn slope(&self, plane: usize, axis: Axis) -> &[f32; QUADS] {
+        match axis {
+            Axis::X => &self.planes[plane].a,
+            Axis::Y => &self.planes[plane].b,
+        }
+    }
+
     /// A plane at every lane.
     #[inline(always)]
     fn evaluate(&self, plane: usize, out: &mut F32s) {

@@ -80,7 +80,7 @@ pub(super) struct SampleInst {
 pub(super) enum SampleLod {
     Implicit { bias: Option<Reg> },
     Explicit(Reg),
-    Gradient { dx: [Reg; 3], dy: [Reg; 3] },
+    Gradient { dx: [Reg; 3], dy: [Reg; 3], bias: Option<Reg> },
 }
 
 /// What an instruction does with an operand.
@@ -207,7 +207,7 @@ impl SampleInst {
         match &mut self.lod {
             SampleLod::Implicit { bias } => bias.iter_mut().for_each(f),
             SampleLod::Explicit(lod) => f(lod),
-            SampleLod::Gradient { dx, dy } => dx.iter_mut().chain(dy).for_each(f),
+            SampleLod::Gradient { dx, dy, bias } => dx.iter_mut().chain(dy).chain(bias).for_each(f),
         }
     }
 }

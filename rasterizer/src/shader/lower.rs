@@ -377,10 +377,13 @@ impl Lowering<'_> {
             (Lod::Explicit(lod), Stage::Vertex | Stage::Fragment) => {
                 SampleLod::Explicit(self.value(lod))
             }
-            (Lod::Gradient { dx, dy }, Stage::Vertex | Stage::Fragment) => SampleLod::Gradient {
-                dx: dx.map(|value| self.value(value)),
-                dy: dy.map(|value| self.value(value)),
-            },
+            (Lod::Gradient { dx, dy, bias }, Stage::Vertex | Stage::Fragment) => {
+                SampleLod::Gradient {
+                    dx: dx.map(|value| self.value(value)),
+                    dy: dy.map(|value| self.value(value)),
+                    bias: bias.map(|value| self.value(value)),
+                }
+            }
         };
         let out = [0; 4].map(|_| self.register(Kind::Temp));
         self.samples[value.0 as usize] = Some(out);

@@ -165,8 +165,8 @@ impl Machine {
                 let lod = match sample.lod {
                     SampleLod::Implicit { bias } => Lod::Implicit { bias: bias.map(reg) },
                     SampleLod::Explicit(lod) => Lod::Explicit(reg(lod)),
-                    SampleLod::Gradient { dx, dy } => {
-                        Lod::Gradient { dx: dx.map(reg), dy: dy.map(reg) }
+                    SampleLod::Gradient { dx, dy, bias } => {
+                        Lod::Gradient { dx: dx.map(reg), dy: dy.map(reg), bias: bias.map(reg) }
                     }
                 };
                 let coords = sample.coords.map(reg);

@@ -190,9 +190,11 @@ impl VertexStage<'_> {
             }
             Input::VertexId => Source::VertexId,
             Input::InstanceId => Source::InstanceId,
-            Input::Varying(_) | Input::FragCoord(_) | Input::FrontFacing | Input::PointCoord(_) => {
-                Source::Missing(0.0)
-            }
+            Input::Varying(_)
+            | Input::Slope { .. }
+            | Input::FragCoord(_)
+            | Input::FrontFacing
+            | Input::PointCoord(_) => Source::Missing(0.0),
         }
     }
 

@@ -109,16 +109,23 @@ impl Level {
         [self.width + 2 * s, self.height + 2 * t, self.depth + 2 * r]
     }
 
+    /// How many texels or blocks a side of `texels` takes. A shift, as every sample asks for it.
+    #[inline(always)]
+    fn units(&self, texels: u32) -> usize {
+        let side = self.format.block_side();
+        ((texels + side - 1) >> side.trailing_zeros()) as usize
+    }
+
     /// Bytes of a row of texels, border included, or of a row of blocks.
     #[inline(always)]
     pub fn row_bytes(&self) -> usize {
-        self.stored_size()[0].div_ceil(self.format.block_side()) as usize * self.format.bytes()
+        self.units(self.stored_size()[0]) * self.format.bytes()
     }
 
     /// Bytes of a slice or layer, border included.
     #[inline(always)]
     pub fn slice_bytes(&self) -> usize {
-        self.row_bytes() * self.stored_size()[1].div_ceil(self.format.block_side()) as usize
+        self.row_bytes() * self.units(self.stored_size()[1])
     }
 
     /// Where the bytes of texel (0, 0, 0) begin: after those of the border before it. The texel

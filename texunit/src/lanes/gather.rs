@@ -1,22 +1,30 @@
 //! Gathers: the largest index of the batch is checked once, then 64 words are read unchecked.
 
-use super::{F32s, LANES, U32s};
+use super::isa::Baseline;
+use super::{F32s, LANES, Simd, U32s};
 
 /// Panics unless `size` bytes at `index * scale` lie inside `len` bytes in every lane, and every
 /// byte offset fits the signed 32 bits that the instructions take.
 #[inline(always)]
-pub(super) fn check(len: usize, indices: &U32s, scale: u64, size: u64) {
-    let mut largest = 0;
-    for lane in 0..LANES {
-        largest = if indices[lane] > largest { indices[lane] } else { largest };
-    }
+pub(super) fn check<S: Simd>(len: usize, indices: &U32s, scale: u64, size: u64) {
+    let largest = S::largest(indices);
     let end = u64::from(largest) * scale + size;
     assert!(end <= len as u64 && end <= i32::MAX as u64, "gather at {largest} of {len} bytes");
 }
 
+/// A byte of each word.
+#[inline(always)]
+pub(super) fn bytes(words: &U32s, shift: u32) -> U32s {
+    let mut out = U32s::ZERO;
+    for lane in 0..LANES {
+        out[lane] = words[lane] >> (shift & 31) & 0xFF;
+    }
+    out
+}
+
 #[inline(always)]
 pub(super) fn scalar(bytes: &[u8], offsets: &U32s) -> U32s {
-    check(bytes.len(), offsets, 1, 4);
+    check::<Baseline>(bytes.len(), offsets, 1, 4);
     let mut out = U32s::ZERO;
     for lane in 0..LANES {
         // SAFETY: `check` saw that these four bytes are inside `bytes`.
@@ -29,7 +37,7 @@ pub(super) fn scalar(bytes: &[u8], offsets: &U32s) -> U32s {
 
 #[inline(always)]
 pub(super) fn scalar_pairs(bytes: &[u8], offsets: &U32s) -> [U32s; 2] {
-    check(bytes.len(), offsets, 1, 8);
+    check::<Baseline>(bytes.len(), offsets, 1, 8);
     let mut out = [U32s::ZERO; 2];
     for lane in 0..LANES {
         // SAFETY: `check` saw that these eight bytes are inside `bytes`.
@@ -44,7 +52,7 @@ pub(super) fn scalar_pairs(bytes: &[u8], offsets: &U32s) -> [U32s; 2] {
 
 #[inline(always)]
 pub(super) fn scalar_f32(table: &[f32], indices: &U32s) -> F32s {
-    check(size_of_val(table), indices, 4, 4);
+    check::<Baseline>(size_of_val(table), indices, 4, 4);
     let mut out = F32s::ZERO;
     for lane in 0..LANES {
         // SAFETY: `check` saw that this element is inside `table`.

@@ -1,7 +1,7 @@
 //! Which instruction set a kernel is compiled for, and the one place that picks.
 
-use super::{F32s, U32s};
-use super::{gather, math};
+use super::{F32s, LANES, U32s};
+use super::{gather, math, reduce};
 use thiserror::Error;
 
 /// An instruction set that this processor has. Values exist only for instruction sets that were
@@ -155,6 +155,28 @@ pub trait Simd: Copy + private::Sealed {
     /// When an index is not inside `table`.
     fn gather_f32(table: &[f32], indices: &U32s) -> F32s;
 
+    /// The largest of the 64.
+    fn largest(words: &U32s) -> u32;
+
+    /// The smallest of the 64.
+    #[inline(always)]
+    fn smallest(words: &U32s) -> u32 {
+        let mut turned = U32s::ZERO;
+        for lane in 0..LANES {
+            turned[lane] = !words[lane];
+        }
+        !Self::largest(&turned)
+    }
+
+    /// Whether any lane is not 0.
+    #[inline(always)]
+    fn any(words: &U32s) -> bool {
+        Self::largest(words) != 0
+    }
+
+    /// Reads `table[word >> shift & 0xFF]` in each lane; `shift` is 0, 8, 16 or 24.
+    fn lookup(table: &[f32; 256], words: &U32s, shift: u32) -> F32s;
+
     /// [`math::floor`] of one lane.
     #[inline(always)]
     fn floor(x: f32) -> f32 {
@@ -226,6 +248,19 @@ impl Simd for Baseline {
     fn gather_f32(table: &[f32], indices: &U32s) -> F32s {
         gather::scalar_f32(table, indices)
     }
+    #[inline(always)]
+    fn largest(words: &U32s) -> u32 {
+        reduce::scalar(words)
+    }
+    #[inline(always)]
+    fn lookup(table: &[f32; 256], words: &U32s, shift: u32) -> F32s {
+        let bytes = gather::bytes(words, shift);
+        let mut out = F32s::ZERO;
+        for lane in 0..LANES {
+            out[lane] = table[(bytes[lane] & 0xFF) as usize];
+        }
+        out
+    }
 }
 
 #[cfg(target_arch = "x86_64")]
@@ -238,21 +273,32 @@ impl Simd for Avx2 {
     rounding_instructions!();
     #[inline(always)]
     fn gather(bytes: &[u8], offsets: &U32s) -> U32s {
-        gather::check(bytes.len(), offsets, 1, 4);
+        gather::check::<Self>(bytes.len(), offsets, 1, 4);
         // SAFETY: the offsets were checked; this type is reached only through `run_avx2`.
         unsafe { gather::avx2::<1>(bytes.as_ptr(), offsets) }
     }
     #[inline(always)]
     fn gather_pairs(bytes: &[u8], offsets: &U32s) -> [U32s; 2] {
-        gather::check(bytes.len(), offsets, 1, 8);
+        gather::check::<Self>(bytes.len(), offsets, 1, 8);
         // SAFETY: the offsets were checked; this type is reached only through `run_avx2`.
         unsafe { gather::avx2_pairs(bytes.as_ptr(), offsets) }
     }
     #[inline(always)]
     fn gather_f32(table: &[f32], indices: &U32s) -> F32s {
-        gather::check(size_of_val(table), indices, 4, 4);
+        gather::check::<Self>(size_of_val(table), indices, 4, 4);
         // SAFETY: the indices were checked; this type is reached only through `run_avx2`.
         *unsafe { gather::avx2::<4>(table.as_ptr().cast(), indices) }.as_f32()
+    }
+    #[inline(always)]
+    fn lookup(table: &[f32; 256], words: &U32s, shift: u32) -> F32s {
+        let bytes = gather::bytes(words, shift);
+        // SAFETY: a byte is below 256; this type is reached only through `run_avx2`.
+        *unsafe { gather::avx2::<4>(table.as_ptr().cast(), &bytes) }.as_f32()
+    }
+    #[inline(always)]
+    fn largest(words: &U32s) -> u32 {
+        // SAFETY: this type is reached only through `run_avx2`.
+        unsafe { reduce::avx2(words) }
     }
 }
 
@@ -266,21 +312,32 @@ impl Simd for Avx512 {
     rounding_instructions!();
     #[inline(always)]
     fn gather(bytes: &[u8], offsets: &U32s) -> U32s {
-        gather::check(bytes.len(), offsets, 1, 4);
+        gather::check::<Self>(bytes.len(), offsets, 1, 4);
         // SAFETY: the offsets were checked; this type is reached only through `run_avx512`.
         unsafe { gather::avx512::<1>(bytes.as_ptr(), offsets) }
     }
     #[inline(always)]
     fn gather_pairs(bytes: &[u8], offsets: &U32s) -> [U32s; 2] {
-        gather::check(bytes.len(), offsets, 1, 8);
+        gather::check::<Self>(bytes.len(), offsets, 1, 8);
         // SAFETY: the offsets were checked; this type is reached only through `run_avx512`.
         unsafe { gather::avx512_pairs(bytes.as_ptr(), offsets) }
     }
     #[inline(always)]
     fn gather_f32(table: &[f32], indices: &U32s) -> F32s {
-        gather::check(size_of_val(table), indices, 4, 4);
+        gather::check::<Self>(size_of_val(table), indices, 4, 4);
         // SAFETY: the indices were checked; this type is reached only through `run_avx512`.
         *unsafe { gather::avx512::<4>(table.as_ptr().cast(), indices) }.as_f32()
+    }
+    #[inline(always)]
+    fn lookup(table: &[f32; 256], words: &U32s, shift: u32) -> F32s {
+        let bytes = gather::bytes(words, shift);
+        // SAFETY: a byte is below 256; this type is reached only through `run_avx512`.
+        *unsafe { gather::avx512::<4>(table.as_ptr().cast(), &bytes) }.as_f32()
+    }
+    #[inline(always)]
+    fn largest(words: &U32s) -> u32 {
+        // SAFETY: this type is reached only through `run_avx512`.
+        unsafe { reduce::avx512(words) }
     }
 }
 
@@ -300,7 +357,6 @@ fn run_avx512<K: Kernel>(kernel: K) -> K::Output {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::lanes::LANES;
 
     struct Gather<'a>(&'a [u8], &'a U32s);
     impl Kernel for Gather<'_> {
@@ -323,6 +379,28 @@ mod tests {
                 assert_eq!(single[lane], word(at), "{} lane {lane}", isa.name());
                 assert_eq!(low[lane], word(at), "{} lane {lane}", isa.name());
                 assert_eq!(high[lane], word(at + 4), "{} lane {lane}", isa.name());
+            }
+        }
+    }
+
+    struct Largest<'a>(&'a U32s);
+    impl Kernel for Largest<'_> {
+        type Output = u32;
+        #[inline(always)]
+        fn run<S: Simd>(self) -> u32 {
+            S::largest(self.0)
+        }
+    }
+
+    #[test]
+    fn the_largest_word_is_found_wherever_it_lies() {
+        for isa in Isa::available() {
+            for lane in 0..LANES {
+                for value in [1, 0x7FFF_FFFF, u32::MAX] {
+                    let mut words = U32s::ZERO;
+                    words[lane] = value;
+                    assert_eq!(isa.run(Largest(&words)), value, "{} lane {lane}", isa.name());
+                }
             }
         }
     }

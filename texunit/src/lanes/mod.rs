@@ -22,6 +22,7 @@ mod gather;
 mod isa;
 mod log2;
 pub mod math;
+mod reduce;
 
 pub use batch::{F32s, I32s, LANES, QUADS, U32s, lane_x, lane_y};
 pub use isa::{Baseline, Isa, IsaError, Kernel, Simd};

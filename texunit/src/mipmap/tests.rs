@@ -212,8 +212,7 @@ fn what_has_no_mean_is_refused() {
         let mut image = Image::new(Shape::D2);
         image.set_level(0, 0, Level::new(format, 8, 8).unwrap()).unwrap();
         let made = image.generate_mipmaps(0, 9);
-        let want =
-            if format.has_mean() { Ok(()) } else { Err(ImageError::NoMean { format }) };
+        let want = if format.has_mean() { Ok(()) } else { Err(ImageError::NoMean { format }) };
         assert_eq!(made, want);
     }
 }

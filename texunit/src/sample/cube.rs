@@ -5,6 +5,7 @@
 //! that straddles an edge of the cube thus needs no neighbour's coordinates on another face.
 
 use crate::lanes::{F32s, I32s, LANES, U32s};
+use std::ops::Neg;
 
 /// Directions projected onto the faces they meet.
 pub struct Projected {
@@ -29,9 +30,28 @@ pub fn project(direction: [&F32s; 3]) -> Projected {
     Projected { face, st }
 }
 
+/// Points of faces again, those beyond an edge on the face that lies there: where the direction
+/// that they stand for meets the cube.
+#[inline(always)]
+pub fn over_edges(on: &Projected) -> Projected {
+    let mut out = Projected { face: on.face, st: on.st };
+    for lane in 0..LANES {
+        let (sc, tc) = (2.0 * on.st[0][lane] - 1.0, 2.0 * on.st[1][lane] - 1.0);
+        let [x, y, z] = turn_back(on.face[lane], sc, tc, 1.0);
+        let there = select(x, y, z);
+        let [u, v, ma] = turn(there, x, y, z);
+        // Not where either is NaN, nor where the point is on its face.
+        let beyond = (sc.abs() > 1.0) | (tc.abs() > 1.0);
+        out.face[lane] = if beyond { there } else { on.face[lane] };
+        out.st[0][lane] = if beyond { 0.5 * (u / ma + 1.0) } else { on.st[0][lane] };
+        out.st[1][lane] = if beyond { 0.5 * (v / ma + 1.0) } else { on.st[1][lane] };
+    }
+    out
+}
+
 /// The derivatives of the face coordinates, given those of the direction.
 #[inline(always)]
-pub fn derivatives(face: &U32s, direction: [&F32s; 3], change: &[F32s; 3]) -> [F32s; 2] {
+pub fn derivatives(face: &U32s, direction: [&F32s; 3], change: [&F32s; 3]) -> [F32s; 2] {
     let mut out = [F32s::ZERO; 2];
     for lane in 0..LANES {
         let [sc, tc, ma] =
@@ -143,7 +163,7 @@ fn held_index(index: i32, size: i32) -> u32 {
 
 /// The inverse of [`turn`]: the direction of `(sc, tc, ma)` on a face.
 #[inline(always)]
-fn turn_back(face: u32, sc: i32, tc: i32, ma: i32) -> [i32; 3] {
+fn turn_back<T: Neg<Output = T>>(face: u32, sc: T, tc: T, ma: T) -> [T; 3] {
     match face {
         0 => [ma, -tc, -sc],
         1 => [-ma, -tc, sc],

@@ -65,14 +65,9 @@ pub fn row<S: Simd>(
 
 /// Whether texel `i` and the next lie side by side in the row in every lane.
 #[inline(always)]
-pub fn side_by_side(i: &I32s, size: u32) -> bool {
-    let mut largest = 0;
-    for lane in 0..LANES {
-        // -1 is the largest of all.
-        let at = i[lane] as u32;
-        largest = if at > largest { at } else { largest };
-    }
-    largest < size - 1
+pub fn side_by_side<S: Simd>(i: &I32s, size: u32) -> bool {
+    // -1 is the largest of all.
+    S::largest(i.as_u32()) < size - 1
 }
 
 /// The texels at the offsets and those right after, in one gather; of up to four bytes each.

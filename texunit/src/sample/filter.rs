@@ -43,18 +43,13 @@ impl Place<'_> {
 /// Samples one level in all 64 lanes. Only the stored channels of `out` are written.
 #[inline(always)]
 pub fn sample_level<S: Simd>(place: &Place<'_>, at: [&F32s; 3], out: &mut [F32s; 4]) {
-    match (place.texture.way, place.filter) {
-        (Way::Plain, Filter::Nearest) if !place.texture.reaches_border(Filter::Nearest) => {
-            return plain::nearest::<S>(place, at, out);
-        }
-        (Way::Plain, Filter::Linear) if !place.texture.reaches_border(Filter::Linear) => {
-            if plain::linear::<S>(place, at, out) {
-                return;
-            }
-        }
-        (Way::Plain | Way::General, Filter::Nearest | Filter::Linear) => {}
-    }
+    let done = match (place.texture.way, place.filter) {
+        (Way::Plain(class), Filter::Nearest) => plain::nearest::<S>(place, class, at, out),
+        (Way::Plain(class), Filter::Linear) => plain::linear::<S>(place, class, at, out),
+        (Way::General, Filter::Nearest | Filter::Linear) => false,
+    };
     match place.filter {
+        _ if done => {}
         Filter::Nearest => nearest::<S>(place, at, out),
         Filter::Linear => linear::<S>(place, at, out),
     }
@@ -64,16 +59,16 @@ pub fn sample_level<S: Simd>(place: &Place<'_>, at: [&F32s; 3], out: &mut [F32s;
 fn nearest<S: Simd>(place: &Place<'_>, at: [&F32s; 3], out: &mut [F32s; 4]) {
     let axes = place.texture.shape.axes();
     let axis = place.axis(0);
-    let x = axis.nearest(&axis.texel_coordinate(at[0]));
+    let x = axis.nearest(&axis.texel_coordinate::<S>(at[0]));
     let mut y = Indices { index: U32s::ZERO, outside: U32s::ZERO };
     let mut z = place.slice();
     if axes > 1 {
         let axis = place.axis(1);
-        y = axis.nearest(&axis.texel_coordinate(at[1]));
+        y = axis.nearest(&axis.texel_coordinate::<S>(at[1]));
     }
     if axes > 2 {
         let axis = place.axis(2);
-        z = axis.nearest(&axis.texel_coordinate(at[2]));
+        z = axis.nearest(&axis.texel_coordinate::<S>(at[2]));
     }
     fetch::texels::<S>(place, [&x, &y, &z], out);
 }
@@ -82,8 +77,8 @@ fn nearest<S: Simd>(place: &Place<'_>, at: [&F32s; 3], out: &mut [F32s; 4]) {
 fn linear<S: Simd>(place: &Place<'_>, at: [&F32s; 3], out: &mut [F32s; 4]) {
     let axes = place.texture.shape.axes();
     let axis = place.axis(0);
-    let (i, alpha) = enclosing(&axis.texel_coordinate(at[0]));
-    let close = fetch::side_by_side(&i, axis.size);
+    let (i, alpha) = enclosing(&axis.texel_coordinate::<S>(at[0]));
+    let close = fetch::side_by_side::<S>(&i, axis.size);
     let xs = axis.pair(&i);
     let none = || Indices { index: U32s::ZERO, outside: U32s::ZERO };
     let (mut ys, mut beta) = ([none(), none()], F32s::ZERO);
@@ -91,9 +86,9 @@ fn linear<S: Simd>(place: &Place<'_>, at: [&F32s; 3], out: &mut [F32s; 4]) {
     if axes > 1 {
         let axis = place.axis(1);
         let j;
-        (j, beta) = enclosing(&axis.texel_coordinate(at[1]));
+        (j, beta) = enclosing(&axis.texel_coordinate::<S>(at[1]));
         let crosses = place.texture.seamless == Seamless::On
-            && !(close && fetch::side_by_side(&j, axis.size));
+            && !(close && fetch::side_by_side::<S>(&j, axis.size));
         if crosses {
             return seamless::linear::<S>(place, [&i, &j], [&alpha, &beta], out);
         }
@@ -102,7 +97,7 @@ fn linear<S: Simd>(place: &Place<'_>, at: [&F32s; 3], out: &mut [F32s; 4]) {
     if axes > 2 {
         let axis = place.axis(2);
         let k;
-        (k, gamma) = enclosing(&axis.texel_coordinate(at[2]));
+        (k, gamma) = enclosing(&axis.texel_coordinate::<S>(at[2]));
         zs = axis.pair(&k);
     }
     let slices = if axes > 2 { 2 } else { 1 };
@@ -142,6 +137,17 @@ pub fn mean(texels: [&F32s; 4], alpha: &F32s, beta: &F32s) -> F32s {
         out[lane] = lerp(lower, upper, beta[lane]);
     }
     out
+}
+
+/// Two levels in proportion, if the second has any weight at all: its inf and NaN do not matter
+/// otherwise.
+#[inline(always)]
+pub fn mix(first: &F32s, second: &F32s, weight: &F32s, out: &mut F32s) {
+    for lane in 0..LANES {
+        let (a, t) = (first[lane], weight[lane]);
+        let mean = lerp(a, second[lane], t);
+        out[lane] = if t > 0.0 { mean } else { a };
+    }
 }
 
 /// `a` to `b`, exact where they are equal and where `t` is 0.

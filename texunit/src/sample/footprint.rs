@@ -11,29 +11,17 @@
 //! `m = max(σ₂, σ₁/N)`, so that `λ = log2 m`. They lie `g = √((σ₁² - m²) / (N² - 1))` apart, the one
 //! distance at which `N` boxes of width `m` have the second moment `σ₁²/12` of the parallelogram
 //! itself: where `σ₁ = N·m` the boxes touch, and as `σ₁` falls to `m` they close up, so that
-//! nothing jumps where `N` changes. The probes weigh the same, as the area integral asks.
+//! nothing jumps where `N` changes. The probes weigh the same, as the area integral asks. Each is a
+//! sample of its own, of the levels that λ tells; on a cube, of the face that it comes to lie on.
 
-use super::lod::{across, upward};
-use crate::lanes::math::{ceil, clamp, max};
-use crate::lanes::{F32s, LANES, log2_of_root};
+use crate::lanes::math::{clamp, max};
+use crate::lanes::{F32s, LANES, Simd, U32s, log2_of_root};
 
 /// Derivatives of the coordinates of each axis.
-pub struct Derivatives {
-    pub dx: [F32s; 3],
-    pub dy: [F32s; 3],
-}
-
-impl Derivatives {
-    /// Those of the first `axes` coordinates, from the differences within each quad.
-    #[inline(always)]
-    pub fn of_quads(coords: [&F32s; 3], axes: usize) -> Self {
-        let mut out = Self { dx: [F32s::ZERO; 3], dy: [F32s::ZERO; 3] };
-        for (axis, from) in coords.into_iter().enumerate().take(axes) {
-            out.dx[axis] = across(from);
-            out.dy[axis] = upward(from);
-        }
-        out
-    }
+#[derive(Clone, Copy)]
+pub struct Derivatives<'a> {
+    pub dx: [&'a F32s; 3],
+    pub dy: [&'a F32s; 3],
 }
 
 /// Where the probes of a batch lie.
@@ -54,7 +42,7 @@ struct Metric {
 }
 
 #[inline(always)]
-fn metric(d: &Derivatives, axes: usize, scale: [f32; 3]) -> Metric {
+fn metric(d: &Derivatives<'_>, axes: usize, scale: [f32; 3]) -> Metric {
     let mut out = Metric { xx: F32s::ZERO, xy: F32s::ZERO, yy: F32s::ZERO };
     for (axis, scale) in scale.into_iter().enumerate().take(axes) {
         for lane in 0..LANES {
@@ -70,7 +58,7 @@ fn metric(d: &Derivatives, axes: usize, scale: [f32; 3]) -> Metric {
 
 /// λ of one probe for the whole footprint. `scale` is texels per unit of each coordinate.
 #[inline(always)]
-pub fn isotropic(d: &Derivatives, axes: usize, scale: [f32; 3]) -> F32s {
+pub fn isotropic(d: &Derivatives<'_>, axes: usize, scale: [f32; 3]) -> F32s {
     let mut lambda = F32s::ZERO;
     if axes == 2 {
         for lane in 0..LANES {
@@ -89,60 +77,68 @@ pub fn isotropic(d: &Derivatives, axes: usize, scale: [f32; 3]) -> F32s {
 
 /// λ of each probe, and the probes, if any lane has more than one.
 #[inline(always)]
-pub fn anisotropic(
-    d: &Derivatives,
+pub fn anisotropic<S: Simd>(
+    d: &Derivatives<'_>,
     axes: usize,
     scale: [f32; 3],
     most: f32,
 ) -> (F32s, Option<Probes>) {
-    let metric = metric(d, axes, scale);
-    // The squares of σ₁ and σ₂, and the major axis (1, t) or (t, 1) in the pixel's x and y.
+    let Metric { xx, xy, yy } = metric(d, axes, scale);
+    // The squares of σ₁ and σ₂, and of the width that each probe is filtered for.
     let mut major = F32s::ZERO;
     let mut minor = F32s::ZERO;
     let mut root = F32s::ZERO;
-    let mut lambda = F32s::ZERO;
-    let mut elongated = false;
+    let mut elongated = U32s::ZERO;
     for lane in 0..LANES {
-        let half = 0.5 * (metric.xx[lane] + metric.yy[lane]);
-        let difference = 0.5 * (metric.xx[lane] - metric.yy[lane]);
-        root[lane] = (difference * difference + metric.xy[lane] * metric.xy[lane]).sqrt();
+        let half = 0.5 * (xx[lane] + yy[lane]);
+        let difference = 0.5 * (xx[lane] - yy[lane]);
+        root[lane] = (difference * difference + xy[lane] * xy[lane]).sqrt();
         major[lane] = half + root[lane];
         minor[lane] = max(half - root[lane], 0.0);
-        elongated |= major[lane] > minor[lane] * (ALIKE * ALIKE);
-        lambda[lane] = log2_of_root(major[lane]);
+        let stretched = major[lane] > minor[lane] * (ALIKE * ALIKE);
+        elongated[lane] = if stretched { !0 } else { 0 };
     }
-    if !elongated {
-        return (lambda, None);
-    }
-    let mut probes = Probes { most: 1, count: F32s::ZERO, step: [F32s::ZERO; 3] };
-    let mut largest = 1.0;
-    for lane in 0..LANES {
-        let (major, minor) = (major[lane], minor[lane]);
-        // Not where NaN comes from no footprint or an infinite one.
-        let stretched = major > minor * (ALIKE * ALIKE);
-        let n = clamp(ceil((major / minor).sqrt() - (ALIKE - 1.0)), 2.0, most);
-        let n = if stretched { n } else { 1.0 };
-        let width = max(minor, major / (n * n));
-        let width = if n > 1.0 { width } else { major };
-        lambda[lane] = log2_of_root(width);
-        probes.count[lane] = n;
-        largest = max(n, largest);
+    let mut width = major;
+    let mut probes = None;
+    if S::any(&elongated) {
+        let mut count = F32s::ZERO;
+        let (mut x, mut y) = (F32s::ZERO, F32s::ZERO);
+        for lane in 0..LANES {
+            let (major, minor) = (major[lane], minor[lane]);
+            // Not where NaN comes from no footprint or an infinite one.
+            let stretched = elongated[lane] != 0;
+            let ratio = (major / minor).sqrt();
+            let n = clamp(S::ceil(ratio - (ALIKE - 1.0)), 2.0, most);
+            let wide = max(minor, major / (n * n));
+            width[lane] = if stretched { wide } else { major };
+            count[lane] = if stretched { n } else { 1.0 };
 
-        let difference = 0.5 * (metric.xx[lane] - metric.yy[lane]);
-        let slope = metric.xy[lane] / (difference.abs() + root[lane]);
-        let along = (1.0 - width / major) / ((n * n - 1.0) * (1.0 + slope * slope));
-        let along = if n > 1.0 { max(along, 0.0).sqrt() } else { 0.0 };
-        let across = if n > 1.0 { along * slope } else { 0.0 };
-        let steep = difference < 0.0;
-        let x = if steep { across } else { along };
-        let y = if steep { along } else { across };
-        for axis in 0..3 {
-            probes.step[axis][lane] =
-                if n > 1.0 { d.dx[axis][lane] * x + d.dy[axis][lane] * y } else { 0.0 };
+            // The major axis is (1, slope) or (slope, 1) in the pixel's x and y.
+            let difference = 0.5 * (xx[lane] - yy[lane]);
+            let slope = xy[lane] / (difference.abs() + root[lane]);
+            let along = (1.0 - wide / major) / ((n * n - 1.0) * (1.0 + slope * slope));
+            let along = if stretched { max(along, 0.0).sqrt() } else { 0.0 };
+            let across = if stretched { along * slope } else { 0.0 };
+            let steep = difference < 0.0;
+            x[lane] = if steep { across } else { along };
+            y[lane] = if steep { along } else { across };
         }
+        let mut step = [F32s::ZERO; 3];
+        for (axis, step) in step.iter_mut().enumerate().take(axes) {
+            for lane in 0..LANES {
+                let moved = d.dx[axis][lane] * x[lane] + d.dy[axis][lane] * y[lane];
+                step[lane] = if count[lane] > 1.0 { moved } else { 0.0 };
+            }
+        }
+        // Of positive numbers the bits are in the same order.
+        let most = f32::from_bits(S::largest(count.as_u32())) as u32;
+        probes = Some(Probes { most, count, step });
     }
-    probes.most = largest as u32;
-    (lambda, Some(probes))
+    let mut lambda = F32s::ZERO;
+    for lane in 0..LANES {
+        lambda[lane] = log2_of_root(width[lane]);
+    }
+    (lambda, probes)
 }
 
 /// Up to this ratio the axes count as alike: rounding alone must not cost a probe.

@@ -1,5 +1,5 @@
 //! The steps of a sample, in the order of the specification's chapter:
-//! face → LOD → wrap → fetch and border → compare → filter → probes → mip → expand → swizzle.
+//! face → LOD → wrap → fetch and border → compare → filter → mip → probes → expand → swizzle.
 //!
 //! A batch runs level by level: the distinct (filter, face, level) of its 64 lanes are found, each
 //! is sampled once in all lanes, and a mask keeps the lanes that asked for it. Most batches touch
@@ -12,13 +12,13 @@ mod fetch;
 mod filter;
 mod footprint;
 pub(crate) mod lod;
-mod plain;
+pub(crate) mod plain;
 mod seamless;
 mod taps;
 pub(crate) mod texel;
 mod wrap;
 
-use crate::image::{Level, Shape};
+use crate::image::Shape;
 use crate::lanes::math::clamp;
 use crate::lanes::{F32s, Kernel, LANES, Simd, U32s};
 use crate::plan::{Lod, Texture};
@@ -57,10 +57,9 @@ impl Kernel for Sample<'_> {
                 at.st = Some(projected.st);
             }
         }
-        let (taps, probes) = taps::taps(texture, &at, lod);
-        let probes = probes.as_ref();
-        let samples = Samples { texture, at: &at, offset, probes, reference: &reference };
-        sample_taps::<S>(&samples, &taps, out);
+        let (taps, probes) = taps::taps::<S>(texture, &at, lod);
+        let samples = Samples { texture, offset, reference: &reference };
+        sample_probes::<S>(&samples, &at, &taps, probes.as_ref(), out);
         expand::expand(texture.format, texture.depth_mode, out);
         expand::swizzle(texture.format, texture.swizzle, out);
     }
@@ -99,135 +98,163 @@ fn unit_range(reference: &F32s) -> F32s {
     out
 }
 
-/// What stays the same over the levels of a batch.
+/// What stays the same over the probes and levels of a batch.
 struct Samples<'a> {
     texture: &'a Texture,
-    at: &'a Coordinates<'a>,
     offset: [i32; 3],
-    probes: Option<&'a Probes>,
     reference: &'a F32s,
+}
+
+/// The mean of the probes, whose running form leaves equal ones as they are.
+#[inline(always)]
+fn sample_probes<S: Simd>(
+    samples: &Samples<'_>,
+    at: &Coordinates<'_>,
+    taps: &Taps,
+    probes: Option<&Probes>,
+    out: &mut [F32s; 4],
+) {
+    let most = match probes {
+        Some(probes) => probes.most,
+        None => 1,
+    };
+    let mut moved = None;
+    let mut moved_taps;
+    let mut one = None;
+    for probe in 0..most {
+        let mut there = at.filtered();
+        let mut read = taps;
+        if let Some(probes) = probes {
+            let to = moved.get_or_insert([F32s::ZERO; 3]);
+            for axis in 0..samples.texture.shape.axes() {
+                place_probe(at.filtered()[axis], probes, axis, probe, &mut to[axis]);
+            }
+            if samples.texture.shape == Shape::Cube {
+                let [s, t, _] = *to;
+                let on = cube::over_edges(&cube::Projected { face: at.face, st: [s, t] });
+                [to[0], to[1]] = on.st;
+                moved_taps = taps.on_faces(&on.face);
+                read = &moved_taps;
+            }
+            there = [&to[0], &to[1], &to[2]];
+        }
+        let target = if probe == 0 { &mut *out } else { one.get_or_insert([F32s::ZERO; 4]) };
+        sample_taps::<S>(samples, there, &at.layer, read, target);
+        let (Some(probes), Some(one)) = (probes, &one) else { continue };
+        let share = 1.0 / (probe + 1) as f32;
+        for channel in 0..samples.texture.format.channels() {
+            for lane in 0..LANES {
+                let before = out[channel][lane];
+                let mean = filter::lerp(before, one[channel][lane], share);
+                let counts = (probe as f32) < probes.count[lane];
+                out[channel][lane] = if counts { mean } else { before };
+            }
+        }
+    }
+}
+
+/// One coordinate of a probe.
+#[inline(always)]
+fn place_probe(from: &F32s, probes: &Probes, axis: usize, probe: u32, to: &mut F32s) {
+    for lane in 0..LANES {
+        let steps = probe as f32 - 0.5 * (probes.count[lane] - 1.0);
+        to[lane] = from[lane] + steps * probes.step[axis][lane];
+    }
 }
 
 /// Samples every distinct key once and mixes.
 #[inline(always)]
-fn sample_taps<S: Simd>(samples: &Samples<'_>, taps: &Taps, out: &mut [F32s; 4]) {
+fn sample_taps<S: Simd>(
+    samples: &Samples<'_>,
+    at: [&F32s; 3],
+    layer: &U32s,
+    taps: &Taps,
+    out: &mut [F32s; 4],
+) {
     let channels = samples.texture.format.channels();
+    let mut second = None;
     let mut kept = None;
-    let mut key = match taps {
-        Taps::Same(key) => *key,
-        Taps::Mixed { keys, .. } => taps::next_key(keys, 0),
-    };
+    let mut key = taps.next::<S>(0);
     while key != taps::NONE {
-        sample_key::<S>(samples, key, out);
-        let Taps::Mixed { keys, .. } = taps else { return };
-        let [first, second] = kept.get_or_insert([[F32s::ZERO; 4]; 2]);
-        keep(&keys[0], key, channels, out, first);
-        keep(&keys[1], key, channels, out, second);
-        key = taps::next_key(keys, key);
-    }
-    let (Taps::Mixed { weight, .. }, Some([first, second])) = (taps, &kept) else { return };
-    for channel in 0..channels {
-        for lane in 0..LANES {
-            out[channel][lane] =
-                filter::lerp(first[channel][lane], second[channel][lane], weight[lane]);
+        let target = match taps {
+            Taps::Pair { keys, .. } if key == keys[1] => second.get_or_insert([F32s::ZERO; 4]),
+            Taps::Same(_) | Taps::Pair { .. } | Taps::Mixed { .. } => &mut *out,
+        };
+        sample_key::<S>(samples, key, at, layer, target);
+        if let Taps::Mixed { keys, .. } = taps {
+            let [first, second] = kept.get_or_insert([[F32s::ZERO; 4]; 2]);
+            keep::<S>(&keys[0], key, channels, out, first);
+            keep::<S>(&keys[1], key, channels, out, second);
         }
+        key = taps.next::<S>(key);
+    }
+    match (taps, &second, &kept) {
+        (Taps::Pair { weight, .. }, Some(second), _) => {
+            for channel in 0..channels {
+                let first = out[channel];
+                filter::mix(&first, &second[channel], weight, &mut out[channel]);
+            }
+        }
+        (Taps::Mixed { weight, .. }, _, Some([first, second])) => {
+            for channel in 0..channels {
+                filter::mix(&first[channel], &second[channel], weight, &mut out[channel]);
+            }
+        }
+        (Taps::Same(_) | Taps::Pair { .. } | Taps::Mixed { .. }, _, _) => {}
     }
 }
 
 /// Takes the values of the lanes that asked for this key.
 #[inline(always)]
-fn keep(keys: &U32s, key: u32, channels: usize, values: &[F32s; 4], kept: &mut [F32s; 4]) {
-    let mut asked = 0;
+fn keep<S: Simd>(keys: &U32s, key: u32, channels: usize, values: &[F32s; 4], kept: &mut [F32s; 4]) {
+    let mut mask = U32s::ZERO;
     for lane in 0..LANES {
-        asked += if keys[lane] == key { 1 } else { 0 };
+        mask[lane] = if keys[lane] == key { !0 } else { 0 };
     }
-    if asked == 0 {
+    if !S::any(&mask) {
         return;
     }
     for channel in 0..channels {
+        let (from, to) = (values[channel].as_u32(), kept[channel].as_u32_mut());
         for lane in 0..LANES {
-            let asked = keys[lane] == key;
-            kept[channel][lane] = if asked { values[channel][lane] } else { kept[channel][lane] };
+            to[lane] = from[lane] & mask[lane] | to[lane] & !mask[lane];
         }
     }
 }
 
-/// One level of one face: the mean of the probes, whose running form leaves equal ones as they
-/// are.
+/// One level of one face.
 #[inline(always)]
-fn sample_key<S: Simd>(samples: &Samples<'_>, key: u32, out: &mut [F32s; 4]) {
-    let Samples { texture, at, offset, probes, reference } = *samples;
+fn sample_key<S: Simd>(
+    samples: &Samples<'_>,
+    key: u32,
+    at: [&F32s; 3],
+    layer: &U32s,
+    out: &mut [F32s; 4],
+) {
+    let Samples { texture, offset, reference } = *samples;
     let (filter, face, number) = taps::parts(key);
     let level = &*texture.levels[face][number];
-    let place = filter::Place { texture, filter, face, number, level, layer: &at.layer, reference };
-    let most = match probes {
-        Some(probes) => probes.most,
-        None => 1,
+    let place = filter::Place { texture, filter, face, number, level, layer, reference };
+    let moved = (offset != [0; 3]).then(|| shifted(&place, at, offset));
+    // One call, since all of the kernel is inlined into it.
+    let at = match &moved {
+        Some([s, t, r]) => [s, t, r],
+        None => at,
     };
-    let mut one = None;
-    for probe in 0..most {
-        let moved;
-        let st = if probes.is_none() && offset == [0; 3] {
-            at.filtered()
-        } else {
-            moved = moved_to(&place, at, offset, probe, probes);
-            [&moved[0], &moved[1], &moved[2]]
-        };
-        let target = if probe == 0 { &mut *out } else { one.get_or_insert([F32s::ZERO; 4]) };
-        filter::sample_level::<S>(&place, st, target);
-        let (Some(probes), Some(one)) = (probes, &one) else { continue };
-        let share = 1.0 / (probe + 1) as f32;
-        for channel in 0..texture.format.channels() {
-            for lane in 0..LANES {
-                let mean = filter::lerp(out[channel][lane], one[channel][lane], share);
-                let counts = (probe as f32) < probes.count[lane];
-                out[channel][lane] = if counts { mean } else { out[channel][lane] };
-            }
-        }
-    }
+    filter::sample_level::<S>(&place, at, out);
 }
 
-/// The coordinates of a probe, and the offset added.
+/// The coordinates with an offset in texels of this level.
 #[inline(always)]
-fn moved_to(
-    place: &filter::Place<'_>,
-    at: &Coordinates<'_>,
-    offset: [i32; 3],
-    probe: u32,
-    probes: Option<&Probes>,
-) -> [F32s; 3] {
-    let shift = shift(place.texture, place.level, offset);
-    let mut moved = [F32s::ZERO; 3];
+fn shifted(place: &filter::Place<'_>, at: [&F32s; 3], offset: [i32; 3]) -> [F32s; 3] {
+    let size = place.level.size();
+    let mut shifted = [F32s::ZERO; 3];
     for axis in 0..place.texture.shape.axes() {
-        let from = at.filtered()[axis];
-        match probes {
-            Some(Probes { count, step, .. }) => {
-                for lane in 0..LANES {
-                    let steps = probe as f32 - 0.5 * (count[lane] - 1.0);
-                    moved[axis][lane] = from[lane] + (steps * step[axis][lane] + shift[axis]);
-                }
-            }
-            None => {
-                for lane in 0..LANES {
-                    moved[axis][lane] = from[lane] + shift[axis];
-                }
-            }
+        let scale = if place.texture.shape == Shape::Rect { 1.0 } else { size[axis] as f32 };
+        let shift = offset[axis] as f32 / scale;
+        for lane in 0..LANES {
+            shifted[axis][lane] = at[axis][lane] + shift;
         }
     }
-    moved
-}
-
-/// An offset in texels of this level, in units of the coordinates.
-#[inline(always)]
-fn shift(texture: &Texture, level: &Level, offset: [i32; 3]) -> [f32; 3] {
-    if offset == [0; 3] {
-        return [0.0; 3];
-    }
-    let size = level.size();
-    let mut shift = [0.0; 3];
-    for axis in 0..texture.shape.axes() {
-        let scale = if texture.shape == Shape::Rect { 1.0 } else { size[axis] as f32 };
-        shift[axis] = offset[axis] as f32 / scale;
-    }
-    shift
+    shifted
 }

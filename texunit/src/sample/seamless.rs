@@ -43,11 +43,11 @@ pub fn linear<S: Simd>(
 #[inline(always)]
 fn texels<S: Simd>(place: &Place<'_>, found: &cube::Beyond, out: &mut [F32s; 4]) {
     for (face, levels) in place.texture.levels.iter().enumerate() {
-        let mut asked = 0;
+        let mut here = U32s::ZERO;
         for lane in 0..LANES {
-            asked += if found.face[lane] == face as u32 { 1 } else { 0 };
+            here[lane] = if found.face[lane] == face as u32 { !0 } else { 0 };
         }
-        if asked == 0 {
+        if !S::any(&here) {
             continue;
         }
         let level = &*levels[place.number];

@@ -1,25 +1,76 @@
 //! Which levels and faces the lanes of a batch read, and with which filter.
 
 use super::footprint::{self, Derivatives, Probes};
+use super::lod::{across, upward};
 use super::{Coordinates, cube};
 use crate::image::Shape;
-use crate::lanes::{F32s, LANES, U32s};
+use crate::lanes::{F32s, LANES, Simd, U32s};
 use crate::plan::{Detail, Lod, Texture};
 use crate::sampler::Filter;
 
 /// What the lanes of a batch read.
+#[derive(Clone, Copy)]
 #[expect(clippy::large_enum_variant, reason = "lives on one call's stack, where a box costs more")]
 pub enum Taps {
     /// All of them this key.
     Same(u32),
+    /// All of them these keys, in proportion: the weight of the second, 0 where it is not read.
+    Pair { keys: [u32; 2], weight: F32s },
     /// Per lane two (filter, face, level), as keys, and the weight of the second. A lane that reads
     /// one level has twice the same key and no weight.
     Mixed { keys: [U32s; 2], weight: F32s },
 }
 
+impl Taps {
+    /// The least key above `floor` that any lane reads, or [`NONE`].
+    #[inline(always)]
+    pub fn next<S: Simd>(&self, floor: u32) -> u32 {
+        match self {
+            Self::Same(key) => {
+                if *key > floor {
+                    *key
+                } else {
+                    NONE
+                }
+            }
+            Self::Pair { keys: [first, second], .. } => {
+                let second = if *second > floor { *second } else { NONE };
+                if *first > floor { *first } else { second }
+            }
+            Self::Mixed { keys, .. } => next_key::<S>(keys, floor),
+        }
+    }
+
+    /// The same levels of other faces.
+    #[inline(always)]
+    pub fn on_faces(&self, face: &U32s) -> Self {
+        let level = FACE_MASK;
+        let mut keys = [U32s::ZERO; 2];
+        let mut weight = F32s::ZERO;
+        for lane in 0..LANES {
+            let [first, second] = match self {
+                Self::Same(key) => [*key; 2],
+                Self::Pair { keys, weight } => {
+                    [keys[0], if weight[lane] > 0.0 { keys[1] } else { keys[0] }]
+                }
+                Self::Mixed { keys, .. } => [keys[0][lane], keys[1][lane]],
+            };
+            keys[0][lane] = first & level | face[lane] << FACE;
+            keys[1][lane] = second & level | face[lane] << FACE;
+            weight[lane] = match self {
+                Self::Same(_) => 0.0,
+                Self::Pair { weight, .. } | Self::Mixed { weight, .. } => weight[lane],
+            };
+        }
+        Self::Mixed { keys, weight }
+    }
+}
+
 /// Where the face and the filter begin in a key; the level is below.
 const FACE: u32 = 5;
 const FILTER: u32 = 8;
+/// All of a key but the face.
+const FACE_MASK: u32 = !(7 << FACE);
 
 /// A (filter, face, level) as a number above 0. Levels count from the base level.
 #[inline(always)]
@@ -40,92 +91,128 @@ pub fn parts(key: u32) -> (Filter, usize, usize) {
 
 /// What each lane reads, and its probes.
 #[inline(always)]
-pub fn taps(texture: &Texture, at: &Coordinates, lod: Lod<'_>) -> (Taps, Option<Probes>) {
-    let mut probes = None;
-    let mut keys = [U32s::ZERO; 2];
-    let mut weights = F32s::ZERO;
-    match &texture.detail {
-        Detail::Fixed { filter, level, .. } => {
-            if texture.shape != Shape::Cube {
-                return (Taps::Same(key(*filter, 0, *level)), None);
-            }
-            let [first, second] = &mut keys;
-            for lane in 0..LANES {
-                first[lane] = key(*filter, at.face[lane], *level);
-            }
-            *second = *first;
-        }
-        Detail::PerLane { min, mag, range, probes: most } => {
-            let base;
-            let (lambda, bias) = match lod {
-                Lod::Explicit(lambda) => (lambda, None),
-                Lod::Implicit { .. } | Lod::Gradient { .. } => {
-                    let d = derivatives(texture, at, &lod);
-                    let axes = texture.shape.axes();
-                    if *most > 1 {
-                        let most = *most as f32;
-                        (base, probes) = footprint::anisotropic(&d, axes, texture.scale, most);
-                    } else {
-                        base = footprint::isotropic(&d, axes, texture.scale);
-                    }
-                    let bias = match lod {
-                        Lod::Implicit { bias } => bias,
-                        Lod::Explicit(_) | Lod::Gradient { .. } => None,
-                    };
-                    (&base, bias)
+pub fn taps<S: Simd>(texture: &Texture, at: &Coordinates, lod: Lod<'_>) -> (Taps, Option<Probes>) {
+    let Detail::PerLane { min, mag, range, probes: most } = &texture.detail else {
+        return (fixed::<S>(texture, at), None);
+    };
+    let (base, probes, bias) = match lod {
+        Lod::Explicit(lambda) => (*lambda, None, None),
+        Lod::Implicit { bias } | Lod::Gradient { bias, .. } => {
+            let axes = texture.shape.axes();
+            let differences;
+            let mut d = match &lod {
+                Lod::Gradient { dx, dy, .. } => Derivatives { dx: *dx, dy: *dy },
+                Lod::Implicit { .. } | Lod::Explicit(_) => {
+                    let read = if texture.shape == Shape::Cube { 3 } else { axes };
+                    differences = of_quads(at.given, read);
+                    let [dx, dy] = &differences;
+                    Derivatives { dx: dx.each_ref(), dy: dy.each_ref() }
                 }
             };
-            let lambda = range.lambda(lambda, bias);
-            let (levels, weight) = range.levels(&lambda);
-            let (min, mag) = (key(*min, 0, 0), key(*mag, 0, 0));
-            for lane in 0..LANES {
-                let minified = lambda[lane] > range.magnified_to;
-                let face = at.face[lane] << FACE;
-                let first = min | face | levels[0][lane];
-                let second = min | face | levels[1][lane];
-                let second = if weight[lane] > 0.0 { second } else { first };
-                keys[0][lane] = if minified { first } else { mag | face };
-                keys[1][lane] = if minified { second } else { mag | face };
-                weights[lane] = if minified { weight[lane] } else { 0.0 };
+            let on_face;
+            if texture.shape == Shape::Cube {
+                on_face = [
+                    cube::derivatives(&at.face, at.given, d.dx),
+                    cube::derivatives(&at.face, at.given, d.dy),
+                ];
+                let [[dsdx, dtdx], [dsdy, dtdy]] = &on_face;
+                d = Derivatives { dx: [dsdx, dtdx, dtdx], dy: [dsdy, dtdy, dtdy] };
             }
+            let (base, probes) = if *most > 1 {
+                footprint::anisotropic::<S>(&d, axes, texture.scale, *most as f32)
+            } else {
+                (footprint::isotropic(&d, axes, texture.scale), None)
+            };
+            (base, probes, bias)
+        }
+    };
+    let lambda = range.lambda(&base, bias);
+    let (levels, weight) = range.levels(&lambda);
+    if texture.shape != Shape::Cube && min == mag {
+        // Up to λ = 0 the level is 0 in any case.
+        if let Some(taps) = alike::<S>(key(*min, 0, 0), &levels, &weight) {
+            return (taps, probes);
         }
     }
-    let least = next_key(&keys, 0);
-    if next_key(&keys, least) == NONE {
-        return (Taps::Same(least), probes);
+    let mut keys = [U32s::ZERO; 2];
+    let mut weights = F32s::ZERO;
+    let (min, mag) = (key(*min, 0, 0), key(*mag, 0, 0));
+    for lane in 0..LANES {
+        let minified = lambda[lane] > range.magnified_to;
+        let face = at.face[lane] << FACE;
+        let first = min | face | levels[0][lane];
+        let second = min | face | levels[1][lane];
+        let second = if weight[lane] > 0.0 { second } else { first };
+        keys[0][lane] = if minified { first } else { mag | face };
+        keys[1][lane] = if minified { second } else { mag | face };
+        weights[lane] = if minified { weight[lane] } else { 0.0 };
     }
-    (Taps::Mixed { keys, weight: weights }, probes)
+    (mixed::<S>(keys, weights), probes)
 }
 
-/// The derivatives of the coordinates that are filtered along; of a cube's, on the face.
+/// Where λ decides nothing.
 #[inline(always)]
-fn derivatives(texture: &Texture, at: &Coordinates, lod: &Lod<'_>) -> Derivatives {
-    let axes = if texture.shape == Shape::Cube { 3 } else { texture.shape.axes() };
-    let given = match lod {
-        Lod::Gradient { dx, dy } => Derivatives { dx: dx.map(|d| *d), dy: dy.map(|d| *d) },
-        Lod::Implicit { .. } | Lod::Explicit(_) => Derivatives::of_quads(at.given, axes),
-    };
+fn fixed<S: Simd>(texture: &Texture, at: &Coordinates) -> Taps {
+    let Detail::Fixed { filter, level, .. } = &texture.detail else { return Taps::Same(NONE) };
+    let every = key(*filter, 0, *level);
     if texture.shape != Shape::Cube {
-        return given;
+        return Taps::Same(every);
     }
-    let [dsdx, dtdx] = cube::derivatives(&at.face, at.given, &given.dx);
-    let [dsdy, dtdy] = cube::derivatives(&at.face, at.given, &given.dy);
-    Derivatives { dx: [dsdx, dtdx, F32s::ZERO], dy: [dsdy, dtdy, F32s::ZERO] }
+    let mut keys = U32s::ZERO;
+    for lane in 0..LANES {
+        keys[lane] = every | at.face[lane] << FACE;
+    }
+    mixed::<S>([keys, keys], F32s::ZERO)
 }
 
-/// What [`next_key`] gives when there is none.
+/// Where all lanes read the same level, and the one after it if any.
+#[inline(always)]
+fn alike<S: Simd>(filter: u32, levels: &[U32s; 2], weight: &F32s) -> Option<Taps> {
+    let least = S::smallest(&levels[0]);
+    if least != S::largest(&levels[0]) {
+        return None;
+    }
+    let first = filter | least;
+    // No weight is negative, and of those the bits are in the same order.
+    Some(if S::any(weight.as_u32()) {
+        Taps::Pair { keys: [first, first + 1], weight: *weight }
+    } else {
+        Taps::Same(first)
+    })
+}
+
+#[inline(always)]
+fn mixed<S: Simd>(keys: [U32s; 2], weight: F32s) -> Taps {
+    let least = next_key::<S>(&keys, 0);
+    if next_key::<S>(&keys, least) == NONE {
+        return Taps::Same(least);
+    }
+    Taps::Mixed { keys, weight }
+}
+
+/// The differences within each quad of the first `axes` coordinates.
+#[inline(always)]
+fn of_quads(coords: [&F32s; 3], axes: usize) -> [[F32s; 3]; 2] {
+    let mut out = [[F32s::ZERO; 3]; 2];
+    for (axis, from) in coords.into_iter().enumerate().take(axes) {
+        out[0][axis] = across(from);
+        out[1][axis] = upward(from);
+    }
+    out
+}
+
+/// What there is when there is no key.
 pub const NONE: u32 = u32::MAX;
 
 /// The least key of the batch above `floor`.
 #[inline(always)]
-pub fn next_key(keys: &[U32s; 2], floor: u32) -> u32 {
+fn next_key<S: Simd>(keys: &[U32s; 2], floor: u32) -> u32 {
     let [first, second] = keys;
-    let mut least = NONE;
+    let mut above = U32s::ZERO;
     for lane in 0..LANES {
         let a = if first[lane] > floor { first[lane] } else { NONE };
         let b = if second[lane] > floor { second[lane] } else { NONE };
-        let lower = if a < b { a } else { b };
-        least = if lower < least { lower } else { least };
+        above[lane] = if a < b { a } else { b };
     }
-    least
+    S::smallest(&above)
 }

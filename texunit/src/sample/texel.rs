@@ -27,18 +27,14 @@ impl Kernel for Fetch<'_> {
         let mut found = [F32s::ZERO; 4];
         let mut inside = U32s::ZERO;
         for (number, level) in texture.levels[0].iter().enumerate() {
-            let mut asked = 0;
-            for lane in 0..LANES {
-                asked += if wanted[lane] == number as i32 { 1 } else { 0 };
-            }
-            if asked == 0 {
-                continue;
-            }
-            let mut index = [U32s::ZERO; 3];
             let mut here = U32s::ZERO;
             for lane in 0..LANES {
                 here[lane] = if wanted[lane] == number as i32 { !0 } else { 0 };
             }
+            if !S::any(&here) {
+                continue;
+            }
+            let mut index = [U32s::ZERO; 3];
             let size = level.size();
             for axis in 0..3 {
                 let source = match (texture.is_array(), axes, axis) {

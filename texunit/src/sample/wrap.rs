@@ -5,8 +5,8 @@
 //! the nearest index and a mask. Defined beyond the specification: NaN counts as 0, and so does
 //! ±inf where coordinates repeat; elsewhere ±inf is the end of the range.
 
-use crate::lanes::math::{clamp, floor, fract, max, to_i32};
-use crate::lanes::{F32s, I32s, LANES, U32s};
+use crate::lanes::math::{clamp, floor, floor_small, max, to_i32};
+use crate::lanes::{F32s, I32s, LANES, Simd, U32s};
 use crate::sampler::Wrap;
 
 /// One axis of a level.
@@ -33,14 +33,14 @@ pub struct Indices {
 impl Axis {
     /// `u`, the wrapped coordinate in texels: within [0, size], half a texel more for the border.
     #[inline(always)]
-    pub fn texel_coordinate(self, s: &F32s) -> F32s {
+    pub fn texel_coordinate<S: Simd>(self, s: &F32s) -> F32s {
         let Self { wrap, scale, .. } = self;
         let n = self.size as f32;
         let mut u = F32s::ZERO;
         match wrap {
             Wrap::Repeat => {
                 for lane in 0..LANES {
-                    u[lane] = max(fract(s[lane]), 0.0) * n;
+                    u[lane] = max(s[lane] - S::floor(s[lane]), 0.0) * n;
                 }
             }
             Wrap::Clamp => {
@@ -62,10 +62,10 @@ impl Axis {
             }
             Wrap::MirroredRepeat => {
                 for lane in 0..LANES {
-                    let whole = floor(s[lane]);
+                    let whole = S::floor(s[lane]);
                     let part = max(s[lane] - whole, 0.0);
                     let half = whole * 0.5;
-                    let odd = floor(half) < half;
+                    let odd = S::floor(half) < half;
                     let mirrored = if odd { 1.0 - part } else { part };
                     u[lane] = clamp(mirrored * n, 0.5, n - 0.5);
                 }
@@ -89,7 +89,7 @@ impl Axis {
     pub fn nearest(self, u: &F32s) -> Indices {
         let mut i = I32s::ZERO;
         for lane in 0..LANES {
-            i[lane] = floor_i32(u[lane]);
+            i[lane] = floor_small(u[lane]).0;
         }
         match self.wrap {
             Wrap::ClampToBorder => self.stored(&i),
@@ -127,12 +127,19 @@ impl Axis {
                 }
                 [lower, upper]
             }
-            Wrap::Clamp
-            | Wrap::ClampToEdge
-            | Wrap::ClampToBorder
-            | Wrap::MirroredRepeat
-            | Wrap::MirrorClamp
-            | Wrap::MirrorClampToEdge => {
+            // The weight of a texel beyond the last is 0; the border's is not to be read for it.
+            Wrap::ClampToEdge | Wrap::MirroredRepeat | Wrap::MirrorClampToEdge => {
+                let mut lower = Indices { index: U32s::ZERO, outside: U32s::ZERO };
+                let mut upper = Indices { index: U32s::ZERO, outside: U32s::ZERO };
+                for lane in 0..LANES {
+                    let low = if i[lane] < 0 { 0 } else { i[lane] };
+                    let high = if i[lane] < last { i[lane] + 1 } else { last };
+                    lower.index[lane] = low as u32 + self.border;
+                    upper.index[lane] = high as u32 + self.border;
+                }
+                [lower, upper]
+            }
+            Wrap::Clamp | Wrap::ClampToBorder | Wrap::MirrorClamp => {
                 let mut next = I32s::ZERO;
                 for lane in 0..LANES {
                     next[lane] = i[lane] + 1;
@@ -166,8 +173,9 @@ pub fn enclosing(u: &F32s) -> (I32s, F32s) {
     let mut weight = F32s::ZERO;
     for lane in 0..LANES {
         let x = u[lane] - 0.5;
-        i[lane] = floor_i32(x);
-        weight[lane] = x - i[lane] as f32;
+        let whole;
+        (i[lane], whole) = floor_small(x);
+        weight[lane] = x - whole;
     }
     (i, weight)
 }
@@ -181,11 +189,4 @@ pub fn layer(r: &F32s, layers: u32) -> U32s {
         out[lane] = to_i32(clamp(nearest, 0.0, layers as f32 - 1.0)) as u32;
     }
     out
-}
-
-/// The largest integer not above `x`, which is far inside the range of `i32`.
-#[inline(always)]
-pub fn floor_i32(x: f32) -> i32 {
-    let whole = to_i32(x);
-    if whole as f32 > x { whole - 1 } else { whole }
 }

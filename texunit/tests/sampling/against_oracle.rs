@@ -61,7 +61,7 @@ fn check(image: &Image, sampler: &Sampler, seed: u64) -> Tally {
             Lod::Implicit { bias: None },
             Lod::Implicit { bias: Some(&bias) },
             Lod::Explicit(&lambda),
-            Lod::Gradient { dx: dx.each_ref(), dy: dy.each_ref() },
+            Lod::Gradient { dx: dx.each_ref(), dy: dy.each_ref(), bias: None },
         ];
         for lod in lods {
             let mut got = [F32s::splat(f32::NAN); 4];
@@ -77,7 +77,7 @@ fn check(image: &Image, sampler: &Sampler, seed: u64) -> Tally {
                         Detail::Derivatives { dx, dy, bias }
                     }
                     Lod::Explicit(lambda) => Detail::Lambda(f64::from(lambda[lane])),
-                    Lod::Gradient { dx, dy } => {
+                    Lod::Gradient { dx, dy, .. } => {
                         let lane_of = |d: [&F32s; 3]| d.map(|d| f64::from(d[lane]));
                         Detail::Derivatives { dx: lane_of(dx), dy: lane_of(dy), bias: 0.0 }
                     }

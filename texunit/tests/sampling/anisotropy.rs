@@ -17,7 +17,7 @@ fn sample(image: &Image, most: f32, at: [f32; 2], dx: [f32; 2], dy: [f32; 2]) ->
     let plan = SamplePlan::new(image, &sampler(most));
     let [s, t] = at.map(F32s::splat);
     let [dx, dy] = [dx, dy].map(|[s, t]| [F32s::splat(s), F32s::splat(t), F32s::ZERO]);
-    let lod = Lod::Gradient { dx: dx.each_ref(), dy: dy.each_ref() };
+    let lod = Lod::Gradient { dx: dx.each_ref(), dy: dy.each_ref(), bias: None };
     let mut out = [F32s::ZERO; 4];
     plan.sample(Isa::best(), [&s, &t, &F32s::ZERO], None, lod, &mut out);
     f64::from(out[0][17])
@@ -80,7 +80,7 @@ fn what_a_lane_gets_does_not_depend_on_its_neighbours() {
     let dy = [lanes(0.05), lanes(0.05), F32s::ZERO];
     let run = |coords: &[F32s; 3], dx: &[F32s; 3], dy: &[F32s; 3]| {
         let mut out = [F32s::ZERO; 4];
-        let lod = Lod::Gradient { dx: dx.each_ref(), dy: dy.each_ref() };
+        let lod = Lod::Gradient { dx: dx.each_ref(), dy: dy.each_ref(), bias: None };
         plan.sample(Isa::best(), coords.each_ref(), None, lod, &mut out);
         out
     };

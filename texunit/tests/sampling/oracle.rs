@@ -73,7 +73,9 @@ impl Oracle<'_> {
         let mut sum = Answer { rgba: [0.0; 4], margin };
         for probe in &probes {
             let at = [0, 1, 2].map(|axis| place.at[axis] + probe[axis]);
-            let one = self.levels(Place { at, ..place }, lambda_base);
+            let (there, near) = over_edges(shape, Place { at, ..place });
+            let one = self.levels(there, lambda_base);
+            sum.margin = sum.margin.min(near);
             for c in 0..4 {
                 sum.rgba[c] += one.rgba[c] / probes.len() as f64;
             }
@@ -298,6 +300,28 @@ impl Oracle<'_> {
             DepthMode::Alpha => [0.0, 0.0, 0.0, d],
         }
     }
+}
+
+/// A point beyond the edge of a cube's face is where its direction meets the cube; and its distance
+/// to where this matters.
+fn over_edges(shape: Shape, place: Place) -> (Place, f64) {
+    let [s, t, _] = place.at;
+    let (sc, tc) = (2.0 * s - 1.0, 2.0 * t - 1.0);
+    let beyond = sc.abs().max(tc.abs()) - 1.0;
+    if shape != Shape::Cube || beyond <= 0.0 {
+        return (place, if shape == Shape::Cube { -beyond } else { f64::INFINITY });
+    }
+    let direction = match place.face {
+        0 => [1.0, -tc, -sc],
+        1 => [-1.0, -tc, sc],
+        2 => [sc, 1.0, tc],
+        3 => [sc, -1.0, -tc],
+        4 => [sc, -tc, 1.0],
+        _ => [-sc, -tc, -1.0],
+    };
+    let (face, near) = select_face(direction);
+    let [s, t] = project(face, direction);
+    (Place { face, at: [s, t, 0.0], ..place }, near.min(beyond))
 }
 
 /// The width of each probe in texels, where the probes lie, and the distance to another number of

@@ -129,7 +129,7 @@ impl Lowerer<'_> {
             LodForm::Gradient => {
                 let derivative =
                     |at: usize| arguments.three(values.get(at).map_or(&[], |v| &v[..]), zero);
-                Lod::Gradient { dx: derivative(1), dy: derivative(2) }
+                Lod::Gradient { dx: derivative(1), dy: derivative(2), bias: None }
             }
         };
         let access = ir::Access::Filter { offset: self.texel_offset(arguments, offset) };

@@ -1,4 +1,5 @@
-//! The optimizer: passes over the structured IR, each in its own file. Every pass keeps the bits.
+//! The optimizer: passes over the structured IR, each in its own file. Every pass keeps the bits,
+//! but [`slopes`], which makes them better; what it does depends on the module alone.
 //!
 //! | pass | does |
 //! |---|---|
@@ -8,6 +9,7 @@
 //! | [`flatten`] | small branches become selects |
 //! | [`stores`] | stores that are overwritten before anybody reads them go |
 //! | [`dead`] | what no output depends on goes |
+//! | [`slopes`] | the level of detail of a varying's lookup from the varying's planes |
 //!
 //! What depends on uniform words only is split off later, by [`super::preamble`].
 
@@ -19,6 +21,7 @@ mod fold;
 mod forward;
 mod scopes;
 mod simplify;
+mod slopes;
 mod stores;
 mod unroll;
 
@@ -41,4 +44,8 @@ pub(super) fn optimize(module: &mut Module) {
     }
     stores::run(module);
     dead::run(module);
+    if slopes::run(module) {
+        simplify::run(module);
+        dead::run(module);
+    }
 }

@@ -1,0 +1,191 @@
+//! The keys of the fixed-function stages: which state changes their code, and how.
+
+use super::hints;
+use super::stages::{alpha_test, sampler};
+use crate::context::Context;
+use crate::env::texgen::GenMode;
+use crate::fixed::{
+    Coordinates, Environment, FogKey, FragmentKey, Generated, LightKey, LightingKey, Normals,
+    Place, PointSize, Spot, UnitKey, VertexKey, environment_base,
+};
+use crate::interface::*;
+use crate::state::enable::Flag;
+use crate::state::fog::FogSource;
+use crate::state::light::{ColorControl, Light};
+use crate::state::material::{Sides, Tracked, material};
+use crate::texture::TextureTarget;
+use glam::{DMat4, DVec4};
+use rasterizer::driver::{VertexBinding, VertexSource};
+
+/// The vertex stage for the state of now. `base` is its first uniform word.
+pub(super) fn vertex_key(context: &Context, vertices: &[VertexBinding], base: u32) -> VertexKey {
+    let state = &context.state;
+    let mut matrices = 0;
+    for (unit, stack) in state.matrices.texture.iter().enumerate() {
+        matrices |= u8::from(stack.top != DMat4::IDENTITY) << unit;
+    }
+    let mut key = VertexKey {
+        base,
+        matrices,
+        generated: generated(context),
+        lighting: lighting_key(context, vertices),
+        normals: Normals::AsTheyAre,
+        clip_planes: state.clip.enabled,
+        fog: state.fog.source,
+        point_size: PointSize::Constant,
+    };
+    if state.enables.has(Flag::Normalize) && key.reads_normals() {
+        key.normals = Normals::Normalized;
+    }
+    key
+}
+
+fn generated(context: &Context) -> [[Option<Generated>; 4]; MAX_TEXTURE_UNITS as usize] {
+    let units = &context.state.units.units;
+    std::array::from_fn(|unit| {
+        std::array::from_fn(|coord| {
+            let generate = &units[unit].generate[coord];
+            generate.enabled.then_some(match generate.mode {
+                GenMode::ObjectLinear | GenMode::EyeLinear => Generated::Linear,
+                GenMode::SphereMap => Generated::SphereMap,
+                GenMode::ReflectionMap => Generated::ReflectionMap,
+                GenMode::NormalMap => Generated::NormalMap,
+            })
+        })
+    })
+}
+
+/// How vertices are lit, if they are.
+fn lighting_key(context: &Context, vertices: &[VertexBinding]) -> Option<LightingKey> {
+    let state = &context.state;
+    if !state.enables.has(Flag::Lighting) {
+        return None;
+    }
+    let tracked = tracked(context, vertices);
+    let model = &state.lights.model;
+    let sides: &[Side] = if model.two_side { &[Side::Front, Side::Back] } else { &[Side::Front] };
+    let shines = sides.iter().any(|&side| {
+        let is_tracked =
+            tracked.is_some_and(|(sides, what)| what == Tracked::Specular && sides.has(side));
+        is_tracked || is_colored(material(context, side).specular)
+    });
+    let lights = std::array::from_fn(|index| {
+        let on = state.lights.enabled >> index & 1 == 1;
+        on.then(|| light_key(&state.lights.lights[index], shines))
+    });
+    let specular = lights.iter().flatten().any(|light: &LightKey| light.specular);
+    Some(LightingKey {
+        lights,
+        local_viewer: specular && model.local_viewer,
+        two_sided: model.two_side,
+        separate_specular: specular && model.color_control == ColorControl::Separate,
+        tracked,
+    })
+}
+
+fn is_colored(color: [f32; 4]) -> bool {
+    color[..3].iter().any(|component| *component != 0.0)
+}
+
+fn light_key(light: &Light, shines: bool) -> LightKey {
+    LightKey {
+        place: match light.is_local() {
+            false => Place::Infinite,
+            true if light.attenuation == [1.0, 0.0, 0.0] => Place::Local,
+            true => Place::Attenuated,
+        },
+        spot: match (light.spot_cutoff, light.spot_exponent) {
+            (180.0, _) => Spot::Off,
+            (_, 0.0) => Spot::Even,
+            (_, _) => Spot::Focused,
+        },
+        specular: shines && is_colored(light.specular),
+    }
+}
+
+/// What of the materials is the colour of each vertex. A colour that is constant over the draw is
+/// part of the material's words instead.
+fn tracked(context: &Context, vertices: &[VertexBinding]) -> Option<(Sides, Tracked)> {
+    let varies = vertices.iter().any(|binding| {
+        binding.location == ATTRIB_COLOR && matches!(binding.source, VertexSource::Array { .. })
+    });
+    let materials = &context.state.materials;
+    (context.state.enables.has(Flag::ColorMaterial) && varies)
+        .then_some((materials.faces, materials.tracked))
+}
+
+/// The fragment stage for the state of now. `vertices` are those of the fixed-function vertex
+/// stage, where it runs.
+pub(super) fn fragment_key(
+    context: &mut Context,
+    vertices: Option<&[VertexBinding]>,
+    base: u32,
+) -> FragmentKey {
+    let units = enabled_units(context, vertices);
+    let state = &context.state;
+    let model = &state.lights.model;
+    let lit = vertices.is_some() && state.enables.has(Flag::Lighting);
+    // Section 3.9: lighting sums what it separates, whatever GL_COLOR_SUM says.
+    let color_sum = if lit {
+        model.color_control == ColorControl::Separate
+    } else {
+        state.enables.has(Flag::ColorSum)
+    };
+    let source = if vertices.is_some() { state.fog.source } else { FogSource::Coordinate };
+    FragmentKey {
+        base,
+        units,
+        shade_model: state.raster.shade_model,
+        two_sided: lit && model.two_side,
+        color_sum,
+        fog: state.enables.has(Flag::Fog).then_some(FogKey { mode: state.fog.mode, source }),
+        alpha: alpha_test(context),
+    }
+}
+
+/// The units that texture: enabled, with a complete texture (GL 2.1, section 3.8.15).
+fn enabled_units(context: &mut Context, vertices: Option<&[VertexBinding]>) -> Vec<UnitKey> {
+    let mut units = Vec::new();
+    for unit in 0..MAX_TEXTURE_UNITS {
+        let state = &context.state.units.units[usize::from(unit)];
+        let winner = TextureTarget::ALL.into_iter().rfind(|target| state.enabled[*target as usize]);
+        let Some(target) = winner else { continue };
+        let texture = context.objects.texture(target, state.bound[target as usize]);
+        let sampler = sampler(context, unit, target);
+        if let Some(reason) = texture.incomplete_reason(&sampler) {
+            hints::incomplete(context, unit, target, &reason);
+            continue;
+        }
+        let texels = texture.image.texels();
+        let Some(level) = texels.level(0, sampler.base_level as usize) else { continue };
+        units.push(UnitKey {
+            unit,
+            environment: Environment::new(state.mode, &state.combiners),
+            base: environment_base(level.format.base(), sampler.depth_mode),
+            shape: target.shape(),
+            compare: level.format.is_depth() && sampler.compare.is_some(),
+            coordinates: coordinates(context, unit, vertices),
+        });
+    }
+    units
+}
+
+/// Whether a unit's q may be other than 1.
+fn coordinates(context: &Context, unit: u8, vertices: Option<&[VertexBinding]>) -> Coordinates {
+    let Some(vertices) = vertices else { return Coordinates::Projective };
+    let state = &context.state;
+    let place = usize::from(unit);
+    if state.matrices.texture[place].top.row(3) != DVec4::W
+        || state.units.units[place].generate[TexCoord::Q as usize].enabled
+    {
+        return Coordinates::Projective;
+    }
+    let location = ATTRIB_TEX_COORD + unit;
+    let source = vertices.iter().find(|binding| binding.location == location);
+    let projective = match source.map(|found| &found.source) {
+        Some(VertexSource::Constant(value)) => value[3] != 1.0,
+        Some(VertexSource::Array { components, .. }) => *components == 4,
+        None => false,
+    };
+    if projective { Coordinates::Projective } else { Coordinates::Plain }
+}

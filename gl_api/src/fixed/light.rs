@@ -1,0 +1,257 @@
+//! The lighting equation: GL 2.1, section 2.14.1.
+
+use super::vector::{at_least_zero, dot, each, scale, unit, words};
+use super::word;
+use crate::interface::{MAX_LIGHTS, Side};
+use crate::state::material::{Sides, Tracked};
+use rasterizer::ir::{Builder, Op, Ty, Value};
+
+/// How a light's intensity depends on where the vertex is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Place {
+    /// The light is infinitely far.
+    Infinite,
+    /// It is at a point, and reaches everywhere alike.
+    Local,
+    /// It is at a point, and grows weaker with the distance.
+    Attenuated,
+}
+
+/// Whether a light is a spotlight.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Spot {
+    /// It is none.
+    Off,
+    /// Its cone is lit evenly.
+    Even,
+    /// The cone is darker toward its edge.
+    Focused,
+}
+
+/// What of a light changes the code.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) struct LightKey {
+    pub place: Place,
+    pub spot: Spot,
+    /// Whether its specular product with any material is not black.
+    pub specular: bool,
+}
+
+/// What of lighting changes the code.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) struct LightingKey {
+    /// The lights that are on.
+    pub lights: [Option<LightKey>; MAX_LIGHTS as usize],
+    /// Whether the eye's direction depends on the vertex.
+    pub local_viewer: bool,
+    pub two_sided: bool,
+    /// Whether the specular term goes to the secondary colour.
+    pub separate_specular: bool,
+    /// Which material colours are the vertex's colour.
+    pub tracked: Option<(Sides, Tracked)>,
+}
+
+/// The lit colours of a side, not yet clamped.
+pub(super) struct Lit {
+    pub primary: [Value; 4],
+    pub secondary: [Value; 4],
+}
+
+/// A vertex that is lit.
+pub(super) struct Vertex {
+    /// In eye coordinates.
+    pub eye: [Value; 3],
+    pub normal: [Value; 3],
+    pub color: [Value; 4],
+}
+
+/// What a light does to a vertex, whatever the side and its material.
+struct Ray {
+    /// `n · VP`, of the front.
+    diffuse: Value,
+    /// `n · h`, of the front; where the light has a specular term.
+    specular: Option<Value>,
+    /// Attenuation and spotlight together.
+    intensity: Option<Value>,
+}
+
+/// The product that is there, if any is.
+fn product(b: &mut Builder, left: Option<Value>, right: Option<Value>) -> Option<Value> {
+    match (left, right) {
+        (Some(left), Some(right)) => Some(b.op(Op::Mul, &[left, right])),
+        (left, right) => left.or(right),
+    }
+}
+
+fn ray(b: &mut Builder, key: &LightingKey, light: LightKey, at: u32, vertex: &Vertex) -> Ray {
+    let place: [Value; 3] = words(b, at);
+    let (toward, attenuation) = match light.place {
+        Place::Infinite => (place, None),
+        Place::Local | Place::Attenuated => {
+            let difference = each(b, Op::Sub, place, vertex.eye);
+            let (toward, distance) = unit(b, difference);
+            let attenuated = light.place == Place::Attenuated;
+            (toward, attenuated.then(|| attenuation(b, at + 11, distance)))
+        }
+    };
+    let spot = match light.spot {
+        Spot::Off => None,
+        Spot::Even | Spot::Focused => Some(spot(b, light.spot, at + 6, toward)),
+    };
+    let specular = light.specular.then(|| {
+        let half = if key.local_viewer {
+            let opposite = vertex.eye.map(|component| b.op(Op::Neg, &[component]));
+            let (viewer, _) = unit(b, opposite);
+            let sum = each(b, Op::Add, toward, viewer);
+            unit(b, sum).0
+        } else if light.place == Place::Infinite {
+            words(b, at + 3)
+        } else {
+            let one = b.float(1.0);
+            let z = b.op(Op::Add, &[toward[2], one]);
+            unit(b, [toward[0], toward[1], z]).0
+        };
+        dot(b, vertex.normal, half)
+    });
+    Ray {
+        diffuse: dot(b, vertex.normal, toward),
+        specular,
+        intensity: product(b, attenuation, spot),
+    }
+}
+
+/// `1 / (k0 + k1 d + k2 d²)`.
+fn attenuation(b: &mut Builder, at: u32, distance: Value) -> Value {
+    let [constant, linear, quadratic] = words(b, at);
+    let square = b.op(Op::Mul, &[quadratic, distance]);
+    let slope = b.op(Op::Add, &[linear, square]);
+    let rest = b.op(Op::Mul, &[slope, distance]);
+    let sum = b.op(Op::Add, &[constant, rest]);
+    let one = b.float(1.0);
+    b.op(Op::Div, &[one, sum])
+}
+
+/// `(PV · s)` to the power of the exponent inside the cone, 0 outside.
+fn spot(b: &mut Builder, spot: Spot, at: u32, toward: [Value; 3]) -> Value {
+    let [x, y, z, cos_cutoff, exponent] = words(b, at);
+    let opposite = dot(b, toward, [x, y, z]);
+    let cosine = b.op(Op::Neg, &[opposite]);
+    // Not clamped before it is compared: a cutoff of 90 degrees leaves out what is behind.
+    let inside = b.op(Op::LessEqual, &[cos_cutoff, cosine]);
+    let power = match spot {
+        Spot::Focused => {
+            let base = at_least_zero(b, cosine);
+            b.op(Op::Pow, &[base, exponent])
+        }
+        Spot::Off | Spot::Even => b.float(1.0),
+    };
+    let zero = b.float(0.0);
+    b.op(Op::SelectF, &[inside, power, zero])
+}
+
+/// A colour that is a product of light and material: of uniform words, or, where the material's
+/// part is tracked, of the light's words and the vertex's colour.
+fn colored(b: &mut Builder, at: u32, tracked: bool, color: [Value; 4]) -> [Value; 3] {
+    let product = words(b, at);
+    if tracked { each(b, Op::Mul, product, [color[0], color[1], color[2]]) } else { product }
+}
+
+/// The colours of a side.
+fn side(
+    b: &mut Builder,
+    key: &LightingKey,
+    base: u32,
+    rays: &[(usize, Ray)],
+    vertex: &Vertex,
+    side: Side,
+) -> Lit {
+    let color = vertex.color;
+    let rgb = [color[0], color[1], color[2]];
+    let tracked = key.tracked.filter(|(sides, _)| sides.has(side)).map(|(_, tracked)| tracked);
+    let is = |which: Tracked| tracked == Some(which);
+    let ambient_tracked = tracked.is_some_and(Tracked::ambient);
+    let diffuse_tracked = tracked.is_some_and(Tracked::diffuse);
+    let material = base + word::material(side);
+
+    let mut primary: [Value; 3] = words(b, material);
+    if is(Tracked::Emission) {
+        primary = each(b, Op::Add, primary, rgb);
+    }
+    if ambient_tracked {
+        let scene = colored(b, base + word::MODEL_AMBIENT, true, color);
+        primary = each(b, Op::Add, primary, scene);
+    }
+    // What no vertex changes comes first, so that it is summed once a draw.
+    let (everywhere, near): (Vec<_>, Vec<_>) =
+        rays.iter().partition(|(_, ray)| ray.intensity.is_none());
+    for (index, _) in &everywhere {
+        let at = base + word::products(*index, side);
+        let ambient = colored(b, at, ambient_tracked, color);
+        primary = each(b, Op::Add, primary, ambient);
+    }
+    let mut secondary = [b.float(0.0); 3];
+    for (index, ray) in everywhere.into_iter().chain(near) {
+        let at = base + word::products(*index, side);
+        let faced = |b: &mut Builder, cosine: Value| {
+            let cosine = match side {
+                Side::Front => cosine,
+                Side::Back => b.op(Op::Neg, &[cosine]),
+            };
+            at_least_zero(b, cosine)
+        };
+        let cosine = faced(b, ray.diffuse);
+        let diffuse = colored(b, at + 3, diffuse_tracked, color);
+        let mut sum = scale(b, diffuse, cosine);
+        if ray.intensity.is_some() {
+            let ambient = colored(b, at, ambient_tracked, color);
+            sum = each(b, Op::Add, ambient, sum);
+        }
+        let specular = ray.specular.map(|half| {
+            let half = faced(b, half);
+            let shininess = b.uniform(material + 4, Ty::F32);
+            let power = b.op(Op::Pow, &[half, shininess]);
+            let zero = b.float(0.0);
+            let lit = b.op(Op::Less, &[zero, cosine]);
+            let power = b.op(Op::SelectF, &[lit, power, zero]);
+            let specular = colored(b, at + 6, is(Tracked::Specular), color);
+            scale(b, specular, power)
+        });
+        let intense = |b: &mut Builder, color: [Value; 3]| match ray.intensity {
+            Some(intensity) => scale(b, color, intensity),
+            None => color,
+        };
+        match specular {
+            Some(specular) if key.separate_specular => {
+                let specular = intense(b, specular);
+                secondary = each(b, Op::Add, secondary, specular);
+            }
+            Some(specular) => sum = each(b, Op::Add, sum, specular),
+            None => {}
+        }
+        let sum = intense(b, sum);
+        primary = each(b, Op::Add, primary, sum);
+    }
+    let alpha = if diffuse_tracked { color[3] } else { b.uniform(material + 3, Ty::F32) };
+    let [red, green, blue] = primary;
+    let [red2, green2, blue2] = secondary;
+    let none = b.float(0.0);
+    Lit { primary: [red, green, blue, alpha], secondary: [red2, green2, blue2, none] }
+}
+
+/// The lit colours of the front, and of the back if both sides are lit.
+pub(super) fn light(
+    b: &mut Builder,
+    key: &LightingKey,
+    base: u32,
+    vertex: &Vertex,
+) -> (Lit, Option<Lit>) {
+    let mut rays = Vec::new();
+    for (index, light) in key.lights.iter().enumerate() {
+        if let Some(light) = light {
+            rays.push((index, ray(b, key, *light, base + word::light(index), vertex)));
+        }
+    }
+    let front = side(b, key, base, &rays, vertex, Side::Front);
+    let back = key.two_sided.then(|| side(b, key, base, &rays, vertex, Side::Back));
+    (front, back)
+}

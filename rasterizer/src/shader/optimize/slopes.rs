@@ -1,0 +1,208 @@
+//! Where a lookup's coordinates are varyings, scaled, moved or divided by one another, their
+//! derivatives are those of the planes: exact at each pixel, where the differences of a quad are
+//! off by their rounding and by the curve of a perspective.
+//!
+//! Formal differentiation over the few operations that such coordinates are made of. A coordinate
+//! that is made of anything else keeps the differences of the quad, and so do the others of its
+//! lookup.
+
+use crate::ir::{
+    Access, Axis, Block, Expr, Input, Interpolation, Lod, Module, Op, Stage, Stmt, Ty, Value,
+};
+use texunit::image::Shape;
+
+/// How many operations deep a coordinate is followed.
+const DEPTH: u32 = 12;
+
+/// Runs the pass; says whether it changed anything.
+pub(super) fn run(module: &mut Module) -> bool {
+    if module.stage != Stage::Fragment {
+        return false;
+    }
+    let body = std::mem::take(&mut module.body);
+    let mut pass = Pass { module, changed: false };
+    let body = pass.block(body);
+    let changed = pass.changed;
+    module.body = body;
+    changed
+}
+
+struct Pass<'a> {
+    module: &'a mut Module,
+    changed: bool,
+}
+
+/// The derivatives of a value along x and y.
+#[derive(Clone, Copy)]
+enum Slope {
+    /// The same everywhere in the draw.
+    Zero,
+    Of([Value; 2]),
+}
+
+impl Pass<'_> {
+    fn block(&mut self, block: Block) -> Block {
+        let mut out = Vec::with_capacity(block.len());
+        for stmt in block {
+            let stmt = match stmt {
+                Stmt::Eval(value) => {
+                    self.lookup(value, &mut out);
+                    stmt
+                }
+                Stmt::If { condition, accept, reject } => {
+                    let (accept, reject) = (self.block(accept), self.block(reject));
+                    Stmt::If { condition, accept, reject }
+                }
+                Stmt::Loop { body, continuing } => {
+                    Stmt::Loop { body: self.block(body), continuing: self.block(continuing) }
+                }
+                Stmt::Scope(body) => Stmt::Scope(self.block(body)),
+                Stmt::Store { .. }
+                | Stmt::StoreAt { .. }
+                | Stmt::Break
+                | Stmt::Continue
+                | Stmt::Leave
+                | Stmt::Discard => stmt,
+            };
+            out.push(stmt);
+        }
+        out
+    }
+
+    /// Gives a lookup with an implicit level of detail the derivatives of its coordinates, whose
+    /// values go to `out`.
+    fn lookup(&mut self, value: Value, out: &mut Block) {
+        let Expr::Sample(sample) = self.module.expr(value) else { return };
+        let (Access::Filter { .. }, Lod::Implicit { bias }) = (sample.access, sample.lod) else {
+            return;
+        };
+        let (coords, texture) = (sample.coords, sample.texture);
+        let axes = match self.module.textures[texture.0 as usize].shape {
+            Shape::Cube => 3,
+            shape => shape.axes(),
+        };
+        let mut emitted = Vec::new();
+        let mut slopes = [Slope::Zero; 3];
+        for (slope, coord) in slopes.iter_mut().zip(&coords[..axes]) {
+            match self.slope(*coord, DEPTH, &mut emitted) {
+                Some(found) => *slope = found,
+                None => return,
+            }
+        }
+        let zero = self.push(Expr::Const { bits: 0, ty: Ty::F32 });
+        let along = |axis: usize| {
+            slopes.map(|slope| match slope {
+                Slope::Zero => zero,
+                Slope::Of(values) => values[axis],
+            })
+        };
+        let lod = Lod::Gradient { dx: along(0), dy: along(1), bias };
+        if let Expr::Sample(sample) = &mut self.module.values[value.0 as usize] {
+            sample.lod = lod;
+            self.changed = true;
+            out.extend(emitted.into_iter().map(Stmt::Eval));
+        }
+    }
+
+    /// The derivatives of a value, if it is made of nothing but varyings and what is the same in
+    /// the whole draw. What has to be evaluated for it is appended to `emitted`.
+    fn slope(&mut self, value: Value, depth: u32, emitted: &mut Vec<Value>) -> Option<Slope> {
+        let below = depth.checked_sub(1)?;
+        match *self.module.expr(value) {
+            Expr::Const { .. } | Expr::Uniform { .. } => Some(Slope::Zero),
+            Expr::Input(Input::Varying(slot)) => {
+                let mode = self.module.varyings.get(usize::from(slot))?;
+                if *mode == Interpolation::Flat {
+                    return Some(Slope::Zero);
+                }
+                let slopes = [Axis::X, Axis::Y]
+                    .map(|axis| self.push(Expr::Input(Input::Slope { slot, axis })));
+                Some(Slope::Of(slopes))
+            }
+            Expr::Op { op, args: [a, b, _] } => {
+                let of_a = self.slope(a, below, emitted)?;
+                if op == Op::Neg {
+                    return Some(self.each(of_a, emitted, |pass, da, emitted| {
+                        pass.op(Op::Neg, [da, da], emitted)
+                    }));
+                }
+                if !matches!(op, Op::Add | Op::Sub | Op::Mul | Op::Div) {
+                    return None;
+                }
+                let of_b = self.slope(b, below, emitted)?;
+                self.binary(op, value, [a, b], [of_a, of_b], emitted)
+            }
+            Expr::Input(_)
+            | Expr::UniformAt { .. }
+            | Expr::Load(_)
+            | Expr::LoadAt { .. }
+            | Expr::Derivative { .. }
+            | Expr::Sample(_)
+            | Expr::Component { .. } => None,
+        }
+    }
+
+    /// The derivatives of `value = a op b`.
+    fn binary(
+        &mut self,
+        op: Op,
+        value: Value,
+        [a, b]: [Value; 2],
+        slopes: [Slope; 2],
+        emitted: &mut Vec<Value>,
+    ) -> Option<Slope> {
+        Some(match (op, slopes) {
+            (_, [Slope::Zero, Slope::Zero]) => Slope::Zero,
+            (Op::Add | Op::Sub, [of_a, Slope::Zero]) => of_a,
+            (Op::Add, [Slope::Zero, of_b]) => of_b,
+            (Op::Sub, [Slope::Zero, of_b]) => {
+                self.each(of_b, emitted, |pass, db, emitted| pass.op(Op::Neg, [db, db], emitted))
+            }
+            (Op::Add | Op::Sub, [Slope::Of(da), Slope::Of(db)]) => {
+                Slope::Of([0, 1].map(|i| self.op(op, [da[i], db[i]], emitted)))
+            }
+            (Op::Mul | Op::Div, [of_a, Slope::Zero]) => {
+                self.each(of_a, emitted, |pass, da, emitted| pass.op(op, [da, b], emitted))
+            }
+            (Op::Mul, [Slope::Zero, of_b]) => {
+                self.each(of_b, emitted, |pass, db, emitted| pass.op(Op::Mul, [a, db], emitted))
+            }
+            // (a / b)' = (a' - a / b · b') / b
+            (Op::Div, [of_a, Slope::Of(db)]) => Slope::Of([0, 1].map(|i| {
+                let turned = self.op(Op::Mul, [value, db[i]], emitted);
+                let rest = match of_a {
+                    Slope::Of(da) => self.op(Op::Sub, [da[i], turned], emitted),
+                    Slope::Zero => self.op(Op::Neg, [turned, turned], emitted),
+                };
+                self.op(Op::Div, [rest, b], emitted)
+            })),
+            _ => return None,
+        })
+    }
+
+    /// The same for both axes.
+    fn each(
+        &mut self,
+        slope: Slope,
+        emitted: &mut Vec<Value>,
+        f: impl Fn(&mut Self, Value, &mut Vec<Value>) -> Value,
+    ) -> Slope {
+        match slope {
+            Slope::Zero => Slope::Zero,
+            Slope::Of(along) => Slope::Of(along.map(|value| f(self, value, emitted))),
+        }
+    }
+
+    fn op(&mut self, op: Op, [a, b]: [Value; 2], emitted: &mut Vec<Value>) -> Value {
+        let mut args = [a, b, Value(0)];
+        args[op.args().len()..].fill(Value(0));
+        let value = self.push(Expr::Op { op, args });
+        emitted.push(value);
+        value
+    }
+
+    fn push(&mut self, expr: Expr) -> Value {
+        self.module.values.push(expr);
+        Value(self.module.values.len() as u32 - 1)
+    }
+}

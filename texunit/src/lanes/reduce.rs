@@ -1,0 +1,58 @@
+//! The largest of 64 words. Written with intrinsics, since LLVM sometimes unrolls the plain loop
+//! into 64 scalar comparisons, which then cost more than what they guard.
+
+use super::{LANES, U32s};
+
+#[inline(always)]
+pub(super) fn scalar(words: &U32s) -> u32 {
+    let mut largest = 0;
+    for lane in 0..LANES {
+        largest = if words[lane] > largest { words[lane] } else { largest };
+    }
+    largest
+}
+
+/// # Safety
+/// AVX2 is there.
+#[cfg(target_arch = "x86_64")]
+#[inline(always)]
+pub(super) unsafe fn avx2(words: &U32s) -> u32 {
+    use std::arch::x86_64::{
+        __m256i, _mm_cvtsi128_si32, _mm_max_epu32, _mm_shuffle_epi32, _mm256_castsi256_si128,
+        _mm256_extracti128_si256, _mm256_load_si256, _mm256_max_epu32, _mm256_setzero_si256,
+    };
+    // SAFETY: a batch is 64-byte aligned and holds 8 words at each chunk; the caller vouches for
+    // the instructions.
+    unsafe {
+        let mut most = _mm256_setzero_si256();
+        for chunk in 0..LANES / 8 {
+            let from = words.0.as_ptr().add(chunk * 8).cast::<__m256i>();
+            most = _mm256_max_epu32(most, _mm256_load_si256(from));
+        }
+        let four = _mm_max_epu32(_mm256_castsi256_si128(most), _mm256_extracti128_si256::<1>(most));
+        let two = _mm_max_epu32(four, _mm_shuffle_epi32::<0b01_00_11_10>(four));
+        let one = _mm_max_epu32(two, _mm_shuffle_epi32::<0b10_11_00_01>(two));
+        _mm_cvtsi128_si32(one) as u32
+    }
+}
+
+/// # Safety
+/// AVX-512F is there.
+#[cfg(target_arch = "x86_64")]
+#[inline(always)]
+pub(super) unsafe fn avx512(words: &U32s) -> u32 {
+    use std::arch::x86_64::{
+        __m512i, _mm512_load_si512, _mm512_max_epu32, _mm512_reduce_max_epu32,
+    };
+    // SAFETY: as for `avx2`, with 16 words a chunk.
+    unsafe {
+        let at = words.0.as_ptr();
+        let first = _mm512_load_si512(at.cast::<__m512i>());
+        let second = _mm512_load_si512(at.add(16).cast::<__m512i>());
+        let third = _mm512_load_si512(at.add(32).cast::<__m512i>());
+        let fourth = _mm512_load_si512(at.add(48).cast::<__m512i>());
+        let lower = _mm512_max_epu32(first, second);
+        let upper = _mm512_max_epu32(third, fourth);
+        _mm512_reduce_max_epu32(_mm512_max_epu32(lower, upper))
+    }
+}

@@ -1,0 +1,194 @@
+//! Channels of texels from their words, by what the words hold.
+//!
+//! A class is picked once per draw. Each channel has a loop of its own, in which the shift is a
+//! constant: in a loop over channels the compiler would try all shifts in every lane.
+
+use crate::format::convert::byte_channel;
+use crate::format::small_float::decode_half;
+use crate::format::{Encoding, Format, srgb};
+use crate::lanes::{F32s, LANES, Simd, U32s};
+use crate::sample::filter::lerp;
+
+/// What the channels of a texel are. They lie one after the other.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Class {
+    /// Bytes over 255.
+    Bytes,
+    /// sRGB-encoded bytes, and alpha a byte over 255.
+    Srgb,
+    /// Half floats.
+    Halves,
+    /// Floats.
+    Floats,
+}
+
+impl Class {
+    /// Of a format, if it has one.
+    pub fn of(format: Format) -> Option<Self> {
+        let info = format.info();
+        let bits = info.fields[0].bits;
+        let class = match (info.encoding, bits) {
+            (Encoding::Unorm, 8) => Self::Bytes,
+            (Encoding::Srgb, 8) => Self::Srgb,
+            (Encoding::Float, 16) => Self::Halves,
+            (Encoding::Float, 32) => Self::Floats,
+            (
+                Encoding::Unorm
+                | Encoding::Snorm
+                | Encoding::Srgb
+                | Encoding::Float
+                | Encoding::SharedExponent
+                | Encoding::Uint
+                | Encoding::Sint
+                | Encoding::Block(_)
+                | Encoding::SrgbBlock(_),
+                _,
+            ) => return None,
+        };
+        let in_order = (0..format.channels()).all(|channel| {
+            let (field, at) = (info.fields[channel], channel as u32 * bits);
+            field.bits == bits && field.word as u32 == at / 32 && field.shift == at % 32
+        });
+        (in_order && !format.has_stencil()).then_some(class)
+    }
+}
+
+/// The channels that lie in word number `word` of 64 texels.
+#[inline(always)]
+pub fn of_texel<S: Simd>(
+    class: Class,
+    channels: usize,
+    word: usize,
+    words: &U32s,
+    out: &mut [F32s; 4],
+) {
+    let [r, g, b, a] = out;
+    match class {
+        Class::Bytes => {
+            each(words, r, byte::<0>);
+            if channels > 1 {
+                each(words, g, byte::<1>);
+            }
+            if channels > 2 {
+                each(words, b, byte::<2>);
+            }
+            if channels > 3 {
+                each(words, a, byte::<3>);
+            }
+        }
+        Class::Srgb => {
+            *r = S::lookup(&srgb::DECODE, words, 0);
+            if channels == 2 {
+                each(words, g, byte::<1>);
+            }
+            if channels > 2 {
+                *g = S::lookup(&srgb::DECODE, words, 8);
+                *b = S::lookup(&srgb::DECODE, words, 16);
+            }
+            if channels > 3 {
+                each(words, a, byte::<3>);
+            }
+        }
+        Class::Halves => {
+            let (first, second) = if word == 0 { (r, g) } else { (b, a) };
+            each(words, first, half::<0>);
+            if channels > 2 * word + 1 {
+                each(words, second, half::<1>);
+            }
+        }
+        Class::Floats => out[word] = *words.as_f32(),
+    }
+}
+
+/// The means of the channels that lie in word number `word` of 2×2 texels, in the order (0, 0),
+/// (1, 0), (0, 1), (1, 1).
+#[inline(always)]
+pub fn of_square<S: Simd>(
+    class: Class,
+    channels: usize,
+    word: usize,
+    words: [&U32s; 4],
+    weights: [&F32s; 2],
+    out: &mut [F32s; 4],
+) {
+    let [r, g, b, a] = out;
+    match class {
+        Class::Bytes => {
+            mean(words, weights, r, byte::<0>);
+            if channels > 1 {
+                mean(words, weights, g, byte::<1>);
+            }
+            if channels > 2 {
+                mean(words, weights, b, byte::<2>);
+            }
+            if channels > 3 {
+                mean(words, weights, a, byte::<3>);
+            }
+        }
+        Class::Srgb => {
+            mean_of_srgb::<S>(words, weights, r, 0);
+            if channels == 2 {
+                mean(words, weights, g, byte::<1>);
+            }
+            if channels > 2 {
+                mean_of_srgb::<S>(words, weights, g, 8);
+                mean_of_srgb::<S>(words, weights, b, 16);
+            }
+            if channels > 3 {
+                mean(words, weights, a, byte::<3>);
+            }
+        }
+        Class::Halves => {
+            let (first, second) = if word == 0 { (r, g) } else { (b, a) };
+            mean(words, weights, first, half::<0>);
+            if channels > 2 * word + 1 {
+                mean(words, weights, second, half::<1>);
+            }
+        }
+        Class::Floats => mean(words, weights, &mut out[word], f32::from_bits),
+    }
+}
+
+#[inline(always)]
+fn mean_of_srgb<S: Simd>(words: [&U32s; 4], weights: [&F32s; 2], out: &mut F32s, shift: u32) {
+    let a = S::lookup(&srgb::DECODE, words[0], shift);
+    let b = S::lookup(&srgb::DECODE, words[1], shift);
+    let c = S::lookup(&srgb::DECODE, words[2], shift);
+    let d = S::lookup(&srgb::DECODE, words[3], shift);
+    let texels = [a.as_u32(), b.as_u32(), c.as_u32(), d.as_u32()];
+    mean(texels, weights, out, f32::from_bits);
+}
+
+// Functions, since a closure that is called more than once may not be inlined into the kernel.
+
+#[inline(always)]
+fn byte<const CHANNEL: usize>(word: u32) -> f32 {
+    byte_channel(word, CHANNEL)
+}
+
+#[inline(always)]
+fn half<const UPPER: u32>(word: u32) -> f32 {
+    decode_half(word >> (16 * UPPER) & 0xFFFF)
+}
+
+#[inline(always)]
+fn each(words: &U32s, out: &mut F32s, channel: impl Fn(u32) -> f32) {
+    for lane in 0..LANES {
+        out[lane] = channel(words[lane]);
+    }
+}
+
+#[inline(always)]
+fn mean(
+    words: [&U32s; 4],
+    [alpha, beta]: [&F32s; 2],
+    out: &mut F32s,
+    channel: impl Fn(u32) -> f32,
+) {
+    for lane in 0..LANES {
+        let (a, b) = (channel(words[0][lane]), channel(words[1][lane]));
+        let (c, d) = (channel(words[2][lane]), channel(words[3][lane]));
+        let (lower, upper) = (lerp(a, b, alpha[lane]), lerp(c, d, alpha[lane]));
+        out[lane] = lerp(lower, upper, beta[lane]);
+    }
+}

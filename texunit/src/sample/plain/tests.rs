@@ -1,0 +1,78 @@
+//! The short way against the general one.
+
+use super::*;
+use crate::format::Format;
+use crate::image::{Image, Level, Shape};
+use crate::lanes::Isa;
+use crate::plan::{Lod, SamplePlan};
+use crate::sampler::{Filter, Mipmap, Sampler, Seamless, Wrap};
+
+fn noise(seed: u32) -> u32 {
+    let mixed = seed.wrapping_mul(0x9E37_79B9) ^ seed >> 13;
+    mixed.wrapping_mul(0x85EB_CA6B) ^ mixed >> 15
+}
+
+fn image(shape: Shape, format: Format, size: [u32; 3], seed: u32) -> Image {
+    let mut image = Image::new(shape);
+    let mut size = size;
+    for number in 0..=size[0].max(size[1]).ilog2() {
+        let border = shape.border(seed & 1);
+        for face in 0..shape.faces() {
+            let mut level = Level::with_size(format, size, border).unwrap();
+            for (i, byte) in level.texels.iter_mut().enumerate() {
+                *byte = noise(i as u32 ^ seed << 8 ^ number << 20) as u8;
+            }
+            image.set_level(face, number as usize, level).unwrap();
+        }
+        size = shape.halved(size);
+    }
+    image
+}
+
+#[test]
+fn the_short_way_gives_the_bits_of_the_general_one() {
+    let formats: Vec<Format> =
+        Format::ALL.into_iter().filter(|format| Class::of(*format).is_some()).collect();
+    assert!(formats.len() > 20);
+    for round in 0..800_u32 {
+        let pick = |salt: u32, n: usize| noise(round * 32 + salt) as usize % n;
+        let (shape, border) = [(Shape::D2, round), (Shape::Cube, round & !1)][pick(0, 2)];
+        let width = 1 + pick(1, 40) as u32;
+        let height = if shape == Shape::Cube { width } else { 1 + pick(2, 40) as u32 };
+        let image = image(shape, formats[pick(3, formats.len())], [width, height, 1], border);
+        let filters = [Filter::Nearest, Filter::Linear];
+        let sampler = Sampler {
+            wrap: [4, 5, 6].map(|salt| Wrap::ALL[pick(salt, Wrap::ALL.len())]),
+            min: filters[pick(7, 2)],
+            mag: filters[pick(8, 2)],
+            mipmap: [Mipmap::None, Mipmap::Nearest, Mipmap::Linear][pick(9, 3)],
+            border: [-1.0, 0.25, 2.0, 0.5],
+            max_anisotropy: [1.0, 1.0, 4.0, 16.0][pick(10, 4)],
+            seamless: [Seamless::Off, Seamless::On][pick(15, 2)],
+            ..Sampler::default()
+        };
+        let plan = SamplePlan::new(&image, &sampler);
+        assert!(plan.incomplete().is_none());
+        let scale = [0.01, 0.1, 4.0][pick(11, 3)];
+        let coords = [12, 13, 14].map(|salt| {
+            F32s::from_fn(|lane| {
+                let part = noise(lane as u32 ^ round << 8 ^ salt << 24) >> 8;
+                match part % 61 {
+                    0 => f32::NAN,
+                    1 => -1e7,
+                    2 => f32::INFINITY,
+                    _ => scale * (part as f32 / 8_388_608.0 - 1.0) + 0.01 * lane as f32,
+                }
+            })
+        });
+        for isa in Isa::available() {
+            let sample = |plan: &SamplePlan| {
+                let mut out = [F32s::ZERO; 4];
+                let lod = Lod::Implicit { bias: None };
+                plan.sample(isa, coords.each_ref(), None, lod, &mut out);
+                out.map(|c| c.0.map(|x| if x.is_nan() { f32::NAN.to_bits() } else { x.to_bits() }))
+            };
+            assert_eq!(sample(&plan), sample(&plan.general()), "{}", plan.describe());
+        }
+    }
+}
