@@ -22,7 +22,7 @@ use texunit::sampler::{Compare, Sampler, Seamless};
 type Textures = Arc<[Option<Arc<SamplePlan>>]>;
 
 /// What a draw runs.
-pub(super) struct Stages {
+pub(crate) struct Stages {
     pub vertex: ShaderModule,
     pub fragment: ShaderModule,
     pub words: Vec<u32>,
@@ -47,7 +47,7 @@ pub(super) fn alpha_test(context: &Context) -> Option<Compare> {
     (context.state.enables.has(Flag::AlphaTest) && compare != Compare::Always).then_some(compare)
 }
 
-fn internal(error: &IrError) -> GlError {
+pub(super) fn internal(error: &IrError) -> GlError {
     GlError {
         code: ErrorCode::InvalidOperation,
         rule: format!(
@@ -58,7 +58,7 @@ fn internal(error: &IrError) -> GlError {
 }
 
 /// Chooses the stages.
-pub(super) fn choose(context: &mut Context, vertices: &[VertexBinding]) -> Result<Stages> {
+pub(crate) fn choose(context: &mut Context, vertices: &[VertexBinding]) -> Result<Stages> {
     let name = context.state.bindings.program;
     let mut words = Vec::new();
     let (mut vertex, mut fragment, mut samplers) = (None, None, Vec::new());

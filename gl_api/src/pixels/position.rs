@@ -55,15 +55,15 @@ impl Shaded {
 
     /// Four varyings from a slot on; those that are not written are `otherwise`.
     fn varyings(&self, first: u16, otherwise: [f32; 4]) -> [f32; 4] {
-        [0, 1, 2, 3].map(|i| {
-            self.get(Output::Varying(first + i)).unwrap_or(otherwise[usize::from(i)])
-        })
+        [0, 1, 2, 3]
+            .map(|i| self.get(Output::Varying(first + i)).unwrap_or(otherwise[usize::from(i)]))
     }
 
     fn is_clipped(&self) -> bool {
         let [x, y, z, w] = self.position();
         let outside = [x, y, z].iter().any(|c| !(-w <= *c && *c <= w));
-        outside || (0..8).any(|plane| self.get(Output::ClipDistance(plane)).is_some_and(|d| d < 0.0))
+        outside
+            || (0..8).any(|plane| self.get(Output::ClipDistance(plane)).is_some_and(|d| d < 0.0))
     }
 }
 
@@ -99,7 +99,8 @@ fn shade(context: &mut Context, position: [f32; 4]) -> Result<Shaded> {
             | Input::Varying(_)
             | Input::FragCoord(_)
             | Input::FrontFacing
-            | Input::PointCoord(_) => 0,
+            | Input::PointCoord(_)
+            | Input::Slope { .. } => 0,
         };
         *machine.input_mut(index) = U32s::splat(bits);
     }
@@ -116,7 +117,9 @@ fn shade(context: &mut Context, position: [f32; 4]) -> Result<Shaded> {
     }
     let outputs = program.outputs().iter().enumerate();
     Ok(Shaded {
-        outputs: outputs.map(|(index, &output)| (output, machine.output(index).as_f32()[0])).collect(),
+        outputs: outputs
+            .map(|(index, &output)| (output, machine.output(index).as_f32()[0]))
+            .collect(),
     })
 }
 
@@ -134,9 +137,8 @@ pub(super) fn raster(context: &mut Context, position: [f64; 4]) -> Result<()> {
     }
     let [x, y, z, w] = shaded.position();
     let viewport = &context.state.viewport;
-    let along = |c: f64, start: i32, size: i32| {
-        f64::from(start) + (c / w + 1.0) * f64::from(size) / 2.0
-    };
+    let along =
+        |c: f64, start: i32, size: i32| f64::from(start) + (c / w + 1.0) * f64::from(size) / 2.0;
     let [near, far] = viewport.depth;
     let depth = near + (z / w + 1.0) * (far - near) / 2.0;
     let window = [

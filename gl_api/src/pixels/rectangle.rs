@@ -17,8 +17,8 @@ use rasterizer::driver::{
     Buffer, ShaderModule, VertexBinding, VertexFormat, VertexSource, VertexType,
 };
 use rasterizer::ir::{
-    Builder, Expr, Input, IrError, Lod, Module, Op, Output, Stage, Stmt,
-    TextureDecl, Ty, Value, Var, Variable,
+    Builder, Expr, Input, IrError, Lod, Module, Op, Output, Stage, Stmt, TextureDecl, Ty, Value,
+    Var, Variable,
 };
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -244,7 +244,7 @@ impl Rectangle {
         stages.words.extend(self.origin.map(|corner| (corner as f32).to_bits()));
         let key = Key { module: stages.fragment.clone(), holds: self.holds, word };
         let modules = &mut context.recorder.rectangles;
-        stages.fragment = cached(&mut modules.fragment, key, fragment_module)?;
+        stages.fragment = cached(&mut modules.fragment, &key, fragment_module)?;
         stages.vertex = match &modules.vertex {
             Some(module) => module.clone(),
             None => modules.vertex.insert(ShaderModule::new(vertex_module())?).clone(),

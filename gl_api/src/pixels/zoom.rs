@@ -82,9 +82,14 @@ mod tests {
 
     #[test]
     fn a_pixel_covers_what_its_zoomed_square_covers() {
-        for (start, zoom, count) in
-            [(3.0, 1.0, 5), (3.5, 1.0, 5), (3.25, 2.5, 3), (9.0, -1.0, 4), (9.0, -0.5, 8), (2.0, 0.5, 9)]
-        {
+        for (start, zoom, count) in [
+            (3.0, 1.0, 5),
+            (3.5, 1.0, 5),
+            (3.25, 2.5, 3),
+            (9.0, -1.0, 4),
+            (9.0, -0.5, 8),
+            (2.0, 0.5, 9),
+        ] {
             let axis = Axis { start, zoom, count };
             let (first, taps) = axis.taps(0, 20);
             for pixel in 0..20 {

@@ -8,23 +8,25 @@ use crate::env::unit_to_signed;
 use crate::error::{Result, Table};
 use crate::types::*;
 
-/// The extensions that are implemented whole. Framebuffer objects are not: images of one and three
-/// dimensions cannot be attached.
-pub(crate) const EXTENSIONS: &str = "GL_ARB_depth_texture \
-    GL_ARB_half_float_pixel GL_ARB_multitexture GL_ARB_pixel_buffer_object \
-    GL_ARB_sampler_objects GL_ARB_seamless_cube_map GL_ARB_shadow GL_ARB_texture_border_clamp \
-    GL_ARB_texture_compression GL_ARB_texture_compression_rgtc GL_ARB_texture_cube_map \
-    GL_ARB_texture_env_add GL_ARB_texture_env_combine GL_ARB_texture_env_crossbar \
-    GL_ARB_texture_env_dot3 GL_ARB_texture_float GL_ARB_texture_mirrored_repeat \
-    GL_ARB_texture_non_power_of_two GL_ARB_texture_rectangle GL_ARB_texture_rg \
-    GL_ARB_texture_swizzle GL_ARB_transpose_matrix GL_ATI_texture_mirror_once GL_EXT_bgra \
-    GL_EXT_blend_color GL_EXT_blend_equation_separate GL_EXT_blend_func_separate \
-    GL_EXT_blend_minmax GL_EXT_blend_subtract GL_EXT_fog_coord GL_EXT_packed_pixels \
-    GL_EXT_rescale_normal GL_EXT_secondary_color GL_EXT_separate_specular_color \
-    GL_EXT_texture3D GL_EXT_texture_compression_s3tc GL_EXT_texture_filter_anisotropic \
-    GL_EXT_texture_lod_bias GL_EXT_texture_sRGB GL_EXT_texture_shared_exponent \
-    GL_EXT_texture_swizzle GL_NV_texgen_reflection GL_NV_texture_env_combine4 \
-    GL_SGIS_generate_mipmap GL_SGIS_texture_edge_clamp \
+/// The extensions that are implemented whole.
+pub(crate) const EXTENSIONS: &str = "\
+    GL_ARB_depth_buffer_float GL_ARB_depth_texture GL_ARB_draw_buffers GL_ARB_framebuffer_object \
+    GL_ARB_framebuffer_sRGB GL_ARB_half_float_pixel GL_ARB_multitexture \
+    GL_ARB_pixel_buffer_object GL_ARB_sampler_objects GL_ARB_seamless_cube_map GL_ARB_shadow \
+    GL_ARB_texture_border_clamp GL_ARB_texture_compression GL_ARB_texture_compression_rgtc \
+    GL_ARB_texture_cube_map GL_ARB_texture_env_add GL_ARB_texture_env_combine \
+    GL_ARB_texture_env_crossbar GL_ARB_texture_env_dot3 GL_ARB_texture_float \
+    GL_ARB_texture_mirrored_repeat GL_ARB_texture_non_power_of_two GL_ARB_texture_rectangle \
+    GL_ARB_texture_rg GL_ARB_texture_swizzle GL_ARB_transpose_matrix GL_ATI_texture_mirror_once \
+    GL_EXT_bgra GL_EXT_blend_color GL_EXT_blend_equation_separate GL_EXT_blend_func_separate \
+    GL_EXT_blend_minmax GL_EXT_blend_subtract GL_EXT_draw_buffers2 GL_EXT_fog_coord \
+    GL_EXT_framebuffer_blit GL_EXT_framebuffer_object GL_EXT_framebuffer_sRGB \
+    GL_EXT_packed_depth_stencil GL_EXT_packed_float GL_EXT_packed_pixels GL_EXT_rescale_normal \
+    GL_EXT_secondary_color GL_EXT_separate_specular_color GL_EXT_stencil_two_side \
+    GL_EXT_stencil_wrap GL_EXT_texture3D GL_EXT_texture_compression_s3tc \
+    GL_EXT_texture_filter_anisotropic GL_EXT_texture_lod_bias GL_EXT_texture_sRGB \
+    GL_EXT_texture_shared_exponent GL_EXT_texture_swizzle GL_NV_texgen_reflection \
+    GL_NV_texture_env_combine4 GL_SGIS_generate_mipmap GL_SGIS_texture_edge_clamp \
     GL_SGIS_texture_lod";
 
 /// Between `glBegin` and `glEnd` this is refused like any other call, which sets the flag.
