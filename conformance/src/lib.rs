@@ -9,15 +9,26 @@
 //! | [`mutation`] | the list of mistakes that can be built into them, to prove that a check can fail |
 //! | [`drive`] | the other side: GL contexts, draws of many cases at once, exact read-back |
 //! | [`check`] | what is compared with what: cases, tolerance and its reason |
-//! | [`report`] | the table and the JSON |
+//! | [`comparison`] | whole pictures of driver and formula side by side |
+//! | [`selftest`] | each mistake built in, one at a time |
+//! | [`reference`] | slow reference samplers: the exact area integral, supersampling, ꟻLIP |
+//! | [`tradeoff`] | error against run time |
+//! | [`sweep`] | stiff and extreme cases, each a sweep over a parameter |
+//! | [`plot`], [`report`] | tables, JSON, plots and pages |
 //! | [`rng`] | the numbers that cases are made of |
 //!
 //! **Invariant: the oracles are independent.** Nothing here calls `texunit` or `rasterizer`; the
 //! driver is reached through GL's own functions only.
 
 pub mod check;
+pub mod comparison;
 pub mod drive;
 pub mod mutation;
 pub mod oracle;
+pub mod plot;
+pub mod reference;
 pub mod report;
 pub mod rng;
+pub mod selftest;
+pub mod sweep;
+pub mod tradeoff;

@@ -1,59 +1,185 @@
-//! `cargo run --release -p conformance`: checks DetGL against the formulas of the specification.
+//! `cargo run --release -p conformance`: checks DetGL against the formulas of the specification,
+//! shows that the checks can fail, and measures error against run time and at the extremes.
 
-use clap::Parser;
+use clap::{Parser, Subcommand};
 use conformance::check::{Bench, Check, Effort, Outcome, Subject, Verdict, checks};
 use conformance::mutation::Variant;
-use conformance::report;
+use conformance::report::page::PageError;
+use conformance::sweep::{SWEEPS, Sweep, Swept};
+use conformance::tradeoff::{self, functions};
+use conformance::{comparison, report, selftest};
+use serde::Serialize;
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 /// Checks DetGL against independent f64 formulas of the specification. The exit status is 0 when
-/// every check passes, 1 when one fails, 2 for a wrong argument.
+/// everything passes, 1 when something fails, 2 for a wrong argument.
 #[derive(Debug, Parser)]
 #[command(name = "conformance", version)]
 struct Args {
-    /// Only checks whose name or citation contains this.
-    #[arg(long, value_name = "TEXT")]
+    /// Something else than the formulas.
+    #[command(subcommand)]
+    command: Option<Command>,
+    /// Only checks or sweeps whose name or citation contains this.
+    #[arg(long, value_name = "TEXT", global = true)]
     only: Option<String>,
-    /// A JSON array instead of the table.
-    #[arg(long)]
+    /// JSON instead of tables and pages.
+    #[arg(long, global = true)]
     json: bool,
-    /// A sixteenth of the cases.
-    #[arg(long)]
+    /// A sixteenth of the cases, or smaller pictures.
+    #[arg(long, global = true, conflicts_with = "full")]
     quick: bool,
+    /// Sixteen times the cases, or larger pictures.
+    #[arg(long, global = true)]
+    full: bool,
+    /// Where the pages are written.
+    #[arg(long, value_name = "DIR", global = true, default_value = "conformance-report")]
+    out: PathBuf,
+}
+
+/// What else there is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Subcommand)]
+enum Command {
+    /// Builds each known mistake into its formula, one at a time: every one must be noticed.
+    SelfTest,
+    /// Error of every way to sample against the exact area integral, and what it takes.
+    ErrorVsTime,
+    /// Sweeps to where arithmetic breaks, with bounds on the error.
+    Extremes,
+}
+
+/// What ends the program.
+#[derive(Debug, thiserror::Error)]
+enum Failure {
+    #[error("nothing has {0:?} in its name or citation; the names are {1}")]
+    Nothing(String, String),
+    #[error(transparent)]
+    Drive(#[from] conformance::drive::DriveError),
+    #[error(transparent)]
+    Page(#[from] PageError),
+    #[error(transparent)]
+    Json(#[from] serde_json::Error),
 }
 
 fn main() -> ExitCode {
     let args = Args::parse();
-    let wanted = |check: &&Check| {
-        let text = args.only.as_deref().unwrap_or_default();
-        check.name.contains(text) || check.citation.contains(text)
+    let passed = match args.command {
+        None => args.formulas(),
+        Some(Command::SelfTest) => args.self_test(),
+        Some(Command::ErrorVsTime) => args.error_vs_time(),
+        Some(Command::Extremes) => args.extremes(),
     };
-    let wanted: Vec<&Check> = checks().filter(wanted).collect();
-    if wanted.is_empty() {
-        let names: Vec<&str> = checks().map(|check| check.name).collect();
-        eprintln!("no check has that in its name or citation; the names are {}", names.join(", "));
-        return ExitCode::from(2);
-    }
-    let bench = Bench {
-        subject: Subject::Driver,
-        effort: if args.quick { Effort::Quick } else { Effort::Full },
-        variant: Variant::TRUE,
-    };
-    let outcomes: Vec<Outcome> = wanted.iter().map(|check| check.run(&bench)).collect();
-    if args.json {
-        match report::json(&outcomes) {
-            Ok(text) => println!("{text}"),
-            Err(error) => {
-                eprintln!("{error}");
-                return ExitCode::FAILURE;
+    match passed {
+        Ok(true) => ExitCode::SUCCESS,
+        Ok(false) => ExitCode::FAILURE,
+        Err(failure) => {
+            eprintln!("{failure}");
+            match failure {
+                Failure::Nothing(..) => ExitCode::from(2),
+                Failure::Drive(_) | Failure::Page(_) | Failure::Json(_) => ExitCode::FAILURE,
             }
         }
-    } else {
-        println!("{}", report::table(&outcomes));
     }
-    if outcomes.iter().all(|outcome| outcome.verdict == Verdict::Pass) {
-        ExitCode::SUCCESS
-    } else {
-        ExitCode::FAILURE
+}
+
+/// What a table shows as JSON.
+#[derive(Serialize)]
+struct Tradeoff<'a> {
+    scenes: &'a [tradeoff::Row],
+    functions: &'a [functions::FunctionRow],
+}
+
+impl Args {
+    fn effort(&self) -> Effort {
+        match (self.quick, self.full) {
+            (true, _) => Effort::Quick,
+            (false, true) => Effort::Thorough,
+            (false, false) => Effort::Full,
+        }
+    }
+
+    /// Those of `all` whose texts contain what `--only` says.
+    fn wanted<'a, T>(
+        &self,
+        all: impl Iterator<Item = &'a T> + Clone,
+        texts: impl Fn(&T) -> [&'static str; 2],
+    ) -> Result<Vec<&'a T>, Failure> {
+        let text = self.only.as_deref().unwrap_or_default();
+        let wanted: Vec<&T> =
+            all.clone().filter(|item| texts(item).iter().any(|t| t.contains(text))).collect();
+        if wanted.is_empty() {
+            let names: Vec<&str> = all.map(|item| texts(item)[0]).collect();
+            return Err(Failure::Nothing(text.to_owned(), names.join(", ")));
+        }
+        Ok(wanted)
+    }
+
+    /// Prints a table, or JSON.
+    fn print(&self, table: impl FnOnce() -> String, found: &impl Serialize) -> Result<(), Failure> {
+        let text = if self.json { report::json(found)? } else { table() };
+        println!("{text}");
+        Ok(())
+    }
+
+    /// Says where a page is.
+    fn point_to(&self, page: &str) {
+        println!("\n{}", self.out.join(page).display());
+    }
+
+    fn formulas(&self) -> Result<bool, Failure> {
+        let wanted = self.wanted(checks(), |check: &Check| [check.name, check.citation])?;
+        let bench =
+            Bench { subject: Subject::Driver, effort: self.effort(), variant: Variant::TRUE };
+        let outcomes: Vec<Outcome> = wanted.iter().map(|check| check.run(&bench)).collect();
+        self.print(|| report::table(&outcomes), &outcomes)?;
+        if !self.json {
+            let pictures = if self.only.is_none() { comparison::pictures()? } else { Vec::new() };
+            report::checks_page(&self.out, &outcomes, &pictures)?;
+            self.point_to("index.html");
+        }
+        Ok(outcomes.iter().all(|outcome| outcome.verdict == Verdict::Pass))
+    }
+
+    fn self_test(&self) -> Result<bool, Failure> {
+        let trials = selftest::run(Subject::Driver);
+        self.print(|| report::trials_table(&trials), &trials)?;
+        Ok(trials.iter().all(|trial| trial.noticed))
+    }
+
+    fn error_vs_time(&self) -> Result<bool, Failure> {
+        let side = match self.effort() {
+            Effort::Quick => 96,
+            Effort::Full => 256,
+            Effort::Thorough => 512,
+        };
+        let bar = indicatif::ProgressBar::new(tradeoff::scenes(side).len() as u64);
+        let measured = tradeoff::measure(side, |scene| {
+            bar.set_message(scene.name);
+            bar.inc(1);
+        })?;
+        bar.finish_and_clear();
+        let functions = functions::measure()?;
+        let table = || {
+            let all = tradeoff::overall(&measured.rows);
+            let rows = [measured.rows.clone(), all].concat();
+            format!("{}\n{}", report::tradeoff_table(&rows), report::functions_table(&functions))
+        };
+        self.print(table, &Tradeoff { scenes: &measured.rows, functions: &functions })?;
+        if !self.json {
+            report::tradeoff_page(&self.out, &measured, &functions)?;
+            self.point_to("error-vs-time.html");
+        }
+        Ok(true)
+    }
+
+    fn extremes(&self) -> Result<bool, Failure> {
+        let wanted = self.wanted(SWEEPS.iter(), |sweep: &Sweep| [sweep.name, sweep.parameter])?;
+        let swept: Vec<Swept> = wanted.iter().map(|sweep| sweep.run()).collect();
+        self.print(|| report::sweeps_table(&swept), &swept)?;
+        if !self.json {
+            report::sweeps_page(&self.out, &swept)?;
+            self.point_to("extremes.html");
+        }
+        Ok(swept.iter().all(Swept::passes))
     }
 }

@@ -3,15 +3,14 @@
 
 use conformance::check::{Bench, Effort, Subject, Verdict, checks};
 use conformance::mutation::{MUTATIONS, Variant};
-
-fn bench(variant: Variant) -> Bench {
-    Bench { subject: Subject::Oracle, effort: Effort::Quick, variant }
-}
+use conformance::selftest;
 
 #[test]
 fn the_true_formulas_agree_with_themselves() {
+    let variant = Variant::TRUE;
+    let bench = Bench { subject: Subject::Oracle, effort: Effort::Quick, variant };
     for check in checks() {
-        let outcome = check.run(&bench(Variant::TRUE));
+        let outcome = check.run(&bench);
         assert_eq!(outcome.verdict, Verdict::Pass, "{}", check.name);
         assert_eq!(outcome.largest_error, 0.0, "{}", check.name);
         assert!(outcome.cases > 0, "{}", check.name);
@@ -20,15 +19,9 @@ fn the_true_formulas_agree_with_themselves() {
 
 #[test]
 fn every_mistake_is_noticed() {
-    let mut unnoticed = Vec::new();
-    for row in MUTATIONS {
-        let check = checks().find(|check| check.name == row.check);
-        let verdict = check.map(|check| check.run(&bench(Variant::wrong(row.mutation))).verdict);
-        if verdict != Some(Verdict::Fail) {
-            unnoticed.push((row.mutation, row.check, verdict));
-        }
-    }
-    assert!(unnoticed.is_empty(), "{unnoticed:#?}");
+    let trials = selftest::run(Subject::Oracle);
+    let missed: Vec<_> = trials.iter().filter(|trial| !trial.noticed).collect();
+    assert!(missed.is_empty(), "{missed:#?}");
 }
 
 #[test]

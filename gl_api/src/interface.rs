@@ -32,6 +32,8 @@ pub const ATTRIB_COLOR: u8 = 18;
 pub const ATTRIB_SECONDARY_COLOR: u8 = 19;
 /// Location of `gl_FogCoord`.
 pub const ATTRIB_FOG_COORD: u8 = 20;
+/// Location of the edge flag, which no shader reads.
+pub const ATTRIB_EDGE_FLAG: u8 = 21;
 /// Location of `gl_MultiTexCoord0`; the other units follow.
 pub const ATTRIB_TEX_COORD: u8 = 24;
 

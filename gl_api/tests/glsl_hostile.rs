@@ -1,11 +1,12 @@
 //! Sources that want to hang, overflow or exhaust the compiler: each ends soon, with a message.
 
-use gl_api::glsl::{Bindings, Compiled, Options, Repairs, Stage, compile, link};
+#[path = "../../fuzz/bodies/shaders.rs"]
+mod shaders;
+
+use gl_api::glsl::{Bindings, Compiled, Options, Stage, compile, link};
 use proptest::prelude::*;
-use rasterizer::ir::Module;
-use rasterizer::shader::{Machine, Program, Run};
+use shaders::{compile_and_link, link_and_run};
 use std::time::{Duration, Instant};
-use texunit::lanes::Isa;
 
 fn compiled(source: &str) -> Compiled {
     let start = Instant::now();
@@ -181,14 +182,7 @@ proptest! {
     #[test]
     fn random_pieces(pieces in prop::collection::vec(prop::sample::select(PIECES), 0..60)) {
         let source: String = pieces.concat();
-        for repairs in [Repairs::Off, Repairs::On] {
-            for stage in [Stage::Vertex, Stage::Fragment] {
-                let result = compile(stage, &source, &Options { repairs });
-                if let Some(shader) = result.shader {
-                    link(&[&shader], &Bindings::default());
-                }
-            }
-        }
+        compile_and_link(&source);
     }
 }
 
@@ -271,33 +265,6 @@ fn pieces(source: &str) -> Vec<&str> {
     all
 }
 
-/// Runs a stage over 64 lanes, on inputs of all kinds; how it ends does not matter, that it does.
-fn run(module: &Module, words: u32) {
-    module.validate().expect("what the linker gives is valid");
-    let program = Program::new(module, |_| true);
-    let isa = Isa::available()[0];
-    let words: Vec<u32> = (0..words).map(|word| word.wrapping_mul(0x9e37_79b9)).collect();
-    let textures = vec![None; module.textures.len()];
-    let prepared = program.prepare(isa, &words, &textures);
-    let mut machine = Machine::default();
-    machine.begin(&program);
-    for index in 0..program.inputs().len() {
-        let register = machine.input_mut(index);
-        for (lane, word) in register.0.iter_mut().enumerate() {
-            *word = (lane as u32).wrapping_mul(0x85eb_ca6b);
-        }
-    }
-    let run = Run {
-        isa,
-        program: &program,
-        prepared: &prepared,
-        textures: &textures,
-        active: !0,
-        budget: 20_000,
-    };
-    let _ = machine.run(run);
-}
-
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(500))]
 
@@ -328,14 +295,7 @@ proptest! {
             }
         }
         let source = all.concat();
-        if let Some(shader) = compiled(&source).shader {
-            let linked = link(&[&shader], &Bindings::default());
-            if let Some(program) = linked.program
-                && let Some(module) = &program.fragment
-            {
-                run(module, program.words);
-            }
-        }
+        link_and_run(&source);
     }
 }
 

@@ -3,7 +3,10 @@
 //! "Leave out what a scene does not need" is this plan. What it leaves out costs neither time nor
 //! memory; `DETGL_EXPLAIN=1` prints it.
 
-use crate::driver::{DepthState, DepthWrite, Pipeline, PolygonOffset, Viewport};
+use crate::driver::{
+    DepthState, DepthWrite, Pipeline, PipelineDesc, PolygonMode, PolygonOffset, RasterState,
+    Topology, Viewport,
+};
 use crate::ir::{Axis, Input, Interpolation, Output};
 use crate::output::{ColorPlan, DepthFormat, DepthPlan, StencilPlan, Tests};
 use crate::raster::PlaneSource;
@@ -12,7 +15,7 @@ use crate::target::component_bits;
 use std::fmt::Write;
 use std::sync::Arc;
 use texunit::format::Format;
-use texunit::lanes::Isa;
+use texunit::lanes::{Isa, LANES, lane_x, lane_y};
 use texunit::plan::SamplePlan;
 use texunit::sampler::Compare;
 
@@ -40,6 +43,8 @@ pub enum FragmentInput {
     Depth,
     /// Which side is seen.
     Front,
+    /// The part of the pixel that is covered.
+    Coverage,
     /// Not there in this stage, or not needed by this draw.
     Zero,
 }
@@ -85,8 +90,12 @@ pub struct DrawPlan {
     pub shading: Shading,
     /// Where the window is.
     pub viewport: Viewport,
-    /// The polygon offset, where depth matters.
+    /// The offset of filled polygons, where depth matters.
     pub offset: Option<PolygonOffset>,
+    /// How primitives become fragments.
+    pub raster: Arc<RasterState>,
+    /// Which lanes the polygon stipple leaves of each block of its 32×32 pixels.
+    pub stipple: Option<[u64; 16]>,
 }
 
 /// Whether fragments are shaded.
@@ -112,6 +121,8 @@ pub struct PlanInput<'a> {
     pub textures: Textures,
     /// The viewport.
     pub viewport: Viewport,
+    /// How primitives become fragments.
+    pub raster: Arc<RasterState>,
 }
 
 impl Timing {
@@ -200,6 +211,14 @@ impl DrawPlan {
             .filter_map(|&slot| input.textures.get(slot as usize)?.as_ref())
             .any(|texture| texture.needs_lod());
         let read = if shading == Shading::On { fragment.inputs() } else { &[] };
+        let replaced = sprite_slots(desc, &input.raster);
+        // The plane of a smooth varying, or of what a sprite puts in its place.
+        let smooth = |slot: u16, at: usize| {
+            let first = replaced.iter().find(|&&first| (first..first + 4).contains(&slot));
+            first.map_or(PlaneSource::Smooth(at), |first| {
+                PlaneSource::Sprite(at, (slot - first) as u8)
+            })
+        };
         for &wanted in read {
             inputs.push(match wanted {
                 Input::Varying(slot) => {
@@ -209,7 +228,7 @@ impl DrawPlan {
                     match mode {
                         Interpolation::Smooth => {
                             denominator_plane = Some(plane(PlaneSource::Denominator));
-                            FragmentInput::Smooth(plane(PlaneSource::Smooth(at)))
+                            FragmentInput::Smooth(plane(smooth(slot, at)))
                         }
                         Interpolation::NoPerspective => {
                             FragmentInput::Linear(plane(PlaneSource::NoPerspective(at)))
@@ -222,7 +241,7 @@ impl DrawPlan {
                     match at.map(|at| (at, compiled.varyings[at].1)).filter(|_| needs_slopes) {
                         Some((at, Interpolation::Smooth)) => {
                             denominator_plane = Some(plane(PlaneSource::Denominator));
-                            FragmentInput::SmoothSlope(plane(PlaneSource::Smooth(at)), axis)
+                            FragmentInput::SmoothSlope(plane(smooth(slot, at)), axis)
                         }
                         Some((at, Interpolation::NoPerspective)) => {
                             FragmentInput::LinearSlope(plane(PlaneSource::NoPerspective(at)), axis)
@@ -235,6 +254,7 @@ impl DrawPlan {
                 Input::FragCoord(2) => FragmentInput::Depth,
                 Input::FragCoord(_) => FragmentInput::Linear(plane(PlaneSource::InverseW)),
                 Input::FrontFacing => FragmentInput::Front,
+                Input::Coverage => FragmentInput::Coverage,
                 Input::PointCoord(axis) => {
                     FragmentInput::Linear(plane(PlaneSource::PointCoord(axis)))
                 }
@@ -256,9 +276,17 @@ impl DrawPlan {
             colors,
             shading,
             viewport: input.viewport,
-            offset: desc.polygon_offset.filter(|_| depth_plane.is_some()),
+            offset: input.raster.polygon.offset[PolygonMode::Fill as usize]
+                .filter(|_| depth_plane.is_some()),
+            stipple: input.raster.polygon.stipple.as_ref().map(stipple_lanes),
+            raster: input.raster,
             pipeline: pipeline.clone(),
         }
+    }
+
+    /// Whether any fragment asks how much of its pixel is covered.
+    pub fn reads_coverage(&self) -> bool {
+        self.inputs.contains(&FragmentInput::Coverage)
     }
 
     /// What runs, what was left out, and why.
@@ -342,4 +370,31 @@ impl DrawPlan {
         line("planes", format!("{} evaluated a pixel", self.planes.len()));
         text
     }
+}
+
+/// The first slots of the varyings that points of a draw replace, where it draws any.
+fn sprite_slots<'a>(desc: &PipelineDesc, raster: &'a RasterState) -> &'a [u16] {
+    let points = match desc.topology {
+        Topology::Points => true,
+        Topology::Lines | Topology::LineStrip | Topology::LineLoop => false,
+        Topology::Triangles
+        | Topology::TriangleStrip
+        | Topology::TriangleFan
+        | Topology::Quads
+        | Topology::QuadStrip
+        | Topology::Polygon => raster.polygon.mode.contains(&PolygonMode::Point),
+    };
+    if points { raster.point.sprite.as_deref().unwrap_or(&[]) } else { &[] }
+}
+
+/// A stipple pattern (see [`crate::driver::PolygonState`]) as lanes of 4×4 blocks.
+fn stipple_lanes(rows: &[u32; 32]) -> [u64; 16] {
+    let mut blocks = [0; 16];
+    for (index, block) in blocks.iter_mut().enumerate() {
+        for lane in 0..LANES {
+            let (x, y) = (index % 4 * 8 + lane_x(lane), index / 4 * 8 + lane_y(lane));
+            *block |= u64::from(rows[y] >> (31 - x) & 1) << lane;
+        }
+    }
+    blocks
 }

@@ -1,13 +1,15 @@
 //! Whole draws: the same bits for every instruction set and thread count, and the right ones.
 
 mod common;
+mod primitives;
 
 use common::{bindings, bytes, device, fragment, image, pass, pipeline, vertex, viewport};
 use rasterizer::driver::{
     Blend, BlendEquation, BlendFactor, ClearValue, Command, CommandBuffer, Cull, DepthState,
-    DepthWrite, Device, Pipeline, PipelineDesc, Rect, Topology,
+    DepthWrite, Device, Pipeline, PipelineDesc, RasterState, Rect, Topology,
 };
 use rasterizer::ir::{Builder, Input, Op, Value};
+use std::sync::Arc;
 use texunit::format::Format;
 use texunit::lanes::Isa;
 use texunit::sampler::Compare;
@@ -31,6 +33,18 @@ fn picture(
     attributes: u8,
     size: (u32, u32),
 ) -> Vec<u8> {
+    picture_with(device, desc, &RasterState::default(), vertices, attributes, size)
+}
+
+/// The same with a raster state.
+fn picture_with(
+    device: &Device,
+    desc: &PipelineDesc,
+    raster: &RasterState,
+    vertices: &[f32],
+    attributes: u8,
+    size: (u32, u32),
+) -> Vec<u8> {
     let color = image(Format::Rgba8, size.0, size.1);
     let depth = image(Format::D24, size.0, size.1);
     let mut commands = CommandBuffer::new();
@@ -42,6 +56,7 @@ fn picture(
     commands.push(Command::BindPipeline(Pipeline::new(desc.clone()).expect("valid")));
     commands.push(Command::BindVertices(bindings(vertices, attributes)));
     commands.push(viewport(size.0, size.1));
+    commands.push(Command::SetRaster(Arc::new(raster.clone())));
     let count = vertices.len() as u32 / (u32::from(attributes) * 4);
     commands.push(Command::Draw { first: 0, count, instances: 1 });
     commands.push(Command::EndPass);
@@ -299,13 +314,13 @@ fn lines_and_points_cover_their_pixels() {
         }
         at
     };
-    assert_eq!(drawn(&lines, &line(2.0, 3.5, 5.0, 3.5)), [(2, 3), (3, 3), (4, 3)]);
-    assert_eq!(drawn(&lines, &line(3.5, 5.0, 3.5, 2.0)), [(3, 2), (3, 3), (3, 4)]);
+    assert_eq!(drawn(&lines, &line(2.1, 3.5, 5.1, 3.5)), [(2, 3), (3, 3), (4, 3)]);
+    assert_eq!(drawn(&lines, &line(3.5, 5.1, 3.5, 2.1)), [(3, 3), (3, 4), (3, 5)]);
+    // Ends between two diamonds count as a little to the left (GL 2.1, section 3.4.1).
+    assert_eq!(drawn(&lines, &line(2.0, 3.5, 5.0, 3.5)), [(1, 3), (2, 3), (3, 3)]);
     assert_eq!(drawn(&lines, &line(1.5, 1.5, 4.5, 4.5)), [(1, 1), (2, 2), (3, 3)]);
     let points = PipelineDesc { topology: Topology::Points, ..colored() };
     assert_eq!(drawn(&points, &line(2.7, 3.2, 9.0, 9.0)), [(2, 3), (9, 9)]);
-    let big = PipelineDesc { point_size_bits: 2.0_f32.to_bits(), ..points };
-    assert_eq!(drawn(&big, &line(4.1, 4.1, -40.0, 0.0)), [(3, 3), (4, 3), (3, 4), (4, 4)]);
 }
 
 #[test]

@@ -168,6 +168,34 @@ mod tests {
         assert_eq!(bytes(Format::A8, u32::MAX, u32::MAX, u32::MAX), None);
     }
 
+    /// The bytes of all levels there are.
+    fn bytes_of(image: &Image) -> usize {
+        let levels = image.levels.iter().flatten().flatten();
+        levels.map(|level| level.texels.capacity()).sum()
+    }
+
+    #[test]
+    fn an_image_takes_its_texels_and_at_most_a_third_more() {
+        for (format, width, height) in
+            [(Format::Rgba8, 256, 256), (Format::Rgb8, 1000, 300), (Format::Rgba32F, 64, 128)]
+        {
+            let texels = (width * height) as usize * format.bytes();
+            let mut image = Image::new(Shape::D2);
+            assert_eq!(bytes_of(&image), 0);
+            image.set_level(0, 0, Level::new(format, width, height).unwrap()).unwrap();
+            assert_eq!(bytes_of(&image), texels + PADDING);
+            image.generate_mipmaps(0, 1000).unwrap();
+            let levels = image.levels[0].len();
+            let third = texels.div_ceil(3) + levels * (PADDING + format.bytes());
+            assert!(bytes_of(&image) <= texels + third, "{format:?} {width}x{height}");
+            // A sampler reads the same levels, not copies.
+            let plan = crate::plan::SamplePlan::new(&image, &crate::sampler::Sampler::default());
+            assert!(plan.incomplete().is_none());
+            let base = image.level(0, 0).unwrap();
+            assert_eq!(Arc::strong_count(base), 2);
+        }
+    }
+
     #[test]
     fn a_shape_takes_only_sizes_and_borders_of_its_own() {
         let set = |shape, size, border| {

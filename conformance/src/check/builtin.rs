@@ -55,8 +55,8 @@ fn run<const ROW: usize>(bench: &Bench, tally: &mut Tally) -> Result<(), DriveEr
     let exact = |case: &[[f32; 4]; 3]| case.map(|v| v.map(f64::from));
     let expect = |case: &[[f32; 4]; 3], variant: Variant| {
         let value = value(&exact(case));
-        let cut = variant.has(Mutation::BuiltinOf20Bits);
-        [if cut { cut_to_20_bits(value) } else { value }, 0.0, 0.0, 0.0]
+        let cut = variant.has(Mutation::BuiltinOf18Bits);
+        [if cut { cut_to_18_bits(value) } else { value }, 0.0, 0.0, 0.0]
     };
     let error = |case: &[[f32; 4]; 3], expected: [f64; 4], measured: [f64; 4]| {
         let size = size(&exact(case));
@@ -74,9 +74,9 @@ fn run<const ROW: usize>(bench: &Bench, tally: &mut Tally) -> Result<(), DriveEr
 }
 
 /// What a function that only has a table gives.
-fn cut_to_20_bits(value: f64) -> f64 {
+fn cut_to_18_bits(value: f64) -> f64 {
     if value.is_finite() {
-        f64::from_bits(value.to_bits() & !0xffff_ffff) * (1.0 + 2f64.powi(-20))
+        f64::from_bits(value.to_bits() & !0xffff_ffff) * (1.0 + 2f64.powi(-18))
     } else {
         1.0
     }

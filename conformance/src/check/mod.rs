@@ -31,6 +31,7 @@ mod projection;
 mod seamless;
 mod shadow;
 mod srgb;
+mod target;
 mod texel_mode;
 mod wrap;
 
@@ -101,6 +102,10 @@ pub const CHAPTERS: &[Chapter] = &[
             level::LEVEL,
             wrap::NEAREST,
             wrap::LINEAR,
+            target::FILTERED,
+            target::OFFSET,
+            target::PROJECTED,
+            target::FETCH,
             filter::NEAREST,
             filter::BILINEAR,
             anisotropy::ANISOTROPY,
@@ -115,7 +120,7 @@ pub const CHAPTERS: &[Chapter] = &[
 ];
 
 /// Every check.
-pub fn checks() -> impl Iterator<Item = &'static Check> {
+pub fn checks() -> impl Iterator<Item = &'static Check> + Clone {
     CHAPTERS.iter().flat_map(|(_, checks)| checks.iter())
 }
 

@@ -36,11 +36,7 @@ impl Session {
         state: &BlendState,
         cells: &[BlendedCell],
     ) -> Result<Vec<[f64; 4]>, DriveError> {
-        let [r, g, b, a] = state.constant;
-        glBlendColor(r, g, b, a);
-        glBlendEquation(equation_enum(state.equation));
-        let [source, destination] = state.factors.map(factor_enum);
-        glBlendFunc(source, destination);
+        set_blend(state);
         let mut values = Vec::with_capacity(cells.len());
         for chunk in cells.chunks(CELLS * CELLS) {
             glClear(GL_COLOR_BUFFER_BIT);
@@ -53,6 +49,15 @@ impl Session {
         }
         Ok(values)
     }
+}
+
+/// Hands the state to GL.
+pub(super) fn set_blend(state: &BlendState) {
+    let [r, g, b, a] = state.constant;
+    glBlendColor(r, g, b, a);
+    glBlendEquation(equation_enum(state.equation));
+    let [source, destination] = state.factors.map(factor_enum);
+    glBlendFunc(source, destination);
 }
 
 /// A quad over each cell, in the colour that the iterator gives.

@@ -7,6 +7,7 @@
 //! spreads a float over the four bytes of a pixel.
 
 mod blend;
+mod extreme;
 mod field;
 mod fixed;
 mod mipmaps;
@@ -14,10 +15,12 @@ pub mod pack;
 mod pixels;
 mod session;
 pub mod shader;
+mod target;
 mod texels;
 mod texture;
 
 pub use blend::{BlendState, BlendedCell};
+pub use extreme::{DepthBuffer, MatrixStep};
 pub use fixed::FixedCell;
 pub use mipmaps::MipmapRequest;
 pub use pixels::{ClientPixels, StoredBox};

@@ -40,7 +40,7 @@ const VERSION: &str = "#version 130
 #extension GL_EXT_texture_array : enable
 ";
 
-const FRAGMENT: &str = "#version 120
+const FRAGMENT: &str = "#version 130
 #extension GL_ARB_shader_texture_lod : enable
 #extension GL_ARB_texture_rectangle : enable
 #extension GL_EXT_texture_array : enable

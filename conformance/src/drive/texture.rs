@@ -151,7 +151,7 @@ fn set_sampler(target: u32, sampler: &Sampler) {
     glTexEnvf(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, sampler.lod.unit_bias);
 }
 
-fn wrap_enum(wrap: Wrap) -> u32 {
+pub(super) fn wrap_enum(wrap: Wrap) -> u32 {
     match wrap {
         Wrap::Repeat => GL_REPEAT,
         Wrap::Clamp => GL_CLAMP,
@@ -163,7 +163,7 @@ fn wrap_enum(wrap: Wrap) -> u32 {
     }
 }
 
-fn filter_enum(filter: Filter) -> u32 {
+pub(super) fn filter_enum(filter: Filter) -> u32 {
     match filter {
         Filter::Nearest => GL_NEAREST,
         Filter::Linear => GL_LINEAR,

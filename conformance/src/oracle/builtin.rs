@@ -303,10 +303,10 @@ pub const BUILTINS: &[Builtin] = &[
     Builtin {
         name: "ulp-refract",
         glsl: "refract(a.xyz, b.xyz, c.x).x",
-        what: "eta·I - (eta·dot(N, I) + √k)·N of unit vectors, k > 1/20; ULP of 8",
+        what: "eta·I - (eta·dot(N, I) + √k)·N of unit vectors, k > 1/20; ULP of 2",
         case: normals,
         value: |i| i[2][0] * i[0][0] - refraction(i) * i[1][0],
-        size: |_| 8.0,
+        size: |_| 2.0,
         bound: 4.0,
     },
 ];

@@ -23,5 +23,6 @@ pub mod projection;
 pub mod sample;
 pub mod seamless;
 pub mod srgb;
+pub mod target;
 pub mod texture;
 pub mod wrap;

@@ -22,5 +22,3 @@ pub(crate) const MAX_UNIFORM_COMPONENTS: i32 = 4096;
 pub(crate) const MAX_VARYING_FLOATS: i32 = 64;
 /// The largest buffer object, in bytes.
 pub(crate) const MAX_BUFFER_SIZE: usize = 1 << 31;
-/// `GL_POINT_SIZE_RANGE` and `GL_LINE_WIDTH_RANGE`, upper ends.
-pub(crate) const MAX_WIDTH: f32 = 64.0;

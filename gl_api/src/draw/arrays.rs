@@ -242,6 +242,15 @@ pub(crate) fn fog_coord_pointer(
     set(context, ATTRIB_FOG_COORD, &rules, 1, ty, stride, pointer)
 }
 
+pub(crate) fn edge_flag_pointer(
+    context: &mut Context,
+    stride: GLsizei,
+    pointer: Data<'_>,
+) -> Result<()> {
+    let rules = Rules { sizes: 1..=1, types: ANY_TYPE, format: VertexFormat::Plain };
+    set(context, ATTRIB_EDGE_FLAG, &rules, 1, GL_UNSIGNED_BYTE, stride, pointer)
+}
+
 pub(crate) fn tex_coord_pointer(
     context: &mut Context,
     size: GLint,

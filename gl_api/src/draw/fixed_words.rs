@@ -2,7 +2,7 @@
 //! a draw and rounded once.
 
 use super::words::{put, scene_color};
-use crate::context::{Context, limits};
+use crate::context::Context;
 use crate::env::texgen::GenMode;
 use crate::fixed::{FragmentKey, Generated, PointSize, VertexKey, fog_constants, word};
 use crate::interface::*;
@@ -120,8 +120,10 @@ fn vertex(words: &mut [u32], context: &Context, key: &VertexKey) {
         }
     }
     if key.point_size == PointSize::Attenuated {
-        let size = f64::from(state.raster.point_size);
-        put(words, word::POINT, [size, 0.0, limits::MAX_WIDTH.into(), 1.0, 0.0, 0.0]);
+        let points = &state.raster.points;
+        let sizes = [points.size, points.size_min, points.size_max];
+        let all = sizes.into_iter().chain(points.attenuation);
+        put(words, word::POINT, all.map(f64::from));
     }
     if let Some(lighting) = &key.lighting {
         let ambient = state.lights.model.ambient;

@@ -80,10 +80,48 @@ pub(crate) fn restart(context: &mut Context) -> Result<bool> {
     Ok(true)
 }
 
+/// Draws the primitives since `glBegin`, as state that holds for a whole draw is about to change. Of
+/// a primitive that is not complete, and of strips and the like, all vertices take the new state.
+///
+/// # Errors
+/// As `glEnd`.
+pub(crate) fn split(context: &mut Context) -> Result<()> {
+    let Some(immediate) = &context.immediate else { return Ok(()) };
+    let (topology, count) = (immediate.topology, immediate.positions.len());
+    let whole = match topology {
+        Topology::Points => true,
+        Topology::Lines => count % 2 == 0,
+        Topology::Triangles => count % 3 == 0,
+        Topology::Quads => count % 4 == 0,
+        Topology::LineStrip
+        | Topology::LineLoop
+        | Topology::TriangleStrip
+        | Topology::TriangleFan
+        | Topology::QuadStrip
+        | Topology::Polygon => false,
+    };
+    if count > 0 && !whole {
+        context.debug.warn(
+            "glMaterial within a primitive: all its vertices take the new material, not only those \
+             that follow"
+                .into(),
+        );
+        return Ok(());
+    }
+    finish(context)?;
+    context.immediate = Some(Immediate::new(topology));
+    Ok(())
+}
+
 pub(crate) fn end(context: &mut Context) -> Result<()> {
     if context.record_end() {
         return Ok(());
     }
+    finish(context)
+}
+
+/// Draws what was collected.
+fn finish(context: &mut Context) -> Result<()> {
     let Some(immediate) = context.immediate.take() else {
         return invalid_operation(SECTION, "glBegin was not called before");
     };

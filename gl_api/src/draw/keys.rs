@@ -15,7 +15,7 @@ use crate::state::light::{ColorControl, Light};
 use crate::state::material::{Sides, Tracked, material};
 use crate::texture::TextureTarget;
 use glam::{DMat4, DVec4};
-use rasterizer::driver::{VertexBinding, VertexSource};
+use rasterizer::driver::{Rim, VertexBinding, VertexSource};
 
 /// The vertex stage for the state of now. `base` is its first uniform word.
 pub(super) fn vertex_key(context: &Context, vertices: &[VertexBinding], base: u32) -> VertexKey {
@@ -32,7 +32,10 @@ pub(super) fn vertex_key(context: &Context, vertices: &[VertexBinding], base: u3
         normals: Normals::AsTheyAre,
         clip_planes: state.clip.enabled,
         fog: state.fog.source,
-        point_size: PointSize::Constant,
+        point_size: match state.raster.points.attenuates() {
+            true => PointSize::Attenuated,
+            false => PointSize::Constant,
+        },
     };
     if state.enables.has(Flag::Normalize) && key.reads_normals() {
         key.normals = Normals::Normalized;
@@ -140,6 +143,7 @@ pub(super) fn fragment_key(
         color_sum,
         fog: state.enables.has(Flag::Fog).then_some(FogKey { mode: state.fog.mode, source }),
         alpha: alpha_test(context),
+        rim: Rim::Aliased,
     }
 }
 

@@ -10,6 +10,7 @@ pub(crate) mod hints;
 pub(crate) mod immediate;
 pub(crate) mod interleaved;
 mod keys;
+mod primitives;
 pub(crate) mod restart;
 pub(crate) mod stages;
 pub(crate) mod translate;
@@ -21,7 +22,7 @@ use crate::pixels::rectangle::RectangleModules;
 use fixed_words::FixedWords;
 use rasterizer::driver::{
     Attachment, Command, CommandBuffer, Device, Image, PassDesc, Pipeline, PipelineDesc,
-    ShaderModule,
+    RasterState, ShaderModule,
 };
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -52,6 +53,7 @@ pub(crate) struct Recorder {
 struct Told {
     pipeline: Option<PipelineDesc>,
     words: Option<Arc<[u32]>>,
+    raster: Option<Arc<RasterState>>,
 }
 
 impl Recorder {

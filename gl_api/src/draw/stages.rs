@@ -6,12 +6,14 @@ use super::words::put_bindings;
 use super::{hints, keys};
 use crate::context::Context;
 use crate::error::{ErrorCode, GlError, Result, invalid_operation};
-use crate::fixed::{add_alpha_test, cached, set_shade_model};
+use crate::fixed::{
+    FragmentKey, add_alpha_test, add_coverage, add_two_sides, cached, set_shade_model,
+};
 use crate::glsl::SamplerSlot;
 use crate::interface::MAX_COMBINED_TEXTURE_IMAGE_UNITS;
 use crate::state::enable::Flag;
 use crate::texture::TextureTarget;
-use rasterizer::driver::{ShaderModule, VertexBinding};
+use rasterizer::driver::{Rim, ShaderModule, VertexBinding};
 use rasterizer::ir::{Interpolation, IrError, Stage, TextureDecl};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -39,6 +41,15 @@ pub(super) struct VariantKey {
     said: [Option<Interpolation>; 2],
     /// The alpha test and the word of its reference.
     alpha: Option<(Compare, u32)>,
+    sides: Sides,
+    rim: Rim,
+}
+
+/// Whether the back of a polygon has colours of its own (GL 2.1, section 2.15.4).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+enum Sides {
+    One,
+    Two,
 }
 
 /// The alpha test, unless it lets everything through.
@@ -58,7 +69,11 @@ pub(super) fn internal(error: &IrError) -> GlError {
 }
 
 /// Chooses the stages.
-pub(crate) fn choose(context: &mut Context, vertices: &[VertexBinding]) -> Result<Stages> {
+pub(crate) fn choose(
+    context: &mut Context,
+    vertices: &[VertexBinding],
+    rim: Rim,
+) -> Result<Stages> {
     let name = context.state.bindings.program;
     let mut words = Vec::new();
     let (mut vertex, mut fragment, mut samplers) = (None, None, Vec::new());
@@ -75,6 +90,10 @@ pub(crate) fn choose(context: &mut Context, vertices: &[VertexBinding]) -> Resul
     one_type_per_unit(context, [vertex.as_ref(), fragment.as_ref()], &samplers, &words)?;
     let base = words.len() as u32;
 
+    let two_sided = match vertex {
+        Some(_) => context.state.enables.has(Flag::VertexProgramTwoSide),
+        None => context.state.enables.has(Flag::Lighting) && context.state.lights.model.two_side,
+    };
     let vertex_textures = match &vertex {
         Some(module) => program_textures(context, Stage::Vertex, module, &samplers, &words),
         None => Arc::from([]),
@@ -83,7 +102,7 @@ pub(crate) fn choose(context: &mut Context, vertices: &[VertexBinding]) -> Resul
     let (fragment, fragment_textures) = match fragment.take() {
         Some(module) => {
             let textures = program_textures(context, Stage::Fragment, &module, &samplers, &words);
-            (program_fragment(context, module, said, base)?, textures)
+            (program_fragment(context, module, said, base, two_sided, rim)?, textures)
         }
         None => {
             let key = keys::fragment_key(context, vertex.is_none().then_some(vertices), base);
@@ -92,7 +111,11 @@ pub(crate) fn choose(context: &mut Context, vertices: &[VertexBinding]) -> Resul
                 .iter()
                 .map(|unit| Some(plan(context, unit.unit, TextureTarget::of(unit.shape))));
             let textures = textures.collect();
-            let key = fragment_key.insert(key);
+            let key = fragment_key.insert(FragmentKey {
+                two_sided: key.two_sided || two_sided,
+                rim,
+                ..key
+            });
             let module = context.recorder.fixed.fragment(key).map_err(|error| internal(&error))?;
             (module, textures)
         }
@@ -117,15 +140,25 @@ fn program_fragment(
     module: ShaderModule,
     said: [Option<Interpolation>; 2],
     base: u32,
+    two_sided: bool,
+    rim: Rim,
 ) -> Result<ShaderModule> {
     let shade_model = context.state.raster.shade_model;
     let alpha = alpha_test(context).map(|compare| (compare, base + crate::fixed::word::ALPHA_REF));
-    if shade_model == Interpolation::Smooth && alpha.is_none() {
+    let sides = if two_sided { Sides::Two } else { Sides::One };
+    let plain = shade_model == Interpolation::Smooth && alpha.is_none();
+    if plain && sides == Sides::One && rim == Rim::Aliased {
         return Ok(module);
     }
-    let key = VariantKey { module, shade_model, said, alpha };
+    let key = VariantKey { module, shade_model, said, alpha, sides, rim };
     cached(&mut context.recorder.variants, &key, |key| {
         let mut variant = key.module.module().clone();
+        if key.sides == Sides::Two {
+            add_two_sides(&mut variant);
+        }
+        if key.rim == Rim::Smooth {
+            add_coverage(&mut variant);
+        }
         if key.shade_model == Interpolation::Flat {
             set_shade_model(&mut variant, Interpolation::Flat, key.said);
         }

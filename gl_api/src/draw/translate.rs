@@ -1,5 +1,6 @@
 //! From validated state to commands of the driver.
 
+use super::primitives::{raster_state, smoothness};
 use super::{Told, begin_pass, hints, stages};
 use crate::context::Context;
 use crate::error::{ErrorCode, GlError, Result, invalid_operation};
@@ -9,8 +10,9 @@ use crate::pixels::rectangle::Rectangle;
 use crate::state::enable::Flag;
 use crate::state::stencil::Side;
 use rasterizer::driver::{
-    ColorState, Command, Cull, DepthState, Indices, OutputState, PassDesc, Pipeline, PipelineDesc,
-    PolygonOffset, Provoking, Rect, ShaderModule, Topology, VertexBinding, Viewport,
+    ColorState, Command, Cull, DepthState, FrontFace, Indices, OutputState, PassDesc, Pipeline,
+    PipelineDesc, Provoking, RasterState, Rect, Rim, ShaderModule, Topology, VertexBinding,
+    Viewport,
 };
 use std::sync::Arc;
 
@@ -68,22 +70,27 @@ fn record(
     }
     hints::nothing_enabled(context);
     // Choosing may carry out what was recorded, if a texture of this draw was drawn to.
-    let mut stages = stages::choose(context, &vertices)?;
+    let rim = if rectangle.is_some() { Rim::Aliased } else { smoothness(context, topology) };
+    let mut stages = stages::choose(context, &vertices, rim)?;
     let mut viewport = viewport(context);
-    if let Some(rectangle) = rectangle {
-        rectangle.apply(context, &mut stages).map_err(|error| stages::internal(&error))?;
-        viewport = rectangle_viewport(&pass, rectangle.depth);
+    let mut raster = RasterState::default();
+    match rectangle {
+        Some(rectangle) => {
+            rectangle.apply(context, &mut stages).map_err(|error| stages::internal(&error))?;
+            viewport = rectangle_viewport(&pass, rectangle.depth);
+        }
+        None => raster = raster_state(context, topology, &vertices),
     }
     let mut desc = pipeline_desc(context, &pass, topology, stages.vertex, stages.fragment);
     if rectangle.is_some() {
-        desc = PipelineDesc { cull: Cull::None, polygon_offset: None, ..desc };
+        desc = PipelineDesc { cull: Cull::None, front_face: FrontFace::Ccw, ..desc };
     }
     let pipeline = pipeline(context, &desc)?;
     begin_pass(context, pass);
 
     let scissor = scissor(context);
     let recorder = &mut context.recorder;
-    let Told { pipeline: told, words } = &mut recorder.told;
+    let Told { pipeline: told, words, raster: told_raster } = &mut recorder.told;
     let commands = &mut recorder.commands;
     if told.as_ref() != Some(&desc) {
         commands.push(Command::BindPipeline(pipeline));
@@ -93,6 +100,11 @@ fn record(
         let shared: Arc<[u32]> = stages.words.into();
         commands.push(Command::SetUniforms(Arc::clone(&shared)));
         *words = Some(shared);
+    }
+    if told_raster.as_deref() != Some(&raster) {
+        let shared = Arc::new(raster);
+        commands.push(Command::SetRaster(Arc::clone(&shared)));
+        *told_raster = Some(shared);
     }
     commands.push(Command::SetViewport(viewport));
     commands.push(Command::SetScissor(scissor));
@@ -151,7 +163,6 @@ fn pipeline_desc(
     let has = draw_planes(context);
     let depth = (enables.has(Flag::DepthTest) && has.depth)
         .then_some(DepthState { test: state.depth_func, write: state.depth_write });
-    let offset = PolygonOffset { factor: raster.offset_factor, units: raster.offset_units };
     let colors = state
         .buffers
         .iter()
@@ -172,12 +183,9 @@ fn pipeline_desc(
         cull: if enables.has(Flag::CullFace) { raster.cull } else { Cull::None },
         front_face: raster.front_face,
         provoking: Provoking::Last,
-        polygon_offset: enables.has(Flag::PolygonOffsetFill).then_some(offset),
         depth,
         colors: colors.collect(),
         output,
-        line_width_bits: raster.line_width.to_bits(),
-        point_size_bits: raster.point_size.to_bits(),
     }
 }
 

@@ -1,6 +1,6 @@
 //! The uniform words of the state that programs read (GLSL 1.30, section 7.4).
 
-use crate::context::{Context, limits};
+use crate::context::Context;
 use crate::framebuffer::complete::draw_pass;
 use crate::interface::*;
 use crate::state::light::Light;
@@ -99,8 +99,10 @@ fn put_state(context: &Context, words: &mut [u32], binding: StateBinding) {
             put(words, word, [normal_scale(context)]);
         }
         StateVar::Point => {
-            let size = f64::from(state.raster.point_size);
-            put(words, word, [size, 0.0, limits::MAX_WIDTH.into(), 1.0, 1.0, 0.0, 0.0]);
+            let points = &context.state.raster.points;
+            let limits = [points.size, points.size_min, points.size_max, points.fade];
+            let all = limits.into_iter().chain(points.attenuation);
+            put(words, word, all.map(f64::from));
         }
         StateVar::FramebufferHeight => {
             let height = draw_pass(context).map_or(0, |pass| pass.height);

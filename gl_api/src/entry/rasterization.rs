@@ -1,6 +1,8 @@
 //! Rasterization: GL 2.1, chapter 3, and the enables of all chapters.
 
-use crate::state::{enable, raster};
+use super::{Data, DataOut};
+use crate::draw::arrays;
+use crate::state::{enable, points, polygon, raster};
 use crate::types::*;
 
 entry_points! {
@@ -24,15 +26,45 @@ entry_points! {
         front_face: glFrontFace (mode: GLenum);
         /// Sets whether colours are interpolated.
         shade_model: glShadeModel (mode: GLenum);
-        /// Sets how polygons are drawn: filled.
+        /// Sets the width of lines in pixels.
+        line_width: glLineWidth (width: GLfloat);
+        /// Sets which fragments of lines are left: `factor` fragments a bit of `pattern`.
+        line_stipple: glLineStipple (factor: GLint, pattern: GLushort);
+        /// Accepted; DetGL has one quality.
+        hint: glHint (target: GLenum, mode: GLenum);
+    }
+    Outside in polygon {
+        /// Sets whether polygons are filled, or drawn by their edges or vertices.
         polygon_mode: glPolygonMode (face: GLenum, mode: GLenum);
         /// Sets what is added to the depth of polygons.
         polygon_offset: glPolygonOffset (factor: GLfloat, units: GLfloat);
-        /// Sets the width of lines in pixels.
-        line_width: glLineWidth (width: GLfloat);
+        /// Sets which pixels of filled polygons are left: 32 rows of 32 bits.
+        polygon_stipple: glPolygonStipple (mask: Data<'a>);
+        /// Gives the polygon stipple.
+        get_polygon_stipple: glGetPolygonStipple (mask: DataOut<'a>);
+    }
+    Anywhere in polygon {
+        /// Sets whether the edges that begin at the vertices to come are boundaries.
+        edge_flag: glEdgeFlag (flag: bool);
+        /// The same from memory.
+        edge_flagv: glEdgeFlagv (flag: &'a [GLboolean]);
+    }
+    Outside in points {
         /// Sets the size of points in pixels.
         point_size: glPointSize (size: GLfloat);
-        /// Accepted; DetGL has one quality.
-        hint: glHint (target: GLenum, mode: GLenum);
+        /// Sets a limit of the size of points, the threshold of fading, or where t of a sprite is 0.
+        point_parameterf: glPointParameterf | glPointParameterfARB | glPointParameterfEXT
+            (pname: GLenum, param: GLfloat);
+        /// The same, or the attenuation of the size by distance.
+        point_parameterfv: glPointParameterfv | glPointParameterfvARB | glPointParameterfvEXT
+            (pname: GLenum, params: &'a [GLfloat]);
+        /// As `glPointParameterf`.
+        point_parameteri: glPointParameteri (pname: GLenum, param: GLint);
+        /// As `glPointParameterfv`.
+        point_parameteriv: glPointParameteriv (pname: GLenum, params: &'a [GLint]);
+    }
+    Outside in arrays {
+        /// Says where edge flags are. A slice is copied now; later writes to it are not seen.
+        edge_flag_pointer: glEdgeFlagPointer (stride: GLsizei, pointer: Data<'a>);
     }
 }

@@ -8,6 +8,7 @@ use super::vector::{clamp, words};
 use super::word;
 use crate::context::limits::MAX_COLOR_ATTACHMENTS;
 use crate::interface::*;
+use rasterizer::driver::Rim;
 use rasterizer::ir::{
     Builder, Expr, Input, Interpolation, Lod, Module, Op, Output, Stage, Stmt, TextureDecl, Ty,
     Value,
@@ -52,6 +53,8 @@ pub(crate) struct FragmentKey {
     pub fog: Option<FogKey>,
     /// The alpha test, unless it lets everything through.
     pub alpha: Option<Compare>,
+    /// Whether coverage changes alpha.
+    pub rim: Rim,
 }
 
 /// Generates the stage.
@@ -76,6 +79,9 @@ pub(super) fn module(key: &FragmentKey) -> Module {
     let mut module = b.finish();
     module.varyings = vec![Interpolation::Smooth; usize::from(VARYING_USER)];
     set_shade_model(&mut module, key.shade_model, [None; 2]);
+    if key.rim == Rim::Smooth {
+        super::add_coverage(&mut module);
+    }
     if let Some(compare) = key.alpha {
         add_alpha_test(&mut module, compare, key.base + word::ALPHA_REF);
     }

@@ -4,19 +4,23 @@
 //! to draw (matrices, products of lights and materials, environment colours, the alpha reference)
 //! comes in uniform words ([`word`]).
 
+mod clamp;
 mod combine;
 mod environment;
 mod fog;
 mod fragment;
 mod light;
+mod rewrite;
 mod vector;
 mod vertex;
 pub(crate) mod word;
 
+pub(crate) use clamp::clamp_colors;
 pub(crate) use environment::{Environment, environment_base};
 pub(crate) use fog::{FogKey, constants as fog_constants};
 pub(crate) use fragment::{Coordinates, FragmentKey, UnitKey, add_alpha_test, set_shade_model};
 pub(crate) use light::{LightKey, LightingKey, Place, Spot};
+pub(crate) use rewrite::{add_coverage, add_two_sides};
 pub(crate) use vertex::{Generated, Normals, PointSize, VertexKey};
 
 use rasterizer::driver::ShaderModule;

@@ -5,6 +5,7 @@ use super::shaders::{ShaderObject, forget_if_doomed, shader};
 use crate::constants::*;
 use crate::context::{Context, limits};
 use crate::error::{Result, invalid_operation, invalid_value};
+use crate::fixed::clamp_colors;
 use crate::glsl;
 use crate::interface::MAX_VERTEX_ATTRIBS;
 use crate::types::*;
@@ -170,7 +171,8 @@ pub(crate) fn bind_frag_data_location(
 }
 
 /// A linker's result, ready to draw with.
-fn ready(program: glsl::Program) -> std::result::Result<Linked, IrError> {
+fn ready(mut program: glsl::Program) -> std::result::Result<Linked, IrError> {
+    program.vertex.iter_mut().for_each(clamp_colors);
     let module = |module: &Option<Module>| module.clone().map(ShaderModule::new).transpose();
     let (vertex, fragment) = (module(&program.vertex)?, module(&program.fragment)?);
     let mut words = vec![0; program.words as usize];

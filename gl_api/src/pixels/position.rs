@@ -7,7 +7,7 @@ use crate::error::{Result, invalid_operation};
 use crate::interface::*;
 use crate::state::viewport::unit;
 use crate::types::GLenum;
-use rasterizer::driver::{VertexBinding, VertexSource};
+use rasterizer::driver::{Rim, VertexBinding, VertexSource};
 use rasterizer::ir::{Input, Output};
 use rasterizer::shader::{Machine, Program, Run};
 use texunit::lanes::{Isa, U32s};
@@ -77,7 +77,7 @@ fn shade(context: &mut Context, position: [f32; 4]) -> Result<Shaded> {
             VertexBinding { location, source: VertexSource::Constant(value) }
         })
         .collect();
-    let stages = stages::choose(context, &vertices)?;
+    let stages = stages::choose(context, &vertices, Rim::Aliased)?;
     // Every instruction set gives the same bits.
     let isa = Isa::best();
     let program = Program::new(stages.vertex.module(), |_| true);
@@ -100,7 +100,8 @@ fn shade(context: &mut Context, position: [f32; 4]) -> Result<Shaded> {
             | Input::FragCoord(_)
             | Input::FrontFacing
             | Input::PointCoord(_)
-            | Input::Slope { .. } => 0,
+            | Input::Slope { .. }
+            | Input::Coverage => 0,
         };
         *machine.input_mut(index) = U32s::splat(bits);
     }

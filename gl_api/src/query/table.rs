@@ -13,13 +13,15 @@ use crate::state::masks::LOGIC_OP;
 use crate::state::material::{FACES, TRACKED};
 use crate::state::matrix::{MATRIX_MODE, MAX_MODELVIEW_STACK_DEPTH, MAX_STACK_DEPTH, Stack};
 use crate::state::pixel_store::PixelStore;
+use crate::state::points::ORIGIN;
+use crate::state::polygon::POLYGON_MODE;
 use crate::state::raster::{FACE, FRONT_FACE, HINTS, SHADE_MODEL};
 use crate::state::stencil::{ACTIVE_FACE, STENCIL_OP, Side};
 use crate::state::{fog, light};
 use crate::texture::internal::COMPRESSED_FORMAT;
 use crate::texture::{TextureTarget, transfer};
 use crate::types::*;
-use rasterizer::driver::DepthWrite;
+use rasterizer::driver::{DepthWrite, MAX_LINE_WIDTH, MAX_POINT_SIZE};
 
 /// State, before the conversion to the type that was asked for.
 #[derive(Clone, Debug, PartialEq)]
@@ -157,10 +159,9 @@ fn limit(_: &Context, pname: GLenum) -> Answer {
         GL_SUBPIXEL_BITS => int(8),
         GL_MAX_LIGHTS => int(MAX_LIGHTS),
         GL_MAX_CLIP_PLANES => int(MAX_CLIP_PLANES),
-        GL_POINT_SIZE_RANGE
-        | GL_LINE_WIDTH_RANGE
-        | GL_ALIASED_LINE_WIDTH_RANGE
-        | GL_ALIASED_POINT_SIZE_RANGE => floats(&[1.0, limits::MAX_WIDTH]),
+        GL_POINT_SIZE_RANGE | GL_ALIASED_POINT_SIZE_RANGE => floats(&[1.0, MAX_POINT_SIZE]),
+        GL_LINE_WIDTH_RANGE | GL_ALIASED_LINE_WIDTH_RANGE => floats(&[1.0, MAX_LINE_WIDTH]),
+        GL_POINT_SIZE_GRANULARITY | GL_LINE_WIDTH_GRANULARITY => float(1.0 / 256.0),
         GL_NUM_COMPRESSED_TEXTURE_FORMATS => int(COMPRESSED_FORMAT.rows.len()),
         GL_COMPRESSED_TEXTURE_FORMATS => {
             Ok(Value::Ints(COMPRESSED_FORMAT.rows.iter().map(|row| row.0 as i32).collect()))
@@ -210,6 +211,7 @@ fn current(context: &Context, pname: GLenum) -> Answer {
         GL_CURRENT_COLOR => unit(at(ATTRIB_COLOR)),
         GL_CURRENT_SECONDARY_COLOR => unit(at(ATTRIB_SECONDARY_COLOR)),
         GL_CURRENT_NORMAL => unit(&at(ATTRIB_NORMAL)[..3]),
+        GL_EDGE_FLAG => flag(at(ATTRIB_EDGE_FLAG)[0] != 0.0),
         GL_CURRENT_FOG_COORD => float(at(ATTRIB_FOG_COORD)[0]),
         GL_CURRENT_TEXTURE_COORDS => {
             let unit = state.units.active_coordinates("GL 2.1, section 2.7");
@@ -234,11 +236,18 @@ fn raster(context: &Context, pname: GLenum) -> Answer {
         GL_CULL_FACE_MODE => symbol(FACE.encode(raster.cull)),
         GL_FRONT_FACE => symbol(FRONT_FACE.encode(raster.front_face)),
         GL_SHADE_MODEL => symbol(SHADE_MODEL.encode(raster.shade_model)),
-        GL_POLYGON_MODE => ints(&[GL_FILL as i32; 2]),
-        GL_POLYGON_OFFSET_FACTOR => float(raster.offset_factor),
-        GL_POLYGON_OFFSET_UNITS => float(raster.offset_units),
+        GL_POLYGON_MODE => ints(&raster.polygons.mode.map(|mode| POLYGON_MODE.encode(mode) as i32)),
+        GL_POLYGON_OFFSET_FACTOR => float(raster.polygons.offset_factor),
+        GL_POLYGON_OFFSET_UNITS => float(raster.polygons.offset_units),
         GL_LINE_WIDTH => float(raster.line_width),
-        GL_POINT_SIZE => float(raster.point_size),
+        GL_LINE_STIPPLE_REPEAT => int(raster.stipple_factor),
+        GL_LINE_STIPPLE_PATTERN => int(raster.stipple_pattern),
+        GL_POINT_SIZE => float(raster.points.size),
+        GL_POINT_SIZE_MIN => float(raster.points.size_min),
+        GL_POINT_SIZE_MAX => float(raster.points.size_max),
+        GL_POINT_FADE_THRESHOLD_SIZE => float(raster.points.fade),
+        GL_POINT_DISTANCE_ATTENUATION => floats(&raster.points.attenuation),
+        GL_POINT_SPRITE_COORD_ORIGIN => symbol(ORIGIN.encode(raster.points.origin)),
         _ => return None,
     })
 }

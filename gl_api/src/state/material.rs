@@ -4,6 +4,7 @@ use super::enable::Flag;
 use super::params::{Params, parameter_calls, parameter_queries};
 use crate::constants::*;
 use crate::context::Context;
+use crate::draw::immediate::split;
 use crate::error::{Result, Table, invalid_value};
 use crate::interface::{ATTRIB_COLOR, Side};
 use crate::query::table::{Value, float, unit};
@@ -188,6 +189,7 @@ fn set_material(context: &mut Context, face: GLenum, pname: GLenum, params: &Par
     if parameter == Parameter::Shininess && !(0.0..=128.0).contains(&shininess) {
         return invalid_value(SECTION, format!("GL_SHININESS = {shininess} must be 0 to 128"));
     }
+    split(context)?;
     for side in [Side::Front, Side::Back].into_iter().filter(|side| faces.has(*side)) {
         let material = context.state.materials.side_mut(side);
         match parameter {

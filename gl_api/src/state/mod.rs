@@ -11,12 +11,14 @@ pub(crate) mod material;
 pub(crate) mod matrix;
 pub(crate) mod params;
 pub(crate) mod pixel_store;
+pub(crate) mod points;
+pub(crate) mod polygon;
 pub(crate) mod raster;
 pub(crate) mod stencil;
 pub(crate) mod viewport;
 
 use crate::env::Units;
-use crate::interface::{ATTRIB_COLOR, ATTRIB_NORMAL};
+use crate::interface::{ATTRIB_COLOR, ATTRIB_EDGE_FLAG, ATTRIB_NORMAL};
 use crate::pixels::position::RasterPosition;
 use crate::texture::Proxies;
 use crate::texture::transfer::Transfer;
@@ -82,6 +84,7 @@ impl State {
     pub fn new(width: u32, height: u32) -> Self {
         let mut current = [[0.0, 0.0, 0.0, 1.0]; LOCATIONS];
         current[usize::from(ATTRIB_COLOR)] = [1.0; 4];
+        current[usize::from(ATTRIB_EDGE_FLAG)] = [1.0, 0.0, 0.0, 1.0];
         current[usize::from(ATTRIB_NORMAL)] = [0.0, 0.0, 1.0, 1.0];
         Self {
             matrices: Matrices::default(),

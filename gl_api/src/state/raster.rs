@@ -1,5 +1,7 @@
-//! How primitives become fragments: GL 2.1, sections 3.3 to 3.5, and 2.14.7.
+//! How primitives become fragments: GL 2.1, sections 3.4 and 3.5, and 2.14.7.
 
+use super::points::Points;
+use super::polygon::Polygons;
 use crate::constants::*;
 use crate::context::Context;
 use crate::error::{Result, Table, invalid_value};
@@ -13,10 +15,12 @@ pub(crate) struct RasterState {
     pub cull: Cull,
     pub front_face: FrontFace,
     pub shade_model: Interpolation,
-    pub offset_factor: f32,
-    pub offset_units: f32,
     pub line_width: f32,
-    pub point_size: f32,
+    /// 1 to 256.
+    pub stipple_factor: u16,
+    pub stipple_pattern: u16,
+    pub points: Points,
+    pub polygons: Polygons,
     /// By row of [`HINTS`].
     pub hints: [GLenum; HINTS.rows.len()],
 }
@@ -27,10 +31,11 @@ impl Default for RasterState {
             cull: Cull::Back,
             front_face: FrontFace::Ccw,
             shade_model: Interpolation::Smooth,
-            offset_factor: 0.0,
-            offset_units: 0.0,
             line_width: 1.0,
-            point_size: 1.0,
+            stipple_factor: 1,
+            stipple_pattern: !0,
+            points: Points::default(),
+            polygons: Polygons::default(),
             hints: [GL_DONT_CARE; HINTS.rows.len()],
         }
     }
@@ -86,21 +91,7 @@ pub(crate) fn shade_model(context: &mut Context, mode: GLenum) -> Result<()> {
     Ok(())
 }
 
-/// Polygons are filled; points and lines are not there yet.
-pub(crate) fn polygon_mode(_: &mut Context, face: GLenum, mode: GLenum) -> Result<()> {
-    const POLYGON_MODE: Table<()> =
-        Table { section: "GL 2.1, section 3.5.4", rows: &[(GL_FILL, ())] };
-    FACE.decode("face", face)?;
-    POLYGON_MODE.decode("mode", mode)
-}
-
-pub(crate) fn polygon_offset(context: &mut Context, factor: GLfloat, units: GLfloat) -> Result<()> {
-    context.state.raster.offset_factor = factor;
-    context.state.raster.offset_units = units;
-    Ok(())
-}
-
-fn positive(section: &'static str, argument: &str, value: f32) -> Result<f32> {
+pub(super) fn positive(section: &'static str, argument: &str, value: f32) -> Result<f32> {
     if value > 0.0 {
         Ok(value)
     } else {
@@ -113,8 +104,10 @@ pub(crate) fn line_width(context: &mut Context, width: GLfloat) -> Result<()> {
     Ok(())
 }
 
-pub(crate) fn point_size(context: &mut Context, size: GLfloat) -> Result<()> {
-    context.state.raster.point_size = positive("GL 2.1, section 3.3", "size", size)?;
+pub(crate) fn line_stipple(context: &mut Context, factor: GLint, pattern: GLushort) -> Result<()> {
+    let raster = &mut context.state.raster;
+    raster.stipple_factor = factor.clamp(1, 256) as u16;
+    raster.stipple_pattern = pattern;
     Ok(())
 }
 

@@ -42,6 +42,7 @@ fn scene(isa: Isa, threads: usize) -> Vec<u8> {
         c.enable(cap);
     }
     c.tex_geni(GL_S, GL_TEXTURE_GEN_MODE, GL_SPHERE_MAP as GLint);
+    c.clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     for _ in 0..12 {
         c.load_matrixd(&random.modelview().to_cols_array());
         c.begin(GL_TRIANGLE_STRIP);

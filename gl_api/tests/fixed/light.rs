@@ -274,3 +274,43 @@ fn tracked_colours_stay_when_tracking_ends() {
     c.get_materialfv(GL_FRONT, GL_DIFFUSE, &mut diffuse);
     assert_eq!(diffuse, [0.25, 0.5, 0.75, 1.0]);
 }
+
+#[test]
+fn a_material_may_change_between_primitives() {
+    let mut c = context();
+    c.enable(GL_LIGHTING);
+    c.light_modelfv(GL_LIGHT_MODEL_AMBIENT, &[0.0; 4]);
+    let corners = |c: &mut Context, x: f64| {
+        c.vertex_3d(x - 8.0, -8.0, 0.0);
+        c.vertex_3d(x + 8.0, -8.0, 0.0);
+        c.vertex_3d(x, 8.0, 0.0);
+    };
+    c.begin(GL_TRIANGLES);
+    c.materialfv(GL_FRONT, GL_EMISSION, &[0.0, 1.0, 0.0, 1.0]);
+    corners(&mut c, 0.0);
+    c.materialfv(GL_FRONT, GL_EMISSION, &[1.0, 0.0, 0.0, 1.0]);
+    corners(&mut c, 100.0);
+    c.end();
+    assert_eq!(color(&mut c), [0.0, 1.0, 0.0, 1.0]);
+}
+
+/// Section 2.14.6: a colour above one is clamped at its vertex, not in the fragment.
+#[test]
+fn colours_of_programs_are_clamped_at_vertices() {
+    let mut c = context();
+    let source = "void main() { gl_Position = gl_Vertex; gl_FrontColor = gl_Vertex.xxxx * 0.5; }";
+    let shader = c.create_shader(GL_VERTEX_SHADER);
+    c.shader_source(shader, 1, Strings(vec![source]), &[]);
+    c.compile_shader(shader);
+    let program = c.create_program();
+    c.attach_shader(program, shader);
+    c.link_program(program);
+    c.use_program(program);
+    // 2 and -2 at the sides are clamped to 1 and 0: in the middle 1/2, not 0.
+    c.begin(GL_QUADS);
+    for (x, y) in [(-4.0, -4.0), (4.0, -4.0), (4.0, 4.0), (-4.0, 4.0)] {
+        c.vertex_3d(x, y, 0.0);
+    }
+    c.end();
+    assert_close(color(&mut c), [0.5; 4], BYTE, &"clamped");
+}

@@ -11,7 +11,7 @@ const VALUES: &[(&str, [f64; 4])] = &[
     ("gl_LightSource[2].specular", [0.9, 0.8, 0.7, 0.6]),
     ("gl_LightSource[2].position / 8.0", [0.125, 0.25, 0.375, 0.125]),
     // (1, 2, 3) of length one, plus (0, 0, 1), of length one.
-    ("gl_LightSource[2].halfVector", [0.140_816_6, 0.281_633_1, 0.949_136_8, 0.0]),
+    ("gl_LightSource[2].halfVector", [0.140_789_3, 0.281_578_6, 0.949_153_2, 0.0]),
     ("vec4(-gl_LightSource[2].spotDirection / 4.0, 1.0)", [0.0, 0.0, 0.5, 1.0]),
     (
         "vec4(gl_LightSource[2].spotExponent / 128.0, gl_LightSource[2].spotCutoff / 180.0,

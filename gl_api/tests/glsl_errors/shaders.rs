@@ -59,7 +59,7 @@ pub const FRAGMENT: &[(&str, &str)] = &[
     ("macro arguments", "#define F(a, b) a\nfloat f = F(1.0);\nvoid main() {}"),
     ("error directive", "#error not today\nvoid main() {}"),
     ("endif missing", "#ifdef A\nvoid main() {}"),
-    ("undefined in if", "#if A > 1\n#endif\nvoid main() {}"),
+    ("undefined in if", "#version 100\n#if A > 1\n#endif\nvoid main() {}"),
     ("unknown directive", "#inclde \"a\"\nvoid main() {}"),
     ("extension unknown", "#extension GL_MINE : require\nvoid main() {}"),
     ("line directive", "#line 100\nvoid main() { x = 1; }"),
@@ -133,8 +133,8 @@ pub const FRAGMENT: &[(&str, &str)] = &[
     ("void argument", "void f() {}\nvoid main() { float x = sin(f()); }"),
     ("void value", "void f() {}\nvoid main() { float x = f(); }"),
     ("array of arrays", "void main() { float a[2][3]; }"),
-    ("array without size", "void main() { float a[]; }"),
-    ("array never sized", "float a[];\nvoid main() {}"),
+    ("array too short for an index", "float a[];\nvoid f() { a[3] = 1.0; }\nfloat a[2];"),
+    ("array without size indexed at run time", "float a[];\nint i;\nvoid main() { a[i] = 1.0; }"),
     ("array size float", "float a[2.0];\nvoid main() {}"),
     ("array size not constant", "uniform int n;\nfloat a[n];\nvoid main() {}"),
     ("array size zero", "float a[0];\nvoid main() {}"),
@@ -155,7 +155,10 @@ pub const FRAGMENT: &[(&str, &str)] = &[
     ("varying int in 120", "#version 120\nvarying int i;\nvoid main() {}"),
     ("varying bool", "#version 130\nflat in bool b;\nvoid main() {}"),
     ("output a matrix", "#version 130\nout mat4 m;\nvoid main() {}"),
-    ("global initialized by a uniform", "uniform float u;\nfloat f = u;\nvoid main() {}"),
+    (
+        "global initialized by a uniform",
+        "#version 100\nprecision highp float;\nuniform float u;\nfloat f = u;\nvoid main() {}",
+    ),
     ("flat in 120", "#version 120\nflat varying vec2 v;\nvoid main() {}"),
     ("invariant of nothing", "#version 120\ninvariant nothing;\nvoid main() {}"),
     ("name is a keyword", "void main() { float discard = 1.0; }"),
@@ -209,7 +212,7 @@ pub const FRAGMENT: &[(&str, &str)] = &[
     ("number too large", "void main() { int i = 99999999999; }"),
     ("octal with 8", "void main() { int i = 089; }"),
     ("number with letters", "void main() { float f = 1.0x; }"),
-    ("suffix f in 110", "void main() { float f = 1.0f; }"),
+    ("suffix f in ES", "#version 100\nprecision highp float;\nvoid main() { float f = 1.0f; }"),
     ("unsigned in 120", "#version 120\nvoid main() { float f = float(1u); }"),
     ("stray dollar", "void main() { float f = $1; }"),
     ("string", "void main() { \"text\"; }"),
@@ -233,7 +236,50 @@ pub const FRAGMENT: &[(&str, &str)] = &[
         "gradient without extension",
         "uniform sampler2D t;\nvoid main() { gl_FragColor = texture2DGradARB(t, vec2(0.5), vec2(0.0), vec2(0.0)); }",
     ),
-    ("rectangle without extension", "uniform sampler2DRect t;\nvoid main() {}"),
+    (
+        "rectangle without extension",
+        "#extension GL_ARB_texture_rectangle : disable\nuniform sampler2DRect t;\nvoid main() {}",
+    ),
+    (
+        "layout of a varying",
+        "#extension GL_ARB_fragment_coord_conventions : enable
+layout(origin_upper_left) varying vec4 v;\nvoid main() {}",
+    ),
+    (
+        "layout unknown",
+        "#extension GL_ARB_fragment_coord_conventions : enable
+layout(left) in vec4 gl_FragCoord;\nvoid main() {}",
+    ),
+    (
+        "coordinate used before its layout",
+        "#extension GL_ARB_fragment_coord_conventions : enable
+float f() { return gl_FragCoord.x; }\nlayout(pixel_center_integer) in vec4 gl_FragCoord;",
+    ),
+    ("built-in redeclared as a uniform", "uniform vec4 gl_TexCoord[2];\nvoid main() {}"),
+    ("built-in that cannot be redeclared", "uniform mat4 gl_ModelViewMatrix;\nvoid main() {}"),
+    ("qualifiers out of order", "#version 130\nin smooth vec2 v;\nvoid main() {}"),
+    ("precision of a structure", "#version 130\nhighp struct S { float a; };\nvoid main() {}"),
+    ("flat varying in 130", "#version 130\nflat varying vec2 v;\nvoid main() {}"),
+    ("structure between stages", "#version 130\nstruct S { float a; };\nin S s;\nvoid main() {}"),
+    ("array as inout in 110", "void f(inout float a[2]) {}\nvoid main() {}"),
+    ("const out parameter", "void f(const out float a) { a = 1.0; }\nvoid main() {}"),
+    ("string of a macro", "#define S(a) #a\nvoid main() {}"),
+    ("profile of an old version", "#version 110 es\nvoid main() {}"),
+    ("extension and more", "#extension GL_EXT_texture_array : enable;\nvoid main() {}"),
+    (
+        "call that fits two functions",
+        "#version 130\nvoid f(vec2 a, out vec2 b) {}\nvoid f(vec2 a, out ivec2 b) {}
+void main() { ivec2 a; vec2 b; f(a, b); }",
+    ),
+    (
+        "samplers indexed at run time",
+        "#version 130\nuniform sampler2D s[2];\nuniform int i;
+void main() { gl_FragColor = texture(s[i], vec2(0.0)); }",
+    ),
+    (
+        "output beside gl_FragColor",
+        "#version 130\nout vec4 c;\nvoid main() { c = vec4(1.0); gl_FragColor = c; }",
+    ),
     ("array texture in 120", "#version 120\nuniform sampler2DArray t;\nvoid main() {}"),
     (
         "fetch in 120",

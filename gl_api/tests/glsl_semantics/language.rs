@@ -308,7 +308,7 @@ pub const TABLE: &[Row] = &[
     ),
     Row(110, "void f(out vec2 v) { }", "r = u; f(r.xy);", [0.0, 0.0, 3.0, 4.0]),
     Row(
-        110,
+        120,
         "void f(inout float a[3]) { a[1] = a[0] + a[2]; }",
         "float a[3]; a[0] = 1.0; a[2] = 2.0; f(a); r.x = a[1];",
         [3.0, 0.0, 0.0, 0.0],

@@ -56,6 +56,11 @@ pub fn check(commands: &[Command]) -> Result<(), SubmitError> {
                     return fail("Clear: the depth is NaN");
                 }
             }
+            Command::SetRaster(raster) => {
+                if let Some(rule) = raster.fault() {
+                    return fail(rule);
+                }
+            }
             Command::BindVertices(_)
             | Command::BindTextures { .. }
             | Command::SetUniforms(_)

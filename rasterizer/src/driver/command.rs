@@ -3,6 +3,7 @@
 use super::buffer::{Buffer, VertexBinding};
 use super::image::PassDesc;
 use super::pipeline::Pipeline;
+use super::raster::RasterState;
 use std::sync::Arc;
 use texunit::plan::SamplePlan;
 
@@ -148,6 +149,8 @@ pub enum Command {
     },
     /// The uniform words of both stages.
     SetUniforms(Arc<[u32]>),
+    /// How primitives become fragments; the default until it is set.
+    SetRaster(Arc<RasterState>),
     /// The viewport.
     SetViewport(Viewport),
     /// The scissor rectangle; `None` lets every pixel of the attachments through.

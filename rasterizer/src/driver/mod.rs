@@ -9,6 +9,7 @@ mod image;
 mod output;
 mod pass;
 mod pipeline;
+mod raster;
 mod submit;
 
 pub use crate::output::texel_words;
@@ -19,5 +20,9 @@ pub use image::{Attachment, Image, LevelInfo, PassDesc};
 pub use output::{LogicOp, OutputState, SrgbWrite, StencilFace, StencilOp, StencilState};
 pub use pipeline::{
     Blend, BlendEquation, BlendFactor, ColorState, Cull, DepthState, DepthWrite, FrontFace,
-    Pipeline, PipelineDesc, PipelineError, PolygonOffset, Provoking, ShaderModule, Topology,
+    Pipeline, PipelineDesc, PipelineError, Provoking, ShaderModule, Topology,
+};
+pub use raster::{
+    LineState, LineStipple, MAX_LINE_WIDTH, MAX_POINT_SIZE, PointSize, PointState, PolygonMode,
+    PolygonOffset, PolygonState, RasterState, Rim, SpriteOrigin,
 };

@@ -7,10 +7,11 @@ use super::buffer::VertexBinding;
 use super::command::{ClearValue, Command, Rect, Viewport};
 use super::device::{Device, SubmitReport};
 use super::image::PassDesc;
-use super::pipeline::{Pipeline, PipelineDesc, Topology};
+use super::pipeline::{Pipeline, Topology};
+use super::raster::RasterState;
 use crate::output::{DepthFormat, texel_words};
 use crate::plan::{DrawPlan, PlanInput, Textures};
-use crate::primitive::{Primitives, SUBPIXEL, Setup, primitives, setup};
+use crate::primitive::{Primitives, Setup, primitives, setup, stipple_lines};
 use crate::raster::{Chunk, ClearJob, ClearTarget, DrawJob, Entry, PassJob, TileJob, Worker};
 use crate::shader::{OverBudget, Prepared};
 use crate::target::{Surface, TILE, all_bits, component_bits};
@@ -38,6 +39,7 @@ struct Bound {
     uniforms: Arc<[u32]>,
     viewport: Viewport,
     scissor: Option<Rect>,
+    raster: Arc<RasterState>,
 }
 
 /// What is the same for all chunks of a draw.
@@ -51,7 +53,9 @@ struct DrawState<'a> {
     prepared: Prepared,
     /// The varying slots that the fragment stage reads.
     slots: Vec<u16>,
-    setup: Setup,
+    setup: Setup<'a>,
+    /// How far the line stipple has come, in subpixels.
+    stipple: u32,
 }
 
 /// A pass that is being recorded into bins.
@@ -105,6 +109,7 @@ impl<'a> Pass<'a> {
                 uniforms: Arc::new([]),
                 viewport: Viewport { x: 0.0, y: 0.0, width: 0.0, height: 0.0, near: 0.0, far: 1.0 },
                 scissor: None,
+                raster: Arc::default(),
             },
         }
     }
@@ -120,6 +125,7 @@ impl<'a> Pass<'a> {
                 self.bound.fragment_textures = fragment.clone();
             }
             Command::SetUniforms(words) => self.bound.uniforms = words.clone(),
+            Command::SetRaster(raster) => self.bound.raster = raster.clone(),
             Command::SetViewport(viewport) => self.bound.viewport = *viewport,
             Command::SetScissor(scissor) => self.bound.scissor = *scissor,
             Command::Clear { value, area } => self.clear(*value, *area),
@@ -145,32 +151,15 @@ impl<'a> Pass<'a> {
         ]
     }
 
-    /// The pixels that a draw may touch: those of the scissor that lie in the view volume.
-    ///
-    /// Clipping cuts nothing at the sides of the view volume, whose pixels are those with their
-    /// centre in the viewport; this does. A line is as much wider as it is wide; a point whose
-    /// centre is inside is drawn whole (GL 2.1, section 2.12).
-    fn draw_area(&self, desc: &PipelineDesc) -> [[i32; 2]; 2] {
-        let mut area = self.area(self.bound.scissor);
-        let margin = match desc.topology {
-            Topology::Points => return area,
-            Topology::Lines | Topology::LineStrip | Topology::LineLoop => {
-                f64::from(f32::from_bits(desc.line_width_bits)) * 0.5
-            }
-            Topology::Triangles
-            | Topology::TriangleStrip
-            | Topology::TriangleFan
-            | Topology::Quads
-            | Topology::QuadStrip
-            | Topology::Polygon => 0.0,
-        };
+    /// The pixels of `area` that have their centre in the viewport.
+    fn inner_area(&self, mut area: [[i32; 2]; 2]) -> [[i32; 2]; 2] {
         let viewport = &self.bound.viewport;
         for (axis, (start, size)) in
             [(viewport.x, viewport.width), (viewport.y, viewport.height)].into_iter().enumerate()
         {
             let (start, size) = (f64::from(start), f64::from(size));
-            let first = (start - margin - 0.5).ceil() as i32;
-            let end = (start + size + margin - 0.5).ceil() as i32;
+            let first = (start - 0.5).ceil() as i32;
+            let end = (start + size - 0.5).ceil() as i32;
             area[0][axis] = area[0][axis].max(first);
             area[1][axis] = area[1][axis].min(end);
         }
@@ -242,10 +231,12 @@ impl<'a> Pass<'a> {
         report: &mut SubmitReport,
     ) {
         let Some(pipeline) = self.bound.pipeline.clone() else { return };
-        let area = self.draw_area(pipeline.desc());
+        let area = self.area(self.bound.scissor);
         if area[0][0] >= area[1][0] || area[0][1] >= area[1][1] {
             return;
         }
+        let inner = self.inner_area(area);
+        let raster = self.bound.raster.clone();
         let isa = self.job.isa;
         let format = |surface: &Option<Surface>| surface.as_ref().map(|s| s.format);
         let formats: Vec<Option<Format>> = self.colors.iter().map(format).collect();
@@ -258,20 +249,25 @@ impl<'a> Pass<'a> {
                 uniforms: &self.bound.uniforms,
                 textures: self.bound.fragment_textures.clone(),
                 viewport: self.bound.viewport,
+                raster: raster.clone(),
             },
         );
         self.device.explain(&|| plan.describe());
         let draw = self.job.draws.len();
-        self.job.draws.push(DrawJob { plan, area, stopped: AtomicBool::new(false) });
+        self.job.draws.push(DrawJob { plan, area: inner, stopped: AtomicBool::new(false) });
         self.commands.push(command);
 
         let compiled = pipeline.compiled();
         let desc = pipeline.desc();
-        let state = DrawState {
+        let resolution =
+            format(&self.depth).and_then(DepthFormat::of).and_then(DepthFormat::resolution);
+        let primitives = primitives(desc.topology, desc.provoking, count);
+        let mut state = DrawState {
             draw,
             pipeline: &pipeline,
             ids,
-            primitives: primitives(desc.topology, desc.provoking, count),
+            primitives,
+            stipple: 0,
             prepared: compiled.vertex.prepare(
                 isa,
                 &self.bound.uniforms,
@@ -282,16 +278,20 @@ impl<'a> Pass<'a> {
                 viewport: self.bound.viewport,
                 cull: desc.cull,
                 front_face: desc.front_face,
-                line_width: f32::from_bits(desc.line_width_bits),
+                raster: &raster,
+                edge_flags: primitives.edge_flags(),
                 area,
+                inner,
+                resolution,
             },
         };
         for instance in 0..instances {
+            state.stipple = 0;
             let mut start = 0;
             while start < state.primitives.len {
                 let range = start..state.primitives.len.min(start + CHUNK);
                 start = range.end;
-                if self.chunk(&state, range, instance).is_err() {
+                if self.chunk(&mut state, range, instance).is_err() {
                     self.job.draws[draw].stopped.store(true, Ordering::Relaxed);
                     return;
                 }
@@ -305,7 +305,7 @@ impl<'a> Pass<'a> {
     /// Shades, sets up and bins a chunk of primitives.
     fn chunk(
         &mut self,
-        state: &DrawState<'_>,
+        state: &mut DrawState<'_>,
         range: Range<u32>,
         instance: u32,
     ) -> Result<(), OverBudget> {
@@ -322,7 +322,8 @@ impl<'a> Pass<'a> {
             bindings: &self.bound.vertices,
             viewport: state.setup.viewport,
             varyings: &state.slots,
-            point_size: f32::from_bits(desc.point_size_bits),
+            point: &state.setup.raster.point,
+            edge_flag: state.setup.raster.polygon.edge_flag,
         };
         let geometry = shade(&stage, &unique.ids, instance)?;
         let local = |ordinal: u32| unique.local(&ordinals, &wanted, ordinal);
@@ -333,22 +334,29 @@ impl<'a> Pass<'a> {
             setup(&state.setup, &geometry, of_task, local, &mut shapes);
             shapes
         };
-        let shapes = if range.len() <= TASK as usize {
+        let mut shapes = if range.len() <= TASK as usize {
             task(range.start)
         } else {
             let starts: Vec<u32> = range.clone().step_by(TASK as usize).collect();
             starts.into_par_iter().map(task).collect::<Vec<_>>().concat()
         };
         let chunk = self.job.chunks.len() as u32;
-        for (index, shape) in shapes.iter().enumerate() {
-            let (mut low, mut high) = ([0; 2], [0; 2]);
-            for axis in 0..2 {
-                let c = shape.corners.map(|corner| corner[axis]);
-                let [first, last] = [c[0].min(c[1]).min(c[2]), c[0].max(c[1]).max(c[2])]
-                    .map(|v| v.div_euclid(SUBPIXEL));
-                low[axis] = first.max(state.setup.area[0][axis]);
-                high[axis] = last.min(state.setup.area[1][axis] - 1);
+        match desc.topology {
+            Topology::LineStrip | Topology::LineLoop => {
+                let line = &state.setup.raster.line;
+                state.stipple = stipple_lines(line, &mut shapes, state.stipple);
             }
+            Topology::Points
+            | Topology::Lines
+            | Topology::Triangles
+            | Topology::TriangleStrip
+            | Topology::TriangleFan
+            | Topology::Quads
+            | Topology::QuadStrip
+            | Topology::Polygon => {}
+        }
+        for (index, shape) in shapes.iter().enumerate() {
+            let [low, high] = shape.bounds.map(|pixel| pixel.map(i32::from));
             self.bin(low, high, Entry::Shape(chunk, index as u32));
         }
         self.shapes += shapes.len();

@@ -98,23 +98,6 @@ pub enum Provoking {
     First,
 }
 
-/// Added to the depth of a polygon: `factor · m + units · r` (GL 2.1, section 3.5.5).
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PolygonOffset {
-    /// Times the largest depth slope.
-    pub factor: f32,
-    /// Times the smallest resolvable difference.
-    pub units: f32,
-}
-
-impl Eq for PolygonOffset {}
-
-impl Hash for PolygonOffset {
-    fn hash<H: Hasher>(&self, state: &mut H) {
-        (self.factor.to_bits(), self.units.to_bits()).hash(state);
-    }
-}
-
 /// What is done with depth.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct DepthState {
@@ -237,16 +220,10 @@ pub struct PipelineDesc {
     pub front_face: FrontFace,
     /// Where flat varyings come from.
     pub provoking: Provoking,
-    /// Depth of polygons is moved by this.
-    pub polygon_offset: Option<PolygonOffset>,
     /// Depth test; `None` neither tests nor writes.
     pub depth: Option<DepthState>,
     /// By colour attachment; missing ones are not written.
     pub colors: Vec<ColorState>,
-    /// Width of lines in pixels, as bits of an `f32`.
-    pub line_width_bits: u32,
-    /// Size of points in pixels, as bits of an `f32`, where the vertex stage writes none.
-    pub point_size_bits: u32,
     /// What else happens to fragments after the shader.
     pub output: OutputState,
 }
@@ -311,17 +288,18 @@ impl Pipeline {
                 | Input::InstanceId
                 | Input::FragCoord(_)
                 | Input::FrontFacing
-                | Input::PointCoord(_) => None,
+                | Input::PointCoord(_)
+                | Input::Coverage => None,
             })
             .collect();
         varyings.sort_unstable_by_key(|&(slot, _)| slot);
         varyings.dedup();
         let vertex_program = Program::new(vertex, |output| match output {
             Output::Position(_) => true,
-            Output::PointSize => desc.topology == Topology::Points,
+            // Any topology can end as points, and what is written to clip distances cuts.
+            Output::PointSize | Output::ClipDistance(_) => true,
             Output::Varying(slot) => varyings.iter().any(|&(read, _)| read == slot),
-            // Clip distances cut nothing yet.
-            Output::ClipDistance(_) | Output::Color { .. } | Output::Depth => false,
+            Output::Color { .. } | Output::Depth => false,
         });
         let written_varyings =
             vertex.outputs.iter().filter(|(o, _)| matches!(o, Output::Varying(_))).count();

@@ -21,6 +21,7 @@ pub fn run(device: &Device, commands: &[Command]) -> SubmitReport {
             | Command::BindVertices(_)
             | Command::BindTextures { .. }
             | Command::SetUniforms(_)
+            | Command::SetRaster(_)
             | Command::SetViewport(_)
             | Command::SetScissor(_)
             | Command::Draw { .. }

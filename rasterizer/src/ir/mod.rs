@@ -104,6 +104,8 @@ pub enum Input {
     FrontFacing,
     /// Where in a point sprite the fragment is, 0 to 1 (`f32`).
     PointCoord(u8),
+    /// The part of the pixel that the primitive covers, 0 to 1; 1 unless its rim is smooth (`f32`).
+    Coverage,
 }
 
 /// What a shader writes to the pipeline, one scalar at a time. All are `f32`, but colours for
@@ -389,7 +391,8 @@ impl Input {
             | Self::Varying(_)
             | Self::Slope { .. }
             | Self::FragCoord(_)
-            | Self::PointCoord(_) => Ty::F32,
+            | Self::PointCoord(_)
+            | Self::Coverage => Ty::F32,
         }
     }
 }

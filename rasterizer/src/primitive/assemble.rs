@@ -1,6 +1,7 @@
 //! Which vertices make which primitive (GL 2.1, section 2.6.1), as arithmetic, so that a draw can
 //! be cut into chunks anywhere.
 
+use super::setup::EdgeFlags;
 use crate::driver::{Provoking, Topology};
 
 /// One primitive: the ordinals of its vertices within the draw, and which of them provokes.
@@ -10,9 +11,13 @@ pub enum Primitive {
     Point(u32),
     /// A line; the index of the provoking vertex.
     Line([u32; 2], u8),
-    /// A triangle; the index of the provoking vertex.
-    Triangle([u32; 3], u8),
+    /// A triangle; the index of the provoking vertex; which of its edges are edges of the polygon
+    /// that it is a part of, bit `i` for the one from vertex `i` on.
+    Triangle([u32; 3], u8, u8),
 }
+
+/// All three edges of a triangle.
+const ALL_EDGES: u8 = 0b111;
 
 /// The primitives that `count` vertices make.
 #[derive(Clone, Copy, Debug)]
@@ -56,9 +61,9 @@ impl Primitives {
         // Cut from the second to the fourth vertex: both halves hold the fourth, which provokes.
         let quad = |q: [u32; 4], half: u32| {
             if half == 0 {
-                Primitive::Triangle([q[0], q[1], q[3]], 2)
+                Primitive::Triangle([q[0], q[1], q[3]], 2, 0b101)
             } else {
-                Primitive::Triangle([q[1], q[2], q[3]], 2)
+                Primitive::Triangle([q[1], q[2], q[3]], 2, 0b011)
             }
         };
         match self.topology {
@@ -68,19 +73,27 @@ impl Primitives {
             Topology::LineLoop => line(i, if i + 1 == self.vertices { 0 } else { i + 1 }),
             Topology::Triangles => {
                 let first = 3 * i;
-                Primitive::Triangle([first, first + 1, first + 2], self.last_or_first(2, 0))
+                Primitive::Triangle(
+                    [first, first + 1, first + 2],
+                    self.last_or_first(2, 0),
+                    ALL_EDGES,
+                )
             }
             Topology::TriangleStrip => {
                 if i.is_multiple_of(2) {
-                    Primitive::Triangle([i, i + 1, i + 2], self.last_or_first(2, 0))
+                    Primitive::Triangle([i, i + 1, i + 2], self.last_or_first(2, 0), ALL_EDGES)
                 } else {
-                    Primitive::Triangle([i + 1, i, i + 2], self.last_or_first(2, 1))
+                    Primitive::Triangle([i + 1, i, i + 2], self.last_or_first(2, 1), ALL_EDGES)
                 }
             }
             Topology::TriangleFan => {
-                Primitive::Triangle([0, i + 1, i + 2], self.last_or_first(2, 1))
+                Primitive::Triangle([0, i + 1, i + 2], self.last_or_first(2, 1), ALL_EDGES)
             }
-            Topology::Polygon => Primitive::Triangle([0, i + 1, i + 2], 0),
+            Topology::Polygon => {
+                let (first, last) = (i == 0, i + 3 == self.vertices);
+                let edges = u8::from(first) | 0b010 | u8::from(last) << 2;
+                Primitive::Triangle([0, i + 1, i + 2], 0, edges)
+            }
             Topology::Quads => {
                 let first = i / 2 * 4;
                 quad([first, first + 1, first + 2, first + 3], i % 2)
@@ -90,6 +103,21 @@ impl Primitives {
                 // Around the quadrilateral, so that its last vertex (2i + 3) comes last.
                 quad([first + 2, first, first + 1, first + 3], i % 2)
             }
+        }
+    }
+
+    /// Whether the edge flags of vertices count: of strips and fans all edges are boundaries (section
+    /// 2.6.2).
+    pub fn edge_flags(&self) -> EdgeFlags {
+        match self.topology {
+            Topology::Triangles | Topology::Quads | Topology::Polygon => EdgeFlags::ByVertex,
+            Topology::Points
+            | Topology::Lines
+            | Topology::LineStrip
+            | Topology::LineLoop
+            | Topology::TriangleStrip
+            | Topology::TriangleFan
+            | Topology::QuadStrip => EdgeFlags::AllSet,
         }
     }
 
@@ -109,7 +137,7 @@ mod tests {
         let all = primitives(topology, Provoking::Last, vertices);
         (0..all.len)
             .map(|i| match all.get(i) {
-                Primitive::Triangle(v, _) => v,
+                Primitive::Triangle(v, ..) => v,
                 other => panic!("{other:?}"),
             })
             .collect()
@@ -138,13 +166,29 @@ mod tests {
         assert_eq!(looped.get(2), Primitive::Line([2, 0], 1));
     }
 
+    #[test]
+    fn every_edge_of_a_polygon_is_in_one_of_its_triangles() {
+        for (topology, count) in [(Topology::Quads, 4), (Topology::Polygon, 7)] {
+            let all = primitives(topology, Provoking::Last, count);
+            let mut edges = Vec::new();
+            for i in 0..all.len {
+                let Primitive::Triangle(v, _, mask) = all.get(i) else { panic!() };
+                let own = (0..3).filter(|k| mask >> k & 1 == 1);
+                edges.extend(own.map(|k| (v[k], v[(k + 1) % 3])));
+            }
+            edges.sort_unstable();
+            let want: Vec<_> = (0..count).map(|k| (k, (k + 1) % count)).collect();
+            assert_eq!(edges, want, "{topology:?}");
+        }
+    }
+
     /// A strip of quadrilaterals winds like the triangles of a strip over the same vertices.
     #[test]
     fn the_provoking_vertex_of_a_quad_is_in_both_halves() {
         for topology in [Topology::Quads, Topology::QuadStrip] {
             let all = primitives(topology, Provoking::Last, 4);
             for i in 0..2 {
-                let Primitive::Triangle(v, provoking) = all.get(i) else { panic!() };
+                let Primitive::Triangle(v, provoking, _) = all.get(i) else { panic!() };
                 assert_eq!(v[usize::from(provoking)], 3, "{topology:?}");
             }
         }

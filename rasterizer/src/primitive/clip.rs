@@ -8,8 +8,17 @@
 use crate::driver::Viewport;
 use crate::vertex::GUARD_BAND;
 
-/// A vertex in clip coordinates.
-pub type Clip = [f64; 4];
+/// How many clip distances a vertex can have.
+pub const MAX_DISTANCES: usize = 8;
+
+/// A vertex in clip coordinates, and its distances to the user's planes.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Corner {
+    /// x, y, z, w.
+    pub clip: [f64; 4],
+    /// By plane.
+    pub distances: [f64; MAX_DISTANCES],
+}
 
 /// The smallest `w` that is left: whatever is closer to the eye's plane is outside every guard band.
 const W_MIN: f64 = 1e-30;
@@ -34,40 +43,53 @@ pub fn planes(viewport: &Viewport) -> [Plane; 7] {
     ]
 }
 
-/// Cuts a convex polygon (or, with two vertices, a line) by every plane, in place. Leaves nothing
-/// or a convex polygon whose `w` are all positive.
-pub fn clip(polygon: &mut Vec<Clip>, scratch: &mut Vec<Clip>, planes: &[Plane; 7]) {
+/// Cuts a convex polygon (or, with two vertices, a line) by every plane and by the user's planes
+/// whose bit is set in `user`, in place. Leaves nothing or a convex polygon whose `w` are all
+/// positive.
+pub fn clip(polygon: &mut Vec<Corner>, scratch: &mut Vec<Corner>, planes: &[Plane; 7], user: u8) {
     for (index, plane) in planes.iter().enumerate() {
         let offset = if index == 0 { -W_MIN } else { 0.0 };
-        let distance = |p: &Clip| {
+        cut(polygon, scratch, |corner| {
+            let p = &corner.clip;
             p[0] * plane[0] + p[1] * plane[1] + p[2] * plane[2] + p[3] * plane[3] + offset
-        };
-        scratch.clear();
-        let n = polygon.len();
-        // A line has one edge, a polygon as many as vertices.
-        for i in 0..n {
-            let a = polygon[i];
-            let da = distance(&a);
-            if da >= 0.0 {
-                scratch.push(a);
-            }
-            if n == 2 && i == 1 {
-                break;
-            }
-            let b = polygon[(i + 1) % n];
-            let db = distance(&b);
-            if (da >= 0.0) != (db >= 0.0) {
-                // From the inside to the outside, whichever way the edge runs, so that two
-                // primitives that share it are cut at the same point to the bit.
-                let (inside, di, outside, d_o) =
-                    if da >= 0.0 { (a, da, b, db) } else { (b, db, a, da) };
-                let t = di / (di - d_o);
-                scratch.push([0, 1, 2, 3].map(|k| inside[k] + (outside[k] - inside[k]) * t));
-            }
+        });
+    }
+    for plane in (0..MAX_DISTANCES).filter(|plane| user >> plane & 1 == 1) {
+        cut(polygon, scratch, |corner| corner.distances[plane]);
+    }
+}
+
+/// Cuts away where `distance` is negative.
+///
+/// Where an edge is cut depends on nothing but its two ends and their distances, and negated
+/// distances give the same point to the bit. So two primitives that share an edge are cut at the same
+/// point, and the two halves that complementary planes leave of a primitive share their edge: every
+/// pixel is in one of them.
+fn cut(polygon: &mut Vec<Corner>, scratch: &mut Vec<Corner>, distance: impl Fn(&Corner) -> f64) {
+    scratch.clear();
+    let n = polygon.len();
+    // A line has one edge, a polygon as many as vertices.
+    for i in 0..n {
+        let a = polygon[i];
+        let da = distance(&a);
+        if da >= 0.0 {
+            scratch.push(a);
         }
-        std::mem::swap(polygon, scratch);
-        if polygon.is_empty() {
-            return;
+        if n == 2 && i == 1 {
+            break;
+        }
+        let b = polygon[(i + 1) % n];
+        let db = distance(&b);
+        if (da >= 0.0) != (db >= 0.0) {
+            // From the lesser to the greater in some order, whichever way the edge runs.
+            let (from, to, df, dt) = if a.clip < b.clip { (a, b, da, db) } else { (b, a, db, da) };
+            let t = df / (df - dt);
+            let mix = |from: f64, to: f64| from + (to - from) * t;
+            scratch.push(Corner {
+                clip: std::array::from_fn(|k| mix(from.clip[k], to.clip[k])),
+                distances: std::array::from_fn(|k| mix(from.distances[k], to.distances[k])),
+            });
         }
     }
+    std::mem::swap(polygon, scratch);
 }

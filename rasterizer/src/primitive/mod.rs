@@ -3,7 +3,12 @@
 
 mod assemble;
 mod clip;
+mod line;
+mod outline;
 mod setup;
 
 pub use assemble::{Primitives, primitives};
-pub use setup::{Facing, Kind, SUBPIXEL, Setup, Shape, setup, snap};
+pub use clip::{Corner, MAX_DISTANCES};
+pub use line::LineRun;
+pub use outline::{rectangle, stipple_lines};
+pub use setup::{Facing, Kind, SUBPIXEL, Setup, Shape, setup};

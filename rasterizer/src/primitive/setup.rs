@@ -1,15 +1,12 @@
-//! From a primitive to triangles on the subpixel grid, culled.
+//! From a primitive to shapes on the subpixel grid, culled.
 
 use super::assemble::Primitive;
-use super::clip::{Clip, clip, planes};
-use crate::driver::{Cull, FrontFace, Viewport};
-use crate::vertex::{GUARD_BAND, Geometry, Outcode, ShadedVertex};
+use super::clip::{Corner, clip, planes};
+use crate::driver::{Cull, FrontFace, PolygonMode, RasterState, Rim, Viewport};
+use crate::vertex::{Geometry, Outcode};
 
 /// Subpixels of a pixel along an axis (`GL_SUBPIXEL_BITS` = 8).
 pub const SUBPIXEL: i32 = 256;
-
-/// The largest size of a point in pixels.
-const MAX_POINT_SIZE: f64 = 2048.0;
 
 /// Which side of a polygon is seen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -20,71 +17,101 @@ pub enum Facing {
     Back,
 }
 
-/// How depth and varyings run over a shape.
+/// What a shape covers, and how depth and varyings run over it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Kind {
-    /// By the plane through three vertices.
+    /// The triangle of its corners, by the plane through three vertices.
     Triangle,
-    /// Along the line from the first to the second vertex.
-    Line,
-    /// Constant; window x and y of the point's lower left corner, and its size.
-    Point([f32; 2], f32),
+    /// The line from its first to its second corner, along which values run from the first to the
+    /// second vertex.
+    Line {
+        /// How far the stipple has come before it, in subpixels.
+        stipple: u32,
+        /// Added to depth.
+        bias: f32,
+    },
+    /// The square or disc around its only vertex; all is constant.
+    Point {
+        /// In pixels.
+        size: f32,
+        /// Added to depth.
+        bias: f32,
+    },
 }
 
-/// A triangle to be filled, counter-clockwise on the grid, and where its values come from.
+/// Something to be filled, and where its values come from.
 #[derive(Clone, Copy, Debug)]
 pub struct Shape {
-    /// Corners in subpixels.
+    /// Corners in subpixels; of a triangle counter-clockwise, of a line its ends.
     pub corners: [[i32; 2]; 3],
-    /// Vertices of the primitive in the draw's geometry (a line repeats its second, a point its
-    /// only one).
+    /// First and last pixel that it may cover, x then y.
+    pub bounds: [[u16; 2]; 2],
+    /// Vertices of the primitive in the draw's geometry. A line repeats its second, or has a third
+    /// that provokes; a point repeats its only one.
     pub vertices: [u32; 3],
     /// Which of `vertices` gives flat varyings.
     pub provoking: u8,
-    /// How values run.
+    /// What it is.
     pub kind: Kind,
     /// Which side is seen.
     pub facing: Facing,
 }
 
+/// Whether the edge flags of vertices count.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum EdgeFlags {
+    /// All edges are boundaries.
+    AllSet,
+    /// Those are whose first vertex says so.
+    ByVertex,
+}
+
 /// What is fixed for the primitives of a draw.
 #[derive(Clone, Copy, Debug)]
-pub struct Setup {
+pub struct Setup<'a> {
     /// Where the window is.
     pub viewport: Viewport,
     /// Which faces are not drawn.
     pub cull: Cull,
     /// Which winding is the front.
     pub front_face: FrontFace,
-    /// Width of lines in pixels.
-    pub line_width: f32,
+    /// How primitives become fragments.
+    pub raster: &'a RasterState,
+    /// Whether edge flags count.
+    pub edge_flags: EdgeFlags,
     /// First and one past the last pixel that can be drawn to, x then y; what lies outside is
     /// dropped here.
     pub area: [[i32; 2]; 2],
+    /// The part of `area` whose pixels have their centre in the viewport. Clipping cuts nothing at
+    /// the sides of the view volume; this does.
+    pub inner: [[i32; 2]; 2],
+    /// The smallest resolvable difference of depth; `None` for floating-point depth.
+    pub resolution: Option<f64>,
 }
 
 /// Buffers of a run of [`setup`] calls.
 #[derive(Debug, Default)]
 pub(super) struct Scratch {
-    polygon: Vec<Clip>,
-    other: Vec<Clip>,
-    snapped: Vec<[i32; 2]>,
+    pub polygon: Vec<Corner>,
+    pub other: Vec<Corner>,
+    pub snapped: Vec<[i32; 2]>,
+    pub planes: [[f64; 4]; 7],
 }
 
 /// Puts the shapes of `primitives` behind `out`. `local` gives the vertex of the geometry for an
 /// ordinal of the draw.
 pub fn setup(
-    setup: &Setup,
+    setup: &Setup<'_>,
     geometry: &Geometry,
     primitives: impl Iterator<Item = Primitive>,
     local: impl Fn(u32) -> u32,
     out: &mut Vec<Shape>,
 ) {
-    let planes = planes(&setup.viewport);
-    let mut scratch = Scratch::default();
+    let mut scratch = Scratch { planes: planes(&setup.viewport), ..Scratch::default() };
+    let filled = setup.raster.polygon.mode == [PolygonMode::Fill; 2];
     for primitive in primitives {
         match primitive {
-            Primitive::Triangle(v, provoking) => {
+            Primitive::Triangle(v, provoking, edges) => {
                 let vertices = v.map(&local);
                 let shaded = vertices.map(|v| &geometry.vertices[v as usize]);
                 let all = shaded.map(|v| v.outcode.0);
@@ -92,58 +119,64 @@ pub fn setup(
                 if every & Outcode::REJECT != 0 || any & Outcode::INVALID != 0 {
                     continue;
                 }
-                let shape = |corners, facing| Shape {
-                    corners,
-                    vertices,
-                    provoking,
-                    kind: Kind::Triangle,
-                    facing,
-                };
-                if any & Outcode::CUT == 0 {
-                    let corners = shaded.map(|v| snap(v.window));
-                    setup.emit(&corners, shape, out);
+                let triangle;
+                let corners = if any & Outcode::CUT == 0 {
+                    triangle = shaded.map(|v| v.snapped);
+                    &triangle
                 } else {
-                    scratch.polygon.clear();
-                    scratch.polygon.extend(shaded.map(|v| v.clip.map(f64::from)));
-                    clip(&mut scratch.polygon, &mut scratch.other, &planes);
-                    scratch.snapped.clear();
-                    scratch
-                        .snapped
-                        .extend(scratch.polygon.iter().map(|p| snap(setup.viewport.window(p))));
-                    setup.emit(&scratch.snapped, shape, out);
+                    setup.cut(geometry, vertices, &mut scratch);
+                    scratch.snapped.as_slice()
+                };
+                let Some((area, facing)) = setup.facing(corners) else { continue };
+                if filled || setup.raster.polygon.mode[facing as usize] == PolygonMode::Fill {
+                    setup.fill(corners, area, vertices, provoking, facing, out);
+                } else {
+                    let outline = super::outline::Outline { vertices, provoking, edges, facing };
+                    setup.outline(geometry, &outline, &mut scratch, out);
                 }
             }
             Primitive::Line(v, provoking) => {
                 let [a, b] = v.map(&local);
-                let ends = [a, b].map(|v| &geometry.vertices[v as usize]);
-                setup.line(ends, [a, b, b], provoking, &planes, &mut scratch, out);
+                let line = super::outline::Line {
+                    vertices: [a, b, b],
+                    provoking,
+                    facing: Facing::Front,
+                    bias: 0.0,
+                };
+                setup.line(geometry, &line, &mut scratch, out);
             }
             Primitive::Point(v) => {
-                let vertex = local(v);
-                setup.point(&geometry.vertices[vertex as usize], vertex, out);
+                setup.point(geometry, local(v), Facing::Front, 0.0, out);
             }
         }
     }
 }
 
-impl Setup {
-    /// A convex polygon as triangles.
-    fn emit(
-        &self,
-        corners: &[[i32; 2]],
-        shape: impl Fn([[i32; 2]; 3], Facing) -> Shape,
-        out: &mut Vec<Shape>,
-    ) {
-        if corners.len() < 3 || self.misses(corners) {
-            return;
+impl Setup<'_> {
+    /// What clipping leaves of a triangle, as a convex polygon in `scratch.snapped`.
+    fn cut(&self, geometry: &Geometry, vertices: [u32; 3], scratch: &mut Scratch) {
+        scratch.polygon.clear();
+        scratch.polygon.extend(vertices.map(|v| geometry.corner(v)));
+        let user = vertices.iter().fold(0, |all, &v| all | geometry.vertices[v as usize].user);
+        clip(&mut scratch.polygon, &mut scratch.other, &scratch.planes, user);
+        scratch.snapped.clear();
+        let snapped = scratch.polygon.iter().map(|p| snap(self.viewport.window(&p.clip)));
+        scratch.snapped.extend(snapped);
+    }
+
+    /// Twice the area of a convex polygon, and which side is seen; `None` where nothing of it is.
+    #[inline]
+    fn facing(&self, corners: &[[i32; 2]]) -> Option<(i64, Facing)> {
+        if corners.len() < 3 {
+            return None;
         }
         let area: i64 = (1..corners.len() - 1)
             .map(|i| doubled_area([corners[0], corners[i], corners[i + 1]]))
             .sum();
-        if area == 0 {
-            return;
-        }
-        let front = (area > 0) == (self.front_face == FrontFace::Ccw);
+        let front = match self.front_face {
+            FrontFace::Ccw => area > 0,
+            FrontFace::Cw => area < 0,
+        };
         let culled = match self.cull {
             Cull::None => false,
             Cull::Front => front,
@@ -151,114 +184,75 @@ impl Setup {
             Cull::Both => true,
         };
         if culled {
+            return None;
+        }
+        Some((area, if front { Facing::Front } else { Facing::Back }))
+    }
+
+    /// A convex polygon of this area as triangles.
+    fn fill(
+        &self,
+        corners: &[[i32; 2]],
+        area: i64,
+        vertices: [u32; 3],
+        provoking: u8,
+        facing: Facing,
+        out: &mut Vec<Shape>,
+    ) {
+        if area == 0 {
             return;
         }
-        let facing = if front { Facing::Front } else { Facing::Back };
         for i in 1..corners.len() - 1 {
-            let fan = if area > 0 {
+            let corners = if area > 0 {
                 [corners[0], corners[i], corners[i + 1]]
             } else {
                 [corners[0], corners[i + 1], corners[i]]
             };
             // Snapping can fold a sliver of a cut polygon over; what is folded covers nothing.
-            if doubled_area(fan) > 0 {
-                out.push(shape(fan, facing));
+            if doubled_area(corners) <= 0 {
+                continue;
+            }
+            if let Some(bounds) = bounds(&corners, self.raster.polygon.rim, &self.inner) {
+                let kind = Kind::Triangle;
+                out.push(Shape { corners, bounds, vertices, provoking, kind, facing });
             }
         }
-    }
-
-    /// Whether a polygon's bounding box has no pixel centre in the area.
-    fn misses(&self, corners: &[[i32; 2]]) -> bool {
-        (0..2).any(|axis| {
-            let (mut low, mut high) = (i32::MAX, i32::MIN);
-            for corner in corners {
-                low = low.min(corner[axis]);
-                high = high.max(corner[axis]);
-            }
-            // The first and last pixel whose centre lies in [low, high].
-            let first = (low - SUBPIXEL / 2).div_euclid(SUBPIXEL)
-                + i32::from((low - SUBPIXEL / 2).rem_euclid(SUBPIXEL) != 0);
-            let last = (high - SUBPIXEL / 2).div_euclid(SUBPIXEL);
-            first > last || last < self.area[0][axis] || first >= self.area[1][axis]
-        })
-    }
-
-    /// A line as the parallelogram that Vulkan calls its non-strict form: as wide along the minor
-    /// axis as the line, ends cut along the minor axis. At width 1 every column (or row) gets one
-    /// pixel, and lines that follow each other share none.
-    fn line(
-        &self,
-        ends: [&ShadedVertex; 2],
-        vertices: [u32; 3],
-        provoking: u8,
-        planes: &[[f64; 4]; 7],
-        scratch: &mut Scratch,
-        out: &mut Vec<Shape>,
-    ) {
-        let (any, every) =
-            (ends[0].outcode.0 | ends[1].outcode.0, ends[0].outcode.0 & ends[1].outcode.0);
-        if every & Outcode::REJECT != 0 || any & Outcode::INVALID != 0 {
-            return;
-        }
-        scratch.polygon.clear();
-        scratch.polygon.extend(ends.map(|v| v.clip.map(f64::from)));
-        if any & Outcode::CUT != 0 {
-            clip(&mut scratch.polygon, &mut scratch.other, planes);
-        }
-        let &[a, b] = scratch.polygon.as_slice() else { return };
-        let (a, b) = (self.viewport.window(&a), self.viewport.window(&b));
-        let half = f64::from(self.line_width.round().max(1.0)) * 0.5;
-        let offset =
-            if (b[0] - a[0]).abs() >= (b[1] - a[1]).abs() { [0.0, half] } else { [half, 0.0] };
-        let corner =
-            |p: [f64; 2], side: f64| snap([p[0] + side * offset[0], p[1] + side * offset[1]]);
-        let corners = [corner(a, -1.0), corner(b, -1.0), corner(b, 1.0), corner(a, 1.0)];
-        self.unfaced(&corners, vertices, provoking, Kind::Line, out);
-    }
-
-    /// A point as a square around its place (GL 2.1, section 3.3.1).
-    fn point(&self, vertex: &ShadedVertex, index: u32, out: &mut Vec<Shape>) {
-        if vertex.outcode.0 & (Outcode::REJECT | Outcode::INVALID | Outcode::GUARD) != 0 {
-            return;
-        }
-        // A size below one, or none at all, is drawn as one.
-        let size = f64::from(vertex.point_size).clamp(1.0, MAX_POINT_SIZE).round();
-        // Odd sizes are centred on a pixel's centre, even ones on a corner.
-        let low = vertex.window.map(|v| {
-            if size % 2.0 == 1.0 {
-                v.floor() + 0.5 - size * 0.5
-            } else {
-                (v + 0.5).floor() - size * 0.5
-            }
-        });
-        let high = low.map(|v| v + size);
-        let corners = [low, [high[0], low[1]], high, [low[0], high[1]]].map(snap);
-        let kind = Kind::Point(low.map(|v| v as f32), size as f32);
-        self.unfaced(&corners, [index; 3], 0, kind, out);
-    }
-
-    /// A quadrilateral that has no back.
-    fn unfaced(
-        &self,
-        corners: &[[i32; 2]; 4],
-        vertices: [u32; 3],
-        provoking: u8,
-        kind: Kind,
-        out: &mut Vec<Shape>,
-    ) {
-        let facing = Facing::Front;
-        let both = Self { cull: Cull::None, ..*self };
-        both.emit(corners, |corners, _| Shape { corners, vertices, provoking, kind, facing }, out);
     }
 }
 
-/// To the nearest subpixel, within 24 bits. The clamp acts only where a cut between coordinates of
-/// 1e30 and of 1 has rounded to a point outside the guard band.
-pub fn snap(window: [f64; 2]) -> [i32; 2] {
-    window.map(|v| {
-        let v = v.clamp(-GUARD_BAND, GUARD_BAND);
-        (v * f64::from(SUBPIXEL) + 0.5).floor() as i32
-    })
+/// The first and last pixel of `area` that points in the bounding box of `corners` may cover: those
+/// with their centre inside, or, of a smooth rim, all that it touches.
+pub(super) fn bounds(
+    corners: &[[i32; 2]],
+    rim: Rim,
+    area: &[[i32; 2]; 2],
+) -> Option<[[u16; 2]; 2]> {
+    let mut out = [[0; 2]; 2];
+    for axis in 0..2 {
+        let (mut low, mut high) = (i32::MAX, i32::MIN);
+        for corner in corners {
+            low = low.min(corner[axis]);
+            high = high.max(corner[axis]);
+        }
+        let (first, last) = match rim {
+            Rim::Aliased => (
+                (low + SUBPIXEL / 2 - 1).div_euclid(SUBPIXEL),
+                (high - SUBPIXEL / 2).div_euclid(SUBPIXEL),
+            ),
+            Rim::Smooth => (low.div_euclid(SUBPIXEL), (high - 1).div_euclid(SUBPIXEL)),
+        };
+        let (first, last) = (first.max(area[0][axis]), last.min(area[1][axis] - 1));
+        if first > last {
+            return None;
+        }
+        (out[0][axis], out[1][axis]) = (first as u16, last as u16);
+    }
+    Some(out)
+}
+
+/// Window coordinates on the subpixel grid.
+pub(super) fn snap(window: [f64; 2]) -> [i32; 2] {
+    window.map(crate::vertex::snap)
 }
 
 /// Twice the area of a triangle, positive counter-clockwise.

@@ -1,6 +1,5 @@
 //! A batch of fragments: up to 16 quads, of one block or of many, of one shape or of many.
 
-use super::interpolate::Planes;
 use crate::ir::Axis;
 use crate::plan::{DrawPlan, FragmentInput};
 use crate::primitive::Facing;
@@ -35,6 +34,8 @@ pub struct Batch {
     x: [f32; QUADS],
     y: [f32; QUADS],
     front: [u32; QUADS],
+    /// The part of each lane's pixel that is covered, where the draw asks.
+    coverage: F32s,
     planes: Vec<QuadPlane>,
     /// By block: the quads that wait in this batch.
     waiting: [u16; 64],
@@ -52,6 +53,7 @@ impl Default for Batch {
             x: [0.0; QUADS],
             y: [0.0; QUADS],
             front: [0; QUADS],
+            coverage: F32s::ZERO,
             planes: Vec::new(),
             waiting: [0; 64],
         }
@@ -60,8 +62,8 @@ impl Default for Batch {
 
 /// A block of a shape, to be put into a batch.
 pub struct BlockOf<'a> {
-    /// Its planes.
-    pub planes: &'a Planes,
+    /// Of each plane: at its first pixel, per pixel across, per pixel up.
+    pub planes: &'a [[f32; 3]],
     /// Which side is seen.
     pub facing: Facing,
     /// Which block of the tile.
@@ -70,6 +72,8 @@ pub struct BlockOf<'a> {
     pub x: i32,
     /// Its first row.
     pub y: i32,
+    /// The part of each lane's pixel that is covered, where the draw asks.
+    pub coverage: Option<&'a F32s>,
 }
 
 /// The quads of a mask of lanes, bit by quad.
@@ -127,7 +131,7 @@ impl Batch {
 
     /// Adds one quad of a block; `lanes` are the block's covered lanes.
     pub fn push(&mut self, of: &BlockOf<'_>, quad: usize, lanes: u64) {
-        let at = self.len;
+        let at = self.len % QUADS;
         self.len += 1;
         self.blocks[at] = of.block as u8;
         self.quads[at] = quad as u8;
@@ -140,10 +144,15 @@ impl Batch {
         for e in 0..4 {
             self.mask |= (lanes >> (e * QUADS + quad) & 1) << (e * QUADS + at);
         }
-        for (index, plane) in self.planes.iter_mut().enumerate() {
-            plane.corner[at] = of.planes.at(index, of.x, of.y);
-            plane.a[at] = of.planes.planes[index].a as f32;
-            plane.b[at] = of.planes.planes[index].b as f32;
+        if let Some(coverage) = of.coverage {
+            for e in 0..4 {
+                self.coverage[e * QUADS + at] = coverage[e * QUADS + quad];
+            }
+        }
+        for (plane, &[corner, a, b]) in self.planes.iter_mut().zip(of.planes) {
+            plane.corner[at] = corner;
+            plane.a[at] = a;
+            plane.b[at] = b;
         }
     }
 
@@ -160,10 +169,13 @@ impl Batch {
         self.x = [of.x as f32; QUADS];
         self.y = [of.y as f32; QUADS];
         self.front = [front_word(of.facing); QUADS];
-        for (index, plane) in self.planes.iter_mut().enumerate() {
-            plane.corner = [of.planes.at(index, of.x, of.y); QUADS];
-            plane.a = [of.planes.planes[index].a as f32; QUADS];
-            plane.b = [of.planes.planes[index].b as f32; QUADS];
+        if let Some(coverage) = of.coverage {
+            self.coverage = *coverage;
+        }
+        for (plane, &[corner, a, b]) in self.planes.iter_mut().zip(of.planes) {
+            plane.corner = [corner; QUADS];
+            plane.a = [a; QUADS];
+            plane.b = [b; QUADS];
         }
     }
 }
@@ -193,16 +205,17 @@ impl Kernel for Interpolate<'_> {
     #[inline(always)]
     fn run<S: Simd>(self) {
         let Self { plan, batch, machine, depth } = self;
+        // Planes and registers may overlap as far as the compiler knows: what is computed here is
+        // computed on the stack and stored whole.
         if let Some(index) = plan.depth_plane {
-            batch.evaluate(index, depth);
+            *depth = batch.evaluate(index);
             clamp_depth(depth);
         }
         let mut w = F32s::ZERO;
         let mut denominator = 0;
         if let Some(index) = plan.denominator_plane {
             denominator = index;
-            let mut over = F32s::ZERO;
-            batch.evaluate(index, &mut over);
+            let over = batch.evaluate(index);
             for lane in 0..LANES {
                 w[lane] = 1.0 / over[lane];
             }
@@ -211,27 +224,23 @@ impl Kernel for Interpolate<'_> {
             let out = machine.input_mut(index);
             match *input {
                 FragmentInput::Smooth(index) => {
-                    let mut over = F32s::ZERO;
-                    batch.evaluate(index, &mut over);
-                    let out = out.as_f32_mut();
+                    let mut value = batch.evaluate(index);
                     for lane in 0..LANES {
-                        out[lane] = over[lane] * w[lane];
+                        value[lane] *= w[lane];
                     }
+                    *out.as_f32_mut() = value;
                 }
-                FragmentInput::Linear(index) => batch.evaluate(index, out.as_f32_mut()),
+                FragmentInput::Linear(index) => *out.as_f32_mut() = batch.evaluate(index),
                 FragmentInput::SmoothSlope(index, axis) => {
-                    // The derivative of n/d is (n' - n/d · d') / d.
-                    let mut over = F32s::ZERO;
-                    batch.evaluate(index, &mut over);
-                    let (of, by) = (batch.slope(index, axis), batch.slope(denominator, axis));
-                    let out = out.as_f32_mut();
-                    for e in 0..4 {
-                        for q in 0..QUADS {
-                            let lane = e * QUADS + q;
-                            let value = over[lane] * w[lane];
-                            out[lane] = (of[q] - value * by[q]) * w[lane];
-                        }
-                    }
+                    let mut slope = batch.evaluate(index);
+                    let (of, by) = (*batch.slope(index, axis), *batch.slope(denominator, axis));
+                    let [a, b, c, d] = pixels(&mut slope);
+                    let [ia, ib, ic, id] = pixels(&mut w);
+                    Batch::slope_pixel(&of, &by, ia, a);
+                    Batch::slope_pixel(&of, &by, ib, b);
+                    Batch::slope_pixel(&of, &by, ic, c);
+                    Batch::slope_pixel(&of, &by, id, d);
+                    *out.as_f32_mut() = slope;
                 }
                 FragmentInput::LinearSlope(index, axis) => {
                     by_quad(out, |_, q| batch.slope(index, axis)[q].to_bits());
@@ -247,6 +256,7 @@ impl Kernel for Interpolate<'_> {
                     by_quad(out, |e, q| (batch.y[q] + (batch.dy[q] + Y[e] + 0.5)).to_bits());
                 }
                 FragmentInput::Front => by_quad(out, |_, q| batch.front[q]),
+                FragmentInput::Coverage => *out.as_f32_mut() = batch.coverage,
                 FragmentInput::Zero => *out = U32s::ZERO,
             }
         }
@@ -261,10 +271,8 @@ const Y: [f32; 4] = [0.0, 0.0, 1.0, 1.0];
 /// Fills lanes from the pixel of the quad and the quad.
 #[inline(always)]
 fn by_quad(out: &mut U32s, word: impl Fn(usize, usize) -> u32) {
-    for e in 0..4 {
-        for q in 0..QUADS {
-            out[e * QUADS + q] = word(e, q);
-        }
+    for lane in 0..LANES {
+        out[lane] = word(lane / QUADS, lane % QUADS);
     }
 }
 
@@ -280,15 +288,47 @@ impl Batch {
 
     /// A plane at every lane.
     #[inline(always)]
-    fn evaluate(&self, plane: usize, out: &mut F32s) {
-        let p = &self.planes[plane];
-        for e in 0..4 {
-            for q in 0..QUADS {
-                let (dx, dy) = (self.dx[q] + X[e], self.dy[q] + Y[e]);
-                out[e * QUADS + q] = (p.corner[q] + dx * p.a[q]) + dy * p.b[q];
-            }
+    fn evaluate(&self, plane: usize) -> F32s {
+        let plane = &self.planes[plane];
+        let mut out = F32s::ZERO;
+        let [first, second, third, fourth] = pixels(&mut out);
+        self.evaluate_pixel(plane, 0, first);
+        self.evaluate_pixel(plane, 1, second);
+        self.evaluate_pixel(plane, 2, third);
+        self.evaluate_pixel(plane, 3, fourth);
+        out
+    }
+
+    /// A plane at one pixel of each quad.
+    #[inline(always)]
+    fn evaluate_pixel(&self, p: &QuadPlane, e: usize, out: &mut [f32; QUADS]) {
+        for q in 0..QUADS {
+            let (dx, dy) = (self.dx[q] + X[e], self.dy[q] + Y[e]);
+            out[q] = (p.corner[q] + dx * p.a[q]) + dy * p.b[q];
         }
     }
+
+    /// The derivative of the quotient of two planes at one pixel of each quad:
+    /// `(n / d)' = (n' - n / d · d') / d`, given `1 / d` and, in `out`, `n`.
+    #[inline(always)]
+    fn slope_pixel(
+        of: &[f32; QUADS],
+        by: &[f32; QUADS],
+        inverse: &[f32; QUADS],
+        out: &mut [f32; QUADS],
+    ) {
+        for q in 0..QUADS {
+            let value = out[q] * inverse[q];
+            out[q] = (of[q] - value * by[q]) * inverse[q];
+        }
+    }
+}
+
+/// The lanes by pixel of the quad. A loop over pixels around a loop over quads would be vectorized
+/// the wrong way round, with scattered stores.
+#[inline(always)]
+fn pixels(lanes: &mut F32s) -> &mut [[f32; QUADS]; 4] {
+    bytemuck::cast_mut(&mut lanes.0)
 }
 
 /// Window depth lies in [0, 1], whatever the planes and offsets gave (GL 2.1, section 2.11.1).

@@ -7,7 +7,7 @@
 
 use crate::output::pack_mask;
 use crate::primitive::SUBPIXEL;
-use texunit::lanes::{I32s, Isa, Kernel, LANES, Simd, U32s, lane_x, lane_y};
+use texunit::lanes::{I32s, Isa, Kernel, LANES, QUADS, Simd, U32s, lane_x, lane_y};
 
 /// An edge function, scaled down by 256, relative to the centre of a tile's first pixel.
 #[derive(Clone, Copy, Debug, Default)]
@@ -115,6 +115,11 @@ impl Kernel for Inside {
     }
 }
 
+/// The lane of column `x`, row `y` of a block.
+pub fn lane_at(x: usize, y: usize) -> usize {
+    (y % 2 * 2 + x % 2) * QUADS + y / 2 * 4 + x / 2
+}
+
 /// The lanes of block column `bx`, row `by` of a tile at `(x, y)` that lie in `area` (first and one
 /// past the last pixel, x then y).
 pub fn inside_area(area: &[[i32; 2]; 2], x: i32, y: i32, bx: i32, by: i32) -> u64 {
@@ -154,6 +159,13 @@ mod tests {
             Coverage::None => 0,
             Coverage::Full => !0,
             Coverage::Partial(mask) => mask,
+        }
+    }
+
+    #[test]
+    fn every_lane_is_at_its_place() {
+        for lane in 0..LANES {
+            assert_eq!(lane_at(lane_x(lane), lane_y(lane)), lane);
         }
     }
 

@@ -15,8 +15,8 @@
 //! A value at a pixel is `(corner + dx · A) + dy · B` in `f32`, where `corner` is the plane in `f64`
 //! at the first pixel of the screen-aligned 8×8 block, and `dx`, `dy` count pixels within it.
 
-use crate::driver::{PolygonOffset, Viewport};
-use crate::primitive::{Kind, SUBPIXEL, Shape, snap};
+use crate::driver::{PolygonOffset, SpriteOrigin, Viewport};
+use crate::primitive::{Facing, Kind, SUBPIXEL, Shape};
 use crate::vertex::{Geometry, Outcode};
 
 /// What one plane of a draw holds.
@@ -36,6 +36,8 @@ pub enum PlaneSource {
     Flat(usize),
     /// `gl_PointCoord`, 0 for s, 1 for t.
     PointCoord(u8),
+    /// As [`PlaneSource::Smooth`], but component 0 to 3 of (s, t, 0, 1) where the shape is a point.
+    Sprite(usize, u8),
 }
 
 /// `a · (x - origin.x) + b · (y - origin.y) + c`.
@@ -78,32 +80,32 @@ pub struct PlaneSetup<'a> {
     pub sources: &'a [PlaneSource],
     /// Where the window is.
     pub viewport: Viewport,
-    /// Moves the depth of triangles.
+    /// Moves the depth of filled polygons.
     pub offset: Option<PolygonOffset>,
     /// The smallest resolvable difference of depth; `None` for floating-point depth.
     pub resolution: Option<f64>,
+    /// Where t is 0 in a point.
+    pub origin: SpriteOrigin,
 }
 
 /// The planes of a shape.
 #[derive(Debug, Default)]
 pub struct Planes {
-    origin: [f64; 2],
+    /// What the planes count from, in pixels.
+    pub origin: [f64; 2],
     /// In the order of [`PlaneSetup::sources`].
     pub planes: Vec<Plane>,
 }
 
 impl Planes {
-    /// The value of a plane at the centre of pixel `(x, y)`.
-    #[inline]
-    pub fn at(&self, plane: usize, x: i32, y: i32) -> f32 {
-        let p = &self.planes[plane];
-        let (dx, dy) = (f64::from(x) + 0.5 - self.origin[0], f64::from(y) + 0.5 - self.origin[1]);
-        ((dx * p.a + dy * p.b) + p.c) as f32
-    }
-
     /// Computes the planes of `shape`.
     pub fn compute(&mut self, setup: &PlaneSetup<'_>, geometry: &Geometry, shape: &Shape) {
-        self.origin = shape.corners[0].map(|v| f64::from(v) / f64::from(SUBPIXEL));
+        self.origin = match shape.kind {
+            Kind::Triangle | Kind::Line { .. } => {
+                shape.corners[0].map(|v| f64::from(v) / f64::from(SUBPIXEL))
+            }
+            Kind::Point { .. } => geometry.vertices[shape.vertices[0] as usize].window,
+        };
         let rows = Rows::new(shape, geometry, &setup.viewport, self.origin);
         let varyings = shape.vertices.map(|v| geometry.varyings_of(v));
         let provoking = varyings[usize::from(shape.provoking)];
@@ -118,17 +120,13 @@ impl Planes {
                 PlaneSource::NoPerspective(at) => Plane::sum(&rows.linear, values(at)),
                 PlaneSource::Flat(at) => Plane::constant(f64::from(provoking[at])),
                 PlaneSource::PointCoord(axis) => match shape.kind {
-                    Kind::Point(low, size) => {
-                        let low = low.map(f64::from);
-                        let per = 1.0 / f64::from(size);
-                        if axis == 0 {
-                            Plane { a: per, b: 0.0, c: (self.origin[0] - low[0]) * per }
-                        } else {
-                            // t runs down from the upper edge (`GL_UPPER_LEFT`).
-                            Plane { a: 0.0, b: -per, c: 1.0 - (self.origin[1] - low[1]) * per }
-                        }
-                    }
-                    Kind::Triangle | Kind::Line => Plane::constant(0.0),
+                    Kind::Point { size, .. } => point_coord(axis, size, setup.origin),
+                    Kind::Triangle | Kind::Line { .. } => Plane::constant(0.0),
+                },
+                PlaneSource::Sprite(at, component) => match (shape.kind, component) {
+                    (Kind::Point { size, .. }, 0 | 1) => point_coord(component, size, setup.origin),
+                    (Kind::Point { .. }, _) => Plane::constant(f64::from(component - 2)),
+                    (Kind::Triangle | Kind::Line { .. }, _) => Plane::sum(&rows.smooth, values(at)),
                 },
             };
             // A shape so thin that its planes overflow has the value of its provoking vertex.
@@ -138,6 +136,7 @@ impl Planes {
                 Plane::constant(match *source {
                     PlaneSource::Smooth(at)
                     | PlaneSource::NoPerspective(at)
+                    | PlaneSource::Sprite(at, _)
                     | PlaneSource::Flat(at) => f64::from(provoking[at]),
                     PlaneSource::Denominator | PlaneSource::InverseW => 1.0,
                     PlaneSource::Depth | PlaneSource::PointCoord(_) => 0.0,
@@ -162,11 +161,15 @@ struct Rows {
 impl Rows {
     fn new(shape: &Shape, geometry: &Geometry, viewport: &Viewport, origin: [f64; 2]) -> Self {
         let vertices = shape.vertices.map(|v| &geometry.vertices[v as usize]);
-        let w = vertices.map(|v| f64::from(v.clip[3]));
+        let mut w = vertices.map(|v| f64::from(v.clip[3]));
+        if let Kind::Line { .. } = shape.kind {
+            // Its third vertex has no weight.
+            w[2] = w[1];
+        }
         let projective = match shape.kind {
             Kind::Triangle => triangle(shape, geometry, viewport, origin),
-            Kind::Line => line(shape, geometry, viewport, origin),
-            Kind::Point(..) => [Plane::constant(1.0 / w[0]), Plane::default(), Plane::default()],
+            Kind::Line { .. } => line(shape, geometry, viewport, origin),
+            Kind::Point { .. } => [Plane::constant(1.0 / w[0]), Plane::default(), Plane::default()],
         };
         let inverse_w = Plane::sum(&projective, [1.0; 3]);
         let in_front = w.iter().all(|&w| w > 0.0);
@@ -197,22 +200,75 @@ impl Rows {
         let (near, far) = (f64::from(setup.viewport.near), f64::from(setup.viewport.far));
         let mut plane = Plane::sum(&self.projective, z).scaled((far - near) * 0.5);
         plane.c += (near + far) * 0.5;
-        if let (Kind::Triangle, Some(offset)) = (shape.kind, setup.offset) {
-            let slope = plane.a.abs().max(plane.b.abs());
-            let r = setup.resolution.unwrap_or_else(|| {
-                // The exponent of the largest depth of the triangle.
-                let largest = shape.corners.iter().fold(0.0_f64, |largest, corner| {
-                    let dx = f64::from(corner[0] - shape.corners[0][0]) / f64::from(SUBPIXEL);
-                    let dy = f64::from(corner[1] - shape.corners[0][1]) / f64::from(SUBPIXEL);
-                    largest.max((dx * plane.a + dy * plane.b + plane.c).abs())
-                });
-                let exponent = (largest as f32).to_bits() & 0x7F80_0000;
-                f64::from(f32::from_bits(exponent)) / 8_388_608.0
-            });
-            plane.c += f64::from(offset.factor) * slope + f64::from(offset.units) * r;
-        }
+        plane.c += match (shape.kind, setup.offset) {
+            (Kind::Triangle, Some(by)) => offset(&plane, &shape.corners, by, setup.resolution),
+            (Kind::Triangle, None) => 0.0,
+            (Kind::Line { bias, .. } | Kind::Point { bias, .. }, _) => bias.into(),
+        };
         plane
     }
+}
+
+/// `gl_PointCoord` over a point whose centre is the origin (GL 2.1, equations 3.3 and 3.4).
+fn point_coord(axis: u8, size: f32, origin: SpriteOrigin) -> Plane {
+    let per = 1.0 / f64::from(size);
+    match (axis, origin) {
+        (0, _) => Plane { a: per, b: 0.0, c: 0.5 },
+        (_, SpriteOrigin::UpperLeft) => Plane { a: 0.0, b: -per, c: 0.5 },
+        (_, SpriteOrigin::LowerLeft) => Plane { a: 0.0, b: per, c: 0.5 },
+    }
+}
+
+/// What moves the depth of a triangle (GL 2.1, section 3.5.5).
+fn offset(
+    plane: &Plane,
+    corners: &[[i32; 2]; 3],
+    by: PolygonOffset,
+    resolution: Option<f64>,
+) -> f64 {
+    let slope = plane.a.abs().max(plane.b.abs());
+    let r = resolution.unwrap_or_else(|| {
+        // The exponent of the largest depth of the triangle.
+        let largest = corners.iter().fold(0.0_f64, |largest, corner| {
+            let dx = f64::from(corner[0] - corners[0][0]) / f64::from(SUBPIXEL);
+            let dy = f64::from(corner[1] - corners[0][1]) / f64::from(SUBPIXEL);
+            largest.max((dx * plane.a + dy * plane.b + plane.c).abs())
+        });
+        let exponent = (largest as f32).to_bits() & 0x7F80_0000;
+        f64::from(f32::from_bits(exponent)) / 8_388_608.0
+    });
+    f64::from(by.factor) * slope + f64::from(by.units) * r
+}
+
+/// What the polygon offset adds to the depth of a triangle that is drawn as lines or points.
+pub fn depth_offset(
+    viewport: &Viewport,
+    by: PolygonOffset,
+    resolution: Option<f64>,
+    geometry: &Geometry,
+    vertices: [u32; 3],
+) -> f32 {
+    let corners = vertices.map(|v| geometry.vertices[v as usize].snapped);
+    let shape = Shape {
+        corners,
+        bounds: [[0; 2]; 2],
+        vertices,
+        provoking: 0,
+        kind: Kind::Triangle,
+        facing: Facing::Front,
+    };
+    let origin = corners[0].map(|v| f64::from(v) / f64::from(SUBPIXEL));
+    let rows = Rows::new(&shape, geometry, viewport, origin);
+    let setup = PlaneSetup {
+        sources: &[],
+        viewport: *viewport,
+        offset: None,
+        resolution,
+        origin: SpriteOrigin::UpperLeft,
+    };
+    let plane = rows.depth(&setup, &shape, geometry);
+    let offset = offset(&plane, &corners, by, resolution);
+    if offset.is_finite() { offset as f32 } else { 0.0 }
 }
 
 /// The homogeneous window position of a vertex, relative to the origin.
@@ -248,7 +304,7 @@ fn triangle(
         return exact;
     }
     let w = vertices.map(|v| f64::from(v.clip[3]));
-    let snapped = window.map(|v| snap(v).map(|v| f64::from(v) / f64::from(SUBPIXEL)));
+    let snapped = vertices.map(|v| v.snapped.map(|v| f64::from(v) / f64::from(SUBPIXEL)));
     let q = [0, 1, 2].map(|i| [(snapped[i][0] - origin[0]), (snapped[i][1] - origin[1]), 1.0]);
     let rows = invert(q);
     [0, 1, 2].map(|i| rows[i].scaled(1.0 / w[i]))

@@ -3,10 +3,13 @@
 //! A pass is cut into tiles of 64×64 pixels; each thread takes tiles, and within a tile every
 //! clear and shape of the pass is done in order, so that the result does not depend on threads.
 
+mod area;
 mod batch;
+mod cover;
 mod coverage;
+mod group;
 mod interpolate;
 mod tile;
 
-pub use interpolate::PlaneSource;
+pub use interpolate::{PlaneSource, depth_offset};
 pub use tile::{Chunk, ClearJob, ClearTarget, DrawJob, Entry, PassJob, TileJob, Worker};

@@ -1,11 +1,13 @@
 //! A tile: everything of a pass that touches its 64×64 pixels, in order.
 
 use super::batch::{Batch, BlockDepth, BlockOf, Interpolate, quads_of};
-use super::coverage::{self, Coverage};
-use super::interpolate::{PlaneSetup, Planes};
+use super::cover::Cover;
+use super::coverage;
+use super::group::PlaneGroup;
+use super::interpolate::PlaneSetup;
 use crate::output::{Fragments, expand_mask, test, write};
 use crate::plan::{DrawPlan, Shading, Timing};
-use crate::primitive::{Facing, SUBPIXEL, Shape};
+use crate::primitive::{Facing, Kind, Shape};
 use crate::shader::{Machine, Run};
 use crate::target::{Place, Plane, TILE, TileTarget, WordMask};
 use crate::vertex::Geometry;
@@ -20,7 +22,7 @@ const DENSE: u32 = 12;
 pub struct DrawJob {
     /// Its decisions.
     pub plan: DrawPlan,
-    /// First and one past the last pixel it may touch, x then y.
+    /// First and one past the last pixel its triangles may touch, x then y.
     pub area: [[i32; 2]; 2],
     /// Set when its shader ran over the budget: nothing more of it is drawn.
     pub stopped: AtomicBool,
@@ -114,7 +116,11 @@ pub struct Worker {
     waiting: Batch,
     /// A block that runs at once.
     block: Batch,
-    planes: Planes,
+    group: PlaneGroup,
+    /// Of the block that is filled: each plane's value at its first pixel and steps.
+    planes: Vec<[f32; 3]>,
+    /// How much of each lane's pixel the shape covers.
+    parts: F32s,
     /// The draw whose shapes come now.
     draw: Option<usize>,
 }
@@ -122,18 +128,22 @@ pub struct Worker {
 impl Worker {
     /// Does everything that happens in `tile`.
     pub fn run(&mut self, pass: &PassJob, tile: &mut TileJob) {
-        for entry in std::mem::take(&mut tile.entries) {
-            match entry {
+        let entries = std::mem::take(&mut tile.entries);
+        let mut rest = entries.as_slice();
+        while let Some(first) = rest.first() {
+            match *first {
                 Entry::Clear(index) => {
                     self.flush(pass, tile);
                     clear(pass, &pass.clears[index as usize], tile);
+                    rest = &rest[1..];
                 }
-                Entry::Shape(chunk, index) => {
-                    let chunk = &pass.chunks[chunk as usize];
-                    self.select(pass, tile, chunk.draw);
-                    if !pass.draws[chunk.draw].stopped.load(Ordering::Relaxed) {
-                        self.fill(pass, tile, chunk, &chunk.shapes[index as usize]);
-                    }
+                Entry::Shape(chunk, _) => {
+                    let of_chunk =
+                        |entry: &&Entry| matches!(entry, Entry::Shape(other, _) if *other == chunk);
+                    let len = rest.iter().take(LANES).take_while(of_chunk).count();
+                    let (group, after) = rest.split_at(len);
+                    rest = after;
+                    self.fill_group(pass, tile, &pass.chunks[chunk as usize], group);
                 }
             }
         }
@@ -162,28 +172,68 @@ impl Worker {
         }
     }
 
-    /// Fills one shape.
-    fn fill(&mut self, pass: &PassJob, tile: &mut TileJob, chunk: &Chunk, shape: &Shape) {
+    /// Fills shapes of one chunk, at most 64.
+    fn fill_group(&mut self, pass: &PassJob, tile: &mut TileJob, chunk: &Chunk, group: &[Entry]) {
+        self.select(pass, tile, chunk.draw);
         let job = &pass.draws[chunk.draw];
+        if job.stopped.load(Ordering::Relaxed) {
+            return;
+        }
         let plan = &job.plan;
-        let Some(range) = block_range(shape, &job.area, tile.x, tile.y) else { return };
         let setup = PlaneSetup {
             sources: &plan.planes,
             viewport: plan.viewport,
             offset: plan.offset,
             resolution: plan.resolution,
+            origin: plan.raster.point.origin,
         };
-        self.planes.compute(&setup, &chunk.geometry, shape);
-        let edges = coverage::edges(&shape.corners, tile.x, tile.y);
+        let shapes = group.iter().map(|entry| match *entry {
+            Entry::Shape(_, index) | Entry::Clear(index) => &chunk.shapes[index as usize],
+        });
+        self.group.compute(pass.isa, &setup, &chunk.geometry, shapes.clone());
+        for (lane, shape) in shapes.enumerate() {
+            if !job.stopped.load(Ordering::Relaxed) {
+                self.fill(pass, tile, chunk, shape, lane);
+            }
+        }
+    }
+
+    /// Fills one shape, whose planes are in a lane of the group.
+    fn fill(
+        &mut self,
+        pass: &PassJob,
+        tile: &mut TileJob,
+        chunk: &Chunk,
+        shape: &Shape,
+        lane: usize,
+    ) {
+        let job = &pass.draws[chunk.draw];
+        let plan = &job.plan;
+        let Some(range) = block_range(shape, tile.x, tile.y) else { return };
+        let at = [tile.x, tile.y];
+        let cover = Cover::new(plan, &chunk.geometry, shape, at);
+        let (area, stipple) = match shape.kind {
+            Kind::Triangle => (job.area, plan.stipple.as_ref()),
+            // Their outlines do not know where the view volume ends.
+            Kind::Line { .. } | Kind::Point { .. } => (pixels(&shape.bounds), None),
+        };
+        if plan.reads_coverage() {
+            self.parts = F32s::splat(1.0);
+        }
         for by in range[0][1]..=range[1][1] {
             for bx in range[0][0]..=range[1][0] {
-                let covered = match coverage::block(pass.isa, &edges, bx, by) {
-                    Coverage::None => continue,
-                    Coverage::Full => !0,
-                    Coverage::Partial(mask) => mask,
-                };
-                let mask = covered & coverage::inside_area(&job.area, tile.x, tile.y, bx, by);
+                let covered = cover.block(pass.isa, plan, shape, at, [bx, by], &mut self.parts);
+                if covered == 0 {
+                    continue;
+                }
+                let mut mask = covered & coverage::inside_area(&area, tile.x, tile.y, bx, by);
+                if let Some(stipple) = stipple {
+                    let [column, row] = [at[0] / 8 + bx, at[1] / 8 + by];
+                    mask &= stipple[(row % 4 * 4 + column % 4) as usize];
+                }
                 if mask != 0 {
+                    let (x, y) = (at[0] + 8 * bx, at[1] + 8 * by);
+                    self.group.at(lane, x, y, &mut self.planes);
                     self.fill_block(pass, tile, job, shape.facing, [bx, by], mask);
                 }
             }
@@ -202,7 +252,14 @@ impl Worker {
     ) {
         let plan = &job.plan;
         let (x, y) = (tile.x + 8 * bx, tile.y + 8 * by);
-        let of = BlockOf { planes: &self.planes, facing, block: (by * 8 + bx) as usize, x, y };
+        let of = BlockOf {
+            planes: &self.planes,
+            facing,
+            block: (by * 8 + bx) as usize,
+            x,
+            y,
+            coverage: plan.reads_coverage().then_some(&self.parts),
+        };
         if plan.timing == Timing::Early {
             // What waits has passed its own test already, so the order holds.
             mask = early_tests(pass.isa, plan, &of, mask, tile);
@@ -235,16 +292,17 @@ impl Worker {
     }
 }
 
-/// The blocks of the tile that a shape's bounding box touches within `area`: first and last, x then
-/// y.
-fn block_range(shape: &Shape, area: &[[i32; 2]; 2], x: i32, y: i32) -> Option<[[i32; 2]; 2]> {
+/// A shape's bounds as first and one past the last pixel.
+fn pixels(bounds: &[[u16; 2]; 2]) -> [[i32; 2]; 2] {
+    [bounds[0].map(i32::from), bounds[1].map(|last| i32::from(last) + 1)]
+}
+
+/// The blocks of the tile that a shape may cover: first and last, x then y.
+fn block_range(shape: &Shape, x: i32, y: i32) -> Option<[[i32; 2]; 2]> {
     let mut range = [[0; 2]; 2];
     for (axis, start) in [x, y].into_iter().enumerate() {
-        let corners = shape.corners.map(|corner| corner[axis]);
-        let low = corners.into_iter().fold(i32::MAX, i32::min).div_euclid(SUBPIXEL);
-        let high = corners.into_iter().fold(i32::MIN, i32::max).div_euclid(SUBPIXEL);
-        let first = low.max(area[0][axis]).max(start) - start;
-        let last = high.min(area[1][axis] - 1).min(start + TILE as i32 - 1) - start;
+        let first = i32::from(shape.bounds[0][axis]).max(start) - start;
+        let last = i32::from(shape.bounds[1][axis]).min(start + TILE as i32 - 1) - start;
         if first > last {
             return None;
         }
@@ -257,11 +315,7 @@ fn block_range(shape: &Shape, area: &[[i32; 2]; 2], x: i32, y: i32) -> Option<[[
 fn early_tests(isa: Isa, plan: &DrawPlan, of: &BlockOf<'_>, mask: u64, tile: &mut TileJob) -> u64 {
     let Some(target) = tile.depth.as_mut() else { return mask };
     let depth = match plan.depth_plane {
-        Some(index) => {
-            let plane = &of.planes.planes[index];
-            let plane = [of.planes.at(index, of.x, of.y), plane.a as f32, plane.b as f32];
-            isa.run(BlockDepth { plane })
-        }
+        Some(index) => isa.run(BlockDepth { plane: of.planes[index] }),
         None => F32s::ZERO,
     };
     let back = match of.facing {

@@ -3,7 +3,12 @@
 
 pub(crate) mod fetch;
 mod ids;
+mod place;
 mod shade;
 
 pub use ids::{Ids, Unique, ordinals};
-pub use shade::{GUARD_BAND, Geometry, Outcode, ShadedVertex, VertexStage, shade};
+pub use place::GUARD_BAND;
+#[cfg(test)]
+pub use place::ShadedVertex;
+pub use place::{Outcode, snap};
+pub use shade::{Geometry, VertexStage, shade};

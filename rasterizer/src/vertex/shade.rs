@@ -1,61 +1,16 @@
 //! The vertex program over batches of 64, and the viewport transform of what it gives.
 
 use super::fetch;
-use crate::driver::{VertexBinding, VertexSource, Viewport};
+use super::place::{Place, Placed, ShadedVertex, cut};
+use crate::driver::{PointSize, PointState, VertexBinding, VertexSource, Viewport};
 use crate::ir::{Input, Output};
+use crate::primitive::{Corner, MAX_DISTANCES};
 use crate::shader::{Machine, OverBudget, Prepared, Program, Run};
 use rayon::prelude::*;
 use std::num::NonZeroU32;
 use std::sync::Arc;
-use texunit::lanes::{Isa, LANES, U32s};
+use texunit::lanes::{F32s, Isa, LANES, U32s};
 use texunit::plan::SamplePlan;
-
-/// Window coordinates beyond this many pixels are cut off before they become fixed point: with 8
-/// bits of subpixels every edge function then fits its integers ([`crate::raster`]).
-pub const GUARD_BAND: f64 = 32768.0;
-
-/// On which sides of the clip volume a vertex is out; a bit each.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Outcode(pub u16);
-
-impl Outcode {
-    /// `x < -w`.
-    pub const LEFT: u16 = 1;
-    /// `x > w`.
-    pub const RIGHT: u16 = 2;
-    /// `y < -w`.
-    pub const BOTTOM: u16 = 4;
-    /// `y > w`.
-    pub const TOP: u16 = 8;
-    /// `z < -w`.
-    pub const NEAR: u16 = 16;
-    /// `z > w`.
-    pub const FAR: u16 = 32;
-    /// `w` is not above zero.
-    pub const BEHIND: u16 = 64;
-    /// Outside the guard band.
-    pub const GUARD: u16 = 128;
-    /// A coordinate is inf or NaN: the primitive is dropped.
-    pub const INVALID: u16 = 256;
-    /// Out on one of these by every vertex: nothing can be seen.
-    pub const REJECT: u16 =
-        Self::LEFT | Self::RIGHT | Self::BOTTOM | Self::TOP | Self::NEAR | Self::FAR | Self::BEHIND;
-    /// Out on one of these by any vertex: the primitive is cut.
-    pub const CUT: u16 = Self::NEAR | Self::FAR | Self::BEHIND | Self::GUARD;
-}
-
-/// A vertex after its program.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct ShadedVertex {
-    /// Clip coordinates.
-    pub clip: [f32; 4],
-    /// Window x and y; meaningless unless `w > 0`.
-    pub window: [f64; 2],
-    /// `gl_PointSize`.
-    pub point_size: f32,
-    /// Where it is.
-    pub outcode: Outcode,
-}
 
 /// The vertices of a chunk of a draw.
 #[derive(Debug, Default)]
@@ -66,12 +21,33 @@ pub struct Geometry {
     pub varyings: Vec<f32>,
     /// Varyings of a vertex.
     pub stride: usize,
+    /// `planes` clip distances for each vertex.
+    distances: Vec<f32>,
+    /// Clip distances of a vertex.
+    planes: usize,
+    /// The edge flag of each vertex; empty where all are set.
+    edge_flags: Vec<f32>,
 }
 
 impl Geometry {
     /// The varyings of a vertex.
     pub fn varyings_of(&self, vertex: u32) -> &[f32] {
         &self.varyings[vertex as usize * self.stride..][..self.stride]
+    }
+
+    /// A vertex as a corner of a polygon to be clipped.
+    pub fn corner(&self, vertex: u32) -> Corner {
+        let mut distances = [0.0; MAX_DISTANCES];
+        let own = &self.distances[vertex as usize * self.planes..][..self.planes];
+        for (to, &from) in distances.iter_mut().zip(own) {
+            *to = from.into();
+        }
+        Corner { clip: self.vertices[vertex as usize].clip.map(f64::from), distances }
+    }
+
+    /// Whether a boundary edge begins at a vertex (GL 2.1, section 2.6.2).
+    pub fn begins_boundary(&self, vertex: u32) -> bool {
+        self.edge_flags.get(vertex as usize).is_none_or(|&flag| flag != 0.0)
     }
 }
 
@@ -93,8 +69,10 @@ pub struct VertexStage<'a> {
     pub viewport: Viewport,
     /// Varying slots that the fragment stage reads, in the order they are stored.
     pub varyings: &'a [u16],
-    /// The size of a point whose program writes none.
-    pub point_size: f32,
+    /// The size of points and where it comes from.
+    pub point: &'a PointState,
+    /// The attribute that holds edge flags, where they matter.
+    pub edge_flag: Option<u8>,
 }
 
 /// Shades the vertices `ids`, in parallel where there are many.
@@ -103,50 +81,65 @@ pub struct VertexStage<'a> {
 /// When a batch runs over its budget.
 pub fn shade(stage: &VertexStage<'_>, ids: &[u32], instance: u32) -> Result<Geometry, OverBudget> {
     let stride = stage.varyings.len();
+    let distance = |output: &&Output| matches!(output, Output::ClipDistance(_));
+    let planes = stage.program.outputs().iter().filter(distance).count();
     let mut geometry = Geometry {
         vertices: vec![ShadedVertex::default(); ids.len()],
         varyings: vec![0.0; ids.len() * stride],
         stride,
+        distances: vec![0.0; ids.len() * planes],
+        planes,
+        edge_flags: stage.edge_flags(ids),
     };
     let sources: Vec<Source> = stage.program.inputs().iter().map(|&i| stage.source(i)).collect();
-    let targets: Vec<Target> = stage.program.outputs().iter().map(|&o| stage.target(o)).collect();
+    let mut plane = 0..;
+    let outputs = stage.program.outputs().iter();
+    let targets: Vec<Target> = outputs.map(|&o| stage.target(o, &mut plane)).collect();
     let new_machine = || {
         let mut machine = Machine::default();
         machine.begin(stage.program);
         machine
     };
-    let batch = |machine: &mut Machine,
-                 ids: &[u32],
-                 vertices: &mut [ShadedVertex],
-                 out: &mut [f32]| {
-        stage.batch(machine, &sources, &targets, Batch { ids, instance, vertices, varyings: out })
-    };
-    // `chunks_mut(0)` would panic; without varyings every batch takes an empty slice.
-    if ids.len() <= 4 * LANES {
+    let vertices = geometry.vertices.chunks_mut(LANES);
+    let varyings = pieces(&mut geometry.varyings, ids.len(), stride);
+    let distances = pieces(&mut geometry.distances, ids.len(), planes);
+    let batches = ids.chunks(LANES).zip(vertices).zip(varyings.into_iter().zip(distances));
+    let mut batches: Vec<Batch<'_>> = batches
+        .map(|((ids, vertices), (varyings, distances))| Batch {
+            ids,
+            instance,
+            vertices,
+            varyings,
+            distances,
+        })
+        .collect();
+    if batches.len() <= 4 {
         let mut machine = new_machine();
-        let mut rest = geometry.varyings.as_mut_slice();
-        for (ids, vertices) in ids.chunks(LANES).zip(geometry.vertices.chunks_mut(LANES)) {
-            let (out, after) = rest.split_at_mut(ids.len() * stride);
-            rest = after;
-            batch(&mut machine, ids, vertices, out)?;
+        for batch in &mut batches {
+            stage.batch(&mut machine, &sources, &targets, batch)?;
         }
     } else {
-        let mut outs: Vec<&mut [f32]> = Vec::with_capacity(ids.len().div_ceil(LANES));
-        let mut rest = geometry.varyings.as_mut_slice();
-        for ids in ids.chunks(LANES) {
-            let (out, after) = rest.split_at_mut(ids.len() * stride);
-            rest = after;
-            outs.push(out);
-        }
-        ids.par_chunks(LANES)
-            .zip(geometry.vertices.par_chunks_mut(LANES))
-            .zip(outs)
+        batches
+            .par_iter_mut()
             .with_min_len(4)
-            .try_for_each_init(new_machine, |machine, ((ids, vertices), out)| {
-                batch(machine, ids, vertices, out)
+            .try_for_each_init(new_machine, |machine, batch| {
+                stage.batch(machine, &sources, &targets, batch)
             })?;
     }
     Ok(geometry)
+}
+
+/// `stride` values of each of `count` vertices, cut into batches. (`chunks_mut` takes no stride of
+/// zero.)
+fn pieces(values: &mut [f32], count: usize, stride: usize) -> Vec<&mut [f32]> {
+    let mut pieces = Vec::with_capacity(count.div_ceil(LANES));
+    let mut rest = values;
+    for first in (0..count).step_by(LANES) {
+        let (piece, after) = rest.split_at_mut(LANES.min(count - first) * stride);
+        pieces.push(piece);
+        rest = after;
+    }
+    pieces
 }
 
 /// Where an input of the program comes from.
@@ -165,6 +158,8 @@ enum Target {
     Position(usize),
     PointSize,
     Varying(usize),
+    /// A clip distance, by its place among the distances.
+    Distance(usize),
     Nowhere,
 }
 
@@ -174,6 +169,7 @@ struct Batch<'a> {
     instance: u32,
     vertices: &'a mut [ShadedVertex],
     varyings: &'a mut [f32],
+    distances: &'a mut [f32],
 }
 
 impl VertexStage<'_> {
@@ -194,19 +190,37 @@ impl VertexStage<'_> {
             | Input::Slope { .. }
             | Input::FragCoord(_)
             | Input::FrontFacing
-            | Input::PointCoord(_) => Source::Missing(0.0),
+            | Input::PointCoord(_)
+            | Input::Coverage => Source::Missing(0.0),
         }
     }
 
-    fn target(&self, output: Output) -> Target {
+    /// The edge flags of vertices; none where they do not matter or are all set.
+    fn edge_flags(&self, ids: &[u32]) -> Vec<f32> {
+        let binding = self.bindings.iter().find(|binding| Some(binding.location) == self.edge_flag);
+        let Some(binding) = binding else { return Vec::new() };
+        let mut flags = Vec::with_capacity(ids.len());
+        for ids in ids.chunks(LANES) {
+            let mut lanes = F32s::ZERO;
+            fetch::component(&binding.source, 0, ids, &mut lanes);
+            flags.extend_from_slice(&lanes.0[..ids.len()]);
+        }
+        flags
+    }
+
+    fn target(&self, output: Output, plane: &mut impl Iterator<Item = usize>) -> Target {
         match output {
             Output::Position(component) => Target::Position(usize::from(component)),
-            Output::PointSize => Target::PointSize,
+            Output::PointSize => match self.point.source {
+                PointSize::State => Target::Nowhere,
+                PointSize::Vertex => Target::PointSize,
+            },
             Output::Varying(slot) => match self.varyings.iter().position(|&s| s == slot) {
                 Some(at) => Target::Varying(at),
                 None => Target::Nowhere,
             },
-            Output::ClipDistance(_) | Output::Color { .. } | Output::Depth => Target::Nowhere,
+            Output::ClipDistance(_) => plane.next().map_or(Target::Nowhere, Target::Distance),
+            Output::Color { .. } | Output::Depth => Target::Nowhere,
         }
     }
 
@@ -215,9 +229,9 @@ impl VertexStage<'_> {
         machine: &mut Machine,
         sources: &[Source<'_>],
         targets: &[Target],
-        batch: Batch<'_>,
+        batch: &mut Batch<'_>,
     ) -> Result<(), OverBudget> {
-        let Batch { ids, instance, vertices, varyings } = batch;
+        let Batch { ids, instance, vertices, varyings, distances } = batch;
         for (index, source) in sources.iter().enumerate() {
             let lanes = machine.input_mut(index);
             match source {
@@ -225,13 +239,13 @@ impl VertexStage<'_> {
                     fetch::component(source, *component, ids, lanes.as_f32_mut());
                 }
                 Source::Instanced(source, component, divisor) => {
-                    let element = instance / *divisor;
+                    let element = *instance / *divisor;
                     fetch::component(source, *component, &[element], lanes.as_f32_mut());
                     *lanes = U32s::splat(lanes[0]);
                 }
                 Source::Missing(value) => lanes.0 = [value.to_bits(); LANES],
                 Source::VertexId => lanes.0[..ids.len()].copy_from_slice(ids),
-                Source::InstanceId => lanes.0 = [instance; LANES],
+                Source::InstanceId => lanes.0 = [*instance; LANES],
             }
         }
         machine.run(Run {
@@ -243,17 +257,18 @@ impl VertexStage<'_> {
             budget: self.budget,
         })?;
         let stride = self.varyings.len();
-        for vertex in vertices.iter_mut() {
-            vertex.point_size = self.point_size;
+        let mut clip = [&F32s::ZERO; 4];
+        for (index, target) in targets.iter().enumerate() {
+            if let Target::Position(component) = *target {
+                clip[component] = machine.output(index).as_f32();
+            }
         }
+        let mut placed = Placed::default();
+        self.isa.run(Place { clip, viewport: &self.viewport, out: &mut placed });
+        placed.store(clip, self.point.size, vertices);
         for (index, target) in targets.iter().enumerate() {
             let lanes = machine.output(index).as_f32();
             match *target {
-                Target::Position(component) => {
-                    for (vertex, &value) in vertices.iter_mut().zip(&lanes.0) {
-                        vertex.clip[component] = value;
-                    }
-                }
                 Target::PointSize => {
                     for (vertex, &value) in vertices.iter_mut().zip(&lanes.0) {
                         vertex.point_size = value;
@@ -264,34 +279,21 @@ impl VertexStage<'_> {
                         all[at] = value;
                     }
                 }
-                Target::Nowhere => {}
+                Target::Distance(at) => {
+                    let all = distances.chunks_exact_mut(distances.len() / ids.len());
+                    for (all, &value) in all.zip(&lanes.0) {
+                        all[at] = value;
+                    }
+                }
+                Target::Position(_) | Target::Nowhere => {}
             }
         }
-        for vertex in vertices {
-            place(vertex, &self.viewport);
+        if !distances.is_empty() {
+            let planes = distances.len() / ids.len();
+            for (vertex, own) in vertices.iter_mut().zip(distances.chunks_exact(planes)) {
+                cut(vertex, own);
+            }
         }
         Ok(())
     }
-}
-
-/// Viewport transform (GL 2.1, section 2.11.1) and clip tests of one vertex.
-fn place(vertex: &mut ShadedVertex, viewport: &Viewport) {
-    let clip @ [x, y, z, w] = vertex.clip.map(f64::from);
-    let bit = |out: bool, bit: u16| if out { bit } else { 0 };
-    if !(x.is_finite() && y.is_finite() && z.is_finite() && w.is_finite()) {
-        vertex.outcode = Outcode(Outcode::INVALID);
-        return;
-    }
-    vertex.window = viewport.window(&clip);
-    let guard = |v: f64| v.is_nan() || v.abs() > GUARD_BAND;
-    vertex.outcode = Outcode(
-        bit(x < -w, Outcode::LEFT)
-            | bit(x > w, Outcode::RIGHT)
-            | bit(y < -w, Outcode::BOTTOM)
-            | bit(y > w, Outcode::TOP)
-            | bit(z < -w, Outcode::NEAR)
-            | bit(z > w, Outcode::FAR)
-            | bit(w <= 0.0, Outcode::BEHIND)
-            | bit(guard(vertex.window[0]) || guard(vertex.window[1]), Outcode::GUARD),
-    );
 }

@@ -71,11 +71,8 @@ pub fn pipeline(vertex: ShaderModule, fragment: ShaderModule) -> PipelineDesc {
         cull: Cull::None,
         front_face: FrontFace::Ccw,
         provoking: Provoking::Last,
-        polygon_offset: None,
         depth: None,
         colors: vec![ColorState { blend: None, mask: [true; 4] }],
-        line_width_bits: 1.0_f32.to_bits(),
-        point_size_bits: 1.0_f32.to_bits(),
         output: OutputState::default(),
     }
 }

@@ -105,3 +105,36 @@ fn extreme_footprints_are_bounded() {
         }
     }
 }
+
+#[test]
+fn probes_that_leave_a_face_are_taken_from_the_neighbour() {
+    // Each face its own colour: red counts the faces.
+    let mut image = Image::new(Shape::Cube);
+    for face in 0..6 {
+        for number in 0..=5 {
+            let mut level = Level::new(Format::R32F, 32 >> number, 32 >> number).unwrap();
+            level.fill(|_| [face as f32; 4]);
+            image.set_level(face, number, level).unwrap();
+        }
+    }
+    let plan = SamplePlan::new(&image, &sampler(16.0));
+    let sample = |direction: [f32; 3], dx: [f32; 3], dy: [f32; 3]| {
+        let [at, dx, dy] = [direction, dx, dy].map(|v| v.map(F32s::splat));
+        let lod = Lod::Gradient { dx: dx.each_ref(), dy: dy.each_ref(), bias: None };
+        let mut out = [F32s::ZERO; 4];
+        plan.sample(Isa::best(), at.each_ref(), None, lod, &mut out);
+        out[0][40]
+    };
+    // Just on +X, beside +Z (4): half of a footprint across the edge lies on either.
+    let (at, thin) = ([1.0, 0.1, 0.999], [0.0, 0.02, 0.0]);
+    let across = sample(at, [0.0, 0.0, 0.3], thin);
+    assert!((across - 2.0).abs() < 0.3, "{across}");
+    // Beside +Y (2) too: along the edge, nothing of another face is mixed in.
+    assert_eq!(sample([1.0, 0.1, 0.5], [0.0, 0.3, 0.0], [0.0, 0.0, 0.02]), 0.0);
+    // From either side of the edge it looks the same.
+    let back = sample([0.999, 0.1, 1.0], [0.3, 0.0, 0.0], thin);
+    assert!((across + back - 4.0).abs() < 0.6, "{across} and {back}");
+    // Far beyond every edge there is still a face.
+    let wild = sample(at, [0.0, 0.0, 1e6], thin);
+    assert!((0.0..=5.0).contains(&wild), "{wild}");
+}

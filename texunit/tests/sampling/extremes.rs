@@ -211,3 +211,51 @@ fn seamless_edges_and_corners_look_the_same_from_every_face() {
         }
     }
 }
+
+#[test]
+fn a_footprint_long_one_way_and_nothing_the_other_is_a_mean_along_it() {
+    let mut image = scene::image(Shape::D2, Format::R8, 4096, 64, 8);
+    for row in 0..64 {
+        for column in 0..4096 {
+            let level = image.level_mut(0, 0).unwrap();
+            level.put(column, row, [if row < 32 { 0.0 } else { 1.0 }; 4]);
+        }
+    }
+    image.generate_mipmaps(0, 1000).unwrap();
+    let zero = F32s::ZERO;
+    for anisotropy in [1.0, 4.0, 16.0] {
+        let sampler =
+            Sampler { min: Filter::Linear, max_anisotropy: anisotropy, ..Sampler::default() };
+        let plan = SamplePlan::new(&image, &sampler);
+        // From one texel to more than the texture has.
+        for texels in [1.0, 16.0, 1000.0, 4096.0, 1e6] {
+            let along = F32s::splat(texels / 4096.0);
+            let (dx, dy) = ([&along, &zero, &zero], [&zero; 3]);
+            for (a, b) in [(dx, dy), (dy, dx)] {
+                let lod = Lod::Gradient { dx: a, dy: b, bias: None };
+                let mut out = [F32s::ZERO; 4];
+                let (s, t) = (F32s::splat(0.3), F32s::splat(0.25));
+                plan.sample(Isa::best(), [&s, &t, &zero], None, lod, &mut out);
+                let got = out[0][0];
+                // 16 probes of a 16th of the length each still tell the rows apart.
+                let sharp = anisotropy == 16.0 && texels <= 16.0;
+                assert!((0.0..=1.0).contains(&got), "{anisotropy} {texels}: {got}");
+                assert!(!sharp || got == 0.0, "{anisotropy} {texels}: {got}");
+            }
+        }
+    }
+}
+
+#[test]
+fn denormal_derivatives_and_coordinates_magnify() {
+    let image = scene::image(Shape::D2, Format::Rgba8, 16, 16, 9);
+    let sampler = Sampler { min: Filter::Linear, max_anisotropy: 16.0, ..Sampler::default() };
+    let plan = SamplePlan::new(&image, &sampler);
+    let want = sample(&plan, 1e-41, 1e-45, f32::NEG_INFINITY);
+    let tiny = F32s::splat(1e-40);
+    let lod = Lod::Gradient { dx: [&tiny; 3], dy: [&tiny; 3], bias: None };
+    let mut out = [F32s::ZERO; 4];
+    let (s, t) = (F32s::splat(1e-41), F32s::splat(1e-45));
+    plan.sample(Isa::best(), [&s, &t, &F32s::ZERO], None, lod, &mut out);
+    assert_eq!(out.map(|c| c[0]), want);
+}

@@ -59,7 +59,13 @@ impl Checker<'_> {
                 | Qualifier::In
                 | Qualifier::Out
                 | Qualifier::Inout => {
-                    if word.replace((qualifier, span)).is_some() {
+                    let before = word.replace((qualifier, span));
+                    // `varying out` is what EXT_gpu_shader4 calls an output of the fragment stage.
+                    let output = self.language.enabled(Extension::GpuShader4)
+                        && self.stage == Stage::Fragment
+                        && qualifier == Qualifier::Out
+                        && before.is_some_and(|(first, _)| first == Qualifier::Varying);
+                    if before.is_some() && !output {
                         let message = "a second word that says what the variable is for";
                         self.log.push(Diagnostic::error(span, message).rule(self.rule("4.3")));
                         return None;
@@ -119,6 +125,9 @@ impl Checker<'_> {
 
     /// Qualifiers follow each other in one order (GLSL 1.30 section 4.7).
     pub(super) fn check_order(&mut self, qualifiers: &[(Qualifier, Span)]) {
+        if self.language.enabled(Extension::GpuShader4) {
+            return;
+        }
         let wrong = qualifiers.windows(2).find(|pair| pair[0].0.rank() > pair[1].0.rank());
         if let Some([_, (_, span)]) = wrong {
             let message = "this qualifier stands too late";
@@ -153,6 +162,9 @@ impl Checker<'_> {
     /// that only this is reported.
     fn check_old(&mut self, qualifier: Qualifier, span: Span) {
         let is_in = qualifier == Qualifier::In;
+        if !is_in && self.language.enabled(Extension::GpuShader4) {
+            return;
+        }
         let layouts = self.language.enabled(Extension::FragmentCoordConventions);
         if is_in && self.stage == Stage::Fragment && layouts {
             return;

@@ -5,6 +5,7 @@ use crate::glsl::diagnostics::{Diagnostic, Log};
 use crate::glsl::hir::{Expr, Storage, Unit, Variable};
 use crate::glsl::lower;
 use crate::glsl::types::Type;
+use crate::glsl::version::stage_name;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -25,29 +26,29 @@ fn is_shared(variable: &Variable) -> bool {
 /// another shader says, or as any of them needs.
 pub fn settled(units: impl Iterator<Item = Arc<Unit>>) -> Vec<Arc<Unit>> {
     let mut units: Vec<Arc<Unit>> = units.collect();
-    let mut lengths: Vec<(usize, usize, u32)> = Vec::new();
+    // Of each name, in both stages or in one: the longest size, and the one that is declared.
+    let mut sizes: BTreeMap<(Arc<str>, Option<&str>), (u32, Option<u32>)> = BTreeMap::new();
+    let key = |unit: &Unit, variable: &Variable| {
+        (variable.name.clone(), (!is_shared(variable)).then(|| stage_name(unit.stage)))
+    };
+    let mut implicit: Vec<(usize, usize, u32)> = Vec::new();
     for (index, unit) in units.iter().enumerate() {
         for (global, variable) in unit.globals.iter().enumerate() {
             let Type::Array(_, Some(len)) = variable.ty else { continue };
-            if !variable.implicit {
-                continue;
+            let (longest, declared) = sizes.entry(key(unit, variable)).or_default();
+            *longest = len.max(*longest);
+            if variable.implicit {
+                implicit.push((index, global, len));
+            } else {
+                *declared = Some(len);
             }
-            let same = units
-                .iter()
-                .filter(|other| other.stage == unit.stage || is_shared(variable))
-                .flat_map(|other| &other.globals)
-                .filter(|other| other.name == variable.name);
-            let sizes = same.filter_map(|other| match other.ty {
-                Type::Array(_, Some(len)) => Some((other.implicit, len)),
-                _ => None,
-            });
-            let (mut longest, mut said) = (len, None);
-            for (implicit, len) in sizes {
-                longest = longest.max(len);
-                said = if implicit { said } else { Some(len) };
-            }
-            lengths.push((index, global, said.filter(|said| *said >= len).unwrap_or(longest)));
         }
+    }
+    let mut lengths = Vec::new();
+    for (unit, global, len) in implicit {
+        let known = sizes.get(&key(&units[unit], &units[unit].globals[global]));
+        let Some((longest, declared)) = known else { continue };
+        lengths.push((unit, global, declared.filter(|said| *said >= len).unwrap_or(*longest)));
     }
     for (unit, global, len) in lengths {
         let variable = &mut Arc::make_mut(&mut units[unit]).globals[global];

@@ -95,12 +95,16 @@ pub fn named_globals(units: &[&Unit], reachable: &[(usize, &Function)]) -> Vec<(
         let all = named.iter().enumerate();
         all.flat_map(|(unit, set)| set.iter().map(move |&global| (unit, global))).collect()
     };
-    for (unit, global) in with(&named) {
-        let name = &units[unit].globals[global as usize].name;
-        for (other, declared) in units.iter().enumerate() {
-            let same = declared.globals.iter().position(|v| v.name == *name && v.init.is_some());
-            open.extend(same.map(|index| (other, index as u32)));
+    let mut initialized: BTreeMap<&str, Vec<(usize, u32)>> = BTreeMap::new();
+    for (unit, declared) in units.iter().enumerate() {
+        let all = declared.globals.iter().zip(0..);
+        for (variable, global) in all.filter(|(variable, _)| variable.init.is_some()) {
+            initialized.entry(&variable.name).or_default().push((unit, global));
         }
+    }
+    for (unit, global) in with(&named) {
+        let name = &*units[unit].globals[global as usize].name;
+        open.extend(initialized.get(name).into_iter().flatten());
     }
     while let Some((unit, global)) = open.pop() {
         named[unit].insert(global);

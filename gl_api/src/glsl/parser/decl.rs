@@ -79,8 +79,6 @@ impl Parser<'_> {
                     }
                     self.log.push(problem);
                     self.bump();
-                    // Declared twice would only hide the point.
-                    qualifiers.push((Qualifier::Precision, span));
                 }
             }
         }

@@ -278,7 +278,7 @@ impl Parser<'_> {
         let suffix = text.ends_with(['f', 'F']) && !text.starts_with("0x");
         match literal(text) {
             Ok(Literal::Int(value)) => ExprKind::Int(value),
-            Ok(Literal::Uint(_)) if self.version < Version::V130 => {
+            Ok(Literal::Uint(_)) if !keywords::has_unsigned(self.language) => {
                 let message = "unsigned numbers are not in this version";
                 let problem = Diagnostic::error(span, message).help("write `#version 130` first");
                 self.log.push(problem);

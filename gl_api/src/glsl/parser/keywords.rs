@@ -137,6 +137,11 @@ pub fn has_layout(language: Language) -> bool {
     language.has(LAYOUT)
 }
 
+/// Whether the language has unsigned integers.
+pub fn has_unsigned(language: Language) -> bool {
+    language.has(V130.or(Extension::GpuShader4))
+}
+
 /// Whether the language spells `uint` as `unsigned int` too.
 pub fn has_unsigned_int(language: Language) -> bool {
     language.enabled(Extension::GpuShader4)

@@ -163,6 +163,9 @@ impl Parser<'_> {
         if &**word == "struct" || keywords::qualifier(word, self.language).is_some() {
             return true;
         }
+        if &**word == "unsigned" && keywords::has_unsigned_int(self.language) {
+            return true;
+        }
         match keywords::classify(word, self.language) {
             Word::Type => !self.after_brackets().is("("),
             Word::Name => self.after_brackets().word().is_some(),

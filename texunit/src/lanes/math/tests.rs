@@ -130,3 +130,14 @@ fn rounding_is_exact() {
         assert!(to_u32(x) == x as u32 || x >= 4_294_967_040.0, "to_u32({x:?})");
     }
 }
+
+#[test]
+fn the_floor_of_small_numbers_is_the_floor() {
+    let mut x = -4_000_000.9_f32;
+    while x < 4_000_000.0 {
+        for x in [x, x.floor(), x.floor().next_down(), x.floor().next_up(), x / 4096.0, x / 1e30] {
+            assert_eq!(floor_small(x), (x.floor() as i32, x.floor()), "{x}");
+        }
+        x += 997.37;
+    }
+}

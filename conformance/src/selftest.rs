@@ -1,0 +1,39 @@
+//! The suite proves that it can fail: each mistake is built into its oracle, one at a time, and the
+//! check that is about it must notice.
+
+use crate::check::{Bench, Effort, Subject, Verdict, checks};
+use crate::mutation::{MUTATIONS, MutationRow, Variant};
+use serde::Serialize;
+
+/// A mistake, and whether it was noticed.
+#[derive(Clone, Debug, Serialize)]
+pub struct Trial {
+    /// The check that is about it.
+    pub check: &'static str,
+    /// The mistake in words.
+    pub mistake: &'static str,
+    /// Whether the check failed, as it must.
+    pub noticed: bool,
+    /// The error that it made, in the check's unit.
+    pub error: f64,
+    /// The largest error that passes.
+    pub tolerance: f64,
+}
+
+/// Tries every mistake against `subject`: the true oracle, or the driver itself.
+pub fn run(subject: Subject) -> Vec<Trial> {
+    MUTATIONS.iter().map(|row| trial(row, subject)).collect()
+}
+
+fn trial(row: &MutationRow, subject: Subject) -> Trial {
+    let variant = Variant::wrong(row.mutation);
+    let bench = Bench { subject, effort: Effort::Quick, variant };
+    let outcome = checks().find(|check| check.name == row.check).map(|check| check.run(&bench));
+    Trial {
+        check: row.check,
+        mistake: row.what,
+        noticed: outcome.as_ref().is_some_and(|outcome| outcome.verdict == Verdict::Fail),
+        error: outcome.as_ref().map_or(0.0, |outcome| outcome.largest_error),
+        tolerance: outcome.as_ref().map_or(0.0, |outcome| outcome.tolerance),
+    }
+}

@@ -1,0 +1,161 @@
+//! Error against run time: every way to sample a texture on every scene, held against the exact
+//! area integral.
+//!
+//! Errors are those of R, G and B in [0, 1]. The driver writes bytes, whose rounding alone is an
+//! RMS error of 0.0011: below that no mode can come.
+
+mod draw;
+pub mod functions;
+mod mode;
+mod scene;
+mod texture;
+
+pub use mode::Mode;
+pub use scene::{Scene, scenes};
+
+use crate::drive::DriveError;
+use crate::plot::Line;
+use crate::reference::flip;
+use serde::Serialize;
+
+/// One mode on one scene.
+#[derive(Clone, Debug, Serialize)]
+pub struct Row {
+    /// The scene.
+    pub scene: &'static str,
+    /// The mode.
+    pub mode: String,
+    /// The line of the plot.
+    #[serde(skip)]
+    pub family: &'static str,
+    /// Mean error of a channel.
+    pub mean: f64,
+    /// Root of the mean square error.
+    pub rms: f64,
+    /// Largest error.
+    pub max: f64,
+    /// Mean ꟻLIP.
+    pub flip: f64,
+    /// Nanoseconds a pixel.
+    pub nanoseconds: f64,
+}
+
+/// The picture of a row, for the report's pages.
+#[derive(Clone, Debug)]
+pub struct Picture {
+    /// File name without its ending.
+    pub name: String,
+    /// R, G, B, A in [0, 1], rows from the lowest.
+    pub pixels: Vec<[f64; 4]>,
+    /// Pixels across and up.
+    pub side: usize,
+}
+
+/// Everything that was measured.
+#[derive(Clone, Debug)]
+pub struct Measured {
+    /// Scene after scene, mode after mode.
+    pub rows: Vec<Row>,
+    /// For each scene the reference, then each mode and its difference.
+    pub pictures: Vec<Picture>,
+}
+
+/// Draws everything at `side` × `side` pixels; `progress` hears of each scene.
+///
+/// # Errors
+/// When a call sets the error flag.
+pub fn measure(side: usize, mut progress: impl FnMut(&Scene)) -> Result<Measured, DriveError> {
+    let mut measured = Measured { rows: Vec::new(), pictures: Vec::new() };
+    for scene in scenes(side) {
+        progress(&scene);
+        let reference: Vec<[f64; 4]> = (0..side * side)
+            .map(|p| {
+                let pixel = [p % side, p / side];
+                if scene.counts(pixel, side) { scene.reference(pixel, side) } else { [0.0; 4] }
+            })
+            .collect();
+        measured.pictures.push(Picture {
+            name: format!("{}-reference", scene.name),
+            pixels: reference.clone(),
+            side,
+        });
+        for mode in Mode::ALL {
+            let mut drawn = draw::draw(&scene, mode, side)?;
+            for (p, pixel) in drawn.pixels.iter_mut().enumerate() {
+                if !scene.counts([p % side, p / side], side) {
+                    *pixel = [0.0; 4];
+                }
+            }
+            measured.rows.push(row(&scene, mode, &reference, &drawn, side));
+            let difference = reference.iter().zip(&drawn.pixels).map(|(a, b)| {
+                let d = |c: usize| (4.0 * (a[c] - b[c]).abs()).min(1.0);
+                [d(0), d(1), d(2), 1.0]
+            });
+            let name = format!("{}-{}", scene.name, mode.name());
+            let difference =
+                Picture { name: format!("{name}-difference"), pixels: difference.collect(), side };
+            measured.pictures.push(Picture { name, pixels: drawn.pixels, side });
+            measured.pictures.push(difference);
+        }
+    }
+    Ok(measured)
+}
+
+fn row(scene: &Scene, mode: Mode, reference: &[[f64; 4]], drawn: &draw::Drawn, side: usize) -> Row {
+    let errors: Vec<f64> = reference
+        .iter()
+        .zip(&drawn.pixels)
+        .enumerate()
+        .filter(|(p, _)| scene.counts([p % side, p / side], side))
+        .flat_map(|(_, (a, b))| [0, 1, 2].map(|c: usize| (a[c] - b[c]).abs()))
+        .collect();
+    let count = errors.len() as f64;
+    let picture = |pixels: &[[f64; 4]]| flip::Picture {
+        width: side,
+        pixels: pixels.iter().map(|p| [p[0], p[1], p[2]]).collect(),
+    };
+    Row {
+        scene: scene.name,
+        mode: mode.name(),
+        family: mode.family(),
+        mean: errors.iter().sum::<f64>() / count,
+        rms: (errors.iter().map(|e| e * e).sum::<f64>() / count).sqrt(),
+        max: errors.iter().copied().fold(0.0, f64::max),
+        flip: flip::mean(&picture(reference), &picture(&drawn.pixels)),
+        nanoseconds: drawn.nanoseconds,
+    }
+}
+
+/// All scenes together: mean of the time, root mean square of the errors, one row a mode.
+pub fn overall(rows: &[Row]) -> Vec<Row> {
+    let mut all: Vec<Row> = Vec::new();
+    for mode in Mode::ALL {
+        let of: Vec<&Row> = rows.iter().filter(|row| row.mode == mode.name()).collect();
+        let count = of.len().max(1) as f64;
+        let mean = |f: fn(&Row) -> f64| of.iter().map(|row| f(row)).sum::<f64>() / count;
+        all.push(Row {
+            scene: "all scenes",
+            mode: mode.name(),
+            family: mode.family(),
+            mean: mean(|row| row.mean),
+            rms: mean(|row| row.rms * row.rms).sqrt(),
+            max: of.iter().map(|row| row.max).fold(0.0, f64::max),
+            flip: mean(|row| row.flip),
+            nanoseconds: mean(|row| row.nanoseconds),
+        });
+    }
+    all
+}
+
+/// The work-precision lines of some rows: RMS error over nanoseconds a pixel, a line a family.
+pub fn lines(rows: &[Row]) -> Vec<Line> {
+    let mut lines: Vec<Line> = Vec::new();
+    for row in rows {
+        let point = (row.nanoseconds, row.rms);
+        match lines.iter_mut().find(|line| line.name == row.family) {
+            Some(line) => line.points.push(point),
+            None => lines.push(Line { name: row.family.to_owned(), points: vec![point] }),
+        }
+    }
+    lines
+}

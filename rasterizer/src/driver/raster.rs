@@ -1,0 +1,162 @@
+//! How primitives become fragments: state that changes from draw to draw without compiling
+//! anything (GL 2.1, sections 3.3 to 3.5).
+
+/// The largest size of a point in pixels; larger ones are drawn with it.
+pub const MAX_POINT_SIZE: f32 = 256.0;
+/// The largest width of a line in pixels; wider ones are drawn with it.
+pub const MAX_LINE_WIDTH: f32 = 64.0;
+
+/// How a polygon is drawn (GL 2.1, section 3.5.4).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum PolygonMode {
+    /// Its vertices as points.
+    Point,
+    /// Its edges as lines.
+    Line,
+    /// Its inside.
+    #[default]
+    Fill,
+}
+
+/// Whether a pixel is covered or not, or covered in part.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Rim {
+    /// A fragment is wholly there or not at all.
+    #[default]
+    Aliased,
+    /// A fragment for every pixel that is touched; `Input::Coverage` is the part that is covered.
+    Smooth,
+}
+
+/// Added to the depth of a polygon: `factor · m + units · r` (GL 2.1, section 3.5.5).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PolygonOffset {
+    /// Times the largest depth slope.
+    pub factor: f32,
+    /// Times the smallest resolvable difference.
+    pub units: f32,
+}
+
+/// Polygons, however they are drawn.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct PolygonState {
+    /// How front and back faces are drawn.
+    pub mode: [PolygonMode; 2],
+    /// By the mode that a polygon is drawn in: points, lines, filled.
+    pub offset: [Option<PolygonOffset>; 3],
+    /// The rim of filled ones.
+    pub rim: Rim,
+    /// Which pixels of every 32×32 are left of filled ones: row by row from the lowest, the leftmost
+    /// pixel in the highest bit (GL 2.1, section 3.5.2).
+    pub stipple: Option<[u32; 32]>,
+    /// The location of an attribute of one component: not zero where a boundary edge begins (GL 2.1,
+    /// section 2.6.2). `None` makes all edges boundaries.
+    pub edge_flag: Option<u8>,
+}
+
+/// Which fragments of a line are left: bit `(s / factor) mod 16` of the pattern for the fragment `s`
+/// (GL 2.1, section 3.4.2).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct LineStipple {
+    /// Fragments per bit, 1 to 256.
+    pub factor: u16,
+    /// From its lowest bit up.
+    pub pattern: u16,
+}
+
+/// Lines.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LineState {
+    /// In pixels; above zero.
+    pub width: f32,
+    /// Their rim.
+    pub rim: Rim,
+    /// Which fragments are left.
+    pub stipple: Option<LineStipple>,
+}
+
+/// Where the size of points comes from.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum PointSize {
+    /// The state.
+    #[default]
+    State,
+    /// The vertex stage, where it writes one.
+    Vertex,
+}
+
+/// Where in a point sprite t is 0 (GL 2.1, section 3.3).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum SpriteOrigin {
+    /// At its upper edge.
+    #[default]
+    UpperLeft,
+    /// At its lower edge.
+    LowerLeft,
+}
+
+/// Points.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PointState {
+    /// In pixels; above zero.
+    pub size: f32,
+    /// Whether the vertex stage's stands in for it.
+    pub source: PointSize,
+    /// The rim of those that are no sprites.
+    pub rim: Rim,
+    /// The first of four varying slots that become (s, t, 0, 1) of the sprite; `None` where points
+    /// are no sprites.
+    pub sprite: Option<Vec<u16>>,
+    /// Where `Input::PointCoord` begins.
+    pub origin: SpriteOrigin,
+}
+
+/// All of it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RasterState {
+    /// Polygons.
+    pub polygon: PolygonState,
+    /// Lines, and polygons drawn as lines.
+    pub line: LineState,
+    /// Points, and polygons drawn as points.
+    pub point: PointState,
+}
+
+impl Default for RasterState {
+    fn default() -> Self {
+        Self {
+            polygon: PolygonState::default(),
+            line: LineState { width: 1.0, rim: Rim::Aliased, stipple: None },
+            point: PointState {
+                size: 1.0,
+                source: PointSize::State,
+                rim: Rim::Aliased,
+                sprite: None,
+                origin: SpriteOrigin::UpperLeft,
+            },
+        }
+    }
+}
+
+impl LineState {
+    /// The width that lines are drawn with: whole pixels unless smooth (GL 2.1, section 3.4.2).
+    pub(crate) fn drawn_width(&self) -> f32 {
+        match self.rim {
+            Rim::Aliased => self.width.round().clamp(1.0, MAX_LINE_WIDTH),
+            Rim::Smooth => self.width.clamp(1.0 / 256.0, MAX_LINE_WIDTH),
+        }
+    }
+}
+
+impl RasterState {
+    /// The first rule that it breaks, if any.
+    pub(crate) fn fault(&self) -> Option<&'static str> {
+        if !(self.line.width > 0.0 && self.point.size > 0.0) {
+            return Some("SetRaster: widths and sizes must be above zero");
+        }
+        if self.line.stipple.is_some_and(|stipple| !(1..=256).contains(&stipple.factor)) {
+            return Some("SetRaster: the stipple factor must be 1 to 256");
+        }
+        None
+    }
+}

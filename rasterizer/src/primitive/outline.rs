@@ -1,0 +1,245 @@
+//! Lines and points (GL 2.1, sections 3.3 and 3.4), and polygons that are drawn as such (section
+//! 3.5.4).
+
+use super::clip::clip;
+use super::line::LineRun;
+use super::setup::{EdgeFlags, Facing, Kind, SUBPIXEL, Scratch, Setup, Shape, bounds, snap};
+use crate::driver::{LineState, MAX_POINT_SIZE, PointState, PolygonMode, Rim};
+use crate::raster::depth_offset;
+use crate::vertex::{Geometry, Outcode};
+
+/// A triangle that is drawn as lines or points.
+pub(super) struct Outline {
+    pub vertices: [u32; 3],
+    pub provoking: u8,
+    /// Which edges are edges of its polygon, bit by their first vertex.
+    pub edges: u8,
+    pub facing: Facing,
+}
+
+/// A line of a primitive.
+pub(super) struct Line {
+    /// Its ends, and another that may provoke.
+    pub vertices: [u32; 3],
+    pub provoking: u8,
+    pub facing: Facing,
+    /// Added to depth.
+    pub bias: f32,
+}
+
+impl Setup<'_> {
+    /// The boundary edges of a triangle as lines, or the vertices where they begin as points.
+    pub(super) fn outline(
+        &self,
+        geometry: &Geometry,
+        outline: &Outline,
+        scratch: &mut Scratch,
+        out: &mut Vec<Shape>,
+    ) {
+        let &Outline { vertices, provoking, edges, facing } = outline;
+        let polygon = &self.raster.polygon;
+        let mode = polygon.mode[facing as usize];
+        let bias = polygon.offset[mode as usize].map_or(0.0, |offset| {
+            depth_offset(&self.viewport, offset, self.resolution, geometry, vertices)
+        });
+        for i in 0..3 {
+            let from = vertices[i];
+            let marked = match self.edge_flags {
+                EdgeFlags::AllSet => true,
+                EdgeFlags::ByVertex => geometry.begins_boundary(from),
+            };
+            if edges >> i & 1 == 0 || !marked {
+                continue;
+            }
+            match mode {
+                PolygonMode::Point => self.point(geometry, from, facing, bias, out),
+                PolygonMode::Line | PolygonMode::Fill => {
+                    let vertices = [from, vertices[(i + 1) % 3], vertices[usize::from(provoking)]];
+                    self.line(
+                        geometry,
+                        &Line { vertices, provoking: 2, facing, bias },
+                        scratch,
+                        out,
+                    );
+                }
+            }
+        }
+    }
+
+    /// A line.
+    pub(super) fn line(
+        &self,
+        geometry: &Geometry,
+        line: &Line,
+        scratch: &mut Scratch,
+        out: &mut Vec<Shape>,
+    ) {
+        let ends = [line.vertices[0], line.vertices[1]];
+        let [a, b] = ends.map(|v| &geometry.vertices[v as usize]);
+        let (any, every) = (a.outcode.0 | b.outcode.0, a.outcode.0 & b.outcode.0);
+        if every & Outcode::REJECT != 0 || any & Outcode::INVALID != 0 {
+            return;
+        }
+        let mut corners = [a.snapped, b.snapped];
+        if any & Outcode::CUT != 0 {
+            scratch.polygon.clear();
+            scratch.polygon.extend(ends.map(|v| geometry.corner(v)));
+            clip(&mut scratch.polygon, &mut scratch.other, &scratch.planes, a.user | b.user);
+            let &[a, b] = scratch.polygon.as_slice() else { return };
+            corners = [a, b].map(|p| snap(self.viewport.window(&p.clip)));
+        }
+        let Some(bounds) = self.line_bounds(corners) else { return };
+        out.push(Shape {
+            corners: [corners[0], corners[1], corners[1]],
+            bounds,
+            vertices: line.vertices,
+            provoking: line.provoking,
+            kind: Kind::Line { stipple: 0, bias: line.bias },
+            facing: line.facing,
+        });
+    }
+
+    /// The pixels that a line may cover. A line that ends at a side of the view volume is as wide
+    /// outside it as inside (section 2.12), so along its minor axis more than the viewport counts.
+    fn line_bounds(&self, [a, b]: [[i32; 2]; 2]) -> Option<[[u16; 2]; 2]> {
+        let state = &self.raster.line;
+        let width = state.drawn_width();
+        let extend = |mut area: [[i32; 2]; 2], axis: usize| {
+            let margin = (width * 0.5).ceil() as i32;
+            area[0][axis] = (area[0][axis] - margin).max(self.area[0][axis]);
+            area[1][axis] = (area[1][axis] + margin).min(self.area[1][axis]);
+            area
+        };
+        match state.rim {
+            Rim::Aliased => {
+                let run = LineRun::new(a, b, width as i32);
+                if run.first > run.last {
+                    return None;
+                }
+                let (major, minor) = (run.major, 1 - run.major);
+                let area = extend(self.inner, minor);
+                let rows = [run.row(run.first), run.row(run.last)];
+                let low = [run.first, rows[0].min(rows[1])];
+                let high = [run.last, rows[0].max(rows[1]) + width as i32 - 1];
+                let mut out = [[0; 2]; 2];
+                for (from, axis) in [major, minor].into_iter().enumerate() {
+                    let first = low[from].max(area[0][axis]);
+                    let last = high[from].min(area[1][axis] - 1);
+                    if first > last {
+                        return None;
+                    }
+                    (out[0][axis], out[1][axis]) = (first as u16, last as u16);
+                }
+                Some(out)
+            }
+            Rim::Smooth => {
+                if a == b {
+                    return None;
+                }
+                let reach = (width * 0.5 * SUBPIXEL as f32).ceil() as i32;
+                let around = |p: [i32; 2], by: i32| [p[0] + by, p[1] + by];
+                let corners =
+                    [around(a, reach), around(a, -reach), around(b, reach), around(b, -reach)];
+                bounds(&corners, Rim::Smooth, &extend(extend(self.inner, 0), 1))
+            }
+        }
+    }
+
+    /// A point. It is drawn whole if its centre is in the view volume (section 2.12).
+    pub(super) fn point(
+        &self,
+        geometry: &Geometry,
+        vertex: u32,
+        facing: Facing,
+        bias: f32,
+        out: &mut Vec<Shape>,
+    ) {
+        let shaded = &geometry.vertices[vertex as usize];
+        let dropped = Outcode::REJECT | Outcode::INVALID | Outcode::GUARD | Outcode::USER;
+        if shaded.outcode.0 & dropped != 0 {
+            return;
+        }
+        let state = &self.raster.point;
+        let size = drawn_size(state, shaded.point_size);
+        let low = point_corner(state, shaded.window, size);
+        let high = low.map(|v| v + f64::from(size));
+        // A smooth disc touches pixels beyond the subpixel that its square ends in.
+        let rim = if state.sprite.is_some() { Rim::Aliased } else { state.rim };
+        let reach = i32::from(rim == Rim::Smooth);
+        let (low, high) = (snap(low).map(|v| v - reach), snap(high).map(|v| v + reach));
+        // The upper edge and the left one are inside, as of polygons.
+        let corners = match rim {
+            Rim::Aliased => [[low[0], low[1] + 1], [high[0] - 1, high[1]]],
+            Rim::Smooth => [low, high],
+        };
+        let Some(bounds) = bounds(&corners, rim, &self.area) else { return };
+        out.push(Shape {
+            corners: [shaded.snapped; 3],
+            bounds,
+            vertices: [vertex; 3],
+            provoking: 0,
+            kind: Kind::Point { size, bias },
+            facing,
+        });
+    }
+}
+
+/// The size that a point is drawn with. A size below one, or none at all, is drawn as one; only
+/// aliased points have whole sizes.
+fn drawn_size(state: &PointState, size: f32) -> f32 {
+    let size = texunit::lanes::math::clamp(size, 1.0, MAX_POINT_SIZE);
+    match (state.rim, &state.sprite) {
+        (Rim::Aliased, None) => size.round(),
+        (Rim::Smooth, None) | (_, Some(_)) => size,
+    }
+}
+
+/// The lower left corner of a point's square (GL 2.1, section 3.3.1): of aliased points with an odd
+/// size around a pixel's centre, with an even one around a corner of pixels.
+fn point_corner(state: &PointState, window: [f64; 2], size: f32) -> [f64; 2] {
+    let size = f64::from(size);
+    window.map(|v| match (state.rim, &state.sprite) {
+        (Rim::Aliased, None) if size % 2.0 == 1.0 => v.floor() + 0.5 - size * 0.5,
+        (Rim::Aliased, None) => (v + 0.5).floor() - size * 0.5,
+        (Rim::Smooth, None) | (_, Some(_)) => v - size * 0.5,
+    })
+}
+
+/// The corners of the part of a smooth line between two distances from its first end, in pixels,
+/// counter-clockwise. The last part ends where the line does.
+pub fn rectangle(ends: [[f64; 2]; 2], width: f64, part: [f64; 2]) -> [[f64; 2]; 4] {
+    let [a, b] = ends;
+    let way = [b[0] - a[0], b[1] - a[1]];
+    let length = (way[0] * way[0] + way[1] * way[1]).sqrt();
+    let along = way.map(|v| v / length);
+    let across = [-along[1] * width * 0.5, along[0] * width * 0.5];
+    let corner = |at: f64, side: f64| {
+        let at = at.min(length);
+        [a[0] + along[0] * at + side * across[0], a[1] + along[1] * at + side * across[1]]
+    };
+    [corner(part[0], -1.0), corner(part[1], -1.0), corner(part[1], 1.0), corner(part[0], 1.0)]
+}
+
+/// Where the stipple of each line of a strip begins: where that of the line before ends (section
+/// 3.4.2). `before` is how far it has come before `shapes`; gives how far it comes.
+pub fn stipple_lines(state: &LineState, shapes: &mut [Shape], before: u32) -> u32 {
+    let Some(stipple) = state.stipple else { return before };
+    let period = 16 * u32::from(stipple.factor) * SUBPIXEL as u32;
+    let width = state.drawn_width();
+    let mut come = before;
+    for shape in shapes {
+        let [a, b, _] = shape.corners;
+        if let Kind::Line { stipple, .. } = &mut shape.kind {
+            *stipple = come;
+            let length = match state.rim {
+                Rim::Aliased => LineRun::new(a, b, width as i32).columns() * SUBPIXEL as u32,
+                Rim::Smooth => {
+                    let d = [0, 1].map(|axis| f64::from(b[axis]) - f64::from(a[axis]));
+                    (d[0] * d[0] + d[1] * d[1]).sqrt() as u32
+                }
+            };
+            come = (come + length % period) % period;
+        }
+    }
+    come
+}
