@@ -4,7 +4,7 @@
 #[path = "../../fuzz/bodies/calls.rs"]
 mod calls;
 
-use calls::{BYTES, Random, context, make_calls, still_works};
+use calls::{Random, context, make_calls, still_works};
 use gl_api::*;
 use std::time::{Duration, Instant};
 

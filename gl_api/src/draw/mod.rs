@@ -12,12 +12,13 @@ pub(crate) mod interleaved;
 mod keys;
 mod primitives;
 pub(crate) mod restart;
-mod stages;
+pub(crate) mod stages;
 pub(crate) mod translate;
 mod words;
 
 use crate::context::Context;
 use crate::fixed::FixedModules;
+use crate::pixels::rectangle::RectangleModules;
 use fixed_words::FixedWords;
 use rasterizer::driver::{
     Attachment, Command, CommandBuffer, Counter, Device, Image, PassDesc, Pipeline, PipelineDesc,
@@ -46,6 +47,7 @@ pub(crate) struct Recorder {
     variants: HashMap<stages::VariantKey, ShaderModule>,
     /// What counts the samples of draws.
     pub counter: Option<Counter>,
+    pub rectangles: RectangleModules,
 }
 
 /// State that holds until the end of a pass and need not be recorded again.
@@ -69,6 +71,7 @@ impl Recorder {
             fixed_words: FixedWords::default(),
             variants: HashMap::new(),
             counter: None,
+            rectangles: RectangleModules::default(),
         }
     }
 

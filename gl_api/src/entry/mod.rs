@@ -100,6 +100,7 @@ mod pixels;
 mod programs;
 mod queries;
 mod rasterization;
+mod rectangles;
 mod textures;
 mod transform;
 mod vertices;
@@ -119,6 +120,7 @@ pub use pixels::*;
 pub use programs::*;
 pub use queries::*;
 pub use rasterization::*;
+pub use rectangles::*;
 pub use textures::*;
 pub use transform::*;
 pub use vertices::*;
@@ -146,6 +148,7 @@ pub fn implemented() -> impl Iterator<Item = (&'static str, usize)> {
         PROGRAMS,
         QUERIES,
         RASTERIZATION,
+        RECTANGLES,
         TEXTURES,
         TRANSFORM,
         VERTICES,
