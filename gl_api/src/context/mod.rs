@@ -15,6 +15,7 @@ use crate::framebuffer::Window;
 use crate::glsl::Repairs;
 use crate::list::{Compiling, Lists};
 use crate::object::Objects;
+use crate::object::queries::ActiveQueries;
 use crate::object::sharing::{Entered, Group};
 use crate::state::State;
 use crate::state::attrib::AttribStacks;
@@ -88,6 +89,7 @@ pub struct Context {
     pub(crate) lists: Lists,
     pub(crate) compiling: Option<Compiling>,
     pub(crate) attribs: AttribStacks,
+    pub(crate) queries: ActiveQueries,
     /// The contexts that this one shares objects with.
     group: Option<Group>,
     /// Whether a call runs.
@@ -135,6 +137,7 @@ impl Context {
             lists: Lists::default(),
             compiling: None,
             attribs: AttribStacks::default(),
+            queries: ActiveQueries::default(),
             group: None,
             entered: Entered::No,
             repairs,

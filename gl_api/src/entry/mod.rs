@@ -105,6 +105,7 @@ mod pixels;
 mod programs;
 mod queries;
 mod rasterization;
+mod rectangles;
 mod textures;
 mod transform;
 mod vertices;
@@ -125,6 +126,7 @@ pub use pixels::*;
 pub use programs::*;
 pub use queries::*;
 pub use rasterization::*;
+pub use rectangles::*;
 pub use textures::*;
 pub use transform::*;
 pub use vertices::*;
@@ -160,6 +162,7 @@ pub(crate) fn rows() -> impl Iterator<Item = Row> {
         PROGRAMS,
         QUERIES,
         RASTERIZATION,
+        RECTANGLES,
         TEXTURES,
         TRANSFORM,
         VERTICES,
