@@ -16,7 +16,8 @@ unsafe extern "C" {
     fn eglGetDisplay(native: Handle) -> Handle;
     fn eglInitialize(dpy: Handle, major: *mut i32, minor: *mut i32) -> u32;
     fn eglBindAPI(api: u32) -> u32;
-    fn eglChooseConfig(dpy: Handle, list: *const i32, out: *mut Handle, n: i32, k: *mut i32) -> u32;
+    fn eglChooseConfig(dpy: Handle, list: *const i32, out: *mut Handle, n: i32, k: *mut i32)
+    -> u32;
     fn eglCreatePbufferSurface(dpy: Handle, config: Handle, list: *const i32) -> Handle;
     fn eglCreateContext(dpy: Handle, config: Handle, share: Handle, list: *const i32) -> Handle;
     fn eglMakeCurrent(dpy: Handle, draw: Handle, read: Handle, context: Handle) -> u32;
@@ -205,7 +206,11 @@ fn osmesa_fills_the_clients_memory_in_every_format() {
             GL_UNSIGNED_SHORT,
             [65535_u16, 32768, 0, 65535].iter().flat_map(|v| v.to_le_bytes()).collect(),
         ),
-        (GL_RGBA, GL_FLOAT, [1.0_f32, 0.5, 0.0, 1.0].iter().flat_map(|v| v.to_le_bytes()).collect()),
+        (
+            GL_RGBA,
+            GL_FLOAT,
+            [1.0_f32, 0.5, 0.0, 1.0].iter().flat_map(|v| v.to_le_bytes()).collect(),
+        ),
         (2, GL_FLOAT, [1.0_f32, 1.0, 0.5, 0.0].iter().flat_map(|v| v.to_le_bytes()).collect()),
     ] {
         assert_eq!(osmesa(format, ty, pixel.len()), Some(pixel), "{format:#x} {ty:#x}");
