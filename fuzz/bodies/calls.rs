@@ -13,14 +13,9 @@ pub struct Random<'a> {
 }
 
 impl<'a> Random<'a> {
-    /// The numbers of a seed.
-    pub fn new(seed: u64) -> Self {
-        Self { state: seed, bytes: &[] }
-    }
-
-    /// The numbers that an input decides.
-    pub fn of(bytes: &'a [u8]) -> Self {
-        Self { state: 0, bytes }
+    /// The numbers of a seed, and what an input decides of them.
+    pub fn new(seed: u64, bytes: &'a [u8]) -> Self {
+        Self { state: seed, bytes }
     }
 
     fn next(&mut self) -> u64 {
@@ -216,7 +211,7 @@ const SHADERS: &[&str] = &[
 type Call = fn(&mut Context, &mut Random<'_>);
 
 /// Bytes for pixels, vertices and indices: enough for some requests and too short for others.
-const BYTES: [u8; 3000] = {
+pub const BYTES: [u8; 3000] = {
     let mut bytes = [0; 3000];
     let mut i = 0;
     while i < bytes.len() {

@@ -9,6 +9,6 @@ use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|bytes: &[u8]| {
     let mut c = context();
-    make_calls(&mut c, &mut Random::of(bytes), 100);
+    make_calls(&mut c, &mut Random::new(0, bytes), 100);
     still_works(&mut c);
 });

@@ -1,9 +1,9 @@
 //! Any text as the source of a shader: it compiles and links, or a log says why not.
 #![no_main]
 
-#[path = "../bodies/shaders.rs"]
-mod shaders;
+#[path = "../bodies/compile.rs"]
+mod body;
 
 use libfuzzer_sys::fuzz_target;
 
-fuzz_target!(|source: &str| shaders::compile_and_link(source));
+fuzz_target!(|source: &str| body::compile_and_link(source));

@@ -1,9 +1,9 @@
 //! Any text as the source of a fragment shader that draws: it ends.
 #![no_main]
 
-#[path = "../bodies/shaders.rs"]
-mod shaders;
+#[path = "../bodies/draw.rs"]
+mod body;
 
 use libfuzzer_sys::fuzz_target;
 
-fuzz_target!(|source: &str| shaders::link_and_run(source));
+fuzz_target!(|source: &str| body::link_and_run(source));

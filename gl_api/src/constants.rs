@@ -11,6 +11,10 @@ pub const GL_3_BYTES: u32 = 0x1408;
 /// `GL_4_BYTES`, 0x1409, which no version of the registry requires.
 pub const GL_4_BYTES: u32 = 0x1409;
 
+/// `GL_COMPRESSED_LUMINANCE_ALPHA_3DC_ATI` of `ATI_texture_compression_3dc`, which the registry
+/// lists under no extension.
+pub const GL_COMPRESSED_LUMINANCE_ALPHA_3DC_ATI: u32 = 0x8837;
+
 /// The name of a value for messages: `GL_TEXTURE_2D`; a number where no name is known or where
 /// the value is so small that a name says nothing.
 pub fn enum_name(value: u32) -> String {

@@ -31,6 +31,7 @@
 //! | `object` | names of textures, buffers, framebuffers, shaders, programs |
 //! | `texture` | client pixels, internal formats, images and parameters |
 //! | `framebuffer` | attachments, completeness, clearing, reading back |
+//! | `pixels` | pixel rectangles and bitmaps as fragments, the raster position |
 //! | `program` | uniforms, attributes, what a link found |
 //! | [`glsl`], [`interface`] | the GLSL front end, and where programs and state meet |
 //! | `fixed` | the fixed function as generated shaders |
@@ -53,6 +54,7 @@ pub mod glu;
 pub mod interface;
 mod list;
 mod object;
+mod pixels;
 mod program;
 mod query;
 mod state;

@@ -1,11 +1,15 @@
 //! Sources that want to hang, overflow or exhaust the compiler: each ends soon, with a message.
 
-#[path = "../../fuzz/bodies/shaders.rs"]
-mod shaders;
+#[path = "../../fuzz/bodies/draw.rs"]
+mod any_shader;
+#[path = "../../fuzz/bodies/compile.rs"]
+mod any_text;
 
+use any_shader::link_and_run;
+use any_text::compile_and_link;
 use gl_api::glsl::{Bindings, Compiled, Options, Stage, compile, link};
 use proptest::prelude::*;
-use shaders::{compile_and_link, link_and_run};
+
 use std::time::{Duration, Instant};
 
 fn compiled(source: &str) -> Compiled {

@@ -402,7 +402,7 @@ fn parameters_and_samplers() {
     });
     refused(&"mipmaps", ENUM, "no mipmaps", |c| c.generate_mipmap(GL_TEXTURE_RECTANGLE));
     refused(&"NaN", VALUE, "must be a number", |c| c.pixel_transferf(GL_RED_SCALE, f32::NAN));
-    refused(&"table", ENUM, "GL_RED_SCALE", |c| c.pixel_transferi(GL_MAP_COLOR, 1));
+    refused(&"table", ENUM, "GL_RED_SCALE", |c| c.pixel_transferi(GL_PIXEL_MAP_R_TO_R, 1));
     refused(&"images", VALUE, "must not be negative", |c| {
         c.pixel_storei(GL_UNPACK_SKIP_IMAGES, -1);
     });

@@ -14,8 +14,10 @@ use crate::framebuffer::Window;
 use crate::glsl::Repairs;
 use crate::list::{Compiling, Lists};
 use crate::object::Objects;
+use crate::object::queries::ActiveQueries;
 use crate::object::sharing::{Entered, Group};
 use crate::state::State;
+use crate::state::attrib::AttribStacks;
 pub use debug::{Message, Severity};
 pub use log::GLDEBUGPROC;
 use rasterizer::driver::{Device, DeviceDesc, DeviceError};
@@ -85,6 +87,8 @@ pub struct Context {
     /// Display lists, and the one that is being compiled.
     pub(crate) lists: Lists,
     pub(crate) compiling: Option<Compiling>,
+    pub(crate) attribs: AttribStacks,
+    pub(crate) queries: ActiveQueries,
     /// The contexts that this one shares objects with.
     group: Option<Group>,
     /// Whether a call runs.
@@ -129,6 +133,8 @@ impl Context {
             recorder: Recorder::new(device),
             lists: Lists::default(),
             compiling: None,
+            attribs: AttribStacks::default(),
+            queries: ActiveQueries::default(),
             group: None,
             entered: Entered::No,
             repairs,

@@ -323,6 +323,14 @@ pub(crate) fn draw_elements_base_vertex(
     draw_indexed(context, mode, IndexRequest { count, ty, indices, base_vertex }, 1)
 }
 
+/// Checks the range that indices are promised to be in.
+fn checked_range(start: GLuint, end: GLuint) -> Result<()> {
+    if end < start {
+        return invalid_value(SECTION, format!("end = {end} must not be below start = {start}"));
+    }
+    Ok(())
+}
+
 pub(crate) fn draw_range_elements(
     context: &mut Context,
     mode: GLenum,
@@ -332,9 +340,7 @@ pub(crate) fn draw_range_elements(
     ty: GLenum,
     indices: Data<'_>,
 ) -> Result<()> {
-    if end < start {
-        return invalid_value(SECTION, format!("end = {end} must not be below start = {start}"));
-    }
+    checked_range(start, end)?;
     draw_elements(context, mode, count, ty, indices)
 }
 
@@ -370,6 +376,50 @@ pub(crate) fn array_element(context: &mut Context, index: GLint) -> Result<()> {
     if let Some(&location) = enabled.iter().find(|location| of_position(location)) {
         let value = vertex_source(context, location).read(index);
         attribute(context, Slot::Vertex, value)?;
+    }
+    Ok(())
+}
+
+#[expect(clippy::too_many_arguments, reason = "GL's signature")]
+pub(crate) fn draw_range_elements_base_vertex(
+    context: &mut Context,
+    mode: GLenum,
+    start: GLuint,
+    end: GLuint,
+    count: GLsizei,
+    ty: GLenum,
+    indices: Data<'_>,
+    base_vertex: GLint,
+) -> Result<()> {
+    checked_range(start, end)?;
+    draw_elements_base_vertex(context, mode, count, ty, indices, base_vertex)
+}
+
+pub(crate) fn draw_elements_instanced_base_vertex(
+    context: &mut Context,
+    mode: GLenum,
+    count: GLsizei,
+    ty: GLenum,
+    indices: Data<'_>,
+    instances: GLsizei,
+    base_vertex: GLint,
+) -> Result<()> {
+    draw_indexed(context, mode, IndexRequest { count, ty, indices, base_vertex }, instances)
+}
+
+pub(crate) fn multi_draw_elements_base_vertex(
+    context: &mut Context,
+    mode: GLenum,
+    count: &[GLsizei],
+    ty: GLenum,
+    indices: Pointers<'_>,
+    primcount: GLsizei,
+    base_vertex: &[GLint],
+) -> Result<()> {
+    let draws = draws(primcount, [count.len().min(base_vertex.len()), indices.0.len()])?;
+    let all = count.iter().zip(&indices.0).zip(base_vertex);
+    for ((&count, &indices), &base_vertex) in all.take(draws) {
+        draw_elements_base_vertex(context, mode, count, ty, indices, base_vertex)?;
     }
     Ok(())
 }

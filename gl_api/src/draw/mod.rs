@@ -12,15 +12,16 @@ pub(crate) mod interleaved;
 mod keys;
 mod primitives;
 pub(crate) mod restart;
-mod stages;
+pub(crate) mod stages;
 pub(crate) mod translate;
 mod words;
 
 use crate::context::Context;
 use crate::fixed::FixedModules;
+use crate::pixels::rectangle::RectangleModules;
 use fixed_words::FixedWords;
 use rasterizer::driver::{
-    Attachment, Command, CommandBuffer, Device, Image, PassDesc, Pipeline, PipelineDesc,
+    Attachment, Command, CommandBuffer, Counter, Device, Image, PassDesc, Pipeline, PipelineDesc,
     RasterState, ShaderModule,
 };
 use std::collections::HashMap;
@@ -44,6 +45,9 @@ pub(crate) struct Recorder {
     pub fixed: FixedModules,
     fixed_words: FixedWords,
     variants: HashMap<stages::VariantKey, ShaderModule>,
+    /// What counts the samples of draws.
+    pub counter: Option<Counter>,
+    pub rectangles: RectangleModules,
 }
 
 /// State that holds until the end of a pass and need not be recorded again.
@@ -66,6 +70,8 @@ impl Recorder {
             fixed: FixedModules::default(),
             fixed_words: FixedWords::default(),
             variants: HashMap::new(),
+            counter: None,
+            rectangles: RectangleModules::default(),
         }
     }
 

@@ -1,7 +1,8 @@
-//! Display lists: GL 2.1, section 5.4.
+//! Display lists and attribute stacks: GL 2.1, sections 5.4 and 6.1.17.
 
 use super::Data;
 use crate::list::calls;
+use crate::state::attrib;
 use crate::types::*;
 
 entry_points! {
@@ -18,6 +19,16 @@ entry_points! {
         delete_lists: glDeleteLists (list: GLuint, range: GLsizei);
         /// Whether there is a list of that name.
         is_list: glIsList (list: GLuint) -> bool;
+    }
+    Outside in attrib {
+        /// Keeps groups of the context's state.
+        push_attrib: glPushAttrib (mask: GLbitfield);
+        /// Puts the groups back that were kept last.
+        pop_attrib: glPopAttrib ();
+        /// Keeps groups of the client's state.
+        push_client_attrib: glPushClientAttrib (mask: GLbitfield);
+        /// Puts the groups of the client's state back that were kept last.
+        pop_client_attrib: glPopClientAttrib ();
     }
     Anywhere in calls {
         /// Carries out a list; without one, nothing happens.

@@ -93,12 +93,14 @@ mod attributes;
 mod debugging;
 mod fragments;
 mod framebuffers;
+mod integers;
 mod lighting;
 mod lists;
 mod pixels;
 mod programs;
 mod queries;
 mod rasterization;
+mod rectangles;
 mod textures;
 mod transform;
 mod vertices;
@@ -111,12 +113,14 @@ pub use attributes::*;
 pub use debugging::*;
 pub use fragments::*;
 pub use framebuffers::*;
+pub use integers::*;
 pub use lighting::*;
 pub use lists::*;
 pub use pixels::*;
 pub use programs::*;
 pub use queries::*;
 pub use rasterization::*;
+pub use rectangles::*;
 pub use textures::*;
 pub use transform::*;
 pub use vertices::*;
@@ -137,12 +141,14 @@ pub fn implemented() -> impl Iterator<Item = (&'static str, usize)> {
         DEBUGGING,
         FRAMEBUFFERS,
         FRAGMENTS,
+        INTEGERS,
         LIGHTING,
         LISTS,
         PIXELS,
         PROGRAMS,
         QUERIES,
         RASTERIZATION,
+        RECTANGLES,
         TEXTURES,
         TRANSFORM,
         VERTICES,

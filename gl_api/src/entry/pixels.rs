@@ -1,9 +1,9 @@
 //! Pixel rectangles: GL 2.1, sections 3.6.1 and 4.3.2.
 
-use super::DataOut;
+use super::{Data, DataOut};
 use crate::framebuffer::read;
 use crate::state::pixel_store;
-use crate::texture::transfer;
+use crate::texture::{pixel_map, transfer};
 use crate::types::*;
 
 entry_points! {
@@ -19,6 +19,20 @@ entry_points! {
         pixel_transferf: glPixelTransferf (pname: GLenum, param: GLfloat);
         /// Sets the scale or bias of a component of every pixel on its way in or out.
         pixel_transferi: glPixelTransferi (pname: GLenum, param: GLint);
+    }
+    Outside in pixel_map {
+        /// Sets a look-up table of pixel transfer.
+        pixel_mapfv: glPixelMapfv (map: GLenum, mapsize: GLsizei, values: Data<'a>);
+        /// Sets a look-up table of pixel transfer; of colours, the largest number is 1.
+        pixel_mapuiv: glPixelMapuiv (map: GLenum, mapsize: GLsizei, values: Data<'a>);
+        /// Sets a look-up table of pixel transfer; of colours, the largest number is 1.
+        pixel_mapusv: glPixelMapusv (map: GLenum, mapsize: GLsizei, values: Data<'a>);
+        /// Reads a look-up table.
+        get_pixel_mapfv: glGetPixelMapfv (map: GLenum, values: DataOut<'a>);
+        /// Reads a look-up table; of colours, 1 as the largest number.
+        get_pixel_mapuiv: glGetPixelMapuiv (map: GLenum, values: DataOut<'a>);
+        /// Reads a look-up table; of colours, 1 as the largest number.
+        get_pixel_mapusv: glGetPixelMapusv (map: GLenum, values: DataOut<'a>);
     }
     Outside in read {
         /// Reads a rectangle of the read framebuffer; row 0 is the lowest.

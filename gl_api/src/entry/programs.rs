@@ -2,104 +2,119 @@
 
 use super::{Strings, TextOut};
 use crate::object::{programs, shaders};
-use crate::program::{attribute, inspect, uniform};
+use crate::program::{arb, attribute, inspect, uniform};
 use crate::types::*;
 
 entry_points! {
     PROGRAMS;
     Outside in shaders {
         /// Makes a shader object for a stage.
-        create_shader: glCreateShader (ty: GLenum) -> GLuint;
+        create_shader: glCreateShader | glCreateShaderObjectARB (ty: GLenum) -> GLuint;
         /// Deletes a shader, once it is attached to no program.
         delete_shader: glDeleteShader (shader: GLuint);
         /// Whether a name is a shader.
         is_shader: glIsShader (shader: GLuint) -> bool;
         /// Replaces a shader's source by strings, of which `lengths` may say how long they are.
-        shader_source: glShaderSource
+        shader_source: glShaderSource | glShaderSourceARB
             (shader: GLuint, count: GLsizei, strings: Strings<'a>, lengths: &'a [GLint]);
         /// Compiles a shader; `glGetShaderiv` says whether it worked.
-        compile_shader: glCompileShader (shader: GLuint);
+        compile_shader: glCompileShader | glCompileShaderARB (shader: GLuint);
         /// Reads what is known of a shader.
         get_shaderiv: glGetShaderiv (shader: GLuint, pname: GLenum, params: &'a mut [GLint]);
         /// Reads what the compiler said.
         get_shader_info_log: glGetShaderInfoLog
             (shader: GLuint, max_length: GLsizei, length: &'a mut [GLsizei], info_log: TextOut<'a>);
         /// Reads a shader's source.
-        get_shader_source: glGetShaderSource
+        get_shader_source: glGetShaderSource | glGetShaderSourceARB
             (shader: GLuint, max_length: GLsizei, length: &'a mut [GLsizei], source: TextOut<'a>);
     }
     Outside in programs {
         /// Makes a program object.
-        create_program: glCreateProgram () -> GLuint;
+        create_program: glCreateProgram | glCreateProgramObjectARB () -> GLuint;
         /// Deletes a program, once it is not in use.
         delete_program: glDeleteProgram (program: GLuint);
         /// Whether a name is a program.
-        is_program: glIsProgram (program: GLuint) -> bool;
+        is_program: glIsProgram | glIsProgramARB (program: GLuint) -> bool;
         /// Adds a shader to a program.
-        attach_shader: glAttachShader (program: GLuint, shader: GLuint);
+        attach_shader: glAttachShader | glAttachObjectARB (program: GLuint, shader: GLuint);
         /// Takes a shader from a program.
-        detach_shader: glDetachShader (program: GLuint, shader: GLuint);
+        detach_shader: glDetachShader | glDetachObjectARB (program: GLuint, shader: GLuint);
         /// Sets the location that an attribute gets at the next link.
-        bind_attrib_location: glBindAttribLocation (program: GLuint, index: GLuint, name: &'a str);
+        bind_attrib_location: glBindAttribLocation | glBindAttribLocationARB (program: GLuint, index: GLuint, name: &'a str);
         /// Sets the colour number that a fragment output gets at the next link.
         bind_frag_data_location: glBindFragDataLocation | glBindFragDataLocationEXT
             (program: GLuint, color: GLuint, name: &'a str);
         /// Links a program; `glGetProgramiv` says whether it worked.
-        link_program: glLinkProgram (program: GLuint);
+        link_program: glLinkProgram | glLinkProgramARB (program: GLuint);
         /// Makes a program the one that draws use; 0 brings the fixed function back.
-        use_program: glUseProgram (program: GLuint);
+        use_program: glUseProgram | glUseProgramObjectARB (program: GLuint);
         /// Checks whether a program could run as things stand.
-        validate_program: glValidateProgram (program: GLuint);
+        validate_program: glValidateProgram | glValidateProgramARB (program: GLuint);
     }
     Outside in inspect {
         /// Reads what is known of a program.
-        get_programiv: glGetProgramiv (program: GLuint, pname: GLenum, params: &'a mut [GLint]);
+        get_programiv: glGetProgramiv | glGetProgramivARB (program: GLuint, pname: GLenum, params: &'a mut [GLint]);
         /// Reads what the linker said.
         get_program_info_log: glGetProgramInfoLog
             (program: GLuint, max_length: GLsizei, length: &'a mut [GLsizei], info_log: TextOut<'a>);
         /// Reads which shaders are attached.
-        get_attached_shaders: glGetAttachedShaders
+        get_attached_shaders: glGetAttachedShaders | glGetAttachedObjectsARB
             (program: GLuint, max_count: GLsizei, count: &'a mut [GLsizei], shaders: &'a mut [GLuint]);
         /// Reads name, type and size of a uniform by index.
-        get_active_uniform: glGetActiveUniform (
+        get_active_uniform: glGetActiveUniform | glGetActiveUniformARB (
             program: GLuint, index: GLuint, max_length: GLsizei, length: &'a mut [GLsizei],
             size: &'a mut [GLint], ty: &'a mut [GLenum], name: TextOut<'a>
         );
         /// Reads name, type and size of an attribute by index.
-        get_active_attrib: glGetActiveAttrib (
+        get_active_attrib: glGetActiveAttrib | glGetActiveAttribARB (
             program: GLuint, index: GLuint, max_length: GLsizei, length: &'a mut [GLsizei],
             size: &'a mut [GLint], ty: &'a mut [GLenum], name: TextOut<'a>
         );
         /// The location of a uniform, or -1.
-        get_uniform_location: glGetUniformLocation (program: GLuint, name: &'a str) -> GLint;
+        get_uniform_location: glGetUniformLocation | glGetUniformLocationARB (program: GLuint, name: &'a str) -> GLint;
         /// The location of an attribute, or -1.
-        get_attrib_location: glGetAttribLocation (program: GLuint, name: &'a str) -> GLint;
+        get_attrib_location: glGetAttribLocation | glGetAttribLocationARB (program: GLuint, name: &'a str) -> GLint;
         /// The colour number of a fragment output that was bound to one, or -1.
         get_frag_data_location: glGetFragDataLocation | glGetFragDataLocationEXT
             (program: GLuint, name: &'a str) -> GLint;
         /// Reads a uniform.
-        get_uniformfv: glGetUniformfv (program: GLuint, location: GLint, params: &'a mut [GLfloat]);
+        get_uniformfv: glGetUniformfv | glGetUniformfvARB (program: GLuint, location: GLint, params: &'a mut [GLfloat]);
         /// Reads a uniform.
-        get_uniformiv: glGetUniformiv (program: GLuint, location: GLint, params: &'a mut [GLint]);
+        get_uniformiv: glGetUniformiv | glGetUniformivARB (program: GLuint, location: GLint, params: &'a mut [GLint]);
+    }
+    Outside in arb {
+        /// Reads what is known of a shader or program (`ARB_shader_objects`).
+        get_object_parameteriv: glGetObjectParameterivARB
+            (object: GLuint, pname: GLenum, params: &'a mut [GLint]);
+        /// Reads what is known of a shader or program (`ARB_shader_objects`).
+        get_object_parameterfv: glGetObjectParameterfvARB
+            (object: GLuint, pname: GLenum, params: &'a mut [GLfloat]);
+        /// Reads what the compiler or the linker said (`ARB_shader_objects`).
+        get_info_log: glGetInfoLogARB
+            (object: GLuint, max_length: GLsizei, length: &'a mut [GLsizei], info_log: TextOut<'a>);
+        /// The program in use, or 0 (`ARB_shader_objects`).
+        get_handle: glGetHandleARB (pname: GLenum) -> GLuint;
+        /// Deletes a shader or program (`ARB_shader_objects`).
+        delete_object: glDeleteObjectARB (object: GLuint);
     }
     Outside in uniform {
         /// Sets a `float`, or a `bool`.
-        uniform_1f: glUniform1f (location: GLint, x: GLfloat);
+        uniform_1f: glUniform1f | glUniform1fARB (location: GLint, x: GLfloat);
         /// Sets a `vec2`, or a `bvec2`.
-        uniform_2f: glUniform2f (location: GLint, x: GLfloat, y: GLfloat);
+        uniform_2f: glUniform2f | glUniform2fARB (location: GLint, x: GLfloat, y: GLfloat);
         /// Sets a `vec3`, or a `bvec3`.
-        uniform_3f: glUniform3f (location: GLint, x: GLfloat, y: GLfloat, z: GLfloat);
+        uniform_3f: glUniform3f | glUniform3fARB (location: GLint, x: GLfloat, y: GLfloat, z: GLfloat);
         /// Sets a `vec4`, or a `bvec4`.
-        uniform_4f: glUniform4f
+        uniform_4f: glUniform4f | glUniform4fARB
             (location: GLint, x: GLfloat, y: GLfloat, z: GLfloat, w: GLfloat);
         /// Sets an `int`, a `bool`, or the texture unit of a sampler.
-        uniform_1i: glUniform1i (location: GLint, x: GLint);
+        uniform_1i: glUniform1i | glUniform1iARB (location: GLint, x: GLint);
         /// Sets an `ivec2`, or a `bvec2`.
-        uniform_2i: glUniform2i (location: GLint, x: GLint, y: GLint);
+        uniform_2i: glUniform2i | glUniform2iARB (location: GLint, x: GLint, y: GLint);
         /// Sets an `ivec3`, or a `bvec3`.
-        uniform_3i: glUniform3i (location: GLint, x: GLint, y: GLint, z: GLint);
+        uniform_3i: glUniform3i | glUniform3iARB (location: GLint, x: GLint, y: GLint, z: GLint);
         /// Sets an `ivec4`, or a `bvec4`.
-        uniform_4i: glUniform4i (location: GLint, x: GLint, y: GLint, z: GLint, w: GLint);
+        uniform_4i: glUniform4i | glUniform4iARB (location: GLint, x: GLint, y: GLint, z: GLint, w: GLint);
         /// Sets a `uint`, or a `bool`.
         uniform_1ui: glUniform1ui (location: GLint, x: GLuint);
         /// Sets a `uvec2`, or a `bvec2`.
@@ -109,21 +124,21 @@ entry_points! {
         /// Sets a `uvec4`, or a `bvec4`.
         uniform_4ui: glUniform4ui (location: GLint, x: GLuint, y: GLuint, z: GLuint, w: GLuint);
         /// Sets `count` elements of `float`.
-        uniform_1fv: glUniform1fv (location: GLint, count: GLsizei, value: &'a [GLfloat]);
+        uniform_1fv: glUniform1fv | glUniform1fvARB (location: GLint, count: GLsizei, value: &'a [GLfloat]);
         /// Sets `count` elements of `vec2`.
-        uniform_2fv: glUniform2fv (location: GLint, count: GLsizei, value: &'a [GLfloat]);
+        uniform_2fv: glUniform2fv | glUniform2fvARB (location: GLint, count: GLsizei, value: &'a [GLfloat]);
         /// Sets `count` elements of `vec3`.
-        uniform_3fv: glUniform3fv (location: GLint, count: GLsizei, value: &'a [GLfloat]);
+        uniform_3fv: glUniform3fv | glUniform3fvARB (location: GLint, count: GLsizei, value: &'a [GLfloat]);
         /// Sets `count` elements of `vec4`.
-        uniform_4fv: glUniform4fv (location: GLint, count: GLsizei, value: &'a [GLfloat]);
+        uniform_4fv: glUniform4fv | glUniform4fvARB (location: GLint, count: GLsizei, value: &'a [GLfloat]);
         /// Sets `count` elements of `int`, or texture units of samplers.
-        uniform_1iv: glUniform1iv (location: GLint, count: GLsizei, value: &'a [GLint]);
+        uniform_1iv: glUniform1iv | glUniform1ivARB (location: GLint, count: GLsizei, value: &'a [GLint]);
         /// Sets `count` elements of `ivec2`.
-        uniform_2iv: glUniform2iv (location: GLint, count: GLsizei, value: &'a [GLint]);
+        uniform_2iv: glUniform2iv | glUniform2ivARB (location: GLint, count: GLsizei, value: &'a [GLint]);
         /// Sets `count` elements of `ivec3`.
-        uniform_3iv: glUniform3iv (location: GLint, count: GLsizei, value: &'a [GLint]);
+        uniform_3iv: glUniform3iv | glUniform3ivARB (location: GLint, count: GLsizei, value: &'a [GLint]);
         /// Sets `count` elements of `ivec4`.
-        uniform_4iv: glUniform4iv (location: GLint, count: GLsizei, value: &'a [GLint]);
+        uniform_4iv: glUniform4iv | glUniform4ivARB (location: GLint, count: GLsizei, value: &'a [GLint]);
         /// Sets `count` elements of `uint`.
         uniform_1uiv: glUniform1uiv (location: GLint, count: GLsizei, value: &'a [GLuint]);
         /// Sets `count` elements of `uvec2`.
@@ -133,13 +148,13 @@ entry_points! {
         /// Sets `count` elements of `uvec4`.
         uniform_4uiv: glUniform4uiv (location: GLint, count: GLsizei, value: &'a [GLuint]);
         /// Sets `count` elements of `mat2`.
-        uniform_matrix_2fv: glUniformMatrix2fv
+        uniform_matrix_2fv: glUniformMatrix2fv | glUniformMatrix2fvARB
             (location: GLint, count: GLsizei, transpose: bool, value: &'a [GLfloat]);
         /// Sets `count` elements of `mat3`.
-        uniform_matrix_3fv: glUniformMatrix3fv
+        uniform_matrix_3fv: glUniformMatrix3fv | glUniformMatrix3fvARB
             (location: GLint, count: GLsizei, transpose: bool, value: &'a [GLfloat]);
         /// Sets `count` elements of `mat4`.
-        uniform_matrix_4fv: glUniformMatrix4fv
+        uniform_matrix_4fv: glUniformMatrix4fv | glUniformMatrix4fvARB
             (location: GLint, count: GLsizei, transpose: bool, value: &'a [GLfloat]);
         /// Sets `count` elements of `mat2x3`.
         uniform_matrix_2x3fv: glUniformMatrix2x3fv

@@ -3,7 +3,7 @@
 use super::{Data, DataOut};
 use crate::env;
 use crate::object::{samplers, textures};
-use crate::texture::{compressed, copy, get, mipmap, parameter, query, specify, sub};
+use crate::texture::{compressed, copy, get, mipmap, parameter, query, specify, storage, sub};
 use crate::types::*;
 
 entry_points! {
@@ -45,6 +45,21 @@ entry_points! {
         tex_image_3d: glTexImage3D | glTexImage3DEXT (
             target: GLenum, level: GLint, internalformat: GLint, width: GLsizei, height: GLsizei,
             depth: GLsizei, border: GLint, format: GLenum, ty: GLenum, pixels: Data<'a>
+        );
+    }
+    Outside in storage {
+        /// Gives a 1D texture all its levels for good.
+        tex_storage_1d: glTexStorage1D
+            (target: GLenum, levels: GLsizei, internalformat: GLenum, width: GLsizei);
+        /// Gives a 2D, rectangle, cube map or 1D array texture all its levels for good.
+        tex_storage_2d: glTexStorage2D (
+            target: GLenum, levels: GLsizei, internalformat: GLenum, width: GLsizei,
+            height: GLsizei
+        );
+        /// Gives a 3D or 2D array texture all its levels for good.
+        tex_storage_3d: glTexStorage3D (
+            target: GLenum, levels: GLsizei, internalformat: GLenum, width: GLsizei,
+            height: GLsizei, depth: GLsizei
         );
     }
     Outside in sub {

@@ -108,6 +108,21 @@ entry_points! {
         draw_elements_base_vertex: glDrawElementsBaseVertex (
             mode: GLenum, count: GLsizei, ty: GLenum, indices: Data<'a>, basevertex: GLint
         );
+        /// As `glDrawElementsBaseVertex`; all indices are promised to be `start` to `end`.
+        draw_range_elements_base_vertex: glDrawRangeElementsBaseVertex (
+            mode: GLenum, start: GLuint, end: GLuint, count: GLsizei, ty: GLenum,
+            indices: Data<'a>, basevertex: GLint
+        );
+        /// As `glDrawElementsInstanced`; `basevertex` is added to each index.
+        draw_elements_instanced_base_vertex: glDrawElementsInstancedBaseVertex (
+            mode: GLenum, count: GLsizei, ty: GLenum, indices: Data<'a>, instancecount: GLsizei,
+            basevertex: GLint
+        );
+        /// As `glMultiDrawElements`; each run has its own `basevertex`.
+        multi_draw_elements_base_vertex: glMultiDrawElementsBaseVertex (
+            mode: GLenum, count: &'a [GLsizei], ty: GLenum, indices: Pointers<'a>,
+            drawcount: GLsizei, basevertex: &'a [GLint]
+        );
         /// Draws by several runs of indices.
         multi_draw_elements: glMultiDrawElements | glMultiDrawElementsEXT (
             mode: GLenum, count: &'a [GLsizei], ty: GLenum, indices: Pointers<'a>,

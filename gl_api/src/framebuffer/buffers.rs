@@ -1,6 +1,5 @@
 //! Which buffers are drawn to and read from: GL 2.1, sections 4.2.1 and 4.3.2.
 
-use super::Window;
 use super::complete::{attached_format, samples};
 use crate::constants::*;
 use crate::context::{Context, limits};
@@ -87,7 +86,14 @@ fn checked(
     invalid_enum(section, format!("{argument} = {name} must name a colour buffer"))
 }
 
-fn selection(context: &mut Context, framebuffer: GLuint) -> &mut Selection {
+/// Which buffers of a framebuffer are drawn to and read from.
+pub(crate) fn selection(context: &Context, framebuffer: GLuint) -> &Selection {
+    let window = &context.window.selection;
+    context.objects.framebuffers.get(framebuffer).map_or(window, |object| &object.selection)
+}
+
+/// The same, to be changed.
+pub(crate) fn selection_mut(context: &mut Context, framebuffer: GLuint) -> &mut Selection {
     match context.objects.framebuffers.get_mut(framebuffer) {
         Some(object) => &mut object.selection,
         None => &mut context.window.selection,
@@ -97,7 +103,7 @@ fn selection(context: &mut Context, framebuffer: GLuint) -> &mut Selection {
 pub(crate) fn draw_buffer(context: &mut Context, buf: GLenum) -> Result<()> {
     let framebuffer = context.state.bindings.draw_framebuffer;
     checked(DRAW, framebuffer, "buf", buf)?;
-    let selection = selection(context, framebuffer);
+    let selection = selection_mut(context, framebuffer);
     selection.draw = Selection::first(buf).draw;
     Ok(())
 }
@@ -125,14 +131,14 @@ pub(crate) fn draw_buffers(context: &mut Context, n: GLsizei, bufs: &[GLenum]) -
     }
     let mut draw = [GL_NONE; limits::MAX_COLOR_ATTACHMENTS];
     draw[..n].copy_from_slice(bufs);
-    selection(context, framebuffer).draw = draw;
+    selection_mut(context, framebuffer).draw = draw;
     Ok(())
 }
 
 pub(crate) fn read_buffer(context: &mut Context, src: GLenum) -> Result<()> {
     let framebuffer = context.state.bindings.read_framebuffer;
     checked(READ, framebuffer, "src", src)?;
-    selection(context, framebuffer).read = src;
+    selection_mut(context, framebuffer).read = src;
     Ok(())
 }
 
@@ -145,10 +151,7 @@ pub(crate) enum Answer {
 
 /// Reads state by its name, if it is a framebuffer's.
 pub(crate) fn state_value(context: &Context, pname: GLenum) -> Option<Answer> {
-    let Window { selection: window, .. } = &context.window;
-    let of = |framebuffer: GLuint| {
-        context.objects.framebuffers.get(framebuffer).map_or(window, |object| &object.selection)
-    };
+    let of = |framebuffer: GLuint| selection(context, framebuffer);
     let name = context.state.bindings.draw_framebuffer;
     let draw = of(name);
     let bits = |component| {

@@ -82,6 +82,11 @@ impl Diagnostic {
         Self::new(Severity::Error, None, message)
     }
 
+    /// A warning of the link.
+    pub fn link_warning(message: impl Into<String>) -> Self {
+        Self::new(Severity::Warning, None, message)
+    }
+
     /// Adds a word about the place.
     pub fn label(mut self, label: impl Into<String>) -> Self {
         self.label = label.into();

@@ -149,7 +149,7 @@ pub(crate) fn is_list(context: &mut Context, list: GLuint) -> Result<bool> {
 }
 
 pub(crate) fn list_base(context: &mut Context, base: GLuint) -> Result<()> {
-    context.lists.base = base;
+    context.lists.set_base(base);
     Ok(())
 }
 

@@ -80,6 +80,11 @@ impl Lists {
     pub fn base(&self) -> GLuint {
         self.base
     }
+
+    /// Sets `GL_LIST_BASE`.
+    pub fn set_base(&mut self, base: GLuint) {
+        self.base = base;
+    }
 }
 
 /// Whether a list is also carried out while it is compiled.

@@ -246,6 +246,21 @@ pub(crate) fn get_uniformfv(
     put(params, &words.into_iter().map(number).collect::<Vec<_>>())
 }
 
+pub(crate) fn get_uniformuiv(
+    context: &mut Context,
+    name: GLuint,
+    location: GLint,
+    params: &mut [GLuint],
+) -> Result<()> {
+    let (scalar, words) = words(context, name, location)?;
+    let number = |word: u32| match scalar {
+        Scalar::Float => f32::from_bits(word).round() as GLuint,
+        Scalar::Int | Scalar::Uint => word,
+        Scalar::Bool => GLuint::from(word != 0),
+    };
+    put(params, &words.into_iter().map(number).collect::<Vec<_>>())
+}
+
 pub(crate) fn get_uniformiv(
     context: &mut Context,
     name: GLuint,

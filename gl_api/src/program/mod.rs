@@ -1,5 +1,7 @@
 //! What is set and asked of programs: uniforms, attributes, and what a link found.
 
+pub(crate) mod arb;
 pub(crate) mod attribute;
 pub(crate) mod inspect;
+pub(crate) mod integer;
 pub(crate) mod uniform;

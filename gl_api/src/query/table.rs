@@ -7,6 +7,7 @@ use crate::env::Unit;
 use crate::error::{Result, Table, invalid_enum};
 use crate::interface::*;
 use crate::list::calls::{MAX_LIST_NESTING, MODE};
+use crate::state::attrib::MAX_ATTRIB_STACK_DEPTH;
 use crate::state::enable::{CAPABILITY, CLIENT_ARRAY};
 use crate::state::fragment::{BLEND_EQUATION, COMPARE, DST_FACTOR, SRC_FACTOR};
 use crate::state::masks::LOGIC_OP;
@@ -19,6 +20,7 @@ use crate::state::raster::{FACE, FRONT_FACE, HINTS, SHADE_MODEL};
 use crate::state::stencil::{ACTIVE_FACE, STENCIL_OP, Side};
 use crate::state::{fog, light};
 use crate::texture::internal::COMPRESSED_FORMAT;
+use crate::texture::pixel_map::MAX_PIXEL_MAP_TABLE;
 use crate::texture::{TextureTarget, transfer};
 use crate::types::*;
 use rasterizer::driver::{DepthWrite, MAX_LINE_WIDTH, MAX_POINT_SIZE};
@@ -104,6 +106,7 @@ pub(crate) fn state_value(context: &Context, pname: GLenum) -> Result<Value> {
         raster,
         fragment,
         stencil,
+        raster_position,
         pixels,
         texture,
         framebuffer,
@@ -167,7 +170,7 @@ fn limit(_: &Context, pname: GLenum) -> Answer {
         }
         GL_MAJOR_VERSION => int(2),
         GL_MINOR_VERSION => int(1),
-        GL_NUM_EXTENSIONS => int(super::get::EXTENSIONS.split(' ').count()),
+        GL_NUM_EXTENSIONS => int(super::extensions::EXTENSIONS.len()),
         GL_STEREO | GL_AUX_BUFFERS | GL_INDEX_BITS => int(0),
         GL_MAX_SAMPLES => int(limits::MAX_SAMPLES),
         GL_DOUBLEBUFFER => flag(false),
@@ -285,6 +288,15 @@ fn clamped(color: [f32; 4]) -> [f32; 4] {
     color.map(|c| crate::state::viewport::unit(c.into()) as f32)
 }
 
+fn raster_position(context: &Context, pname: GLenum) -> Answer {
+    use crate::pixels::position::{Answer, state_value};
+    state_value(context, pname).map(|value| match value {
+        Answer::Floats(values) => Ok(Value::Floats(values)),
+        Answer::Color(color) => unit(&color),
+        Answer::Flag(value) => flag(value),
+    })
+}
+
 fn stencil(context: &Context, pname: GLenum) -> Answer {
     let stencil = &context.state.fragment.stencil;
     let (front, back) = (stencil.active(), &stencil.faces[Side::Back as usize]);
@@ -333,7 +345,15 @@ fn pixels(context: &Context, pname: GLenum) -> Answer {
     match pname {
         _ if unpack.contains(&pname) => Some(pixel_store(&context.state.unpack, unpack, pname)),
         _ if pack.contains(&pname) => Some(pixel_store(&context.state.pack, pack, pname)),
-        _ => transfer::PARAMETER.get(pname).map(|which| float(context.state.transfer.get(which))),
+        GL_MAX_PIXEL_MAP_TABLE => Some(int(MAX_PIXEL_MAP_TABLE)),
+        GL_MAP_COLOR => Some(flag(context.state.transfer.map_color)),
+        GL_MAP_STENCIL => Some(flag(context.state.transfer.map_stencil)),
+        GL_INDEX_SHIFT => Some(int(context.state.transfer.index_shift)),
+        GL_INDEX_OFFSET => Some(int(context.state.transfer.index_offset)),
+        _ => match transfer::PARAMETER.get(pname) {
+            Some(which) => Some(float(context.state.transfer.get(which))),
+            None => context.state.transfer.maps.size(pname).map(int),
+        },
     }
 }
 
@@ -393,6 +413,11 @@ fn lists(context: &Context, pname: GLenum) -> Answer {
         GL_LIST_BASE => symbol(context.lists.base()),
         GL_LIST_INDEX => symbol(compiling.map_or(0, |list| list.name)),
         GL_LIST_MODE => symbol(compiling.map_or(0, |list| MODE.encode(list.mode))),
+        GL_ATTRIB_STACK_DEPTH => int(context.attribs.depths()[0] as i32),
+        GL_CLIENT_ATTRIB_STACK_DEPTH => int(context.attribs.depths()[1] as i32),
+        GL_MAX_ATTRIB_STACK_DEPTH | GL_MAX_CLIENT_ATTRIB_STACK_DEPTH => {
+            int(MAX_ATTRIB_STACK_DEPTH as i32)
+        }
         GL_MAX_LIST_NESTING => int(MAX_LIST_NESTING as i32),
         _ => return None,
     })

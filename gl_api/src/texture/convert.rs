@@ -8,7 +8,7 @@
 use super::client::{ClientType, Numbers};
 use super::layout::Layout;
 use super::texel::{self, Bytes};
-use super::transfer::{self, Kind, Linear, Transfer};
+use super::transfer::{Kind, Steps, Transfer};
 use texunit::format::{Encoding, Format};
 use texunit::image::Level;
 
@@ -17,14 +17,14 @@ struct Conversion<'a> {
     layout: &'a Layout,
     format: Format,
     numbers: Numbers,
-    linear: [Linear; 4],
+    steps: Steps<'a>,
 }
 
 impl<'a> Conversion<'a> {
-    fn new(layout: &'a Layout, format: Format, transfer: &Transfer) -> Self {
+    fn new(layout: &'a Layout, format: Format, transfer: &'a Transfer) -> Self {
         let numbers = texel::numbers(format, layout.pixel.numbers);
         let kind = if format.is_depth() { Kind::Depth } else { Kind::Color };
-        Self { layout, format, numbers, linear: transfer.of(kind, numbers) }
+        Self { layout, format, numbers, steps: transfer.of(kind, numbers) }
     }
 
     /// A pixel of the client's as a texel.
@@ -37,14 +37,14 @@ impl<'a> Conversion<'a> {
         }
         let components = ty.read(words, self.numbers);
         let rgba = self.layout.pixel.format.expand(components);
-        texel::encode(self.format, transfer::apply(&self.linear, rgba))
+        texel::encode(self.format, self.steps.apply(rgba))
     }
 
     /// A texel as a pixel of the client's.
     #[inline]
     fn pack(&self, texel: &[u8], pixel: &mut [u8]) {
         let (ty, size) = (self.layout.pixel.ty, self.layout.pixel.ty.size());
-        let rgba = transfer::apply(&self.linear, texel::decode(self.format, texel));
+        let rgba = self.steps.apply(texel::decode(self.format, texel));
         let words = ty.write(self.layout.pixel.format.select(rgba), self.numbers);
         for (word, element) in words.into_iter().zip(pixel.chunks_exact_mut(size)) {
             store(word, element, self.layout.swap);
@@ -94,7 +94,7 @@ impl<'a> Conversion<'a> {
             (_, _, _) => None,
         };
         let same = same.filter(|_| is_uniform);
-        same.filter(|_| transfer::is_identity(&self.linear) && self.numbers != Numbers::Integer)
+        same.filter(|_| self.steps.is_identity() && self.numbers != Numbers::Integer)
     }
 
     fn unpack_shuffle(&self) -> Option<Shuffle> {
@@ -270,14 +270,14 @@ pub(crate) fn pack(
 /// and intensity take R (GL 2.1, table 3.15).
 pub(crate) fn transcode(from: Format, texels: &[u8], to: Format, transfer: &Transfer) -> Vec<u8> {
     let kind = if from.is_depth() { Kind::Depth } else { Kind::Color };
-    let linear = transfer.of(kind, crate::framebuffer::read::numbers_of(from));
-    if from == to && transfer::is_identity(&linear) {
+    let steps = transfer.of(kind, crate::framebuffer::read::numbers_of(from));
+    if from == to && steps.is_identity() {
         return texels.to_vec();
     }
     texels
         .chunks_exact(from.bytes())
         .flat_map(|texel| {
-            let rgba = transfer::apply(&linear, texel::decode(from, texel));
+            let rgba = steps.apply(texel::decode(from, texel));
             texel::encode(to, rgba).into_iter().take(to.bytes())
         })
         .collect()

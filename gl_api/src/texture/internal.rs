@@ -71,6 +71,22 @@ pub(crate) const INTERNAL_FORMAT: Table<Format> = Table {
         (GL_RG16_SNORM, Format::Rg16Snorm),
         (GL_RGB16_SNORM, Format::Rgb16Snorm),
         (GL_RGBA16_SNORM, Format::Rgba16Snorm),
+        (GL_ALPHA8_SNORM, Format::A8Snorm),
+        (GL_ALPHA16_SNORM, Format::A16Snorm),
+        (GL_LUMINANCE8_SNORM, Format::L8Snorm),
+        (GL_LUMINANCE16_SNORM, Format::L16Snorm),
+        (GL_LUMINANCE8_ALPHA8_SNORM, Format::La8Snorm),
+        (GL_LUMINANCE16_ALPHA16_SNORM, Format::La16Snorm),
+        (GL_INTENSITY8_SNORM, Format::I8Snorm),
+        (GL_INTENSITY16_SNORM, Format::I16Snorm),
+        (GL_RED_SNORM, Format::R8Snorm),
+        (GL_RG_SNORM, Format::Rg8Snorm),
+        (GL_RGB_SNORM, Format::Rgb8Snorm),
+        (GL_RGBA_SNORM, Format::Rgba8Snorm),
+        (GL_ALPHA_SNORM, Format::A8Snorm),
+        (GL_LUMINANCE_SNORM, Format::L8Snorm),
+        (GL_LUMINANCE_ALPHA_SNORM, Format::La8Snorm),
+        (GL_INTENSITY_SNORM, Format::I8Snorm),
         (GL_ALPHA16F_ARB, Format::A16F),
         (GL_LUMINANCE16F_ARB, Format::L16F),
         (GL_LUMINANCE_ALPHA16F_ARB, Format::La16F),
@@ -113,6 +129,31 @@ pub(crate) const INTERNAL_FORMAT: Table<Format> = Table {
         (GL_RGB32UI, Format::Rgb32UI),
         (GL_RGBA32I, Format::Rgba32I),
         (GL_RGBA32UI, Format::Rgba32UI),
+        (GL_ALPHA8UI_EXT, Format::A8UI),
+        (GL_ALPHA8I_EXT, Format::A8I),
+        (GL_ALPHA16UI_EXT, Format::A16UI),
+        (GL_ALPHA16I_EXT, Format::A16I),
+        (GL_ALPHA32UI_EXT, Format::A32UI),
+        (GL_ALPHA32I_EXT, Format::A32I),
+        (GL_LUMINANCE8UI_EXT, Format::L8UI),
+        (GL_LUMINANCE8I_EXT, Format::L8I),
+        (GL_LUMINANCE16UI_EXT, Format::L16UI),
+        (GL_LUMINANCE16I_EXT, Format::L16I),
+        (GL_LUMINANCE32UI_EXT, Format::L32UI),
+        (GL_LUMINANCE32I_EXT, Format::L32I),
+        (GL_LUMINANCE_ALPHA8UI_EXT, Format::La8UI),
+        (GL_LUMINANCE_ALPHA8I_EXT, Format::La8I),
+        (GL_LUMINANCE_ALPHA16UI_EXT, Format::La16UI),
+        (GL_LUMINANCE_ALPHA16I_EXT, Format::La16I),
+        (GL_LUMINANCE_ALPHA32UI_EXT, Format::La32UI),
+        (GL_LUMINANCE_ALPHA32I_EXT, Format::La32I),
+        (GL_INTENSITY8UI_EXT, Format::I8UI),
+        (GL_INTENSITY8I_EXT, Format::I8I),
+        (GL_INTENSITY16UI_EXT, Format::I16UI),
+        (GL_INTENSITY16I_EXT, Format::I16I),
+        (GL_INTENSITY32UI_EXT, Format::I32UI),
+        (GL_INTENSITY32I_EXT, Format::I32I),
+        (GL_RGB10_A2UI, Format::Rgb10A2UI),
         (GL_DEPTH_COMPONENT, Format::D24),
         (GL_DEPTH_COMPONENT16, Format::D16),
         (GL_DEPTH_COMPONENT24, Format::D24),
@@ -169,7 +210,7 @@ pub(crate) fn is_generic_compressed(internal: GLenum) -> bool {
 }
 
 /// The specific compressed formats (`EXT_texture_compression_s3tc`, `EXT_texture_sRGB`,
-/// `ARB_texture_compression_rgtc`).
+/// `ARB_texture_compression_rgtc`, `EXT_texture_compression_latc`, `ATI_texture_compression_3dc`).
 pub(crate) const COMPRESSED_FORMAT: Table<Format> = Table {
     section: "GL 2.1, section 3.8.3",
     rows: &[
@@ -185,12 +226,62 @@ pub(crate) const COMPRESSED_FORMAT: Table<Format> = Table {
         (GL_COMPRESSED_SIGNED_RED_RGTC1, Format::Rgtc1Snorm),
         (GL_COMPRESSED_RG_RGTC2, Format::Rgtc2),
         (GL_COMPRESSED_SIGNED_RG_RGTC2, Format::Rgtc2Snorm),
+        (GL_COMPRESSED_LUMINANCE_LATC1_EXT, Format::Latc1),
+        (GL_COMPRESSED_SIGNED_LUMINANCE_LATC1_EXT, Format::Latc1Snorm),
+        (GL_COMPRESSED_LUMINANCE_ALPHA_LATC2_EXT, Format::Latc2),
+        (GL_COMPRESSED_SIGNED_LUMINANCE_ALPHA_LATC2_EXT, Format::Latc2Snorm),
+        (GL_COMPRESSED_LUMINANCE_ALPHA_3DC_ATI, Format::Latc2),
     ],
 };
 
 /// The numbers that `glTexImage` takes since GL 1.0.
 const COMPONENTS: [(GLenum, Format); 4] =
     [(1, Format::L8), (2, Format::La8), (3, Format::Rgb8), (4, Format::Rgba8)];
+
+/// The names that leave the size of their components open, which storage for good does not take
+/// (`ARB_texture_storage`, section 3.8.X).
+const UNSIZED: [GLenum; 32] = [
+    GL_RED_SNORM,
+    GL_RG_SNORM,
+    GL_RGB_SNORM,
+    GL_RGBA_SNORM,
+    GL_ALPHA_SNORM,
+    GL_LUMINANCE_SNORM,
+    GL_LUMINANCE_ALPHA_SNORM,
+    GL_INTENSITY_SNORM,
+    GL_ALPHA,
+    GL_LUMINANCE,
+    GL_LUMINANCE_ALPHA,
+    GL_INTENSITY,
+    GL_RED,
+    GL_RG,
+    GL_RGB,
+    GL_RGBA,
+    GL_SRGB,
+    GL_SRGB_ALPHA,
+    GL_SLUMINANCE,
+    GL_SLUMINANCE_ALPHA,
+    GL_COMPRESSED_ALPHA,
+    GL_COMPRESSED_LUMINANCE,
+    GL_COMPRESSED_LUMINANCE_ALPHA,
+    GL_COMPRESSED_INTENSITY,
+    GL_COMPRESSED_RED,
+    GL_COMPRESSED_RG,
+    GL_COMPRESSED_RGB,
+    GL_COMPRESSED_RGBA,
+    GL_COMPRESSED_SRGB,
+    GL_COMPRESSED_SRGB_ALPHA,
+    GL_COMPRESSED_SLUMINANCE,
+    GL_COMPRESSED_SLUMINANCE_ALPHA,
+];
+
+/// The format of storage for good: sized, specific.
+pub(crate) fn sized_format(internal: GLenum) -> Option<Format> {
+    if UNSIZED.contains(&internal) || [GL_DEPTH_COMPONENT, GL_DEPTH_STENCIL].contains(&internal) {
+        return None;
+    }
+    INTERNAL_FORMAT.get(internal).or_else(|| COMPRESSED_FORMAT.get(internal))
+}
 
 /// The format of a texture image; the numbers 1 to 4 count too.
 pub(crate) fn texture_format(internal: GLenum) -> Option<Format> {

@@ -7,6 +7,7 @@ use crate::context::{Context, limits};
 use crate::error::{Result, invalid_enum, invalid_operation};
 use crate::types::*;
 use texunit::image::ImageError;
+use texunit::sampler::Sampler;
 
 const SECTION: &str = "EXT_framebuffer_object, section 3.8.8";
 
@@ -19,7 +20,7 @@ enum Faces {
 
 /// Makes the levels above the base from it.
 fn generate(texture: &mut Texture, faces: Faces) -> Result<()> {
-    let (base, max) = (texture.state.sampler.base_level, texture.state.sampler.max_level);
+    let Sampler { base_level: base, max_level: max, .. } = texture.sampler();
     let max = max.min(limits::MAX_TEXTURE_LEVELS as u32 - 1);
     let made = texture.image.update(|image| match faces {
         Faces::All => image.generate_mipmaps(base, max),
@@ -43,7 +44,7 @@ fn generate(texture: &mut Texture, faces: Faces) -> Result<()> {
 /// With `GL_GENERATE_MIPMAP` set, a new base level of a face brings new mipmaps, if its texels
 /// have any.
 pub(super) fn base_level_changed(texture: &mut Texture, face: usize, level: usize) -> Result<()> {
-    let base = texture.state.sampler.base_level as usize;
+    let base = texture.sampler().base_level as usize;
     let image = texture.image.texels();
     let has_mean = image.level(face, level).is_some_and(|level| level.format.has_mean());
     if texture.generate_mipmap && level == base && has_mean {
@@ -61,7 +62,7 @@ pub(crate) fn generate_mipmap(context: &mut Context, target: GLenum) -> Result<(
     let image = bound(context, target).image.clone();
     crate::draw::settle(context, &image);
     let texture = bound_mut(context, target);
-    let base = texture.state.sampler.base_level as usize;
+    let base = texture.sampler().base_level as usize;
     let texels = texture.image.texels();
     let mut kinds = Vec::new();
     for face in 0..texels.shape().faces() {

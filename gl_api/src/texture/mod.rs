@@ -16,9 +16,11 @@ pub(crate) mod memory;
 pub(crate) mod mipmap;
 pub(crate) mod packed;
 pub(crate) mod parameter;
+pub(crate) mod pixel_map;
 pub(crate) mod query;
 pub(crate) mod sampler;
 pub(crate) mod specify;
+pub(crate) mod storage;
 pub(crate) mod sub;
 mod target;
 pub(crate) mod texel;
@@ -48,6 +50,8 @@ pub(crate) struct Texture {
     /// Whether a change of the base level makes the others anew.
     pub generate_mipmap: bool,
     pub priority: f32,
+    /// How many levels it was given for good (`ARB_texture_storage`).
+    pub immutable: Option<u32>,
     /// The internal format that was asked for, by face and level.
     pub requested: Vec<[GLenum; limits::MAX_TEXTURE_LEVELS]>,
     /// How it is sampled with some sampler state, until something changes.
@@ -94,9 +98,20 @@ impl Texture {
             state: SamplerState { sampler: default_sampler(target), ..SamplerState::default() },
             generate_mipmap: false,
             priority: 1.0,
+            immutable: None,
             requested: vec![[GL_NONE; limits::MAX_TEXTURE_LEVELS]; shape.faces()],
             plan: None,
         }
+    }
+
+    /// The sampler state with base and largest level held in the levels that it has for good.
+    pub fn sampler(&self) -> Sampler {
+        let mut sampler = self.state.sampler.clone();
+        if let Some(levels) = self.immutable {
+            sampler.base_level = sampler.base_level.min(levels - 1);
+            sampler.max_level = sampler.max_level.clamp(sampler.base_level, levels - 1);
+        }
+        sampler
     }
 
     /// To be called after every change of texels or parameters.
@@ -118,7 +133,7 @@ impl Texture {
 
     /// Whether the base level's texels are floats or integers, not fractions.
     pub fn has_wide_texels(&self) -> bool {
-        let base = self.state.sampler.base_level as usize;
+        let base = self.sampler().base_level as usize;
         let texels = self.image.texels();
         texels.level(0, base).is_some_and(|level| texel::is_wide(level.format))
     }

@@ -40,6 +40,8 @@ enum Parameter {
     BorderColor,
     Priority,
     Resident,
+    /// Whether its levels were given for good.
+    Immutable,
     BaseLevel,
     MaxLevel,
     DepthMode,
@@ -57,6 +59,7 @@ const PARAMETER: Table<Parameter> = Table {
         (GL_TEXTURE_BORDER_COLOR, Parameter::BorderColor),
         (GL_TEXTURE_PRIORITY, Parameter::Priority),
         (GL_TEXTURE_RESIDENT, Parameter::Resident),
+        (GL_TEXTURE_IMMUTABLE_FORMAT, Parameter::Immutable),
         (GL_TEXTURE_BASE_LEVEL, Parameter::BaseLevel),
         (GL_TEXTURE_MAX_LEVEL, Parameter::MaxLevel),
         (GL_DEPTH_TEXTURE_MODE, Parameter::DepthMode),
@@ -125,8 +128,8 @@ fn set(
         Parameter::BorderColor | Parameter::Swizzles => {
             return needs_vector(SECTION, pname, "glTexParameter");
         }
-        Parameter::Resident => {
-            return invalid_enum(SECTION, "pname = GL_TEXTURE_RESIDENT can only be read");
+        Parameter::Resident | Parameter::Immutable => {
+            return invalid_enum(SECTION, format!("pname = {} can only be read", enum_name(pname)));
         }
     }
     texture.changed();
@@ -157,6 +160,7 @@ fn vector(context: &mut Context, target: GLenum, pname: GLenum, values: &Values)
         Parameter::Sampler(_)
         | Parameter::Priority
         | Parameter::Resident
+        | Parameter::Immutable
         | Parameter::BaseLevel
         | Parameter::MaxLevel
         | Parameter::DepthMode
@@ -235,6 +239,7 @@ fn get(context: &Context, target: TextureTarget, parameter: Parameter) -> Vec<f3
         Parameter::Sampler(parameter) => texture.state.get(parameter),
         Parameter::Priority => texture.priority,
         Parameter::Resident => 1.0,
+        Parameter::Immutable => f32::from(u8::from(texture.immutable.is_some())),
         Parameter::BaseLevel => sampler.base_level as f32,
         Parameter::MaxLevel => sampler.max_level as f32,
         Parameter::DepthMode => DEPTH_MODE.encode(sampler.depth_mode) as f32,

@@ -104,6 +104,15 @@ impl Request {
     pub fn bound(&self, context: &mut Context) -> Result<Option<FaceTarget>> {
         match (self.image, &self.too_large) {
             (ImageTarget::Bound(_), Some(rule)) => invalid_value(SECTION, rule.clone()),
+            (ImageTarget::Bound(target), None)
+                if bound(context, target.target).immutable.is_some() =>
+            {
+                invalid_operation(
+                    "ARB_texture_storage, section 3.8.X",
+                    "the texture's levels were given for good by glTexStorage: fill them with \
+                     glTexSubImage",
+                )
+            }
             (ImageTarget::Bound(target), None) => Ok(Some(target)),
             (ImageTarget::Proxy(target), too_large) => {
                 let Self { size, border, internal, format, .. } = *self;

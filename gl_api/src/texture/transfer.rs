@@ -1,7 +1,8 @@
-//! Pixel transfer: the scale and bias that every pixel passes on its way in and out (GL 2.1,
-//! sections 3.6.3 and 3.6.5).
+//! Pixel transfer: what is done to every pixel on its way in and out: scale and bias, and the
+//! look-up tables of [`super::pixel_map`] (GL 2.1, sections 3.6.3 and 3.6.5).
 
 use super::client::Numbers;
+use super::pixel_map::{Map, Maps};
 use crate::constants::*;
 use crate::context::Context;
 use crate::error::{Result, Table, invalid_value};
@@ -25,16 +26,31 @@ impl Linear {
     }
 }
 
-/// The state of `glPixelTransfer`.
+/// The state of `glPixelTransfer` and `glPixelMap`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Transfer {
     /// Red, green, blue, alpha, depth.
     pub linear: [Linear; 5],
+    /// Whether colours are looked up.
+    pub map_color: bool,
+    /// Whether stencils are looked up.
+    pub map_stencil: bool,
+    /// To the left; negative to the right.
+    pub index_shift: i32,
+    pub index_offset: i32,
+    pub maps: Maps,
 }
 
 impl Default for Transfer {
     fn default() -> Self {
-        Self { linear: [Linear::IDENTITY; 5] }
+        Self {
+            linear: [Linear::IDENTITY; 5],
+            map_color: false,
+            map_stencil: false,
+            index_shift: 0,
+            index_offset: 0,
+            maps: Maps::default(),
+        }
     }
 }
 
@@ -46,28 +62,70 @@ pub(crate) enum Kind {
 }
 
 impl Transfer {
-    /// What is done to R, G, B, A of pixels of this kind. Integers pass as they are
-    /// (`EXT_texture_integer`), stencil too.
-    pub fn of(&self, kind: Kind, numbers: Numbers) -> [Linear; 4] {
+    /// What is done to R, G, B, A of pixels of this kind, or to depth as R and stencil as G.
+    /// Integers pass as they are (`EXT_texture_integer`).
+    pub fn of(&self, kind: Kind, numbers: Numbers) -> Steps<'_> {
         let [r, g, b, a, depth] = self.linear;
-        let same = Linear::IDENTITY;
         match (numbers, kind) {
-            (Numbers::Integer, _) => [same; 4],
-            (Numbers::Fixed | Numbers::SignedNormalized, Kind::Color) => [r, g, b, a],
-            (Numbers::Fixed | Numbers::SignedNormalized, Kind::Depth) => [depth, same, same, same],
+            (Numbers::Integer, _) => Steps::IDENTITY,
+            (Numbers::Fixed | Numbers::SignedNormalized, Kind::Color) => Steps {
+                linear: [r, g, b, a],
+                colors: self.map_color.then(|| self.maps.colors()),
+                stencil: None,
+            },
+            (Numbers::Fixed | Numbers::SignedNormalized, Kind::Depth) => {
+                let moves = self.index_shift != 0 || self.index_offset != 0;
+                let stencil = (moves || self.map_stencil).then_some(self);
+                let same = Linear::IDENTITY;
+                Steps { linear: [depth, same, same, same], colors: None, stencil }
+            }
         }
+    }
+
+    /// A stencil index shifted, offset and looked up (GL 2.1, section 3.6.3).
+    fn stencil(&self, index: f64) -> f64 {
+        let index = index as i64;
+        let shifted = match self.index_shift {
+            shift @ 0.. => index.checked_shl(shift as u32).unwrap_or(0),
+            shift => index.checked_shr(shift.unsigned_abs()).unwrap_or(0),
+        };
+        let moved = shifted + i64::from(self.index_offset);
+        if self.map_stencil { self.maps.stencil().at_index(moved).into() } else { moved as f64 }
     }
 }
 
-/// Whether pixels pass as they are.
-pub(crate) fn is_identity(linear: &[Linear; 4]) -> bool {
-    linear.iter().all(|&linear| linear == Linear::IDENTITY)
+/// What is done to pixels of one kind.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Steps<'a> {
+    linear: [Linear; 4],
+    /// The tables of R, G, B, A.
+    colors: Option<[&'a Map; 4]>,
+    /// The state, where G is a stencil that changes.
+    stencil: Option<&'a Transfer>,
 }
 
-/// Scales and biases R, G, B, A.
-#[inline]
-pub(crate) fn apply(linear: &[Linear; 4], rgba: [f64; 4]) -> [f64; 4] {
-    [0, 1, 2, 3].map(|i| linear[i].apply(rgba[i]))
+impl Steps<'_> {
+    const IDENTITY: Self = Self { linear: [Linear::IDENTITY; 4], colors: None, stencil: None };
+
+    /// Whether pixels pass as they are.
+    pub fn is_identity(&self) -> bool {
+        self.linear.iter().all(|&linear| linear == Linear::IDENTITY)
+            && self.colors.is_none()
+            && self.stencil.is_none()
+    }
+
+    /// Scales, biases and looks up R, G, B, A.
+    #[inline]
+    pub fn apply(&self, rgba: [f64; 4]) -> [f64; 4] {
+        let mut out = [0, 1, 2, 3].map(|i| self.linear[i].apply(rgba[i]));
+        if let Some(maps) = &self.colors {
+            out = [0, 1, 2, 3].map(|i| maps[i].at_fraction(out[i]).into());
+        }
+        if let Some(transfer) = self.stencil {
+            out[1] = transfer.stencil(out[1]);
+        }
+        out
+    }
 }
 
 /// A parameter: which number, and which part of it.
@@ -75,9 +133,13 @@ pub(crate) fn apply(linear: &[Linear; 4], rgba: [f64; 4]) -> [f64; 4] {
 pub(crate) enum Parameter {
     Scale(u8),
     Bias(u8),
+    MapColor,
+    MapStencil,
+    IndexShift,
+    IndexOffset,
 }
 
-/// What `glPixelTransfer` takes. Look-up tables and index arithmetic are not there.
+/// What `glPixelTransfer` takes.
 pub(crate) const PARAMETER: Table<Parameter> = Table {
     section: "GL 2.1, table 3.2",
     rows: &[
@@ -91,6 +153,10 @@ pub(crate) const PARAMETER: Table<Parameter> = Table {
         (GL_BLUE_BIAS, Parameter::Bias(2)),
         (GL_ALPHA_BIAS, Parameter::Bias(3)),
         (GL_DEPTH_BIAS, Parameter::Bias(4)),
+        (GL_MAP_COLOR, Parameter::MapColor),
+        (GL_MAP_STENCIL, Parameter::MapStencil),
+        (GL_INDEX_SHIFT, Parameter::IndexShift),
+        (GL_INDEX_OFFSET, Parameter::IndexOffset),
     ],
 };
 
@@ -100,6 +166,10 @@ impl Transfer {
         match parameter {
             Parameter::Scale(which) => self.linear[usize::from(which)].scale,
             Parameter::Bias(which) => self.linear[usize::from(which)].bias,
+            Parameter::MapColor => f32::from(u8::from(self.map_color)),
+            Parameter::MapStencil => f32::from(u8::from(self.map_stencil)),
+            Parameter::IndexShift => self.index_shift as f32,
+            Parameter::IndexOffset => self.index_offset as f32,
         }
     }
 }
@@ -109,10 +179,14 @@ pub(crate) fn pixel_transferf(context: &mut Context, pname: GLenum, param: GLflo
     if param.is_nan() {
         return invalid_value(SECTION, format!("{} must be a number", enum_name(pname)));
     }
-    let linear = &mut context.state.transfer.linear;
+    let transfer = &mut context.state.transfer;
     match parameter {
-        Parameter::Scale(which) => linear[usize::from(which)].scale = param,
-        Parameter::Bias(which) => linear[usize::from(which)].bias = param,
+        Parameter::Scale(which) => transfer.linear[usize::from(which)].scale = param,
+        Parameter::Bias(which) => transfer.linear[usize::from(which)].bias = param,
+        Parameter::MapColor => transfer.map_color = param != 0.0,
+        Parameter::MapStencil => transfer.map_stencil = param != 0.0,
+        Parameter::IndexShift => transfer.index_shift = param.round() as i32,
+        Parameter::IndexOffset => transfer.index_offset = param.round() as i32,
     }
     Ok(())
 }

@@ -1,9 +1,15 @@
 //! GLSL's texture lookups: every function on every kind of sampler, in both stages, against the
-//! texel that it must find, in textures whose texels say where they are.
+//! texel that it must find, in textures whose texels say where they are. And what lookups find in
+//! textures of every format, made in every way, and at the ends of every range.
 
+mod extremes;
+mod formats;
 mod functions;
 mod limits;
+mod mipmaps;
+mod storage;
 mod textures;
+mod transfer;
 
 use gl_api::*;
 use textures::Texels;

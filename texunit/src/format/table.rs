@@ -105,6 +105,22 @@ formats! {
     Rgb16Snorm: Row::uniform(Rgb, Snorm, 16),
     /// 16 signed normalized bits each of red, green, blue and alpha.
     Rgba16Snorm: Row::uniform(Rgba, Snorm, 16),
+    /// 8 signed normalized bits of alpha.
+    A8Snorm: Row::uniform(Alpha, Snorm, 8),
+    /// 16 signed normalized bits of alpha.
+    A16Snorm: Row::uniform(Alpha, Snorm, 16),
+    /// 8 signed normalized bits of luminance.
+    L8Snorm: Row::uniform(Luminance, Snorm, 8),
+    /// 16 signed normalized bits of luminance.
+    L16Snorm: Row::uniform(Luminance, Snorm, 16),
+    /// 8 signed normalized bits each of luminance and alpha.
+    La8Snorm: Row::uniform(LuminanceAlpha, Snorm, 8),
+    /// 16 signed normalized bits each of luminance and alpha.
+    La16Snorm: Row::uniform(LuminanceAlpha, Snorm, 16),
+    /// 8 signed normalized bits of intensity.
+    I8Snorm: Row::uniform(Intensity, Snorm, 8),
+    /// 16 signed normalized bits of intensity.
+    I16Snorm: Row::uniform(Intensity, Snorm, 16),
     /// A half float of alpha.
     A16F: Row::uniform(Alpha, Float, 16),
     /// A half float of luminance.
@@ -189,6 +205,56 @@ formats! {
     Rgb32I: Row::uniform(Rgb, Sint, 32),
     /// A signed integer of 32 bits each of red, green, blue and alpha.
     Rgba32I: Row::uniform(Rgba, Sint, 32),
+    /// An unsigned integer of 8 bits of alpha.
+    A8UI: Row::uniform(Alpha, Uint, 8),
+    /// A signed integer of 8 bits of alpha.
+    A8I: Row::uniform(Alpha, Sint, 8),
+    /// An unsigned integer of 16 bits of alpha.
+    A16UI: Row::uniform(Alpha, Uint, 16),
+    /// A signed integer of 16 bits of alpha.
+    A16I: Row::uniform(Alpha, Sint, 16),
+    /// An unsigned integer of 32 bits of alpha.
+    A32UI: Row::uniform(Alpha, Uint, 32),
+    /// A signed integer of 32 bits of alpha.
+    A32I: Row::uniform(Alpha, Sint, 32),
+    /// An unsigned integer of 8 bits of luminance.
+    L8UI: Row::uniform(Luminance, Uint, 8),
+    /// A signed integer of 8 bits of luminance.
+    L8I: Row::uniform(Luminance, Sint, 8),
+    /// An unsigned integer of 16 bits of luminance.
+    L16UI: Row::uniform(Luminance, Uint, 16),
+    /// A signed integer of 16 bits of luminance.
+    L16I: Row::uniform(Luminance, Sint, 16),
+    /// An unsigned integer of 32 bits of luminance.
+    L32UI: Row::uniform(Luminance, Uint, 32),
+    /// A signed integer of 32 bits of luminance.
+    L32I: Row::uniform(Luminance, Sint, 32),
+    /// An unsigned integer of 8 bits each of luminance and alpha.
+    La8UI: Row::uniform(LuminanceAlpha, Uint, 8),
+    /// A signed integer of 8 bits each of luminance and alpha.
+    La8I: Row::uniform(LuminanceAlpha, Sint, 8),
+    /// An unsigned integer of 16 bits each of luminance and alpha.
+    La16UI: Row::uniform(LuminanceAlpha, Uint, 16),
+    /// A signed integer of 16 bits each of luminance and alpha.
+    La16I: Row::uniform(LuminanceAlpha, Sint, 16),
+    /// An unsigned integer of 32 bits each of luminance and alpha.
+    La32UI: Row::uniform(LuminanceAlpha, Uint, 32),
+    /// A signed integer of 32 bits each of luminance and alpha.
+    La32I: Row::uniform(LuminanceAlpha, Sint, 32),
+    /// An unsigned integer of 8 bits of intensity.
+    I8UI: Row::uniform(Intensity, Uint, 8),
+    /// A signed integer of 8 bits of intensity.
+    I8I: Row::uniform(Intensity, Sint, 8),
+    /// An unsigned integer of 16 bits of intensity.
+    I16UI: Row::uniform(Intensity, Uint, 16),
+    /// A signed integer of 16 bits of intensity.
+    I16I: Row::uniform(Intensity, Sint, 16),
+    /// An unsigned integer of 32 bits of intensity.
+    I32UI: Row::uniform(Intensity, Uint, 32),
+    /// A signed integer of 32 bits of intensity.
+    I32I: Row::uniform(Intensity, Sint, 32),
+    /// Unsigned integers: ten bits each of red, green, blue, red the lowest, and two of alpha.
+    Rgb10A2UI: Row::packed(Rgba, Uint, 4, [(0, 10), (10, 10), (20, 10), (30, 2)]),
     /// 16-bit unsigned normalized depth.
     D16: Row::depth(Unorm, 2, 0, 16),
     /// 24-bit unsigned normalized depth in the low bits of a 32-bit word.
@@ -226,4 +292,12 @@ formats! {
     Rgtc2: Row::blocks(Rg, Block(Rgtc2), 16),
     /// RGTC of signed red and green.
     Rgtc2Snorm: Row::blocks(Rg, Block(Rgtc2Snorm), 16),
+    /// RGTC's block as luminance (`EXT_texture_compression_latc`).
+    Latc1: Row::blocks(Luminance, Block(Rgtc1), 8),
+    /// RGTC's block as signed luminance.
+    Latc1Snorm: Row::blocks(Luminance, Block(Rgtc1Snorm), 8),
+    /// RGTC's blocks as luminance and alpha.
+    Latc2: Row::blocks(LuminanceAlpha, Block(Rgtc2), 16),
+    /// RGTC's blocks as signed luminance and alpha.
+    Latc2Snorm: Row::blocks(LuminanceAlpha, Block(Rgtc2Snorm), 16),
 }

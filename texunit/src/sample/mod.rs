@@ -126,8 +126,9 @@ fn sample_probes<S: Simd>(
         let mut read = taps;
         if let Some(probes) = probes {
             let to = moved.get_or_insert([F32s::ZERO; 3]);
-            for axis in 0..samples.texture.shape.axes() {
-                place_probe(at.filtered()[axis], probes, axis, probe, &mut to[axis]);
+            let axes = samples.texture.shape.axes();
+            for (axis, to) in to.iter_mut().enumerate().take(axes) {
+                place_probe(at.filtered()[axis], probes, axis, probe, to);
             }
             if samples.texture.shape == Shape::Cube {
                 let [s, t, _] = *to;

@@ -83,10 +83,13 @@ fn each_defect_has_its_message() {
     assert!(reason(&faceless, &without_mipmaps()).contains("level 0 of the face +Z has no image"));
 }
 
+/// Shape, base level, the levels above it, and words of the reason.
+type Pyramid = (Shape, [u32; 3], &'static [[u32; 3]], &'static str);
+
 /// A pyramid of each shape; then one level of it is of another size, or of other layers.
 #[test]
 fn every_shape_needs_its_own_sizes() {
-    let rows: &[(Shape, [u32; 3], &[[u32; 3]], &str)] = &[
+    let rows: &[Pyramid] = &[
         (Shape::D1, [8, 1, 1], &[[4, 1, 1], [2, 1, 1], [1, 1, 1]], ""),
         (Shape::D1, [5, 1, 1], &[[2, 1, 1], [1, 1, 1]], ""),
         (Shape::D1, [8, 1, 1], &[[3, 1, 1]], "level 1 is 3, but must be 4"),

@@ -10,7 +10,7 @@ use super::check::recursive_call;
 use super::diagnostics::{Diagnostic, Log};
 use super::hir::{Function, Storage, Unit, Variable};
 use super::lower::{self, Binding, Words, lower_stage};
-use super::version::stage_name;
+use super::version::{Version, stage_name};
 use super::{Bindings, Linked, Program, SamplerSlot, Shader, Stage};
 use crate::interface::MAX_TEXTURE_IMAGE_UNITS;
 use rasterizer::ir::Module;
@@ -81,7 +81,14 @@ fn build(shaders: &[&Shader], bindings: &Bindings, log: &mut Log) -> Option<Prog
         let position = vertex.used.iter().any(|v| &*v.name == "gl_Position" && v.written);
         if !position {
             let message = "the vertex shader never writes gl_Position";
-            log.push(Diagnostic::link_error(message).rule("GLSL 1.30 section 7.1"));
+            // What is seen is undefined in GLSL ES; the desktop's versions forbid it.
+            let es = vertex.units.iter().all(|unit| unit.version == Version::Es100);
+            let problem = if es {
+                Diagnostic::link_warning(message)
+            } else {
+                Diagnostic::link_error(message)
+            };
+            log.push(problem.rule("GLSL 1.30 section 7.1"));
         }
     }
     if log.has_errors() {

@@ -1,22 +1,10 @@
-//! Any text as a shader: what the fuzz targets `compile` and `draw` and the tests of hostile shaders
+//! Any text as a shader that runs: what the fuzz target `draw` and the tests of hostile shaders
 //! share.
 
-use gl_api::glsl::{Bindings, Options, Repairs, Stage, compile, link};
+use gl_api::glsl::{Bindings, Options, Stage, compile, link};
 use rasterizer::ir::Module;
 use rasterizer::shader::{Machine, Program, Run};
 use texunit::lanes::Isa;
-
-/// Compiles a text as either stage, with repairs and without, and links what comes out.
-pub fn compile_and_link(source: &str) {
-    for repairs in [Repairs::Off, Repairs::On] {
-        for stage in [Stage::Vertex, Stage::Fragment] {
-            let result = compile(stage, source, &Options { repairs });
-            if let Some(shader) = result.shader {
-                link(&[&shader], &Bindings::default());
-            }
-        }
-    }
-}
 
 /// Compiles a text as a fragment shader, links it and runs it.
 pub fn link_and_run(source: &str) {

@@ -1,0 +1,150 @@
+//! The extensions that are implemented whole: `glGetString`, `glGetStringi`.
+
+use crate::constants::*;
+use crate::context::Context;
+use crate::error::{Result, Table, invalid_value};
+use crate::types::*;
+use std::sync::LazyLock;
+
+/// The names, sorted.
+pub(crate) const EXTENSIONS: &[&str] = &[
+    "GL_ARB_copy_buffer",
+    "GL_ARB_debug_output",
+    "GL_ARB_depth_buffer_float",
+    "GL_ARB_depth_texture",
+    "GL_ARB_draw_buffers",
+    "GL_ARB_draw_elements_base_vertex",
+    "GL_ARB_draw_instanced",
+    "GL_ARB_fragment_coord_conventions",
+    "GL_ARB_fragment_shader",
+    "GL_ARB_framebuffer_object",
+    "GL_ARB_framebuffer_sRGB",
+    "GL_ARB_half_float_pixel",
+    "GL_ARB_instanced_arrays",
+    "GL_ARB_map_buffer_range",
+    "GL_ARB_multitexture",
+    "GL_ARB_occlusion_query",
+    "GL_ARB_occlusion_query2",
+    "GL_ARB_pixel_buffer_object",
+    "GL_ARB_sampler_objects",
+    "GL_ARB_seamless_cube_map",
+    "GL_ARB_shader_objects",
+    "GL_ARB_shader_texture_lod",
+    "GL_ARB_shading_language_100",
+    "GL_ARB_shadow",
+    "GL_ARB_sync",
+    "GL_ARB_texture_border_clamp",
+    "GL_ARB_texture_compression",
+    "GL_ARB_texture_compression_rgtc",
+    "GL_ARB_texture_cube_map",
+    "GL_ARB_texture_env_add",
+    "GL_ARB_texture_env_combine",
+    "GL_ARB_texture_env_crossbar",
+    "GL_ARB_texture_env_dot3",
+    "GL_ARB_texture_float",
+    "GL_ARB_texture_mirror_clamp_to_edge",
+    "GL_ARB_texture_mirrored_repeat",
+    "GL_ARB_texture_non_power_of_two",
+    "GL_ARB_texture_rectangle",
+    "GL_ARB_texture_rg",
+    "GL_ARB_texture_rgb10_a2ui",
+    "GL_ARB_texture_storage",
+    "GL_ARB_texture_swizzle",
+    "GL_ARB_timer_query",
+    "GL_ARB_transpose_matrix",
+    "GL_ARB_vertex_array_object",
+    "GL_ARB_vertex_buffer_object",
+    "GL_ARB_vertex_shader",
+    "GL_ATI_texture_compression_3dc",
+    "GL_ATI_texture_mirror_once",
+    "GL_EXT_bgra",
+    "GL_EXT_blend_color",
+    "GL_EXT_blend_equation_separate",
+    "GL_EXT_blend_func_separate",
+    "GL_EXT_blend_minmax",
+    "GL_EXT_blend_subtract",
+    "GL_EXT_draw_buffers2",
+    "GL_EXT_draw_range_elements",
+    "GL_EXT_fog_coord",
+    "GL_EXT_framebuffer_blit",
+    "GL_EXT_framebuffer_object",
+    "GL_EXT_framebuffer_sRGB",
+    "GL_EXT_multi_draw_arrays",
+    "GL_EXT_packed_depth_stencil",
+    "GL_EXT_packed_float",
+    "GL_EXT_packed_pixels",
+    "GL_EXT_rescale_normal",
+    "GL_EXT_secondary_color",
+    "GL_EXT_separate_specular_color",
+    "GL_EXT_shadow_funcs",
+    "GL_EXT_stencil_two_side",
+    "GL_EXT_stencil_wrap",
+    "GL_EXT_texture3D",
+    "GL_EXT_texture_array",
+    "GL_EXT_texture_compression_latc",
+    "GL_EXT_texture_compression_rgtc",
+    "GL_EXT_texture_compression_s3tc",
+    "GL_EXT_texture_cube_map",
+    "GL_EXT_texture_edge_clamp",
+    "GL_EXT_texture_filter_anisotropic",
+    "GL_EXT_texture_lod_bias",
+    "GL_EXT_texture_rectangle",
+    "GL_EXT_texture_sRGB",
+    "GL_EXT_texture_shared_exponent",
+    "GL_EXT_texture_snorm",
+    "GL_EXT_texture_swizzle",
+    "GL_EXT_timer_query",
+    "GL_IBM_texture_mirrored_repeat",
+    "GL_KHR_debug",
+    "GL_NV_primitive_restart",
+    "GL_NV_texgen_reflection",
+    "GL_NV_texture_env_combine4",
+    "GL_NV_texture_rectangle",
+    "GL_SGIS_generate_mipmap",
+    "GL_SGIS_texture_border_clamp",
+    "GL_SGIS_texture_edge_clamp",
+    "GL_SGIS_texture_lod",
+];
+
+/// The names with blanks between them.
+static JOINED: LazyLock<String> = LazyLock::new(|| EXTENSIONS.join(" "));
+
+pub(crate) fn get_string(_: &mut Context, name: GLenum) -> Result<&'static str> {
+    const STRING: Table<&str> = Table {
+        section: "GL 2.1, section 6.1.11",
+        rows: &[
+            (GL_VENDOR, "DetGL"),
+            (GL_RENDERER, "DetGL"),
+            (GL_VERSION, concat!("2.1 DetGL ", env!("CARGO_PKG_VERSION"))),
+            (GL_SHADING_LANGUAGE_VERSION, "1.30"),
+            (GL_EXTENSIONS, ""),
+        ],
+    };
+    match name {
+        GL_EXTENSIONS => Ok(&JOINED),
+        _ => STRING.decode("name", name),
+    }
+}
+
+pub(crate) fn get_stringi(_: &mut Context, name: GLenum, index: GLuint) -> Result<&'static str> {
+    const LIST: Table<&[&str]> =
+        Table { section: "GL 3.0, section 6.1.11", rows: &[(GL_EXTENSIONS, EXTENSIONS)] };
+    let names = LIST.decode("name", name)?;
+    match names.get(index as usize) {
+        Some(name) => Ok(name),
+        None => invalid_value(
+            LIST.section,
+            format!("index = {index} must be below GL_NUM_EXTENSIONS, {}", names.len()),
+        ),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_names_are_sorted() {
+        assert!(EXTENSIONS.is_sorted());
+    }
+}

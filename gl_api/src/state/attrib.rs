@@ -1,0 +1,340 @@
+//! The attribute stacks: `glPushAttrib` and `glPushClientAttrib`, GL 2.1, section 6.1.17 and the
+//! attribute groups of tables 6.5 to 6.37.
+
+use super::enable::{Enables, Flag};
+use super::{State, clip, fog, fragment, light, material, pixel_store, raster, viewport};
+use crate::constants::*;
+use crate::context::Context;
+use crate::draw::arrays::Arrays;
+use crate::env::Units;
+use crate::error::{ErrorCode, GlError, Result};
+use crate::framebuffer::buffers::{Selection, selection, selection_mut};
+use crate::state::matrix::MatrixMode;
+use crate::texture::TextureTarget;
+use crate::texture::sampler::SamplerState;
+use crate::texture::transfer::Transfer;
+use crate::types::*;
+
+const SECTION: &str = "GL 2.1, section 6.1.17";
+
+/// Each of the stacks holds so many groups (table 6.35).
+pub(crate) const MAX_ATTRIB_STACK_DEPTH: usize = 16;
+
+/// What of the context's state a push keeps; the parts that are small are kept whatever the mask.
+#[derive(Clone, Debug)]
+struct Server {
+    mask: GLbitfield,
+    current: [[f32; 4]; super::LOCATIONS],
+    enables: Enables,
+    lights: light::Lights,
+    materials: material::Materials,
+    fog: fog::FogState,
+    clip: clip::ClipPlanes,
+    raster: raster::RasterState,
+    fragment: fragment::FragmentState,
+    clear: fragment::ClearState,
+    transfer: Transfer,
+    viewport: viewport::ViewportState,
+    matrix_mode: MatrixMode,
+    list_base: GLuint,
+    selection: Option<Selection>,
+    /// Of `GL_TEXTURE_BIT` and `GL_ENABLE_BIT`.
+    units: Option<Box<Units>>,
+    /// Of `GL_TEXTURE_BIT`: the parameters of the textures that are bound, by name.
+    textures: Vec<(TextureTarget, GLuint, SamplerState)>,
+}
+
+/// What of the client's state a push keeps.
+#[derive(Clone, Debug)]
+struct Client {
+    mask: GLbitfield,
+    pack: pixel_store::PixelStore,
+    unpack: pixel_store::PixelStore,
+    pixel_buffers: [GLuint; 2],
+    arrays: Arrays,
+    array_buffers: [GLuint; 2],
+    vertex_array: GLuint,
+    client_active: u8,
+}
+
+/// Both stacks.
+#[derive(Debug, Default)]
+pub(crate) struct AttribStacks {
+    server: Vec<Server>,
+    client: Vec<Client>,
+}
+
+impl AttribStacks {
+    /// How many groups are on the stack of the context's state, and of the client's.
+    pub fn depths(&self) -> [usize; 2] {
+        [self.server.len(), self.client.len()]
+    }
+}
+
+/// The flags of each group; `GL_ENABLE_BIT` has all of them.
+const FLAGS: &[(GLbitfield, &[Flag])] = &[
+    (
+        GL_COLOR_BUFFER_BIT,
+        &[Flag::AlphaTest, Flag::Blend, Flag::ColorLogicOp, Flag::Dither, Flag::FramebufferSrgb],
+    ),
+    (GL_DEPTH_BUFFER_BIT, &[Flag::DepthTest]),
+    (GL_FOG_BIT, &[Flag::Fog, Flag::ColorSum]),
+    (GL_LIGHTING_BIT, &[Flag::ColorMaterial, Flag::Lighting]),
+    (GL_LINE_BIT, &[Flag::LineSmooth, Flag::LineStipple]),
+    (GL_MULTISAMPLE_BIT, &[Flag::Multisample]),
+    (GL_POINT_BIT, &[Flag::PointSmooth, Flag::PointSprite]),
+    (
+        GL_POLYGON_BIT,
+        &[
+            Flag::CullFace,
+            Flag::PolygonOffsetFill,
+            Flag::PolygonOffsetLine,
+            Flag::PolygonOffsetPoint,
+            Flag::PolygonSmooth,
+            Flag::PolygonStipple,
+        ],
+    ),
+    (GL_SCISSOR_BIT, &[Flag::ScissorTest]),
+    (GL_STENCIL_BUFFER_BIT, &[Flag::StencilTest, Flag::StencilTestTwoSide]),
+    (GL_TRANSFORM_BIT, &[Flag::Normalize, Flag::RescaleNormal]),
+    (
+        GL_ENABLE_BIT,
+        &[Flag::SeamlessCubeMaps, Flag::VertexProgramPointSize, Flag::VertexProgramTwoSide],
+    ),
+];
+
+fn bound_textures(context: &Context) -> Vec<(TextureTarget, GLuint, SamplerState)> {
+    let mut textures = Vec::new();
+    for unit in &context.state.units.units {
+        for target in TextureTarget::ALL {
+            let name = unit.bound[target as usize];
+            if textures.iter().all(|(t, n, _)| (*t, *n) != (target, name)) {
+                let state = context.objects.texture(target, name).state.clone();
+                textures.push((target, name, state));
+            }
+        }
+    }
+    textures
+}
+
+fn stack_error<T>(code: ErrorCode, rule: String) -> Result<T> {
+    Err(GlError { code, rule, section: SECTION })
+}
+
+pub(crate) fn push_attrib(context: &mut Context, mask: GLbitfield) -> Result<()> {
+    if context.attribs.server.len() >= MAX_ATTRIB_STACK_DEPTH {
+        return stack_error(
+            ErrorCode::StackOverflow,
+            format!("the stack has {MAX_ATTRIB_STACK_DEPTH} groups: glPopAttrib is missing"),
+        );
+    }
+    let has = |bits| mask & bits != 0;
+    let state = &context.state;
+    let saved = Server {
+        mask,
+        current: state.current,
+        enables: state.enables.clone(),
+        lights: state.lights.clone(),
+        materials: state.materials.clone(),
+        fog: state.fog.clone(),
+        clip: state.clip.clone(),
+        raster: state.raster.clone(),
+        fragment: state.fragment.clone(),
+        clear: state.clear.clone(),
+        transfer: state.transfer,
+        viewport: state.viewport.clone(),
+        matrix_mode: state.matrices.mode,
+        list_base: context.lists.base(),
+        selection: has(GL_COLOR_BUFFER_BIT | GL_PIXEL_MODE_BIT)
+            .then(|| selection(context, state.bindings.draw_framebuffer).clone()),
+        units: has(GL_TEXTURE_BIT | GL_ENABLE_BIT).then(|| Box::new(state.units.clone())),
+        textures: if has(GL_TEXTURE_BIT) { bound_textures(context) } else { Vec::new() },
+    };
+    context.attribs.server.push(saved);
+    Ok(())
+}
+
+pub(crate) fn pop_attrib(context: &mut Context) -> Result<()> {
+    let Some(saved) = context.attribs.server.pop() else {
+        return stack_error(
+            ErrorCode::StackUnderflow,
+            "the stack is empty: glPushAttrib is missing".into(),
+        );
+    };
+    for &(bit, flags) in FLAGS {
+        if saved.mask & (bit | GL_ENABLE_BIT) != 0 {
+            for &flag in flags {
+                context.state.enables.set(flag, saved.enables.has(flag));
+            }
+        }
+    }
+    if saved.mask & GL_TEXTURE_BIT != 0 {
+        restore_textures(context, &saved);
+    }
+    if saved.mask & GL_LIST_BIT != 0 {
+        context.lists.set_base(saved.list_base);
+    }
+    if let Some(selection) = &saved.selection {
+        let own = selection_mut(context, context.state.bindings.draw_framebuffer);
+        if saved.mask & GL_COLOR_BUFFER_BIT != 0 {
+            own.draw = selection.draw;
+        }
+        if saved.mask & GL_PIXEL_MODE_BIT != 0 {
+            own.read = selection.read;
+        }
+    }
+    restore(&mut context.state, saved);
+    Ok(())
+}
+
+/// Puts the groups of plain state back.
+fn restore(state: &mut State, saved: Server) {
+    let has = |bit| saved.mask & bit != 0;
+    if has(GL_CURRENT_BIT) {
+        state.current = saved.current;
+    }
+    if has(GL_ENABLE_BIT) {
+        state.lights.enabled = saved.lights.enabled;
+        state.clip.enabled = saved.clip.enabled;
+        for (buffer, saved) in state.fragment.buffers.iter_mut().zip(&saved.fragment.buffers) {
+            buffer.blend = saved.blend;
+        }
+        let units = saved.units.iter().flat_map(|units| &units.units);
+        for (unit, saved) in state.units.units.iter_mut().zip(units) {
+            unit.enabled = saved.enabled;
+            for (generate, saved) in unit.generate.iter_mut().zip(&saved.generate) {
+                generate.enabled = saved.enabled;
+            }
+        }
+    }
+    if has(GL_TEXTURE_BIT)
+        && let Some(units) = saved.units
+    {
+        let client_active = state.units.client_active;
+        state.units = *units;
+        state.units.client_active = client_active;
+    }
+    if has(GL_LIGHTING_BIT) {
+        state.lights = saved.lights;
+        state.materials = saved.materials;
+        state.raster.shade_model = saved.raster.shade_model;
+    }
+    if has(GL_FOG_BIT) {
+        state.fog = saved.fog;
+    }
+    if has(GL_TRANSFORM_BIT) {
+        state.clip = saved.clip;
+        state.matrices.mode = saved.matrix_mode;
+    }
+    if has(GL_VIEWPORT_BIT) {
+        state.viewport = saved.viewport;
+    }
+    if has(GL_HINT_BIT) {
+        state.raster.hints = saved.raster.hints;
+    }
+    if has(GL_LINE_BIT) {
+        state.raster.line_width = saved.raster.line_width;
+        state.raster.stipple_factor = saved.raster.stipple_factor;
+        state.raster.stipple_pattern = saved.raster.stipple_pattern;
+    }
+    if has(GL_POLYGON_STIPPLE_BIT) {
+        state.raster.polygons.stipple = saved.raster.polygons.stipple;
+    }
+    if has(GL_POLYGON_BIT) {
+        let stipple = state.raster.polygons.stipple;
+        state.raster.cull = saved.raster.cull;
+        state.raster.front_face = saved.raster.front_face;
+        state.raster.polygons = saved.raster.polygons;
+        state.raster.polygons.stipple = stipple;
+    }
+    if has(GL_POINT_BIT) {
+        state.raster.points = saved.raster.points;
+    }
+    if has(GL_PIXEL_MODE_BIT) {
+        state.transfer = saved.transfer;
+    }
+    if has(GL_SCISSOR_BIT) {
+        state.fragment.scissor = saved.fragment.scissor;
+    }
+    if has(GL_DEPTH_BUFFER_BIT) {
+        state.fragment.depth_func = saved.fragment.depth_func;
+        state.fragment.depth_write = saved.fragment.depth_write;
+        state.clear.depth = saved.clear.depth;
+    }
+    if has(GL_STENCIL_BUFFER_BIT) {
+        state.fragment.stencil = saved.fragment.stencil;
+        state.clear.stencil = saved.clear.stencil;
+    }
+    if has(GL_COLOR_BUFFER_BIT) {
+        state.fragment.alpha_func = saved.fragment.alpha_func;
+        state.fragment.alpha_ref = saved.fragment.alpha_ref;
+        state.fragment.blend = saved.fragment.blend;
+        state.fragment.logic_op = saved.fragment.logic_op;
+        state.fragment.buffers = saved.fragment.buffers;
+        state.clear.color = saved.clear.color;
+    }
+}
+
+/// Textures that were deleted meanwhile stay deleted; their bindings go back to name 0.
+fn restore_textures(context: &mut Context, saved: &Server) {
+    for (target, name, state) in &saved.textures {
+        if *name == 0 || context.objects.textures.get(*name).is_some() {
+            context.objects.texture_mut(*target, *name).state = state.clone();
+        }
+    }
+}
+
+pub(crate) fn push_client_attrib(context: &mut Context, mask: GLbitfield) -> Result<()> {
+    if context.attribs.client.len() >= MAX_ATTRIB_STACK_DEPTH {
+        return stack_error(
+            ErrorCode::StackOverflow,
+            format!("the stack has {MAX_ATTRIB_STACK_DEPTH} groups: glPopClientAttrib is missing"),
+        );
+    }
+    let state = &context.state;
+    let bindings = &state.bindings;
+    context.attribs.client.push(Client {
+        mask,
+        pack: state.pack.clone(),
+        unpack: state.unpack.clone(),
+        pixel_buffers: [bindings.pixel_pack_buffer, bindings.pixel_unpack_buffer],
+        arrays: state.arrays.clone(),
+        array_buffers: [bindings.array_buffer, bindings.element_array_buffer],
+        vertex_array: bindings.vertex_array,
+        client_active: state.units.client_active,
+    });
+    Ok(())
+}
+
+pub(crate) fn pop_client_attrib(context: &mut Context) -> Result<()> {
+    let Some(saved) = context.attribs.client.pop() else {
+        return stack_error(
+            ErrorCode::StackUnderflow,
+            "the stack is empty: glPushClientAttrib is missing".into(),
+        );
+    };
+    if saved.mask & GL_CLIENT_PIXEL_STORE_BIT != 0 {
+        context.state.pack = saved.pack;
+        context.state.unpack = saved.unpack;
+        let [pack, unpack] = saved.pixel_buffers.map(|name| context.objects.existing_buffer(name));
+        context.state.bindings.pixel_pack_buffer = pack;
+        context.state.bindings.pixel_unpack_buffer = unpack;
+    }
+    if saved.mask & GL_CLIENT_VERTEX_ARRAY_BIT != 0 {
+        // A vertex array object that was deleted meanwhile cannot come back: its arrays do, as the
+        // default object's.
+        let name = if context.objects.vertex_arrays.get(saved.vertex_array).is_some() {
+            saved.vertex_array
+        } else {
+            0
+        };
+        crate::object::vertex_arrays::bind_vertex_array(context, name)?;
+        let [array, element] =
+            saved.array_buffers.map(|name| context.objects.existing_buffer(name));
+        context.state.arrays = saved.arrays;
+        context.state.bindings.array_buffer = array;
+        context.state.bindings.element_array_buffer = element;
+        context.state.units.client_active = saved.client_active;
+    }
+    Ok(())
+}

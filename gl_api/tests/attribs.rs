@@ -1,0 +1,187 @@
+//! Attribute stacks: a group comes back whole, and nothing else does.
+
+use gl_api::*;
+
+fn context() -> Context {
+    Context::new(ContextDesc { width: 4, height: 4, ..ContextDesc::default() }).expect("a device")
+}
+
+/// A piece of state: its group, a call that changes it, and what reads it.
+type Row = (GLbitfield, GLenum, fn(&mut Context));
+
+const ROWS: &[Row] = &[
+    (GL_CURRENT_BIT, GL_CURRENT_COLOR, |c| c.color_4f(0.1, 0.2, 0.3, 0.4)),
+    (GL_CURRENT_BIT, GL_CURRENT_NORMAL, |c| c.normal_3f(1.0, 0.0, 0.0)),
+    (GL_CURRENT_BIT, GL_CURRENT_TEXTURE_COORDS, |c| c.tex_coord_2f(3.0, 4.0)),
+    (GL_POINT_BIT, GL_POINT_SIZE, |c| c.point_size(3.0)),
+    (GL_POINT_BIT, GL_POINT_SMOOTH, |c| c.enable(GL_POINT_SMOOTH)),
+    (GL_LINE_BIT, GL_LINE_WIDTH, |c| c.line_width(2.0)),
+    (GL_LINE_BIT, GL_LINE_STIPPLE, |c| c.enable(GL_LINE_STIPPLE)),
+    (GL_POLYGON_BIT, GL_CULL_FACE, |c| c.enable(GL_CULL_FACE)),
+    (GL_POLYGON_BIT, GL_CULL_FACE_MODE, |c| c.cull_face(GL_FRONT)),
+    (GL_POLYGON_BIT, GL_FRONT_FACE, |c| c.front_face(GL_CW)),
+    (GL_POLYGON_BIT, GL_POLYGON_OFFSET_FILL, |c| c.enable(GL_POLYGON_OFFSET_FILL)),
+    (GL_POLYGON_BIT, GL_POLYGON_OFFSET_UNITS, |c| c.polygon_offset(1.0, 2.0)),
+    (GL_LIGHTING_BIT, GL_LIGHTING, |c| c.enable(GL_LIGHTING)),
+    (GL_LIGHTING_BIT, GL_LIGHT2, |c| c.enable(GL_LIGHT2)),
+    (GL_LIGHTING_BIT, GL_SHADE_MODEL, |c| c.shade_model(GL_FLAT)),
+    (GL_LIGHTING_BIT, GL_LIGHT_MODEL_TWO_SIDE, |c| c.light_modeli(GL_LIGHT_MODEL_TWO_SIDE, 1)),
+    (GL_FOG_BIT, GL_FOG, |c| c.enable(GL_FOG)),
+    (GL_FOG_BIT, GL_FOG_DENSITY, |c| c.fogf(GL_FOG_DENSITY, 3.0)),
+    (GL_DEPTH_BUFFER_BIT, GL_DEPTH_TEST, |c| c.enable(GL_DEPTH_TEST)),
+    (GL_DEPTH_BUFFER_BIT, GL_DEPTH_FUNC, |c| c.depth_func(GL_GREATER)),
+    (GL_DEPTH_BUFFER_BIT, GL_DEPTH_WRITEMASK, |c| c.depth_mask(false)),
+    (GL_DEPTH_BUFFER_BIT, GL_DEPTH_CLEAR_VALUE, |c| c.clear_depth(0.5)),
+    (GL_STENCIL_BUFFER_BIT, GL_STENCIL_TEST, |c| c.enable(GL_STENCIL_TEST)),
+    (GL_STENCIL_BUFFER_BIT, GL_STENCIL_REF, |c| c.stencil_func(GL_LESS, 3, 5)),
+    (GL_STENCIL_BUFFER_BIT, GL_STENCIL_CLEAR_VALUE, |c| c.clear_stencil(7)),
+    (GL_VIEWPORT_BIT, GL_VIEWPORT, |c| c.viewport(1, 2, 3, 4)),
+    (GL_VIEWPORT_BIT, GL_DEPTH_RANGE, |c| c.depth_range(0.25, 0.5)),
+    (GL_TRANSFORM_BIT, GL_MATRIX_MODE, |c| c.matrix_mode(GL_PROJECTION)),
+    (GL_TRANSFORM_BIT, GL_NORMALIZE, |c| c.enable(GL_NORMALIZE)),
+    (GL_TRANSFORM_BIT, GL_CLIP_PLANE3, |c| c.enable(GL_CLIP_PLANE3)),
+    (GL_COLOR_BUFFER_BIT, GL_ALPHA_TEST, |c| c.enable(GL_ALPHA_TEST)),
+    (GL_COLOR_BUFFER_BIT, GL_ALPHA_TEST_REF, |c| c.alpha_func(GL_LESS, 0.25)),
+    (GL_COLOR_BUFFER_BIT, GL_BLEND, |c| c.enable(GL_BLEND)),
+    (GL_COLOR_BUFFER_BIT, GL_BLEND_SRC_RGB, |c| c.blend_func(GL_ZERO, GL_ONE)),
+    (GL_COLOR_BUFFER_BIT, GL_COLOR_WRITEMASK, |c| c.color_mask(true, false, true, false)),
+    (GL_COLOR_BUFFER_BIT, GL_COLOR_CLEAR_VALUE, |c| c.clear_color(0.5, 0.25, 0.0, 1.0)),
+    (GL_COLOR_BUFFER_BIT, GL_LOGIC_OP_MODE, |c| c.logic_op(GL_XOR)),
+    (GL_COLOR_BUFFER_BIT, GL_DRAW_BUFFER, |c| c.draw_buffer(GL_NONE)),
+    (GL_PIXEL_MODE_BIT, GL_RED_SCALE, |c| c.pixel_transferf(GL_RED_SCALE, 2.0)),
+    (GL_PIXEL_MODE_BIT, GL_READ_BUFFER, |c| c.read_buffer(GL_NONE)),
+    (GL_HINT_BIT, GL_FOG_HINT, |c| c.hint(GL_FOG_HINT, GL_NICEST)),
+    (GL_LIST_BIT, GL_LIST_BASE, |c| c.list_base(5)),
+    (GL_SCISSOR_BIT, GL_SCISSOR_TEST, |c| c.enable(GL_SCISSOR_TEST)),
+    (GL_SCISSOR_BIT, GL_SCISSOR_BOX, |c| c.scissor(1, 1, 2, 2)),
+    (GL_TEXTURE_BIT, GL_TEXTURE_BINDING_2D, |c| c.bind_texture(GL_TEXTURE_2D, 9)),
+    (GL_TEXTURE_BIT, GL_TEXTURE_2D, |c| c.enable(GL_TEXTURE_2D)),
+    (GL_TEXTURE_BIT, GL_TEXTURE_GEN_S, |c| c.enable(GL_TEXTURE_GEN_S)),
+    (GL_TEXTURE_BIT, GL_ACTIVE_TEXTURE, |c| c.active_texture(GL_TEXTURE3)),
+    (GL_MULTISAMPLE_BIT, GL_MULTISAMPLE, |c| c.disable(GL_MULTISAMPLE)),
+];
+
+/// Up to sixteen values of a piece of state.
+fn read(c: &mut Context, pname: GLenum) -> [GLfloat; 16] {
+    let mut values = [0.0; 16];
+    c.get_floatv(pname, &mut values);
+    values
+}
+
+#[test]
+fn a_group_comes_back_and_no_other_does() {
+    for &(bit, pname, change) in ROWS {
+        let name = enum_name(pname);
+        let mut c = context();
+        let before = read(&mut c, pname);
+        c.push_attrib(bit);
+        change(&mut c);
+        let changed = read(&mut c, pname);
+        assert_ne!(before, changed, "{name}: the change changes nothing");
+        c.pop_attrib();
+        assert_eq!(before, read(&mut c, pname), "{name} comes back");
+        c.push_attrib(GL_ALL_ATTRIB_BITS & !bit & !GL_ENABLE_BIT);
+        change(&mut c);
+        c.pop_attrib();
+        assert_eq!(changed, read(&mut c, pname), "{name} stays");
+        assert_eq!(c.get_error(), GL_NO_ERROR, "{name}: {:?}", c.messages());
+    }
+}
+
+#[test]
+fn everything_that_is_enabled_is_a_group_too() {
+    let capabilities = [
+        GL_ALPHA_TEST,
+        GL_BLEND,
+        GL_CLIP_PLANE0,
+        GL_COLOR_MATERIAL,
+        GL_CULL_FACE,
+        GL_DEPTH_TEST,
+        GL_FOG,
+        GL_LIGHT0,
+        GL_LIGHTING,
+        GL_LINE_SMOOTH,
+        GL_NORMALIZE,
+        GL_POINT_SPRITE,
+        GL_POLYGON_STIPPLE,
+        GL_SCISSOR_TEST,
+        GL_STENCIL_TEST,
+        GL_TEXTURE_1D,
+        GL_TEXTURE_CUBE_MAP,
+        GL_TEXTURE_GEN_Q,
+        GL_VERTEX_PROGRAM_TWO_SIDE,
+    ];
+    let mut c = context();
+    c.push_attrib(GL_ENABLE_BIT);
+    for capability in capabilities {
+        c.enable(capability);
+    }
+    c.color_3f(0.0, 1.0, 0.0);
+    c.pop_attrib();
+    for capability in capabilities {
+        assert!(!c.is_enabled(capability), "{}", enum_name(capability));
+    }
+    assert_eq!(read(&mut c, GL_CURRENT_COLOR)[0], 0.0);
+}
+
+#[test]
+fn texture_parameters_come_back_with_their_texture() {
+    let mut c = context();
+    c.bind_texture(GL_TEXTURE_2D, 1);
+    c.push_attrib(GL_TEXTURE_BIT);
+    c.tex_parameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE as GLint);
+    c.bind_texture(GL_TEXTURE_2D, 2);
+    c.pop_attrib();
+    let mut wrap = [0];
+    c.get_tex_parameteriv(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, &mut wrap);
+    assert_eq!(wrap[0] as GLenum, GL_REPEAT);
+    // One that was deleted meanwhile stays deleted.
+    c.push_attrib(GL_TEXTURE_BIT);
+    c.delete_textures(1, &[1]);
+    c.pop_attrib();
+    assert!(!c.is_texture(1));
+    assert_eq!(c.get_error(), GL_NO_ERROR, "{:?}", c.messages());
+}
+
+#[test]
+fn the_clients_groups_come_back() {
+    let mut c = context();
+    c.bind_buffer(GL_ARRAY_BUFFER, 3);
+    c.push_client_attrib(GL_CLIENT_ALL_ATTRIB_BITS);
+    assert_eq!(read(&mut c, GL_CLIENT_ATTRIB_STACK_DEPTH)[0], 1.0);
+    c.pixel_storei(GL_UNPACK_ALIGNMENT, 1);
+    c.pixel_storei(GL_PACK_ROW_LENGTH, 9);
+    c.enable_client_state(GL_VERTEX_ARRAY);
+    c.bind_buffer(GL_ARRAY_BUFFER, 0);
+    c.client_active_texture(GL_TEXTURE2);
+    c.pop_client_attrib();
+    for (pname, value) in [
+        (GL_UNPACK_ALIGNMENT, 4.0),
+        (GL_PACK_ROW_LENGTH, 0.0),
+        (GL_VERTEX_ARRAY, 0.0),
+        (GL_ARRAY_BUFFER_BINDING, 3.0),
+        (GL_CLIENT_ACTIVE_TEXTURE, GL_TEXTURE0 as GLfloat),
+        (GL_CLIENT_ATTRIB_STACK_DEPTH, 0.0),
+    ] {
+        assert_eq!(read(&mut c, pname)[0], value, "{}", enum_name(pname));
+    }
+}
+
+#[test]
+fn stacks_have_an_end() {
+    let mut c = context();
+    c.pop_attrib();
+    assert_eq!(c.get_error(), GL_STACK_UNDERFLOW);
+    c.pop_client_attrib();
+    assert_eq!(c.get_error(), GL_STACK_UNDERFLOW);
+    for _ in 0..16 {
+        c.push_attrib(GL_ALL_ATTRIB_BITS);
+        c.push_client_attrib(GL_CLIENT_ALL_ATTRIB_BITS);
+    }
+    assert_eq!(c.get_error(), GL_NO_ERROR);
+    c.push_attrib(0);
+    assert_eq!(c.get_error(), GL_STACK_OVERFLOW);
+    c.push_client_attrib(0);
+    assert_eq!(c.get_error(), GL_STACK_OVERFLOW);
+    assert_eq!(read(&mut c, GL_ATTRIB_STACK_DEPTH)[0], 16.0);
+}

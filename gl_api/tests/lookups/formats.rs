@@ -1,0 +1,112 @@
+//! What a sample gives of the base formats: integers, signed fractions, blocks.
+
+use super::{context, drawn, program};
+use gl_api::*;
+
+const VERTEX: &str = "void main() { gl_Position = gl_Vertex; }";
+
+/// A texture of one texel of this format, sampled; `convert` makes fractions of `t`.
+fn sampled(
+    internal: GLenum,
+    (format, ty): (GLenum, GLenum),
+    texel: &[u8],
+    shader: &str,
+) -> [u8; 4] {
+    let t = GL_TEXTURE_2D;
+    glDeleteTextures(1, &1);
+    glBindTexture(t, 1);
+    glTexParameteri(t, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(t, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTexImage2D(t, 0, internal, 1, 1, 0, format, ty, texel);
+    assert_eq!(glGetError(), GL_NO_ERROR, "{}", enum_name(internal));
+    let program = program(VERTEX, shader).unwrap();
+    let pixel = drawn(program);
+    glUseProgram(0);
+    glDeleteProgram(program);
+    pixel
+}
+
+const UINTS: &str = "#version 130
+uniform usampler2D s; void main() { gl_FragColor = vec4(texture(s, vec2(0.5))) / 255.0; }";
+const INTS: &str = "#version 130
+uniform isampler2D s; void main() { gl_FragColor = vec4(-texture(s, vec2(0.5))) / 255.0; }";
+/// -1 to 1 as 0 to 254.
+const SIGNED: &str = "uniform sampler2D s;
+void main() { gl_FragColor = (texture2D(s, vec2(0.5)) * 127.0 + 127.0) / 255.0; }";
+
+#[test]
+fn integers() {
+    let _current = context();
+    let (a, l, la) =
+        (GL_ALPHA_INTEGER_EXT, GL_LUMINANCE_INTEGER_EXT, GL_LUMINANCE_ALPHA_INTEGER_EXT);
+    let (r, rg, rgba) = (GL_RED_INTEGER, GL_RG_INTEGER, GL_RGBA_INTEGER);
+    let rows: &[(GLenum, GLenum, [u8; 4])] = &[
+        (GL_ALPHA8UI_EXT, a, [0, 0, 0, 7]),
+        (GL_ALPHA16UI_EXT, a, [0, 0, 0, 7]),
+        (GL_ALPHA32UI_EXT, a, [0, 0, 0, 7]),
+        (GL_LUMINANCE8UI_EXT, l, [7, 7, 7, 1]),
+        (GL_LUMINANCE16UI_EXT, l, [7, 7, 7, 1]),
+        (GL_LUMINANCE32UI_EXT, l, [7, 7, 7, 1]),
+        (GL_LUMINANCE_ALPHA8UI_EXT, la, [7, 7, 7, 9]),
+        (GL_LUMINANCE_ALPHA32UI_EXT, la, [7, 7, 7, 9]),
+        (GL_INTENSITY8UI_EXT, r, [7, 7, 7, 7]),
+        (GL_INTENSITY16UI_EXT, r, [7, 7, 7, 7]),
+        (GL_R8UI, r, [7, 0, 0, 1]),
+        (GL_RG16UI, rg, [7, 9, 0, 1]),
+        (GL_RGB10_A2UI, rgba, [7, 9, 11, 3]),
+        (GL_RGBA32UI, rgba, [7, 9, 11, 13]),
+    ];
+    for &(internal, format, want) in rows {
+        let texel = [7_u8, 9, 11, 13];
+        let got = sampled(internal, (format, GL_UNSIGNED_BYTE), &texel, UINTS);
+        assert_eq!(got, want, "{}", enum_name(internal));
+    }
+    // A 1 that is not stored is 1, so that its negative is clamped to 0.
+    for (internal, format, want) in [
+        (GL_ALPHA8I_EXT, a, [0, 0, 0, 7]),
+        (GL_LUMINANCE16I_EXT, l, [7, 7, 7, 0]),
+        (GL_LUMINANCE_ALPHA16I_EXT, la, [7, 7, 7, 9]),
+        (GL_INTENSITY32I_EXT, r, [7, 7, 7, 7]),
+        (GL_RGBA8I, rgba, [7, 9, 11, 13]),
+    ] {
+        let texel = [-7_i8, -9, -11, -13].map(|c| c as u8);
+        let got = sampled(internal, (format, GL_BYTE), &texel, INTS);
+        assert_eq!(got, want, "{}", enum_name(internal));
+    }
+}
+
+#[test]
+fn signed_fractions() {
+    let _current = context();
+    for (internal, want) in [
+        (GL_ALPHA8_SNORM, [127, 127, 127, 190]),
+        (GL_LUMINANCE8_SNORM, [0, 0, 0, 254]),
+        (GL_LUMINANCE8_ALPHA8_SNORM, [0, 0, 0, 190]),
+        (GL_INTENSITY16_SNORM, [0, 0, 0, 0]),
+        (GL_RED_SNORM, [0, 127, 127, 254]),
+        (GL_RGBA_SNORM, [0, 190, 254, 190]),
+        (GL_RGBA16_SNORM, [0, 190, 254, 190]),
+    ] {
+        let texel = [-1.0_f32, 63.0 / 127.0, 1.0, 63.0 / 127.0];
+        let bytes: Vec<u8> = texel.iter().flat_map(|c| c.to_ne_bytes()).collect();
+        let got = sampled(internal, (GL_RGBA, GL_FLOAT), &bytes, SIGNED);
+        assert_eq!(got, want, "{}", enum_name(internal));
+    }
+}
+
+#[test]
+fn blocks_of_luminance() {
+    let _current = context();
+    let plain = "uniform sampler2D s; void main() { gl_FragColor = texture2D(s, vec2(0.5)); }";
+    for (internal, want) in [
+        (GL_COMPRESSED_LUMINANCE_LATC1_EXT, [200, 200, 200, 255]),
+        (GL_COMPRESSED_LUMINANCE_ALPHA_LATC2_EXT, [200, 200, 200, 100]),
+        (GL_COMPRESSED_LUMINANCE_ALPHA_3DC_ATI, [200, 200, 200, 100]),
+        (GL_COMPRESSED_RED_RGTC1, [200, 0, 0, 255]),
+        (GL_COMPRESSED_RG_RGTC2, [200, 0, 0, 255]),
+    ] {
+        let got = sampled(internal, (GL_LUMINANCE_ALPHA, GL_UNSIGNED_BYTE), &[200, 100], plain);
+        let want = if internal == GL_COMPRESSED_RG_RGTC2 { [200, 200, 0, 255] } else { want };
+        assert_eq!(got, want, "{}", enum_name(internal));
+    }
+}
