@@ -160,6 +160,10 @@ pub enum Mutation {
     FogBase2,
     FogNotSquared,
     FogReversed,
+    StencilMaskIgnored,
+    StencilOpsSwapped,
+    StencilSaturationIgnored,
+    LogicOperandsSwapped,
 }
 
 /// The oracles as they should be, or with one mistake.
