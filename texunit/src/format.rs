@@ -13,7 +13,7 @@ pub mod small_float;
 pub mod srgb;
 mod table;
 
-use block::Block;
+pub use block::Block;
 pub use table::Format;
 
 /// What a format's components mean, and so what a sample of it returns (GL 2.1, table 3.15).

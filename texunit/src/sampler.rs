@@ -96,6 +96,8 @@ pub enum DepthMode {
     Intensity,
     /// (0, 0, 0, D).
     Alpha,
+    /// (D, 0, 0, 1) (`ARB_texture_rg`).
+    Red,
 }
 
 /// What a linear filter does at the edges of a cube's faces (ARB_seamless_cube_map).

@@ -106,7 +106,7 @@ fn has_positions(context: &mut Context) -> bool {
     let arrays = &context.state.arrays.by_location;
     let any = arrays[0].enabled
         || arrays[usize::from(ATTRIB_VERTEX)].enabled
-        || context.state.bindings.program != 0 && arrays.iter().any(|array| array.enabled);
+        || context.state.bindings.program != 0;
     if !any {
         context.debug.warn(
             "a draw of vertex arrays drew nothing: no array of positions is enabled, call \
@@ -121,11 +121,12 @@ fn has_positions(context: &mut Context) -> bool {
 /// Other arrays that are too short read as zeros.
 fn check_range(vertices: &[VertexBinding], first: usize, count: usize) -> Result<()> {
     let arrays = vertices.iter().filter_map(|binding| match &binding.source {
-        VertexSource::Array { buffer, offset, stride, ty, components, .. } => {
+        VertexSource::Array { buffer, offset, stride, ty, components, divisor: 0, .. } => {
             let vertex = usize::from(*components) * ty.size();
             Some((binding.location, buffer.bytes().len(), *offset, *stride, vertex))
         }
-        VertexSource::Constant(_) => None,
+        // Elements of instances are as many as there are instances.
+        VertexSource::Array { .. } | VertexSource::Constant(_) => None,
     });
     let by_rank = arrays.min_by_key(|array| (array.0 != ATTRIB_VERTEX, array.0));
     let Some((_, length, offset, stride, vertex)) = by_rank else { return Ok(()) };
@@ -207,6 +208,9 @@ pub(crate) fn multi_draw_arrays(
     primcount: GLsizei,
 ) -> Result<()> {
     let draws = draws(primcount, [first.len(), count.len()])?;
+    for &count in &count[..draws] {
+        not_negative(SECTION, "count", count.into())?;
+    }
     for (&first, &count) in first.iter().zip(count).take(draws) {
         draw_arrays(context, mode, first, count)?;
     }

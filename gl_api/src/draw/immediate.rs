@@ -182,7 +182,13 @@ pub(crate) fn attribute(context: &mut Context, slot: Slot, value: [f32; 4]) -> R
     if context.record_attribute(slot, value) {
         return Ok(());
     }
-    let Some(location) = location(slot)? else { return vertex(context, value) };
+    let Some(location) = location(slot)? else {
+        // Outside of glBegin and glEnd, generic attribute 0 has a value as others do.
+        if matches!(slot, Slot::Generic(_)) && context.immediate.is_none() {
+            set_current(context, 0, value);
+        }
+        return vertex(context, value);
+    };
     if let Some(immediate) = &mut context.immediate {
         let column = &mut immediate.columns[location];
         if !immediate.used.contains(&location) {

@@ -11,6 +11,7 @@ pub(crate) mod immediate;
 pub(crate) mod interleaved;
 mod keys;
 mod primitives;
+pub(crate) mod rect;
 pub(crate) mod restart;
 pub(crate) mod stages;
 pub(crate) mod translate;

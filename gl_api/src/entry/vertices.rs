@@ -2,7 +2,7 @@
 //! [`super::attributes`].
 
 use super::{Data, DataOut, Pointers};
-use crate::draw::{arrays, calls, immediate, interleaved, restart};
+use crate::draw::{arrays, calls, immediate, interleaved, rect, restart};
 use crate::object::{buffer_map, buffers, vertex_arrays};
 use crate::types::*;
 
@@ -71,6 +71,24 @@ entry_points! {
     Anywhere in restart {
         /// Ends a primitive and begins another, between `glBegin` and `glEnd`.
         primitive_restart: glPrimitiveRestartNV ();
+    }
+    Outside in rect {
+        /// Draws a rectangle.
+        rects: glRects (x1: GLshort, y1: GLshort, x2: GLshort, y2: GLshort);
+        /// Draws a rectangle.
+        rectsv: glRectsv (v1: &'a [GLshort], v2: &'a [GLshort]);
+        /// Draws a rectangle.
+        recti: glRecti (x1: GLint, y1: GLint, x2: GLint, y2: GLint);
+        /// Draws a rectangle.
+        rectiv: glRectiv (v1: &'a [GLint], v2: &'a [GLint]);
+        /// Draws a rectangle.
+        rectf: glRectf (x1: GLfloat, y1: GLfloat, x2: GLfloat, y2: GLfloat);
+        /// Draws a rectangle.
+        rectfv: glRectfv (v1: &'a [GLfloat], v2: &'a [GLfloat]);
+        /// Draws a rectangle.
+        rectd: glRectd (x1: GLdouble, y1: GLdouble, x2: GLdouble, y2: GLdouble);
+        /// Draws a rectangle.
+        rectdv: glRectdv (v1: &'a [GLdouble], v2: &'a [GLdouble]);
     }
     Outside in restart {
         /// The index that restarts a primitive while `GL_PRIMITIVE_RESTART` is on.

@@ -38,6 +38,7 @@ pub(crate) fn environment_base(base: BaseFormat, mode: DepthMode) -> BaseFormat 
         (BaseFormat::Depth, DepthMode::Luminance) => BaseFormat::Luminance,
         (BaseFormat::Depth, DepthMode::Intensity) => BaseFormat::Intensity,
         (BaseFormat::Depth, DepthMode::Alpha) => BaseFormat::Alpha,
+        (BaseFormat::Depth, DepthMode::Red) => BaseFormat::Red,
         (
             BaseFormat::Alpha
             | BaseFormat::Luminance
@@ -47,7 +48,7 @@ pub(crate) fn environment_base(base: BaseFormat, mode: DepthMode) -> BaseFormat 
             | BaseFormat::Rg
             | BaseFormat::Rgb
             | BaseFormat::Rgba,
-            DepthMode::Luminance | DepthMode::Intensity | DepthMode::Alpha,
+            DepthMode::Luminance | DepthMode::Intensity | DepthMode::Alpha | DepthMode::Red,
         ) => base,
     }
 }

@@ -113,6 +113,7 @@ fn chosen(context: &mut Context, format: ClientFormat) -> Result<Pixels> {
         | ClientFormat::Bgr
         | ClientFormat::Rgba
         | ClientFormat::Bgra
+        | ClientFormat::Abgr
         | ClientFormat::Luminance
         | ClientFormat::LuminanceAlpha => source(context, Readable::Color),
     }

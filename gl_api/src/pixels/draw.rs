@@ -56,6 +56,7 @@ fn check_target(context: &Context, pixel: Pixel) -> Result<()> {
         | ClientFormat::Bgr
         | ClientFormat::Rgba
         | ClientFormat::Bgra
+        | ClientFormat::Abgr
         | ClientFormat::Luminance
         | ClientFormat::LuminanceAlpha => false,
     };
@@ -102,6 +103,7 @@ pub(crate) fn draw_pixels(
         | ClientFormat::Bgr
         | ClientFormat::Rgba
         | ClientFormat::Bgra
+        | ClientFormat::Abgr
         | ClientFormat::Luminance
         | ClientFormat::LuminanceAlpha => Format::Rgba32F,
     };

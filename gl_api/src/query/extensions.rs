@@ -60,6 +60,7 @@ pub(crate) const EXTENSIONS: &[&str] = &[
     "GL_ARB_window_pos",
     "GL_ATI_texture_compression_3dc",
     "GL_ATI_texture_mirror_once",
+    "GL_EXT_abgr",
     "GL_EXT_bgra",
     "GL_EXT_blend_color",
     "GL_EXT_blend_equation_separate",

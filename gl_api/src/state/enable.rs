@@ -180,11 +180,18 @@ fn switch(context: &mut Context, cap: GLenum, on: bool) -> Result<()> {
     Ok(())
 }
 
+/// GL 1.1's drivers switch the client's arrays by `glEnable` too, and programs came to rely on it.
 pub(crate) fn enable(context: &mut Context, cap: GLenum) -> Result<()> {
+    if CLIENT_ARRAY.get(cap).is_some() {
+        return switch_client(context, cap, true);
+    }
     switch(context, cap, true)
 }
 
 pub(crate) fn disable(context: &mut Context, cap: GLenum) -> Result<()> {
+    if CLIENT_ARRAY.get(cap).is_some() {
+        return switch_client(context, cap, false);
+    }
     switch(context, cap, false)
 }
 

@@ -23,6 +23,8 @@ pub(crate) enum ClientFormat {
     Bgr,
     Rgba,
     Bgra,
+    /// `EXT_abgr`.
+    Abgr,
     Luminance,
     LuminanceAlpha,
     Depth,
@@ -60,6 +62,7 @@ pub(crate) const FORMAT: Table<(ClientFormat, Numbers)> = Table {
         (GL_BGR, (Bgr, Fixed)),
         (GL_RGBA, (Rgba, Fixed)),
         (GL_BGRA, (Bgra, Fixed)),
+        (GL_ABGR_EXT, (Abgr, Fixed)),
         (GL_LUMINANCE, (Luminance, Fixed)),
         (GL_LUMINANCE_ALPHA, (LuminanceAlpha, Fixed)),
         (GL_DEPTH_COMPONENT, (Depth, Fixed)),
@@ -86,7 +89,7 @@ impl ClientFormat {
             Red | Green | Blue | Alpha | Luminance | Depth | Stencil => 1,
             Rg | LuminanceAlpha | DepthStencil => 2,
             Rgb | Bgr => 3,
-            Rgba | Bgra => 4,
+            Rgba | Bgra | Abgr => 4,
         }
     }
 
@@ -94,7 +97,7 @@ impl ClientFormat {
     pub fn is_depth(self) -> bool {
         match self {
             Depth | Stencil | DepthStencil => true,
-            Red | Green | Blue | Alpha | Rg | Rgb | Bgr | Rgba | Bgra | Luminance
+            Red | Green | Blue | Alpha | Rg | Rgb | Bgr | Rgba | Bgra | Abgr | Luminance
             | LuminanceAlpha => false,
         }
     }
@@ -112,6 +115,7 @@ impl ClientFormat {
             Bgr => [c, b, a, 1.0],
             Rgba => [a, b, c, d],
             Bgra => [c, b, a, d],
+            Abgr => [d, c, b, a],
             Luminance => [a, a, a, 1.0],
             LuminanceAlpha => [a, a, a, b],
         }
@@ -130,6 +134,7 @@ impl ClientFormat {
             Bgr => [b, g, r, 0.0],
             Rgba => [r, g, b, a],
             Bgra => [b, g, r, a],
+            Abgr => [a, b, g, r],
             Luminance => [r + g + b, 0.0, 0.0, 0.0],
             LuminanceAlpha => [r + g + b, a, 0.0, 0.0],
         }

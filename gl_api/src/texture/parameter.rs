@@ -19,6 +19,7 @@ const DEPTH_MODE: Table<DepthMode> = Table {
         (GL_LUMINANCE, DepthMode::Luminance),
         (GL_INTENSITY, DepthMode::Intensity),
         (GL_ALPHA, DepthMode::Alpha),
+        (GL_RED, DepthMode::Red),
     ],
 };
 

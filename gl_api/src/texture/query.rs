@@ -8,7 +8,7 @@ use crate::context::Context;
 use crate::error::{Result, Table, invalid_operation};
 use crate::query::put;
 use crate::types::*;
-use texunit::format::Format;
+use texunit::format::{Block, Encoding, Format};
 use texunit::image::Level;
 
 const SECTION: &str = "GL 2.1, section 6.1.3";
@@ -23,6 +23,8 @@ enum Property {
     Compressed,
     CompressedBytes,
     Bits(Component),
+    /// What kind of numbers a component is (`ARB_texture_float`).
+    Kind(Component),
 }
 
 const PROPERTY: Table<Property> = Table {
@@ -40,6 +42,13 @@ const PROPERTY: Table<Property> = Table {
         (GL_TEXTURE_ALPHA_SIZE, Property::Bits(Component::Alpha)),
         (GL_TEXTURE_LUMINANCE_SIZE, Property::Bits(Component::Luminance)),
         (GL_TEXTURE_INTENSITY_SIZE, Property::Bits(Component::Intensity)),
+        (GL_TEXTURE_RED_TYPE, Property::Kind(Component::Red)),
+        (GL_TEXTURE_GREEN_TYPE, Property::Kind(Component::Green)),
+        (GL_TEXTURE_BLUE_TYPE, Property::Kind(Component::Blue)),
+        (GL_TEXTURE_ALPHA_TYPE, Property::Kind(Component::Alpha)),
+        (GL_TEXTURE_LUMINANCE_TYPE, Property::Kind(Component::Luminance)),
+        (GL_TEXTURE_INTENSITY_TYPE, Property::Kind(Component::Intensity)),
+        (GL_TEXTURE_DEPTH_TYPE, Property::Kind(Component::Depth)),
         (GL_TEXTURE_COMPRESSED_IMAGE_SIZE, Property::CompressedBytes),
         (GL_TEXTURE_STENCIL_SIZE, Property::Bits(Component::Stencil)),
         (GL_TEXTURE_DEPTH_SIZE, Property::Bits(Component::Depth)),
@@ -76,6 +85,21 @@ fn known(context: &Context, image: ImageTarget, level: usize) -> Option<Known> {
     Some(Known { given, border, internal, format })
 }
 
+/// What kind of numbers a format's components are.
+fn kind(format: Format) -> GLenum {
+    match format.info().encoding {
+        Encoding::Snorm | Encoding::Block(Block::Rgtc1Snorm | Block::Rgtc2Snorm) => {
+            GL_SIGNED_NORMALIZED
+        }
+        Encoding::Unorm | Encoding::Srgb | Encoding::Block(_) | Encoding::SrgbBlock(_) => {
+            GL_UNSIGNED_NORMALIZED
+        }
+        Encoding::Float | Encoding::SharedExponent => GL_FLOAT,
+        Encoding::Uint => GL_UNSIGNED_INT,
+        Encoding::Sint => GL_INT,
+    }
+}
+
 fn property(context: &Context, target: GLenum, level: GLint, pname: GLenum) -> Result<GLint> {
     let image = any_image(target)?;
     let level = checked_level(SECTION, image.target(), level)?;
@@ -103,6 +127,8 @@ fn property(context: &Context, target: GLenum, level: GLint, pname: GLenum) -> R
             bytes.map_or(0, |bytes| bytes as GLint)
         }
         Property::Bits(component) => component_bits(known.format, component),
+        Property::Kind(component) if component_bits(known.format, component) == 0 => 0,
+        Property::Kind(_) => kind(known.format) as GLint,
     })
 }
 

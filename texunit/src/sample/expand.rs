@@ -22,6 +22,7 @@ pub fn expand(format: Format, depth: DepthMode, c: &mut [F32s; 4]) {
             DepthMode::Luminance => BaseFormat::Luminance,
             DepthMode::Intensity => BaseFormat::Intensity,
             DepthMode::Alpha => BaseFormat::Alpha,
+            DepthMode::Red => BaseFormat::Red,
         },
         BaseFormat::Alpha
         | BaseFormat::Luminance

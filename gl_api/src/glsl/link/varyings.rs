@@ -29,6 +29,11 @@ pub fn varyings(
         let name = &input.name;
         let output = vertex
             .and_then(|vertex| vertex.declared().find(|v| v.name == *name && is_output(v.storage)));
+        if vertex.is_none() {
+            // The fixed function writes no varying of the program's: it is undefined, here zero.
+            in_fragment.insert(name.clone(), Binding::Varying(None));
+            continue;
+        }
         let Some(output) = output else {
             let message =
                 format!("the fragment shader reads `{name}`, which no vertex shader writes");

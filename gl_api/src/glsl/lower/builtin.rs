@@ -9,9 +9,6 @@ use crate::glsl::limits::MAX_DRAW_BUFFERS;
 use crate::interface::{StateVar, VARYING_BACK_COLOR, VARYING_CLIP_DISTANCE};
 use rasterizer::ir::{Input, Interpolation, Op, Output, Stage, Ty, Value};
 
-/// How many targets `gl_FragColor` is written to.
-const BROADCAST_TARGETS: u8 = 4;
-
 impl Lowerer<'_> {
     /// A component of `gl_FragCoord`, counted as its layout says (ARB_fragment_coord_conventions).
     fn frag_coord(&mut self, passing: Passing, at: u8) -> Value {
@@ -100,7 +97,7 @@ impl Lowerer<'_> {
             Builtin::FragDepth => |_| vec![Output::Depth],
             Builtin::FragColor => |at| {
                 let component = at as u8;
-                (0..BROADCAST_TARGETS).map(|target| Output::Color { target, component }).collect()
+                (0..MAX_DRAW_BUFFERS).map(|target| Output::Color { target, component }).collect()
             },
             Builtin::FragData => |at| {
                 let (target, component) = ((at / 4) as u8, (at % 4) as u8);
