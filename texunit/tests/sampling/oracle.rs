@@ -298,6 +298,7 @@ impl Oracle<'_> {
             DepthMode::Luminance => [d, d, d, 1.0],
             DepthMode::Intensity => [d; 4],
             DepthMode::Alpha => [0.0, 0.0, 0.0, d],
+            DepthMode::Red => [d, 0.0, 0.0, 1.0],
         }
     }
 }

@@ -102,7 +102,7 @@ fn oracle(format: Format, b: &[u8], at: usize) -> [f64; 4] {
         let ([r, g, b], a) = s3tc_color(b, at, four);
         if format.is_srgb() { ([r, g, b].map(linear), a) } else { ([r, g, b], a) }
     };
-    match format.block().unwrap() {
+    let [r, g, b, a] = match format.block().unwrap() {
         Block::Dxt1 => {
             let ([r, g, b], a) = color(b, false);
             [r, g, b, if format.channels() == 4 { a } else { 1.0 }]
@@ -119,6 +119,12 @@ fn oracle(format: Format, b: &[u8], at: usize) -> [f64; 4] {
         Block::Rgtc1Snorm => [line(b, at, true), 0.0, 0.0, 1.0],
         Block::Rgtc2 => [line(b, at, false), line(&b[8..], at, false), 0.0, 1.0],
         Block::Rgtc2Snorm => [line(b, at, true), line(&b[8..], at, true), 0.0, 1.0],
+    };
+    // EXT_texture_compression_latc has luminance and alpha where RGTC has red and green.
+    match format.base() {
+        BaseFormat::Luminance => [r, r, r, 1.0],
+        BaseFormat::LuminanceAlpha => [r, r, r, g],
+        _ => [r, g, b, a],
     }
 }
 
@@ -199,9 +205,11 @@ fn a_block_of_one_colour_that_the_format_holds_is_exact() {
                 continue;
             }
             let block = encode(format, &[color; 16]);
-            match format.base().sources().len() {
-                1 => color = [color[0], 0.0, 0.0, 1.0],
-                3 => color[3] = 1.0,
+            match (format.base(), format.base().sources().len()) {
+                (BaseFormat::Luminance, _) => color = [color[0], color[0], color[0], 1.0],
+                (BaseFormat::LuminanceAlpha, _) => color = [color[0], color[0], color[0], color[3]],
+                (_, 1) => color = [color[0], 0.0, 0.0, 1.0],
+                (_, 3) => color[3] = 1.0,
                 _ => {}
             }
             if format == Format::Dxt1Rgba && color[3] == 0.0 {
