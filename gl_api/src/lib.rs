@@ -23,6 +23,7 @@
 //!
 //! | module | is |
 //! |---|---|
+//! | `abi` | the C ABI: the entry points for C, EGL, OSMesa, GLU |
 //! | [`entry`] | the tables of entry points: methods on [`Context`] and free functions |
 //! | [`constants`], [`types`] | GL's constants, from the Khronos registry, and C's types |
 //! | [`error`] | refusals, and the tables that convert enums at the door |
@@ -31,6 +32,7 @@
 //! | `object` | names of textures, buffers, framebuffers, shaders, programs |
 //! | `texture` | client pixels, internal formats, images and parameters |
 //! | `framebuffer` | attachments, completeness, clearing, reading back |
+//! | `pixels` | pixel rectangles and bitmaps as fragments, the raster position |
 //! | `program` | uniforms, attributes, what a link found |
 //! | [`glsl`], [`interface`] | the GLSL front end, and where programs and state meet |
 //! | `fixed` | the fixed function as generated shaders |
@@ -40,6 +42,7 @@
 //! | [`glu`] | the utility library over the free functions |
 #![deny(unsafe_code)]
 
+mod abi;
 pub mod constants;
 pub mod context;
 mod draw;
@@ -53,12 +56,14 @@ pub mod glu;
 pub mod interface;
 mod list;
 mod object;
+mod pixels;
 mod program;
 mod query;
 mod state;
 mod texture;
 pub mod types;
 
+pub use abi::memory::ClientPointer;
 pub use constants::*;
 pub use context::{
     Context, ContextDesc, ContextError, GLDEBUGPROC, Message, Severity, SurfaceColor, SurfaceDesc,

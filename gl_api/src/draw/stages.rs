@@ -24,7 +24,7 @@ use texunit::sampler::{Compare, Sampler, Seamless};
 type Textures = Arc<[Option<Arc<SamplePlan>>]>;
 
 /// What a draw runs.
-pub(super) struct Stages {
+pub(crate) struct Stages {
     pub vertex: ShaderModule,
     pub fragment: ShaderModule,
     pub words: Vec<u32>,
@@ -58,7 +58,7 @@ pub(super) fn alpha_test(context: &Context) -> Option<Compare> {
     (context.state.enables.has(Flag::AlphaTest) && compare != Compare::Always).then_some(compare)
 }
 
-fn internal(error: &IrError) -> GlError {
+pub(super) fn internal(error: &IrError) -> GlError {
     GlError {
         code: ErrorCode::InvalidOperation,
         rule: format!(
@@ -69,7 +69,7 @@ fn internal(error: &IrError) -> GlError {
 }
 
 /// Chooses the stages.
-pub(super) fn choose(
+pub(crate) fn choose(
     context: &mut Context,
     vertices: &[VertexBinding],
     rim: Rim,

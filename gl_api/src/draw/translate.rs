@@ -1,16 +1,18 @@
 //! From validated state to commands of the driver.
 
 use super::primitives::{raster_state, smoothness};
-use super::{Told, begin_pass, hints, stages};
+use super::{begin_pass, hints, stages};
 use crate::context::Context;
 use crate::error::{ErrorCode, GlError, Result, invalid_operation};
 use crate::framebuffer::complete::{draw_pass, draw_planes};
 use crate::framebuffer::srgb_write;
+use crate::pixels::rectangle::Rectangle;
 use crate::state::enable::Flag;
 use crate::state::stencil::Side;
 use rasterizer::driver::{
-    ColorState, Command, Cull, DepthState, Indices, OutputState, PassDesc, Pipeline, PipelineDesc,
-    Provoking, Rect, ShaderModule, Topology, VertexBinding, Viewport,
+    ColorState, Command, Cull, DepthState, FrontFace, Indices, OutputState, PassDesc, Pipeline,
+    PipelineDesc, Provoking, RasterState, Rect, Rim, ShaderModule, Topology, VertexBinding,
+    Viewport,
 };
 use std::sync::Arc;
 
@@ -34,6 +36,30 @@ pub(crate) fn draw(
     vertices: Vec<VertexBinding>,
     elements: &Elements,
 ) -> Result<()> {
+    record(context, topology, vertices, elements, None)
+}
+
+/// Records the draw of a rectangle of pixels: four vertices in clip coordinates of the whole
+/// framebuffer.
+///
+/// # Errors
+/// As [`draw`].
+pub(crate) fn draw_rectangle(
+    context: &mut Context,
+    vertices: Vec<VertexBinding>,
+    elements: &Elements,
+    rectangle: &Rectangle,
+) -> Result<()> {
+    record(context, Topology::Quads, vertices, elements, Some(rectangle))
+}
+
+fn record(
+    context: &mut Context,
+    topology: Topology,
+    vertices: Vec<VertexBinding>,
+    elements: &Elements,
+    rectangle: Option<&Rectangle>,
+) -> Result<()> {
     let pass = draw_pass(context)?;
     let program = context.state.bindings.program;
     if program != 0 && context.objects.linked_program(program).is_none() {
@@ -44,33 +70,51 @@ pub(crate) fn draw(
     }
     hints::nothing_enabled(context);
     // Choosing may carry out what was recorded, if a texture of this draw was drawn to.
-    let stages = stages::choose(context, &vertices, smoothness(context, topology))?;
-    let raster = raster_state(context, topology, &vertices);
-    let desc = pipeline_desc(context, &pass, topology, stages.vertex, stages.fragment);
-    let pipeline = pipeline(context, &desc)?;
+    let rim = if rectangle.is_some() { Rim::Aliased } else { smoothness(context, topology) };
+    let mut stages = stages::choose(context, &vertices, rim)?;
+    let mut viewport = viewport(context);
+    let mut raster = RasterState::default();
+    match rectangle {
+        Some(rectangle) => {
+            rectangle.apply(context, &mut stages).map_err(|error| stages::internal(&error))?;
+            viewport = rectangle_viewport(&pass, rectangle.depth);
+        }
+        None => raster = raster_state(context, topology, &vertices),
+    }
+    let mut desc = pipeline_desc(context, &pass, topology, stages.vertex, stages.fragment);
+    if rectangle.is_some() {
+        desc = PipelineDesc { cull: Cull::None, front_face: FrontFace::Ccw, ..desc };
+    }
     begin_pass(context, pass);
+    if context.recorder.told.pipeline.as_ref() != Some(&desc) {
+        let pipeline = pipeline(context, &desc)?;
+        context.recorder.push(Command::BindPipeline(pipeline));
+        context.recorder.told.pipeline = Some(desc);
+    }
 
-    let viewport = viewport(context);
     let scissor = scissor(context);
     let recorder = &mut context.recorder;
-    let Told { pipeline: told, words, raster: told_raster } = &mut recorder.told;
-    let commands = &mut recorder.commands;
-    if told.as_ref() != Some(&desc) {
-        commands.push(Command::BindPipeline(pipeline));
-        *told = Some(desc);
-    }
-    if words.as_deref() != Some(&stages.words) {
+    let (told, commands) = (&mut recorder.told, &mut recorder.commands);
+    if told.words.as_deref() != Some(&stages.words) {
         let shared: Arc<[u32]> = stages.words.into();
         commands.push(Command::SetUniforms(Arc::clone(&shared)));
-        *words = Some(shared);
+        told.words = Some(shared);
     }
-    if told_raster.as_deref() != Some(&raster) {
+    if told.raster.as_deref() != Some(&raster) {
         let shared = Arc::new(raster);
         commands.push(Command::SetRaster(Arc::clone(&shared)));
-        *told_raster = Some(shared);
+        told.raster = Some(shared);
     }
-    commands.push(Command::SetViewport(viewport));
-    commands.push(Command::SetScissor(scissor));
+    if told.viewport.replace(viewport) != Some(viewport) {
+        commands.push(Command::SetViewport(viewport));
+    }
+    if told.scissor.replace(scissor) != Some(scissor) {
+        commands.push(Command::SetScissor(scissor));
+    }
+    if told.counter != recorder.counter {
+        commands.push(Command::SetCounter(recorder.counter.clone()));
+        told.counter.clone_from(&recorder.counter);
+    }
     commands.push(Command::BindVertices(vertices.into()));
     commands.push(Command::BindTextures {
         vertex: stages.vertex_textures,
@@ -98,6 +142,12 @@ fn viewport(context: &Context) -> Viewport {
         near: near as f32,
         far: far as f32,
     }
+}
+
+/// The whole framebuffer, everything at one depth.
+fn rectangle_viewport(pass: &PassDesc, depth: f32) -> Viewport {
+    let (width, height) = (pass.width as f32, pass.height as f32);
+    Viewport { x: 0.0, y: 0.0, width, height, near: depth, far: depth }
 }
 
 /// The scissor rectangle, if the test is on.

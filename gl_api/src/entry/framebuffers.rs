@@ -89,7 +89,7 @@ entry_points! {
         /// Sets which colour buffer is drawn to.
         draw_buffer: glDrawBuffer (buf: GLenum);
         /// Sets which colour buffer each fragment colour is drawn to.
-        draw_buffers: glDrawBuffers | glDrawBuffersARB (n: GLsizei, bufs: &'a [GLenum]);
+        draw_buffers: glDrawBuffers | glDrawBuffersARB | glDrawBuffersATI (n: GLsizei, bufs: &'a [GLenum]);
         /// Sets which colour buffer is read from.
         read_buffer: glReadBuffer (src: GLenum);
     }

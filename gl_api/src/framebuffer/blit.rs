@@ -176,7 +176,11 @@ impl Blit {
 
 /// Lets `change` write the texels of an attachment: a level, and where in its bytes the attached
 /// slice begins.
-fn edit(context: &mut Context, attachment: &Attachment, change: impl FnOnce(&mut Level, usize)) {
+pub(crate) fn edit(
+    context: &mut Context,
+    attachment: &Attachment,
+    change: impl FnOnce(&mut Level, usize),
+) {
     let image = &attachment.image;
     crate::draw::settle(context, image);
     let face = usize::from(attachment.face);

@@ -106,6 +106,7 @@ pub(crate) fn state_value(context: &Context, pname: GLenum) -> Result<Value> {
         raster,
         fragment,
         stencil,
+        raster_position,
         pixels,
         texture,
         framebuffer,
@@ -285,6 +286,15 @@ fn fragment(context: &Context, pname: GLenum) -> Answer {
 /// Clamped to [0, 1], as `glGet` answers for colours (`ARB_color_buffer_float`).
 fn clamped(color: [f32; 4]) -> [f32; 4] {
     color.map(|c| crate::state::viewport::unit(c.into()) as f32)
+}
+
+fn raster_position(context: &Context, pname: GLenum) -> Answer {
+    use crate::pixels::position::{Answer, state_value};
+    state_value(context, pname).map(|value| match value {
+        Answer::Floats(values) => Ok(Value::Floats(values)),
+        Answer::Color(color) => unit(&color),
+        Answer::Flag(value) => flag(value),
+    })
 }
 
 fn stencil(context: &Context, pname: GLenum) -> Answer {

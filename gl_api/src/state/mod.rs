@@ -20,6 +20,7 @@ pub(crate) mod viewport;
 
 use crate::env::Units;
 use crate::interface::{ATTRIB_COLOR, ATTRIB_EDGE_FLAG, ATTRIB_NORMAL};
+use crate::pixels::position::RasterPosition;
 use crate::texture::Proxies;
 use crate::texture::transfer::Transfer;
 use crate::types::GLuint;
@@ -72,6 +73,8 @@ pub(crate) struct State {
     pub pack: PixelStore,
     pub unpack: PixelStore,
     pub transfer: Transfer,
+    pub pixel_zoom: [f32; 2],
+    pub raster_position: RasterPosition,
     pub proxies: Proxies,
     pub units: Units,
     pub bindings: Bindings,
@@ -100,6 +103,8 @@ impl State {
             pack: PixelStore::default(),
             unpack: PixelStore::default(),
             transfer: Transfer::default(),
+            pixel_zoom: [1.0; 2],
+            raster_position: RasterPosition::default(),
             proxies: Proxies::default(),
             units: Units::default(),
             bindings: Bindings::default(),

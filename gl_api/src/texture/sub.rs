@@ -85,7 +85,7 @@ pub(super) fn write_area(context: &mut Context, area: &Area, texels: &[u8]) -> R
 }
 
 /// Memory for the texels of a box.
-pub(super) fn room(format: Format, size: [usize; 3]) -> Result<Vec<u8>> {
+pub(crate) fn room(format: Format, size: [usize; 3]) -> Result<Vec<u8>> {
     // Inside a level, which is below 2^31 bytes.
     let bytes = size.iter().product::<usize>() * format.bytes();
     let mut texels = Vec::new();

@@ -44,6 +44,41 @@ const CASES: &[Case] = &[
     (|c| c.clear_bufferfv(GL_COLOR, 8, &[0.0; 4]), GL_INVALID_VALUE, "must be 0 to 7"),
     (|c| c.clear_bufferfi(GL_DEPTH, 0, 0.0, 0), GL_INVALID_ENUM, "GL_DEPTH_STENCIL"),
     (|c| c.clear_bufferfi(GL_DEPTH_STENCIL, 2, 0.0, 0), GL_INVALID_VALUE, "drawbuffer = 2"),
+    (|c| c.raster_pos_2fv(&[0.0]), GL_INVALID_OPERATION, "1 of 2 components"),
+    (|c| c.window_pos_3iv(&[0]), GL_INVALID_OPERATION, "1 of 3 components"),
+    (|c| c.pixel_zoom(f32::NAN, 1.0), GL_INVALID_VALUE, "xfactor = NaN"),
+    (|c| c.draw_pixels(-1, 1, GL_RGB, GL_FLOAT, Data::Null), GL_INVALID_VALUE, "width = -1"),
+    (|c| c.draw_pixels(1, -1, GL_RGB, GL_FLOAT, Data::Null), GL_INVALID_VALUE, "height = -1"),
+    (|c| c.draw_pixels(1, 1, GL_COLOR, GL_FLOAT, Data::Null), GL_INVALID_ENUM, "format = GL_COLOR"),
+    (
+        |c| c.draw_pixels(1, 1, GL_RGBA_INTEGER, GL_INT, Data::Bytes(&[0; 16])),
+        GL_INVALID_OPERATION,
+        "integers are not drawn",
+    ),
+    (
+        |c| c.draw_pixels(2, 2, GL_RGBA, GL_FLOAT, Data::Bytes(&[0; 16])),
+        GL_INVALID_OPERATION,
+        "the slice has 16",
+    ),
+    (|c| c.copy_pixels(0, 0, -1, 1, GL_COLOR), GL_INVALID_VALUE, "width = -1"),
+    (|c| c.copy_pixels(0, 0, 1, -1, GL_COLOR), GL_INVALID_VALUE, "height = -1"),
+    (|c| c.copy_pixels(0, 0, 1, 1, GL_RGBA), GL_INVALID_ENUM, "type = GL_RGBA"),
+    (
+        |c| {
+            framebuffer(c);
+            renderbuffer(c, C0, GL_RGBA8, 2, 2);
+            c.copy_pixels(0, 0, 1, 1, GL_STENCIL);
+        },
+        GL_INVALID_OPERATION,
+        "no such depth or stencil",
+    ),
+    (|c| c.bitmap(-1, 1, 0.0, 0.0, 0.0, 0.0, Data::Null), GL_INVALID_VALUE, "width = -1"),
+    (|c| c.bitmap(1, -1, 0.0, 0.0, 0.0, 0.0, Data::Null), GL_INVALID_VALUE, "height = -1"),
+    (
+        |c| c.bitmap(9, 2, 0.0, 0.0, 0.0, 0.0, Data::Bytes(&[0; 3])),
+        GL_INVALID_OPERATION,
+        "takes 6 bytes; there are 3",
+    ),
     (|c| blit(c, 1, GL_NEAREST), GL_INVALID_VALUE, "mask = 0x1"),
     (|c| blit(c, GL_COLOR_BUFFER_BIT, GL_LINEAR_MIPMAP_LINEAR), GL_INVALID_ENUM, "filter"),
     (|c| blit(c, GL_DEPTH_BUFFER_BIT, GL_LINEAR), GL_INVALID_OPERATION, "GL_NEAREST"),

@@ -302,9 +302,9 @@ impl Batch {
     /// A plane at one pixel of each quad.
     #[inline(always)]
     fn evaluate_pixel(&self, p: &QuadPlane, e: usize, out: &mut [f32; QUADS]) {
-        for q in 0..QUADS {
+        for (q, out) in out.iter_mut().enumerate() {
             let (dx, dy) = (self.dx[q] + X[e], self.dy[q] + Y[e]);
-            out[q] = (p.corner[q] + dx * p.a[q]) + dy * p.b[q];
+            *out = (p.corner[q] + dx * p.a[q]) + dy * p.b[q];
         }
     }
 

@@ -283,18 +283,17 @@ impl Kernel for ToDepth<'_> {
     fn run<S: Simd>(self) {
         let Self { scale, add, out } = self;
         for part in out.iter_mut() {
-            for lane in 0..LANES {
-                part[lane] *= scale;
+            for value in part {
+                *value *= scale;
             }
         }
-        for lane in 0..LANES {
-            out[2][lane] += add;
+        for value in &mut out[2] {
+            *value += add;
         }
     }
 }
 
 #[cfg(test)]
-#[expect(clippy::field_reassign_with_default, reason = "its other fields are private")]
 mod tests {
     use super::*;
     use crate::driver::{SpriteOrigin, Viewport};

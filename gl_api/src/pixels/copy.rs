@@ -1,0 +1,118 @@
+//! `glCopyPixels`: GL 2.1, section 4.3.3.
+
+use super::draw::{Floats, room};
+use super::rectangle::{self, Holds};
+use super::stencil;
+use crate::constants::*;
+use crate::context::Context;
+use crate::error::{Result, Table, invalid_operation, not_negative};
+use crate::framebuffer::complete::{Readable, draw_pass, draw_planes};
+use crate::framebuffer::{Region, read};
+use crate::texture::{convert, texel};
+use crate::types::*;
+use texunit::format::Format;
+
+const SECTION: &str = "GL 2.1, section 4.3.3";
+
+/// What is copied.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    Color,
+    Depth,
+    Stencil,
+    DepthStencil,
+}
+
+const KIND: Table<Kind> = Table {
+    section: SECTION,
+    rows: &[
+        (GL_COLOR, Kind::Color),
+        (GL_DEPTH, Kind::Depth),
+        (GL_STENCIL, Kind::Stencil),
+        (GL_DEPTH_STENCIL, Kind::DepthStencil),
+    ],
+};
+
+/// The texels of a region of what is read; zeros where it lies outside.
+fn texels(from: &read::Pixels, region: Region) -> Result<Vec<u8>> {
+    let size = from.format().bytes();
+    let mut out = room(from.format(), region.width, region.height)?;
+    let [width, height] = from.size();
+    if let Some(visible) = region.within(width, height) {
+        for y in visible.y..visible.y + visible.height {
+            let at = ((y as i64 - region.y) as usize * region.width
+                + (visible.x as i64 - region.x) as usize)
+                * size;
+            let row = from.row(visible.x, y, visible.width);
+            out[at..at + row.len()].copy_from_slice(row);
+        }
+    }
+    Ok(out)
+}
+
+pub(crate) fn copy_pixels(
+    context: &mut Context,
+    x: GLint,
+    y: GLint,
+    width: GLsizei,
+    height: GLsizei,
+    ty: GLenum,
+) -> Result<()> {
+    let width = not_negative(SECTION, "width", width.into())?;
+    let height = not_negative(SECTION, "height", height.into())?;
+    let kind = KIND.decode("type", ty)?;
+    draw_pass(context)?;
+    let planes = draw_planes(context);
+    let missing = match kind {
+        Kind::Color => false,
+        Kind::Depth => !planes.depth,
+        Kind::Stencil => !planes.stencil,
+        Kind::DepthStencil => !planes.depth || !planes.stencil,
+    };
+    if missing {
+        return invalid_operation(
+            SECTION,
+            "the framebuffer that is drawn to has no such depth or stencil buffer",
+        );
+    }
+    let from = match kind {
+        Kind::Color => read::source(context, Readable::Color)?,
+        Kind::Depth => read::source(context, Readable::Depth)?,
+        Kind::Stencil => read::source(context, Readable::Stencil)?,
+        Kind::DepthStencil => {
+            read::source(context, Readable::Stencil)?;
+            read::source(context, Readable::Depth)?
+        }
+    };
+    if from.format().is_integer() {
+        return invalid_operation(
+            "EXT_texture_integer, section 4.3.3",
+            "integers are not copied: call glBlitFramebuffer",
+        );
+    }
+    let size = [width, height];
+    let stored = texels(&from, Region::new(x, y, width, height))?;
+    let transfer = &context.state.transfer;
+    let as_format = |to: Format| convert::transcode(from.format(), &stored, to, transfer);
+    match kind {
+        Kind::Color => {
+            let floats = Floats { width, texels: as_format(Format::Rgba32F), channels: 4 };
+            rectangle::draw(context, size, Holds::Color, |x, y| floats.at(x, y))
+        }
+        Kind::Depth => {
+            let floats = Floats { width, texels: as_format(Format::D32F), channels: 1 };
+            rectangle::draw(context, size, Holds::Depth, |x, y| floats.at(x, y))
+        }
+        Kind::Stencil => {
+            let bytes = from.format().bytes();
+            let of = |texel: &[u8]| texel::stencil_of(from.format(), texel);
+            let stencils: Vec<u8> = stored.chunks_exact(bytes).map(of).collect();
+            stencil::draw(context, size, |x, y| stencils[y * width + x])
+        }
+        Kind::DepthStencil => {
+            let texels = as_format(Format::D32FS8);
+            let at = |x: usize, y: usize| &texels[(y * width + x) * 8..][..8];
+            stencil::draw_with_depth(context, size, at)
+        }
+    }
+}

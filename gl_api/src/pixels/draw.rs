@@ -1,0 +1,125 @@
+//! `glDrawPixels`: GL 2.1, section 3.6.4.
+
+use super::rectangle::{self, Holds};
+use super::stencil;
+use crate::context::Context;
+use crate::entry::Data;
+use crate::error::{Result, invalid_operation, not_negative};
+use crate::framebuffer::complete::{draw_pass, draw_planes};
+use crate::texture::client::{ClientFormat, Numbers, Pixel};
+use crate::texture::layout::{Extent, Layout};
+use crate::texture::{convert, memory};
+use crate::types::*;
+use texunit::format::Format;
+
+const SECTION: &str = "GL 2.1, section 3.6.4";
+
+/// The pixels of a rectangle as floats of one format.
+pub(super) struct Floats {
+    pub width: usize,
+    pub texels: Vec<u8>,
+    /// Floats of a pixel.
+    pub channels: usize,
+}
+
+impl Floats {
+    /// The pixel of a column and row; what there is not is 0.
+    pub fn at(&self, x: usize, y: usize) -> [f32; 4] {
+        let size = 4 * self.channels;
+        let texel = &self.texels[(y * self.width + x) * size..][..size];
+        let mut out = [0.0; 4];
+        for (out, bytes) in out.iter_mut().zip(texel.as_chunks::<4>().0) {
+            *out = f32::from_le_bytes(*bytes);
+        }
+        out
+    }
+}
+
+/// Memory for the pixels of a rectangle.
+pub(super) fn room(format: Format, width: usize, height: usize) -> Result<Vec<u8>> {
+    crate::texture::sub::room(format, [width, height, 1])
+}
+
+/// Whether what is drawn to takes these pixels.
+fn check_target(context: &Context, pixel: Pixel) -> Result<()> {
+    let planes = draw_planes(context);
+    let missing = match pixel.format {
+        ClientFormat::Depth => !planes.depth,
+        ClientFormat::Stencil => !planes.stencil,
+        ClientFormat::DepthStencil => !planes.depth || !planes.stencil,
+        ClientFormat::Red
+        | ClientFormat::Green
+        | ClientFormat::Blue
+        | ClientFormat::Alpha
+        | ClientFormat::Rg
+        | ClientFormat::Rgb
+        | ClientFormat::Bgr
+        | ClientFormat::Rgba
+        | ClientFormat::Bgra
+        | ClientFormat::Luminance
+        | ClientFormat::LuminanceAlpha => false,
+    };
+    if missing {
+        return invalid_operation(
+            SECTION,
+            "the framebuffer that is drawn to has no such depth or stencil buffer",
+        );
+    }
+    if pixel.numbers == Numbers::Integer && pixel.format != ClientFormat::Stencil {
+        return invalid_operation(
+            "EXT_texture_integer, section 3.6.4",
+            "integers are not drawn: use a format without _INTEGER",
+        );
+    }
+    Ok(())
+}
+
+pub(crate) fn draw_pixels(
+    context: &mut Context,
+    width: GLsizei,
+    height: GLsizei,
+    format: GLenum,
+    ty: GLenum,
+    pixels: Data<'_>,
+) -> Result<()> {
+    let width = not_negative(SECTION, "width", width.into())?;
+    let height = not_negative(SECTION, "height", height.into())?;
+    let pixel = Pixel::new(format, ty)?;
+    let layout = Layout::new(&context.state.unpack, pixel, [width, height, 1], Extent::Flat)?;
+    draw_pass(context)?;
+    check_target(context, pixel)?;
+    let Some(source) = memory::pixel_source(context, &layout, pixels)? else { return Ok(()) };
+    let format = match pixel.format {
+        ClientFormat::Depth => Format::D32F,
+        ClientFormat::Stencil => Format::R8UI,
+        ClientFormat::DepthStencil => Format::D32FS8,
+        ClientFormat::Red
+        | ClientFormat::Green
+        | ClientFormat::Blue
+        | ClientFormat::Alpha
+        | ClientFormat::Rg
+        | ClientFormat::Rgb
+        | ClientFormat::Bgr
+        | ClientFormat::Rgba
+        | ClientFormat::Bgra
+        | ClientFormat::Luminance
+        | ClientFormat::LuminanceAlpha => Format::Rgba32F,
+    };
+    let mut texels = room(format, width, height)?;
+    convert::unpack(&layout, source.bytes(), format, &context.state.transfer, &mut texels);
+    match format {
+        Format::R8UI => stencil::draw(context, [width, height], |x, y| texels[y * width + x]),
+        Format::D32FS8 => {
+            let at = |x: usize, y: usize| &texels[(y * width + x) * 8..][..8];
+            stencil::draw_with_depth(context, [width, height], at)
+        }
+        Format::D32F => {
+            let floats = Floats { width, texels, channels: 1 };
+            rectangle::draw(context, [width, height], Holds::Depth, |x, y| floats.at(x, y))
+        }
+        _ => {
+            let floats = Floats { width, texels, channels: 4 };
+            rectangle::draw(context, [width, height], Holds::Color, |x, y| floats.at(x, y))
+        }
+    }
+}

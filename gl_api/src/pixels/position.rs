@@ -1,0 +1,281 @@
+//! The current raster position: GL 2.1, section 2.13, and `glWindowPos`.
+
+use crate::constants::*;
+use crate::context::{Context, limits};
+use crate::draw::stages;
+use crate::error::{Result, invalid_operation};
+use crate::interface::*;
+use crate::state::viewport::unit;
+use crate::types::GLenum;
+use rasterizer::driver::{Rim, VertexBinding, VertexSource};
+use rasterizer::ir::{Input, Output};
+use rasterizer::shader::{Machine, Run};
+use texunit::lanes::{Isa, U32s};
+
+const SECTION: &str = "GL 2.1, section 2.13";
+
+/// The current raster position, and what goes with it.
+#[derive(Clone, Debug)]
+pub(crate) struct RasterPosition {
+    /// Window x, y and z, and clip w.
+    pub window: [f64; 4],
+    pub valid: bool,
+    pub distance: f32,
+    pub color: [f32; 4],
+    pub secondary_color: [f32; 4],
+    pub tex_coords: [[f32; 4]; MAX_TEXTURE_UNITS as usize],
+}
+
+impl Default for RasterPosition {
+    fn default() -> Self {
+        Self {
+            window: [0.0, 0.0, 0.0, 1.0],
+            valid: true,
+            distance: 0.0,
+            color: [1.0; 4],
+            secondary_color: [0.0, 0.0, 0.0, 1.0],
+            tex_coords: [[0.0, 0.0, 0.0, 1.0]; MAX_TEXTURE_UNITS as usize],
+        }
+    }
+}
+
+/// What the vertex stage made of a point.
+struct Shaded {
+    outputs: Vec<(Output, f32)>,
+}
+
+impl Shaded {
+    fn get(&self, wanted: Output) -> Option<f32> {
+        self.outputs.iter().find(|(output, _)| *output == wanted).map(|(_, value)| *value)
+    }
+
+    fn position(&self) -> [f64; 4] {
+        [0, 1, 2, 3].map(|i| self.get(Output::Position(i)).unwrap_or(0.0).into())
+    }
+
+    /// Four varyings from a slot on; those that are not written are `otherwise`.
+    fn varyings(&self, first: u16, otherwise: [f32; 4]) -> [f32; 4] {
+        [0, 1, 2, 3]
+            .map(|i| self.get(Output::Varying(first + i)).unwrap_or(otherwise[usize::from(i)]))
+    }
+
+    fn is_clipped(&self) -> bool {
+        let [x, y, z, w] = self.position();
+        let outside = [x, y, z].iter().any(|c| !(-w <= *c && *c <= w));
+        outside
+            || (0..8).any(|plane| self.get(Output::ClipDistance(plane)).is_some_and(|d| d < 0.0))
+    }
+}
+
+/// Runs the vertex stage of the state for one vertex.
+fn shade(context: &mut Context, position: [f32; 4]) -> Result<Shaded> {
+    let vertices: Vec<VertexBinding> = (0..)
+        .zip(&context.state.current)
+        .map(|(location, current)| {
+            let is_position = location == 0 || location == ATTRIB_VERTEX;
+            let value = if is_position { position } else { *current };
+            VertexBinding { location, source: VertexSource::Constant(value) }
+        })
+        .collect();
+    let stages = stages::choose(context, &vertices, Rim::Aliased)?;
+    // Every instruction set gives the same bits.
+    let isa = Isa::best();
+    let program = context.recorder.single_vertex(&stages.vertex);
+    let prepared = program.prepare(isa, &stages.words, &stages.vertex_textures);
+    let mut machine = Machine::default();
+    machine.begin(&program);
+    for (index, input) in program.inputs().iter().enumerate() {
+        let bits = match *input {
+            Input::Attribute { location, component } => {
+                match vertices.iter().find(|binding| binding.location == location) {
+                    Some(VertexBinding { source: VertexSource::Constant(value), .. }) => {
+                        value[usize::from(component)].to_bits()
+                    }
+                    Some(_) | None => 0,
+                }
+            }
+            Input::VertexId
+            | Input::InstanceId
+            | Input::Varying(_)
+            | Input::FragCoord(_)
+            | Input::FrontFacing
+            | Input::PointCoord(_)
+            | Input::Slope { .. }
+            | Input::Coverage => 0,
+        };
+        *machine.input_mut(index) = U32s::splat(bits);
+    }
+    let run = Run {
+        isa,
+        program: &program,
+        prepared: &prepared,
+        textures: &stages.vertex_textures,
+        active: 1,
+        budget: rasterizer::driver::DeviceDesc::BUDGET,
+    };
+    if machine.run(run).is_err() {
+        return invalid_operation(SECTION, "the vertex shader runs so long that it was stopped");
+    }
+    let outputs = program.outputs().iter().enumerate();
+    Ok(Shaded {
+        outputs: outputs
+            .map(|(index, &output)| (output, machine.output(index).as_f32()[0]))
+            .collect(),
+    })
+}
+
+/// A colour as rasterization takes it.
+fn clamped(color: [f32; 4]) -> [f32; 4] {
+    color.map(|c| unit(c.into()) as f32)
+}
+
+/// `glRasterPos`: the position goes through the vertex stage.
+pub(super) fn raster(context: &mut Context, position: [f64; 4]) -> Result<()> {
+    let shaded = shade(context, position.map(|c| c as f32))?;
+    if shaded.is_clipped() {
+        context.state.raster_position.valid = false;
+        return Ok(());
+    }
+    let [x, y, z, w] = shaded.position();
+    let viewport = &context.state.viewport;
+    let along =
+        |c: f64, start: i32, size: i32| f64::from(start) + (c / w + 1.0) * f64::from(size) / 2.0;
+    let [near, far] = viewport.depth;
+    let depth = near + (z / w + 1.0) * (far - near) / 2.0;
+    let window = [
+        along(x, viewport.x, viewport.width),
+        along(y, viewport.y, viewport.height),
+        unit(depth),
+        w,
+    ];
+    let current = |location: u8| context.state.current[usize::from(location)];
+    let mut tex_coords = [[0.0; 4]; MAX_TEXTURE_UNITS as usize];
+    for (unit, coords) in (0..).zip(&mut tex_coords) {
+        let first = VARYING_TEX_COORD + 4 * u16::from(unit);
+        *coords = shaded.varyings(first, current(ATTRIB_TEX_COORD + unit));
+    }
+    context.state.raster_position = RasterPosition {
+        window,
+        valid: true,
+        distance: shaded.get(Output::Varying(VARYING_FOG)).unwrap_or(0.0),
+        color: clamped(shaded.varyings(VARYING_COLOR, current(ATTRIB_COLOR))),
+        secondary_color: clamped(
+            shaded.varyings(VARYING_SECONDARY_COLOR, current(ATTRIB_SECONDARY_COLOR)),
+        ),
+        tex_coords,
+    };
+    Ok(())
+}
+
+/// `glWindowPos`: the position is one of the window, and nothing is transformed or lit.
+pub(super) fn window(context: &mut Context, position: [f64; 4]) -> Result<()> {
+    let [x, y, z, _] = position;
+    let [near, far] = context.state.viewport.depth;
+    let depth = near + unit(z) * (far - near);
+    let current = |location: u8| context.state.current[usize::from(location)];
+    let mut tex_coords = [[0.0; 4]; MAX_TEXTURE_UNITS as usize];
+    for (unit, coords) in (0..).zip(&mut tex_coords) {
+        *coords = current(ATTRIB_TEX_COORD + unit);
+    }
+    context.state.raster_position = RasterPosition {
+        window: [x, y, depth, 1.0],
+        valid: true,
+        distance: current(ATTRIB_FOG_COORD)[0],
+        color: clamped(current(ATTRIB_COLOR)),
+        secondary_color: clamped(current(ATTRIB_SECONDARY_COLOR)),
+        tex_coords,
+    };
+    Ok(())
+}
+
+/// State that `glGet` reads.
+pub(crate) enum Answer {
+    Floats(Vec<f64>),
+    Color([f32; 4]),
+    Flag(bool),
+}
+
+/// Reads state by its name, if it is the raster position's.
+pub(crate) fn state_value(context: &Context, pname: GLenum) -> Option<Answer> {
+    let position = &context.state.raster_position;
+    Some(match pname {
+        GL_CURRENT_RASTER_POSITION => Answer::Floats(position.window.to_vec()),
+        GL_CURRENT_RASTER_POSITION_VALID => Answer::Flag(position.valid),
+        GL_CURRENT_RASTER_DISTANCE => Answer::Floats(vec![position.distance.into()]),
+        GL_CURRENT_RASTER_COLOR => Answer::Color(position.color),
+        GL_CURRENT_RASTER_SECONDARY_COLOR => Answer::Color(position.secondary_color),
+        GL_CURRENT_RASTER_TEXTURE_COORDS => {
+            let unit = usize::from(context.state.units.active);
+            let coords = position.tex_coords.get(unit)?;
+            Answer::Floats(coords.iter().map(|&c| c.into()).collect())
+        }
+        GL_ZOOM_X => Answer::Floats(vec![context.state.pixel_zoom[0].into()]),
+        GL_ZOOM_Y => Answer::Floats(vec![context.state.pixel_zoom[1].into()]),
+        _ => return None,
+    })
+}
+
+/// Moves the raster position, as `glBitmap` does.
+pub(super) fn advance(context: &mut Context, by: [f32; 2]) {
+    let position = &mut context.state.raster_position;
+    // Far beyond any window; keeps the sums finite.
+    let limit = f64::from(limits::MAX_VIEWPORT_DIMS) * 1e6;
+    for (at, by) in position.window.iter_mut().zip(by) {
+        *at = (*at + f64::from(by)).clamp(-limit, limit);
+    }
+}
+
+/// As many components as a call has; missing ones are 0, 0, 0, 1.
+fn filled<const N: usize>(components: [f64; N]) -> [f64; 4] {
+    let mut value = [0.0, 0.0, 0.0, 1.0];
+    value[..N].copy_from_slice(&components);
+    value
+}
+
+/// The first components of a vector form's slice.
+fn first<const N: usize, T: Copy>(v: &[T]) -> Result<[T; N]> {
+    match v.first_chunk() {
+        Some(components) => Ok(*components),
+        None => invalid_operation(SECTION, format!("v has {} of {N} components", v.len())),
+    }
+}
+
+macro_rules! positions {
+    ($($place:ident { $($name:ident, $vector:ident, $ty:ty, ($($c:ident),+);)* })*) => {$($(
+        pub(crate) fn $name(context: &mut Context $(, $c: $ty)+) -> Result<()> {
+            $place(context, filled([$(f64::from($c)),+]))
+        }
+
+        pub(crate) fn $vector(context: &mut Context, v: &[$ty]) -> Result<()> {
+            let [$($c),+] = first(v)?;
+            $place(context, filled([$(f64::from($c)),+]))
+        }
+    )*)*};
+}
+
+positions! {
+    raster {
+        raster_pos_2s, raster_pos_2sv, i16, (x, y);
+        raster_pos_2i, raster_pos_2iv, i32, (x, y);
+        raster_pos_2f, raster_pos_2fv, f32, (x, y);
+        raster_pos_2d, raster_pos_2dv, f64, (x, y);
+        raster_pos_3s, raster_pos_3sv, i16, (x, y, z);
+        raster_pos_3i, raster_pos_3iv, i32, (x, y, z);
+        raster_pos_3f, raster_pos_3fv, f32, (x, y, z);
+        raster_pos_3d, raster_pos_3dv, f64, (x, y, z);
+        raster_pos_4s, raster_pos_4sv, i16, (x, y, z, w);
+        raster_pos_4i, raster_pos_4iv, i32, (x, y, z, w);
+        raster_pos_4f, raster_pos_4fv, f32, (x, y, z, w);
+        raster_pos_4d, raster_pos_4dv, f64, (x, y, z, w);
+    }
+    window {
+        window_pos_2s, window_pos_2sv, i16, (x, y);
+        window_pos_2i, window_pos_2iv, i32, (x, y);
+        window_pos_2f, window_pos_2fv, f32, (x, y);
+        window_pos_2d, window_pos_2dv, f64, (x, y);
+        window_pos_3s, window_pos_3sv, i16, (x, y, z);
+        window_pos_3i, window_pos_3iv, i32, (x, y, z);
+        window_pos_3f, window_pos_3fv, f32, (x, y, z);
+        window_pos_3d, window_pos_3dv, f64, (x, y, z);
+    }
+}

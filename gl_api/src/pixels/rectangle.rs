@@ -1,0 +1,264 @@
+//! A rectangle of fragments whose colours, depths or coverage come from an image of the window's
+//! size, and everything else from the current raster position.
+//!
+//! The fragment stage is that of any other draw (GL 2.1, section 3.6.4: fragments are textured,
+//! fogged and tested), with the primary colour read from the image instead of a varying.
+
+use super::zoom::Zoomed;
+use crate::context::Context;
+use crate::draw::stages::Stages;
+use crate::draw::translate::{Elements, draw_rectangle};
+use crate::error::{ErrorCode, GlError, Result};
+use crate::fixed::cached;
+use crate::framebuffer::clear::drawn_area;
+use crate::framebuffer::complete::draw_pass;
+use crate::interface::*;
+use rasterizer::driver::{
+    Buffer, ShaderModule, VertexBinding, VertexFormat, VertexSource, VertexType,
+};
+use rasterizer::ir::{
+    Builder, Expr, Input, IrError, Lod, Module, Op, Output, Stage, Stmt, TextureDecl, Ty, Value,
+    Var, Variable,
+};
+use std::collections::HashMap;
+use std::sync::Arc;
+use texunit::format::Format;
+use texunit::image::{Image as Texels, ImageError, Level, Shape};
+use texunit::plan::SamplePlan;
+use texunit::sampler::{Filter, Mipmap, Sampler, Wrap};
+
+/// What the image holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Holds {
+    /// The primary colour.
+    Color,
+    /// The depth, as red.
+    Depth,
+    /// Where there are fragments at all: red is not 0.
+    Coverage,
+}
+
+/// A fragment stage with an image in the place of its colour.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub(crate) struct Key {
+    module: ShaderModule,
+    holds: Holds,
+    /// The uniform words of the image's corner.
+    word: u32,
+}
+
+/// What a rectangle brings to a draw.
+pub(crate) struct Rectangle {
+    holds: Holds,
+    plan: Arc<SamplePlan>,
+    /// The first pixel.
+    origin: [i32; 2],
+    /// Depth of the fragments, where the image has none.
+    pub depth: f32,
+}
+
+/// Draws a rectangle of pixels at the raster position; `pixel` gives those of column and row.
+///
+/// # Errors
+/// As a draw, and where there is no memory for it.
+pub(super) fn draw(
+    context: &mut Context,
+    size: [usize; 2],
+    holds: Holds,
+    pixel: impl Fn(usize, usize) -> [f32; 4],
+) -> Result<()> {
+    let pass = draw_pass(context)?;
+    if !context.state.raster_position.valid {
+        return Ok(());
+    }
+    let area = drawn_area(context, &pass);
+    let Some(zoomed) = Zoomed::new(context, size, area) else { return Ok(()) };
+    let plan = image(&zoomed, pixel).map_err(|error| GlError {
+        code: ErrorCode::OutOfMemory,
+        rule: error.to_string(),
+        section: "GL 2.1, section 3.6.4",
+    })?;
+    let position = &context.state.raster_position;
+    let rectangle = Rectangle {
+        holds,
+        plan: Arc::new(plan),
+        origin: zoomed.origin,
+        depth: position.window[2] as f32,
+    };
+    let end = [zoomed.columns.len(), zoomed.rows.len()];
+    let end = [0, 1].map(|axis| zoomed.origin[axis] + end[axis] as i32);
+    let vertices = vertices(context, [zoomed.origin, end], [pass.width, pass.height]);
+    let elements = Elements::Range { first: 0, count: 4, instances: 1 };
+    draw_rectangle(context, vertices, &elements, &rectangle)
+}
+
+/// How the image of a rectangle is sampled.
+fn image(
+    zoomed: &Zoomed,
+    pixel: impl Fn(usize, usize) -> [f32; 4],
+) -> std::result::Result<SamplePlan, ImageError> {
+    let (width, height) = (zoomed.columns.len() as u32, zoomed.rows.len() as u32);
+    let mut level = Level::new(Format::Rgba32F, width, height)?;
+    let mut to = level.texels.chunks_exact_mut(16);
+    for &row in &zoomed.rows {
+        for (&column, texel) in zoomed.columns.iter().zip(&mut to) {
+            for (bytes, value) in texel.chunks_exact_mut(4).zip(pixel(column, row)) {
+                bytes.copy_from_slice(&value.to_le_bytes());
+            }
+        }
+    }
+    let mut texels = Texels::new(Shape::Rect);
+    texels.set_level(0, 0, level)?;
+    let sampler = Sampler {
+        wrap: [Wrap::ClampToEdge; 3],
+        min: Filter::Nearest,
+        mag: Filter::Nearest,
+        mipmap: Mipmap::None,
+        ..Sampler::default()
+    };
+    Ok(SamplePlan::new(&texels, &sampler))
+}
+
+/// The corners in clip coordinates, and what belongs to the raster position as constants.
+fn vertices(context: &Context, corners: [[i32; 2]; 2], size: [u32; 2]) -> Vec<VertexBinding> {
+    let [low, high] = corners.map(|corner| {
+        [0, 1].map(|axis| (f64::from(corner[axis]) * 2.0 / f64::from(size[axis]) - 1.0) as f32)
+    });
+    let corners = [[low[0], low[1]], [high[0], low[1]], [high[0], high[1]], [low[0], high[1]]];
+    let bytes = corners.iter().flatten().flat_map(|c| c.to_le_bytes()).collect();
+    let position = VertexSource::Array {
+        buffer: Buffer::new(bytes),
+        offset: 0,
+        stride: 8,
+        ty: VertexType::F32,
+        components: 2,
+        format: VertexFormat::Plain,
+        divisor: 0,
+    };
+    let raster = &context.state.raster_position;
+    let constant =
+        |location, value| VertexBinding { location, source: VertexSource::Constant(value) };
+    let mut bindings = vec![
+        VertexBinding { location: ATTRIB_VERTEX, source: position },
+        constant(ATTRIB_COLOR, raster.color),
+        constant(ATTRIB_SECONDARY_COLOR, raster.secondary_color),
+        constant(ATTRIB_FOG_COORD, [raster.distance, 0.0, 0.0, 1.0]),
+    ];
+    for (unit, coords) in (0..).zip(raster.tex_coords) {
+        bindings.push(constant(ATTRIB_TEX_COORD + unit, coords));
+    }
+    bindings
+}
+
+/// The vertex stage: positions are clip coordinates, everything else is handed on.
+fn vertex_module() -> Module {
+    let mut b = Builder::new(Stage::Vertex);
+    let mut pass = |location: u8, component: u8, output: Output| {
+        let value = b.input(Input::Attribute { location, component });
+        let var = b.output(output);
+        b.store(var, value);
+    };
+    for component in 0..4 {
+        pass(ATTRIB_VERTEX, component, Output::Position(component));
+        let slot = u16::from(component);
+        pass(ATTRIB_COLOR, component, Output::Varying(VARYING_COLOR + slot));
+        let secondary = Output::Varying(VARYING_SECONDARY_COLOR + slot);
+        pass(ATTRIB_SECONDARY_COLOR, component, secondary);
+        for unit in 0..MAX_TEXTURE_UNITS {
+            let first = VARYING_TEX_COORD + 4 * u16::from(unit);
+            pass(ATTRIB_TEX_COORD + unit, component, Output::Varying(first + slot));
+        }
+    }
+    pass(ATTRIB_FOG_COORD, 0, Output::Varying(VARYING_FOG));
+    b.finish()
+}
+
+/// A fragment stage that reads the image at its pixel before all else.
+fn fragment_module(key: &Key) -> Module {
+    let of = key.module.module();
+    let mut b = Builder::new(Stage::Fragment);
+    *b.module_mut() = Module { body: Vec::new(), ..of.clone() };
+    let texture = b.texture(TextureDecl::color(Shape::Rect));
+    let [x, y] = [0, 1].map(|axis| {
+        let at = b.input(Input::FragCoord(axis));
+        let origin = b.uniform(key.word + u32::from(axis), Ty::F32);
+        b.op(Op::Sub, &[at, origin])
+    });
+    let zero = b.float(0.0);
+    let texel = b.sample(texture, [x, y, zero], None, Lod::Implicit { bias: None });
+    let mut after = Vec::new();
+    match key.holds {
+        Holds::Color => {}
+        Holds::Depth => {
+            let written = of.outputs.iter().any(|(output, _)| *output == Output::Depth);
+            if !written {
+                let var = b.output(Output::Depth);
+                after.push(Stmt::Store { var, value: texel[0] });
+            }
+        }
+        Holds::Coverage => {
+            let none = b.op(Op::Equal, &[texel[0], zero]);
+            let (accept, reject) = (vec![Stmt::Discard], Vec::new());
+            b.push(Stmt::If { condition: none, accept, reject });
+        }
+    }
+    let mut module = b.finish();
+    if key.holds == Holds::Color {
+        replace_color(&mut module, of.values.len(), texel);
+    }
+    module.body.extend(of.body.iter().cloned());
+    module.body.extend(after);
+    module
+}
+
+/// Lets a stage's first `count` values read the primary colour from variables that hold `texel`.
+fn replace_color(module: &mut Module, count: usize, texel: [Value; 4]) {
+    let vars = texel.map(|value| {
+        module.variables.push(Variable { ty: Ty::F32, len: 1, name: "pixel".into() });
+        let var = Var(module.variables.len() as u32 - 1);
+        module.body.push(Stmt::Store { var, value });
+        var
+    });
+    for index in 0..count {
+        let Expr::Input(Input::Varying(slot)) = module.values[index] else { continue };
+        let component = slot.wrapping_sub(VARYING_COLOR);
+        if let Some(&var) = vars.get(usize::from(component)) {
+            module.values[index] = Expr::Load(var);
+            // Unlike an input, it has to be read before it is used.
+            module.body.push(Stmt::Eval(Value(index as u32)));
+        }
+    }
+}
+
+impl Rectangle {
+    /// Makes the stages of a draw those of the rectangle.
+    ///
+    /// # Errors
+    /// Where a generated module breaks a rule of the IR, which would be a mistake of DetGL's.
+    pub fn apply(
+        &self,
+        context: &mut Context,
+        stages: &mut Stages,
+    ) -> std::result::Result<(), IrError> {
+        let word = stages.words.len() as u32;
+        stages.words.extend(self.origin.map(|corner| (corner as f32).to_bits()));
+        let key = Key { module: stages.fragment.clone(), holds: self.holds, word };
+        let modules = &mut context.recorder.rectangles;
+        stages.fragment = cached(&mut modules.fragment, &key, fragment_module)?;
+        stages.vertex = match &modules.vertex {
+            Some(module) => module.clone(),
+            None => modules.vertex.insert(ShaderModule::new(vertex_module())?).clone(),
+        };
+        stages.vertex_textures = Arc::from([]);
+        let textures = stages.fragment_textures.iter().cloned();
+        stages.fragment_textures = textures.chain([Some(Arc::clone(&self.plan))]).collect();
+        Ok(())
+    }
+}
+
+/// The modules that rectangles are drawn with.
+#[derive(Debug, Default)]
+pub(crate) struct RectangleModules {
+    vertex: Option<ShaderModule>,
+    fragment: HashMap<Key, ShaderModule>,
+}
