@@ -1,7 +1,8 @@
-//! Five shaders, full-screen at 1024×1024 on one thread, per instruction set.
+//! Five shaders, full-screen at 1024×1024, per instruction set and thread count.
 //!
 //! `cargo bench -p gl_api --bench shaders [words…]` runs the shaders and instruction sets whose names
 //! hold one of the words. A number is the fastest of many draws: the machine may do other things.
+//! [RESULTS.md](RESULTS.md) keeps a run.
 
 use gl_api::glsl::{Bindings, Options, Stage, compile, link};
 use rasterizer::driver::{
@@ -20,7 +21,8 @@ use texunit::sampler::{Filter, Mipmap, Sampler};
 const SIZE: u32 = 1024;
 /// Batches of 64 lanes in a picture.
 const BATCHES: f64 = (SIZE * SIZE) as f64 / 64.0;
-const DRAWS: usize = 12;
+const DRAWS: usize = 24;
+const THREADS: [usize; 2] = [1, 2];
 
 const VERTEX: &str = "
 attribute vec4 position; attribute vec2 coord;
@@ -202,30 +204,34 @@ fn main() {
     let isa_names: Vec<&str> = isas.iter().map(|isa| isa.name()).collect();
     let any_isa = names(&isa_names);
     let any_shader = names(&SHADERS.map(|(name, _)| name));
-    println!("{:<12} {:<10} {:>8} {:>12}", "shader", "isa", "ms", "µs per batch");
+    println!("{:<12} {:<10} {:>7} {:>8} {:>12}", "shader", "isa", "threads", "ms", "µs per batch");
     for (name, text) in SHADERS {
         if any_shader && !names(&[name]) {
             continue;
         }
         let commands = commands(text);
         for isa in isas.iter().copied().filter(|isa| !any_isa || names(&[isa.name()])) {
-            let desc =
-                DeviceDesc { isa, threads: 1, budget: DeviceDesc::BUDGET, explain: Explain::Off };
-            let device = Device::new(desc).expect("a thread starts");
-            let fastest = (0..DRAWS)
-                .map(|_| {
-                    let start = Instant::now();
-                    device.submit(&commands).expect("legal");
-                    start.elapsed()
-                })
-                .min();
-            let seconds = fastest.unwrap_or_default().as_secs_f64();
-            println!(
-                "{name:<12} {:<10} {:>8.2} {:>12.3}",
-                isa.name(),
-                seconds * 1e3,
-                seconds * 1e6 / BATCHES
-            );
+            for threads in THREADS {
+                let seconds = fastest(&commands, isa, threads);
+                println!(
+                    "{name:<12} {:<10} {threads:>7} {:>8.2} {:>12.3}",
+                    isa.name(),
+                    seconds * 1e3,
+                    seconds * 1e6 / BATCHES
+                );
+            }
         }
     }
+}
+
+/// The seconds of the fastest of many draws.
+fn fastest(commands: &CommandBuffer, isa: Isa, threads: usize) -> f64 {
+    let desc = DeviceDesc { isa, threads, budget: DeviceDesc::BUDGET, explain: Explain::Off };
+    let device = Device::new(desc).expect("a thread starts");
+    let draw = |_| {
+        let start = Instant::now();
+        device.submit(commands).expect("legal");
+        start.elapsed()
+    };
+    (0..DRAWS).map(draw).min().unwrap_or_default().as_secs_f64()
 }

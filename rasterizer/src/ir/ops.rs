@@ -91,7 +91,26 @@ fn select<T: Scalar>(a: bool, b: T, c: T) -> T {
     T::from_word((b.to_word() & mask) | (c.to_word() & !mask))
 }
 
+/// From this cost on, lanes that all hold the same words are looked for and computed once.
+const LONG: u32 = 40;
+
+/// Whether every lane holds the same word.
+#[inline(always)]
+fn agree(words: &U32s) -> bool {
+    if words[0] != words[LANES - 1] {
+        return false;
+    }
+    let mut differing = 0;
+    for lane in 0..LANES {
+        differing |= words[lane] ^ words[0];
+    }
+    differing == 0
+}
+
 macro_rules! operations {
+    (@last $a:ident) => { $a };
+    (@last $a:ident, $b:ident) => { $b };
+    (@last $a:ident, $b:ident, $c:ident) => { $c };
     (@rare $out:ident $args:ident $a:ident: $A:ty,) => {};
     (@rare $out:ident $args:ident $a:ident: $A:ty, $rare:expr, $far:expr) => {
         let mut any = false;
@@ -168,6 +187,16 @@ macro_rules! operations {
             pub fn run<S: Simd>(self, out: &mut U32s, args: [&U32s; 3]) {
                 match self {
                     $(Self::$Name => {
+                        if Self::$Name.cost() >= LONG {
+                            let $a = agree(args[0]);
+                            $(let $b = $a && agree(args[1]); $(let $c = $b && agree(args[2]);)?)?
+                            let agreed = operations!(@last $a $(, $b $(, $c)?)?);
+                            if agreed {
+                                let word = Self::$Name.lane::<S>(args.map(|arg| arg[0]));
+                                *out = U32s::splat(word);
+                                return;
+                            }
+                        }
                         for lane in 0..LANES {
                             let $a = <$A>::from_word(args[0][lane]);
                             $(let $b = <$B>::from_word(args[1][lane]);
@@ -366,4 +395,20 @@ operations! {
     BoolToInt "bool_to_int" (a: bool) -> i32 = i32::from(a);
     /// 1 or 0.
     BoolToUint "bool_to_uint" (a: bool) -> u32 = u32::from(a);
+}
+
+impl Op {
+    /// About how many additions the operation takes as long as.
+    #[inline(always)]
+    pub const fn cost(self) -> u32 {
+        match self {
+            Self::Div | Self::Sqrt | Self::InverseSqrt => 4,
+            Self::Sin | Self::Cos | Self::Tan => LONG,
+            Self::Asin | Self::Acos | Self::Atan | Self::Atan2 => LONG,
+            Self::Sinh | Self::Cosh | Self::Tanh | Self::Asinh | Self::Acosh | Self::Atanh => LONG,
+            Self::Exp | Self::Exp2 | Self::Log | Self::Log2 | Self::Pow => LONG,
+            Self::IDiv | Self::IRem | Self::UDiv | Self::URem => LONG,
+            _ => 1,
+        }
+    }
 }

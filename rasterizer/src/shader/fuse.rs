@@ -86,10 +86,18 @@ macro_rules! fused {
 }
 
 fused! {
+    /// Hermite's cubic of the fraction of `a`.
+    FractSmooth = Mul(Mul(Fract(a), Fract(a)), Sub(b, Mul(c, Fract(a))));
     /// Hermite's cubic, `a² (b - c a)`.
     Smooth = Mul(Mul(a, a), Sub(b, Mul(c, a)));
     /// GLSL's `mix`, `a (c - d) + b d`.
     Mix = Add(Mul(a, Sub(c, d)), Mul(b, d));
+    /// `a² + b² + c²`.
+    Squares3 = Add(Add(Mul(a, a), Mul(b, b)), Mul(c, c));
+    /// The length of (`a`, `b`).
+    Length2 = Sqrt(Add(Mul(a, a), Mul(b, b)));
+    /// `a² - b² + c`.
+    SquaresSubAdd = Add(Sub(Mul(a, a), Mul(b, b)), c);
     /// `a b + c d`.
     Dot2 = Add(Mul(a, b), Mul(c, d));
     /// `a b - c d`.
@@ -143,7 +151,8 @@ pub(super) fn run(lowered: &mut Lowered) {
         }
         let best = Fused::ALL.iter().find_map(|(fused, tree)| {
             let mut found = Match::default();
-            found.node(&lowered.code, &definitions, at, tree).then_some((*fused, found))
+            let fits = found.node(&lowered.code, &definitions, at, tree);
+            (fits && found.is_whole(&lowered.code, &definitions)).then_some((*fused, found))
         });
         if let Some((fused, found)) = best {
             let first = found.operands.iter().flatten().next().copied().unwrap_or(out);
@@ -157,7 +166,7 @@ pub(super) fn run(lowered: &mut Lowered) {
     super::allocate::compact(&mut lowered.code, &definitions.taken);
 }
 
-/// Where temporaries are made, and whether only one instruction reads them.
+/// Where temporaries are made, and how often they are read.
 struct Definitions {
     /// By virtual register.
     of: Vec<Option<usize>>,
@@ -190,11 +199,10 @@ impl Definitions {
         Self { of, reads, block, taken: vec![false; lowered.code.len()] }
     }
 
-    /// The operation of the same straight run of code that makes `reg` for one reader only.
-    fn single(&self, reg: Reg, reader: usize) -> Option<usize> {
+    /// The operation of the same straight run of code that makes `reg`.
+    fn maker(&self, reg: Reg, reader: usize) -> Option<usize> {
         let at = self.of[reg.0 as usize]?;
-        let free = self.reads[reg.0 as usize] == 1 && !self.taken[at];
-        (free && self.block[at] == self.block[reader]).then_some(at)
+        (!self.taken[at] && self.block[at] == self.block[reader]).then_some(at)
     }
 }
 
@@ -202,7 +210,7 @@ impl Definitions {
 #[derive(Clone, Debug, Default)]
 struct Match {
     operands: [Option<Reg>; OPERANDS],
-    /// The instructions that become part of the one at the root.
+    /// The instructions that become part of the one at the root, once for each time they are read.
     inner: Vec<usize>,
 }
 
@@ -235,10 +243,25 @@ impl Match {
     ) -> bool {
         args.iter().zip(trees).all(|(&reg, tree)| match tree {
             Tree::Operand(operand) => *self.operands[*operand].get_or_insert(reg) == reg,
-            Tree::Node(..) => definitions.single(reg, reader).is_some_and(|at| {
+            Tree::Node(..) => definitions.maker(reg, reader).is_some_and(|at| {
+                let again = self.inner.contains(&at);
                 self.inner.push(at);
-                self.node(code, definitions, at, tree)
+                let read = self.inner.len();
+                let fits = self.node(code, definitions, at, tree);
+                if again {
+                    self.inner.truncate(read);
+                }
+                fits
             }),
+        })
+    }
+
+    /// Whether nothing else reads what the tree takes in.
+    fn is_whole(&self, code: &[Inst], definitions: &Definitions) -> bool {
+        self.inner.iter().all(|inner| {
+            let reads = self.inner.iter().filter(|other| *other == inner).count();
+            matches!(code[*inner], Inst::Op { out, .. }
+                if definitions.reads[out.0 as usize] as usize == reads)
         })
     }
 }

@@ -43,6 +43,10 @@ pub(super) enum Inst {
     Derivative { axis: Axis, out: Reg, from: Reg },
     /// All lanes.
     Sample(Box<SampleInst>),
+    /// Goes on at `to` when this word of the preamble is 0: a branch of the whole draw.
+    Unless { word: u32, to: Target },
+    /// Goes on at `to`.
+    Jump { to: Target },
     /// Lanes where the condition is false wait in the slot; `reject` is taken when no lane is left.
     If { condition: Reg, slot: Slot, reject: Target },
     /// Lanes of the slot execute, those of the accepted block wait.
@@ -53,12 +57,23 @@ pub(super) enum Inst {
     Open { slot: Slot },
     /// The executing lanes go to the slot.
     Leave { slot: Slot },
+    /// The executing lanes that the condition sends go to the slot.
+    LeaveIf { condition: Reg, when: When, slot: Slot },
     /// The executing lanes are thrown away.
     Discard,
     /// Goes on at `to` when no lane executes.
     SkipEmpty { to: Target },
     /// The loop's next turn, or its end: then the lanes of `exit` execute.
     Again { head: Target, exit: Slot },
+}
+
+/// Which lanes a condition sends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum When {
+    /// Those where it is true.
+    Holds,
+    /// Those where it is false.
+    Fails,
 }
 
 /// The operands of a texture access.
@@ -134,8 +149,12 @@ impl Inst {
                     f(reg, Role::Write);
                 }
             }
-            Self::If { condition, .. } => f(condition, Role::Read),
-            Self::Else { .. }
+            Self::If { condition, .. } | Self::LeaveIf { condition, .. } => {
+                f(condition, Role::Read);
+            }
+            Self::Unless { .. }
+            | Self::Jump { .. }
+            | Self::Else { .. }
             | Self::Join { .. }
             | Self::Open { .. }
             | Self::Leave { .. }
@@ -155,10 +174,13 @@ impl Inst {
     pub fn is_control(&self) -> bool {
         match self {
             Self::If { .. }
+            | Self::Unless { .. }
+            | Self::Jump { .. }
             | Self::Else { .. }
             | Self::Join { .. }
             | Self::Open { .. }
             | Self::Leave { .. }
+            | Self::LeaveIf { .. }
             | Self::Discard
             | Self::SkipEmpty { .. }
             | Self::Again { .. } => true,
@@ -179,6 +201,8 @@ impl Inst {
     pub fn target_mut(&mut self) -> Option<&mut Target> {
         match self {
             Self::If { reject: to, .. }
+            | Self::Unless { to, .. }
+            | Self::Jump { to }
             | Self::Else { end: to, .. }
             | Self::SkipEmpty { to }
             | Self::Again { head: to, .. } => Some(to),
@@ -195,6 +219,7 @@ impl Inst {
             | Self::Join { .. }
             | Self::Open { .. }
             | Self::Leave { .. }
+            | Self::LeaveIf { .. }
             | Self::Discard => None,
         }
     }

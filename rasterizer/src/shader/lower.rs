@@ -4,7 +4,9 @@
 //! in a row. [`super::allocate`] gives them real ones. The recursion is over the nesting of
 //! blocks, which validation limits.
 
-use super::inst::{Inst, Reg, SampleInst, SampleLod, Slot, Target};
+use super::exits::{continues, may_empty};
+use super::inst::{Inst, Reg, SampleInst, SampleLod, Slot, Target, When};
+use super::owned::Owned;
 use super::preamble::Preamble;
 use crate::ir::{
     Access, Block, Expr, Input, Lod, Module, Output, Sample, Stage, Stmt, Ty, Value, Var,
@@ -55,6 +57,9 @@ pub(super) fn lower(module: &Module) -> Lowered {
         slots: 0,
         nesting: 0,
         straight: true,
+        owned: Owned::of(module),
+        outermost: 0,
+        turn: None,
     };
     for &(output, var) in &module.outputs {
         let reg = lowering.variable(var);
@@ -94,6 +99,18 @@ struct Lowering<'a> {
     nesting: u32,
     /// Whether every lane of the run still executes, as far as the code shows.
     straight: bool,
+    owned: Owned,
+    /// How many outermost loops were begun.
+    outermost: u32,
+    /// In an outermost loop whose lanes take whole turns or none: the place of its statements.
+    turn: Option<Turn>,
+}
+
+/// Where every lane that still belongs to the innermost loop executes.
+#[derive(Clone, Copy, PartialEq, Eq)]
+struct Turn {
+    nesting: u32,
+    scopes: usize,
 }
 
 impl Lowering<'_> {
@@ -198,7 +215,13 @@ impl Lowering<'_> {
                 Stmt::Eval(value) => self.eval(*value),
                 Stmt::Store { var, value } => {
                     let (from, out) = (self.value(*value), self.variable(*var));
-                    self.store(out, from);
+                    let outermost = self.outermost.wrapping_sub(1);
+                    if self.turn == Some(self.place()) && self.owned.by_loop(*var, outermost) {
+                        // The other lanes never come back to where the variable is read.
+                        self.emit(Inst::Move { out, from });
+                    } else {
+                        self.store(out, from);
+                    }
                 }
                 Stmt::StoreAt { var, index, value } => self.store_at(*var, *index, *value),
                 Stmt::If { condition, accept, reject } => self.branch(*condition, accept, reject),
@@ -238,6 +261,10 @@ impl Lowering<'_> {
         }
     }
 
+    fn place(&self) -> Turn {
+        Turn { nesting: self.nesting, scopes: self.scopes.len() }
+    }
+
     fn leave(&mut self, slot: Option<Slot>) {
         if let Some(slot) = slot {
             self.emit(Inst::Leave { slot });
@@ -271,7 +298,14 @@ impl Lowering<'_> {
     }
 
     fn branch(&mut self, condition: Value, accept: &Block, reject: &Block) {
+        if let Some(word) = self.out.preamble.word(self.module, condition) {
+            return self.uniform_branch(word, accept, reject);
+        }
         let condition = self.value(condition);
+        if let Some((when, slot)) = self.way_out(accept, reject) {
+            self.emit(Inst::LeaveIf { condition, when, slot });
+            return;
+        }
         let slot = self.slot();
         let branch = self.emit(Inst::If { condition, slot, reject: Target(0) });
         self.nested(accept);
@@ -289,12 +323,58 @@ impl Lowering<'_> {
         self.slots -= 1;
     }
 
+    /// A branch that all lanes take alike: no mask is looked at.
+    fn uniform_branch(&mut self, word: u32, accept: &Block, reject: &Block) {
+        let branch = self.emit(Inst::Unless { word, to: Target(0) });
+        self.nested(accept);
+        self.join();
+        if reject.is_empty() {
+            self.land(branch);
+        } else {
+            let skip = self.emit(Inst::Jump { to: Target(0) });
+            self.land(branch);
+            self.nested(reject);
+            self.join();
+            self.land(skip);
+        }
+    }
+
+    /// Where a branch that does nothing but leave sends its lanes.
+    fn way_out(&mut self, accept: &Block, reject: &Block) -> Option<(When, Slot)> {
+        let (when, jump) = match (&accept[..], &reject[..]) {
+            ([jump], []) => (When::Holds, jump),
+            ([], [jump]) => (When::Fails, jump),
+            _ => return None,
+        };
+        let slot = match jump {
+            Stmt::Break => self.loops.last()?.exit,
+            Stmt::Continue => self.loops.last()?.again,
+            Stmt::Leave => {
+                self.straight = false;
+                *self.scopes.last()?
+            }
+            Stmt::Eval(_)
+            | Stmt::Store { .. }
+            | Stmt::StoreAt { .. }
+            | Stmt::If { .. }
+            | Stmt::Loop { .. }
+            | Stmt::Scope(_)
+            | Stmt::Discard => return None,
+        };
+        Some((when, slot))
+    }
+
     fn repeat(&mut self, body: &Block, continuing: &Block) {
         let (exit, again) = (self.slot(), self.slot());
         self.emit(Inst::Open { slot: exit });
         self.emit(Inst::Open { slot: again });
         let head = self.here();
         self.loops.push(LoopSlots { exit, again });
+        let lone = self.loops.len() == 1;
+        self.outermost += u32::from(lone);
+        let inside = Turn { nesting: self.nesting + 1, ..self.place() };
+        let turn = (lone && !continues(body)).then_some(inside);
+        let outside = std::mem::replace(&mut self.turn, turn);
         self.nested(body);
         self.join();
         self.emit(Inst::Join { slot: again });
@@ -309,6 +389,7 @@ impl Lowering<'_> {
         self.block(continuing);
         self.nesting -= 1;
         self.join();
+        self.turn = outside;
         self.loops.pop();
         self.emit(Inst::Again { head, exit });
         self.slots -= 2;
@@ -396,48 +477,5 @@ impl Lowering<'_> {
         };
         let inst = SampleInst { texture, access, coords, reference, lod, one, out };
         self.emit(Inst::Sample(Box::new(inst)));
-    }
-}
-
-/// Whether lanes can leave the block through a statement, so that none may be left after it.
-fn may_empty(stmt: &Stmt) -> bool {
-    let exits = Exits::of(stmt);
-    exits.turn || exits.scope || exits.discard
-}
-
-/// The ways out of a statement.
-#[derive(Clone, Copy, Default)]
-struct Exits {
-    /// `Break` or `Continue`.
-    turn: bool,
-    scope: bool,
-    discard: bool,
-}
-
-impl Exits {
-    fn of(stmt: &Stmt) -> Self {
-        match stmt {
-            Stmt::Eval(_) | Stmt::Store { .. } | Stmt::StoreAt { .. } => Self::default(),
-            Stmt::If { accept, reject, .. } => Self::any(accept).or(Self::any(reject)),
-            Stmt::Loop { body, continuing } => {
-                Self { turn: false, ..Self::any(body).or(Self::any(continuing)) }
-            }
-            Stmt::Scope(body) => Self { scope: false, ..Self::any(body) },
-            Stmt::Break | Stmt::Continue => Self { turn: true, ..Self::default() },
-            Stmt::Leave => Self { scope: true, ..Self::default() },
-            Stmt::Discard => Self { discard: true, ..Self::default() },
-        }
-    }
-
-    fn any(block: &Block) -> Self {
-        block.iter().map(Self::of).fold(Self::default(), Self::or)
-    }
-
-    fn or(self, other: Self) -> Self {
-        Self {
-            turn: self.turn || other.turn,
-            scope: self.scope || other.scope,
-            discard: self.discard || other.discard,
-        }
     }
 }

@@ -5,7 +5,7 @@
 //! with the destination (two pointers), so that no output ever aliases an input.
 
 use super::inst::{Inst, Reg, SampleInst, SampleLod};
-use super::mask::{Extent, Mask};
+use super::mask::{Extent, Mask, blend};
 use super::preamble::uniform_at;
 use super::{OverBudget, Prepared, Program, Run};
 use crate::ir::{Access, Axis};
@@ -99,8 +99,9 @@ impl Machine {
     fn load_at(&mut self, out: Reg, base: Reg, len: u32, index: Reg) {
         let array = &self.registers[base.0 as usize..][..len as usize];
         let index = &self.registers[index.0 as usize];
+        let scratch = &mut *self.scratch;
         for lane in 0..LANES {
-            self.scratch[lane] = array[index[lane].min(len - 1) as usize][lane];
+            scratch[lane] = array[index[lane].min(len - 1) as usize][lane];
         }
         self.set(out);
     }
@@ -112,10 +113,7 @@ impl Machine {
             Extent::Part => {
                 let old = &self.registers[out.0 as usize];
                 let new = &self.registers[from.0 as usize];
-                for lane in 0..LANES {
-                    let mask = self.exec.lanes[lane];
-                    self.scratch[lane] = (new[lane] & mask) | (old[lane] & !mask);
-                }
+                blend(&mut self.scratch, &self.exec.lanes, new, old);
             }
             Extent::Whole => *self.scratch = *self.registers[from.0 as usize],
         }
@@ -129,8 +127,9 @@ impl Machine {
         }
         let (index, from) = (*self.reg(index), *self.reg(from));
         let array = &mut self.registers[base.0 as usize..][..len as usize];
+        let mask = &*self.exec.lanes;
         for lane in 0..LANES {
-            if self.exec.lanes[lane] != 0 {
+            if mask[lane] != 0 {
                 array[index[lane].min(len - 1) as usize][lane] = from[lane];
             }
         }
@@ -266,6 +265,12 @@ impl Kernel for Interpreter<'_> {
                 }
                 Inst::Derivative { axis, out, from } => m.derivative(axis, out, from),
                 Inst::Sample(ref sample) => m.sample(&run, sample),
+                Inst::Unless { word, to } => {
+                    if run.prepared.words[word as usize] == 0 {
+                        pc = to.0 as usize;
+                    }
+                }
+                Inst::Jump { to } => pc = to.0 as usize,
                 Inst::If { condition, slot, reject } => {
                     let rest = &mut m.slots[slot.0 as usize];
                     m.exec.split(&m.registers[condition.0 as usize], rest);
@@ -283,6 +288,11 @@ impl Kernel for Interpreter<'_> {
                 Inst::Join { slot } => m.exec.take(&mut m.slots[slot.0 as usize], &m.start),
                 Inst::Open { slot } => m.slots[slot.0 as usize].clear(),
                 Inst::Leave { slot } => m.slots[slot.0 as usize].take(&mut m.exec, &m.start),
+                Inst::LeaveIf { condition, when, slot } => {
+                    let condition = &m.registers[condition.0 as usize];
+                    let to = &mut m.slots[slot.0 as usize];
+                    m.exec.leave_if(condition, when, to, &m.start);
+                }
                 Inst::Discard => m.discarded.take(&mut m.exec, &m.start),
                 Inst::SkipEmpty { to } => {
                     if m.exec.is_empty() {

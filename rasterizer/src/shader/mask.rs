@@ -1,5 +1,6 @@
 //! Sets of lanes as words 0 or `!0`, with a summary that lets most of the work be skipped.
 
+use super::inst::When;
 use texunit::lanes::{LANES, U32s};
 
 /// What is known of a mask without looking at its lanes.
@@ -38,11 +39,7 @@ impl Mask {
         if self.is_empty() {
             std::mem::swap(self, from);
         } else if !from.is_empty() {
-            let mut missing = 0;
-            for lane in 0..LANES {
-                self.lanes[lane] |= from.lanes[lane];
-                missing |= self.lanes[lane] ^ start[lane];
-            }
+            let missing = unite(&mut self.lanes, &from.lanes, start);
             self.extent = if missing == 0 { Extent::Whole } else { Extent::Part };
         }
         from.clear();
@@ -55,20 +52,34 @@ impl Mask {
         if self.is_empty() {
             return;
         }
-        let (mut held, mut failed) = (0, 0);
-        for lane in 0..LANES {
-            held |= self.lanes[lane] & condition[lane];
-            failed |= self.lanes[lane] & !condition[lane];
-        }
+        let (held, failed) = sides(&self.lanes, condition);
         if held == 0 {
             std::mem::swap(self, rest);
         } else if failed != 0 {
-            for lane in 0..LANES {
-                rest.lanes[lane] = self.lanes[lane] & !condition[lane];
-                self.lanes[lane] &= condition[lane];
-            }
+            part(&mut self.lanes, &mut rest.lanes, condition, 0, 0);
             self.extent = Extent::Part;
             rest.extent = Extent::Part;
+        }
+    }
+
+    /// Moves the lanes that the condition sends to `to`.
+    #[inline(always)]
+    pub fn leave_if(&mut self, condition: &U32s, when: When, to: &mut Self, start: &U32s) {
+        if self.is_empty() {
+            return;
+        }
+        let (held, failed) = sides(&self.lanes, condition);
+        let (leave, stay, flip) = match when {
+            When::Holds => (held, failed, !0),
+            When::Fails => (failed, held, 0),
+        };
+        if stay == 0 {
+            to.take(self, start);
+        } else if leave != 0 {
+            let keep = if to.is_empty() { 0 } else { !0 };
+            part(&mut self.lanes, &mut to.lanes, condition, keep, flip);
+            self.extent = Extent::Part;
+            to.extent = Extent::Part;
         }
     }
 
@@ -84,5 +95,49 @@ impl Mask {
     pub fn whole(&mut self, bits: u64) {
         *self.lanes = U32s::from_fn(|lane| 0u32.wrapping_sub((bits >> lane) as u32 & 1));
         self.extent = if bits == 0 { Extent::Empty } else { Extent::Whole };
+    }
+}
+
+// Functions of their own, so that the compiler sees that what they write is not what they read.
+
+/// Adds the lanes of `from`; not 0 when lanes of `start` are still missing.
+#[inline(always)]
+fn unite(lanes: &mut U32s, from: &U32s, start: &U32s) -> u32 {
+    let mut missing = 0;
+    for lane in 0..LANES {
+        let all = lanes[lane] | from[lane];
+        lanes[lane] = all;
+        missing |= all ^ start[lane];
+    }
+    missing
+}
+
+/// Not 0 where lanes meet the condition, and where they do not.
+#[inline(always)]
+fn sides(lanes: &U32s, condition: &U32s) -> (u32, u32) {
+    let (mut held, mut failed) = (0, 0);
+    for lane in 0..LANES {
+        held |= lanes[lane] & condition[lane];
+        failed |= lanes[lane] & !condition[lane];
+    }
+    (held, failed)
+}
+
+/// Keeps the lanes where `condition ^ flip` holds; the others go to `rest`, beside what `keep`
+/// leaves of it.
+#[inline(always)]
+fn part(lanes: &mut U32s, rest: &mut U32s, condition: &U32s, keep: u32, flip: u32) {
+    for lane in 0..LANES {
+        let stays = condition[lane] ^ flip;
+        rest[lane] = (rest[lane] & keep) | (lanes[lane] & !stays);
+        lanes[lane] &= stays;
+    }
+}
+
+/// The words of `new` where the mask is set, else those of `old`.
+#[inline(always)]
+pub(super) fn blend(out: &mut U32s, mask: &U32s, new: &U32s, old: &U32s) {
+    for lane in 0..LANES {
+        out[lane] = (new[lane] & mask[lane]) | (old[lane] & !mask[lane]);
     }
 }

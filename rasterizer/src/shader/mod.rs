@@ -6,18 +6,22 @@
 //! |---|---|
 //! | [`optimize`] | passes over the structured IR |
 //! | [`lower`] | structured IR → flat [`inst`]ructions over virtual registers |
+//! | [`exits`] | how lanes leave a statement |
+//! | [`owned`] | the variables that only one loop reads: stored without a mask |
 //! | [`fuse`] | several operations as one instruction |
 //! | [`preamble`] | the values that a draw computes once |
 //! | [`allocate`] | real registers for virtual ones |
 //! | [`machine`] | the interpreter: 64 lanes an instruction, with an execution [`mask`] |
 
 mod allocate;
+mod exits;
 mod fuse;
 mod inst;
 mod lower;
 mod machine;
 mod mask;
 mod optimize;
+mod owned;
 mod preamble;
 
 pub use machine::Machine;

@@ -57,7 +57,7 @@ impl Flatten<'_> {
     fn cost(&self, block: &Block) -> Option<u32> {
         let costs = block.iter().map(|stmt| match stmt {
             Stmt::Eval(value) => match self.module.expr(*value) {
-                Expr::Op { op, .. } => Some(cost_of(*op)),
+                Expr::Op { op, .. } => Some(op.cost()),
                 Expr::Load(_) => Some(0),
                 Expr::Const { .. } | Expr::Input(_) | Expr::Uniform { .. } => Some(0),
                 Expr::UniformAt { .. }
@@ -116,16 +116,4 @@ impl Flatten<'_> {
 enum Side {
     Accept,
     Reject,
-}
-
-/// The cost of an operation in additions.
-fn cost_of(op: Op) -> u32 {
-    match op {
-        Op::Div | Op::Sqrt | Op::InverseSqrt => 4,
-        Op::Sin | Op::Cos | Op::Tan | Op::Asin | Op::Acos | Op::Atan | Op::Atan2 => 40,
-        Op::Sinh | Op::Cosh | Op::Tanh | Op::Asinh | Op::Acosh | Op::Atanh => 40,
-        Op::Exp | Op::Exp2 | Op::Log | Op::Log2 | Op::Pow => 40,
-        Op::IDiv | Op::IRem | Op::UDiv | Op::URem => 40,
-        _ => 1,
-    }
 }
