@@ -93,6 +93,7 @@ mod attributes;
 mod debugging;
 mod fragments;
 mod framebuffers;
+mod generics;
 mod integers;
 mod lighting;
 mod lists;
@@ -110,9 +111,11 @@ pub(crate) use current::Fallback;
 pub use current::{Current, set_current, with_current};
 
 pub use attributes::*;
+pub(crate) use attributes::{Component, filled};
 pub use debugging::*;
 pub use fragments::*;
 pub use framebuffers::*;
+pub use generics::*;
 pub use integers::*;
 pub use lighting::*;
 pub use lists::*;
@@ -141,6 +144,7 @@ pub fn implemented() -> impl Iterator<Item = (&'static str, usize)> {
         DEBUGGING,
         FRAMEBUFFERS,
         FRAGMENTS,
+        GENERICS,
         INTEGERS,
         LIGHTING,
         LISTS,
