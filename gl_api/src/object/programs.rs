@@ -2,7 +2,6 @@
 
 use super::Objects;
 use super::shaders::{ShaderObject, forget_if_doomed, shader};
-use crate::constants::*;
 use crate::context::{Context, limits};
 use crate::error::{Result, invalid_operation, invalid_value};
 use crate::fixed::clamp_colors;

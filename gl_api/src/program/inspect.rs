@@ -189,7 +189,8 @@ fn indexed(name: &str) -> Option<(&str, u32)> {
     let (base, rest) = name.rsplit_once('[')?;
     let digits = rest.strip_suffix(']')?;
     let canonical = digits == "0" || !digits.starts_with('0');
-    (canonical && digits.bytes().all(|byte| byte.is_ascii_digit())).then_some((base, digits.parse().ok()?))
+    (canonical && digits.bytes().all(|byte| byte.is_ascii_digit()))
+        .then_some((base, digits.parse().ok()?))
 }
 
 pub(crate) fn get_uniform_location(
@@ -213,7 +214,9 @@ pub(crate) fn get_attrib_location(
     attribute: &str,
 ) -> Result<GLint> {
     let attributes = &linked(context, name)?.program.attributes;
-    let found = attributes.iter().find(|found| found.name == attribute && found.location < MAX_VERTEX_ATTRIBS);
+    let found = attributes
+        .iter()
+        .find(|found| found.name == attribute && found.location < MAX_VERTEX_ATTRIBS);
     Ok(found.map_or(-1, |found| found.location.into()))
 }
 

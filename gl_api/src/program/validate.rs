@@ -40,7 +40,8 @@ pub(crate) fn runnable(linked: &Linked) -> Result<(), String> {
 fn one_type_per_unit(linked: &Linked) -> Result<(), String> {
     let mut seen: BTreeMap<u32, (TextureDecl, u32)> = BTreeMap::new();
     for slot in &linked.program.samplers {
-        let (Some(decl), Some(&unit)) = (declared(linked, slot), linked.words.get(slot.word as usize))
+        let (Some(decl), Some(&unit)) =
+            (declared(linked, slot), linked.words.get(slot.word as usize))
         else {
             continue;
         };

@@ -91,9 +91,8 @@ fn initial(variable: &Variable) -> Vec<u32> {
 
 /// The built-in uniforms that the stages name.
 pub fn builtins(stages: &[&StageUnits<'_>]) -> Vec<BuiltinUniform> {
-    let is_state = |storage| {
-        matches!(storage, Storage::Builtin(Builtin::State(_) | Builtin::States(_)))
-    };
+    let is_state =
+        |storage| matches!(storage, Storage::Builtin(Builtin::State(_) | Builtin::States(_)));
     let mut named: Vec<&Variable> = Vec::new();
     for variable in stages.iter().flat_map(|stage| stage.with(is_state)) {
         if !named.iter().any(|known| known.name == variable.name) {
