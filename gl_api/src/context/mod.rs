@@ -6,6 +6,7 @@ pub(crate) mod log;
 pub(crate) mod log_calls;
 mod surface;
 
+use crate::abi::osmesa::Mirror;
 use crate::draw::Recorder;
 use crate::draw::immediate::Immediate;
 use crate::entry::{Fallback, Place};
@@ -14,6 +15,7 @@ use crate::framebuffer::Window;
 use crate::glsl::Repairs;
 use crate::list::{Compiling, Lists};
 use crate::object::Objects;
+use crate::object::queries::ActiveQueries;
 use crate::object::sharing::{Entered, Group};
 use crate::state::State;
 use crate::state::attrib::AttribStacks;
@@ -87,11 +89,14 @@ pub struct Context {
     pub(crate) lists: Lists,
     pub(crate) compiling: Option<Compiling>,
     pub(crate) attribs: AttribStacks,
+    pub(crate) queries: ActiveQueries,
     /// The contexts that this one shares objects with.
     group: Option<Group>,
     /// Whether a call runs.
     pub(crate) entered: Entered,
     pub(crate) repairs: Repairs,
+    /// Where an OSMesa client wants the picture.
+    pub(crate) mirror: Option<Mirror>,
 }
 
 /// The device that contexts share which bring none.
@@ -132,9 +137,11 @@ impl Context {
             lists: Lists::default(),
             compiling: None,
             attribs: AttribStacks::default(),
+            queries: ActiveQueries::default(),
             group: None,
             entered: Entered::No,
             repairs,
+            mirror: None,
         })
     }
 

@@ -1,5 +1,6 @@
 //! State queries: GL 2.1, chapter 6; and the end of commands: section 5.5.
 
+use crate::object::queries;
 use crate::query::{extensions, flush, get};
 use crate::types::*;
 
@@ -18,10 +19,41 @@ entry_points! {
         get_booleanv: glGetBooleanv (pname: GLenum, params: &'a mut [GLboolean]);
         /// Reads state as integers.
         get_integerv: glGetIntegerv (pname: GLenum, params: &'a mut [GLint]);
+        /// Reads state as integers of 64 bits.
+        get_integer64v: glGetInteger64v (pname: GLenum, params: &'a mut [GLint64]);
         /// Reads state as single precision.
         get_floatv: glGetFloatv (pname: GLenum, params: &'a mut [GLfloat]);
         /// Reads state as double precision.
         get_doublev: glGetDoublev (pname: GLenum, params: &'a mut [GLdouble]);
+    }
+    Outside in queries {
+        /// Makes `n` unused names of queries.
+        gen_queries: glGenQueries | glGenQueriesARB (n: GLsizei, ids: &'a mut [GLuint]);
+        /// Deletes queries; an active one ends.
+        delete_queries: glDeleteQueries | glDeleteQueriesARB (n: GLsizei, ids: &'a [GLuint]);
+        /// Whether a name is a query that has begun.
+        is_query: glIsQuery | glIsQueryARB (id: GLuint) -> bool;
+        /// Begins to count samples, or time.
+        begin_query: glBeginQuery | glBeginQueryARB (target: GLenum, id: GLuint);
+        /// Ends the query of a target.
+        end_query: glEndQuery | glEndQueryARB (target: GLenum);
+        /// Takes the time when everything so far is carried out.
+        query_counter: glQueryCounter (id: GLuint, target: GLenum);
+        /// Reads what is known of a target of queries.
+        get_queryiv: glGetQueryiv | glGetQueryivARB
+            (target: GLenum, pname: GLenum, params: &'a mut [GLint]);
+        /// Reads the result of a query.
+        get_query_objectiv: glGetQueryObjectiv | glGetQueryObjectivARB
+            (id: GLuint, pname: GLenum, params: &'a mut [GLint]);
+        /// Reads the result of a query.
+        get_query_objectuiv: glGetQueryObjectuiv | glGetQueryObjectuivARB
+            (id: GLuint, pname: GLenum, params: &'a mut [GLuint]);
+        /// Reads the result of a query.
+        get_query_objecti64v: glGetQueryObjecti64v | glGetQueryObjecti64vEXT
+            (id: GLuint, pname: GLenum, params: &'a mut [GLint64]);
+        /// Reads the result of a query.
+        get_query_objectui64v: glGetQueryObjectui64v | glGetQueryObjectui64vEXT
+            (id: GLuint, pname: GLenum, params: &'a mut [GLuint64]);
     }
     Outside in flush {
         /// Carries out what was recorded.

@@ -4,6 +4,7 @@ pub(crate) mod buffer_map;
 pub(crate) mod buffers;
 pub(crate) mod framebuffers;
 pub(crate) mod programs;
+pub(crate) mod queries;
 pub(crate) mod renderbuffers;
 pub(crate) mod samplers;
 pub(crate) mod shaders;
@@ -133,6 +134,7 @@ pub(crate) struct Objects {
     /// Vertex array objects; that of name 0 has a place of its own while another is bound.
     pub vertex_arrays: Names<vertex_arrays::VertexArray>,
     pub default_vertex_array: vertex_arrays::VertexArray,
+    pub queries: Names<queries::Query>,
     pub syncs: syncs::Syncs,
     /// Display lists.
     pub lists: BTreeMap<GLuint, Arc<List>>,
@@ -150,6 +152,7 @@ impl Default for Objects {
             programs: Names::default(),
             vertex_arrays: Names::default(),
             default_vertex_array: vertex_arrays::VertexArray::default(),
+            queries: Names::default(),
             syncs: syncs::Syncs::default(),
             lists: BTreeMap::new(),
         }

@@ -36,6 +36,18 @@ pub(crate) fn get_integerv(
     put_ints(params, state_value(context, pname)?)
 }
 
+pub(crate) fn get_integer64v(
+    context: &mut Context,
+    pname: GLenum,
+    params: &mut [GLint64],
+) -> Result<()> {
+    if pname == GL_TIMESTAMP {
+        return put(params, &[crate::object::queries::timestamp() as GLint64]);
+    }
+    let values = doubles(state_value(context, pname)?);
+    put(params, &values.into_iter().map(|value| value.round() as GLint64).collect::<Vec<_>>())
+}
+
 pub(crate) fn get_floatv(
     context: &mut Context,
     pname: GLenum,

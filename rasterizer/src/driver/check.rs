@@ -64,7 +64,8 @@ pub fn check(commands: &[Command]) -> Result<(), SubmitError> {
             Command::BindVertices(_)
             | Command::BindTextures { .. }
             | Command::SetUniforms(_)
-            | Command::SetScissor(_) => {}
+            | Command::SetScissor(_)
+            | Command::SetCounter(_) => {}
         }
     }
     if pass.is_some() {

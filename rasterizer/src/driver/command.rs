@@ -1,6 +1,7 @@
 //! What a client can ask for. A command buffer is printable: a trace is its `Debug`.
 
 use super::buffer::{Buffer, VertexBinding};
+use super::counter::Counter;
 use super::image::PassDesc;
 use super::pipeline::Pipeline;
 use super::raster::RasterState;
@@ -155,6 +156,8 @@ pub enum Command {
     SetViewport(Viewport),
     /// The scissor rectangle; `None` lets every pixel of the attachments through.
     SetScissor(Option<Rect>),
+    /// What counts the samples of the draws to come.
+    SetCounter(Option<Counter>),
     /// Draws vertices `first .. first + count` for each instance.
     Draw {
         /// First vertex.

@@ -4,6 +4,7 @@
 mod buffer;
 mod check;
 mod command;
+mod counter;
 mod device;
 mod image;
 mod output;
@@ -15,6 +16,7 @@ mod submit;
 pub use crate::output::texel_words;
 pub use buffer::{Buffer, VertexBinding, VertexFormat, VertexSource, VertexType};
 pub use command::{ClearValue, Command, CommandBuffer, IndexType, Indices, Rect, Viewport};
+pub use counter::Counter;
 pub use device::{Device, DeviceDesc, DeviceError, Explain, SubmitError, SubmitReport};
 pub use image::{Attachment, Image, LevelInfo, PassDesc};
 pub use output::{LogicOp, OutputState, SrgbWrite, StencilFace, StencilOp, StencilState};

@@ -5,6 +5,7 @@
 
 use super::buffer::VertexBinding;
 use super::command::{ClearValue, Command, Rect, Viewport};
+use super::counter::Counter;
 use super::device::{Device, SubmitReport};
 use super::image::PassDesc;
 use super::pipeline::{Pipeline, Topology};
@@ -40,6 +41,7 @@ struct Bound {
     viewport: Viewport,
     scissor: Option<Rect>,
     raster: Arc<RasterState>,
+    counter: Option<Counter>,
 }
 
 /// What is the same for all chunks of a draw.
@@ -109,6 +111,7 @@ impl<'a> Pass<'a> {
                 uniforms: Arc::new([]),
                 viewport: Viewport { x: 0.0, y: 0.0, width: 0.0, height: 0.0, near: 0.0, far: 1.0 },
                 scissor: None,
+                counter: None,
                 raster: Arc::default(),
             },
         }
@@ -128,6 +131,7 @@ impl<'a> Pass<'a> {
             Command::SetRaster(raster) => self.bound.raster = raster.clone(),
             Command::SetViewport(viewport) => self.bound.viewport = *viewport,
             Command::SetScissor(scissor) => self.bound.scissor = *scissor,
+            Command::SetCounter(counter) => self.bound.counter = counter.clone(),
             Command::Clear { value, area } => self.clear(*value, *area),
             &Command::Draw { first, count, instances } => {
                 self.draw(index, &Ids::Range(first), count, instances, report);
@@ -254,7 +258,8 @@ impl<'a> Pass<'a> {
         );
         self.device.explain(&|| plan.describe());
         let draw = self.job.draws.len();
-        self.job.draws.push(DrawJob { plan, area: inner, stopped: AtomicBool::new(false) });
+        let (counter, stopped) = (self.bound.counter.clone(), AtomicBool::new(false));
+        self.job.draws.push(DrawJob { plan, area: inner, counter, stopped });
         self.commands.push(command);
 
         let compiled = pipeline.compiled();

@@ -5,6 +5,7 @@ use super::cover::Cover;
 use super::coverage;
 use super::group::PlaneGroup;
 use super::interpolate::PlaneSetup;
+use crate::driver::Counter;
 use crate::output::{Fragments, expand_mask, test, write};
 use crate::plan::{DrawPlan, Shading, Timing};
 use crate::primitive::{Facing, Kind, Shape};
@@ -24,8 +25,19 @@ pub struct DrawJob {
     pub plan: DrawPlan,
     /// First and one past the last pixel its triangles may touch, x then y.
     pub area: [[i32; 2]; 2],
+    /// What counts the samples that pass its tests.
+    pub counter: Option<Counter>,
     /// Set when its shader ran over the budget: nothing more of it is drawn.
     pub stopped: AtomicBool,
+}
+
+impl DrawJob {
+    /// Counts the pixels of a mask, if somebody does.
+    fn count(&self, mask: u64) {
+        if let Some(counter) = &self.counter {
+            counter.add(mask);
+        }
+    }
 }
 
 /// The shapes of a run of primitives and the vertices they stand on.
@@ -264,7 +276,11 @@ impl Worker {
             // What waits has passed its own test already, so the order holds.
             mask = early_tests(pass.isa, plan, &of, mask, tile);
         }
-        if mask == 0 || plan.shading == Shading::Off {
+        if plan.shading == Shading::Off {
+            job.count(mask);
+            return;
+        }
+        if mask == 0 {
             return;
         }
         let quads = quads_of(mask);
@@ -372,6 +388,7 @@ impl Shader {
         if mask == 0 {
             return;
         }
+        job.count(mask);
         for color in &plan.colors {
             let Some(target) = tile.colors[color.target].as_mut() else { continue };
             let machine = &self.machine;

@@ -1,0 +1,280 @@
+//! Queries: GL 2.1, section 4.1.7 (samples), `ARB_occlusion_query2`, `ARB_timer_query`.
+
+use super::doomed;
+use crate::constants::*;
+use crate::context::Context;
+use crate::draw::submit;
+use crate::error::{Result, Table, invalid_operation, invalid_value};
+use crate::query::put;
+use crate::types::*;
+use rasterizer::driver::Counter;
+use std::time::Instant;
+
+const SECTION: &str = "GL 2.1, section 4.1.7";
+
+/// What is queried.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum QueryTarget {
+    SamplesPassed,
+    AnySamplesPassed,
+    TimeElapsed,
+    Timestamp,
+}
+
+impl QueryTarget {
+    const COUNT: usize = 4;
+}
+
+const TARGET: Table<QueryTarget> = Table {
+    section: SECTION,
+    rows: &[
+        (GL_SAMPLES_PASSED, QueryTarget::SamplesPassed),
+        (GL_ANY_SAMPLES_PASSED, QueryTarget::AnySamplesPassed),
+        (GL_TIME_ELAPSED, QueryTarget::TimeElapsed),
+    ],
+};
+
+/// A query object.
+#[derive(Clone, Debug)]
+pub(crate) struct Query {
+    target: QueryTarget,
+    counter: Counter,
+    /// When it began, and nanoseconds since, once it has ended.
+    began: Option<Instant>,
+    nanoseconds: u64,
+}
+
+/// The names of the queries that have begun, by target; 0 where none has.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct ActiveQueries([GLuint; QueryTarget::COUNT]);
+
+impl ActiveQueries {
+    fn slot(&mut self, target: QueryTarget) -> &mut GLuint {
+        // Both targets of samples share the counter that draws have.
+        match target {
+            QueryTarget::SamplesPassed | QueryTarget::AnySamplesPassed => &mut self.0[0],
+            QueryTarget::TimeElapsed | QueryTarget::Timestamp => &mut self.0[1],
+        }
+    }
+}
+
+pub(crate) fn gen_queries(context: &mut Context, n: GLsizei, ids: &mut [GLuint]) -> Result<()> {
+    context.objects.queries.reserve(SECTION, n, ids)
+}
+
+pub(crate) fn delete_queries(context: &mut Context, n: GLsizei, ids: &[GLuint]) -> Result<()> {
+    for &name in doomed(SECTION, n, ids)?.iter().filter(|&&name| name != 0) {
+        for active in &mut context.queries.0 {
+            if *active == name {
+                *active = 0;
+            }
+        }
+        context.objects.queries.remove(name);
+    }
+    count_with(context);
+    Ok(())
+}
+
+pub(crate) fn is_query(context: &mut Context, id: GLuint) -> Result<bool> {
+    Ok(context.objects.queries.get(id).is_some())
+}
+
+/// Lets the draws to come count for the query of samples that is active.
+fn count_with(context: &mut Context) {
+    let name = context.queries.0[0];
+    context.recorder.counter = context.objects.queries.get(name).map(|query| query.counter.clone());
+}
+
+pub(crate) fn begin_query(context: &mut Context, target: GLenum, id: GLuint) -> Result<()> {
+    let kind = TARGET.decode("target", target)?;
+    if id == 0 || !context.objects.queries.is_reserved(id) {
+        return invalid_operation(
+            SECTION,
+            format!("id = {id} must be a name that glGenQueries gave"),
+        );
+    }
+    if *context.queries.slot(kind) != 0 || context.queries.0.contains(&id) {
+        return invalid_operation(
+            SECTION,
+            format!("a query of {} is active: glEndQuery is missing", enum_name(target)),
+        );
+    }
+    if context.objects.queries.get(id).is_some_and(|query| query.target != kind) {
+        return invalid_operation(SECTION, format!("query {id} is of another target"));
+    }
+    if kind == QueryTarget::TimeElapsed {
+        submit(context);
+    }
+    context.objects.queries.create(id, || Query {
+        target: kind,
+        counter: Counter::new(),
+        began: None,
+        nanoseconds: 0,
+    });
+    if let Some(query) = context.objects.queries.get_mut(id) {
+        query.counter = Counter::new();
+        query.began = Some(Instant::now());
+        query.nanoseconds = 0;
+    }
+    *context.queries.slot(kind) = id;
+    count_with(context);
+    Ok(())
+}
+
+pub(crate) fn end_query(context: &mut Context, target: GLenum) -> Result<()> {
+    let kind = TARGET.decode("target", target)?;
+    let id = *context.queries.slot(kind);
+    if context.objects.queries.get(id).is_none_or(|query| query.target != kind) {
+        return invalid_operation(
+            SECTION,
+            format!("no query of {} is active: glBeginQuery is missing", enum_name(target)),
+        );
+    }
+    if kind == QueryTarget::TimeElapsed {
+        submit(context);
+    }
+    if let Some(query) = context.objects.queries.get_mut(id) {
+        query.nanoseconds = query.began.map_or(0, |began| began.elapsed().as_nanos() as u64);
+    }
+    *context.queries.slot(kind) = 0;
+    count_with(context);
+    Ok(())
+}
+
+/// Nanoseconds since the first question for the time.
+pub(crate) fn timestamp() -> u64 {
+    use std::sync::LazyLock;
+    static START: LazyLock<Instant> = LazyLock::new(Instant::now);
+    START.elapsed().as_nanos() as u64
+}
+
+pub(crate) fn query_counter(context: &mut Context, id: GLuint, target: GLenum) -> Result<()> {
+    const COUNTER: Table<QueryTarget> =
+        Table { section: "ARB_timer_query", rows: &[(GL_TIMESTAMP, QueryTarget::Timestamp)] };
+    let kind = COUNTER.decode("target", target)?;
+    if id == 0 || !context.objects.queries.is_reserved(id) || context.queries.0.contains(&id) {
+        return invalid_operation(
+            COUNTER.section,
+            format!("id = {id} must be a name that glGenQueries gave, and not be active"),
+        );
+    }
+    if context.objects.queries.get(id).is_some_and(|query| query.target != kind) {
+        return invalid_operation(COUNTER.section, format!("query {id} is of another target"));
+    }
+    submit(context);
+    let query =
+        Query { target: kind, counter: Counter::new(), began: None, nanoseconds: timestamp() };
+    context.objects.queries.create(id, || query.clone());
+    if let Some(slot) = context.objects.queries.get_mut(id) {
+        *slot = query;
+    }
+    Ok(())
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Property {
+    Current,
+    Bits,
+}
+
+pub(crate) fn get_queryiv(
+    context: &mut Context,
+    target: GLenum,
+    pname: GLenum,
+    params: &mut [GLint],
+) -> Result<()> {
+    const PROPERTY: Table<Property> = Table {
+        section: "GL 2.1, section 6.1.12",
+        rows: &[(GL_CURRENT_QUERY, Property::Current), (GL_QUERY_COUNTER_BITS, Property::Bits)],
+    };
+    let kind = match target {
+        GL_TIMESTAMP => QueryTarget::Timestamp,
+        _ => TARGET.decode("target", target)?,
+    };
+    let value = match PROPERTY.decode("pname", pname)? {
+        Property::Current => {
+            let id = *context.queries.slot(kind);
+            let same = context.objects.queries.get(id).is_some_and(|query| query.target == kind);
+            if same { id as GLint } else { 0 }
+        }
+        Property::Bits => match kind {
+            QueryTarget::AnySamplesPassed => 1,
+            QueryTarget::SamplesPassed | QueryTarget::TimeElapsed | QueryTarget::Timestamp => 64,
+        },
+    };
+    put(params, &[value])
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Answer {
+    Result,
+    Available,
+}
+
+/// What a query answers: its result, with everything carried out that it counts.
+fn answer(context: &mut Context, id: GLuint, pname: GLenum) -> Result<u64> {
+    const ANSWER: Table<Answer> = Table {
+        section: "GL 2.1, section 6.1.12",
+        rows: &[(GL_QUERY_RESULT, Answer::Result), (GL_QUERY_RESULT_AVAILABLE, Answer::Available)],
+    };
+    if context.objects.queries.get(id).is_none() {
+        return invalid_operation(ANSWER.section, format!("id = {id} is no query that has begun"));
+    }
+    if context.queries.0.contains(&id) {
+        return invalid_operation(
+            ANSWER.section,
+            format!("query {id} is active: call glEndQuery first"),
+        );
+    }
+    let wanted = ANSWER.decode("pname", pname)?;
+    submit(context);
+    let Some(query) = context.objects.queries.get(id) else {
+        return invalid_value(ANSWER.section, format!("id = {id} is no query"));
+    };
+    Ok(match (wanted, query.target) {
+        (Answer::Available, _) => 1,
+        (Answer::Result, QueryTarget::SamplesPassed) => query.counter.samples(),
+        (Answer::Result, QueryTarget::AnySamplesPassed) => u64::from(query.counter.samples() > 0),
+        (Answer::Result, QueryTarget::TimeElapsed | QueryTarget::Timestamp) => query.nanoseconds,
+    })
+}
+
+pub(crate) fn get_query_objectiv(
+    context: &mut Context,
+    id: GLuint,
+    pname: GLenum,
+    params: &mut [GLint],
+) -> Result<()> {
+    let value = answer(context, id, pname)?;
+    put(params, &[GLint::try_from(value).unwrap_or(GLint::MAX)])
+}
+
+pub(crate) fn get_query_objectuiv(
+    context: &mut Context,
+    id: GLuint,
+    pname: GLenum,
+    params: &mut [GLuint],
+) -> Result<()> {
+    let value = answer(context, id, pname)?;
+    put(params, &[GLuint::try_from(value).unwrap_or(GLuint::MAX)])
+}
+
+pub(crate) fn get_query_objecti64v(
+    context: &mut Context,
+    id: GLuint,
+    pname: GLenum,
+    params: &mut [GLint64],
+) -> Result<()> {
+    let value = answer(context, id, pname)?;
+    put(params, &[GLint64::try_from(value).unwrap_or(GLint64::MAX)])
+}
+
+pub(crate) fn get_query_objectui64v(
+    context: &mut Context,
+    id: GLuint,
+    pname: GLenum,
+    params: &mut [GLuint64],
+) -> Result<()> {
+    let value = answer(context, id, pname)?;
+    put(params, &[value])
+}
