@@ -1,10 +1,22 @@
-//! Generic attributes of integer types that have a vector form only: GL 2.1, section 2.7.
+//! Generic attributes of integer types that have a vector form only, and reading them: GL 2.1,
+//! sections 2.7 and 6.1.14.
 
 use crate::program::attribute;
 use crate::types::*;
 
 entry_points! {
     GENERICS;
+    Outside in attribute {
+        /// Reads what is known of a generic attribute.
+        get_vertex_attribdv: glGetVertexAttribdv | glGetVertexAttribdvARB
+            (index: GLuint, pname: GLenum, params: &'a mut [GLdouble]);
+        /// Reads what is known of a generic attribute, its value as integers (`EXT_gpu_shader4`).
+        get_vertex_attrib_i_iv: glGetVertexAttribIiv | glGetVertexAttribIivEXT
+            (index: GLuint, pname: GLenum, params: &'a mut [GLint]);
+        /// Reads what is known of a generic attribute, its value as integers (`EXT_gpu_shader4`).
+        get_vertex_attrib_i_uiv: glGetVertexAttribIuiv | glGetVertexAttribIuivEXT
+            (index: GLuint, pname: GLenum, params: &'a mut [GLuint]);
+    }
     Anywhere in attribute {
         /// Sets a generic attribute, integers as they are; attribute 0 ends the vertex.
         vertex_attrib_4bv: glVertexAttrib4bv | glVertexAttrib4bvARB

@@ -276,13 +276,15 @@ fn limits_are_said_by_the_linker() {
     let fragment = "void main() { gl_FragColor = v[0] + v[40]; }";
     let varyings = format!("varying vec4 v[41]; {fragment}");
     let writes = "varying vec4 v[41]; void main() { gl_Position = v[0] = v[40] = vec4(1.0); }";
-    let uniforms = "uniform vec4 u[99999]; void main() { gl_Position = u[99998]; }";
+    let arrays: String = (0..17).map(|i| format!("uniform vec4 u{i}[16384];\n")).collect();
+    let named: String = (0..17).map(|i| format!("+ u{i}[0]")).collect();
+    let uniforms = format!("{arrays} void main() {{ gl_Position = vec4(0.0) {named}; }}");
     let attributes: String = (0..17).map(|i| format!("attribute float a{i};\n")).collect();
     let sum: String = (0..17).map(|i| format!("+ a{i}")).collect();
     let many = format!("{attributes} void main() {{ gl_Position = vec4(0.0 {sum}); }}");
     let rows: [(&[&str], &[&str], &str); 3] = [
         (&[writes], &[&varyings], "pass between the stages"),
-        (&[uniforms], &[], "components"),
+        (&[&uniforms], &[], "components"),
         (&[&many], &[], "finds no location"),
     ];
     for (vertex, fragment, words) in rows {
@@ -424,6 +426,23 @@ fn generic_attributes_take_every_type() {
         [-1.0, 1.0, zero, zero]
     });
     expect(|c| c.vertex_attrib_4nuiv(3, &[u32::MAX, 0, 0, 0]), [1.0, 0.0, 0.0, 0.0]);
+}
+
+#[test]
+fn integer_attributes_are_read_back_exactly() {
+    let mut c = context();
+    c.vertex_attrib_i_4i(5, -7, i32::MAX, 0, 1);
+    let (mut signed, mut unsigned, mut double) = ([0; 4], [0; 4], [0.0; 4]);
+    c.get_vertex_attrib_i_iv(5, GL_CURRENT_VERTEX_ATTRIB, &mut signed);
+    assert_eq!(signed, [-7, i32::MAX, 0, 1]);
+    c.get_vertex_attrib_i_uiv(5, GL_CURRENT_VERTEX_ATTRIB, &mut unsigned);
+    assert_eq!(unsigned[0], (-7_i32) as u32);
+    c.get_vertex_attrib_i_iv(5, GL_VERTEX_ATTRIB_ARRAY_SIZE, &mut signed);
+    assert_eq!(signed[0], 4);
+    c.vertex_attrib_2d(5, 0.25, 2.0);
+    c.get_vertex_attribdv(5, GL_CURRENT_VERTEX_ATTRIB, &mut double);
+    assert_eq!(double, [0.25, 2.0, 0.0, 1.0]);
+    no_error(&mut c);
 }
 
 #[test]
