@@ -87,3 +87,75 @@ fn contexts_are_current_one_inside_the_other() {
     assert_eq!(outer.release().map(|context| context.size()), Some((1, 1)));
     assert_eq!(width(), None);
 }
+
+/// A version or extension, and the commands that the registry says it brings.
+type Chapter<'a> = (&'a str, Vec<&'a str>);
+
+/// The chapters of the Khronos registry, in its order.
+fn chapters(registry: &str) -> Vec<Chapter<'_>> {
+    let attribute = |line: &'_ str, name: &str| -> Option<(usize, usize)> {
+        let start = line.find(&format!(" {name}=\""))? + name.len() + 3;
+        Some((start, start + line[start..].find('"')?))
+    };
+    let text = |line, name| attribute(line, name).map(|(start, end)| &line[start..end]);
+    let mut chapters: Vec<Chapter<'_>> = Vec::new();
+    let mut required = false;
+    for line in registry.lines().map(str::trim) {
+        let begins = line.starts_with("<feature ") || line.starts_with("<extension ");
+        if begins && let Some(name) = text(line, "name") {
+            chapters.push((name, Vec::new()));
+        } else if line.starts_with("<require") {
+            required = text(line, "api").is_none_or(|api| api == "gl");
+        } else if line.starts_with("<remove") {
+            required = false;
+        } else if required
+            && line.starts_with("<command ")
+            && let (Some(name), Some((_, commands))) = (text(line, "name"), chapters.last_mut())
+        {
+            commands.push(name);
+        }
+    }
+    chapters
+}
+
+/// The page: of each version up to 3.0 and each claimed extension, what is there and what is not.
+fn page(registry: &str) -> String {
+    let there: BTreeSet<&str> = implemented().map(|(name, _)| name).collect();
+    let context = Context::new(ContextDesc { width: 1, height: 1, ..ContextDesc::default() });
+    let claimed = context.expect("a device").get_string(GL_EXTENSIONS);
+    let claimed: BTreeSet<&str> = claimed.split(' ').collect();
+    let versions = ["1_0", "1_1", "1_2", "1_3", "1_4", "1_5", "2_0", "2_1", "3_0"];
+    let versions = versions.map(|version| format!("GL_VERSION_{version}"));
+    let mut text = String::from(
+        "# Entry points\n\nGenerated from the Khronos registry by \
+         `DETGL_BLESS=1 cargo test -p gl_api --test entries`. What is missing resolves to null.\n\n\
+         | version or extension | there | of | missing |\n|---|---|---|---|\n",
+    );
+    let mut lists = String::new();
+    for (name, commands) in chapters(registry) {
+        let wanted = versions.iter().any(|version| version == name) || claimed.contains(name);
+        if !wanted || commands.is_empty() {
+            continue;
+        }
+        let (has, lacks): (Vec<&str>, Vec<&str>) =
+            commands.iter().partition(|command| there.contains(*command));
+        let quoted = |names: &[&str]| {
+            names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
+        };
+        let (all, missing) = (commands.len(), quoted(&lacks));
+        text += &format!("| {name} | {} | {all} | {missing} |\n", has.len());
+        lists += &format!("\n## {name}\n\n{}\n", quoted(&has));
+    }
+    text + &lists
+}
+
+#[test]
+fn the_page_of_entry_points_is_up_to_date() {
+    let page = page(&String::from_utf8_lossy(khronos_api::GL_XML));
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/entry-points.md");
+    if std::env::var_os("DETGL_BLESS").is_some() {
+        std::fs::write(path, &page).expect("docs/ is writable");
+    }
+    let written = std::fs::read_to_string(path).unwrap_or_default();
+    assert!(written == page, "docs/entry-points.md is old: run this with DETGL_BLESS=1");
+}

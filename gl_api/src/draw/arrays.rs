@@ -450,7 +450,7 @@ const PROPERTY: Table<Property> = Table {
     ],
 };
 
-fn property(context: &Context, index: GLuint, pname: GLenum) -> Result<Vec<f32>> {
+pub(crate) fn property(context: &Context, index: GLuint, pname: GLenum) -> Result<Vec<f32>> {
     let location = usize::from(generic(index)?);
     let property = PROPERTY.decode("pname", pname)?;
     let array = &context.state.arrays.by_location[location];

@@ -41,11 +41,9 @@ pub(super) fn sampler(context: &mut Context, unit: u8, target: TextureTarget, wo
 }
 
 /// The uniform of the program in use that has this word, quoted, after a space.
-pub(super) fn uniform_name(context: &Context, word: u32) -> String {
+fn uniform_name(context: &Context, word: u32) -> String {
     let program = context.objects.linked_program(context.state.bindings.program);
-    let uniform = program
-        .and_then(|linked| linked.program.uniforms.iter().rfind(|uniform| uniform.word <= word));
-    uniform.map_or_else(String::new, |uniform| format!(" \"{}\"", uniform.name))
+    program.map_or_else(String::new, |linked| linked.quoted_name(word))
 }
 
 /// Textures are bound, but no unit is switched on and no program is in use.

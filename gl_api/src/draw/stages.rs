@@ -11,11 +11,11 @@ use crate::fixed::{
 };
 use crate::glsl::SamplerSlot;
 use crate::interface::MAX_COMBINED_TEXTURE_IMAGE_UNITS;
+use crate::program::validate::runnable;
 use crate::state::enable::Flag;
 use crate::texture::TextureTarget;
 use rasterizer::driver::{Rim, ShaderModule, VertexBinding};
-use rasterizer::ir::{Interpolation, IrError, Stage, TextureDecl};
-use std::collections::BTreeMap;
+use rasterizer::ir::{Interpolation, IrError, Stage};
 use std::sync::Arc;
 use texunit::plan::SamplePlan;
 use texunit::sampler::{Compare, Sampler, Seamless};
@@ -79,6 +79,9 @@ pub(crate) fn choose(
     let (mut vertex, mut fragment, mut samplers) = (None, None, Vec::new());
     let mut said = [None; 2];
     if let Some(linked) = context.objects.linked_program(name) {
+        if let Err(problem) = runnable(linked) {
+            return invalid_operation("GL 2.1, section 2.15.4", problem);
+        }
         let program = &linked.program;
         words.clone_from(&linked.words);
         words.resize(program.words as usize, 0);
@@ -87,7 +90,6 @@ pub(crate) fn choose(
         samplers.clone_from(&program.samplers);
         said = program.color_interpolation;
     }
-    one_type_per_unit(context, [vertex.as_ref(), fragment.as_ref()], &samplers, &words)?;
     let base = words.len() as u32;
 
     let two_sided = match vertex {
@@ -168,39 +170,6 @@ fn program_fragment(
         variant
     })
     .map_err(|error| internal(&error))
-}
-
-/// Whether samplers of different types name one unit, which no draw may have (GL 2.1, section
-/// 2.15.3).
-fn one_type_per_unit(
-    context: &Context,
-    modules: [Option<&ShaderModule>; 2],
-    samplers: &[SamplerSlot],
-    words: &[u32],
-) -> Result<()> {
-    let mut seen: BTreeMap<u32, (TextureDecl, u32)> = BTreeMap::new();
-    for slot in samplers {
-        let module = match slot.stage {
-            Stage::Vertex => modules[0],
-            Stage::Fragment => modules[1],
-        };
-        let decl = module.and_then(|m| m.module().textures.get(slot.slot as usize));
-        let (Some(&decl), Some(&unit)) = (decl, words.get(slot.word as usize)) else { continue };
-        let &mut (other, word) = seen.entry(unit).or_insert((decl, slot.word));
-        if other != decl {
-            let name = |word| hints::uniform_name(context, word);
-            return invalid_operation(
-                "GL 2.1, section 2.15.3",
-                format!(
-                    "samplers of different types,{} and{}, both name texture unit {unit}: set each \
-                     to a unit of its own with glUniform1i",
-                    name(word),
-                    name(slot.word)
-                ),
-            );
-        }
-    }
-    Ok(())
 }
 
 /// The textures of a program's stage, from the units that its sampler uniforms name.

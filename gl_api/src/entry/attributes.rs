@@ -7,10 +7,10 @@ use crate::context::Context;
 use crate::draw::immediate::{Slot, attribute};
 use crate::error::invalid_operation;
 use crate::interface::*;
-use crate::types::GLenum;
+use crate::types::{GLenum, GLuint};
 
 /// A component of an attribute.
-trait Component: Copy {
+pub(crate) trait Component: Copy {
     /// Converted: 255 gives 255.0.
     fn plain(self) -> f32;
     /// Integers as fractions (GL 2.1, table 2.9).
@@ -44,7 +44,7 @@ components! {
 }
 
 /// Missing components are 0, 0, 0, 1.
-fn filled<const N: usize>(components: [f32; N]) -> [f32; 4] {
+pub(crate) fn filled<const N: usize>(components: [f32; N]) -> [f32; 4] {
     let mut value = [0.0, 0.0, 0.0, 1.0];
     value[..N].copy_from_slice(&components);
     value
@@ -222,5 +222,24 @@ attribute_calls! {
         multi_tex_coord_4i: glMultiTexCoord4i | glMultiTexCoord4iARB, multi_tex_coord_4iv: glMultiTexCoord4iv | glMultiTexCoord4ivARB, i32 (s, t, r, q);
         multi_tex_coord_4f: glMultiTexCoord4f | glMultiTexCoord4fARB, multi_tex_coord_4fv: glMultiTexCoord4fv | glMultiTexCoord4fvARB, f32 (s, t, r, q);
         multi_tex_coord_4d: glMultiTexCoord4d | glMultiTexCoord4dARB, multi_tex_coord_4dv: glMultiTexCoord4dv | glMultiTexCoord4dvARB, f64 (s, t, r, q);
+    }
+    "Sets a generic attribute; attribute 0 is the position and ends the vertex."
+    [index: GLuint] Slot::Generic(index), plain {
+        vertex_attrib_1s: glVertexAttrib1s | glVertexAttrib1sARB, vertex_attrib_1sv: glVertexAttrib1sv | glVertexAttrib1svARB, i16 (x);
+        vertex_attrib_1f: glVertexAttrib1f | glVertexAttrib1fARB, vertex_attrib_1fv: glVertexAttrib1fv | glVertexAttrib1fvARB, f32 (x);
+        vertex_attrib_1d: glVertexAttrib1d | glVertexAttrib1dARB, vertex_attrib_1dv: glVertexAttrib1dv | glVertexAttrib1dvARB, f64 (x);
+        vertex_attrib_2s: glVertexAttrib2s | glVertexAttrib2sARB, vertex_attrib_2sv: glVertexAttrib2sv | glVertexAttrib2svARB, i16 (x, y);
+        vertex_attrib_2f: glVertexAttrib2f | glVertexAttrib2fARB, vertex_attrib_2fv: glVertexAttrib2fv | glVertexAttrib2fvARB, f32 (x, y);
+        vertex_attrib_2d: glVertexAttrib2d | glVertexAttrib2dARB, vertex_attrib_2dv: glVertexAttrib2dv | glVertexAttrib2dvARB, f64 (x, y);
+        vertex_attrib_3s: glVertexAttrib3s | glVertexAttrib3sARB, vertex_attrib_3sv: glVertexAttrib3sv | glVertexAttrib3svARB, i16 (x, y, z);
+        vertex_attrib_3f: glVertexAttrib3f | glVertexAttrib3fARB, vertex_attrib_3fv: glVertexAttrib3fv | glVertexAttrib3fvARB, f32 (x, y, z);
+        vertex_attrib_3d: glVertexAttrib3d | glVertexAttrib3dARB, vertex_attrib_3dv: glVertexAttrib3dv | glVertexAttrib3dvARB, f64 (x, y, z);
+        vertex_attrib_4s: glVertexAttrib4s | glVertexAttrib4sARB, vertex_attrib_4sv: glVertexAttrib4sv | glVertexAttrib4svARB, i16 (x, y, z, w);
+        vertex_attrib_4f: glVertexAttrib4f | glVertexAttrib4fARB, vertex_attrib_4fv: glVertexAttrib4fv | glVertexAttrib4fvARB, f32 (x, y, z, w);
+        vertex_attrib_4d: glVertexAttrib4d | glVertexAttrib4dARB, vertex_attrib_4dv: glVertexAttrib4dv | glVertexAttrib4dvARB, f64 (x, y, z, w);
+    }
+    "Sets a generic attribute, integers scaled to [0, 1]; attribute 0 ends the vertex."
+    [index: GLuint] Slot::Generic(index), normalized {
+        vertex_attrib_4nub: glVertexAttrib4Nub | glVertexAttrib4NubARB, vertex_attrib_4nubv: glVertexAttrib4Nubv | glVertexAttrib4NubvARB, u8 (x, y, z, w);
     }
 }

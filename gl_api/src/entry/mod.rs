@@ -98,6 +98,7 @@ mod attributes;
 mod debugging;
 mod fragments;
 mod framebuffers;
+mod generics;
 mod integers;
 mod lighting;
 mod lists;
@@ -116,9 +117,11 @@ pub use current::{Current, set_current, with_current};
 pub(crate) use current::{Fallback, call, swap_current};
 
 pub use attributes::*;
+pub(crate) use attributes::{Component, filled};
 pub use debugging::*;
 pub use fragments::*;
 pub use framebuffers::*;
+pub use generics::*;
 pub use integers::*;
 pub use lighting::*;
 pub use lists::*;
@@ -155,6 +158,7 @@ pub(crate) fn rows() -> impl Iterator<Item = Row> {
         DEBUGGING,
         FRAMEBUFFERS,
         FRAGMENTS,
+        GENERICS,
         INTEGERS,
         LIGHTING,
         LISTS,

@@ -2,7 +2,7 @@
 
 use super::{Strings, TextOut};
 use crate::object::{programs, shaders};
-use crate::program::{arb, attribute, inspect, uniform};
+use crate::program::{arb, inspect, uniform, validate};
 use crate::types::*;
 
 entry_points! {
@@ -48,6 +48,8 @@ entry_points! {
         link_program: glLinkProgram | glLinkProgramARB (program: GLuint);
         /// Makes a program the one that draws use; 0 brings the fixed function back.
         use_program: glUseProgram | glUseProgramObjectARB (program: GLuint);
+    }
+    Outside in validate {
         /// Checks whether a program could run as things stand.
         validate_program: glValidateProgram | glValidateProgramARB (program: GLuint);
     }
@@ -74,7 +76,7 @@ entry_points! {
         get_uniform_location: glGetUniformLocation | glGetUniformLocationARB (program: GLuint, name: &'a str) -> GLint;
         /// The location of an attribute, or -1.
         get_attrib_location: glGetAttribLocation | glGetAttribLocationARB (program: GLuint, name: &'a str) -> GLint;
-        /// The colour number of a fragment output that was bound to one, or -1.
+        /// The colour number of a fragment output, or -1.
         get_frag_data_location: glGetFragDataLocation | glGetFragDataLocationEXT
             (program: GLuint, name: &'a str) -> GLint;
         /// Reads a uniform.
@@ -116,13 +118,13 @@ entry_points! {
         /// Sets an `ivec4`, or a `bvec4`.
         uniform_4i: glUniform4i | glUniform4iARB (location: GLint, x: GLint, y: GLint, z: GLint, w: GLint);
         /// Sets a `uint`, or a `bool`.
-        uniform_1ui: glUniform1ui (location: GLint, x: GLuint);
+        uniform_1ui: glUniform1ui | glUniform1uiEXT (location: GLint, x: GLuint);
         /// Sets a `uvec2`, or a `bvec2`.
-        uniform_2ui: glUniform2ui (location: GLint, x: GLuint, y: GLuint);
+        uniform_2ui: glUniform2ui | glUniform2uiEXT (location: GLint, x: GLuint, y: GLuint);
         /// Sets a `uvec3`, or a `bvec3`.
-        uniform_3ui: glUniform3ui (location: GLint, x: GLuint, y: GLuint, z: GLuint);
+        uniform_3ui: glUniform3ui | glUniform3uiEXT (location: GLint, x: GLuint, y: GLuint, z: GLuint);
         /// Sets a `uvec4`, or a `bvec4`.
-        uniform_4ui: glUniform4ui (location: GLint, x: GLuint, y: GLuint, z: GLuint, w: GLuint);
+        uniform_4ui: glUniform4ui | glUniform4uiEXT (location: GLint, x: GLuint, y: GLuint, z: GLuint, w: GLuint);
         /// Sets `count` elements of `float`.
         uniform_1fv: glUniform1fv | glUniform1fvARB (location: GLint, count: GLsizei, value: &'a [GLfloat]);
         /// Sets `count` elements of `vec2`.
@@ -140,13 +142,13 @@ entry_points! {
         /// Sets `count` elements of `ivec4`.
         uniform_4iv: glUniform4iv | glUniform4ivARB (location: GLint, count: GLsizei, value: &'a [GLint]);
         /// Sets `count` elements of `uint`.
-        uniform_1uiv: glUniform1uiv (location: GLint, count: GLsizei, value: &'a [GLuint]);
+        uniform_1uiv: glUniform1uiv | glUniform1uivEXT (location: GLint, count: GLsizei, value: &'a [GLuint]);
         /// Sets `count` elements of `uvec2`.
-        uniform_2uiv: glUniform2uiv (location: GLint, count: GLsizei, value: &'a [GLuint]);
+        uniform_2uiv: glUniform2uiv | glUniform2uivEXT (location: GLint, count: GLsizei, value: &'a [GLuint]);
         /// Sets `count` elements of `uvec3`.
-        uniform_3uiv: glUniform3uiv (location: GLint, count: GLsizei, value: &'a [GLuint]);
+        uniform_3uiv: glUniform3uiv | glUniform3uivEXT (location: GLint, count: GLsizei, value: &'a [GLuint]);
         /// Sets `count` elements of `uvec4`.
-        uniform_4uiv: glUniform4uiv (location: GLint, count: GLsizei, value: &'a [GLuint]);
+        uniform_4uiv: glUniform4uiv | glUniform4uivEXT (location: GLint, count: GLsizei, value: &'a [GLuint]);
         /// Sets `count` elements of `mat2`.
         uniform_matrix_2fv: glUniformMatrix2fv | glUniformMatrix2fvARB
             (location: GLint, count: GLsizei, transpose: bool, value: &'a [GLfloat]);
@@ -174,26 +176,5 @@ entry_points! {
         /// Sets `count` elements of `mat4x3`.
         uniform_matrix_4x3fv: glUniformMatrix4x3fv
             (location: GLint, count: GLsizei, transpose: bool, value: &'a [GLfloat]);
-    }
-    Anywhere in attribute {
-        /// Sets a generic attribute; attribute 0 ends the vertex.
-        vertex_attrib_1f: glVertexAttrib1f | glVertexAttrib1fARB (index: GLuint, x: GLfloat);
-        /// Sets a generic attribute; attribute 0 ends the vertex.
-        vertex_attrib_2f: glVertexAttrib2f | glVertexAttrib2fARB
-            (index: GLuint, x: GLfloat, y: GLfloat);
-        /// Sets a generic attribute; attribute 0 ends the vertex.
-        vertex_attrib_3f: glVertexAttrib3f | glVertexAttrib3fARB
-            (index: GLuint, x: GLfloat, y: GLfloat, z: GLfloat);
-        /// Sets a generic attribute; attribute 0 ends the vertex.
-        vertex_attrib_4f: glVertexAttrib4f | glVertexAttrib4fARB
-            (index: GLuint, x: GLfloat, y: GLfloat, z: GLfloat, w: GLfloat);
-        /// Sets a generic attribute; attribute 0 ends the vertex.
-        vertex_attrib_1fv: glVertexAttrib1fv | glVertexAttrib1fvARB (index: GLuint, v: &'a [GLfloat]);
-        /// Sets a generic attribute; attribute 0 ends the vertex.
-        vertex_attrib_2fv: glVertexAttrib2fv | glVertexAttrib2fvARB (index: GLuint, v: &'a [GLfloat]);
-        /// Sets a generic attribute; attribute 0 ends the vertex.
-        vertex_attrib_3fv: glVertexAttrib3fv | glVertexAttrib3fvARB (index: GLuint, v: &'a [GLfloat]);
-        /// Sets a generic attribute; attribute 0 ends the vertex.
-        vertex_attrib_4fv: glVertexAttrib4fv | glVertexAttrib4fvARB (index: GLuint, v: &'a [GLfloat]);
     }
 }

@@ -147,13 +147,13 @@ entry_points! {
             drawcount: GLsizei
         );
         /// Draws several runs of vertices of the arrays.
-        multi_draw_arrays: glMultiDrawArrays
+        multi_draw_arrays: glMultiDrawArrays | glMultiDrawArraysEXT
             (mode: GLenum, first: &'a [GLint], count: &'a [GLsizei], primcount: GLsizei);
         /// Draws vertices of the arrays by index.
         draw_elements: glDrawElements
             (mode: GLenum, count: GLsizei, ty: GLenum, indices: Data<'a>);
         /// Draws vertices of the arrays by index; all are promised to be `start` to `end`.
-        draw_range_elements: glDrawRangeElements (
+        draw_range_elements: glDrawRangeElements | glDrawRangeElementsEXT (
             mode: GLenum, start: GLuint, end: GLuint, count: GLsizei, ty: GLenum,
             indices: Data<'a>
         );

@@ -121,6 +121,17 @@ pub struct Uniform {
     pub initial: Vec<u32>,
 }
 
+/// Built-in state that a program reads, as `glGetActiveUniform` lists it: it has no location.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct BuiltinUniform {
+    /// Name, such as `gl_FrontMaterial.diffuse`.
+    pub name: String,
+    /// Type of the variable or of its elements.
+    pub ty: DataType,
+    /// Number of elements; `None` if it is no array.
+    pub array: Option<u32>,
+}
+
 /// A texture slot of a module and the uniform that says which unit it samples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SamplerSlot {
@@ -148,10 +159,15 @@ pub struct Program {
     pub vertex: Option<Module>,
     /// The fragment stage; `None` leaves it to the fixed function.
     pub fragment: Option<Module>,
-    /// What it reads per vertex, besides the conventional attributes.
+    /// What it reads per vertex: generic attributes, then the conventional ones, whose locations
+    /// begin at [`ATTRIB_VERTEX`](crate::interface::ATTRIB_VERTEX).
     pub attributes: Vec<Attribute>,
     /// What the application sets.
     pub uniforms: Vec<Uniform>,
+    /// The built-in uniforms that it names.
+    pub builtin_uniforms: Vec<BuiltinUniform>,
+    /// The fragment stage's own outputs and the colours they go to.
+    pub outputs: Vec<(String, u8)>,
     /// Which texture slots sample which units.
     pub samplers: Vec<SamplerSlot>,
     /// How its shaders say that the colour and the secondary colour are interpolated; `None` leaves

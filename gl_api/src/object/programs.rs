@@ -2,7 +2,6 @@
 
 use super::Objects;
 use super::shaders::{ShaderObject, forget_if_doomed, shader};
-use crate::constants::*;
 use crate::context::{Context, limits};
 use crate::error::{Result, invalid_operation, invalid_value};
 use crate::fixed::clamp_colors;
@@ -21,15 +20,26 @@ pub(crate) enum ShaderOrProgram {
     Program(Box<ProgramObject>),
 }
 
+/// How the last link of a program went.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum LinkStatus {
+    /// It failed, or there was none.
+    #[default]
+    Failed,
+    Linked,
+}
+
 /// A program object.
 #[derive(Debug, Default)]
 pub(crate) struct ProgramObject {
     /// Names of the attached shaders.
     pub attached: Vec<GLuint>,
     pub bindings: glsl::Bindings,
-    /// The result of the last link; a failed one leaves the program in use as it was until another
-    /// is used, which DetGL does not keep: it is unlinked.
-    pub linked: Option<Linked>,
+    /// What draws run: the last link's result, or, while the program is in use and a link of it
+    /// failed, the one before (GL 2.1, section 2.15.2).
+    pub executable: Option<Linked>,
+    /// How the last link went.
+    pub link: LinkStatus,
     pub log: String,
     pub validated: bool,
     pub doomed: bool,
@@ -45,11 +55,29 @@ pub(crate) struct Linked {
     pub words: Vec<u32>,
 }
 
+impl Linked {
+    /// The name of the uniform that has this word, quoted, after a space.
+    pub fn quoted_name(&self, word: u32) -> String {
+        let uniform = self.program.uniforms.iter().rfind(|uniform| uniform.word <= word);
+        uniform.map_or_else(String::new, |uniform| format!(" \"{}\"", uniform.name))
+    }
+}
+
+impl ProgramObject {
+    /// The result of the last link, if it worked.
+    pub fn linked(&self) -> Option<&Linked> {
+        match self.link {
+            LinkStatus::Linked => self.executable.as_ref(),
+            LinkStatus::Failed => None,
+        }
+    }
+}
+
 impl Objects {
-    /// What a linked program draws with.
+    /// What a program draws with.
     pub fn linked_program(&self, name: GLuint) -> Option<&Linked> {
         match self.programs.get(name)? {
-            ShaderOrProgram::Program(program) => program.linked.as_ref(),
+            ShaderOrProgram::Program(program) => program.executable.as_ref(),
             ShaderOrProgram::Shader(_) => None,
         }
     }
@@ -214,12 +242,15 @@ pub(crate) fn link_program(context: &mut Context, name: GLuint) -> Result<()> {
             Err(error) => log.push_str(&format!("error: internal: {error}\n")),
         }
     }
-    let failed = linked.is_none();
+    let in_use = context.state.bindings.program == name;
     let program = program(context, name)?;
-    program.linked = linked;
+    program.link = if linked.is_some() { LinkStatus::Linked } else { LinkStatus::Failed };
+    if linked.is_some() || !in_use {
+        program.executable = linked;
+    }
     program.log = log;
     program.validated = false;
-    if failed {
+    if program.link == LinkStatus::Failed {
         let text = format!("glLinkProgram: program {name} did not link:\n{}", program.log);
         context.debug.warn(text);
     }
@@ -228,94 +259,22 @@ pub(crate) fn link_program(context: &mut Context, name: GLuint) -> Result<()> {
 
 pub(crate) fn use_program(context: &mut Context, name: GLuint) -> Result<()> {
     const SECTION: &str = "GL 2.1, section 2.15.2";
-    if name != 0 && program(context, name)?.linked.is_none() {
+    if name != 0 && program(context, name)?.linked().is_none() {
         return invalid_operation(
             SECTION,
             format!("program {name} is not linked: see glGetProgramInfoLog"),
         );
     }
     let before = std::mem::replace(&mut context.state.bindings.program, name);
-    if before != name && before != 0 && program(context, before)?.doomed {
-        forget(context, before)?;
+    if before == name || before == 0 {
+        return Ok(());
+    }
+    let object = program(context, before)?;
+    if object.doomed {
+        return forget(context, before);
+    }
+    if object.link == LinkStatus::Failed {
+        object.executable = None;
     }
     Ok(())
-}
-
-pub(crate) fn validate_program(context: &mut Context, name: GLuint) -> Result<()> {
-    let program = program(context, name)?;
-    program.validated = program.linked.is_some();
-    if !program.validated {
-        program.log = format!("error: program {name} is not linked\n");
-    }
-    Ok(())
-}
-
-/// The type of a uniform or attribute as GL names it.
-pub(crate) fn gl_type(ty: glsl::DataType) -> GLenum {
-    use glsl::{DataType, Scalar};
-    let of = |types: [GLenum; 4], size: u8| types[usize::from(size.clamp(1, 4) - 1)];
-    match ty {
-        DataType::Vector(Scalar::Float, size) => {
-            of([GL_FLOAT, GL_FLOAT_VEC2, GL_FLOAT_VEC3, GL_FLOAT_VEC4], size)
-        }
-        DataType::Vector(Scalar::Int, size) => {
-            of([GL_INT, GL_INT_VEC2, GL_INT_VEC3, GL_INT_VEC4], size)
-        }
-        DataType::Vector(Scalar::Uint, size) => of(
-            [GL_UNSIGNED_INT, GL_UNSIGNED_INT_VEC2, GL_UNSIGNED_INT_VEC3, GL_UNSIGNED_INT_VEC4],
-            size,
-        ),
-        DataType::Vector(Scalar::Bool, size) => {
-            of([GL_BOOL, GL_BOOL_VEC2, GL_BOOL_VEC3, GL_BOOL_VEC4], size)
-        }
-        DataType::Matrix(columns, rows) => {
-            const MATRICES: [[GLenum; 3]; 3] = [
-                [GL_FLOAT_MAT2, GL_FLOAT_MAT2x3, GL_FLOAT_MAT2x4],
-                [GL_FLOAT_MAT3x2, GL_FLOAT_MAT3, GL_FLOAT_MAT3x4],
-                [GL_FLOAT_MAT4x2, GL_FLOAT_MAT4x3, GL_FLOAT_MAT4],
-            ];
-            let index = |size: u8| usize::from(size.clamp(2, 4) - 2);
-            MATRICES[index(columns)][index(rows)]
-        }
-        DataType::Sampler(sampler) => sampler_type(sampler),
-    }
-}
-
-/// The type of a sampler as GL names it.
-fn sampler_type(sampler: glsl::Sampler) -> GLenum {
-    use glsl::{Comparison, Dim, Scalar};
-    let of = |float, int, uint| match sampler.scalar {
-        Scalar::Int => int,
-        Scalar::Uint => uint,
-        Scalar::Float | Scalar::Bool => float,
-    };
-    match (sampler.dim, sampler.comparison) {
-        (Dim::D1, Comparison::No) => {
-            of(GL_SAMPLER_1D, GL_INT_SAMPLER_1D, GL_UNSIGNED_INT_SAMPLER_1D)
-        }
-        (Dim::D2, Comparison::No) => {
-            of(GL_SAMPLER_2D, GL_INT_SAMPLER_2D, GL_UNSIGNED_INT_SAMPLER_2D)
-        }
-        (Dim::D3, Comparison::No) => {
-            of(GL_SAMPLER_3D, GL_INT_SAMPLER_3D, GL_UNSIGNED_INT_SAMPLER_3D)
-        }
-        (Dim::Cube, Comparison::No) => {
-            of(GL_SAMPLER_CUBE, GL_INT_SAMPLER_CUBE, GL_UNSIGNED_INT_SAMPLER_CUBE)
-        }
-        (Dim::Rect, Comparison::No) => {
-            of(GL_SAMPLER_2D_RECT, GL_INT_SAMPLER_2D_RECT, GL_UNSIGNED_INT_SAMPLER_2D_RECT)
-        }
-        (Dim::D1Array, Comparison::No) => {
-            of(GL_SAMPLER_1D_ARRAY, GL_INT_SAMPLER_1D_ARRAY, GL_UNSIGNED_INT_SAMPLER_1D_ARRAY)
-        }
-        (Dim::D2Array, Comparison::No) => {
-            of(GL_SAMPLER_2D_ARRAY, GL_INT_SAMPLER_2D_ARRAY, GL_UNSIGNED_INT_SAMPLER_2D_ARRAY)
-        }
-        (Dim::D1, Comparison::Yes) => GL_SAMPLER_1D_SHADOW,
-        (Dim::D2 | Dim::D3, Comparison::Yes) => GL_SAMPLER_2D_SHADOW,
-        (Dim::Cube, Comparison::Yes) => GL_SAMPLER_CUBE_SHADOW,
-        (Dim::Rect, Comparison::Yes) => GL_SAMPLER_2D_RECT_SHADOW,
-        (Dim::D1Array, Comparison::Yes) => GL_SAMPLER_1D_ARRAY_SHADOW,
-        (Dim::D2Array, Comparison::Yes) => GL_SAMPLER_2D_ARRAY_SHADOW,
-    }
 }

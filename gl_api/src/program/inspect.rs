@@ -1,12 +1,14 @@
 //! What is known of a program: GL 2.1, sections 2.15.3 and 6.1.14.
 
+use super::data_type::gl_type;
 use super::uniform::{at_location, element_words};
 use crate::constants::*;
 use crate::context::Context;
 use crate::entry::TextOut;
 use crate::error::{Result, Table, invalid_operation, invalid_value, not_negative};
 use crate::glsl::{DataType, Scalar};
-use crate::object::programs::{Linked, gl_type, program};
+use crate::interface::MAX_VERTEX_ATTRIBS;
+use crate::object::programs::{Linked, ProgramObject, program};
 use crate::object::shaders::{c_length, put_text};
 use crate::query::put;
 use crate::types::*;
@@ -48,12 +50,11 @@ pub(crate) fn get_programiv(
     };
     let object = program(context, name)?;
     let property = PROPERTY.decode("pname", pname)?;
-    let linked = object.linked.as_ref().map(|linked| &linked.program);
-    let uniforms = linked.map_or(&[][..], |linked| &linked.uniforms);
+    let linked = object.linked().map(|linked| &linked.program);
     let attributes = linked.map_or(&[][..], |linked| &linked.attributes);
     let value = match property {
         Property::Deleted => object.doomed.into(),
-        Property::Linked => object.linked.is_some().into(),
+        Property::Linked => linked.is_some().into(),
         Property::Validated => object.validated.into(),
         Property::LogLength => c_length(&object.log),
         Property::AttachedShaders => object.attached.len() as GLint,
@@ -61,18 +62,30 @@ pub(crate) fn get_programiv(
         Property::ActiveAttributeMaxLength => {
             attributes.iter().map(|attribute| c_length(&attribute.name)).max().unwrap_or(0)
         }
-        Property::ActiveUniforms => uniforms.len() as GLint,
+        Property::ActiveUniforms => active_uniforms(object).count() as GLint,
         Property::ActiveUniformMaxLength => {
-            let lengths =
-                uniforms.iter().map(|uniform| c_length(&listed(&uniform.name, uniform.array)));
-            lengths.max().unwrap_or(0)
+            active_uniforms(object).map(|uniform| c_length(&listed(uniform))).max().unwrap_or(0)
         }
     };
     put(params, &[value])
 }
 
+/// Name, type and length of an array.
+type Active<'a> = (&'a str, DataType, Option<u32>);
+
+/// The uniforms as GL lists them: the application's, then built-in state.
+fn active_uniforms(object: &ProgramObject) -> impl Iterator<Item = Active<'_>> {
+    let program = object.linked().map(|linked| &linked.program);
+    program.into_iter().flat_map(|program| {
+        let own = program.uniforms.iter();
+        let builtin = program.builtin_uniforms.iter();
+        own.map(|uniform| (&*uniform.name, uniform.ty, uniform.array))
+            .chain(builtin.map(|uniform| (&*uniform.name, uniform.ty, uniform.array)))
+    })
+}
+
 /// A uniform's name as GL lists it: arrays end in `[0]`.
-fn listed(name: &str, array: Option<u32>) -> String {
+fn listed((name, _, array): Active<'_>) -> String {
     if array.is_some() { format!("{name}[0]") } else { name.to_owned() }
 }
 
@@ -105,7 +118,7 @@ pub(crate) fn get_attached_shaders(
 
 /// A linked program.
 fn linked(context: &mut Context, name: GLuint) -> Result<&Linked> {
-    match &program(context, name)?.linked {
+    match program(context, name)?.linked() {
         Some(linked) => Ok(linked),
         None => invalid_operation(SECTION, format!("program {name} is not linked")),
     }
@@ -137,14 +150,15 @@ pub(crate) fn get_active_uniform(
     out: TextOut<'_>,
 ) -> Result<()> {
     let object = program(context, name)?;
-    let uniforms = object.linked.as_ref().map_or(&[][..], |linked| &linked.program.uniforms);
-    let Some(uniform) = uniforms.get(index as usize) else {
+    let Some(uniform) = active_uniforms(object).nth(index as usize) else {
+        let count = active_uniforms(object).count();
         return invalid_value(
             SECTION,
-            format!("index = {index} must be below GL_ACTIVE_UNIFORMS, {}", uniforms.len()),
+            format!("index = {index} must be below GL_ACTIVE_UNIFORMS, {count}"),
         );
     };
-    let variable = (&*listed(&uniform.name, uniform.array), uniform.ty, uniform.array.unwrap_or(1));
+    let (_, data_type, array) = uniform;
+    let variable = (&*listed(uniform), data_type, array.unwrap_or(1));
     put_variable(variable, max_length, length, size, ty, out)
 }
 
@@ -160,7 +174,7 @@ pub(crate) fn get_active_attrib(
     out: TextOut<'_>,
 ) -> Result<()> {
     let object = program(context, name)?;
-    let attributes = object.linked.as_ref().map_or(&[][..], |linked| &linked.program.attributes);
+    let attributes = object.linked().map_or(&[][..], |linked| &linked.program.attributes);
     let Some(attribute) = attributes.get(index as usize) else {
         return invalid_value(
             SECTION,
@@ -174,7 +188,9 @@ pub(crate) fn get_active_attrib(
 fn indexed(name: &str) -> Option<(&str, u32)> {
     let (base, rest) = name.rsplit_once('[')?;
     let digits = rest.strip_suffix(']')?;
-    digits.bytes().all(|byte| byte.is_ascii_digit()).then_some((base, digits.parse().ok()?))
+    let canonical = digits == "0" || !digits.starts_with('0');
+    (canonical && digits.bytes().all(|byte| byte.is_ascii_digit()))
+        .then_some((base, digits.parse().ok()?))
 }
 
 pub(crate) fn get_uniform_location(
@@ -198,7 +214,9 @@ pub(crate) fn get_attrib_location(
     attribute: &str,
 ) -> Result<GLint> {
     let attributes = &linked(context, name)?.program.attributes;
-    let found = attributes.iter().find(|found| found.name == attribute && found.location < 16);
+    let found = attributes
+        .iter()
+        .find(|found| found.name == attribute && found.location < MAX_VERTEX_ATTRIBS);
     Ok(found.map_or(-1, |found| found.location.into()))
 }
 
@@ -207,8 +225,9 @@ pub(crate) fn get_frag_data_location(
     name: GLuint,
     output: &str,
 ) -> Result<GLint> {
-    linked(context, name)?;
-    Ok(program(context, name)?.bindings.frag_data.get(output).map_or(-1, |&color| color.into()))
+    let outputs = &linked(context, name)?.program.outputs;
+    let found = outputs.iter().find(|(found, _)| found == output);
+    Ok(found.map_or(-1, |(_, color)| (*color).into()))
 }
 
 /// The words of the uniform element at a location, and their scalar type.

@@ -165,7 +165,7 @@ pub(crate) fn vertex_attrib_i_4ubv(
     index: GLuint,
     v: &[GLubyte],
 ) -> Result<()> {
-    vector::<4, _>(context, index, v, |x| u32::from(x))
+    vector::<4, _>(context, index, v, u32::from)
 }
 
 pub(crate) fn vertex_attrib_i_4usv(
@@ -173,5 +173,5 @@ pub(crate) fn vertex_attrib_i_4usv(
     index: GLuint,
     v: &[GLushort],
 ) -> Result<()> {
-    vector::<4, _>(context, index, v, |x| u32::from(x))
+    vector::<4, _>(context, index, v, u32::from)
 }

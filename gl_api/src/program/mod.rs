@@ -2,6 +2,8 @@
 
 pub(crate) mod arb;
 pub(crate) mod attribute;
+pub(crate) mod data_type;
 pub(crate) mod inspect;
 pub(crate) mod integer;
 pub(crate) mod uniform;
+pub(crate) mod validate;

@@ -1,11 +1,12 @@
 //! Uniforms: GL 2.1, section 2.15.3.
 
+use super::data_type::gl_type;
 use crate::constants::enum_name;
 use crate::context::Context;
 use crate::error::{Result, invalid_operation, invalid_value, not_negative};
 use crate::glsl::{DataType, Scalar, Uniform};
 use crate::interface::MAX_COMBINED_TEXTURE_IMAGE_UNITS;
-use crate::object::programs::{ShaderOrProgram, gl_type};
+use crate::object::programs::ShaderOrProgram;
 use crate::types::*;
 use rasterizer::ir::TRUE;
 
@@ -51,7 +52,7 @@ fn store(
     let count = not_negative(SECTION, "count", count.into())?;
     let name = context.state.bindings.program;
     let program = match context.objects.programs.get_mut(name) {
-        Some(ShaderOrProgram::Program(program)) => program.linked.as_mut(),
+        Some(ShaderOrProgram::Program(program)) => program.executable.as_mut(),
         Some(ShaderOrProgram::Shader(_)) | None => None,
     };
     let Some(linked) = program else {

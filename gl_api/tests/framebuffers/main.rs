@@ -3,6 +3,7 @@
 
 mod attachments;
 mod blits;
+mod integers;
 mod rectangles;
 mod refusals;
 mod stencils;

@@ -7,6 +7,7 @@ mod formats;
 mod functions;
 mod limits;
 mod mipmaps;
+mod shadows;
 mod storage;
 mod textures;
 mod transfer;

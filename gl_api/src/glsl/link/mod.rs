@@ -74,9 +74,10 @@ fn build(shaders: &[&Shader], bindings: &Bindings, log: &mut Log) -> Option<Prog
     let (outputs, inputs) = (vertex.as_ref(), fragment.as_ref());
     varyings::varyings(outputs, inputs, &mut in_vertex, &mut in_fragment, log);
     let color_interpolation = varyings::colors(outputs, inputs, log);
-    if let Some(fragment) = &fragment {
-        numbered::targets(fragment, bindings, &mut in_fragment, log);
-    }
+    let targets = match &fragment {
+        Some(fragment) => numbered::targets(fragment, bindings, &mut in_fragment, log),
+        None => Vec::new(),
+    };
     if let Some(vertex) = &vertex {
         let position = vertex.used.iter().any(|v| &*v.name == "gl_Position" && v.written);
         if !position {
@@ -95,6 +96,7 @@ fn build(shaders: &[&Shader], bindings: &Bindings, log: &mut Log) -> Option<Prog
         return None;
     }
 
+    let builtin_uniforms = uniforms::builtins(&stages);
     let mut samplers = Vec::new();
     let mut lower = |stage: &Option<StageUnits<'_>>, locations: &Locations, words: &mut Words| {
         let stage = stage.as_ref()?;
@@ -135,6 +137,8 @@ fn build(shaders: &[&Shader], bindings: &Bindings, log: &mut Log) -> Option<Prog
         fragment,
         attributes,
         uniforms: uniforms.list,
+        builtin_uniforms,
+        outputs: targets,
         samplers,
         color_interpolation,
         state: words.state,

@@ -2,11 +2,13 @@
 //! section 2.15.3, GLSL 1.30 section 7.2).
 
 use super::{Locations, StageUnits};
+use crate::glsl::builtins::variables::Builtin;
 use crate::glsl::diagnostics::{Diagnostic, Log};
 use crate::glsl::hir::{Storage, Variable};
 use crate::glsl::limits::{MAX_DRAW_BUFFERS, MAX_VERTEX_ATTRIBS};
 use crate::glsl::lower::Binding;
 use crate::glsl::{Attribute, Bindings};
+use crate::interface::ATTRIB_VERTEX;
 
 /// Gives attributes their locations: first those that were bound, then the others in order.
 pub fn attributes(
@@ -17,11 +19,23 @@ pub fn attributes(
 ) -> Vec<Attribute> {
     let used = vertex.with(|storage| storage == Storage::Attribute);
     let columns = |variable: &Variable| variable.ty.columns().unwrap_or(1);
+    let conventional = conventional(vertex);
+    // Generic attribute 0 is gl_Vertex.
+    let position = conventional.iter().any(|attribute| attribute.location == ATTRIB_VERTEX);
     let mut taken = [false; MAX_VERTEX_ATTRIBS as usize];
+    taken[0] = position;
     let mut found: Vec<Option<u8>> = Vec::new();
     for variable in &used {
         let bound = bindings.attributes.get(&*variable.name).copied();
         found.push(bound);
+        if position && bound == Some(0) {
+            let message = format!(
+                "attribute `{}` is bound to location 0, which is gl_Vertex, and the shader reads \
+                 both",
+                variable.name
+            );
+            log.push(Diagnostic::link_error(message).rule("GL 2.1 section 2.15.3"));
+        }
         if let Some(first) = bound {
             let end = usize::from(first) + usize::from(columns(variable));
             match taken.get_mut(usize::from(first)..end) {
@@ -57,16 +71,27 @@ pub fn attributes(
             attributes.push(Attribute { name: variable.name.to_string(), ty, location });
         }
     }
+    attributes.extend(conventional);
     attributes
 }
 
-/// Gives the outputs of the fragment stage their render targets.
+/// The conventional attributes that the stage reads.
+fn conventional(vertex: &StageUnits<'_>) -> Vec<Attribute> {
+    let attribute = |variable: &&Variable| {
+        let Storage::Builtin(Builtin::Attribute(location)) = variable.storage else { return None };
+        let ty = variable.ty.data_type()?;
+        Some(Attribute { name: variable.name.to_string(), ty, location })
+    };
+    vertex.used.iter().filter_map(attribute).collect()
+}
+
+/// Gives the outputs of the fragment stage their render targets: name and colour of each.
 pub fn targets(
     fragment: &StageUnits<'_>,
     bindings: &Bindings,
     locations: &mut Locations,
     log: &mut Log,
-) {
+) -> Vec<(String, u8)> {
     let outputs = fragment.with(|storage| storage == Storage::FragmentOutput);
     let builtin = ["gl_FragColor", "gl_FragData"];
     let old = fragment.used.iter().find(|v| v.written && builtin.contains(&&*v.name));
@@ -109,4 +134,9 @@ pub fn targets(
             }
         }
     }
+    let color = |output: &&Variable| match locations.get(&output.name) {
+        Some(Binding::Target(color)) => Some((output.name.to_string(), *color)),
+        Some(Binding::Attribute(_) | Binding::Uniform(_) | Binding::Varying(_)) | None => None,
+    };
+    outputs.iter().filter_map(color).collect()
 }

@@ -2,12 +2,13 @@
 //! (GLSL 1.30 section 4.3.5).
 
 use super::StageUnits;
-use crate::glsl::Uniform;
+use crate::glsl::builtins::variables::Builtin;
 use crate::glsl::diagnostics::{Diagnostic, Log};
 use crate::glsl::hir::{Storage, Variable};
 use crate::glsl::limits::MAX_UNIFORM_WORDS;
 use crate::glsl::lower::{self, Words};
 use crate::glsl::types::Type;
+use crate::glsl::{BuiltinUniform, Uniform};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -65,8 +66,19 @@ pub fn uniforms(stages: &[&StageUnits<'_>], words: &mut Words, log: &mut Log) ->
             return uniforms;
         }
         uniforms.words.insert(variable.name.clone(), words.next);
-        let mut flat = Flat { list: &mut uniforms.list, location: &mut location, log };
-        flat.add(&variable.name, &variable.ty, words.next, initial);
+        let mut leaves = Vec::new();
+        add_leaves(&variable.name, &variable.ty, 0, &mut leaves);
+        for Leaf { name, ty, array, at, scalars } in leaves {
+            let Some(data_type) = ty.data_type() else {
+                let message = format!("uniform `{name}`: {ty} is not supported by DetGL yet");
+                log.push(Diagnostic::link_error(message));
+                continue;
+            };
+            let word = words.next + at as u32;
+            let initial = initial[at..at + scalars].to_vec();
+            uniforms.list.push(Uniform { name, ty: data_type, array, location, word, initial });
+            location += array.unwrap_or(1);
+        }
         words.next += count;
     }
     uniforms
@@ -77,43 +89,58 @@ fn initial(variable: &Variable) -> Vec<u32> {
     words.unwrap_or_else(|| vec![0; variable.ty.scalars() as usize])
 }
 
-/// Takes structures apart into what GL lists.
-struct Flat<'a> {
-    list: &'a mut Vec<Uniform>,
-    location: &'a mut u32,
-    log: &'a mut Log,
+/// The built-in uniforms that the stages name.
+pub fn builtins(stages: &[&StageUnits<'_>]) -> Vec<BuiltinUniform> {
+    let is_state =
+        |storage| matches!(storage, Storage::Builtin(Builtin::State(_) | Builtin::States(_)));
+    let mut named: Vec<&Variable> = Vec::new();
+    for variable in stages.iter().flat_map(|stage| stage.with(is_state)) {
+        if !named.iter().any(|known| known.name == variable.name) {
+            named.push(variable);
+        }
+    }
+    let mut leaves = Vec::new();
+    for variable in named {
+        add_leaves(&variable.name, &variable.ty, 0, &mut leaves);
+    }
+    let listed = |leaf: Leaf<'_>| {
+        let ty = leaf.ty.data_type()?;
+        Some(BuiltinUniform { name: leaf.name, ty, array: leaf.array })
+    };
+    leaves.into_iter().filter_map(listed).collect()
 }
 
-impl Flat<'_> {
-    fn add(&mut self, name: &str, ty: &Type, word: u32, initial: &[u32]) {
-        let (element, array) = match ty {
-            Type::Array(element, len) => (&**element, *len),
-            other => (other, None),
-        };
-        if let Type::Struct(structure) = element {
-            let size = structure.scalars as usize;
-            for index in 0..array.unwrap_or(1) {
-                let mut at = size * index as usize;
-                for (field, ty) in &structure.fields {
-                    let name = match array {
-                        Some(_) => format!("{name}[{index}].{field}"),
-                        None => format!("{name}.{field}"),
-                    };
-                    let count = ty.scalars() as usize;
-                    self.add(&name, ty, word + at as u32, &initial[at..at + count]);
-                    at += count;
-                }
-            }
-            return;
+/// A part of a variable that GL lists: no structure.
+struct Leaf<'a> {
+    name: String,
+    /// Its type, or that of its elements.
+    ty: &'a Type,
+    array: Option<u32>,
+    /// The scalars of the variable before it, and its own.
+    at: usize,
+    scalars: usize,
+}
+
+/// Takes a variable apart into what GL lists.
+fn add_leaves<'a>(name: &str, ty: &'a Type, at: usize, leaves: &mut Vec<Leaf<'a>>) {
+    let (element, array) = match ty {
+        Type::Array(element, len) => (&**element, *len),
+        other => (other, None),
+    };
+    let Type::Struct(structure) = element else {
+        let scalars = ty.scalars() as usize;
+        leaves.push(Leaf { name: name.to_owned(), ty: element, array, at, scalars });
+        return;
+    };
+    let mut at = at;
+    for index in 0..array.unwrap_or(1) {
+        for (field, ty) in &structure.fields {
+            let name = match array {
+                Some(_) => format!("{name}[{index}].{field}"),
+                None => format!("{name}.{field}"),
+            };
+            add_leaves(&name, ty, at, leaves);
+            at += ty.scalars() as usize;
         }
-        let Some(data_type) = element.data_type() else {
-            let message = format!("uniform `{name}`: {element} is not supported by DetGL yet");
-            self.log.push(Diagnostic::link_error(message));
-            return;
-        };
-        let location = *self.location;
-        *self.location += array.unwrap_or(1);
-        let (name, initial) = (name.to_owned(), initial.to_vec());
-        self.list.push(Uniform { name, ty: data_type, array, location, word, initial });
     }
 }

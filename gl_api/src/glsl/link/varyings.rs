@@ -124,7 +124,7 @@ pub fn colors(
             (back, used(vertex, back)),
         ];
         let mut said = all.into_iter().filter_map(|(name, said)| said.map(|said| (name, said)));
-        let Some((first, interpolation)) = said.next() else { return None };
+        let (first, interpolation) = said.next()?;
         if let Some((other, different)) = said.find(|(_, other)| *other != interpolation) {
             let text = |said: Option<Interpolation>| said.map_or("not qualified", word);
             let message = format!(

@@ -2,7 +2,10 @@
 //! and words of the message. A 4×4 RGBA8 texture is bound to `GL_TEXTURE_2D`, a 4×4×4 one to
 //! `GL_TEXTURE_3D`, a DXT1 one of 8×8 to the face +X of the cube map.
 
+mod state;
+
 use gl_api::*;
+use state::digest;
 
 fn context() -> Context {
     let desc = ContextDesc { width: 4, height: 4, ..ContextDesc::default() };
@@ -24,15 +27,17 @@ const ENUM: GLenum = GL_INVALID_ENUM;
 const VALUE: GLenum = GL_INVALID_VALUE;
 const OPERATION: GLenum = GL_INVALID_OPERATION;
 
-/// Runs a row and checks what it said.
+/// Runs a row and checks what it said, and that the textures are as they were.
 fn refused(row: &dyn std::fmt::Debug, flag: GLenum, words: &str, call: impl FnOnce(&mut Context)) {
     let mut c = context();
+    let before = digest(&mut c);
     c.messages();
     call(&mut c);
     let text: Vec<String> = c.messages().iter().map(ToString::to_string).collect();
     let text = text.join("\n");
     assert_eq!(c.get_error(), flag, "{row:?}: {text}");
     assert!(text.contains(words), "{row:?}: {text:?} lacks {words:?}");
+    assert_eq!(digest(&mut c), before, "{row:?}");
 }
 
 /// Dimensions, target, level, internal format, size, border, format, type.

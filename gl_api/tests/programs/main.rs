@@ -1,0 +1,471 @@
+//! Programs through GL: what a link gives, keeps and resets, what can be asked of it, and what the
+//! calls refuse.
+
+mod errors;
+
+use gl_api::*;
+
+fn context() -> Context {
+    Context::new(ContextDesc { width: 1, height: 1, ..ContextDesc::default() }).expect("a device")
+}
+
+fn shader(c: &mut Context, stage: GLenum, source: &str) -> GLuint {
+    let shader = c.create_shader(stage);
+    c.shader_source(shader, 1, Strings(vec![source]), &[]);
+    c.compile_shader(shader);
+    shader
+}
+
+/// A program with these vertex and fragment shaders, not linked yet.
+fn made(c: &mut Context, vertex: &[&str], fragment: &[&str]) -> GLuint {
+    let program = c.create_program();
+    for (stage, sources) in [(GL_VERTEX_SHADER, vertex), (GL_FRAGMENT_SHADER, fragment)] {
+        for source in sources {
+            let shader = shader(c, stage, source);
+            c.attach_shader(program, shader);
+        }
+    }
+    program
+}
+
+fn asked(c: &mut Context, program: GLuint, pname: GLenum) -> GLint {
+    let mut value = [0];
+    c.get_programiv(program, pname, &mut value);
+    value[0]
+}
+
+fn log(c: &mut Context, program: GLuint) -> String {
+    let mut text = String::new();
+    c.get_program_info_log(program, 4096, &mut [], TextOut::String(&mut text));
+    text
+}
+
+/// Links it and says whether that worked.
+fn links(c: &mut Context, program: GLuint) -> bool {
+    c.link_program(program);
+    asked(c, program, GL_LINK_STATUS) != 0
+}
+
+fn linked(c: &mut Context, vertex: &[&str], fragment: &[&str]) -> GLuint {
+    let program = made(c, vertex, fragment);
+    assert!(links(c, program), "{}", log(c, program));
+    program
+}
+
+/// Name, size and type of each active uniform.
+fn uniforms(c: &mut Context, program: GLuint) -> Vec<(String, GLint, GLenum)> {
+    let count = asked(c, program, GL_ACTIVE_UNIFORMS) as GLuint;
+    let one = |index| {
+        let (mut name, mut size, mut ty) = (String::new(), [0], [0]);
+        let out = TextOut::String(&mut name);
+        c.get_active_uniform(program, index, 256, &mut [], &mut size, &mut ty, out);
+        (name, size[0], ty[0])
+    };
+    (0..count).map(one).collect()
+}
+
+fn attributes(c: &mut Context, program: GLuint) -> Vec<(String, GLenum)> {
+    let count = asked(c, program, GL_ACTIVE_ATTRIBUTES) as GLuint;
+    let one = |index| {
+        let (mut name, mut ty) = (String::new(), [0]);
+        let out = TextOut::String(&mut name);
+        c.get_active_attrib(program, index, 256, &mut [], &mut [0], &mut ty, out);
+        (name, ty[0])
+    };
+    (0..count).map(one).collect()
+}
+
+/// The pixel after a triangle over it.
+fn drawn(c: &mut Context) -> [u8; 4] {
+    c.begin(GL_TRIANGLES);
+    for [x, y] in [[-4.0, -4.0], [4.0, -4.0], [0.0, 4.0]] {
+        c.vertex_2f(x, y);
+    }
+    c.end();
+    let mut pixel = [0; 4];
+    c.read_pixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, DataOut::Bytes(&mut pixel));
+    no_error(c);
+    pixel
+}
+
+fn no_error(c: &mut Context) {
+    let messages: Vec<String> = c.messages().iter().map(ToString::to_string).collect();
+    assert_eq!(c.get_error(), GL_NO_ERROR, "{messages:?}");
+}
+
+const PASS: &str = "void main() { gl_Position = gl_Vertex; gl_FrontColor = gl_Color; }";
+const TINT: &str = "uniform vec4 tint; void main() { gl_FragColor = tint; }";
+
+#[test]
+fn one_stage_stands_beside_the_fixed_function() {
+    let mut c = context();
+    c.color_3f(0.0, 1.0, 0.0);
+    let vertex = linked(&mut c, &[PASS], &[]);
+    c.use_program(vertex);
+    assert_eq!(drawn(&mut c), [0, 255, 0, 255]);
+    let fragment = linked(&mut c, &[], &["void main() { gl_FragColor = gl_Color.yxzw; }"]);
+    c.use_program(fragment);
+    assert_eq!(drawn(&mut c), [255, 0, 0, 255]);
+}
+
+#[test]
+fn several_shaders_make_a_stage() {
+    let mut c = context();
+    let half = "vec4 f(); void main() { gl_FragColor = f(); }";
+    let program = linked(&mut c, &[PASS], &[half, "vec4 f() { return vec4(1, 0, 1, 1); }"]);
+    c.use_program(program);
+    assert_eq!(drawn(&mut c), [255, 0, 255, 255]);
+}
+
+#[test]
+fn a_failed_link_leaves_what_is_in_use_until_another_is_used() {
+    let mut c = context();
+    let program = linked(&mut c, &[PASS], &[TINT]);
+    c.use_program(program);
+    let tint = c.get_uniform_location(program, "tint");
+    c.uniform_4f(tint, 1.0, 0.0, 0.0, 1.0);
+    let broken = shader(&mut c, GL_FRAGMENT_SHADER, "void main() { gl_FragColor = vec4(0.0); }");
+    c.attach_shader(program, broken);
+    assert!(!links(&mut c, program));
+    assert!(log(&mut c, program).contains("main"));
+    assert_eq!(asked(&mut c, program, GL_ACTIVE_UNIFORMS), 0);
+    assert_eq!(drawn(&mut c), [255, 0, 0, 255]);
+    c.uniform_4f(tint, 0.0, 0.0, 1.0, 1.0);
+    assert_eq!(drawn(&mut c), [0, 0, 255, 255], "its uniforms are part of the state too");
+    c.use_program(program);
+    assert_eq!(c.get_error(), GL_INVALID_OPERATION, "it is not linked");
+    c.use_program(0);
+    c.detach_shader(program, broken);
+    assert!(links(&mut c, program), "{}", log(&mut c, program));
+    c.use_program(program);
+    assert_eq!(drawn(&mut c), [0; 4], "a link resets uniforms");
+}
+
+#[test]
+fn a_link_resets_uniforms_to_their_initial_values() {
+    let mut c = context();
+    let source = "#version 120
+uniform vec2 start = vec2(3.0, 4.0); uniform float plain; uniform sampler2D map;
+void main() { gl_FragColor = texture2D(map, start) * plain; }";
+    let program = linked(&mut c, &[PASS], &[source]);
+    c.use_program(program);
+    let [start, plain, map] =
+        ["start", "plain", "map"].map(|name| c.get_uniform_location(program, name));
+    let read = |c: &mut Context| {
+        let (mut two, mut one, mut unit) = ([0.0; 2], [0.0], [-1]);
+        c.get_uniformfv(program, start, &mut two);
+        c.get_uniformfv(program, plain, &mut one);
+        c.get_uniformiv(program, map, &mut unit);
+        (two, one[0], unit[0])
+    };
+    assert_eq!(read(&mut c), ([3.0, 4.0], 0.0, 0));
+    c.uniform_2f(start, 1.0, 2.0);
+    c.uniform_1f(plain, 5.0);
+    c.uniform_1i(map, 7);
+    c.use_program(0);
+    assert_eq!(read(&mut c), ([1.0, 2.0], 5.0, 7), "values belong to the program");
+    assert!(links(&mut c, program));
+    assert_eq!(read(&mut c), ([3.0, 4.0], 0.0, 0));
+    no_error(&mut c);
+}
+
+#[test]
+fn uniforms_are_listed_and_found_in_parts() {
+    let mut c = context();
+    let source = "#version 120
+struct S { float f; vec2 v[2]; }; struct T { S s[2]; mat2x3 m; };
+uniform T t[2]; uniform mat4 many[3]; uniform bvec2 b;
+void main() {
+    gl_FragColor = vec4(t[1].s[1].v[1], t[0].m[0].x, t[0].s[0].f) * many[2] * float(b.x);
+}";
+    let program = linked(&mut c, &[PASS], &[source]);
+    let all = uniforms(&mut c, program);
+    for (name, size, ty) in [
+        ("t[0].s[0].f", 1, GL_FLOAT),
+        ("t[1].s[1].v[0]", 2, GL_FLOAT_VEC2),
+        ("t[0].m", 1, GL_FLOAT_MAT2x3),
+        ("many[0]", 3, GL_FLOAT_MAT4),
+        ("b", 1, GL_BOOL_VEC2),
+    ] {
+        assert!(all.contains(&(name.to_owned(), size, ty)), "{name}: {all:?}");
+        assert!(c.get_uniform_location(program, name) >= 0, "{name}");
+    }
+    let longest = all.iter().map(|(name, ..)| name.len() + 1).max();
+    assert_eq!(Some(asked(&mut c, program, GL_ACTIVE_UNIFORM_MAX_LENGTH) as usize), longest);
+    let first = c.get_uniform_location(program, "many");
+    assert_eq!(c.get_uniform_location(program, "many[2]"), first + 2);
+    assert_eq!(
+        c.get_uniform_location(program, "t[1].s[0].v[1]"),
+        c.get_uniform_location(program, "t[1].s[0].v") + 1
+    );
+    for none in ["t", "t[0]", "t[2].m", "many[3]", "many[01]", "many[-1]", "b[0]", "b.x", "", "["] {
+        assert_eq!(c.get_uniform_location(program, none), -1, "{none}");
+    }
+    no_error(&mut c);
+}
+
+#[test]
+fn built_in_variables_are_listed_without_locations() {
+    let mut c = context();
+    let vertex = "attribute vec3 own; void main() {
+        gl_Position = gl_ModelViewMatrix * gl_Vertex + vec4(own, 0.0) + gl_MultiTexCoord1;
+        gl_FrontColor = gl_FrontMaterial.diffuse; }";
+    let program = linked(&mut c, &[vertex], &[]);
+    let names: Vec<String> = uniforms(&mut c, program).into_iter().map(|u| u.0).collect();
+    for name in ["gl_ModelViewMatrix", "gl_FrontMaterial.diffuse"] {
+        assert!(names.iter().any(|known| known == name), "{name}: {names:?}");
+        assert_eq!(c.get_uniform_location(program, name), -1, "{name}");
+    }
+    let all = attributes(&mut c, program);
+    for (name, ty) in [("own", GL_FLOAT_VEC3), ("gl_Vertex", GL_FLOAT_VEC4)] {
+        assert!(all.contains(&(name.to_owned(), ty)), "{name}: {all:?}");
+    }
+    assert_eq!(all.len(), 3);
+    assert_eq!(c.get_attrib_location(program, "gl_Vertex"), -1);
+    assert_eq!(c.get_attrib_location(program, "own"), 1, "0 is gl_Vertex");
+    no_error(&mut c);
+}
+
+#[test]
+fn attributes_go_where_they_are_bound() {
+    let mut c = context();
+    let two = "attribute vec4 a; attribute mat3 m; attribute float f;
+        void main() { gl_Position = a + vec4(m * vec3(f), 1.0); }";
+    let program = made(&mut c, &[two], &[]);
+    c.bind_attrib_location(program, 1, "m");
+    c.bind_attrib_location(program, 9, "unknown");
+    assert!(links(&mut c, program));
+    let of = |c: &mut Context, name| c.get_attrib_location(program, name);
+    assert_eq!(["a", "m", "f"].map(|name| of(&mut c, name)), [0, 1, 4]);
+    c.bind_attrib_location(program, 7, "a");
+    assert_eq!(of(&mut c, "a"), 0, "until the next link");
+    c.bind_attrib_location(program, 7, "f");
+    assert!(links(&mut c, program), "aliases are allowed: {}", log(&mut c, program));
+    assert_eq!((of(&mut c, "a"), of(&mut c, "f")), (7, 7));
+    c.bind_attrib_location(program, 14, "m");
+    assert!(!links(&mut c, program), "a matrix takes three");
+    assert!(log(&mut c, program).contains("does not fit"));
+    let both = "attribute vec4 a; void main() { gl_Position = a + gl_Vertex; }";
+    let program = made(&mut c, &[both], &[]);
+    c.bind_attrib_location(program, 0, "a");
+    assert!(!links(&mut c, program));
+    assert!(log(&mut c, program).contains("gl_Vertex"));
+    no_error(&mut c);
+}
+
+#[test]
+fn fragment_outputs_go_where_they_are_bound() {
+    let mut c = context();
+    let source = "#version 130
+out vec4 first; out vec4 second; void main() { first = vec4(0.0); second = vec4(1.0); }";
+    let program = made(&mut c, &[PASS], &[source]);
+    c.bind_frag_data_location(program, 0, "second");
+    assert!(links(&mut c, program), "{}", log(&mut c, program));
+    let of = |c: &mut Context, name| c.get_frag_data_location(program, name);
+    assert_eq!(["first", "second", "third"].map(|name| of(&mut c, name)), [1, 0, -1]);
+    c.use_program(program);
+    assert_eq!(drawn(&mut c), [255; 4]);
+    c.bind_frag_data_location(program, 0, "first");
+    assert!(!links(&mut c, program), "two outputs for one colour");
+    assert!(log(&mut c, program).contains("bound to colour 0"));
+}
+
+#[test]
+fn limits_are_said_by_the_linker() {
+    let mut c = context();
+    let fragment = "void main() { gl_FragColor = v[0] + v[40]; }";
+    let varyings = format!("varying vec4 v[41]; {fragment}");
+    let writes = "varying vec4 v[41]; void main() { gl_Position = v[0] = v[40] = vec4(1.0); }";
+    let arrays: String = (0..17).map(|i| format!("uniform vec4 u{i}[16384];\n")).collect();
+    let named: String = (0..17).map(|i| format!("+ u{i}[0]")).collect();
+    let uniforms = format!("{arrays} void main() {{ gl_Position = vec4(0.0) {named}; }}");
+    let attributes: String = (0..17).map(|i| format!("attribute float a{i};\n")).collect();
+    let sum: String = (0..17).map(|i| format!("+ a{i}")).collect();
+    let many = format!("{attributes} void main() {{ gl_Position = vec4(0.0 {sum}); }}");
+    let rows: [(&[&str], &[&str], &str); 3] = [
+        (&[writes], &[&varyings], "pass between the stages"),
+        (&[&uniforms], &[], "components"),
+        (&[&many], &[], "finds no location"),
+    ];
+    for (vertex, fragment, words) in rows {
+        let program = made(&mut c, vertex, fragment);
+        assert!(!links(&mut c, program), "{words}");
+        assert!(log(&mut c, program).contains(words), "{words}: {}", log(&mut c, program));
+    }
+}
+
+#[test]
+fn values_convert_as_they_are_read() {
+    let mut c = context();
+    let program = errors::everything(&mut c);
+    let at = |c: &mut Context, name| c.get_uniform_location(program, name);
+    let [f, i, u, b, m] = ["f", "i", "u", "b", "m"].map(|name| at(&mut c, name));
+    c.uniform_1f(f, 2.75);
+    c.uniform_1i(i, -3);
+    c.uniform_1ui(u, u32::MAX);
+    c.uniform_1f(b, -0.5);
+    let matrix: Vec<f32> = (0..9_u8).map(f32::from).collect();
+    c.uniform_matrix_3fv(m, 1, true, &matrix);
+    for (location, float, int, uint) in
+        [(f, 2.75, 3, 3), (i, -3.0, -3, (-3_i32) as u32), (u, 4_294_967_295.0, -1, u32::MAX)]
+    {
+        let (mut floats, mut ints, mut uints) = ([0.0], [0], [0]);
+        c.get_uniformfv(program, location, &mut floats);
+        c.get_uniformiv(program, location, &mut ints);
+        c.get_uniformuiv(program, location, &mut uints);
+        assert_eq!((floats[0], ints[0], uints[0]), (float, int, uint), "{location}");
+    }
+    let (mut truth, mut nine) = ([0], [0.0; 9]);
+    c.get_uniformiv(program, b, &mut truth);
+    c.get_uniformfv(program, m, &mut nine);
+    assert_eq!((truth, nine), ([1], [0.0, 3.0, 6.0, 1.0, 4.0, 7.0, 2.0, 5.0, 8.0]));
+    // Past an array's end nothing is written, and location -1 is no one's.
+    let last = at(&mut c, "fa[2]");
+    c.uniform_1fv(last, 2, &[8.0, 9.0]);
+    c.uniform_1f(-1, 1.0);
+    c.uniform_3fv(-1, 5, &[0.0; 15]);
+    let mut value = [0.0];
+    c.get_uniformfv(program, last, &mut value);
+    assert_eq!(value, [8.0]);
+    no_error(&mut c);
+}
+
+#[test]
+fn validation_sees_what_a_draw_would_refuse() {
+    let mut c = context();
+    let source = "uniform sampler2D flat_; uniform samplerCube cube; void main() {
+        gl_FragColor = texture2D(flat_, vec2(0.0)) + textureCube(cube, vec3(1.0)); }";
+    let program = made(&mut c, &[PASS], &[source]);
+    c.validate_program(program);
+    assert_eq!(asked(&mut c, program, GL_VALIDATE_STATUS), 0);
+    assert!(log(&mut c, program).contains("is not linked"));
+    assert!(links(&mut c, program));
+    c.validate_program(program);
+    assert_eq!(asked(&mut c, program, GL_VALIDATE_STATUS), 0, "both samplers are 0");
+    let text = log(&mut c, program);
+    assert!(text.contains("\"cube\"") && text.contains("glUniform1i"), "{text}");
+    c.use_program(program);
+    no_error(&mut c);
+    c.begin(GL_POINTS);
+    c.vertex_2f(0.0, 0.0);
+    c.end();
+    assert_eq!(c.get_error(), GL_INVALID_OPERATION);
+    let cube = c.get_uniform_location(program, "cube");
+    c.uniform_1i(cube, 1);
+    c.validate_program(program);
+    assert_eq!(asked(&mut c, program, GL_VALIDATE_STATUS), 1);
+    assert_eq!(log(&mut c, program), "");
+}
+
+#[test]
+fn what_is_deleted_stays_while_it_is_needed() {
+    let mut c = context();
+    let program = linked(&mut c, &[PASS], &[TINT]);
+    let mut shaders = [0; 3];
+    let mut count = [0];
+    c.get_attached_shaders(program, 3, &mut count, &mut shaders);
+    assert_eq!(count, [2]);
+    c.get_attached_shaders(program, 1, &mut count, &mut [0; 3]);
+    assert_eq!(count, [1]);
+    let vertex = shaders[0];
+    c.delete_shader(vertex);
+    assert!(c.is_shader(vertex), "a program holds it");
+    let mut doomed = [0];
+    c.get_shaderiv(vertex, GL_DELETE_STATUS, &mut doomed);
+    assert_eq!(doomed, [1]);
+    c.use_program(program);
+    c.delete_program(program);
+    assert!(c.is_program(program), "it is in use");
+    assert_eq!(asked(&mut c, program, GL_DELETE_STATUS), 1);
+    assert_eq!(drawn(&mut c), [0; 4]);
+    c.use_program(0);
+    assert!(!c.is_program(program) && !c.is_shader(vertex));
+    assert!(c.is_shader(shaders[1]), "that one was not deleted");
+    c.delete_program(0);
+    c.delete_shader(0);
+    assert!(!c.is_program(0) && !c.is_shader(0) && !c.is_shader(program));
+    no_error(&mut c);
+}
+
+#[test]
+fn sources_are_joined_and_read_back() {
+    let mut c = context();
+    let shader = c.create_shader(GL_FRAGMENT_SHADER);
+    c.shader_source(shader, 3, Strings(vec!["void main", "() {xx", "}"]), &[-1, 4]);
+    let (mut text, mut length) = (String::new(), [0]);
+    c.get_shader_source(shader, 99, &mut length, TextOut::String(&mut text));
+    assert_eq!((text.as_str(), length), ("void main() {}", [14]));
+    let mut bytes = [1; 8];
+    c.get_shader_source(shader, 5, &mut length, TextOut::Bytes(&mut bytes));
+    assert_eq!((bytes, length), ([b'v', b'o', b'i', b'd', 0, 1, 1, 1], [4]));
+    let mut known = [0];
+    c.get_shaderiv(shader, GL_SHADER_SOURCE_LENGTH, &mut known);
+    assert_eq!(known, [15]);
+    no_error(&mut c);
+}
+
+#[test]
+fn generic_attributes_take_every_type() {
+    let mut c = context();
+    let mut expect = |set: fn(&mut Context), value: [f32; 4]| {
+        set(&mut c);
+        let mut found = [0.0; 4];
+        c.get_vertex_attribfv(3, GL_CURRENT_VERTEX_ATTRIB, &mut found);
+        assert_eq!(found, value);
+        no_error(&mut c);
+    };
+    expect(|c| c.vertex_attrib_1s(3, -2), [-2.0, 0.0, 0.0, 1.0]);
+    expect(|c| c.vertex_attrib_2dv(3, &[0.5, 4.0]), [0.5, 4.0, 0.0, 1.0]);
+    expect(|c| c.vertex_attrib_3f(3, 1.0, 2.0, 3.0), [1.0, 2.0, 3.0, 1.0]);
+    expect(|c| c.vertex_attrib_4sv(3, &[1, -1, 2, 3]), [1.0, -1.0, 2.0, 3.0]);
+    expect(|c| c.vertex_attrib_4bv(3, &[-128, 1, 2, 3]), [-128.0, 1.0, 2.0, 3.0]);
+    expect(|c| c.vertex_attrib_4uiv(3, &[1 << 31, 1, 2, 3]), [2_147_483_648.0, 1.0, 2.0, 3.0]);
+    expect(|c| c.vertex_attrib_4nub(3, 255, 0, 51, 255), [1.0, 0.0, 0.2, 1.0]);
+    expect(|c| c.vertex_attrib_4nsv(3, &[i16::MIN, i16::MAX, 0, 0]), {
+        let zero = (1.0_f64 / 65535.0) as f32;
+        [-1.0, 1.0, zero, zero]
+    });
+    expect(|c| c.vertex_attrib_4nuiv(3, &[u32::MAX, 0, 0, 0]), [1.0, 0.0, 0.0, 0.0]);
+}
+
+#[test]
+fn integer_attributes_are_read_back_exactly() {
+    let mut c = context();
+    c.vertex_attrib_i_4i(5, -7, i32::MAX, 0, 1);
+    let (mut signed, mut unsigned, mut double) = ([0; 4], [0; 4], [0.0; 4]);
+    c.get_vertex_attrib_i_iv(5, GL_CURRENT_VERTEX_ATTRIB, &mut signed);
+    assert_eq!(signed, [-7, i32::MAX, 0, 1]);
+    c.get_vertex_attrib_i_uiv(5, GL_CURRENT_VERTEX_ATTRIB, &mut unsigned);
+    assert_eq!(unsigned[0], (-7_i32) as u32);
+    c.get_vertex_attrib_i_iv(5, GL_VERTEX_ATTRIB_ARRAY_SIZE, &mut signed);
+    assert_eq!(signed[0], 4);
+    c.vertex_attrib_2d(5, 0.25, 2.0);
+    c.get_vertex_attribdv(5, GL_CURRENT_VERTEX_ATTRIB, &mut double);
+    assert_eq!(double, [0.25, 2.0, 0.0, 1.0]);
+    no_error(&mut c);
+}
+
+#[test]
+fn generic_attributes_keep_their_order_in_lists() {
+    let mut c = context();
+    let vertex = "attribute vec4 paint; void main() {
+        gl_Position = gl_Vertex; gl_FrontColor = paint; }";
+    let program = made(&mut c, &[vertex], &[]);
+    c.bind_attrib_location(program, 3, "paint");
+    assert!(links(&mut c, program));
+    c.use_program(program);
+    c.new_list(1, GL_COMPILE);
+    c.begin(GL_TRIANGLES);
+    c.vertex_attrib_4nubv(3, &[0, 255, 0, 255]);
+    for corner in [[-4, -4, 0, 1], [4, -4, 0, 1], [0, 4, 0, 1]] {
+        c.vertex_attrib_4iv(0, &corner);
+    }
+    c.vertex_attrib_4nusv(3, &[u16::MAX, 0, 0, u16::MAX]);
+    c.end();
+    c.end_list();
+    c.call_list(1);
+    let mut pixel = [0; 4];
+    c.read_pixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, DataOut::Bytes(&mut pixel));
+    assert_eq!(pixel, [0, 255, 0, 255]);
+    no_error(&mut c);
+}
