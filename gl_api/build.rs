@@ -140,7 +140,7 @@ fn lengths(xml: &str) -> String {
     }
     let mut text =
         String::from("/// What the registry says of each command's parameters, by name.\n");
-    writeln!(text, "const LENGTHS: [(&str, &[Length]); {}] = [", commands.len())
+    writeln!(text, "static LENGTHS: [(&str, &[Length]); {}] = [", commands.len())
         .expect("a String takes everything");
     for (command, parameters) in &commands {
         let place = |name: &str| parameters.iter().position(|(other, _)| other == name);

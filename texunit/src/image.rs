@@ -109,7 +109,7 @@ mod tests {
         assert_eq!(level.texel(2, 1), [3, 4]);
         assert_eq!(level.texel(1, 2), [5, 6]);
         assert_eq!(level.texel(0, 0), [0, 0]);
-        assert_eq!(level.texel(3, 0), []);
+        assert!(level.texel(3, 0).is_empty());
         let before = level.clone();
         assert!(matches!(level.write(2, 0, 2, 1, &[0; 4]), Err(ImageError::Outside { .. })));
         assert!(matches!(level.write(u32::MAX, 0, 2, 1, &[0; 4]), Err(ImageError::Outside { .. })));

@@ -114,13 +114,12 @@ fn compares() -> impl Strategy<Value = Option<Compare>> {
 /// Samplers whose every field varies.
 pub fn samplers() -> impl Strategy<Value = Sampler> {
     let mipmaps = prop::sample::select(vec![Mipmap::None, Mipmap::Nearest, Mipmap::Linear]);
-    let modes =
-        prop::sample::select(vec![
-            DepthMode::Luminance,
-            DepthMode::Intensity,
-            DepthMode::Alpha,
-            DepthMode::Red,
-        ]);
+    let modes = prop::sample::select(vec![
+        DepthMode::Luminance,
+        DepthMode::Intensity,
+        DepthMode::Alpha,
+        DepthMode::Red,
+    ]);
     let seams = prop::sample::select(vec![Seamless::Off, Seamless::On]);
     let lods = prop_oneof![Just([-1000.0, 1000.0]), Just([0.3, 2.2]), Just([-1.0, 0.0])];
     (

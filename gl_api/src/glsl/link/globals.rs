@@ -22,12 +22,15 @@ fn is_shared(variable: &Variable) -> bool {
     }
 }
 
+/// A variable by its name, and its stage unless both stages share it.
+type Key<'a> = (Arc<str>, Option<&'a str>);
+
 /// The units, with arrays that have no size but their largest index as long as the declaration of
 /// another shader says, or as any of them needs.
 pub fn settled(units: impl Iterator<Item = Arc<Unit>>) -> Vec<Arc<Unit>> {
     let mut units: Vec<Arc<Unit>> = units.collect();
     // Of each name, in both stages or in one: the longest size, and the one that is declared.
-    let mut sizes: BTreeMap<(Arc<str>, Option<&str>), (u32, Option<u32>)> = BTreeMap::new();
+    let mut sizes: BTreeMap<Key<'_>, (u32, Option<u32>)> = BTreeMap::new();
     let key = |unit: &Unit, variable: &Variable| {
         (variable.name.clone(), (!is_shared(variable)).then(|| stage_name(unit.stage)))
     };

@@ -1,7 +1,7 @@
 //! Blocks against the extensions' tables in `f64`, lanes against single texels, and compression.
 
 use super::*;
-use crate::format::convert;
+use crate::format::{BaseFormat, convert};
 use crate::lanes::{Isa, Kernel};
 
 /// A small generator (splitmix64).
