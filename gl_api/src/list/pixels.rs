@@ -2,7 +2,7 @@
 
 use super::calls::NAME_TYPE;
 use crate::context::Context;
-use crate::entry::Data;
+use crate::entry::{Data, Located};
 use crate::texture::client::Pixel;
 use crate::texture::layout::{Extent, Layout};
 use crate::texture::memory;
@@ -51,12 +51,12 @@ pub(super) fn bytes(
 ) -> Option<Vec<u8>> {
     let needed = reader(name)?(context, integers)?;
     if name == "glCallLists" {
-        return match data {
-            Data::Bytes(bytes) => bytes.get(..needed).map(<[u8]>::to_vec),
-            Data::Offset(_) | Data::Null => None,
+        return match data.locate(0, needed) {
+            Located::Bytes(bytes) => bytes.get(..needed).map(<[u8]>::to_vec),
+            Located::Offset(_) | Located::Null => None,
         };
     }
-    let source = memory::source(context, data).ok()??;
+    let source = memory::source(context, data, needed).ok()??;
     source.bytes().get(..needed).map(<[u8]>::to_vec)
 }
 
