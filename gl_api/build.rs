@@ -10,8 +10,13 @@ use std::path::Path;
 fn main() {
     println!("cargo:rerun-if-changed=build.rs");
     let xml = String::from_utf8_lossy(khronos_api::GL_XML);
-    let registry =
-        Registry::new(Api::Gl, (4, 6), Profile::Compatibility, Fallbacks::All, extensions(&xml, "gl"));
+    let registry = Registry::new(
+        Api::Gl,
+        (4, 6),
+        Profile::Compatibility,
+        Fallbacks::All,
+        extensions(&xml, "gl"),
+    );
 
     let mut text = String::new();
     constants("GL", &registry, &mut text);
@@ -133,7 +138,8 @@ fn lengths(xml: &str) -> String {
             commands.get_mut(&current).expect("after its prototype").push((parameter, length));
         }
     }
-    let mut text = String::from("/// What the registry says of each command's parameters, by name.\n");
+    let mut text =
+        String::from("/// What the registry says of each command's parameters, by name.\n");
     writeln!(text, "const LENGTHS: [(&str, &[Length]); {}] = [", commands.len())
         .expect("a String takes everything");
     for (command, parameters) in &commands {

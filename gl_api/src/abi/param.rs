@@ -293,11 +293,8 @@ impl<'a> Param<'a> for Strings<'a> {
             .map(|at| {
                 // SAFETY: promised by the caller: `length` pointers, and as many lengths if any.
                 let (text, length) = unsafe {
-                    let length = if lengths.is_null() {
-                        -1
-                    } else {
-                        lengths.add(at).read_unaligned()
-                    };
+                    let length =
+                        if lengths.is_null() { -1 } else { lengths.add(at).read_unaligned() };
                     (raw.add(at).read_unaligned(), length)
                 };
                 // SAFETY: so many bytes, or a negative length, which says that a zero ends it.

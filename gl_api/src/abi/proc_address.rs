@@ -6,8 +6,9 @@ use std::ffi::c_void;
 use std::sync::LazyLock;
 
 /// Addresses, as numbers so that threads can share them.
-static GL: LazyLock<BTreeMap<&str, usize>> =
-    LazyLock::new(|| crate::entry::rows().map(|(name, _, f)| (name, f.expose_provenance())).collect());
+static GL: LazyLock<BTreeMap<&str, usize>> = LazyLock::new(|| {
+    crate::entry::rows().map(|(name, _, f)| (name, f.expose_provenance())).collect()
+});
 
 /// The C function of a GL entry point; null where there is none.
 pub(crate) fn gl(name: &str) -> *const c_void {

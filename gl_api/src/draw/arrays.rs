@@ -7,7 +7,9 @@ use crate::abi::memory::ClientPointer;
 use crate::constants::*;
 use crate::context::{Context, limits};
 use crate::entry::Data;
-use crate::error::{ErrorCode, GlError, Result, Table, invalid_operation, invalid_value, not_negative};
+use crate::error::{
+    ErrorCode, GlError, Result, Table, invalid_operation, invalid_value, not_negative,
+};
 use crate::interface::*;
 use crate::query::put;
 use crate::state::LOCATIONS;

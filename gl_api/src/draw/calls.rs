@@ -71,8 +71,8 @@ fn indexed_reach(
         let indices = bytes.chunks_exact(ty.size());
         let indices = indices
             .map(|index| index.iter().rev().fold(0, |word, &byte| word << 8 | u32::from(byte)));
-        let (low, high) = indices
-            .fold((u32::MAX, 0), |(low, high), index| (low.min(index), high.max(index)));
+        let (low, high) =
+            indices.fold((u32::MAX, 0), |(low, high), index| (low.min(index), high.max(index)));
         reach.last = high.saturating_add_signed(base_vertex);
         reach.first = low.saturating_add_signed(base_vertex).min(reach.last);
     }
@@ -180,11 +180,7 @@ pub(crate) fn draw_arrays_instanced(
         let (last, instances) = ((first + count - 1) as u32, instances as u32);
         let vertices = bindings(context, Reach { first: first as u32, last, instances })?;
         check_range(&vertices, first, count)?;
-        let elements = Elements::Range {
-            first: first as u32,
-            count: count as u32,
-            instances,
-        };
+        let elements = Elements::Range { first: first as u32, count: count as u32, instances };
         draw_or_record(context, topology, vertices, elements)?;
     }
     Ok(())

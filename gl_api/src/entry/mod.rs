@@ -112,8 +112,8 @@ mod vertices;
 
 pub use args::{Arg, BUFFER_OFFSET, Data, DataOut, NULL, Null, Offset, Pointers, Strings, TextOut};
 pub(crate) use args::{Located, LocatedOut};
-pub(crate) use current::{Fallback, call, swap_current};
 pub use current::{Current, set_current, with_current};
+pub(crate) use current::{Fallback, call, swap_current};
 
 pub use attributes::*;
 pub use debugging::*;

@@ -257,6 +257,8 @@ pub(crate) fn get_buffer_sub_data(
             SECTION,
             format!("size = {size}, but the slice has {} bytes", out.len()),
         ),
-        LocatedOut::Null | LocatedOut::Offset(_) => invalid_operation(SECTION, "data must be a slice"),
+        LocatedOut::Null | LocatedOut::Offset(_) => {
+            invalid_operation(SECTION, "data must be a slice")
+        }
     }
 }

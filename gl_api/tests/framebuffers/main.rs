@@ -5,6 +5,7 @@ mod attachments;
 mod blits;
 mod rectangles;
 mod refusals;
+mod samples;
 mod stencils;
 
 use gl_api::*;

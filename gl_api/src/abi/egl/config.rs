@@ -172,9 +172,8 @@ fn matching(request: &[(Int, Attrib)]) -> Result<Vec<&'static Config>> {
             }
         }
     }
-    let asked = |name: Int| {
-        wanted.iter().any(|row| row.0 == name && row.2 != 0 && row.2 != EGL_DONT_CARE)
-    };
+    let asked =
+        |name: Int| wanted.iter().any(|row| row.0 == name && row.2 != 0 && row.2 != EGL_DONT_CARE);
     // An id alone decides.
     let id = wanted.iter().find(|row| row.0 == EGL_CONFIG_ID).map_or(EGL_DONT_CARE, |row| row.2);
     let meets = |config: &&Config| {

@@ -56,15 +56,18 @@ fn check(attributes: &[(Int, Attrib)]) -> Result<()> {
         | EGL_CONTEXT_OPENGL_FORWARD_COMPATIBLE_BIT_KHR
         | EGL_CONTEXT_OPENGL_ROBUST_ACCESS_BIT_KHR;
     if flags & !(known as Attrib) != 0 {
-        return fail(Code::BadAttribute, format!("EGL_CONTEXT_FLAGS_KHR = {flags:#x}: no such bit"));
+        return fail(
+            Code::BadAttribute,
+            format!("EGL_CONTEXT_FLAGS_KHR = {flags:#x}: no such bit"),
+        );
     }
     forward |= flags & EGL_CONTEXT_OPENGL_FORWARD_COMPATIBLE_BIT_KHR as Attrib != 0;
     if !is_version(major, minor) {
         return fail(Code::BadMatch, format!("there is no OpenGL {major}.{minor}"));
     }
     if (major, minor) > (2, 1) {
-        let profiles = EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT
-            | EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT;
+        let profiles =
+            EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT | EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT;
         let named = if profile & profiles as Attrib != profile || profile == 0 {
             ", of a profile that does not exist,"
         } else {
@@ -122,11 +125,8 @@ pub(super) fn create(
     check(attributes)?;
     // The surface comes with eglMakeCurrent.
     let desc = ContextDesc { width: 1, height: 1, ..ContextDesc::default() };
-    let context = if share.is_null() {
-        Context::new(desc)
-    } else {
-        share_with(display, share, desc)?
-    };
+    let context =
+        if share.is_null() { Context::new(desc) } else { share_with(display, share, desc)? };
     let context = match context {
         Ok(context) => context,
         Err(error) => return fail(Code::BadAlloc, error.to_string()),

@@ -56,9 +56,7 @@ pub(super) fn get_platform_display(
     };
     match attributes.first() {
         None => Ok(handle(platform.display())),
-        Some((name, _)) => {
-            fail(Code::BadAttribute, format!("attrib_list: no attribute {name:#x}"))
-        }
+        Some((name, _)) => fail(Code::BadAttribute, format!("attrib_list: no attribute {name:#x}")),
     }
 }
 

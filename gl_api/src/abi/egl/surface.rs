@@ -125,9 +125,7 @@ pub(super) unsafe fn query(
         EGL_VG_ALPHA_FORMAT => EGL_VG_ALPHA_FORMAT_NONPRE,
         EGL_TEXTURE_FORMAT | EGL_TEXTURE_TARGET => EGL_NO_TEXTURE,
         EGL_MIPMAP_TEXTURE | EGL_MIPMAP_LEVEL => 0,
-        EGL_HORIZONTAL_RESOLUTION | EGL_VERTICAL_RESOLUTION | EGL_PIXEL_ASPECT_RATIO => {
-            EGL_UNKNOWN
-        }
+        EGL_HORIZONTAL_RESOLUTION | EGL_VERTICAL_RESOLUTION | EGL_PIXEL_ASPECT_RATIO => EGL_UNKNOWN,
         _ => {
             let rule = format!("attribute = {attribute:#x} is none of surfaces");
             return fail(Code::BadAttribute, rule);
@@ -141,12 +139,7 @@ pub(super) unsafe fn query(
     Ok(1)
 }
 
-pub(super) fn set_attrib(
-    dpy: Handle,
-    surface: Handle,
-    attribute: Int,
-    value: Int,
-) -> Result<u32> {
+pub(super) fn set_attrib(dpy: Handle, surface: Handle, attribute: Int, value: Int) -> Result<u32> {
     let mut registry = registry();
     let display = registry.display(dpy)?;
     registry.surface(display, surface)?;

@@ -1,8 +1,8 @@
 //! OSMesa's functions under their C names.
 
 use super::{
-    Request, Target, attributes, bits, create, current_id, depths, destroy, entries,
-    get, make_current, pixel_store, release,
+    Request, Target, attributes, bits, create, current_id, depths, destroy, entries, get,
+    make_current, pixel_store, release,
 };
 use crate::abi::egl::registry::handle;
 use crate::abi::memory::ClientPointer;

@@ -298,9 +298,10 @@ fn depths(id: Id) -> Option<(GLint, GLint, GLint, *mut c_void)> {
     if bits == 16 {
         // Two to a word, so that the memory stays aligned and the context's own.
         let narrow: Vec<u16> = entry.depths.iter().map(|&depth| depth as u16).collect();
-        entry.depths = narrow.chunks(2).map(|pair| {
-            u32::from(pair[0]) | u32::from(*pair.get(1).unwrap_or(&0)) << 16
-        }).collect();
+        entry.depths = narrow
+            .chunks(2)
+            .map(|pair| u32::from(pair[0]) | u32::from(*pair.get(1).unwrap_or(&0)) << 16)
+            .collect();
         return Some((size.0, size.1, 2, entry.depths.as_mut_ptr().cast()));
     }
     Some((size.0, size.1, 4, entry.depths.as_mut_ptr().cast()))

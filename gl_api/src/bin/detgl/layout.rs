@@ -27,8 +27,11 @@ const NAMES: [&str; 8] = [
 fn library() -> io::Result<PathBuf> {
     let program = env::current_exe()?.canonicalize()?;
     let folder = program.parent().unwrap_or(Path::new("."));
-    [LIBRARY, BUILT].into_iter().map(|name| folder.join(name)).find(|path| path.is_file()).ok_or_else(
-        || {
+    [LIBRARY, BUILT]
+        .into_iter()
+        .map(|name| folder.join(name))
+        .find(|path| path.is_file())
+        .ok_or_else(|| {
             io::Error::new(
                 io::ErrorKind::NotFound,
                 format!(
@@ -37,8 +40,7 @@ fn library() -> io::Result<PathBuf> {
                     program.display()
                 ),
             )
-        },
-    )
+        })
 }
 
 /// Copies the library into a folder and links its names to it.
