@@ -6,7 +6,7 @@ use common::{bindings, bytes, device, fragment, image, pass, pipeline, vertex, v
 use rasterizer::driver::{
     AlphaToCoverage, AlphaToOne, Blend, BlendEquation, BlendFactor, ClearValue, Command,
     CommandBuffer, Counter, DepthState, DepthWrite, Device, Image, MultisampleState, Pipeline,
-    PipelineDesc, RasterState, Rect, SampleCoverage, SampleRule,
+    PipelineDesc, RasterState, Rect, SampleCoverage, SampleRule, Topology,
 };
 use std::sync::Arc;
 use texunit::format::Format;
@@ -38,6 +38,18 @@ fn draw(
     corners: &[[i64; 2]],
     depth: impl Fn(&[i64; 2]) -> f32,
 ) -> u64 {
+    let raster = RasterState { multisample, ..RasterState::default() };
+    draw_with(device, targets, desc, raster, corners, depth)
+}
+
+fn draw_with(
+    device: &Device,
+    targets: (&Image, Option<&Image>),
+    desc: &PipelineDesc,
+    raster: RasterState,
+    corners: &[[i64; 2]],
+    depth: impl Fn(&[i64; 2]) -> f32,
+) -> u64 {
     let counter = Counter::new();
     let clip = |v: i64| v as f32 / (128.0 * SIZE as f32) - 1.0;
     let vertices: Vec<f32> =
@@ -49,7 +61,7 @@ fn draw(
         Command::Clear { value, area },
         Command::Clear { value: ClearValue::Depth(0.5), area },
         viewport(SIZE, SIZE),
-        Command::SetRaster(Arc::new(RasterState { multisample, ..RasterState::default() })),
+        Command::SetRaster(Arc::new(raster)),
         Command::SetCounter(Some(counter.clone())),
         Command::BindPipeline(Pipeline::new(desc.clone()).expect("valid")),
         Command::BindVertices(bindings(&vertices, 1)),
@@ -233,6 +245,64 @@ fn alpha_and_the_coverage_of_the_state_choose_samples() {
             let [red, got] = words.map(f32::from_le_bytes);
             let part = kept as f32 / 4.0;
             assert_eq!((red, got), (part, part * written), "{state:?} {a}");
+        }
+    }
+}
+
+#[test]
+fn tests_after_the_shader_see_the_depths_that_tests_before_it_see() {
+    let device = device(Isa::best(), 2);
+    let mut state = 5;
+    let end = 256 * i64::from(SIZE);
+    // Many that cross each other, so that a difference of one bit shows.
+    let corners: Vec<[i64; 2]> = (0..90).map(|_| [0; 2].map(|_| random(&mut state, end))).collect();
+    let depth = |c: &[i64; 2]| (c[0] * 7 % end) as f32 / end as f32 - 0.75;
+    let mut desc = adding([0.1, 0.2, 0.3, 1.0]);
+    desc.depth = Some(DepthState { test: Compare::LessEqual, write: DepthWrite::On });
+    let late = MultisampleState { alpha_to_coverage: AlphaToCoverage::On, ..each() };
+    let [early, late] = [each(), late].map(|multisample| {
+        let color = multisampled(Format::Rgba32F, 4);
+        let depths = multisampled(Format::D32F, 4);
+        let targets = (&color, Some(&depths));
+        let counted = draw(&device, targets, &desc, multisample, &corners, depth);
+        (bytes(&color), bytes(&depths), counted)
+    });
+    assert!(early == late);
+}
+
+#[test]
+fn lines_are_rectangles_and_points_are_discs() {
+    let device = device(Isa::best(), 2);
+    let mut raster = RasterState { multisample: each(), ..RasterState::default() };
+    (raster.line.width, raster.point.size) = (2.5, 9.0);
+    let at = |v: f64| (v * 256.0) as i64;
+    let (a, b) = ([5.25, 4.5], [26.0, 17.75]);
+    // What of a sample's place says that it is covered.
+    let in_line = |p: [f64; 2]| {
+        let way = [b[0] - a[0], b[1] - a[1]];
+        let length = f64::hypot(way[0], way[1]);
+        let p = [p[0] - a[0], p[1] - a[1]];
+        let along = (p[0] * way[0] + p[1] * way[1]) / length;
+        let across = (way[0] * p[1] - way[1] * p[0]) / length;
+        (0.0..length).contains(&along) && across.abs() < 1.25
+    };
+    let in_point = |p: [f64; 2]| f64::hypot(p[0] - a[0] - 3.0, p[1] - a[1] - 3.0) <= 4.5;
+    let inside: [(Topology, Vec<[i64; 2]>, &dyn Fn([f64; 2]) -> bool); 2] = [
+        (Topology::Lines, vec![a.map(at), b.map(at)], &in_line),
+        (Topology::Points, vec![a.map(|v| at(v + 3.0))], &in_point),
+    ];
+    for (topology, corners, inside) in inside {
+        let mut desc = constant([1.0; 4]);
+        desc.topology = topology;
+        let target = multisampled(Format::Rgba32F, 4);
+        draw_with(&device, (&target, None), &desc, raster.clone(), &corners, |_| 0.0);
+        for (at, red) in reds(&target).into_iter().enumerate() {
+            let pixel = [at as i64 % i64::from(SIZE), at as i64 / i64::from(SIZE)];
+            let of = |place: &&[i64; 2]| {
+                inside([0, 1].map(|axis| pixel[axis] as f64 + place[axis] as f64 / 256.0))
+            };
+            let want = FOUR.iter().filter(of).count() as f32;
+            assert_eq!(red * 4.0, want, "{topology:?} {pixel:?}");
         }
     }
 }

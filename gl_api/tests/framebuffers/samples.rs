@@ -32,7 +32,7 @@ fn fill(c: &mut Context, x: f32, alpha: f32) {
     let right = x / 2.0 - 1.0;
     c.clear(GL_COLOR_BUFFER_BIT);
     c.color_4f(1.0, 1.0, 1.0, alpha);
-    c.rectf(-1.0, -1.0, right, 1.0);
+    c.rect_f(-1.0, -1.0, right, 1.0);
 }
 
 #[test]
