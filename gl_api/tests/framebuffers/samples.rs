@@ -1,6 +1,6 @@
 //! Drawing to several samples a pixel, resolved by a blit (GL 2.1, sections 3.2.1 and 4.1.3).
 
-use super::{bytes, context, framebuffer};
+use super::{bytes, context, framebuffer, rectangle};
 use gl_api::*;
 
 /// A framebuffer of 4×4 pixels with four samples, cleared to black, bound.
@@ -32,7 +32,7 @@ fn fill(c: &mut Context, x: f32, alpha: f32) {
     let right = x / 2.0 - 1.0;
     c.clear(GL_COLOR_BUFFER_BIT);
     c.color_4f(1.0, 1.0, 1.0, alpha);
-    c.rect_f(-1.0, -1.0, right, 1.0);
+    rectangle(c, [-1.0, -1.0, right, 1.0], 0.0);
 }
 
 #[test]
