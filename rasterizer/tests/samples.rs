@@ -272,6 +272,7 @@ fn tests_after_the_shader_see_the_depths_that_tests_before_it_see() {
 
 #[test]
 fn lines_are_rectangles_and_points_are_discs() {
+    type Inside<'a> = &'a dyn Fn([f64; 2]) -> bool;
     let device = device(Isa::best(), 2);
     let mut raster = RasterState { multisample: each(), ..RasterState::default() };
     (raster.line.width, raster.point.size) = (2.5, 9.0);
@@ -287,7 +288,7 @@ fn lines_are_rectangles_and_points_are_discs() {
         (0.0..length).contains(&along) && across.abs() < 1.25
     };
     let in_point = |p: [f64; 2]| f64::hypot(p[0] - a[0] - 3.0, p[1] - a[1] - 3.0) <= 4.5;
-    let inside: [(Topology, Vec<[i64; 2]>, &dyn Fn([f64; 2]) -> bool); 2] = [
+    let inside: [(Topology, Vec<[i64; 2]>, Inside<'_>); 2] = [
         (Topology::Lines, vec![a.map(at), b.map(at)], &in_line),
         (Topology::Points, vec![a.map(|v| at(v + 3.0))], &in_point),
     ];
