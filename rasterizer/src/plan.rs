@@ -9,7 +9,7 @@ use crate::driver::{
 };
 use crate::ir::{Axis, Input, Interpolation, Output};
 use crate::output::{ColorPlan, DepthFormat, DepthPlan, StencilPlan, Tests};
-use crate::raster::PlaneSource;
+use crate::raster::{PlaneSource, Samples};
 use crate::shader::Prepared;
 use crate::target::component_bits;
 use std::fmt::Write;
@@ -92,6 +92,8 @@ pub struct DrawPlan {
     pub viewport: Viewport,
     /// The offset of filled polygons, where depth matters.
     pub offset: Option<PolygonOffset>,
+    /// The samples of its pixels.
+    pub samples: Samples,
     /// How primitives become fragments.
     pub raster: Arc<RasterState>,
     /// Which lanes the polygon stipple leaves of each block of its 32×32 pixels.
@@ -115,6 +117,8 @@ pub struct PlanInput<'a> {
     pub colors: &'a [Option<Format>],
     /// Format of the depth attachment.
     pub depth: Option<Format>,
+    /// Samples of a pixel of all attachments.
+    pub samples: u8,
     /// The uniform words.
     pub uniforms: &'a [u32],
     /// The fragment textures.
@@ -182,9 +186,12 @@ impl DrawPlan {
 
         let tests = tests(pipeline, input.depth);
         let depth_output = output(Output::Depth).filter(|_| tests.depth.is_some());
+        let alpha = output(Output::Color { target: 0, component: 3 });
+        let samples = Samples::new(input.samples, &input.raster.multisample, alpha);
+        let discards = fragment.discards() || samples.alpha.is_some();
         let timing = if tests == Tests::default() {
             Timing::Never
-        } else if fragment.discards() && tests.write() || depth_output.is_some() {
+        } else if discards && tests.write() || depth_output.is_some() {
             Timing::Late(depth_output)
         } else {
             Timing::Early
@@ -275,6 +282,7 @@ impl DrawPlan {
             resolution: input.depth.and_then(DepthFormat::of).and_then(DepthFormat::resolution),
             colors,
             shading,
+            samples,
             viewport: input.viewport,
             offset: input.raster.polygon.offset[PolygonMode::Fill as usize]
                 .filter(|_| depth_plane.is_some()),
@@ -366,6 +374,11 @@ impl DrawPlan {
                         .join(" "),
                 ),
             );
+        }
+        if self.samples.count > 1 {
+            let how =
+                if self.samples.is_each() { "each covered by itself" } else { "all as the centre" };
+            line("samples", format!("{} a pixel, {how}", self.samples.count));
         }
         line("planes", format!("{} evaluated a pixel", self.planes.len()));
         text

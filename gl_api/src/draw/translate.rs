@@ -8,11 +8,12 @@ use crate::framebuffer::complete::{draw_pass, draw_planes};
 use crate::framebuffer::srgb_write;
 use crate::pixels::rectangle::Rectangle;
 use crate::state::enable::Flag;
+use crate::state::multisample::multisample_state;
 use crate::state::stencil::Side;
 use rasterizer::driver::{
     ColorState, Command, Cull, DepthState, FrontFace, Indices, OutputState, PassDesc, Pipeline,
-    PipelineDesc, Provoking, RasterState, Rect, Rim, ShaderModule, Topology, VertexBinding,
-    Viewport,
+    PipelineDesc, Provoking, RasterState, Rect, Rim, SampleRule, ShaderModule, Topology,
+    VertexBinding, Viewport,
 };
 use std::sync::Arc;
 
@@ -78,8 +79,12 @@ fn record(
         Some(rectangle) => {
             rectangle.apply(context, &mut stages).map_err(|error| stages::internal(&error))?;
             viewport = rectangle_viewport(&pass, rectangle.depth);
+            raster.multisample = multisample_state(context, SampleRule::Center);
         }
-        None => raster = raster_state(context, topology, &vertices),
+        None => {
+            raster = raster_state(context, topology, &vertices);
+            raster.multisample = multisample_state(context, SampleRule::Each);
+        }
     }
     let mut desc = pipeline_desc(context, &pass, topology, stages.vertex, stages.fragment);
     if rectangle.is_some() {

@@ -2,7 +2,7 @@
 
 use super::{Data, DataOut};
 use crate::draw::arrays;
-use crate::state::{enable, points, polygon, raster};
+use crate::state::{enable, multisample, points, polygon, raster};
 use crate::types::*;
 
 entry_points! {
@@ -32,6 +32,10 @@ entry_points! {
         line_stipple: glLineStipple (factor: GLint, pattern: GLushort);
         /// Accepted; DetGL has one quality.
         hint: glHint (target: GLenum, mode: GLenum);
+    }
+    Outside in multisample {
+        /// Sets which part of the samples of a pixel `GL_SAMPLE_COVERAGE` leaves.
+        sample_coverage: glSampleCoverage | glSampleCoverageARB (value: GLclampf, invert: bool);
     }
     Outside in polygon {
         /// Sets whether polygons are filled, or drawn by their edges or vertices.

@@ -244,6 +244,8 @@ fn raster(context: &Context, pname: GLenum) -> Answer {
         GL_LINE_WIDTH => float(raster.line_width),
         GL_LINE_STIPPLE_REPEAT => int(raster.stipple_factor),
         GL_LINE_STIPPLE_PATTERN => int(raster.stipple_pattern),
+        GL_SAMPLE_COVERAGE_VALUE => float(raster.multisample.value),
+        GL_SAMPLE_COVERAGE_INVERT => flag(raster.multisample.invert),
         GL_POINT_SIZE => float(raster.points.size),
         GL_POINT_SIZE_MIN => float(raster.points.size_min),
         GL_POINT_SIZE_MAX => float(raster.points.size_max),

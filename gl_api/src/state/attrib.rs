@@ -84,7 +84,15 @@ const FLAGS: &[(GLbitfield, &[Flag])] = &[
     (GL_FOG_BIT, &[Flag::Fog, Flag::ColorSum]),
     (GL_LIGHTING_BIT, &[Flag::ColorMaterial, Flag::Lighting]),
     (GL_LINE_BIT, &[Flag::LineSmooth, Flag::LineStipple]),
-    (GL_MULTISAMPLE_BIT, &[Flag::Multisample]),
+    (
+        GL_MULTISAMPLE_BIT,
+        &[
+            Flag::Multisample,
+            Flag::SampleAlphaToCoverage,
+            Flag::SampleAlphaToOne,
+            Flag::SampleCoverage,
+        ],
+    ),
     (GL_POINT_BIT, &[Flag::PointSmooth, Flag::PointSprite]),
     (
         GL_POLYGON_BIT,
@@ -252,6 +260,9 @@ fn restore(state: &mut State, saved: Server) {
         state.raster.front_face = saved.raster.front_face;
         state.raster.polygons = saved.raster.polygons;
         state.raster.polygons.stipple = stipple;
+    }
+    if has(GL_MULTISAMPLE_BIT) {
+        state.raster.multisample = saved.raster.multisample;
     }
     if has(GL_POINT_BIT) {
         state.raster.points = saved.raster.points;

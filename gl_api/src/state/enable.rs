@@ -40,6 +40,9 @@ pub(crate) enum Flag {
     PolygonStipple,
     PrimitiveRestart,
     RescaleNormal,
+    SampleAlphaToCoverage,
+    SampleAlphaToOne,
+    SampleCoverage,
     ScissorTest,
     SeamlessCubeMaps,
     StencilTest,
@@ -93,6 +96,9 @@ pub(crate) const CAPABILITY: Table<Capability> = Table {
         (GL_POLYGON_STIPPLE, Capability::Flag(Flag::PolygonStipple)),
         (GL_PRIMITIVE_RESTART, Capability::Flag(Flag::PrimitiveRestart)),
         (GL_RESCALE_NORMAL, Capability::Flag(Flag::RescaleNormal)),
+        (GL_SAMPLE_ALPHA_TO_COVERAGE, Capability::Flag(Flag::SampleAlphaToCoverage)),
+        (GL_SAMPLE_ALPHA_TO_ONE, Capability::Flag(Flag::SampleAlphaToOne)),
+        (GL_SAMPLE_COVERAGE, Capability::Flag(Flag::SampleCoverage)),
         (GL_SCISSOR_TEST, Capability::Flag(Flag::ScissorTest)),
         (GL_STENCIL_TEST, Capability::Flag(Flag::StencilTest)),
         (GL_STENCIL_TEST_TWO_SIDE_EXT, Capability::Flag(Flag::StencilTestTwoSide)),
@@ -127,7 +133,7 @@ pub(crate) const CAPABILITY: Table<Capability> = Table {
 
 /// Which flags are on.
 #[derive(Clone, Debug)]
-pub(crate) struct Enables(u32);
+pub(crate) struct Enables(u64);
 
 impl Default for Enables {
     fn default() -> Self {
@@ -141,7 +147,7 @@ impl Enables {
     }
 
     pub fn set(&mut self, flag: Flag, on: bool) {
-        self.0 = self.0 & !(1 << flag as u32) | u32::from(on) << flag as u32;
+        self.0 = self.0 & !(1 << flag as u32) | u64::from(on) << flag as u32;
     }
 }
 

@@ -10,6 +10,7 @@ pub(crate) mod light;
 pub(crate) mod masks;
 pub(crate) mod material;
 pub(crate) mod matrix;
+pub(crate) mod multisample;
 pub(crate) mod params;
 pub(crate) mod pixel_store;
 pub(crate) mod points;

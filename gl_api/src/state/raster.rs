@@ -1,5 +1,6 @@
 //! How primitives become fragments: GL 2.1, sections 3.4 and 3.5, and 2.14.7.
 
+use super::multisample::Multisample;
 use super::points::Points;
 use super::polygon::Polygons;
 use crate::constants::*;
@@ -21,6 +22,7 @@ pub(crate) struct RasterState {
     pub stipple_pattern: u16,
     pub points: Points,
     pub polygons: Polygons,
+    pub multisample: Multisample,
     /// By row of [`HINTS`].
     pub hints: [GLenum; HINTS.rows.len()],
 }
@@ -36,6 +38,7 @@ impl Default for RasterState {
             stipple_pattern: !0,
             points: Points::default(),
             polygons: Polygons::default(),
+            multisample: Multisample::default(),
             hints: [GL_DONT_CARE; HINTS.rows.len()],
         }
     }

@@ -6,6 +6,7 @@ mod blits;
 mod integers;
 mod rectangles;
 mod refusals;
+mod samples;
 mod stencils;
 
 use gl_api::*;

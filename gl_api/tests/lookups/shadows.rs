@@ -46,7 +46,7 @@ fn the_mode_places_the_results_of_old_functions_alone() {
     {
         depth_texture(mode);
         for stage in [Stage::Vertex, Stage::Fragment] {
-            let of = |version, lookup| drawn_with(stage, version, lookup);
+            let of = |version: &str, lookup: &str| drawn_with(stage, version, lookup);
             let what = (enum_name(mode), stage);
             let old = |depth: &str| format!("shadow2DLod(s, vec3(0.5, 0.5, {depth}), 0.0)");
             if stage == Stage::Vertex {

@@ -7,7 +7,7 @@
 //! The samples of a multisample image are only in its attachment layout; its rows are what they
 //! are resolved to.
 
-use crate::target::Surface;
+use crate::target::{MAX_SAMPLES, Surface};
 use parking_lot::Mutex;
 use std::sync::Arc;
 use texunit::format::Format;
@@ -85,15 +85,21 @@ impl State {
     }
 }
 
+/// The number of samples that is given for one that is asked for.
+fn possible(samples: u8) -> u8 {
+    samples.clamp(1, MAX_SAMPLES as u8)
+}
+
 impl Image {
     /// An image with these texels.
     pub fn new(texels: Texels) -> Self {
         Self::with_samples(texels, 1)
     }
 
-    /// An image of one level with several samples a pixel, each with these texels.
+    /// An image of one level with several samples a pixel, each with these texels; with one for 0,
+    /// with [`crate::driver::MAX_SAMPLES`] for more than that.
     pub fn with_samples(texels: Texels, samples: u8) -> Self {
-        Self(Arc::new(Mutex::new(State { texels, samples: samples.max(1), attached: None })))
+        Self(Arc::new(Mutex::new(State { texels, samples: possible(samples), attached: None })))
     }
 
     /// How many samples a pixel has; 1 if it is no multisample image.
@@ -127,7 +133,7 @@ impl Image {
 
     /// Puts other texels in place of its own, with this many samples.
     pub fn replace(&self, texels: Texels, samples: u8) {
-        *self.0.lock() = State { texels, samples: samples.max(1), attached: None };
+        *self.0.lock() = State { texels, samples: possible(samples), attached: None };
     }
 
     /// Whether both handles name the same image.

@@ -14,6 +14,7 @@ mod raster;
 mod submit;
 
 pub use crate::output::texel_words;
+pub use crate::target::MAX_SAMPLES;
 pub use buffer::{Buffer, VertexBinding, VertexFormat, VertexSource, VertexType};
 pub use command::{ClearValue, Command, CommandBuffer, IndexType, Indices, Rect, Viewport};
 pub use counter::Counter;
@@ -25,6 +26,7 @@ pub use pipeline::{
     Pipeline, PipelineDesc, PipelineError, Provoking, ShaderModule, Topology,
 };
 pub use raster::{
-    LineState, LineStipple, MAX_LINE_WIDTH, MAX_POINT_SIZE, PointSize, PointState, PolygonMode,
-    PolygonOffset, PolygonState, RasterState, Rim, SpriteOrigin,
+    AlphaToCoverage, AlphaToOne, LineState, LineStipple, MAX_LINE_WIDTH, MAX_POINT_SIZE,
+    MultisampleState, PointSize, PointState, PolygonMode, PolygonOffset, PolygonState, RasterState,
+    Rim, SampleCoverage, SampleRule, SpriteOrigin,
 };

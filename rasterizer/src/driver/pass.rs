@@ -240,7 +240,9 @@ impl<'a> Pass<'a> {
             return;
         }
         let inner = self.inner_area(area);
-        let raster = self.bound.raster.clone();
+        let surface = self.colors.iter().flatten().chain(&self.depth).next();
+        let samples = surface.map_or(1, |surface| surface.samples);
+        let raster = self.bound.raster.clone().for_samples(samples);
         let isa = self.job.isa;
         let format = |surface: &Option<Surface>| surface.as_ref().map(|s| s.format);
         let formats: Vec<Option<Format>> = self.colors.iter().map(format).collect();
@@ -250,6 +252,7 @@ impl<'a> Pass<'a> {
                 isa,
                 colors: &formats,
                 depth: format(&self.depth),
+                samples,
                 uniforms: &self.bound.uniforms,
                 textures: self.bound.fragment_textures.clone(),
                 viewport: self.bound.viewport,

@@ -1,6 +1,8 @@
 //! How primitives become fragments: state that changes from draw to draw without compiling
 //! anything (GL 2.1, sections 3.3 to 3.5).
 
+use std::sync::Arc;
+
 /// The largest size of a point in pixels; larger ones are drawn with it.
 pub const MAX_POINT_SIZE: f32 = 256.0;
 /// The largest width of a line in pixels; wider ones are drawn with it.
@@ -111,6 +113,58 @@ pub struct PointState {
     pub origin: SpriteOrigin,
 }
 
+/// Which samples of a pixel a primitive covers.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum SampleRule {
+    /// All or none, as it does the centre.
+    #[default]
+    Center,
+    /// Each by itself. Rims of primitives do not count; points are discs and lines rectangles.
+    Each,
+}
+
+/// Whether a fragment keeps as many samples as its alpha says.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum AlphaToCoverage {
+    /// It keeps all it covers.
+    #[default]
+    Off,
+    /// Of the `n` samples, the first `round(alpha n)`, alpha being that of the first colour.
+    On,
+}
+
+/// Whether a fragment's alpha becomes 1.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum AlphaToOne {
+    /// It stays.
+    #[default]
+    Off,
+    /// It does, after it has served for [`AlphaToCoverage`].
+    On,
+}
+
+/// Which samples all fragments keep.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum SampleCoverage {
+    /// Of the `n` samples, the first `round(value n)`.
+    Part(f32),
+    /// The others.
+    AllBut(f32),
+}
+
+/// Several samples a pixel (GL 2.1, sections 3.2.1 and 4.1.3); nothing where attachments have one.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct MultisampleState {
+    /// Which are covered.
+    pub rule: SampleRule,
+    /// Which of them alpha leaves.
+    pub alpha_to_coverage: AlphaToCoverage,
+    /// What alpha is written.
+    pub alpha_to_one: AlphaToOne,
+    /// Which of them are left at all.
+    pub coverage: Option<SampleCoverage>,
+}
+
 /// All of it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RasterState {
@@ -120,6 +174,8 @@ pub struct RasterState {
     pub line: LineState,
     /// Points, and polygons drawn as points.
     pub point: PointState,
+    /// The samples of pixels.
+    pub multisample: MultisampleState,
 }
 
 impl Default for RasterState {
@@ -134,6 +190,7 @@ impl Default for RasterState {
                 sprite: None,
                 origin: SpriteOrigin::UpperLeft,
             },
+            multisample: MultisampleState::default(),
         }
     }
 }
@@ -149,6 +206,19 @@ impl LineState {
 }
 
 impl RasterState {
+    /// The same for attachments of `samples` samples. Where each is covered by itself, a primitive
+    /// may touch the pixels that one with a smooth rim touches.
+    pub(crate) fn for_samples(self: Arc<Self>, samples: u8) -> Arc<Self> {
+        if samples == 1 || self.multisample.rule == SampleRule::Center {
+            return self;
+        }
+        let mut state = (*self).clone();
+        state.polygon.rim = Rim::Smooth;
+        state.line.rim = Rim::Smooth;
+        state.point.rim = Rim::Smooth;
+        Arc::new(state)
+    }
+
     /// The first rule that it breaks, if any.
     pub(crate) fn fault(&self) -> Option<&'static str> {
         if !(self.line.width > 0.0 && self.point.size > 0.0) {

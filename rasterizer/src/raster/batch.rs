@@ -1,10 +1,11 @@
 //! A batch of fragments: up to 16 quads, of one block or of many, of one shape or of many.
 
+use super::samples::{SampleMasks, moved};
 use crate::ir::Axis;
 use crate::plan::{DrawPlan, FragmentInput};
 use crate::primitive::Facing;
 use crate::shader::Machine;
-use crate::target::Place;
+use crate::target::{MAX_SAMPLES, Place};
 use texunit::lanes::{F32s, Kernel, LANES, QUADS, Simd, U32s};
 
 /// The three numbers of a plane for each quad: at the first pixel of its block, per pixel across,
@@ -21,8 +22,8 @@ struct QuadPlane {
 pub struct Batch {
     /// How many quads.
     len: usize,
-    /// Which lanes are covered.
-    pub mask: u64,
+    /// Which lanes are covered, by sample.
+    pub masks: SampleMasks,
     /// Which block of the tile each quad is in.
     blocks: [u8; QUADS],
     /// Which quad of its block each is.
@@ -45,7 +46,7 @@ impl Default for Batch {
     fn default() -> Self {
         Self {
             len: 0,
-            mask: 0,
+            masks: [0; MAX_SAMPLES],
             blocks: [0; QUADS],
             quads: [0; QUADS],
             dx: [0.0; QUADS],
@@ -100,7 +101,7 @@ impl Batch {
 
     /// Lanes that run: whole quads, so that derivatives have their neighbours.
     pub fn active(&self) -> u64 {
-        let quads = u64::from(quads_of(self.mask));
+        let quads = u64::from(quads_of(self.masks.iter().fold(0, |all, mask| all | mask)));
         quads | quads << QUADS | quads << (2 * QUADS) | quads << (3 * QUADS)
     }
 
@@ -124,13 +125,13 @@ impl Batch {
             self.waiting[usize::from(block)] = 0;
         }
         self.len = 0;
-        self.mask = 0;
+        self.masks = [0; MAX_SAMPLES];
         let none = QuadPlane { corner: [0.0; QUADS], a: [0.0; QUADS], b: [0.0; QUADS] };
         self.planes.resize(planes, none);
     }
 
-    /// Adds one quad of a block; `lanes` are the block's covered lanes.
-    pub fn push(&mut self, of: &BlockOf<'_>, quad: usize, lanes: u64) {
+    /// Adds one quad of a block; `masks` are the block's covered lanes, by sample.
+    pub fn push(&mut self, of: &BlockOf<'_>, quad: usize, masks: &[u64]) {
         let at = self.len % QUADS;
         self.len += 1;
         self.blocks[at] = of.block as u8;
@@ -141,8 +142,10 @@ impl Batch {
         self.x[at] = of.x as f32;
         self.y[at] = of.y as f32;
         self.front[at] = front_word(of.facing);
-        for e in 0..4 {
-            self.mask |= (lanes >> (e * QUADS + quad) & 1) << (e * QUADS + at);
+        for (mask, lanes) in self.masks.iter_mut().zip(masks) {
+            for e in 0..4 {
+                *mask |= (lanes >> (e * QUADS + quad) & 1) << (e * QUADS + at);
+            }
         }
         if let Some(coverage) = of.coverage {
             for e in 0..4 {
@@ -157,10 +160,12 @@ impl Batch {
     }
 
     /// Makes it a whole block.
-    pub fn set_block(&mut self, of: &BlockOf<'_>, lanes: u64, planes: usize) {
+    pub fn set_block(&mut self, of: &BlockOf<'_>, masks: &[u64], planes: usize) {
         self.clear(planes);
         self.len = QUADS;
-        self.mask = lanes;
+        for (mask, lanes) in self.masks.iter_mut().zip(masks) {
+            *mask = *lanes;
+        }
         // Its quads are not noted in `blocks`: a whole block runs at once and never waits.
         for quad in 0..QUADS {
             self.dx[quad] = (quad % 4 * 2) as f32;
@@ -359,5 +364,38 @@ impl Kernel for BlockDepth {
         }
         clamp_depth(&mut out);
         out
+    }
+}
+
+/// The depth of a batch at a sample: the same numbers as [`BlockDepth`] gives for a plane that was
+/// moved there.
+pub struct BatchDepth<'a> {
+    /// The quads.
+    pub batch: &'a Batch,
+    /// The plane of depth.
+    pub plane: usize,
+    /// From the pixel's centre to the sample, in pixels.
+    pub offset: [f32; 2],
+    /// Takes the depth.
+    pub depth: &'a mut F32s,
+}
+
+impl Kernel for BatchDepth<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn run<S: Simd>(self) {
+        let Self { batch, plane, offset, depth } = self;
+        let mut p = batch.planes[plane].clone();
+        for q in 0..QUADS {
+            [p.corner[q], _, _] = moved([p.corner[q], p.a[q], p.b[q]], Some(offset));
+        }
+        let mut out = F32s::ZERO;
+        let [first, second, third, fourth] = pixels(&mut out);
+        batch.evaluate_pixel(&p, 0, first);
+        batch.evaluate_pixel(&p, 1, second);
+        batch.evaluate_pixel(&p, 2, third);
+        batch.evaluate_pixel(&p, 3, fourth);
+        clamp_depth(&mut out);
+        *depth = out;
     }
 }

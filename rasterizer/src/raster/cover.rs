@@ -23,6 +23,10 @@ pub enum Cover {
     Band([[f64; 2]; 2], f64),
     /// A smooth point: centre and radius.
     Disc([f64; 2], f64),
+    /// What of a smooth line holds a sample.
+    BandSample([[f64; 2]; 2], f64),
+    /// What of a smooth point does.
+    DiscSample([f64; 2], f64),
 }
 
 /// What of a line is left, and how far it has come before this one, in subpixels.
@@ -37,9 +41,19 @@ fn is_dash(dashes: Dashes, at: u32) -> bool {
 }
 
 impl Cover {
-    /// The outline of `shape` for the tile whose first pixel is `tile`.
+    /// The outline of `shape` for the tile whose first pixel is `tile`, seen from a sample that lies
+    /// `place` subpixels from each pixel's centre.
     #[inline]
-    pub fn new(plan: &DrawPlan, geometry: &Geometry, shape: &Shape, tile: [i32; 2]) -> Self {
+    pub fn new(
+        plan: &DrawPlan,
+        geometry: &Geometry,
+        shape: &Shape,
+        tile: [i32; 2],
+        place: [i32; 2],
+    ) -> Self {
+        if plan.samples.is_each() {
+            return Self::of_sample(plan, geometry, shape, tile, place);
+        }
         let raster = &plan.raster;
         let corners = || shape.corners.map(|c| c.map(|v| f64::from(v) / f64::from(SUBPIXEL)));
         match shape.kind {
@@ -67,6 +81,32 @@ impl Cover {
                 }
                 (Rim::Aliased, _) | (Rim::Smooth, Some(_)) => Self::Box,
             },
+        }
+    }
+
+    /// The outline moved so that pixels' centres meet it where a sample meets `shape`.
+    fn of_sample(
+        plan: &DrawPlan,
+        geometry: &Geometry,
+        shape: &Shape,
+        tile: [i32; 2],
+        place: [i32; 2],
+    ) -> Self {
+        let moved = |c: [i32; 2]| [c[0] - place[0], c[1] - place[1]];
+        let corners = shape.corners.map(moved);
+        match shape.kind {
+            Kind::Triangle => Self::Triangle(coverage::edges(&corners, tile[0], tile[1])),
+            Kind::Line { .. } => {
+                let [a, b, _] = corners.map(|c| c.map(|v| f64::from(v) / f64::from(SUBPIXEL)));
+                Self::BandSample([a, b], plan.raster.line.drawn_width().into())
+            }
+            Kind::Point { .. } if plan.raster.point.sprite.is_some() => Self::Box,
+            Kind::Point { size, .. } => {
+                let window = geometry.vertices[shape.vertices[0] as usize].window;
+                let by = place.map(|v| f64::from(v) / f64::from(SUBPIXEL));
+                let center = [window[0] - by[0], window[1] - by[1]];
+                Self::DiscSample(center, f64::from(size) * 0.5)
+            }
         }
     }
 
@@ -104,6 +144,13 @@ impl Cover {
             Self::Disc(center, radius) => {
                 smooth(shape, first, parts, |pixel| area::disc(*center, *radius, pixel))
             }
+            Self::BandSample(ends, width) => {
+                centers(first, |center| on_band(*ends, *width, dashes, center))
+            }
+            Self::DiscSample(middle, radius) => centers(first, |center| {
+                let (x, y) = (center[0] - middle[0], center[1] - middle[1]);
+                x * x + y * y <= radius * radius
+            }),
         }
     }
 }
@@ -144,6 +191,28 @@ fn smooth(shape: &Shape, first: [i32; 2], parts: &mut F32s, area: impl Fn([f64; 
         }
     }
     lanes
+}
+
+/// The lanes of the block from pixel `first` on whose centres are inside.
+fn centers(first: [i32; 2], inside: impl Fn([f64; 2]) -> bool) -> u64 {
+    (0..LANES).fold(0, |lanes, lane| {
+        let pixel = [first[0] + lane_x(lane) as i32, first[1] + lane_y(lane) as i32];
+        lanes | u64::from(inside(pixel.map(|v| f64::from(v) + 0.5))) << lane
+    })
+}
+
+/// Whether a line of this width, where its stipple leaves it, holds a point. Of its sides those of
+/// its start and on its right do not belong to the next.
+fn on_band(ends: [[f64; 2]; 2], width: f64, dashes: Dashes, point: [f64; 2]) -> bool {
+    let [a, b] = ends;
+    let way = [b[0] - a[0], b[1] - a[1]];
+    let length = (way[0] * way[0] + way[1] * way[1]).sqrt();
+    let p = [point[0] - a[0], point[1] - a[1]];
+    let along = (p[0] * way[0] + p[1] * way[1]) / length;
+    let across = (way[0] * p[1] - way[1] * p[0]) / length;
+    (0.0..length).contains(&along)
+        && (-0.5 * width..0.5 * width).contains(&across)
+        && is_dash(dashes, (along * f64::from(SUBPIXEL)) as u32)
 }
 
 /// How much of a pixel a smooth line covers: with a stipple, of the pieces one pixel long that are

@@ -5,11 +5,15 @@
 
 mod area;
 mod batch;
+mod clear;
 mod cover;
 mod coverage;
 mod group;
 mod interpolate;
+mod samples;
 mod tile;
 
+pub use clear::{ClearJob, ClearTarget};
 pub use interpolate::{PlaneSource, depth_offset};
-pub use tile::{Chunk, ClearJob, ClearTarget, DrawJob, Entry, PassJob, TileJob, Worker};
+pub use samples::Samples;
+pub use tile::{Chunk, DrawJob, Entry, PassJob, TileJob, Worker};

@@ -1,16 +1,18 @@
 //! A tile: everything of a pass that touches its 64×64 pixels, in order.
 
-use super::batch::{Batch, BlockDepth, BlockOf, Interpolate, quads_of};
+use super::batch::{Batch, BatchDepth, BlockDepth, BlockOf, Interpolate, quads_of};
+use super::clear::{ClearJob, clear};
 use super::cover::Cover;
 use super::coverage;
 use super::group::PlaneGroup;
 use super::interpolate::PlaneSetup;
-use crate::driver::Counter;
-use crate::output::{Fragments, expand_mask, test, write};
+use super::samples::{SampleMasks, moved};
+use crate::driver::{AlphaToOne, Counter};
+use crate::output::{Fragments, test, write};
 use crate::plan::{DrawPlan, Shading, Timing};
 use crate::primitive::{Facing, Kind, Shape};
 use crate::shader::{Machine, Run};
-use crate::target::{Place, Plane, TILE, TileTarget, WordMask};
+use crate::target::{MAX_SAMPLES, Place, TILE, TileTarget};
 use crate::vertex::Geometry;
 use std::sync::atomic::{AtomicBool, Ordering};
 use texunit::lanes::{F32s, Isa, LANES};
@@ -32,10 +34,12 @@ pub struct DrawJob {
 }
 
 impl DrawJob {
-    /// Counts the pixels of a mask, if somebody does.
-    fn count(&self, mask: u64) {
+    /// Counts the samples of masks, if somebody does.
+    fn count(&self, masks: &[u64]) {
         if let Some(counter) = &self.counter {
-            counter.add(mask);
+            for &mask in masks {
+                counter.add(mask);
+            }
         }
     }
 }
@@ -49,32 +53,6 @@ pub struct Chunk {
     pub geometry: Geometry,
     /// The shapes.
     pub shapes: Vec<Shape>,
-}
-
-/// What a clear writes to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ClearTarget {
-    /// A colour attachment.
-    Color(usize),
-    /// The depths of the depth attachment.
-    Depth,
-    /// Its stencils.
-    Stencil,
-}
-
-/// A clear of a pass.
-#[derive(Clone, Copy, Debug)]
-pub struct ClearJob {
-    /// What is cleared.
-    pub target: ClearTarget,
-    /// The words of a texel.
-    pub words: WordMask,
-    /// Their bits that are written.
-    pub write: WordMask,
-    /// Their bits that hold anything.
-    pub all: WordMask,
-    /// First and one past the last pixel, within the pass, x then y.
-    pub area: [[i32; 2]; 2],
 }
 
 /// Something that happens in a tile.
@@ -133,6 +111,8 @@ pub struct Worker {
     planes: Vec<[f32; 3]>,
     /// How much of each lane's pixel the shape covers.
     parts: F32s,
+    /// The outline of the shape that is filled, as each sample sees it; one if all see the same.
+    covers: Vec<Cover>,
     /// The draw whose shapes come now.
     draw: Option<usize>,
 }
@@ -223,7 +203,9 @@ impl Worker {
         let plan = &job.plan;
         let Some(range) = block_range(shape, tile.x, tile.y) else { return };
         let at = [tile.x, tile.y];
-        let cover = Cover::new(plan, &chunk.geometry, shape, at);
+        self.covers.clear();
+        let places = plan.samples.places().iter();
+        self.covers.extend(places.map(|&by| Cover::new(plan, &chunk.geometry, shape, at, by)));
         let (area, stipple) = match shape.kind {
             Kind::Triangle => (job.area, plan.stipple.as_ref()),
             // Their outlines do not know where the view volume ends.
@@ -234,22 +216,47 @@ impl Worker {
         }
         for by in range[0][1]..=range[1][1] {
             for bx in range[0][0]..=range[1][0] {
-                let covered = cover.block(pass.isa, plan, shape, at, [bx, by], &mut self.parts);
-                if covered == 0 {
+                let mut masks = self.covered(pass.isa, plan, shape, at, [bx, by]);
+                if any(&masks) == 0 {
                     continue;
                 }
-                let mut mask = covered & coverage::inside_area(&area, tile.x, tile.y, bx, by);
+                let mut inside = coverage::inside_area(&area, tile.x, tile.y, bx, by);
                 if let Some(stipple) = stipple {
                     let [column, row] = [at[0] / 8 + bx, at[1] / 8 + by];
-                    mask &= stipple[(row % 4 * 4 + column % 4) as usize];
+                    inside &= stipple[(row % 4 * 4 + column % 4) as usize];
                 }
-                if mask != 0 {
+                masks = masks.map(|mask| mask & inside);
+                if any(&masks) != 0 {
                     let (x, y) = (at[0] + 8 * bx, at[1] + 8 * by);
                     self.group.at(lane, x, y, &mut self.planes);
-                    self.fill_block(pass, tile, job, shape.facing, [bx, by], mask);
+                    self.fill_block(pass, tile, job, shape.facing, [bx, by], masks);
                 }
             }
         }
+    }
+
+    /// What `self.covers` cover of a block.
+    #[inline]
+    fn covered(
+        &mut self,
+        isa: Isa,
+        plan: &DrawPlan,
+        shape: &Shape,
+        tile: [i32; 2],
+        block: [i32; 2],
+    ) -> SampleMasks {
+        let mut masks = [0; MAX_SAMPLES];
+        let mut covered = 0;
+        for (sample, mask) in masks.iter_mut().enumerate().take(plan.samples.count) {
+            // Samples without an outline of their own are covered as the first is.
+            if let Some(cover) = self.covers.get(sample) {
+                covered = cover.block(isa, plan, shape, tile, block, &mut self.parts);
+            }
+            if plan.samples.leaves(sample) {
+                *mask = covered;
+            }
+        }
+        masks
     }
 
     /// Tests the depth of a block's covered lanes and puts what is left into a batch.
@@ -260,7 +267,7 @@ impl Worker {
         job: &DrawJob,
         facing: Facing,
         [bx, by]: [i32; 2],
-        mut mask: u64,
+        mut masks: SampleMasks,
     ) {
         let plan = &job.plan;
         let (x, y) = (tile.x + 8 * bx, tile.y + 8 * by);
@@ -274,16 +281,17 @@ impl Worker {
         };
         if plan.timing == Timing::Early {
             // What waits has passed its own test already, so the order holds.
-            mask = early_tests(pass.isa, plan, &of, mask, tile);
+            early_tests(pass.isa, plan, &of, &mut masks, tile);
         }
+        let masks = &masks[..plan.samples.count];
         if plan.shading == Shading::Off {
-            job.count(mask);
+            job.count(masks);
             return;
         }
-        if mask == 0 {
+        let quads = quads_of(any(masks));
+        if quads == 0 {
             return;
         }
-        let quads = quads_of(mask);
         let run_waiting = |waiting: &mut Batch, shader: &mut Shader, tile: &mut TileJob| {
             shader.shade(pass, job, waiting, waiting.place(), tile);
             waiting.clear(plan.planes.len());
@@ -292,7 +300,7 @@ impl Worker {
             run_waiting(&mut self.waiting, &mut self.shader, tile);
         }
         if quads.count_ones() >= DENSE {
-            self.block.set_block(&of, mask, plan.planes.len());
+            self.block.set_block(&of, masks, plan.planes.len());
             self.shader.shade(pass, job, &self.block, Place::Block(of.block), tile);
             return;
         }
@@ -303,9 +311,15 @@ impl Worker {
             if self.waiting.is_full() {
                 run_waiting(&mut self.waiting, &mut self.shader, tile);
             }
-            self.waiting.push(&of, quad, mask);
+            self.waiting.push(&of, quad, masks);
         }
     }
+}
+
+/// The lanes of which any sample is covered.
+#[inline]
+fn any(masks: &[u64]) -> u64 {
+    masks.iter().fold(0, |all, mask| all | mask)
 }
 
 /// A shape's bounds as first and one past the last pixel.
@@ -328,18 +342,30 @@ fn block_range(shape: &Shape, x: i32, y: i32) -> Option<[[i32; 2]; 2]> {
     Some(range)
 }
 
-fn early_tests(isa: Isa, plan: &DrawPlan, of: &BlockOf<'_>, mask: u64, tile: &mut TileJob) -> u64 {
-    let Some(target) = tile.depth.as_mut() else { return mask };
-    let depth = match plan.depth_plane {
-        Some(index) => isa.run(BlockDepth { plane: of.planes[index] }),
-        None => F32s::ZERO,
-    };
+fn early_tests(
+    isa: Isa,
+    plan: &DrawPlan,
+    of: &BlockOf<'_>,
+    masks: &mut SampleMasks,
+    tile: &mut TileJob,
+) {
+    let Some(target) = tile.depth.as_mut() else { return };
     let back = match of.facing {
         Facing::Front => 0,
         Facing::Back => !0,
     };
-    let fragments = Fragments { place: Place::Block(of.block), depth: &depth, back, mask };
-    test(isa, &plan.tests, target, 0, &fragments)
+    for (sample, mask) in masks.iter_mut().enumerate().take(plan.samples.count) {
+        let depth = match plan.depth_plane {
+            Some(index) => {
+                let plane = moved(of.planes[index], plan.samples.offset(sample));
+                isa.run(BlockDepth { plane })
+            }
+            None => F32s::ZERO,
+        };
+        let fragments =
+            Fragments { place: Place::Block(of.block), depth: &depth, back, mask: *mask };
+        *mask = test(isa, &plan.tests, target, sample, &fragments);
+    }
 }
 
 /// Runs batches and writes what comes out.
@@ -373,8 +399,12 @@ impl Shader {
             job.stopped.store(true, Ordering::Relaxed);
             return;
         };
-        let mut mask = batch.mask & kept;
-        if mask == 0 {
+        let samples = &plan.samples;
+        let mut masks = batch.masks.map(|mask| mask & kept);
+        if let Some(alpha) = samples.alpha {
+            samples.mask_by_alpha(isa, self.machine.output(alpha).as_f32(), &mut masks);
+        }
+        if any(&masks) == 0 {
             return;
         }
         if let (Timing::Late(output), Some(target)) = (plan.timing, tile.depth.as_mut()) {
@@ -382,19 +412,36 @@ impl Shader {
                 self.depth = *self.machine.output(output).as_f32();
                 isa.run(ClampDepth(&mut self.depth));
             }
-            let fragments = Fragments { place, depth: &self.depth, back: batch.back(), mask };
-            mask = test(isa, &plan.tests, target, 0, &fragments);
+            let back = batch.back();
+            for (sample, mask) in masks.iter_mut().enumerate().take(samples.count) {
+                if let (Some(plane), Some(offset), None) =
+                    (plan.depth_plane, samples.offset(sample), output)
+                {
+                    isa.run(BatchDepth { batch, plane, offset, depth: &mut self.depth });
+                }
+                let fragments = Fragments { place, depth: &self.depth, back, mask: *mask };
+                *mask = test(isa, &plan.tests, target, sample, &fragments);
+            }
+            if any(&masks) == 0 {
+                return;
+            }
         }
-        if mask == 0 {
-            return;
-        }
-        job.count(mask);
+        let masks = &masks[..samples.count];
+        job.count(masks);
         for color in &plan.colors {
             let Some(target) = tile.colors[color.target].as_mut() else { continue };
             let machine = &self.machine;
-            let rgba = [0, 1, 2, 3]
+            let mut rgba = [0, 1, 2, 3]
                 .map(|i| color.outputs[i].map(|output| machine.output(output).as_f32()));
-            write(isa, color, target, 0, place, rgba, mask);
+            if samples.alpha_to_one == AlphaToOne::On {
+                // A component that no program writes: alpha is 1.
+                rgba[3] = None;
+            }
+            for (sample, &mask) in masks.iter().enumerate() {
+                if mask != 0 {
+                    write(isa, color, target, sample, place, rgba, mask);
+                }
+            }
         }
     }
 }
@@ -407,41 +454,5 @@ impl texunit::lanes::Kernel for ClampDepth<'_> {
     #[inline(always)]
     fn run<S: texunit::lanes::Simd>(self) {
         super::batch::clamp_depth(self.0);
-    }
-}
-
-/// Clears a tile's part of an attachment.
-fn clear(pass: &PassJob, job: &ClearJob, tile: &mut TileJob) {
-    let (target, first) = match job.target {
-        ClearTarget::Color(index) => (tile.colors.get_mut(index).and_then(Option::as_mut), 0),
-        ClearTarget::Depth => (tile.depth.as_mut(), 0),
-        ClearTarget::Stencil => (tile.depth.as_mut(), 1),
-    };
-    let Some(target) = target else { return };
-    // What a tile has beyond the pass is never seen.
-    let end = |start: i32, size: u32| (start + TILE as i32).min(size as i32);
-    let whole = job.area[0][0] <= tile.x
-        && job.area[0][1] <= tile.y
-        && job.area[1][0] >= end(tile.x, pass.width)
-        && job.area[1][1] >= end(tile.y, pass.height);
-    for sample in target.planes.chunks_mut(target.words) {
-        for (index, plane) in sample.iter_mut().skip(first).enumerate() {
-            let (word, write, all) = (job.words[index], job.write[index], job.all[index]);
-            if write == 0 {
-                continue;
-            }
-            if whole && write == all {
-                *plane = Plane::Cleared(word);
-                continue;
-            }
-            for (index, block) in plane.blocks_mut().iter_mut().enumerate() {
-                let (bx, by) = (index as i32 % 8, index as i32 / 8);
-                let lanes = expand_mask(coverage::inside_area(&job.area, tile.x, tile.y, bx, by));
-                for lane in 0..LANES {
-                    let write = lanes[lane] & write;
-                    block[lane] = (word & write) | (block[lane] & !write);
-                }
-            }
-        }
     }
 }

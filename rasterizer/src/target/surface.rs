@@ -15,6 +15,8 @@ use texunit::format::Format;
 use texunit::image::Level;
 use texunit::lanes::{LANES, U32s, lane_x, lane_y};
 
+/// The most samples that a pixel can have.
+pub const MAX_SAMPLES: usize = 4;
 /// Pixels along a side of a tile.
 pub const TILE: u32 = 64;
 /// Blocks of 8×8 pixels in a tile.

@@ -1,0 +1,165 @@
+//! The samples of a draw's pixels: where each lies, and which of them a fragment keeps (GL 2.1,
+//! sections 3.2.1 and 4.1.3).
+//!
+//! A fragment is shaded once, at the centre of its pixel, if any sample is covered. Its depth is
+//! that of the plane at each sample; each sample is tested and written by itself.
+
+use crate::driver::{AlphaToCoverage, AlphaToOne, MultisampleState, SampleCoverage, SampleRule};
+use crate::output::pack_mask;
+use crate::primitive::SUBPIXEL;
+use crate::target::MAX_SAMPLES;
+use texunit::lanes::{F32s, Isa, Kernel, LANES, Simd, U32s};
+
+/// The lanes that are covered, by sample; none of samples that are not there.
+pub type SampleMasks = [u64; MAX_SAMPLES];
+
+/// Two samples, from the pixel's centre, in subpixels.
+const TWO: [[i32; 2]; 2] = [[64, 64], [-64, -64]];
+/// Four: one in each row and each column of quarters of the pixel.
+const FOUR: [[i32; 2]; 4] = [[-32, -96], [96, -32], [-96, 32], [32, 96]];
+
+/// The centre of the pixel.
+const CENTER: [[i32; 2]; 1] = [[0, 0]];
+
+/// What a draw does with the samples of its pixels.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Samples {
+    /// How many there are, from 1 to [`MAX_SAMPLES`].
+    pub count: usize,
+    /// Where each lies, from the pixel's centre, in subpixels; empty where all are covered, and
+    /// have the depth, that the centre has.
+    places: &'static [[i32; 2]],
+    /// Those that the coverage of the state leaves, bit by sample.
+    left: u8,
+    /// The program output whose alpha says how many are kept.
+    pub alpha: Option<usize>,
+    /// Whether the alpha that is written is 1.
+    pub alpha_to_one: AlphaToOne,
+}
+
+impl Samples {
+    /// The samples of attachments that have `count` each; `alpha` is the program output of the first
+    /// colour's alpha.
+    pub fn new(count: u8, state: &MultisampleState, alpha: Option<usize>) -> Self {
+        let count = usize::from(count).clamp(1, MAX_SAMPLES);
+        if count == 1 {
+            let alpha_to_one = AlphaToOne::Off;
+            return Self { count, places: &[], left: 1, alpha: None, alpha_to_one };
+        }
+        let places: &[[i32; 2]] = match (state.rule, count) {
+            (SampleRule::Center, _) => &[],
+            (SampleRule::Each, 2) => &TWO,
+            (SampleRule::Each, _) => &FOUR[..count],
+        };
+        Self {
+            count,
+            places,
+            left: left_by(state.coverage, count),
+            alpha: match state.alpha_to_coverage {
+                AlphaToCoverage::On => alpha,
+                AlphaToCoverage::Off => None,
+            },
+            alpha_to_one: state.alpha_to_one,
+        }
+    }
+
+    /// Where coverage is computed, from the pixel's centre, in subpixels: at every sample, or once
+    /// for all.
+    pub fn places(&self) -> &'static [[i32; 2]] {
+        if self.places.is_empty() { &CENTER } else { self.places }
+    }
+
+    /// Whether each sample is covered by itself.
+    pub fn is_each(&self) -> bool {
+        !self.places.is_empty()
+    }
+
+    /// Whether the coverage of the state leaves a sample.
+    pub fn leaves(&self, sample: usize) -> bool {
+        self.left >> sample & 1 == 1
+    }
+
+    /// From a pixel's centre to a sample, in pixels; `None` where values are those of the centre.
+    pub fn offset(&self, sample: usize) -> Option<[f32; 2]> {
+        self.places.get(sample).map(|place| place.map(|v| v as f32 / SUBPIXEL as f32))
+    }
+
+    /// The samples that each lane's alpha leaves: the nearest number to `alpha` times all of them.
+    pub fn mask_by_alpha(&self, isa: Isa, alpha: &F32s, masks: &mut SampleMasks) {
+        for (sample, mask) in masks[..self.count].iter_mut().enumerate() {
+            let least = (sample as f32 + 0.5) / self.count as f32;
+            *mask &= isa.run(AtLeast { alpha, least });
+        }
+    }
+}
+
+/// The samples that the state's coverage leaves, bit by sample.
+fn left_by(coverage: Option<SampleCoverage>, count: usize) -> u8 {
+    let all = (1_u8 << count) - 1;
+    let first = |part: f32| {
+        let kept = (part.clamp(0.0, 1.0) * count as f32).round() as u32;
+        ((1_u32 << kept) - 1) as u8
+    };
+    match coverage {
+        None => all,
+        Some(SampleCoverage::Part(part)) => first(part),
+        Some(SampleCoverage::AllBut(part)) => all & !first(part),
+    }
+}
+
+/// A plane, given at a pixel's centre with its steps, moved to a sample.
+#[inline(always)]
+pub fn moved([corner, a, b]: [f32; 3], offset: Option<[f32; 2]>) -> [f32; 3] {
+    match offset {
+        Some([x, y]) => [corner + (x * a + y * b), a, b],
+        None => [corner, a, b],
+    }
+}
+
+/// The lanes whose alpha is not below `least`.
+struct AtLeast<'a> {
+    alpha: &'a F32s,
+    least: f32,
+}
+
+impl Kernel for AtLeast<'_> {
+    type Output = u64;
+    #[inline(always)]
+    fn run<S: Simd>(self) -> u64 {
+        let mut kept = U32s::ZERO;
+        for lane in 0..LANES {
+            kept[lane] = u32::from(self.alpha[lane] >= self.least);
+        }
+        pack_mask(&kept)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn coverage_leaves_the_nearest_number_of_samples() {
+        for (coverage, left) in [
+            (None, 0b1111),
+            (Some(SampleCoverage::Part(0.0)), 0),
+            (Some(SampleCoverage::Part(0.25)), 0b1),
+            (Some(SampleCoverage::Part(0.5)), 0b11),
+            (Some(SampleCoverage::Part(1.0)), 0b1111),
+            (Some(SampleCoverage::AllBut(0.25)), 0b1110),
+            (Some(SampleCoverage::AllBut(1.0)), 0),
+            (Some(SampleCoverage::Part(f32::NAN)), 0),
+        ] {
+            assert_eq!(left_by(coverage, 4), left, "{coverage:?}");
+        }
+    }
+
+    #[test]
+    fn samples_lie_in_rows_and_columns_of_their_own() {
+        for axis in 0..2 {
+            let mut quarters = FOUR.map(|place| (place[axis] + 128) / 64);
+            quarters.sort_unstable();
+            assert_eq!(quarters, [0, 1, 2, 3]);
+        }
+    }
+}

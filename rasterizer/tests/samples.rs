@@ -1,0 +1,332 @@
+//! Multisample targets: what each sample holds, against exact arithmetic and counts.
+
+mod common;
+
+use common::{bindings, bytes, device, fragment, image, pass, pipeline, vertex, viewport};
+use rasterizer::driver::{
+    AlphaToCoverage, AlphaToOne, Blend, BlendEquation, BlendFactor, ClearValue, Command,
+    CommandBuffer, Counter, DepthState, DepthWrite, Device, Image, MultisampleState, Pipeline,
+    PipelineDesc, RasterState, Rect, SampleCoverage, SampleRule, Topology,
+};
+use std::sync::Arc;
+use texunit::format::Format;
+use texunit::image::{Image as Texels, Level, Shape};
+use texunit::lanes::Isa;
+use texunit::sampler::Compare;
+
+const SIZE: u32 = 32;
+
+/// The standard positions of four samples, from the pixel's lower left corner, in 256ths.
+const FOUR: [[i64; 2]; 4] = [[96, 32], [224, 96], [32, 160], [160, 224]];
+
+fn multisampled(format: Format, samples: u8) -> Image {
+    let mut texels = Texels::new(Shape::D2);
+    texels.set_level(0, 0, Level::new(format, SIZE, SIZE).expect("small")).expect("face 0");
+    Image::with_samples(texels, samples)
+}
+
+fn each() -> MultisampleState {
+    MultisampleState { rule: SampleRule::Each, ..MultisampleState::default() }
+}
+
+/// Draws triangles, given in 256ths of pixels with a depth, over black.
+fn draw(
+    device: &Device,
+    targets: (&Image, Option<&Image>),
+    desc: &PipelineDesc,
+    multisample: MultisampleState,
+    corners: &[[i64; 2]],
+    depth: impl Fn(&[i64; 2]) -> f32,
+) -> u64 {
+    let raster = RasterState { multisample, ..RasterState::default() };
+    draw_with(device, targets, desc, raster, corners, depth)
+}
+
+fn draw_with(
+    device: &Device,
+    targets: (&Image, Option<&Image>),
+    desc: &PipelineDesc,
+    raster: RasterState,
+    corners: &[[i64; 2]],
+    depth: impl Fn(&[i64; 2]) -> f32,
+) -> u64 {
+    let counter = Counter::new();
+    let clip = |v: i64| v as f32 / (128.0 * SIZE as f32) - 1.0;
+    let vertices: Vec<f32> =
+        corners.iter().flat_map(|c| [clip(c[0]), clip(c[1]), depth(c), 1.0]).collect();
+    let area = Rect { x: 0, y: 0, width: SIZE, height: SIZE };
+    let value = ClearValue::Color { target: 0, value: [0.0; 4], mask: [true; 4] };
+    let commands = vec![
+        pass(targets.0, targets.1, SIZE, SIZE),
+        Command::Clear { value, area },
+        Command::Clear { value: ClearValue::Depth(0.5), area },
+        viewport(SIZE, SIZE),
+        Command::SetRaster(Arc::new(raster)),
+        Command::SetCounter(Some(counter.clone())),
+        Command::BindPipeline(Pipeline::new(desc.clone()).expect("valid")),
+        Command::BindVertices(bindings(&vertices, 1)),
+        Command::Draw { first: 0, count: corners.len() as u32, instances: 1 },
+        Command::EndPass,
+    ];
+    device.submit(&CommandBuffer { commands }).expect("legal");
+    counter.samples()
+}
+
+fn constant(color: [f32; 4]) -> PipelineDesc {
+    pipeline(vertex(0), fragment(0, |b| color.map(|v| b.float(v))))
+}
+
+/// Adds what is drawn to what is there.
+fn adding(color: [f32; 4]) -> PipelineDesc {
+    let mut desc = constant(color);
+    desc.colors[0].blend = Some(Blend {
+        equation: [BlendEquation::Add; 2],
+        src: [BlendFactor::One; 2],
+        dst: [BlendFactor::One; 2],
+        constant: [0.0; 4],
+    });
+    desc
+}
+
+/// The first channel of every pixel of an Rgba32F image.
+fn reds(target: &Image) -> Vec<f32> {
+    let words = bytes(target);
+    words.chunks(16).map(|t| f32::from_le_bytes([t[0], t[1], t[2], t[3]])).collect()
+}
+
+/// A number below `end` from a counter.
+fn random(state: &mut u64, end: i64) -> i64 {
+    *state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+    (*state >> 33) as i64 % end
+}
+
+/// How many of the four samples of a pixel lie in a triangle, by exact arithmetic.
+fn samples_inside(corners: &[[i64; 2]], x: i64, y: i64) -> u32 {
+    let side = |a: [i64; 2], b: [i64; 2], p: [i64; 2]| {
+        (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0])
+    };
+    let mut c = [corners[0], corners[1], corners[2]];
+    let area = side(c[0], c[1], c[2]);
+    if area < 0 {
+        c.swap(1, 2);
+    }
+    let inside = |place: &&[i64; 2]| {
+        let p = [x * 256 + place[0], y * 256 + place[1]];
+        area != 0
+            && (0..3).all(|i| {
+                let (a, b) = (c[i], c[(i + 1) % 3]);
+                let top_left = b[1] < a[1] || (b[1] == a[1] && b[0] < a[0]);
+                let e = side(a, b, p);
+                e > 0 || (e == 0 && top_left)
+            })
+    };
+    FOUR.iter().filter(inside).count() as u32
+}
+
+#[test]
+fn triangles_cover_the_samples_that_exact_arithmetic_says() {
+    let device = device(Isa::best(), 2);
+    let mut state = 7;
+    let end = 256 * i64::from(SIZE);
+    for round in 0..60 {
+        // Coordinates on samples, on the grid of eighths, or anywhere; small ones too.
+        let step = [1, 32, 64][round % 3];
+        let reach = [end, end / 8, 300][round / 3 % 3];
+        let at = [0, 1].map(|_| random(&mut state, end - reach + 1));
+        let corners: [[i64; 2]; 3] =
+            [0; 3].map(|_| [0, 1].map(|axis| (at[axis] + random(&mut state, reach)) / step * step));
+        let target = multisampled(Format::Rgba32F, 4);
+        let desc = constant([1.0; 4]);
+        let counted = draw(&device, (&target, None), &desc, each(), &corners, |_| 0.0);
+        let mut sum = 0;
+        for (at, red) in reds(&target).into_iter().enumerate() {
+            let (x, y) = (at as i64 % i64::from(SIZE), at as i64 / i64::from(SIZE));
+            let inside = samples_inside(&corners, x, y);
+            assert_eq!(red * 4.0, inside as f32, "{corners:?} at {x}, {y}");
+            sum += u64::from(inside);
+        }
+        assert_eq!(counted, sum);
+    }
+}
+
+#[test]
+fn triangles_that_share_edges_cover_each_sample_once() {
+    let device = device(Isa::best(), 2);
+    let end = 256 * i64::from(SIZE);
+    let mut state = 3;
+    for _ in 0..10 {
+        // A fan around a point inside, over all of the target.
+        let middle = [0, 1].map(|_| 256 + random(&mut state, end - 512) / 32 * 32);
+        let rim = [[0, 0], [end, 0], [end, end], [0, end]];
+        let corners: Vec<_> = (0..4).flat_map(|i| [middle, rim[i], rim[(i + 1) % 4]]).collect();
+        let target = multisampled(Format::Rgba32F, 4);
+        let desc = adding([1.0; 4]);
+        let counted = draw(&device, (&target, None), &desc, each(), &corners, |_| 0.0);
+        assert_eq!(counted, u64::from(4 * SIZE * SIZE));
+        assert!(reds(&target).into_iter().all(|red| red == 1.0), "{middle:?}");
+    }
+}
+
+#[test]
+fn samples_that_follow_the_centre_resolve_to_what_one_sample_holds() {
+    let device = device(Isa::best(), 2);
+    let corners = [[100, 300], [7000, 1200], [2500, 8000]];
+    let single = image(Format::Rgba8, SIZE, SIZE);
+    let desc = constant([0.25, 0.5, 0.75, 1.0]);
+    let rule = MultisampleState::default();
+    let one = draw(&device, (&single, None), &desc, rule, &corners, |_| 0.0);
+    for samples in [2, 4] {
+        let target = multisampled(Format::Rgba8, samples);
+        let counted = draw(&device, (&target, None), &desc, rule, &corners, |_| 0.0);
+        assert_eq!(bytes(&target), bytes(&single));
+        assert_eq!(counted, one * u64::from(samples));
+    }
+}
+
+#[test]
+fn depth_is_that_of_the_plane_at_each_sample() {
+    let device = device(Isa::best(), 2);
+    let end = 256 * i64::from(SIZE);
+    let corners = [[0, 0], [end, 0], [end, end], [0, 0], [end, end], [0, end]];
+    // 0.5 where x = 1/2 of a pixel is 16.5: of that column the samples left of the centre are nearer.
+    let slope = |c: &[i64; 2]| (c[0] - (16 * 256 + 128)) as f32 / end as f32;
+    let color = multisampled(Format::Rgba32F, 4);
+    let depth = multisampled(Format::D32F, 4);
+    let mut desc = constant([1.0; 4]);
+    desc.depth = Some(DepthState { test: Compare::Less, write: DepthWrite::On });
+    draw(&device, (&color, Some(&depth)), &desc, each(), &corners, slope);
+    for (at, red) in reds(&color).into_iter().enumerate() {
+        let want = match at as u32 % SIZE {
+            0..16 => 1.0,
+            16 => 0.5,
+            _ => 0.0,
+        };
+        assert_eq!(red, want, "{at}");
+    }
+}
+
+#[test]
+fn alpha_and_the_coverage_of_the_state_choose_samples() {
+    let device = device(Isa::best(), 2);
+    let end = 256 * i64::from(SIZE);
+    let corners = [[0, 0], [2 * end, 0], [0, 2 * end]];
+    let alpha = |to_one| MultisampleState {
+        alpha_to_coverage: AlphaToCoverage::On,
+        alpha_to_one: to_one,
+        ..each()
+    };
+    let covered = |coverage| MultisampleState { coverage: Some(coverage), ..each() };
+    let (off, on) = (AlphaToOne::Off, AlphaToOne::On);
+    // The state, the fragment's alpha, how many samples it keeps, and their alpha.
+    for (state, a, kept, written) in [
+        (each(), 0.5, 4, 0.5),
+        (alpha(off), 0.0, 0, 0.0),
+        (alpha(off), 0.1, 0, 0.1),
+        (alpha(off), 0.25, 1, 0.25),
+        (alpha(off), 0.5, 2, 0.5),
+        (alpha(on), 0.5, 2, 1.0),
+        (alpha(off), 0.9, 4, 0.9),
+        (alpha(off), 1.0, 4, 1.0),
+        (covered(SampleCoverage::Part(0.5)), 1.0, 2, 1.0),
+        (covered(SampleCoverage::AllBut(0.25)), 1.0, 3, 1.0),
+        (covered(SampleCoverage::Part(0.0)), 1.0, 0, 1.0),
+    ] {
+        // With and without a depth test, which then has to come after the shader.
+        for test in [None, Some(DepthState { test: Compare::Less, write: DepthWrite::On })] {
+            let mut desc = constant([1.0, 0.0, 0.0, a]);
+            desc.depth = test;
+            let target = multisampled(Format::Rgba32F, 4);
+            let depth = multisampled(Format::D32F, 4);
+            let targets = (&target, Some(&depth));
+            let counted = draw(&device, targets, &desc, state, &corners, |_| -1.0);
+            assert_eq!(counted, kept * u64::from(SIZE * SIZE), "{state:?} {a}");
+            let texels = bytes(&target);
+            let words = [0, 12].map(|i| [texels[i], texels[i + 1], texels[i + 2], texels[i + 3]]);
+            let [red, got] = words.map(f32::from_le_bytes);
+            let part = kept as f32 / 4.0;
+            assert_eq!((red, got), (part, part * written), "{state:?} {a}");
+        }
+    }
+}
+
+#[test]
+fn tests_after_the_shader_see_the_depths_that_tests_before_it_see() {
+    let device = device(Isa::best(), 2);
+    let mut state = 5;
+    let end = 256 * i64::from(SIZE);
+    // Many that cross each other, so that a difference of one bit shows.
+    let corners: Vec<[i64; 2]> = (0..90).map(|_| [0; 2].map(|_| random(&mut state, end))).collect();
+    let depth = |c: &[i64; 2]| (c[0] * 7 % end) as f32 / end as f32 - 0.75;
+    let mut desc = adding([0.1, 0.2, 0.3, 1.0]);
+    desc.depth = Some(DepthState { test: Compare::LessEqual, write: DepthWrite::On });
+    let late = MultisampleState { alpha_to_coverage: AlphaToCoverage::On, ..each() };
+    let [early, late] = [each(), late].map(|multisample| {
+        let color = multisampled(Format::Rgba32F, 4);
+        let depths = multisampled(Format::D32F, 4);
+        let targets = (&color, Some(&depths));
+        let counted = draw(&device, targets, &desc, multisample, &corners, depth);
+        (bytes(&color), bytes(&depths), counted)
+    });
+    assert!(early == late);
+}
+
+#[test]
+fn lines_are_rectangles_and_points_are_discs() {
+    type Inside<'a> = &'a dyn Fn([f64; 2]) -> bool;
+    let device = device(Isa::best(), 2);
+    let mut raster = RasterState { multisample: each(), ..RasterState::default() };
+    (raster.line.width, raster.point.size) = (2.5, 9.0);
+    let at = |v: f64| (v * 256.0) as i64;
+    let (a, b) = ([5.25, 4.5], [26.0, 17.75]);
+    // What of a sample's place says that it is covered.
+    let in_line = |p: [f64; 2]| {
+        let way = [b[0] - a[0], b[1] - a[1]];
+        let length = f64::hypot(way[0], way[1]);
+        let p = [p[0] - a[0], p[1] - a[1]];
+        let along = (p[0] * way[0] + p[1] * way[1]) / length;
+        let across = (way[0] * p[1] - way[1] * p[0]) / length;
+        (0.0..length).contains(&along) && across.abs() < 1.25
+    };
+    let in_point = |p: [f64; 2]| f64::hypot(p[0] - a[0] - 3.0, p[1] - a[1] - 3.0) <= 4.5;
+    let inside: [(Topology, Vec<[i64; 2]>, Inside<'_>); 2] = [
+        (Topology::Lines, vec![a.map(at), b.map(at)], &in_line),
+        (Topology::Points, vec![a.map(|v| at(v + 3.0))], &in_point),
+    ];
+    for (topology, corners, inside) in inside {
+        let mut desc = constant([1.0; 4]);
+        desc.topology = topology;
+        let target = multisampled(Format::Rgba32F, 4);
+        draw_with(&device, (&target, None), &desc, raster.clone(), &corners, |_| 0.0);
+        for (at, red) in reds(&target).into_iter().enumerate() {
+            let pixel = [at as i64 % i64::from(SIZE), at as i64 / i64::from(SIZE)];
+            let of = |place: &&[i64; 2]| {
+                inside([0, 1].map(|axis| pixel[axis] as f64 + place[axis] as f64 / 256.0))
+            };
+            let want = FOUR.iter().filter(of).count() as f32;
+            assert_eq!(red * 4.0, want, "{topology:?} {pixel:?}");
+        }
+    }
+}
+
+#[test]
+fn every_instruction_set_and_number_of_threads_gives_the_same_bits() {
+    let mut state = 11;
+    let end = 256 * i64::from(SIZE);
+    let corners: Vec<[i64; 2]> = (0..90).map(|_| [0; 2].map(|_| random(&mut state, end))).collect();
+    let depth = |c: &[i64; 2]| (c[0] * 3 + c[1]) as f32 / (4 * end) as f32 - 0.5;
+    let mut desc = adding([0.3, 0.2, 0.1, 0.7]);
+    desc.depth = Some(DepthState { test: Compare::LessEqual, write: DepthWrite::On });
+    let mut first = None;
+    for isa in Isa::available() {
+        for threads in [1, 3] {
+            let target = multisampled(Format::Rgba16F, 4);
+            let depths = multisampled(Format::D24S8, 4);
+            let device = device(isa, threads);
+            let multisample = MultisampleState { alpha_to_coverage: AlphaToCoverage::On, ..each() };
+            let targets = (&target, Some(&depths));
+            let counted = draw(&device, targets, &desc, multisample, &corners, depth);
+            let got = (bytes(&target), bytes(&depths), counted);
+            assert_eq!(&got, first.get_or_insert(got.clone()), "{} {threads}", isa.name());
+        }
+    }
+}
