@@ -45,3 +45,22 @@ pub fn load_cube_map(window: &Window) -> GLuint {
     }
     texture
 }
+
+/// Sets both filters of the texture that is bound to a target.
+pub fn set_filter(target: GLenum, minify: GLenum, magnify: GLenum) {
+    glTexParameteri(target, GL_TEXTURE_MIN_FILTER, minify);
+    glTexParameteri(target, GL_TEXTURE_MAG_FILTER, magnify);
+}
+
+/// A new 3D texture on unit 0 that repeats, `side`³ texels of RGB or luminance.
+pub fn load_volume(side: usize, format: GLenum, texels: &[u8]) -> GLuint {
+    let mut texture: GLuint = 0;
+    glGenTextures(1, &mut texture);
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_3D, texture);
+    set_filter(GL_TEXTURE_3D, GL_LINEAR, GL_LINEAR);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    let data = texels;
+    glTexImage3D(GL_TEXTURE_3D, 0, format, side, side, side, 0, format, GL_UNSIGNED_BYTE, data);
+    texture
+}

@@ -30,7 +30,8 @@ fn direction(face: usize, s: f64, t: f64) -> [f64; 3] {
     }
 }
 
-fn sky(direction: [f64; 3]) -> Color {
+/// The surroundings in a direction of any length.
+pub fn sky(direction: [f64; 3]) -> Color {
     let [x, y, z] = direction;
     let length = (x * x + y * y + z * z).sqrt();
     let [x, y, z] = [x / length, y / length, z / length];
