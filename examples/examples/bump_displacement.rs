@@ -81,7 +81,7 @@ fn draw(window: &mut Window) {
     load_texture(0, window.picture("bricks_height.ppm"), GL_REPEAT);
     let program = initShaders(window, VERTEX_SHADER, FRAGMENT_SHADER);
     // Fine enough for the displaced vertices to follow the joints.
-    let ball = Mesh::surface(384, 192, |s, t| {
+    let ball = Mesh::surface(288, 144, |s, t| {
         let (sin_s, cos_s) = sin_cos_degrees(360. * s);
         let (sin_t, cos_t) = sin_cos_degrees(180. * t);
         let out = dvec3(sin_t * sin_s, -cos_t, sin_t * cos_s);

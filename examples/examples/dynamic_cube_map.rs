@@ -56,16 +56,6 @@ void main() {
 /// Side of a face.
 const SIDE: GLsizei = 256;
 
-/// Where each face looks, and its upward: GL 2.1 table 3.19.
-const FACES: [(DVec3, DVec3); 6] = [
-    (DVec3::X, DVec3::NEG_Y),
-    (DVec3::NEG_X, DVec3::NEG_Y),
-    (DVec3::Y, DVec3::Z),
-    (DVec3::NEG_Y, DVec3::NEG_Z),
-    (DVec3::Z, DVec3::NEG_Y),
-    (DVec3::NEG_Z, DVec3::NEG_Y),
-];
-
 fn draw(window: &mut Window) {
     glEnable(GL_DEPTH_TEST);
     load_cube_map(window);
@@ -82,29 +72,13 @@ fn draw(window: &mut Window) {
         things.draw(scene);
     };
 
-    let (mut map, mut depth, mut fbo): (GLuint, GLuint, GLuint) = (0, 0, 0);
-    glActiveTexture(GL_TEXTURE1);
-    glGenTextures(1, &mut map);
-    glBindTexture(GL_TEXTURE_CUBE_MAP, map);
-    set_filter(GL_TEXTURE_CUBE_MAP, GL_LINEAR, GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    for face in (GL_TEXTURE_CUBE_MAP_POSITIVE_X..).take(6) {
-        glTexImage2D(face, 0, GL_RGBA8, SIDE, SIDE, 0, GL_RGBA, GL_UNSIGNED_BYTE, NULL);
-    }
-    glGenRenderbuffers(1, &mut depth);
-    glBindRenderbuffer(GL_RENDERBUFFER, depth);
-    glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, SIDE, SIDE);
-    glGenFramebuffers(1, &mut fbo);
-    glBindFramebuffer(GL_FRAMEBUFFER, fbo);
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth);
+    let (_, map) = cube_framebuffer(SIDE);
     glViewport(0, 0, SIDE, SIDE);
-    for (face, (toward, up)) in (GL_TEXTURE_CUBE_MAP_POSITIVE_X..).zip(FACES) {
-        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, face, map, 0);
+    for (face, target) in (GL_TEXTURE_CUBE_MAP_POSITIVE_X..).take(6).enumerate() {
+        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, target, map, 0);
         assert_eq!(glCheckFramebufferStatus(GL_FRAMEBUFFER), GL_FRAMEBUFFER_COMPLETE);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-        let view = DMat4::look_at_rh(DVec3::ZERO, toward, up);
-        draw_scene(&perspective(90., 1., 0.1, 50.), &view);
+        draw_scene(&perspective(90., 1., 0.1, 50.), &look_through_face(face));
     }
 
     glBindFramebuffer(GL_FRAMEBUFFER, 0);

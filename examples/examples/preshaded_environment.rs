@@ -78,18 +78,9 @@ void main() {
 /// Side of a blurred face.
 const SIDE: GLsizei = 16;
 
-/// Exponent, material, place.
-const BALLS: [(f64, i32, f64); 4] = [(1., 1, -1.8), (12., 2, -0.6), (60., 2, 0.6), (1., 3, 1.8)];
-
-/// Where each face looks, and its upward: GL 2.1 table 3.19.
-const FACES: [(DVec3, DVec3); 6] = [
-    (DVec3::X, DVec3::NEG_Y),
-    (DVec3::NEG_X, DVec3::NEG_Y),
-    (DVec3::Y, DVec3::Z),
-    (DVec3::NEG_Y, DVec3::NEG_Z),
-    (DVec3::Z, DVec3::NEG_Y),
-    (DVec3::NEG_Z, DVec3::NEG_Y),
-];
+/// Exponent; and of each ball, material and place.
+const BALLS: [(f64, &[(i32, f64)]); 3] =
+    [(1., &[(1, -1.8), (3, 1.8)]), (12., &[(2, -0.6)]), (60., &[(2, 0.6)])];
 
 fn draw(window: &mut Window) {
     load_cube_map(window);
@@ -101,39 +92,30 @@ fn draw(window: &mut Window) {
     let around = Mesh::cube().upload();
     let ball = Mesh::sphere().upload();
 
-    let (mut blurred, mut fbo): (GLuint, GLuint) = (0, 0);
-    glActiveTexture(GL_TEXTURE1);
-    glGenTextures(1, &mut blurred);
-    glBindTexture(map, blurred);
-    set_filter(map, GL_LINEAR, GL_LINEAR);
-    glTexParameteri(map, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    glTexParameteri(map, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    for face in (GL_TEXTURE_CUBE_MAP_POSITIVE_X..).take(6) {
-        glTexImage2D(face, 0, GL_RGBA8, SIDE, SIDE, 0, GL_RGBA, GL_UNSIGNED_BYTE, NULL);
-    }
-    glGenFramebuffers(1, &mut fbo);
-
+    let (fbo, blurred) = cube_framebuffer(SIDE);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
     let projection = perspective(34., window.panel(1, 1, 0), 0.1, 50.);
     use_program(shade, &projection, &DMat4::from_scale(DVec3::splat(20.)));
     around.draw(shade);
-    for (exponent, material, x) in BALLS {
+    for (exponent, balls) in BALLS {
         glBindFramebuffer(GL_FRAMEBUFFER, fbo);
         glViewport(0, 0, SIDE, SIDE);
-        for (face, (toward, up)) in (GL_TEXTURE_CUBE_MAP_POSITIVE_X..).zip(FACES) {
-            glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, face, blurred, 0);
+        for (face, target) in (GL_TEXTURE_CUBE_MAP_POSITIVE_X..).take(6).enumerate() {
+            glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, target, blurred, 0);
             assert_eq!(glCheckFramebufferStatus(GL_FRAMEBUFFER), GL_FRAMEBUFFER_COMPLETE);
-            let view = DMat4::look_at_rh(DVec3::ZERO, toward, up);
-            use_program(blur, &perspective(90., 1., 0.1, 50.), &view);
+            use_program(blur, &perspective(90., 1., 0.1, 50.), &look_through_face(face));
             safe_glUniform1f(safe_glGetUniformLocation(blur, "uExponent"), exponent);
             around.draw(blur);
         }
         glBindFramebuffer(GL_FRAMEBUFFER, 0);
         window.panel(1, 1, 0);
-        let place = translate(x, -0.15, -5.) * DMat4::from_scale(DVec3::splat(0.52));
-        use_program(shade, &projection, &place);
-        safe_glUniform1i(safe_glGetUniformLocation(shade, "uMaterial"), material);
         glEnable(GL_CULL_FACE);
-        ball.draw(shade);
+        for &(material, x) in balls {
+            let place = translate(x, -0.15, -5.) * DMat4::from_scale(DVec3::splat(0.52));
+            use_program(shade, &projection, &place);
+            safe_glUniform1i(safe_glGetUniformLocation(shade, "uMaterial"), material);
+            ball.draw(shade);
+        }
         glDisable(GL_CULL_FACE);
     }
 }
