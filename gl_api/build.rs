@@ -1,5 +1,6 @@
 //! Generates `constants.rs` from the Khronos registry: every `GL_*` constant, the names of the
-//! values for messages, and the name and arity of every command.
+//! values for messages, and the name and arity of every command. `lengths.rs`: how many elements
+//! each pointer parameter has. `egl.rs`: EGL's constants.
 
 use gl_generator::{Api, Enum, Fallbacks, Profile, Registry};
 use std::collections::BTreeMap;
@@ -9,49 +10,73 @@ use std::path::Path;
 fn main() {
     println!("cargo:rerun-if-changed=build.rs");
     let xml = String::from_utf8_lossy(khronos_api::GL_XML);
-    let registry =
-        Registry::new(Api::Gl, (4, 6), Profile::Compatibility, Fallbacks::All, extensions(&xml));
+    let registry = Registry::new(
+        Api::Gl,
+        (4, 6),
+        Profile::Compatibility,
+        Fallbacks::All,
+        extensions(&xml, "gl"),
+    );
 
     let mut text = String::new();
-    constants(&registry, &mut text);
+    constants("GL", &registry, &mut text);
     names(&registry, &mut text);
     commands(&registry, &mut text);
     let directory = std::env::var_os("OUT_DIR").expect("cargo sets OUT_DIR");
-    std::fs::write(Path::new(&directory).join("constants.rs"), text).expect("OUT_DIR is writable");
+    let write = |file: &str, text: String| {
+        std::fs::write(Path::new(&directory).join(file), text).expect("OUT_DIR is writable");
+    };
+    write("constants.rs", text);
+    write("lengths.rs", lengths(&xml));
+
+    let xml = String::from_utf8_lossy(khronos_api::EGL_XML);
+    let registry =
+        Registry::new(Api::Egl, (1, 5), Profile::Core, Fallbacks::All, extensions(&xml, "egl"));
+    let mut text = String::new();
+    constants("EGL", &registry, &mut text);
+    write("egl.rs", text);
+    // Threads that wait in the library would crash if it were unloaded beneath them.
+    println!("cargo:rustc-cdylib-link-arg=-Wl,-z,nodelete");
 }
 
-/// The names of all extensions of desktop GL.
-fn extensions(xml: &str) -> Vec<&str> {
-    let attribute = |line: &'_ str, name: &str| -> Option<(usize, usize)> {
-        let start = line.find(&format!("{name}=\""))? + name.len() + 2;
-        Some((start, start + line[start..].find('"')?))
-    };
+/// An attribute of an XML element that is on one line.
+fn attribute<'a>(line: &'a str, name: &str) -> Option<&'a str> {
+    let start = line.find(&format!(" {name}=\""))? + name.len() + 3;
+    Some(&line[start..start + line[start..].find('"')?])
+}
+
+/// The names of all extensions of an API.
+fn extensions<'a>(xml: &'a str, api: &str) -> Vec<&'a str> {
     xml.lines()
         .filter(|line| line.trim_start().starts_with("<extension "))
         .filter(|line| {
             attribute(line, "supported")
-                .is_some_and(|(start, end)| line[start..end].split('|').any(|api| api == "gl"))
+                .is_some_and(|supported| supported.split('|').any(|other| other == api))
         })
-        .filter_map(|line| attribute(line, "name").map(|(start, end)| &line[start..end]))
+        .filter_map(|line| attribute(line, "name"))
         .collect()
 }
 
 /// The constant's name as C has it.
-fn c_name(item: &Enum) -> String {
-    format!("GL_{}", item.ident.strip_prefix('_').unwrap_or(&item.ident))
+fn c_name(api: &str, item: &Enum) -> String {
+    format!("{api}_{}", item.ident.strip_prefix('_').unwrap_or(&item.ident))
 }
 
-fn constants(registry: &Registry, text: &mut String) {
+fn constants(api: &str, registry: &Registry, text: &mut String) {
     // Where an extension of another API reuses a name, the later and larger value is GL's.
     let unique: BTreeMap<_, _> = registry.enums.iter().map(|item| (&item.ident, item)).collect();
     for item in unique.into_values() {
         let ty = match item.ty.as_ref() {
             "GLuint64" => "u64",
             "&'static str" => continue,
+            // Handles: all of them are 0, or cast from -1.
+            _ if api == "EGL" && item.value.contains(" as ") => continue,
+            "EGLuint64KHR" | "EGLTime" | "EGLTimeKHR" => "u64",
+            _ if api == "EGL" => "i32",
             _ if item.value.starts_with('-') => "i32",
             _ => "u32",
         };
-        let name = c_name(item);
+        let name = c_name(api, item);
         writeln!(text, "/// `{name}`, {}.\npub const {name}: {ty} = {};", item.value, item.value)
             .expect("a String takes everything");
     }
@@ -64,7 +89,7 @@ fn names(registry: &Registry, text: &mut String) {
     for item in &registry.enums {
         let Some(value) = item.value.strip_prefix("0x") else { continue };
         let Ok(value) = u32::from_str_radix(value, 16) else { continue };
-        let name = c_name(item);
+        let name = c_name("GL", item);
         let rank = |name: &str| {
             let suffix = name.rsplit('_').next().unwrap_or_default();
             let vendor = ["ARB", "EXT", "NV", "ATI", "AMD", "SGIX", "SGIS", "OES", "APPLE"];
@@ -93,4 +118,58 @@ fn commands(registry: &Registry, text: &mut String) {
         writeln!(text, "    (\"gl{name}\", {arity}),").expect("a String takes everything");
     }
     text.push_str("];\n");
+}
+
+/// The `len` attributes of every command's parameters, by name of the command.
+fn lengths(xml: &str) -> String {
+    let name = |line: &str| -> Option<String> {
+        let start = line.find("<name>")? + "<name>".len();
+        Some(line[start..start + line[start..].find("</name>")?].to_owned())
+    };
+    let mut commands: BTreeMap<String, Vec<(String, String)>> = BTreeMap::new();
+    let mut current = String::new();
+    for line in xml.lines().map(str::trim_start) {
+        if line.starts_with("<proto") {
+            current = name(line).expect("a prototype has a name");
+            commands.insert(current.clone(), Vec::new());
+        } else if line.starts_with("<param") {
+            let length = attribute(line, "len").unwrap_or_default().to_owned();
+            let parameter = name(line).expect("a parameter has a name");
+            commands.get_mut(&current).expect("after its prototype").push((parameter, length));
+        }
+    }
+    let mut text =
+        String::from("/// What the registry says of each command's parameters, by name.\n");
+    writeln!(text, "const LENGTHS: [(&str, &[Length]); {}] = [", commands.len())
+        .expect("a String takes everything");
+    for (command, parameters) in &commands {
+        let place = |name: &str| parameters.iter().position(|(other, _)| other == name);
+        let rows: Vec<String> =
+            parameters.iter().map(|(_, length)| self::length(length, place)).collect();
+        writeln!(text, "    ({command:?}, &[{}]),", rows.join(", "))
+            .expect("a String takes everything");
+    }
+    text.push_str("];\n");
+    text
+}
+
+/// A `len` attribute as a value of `Length`; `place` finds a parameter.
+fn length(text: &str, place: impl Fn(&str) -> Option<usize>) -> String {
+    if text.is_empty() {
+        return "Length::Unsaid".into();
+    }
+    if let Ok(count) = text.parse::<usize>() {
+        return format!("Length::Fixed({count})");
+    }
+    let (name, factor) = text.split_once('*').unwrap_or((text, "1"));
+    if let Some(argument) = place(name) {
+        return format!("Length::Times({argument}, {factor})");
+    }
+    let inside = text.strip_prefix("COMPSIZE(").and_then(|rest| rest.strip_suffix(')'));
+    let arguments: Vec<String> = inside
+        .unwrap_or_default()
+        .split(',')
+        .filter_map(|name| place(name).map(|at| at.to_string()))
+        .collect();
+    format!("Length::Formula({text:?}, &[{}])", arguments.join(", "))
 }

@@ -23,6 +23,7 @@
 //!
 //! | module | is |
 //! |---|---|
+//! | `abi` | the C ABI: the entry points for C, EGL, OSMesa, GLU |
 //! | [`entry`] | the tables of entry points: methods on [`Context`] and free functions |
 //! | [`constants`], [`types`] | GL's constants, from the Khronos registry, and C's types |
 //! | [`error`] | refusals, and the tables that convert enums at the door |
@@ -41,6 +42,7 @@
 //! | [`glu`] | the utility library over the free functions |
 #![deny(unsafe_code)]
 
+mod abi;
 pub mod constants;
 pub mod context;
 mod draw;
@@ -61,6 +63,7 @@ mod state;
 mod texture;
 pub mod types;
 
+pub use abi::memory::ClientPointer;
 pub use constants::*;
 pub use context::{
     Context, ContextDesc, ContextError, GLDEBUGPROC, Message, Severity, SurfaceColor, SurfaceDesc,

@@ -49,6 +49,8 @@ const ROWS: &[Row] = &[
     (GL_COLOR_BUFFER_BIT, GL_LOGIC_OP_MODE, |c| c.logic_op(GL_XOR)),
     (GL_COLOR_BUFFER_BIT, GL_DRAW_BUFFER, |c| c.draw_buffer(GL_NONE)),
     (GL_PIXEL_MODE_BIT, GL_RED_SCALE, |c| c.pixel_transferf(GL_RED_SCALE, 2.0)),
+    (GL_PIXEL_MODE_BIT, GL_ZOOM_X, |c| c.pixel_zoom(2.0, 3.0)),
+    (GL_CURRENT_BIT, GL_CURRENT_RASTER_POSITION, |c| c.window_pos_2i(1, 2)),
     (GL_PIXEL_MODE_BIT, GL_READ_BUFFER, |c| c.read_buffer(GL_NONE)),
     (GL_HINT_BIT, GL_FOG_HINT, |c| c.hint(GL_FOG_HINT, GL_NICEST)),
     (GL_LIST_BIT, GL_LIST_BASE, |c| c.list_base(5)),

@@ -34,7 +34,7 @@ pub const FLOATS: Check = Check {
 /// GLU's.
 pub const GLU: Check = Check {
     name: "glu-mipmaps",
-    citation: "GLU 1.3, 3.2: gluBuild1DMipmaps, gluBuild2DMipmaps",
+    citation: "GLU 1.3, 3.2: gluBuild1DMipmaps, gluBuild2DMipmaps, gluBuild3DMipmaps",
     what: "size and texels of every level: scaled to the closest powers of two, then halved",
     unit: Unit::Bytes,
     tolerance: 0.01,
@@ -60,7 +60,7 @@ const GL_SIZES: [(u32, [usize; 3]); 8] = [
     (GL_TEXTURE_3D, [7, 6, 5]),
 ];
 
-const GLU_SIZES: [(u32, [usize; 3]); 7] = [
+const GLU_SIZES: [(u32, [usize; 3]); 9] = [
     (GL_TEXTURE_2D, [16, 8, 1]),
     (GL_TEXTURE_2D, [5, 7, 1]),
     (GL_TEXTURE_2D, [33, 20, 1]),
@@ -68,6 +68,8 @@ const GLU_SIZES: [(u32, [usize; 3]); 7] = [
     (GL_TEXTURE_2D, [3, 11, 1]),
     (GL_TEXTURE_1D, [37, 1, 1]),
     (GL_TEXTURE_1D, [12, 1, 1]),
+    (GL_TEXTURE_3D, [8, 4, 2]),
+    (GL_TEXTURE_3D, [5, 6, 3]),
 ];
 
 /// A texel of a level.

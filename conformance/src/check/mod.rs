@@ -20,6 +20,7 @@ mod depth_test;
 mod env;
 mod filter;
 mod format;
+mod fragment;
 mod interpolation;
 mod lecture;
 mod level;
@@ -118,7 +119,16 @@ pub const CHAPTERS: &[Chapter] = &[
     ("Vertices", &[vertex::TEXGEN, vertex::LIGHTING]),
     (
         "Fragments",
-        &[env::ENVIRONMENT, combine::COMBINE, combine::FOG, depth_test::TEST, blend::BLEND],
+        &[
+            env::ENVIRONMENT,
+            combine::COMBINE,
+            combine::FOG,
+            fragment::ALPHA,
+            fragment::STENCIL,
+            depth_test::TEST,
+            blend::BLEND,
+            fragment::LOGIC,
+        ],
     ),
     ("The lectures", &[lecture::LECTURES]),
     ("Built-in functions", &builtin::ULP),

@@ -58,7 +58,7 @@ fn ulps(expected: f64, measured: f64) -> f64 {
     }
     let rounded = f64::from(expected as f32);
     if rounded.is_infinite() || measured.is_infinite() {
-        return if rounded == measured { 0.0 } else { f64::INFINITY };
+        return if rounded == f64::from(measured as f32) { 0.0 } else { f64::INFINITY };
     }
     let exponent = if expected == 0.0 { -126.0 } else { expected.abs().log2().floor().max(-126.0) };
     (expected - measured).abs() / (exponent - 23.0).exp2()

@@ -157,9 +157,9 @@ fn case(rng: &mut Rng, texture: &Texture, form: Form) -> Case {
         Form::Plain | Form::Offset | Form::Fetch => 1.0,
     };
     let mut c = [0.0, 0.0, 0.0, q];
-    for axis in 0..3 {
+    for (axis, c) in c.iter_mut().enumerate().take(3) {
         let n = texture.size[axis] as f64;
-        c[axis] = loop {
+        *c = loop {
             let is_layer = axis == texture.target.axes() && texture.target.has_layers();
             let texels = f64::from(rng.real(-1.5 * n, 2.5 * n));
             let scale = if is_layer || texture.target == Target::Rect { 1.0 } else { n };

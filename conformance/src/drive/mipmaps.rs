@@ -5,7 +5,7 @@ use super::session::Session;
 use crate::oracle::mipmap::Volume;
 use gl_api::constants::*;
 use gl_api::entry::*;
-use gl_api::glu::{gluBuild1DMipmaps, gluBuild2DMipmaps};
+use gl_api::glu::{gluBuild1DMipmaps, gluBuild2DMipmaps, gluBuild3DMipmaps};
 
 /// A base level whose derived levels are wanted.
 #[derive(Clone, Copy, Debug)]
@@ -69,12 +69,13 @@ impl Session {
     pub fn glu_mipmaps(&self, request: &MipmapRequest<'_>) -> Result<(), DriveError> {
         let MipmapRequest { target, internal, image } = *request;
         glBindTexture(target, 1);
-        let [w, h, _] = image.size;
+        let [w, h, d] = image.size;
         let bytes: Vec<u8> =
             image.texels.as_flattened().iter().map(|c| (c * 255.0).round() as u8).collect();
         let (format, ty) = (GL_RGBA, GL_UNSIGNED_BYTE);
         let code = match target {
             GL_TEXTURE_1D => gluBuild1DMipmaps(target, internal, w, format, ty, &bytes),
+            GL_TEXTURE_3D => gluBuild3DMipmaps(target, internal, w, h, d, format, ty, &bytes),
             _ => gluBuild2DMipmaps(target, internal, w, h, format, ty, &bytes),
         };
         self.check("building mipmaps")?;

@@ -10,6 +10,7 @@ mod blend;
 mod extreme;
 mod field;
 mod fixed;
+mod fragment;
 mod mipmaps;
 pub mod pack;
 mod pixels;

@@ -62,7 +62,6 @@ pub fn unpack(bytes: [u8; 4]) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use crate::drive::Session;
 
     #[test]

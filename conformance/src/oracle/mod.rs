@@ -15,6 +15,7 @@ pub mod env;
 pub mod filter;
 pub mod format;
 pub mod format_table;
+pub mod fragment;
 pub mod interpolation;
 pub mod lecture;
 pub mod lod;

@@ -168,8 +168,8 @@ pub fn light(vertex: &Eye, lights: &[Light], of: &Surface, variant: Variant) -> 
         };
         let facing = dot(n, to);
         let shine = if facing > 0.0 { positive(dot(n, half)).powf(of.shininess) } else { 0.0 };
-        for c in 0..3 {
-            color[c] += attenuation
+        for (c, color) in color.iter_mut().enumerate().take(3) {
+            *color += attenuation
                 * spot
                 * (of.ambient[c] * light.ambient[c]
                     + positive(facing) * of.diffuse[c] * light.diffuse[c]

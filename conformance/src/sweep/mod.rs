@@ -100,7 +100,7 @@ impl Sweep {
         };
         let points = lines.iter().flat_map(|line| line.points.iter().copied());
         let worst = points.fold((f64::NAN, 0.0), |worst: (f64, f64), point| {
-            if worst.0.is_nan() || !(point.1 <= worst.1) { point } else { worst }
+            if worst.0.is_nan() || point.1.is_nan() || point.1 > worst.1 { point } else { worst }
         });
         Swept {
             name: self.name,

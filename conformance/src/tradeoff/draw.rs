@@ -18,7 +18,7 @@ pub struct Drawn {
 }
 
 /// How long draws are repeated for the sake of their time, in seconds.
-const PATIENCE: f64 = 0.04;
+const PATIENCE: f64 = 0.08;
 
 /// The scene as the driver draws it, `side` × `side` pixels.
 ///

@@ -15,7 +15,7 @@ pub fn signs() -> Level {
         let on = match field % 5 {
             0 => (i / 8 + j / 8) % 2 == 0,
             1 => (i / 4) % 2 == 0,
-            2 => (x.hypot(y) / 5.0) as usize % 2 == 0,
+            2 => ((x.hypot(y) / 5.0) as usize).is_multiple_of(2),
             3 => noise[j * SIZE + i] > 128,
             _ => (i + 2 * j) / 12 % 2 == 0,
         };

@@ -6,6 +6,7 @@ pub(crate) mod log;
 pub(crate) mod log_calls;
 mod surface;
 
+use crate::abi::osmesa::Mirror;
 use crate::draw::Recorder;
 use crate::draw::immediate::Immediate;
 use crate::entry::{Fallback, Place};
@@ -94,6 +95,8 @@ pub struct Context {
     /// Whether a call runs.
     pub(crate) entered: Entered,
     pub(crate) repairs: Repairs,
+    /// Where an OSMesa client wants the picture.
+    pub(crate) mirror: Option<Mirror>,
 }
 
 /// The device that contexts share which bring none.
@@ -138,6 +141,7 @@ impl Context {
             group: None,
             entered: Entered::No,
             repairs,
+            mirror: None,
         })
     }
 

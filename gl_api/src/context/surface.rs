@@ -27,6 +27,10 @@ pub enum SurfaceColor {
     Rgb8,
     /// 5 bits of red, 6 of green, 5 of blue.
     Rgb565,
+    /// 16 bits each of red, green, blue and alpha.
+    Rgba16,
+    /// Red, green, blue and alpha in single precision.
+    Rgba32F,
     /// 8 bits each of sRGB-encoded red, green and blue, and of alpha.
     Srgb8Alpha8,
 }
@@ -37,6 +41,8 @@ impl SurfaceColor {
             Self::Rgba8 => Format::Rgba8,
             Self::Rgb8 => Format::Rgb8,
             Self::Rgb565 => Format::R5G6B5,
+            Self::Rgba16 => Format::Rgba16,
+            Self::Rgba32F => Format::Rgba32F,
             Self::Srgb8Alpha8 => Format::Srgb8A8,
         }
     }

@@ -1,12 +1,15 @@
 //! Vertex arrays: GL 2.1, section 2.8.
 //!
-//! A client array is copied when the pointer call is made, since a slice cannot be kept: later
-//! writes to the client's memory are not seen. Buffer objects are read when the draw is made.
+//! A slice is copied when the pointer call is made, since it cannot be kept: later writes to it are
+//! not seen. Buffer objects, and pointers of C programs, are read when the draw is made.
 
+use crate::abi::memory::ClientPointer;
 use crate::constants::*;
-use crate::context::Context;
+use crate::context::{Context, limits};
 use crate::entry::Data;
-use crate::error::{Result, Table, invalid_operation, invalid_value, not_negative};
+use crate::error::{
+    ErrorCode, GlError, Result, Table, invalid_operation, invalid_value, not_negative,
+};
 use crate::interface::*;
 use crate::query::put;
 use crate::state::LOCATIONS;
@@ -20,6 +23,8 @@ const SECTION: &str = "GL 2.1, section 2.8";
 pub(crate) enum Source {
     /// A copy of the client's memory.
     Client(Buffer),
+    /// The memory of a C program, not null.
+    Pointer(ClientPointer<'static>),
     /// A buffer object by name, from a byte on.
     Object { name: GLuint, offset: usize },
 }
@@ -74,26 +79,84 @@ impl Arrays {
     }
 }
 
-/// Where the array of a location is for the driver.
-pub(crate) fn vertex_source(context: &Context, location: usize) -> VertexSource {
+impl Array {
+    /// Bytes from a vertex to the next.
+    fn step(&self) -> usize {
+        if self.stride > 0 { self.stride } else { self.size() }
+    }
+
+    /// Bytes of a vertex.
+    fn size(&self) -> usize {
+        usize::from(self.components) * self.ty.size()
+    }
+}
+
+/// What a draw reads of the arrays: the vertices from the first to the last, of so many instances.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Reach {
+    pub first: u32,
+    pub last: u32,
+    pub instances: u32,
+}
+
+impl Reach {
+    /// The elements of an array: one with a divisor has one for every so many instances.
+    fn elements(self, array: &Array) -> (usize, usize) {
+        match self.instances.saturating_sub(1).checked_div(array.divisor) {
+            Some(last) => (0, last as usize),
+            None => (self.first as usize, self.last as usize),
+        }
+    }
+}
+
+/// Whether a draw has to know which vertices it reads: some array is a C program's memory.
+pub(crate) fn reads_pointers(context: &Context) -> bool {
+    let arrays = &context.state.arrays.by_location;
+    arrays.iter().any(|array| array.enabled && matches!(array.source, Source::Pointer(_)))
+}
+
+/// A C program's vertices from the first to the last of a draw. Nothing before them is read, as
+/// nothing says that it is there; those bytes are zeros that no page is ever mapped for.
+fn snapshot(array: &Array, pointer: ClientPointer<'_>, reach: Reach) -> Result<Buffer> {
+    let (first, last) = reach.elements(array);
+    let end = last.checked_mul(array.step()).and_then(|at| at.checked_add(array.size()));
+    let Some(end) = end.filter(|&end| end <= limits::MAX_BUFFER_SIZE) else {
+        return Err(GlError {
+            code: ErrorCode::OutOfMemory,
+            rule: format!("vertex {last} lies more than {} bytes on", limits::MAX_BUFFER_SIZE),
+            section: SECTION,
+        });
+    };
+    let start = first * array.step();
+    let mut bytes = vec![0; end];
+    bytes[start..].copy_from_slice(pointer.bytes_from(start, end - start));
+    Ok(Buffer::new(bytes))
+}
+
+/// Where the array of a location is for the driver, for a draw that reaches so far.
+pub(crate) fn vertex_source(
+    context: &Context,
+    location: usize,
+    reach: Reach,
+) -> Result<VertexSource> {
     let array = &context.state.arrays.by_location[location];
     let (buffer, offset) = match &array.source {
         Source::Client(buffer) => (buffer.clone(), 0),
+        Source::Pointer(pointer) => (snapshot(array, *pointer, reach)?, 0),
         Source::Object { name, offset } => {
             let object = context.objects.buffers.get(*name);
             (object.map(|object| object.buffer.clone()).unwrap_or_default(), *offset)
         }
     };
-    let tight = usize::from(array.components) * array.ty.size();
-    VertexSource::Array {
+    Ok(VertexSource::Array {
         buffer,
         offset,
-        stride: if array.stride > 0 { array.stride } else { tight },
+        stride: array.step(),
         ty: array.ty,
         components: array.components,
         format: array.format,
         divisor: array.divisor,
-    }
+    })
 }
 
 const ALL_TYPES: &[(GLenum, VertexType)] = &[
@@ -166,6 +229,9 @@ fn set(
             );
         }
         Data::Bytes(bytes) => Source::Client(Buffer::new(bytes.to_vec())),
+        Data::Client(pointer) if name != 0 => Source::Object { name, offset: pointer.offset() },
+        Data::Client(pointer) if pointer.is_null() => Source::Client(Buffer::default()),
+        Data::Client(pointer) => Source::Pointer(pointer.kept()),
         Data::Null if name == 0 => Source::Client(Buffer::default()),
         Data::Offset(0) if name == 0 => Source::Client(Buffer::default()),
         Data::Null => Source::Object { name, offset: 0 },
@@ -324,6 +390,7 @@ fn address(array: &Array) -> usize {
     match &array.source {
         Source::Client(buffer) if buffer.bytes().is_empty() => 0,
         Source::Client(buffer) => buffer.bytes().as_ptr() as usize,
+        Source::Pointer(pointer) => pointer.offset(),
         Source::Object { offset, .. } => *offset,
     }
 }
@@ -405,7 +472,7 @@ fn property(context: &Context, index: GLuint, pname: GLenum) -> Result<Vec<f32>>
         Property::Divisor => vec![array.divisor as f32],
         Property::Buffer => match array.source {
             Source::Object { name, .. } => vec![name as f32],
-            Source::Client(_) => vec![0.0],
+            Source::Client(_) | Source::Pointer(_) => vec![0.0],
         },
         Property::Current => context.state.current[location].to_vec(),
     })

@@ -1,11 +1,11 @@
 //! The draw calls on vertex arrays: GL 2.1, section 2.8.
 
-use super::arrays::vertex_source;
+use super::arrays::{Reach, reads_pointers, vertex_source};
 use super::immediate::{Slot, attribute};
 use super::translate::{Elements, draw};
 use crate::constants::*;
 use crate::context::Context;
-use crate::entry::{Data, Pointers};
+use crate::entry::{Data, Located, Pointers};
 use crate::error::{Result, Table, invalid_enum, invalid_operation, invalid_value, not_negative};
 use crate::interface::ATTRIB_VERTEX;
 use crate::state::LOCATIONS;
@@ -59,9 +59,29 @@ const INDEX_TYPE: Table<IndexType> = Table {
     ],
 };
 
+/// The vertices that a draw by index reaches; looked for only where it matters.
+fn indexed_reach(
+    context: &Context,
+    bytes: &[u8],
+    (ty, base_vertex): (IndexType, GLint),
+    instances: u32,
+) -> Reach {
+    let mut reach = Reach { first: 0, last: 0, instances };
+    if reads_pointers(context) {
+        let indices = bytes.chunks_exact(ty.size());
+        let indices = indices
+            .map(|index| index.iter().rev().fold(0, |word, &byte| word << 8 | u32::from(byte)));
+        let (low, high) =
+            indices.fold((u32::MAX, 0), |(low, high), index| (low.min(index), high.max(index)));
+        reach.last = high.saturating_add_signed(base_vertex);
+        reach.first = low.saturating_add_signed(base_vertex).min(reach.last);
+    }
+    reach
+}
+
 /// Where every attribute of an array draw comes from. Generic attribute 0 and the vertex array
 /// stand in for each other (GL 2.1, section 2.8).
-fn bindings(context: &Context) -> Vec<VertexBinding> {
+fn bindings(context: &Context, reach: Reach) -> Result<Vec<VertexBinding>> {
     let arrays = &context.state.arrays.by_location;
     let vertex = usize::from(ATTRIB_VERTEX);
     (0..LOCATIONS)
@@ -72,11 +92,11 @@ fn bindings(context: &Context) -> Vec<VertexBinding> {
                 _ => location,
             };
             let source = if arrays[from].enabled {
-                vertex_source(context, from)
+                vertex_source(context, from, reach)?
             } else {
                 VertexSource::Constant(context.state.current[location])
             };
-            VertexBinding { location: location as u8, source }
+            Ok(VertexBinding { location: location as u8, source })
         })
         .collect()
 }
@@ -157,13 +177,10 @@ pub(crate) fn draw_arrays_instanced(
     let count = not_negative(SECTION, "count", count.into())?;
     let instances = not_negative(INSTANCED, "primcount", instances.into())?;
     if count > 0 && instances > 0 && has_positions(context) {
-        let vertices = bindings(context);
+        let (last, instances) = ((first + count - 1) as u32, instances as u32);
+        let vertices = bindings(context, Reach { first: first as u32, last, instances })?;
         check_range(&vertices, first, count)?;
-        let elements = Elements::Range {
-            first: first as u32,
-            count: count as u32,
-            instances: instances as u32,
-        };
+        let elements = Elements::Range { first: first as u32, count: count as u32, instances };
         draw_or_record(context, topology, vertices, elements)?;
     }
     Ok(())
@@ -222,8 +239,8 @@ fn index_buffer(
         );
     }
     let object = object.map(|object| object.buffer.clone());
-    let (buffer, offset) = match (indices, object) {
-        (Data::Bytes(bytes), None) => match bytes.get(..needed) {
+    let (buffer, offset) = match (indices.locate(name, needed), object) {
+        (Located::Bytes(bytes), None) => match bytes.get(..needed) {
             Some(bytes) => (Buffer::new(bytes.to_vec()), 0),
             None => {
                 return invalid_operation(
@@ -235,9 +252,9 @@ fn index_buffer(
                 );
             }
         },
-        (Data::Offset(offset), Some(buffer)) => (buffer, offset),
-        (Data::Null, Some(buffer)) => (buffer, 0),
-        (Data::Bytes(_), Some(_)) => {
+        (Located::Offset(offset), Some(buffer)) => (buffer, offset),
+        (Located::Null, Some(buffer)) => (buffer, 0),
+        (Located::Bytes(_), Some(_)) => {
             return invalid_operation(
                 SECTION,
                 format!(
@@ -246,7 +263,7 @@ fn index_buffer(
                 ),
             );
         }
-        (Data::Offset(_) | Data::Null, None) => {
+        (Located::Offset(_) | Located::Null, None) => {
             return invalid_operation(
                 SECTION,
                 "indices must be a slice, as no buffer is bound to GL_ELEMENT_ARRAY_BUFFER",
@@ -285,7 +302,9 @@ fn draw_indexed(
         let offset = offset + run.start * ty.size();
         let indices = Indices { buffer: buffer.clone(), offset, ty, base_vertex };
         let elements = Elements::Indexed { indices, count: run.len() as u32, instances };
-        let vertices = bindings(context);
+        let bytes = &buffer.bytes()[offset..offset + run.len() * ty.size()];
+        let reach = indexed_reach(context, bytes, (ty, base_vertex), instances);
+        let vertices = bindings(context, reach)?;
         draw_or_record(context, topology, vertices, elements)?;
     }
     Ok(())
@@ -368,13 +387,14 @@ pub(crate) fn array_element(context: &mut Context, index: GLint) -> Result<()> {
     let arrays = &context.state.arrays.by_location;
     let enabled: Vec<usize> = (0..LOCATIONS).filter(|&at| arrays[at].enabled).collect();
     let position = usize::from(ATTRIB_VERTEX);
+    let reach = Reach { first: index, last: index, instances: 1 };
     let of_position = |location: &usize| *location == 0 || *location == position;
     for &location in enabled.iter().filter(|location| !of_position(location)) {
-        let value = vertex_source(context, location).read(index);
+        let value = vertex_source(context, location, reach)?.read(index);
         attribute(context, Slot::Location(location as u8), value)?;
     }
     if let Some(&location) = enabled.iter().find(|location| of_position(location)) {
-        let value = vertex_source(context, location).read(index);
+        let value = vertex_source(context, location, reach)?.read(index);
         attribute(context, Slot::Vertex, value)?;
     }
     Ok(())

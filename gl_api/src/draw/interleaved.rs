@@ -66,8 +66,9 @@ fn from(pointer: Data<'_>, bytes: usize) -> Data<'_> {
     match pointer {
         Data::Bytes(all) => Data::Bytes(all.get(bytes..).unwrap_or(&[])),
         Data::Offset(offset) => Data::Offset(offset.saturating_add(bytes)),
-        Data::Null if bytes == 0 => Data::Null,
-        Data::Null => Data::Offset(bytes),
+        Data::Client(pointer) if !pointer.is_null() => Data::Client(pointer.forward(bytes)),
+        Data::Null | Data::Client(_) if bytes == 0 => Data::Null,
+        Data::Null | Data::Client(_) => Data::Offset(bytes),
     }
 }
 

@@ -22,8 +22,9 @@ use crate::pixels::rectangle::RectangleModules;
 use fixed_words::FixedWords;
 use rasterizer::driver::{
     Attachment, Command, CommandBuffer, Counter, Device, Image, PassDesc, Pipeline, PipelineDesc,
-    RasterState, ShaderModule,
+    RasterState, Rect, ShaderModule, Viewport,
 };
+use rasterizer::shader::Program;
 use std::collections::HashMap;
 use std::sync::Arc;
 
@@ -48,7 +49,12 @@ pub(crate) struct Recorder {
     /// What counts the samples of draws.
     pub counter: Option<Counter>,
     pub rectangles: RectangleModules,
+    /// Vertex stages that were compiled for raster positions.
+    single: HashMap<ShaderModule, Arc<Program>>,
 }
+
+/// More vertex stages of raster positions than this are forgotten and compiled again.
+const KEPT_SINGLE: usize = 64;
 
 /// State that holds until the end of a pass and need not be recorded again.
 #[derive(Debug, Default)]
@@ -56,6 +62,9 @@ struct Told {
     pipeline: Option<PipelineDesc>,
     words: Option<Arc<[u32]>>,
     raster: Option<Arc<RasterState>>,
+    viewport: Option<Viewport>,
+    scissor: Option<Option<Rect>>,
+    counter: Option<Counter>,
 }
 
 impl Recorder {
@@ -72,7 +81,20 @@ impl Recorder {
             variants: HashMap::new(),
             counter: None,
             rectangles: RectangleModules::default(),
+            single: HashMap::new(),
         }
+    }
+
+    /// A vertex stage with all its outputs, to run it for one vertex.
+    pub fn single_vertex(&mut self, module: &ShaderModule) -> Arc<Program> {
+        if self.single.len() >= KEPT_SINGLE {
+            self.single.clear();
+        }
+        let program = self
+            .single
+            .entry(module.clone())
+            .or_insert_with(|| Arc::new(Program::new(module.module(), |_| true)));
+        Arc::clone(program)
     }
 
     /// The device that commands are submitted to.

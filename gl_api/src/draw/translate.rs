@@ -1,7 +1,7 @@
 //! From validated state to commands of the driver.
 
 use super::primitives::{raster_state, smoothness};
-use super::{Told, begin_pass, hints, stages};
+use super::{begin_pass, hints, stages};
 use crate::context::Context;
 use crate::error::{ErrorCode, GlError, Result, invalid_operation};
 use crate::framebuffer::complete::{draw_pass, draw_planes};
@@ -85,30 +85,36 @@ fn record(
     if rectangle.is_some() {
         desc = PipelineDesc { cull: Cull::None, front_face: FrontFace::Ccw, ..desc };
     }
-    let pipeline = pipeline(context, &desc)?;
     begin_pass(context, pass);
+    if context.recorder.told.pipeline.as_ref() != Some(&desc) {
+        let pipeline = pipeline(context, &desc)?;
+        context.recorder.push(Command::BindPipeline(pipeline));
+        context.recorder.told.pipeline = Some(desc);
+    }
 
     let scissor = scissor(context);
     let recorder = &mut context.recorder;
-    let Told { pipeline: told, words, raster: told_raster } = &mut recorder.told;
-    let commands = &mut recorder.commands;
-    if told.as_ref() != Some(&desc) {
-        commands.push(Command::BindPipeline(pipeline));
-        *told = Some(desc);
-    }
-    if words.as_deref() != Some(&stages.words) {
+    let (told, commands) = (&mut recorder.told, &mut recorder.commands);
+    if told.words.as_deref() != Some(&stages.words) {
         let shared: Arc<[u32]> = stages.words.into();
         commands.push(Command::SetUniforms(Arc::clone(&shared)));
-        *words = Some(shared);
+        told.words = Some(shared);
     }
-    if told_raster.as_deref() != Some(&raster) {
+    if told.raster.as_deref() != Some(&raster) {
         let shared = Arc::new(raster);
         commands.push(Command::SetRaster(Arc::clone(&shared)));
-        *told_raster = Some(shared);
+        told.raster = Some(shared);
     }
-    commands.push(Command::SetViewport(viewport));
-    commands.push(Command::SetScissor(scissor));
-    commands.push(Command::SetCounter(recorder.counter.clone()));
+    if told.viewport.replace(viewport) != Some(viewport) {
+        commands.push(Command::SetViewport(viewport));
+    }
+    if told.scissor.replace(scissor) != Some(scissor) {
+        commands.push(Command::SetScissor(scissor));
+    }
+    if told.counter != recorder.counter {
+        commands.push(Command::SetCounter(recorder.counter.clone()));
+        told.counter.clone_from(&recorder.counter);
+    }
     commands.push(Command::BindVertices(vertices.into()));
     commands.push(Command::BindTextures {
         vertex: stages.vertex_textures,

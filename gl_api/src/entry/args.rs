@@ -1,7 +1,9 @@
 //! What a parameter of an entry point accepts: what C would convert implicitly, and slices where C
 //! has pointers.
 
+use crate::abi::memory::ClientPointer;
 use crate::context::GLDEBUGPROC;
+use crate::types::GLuint;
 use bytemuck::{NoUninit, Pod};
 
 /// Something that can be passed where an entry point expects a `T`.
@@ -79,6 +81,33 @@ pub enum Data<'a> {
     Offset(usize),
     /// Nothing; with a buffer object bound, offset 0.
     Null,
+    /// A pointer of C's: any of these, as the call finds.
+    Client(ClientPointer<'a>),
+}
+
+/// [`Data`], as a call sees it that knows whether a buffer object is bound.
+pub(crate) enum Located<'a> {
+    /// The client's memory.
+    Bytes(&'a [u8]),
+    /// An offset into the bound buffer object.
+    Offset(usize),
+    /// Nothing; with a buffer object bound, offset 0.
+    Null,
+}
+
+impl<'a> Data<'a> {
+    /// What this is for a call that reads `needed` bytes; `buffer` is the bound buffer object's
+    /// name, or 0. A pointer of C's then is an offset, or memory of that length.
+    pub(crate) fn locate(self, buffer: GLuint, needed: usize) -> Located<'a> {
+        match self {
+            Self::Bytes(bytes) => Located::Bytes(bytes),
+            Self::Offset(offset) => Located::Offset(offset),
+            Self::Null => Located::Null,
+            Self::Client(pointer) if buffer != 0 => Located::Offset(pointer.offset()),
+            Self::Client(pointer) if pointer.is_null() => Located::Null,
+            Self::Client(pointer) => Located::Bytes(pointer.bytes(needed)),
+        }
+    }
 }
 
 impl<'a> Arg<Data<'a>> for Data<'a> {
@@ -166,6 +195,32 @@ pub enum DataOut<'a> {
     Offset(usize),
     /// Nowhere.
     Null,
+    /// A pointer of C's: any of these, as the call finds.
+    Client(ClientPointer<'a>),
+}
+
+/// [`DataOut`], as a call sees it that knows whether a buffer object is bound.
+pub(crate) enum LocatedOut<'a> {
+    /// The client's memory.
+    Bytes(&'a mut [u8]),
+    /// An offset into the bound buffer object.
+    Offset(usize),
+    /// Nowhere.
+    Null,
+}
+
+impl<'a> DataOut<'a> {
+    /// What this is for a call that writes `needed` bytes; as [`Data::locate`].
+    pub(crate) fn locate(self, buffer: GLuint, needed: usize) -> LocatedOut<'a> {
+        match self {
+            Self::Bytes(bytes) => LocatedOut::Bytes(bytes),
+            Self::Offset(offset) => LocatedOut::Offset(offset),
+            Self::Null => LocatedOut::Null,
+            Self::Client(pointer) if buffer != 0 => LocatedOut::Offset(pointer.offset()),
+            Self::Client(pointer) if pointer.is_null() => LocatedOut::Null,
+            Self::Client(pointer) => LocatedOut::Bytes(pointer.bytes_mut(needed)),
+        }
+    }
 }
 
 impl<'a> Arg<DataOut<'a>> for DataOut<'a> {

@@ -2,6 +2,7 @@
 
 use super::current::call;
 use super::{Arg, Place};
+use crate::abi::{Exports, c_export};
 use crate::context::Context;
 use crate::draw::immediate::{Slot, attribute};
 use crate::error::invalid_operation;
@@ -65,8 +66,8 @@ macro_rules! attribute_calls {
             attribute_calls!(@free_vector $doc $lead $vector $gl_vector $ty);
             $(attribute_calls!(@free_vector $doc $lead $vector $vector_alias $ty);)?
         )*)*
-        /// Name and number of parameters.
-        pub(super) const ATTRIBUTES: &[&[(&str, usize)]] = &[$($(
+        /// Name, number of parameters, and C function.
+        pub(super) const ATTRIBUTES: &[&[super::Row]] = &[$($(
             attribute_calls!(@entries $lead [$gl $($alias)?] $params),
             attribute_calls!(@entries $lead [$gl_vector $($vector_alias)?] (v)),
         )*)*];
@@ -108,6 +109,7 @@ macro_rules! attribute_calls {
         pub fn $gl($($lead: impl Arg<$lead_ty>,)? $($param: impl Arg<$ty>),+) {
             call(stringify!($gl), |context| context.$method($($lead.arg(),)? $($param.arg()),+));
         }
+        c_export!($method $gl ($($lead: $lead_ty,)? $($param: $ty),+));
     };
     (@free_vector $doc:literal [$($lead:ident: $lead_ty:ty)?] $method:ident $gl:ident
         $ty:ident) => {
@@ -116,10 +118,11 @@ macro_rules! attribute_calls {
         pub fn $gl<'a>($($lead: impl Arg<$lead_ty>,)? v: impl Arg<&'a [$ty]>) {
             call(stringify!($gl), |context| context.$method($($lead.arg(),)? v.arg()));
         }
+        c_export!($method $gl ($($lead: $lead_ty,)? v: &'a [$ty]));
     };
     (@entries [$($lead:ident: $lead_ty:ty)?] [$($gl:ident)+] ($($param:ident),+)) => {{
         const PARAMETERS: &[&str] = &[$(stringify!($lead),)? $(stringify!($param)),+];
-        &[$((stringify!($gl), PARAMETERS.len())),+]
+        &[$((stringify!($gl), PARAMETERS.len(), Exports::$gl as *const ())),+]
     }};
 }
 

@@ -30,6 +30,12 @@ impl Fallback for bool {
     }
 }
 
+impl Fallback for u8 {
+    fn fallback() -> Self {
+        0
+    }
+}
+
 impl Fallback for u32 {
     fn fallback() -> Self {
         0
@@ -54,25 +60,31 @@ impl Fallback for &'static str {
     }
 }
 
+impl<T> Fallback for *const T {
+    fn fallback() -> Self {
+        std::ptr::null()
+    }
+}
+
 /// Puts the context back, even when a call panics.
 struct Taken(Option<Box<Context>>);
 
 impl Drop for Taken {
     fn drop(&mut self) {
-        CURRENT.set(self.0.take());
+        swap_current(self.0.take());
     }
 }
 
 /// Runs `f` with the thread's current context, if there is one.
 pub fn with_current<R>(f: impl FnOnce(&mut Context) -> R) -> Option<R> {
-    let mut taken = Taken(Some(CURRENT.take()?));
+    let mut taken = Taken(Some(swap_current(None)?));
     taken.0.as_deref_mut().map(f)
 }
 
 /// Runs the entry point `name`.
-pub(super) fn call<R: Fallback>(name: &str, f: impl FnOnce(&mut Context) -> R) -> R {
+pub(crate) fn call<R: Fallback>(name: &str, f: impl FnOnce(&mut Context) -> R) -> R {
     with_current(f).unwrap_or_else(|| {
-        if !WARNED.replace(true) {
+        if !WARNED.try_with(|warned| warned.replace(true)).unwrap_or(true) {
             eprintln!("detgl: {name}: ignored, as this thread has no current context");
         }
         R::fallback()
@@ -81,8 +93,12 @@ pub(super) fn call<R: Fallback>(name: &str, f: impl FnOnce(&mut Context) -> R) -
 
 /// Makes a context the thread's current one, or none; gives the one that was.
 pub fn set_current(context: Option<Context>) -> Option<Context> {
-    let old = CURRENT.replace(context.map(Box::new));
-    old.map(|context| *context)
+    swap_current(context.map(Box::new)).map(|context| *context)
+}
+
+/// As [`set_current`]. A thread that is ending has no current context, and drops what it is given.
+pub(crate) fn swap_current(context: Option<Box<Context>>) -> Option<Box<Context>> {
+    CURRENT.try_with(|current| current.replace(context)).ok().flatten()
 }
 
 /// A context that is current until this is dropped; then the one before is current again.

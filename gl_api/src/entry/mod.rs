@@ -16,8 +16,8 @@ macro_rules! entry_points {
     })*) => {
         $($(entry_points!(@row $place $module $method [$(#[$doc])+]
             $gl [$($alias)*] ($($params)*) [$(-> $ret)?]);)*)*
-        /// Name and number of parameters.
-        pub(super) const $table: &[&[(&str, usize)]] = &[$($(
+        /// Name, number of parameters, and C function.
+        pub(super) const $table: &[&[$crate::entry::Row]] = &[$($(
             entry_points!(@entries [$gl $($alias)*] ($($params)*)),
         )*)*];
     };
@@ -26,6 +26,8 @@ macro_rules! entry_points {
         entry_points!(@method $place $module $method $gl $doc $params $ret);
         entry_points!(@free $method $gl $doc $params $ret);
         $(entry_points!(@free $method $alias $doc $params $ret);)*
+        entry_points!(@export $method $gl $params $ret);
+        $(entry_points!(@export $method $alias $params $ret);)*
     };
     (@method $place:ident $module:ident $method:ident $gl:ident [$($doc:tt)+]
         ($($param:ident: $ty:ty),*) [$(-> $ret:ty)?]) => {
@@ -80,9 +82,12 @@ macro_rules! entry_points {
             })
         }
     };
+    (@export $method:ident $gl:ident $params:tt [$($ret:tt)*]) => {
+        $crate::abi::c_export!($method $gl $params $($ret)*);
+    };
     (@entries [$($gl:ident)+] ($($param:ident: $ty:ty),*)) => {{
         const PARAMETERS: &[&str] = &[$(stringify!($param)),*];
-        &[$((stringify!($gl), PARAMETERS.len())),+]
+        &[$((stringify!($gl), PARAMETERS.len(), $crate::abi::Exports::$gl as *const ())),+]
     }};
 }
 
@@ -106,8 +111,9 @@ mod transform;
 mod vertices;
 
 pub use args::{Arg, BUFFER_OFFSET, Data, DataOut, NULL, Null, Offset, Pointers, Strings, TextOut};
-pub(crate) use current::Fallback;
+pub(crate) use args::{Located, LocatedOut};
 pub use current::{Current, set_current, with_current};
+pub(crate) use current::{Fallback, call, swap_current};
 
 pub use attributes::*;
 pub use debugging::*;
@@ -134,8 +140,16 @@ pub(crate) enum Place {
     Outside,
 }
 
+/// An entry point: its name, the number of its parameters, and its C function.
+pub(crate) type Row = (&'static str, usize, *const ());
+
 /// Every entry point by name, with the number of its parameters.
 pub fn implemented() -> impl Iterator<Item = (&'static str, usize)> {
+    rows().map(|(name, parameters, _)| (name, parameters))
+}
+
+/// Every entry point.
+pub(crate) fn rows() -> impl Iterator<Item = Row> {
     [
         ATTRIBUTES,
         DEBUGGING,

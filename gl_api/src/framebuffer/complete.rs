@@ -2,7 +2,7 @@
 //! framebuffer is drawn in.
 
 use super::buffers::attachment_index;
-use super::whole;
+use super::{Presence, whole};
 use crate::constants::*;
 use crate::context::Context;
 use crate::error::{ErrorCode, GlError, Result};
@@ -118,8 +118,16 @@ fn misfit(attached: &Attached, wants: Wants, found: &Found) -> Option<String> {
 
 /// Whether a framebuffer (0 is the default one, which is complete) can be used.
 pub(super) fn completeness(context: &Context, name: GLuint) -> std::result::Result<(), Incomplete> {
-    let Some(object) = context.objects.framebuffers.get(name) else { return Ok(()) };
     let incomplete = |status, reason: String| Err(Incomplete { status, reason });
+    let Some(object) = context.objects.framebuffers.get(name) else {
+        return match context.window.presence {
+            Presence::Present => Ok(()),
+            Presence::Absent => incomplete(
+                GL_FRAMEBUFFER_UNDEFINED,
+                "the context is current without a surface: bind a framebuffer object".into(),
+            ),
+        };
+    };
     let mut samples = None;
     let colors =
         object.colors.iter().enumerate().map(|(index, attached)| (attached, Wants::Color, index));
@@ -218,6 +226,7 @@ pub(crate) fn draw_planes(context: &Context) -> Planes {
 /// `GL_INVALID_FRAMEBUFFER_OPERATION` where it is incomplete.
 pub(crate) fn draw_pass(context: &Context) -> Result<PassDesc> {
     let name = context.state.bindings.draw_framebuffer;
+    checked_complete(context, name)?;
     let Some(object) = context.objects.framebuffers.get(name) else {
         let window = &context.window;
         let color = (window.selection.draw[0] != GL_NONE).then(|| whole(&window.color));
@@ -228,7 +237,6 @@ pub(crate) fn draw_pass(context: &Context) -> Result<PassDesc> {
             height: window.height,
         });
     };
-    checked_complete(context, name)?;
     // Attachments of different sizes are drawn to where all of them are.
     let (mut width, mut height) = (u32::MAX, u32::MAX);
     for found in object.attached().filter_map(|attached| find(attached).ok()) {
@@ -259,6 +267,7 @@ pub(crate) enum Readable {
 /// The image that is read from, if there is one.
 pub(super) fn read_attachment(context: &Context, what: Readable) -> Result<Option<Attachment>> {
     let name = context.state.bindings.read_framebuffer;
+    checked_complete(context, name)?;
     let Some(object) = context.objects.framebuffers.get(name) else {
         let window = &context.window;
         let depth = |there: bool| window.depth.as_ref().filter(|_| there).map(whole);
@@ -268,7 +277,6 @@ pub(super) fn read_attachment(context: &Context, what: Readable) -> Result<Optio
             Readable::Stencil => depth(window.planes.stencil),
         });
     };
-    checked_complete(context, name)?;
     let attached = match what {
         Readable::Color => {
             attachment_index(object.selection.read).and_then(|index| object.colors[index].as_ref())

@@ -7,12 +7,14 @@ pub(crate) mod clear;
 pub(crate) mod complete;
 pub(crate) mod inspect;
 pub(crate) mod read;
+mod swap;
 
 use crate::context::{Context, SurfaceDesc};
 use crate::object::framebuffers::Planes;
 use crate::state::enable::Flag;
 use buffers::Selection;
 use rasterizer::driver::{Attachment, Image, SrgbWrite};
+pub(crate) use swap::Presence;
 use texunit::format::Format;
 use texunit::image::{Image as Texels, ImageError, Level, Shape};
 
@@ -90,6 +92,7 @@ pub(crate) struct Window {
     /// Which planes of `depth` there are.
     pub planes: Planes,
     pub selection: Selection,
+    pub presence: Presence,
 }
 
 impl Window {
@@ -105,6 +108,7 @@ impl Window {
             depth: desc.depth_format().map(image).transpose()?,
             planes: Planes { depth: desc.depth_bits > 0, stencil: desc.stencil_bits > 0 },
             selection: Selection::window(),
+            presence: Presence::Present,
         })
     }
 

@@ -4,7 +4,7 @@ use super::error::{GLU_INVALID_ENUM, GLU_INVALID_OPERATION, GLU_INVALID_VALUE};
 use super::pixels::{self, ByteOrder, Layout, Storage, Store, TooShort};
 use super::scale::scale;
 use crate::constants::*;
-use crate::entry::{Arg, Data, DataOut, glGetIntegerv, glPixelStorei};
+use crate::entry::{Arg, Data, DataOut, Located, LocatedOut, glGetIntegerv, glPixelStorei};
 use crate::types::{GLenum, GLint, GLsizei};
 
 /// Scales an image in client memory with GLU's box filter, from the `GL_UNPACK_*` state's layout
@@ -30,8 +30,11 @@ pub fn gluScaleImage<'a>(
     let from = layout([width_in.arg(), height_in.arg(), 1], format, type_in.arg(), unpack);
     let to = layout([width_out.arg(), height_out.arg(), 1], format, type_out.arg(), pack);
     let result = from.and_then(|from| {
-        let DataOut::Bytes(out) = data_out.arg() else { return Err(GLU_INVALID_VALUE) };
-        rescale(&from, bytes(data_in.arg()), &to?, out).map_err(|_| GLU_INVALID_VALUE)
+        let to = to?;
+        let LocatedOut::Bytes(out) = data_out.arg().locate(0, to.needed()) else {
+            return Err(GLU_INVALID_VALUE);
+        };
+        rescale(&from, bytes(data_in.arg(), &from), &to, out).map_err(|_| GLU_INVALID_VALUE)
     });
     result.err().unwrap_or(0)
 }
@@ -49,10 +52,10 @@ fn rescale(from: &Layout, data: &[u8], to: &Layout, out: &mut [u8]) -> Result<()
 }
 
 /// The client's memory; GLU knows no buffer objects.
-pub(super) fn bytes(data: Data<'_>) -> &[u8] {
-    match data {
-        Data::Bytes(bytes) => bytes,
-        Data::Offset(_) | Data::Null => &[],
+pub(super) fn bytes<'a>(data: Data<'a>, layout: &Layout) -> &'a [u8] {
+    match data.locate(0, layout.needed()) {
+        Located::Bytes(bytes) => bytes,
+        Located::Offset(_) | Located::Null => &[],
     }
 }
 

@@ -196,7 +196,7 @@ fn build(
         Ok(layout) => layout,
         Err(code) => return code,
     };
-    let Ok(image) = layout.read(bytes(data)) else {
+    let Ok(image) = layout.read(bytes(data, &layout)) else {
         texture.upload(level, size, (format, type_), data);
         return GLU_INVALID_VALUE;
     };

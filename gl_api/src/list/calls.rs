@@ -3,7 +3,7 @@
 use super::{Compiling, List, Mode};
 use crate::constants::*;
 use crate::context::Context;
-use crate::entry::Data;
+use crate::entry::{Data, Located};
 use crate::error::{Result, Table, invalid_operation, invalid_value, not_negative};
 use crate::types::*;
 use std::sync::Arc;
@@ -189,11 +189,12 @@ pub(crate) fn call_lists(
     let n = not_negative(SECTION, "n", n.into())?;
     let ty = NAME_TYPE.decode("type", ty)?;
     let size = ty.size();
-    let bytes = match lists {
-        Data::Bytes(bytes) => bytes,
-        Data::Null | Data::Offset(_) => &[],
+    let needed = n.saturating_mul(size);
+    let bytes = match lists.locate(0, needed) {
+        Located::Bytes(bytes) => bytes,
+        Located::Null | Located::Offset(_) => &[],
     };
-    let Some(bytes) = n.checked_mul(size).and_then(|needed| bytes.get(..needed)) else {
+    let Some(bytes) = bytes.get(..needed) else {
         return invalid_operation(
             SECTION,
             format!("n = {n} names of {size} bytes each, but lists has {} bytes", bytes.len()),

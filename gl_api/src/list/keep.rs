@@ -3,7 +3,7 @@
 
 use super::pixels;
 use crate::context::{Context, GLDEBUGPROC};
-use crate::entry::{Data, DataOut, Pointers, Strings, TextOut};
+use crate::entry::{Data, DataOut, Located, Pointers, Strings, TextOut};
 use std::convert::Infallible;
 use std::marker::PhantomData;
 
@@ -105,10 +105,10 @@ impl Keep for Data<'_> {
     fn keep(&self, context: &Context, name: &str, integers: &[i64]) -> Option<KeptData> {
         Some(match pixels::bytes(context, name, integers, *self) {
             Some(bytes) => KeptData::Bytes(bytes),
-            None => match *self {
-                Data::Bytes(bytes) => KeptData::Bytes(bytes.to_vec()),
-                Data::Offset(offset) => KeptData::Offset(offset),
-                Data::Null => KeptData::Null,
+            None => match self.locate(0, 0) {
+                Located::Bytes(bytes) => KeptData::Bytes(bytes.to_vec()),
+                Located::Offset(offset) => KeptData::Offset(offset),
+                Located::Null => KeptData::Null,
             },
         })
     }

@@ -2,7 +2,7 @@
 
 use super::calls::NAME_TYPE;
 use crate::context::Context;
-use crate::entry::Data;
+use crate::entry::{Data, Located};
 use crate::texture::client::Pixel;
 use crate::texture::layout::{Extent, Layout};
 use crate::texture::memory;
@@ -23,6 +23,9 @@ const READERS: &[(&str, Needed)] = &[
     ("glCompressedTexSubImage2D", |_, a| size(a[7])),
     ("glCompressedTexSubImage3D", |_, a| size(a[9])),
     ("glDrawPixels", |c, a| image(c, [a[0], a[1], 1], [a[2], a[3]], Extent::Flat)),
+    ("glPixelMapfv", |_, a| size(a[1])?.checked_mul(4)),
+    ("glPixelMapuiv", |_, a| size(a[1])?.checked_mul(4)),
+    ("glPixelMapusv", |_, a| size(a[1])?.checked_mul(2)),
     ("glPolygonStipple", |c, _| bits(c, [32, 32])),
     ("glTexImage1D", |c, a| image(c, [a[3], 1, 1], [a[5], a[6]], Extent::Flat)),
     ("glTexImage2D", |c, a| image(c, [a[3], a[4], 1], [a[6], a[7]], Extent::Flat)),
@@ -51,12 +54,12 @@ pub(super) fn bytes(
 ) -> Option<Vec<u8>> {
     let needed = reader(name)?(context, integers)?;
     if name == "glCallLists" {
-        return match data {
-            Data::Bytes(bytes) => bytes.get(..needed).map(<[u8]>::to_vec),
-            Data::Offset(_) | Data::Null => None,
+        return match data.locate(0, needed) {
+            Located::Bytes(bytes) => bytes.get(..needed).map(<[u8]>::to_vec),
+            Located::Offset(_) | Located::Null => None,
         };
     }
-    let source = memory::source(context, data).ok()??;
+    let source = memory::source(context, data, needed).ok()??;
     source.bytes().get(..needed).map(<[u8]>::to_vec)
 }
 

@@ -3,7 +3,7 @@
 use super::doomed;
 use crate::constants::*;
 use crate::context::{Context, limits};
-use crate::entry::{Data, DataOut};
+use crate::entry::{Data, DataOut, Located, LocatedOut};
 use crate::error::{
     ErrorCode, GlError, Result, Table, invalid_operation, invalid_value, not_negative,
 };
@@ -165,8 +165,8 @@ pub(crate) fn buffer_data(
         return Err(no_memory());
     }
     let mut bytes = Vec::new();
-    match data {
-        Data::Bytes(source) => match source.get(..size) {
+    match data.locate(0, size) {
+        Located::Bytes(source) => match source.get(..size) {
             Some(source) => {
                 bytes.try_reserve_exact(size).map_err(|_| no_memory())?;
                 bytes.extend_from_slice(source);
@@ -178,11 +178,11 @@ pub(crate) fn buffer_data(
                 );
             }
         },
-        Data::Null | Data::Offset(0) => {
+        Located::Null | Located::Offset(0) => {
             bytes.try_reserve_exact(size).map_err(|_| no_memory())?;
             bytes.resize(size, 0);
         }
-        Data::Offset(_) => return invalid_operation(SECTION, "data must be a slice or NULL"),
+        Located::Offset(_) => return invalid_operation(SECTION, "data must be a slice or NULL"),
     }
     object.buffer = Buffer::new(bytes);
     object.usage = usage;
@@ -225,17 +225,17 @@ pub(crate) fn buffer_sub_data(
 ) -> Result<()> {
     let object = unmapped(bound(context, target)?)?;
     let range = range(object, offset, size)?;
-    match data {
-        Data::Bytes(source) if source.len() >= range.len() => {
+    match data.locate(0, range.len()) {
+        Located::Bytes(source) if source.len() >= range.len() => {
             let source = &source[..range.len()];
             object.buffer.bytes_mut()[range].copy_from_slice(source);
             Ok(())
         }
-        Data::Bytes(source) => invalid_operation(
+        Located::Bytes(source) => invalid_operation(
             SECTION,
             format!("size = {size}, but the slice has {} bytes", source.len()),
         ),
-        Data::Null | Data::Offset(_) => invalid_operation(SECTION, "data must be a slice"),
+        Located::Null | Located::Offset(_) => invalid_operation(SECTION, "data must be a slice"),
     }
 }
 
@@ -248,15 +248,17 @@ pub(crate) fn get_buffer_sub_data(
 ) -> Result<()> {
     let object = unmapped(bound(context, target)?)?;
     let range = range(object, offset, size)?;
-    match data {
-        DataOut::Bytes(out) if out.len() >= range.len() => {
+    match data.locate(0, range.len()) {
+        LocatedOut::Bytes(out) if out.len() >= range.len() => {
             out[..range.len()].copy_from_slice(&object.buffer.bytes()[range]);
             Ok(())
         }
-        DataOut::Bytes(out) => invalid_operation(
+        LocatedOut::Bytes(out) => invalid_operation(
             SECTION,
             format!("size = {size}, but the slice has {} bytes", out.len()),
         ),
-        DataOut::Null | DataOut::Offset(_) => invalid_operation(SECTION, "data must be a slice"),
+        LocatedOut::Null | LocatedOut::Offset(_) => {
+            invalid_operation(SECTION, "data must be a slice")
+        }
     }
 }

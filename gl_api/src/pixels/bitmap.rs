@@ -71,7 +71,7 @@ pub(crate) fn bitmap(
     let height = not_negative(SECTION, "height", height.into())?;
     draw_pass(context)?;
     let bits = Bits::new(&context.state.unpack, width, height)?;
-    let source = memory::source(context, bitmap)?;
+    let source = memory::source(context, bitmap, bits.needed)?;
     if !context.state.raster_position.valid {
         return Ok(());
     }

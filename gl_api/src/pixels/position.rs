@@ -9,7 +9,7 @@ use crate::state::viewport::unit;
 use crate::types::GLenum;
 use rasterizer::driver::{Rim, VertexBinding, VertexSource};
 use rasterizer::ir::{Input, Output};
-use rasterizer::shader::{Machine, Program, Run};
+use rasterizer::shader::{Machine, Run};
 use texunit::lanes::{Isa, U32s};
 
 const SECTION: &str = "GL 2.1, section 2.13";
@@ -80,7 +80,7 @@ fn shade(context: &mut Context, position: [f32; 4]) -> Result<Shaded> {
     let stages = stages::choose(context, &vertices, Rim::Aliased)?;
     // Every instruction set gives the same bits.
     let isa = Isa::best();
-    let program = Program::new(stages.vertex.module(), |_| true);
+    let program = context.recorder.single_vertex(&stages.vertex);
     let prepared = program.prepare(isa, &stages.words, &stages.vertex_textures);
     let mut machine = Machine::default();
     machine.begin(&program);

@@ -212,7 +212,11 @@ pub(crate) fn get_frag_data_location(
 }
 
 /// The words of the uniform element at a location, and their scalar type.
-fn words(context: &mut Context, name: GLuint, location: GLint) -> Result<(Scalar, Vec<u32>)> {
+pub(crate) fn words(
+    context: &mut Context,
+    name: GLuint,
+    location: GLint,
+) -> Result<(Scalar, Vec<u32>)> {
     let linked = linked(context, name)?;
     let Some((uniform, element)) = at_location(&linked.program.uniforms, location) else {
         return invalid_operation(

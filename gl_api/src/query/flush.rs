@@ -6,10 +6,12 @@ use crate::error::Result;
 
 pub(crate) fn flush(context: &mut Context) -> Result<()> {
     draw::submit(context);
+    if let Some(mirror) = context.mirror {
+        mirror.update(context);
+    }
     Ok(())
 }
 
 pub(crate) fn finish(context: &mut Context) -> Result<()> {
-    draw::submit(context);
-    Ok(())
+    flush(context)
 }

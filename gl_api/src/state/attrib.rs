@@ -9,6 +9,7 @@ use crate::draw::arrays::Arrays;
 use crate::env::Units;
 use crate::error::{ErrorCode, GlError, Result};
 use crate::framebuffer::buffers::{Selection, selection, selection_mut};
+use crate::pixels::position::RasterPosition;
 use crate::state::matrix::MatrixMode;
 use crate::texture::TextureTarget;
 use crate::texture::sampler::SamplerState;
@@ -34,6 +35,8 @@ struct Server {
     fragment: fragment::FragmentState,
     clear: fragment::ClearState,
     transfer: Transfer,
+    pixel_zoom: [f32; 2],
+    raster_position: RasterPosition,
     viewport: viewport::ViewportState,
     matrix_mode: MatrixMode,
     list_base: GLuint,
@@ -142,6 +145,8 @@ pub(crate) fn push_attrib(context: &mut Context, mask: GLbitfield) -> Result<()>
         fragment: state.fragment.clone(),
         clear: state.clear.clone(),
         transfer: state.transfer,
+        pixel_zoom: state.pixel_zoom,
+        raster_position: state.raster_position.clone(),
         viewport: state.viewport.clone(),
         matrix_mode: state.matrices.mode,
         list_base: context.lists.base(),
@@ -192,6 +197,7 @@ fn restore(state: &mut State, saved: Server) {
     let has = |bit| saved.mask & bit != 0;
     if has(GL_CURRENT_BIT) {
         state.current = saved.current;
+        state.raster_position = saved.raster_position;
     }
     if has(GL_ENABLE_BIT) {
         state.lights.enabled = saved.lights.enabled;
@@ -252,6 +258,7 @@ fn restore(state: &mut State, saved: Server) {
     }
     if has(GL_PIXEL_MODE_BIT) {
         state.transfer = saved.transfer;
+        state.pixel_zoom = saved.pixel_zoom;
     }
     if has(GL_SCISSOR_BIT) {
         state.fragment.scissor = saved.fragment.scissor;

@@ -75,12 +75,11 @@ fn bit_of(store: &PixelStore, x: usize, y: usize) -> (usize, u32) {
 }
 
 pub(crate) fn polygon_stipple(context: &mut Context, mask: Data<'_>) -> Result<()> {
-    let source = memory::source(context, mask)?;
-    let Some(source) = source else {
+    let needed = bit_of(&context.state.unpack, 31, 31).0 + 1;
+    let Some(source) = memory::source(context, mask, needed)? else {
         return invalid_operation(STIPPLE, "mask must be 32 rows of 32 bits, not NULL");
     };
     let (bytes, store) = (source.bytes(), &context.state.unpack);
-    let needed = bit_of(store, 31, 31).0 + 1;
     if bytes.len() < needed {
         return invalid_operation(
             STIPPLE,

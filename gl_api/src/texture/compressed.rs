@@ -46,7 +46,7 @@ fn compressed_tex_image(
     let request = Request::new(image, level, internal, format, given, border)?;
     let Some(target) = request.bound(context)? else { return Ok(()) };
     let bytes = checked_bytes(format, request.size, image_size)?;
-    let source = source(context, data)?;
+    let source = source(context, data, bytes)?;
     let mut texels = request.storage()?;
     if let Some(source) = source {
         texels.texels[..bytes].copy_from_slice(checked_slice(source.bytes(), bytes)?);
@@ -80,7 +80,7 @@ fn compressed_tex_sub_image(
         return invalid_operation(SECTION, "format must be the level's internalformat");
     }
     let bytes = checked_bytes(format, area.size, image_size)?;
-    let Some(source) = source(context, data)? else {
+    let Some(source) = source(context, data, bytes)? else {
         return invalid_operation(
             SECTION,
             format!("data must not be NULL: {bytes} bytes are needed"),

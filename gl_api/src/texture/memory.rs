@@ -3,7 +3,7 @@
 
 use super::layout::Layout;
 use crate::context::Context;
-use crate::entry::{Data, DataOut};
+use crate::entry::{Data, DataOut, Located, LocatedOut};
 use crate::error::{Result, invalid_operation};
 use crate::types::GLuint;
 use rasterizer::driver::Buffer;
@@ -27,16 +27,20 @@ impl Source<'_> {
 }
 
 /// What a call's `pixels` are read from, or `None` for a null pointer.
-pub(crate) fn source<'a>(context: &Context, pixels: Data<'a>) -> Result<Option<Source<'a>>> {
+pub(crate) fn source<'a>(
+    context: &Context,
+    pixels: Data<'a>,
+    needed: usize,
+) -> Result<Option<Source<'a>>> {
     let name = context.state.bindings.pixel_unpack_buffer;
     not_mapped(context, name)?;
-    match (context.objects.buffers.get(name), pixels) {
-        (None, Data::Null | Data::Offset(0)) => Ok(None),
-        (None, Data::Bytes(bytes)) => Ok(Some(Source::Client(bytes))),
-        (None, Data::Offset(offset)) => no_buffer(offset, "GL_PIXEL_UNPACK_BUFFER"),
-        (Some(_), Data::Bytes(_)) => slice_and_buffer("GL_PIXEL_UNPACK_BUFFER"),
-        (Some(object), Data::Null) => Ok(Some(Source::Buffer(object.buffer.clone(), 0))),
-        (Some(object), Data::Offset(offset)) => {
+    match (context.objects.buffers.get(name), pixels.locate(name, needed)) {
+        (None, Located::Null | Located::Offset(0)) => Ok(None),
+        (None, Located::Bytes(bytes)) => Ok(Some(Source::Client(bytes))),
+        (None, Located::Offset(offset)) => no_buffer(offset, "GL_PIXEL_UNPACK_BUFFER"),
+        (Some(_), Located::Bytes(_)) => slice_and_buffer("GL_PIXEL_UNPACK_BUFFER"),
+        (Some(object), Located::Null) => Ok(Some(Source::Buffer(object.buffer.clone(), 0))),
+        (Some(object), Located::Offset(offset)) => {
             check_offset(offset, object.buffer.bytes().len())?;
             Ok(Some(Source::Buffer(object.buffer.clone(), offset)))
         }
@@ -49,7 +53,7 @@ pub(crate) fn pixel_source<'a>(
     layout: &Layout,
     pixels: Data<'a>,
 ) -> Result<Option<Source<'a>>> {
-    let source = source(context, pixels)?;
+    let source = source(context, pixels, layout.needed)?;
     if let Some(source) = &source {
         layout.check_length(source.bytes().len(), "GL_UNPACK_ALIGNMENT")?;
         if let Source::Buffer(_, offset) = source {
@@ -68,21 +72,21 @@ pub(crate) fn write_bytes(
 ) -> Result<()> {
     let name: GLuint = context.state.bindings.pixel_pack_buffer;
     not_mapped(context, name)?;
-    match (context.objects.buffers.get_mut(name), pixels) {
-        (_, DataOut::Null | DataOut::Offset(0)) if needed == 0 => Ok(()),
-        (None, DataOut::Bytes(bytes)) => {
+    match (context.objects.buffers.get_mut(name), pixels.locate(name, needed)) {
+        (_, LocatedOut::Null | LocatedOut::Offset(0)) if needed == 0 => Ok(()),
+        (None, LocatedOut::Bytes(bytes)) => {
             check_room(bytes.len(), needed)?;
             write(bytes);
             Ok(())
         }
-        (None, DataOut::Null | DataOut::Offset(0)) => invalid_operation(
+        (None, LocatedOut::Null | LocatedOut::Offset(0)) => invalid_operation(
             SECTION,
             format!("pixels must not be NULL: {needed} bytes are needed"),
         ),
-        (None, DataOut::Offset(offset)) => no_buffer(offset, "GL_PIXEL_PACK_BUFFER"),
-        (Some(_), DataOut::Bytes(_)) => slice_and_buffer("GL_PIXEL_PACK_BUFFER"),
-        (Some(object), out @ (DataOut::Null | DataOut::Offset(_))) => {
-            let offset = if let DataOut::Offset(offset) = out { offset } else { 0 };
+        (None, LocatedOut::Offset(offset)) => no_buffer(offset, "GL_PIXEL_PACK_BUFFER"),
+        (Some(_), LocatedOut::Bytes(_)) => slice_and_buffer("GL_PIXEL_PACK_BUFFER"),
+        (Some(object), out @ (LocatedOut::Null | LocatedOut::Offset(_))) => {
+            let offset = if let LocatedOut::Offset(offset) = out { offset } else { 0 };
             let length = object.buffer.bytes().len();
             check_offset(offset, length)?;
             check_room(length - offset, needed)?;
@@ -102,7 +106,10 @@ pub(crate) fn write_pixels(
     match &pixels {
         DataOut::Bytes(bytes) => layout.check_length(bytes.len(), "GL_PACK_ALIGNMENT")?,
         DataOut::Offset(offset) => check_multiple(layout, *offset)?,
-        DataOut::Null => {}
+        DataOut::Client(pointer) if context.state.bindings.pixel_pack_buffer != 0 => {
+            check_multiple(layout, pointer.offset())?;
+        }
+        DataOut::Null | DataOut::Client(_) => {}
     }
     write_bytes(context, pixels, layout.needed, write)
 }

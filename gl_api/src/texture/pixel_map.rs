@@ -187,7 +187,7 @@ fn set(
         );
     }
     let needed = size * entry.bytes;
-    let Some(source) = source(context, values)? else {
+    let Some(source) = source(context, values, needed)? else {
         return invalid_operation(SECTION, "values must not be NULL");
     };
     let Some(bytes) = source.bytes().get(..needed) else {

@@ -8,6 +8,13 @@ use std::sync::atomic::{AtomicU64, Ordering};
 #[derive(Clone, Debug, Default)]
 pub struct Counter(Arc<AtomicU64>);
 
+/// Two handles of one count are equal.
+impl PartialEq for Counter {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.0, &other.0)
+    }
+}
+
 impl Counter {
     /// A count of 0.
     pub fn new() -> Self {

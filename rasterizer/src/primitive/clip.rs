@@ -49,23 +49,35 @@ pub fn planes(viewport: &Viewport) -> [Plane; 7] {
 pub fn clip(polygon: &mut Vec<Corner>, scratch: &mut Vec<Corner>, planes: &[Plane; 7], user: u8) {
     for (index, plane) in planes.iter().enumerate() {
         let offset = if index == 0 { -W_MIN } else { 0.0 };
-        cut(polygon, scratch, |corner| {
+        let distance = |corner: &Corner| {
             let p = &corner.clip;
             p[0] * plane[0] + p[1] * plane[1] + p[2] * plane[2] + p[3] * plane[3] + offset
-        });
+        };
+        // Between coordinates of 1e30 no weight is exact enough to end up near the plane: the
+        // coordinate that the plane bounds is what the plane says.
+        let settle = |p: &mut [f64; 4]| match (0..3).find(|&axis| plane[axis] != 0.0) {
+            Some(axis) => p[axis] = -(plane[3] * p[3]) / plane[axis],
+            None => p[3] = W_MIN,
+        };
+        cut(polygon, scratch, distance, settle);
     }
     for plane in (0..MAX_DISTANCES).filter(|plane| user >> plane & 1 == 1) {
-        cut(polygon, scratch, |corner| corner.distances[plane]);
+        cut(polygon, scratch, |corner| corner.distances[plane], |_| {});
     }
 }
 
-/// Cuts away where `distance` is negative.
+/// Cuts away where `distance` is negative. `settle` puts a point between two ends on the plane.
 ///
 /// Where an edge is cut depends on nothing but its two ends and their distances, and negated
 /// distances give the same point to the bit. So two primitives that share an edge are cut at the same
 /// point, and the two halves that complementary planes leave of a primitive share their edge: every
 /// pixel is in one of them.
-fn cut(polygon: &mut Vec<Corner>, scratch: &mut Vec<Corner>, distance: impl Fn(&Corner) -> f64) {
+fn cut(
+    polygon: &mut Vec<Corner>,
+    scratch: &mut Vec<Corner>,
+    distance: impl Fn(&Corner) -> f64,
+    settle: impl Fn(&mut [f64; 4]),
+) {
     scratch.clear();
     let n = polygon.len();
     // A line has one edge, a polygon as many as vertices.
@@ -85,8 +97,10 @@ fn cut(polygon: &mut Vec<Corner>, scratch: &mut Vec<Corner>, distance: impl Fn(&
             let (from, to, df, dt) = if a.clip < b.clip { (a, b, da, db) } else { (b, a, db, da) };
             let t = df / (df - dt);
             let mix = |from: f64, to: f64| from + (to - from) * t;
+            let mut clip = std::array::from_fn(|k| mix(from.clip[k], to.clip[k]));
+            settle(&mut clip);
             scratch.push(Corner {
-                clip: std::array::from_fn(|k| mix(from.clip[k], to.clip[k])),
+                clip,
                 distances: std::array::from_fn(|k| mix(from.distances[k], to.distances[k])),
             });
         }

@@ -1,0 +1,198 @@
+//! Contexts and what their attributes ask for (EGL 1.5, section 3.7.1; `EGL_KHR_create_context`).
+
+use super::config::Config;
+use super::constants::*;
+use super::error::{Code, Result, fail};
+use super::registry::{Api, ContextEntry, Id, Place, Registry, handle, registry, thread};
+use super::{Attrib, Handle, Int, put};
+use crate::context::{Context, ContextDesc, ContextError};
+use crate::entry::with_current;
+
+impl Registry {
+    /// Removes a context, now or when it is current no more.
+    pub fn doom_context(&mut self, id: Id) {
+        if let Some(entry) = self.contexts.get_mut(&id) {
+            entry.doomed = true;
+            if matches!(entry.place, Place::Idle(_)) {
+                self.contexts.remove(&id);
+            }
+        }
+    }
+}
+
+/// The versions of OpenGL that were ever defined.
+fn is_version(major: Attrib, minor: Attrib) -> bool {
+    match major {
+        1 => (0..=5).contains(&minor),
+        2 => (0..=1).contains(&minor),
+        3 => (0..=3).contains(&minor),
+        4 => (0..=6).contains(&minor),
+        _ => false,
+    }
+}
+
+/// Checks that OpenGL 2.1 is what the attributes ask for.
+fn check(attributes: &[(Int, Attrib)]) -> Result<()> {
+    let (mut major, mut minor, mut flags, mut forward) = (1, 0, 0, false);
+    let mut profile = EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT as Attrib;
+    for &(name, value) in attributes {
+        match name {
+            EGL_CONTEXT_MAJOR_VERSION => major = value,
+            EGL_CONTEXT_MINOR_VERSION => minor = value,
+            EGL_CONTEXT_OPENGL_PROFILE_MASK => profile = value,
+            EGL_CONTEXT_FLAGS_KHR => flags = value,
+            EGL_CONTEXT_OPENGL_FORWARD_COMPATIBLE => forward = value != 0,
+            // Messages are always kept, accesses always checked, and nothing is ever lost.
+            EGL_CONTEXT_OPENGL_DEBUG
+            | EGL_CONTEXT_OPENGL_ROBUST_ACCESS
+            | EGL_CONTEXT_OPENGL_ROBUST_ACCESS_EXT
+            | EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY
+            | EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY_EXT
+            | EGL_CONTEXT_OPENGL_NO_ERROR_KHR => {}
+            _ => return fail(Code::BadAttribute, format!("attrib_list: no attribute {name:#x}")),
+        }
+    }
+    let known = EGL_CONTEXT_OPENGL_DEBUG_BIT_KHR
+        | EGL_CONTEXT_OPENGL_FORWARD_COMPATIBLE_BIT_KHR
+        | EGL_CONTEXT_OPENGL_ROBUST_ACCESS_BIT_KHR;
+    if flags & !(known as Attrib) != 0 {
+        return fail(
+            Code::BadAttribute,
+            format!("EGL_CONTEXT_FLAGS_KHR = {flags:#x}: no such bit"),
+        );
+    }
+    forward |= flags & EGL_CONTEXT_OPENGL_FORWARD_COMPATIBLE_BIT_KHR as Attrib != 0;
+    if !is_version(major, minor) {
+        return fail(Code::BadMatch, format!("there is no OpenGL {major}.{minor}"));
+    }
+    if (major, minor) > (2, 1) {
+        let profiles =
+            EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT | EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT;
+        let named = if profile & profiles as Attrib != profile || profile == 0 {
+            ", of a profile that does not exist,"
+        } else {
+            ""
+        };
+        return fail(
+            Code::BadMatch,
+            format!("OpenGL {major}.{minor}{named} was asked for; DetGL has 2.1"),
+        );
+    }
+    if forward {
+        return fail(Code::BadMatch, "only OpenGL 3.0 and above can be forward compatible");
+    }
+    Ok(())
+}
+
+/// A context that shares objects with one that is current here, or nowhere.
+pub(in crate::abi) fn share_with(
+    display: Id,
+    share: Handle,
+    desc: ContextDesc,
+) -> Result<std::result::Result<Context, ContextError>> {
+    let mut registry = registry();
+    let (_, entry) = registry.context(display, share)?;
+    match &mut entry.place {
+        Place::Idle(context) => Ok(context.new_shared(desc)),
+        Place::Current(thread) if *thread == std::thread::current().id() => {
+            match with_current(|context| context.new_shared(desc)) {
+                Some(context) => Ok(context),
+                None => fail(Code::BadContext, "share_context is current, but inside a call"),
+            }
+        }
+        Place::Current(_) => fail(
+            Code::BadAccess,
+            "share_context is current on another thread: create the new context there, or release \
+             it first",
+        ),
+    }
+}
+
+pub(super) fn create(
+    dpy: Handle,
+    config: Handle,
+    share: Handle,
+    attributes: &[(Int, Attrib)],
+) -> Result<Handle> {
+    let display = registry().display(dpy)?;
+    let config = if config.is_null() { None } else { Some(Config::find(config)?) };
+    if thread(|thread| thread.api.get()) == Api::None {
+        return fail(
+            Code::BadMatch,
+            "there is no OpenGL ES: call eglBindAPI(EGL_OPENGL_API) before",
+        );
+    }
+    check(attributes)?;
+    // The surface comes with eglMakeCurrent.
+    let desc = ContextDesc { width: 1, height: 1, ..ContextDesc::default() };
+    let context =
+        if share.is_null() { Context::new(desc) } else { share_with(display, share, desc)? };
+    let context = match context {
+        Ok(context) => context,
+        Err(error) => return fail(Code::BadAlloc, error.to_string()),
+    };
+    let mut registry = registry();
+    let id = registry.new_id();
+    let entry = ContextEntry {
+        display,
+        config,
+        place: Place::Idle(Box::new(context)),
+        doomed: false,
+        sized: false,
+    };
+    registry.contexts.insert(id, entry);
+    Ok(handle(id))
+}
+
+pub(super) fn destroy(dpy: Handle, context: Handle) -> Result<u32> {
+    let mut registry = registry();
+    let display = registry.display(dpy)?;
+    let (id, _) = registry.context(display, context)?;
+    registry.doom_context(id);
+    Ok(1)
+}
+
+pub(super) unsafe fn query(
+    dpy: Handle,
+    context: Handle,
+    attribute: Int,
+    value: *mut Int,
+) -> Result<u32> {
+    let mut registry = registry();
+    let display = registry.display(dpy)?;
+    let (id, entry) = registry.context(display, context)?;
+    let binding = thread(|thread| *thread.binding.borrow());
+    let bound = binding.filter(|binding| binding.context == id);
+    let found = match attribute {
+        EGL_CONFIG_ID => entry.config.map_or(0, |config| config.id),
+        EGL_CONTEXT_CLIENT_TYPE => EGL_OPENGL_API,
+        EGL_CONTEXT_CLIENT_VERSION => 2,
+        EGL_RENDER_BUFFER if bound.is_some_and(|bound| bound.surface.is_some()) => EGL_BACK_BUFFER,
+        EGL_RENDER_BUFFER => EGL_NONE,
+        _ => {
+            let rule = format!("attribute = {attribute:#x} is none of contexts");
+            return fail(Code::BadAttribute, rule);
+        }
+    };
+    if value.is_null() {
+        return fail(Code::BadParameter, "value must not be NULL");
+    }
+    // SAFETY: not null, and the client's.
+    unsafe { put(value, found) };
+    Ok(1)
+}
+
+pub(super) fn bind_api(api: u32) -> Result<u32> {
+    if api as Int != EGL_OPENGL_API {
+        return fail(Code::BadParameter, format!("api = {api:#x} must be EGL_OPENGL_API"));
+    }
+    thread(|thread| thread.api.set(Api::OpenGl));
+    Ok(1)
+}
+
+pub(super) fn query_api() -> Result<u32> {
+    Ok(match thread(|thread| thread.api.get()) {
+        Api::None => EGL_NONE as u32,
+        Api::OpenGl => EGL_OPENGL_API as u32,
+    })
+}

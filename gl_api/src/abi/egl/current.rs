@@ -1,0 +1,205 @@
+//! Making contexts and surfaces current (EGL 1.5, section 3.7.3).
+
+use super::constants::*;
+use super::error::{Code, Result, fail};
+use super::registry::{
+    Api, Binding, Id, Place, Registry, Thread, display, handle, registry, thread,
+};
+use super::{Handle, Int};
+use crate::context::Context;
+use crate::entry::{swap_current, with_current};
+use crate::framebuffer::Window;
+use std::mem::replace;
+use std::thread::ThreadId;
+
+/// A thread that is ending has no id of its own any more.
+fn this_thread() -> ThreadId {
+    std::thread::current().id()
+}
+
+/// What was current on this thread goes back to where it lies otherwise.
+pub(in crate::abi) fn release(thread: &Thread) {
+    let Some(binding) = thread.binding.take() else { return };
+    let context = swap_current(None);
+    put_back(&mut registry(), binding, context);
+}
+
+/// Gives a context and its surface back to the registry, with everything drawn.
+fn put_back(registry: &mut Registry, binding: Binding, context: Option<Box<Context>>) {
+    let Some(mut context) = context else {
+        // A program took it with Rust's `set_current`: nothing is left of it.
+        registry.contexts.remove(&binding.context);
+        if let Some(surface) = binding.surface {
+            registry.surfaces.remove(&surface);
+        }
+        return;
+    };
+    context.flush();
+    context.mirror = None;
+    let window = context.swap_window(Window::absent());
+    if let Some(id) = binding.surface
+        && let Some(entry) = registry.surfaces.get_mut(&id)
+    {
+        entry.window = Some(window);
+        entry.thread = None;
+        if entry.doomed {
+            registry.surfaces.remove(&id);
+        }
+    }
+    if let Some(entry) = registry.contexts.get_mut(&binding.context) {
+        entry.place = Place::Idle(context);
+        if entry.doomed {
+            registry.contexts.remove(&binding.context);
+        }
+    }
+}
+
+/// Checks everything about making a context current; nothing has changed yet.
+fn check(
+    registry: &mut Registry,
+    dpy: Id,
+    draw: Handle,
+    read: Handle,
+    context: Handle,
+) -> Result<Binding> {
+    if draw.is_null() != read.is_null() {
+        return fail(Code::BadMatch, "draw and read must both be surfaces, or both EGL_NO_SURFACE");
+    }
+    let here = this_thread();
+    let (context, entry) = registry.context(dpy, context)?;
+    match entry.place {
+        Place::Current(thread) if thread != here => {
+            return fail(Code::BadAccess, "ctx is current on another thread");
+        }
+        Place::Current(_) | Place::Idle(_) => {}
+    }
+    let config = entry.config;
+    if draw.is_null() {
+        return Ok(Binding { display: dpy, context, surface: None });
+    }
+    let (read, _) = registry.surface(dpy, read)?;
+    let (draw, surface) = registry.surface(dpy, draw)?;
+    if read != draw {
+        return fail(Code::BadMatch, "draw and read must be the same surface");
+    }
+    if surface.thread.is_some_and(|thread| thread != here) {
+        return fail(Code::BadAccess, "the surface is current on another thread");
+    }
+    if config.is_some() && config != surface.config {
+        return fail(Code::BadMatch, "the surface's config is not the context's");
+    }
+    Ok(Binding { display: dpy, context, surface: Some(draw) })
+}
+
+pub(super) fn make(dpy: Handle, draw: Handle, read: Handle, context: Handle) -> Result<u32> {
+    if context.is_null() {
+        display(dpy)?;
+        if !draw.is_null() || !read.is_null() {
+            return fail(Code::BadMatch, "draw and read must be EGL_NO_SURFACE without a context");
+        }
+        thread(release);
+        return Ok(1);
+    }
+    let binding = {
+        let mut registry = registry();
+        let dpy = registry.display(dpy)?;
+        check(&mut registry, dpy, draw, read, context)?
+    };
+    thread(|thread| bind(thread, binding))?;
+    Ok(1)
+}
+
+/// Makes current what was checked, in place of what is.
+pub(in crate::abi) fn bind(thread: &Thread, binding: Binding) -> Result<()> {
+    release(thread);
+    let mut registry = registry();
+    let here = this_thread();
+    let Some(entry) = registry.contexts.get_mut(&binding.context) else {
+        return fail(Code::BadContext, "ctx was destroyed meanwhile");
+    };
+    let mut context = match replace(&mut entry.place, Place::Current(here)) {
+        Place::Idle(context) => context,
+        Place::Current(other) => {
+            entry.place = Place::Current(other);
+            return fail(Code::BadAccess, "ctx has become current on another thread");
+        }
+    };
+    if binding.surface.is_none() {
+        context.swap_window(Window::absent());
+    }
+    let first = !replace(&mut entry.sized, true);
+    let mut size = (0, 0);
+    if let Some(id) = binding.surface {
+        let surface = registry.surfaces.get_mut(&id);
+        let Some((surface, window)) =
+            surface.and_then(|surface| surface.window.take().map(|window| (surface, window)))
+        else {
+            if let Some(entry) = registry.contexts.get_mut(&binding.context) {
+                entry.place = Place::Idle(context);
+            }
+            return fail(Code::BadAccess, "the surface has become current on another thread");
+        };
+        surface.thread = Some(here);
+        size = (surface.width, surface.height);
+        context.swap_window(window);
+    }
+    if first {
+        context.first_window(size.0, size.1);
+    }
+    drop(registry);
+    // A context that Rust code made current is dropped, as if the thread had ended.
+    drop(swap_current(Some(context)));
+    thread.binding.replace(Some(binding));
+    Ok(())
+}
+
+fn binding() -> Option<Binding> {
+    thread(|thread| *thread.binding.borrow())
+}
+
+pub(super) fn current_context() -> Result<Handle> {
+    let id = binding().map_or(0, |binding| binding.context);
+    Ok(if thread(|thread| thread.api.get()) == Api::None { handle(0) } else { handle(id) })
+}
+
+pub(super) fn current_display() -> Result<Handle> {
+    Ok(handle(binding().map_or(0, |binding| binding.display)))
+}
+
+pub(super) fn current_surface(which: Int) -> Result<Handle> {
+    if which != EGL_DRAW && which != EGL_READ {
+        return fail(Code::BadParameter, "readdraw must be EGL_DRAW or EGL_READ");
+    }
+    Ok(handle(binding().and_then(|binding| binding.surface).unwrap_or(0)))
+}
+
+pub(super) fn release_thread() -> Result<u32> {
+    thread(|thread| {
+        release(thread);
+        thread.api.set(Api::None);
+    });
+    Ok(1)
+}
+
+/// `eglWaitClient` and `eglWaitGL`: calls are carried out before they are waited for.
+pub(super) fn wait() -> Result<u32> {
+    with_current(Context::flush);
+    Ok(1)
+}
+
+pub(super) fn wait_native(engine: Int) -> Result<u32> {
+    if engine != EGL_CORE_NATIVE_ENGINE {
+        return fail(Code::BadParameter, "engine must be EGL_CORE_NATIVE_ENGINE");
+    }
+    Ok(1)
+}
+
+/// `eglSwapInterval`: nothing is swapped.
+pub(super) fn swap_interval(dpy: Handle) -> Result<u32> {
+    registry().display(dpy)?;
+    match binding() {
+        Some(binding) if binding.surface.is_some() => Ok(1),
+        Some(_) => fail(Code::BadSurface, "no surface is current"),
+        None => fail(Code::BadContext, "no context is current"),
+    }
+}

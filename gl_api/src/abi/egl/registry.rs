@@ -1,0 +1,214 @@
+//! Displays, contexts, surfaces and syncs by handle, and what belongs to a thread.
+
+use super::config::Config;
+use super::error::{Code, Result, fail};
+use super::{Handle, Int};
+use crate::context::Context;
+use crate::framebuffer::Window;
+use std::cell::{Cell, RefCell};
+use std::collections::BTreeMap;
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::thread::ThreadId;
+
+/// A handle as a number.
+pub(in crate::abi) type Id = usize;
+
+/// Where a display came from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Platform {
+    /// `eglGetDisplay(EGL_DEFAULT_DISPLAY)`.
+    Default,
+    /// `EGL_PLATFORM_SURFACELESS_MESA`.
+    Surfaceless,
+    /// `EGL_PLATFORM_DEVICE_EXT`.
+    Device,
+}
+
+impl Platform {
+    pub const ALL: [Self; 3] = [Self::Default, Self::Surfaceless, Self::Device];
+
+    /// The handle of the platform's one display.
+    pub fn display(self) -> Id {
+        match self {
+            Self::Default => 0x10,
+            Self::Surfaceless => 0x20,
+            Self::Device => 0x30,
+        }
+    }
+}
+
+/// What OSMesa's contexts have as display: no EGL handle is this number.
+pub(in crate::abi) const OSMESA: Id = 0x50;
+/// The handle of the one device.
+pub(super) const DEVICE: Id = 0x40;
+/// Objects' handles begin here.
+const FIRST: Id = 0x1000;
+
+/// Where a context is.
+#[derive(Debug)]
+pub(in crate::abi) enum Place {
+    /// Here, and current on no thread.
+    Idle(Box<Context>),
+    /// Current on a thread.
+    Current(ThreadId),
+}
+
+#[derive(Debug)]
+pub(in crate::abi) struct ContextEntry {
+    pub display: Id,
+    /// `None` was made with `EGL_NO_CONFIG_KHR`.
+    pub config: Option<&'static Config>,
+    pub place: Place,
+    /// Destroyed, and gone when it is current no more.
+    pub doomed: bool,
+    /// Whether viewport and scissor have had their first surface (GL 2.1, section 2.11.1).
+    pub sized: bool,
+}
+
+#[derive(Debug)]
+pub(in crate::abi) struct SurfaceEntry {
+    pub display: Id,
+    /// `None` is the memory of an OSMesa client.
+    pub config: Option<&'static Config>,
+    pub width: u32,
+    pub height: u32,
+    pub largest: bool,
+    /// The buffers, unless the surface is current.
+    pub window: Option<Window>,
+    /// The thread it is current on.
+    pub thread: Option<ThreadId>,
+    /// Destroyed, and gone when it is current no more.
+    pub doomed: bool,
+}
+
+/// Everything that has a handle.
+#[derive(Debug)]
+pub(in crate::abi) struct Registry {
+    next: Id,
+    pub initialized: Vec<Id>,
+    pub contexts: BTreeMap<Id, ContextEntry>,
+    pub surfaces: BTreeMap<Id, SurfaceEntry>,
+    /// Fences, and the display of each.
+    pub syncs: BTreeMap<Id, Id>,
+}
+
+static REGISTRY: Mutex<Registry> = Mutex::new(Registry {
+    next: FIRST,
+    initialized: Vec::new(),
+    contexts: BTreeMap::new(),
+    surfaces: BTreeMap::new(),
+    syncs: BTreeMap::new(),
+});
+
+/// Locks the registry. Nothing is half done in it when a panic lets go of it.
+pub(in crate::abi) fn registry() -> MutexGuard<'static, Registry> {
+    REGISTRY.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+impl Registry {
+    /// A handle that was never used.
+    pub fn new_id(&mut self) -> Id {
+        let id = self.next;
+        self.next += 0x10;
+        id
+    }
+
+    /// A display that is initialized.
+    pub fn display(&self, handle: Handle) -> Result<Id> {
+        let id = display(handle)?;
+        if self.initialized.contains(&id) {
+            return Ok(id);
+        }
+        fail(Code::NotInitialized, "dpy is not initialized: call eglInitialize")
+    }
+
+    /// A context of a display.
+    pub fn context(&mut self, display: Id, handle: Handle) -> Result<(Id, &mut ContextEntry)> {
+        let id = handle.addr();
+        match self.contexts.get_mut(&id) {
+            Some(entry) if entry.display == display && !entry.doomed => Ok((id, entry)),
+            _ => fail(Code::BadContext, format!("ctx = {id:#x} is no context of this display")),
+        }
+    }
+
+    /// A surface of a display.
+    pub fn surface(&mut self, display: Id, handle: Handle) -> Result<(Id, &mut SurfaceEntry)> {
+        let id = handle.addr();
+        match self.surfaces.get_mut(&id) {
+            Some(entry) if entry.display == display && !entry.doomed => Ok((id, entry)),
+            _ => fail(Code::BadSurface, format!("surface {id:#x} is none of this display")),
+        }
+    }
+}
+
+/// A display, initialized or not.
+pub(super) fn display(handle: Handle) -> Result<Id> {
+    let id = handle.addr();
+    if Platform::ALL.into_iter().any(|platform| platform.display() == id) {
+        return Ok(id);
+    }
+    fail(Code::BadDisplay, format!("dpy = {id:#x} is no display"))
+}
+
+/// A number as a handle.
+pub(in crate::abi) fn handle(id: Id) -> Handle {
+    std::ptr::without_provenance_mut(id)
+}
+
+/// What is current on a thread.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::abi) struct Binding {
+    pub display: Id,
+    pub context: Id,
+    /// `None` without a default framebuffer.
+    pub surface: Option<Id>,
+}
+
+/// The API that `eglBindAPI` chose.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::abi) enum Api {
+    /// Before the first call: OpenGL ES would be the default, but there is none.
+    None,
+    OpenGl,
+}
+
+/// What belongs to a thread.
+#[derive(Debug)]
+pub(in crate::abi) struct Thread {
+    pub error: Cell<Int>,
+    pub api: Cell<Api>,
+    pub binding: RefCell<Option<Binding>>,
+}
+
+impl Thread {
+    fn new() -> Self {
+        // The place of the current context has to outlive this, which gives the context back: what
+        // a thread made first ends last.
+        crate::entry::with_current(|_| ());
+        Self {
+            error: Cell::new(super::constants::EGL_SUCCESS),
+            api: Cell::new(Api::None),
+            binding: RefCell::new(None),
+        }
+    }
+}
+
+impl Drop for Thread {
+    fn drop(&mut self) {
+        // An OSMesa client's memory may have ended with its thread.
+        crate::entry::with_current(|context| context.mirror = None);
+        super::current::release(self);
+    }
+}
+
+thread_local! {
+    static THREAD: Thread = Thread::new();
+}
+
+/// Runs `f` with what belongs to this thread; a thread that is ending has forgotten it.
+pub(in crate::abi) fn thread<R>(f: impl FnOnce(&Thread) -> R) -> R {
+    let mut f = Some(f);
+    let known = THREAD.try_with(|thread| f.take().map(|f| f(thread))).ok().flatten();
+    // `f` is still there exactly if it was not run.
+    known.or_else(|| f.take().map(|f| f(&Thread::new()))).expect("one of both has run")
+}

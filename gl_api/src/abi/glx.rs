@@ -1,0 +1,65 @@
+//! GLX 1.4 as programs need it that are linked with libGL but draw without windows: its names, of
+//! which all but `glXGetProcAddress` say that there is nothing.
+
+use super::proc_address;
+use crate::abi::guard;
+use std::ffi::{CStr, c_char, c_int, c_void};
+
+/// Functions that answer 0: `False`, `None` or a null pointer. They read no argument.
+macro_rules! nothing {
+    ($($name:ident)*) => { $(
+        #[cfg_attr(feature = "c-abi", unsafe(no_mangle))]
+        #[allow(non_snake_case, reason = "GLX's name")]
+        extern "C" fn $name() -> *const c_void {
+            std::ptr::null()
+        }
+    )* };
+}
+
+/// Functions that answer an error: `GLX_BAD_SCREEN`. They read no argument.
+macro_rules! errors {
+    ($($name:ident)*) => { $(
+        #[cfg_attr(feature = "c-abi", unsafe(no_mangle))]
+        #[allow(non_snake_case, reason = "GLX's name")]
+        extern "C" fn $name() -> c_int {
+            1
+        }
+    )* };
+}
+
+nothing! {
+    glXChooseFBConfig glXChooseVisual glXCopyContext glXCreateContext glXCreateContextAttribsARB
+    glXCreateGLXPixmap glXCreateNewContext glXCreatePbuffer glXCreatePixmap glXCreateWindow
+    glXDestroyContext glXDestroyGLXPixmap glXDestroyPbuffer glXDestroyPixmap glXDestroyWindow
+    glXGetClientString glXGetCurrentContext glXGetCurrentDisplay glXGetCurrentDrawable
+    glXGetCurrentReadDrawable glXGetFBConfigs glXGetSelectedEvent glXGetVisualFromFBConfig
+    glXIsDirect glXMakeContextCurrent glXMakeCurrent glXQueryDrawable glXQueryExtension
+    glXQueryExtensionsString glXQueryServerString glXQueryVersion glXSelectEvent glXSwapBuffers
+    glXUseXFont glXWaitGL glXWaitX
+}
+
+errors! { glXGetConfig glXGetFBConfigAttrib glXQueryContext }
+
+/// A GL function by name, or null.
+unsafe fn by_name(name: *const c_char) -> *const c_void {
+    if name.is_null() {
+        return std::ptr::null();
+    }
+    // SAFETY: not null, and ended by a zero as C's prototype says.
+    let name = unsafe { CStr::from_ptr(name) };
+    name.to_str().map_or(std::ptr::null(), proc_address::any)
+}
+
+#[cfg_attr(feature = "c-abi", unsafe(no_mangle))]
+#[allow(non_snake_case, reason = "GLX's name")]
+unsafe extern "C" fn glXGetProcAddress(name: *const c_char) -> *const c_void {
+    // SAFETY: C's prototype promises the same.
+    guard("glXGetProcAddress", || unsafe { by_name(name) })
+}
+
+#[cfg_attr(feature = "c-abi", unsafe(no_mangle))]
+#[allow(non_snake_case, reason = "GLX's name")]
+unsafe extern "C" fn glXGetProcAddressARB(name: *const c_char) -> *const c_void {
+    // SAFETY: C's prototype promises the same.
+    guard("glXGetProcAddressARB", || unsafe { by_name(name) })
+}

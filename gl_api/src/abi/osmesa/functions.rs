@@ -1,0 +1,152 @@
+//! OSMesa's functions under their C names.
+
+use super::{
+    Request, Target, attributes, bits, create, current_id, depths, destroy, entries, get,
+    make_current, pixel_store, release,
+};
+use crate::abi::egl::registry::handle;
+use crate::abi::memory::ClientPointer;
+use crate::abi::{guard, proc_address};
+use crate::types::{GLboolean, GLenum, GLint, GLsizei};
+use std::ffi::{CStr, c_char, c_void};
+
+/// Writes a result where the client wants one.
+///
+/// # Safety
+/// A pointer that is not null can be written to.
+unsafe fn put<T>(out: *mut T, value: T) {
+    if !out.is_null() {
+        // SAFETY: promised by the caller.
+        unsafe { out.write_unaligned(value) };
+    }
+}
+
+macro_rules! functions {
+    ($($name:ident($($param:ident: $ty:ty),*) $(-> $ret:ty)? $body:block)*) => {
+        $(
+            #[cfg_attr(feature = "c-abi", unsafe(no_mangle))]
+            #[allow(non_snake_case, reason = "OSMesa's name")]
+            unsafe extern "C" fn $name($($param: $ty),*) $(-> $ret)? {
+                guard(stringify!($name), || {
+                    // SAFETY: pointers are what OSMesa's prototype says they are.
+                    #[allow(unused_unsafe, reason = "not every function takes pointers")]
+                    unsafe { $body }
+                })
+            }
+        )*
+        /// Names and addresses.
+        const FUNCTIONS: &[(&str, *const ())] = &[$((stringify!($name), $name as *const ())),*];
+    };
+}
+
+functions! {
+    OSMesaCreateContext(format: GLenum, share: *mut c_void) -> *mut c_void {
+        create(Request { format, depth: 24, stencil: 8 }, share.addr())
+    }
+
+    OSMesaCreateContextExt(
+        format: GLenum, depth: GLint, stencil: GLint, _accum: GLint, share: *mut c_void
+    ) -> *mut c_void {
+        match (bits(depth, 32), bits(stencil, 8)) {
+            (Some(depth), Some(stencil)) => {
+                create(Request { format, depth, stencil }, share.addr())
+            }
+            (_, _) => std::ptr::null_mut(),
+        }
+    }
+
+    OSMesaCreateContextAttribs(list: *const GLint, share: *mut c_void) -> *mut c_void {
+        let mut pairs = Vec::new();
+        let mut at = list;
+        while !at.is_null() && at.read_unaligned() != 0 {
+            pairs.push((at.read_unaligned(), at.add(1).read_unaligned()));
+            at = at.add(2);
+        }
+        match attributes(&pairs) {
+            Some(request) => create(request, share.addr()),
+            None => std::ptr::null_mut(),
+        }
+    }
+
+    OSMesaDestroyContext(context: *mut c_void) {
+        destroy(context.addr());
+    }
+
+    OSMesaMakeCurrent(
+        context: *mut c_void, buffer: *mut c_void, ty: GLenum, width: GLsizei, height: GLsizei
+    ) -> GLboolean {
+        if context.is_null() {
+            release();
+            return u8::from(buffer.is_null() && width == 0 && height == 0);
+        }
+        let size = (u32::try_from(width), u32::try_from(height));
+        let (Ok(width), Ok(height), false) = (size.0, size.1, buffer.is_null()) else { return 0 };
+        let memory = ClientPointer::new(buffer.cast_const().cast());
+        make_current(context.addr(), Target { memory, ty, width, height }).into()
+    }
+
+    OSMesaGetCurrentContext() -> *mut c_void {
+        handle(current_id().unwrap_or(0))
+    }
+
+    OSMesaPixelStore(name: GLint, value: GLint) {
+        pixel_store(name, value);
+    }
+
+    OSMesaGetIntegerv(name: GLint, value: *mut GLint) {
+        if let Some(found) = get(name) {
+            put(value, found);
+        }
+    }
+
+    OSMesaGetDepthBuffer(
+        context: *mut c_void, width: *mut GLint, height: *mut GLint, bytes: *mut GLint,
+        buffer: *mut *mut c_void
+    ) -> GLboolean {
+        let found = depths(context.addr());
+        let (w, h, size, memory) = found.unwrap_or((0, 0, 0, std::ptr::null_mut()));
+        put(width, w);
+        put(height, h);
+        put(bytes, size);
+        put(buffer, memory);
+        found.is_some().into()
+    }
+
+    OSMesaGetColorBuffer(
+        context: *mut c_void, width: *mut GLint, height: *mut GLint, format: *mut GLint,
+        buffer: *mut *mut c_void
+    ) -> GLboolean {
+        let entries = entries();
+        let found = entries.get(&context.addr()).and_then(|entry| Some((entry, entry.target?)));
+        let (w, h, layout, memory) = match found {
+            Some((entry, target)) => {
+                (target.width, target.height, entry.request.format, target.memory.address())
+            }
+            None => (0, 0, 0, std::ptr::null_mut()),
+        };
+        put(width, w as GLint);
+        put(height, h as GLint);
+        put(format, layout as GLint);
+        put(buffer, memory.cast());
+        found.is_some().into()
+    }
+
+    OSMesaGetProcAddress(name: *const c_char) -> *const c_void {
+        if name.is_null() {
+            return std::ptr::null();
+        }
+        CStr::from_ptr(name).to_str().map_or(std::ptr::null(), proc_address::any)
+    }
+
+    // Colours are clamped as GL's state says.
+    OSMesaColorClamp(_enable: GLboolean) {}
+
+    // There are no filters.
+    OSMesaPostprocess(_context: *mut c_void, _filter: *const c_char, _value: u32) {}
+}
+
+/// An OSMesa function by name, or null.
+pub(crate) fn address(name: &str) -> *const c_void {
+    let found = FUNCTIONS.iter().find(|row| row.0 == name);
+    found.map_or(std::ptr::null(), |row| row.1.cast())
+}

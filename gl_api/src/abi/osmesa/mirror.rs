@@ -1,0 +1,90 @@
+//! The memory of an OSMesa client, which has the picture after `glFlush` and `glFinish`.
+
+use crate::abi::memory::ClientPointer;
+use crate::constants::*;
+use crate::context::Context;
+use crate::state::pixel_store::PixelStore;
+use crate::texture::client::Pixel;
+use crate::texture::convert;
+use crate::texture::layout::{Extent, Layout};
+use crate::texture::transfer::Transfer;
+use crate::types::GLenum;
+
+/// How a pixel's components lie in the client's memory.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Pixels {
+    /// GL's format and type.
+    pub gl: (GLenum, GLenum),
+    /// Whether alpha comes first: the components are moved on by one.
+    pub alpha_first: bool,
+}
+
+/// Which row comes first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Up {
+    /// The lowest.
+    Y,
+    /// The highest.
+    NotY,
+}
+
+/// The client's memory.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Mirror {
+    pub(super) memory: ClientPointer<'static>,
+    pub(super) pixels: Pixels,
+    pub(super) row_length: usize,
+    pub(super) up: Up,
+}
+
+impl Mirror {
+    /// Copies the picture; everything recorded has been carried out.
+    pub(crate) fn update(&self, context: &Context) {
+        let texels = context.window.color.texels();
+        let Some(level) = texels.level(0, 0) else { return };
+        let (width, height) = (level.width as usize, level.height as usize);
+        let Ok(pixel) = Pixel::new(self.pixels.gl.0, self.pixels.gl.1) else { return };
+        let store = PixelStore { alignment: 1, ..PixelStore::default() };
+        let Ok(row) = Layout::new(&store, pixel, [width, 1, 1], Extent::Flat) else { return };
+        let length = if self.row_length > 0 { self.row_length } else { width };
+        let step = length * pixel.bytes();
+        let memory = self.memory.bytes_mut((height.max(1) - 1) * step + row.needed);
+        let used = width * level.format.bytes();
+        for y in 0..height {
+            let from = &level.texels[y * level.row_bytes()..][..used];
+            let at = match self.up {
+                Up::Y => y,
+                Up::NotY => height - 1 - y,
+            };
+            let Some(out) = memory.get_mut(at * step..at * step + row.needed) else { return };
+            convert::pack(&row, level.format, &Transfer::default(), from, out);
+            if self.pixels.alpha_first {
+                let alpha = pixel.bytes() / 4;
+                out.chunks_exact_mut(pixel.bytes()).for_each(|pixel| pixel.rotate_right(alpha));
+            }
+        }
+    }
+
+    /// The depths, 16 or 32 bits each; rows as the picture's.
+    pub(super) fn depths(&self, context: &Context, bits: usize) -> Option<Vec<u32>> {
+        let texels = context.window.depth.as_ref()?.texels();
+        let level = texels.level(0, 0)?;
+        let (width, height) = (level.width as usize, level.height as usize);
+        let pixel = Pixel::new(GL_DEPTH_COMPONENT, GL_UNSIGNED_INT).ok()?;
+        let store = PixelStore { alignment: 1, ..PixelStore::default() };
+        let row = Layout::new(&store, pixel, [width, 1, 1], Extent::Flat).ok()?;
+        let used = width * level.format.bytes();
+        let mut depths = vec![0_u32; width * height];
+        for (y, out) in depths.chunks_exact_mut(width.max(1)).enumerate() {
+            let y = match self.up {
+                Up::Y => y,
+                Up::NotY => height - 1 - y,
+            };
+            let from = &level.texels[y * level.row_bytes()..][..used];
+            let bytes = bytemuck::cast_slice_mut(out);
+            convert::pack(&row, level.format, &Transfer::default(), from, bytes);
+            out.iter_mut().for_each(|depth| *depth >>= 32 - bits);
+        }
+        Some(depths)
+    }
+}

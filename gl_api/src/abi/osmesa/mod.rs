@@ -1,0 +1,308 @@
+//! OSMesa: a context that draws into the memory of its client.
+//!
+//! Handles and what is current are EGL's ([`super::egl`]): an OSMesa context is one of a display
+//! that EGL does not know, with a surface of its own. The client's memory is a copy of the surface,
+//! made at `glFlush`, `glFinish` and when the context stops being current ([`mirror`]).
+
+mod functions;
+mod mirror;
+
+pub(crate) use functions::address;
+pub(crate) use mirror::Mirror;
+
+use super::egl::current;
+use super::egl::registry::{
+    Binding, ContextEntry, Id, OSMESA, Place, SurfaceEntry, handle, registry, thread,
+};
+use super::memory::ClientPointer;
+use crate::constants::*;
+use crate::context::{Context, ContextDesc, SurfaceColor, SurfaceDesc, limits};
+use crate::entry::with_current;
+use crate::framebuffer::Window;
+use crate::types::{GLenum, GLint};
+use mirror::{Pixels, Up};
+use std::collections::BTreeMap;
+use std::ffi::c_void;
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+const OSMESA_RGB: GLenum = GL_RGB;
+const OSMESA_RGBA: GLenum = GL_RGBA;
+const OSMESA_BGRA: GLenum = 1;
+const OSMESA_ARGB: GLenum = 2;
+const OSMESA_BGR: GLenum = 4;
+const OSMESA_RGB_565: GLenum = 5;
+const OSMESA_ROW_LENGTH: GLint = 0x10;
+const OSMESA_Y_UP: GLint = 0x11;
+const OSMESA_WIDTH: GLint = 0x20;
+const OSMESA_HEIGHT: GLint = 0x21;
+const OSMESA_FORMAT: GLint = 0x22;
+const OSMESA_TYPE: GLint = 0x23;
+const OSMESA_MAX_WIDTH: GLint = 0x24;
+const OSMESA_MAX_HEIGHT: GLint = 0x25;
+const OSMESA_DEPTH_BITS: GLint = 0x30;
+const OSMESA_STENCIL_BITS: GLint = 0x31;
+const OSMESA_ACCUM_BITS: GLint = 0x32;
+const OSMESA_PROFILE: GLint = 0x33;
+const OSMESA_COMPAT_PROFILE: GLint = 0x35;
+const OSMESA_CONTEXT_MAJOR_VERSION: GLint = 0x36;
+const OSMESA_CONTEXT_MINOR_VERSION: GLint = 0x37;
+
+/// What a context was made with.
+#[derive(Clone, Copy, Debug)]
+struct Request {
+    format: GLenum,
+    depth: u8,
+    stencil: u8,
+}
+
+/// The client's memory, as `OSMesaMakeCurrent` was given it.
+#[derive(Clone, Copy, Debug)]
+struct Target {
+    memory: ClientPointer<'static>,
+    ty: GLenum,
+    width: u32,
+    height: u32,
+}
+
+/// What OSMesa knows of a context beyond EGL's registry.
+#[derive(Debug)]
+struct Entry {
+    request: Request,
+    target: Option<Target>,
+    surface: Option<Id>,
+    row_length: usize,
+    up: Up,
+    /// What `OSMesaGetDepthBuffer` gave last.
+    depths: Vec<u32>,
+}
+
+static ENTRIES: Mutex<BTreeMap<Id, Entry>> = Mutex::new(BTreeMap::new());
+
+fn entries() -> MutexGuard<'static, BTreeMap<Id, Entry>> {
+    ENTRIES.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// How a format and type lie in memory; `None` for those that OSMesa does not have.
+fn pixels(format: GLenum, ty: GLenum) -> Option<Pixels> {
+    let plain = |gl: GLenum| {
+        let known = [GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT, GL_FLOAT].contains(&ty);
+        known.then_some(Pixels { gl: (gl, ty), alpha_first: false })
+    };
+    match format {
+        OSMESA_RGBA => plain(GL_RGBA),
+        OSMESA_BGRA => plain(GL_BGRA),
+        OSMESA_RGB => plain(GL_RGB),
+        OSMESA_BGR => plain(GL_BGR),
+        OSMESA_ARGB => plain(GL_RGBA).map(|pixels| Pixels { alpha_first: true, ..pixels }),
+        OSMESA_RGB_565 if ty == GL_UNSIGNED_SHORT_5_6_5 => {
+            Some(Pixels { gl: (GL_RGB, ty), alpha_first: false })
+        }
+        _ => None,
+    }
+}
+
+impl Request {
+    /// The buffers that memory of this type is a copy of.
+    fn surface(&self, ty: GLenum) -> SurfaceDesc {
+        let color = match (self.format, ty) {
+            (OSMESA_RGB_565, _) => SurfaceColor::Rgb565,
+            (_, GL_FLOAT) => SurfaceColor::Rgba32F,
+            (_, GL_UNSIGNED_SHORT) => SurfaceColor::Rgba16,
+            (OSMESA_RGB | OSMESA_BGR, _) => SurfaceColor::Rgb8,
+            (_, _) => SurfaceColor::Rgba8,
+        };
+        SurfaceDesc { color, depth_bits: self.depth, stencil_bits: self.stencil, samples: 0 }
+    }
+}
+
+/// The handle of a new context, or null.
+fn create(request: Request, share: Id) -> *mut c_void {
+    let known = pixels(request.format, GL_UNSIGNED_BYTE).is_some();
+    if !known && request.format != OSMESA_RGB_565 {
+        return std::ptr::null_mut();
+    }
+    let desc = ContextDesc { width: 1, height: 1, ..ContextDesc::default() };
+    let context = if share == 0 {
+        Context::new(desc)
+    } else {
+        match super::egl::share_with(OSMESA, handle(share), desc) {
+            Ok(context) => context,
+            Err(_) => return std::ptr::null_mut(),
+        }
+    };
+    let Ok(context) = context else { return std::ptr::null_mut() };
+    let mut registry = registry();
+    let id = registry.new_id();
+    let place = Place::Idle(Box::new(context));
+    let entry = ContextEntry { display: OSMESA, config: None, place, doomed: false, sized: false };
+    registry.contexts.insert(id, entry);
+    let entry = Entry {
+        request,
+        target: None,
+        surface: None,
+        row_length: 0,
+        up: Up::Y,
+        depths: Vec::new(),
+    };
+    entries().insert(id, entry);
+    handle(id)
+}
+
+/// The attributes of `OSMesaCreateContextAttribs`; `None` where they ask for what there is not.
+fn attributes(pairs: &[(GLint, GLint)]) -> Option<Request> {
+    let mut request = Request { format: OSMESA_RGBA, depth: 0, stencil: 0 };
+    let (mut version, mut profile) = ((1, 0), OSMESA_COMPAT_PROFILE);
+    for &(name, value) in pairs {
+        match name {
+            OSMESA_FORMAT => request.format = value as GLenum,
+            OSMESA_DEPTH_BITS => request.depth = bits(value, 32)?,
+            OSMESA_STENCIL_BITS => request.stencil = bits(value, 8)?,
+            OSMESA_ACCUM_BITS if value >= 0 => {}
+            OSMESA_PROFILE => profile = value,
+            OSMESA_CONTEXT_MAJOR_VERSION => version.0 = value,
+            OSMESA_CONTEXT_MINOR_VERSION => version.1 = value,
+            _ => return None,
+        }
+    }
+    (version <= (2, 1) && profile == OSMESA_COMPAT_PROFILE).then_some(request)
+}
+
+/// Bits of depth or stencil, as many as there can be.
+fn bits(value: GLint, most: u8) -> Option<u8> {
+    Some(u8::try_from(value.max(0).min(most.into())).unwrap_or(most)).filter(|_| value >= 0)
+}
+
+fn destroy(id: Id) {
+    let Some(entry) = entries().remove(&id) else { return };
+    let mut registry = registry();
+    registry.doom_context(id);
+    if let Some(surface) = entry.surface {
+        registry.doom_surface(surface);
+    }
+}
+
+/// The context that is current on this thread, if it is OSMesa's.
+fn current_id() -> Option<Id> {
+    let binding = thread(|thread| *thread.binding.borrow());
+    binding.filter(|binding| binding.display == OSMESA).map(|binding| binding.context)
+}
+
+/// Ends being current, with the picture in the client's memory.
+fn release() {
+    if current_id().is_some() {
+        with_current(|context| {
+            context.flush();
+            context.mirror = None;
+        });
+    }
+    thread(current::release);
+}
+
+/// Makes a context draw to the client's memory; whether that is possible.
+fn make_current(id: Id, target: Target) -> bool {
+    let mut entries = entries();
+    let Some(entry) = entries.get_mut(&id) else { return false };
+    let Some(pixels) = pixels(entry.request.format, target.ty) else { return false };
+    let limit = limits::MAX_VIEWPORT_DIMS;
+    if !(1..=limit).contains(&target.width) || !(1..=limit).contains(&target.height) {
+        return false;
+    }
+    let same = entry.target.is_some_and(|old| {
+        (old.ty, old.width, old.height) == (target.ty, target.width, target.height)
+    });
+    release();
+    if !same || entry.surface.is_none() {
+        let desc = entry.request.surface(target.ty);
+        let Ok(window) = Window::new(target.width, target.height, desc) else { return false };
+        let mut registry = registry();
+        if let Some(old) = entry.surface.take() {
+            registry.doom_surface(old);
+        }
+        let surface = registry.new_id();
+        let (width, height) = (target.width, target.height);
+        let buffers = SurfaceEntry {
+            display: OSMESA,
+            config: None,
+            width,
+            height,
+            largest: false,
+            window: Some(window),
+            thread: None,
+            doomed: false,
+        };
+        registry.surfaces.insert(surface, buffers);
+        entry.surface = Some(surface);
+    }
+    entry.target = Some(target);
+    let binding = Binding { display: OSMESA, context: id, surface: entry.surface };
+    let bound = thread(|thread| current::bind(thread, binding)).is_ok();
+    let (row_length, up) = (entry.row_length, entry.up);
+    let mirror = Mirror { memory: target.memory, pixels, row_length, up };
+    bound && with_current(|context| context.mirror = Some(mirror)).is_some()
+}
+
+/// `OSMesaPixelStore` on the current context.
+fn pixel_store(name: GLint, value: GLint) {
+    let Some(id) = current_id() else { return };
+    let mut entries = entries();
+    let Some(entry) = entries.get_mut(&id) else { return };
+    match name {
+        OSMESA_ROW_LENGTH => entry.row_length = usize::try_from(value).unwrap_or(0),
+        OSMESA_Y_UP => entry.up = if value != 0 { Up::Y } else { Up::NotY },
+        _ => return,
+    }
+    let (row_length, up) = (entry.row_length, entry.up);
+    with_current(|context| {
+        context.mirror = context.mirror.map(|mirror| Mirror { row_length, up, ..mirror });
+    });
+}
+
+/// `OSMesaGetIntegerv` on the current context.
+fn get(name: GLint) -> Option<GLint> {
+    let entries = entries();
+    let entry = entries.get(&current_id()?)?;
+    let target = entry.target?;
+    Some(match name {
+        OSMESA_WIDTH => target.width as GLint,
+        OSMESA_HEIGHT => target.height as GLint,
+        OSMESA_FORMAT => entry.request.format as GLint,
+        OSMESA_TYPE => target.ty as GLint,
+        OSMESA_ROW_LENGTH => entry.row_length as GLint,
+        OSMESA_Y_UP => GLint::from(entry.up == Up::Y),
+        OSMESA_MAX_WIDTH | OSMESA_MAX_HEIGHT => limits::MAX_VIEWPORT_DIMS as GLint,
+        _ => return None,
+    })
+}
+
+/// Width, height, bytes of a value, and the values of the depth buffer of a context that is current
+/// here.
+fn depths(id: Id) -> Option<(GLint, GLint, GLint, *mut c_void)> {
+    if current_id() != Some(id) {
+        return None;
+    }
+    let mut entries = entries();
+    let entry = entries.get_mut(&id)?;
+    let target = entry.target?;
+    let bits = match entry.request.depth {
+        0 => return None,
+        1..=16 => 16,
+        17..=24 => 24,
+        _ => 32,
+    };
+    let depths = with_current(|context| {
+        context.flush();
+        context.mirror.and_then(|mirror| mirror.depths(context, bits))
+    });
+    entry.depths = depths??;
+    let size = (target.width as GLint, target.height as GLint);
+    if bits == 16 {
+        // Two to a word, so that the memory stays aligned and the context's own.
+        let narrow: Vec<u16> = entry.depths.iter().map(|&depth| depth as u16).collect();
+        entry.depths = narrow
+            .chunks(2)
+            .map(|pair| u32::from(pair[0]) | u32::from(*pair.get(1).unwrap_or(&0)) << 16)
+            .collect();
+        return Some((size.0, size.1, 2, entry.depths.as_mut_ptr().cast()));
+    }
+    Some((size.0, size.1, 4, entry.depths.as_mut_ptr().cast()))
+}

@@ -1,0 +1,51 @@
+//! A context's default framebuffer can be another one, or none: EGL's surfaces, OSMesa's memory.
+
+use super::Window;
+use super::buffers::Selection;
+use crate::context::Context;
+use crate::object::framebuffers::Planes;
+use crate::state::State;
+use rasterizer::driver::Image;
+use texunit::format::Format;
+use texunit::image::{Image as Texels, Shape};
+
+/// Whether there is a default framebuffer at all: a context can be current without one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Presence {
+    Present,
+    Absent,
+}
+
+impl Window {
+    /// What stands in where there is none; it is not complete.
+    pub fn absent() -> Self {
+        Self {
+            width: 0,
+            height: 0,
+            format: Format::Rgba8,
+            color: Image::new(Texels::new(Shape::D2)),
+            depth: None,
+            planes: Planes { depth: false, stencil: false },
+            selection: Selection::window(),
+            presence: Presence::Absent,
+        }
+    }
+}
+
+impl Context {
+    /// Puts another default framebuffer in place, with everything drawn to the one that was. Which
+    /// of its buffers are drawn to and read from is the context's.
+    pub(crate) fn swap_window(&mut self, mut window: Window) -> Window {
+        self.flush();
+        window.selection = self.window.selection.clone();
+        std::mem::replace(&mut self.window, window)
+    }
+
+    /// Viewport and scissor take the size of the first default framebuffer (GL 2.1, sections 2.11.1
+    /// and 4.1.2).
+    pub(crate) fn first_window(&mut self, width: u32, height: u32) {
+        let fresh = State::new(width, height);
+        self.state.viewport = fresh.viewport;
+        self.state.fragment.scissor = fresh.fragment.scissor;
+    }
+}
