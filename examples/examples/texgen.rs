@@ -6,8 +6,6 @@
 #![allow(non_snake_case, non_upper_case_globals, reason = "the lecture's names")]
 
 use examples::lecture::*;
-use examples::picture::Picture;
-use examples::picture::sky::sky;
 use std::process::ExitCode;
 
 /// This program, for the gallery.
@@ -48,7 +46,7 @@ fn draw(window: &mut Window) {
     }
 
     window.panel(2, 2, 2);
-    load_texture(0, sphere_map(window), GL_CLAMP_TO_EDGE);
+    load_texture(0, window.picture("sphere_map.ppm"), GL_CLAMP_TO_EDGE);
     generate(&[GL_S, GL_T], GL_SPHERE_MAP);
     draw_two(&vase);
 
@@ -77,19 +75,4 @@ fn draw_two(vase: &Model) {
         vase.draw_fixed();
         glPopMatrix();
     }
-}
-
-/// The surroundings as a chrome ball shows them, top row first: what `GL_SPHERE_MAP` looks up.
-fn sphere_map(window: &Window) -> Picture {
-    const SIDE: usize = 256;
-    let given = window.picture("");
-    if given.width != 8 {
-        return given;
-    }
-    Picture::paint(SIDE, SIDE, |x, y| {
-        let (x, y) = (2. * x - 1., 1. - 2. * y);
-        let z = (1. - x * x - y * y).max(0.).sqrt();
-        // The reflection of (0, 0, 1) at the ball's normal.
-        sky([2. * z * x, 2. * z * y, 2. * z * z - 1.])
-    })
 }
