@@ -22,13 +22,16 @@ pub fn main() -> ExitCode {
     examples::window::main(&PROGRAM)
 }
 
-/// Levels that are drawn.
+/// The most levels that are drawn.
 const LEVELS: i32 = 8;
 
 fn draw(window: &mut Window) {
     glClearColor(0.16, 0.18, 0.22, 1);
     glClear(GL_COLOR_BUFFER_BIT);
-    load_texture(0, window.picture("demon_image.h"), GL_CLAMP_TO_EDGE);
+    let picture = window.picture("demon_image.h");
+    // A smaller picture has fewer levels.
+    let levels = LEVELS.min(picture.width.max(picture.height).ilog2() as i32 + 1);
+    load_texture(0, picture, GL_CLAMP_TO_EDGE);
     set_filter(GL_TEXTURE_2D, GL_NEAREST_MIPMAP_NEAREST, GL_NEAREST);
     glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
     glEnable(GL_TEXTURE_2D);
@@ -37,7 +40,7 @@ fn draw(window: &mut Window) {
     // 4 × 3 units of length; one is the side of the largest level.
     gluOrtho2D(0, 4, 0, 3);
     let mut x = 0.1;
-    for level in 0..LEVELS {
+    for level in 0..levels {
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, level);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, level);
         let side = 1.8 / f64::from(1 << level);
