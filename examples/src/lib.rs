@@ -36,7 +36,9 @@ pub mod lecture {
     pub use crate::mesh::*;
     pub use crate::picture::packed_pixel_t;
     pub use crate::shader::*;
-    pub use crate::texture::{load_cube_map, load_texture};
+    pub use crate::texture::{
+        cube_framebuffer, load_cube_map, load_texture, load_volume, set_filter,
+    };
     pub use crate::window::{Program, Window};
     pub use gl_api::constants::*;
     pub use gl_api::entry::*;

@@ -22,6 +22,20 @@ pub fn look_at(eye: DVec3, center: DVec3) -> DMat4 {
     DMat4::look_at_rh(eye, center, DVec3::Y)
 }
 
+/// The view from the origin that draws a cube map's face, in GL's order (GL 2.1 table 3.19); with
+/// `perspective(90, 1, ..)` the face is filled.
+pub fn look_through_face(face: usize) -> DMat4 {
+    let (toward, up) = match face {
+        0 => (DVec3::X, DVec3::NEG_Y),
+        1 => (DVec3::NEG_X, DVec3::NEG_Y),
+        2 => (DVec3::Y, DVec3::Z),
+        3 => (DVec3::NEG_Y, DVec3::NEG_Z),
+        4 => (DVec3::Z, DVec3::NEG_Y),
+        _ => (DVec3::NEG_Z, DVec3::NEG_Y),
+    };
+    DMat4::look_at_rh(DVec3::ZERO, toward, up)
+}
+
 /// A rotation about an axis of length 1, in degrees, counterclockwise as `glRotate`.
 pub fn rotate(degrees: f64, axis: DVec3) -> DMat4 {
     let (sin, cos) = sin_cos_degrees(degrees);

@@ -1,6 +1,6 @@
 //! Things to draw: planes, boxes, spheres and tori, in one buffer of triangles.
 
-use crate::matrix::{DMat4, DVec3, dvec3};
+use crate::matrix::{DMat4, DVec3, dvec3, rotate};
 use bytemuck::{Pod, Zeroable};
 use gl_api::constants::*;
 use gl_api::entry::*;
@@ -85,6 +85,31 @@ impl Mesh {
             let out = around * -cos_t + DVec3::Y * -sin_t;
             (around + out * tube, out)
         })
+    }
+
+    /// A vase around the y axis, from -1 to 1: a cubic profile of two bulges, turned.
+    pub fn vase() -> Self {
+        let radius = |y: f64| 0.42 + 0.30 * y * (y - 1.05) * (y + 0.85) - 0.12 * y;
+        Self::surface(96, 64, |s, t| {
+            let (sin, cos) = sin_cos_degrees(360.0 * s);
+            let (around, y) = (dvec3(sin, 0.0, cos), 2.0 * t - 1.0);
+            let slope = (radius(y + 1e-4) - radius(y - 1e-4)) / 2e-4;
+            (around * radius(y) + DVec3::Y * y, (around - DVec3::Y * slope).normalize())
+        })
+    }
+
+    /// A cylinder of radius 1 around the y axis from -1 to 1, with its caps.
+    pub fn cylinder() -> Self {
+        let around = |s: f64| {
+            let (sin, cos) = sin_cos_degrees(360.0 * s);
+            dvec3(sin, 0.0, cos)
+        };
+        let mut mesh =
+            Self::surface(96, 1, |s, t| (around(s) + DVec3::Y * (2.0 * t - 1.0), around(s)));
+        let cap = Self::surface(96, 1, |s, t| (around(s) * (1.0 - t) + DVec3::Y, DVec3::Y));
+        mesh.append(cap.clone().moved(rotate(180.0, DVec3::X)));
+        mesh.append(cap);
+        mesh
     }
 
     /// The cube from -1 to 1.
@@ -179,6 +204,20 @@ impl Model {
                 glVertexAttribPointer(location, size, GL_FLOAT, GL_FALSE, stride, offset);
                 glEnableVertexAttribArray(location);
             }
+        }
+        glDrawElements(GL_TRIANGLES, self.count, GL_UNSIGNED_INT, BUFFER_OFFSET(0));
+    }
+
+    /// Draws it with fixed functions; texture coordinates go to unit 0.
+    pub fn draw_fixed(&self) {
+        glBindBuffer(GL_ARRAY_BUFFER, self.vertices);
+        glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, self.indices);
+        let stride = size_of::<Vertex>();
+        glVertexPointer(3, GL_FLOAT, stride, BUFFER_OFFSET(offset_of!(Vertex, position)));
+        glNormalPointer(GL_FLOAT, stride, BUFFER_OFFSET(offset_of!(Vertex, normal)));
+        glTexCoordPointer(2, GL_FLOAT, stride, BUFFER_OFFSET(offset_of!(Vertex, tex_coord)));
+        for array in [GL_VERTEX_ARRAY, GL_NORMAL_ARRAY, GL_TEXTURE_COORD_ARRAY] {
+            glEnableClientState(array);
         }
         glDrawElements(GL_TRIANGLES, self.count, GL_UNSIGNED_INT, BUFFER_OFFSET(0));
     }

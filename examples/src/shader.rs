@@ -45,6 +45,44 @@ pub fn initShaders(window: &mut Window, vertex: &str, fragment: &str) -> GLuint 
     if status == 0 { 0 } else { program }
 }
 
+/// Position, normal and texture coordinates for the fragment: in the eye's frame (`vPosition`,
+/// `vNormal`) and the object's (`vObject`, `vObjectNormal`).
+pub const EYE_VERTEX_SHADER: &str = "\
+#version 130
+uniform mat4 uProjMatrix;
+uniform mat4 uModelViewMatrix;
+in vec4 aVertex;
+in vec3 aNormal;
+in vec2 aTexCoord;
+in vec3 aColor;
+out vec3 vPosition;
+out vec3 vNormal;
+out vec3 vObject;
+out vec3 vObjectNormal;
+out vec2 vTexCoord;
+out vec3 vColor;
+
+void main() {
+    vPosition = vec3(uModelViewMatrix * aVertex);
+    vNormal = vec3(uModelViewMatrix * vec4(aNormal, 0.0));
+    vObject = aVertex.xyz;
+    vObjectNormal = aNormal;
+    vTexCoord = aTexCoord;
+    vColor = aColor;
+    gl_Position = uProjMatrix * vec4(vPosition, 1.0);
+}
+";
+
+/// Puts a program in use with its matrices; `uTexUnit0`, `uTexUnit1` and `uTexUnit2` are the units.
+pub fn use_program(program: GLuint, projection: &DMat4, model_view: &DMat4) {
+    glUseProgram(program);
+    safe_glUniformMatrix4fv(safe_glGetUniformLocation(program, "uProjMatrix"), projection);
+    safe_glUniformMatrix4fv(safe_glGetUniformLocation(program, "uModelViewMatrix"), model_view);
+    for (unit, name) in (0..).zip(["uTexUnit0", "uTexUnit1", "uTexUnit2"]) {
+        safe_glUniform1i(safe_glGetUniformLocation(program, name), unit);
+    }
+}
+
 /// The location of a uniform; -1 for one that the program does not use.
 pub fn safe_glGetUniformLocation(program: GLuint, name: &str) -> GLint {
     glGetUniformLocation(program, name)

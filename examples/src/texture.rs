@@ -6,7 +6,7 @@ use crate::window::Window;
 use gl_api::constants::*;
 use gl_api::entry::*;
 use gl_api::glu::gluBuild2DMipmaps;
-use gl_api::types::{GLenum, GLuint};
+use gl_api::types::{GLenum, GLsizei, GLuint};
 
 /// A new texture of a picture on a unit, with mipmaps and trilinear filter, its bottom row at
 /// t = 0; `wrap` goes for both directions.
@@ -44,4 +44,45 @@ pub fn load_cube_map(window: &Window) -> GLuint {
         glTexImage2D(target, 0, GL_RGB8, width, height, 0, GL_RGB, GL_UNSIGNED_BYTE, data);
     }
     texture
+}
+
+/// Sets both filters of the texture that is bound to a target.
+pub fn set_filter(target: GLenum, minify: GLenum, magnify: GLenum) {
+    glTexParameteri(target, GL_TEXTURE_MIN_FILTER, minify);
+    glTexParameteri(target, GL_TEXTURE_MAG_FILTER, magnify);
+}
+
+/// A new 3D texture on unit 0 that repeats, `side`³ texels of RGB or luminance.
+pub fn load_volume(side: usize, format: GLenum, texels: &[u8]) -> GLuint {
+    let mut texture: GLuint = 0;
+    glGenTextures(1, &mut texture);
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_3D, texture);
+    set_filter(GL_TEXTURE_3D, GL_LINEAR, GL_LINEAR);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    let data = texels;
+    glTexImage3D(GL_TEXTURE_3D, 0, format, side, side, side, 0, format, GL_UNSIGNED_BYTE, data);
+    texture
+}
+
+/// An empty cube map on unit 1, with a linear filter; and a framebuffer object with a depth buffer,
+/// which stays bound, to draw its faces with.
+pub fn cube_framebuffer(side: GLsizei) -> (GLuint, GLuint) {
+    let (mut map, mut depth, mut fbo): (GLuint, GLuint, GLuint) = (0, 0, 0);
+    glActiveTexture(GL_TEXTURE1);
+    glGenTextures(1, &mut map);
+    glBindTexture(GL_TEXTURE_CUBE_MAP, map);
+    set_filter(GL_TEXTURE_CUBE_MAP, GL_LINEAR, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    for face in (GL_TEXTURE_CUBE_MAP_POSITIVE_X..).take(6) {
+        glTexImage2D(face, 0, GL_RGBA8, side, side, 0, GL_RGBA, GL_UNSIGNED_BYTE, NULL);
+    }
+    glGenRenderbuffers(1, &mut depth);
+    glBindRenderbuffer(GL_RENDERBUFFER, depth);
+    glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, side, side);
+    glGenFramebuffers(1, &mut fbo);
+    glBindFramebuffer(GL_FRAMEBUFFER, fbo);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth);
+    (fbo, map)
 }

@@ -83,6 +83,14 @@ impl Window {
         }
     }
 
+    /// Draws from here on into one of `columns` × `rows` equal panels, counted from the upper left;
+    /// answers how many times as wide as high it is.
+    pub fn panel(&self, columns: i32, rows: i32, at: i32) -> f64 {
+        let (width, height) = (self.width / columns, self.height / rows);
+        glViewport(at % columns * width, (rows - 1 - at / columns) * height, width, height);
+        f64::from(width) / f64::from(height)
+    }
+
     /// Goes on in a new context, one that repairs shaders.
     ///
     /// # Panics

@@ -30,6 +30,9 @@ pub struct Arguments {
     /// Where the pictures and index.html go
     #[arg(long, value_name = "DIR", default_value = "gallery")]
     out: PathBuf,
+    /// Print JSON in place of the table
+    #[arg(long)]
+    json: bool,
 }
 
 /// A program, what it drew, and how.
@@ -53,11 +56,14 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     }
     let index = arguments.out.join("index.html");
     fs::write(&index, page::page(&entries))?;
-    println!("{}", table::table(&entries));
+    if arguments.json {
+        println!("{:#}", table::json(&entries));
+    } else {
+        println!("{}\n{}", table::table(&entries), index.display());
+    }
     for Entry { program, rendered, .. } in &entries {
         rendered.errors.iter().for_each(|error| eprintln!("{}: {error}", program.name));
     }
-    println!("{}", index.display());
     Ok(())
 }
 

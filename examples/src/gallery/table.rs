@@ -1,8 +1,9 @@
-//! The table at the end.
+//! The table at the end, and the same for programs.
 
 use super::Entry;
 use comfy_table::presets::UTF8_FULL_CONDENSED;
 use comfy_table::{Cell, CellAlignment, Table};
+use serde_json::{Value, json};
 
 /// One row a picture.
 pub fn table(entries: &[Entry]) -> Table {
@@ -22,4 +23,22 @@ pub fn table(entries: &[Entry]) -> Table {
         ]);
     }
     table
+}
+
+/// One object a picture; times in milliseconds.
+pub fn json(entries: &[Entry]) -> Value {
+    let object = |Entry { program, rendered, plans }: &Entry| {
+        json!({
+            "name": program.name,
+            "lecture": program.lecture,
+            "width": rendered.picture.width,
+            "height": rendered.picture.height,
+            "gl_ms": rendered.time.as_secs_f64() * 1e3,
+            "painting_ms": rendered.painting.as_secs_f64() * 1e3,
+            "checksum": format!("{:016x}", rendered.picture.checksum()),
+            "errors": rendered.errors,
+            "plans": plans,
+        })
+    };
+    entries.iter().map(object).collect()
 }

@@ -43,6 +43,7 @@ fn draw(name: &str) -> Picture {
         "bricks_height.ppm" => wall::brick_heights(),
         "flagstones.ppm" => wall::flagstones(),
         "planks.ppm" => wall::planks(),
+        "sphere_map.ppm" => sky::sphere_map(),
         _ => match sky::FACES.iter().position(|face| *face == name) {
             Some(face) => sky::sky_face(face),
             None => Picture::paint(8, 8, |_, _| [0.5; 3]),

@@ -9,6 +9,7 @@ pub mod night;
 pub mod noise;
 pub mod normals;
 pub mod sky;
+pub mod solid;
 pub mod wall;
 pub mod window_glass;
 

@@ -18,6 +18,16 @@ pub fn sky_face(face: usize) -> Picture {
     Picture::paint(SIZE, SIZE, |s, t| sky(direction(face, 2.0 * s - 1.0, 2.0 * t - 1.0)))
 }
 
+/// The surroundings as a chrome ball shows them to a far eye: what `GL_SPHERE_MAP` looks up.
+pub fn sphere_map() -> Picture {
+    Picture::paint(SIZE / 2, SIZE / 2, |x, y| {
+        let (x, y) = (2.0 * x - 1.0, 1.0 - 2.0 * y);
+        let z = (1.0 - x * x - y * y).max(0.0).sqrt();
+        // The reflection of (0, 0, 1) at the ball's normal (GL 2.1 section 2.11.4, backward).
+        sky([2.0 * z * x, 2.0 * z * y, 2.0 * z * z - 1.0])
+    })
+}
+
 /// Where a place of a face is seen: GL 2.1 table 3.19, the other way round.
 fn direction(face: usize, s: f64, t: f64) -> [f64; 3] {
     match face {
