@@ -127,6 +127,17 @@ pub struct PlanInput<'a> {
     pub viewport: Viewport,
     /// How primitives become fragments.
     pub raster: Arc<RasterState>,
+    /// Whether samples are counted.
+    pub counting: Counting,
+}
+
+/// Whether somebody counts the samples of a draw.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Counting {
+    /// Nobody does.
+    Off,
+    /// A query does: what the shader discards must be known, even if nothing is written.
+    On,
 }
 
 impl Timing {
@@ -197,7 +208,9 @@ impl DrawPlan {
             Timing::Early
         };
         let late = matches!(timing, Timing::Late(_));
-        let shading = if colors.is_empty() && !late { Shading::Off } else { Shading::On };
+        let counts = input.counting == Counting::On && discards;
+        let shading =
+            if colors.is_empty() && !late && !counts { Shading::Off } else { Shading::On };
 
         let mut planes = Vec::new();
         let mut inputs = Vec::new();

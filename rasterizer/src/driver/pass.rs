@@ -11,7 +11,7 @@ use super::image::PassDesc;
 use super::pipeline::{Pipeline, Topology};
 use super::raster::RasterState;
 use crate::output::{DepthFormat, texel_words};
-use crate::plan::{DrawPlan, PlanInput, Textures};
+use crate::plan::{Counting, DrawPlan, PlanInput, Textures};
 use crate::primitive::{Primitives, Setup, primitives, setup, stipple_lines};
 use crate::raster::{Chunk, ClearJob, ClearTarget, DrawJob, Entry, PassJob, TileJob, Worker};
 use crate::shader::{OverBudget, Prepared};
@@ -257,6 +257,10 @@ impl<'a> Pass<'a> {
                 textures: self.bound.fragment_textures.clone(),
                 viewport: self.bound.viewport,
                 raster: raster.clone(),
+                counting: match self.bound.counter {
+                    Some(_) => Counting::On,
+                    None => Counting::Off,
+                },
             },
         );
         self.device.explain(&|| plan.describe());

@@ -81,12 +81,20 @@ impl Lowerer<'_> {
         output: Output,
         copies: &mut Vec<Copy>,
     ) {
-        if let (Slot::Vars(vars), Ty::F32) = (slot, types[at as usize]) {
+        // Colours for attachments of integers stay integers.
+        let ty = match (output, types[at as usize]) {
+            (Output::Color { .. }, ty @ (Ty::I32 | Ty::U32)) => ty,
+            _ => Ty::F32,
+        };
+        if let Slot::Vars(vars) = slot
+            && types[at as usize] == ty
+        {
             let var = vars[at as usize];
             self.emit.builder.module_mut().outputs.push((output, var));
             return;
         }
-        let var = self.emit.builder.output(output);
+        let var = self.emit.builder.variable(format!("{output:?}"), ty);
+        self.emit.builder.module_mut().outputs.push((output, var));
         copies.push(Copy { slot: slot.clone(), at, part: Part::Whole, var });
     }
 
@@ -125,7 +133,8 @@ impl Lowerer<'_> {
                 self.if_enabled(plane, distance)
             }
         };
-        let value = self.emit.convert(value, Ty::F32);
+        let ty = self.emit.builder.module_mut().variables[copy.var.0 as usize].ty;
+        let value = self.emit.convert(value, ty);
         self.emit.push(Stmt::Store { var: copy.var, value });
         Ok(())
     }
