@@ -24,7 +24,10 @@ pub fn main() -> ExitCode {
 }
 
 /// The texture's side, the picture's, and where the texture is dark.
-const ROWS: [(usize, i32, fn(usize, usize) -> bool); 3] = [
+type Row = (usize, i32, fn(usize, usize) -> bool);
+
+/// The textures.
+const ROWS: [Row; 3] = [
     (3, 4, |x, y| (x + y) % 2 == 0),
     (8, 5, |x, y| (x / 2 + y / 2) % 2 == 0),
     (8, 2, |x, y| x % 4 % 3 == 0 || y % 4 % 3 == 0),
