@@ -77,6 +77,7 @@ pub(crate) const EXTENSIONS: &[&str] = &[
     "GL_EXT_framebuffer_multisample",
     "GL_EXT_framebuffer_object",
     "GL_EXT_framebuffer_sRGB",
+    "GL_EXT_gpu_shader4",
     "GL_EXT_multi_draw_arrays",
     "GL_EXT_packed_depth_stencil",
     "GL_EXT_packed_float",
