@@ -16,7 +16,7 @@ use rasterizer::driver::{Buffer, Topology, VertexBinding, VertexFormat, VertexSo
 
 const SECTION: &str = "GL 2.1, section 2.6.3";
 /// Bytes of a value in a column.
-const VALUE: usize = 16;
+pub(crate) const VALUE: usize = 16;
 /// More vertices than this between `glBegin` and `glEnd` are an error.
 const MAX_VERTICES: usize = 1 << 26;
 
@@ -135,6 +135,23 @@ fn finish(context: &mut Context) -> Result<()> {
         bytes.extend_from_slice(bytemuck::cast_slice(&immediate.columns[location]));
     }
     let buffer = Buffer::new(bytes);
+    draw_columns(context, immediate.topology, &buffer, count, |location| {
+        immediate.used.iter().position(|used| *used == location)
+    })
+}
+
+/// Draws `count` vertices of a buffer of columns: positions, then a column for each attribute that
+/// `column_of` gives a number. The others are the current values.
+///
+/// # Errors
+/// As a draw.
+pub(crate) fn draw_columns(
+    context: &mut Context,
+    topology: Topology,
+    buffer: &Buffer,
+    count: usize,
+    column_of: impl Fn(usize) -> Option<usize>,
+) -> Result<()> {
     let column = |index: usize| VertexSource::Array {
         buffer: buffer.clone(),
         offset: index * count * VALUE,
@@ -149,7 +166,7 @@ fn finish(context: &mut Context) -> Result<()> {
             let source = if location == 0 || location == usize::from(ATTRIB_VERTEX) {
                 column(0)
             } else {
-                match immediate.used.iter().position(|used| *used == location) {
+                match column_of(location) {
                     Some(index) => column(index + 1),
                     None => VertexSource::Constant(context.state.current[location]),
                 }
@@ -158,7 +175,7 @@ fn finish(context: &mut Context) -> Result<()> {
         })
         .collect();
     let elements = Elements::Range { first: 0, count: count as u32, instances: 1 };
-    draw(context, immediate.topology, vertices, &elements)
+    draw(context, topology, vertices, &elements)
 }
 
 /// The location that an attribute call sets; `None` for the position.

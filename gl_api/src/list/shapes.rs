@@ -3,17 +3,12 @@
 use super::Step;
 use crate::context::Context;
 use crate::draw::calls::topology;
-use crate::draw::immediate::{self, Slot};
-use crate::draw::translate::{Elements, draw};
+use crate::draw::immediate::{self, Slot, VALUE};
 use crate::entry::Place;
 use crate::error::{Result, invalid_operation};
-use crate::interface::ATTRIB_VERTEX;
 use crate::state::LOCATIONS;
 use crate::types::*;
-use rasterizer::driver::{Buffer, Topology, VertexBinding, VertexFormat, VertexSource, VertexType};
-
-/// Bytes of a value in a column.
-const VALUE: usize = 16;
+use rasterizer::driver::{Buffer, Topology};
 
 /// Attributes since `glBegin`, in order.
 #[derive(Debug)]
@@ -160,29 +155,8 @@ impl Shapes {
 
     fn draw_vertices(&self, context: &mut Context) -> Result<()> {
         let buffer = self.patched(&context.state.current);
-        let column = |index: usize| VertexSource::Array {
-            buffer: buffer.clone(),
-            offset: index * self.count * VALUE,
-            stride: VALUE,
-            ty: VertexType::F32,
-            components: 4,
-            format: VertexFormat::Plain,
-            divisor: 0,
-        };
-        let vertices = (0..LOCATIONS)
-            .map(|location| {
-                let source = if location == 0 || location == usize::from(ATTRIB_VERTEX) {
-                    column(0)
-                } else {
-                    match self.columns.iter().position(|column| column.location == location) {
-                        Some(index) => column(index + 1),
-                        None => VertexSource::Constant(context.state.current[location]),
-                    }
-                };
-                VertexBinding { location: location as u8, source }
-            })
-            .collect();
-        let elements = Elements::Range { first: 0, count: self.count as u32, instances: 1 };
-        draw(context, self.topology, vertices, &elements)
+        immediate::draw_columns(context, self.topology, &buffer, self.count, |location| {
+            self.columns.iter().position(|column| column.location == location)
+        })
     }
 }
