@@ -186,3 +186,19 @@ fn queries_convert() {
     assert_eq!(ints[0], 24);
     assert_eq!(context.get_error(), GL_NO_ERROR);
 }
+
+/// Luminance is R of texels, but R + G + B of the framebuffer's pixels (GL 2.1, sections 6.1.4 and
+/// 4.3.2).
+#[test]
+fn texels_have_the_luminance_of_red() {
+    let mut context = context();
+    upload(&mut context, GL_RGBA8, 1, GL_RGBA, GL_UNSIGNED_BYTE, &[10, 20, 30, 40]);
+    assert_eq!(download(&mut context, GL_LUMINANCE, GL_UNSIGNED_BYTE, 1), [10]);
+    assert_eq!(download(&mut context, GL_LUMINANCE_ALPHA, GL_UNSIGNED_BYTE, 2), [10, 40]);
+    context.clear_color(0.25, 0.5, 0.125, 1.0);
+    context.clear(GL_COLOR_BUFFER_BIT);
+    let mut out = [0.0_f32];
+    let bytes = DataOut::Bytes(bytemuck::cast_slice_mut(&mut out));
+    context.read_pixels(0, 0, 1, 1, GL_LUMINANCE, GL_FLOAT, bytes);
+    assert!((out[0] - 0.875).abs() < 0.01, "{out:?}");
+}
