@@ -79,7 +79,7 @@ fn check_numbers(format: GLenum) -> Result<()> {
         }
         Some((_, Numbers::Integer)) => invalid_operation(
             "EXT_texture_integer, section 3.6.4",
-            format!("format = {}: use one without _INTEGER", enum_name(format)),
+            format!("format = {}: integers are not drawn", enum_name(format)),
         ),
         None => Ok(()),
     }
