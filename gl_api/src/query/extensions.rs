@@ -15,6 +15,7 @@ pub(crate) const EXTENSIONS: &[&str] = &[
     "GL_ARB_draw_buffers",
     "GL_ARB_draw_elements_base_vertex",
     "GL_ARB_draw_instanced",
+    "GL_ARB_explicit_attrib_location",
     "GL_ARB_fragment_coord_conventions",
     "GL_ARB_fragment_shader",
     "GL_ARB_framebuffer_object",
