@@ -49,6 +49,7 @@ pub(crate) const EXTENSIONS: &[&str] = &[
     "GL_ARB_texture_mirror_clamp_to_edge",
     "GL_ARB_texture_mirrored_repeat",
     "GL_ARB_texture_non_power_of_two",
+    "GL_ARB_texture_query_lod",
     "GL_ARB_texture_rectangle",
     "GL_ARB_texture_rg",
     "GL_ARB_texture_rgb10_a2ui",
