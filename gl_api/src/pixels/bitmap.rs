@@ -5,6 +5,8 @@ use super::rectangle::{self, Holds};
 use crate::context::Context;
 use crate::entry::Data;
 use crate::error::{Result, not_negative};
+use crate::feedback::record::Kind;
+use crate::feedback::{self, Mode};
 use crate::framebuffer::complete::draw_pass;
 use crate::texture::client::Pixel;
 use crate::texture::layout::{Extent, Layout};
@@ -12,6 +14,13 @@ use crate::texture::memory;
 use crate::types::*;
 
 const SECTION: &str = "GL 2.1, section 3.7";
+
+/// A window coordinate on the subpixel grid, as vertices have it: a position that was meant to be a
+/// whole pixel is one, whatever the transformation's rounding was.
+fn snapped(coordinate: f64) -> f64 {
+    const SUBPIXEL: f64 = 256.0;
+    (coordinate * SUBPIXEL).round_ties_even() / SUBPIXEL
+}
 
 #[expect(clippy::too_many_arguments, reason = "GL's signature")]
 pub(crate) fn bitmap(
@@ -36,13 +45,17 @@ pub(crate) fn bitmap(
     if let (Some(source), Some(bits)) = (source.filter(|_| layout.needed > 0), layout.bits) {
         let bytes = source.bytes();
         layout.check_length(bytes.len(), "GL_UNPACK_ALIGNMENT")?;
+        if feedback::record::pixels(context, Kind::Bitmap) != Mode::Render {
+            position::advance(context, [xmove, ymove]);
+            return Ok(());
+        }
         // The rectangle begins at a whole pixel, and is not zoomed.
         let before = context.state.raster_position.window;
         let zoom = std::mem::replace(&mut context.state.pixel_zoom, [1.0; 2]);
         let origin = [xorig, yorig].map(f64::from);
         let start = &mut context.state.raster_position.window;
         for axis in 0..2 {
-            start[axis] = (before[axis] - origin[axis]).floor();
+            start[axis] = snapped(before[axis] - origin[axis]).floor();
         }
         let drawn = rectangle::draw(context, [width, height], Holds::Coverage, |x, y| {
             let row = &bytes[layout.start + y * layout.stride..];

@@ -131,9 +131,9 @@ fn images() {
             "GL_UNSIGNED_INT_24_8",
         ),
         (
-            (2, GL_TEXTURE_2D, 0, D, ONE, 0, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8),
+            (2, GL_TEXTURE_2D, 0, C, ONE, 0, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8),
             OPERATION,
-            "with stencil",
+            "go together",
         ),
         ((2, GL_TEXTURE_2D, 0, C, ONE, 0, D, GL_FLOAT), OPERATION, "go together"),
         ((2, GL_TEXTURE_2D, 0, D, ONE, 0, C, GL_FLOAT), OPERATION, "go together"),

@@ -105,6 +105,13 @@ impl Lowerer<'_> {
                     compared,
                 }
             }
+            Lookup::QueryLod => {
+                let [_, zero] = zeros;
+                let coords = arguments.three(values.first().map_or(&[], |v| &v[..]), zero);
+                let lod = Lod::Implicit { bias: None };
+                let compared = ComparisonResult::Placed;
+                Access { access: ir::Access::Lod, coords, reference: None, lod, compared }
+            }
         };
         let mut values = self.look_up(&place, slot(kind), &access)?;
         values.truncate(result.scalars() as usize);
