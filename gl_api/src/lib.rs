@@ -49,6 +49,7 @@ mod draw;
 pub mod entry;
 mod env;
 pub mod error;
+pub mod explain;
 mod fixed;
 mod framebuffer;
 pub mod glsl;

@@ -11,6 +11,7 @@ use crate::draw::Recorder;
 use crate::draw::immediate::Immediate;
 use crate::entry::{Fallback, Place};
 use crate::error::{GlError, Result, invalid_operation};
+use crate::explain::Watched;
 use crate::framebuffer::Window;
 use crate::glsl::Repairs;
 use crate::list::{Compiling, Lists};
@@ -97,6 +98,8 @@ pub struct Context {
     pub(crate) repairs: Repairs,
     /// Where an OSMesa client wants the picture.
     pub(crate) mirror: Option<Mirror>,
+    /// The pixel that is watched.
+    pub(crate) watched: Option<Box<Watched>>,
 }
 
 /// The device that contexts share which bring none.
@@ -142,6 +145,7 @@ impl Context {
             entered: Entered::No,
             repairs,
             mirror: None,
+            watched: None,
         })
     }
 
