@@ -124,7 +124,7 @@ fn one(page: &mut Page, step: &SampleStep, weights: &mut Vec<f32>) {
                 number(rho_squared.sqrt()),
                 number(lambda)
             ),
-            "GL 2.1, section 3.8.8, equations 3.18, 3.20",
+            "GL 2.1, section 3.8.8, equation 3.20",
         ),
         SampleStep::Anisotropic { major_squared, minor_squared, probes, step, lambda } => {
             let section = "EXT_texture_filter_anisotropic";
@@ -151,7 +151,7 @@ fn one(page: &mut Page, step: &SampleStep, weights: &mut Vec<f32>) {
                 number(high),
                 number(lambda)
             ),
-            "GL 2.1, section 3.8.8, equation 3.19",
+            "GL 2.1, section 3.8.8",
         ),
         SampleStep::Levels { magnified_to, filter, levels: [first, second], weight } => {
             let (filter, c) = (filter_name(filter), number(magnified_to));
@@ -175,19 +175,17 @@ fn one(page: &mut Page, step: &SampleStep, weights: &mut Vec<f32>) {
         SampleStep::Nearest { u } => {
             weights.clear();
             let text = format!("(u, v, w) = {}: the texel is its floor", numbers(&u));
-            page.line(4, &text, "GL 2.1, section 3.8.8, equations 3.21, 3.22");
+            page.line(4, &text, "GL 2.1, section 3.8.8");
         }
         SampleStep::Linear { u, weights: abc, axes } => {
             *weights = linear_weights(abc, axes);
             let text = format!("(u, v, w) = {}, (α, β, γ) = {}", numbers(&u), numbers(&abc));
-            page.line(4, &text, "GL 2.1, section 3.8.8, equations 3.23, 3.24");
+            page.line(4, &text, "GL 2.1, section 3.8.8");
         }
         SampleStep::Filtered(value) => page.line(4, &format!("τ = {}", numbers(&value)), ""),
-        SampleStep::Mixed(value) => page.line(
-            3,
-            &format!("the levels mixed: {}", numbers(&value)),
-            "GL 2.1, section 3.8.8, equation 3.27",
-        ),
+        SampleStep::Mixed(value) => {
+            page.line(3, &format!("the levels mixed: {}", numbers(&value)), "GL 2.1, section 3.8.8")
+        }
         SampleStep::Mean(value) => {
             page.line(3, &format!("the mean of the probes so far: {}", numbers(&value)), "");
         }
