@@ -22,6 +22,7 @@ pub fn lookup(page: &mut Page, lookup: &Lookup, note: &DrawNote) {
             (format!("fetch, {offset:?} texels off"), "GLSL 1.30, section 8.7")
         }
         Access::Size => ("size".to_owned(), "GLSL 1.30, section 8.7"),
+        Access::Lod => ("level of detail".to_owned(), "ARB_texture_query_lod"),
     };
     page.line(2, &format!("lookup{}: {what} of {texture}", lookup.number), section);
     page.line(3, &lookup.texture, "");

@@ -13,6 +13,7 @@ mod filter;
 mod footprint;
 pub(crate) mod lod;
 pub(crate) mod plain;
+pub(crate) mod query;
 mod record;
 mod seamless;
 mod taps;
@@ -51,24 +52,7 @@ impl<R: Recorder> Kernel for Sample<'_, R> {
             Some(_) => unit_range(reference.unwrap_or(coords[2])),
             None => F32s::ZERO,
         };
-        let mut at = Coordinates { given: coords, face: U32s::ZERO, layer: U32s::ZERO, st: None };
-        match texture.shape {
-            Shape::D1 | Shape::D2 | Shape::Rect | Shape::D3 => {}
-            Shape::D1Array => at.layer = wrap::layer(coords[1], texture.size[2]),
-            Shape::D2Array => at.layer = wrap::layer(coords[2], texture.size[2]),
-            Shape::Cube => {
-                let projected = cube::project(coords);
-                recorder.note(|lane| SampleStep::Face {
-                    face: projected.face[lane],
-                    st: projected.st.map(|coord| coord[lane]),
-                });
-                at.face = projected.face;
-                at.st = Some(projected.st);
-            }
-        }
-        if texture.is_array() {
-            recorder.note(|lane| SampleStep::Layer(at.layer[lane]));
-        }
+        let at = Coordinates::new(texture, coords, recorder);
         let (taps, probes) = taps::taps::<S>(texture, &at, lod, recorder);
         let samples = Samples { texture, offset, reference: &reference };
         sample_probes::<S>(&samples, &at, &taps, probes.as_ref(), out, recorder);
@@ -89,7 +73,30 @@ pub(crate) struct Coordinates<'a> {
     st: Option<[F32s; 2]>,
 }
 
-impl Coordinates<'_> {
+impl<'a> Coordinates<'a> {
+    #[inline(always)]
+    fn new(texture: &Texture, given: [&'a F32s; 3], recorder: &mut impl Recorder) -> Self {
+        let mut at = Self { given, face: U32s::ZERO, layer: U32s::ZERO, st: None };
+        match texture.shape {
+            Shape::D1 | Shape::D2 | Shape::Rect | Shape::D3 => {}
+            Shape::D1Array => at.layer = wrap::layer(given[1], texture.size[2]),
+            Shape::D2Array => at.layer = wrap::layer(given[2], texture.size[2]),
+            Shape::Cube => {
+                let projected = cube::project(given);
+                recorder.note(|lane| SampleStep::Face {
+                    face: projected.face[lane],
+                    st: projected.st.map(|coord| coord[lane]),
+                });
+                at.face = projected.face;
+                at.st = Some(projected.st);
+            }
+        }
+        if texture.is_array() {
+            recorder.note(|lane| SampleStep::Layer(at.layer[lane]));
+        }
+        at
+    }
+
     /// The coordinates to filter along.
     #[inline(always)]
     fn filtered(&self) -> [&F32s; 3] {

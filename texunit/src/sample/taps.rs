@@ -107,51 +107,12 @@ pub fn taps<S: Simd>(
 ) -> (Taps, Option<Probes>) {
     let (min, mag, range, most) = match &texture.detail {
         Detail::PerLane { min, mag, range, probes } => (min, mag, range, probes),
-        Detail::Fixed { filter, level, why } => {
+        Detail::Fixed { filter, level, why, .. } => {
             recorder.note(|_| SampleStep::Fixed { filter: *filter, level: *level, why });
             return (fixed::<S>(texture, at), None);
         }
     };
-    let (base, probes, bias) = match lod {
-        Lod::Explicit(lambda) => {
-            recorder.note(|lane| SampleStep::Explicit(lambda[lane]));
-            (*lambda, None, None)
-        }
-        Lod::Implicit { bias } | Lod::Gradient { bias, .. } => {
-            let axes = texture.shape.axes();
-            let differences;
-            let mut d = match &lod {
-                Lod::Gradient { dx, dy, .. } => Derivatives { dx: *dx, dy: *dy },
-                Lod::Implicit { .. } | Lod::Explicit(_) => {
-                    let read = if texture.shape == Shape::Cube { 3 } else { axes };
-                    differences = of_quads(at.given, read);
-                    let [dx, dy] = &differences;
-                    Derivatives { dx: dx.each_ref(), dy: dy.each_ref() }
-                }
-            };
-            let on_face;
-            if texture.shape == Shape::Cube {
-                on_face = [
-                    cube::derivatives(&at.face, at.given, d.dx),
-                    cube::derivatives(&at.face, at.given, d.dy),
-                ];
-                let [[dsdx, dtdx], [dsdy, dtdy]] = &on_face;
-                d = Derivatives { dx: [dsdx, dtdx, dtdx], dy: [dsdy, dtdy, dtdy] };
-            }
-            recorder.note(|lane| {
-                let of = |d: [&F32s; 3]| {
-                    std::array::from_fn(|axis| if axis < axes { d[axis][lane] } else { 0.0 })
-                };
-                SampleStep::Derivatives { dx: of(d.dx), dy: of(d.dy), scale: texture.scale }
-            });
-            let (base, probes) = if *most > 1 {
-                footprint::anisotropic::<S>(&d, axes, texture.scale, *most as f32, recorder)
-            } else {
-                (footprint::isotropic(&d, axes, texture.scale, recorder), None)
-            };
-            (base, probes, bias)
-        }
-    };
+    let (base, probes, bias) = base_lambda::<S>(texture, at, lod, *most, recorder);
     let lambda = range.lambda(&base, bias);
     let (levels, weight) = range.levels(&lambda);
     recorder.note(|lane| SampleStep::Lambda {
@@ -194,6 +155,58 @@ pub fn taps<S: Simd>(
         weights[lane] = if minified { weight[lane] } else { 0.0 };
     }
     (mixed::<S>(keys, weights), probes)
+}
+
+/// λ of the base level before any bias, the probes of an anisotropic filter (at most so many), and
+/// the bias of the lookup.
+#[inline(always)]
+pub fn base_lambda<'a, S: Simd>(
+    texture: &Texture,
+    at: &Coordinates<'_>,
+    lod: Lod<'a>,
+    most: u32,
+    recorder: &mut impl Recorder,
+) -> (F32s, Option<Probes>, Option<&'a F32s>) {
+    match lod {
+        Lod::Explicit(lambda) => {
+            recorder.note(|lane| SampleStep::Explicit(lambda[lane]));
+            (*lambda, None, None)
+        }
+        Lod::Implicit { bias } | Lod::Gradient { bias, .. } => {
+            let axes = texture.shape.axes();
+            let differences;
+            let mut d = match &lod {
+                Lod::Gradient { dx, dy, .. } => Derivatives { dx: *dx, dy: *dy },
+                Lod::Implicit { .. } | Lod::Explicit(_) => {
+                    let read = if texture.shape == Shape::Cube { 3 } else { axes };
+                    differences = of_quads(at.given, read);
+                    let [dx, dy] = &differences;
+                    Derivatives { dx: dx.each_ref(), dy: dy.each_ref() }
+                }
+            };
+            let on_face;
+            if texture.shape == Shape::Cube {
+                on_face = [
+                    cube::derivatives(&at.face, at.given, d.dx),
+                    cube::derivatives(&at.face, at.given, d.dy),
+                ];
+                let [[dsdx, dtdx], [dsdy, dtdy]] = &on_face;
+                d = Derivatives { dx: [dsdx, dtdx, dtdx], dy: [dsdy, dtdy, dtdy] };
+            }
+            recorder.note(|lane| {
+                let of = |d: [&F32s; 3]| {
+                    std::array::from_fn(|axis| if axis < axes { d[axis][lane] } else { 0.0 })
+                };
+                SampleStep::Derivatives { dx: of(d.dx), dy: of(d.dy), scale: texture.scale }
+            });
+            let (base, probes) = if most > 1 {
+                footprint::anisotropic::<S>(&d, axes, texture.scale, most as f32, recorder)
+            } else {
+                (footprint::isotropic(&d, axes, texture.scale, recorder), None)
+            };
+            (base, probes, bias)
+        }
+    }
 }
 
 /// Where λ decides nothing.
