@@ -197,7 +197,8 @@ impl Lowerer<'_> {
             }
             // Nothing writes it: undefined, here zero.
             (Storage::Input(_), Some(Binding::Varying(None))) => {
-                let zero = |lowerer: &mut Self, at: u32| lowerer.emit.constant(0, types[at as usize]);
+                let zero =
+                    |lowerer: &mut Self, at: u32| lowerer.emit.constant(0, types[at as usize]);
                 Ok(self.inputs(variable, &types, zero))
             }
             (Storage::Output(_), Some(Binding::Varying(slot))) => {
