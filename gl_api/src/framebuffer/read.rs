@@ -11,7 +11,6 @@ use crate::texture::specify::kinds_match;
 use crate::texture::{convert, memory, texel};
 use crate::types::*;
 use rasterizer::driver::Attachment;
-use std::borrow::Cow;
 use std::sync::Arc;
 use texunit::format::Format;
 use texunit::image::{Level, Shape};
@@ -146,16 +145,6 @@ pub(crate) fn read_pixels(
     })
 }
 
-/// The texels of a row in a format that the client's can be made of: a stencil is an integer of
-/// its own.
-fn readable_row(texels: &[u8], format: Format, pixel: Pixel) -> (Format, Cow<'_, [u8]>) {
-    if pixel.format != ClientFormat::Stencil {
-        return (format, Cow::Borrowed(texels));
-    }
-    let stencils = texels.chunks_exact(format.bytes()).map(|t| texel::stencil_of(format, t));
-    (Format::R8UI, Cow::Owned(stencils.collect()))
-}
-
 /// A region of a level into the client's memory. Pixels outside the level are left as they are.
 fn pack(
     from: &Pixels,
@@ -166,7 +155,8 @@ fn pack(
 ) {
     let [width, height] = from.size();
     let Some(visible) = region.within(width, height) else { return };
-    let first = (visible.y as i64 - region.y) as usize * layout.stride
+    let first = layout.start
+        + (visible.y as i64 - region.y) as usize * layout.stride
         + (visible.x as i64 - region.x) as usize * layout.pixel.bytes();
     let row = Layout {
         size: [visible.width, 1, 1],
@@ -174,11 +164,17 @@ fn pack(
         start: 0,
         ..*layout
     };
-    for y in 0..visible.height {
-        let texels = from.row(visible.x, visible.y + y, visible.width);
-        let (format, texels) = readable_row(texels, from.format(), layout.pixel);
-        let at = layout.start + first + y * layout.stride;
-        convert::pack(&row, format, transfer, &texels, &mut bytes[at..]);
+    let rows = (0..visible.height)
+        .map(|y| (first + y * layout.stride, from.row(visible.x, visible.y + y, visible.width)));
+    if layout.pixel.format == ClientFormat::Stencil {
+        // A stencil is an integer of its own.
+        for (at, texels) in rows {
+            let texels = texels.chunks_exact(from.format().bytes());
+            let stencils: Vec<u8> = texels.map(|t| texel::stencil_of(from.format(), t)).collect();
+            convert::pack(&row, Format::R8UI, transfer, &stencils, &mut bytes[at..]);
+        }
+    } else {
+        convert::pack_rows(&row, from.format(), transfer, rows, bytes);
     }
 }
 
