@@ -415,8 +415,8 @@ fn an_incomplete_framebuffer_says_what_is_missing() {
     assert_eq!(status, GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT);
     let depth = GL_DEPTH_COMPONENT;
     context.tex_image_2d(GL_TEXTURE_2D, 0, depth as i32, 4, 4, 0, depth, GL_FLOAT, Data::Null);
-    let status = context.check_framebuffer_status(GL_FRAMEBUFFER);
-    assert_eq!(status, GL_FRAMEBUFFER_INCOMPLETE_DRAW_BUFFER);
+    // Complete without colours; that one is selected is worth a warning.
+    assert_eq!(context.check_framebuffer_status(GL_FRAMEBUFFER), GL_FRAMEBUFFER_COMPLETE);
     context.draw_buffer(GL_NONE);
     context.read_buffer(GL_NONE);
     assert_eq!(context.check_framebuffer_status(GL_FRAMEBUFFER), GL_FRAMEBUFFER_COMPLETE);

@@ -7,6 +7,7 @@ use crate::lanes::{F32s, I32s, Isa, LANES};
 use crate::sample::Sample;
 use crate::sample::lod::LodRange;
 use crate::sample::plain::Class;
+use crate::sample::query::Query;
 use crate::sample::texel::Fetch;
 use crate::sampler::{
     Compare, DepthMode, Filter, MAX_ANISOTROPY, Mipmap, Sampler, Seamless, Swizzle, Wrap,
@@ -93,6 +94,8 @@ pub(crate) enum Detail {
         level: u32,
         /// Why λ is not computed.
         why: &'static str,
+        /// The sampler's bias, for who asks for λ all the same.
+        bias: f32,
     },
     /// λ decides.
     PerLane {
@@ -161,6 +164,16 @@ impl SamplePlan {
         match &self.0 {
             Ok(texture) => isa.run(Sample { texture, coords, reference, offset, lod, out }),
             Err(_) => *out = OPAQUE_BLACK,
+        }
+    }
+
+    /// What level of detail a lookup with these coordinates has (`textureQueryLOD`): the level that
+    /// it reads, counted from the base level, with a fraction where it mixes two; and λ with every
+    /// bias before it is held in the sampler's range. An incomplete image has zeros.
+    pub fn query_lod(&self, isa: Isa, coords: [&F32s; 3], lod: Lod<'_>, out: &mut [F32s; 2]) {
+        match &self.0 {
+            Ok(texture) => isa.run(Query { texture, coords, lod, out }),
+            Err(_) => *out = [F32s::ZERO; 2],
         }
     }
 
@@ -285,7 +298,7 @@ impl Texture {
             line += &format!(", depth compare {op:?} before the filter");
         }
         match &self.detail {
-            Detail::Fixed { filter, level, why } => {
+            Detail::Fixed { filter, level, why, bias: _ } => {
                 line += &format!(", {filter:?} of level {level} (from the base), no LOD: {why}");
             }
             Detail::PerLane { min, mag, range, probes } => {
@@ -371,7 +384,7 @@ impl Detail {
             | (Filter::Linear, Filter::Linear, _)
             | (Filter::Nearest, _, _) => 0.0,
         };
-        let fixed = |filter, why| Self::Fixed { filter, level: 0, why };
+        let fixed = |filter, why| Self::Fixed { filter, level: 0, why, bias: sampler.lod_bias };
         // A line has no minor axis.
         let probes = match shape {
             Shape::D1 | Shape::D1Array => 1,

@@ -182,8 +182,9 @@ pub(crate) fn draw_arrays_instanced(
         let vertices = bindings(context, Reach { first: first as u32, last, instances })?;
         check_range(&vertices, first, count)?;
         let elements = Elements::Range { first: first as u32, count: count as u32, instances };
-        draw_or_record(context, topology, vertices, elements)?;
+        return draw_or_record(context, topology, vertices, elements);
     }
+    context.record_empty_draw("glDrawArrays");
     Ok(())
 }
 
@@ -299,6 +300,7 @@ fn draw_indexed(
     let ty = INDEX_TYPE.decode("type", request.ty)?;
     let (buffer, offset) = index_buffer(context, request.indices, count, count * ty.size())?;
     if count == 0 || instances == 0 || !has_positions(context) {
+        context.record_empty_draw("glDrawElements");
         return Ok(());
     }
     let base_vertex = request.base_vertex;

@@ -7,7 +7,8 @@ use super::{hints, keys};
 use crate::context::Context;
 use crate::error::{ErrorCode, GlError, Result, invalid_operation};
 use crate::fixed::{
-    FragmentKey, add_alpha_test, add_coverage, add_two_sides, cached, set_shade_model,
+    FragmentKey, add_alpha_test, add_clip_planes, add_coverage, add_two_sides, cached,
+    set_shade_model, word,
 };
 use crate::glsl::SamplerSlot;
 use crate::interface::MAX_COMBINED_TEXTURE_IMAGE_UNITS;
@@ -15,7 +16,7 @@ use crate::program::validate::runnable;
 use crate::state::enable::Flag;
 use crate::texture::TextureTarget;
 use rasterizer::driver::{Rim, ShaderModule, VertexBinding};
-use rasterizer::ir::{Interpolation, IrError, Stage};
+use rasterizer::ir::{Interpolation, IrError, Output, Stage};
 use std::sync::Arc;
 use texunit::plan::SamplePlan;
 use texunit::sampler::{Compare, Sampler, Seamless};
@@ -43,6 +44,16 @@ pub(super) struct VariantKey {
     alpha: Option<(Compare, u32)>,
     sides: Sides,
     rim: Rim,
+}
+
+/// A program's vertex stage that user clip planes cut.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub(super) struct ClippedKey {
+    module: ShaderModule,
+    /// Bit by plane.
+    planes: u8,
+    /// The first word of the fixed function.
+    base: u32,
 }
 
 /// Whether the back of a polygon has colours of its own (GL 2.1, section 2.15.4).
@@ -123,17 +134,48 @@ pub(crate) fn choose(
         }
     };
     let mut vertex_key = None;
+    let mut clip_planes = 0;
     let vertex = match vertex.take() {
-        Some(module) => module,
+        Some(module) => {
+            if !clips_itself(&module) {
+                clip_planes = context.state.clip.enabled;
+            }
+            program_vertex(context, module, clip_planes, base)?
+        }
         None => {
             let key = vertex_key.insert(keys::vertex_key(context, vertices, base));
             context.recorder.fixed.vertex(key).map_err(|error| internal(&error))?
         }
     };
     let needed = vertex.module().uniform_words.max(fragment.module().uniform_words);
-    let keys = Keys { vertex: vertex_key.as_ref(), fragment: fragment_key.as_ref() };
+    let (vertex_key, fragment_key) = (vertex_key.as_ref(), fragment_key.as_ref());
+    let keys = Keys { vertex: vertex_key, fragment: fragment_key, clip_planes };
     fixed_words::append(context, &mut words, keys, needed);
     Ok(Stages { vertex, fragment, words, vertex_textures, fragment_textures })
+}
+
+/// Whether a vertex stage says itself what user clip planes cut.
+fn clips_itself(module: &ShaderModule) -> bool {
+    let mut outputs = module.module().outputs.iter();
+    outputs.any(|(output, _)| matches!(output, Output::ClipDistance(_)))
+}
+
+/// A program's vertex stage, cut by user clip planes.
+fn program_vertex(
+    context: &mut Context,
+    module: ShaderModule,
+    planes: u8,
+    base: u32,
+) -> Result<ShaderModule> {
+    if planes == 0 {
+        return Ok(module);
+    }
+    let key = ClippedKey { module, planes, base };
+    cached(&mut context.recorder.clipped, &key, |key| {
+        let module = key.module.module().clone();
+        add_clip_planes(module, key.planes, key.base + word::CLIP_PLANES)
+    })
+    .map_err(|error| internal(&error))
 }
 
 /// A program's fragment stage with shade model and alpha test built in where they matter.
@@ -146,7 +188,7 @@ fn program_fragment(
     rim: Rim,
 ) -> Result<ShaderModule> {
     let shade_model = context.state.raster.shade_model;
-    let alpha = alpha_test(context).map(|compare| (compare, base + crate::fixed::word::ALPHA_REF));
+    let alpha = alpha_test(context).map(|compare| (compare, base + word::ALPHA_REF));
     let sides = if two_sided { Sides::Two } else { Sides::One };
     let plain = shade_model == Interpolation::Smooth && alpha.is_none();
     if plain && sides == Sides::One && rim == Rim::Aliased {

@@ -4,6 +4,7 @@ use super::primitives::{raster_state, smoothness};
 use super::{begin_pass, hints, stages};
 use crate::context::Context;
 use crate::error::{ErrorCode, GlError, Result, invalid_operation};
+use crate::feedback::{self, Mode};
 use crate::framebuffer::complete::{draw_pass, draw_planes};
 use crate::framebuffer::srgb_write;
 use crate::pixels::rectangle::Rectangle;
@@ -68,6 +69,12 @@ fn record(
             "GL 2.1, section 2.15.3",
             format!("program {program} is in use but not linked: see glGetProgramInfoLog"),
         );
+    }
+    if context.queries.discards() {
+        return Ok(());
+    }
+    if context.feedback.mode != Mode::Render {
+        return feedback::draw(context, topology, &vertices, elements);
     }
     hints::nothing_enabled(context);
     // Choosing may carry out what was recorded, if a texture of this draw was drawn to.

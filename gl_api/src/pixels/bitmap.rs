@@ -5,6 +5,8 @@ use super::rectangle::{self, Holds};
 use crate::context::Context;
 use crate::entry::Data;
 use crate::error::{Result, invalid_operation, not_negative};
+use crate::feedback::record::Kind;
+use crate::feedback::{self, Mode};
 use crate::framebuffer::complete::draw_pass;
 use crate::state::pixel_store::PixelStore;
 use crate::texture::memory;
@@ -56,6 +58,13 @@ impl Bits {
     }
 }
 
+/// A window coordinate on the subpixel grid, as vertices have it: a position that was meant to be a
+/// whole pixel is one, whatever the transformation's rounding was.
+fn snapped(coordinate: f64) -> f64 {
+    const SUBPIXEL: f64 = 256.0;
+    (coordinate * SUBPIXEL).round_ties_even() / SUBPIXEL
+}
+
 #[expect(clippy::too_many_arguments, reason = "GL's signature")]
 pub(crate) fn bitmap(
     context: &mut Context,
@@ -87,13 +96,17 @@ pub(crate) fn bitmap(
                 ),
             );
         }
+        if feedback::record::pixels(context, Kind::Bitmap) != Mode::Render {
+            position::advance(context, [xmove, ymove]);
+            return Ok(());
+        }
         // The rectangle begins at a whole pixel, and is not zoomed.
         let before = context.state.raster_position.window;
         let zoom = std::mem::replace(&mut context.state.pixel_zoom, [1.0; 2]);
         let origin = [xorig, yorig].map(f64::from);
         let start = &mut context.state.raster_position.window;
         for axis in 0..2 {
-            start[axis] = (before[axis] - origin[axis]).floor();
+            start[axis] = snapped(before[axis] - origin[axis]).floor();
         }
         let drawn = rectangle::draw(context, [width, height], Holds::Coverage, |x, y| {
             [if bits.at(bytes, x, y) { 1.0 } else { 0.0 }; 4]

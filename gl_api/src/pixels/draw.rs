@@ -5,6 +5,8 @@ use super::stencil;
 use crate::context::Context;
 use crate::entry::Data;
 use crate::error::{Result, invalid_operation, not_negative};
+use crate::feedback::record::Kind;
+use crate::feedback::{self, Mode};
 use crate::framebuffer::complete::{draw_pass, draw_planes};
 use crate::texture::client::{ClientFormat, Numbers, Pixel};
 use crate::texture::layout::{Extent, Layout};
@@ -90,6 +92,9 @@ pub(crate) fn draw_pixels(
     draw_pass(context)?;
     check_target(context, pixel)?;
     let Some(source) = memory::pixel_source(context, &layout, pixels)? else { return Ok(()) };
+    if feedback::record::pixels(context, Kind::DrawPixels) != Mode::Render {
+        return Ok(());
+    }
     let format = match pixel.format {
         ClientFormat::Depth => Format::D32F,
         ClientFormat::Stencil => Format::R8UI,

@@ -284,7 +284,7 @@ const INCOMPLETE: &[Incomplete] = &[
             renderbuffer(c, C0, GL_RGBA8, 2, 2);
             c.draw_buffer(C0 + 3);
         },
-        GL_FRAMEBUFFER_INCOMPLETE_DRAW_BUFFER,
+        GL_FRAMEBUFFER_COMPLETE,
         "GL_COLOR_ATTACHMENT3 is drawn to",
     ),
     (
@@ -292,7 +292,7 @@ const INCOMPLETE: &[Incomplete] = &[
             renderbuffer(c, C0, GL_RGBA8, 2, 2);
             c.read_buffer(C0 + 3);
         },
-        GL_FRAMEBUFFER_INCOMPLETE_READ_BUFFER,
+        GL_FRAMEBUFFER_COMPLETE,
         "GL_COLOR_ATTACHMENT3 is read from",
     ),
     (

@@ -39,6 +39,7 @@ pub(super) struct Lowered {
     pub slots: u32,
     pub textures: Vec<u32>,
     pub discards: bool,
+    pub queries_lod: bool,
     pub reads_uniforms: bool,
 }
 
@@ -469,9 +470,10 @@ impl Lowering<'_> {
         let out = [0; 4].map(|_| self.register(Kind::Temp));
         self.samples[value.0 as usize] = Some(out);
         self.out.textures.push(sample.texture.0);
+        self.out.queries_lod |= sample.access == Access::Lod;
         let (texture, access, out) = (sample.texture.0, sample.access, out.map(Some));
         let one = match (access, self.module.component_ty(sample)) {
-            (Access::Size, _) => 0,
+            (Access::Size | Access::Lod, _) => 0,
             (Access::Filter { .. } | Access::Fetch { .. }, Ty::F32) => 1f32.to_bits(),
             (Access::Filter { .. } | Access::Fetch { .. }, Ty::I32 | Ty::U32 | Ty::Bool) => 1,
         };

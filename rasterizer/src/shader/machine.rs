@@ -186,6 +186,13 @@ impl Machine {
                             }
                         }
                     }
+                    (Access::Lod, lod) => {
+                        let [level, lambda, rest @ ..] = out;
+                        let mut found = [F32s::ZERO; 2];
+                        plan.query_lod(run.isa, coords, lod, &mut found);
+                        [*level, *lambda] = found;
+                        *rest = [F32s::ZERO; 2];
+                    }
                     (Access::Filter { offset }, lod) => {
                         plan.sample_offset(run.isa, coords, reference, offset, lod, out);
                     }

@@ -51,6 +51,7 @@ pub struct Program {
     textures: Vec<u32>,
     slots: u32,
     discards: bool,
+    queries_lod: bool,
     reads_uniforms: bool,
     /// Whether it matters which lanes execute.
     masked: bool,
@@ -139,6 +140,7 @@ impl Program {
             textures: lowered.textures,
             slots: lowered.slots,
             discards: lowered.discards,
+            queries_lod: lowered.queries_lod,
             reads_uniforms: lowered.reads_uniforms,
         }
     }
@@ -156,6 +158,12 @@ impl Program {
     /// Whether any lane can be thrown away.
     pub fn discards(&self) -> bool {
         self.discards
+    }
+
+    /// Whether it asks for levels of detail, which must then be right even where no texture of the
+    /// draw needs them.
+    pub fn queries_lod(&self) -> bool {
+        self.queries_lod
     }
 
     /// The texture slots that the program samples, ascending.

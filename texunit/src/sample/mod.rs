@@ -13,6 +13,7 @@ mod filter;
 mod footprint;
 pub(crate) mod lod;
 pub(crate) mod plain;
+pub(crate) mod query;
 mod seamless;
 mod taps;
 pub(crate) mod texel;
@@ -46,17 +47,7 @@ impl Kernel for Sample<'_> {
             Some(_) => unit_range(reference.unwrap_or(coords[2])),
             None => F32s::ZERO,
         };
-        let mut at = Coordinates { given: coords, face: U32s::ZERO, layer: U32s::ZERO, st: None };
-        match texture.shape {
-            Shape::D1 | Shape::D2 | Shape::Rect | Shape::D3 => {}
-            Shape::D1Array => at.layer = wrap::layer(coords[1], texture.size[2]),
-            Shape::D2Array => at.layer = wrap::layer(coords[2], texture.size[2]),
-            Shape::Cube => {
-                let projected = cube::project(coords);
-                at.face = projected.face;
-                at.st = Some(projected.st);
-            }
-        }
+        let at = Coordinates::new(texture, coords);
         let (taps, probes) = taps::taps::<S>(texture, &at, lod);
         let samples = Samples { texture, offset, reference: &reference };
         sample_probes::<S>(&samples, &at, &taps, probes.as_ref(), out);
@@ -77,7 +68,23 @@ pub(crate) struct Coordinates<'a> {
     st: Option<[F32s; 2]>,
 }
 
-impl Coordinates<'_> {
+impl<'a> Coordinates<'a> {
+    #[inline(always)]
+    fn new(texture: &Texture, given: [&'a F32s; 3]) -> Self {
+        let mut at = Self { given, face: U32s::ZERO, layer: U32s::ZERO, st: None };
+        match texture.shape {
+            Shape::D1 | Shape::D2 | Shape::Rect | Shape::D3 => {}
+            Shape::D1Array => at.layer = wrap::layer(given[1], texture.size[2]),
+            Shape::D2Array => at.layer = wrap::layer(given[2], texture.size[2]),
+            Shape::Cube => {
+                let projected = cube::project(given);
+                at.face = projected.face;
+                at.st = Some(projected.st);
+            }
+        }
+        at
+    }
+
     /// The coordinates to filter along.
     #[inline(always)]
     fn filtered(&self) -> [&F32s; 3] {

@@ -95,37 +95,7 @@ pub fn taps<S: Simd>(texture: &Texture, at: &Coordinates, lod: Lod<'_>) -> (Taps
     let Detail::PerLane { min, mag, range, probes: most } = &texture.detail else {
         return (fixed::<S>(texture, at), None);
     };
-    let (base, probes, bias) = match lod {
-        Lod::Explicit(lambda) => (*lambda, None, None),
-        Lod::Implicit { bias } | Lod::Gradient { bias, .. } => {
-            let axes = texture.shape.axes();
-            let differences;
-            let mut d = match &lod {
-                Lod::Gradient { dx, dy, .. } => Derivatives { dx: *dx, dy: *dy },
-                Lod::Implicit { .. } | Lod::Explicit(_) => {
-                    let read = if texture.shape == Shape::Cube { 3 } else { axes };
-                    differences = of_quads(at.given, read);
-                    let [dx, dy] = &differences;
-                    Derivatives { dx: dx.each_ref(), dy: dy.each_ref() }
-                }
-            };
-            let on_face;
-            if texture.shape == Shape::Cube {
-                on_face = [
-                    cube::derivatives(&at.face, at.given, d.dx),
-                    cube::derivatives(&at.face, at.given, d.dy),
-                ];
-                let [[dsdx, dtdx], [dsdy, dtdy]] = &on_face;
-                d = Derivatives { dx: [dsdx, dtdx, dtdx], dy: [dsdy, dtdy, dtdy] };
-            }
-            let (base, probes) = if *most > 1 {
-                footprint::anisotropic::<S>(&d, axes, texture.scale, *most as f32)
-            } else {
-                (footprint::isotropic(&d, axes, texture.scale), None)
-            };
-            (base, probes, bias)
-        }
-    };
+    let (base, probes, bias) = base_lambda::<S>(texture, at, lod, *most);
     let lambda = range.lambda(&base, bias);
     let (levels, weight) = range.levels(&lambda);
     if texture.shape != Shape::Cube && min == mag {
@@ -148,6 +118,48 @@ pub fn taps<S: Simd>(texture: &Texture, at: &Coordinates, lod: Lod<'_>) -> (Taps
         weights[lane] = if minified { weight[lane] } else { 0.0 };
     }
     (mixed::<S>(keys, weights), probes)
+}
+
+/// λ of the base level before any bias, the probes of an anisotropic filter (at most so many), and
+/// the bias of the lookup.
+#[inline(always)]
+pub fn base_lambda<'a, S: Simd>(
+    texture: &Texture,
+    at: &Coordinates<'_>,
+    lod: Lod<'a>,
+    most: u32,
+) -> (F32s, Option<Probes>, Option<&'a F32s>) {
+    match lod {
+        Lod::Explicit(lambda) => (*lambda, None, None),
+        Lod::Implicit { bias } | Lod::Gradient { bias, .. } => {
+            let axes = texture.shape.axes();
+            let differences;
+            let mut d = match &lod {
+                Lod::Gradient { dx, dy, .. } => Derivatives { dx: *dx, dy: *dy },
+                Lod::Implicit { .. } | Lod::Explicit(_) => {
+                    let read = if texture.shape == Shape::Cube { 3 } else { axes };
+                    differences = of_quads(at.given, read);
+                    let [dx, dy] = &differences;
+                    Derivatives { dx: dx.each_ref(), dy: dy.each_ref() }
+                }
+            };
+            let on_face;
+            if texture.shape == Shape::Cube {
+                on_face = [
+                    cube::derivatives(&at.face, at.given, d.dx),
+                    cube::derivatives(&at.face, at.given, d.dy),
+                ];
+                let [[dsdx, dtdx], [dsdy, dtdy]] = &on_face;
+                d = Derivatives { dx: [dsdx, dtdx, dtdx], dy: [dsdy, dtdy, dtdy] };
+            }
+            let (base, probes) = if most > 1 {
+                footprint::anisotropic::<S>(&d, axes, texture.scale, most as f32)
+            } else {
+                (footprint::isotropic(&d, axes, texture.scale), None)
+            };
+            (base, probes, bias)
+        }
+    }
 }
 
 /// Where λ decides nothing.

@@ -91,6 +91,12 @@ impl Lowerer<'_> {
                 let lod = Lod::Explicit(arguments.scalar(Some(0)).unwrap_or(zero));
                 Access { access: ir::Access::Size, coords: [zero; 3], reference: None, lod }
             }
+            Lookup::QueryLod => {
+                let [_, zero] = zeros;
+                let coords = arguments.three(values.first().map_or(&[], |v| &v[..]), zero);
+                let lod = Lod::Implicit { bias: None };
+                Access { access: ir::Access::Lod, coords, reference: None, lod }
+            }
         };
         let mut values = self.look_up(&place, slot(kind), &access)?;
         values.truncate(result.scalars() as usize);
