@@ -4,7 +4,7 @@
 use crate::vertex::fetch;
 use std::num::NonZeroU32;
 use std::sync::Arc;
-use texunit::lanes::F32s;
+use texunit::lanes::{F32s, Isa};
 
 /// Bytes that draws read. Cloning shares them.
 #[derive(Clone, Debug, Default)]
@@ -109,7 +109,7 @@ impl VertexSource {
     pub fn read(&self, vertex: u32) -> [f32; 4] {
         let mut lanes = F32s::ZERO;
         [0, 1, 2, 3].map(|component| {
-            fetch::component(self, component, &[vertex], &mut lanes);
+            fetch::component(Isa::BASELINE, self, component, &[vertex], &mut lanes);
             lanes[0]
         })
     }

@@ -4,30 +4,25 @@
 //! pass ends (or the bins are full) every tile runs, in parallel, its part of the whole pass.
 
 use super::buffer::VertexBinding;
+use super::chunk::{DrawState, RUN, TileRun};
 use super::command::{ClearValue, Command, Rect, Viewport};
 use super::counter::Counter;
 use super::device::{Device, SubmitReport};
 use super::image::PassDesc;
-use super::pipeline::{Pipeline, Topology};
+use super::pipeline::Pipeline;
 use super::raster::RasterState;
 use crate::output::{DepthFormat, texel_words};
 use crate::plan::{Counting, DrawPlan, PlanInput, Textures};
-use crate::primitive::{Primitives, Setup, primitives, setup, stipple_lines};
+use crate::primitive::{Setup, primitives};
 use crate::raster::{Chunk, ClearJob, ClearTarget, DrawJob, Entry, PassJob, TileJob, Worker};
-use crate::shader::{OverBudget, Prepared};
 use crate::target::{Surface, TILE, all_bits, component_bits};
-use crate::vertex::{Ids, Unique, VertexStage, ordinals, shade};
+use crate::vertex::Ids;
 use rayon::prelude::*;
-use std::ops::Range;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use texunit::format::Format;
 use texunit::plan::SamplePlan;
 
-/// Primitives of a draw that are shaded and set up together.
-const CHUNK: u32 = 1 << 15;
-/// Primitives that are set up by one task.
-const TASK: u32 = 1 << 11;
 /// Shapes in the bins from which on they are drawn before the pass ends.
 const BINS_FULL: usize = 1 << 20;
 
@@ -42,22 +37,6 @@ struct Bound {
     scissor: Option<Rect>,
     raster: Arc<RasterState>,
     counter: Option<Counter>,
-}
-
-/// What is the same for all chunks of a draw.
-struct DrawState<'a> {
-    /// Its index in the pass.
-    draw: usize,
-    pipeline: &'a Pipeline,
-    ids: &'a Ids<'a>,
-    primitives: Primitives,
-    /// The vertex program's values of this draw.
-    prepared: Prepared,
-    /// The varying slots that the fragment stage reads.
-    slots: Vec<u16>,
-    setup: Setup<'a>,
-    /// How far the line stipple has come, in subpixels.
-    stipple: u32,
 }
 
 /// A pass that is being recorded into bins.
@@ -274,17 +253,20 @@ impl<'a> Pass<'a> {
         let resolution =
             format(&self.depth).and_then(DepthFormat::of).and_then(DepthFormat::resolution);
         let primitives = primitives(desc.topology, desc.provoking, count);
+        let vertices = self.bound.vertices.clone();
+        let textures = self.bound.vertex_textures.clone();
         let mut state = DrawState {
             draw,
+            isa,
+            budget: self.job.budget,
             pipeline: &pipeline,
             ids,
             primitives,
+            bindings: &vertices,
+            textures: &textures,
             stipple: 0,
-            prepared: compiled.vertex.prepare(
-                isa,
-                &self.bound.uniforms,
-                &self.bound.vertex_textures,
-            ),
+            instance: 0,
+            prepared: compiled.vertex.prepare(isa, &self.bound.uniforms, &textures),
             slots: compiled.varyings.iter().map(|&(slot, _)| slot).collect(),
             setup: Setup {
                 viewport: self.bound.viewport,
@@ -298,15 +280,16 @@ impl<'a> Pass<'a> {
             },
         };
         for instance in 0..instances {
-            state.stipple = 0;
+            (state.instance, state.stipple) = (instance, 0);
             let mut start = 0;
-            while start < state.primitives.len {
-                let range = start..state.primitives.len.min(start + CHUNK);
+            while start < primitives.len {
+                let range = start..primitives.len.min(start + RUN);
                 start = range.end;
-                if self.chunk(&mut state, range, instance).is_err() {
+                let Ok(chunks) = state.chunks(range) else {
                     self.job.draws[draw].stopped.store(true, Ordering::Relaxed);
                     return;
-                }
+                };
+                self.take(chunks);
                 if self.shapes >= BINS_FULL {
                     self.run_tiles(report);
                 }
@@ -314,66 +297,17 @@ impl<'a> Pass<'a> {
         }
     }
 
-    /// Shades, sets up and bins a chunk of primitives.
-    fn chunk(
-        &mut self,
-        state: &mut DrawState<'_>,
-        range: Range<u32>,
-        instance: u32,
-    ) -> Result<(), OverBudget> {
-        let desc = state.pipeline.desc();
-        let ordinals = ordinals(desc.topology, &state.primitives, &range);
-        let wanted: Vec<u32> = ordinals.iter().map(|ordinal| state.ids.get(ordinal)).collect();
-        let unique = Unique::of(&wanted, state.ids);
-        let stage = VertexStage {
-            isa: self.job.isa,
-            budget: self.job.budget,
-            program: &state.pipeline.compiled().vertex,
-            prepared: &state.prepared,
-            textures: &self.bound.vertex_textures,
-            bindings: &self.bound.vertices,
-            viewport: state.setup.viewport,
-            varyings: &state.slots,
-            point: &state.setup.raster.point,
-            edge_flag: state.setup.raster.polygon.edge_flag,
-        };
-        let geometry = shade(&stage, &unique.ids, instance)?;
-        let local = |ordinal: u32| unique.local(&ordinals, &wanted, ordinal);
-        let task = |start: u32| {
-            let task = start..range.end.min(start + TASK);
-            let mut shapes = Vec::with_capacity(task.len());
-            let of_task = task.map(|i| state.primitives.get(i));
-            setup(&state.setup, &geometry, of_task, local, &mut shapes);
-            shapes
-        };
-        let mut shapes = if range.len() <= TASK as usize {
-            task(range.start)
-        } else {
-            let starts: Vec<u32> = range.clone().step_by(TASK as usize).collect();
-            starts.into_par_iter().map(task).collect::<Vec<_>>().concat()
-        };
-        let chunk = self.job.chunks.len() as u32;
-        match desc.topology {
-            Topology::LineStrip | Topology::LineLoop => {
-                let line = &state.setup.raster.line;
-                state.stipple = stipple_lines(line, &mut shapes, state.stipple);
+    /// Puts chunks into the bins of their tiles.
+    fn take(&mut self, chunks: Vec<(Chunk, Vec<TileRun>)>) {
+        for (chunk, runs) in chunks {
+            let index = self.job.chunks.len() as u32;
+            for TileRun { tile: [x, y], first, end } in runs {
+                let bin = &mut self.bins[(y * self.across + x) as usize];
+                bin.push(Entry::Shapes { chunk: index, first, end });
             }
-            Topology::Points
-            | Topology::Lines
-            | Topology::Triangles
-            | Topology::TriangleStrip
-            | Topology::TriangleFan
-            | Topology::Quads
-            | Topology::QuadStrip
-            | Topology::Polygon => {}
+            self.shapes += chunk.shapes.len();
+            self.job.chunks.push(chunk);
         }
-        for (index, shape) in shapes.iter().enumerate() {
-            let [low, high] = shape.bounds.map(|pixel| pixel.map(i32::from));
-            self.bin(low, high, Entry::Shape(chunk, index as u32));
-        }
-        self.shapes += shapes.len();
-        self.job.chunks.push(Chunk { draw: state.draw, geometry, shapes });
-        Ok(())
     }
 
     /// Runs every tile that has something to do, and empties the bins.

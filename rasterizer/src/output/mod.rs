@@ -13,6 +13,6 @@ mod stencil;
 pub use color::ColorPlan;
 pub use depth::{DepthFormat, DepthPlan};
 pub use encode::{decode_color, encode_color, texel_words};
-pub use mask::{expand_mask, pack_mask};
+pub use mask::expand_mask;
 pub use merge::{Fragments, Tests, test, write};
 pub use stencil::StencilPlan;

@@ -11,6 +11,8 @@ mod coverage;
 mod group;
 mod interpolate;
 mod samples;
+mod shade;
+mod small;
 mod tile;
 
 pub use clear::{ClearJob, ClearTarget};

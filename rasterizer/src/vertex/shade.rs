@@ -202,7 +202,7 @@ impl VertexStage<'_> {
         let mut flags = Vec::with_capacity(ids.len());
         for ids in ids.chunks(LANES) {
             let mut lanes = F32s::ZERO;
-            fetch::component(&binding.source, 0, ids, &mut lanes);
+            fetch::component(self.isa, &binding.source, 0, ids, &mut lanes);
             flags.extend_from_slice(&lanes.0[..ids.len()]);
         }
         flags
@@ -236,11 +236,11 @@ impl VertexStage<'_> {
             let lanes = machine.input_mut(index);
             match source {
                 Source::Attribute(source, component) => {
-                    fetch::component(source, *component, ids, lanes.as_f32_mut());
+                    fetch::component(self.isa, source, *component, ids, lanes.as_f32_mut());
                 }
                 Source::Instanced(source, component, divisor) => {
                     let element = *instance / *divisor;
-                    fetch::component(source, *component, &[element], lanes.as_f32_mut());
+                    fetch::component(self.isa, source, *component, &[element], lanes.as_f32_mut());
                     *lanes = U32s::splat(lanes[0]);
                 }
                 Source::Missing(value) => lanes.0 = [value.to_bits(); LANES],
