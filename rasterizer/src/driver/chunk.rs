@@ -4,9 +4,10 @@
 use super::buffer::VertexBinding;
 use super::pipeline::{Pipeline, Topology};
 use crate::plan::Textures;
+use crate::pool::Pool;
 use crate::primitive::{Primitives, Setup, Shape, setup, stipple_lines};
 use crate::raster::Chunk;
-use crate::shader::{OverBudget, Prepared};
+use crate::shader::{Machine, OverBudget, Prepared};
 use crate::target::TILE;
 use crate::vertex::{Geometry, Ids, Ordinals, Unique, VertexStage, ordinals, shade};
 use rayon::prelude::*;
@@ -25,6 +26,7 @@ pub struct DrawState<'a> {
     pub draw: usize,
     pub isa: Isa,
     pub budget: u64,
+    pub machines: &'a Pool<Machine>,
     pub pipeline: &'a Pipeline,
     pub ids: &'a Ids<'a>,
     pub primitives: Primitives,
@@ -32,7 +34,7 @@ pub struct DrawState<'a> {
     /// The vertex program's textures.
     pub textures: &'a Textures,
     /// The vertex program's values of this draw.
-    pub prepared: Prepared,
+    pub prepared: Arc<Prepared>,
     /// The varying slots that the fragment stage reads.
     pub slots: Vec<u16>,
     pub setup: Setup<'a>,
@@ -129,6 +131,7 @@ impl DrawState<'_> {
             budget: self.budget,
             program: &self.pipeline.compiled().vertex,
             prepared: &self.prepared,
+            machines: self.machines,
             textures: self.textures,
             bindings: self.bindings,
             viewport: self.setup.viewport,

@@ -2,6 +2,9 @@
 
 use super::command::CommandBuffer;
 use super::{check, submit};
+use crate::pool::Pool;
+use crate::raster::Worker;
+use crate::shader::Machine;
 use parking_lot::Mutex;
 use std::collections::BTreeSet;
 use texunit::lanes::{Isa, IsaError};
@@ -96,6 +99,10 @@ pub struct SubmitReport {
 pub struct Device {
     desc: DeviceDesc,
     pool: rayon::ThreadPool,
+    /// What runs vertex programs.
+    pub(crate) machines: Pool<Machine>,
+    /// What draws tiles.
+    pub(crate) workers: Pool<Worker>,
     /// The plans seen so far.
     explained: Mutex<BTreeSet<String>>,
     kept: Mutex<Vec<String>>,
@@ -112,7 +119,14 @@ impl Device {
             .thread_name(|index| format!("detgl-{index}"))
             .build()
             .map_err(|error| DeviceError::Pool(error.to_string()))?;
-        Ok(Self { desc, pool, explained: Mutex::default(), kept: Mutex::default() })
+        Ok(Self {
+            desc,
+            pool,
+            machines: Pool::default(),
+            workers: Pool::default(),
+            explained: Mutex::default(),
+            kept: Mutex::default(),
+        })
     }
 
     /// What it was made from.

@@ -14,7 +14,8 @@ use super::raster::RasterState;
 use crate::output::{DepthFormat, texel_words};
 use crate::plan::{Counting, DrawPlan, PlanInput, Textures};
 use crate::primitive::{Setup, primitives};
-use crate::raster::{Chunk, ClearJob, ClearTarget, DrawJob, Entry, PassJob, TileJob, Worker};
+use crate::raster::{Chunk, ClearJob, ClearTarget, DrawJob, Entry, PassJob, TileJob};
+use crate::shader::Prepared;
 use crate::target::{Surface, TILE, all_bits, component_bits};
 use crate::vertex::Ids;
 use rayon::prelude::*;
@@ -37,6 +38,62 @@ struct Bound {
     scissor: Option<Rect>,
     raster: Arc<RasterState>,
     counter: Option<Counter>,
+    /// What the draw before decided, while nothing that matters to it has changed.
+    decided: Option<Decided>,
+}
+
+/// What draws with the same state share.
+#[derive(Clone)]
+struct Decided {
+    plan: Arc<DrawPlan>,
+    /// The vertex program's values.
+    vertex: Arc<Prepared>,
+}
+
+impl Bound {
+    /// Takes one command that sets state; what draws decided is forgotten where it matters.
+    fn set(&mut self, command: &Command) {
+        match command {
+            Command::BindPipeline(pipeline) => self.pipeline = Some(pipeline.clone()),
+            Command::BindTextures { vertex, fragment } => {
+                if same_textures(vertex, &self.vertex_textures)
+                    && same_textures(fragment, &self.fragment_textures)
+                {
+                    return;
+                }
+                self.vertex_textures = vertex.clone();
+                self.fragment_textures = fragment.clone();
+            }
+            Command::SetUniforms(words) => self.uniforms = words.clone(),
+            Command::SetRaster(raster) => self.raster = raster.clone(),
+            Command::SetViewport(viewport) => self.viewport = *viewport,
+            Command::SetCounter(counter) => self.counter = counter.clone(),
+            Command::BindVertices(bindings) => {
+                self.vertices = bindings.clone();
+                return;
+            }
+            Command::SetScissor(scissor) => {
+                self.scissor = *scissor;
+                return;
+            }
+            Command::BeginPass(_)
+            | Command::EndPass
+            | Command::Clear { .. }
+            | Command::Draw { .. }
+            | Command::DrawIndexed { .. } => return,
+        }
+        self.decided = None;
+    }
+}
+
+/// Whether two lists are of the same plans.
+fn same_textures(a: &Textures, b: &Textures) -> bool {
+    let same = |(a, b): (&Option<Arc<SamplePlan>>, &Option<Arc<SamplePlan>>)| match (a, b) {
+        (Some(a), Some(b)) => Arc::ptr_eq(a, b),
+        (None, None) => true,
+        (Some(_), None) | (None, Some(_)) => false,
+    };
+    a.len() == b.len() && a.iter().zip(b.iter()).all(same)
 }
 
 /// A pass that is being recorded into bins.
@@ -92,6 +149,7 @@ impl<'a> Pass<'a> {
                 scissor: None,
                 counter: None,
                 raster: Arc::default(),
+                decided: None,
             },
         }
     }
@@ -99,18 +157,16 @@ impl<'a> Pass<'a> {
     /// Takes one command of the pass.
     pub fn command(&mut self, index: usize, command: &Command, report: &mut SubmitReport) {
         match command {
-            Command::BeginPass(_) | Command::EndPass => {}
-            Command::BindPipeline(pipeline) => self.bound.pipeline = Some(pipeline.clone()),
-            Command::BindVertices(bindings) => self.bound.vertices = bindings.clone(),
-            Command::BindTextures { vertex, fragment } => {
-                self.bound.vertex_textures = vertex.clone();
-                self.bound.fragment_textures = fragment.clone();
-            }
-            Command::SetUniforms(words) => self.bound.uniforms = words.clone(),
-            Command::SetRaster(raster) => self.bound.raster = raster.clone(),
-            Command::SetViewport(viewport) => self.bound.viewport = *viewport,
-            Command::SetScissor(scissor) => self.bound.scissor = *scissor,
-            Command::SetCounter(counter) => self.bound.counter = counter.clone(),
+            Command::BeginPass(_)
+            | Command::EndPass
+            | Command::BindPipeline(_)
+            | Command::BindVertices(_)
+            | Command::BindTextures { .. }
+            | Command::SetUniforms(_)
+            | Command::SetRaster(_)
+            | Command::SetViewport(_)
+            | Command::SetScissor(_)
+            | Command::SetCounter(_) => self.bound.set(command),
             Command::Clear { value, area } => self.clear(*value, *area),
             &Command::Draw { first, count, instances } => {
                 self.draw(index, &Ids::Range(first), count, instances, report);
@@ -219,30 +275,11 @@ impl<'a> Pass<'a> {
             return;
         }
         let inner = self.inner_area(area);
-        let surface = self.colors.iter().flatten().chain(&self.depth).next();
-        let samples = surface.map_or(1, |surface| surface.samples);
-        let raster = self.bound.raster.clone().for_samples(samples);
-        let isa = self.job.isa;
-        let format = |surface: &Option<Surface>| surface.as_ref().map(|s| s.format);
-        let formats: Vec<Option<Format>> = self.colors.iter().map(format).collect();
-        let plan = DrawPlan::new(
-            &pipeline,
-            PlanInput {
-                isa,
-                colors: &formats,
-                depth: format(&self.depth),
-                samples,
-                uniforms: &self.bound.uniforms,
-                textures: self.bound.fragment_textures.clone(),
-                viewport: self.bound.viewport,
-                raster: raster.clone(),
-                counting: match self.bound.counter {
-                    Some(_) => Counting::On,
-                    None => Counting::Off,
-                },
-            },
-        );
-        self.device.explain(&|| plan.describe());
+        let Decided { plan, vertex } = match &self.bound.decided {
+            Some(decided) => decided.clone(),
+            None => self.decide(&pipeline),
+        };
+        let raster = plan.raster.clone();
         let draw = self.job.draws.len();
         let (counter, stopped) = (self.bound.counter.clone(), AtomicBool::new(false));
         self.job.draws.push(DrawJob { plan, area: inner, counter, stopped });
@@ -250,15 +287,16 @@ impl<'a> Pass<'a> {
 
         let compiled = pipeline.compiled();
         let desc = pipeline.desc();
-        let resolution =
-            format(&self.depth).and_then(DepthFormat::of).and_then(DepthFormat::resolution);
+        let depth = self.depth.as_ref().map(|surface| surface.format);
+        let resolution = depth.and_then(DepthFormat::of).and_then(DepthFormat::resolution);
         let primitives = primitives(desc.topology, desc.provoking, count);
         let vertices = self.bound.vertices.clone();
         let textures = self.bound.vertex_textures.clone();
         let mut state = DrawState {
             draw,
-            isa,
+            isa: self.job.isa,
             budget: self.job.budget,
+            machines: &self.device.machines,
             pipeline: &pipeline,
             ids,
             primitives,
@@ -266,7 +304,7 @@ impl<'a> Pass<'a> {
             textures: &textures,
             stipple: 0,
             instance: 0,
-            prepared: compiled.vertex.prepare(isa, &self.bound.uniforms, &textures),
+            prepared: vertex,
             slots: compiled.varyings.iter().map(|&(slot, _)| slot).collect(),
             setup: Setup {
                 viewport: self.bound.viewport,
@@ -295,6 +333,38 @@ impl<'a> Pass<'a> {
                 }
             }
         }
+    }
+
+    /// Decides how to draw with what is bound.
+    fn decide(&mut self, pipeline: &Pipeline) -> Decided {
+        let surface = self.colors.iter().flatten().chain(&self.depth).next();
+        let samples = surface.map_or(1, |surface| surface.samples);
+        let format = |surface: &Option<Surface>| surface.as_ref().map(|s| s.format);
+        let formats: Vec<Option<Format>> = self.colors.iter().map(format).collect();
+        let (isa, bound) = (self.job.isa, &mut self.bound);
+        let plan = DrawPlan::new(
+            pipeline,
+            PlanInput {
+                isa,
+                colors: &formats,
+                depth: format(&self.depth),
+                samples,
+                uniforms: &bound.uniforms,
+                textures: bound.fragment_textures.clone(),
+                viewport: bound.viewport,
+                raster: bound.raster.clone().for_samples(samples),
+                counting: match bound.counter {
+                    Some(_) => Counting::On,
+                    None => Counting::Off,
+                },
+            },
+        );
+        self.device.explain(&|| plan.describe());
+        let vertex = &pipeline.compiled().vertex;
+        let vertex = vertex.prepare(isa, &bound.uniforms, &bound.vertex_textures);
+        let decided = Decided { plan: Arc::new(plan), vertex: Arc::new(vertex) };
+        bound.decided = Some(decided.clone());
+        decided
     }
 
     /// Puts chunks into the bins of their tiles.
@@ -332,11 +402,11 @@ impl<'a> Pass<'a> {
             });
             homes.push((tx, ty));
         }
-        let job = &self.job;
+        let (job, workers) = (&self.job, &self.device.workers);
         tiles
             .par_iter_mut()
             .with_max_len(1)
-            .for_each_init(Worker::default, |worker, tile| worker.run(job, tile));
+            .for_each_init(|| workers.lend(), |worker, tile| worker.get().run(job, tile));
         for (tile, (tx, ty)) in tiles.into_iter().zip(homes) {
             let surfaces = self.colors.iter_mut().chain([&mut self.depth]);
             for (surface, target) in surfaces.zip(tile.colors.into_iter().chain([tile.depth])) {

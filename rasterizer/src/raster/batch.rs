@@ -153,8 +153,14 @@ impl Batch {
         self.len = 0;
         self.masks = [0; MAX_SAMPLES];
         self.tested = 0;
-        let none = QuadPlane { corner: [0.0; QUADS], a: [0.0; QUADS], b: [0.0; QUADS] };
-        self.planes.resize(planes, none);
+        self.resize(planes);
+    }
+
+    fn resize(&mut self, planes: usize) {
+        if self.planes.len() != planes {
+            let none = QuadPlane { corner: [0.0; QUADS], a: [0.0; QUADS], b: [0.0; QUADS] };
+            self.planes.resize(planes, none);
+        }
     }
 
     /// Adds one quad of a block; `from` is its quad in `masks`, the covered lanes by sample.
@@ -165,8 +171,8 @@ impl Batch {
         self.blocks[at] = of.block as u8;
         self.quads[at] = quad as u8;
         self.waiting[of.block] |= 1 << quad;
-        self.dx[at] = (quad % 4 * 2) as f32;
-        self.dy[at] = (quad / 4 * 2) as f32;
+        self.dx[at] = QUAD_X[quad % QUADS];
+        self.dy[at] = QUAD_Y[quad % QUADS];
         self.x[at] = of.x as f32;
         self.y[at] = of.y as f32;
         self.front[at] = front_word(of.facing);
@@ -190,22 +196,18 @@ impl Batch {
         }
     }
 
-    /// Makes it a whole block.
+    /// Makes it a whole block. A batch that is one never holds quads of others.
     pub fn set_block(&mut self, of: &BlockOf<'_>, masks: &[u64], planes: usize) {
-        self.clear(planes);
+        self.resize(planes);
         self.len = QUADS;
         self.block = Some(of.block);
-        if of.tests == EarlyTests::Done {
-            self.tested = !0;
-        }
-        for (mask, lanes) in self.masks.iter_mut().zip(masks) {
-            *mask = *lanes;
-        }
-        // Its quads are not noted in `blocks`: a whole block runs at once and never waits.
-        for quad in 0..QUADS {
-            self.dx[quad] = (quad % 4 * 2) as f32;
-            self.dy[quad] = (quad / 4 * 2) as f32;
-        }
+        self.masks = [0; MAX_SAMPLES];
+        self.masks[..masks.len()].copy_from_slice(masks);
+        self.tested = match of.tests {
+            EarlyTests::Done => !0,
+            EarlyTests::Due => 0,
+        };
+        (self.dx, self.dy) = (QUAD_X, QUAD_Y);
         self.x = [of.x as f32; QUADS];
         self.y = [of.y as f32; QUADS];
         self.front = [front_word(of.facing); QUADS];
@@ -219,6 +221,13 @@ impl Batch {
         }
     }
 }
+
+/// Column of each quad's first pixel in its block.
+const QUAD_X: [f32; QUADS] =
+    [0.0, 2.0, 4.0, 6.0, 0.0, 2.0, 4.0, 6.0, 0.0, 2.0, 4.0, 6.0, 0.0, 2.0, 4.0, 6.0];
+/// Row of each quad's first pixel in its block.
+const QUAD_Y: [f32; QUADS] =
+    [0.0, 0.0, 0.0, 0.0, 2.0, 2.0, 2.0, 2.0, 4.0, 4.0, 4.0, 4.0, 6.0, 6.0, 6.0, 6.0];
 
 fn front_word(facing: Facing) -> u32 {
     match facing {

@@ -27,7 +27,7 @@ const WINDOWS_FROM: usize = 4;
 #[derive(Debug)]
 pub struct DrawJob {
     /// Its decisions.
-    pub plan: DrawPlan,
+    pub plan: Arc<DrawPlan>,
     /// First and one past the last pixel its triangles may touch, x then y.
     pub area: [[i32; 2]; 2],
     /// What counts the samples that pass its tests.

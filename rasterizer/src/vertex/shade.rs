@@ -4,6 +4,7 @@ use super::fetch;
 use super::place::{Place, Placed, ShadedVertex, cut};
 use crate::driver::{PointSize, PointState, VertexBinding, VertexSource, Viewport};
 use crate::ir::{Input, Output};
+use crate::pool::Pool;
 use crate::primitive::{Corner, MAX_DISTANCES};
 use crate::shader::{Machine, OverBudget, Prepared, Program, Run};
 use rayon::prelude::*;
@@ -61,6 +62,8 @@ pub struct VertexStage<'a> {
     pub program: &'a Program,
     /// Its values of this draw.
     pub prepared: &'a Prepared,
+    /// What runs it.
+    pub machines: &'a Pool<Machine>,
     /// Its textures.
     pub textures: &'a [Option<Arc<SamplePlan>>],
     /// Its attributes.
@@ -95,9 +98,9 @@ pub fn shade(stage: &VertexStage<'_>, ids: &[u32], instance: u32) -> Result<Geom
     let mut plane = 0..;
     let outputs = stage.program.outputs().iter();
     let targets: Vec<Target> = outputs.map(|&o| stage.target(o, &mut plane)).collect();
-    let new_machine = || {
-        let mut machine = Machine::default();
-        machine.begin(stage.program);
+    let lend = || {
+        let mut machine = stage.machines.lend();
+        machine.get().begin(stage.program);
         machine
     };
     let vertices = geometry.vertices.chunks_mut(LANES);
@@ -114,17 +117,14 @@ pub fn shade(stage: &VertexStage<'_>, ids: &[u32], instance: u32) -> Result<Geom
         })
         .collect();
     if batches.len() <= 4 {
-        let mut machine = new_machine();
+        let mut machine = lend();
         for batch in &mut batches {
-            stage.batch(&mut machine, &sources, &targets, batch)?;
+            stage.batch(machine.get(), &sources, &targets, batch)?;
         }
     } else {
-        batches
-            .par_iter_mut()
-            .with_min_len(4)
-            .try_for_each_init(new_machine, |machine, batch| {
-                stage.batch(machine, &sources, &targets, batch)
-            })?;
+        batches.par_iter_mut().with_min_len(4).try_for_each_init(lend, |machine, batch| {
+            stage.batch(machine.get(), &sources, &targets, batch)
+        })?;
     }
     Ok(geometry)
 }
