@@ -11,6 +11,17 @@ pub const GL_3_BYTES: u32 = 0x1408;
 /// `GL_4_BYTES`, 0x1409, which no version of the registry requires.
 pub const GL_4_BYTES: u32 = 0x1409;
 
+/// `GL_2D`, 0x0600, which no version of the registry requires.
+pub const GL_2D: u32 = 0x0600;
+/// `GL_3D`, 0x0601, as [`GL_2D`].
+pub const GL_3D: u32 = 0x0601;
+/// `GL_3D_COLOR`, 0x0602, as [`GL_2D`].
+pub const GL_3D_COLOR: u32 = 0x0602;
+/// `GL_3D_COLOR_TEXTURE`, 0x0603, as [`GL_2D`].
+pub const GL_3D_COLOR_TEXTURE: u32 = 0x0603;
+/// `GL_4D_COLOR_TEXTURE`, 0x0604, as [`GL_2D`].
+pub const GL_4D_COLOR_TEXTURE: u32 = 0x0604;
+
 /// `GL_COMPRESSED_LUMINANCE_ALPHA_3DC_ATI` of `ATI_texture_compression_3dc`, which the registry
 /// lists under no extension.
 pub const GL_COMPRESSED_LUMINANCE_ALPHA_3DC_ATI: u32 = 0x8837;

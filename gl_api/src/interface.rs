@@ -13,8 +13,8 @@ pub const MAX_VERTEX_ATTRIBS: u8 = 16;
 pub const MAX_TEXTURE_UNITS: u8 = 8;
 /// How many lights there are (`GL_MAX_LIGHTS`).
 pub const MAX_LIGHTS: u8 = 8;
-/// How many user clip planes there are (`GL_MAX_CLIP_PLANES`).
-pub const MAX_CLIP_PLANES: u8 = 6;
+/// How many user clip planes and clip distances there are (`GL_MAX_CLIP_PLANES`).
+pub const MAX_CLIP_PLANES: u8 = 8;
 /// How many samplers each stage of a program may use (`GL_MAX_TEXTURE_IMAGE_UNITS`,
 /// `GL_MAX_VERTEX_TEXTURE_IMAGE_UNITS`).
 pub const MAX_TEXTURE_IMAGE_UNITS: u8 = 16;
@@ -34,8 +34,13 @@ pub const ATTRIB_SECONDARY_COLOR: u8 = 19;
 pub const ATTRIB_FOG_COORD: u8 = 20;
 /// Location of the edge flag, which no shader reads.
 pub const ATTRIB_EDGE_FLAG: u8 = 21;
+/// Location of the colour index, which no shader reads.
+pub const ATTRIB_INDEX: u8 = 22;
 /// Location of `gl_MultiTexCoord0`; the other units follow.
 pub const ATTRIB_TEX_COORD: u8 = 24;
+/// First location of the materials of vertices, where `glMaterial` stands between `glBegin` and
+/// `glEnd`: [`crate::state::material::Column`].
+pub const ATTRIB_MATERIAL: u8 = 32;
 
 /// First of the four slots of `gl_FrontColor` / `gl_Color`.
 pub const VARYING_COLOR: u16 = 0;

@@ -37,7 +37,7 @@
 //! | [`glsl`], [`interface`] | the GLSL front end, and where programs and state meet |
 //! | `fixed` | the fixed function as generated shaders |
 //! | `draw` | vertices, draw calls, and their translation into driver commands |
-//! | `list` | display lists |
+//! | `list`, `evaluate`, `feedback` | display lists, evaluators, selection and feedback |
 //! | `query` | `glGet` |
 //! | [`glu`] | the utility library over the free functions |
 #![deny(unsafe_code)]
@@ -49,6 +49,9 @@ mod draw;
 pub mod entry;
 mod env;
 pub mod error;
+mod evaluate;
+pub mod explain;
+mod feedback;
 mod fixed;
 mod framebuffer;
 pub mod glsl;

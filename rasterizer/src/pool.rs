@@ -2,6 +2,9 @@
 
 use parking_lot::Mutex;
 
+/// As many of the values that nobody gives back by itself are kept.
+const KEPT: usize = 64;
+
 /// Values that nobody uses now.
 #[derive(Debug, Default)]
 pub struct Pool<T>(Mutex<Vec<T>>);
@@ -10,6 +13,19 @@ impl<T: Default> Pool<T> {
     /// One of them, or a new one.
     pub fn lend(&self) -> Lent<'_, T> {
         Lent { value: self.0.lock().pop(), home: self }
+    }
+
+    /// One of them for as long as anybody likes, or a new one.
+    pub fn take(&self) -> T {
+        self.0.lock().pop().unwrap_or_default()
+    }
+
+    /// Keeps a value for others, unless there are enough.
+    pub fn give(&self, value: T) {
+        let mut all = self.0.lock();
+        if all.len() < KEPT {
+            all.push(value);
+        }
     }
 }
 

@@ -7,6 +7,7 @@
 use super::param::{Counted, TERMINATED};
 use crate::constants::*;
 use crate::entry::with_current;
+use crate::evaluate::map::MAX_EVAL_ORDER;
 use crate::types::GLenum;
 
 /// What the registry says of a parameter.
@@ -233,7 +234,9 @@ pub(crate) fn values(pname: GLenum) -> usize {
         | GL_ALIASED_LINE_WIDTH_RANGE
         | GL_MAP1_GRID_DOMAIN
         | GL_MAP2_GRID_SEGMENTS => 2,
-        GL_COMPRESSED_TEXTURE_FORMATS => crate::texture::internal::COMPRESSED_FORMAT.rows.len(),
+        GL_COMPRESSED_TEXTURE_FORMATS => {
+            crate::texture::internal::general_purpose_formats().count()
+        }
         _ => 1,
     }
 }
@@ -271,8 +274,10 @@ fn map_components(target: GLenum) -> usize {
     }
 }
 
+/// Numbers between the first and the last point; an order that the call refuses reads nothing.
 fn steps(stride: isize, order: isize) -> usize {
     let (stride, order) = (usize::try_from(stride), usize::try_from(order));
+    let order = order.ok().filter(|order| *order <= MAX_EVAL_ORDER);
     stride.unwrap_or(0).saturating_mul(order.unwrap_or(0).saturating_sub(1))
 }
 

@@ -8,7 +8,8 @@ use crate::entry::TextOut;
 use crate::error::{
     ErrorCode, GlError, Result, Table, invalid_enum, invalid_operation, invalid_value, not_negative,
 };
-use crate::query::put;
+use crate::feedback::modes;
+use crate::query::{arrays, put};
 use crate::types::*;
 
 const SECTION: &str = "KHR_debug, section 5.5";
@@ -327,7 +328,7 @@ pub(crate) fn get_pointerv(
     let address = match pname {
         GL_DEBUG_CALLBACK_FUNCTION => context.debug.log.procedure(),
         GL_DEBUG_CALLBACK_USER_PARAM => context.debug.log.user(),
-        _ => match crate::draw::arrays::pointer(context, pname) {
+        _ => match arrays::pointer(context, pname).or_else(|| modes::pointer(context, pname)) {
             Some(address) => address,
             None => {
                 return invalid_enum(

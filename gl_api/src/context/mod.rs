@@ -11,6 +11,9 @@ use crate::draw::Recorder;
 use crate::draw::immediate::Immediate;
 use crate::entry::{Fallback, Place};
 use crate::error::{GlError, Result, invalid_operation};
+use crate::evaluate::Maps;
+use crate::explain::Watched;
+use crate::feedback::Feedback;
 use crate::framebuffer::Window;
 use crate::glsl::Repairs;
 use crate::list::{Compiling, Lists};
@@ -90,6 +93,10 @@ pub struct Context {
     pub(crate) compiling: Option<Compiling>,
     pub(crate) attribs: AttribStacks,
     pub(crate) queries: ActiveQueries,
+    /// The control points of evaluators.
+    pub(crate) evaluators: Maps,
+    /// Selection and feedback.
+    pub(crate) feedback: Feedback,
     /// The contexts that this one shares objects with.
     group: Option<Group>,
     /// Whether a call runs.
@@ -97,6 +104,8 @@ pub struct Context {
     pub(crate) repairs: Repairs,
     /// Where an OSMesa client wants the picture.
     pub(crate) mirror: Option<Mirror>,
+    /// The pixel that is watched.
+    pub(crate) watched: Option<Box<Watched>>,
 }
 
 /// The device that contexts share which bring none.
@@ -138,10 +147,13 @@ impl Context {
             compiling: None,
             attribs: AttribStacks::default(),
             queries: ActiveQueries::default(),
+            evaluators: Maps::default(),
+            feedback: Feedback::default(),
             group: None,
             entered: Entered::No,
             repairs,
             mirror: None,
+            watched: None,
         })
     }
 

@@ -11,7 +11,6 @@ use crate::error::{
     ErrorCode, GlError, Result, Table, invalid_operation, invalid_value, not_negative,
 };
 use crate::interface::*;
-use crate::query::put;
 use crate::state::LOCATIONS;
 use crate::types::*;
 use rasterizer::driver::{Buffer, VertexFormat, VertexSource, VertexType};
@@ -54,9 +53,9 @@ pub(crate) struct Arrays {
 impl Default for Arrays {
     fn default() -> Self {
         Self {
-            by_location: std::array::from_fn(|_| Array {
+            by_location: std::array::from_fn(|location| Array {
                 enabled: false,
-                components: 4,
+                components: if location == usize::from(ATTRIB_SECONDARY_COLOR) { 3 } else { 4 },
                 ty: VertexType::F32,
                 format: VertexFormat::Plain,
                 stride: 0,
@@ -180,7 +179,20 @@ const NORMAL_TYPE: Table<VertexType> =
 const FOG_TYPE: Table<VertexType> =
     Table { section: "GL 2.1, table 2.4", rows: ALL_TYPES.split_at(4).0.split_at(2).1 };
 /// Of colours and generic attributes.
-const ANY_TYPE: Table<VertexType> = Table { section: "GL 2.1, table 2.4", rows: ALL_TYPES };
+pub(crate) const ANY_TYPE: Table<VertexType> =
+    Table { section: "GL 2.1, table 2.4", rows: ALL_TYPES };
+
+/// Of colour indices.
+const INDEX_TYPE: Table<VertexType> = Table {
+    section: "GL 2.1, table 2.4",
+    rows: &[
+        (GL_UNSIGNED_BYTE, VertexType::U8),
+        (GL_SHORT, VertexType::I16),
+        (GL_INT, VertexType::I32),
+        (GL_FLOAT, VertexType::F32),
+        (GL_DOUBLE, VertexType::F64),
+    ],
+};
 
 /// Of generic attributes that stay integers.
 const INTEGER_TYPE: Table<VertexType> = Table {
@@ -308,6 +320,16 @@ pub(crate) fn fog_coord_pointer(
     set(context, ATTRIB_FOG_COORD, &rules, 1, ty, stride, pointer)
 }
 
+pub(crate) fn index_pointer(
+    context: &mut Context,
+    ty: GLenum,
+    stride: GLsizei,
+    pointer: Data<'_>,
+) -> Result<()> {
+    let rules = Rules { sizes: 1..=1, types: INDEX_TYPE, format: VertexFormat::Plain };
+    set(context, ATTRIB_INDEX, &rules, 1, ty, stride, pointer)
+}
+
 pub(crate) fn edge_flag_pointer(
     context: &mut Context,
     stride: GLsizei,
@@ -383,116 +405,4 @@ pub(crate) fn enable_vertex_attrib_array(context: &mut Context, index: GLuint) -
 pub(crate) fn disable_vertex_attrib_array(context: &mut Context, index: GLuint) -> Result<()> {
     context.state.arrays.by_location[usize::from(generic(index)?)].enabled = false;
     Ok(())
-}
-
-/// Where an array begins: an offset into its buffer, or an address.
-fn address(array: &Array) -> usize {
-    match &array.source {
-        Source::Client(buffer) if buffer.bytes().is_empty() => 0,
-        Source::Client(buffer) => buffer.bytes().as_ptr() as usize,
-        Source::Pointer(pointer) => pointer.offset(),
-        Source::Object { offset, .. } => *offset,
-    }
-}
-
-/// Where a conventional array begins, by the name that `glGetPointerv` has for it.
-pub(crate) fn pointer(context: &Context, pname: GLenum) -> Option<usize> {
-    let location = match pname {
-        GL_VERTEX_ARRAY_POINTER => ATTRIB_VERTEX,
-        GL_NORMAL_ARRAY_POINTER => ATTRIB_NORMAL,
-        GL_COLOR_ARRAY_POINTER => ATTRIB_COLOR,
-        GL_SECONDARY_COLOR_ARRAY_POINTER => ATTRIB_SECONDARY_COLOR,
-        GL_FOG_COORD_ARRAY_POINTER => ATTRIB_FOG_COORD,
-        GL_TEXTURE_COORD_ARRAY_POINTER => ATTRIB_TEX_COORD + context.state.units.client_active,
-        _ => return None,
-    };
-    Some(address(&context.state.arrays.by_location[usize::from(location)]))
-}
-
-pub(crate) fn get_vertex_attrib_pointerv(
-    context: &mut Context,
-    index: GLuint,
-    pname: GLenum,
-    pointer: &mut [*mut GLvoid],
-) -> Result<()> {
-    const POINTER: Table<()> =
-        Table { section: "GL 2.1, section 6.1.14", rows: &[(GL_VERTEX_ATTRIB_ARRAY_POINTER, ())] };
-    let location = usize::from(generic(index)?);
-    POINTER.decode("pname", pname)?;
-    put(pointer, &[address(&context.state.arrays.by_location[location]) as *mut GLvoid])
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Property {
-    Enabled,
-    Size,
-    Stride,
-    Type,
-    Normalized,
-    Integer,
-    Divisor,
-    Buffer,
-    Current,
-}
-
-const PROPERTY: Table<Property> = Table {
-    section: "GL 2.1, section 6.1.14",
-    rows: &[
-        (GL_VERTEX_ATTRIB_ARRAY_ENABLED, Property::Enabled),
-        (GL_VERTEX_ATTRIB_ARRAY_SIZE, Property::Size),
-        (GL_VERTEX_ATTRIB_ARRAY_STRIDE, Property::Stride),
-        (GL_VERTEX_ATTRIB_ARRAY_TYPE, Property::Type),
-        (GL_VERTEX_ATTRIB_ARRAY_NORMALIZED, Property::Normalized),
-        (GL_VERTEX_ATTRIB_ARRAY_INTEGER, Property::Integer),
-        (GL_VERTEX_ATTRIB_ARRAY_DIVISOR, Property::Divisor),
-        (GL_VERTEX_ATTRIB_ARRAY_BUFFER_BINDING, Property::Buffer),
-        (GL_CURRENT_VERTEX_ATTRIB, Property::Current),
-    ],
-};
-
-pub(crate) fn property(context: &Context, index: GLuint, pname: GLenum) -> Result<Vec<f32>> {
-    let location = usize::from(generic(index)?);
-    let property = PROPERTY.decode("pname", pname)?;
-    let array = &context.state.arrays.by_location[location];
-    if property == Property::Current && location == 0 {
-        return invalid_operation(
-            "GL 2.1, section 6.1.14",
-            "index = 0 has no current value: it is the position",
-        );
-    }
-    Ok(match property {
-        Property::Enabled => vec![f32::from(u8::from(array.enabled))],
-        Property::Size => vec![array.components.into()],
-        Property::Stride => vec![array.stride as f32],
-        Property::Type => vec![ANY_TYPE.encode(array.ty) as f32],
-        Property::Normalized => {
-            vec![f32::from(u8::from(array.format == VertexFormat::Normalized))]
-        }
-        Property::Integer => vec![f32::from(u8::from(array.format == VertexFormat::Integer))],
-        Property::Divisor => vec![array.divisor as f32],
-        Property::Buffer => match array.source {
-            Source::Object { name, .. } => vec![name as f32],
-            Source::Client(_) | Source::Pointer(_) => vec![0.0],
-        },
-        Property::Current => context.state.current[location].to_vec(),
-    })
-}
-
-pub(crate) fn get_vertex_attribfv(
-    context: &mut Context,
-    index: GLuint,
-    pname: GLenum,
-    params: &mut [GLfloat],
-) -> Result<()> {
-    put(params, &property(context, index, pname)?)
-}
-
-pub(crate) fn get_vertex_attribiv(
-    context: &mut Context,
-    index: GLuint,
-    pname: GLenum,
-    params: &mut [GLint],
-) -> Result<()> {
-    let values = property(context, index, pname)?;
-    put(params, &values.into_iter().map(|value| value.round() as GLint).collect::<Vec<_>>())
 }

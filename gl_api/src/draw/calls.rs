@@ -84,21 +84,21 @@ fn indexed_reach(
 fn bindings(context: &Context, reach: Reach) -> Result<Vec<VertexBinding>> {
     let arrays = &context.state.arrays.by_location;
     let vertex = usize::from(ATTRIB_VERTEX);
-    (0..LOCATIONS)
-        .map(|location| {
-            let from = match location {
-                0 if !arrays[0].enabled => vertex,
-                _ if location == vertex && arrays[0].enabled => 0,
-                _ => location,
-            };
-            let source = if arrays[from].enabled {
-                vertex_source(context, from, reach)?
-            } else {
-                VertexSource::Constant(context.state.current[location])
-            };
-            Ok(VertexBinding { location: location as u8, source })
-        })
-        .collect()
+    let mut bindings = Vec::with_capacity(LOCATIONS);
+    for location in 0..LOCATIONS {
+        let from = match location {
+            0 if !arrays[0].enabled => vertex,
+            _ if location == vertex && arrays[0].enabled => 0,
+            _ => location,
+        };
+        let source = if arrays[from].enabled {
+            vertex_source(context, from, reach)?
+        } else {
+            VertexSource::Constant(context.state.current[location])
+        };
+        bindings.push(VertexBinding { location: location as u8, source });
+    }
+    Ok(bindings)
 }
 
 /// Whether there are positions to draw; without, nothing is drawn.
@@ -182,8 +182,9 @@ pub(crate) fn draw_arrays_instanced(
         let vertices = bindings(context, Reach { first: first as u32, last, instances })?;
         check_range(&vertices, first, count)?;
         let elements = Elements::Range { first: first as u32, count: count as u32, instances };
-        draw_or_record(context, topology, vertices, elements)?;
+        return draw_or_record(context, topology, vertices, elements);
     }
+    context.record_empty_draw("glDrawArrays");
     Ok(())
 }
 
@@ -299,6 +300,7 @@ fn draw_indexed(
     let ty = INDEX_TYPE.decode("type", request.ty)?;
     let (buffer, offset) = index_buffer(context, request.indices, count, count * ty.size())?;
     if count == 0 || instances == 0 || !has_positions(context) {
+        context.record_empty_draw("glDrawElements");
         return Ok(());
     }
     let base_vertex = request.base_vertex;

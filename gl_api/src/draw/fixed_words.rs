@@ -4,11 +4,11 @@
 use super::words::{put, scene_color};
 use crate::context::Context;
 use crate::env::texgen::GenMode;
-use crate::fixed::{FragmentKey, Generated, PointSize, VertexKey, fog_constants, word};
+use crate::fixed::{FragmentKey, Generated, PointSize, Varying, VertexKey, fog_constants, word};
 use crate::interface::*;
 use crate::state::enable::Flag;
 use crate::state::light::Light;
-use crate::state::material::{Material, Tracked, material};
+use crate::state::material::{Material, material};
 use crate::state::matrix::inverse_3;
 use glam::{DMat3, DMat4, DVec4};
 
@@ -39,6 +39,8 @@ struct Normal {
 pub(super) struct Keys<'a> {
     pub vertex: Option<&'a VertexKey>,
     pub fragment: Option<&'a FragmentKey>,
+    /// Bit by user clip plane that cuts what a program's vertex stage writes.
+    pub clip_planes: u8,
 }
 
 impl FixedWords {
@@ -49,6 +51,8 @@ impl FixedWords {
         if let Some(key) = keys.fragment {
             fragment(&mut self.words, context, key);
         }
+        // Planes are in the coordinates that they are compared with.
+        clip_planes(&mut self.words, context, keys.clip_planes, DMat4::IDENTITY);
         if let Some(key) = keys.vertex {
             self.transform(context);
             if key.reads_normals() {
@@ -99,15 +103,19 @@ fn fragment(words: &mut [u32], context: &Context, key: &FragmentKey) {
     }
 }
 
-fn vertex(words: &mut [u32], context: &Context, key: &VertexKey) {
-    let state = &context.state;
-    let to_eye = state.matrices.modelview.top.transpose();
-    for (plane, equation) in state.clip.planes.iter().enumerate() {
-        if key.clip_planes >> plane & 1 == 1 {
+fn clip_planes(words: &mut [u32], context: &Context, enabled: u8, to_eye: DMat4) {
+    for (plane, equation) in context.state.clip.planes.iter().enumerate() {
+        if enabled >> plane & 1 == 1 {
             let plane = word::CLIP_PLANES + 4 * plane as u32;
             put(words, plane, (to_eye * *equation).to_array());
         }
     }
+}
+
+fn vertex(words: &mut [u32], context: &Context, key: &VertexKey) {
+    let state = &context.state;
+    let to_eye = state.matrices.modelview.top.transpose();
+    clip_planes(words, context, key.clip_planes, to_eye);
     for (number, mode) in key.generated.iter().flatten().enumerate() {
         if *mode == Some(Generated::Linear) {
             let plane = object_plane(context, to_eye, number / 4, number % 4);
@@ -138,10 +146,9 @@ fn vertex(words: &mut [u32], context: &Context, key: &VertexKey) {
         let sides: &[Side] =
             if lighting.two_sided { &[Side::Front, Side::Back] } else { &[Side::Front] };
         for &side in sides {
-            let tracked =
-                lighting.tracked.filter(|(sides, _)| sides.has(side)).map(|(_, tracked)| tracked);
-            put_material(words, side, &material(context, side), tracked, ambient);
-            let material = constant_parts(material(context, side), tracked);
+            let own = lighting.varying(side);
+            put_material(words, side, &material(context, side), own, ambient);
+            let material = constant_parts(material(context, side), own);
             for (index, light) in lights() {
                 put_products(words, word::products(index, side), light, &material);
             }
@@ -170,34 +177,34 @@ fn put_light(words: &mut [u32], at: u32, light: &Light) {
     put(words, at + 11, light.attenuation.map(f64::from));
 }
 
-/// A material with white in place of what the vertex's colour stands for: products with it are the
+/// A material with white in place of what each vertex has for itself: products with it are the
 /// light's colours.
-fn constant_parts(mut material: Material, tracked: Option<Tracked>) -> Material {
-    if tracked.is_some_and(Tracked::ambient) {
+fn constant_parts(mut material: Material, own: Varying) -> Material {
+    if own.ambient.is_some() {
         material.ambient = [1.0; 4];
     }
-    if tracked.is_some_and(Tracked::diffuse) {
+    if own.diffuse.is_some() {
         material.diffuse = [1.0; 4];
     }
-    if tracked == Some(Tracked::Specular) {
+    if own.specular.is_some() {
         material.specular = [1.0; 4];
     }
     material
 }
 
-/// A side's scene colour without what the vertex's colour stands for, alpha and shininess.
+/// A side's scene colour without what each vertex has for itself, alpha and shininess.
 fn put_material(
     words: &mut [u32],
     side: Side,
     material: &Material,
-    tracked: Option<Tracked>,
+    own: Varying,
     ambient: [f32; 4],
 ) {
     let mut material = material.clone();
-    if tracked == Some(Tracked::Emission) {
+    if own.emission.is_some() {
         material.emission = [0.0; 4];
     }
-    if tracked.is_some_and(Tracked::ambient) {
+    if own.ambient.is_some() {
         material.ambient = [0.0; 4];
     }
     let at = word::material(side);

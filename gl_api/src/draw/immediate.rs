@@ -10,11 +10,14 @@ use crate::context::Context;
 use crate::error::{Result, invalid_operation};
 use crate::interface::{ATTRIB_TEX_COORD, ATTRIB_VERTEX};
 use crate::object::textures::texture_unit;
-use crate::state::LOCATIONS;
+use crate::state::material::MATERIAL_COLUMNS;
+use crate::state::{LOCATIONS, State};
 use crate::types::*;
 use rasterizer::driver::{Buffer, Topology, VertexBinding, VertexFormat, VertexSource, VertexType};
 
 const SECTION: &str = "GL 2.1, section 2.6.3";
+/// What can have a column: the attributes, and behind them the parts of the materials.
+const COLUMNS: usize = LOCATIONS + MATERIAL_COLUMNS;
 /// Bytes of a value in a column.
 pub(crate) const VALUE: usize = 16;
 /// More vertices than this between `glBegin` and `glEnd` are an error.
@@ -36,7 +39,7 @@ pub(crate) struct Immediate {
 pub(crate) enum Slot {
     /// The position: ends the vertex.
     Vertex,
-    /// A conventional attribute by its location.
+    /// A conventional attribute, or a part of a material, by its location.
     Location(u8),
     /// The coordinates of a texture unit, as `GL_TEXTUREi`.
     TexCoord(GLenum),
@@ -61,7 +64,7 @@ impl Immediate {
         Self {
             topology,
             positions: Vec::new(),
-            columns: vec![Vec::new(); LOCATIONS],
+            columns: vec![Vec::new(); COLUMNS],
             used: Vec::new(),
         }
     }
@@ -78,39 +81,6 @@ pub(crate) fn restart(context: &mut Context) -> Result<bool> {
     end(context)?;
     context.immediate = Some(Immediate::new(topology));
     Ok(true)
-}
-
-/// Draws the primitives since `glBegin`, as state that holds for a whole draw is about to change. Of
-/// a primitive that is not complete, and of strips and the like, all vertices take the new state.
-///
-/// # Errors
-/// As `glEnd`.
-pub(crate) fn split(context: &mut Context) -> Result<()> {
-    let Some(immediate) = &context.immediate else { return Ok(()) };
-    let (topology, count) = (immediate.topology, immediate.positions.len());
-    let whole = match topology {
-        Topology::Points => true,
-        Topology::Lines => count % 2 == 0,
-        Topology::Triangles => count % 3 == 0,
-        Topology::Quads => count % 4 == 0,
-        Topology::LineStrip
-        | Topology::LineLoop
-        | Topology::TriangleStrip
-        | Topology::TriangleFan
-        | Topology::QuadStrip
-        | Topology::Polygon => false,
-    };
-    if count > 0 && !whole {
-        context.debug.warn(
-            "glMaterial within a primitive: all its vertices take the new material, not only those \
-             that follow"
-                .into(),
-        );
-        return Ok(());
-    }
-    finish(context)?;
-    context.immediate = Some(Immediate::new(topology));
-    Ok(())
 }
 
 pub(crate) fn end(context: &mut Context) -> Result<()> {
@@ -161,19 +131,22 @@ pub(crate) fn draw_columns(
         format: VertexFormat::Plain,
         divisor: 0,
     };
-    let vertices = (0..LOCATIONS)
-        .map(|location| {
-            let source = if location == 0 || location == usize::from(ATTRIB_VERTEX) {
-                column(0)
-            } else {
-                match column_of(location) {
-                    Some(index) => column(index + 1),
-                    None => VertexSource::Constant(context.state.current[location]),
-                }
-            };
-            VertexBinding { location: location as u8, source }
-        })
-        .collect();
+    let attributes = (0..LOCATIONS).map(|location| {
+        let source = if location == 0 || location == usize::from(ATTRIB_VERTEX) {
+            column(0)
+        } else {
+            match column_of(location) {
+                Some(index) => column(index + 1),
+                None => VertexSource::Constant(context.state.current[location]),
+            }
+        };
+        VertexBinding { location: location as u8, source }
+    });
+    let materials = (LOCATIONS..COLUMNS).filter_map(|location| {
+        let source = column(column_of(location)? + 1);
+        Some(VertexBinding { location: location as u8, source })
+    });
+    let vertices = attributes.chain(materials).collect();
     let elements = Elements::Range { first: 0, count: count as u32, instances: 1 };
     draw(context, topology, vertices, &elements)
 }
@@ -210,7 +183,8 @@ pub(crate) fn attribute(context: &mut Context, slot: Slot, value: [f32; 4]) -> R
         let column = &mut immediate.columns[location];
         if !immediate.used.contains(&location) {
             // The vertices so far had the value from before.
-            column.resize(immediate.positions.len(), context.state.current[location]);
+            let before = current(&context.state, location);
+            column.resize(immediate.positions.len(), before);
             immediate.used.push(location);
         }
     }
@@ -218,9 +192,20 @@ pub(crate) fn attribute(context: &mut Context, slot: Slot, value: [f32; 4]) -> R
     Ok(())
 }
 
-/// Changes the current value of an attribute.
+/// The current value of an attribute, or of a part of a material.
+pub(crate) fn current(state: &State, location: usize) -> [f32; 4] {
+    match state.current.get(location) {
+        Some(value) => *value,
+        None => state.materials.column(location),
+    }
+}
+
+/// Changes the current value of an attribute, or of a part of a material.
 pub(crate) fn set_current(context: &mut Context, location: usize, value: [f32; 4]) {
-    context.state.current[location] = value;
+    match context.state.current.get_mut(location) {
+        Some(current) => *current = value,
+        None => context.state.materials.set_column(location, value),
+    }
 }
 
 /// Ends a vertex. Outside `glBegin` and `glEnd` it has no effect.
@@ -230,7 +215,7 @@ fn vertex(context: &mut Context, position: [f32; 4]) -> Result<()> {
         return invalid_operation(SECTION, format!("more than {MAX_VERTICES} vertices"));
     }
     for &location in &immediate.used {
-        immediate.columns[location].push(context.state.current[location]);
+        immediate.columns[location].push(current(&context.state, location));
     }
     immediate.positions.push(position);
     Ok(())

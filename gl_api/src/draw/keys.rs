@@ -6,16 +6,16 @@ use crate::context::Context;
 use crate::env::texgen::GenMode;
 use crate::fixed::{
     Coordinates, Environment, FogKey, FragmentKey, Generated, LightKey, LightingKey, Normals,
-    Place, PointSize, Spot, UnitKey, VertexKey, environment_base,
+    Place, PointSize, Spot, UnitKey, Varying, VertexKey, environment_base,
 };
 use crate::interface::*;
 use crate::state::enable::Flag;
 use crate::state::fog::FogSource;
 use crate::state::light::{ColorControl, Light};
-use crate::state::material::{Sides, Tracked, material};
+use crate::state::material::{Part, column, material};
 use crate::texture::TextureTarget;
 use glam::{DMat4, DVec4};
-use rasterizer::driver::{Rim, VertexBinding, VertexSource};
+use rasterizer::driver::{LevelInfo, Rim, VertexBinding, VertexSource};
 
 /// The vertex stage for the state of now. `base` is its first uniform word.
 pub(super) fn vertex_key(context: &Context, vertices: &[VertexBinding], base: u32) -> VertexKey {
@@ -64,13 +64,11 @@ fn lighting_key(context: &Context, vertices: &[VertexBinding]) -> Option<Lightin
     if !state.enables.has(Flag::Lighting) {
         return None;
     }
-    let tracked = tracked(context, vertices);
+    let materials = [Side::Front, Side::Back].map(|side| varying(context, vertices, side));
     let model = &state.lights.model;
     let sides: &[Side] = if model.two_side { &[Side::Front, Side::Back] } else { &[Side::Front] };
-    let shines = sides.iter().any(|&side| {
-        let is_tracked =
-            tracked.is_some_and(|(sides, what)| what == Tracked::Specular && sides.has(side));
-        is_tracked || is_colored(material(context, side).specular)
+    let shines = sides.iter().zip(&materials).any(|(&side, varying)| {
+        varying.specular.is_some() || is_colored(material(context, side).specular)
     });
     let lights = std::array::from_fn(|index| {
         let on = state.lights.enabled >> index & 1 == 1;
@@ -82,7 +80,7 @@ fn lighting_key(context: &Context, vertices: &[VertexBinding]) -> Option<Lightin
         local_viewer: specular && model.local_viewer,
         two_sided: model.two_side,
         separate_specular: specular && model.color_control == ColorControl::Separate,
-        tracked,
+        materials,
     })
 }
 
@@ -106,15 +104,32 @@ fn light_key(light: &Light, shines: bool) -> LightKey {
     }
 }
 
-/// What of the materials is the colour of each vertex. A colour that is constant over the draw is
-/// part of the material's words instead.
-fn tracked(context: &Context, vertices: &[VertexBinding]) -> Option<(Sides, Tracked)> {
-    let varies = vertices.iter().any(|binding| {
-        binding.location == ATTRIB_COLOR && matches!(binding.source, VertexSource::Array { .. })
-    });
+/// What of a side's material each vertex has for itself: its colour where that is tracked, or what
+/// `glMaterial` said between `glBegin` and `glEnd`. A colour that is constant over the draw is part
+/// of the material's words instead.
+fn varying(context: &Context, vertices: &[VertexBinding], side: Side) -> Varying {
+    let varies = |location: u8| {
+        vertices.iter().any(|binding| {
+            binding.location == location && matches!(binding.source, VertexSource::Array { .. })
+        })
+    };
     let materials = &context.state.materials;
-    (context.state.enables.has(Flag::ColorMaterial) && varies)
-        .then_some((materials.faces, materials.tracked))
+    let tracked = (context.state.enables.has(Flag::ColorMaterial) && materials.faces.has(side))
+        .then_some(materials.tracked);
+    let own = |part: Part| {
+        let location = match tracked {
+            Some(tracked) if tracked.has(part) => ATTRIB_COLOR,
+            Some(_) | None => column(side, part),
+        };
+        varies(location).then_some(location)
+    };
+    Varying {
+        emission: own(Part::Emission),
+        ambient: own(Part::Ambient),
+        diffuse: own(Part::Diffuse),
+        specular: own(Part::Specular),
+        shininess: own(Part::Shininess),
+    }
 }
 
 /// The fragment stage for the state of now. `vertices` are those of the fixed-function vertex
@@ -160,14 +175,14 @@ fn enabled_units(context: &mut Context, vertices: Option<&[VertexBinding]>) -> V
             hints::incomplete(context, unit, target, &reason);
             continue;
         }
-        let texels = texture.image.texels();
-        let Some(level) = texels.level(0, sampler.base_level as usize) else { continue };
+        let level = texture.image.level(0, sampler.base_level as usize);
+        let Some(LevelInfo { format, .. }) = level else { continue };
         units.push(UnitKey {
             unit,
             environment: Environment::new(state.mode, &state.combiners),
-            base: environment_base(level.format.base(), sampler.depth_mode),
+            base: environment_base(format.base(), sampler.depth_mode),
             shape: target.shape(),
-            compare: level.format.is_depth() && sampler.compare.is_some(),
+            compare: format.is_depth() && sampler.compare.is_some(),
             coordinates: coordinates(context, unit, vertices),
         });
     }

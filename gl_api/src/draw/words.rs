@@ -118,7 +118,7 @@ fn put_state(context: &Context, words: &mut [u32], binding: StateBinding) {
             put(words, word, (0..8).map(enabled));
         }
         StateVar::Material(side) => {
-            let Material { emission, ambient, diffuse, specular, shininess } =
+            let Material { emission, ambient, diffuse, specular, shininess, indexes: _ } =
                 material(context, side);
             put(words, word, colors([emission, ambient, diffuse, specular]));
             put(words, word + 16, [shininess.into()]);

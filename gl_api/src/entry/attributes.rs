@@ -180,6 +180,14 @@ attribute_calls! {
         normal_3f: glNormal3f, normal_3fv: glNormal3fv, f32 (x, y, z);
         normal_3d: glNormal3d, normal_3dv: glNormal3dv, f64 (x, y, z);
     }
+    "Sets the current colour index, which changes no picture in RGBA mode."
+    [] Slot::Location(ATTRIB_INDEX), plain {
+        indexs: glIndexs, indexsv: glIndexsv, i16 (c);
+        indexi: glIndexi, indexiv: glIndexiv, i32 (c);
+        indexf: glIndexf, indexfv: glIndexfv, f32 (c);
+        indexd: glIndexd, indexdv: glIndexdv, f64 (c);
+        indexub: glIndexub, indexubv: glIndexubv, u8 (c);
+    }
     "Sets the current fog coordinate."
     [] Slot::Location(ATTRIB_FOG_COORD), plain {
         fog_coordf: glFogCoordf | glFogCoordfEXT, fog_coordfv: glFogCoordfv | glFogCoordfvEXT, f32 (coord);

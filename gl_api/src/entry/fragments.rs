@@ -1,7 +1,7 @@
 //! Per-fragment operations: GL 2.1, chapter 4.
 
-use crate::framebuffer::clear;
-use crate::state::{fragment, masks, stencil};
+use crate::framebuffer::{accumulate, clear};
+use crate::state::{fragment, index, masks, stencil};
 use crate::types::*;
 
 entry_points! {
@@ -82,6 +82,19 @@ entry_points! {
         stencil_mask_separate: glStencilMaskSeparate (face: GLenum, mask: GLuint);
         /// Sets the face that calls without a face are about.
         active_stencil_face_ext: glActiveStencilFaceEXT (face: GLenum);
+    }
+    Outside in index {
+        /// Sets which bits of colour indices are written; kept, not used.
+        index_mask: glIndexMask (mask: GLuint);
+        /// Sets the colour index that `glClear` writes; kept, not used.
+        clear_index: glClearIndex (c: GLfloat);
+    }
+    Outside in accumulate {
+        /// Sets the colour that `glClear` writes to the accumulation buffer.
+        clear_accum: glClearAccum
+            (red: GLfloat, green: GLfloat, blue: GLfloat, alpha: GLfloat);
+        /// Adds colours to the accumulation buffer, scales it, or writes it back.
+        accum: glAccum (op: GLenum, value: GLfloat);
     }
     Outside in clear {
         /// Fills one buffer with integers, through scissor and masks.

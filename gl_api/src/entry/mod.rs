@@ -107,6 +107,7 @@ mod programs;
 mod queries;
 mod rasterization;
 mod rectangles;
+mod special;
 mod textures;
 mod transform;
 mod vertices;
@@ -130,6 +131,7 @@ pub use programs::*;
 pub use queries::*;
 pub use rasterization::*;
 pub use rectangles::*;
+pub use special::*;
 pub use textures::*;
 pub use transform::*;
 pub use vertices::*;
@@ -167,6 +169,7 @@ pub(crate) fn rows() -> impl Iterator<Item = Row> {
         QUERIES,
         RASTERIZATION,
         RECTANGLES,
+        SPECIAL,
         TEXTURES,
         TRANSFORM,
         VERTICES,

@@ -1,6 +1,6 @@
 //! State queries: GL 2.1, chapter 6; and the end of commands: section 5.5.
 
-use crate::object::queries;
+use crate::object::{conditional, queries};
 use crate::query::{extensions, flush, get};
 use crate::types::*;
 
@@ -54,6 +54,13 @@ entry_points! {
         /// Reads the result of a query.
         get_query_objectui64v: glGetQueryObjectui64v | glGetQueryObjectui64vEXT
             (id: GLuint, pname: GLenum, params: &'a mut [GLuint64]);
+    }
+    Outside in conditional {
+        /// Lets draws and clears have an effect only if a query found samples.
+        begin_conditional_render: glBeginConditionalRender | glBeginConditionalRenderNV
+            (id: GLuint, mode: GLenum);
+        /// Lets draws and clears have their effect again.
+        end_conditional_render: glEndConditionalRender | glEndConditionalRenderNV ();
     }
     Outside in flush {
         /// Carries out what was recorded.

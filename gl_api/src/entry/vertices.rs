@@ -4,6 +4,7 @@
 use super::{Data, DataOut, Pointers};
 use crate::draw::{arrays, calls, immediate, interleaved, rect, restart};
 use crate::object::{buffer_map, buffers, vertex_arrays};
+use crate::query::arrays as query_arrays;
 use crate::types::*;
 
 entry_points! {
@@ -34,6 +35,8 @@ entry_points! {
         /// later writes to it are not seen.
         tex_coord_pointer: glTexCoordPointer
             (size: GLint, ty: GLenum, stride: GLsizei, pointer: Data<'a>);
+        /// Says where colour indices are. A slice is copied now; later writes to it are not seen.
+        index_pointer: glIndexPointer (ty: GLenum, stride: GLsizei, pointer: Data<'a>);
         /// Says where a generic attribute is. A slice is copied now; later writes to it are not
         /// seen.
         vertex_attrib_pointer: glVertexAttribPointer | glVertexAttribPointerARB (
@@ -54,6 +57,8 @@ entry_points! {
         /// Switches the array of a generic attribute off.
         disable_vertex_attrib_array: glDisableVertexAttribArray | glDisableVertexAttribArrayARB
             (index: GLuint);
+    }
+    Outside in query_arrays {
         /// Where the array of a generic attribute begins; an offset for one in a buffer.
         get_vertex_attrib_pointerv: glGetVertexAttribPointerv | glGetVertexAttribPointervARB
             (index: GLuint, pname: GLenum, pointer: &'a mut [*mut GLvoid]);

@@ -1,9 +1,9 @@
 //! The lighting equation: GL 2.1, section 2.14.1.
 
 use super::vector::{at_least_zero, dot, each, scale, unit, words};
+use super::vertex::attribute;
 use super::word;
 use crate::interface::{MAX_LIGHTS, Side};
-use crate::state::material::{Sides, Tracked};
 use rasterizer::ir::{Builder, Op, Ty, Value};
 
 /// How a light's intensity depends on where the vertex is.
@@ -37,6 +37,17 @@ pub(crate) struct LightKey {
     pub specular: bool,
 }
 
+/// Where each part of a side's material comes from: an attribute of the vertex by its location, or
+/// uniform words.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub(crate) struct Varying {
+    pub emission: Option<u8>,
+    pub ambient: Option<u8>,
+    pub diffuse: Option<u8>,
+    pub specular: Option<u8>,
+    pub shininess: Option<u8>,
+}
+
 /// What of lighting changes the code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct LightingKey {
@@ -47,8 +58,18 @@ pub(crate) struct LightingKey {
     pub two_sided: bool,
     /// Whether the specular term goes to the secondary colour.
     pub separate_specular: bool,
-    /// Which material colours are the vertex's colour.
-    pub tracked: Option<(Sides, Tracked)>,
+    /// Which parts of the materials of front and back are the vertex's own.
+    pub materials: [Varying; 2],
+}
+
+impl LightingKey {
+    /// Which parts of a side's material are the vertex's own.
+    pub fn varying(&self, side: Side) -> Varying {
+        match side {
+            Side::Front => self.materials[0],
+            Side::Back => self.materials[1],
+        }
+    }
 }
 
 /// The lit colours of a side, not yet clamped.
@@ -62,7 +83,6 @@ pub(super) struct Vertex {
     /// In eye coordinates.
     pub eye: [Value; 3],
     pub normal: [Value; 3],
-    pub color: [Value; 4],
 }
 
 /// What a light does to a vertex, whatever the side and its material.
@@ -150,35 +170,30 @@ fn spot(b: &mut Builder, spot: Spot, at: u32, toward: [Value; 3]) -> Value {
 }
 
 /// A colour that is a product of light and material: of uniform words, or, where the material's
-/// part is tracked, of the light's words and the vertex's colour.
-fn colored(b: &mut Builder, at: u32, tracked: bool, color: [Value; 4]) -> [Value; 3] {
+/// part is the vertex's, of the light's words and that attribute.
+fn colored(b: &mut Builder, at: u32, color: Option<u8>) -> [Value; 3] {
     let product = words(b, at);
-    if tracked { each(b, Op::Mul, product, [color[0], color[1], color[2]]) } else { product }
+    match color {
+        Some(location) => {
+            let [red, green, blue, _] = attribute(b, location);
+            each(b, Op::Mul, product, [red, green, blue])
+        }
+        None => product,
+    }
 }
 
 /// The colours of a side.
-fn side(
-    b: &mut Builder,
-    key: &LightingKey,
-    base: u32,
-    rays: &[(usize, Ray)],
-    vertex: &Vertex,
-    side: Side,
-) -> Lit {
-    let color = vertex.color;
-    let rgb = [color[0], color[1], color[2]];
-    let tracked = key.tracked.filter(|(sides, _)| sides.has(side)).map(|(_, tracked)| tracked);
-    let is = |which: Tracked| tracked == Some(which);
-    let ambient_tracked = tracked.is_some_and(Tracked::ambient);
-    let diffuse_tracked = tracked.is_some_and(Tracked::diffuse);
+fn side(b: &mut Builder, key: &LightingKey, base: u32, rays: &[(usize, Ray)], side: Side) -> Lit {
+    let own = key.varying(side);
     let material = base + word::material(side);
 
     let mut primary: [Value; 3] = words(b, material);
-    if is(Tracked::Emission) {
-        primary = each(b, Op::Add, primary, rgb);
+    if let Some(location) = own.emission {
+        let [red, green, blue, _] = attribute(b, location);
+        primary = each(b, Op::Add, primary, [red, green, blue]);
     }
-    if ambient_tracked {
-        let scene = colored(b, base + word::MODEL_AMBIENT, true, color);
+    if own.ambient.is_some() {
+        let scene = colored(b, base + word::MODEL_AMBIENT, own.ambient);
         primary = each(b, Op::Add, primary, scene);
     }
     // What no vertex changes comes first, so that it is summed once a draw.
@@ -186,7 +201,7 @@ fn side(
         rays.iter().partition(|(_, ray)| ray.intensity.is_none());
     for (index, _) in &everywhere {
         let at = base + word::products(*index, side);
-        let ambient = colored(b, at, ambient_tracked, color);
+        let ambient = colored(b, at, own.ambient);
         primary = each(b, Op::Add, primary, ambient);
     }
     let mut secondary = [b.float(0.0); 3];
@@ -200,20 +215,23 @@ fn side(
             at_least_zero(b, cosine)
         };
         let cosine = faced(b, ray.diffuse);
-        let diffuse = colored(b, at + 3, diffuse_tracked, color);
+        let diffuse = colored(b, at + 3, own.diffuse);
         let mut sum = scale(b, diffuse, cosine);
         if ray.intensity.is_some() {
-            let ambient = colored(b, at, ambient_tracked, color);
+            let ambient = colored(b, at, own.ambient);
             sum = each(b, Op::Add, ambient, sum);
         }
         let specular = ray.specular.map(|half| {
             let half = faced(b, half);
-            let shininess = b.uniform(material + 4, Ty::F32);
+            let shininess = match own.shininess {
+                Some(location) => attribute(b, location)[0],
+                None => b.uniform(material + 4, Ty::F32),
+            };
             let power = b.op(Op::Pow, &[half, shininess]);
             let zero = b.float(0.0);
             let lit = b.op(Op::Less, &[zero, cosine]);
             let power = b.op(Op::SelectF, &[lit, power, zero]);
-            let specular = colored(b, at + 6, is(Tracked::Specular), color);
+            let specular = colored(b, at + 6, own.specular);
             scale(b, specular, power)
         });
         let intense = |b: &mut Builder, color: [Value; 3]| match ray.intensity {
@@ -231,7 +249,10 @@ fn side(
         let sum = intense(b, sum);
         primary = each(b, Op::Add, primary, sum);
     }
-    let alpha = if diffuse_tracked { color[3] } else { b.uniform(material + 3, Ty::F32) };
+    let alpha = match own.diffuse {
+        Some(location) => attribute(b, location)[3],
+        None => b.uniform(material + 3, Ty::F32),
+    };
     let [red, green, blue] = primary;
     let [red2, green2, blue2] = secondary;
     let none = b.float(0.0);
@@ -251,7 +272,7 @@ pub(super) fn light(
             rays.push((index, ray(b, key, *light, base + word::light(index), vertex)));
         }
     }
-    let front = side(b, key, base, &rays, vertex, Side::Front);
-    let back = key.two_sided.then(|| side(b, key, base, &rays, vertex, Side::Back));
+    let front = side(b, key, base, &rays, Side::Front);
+    let back = key.two_sided.then(|| side(b, key, base, &rays, Side::Back));
     (front, back)
 }

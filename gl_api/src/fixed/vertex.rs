@@ -59,7 +59,8 @@ impl VertexKey {
     }
 }
 
-fn attribute(b: &mut Builder, location: u8) -> [Value; 4] {
+/// The four components of a vertex attribute.
+pub(super) fn attribute(b: &mut Builder, location: u8) -> [Value; 4] {
     [0, 1, 2, 3].map(|component| b.input(Input::Attribute { location, component }))
 }
 
@@ -122,12 +123,12 @@ fn normal(b: &mut Builder, key: &VertexKey) -> [Value; 3] {
 
 /// Colours of both sides, clamped (section 2.14.6).
 fn colors(b: &mut Builder, key: &VertexKey, eye: [Value; 3], normal: [Value; 3]) {
-    let color = attribute(b, ATTRIB_COLOR);
     let (front, back) = match &key.lighting {
-        Some(lighting) => light(b, lighting, key.base, &Vertex { eye, normal, color }),
+        Some(lighting) => light(b, lighting, key.base, &Vertex { eye, normal }),
         None => {
+            let primary = attribute(b, ATTRIB_COLOR);
             let secondary = attribute(b, ATTRIB_SECONDARY_COLOR);
-            (Lit { primary: color, secondary }, None)
+            (Lit { primary, secondary }, None)
         }
     };
     let sides = [

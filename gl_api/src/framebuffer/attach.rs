@@ -1,7 +1,7 @@
 //! Attaching images to framebuffer objects: `ARB_framebuffer_object`, sections 4.4.2 to 4.4.4.
 
 use super::buffers::attachment_index;
-use super::complete::completeness;
+use super::complete::{completeness, selects_nothing};
 use crate::constants::*;
 use crate::context::{Context, limits};
 use crate::error::{Result, Table, invalid_enum, invalid_operation, invalid_value};
@@ -249,7 +249,13 @@ pub(crate) fn framebuffer_renderbuffer(
 pub(crate) fn check_framebuffer_status(context: &mut Context, target: GLenum) -> Result<GLenum> {
     let name = bound(context, FRAMEBUFFER_TARGET.decode("target", target)?);
     Ok(match completeness(context, name) {
-        Ok(()) => GL_FRAMEBUFFER_COMPLETE,
+        Ok(()) => {
+            let object = context.objects.framebuffers.get(name);
+            if let Some(reason) = object.and_then(selects_nothing) {
+                context.debug.warn(format!("glCheckFramebufferStatus: {reason}"));
+            }
+            GL_FRAMEBUFFER_COMPLETE
+        }
         Err(incomplete) => {
             context.debug.warn(format!("glCheckFramebufferStatus: {}", incomplete.reason));
             incomplete.status

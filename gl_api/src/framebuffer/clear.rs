@@ -1,11 +1,14 @@
 //! `glClear` and `glClearBuffer`: GL 2.1, section 4.2.3; GL 3.0, section 4.2.3.
 
+use super::accumulate;
 use super::complete::{draw_pass, draw_planes};
 use super::srgb_write;
 use crate::constants::*;
 use crate::context::{Context, limits};
 use crate::draw;
 use crate::error::{Result, invalid_enum, invalid_operation, invalid_value};
+use crate::explain;
+use crate::feedback::Mode;
 use crate::state::enable::Flag;
 use crate::state::fragment::ClearColor;
 use crate::state::viewport::unit;
@@ -73,12 +76,21 @@ fn stencil(context: &Context, value: GLint) -> Option<ClearValue> {
     is_written.then_some(ClearValue::Stencil { value: value as u8, mask })
 }
 
+/// Whether clears have an effect now.
+fn is_effective(context: &Context) -> bool {
+    context.feedback.mode == Mode::Render && !context.queries.discards()
+}
+
 fn record(context: &mut Context, pass: PassDesc, clears: Vec<ClearValue>) {
     let area = drawn_area(context, &pass);
-    if clears.is_empty() || area.width == 0 || area.height == 0 {
+    if !is_effective(context) || clears.is_empty() || area.width == 0 || area.height == 0 {
         return;
     }
+    let watched = explain::is_watched(context, &pass);
     draw::begin_pass(context, pass);
+    if watched {
+        explain::watch_clear(context);
+    }
     for value in clears {
         context.recorder.push(Command::Clear { value, area });
     }
@@ -105,6 +117,10 @@ pub(crate) fn clear(context: &mut Context, mask: GLbitfield) -> Result<()> {
     }
     if mask & GL_STENCIL_BUFFER_BIT != 0 {
         clears.extend(stencil(context, state.stencil));
+    }
+    if mask & GL_ACCUM_BUFFER_BIT != 0 && is_effective(context) {
+        let area = drawn_area(context, &pass);
+        accumulate::clear(context, area);
     }
     record(context, pass, clears);
     Ok(())

@@ -174,31 +174,29 @@ pub(super) fn completeness(context: &Context, name: GLuint) -> std::result::Resu
                 .to_owned(),
         );
     }
-    selected(object).map_or(Ok(()), Err)
+    Ok(())
 }
 
-/// The selected buffer that nothing is attached to, if there is one.
-fn selected(object: &Framebuffer) -> Option<Incomplete> {
+/// What is selected though nothing is attached there, if anything is. Such a framebuffer is
+/// complete, as OpenGL has it since 4.1 and drivers have it for all versions: what is drawn there
+/// goes nowhere. But `ARB_framebuffer_object` alone calls it incomplete.
+pub(super) fn selects_nothing(object: &Framebuffer) -> Option<String> {
     let absent = |buffer: GLenum| {
         attachment_index(buffer).is_some_and(|index| object.colors[index].is_none())
     };
     if let Some(&buffer) = object.selection.draw.iter().find(|&&buffer| absent(buffer)) {
-        return Some(Incomplete {
-            status: GL_FRAMEBUFFER_INCOMPLETE_DRAW_BUFFER,
-            reason: format!(
-                "{} is drawn to, but nothing is attached there; without colours call \
-                 glDrawBuffer(GL_NONE)",
-                enum_name(buffer)
-            ),
-        });
+        return Some(format!(
+            "{} is drawn to, but nothing is attached there; without colours call \
+             glDrawBuffer(GL_NONE)",
+            enum_name(buffer)
+        ));
     }
-    absent(object.selection.read).then(|| Incomplete {
-        status: GL_FRAMEBUFFER_INCOMPLETE_READ_BUFFER,
-        reason: format!(
+    absent(object.selection.read).then(|| {
+        format!(
             "{} is read from, but nothing is attached there; without colours call \
              glReadBuffer(GL_NONE)",
             enum_name(object.selection.read)
-        ),
+        )
     })
 }
 
@@ -217,6 +215,16 @@ pub(crate) fn draw_planes(context: &Context) -> Planes {
         Some(object) => Planes { depth: object.depth.is_some(), stencil: object.stencil.is_some() },
         None => context.window.planes,
     }
+}
+
+/// Whether the first colour that is drawn to is of integers.
+pub(crate) fn draws_integers(context: &Context) -> bool {
+    let object = context.objects.framebuffers.get(context.state.bindings.draw_framebuffer);
+    let format = object.and_then(|object| {
+        let index = attachment_index(object.selection.draw[0])?;
+        attached_format(object.colors[index].as_ref()?)
+    });
+    format.is_some_and(Format::is_integer)
 }
 
 /// The pass that the draw framebuffer is drawn in; colours by fragment output. Whether depth and

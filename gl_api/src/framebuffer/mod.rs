@@ -1,5 +1,6 @@
 //! Framebuffers: what is drawn to and read from (GL 2.1, chapter 4; framebuffer objects).
 
+pub(crate) mod accumulate;
 pub(crate) mod attach;
 pub(crate) mod blit;
 pub(crate) mod buffers;
@@ -12,6 +13,7 @@ mod swap;
 use crate::context::{Context, SurfaceDesc};
 use crate::object::framebuffers::Planes;
 use crate::state::enable::Flag;
+use accumulate::Accumulation;
 use buffers::Selection;
 use rasterizer::driver::{Attachment, Image, SrgbWrite};
 pub(crate) use swap::Presence;
@@ -93,6 +95,7 @@ pub(crate) struct Window {
     pub planes: Planes,
     pub selection: Selection,
     pub presence: Presence,
+    pub accumulation: Accumulation,
 }
 
 impl Window {
@@ -109,6 +112,7 @@ impl Window {
             planes: Planes { depth: desc.depth_bits > 0, stencil: desc.stencil_bits > 0 },
             selection: Selection::window(),
             presence: Presence::Present,
+            accumulation: Accumulation::default(),
         })
     }
 

@@ -1,6 +1,7 @@
 //! A context's default framebuffer can be another one, or none: EGL's surfaces, OSMesa's memory.
 
 use super::Window;
+use super::accumulate::Accumulation;
 use super::buffers::Selection;
 use crate::context::Context;
 use crate::object::framebuffers::Planes;
@@ -28,6 +29,7 @@ impl Window {
             planes: Planes { depth: false, stencil: false },
             selection: Selection::window(),
             presence: Presence::Absent,
+            accumulation: Accumulation::default(),
         }
     }
 }

@@ -117,6 +117,23 @@ impl Context {
         self.record_step(Step::Call { name, place, unpack, run });
     }
 
+    /// Carries something out that may stand between `glBegin` and `glEnd`, or records it, if a list
+    /// is compiled.
+    ///
+    /// # Errors
+    /// Those of `run`, where it is carried out.
+    pub(crate) fn run_or_record(
+        &mut self,
+        name: &'static str,
+        run: impl Fn(&mut Self) -> Result<()> + Send + Sync + 'static,
+    ) -> Result<()> {
+        if self.compiling.is_none() {
+            return run(self);
+        }
+        self.record(name, Place::Anywhere, Box::new(run));
+        Ok(())
+    }
+
     /// Records a step; what was open before it is closed first.
     fn record_step(&mut self, step: Step) {
         self.finish_open();
@@ -185,6 +202,15 @@ impl Context {
         }
         self.record_step(Step::Arrays(ArrayDraw { topology, vertices, elements }));
         None
+    }
+
+    /// Records a draw of nothing, if a list is compiled: it is still an error between `glBegin` and
+    /// `glEnd`.
+    pub(crate) fn record_empty_draw(&mut self, name: &'static str) {
+        if self.compiling.is_some() {
+            let run = Box::new(|_: &mut Self| Ok(()));
+            self.record_step(Step::Call { name, place: Place::Outside, unpack: None, run });
+        }
     }
 
     fn run_step(&mut self, step: &Step) {

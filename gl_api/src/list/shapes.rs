@@ -6,7 +6,7 @@ use crate::draw::calls::topology;
 use crate::draw::immediate::{self, Slot, VALUE};
 use crate::entry::Place;
 use crate::error::{Result, invalid_operation};
-use crate::state::LOCATIONS;
+use crate::state::State;
 use crate::types::*;
 use rasterizer::driver::{Buffer, Topology};
 
@@ -123,7 +123,7 @@ impl Shapes {
     }
 
     /// The buffer with the values that the first vertices inherit.
-    fn patched(&self, current: &[[f32; 4]; LOCATIONS]) -> Buffer {
+    fn patched(&self, state: &State) -> Buffer {
         if self.columns.iter().all(|column| column.inherited == 0) {
             return self.buffer.clone();
         }
@@ -131,8 +131,9 @@ impl Shapes {
         for (index, column) in self.columns.iter().enumerate() {
             let first = (index + 1) * self.count * VALUE;
             let inherited = &mut bytes[first..first + column.inherited * VALUE];
+            let current = immediate::current(state, column.location);
             for value in inherited.chunks_exact_mut(VALUE) {
-                value.copy_from_slice(bytemuck::cast_slice(&current[column.location]));
+                value.copy_from_slice(bytemuck::cast_slice(&current));
             }
         }
         Buffer::new(bytes)
@@ -154,7 +155,7 @@ impl Shapes {
     }
 
     fn draw_vertices(&self, context: &mut Context) -> Result<()> {
-        let buffer = self.patched(&context.state.current);
+        let buffer = self.patched(&context.state);
         immediate::draw_columns(context, self.topology, &buffer, self.count, |location| {
             self.columns.iter().position(|column| column.location == location)
         })

@@ -1,5 +1,6 @@
 //! Queries: GL 2.1, section 4.1.7 (samples), `ARB_occlusion_query2`, `ARB_timer_query`.
 
+use super::conditional::Verdict;
 use super::doomed;
 use crate::constants::*;
 use crate::context::Context;
@@ -44,16 +45,38 @@ pub(crate) struct Query {
     nanoseconds: u64,
 }
 
-/// The names of the queries that have begun, by target; 0 where none has.
+/// The names of the queries that have begun, by target (0 where none has), and what they let
+/// through.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct ActiveQueries([GLuint; QueryTarget::COUNT]);
+pub(crate) struct ActiveQueries {
+    names: [GLuint; QueryTarget::COUNT],
+    /// Of conditional rendering, if it has begun.
+    pub(super) conditional: Option<Verdict>,
+}
+
+impl Query {
+    /// What it counts.
+    pub fn target(&self) -> QueryTarget {
+        self.target
+    }
+
+    /// Samples, as far as draws were carried out.
+    pub fn samples(&self) -> u64 {
+        self.counter.samples()
+    }
+}
 
 impl ActiveQueries {
+    /// Whether a query has begun and not ended.
+    pub fn is_active(&self, id: GLuint) -> bool {
+        self.names.contains(&id)
+    }
+
     fn slot(&mut self, target: QueryTarget) -> &mut GLuint {
         // Both targets of samples share the counter that draws have.
         match target {
-            QueryTarget::SamplesPassed | QueryTarget::AnySamplesPassed => &mut self.0[0],
-            QueryTarget::TimeElapsed | QueryTarget::Timestamp => &mut self.0[1],
+            QueryTarget::SamplesPassed | QueryTarget::AnySamplesPassed => &mut self.names[0],
+            QueryTarget::TimeElapsed | QueryTarget::Timestamp => &mut self.names[1],
         }
     }
 }
@@ -64,7 +87,7 @@ pub(crate) fn gen_queries(context: &mut Context, n: GLsizei, ids: &mut [GLuint])
 
 pub(crate) fn delete_queries(context: &mut Context, n: GLsizei, ids: &[GLuint]) -> Result<()> {
     for &name in doomed(SECTION, n, ids)?.iter().filter(|&&name| name != 0) {
-        for active in &mut context.queries.0 {
+        for active in &mut context.queries.names {
             if *active == name {
                 *active = 0;
             }
@@ -81,7 +104,7 @@ pub(crate) fn is_query(context: &mut Context, id: GLuint) -> Result<bool> {
 
 /// Lets the draws to come count for the query of samples that is active.
 fn count_with(context: &mut Context) {
-    let name = context.queries.0[0];
+    let name = context.queries.names[0];
     context.recorder.counter = context.objects.queries.get(name).map(|query| query.counter.clone());
 }
 
@@ -93,7 +116,7 @@ pub(crate) fn begin_query(context: &mut Context, target: GLenum, id: GLuint) -> 
             format!("id = {id} must be a name that glGenQueries gave"),
         );
     }
-    if *context.queries.slot(kind) != 0 || context.queries.0.contains(&id) {
+    if *context.queries.slot(kind) != 0 || context.queries.is_active(id) {
         return invalid_operation(
             SECTION,
             format!("a query of {} is active: glEndQuery is missing", enum_name(target)),
@@ -152,7 +175,7 @@ pub(crate) fn query_counter(context: &mut Context, id: GLuint, target: GLenum) -
     const COUNTER: Table<QueryTarget> =
         Table { section: "ARB_timer_query", rows: &[(GL_TIMESTAMP, QueryTarget::Timestamp)] };
     let kind = COUNTER.decode("target", target)?;
-    if id == 0 || !context.objects.queries.is_reserved(id) || context.queries.0.contains(&id) {
+    if id == 0 || !context.objects.queries.is_reserved(id) || context.queries.is_active(id) {
         return invalid_operation(
             COUNTER.section,
             format!("id = {id} must be a name that glGenQueries gave, and not be active"),
@@ -220,7 +243,7 @@ fn answer(context: &mut Context, id: GLuint, pname: GLenum) -> Result<u64> {
     if context.objects.queries.get(id).is_none() {
         return invalid_operation(ANSWER.section, format!("id = {id} is no query that has begun"));
     }
-    if context.queries.0.contains(&id) {
+    if context.queries.is_active(id) {
         return invalid_operation(
             ANSWER.section,
             format!("query {id} is active: call glEndQuery first"),

@@ -6,6 +6,7 @@ use super::stencil;
 use crate::constants::*;
 use crate::context::Context;
 use crate::error::{Result, Table, invalid_operation, not_negative};
+use crate::feedback::{self, Mode};
 use crate::framebuffer::complete::{Readable, draw_pass, draw_planes};
 use crate::framebuffer::{Region, read};
 use crate::texture::{convert, texel};
@@ -89,6 +90,9 @@ pub(crate) fn copy_pixels(
             "EXT_texture_integer, section 4.3.3",
             "integers are not copied: call glBlitFramebuffer",
         );
+    }
+    if feedback::record::pixels(context, feedback::record::Kind::CopyPixels) != Mode::Render {
+        return Ok(());
     }
     let size = [width, height];
     let stored = texels(&from, Region::new(x, y, width, height))?;

@@ -2,15 +2,14 @@
 
 use crate::constants::*;
 use crate::context::{Context, limits};
-use crate::draw::stages;
 use crate::error::{Result, invalid_operation};
+use crate::feedback::Mode;
+use crate::feedback::shade::{self, Id, Shaded};
 use crate::interface::*;
 use crate::state::viewport::unit;
 use crate::types::GLenum;
-use rasterizer::driver::{Rim, VertexBinding, VertexSource};
-use rasterizer::ir::{Input, Output};
-use rasterizer::shader::{Machine, Run};
-use texunit::lanes::{Isa, U32s};
+use rasterizer::driver::{VertexBinding, VertexSource};
+use rasterizer::ir::Output;
 
 const SECTION: &str = "GL 2.1, section 2.13";
 
@@ -23,6 +22,8 @@ pub(crate) struct RasterPosition {
     pub distance: f32,
     pub color: [f32; 4],
     pub secondary_color: [f32; 4],
+    /// The colour index; kept, not used.
+    pub index: f32,
     pub tex_coords: [[f32; 4]; MAX_TEXTURE_UNITS as usize],
 }
 
@@ -34,37 +35,17 @@ impl Default for RasterPosition {
             distance: 0.0,
             color: [1.0; 4],
             secondary_color: [0.0, 0.0, 0.0, 1.0],
+            index: 1.0,
             tex_coords: [[0.0, 0.0, 0.0, 1.0]; MAX_TEXTURE_UNITS as usize],
         }
     }
 }
 
-/// What the vertex stage made of a point.
-struct Shaded {
-    outputs: Vec<(Output, f32)>,
-}
-
-impl Shaded {
-    fn get(&self, wanted: Output) -> Option<f32> {
-        self.outputs.iter().find(|(output, _)| *output == wanted).map(|(_, value)| *value)
-    }
-
-    fn position(&self) -> [f64; 4] {
-        [0, 1, 2, 3].map(|i| self.get(Output::Position(i)).unwrap_or(0.0).into())
-    }
-
-    /// Four varyings from a slot on; those that are not written are `otherwise`.
-    fn varyings(&self, first: u16, otherwise: [f32; 4]) -> [f32; 4] {
-        [0, 1, 2, 3]
-            .map(|i| self.get(Output::Varying(first + i)).unwrap_or(otherwise[usize::from(i)]))
-    }
-
-    fn is_clipped(&self) -> bool {
-        let [x, y, z, w] = self.position();
-        let outside = [x, y, z].iter().any(|c| !(-w <= *c && *c <= w));
-        outside
-            || (0..8).any(|plane| self.get(Output::ClipDistance(plane)).is_some_and(|d| d < 0.0))
-    }
+/// Whether a shaded point is outside of the view volume or behind a plane of the user.
+fn is_clipped(shaded: &Shaded) -> bool {
+    let [x, y, z, w] = shaded.position();
+    let outside = [x, y, z].iter().any(|c| !(-w <= *c && *c <= w));
+    outside || (0..8).any(|plane| shaded.get(Output::ClipDistance(plane)).is_some_and(|d| d < 0.0))
 }
 
 /// Runs the vertex stage of the state for one vertex.
@@ -77,51 +58,11 @@ fn shade(context: &mut Context, position: [f32; 4]) -> Result<Shaded> {
             VertexBinding { location, source: VertexSource::Constant(value) }
         })
         .collect();
-    let stages = stages::choose(context, &vertices, Rim::Aliased)?;
-    // Every instruction set gives the same bits.
-    let isa = Isa::best();
-    let program = context.recorder.single_vertex(&stages.vertex);
-    let prepared = program.prepare(isa, &stages.words, &stages.vertex_textures);
-    let mut machine = Machine::default();
-    machine.begin(&program);
-    for (index, input) in program.inputs().iter().enumerate() {
-        let bits = match *input {
-            Input::Attribute { location, component } => {
-                match vertices.iter().find(|binding| binding.location == location) {
-                    Some(VertexBinding { source: VertexSource::Constant(value), .. }) => {
-                        value[usize::from(component)].to_bits()
-                    }
-                    Some(_) | None => 0,
-                }
-            }
-            Input::VertexId
-            | Input::InstanceId
-            | Input::Varying(_)
-            | Input::FragCoord(_)
-            | Input::FrontFacing
-            | Input::PointCoord(_)
-            | Input::Slope { .. }
-            | Input::Coverage => 0,
-        };
-        *machine.input_mut(index) = U32s::splat(bits);
+    let mut shaded = shade::shade(context, &vertices, &[Id { vertex: 0, instance: 0 }])?;
+    match shaded.pop() {
+        Some(shaded) => Ok(shaded),
+        None => invalid_operation(SECTION, "the vertex shader gave nothing"),
     }
-    let run = Run {
-        isa,
-        program: &program,
-        prepared: &prepared,
-        textures: &stages.vertex_textures,
-        active: 1,
-        budget: rasterizer::driver::DeviceDesc::BUDGET,
-    };
-    if machine.run(run).is_err() {
-        return invalid_operation(SECTION, "the vertex shader runs so long that it was stopped");
-    }
-    let outputs = program.outputs().iter().enumerate();
-    Ok(Shaded {
-        outputs: outputs
-            .map(|(index, &output)| (output, machine.output(index).as_f32()[0]))
-            .collect(),
-    })
 }
 
 /// A colour as rasterization takes it.
@@ -129,10 +70,17 @@ fn clamped(color: [f32; 4]) -> [f32; 4] {
     color.map(|c| unit(c.into()) as f32)
 }
 
+/// A valid raster position is a hit (GL 2.1, section 5.2).
+fn select(context: &mut Context) {
+    if context.feedback.mode == Mode::Select {
+        context.feedback.select.hit(context.state.raster_position.window[2]);
+    }
+}
+
 /// `glRasterPos`: the position goes through the vertex stage.
 pub(super) fn raster(context: &mut Context, position: [f64; 4]) -> Result<()> {
     let shaded = shade(context, position.map(|c| c as f32))?;
-    if shaded.is_clipped() {
+    if is_clipped(&shaded) {
         context.state.raster_position.valid = false;
         return Ok(());
     }
@@ -162,8 +110,10 @@ pub(super) fn raster(context: &mut Context, position: [f64; 4]) -> Result<()> {
         secondary_color: clamped(
             shaded.varyings(VARYING_SECONDARY_COLOR, current(ATTRIB_SECONDARY_COLOR)),
         ),
+        index: current(ATTRIB_INDEX)[0],
         tex_coords,
     };
+    select(context);
     Ok(())
 }
 
@@ -183,8 +133,10 @@ pub(super) fn window(context: &mut Context, position: [f64; 4]) -> Result<()> {
         distance: current(ATTRIB_FOG_COORD)[0],
         color: clamped(current(ATTRIB_COLOR)),
         secondary_color: clamped(current(ATTRIB_SECONDARY_COLOR)),
+        index: current(ATTRIB_INDEX)[0],
         tex_coords,
     };
+    select(context);
     Ok(())
 }
 
@@ -204,11 +156,6 @@ pub(crate) fn state_value(context: &Context, pname: GLenum) -> Option<Answer> {
         GL_CURRENT_RASTER_DISTANCE => Answer::Floats(vec![position.distance.into()]),
         GL_CURRENT_RASTER_COLOR => Answer::Color(position.color),
         GL_CURRENT_RASTER_SECONDARY_COLOR => Answer::Color(position.secondary_color),
-        GL_CURRENT_RASTER_TEXTURE_COORDS => {
-            let unit = usize::from(context.state.units.active);
-            let coords = position.tex_coords.get(unit)?;
-            Answer::Floats(coords.iter().map(|&c| c.into()).collect())
-        }
         GL_ZOOM_X => Answer::Floats(vec![context.state.pixel_zoom[0].into()]),
         GL_ZOOM_Y => Answer::Floats(vec![context.state.pixel_zoom[1].into()]),
         _ => return None,

@@ -4,10 +4,10 @@
 
 use crate::constants::GL_CURRENT_VERTEX_ATTRIB;
 use crate::context::Context;
-use crate::draw::arrays::property;
 use crate::draw::immediate::{Slot, attribute};
 use crate::entry::{Component, filled};
 use crate::error::{Result, invalid_operation};
+use crate::query::arrays::property;
 use crate::query::put;
 use crate::types::*;
 

@@ -1,5 +1,6 @@
 //! State queries: GL 2.1, chapter 6.
 
+pub(crate) mod arrays;
 pub(crate) mod extensions;
 pub(crate) mod flush;
 pub(crate) mod get;

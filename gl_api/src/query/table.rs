@@ -1,14 +1,18 @@
 //! The table of state that `glGet` reads: GL 2.1, tables 6.5 to 6.37.
 
+use super::arrays;
 use crate::constants::*;
 use crate::context::log::{MAX_GROUPS, MAX_LABEL, MAX_LENGTH, MAX_LOGGED};
 use crate::context::{Context, limits};
 use crate::env::Unit;
 use crate::error::{Result, Table, invalid_enum};
+use crate::evaluate::grid;
+use crate::feedback::modes;
+use crate::framebuffer::accumulate;
 use crate::interface::*;
 use crate::list::calls::{MAX_LIST_NESTING, MODE};
 use crate::state::attrib::MAX_ATTRIB_STACK_DEPTH;
-use crate::state::enable::{CAPABILITY, CLIENT_ARRAY};
+use crate::state::enable::is_capability;
 use crate::state::fragment::{BLEND_EQUATION, COMPARE, DST_FACTOR, SRC_FACTOR};
 use crate::state::masks::LOGIC_OP;
 use crate::state::material::{FACES, TRACKED};
@@ -18,8 +22,8 @@ use crate::state::points::ORIGIN;
 use crate::state::polygon::POLYGON_MODE;
 use crate::state::raster::{FACE, FRONT_FACE, HINTS, SHADE_MODEL};
 use crate::state::stencil::{ACTIVE_FACE, STENCIL_OP, Side};
-use crate::state::{fog, light};
-use crate::texture::internal::COMPRESSED_FORMAT;
+use crate::state::{fog, index, light};
+use crate::texture::internal::general_purpose_formats;
 use crate::texture::pixel_map::MAX_PIXEL_MAP_TABLE;
 use crate::texture::{TextureTarget, transfer};
 use crate::types::*;
@@ -90,7 +94,7 @@ fn pixel_store(
 /// # Errors
 /// `GL_INVALID_ENUM` where there is none of that name.
 pub(crate) fn state_value(context: &Context, pname: GLenum) -> Result<Value> {
-    if CAPABILITY.get(pname).is_some() || CLIENT_ARRAY.get(pname).is_some() {
+    if is_capability(pname) {
         return flag(is_on(context, pname));
     }
     if let Some(place) = HINTS.get(pname) {
@@ -113,6 +117,11 @@ pub(crate) fn state_value(context: &Context, pname: GLenum) -> Result<Value> {
         bindings,
         lists,
         debug,
+        arrays::state_value,
+        index::state_value,
+        accumulate::state_value,
+        modes::state_value,
+        grid::state_value,
     ];
     for chapter in chapters {
         if let Some(value) = chapter(context, pname) {
@@ -164,14 +173,15 @@ fn limit(_: &Context, pname: GLenum) -> Answer {
         GL_POINT_SIZE_RANGE | GL_ALIASED_POINT_SIZE_RANGE => floats(&[1.0, MAX_POINT_SIZE]),
         GL_LINE_WIDTH_RANGE | GL_ALIASED_LINE_WIDTH_RANGE => floats(&[1.0, MAX_LINE_WIDTH]),
         GL_POINT_SIZE_GRANULARITY | GL_LINE_WIDTH_GRANULARITY => float(1.0 / 256.0),
-        GL_NUM_COMPRESSED_TEXTURE_FORMATS => int(COMPRESSED_FORMAT.rows.len()),
+        GL_NUM_COMPRESSED_TEXTURE_FORMATS => int(general_purpose_formats().count()),
         GL_COMPRESSED_TEXTURE_FORMATS => {
-            Ok(Value::Ints(COMPRESSED_FORMAT.rows.iter().map(|row| row.0 as i32).collect()))
+            Ok(Value::Ints(general_purpose_formats().map(|format| format as i32).collect()))
         }
         GL_MAJOR_VERSION => int(2),
         GL_MINOR_VERSION => int(1),
         GL_NUM_EXTENSIONS => int(super::extensions::EXTENSIONS.len()),
-        GL_STEREO | GL_AUX_BUFFERS | GL_INDEX_BITS => int(0),
+        GL_STEREO => flag(false),
+        GL_AUX_BUFFERS => int(0),
         GL_MAX_SAMPLES => int(limits::MAX_SAMPLES),
         GL_DOUBLEBUFFER => flag(false),
         GL_RGBA_MODE => flag(true),
@@ -218,6 +228,10 @@ fn current(context: &Context, pname: GLenum) -> Answer {
         GL_CURRENT_TEXTURE_COORDS => {
             let unit = state.units.active_coordinates("GL 2.1, section 2.7");
             unit.and_then(|unit| floats(at(ATTRIB_TEX_COORD + unit as u8)))
+        }
+        GL_CURRENT_RASTER_TEXTURE_COORDS => {
+            let unit = state.units.active_coordinates("GL 2.1, section 2.13");
+            unit.and_then(|unit| floats(&state.raster_position.tex_coords[unit]))
         }
         _ => return None,
     })

@@ -8,6 +8,7 @@ use crate::context::Context;
 use crate::draw::arrays::Arrays;
 use crate::env::Units;
 use crate::error::{ErrorCode, GlError, Result};
+use crate::evaluate::EvaluatorState;
 use crate::framebuffer::buffers::{Selection, selection, selection_mut};
 use crate::pixels::position::RasterPosition;
 use crate::state::matrix::MatrixMode;
@@ -38,6 +39,7 @@ struct Server {
     pixel_zoom: [f32; 2],
     raster_position: RasterPosition,
     viewport: viewport::ViewportState,
+    evaluators: EvaluatorState,
     matrix_mode: MatrixMode,
     list_base: GLuint,
     selection: Option<Selection>,
@@ -78,9 +80,17 @@ impl AttribStacks {
 const FLAGS: &[(GLbitfield, &[Flag])] = &[
     (
         GL_COLOR_BUFFER_BIT,
-        &[Flag::AlphaTest, Flag::Blend, Flag::ColorLogicOp, Flag::Dither, Flag::FramebufferSrgb],
+        &[
+            Flag::AlphaTest,
+            Flag::Blend,
+            Flag::ColorLogicOp,
+            Flag::Dither,
+            Flag::FramebufferSrgb,
+            Flag::IndexLogicOp,
+        ],
     ),
     (GL_DEPTH_BUFFER_BIT, &[Flag::DepthTest]),
+    (GL_EVAL_BIT, &[Flag::AutoNormal]),
     (GL_FOG_BIT, &[Flag::Fog, Flag::ColorSum]),
     (GL_LIGHTING_BIT, &[Flag::ColorMaterial, Flag::Lighting]),
     (GL_LINE_BIT, &[Flag::LineSmooth, Flag::LineStipple]),
@@ -156,6 +166,7 @@ pub(crate) fn push_attrib(context: &mut Context, mask: GLbitfield) -> Result<()>
         pixel_zoom: state.pixel_zoom,
         raster_position: state.raster_position.clone(),
         viewport: state.viewport.clone(),
+        evaluators: state.evaluators,
         matrix_mode: state.matrices.mode,
         list_base: context.lists.base(),
         selection: has(GL_COLOR_BUFFER_BIT | GL_PIXEL_MODE_BIT)
@@ -209,6 +220,7 @@ fn restore(state: &mut State, saved: Server) {
     }
     if has(GL_ENABLE_BIT) {
         state.lights.enabled = saved.lights.enabled;
+        state.evaluators.take_enabled(&saved.evaluators);
         state.clip.enabled = saved.clip.enabled;
         for (buffer, saved) in state.fragment.buffers.iter_mut().zip(&saved.fragment.buffers) {
             buffer.blend = saved.blend;
@@ -232,6 +244,9 @@ fn restore(state: &mut State, saved: Server) {
         state.lights = saved.lights;
         state.materials = saved.materials;
         state.raster.shade_model = saved.raster.shade_model;
+    }
+    if has(GL_EVAL_BIT) {
+        state.evaluators = saved.evaluators;
     }
     if has(GL_FOG_BIT) {
         state.fog = saved.fog;
@@ -279,6 +294,9 @@ fn restore(state: &mut State, saved: Server) {
         state.fragment.depth_write = saved.fragment.depth_write;
         state.clear.depth = saved.clear.depth;
     }
+    if has(GL_ACCUM_BUFFER_BIT) {
+        state.clear.accumulation = saved.clear.accumulation;
+    }
     if has(GL_STENCIL_BUFFER_BIT) {
         state.fragment.stencil = saved.fragment.stencil;
         state.clear.stencil = saved.clear.stencil;
@@ -290,6 +308,8 @@ fn restore(state: &mut State, saved: Server) {
         state.fragment.logic_op = saved.fragment.logic_op;
         state.fragment.buffers = saved.fragment.buffers;
         state.clear.color = saved.clear.color;
+        state.clear.index = saved.clear.index;
+        state.fragment.index_mask = saved.fragment.index_mask;
     }
 }
 

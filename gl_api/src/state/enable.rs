@@ -4,9 +4,11 @@ use crate::constants::*;
 use crate::context::Context;
 use crate::context::debug::Output;
 use crate::error::{Result, Table};
+use crate::evaluate::Name;
+use crate::evaluate::map::MAP;
 use crate::interface::{
-    ATTRIB_COLOR, ATTRIB_EDGE_FLAG, ATTRIB_FOG_COORD, ATTRIB_NORMAL, ATTRIB_SECONDARY_COLOR,
-    ATTRIB_TEX_COORD, ATTRIB_VERTEX, TexCoord,
+    ATTRIB_COLOR, ATTRIB_EDGE_FLAG, ATTRIB_FOG_COORD, ATTRIB_INDEX, ATTRIB_NORMAL,
+    ATTRIB_SECONDARY_COLOR, ATTRIB_TEX_COORD, ATTRIB_VERTEX, TexCoord,
 };
 use crate::state::material::keep_tracked;
 use crate::texture::TextureTarget;
@@ -16,6 +18,7 @@ use crate::types::*;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Flag {
     AlphaTest,
+    AutoNormal,
     Blend,
     ColorLogicOp,
     ColorMaterial,
@@ -28,6 +31,7 @@ pub(crate) enum Flag {
     LineStipple,
     FramebufferSrgb,
     Fog,
+    IndexLogicOp,
     Lighting,
     Multisample,
     Normalize,
@@ -63,6 +67,8 @@ pub(crate) enum Capability {
     TexGen(TexCoord),
     Light(u8),
     ClipPlane(u8),
+    /// A map of evaluators.
+    Map(Name),
 }
 
 /// What is implemented; anything else is `GL_INVALID_ENUM` with this list in the message.
@@ -71,6 +77,7 @@ pub(crate) const CAPABILITY: Table<Capability> = Table {
     section: "GL 2.1, table 6.22 and others; what DetGL implements",
     rows: &[
         (GL_ALPHA_TEST, Capability::Flag(Flag::AlphaTest)),
+        (GL_AUTO_NORMAL, Capability::Flag(Flag::AutoNormal)),
         (GL_BLEND, Capability::Flag(Flag::Blend)),
         (GL_COLOR_LOGIC_OP, Capability::Flag(Flag::ColorLogicOp)),
         (GL_COLOR_MATERIAL, Capability::Flag(Flag::ColorMaterial)),
@@ -84,6 +91,7 @@ pub(crate) const CAPABILITY: Table<Capability> = Table {
         (GL_LINE_STIPPLE, Capability::Flag(Flag::LineStipple)),
         (GL_FRAMEBUFFER_SRGB, Capability::Flag(Flag::FramebufferSrgb)),
         (GL_FOG, Capability::Flag(Flag::Fog)),
+        (GL_INDEX_LOGIC_OP, Capability::Flag(Flag::IndexLogicOp)),
         (GL_LIGHTING, Capability::Flag(Flag::Lighting)),
         (GL_MULTISAMPLE, Capability::Flag(Flag::Multisample)),
         (GL_NORMALIZE, Capability::Flag(Flag::Normalize)),
@@ -128,8 +136,23 @@ pub(crate) const CAPABILITY: Table<Capability> = Table {
         (GL_CLIP_PLANE3, Capability::ClipPlane(3)),
         (GL_CLIP_PLANE4, Capability::ClipPlane(4)),
         (GL_CLIP_PLANE5, Capability::ClipPlane(5)),
+        (GL_CLIP_DISTANCE6, Capability::ClipPlane(6)),
+        (GL_CLIP_DISTANCE7, Capability::ClipPlane(7)),
     ],
 };
+
+/// A capability of any kind.
+fn capability(cap: GLenum) -> Result<Capability> {
+    match MAP.get(cap) {
+        Some(map) => Ok(Capability::Map(map)),
+        None => CAPABILITY.decode("cap", cap),
+    }
+}
+
+/// Whether `glIsEnabled` and `glGet` know a capability.
+pub(crate) fn is_capability(cap: GLenum) -> bool {
+    capability(cap).is_ok() || CLIENT_ARRAY.get(cap).is_some()
+}
 
 /// Which flags are on.
 #[derive(Clone, Debug)]
@@ -157,7 +180,7 @@ fn set_bit(bits: &mut u8, bit: u8, on: bool) {
 }
 
 fn switch(context: &mut Context, cap: GLenum, on: bool) -> Result<()> {
-    match CAPABILITY.decode("cap", cap)? {
+    match capability(cap)? {
         Capability::Flag(flag) => {
             if flag == Flag::ColorMaterial {
                 keep_tracked(context);
@@ -182,6 +205,7 @@ fn switch(context: &mut Context, cap: GLenum, on: bool) -> Result<()> {
         }
         Capability::Light(light) => set_bit(&mut context.state.lights.enabled, light, on),
         Capability::ClipPlane(plane) => set_bit(&mut context.state.clip.enabled, plane, on),
+        Capability::Map(map) => context.state.evaluators.set(map, on),
     }
     Ok(())
 }
@@ -210,13 +234,14 @@ pub(crate) fn is_on(context: &Context, cap: GLenum) -> Result<bool> {
     if let Some(location) = CLIENT_ARRAY.get(cap) {
         return Ok(context.state.arrays.by_location[client_location(context, location)].enabled);
     }
-    Ok(match CAPABILITY.decode("cap", cap)? {
+    Ok(match capability(cap)? {
         Capability::Flag(flag) => context.state.enables.has(flag),
         Capability::Texture(target) => context.state.units.active().enabled[target as usize],
         Capability::DebugOutput => context.debug.output == Output::On,
         Capability::TexGen(coord) => context.state.units.active().generate[coord as usize].enabled,
         Capability::Light(light) => context.state.lights.enabled >> light & 1 == 1,
         Capability::ClipPlane(plane) => context.state.clip.enabled >> plane & 1 == 1,
+        Capability::Map(map) => context.state.evaluators.has(map),
     })
 }
 
@@ -230,6 +255,7 @@ pub(crate) const CLIENT_ARRAY: Table<u8> = Table {
         (GL_SECONDARY_COLOR_ARRAY, ATTRIB_SECONDARY_COLOR),
         (GL_EDGE_FLAG_ARRAY, ATTRIB_EDGE_FLAG),
         (GL_FOG_COORD_ARRAY, ATTRIB_FOG_COORD),
+        (GL_INDEX_ARRAY, ATTRIB_INDEX),
         (GL_TEXTURE_COORD_ARRAY, ATTRIB_TEX_COORD),
     ],
 };

@@ -22,6 +22,8 @@ pub(crate) struct FragmentState {
     pub stencil: Stencil,
     pub logic_op: LogicOp,
     pub buffers: BufferStates,
+    /// Of colour index mode; kept, not used.
+    pub index_mask: GLuint,
 }
 
 impl FragmentState {
@@ -41,6 +43,7 @@ impl FragmentState {
             stencil: Stencil::default(),
             logic_op: LogicOp::Copy,
             buffers: BUFFERS,
+            index_mask: GLuint::MAX,
         }
     }
 }
@@ -80,11 +83,21 @@ pub(crate) struct ClearState {
     pub color: ClearColor,
     pub depth: f64,
     pub stencil: i32,
+    /// Of the accumulation buffer.
+    pub accumulation: [f32; 4],
+    /// Of colour index mode; kept, not used.
+    pub index: f32,
 }
 
 impl Default for ClearState {
     fn default() -> Self {
-        Self { color: ClearColor::Floats([0.0; 4]), depth: 1.0, stencil: 0 }
+        Self {
+            color: ClearColor::Floats([0.0; 4]),
+            depth: 1.0,
+            stencil: 0,
+            accumulation: [0.0; 4],
+            index: 0.0,
+        }
     }
 }
 

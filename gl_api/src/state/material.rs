@@ -4,10 +4,10 @@ use super::enable::Flag;
 use super::params::{Params, parameter_calls, parameter_queries};
 use crate::constants::*;
 use crate::context::Context;
-use crate::draw::immediate::split;
+use crate::draw::immediate::{Slot, attribute};
 use crate::error::{Result, Table, invalid_value};
-use crate::interface::{ATTRIB_COLOR, Side};
-use crate::query::table::{Value, float, unit};
+use crate::interface::{ATTRIB_COLOR, ATTRIB_MATERIAL, Side};
+use crate::query::table::{Value, float, floats, unit};
 use crate::types::*;
 
 const SECTION: &str = "GL 2.1, section 2.14.2";
@@ -20,6 +20,8 @@ pub(crate) struct Material {
     pub diffuse: [f32; 4],
     pub specular: [f32; 4],
     pub shininess: f32,
+    /// Ambient, diffuse and specular index of colour index mode; kept, not used.
+    pub indexes: [f32; 3],
 }
 
 impl Default for Material {
@@ -30,8 +32,43 @@ impl Default for Material {
             diffuse: [0.8, 0.8, 0.8, 1.0],
             specular: [0.0, 0.0, 0.0, 1.0],
             shininess: 0.0,
+            indexes: [0.0, 1.0, 1.0],
         }
     }
+}
+
+/// A part of a material that each vertex can have for itself.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Part {
+    Emission,
+    Ambient,
+    Diffuse,
+    Specular,
+    Shininess,
+}
+
+impl Part {
+    const ALL: [Self; 5] =
+        [Self::Emission, Self::Ambient, Self::Diffuse, Self::Specular, Self::Shininess];
+}
+
+/// How many columns of materials there are.
+pub(crate) const MATERIAL_COLUMNS: usize = 2 * Part::ALL.len();
+
+/// The attribute location at which the vertices of a primitive have a part of a side's material.
+pub(crate) fn column(side: Side, part: Part) -> u8 {
+    let side = match side {
+        Side::Front => 0,
+        Side::Back => Part::ALL.len() as u8,
+    };
+    ATTRIB_MATERIAL + side + part as u8
+}
+
+/// The side and the part that a location stands for.
+fn column_at(location: usize) -> (Side, Part) {
+    let place = (location - usize::from(ATTRIB_MATERIAL)) % MATERIAL_COLUMNS;
+    let side = if place < Part::ALL.len() { Side::Front } else { Side::Back };
+    (side, Part::ALL[place % Part::ALL.len()])
 }
 
 /// Which sides a call is about.
@@ -69,14 +106,15 @@ pub(crate) enum Tracked {
 }
 
 impl Tracked {
-    /// Whether the ambient colour is among them.
-    pub fn ambient(self) -> bool {
-        matches!(self, Self::Ambient | Self::AmbientAndDiffuse)
-    }
-
-    /// Whether the diffuse colour is among them.
-    pub fn diffuse(self) -> bool {
-        matches!(self, Self::Diffuse | Self::AmbientAndDiffuse)
+    /// Whether a part is among them.
+    pub fn has(self, part: Part) -> bool {
+        match self {
+            Self::Emission => part == Part::Emission,
+            Self::Ambient => part == Part::Ambient,
+            Self::Diffuse => part == Part::Diffuse,
+            Self::Specular => part == Part::Specular,
+            Self::AmbientAndDiffuse => matches!(part, Part::Ambient | Part::Diffuse),
+        }
     }
 }
 
@@ -113,10 +151,43 @@ impl Default for Materials {
 }
 
 impl Materials {
+    fn side(&self, side: Side) -> &Material {
+        match side {
+            Side::Front => &self.front,
+            Side::Back => &self.back,
+        }
+    }
+
     fn side_mut(&mut self, side: Side) -> &mut Material {
         match side {
             Side::Front => &mut self.front,
             Side::Back => &mut self.back,
+        }
+    }
+
+    /// What the column at a location is now, whatever is tracked.
+    pub fn column(&self, location: usize) -> [f32; 4] {
+        let (side, part) = column_at(location);
+        let material = self.side(side);
+        match part {
+            Part::Emission => material.emission,
+            Part::Ambient => material.ambient,
+            Part::Diffuse => material.diffuse,
+            Part::Specular => material.specular,
+            Part::Shininess => [material.shininess, 0.0, 0.0, 1.0],
+        }
+    }
+
+    /// Gives what the column at a location stands for another value.
+    pub fn set_column(&mut self, location: usize, value: [f32; 4]) {
+        let (side, part) = column_at(location);
+        let material = self.side_mut(side);
+        match part {
+            Part::Emission => material.emission = value,
+            Part::Ambient => material.ambient = value,
+            Part::Diffuse => material.diffuse = value,
+            Part::Specular => material.specular = value,
+            Part::Shininess => material.shininess = value[0],
         }
     }
 }
@@ -135,10 +206,7 @@ fn track(material: &mut Material, tracked: Tracked, color: [f32; 4]) {
 /// A side's material as it is now: tracked colours are the current one.
 pub(crate) fn material(context: &Context, side: Side) -> Material {
     let materials = &context.state.materials;
-    let mut material = match side {
-        Side::Front => materials.front.clone(),
-        Side::Back => materials.back.clone(),
-    };
+    let mut material = materials.side(side).clone();
     if context.state.enables.has(Flag::ColorMaterial) && materials.faces.has(side) {
         let color = context.state.current[usize::from(ATTRIB_COLOR)];
         track(&mut material, materials.tracked, color);
@@ -164,37 +232,86 @@ pub(crate) fn color_material(context: &mut Context, face: GLenum, mode: GLenum) 
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Parameter {
-    Color(Tracked),
-    Shininess,
+    Parts(&'static [Part]),
+    Indexes,
 }
+
+const SHININESS: &[Part] = &[Part::Shininess];
 
 const PARAMETER: Table<Parameter> = Table {
     section: SECTION,
     rows: &[
-        (GL_AMBIENT, Parameter::Color(Tracked::Ambient)),
-        (GL_DIFFUSE, Parameter::Color(Tracked::Diffuse)),
-        (GL_SPECULAR, Parameter::Color(Tracked::Specular)),
-        (GL_EMISSION, Parameter::Color(Tracked::Emission)),
-        (GL_SHININESS, Parameter::Shininess),
-        (GL_AMBIENT_AND_DIFFUSE, Parameter::Color(Tracked::AmbientAndDiffuse)),
+        (GL_AMBIENT, Parameter::Parts(&[Part::Ambient])),
+        (GL_DIFFUSE, Parameter::Parts(&[Part::Diffuse])),
+        (GL_SPECULAR, Parameter::Parts(&[Part::Specular])),
+        (GL_EMISSION, Parameter::Parts(&[Part::Emission])),
+        (GL_SHININESS, Parameter::Parts(SHININESS)),
+        (GL_COLOR_INDEXES, Parameter::Indexes),
+        (GL_AMBIENT_AND_DIFFUSE, Parameter::Parts(&[Part::Ambient, Part::Diffuse])),
     ],
 };
 
-/// Tracked colours take no lasting effect: they go on following the current colour.
-fn set_material(context: &mut Context, face: GLenum, pname: GLenum, params: &Params) -> Result<()> {
+/// A checked change of a material.
+enum Change {
+    /// A part of one or both sides, and its value: columns of the primitive that is begun.
+    Parts(&'static [Part], [f32; 4]),
+    Indexes([f32; 3]),
+}
+
+fn checked(face: GLenum, pname: GLenum, params: &Params) -> Result<(Sides, Change)> {
     let faces = FACES.decode("face", face)?;
     let parameter = PARAMETER.decode("pname", pname)?;
-    params.need(SECTION, pname, if parameter == Parameter::Shininess { 1 } else { 4 })?;
-    let shininess = params.number();
-    if parameter == Parameter::Shininess && !(0.0..=128.0).contains(&shininess) {
-        return invalid_value(SECTION, format!("GL_SHININESS = {shininess} must be 0 to 128"));
-    }
-    split(context)?;
-    for side in [Side::Front, Side::Back].into_iter().filter(|side| faces.has(*side)) {
-        let material = context.state.materials.side_mut(side);
-        match parameter {
-            Parameter::Color(color) => track(material, color, params.color()),
-            Parameter::Shininess => material.shininess = shininess,
+    let count = match parameter {
+        Parameter::Parts(SHININESS) => 1,
+        Parameter::Parts(_) => 4,
+        Parameter::Indexes => 3,
+    };
+    params.need(SECTION, pname, count)?;
+    let change = match parameter {
+        Parameter::Parts(SHININESS) => {
+            let shininess = params.number();
+            if !(0.0..=128.0).contains(&shininess) {
+                return invalid_value(
+                    SECTION,
+                    format!("GL_SHININESS = {shininess} must be 0 to 128"),
+                );
+            }
+            Change::Parts(SHININESS, [shininess, 0.0, 0.0, 1.0])
+        }
+        Parameter::Parts(parts) => Change::Parts(parts, params.color()),
+        Parameter::Indexes => {
+            let [ambient, diffuse, specular, _] = params.point().map(|index| index as f32);
+            Change::Indexes([ambient, diffuse, specular])
+        }
+    };
+    Ok((faces, change))
+}
+
+/// Parts that track the current colour take no lasting effect. In a list, and between `glBegin` and
+/// `glEnd`, a part is an attribute of the vertices that follow.
+fn set_material(context: &mut Context, face: GLenum, pname: GLenum, params: &Params) -> Result<()> {
+    let (faces, change) = match checked(face, pname, params) {
+        Ok(checked) => checked,
+        Err(error) => {
+            return context.run_or_record("glMaterial", move |_| Err(error.clone()));
+        }
+    };
+    match change {
+        Change::Parts(parts, value) => {
+            for side in [Side::Front, Side::Back].into_iter().filter(|side| faces.has(*side)) {
+                for &part in parts {
+                    attribute(context, Slot::Location(column(side, part)), value)?;
+                }
+            }
+        }
+        Change::Indexes(indexes) => {
+            let set = move |context: &mut Context| {
+                for side in [Side::Front, Side::Back].into_iter().filter(|side| faces.has(*side)) {
+                    context.state.materials.side_mut(side).indexes = indexes;
+                }
+                Ok(())
+            };
+            return context.run_or_record("glMaterial", set);
         }
     }
     Ok(())
@@ -206,16 +323,17 @@ fn get_material(context: &Context, face: GLenum, pname: GLenum) -> Result<Value>
     const SIDE: Table<Side> =
         Table { section: SECTION, rows: &[(GL_FRONT, Side::Front), (GL_BACK, Side::Back)] };
     const QUERIED: Table<Parameter> =
-        Table { section: SECTION, rows: PARAMETER.rows.split_at(5).0 };
+        Table { section: SECTION, rows: PARAMETER.rows.split_at(6).0 };
     let side = SIDE.decode("face", face)?;
     let parameter = QUERIED.decode("pname", pname)?;
     let material = material(context, side);
     match parameter {
-        Parameter::Color(Tracked::Emission) => unit(&material.emission),
-        Parameter::Color(Tracked::Diffuse) => unit(&material.diffuse),
-        Parameter::Color(Tracked::Specular) => unit(&material.specular),
-        Parameter::Color(Tracked::Ambient | Tracked::AmbientAndDiffuse) => unit(&material.ambient),
-        Parameter::Shininess => float(material.shininess),
+        Parameter::Indexes => floats(&material.indexes),
+        Parameter::Parts([Part::Emission, ..]) => unit(&material.emission),
+        Parameter::Parts([Part::Ambient, ..]) => unit(&material.ambient),
+        Parameter::Parts([Part::Diffuse, ..]) => unit(&material.diffuse),
+        Parameter::Parts([Part::Specular, ..]) => unit(&material.specular),
+        Parameter::Parts([Part::Shininess, ..] | []) => float(material.shininess),
     }
 }
 

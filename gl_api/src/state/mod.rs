@@ -6,6 +6,7 @@ pub(crate) mod clip;
 pub(crate) mod enable;
 pub(crate) mod fog;
 pub(crate) mod fragment;
+pub(crate) mod index;
 pub(crate) mod light;
 pub(crate) mod masks;
 pub(crate) mod material;
@@ -20,7 +21,8 @@ pub(crate) mod stencil;
 pub(crate) mod viewport;
 
 use crate::env::Units;
-use crate::interface::{ATTRIB_COLOR, ATTRIB_EDGE_FLAG, ATTRIB_NORMAL};
+use crate::evaluate::EvaluatorState;
+use crate::interface::{ATTRIB_COLOR, ATTRIB_EDGE_FLAG, ATTRIB_INDEX, ATTRIB_NORMAL};
 use crate::pixels::position::RasterPosition;
 use crate::texture::Proxies;
 use crate::texture::transfer::Transfer;
@@ -78,6 +80,7 @@ pub(crate) struct State {
     pub raster_position: RasterPosition,
     pub proxies: Proxies,
     pub units: Units,
+    pub evaluators: EvaluatorState,
     pub bindings: Bindings,
 }
 
@@ -87,6 +90,7 @@ impl State {
         let mut current = [[0.0, 0.0, 0.0, 1.0]; LOCATIONS];
         current[usize::from(ATTRIB_COLOR)] = [1.0; 4];
         current[usize::from(ATTRIB_EDGE_FLAG)] = [1.0, 0.0, 0.0, 1.0];
+        current[usize::from(ATTRIB_INDEX)] = [1.0, 0.0, 0.0, 1.0];
         current[usize::from(ATTRIB_NORMAL)] = [0.0, 0.0, 1.0, 1.0];
         Self {
             matrices: Matrices::default(),
@@ -108,6 +112,7 @@ impl State {
             raster_position: RasterPosition::default(),
             proxies: Proxies::default(),
             units: Units::default(),
+            evaluators: EvaluatorState::default(),
             bindings: Bindings::default(),
         }
     }

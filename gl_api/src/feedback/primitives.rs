@@ -1,0 +1,267 @@
+//! From a draw to the primitives that selection and feedback see: assembled (GL 2.1, section
+//! 2.6.1), clipped, culled, and drawn as the polygon mode says (section 3.5).
+
+use super::Corner;
+use super::clip::{self, Vertex};
+use super::record::Kind;
+use super::shade::{Id, Shaded, shade};
+use crate::context::Context;
+use crate::draw::translate::Elements;
+use crate::error::{ErrorCode, GlError, Result};
+use crate::interface::*;
+use crate::state::enable::Flag;
+use rasterizer::driver::{Cull, FrontFace, Indices, PolygonMode, Topology, VertexBinding};
+use rasterizer::ir::{Interpolation, Output};
+use std::ops::Range;
+
+/// More vertices than this are not taken at once.
+const MAX_VERTICES: u64 = 1 << 24;
+
+/// Takes a draw.
+///
+/// # Errors
+/// As the draw.
+pub(crate) fn draw(
+    context: &mut Context,
+    topology: Topology,
+    vertices: &[VertexBinding],
+    elements: &Elements,
+) -> Result<()> {
+    let (count, instances) = match elements {
+        Elements::Range { count, instances, .. } | Elements::Indexed { count, instances, .. } => {
+            (*count, *instances)
+        }
+    };
+    let total = u64::from(count) * u64::from(instances);
+    if total > MAX_VERTICES {
+        return Err(GlError {
+            code: ErrorCode::OutOfMemory,
+            rule: format!("a draw of {total} vertices: at most {MAX_VERTICES} here"),
+            section: "GL 2.1, section 5.2",
+        });
+    }
+    let numbers: Vec<u32> = match elements {
+        Elements::Range { first, count, .. } => (*first..first.saturating_add(*count)).collect(),
+        Elements::Indexed { indices, count, .. } => read(indices, *count),
+    };
+    for instance in 0..instances {
+        let ids: Vec<Id> = numbers.iter().map(|&vertex| Id { vertex, instance }).collect();
+        let shaded = shade(context, vertices, &ids)?;
+        let corners = clip_vertices(context, vertices, &ids, &shaded);
+        assemble(context, topology, &corners);
+    }
+    Ok(())
+}
+
+/// The vertex numbers of indices.
+fn read(indices: &Indices, count: u32) -> Vec<u32> {
+    let size = indices.ty.size();
+    let bytes = indices.buffer.bytes().get(indices.offset..).unwrap_or_default();
+    let number =
+        |index: &[u8]| index.iter().rev().fold(0, |n: u32, &byte| n << 8 | u32::from(byte));
+    let numbers = bytes.chunks_exact(size).take(count as usize).map(number);
+    numbers.map(|n| n.wrapping_add_signed(indices.base_vertex)).collect()
+}
+
+fn clip_vertices(
+    context: &Context,
+    vertices: &[VertexBinding],
+    ids: &[Id],
+    shaded: &[Shaded],
+) -> Vec<Vertex> {
+    let current = |location: u8| context.state.current[usize::from(location)];
+    let flags = vertices.iter().find(|binding| binding.location == ATTRIB_EDGE_FLAG);
+    let vertex = |(id, shaded): (&Id, &Shaded)| {
+        let front = shaded.varyings(VARYING_COLOR, current(ATTRIB_COLOR));
+        let values = [
+            front,
+            shaded.varyings(VARYING_BACK_COLOR, front),
+            shaded.varyings(VARYING_TEX_COORD, current(ATTRIB_TEX_COORD)),
+        ];
+        let distance = |plane| shaded.get(Output::ClipDistance(plane)).map_or(1.0, f64::from);
+        Vertex {
+            clip: shaded.position(),
+            distances: [0, 1, 2, 3, 4, 5, 6, 7].map(distance),
+            values: values.map(|value| value.map(f64::from)),
+            edge: flags.is_none_or(|flags| flags.source.read(id.vertex)[0] != 0.0),
+        }
+    };
+    ids.iter().zip(shaded).map(vertex).collect()
+}
+
+/// Takes the primitives that vertices make.
+fn assemble(context: &mut Context, topology: Topology, vertices: &[Vertex]) {
+    let count = vertices.len();
+    let at = |index: usize| vertices[index];
+    let line = |context: &mut Context, ends: [usize; 2], kind| {
+        emit_line(context, ends.map(at), at(ends[1]), kind);
+    };
+    match topology {
+        Topology::Points => vertices.iter().for_each(|vertex| point(context, vertex)),
+        Topology::Lines => {
+            for first in (0..count.saturating_sub(1)).step_by(2) {
+                line(context, [first, first + 1], Kind::LineReset);
+            }
+        }
+        Topology::LineStrip | Topology::LineLoop => {
+            for last in 1..count {
+                let kind = if last == 1 { Kind::LineReset } else { Kind::Line };
+                line(context, [last - 1, last], kind);
+            }
+            if topology == Topology::LineLoop && count > 1 {
+                line(context, [count - 1, 0], Kind::Line);
+            }
+        }
+        Topology::Triangles => polygons(context, vertices, 3),
+        Topology::Quads => polygons(context, vertices, 4),
+        Topology::TriangleStrip => {
+            for first in 0..count.saturating_sub(2) {
+                let [a, b] = if first % 2 == 0 { [0, 1] } else { [1, 0] };
+                let corners = [first + a, first + b, first + 2].map(at).map(edged);
+                polygon(context, &corners, at(first + 2));
+            }
+        }
+        Topology::TriangleFan => {
+            for last in 2..count {
+                let corners = [0, last - 1, last].map(at).map(edged);
+                polygon(context, &corners, at(last));
+            }
+        }
+        Topology::QuadStrip => {
+            for first in (0..count.saturating_sub(3)).step_by(2) {
+                let corners = [first, first + 1, first + 3, first + 2].map(at).map(edged);
+                polygon(context, &corners, at(first + 3));
+            }
+        }
+        Topology::Polygon if count >= 3 => polygon(context, vertices, at(0)),
+        Topology::Polygon => {}
+    }
+}
+
+/// Strips and fans have no edge flags: all their edges are the polygon's (section 2.6.2).
+fn edged(vertex: Vertex) -> Vertex {
+    Vertex { edge: true, ..vertex }
+}
+
+fn polygons(context: &mut Context, vertices: &[Vertex], corners: usize) {
+    for corners in vertices.chunks_exact(corners) {
+        polygon(context, corners, corners[corners.len() - 1]);
+    }
+}
+
+/// A vertex with the colours of the one that provokes, where shading is flat.
+fn shaded_flat(context: &Context, vertex: &Vertex, provoking: &Vertex) -> Vertex {
+    let mut vertex = *vertex;
+    if context.state.raster.shade_model == Interpolation::Flat {
+        vertex.values[..2].copy_from_slice(&provoking.values[..2]);
+    }
+    vertex
+}
+
+/// Which of a vertex's colours count.
+#[derive(Clone, Copy)]
+enum Facing {
+    Front,
+    Back,
+}
+
+/// The corner in window coordinates (section 2.11.1).
+fn corner(context: &Context, vertex: &Vertex, facing: Facing) -> Corner {
+    let [x, y, z, w] = vertex.clip;
+    let viewport = &context.state.viewport;
+    let along =
+        |c: f64, start: i32, size: i32| f64::from(start) + (c / w + 1.0) * f64::from(size) / 2.0;
+    let [near, far] = viewport.depth;
+    Corner {
+        window: [
+            along(x, viewport.x, viewport.width),
+            along(y, viewport.y, viewport.height),
+            near + (z / w + 1.0) * (far - near) / 2.0,
+        ],
+        clip_w: w,
+        color: match facing {
+            Facing::Front => vertex.values[0],
+            Facing::Back => vertex.values[1],
+        },
+        tex_coords: vertex.values[2],
+    }
+}
+
+fn point(context: &mut Context, vertex: &Vertex) {
+    if clip::holds(vertex) {
+        let corner = corner(context, vertex, Facing::Front);
+        context.feedback.primitive(Kind::Point, &[corner]);
+    }
+}
+
+fn emit_line(context: &mut Context, ends: [Vertex; 2], provoking: Vertex, kind: Kind) {
+    let ends = ends.map(|end| shaded_flat(context, &end, &provoking));
+    if let Some(ends) = clip::line(ends) {
+        let corners = ends.map(|end| corner(context, &end, Facing::Front));
+        context.feedback.primitive(kind, &corners);
+    }
+}
+
+/// Twice the area of a polygon in the window, positive where it is counterclockwise (section 3.5.1).
+fn doubled_area(corners: &[Corner]) -> f64 {
+    let edge = |at: usize| {
+        let ([x0, y0, _], [x1, y1, _]) =
+            (corners[at].window, corners[(at + 1) % corners.len()].window);
+        x0 * y1 - x1 * y0
+    };
+    (Range { start: 0, end: corners.len() }).map(edge).sum()
+}
+
+/// Whether polygons have colours of their own on the back (sections 2.14.1 and 2.15.3).
+fn is_two_sided(context: &Context) -> bool {
+    let linked = context.objects.linked_program(context.state.bindings.program);
+    let enables = &context.state.enables;
+    if linked.is_some_and(|linked| linked.vertex.is_some()) {
+        return enables.has(Flag::VertexProgramTwoSide);
+    }
+    enables.has(Flag::Lighting) && context.state.lights.model.two_side
+}
+
+fn polygon(context: &mut Context, vertices: &[Vertex], provoking: Vertex) {
+    let flat = vertices.iter().map(|vertex| shaded_flat(context, vertex, &provoking)).collect();
+    let clipped = clip::polygon(flat);
+    if clipped.len() < 3 {
+        return;
+    }
+    let as_facing = |facing| -> Vec<Corner> {
+        clipped.iter().map(|vertex| corner(context, vertex, facing)).collect()
+    };
+    let mut corners = as_facing(Facing::Front);
+    let raster = &context.state.raster;
+    let counterclockwise = doubled_area(&corners) > 0.0;
+    let is_front = counterclockwise == (raster.front_face == FrontFace::Ccw);
+    let culled = match raster.cull {
+        Cull::None => false,
+        Cull::Front => is_front,
+        Cull::Back => !is_front,
+        Cull::Both => true,
+    };
+    if culled && context.state.enables.has(Flag::CullFace) {
+        return;
+    }
+    if !is_front && is_two_sided(context) {
+        corners = as_facing(Facing::Back);
+    }
+    let mode = raster.polygons.mode[usize::from(!is_front)];
+    match mode {
+        PolygonMode::Fill => context.feedback.primitive(Kind::Polygon, &corners),
+        PolygonMode::Line => {
+            let mut kind = Kind::LineReset;
+            for at in (0..corners.len()).filter(|&at| clipped[at].edge) {
+                let ends = [corners[at], corners[(at + 1) % corners.len()]];
+                context.feedback.primitive(kind, &ends);
+                kind = Kind::Line;
+            }
+        }
+        PolygonMode::Point => {
+            for at in (0..corners.len()).filter(|&at| clipped[at].edge) {
+                context.feedback.primitive(Kind::Point, &corners[at..=at]);
+            }
+        }
+    }
+}

@@ -1,0 +1,151 @@
+//! The accumulation buffer of the default framebuffer: GL 2.1, section 4.2.4. Its components are
+//! `f32`; it has memory from when it is first used.
+
+use super::blit::edit;
+use super::clear::drawn_area;
+use super::complete::{Readable, draw_pass};
+use super::read;
+use crate::constants::*;
+use crate::context::Context;
+use crate::error::{Result, Table, invalid_operation};
+use crate::feedback::Mode;
+use crate::query::table::{Value, int, unit};
+use crate::texture::texel;
+use crate::types::*;
+use rasterizer::driver::Rect;
+
+const SECTION: &str = "GL 2.1, section 4.2.4";
+
+/// Bits of a component.
+const BITS: i32 = 32;
+
+/// Red, green, blue and alpha of each pixel, row by row; none before the first use.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Accumulation(Vec<[f32; 4]>);
+
+/// What `glAccum` does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Operation {
+    Accumulate,
+    Load,
+    Return,
+    Multiply,
+    Add,
+}
+
+const OPERATION: Table<Operation> = Table {
+    section: SECTION,
+    rows: &[
+        (GL_ACCUM, Operation::Accumulate),
+        (GL_LOAD, Operation::Load),
+        (GL_RETURN, Operation::Return),
+        (GL_MULT, Operation::Multiply),
+        (GL_ADD, Operation::Add),
+    ],
+};
+
+pub(crate) fn clear_accum(
+    context: &mut Context,
+    red: GLfloat,
+    green: GLfloat,
+    blue: GLfloat,
+    alpha: GLfloat,
+) -> Result<()> {
+    context.state.clear.accumulation =
+        [red, green, blue, alpha].map(|c| if c.is_nan() { 0.0 } else { c.clamp(-1.0, 1.0) });
+    Ok(())
+}
+
+/// Changes the sums of the pixels of an area; the function has the pixel's column and row.
+fn each(context: &mut Context, area: Rect, change: impl Fn(usize, usize, &mut [f32; 4])) {
+    let window = &mut context.window;
+    let width = window.width as usize;
+    let sums = &mut window.accumulation.0;
+    sums.resize(width * window.height as usize, [0.0; 4]);
+    let columns = area.x as usize..area.x as usize + area.width as usize;
+    for y in area.y as usize..area.y as usize + area.height as usize {
+        for x in columns.clone() {
+            change(x, y, &mut sums[y * width + x]);
+        }
+    }
+}
+
+/// Fills the buffer with its clear value, through the scissor rectangle; a framebuffer object has
+/// none.
+pub(super) fn clear(context: &mut Context, area: Rect) {
+    if context.state.bindings.draw_framebuffer == 0 {
+        let value = context.state.clear.accumulation;
+        each(context, area, |_, _, sum| *sum = value);
+    }
+}
+
+pub(crate) fn accum(context: &mut Context, op: GLenum, value: GLfloat) -> Result<()> {
+    let operation = OPERATION.decode("op", op)?;
+    let pass = draw_pass(context)?;
+    let bindings = &context.state.bindings;
+    if bindings.draw_framebuffer != 0 || bindings.read_framebuffer != 0 {
+        return invalid_operation(
+            SECTION,
+            "framebuffer objects have no accumulation buffer: call glBindFramebuffer(GL_FRAMEBUFFER, 0)",
+        );
+    }
+    let area = drawn_area(context, &pass);
+    if context.feedback.mode != Mode::Render || context.queries.discards() {
+        return Ok(());
+    }
+    match operation {
+        Operation::Accumulate | Operation::Load => {
+            let from = read::source(context, Readable::Color)?;
+            let format = from.format();
+            each(context, area, |x, y, sum| {
+                let color = texel::decode(format, from.row(x, y, 1)).map(|c| c as f32 * value);
+                *sum = match operation {
+                    Operation::Load => color,
+                    _ => [0, 1, 2, 3].map(|i| sum[i] + color[i]),
+                };
+            });
+        }
+        Operation::Multiply => each(context, area, |_, _, sum| *sum = sum.map(|c| c * value)),
+        Operation::Add => each(context, area, |_, _, sum| *sum = sum.map(|c| c + value)),
+        Operation::Return => give_back(context, area, value),
+    }
+    Ok(())
+}
+
+/// Writes the sums times a factor to the colour buffer that is drawn to, clamped, through the mask.
+fn give_back(context: &mut Context, area: Rect, factor: f32) {
+    each(context, area, |_, _, _| {});
+    let Ok(pass) = draw_pass(context) else { return };
+    let mask = context.state.fragment.buffers[0].mask;
+    let width = context.window.width as usize;
+    let sums = std::mem::take(&mut context.window.accumulation.0);
+    for attachment in pass.colors.iter().flatten() {
+        edit(context, attachment, |level, first| {
+            let (format, size, row) = (level.format, level.format.bytes(), level.row_bytes());
+            for y in area.y as usize..area.y as usize + area.height as usize {
+                for x in area.x as usize..area.x as usize + area.width as usize {
+                    let at = first + y * row + x * size;
+                    let texel = &mut level.texels[at..at + size];
+                    let before = texel::decode(format, texel);
+                    let sum = sums[y * width + x].map(|c| c * factor);
+                    let color = [0, 1, 2, 3].map(|i| {
+                        if mask[i] { f64::from(sum[i]).clamp(0.0, 1.0) } else { before[i] }
+                    });
+                    texel.copy_from_slice(&texel::encode(format, color)[..size]);
+                }
+            }
+        });
+    }
+    context.window.accumulation.0 = sums;
+}
+
+/// What `glGet` reads.
+pub(crate) fn state_value(context: &Context, pname: GLenum) -> Option<Result<Value>> {
+    Some(match pname {
+        GL_ACCUM_RED_BITS | GL_ACCUM_GREEN_BITS | GL_ACCUM_BLUE_BITS | GL_ACCUM_ALPHA_BITS => {
+            int(if context.state.bindings.draw_framebuffer == 0 { BITS } else { 0 })
+        }
+        GL_ACCUM_CLEAR_VALUE => unit(&context.state.clear.accumulation),
+        _ => return None,
+    })
+}
