@@ -82,11 +82,14 @@ impl Spot {
         let lane = match place {
             Place::Block(block) => (block == self.block).then_some(self.lane)?,
             Place::Quads(blocks, quads) => {
-                let here = |(&block, &quad): (&u8, &u8)| {
-                    usize::from(block) == self.block && usize::from(quad) == self.lane % QUADS
+                // Its quad may be there more than once, the pixel may not.
+                let first = self.lane / QUADS * QUADS;
+                let here = |(at, (&block, &quad)): (usize, (&u8, &u8))| {
+                    let same =
+                        usize::from(block) == self.block && usize::from(quad) == self.lane % QUADS;
+                    (same && lanes >> (first + at) & 1 == 1).then_some(first + at)
                 };
-                let at = blocks.iter().zip(quads).position(here)?;
-                self.lane / QUADS * QUADS + at
+                blocks.iter().zip(quads).enumerate().find_map(here)?
             }
         };
         (lanes >> lane & 1 == 1).then_some(lane)
