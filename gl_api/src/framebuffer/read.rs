@@ -2,6 +2,7 @@
 
 use super::Region;
 use super::complete::{Readable, read_attachment};
+use crate::constants::*;
 use crate::context::Context;
 use crate::entry::DataOut;
 use crate::error::{Result, invalid_operation, not_negative};
@@ -132,6 +133,12 @@ pub(crate) fn read_pixels(
 ) -> Result<()> {
     let width = not_negative(SECTION, "width", width.into())?;
     let height = not_negative(SECTION, "height", height.into())?;
+    if format == GL_COLOR_INDEX {
+        return invalid_operation(
+            SECTION,
+            "format = GL_COLOR_INDEX, but the framebuffer has colours: use GL_RGBA",
+        );
+    }
     let pixel = Pixel::new(format, ty)?;
     let layout = Layout::new(&context.state.pack, pixel, [width, height, 1], Extent::Flat)?;
     let from = chosen(context, pixel.format)?;

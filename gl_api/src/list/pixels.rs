@@ -1,6 +1,7 @@
 //! Memory that a list takes when it is compiled: pixels, wherever they lie, and names of lists.
 
 use super::calls::NAME_TYPE;
+use crate::constants::*;
 use crate::context::Context;
 use crate::entry::{Data, Located};
 use crate::texture::client::Pixel;
@@ -73,7 +74,13 @@ fn image(
     [format, ty]: [i64; 2],
     extent: Extent,
 ) -> Option<usize> {
-    let pixel = Pixel::new(format as u32, ty as u32).ok()?;
+    let (format, ty) = match [format as u32, ty as u32] {
+        [GL_COLOR_INDEX, GL_BITMAP] => return bits(context, [size[0], size[1]]),
+        // Laid out alike.
+        [GL_COLOR_INDEX, ty] => (GL_STENCIL_INDEX, ty),
+        [format, ty] => (format, ty),
+    };
+    let pixel = Pixel::new(format, ty).ok()?;
     let [width, height, depth] = size.map(|side| usize::try_from(side).ok());
     let layout = Layout::new(&context.state.unpack, pixel, [width?, height?, depth?], extent);
     layout.ok().map(|layout| layout.needed)

@@ -15,7 +15,7 @@ use crate::types::*;
 const SECTION: &str = "GL 2.1, section 3.7";
 
 /// Where the bits of a bitmap lie.
-struct Bits {
+pub(crate) struct Bits {
     /// Bytes from a row to the next.
     stride: usize,
     skip_rows: usize,
@@ -26,7 +26,7 @@ struct Bits {
 }
 
 impl Bits {
-    fn new(store: &PixelStore, width: usize, height: usize) -> Result<Self> {
+    pub fn new(store: &PixelStore, width: usize, height: usize) -> Result<Self> {
         let per_row = if store.row_length > 0 { store.row_length } else { width };
         let stride = per_row.div_ceil(8).next_multiple_of(store.alignment);
         let last = store.skip_pixels.checked_add(width).map(|bits| bits.div_ceil(8));
@@ -49,8 +49,28 @@ impl Bits {
         }
     }
 
+    /// Bytes that the memory must have.
+    pub fn needed(&self) -> usize {
+        self.needed
+    }
+
+    /// The bitmap's memory, if all of it is there.
+    pub fn checked<'a>(&self, bytes: &'a [u8], [width, height]: [usize; 2]) -> Result<&'a [u8]> {
+        if bytes.len() < self.needed {
+            return invalid_operation(
+                SECTION,
+                format!(
+                    "a bitmap of {width}×{height} takes {} bytes; there are {}",
+                    self.needed,
+                    bytes.len()
+                ),
+            );
+        }
+        Ok(bytes)
+    }
+
     /// Whether a pixel is set.
-    fn at(&self, bytes: &[u8], x: usize, y: usize) -> bool {
+    pub fn at(&self, bytes: &[u8], x: usize, y: usize) -> bool {
         let bit = self.skip_pixels + x;
         let byte = bytes[(self.skip_rows + y) * self.stride + bit / 8];
         let place = if self.lsb_first { bit % 8 } else { 7 - bit % 8 };
@@ -85,17 +105,7 @@ pub(crate) fn bitmap(
         return Ok(());
     }
     if let Some(source) = source.filter(|_| bits.needed > 0) {
-        let bytes = source.bytes();
-        if bytes.len() < bits.needed {
-            return invalid_operation(
-                SECTION,
-                format!(
-                    "a bitmap of {width}×{height} takes {} bytes; there are {}",
-                    bits.needed,
-                    bytes.len()
-                ),
-            );
-        }
+        let bytes = bits.checked(source.bytes(), [width, height])?;
         if feedback::record::pixels(context, Kind::Bitmap) != Mode::Render {
             position::advance(context, [xmove, ymove]);
             return Ok(());

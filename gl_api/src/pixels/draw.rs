@@ -2,6 +2,7 @@
 
 use super::rectangle::{self, Holds};
 use super::stencil;
+use crate::constants::*;
 use crate::context::Context;
 use crate::entry::Data;
 use crate::error::{Result, invalid_operation, not_negative};
@@ -9,6 +10,7 @@ use crate::feedback::record::Kind;
 use crate::feedback::{self, Mode};
 use crate::framebuffer::complete::{draw_pass, draw_planes};
 use crate::texture::client::{ClientFormat, Numbers, Pixel};
+use crate::texture::color_index::with_colors;
 use crate::texture::layout::{Extent, Layout};
 use crate::texture::{convert, memory};
 use crate::types::*;
@@ -85,6 +87,12 @@ pub(crate) fn draw_pixels(
     ty: GLenum,
     pixels: Data<'_>,
 ) -> Result<()> {
+    if format == GL_COLOR_INDEX {
+        let size = [width, height, 1];
+        return with_colors(context, size, Extent::Flat, ty, pixels, |context, colors| {
+            draw_pixels(context, width, height, GL_RGBA, GL_FLOAT, colors)
+        });
+    }
     let width = not_negative(SECTION, "width", width.into())?;
     let height = not_negative(SECTION, "height", height.into())?;
     let pixel = Pixel::new(format, ty)?;

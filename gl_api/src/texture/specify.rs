@@ -1,6 +1,7 @@
 //! `glTexImage1D`, `2D` and `3D`: GL 2.1, section 3.8.1.
 
 use super::client::{ClientFormat, Numbers, Pixel};
+use super::color_index::with_colors;
 use super::internal::{INTERNAL_FORMAT, texture_format};
 use super::layout::{Extent, Layout};
 use super::memory::pixel_source;
@@ -236,6 +237,13 @@ fn tex_image(
     border: GLint,
     pixels: Pixels<'_>,
 ) -> Result<()> {
+    if pixels.format == GL_COLOR_INDEX {
+        let (extent, ty) = (extent(dimensions), pixels.ty);
+        return with_colors(context, given, extent, ty, pixels.data, |context, data| {
+            let pixels = Pixels { format: GL_RGBA, ty: GL_FLOAT, data };
+            tex_image(context, (dimensions, target), level, internal, given, border, pixels)
+        });
+    }
     let image = dimensions.image(target)?;
     let internal = internal as GLenum;
     let format = checked_internal(internal)?;

@@ -82,14 +82,25 @@ impl Transfer {
         }
     }
 
-    /// A stencil index shifted, offset and looked up (GL 2.1, section 3.6.3).
-    fn stencil(&self, index: f64) -> f64 {
+    /// An index shifted and offset (GL 2.1, section 3.6.3).
+    fn moved(&self, index: f64) -> i64 {
         let index = index as i64;
         let shifted = match self.index_shift {
             shift @ 0.. => index.checked_shl(shift as u32).unwrap_or(0),
             shift => index.checked_shr(shift.unsigned_abs()).unwrap_or(0),
         };
-        let moved = shifted + i64::from(self.index_offset);
+        shifted.wrapping_add(self.index_offset.into())
+    }
+
+    /// What the look-up tables make of a colour index.
+    pub fn color_of_index(&self, index: f64) -> [f32; 4] {
+        let moved = self.moved(index);
+        self.maps.of_index().map(|map| map.at_index(moved))
+    }
+
+    /// A stencil index shifted, offset and looked up.
+    fn stencil(&self, index: f64) -> f64 {
+        let moved = self.moved(index);
         if self.map_stencil { self.maps.stencil().at_index(moved).into() } else { moved as f64 }
     }
 }
