@@ -22,7 +22,9 @@ impl Reader<'_> {
         let mut values = [f32::NAN; 16];
         read(self.c, &mut values);
         let answer = match self.c.get_error() {
-            GL_NO_ERROR => values.iter().filter(|value| !value.is_nan()).map(|&v| v.into()).collect(),
+            GL_NO_ERROR => {
+                values.iter().filter(|value| !value.is_nan()).map(|&v| v.into()).collect()
+            }
             error => vec![f64::from(error)],
         };
         self.digest.insert(key, answer);
@@ -39,7 +41,7 @@ impl Reader<'_> {
     fn state(&mut self) {
         for (name, ..) in STATE.iter().chain(LEAST) {
             let answer = get(self.c, *name).unwrap_or_default();
-            self.digest.insert(format!("{}", enum_name(*name)), answer);
+            self.digest.insert(enum_name(*name), answer);
         }
         for buffer in 0..8 {
             let answer = get(self.c, GL_DRAW_BUFFER0 + buffer).unwrap_or_default();
@@ -47,7 +49,7 @@ impl Reader<'_> {
         }
         for name in [GL_READ_BUFFER, GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER] {
             let answer = get(self.c, name).unwrap_or_default();
-            self.digest.insert(format!("{}", enum_name(name)), answer);
+            self.digest.insert(enum_name(name), answer);
         }
     }
 
@@ -113,8 +115,11 @@ impl Reader<'_> {
             GL_TEXTURE_LOD_BIAS,
         ];
         for name in ENVIRONMENT {
-            let target =
-                if name == GL_TEXTURE_LOD_BIAS { GL_TEXTURE_FILTER_CONTROL } else { GL_TEXTURE_ENV };
+            let target = if name == GL_TEXTURE_LOD_BIAS {
+                GL_TEXTURE_FILTER_CONTROL
+            } else {
+                GL_TEXTURE_ENV
+            };
             self.keep(format!("environment {name:#x}"), |c, v| c.get_tex_envfv(target, name, v));
         }
         self.keep("point sprites".into(), |c, v| {
@@ -154,7 +159,8 @@ impl Reader<'_> {
                     c.get_tex_parameterfv(target, *name, v);
                 });
             }
-            for level in 0..if target == GL_TEXTURE_RECTANGLE { 1 } else { 3 } {
+            let levels = if target == GL_TEXTURE_RECTANGLE { 1 } else { 3 };
+            for level in 0..levels {
                 for name in LEVEL {
                     self.keep(format!("level {image:#x} {level} {name:#x}"), |c, v| {
                         c.get_tex_level_parameterfv(image, level, name, v);
@@ -190,37 +196,26 @@ impl Reader<'_> {
                 c.is_program(name),
             ];
             let is = is.map(|is| f64::from(u8::from(is))).to_vec();
-            self.digest.insert(format!("objects {name}"), is);
-            for parameter in [GL_COMPILE_STATUS, GL_DELETE_STATUS, GL_SHADER_SOURCE_LENGTH] {
-                self.keep_int(format!("shader {name} {parameter:#x}"), |c, v| {
-                    c.get_shaderiv(name, parameter, v);
-                });
+            self.digest.insert(format!("objects {name}"), is.clone());
+            if is[8] == 1.0 {
+                self.shader(name);
             }
-            for parameter in [
-                GL_LINK_STATUS,
-                GL_DELETE_STATUS,
-                GL_VALIDATE_STATUS,
-                GL_ATTACHED_SHADERS,
-                GL_ACTIVE_UNIFORMS,
-                GL_ACTIVE_ATTRIBUTES,
-                GL_INFO_LOG_LENGTH,
-            ] {
-                self.keep_int(format!("program {name} {parameter:#x}"), |c, v| {
-                    c.get_programiv(name, parameter, v);
-                });
+            if is[9] == 1.0 {
+                self.program(name);
             }
-            for location in 0..16 {
-                self.keep(format!("uniform {name} {location}"), |c, v| {
-                    c.get_uniformfv(name, location, v);
-                });
-            }
-            for parameter in [GL_TEXTURE_WRAP_S, GL_TEXTURE_MIN_FILTER, GL_TEXTURE_BORDER_COLOR] {
-                self.keep(format!("sampler {name} {parameter:#x}"), |c, v| {
-                    c.get_sampler_parameterfv(name, parameter, v);
-                });
+            if is[5] == 1.0 {
+                for parameter in [GL_TEXTURE_WRAP_S, GL_TEXTURE_MIN_FILTER, GL_TEXTURE_BORDER_COLOR]
+                {
+                    self.keep(format!("sampler {name} {parameter:#x}"), |c, v| {
+                        c.get_sampler_parameterfv(name, parameter, v);
+                    });
+                }
             }
         }
-        for target in BUFFERS {
+        for (target, binding) in BUFFERS {
+            if get(self.c, *binding) == Some(vec![0.0]) {
+                continue;
+            }
             for parameter in [GL_BUFFER_SIZE, GL_BUFFER_USAGE, GL_BUFFER_ACCESS, GL_BUFFER_MAPPED] {
                 self.keep_int(format!("buffer {target:#x} {parameter:#x}"), |c, v| {
                     c.get_buffer_parameteriv(*target, parameter, v);
@@ -234,8 +229,45 @@ impl Reader<'_> {
         }
     }
 
+    /// A shader's state and source.
+    fn shader(&mut self, name: GLuint) {
+        for parameter in [GL_SHADER_TYPE, GL_COMPILE_STATUS, GL_DELETE_STATUS, GL_INFO_LOG_LENGTH] {
+            self.keep_int(format!("shader {name} {parameter:#x}"), |c, v| {
+                c.get_shaderiv(name, parameter, v);
+            });
+        }
+        let mut source = String::new();
+        self.c.get_shader_source(name, 4096, &mut [], TextOut::String(&mut source));
+        let bytes = source.bytes().map(f64::from).collect();
+        self.digest.insert(format!("source {name}"), bytes);
+    }
+
+    /// A program's state, and its uniforms.
+    fn program(&mut self, name: GLuint) {
+        let mut linked = [0];
+        self.c.get_programiv(name, GL_LINK_STATUS, &mut linked);
+        for parameter in [
+            GL_LINK_STATUS,
+            GL_DELETE_STATUS,
+            GL_VALIDATE_STATUS,
+            GL_ATTACHED_SHADERS,
+            GL_ACTIVE_UNIFORMS,
+            GL_ACTIVE_ATTRIBUTES,
+            GL_INFO_LOG_LENGTH,
+        ] {
+            self.keep_int(format!("program {name} {parameter:#x}"), |c, v| {
+                c.get_programiv(name, parameter, v);
+            });
+        }
+        for location in 0..if linked[0] == 1 { 16 } else { 0 } {
+            self.keep(format!("uniform {name} {location}"), |c, v| {
+                c.get_uniformfv(name, location, v);
+            });
+        }
+    }
+
     fn vertices(&mut self) {
-        for index in 0..16 {
+        for index in 1..16 {
             for parameter in [
                 GL_VERTEX_ATTRIB_ARRAY_ENABLED,
                 GL_VERTEX_ATTRIB_ARRAY_SIZE,
@@ -256,7 +288,13 @@ impl Reader<'_> {
 
     fn framebuffers(&mut self) {
         let points = [GL_COLOR_ATTACHMENT0, GL_DEPTH_ATTACHMENT, GL_STENCIL_ATTACHMENT];
-        for target in [GL_DRAW_FRAMEBUFFER, GL_READ_FRAMEBUFFER] {
+        for (target, binding) in [
+            (GL_DRAW_FRAMEBUFFER, "GL_FRAMEBUFFER_BINDING"),
+            (GL_READ_FRAMEBUFFER, "GL_READ_FRAMEBUFFER_BINDING"),
+        ] {
+            if self.digest[binding] == [0.0] {
+                continue;
+            }
             let status = self.c.check_framebuffer_status(target);
             self.digest.insert(format!("framebuffer {target:#x}"), vec![status.into()]);
             for point in points {
@@ -265,13 +303,21 @@ impl Reader<'_> {
                     GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME,
                     GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL,
                 ] {
-                    self.keep_int(format!("attachment {target:#x} {point:#x} {parameter:#x}"), |c, v| {
-                        c.get_framebuffer_attachment_parameteriv(target, point, parameter, v);
-                    });
+                    self.keep_int(
+                        format!("attachment {target:#x} {point:#x} {parameter:#x}"),
+                        |c, v| {
+                            c.get_framebuffer_attachment_parameteriv(target, point, parameter, v);
+                        },
+                    );
                 }
             }
         }
-        for parameter in [GL_RENDERBUFFER_WIDTH, GL_RENDERBUFFER_INTERNAL_FORMAT, GL_RENDERBUFFER_SAMPLES] {
+        if self.digest["GL_RENDERBUFFER_BINDING"] == [0.0] {
+            return;
+        }
+        for parameter in
+            [GL_RENDERBUFFER_WIDTH, GL_RENDERBUFFER_INTERNAL_FORMAT, GL_RENDERBUFFER_SAMPLES]
+        {
             self.keep_int(format!("renderbuffer {parameter:#x}"), |c, v| {
                 c.get_renderbuffer_parameteriv(GL_RENDERBUFFER, parameter, v);
             });
@@ -279,7 +325,8 @@ impl Reader<'_> {
     }
 
     fn maps(&mut self) {
-        for target in (GL_MAP1_COLOR_4..=GL_MAP1_VERTEX_4).chain(GL_MAP2_COLOR_4..=GL_MAP2_VERTEX_4) {
+        for target in (GL_MAP1_COLOR_4..=GL_MAP1_VERTEX_4).chain(GL_MAP2_COLOR_4..=GL_MAP2_VERTEX_4)
+        {
             for query in [GL_COEFF, GL_ORDER, GL_DOMAIN] {
                 self.keep(format!("map {target:#x} {query:#x}"), |c, v| {
                     c.get_mapfv(target, query, v.as_mut_slice().arg());
@@ -289,13 +336,13 @@ impl Reader<'_> {
     }
 }
 
-const BUFFERS: &[GLenum] = &[
-    GL_ARRAY_BUFFER,
-    GL_ELEMENT_ARRAY_BUFFER,
-    GL_PIXEL_PACK_BUFFER,
-    GL_PIXEL_UNPACK_BUFFER,
-    GL_COPY_READ_BUFFER,
-    GL_COPY_WRITE_BUFFER,
+const BUFFERS: &[(GLenum, GLenum)] = &[
+    (GL_ARRAY_BUFFER, GL_ARRAY_BUFFER_BINDING),
+    (GL_ELEMENT_ARRAY_BUFFER, GL_ELEMENT_ARRAY_BUFFER_BINDING),
+    (GL_PIXEL_PACK_BUFFER, GL_PIXEL_PACK_BUFFER_BINDING),
+    (GL_PIXEL_UNPACK_BUFFER, GL_PIXEL_UNPACK_BUFFER_BINDING),
+    (GL_COPY_READ_BUFFER, GL_COPY_READ_BUFFER),
+    (GL_COPY_WRITE_BUFFER, GL_COPY_WRITE_BUFFER),
 ];
 
 const PARAMETERS: &[GLenum] = &[

@@ -35,7 +35,11 @@ pub fn run(c: &mut Context, row: &Row<'_>) -> Result<(), String> {
     let text = messages.join("\n");
     let error = c.get_error();
     if error != *flag {
-        return Err(format!("{name}: {} instead of {}: {text}", enum_name(error), enum_name(*flag)));
+        return Err(format!(
+            "{name}: {} instead of {}: {text}",
+            enum_name(error),
+            enum_name(*flag)
+        ));
     }
     if !text.contains(words) {
         return Err(format!("{name}: {text:?} lacks {words:?}"));
