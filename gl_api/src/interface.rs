@@ -13,8 +13,8 @@ pub const MAX_VERTEX_ATTRIBS: u8 = 16;
 pub const MAX_TEXTURE_UNITS: u8 = 8;
 /// How many lights there are (`GL_MAX_LIGHTS`).
 pub const MAX_LIGHTS: u8 = 8;
-/// How many user clip planes there are (`GL_MAX_CLIP_PLANES`).
-pub const MAX_CLIP_PLANES: u8 = 6;
+/// How many user clip planes and clip distances there are (`GL_MAX_CLIP_PLANES`).
+pub const MAX_CLIP_PLANES: u8 = 8;
 /// How many samplers each stage of a program may use (`GL_MAX_TEXTURE_IMAGE_UNITS`,
 /// `GL_MAX_VERTEX_TEXTURE_IMAGE_UNITS`).
 pub const MAX_TEXTURE_IMAGE_UNITS: u8 = 16;

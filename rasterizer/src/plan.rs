@@ -225,11 +225,12 @@ impl DrawPlan {
         let depth_plane = (tests_z || reads_z).then(|| plane(PlaneSource::Depth));
         let mut denominator_plane = None;
         // Nothing but levels of detail is made of slopes.
-        let needs_slopes = fragment
-            .texture_slots()
-            .iter()
-            .filter_map(|&slot| input.textures.get(slot as usize)?.as_ref())
-            .any(|texture| texture.needs_lod());
+        let needs_slopes = fragment.queries_lod()
+            || fragment
+                .texture_slots()
+                .iter()
+                .filter_map(|&slot| input.textures.get(slot as usize)?.as_ref())
+                .any(|texture| texture.needs_lod());
         let read = if shading == Shading::On { fragment.inputs() } else { &[] };
         let replaced = sprite_slots(desc, &input.raster);
         // The plane of a smooth varying, or of what a sprite puts in its place.

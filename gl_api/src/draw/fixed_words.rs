@@ -39,6 +39,8 @@ struct Normal {
 pub(super) struct Keys<'a> {
     pub vertex: Option<&'a VertexKey>,
     pub fragment: Option<&'a FragmentKey>,
+    /// Bit by user clip plane that cuts what a program's vertex stage writes.
+    pub clip_planes: u8,
 }
 
 impl FixedWords {
@@ -49,6 +51,8 @@ impl FixedWords {
         if let Some(key) = keys.fragment {
             fragment(&mut self.words, context, key);
         }
+        // Planes are in the coordinates that they are compared with.
+        clip_planes(&mut self.words, context, keys.clip_planes, DMat4::IDENTITY);
         if let Some(key) = keys.vertex {
             self.transform(context);
             if key.reads_normals() {
@@ -99,15 +103,19 @@ fn fragment(words: &mut [u32], context: &Context, key: &FragmentKey) {
     }
 }
 
-fn vertex(words: &mut [u32], context: &Context, key: &VertexKey) {
-    let state = &context.state;
-    let to_eye = state.matrices.modelview.top.transpose();
-    for (plane, equation) in state.clip.planes.iter().enumerate() {
-        if key.clip_planes >> plane & 1 == 1 {
+fn clip_planes(words: &mut [u32], context: &Context, enabled: u8, to_eye: DMat4) {
+    for (plane, equation) in context.state.clip.planes.iter().enumerate() {
+        if enabled >> plane & 1 == 1 {
             let plane = word::CLIP_PLANES + 4 * plane as u32;
             put(words, plane, (to_eye * *equation).to_array());
         }
     }
+}
+
+fn vertex(words: &mut [u32], context: &Context, key: &VertexKey) {
+    let state = &context.state;
+    let to_eye = state.matrices.modelview.top.transpose();
+    clip_planes(words, context, key.clip_planes, to_eye);
     for (number, mode) in key.generated.iter().flatten().enumerate() {
         if *mode == Some(Generated::Linear) {
             let plane = object_plane(context, to_eye, number / 4, number % 4);

@@ -1,8 +1,9 @@
-//! What primitives change in a fragment stage, whoever wrote it: coverage becomes alpha, and the
-//! back of a polygon has colours of its own.
+//! What the state of a draw changes in a stage, whoever wrote it: coverage becomes alpha, the back of
+//! a polygon has colours of its own, and user clip planes cut.
 
+use super::vector::{dot, words};
 use crate::interface::*;
-use rasterizer::ir::{Expr, Input, Module, Op, Output, Stmt, Value};
+use rasterizer::ir::{Builder, Expr, Input, Interpolation, Module, Op, Output, Stmt, Value};
 
 fn push(module: &mut Module, expr: Expr) -> Value {
     module.values.push(expr);
@@ -47,9 +48,30 @@ pub(crate) fn add_two_sides(module: &mut Module) {
     if evaluated.is_empty() {
         return;
     }
-    let needed = usize::from(VARYING_BACK_COLOR) + 8;
-    if module.varyings.len() < needed {
-        module.varyings.resize(needed, rasterizer::ir::Interpolation::Smooth);
-    }
+    // The back is interpolated as the shader says of the front.
+    let [front, back] = [VARYING_COLOR, VARYING_BACK_COLOR].map(usize::from);
+    module.varyings.resize(module.varyings.len().max(back + 8), Interpolation::Smooth);
+    module.varyings.copy_within(front..front + 8, back);
     module.body.splice(0..0, evaluated);
+}
+
+/// Lets user clip planes cut by the position that a program's vertex stage writes (GLSL 1.30,
+/// section 7.1). `planes` has a bit for each that is enabled; those of plane 0 are the words from
+/// `first` on.
+pub(crate) fn add_clip_planes(module: Module, planes: u8, first: u32) -> Module {
+    let position = [0, 1, 2, 3].map(|component| {
+        let output = Output::Position(component);
+        module.outputs.iter().find(|(other, _)| *other == output).map(|(_, var)| *var)
+    });
+    // What writes no position draws nothing.
+    let [Some(x), Some(y), Some(z), Some(w)] = position else { return module };
+    let mut b = Builder::resume(module);
+    let position = [x, y, z, w].map(|var| b.load(var));
+    for plane in (0..MAX_CLIP_PLANES).filter(|plane| planes >> plane & 1 == 1) {
+        let equation = words(&mut b, first + 4 * u32::from(plane));
+        let distance = dot(&mut b, equation, position);
+        let var = b.output(Output::ClipDistance(plane));
+        b.store(var, distance);
+    }
+    b.finish()
 }

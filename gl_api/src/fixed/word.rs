@@ -26,7 +26,7 @@ pub const MODEL_AMBIENT: u32 = POINT + 6;
 const MATERIALS: u32 = MODEL_AMBIENT + 3;
 /// Lights, [`LIGHT_WORDS`] each.
 const LIGHTS: u32 = MATERIALS + 2 * MATERIAL_WORDS;
-/// User clip planes in object coordinates, 4 words each.
+/// User clip planes in object coordinates, 4 words each; in eye coordinates beside a program.
 pub const CLIP_PLANES: u32 = LIGHTS + LIGHT_WORDS * MAX_LIGHTS as u32;
 /// Planes of generated coordinates, in object coordinates: 4 words for each of s, t, r, q of each
 /// unit.

@@ -275,6 +275,8 @@ pub enum Qualifier {
     OriginUpperLeft,
     /// `layout(pixel_center_integer)` of `gl_FragCoord`.
     PixelCenterInteger,
+    /// `layout(location = n)`.
+    Location(u32),
 }
 
 impl Qualifier {
@@ -282,7 +284,10 @@ impl Qualifier {
     /// precision.
     pub fn rank(self) -> u8 {
         match self {
-            Self::OriginUpperLeft | Self::PixelCenterInteger | Self::Invariant => 0,
+            Self::OriginUpperLeft
+            | Self::PixelCenterInteger
+            | Self::Location(_)
+            | Self::Invariant => 0,
             Self::Smooth | Self::Flat | Self::NoPerspective => 1,
             Self::Centroid | Self::Const => 2,
             Self::Attribute

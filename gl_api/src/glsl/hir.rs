@@ -79,6 +79,8 @@ pub struct Passing {
     pub origin_upper_left: bool,
     /// `layout(pixel_center_integer)`.
     pub pixel_center_integer: bool,
+    /// `layout(location = n)`.
+    pub location: Option<u32>,
 }
 
 /// A variable.

@@ -5,7 +5,7 @@ use crate::context::limits;
 pub use crate::interface::{MAX_CLIP_PLANES, MAX_LIGHTS, MAX_VERTEX_ATTRIBS};
 
 /// `gl_MaxClipDistances`.
-pub const MAX_CLIP_DISTANCES: u8 = 8;
+pub const MAX_CLIP_DISTANCES: u8 = MAX_CLIP_PLANES;
 /// `gl_MaxDrawBuffers`: how many elements `gl_FragData` has.
 pub const MAX_DRAW_BUFFERS: u8 = limits::MAX_COLOR_ATTACHMENTS as u8;
 /// `gl_MaxVaryingFloats`: how many scalars may be handed from stage to stage.

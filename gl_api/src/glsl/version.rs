@@ -48,10 +48,14 @@ pub enum Extension {
     DrawBuffers,
     /// `GL_ARB_draw_instanced`: `gl_InstanceIDARB`.
     DrawInstanced,
+    /// `GL_ARB_explicit_attrib_location`: `layout(location = n)`.
+    ExplicitAttribLocation,
     /// `GL_ARB_fragment_coord_conventions`: `layout(...)` of `gl_FragCoord`.
     FragmentCoordConventions,
     /// `GL_ARB_shader_texture_lod`: explicit levels and gradients in both stages.
     ShaderTextureLod,
+    /// `GL_ARB_texture_query_lod`: `textureQueryLOD`.
+    TextureQueryLod,
     /// `GL_ARB_texture_rectangle`: `sampler2DRect`.
     TextureRectangle,
     /// `GL_EXT_gpu_shader4`, as far as it is what GLSL 1.30 has.
@@ -64,11 +68,13 @@ pub enum Extension {
 
 impl Extension {
     /// Every extension and its name.
-    pub const ALL: [(Self, &'static str); 8] = [
+    pub const ALL: [(Self, &'static str); 10] = [
         (Self::DrawBuffers, "GL_ARB_draw_buffers"),
         (Self::DrawInstanced, "GL_ARB_draw_instanced"),
+        (Self::ExplicitAttribLocation, "GL_ARB_explicit_attrib_location"),
         (Self::FragmentCoordConventions, "GL_ARB_fragment_coord_conventions"),
         (Self::ShaderTextureLod, "GL_ARB_shader_texture_lod"),
+        (Self::TextureQueryLod, "GL_ARB_texture_query_lod"),
         (Self::TextureRectangle, "GL_ARB_texture_rectangle"),
         (Self::GpuShader4, "GL_EXT_gpu_shader4"),
         (Self::TextureArray, "GL_EXT_texture_array"),

@@ -1,7 +1,6 @@
 //! Memory that a list takes when it is compiled: pixels, wherever they lie, and names of lists.
 
 use super::calls::NAME_TYPE;
-use crate::constants::*;
 use crate::context::Context;
 use crate::entry::{Data, Located};
 use crate::texture::client::Pixel;
@@ -74,13 +73,7 @@ fn image(
     [format, ty]: [i64; 2],
     extent: Extent,
 ) -> Option<usize> {
-    let (format, ty) = match [format as u32, ty as u32] {
-        [GL_COLOR_INDEX, GL_BITMAP] => return bits(context, [size[0], size[1]]),
-        // Laid out alike.
-        [GL_COLOR_INDEX, ty] => (GL_STENCIL_INDEX, ty),
-        [format, ty] => (format, ty),
-    };
-    let pixel = Pixel::new(format, ty).ok()?;
+    let pixel = Pixel::new(format as u32, ty as u32).ok()?;
     let [width, height, depth] = size.map(|side| usize::try_from(side).ok());
     let layout = Layout::new(&context.state.unpack, pixel, [width?, height?, depth?], extent);
     layout.ok().map(|layout| layout.needed)
@@ -88,11 +81,7 @@ fn image(
 
 /// Bytes of a bitmap (GL 2.1, section 3.7).
 fn bits(context: &Context, [width, height]: [i64; 2]) -> Option<usize> {
-    let store = &context.state.unpack;
-    let (width, height) = (size(width)?, size(height)?);
-    let per_row = if store.row_length > 0 { store.row_length } else { width };
-    let stride = per_row.div_ceil(8).next_multiple_of(store.alignment);
-    let rows = store.skip_rows.checked_add(height)?.checked_sub(1)?;
-    let last = store.skip_pixels.checked_add(width)?.div_ceil(8);
-    stride.checked_mul(rows)?.checked_add(last)
+    let size = [size(width)?, size(height)?, 1];
+    let layout = Layout::new(&context.state.unpack, Pixel::BIT, size, Extent::Flat);
+    layout.ok().map(|layout| layout.needed)
 }

@@ -136,6 +136,8 @@ pub(crate) const CAPABILITY: Table<Capability> = Table {
         (GL_CLIP_PLANE3, Capability::ClipPlane(3)),
         (GL_CLIP_PLANE4, Capability::ClipPlane(4)),
         (GL_CLIP_PLANE5, Capability::ClipPlane(5)),
+        (GL_CLIP_DISTANCE6, Capability::ClipPlane(6)),
+        (GL_CLIP_DISTANCE7, Capability::ClipPlane(7)),
     ],
 };
 

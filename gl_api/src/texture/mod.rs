@@ -6,7 +6,6 @@
 
 mod blocks;
 pub(crate) mod client;
-pub(crate) mod color_index;
 pub(crate) mod compressed;
 pub(crate) mod convert;
 pub(crate) mod copy;

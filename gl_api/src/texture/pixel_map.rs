@@ -127,7 +127,7 @@ impl Maps {
     }
 
     /// The tables from indices to R, G, B, A.
-    pub fn of_index(&self) -> [&Map; 4] {
+    pub fn of_indices(&self) -> [&Map; 4] {
         [Name::IToR, Name::IToG, Name::IToB, Name::IToA].map(|name| self.map(name))
     }
 

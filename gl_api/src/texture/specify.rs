@@ -1,7 +1,6 @@
 //! `glTexImage1D`, `2D` and `3D`: GL 2.1, section 3.8.1.
 
 use super::client::{ClientFormat, Numbers, Pixel};
-use super::color_index::with_colors;
 use super::internal::{INTERNAL_FORMAT, texture_format};
 use super::layout::{Extent, Layout};
 use super::memory::pixel_source;
@@ -184,12 +183,6 @@ pub(crate) fn kinds_match(pixel: Pixel, stored: Format) -> Result<()> {
             "format GL_DEPTH_COMPONENT and a depth internalformat go together, and not with colours",
         );
     }
-    if (pixel.format == ClientFormat::DepthStencil) && !stored.has_stencil() {
-        return invalid_operation(
-            SECTION,
-            "format GL_DEPTH_STENCIL needs an internalformat with stencil",
-        );
-    }
     if (pixel.numbers == Numbers::Integer) != stored.is_integer() {
         return invalid_operation(
             "EXT_texture_integer, section 3.8.1",
@@ -237,13 +230,6 @@ fn tex_image(
     border: GLint,
     pixels: Pixels<'_>,
 ) -> Result<()> {
-    if pixels.format == GL_COLOR_INDEX {
-        let (extent, ty) = (extent(dimensions), pixels.ty);
-        return with_colors(context, given, extent, ty, pixels.data, |context, data| {
-            let pixels = Pixels { format: GL_RGBA, ty: GL_FLOAT, data };
-            tex_image(context, (dimensions, target), level, internal, given, border, pixels)
-        });
-    }
     let image = dimensions.image(target)?;
     let internal = internal as GLenum;
     let format = checked_internal(internal)?;

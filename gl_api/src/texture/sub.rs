@@ -1,13 +1,11 @@
 //! `glTexSubImage1D`, `2D` and `3D`: GL 2.1, section 3.8.2.
 
 use super::client::Pixel;
-use super::color_index::with_colors;
 use super::layout::Layout;
 use super::memory::pixel_source;
 use super::specify::{extent, kinds_match};
 use super::target::Dimensions;
 use super::{FaceTarget, blocks, bound, bound_mut, checked_level, convert};
-use crate::constants::*;
 use crate::context::Context;
 use crate::entry::Data;
 use crate::error::{ErrorCode, GlError, Result, invalid_operation, invalid_value, not_negative};
@@ -88,8 +86,8 @@ pub(super) fn write_area(context: &mut Context, area: &Area, texels: &[u8]) -> R
 
 /// Memory for the texels of a box.
 pub(crate) fn room(format: Format, size: [usize; 3]) -> Result<Vec<u8>> {
-    // Inside a level, which is below 2^31 bytes.
-    let bytes = size.iter().product::<usize>() * format.bytes();
+    let sides = size.iter().chain([&format.bytes()]).try_fold(1_usize, |a, &b| a.checked_mul(b));
+    let bytes = sides.unwrap_or(usize::MAX);
     let mut texels = Vec::new();
     texels.try_reserve_exact(bytes).map_err(|_| GlError {
         code: ErrorCode::OutOfMemory,
@@ -109,13 +107,6 @@ fn tex_sub_image(
     (format, ty): (GLenum, GLenum),
     pixels: Data<'_>,
 ) -> Result<()> {
-    if format == GL_COLOR_INDEX {
-        let extent = extent(dimensions);
-        return with_colors(context, size, extent, ty, pixels, |context, colors| {
-            let pixel = (GL_RGBA, GL_FLOAT);
-            tex_sub_image(context, (dimensions, target), level, offset, size, pixel, colors)
-        });
-    }
     let target = dimensions.bound(target)?;
     let pixel = Pixel::new(format, ty)?;
     let area = checked_area(context, target, level, offset, size)?;

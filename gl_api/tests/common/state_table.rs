@@ -114,6 +114,8 @@ pub const STATE: &[Row] = rows! {
         GL_CLIP_PLANE3 Number F;
         GL_CLIP_PLANE4 Number F;
         GL_CLIP_PLANE5 Number F;
+        GL_CLIP_DISTANCE6 Number F;
+        GL_CLIP_DISTANCE7 Number F;
     }
     "6.12, colouring" {
         GL_FOG_COLOR Fraction &[0.0; 4];

@@ -18,7 +18,7 @@ const INITIAL: &[(GLenum, &[f32])] = &[
     (GL_TEXTURE_GEN_S, &[0.0]),
     (GL_TEXTURE_GEN_Q, &[0.0]),
     (GL_MAX_LIGHTS, &[8.0]),
-    (GL_MAX_CLIP_PLANES, &[6.0]),
+    (GL_MAX_CLIP_PLANES, &[8.0]),
     (GL_LIGHT_MODEL_AMBIENT, &[0.2, 0.2, 0.2, 1.0]),
     (GL_LIGHT_MODEL_LOCAL_VIEWER, &[0.0]),
     (GL_LIGHT_MODEL_TWO_SIDE, &[0.0]),

@@ -50,7 +50,7 @@ const CASES: &[Case] = &[
     (|c| typed(c, GL_BGRA, GL_RGBA, GL_FLOAT), GL_INVALID_VALUE, "GL_BGRA must be 1 to 4"),
     (|c| typed(c, 5, GL_RGBA, GL_FLOAT), GL_INVALID_VALUE, "internalformat = 5"),
     (|c| typed(c, GL_RGBA, GL_COLOR, GL_FLOAT), GL_INVALID_ENUM, "format = GL_COLOR"),
-    (|c| typed(c, GL_RGBA, GL_RGBA, GL_BITMAP), GL_INVALID_ENUM, "type = GL_BITMAP must be"),
+    (|c| typed(c, GL_RGBA, GL_RGBA, GL_BITMAP), GL_INVALID_ENUM, "bits are GL_COLOR_INDEX"),
     (|c| typed(c, GL_RGBA, GL_DEPTH_COMPONENT, GL_FLOAT), GL_INVALID_OPERATION, "go together"),
     (|c| typed(c, GL_DEPTH_COMPONENT, GL_RGBA, GL_FLOAT), GL_INVALID_OPERATION, "go together"),
     (

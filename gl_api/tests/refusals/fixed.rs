@@ -107,7 +107,7 @@ const CASES: &[Case] = &[
         "for images alone",
     ),
     // User clip planes.
-    (|c| c.clip_plane(GL_CLIP_PLANE0 + 6, &[0.0; 4]), GL_INVALID_ENUM, "to GL_CLIP_PLANE5"),
+    (|c| c.clip_plane(GL_CLIP_PLANE0 + 8, &[0.0; 4]), GL_INVALID_ENUM, "to GL_CLIP_PLANE7"),
     (|c| c.clip_plane(GL_CLIP_PLANE0, &[0.0; 3]), GL_INVALID_OPERATION, "3 of the 4"),
     (|c| c.get_clip_plane(GL_LIGHT0, &mut [0.0; 4]), GL_INVALID_ENUM, "plane = GL_LIGHT0"),
     (|c| c.get_clip_plane(GL_CLIP_PLANE1, &mut [0.0; 2]), GL_INVALID_OPERATION, "room for 2"),

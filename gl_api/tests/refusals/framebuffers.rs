@@ -135,7 +135,7 @@ const CASES: &[Case] = &[
         nothing,
         |c| c.bitmap(9, 2, 0.0, 0.0, 0.0, 0.0, Data::Bytes(&[0; 3])),
         GL_INVALID_OPERATION,
-        "takes 6 bytes; there are 3",
+        "take 6 bytes; the slice has 3",
     ),
     (nothing, |c| blit(c, 1, GL_NEAREST), GL_INVALID_VALUE, "mask = 0x1"),
     (nothing, |c| blit(c, GL_COLOR_BUFFER_BIT, GL_LINEAR_MIPMAP_LINEAR), GL_INVALID_ENUM, "filter"),

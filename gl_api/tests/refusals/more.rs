@@ -216,7 +216,7 @@ const CASES: &[Case] = &[
         nothing,
         |c| c.draw_pixels(9, 1, GL_COLOR_INDEX, GL_BITMAP, Data::Bytes(&[0])),
         OPERATION,
-        "takes 2 bytes; there are 1",
+        "take 2 bytes; the slice has 1",
     ),
 ];
 

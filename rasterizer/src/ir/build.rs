@@ -32,6 +32,12 @@ impl Builder {
         Self { module: Module::new(stage), open: vec![Vec::new()] }
     }
 
+    /// A builder that goes on where a module ends.
+    pub fn resume(mut module: Module) -> Self {
+        let body = std::mem::take(&mut module.body);
+        Self { module, open: vec![body] }
+    }
+
     /// The module so far, without the blocks that are still open.
     pub fn module(&self) -> &Module {
         &self.module

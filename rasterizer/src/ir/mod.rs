@@ -198,6 +198,10 @@ pub enum Access {
     /// `textureSize`: width, height and depth (or layers, after the sides that are filtered along)
     /// of a level (an explicit λ, `i32`), as `i32`. Coordinates do not matter. No compare.
     Size,
+    /// `textureQueryLOD` of the fragment stage: the level that a lookup without explicit λ reads,
+    /// with a fraction where it mixes two, and λ before it is held in the sampler's range, as `f32`.
+    /// No compare.
+    Lod,
 }
 
 impl Access {
@@ -442,6 +446,7 @@ impl Module {
     pub fn component_ty(&self, sample: &Sample) -> Ty {
         match sample.access {
             Access::Size => Ty::I32,
+            Access::Lod => Ty::F32,
             Access::Filter { .. } | Access::Fetch { .. } => {
                 self.textures.get(sample.texture.0 as usize).map_or(Ty::F32, |decl| decl.texels)
             }

@@ -95,6 +95,7 @@ fn sample(f: &mut Formatter<'_>, module: &Module, sample: &Sample) -> Result {
         Access::Filter { offset } => ("sample", offset),
         Access::Fetch { offset } => ("fetch", offset),
         Access::Size => ("size", [0; 3]),
+        Access::Lod => ("lod of", [0; 3]),
     };
     write!(f, "{name} {}, ({})", sample.texture.0, Operands(module, &sample.coords))?;
     if offset != [0; 3] {

@@ -302,6 +302,16 @@ impl Body<'_> {
                 );
                 Ty::F32
             }
+            Access::Lod => {
+                rule!(
+                    self.module.stage == Stage::Fragment
+                        && sample.reference.is_none()
+                        && !matches!(sample.lod, Lod::Explicit(_)),
+                    "{user}: a query of the level takes no level and no reference, and is of the \
+                     fragment stage"
+                );
+                Ty::F32
+            }
             Access::Fetch { .. } | Access::Size => {
                 rule!(
                     sample.reference.is_none() && matches!(sample.lod, Lod::Explicit(_)),

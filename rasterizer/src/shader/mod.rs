@@ -6,6 +6,7 @@
 //! |---|---|
 //! | [`optimize`] | passes over the structured IR |
 //! | [`lower`] | structured IR → flat [`inst`]ructions over virtual registers |
+//! | [`alike`] | what all lanes do alike: no mask is looked at |
 //! | [`exits`] | how lanes leave a statement |
 //! | [`owned`] | the variables that only one loop reads: stored without a mask |
 //! | [`fuse`] | several operations as one instruction |
@@ -13,6 +14,7 @@
 //! | [`allocate`] | real registers for virtual ones |
 //! | [`machine`] | the interpreter: 64 lanes an instruction, with an execution [`mask`] |
 
+mod alike;
 mod allocate;
 mod exits;
 mod fuse;
@@ -24,7 +26,7 @@ mod optimize;
 mod owned;
 mod preamble;
 
-pub use machine::Machine;
+pub use machine::{Machine, Tracer};
 
 use crate::ir::{Input, Module, Output};
 use allocate::Layout;
@@ -51,6 +53,7 @@ pub struct Program {
     textures: Vec<u32>,
     slots: u32,
     discards: bool,
+    queries_lod: bool,
     reads_uniforms: bool,
     /// Whether it matters which lanes execute.
     masked: bool,
@@ -139,6 +142,7 @@ impl Program {
             textures: lowered.textures,
             slots: lowered.slots,
             discards: lowered.discards,
+            queries_lod: lowered.queries_lod,
             reads_uniforms: lowered.reads_uniforms,
         }
     }
@@ -156,6 +160,12 @@ impl Program {
     /// Whether any lane can be thrown away.
     pub fn discards(&self) -> bool {
         self.discards
+    }
+
+    /// Whether it asks for levels of detail, which must then be right even where no texture of the
+    /// draw needs them.
+    pub fn queries_lod(&self) -> bool {
+        self.queries_lod
     }
 
     /// The texture slots that the program samples, ascending.

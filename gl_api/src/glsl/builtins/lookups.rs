@@ -47,6 +47,8 @@ pub enum Lookup {
     Fetch(Shift),
     /// The size of a level: `textureSize`.
     Size,
+    /// Which level would be read: `textureQueryLOD`.
+    QueryLod,
 }
 
 /// Which levels of detail a kind of sampler can be asked for.
@@ -198,6 +200,7 @@ pub fn rows() -> Vec<Row> {
             let sampler = Sampler { dim: kind.dim, scalar, comparison: kind.comparison };
             named_by_kind(kind, sampler, &mut rows);
             overloaded(kind, sampler, &mut rows);
+            query(kind, sampler, &mut rows);
         }
     }
     rows
@@ -265,6 +268,19 @@ fn overloaded(kind: &Kind, sampler: Sampler, rows: &mut Vec<Row>) {
         }
     }
     unfiltered(kind, sampler, "", Since::V130, rows);
+}
+
+/// `textureQueryLOD` (ARB_texture_query_lod), whose coordinates have no layer and no reference. A
+/// rectangle has one level.
+fn query(kind: &Kind, sampler: Sampler, rows: &mut Vec<Row>) {
+    if kind.dim == Dim::Rect {
+        return;
+    }
+    let parameters = vec![P::Sampler(sampler), P::Fixed(Scalar::Float, kind.gradient)];
+    let since = Since::only(Extension::TextureQueryLod);
+    let (name, result) = ("textureQueryLOD".to_owned(), P::Fixed(Scalar::Float, 2));
+    let row = row(name, result, parameters, since, Lookup::QueryLod);
+    rows.push(Row { stages: Stages::Fragment, ..row });
 }
 
 /// `textureSize`, `texelFetch` and `texelFetchOffset`, with `dim` in their names.

@@ -304,7 +304,10 @@ impl Checker<'_> {
                 arguments.len().checked_sub(if form == LodForm::Bias { 2 } else { 1 })
             }
             Lookup::Fetch(Shift::Texels) => arguments.len().checked_sub(1),
-            Lookup::Sample(_, _, Shift::None) | Lookup::Fetch(Shift::None) | Lookup::Size => None,
+            Lookup::Sample(_, _, Shift::None)
+            | Lookup::Fetch(Shift::None)
+            | Lookup::Size
+            | Lookup::QueryLod => None,
         };
         if let Some(offset) = shift.and_then(|index| arguments.get(index)) {
             let words = self.evaluate(offset);

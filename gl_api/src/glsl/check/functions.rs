@@ -69,7 +69,8 @@ impl Checker<'_> {
                 | Qualifier::Flat
                 | Qualifier::NoPerspective
                 | Qualifier::OriginUpperLeft
-                | Qualifier::PixelCenterInteger => {
+                | Qualifier::PixelCenterInteger
+                | Qualifier::Location(_) => {
                     self.error(*span, "6.1", "a parameter is `in`, `out`, `inout` or `const in`");
                 }
             }

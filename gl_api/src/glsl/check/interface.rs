@@ -36,7 +36,8 @@ fn storage(
             | Qualifier::NoPerspective
             | Qualifier::Precision
             | Qualifier::OriginUpperLeft
-            | Qualifier::PixelCenterInteger,
+            | Qualifier::PixelCenterInteger
+            | Qualifier::Location(_),
             _,
         ) => Ok(Storage::Plain),
     }
@@ -75,8 +76,7 @@ impl Checker<'_> {
                 Qualifier::Smooth => Interpolation::Smooth,
                 Qualifier::Flat => Interpolation::Flat,
                 Qualifier::NoPerspective => Interpolation::NoPerspective,
-                // Invariance always holds, and every sample is at the centre: these words are
-                // only compared.
+                // Invariance always holds: the word is only compared.
                 Qualifier::Invariant => {
                     passing.invariant = true;
                     continue;
@@ -92,6 +92,10 @@ impl Checker<'_> {
                 }
                 Qualifier::PixelCenterInteger => {
                     passing.pixel_center_integer = true;
+                    continue;
+                }
+                Qualifier::Location(location) => {
+                    passing.location = Some(location);
                     continue;
                 }
                 Qualifier::Precision => continue,
@@ -112,8 +116,10 @@ impl Checker<'_> {
         };
         match found {
             Ok(storage) => {
-                let old = word.is_some_and(|(qualifier, _)| qualifier == Qualifier::Varying);
-                self.check_passing(storage, &words_of_passing, old);
+                let is = |old| word.is_some_and(|(qualifier, _)| qualifier == old);
+                self.check_passing(storage, &words_of_passing, is(Qualifier::Varying));
+                let old = is(Qualifier::Attribute) || is(Qualifier::Varying);
+                self.check_location(storage, &ty.qualifiers, old);
                 Some((storage, passing))
             }
             Err((message, span)) => {
@@ -158,11 +164,31 @@ impl Checker<'_> {
         }
     }
 
+    /// Locations are of the `in`s of the vertex stage and the `out`s of the fragment stage
+    /// (ARB_explicit_attrib_location); the older words take none.
+    fn check_location(&mut self, storage: Storage, qualifiers: &[(Qualifier, Span)], old: bool) {
+        let location =
+            qualifiers.iter().find(|(qualifier, _)| matches!(qualifier, Qualifier::Location(_)));
+        let Some(&(_, span)) = location else { return };
+        let has_one = matches!(storage, Storage::Attribute | Storage::FragmentOutput);
+        if has_one && !old {
+            return;
+        }
+        let message = "only an `in` of the vertex stage and an `out` of the fragment stage have a \
+                       location";
+        let problem = Diagnostic::error(span, message).rule("ARB_explicit_attrib_location");
+        let help = if has_one { "write `in` or `out`" } else { "leave the location out" };
+        self.log.push(problem.help(help));
+    }
+
     /// `in` and `out` of globals came with 1.30; before, they are taken as what they mean there, so
     /// that only this is reported.
     fn check_old(&mut self, qualifier: Qualifier, span: Span) {
         let is_in = qualifier == Qualifier::In;
         if !is_in && self.language.enabled(Extension::GpuShader4) {
+            return;
+        }
+        if self.language.enabled(Extension::ExplicitAttribLocation) {
             return;
         }
         let layouts = self.language.enabled(Extension::FragmentCoordConventions);

@@ -7,6 +7,7 @@ use crate::glsl::diagnostics::{Diagnostic, Log};
 use crate::glsl::hir::{Storage, Variable};
 use crate::glsl::limits::{MAX_DRAW_BUFFERS, MAX_VERTEX_ATTRIBS};
 use crate::glsl::lower::Binding;
+use crate::glsl::types::Type;
 use crate::glsl::{Attribute, Bindings};
 use crate::interface::ATTRIB_VERTEX;
 
@@ -26,7 +27,9 @@ pub fn attributes(
     taken[0] = position;
     let mut found: Vec<Option<u8>> = Vec::new();
     for variable in &used {
-        let bound = bindings.attributes.get(&*variable.name).copied();
+        // What the shader says goes before what the application says.
+        let said = variable.passing.location.map(|said| u8::try_from(said).unwrap_or(u8::MAX));
+        let bound = said.or_else(|| bindings.attributes.get(&*variable.name).copied());
         found.push(bound);
         if position && bound == Some(0) {
             let message = format!(
@@ -100,11 +103,19 @@ pub fn targets(
         log.push(Diagnostic::link_error(message).rule("GLSL 1.30 section 7.2"));
     }
     let mut taken = [false; MAX_DRAW_BUFFERS as usize];
-    let bound = |variable: &Variable| bindings.frag_data.get(&*variable.name).copied();
+    // An array takes a colour for each element.
+    let colors = |variable: &Variable| {
+        if let Type::Array(_, Some(len)) = variable.ty { len as usize } else { 1 }
+    };
+    let bound = |variable: &Variable| {
+        let said = variable.passing.location.map(|said| u8::try_from(said).unwrap_or(u8::MAX));
+        said.or_else(|| bindings.frag_data.get(&*variable.name).copied())
+    };
     for output in &outputs {
         let Some(target) = bound(output) else { continue };
-        match taken.get_mut(usize::from(target)) {
-            Some(taken) if !*taken => *taken = true,
+        let first = usize::from(target);
+        match taken.get_mut(first..first + colors(output)) {
+            Some(taken) if !taken.contains(&true) => taken.fill(true),
             Some(_) => {
                 let message = format!("two outputs are bound to colour {target}");
                 log.push(Diagnostic::link_error(message));
@@ -123,9 +134,10 @@ pub fn targets(
         if bound(output).is_some() {
             continue;
         }
-        match taken.iter().position(|taken| !taken) {
+        let count = colors(output);
+        match taken.windows(count).position(|range| !range.contains(&true)) {
             Some(free) => {
-                taken[free] = true;
+                taken[free..free + count].fill(true);
                 locations.insert(output.name.clone(), Binding::Target(free as u8));
             }
             None => {

@@ -198,7 +198,11 @@ impl Emit {
     ) -> [Value; 4] {
         if self.is_full() {
             let decl = self.builder.module().textures[texture.0 as usize];
-            let ty = if access == Access::Size { Ty::I32 } else { decl.texels };
+            let ty = match access {
+                Access::Size => Ty::I32,
+                Access::Lod => Ty::F32,
+                Access::Filter { .. } | Access::Fetch { .. } => decl.texels,
+            };
             return [self.constant(0, ty); 4];
         }
         self.builder.access(texture, access, coords, reference, lod)

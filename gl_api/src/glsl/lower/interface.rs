@@ -4,6 +4,7 @@ use super::call::{returns_early, without_last_return};
 use super::outputs::Copy;
 use super::place::Slot;
 use super::{Failure, Lowered, Lowerer, Words, functions};
+use crate::glsl::ComparisonResult;
 use crate::glsl::hir::{Function, Storage, Unit, Variable};
 use rasterizer::ir::{Input, Interpolation, Module, Op, Output, Stage, Texture, Ty, Value};
 use std::collections::{BTreeMap, BTreeSet};
@@ -35,7 +36,7 @@ pub struct LoweredStage {
     /// The module.
     pub module: Module,
     /// Each texture slot and the word that holds its unit.
-    pub samplers: Vec<(Texture, u32)>,
+    pub samplers: Vec<(Texture, u32, ComparisonResult)>,
     /// The words, with the state that this stage reads.
     pub words: Words,
 }
@@ -195,6 +196,12 @@ impl Lowerer<'_> {
             (Storage::Input(interpolation), Some(Binding::Varying(Some(slot)))) => {
                 Ok(self.varying_input(variable, &types, slot, interpolation))
             }
+            // Nothing writes it: undefined, here zero.
+            (Storage::Input(_), Some(Binding::Varying(None))) => {
+                let zero =
+                    |lowerer: &mut Self, at: u32| lowerer.emit.constant(0, types[at as usize]);
+                Ok(self.inputs(variable, &types, zero))
+            }
             (Storage::Output(_), Some(Binding::Varying(slot))) => {
                 let storage = self.new_slot(&variable.name, &types, variable.dynamic);
                 if let Some(first) = slot {
@@ -204,8 +211,10 @@ impl Lowerer<'_> {
             }
             (Storage::FragmentOutput, Some(Binding::Target(target))) => {
                 let storage = self.new_slot(&variable.name, &types, variable.dynamic);
+                let each = variable.ty.base().scalars();
                 for at in 0..types.len() as u32 {
-                    let output = Output::Color { target, component: at as u8 };
+                    let (target, component) = (target + (at / each) as u8, (at % each) as u8);
+                    let output = Output::Color { target, component };
                     self.output(&storage, &types, at, output, copies);
                 }
                 Ok(storage)

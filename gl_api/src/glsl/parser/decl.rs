@@ -3,13 +3,13 @@
 use super::keywords::{self, Word};
 use super::{Parsed, Parser};
 use crate::glsl::ast::{
-    ArraySize, Declaration, Declarator, Function, Item, Name, Parameter, QualifiedType, Qualifier,
-    StructDecl, TypeBase, TypeName,
+    ArraySize, Declaration, Declarator, ExprKind, Function, Item, Name, Parameter, QualifiedType,
+    Qualifier, StructDecl, TypeBase, TypeName,
 };
 use crate::glsl::diagnostics::Diagnostic;
 use crate::glsl::lexer::Kind;
 use crate::glsl::source::Span;
-use crate::glsl::version::Version;
+use crate::glsl::version::{Extension, Version};
 use std::sync::Arc;
 
 impl Parser<'_> {
@@ -86,27 +86,62 @@ impl Parser<'_> {
         Ok(QualifiedType { qualifiers, ty })
     }
 
-    /// `layout(origin_upper_left, pixel_center_integer)` (ARB_fragment_coord_conventions).
+    /// `layout(origin_upper_left, pixel_center_integer)` (ARB_fragment_coord_conventions) or
+    /// `layout(location = 3)` (ARB_explicit_attrib_location).
     fn layout(&mut self, qualifiers: &mut Vec<(Qualifier, Span)>) -> Parsed<()> {
         self.bump();
         self.expect("(")?;
         loop {
             let name = self.name()?;
-            match &*name.text {
-                "origin_upper_left" => qualifiers.push((Qualifier::OriginUpperLeft, name.span)),
-                "pixel_center_integer" => {
-                    qualifiers.push((Qualifier::PixelCenterInteger, name.span));
-                }
+            let conventions = self.language.enabled(Extension::FragmentCoordConventions);
+            let locations = self.language.enabled(Extension::ExplicitAttribLocation);
+            let qualifier = match &*name.text {
+                "origin_upper_left" if conventions => Some(Qualifier::OriginUpperLeft),
+                "pixel_center_integer" if conventions => Some(Qualifier::PixelCenterInteger),
+                "location" if locations => self.location()?,
                 other => {
                     let message = format!("`{other}` is no layout");
-                    let known = "there are `origin_upper_left` and `pixel_center_integer`";
+                    let known = match (conventions, locations) {
+                        (true, false) => "there are `origin_upper_left` and `pixel_center_integer`",
+                        (false, _) => "there is `location = n`",
+                        (true, true) => {
+                            "there are `origin_upper_left`, `pixel_center_integer` and \
+                             `location = n`"
+                        }
+                    };
                     self.log.push(Diagnostic::error(name.span, message).help(known));
+                    None
                 }
-            }
+            };
+            qualifiers.extend(qualifier.map(|qualifier| (qualifier, name.span)));
             if !self.eat(",") {
                 return self.expect(")");
             }
         }
+    }
+
+    /// `= 3` of a location: a literal, no expression.
+    fn location(&mut self) -> Parsed<Option<Qualifier>> {
+        self.expect("=")?;
+        let token = self.token();
+        let Kind::Number(text) = &token.kind else {
+            let found = token.describe();
+            return self.fail(format!("expected the number of a location, found {found}"));
+        };
+        self.bump();
+        let number = self.number(text, token.span);
+        if let ExprKind::Int(value) = number
+            && let Ok(value) = u32::try_from(value)
+        {
+            return Ok(Some(Qualifier::Location(value)));
+        }
+        if let ExprKind::Uint(value) = number {
+            return Ok(Some(Qualifier::Location(value)));
+        }
+        let message = "the number of a location is a whole number";
+        let rule = "ARB_explicit_attrib_location";
+        self.log.push(Diagnostic::error(token.span, message).rule(rule));
+        Ok(None)
     }
 
     /// A type, with the size of an array of it.

@@ -274,7 +274,7 @@ impl Parser<'_> {
         }
     }
 
-    fn number(&mut self, text: &str, span: Span) -> ExprKind {
+    pub(super) fn number(&mut self, text: &str, span: Span) -> ExprKind {
         let suffix = text.ends_with(['f', 'F']) && !text.starts_with("0x");
         match literal(text) {
             Ok(Literal::Int(value)) => ExprKind::Int(value),

@@ -10,8 +10,9 @@ const V130: Since = Since::V130;
 /// Words about precision, which GLSL ES had first.
 const PRECISION: Since = V130.and_es();
 
-/// `layout`, which this version has for `gl_FragCoord` alone.
-const LAYOUT: Since = Since::only(Extension::FragmentCoordConventions);
+/// `layout`: of `gl_FragCoord`, and of attributes and outputs.
+const LAYOUT: Since =
+    Since::only(Extension::FragmentCoordConventions).or(Extension::ExplicitAttribLocation);
 
 /// What a word is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

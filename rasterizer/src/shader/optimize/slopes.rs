@@ -73,7 +73,9 @@ impl Pass<'_> {
     /// values go to `out`.
     fn lookup(&mut self, value: Value, out: &mut Block) {
         let Expr::Sample(sample) = self.module.expr(value) else { return };
-        let (Access::Filter { .. }, Lod::Implicit { bias }) = (sample.access, sample.lod) else {
+        let (Access::Filter { .. } | Access::Lod, Lod::Implicit { bias }) =
+            (sample.access, sample.lod)
+        else {
             return;
         };
         let (coords, texture) = (sample.coords, sample.texture);
