@@ -82,7 +82,7 @@ impl Reader<'_> {
                 });
             }
         }
-        for plane in 0..6 {
+        for plane in 0..8 {
             self.keep(format!("clip plane {plane}"), |c, v| {
                 let mut equation = [0.0; 4];
                 c.get_clip_plane(GL_CLIP_PLANE0 + plane, &mut equation);
