@@ -141,6 +141,17 @@ pub struct SamplerSlot {
     pub slot: u32,
     /// The uniform word that holds the texture unit.
     pub word: u32,
+    /// What comes of comparisons.
+    pub result: ComparisonResult,
+}
+
+/// What a lookup makes of a comparison with a depth.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum ComparisonResult {
+    /// Four components, as `GL_DEPTH_TEXTURE_MODE` has them: functions such as `shadow2D`.
+    Placed,
+    /// One number, whatever the mode is: the functions of GLSL 1.30.
+    Scalar,
 }
 
 /// What was asked for with `glBindAttribLocation` and `glBindFragDataLocation` before the link.

@@ -8,7 +8,7 @@ mod trace;
 
 pub use trace::Tracer;
 
-use super::inst::{Inst, Reg, SampleInst, SampleLod, Slot, Target};
+use super::inst::{Inst, Reg, SampleInst, SampleLod, Test};
 use super::mask::{Extent, Mask, blend};
 use super::preamble::uniform_at;
 use super::{OverBudget, Prepared, Program, Run};
@@ -312,12 +312,20 @@ impl Kernel for Interpreter<'_> {
                 }
                 Inst::Derivative { axis, out, from } => m.derivative(axis, out, from),
                 Inst::Sample(ref sample) => m.sample(&run, sample),
-                Inst::Unless { word, to } => {
-                    if run.prepared.words[word as usize] == 0 {
+                Inst::Unless { test, to } => {
+                    let word = match test {
+                        Test::Word(word) => run.prepared.words[word as usize],
+                        Test::Lanes(reg) => m.reg(reg)[0],
+                    };
+                    if word == 0 {
                         pc = to.0 as usize;
                     }
                 }
                 Inst::Jump { to } => pc = to.0 as usize,
+                Inst::Repeat { head } => {
+                    left = left.checked_sub((pc - head.0 as usize) as u64).ok_or(OverBudget)?;
+                    pc = head.0 as usize;
+                }
                 Inst::If { condition, slot, reject } => {
                     let rest = &mut m.slots[slot.0 as usize];
                     m.exec.split(&m.registers[condition.0 as usize], rest);

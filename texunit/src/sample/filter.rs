@@ -53,6 +53,9 @@ pub fn sample_level<S: Simd>(
     let done = match (place.texture.way, place.filter) {
         (Way::Plain(class), Filter::Nearest) => plain::nearest::<S>(place, class, at, out),
         (Way::Plain(class), Filter::Linear) => plain::linear::<S>(place, class, at, out),
+        (Way::Blocks(block), Filter::Linear) => plain::blocks::linear::<S>(place, block, at, out),
+        // A fetch of one texel is short in any case.
+        (Way::Blocks(_), Filter::Nearest) => false,
         (Way::General, Filter::Nearest | Filter::Linear) => false,
     };
     match place.filter {
