@@ -41,7 +41,7 @@ mod texel_mode;
 mod vertex;
 mod wrap;
 
-pub use bench::{Bench, Effort, Subject, Tally};
+pub use bench::{Bench, Effort, Shown, Subject, Tally};
 pub use outcome::{Outcome, Unit, Verdict};
 
 use crate::drive::DriveError;
@@ -160,18 +160,21 @@ impl Check {
             Ok(()) if tally.largest() <= self.tolerance => Verdict::Pass,
             Ok(()) => Verdict::Fail,
         };
+        let (cases, largest_error) = (tally.cases(), tally.largest());
+        let (worst, shown) = tally.into_worst();
         Outcome {
             name: self.name,
             citation: self.citation,
             what: self.what,
-            cases: tally.cases(),
-            largest_error: tally.largest(),
+            cases,
+            largest_error,
             unit: self.unit,
             tolerance: self.tolerance,
             why: self.why,
-            worst: tally.into_worst(),
+            worst,
             seconds: start.elapsed().as_secs_f64(),
             verdict,
+            shown,
         }
     }
 }

@@ -6,6 +6,7 @@ use super::words::put_bindings;
 use super::{hints, keys};
 use crate::context::Context;
 use crate::error::{ErrorCode, GlError, Result, invalid_operation};
+use crate::explain::DrawNote;
 use crate::fixed::{
     FragmentKey, add_alpha_test, add_clip_planes, add_coverage, add_two_sides, cached,
     set_shade_model, word,
@@ -33,6 +34,8 @@ pub(crate) struct Stages {
     pub words: Vec<u32>,
     pub vertex_textures: Textures,
     pub fragment_textures: Textures,
+    /// What it means, if a pixel is watched.
+    pub note: Option<DrawNote>,
 }
 
 /// A program's fragment stage with state of the context built in.
@@ -151,11 +154,15 @@ pub(crate) fn choose(
             context.recorder.fixed.vertex(key).map_err(|error| internal(&error))?
         }
     };
+    let note = context.watched.is_some().then(|| match &fragment_key {
+        Some(key) => DrawNote::of_fixed(context, key),
+        None => DrawNote::of_program(context, name, &fragment, &words),
+    });
     let needed = vertex.module().uniform_words.max(fragment.module().uniform_words);
     let (vertex_key, fragment_key) = (vertex_key.as_ref(), fragment_key.as_ref());
     let keys = Keys { vertex: vertex_key, fragment: fragment_key, clip_planes };
     fixed_words::append(context, &mut words, keys, needed);
-    Ok(Stages { vertex, fragment, words, vertex_textures, fragment_textures })
+    Ok(Stages { vertex, fragment, words, vertex_textures, fragment_textures, note })
 }
 
 /// Whether a vertex stage says itself what user clip planes cut.

@@ -26,10 +26,10 @@ impl Sources<'_> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct CombineKey {
     /// Of red, green and blue.
-    color: Combiner,
+    pub(super) color: Combiner,
     /// Of alpha; `None` where a dot product goes there.
-    alpha: Option<Combiner>,
-    arguments: Arguments,
+    pub(super) alpha: Option<Combiner>,
+    pub(super) arguments: Arguments,
 }
 
 /// How many arguments a function reads.

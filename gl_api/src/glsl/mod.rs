@@ -179,6 +179,8 @@ pub struct Program {
     pub builtin_uniforms: Vec<BuiltinUniform>,
     /// The fragment stage's own outputs and the colours they go to.
     pub outputs: Vec<(String, u8)>,
+    /// The fragment stage's own varyings: first slot, how many slots, name.
+    pub varyings: Vec<(u16, u16, String)>,
     /// Which texture slots sample which units.
     pub samplers: Vec<SamplerSlot>,
     /// How its shaders say that the colour and the secondary colour are interpolated; `None` leaves

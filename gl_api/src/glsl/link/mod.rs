@@ -73,6 +73,7 @@ fn build(shaders: &[&Shader], bindings: &Bindings, log: &mut Log) -> Option<Prog
     };
     let (outputs, inputs) = (vertex.as_ref(), fragment.as_ref());
     varyings::varyings(outputs, inputs, &mut in_vertex, &mut in_fragment, log);
+    let varyings = varyings::slots(inputs, &in_fragment);
     let color_interpolation = varyings::colors(outputs, inputs, log);
     let targets = match &fragment {
         Some(fragment) => numbered::targets(fragment, bindings, &mut in_fragment, log),
@@ -140,6 +141,7 @@ fn build(shaders: &[&Shader], bindings: &Bindings, log: &mut Log) -> Option<Prog
         uniforms: uniforms.list,
         builtin_uniforms,
         outputs: targets,
+        varyings,
         samplers,
         color_interpolation,
         state: words.state,
