@@ -160,7 +160,7 @@ fn stencils_of_the_window_are_shifted_looked_up_and_taken_apart_to_bits() {
     // Copies take the same steps.
     glPixelTransferi(GL_INDEX_OFFSET, 1);
     glPixelTransferi(GL_INDEX_SHIFT, 1);
-    glCopyPixels(0, 0, 2, 2, stencil);
+    glCopyPixels(0, 0, 2, 2, GL_STENCIL);
     glPixelTransferi(GL_INDEX_SHIFT, 0);
     glPixelTransferi(GL_INDEX_OFFSET, 0);
     assert_eq!(read(), [15, 17, 17, 15]);
