@@ -116,12 +116,12 @@ fn varying(context: &Context, vertices: &[VertexBinding], side: Side) -> Varying
     let materials = &context.state.materials;
     let tracked = (context.state.enables.has(Flag::ColorMaterial) && materials.faces.has(side))
         .then_some(materials.tracked);
-    let own = |part: Part| {
-        let location = match tracked {
-            Some(tracked) if tracked.has(part) => ATTRIB_COLOR,
-            Some(_) | None => column(side, part),
-        };
-        varies(location).then_some(location)
+    let of_color = varies(ATTRIB_COLOR).then_some(ATTRIB_COLOR);
+    // Columns of materials come behind all others.
+    let any = vertices.last().is_some_and(|binding| binding.location >= ATTRIB_MATERIAL);
+    let own = |part: Part| match tracked {
+        Some(tracked) if tracked.has(part) => of_color,
+        Some(_) | None => any.then(|| column(side, part)).filter(|&location| varies(location)),
     };
     Varying {
         emission: own(Part::Emission),

@@ -273,6 +273,10 @@ impl Kernel for Interpolate<'_> {
                 w[lane] = 1.0 / over[lane];
             }
         }
+        let mut centroids = [F32s::ZERO; 2];
+        if plan.centroids {
+            centroids = plan.samples.centroids(&batch.masks);
+        }
         for (index, input) in plan.inputs.iter().enumerate() {
             let out = machine.input_mut(index);
             match *input {
@@ -284,6 +288,17 @@ impl Kernel for Interpolate<'_> {
                     *out.as_f32_mut() = value;
                 }
                 FragmentInput::Linear(index) => *out.as_f32_mut() = batch.evaluate(index),
+                FragmentInput::SmoothWithin(index) => {
+                    let mut value = batch.within(index, &centroids);
+                    let over = batch.within(denominator, &centroids);
+                    for lane in 0..LANES {
+                        value[lane] *= 1.0 / over[lane];
+                    }
+                    *out.as_f32_mut() = value;
+                }
+                FragmentInput::LinearWithin(index) => {
+                    *out.as_f32_mut() = batch.within(index, &centroids);
+                }
                 FragmentInput::SmoothSlope(index, axis) => {
                     let mut slope = batch.evaluate(index);
                     let (of, by) = (*batch.slope(index, axis), *batch.slope(denominator, axis));
@@ -354,6 +369,18 @@ impl Batch {
         self.evaluate_pixel(plane, 1, second);
         self.evaluate_pixel(plane, 2, third);
         self.evaluate_pixel(plane, 3, fourth);
+        out
+    }
+
+    /// A plane at every lane, moved so far across and up from the pixel's centre.
+    #[inline(always)]
+    fn within(&self, plane: usize, [x, y]: &[F32s; 2]) -> F32s {
+        let mut out = self.evaluate(plane);
+        let plane = &self.planes[plane];
+        for lane in 0..LANES {
+            let quad = lane % QUADS;
+            out[lane] += x[lane] * plane.a[quad] + y[lane] * plane.b[quad];
+        }
         out
     }
 

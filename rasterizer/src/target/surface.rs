@@ -179,27 +179,32 @@ impl Surface {
 fn load_tile(level: &Level, slice: usize, [x0, y0]: [u32; 2], words: usize) -> Vec<Plane> {
     let size = level.format.bytes();
     let (row_bytes, first) = (level.row_bytes(), level.origin() + slice * level.slice_bytes());
+    let (width, height) = (TILE.min(level.width - x0) as usize, TILE.min(level.height - y0));
+    let row = |y: u32| {
+        &level.texels[first + (y0 + y) as usize * row_bytes + x0 as usize * size..][..width * size]
+    };
+    // One texel everywhere, as where nothing has been drawn yet, takes no memory.
+    let all = row(0);
+    if all[size..] == all[..(width - 1) * size] && (1..height).all(|y| row(y) == all) {
+        let texel = words_of(level.format, &all[..size]);
+        return texel[..words].iter().copied().map(Plane::Cleared).collect();
+    }
     let mut planes = vec![vec![U32s::ZERO; BLOCKS]; words];
-    for y in 0..TILE.min(level.height - y0) {
-        let row = &level.texels[first + (y0 + y) as usize * row_bytes..];
-        if let ([plane], 4) = (planes.as_mut_slice(), size) {
-            let bytes = (TILE.min(level.width - x0)) as usize * size;
-            let row = &row[x0 as usize * size..][..bytes];
-            let blocks = plane[y as usize / 8 * 8..].iter_mut();
-            for (texels, block) in row.chunks(8 * size).zip(blocks) {
+    for y in 0..height {
+        let lanes = LANE_AT[(y % 8) as usize].map(usize::from);
+        for (column, texels) in row(y).chunks(8 * size).enumerate() {
+            let block = (y / 8 * 8) as usize + column;
+            if let ([plane], 4) = (planes.as_mut_slice(), size) {
                 let mut words = [0_u32; 8];
                 bytemuck::bytes_of_mut(&mut words)[..texels.len()].copy_from_slice(texels);
-                set_row(block, y as usize % 8, words.map(u32::from_le));
+                set_row(&mut plane[block], y as usize % 8, words.map(u32::from_le));
+                continue;
             }
-            continue;
-        }
-        for x in 0..TILE.min(level.width - x0) {
-            let texel = &row[(x0 + x) as usize * size..][..size];
-            let block = (y / 8 * 8 + x / 8) as usize;
-            let lane = usize::from(LANE_AT[(y % 8) as usize][(x % 8) as usize]);
-            let texel = words_of(level.format, texel);
-            for (plane, word) in planes.iter_mut().zip(texel) {
-                plane[block][lane] = word;
+            for (&lane, texel) in lanes.iter().zip(texels.chunks_exact(size)) {
+                let texel = words_of(level.format, texel);
+                for (plane, word) in planes.iter_mut().zip(texel) {
+                    plane[block][lane] = word;
+                }
             }
         }
     }
