@@ -125,6 +125,9 @@ fn text(comparison: &Comparison, preset: &str) -> String {
         table.load_preset(preset);
         text.push_str(&format!("\n{table}\n"));
     }
+    for failure in &comparison.failures {
+        text.push_str(&format!("\nNot drawn: {failure}\n"));
+    }
     text
 }
 
