@@ -13,7 +13,7 @@ use super::words::{attachment_words, is_attachable, texel_of, words_of};
 use rayon::prelude::*;
 use texunit::format::Format;
 use texunit::image::Level;
-use texunit::lanes::{LANES, U32s, lane_x, lane_y};
+use texunit::lanes::{LANES, QUADS, U32s, lane_x, lane_y};
 
 /// The most samples that a pixel can have.
 pub const MAX_SAMPLES: usize = 4;
@@ -189,16 +189,22 @@ fn load_tile(level: &Level, slice: usize, [x0, y0]: [u32; 2], words: usize) -> V
     planes.into_iter().map(Plane::Words).collect()
 }
 
+/// Row `y` of a block: the left and the right pixels of four quads, each next to one another in
+/// lane order, interleaved.
+#[inline(always)]
+fn row_of(block: &U32s, y: usize) -> [u32; 8] {
+    let first = usize::from(LANE_AT[y][0]);
+    let (left, right) = (&block[first..first + 4], &block[first + QUADS..first + QUADS + 4]);
+    [left[0], right[0], left[1], right[1], left[2], right[2], left[3], right[3]]
+}
+
 /// Row `y` of a tile into the texels of one row.
 fn store_row(format: Format, planes: &[Plane], y: usize, row: &mut [u8]) {
     let size = format.bytes();
     for (column, texels) in row.chunks_mut(8 * size).enumerate() {
         let words = |plane: &Plane| match plane {
             Plane::Cleared(word) => [*word; 8],
-            Plane::Words(words) => {
-                let block = &words[y / 8 * 8 + column];
-                LANE_AT[y % 8].map(|lane| block[usize::from(lane)])
-            }
+            Plane::Words(words) => row_of(&words[y / 8 * 8 + column], y % 8),
         };
         // One word of four bytes is the texel itself.
         if let ([plane], 4) = (planes, size) {
@@ -212,6 +218,43 @@ fn store_row(format: Format, planes: &[Plane], y: usize, row: &mut [u8]) {
         }
         for (x, texel) in texels.chunks_exact_mut(size).enumerate() {
             texel_of(format, all.map(|words| words[x]), texel);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_row_of_a_block_is_its_lanes_in_order() {
+        let mut block = U32s::ZERO;
+        for (lane, word) in block.iter_mut().enumerate() {
+            *word = lane as u32;
+        }
+        for (y, lanes) in LANE_AT.iter().enumerate() {
+            assert_eq!(row_of(&block, y), lanes.map(u32::from));
+        }
+    }
+
+    /// Tiles of one texel are attached without words, others with them; all come back as they
+    /// were, edges included.
+    #[test]
+    fn what_is_loaded_is_what_is_stored() {
+        for format in [Format::Rgba8, Format::R8, Format::D24S8, Format::Rgba32F] {
+            let mut level = Level::new(format, 150, 70).expect("small");
+            let middle = level.row_bytes() * 30;
+            for (index, byte) in
+                level.texels[middle..][..64 * format.bytes()].iter_mut().enumerate()
+            {
+                *byte = (index * 7 % 251) as u8;
+            }
+            let surface = Surface::from_level(&level, 0, 1);
+            let cleared = |tile: &Vec<Plane>| matches!(tile[0], Plane::Cleared(_));
+            assert_eq!(surface.tiles.iter().filter(|tile| cleared(tile)).count(), 5);
+            let mut back = Level::new(format, 150, 70).expect("small");
+            surface.store(&mut back, 0);
+            assert_eq!(back.texels, level.texels, "{format:?}");
         }
     }
 }
