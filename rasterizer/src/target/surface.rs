@@ -194,8 +194,7 @@ fn load_tile(level: &Level, slice: usize, [x0, y0]: [u32; 2], words: usize) -> V
 #[inline(always)]
 fn row_of(block: &U32s, y: usize) -> [u32; 8] {
     let first = usize::from(LANE_AT[y][0]);
-    let (left, right) = (&block[first..first + 4], &block[first + QUADS..first + QUADS + 4]);
-    [left[0], right[0], left[1], right[1], left[2], right[2], left[3], right[3]]
+    std::array::from_fn(|x| block[first + x / 2 + x % 2 * QUADS])
 }
 
 /// Row `y` of a tile into the texels of one row.
@@ -229,8 +228,8 @@ mod tests {
     #[test]
     fn a_row_of_a_block_is_its_lanes_in_order() {
         let mut block = U32s::ZERO;
-        for (lane, word) in block.iter_mut().enumerate() {
-            *word = lane as u32;
+        for lane in 0..LANES {
+            block[lane] = lane as u32;
         }
         for (y, lanes) in LANE_AT.iter().enumerate() {
             assert_eq!(row_of(&block, y), lanes.map(u32::from));

@@ -70,7 +70,8 @@ mod tests {
     fn every_scene_covers_the_picture() {
         for scene in scenes() {
             let truth = render(&(scene.recipe)(SIDE), SIDE);
-            let counts = |k: usize| k % SIDE % truth.every == 0 && k / SIDE % truth.every == 0;
+            let counts =
+                |k: usize| [k % SIDE, k / SIDE].iter().all(|c| c.is_multiple_of(truth.every));
             let drawn: Vec<_> = (0..SIDE * SIDE).filter(|&k| counts(k)).collect();
             let covered = drawn.iter().all(|&k| truth.pixels[k][3] == 255);
             assert!(covered, "{}", scene.name);
