@@ -31,7 +31,7 @@ void main() { uv = coord; gl_Position = position; }
 ";
 
 /// Names and fragment shaders.
-const SHADERS: [(&str, &str); 6] = [
+const SHADERS: [(&str, &str); 7] = [
     ("constant", "void main() { gl_FragColor = vec4(0.25, 0.5, 0.75, 1.0); }"),
     (
         "texture",
@@ -83,6 +83,19 @@ void main() {
     vec2 p = uv * 4.0 - 2.0;
     float ring = fract(length(p) * 4.0 + fbm(p * 3.0));
     gl_FragColor = vec4(mix(vec3(0.4, 0.2, 0.07), vec3(0.75, 0.5, 0.25), ring), 1.0);
+}",
+    ),
+    (
+        "samples",
+        "varying vec2 uv; uniform int count;
+void main() {
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < count; i++) {
+        float angle = float(i) * 0.39269908;
+        vec2 p = uv + vec2(cos(angle), sin(angle)) * 0.1;
+        sum += vec3(p, dot(p, p));
+    }
+    gl_FragColor = vec4(sum / float(count), 1.0);
 }",
     ),
     (
@@ -185,6 +198,8 @@ fn commands(text: &str) -> CommandBuffer {
                 height: SIZE,
             }),
             Command::BindPipeline(pipeline.expect("valid")),
+            // The one number that a shader asks for; textures are bound by slot.
+            Command::SetUniforms(vec![16; program.words as usize].into()),
             Command::BindVertices(vertices),
             Command::BindTextures { vertex: Arc::new([]), fragment: textures },
             Command::SetViewport(Viewport { x: 0.0, y: 0.0, width, height, near: 0.0, far: 1.0 }),

@@ -119,8 +119,8 @@ const CASES: &[Case] = &[
     (|c| image(c, 4, 4, &[0; 47]), GL_INVALID_OPERATION, "take 48 bytes; the slice has 47"),
     (|c| typed(c, GL_BGRA, GL_RGBA, GL_FLOAT), GL_INVALID_VALUE, "GL_BGRA must be 1 to 4"),
     (|c| typed(c, 5, GL_RGBA, GL_FLOAT), GL_INVALID_VALUE, "internalformat = 5"),
-    (|c| typed(c, GL_RGBA, GL_COLOR_INDEX, GL_FLOAT), GL_INVALID_ENUM, "format = GL_COLOR_INDEX"),
-    (|c| typed(c, GL_RGBA, GL_RGBA, GL_BITMAP), GL_INVALID_ENUM, "type = GL_BITMAP must be"),
+    (|c| typed(c, GL_RGBA, GL_INTENSITY, GL_FLOAT), GL_INVALID_ENUM, "format = GL_INTENSITY"),
+    (|c| typed(c, GL_RGBA, GL_RGBA, GL_BITMAP), GL_INVALID_ENUM, "bits are GL_COLOR_INDEX"),
     (|c| typed(c, GL_RGBA, GL_DEPTH_COMPONENT, GL_FLOAT), GL_INVALID_OPERATION, "go together"),
     (|c| typed(c, GL_DEPTH_COMPONENT, GL_RGBA, GL_FLOAT), GL_INVALID_OPERATION, "go together"),
     (
@@ -229,7 +229,7 @@ const CASES: &[Case] = &[
     ),
     (
         |c| c.read_pixels(0, 0, 2, 1, GL_COLOR_INDEX, GL_UNSIGNED_BYTE, DataOut::Null),
-        GL_INVALID_ENUM,
+        GL_INVALID_OPERATION,
         "format = GL_COLOR_INDEX",
     ),
     // Transformation.

@@ -15,6 +15,7 @@
 //! | [`ir`], [`shader`] | what a shader is; optimizer, register program, 64-lane interpreter |
 //! | `output` | depth test, blending, masks, packing |
 //! | `target` | attachments as tiles of words in lane order |
+//! | [`trace`] | what happened to a pixel that is watched |
 #![forbid(unsafe_code)]
 
 pub mod driver;
@@ -25,4 +26,5 @@ mod primitive;
 mod raster;
 pub mod shader;
 mod target;
+pub mod trace;
 mod vertex;

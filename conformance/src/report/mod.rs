@@ -2,6 +2,7 @@
 
 mod html;
 pub mod page;
+mod shown;
 
 pub use html::{checks_page, sweeps_page, tradeoff_page};
 
@@ -162,7 +163,7 @@ pub fn sweeps_table(swept: &[Swept]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::check::Unit;
+    use crate::check::{Shown, Unit};
 
     fn outcome(verdict: Verdict) -> Outcome {
         Outcome {
@@ -177,6 +178,7 @@ mod tests {
             worst: "at [0.5, 0.5]".to_owned(),
             seconds: 0.5,
             verdict,
+            shown: Shown::default(),
         }
     }
 

@@ -5,7 +5,7 @@ use super::complete::{Readable, read_attachment};
 use crate::context::Context;
 use crate::entry::DataOut;
 use crate::error::{Result, invalid_operation, not_negative};
-use crate::texture::client::{ClientFormat, Numbers, Pixel};
+use crate::texture::client::{ClientFormat, LuminanceOf, Numbers, Pixel};
 use crate::texture::layout::{Extent, Layout};
 use crate::texture::specify::kinds_match;
 use crate::texture::{convert, memory, texel};
@@ -114,7 +114,8 @@ fn chosen(context: &mut Context, format: ClientFormat) -> Result<Pixels> {
         | ClientFormat::Bgra
         | ClientFormat::Abgr
         | ClientFormat::Luminance
-        | ClientFormat::LuminanceAlpha => source(context, Readable::Color),
+        | ClientFormat::LuminanceAlpha
+        | ClientFormat::ColorIndex => source(context, Readable::Color),
     }
 }
 
@@ -132,6 +133,12 @@ pub(crate) fn read_pixels(
     let width = not_negative(SECTION, "width", width.into())?;
     let height = not_negative(SECTION, "height", height.into())?;
     let pixel = Pixel::new(format, ty)?;
+    if pixel.format == ClientFormat::ColorIndex {
+        return invalid_operation(
+            SECTION,
+            "format = GL_COLOR_INDEX: the framebuffer has colours, no indices",
+        );
+    }
     let layout = Layout::new(&context.state.pack, pixel, [width, height, 1], Extent::Flat)?;
     let from = chosen(context, pixel.format)?;
     check_samples(context)?;
@@ -155,6 +162,7 @@ fn pack(
 ) {
     let [width, height] = from.size();
     let Some(visible) = region.within(width, height) else { return };
+<<<<<<< HEAD
     let first = layout.start
         + (visible.y as i64 - region.y) as usize * layout.stride
         + (visible.x as i64 - region.x) as usize * layout.pixel.bytes();
@@ -175,6 +183,15 @@ fn pack(
         }
     } else {
         convert::pack_rows(&row, from.format(), transfer, rows, bytes);
+=======
+    let column = (visible.x as i64 - region.x) as usize;
+    let row = (visible.y as i64 - region.y) as usize;
+    for y in 0..visible.height {
+        let texels = from.row(visible.x, visible.y + y, visible.width);
+        let (format, texels) = readable_row(texels, from.format(), layout.pixel);
+        let run = layout.run(column, row + y, visible.width);
+        convert::pack(&run, format, transfer, LuminanceOf::Sum, &texels, bytes);
+>>>>>>> main
     }
 }
 

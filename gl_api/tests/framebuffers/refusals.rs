@@ -77,7 +77,7 @@ const CASES: &[Case] = &[
     (
         |c| c.bitmap(9, 2, 0.0, 0.0, 0.0, 0.0, Data::Bytes(&[0; 3])),
         GL_INVALID_OPERATION,
-        "takes 6 bytes; there are 3",
+        "take 6 bytes; the slice has 3",
     ),
     (|c| blit(c, 1, GL_NEAREST), GL_INVALID_VALUE, "mask = 0x1"),
     (|c| blit(c, GL_COLOR_BUFFER_BIT, GL_LINEAR_MIPMAP_LINEAR), GL_INVALID_ENUM, "filter"),

@@ -114,7 +114,7 @@ fn images() {
         ((2, GL_TEXTURE_RECTANGLE, 0, C, [3, 3, 1], 1, C, U8), VALUE, "of a rectangle must be 0"),
         ((3, GL_TEXTURE_3D, 0, C, [3, 3, 1], 1, C, U8), VALUE, "depth = 1 must be at least 2"),
         // Formats and types.
-        ((1, GL_TEXTURE_1D, 0, C, ONE, 0, GL_COLOR_INDEX, U8), ENUM, "format = GL_COLOR_INDEX"),
+        ((1, GL_TEXTURE_1D, 0, C, ONE, 0, GL_INTENSITY, U8), ENUM, "format = GL_INTENSITY"),
         ((2, GL_TEXTURE_2D, 0, C, ONE, 0, GL_RGBA8, U8), ENUM, "format = GL_RGBA8"),
         ((3, GL_TEXTURE_3D, 0, C, ONE, 0, C, GL_DOUBLE), ENUM, "type = GL_DOUBLE"),
         ((2, GL_TEXTURE_2D, 0, C, ONE, 0, C, GL_BITMAP), ENUM, "type = GL_BITMAP"),
@@ -131,9 +131,9 @@ fn images() {
             "GL_UNSIGNED_INT_24_8",
         ),
         (
-            (2, GL_TEXTURE_2D, 0, D, ONE, 0, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8),
+            (2, GL_TEXTURE_2D, 0, C, ONE, 0, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8),
             OPERATION,
-            "with stencil",
+            "go together",
         ),
         ((2, GL_TEXTURE_2D, 0, C, ONE, 0, D, GL_FLOAT), OPERATION, "go together"),
         ((2, GL_TEXTURE_2D, 0, D, ONE, 0, C, GL_FLOAT), OPERATION, "go together"),

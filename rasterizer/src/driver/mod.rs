@@ -12,6 +12,7 @@ mod pass;
 mod pipeline;
 mod raster;
 mod submit;
+mod watch;
 
 pub use crate::output::texel_words;
 pub use crate::target::MAX_SAMPLES;
@@ -30,3 +31,4 @@ pub use raster::{
     MultisampleState, PointSize, PointState, PolygonMode, PolygonOffset, PolygonState, RasterState,
     Rim, SampleCoverage, SampleRule, SpriteOrigin,
 };
+pub use watch::Watch;

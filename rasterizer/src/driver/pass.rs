@@ -13,7 +13,9 @@ use super::raster::RasterState;
 use crate::output::{DepthFormat, texel_words};
 use crate::plan::{Counting, DrawPlan, PlanInput, Textures};
 use crate::primitive::{Primitives, Setup, primitives, setup, stipple_lines};
-use crate::raster::{Chunk, ClearJob, ClearTarget, DrawJob, Entry, PassJob, TileJob, Worker};
+use crate::raster::{
+    Chunk, ClearJob, ClearTarget, DrawJob, Entry, Formats, PassJob, Spot, TileJob, Worker,
+};
 use crate::shader::{OverBudget, Prepared};
 use crate::target::{Surface, TILE, all_bits, component_bits};
 use crate::vertex::{Ids, Unique, VertexStage, ordinals, shade};
@@ -42,6 +44,8 @@ struct Bound {
     scissor: Option<Rect>,
     raster: Arc<RasterState>,
     counter: Option<Counter>,
+    /// The label of a watched pixel.
+    label: u32,
 }
 
 /// What is the same for all chunks of a draw.
@@ -100,6 +104,7 @@ impl<'a> Pass<'a> {
                 draws: Vec::new(),
                 chunks: Vec::new(),
                 clears: Vec::new(),
+                watch: None,
             },
             commands: Vec::new(),
             shapes: 0,
@@ -113,6 +118,7 @@ impl<'a> Pass<'a> {
                 scissor: None,
                 counter: None,
                 raster: Arc::default(),
+                label: 0,
             },
         }
     }
@@ -132,6 +138,10 @@ impl<'a> Pass<'a> {
             Command::SetViewport(viewport) => self.bound.viewport = *viewport,
             Command::SetScissor(scissor) => self.bound.scissor = *scissor,
             Command::SetCounter(counter) => self.bound.counter = counter.clone(),
+            Command::Watch(watch) => {
+                self.bound.label = watch.label();
+                self.job.watch = Some(watch.clone());
+            }
             Command::Clear { value, area } => self.clear(*value, *area),
             &Command::Draw { first, count, instances } => {
                 self.draw(index, &Ids::Range(first), count, instances, report);
@@ -171,7 +181,7 @@ impl<'a> Pass<'a> {
     }
 
     fn clear(&mut self, value: ClearValue, rect: Rect) {
-        let area = self.area(Some(rect));
+        let (area, label) = (self.area(Some(rect)), self.bound.label);
         let format = |surface: Option<&Option<Surface>>| surface?.as_ref().map(|s| s.format);
         let color = |target: u8| format(self.colors.get(usize::from(target)));
         let depth = format(Some(&self.depth));
@@ -183,6 +193,7 @@ impl<'a> Pass<'a> {
                 write: component_bits(format, mask),
                 all: all_bits(format),
                 area,
+                label,
             }),
             ClearValue::Texel { target, words, mask } => color(target).map(|format| ClearJob {
                 target: ClearTarget::Color(target.into()),
@@ -190,6 +201,7 @@ impl<'a> Pass<'a> {
                 write: component_bits(format, mask),
                 all: all_bits(format),
                 area,
+                label,
             }),
             ClearValue::Depth(value) => depth.and_then(DepthFormat::of).map(|format| ClearJob {
                 target: ClearTarget::Depth,
@@ -197,6 +209,7 @@ impl<'a> Pass<'a> {
                 write: first(!0),
                 all: first(!0),
                 area,
+                label,
             }),
             ClearValue::Stencil { value, mask } => {
                 depth.filter(|format| format.has_stencil()).map(|_| ClearJob {
@@ -205,6 +218,7 @@ impl<'a> Pass<'a> {
                     write: first(mask.into()),
                     all: first(0xFF),
                     area,
+                    label,
                 })
             }
         };
@@ -266,7 +280,8 @@ impl<'a> Pass<'a> {
         self.device.explain(&|| plan.describe());
         let draw = self.job.draws.len();
         let (counter, stopped) = (self.bound.counter.clone(), AtomicBool::new(false));
-        self.job.draws.push(DrawJob { plan, area: inner, counter, stopped });
+        let label = self.bound.label;
+        self.job.draws.push(DrawJob { plan, area: inner, counter, stopped, label });
         self.commands.push(command);
 
         let compiled = pipeline.compiled();
@@ -378,6 +393,11 @@ impl<'a> Pass<'a> {
 
     /// Runs every tile that has something to do, and empties the bins.
     fn run_tiles(&mut self, report: &mut SubmitReport) {
+        let format = |surface: &Option<Surface>| surface.as_ref().map(|s| s.format);
+        let formats = Formats {
+            colors: self.colors.iter().map(format).collect(),
+            depth: format(&self.depth).and_then(DepthFormat::of),
+        };
         let mut tiles = Vec::new();
         let mut homes = Vec::new();
         for (index, bin) in self.bins.iter_mut().enumerate() {
@@ -394,6 +414,11 @@ impl<'a> Pass<'a> {
                 y: (ty * TILE) as i32,
                 colors: self.colors.iter_mut().map(|color| color.as_mut().map(take)).collect(),
                 depth: self.depth.as_mut().map(take),
+                watched: self
+                    .job
+                    .watch
+                    .as_ref()
+                    .and_then(|watch| Spot::new(watch, [tx, ty], &formats)),
                 entries: std::mem::take(bin),
             });
             homes.push((tx, ty));

@@ -53,6 +53,15 @@ impl DepthFormat {
         }
     }
 
+    /// The depth that a word stands for.
+    pub fn depth(self, word: u32) -> f32 {
+        match self {
+            Self::D16 => (f64::from(word) / LARGEST_16) as f32,
+            Self::D24 => (f64::from(word) / LARGEST_24) as f32,
+            Self::D32F => f32::from_bits(word),
+        }
+    }
+
     /// The word of a depth in [0, 1].
     #[inline(always)]
     pub fn word(self, depth: f32) -> u32 {

@@ -291,6 +291,11 @@ impl Batch {
         }
     }
 
+    /// A plane at one lane, as [`Self::evaluate`] has it.
+    pub fn at(&self, plane: usize, lane: usize) -> f32 {
+        self.evaluate(plane)[lane]
+    }
+
     /// A plane at every lane.
     #[inline(always)]
     fn evaluate(&self, plane: usize) -> F32s {

@@ -1,17 +1,18 @@
 //! A tile: everything of a pass that touches its 64×64 pixels, in order.
 
-use super::batch::{Batch, BatchDepth, BlockDepth, BlockOf, Interpolate, quads_of};
+use super::batch::{Batch, BlockDepth, BlockOf, quads_of};
 use super::clear::{ClearJob, clear};
 use super::cover::Cover;
 use super::coverage;
 use super::group::PlaneGroup;
 use super::interpolate::PlaneSetup;
 use super::samples::{SampleMasks, moved};
-use crate::driver::{AlphaToOne, Counter};
-use crate::output::{Fragments, test, write};
+use super::shading::Shader;
+use super::watched::Spot;
+use crate::driver::{Counter, Watch};
+use crate::output::{Fragments, test};
 use crate::plan::{DrawPlan, Shading, Timing};
 use crate::primitive::{Facing, Kind, Shape};
-use crate::shader::{Machine, Run};
 use crate::target::{MAX_SAMPLES, Place, TILE, TileTarget};
 use crate::vertex::Geometry;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -31,11 +32,13 @@ pub struct DrawJob {
     pub counter: Option<Counter>,
     /// Set when its shader ran over the budget: nothing more of it is drawn.
     pub stopped: AtomicBool,
+    /// What a watch calls it.
+    pub label: u32,
 }
 
 impl DrawJob {
     /// Counts the samples of masks, if somebody does.
-    fn count(&self, masks: &[u64]) {
+    pub fn count(&self, masks: &[u64]) {
         if let Some(counter) = &self.counter {
             for &mask in masks {
                 counter.add(mask);
@@ -81,6 +84,8 @@ pub struct PassJob {
     pub chunks: Vec<Chunk>,
     /// The clears.
     pub clears: Vec<ClearJob>,
+    /// The pixel whose story is recorded.
+    pub watch: Option<Watch>,
 }
 
 /// One tile, and what happens in it.
@@ -96,6 +101,8 @@ pub struct TileJob {
     pub depth: Option<TileTarget>,
     /// What happens, in order.
     pub entries: Vec<Entry>,
+    /// The watched pixel, if it is in this tile.
+    pub watched: Option<Box<Spot>>,
 }
 
 /// What a thread keeps from tile to tile.
@@ -127,6 +134,7 @@ impl Worker {
                 Entry::Clear(index) => {
                     self.flush(pass, tile);
                     clear(pass, &pass.clears[index as usize], tile);
+                    tile.note_clear(&pass.clears[index as usize]);
                     rest = &rest[1..];
                 }
                 Entry::Shape(chunk, _) => {
@@ -141,6 +149,9 @@ impl Worker {
         }
         self.flush(pass, tile);
         self.draw = None;
+        if let Some(spot) = tile.watched.take() {
+            spot.finish();
+        }
     }
 
     /// Makes `draw` the one whose shapes come next.
@@ -227,6 +238,11 @@ impl Worker {
                 }
                 masks = masks.map(|mask| mask & inside);
                 if any(&masks) != 0 {
+                    if let Some(spot) = &mut tile.watched
+                        && spot.is_in((by * 8 + bx) as usize, any(&masks))
+                    {
+                        spot.covered(pass, chunk, shape, &masks);
+                    }
                     let (x, y) = (at[0] + 8 * bx, at[1] + 8 * by);
                     self.group.at(lane, x, y, &mut self.planes);
                     self.fill_block(pass, tile, job, shape.facing, [bx, by], masks);
@@ -281,7 +297,13 @@ impl Worker {
         };
         if plan.timing == Timing::Early {
             // What waits has passed its own test already, so the order holds.
+            let watched = tile.watched.as_ref();
+            let watched = watched.filter(|spot| spot.is_in(of.block, any(&masks)));
+            let before = watched.map(|_| tile.watched_depth());
             early_tests(pass.isa, plan, &of, &mut masks, tile);
+            if let Some(before) = before {
+                tile.note_early(pass.isa, plan, &of, &masks, &before);
+            }
         }
         let masks = &masks[..plan.samples.count];
         if plan.shading == Shading::Off {
@@ -318,7 +340,7 @@ impl Worker {
 
 /// The lanes of which any sample is covered.
 #[inline]
-fn any(masks: &[u64]) -> u64 {
+pub fn any(masks: &[u64]) -> u64 {
     masks.iter().fold(0, |all, mask| all | mask)
 }
 
@@ -365,94 +387,5 @@ fn early_tests(
         let fragments =
             Fragments { place: Place::Block(of.block), depth: &depth, back, mask: *mask };
         *mask = test(isa, &plan.tests, target, sample, &fragments);
-    }
-}
-
-/// Runs batches and writes what comes out.
-#[derive(Debug, Default)]
-struct Shader {
-    machine: Machine,
-    depth: F32s,
-}
-
-impl Shader {
-    fn shade(
-        &mut self,
-        pass: &PassJob,
-        job: &DrawJob,
-        batch: &Batch,
-        place: Place<'_>,
-        tile: &mut TileJob,
-    ) {
-        let (isa, plan) = (pass.isa, &job.plan);
-        isa.run(Interpolate { plan, batch, machine: &mut self.machine, depth: &mut self.depth });
-        let compiled = plan.pipeline.compiled();
-        let kept = self.machine.run(Run {
-            isa,
-            program: &compiled.fragment,
-            prepared: &plan.prepared,
-            textures: &plan.textures,
-            active: batch.active(),
-            budget: pass.budget,
-        });
-        let Ok(kept) = kept else {
-            job.stopped.store(true, Ordering::Relaxed);
-            return;
-        };
-        let samples = &plan.samples;
-        let mut masks = batch.masks.map(|mask| mask & kept);
-        if let Some(alpha) = samples.alpha {
-            samples.mask_by_alpha(isa, self.machine.output(alpha).as_f32(), &mut masks);
-        }
-        if any(&masks) == 0 {
-            return;
-        }
-        if let (Timing::Late(output), Some(target)) = (plan.timing, tile.depth.as_mut()) {
-            if let Some(output) = output {
-                self.depth = *self.machine.output(output).as_f32();
-                isa.run(ClampDepth(&mut self.depth));
-            }
-            let back = batch.back();
-            for (sample, mask) in masks.iter_mut().enumerate().take(samples.count) {
-                if let (Some(plane), Some(offset), None) =
-                    (plan.depth_plane, samples.offset(sample), output)
-                {
-                    isa.run(BatchDepth { batch, plane, offset, depth: &mut self.depth });
-                }
-                let fragments = Fragments { place, depth: &self.depth, back, mask: *mask };
-                *mask = test(isa, &plan.tests, target, sample, &fragments);
-            }
-            if any(&masks) == 0 {
-                return;
-            }
-        }
-        let masks = &masks[..samples.count];
-        job.count(masks);
-        for color in &plan.colors {
-            let Some(target) = tile.colors[color.target].as_mut() else { continue };
-            let machine = &self.machine;
-            let mut rgba = [0, 1, 2, 3]
-                .map(|i| color.outputs[i].map(|output| machine.output(output).as_f32()));
-            if samples.alpha_to_one == AlphaToOne::On {
-                // A component that no program writes: alpha is 1.
-                rgba[3] = None;
-            }
-            for (sample, &mask) in masks.iter().enumerate() {
-                if mask != 0 {
-                    write(isa, color, target, sample, place, rgba, mask);
-                }
-            }
-        }
-    }
-}
-
-/// [`super::batch::clamp_depth`] as a kernel.
-struct ClampDepth<'a>(&'a mut F32s);
-
-impl texunit::lanes::Kernel for ClampDepth<'_> {
-    type Output = ();
-    #[inline(always)]
-    fn run<S: texunit::lanes::Simd>(self) {
-        super::batch::clamp_depth(self.0);
     }
 }

@@ -58,7 +58,8 @@ struct Allocation {
     instead: Vec<Reg>,
     /// By instruction.
     removed: Vec<bool>,
-    /// By instruction: whether it writes a variable in all lanes, always.
+    /// By instruction: whether it writes a variable in all lanes, always. What a jump goes around
+    /// does not.
     moves: Vec<bool>,
     /// By virtual register.
     real: Vec<Reg>,
@@ -76,7 +77,7 @@ impl Allocation {
             spans: vec![None; count],
             instead: (0..count as u32).map(Reg).collect(),
             removed: vec![false; lowered.code.len()],
-            moves: lowered.code.iter().map(|inst| matches!(inst, Inst::Move { .. })).collect(),
+            moves: moves(&lowered.code),
             real: Vec::new(),
         }
     }
@@ -124,8 +125,11 @@ impl Allocation {
             .any(|access| roles.contains(&access.role))
     }
 
-    /// A value whose only use is to be stored in all lanes is computed into the variable.
+    /// A value whose only use is to be stored in all lanes is computed into the variable, unless a
+    /// jump between the two goes around the store.
     fn forward_stores(&mut self, lowered: &Lowered) {
+        let together = |inst: &Inst| matches!(inst, Inst::Unless { .. } | Inst::Jump { .. });
+        let guards = guards(&lowered.code, together);
         for (at, inst) in lowered.code.iter().enumerate() {
             let Inst::Move { out, from } = inst else { continue };
             let Some(span) = self.spans[from.0 as usize] else { continue };
@@ -133,13 +137,14 @@ impl Allocation {
             let copied = matches!(lowered.code[span.start as usize], Inst::Move { .. });
             if !copied
                 && span.reads == 1
+                && guards[at].is_none_or(|guard| guard < span.start)
                 && span.end == at as u32
                 && !self.touched(kind, span.start, at as u32, &[Role::Read, Role::Write])
             {
                 self.instead[from.0 as usize] = *out;
                 self.spans[from.0 as usize] = None;
                 self.removed[at] = true;
-                self.moves[span.start as usize] = true;
+                self.moves[span.start as usize] = self.moves[at];
                 self.write_earlier(kind, at as u32, span.start);
             }
         }
@@ -254,11 +259,38 @@ impl Allocation {
     }
 }
 
+/// By instruction: whether it is a move that is always made.
+fn moves(code: &[Inst]) -> Vec<bool> {
+    let guards = guards(code, |_| true);
+    let moves = code.iter().zip(guards);
+    moves.map(|(inst, guard)| matches!(inst, Inst::Move { .. }) && guard.is_none()).collect()
+}
+
+/// By instruction: the last jump before it that goes around it, of those that count.
+fn guards(code: &[Inst], counts: impl Fn(&Inst) -> bool) -> Vec<Option<u32>> {
+    let mut open: Vec<(u32, u32)> = Vec::new();
+    let mut guards = Vec::with_capacity(code.len());
+    for (at, inst) in code.iter().enumerate() {
+        let at = at as u32;
+        while open.last().is_some_and(|&(_, to)| to <= at) {
+            open.pop();
+        }
+        guards.push(open.last().map(|&(jump, _)| jump));
+        if let Some(Target(to)) = inst.target()
+            && to > at
+            && counts(inst)
+        {
+            open.push((at, to));
+        }
+    }
+    guards
+}
+
 /// By instruction: the last instructions of the loops that begin there, innermost first.
 fn loop_ends(code: &[Inst]) -> Vec<Vec<u32>> {
     let mut ends = vec![Vec::new(); code.len()];
     for (at, inst) in code.iter().enumerate() {
-        if let Inst::Again { head, .. } = inst {
+        if let Inst::Again { head, .. } | Inst::Repeat { head } = inst {
             ends[head.0 as usize].push(at as u32);
         }
     }

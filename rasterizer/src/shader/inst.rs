@@ -43,10 +43,12 @@ pub(super) enum Inst {
     Derivative { axis: Axis, out: Reg, from: Reg },
     /// All lanes.
     Sample(Box<SampleInst>),
-    /// Goes on at `to` when this word of the preamble is 0: a branch of the whole draw.
-    Unless { word: u32, to: Target },
+    /// Goes on at `to` when this is 0: a branch that all lanes take alike.
+    Unless { test: Test, to: Target },
     /// Goes on at `to`.
     Jump { to: Target },
+    /// The next turn of a loop whose lanes take all turns alike.
+    Repeat { head: Target },
     /// Lanes where the condition is false wait in the slot; `reject` is taken when no lane is left.
     If { condition: Reg, slot: Slot, reject: Target },
     /// Lanes of the slot execute, those of the accepted block wait.
@@ -65,6 +67,15 @@ pub(super) enum Inst {
     SkipEmpty { to: Target },
     /// The loop's next turn, or its end: then the lanes of `exit` execute.
     Again { head: Target, exit: Slot },
+}
+
+/// A word that is the same for every lane.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Test {
+    /// A word of the preamble: the same in the whole draw.
+    Word(u32),
+    /// What every lane of this register holds.
+    Lanes(Reg),
 }
 
 /// Which lanes a condition sends.
@@ -149,11 +160,12 @@ impl Inst {
                     f(reg, Role::Write);
                 }
             }
-            Self::If { condition, .. } | Self::LeaveIf { condition, .. } => {
-                f(condition, Role::Read);
-            }
-            Self::Unless { .. }
+            Self::If { condition, .. }
+            | Self::LeaveIf { condition, .. }
+            | Self::Unless { test: Test::Lanes(condition), .. } => f(condition, Role::Read),
+            Self::Unless { test: Test::Word(_), .. }
             | Self::Jump { .. }
+            | Self::Repeat { .. }
             | Self::Else { .. }
             | Self::Join { .. }
             | Self::Open { .. }
@@ -164,10 +176,17 @@ impl Inst {
         }
     }
 
-    /// Whether it reads or changes which lanes execute, or where the program goes on. Stores into
-    /// some of the lanes read it.
+    /// Whether it reads or changes which lanes execute. Stores into some of the lanes read it.
     pub fn uses_mask(&self) -> bool {
-        self.is_control() || matches!(self, Self::Store { .. } | Self::StoreAt { .. })
+        let together =
+            matches!(self, Self::Unless { .. } | Self::Jump { .. } | Self::Repeat { .. });
+        let stores = matches!(self, Self::Store { .. } | Self::StoreAt { .. });
+        stores || (self.is_control() && !together)
+    }
+
+    /// Whether it takes lanes away from what follows.
+    pub fn empties(&self) -> bool {
+        matches!(self, Self::Leave { .. } | Self::LeaveIf { .. } | Self::Discard)
     }
 
     /// Whether it changes which lanes execute, or where the program goes on.
@@ -176,6 +195,7 @@ impl Inst {
             Self::If { .. }
             | Self::Unless { .. }
             | Self::Jump { .. }
+            | Self::Repeat { .. }
             | Self::Else { .. }
             | Self::Join { .. }
             | Self::Open { .. }
@@ -198,6 +218,34 @@ impl Inst {
     }
 
     /// The instruction this one can jump to.
+    pub fn target(&self) -> Option<Target> {
+        match self {
+            Self::If { reject: to, .. }
+            | Self::Unless { to, .. }
+            | Self::Jump { to }
+            | Self::Else { end: to, .. }
+            | Self::SkipEmpty { to }
+            | Self::Repeat { head: to }
+            | Self::Again { head: to, .. } => Some(*to),
+            Self::Op { .. }
+            | Self::Fused { .. }
+            | Self::Move { .. }
+            | Self::Zero { .. }
+            | Self::Store { .. }
+            | Self::LoadAt { .. }
+            | Self::StoreAt { .. }
+            | Self::UniformAt { .. }
+            | Self::Derivative { .. }
+            | Self::Sample(_)
+            | Self::Join { .. }
+            | Self::Open { .. }
+            | Self::Leave { .. }
+            | Self::LeaveIf { .. }
+            | Self::Discard => None,
+        }
+    }
+
+    /// As [`Self::target`], to be changed.
     pub fn target_mut(&mut self) -> Option<&mut Target> {
         match self {
             Self::If { reject: to, .. }
@@ -205,6 +253,7 @@ impl Inst {
             | Self::Jump { to }
             | Self::Else { end: to, .. }
             | Self::SkipEmpty { to }
+            | Self::Repeat { head: to }
             | Self::Again { head: to, .. } => Some(to),
             Self::Op { .. }
             | Self::Fused { .. }

@@ -4,13 +4,14 @@
 //! in a row. [`super::allocate`] gives them real ones. The recursion is over the nesting of
 //! blocks, which validation limits.
 
-use super::exits::{continues, may_empty};
-use super::inst::{Inst, Reg, SampleInst, SampleLod, Slot, Target, When};
+mod flow;
+
+use super::alike::Alike;
+use super::inst::{Inst, Reg, SampleInst, SampleLod, Slot, Target};
 use super::owned::Owned;
 use super::preamble::Preamble;
-use crate::ir::{
-    Access, Block, Expr, Input, Lod, Module, Output, Sample, Stage, Stmt, Ty, Value, Var,
-};
+use crate::ir::{Access, Expr, Input, Lod, Module, Output, Sample, Stage, Ty, Value, Var};
+use flow::{OpenLoop, OpenScope, Turn};
 
 /// What a virtual register stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -61,6 +62,9 @@ pub(super) fn lower(module: &Module) -> Lowered {
         owned: Owned::of(module),
         outermost: 0,
         turn: None,
+        alike: Alike::of(module),
+        next_loop: 0,
+        next_scope: 0,
     };
     for &(output, var) in &module.outputs {
         let reg = lowering.variable(var);
@@ -72,13 +76,6 @@ pub(super) fn lower(module: &Module) -> Lowered {
     out.textures.sort_unstable();
     out.textures.dedup();
     out
-}
-
-/// The slots of a loop.
-#[derive(Clone, Copy)]
-struct LoopSlots {
-    exit: Slot,
-    again: Slot,
 }
 
 struct Lowering<'a> {
@@ -94,9 +91,10 @@ struct Lowering<'a> {
     words: Vec<Option<Reg>>,
     /// By open block: the jumps that go to where its lanes join again.
     joins: Vec<Vec<usize>>,
-    loops: Vec<LoopSlots>,
-    scopes: Vec<Slot>,
+    loops: Vec<OpenLoop>,
+    scopes: Vec<OpenScope>,
     slots: u32,
+    /// In how many blocks that only some lanes may be in.
     nesting: u32,
     /// Whether every lane of the run still executes, as far as the code shows.
     straight: bool,
@@ -105,13 +103,9 @@ struct Lowering<'a> {
     outermost: u32,
     /// In an outermost loop whose lanes take whole turns or none: the place of its statements.
     turn: Option<Turn>,
-}
-
-/// Where every lane that still belongs to the innermost loop executes.
-#[derive(Clone, Copy, PartialEq, Eq)]
-struct Turn {
-    nesting: u32,
-    scopes: usize,
+    alike: Alike,
+    next_loop: usize,
+    next_scope: usize,
 }
 
 impl Lowering<'_> {
@@ -202,76 +196,6 @@ impl Lowering<'_> {
         Slot(self.slots - 1)
     }
 
-    /// Lowers a block whose lanes join at the next [`Self::join`].
-    fn nested(&mut self, block: &Block) {
-        self.joins.push(Vec::new());
-        self.nesting += 1;
-        self.block(block);
-        self.nesting -= 1;
-    }
-
-    fn block(&mut self, block: &Block) {
-        for (i, stmt) in block.iter().enumerate() {
-            match stmt {
-                Stmt::Eval(value) => self.eval(*value),
-                Stmt::Store { var, value } => {
-                    let (from, out) = (self.value(*value), self.variable(*var));
-                    let outermost = self.outermost.wrapping_sub(1);
-                    if self.turn == Some(self.place()) && self.owned.by_loop(*var, outermost) {
-                        // The other lanes never come back to where the variable is read.
-                        self.emit(Inst::Move { out, from });
-                    } else {
-                        self.store(out, from);
-                    }
-                }
-                Stmt::StoreAt { var, index, value } => self.store_at(*var, *index, *value),
-                Stmt::If { condition, accept, reject } => self.branch(*condition, accept, reject),
-                Stmt::Loop { body, continuing } => self.repeat(body, continuing),
-                Stmt::Scope(body) => {
-                    let slot = self.slot();
-                    self.emit(Inst::Open { slot });
-                    self.scopes.push(slot);
-                    self.joins.push(Vec::new());
-                    let straight = self.straight;
-                    self.block(body);
-                    self.straight = straight && !self.out.discards;
-                    self.scopes.pop();
-                    self.join();
-                    self.emit(Inst::Join { slot });
-                    self.slots -= 1;
-                }
-                Stmt::Break => return self.leave(self.loops.last().map(|slots| slots.exit)),
-                Stmt::Continue => return self.leave(self.loops.last().map(|slots| slots.again)),
-                Stmt::Leave => {
-                    self.straight = false;
-                    return self.leave(self.scopes.last().copied());
-                }
-                Stmt::Discard => {
-                    self.straight = false;
-                    self.out.discards = true;
-                    self.emit(Inst::Discard);
-                    return;
-                }
-            }
-            if i + 1 < block.len() && may_empty(stmt) {
-                let jump = self.emit(Inst::SkipEmpty { to: Target(0) });
-                if let Some(join) = self.joins.last_mut() {
-                    join.push(jump);
-                }
-            }
-        }
-    }
-
-    fn place(&self) -> Turn {
-        Turn { nesting: self.nesting, scopes: self.scopes.len() }
-    }
-
-    fn leave(&mut self, slot: Option<Slot>) {
-        if let Some(slot) = slot {
-            self.emit(Inst::Leave { slot });
-        }
-    }
-
     fn store(&mut self, out: Reg, from: Reg) {
         // Lanes that the run did not begin with may hold anything.
         if self.straight && self.nesting == 0 {
@@ -296,104 +220,6 @@ impl Lowering<'_> {
         let (base, len) = (self.variable(var), self.module.variable(var).len);
         let index = self.value(index);
         self.emit(Inst::StoreAt { base, len, index, from });
-    }
-
-    fn branch(&mut self, condition: Value, accept: &Block, reject: &Block) {
-        if let Some(word) = self.out.preamble.word(self.module, condition) {
-            return self.uniform_branch(word, accept, reject);
-        }
-        let condition = self.value(condition);
-        if let Some((when, slot)) = self.way_out(accept, reject) {
-            self.emit(Inst::LeaveIf { condition, when, slot });
-            return;
-        }
-        let slot = self.slot();
-        let branch = self.emit(Inst::If { condition, slot, reject: Target(0) });
-        self.nested(accept);
-        self.join();
-        if reject.is_empty() {
-            self.land(branch);
-        } else {
-            let skip = self.emit(Inst::Else { slot, end: Target(0) });
-            self.land(branch);
-            self.nested(reject);
-            self.join();
-            self.land(skip);
-        }
-        self.emit(Inst::Join { slot });
-        self.slots -= 1;
-    }
-
-    /// A branch that all lanes take alike: no mask is looked at.
-    fn uniform_branch(&mut self, word: u32, accept: &Block, reject: &Block) {
-        let branch = self.emit(Inst::Unless { word, to: Target(0) });
-        self.nested(accept);
-        self.join();
-        if reject.is_empty() {
-            self.land(branch);
-        } else {
-            let skip = self.emit(Inst::Jump { to: Target(0) });
-            self.land(branch);
-            self.nested(reject);
-            self.join();
-            self.land(skip);
-        }
-    }
-
-    /// Where a branch that does nothing but leave sends its lanes.
-    fn way_out(&mut self, accept: &Block, reject: &Block) -> Option<(When, Slot)> {
-        let (when, jump) = match (&accept[..], &reject[..]) {
-            ([jump], []) => (When::Holds, jump),
-            ([], [jump]) => (When::Fails, jump),
-            _ => return None,
-        };
-        let slot = match jump {
-            Stmt::Break => self.loops.last()?.exit,
-            Stmt::Continue => self.loops.last()?.again,
-            Stmt::Leave => {
-                self.straight = false;
-                *self.scopes.last()?
-            }
-            Stmt::Eval(_)
-            | Stmt::Store { .. }
-            | Stmt::StoreAt { .. }
-            | Stmt::If { .. }
-            | Stmt::Loop { .. }
-            | Stmt::Scope(_)
-            | Stmt::Discard => return None,
-        };
-        Some((when, slot))
-    }
-
-    fn repeat(&mut self, body: &Block, continuing: &Block) {
-        let (exit, again) = (self.slot(), self.slot());
-        self.emit(Inst::Open { slot: exit });
-        self.emit(Inst::Open { slot: again });
-        let head = self.here();
-        self.loops.push(LoopSlots { exit, again });
-        let lone = self.loops.len() == 1;
-        self.outermost += u32::from(lone);
-        let inside = Turn { nesting: self.nesting + 1, ..self.place() };
-        let turn = (lone && !continues(body)).then_some(inside);
-        let outside = std::mem::replace(&mut self.turn, turn);
-        self.nested(body);
-        self.join();
-        self.emit(Inst::Join { slot: again });
-        self.joins.push(Vec::new());
-        if !continuing.is_empty() {
-            let skip = self.emit(Inst::SkipEmpty { to: Target(0) });
-            if let Some(join) = self.joins.last_mut() {
-                join.push(skip);
-            }
-        }
-        self.nesting += 1;
-        self.block(continuing);
-        self.nesting -= 1;
-        self.join();
-        self.turn = outside;
-        self.loops.pop();
-        self.emit(Inst::Again { head, exit });
-        self.slots -= 2;
     }
 
     fn eval(&mut self, value: Value) {

@@ -6,6 +6,7 @@
 //! |---|---|
 //! | [`optimize`] | passes over the structured IR |
 //! | [`lower`] | structured IR → flat [`inst`]ructions over virtual registers |
+//! | [`alike`] | what all lanes do alike: no mask is looked at |
 //! | [`exits`] | how lanes leave a statement |
 //! | [`owned`] | the variables that only one loop reads: stored without a mask |
 //! | [`fuse`] | several operations as one instruction |
@@ -13,6 +14,7 @@
 //! | [`allocate`] | real registers for virtual ones |
 //! | [`machine`] | the interpreter: 64 lanes an instruction, with an execution [`mask`] |
 
+mod alike;
 mod allocate;
 mod exits;
 mod fuse;
@@ -24,7 +26,7 @@ mod optimize;
 mod owned;
 mod preamble;
 
-pub use machine::Machine;
+pub use machine::{Machine, Tracer};
 
 use crate::ir::{Input, Module, Output};
 use allocate::Layout;

@@ -7,8 +7,8 @@ use crate::glsl::diagnostics::{Diagnostic, Log};
 use crate::glsl::hir::{Storage, Variable};
 use crate::glsl::limits::{MAX_DRAW_BUFFERS, MAX_VERTEX_ATTRIBS};
 use crate::glsl::lower::Binding;
-use crate::glsl::{Attribute, Bindings};
 use crate::glsl::types::Type;
+use crate::glsl::{Attribute, Bindings};
 use crate::interface::ATTRIB_VERTEX;
 
 /// Gives attributes their locations: first those that were bound, then the others in order.

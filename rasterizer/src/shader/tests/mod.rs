@@ -3,6 +3,7 @@
 mod cases;
 mod random;
 mod reference;
+mod together;
 
 use super::{Fusing, Machine, OverBudget, Program, Run};
 use crate::ir::{Input, Module};
