@@ -73,6 +73,8 @@ pub struct Comparison {
     pub drivers: Vec<Driver>,
     /// Scene after scene, in each the drivers.
     pub rows: Vec<Row>,
+    /// Scenes that another driver could not draw, and why.
+    pub failures: Vec<String>,
 }
 
 /// A driver on a scene: medians over the rounds.
@@ -123,43 +125,73 @@ pub fn compare(
 ) -> Result<Comparison, PeersError> {
     let drivers = driver::find(options)?;
     let size = usize::from(options.size);
-    let mut rows = Vec::new();
+    let (mut rows, mut failures) = (Vec::new(), Vec::new());
     for scene in scenes {
         progress(&format!("{}, formulas", scene.name));
         let truth = render(&(scene.recipe)(size), size);
-        let mut rounds: Vec<Vec<Measured>> = Vec::new();
+        let mut tried: Vec<Result<Vec<Measured>, PeersError>> =
+            drivers.iter().map(|_| Ok(Vec::new())).collect();
         for _ in 0..options.rounds {
-            let mut round = Vec::new();
-            for driver in &drivers {
+            for (driver, measured) in drivers.iter().zip(&mut tried) {
+                let Ok(rounds) = measured else { continue };
                 progress(&format!("{}, {}", scene.name, driver.name));
-                round.push(driver.measure(scene, size)?);
+                match driver.measure(scene, size) {
+                    Ok(mut of_round) => {
+                        // One round's picture is enough.
+                        of_round.picture.truncate(if rounds.is_empty() { usize::MAX } else { 0 });
+                        of_round.picture.shrink_to_fit();
+                        rounds.push(of_round);
+                    }
+                    Err(error) => *measured = Err(error),
+                }
             }
-            rounds.push(round);
         }
-        for (index, driver) in drivers.iter().enumerate() {
-            let of = |value: fn(&Measured) -> f64| {
-                median(rounds.iter().map(|round| value(&round[index])).collect())
-            };
-            let ratio = |value: fn(&Measured) -> f64| {
-                let ratios = rounds.iter().map(|round| value(&round[index]) / value(&round[0]));
-                median(ratios.collect())
-            };
-            rows.push(Row {
-                scene: scene.name,
-                what: scene.what,
-                load: scene.load,
-                driver: driver.name,
-                frame_ms: of(|m| m.frame_ms),
-                frame_ratio: ratio(|m| m.frame_ms),
-                processor_ms: of(|m| m.processor_ms),
-                first_ms: of(|m| m.first_ms),
-                first_ratio: ratio(|m| m.first_ms),
-                peak_mib: of(|m| m.peak_kib as f64 / 1024.0),
-                error: Distance::between(&truth, &rounds[0][index].picture, size),
-            });
+        let mut ours = Vec::new();
+        for (driver, measured) in drivers.iter().zip(tried) {
+            match measured {
+                Ok(rounds) => {
+                    if ours.is_empty() {
+                        ours.clone_from(&rounds);
+                    }
+                    let error = Distance::between(&truth, &rounds[0].picture, size);
+                    rows.push(Row::new(scene, driver.name, &rounds, &ours, error));
+                }
+                // Without DetGL there is nothing to compare with.
+                Err(error) if ours.is_empty() => return Err(error),
+                Err(error) => failures.push(format!("{}, {}: {error}", scene.name, driver.name)),
+            }
         }
     }
-    Ok(Comparison { size: options.size, rounds: options.rounds, drivers, rows })
+    Ok(Comparison { size: options.size, rounds: options.rounds, drivers, rows, failures })
+}
+
+impl Row {
+    /// The medians of a driver's rounds, and of their ratios to DetGL's.
+    fn new(
+        scene: &Scene,
+        driver: &'static str,
+        rounds: &[Measured],
+        ours: &[Measured],
+        error: Distance,
+    ) -> Self {
+        let of = |value: fn(&Measured) -> f64| median(rounds.iter().map(value).collect());
+        let ratio = |value: fn(&Measured) -> f64| {
+            median(rounds.iter().zip(ours).map(|(a, b)| value(a) / value(b)).collect())
+        };
+        Self {
+            scene: scene.name,
+            what: scene.what,
+            load: scene.load,
+            driver,
+            frame_ms: of(|m| m.frame_ms),
+            frame_ratio: ratio(|m| m.frame_ms),
+            processor_ms: of(|m| m.processor_ms),
+            first_ms: of(|m| m.first_ms),
+            first_ratio: ratio(|m| m.first_ms),
+            peak_mib: of(|m| m.peak_kib as f64 / 1024.0),
+            error,
+        }
+    }
 }
 
 /// The middle one; 0 of none.

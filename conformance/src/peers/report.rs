@@ -107,8 +107,10 @@ pub enum WriteError {
 fn text(comparison: &Comparison, preset: &str) -> String {
     let Comparison { size, rounds, drivers, .. } = comparison;
     let mut text = format!(
-        "{size} × {size} pixels, {rounds} rounds, {} processors. Errors are against the formulas in \
-         f64, in steps of a byte.\n\n",
+        "{size} × {size} pixels, medians of {rounds} rounds, {} processors. A frame ends with \
+         glFinish; the first one counts from opening the library to the picture in memory, \
+         shaders compiled, nothing from an earlier run. Errors are against the formulas in f64, in \
+         steps of a byte.\n\n",
         std::thread::available_parallelism().map_or(1, usize::from)
     );
     for driver in drivers {
@@ -122,6 +124,9 @@ fn text(comparison: &Comparison, preset: &str) -> String {
     for mut table in goals(comparison).into_iter().chain([measured(comparison)]) {
         table.load_preset(preset);
         text.push_str(&format!("\n{table}\n"));
+    }
+    for failure in &comparison.failures {
+        text.push_str(&format!("\nNot drawn: {failure}\n"));
     }
     text
 }

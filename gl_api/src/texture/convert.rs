@@ -280,6 +280,26 @@ pub(crate) fn unpack(
     }
 }
 
+/// The client's pixels themselves, where they are texels of `format`, tightly packed; never those
+/// of a compressed format.
+pub(crate) fn as_texels<'a>(
+    layout: &Layout,
+    bytes: &'a [u8],
+    format: Format,
+    transfer: &Transfer,
+) -> Option<&'a [u8]> {
+    let [_, height, depth] = layout.size;
+    let run = layout.row_bytes();
+    let is_tight = (height == 1 || layout.stride == run)
+        && (depth == 1 || layout.image_stride == run * height);
+    let conversion = Conversion::new(layout, format, transfer, LuminanceOf::Red);
+    let is_copy = format.block().is_none()
+        && layout.bits.is_none()
+        && is_tight
+        && conversion.unpack_shuffle().is_some_and(|shuffle| shuffle.is_copy());
+    is_copy.then(|| &bytes[layout.start..layout.start + run * height * depth])
+}
+
 /// Rows of texels of `format`, each with as many as the layout's rows have pixels, into the
 /// client's memory, which has `layout.needed` bytes.
 pub(crate) fn pack(

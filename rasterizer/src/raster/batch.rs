@@ -374,7 +374,7 @@ impl Batch {
 
     /// A plane at every lane, moved so far across and up from the pixel's centre.
     #[inline(always)]
-    fn within(&self, plane: usize, [x, y]: &[F32s; 2]) -> F32s {
+    pub fn within(&self, plane: usize, [x, y]: &[F32s; 2]) -> F32s {
         let mut out = self.evaluate(plane);
         let plane = &self.planes[plane];
         for lane in 0..LANES {

@@ -344,6 +344,8 @@ impl Shaded {
     /// Its inputs were interpolated.
     fn interpolated(&mut self, plan: &DrawPlan, batch: &Batch, machine: &Machine) {
         let of_program = plan.pipeline.compiled().fragment.inputs();
+        let centroids = plan.samples.centroids(&batch.masks);
+        let within = |plane: usize| batch.within(plane, &centroids)[self.lane];
         for (index, (&input, from)) in of_program.iter().zip(&plan.inputs).enumerate() {
             let values = |plane: usize| self.values.get(plane).cloned().unwrap_or_default();
             let source = match *from {
@@ -352,7 +354,14 @@ impl Shaded {
                     numerator: batch.at(plane, self.lane),
                     denominator: plan.denominator_plane.map_or(1.0, |at| batch.at(at, self.lane)),
                 },
-                FragmentInput::Linear(plane) => InputSource::Linear(values(plane)),
+                FragmentInput::SmoothWithin(plane) => InputSource::Perspective {
+                    vertices: values(plane),
+                    numerator: within(plane),
+                    denominator: plan.denominator_plane.map_or(1.0, within),
+                },
+                FragmentInput::Linear(plane) | FragmentInput::LinearWithin(plane) => {
+                    InputSource::Linear(values(plane))
+                }
                 FragmentInput::Flat(_) => InputSource::Flat,
                 FragmentInput::SmoothSlope(..) | FragmentInput::LinearSlope(..) => {
                     InputSource::Slope

@@ -234,3 +234,40 @@ fn store_row(format: Format, planes: &[Plane], y: usize, row: &mut [u8]) {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_row_of_a_block_is_its_lanes_in_order() {
+        let mut block = U32s::ZERO;
+        for lane in 0..LANES {
+            block[lane] = lane as u32;
+        }
+        for (y, lanes) in LANE_AT.iter().enumerate() {
+            assert_eq!(row_of(&block, y), lanes.map(u32::from));
+        }
+    }
+
+    /// Tiles of one texel are attached without words, others with them; all come back as they
+    /// were, edges included.
+    #[test]
+    fn what_is_loaded_is_what_is_stored() {
+        for format in [Format::Rgba8, Format::R8, Format::D24S8, Format::Rgba32F] {
+            let mut level = Level::new(format, 150, 70).expect("small");
+            let middle = level.row_bytes() * 30;
+            for (index, byte) in
+                level.texels[middle..][..64 * format.bytes()].iter_mut().enumerate()
+            {
+                *byte = (index * 7 % 251) as u8;
+            }
+            let surface = Surface::from_level(&level, 0, 1);
+            let cleared = |tile: &Vec<Plane>| matches!(tile[0], Plane::Cleared(_));
+            assert_eq!(surface.tiles.iter().filter(|tile| cleared(tile)).count(), 5);
+            let mut back = Level::new(format, 150, 70).expect("small");
+            surface.store(&mut back, 0);
+            assert_eq!(back.texels, level.texels, "{format:?}");
+        }
+    }
+}

@@ -87,22 +87,22 @@ void main() {
     }
 }
 
-/// The front of a sphere that reaches beyond the picture, seen in parallel projection.
+/// The front of a sphere that reaches beyond the picture, seen from 2 units away.
 fn environment(_side: usize) -> Recipe {
     static PROGRAM: Program = Program {
         fragment: "
 uniform sampler2D unit0;
 varying vec3 normal;
+varying vec3 object;
 void main() {
-    vec3 r = reflect(vec3(0.0, 0.0, -1.0), normalize(normal));
+    vec3 r = reflect(normalize(vec3(object.xy, -2.0)), normalize(normal));
     float m = 2.0 * sqrt(r.x * r.x + r.y * r.y + (r.z + 1.0) * (r.z + 1.0));
     gl_FragColor = texture2D(unit0, r.xy / m + 0.5);
 }
 ",
         formula: |f| {
-            let n = unit(f.normal);
-            let along = 2.0 * -n[2];
-            let r = [-along * n[0], -along * n[1], -1.0 - along * n[2]];
+            let (n, i) = (unit(f.normal), unit([f.object[0], f.object[1], -2.0]));
+            let r = [0, 1, 2].map(|c| i[c] - 2.0 * dot(n, i) * n[c]);
             let m = 2.0 * (r[0] * r[0] + r[1] * r[1] + (r[2] + 1.0).powi(2)).sqrt();
             (f.texture)(0, [r[0] / m + 0.5, r[1] / m + 0.5])
         },

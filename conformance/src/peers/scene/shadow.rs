@@ -81,10 +81,10 @@ fn shadow_map() -> Recipe {
     }
 }
 
-/// Adds a square, turned by 30°.
+/// Adds a square, turned by 33°.
 fn plate(mesh: &mut Mesh, [x, y, z]: [f64; 3], half: f64) {
     let first = mesh.vertices.len() as u32;
-    let (sin, cos) = 30f64.to_radians().sin_cos();
+    let (sin, cos) = 33f64.to_radians().sin_cos();
     for [a, b] in [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]] {
         let (dx, dy) = (half * (cos * a - sin * b), half * (sin * a + cos * b));
         mesh.vertices.push(Vertex { position: single([x + dx, y + dy, z]), ..WHITE });
