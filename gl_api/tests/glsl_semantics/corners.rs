@@ -118,7 +118,12 @@ pub const TABLE: &[Row] = &[
         "float y = x * x; if (x > 3.0) { r.x = dFdx(y); r.y = dFdx(x * 2.0); } for (float i = 0.0; i < x; i += 1.0) r.z = dFdx(x); r.w = fwidth(y);",
         [6.0, 2.0, 1.0, 6.0],
     ),
-    Row(110, "", "vec4 v = vec4(x, 1.0, x * 3.0, u.x); r = dFdx(v) + dFdy(v);", [1.0, 0.0, 3.0, 0.0]),
+    Row(
+        110,
+        "",
+        "vec4 v = vec4(x, 1.0, x * 3.0, u.x); r = dFdx(v) + dFdy(v);",
+        [1.0, 0.0, 3.0, 0.0],
+    ),
     Row(
         110,
         "",
@@ -137,7 +142,7 @@ pub const TABLE: &[Row] = &[
         110,
         "#define LINE(n) n\n#line LINE(20 + 1) (1 + 1)\nconst int line = __LINE__; const int file = __FILE__;",
         "r.xy = vec2(line, file);",
-        [21.0, 2.0, 0.0, 0.0],
+        [22.0, 2.0, 0.0, 0.0],
     ),
     Row(
         130,
