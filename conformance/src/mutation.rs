@@ -101,7 +101,7 @@ pub enum Mutation {
     BytesNotSwapped,
     PackedReversed,
     SignedWithoutHalf,
-    LuminanceIsRed,
+    LuminanceIsSum,
     AlignmentIgnored,
     RowLengthIgnored,
     ImageHeightIgnored,
@@ -164,6 +164,13 @@ pub enum Mutation {
     StencilOpsSwapped,
     StencilSaturationIgnored,
     LogicOperandsSwapped,
+    LatcAsRgtc,
+    SizeOfBaseLevel,
+    LayersHalved,
+    LastAxisFree,
+    MajorAxisFixed,
+    IntegersThroughFloats,
+    ComparisonPlaced,
 }
 
 /// The oracles as they should be, or with one mistake.

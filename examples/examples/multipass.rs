@@ -22,26 +22,6 @@ pub fn main() -> ExitCode {
     examples::window::main(&PROGRAM)
 }
 
-const SCENE_VERTEX_SHADER: &str = "\
-#version 130
-uniform mat4 uProjMatrix;
-uniform mat4 uModelViewMatrix;
-in vec4 aVertex;
-in vec3 aNormal;
-in vec2 aTexCoord;
-in vec3 aColor;
-out vec3 vNormal;
-out vec2 vTexCoord;
-out vec3 vColor;
-
-void main() {
-    vNormal = vec3(uModelViewMatrix * vec4(aNormal, 0.0));
-    vTexCoord = aTexCoord;
-    vColor = aColor;
-    gl_Position = uProjMatrix * uModelViewMatrix * aVertex;
-}
-";
-
 const SCENE_FRAGMENT_SHADER: &str = "\
 #version 130
 uniform sampler2D uTexUnit0;
@@ -56,20 +36,6 @@ void main() {
     float rim = pow(1.0 - abs(normal.z), 3.0);
     vec3 color = vColor * texture2D(uTexUnit0, vTexCoord).rgb;
     fragColor = vec4(color * (0.25 + 0.95 * diffuse) + 0.5 * rim * vec3(0.3, 0.5, 1.0), 1.0);
-}
-";
-
-const SCREEN_VERTEX_SHADER: &str = "\
-#version 130
-uniform mat4 uProjMatrix;
-uniform mat4 uModelViewMatrix;
-in vec4 aVertex;
-in vec2 aTexCoord;
-out vec2 vTexCoord;
-
-void main() {
-    vTexCoord = aTexCoord;
-    gl_Position = uProjMatrix * uModelViewMatrix * aVertex;
 }
 ";
 
@@ -95,11 +61,11 @@ void main() {
 const SIZE: GLsizei = 512;
 
 fn draw(window: &mut Window) {
-    let scene_program = initShaders(window, SCENE_VERTEX_SHADER, SCENE_FRAGMENT_SHADER);
-    let screen_program = initShaders(window, SCREEN_VERTEX_SHADER, SCREEN_FRAGMENT_SHADER);
+    let scene_program = initShaders(window, EYE_VERTEX_SHADER, SCENE_FRAGMENT_SHADER);
+    let screen_program = initShaders(window, EYE_VERTEX_SHADER, SCREEN_FRAGMENT_SHADER);
     let decal = load_texture(0, window.picture("flagstones.ppm"), GL_REPEAT);
-    let (sharp_fbo, sharp) = framebuffer();
-    let (blurred_fbo, blurred) = framebuffer();
+    let (sharp_fbo, sharp) = color_framebuffer(SIZE);
+    let (blurred_fbo, blurred) = color_framebuffer(SIZE);
     let square = Mesh::plane().upload();
 
     // Pass 1: the scene, offline.
@@ -113,12 +79,8 @@ fn draw(window: &mut Window) {
     glDisable(GL_DEPTH_TEST);
 
     // Pass 2: the first picture is a texture; blur it along x.
-    glUseProgram(screen_program);
-    let h_uProjMatrix = safe_glGetUniformLocation(screen_program, "uProjMatrix");
-    let h_uModelViewMatrix = safe_glGetUniformLocation(screen_program, "uModelViewMatrix");
+    use_program(screen_program, &DMat4::IDENTITY, &DMat4::IDENTITY);
     let h_uStep = safe_glGetUniformLocation(screen_program, "uStep");
-    safe_glUniformMatrix4fv(h_uProjMatrix, &DMat4::IDENTITY);
-    safe_glUniformMatrix4fv(h_uModelViewMatrix, &DMat4::IDENTITY);
     glBindFramebuffer(GL_FRAMEBUFFER, blurred_fbo);
     glBindTexture(GL_TEXTURE_2D, sharp);
     safe_glUniform3f(h_uStep, 1.5 / f64::from(SIZE), 0, 1);
@@ -132,56 +94,25 @@ fn draw(window: &mut Window) {
     safe_glUniform3f(h_uStep, 0, 1.5 / f64::from(SIZE), 0.75);
     square.draw(screen_program);
 
-    let aspect = f64::from(window.width) / f64::from(window.height);
-    safe_glUniformMatrix4fv(h_uProjMatrix, &perspective(45., aspect, 0.1, 20.));
+    let projection = perspective(45., window.panel(1, 1, 0), 0.1, 20.);
     let place = translate(0., 0., -3.4) * rotate(28., DVec3::Y) * rotate(-5., DVec3::X);
     glBindTexture(GL_TEXTURE_2D, sharp);
     for (scale, brightness) in [(1.06, 0.04), (1., 1.)] {
         let size = DMat4::from_scale(dvec3(scale, scale, 1.));
-        safe_glUniformMatrix4fv(h_uModelViewMatrix, &(place * size));
+        use_program(screen_program, &projection, &(place * size));
         safe_glUniform3f(h_uStep, 0, 0, brightness);
         square.draw(screen_program);
     }
 }
 
 fn draw_scene(program: GLuint) {
-    glUseProgram(program);
-    safe_glUniformMatrix4fv(
-        safe_glGetUniformLocation(program, "uProjMatrix"),
-        &perspective(45., 1., 0.1, 20.),
-    );
-    let h_uModelViewMatrix = safe_glGetUniformLocation(program, "uModelViewMatrix");
+    let projection = perspective(45., 1., 0.1, 20.);
     let place = translate(0., 0., -4.9) * rotate(38., DVec3::X);
     let ring = Mesh::torus(0.3).tiled(6., 2.);
     for (degrees, color) in [(0., [1.0, 0.75, 0.35]), (90., [0.45, 0.95, 1.0])] {
         let across = DMat4::from_translation(DVec3::X * (degrees / 90. - 0.5));
         let turned = rotate(degrees, DVec3::X);
-        safe_glUniformMatrix4fv(h_uModelViewMatrix, &(place * across * turned));
+        use_program(program, &projection, &(place * across * turned));
         ring.clone().colored(color).upload().draw(program);
     }
-}
-
-/// A framebuffer object with a colour texture and a depth buffer.
-fn framebuffer() -> (GLuint, GLuint) {
-    let (mut fbo, mut texture, mut depth): (GLuint, GLuint, GLuint) = (0, 0, 0);
-    glGenTextures(1, &mut texture);
-    glBindTexture(GL_TEXTURE_2D, texture);
-    for (parameter, value) in [
-        (GL_TEXTURE_MIN_FILTER, GL_LINEAR),
-        (GL_TEXTURE_MAG_FILTER, GL_LINEAR),
-        (GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE),
-        (GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE),
-    ] {
-        glTexParameteri(GL_TEXTURE_2D, parameter, value);
-    }
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, SIZE, SIZE, 0, GL_RGBA, GL_UNSIGNED_BYTE, NULL);
-    glGenRenderbuffers(1, &mut depth);
-    glBindRenderbuffer(GL_RENDERBUFFER, depth);
-    glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, SIZE, SIZE);
-    glGenFramebuffers(1, &mut fbo);
-    glBindFramebuffer(GL_FRAMEBUFFER, fbo);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth);
-    assert_eq!(glCheckFramebufferStatus(GL_FRAMEBUFFER), GL_FRAMEBUFFER_COMPLETE);
-    (fbo, texture)
 }

@@ -84,13 +84,11 @@ const BALLS: [(f64, &[(i32, f64)]); 3] =
 
 fn draw(window: &mut Window) {
     load_cube_map(window);
-    let map = GL_TEXTURE_CUBE_MAP;
-    glGenerateMipmap(map);
-    set_filter(map, GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);
+    glGenerateMipmap(GL_TEXTURE_CUBE_MAP);
+    set_filter(GL_TEXTURE_CUBE_MAP, GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);
     let blur = initShaders(window, EYE_VERTEX_SHADER, BLUR_FRAGMENT_SHADER);
     let shade = initShaders(window, EYE_VERTEX_SHADER, FRAGMENT_SHADER);
-    let around = Mesh::cube().upload();
-    let ball = Mesh::sphere().upload();
+    let (around, ball) = (Mesh::cube().upload(), Mesh::sphere().upload());
 
     let (fbo, blurred) = cube_framebuffer(SIDE);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);

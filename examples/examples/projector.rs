@@ -1,8 +1,8 @@
 //! Projector texture mapping: a slide projector lights the corner of a room.
 //!
 //! *CS380, Texture Mapping*, slides 25 to 32. On the left the fragment shader divides by w itself;
-//! on the right `texture2DProj` does. The lecture mixes up `aTexCoord` and `vTexCoord`; here that is
-//! repaired by hand. The room is drawn first in dim light, then the slide is added to it.
+//! on the right `texture2DProj` does. The lecture mixes up `aTexCoord` and `vTexCoord`; that is repaired. The
+//! room is drawn first in dim light, then the slide is added to it.
 #![allow(non_snake_case, non_upper_case_globals, reason = "the lecture's names")]
 
 use examples::lecture::*;
@@ -64,35 +64,8 @@ uniform sampler2D vTexUnit0;
 
 in vec4 vTexCoord;
 out vec4 fragColor;
-
 void main(){
     fragColor = texture2DProj(vTexUnit0, vTexCoord);
-}
-";
-
-/// The room without the slide.
-const ROOM_VERTEX_SHADER: &str = "\
-#version 130
-uniform mat4 uModelViewMatrix;
-uniform mat4 uProjMatrix;
-in vec4 aVertex;
-in vec3 aNormal;
-in vec3 aColor;
-out vec3 vColor;
-
-void main(){
-    vColor = aColor * (0.17 + 0.17 * max(0.0, dot(aNormal, vec3(0.36, 0.80, 0.48))));
-    gl_Position = uProjMatrix * uModelViewMatrix * aVertex;
-}
-";
-
-const ROOM_FRAGMENT_SHADER: &str = "\
-#version 130
-in vec3 vColor;
-out vec4 fragColor;
-
-void main(){
-    fragColor = vec4(vColor, 1.0);
 }
 ";
 
@@ -103,15 +76,13 @@ fn draw(window: &mut Window) {
     // What is not on the slide is the border's black: no light.
     load_texture(0, window.picture("slide.ppm"), GL_CLAMP_TO_BORDER);
 
-    let model = room().upload();
-    let dim = initShaders(window, ROOM_VERTEX_SHADER, ROOM_FRAGMENT_SHADER);
+    let model = room_corner().upload();
+    let dim = dim_room_program(window);
     let by_hand = initShaders(window, VERTEX_SHADER, DIVIDE_FRAGMENT_SHADER);
     let by_proj = initShaders(window, VERTEX_SHADER, PROJ_FRAGMENT_SHADER);
 
-    let width = window.width / 2;
-    let aspect = f64::from(width) / f64::from(window.height);
-    for (x, slide) in [(0, by_hand), (width, by_proj)] {
-        glViewport(x, 0, width, window.height);
+    for (panel, slide) in [(0, by_hand), (1, by_proj)] {
+        let aspect = window.panel(2, 1, panel);
         glDisable(GL_BLEND);
         draw_room(&model, dim, aspect);
         glEnable(GL_BLEND);
@@ -133,19 +104,4 @@ fn draw_room(model: &Model, program: GLuint, aspect: f64) {
     let domain = unit_square() * perspective(32., 1., 0.5, 40.);
     safe_glUniformMatrix4fv(uniform("uSProjMatrix"), &domain);
     model.draw(program);
-}
-
-/// Two walls and a floor that meet in a corner, a ball and a box.
-fn room() -> Mesh {
-    let wide = DMat4::from_scale(DVec3::splat(4.));
-    let mut room = Mesh::plane().moved(translate(2., 4., -2.) * wide).colored([0.9, 0.88, 0.85]);
-    let floor = translate(2., 0., 2.) * rotate(-90., DVec3::X);
-    let left = translate(-2., 4., 2.) * rotate(90., DVec3::Y) * wide;
-    room.append(Mesh::plane().moved(left).colored([0.82, 0.86, 0.92]));
-    room.append(Mesh::plane().moved(floor * wide).colored([0.72, 0.60, 0.48]));
-    let ball = translate(-0.2, 0.6, -0.2) * DMat4::from_scale(DVec3::splat(0.6));
-    room.append(Mesh::sphere().moved(ball));
-    let box_place = translate(-1.2, 0.45, 0.9) * rotate(28., DVec3::Y);
-    room.append(Mesh::cube().moved(box_place * DMat4::from_scale(DVec3::splat(0.45))));
-    room
 }

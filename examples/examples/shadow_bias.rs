@@ -67,12 +67,13 @@ const PANELS: [(i32, i32); 3] = [(0, 0), (2, 4), (0, 1_600_000)];
 
 fn draw(window: &mut Window) {
     glEnable(GL_DEPTH_TEST);
-    let fbo = depth_framebuffer();
+    let fbo = depth_framebuffer(SIDE, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_R_TO_TEXTURE);
     let light_program = initShaders(window, EYE_VERTEX_SHADER, LIGHT_FRAGMENT_SHADER);
     let program = initShaders(window, VERTEX_SHADER, FRAGMENT_SHADER);
     let light_projection = perspective(52., 1., 2., 12.);
     let light_view = look_at(dvec3(3., 4., 2.), DVec3::ZERO);
-    let scene = scene().upload();
+    let scene = ball_and_block().upload();
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glClearColor(0.55, 0.68, 0.85, 1);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -96,35 +97,4 @@ fn draw(window: &mut Window) {
         safe_glUniformMatrix4fv(safe_glGetUniformLocation(program, "uLightMatrix"), &light);
         scene.draw(program);
     }
-}
-
-fn scene() -> Mesh {
-    let floor = rotate(-90., DVec3::X) * DMat4::from_scale(DVec3::splat(1.9));
-    let mut scene = Mesh::plane().moved(floor).colored([0.9, 0.87, 0.8]);
-    let ball = translate(-0.5, 0.5, 0.2) * DMat4::from_scale(DVec3::splat(0.5));
-    scene.append(Mesh::sphere().moved(ball).colored([0.9, 0.45, 0.25]));
-    let block = translate(0.7, 0.4, -0.5) * rotate(30., DVec3::Y);
-    let block = Mesh::cube().moved(block * DMat4::from_scale(DVec3::splat(0.4)));
-    scene.append(block.colored([0.35, 0.6, 0.9]));
-    scene
-}
-
-/// A framebuffer object that has only a depth texture, which stays bound and compares.
-fn depth_framebuffer() -> GLuint {
-    let (mut fbo, mut texture): (GLuint, GLuint) = (0, 0);
-    glGenTextures(1, &mut texture);
-    glBindTexture(GL_TEXTURE_2D, texture);
-    set_filter(GL_TEXTURE_2D, GL_LINEAR, GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_R_TO_TEXTURE);
-    let format = GL_DEPTH_COMPONENT;
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, SIDE, SIDE, 0, format, GL_FLOAT, NULL);
-    glGenFramebuffers(1, &mut fbo);
-    glBindFramebuffer(GL_FRAMEBUFFER, fbo);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, texture, 0);
-    glDrawBuffer(GL_NONE);
-    glReadBuffer(GL_NONE);
-    assert_eq!(glCheckFramebufferStatus(GL_FRAMEBUFFER), GL_FRAMEBUFFER_COMPLETE);
-    fbo
 }

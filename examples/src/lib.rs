@@ -13,6 +13,7 @@
 //! | [`matrix`] | matrices in `f64` |
 //! | [`mod@picture`] | picture files, and the drawn pictures that stand in for them |
 //! | [`corridor`] | the room of the lightmap picture, and its baked light |
+//! | [`scene`] | what several programs show |
 //! | [`programs`] | the list of programs |
 //! | [`gallery`] | all pictures, and the page that shows them |
 
@@ -25,6 +26,7 @@ pub mod matrix;
 pub mod mesh;
 pub mod picture;
 pub mod programs;
+pub mod scene;
 #[allow(non_snake_case, reason = "the lecture's names")]
 pub mod shader;
 pub mod texture;
@@ -35,9 +37,11 @@ pub mod lecture {
     pub use crate::matrix::*;
     pub use crate::mesh::*;
     pub use crate::picture::packed_pixel_t;
+    pub use crate::scene::*;
     pub use crate::shader::*;
     pub use crate::texture::{
-        cube_framebuffer, load_cube_map, load_texture, load_volume, set_filter,
+        color_framebuffer, copy_window, cube_framebuffer, depth_framebuffer, load_cube_map,
+        load_texels, load_texture, load_volume, set_filter,
     };
     pub use crate::window::{Program, Window};
     pub use gl_api::constants::*;

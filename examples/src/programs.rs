@@ -2,32 +2,50 @@
 
 #[path = "../examples/anisotropic.rs"]
 pub mod anisotropic;
+#[path = "../examples/bilinear_formula.rs"]
+pub mod bilinear_formula;
+#[path = "../examples/blinn_bump.rs"]
+pub mod blinn_bump;
+#[path = "../examples/box_environment.rs"]
+pub mod box_environment;
 #[path = "../examples/bump_displacement.rs"]
 pub mod bump_displacement;
 #[path = "../examples/checker_shader.rs"]
 pub mod checker_shader;
 #[path = "../examples/cube_map_light.rs"]
 pub mod cube_map_light;
+#[path = "../examples/cylindrical_mapping.rs"]
+pub mod cylindrical_mapping;
+#[path = "../examples/decal_skin.rs"]
+pub mod decal_skin;
 #[path = "../examples/demon_triangle.rs"]
 pub mod demon_triangle;
 #[path = "../examples/dynamic_cube_map.rs"]
 pub mod dynamic_cube_map;
 #[path = "../examples/environment_map.rs"]
 pub mod environment_map;
+#[path = "../examples/explicit_uv.rs"]
+pub mod explicit_uv;
 #[path = "../examples/forward_inverse.rs"]
 pub mod forward_inverse;
 #[path = "../examples/four_filters.rs"]
 pub mod four_filters;
 #[path = "../examples/gloss_map.rs"]
 pub mod gloss_map;
+#[path = "../examples/interpolation.rs"]
+pub mod interpolation;
 #[path = "../examples/lecture_mistakes.rs"]
 pub mod lecture_mistakes;
 #[path = "../examples/level_of_detail.rs"]
 pub mod level_of_detail;
 #[path = "../examples/lightmap_decal.rs"]
 pub mod lightmap_decal;
+#[path = "../examples/magnification.rs"]
+pub mod magnification;
 #[path = "../examples/map_shapes.rs"]
 pub mod map_shapes;
+#[path = "../examples/minification.rs"]
+pub mod minification;
 #[path = "../examples/mip_pyramid.rs"]
 pub mod mip_pyramid;
 #[path = "../examples/multipass.rs"]
@@ -38,6 +56,10 @@ pub mod normal_mapping;
 pub mod parametric;
 #[path = "../examples/perspective_correct.rs"]
 pub mod perspective_correct;
+#[path = "../examples/planar_mapping.rs"]
+pub mod planar_mapping;
+#[path = "../examples/prefiltering.rs"]
+pub mod prefiltering;
 #[path = "../examples/preshaded_environment.rs"]
 pub mod preshaded_environment;
 #[path = "../examples/procedural.rs"]
@@ -48,8 +70,8 @@ pub mod projective_q;
 pub mod projector;
 #[path = "../examples/refraction.rs"]
 pub mod refraction;
-#[path = "../examples/resampling.rs"]
-pub mod resampling;
+#[path = "../examples/shadow2d_proj.rs"]
+pub mod shadow2d_proj;
 #[path = "../examples/shadow_bias.rs"]
 pub mod shadow_bias;
 #[path = "../examples/shadow_map.rs"]
@@ -58,6 +80,10 @@ pub mod shadow_map;
 pub mod skins;
 #[path = "../examples/solid_marble.rs"]
 pub mod solid_marble;
+#[path = "../examples/sphere_map.rs"]
+pub mod sphere_map;
+#[path = "../examples/spherical_mapping.rs"]
+pub mod spherical_mapping;
 #[path = "../examples/supersampling.rs"]
 pub mod supersampling;
 #[path = "../examples/texgen.rs"]
@@ -66,35 +92,56 @@ pub mod texgen;
 pub mod texture_matrix;
 #[path = "../examples/textured_square.rs"]
 pub mod textured_square;
+#[path = "../examples/tiling.rs"]
+pub mod tiling;
+#[path = "../examples/transparency.rs"]
+pub mod transparency;
+#[path = "../examples/triplanar.rs"]
+pub mod triplanar;
 
 use crate::window::Program;
 
-/// All of them, in the order of the techniques: mapping, sampling, coordinates, light.
-pub const ALL: [Program; 33] = [
+/// All of them, in the order of the techniques: mapping, interpolation and sampling, light.
+pub const ALL: [Program; 49] = [
     textured_square::PROGRAM,
+    explicit_uv::PROGRAM,
     parametric::PROGRAM,
     demon_triangle::PROGRAM,
+    decal_skin::PROGRAM,
     skins::PROGRAM,
     lightmap_decal::PROGRAM,
     gloss_map::PROGRAM,
+    planar_mapping::PROGRAM,
+    triplanar::PROGRAM,
+    cylindrical_mapping::PROGRAM,
+    spherical_mapping::PROGRAM,
+    map_shapes::PROGRAM,
+    texgen::PROGRAM,
+    tiling::PROGRAM,
+    transparency::PROGRAM,
+    texture_matrix::PROGRAM,
     checker_shader::PROGRAM,
     solid_marble::PROGRAM,
     procedural::PROGRAM,
-    projective_q::PROGRAM,
+    interpolation::PROGRAM,
     perspective_correct::PROGRAM,
+    projective_q::PROGRAM,
     forward_inverse::PROGRAM,
-    resampling::PROGRAM,
+    bilinear_formula::PROGRAM,
+    magnification::PROGRAM,
+    minification::PROGRAM,
     mip_pyramid::PROGRAM,
     supersampling::PROGRAM,
+    prefiltering::PROGRAM,
     four_filters::PROGRAM,
     level_of_detail::PROGRAM,
     anisotropic::PROGRAM,
-    texture_matrix::PROGRAM,
-    map_shapes::PROGRAM,
-    texgen::PROGRAM,
-    bump_displacement::PROGRAM,
+    blinn_bump::PROGRAM,
     normal_mapping::PROGRAM,
+    bump_displacement::PROGRAM,
+    sphere_map::PROGRAM,
     environment_map::PROGRAM,
+    box_environment::PROGRAM,
     refraction::PROGRAM,
     dynamic_cube_map::PROGRAM,
     preshaded_environment::PROGRAM,
@@ -102,6 +149,7 @@ pub const ALL: [Program; 33] = [
     projector::PROGRAM,
     multipass::PROGRAM,
     shadow_map::PROGRAM,
+    shadow2d_proj::PROGRAM,
     shadow_bias::PROGRAM,
     lecture_mistakes::PROGRAM,
 ];

@@ -6,7 +6,7 @@ use crate::window::Window;
 use gl_api::constants::*;
 use gl_api::entry::*;
 use gl_api::glu::gluBuild2DMipmaps;
-use gl_api::types::{GLenum, GLsizei, GLuint};
+use gl_api::types::{GLenum, GLint, GLsizei, GLuint};
 
 /// A new texture of a picture on a unit, with mipmaps and trilinear filter, its bottom row at
 /// t = 0; `wrap` goes for both directions.
@@ -85,4 +85,78 @@ pub fn cube_framebuffer(side: GLsizei) -> (GLuint, GLuint) {
     glBindFramebuffer(GL_FRAMEBUFFER, fbo);
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth);
     (fbo, map)
+}
+
+/// A new texture of a picture's texels as they are, clamped to its edge, with its pyramid. (Not by
+/// `gluBuild2DMipmaps`, which would make 4 × 4 texels of 3 × 3.)
+pub fn load_texels(picture: &Picture) -> GLuint {
+    let mut texture: GLuint = 0;
+    glGenTextures(1, &mut texture);
+    glBindTexture(GL_TEXTURE_2D, texture);
+    clamp_to_edge(GL_TEXTURE_2D);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    let (side, data) = (picture.width, &picture.pixels);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, side, side, 0, GL_RGB, GL_UNSIGNED_BYTE, data);
+    glGenerateMipmap(GL_TEXTURE_2D);
+    texture
+}
+
+/// The window's lower left corner as a new texture that shows its texels.
+pub fn copy_window(side: GLsizei) -> GLuint {
+    let mut picture: GLuint = 0;
+    glGenTextures(1, &mut picture);
+    glBindTexture(GL_TEXTURE_2D, picture);
+    set_filter(GL_TEXTURE_2D, GL_NEAREST, GL_NEAREST);
+    glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, 0, 0, side, side, 0);
+    picture
+}
+
+fn clamp_to_edge(target: GLenum) {
+    glTexParameteri(target, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(target, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+}
+
+/// A framebuffer object that has only a depth texture of `side` × `side` texels with these filters;
+/// both stay bound.
+pub fn depth_framebuffer(side: GLsizei, filter: GLenum) -> GLuint {
+    let (mut fbo, mut texture): (GLuint, GLuint) = (0, 0);
+    glGenTextures(1, &mut texture);
+    glBindTexture(GL_TEXTURE_2D, texture);
+    set_filter(GL_TEXTURE_2D, filter, filter);
+    clamp_to_edge(GL_TEXTURE_2D);
+    let format = GL_DEPTH_COMPONENT;
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, side, side, 0, format, GL_FLOAT, NULL);
+    glGenFramebuffers(1, &mut fbo);
+    glBindFramebuffer(GL_FRAMEBUFFER, fbo);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, texture, 0);
+    glDrawBuffer(GL_NONE);
+    glReadBuffer(GL_NONE);
+    assert_complete();
+    fbo
+}
+
+/// A framebuffer object with a depth buffer and a colour texture of `side` × `side` texels, which
+/// is filtered linearly; both stay bound.
+pub fn color_framebuffer(side: GLsizei) -> (GLuint, GLuint) {
+    let (mut fbo, mut texture, mut depth): (GLuint, GLuint, GLuint) = (0, 0, 0);
+    glGenTextures(1, &mut texture);
+    glBindTexture(GL_TEXTURE_2D, texture);
+    set_filter(GL_TEXTURE_2D, GL_LINEAR, GL_LINEAR);
+    clamp_to_edge(GL_TEXTURE_2D);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, side, side, 0, GL_RGBA, GL_UNSIGNED_BYTE, NULL);
+    glGenRenderbuffers(1, &mut depth);
+    glBindRenderbuffer(GL_RENDERBUFFER, depth);
+    glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, side, side);
+    glGenFramebuffers(1, &mut fbo);
+    glBindFramebuffer(GL_FRAMEBUFFER, fbo);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth);
+    assert_complete();
+    (fbo, texture)
+}
+
+/// Stops a program whose framebuffer object is not complete.
+fn assert_complete() {
+    let status: GLint = glCheckFramebufferStatus(GL_FRAMEBUFFER) as GLint;
+    assert_eq!(status, GL_FRAMEBUFFER_COMPLETE as GLint);
 }

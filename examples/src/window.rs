@@ -5,6 +5,7 @@ use clap::Parser;
 use gl_api::constants::*;
 use gl_api::context::{Context, ContextDesc};
 use gl_api::entry::*;
+use gl_api::explain::Explanation;
 use gl_api::glsl::Repairs;
 use gl_api::types::GLint;
 use std::error::Error;
@@ -38,6 +39,8 @@ pub struct Window {
     image: Option<Picture>,
     notes: String,
     current: Option<Current>,
+    /// The pixel to explain: column and row from the upper left.
+    watched: Option<[usize; 2]>,
 }
 
 /// What a program drew.
@@ -98,7 +101,8 @@ impl Window {
     pub fn switch_repairs_on(&mut self) {
         let desc = ContextDesc { repairs: Repairs::On, ..self.desc.clone() };
         self.current = None;
-        let context = Context::new(desc).expect("a context of this size was made before");
+        let mut context = Context::new(desc).expect("a context of this size was made before");
+        watch(&mut context, self.watched);
         self.current = Some(context.make_current());
     }
 
@@ -113,6 +117,15 @@ impl Window {
     }
 }
 
+/// Watches the pixel at a column and row from the upper left, which is inside.
+fn watch(context: &mut Context, pixel: Option<[usize; 2]>) {
+    let (_, height) = context.size();
+    if let Some([x, y]) = pixel {
+        let row = height.saturating_sub(1 + y as u32);
+        context.watch_pixel(x as u32, row).expect("the pixel was checked");
+    }
+}
+
 /// Runs a program in a context of its own. Of `desc`, the size is the program's: `size` is that of
 /// a square window.
 ///
@@ -124,16 +137,62 @@ pub fn render(
     image: Option<Picture>,
     desc: &ContextDesc,
 ) -> Result<Rendered, Box<dyn Error>> {
+    run_program(program, size, image, desc, None).map(|(rendered, _)| rendered)
+}
+
+/// [`render`], and how the pixel at a column and row from the upper left came to be. Of a program
+/// that goes on in a second context, what happened in that one.
+///
+/// # Errors
+/// When the context cannot be made, or has no such pixel.
+pub fn explain(
+    program: &Program,
+    size: usize,
+    image: Option<Picture>,
+    desc: &ContextDesc,
+    pixel: [usize; 2],
+) -> Result<(Rendered, Explanation), Box<dyn Error>> {
+    let sides = program.sides(size);
+    if pixel[0] >= sides[0] || pixel[1] >= sides[1] {
+        let ([x, y], [width, height]) = (pixel, sides);
+        return Err(format!(
+            "pixel {x},{y} is not in {}'s picture of {width}×{height}: columns count from 0 at the \
+             left, rows from 0 at the top",
+            program.name
+        )
+        .into());
+    }
+    let (rendered, explanation) = run_program(program, size, image, desc, Some(pixel))?;
+    Ok((rendered, explanation.ok_or("the program ended without its context")?))
+}
+
+impl Program {
+    /// Width and height of its picture, `size` being the side of a square one.
+    pub fn sides(&self, size: usize) -> [usize; 2] {
+        self.halves.map(|halves| (size * halves / 2).max(1))
+    }
+}
+
+fn run_program(
+    program: &Program,
+    size: usize,
+    image: Option<Picture>,
+    desc: &ContextDesc,
+    watched: Option<[usize; 2]>,
+) -> Result<(Rendered, Option<Explanation>), Box<dyn Error>> {
     let (start, painted) = (Instant::now(), picture::painting());
-    let [width, height] = program.halves.map(|halves| (size * halves / 2).max(1));
+    let [width, height] = program.sides(size);
     let desc = ContextDesc { width: width as u32, height: height as u32, ..desc.clone() };
+    let mut context = Context::new(desc.clone())?;
+    watch(&mut context, watched);
     let mut window = Window {
         width: width as i32,
         height: height as i32,
-        current: Some(Context::new(desc.clone())?.make_current()),
+        current: Some(context.make_current()),
         desc,
         image,
         notes: String::new(),
+        watched,
     };
     (program.draw)(&mut window);
     let picture = window.read();
@@ -141,7 +200,8 @@ pub fn render(
     let errors = errors.iter().map(ToString::to_string).collect();
     let painting = picture::painting() - painted;
     let time = start.elapsed() - painting;
-    Ok(Rendered { picture, notes: window.notes, errors, time, painting })
+    let explanation = with_current(Context::explain_pixel).flatten();
+    Ok((Rendered { picture, notes: window.notes, errors, time, painting }, explanation))
 }
 
 #[derive(Debug, Parser)]

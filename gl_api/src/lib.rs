@@ -50,6 +50,7 @@ pub mod entry;
 mod env;
 pub mod error;
 mod evaluate;
+pub mod explain;
 mod feedback;
 mod fixed;
 mod framebuffer;

@@ -186,3 +186,38 @@ fn queries_convert() {
     assert_eq!(ints[0], 24);
     assert_eq!(context.get_error(), GL_NO_ERROR);
 }
+
+/// Luminance is R of texels, but R + G + B of the framebuffer's pixels (GL 2.1, sections 6.1.4 and
+/// 4.3.2).
+#[test]
+fn texels_have_the_luminance_of_red() {
+    let mut context = context();
+    upload(&mut context, GL_RGBA8, 1, GL_RGBA, GL_UNSIGNED_BYTE, &[10, 20, 30, 40]);
+    assert_eq!(download(&mut context, GL_LUMINANCE, GL_UNSIGNED_BYTE, 1), [10]);
+    assert_eq!(download(&mut context, GL_LUMINANCE_ALPHA, GL_UNSIGNED_BYTE, 2), [10, 40]);
+    context.clear_color(0.25, 0.5, 0.125, 1.0);
+    context.clear(GL_COLOR_BUFFER_BIT);
+    let mut out = [0.0_f32];
+    let bytes = DataOut::Bytes(bytemuck::cast_slice_mut(&mut out));
+    context.read_pixels(0, 0, 1, 1, GL_LUMINANCE, GL_FLOAT, bytes);
+    assert!((out[0] - 0.875).abs() < 0.01, "{out:?}");
+    // Sums of a buffer of fractions are fractions.
+    context.clear_color(1.0, 1.0, 0.5, 1.0);
+    context.clear(GL_COLOR_BUFFER_BIT);
+    let bytes = DataOut::Bytes(bytemuck::cast_slice_mut(&mut out));
+    context.read_pixels(0, 0, 1, 1, GL_LUMINANCE, GL_FLOAT, bytes);
+    assert_eq!(out, [1.0]);
+}
+
+/// Depth textures take depths with stencils, but give none back.
+#[test]
+fn stencils_beside_depths_are_left_out_where_there_is_no_room() {
+    let mut context = context();
+    let (format, ty) = (GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8);
+    let word = 0x8000_00FF_u32.to_ne_bytes();
+    upload(&mut context, GL_DEPTH_COMPONENT24, 1, format, ty, &word);
+    let depth = download(&mut context, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, 4);
+    assert_eq!(u32::from_ne_bytes([depth[0], depth[1], depth[2], depth[3]]) >> 8, 0x80_0000);
+    context.get_tex_image(GL_TEXTURE_2D, 0, format, ty, DataOut::Bytes(&mut [0; 4]));
+    assert_eq!(context.get_error(), GL_INVALID_OPERATION);
+}

@@ -15,14 +15,17 @@
 //! | [`ir`], [`shader`] | what a shader is; optimizer, register program, 64-lane interpreter |
 //! | `output` | depth test, blending, masks, packing |
 //! | `target` | attachments as tiles of words in lane order |
+//! | [`trace`] | what happened to a pixel that is watched |
 #![forbid(unsafe_code)]
 
 pub mod driver;
 pub mod ir;
 mod output;
 mod plan;
+mod pool;
 mod primitive;
 mod raster;
 pub mod shader;
 mod target;
+pub mod trace;
 mod vertex;

@@ -4,7 +4,7 @@
 //! memory; `DETGL_EXPLAIN=1` prints it.
 
 use crate::driver::{
-    DepthState, DepthWrite, Pipeline, PipelineDesc, PolygonMode, PolygonOffset, RasterState,
+    DepthState, DepthWrite, Pipeline, PipelineDesc, PolygonMode, PolygonOffset, RasterState, Rim,
     Topology, Viewport,
 };
 use crate::ir::{Axis, Input, Interpolation, Output};
@@ -332,6 +332,16 @@ impl DrawPlan {
     /// Whether any fragment asks how much of its pixel is covered.
     pub fn reads_coverage(&self) -> bool {
         self.inputs.contains(&FragmentInput::Coverage)
+    }
+
+    /// Whether small triangles may be filled by the windows they lie in: one sample, and nothing
+    /// but the outline says what is covered.
+    pub fn has_windows(&self) -> bool {
+        self.samples.count == 1
+            && self.samples.leaves(0)
+            && self.raster.polygon.rim == Rim::Aliased
+            && self.stipple.is_none()
+            && !self.reads_coverage()
     }
 
     /// What runs, what was left out, and why.

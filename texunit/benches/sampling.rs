@@ -41,7 +41,7 @@ const FILTERS: [FilterRow; 5] = {
     ]
 };
 
-const FORMATS: [(&str, Format); 7] = [
+const FORMATS: [(&str, Format); 9] = [
     ("RGBA8", Format::Rgba8),
     ("RGB8", Format::Rgb8),
     ("L8", Format::L8),
@@ -49,6 +49,8 @@ const FORMATS: [(&str, Format); 7] = [
     ("RGBA16F", Format::Rgba16F),
     ("RGBA32F", Format::Rgba32F),
     ("DXT1", Format::Dxt1Rgb),
+    ("DXT5", Format::Dxt5),
+    ("RGTC1", Format::Rgtc1),
 ];
 
 /// How far apart the pixels of the picture are.

@@ -14,6 +14,7 @@
 //! | [`sampler`] | wrap modes, filters, LOD range, compare: the state beside the texels |
 //! | [`plan`] | one decision per draw: which kernels sample this image with this sampler |
 //! | `sample` | the steps of a sample: face → LOD → wrap → fetch → compare → filter → expand |
+//! | [`trace`] | the same steps of one lane, written down |
 //!
 //! **Invariant: one definition of each number.** The order of scalar `f32` operations in this
 //! source is the definition. Every instruction set gives the same bits.
@@ -25,3 +26,4 @@ pub mod mipmap;
 pub mod plan;
 mod sample;
 pub mod sampler;
+pub mod trace;

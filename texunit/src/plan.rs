@@ -1,16 +1,16 @@
 //! One decision per draw: how this image is sampled with this sampler.
 
-use crate::format::{Encoding, Format};
+use crate::format::{Block, Encoding, Format};
 use crate::image::{Image, Incomplete, Level, Shape};
-use crate::lanes::math::{clamp, to_i32, to_u32};
+use crate::lanes::math::clamp;
 use crate::lanes::{F32s, I32s, Isa, LANES};
-use crate::sample::Sample;
 use crate::sample::lod::LodRange;
 use crate::sample::plain::Class;
 use crate::sample::query::Query;
 use crate::sample::texel::Fetch;
+use crate::sample::{Off, Sample};
 use crate::sampler::{
-    Compare, DepthMode, Filter, MAX_ANISOTROPY, Mipmap, Sampler, Seamless, Swizzle, Wrap,
+    Border, Compare, DepthMode, Filter, MAX_ANISOTROPY, Mipmap, Sampler, Seamless, Swizzle, Wrap,
 };
 use std::sync::Arc;
 
@@ -72,16 +72,21 @@ pub(crate) enum Way {
     General,
     /// Two-dimensional, not compared, of a class of texels that is worth loops of its own.
     Plain(Class),
+    /// The same of compressed texels.
+    Blocks(Block),
 }
 
 impl Way {
     fn new(shape: Shape, format: Format, compare: Option<Compare>) -> Self {
-        let class = match shape {
-            Shape::D2 | Shape::Rect | Shape::Cube if compare.is_none() => Class::of(format),
-            Shape::D2 | Shape::Rect | Shape::Cube => None,
-            Shape::D1 | Shape::D3 | Shape::D1Array | Shape::D2Array => None,
+        let short = match shape {
+            Shape::D2 | Shape::Rect | Shape::Cube => compare.is_none(),
+            Shape::D1 | Shape::D3 | Shape::D1Array | Shape::D2Array => false,
         };
-        class.map_or(Self::General, Self::Plain)
+        match (short, format.block(), Class::of(format)) {
+            (true, Some(block), _) => Self::Blocks(block),
+            (true, None, Some(class)) => Self::Plain(class),
+            (true, None, None) | (false, _, _) => Self::General,
+        }
     }
 }
 
@@ -162,7 +167,10 @@ impl SamplePlan {
         out: &mut [F32s; 4],
     ) {
         match &self.0 {
-            Ok(texture) => isa.run(Sample { texture, coords, reference, offset, lod, out }),
+            Ok(texture) => {
+                let recorder = &mut Off;
+                isa.run(Sample { texture, coords, reference, offset, lod, out, recorder });
+            }
             Err(_) => *out = OPAQUE_BLACK,
         }
     }
@@ -218,12 +226,16 @@ impl SamplePlan {
 /// What an incomplete texture gives (GL 2.1, section 3.11.2).
 const OPAQUE_BLACK: [F32s; 4] = [F32s::ZERO, F32s::ZERO, F32s::ZERO, F32s::splat(1.0)];
 
-#[cfg(test)]
 impl SamplePlan {
     /// The same plan without its quicker kernels.
     pub(crate) fn general(&self) -> Self {
         let way = Way::General;
         Self(self.0.clone().map(|texture| Texture { way, ..texture }))
+    }
+
+    /// What the kernels read, if the image is complete.
+    pub(crate) fn texture(&self) -> Option<&Texture> {
+        self.0.as_ref().ok()
     }
 }
 
@@ -241,7 +253,7 @@ impl Texture {
         }
         let mut border = [0.0; 4];
         for (channel, (to, &from)) in border.iter_mut().zip(format.base().sources()).enumerate() {
-            *to = border_channel(format, channel, sampler.border[from]);
+            *to = border_channel(format, channel, sampler.border, from);
         }
         let compare = if format.is_depth() { sampler.compare } else { None };
         Ok(Self {
@@ -316,16 +328,17 @@ impl Texture {
     }
 }
 
-/// A component of the border colour as a channel of texels: of integers the bits, held in what the
-/// channel can be.
-fn border_channel(format: Format, channel: usize, value: f32) -> f32 {
+/// Component `from` of the border colour as a channel of texels: of integers the bits, held in what
+/// the channel can be.
+fn border_channel(format: Format, channel: usize, border: Border, from: usize) -> f32 {
     let info = format.info();
-    let largest = info.fields[channel].mask();
+    let largest = i64::from(info.fields[channel].mask());
+    let integer = || border.integers()[from];
     match info.encoding {
-        Encoding::Uint => f32::from_bits(to_u32(value).min(largest)),
+        Encoding::Uint => f32::from_bits(integer().clamp(0, largest) as u32),
         Encoding::Sint => {
-            let most = (largest >> 1) as i32;
-            f32::from_bits(to_i32(value).clamp(-most - 1, most) as u32)
+            let most = largest >> 1;
+            f32::from_bits(integer().clamp(-most - 1, most) as i32 as u32)
         }
         Encoding::Unorm
         | Encoding::Snorm
@@ -333,7 +346,7 @@ fn border_channel(format: Format, channel: usize, value: f32) -> f32 {
         | Encoding::Float
         | Encoding::SharedExponent
         | Encoding::Block(_)
-        | Encoding::SrgbBlock(_) => value,
+        | Encoding::SrgbBlock(_) => border.floats()[from],
     }
 }
 

@@ -138,6 +138,44 @@ pub const MAX_ANISOTROPY: f32 = 16.0;
 /// Bound of the sum of the LOD biases, both ways (`GL_MAX_TEXTURE_LOD_BIAS`).
 pub const MAX_LOD_BIAS: f32 = 16.0;
 
+/// What there is beyond the edge of an image (`GL_TEXTURE_BORDER_COLOR`): R, G, B, A as they were
+/// given, unclamped. Integer textures take integers as they are, others numbers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Border {
+    /// Of textures that are not of integers.
+    Float([f32; 4]),
+    /// Of signed integers (`glTexParameterIiv`).
+    Sint([i32; 4]),
+    /// Of unsigned integers (`glTexParameterIuiv`).
+    Uint([u32; 4]),
+}
+
+impl Border {
+    /// The components as numbers, integers rounded to the nearest there is.
+    pub fn floats(self) -> [f32; 4] {
+        match self {
+            Self::Float(color) => color,
+            Self::Sint(color) => color.map(|c| c as f32),
+            Self::Uint(color) => color.map(|c| c as f32),
+        }
+    }
+
+    /// The components as integers: numbers rounded to the nearest, ties to even; NaN is 0.
+    pub fn integers(self) -> [i64; 4] {
+        match self {
+            Self::Float(color) => color.map(|c| f64::from(c).round_ties_even() as i64),
+            Self::Sint(color) => color.map(i64::from),
+            Self::Uint(color) => color.map(i64::from),
+        }
+    }
+}
+
+impl From<[f32; 4]> for Border {
+    fn from(color: [f32; 4]) -> Self {
+        Self::Float(color)
+    }
+}
+
 /// Everything beside the texels that a sample depends on.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sampler {
@@ -159,8 +197,8 @@ pub struct Sampler {
     pub base_level: u32,
     /// `GL_TEXTURE_MAX_LEVEL`.
     pub max_level: u32,
-    /// RGBA, unclamped.
-    pub border: [f32; 4],
+    /// What there is beyond the edge.
+    pub border: Border,
     /// Depth compare, if switched on.
     pub compare: Option<Compare>,
     /// How depth becomes a colour.
@@ -186,7 +224,7 @@ impl Default for Sampler {
             max_lod: 1000.0,
             base_level: 0,
             max_level: 1000,
-            border: [0.0; 4],
+            border: Border::Float([0.0; 4]),
             compare: None,
             depth_mode: DepthMode::Luminance,
             max_anisotropy: 1.0,

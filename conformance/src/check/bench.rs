@@ -87,14 +87,31 @@ impl Bench {
             Subject::Driver => observe(&Session::open()?)?,
             Subject::Oracle => cases.iter().map(|case| expect(case, Variant::TRUE)).collect(),
         };
+        let before = tally.largest;
+        let mut shown = Shown::default();
         for (case, measured) in cases.iter().zip(measured) {
             let expected = expect(case, self.variant);
-            tally.add(error(case, expected, measured), || {
+            let error = error(case, expected, measured);
+            tally.add(error, || {
                 format!("{scene:?}, {case:?}: expected {expected:?}, measured {measured:?}")
             });
+            shown.values.push([expected, measured]);
+            shown.errors.push(error);
+        }
+        if tally.shown.errors.is_empty() || tally.largest > before {
+            tally.shown = shown;
         }
         Ok(())
     }
+}
+
+/// What was compared together: the comparison with the worst case, to be shown.
+#[derive(Clone, Debug, Default)]
+pub struct Shown {
+    /// Expected and measured, case by case.
+    pub values: Vec<[[f64; 4]; 2]>,
+    /// Of each case, in the check's unit.
+    pub errors: Vec<f64>,
 }
 
 /// Counts cases and keeps the worst.
@@ -104,12 +121,13 @@ pub struct Tally {
     cases: u64,
     largest: f64,
     worst: String,
+    shown: Shown,
 }
 
 impl Tally {
     /// Nothing yet.
     pub fn new(unit: Unit) -> Self {
-        Self { unit, cases: 0, largest: 0.0, worst: String::new() }
+        Self { unit, cases: 0, largest: 0.0, worst: String::new(), shown: Shown::default() }
     }
 
     /// Takes one case in, with its error in the check's unit.
@@ -131,9 +149,9 @@ impl Tally {
         self.largest
     }
 
-    /// The case that had it.
-    pub fn into_worst(self) -> String {
-        self.worst
+    /// The case that had it, and what it was compared with.
+    pub fn into_worst(self) -> (String, Shown) {
+        (self.worst, self.shown)
     }
 }
 
@@ -149,6 +167,6 @@ mod tests {
         tally.add(2.0, || "two off".to_owned());
         tally.add(1.0, || "one off".to_owned());
         assert_eq!((tally.cases(), tally.largest()), (3, 2.0));
-        assert_eq!(tally.into_worst(), "two off");
+        assert_eq!(tally.into_worst().0, "two off");
     }
 }

@@ -9,11 +9,12 @@ use crate::oracle::block::{self, Kind};
 use crate::rng::Rng;
 use gl_api::constants::*;
 
-/// S3TC and RGTC.
+/// S3TC, RGTC and LATC.
 pub const COMPRESSED: Check = Check {
     name: "compressed",
-    citation: "EXT_texture_compression_s3tc, EXT_texture_sRGB, ARB_texture_compression_rgtc",
-    what: "each texel of random blocks of 12 compressed formats, uploaded and sampled",
+    citation: "EXT_texture_compression_s3tc, EXT_texture_sRGB, ARB_texture_compression_rgtc, \
+               EXT_texture_compression_latc",
+    what: "each texel of random blocks of 16 compressed formats, uploaded and sampled",
     unit: Unit::Ulp,
     tolerance: 1.0,
     why: "one rounding of the exact fraction to f32 is 0.5 ULP; the table of sRGB one more",
@@ -21,7 +22,7 @@ pub const COMPRESSED: Check = Check {
 };
 
 /// Format, how it decodes, and whether it is sRGB-encoded.
-const FORMATS: [(u32, Kind, bool); 12] = [
+const FORMATS: [(u32, Kind, bool); 16] = [
     (GL_COMPRESSED_RGB_S3TC_DXT1_EXT, Kind::Dxt1Rgb, false),
     (GL_COMPRESSED_RGBA_S3TC_DXT1_EXT, Kind::Dxt1Rgba, false),
     (GL_COMPRESSED_RGBA_S3TC_DXT3_EXT, Kind::Dxt3, false),
@@ -34,6 +35,10 @@ const FORMATS: [(u32, Kind, bool); 12] = [
     (GL_COMPRESSED_SIGNED_RED_RGTC1, Kind::Rgtc1Signed, false),
     (GL_COMPRESSED_RG_RGTC2, Kind::Rgtc2, false),
     (GL_COMPRESSED_SIGNED_RG_RGTC2, Kind::Rgtc2Signed, false),
+    (GL_COMPRESSED_LUMINANCE_LATC1_EXT, Kind::Latc1, false),
+    (GL_COMPRESSED_SIGNED_LUMINANCE_LATC1_EXT, Kind::Latc1Signed, false),
+    (GL_COMPRESSED_LUMINANCE_ALPHA_LATC2_EXT, Kind::Latc2, false),
+    (GL_COMPRESSED_SIGNED_LUMINANCE_ALPHA_LATC2_EXT, Kind::Latc2Signed, false),
 ];
 
 /// Blocks in a row of the texture.

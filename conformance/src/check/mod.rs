@@ -21,6 +21,7 @@ mod env;
 mod filter;
 mod format;
 mod fragment;
+mod integer;
 mod interpolation;
 mod lecture;
 mod level;
@@ -30,15 +31,17 @@ mod mipmap;
 mod outcome;
 mod pixel;
 mod projection;
+mod pyramid;
 mod seamless;
 mod shadow;
+mod shadow_array;
 mod srgb;
 mod target;
 mod texel_mode;
 mod vertex;
 mod wrap;
 
-pub use bench::{Bench, Effort, Subject, Tally};
+pub use bench::{Bench, Effort, Shown, Subject, Tally};
 pub use outcome::{Outcome, Unit, Verdict};
 
 use crate::drive::DriveError;
@@ -75,6 +78,7 @@ pub const CHAPTERS: &[Chapter] = &[
             format::SAMPLED,
             format::QUERIED,
             format::INTEGERS,
+            integer::SAMPLED,
             compressed::COMPRESSED,
             srgb::DECODE,
             texel_mode::DEPTH_MODE,
@@ -102,6 +106,8 @@ pub const CHAPTERS: &[Chapter] = &[
             lod::BIAS_CLAMP,
             lookup::LOD,
             lookup::GRAD,
+            pyramid::LAMBDA,
+            pyramid::CUBE_GRAD,
             level::LEVEL,
             wrap::NEAREST,
             wrap::LINEAR,
@@ -109,11 +115,13 @@ pub const CHAPTERS: &[Chapter] = &[
             target::OFFSET,
             target::PROJECTED,
             target::FETCH,
+            pyramid::SIZE,
             filter::NEAREST,
             filter::BILINEAR,
             anisotropy::ANISOTROPY,
             shadow::COMPARE,
             texel_mode::COMPARE_LINEAR,
+            shadow_array::COMPARE,
         ],
     ),
     ("Vertices", &[vertex::TEXGEN, vertex::LIGHTING]),
@@ -152,18 +160,21 @@ impl Check {
             Ok(()) if tally.largest() <= self.tolerance => Verdict::Pass,
             Ok(()) => Verdict::Fail,
         };
+        let (cases, largest_error) = (tally.cases(), tally.largest());
+        let (worst, shown) = tally.into_worst();
         Outcome {
             name: self.name,
             citation: self.citation,
             what: self.what,
-            cases: tally.cases(),
-            largest_error: tally.largest(),
+            cases,
+            largest_error,
             unit: self.unit,
             tolerance: self.tolerance,
             why: self.why,
-            worst: tally.into_worst(),
+            worst,
             seconds: start.elapsed().as_secs_f64(),
             verdict,
+            shown,
         }
     }
 }

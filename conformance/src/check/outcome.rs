@@ -1,5 +1,6 @@
 //! What a check found.
 
+use super::bench::Shown;
 use serde::Serialize;
 
 /// What an error is measured in.
@@ -101,6 +102,9 @@ pub struct Outcome {
     pub seconds: f64,
     /// How it ended.
     pub verdict: Verdict,
+    /// The comparison with the worst case.
+    #[serde(skip)]
+    pub shown: Shown,
 }
 
 #[cfg(test)]

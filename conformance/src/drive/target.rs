@@ -7,7 +7,7 @@ use crate::oracle::target::{Target, Texture};
 use gl_api::constants::*;
 use gl_api::entry::*;
 
-fn target_enum(target: Target) -> u32 {
+pub(super) fn target_enum(target: Target) -> u32 {
     match target {
         Target::D1 => GL_TEXTURE_1D,
         Target::D2 => GL_TEXTURE_2D,

@@ -1,5 +1,5 @@
 //! Compressed blocks of 4×4 texels (EXT_texture_compression_s3tc, EXT_texture_sRGB,
-//! ARB_texture_compression_rgtc), decoded with the formulas of their texts in exact fractions.
+//! ARB_texture_compression_rgtc, EXT_texture_compression_latc), decoded with the formulas of their texts in exact fractions.
 
 use super::srgb;
 use crate::mutation::{Mutation, Variant};
@@ -16,14 +16,20 @@ pub enum Kind {
     Rgtc1Signed,
     Rgtc2,
     Rgtc2Signed,
+    Latc1,
+    Latc1Signed,
+    Latc2,
+    Latc2Signed,
 }
 
 impl Kind {
     /// Bytes of a block.
     pub fn bytes(self) -> usize {
         match self {
-            Self::Dxt1Rgb | Self::Dxt1Rgba | Self::Rgtc1 | Self::Rgtc1Signed => 8,
-            Self::Dxt3 | Self::Dxt5 | Self::Rgtc2 | Self::Rgtc2Signed => 16,
+            Self::Dxt1Rgb | Self::Dxt1Rgba => 8,
+            Self::Rgtc1 | Self::Rgtc1Signed | Self::Latc1 | Self::Latc1Signed => 8,
+            Self::Dxt3 | Self::Dxt5 => 16,
+            Self::Rgtc2 | Self::Rgtc2Signed | Self::Latc2 | Self::Latc2Signed => 16,
         }
     }
 }
@@ -55,7 +61,16 @@ pub fn decode(kind: Kind, block: &[u8], at: usize, variant: Variant) -> [f64; 4]
         Kind::Rgtc1Signed => [signed(block), 0.0, 0.0, 1.0],
         Kind::Rgtc2 => [unsigned(block), unsigned(&block[8..]), 0.0, 1.0],
         Kind::Rgtc2Signed => [signed(block), signed(&block[8..]), 0.0, 1.0],
+        Kind::Latc1 => luminance(unsigned(block), 1.0, variant),
+        Kind::Latc1Signed => luminance(signed(block), 1.0, variant),
+        Kind::Latc2 => luminance(unsigned(block), unsigned(&block[8..]), variant),
+        Kind::Latc2Signed => luminance(signed(block), signed(&block[8..]), variant),
     }
+}
+
+/// (L, L, L, A).
+fn luminance(l: f64, a: f64, variant: Variant) -> [f64; 4] {
+    if variant.has(Mutation::LatcAsRgtc) { [l, a, 0.0, 1.0] } else { [l, l, l, a] }
 }
 
 /// The colour with sRGB-encoded R, G, B made linear.

@@ -76,9 +76,30 @@ pub fn select(r: [f64; 3], variant: Variant) -> (Face, [f64; 2]) {
     (face, [sc, tc].map(|c| 0.5 * (c / divisor + 1.0)))
 }
 
+/// The derivative of (s, t) on the face of a direction, from that of the direction:
+/// `∂(sc/|ma|)/2 = (∂sc · |ma| - sc · ∂|ma|) / 2ma²`.
+pub fn derivative(r: [f64; 3], d: [f64; 3], variant: Variant) -> [f64; 2] {
+    let face = Face::of(r, variant);
+    let [sc, tc, ma] = face.coordinates(r);
+    let [dsc, dtc, dma] = face.coordinates(d);
+    let change = if variant.has(Mutation::MajorAxisFixed) { 0.0 } else { dma * ma.signum() };
+    [(sc, dsc), (tc, dtc)].map(|(c, dc)| 0.5 * (dc * ma.abs() - c * change) / (ma * ma))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn derivatives_are_those_of_the_coordinates() {
+        let (r, d) = ([0.3, -2.0, 0.7], [0.2, 0.5, -0.4]);
+        let moved = |h: f64| select([0, 1, 2].map(|i| r[i] + h * d[i]), Variant::TRUE).1;
+        let (before, after) = (moved(-1e-6), moved(1e-6));
+        let got = derivative(r, d, Variant::TRUE);
+        for i in 0..2 {
+            assert!((got[i] - (after[i] - before[i]) / 2e-6).abs() < 1e-8, "{got:?}");
+        }
+    }
 
     #[test]
     fn by_hand() {

@@ -23,6 +23,7 @@ pub mod matrix;
 pub mod mipmap;
 pub mod pixel;
 pub mod projection;
+pub mod pyramid;
 pub mod sample;
 pub mod seamless;
 pub mod srgb;

@@ -42,11 +42,11 @@ impl Components {
         }
     }
 
-    /// The components of R, G, B, A: luminance is R + G + B (section 4.3.2).
+    /// The components of the texel R, G, B, A: luminance is R (section 6.1.4).
     pub fn select(self, rgba: [f64; 4], variant: Variant) -> [f64; 4] {
         let luminance = || {
-            let is_red = variant.has(Mutation::LuminanceIsRed);
-            if is_red { rgba[0] } else { rgba[0] + rgba[1] + rgba[2] }
+            let is_sum = variant.has(Mutation::LuminanceIsSum);
+            if is_sum { rgba[0] + rgba[1] + rgba[2] } else { rgba[0] }
         };
         let mut c = [0.0; 4];
         match self {

@@ -1,7 +1,7 @@
 //! The pages: formulas, error against run time, extremes.
 
 use super::page::{PageError, escaped, page, write, write_picture};
-use super::quantity;
+use super::{quantity, shown};
 use crate::check::{CHAPTERS, Outcome, Verdict};
 use crate::plot::{Caption, Line, log_log};
 use crate::sweep::Swept;
@@ -22,8 +22,11 @@ pub fn checks_page(
 ) -> Result<(), PageError> {
     let mut body = String::from(
         "<p>Each formula stands a second time in <code>f64</code>, written from the specification; \
-         the driver is held against it through GL alone.</p>",
+         the driver is held against it through GL alone. The small pictures show, one case a pixel, \
+         the comparison that holds a check's worst case: what the driver gave, what the formula \
+         gives, and the error, in which black is none and white is the tolerance.</p>",
     );
+    write(folder, "index.html", "")?;
     for (title, checks) in CHAPTERS {
         let of: Vec<&Outcome> = outcomes
             .iter()
@@ -38,11 +41,14 @@ pub fn checks_page(
             escaped(title)
         );
         for outcome in of {
-            body.push_str(&check_row(outcome));
+            let pictures = shown::pictures(outcome);
+            for picture in &pictures {
+                write_picture(folder, picture)?;
+            }
+            body.push_str(&check_row(outcome, &pictures));
         }
         body.push_str("</table>");
     }
-    write(folder, "index.html", "")?;
     if !comparisons.is_empty() {
         body.push_str("<h2>Pictures</h2><p>Driver, formula, and 64 times their difference.</p>");
     }
@@ -57,7 +63,7 @@ pub fn checks_page(
     write(folder, "index.html", &page("DetGL against the formulas", &body))
 }
 
-fn check_row(outcome: &Outcome) -> String {
+fn check_row(outcome: &Outcome, pictures: &[Picture]) -> String {
     let (class, word) = match outcome.verdict {
         Verdict::Pass => ("pass", "pass"),
         Verdict::Fail => ("fail", "FAIL"),
@@ -67,8 +73,9 @@ fn check_row(outcome: &Outcome) -> String {
         Verdict::Broken(reason) => reason,
         Verdict::Pass | Verdict::Fail => &outcome.worst,
     };
+    let thumbs: String = pictures.iter().map(|picture| thumb(&picture.name)).collect();
     format!(
-        "<tr><td><b>{}</b><br><small>{}</small><td>{}<br><small>tolerance: {}</small>\
+        "<tr><td><b>{}</b><br><small>{}</small><td>{}<br><small>tolerance: {}</small>{thumbs}\
          <details><summary><small>worst case</small></summary><small>{}</small></details>\
          <td class=n>{}<td class=n>{}<td class=n>{}<td class={class}>{word}<td class=n>{:.2} s",
         escaped(outcome.name),
@@ -80,6 +87,15 @@ fn check_row(outcome: &Outcome) -> String {
         quantity(outcome.largest_error, outcome),
         quantity(outcome.tolerance, outcome),
         outcome.seconds
+    )
+}
+
+/// A picture in a row of a table, with what it shows.
+fn thumb(name: &str) -> String {
+    let name = escaped(name);
+    let of = name.rsplit('-').next().unwrap_or_default();
+    format!(
+        "<figure class=thumb><img src=\"{name}.png\" alt=\"{name}\"><figcaption>{of}</figcaption></figure>"
     )
 }
 
@@ -182,6 +198,10 @@ pub fn sweeps_page(folder: &Path, swept: &[Swept]) -> Result<(), PageError> {
             .lines
             .iter()
             .map(|(name, points)| Line { name: name.clone(), points: points.clone() })
+            .chain((!sweep.before.is_empty()).then(|| Line {
+                name: "before the driver was changed".to_owned(),
+                points: sweep.before.to_vec(),
+            }))
             .collect();
         let caption = Caption { title: sweep.name, x: sweep.parameter, y: sweep.unit };
         let _ = write!(

@@ -2,6 +2,7 @@
 
 mod html;
 pub mod page;
+mod shown;
 
 pub use html::{checks_page, sweeps_page, tradeoff_page};
 
@@ -70,7 +71,7 @@ pub fn json(found: &impl Serialize) -> serde_json::Result<String> {
 }
 
 /// An empty table with these headings.
-fn headed<const N: usize>(headings: [&str; N]) -> Table {
+pub(crate) fn headed<const N: usize>(headings: [&str; N]) -> Table {
     let mut table = Table::new();
     table
         .load_preset(presets::UTF8_BORDERS_ONLY)
@@ -79,7 +80,8 @@ fn headed<const N: usize>(headings: [&str; N]) -> Table {
     table
 }
 
-fn right(text: String) -> Cell {
+/// A cell of a number.
+pub(crate) fn right(text: String) -> Cell {
     Cell::new(text).set_alignment(CellAlignment::Right)
 }
 
@@ -161,7 +163,7 @@ pub fn sweeps_table(swept: &[Swept]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::check::Unit;
+    use crate::check::{Shown, Unit};
 
     fn outcome(verdict: Verdict) -> Outcome {
         Outcome {
@@ -176,6 +178,7 @@ mod tests {
             worst: "at [0.5, 0.5]".to_owned(),
             seconds: 0.5,
             verdict,
+            shown: Shown::default(),
         }
     }
 

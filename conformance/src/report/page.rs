@@ -38,7 +38,8 @@ pub fn page(title: &str, body: &str) -> String {
         table{border-collapse:collapse;margin:1em 0}td,th{padding:.2em .7em;text-align:left;\
         border-bottom:1px solid #ddd;vertical-align:top}td.n{text-align:right;white-space:nowrap}\
         .pass{color:#080}.fail{color:#c00;font-weight:bold}figure{display:inline-block;margin:.4em}\
-        figcaption{font-size:12px;max-width:260px}img{image-rendering:pixelated}nav a{margin-right:1em}\
+        figcaption{font-size:12px;max-width:260px}\
+        .thumb{margin:.3em .4em 0 0}.thumb img{width:96px;height:96px}.thumb figcaption{color:#666}img{image-rendering:pixelated}nav a{margin-right:1em}\
         small{color:#666}";
     let title = escaped(title);
     format!(

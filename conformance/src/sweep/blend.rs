@@ -16,6 +16,7 @@ pub const LAYERS: Sweep = Sweep {
     bound: 1.01,
     why: "f32 may round what is nearly halfway between two bytes the other way; later layers \
           make the difference smaller, so that errors do not add up",
+    before: &[],
     run: layers,
 };
 

@@ -15,6 +15,7 @@ pub const SIZE_OF_TRIANGLES: Sweep = Sweep {
     unit: "draws",
     bound: 0.0,
     why: WHY,
+    before: &[],
     run: sizes,
 };
 
@@ -26,6 +27,7 @@ pub const SLIVERS: Sweep = Sweep {
     unit: "draws",
     bound: 0.0,
     why: WHY,
+    before: &[],
     run: slivers,
 };
 
@@ -37,6 +39,7 @@ pub const ANGLES: Sweep = Sweep {
     unit: "draws",
     bound: 0.0,
     why: WHY,
+    before: &[],
     run: angles,
 };
 
@@ -49,6 +52,7 @@ pub const NO_NUMBERS: Sweep = Sweep {
     unit: "draws",
     bound: 0.0,
     why: "a triangle with a corner that is not finite is dropped, others are not touched",
+    before: &[],
     run: no_numbers,
 };
 

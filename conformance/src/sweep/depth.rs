@@ -13,6 +13,7 @@ pub const PRECISION: Sweep = Sweep {
     unit: "steps of the buffer",
     bound: 1.0,
     why: "half a step of rounding, and the f32 clip coordinates of the plane",
+    before: &[],
     run: precision,
 };
 

@@ -14,6 +14,7 @@ pub const W_RATIO: Sweep = Sweep {
     unit: "of range",
     bound: 1.0 / (1 << 19) as f64,
     why: "f/w and 1/w are planes evaluated in f64 at block corners: the ratio costs nothing",
+    before: &[],
     run: w_ratio,
 };
 
@@ -25,6 +26,7 @@ pub const TILT: Sweep = Sweep {
     unit: "of range",
     bound: 1.0 / (1 << 19) as f64,
     why: "as for w ratios: the planes are exact to f64 whatever the tilt",
+    before: &[],
     run: tilt,
 };
 
@@ -36,6 +38,7 @@ pub const NEAR_PLANE: Sweep = Sweep {
     unit: "of range",
     bound: 1.0 / (1 << 18) as f64,
     why: "clipping cuts no values: planes come from the uncut corners; clip coordinates are f32",
+    before: &[],
     run: near_plane,
 };
 
@@ -48,6 +51,7 @@ pub const FAR_VERTICES: Sweep = Sweep {
     bound: 1.0 / (1 << 19) as f64,
     why: "cut at the guard band, with the planes of the uncut triangle (before cut points were put \
           on the plane that cuts, nothing was drawn from 1e19 on: an error of 1)",
+    before: &[(1e19, 1.0), (1e24, 1.0), (1e30, 1.0)],
     run: far_vertices,
 };
 

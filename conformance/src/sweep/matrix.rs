@@ -13,6 +13,7 @@ pub const CONDITION: Sweep = Sweep {
     unit: "of k·2^-53",
     bound: 16.0,
     why: "matrices are kept in f64, which loses k of its 2^-53 on the way back; a few products",
+    before: &[],
     run: condition,
 };
 

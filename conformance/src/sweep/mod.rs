@@ -31,6 +31,8 @@ pub struct Sweep {
     pub bound: f64,
     /// Why the bound is what it is.
     pub why: &'static str,
+    /// Points (parameter, error) of the driver as it was before this sweep had it changed.
+    pub before: &'static [(f64, f64)],
     /// Sweeps.
     pub run: fn() -> Result<Vec<Line>, DriveError>,
 }
@@ -77,6 +79,8 @@ pub struct Swept {
     pub at: f64,
     /// Name and points (parameter, error) of each line.
     pub lines: Vec<(String, Vec<(f64, f64)>)>,
+    /// What the errors were before this sweep had the driver changed; empty if it never was.
+    pub before: &'static [(f64, f64)],
     /// What kept it from being measured.
     pub broken: Option<String>,
     /// How long it took.
@@ -112,6 +116,7 @@ impl Sweep {
             largest: worst.1,
             at: worst.0,
             lines: lines.into_iter().map(|line| (line.name, line.points)).collect(),
+            before: self.before,
             broken,
             seconds: start.elapsed().as_secs_f64(),
         }

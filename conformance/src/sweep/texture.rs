@@ -23,6 +23,7 @@ pub const REPEAT: Sweep = Sweep {
     unit: "texels",
     bound: 1.0 / (1 << 14) as f64,
     why: "s - floor(s) is exact in f32 and so is the product with 256; the filter's weight 2^-16",
+    before: &[],
     run: repeat,
 };
 
@@ -34,6 +35,7 @@ pub const Q_THROUGH_ZERO: Sweep = Sweep {
     unit: "texels",
     bound: 1.0 / (1 << 13) as f64,
     why: "one division: s/q to 2^-24, times 256 texels, whatever q that is no denormal",
+    before: &[],
     run: q_through_zero,
 };
 
@@ -45,6 +47,7 @@ pub const ANISOTROPY: Sweep = Sweep {
     unit: "of range",
     bound: 1.0 / (1 << 12) as f64,
     why: "beyond 16 the width is σ₁/16, which no cancellation touches",
+    before: &[],
     run: stretched,
 };
 
@@ -56,6 +59,7 @@ pub const LAMBDA: Sweep = Sweep {
     unit: "of range",
     bound: 1.0 / (1 << 16) as f64,
     why: "the square of ρ leaves the range of f32 beyond 2^±63, where λ is clamped to a level anyway",
+    before: &[],
     run: lambda,
 };
 
@@ -67,6 +71,7 @@ pub const CUBE_EDGE: Sweep = Sweep {
     unit: "of range",
     bound: 1.0 / (1 << 17) as f64,
     why: "both faces have the same two texels at their common edge",
+    before: &[],
     run: cube_edge,
 };
 
@@ -78,6 +83,7 @@ pub const DENORMALS: Sweep = Sweep {
     unit: "ULP",
     bound: 0.0,
     why: "nothing is flushed to zero",
+    before: &[],
     run: denormals,
 };
 

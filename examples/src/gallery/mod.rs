@@ -5,7 +5,7 @@ mod table;
 
 use crate::picture::{self, Picture};
 use crate::programs;
-use crate::window::{Program, Rendered, render};
+use crate::window::{Program, Rendered, explain, render};
 use clap::Parser;
 use gl_api::context::ContextDesc;
 use indicatif::{ProgressBar, ProgressStyle};
@@ -30,9 +30,22 @@ pub struct Arguments {
     /// Where the pictures and index.html go
     #[arg(long, value_name = "DIR", default_value = "gallery")]
     out: PathBuf,
-    /// Print JSON in place of the table
+    /// Say how the pixel at column X, row Y (from the upper left) of each picture came to be,
+    /// instead of writing pictures
+    #[arg(long, value_name = "X,Y", value_parser = pixel, requires = "only")]
+    explain: Option<[usize; 2]>,
+    /// Print JSON in place of text
     #[arg(long)]
     json: bool,
+}
+
+/// A column and a row.
+fn pixel(text: &str) -> Result<[usize; 2], String> {
+    let numbers = text.split_once(',');
+    let number = |text: &str| text.trim().parse().ok();
+    numbers
+        .and_then(|(x, y)| Some([number(x)?, number(y)?]))
+        .ok_or_else(|| "must be two whole numbers and a comma, such as 100,60".into())
 }
 
 /// A program, what it drew, and how.
@@ -49,6 +62,9 @@ struct Entry {
 /// When a file cannot be read or written, or a context cannot be made.
 pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let image = arguments.image.as_deref().map(crate::window::load).transpose()?;
+    if let Some(pixel) = arguments.explain {
+        return explain_pixels(arguments, image.as_ref(), pixel);
+    }
     fs::create_dir_all(&arguments.out)?;
     let entries = draw(arguments, image.as_ref())?;
     for Entry { program, rendered, .. } in &entries {
@@ -67,11 +83,38 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-fn draw(arguments: &Arguments, image: Option<&Picture>) -> Result<Vec<Entry>, Box<dyn Error>> {
+/// The programs that are asked for.
+fn asked(arguments: &Arguments) -> Vec<Program> {
     let asked = |program: &Program| {
         arguments.only.is_empty() || arguments.only.iter().any(|name| name == program.name)
     };
-    let programs: Vec<Program> = programs::ALL.into_iter().filter(asked).collect();
+    programs::ALL.into_iter().filter(asked).collect()
+}
+
+/// Prints how a pixel of each picture came to be.
+fn explain_pixels(
+    arguments: &Arguments,
+    image: Option<&Picture>,
+    pixel: [usize; 2],
+) -> Result<(), Box<dyn Error>> {
+    let mut explained = Vec::new();
+    for program in asked(arguments) {
+        let (size, desc) = (arguments.size as usize, ContextDesc::default());
+        let (_, explanation) = explain(&program, size, image.cloned(), &desc, pixel)?;
+        if arguments.json {
+            explained.push(table::explanation(&program, pixel, &explanation));
+        } else {
+            print!("{}: {explanation}", program.name);
+        }
+    }
+    if arguments.json {
+        println!("{:#}", serde_json::Value::from(explained));
+    }
+    Ok(())
+}
+
+fn draw(arguments: &Arguments, image: Option<&Picture>) -> Result<Vec<Entry>, Box<dyn Error>> {
+    let programs = asked(arguments);
     // On anything but a terminal the bar draws nothing.
     let bar = ProgressBar::new(programs.len() as u64);
     bar.set_style(ProgressStyle::with_template("{bar:30} {pos}/{len} {msg}")?);

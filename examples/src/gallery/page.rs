@@ -9,8 +9,12 @@ const HEAD: &str = r#"<!DOCTYPE html>
 <title>DetGL: the lecture gallery</title>
 <style>
 :root { color-scheme: light dark; }
-body { font: 16px/1.5 system-ui, sans-serif; max-width: 60rem; margin: 2rem auto; padding: 0 1rem; }
+body { font: 16px/1.5 system-ui, sans-serif; max-width: 100rem; margin: 2rem auto; padding: 0 1rem; }
+nav { columns: 14rem; }
+nav a { display: block; }
 section { margin: 3rem 0; }
+.beside { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(30rem, 100%), 1fr)); gap: 1rem; }
+.beside pre { max-height: 36rem; overflow: auto; margin: 0; }
 img { display: block; max-width: 100%; height: auto; border-radius: 6px; }
 h2 { margin-bottom: 0; }
 .about { color: gray; margin-top: 0; }
@@ -24,6 +28,12 @@ summary { cursor: pointer; margin: .5rem 0; }
 /// The whole page; pictures are beside it.
 pub fn page(entries: &[Entry]) -> String {
     let mut page = String::from(HEAD);
+    page.push_str("<nav>\n");
+    for Entry { program, .. } in entries {
+        let (name, title) = (program.name, program.name.replace('_', " "));
+        page.push_str(&format!("<a href=\"#{name}\">{title}</a>\n"));
+    }
+    page.push_str("</nav>\n");
     entries.iter().for_each(|entry| section(&mut page, entry));
     page.push_str("</html>\n");
     page
@@ -34,18 +44,25 @@ fn section(page: &mut String, Entry { program, rendered, plans }: &Entry) {
     let (width, height) = (rendered.picture.width, rendered.picture.height);
     let (time, checksum) = (rendered.time.as_millis(), rendered.picture.checksum());
     let title = name.replace('_', " ");
+    let source = escape(program.source);
+    // Of a square window.
+    let size = 2 * width / program.halves[0];
     let messages = [rendered.notes.clone(), rendered.errors.join("\n")].concat();
     page.push_str(&format!(
         r#"<section id="{name}">
 <h2>{title}</h2>
 <p class="about">{lecture} · {width}×{height} · {time} ms of GL · {checksum:016x}</p>
+<div class="beside">
 <img src="{name}.png" width="{width}" height="{height}" alt="{title}">
+<pre>{source}</pre>
+</div>
+<p class="about">Why a pixel has its colour:
+<code>cargo run --release -- --only {name} --size {size} --explain X,Y</code></p>
 "#,
     ));
     if !messages.is_empty() {
         details(page, "What it says", " open", &messages);
     }
-    details(page, &format!("{name}.rs"), "", program.source);
     if !plans.is_empty() {
         details(page, "What the draws ran, and what they left out", "", &plans.join("\n"));
     }

@@ -1,8 +1,10 @@
 //! The table at the end, and the same for programs.
 
 use super::Entry;
+use crate::window::Program;
 use comfy_table::presets::UTF8_FULL_CONDENSED;
 use comfy_table::{Cell, CellAlignment, Table};
+use gl_api::explain::Explanation;
 use serde_json::{Value, json};
 
 /// One row a picture.
@@ -41,4 +43,15 @@ pub fn json(entries: &[Entry]) -> Value {
         })
     };
     entries.iter().map(object).collect()
+}
+
+/// How a pixel came to be: its value, and the lines of the explanation.
+pub fn explanation(program: &Program, [x, y]: [usize; 2], explanation: &Explanation) -> Value {
+    json!({
+        "name": program.name,
+        "x": x,
+        "y": y,
+        "value": explanation.value,
+        "lines": explanation.to_string().lines().collect::<Vec<_>>(),
+    })
 }

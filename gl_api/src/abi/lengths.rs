@@ -234,7 +234,9 @@ pub(crate) fn values(pname: GLenum) -> usize {
         | GL_ALIASED_LINE_WIDTH_RANGE
         | GL_MAP1_GRID_DOMAIN
         | GL_MAP2_GRID_SEGMENTS => 2,
-        GL_COMPRESSED_TEXTURE_FORMATS => crate::texture::internal::COMPRESSED_FORMAT.rows.len(),
+        GL_COMPRESSED_TEXTURE_FORMATS => {
+            crate::texture::internal::general_purpose_formats().count()
+        }
         _ => 1,
     }
 }

@@ -12,6 +12,7 @@ use crate::draw::immediate::Immediate;
 use crate::entry::{Fallback, Place};
 use crate::error::{GlError, Result, invalid_operation};
 use crate::evaluate::Maps;
+use crate::explain::Watched;
 use crate::feedback::Feedback;
 use crate::framebuffer::Window;
 use crate::glsl::Repairs;
@@ -103,6 +104,8 @@ pub struct Context {
     pub(crate) repairs: Repairs,
     /// Where an OSMesa client wants the picture.
     pub(crate) mirror: Option<Mirror>,
+    /// The pixel that is watched.
+    pub(crate) watched: Option<Box<Watched>>,
 }
 
 /// The device that contexts share which bring none.
@@ -150,6 +153,7 @@ impl Context {
             entered: Entered::No,
             repairs,
             mirror: None,
+            watched: None,
         })
     }
 

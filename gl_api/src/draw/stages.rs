@@ -6,20 +6,23 @@ use super::words::put_bindings;
 use super::{hints, keys};
 use crate::context::Context;
 use crate::error::{ErrorCode, GlError, Result, invalid_operation};
+use crate::explain::DrawNote;
 use crate::fixed::{
     FragmentKey, add_alpha_test, add_clip_planes, add_coverage, add_two_sides, cached,
     set_shade_model, word,
 };
-use crate::glsl::SamplerSlot;
+use crate::framebuffer::complete::draws_integers;
+use crate::glsl::{ComparisonResult, SamplerSlot};
 use crate::interface::MAX_COMBINED_TEXTURE_IMAGE_UNITS;
 use crate::program::validate::runnable;
 use crate::state::enable::Flag;
+use crate::state::viewport;
 use crate::texture::TextureTarget;
 use rasterizer::driver::{Rim, ShaderModule, VertexBinding};
 use rasterizer::ir::{Interpolation, IrError, Output, Stage};
 use std::sync::Arc;
 use texunit::plan::SamplePlan;
-use texunit::sampler::{Compare, Sampler, Seamless};
+use texunit::sampler::{Border, Compare, DepthMode, Sampler, Seamless};
 
 /// The texture of each slot of a stage.
 type Textures = Arc<[Option<Arc<SamplePlan>>]>;
@@ -31,6 +34,8 @@ pub(crate) struct Stages {
     pub words: Vec<u32>,
     pub vertex_textures: Textures,
     pub fragment_textures: Textures,
+    /// What it means, if a pixel is watched.
+    pub note: Option<DrawNote>,
 }
 
 /// A program's fragment stage with state of the context built in.
@@ -63,10 +68,12 @@ enum Sides {
     Two,
 }
 
-/// The alpha test, unless it lets everything through.
+/// The alpha test, unless it lets everything through; colours of integers are not tested
+/// (`EXT_texture_integer`, section 4.1.4).
 pub(super) fn alpha_test(context: &Context) -> Option<Compare> {
     let compare = context.state.fragment.alpha_func;
-    (context.state.enables.has(Flag::AlphaTest) && compare != Compare::Always).then_some(compare)
+    let tests = context.state.enables.has(Flag::AlphaTest) && compare != Compare::Always;
+    (tests && !draws_integers(context)).then_some(compare)
 }
 
 pub(super) fn internal(error: &IrError) -> GlError {
@@ -119,10 +126,10 @@ pub(crate) fn choose(
         }
         None => {
             let key = keys::fragment_key(context, vertex.is_none().then_some(vertices), base);
-            let textures = key
-                .units
-                .iter()
-                .map(|unit| Some(plan(context, unit.unit, TextureTarget::of(unit.shape))));
+            let textures = key.units.iter().map(|unit| {
+                let target = TextureTarget::of(unit.shape);
+                Some(plan(context, unit.unit, target, ComparisonResult::Placed))
+            });
             let textures = textures.collect();
             let key = fragment_key.insert(FragmentKey {
                 two_sided: key.two_sided || two_sided,
@@ -147,11 +154,15 @@ pub(crate) fn choose(
             context.recorder.fixed.vertex(key).map_err(|error| internal(&error))?
         }
     };
+    let note = context.watched.is_some().then(|| match &fragment_key {
+        Some(key) => DrawNote::of_fixed(context, key),
+        None => DrawNote::of_program(context, name, &fragment, &words),
+    });
     let needed = vertex.module().uniform_words.max(fragment.module().uniform_words);
     let (vertex_key, fragment_key) = (vertex_key.as_ref(), fragment_key.as_ref());
     let keys = Keys { vertex: vertex_key, fragment: fragment_key, clip_planes };
     fixed_words::append(context, &mut words, keys, needed);
-    Ok(Stages { vertex, fragment, words, vertex_textures, fragment_textures })
+    Ok(Stages { vertex, fragment, words, vertex_textures, fragment_textures, note })
 }
 
 /// Whether a vertex stage says itself what user clip planes cut.
@@ -233,7 +244,7 @@ fn program_textures(
                 u8::try_from(unit).ok().filter(|unit| *unit < MAX_COMBINED_TEXTURE_IMAGE_UNITS)?;
             let target = TextureTarget::of(decl.shape);
             hints::sampler(context, unit, target, sampler.word);
-            Some(plan(context, unit, target))
+            Some(plan(context, unit, target, sampler.result))
         })
         .collect()
 }
@@ -259,17 +270,26 @@ pub(super) fn sampler(context: &Context, unit: u8, target: TextureTarget) -> Sam
     }
     // GL 2.1, section 3.8.4: a border of fractions is one; floats and integers keep theirs.
     if !texture.has_wide_texels() {
-        sampler.border = sampler.border.map(|c| crate::state::viewport::unit(c.into()) as f32);
+        let fractions = sampler.border.floats().map(|c| viewport::unit(c.into()) as f32);
+        sampler.border = Border::Float(fractions);
     }
     sampler.lod_bias = crate::env::lod_bias(sampler.lod_bias + state.lod_bias);
     sampler
 }
 
 /// How a unit samples the texture of a target, as everything recorded leaves it.
-fn plan(context: &mut Context, unit: u8, target: TextureTarget) -> Arc<SamplePlan> {
+fn plan(
+    context: &mut Context,
+    unit: u8,
+    target: TextureTarget,
+    result: ComparisonResult,
+) -> Arc<SamplePlan> {
     let name = context.state.units.units[usize::from(unit)].bound[target as usize];
     let image = context.objects.texture(target, name).image.clone();
     super::settle(context, &image);
-    let sampler = sampler(context, unit, target);
+    let mut sampler = sampler(context, unit, target);
+    if result == ComparisonResult::Scalar {
+        sampler.depth_mode = DepthMode::Red;
+    }
     context.objects.texture_mut(target, name).plan(&sampler)
 }

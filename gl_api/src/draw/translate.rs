@@ -4,6 +4,7 @@ use super::primitives::{raster_state, smoothness};
 use super::{begin_pass, hints, stages};
 use crate::context::Context;
 use crate::error::{ErrorCode, GlError, Result, invalid_operation};
+use crate::explain::{is_watched, watch_draw};
 use crate::feedback::{self, Mode};
 use crate::framebuffer::complete::{draw_pass, draw_planes};
 use crate::framebuffer::srgb_write;
@@ -97,7 +98,11 @@ fn record(
     if rectangle.is_some() {
         desc = PipelineDesc { cull: Cull::None, front_face: FrontFace::Ccw, ..desc };
     }
+    let watched = is_watched(context, &pass);
     begin_pass(context, pass);
+    if let Some(note) = stages.note.take().filter(|_| watched) {
+        watch_draw(context, note.drawing(topology));
+    }
     if context.recorder.told.pipeline.as_ref() != Some(&desc) {
         let pipeline = pipeline(context, &desc)?;
         context.recorder.push(Command::BindPipeline(pipeline));

@@ -37,6 +37,25 @@ pub(crate) enum Function {
     Dot3Rgb,
     /// The same, into alpha too.
     Dot3Rgba,
+    /// As `Dot3Rgb`, and no scale applies (`EXT_texture_env_dot3`).
+    Dot3RgbUnscaled,
+    /// As `Dot3Rgba`, and no scale applies.
+    Dot3RgbaUnscaled,
+}
+
+impl Function {
+    /// Whether all components of colour are the same number.
+    pub fn is_dot_product(self) -> bool {
+        match self {
+            Self::Dot3Rgb | Self::Dot3Rgba | Self::Dot3RgbUnscaled | Self::Dot3RgbaUnscaled => true,
+            Self::Replace
+            | Self::Modulate
+            | Self::Add
+            | Self::AddSigned
+            | Self::Interpolate
+            | Self::Subtract => false,
+        }
+    }
 }
 
 const FUNCTIONS: &[(GLenum, Function)] = &[
@@ -48,6 +67,8 @@ const FUNCTIONS: &[(GLenum, Function)] = &[
     (GL_SUBTRACT, Function::Subtract),
     (GL_DOT3_RGB, Function::Dot3Rgb),
     (GL_DOT3_RGBA, Function::Dot3Rgba),
+    (GL_DOT3_RGB_EXT, Function::Dot3RgbUnscaled),
+    (GL_DOT3_RGBA_EXT, Function::Dot3RgbaUnscaled),
 ];
 
 /// Of colours, and of alpha.

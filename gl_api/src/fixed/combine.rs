@@ -26,10 +26,10 @@ impl Sources<'_> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct CombineKey {
     /// Of red, green and blue.
-    color: Combiner,
+    pub(super) color: Combiner,
     /// Of alpha; `None` where a dot product goes there.
-    alpha: Option<Combiner>,
-    arguments: Arguments,
+    pub(super) alpha: Option<Combiner>,
+    pub(super) arguments: Arguments,
 }
 
 /// How many arguments a function reads.
@@ -40,7 +40,12 @@ fn count(function: Function, arguments: Arguments) -> usize {
         (Function::Interpolate, Arguments::Two | Arguments::Four) => 3,
         (Function::Add | Function::AddSigned, Arguments::Two)
         | (
-            Function::Modulate | Function::Subtract | Function::Dot3Rgb | Function::Dot3Rgba,
+            Function::Modulate
+            | Function::Subtract
+            | Function::Dot3Rgb
+            | Function::Dot3Rgba
+            | Function::Dot3RgbUnscaled
+            | Function::Dot3RgbaUnscaled,
             Arguments::Two | Arguments::Four,
         ) => 2,
     }
@@ -52,9 +57,22 @@ impl CombineKey {
         let [color, alpha] = combiners.map(|mut combiner| {
             let unread = &mut combiner.arguments[count(combiner.function, arguments)..];
             unread.fill(Argument { source: Source::Zero, operand: Operand::Alpha });
+            if let Function::Dot3RgbUnscaled | Function::Dot3RgbaUnscaled = combiner.function {
+                combiner.scale = Scale::One;
+            }
             combiner
         });
-        let alpha = (color.function != Function::Dot3Rgba).then_some(alpha);
+        let alpha = match color.function {
+            Function::Dot3Rgba | Function::Dot3RgbaUnscaled => None,
+            Function::Replace
+            | Function::Modulate
+            | Function::Add
+            | Function::AddSigned
+            | Function::Interpolate
+            | Function::Subtract
+            | Function::Dot3Rgb
+            | Function::Dot3RgbUnscaled => Some(alpha),
+        };
         Self { color, alpha, arguments }
     }
 
@@ -148,7 +166,10 @@ fn component(
             let (left, right) = (of(b, 0, component), of(b, 1, component));
             b.op(Op::Sub, &[left, right])
         }
-        Function::Dot3Rgb | Function::Dot3Rgba => {
+        Function::Dot3Rgb
+        | Function::Dot3Rgba
+        | Function::Dot3RgbUnscaled
+        | Function::Dot3RgbaUnscaled => {
             let products = [0, 1, 2].map(|i| {
                 let factors = [0, 1].map(|at| {
                     let value = of(b, at, i);
@@ -168,7 +189,7 @@ fn component(
 /// The colour that the combiners pass on.
 pub(super) fn combine(b: &mut Builder, key: &CombineKey, from: &Sources<'_>) -> [Value; 4] {
     let CombineKey { color, alpha, arguments } = key;
-    let dot = matches!(color.function, Function::Dot3Rgb | Function::Dot3Rgba);
+    let dot = color.function.is_dot_product();
     let red = component(b, *arguments, color, from, 0);
     let [green, blue] =
         if dot { [red; 2] } else { [1, 2].map(|i| component(b, *arguments, color, from, i)) };

@@ -8,6 +8,7 @@ mod clamp;
 mod combine;
 mod environment;
 mod fog;
+mod formula;
 mod fragment;
 mod light;
 mod rewrite;

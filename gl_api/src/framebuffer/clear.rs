@@ -7,6 +7,7 @@ use crate::constants::*;
 use crate::context::{Context, limits};
 use crate::draw;
 use crate::error::{Result, invalid_enum, invalid_operation, invalid_value};
+use crate::explain;
 use crate::feedback::Mode;
 use crate::state::enable::Flag;
 use crate::state::fragment::ClearColor;
@@ -85,7 +86,11 @@ fn record(context: &mut Context, pass: PassDesc, clears: Vec<ClearValue>) {
     if !is_effective(context) || clears.is_empty() || area.width == 0 || area.height == 0 {
         return;
     }
+    let watched = explain::is_watched(context, &pass);
     draw::begin_pass(context, pass);
+    if watched {
+        explain::watch_clear(context);
+    }
     for value in clears {
         context.recorder.push(Command::Clear { value, area });
     }

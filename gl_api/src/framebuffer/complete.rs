@@ -217,6 +217,16 @@ pub(crate) fn draw_planes(context: &Context) -> Planes {
     }
 }
 
+/// Whether the first colour that is drawn to is of integers.
+pub(crate) fn draws_integers(context: &Context) -> bool {
+    let object = context.objects.framebuffers.get(context.state.bindings.draw_framebuffer);
+    let format = object.and_then(|object| {
+        let index = attachment_index(object.selection.draw[0])?;
+        attached_format(object.colors[index].as_ref()?)
+    });
+    format.is_some_and(Format::is_integer)
+}
+
 /// The pass that the draw framebuffer is drawn in; colours by fragment output. Whether depth and
 /// stencil are there is said by [`draw_planes`].
 ///

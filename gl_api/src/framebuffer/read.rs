@@ -5,13 +5,12 @@ use super::complete::{Readable, read_attachment};
 use crate::context::Context;
 use crate::entry::DataOut;
 use crate::error::{Result, invalid_operation, not_negative};
-use crate::texture::client::{ClientFormat, Numbers, Pixel};
+use crate::texture::client::{ClientFormat, LuminanceOf, Numbers, Pixel};
 use crate::texture::layout::{Extent, Layout};
 use crate::texture::specify::kinds_match;
 use crate::texture::{convert, memory, texel};
 use crate::types::*;
 use rasterizer::driver::Attachment;
-use std::borrow::Cow;
 use std::sync::Arc;
 use texunit::format::Format;
 use texunit::image::{Level, Shape};
@@ -115,7 +114,8 @@ fn chosen(context: &mut Context, format: ClientFormat) -> Result<Pixels> {
         | ClientFormat::Bgra
         | ClientFormat::Abgr
         | ClientFormat::Luminance
-        | ClientFormat::LuminanceAlpha => source(context, Readable::Color),
+        | ClientFormat::LuminanceAlpha
+        | ClientFormat::ColorIndex => source(context, Readable::Color),
     }
 }
 
@@ -133,6 +133,12 @@ pub(crate) fn read_pixels(
     let width = not_negative(SECTION, "width", width.into())?;
     let height = not_negative(SECTION, "height", height.into())?;
     let pixel = Pixel::new(format, ty)?;
+    if pixel.format == ClientFormat::ColorIndex {
+        return invalid_operation(
+            SECTION,
+            "format = GL_COLOR_INDEX: the framebuffer has colours, no indices",
+        );
+    }
     let layout = Layout::new(&context.state.pack, pixel, [width, height, 1], Extent::Flat)?;
     let from = chosen(context, pixel.format)?;
     check_samples(context)?;
@@ -146,16 +152,6 @@ pub(crate) fn read_pixels(
     })
 }
 
-/// The texels of a row in a format that the client's can be made of: a stencil is an integer of
-/// its own.
-fn readable_row(texels: &[u8], format: Format, pixel: Pixel) -> (Format, Cow<'_, [u8]>) {
-    if pixel.format != ClientFormat::Stencil {
-        return (format, Cow::Borrowed(texels));
-    }
-    let stencils = texels.chunks_exact(format.bytes()).map(|t| texel::stencil_of(format, t));
-    (Format::R8UI, Cow::Owned(stencils.collect()))
-}
-
 /// A region of a level into the client's memory. Pixels outside the level are left as they are.
 fn pack(
     from: &Pixels,
@@ -166,19 +162,21 @@ fn pack(
 ) {
     let [width, height] = from.size();
     let Some(visible) = region.within(width, height) else { return };
-    let first = (visible.y as i64 - region.y) as usize * layout.stride
-        + (visible.x as i64 - region.x) as usize * layout.pixel.bytes();
-    let row = Layout {
-        size: [visible.width, 1, 1],
-        needed: visible.width * layout.pixel.bytes(),
-        start: 0,
-        ..*layout
-    };
-    for y in 0..visible.height {
-        let texels = from.row(visible.x, visible.y + y, visible.width);
-        let (format, texels) = readable_row(texels, from.format(), layout.pixel);
-        let at = layout.start + first + y * layout.stride;
-        convert::pack(&row, format, transfer, &texels, &mut bytes[at..]);
+    let column = (visible.x as i64 - region.x) as usize;
+    let row = (visible.y as i64 - region.y) as usize;
+    let run = layout.run(column, row, visible.width);
+    let rows = (0..visible.height)
+        .map(|y| (run.start + y * run.stride, from.row(visible.x, visible.y + y, visible.width)));
+    if layout.pixel.format != ClientFormat::Stencil {
+        convert::pack_rows(&run, from.format(), transfer, LuminanceOf::Sum, rows, bytes);
+        return;
+    }
+    // A stencil is an integer of its own.
+    for (at, texels) in rows {
+        let texels = texels.chunks_exact(from.format().bytes());
+        let stencils: Vec<u8> = texels.map(|t| texel::stencil_of(from.format(), t)).collect();
+        let rows = std::iter::once((at, &stencils[..]));
+        convert::pack_rows(&run, Format::R8UI, transfer, LuminanceOf::Sum, rows, bytes);
     }
 }
 

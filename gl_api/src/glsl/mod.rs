@@ -141,6 +141,17 @@ pub struct SamplerSlot {
     pub slot: u32,
     /// The uniform word that holds the texture unit.
     pub word: u32,
+    /// What comes of comparisons.
+    pub result: ComparisonResult,
+}
+
+/// What a lookup makes of a comparison with a depth.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum ComparisonResult {
+    /// Four components, as `GL_DEPTH_TEXTURE_MODE` has them: functions such as `shadow2D`.
+    Placed,
+    /// One number, whatever the mode is: the functions of GLSL 1.30.
+    Scalar,
 }
 
 /// What was asked for with `glBindAttribLocation` and `glBindFragDataLocation` before the link.
@@ -168,6 +179,8 @@ pub struct Program {
     pub builtin_uniforms: Vec<BuiltinUniform>,
     /// The fragment stage's own outputs and the colours they go to.
     pub outputs: Vec<(String, u8)>,
+    /// The fragment stage's own varyings: first slot, how many slots, name.
+    pub varyings: Vec<(u16, u16, String)>,
     /// Which texture slots sample which units.
     pub samplers: Vec<SamplerSlot>,
     /// How its shaders say that the colour and the secondary colour are interpolated; `None` leaves

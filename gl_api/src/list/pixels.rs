@@ -81,11 +81,7 @@ fn image(
 
 /// Bytes of a bitmap (GL 2.1, section 3.7).
 fn bits(context: &Context, [width, height]: [i64; 2]) -> Option<usize> {
-    let store = &context.state.unpack;
-    let (width, height) = (size(width)?, size(height)?);
-    let per_row = if store.row_length > 0 { store.row_length } else { width };
-    let stride = per_row.div_ceil(8).next_multiple_of(store.alignment);
-    let rows = store.skip_rows.checked_add(height)?.checked_sub(1)?;
-    let last = store.skip_pixels.checked_add(width)?.div_ceil(8);
-    stride.checked_mul(rows)?.checked_add(last)
+    let size = [size(width)?, size(height)?, 1];
+    let layout = Layout::new(&context.state.unpack, Pixel::BIT, size, Extent::Flat);
+    layout.ok().map(|layout| layout.needed)
 }

@@ -3,12 +3,11 @@
 use super::doomed;
 use crate::constants::*;
 use crate::context::Context;
-use crate::env::unit_to_signed;
 use crate::error::{Result, invalid_enum, invalid_operation, invalid_value};
 use crate::interface::MAX_COMBINED_TEXTURE_IMAGE_UNITS;
 use crate::query::put;
 use crate::texture::sampler::{
-    SAMPLER_PARAMETER, SamplerParameter, SamplerState, Values, needs_vector,
+    Answer, SAMPLER_PARAMETER, SamplerParameter, SamplerState, Values, needs_vector,
 };
 use crate::types::*;
 
@@ -160,11 +159,11 @@ pub(crate) fn sampler_parameter_i_uiv(
     vector(context, sampler, pname, &Values::unsigned(params))
 }
 
-fn got(context: &mut Context, sampler: GLuint, pname: GLenum) -> Result<Vec<f32>> {
+fn got(context: &mut Context, sampler: GLuint, pname: GLenum) -> Result<Answer> {
     let state = found(context, sampler)?;
     Ok(match parameter(pname)? {
-        Some(parameter) => vec![state.get(parameter)],
-        None => state.sampler.border.to_vec(),
+        Some(parameter) => Answer::Numbers(vec![state.get(parameter)]),
+        None => Answer::Color(state.sampler.border),
     })
 }
 
@@ -174,11 +173,7 @@ pub(crate) fn get_sampler_parameteriv(
     pname: GLenum,
     params: &mut [GLint],
 ) -> Result<()> {
-    let integer = |&value: &f32| match pname {
-        GL_TEXTURE_BORDER_COLOR => unit_to_signed(value),
-        _ => value.round() as GLint,
-    };
-    put(params, &got(context, sampler, pname)?.iter().map(integer).collect::<Vec<_>>())
+    put(params, &got(context, sampler, pname)?.fixed())
 }
 
 pub(crate) fn get_sampler_parameterfv(
@@ -187,7 +182,7 @@ pub(crate) fn get_sampler_parameterfv(
     pname: GLenum,
     params: &mut [GLfloat],
 ) -> Result<()> {
-    put(params, &got(context, sampler, pname)?)
+    put(params, &got(context, sampler, pname)?.floats())
 }
 
 pub(crate) fn get_sampler_parameter_i_iv(
@@ -196,8 +191,7 @@ pub(crate) fn get_sampler_parameter_i_iv(
     pname: GLenum,
     params: &mut [GLint],
 ) -> Result<()> {
-    let values = got(context, sampler, pname)?;
-    put(params, &values.iter().map(|value| value.round() as GLint).collect::<Vec<_>>())
+    put(params, &got(context, sampler, pname)?.signed())
 }
 
 pub(crate) fn get_sampler_parameter_i_uiv(
@@ -206,6 +200,5 @@ pub(crate) fn get_sampler_parameter_i_uiv(
     pname: GLenum,
     params: &mut [GLuint],
 ) -> Result<()> {
-    let values = got(context, sampler, pname)?;
-    put(params, &values.iter().map(|value| value.round() as GLuint).collect::<Vec<_>>())
+    put(params, &got(context, sampler, pname)?.unsigned())
 }

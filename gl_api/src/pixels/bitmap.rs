@@ -4,59 +4,16 @@ use super::position;
 use super::rectangle::{self, Holds};
 use crate::context::Context;
 use crate::entry::Data;
-use crate::error::{Result, invalid_operation, not_negative};
+use crate::error::{Result, not_negative};
 use crate::feedback::record::Kind;
 use crate::feedback::{self, Mode};
 use crate::framebuffer::complete::draw_pass;
-use crate::state::pixel_store::PixelStore;
+use crate::texture::client::Pixel;
+use crate::texture::layout::{Extent, Layout};
 use crate::texture::memory;
 use crate::types::*;
 
 const SECTION: &str = "GL 2.1, section 3.7";
-
-/// Where the bits of a bitmap lie.
-struct Bits {
-    /// Bytes from a row to the next.
-    stride: usize,
-    skip_rows: usize,
-    skip_pixels: usize,
-    lsb_first: bool,
-    /// Bytes that the memory must have.
-    needed: usize,
-}
-
-impl Bits {
-    fn new(store: &PixelStore, width: usize, height: usize) -> Result<Self> {
-        let per_row = if store.row_length > 0 { store.row_length } else { width };
-        let stride = per_row.div_ceil(8).next_multiple_of(store.alignment);
-        let last = store.skip_pixels.checked_add(width).map(|bits| bits.div_ceil(8));
-        let rows = store.skip_rows.checked_add(height.saturating_sub(1));
-        let needed = if width == 0 || height == 0 {
-            Some(0)
-        } else {
-            rows.and_then(|rows| rows.checked_mul(stride))
-                .and_then(|start| start.checked_add(last?))
-        };
-        match needed {
-            Some(needed) => Ok(Self {
-                stride,
-                skip_rows: store.skip_rows,
-                skip_pixels: store.skip_pixels,
-                lsb_first: store.lsb_first,
-                needed,
-            }),
-            None => invalid_operation(SECTION, "the bitmap reaches beyond the address space"),
-        }
-    }
-
-    /// Whether a pixel is set.
-    fn at(&self, bytes: &[u8], x: usize, y: usize) -> bool {
-        let bit = self.skip_pixels + x;
-        let byte = bytes[(self.skip_rows + y) * self.stride + bit / 8];
-        let place = if self.lsb_first { bit % 8 } else { 7 - bit % 8 };
-        byte >> place & 1 == 1
-    }
-}
 
 /// A window coordinate on the subpixel grid, as vertices have it: a position that was meant to be a
 /// whole pixel is one, whatever the transformation's rounding was.
@@ -79,23 +36,15 @@ pub(crate) fn bitmap(
     let width = not_negative(SECTION, "width", width.into())?;
     let height = not_negative(SECTION, "height", height.into())?;
     draw_pass(context)?;
-    let bits = Bits::new(&context.state.unpack, width, height)?;
-    let source = memory::source(context, bitmap, bits.needed)?;
+    let size = [width, height, 1];
+    let layout = Layout::new(&context.state.unpack, Pixel::BIT, size, Extent::Flat)?;
+    let source = memory::source(context, bitmap, layout.needed)?;
     if !context.state.raster_position.valid {
         return Ok(());
     }
-    if let Some(source) = source.filter(|_| bits.needed > 0) {
+    if let (Some(source), Some(bits)) = (source.filter(|_| layout.needed > 0), layout.bits) {
         let bytes = source.bytes();
-        if bytes.len() < bits.needed {
-            return invalid_operation(
-                SECTION,
-                format!(
-                    "a bitmap of {width}×{height} takes {} bytes; there are {}",
-                    bits.needed,
-                    bytes.len()
-                ),
-            );
-        }
+        layout.check_length(bytes.len(), "GL_UNPACK_ALIGNMENT")?;
         if feedback::record::pixels(context, Kind::Bitmap) != Mode::Render {
             position::advance(context, [xmove, ymove]);
             return Ok(());
@@ -109,7 +58,8 @@ pub(crate) fn bitmap(
             start[axis] = snapped(before[axis] - origin[axis]).floor();
         }
         let drawn = rectangle::draw(context, [width, height], Holds::Coverage, |x, y| {
-            [if bits.at(bytes, x, y) { 1.0 } else { 0.0 }; 4]
+            let row = &bytes[layout.start + y * layout.stride..];
+            [bits.at(row, x).into(); 4]
         });
         context.state.raster_position.window = before;
         context.state.pixel_zoom = zoom;

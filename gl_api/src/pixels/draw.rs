@@ -2,13 +2,14 @@
 
 use super::rectangle::{self, Holds};
 use super::stencil;
+use crate::constants::enum_name;
 use crate::context::Context;
 use crate::entry::Data;
 use crate::error::{Result, invalid_operation, not_negative};
 use crate::feedback::record::Kind;
 use crate::feedback::{self, Mode};
 use crate::framebuffer::complete::{draw_pass, draw_planes};
-use crate::texture::client::{ClientFormat, Numbers, Pixel};
+use crate::texture::client::{ClientFormat, FORMAT, Numbers, Pixel};
 use crate::texture::layout::{Extent, Layout};
 use crate::texture::{convert, memory};
 use crate::types::*;
@@ -60,7 +61,8 @@ fn check_target(context: &Context, pixel: Pixel) -> Result<()> {
         | ClientFormat::Bgra
         | ClientFormat::Abgr
         | ClientFormat::Luminance
-        | ClientFormat::LuminanceAlpha => false,
+        | ClientFormat::LuminanceAlpha
+        | ClientFormat::ColorIndex => false,
     };
     if missing {
         return invalid_operation(
@@ -68,13 +70,21 @@ fn check_target(context: &Context, pixel: Pixel) -> Result<()> {
             "the framebuffer that is drawn to has no such depth or stencil buffer",
         );
     }
-    if pixel.numbers == Numbers::Integer && pixel.format != ClientFormat::Stencil {
-        return invalid_operation(
-            "EXT_texture_integer, section 3.6.4",
-            "integers are not drawn: use a format without _INTEGER",
-        );
-    }
     Ok(())
+}
+
+/// Integers are not drawn, whatever their type.
+fn check_numbers(format: GLenum) -> Result<()> {
+    match FORMAT.get(format) {
+        Some((ClientFormat::Stencil, _) | (_, Numbers::Fixed | Numbers::SignedNormalized)) => {
+            Ok(())
+        }
+        Some((_, Numbers::Integer)) => invalid_operation(
+            "EXT_texture_integer, section 3.6.4",
+            format!("format = {}: integers are not drawn", enum_name(format)),
+        ),
+        None => Ok(()),
+    }
 }
 
 pub(crate) fn draw_pixels(
@@ -87,6 +97,7 @@ pub(crate) fn draw_pixels(
 ) -> Result<()> {
     let width = not_negative(SECTION, "width", width.into())?;
     let height = not_negative(SECTION, "height", height.into())?;
+    check_numbers(format)?;
     let pixel = Pixel::new(format, ty)?;
     let layout = Layout::new(&context.state.unpack, pixel, [width, height, 1], Extent::Flat)?;
     draw_pass(context)?;
@@ -110,7 +121,8 @@ pub(crate) fn draw_pixels(
         | ClientFormat::Bgra
         | ClientFormat::Abgr
         | ClientFormat::Luminance
-        | ClientFormat::LuminanceAlpha => Format::Rgba32F,
+        | ClientFormat::LuminanceAlpha
+        | ClientFormat::ColorIndex => Format::Rgba32F,
     };
     let mut texels = room(format, width, height)?;
     convert::unpack(&layout, source.bytes(), format, &context.state.transfer, &mut texels);

@@ -156,11 +156,6 @@ pub(crate) fn state_value(context: &Context, pname: GLenum) -> Option<Answer> {
         GL_CURRENT_RASTER_DISTANCE => Answer::Floats(vec![position.distance.into()]),
         GL_CURRENT_RASTER_COLOR => Answer::Color(position.color),
         GL_CURRENT_RASTER_SECONDARY_COLOR => Answer::Color(position.secondary_color),
-        GL_CURRENT_RASTER_TEXTURE_COORDS => {
-            let unit = usize::from(context.state.units.active);
-            let coords = position.tex_coords.get(unit)?;
-            Answer::Floats(coords.iter().map(|&c| c.into()).collect())
-        }
         GL_ZOOM_X => Answer::Floats(vec![context.state.pixel_zoom[0].into()]),
         GL_ZOOM_Y => Answer::Floats(vec![context.state.pixel_zoom[1].into()]),
         _ => return None,

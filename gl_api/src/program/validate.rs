@@ -7,7 +7,7 @@ use crate::interface::MAX_COMBINED_TEXTURE_IMAGE_UNITS;
 use crate::object::programs::{Linked, program};
 use crate::types::*;
 use rasterizer::ir::{Stage, TextureDecl};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 pub(crate) fn validate_program(context: &mut Context, name: GLuint) -> Result<()> {
     let object = program(context, name)?;
@@ -26,7 +26,9 @@ pub(crate) fn validate_program(context: &mut Context, name: GLuint) -> Result<()
 /// What is wrong and what to do.
 pub(crate) fn runnable(linked: &Linked) -> Result<(), String> {
     let limit = usize::from(MAX_COMBINED_TEXTURE_IMAGE_UNITS);
-    let samplers = linked.program.samplers.len();
+    // A sampler that is compared in two ways has two slots.
+    let slots = linked.program.samplers.iter();
+    let samplers = slots.map(|slot| (slot.stage as u8, slot.word)).collect::<BTreeSet<_>>().len();
     if samplers > limit {
         return Err(format!(
             "the stages sample {samplers} textures together; GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS \

@@ -23,7 +23,7 @@ use crate::state::polygon::POLYGON_MODE;
 use crate::state::raster::{FACE, FRONT_FACE, HINTS, SHADE_MODEL};
 use crate::state::stencil::{ACTIVE_FACE, STENCIL_OP, Side};
 use crate::state::{fog, index, light};
-use crate::texture::internal::COMPRESSED_FORMAT;
+use crate::texture::internal::general_purpose_formats;
 use crate::texture::pixel_map::MAX_PIXEL_MAP_TABLE;
 use crate::texture::{TextureTarget, transfer};
 use crate::types::*;
@@ -173,9 +173,9 @@ fn limit(_: &Context, pname: GLenum) -> Answer {
         GL_POINT_SIZE_RANGE | GL_ALIASED_POINT_SIZE_RANGE => floats(&[1.0, MAX_POINT_SIZE]),
         GL_LINE_WIDTH_RANGE | GL_ALIASED_LINE_WIDTH_RANGE => floats(&[1.0, MAX_LINE_WIDTH]),
         GL_POINT_SIZE_GRANULARITY | GL_LINE_WIDTH_GRANULARITY => float(1.0 / 256.0),
-        GL_NUM_COMPRESSED_TEXTURE_FORMATS => int(COMPRESSED_FORMAT.rows.len()),
+        GL_NUM_COMPRESSED_TEXTURE_FORMATS => int(general_purpose_formats().count()),
         GL_COMPRESSED_TEXTURE_FORMATS => {
-            Ok(Value::Ints(COMPRESSED_FORMAT.rows.iter().map(|row| row.0 as i32).collect()))
+            Ok(Value::Ints(general_purpose_formats().map(|format| format as i32).collect()))
         }
         GL_MAJOR_VERSION => int(2),
         GL_MINOR_VERSION => int(1),
@@ -228,6 +228,10 @@ fn current(context: &Context, pname: GLenum) -> Answer {
         GL_CURRENT_TEXTURE_COORDS => {
             let unit = state.units.active_coordinates("GL 2.1, section 2.7");
             unit.and_then(|unit| floats(at(ATTRIB_TEX_COORD + unit as u8)))
+        }
+        GL_CURRENT_RASTER_TEXTURE_COORDS => {
+            let unit = state.units.active_coordinates("GL 2.1, section 2.13");
+            unit.and_then(|unit| floats(&state.raster_position.tex_coords[unit]))
         }
         _ => return None,
     })

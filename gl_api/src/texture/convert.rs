@@ -5,7 +5,7 @@
 //! copies them instead; which goes where it finds out by sending marked numbers down the general
 //! path.
 
-use super::client::{ClientType, Numbers};
+use super::client::{ClientType, LuminanceOf, Numbers};
 use super::layout::Layout;
 use super::texel::{self, Bytes};
 use super::transfer::{Kind, Steps, Transfer};
@@ -17,14 +17,34 @@ struct Conversion<'a> {
     layout: &'a Layout,
     format: Format,
     numbers: Numbers,
+    luminance: LuminanceOf,
+    /// Whether texels are fractions, which stay fractions on their way to the client (GL 2.1, section
+    /// 4.3.2, final conversion).
+    is_fraction: bool,
     steps: Steps<'a>,
 }
 
 impl<'a> Conversion<'a> {
-    fn new(layout: &'a Layout, format: Format, transfer: &'a Transfer) -> Self {
+    fn new(
+        layout: &'a Layout,
+        format: Format,
+        transfer: &'a Transfer,
+        luminance: LuminanceOf,
+    ) -> Self {
         let numbers = texel::numbers(format, layout.pixel.numbers);
-        let kind = if format.is_depth() { Kind::Depth } else { Kind::Color };
-        Self { layout, format, numbers, steps: transfer.of(kind, numbers) }
+        let kind = layout.pixel.format.kind();
+        let is_fraction = match format.info().encoding {
+            Encoding::Unorm | Encoding::Srgb => !format.has_stencil(),
+            Encoding::Snorm
+            | Encoding::Float
+            | Encoding::SharedExponent
+            | Encoding::Uint
+            | Encoding::Sint
+            | Encoding::Block(_)
+            | Encoding::SrgbBlock(_) => false,
+        };
+        let steps = transfer.of(kind, numbers);
+        Self { layout, format, numbers, luminance, is_fraction, steps }
     }
 
     /// A pixel of the client's as a texel.
@@ -35,7 +55,7 @@ impl<'a> Conversion<'a> {
         for (word, element) in words.iter_mut().zip(pixel.chunks_exact(size)) {
             *word = load(element, self.layout.swap);
         }
-        let components = ty.read(words, self.numbers);
+        let components = ty.read(words, self.layout.pixel.elements(self.numbers));
         let rgba = self.layout.pixel.format.expand(components);
         texel::encode(self.format, self.steps.apply(rgba))
     }
@@ -45,7 +65,11 @@ impl<'a> Conversion<'a> {
     fn pack(&self, texel: &[u8], pixel: &mut [u8]) {
         let (ty, size) = (self.layout.pixel.ty, self.layout.pixel.ty.size());
         let rgba = self.steps.apply(texel::decode(self.format, texel));
-        let words = ty.write(self.layout.pixel.format.select(rgba), self.numbers);
+        let mut components = self.layout.pixel.format.select(rgba, self.luminance);
+        if self.is_fraction {
+            components = components.map(|c| c.clamp(0.0, 1.0));
+        }
+        let words = ty.write(components, self.numbers);
         for (word, element) in words.into_iter().zip(pixel.chunks_exact_mut(size)) {
             store(word, element, self.layout.swap);
         }
@@ -53,6 +77,12 @@ impl<'a> Conversion<'a> {
 
     fn unpack_row(&self, row: &[u8], texels: &mut [u8]) {
         let (pixel, texel) = (self.layout.pixel.bytes(), self.format.bytes());
+        if let Some(bits) = self.layout.bits {
+            for (column, out) in texels.chunks_exact_mut(texel).enumerate() {
+                out.copy_from_slice(&self.unpack(&[bits.at(row, column)])[..texel]);
+            }
+            return;
+        }
         for (pixel, out) in row.chunks_exact(pixel).zip(texels.chunks_exact_mut(texel)) {
             out.copy_from_slice(&self.unpack(pixel)[..texel]);
         }
@@ -60,6 +90,14 @@ impl<'a> Conversion<'a> {
 
     fn pack_row(&self, texels: &[u8], row: &mut [u8]) {
         let (pixel, texel) = (self.layout.pixel.bytes(), self.format.bytes());
+        if let Some(bits) = self.layout.bits {
+            for (column, texel) in texels.chunks_exact(texel).enumerate() {
+                let mut index = [0];
+                self.pack(texel, &mut index);
+                bits.put(row, column, index[0]);
+            }
+            return;
+        }
         for (texel, out) in texels.chunks_exact(texel).zip(row.chunks_exact_mut(pixel)) {
             self.pack(texel, out);
         }
@@ -110,7 +148,7 @@ impl<'a> Conversion<'a> {
     fn pack_shuffle(&self) -> Option<Shuffle> {
         let (size, places) = self.elements()?;
         let rgba = texel::rgba(self.format.base(), MARKS);
-        let components = self.layout.pixel.format.select(rgba);
+        let components = self.layout.pixel.format.select(rgba, self.luminance);
         let count = self.layout.pixel.format.components();
         let mut placed = [0.0; 4];
         for (component, value) in components.into_iter().enumerate().take(count) {
@@ -230,7 +268,7 @@ pub(crate) fn unpack(
     if layout.needed == 0 {
         return;
     }
-    let conversion = Conversion::new(layout, format, transfer);
+    let conversion = Conversion::new(layout, format, transfer, LuminanceOf::Red);
     let shuffle = conversion.unpack_shuffle();
     let run = layout.size[0] * format.bytes();
     for (at, out) in layout.rows().zip(texels.chunks_exact_mut(run)) {
@@ -242,22 +280,57 @@ pub(crate) fn unpack(
     }
 }
 
+/// The client's pixels themselves, where they are texels of `format`, tightly packed; never those
+/// of a compressed format.
+pub(crate) fn as_texels<'a>(
+    layout: &Layout,
+    bytes: &'a [u8],
+    format: Format,
+    transfer: &Transfer,
+) -> Option<&'a [u8]> {
+    let [_, height, depth] = layout.size;
+    let run = layout.row_bytes();
+    let is_tight = (height == 1 || layout.stride == run)
+        && (depth == 1 || layout.image_stride == run * height);
+    let conversion = Conversion::new(layout, format, transfer, LuminanceOf::Red);
+    let is_copy = format.block().is_none()
+        && layout.bits.is_none()
+        && is_tight
+        && conversion.unpack_shuffle().is_some_and(|shuffle| shuffle.is_copy());
+    is_copy.then(|| &bytes[layout.start..layout.start + run * height * depth])
+}
+
 /// Rows of texels of `format`, each with as many as the layout's rows have pixels, into the
 /// client's memory, which has `layout.needed` bytes.
 pub(crate) fn pack(
     layout: &Layout,
     format: Format,
     transfer: &Transfer,
+    luminance: LuminanceOf,
     texels: &[u8],
     bytes: &mut [u8],
 ) {
     if layout.needed == 0 {
         return;
     }
-    let conversion = Conversion::new(layout, format, transfer);
-    let shuffle = conversion.pack_shuffle();
     let run = layout.size[0] * format.bytes();
-    for (at, row) in layout.rows().zip(texels.chunks_exact(run)) {
+    let rows = layout.rows().zip(texels.chunks_exact(run));
+    pack_rows(layout, format, transfer, luminance, rows, bytes);
+}
+
+/// Rows of texels of `format`, each with as many as the layout's rows have pixels, to where each is
+/// to begin in the client's memory.
+pub(crate) fn pack_rows<'a>(
+    layout: &Layout,
+    format: Format,
+    transfer: &Transfer,
+    luminance: LuminanceOf,
+    rows: impl Iterator<Item = (usize, &'a [u8])>,
+    bytes: &mut [u8],
+) {
+    let conversion = Conversion::new(layout, format, transfer, luminance);
+    let shuffle = conversion.pack_shuffle();
+    for (at, row) in rows {
         let out = &mut bytes[at..at + layout.row_bytes()];
         match &shuffle {
             Some(shuffle) => shuffle.run(row, out),
@@ -311,7 +384,8 @@ mod tests {
                     let layout = Layout::new(&store, pixel, [7, 1, 1], Extent::Flat).unwrap();
                     for format in Format::ALL {
                         let transfer = Transfer::default();
-                        let conversion = Conversion::new(&layout, format, &transfer);
+                        let conversion =
+                            Conversion::new(&layout, format, &transfer, LuminanceOf::Sum);
                         let bytes = if *ty == ClientType::F32 { &floats } else { &noise };
                         if let Some(shuffle) = conversion.unpack_shuffle() {
                             let mut got = vec![9; 7 * format.bytes()];

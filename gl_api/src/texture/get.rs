@@ -1,13 +1,13 @@
 //! Reading texels back: `glGetTexImage`, GL 2.1, section 6.1.4.
 
-use super::client::Pixel;
+use super::client::{ClientFormat, LuminanceOf, Pixel};
 use super::layout::{Extent, Layout};
 use super::specify::kinds_match;
 use super::target::any_bound;
 use super::{TextureTarget, blocks, bound, checked_level, convert, memory};
 use crate::context::Context;
 use crate::entry::DataOut;
-use crate::error::Result;
+use crate::error::{Result, invalid_enum, invalid_operation};
 use crate::types::*;
 
 const SECTION: &str = "GL 2.1, section 6.1.4";
@@ -23,11 +23,20 @@ pub(crate) fn get_tex_image(
     let target = any_bound(target)?;
     let level = checked_level(SECTION, target.target, level)?;
     let pixel = Pixel::new(format, ty)?;
+    if pixel.format == ClientFormat::ColorIndex {
+        return invalid_enum(SECTION, "format = GL_COLOR_INDEX: texels have colours, no indices");
+    }
     let image = bound(context, target.target).image.clone();
     crate::draw::settle(context, &image);
     let texels = bound(context, target.target).image.texels();
     let Some(level) = texels.level(target.face.into(), level) else { return Ok(()) };
     kinds_match(pixel, level.format)?;
+    if pixel.format == ClientFormat::DepthStencil && !level.format.has_stencil() {
+        return invalid_operation(
+            "EXT_packed_depth_stencil, section 6.1.4",
+            "format GL_DEPTH_STENCIL: the texture has no stencils, ask for GL_DEPTH_COMPONENT",
+        );
+    }
     let size = target.target.level_box(level.stored_size()).map(|side| side as usize);
     let extent = match target.target {
         TextureTarget::D3 | TextureTarget::D2Array => Extent::Volume,
@@ -42,10 +51,11 @@ pub(crate) fn get_tex_image(
     if level.format.block().is_some() {
         let colors = blocks::decompress(level)?;
         return memory::write_pixels(context, &layout, pixels, |bytes| {
-            convert::pack(&layout, blocks::COLORS, &transfer, &colors, bytes);
+            convert::pack(&layout, blocks::COLORS, &transfer, LuminanceOf::Red, &colors, bytes);
         });
     }
     memory::write_pixels(context, &layout, pixels, |bytes| {
-        convert::pack(&layout, level.format, &transfer, convert::texels(level), bytes);
+        let texels = convert::texels(level);
+        convert::pack(&layout, level.format, &transfer, LuminanceOf::Red, texels, bytes);
     })
 }

@@ -234,6 +234,14 @@ pub(crate) const COMPRESSED_FORMAT: Table<Format> = Table {
     ],
 };
 
+/// The compressed formats that serve any texture, which `GL_COMPRESSED_TEXTURE_FORMATS` lists: not
+/// those for sRGB (`EXT_texture_sRGB`), nor those for normals (`ATI_texture_compression_3dc`).
+pub(crate) fn general_purpose_formats() -> impl Iterator<Item = GLenum> {
+    let all = COMPRESSED_FORMAT.rows.iter();
+    all.filter(|(name, format)| !format.is_srgb() && *name != GL_COMPRESSED_LUMINANCE_ALPHA_3DC_ATI)
+        .map(|(name, _)| *name)
+}
+
 /// The numbers that `glTexImage` takes since GL 1.0.
 const COMPONENTS: [(GLenum, Format); 4] =
     [(1, Format::L8), (2, Format::La8), (3, Format::Rgb8), (4, Format::Rgba8)];

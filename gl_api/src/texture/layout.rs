@@ -1,6 +1,6 @@
 //! Where pixels lie in the client's memory (GL 2.1, section 3.6.4).
 
-use super::client::Pixel;
+use super::client::{ClientType, Pixel};
 use crate::error::{Result, invalid_operation};
 use crate::state::pixel_store::PixelStore;
 
@@ -29,6 +29,48 @@ pub(crate) struct Layout {
     pub needed: usize,
     /// Whether the bytes of each element are reversed.
     pub swap: bool,
+    /// Where the pixels are bits: how they lie in their bytes.
+    pub bits: Option<Bits>,
+}
+
+/// How the bits of a row lie in their bytes (GL 2.1, section 3.6.4, bitmaps).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Bits {
+    /// The row's first bit in its first byte.
+    pub first: usize,
+    order: BitOrder,
+}
+
+/// Which bit of a byte comes first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum BitOrder {
+    HighestFirst,
+    LowestFirst,
+}
+
+impl Bits {
+    /// The byte of a column, from the row's first on, and its bit as a shift.
+    pub fn place(self, column: usize) -> (usize, u32) {
+        let bit = self.first + column;
+        let within = (bit % 8) as u32;
+        let shift = match self.order {
+            BitOrder::HighestFirst => 7 - within,
+            BitOrder::LowestFirst => within,
+        };
+        (bit / 8, shift)
+    }
+
+    /// The bit of a column.
+    pub fn at(self, row: &[u8], column: usize) -> u8 {
+        let (byte, shift) = self.place(column);
+        row[byte] >> shift & 1
+    }
+
+    /// Sets the bit of a column to the lowest of `value`.
+    pub fn put(self, row: &mut [u8], column: usize, value: u8) {
+        let (byte, shift) = self.place(column);
+        row[byte] = row[byte] & !(1 << shift) | (value & 1) << shift;
+    }
 }
 
 impl Layout {
@@ -38,11 +80,15 @@ impl Layout {
     /// When it reaches beyond the address space.
     pub fn new(store: &PixelStore, pixel: Pixel, size: [usize; 3], extent: Extent) -> Result<Self> {
         let [width, height, depth] = size;
-        let bytes = pixel.bytes() as u128;
+        let is_bits = pixel.ty == ClientType::Bit;
+        // The bytes that so many pixels begin in.
+        let span = |pixels: u128| {
+            if is_bits { pixels.div_ceil(8) } else { pixels * pixel.bytes() as u128 }
+        };
         let per_row = if store.row_length > 0 { store.row_length } else { width };
         // At most 2^31 pixels of 16 bytes, times 2^31 rows, times 2^31 images: no overflow in 128
         // bits.
-        let row = per_row as u128 * bytes;
+        let row = span(per_row as u128);
         let stride = if pixel.ty.size() >= store.alignment {
             row
         } else {
@@ -56,14 +102,18 @@ impl Layout {
         let image_stride = stride * per_image as u128;
         let start = skip_images as u128 * image_stride
             + store.skip_rows as u128 * stride
-            + store.skip_pixels as u128 * bytes;
+            + if is_bits { store.skip_pixels as u128 / 8 } else { span(store.skip_pixels as u128) };
+        let bits = is_bits.then_some(Bits {
+            first: store.skip_pixels % 8,
+            order: if store.lsb_first { BitOrder::LowestFirst } else { BitOrder::HighestFirst },
+        });
         let needed = if size.contains(&0) {
             0
         } else {
             start
                 + (depth as u128 - 1) * image_stride
                 + (height as u128 - 1) * stride
-                + width as u128 * bytes
+                + span((bits.map_or(0, |bits| bits.first) + width) as u128)
         };
         let byte =
             |value: u128| usize::try_from(value).ok().filter(|&bytes| bytes <= isize::MAX as usize);
@@ -76,6 +126,7 @@ impl Layout {
                 image_stride,
                 needed,
                 swap: store.swap_bytes && pixel.ty.size() > 1,
+                bits,
             }),
             _ => invalid_operation(
                 "GL 2.1, section 3.6.4",
@@ -97,7 +148,24 @@ impl Layout {
 
     /// Bytes of the pixels of a row.
     pub fn row_bytes(&self) -> usize {
-        self.size[0] * self.pixel.bytes()
+        match self.bits {
+            Some(bits) => (bits.first + self.size[0]).div_ceil(8),
+            None => self.size[0] * self.pixel.bytes(),
+        }
+    }
+
+    /// Where `width` pixels from a column of a row of the first image on lie.
+    pub fn run(&self, column: usize, row: usize, width: usize) -> Self {
+        let start = self.start + row * self.stride;
+        let (skipped, bits) = match self.bits {
+            Some(bits) => {
+                let first = bits.first + column;
+                (first / 8, Some(Bits { first: first % 8, ..bits }))
+            }
+            None => (column * self.pixel.bytes(), None),
+        };
+        let run = Self { size: [width, 1, 1], start: start + skipped, bits, ..*self };
+        Self { needed: run.start + run.row_bytes(), ..run }
     }
 
     /// Checks that the client's memory is long enough. `alignment` is the pixel store's parameter
@@ -116,15 +184,17 @@ impl Layout {
         } else {
             String::new()
         };
+        let each = match self.bits {
+            Some(_) => "1 bit".to_owned(),
+            None => format!("{} bytes", self.pixel.bytes()),
+        };
         let images = if depth == 1 { String::new() } else { format!("×{depth}") };
         invalid_operation(
             "GL 2.1, section 3.6.4",
             format!(
-                "{width}×{height}{images} pixels of {} bytes, rows {} bytes apart, take {} bytes; \
+                "{width}×{height}{images} pixels of {each}, rows {} bytes apart, take {} bytes; \
                  the slice has {has}{hint}",
-                self.pixel.bytes(),
-                self.stride,
-                self.needed
+                self.stride, self.needed
             ),
         )
     }

@@ -1,10 +1,10 @@
 //! Texture parameters: GL 2.1, section 3.8.4 and tables 3.18, 6.17.
 
-use super::sampler::{SAMPLER_PARAMETER, SamplerParameter, Values, needs_vector};
+use super::sampler::{Answer, SAMPLER_PARAMETER, SamplerParameter, Values, needs_vector};
 use super::{TARGET, TextureTarget, bound, bound_mut};
 use crate::constants::*;
 use crate::context::Context;
-use crate::env::{symbol, unit_to_signed};
+use crate::env::symbol;
 use crate::error::{Result, Table, invalid_enum, invalid_value};
 use crate::query::put;
 use crate::state::viewport::unit;
@@ -228,14 +228,14 @@ pub(crate) fn tex_parameter_i_uiv(
     vector(context, target, pname, &Values::unsigned(params))
 }
 
-/// The numbers of a parameter. Colours go to integers by another rule than the others.
-fn get(context: &Context, target: TextureTarget, parameter: Parameter) -> Vec<f32> {
+fn get(context: &Context, target: TextureTarget, parameter: Parameter) -> Answer {
     let texture = bound(context, target);
     let sampler = &texture.state.sampler;
     let one = match parameter {
-        Parameter::BorderColor => return sampler.border.to_vec(),
+        Parameter::BorderColor => return Answer::Color(sampler.border),
         Parameter::Swizzles => {
-            return sampler.swizzle.iter().map(|&from| SWIZZLE.encode(from) as f32).collect();
+            let names = sampler.swizzle.iter().map(|&from| SWIZZLE.encode(from) as f32);
+            return Answer::Numbers(names.collect());
         }
         Parameter::Sampler(parameter) => texture.state.get(parameter),
         Parameter::Priority => texture.priority,
@@ -247,13 +247,12 @@ fn get(context: &Context, target: TextureTarget, parameter: Parameter) -> Vec<f3
         Parameter::GenerateMipmap => f32::from(u8::from(texture.generate_mipmap)),
         Parameter::Swizzle(at) => SWIZZLE.encode(sampler.swizzle[usize::from(at)]) as f32,
     };
-    vec![one]
+    Answer::Numbers(vec![one])
 }
 
-fn got(context: &Context, target: GLenum, pname: GLenum) -> Result<(Vec<f32>, Parameter)> {
+fn got(context: &Context, target: GLenum, pname: GLenum) -> Result<Answer> {
     let target = TARGET.decode("target", target)?;
-    let parameter = parameter(pname)?;
-    Ok((get(context, target, parameter), parameter))
+    Ok(get(context, target, parameter(pname)?))
 }
 
 pub(crate) fn get_tex_parameteriv(
@@ -262,12 +261,7 @@ pub(crate) fn get_tex_parameteriv(
     pname: GLenum,
     params: &mut [GLint],
 ) -> Result<()> {
-    let (values, parameter) = got(context, target, pname)?;
-    let integer = |&value: &f32| match parameter {
-        Parameter::BorderColor => unit_to_signed(value),
-        _ => value.round() as GLint,
-    };
-    put(params, &values.iter().map(integer).collect::<Vec<_>>())
+    put(params, &got(context, target, pname)?.fixed())
 }
 
 pub(crate) fn get_tex_parameterfv(
@@ -276,7 +270,7 @@ pub(crate) fn get_tex_parameterfv(
     pname: GLenum,
     params: &mut [GLfloat],
 ) -> Result<()> {
-    put(params, &got(context, target, pname)?.0)
+    put(params, &got(context, target, pname)?.floats())
 }
 
 pub(crate) fn get_tex_parameter_i_iv(
@@ -285,8 +279,7 @@ pub(crate) fn get_tex_parameter_i_iv(
     pname: GLenum,
     params: &mut [GLint],
 ) -> Result<()> {
-    let (values, _) = got(context, target, pname)?;
-    put(params, &values.iter().map(|value| value.round() as GLint).collect::<Vec<_>>())
+    put(params, &got(context, target, pname)?.signed())
 }
 
 pub(crate) fn get_tex_parameter_i_uiv(
@@ -295,6 +288,5 @@ pub(crate) fn get_tex_parameter_i_uiv(
     pname: GLenum,
     params: &mut [GLuint],
 ) -> Result<()> {
-    let (values, _) = got(context, target, pname)?;
-    put(params, &values.iter().map(|value| value.round() as GLuint).collect::<Vec<_>>())
+    put(params, &got(context, target, pname)?.unsigned())
 }

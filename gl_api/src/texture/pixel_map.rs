@@ -126,6 +126,11 @@ impl Maps {
         [Name::RToR, Name::GToG, Name::BToB, Name::AToA].map(|name| self.map(name))
     }
 
+    /// The tables from indices to R, G, B, A.
+    pub fn of_indices(&self) -> [&Map; 4] {
+        [Name::IToR, Name::IToG, Name::IToB, Name::IToA].map(|name| self.map(name))
+    }
+
     /// The table from stencils to stencils.
     pub fn stencil(&self) -> &Map {
         self.map(Name::SToS)

@@ -3,11 +3,11 @@
 
 use super::TextureTarget;
 use crate::constants::*;
-use crate::env::{lod_bias, symbol};
+use crate::env::{lod_bias, symbol, unit_to_signed};
 use crate::error::{Result, Table, invalid_enum, invalid_value};
 use crate::state::fragment::COMPARE;
 use crate::types::*;
-use texunit::sampler::{Compare, Filter, MAX_ANISOTROPY, Mipmap, Sampler, Wrap};
+use texunit::sampler::{Border, Compare, Filter, MAX_ANISOTROPY, Mipmap, Sampler, Wrap};
 
 const WRAP: Table<Wrap> = Table {
     section: "GL 2.1, table 3.18",
@@ -189,30 +189,37 @@ impl SamplerState {
 pub(crate) struct Values {
     /// As they are.
     pub plain: Vec<f32>,
-    /// As a colour has them: `glTexParameteriv` scales the whole `i32` range to [-1, 1].
-    pub color: Vec<f32>,
+    /// As a colour, if there are four: `glTexParameteriv` scales the whole `i32` range to [-1, 1].
+    color: Option<Border>,
 }
 
 impl Values {
     pub fn floats(values: &[GLfloat]) -> Self {
-        let plain: Vec<f32> = values.iter().take(4).copied().collect();
-        Self { color: plain.clone(), plain }
+        Self {
+            plain: values.iter().take(4).copied().collect(),
+            color: values.first_chunk().copied().map(Border::Float),
+        }
     }
 
     pub fn fixed(values: &[GLint]) -> Self {
-        let color = values.iter().take(4).map(|&value| crate::env::signed_to_unit(value)).collect();
+        let color = values.first_chunk::<4>();
+        let color = color.map(|color| Border::Float(color.map(crate::env::signed_to_unit)));
         Self { color, ..Self::signed(values) }
     }
 
     /// Of the `I` calls: a colour is what it is.
     pub fn signed(values: &[GLint]) -> Self {
-        let plain: Vec<f32> = values.iter().take(4).map(|&value| value as f32).collect();
-        Self { color: plain.clone(), plain }
+        Self {
+            plain: values.iter().take(4).map(|&value| value as f32).collect(),
+            color: values.first_chunk().copied().map(Border::Sint),
+        }
     }
 
     pub fn unsigned(values: &[GLuint]) -> Self {
-        let plain: Vec<f32> = values.iter().take(4).map(|&value| value as f32).collect();
-        Self { color: plain.clone(), plain }
+        Self {
+            plain: values.iter().take(4).map(|&value| value as f32).collect(),
+            color: values.first_chunk().copied().map(Border::Uint),
+        }
     }
 
     /// The first number.
@@ -224,9 +231,9 @@ impl Values {
     }
 
     /// All four, as a colour.
-    pub fn four(&self, section: &'static str, pname: GLenum) -> Result<[f32; 4]> {
-        match self.color.first_chunk() {
-            Some(&color) => Ok(color),
+    pub fn four(&self, section: &'static str, pname: GLenum) -> Result<Border> {
+        match self.color {
+            Some(color) => Ok(color),
             None => self.too_few(section, pname, 4),
         }
     }
@@ -236,6 +243,54 @@ impl Values {
             section,
             format!("params has {} of {needed} values of {}", self.plain.len(), enum_name(pname)),
         )
+    }
+}
+
+/// What a query of a parameter reads.
+#[derive(Clone, Debug)]
+pub(crate) enum Answer {
+    Numbers(Vec<f32>),
+    /// Colours go to integers by rules of their own.
+    Color(Border),
+}
+
+impl Answer {
+    pub fn floats(&self) -> Vec<GLfloat> {
+        match self {
+            Self::Numbers(numbers) => numbers.clone(),
+            Self::Color(border) => border.floats().to_vec(),
+        }
+    }
+
+    /// As integers; of a colour, the whole `i32` range stands for [-1, 1] (GL 2.1, section 6.1.2).
+    pub fn fixed(&self) -> Vec<GLint> {
+        match self {
+            Self::Numbers(_) => self.signed(),
+            Self::Color(border) => border.floats().map(unit_to_signed).to_vec(),
+        }
+    }
+
+    /// As the `I` calls read it: a colour of integers is what it is.
+    pub fn signed(&self) -> Vec<GLint> {
+        match self {
+            Self::Numbers(numbers) => numbers.iter().map(|n| n.round() as GLint).collect(),
+            Self::Color(Border::Uint(color)) => color.map(|c| c as GLint).to_vec(),
+            Self::Color(border) => {
+                let held = |c: i64| c.clamp(GLint::MIN.into(), GLint::MAX.into()) as GLint;
+                border.integers().map(held).to_vec()
+            }
+        }
+    }
+
+    /// As [`Answer::signed`].
+    pub fn unsigned(&self) -> Vec<GLuint> {
+        match self {
+            Self::Numbers(numbers) => numbers.iter().map(|n| n.round() as GLuint).collect(),
+            Self::Color(Border::Sint(color)) => color.map(|c| c as GLuint).to_vec(),
+            Self::Color(border) => {
+                border.integers().map(|c| c.clamp(0, GLuint::MAX.into()) as GLuint).to_vec()
+            }
+        }
     }
 }
 

@@ -183,12 +183,6 @@ pub(crate) fn kinds_match(pixel: Pixel, stored: Format) -> Result<()> {
             "format GL_DEPTH_COMPONENT and a depth internalformat go together, and not with colours",
         );
     }
-    if (pixel.format == ClientFormat::DepthStencil) && !stored.has_stencil() {
-        return invalid_operation(
-            SECTION,
-            "format GL_DEPTH_STENCIL needs an internalformat with stencil",
-        );
-    }
     if (pixel.numbers == Numbers::Integer) != stored.is_integer() {
         return invalid_operation(
             "EXT_texture_integer, section 3.8.1",

@@ -1,5 +1,6 @@
 //! Pixel transfer: what is done to every pixel on its way in and out: scale and bias, and the
-//! look-up tables of [`super::pixel_map`] (GL 2.1, sections 3.6.3 and 3.6.5).
+//! look-up tables of [`super::pixel_map`], and the shift and offset of indices (GL 2.1, sections
+//! 3.6.3 and 3.6.5).
 
 use super::client::Numbers;
 use super::pixel_map::{Map, Maps};
@@ -58,39 +59,53 @@ impl Default for Transfer {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Kind {
     Color,
+    /// Indices of colours, as R.
+    ColorIndex,
+    /// Depths as R, stencils beside them as G.
     Depth,
+    /// Stencils, as R.
+    Stencil,
 }
 
 impl Transfer {
-    /// What is done to R, G, B, A of pixels of this kind, or to depth as R and stencil as G.
-    /// Integers pass as they are (`EXT_texture_integer`).
+    /// What is done to pixels of this kind. Integers pass as they are (`EXT_texture_integer`).
     pub fn of(&self, kind: Kind, numbers: Numbers) -> Steps<'_> {
         let [r, g, b, a, depth] = self.linear;
-        match (numbers, kind) {
-            (Numbers::Integer, _) => Steps::IDENTITY,
-            (Numbers::Fixed | Numbers::SignedNormalized, Kind::Color) => Steps {
+        let moves = self.index_shift != 0 || self.index_offset != 0 || self.map_stencil;
+        let stencil = |at| if moves { Index::Stencil(at, self) } else { Index::None };
+        let same = Linear::IDENTITY;
+        match (kind, numbers) {
+            (Kind::Color | Kind::Depth, Numbers::Integer) => Steps::IDENTITY,
+            (Kind::Color, Numbers::Fixed | Numbers::SignedNormalized) => Steps {
                 linear: [r, g, b, a],
                 colors: self.map_color.then(|| self.maps.colors()),
-                stencil: None,
+                index: Index::None,
             },
-            (Numbers::Fixed | Numbers::SignedNormalized, Kind::Depth) => {
-                let moves = self.index_shift != 0 || self.index_offset != 0;
-                let stencil = (moves || self.map_stencil).then_some(self);
-                let same = Linear::IDENTITY;
-                Steps { linear: [depth, same, same, same], colors: None, stencil }
+            (Kind::Depth, Numbers::Fixed | Numbers::SignedNormalized) => {
+                Steps { linear: [depth, same, same, same], colors: None, index: stencil(1) }
             }
+            // Their colours come from the maps, behind the steps of colours (figure 3.7).
+            (Kind::ColorIndex, _) => Steps { index: Index::Color(self), ..Steps::IDENTITY },
+            (Kind::Stencil, _) => Steps { index: stencil(0), ..Steps::IDENTITY },
         }
     }
 
-    /// A stencil index shifted, offset and looked up (GL 2.1, section 3.6.3).
-    fn stencil(&self, index: f64) -> f64 {
-        let index = index as i64;
+    /// An index shifted and offset (GL 2.1, section 3.6.5).
+    fn index(&self, index: f64) -> i64 {
+        let index = index.floor() as i64;
         let shifted = match self.index_shift {
             shift @ 0.. => index.checked_shl(shift as u32).unwrap_or(0),
             shift => index.checked_shr(shift.unsigned_abs()).unwrap_or(0),
         };
-        let moved = shifted + i64::from(self.index_offset);
-        if self.map_stencil { self.maps.stencil().at_index(moved).into() } else { moved as f64 }
+        shifted.wrapping_add(self.index_offset.into())
+    }
+
+    /// A stencil shifted, offset and looked up, of which the bits count that a buffer has.
+    fn stencil(&self, index: f64) -> f64 {
+        let moved = self.index(index);
+        let looked_up =
+            if self.map_stencil { self.maps.stencil().at_index(moved) as i64 } else { moved };
+        (looked_up & 0xFF) as f64
     }
 }
 
@@ -100,18 +115,28 @@ pub(crate) struct Steps<'a> {
     linear: [Linear; 4],
     /// The tables of R, G, B, A.
     colors: Option<[&'a Map; 4]>,
-    /// The state, where G is a stencil that changes.
-    stencil: Option<&'a Transfer>,
+    index: Index<'a>,
+}
+
+/// What becomes of an index.
+#[derive(Clone, Copy, Debug)]
+enum Index<'a> {
+    /// There is none, or it stays.
+    None,
+    /// A colour.
+    Color(&'a Transfer),
+    /// Another stencil, in this component.
+    Stencil(usize, &'a Transfer),
 }
 
 impl Steps<'_> {
-    const IDENTITY: Self = Self { linear: [Linear::IDENTITY; 4], colors: None, stencil: None };
+    const IDENTITY: Self = Self { linear: [Linear::IDENTITY; 4], colors: None, index: Index::None };
 
     /// Whether pixels pass as they are.
     pub fn is_identity(&self) -> bool {
         self.linear.iter().all(|&linear| linear == Linear::IDENTITY)
             && self.colors.is_none()
-            && self.stencil.is_none()
+            && matches!(self.index, Index::None)
     }
 
     /// Scales, biases and looks up R, G, B, A.
@@ -121,8 +146,13 @@ impl Steps<'_> {
         if let Some(maps) = &self.colors {
             out = [0, 1, 2, 3].map(|i| maps[i].at_fraction(out[i]).into());
         }
-        if let Some(transfer) = self.stencil {
-            out[1] = transfer.stencil(out[1]);
+        match self.index {
+            Index::None => {}
+            Index::Color(transfer) => {
+                let index = transfer.index(rgba[0]);
+                out = transfer.maps.of_indices().map(|map| map.at_index(index).into());
+            }
+            Index::Stencil(at, transfer) => out[at] = transfer.stencil(out[at]),
         }
         out
     }

@@ -99,10 +99,14 @@ fn combined(units: &[Unit], at: usize, primary: [f64; 4], previous: [f64; 4]) ->
             GL_SUBTRACT => argument(0, i) - argument(1, i),
             _ => dot(),
         };
-        (value * f64::from(combiner.scale)).clamp(0.0, 1.0)
+        // EXT_texture_env_dot3 leaves the scale out, ARB_texture_env_dot3 does not.
+        let is_scaled = ![GL_DOT3_RGB_EXT, GL_DOT3_RGBA_EXT].contains(&combiner.function);
+        let scale = if is_scaled { f64::from(combiner.scale) } else { 1.0 };
+        (value * scale).clamp(0.0, 1.0)
     };
     let [rgb, alpha] = &unit.combiners;
-    let alpha = if rgb.function == GL_DOT3_RGBA { value(rgb, 0) } else { value(alpha, 3) };
+    let is_alpha = [GL_DOT3_RGBA, GL_DOT3_RGBA_EXT].contains(&rgb.function);
+    let alpha = if is_alpha { value(rgb, 0) } else { value(alpha, 3) };
     [value(rgb, 0), value(rgb, 1), value(rgb, 2), alpha]
 }
 
@@ -122,6 +126,8 @@ fn random_unit(random: &mut Random) -> (Unit, Vec<u8>, GLenum) {
         GL_SUBTRACT,
         GL_DOT3_RGB,
         GL_DOT3_RGBA,
+        GL_DOT3_RGB_EXT,
+        GL_DOT3_RGBA_EXT,
     ];
     let sources = [
         GL_TEXTURE,

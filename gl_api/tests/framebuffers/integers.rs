@@ -37,6 +37,9 @@ fn shaders_write_unsigned_integers() {
         use_fragment(&mut c, FRAGMENT);
         c.enable(GL_BLEND);
         c.blend_func(GL_ONE, GL_ONE);
+        // Integers have no alpha to test.
+        c.enable(GL_ALPHA_TEST);
+        c.alpha_func(GL_NEVER, 0.0);
         for _ in 0..2 {
             rectangle(&mut c, [-1.0, -1.0, 1.0, 1.0], 0.0);
         }

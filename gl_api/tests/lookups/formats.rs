@@ -94,6 +94,20 @@ fn signed_fractions() {
     }
 }
 
+/// Formats that do not serve any texture are there, but not listed (GL 2.1, section 6.1.3).
+#[test]
+fn the_list_of_compressed_formats_is_for_any_texture() {
+    let _current = context();
+    let mut count = 0;
+    glGetIntegerv(GL_NUM_COMPRESSED_TEXTURE_FORMATS, &mut count);
+    let mut formats = vec![0; count as usize];
+    glGetIntegerv(GL_COMPRESSED_TEXTURE_FORMATS, &mut formats[..]);
+    let has = |format: GLenum| formats.contains(&(format as i32));
+    assert!(has(GL_COMPRESSED_RGBA_S3TC_DXT5_EXT) && has(GL_COMPRESSED_RED_RGTC1));
+    assert!(!has(GL_COMPRESSED_SRGB_S3TC_DXT1_EXT) && !has(GL_COMPRESSED_LUMINANCE_ALPHA_3DC_ATI));
+    assert_eq!(glGetError(), GL_NO_ERROR);
+}
+
 #[test]
 fn blocks_of_luminance() {
     let _current = context();

@@ -2,9 +2,11 @@
 //! texel that it must find, in textures whose texels say where they are. And what lookups find in
 //! textures of every format, made in every way, and at the ends of every range.
 
+mod borders;
 mod extremes;
 mod formats;
 mod functions;
+mod indices;
 mod limits;
 mod mipmaps;
 mod shadows;

@@ -65,6 +65,7 @@ pub fn check(commands: &[Command]) -> Result<(), SubmitError> {
             | Command::BindTextures { .. }
             | Command::SetUniforms(_)
             | Command::SetScissor(_)
+            | Command::Watch(_)
             | Command::SetCounter(_) => {}
         }
     }

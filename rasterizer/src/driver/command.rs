@@ -5,6 +5,7 @@ use super::counter::Counter;
 use super::image::PassDesc;
 use super::pipeline::Pipeline;
 use super::raster::RasterState;
+use super::watch::Watch;
 use std::sync::Arc;
 use texunit::plan::SamplePlan;
 
@@ -156,6 +157,8 @@ pub enum Command {
     SetViewport(Viewport),
     /// The scissor rectangle; `None` lets every pixel of the attachments through.
     SetScissor(Option<Rect>),
+    /// Records what all of the pass does to a pixel; the draws and clears to come carry its label.
+    Watch(Watch),
     /// What counts the samples of the draws to come.
     SetCounter(Option<Counter>),
     /// Draws vertices `first .. first + count` for each instance.

@@ -3,6 +3,7 @@
 
 mod buffer;
 mod check;
+mod chunk;
 mod command;
 mod counter;
 mod device;
@@ -12,6 +13,7 @@ mod pass;
 mod pipeline;
 mod raster;
 mod submit;
+mod watch;
 
 pub use crate::output::texel_words;
 pub use crate::target::MAX_SAMPLES;
@@ -30,3 +32,4 @@ pub use raster::{
     MultisampleState, PointSize, PointState, PolygonMode, PolygonOffset, PolygonState, RasterState,
     Rim, SampleCoverage, SampleRule, SpriteOrigin,
 };
+pub use watch::Watch;

@@ -24,6 +24,7 @@ pub fn run(device: &Device, commands: &[Command]) -> SubmitReport {
             | Command::SetRaster(_)
             | Command::SetViewport(_)
             | Command::SetScissor(_)
+            | Command::Watch(_)
             | Command::SetCounter(_)
             | Command::Draw { .. }
             | Command::DrawIndexed { .. } => {

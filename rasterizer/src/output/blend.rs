@@ -78,6 +78,28 @@ pub fn blend(
     out
 }
 
+/// What source and destination are multiplied by, and the blended colour, of one fragment: by the
+/// same functions, for a trace.
+pub fn factors(
+    state: &Blend,
+    source: [f32; 4],
+    destination: [f32; 4],
+    range: Range,
+) -> [[f32; 4]; 3] {
+    let (source, destination) = (source.map(F32s::splat), destination.map(F32s::splat));
+    let constant = state.constant.map(|c| range.map_or(c, |[low, high]| math::clamp(c, low, high)));
+    let by = |factors: [BlendFactor; 2]| {
+        std::array::from_fn(|channel| {
+            let (source, destination, mut out) = (&source, &destination, F32s::ZERO);
+            let colors = Colors { source, destination, constant, channel };
+            colors.factor(factors[usize::from(channel == 3)], &mut out);
+            out[0]
+        })
+    };
+    let blended = blend(state, &source, &destination, range);
+    [by(state.src), by(state.dst), blended.map(|channel| channel[0])]
+}
+
 /// What the factors of a channel are made of.
 struct Colors<'a> {
     source: &'a [F32s; 4],

@@ -1,6 +1,6 @@
 //! The depth test (GL 2.1, section 4.1.6), on the words that the attachment holds.
 
-use super::mask::{expand_mask, pack_mask};
+use super::mask::expand_mask;
 use crate::driver::DepthWrite;
 use texunit::format::Format;
 use texunit::lanes::{F32s, Kernel, LANES, Simd, U32s};
@@ -50,6 +50,15 @@ impl DepthFormat {
             Self::D16 => Some(1.0 / 65536.0),
             Self::D24 => Some(1.0 / 16_777_216.0),
             Self::D32F => None,
+        }
+    }
+
+    /// The depth that a word stands for.
+    pub fn depth(self, word: u32) -> f32 {
+        match self {
+            Self::D16 => (f64::from(word) / LARGEST_16) as f32,
+            Self::D24 => (f64::from(word) / LARGEST_24) as f32,
+            Self::D32F => f32::from_bits(word),
         }
     }
 
@@ -118,7 +127,7 @@ impl Kernel for DepthTest<'_> {
                 stored[lane] = (new[lane] & pass[lane]) | (stored[lane] & !pass[lane]);
             }
         }
-        pack_mask(&pass)
+        S::nonzero(&pass)
     }
 }
 

@@ -2,7 +2,7 @@
 
 use texunit::format::convert::{self, word_of};
 use texunit::format::{BaseFormat, Encoding, Format};
-use texunit::lanes::{F32s, Isa, Kernel, LANES, Simd, U32s, math};
+use texunit::lanes::{Baseline, F32s, Isa, Kernel, LANES, Simd, U32s, math};
 
 /// `[0, 1]` to 0 … `largest`, rounded to nearest; NaN gives 0 (GL 2.1, section 2.14.9).
 #[inline(always)]
@@ -64,4 +64,20 @@ pub fn texel_words(format: Format, color: [f32; 4]) -> [u32; 4] {
         }
     }
     Isa::best().run(Encode(format, color)).map(|words| words[0])
+}
+
+/// The words of a texel as the colour that blending sees; integers as numbers.
+pub fn texel_color(format: Format, words: [u32; 4]) -> [f32; 4] {
+    if !format.is_integer() {
+        return decode_color::<Baseline>(format, &words.map(U32s::splat)).map(|c| c[0]);
+    }
+    let info = format.info();
+    let mut rgba = [0.0, 0.0, 0.0, 1.0];
+    for (field, &source) in info.fields.iter().zip(format.base().sources()) {
+        let (up, down) = (32 - field.bits - field.shift, 32 - field.bits);
+        let top = words[field.word] << up;
+        let is_signed = info.encoding == Encoding::Sint;
+        rgba[source] = if is_signed { (top as i32 >> down) as f32 } else { (top >> down) as f32 };
+    }
+    rgba
 }

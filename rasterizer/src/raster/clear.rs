@@ -30,6 +30,8 @@ pub struct ClearJob {
     pub all: WordMask,
     /// First and one past the last pixel, within the pass, x then y.
     pub area: [[i32; 2]; 2],
+    /// What a watch calls it.
+    pub label: u32,
 }
 
 /// Clears a tile's part of an attachment.

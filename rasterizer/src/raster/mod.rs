@@ -11,9 +11,13 @@ mod coverage;
 mod group;
 mod interpolate;
 mod samples;
+mod shading;
+mod small;
 mod tile;
+mod watched;
 
 pub use clear::{ClearJob, ClearTarget};
 pub use interpolate::{PlaneSource, depth_offset};
 pub use samples::Samples;
 pub use tile::{Chunk, DrawJob, Entry, PassJob, TileJob, Worker};
+pub use watched::{Formats, Spot};

@@ -6,7 +6,6 @@
 //! that of the plane at each sample; each sample is tested and written by itself.
 
 use crate::driver::{AlphaToCoverage, AlphaToOne, MultisampleState, SampleCoverage, SampleRule};
-use crate::output::pack_mask;
 use crate::primitive::SUBPIXEL;
 use crate::target::MAX_SAMPLES;
 use texunit::lanes::{F32s, Isa, Kernel, LANES, Simd, U32s};
@@ -155,7 +154,7 @@ impl Kernel for AtLeast<'_> {
         for lane in 0..LANES {
             kept[lane] = u32::from(self.alpha[lane] >= self.least);
         }
-        pack_mask(&kept)
+        S::nonzero(&kept)
     }
 }
 

@@ -6,7 +6,8 @@
 
 use super::inst::{Inst, Reg, Role};
 use super::lower::{Kind, Lowered};
-use crate::ir::Op;
+use crate::ir::{Op, Ty};
+use crate::trace::Expression;
 use texunit::lanes::{LANES, Simd, U32s};
 
 /// The most operands of a fused instruction.
@@ -138,6 +139,27 @@ fused! {
     MulMax = Max(Mul(a, b), c);
     /// The larger of `a + b` and `c`.
     AddMax = Max(Add(a, b), c);
+}
+
+impl Fused {
+    /// The tree, with what `operand` makes of its operands.
+    pub fn expression(self, operand: &impl Fn(usize, Ty) -> Expression) -> Expression {
+        let tree = Self::ALL.iter().find(|(fused, _)| *fused == self);
+        tree.map_or_else(|| operand(0, Ty::F32), |(_, tree)| tree.expression(Ty::F32, operand))
+    }
+}
+
+impl Tree {
+    fn expression(&self, ty: Ty, operand: &impl Fn(usize, Ty) -> Expression) -> Expression {
+        match self {
+            Self::Operand(at) => operand(*at, ty),
+            Self::Node(op, trees) => {
+                let args = trees.iter().zip(op.args());
+                let args = args.map(|(tree, &ty)| tree.expression(ty, operand));
+                Expression::Apply(*op, args.collect())
+            }
+        }
+    }
 }
 
 /// Replaces trees of operations by fused instructions. The code is over virtual registers, each

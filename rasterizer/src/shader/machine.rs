@@ -4,7 +4,11 @@
 //! every operation's loop inlined. An operation writes a scratch register that is then swapped
 //! with the destination (two pointers), so that no output ever aliases an input.
 
-use super::inst::{Inst, Reg, SampleInst, SampleLod, Test};
+mod trace;
+
+pub use trace::Tracer;
+
+use super::inst::{Inst, Reg, SampleInst, SampleLod, Slot, Target, Test};
 use super::mask::{Extent, Mask, blend};
 use super::preamble::uniform_at;
 use super::{OverBudget, Prepared, Program, Run};
@@ -57,11 +61,24 @@ impl Machine {
         &mut self.registers[self.inputs + index]
     }
 
+    /// What the input `index` was filled with; the program may have overwritten it after a run.
+    pub fn input(&self, index: usize) -> &U32s {
+        &self.registers[self.inputs + index]
+    }
+
     /// Runs the program once over the active lanes; gives the lanes that were not discarded.
     ///
     /// # Errors
     /// When the budget is used up.
     pub fn run(&mut self, run: Run<'_>) -> Result<u64, OverBudget> {
+        let left = self.start(&run)?;
+        let code = &run.program.code;
+        run.isa.run(Interpreter { machine: self, run, code, pc: 0, left })?;
+        Ok(run.active & !self.discarded.bits())
+    }
+
+    /// Fills the registers that are the same in all lanes; gives what is left of the budget.
+    fn start(&mut self, run: &Run<'_>) -> Result<u64, OverBudget> {
         self.begin(run.program);
         if self.prepared != run.prepared.id {
             for (reg, word) in self.registers.iter_mut().zip(&run.program.layout.splats) {
@@ -74,9 +91,7 @@ impl Machine {
             self.exec.whole(run.active);
             self.start.clone_from(&self.exec.lanes);
         }
-        let left = run.budget.checked_sub(run.program.code.len() as u64).ok_or(OverBudget)?;
-        run.isa.run(Interpreter { machine: self, run, left })?;
-        Ok(run.active & !self.discarded.bits())
+        run.budget.checked_sub(run.program.code.len() as u64).ok_or(OverBudget)
     }
 
     /// The register of the program's output `index`, after a run. Inactive lanes hold any bits.
@@ -161,13 +176,7 @@ impl Machine {
         match plan.filter(|plan| plan.incomplete().is_none()) {
             Some(plan) => {
                 let reg = |reg: Reg| self.registers[reg.0 as usize].as_f32();
-                let lod = match sample.lod {
-                    SampleLod::Implicit { bias } => Lod::Implicit { bias: bias.map(reg) },
-                    SampleLod::Explicit(lod) => Lod::Explicit(reg(lod)),
-                    SampleLod::Gradient { dx, dy, bias } => {
-                        Lod::Gradient { dx: dx.map(reg), dy: dy.map(reg), bias: bias.map(reg) }
-                    }
-                };
+                let lod = lod(&self.registers, sample);
                 let coords = sample.coords.map(reg);
                 let reference = sample.reference.map(reg);
                 let out = &mut *self.sampled;
@@ -217,6 +226,22 @@ impl Machine {
         }
     }
 
+    /// The next turn of a loop that ends at `pc`, or what comes after it.
+    #[inline(always)]
+    fn again(
+        &mut self,
+        head: Target,
+        exit: Slot,
+        pc: usize,
+        left: &mut u64,
+    ) -> Result<usize, OverBudget> {
+        if self.exec.is_empty() {
+            self.exec.take(&mut self.slots[exit.0 as usize], &self.start);
+            return Ok(pc);
+        }
+        back(head, pc, left)
+    }
+
     #[inline(always)]
     fn uniform_at(&mut self, prepared: &Prepared, out: Reg, base: u32, len: u32, index: Reg) {
         let index = &self.registers[index.0 as usize];
@@ -227,21 +252,35 @@ impl Machine {
     }
 }
 
+/// Where the level of detail of a sample comes from.
+#[inline(always)]
+fn lod<'a>(registers: &'a [Box<U32s>], sample: &SampleInst) -> Lod<'a> {
+    let reg = |reg: Reg| registers[reg.0 as usize].as_f32();
+    match sample.lod {
+        SampleLod::Implicit { bias } => Lod::Implicit { bias: bias.map(reg) },
+        SampleLod::Explicit(lod) => Lod::Explicit(reg(lod)),
+        SampleLod::Gradient { dx, dy, bias } => {
+            Lod::Gradient { dx: dx.map(reg), dy: dy.map(reg), bias: bias.map(reg) }
+        }
+    }
+}
+
+/// Runs from an instruction to the end of the code; gives where the program goes on.
 struct Interpreter<'a> {
     machine: &'a mut Machine,
     run: Run<'a>,
+    code: &'a [Inst],
+    pc: usize,
     /// How many instructions may still run.
     left: u64,
 }
 
 impl Kernel for Interpreter<'_> {
-    type Output = Result<(), OverBudget>;
+    type Output = Result<usize, OverBudget>;
 
     #[inline(always)]
-    fn run<S: Simd>(self) -> Result<(), OverBudget> {
-        let Self { machine: m, run, mut left } = self;
-        let code = &run.program.code[..];
-        let mut pc = 0;
+    fn run<S: Simd>(self) -> Result<usize, OverBudget> {
+        let Self { machine: m, run, code, mut pc, mut left } = self;
         while let Some(inst) = code.get(pc) {
             pc += 1;
             match *inst {
@@ -282,10 +321,7 @@ impl Kernel for Interpreter<'_> {
                     }
                 }
                 Inst::Jump { to } => pc = to.0 as usize,
-                Inst::Repeat { head } => {
-                    left = left.checked_sub((pc - head.0 as usize) as u64).ok_or(OverBudget)?;
-                    pc = head.0 as usize;
-                }
+                Inst::Repeat { head } => pc = back(head, pc, &mut left)?,
                 Inst::If { condition, slot, reject } => {
                     let rest = &mut m.slots[slot.0 as usize];
                     m.exec.split(&m.registers[condition.0 as usize], rest);
@@ -314,16 +350,17 @@ impl Kernel for Interpreter<'_> {
                         pc = to.0 as usize;
                     }
                 }
-                Inst::Again { head, exit } => {
-                    if m.exec.is_empty() {
-                        m.exec.take(&mut m.slots[exit.0 as usize], &m.start);
-                    } else {
-                        left = left.checked_sub((pc - head.0 as usize) as u64).ok_or(OverBudget)?;
-                        pc = head.0 as usize;
-                    }
-                }
+                Inst::Again { head, exit } => pc = m.again(head, exit, pc, &mut left)?,
             }
         }
-        Ok(())
+        Ok(pc)
     }
+}
+
+/// The head of a loop that ends at `pc`, its turn taken off the budget.
+#[inline(always)]
+fn back(head: Target, pc: usize, left: &mut u64) -> Result<usize, OverBudget> {
+    let head = head.0 as usize;
+    *left = left.checked_sub((pc - head) as u64).ok_or(OverBudget)?;
+    Ok(head)
 }

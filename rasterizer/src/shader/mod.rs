@@ -26,7 +26,7 @@ mod optimize;
 mod owned;
 mod preamble;
 
-pub use machine::Machine;
+pub use machine::{Machine, Tracer};
 
 use crate::ir::{Input, Module, Output};
 use allocate::Layout;

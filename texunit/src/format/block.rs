@@ -3,13 +3,17 @@
 //!
 //! Texels stay compressed; a fetch decodes the one it needs. Every decoded value is a fraction of
 //! small integers, so it is computed as such and divided once: the nearest `f32` to the
-//! specification's formula. sRGB blocks are decoded first and made linear afterwards, by tables
+//! specification's formula ([`quotient`]). sRGB blocks are decoded first and made linear afterwards, by tables
 //! over all fractions that there are.
 
 mod encode;
 mod interpolated;
+mod quotient;
 
 pub use encode::encode;
+pub(crate) use interpolated::{Ends, decode as interpolated};
+
+use quotient::{quotient, reciprocal};
 
 use super::{Encoding, Format, srgb};
 use crate::lanes::{F32s, LANES, Simd, U32s};
@@ -48,7 +52,7 @@ impl Block {
     /// How a channel is written, and the first word of its part of the block.
     #[inline(always)]
     const fn part(self, channel: usize) -> (Part, usize) {
-        use interpolated::Ends::{Signed, Unsigned};
+        use Ends::{Signed, Unsigned};
         match (self, channel) {
             (Self::Dxt1, 3) => (Part::Punched, 0),
             (Self::Dxt1, _) => (Part::Color(CHANNELS[channel], Palette::ByOrder), 0),
@@ -73,12 +77,12 @@ enum Part {
     /// 4 bits a texel.
     Explicit,
     /// On the line between two bytes.
-    Interpolated(interpolated::Ends),
+    Interpolated(Ends),
 }
 
 /// Which codes the two bits of a texel stand for.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Palette {
+pub(crate) enum Palette {
     /// Four where the first colour is the larger number, else three and black.
     ByOrder,
     /// Four.
@@ -87,16 +91,31 @@ enum Palette {
 
 /// A channel of the 16 bits of a colour.
 #[derive(Clone, Copy)]
-struct ColorChannel {
+pub(crate) struct ColorChannel {
     shift: u32,
     largest: u32,
 }
 
-const CHANNELS: [ColorChannel; 3] = [
+pub(crate) const CHANNELS: [ColorChannel; 3] = [
     ColorChannel { shift: 11, largest: 31 },
     ColorChannel { shift: 5, largest: 63 },
     ColorChannel { shift: 0, largest: 31 },
 ];
+
+impl ColorChannel {
+    /// From sixths of the largest to a number.
+    #[inline(always)]
+    pub fn fraction(self, sixths: u32) -> f32 {
+        const FIVE: [f32; 2] = reciprocal(SIXTHS * 31);
+        const SIX: [f32; 2] = reciprocal(SIXTHS * 63);
+        quotient(sixths as i32 as f32, if self.largest == 31 { FIVE } else { SIX })
+    }
+
+    /// Linear light of sixths of the largest, in a table.
+    pub fn linear(self) -> &'static [f32] {
+        if self.largest == 31 { &LINEAR_5 } else { &LINEAR_6 }
+    }
+}
 
 /// What the fractions of a colour are counted in: sixths serve halves and thirds.
 const SIXTHS: u32 = 6;
@@ -119,32 +138,37 @@ const fn linear_table<const N: usize>() -> [f32; N] {
 const FOUR: [u32; 2] = [0x2406, 0x4260];
 const THREE: [u32; 2] = [0x0306, 0x0360];
 
-/// A texel's colour channel in sixths of its largest. `ends` are the two colours, `codes` the 16
-/// pairs of bits.
+/// The weights of the two colours in a texel, in sixths. `ends` are the colours, `codes` the 16 pairs
+/// of bits.
 #[inline(always)]
-fn color_sixths(ends: u32, codes: u32, at: u32, of: ColorChannel, palette: Palette) -> u32 {
-    let (first, second) = (ends & 0xFFFF, ends >> 16);
-    let four = (first > second) | (palette == Palette::Four);
+pub(crate) fn color_weights(ends: u32, codes: u32, at: u32, palette: Palette) -> [u32; 2] {
+    let four = (ends & 0xFFFF > ends >> 16) | (palette == Palette::Four);
     let digit = 4 * (codes >> (2 * at) & 3);
-    let [a, b] = [
+    [
         (if four { FOUR[0] } else { THREE[0] }) >> digit & 15,
         (if four { FOUR[1] } else { THREE[1] }) >> digit & 15,
-    ];
-    a * (first >> of.shift & of.largest) + b * (second >> of.shift & of.largest)
+    ]
+}
+
+/// A texel's colour channel in sixths of its largest.
+#[inline(always)]
+pub(crate) fn color_sixths(ends: u32, [a, b]: [u32; 2], of: ColorChannel) -> u32 {
+    a * (ends >> of.shift & of.largest) + b * (ends >> 16 >> of.shift & of.largest)
 }
 
 /// 0 at the transparent black, else 1.
 #[inline(always)]
-fn punched(ends: u32, codes: u32, at: u32) -> f32 {
+pub(crate) fn punched(ends: u32, codes: u32, at: u32) -> f32 {
     let three = ends & 0xFFFF <= ends >> 16;
     if three & (codes >> (2 * at) & 3 == 3) { 0.0 } else { 1.0 }
 }
 
 /// The 4 bits of a texel, over 15.
 #[inline(always)]
-fn explicit(low: u32, high: u32, at: u32) -> f32 {
+pub(crate) fn explicit(low: u32, high: u32, at: u32) -> f32 {
+    const WHOLE: [f32; 2] = reciprocal(15);
     let word = if at < 8 { low } else { high };
-    (word >> (4 * (at & 7)) & 15) as i32 as f32 / 15.0
+    quotient((word >> (4 * (at & 7)) & 15) as i32 as f32, WHOLE)
 }
 
 /// One stored channel of 64 texels. `words` are the block's, `within` is the texel in it: its
@@ -164,15 +188,14 @@ pub fn decode_channel<S: Simd>(
         Part::Color(of, palette) => {
             let mut sixths = U32s::ZERO;
             for lane in 0..LANES {
-                sixths[lane] = color_sixths(low[lane], high[lane], within[lane] & 15, of, palette);
+                let weights = color_weights(low[lane], high[lane], within[lane] & 15, palette);
+                sixths[lane] = color_sixths(low[lane], weights, of);
             }
             if is_srgb_block(format) {
-                let five = of.largest == 31;
-                return S::gather_f32(if five { &LINEAR_5 } else { &LINEAR_6 }, &sixths);
+                return S::gather_f32(of.linear(), &sixths);
             }
-            let whole = (SIXTHS * of.largest) as i32 as f32;
             for lane in 0..LANES {
-                out[lane] = sixths[lane] as i32 as f32 / whole;
+                out[lane] = of.fraction(sixths[lane]);
             }
         }
         Part::Punched => {
@@ -187,7 +210,7 @@ pub fn decode_channel<S: Simd>(
         }
         Part::Interpolated(ends) => {
             for lane in 0..LANES {
-                out[lane] = interpolated::decode(low[lane], high[lane], within[lane] & 15, ends);
+                out[lane] = interpolated(low[lane], high[lane], within[lane] & 15, ends);
             }
         }
     }
@@ -195,7 +218,7 @@ pub fn decode_channel<S: Simd>(
 }
 
 #[inline(always)]
-const fn is_srgb_block(format: Format) -> bool {
+pub(crate) const fn is_srgb_block(format: Format) -> bool {
     matches!(format.info().encoding, Encoding::SrgbBlock(_))
 }
 
@@ -222,16 +245,16 @@ pub(crate) fn decode_channels(format: Format, words: [u32; 4], within: u32) -> [
         let (low, high) = (words[first], words[first + 1]);
         *out = match part {
             Part::Color(of, palette) => {
-                let sixths = color_sixths(low, high, at, of, palette);
-                match (is_srgb_block(format), of.largest) {
-                    (false, largest) => sixths as f32 / (SIXTHS * largest) as f32,
-                    (true, 31) => LINEAR_5[sixths as usize],
-                    (true, _) => LINEAR_6[sixths as usize],
+                let sixths = color_sixths(low, color_weights(low, high, at, palette), of);
+                if is_srgb_block(format) {
+                    of.linear()[sixths as usize]
+                } else {
+                    of.fraction(sixths)
                 }
             }
             Part::Punched => punched(low, high, at),
             Part::Explicit => explicit(low, high, at),
-            Part::Interpolated(ends) => interpolated::decode(low, high, at, ends),
+            Part::Interpolated(ends) => interpolated(low, high, at, ends),
         };
     }
     out

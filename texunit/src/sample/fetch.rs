@@ -2,16 +2,23 @@
 
 use super::compare;
 use super::filter::Place;
+use super::record::Recorder;
 use super::wrap::Indices;
 use crate::format::{Encoding, Field, convert};
 use crate::image::Level;
 use crate::lanes::{F32s, I32s, LANES, Simd, U32s};
+use crate::trace::{SampleStep, TexelSource};
 
 /// One texel in each lane. Only the stored channels of `out` are written.
 #[inline(always)]
-pub fn texels<S: Simd>(place: &Place<'_>, [x, y, z]: [&Indices; 3], out: &mut [F32s; 4]) {
+pub fn texels<S: Simd>(
+    place: &Place<'_>,
+    [x, y, z]: [&Indices; 3],
+    out: &mut [F32s; 4],
+    recorder: &mut impl Recorder,
+) {
     stored::<S>(place.level, [&x.index, &y.index, &z.index], out);
-    finish(place, [x, y, z], out);
+    finish(place, [x, y, z], out, recorder);
 }
 
 /// The channels of stored texels; those of integer formats are their bits.
@@ -47,6 +54,7 @@ pub fn row<S: Simd>(
     y: &Indices,
     z: &Indices,
     [left, right]: [&mut [F32s; 4]; 2],
+    recorder: &mut impl Recorder,
 ) {
     let level = place.level;
     let bytes = level.format.bytes() as u32;
@@ -59,8 +67,8 @@ pub fn row<S: Simd>(
     let [first, second] = neighbours::<S>(level, &offsets);
     convert::decode_lanes::<S>(level.format, &[first], left);
     convert::decode_lanes::<S>(level.format, &[second], right);
-    finish(place, [&xs[0], y, z], left);
-    finish(place, [&xs[1], y, z], right);
+    finish(place, [&xs[0], y, z], left, recorder);
+    finish(place, [&xs[1], y, z], right, recorder);
 }
 
 /// Whether texel `i` and the next lie side by side in the row in every lane.
@@ -95,7 +103,12 @@ pub fn neighbours<S: Simd>(level: &Level, offsets: &U32s) -> [U32s; 2] {
 
 /// The border colour where an index lies outside, then the comparison.
 #[inline(always)]
-fn finish(place: &Place<'_>, [x, y, z]: [&Indices; 3], texels: &mut [F32s; 4]) {
+fn finish(
+    place: &Place<'_>,
+    [x, y, z]: [&Indices; 3],
+    texels: &mut [F32s; 4],
+    recorder: &mut impl Recorder,
+) {
     let texture = place.texture;
     if texture.reaches_border(place.filter) {
         for (texels, border) in texels.iter_mut().zip(texture.border) {
@@ -105,6 +118,20 @@ fn finish(place: &Place<'_>, [x, y, z]: [&Indices; 3], texels: &mut [F32s; 4]) {
             }
         }
     }
+    recorder.note(|lane| SampleStep::Texel {
+        face: place.face as u32,
+        at: [x.index[lane], y.index[lane], z.index[lane]],
+        source: match x.outside[lane] | y.outside[lane] | z.outside[lane] {
+            0 => TexelSource::Stored,
+            _ => TexelSource::Border,
+        },
+        value: texels.each_ref().map(|channel| channel[lane]),
+        compare: texture.compare.map(|op| {
+            let (reference, mut passes) = (place.reference, texels[0]);
+            compare::compare(op, reference, &mut passes);
+            (op, reference[lane], passes[lane])
+        }),
+    });
     if let Some(op) = texture.compare {
         compare::compare(op, place.reference, &mut texels[0]);
     }

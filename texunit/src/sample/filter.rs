@@ -3,12 +3,14 @@
 //! The mean is linear interpolations, first along s, then along t, then along r, each
 //! `a + (b - a) · α` in this order: two equal texels give exactly themselves.
 
+use super::record::Recorder;
 use super::wrap::{Axis, Indices, enclosing};
 use super::{fetch, plain, seamless};
 use crate::image::{Level, Shape};
 use crate::lanes::{F32s, LANES, Simd, U32s};
 use crate::plan::{Texture, Way};
 use crate::sampler::{Filter, Seamless};
+use crate::trace::SampleStep;
 
 /// A level, and all that is the same for each of its texels.
 #[derive(Clone, Copy)]
@@ -42,22 +44,36 @@ impl Place<'_> {
 
 /// Samples one level in all 64 lanes. Only the stored channels of `out` are written.
 #[inline(always)]
-pub fn sample_level<S: Simd>(place: &Place<'_>, at: [&F32s; 3], out: &mut [F32s; 4]) {
+pub fn sample_level<S: Simd>(
+    place: &Place<'_>,
+    at: [&F32s; 3],
+    out: &mut [F32s; 4],
+    recorder: &mut impl Recorder,
+) {
     let done = match (place.texture.way, place.filter) {
         (Way::Plain(class), Filter::Nearest) => plain::nearest::<S>(place, class, at, out),
         (Way::Plain(class), Filter::Linear) => plain::linear::<S>(place, class, at, out),
+        (Way::Blocks(block), Filter::Linear) => plain::blocks::linear::<S>(place, block, at, out),
+        // A fetch of one texel is short in any case.
+        (Way::Blocks(_), Filter::Nearest) => false,
         (Way::General, Filter::Nearest | Filter::Linear) => false,
     };
     match place.filter {
         _ if done => {}
-        Filter::Nearest => nearest::<S>(place, at, out),
-        Filter::Linear => linear::<S>(place, at, out),
+        Filter::Nearest => nearest::<S>(place, at, out, recorder),
+        Filter::Linear => linear::<S>(place, at, out, recorder),
     }
 }
 
 #[inline(always)]
-fn nearest<S: Simd>(place: &Place<'_>, at: [&F32s; 3], out: &mut [F32s; 4]) {
+fn nearest<S: Simd>(
+    place: &Place<'_>,
+    at: [&F32s; 3],
+    out: &mut [F32s; 4],
+    recorder: &mut impl Recorder,
+) {
     let axes = place.texture.shape.axes();
+    recorder.note(|lane| SampleStep::Nearest { u: texel_coordinates::<S>(place, at, lane) });
     let axis = place.axis(0);
     let x = axis.nearest(&axis.texel_coordinate::<S>(at[0]));
     let mut y = Indices { index: U32s::ZERO, outside: U32s::ZERO };
@@ -70,11 +86,24 @@ fn nearest<S: Simd>(place: &Place<'_>, at: [&F32s; 3], out: &mut [F32s; 4]) {
         let axis = place.axis(2);
         z = axis.nearest(&axis.texel_coordinate::<S>(at[2]));
     }
-    fetch::texels::<S>(place, [&x, &y, &z], out);
+    fetch::texels::<S>(place, [&x, &y, &z], out, recorder);
+}
+
+/// `u, v, w` of a lane, for a trace.
+#[inline(always)]
+fn texel_coordinates<S: Simd>(place: &Place<'_>, at: [&F32s; 3], lane: usize) -> [f32; 3] {
+    let axes = place.texture.shape.axes();
+    let along = |axis: usize| place.axis(axis).texel_coordinate::<S>(at[axis])[lane];
+    std::array::from_fn(|axis| if axis < axes { along(axis) } else { 0.0 })
 }
 
 #[inline(always)]
-fn linear<S: Simd>(place: &Place<'_>, at: [&F32s; 3], out: &mut [F32s; 4]) {
+fn linear<S: Simd>(
+    place: &Place<'_>,
+    at: [&F32s; 3],
+    out: &mut [F32s; 4],
+    recorder: &mut impl Recorder,
+) {
     let axes = place.texture.shape.axes();
     let axis = place.axis(0);
     let (i, alpha) = enclosing(&axis.texel_coordinate::<S>(at[0]));
@@ -90,7 +119,12 @@ fn linear<S: Simd>(place: &Place<'_>, at: [&F32s; 3], out: &mut [F32s; 4]) {
         let crosses = place.texture.seamless == Seamless::On
             && !(close && fetch::side_by_side::<S>(&j, axis.size));
         if crosses {
-            return seamless::linear::<S>(place, [&i, &j], [&alpha, &beta], out);
+            recorder.note(|lane| SampleStep::Linear {
+                u: texel_coordinates::<S>(place, at, lane),
+                weights: [alpha[lane], beta[lane], 0.0],
+                axes,
+            });
+            return seamless::linear::<S>(place, [&i, &j], [&alpha, &beta], out, recorder);
         }
         ys = axis.pair(&j);
     }
@@ -100,6 +134,11 @@ fn linear<S: Simd>(place: &Place<'_>, at: [&F32s; 3], out: &mut [F32s; 4]) {
         (k, gamma) = enclosing(&axis.texel_coordinate::<S>(at[2]));
         zs = axis.pair(&k);
     }
+    recorder.note(|lane| SampleStep::Linear {
+        u: texel_coordinates::<S>(place, at, lane),
+        weights: [alpha[lane], beta[lane], gamma[lane]],
+        axes,
+    });
     let slices = if axes > 2 { 2 } else { 1 };
     let mut corners = [[F32s::ZERO; 4]; 4];
     for (slice, z) in zs.iter().enumerate().take(slices) {
@@ -107,10 +146,10 @@ fn linear<S: Simd>(place: &Place<'_>, at: [&F32s; 3], out: &mut [F32s; 4]) {
             let y = &ys[row];
             let [left, right] = &mut corners[2 * row..2 * row + 2] else { continue };
             if close && place.level.format.words() == 1 && place.level.format.block().is_none() {
-                fetch::row::<S>(place, &xs, y, z, [left, right]);
+                fetch::row::<S>(place, &xs, y, z, [left, right], recorder);
             } else {
-                fetch::texels::<S>(place, [&xs[0], y, z], left);
-                fetch::texels::<S>(place, [&xs[1], y, z], right);
+                fetch::texels::<S>(place, [&xs[0], y, z], left, recorder);
+                fetch::texels::<S>(place, [&xs[1], y, z], right, recorder);
             }
         }
         for (channel, out) in out.iter_mut().enumerate().take(place.texture.format.channels()) {

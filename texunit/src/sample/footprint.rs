@@ -14,8 +14,10 @@
 //! nothing jumps where `N` changes. The probes weigh the same, as the area integral asks. Each is a
 //! sample of its own, of the levels that λ tells; on a cube, of the face that it comes to lie on.
 
+use super::record::Recorder;
 use crate::lanes::math::{clamp, max};
 use crate::lanes::{F32s, LANES, Simd, U32s, log2_of_root};
+use crate::trace::SampleStep;
 
 /// Derivatives of the coordinates of each axis.
 #[derive(Clone, Copy)]
@@ -58,21 +60,40 @@ fn metric(d: &Derivatives<'_>, axes: usize, scale: [f32; 3]) -> Metric {
 
 /// λ of one probe for the whole footprint. `scale` is texels per unit of each coordinate.
 #[inline(always)]
-pub fn isotropic(d: &Derivatives<'_>, axes: usize, scale: [f32; 3]) -> F32s {
+pub fn isotropic(
+    d: &Derivatives<'_>,
+    axes: usize,
+    scale: [f32; 3],
+    recorder: &mut impl Recorder,
+) -> F32s {
     let mut lambda = F32s::ZERO;
     if axes == 2 {
         for lane in 0..LANES {
-            let (dudx, dvdx) = (d.dx[0][lane] * scale[0], d.dx[1][lane] * scale[1]);
-            let (dudy, dvdy) = (d.dy[0][lane] * scale[0], d.dy[1][lane] * scale[1]);
-            lambda[lane] = log2_of_root(max(dudx * dudx + dvdx * dvdx, dudy * dudy + dvdy * dvdy));
+            lambda[lane] = log2_of_root(rho_squared(d, scale, lane));
         }
+        recorder.note(|lane| SampleStep::Isotropic {
+            rho_squared: rho_squared(d, scale, lane),
+            lambda: lambda[lane],
+        });
         return lambda;
     }
     let metric = metric(d, axes, scale);
     for lane in 0..LANES {
         lambda[lane] = log2_of_root(max(metric.xx[lane], metric.yy[lane]));
     }
+    recorder.note(|lane| SampleStep::Isotropic {
+        rho_squared: max(metric.xx[lane], metric.yy[lane]),
+        lambda: lambda[lane],
+    });
     lambda
+}
+
+/// ρ² of two axes.
+#[inline(always)]
+fn rho_squared(d: &Derivatives<'_>, scale: [f32; 3], lane: usize) -> f32 {
+    let (dudx, dvdx) = (d.dx[0][lane] * scale[0], d.dx[1][lane] * scale[1]);
+    let (dudy, dvdy) = (d.dy[0][lane] * scale[0], d.dy[1][lane] * scale[1]);
+    max(dudx * dudx + dvdx * dvdx, dudy * dudy + dvdy * dvdy)
 }
 
 /// λ of each probe, and the probes, if any lane has more than one.
@@ -82,6 +103,7 @@ pub fn anisotropic<S: Simd>(
     axes: usize,
     scale: [f32; 3],
     most: f32,
+    recorder: &mut impl Recorder,
 ) -> (F32s, Option<Probes>) {
     let Metric { xx, xy, yy } = metric(d, axes, scale);
     // The squares of σ₁ and σ₂, and of the width that each probe is filtered for.
@@ -138,6 +160,17 @@ pub fn anisotropic<S: Simd>(
     for lane in 0..LANES {
         lambda[lane] = log2_of_root(width[lane]);
     }
+    recorder.note(|lane| {
+        let of = |probes: &Probes| (probes.count[lane] as u32, probes.step.map(|step| step[lane]));
+        let (probes, step) = probes.as_ref().map_or((1, [0.0; 3]), of);
+        SampleStep::Anisotropic {
+            major_squared: major[lane],
+            minor_squared: minor[lane],
+            probes,
+            step,
+            lambda: lambda[lane],
+        }
+    });
     (lambda, probes)
 }
 

@@ -14,6 +14,7 @@ mod footprint;
 pub(crate) mod lod;
 pub(crate) mod plain;
 pub(crate) mod query;
+mod record;
 mod seamless;
 mod taps;
 pub(crate) mod texel;
@@ -23,11 +24,14 @@ use crate::image::Shape;
 use crate::lanes::math::clamp;
 use crate::lanes::{F32s, Kernel, LANES, Simd, U32s};
 use crate::plan::{Lod, Texture};
+use crate::trace::SampleStep;
 use footprint::Probes;
+use record::Recorder;
+pub(crate) use record::{Lane, Off};
 use taps::Taps;
 
 /// One call: 64 samples of a complete texture.
-pub(crate) struct Sample<'a> {
+pub(crate) struct Sample<'a, R> {
     pub texture: &'a Texture,
     pub coords: [&'a F32s; 3],
     pub reference: Option<&'a F32s>,
@@ -35,22 +39,23 @@ pub(crate) struct Sample<'a> {
     pub offset: [i32; 3],
     pub lod: Lod<'a>,
     pub out: &'a mut [F32s; 4],
+    pub recorder: &'a mut R,
 }
 
-impl Kernel for Sample<'_> {
+impl<R: Recorder> Kernel for Sample<'_, R> {
     type Output = ();
 
     #[inline(always)]
     fn run<S: Simd>(self) {
-        let Self { texture, coords, reference, offset, lod, out } = self;
+        let Self { texture, coords, reference, offset, lod, out, recorder } = self;
         let reference = match texture.compare {
             Some(_) => unit_range(reference.unwrap_or(coords[2])),
             None => F32s::ZERO,
         };
-        let at = Coordinates::new(texture, coords);
-        let (taps, probes) = taps::taps::<S>(texture, &at, lod);
+        let at = Coordinates::new(texture, coords, recorder);
+        let (taps, probes) = taps::taps::<S>(texture, &at, lod, recorder);
         let samples = Samples { texture, offset, reference: &reference };
-        sample_probes::<S>(&samples, &at, &taps, probes.as_ref(), out);
+        sample_probes::<S>(&samples, &at, &taps, probes.as_ref(), out, recorder);
         expand::expand(texture.format, texture.depth_mode, out);
         expand::swizzle(texture.format, texture.swizzle, out);
     }
@@ -70,7 +75,7 @@ pub(crate) struct Coordinates<'a> {
 
 impl<'a> Coordinates<'a> {
     #[inline(always)]
-    fn new(texture: &Texture, given: [&'a F32s; 3]) -> Self {
+    fn new(texture: &Texture, given: [&'a F32s; 3], recorder: &mut impl Recorder) -> Self {
         let mut at = Self { given, face: U32s::ZERO, layer: U32s::ZERO, st: None };
         match texture.shape {
             Shape::D1 | Shape::D2 | Shape::Rect | Shape::D3 => {}
@@ -78,9 +83,16 @@ impl<'a> Coordinates<'a> {
             Shape::D2Array => at.layer = wrap::layer(given[2], texture.size[2]),
             Shape::Cube => {
                 let projected = cube::project(given);
+                recorder.note(|lane| SampleStep::Face {
+                    face: projected.face[lane],
+                    st: projected.st.map(|coord| coord[lane]),
+                });
                 at.face = projected.face;
                 at.st = Some(projected.st);
             }
+        }
+        if texture.is_array() {
+            recorder.note(|lane| SampleStep::Layer(at.layer[lane]));
         }
         at
     }
@@ -120,6 +132,7 @@ fn sample_probes<S: Simd>(
     taps: &Taps,
     probes: Option<&Probes>,
     out: &mut [F32s; 4],
+    recorder: &mut impl Recorder,
 ) {
     let most = match probes {
         Some(probes) => probes.most,
@@ -146,8 +159,17 @@ fn sample_probes<S: Simd>(
             }
             there = [&to[0], &to[1], &to[2]];
         }
+        if let Some(probes) = probes {
+            recorder.only(|lane| (probe as f32) < probes.count[lane]);
+            recorder.note(|lane| SampleStep::Probe {
+                number: probe,
+                of: probes.count[lane] as u32,
+                at: there.map(|coord| coord[lane]),
+            });
+        }
         let target = if probe == 0 { &mut *out } else { one.get_or_insert([F32s::ZERO; 4]) };
-        sample_taps::<S>(samples, there, &at.layer, read, target);
+        let asks = |lane: usize| probes.is_none_or(|probes| (probe as f32) < probes.count[lane]);
+        sample_taps::<S>(samples, there, &at.layer, read, asks, target, recorder);
         let (Some(probes), Some(one)) = (probes, &one) else { continue };
         let share = 1.0 / (probe + 1) as f32;
         for channel in 0..samples.texture.format.channels() {
@@ -158,6 +180,7 @@ fn sample_probes<S: Simd>(
                 out[channel][lane] = if counts { mean } else { before };
             }
         }
+        recorder.note(|lane| SampleStep::Mean(out.each_ref().map(|channel| channel[lane])));
     }
 }
 
@@ -177,7 +200,9 @@ fn sample_taps<S: Simd>(
     at: [&F32s; 3],
     layer: &U32s,
     taps: &Taps,
+    asks: impl Fn(usize) -> bool,
     out: &mut [F32s; 4],
+    recorder: &mut impl Recorder,
 ) {
     let channels = samples.texture.format.channels();
     let mut second = None;
@@ -188,7 +213,8 @@ fn sample_taps<S: Simd>(
             Taps::Pair { keys, .. } if key == keys[1] => second.get_or_insert([F32s::ZERO; 4]),
             Taps::Same(_) | Taps::Pair { .. } | Taps::Mixed { .. } => &mut *out,
         };
-        sample_key::<S>(samples, key, at, layer, target);
+        recorder.only(|lane| asks(lane) && taps.of_lane(lane).contains(&key));
+        sample_key::<S>(samples, key, at, layer, target, recorder);
         if let Taps::Mixed { keys, .. } = taps {
             let [first, second] = kept.get_or_insert([[F32s::ZERO; 4]; 2]);
             keep::<S>(&keys[0], key, channels, out, first);
@@ -210,6 +236,9 @@ fn sample_taps<S: Simd>(
         }
         (Taps::Same(_) | Taps::Pair { .. } | Taps::Mixed { .. }, _, _) => {}
     }
+    recorder.only(|lane| asks(lane) && taps.of_lane(lane)[0] != taps.of_lane(lane)[1]);
+    recorder.note(|lane| SampleStep::Mixed(out.each_ref().map(|channel| channel[lane])));
+    recorder.only(asks);
 }
 
 /// Takes the values of the lanes that asked for this key.
@@ -238,6 +267,7 @@ fn sample_key<S: Simd>(
     at: [&F32s; 3],
     layer: &U32s,
     out: &mut [F32s; 4],
+    recorder: &mut impl Recorder,
 ) {
     let Samples { texture, offset, reference } = *samples;
     let (filter, face, number) = taps::parts(key);
@@ -249,7 +279,14 @@ fn sample_key<S: Simd>(
         Some([s, t, r]) => [s, t, r],
         None => at,
     };
-    filter::sample_level::<S>(&place, at, out);
+    recorder.note(|_| SampleStep::Level {
+        face: face as u32,
+        level: number as u32,
+        size: level.size(),
+        filter,
+    });
+    filter::sample_level::<S>(&place, at, out, recorder);
+    recorder.note(|lane| SampleStep::Filtered(out.each_ref().map(|channel| channel[lane])));
 }
 
 /// The coordinates with an offset in texels of this level.

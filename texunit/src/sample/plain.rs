@@ -1,9 +1,10 @@
-//! The short way for most textures: two-dimensional, of bytes, sRGB bytes, halves or floats, where
-//! neither the border nor another face is reached and nothing is compared.
+//! The short way for most textures: two-dimensional, of bytes, sRGB bytes, halves, floats or blocks,
+//! where neither the border nor another face is reached and nothing is compared.
 //!
 //! Gives the bits of the general way in `filter` (a test holds this), in fewer passes: whole
 //! offsets in one loop, the two texels of a row in one gather, channels from words in registers.
 
+pub mod blocks;
 mod channels;
 #[cfg(test)]
 mod tests;
@@ -58,21 +59,13 @@ pub fn linear<S: Simd>(
     at: [&F32s; 3],
     out: &mut [F32s; 4],
 ) -> bool {
-    let (s, t) = (place.axis(0), place.axis(1));
-    let (i, alpha) = enclosing(&s.texel_coordinate::<S>(at[0]));
-    let (j, beta) = enclosing(&t.texel_coordinate::<S>(at[1]));
-    let inside = [side_by_side::<S>(&i, s.size), side_by_side::<S>(&j, t.size)];
-    let seamless = place.texture.seamless == Seamless::On;
-    for (axis, inside) in [&s, &t].into_iter().zip(inside) {
-        if !inside && (seamless || axis.wrap.reaches_border(Filter::Linear)) {
-            return false;
-        }
-    }
+    let Some(reach) = reach::<S>(place, at) else { return false };
+    let Reach { axes: [s, t], first: [i, j], weights: [alpha, beta], inside } = &reach;
     let level = place.level;
-    let xs = ends(&s, &i, inside[0], level.format.bytes() as u32, level.origin() as u32);
-    let ys = ends(&t, &j, inside[1], level.row_bytes() as u32, 0);
+    let xs = ends(s, i, inside[0], level.format.bytes() as u32, level.origin() as u32);
+    let ys = ends(t, j, inside[1], level.row_bytes() as u32, 0);
     let offsets = [sum(&xs[0], &ys[0]), sum(&xs[0], &ys[1])];
-    let weights = [&alpha, &beta];
+    let weights = [alpha, beta];
     let (words, channels) = (level.format.words(), level.format.channels());
     if words == 1 && inside[0] {
         let [a, b] = neighbours::<S>(level, &offsets[0]);
@@ -101,6 +94,34 @@ pub fn linear<S: Simd>(
         of_square::<S>(class, channels, word, [&a, &b, &c, &d], weights, out);
     }
     true
+}
+
+/// The squares of texels that lanes take means of.
+struct Reach {
+    /// Of s and t.
+    axes: [Axis; 2],
+    /// Column and row of the lower left texel; -1 is beyond the edge.
+    first: [I32s; 2],
+    /// Of the right and of the upper texels.
+    weights: [F32s; 2],
+    /// Whether both columns, both rows, are the level's in every lane.
+    inside: [bool; 2],
+}
+
+/// Finds the squares; `None` where the border or another face is reached.
+#[inline(always)]
+fn reach<S: Simd>(place: &Place<'_>, at: [&F32s; 3]) -> Option<Reach> {
+    let axes = [place.axis(0), place.axis(1)];
+    let (i, alpha) = enclosing(&axes[0].texel_coordinate::<S>(at[0]));
+    let (j, beta) = enclosing(&axes[1].texel_coordinate::<S>(at[1]));
+    let inside = [side_by_side::<S>(&i, axes[0].size), side_by_side::<S>(&j, axes[1].size)];
+    let seamless = place.texture.seamless == Seamless::On;
+    for (axis, inside) in axes.iter().zip(inside) {
+        if !inside && (seamless || axis.wrap.reaches_border(Filter::Linear)) {
+            return None;
+        }
+    }
+    Some(Reach { axes, first: [i, j], weights: [alpha, beta], inside })
 }
 
 /// The byte offsets of the lower and the upper texel along one axis, `stride` bytes apart.

@@ -3,6 +3,7 @@
 
 use super::Coordinates;
 use super::lod::LodRange;
+use super::record::Off;
 use super::taps::base_lambda;
 use crate::lanes::{F32s, Kernel, LANES, Simd};
 use crate::plan::{Detail, Lod, Texture};
@@ -24,7 +25,7 @@ impl Kernel for Query<'_> {
     #[inline(always)]
     fn run<S: Simd>(self) {
         let Self { texture, coords, lod, out } = self;
-        let at = Coordinates::new(texture, coords);
+        let at = Coordinates::new(texture, coords, &mut Off);
         let (range, most) = match &texture.detail {
             Detail::PerLane { range, probes, .. } => (*range, *probes),
             // Only the bias counts.
@@ -40,7 +41,7 @@ impl Kernel for Query<'_> {
                 1,
             ),
         };
-        let (base, _, bias) = base_lambda::<S>(texture, &at, lod, most);
+        let (base, _, bias) = base_lambda::<S>(texture, &at, lod, most, &mut Off);
         let free = LodRange { min: f32::NEG_INFINITY, max: f32::INFINITY, ..range };
         out[1] = free.lambda(&base, bias);
         let lambda = range.lambda(&base, bias);

@@ -4,9 +4,11 @@
 //! there is none: the mean of the other three stands for it.
 
 use super::filter::{Place, mean};
+use super::record::{Off, Recorder};
 use super::wrap::Indices;
 use super::{cube, fetch};
 use crate::lanes::{F32s, I32s, LANES, Simd, U32s};
+use crate::trace::{SampleStep, TexelSource};
 
 /// The mean of 2×2 texels, of which `i` and `j` (-1 to the size - 1) are the lower indices.
 #[inline(always)]
@@ -15,6 +17,7 @@ pub fn linear<S: Simd>(
     [i, j]: [&I32s; 2],
     [alpha, beta]: [&F32s; 2],
     out: &mut [F32s; 4],
+    recorder: &mut impl Recorder,
 ) {
     let mut corners = [[F32s::ZERO; 4]; 4];
     let mut missing = [U32s::ZERO; 4];
@@ -23,6 +26,16 @@ pub fn linear<S: Simd>(
         let found = cube::beyond(place.face as u32, i, j, step, place.level.width as i32);
         missing[corner] = found.missing;
         texels::<S>(place, &found, &mut corners[corner]);
+        recorder.note(|lane| SampleStep::Texel {
+            face: found.face[lane],
+            at: [found.x[lane], found.y[lane], 0],
+            source: match found.missing[lane] {
+                0 => TexelSource::Stored,
+                _ => TexelSource::Corner,
+            },
+            value: corners[corner].each_ref().map(|channel| channel[lane]),
+            compare: None,
+        });
     }
     for (channel, out) in out.iter_mut().enumerate().take(place.texture.format.channels()) {
         for corner in 0..4 {
@@ -59,7 +72,8 @@ fn texels<S: Simd>(place: &Place<'_>, found: &cube::Beyond, out: &mut [F32s; 4])
             y.index[lane] += level.border[1];
         }
         let mut there = [F32s::ZERO; 4];
-        fetch::texels::<S>(&place, [&x, &y, &place.slice()], &mut there);
+        let texels = [&x, &y, &place.slice()];
+        fetch::texels::<S>(&place, texels, &mut there, &mut Off);
         for (out, there) in out.iter_mut().zip(&there) {
             for lane in 0..LANES {
                 out[lane] = if found.face[lane] == face as u32 { there[lane] } else { out[lane] };

@@ -2,11 +2,13 @@
 
 use super::footprint::{self, Derivatives, Probes};
 use super::lod::{across, upward};
+use super::record::Recorder;
 use super::{Coordinates, cube};
 use crate::image::Shape;
 use crate::lanes::{F32s, LANES, Simd, U32s};
 use crate::plan::{Detail, Lod, Texture};
 use crate::sampler::Filter;
+use crate::trace::SampleStep;
 
 /// What the lanes of a batch read.
 #[derive(Clone, Copy)]
@@ -41,6 +43,18 @@ impl Taps {
         }
     }
 
+    /// The keys that a lane reads; twice the same where it reads one.
+    #[inline(always)]
+    pub fn of_lane(&self, lane: usize) -> [u32; 2] {
+        match self {
+            Self::Same(key) => [*key; 2],
+            Self::Pair { keys, weight } => {
+                [keys[0], if weight[lane] > 0.0 { keys[1] } else { keys[0] }]
+            }
+            Self::Mixed { keys, .. } => [keys[0][lane], keys[1][lane]],
+        }
+    }
+
     /// The same levels of other faces.
     #[inline(always)]
     pub fn on_faces(&self, face: &U32s) -> Self {
@@ -48,13 +62,7 @@ impl Taps {
         let mut keys = [U32s::ZERO; 2];
         let mut weight = F32s::ZERO;
         for lane in 0..LANES {
-            let [first, second] = match self {
-                Self::Same(key) => [*key; 2],
-                Self::Pair { keys, weight } => {
-                    [keys[0], if weight[lane] > 0.0 { keys[1] } else { keys[0] }]
-                }
-                Self::Mixed { keys, .. } => [keys[0][lane], keys[1][lane]],
-            };
+            let [first, second] = self.of_lane(lane);
             keys[0][lane] = first & level | face[lane] << FACE;
             keys[1][lane] = second & level | face[lane] << FACE;
             weight[lane] = match self {
@@ -91,13 +99,42 @@ pub fn parts(key: u32) -> (Filter, usize, usize) {
 
 /// What each lane reads, and its probes.
 #[inline(always)]
-pub fn taps<S: Simd>(texture: &Texture, at: &Coordinates, lod: Lod<'_>) -> (Taps, Option<Probes>) {
-    let Detail::PerLane { min, mag, range, probes: most } = &texture.detail else {
-        return (fixed::<S>(texture, at), None);
+pub fn taps<S: Simd>(
+    texture: &Texture,
+    at: &Coordinates,
+    lod: Lod<'_>,
+    recorder: &mut impl Recorder,
+) -> (Taps, Option<Probes>) {
+    let (min, mag, range, most) = match &texture.detail {
+        Detail::PerLane { min, mag, range, probes } => (min, mag, range, probes),
+        Detail::Fixed { filter, level, why, .. } => {
+            recorder.note(|_| SampleStep::Fixed { filter: *filter, level: *level, why });
+            return (fixed::<S>(texture, at), None);
+        }
     };
-    let (base, probes, bias) = base_lambda::<S>(texture, at, lod, *most);
+    let (base, probes, bias) = base_lambda::<S>(texture, at, lod, *most, recorder);
     let lambda = range.lambda(&base, bias);
     let (levels, weight) = range.levels(&lambda);
+    recorder.note(|lane| SampleStep::Lambda {
+        base: base[lane],
+        bias: range.bias,
+        shader_bias: bias.map_or(0.0, |bias| bias[lane]),
+        range: [range.min, range.max],
+        lambda: lambda[lane],
+    });
+    recorder.note(|lane| {
+        let minified = lambda[lane] > range.magnified_to;
+        let (first, weight) = (levels[0][lane], weight[lane]);
+        SampleStep::Levels {
+            magnified_to: range.magnified_to,
+            filter: if minified { *min } else { *mag },
+            levels: match minified {
+                true => [first, if weight > 0.0 { levels[1][lane] } else { first }],
+                false => [0; 2],
+            },
+            weight: if minified { weight } else { 0.0 },
+        }
+    });
     if texture.shape != Shape::Cube && min == mag {
         // Up to λ = 0 the level is 0 in any case.
         if let Some(taps) = alike::<S>(key(*min, 0, 0), &levels, &weight) {
@@ -128,9 +165,13 @@ pub fn base_lambda<'a, S: Simd>(
     at: &Coordinates<'_>,
     lod: Lod<'a>,
     most: u32,
+    recorder: &mut impl Recorder,
 ) -> (F32s, Option<Probes>, Option<&'a F32s>) {
     match lod {
-        Lod::Explicit(lambda) => (*lambda, None, None),
+        Lod::Explicit(lambda) => {
+            recorder.note(|lane| SampleStep::Explicit(lambda[lane]));
+            (*lambda, None, None)
+        }
         Lod::Implicit { bias } | Lod::Gradient { bias, .. } => {
             let axes = texture.shape.axes();
             let differences;
@@ -152,10 +193,16 @@ pub fn base_lambda<'a, S: Simd>(
                 let [[dsdx, dtdx], [dsdy, dtdy]] = &on_face;
                 d = Derivatives { dx: [dsdx, dtdx, dtdx], dy: [dsdy, dtdy, dtdy] };
             }
+            recorder.note(|lane| {
+                let of = |d: [&F32s; 3]| {
+                    std::array::from_fn(|axis| if axis < axes { d[axis][lane] } else { 0.0 })
+                };
+                SampleStep::Derivatives { dx: of(d.dx), dy: of(d.dy), scale: texture.scale }
+            });
             let (base, probes) = if most > 1 {
-                footprint::anisotropic::<S>(&d, axes, texture.scale, most as f32)
+                footprint::anisotropic::<S>(&d, axes, texture.scale, most as f32, recorder)
             } else {
-                (footprint::isotropic(&d, axes, texture.scale), None)
+                (footprint::isotropic(&d, axes, texture.scale, recorder), None)
             };
             (base, probes, bias)
         }

@@ -27,7 +27,7 @@ fn nan_counts_as_zero_and_infinity_as_the_end_of_the_range() {
                 min: filter,
                 mag: filter,
                 mipmap: Mipmap::None,
-                border: [0.25, 0.5, 0.75, 1.0],
+                border: [0.25, 0.5, 0.75, 1.0].into(),
                 ..Sampler::default()
             };
             let plan = SamplePlan::new(&image, &sampler);
@@ -161,7 +161,7 @@ fn border_colours_and_float_texels_keep_what_is_outside_zero_to_one() {
         min: Filter::Nearest,
         mag: Filter::Nearest,
         mipmap: Mipmap::None,
-        border: [-2.0, 7.5, 0.0, 1e9],
+        border: [-2.0, 7.5, 0.0, 1e9].into(),
         ..Sampler::default()
     };
     let plan = SamplePlan::new(&image, &sampler);

@@ -9,3 +9,4 @@ mod instruction_sets;
 mod oracle;
 mod plans;
 mod scene;
+mod traces;

@@ -267,14 +267,14 @@ impl Oracle<'_> {
 
     /// A texel, or the border colour where there is none.
     fn texel(&self, level: &Level, at: [i32; 3]) -> [f64; 4] {
-        let border = self.sampler.border.map(f64::from);
+        let border = self.sampler.border.floats().map(f64::from);
         if !level.format.is_depth() {
             return match level.color_at(at) {
                 Some(color) => color.map(f64::from),
                 None => {
                     let mut stored = [0.0; 4];
                     for (to, &from) in stored.iter_mut().zip(level.format.base().sources()) {
-                        *to = self.sampler.border[from];
+                        *to = self.sampler.border.floats()[from];
                     }
                     texunit::format::convert::expand(level.format.base(), stored).map(f64::from)
                 }

@@ -143,7 +143,7 @@ pub fn samplers() -> impl Strategy<Value = Sampler> {
                 max_lod,
                 base_level,
                 max_level: base_level + above,
-                border,
+                border: border.into(),
                 compare,
                 depth_mode,
                 max_anisotropy,

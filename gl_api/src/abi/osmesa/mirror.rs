@@ -4,7 +4,7 @@ use crate::abi::memory::ClientPointer;
 use crate::constants::*;
 use crate::context::Context;
 use crate::state::pixel_store::PixelStore;
-use crate::texture::client::Pixel;
+use crate::texture::client::{LuminanceOf, Pixel};
 use crate::texture::convert;
 use crate::texture::layout::{Extent, Layout};
 use crate::texture::transfer::Transfer;
@@ -57,7 +57,7 @@ impl Mirror {
                 Up::NotY => height - 1 - y,
             };
             let Some(out) = memory.get_mut(at * step..at * step + row.needed) else { return };
-            convert::pack(&row, level.format, &Transfer::default(), from, out);
+            convert::pack(&row, level.format, &Transfer::default(), LuminanceOf::Sum, from, out);
             if self.pixels.alpha_first {
                 let alpha = pixel.bytes() / 4;
                 out.chunks_exact_mut(pixel.bytes()).for_each(|pixel| pixel.rotate_right(alpha));
@@ -82,7 +82,7 @@ impl Mirror {
             };
             let from = &level.texels[y * level.row_bytes()..][..used];
             let bytes = bytemuck::cast_slice_mut(out);
-            convert::pack(&row, level.format, &Transfer::default(), from, bytes);
+            convert::pack(&row, level.format, &Transfer::default(), LuminanceOf::Sum, from, bytes);
             out.iter_mut().for_each(|depth| *depth >>= 32 - bits);
         }
         Some(depths)

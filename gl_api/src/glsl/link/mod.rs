@@ -73,6 +73,7 @@ fn build(shaders: &[&Shader], bindings: &Bindings, log: &mut Log) -> Option<Prog
     };
     let (outputs, inputs) = (vertex.as_ref(), fragment.as_ref());
     varyings::varyings(outputs, inputs, &mut in_vertex, &mut in_fragment, log);
+    let varyings = varyings::slots(inputs, &in_fragment);
     let color_interpolation = varyings::colors(outputs, inputs, log);
     let targets = match &fragment {
         Some(fragment) => numbered::targets(fragment, bindings, &mut in_fragment, log),
@@ -105,7 +106,7 @@ fn build(shaders: &[&Shader], bindings: &Bindings, log: &mut Log) -> Option<Prog
                 *words = lowered.words;
                 let slots = lowered.samplers.into_iter();
                 let stage = stage.stage;
-                let active: BTreeSet<u32> = slots.clone().map(|(_, word)| word).collect();
+                let active: BTreeSet<u32> = slots.clone().map(|(_, word, _)| word).collect();
                 if active.len() > usize::from(MAX_TEXTURE_IMAGE_UNITS) {
                     let message = format!(
                         "the {} shader uses {} samplers; a stage has {MAX_TEXTURE_IMAGE_UNITS} \
@@ -115,10 +116,11 @@ fn build(shaders: &[&Shader], bindings: &Bindings, log: &mut Log) -> Option<Prog
                     );
                     log.push(Diagnostic::link_error(message).rule("GL 2.1 section 2.15.3"));
                 }
-                samplers.extend(slots.map(|(slot, word)| SamplerSlot {
+                samplers.extend(slots.map(|(slot, word, result)| SamplerSlot {
                     stage,
                     slot: slot.0,
                     word,
+                    result,
                 }));
                 Some(lowered.module)
             }
@@ -139,6 +141,7 @@ fn build(shaders: &[&Shader], bindings: &Bindings, log: &mut Log) -> Option<Prog
         uniforms: uniforms.list,
         builtin_uniforms,
         outputs: targets,
+        varyings,
         samplers,
         color_interpolation,
         state: words.state,

@@ -72,6 +72,19 @@ pub fn varyings(
     }
 }
 
+/// The slots of the varyings that the fragment stage reads: first, how many, name.
+pub fn slots(fragment: Option<&StageUnits<'_>>, locations: &Locations) -> Vec<(u16, u16, String)> {
+    let inputs = fragment.iter().flat_map(|stage| stage.with(|s| matches!(s, Storage::Input(_))));
+    inputs
+        .filter_map(|input| match locations.get(&input.name) {
+            Some(Binding::Varying(Some(first))) => {
+                Some((*first, varying_slots(&input.ty.flat()), input.name.to_string()))
+            }
+            _ => None,
+        })
+        .collect()
+}
+
 /// The words about its passing that two declarations of a varying differ in.
 fn mismatch(output: &Variable, input: &Variable) -> Option<(&'static str, &'static str)> {
     if let (Storage::Output(a), Storage::Input(b)) = (output.storage, input.storage)

@@ -4,6 +4,7 @@ use super::call::{returns_early, without_last_return};
 use super::outputs::Copy;
 use super::place::Slot;
 use super::{Failure, Lowered, Lowerer, Words, functions};
+use crate::glsl::ComparisonResult;
 use crate::glsl::hir::{Function, Storage, Unit, Variable};
 use rasterizer::ir::{Input, Interpolation, Module, Op, Output, Stage, Texture, Ty, Value};
 use std::collections::{BTreeMap, BTreeSet};
@@ -35,7 +36,7 @@ pub struct LoweredStage {
     /// The module.
     pub module: Module,
     /// Each texture slot and the word that holds its unit.
-    pub samplers: Vec<(Texture, u32)>,
+    pub samplers: Vec<(Texture, u32, ComparisonResult)>,
     /// The words, with the state that this stage reads.
     pub words: Words,
 }

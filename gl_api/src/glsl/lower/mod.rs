@@ -13,6 +13,7 @@ mod texture;
 use super::builtins::state::StateArray;
 use super::hir::{Expr, Function, Unit, VarRef, Variable};
 use super::limits::{MAX_INLINED_DEPTH, MAX_VALUES};
+use crate::glsl::ComparisonResult;
 use crate::interface::{StateBinding, StateVar};
 use emit::Emit;
 pub use interface::{Binding, lower_stage, named_globals, varying_slots};
@@ -111,9 +112,9 @@ struct Lowerer<'a> {
     /// How many loops are open.
     loops: u32,
     words: Words,
-    textures: BTreeMap<(u32, [u8; 3]), Texture>,
-    /// The slots and the words that hold their units.
-    samplers: Vec<(Texture, u32)>,
+    textures: BTreeMap<(u32, [u8; 3], ComparisonResult), Texture>,
+    /// The slots, the words that hold their units, and what comes of comparisons.
+    samplers: Vec<(Texture, u32, ComparisonResult)>,
 }
 
 impl<'a> Lowerer<'a> {

@@ -2,11 +2,11 @@
 
 use super::place::{Place, Slot};
 use super::{Failure, Lowered, Lowerer, texture_key};
-use crate::glsl::Scalar;
 use crate::glsl::builtins::lookups::{LodForm, Lookup, Projection, Shift};
 use crate::glsl::hir::Expr;
 use crate::glsl::limits::MAX_DYNAMIC_SAMPLERS;
 use crate::glsl::types::{Comparison, Dim, Sampler, Type};
+use crate::glsl::{ComparisonResult, Scalar};
 use rasterizer::ir::{self, Lod, Op, Texture, TextureDecl, Ty, Value};
 use texunit::image::Shape;
 
@@ -16,6 +16,7 @@ struct Access {
     coords: [Value; 3],
     reference: Option<Value>,
     lod: Lod,
+    compared: ComparisonResult,
 }
 
 /// The shape of texture that a sampler takes.
@@ -48,6 +49,8 @@ struct Arguments<'a> {
     values: &'a [Vec<Value>],
     /// 0 and 0.0.
     zeros: [Value; 2],
+    /// What a comparison gives.
+    compared: ComparisonResult,
 }
 
 impl Arguments<'_> {
@@ -80,7 +83,11 @@ impl Lowerer<'_> {
             .ok_or_else(|| Failure("a sampler that is no uniform".to_owned()))?;
         let values = rest.iter().map(|expr| self.expr(expr)).collect::<Lowered<Vec<_>>>()?;
         let zeros = [self.emit.constant(0, Ty::I32), self.emit.float(0.0)];
-        let arguments = Arguments { kind, values: &values, zeros };
+        let compared = match (kind.comparison, result.scalars()) {
+            (Comparison::Yes, 1) => ComparisonResult::Scalar,
+            (Comparison::Yes | Comparison::No, _) => ComparisonResult::Placed,
+        };
+        let arguments = Arguments { kind, values: &values, zeros, compared };
         let access = match lookup {
             Lookup::Sample(projection, form, shift) => {
                 self.sample_access(&arguments, projection, form, shift)
@@ -89,13 +96,21 @@ impl Lowerer<'_> {
             Lookup::Size => {
                 let [zero, _] = zeros;
                 let lod = Lod::Explicit(arguments.scalar(Some(0)).unwrap_or(zero));
-                Access { access: ir::Access::Size, coords: [zero; 3], reference: None, lod }
+                let compared = ComparisonResult::Placed;
+                Access {
+                    access: ir::Access::Size,
+                    coords: [zero; 3],
+                    reference: None,
+                    lod,
+                    compared,
+                }
             }
             Lookup::QueryLod => {
                 let [_, zero] = zeros;
                 let coords = arguments.three(values.first().map_or(&[], |v| &v[..]), zero);
                 let lod = Lod::Implicit { bias: None };
-                Access { access: ir::Access::Lod, coords, reference: None, lod }
+                let compared = ComparisonResult::Placed;
+                Access { access: ir::Access::Lod, coords, reference: None, lod, compared }
             }
         };
         let mut values = self.look_up(&place, slot(kind), &access)?;
@@ -110,7 +125,7 @@ impl Lowerer<'_> {
         form: LodForm,
         shift: Shift,
     ) -> Access {
-        let Arguments { kind, values, zeros: [_, zero] } = *arguments;
+        let Arguments { kind, values, zeros: [_, zero], compared } = *arguments;
         let mut coords = values.first().cloned().unwrap_or_default();
         if projection == Projection::Divide
             && let Some(q) = coords.pop()
@@ -139,11 +154,11 @@ impl Lowerer<'_> {
             }
         };
         let access = ir::Access::Filter { offset: self.texel_offset(arguments, offset) };
-        Access { access, coords: arguments.three(&coords, zero), reference, lod }
+        Access { access, coords: arguments.three(&coords, zero), reference, lod, compared }
     }
 
     fn fetch_access(&mut self, arguments: &Arguments<'_>, shift: Shift) -> Access {
-        let Arguments { kind, values, zeros: [zero, _] } = *arguments;
+        let Arguments { kind, values, zeros: [zero, _], compared } = *arguments;
         let coords = arguments.three(values.first().map_or(&[], |v| &v[..]), zero);
         let (level, offset) = match (kind.dim, shift) {
             (Dim::Rect, Shift::None) => (None, None),
@@ -153,7 +168,7 @@ impl Lowerer<'_> {
         };
         let lod = Lod::Explicit(arguments.scalar(level).unwrap_or(zero));
         let access = ir::Access::Fetch { offset: self.texel_offset(arguments, offset) };
-        Access { access, coords, reference: None, lod }
+        Access { access, coords, reference: None, lod, compared }
     }
 
     /// A constant offset, as the checker has seen it; 0 where there is none.
@@ -199,17 +214,17 @@ impl Lowerer<'_> {
     }
 
     fn sample(&mut self, word: u32, decl: TextureDecl, access: &Access) -> [Value; 4] {
-        let key = (word, texture_key(decl));
+        let key = (word, texture_key(decl), access.compared);
         let texture: Texture = match self.textures.get(&key) {
             Some(&texture) => texture,
             None => {
                 let texture = self.emit.texture(decl);
                 self.textures.insert(key, texture);
-                self.samplers.push((texture, word));
+                self.samplers.push((texture, word, access.compared));
                 texture
             }
         };
-        let Access { access, coords, reference, lod } = *access;
+        let Access { access, coords, reference, lod, .. } = *access;
         self.emit.access(texture, access, coords, reference, lod)
     }
 }

@@ -6,7 +6,7 @@
 //! compressor.
 
 use super::interpolated::{self, Ends};
-use super::{CHANNELS, Palette, Part, SIXTHS, color_sixths, is_srgb_block};
+use super::{CHANNELS, Palette, Part, SIXTHS, color_sixths, color_weights, is_srgb_block};
 use crate::format::{Format, srgb};
 use crate::lanes::math::{clamp, round_even};
 
@@ -97,7 +97,8 @@ fn fit_colors(colors: &[[f32; 3]; 16], transparent: &[bool; 16], palette: Palett
         let distance = |code: u32| {
             let mut sum = 0.0;
             for (channel, value) in CHANNELS.into_iter().zip(color) {
-                let sixths = color_sixths(ends, code, 0, channel, palette);
+                let weights = color_weights(ends, code, 0, palette);
+                let sixths = color_sixths(ends, weights, channel);
                 let error = sixths as f32 / (SIXTHS * channel.largest) as f32 - value;
                 sum += error * error;
             }

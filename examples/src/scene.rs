@@ -1,0 +1,86 @@
+//! What several programs put before the eye.
+
+use crate::matrix::{DMat4, DVec3, rotate, translate};
+use crate::mesh::Mesh;
+use crate::shader::initShaders;
+use crate::window::Window;
+use gl_api::types::GLuint;
+
+/// A ring, a ball in it, and three blocks over a floor.
+pub fn ring_and_blocks() -> Mesh {
+    let floor = rotate(-90., DVec3::X) * DMat4::from_scale(DVec3::splat(2.4));
+    let mut scene = Mesh::plane().moved(floor).colored([0.86, 0.84, 0.80]);
+    let ring = translate(0.1, 1.35, 0.1) * rotate(28., DVec3::X) * rotate(14., DVec3::Z);
+    scene.append(Mesh::torus(0.26).moved(ring).colored([0.95, 0.55, 0.15]));
+    let ball = translate(0.1, 1.35, 0.1) * DMat4::from_scale(DVec3::splat(0.42));
+    scene.append(Mesh::sphere().moved(ball).colored([0.25, 0.50, 0.95]));
+    for (x, z, degrees, side, color) in [
+        (1.6, 1.2, 20., 0.32, [0.80, 0.25, 0.30]),
+        (1.4, -1.4, 50., 0.45, [0.35, 0.75, 0.45]),
+        (-1.7, 1.5, 75., 0.36, [0.70, 0.45, 0.85]),
+    ] {
+        let place = translate(x, side, z) * rotate(degrees, DVec3::Y);
+        let block = Mesh::cube().moved(place * DMat4::from_scale(DVec3::splat(side)));
+        scene.append(block.colored(color));
+    }
+    scene
+}
+
+/// A ball and a block on a floor.
+pub fn ball_and_block() -> Mesh {
+    let floor = rotate(-90., DVec3::X) * DMat4::from_scale(DVec3::splat(1.9));
+    let mut scene = Mesh::plane().moved(floor).colored([0.9, 0.87, 0.8]);
+    let ball = translate(-0.5, 0.5, 0.2) * DMat4::from_scale(DVec3::splat(0.5));
+    scene.append(Mesh::sphere().moved(ball).colored([0.9, 0.45, 0.25]));
+    let block = translate(0.7, 0.4, -0.5) * rotate(30., DVec3::Y);
+    let block = Mesh::cube().moved(block * DMat4::from_scale(DVec3::splat(0.4)));
+    scene.append(block.colored([0.35, 0.6, 0.9]));
+    scene
+}
+
+/// Two walls and a floor that meet in a corner, a ball and a box.
+pub fn room_corner() -> Mesh {
+    let wide = DMat4::from_scale(DVec3::splat(4.));
+    let mut room = Mesh::plane().moved(translate(2., 4., -2.) * wide).colored([0.9, 0.88, 0.85]);
+    let floor = translate(2., 0., 2.) * rotate(-90., DVec3::X);
+    let left = translate(-2., 4., 2.) * rotate(90., DVec3::Y) * wide;
+    room.append(Mesh::plane().moved(left).colored([0.82, 0.86, 0.92]));
+    room.append(Mesh::plane().moved(floor * wide).colored([0.72, 0.60, 0.48]));
+    let ball = translate(-0.2, 0.6, -0.2) * DMat4::from_scale(DVec3::splat(0.6));
+    room.append(Mesh::sphere().moved(ball));
+    let box_place = translate(-1.2, 0.45, 0.9) * rotate(28., DVec3::Y);
+    room.append(Mesh::cube().moved(box_place * DMat4::from_scale(DVec3::splat(0.45))));
+    room
+}
+
+/// The room in dim light. Its positions are computed as the lecture's projector computes them, so
+/// that what is added afterwards has the same depths.
+const ROOM_VERTEX_SHADER: &str = "\
+#version 130
+uniform mat4 uModelViewMatrix;
+uniform mat4 uProjMatrix;
+in vec4 aVertex;
+in vec3 aNormal;
+in vec3 aColor;
+out vec3 vColor;
+
+void main(){
+    vColor = aColor * (0.17 + 0.17 * max(0.0, dot(aNormal, vec3(0.36, 0.80, 0.48))));
+    gl_Position = uProjMatrix * uModelViewMatrix * aVertex;
+}
+";
+
+const ROOM_FRAGMENT_SHADER: &str = "\
+#version 130
+in vec3 vColor;
+out vec4 fragColor;
+
+void main(){
+    fragColor = vec4(vColor, 1.0);
+}
+";
+
+/// A program that draws [`room_corner`] in dim light.
+pub fn dim_room_program(window: &mut Window) -> GLuint {
+    initShaders(window, ROOM_VERTEX_SHADER, ROOM_FRAGMENT_SHADER)
+}

@@ -1,0 +1,163 @@
+//! Which components the pixels of the client's memory have (GL 2.1, table 3.6; GL 3.0 for integers),
+//! and what their integers mean.
+
+use crate::constants::*;
+use crate::error::Table;
+use crate::texture::transfer::Kind;
+
+/// The components of a pixel in memory (GL 2.1, table 3.6).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum ClientFormat {
+    Red,
+    Green,
+    Blue,
+    Alpha,
+    Rg,
+    Rgb,
+    Bgr,
+    Rgba,
+    Bgra,
+    /// `EXT_abgr`.
+    Abgr,
+    Luminance,
+    LuminanceAlpha,
+    Depth,
+    /// Stencil alone, an integer.
+    Stencil,
+    /// Depth, then stencil.
+    DepthStencil,
+    /// An index into the pixel maps from indices to colours, which stand for it from then on.
+    ColorIndex,
+}
+
+/// What the integers of a pixel mean.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Numbers {
+    /// Fractions: unsigned `c / (2^b - 1)`, signed `(2c + 1) / (2^b - 1)` (GL 2.1, table 2.9).
+    Fixed,
+    /// As `Fixed`, but signed `max(c / (2^(b-1) - 1), -1)`: to and from signed normalized texels
+    /// (`EXT_texture_snorm`).
+    SignedNormalized,
+    /// Themselves (`EXT_texture_integer`).
+    Integer,
+}
+
+/// What the luminance of a colour is on its way to the client.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum LuminanceOf {
+    /// R + G + B, of pixels of a framebuffer (GL 2.1, section 4.3.2).
+    Sum,
+    /// R, of texels (section 6.1.4: they are not converted to luminance).
+    Red,
+}
+
+use ClientFormat::*;
+use Numbers::{Fixed, Integer};
+
+/// What `format` can be.
+pub(crate) const FORMAT: Table<(ClientFormat, Numbers)> = Table {
+    section: "GL 2.1, table 3.6",
+    rows: &[
+        (GL_RED, (Red, Fixed)),
+        (GL_GREEN, (Green, Fixed)),
+        (GL_BLUE, (Blue, Fixed)),
+        (GL_ALPHA, (Alpha, Fixed)),
+        (GL_RG, (Rg, Fixed)),
+        (GL_RGB, (Rgb, Fixed)),
+        (GL_BGR, (Bgr, Fixed)),
+        (GL_RGBA, (Rgba, Fixed)),
+        (GL_BGRA, (Bgra, Fixed)),
+        (GL_ABGR_EXT, (Abgr, Fixed)),
+        (GL_LUMINANCE, (Luminance, Fixed)),
+        (GL_LUMINANCE_ALPHA, (LuminanceAlpha, Fixed)),
+        (GL_DEPTH_COMPONENT, (Depth, Fixed)),
+        (GL_STENCIL_INDEX, (Stencil, Integer)),
+        (GL_DEPTH_STENCIL, (DepthStencil, Fixed)),
+        (GL_COLOR_INDEX, (ColorIndex, Fixed)),
+        (GL_RED_INTEGER, (Red, Integer)),
+        (GL_GREEN_INTEGER, (Green, Integer)),
+        (GL_BLUE_INTEGER, (Blue, Integer)),
+        (GL_ALPHA_INTEGER_EXT, (Alpha, Integer)),
+        (GL_RG_INTEGER, (Rg, Integer)),
+        (GL_RGB_INTEGER, (Rgb, Integer)),
+        (GL_BGR_INTEGER, (Bgr, Integer)),
+        (GL_RGBA_INTEGER, (Rgba, Integer)),
+        (GL_BGRA_INTEGER, (Bgra, Integer)),
+        (GL_LUMINANCE_INTEGER_EXT, (Luminance, Integer)),
+        (GL_LUMINANCE_ALPHA_INTEGER_EXT, (LuminanceAlpha, Integer)),
+    ],
+};
+
+impl ClientFormat {
+    /// Components of a pixel.
+    pub fn components(self) -> usize {
+        match self {
+            Red | Green | Blue | Alpha | Luminance | Depth | Stencil | ColorIndex => 1,
+            Rg | LuminanceAlpha | DepthStencil => 2,
+            Rgb | Bgr => 3,
+            Rgba | Bgra | Abgr => 4,
+        }
+    }
+
+    /// What its pixels are of.
+    pub fn kind(self) -> Kind {
+        match self {
+            Depth | DepthStencil => Kind::Depth,
+            Stencil => Kind::Stencil,
+            ColorIndex => Kind::ColorIndex,
+            Red | Green | Blue | Alpha | Rg | Rgb | Bgr | Rgba | Bgra | Abgr | Luminance
+            | LuminanceAlpha => Kind::Color,
+        }
+    }
+
+    /// Whether it is of depth or stencil, not of colour.
+    pub fn is_depth(self) -> bool {
+        match self.kind() {
+            Kind::Depth | Kind::Stencil => true,
+            Kind::Color | Kind::ColorIndex => false,
+        }
+    }
+
+    /// The pixel as R, G, B, A; depth and index as R, stencil beside a depth as G (GL 2.1, section
+    /// 3.6.4, final expansion).
+    #[inline]
+    pub fn expand(self, [a, b, c, d]: [f64; 4]) -> [f64; 4] {
+        match self {
+            Red | Depth | Stencil | ColorIndex => [a, 0.0, 0.0, 1.0],
+            Green => [0.0, a, 0.0, 1.0],
+            Blue => [0.0, 0.0, a, 1.0],
+            Alpha => [0.0, 0.0, 0.0, a],
+            Rg | DepthStencil => [a, b, 0.0, 1.0],
+            Rgb => [a, b, c, 1.0],
+            Bgr => [c, b, a, 1.0],
+            Rgba => [a, b, c, d],
+            Bgra => [c, b, a, d],
+            Abgr => [d, c, b, a],
+            Luminance => [a, a, a, 1.0],
+            LuminanceAlpha => [a, a, a, b],
+        }
+    }
+
+    /// The components of the pixel R, G, B, A (GL 2.1, section 4.3.2).
+    #[inline]
+    pub fn select(self, [r, g, b, a]: [f64; 4], luminance: LuminanceOf) -> [f64; 4] {
+        let l = match luminance {
+            LuminanceOf::Sum => r + g + b,
+            LuminanceOf::Red => r,
+        };
+        match self {
+            Red | Depth | Stencil | ColorIndex => [r, 0.0, 0.0, 0.0],
+            Green => [g, 0.0, 0.0, 0.0],
+            Blue => [b, 0.0, 0.0, 0.0],
+            Alpha => [a, 0.0, 0.0, 0.0],
+            Rg | DepthStencil => [r, g, 0.0, 0.0],
+            Rgb => [r, g, b, 0.0],
+            Bgr => [b, g, r, 0.0],
+            Rgba => [r, g, b, a],
+            Bgra => [b, g, r, a],
+            Abgr => [a, b, g, r],
+            Luminance => [l, 0.0, 0.0, 0.0],
+            LuminanceAlpha => [l, a, 0.0, 0.0],
+        }
+    }
+}

@@ -1,0 +1,206 @@
+//! A run that is written down for one lane: the same instructions over the same registers, one at a
+//! time.
+
+use super::{Interpreter, Machine, Run, back, lod};
+use crate::ir::{Access, Ty};
+use crate::shader::inst::{Inst, Reg, SampleInst};
+use crate::shader::{OverBudget, Program};
+use crate::trace::{Expression, Lookup, MAX_STEPS, Name, Operand, Step};
+use texunit::trace::SampleTrace;
+
+/// The steps of a lane, and where the values in its registers come from.
+pub struct Tracer {
+    lane: usize,
+    /// By register.
+    names: Vec<Name>,
+    /// In order.
+    pub steps: Vec<Step>,
+    /// How many were not kept.
+    pub more: usize,
+    next: u32,
+}
+
+impl Tracer {
+    /// Before the first instruction of `program`.
+    pub fn new(program: &Program, lane: usize) -> Self {
+        let mut names = vec![Name::Draw; program.layout.registers as usize];
+        for (index, input) in program.inputs.iter().enumerate() {
+            if let Some(name) = names.get_mut(program.layout.inputs as usize + index) {
+                *name = Name::Input(*input);
+            }
+        }
+        Self { lane, names, steps: Vec::new(), more: 0, next: 1 }
+    }
+
+    fn operand(&self, machine: &Machine, reg: Reg, ty: Ty) -> Operand {
+        let (name, bits) = (self.names[reg.0 as usize], machine.reg(reg)[self.lane]);
+        Operand { name, ty, bits }
+    }
+
+    fn keep(&mut self, step: Step) {
+        if self.steps.len() < MAX_STEPS {
+            self.steps.push(step);
+        } else {
+            self.more += 1;
+        }
+    }
+
+    /// The number of the next step.
+    fn number(&mut self) -> u32 {
+        self.next += 1;
+        self.next - 1
+    }
+
+    /// The word of an output.
+    pub fn output(&self, machine: &Machine, index: usize) -> Operand {
+        self.operand(machine, Reg(machine.outputs[index]), Ty::F32)
+    }
+}
+
+/// What is known of an instruction before it runs.
+enum Before {
+    /// It computes a value.
+    Value { out: Reg, ty: Ty, expression: Expression },
+    /// It samples.
+    Sample { coords: [Operand; 3], texture: String, trace: Option<SampleTrace> },
+    /// It moves a value.
+    Copy { out: Reg, name: Name },
+    /// It writes zeros.
+    Zero { out: Reg, len: u32 },
+    /// It decides where the program goes on.
+    Control,
+}
+
+impl Machine {
+    /// [`Machine::run`], with what it does to the tracer's lane written down.
+    ///
+    /// # Errors
+    /// When the budget is used up.
+    pub fn run_traced(&mut self, run: Run<'_>, tracer: &mut Tracer) -> Result<u64, OverBudget> {
+        let mut left = self.start(&run)?;
+        let code = &run.program.code[..];
+        let mut pc = 0;
+        while let Some(inst) = code.get(pc) {
+            let executes =
+                !run.program.masked || !self.exec.is_empty() && self.exec.lanes[tracer.lane] != 0;
+            let before = if executes { self.look(&run, inst, tracer) } else { Before::Control };
+            pc = match *inst {
+                Inst::Again { head, exit } => self.again(head, exit, pc + 1, &mut left)?,
+                Inst::Repeat { head } => back(head, pc + 1, &mut left)?,
+                _ => {
+                    run.isa.run(Interpreter { machine: self, run, code: &code[..=pc], pc, left })?
+                }
+            };
+            if executes {
+                self.note(inst, before, tracer);
+            }
+        }
+        Ok(run.active & !self.discarded.bits())
+    }
+
+    fn look(&self, run: &Run<'_>, inst: &Inst, tracer: &Tracer) -> Before {
+        let operand = |reg: Reg, ty: Ty| Expression::Operand(tracer.operand(self, reg, ty));
+        let name = |reg: Reg| tracer.names[reg.0 as usize];
+        match inst {
+            Inst::Op { op, out, args } => {
+                let args = args.iter().zip(op.args()).map(|(&reg, &ty)| operand(reg, ty));
+                let expression = Expression::Apply(*op, args.collect());
+                Before::Value { out: *out, ty: op.result(), expression }
+            }
+            Inst::Fused { fused, out, args } => {
+                let expression = fused.expression(&|at, ty| operand(args[at], ty));
+                let ty = match &expression {
+                    Expression::Apply(op, _) => op.result(),
+                    Expression::Operand(_) | Expression::Derivative(..) => Ty::F32,
+                };
+                Before::Value { out: *out, ty, expression }
+            }
+            Inst::Derivative { axis, out, from } => {
+                let expression =
+                    Expression::Derivative(*axis, tracer.operand(self, *from, Ty::F32));
+                Before::Value { out: *out, ty: Ty::F32, expression }
+            }
+            Inst::Move { out, from } | Inst::Store { out, from } => {
+                Before::Copy { out: *out, name: name(*from) }
+            }
+            Inst::LoadAt { out, base, len, index } => {
+                let at = self.reg(*index)[tracer.lane].min(len - 1);
+                Before::Copy { out: *out, name: name(Reg(base.0 + at)) }
+            }
+            Inst::StoreAt { base, len, index, from } => {
+                let at = self.reg(*index)[tracer.lane].min(len - 1);
+                Before::Copy { out: Reg(base.0 + at), name: name(*from) }
+            }
+            Inst::UniformAt { out, .. } => Before::Copy { out: *out, name: Name::Draw },
+            Inst::Zero { out, len } => Before::Zero { out: *out, len: *len },
+            Inst::Sample(sample) => self.look_at_sample(run, sample, tracer),
+            Inst::Unless { .. }
+            | Inst::Jump { .. }
+            | Inst::Repeat { .. }
+            | Inst::If { .. }
+            | Inst::Else { .. }
+            | Inst::Join { .. }
+            | Inst::Open { .. }
+            | Inst::Leave { .. }
+            | Inst::LeaveIf { .. }
+            | Inst::Discard
+            | Inst::SkipEmpty { .. }
+            | Inst::Again { .. } => Before::Control,
+        }
+    }
+
+    fn look_at_sample(&self, run: &Run<'_>, sample: &SampleInst, tracer: &Tracer) -> Before {
+        let plan = run.textures.get(sample.texture as usize).and_then(Option::as_ref);
+        let coords = sample.coords.map(|reg| self.reg(reg).as_f32());
+        let reference = sample.reference.map(|reg| self.reg(reg).as_f32());
+        let lod = lod(&self.registers, sample);
+        let trace = match sample.access {
+            Access::Filter { offset } => plan
+                .filter(|plan| plan.incomplete().is_none())
+                .map(|plan| plan.trace(tracer.lane, coords, reference, offset, lod)),
+            Access::Fetch { .. } | Access::Size | Access::Lod => None,
+        };
+        let ty = match sample.access {
+            Access::Filter { .. } | Access::Lod => Ty::F32,
+            Access::Fetch { .. } | Access::Size => Ty::I32,
+        };
+        let texture = plan.map_or_else(|| "no texture".into(), |plan| plan.describe());
+        let coords = sample.coords.map(|reg| tracer.operand(self, reg, ty));
+        Before::Sample { coords, texture, trace }
+    }
+
+    fn note(&self, inst: &Inst, before: Before, tracer: &mut Tracer) {
+        match (before, inst) {
+            (Before::Value { out, ty, expression }, _) => {
+                let (number, bits) = (tracer.number(), self.reg(out)[tracer.lane]);
+                tracer.names[out.0 as usize] = Name::Step(number);
+                tracer.keep(Step::Value { number, expression, ty, bits });
+            }
+            (Before::Copy { out, name }, _) => tracer.names[out.0 as usize] = name,
+            (Before::Zero { out, len }, _) => {
+                tracer.names[out.0 as usize..][..len as usize].fill(Name::Draw);
+            }
+            (Before::Sample { coords, texture, trace }, Inst::Sample(sample)) => {
+                let number = tracer.number();
+                let word = |reg: Reg| self.reg(reg)[tracer.lane];
+                let result = sample.out.map(|reg| reg.map(word));
+                for (component, reg) in (0..).zip(sample.out) {
+                    if let Some(reg) = reg {
+                        tracer.names[reg.0 as usize] = Name::Texel(number, component);
+                    }
+                }
+                tracer.keep(Step::Lookup(Box::new(Lookup {
+                    number,
+                    slot: sample.texture,
+                    access: sample.access,
+                    texture,
+                    coords,
+                    trace,
+                    result,
+                })));
+            }
+            (Before::Control, Inst::Discard) => tracer.keep(Step::Discard),
+            (Before::Sample { .. } | Before::Control, _) => {}
+        }
+    }
+}
