@@ -132,7 +132,7 @@ fn clip_distances_and_clip_vertex_reach_the_clipper() {
         let outputs = program.vertex.expect("a vertex stage was linked").outputs;
         outputs.iter().filter(|(output, _)| matches!(output, Output::ClipDistance(_))).count()
     };
-    assert_eq!(count("void main() { gl_Position = gl_ClipVertex = gl_Vertex; }"), 6);
+    assert_eq!(count("void main() { gl_Position = gl_ClipVertex = gl_Vertex; }"), 8);
     let distance =
         "#version 130\nvoid main() { gl_Position = gl_Vertex; gl_ClipDistance[1] = 1.0; }";
     assert_eq!(count(distance), 2);

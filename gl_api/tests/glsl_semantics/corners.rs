@@ -142,7 +142,7 @@ pub const TABLE: &[Row] = &[
         110,
         "#define LINE(n) n\n#line LINE(20 + 1) (1 + 1)\nconst int line = __LINE__; const int file = __FILE__;",
         "r.xy = vec2(line, file);",
-        [21.0, 2.0, 0.0, 0.0],
+        [22.0, 2.0, 0.0, 0.0],
     ),
     Row(
         130,

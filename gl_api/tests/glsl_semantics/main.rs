@@ -56,14 +56,15 @@ fn stages(row: &Row) -> &'static [Stage] {
 
 fn source(row: &Row, stage: Stage) -> String {
     let Row(version, declarations, body, _) = row;
-    let (x, result) = match stage {
-        Stage::Vertex => ("gl_Vertex.x", "gl_Position"),
-        Stage::Fragment => ("gl_FragCoord.x", "gl_FragColor"),
+    let (input, x, result) = match stage {
+        Stage::Vertex => ("attribute float place;", "place", "gl_Position"),
+        Stage::Fragment => ("", "gl_FragCoord.x", "gl_FragColor"),
     };
     format!(
         "#version {version}
 {declarations}
 uniform vec4 u; uniform int k; uniform bool yes; uniform float list[4]; uniform mat4 m;
+{input}
 void main() {{
     float x = {x};
     vec4 r = vec4(0.0);

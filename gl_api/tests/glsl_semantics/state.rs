@@ -123,7 +123,7 @@ pub const TABLE: &[Row] = &[
         110,
         "",
         "r = vec4(gl_MaxLights, gl_MaxClipPlanes, gl_MaxTextureUnits, gl_MaxTextureCoords);",
-        [8.0, 6.0, 8.0, 8.0],
+        [8.0, 8.0, 8.0, 8.0],
     ),
     Row(
         110,

@@ -27,6 +27,21 @@ pub fn evaluate(
     }
 }
 
+/// The values of constant expressions that follow one another, macros expanded.
+pub fn values(
+    span: Span,
+    tokens: &[Token],
+    version: Version,
+    log: &mut Log,
+) -> Result<Vec<i64>, Box<Diagnostic>> {
+    let mut parser = Parser { tokens, at: 0, end: span, depth: 0, version, log };
+    let mut values = Vec::new();
+    while parser.at < tokens.len() {
+        values.push(parser.binary(0, Need::Value)?);
+    }
+    Ok(values)
+}
+
 /// Replaces `defined X` and `defined(X)` before macros are expanded.
 fn resolve_defined(line: &[Token], macros: &Macros) -> Result<Vec<Token>, Box<Diagnostic>> {
     let mut output = Vec::new();

@@ -319,23 +319,22 @@ impl Preprocessor<'_> {
                 return;
             }
         };
-        match &expanded[..] {
-            [line] => {
-                if let Some(line) = number(line) {
-                    // Versions before 3.30 number the line of the directive itself, so that the
-                    // next one is `line + 1` (GLSL 1.30 section 3.3).
-                    self.source.renumber(span.start, line + 1, None);
-                    return;
-                }
-            }
-            [line, string] => {
-                if let (Some(line), Some(string)) = (number(line), number(string)) {
-                    self.source.renumber(span.start, line + 1, Some(string));
-                    return;
-                }
-            }
-            _ => {}
+        // Versions before 3.30 number the line of the directive itself, so that the next one is
+        // `line + 1` (GLSL 1.30 section 3.3).
+        match self.numbers(span, &expanded).as_deref() {
+            Some([line]) => self.source.renumber(span.start, line + 1, None),
+            Some([line, string]) => self.source.renumber(span.start, line + 1, Some(*string)),
+            _ => self.error(span, "`#line line` or `#line line string` is expected"),
         }
-        self.error(span, "`#line line` or `#line line string` is expected");
+    }
+
+    /// The numbers after `#line`, which may be expressions.
+    fn numbers(&mut self, span: Span, tokens: &[Token]) -> Option<Vec<i64>> {
+        let plain: Option<Vec<i64>> = tokens.iter().map(number).collect();
+        if plain.is_some() || tokens.iter().any(|token| token.word().is_some()) {
+            return plain;
+        }
+        let all = condition::values(span, tokens, self.language.version, self.log).ok()?;
+        all.iter().all(|value| u32::try_from(*value).is_ok()).then_some(all)
     }
 }
