@@ -14,6 +14,7 @@
 //! | [`reference`] | slow reference samplers: the exact area integral, supersampling, ꟻLIP |
 //! | [`tradeoff`] | error against run time |
 //! | [`sweep`] | stiff and extreme cases, each a sweep over a parameter |
+//! | [`peers`] | the same scenes on DetGL's shared library and on the machine's other GL drivers |
 //! | [`plot`], [`report`] | tables, JSON, plots and pages |
 //! | [`rng`] | the numbers that cases are made of |
 //!
@@ -25,6 +26,7 @@ pub mod comparison;
 pub mod drive;
 pub mod mutation;
 pub mod oracle;
+pub mod peers;
 pub mod plot;
 pub mod reference;
 pub mod report;

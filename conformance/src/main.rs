@@ -4,6 +4,8 @@
 use clap::{Parser, Subcommand};
 use conformance::check::{Bench, Check, Effort, Outcome, Subject, Verdict, checks};
 use conformance::mutation::Variant;
+use conformance::peers::child::Task;
+use conformance::peers::{self, PeersError};
 use conformance::report::page::PageError;
 use conformance::sweep::{SWEEPS, Sweep, Swept};
 use conformance::tradeoff::{self, functions};
@@ -38,7 +40,7 @@ struct Args {
 }
 
 /// What else there is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Subcommand)]
+#[derive(Clone, Debug, Subcommand)]
 enum Command {
     /// Builds each known mistake into its formula, one at a time: every one must be noticed.
     SelfTest,
@@ -46,6 +48,11 @@ enum Command {
     ErrorVsTime,
     /// Sweeps to where arithmetic breaks, with bounds on the error.
     Extremes,
+    /// The same scenes on DetGL's shared library and on the machine's other GL drivers.
+    Peers(peers::Options),
+    /// One scene on one driver: the process that `peers` measures.
+    #[command(hide = true)]
+    Peer(Task),
 }
 
 /// What ends the program.
@@ -58,16 +65,22 @@ enum Failure {
     #[error(transparent)]
     Page(#[from] PageError),
     #[error(transparent)]
+    Peers(#[from] PeersError),
+    #[error(transparent)]
+    PeersReport(#[from] peers::WriteError),
+    #[error(transparent)]
     Json(#[from] serde_json::Error),
 }
 
 fn main() -> ExitCode {
     let args = Args::parse();
-    let passed = match args.command {
+    let passed = match &args.command {
         None => args.formulas(),
         Some(Command::SelfTest) => args.self_test(),
         Some(Command::ErrorVsTime) => args.error_vs_time(),
         Some(Command::Extremes) => args.extremes(),
+        Some(Command::Peers(options)) => args.peers(options),
+        Some(Command::Peer(task)) => task.run().map(|()| true).map_err(Failure::from),
     };
     match passed {
         Ok(true) => ExitCode::SUCCESS,
@@ -76,7 +89,11 @@ fn main() -> ExitCode {
             eprintln!("{failure}");
             match failure {
                 Failure::Nothing(..) => ExitCode::from(2),
-                Failure::Drive(_) | Failure::Page(_) | Failure::Json(_) => ExitCode::FAILURE,
+                Failure::Drive(_)
+                | Failure::Page(_)
+                | Failure::Peers(_)
+                | Failure::PeersReport(_)
+                | Failure::Json(_) => ExitCode::FAILURE,
             }
         }
     }
@@ -181,5 +198,25 @@ impl Args {
             self.point_to("extremes.html");
         }
         Ok(swept.iter().all(Swept::passes))
+    }
+
+    fn peers(&self, options: &peers::Options) -> Result<bool, Failure> {
+        let only = self.only.as_deref().unwrap_or_default();
+        let scenes = peers::wanted(only);
+        if scenes.is_empty() {
+            return Err(Failure::Nothing(only.to_owned(), peers::names().join(", ")));
+        }
+        let bar = indicatif::ProgressBar::new_spinner();
+        let compared = peers::compare(options, &scenes, |what| {
+            bar.set_message(what.to_owned());
+            bar.tick();
+        })?;
+        bar.finish_and_clear();
+        self.print(|| peers::table(&compared), &compared)?;
+        if !self.json {
+            peers::write(&self.out, &compared)?;
+            self.point_to("peers.md");
+        }
+        Ok(true)
     }
 }

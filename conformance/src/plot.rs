@@ -30,6 +30,15 @@ pub struct PlotError {
     reason: String,
 }
 
+/// How the points of a row are shown.
+#[derive(Clone, Copy, Debug)]
+enum Style<'a> {
+    /// With a line through them.
+    Joined,
+    /// Each by itself; the k-th of every row has the k-th name.
+    Named(&'a [&'a str]),
+}
+
 /// Pixels across and up.
 const SIZE: (u32, u32) = (760, 460);
 
@@ -42,8 +51,25 @@ pub fn log_log(
     lines: &[Line],
     bound: Option<f64>,
 ) -> Result<String, PlotError> {
+    svg(caption, lines, bound, Style::Joined)
+}
+
+/// Both axes logarithmic, points without lines; the k-th point of every row is called `names[k]`.
+///
+/// # Errors
+/// When plotters cannot draw it.
+pub fn scatter(caption: Caption<'_>, rows: &[Line], names: &[&str]) -> Result<String, PlotError> {
+    svg(caption, rows, None, Style::Named(names))
+}
+
+fn svg(
+    caption: Caption<'_>,
+    lines: &[Line],
+    bound: Option<f64>,
+    style: Style<'_>,
+) -> Result<String, PlotError> {
     let mut svg = String::new();
-    draw(caption, lines, bound, &mut svg).map_err(|error| PlotError {
+    draw(caption, lines, bound, style, &mut svg).map_err(|error| PlotError {
         title: caption.title.to_owned(),
         reason: error.to_string(),
     })?;
@@ -63,6 +89,7 @@ fn draw(
     caption: Caption<'_>,
     lines: &[Line],
     bound: Option<f64>,
+    style: Style<'_>,
     svg: &mut String,
 ) -> Result<(), Box<dyn std::error::Error>> {
     let shown = |p: &&(f64, f64)| p.0 > 0.0 && p.1 > 0.0 && p.0.is_finite() && p.1.is_finite();
@@ -89,11 +116,22 @@ fn draw(
     for (index, line) in lines.iter().enumerate() {
         let color = Palette99::pick(index).to_rgba();
         let points: Vec<(f64, f64)> = line.points.iter().filter(shown).copied().collect();
+        let width = match style {
+            Style::Joined => 2,
+            Style::Named(_) => 0,
+        };
         chart
-            .draw_series(LineSeries::new(points.clone(), color.stroke_width(2)))?
+            .draw_series(LineSeries::new(points.clone(), color.stroke_width(width)))?
             .label(&line.name)
             .legend(move |(x, y)| Circle::new((x + 8, y), 4, color.filled()));
         chart.draw_series(points.into_iter().map(|p| Circle::new(p, 4, color.filled())))?;
+        if let Style::Named(names) = style {
+            let font = ("sans-serif", 9).into_font().color(&color);
+            let named = line.points.iter().zip(names).filter(|(point, _)| shown(point));
+            chart.draw_series(named.map(|(&point, &name)| {
+                EmptyElement::at(point) + Text::new(name.to_owned(), (6, -4), font.clone())
+            }))?;
+        }
     }
     if let Some(bound) = bound {
         chart
@@ -124,6 +162,9 @@ mod tests {
         for part in ["<svg", "Errors", "time", "size", "steep", "bound"] {
             assert!(svg.contains(part), "{part}");
         }
+        let points = Line { name: "fast".to_owned(), points: vec![(2.0, 0.5)] };
+        let svg = scatter(caption, &[points], &["wood"])?;
+        assert!(svg.contains("wood") && svg.contains("fast"));
         log_log(caption, &[], None).map(|_| ())
     }
 }

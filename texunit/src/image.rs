@@ -8,7 +8,7 @@ mod shape;
 
 pub use complete::{Incomplete, Levels};
 pub use error::ImageError;
-pub use level::{Level, MAX_LEVEL_BYTES, PADDING};
+pub use level::{Level, MAX_LEVEL_BYTES, PADDING, zeroed};
 pub use shape::{MAX_LAYERS, MAX_SIZE, MAX_SIZE_3D, Shape};
 
 use std::sync::Arc;

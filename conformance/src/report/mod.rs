@@ -71,7 +71,7 @@ pub fn json(found: &impl Serialize) -> serde_json::Result<String> {
 }
 
 /// An empty table with these headings.
-fn headed<const N: usize>(headings: [&str; N]) -> Table {
+pub(crate) fn headed<const N: usize>(headings: [&str; N]) -> Table {
     let mut table = Table::new();
     table
         .load_preset(presets::UTF8_BORDERS_ONLY)
@@ -80,7 +80,8 @@ fn headed<const N: usize>(headings: [&str; N]) -> Table {
     table
 }
 
-fn right(text: String) -> Cell {
+/// A cell of a number.
+pub(crate) fn right(text: String) -> Cell {
     Cell::new(text).set_alignment(CellAlignment::Right)
 }
 

@@ -280,6 +280,26 @@ pub(crate) fn unpack(
     }
 }
 
+/// The client's pixels themselves, where they are texels of `format`, tightly packed; never those
+/// of a compressed format.
+pub(crate) fn as_texels<'a>(
+    layout: &Layout,
+    bytes: &'a [u8],
+    format: Format,
+    transfer: &Transfer,
+) -> Option<&'a [u8]> {
+    let [_, height, depth] = layout.size;
+    let run = layout.row_bytes();
+    let is_tight = (height == 1 || layout.stride == run)
+        && (depth == 1 || layout.image_stride == run * height);
+    let conversion = Conversion::new(layout, format, transfer, LuminanceOf::Red);
+    let is_copy = format.block().is_none()
+        && layout.bits.is_none()
+        && is_tight
+        && conversion.unpack_shuffle().is_some_and(|shuffle| shuffle.is_copy());
+    is_copy.then(|| &bytes[layout.start..layout.start + run * height * depth])
+}
+
 /// Rows of texels of `format`, each with as many as the layout's rows have pixels, into the
 /// client's memory, which has `layout.needed` bytes.
 pub(crate) fn pack(
@@ -293,10 +313,24 @@ pub(crate) fn pack(
     if layout.needed == 0 {
         return;
     }
+    let run = layout.size[0] * format.bytes();
+    let rows = layout.rows().zip(texels.chunks_exact(run));
+    pack_rows(layout, format, transfer, luminance, rows, bytes);
+}
+
+/// Rows of texels of `format`, each with as many as the layout's rows have pixels, to where each is
+/// to begin in the client's memory.
+pub(crate) fn pack_rows<'a>(
+    layout: &Layout,
+    format: Format,
+    transfer: &Transfer,
+    luminance: LuminanceOf,
+    rows: impl Iterator<Item = (usize, &'a [u8])>,
+    bytes: &mut [u8],
+) {
     let conversion = Conversion::new(layout, format, transfer, luminance);
     let shuffle = conversion.pack_shuffle();
-    let run = layout.size[0] * format.bytes();
-    for (at, row) in layout.rows().zip(texels.chunks_exact(run)) {
+    for (at, row) in rows {
         let out = &mut bytes[at..at + layout.row_bytes()];
         match &shuffle {
             Some(shuffle) => shuffle.run(row, out),

@@ -74,13 +74,14 @@ pub(super) fn write_area(context: &mut Context, area: &Area, texels: &[u8]) -> R
     let image = bound(context, target.target).image.clone();
     crate::draw::settle(context, &image);
     let texture = bound_mut(context, target.target);
+    // Its plan reads the texels: while it is there they would be copied first.
+    texture.changed();
     let written = texture.image.update(|image| {
         image
             .level_mut(target.face.into(), area.level)
             .map_or(Ok(()), |level| level.write_box(area.at, area.size, texels))
     });
     written.map_err(|error| super::storage_error(SECTION, &error))?;
-    texture.changed();
     super::mipmap::base_level_changed(texture, target.face.into(), area.level)
 }
 
@@ -88,14 +89,11 @@ pub(super) fn write_area(context: &mut Context, area: &Area, texels: &[u8]) -> R
 pub(crate) fn room(format: Format, size: [usize; 3]) -> Result<Vec<u8>> {
     let sides = size.iter().chain([&format.bytes()]).try_fold(1_usize, |a, &b| a.checked_mul(b));
     let bytes = sides.unwrap_or(usize::MAX);
-    let mut texels = Vec::new();
-    texels.try_reserve_exact(bytes).map_err(|_| GlError {
+    texunit::image::zeroed(bytes).ok_or_else(|| GlError {
         code: ErrorCode::OutOfMemory,
         rule: format!("there is no memory for {bytes} bytes of texels"),
         section: SECTION,
-    })?;
-    texels.resize(bytes, 0);
-    Ok(texels)
+    })
 }
 
 fn tex_sub_image(
@@ -123,6 +121,10 @@ fn tex_sub_image(
         );
     };
     let format = if area.format.block().is_some() { blocks::COLORS } else { area.format };
+    let transfer = &context.state.transfer;
+    if let Some(texels) = convert::as_texels(&layout, source.bytes(), area.format, transfer) {
+        return write_area(context, &area, texels);
+    }
     let mut texels = room(format, size)?;
     convert::unpack(&layout, source.bytes(), format, &context.state.transfer, &mut texels);
     if area.format.block().is_some() {

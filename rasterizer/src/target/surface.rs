@@ -13,7 +13,7 @@ use super::words::{attachment_words, is_attachable, texel_of, words_of};
 use rayon::prelude::*;
 use texunit::format::Format;
 use texunit::image::Level;
-use texunit::lanes::{LANES, U32s, lane_x, lane_y};
+use texunit::lanes::{LANES, QUADS, U32s, lane_x, lane_y};
 
 /// The most samples that a pixel can have.
 pub const MAX_SAMPLES: usize = 4;
@@ -95,6 +95,22 @@ const LANE_AT: [[u8; 8]; 8] = {
     table
 };
 
+/// Row `y` of a block.
+#[inline]
+fn row_of(block: &U32s, y: usize) -> [u32; 8] {
+    let first = usize::from(LANE_AT[y][0]);
+    let (even, odd) = (&block.0[first..first + 4], &block.0[first + QUADS..first + QUADS + 4]);
+    [even[0], odd[0], even[1], odd[1], even[2], odd[2], even[3], odd[3]]
+}
+
+/// Sets row `y` of a block.
+#[inline]
+fn set_row(block: &mut U32s, y: usize, row: [u32; 8]) {
+    let first = usize::from(LANE_AT[y][0]);
+    block.0[first..first + 4].copy_from_slice(&[row[0], row[2], row[4], row[6]]);
+    block.0[first + QUADS..first + QUADS + 4].copy_from_slice(&[row[1], row[3], row[5], row[7]]);
+}
+
 impl Surface {
     /// Tiles across.
     pub fn tiles_across(&self) -> u32 {
@@ -163,16 +179,32 @@ impl Surface {
 fn load_tile(level: &Level, slice: usize, [x0, y0]: [u32; 2], words: usize) -> Vec<Plane> {
     let size = level.format.bytes();
     let (row_bytes, first) = (level.row_bytes(), level.origin() + slice * level.slice_bytes());
+    let (width, height) = (TILE.min(level.width - x0) as usize, TILE.min(level.height - y0));
+    let row = |y: u32| {
+        &level.texels[first + (y0 + y) as usize * row_bytes + x0 as usize * size..][..width * size]
+    };
+    // One texel everywhere, as where nothing has been drawn yet, takes no memory.
+    let all = row(0);
+    if all[size..] == all[..(width - 1) * size] && (1..height).all(|y| row(y) == all) {
+        let texel = words_of(level.format, &all[..size]);
+        return texel[..words].iter().copied().map(Plane::Cleared).collect();
+    }
     let mut planes = vec![vec![U32s::ZERO; BLOCKS]; words];
-    for y in 0..TILE.min(level.height - y0) {
-        let row = &level.texels[first + (y0 + y) as usize * row_bytes..];
-        for x in 0..TILE.min(level.width - x0) {
-            let texel = &row[(x0 + x) as usize * size..][..size];
-            let block = (y / 8 * 8 + x / 8) as usize;
-            let lane = usize::from(LANE_AT[(y % 8) as usize][(x % 8) as usize]);
-            let texel = words_of(level.format, texel);
-            for (plane, word) in planes.iter_mut().zip(texel) {
-                plane[block][lane] = word;
+    for y in 0..height {
+        let lanes = LANE_AT[(y % 8) as usize].map(usize::from);
+        for (column, texels) in row(y).chunks(8 * size).enumerate() {
+            let block = (y / 8 * 8) as usize + column;
+            if let ([plane], 4) = (planes.as_mut_slice(), size) {
+                let mut words = [0_u32; 8];
+                bytemuck::bytes_of_mut(&mut words)[..texels.len()].copy_from_slice(texels);
+                set_row(&mut plane[block], y as usize % 8, words.map(u32::from_le));
+                continue;
+            }
+            for (&lane, texel) in lanes.iter().zip(texels.chunks_exact(size)) {
+                let texel = words_of(level.format, texel);
+                for (plane, word) in planes.iter_mut().zip(texel) {
+                    plane[block][lane] = word;
+                }
             }
         }
     }
@@ -185,10 +217,7 @@ fn store_row(format: Format, planes: &[Plane], y: usize, row: &mut [u8]) {
     for (column, texels) in row.chunks_mut(8 * size).enumerate() {
         let words = |plane: &Plane| match plane {
             Plane::Cleared(word) => [*word; 8],
-            Plane::Words(words) => {
-                let block = &words[y / 8 * 8 + column];
-                LANE_AT[y % 8].map(|lane| block[usize::from(lane)])
-            }
+            Plane::Words(words) => row_of(&words[y / 8 * 8 + column], y % 8),
         };
         // One word of four bytes is the texel itself.
         if let ([plane], 4) = (planes, size) {
@@ -202,6 +231,43 @@ fn store_row(format: Format, planes: &[Plane], y: usize, row: &mut [u8]) {
         }
         for (x, texel) in texels.chunks_exact_mut(size).enumerate() {
             texel_of(format, all.map(|words| words[x]), texel);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_row_of_a_block_is_its_lanes_in_order() {
+        let mut block = U32s::ZERO;
+        for lane in 0..LANES {
+            block[lane] = lane as u32;
+        }
+        for (y, lanes) in LANE_AT.iter().enumerate() {
+            assert_eq!(row_of(&block, y), lanes.map(u32::from));
+        }
+    }
+
+    /// Tiles of one texel are attached without words, others with them; all come back as they
+    /// were, edges included.
+    #[test]
+    fn what_is_loaded_is_what_is_stored() {
+        for format in [Format::Rgba8, Format::R8, Format::D24S8, Format::Rgba32F] {
+            let mut level = Level::new(format, 150, 70).expect("small");
+            let middle = level.row_bytes() * 30;
+            for (index, byte) in
+                level.texels[middle..][..64 * format.bytes()].iter_mut().enumerate()
+            {
+                *byte = (index * 7 % 251) as u8;
+            }
+            let surface = Surface::from_level(&level, 0, 1);
+            let cleared = |tile: &Vec<Plane>| matches!(tile[0], Plane::Cleared(_));
+            assert_eq!(surface.tiles.iter().filter(|tile| cleared(tile)).count(), 5);
+            let mut back = Level::new(format, 150, 70).expect("small");
+            surface.store(&mut back, 0);
+            assert_eq!(back.texels, level.texels, "{format:?}");
         }
     }
 }

@@ -9,6 +9,14 @@ pub const MAX_LEVEL_BYTES: usize = 1 << 30;
 /// Bytes after the last texel, so that gathers of whole words from it stay inside.
 pub const PADDING: usize = 3;
 
+/// So many zeros, or none where there is no memory for them. The system gives memory that is zero
+/// and no page of it is touched, as filling it would: images are often written whole right after.
+pub fn zeroed(bytes: usize) -> Option<Vec<u8>> {
+    // `vec!` ends the program where there is no memory, so that is asked first.
+    Vec::<u8>::new().try_reserve_exact(bytes).ok()?;
+    Some(vec![0; bytes])
+}
+
 /// One face of one level. Rows run from t = 0 up and slices from r = 0 up, tightly packed.
 ///
 /// Sizes are those of the image without its border. The border's texels are stored where they
@@ -74,9 +82,7 @@ impl Level {
             height,
             depth,
         })? + PADDING;
-        let mut texels = Vec::new();
-        texels.try_reserve_exact(bytes).map_err(|_| ImageError::OutOfMemory { bytes })?;
-        texels.resize(bytes, 0);
+        let texels = zeroed(bytes).ok_or(ImageError::OutOfMemory { bytes })?;
         Ok(Self { format, width, height, depth, border, texels })
     }
 

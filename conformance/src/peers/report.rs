@@ -1,0 +1,157 @@
+//! What the comparison found, as tables and a plot.
+
+use super::{Comparison, Row};
+use crate::plot::{Caption, Line, PlotError, scatter};
+use crate::report::page::{self, PageError};
+use crate::report::{headed, right};
+use comfy_table::{Cell, Table, presets};
+use std::path::Path;
+
+/// Every scene with every driver.
+fn measured(comparison: &Comparison) -> Table {
+    let mut table = headed([
+        "scene",
+        "driver",
+        "frame, ms",
+        "over DetGL",
+        "first, ms",
+        "over DetGL",
+        "peak, MiB",
+        "RMS error",
+        "max",
+        "pixels off",
+    ]);
+    for row in &comparison.rows {
+        let ours = row.driver == "DetGL";
+        let ratio = |ratio: f64| if ours { String::new() } else { format!("{ratio:.2}×") };
+        table.add_row([
+            Cell::new(if ours { row.scene } else { "" }),
+            Cell::new(row.driver),
+            right(format!("{:.2}", row.frame_ms)),
+            right(ratio(row.frame_ratio)),
+            right(format!("{:.1}", row.first_ms)),
+            right(ratio(row.first_ratio)),
+            right(format!("{:.0}", row.peak_mib)),
+            right(format!("{:.4}", row.error.rms)),
+            right(row.error.max.to_string()),
+            right(format!("{:.3} %", row.error.differing * 100.0)),
+        ]);
+    }
+    table
+}
+
+/// DetGL against llvmpipe, scene by scene, and what it means to reach; `None` without llvmpipe.
+fn goals(comparison: &Comparison) -> Option<Table> {
+    let mut table = headed([
+        "scene",
+        "what",
+        "speed",
+        "goal",
+        "first frame",
+        "goal",
+        "error, DetGL",
+        "llvmpipe",
+    ]);
+    let of = |driver: &'static str| comparison.rows.iter().filter(move |row| row.driver == driver);
+    let pairs: Vec<(&Row, &Row)> = of("DetGL")
+        .filter_map(|ours| Some((ours, of("llvmpipe").find(|row| row.scene == ours.scene)?)))
+        .collect();
+    for (ours, theirs) in &pairs {
+        let reached = |got: f64, goal: f64| {
+            format!("{goal}×: {}", if got >= goal { "reached" } else { "not reached" })
+        };
+        let closer = ours.error.rms <= theirs.error.rms;
+        table.add_row([
+            Cell::new(ours.scene),
+            Cell::new(ours.what),
+            right(format!("{:.2}×", theirs.frame_ratio)),
+            Cell::new(
+                ours.load.goal().map_or("—".to_owned(), |goal| reached(theirs.frame_ratio, goal)),
+            ),
+            right(format!("{:.1}×", theirs.first_ratio)),
+            Cell::new(reached(theirs.first_ratio, 5.0)),
+            right(format!("{:.4}{}", ours.error.rms, if closer { "" } else { " (more)" })),
+            right(format!("{:.4}", theirs.error.rms)),
+        ]);
+    }
+    (!pairs.is_empty()).then_some(table)
+}
+
+/// Both tables, and who the drivers are.
+pub fn table(comparison: &Comparison) -> String {
+    text(comparison, presets::UTF8_BORDERS_ONLY)
+}
+
+/// Writes `peers.md`, the same as Markdown, `peers.json`, and the plot `peers.svg`.
+///
+/// # Errors
+/// When a file cannot be written or the plot cannot be drawn.
+pub fn write(folder: &Path, comparison: &Comparison) -> Result<(), WriteError> {
+    page::write(folder, "peers.md", &text(comparison, presets::ASCII_MARKDOWN))?;
+    page::write(folder, "peers.json", &crate::report::json(comparison)?)?;
+    page::write(folder, "peers.svg", &plot(comparison).map_err(PageError::from)?)?;
+    Ok(())
+}
+
+/// A file of the comparison that cannot be written.
+#[derive(Debug, thiserror::Error)]
+pub enum WriteError {
+    /// A file, or the plot in it.
+    #[error(transparent)]
+    Page(#[from] PageError),
+    /// The numbers.
+    #[error(transparent)]
+    Json(#[from] serde_json::Error),
+}
+
+fn text(comparison: &Comparison, preset: &str) -> String {
+    let Comparison { size, rounds, drivers, .. } = comparison;
+    let mut text = format!(
+        "{size} × {size} pixels, medians of {rounds} rounds, {} processors. A frame ends with \
+         glFinish; the first one counts from opening the library to the picture in memory, \
+         shaders compiled, nothing from an earlier run. Errors are against the formulas in f64, in \
+         steps of a byte.\n\n",
+        std::thread::available_parallelism().map_or(1, usize::from)
+    );
+    for driver in drivers {
+        text.push_str(&format!("- {}: {}, GL {}\n", driver.name, driver.renderer, driver.version));
+    }
+    if drivers.len() == 1 {
+        text.push_str(
+            "\nNo other GL driver was found on this machine: these are DetGL's figures.\n",
+        );
+    }
+    for mut table in goals(comparison).into_iter().chain([measured(comparison)]) {
+        table.load_preset(preset);
+        text.push_str(&format!("\n{table}\n"));
+    }
+    for failure in &comparison.failures {
+        text.push_str(&format!("\nNot drawn: {failure}\n"));
+    }
+    text
+}
+
+/// Error over frame time: each driver is a colour, and each scene a point of it.
+///
+/// # Errors
+/// When it cannot be drawn.
+fn plot(comparison: &Comparison) -> Result<String, PlotError> {
+    // A logarithm has no place for 0: one step in one channel of one pixel.
+    let least = (1.0 / (3.0 * f64::from(comparison.size).powi(2))).sqrt();
+    let of = |driver: &'static str| comparison.rows.iter().filter(move |row| row.driver == driver);
+    let lines: Vec<Line> = comparison
+        .drivers
+        .iter()
+        .map(|driver| Line {
+            name: driver.name.to_owned(),
+            points: of(driver.name).map(|row| (row.frame_ms, row.error.rms.max(least))).collect(),
+        })
+        .collect();
+    let names: Vec<&str> = of("DetGL").map(|row| row.scene).collect();
+    let caption = Caption {
+        title: "Error against time, a point a scene",
+        x: "milliseconds a frame",
+        y: "RMS error, steps of a byte",
+    };
+    scatter(caption, &lines, &names)
+}
