@@ -300,6 +300,9 @@ pub(crate) fn blit_framebuffer(
         }
         copies.push(Copy { part, from, to });
     }
+    if context.queries.discards() {
+        return Ok(());
+    }
     let Some(area) = covered(axes, drawn_area(context, &pass)) else { return Ok(()) };
     let blit = Blit { axes, filter, area, srgb: srgb_write(context) };
     for Copy { part, from, to } in &copies {

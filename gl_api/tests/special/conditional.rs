@@ -34,6 +34,17 @@ fn draws_and_clears_depend_on_the_query_in_every_mode() {
             c.end_conditional_render();
             let cleared = if visible { [0, 255, 0, 255] } else { [0; 4] };
             assert_eq!(pixel(&mut c, 1, 1), cleared);
+            // A blit is a rendering command too (GL 4.5, section 2.4).
+            c.enable(GL_SCISSOR_TEST);
+            c.scissor(3, 3, 1, 1);
+            c.clear_color(1.0, 0.0, 0.0, 1.0);
+            c.clear(GL_COLOR_BUFFER_BIT);
+            c.disable(GL_SCISSOR_TEST);
+            c.begin_conditional_render(1, mode);
+            c.blit_framebuffer(3, 3, 4, 4, 0, 0, 1, 1, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+            c.end_conditional_render();
+            let copied = if visible { [255, 0, 0, 255] } else { [0; 4] };
+            assert_eq!(pixel(&mut c, 0, 0), copied);
             // Afterwards everything is drawn again.
             draw(&mut c, GL_QUADS, &ALL);
             assert_eq!(pixel(&mut c, 1, 1), [255; 4]);
