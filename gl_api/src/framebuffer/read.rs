@@ -11,6 +11,7 @@ use crate::texture::specify::kinds_match;
 use crate::texture::{convert, memory, texel};
 use crate::types::*;
 use rasterizer::driver::Attachment;
+use std::borrow::Cow;
 use std::sync::Arc;
 use texunit::format::Format;
 use texunit::image::{Level, Shape};
@@ -152,6 +153,16 @@ pub(crate) fn read_pixels(
     })
 }
 
+/// The texels of a row in a format that the client's can be made of: a stencil is an integer of
+/// its own.
+fn readable_row(texels: &[u8], format: Format, pixel: Pixel) -> (Format, Cow<'_, [u8]>) {
+    if pixel.format != ClientFormat::Stencil {
+        return (format, Cow::Borrowed(texels));
+    }
+    let stencils = texels.chunks_exact(format.bytes()).map(|t| texel::stencil_of(format, t));
+    (Format::R8UI, Cow::Owned(stencils.collect()))
+}
+
 /// A region of a level into the client's memory. Pixels outside the level are left as they are.
 fn pack(
     from: &Pixels,
@@ -162,28 +173,6 @@ fn pack(
 ) {
     let [width, height] = from.size();
     let Some(visible) = region.within(width, height) else { return };
-<<<<<<< HEAD
-    let first = layout.start
-        + (visible.y as i64 - region.y) as usize * layout.stride
-        + (visible.x as i64 - region.x) as usize * layout.pixel.bytes();
-    let row = Layout {
-        size: [visible.width, 1, 1],
-        needed: visible.width * layout.pixel.bytes(),
-        start: 0,
-        ..*layout
-    };
-    let rows = (0..visible.height)
-        .map(|y| (first + y * layout.stride, from.row(visible.x, visible.y + y, visible.width)));
-    if layout.pixel.format == ClientFormat::Stencil {
-        // A stencil is an integer of its own.
-        for (at, texels) in rows {
-            let texels = texels.chunks_exact(from.format().bytes());
-            let stencils: Vec<u8> = texels.map(|t| texel::stencil_of(from.format(), t)).collect();
-            convert::pack(&row, Format::R8UI, transfer, &stencils, &mut bytes[at..]);
-        }
-    } else {
-        convert::pack_rows(&row, from.format(), transfer, rows, bytes);
-=======
     let column = (visible.x as i64 - region.x) as usize;
     let row = (visible.y as i64 - region.y) as usize;
     for y in 0..visible.height {
@@ -191,7 +180,6 @@ fn pack(
         let (format, texels) = readable_row(texels, from.format(), layout.pixel);
         let run = layout.run(column, row + y, visible.width);
         convert::pack(&run, format, transfer, LuminanceOf::Sum, &texels, bytes);
->>>>>>> main
     }
 }
 

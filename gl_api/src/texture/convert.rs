@@ -292,8 +292,9 @@ pub(crate) fn as_texels<'a>(
     let run = layout.row_bytes();
     let is_tight = (height == 1 || layout.stride == run)
         && (depth == 1 || layout.image_stride == run * height);
-    let conversion = Conversion::new(layout, format, transfer);
+    let conversion = Conversion::new(layout, format, transfer, LuminanceOf::Red);
     let is_copy = format.block().is_none()
+        && layout.bits.is_none()
         && is_tight
         && conversion.unpack_shuffle().is_some_and(|shuffle| shuffle.is_copy());
     is_copy.then(|| &bytes[layout.start..layout.start + run * height * depth])
@@ -312,26 +313,10 @@ pub(crate) fn pack(
     if layout.needed == 0 {
         return;
     }
-<<<<<<< HEAD
-    let run = layout.size[0] * format.bytes();
-    pack_rows(layout, format, transfer, layout.rows().zip(texels.chunks_exact(run)), bytes);
-}
-
-/// Rows of texels of `format`, each with as many as the layout's rows have pixels, to where each is
-/// to begin in the client's memory.
-pub(crate) fn pack_rows<'a>(
-    layout: &Layout,
-    format: Format,
-    transfer: &Transfer,
-    rows: impl Iterator<Item = (usize, &'a [u8])>,
-    bytes: &mut [u8],
-) {
-    let conversion = Conversion::new(layout, format, transfer);
-=======
     let conversion = Conversion::new(layout, format, transfer, luminance);
->>>>>>> main
     let shuffle = conversion.pack_shuffle();
-    for (at, row) in rows {
+    let run = layout.size[0] * format.bytes();
+    for (at, row) in layout.rows().zip(texels.chunks_exact(run)) {
         let out = &mut bytes[at..at + layout.row_bytes()];
         match &shuffle {
             Some(shuffle) => shuffle.run(row, out),

@@ -87,16 +87,9 @@ pub(super) fn write_area(context: &mut Context, area: &Area, texels: &[u8]) -> R
 
 /// Memory for the texels of a box.
 pub(crate) fn room(format: Format, size: [usize; 3]) -> Result<Vec<u8>> {
-<<<<<<< HEAD
-    // Inside a level, which is below 2^31 bytes.
-    let bytes = size.iter().product::<usize>() * format.bytes();
-    texunit::image::zeroed(bytes).ok_or_else(|| GlError {
-=======
     let sides = size.iter().chain([&format.bytes()]).try_fold(1_usize, |a, &b| a.checked_mul(b));
     let bytes = sides.unwrap_or(usize::MAX);
-    let mut texels = Vec::new();
-    texels.try_reserve_exact(bytes).map_err(|_| GlError {
->>>>>>> main
+    texunit::image::zeroed(bytes).ok_or_else(|| GlError {
         code: ErrorCode::OutOfMemory,
         rule: format!("there is no memory for {bytes} bytes of texels"),
         section: SECTION,
