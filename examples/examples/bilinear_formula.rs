@@ -1,7 +1,7 @@
 //! The bilinear formula, written out in a shader beside GL_LINEAR.
 //!
 //! *Texture Mapping*, "Bilinear interpolation"; *TA 6*, "Bilinear filtering". From left to right: GL's filter;
-//! the mean of four texels by hand, (1-a)(1-b) t00 + a (1-b) t10 + (1-a) b t01 + a b t11; and a million times
+//! the mean of four texels by hand, (1-a)(1-b) t00 + a (1-b) t10 + (1-a) b t01 + a b t11; and four million times
 //! their difference, which is the rounding of the last bit.
 #![allow(non_snake_case, non_upper_case_globals, reason = "the lecture's names")]
 
@@ -50,7 +50,7 @@ void main() {
     vec3 filtered = texture2D(uTexUnit0, vTexCoord).rgb;
     vec3 color = filtered;
     if (uShow == 1) color = byHand(vTexCoord);
-    if (uShow == 2) color = 1.0e6 * abs(filtered - byHand(vTexCoord));
+    if (uShow == 2) color = 4.0e6 * abs(filtered - byHand(vTexCoord));
     fragColor = vec4(color, 1.0);
 }
 ";

@@ -33,7 +33,7 @@ out vec4 fragColor;
 uniform int uCaps;
 
 void main() {
-    vec2 around = vec2(atan(vObject.z, vObject.x) / 6.2831853 * 4.0, vObject.y);
+    vec2 around = vec2(atan(vObject.z, vObject.x) / 6.2831853 * 4.0, vObject.y + 0.3);
     bool cap = uCaps == 1 && abs(vObjectNormal.y) > 0.7;
     vec3 color = texture2DLod(uTexUnit0, cap ? vObject.xz : around, 1.0).rgb;
     float light = max(0.0, dot(normalize(vNormal), normalize(vec3(-0.4, 0.7, 0.6))));

@@ -33,6 +33,7 @@ fn draw(window: &mut Window) {
     glMaterialfv(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE, &[0.45, 0.70, 0.62, 1.]);
     glMaterialfv(GL_FRONT_AND_BACK, GL_SPECULAR, &[0.5, 0.5, 0.5, 1.]);
     glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, 40);
+    glBindTexture(GL_TEXTURE_2D, 1);
     load_decal(window);
     let vase = Mesh::vase().upload();
     for (panel, environment) in [(0, None), (1, Some(GL_REPLACE)), (2, Some(GL_DECAL))] {
@@ -44,12 +45,10 @@ fn draw(window: &mut Window) {
         glLoadIdentity();
         glTranslatef(0, 0, -3.4);
         glRotatef(16, 1, 0, 0);
-        match environment {
-            None => glDisable(GL_TEXTURE_2D),
-            Some(mode) => {
-                glEnable(GL_TEXTURE_2D);
-                glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, mode);
-            }
+        glBindTexture(GL_TEXTURE_2D, if environment.is_none() { 0 } else { 1 });
+        if let Some(mode) = environment {
+            glEnable(GL_TEXTURE_2D);
+            glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, mode);
         }
         // Once around is two pictures; the texture matrix puts one in front.
         glMatrixMode(GL_TEXTURE);

@@ -45,23 +45,25 @@ const PIPS: [&[(i32, i32)]; 6] = [
 fn draw(window: &mut Window) {
     glClearColor(0.90, 0.89, 0.86, 1);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    load_texture(0, atlas(), GL_CLAMP_TO_EDGE);
+    let die = load_texture(0, atlas(), GL_CLAMP_TO_EDGE);
     glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
 
     window.panel(2, 1, 0);
+    glEnable(GL_TEXTURE_2D);
     for (_, _, cell) in FACES {
-        let corner = |(s, t): (f64, f64)| {
-            let [u, v] = uv(cell, s, t);
-            glTexCoord2f(u, v);
-            glVertex2f(1.8 * u - 0.9, 1.35 * v - 0.675);
-        };
-        glEnable(GL_TEXTURE_2D);
-        draw_corners(GL_QUADS, corner);
-        glDisable(GL_TEXTURE_2D);
-        glColor3f(0.8, 0.2, 0.2);
-        draw_corners(GL_LINE_LOOP, corner);
+        draw_corners(GL_QUADS, |(s, t)| {
+            glTexCoord2fv(&uv(cell, s, t).map(|at| at as f32));
+            place(uv(cell, s, t));
+        });
+    }
+    glBindTexture(GL_TEXTURE_2D, 0);
+    glDisable(GL_TEXTURE_2D);
+    glColor3f(0.8, 0.2, 0.2);
+    for (_, _, cell) in FACES {
+        draw_corners(GL_LINE_LOOP, |(s, t)| place(uv(cell, s, t)));
     }
 
+    glBindTexture(GL_TEXTURE_2D, die);
     glEnable(GL_TEXTURE_2D);
     glEnable(GL_DEPTH_TEST);
     let aspect = window.panel(2, 1, 1);
@@ -81,6 +83,11 @@ fn draw(window: &mut Window) {
             glVertex3f(at.x, at.y, at.z);
         });
     }
+}
+
+/// A place of the picture in the window.
+fn place([u, v]: [f64; 2]) {
+    glVertex2f(1.8 * u - 0.9, 1.35 * v - 0.675);
 }
 
 /// A place of a face in the picture.
@@ -104,16 +111,10 @@ fn atlas() -> Picture {
         let pip = |(i, j): &(i32, i32)| {
             disc(s, t, 0.26 + 0.24 * f64::from(*i), 0.26 + 0.24 * f64::from(*j), 0.085)
         };
-        if PIPS[face].iter().any(pip) { [0.12, 0.12, 0.20] } else { COLORS[face] }
+        if PIPS[face].iter().any(pip) {
+            [0.12, 0.12, 0.20]
+        } else {
+            [0.97 - 0.02 * face as f64, 0.93, 0.82 + 0.03 * face as f64]
+        }
     })
 }
-
-/// Of the faces.
-const COLORS: [[f64; 3]; 6] = [
-    [0.96, 0.92, 0.84],
-    [0.86, 0.92, 0.97],
-    [0.93, 0.86, 0.95],
-    [0.88, 0.95, 0.86],
-    [0.97, 0.95, 0.80],
-    [0.96, 0.86, 0.84],
-];

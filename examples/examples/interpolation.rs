@@ -82,8 +82,8 @@ fn draw(window: &mut Window) {
     let square = square.upload();
     for show in 0..3 {
         let aspect = window.panel(3, 1, show);
-        let place = translate(0., 0.25, -2.5) * rotate(-62., DVec3::X);
-        use_program(program, &perspective(50., aspect, 0.1, 50.), &place);
+        let place = translate(0., 0.1, -2.9) * rotate(-58., DVec3::X);
+        use_program(program, &perspective(44., aspect, 0.1, 50.), &place);
         safe_glUniform1i(safe_glGetUniformLocation(program, "uShow"), show);
         square.draw(program);
     }

@@ -53,7 +53,7 @@ fn draw(window: &mut Window) {
         (dvec3(x, height(x, z), z), normal.normalize())
     });
     let aspect = window.panel(1, 1, 0);
-    let place = translate(0., -0.55, -6.2) * rotate(24., DVec3::X) * rotate(-24., DVec3::Y);
+    let place = translate(0., -0.35, -8.4) * rotate(24., DVec3::X) * rotate(-24., DVec3::Y);
     use_program(program, &perspective(40., aspect, 0.1, 50.), &place);
     glUniform2f(safe_glGetUniformLocation(program, "uSize"), 1.5, 1.5);
     land.upload().draw(program);

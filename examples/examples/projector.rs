@@ -69,19 +69,6 @@ void main(){
 }
 ";
 
-/// The room without the slide.
-const ROOM_FRAGMENT_SHADER: &str = "\
-#version 130
-in vec3 vColor;
-in vec3 vObjectNormal;
-out vec4 fragColor;
-
-void main(){
-    float light = max(0.0, dot(vObjectNormal, vec3(0.36, 0.80, 0.48)));
-    fragColor = vec4(vColor * (0.17 + 0.17 * light), 1.0);
-}
-";
-
 fn draw(window: &mut Window) {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glEnable(GL_DEPTH_TEST);
@@ -90,7 +77,7 @@ fn draw(window: &mut Window) {
     load_texture(0, window.picture("slide.ppm"), GL_CLAMP_TO_BORDER);
 
     let model = room_corner().upload();
-    let dim = initShaders(window, EYE_VERTEX_SHADER, ROOM_FRAGMENT_SHADER);
+    let dim = dim_room_program(window);
     let by_hand = initShaders(window, VERTEX_SHADER, DIVIDE_FRAGMENT_SHADER);
     let by_proj = initShaders(window, VERTEX_SHADER, PROJ_FRAGMENT_SHADER);
 

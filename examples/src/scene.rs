@@ -2,6 +2,9 @@
 
 use crate::matrix::{DMat4, DVec3, rotate, translate};
 use crate::mesh::Mesh;
+use crate::shader::initShaders;
+use crate::window::Window;
+use gl_api::types::GLuint;
 
 /// A ring, a ball in it, and three blocks over a floor.
 pub fn ring_and_blocks() -> Mesh {
@@ -48,4 +51,36 @@ pub fn room_corner() -> Mesh {
     let box_place = translate(-1.2, 0.45, 0.9) * rotate(28., DVec3::Y);
     room.append(Mesh::cube().moved(box_place * DMat4::from_scale(DVec3::splat(0.45))));
     room
+}
+
+/// The room in dim light. Its positions are computed as the lecture's projector computes them, so
+/// that what is added afterwards has the same depths.
+const ROOM_VERTEX_SHADER: &str = "\
+#version 130
+uniform mat4 uModelViewMatrix;
+uniform mat4 uProjMatrix;
+in vec4 aVertex;
+in vec3 aNormal;
+in vec3 aColor;
+out vec3 vColor;
+
+void main(){
+    vColor = aColor * (0.17 + 0.17 * max(0.0, dot(aNormal, vec3(0.36, 0.80, 0.48))));
+    gl_Position = uProjMatrix * uModelViewMatrix * aVertex;
+}
+";
+
+const ROOM_FRAGMENT_SHADER: &str = "\
+#version 130
+in vec3 vColor;
+out vec4 fragColor;
+
+void main(){
+    fragColor = vec4(vColor, 1.0);
+}
+";
+
+/// A program that draws [`room_corner`] in dim light.
+pub fn dim_room_program(window: &mut Window) -> GLuint {
+    initShaders(window, ROOM_VERTEX_SHADER, ROOM_FRAGMENT_SHADER)
 }

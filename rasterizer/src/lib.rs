@@ -22,6 +22,7 @@ pub mod driver;
 pub mod ir;
 mod output;
 mod plan;
+mod pool;
 mod primitive;
 mod raster;
 pub mod shader;

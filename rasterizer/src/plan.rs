@@ -4,7 +4,7 @@
 //! memory; `DETGL_EXPLAIN=1` prints it.
 
 use crate::driver::{
-    DepthState, DepthWrite, Pipeline, PipelineDesc, PolygonMode, PolygonOffset, RasterState,
+    DepthState, DepthWrite, Pipeline, PipelineDesc, PolygonMode, PolygonOffset, RasterState, Rim,
     Topology, Viewport,
 };
 use crate::ir::{Axis, Input, Interpolation, Output};
@@ -29,6 +29,10 @@ pub enum FragmentInput {
     Smooth(usize),
     /// The plane as it is.
     Linear(usize),
+    /// As [`Self::Smooth`], at the centroid of the covered samples.
+    SmoothWithin(usize),
+    /// As [`Self::Linear`], at the centroid of the covered samples.
+    LinearWithin(usize),
     /// The plane's value at the provoking vertex.
     Flat(usize),
     /// How a smooth value changes from pixel to pixel.
@@ -74,6 +78,8 @@ pub struct DrawPlan {
     pub planes: Vec<PlaneSource>,
     /// By input of the fragment program.
     pub inputs: Vec<FragmentInput>,
+    /// Whether any of them is taken at the centroid of the covered samples.
+    pub centroids: bool,
     /// The plane of depth, where anybody needs it.
     pub depth_plane: Option<usize>,
     /// The plane that smooth varyings are divided by, where there are any.
@@ -246,13 +252,26 @@ impl DrawPlan {
                     let at = compiled.varyings.iter().position(|&(s, _)| s == slot);
                     let (at, mode) =
                         at.map_or((0, Interpolation::Flat), |at| (at, compiled.varyings[at].1));
+                    // With one sample, it lies at the centre.
+                    let centroids = &desc.fragment.module().centroids;
+                    let within = samples.is_each() && centroids.contains(&slot);
                     match mode {
                         Interpolation::Smooth => {
                             denominator_plane = Some(plane(PlaneSource::Denominator));
-                            FragmentInput::Smooth(plane(smooth(slot, at)))
+                            let index = plane(smooth(slot, at));
+                            if within {
+                                FragmentInput::SmoothWithin(index)
+                            } else {
+                                FragmentInput::Smooth(index)
+                            }
                         }
                         Interpolation::NoPerspective => {
-                            FragmentInput::Linear(plane(PlaneSource::NoPerspective(at)))
+                            let index = plane(PlaneSource::NoPerspective(at));
+                            if within {
+                                FragmentInput::LinearWithin(index)
+                            } else {
+                                FragmentInput::Linear(index)
+                            }
                         }
                         Interpolation::Flat => FragmentInput::Flat(plane(PlaneSource::Flat(at))),
                     }
@@ -284,7 +303,11 @@ impl DrawPlan {
                 }
             });
         }
+        let within = |input: &FragmentInput| {
+            matches!(input, FragmentInput::SmoothWithin(_) | FragmentInput::LinearWithin(_))
+        };
         Self {
+            centroids: inputs.iter().any(within),
             prepared: fragment.prepare(input.isa, input.uniforms, &input.textures),
             textures: input.textures,
             planes,
@@ -309,6 +332,16 @@ impl DrawPlan {
     /// Whether any fragment asks how much of its pixel is covered.
     pub fn reads_coverage(&self) -> bool {
         self.inputs.contains(&FragmentInput::Coverage)
+    }
+
+    /// Whether small triangles may be filled by the windows they lie in: one sample, and nothing
+    /// but the outline says what is covered.
+    pub fn has_windows(&self) -> bool {
+        self.samples.count == 1
+            && self.samples.leaves(0)
+            && self.raster.polygon.rim == Rim::Aliased
+            && self.stipple.is_none()
+            && !self.reads_coverage()
     }
 
     /// What runs, what was left out, and why.

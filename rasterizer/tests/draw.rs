@@ -45,6 +45,19 @@ fn picture_with(
     attributes: u8,
     size: (u32, u32),
 ) -> Vec<u8> {
+    picture_cut(device, desc, raster, vertices, attributes, size, Cut::No)
+}
+
+/// The same in one draw or many.
+fn picture_cut(
+    device: &Device,
+    desc: &PipelineDesc,
+    raster: &RasterState,
+    vertices: &[f32],
+    attributes: u8,
+    size: (u32, u32),
+    cut: Cut,
+) -> Vec<u8> {
     let color = image(Format::Rgba8, size.0, size.1);
     let depth = image(Format::D24, size.0, size.1);
     let mut commands = CommandBuffer::new();
@@ -57,11 +70,24 @@ fn picture_with(
     commands.push(Command::BindVertices(bindings(vertices, attributes)));
     commands.push(viewport(size.0, size.1));
     commands.push(Command::SetRaster(Arc::new(raster.clone())));
-    let count = vertices.len() as u32 / (u32::from(attributes) * 4);
-    commands.push(Command::Draw { first: 0, count, instances: 1 });
+    let all = vertices.len() as u32 / (u32::from(attributes) * 4);
+    let count = match cut {
+        Cut::No => all,
+        Cut::ByTriangle => 3,
+    };
+    for first in (0..all).step_by(count.max(1) as usize) {
+        commands.push(Command::Draw { first, count, instances: 1 });
+    }
     commands.push(Command::EndPass);
     device.submit(&commands).expect("legal");
     bytes(&color)
+}
+
+/// Whether a picture is one draw.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Cut {
+    No,
+    ByTriangle,
 }
 
 /// The colour is varyings 0 to 3.
@@ -133,6 +159,37 @@ fn every_instruction_set_and_thread_count_gives_the_same_bits() {
     }
     let drawn = first.expect("there is a device").chunks(4).filter(|p| p[3] != 0).count();
     assert!(drawn > 15_000, "{drawn} of {} pixels drawn", 203 * 150);
+}
+
+/// What the planes and the coverage of a group give is what they give for each triangle alone.
+#[test]
+fn small_triangles_of_one_draw_look_as_if_each_were_a_draw() {
+    let mut desc = colored();
+    desc.depth = Some(DepthState { test: Compare::Less, write: DepthWrite::On });
+    desc.colors[0].blend = Some(Blend {
+        equation: [BlendEquation::Add; 2],
+        src: [BlendFactor::SrcAlpha, BlendFactor::One],
+        dst: [BlendFactor::OneMinusSrcAlpha, BlendFactor::One],
+        constant: [0.0; 4],
+    });
+    let mut random = Random(11);
+    let mut vertices = Vec::new();
+    for i in 0..3000 {
+        let size = [0.01, 0.03, 0.1][i % 3];
+        let (x, y) = (random.float(-1.1, 1.1), random.float(-1.1, 1.1));
+        for _ in 0..3 {
+            let w = random.float(0.5, 2.0);
+            let (x, y) = (x + random.float(-size, size), y + random.float(-size, size));
+            vertices.extend([x * w, y * w, random.float(-1.0, 1.0) * w, w]);
+            vertices.extend([(); 3].map(|()| random.float(0.0, 1.0)));
+            vertices.push(0.5);
+        }
+    }
+    let raster = RasterState::default();
+    for device in devices() {
+        let draw = |cut| picture_cut(&device, &desc, &raster, &vertices, 2, (203, 150), cut);
+        assert!(draw(Cut::No) == draw(Cut::ByTriangle), "{:?}", device.desc());
+    }
 }
 
 #[test]

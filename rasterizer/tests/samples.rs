@@ -6,8 +6,9 @@ use common::{bindings, bytes, device, fragment, image, pass, pipeline, vertex, v
 use rasterizer::driver::{
     AlphaToCoverage, AlphaToOne, Blend, BlendEquation, BlendFactor, ClearValue, Command,
     CommandBuffer, Counter, DepthState, DepthWrite, Device, Image, MultisampleState, Pipeline,
-    PipelineDesc, RasterState, Rect, SampleCoverage, SampleRule, Topology,
+    PipelineDesc, RasterState, Rect, SampleCoverage, SampleRule, ShaderModule, Topology,
 };
+use rasterizer::ir::{Builder, Input, Interpolation, Output, Stage};
 use std::sync::Arc;
 use texunit::format::Format;
 use texunit::image::{Image as Texels, Level, Shape};
@@ -100,8 +101,13 @@ fn random(state: &mut u64, end: i64) -> i64 {
     (*state >> 33) as i64 % end
 }
 
-/// How many of the four samples of a pixel lie in a triangle, by exact arithmetic.
+/// How many of the four samples of a pixel lie in a triangle.
 fn samples_inside(corners: &[[i64; 2]], x: i64, y: i64) -> u32 {
+    inside(corners, x, y).len() as u32
+}
+
+/// The samples of a pixel that lie in a triangle, by exact arithmetic.
+fn inside(corners: &[[i64; 2]], x: i64, y: i64) -> Vec<[i64; 2]> {
     let side = |a: [i64; 2], b: [i64; 2], p: [i64; 2]| {
         (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0])
     };
@@ -120,7 +126,52 @@ fn samples_inside(corners: &[[i64; 2]], x: i64, y: i64) -> u32 {
                 e > 0 || (e == 0 && top_left)
             })
     };
-    FOUR.iter().filter(inside).count() as u32
+    FOUR.iter().filter(inside).copied().collect()
+}
+
+/// A position, in clip coordinates, that the fragment takes at the centroid of its samples: its
+/// coordinate along `axis` becomes red.
+fn place_of_centroid(axis: u16, interpolation: Interpolation) -> PipelineDesc {
+    let mut b = Builder::new(Stage::Vertex);
+    for component in 0..4 {
+        let value = b.input(Input::Attribute { location: 0, component });
+        for output in [Output::Position(component), Output::Varying(component.into())] {
+            let out = b.output(output);
+            b.store(out, value);
+        }
+    }
+    let vertex = ShaderModule::new(b.finish()).expect("valid");
+    let fragment = fragment(2, |b| {
+        b.module_mut().centroids = vec![0, 1];
+        b.module_mut().varyings = vec![interpolation; 2];
+        let place = b.input(Input::Varying(axis));
+        [place; 4]
+    });
+    pipeline(vertex, fragment)
+}
+
+#[test]
+fn a_centroid_is_that_of_the_covered_samples() {
+    let device = device(Isa::best(), 1);
+    let mut state = 3;
+    let end = 256 * i64::from(SIZE);
+    for round in 0..12 {
+        let corners: [[i64; 2]; 3] = [0; 3].map(|_| [0; 2].map(|_| random(&mut state, end)));
+        let axis = round % 2;
+        let interpolation = [Interpolation::Smooth, Interpolation::NoPerspective][round / 2 % 2];
+        let target = multisampled(Format::Rgba32F, 4);
+        let desc = place_of_centroid(axis as u16, interpolation);
+        draw(&device, (&target, None), &desc, each(), &corners, |_| 0.0);
+        for (i, red) in reds(&target).into_iter().enumerate() {
+            let pixel = [i as i64 % i64::from(SIZE), i as i64 / i64::from(SIZE)];
+            let covered = inside(&corners, pixel[0], pixel[1]);
+            // Of `n` covered samples, each holds the mean of their places; the others are 0.
+            let places = covered.iter().map(|place| (256 * pixel[axis] + place[axis]) as f64);
+            let clip = places.map(|place| place / (128.0 * f64::from(SIZE)) - 1.0);
+            let want = clip.sum::<f64>() / 4.0;
+            assert!((f64::from(red) - want).abs() < 1e-5, "{corners:?} {pixel:?}: {red}, {want}");
+        }
+    }
 }
 
 #[test]

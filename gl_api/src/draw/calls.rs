@@ -84,21 +84,21 @@ fn indexed_reach(
 fn bindings(context: &Context, reach: Reach) -> Result<Vec<VertexBinding>> {
     let arrays = &context.state.arrays.by_location;
     let vertex = usize::from(ATTRIB_VERTEX);
-    (0..LOCATIONS)
-        .map(|location| {
-            let from = match location {
-                0 if !arrays[0].enabled => vertex,
-                _ if location == vertex && arrays[0].enabled => 0,
-                _ => location,
-            };
-            let source = if arrays[from].enabled {
-                vertex_source(context, from, reach)?
-            } else {
-                VertexSource::Constant(context.state.current[location])
-            };
-            Ok(VertexBinding { location: location as u8, source })
-        })
-        .collect()
+    let mut bindings = Vec::with_capacity(LOCATIONS);
+    for location in 0..LOCATIONS {
+        let from = match location {
+            0 if !arrays[0].enabled => vertex,
+            _ if location == vertex && arrays[0].enabled => 0,
+            _ => location,
+        };
+        let source = if arrays[from].enabled {
+            vertex_source(context, from, reach)?
+        } else {
+            VertexSource::Constant(context.state.current[location])
+        };
+        bindings.push(VertexBinding { location: location as u8, source });
+    }
+    Ok(bindings)
 }
 
 /// Whether there are positions to draw; without, nothing is drawn.

@@ -15,7 +15,7 @@ use crate::state::light::{ColorControl, Light};
 use crate::state::material::{Part, column, material};
 use crate::texture::TextureTarget;
 use glam::{DMat4, DVec4};
-use rasterizer::driver::{Rim, VertexBinding, VertexSource};
+use rasterizer::driver::{LevelInfo, Rim, VertexBinding, VertexSource};
 
 /// The vertex stage for the state of now. `base` is its first uniform word.
 pub(super) fn vertex_key(context: &Context, vertices: &[VertexBinding], base: u32) -> VertexKey {
@@ -116,12 +116,12 @@ fn varying(context: &Context, vertices: &[VertexBinding], side: Side) -> Varying
     let materials = &context.state.materials;
     let tracked = (context.state.enables.has(Flag::ColorMaterial) && materials.faces.has(side))
         .then_some(materials.tracked);
-    let own = |part: Part| {
-        let location = match tracked {
-            Some(tracked) if tracked.has(part) => ATTRIB_COLOR,
-            Some(_) | None => column(side, part),
-        };
-        varies(location).then_some(location)
+    let of_color = varies(ATTRIB_COLOR).then_some(ATTRIB_COLOR);
+    // Columns of materials come behind all others.
+    let any = vertices.last().is_some_and(|binding| binding.location >= ATTRIB_MATERIAL);
+    let own = |part: Part| match tracked {
+        Some(tracked) if tracked.has(part) => of_color,
+        Some(_) | None => any.then(|| column(side, part)).filter(|&location| varies(location)),
     };
     Varying {
         emission: own(Part::Emission),
@@ -175,14 +175,14 @@ fn enabled_units(context: &mut Context, vertices: Option<&[VertexBinding]>) -> V
             hints::incomplete(context, unit, target, &reason);
             continue;
         }
-        let texels = texture.image.texels();
-        let Some(level) = texels.level(0, sampler.base_level as usize) else { continue };
+        let level = texture.image.level(0, sampler.base_level as usize);
+        let Some(LevelInfo { format, .. }) = level else { continue };
         units.push(UnitKey {
             unit,
             environment: Environment::new(state.mode, &state.combiners),
-            base: environment_base(level.format.base(), sampler.depth_mode),
+            base: environment_base(format.base(), sampler.depth_mode),
             shape: target.shape(),
-            compare: level.format.is_depth() && sampler.compare.is_some(),
+            compare: format.is_depth() && sampler.compare.is_some(),
             coordinates: coordinates(context, unit, vertices),
         });
     }

@@ -71,6 +71,21 @@ macro_rules! attribute_calls {
             attribute_calls!(@entries $lead [$gl $($alias)?] $params),
             attribute_calls!(@entries $lead [$gl_vector $($vector_alias)?] (v)),
         )*)*];
+        /// The calls with random arguments.
+        #[cfg(any(test, feature = "exercise"))]
+        pub(super) fn exercises() -> Vec<super::exercise::Exercise> {
+            vec![$($(
+                attribute_calls!(@exercise $lead $method $gl $ty $params),
+                attribute_calls!(@exercise_vector $lead $vector $gl_vector $ty),
+            )*)*]
+        }
+    };
+    (@exercise [$($lead:ident: $lead_ty:ty)?] $method:ident $gl:ident $ty:ident
+        ($($param:ident),+)) => {
+        entry_points!(@exercise Anywhere $method $gl ($($lead: $lead_ty,)? $($param: $ty),+))
+    };
+    (@exercise_vector [$($lead:ident: $lead_ty:ty)?] $method:ident $gl:ident $ty:ident) => {
+        entry_points!(@exercise Anywhere $method $gl ($($lead: $lead_ty,)? v: &'a [$ty]))
     };
     (@call $doc:literal [$($lead:ident: $lead_ty:ty)?] $slot:expr, $convert:ident,
         $method:ident $gl:ident $ty:ident ($($param:ident),+)) => {

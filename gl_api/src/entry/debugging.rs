@@ -46,6 +46,8 @@ entry_points! {
         get_object_ptr_label: glGetObjectPtrLabel (
             ptr: *const GLvoid, bufsize: GLsizei, length: &'a mut [GLsizei], label: TextOut<'a>
         );
+    }
+    Outside in log_calls {
         /// Where arrays and callbacks are; an offset for an array in a buffer.
         get_pointerv: glGetPointerv | glGetPointervEXT
             (pname: GLenum, params: &'a mut [*mut GLvoid]);

@@ -17,6 +17,8 @@ entry_points! {
         gen_lists: glGenLists (range: GLsizei) -> GLuint;
         /// Deletes lists; names without a list are ignored.
         delete_lists: glDeleteLists (list: GLuint, range: GLsizei);
+        /// Where `glCallLists` counts from.
+        list_base: glListBase (base: GLuint);
         /// Whether there is a list of that name.
         is_list: glIsList (list: GLuint) -> bool;
     }
@@ -35,7 +37,5 @@ entry_points! {
         call_list: glCallList (list: GLuint);
         /// Carries out several lists, counted from `glListBase`.
         call_lists: glCallLists (n: GLsizei, ty: GLenum, lists: Data<'a>);
-        /// Where `glCallLists` counts from.
-        list_base: glListBase (base: GLuint);
     }
 }

@@ -20,7 +20,40 @@ macro_rules! entry_points {
         pub(super) const $table: &[&[$crate::entry::Row]] = &[$($(
             entry_points!(@entries [$gl $($alias)*] ($($params)*)),
         )*)*];
+        /// The calls with random arguments.
+        #[cfg(any(test, feature = "exercise"))]
+        pub(super) fn exercises() -> Vec<$crate::entry::exercise::Exercise> {
+            vec![$($(entry_points!(@exercise $place $method $gl ($($params)*))),*),*]
+        }
     };
+    (@exercise $place:ident $method:ident $gl:ident ($($param:ident: $ty:ty),*)) => {{
+        #[allow(clippy::extra_unused_lifetimes, reason = "for the rows that borrow")]
+        #[allow(unused_variables, reason = "calls without arguments draw no numbers")]
+        fn exercise<'a>(
+            context: &mut $crate::context::Context,
+            random: &mut $crate::entry::exercise::Random<'_>,
+        ) {
+            #[allow(clippy::extra_unused_lifetimes, reason = "for the rows that borrow")]
+            fn run<'a>(
+                context: &mut $crate::context::Context,
+                $($param: &'a mut <$ty as $crate::entry::exercise::Exercised<'a>>::Held),*
+            ) {
+                let _ = context.$method(
+                    $(<$ty as $crate::entry::exercise::Exercised<'a>>::lend($param)),*
+                );
+            }
+            $(
+                let mut $param = <$ty as $crate::entry::exercise::Exercised<'a>>::held(
+                    random,
+                    stringify!($param),
+                    stringify!($ty),
+                );
+            )*
+            run(context, $(&mut $param),*);
+        }
+        let place = $crate::entry::Place::$place;
+        $crate::entry::exercise::Exercise { name: stringify!($gl), place, run: exercise }
+    }};
     (@row $place:ident $module:ident $method:ident $doc:tt $gl:ident [$($alias:ident)*]
         $params:tt $ret:tt) => {
         entry_points!(@method $place $module $method $gl $doc $params $ret);
@@ -93,6 +126,8 @@ macro_rules! entry_points {
 
 mod args;
 mod current;
+#[cfg(any(test, feature = "exercise"))]
+pub mod exercise;
 
 mod attributes;
 mod debugging;
@@ -153,8 +188,18 @@ pub fn implemented() -> impl Iterator<Item = (&'static str, usize)> {
     rows().map(|(name, parameters, _)| (name, parameters))
 }
 
+/// Every entry point once, by the name that its messages have.
+pub fn canonical() -> impl Iterator<Item = &'static str> {
+    groups().filter_map(|names| names.first()).map(|(name, ..)| *name)
+}
+
 /// Every entry point.
 pub(crate) fn rows() -> impl Iterator<Item = Row> {
+    groups().flat_map(|names| names.iter().copied())
+}
+
+/// The names of each entry point.
+fn groups() -> impl Iterator<Item = &'static [Row]> {
     [
         ATTRIBUTES,
         DEBUGGING,
@@ -176,5 +221,5 @@ pub(crate) fn rows() -> impl Iterator<Item = Row> {
     ]
     .into_iter()
     .flatten()
-    .flat_map(|chapter| chapter.iter().copied())
+    .copied()
 }

@@ -110,11 +110,26 @@ fn combiner(combiner: &Combiner, arguments: Arguments) -> String {
         (Function::AddSigned, Arguments::Four) => format!("{a} · {b} + {c} · {d} - 1/2"),
         (Function::Interpolate, _) => format!("{a} · {c} + {b} · (1 - {c})"),
         (Function::Subtract, _) => format!("{a} - {b}"),
-        (Function::Dot3Rgb | Function::Dot3Rgba, _) => {
-            format!("4 Σ ({a} - 1/2) ({b} - 1/2) over r, g, b")
-        }
+        (
+            Function::Dot3Rgb
+            | Function::Dot3Rgba
+            | Function::Dot3RgbUnscaled
+            | Function::Dot3RgbaUnscaled,
+            _,
+        ) => format!("4 Σ ({a} - 1/2) ({b} - 1/2) over r, g, b"),
     };
-    match combiner.scale {
+    let scale = match combiner.function {
+        Function::Dot3RgbUnscaled | Function::Dot3RgbaUnscaled => Scale::One,
+        Function::Replace
+        | Function::Modulate
+        | Function::Add
+        | Function::AddSigned
+        | Function::Interpolate
+        | Function::Subtract
+        | Function::Dot3Rgb
+        | Function::Dot3Rgba => combiner.scale,
+    };
+    match scale {
         Scale::One => format!("clamp({text})"),
         Scale::Two => format!("clamp(2 ({text}))"),
         Scale::Four => format!("clamp(4 ({text}))"),

@@ -52,6 +52,9 @@ pub(crate) fn add_two_sides(module: &mut Module) {
     let [front, back] = [VARYING_COLOR, VARYING_BACK_COLOR].map(usize::from);
     module.varyings.resize(module.varyings.len().max(back + 8), Interpolation::Smooth);
     module.varyings.copy_within(front..front + 8, back);
+    let centroids = module.centroids.iter().filter(|slot| **slot < VARYING_TEX_COORD);
+    let centroids: Vec<u16> = centroids.map(|slot| slot - VARYING_COLOR + VARYING_BACK_COLOR).collect();
+    module.centroids.extend(centroids);
     module.body.splice(0..0, evaluated);
 }
 

@@ -11,7 +11,6 @@ use crate::texture::specify::kinds_match;
 use crate::texture::{convert, memory, texel};
 use crate::types::*;
 use rasterizer::driver::Attachment;
-use std::borrow::Cow;
 use std::sync::Arc;
 use texunit::format::Format;
 use texunit::image::{Level, Shape};
@@ -153,16 +152,6 @@ pub(crate) fn read_pixels(
     })
 }
 
-/// The texels of a row in a format that the client's can be made of: a stencil is an integer of
-/// its own.
-fn readable_row(texels: &[u8], format: Format, pixel: Pixel) -> (Format, Cow<'_, [u8]>) {
-    if pixel.format != ClientFormat::Stencil {
-        return (format, Cow::Borrowed(texels));
-    }
-    let stencils = texels.chunks_exact(format.bytes()).map(|t| texel::stencil_of(format, t));
-    (Format::R8UI, Cow::Owned(stencils.collect()))
-}
-
 /// A region of a level into the client's memory. Pixels outside the level are left as they are.
 fn pack(
     from: &Pixels,
@@ -175,11 +164,19 @@ fn pack(
     let Some(visible) = region.within(width, height) else { return };
     let column = (visible.x as i64 - region.x) as usize;
     let row = (visible.y as i64 - region.y) as usize;
-    for y in 0..visible.height {
-        let texels = from.row(visible.x, visible.y + y, visible.width);
-        let (format, texels) = readable_row(texels, from.format(), layout.pixel);
-        let run = layout.run(column, row + y, visible.width);
-        convert::pack(&run, format, transfer, LuminanceOf::Sum, &texels, bytes);
+    let run = layout.run(column, row, visible.width);
+    let rows = (0..visible.height)
+        .map(|y| (run.start + y * run.stride, from.row(visible.x, visible.y + y, visible.width)));
+    if layout.pixel.format != ClientFormat::Stencil {
+        convert::pack_rows(&run, from.format(), transfer, LuminanceOf::Sum, rows, bytes);
+        return;
+    }
+    // A stencil is an integer of its own.
+    for (at, texels) in rows {
+        let texels = texels.chunks_exact(from.format().bytes());
+        let stencils: Vec<u8> = texels.map(|t| texel::stencil_of(from.format(), t)).collect();
+        let rows = std::iter::once((at, &stencils[..]));
+        convert::pack_rows(&run, Format::R8UI, transfer, LuminanceOf::Sum, rows, bytes);
     }
 }
 

@@ -97,6 +97,10 @@ pub(crate) fn new_list(context: &mut Context, list: GLuint, mode: GLenum) -> Res
 
 pub(crate) fn end_list(context: &mut Context) -> Result<()> {
     context.finish_open();
+    // Where the list is carried out, too, this stands between glBegin and glEnd.
+    if context.immediate.is_some() {
+        return invalid_operation("GL 2.1, section 2.6.3", "glEnd is missing");
+    }
     let Some(compiling) = context.compiling.take() else {
         return invalid_operation(SECTION, "no list is being compiled: glNewList is missing");
     };

@@ -164,8 +164,14 @@ impl Context {
     /// Records `glBegin`, if a list is compiled.
     pub(crate) fn record_begin(&mut self, mode: GLenum) -> bool {
         self.finish_open();
+        let nested = self.immediate.is_some();
         let Some(compiling) = &mut self.compiling else { return false };
-        compiling.open = Some(Open::new(mode));
+        let open = Open::new(mode);
+        if nested {
+            self.keep_steps(open.spill());
+        } else {
+            compiling.open = Some(open);
+        }
         true
     }
 

@@ -9,7 +9,8 @@ use crate::error::{Result, Table, invalid_operation, not_negative};
 use crate::feedback::{self, Mode};
 use crate::framebuffer::complete::{Readable, draw_pass, draw_planes};
 use crate::framebuffer::{Region, read};
-use crate::texture::{convert, texel};
+use crate::texture::client::Numbers;
+use crate::texture::{convert, texel, transfer};
 use crate::types::*;
 use texunit::format::Format;
 
@@ -109,7 +110,11 @@ pub(crate) fn copy_pixels(
         }
         Kind::Stencil => {
             let bytes = from.format().bytes();
-            let of = |texel: &[u8]| texel::stencil_of(from.format(), texel);
+            let steps = transfer.of(transfer::Kind::Stencil, Numbers::Integer);
+            let of = |texel: &[u8]| {
+                let stencil = texel::stencil_of(from.format(), texel);
+                steps.apply([stencil.into(), 0.0, 0.0, 1.0])[0] as u8
+            };
             let stencils: Vec<u8> = stored.chunks_exact(bytes).map(of).collect();
             stencil::draw(context, size, |x, y| stencils[y * width + x])
         }

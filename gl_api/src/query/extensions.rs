@@ -114,6 +114,7 @@ pub(crate) const EXTENSIONS: &[&str] = &[
     "GL_IBM_texture_mirrored_repeat",
     "GL_KHR_debug",
     "GL_NV_blend_square",
+    "GL_NV_conditional_render",
     "GL_NV_primitive_restart",
     "GL_NV_texgen_reflection",
     "GL_NV_texture_env_combine4",

@@ -313,10 +313,24 @@ pub(crate) fn pack(
     if layout.needed == 0 {
         return;
     }
+    let run = layout.size[0] * format.bytes();
+    let rows = layout.rows().zip(texels.chunks_exact(run));
+    pack_rows(layout, format, transfer, luminance, rows, bytes);
+}
+
+/// Rows of texels of `format`, each with as many as the layout's rows have pixels, to where each is
+/// to begin in the client's memory.
+pub(crate) fn pack_rows<'a>(
+    layout: &Layout,
+    format: Format,
+    transfer: &Transfer,
+    luminance: LuminanceOf,
+    rows: impl Iterator<Item = (usize, &'a [u8])>,
+    bytes: &mut [u8],
+) {
     let conversion = Conversion::new(layout, format, transfer, luminance);
     let shuffle = conversion.pack_shuffle();
-    let run = layout.size[0] * format.bytes();
-    for (at, row) in layout.rows().zip(texels.chunks_exact(run)) {
+    for (at, row) in rows {
         let out = &mut bytes[at..at + layout.row_bytes()];
         match &shuffle {
             Some(shuffle) => shuffle.run(row, out),

@@ -134,12 +134,17 @@ impl Texture {
     /// Whether the base level's texels are floats or integers, not fractions.
     pub fn has_wide_texels(&self) -> bool {
         let base = self.sampler().base_level as usize;
-        let texels = self.image.texels();
-        texels.level(0, base).is_some_and(|level| texel::is_wide(level.format))
+        self.image.level(0, base).is_some_and(|level| texel::is_wide(level.format))
     }
 
     /// Why it cannot be sampled, if so.
     pub fn incomplete_reason(&self, sampler: &Sampler) -> Option<String> {
+        if let Some((same, plan)) = &self.plan
+            && same == sampler
+            && plan.incomplete().is_none()
+        {
+            return None;
+        }
         self.image.texels().completeness(sampler).err().map(|reason| reason.to_string())
     }
 }

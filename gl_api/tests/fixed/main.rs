@@ -6,7 +6,6 @@
 
 mod combine;
 mod determinism;
-mod errors;
 mod fog;
 mod light;
 mod matrix;

@@ -5,7 +5,6 @@ mod attachments;
 mod blits;
 mod integers;
 mod rectangles;
-mod refusals;
 mod samples;
 mod stencils;
 

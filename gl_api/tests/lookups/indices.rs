@@ -157,7 +157,15 @@ fn stencils_of_the_window_are_shifted_looked_up_and_taken_apart_to_bits() {
     glDrawPixels(2, 2, stencil, GL_BITMAP, &[0b0100_0000_u8, 0b1000_0000]);
     glPixelTransferi(GL_MAP_STENCIL, 0);
     assert_eq!(read(), [7, 8, 8, 7]);
+    // Copies take the same steps.
+    glPixelTransferi(GL_INDEX_OFFSET, 1);
+    glPixelTransferi(GL_INDEX_SHIFT, 1);
+    glCopyPixels(0, 0, 2, 2, stencil);
+    glPixelTransferi(GL_INDEX_SHIFT, 0);
+    glPixelTransferi(GL_INDEX_OFFSET, 0);
+    assert_eq!(read(), [15, 17, 17, 15]);
     let mut bits = [0xFF_u8; 2];
+    glDrawPixels(2, 2, stencil, GL_UNSIGNED_BYTE, &[7_u8, 8, 8, 7]);
     glPixelStorei(GL_PACK_SKIP_PIXELS, 1);
     glReadPixels(0, 0, 2, 2, stencil, GL_BITMAP, &mut bits);
     assert_eq!(bits, [0b1101_1111, 0b1011_1111]);

@@ -1,8 +1,6 @@
 //! Programs through GL: what a link gives, keeps and resets, what can be asked of it, and what the
 //! calls refuse.
 
-mod errors;
-
 use gl_api::*;
 
 fn context() -> Context {
@@ -73,6 +71,24 @@ fn attributes(c: &mut Context, program: GLuint) -> Vec<(String, GLenum)> {
         (name, ty[0])
     };
     (0..count).map(one).collect()
+}
+
+/// A program in use with uniforms of each kind.
+fn everything(c: &mut Context) -> GLuint {
+    let vertex = "attribute vec4 a; void main() { gl_Position = a; }";
+    let fragment = "#version 130
+uniform float f; uniform int i; uniform uint u; uniform bool b; uniform vec3 v; uniform mat3 m;
+uniform sampler2D s; uniform float fa[3]; uniform ivec2 iv; uniform mat2x3 n;
+out vec4 color;
+void main() {
+    float all = f + float(i) + float(u) + float(b) + fa[0] + fa[2] + float(iv.x) + n[0].x;
+    color = vec4(m * v, all) + texture(s, v.xy);
+}";
+    let program = made(c, &[vertex], &[fragment]);
+    c.link_program(program);
+    assert_eq!(log(c, program), "");
+    c.use_program(program);
+    program
 }
 
 /// The pixel after a triangle over it.
@@ -297,7 +313,7 @@ fn limits_are_said_by_the_linker() {
 #[test]
 fn values_convert_as_they_are_read() {
     let mut c = context();
-    let program = errors::everything(&mut c);
+    let program = everything(&mut c);
     let at = |c: &mut Context, name| c.get_uniform_location(program, name);
     let [f, i, u, b, m] = ["f", "i", "u", "b", "m"].map(|name| at(&mut c, name));
     c.uniform_1f(f, 2.75);
@@ -467,5 +483,18 @@ fn generic_attributes_keep_their_order_in_lists() {
     let mut pixel = [0; 4];
     c.read_pixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, DataOut::Bytes(&mut pixel));
     assert_eq!(pixel, [0, 255, 0, 255]);
+    no_error(&mut c);
+}
+
+#[test]
+fn a_shader_that_did_not_compile_does_not_link() {
+    let mut c = context();
+    let program = made(&mut c, &["void main() { nothing }"], &[]);
+    c.link_program(program);
+    assert!(log(&mut c, program).contains("is not compiled"));
+    let empty = c.create_program();
+    c.link_program(empty);
+    assert!(log(&mut c, empty).contains("no shader is attached"));
+    shader(&mut c, GL_VERTEX_SHADER, "");
     no_error(&mut c);
 }

@@ -4,7 +4,7 @@
 use crate::vertex::fetch;
 use std::num::NonZeroU32;
 use std::sync::Arc;
-use texunit::lanes::F32s;
+use texunit::lanes::{F32s, Isa};
 
 /// Bytes that draws read. Cloning shares them.
 #[derive(Clone, Debug, Default)]
@@ -112,14 +112,14 @@ impl VertexSource {
 
     /// A component of the attribute, 0 to 3, for each of at most 64 elements.
     pub fn component(&self, component: u8, elements: &[u32], out: &mut F32s) {
-        fetch::component(self, component, elements, out);
+        fetch::component(Isa::BASELINE, self, component, elements, out);
     }
 
     /// The attribute of one vertex of the first instance.
     pub fn read(&self, vertex: u32) -> [f32; 4] {
         let mut lanes = F32s::ZERO;
         [0, 1, 2, 3].map(|component| {
-            fetch::component(self, component, &[vertex], &mut lanes);
+            fetch::component(Isa::BASELINE, self, component, &[vertex], &mut lanes);
             lanes[0]
         })
     }

@@ -2,6 +2,10 @@
 
 use super::command::CommandBuffer;
 use super::{check, submit};
+use crate::pool::Pool;
+use crate::raster::Worker;
+use crate::shader::Machine;
+use crate::vertex::Geometry;
 use parking_lot::Mutex;
 use std::collections::BTreeSet;
 use texunit::lanes::{Isa, IsaError};
@@ -96,6 +100,12 @@ pub struct SubmitReport {
 pub struct Device {
     desc: DeviceDesc,
     pool: rayon::ThreadPool,
+    /// What runs vertex programs.
+    pub(crate) machines: Pool<Machine>,
+    /// The memory of its results.
+    pub(crate) geometries: Pool<Geometry>,
+    /// What draws tiles.
+    pub(crate) workers: Pool<Worker>,
     /// The plans seen so far.
     explained: Mutex<BTreeSet<String>>,
     kept: Mutex<Vec<String>>,
@@ -112,7 +122,15 @@ impl Device {
             .thread_name(|index| format!("detgl-{index}"))
             .build()
             .map_err(|error| DeviceError::Pool(error.to_string()))?;
-        Ok(Self { desc, pool, explained: Mutex::default(), kept: Mutex::default() })
+        Ok(Self {
+            desc,
+            pool,
+            machines: Pool::default(),
+            geometries: Pool::default(),
+            workers: Pool::default(),
+            explained: Mutex::default(),
+            kept: Mutex::default(),
+        })
     }
 
     /// What it was made from.

@@ -3,6 +3,7 @@
 
 mod buffer;
 mod check;
+mod chunk;
 mod command;
 mod counter;
 mod device;

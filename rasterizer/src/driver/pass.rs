@@ -4,32 +4,28 @@
 //! pass ends (or the bins are full) every tile runs, in parallel, its part of the whole pass.
 
 use super::buffer::VertexBinding;
+use super::chunk::{DrawState, RUN, TileRun};
 use super::command::{ClearValue, Command, Rect, Viewport};
 use super::counter::Counter;
 use super::device::{Device, SubmitReport};
 use super::image::PassDesc;
-use super::pipeline::{Pipeline, Topology};
+use super::pipeline::Pipeline;
 use super::raster::RasterState;
 use crate::output::{DepthFormat, texel_words};
 use crate::plan::{Counting, DrawPlan, PlanInput, Textures};
-use crate::primitive::{Primitives, Setup, primitives, setup, stipple_lines};
+use crate::primitive::{Setup, primitives};
 use crate::raster::{
-    Chunk, ClearJob, ClearTarget, DrawJob, Entry, Formats, PassJob, Spot, TileJob, Worker,
+    Chunk, ClearJob, ClearTarget, DrawJob, Entry, Formats, PassJob, Spot, TileJob,
 };
-use crate::shader::{OverBudget, Prepared};
+use crate::shader::Prepared;
 use crate::target::{Surface, TILE, all_bits, component_bits};
-use crate::vertex::{Ids, Unique, VertexStage, ordinals, shade};
+use crate::vertex::Ids;
 use rayon::prelude::*;
-use std::ops::Range;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use texunit::format::Format;
 use texunit::plan::SamplePlan;
 
-/// Primitives of a draw that are shaded and set up together.
-const CHUNK: u32 = 1 << 15;
-/// Primitives that are set up by one task.
-const TASK: u32 = 1 << 11;
 /// Shapes in the bins from which on they are drawn before the pass ends.
 const BINS_FULL: usize = 1 << 20;
 
@@ -44,24 +40,65 @@ struct Bound {
     scissor: Option<Rect>,
     raster: Arc<RasterState>,
     counter: Option<Counter>,
+    /// What the draw before decided, while nothing that matters to it has changed.
+    decided: Option<Decided>,
     /// The label of a watched pixel.
     label: u32,
 }
 
-/// What is the same for all chunks of a draw.
-struct DrawState<'a> {
-    /// Its index in the pass.
-    draw: usize,
-    pipeline: &'a Pipeline,
-    ids: &'a Ids<'a>,
-    primitives: Primitives,
-    /// The vertex program's values of this draw.
-    prepared: Prepared,
-    /// The varying slots that the fragment stage reads.
-    slots: Vec<u16>,
-    setup: Setup<'a>,
-    /// How far the line stipple has come, in subpixels.
-    stipple: u32,
+/// What draws with the same state share.
+#[derive(Clone)]
+struct Decided {
+    plan: Arc<DrawPlan>,
+    /// The vertex program's values.
+    vertex: Arc<Prepared>,
+}
+
+impl Bound {
+    /// Takes one command that sets state; what draws decided is forgotten where it matters.
+    fn set(&mut self, command: &Command) {
+        match command {
+            Command::BindPipeline(pipeline) => self.pipeline = Some(pipeline.clone()),
+            Command::BindTextures { vertex, fragment } => {
+                if same_textures(vertex, &self.vertex_textures)
+                    && same_textures(fragment, &self.fragment_textures)
+                {
+                    return;
+                }
+                self.vertex_textures = vertex.clone();
+                self.fragment_textures = fragment.clone();
+            }
+            Command::SetUniforms(words) => self.uniforms = words.clone(),
+            Command::SetRaster(raster) => self.raster = raster.clone(),
+            Command::SetViewport(viewport) => self.viewport = *viewport,
+            Command::SetCounter(counter) => self.counter = counter.clone(),
+            Command::BindVertices(bindings) => {
+                self.vertices = bindings.clone();
+                return;
+            }
+            Command::SetScissor(scissor) => {
+                self.scissor = *scissor;
+                return;
+            }
+            Command::BeginPass(_)
+            | Command::EndPass
+            | Command::Watch(_)
+            | Command::Clear { .. }
+            | Command::Draw { .. }
+            | Command::DrawIndexed { .. } => return,
+        }
+        self.decided = None;
+    }
+}
+
+/// Whether two lists are of the same plans.
+fn same_textures(a: &Textures, b: &Textures) -> bool {
+    let same = |(a, b): (&Option<Arc<SamplePlan>>, &Option<Arc<SamplePlan>>)| match (a, b) {
+        (Some(a), Some(b)) => Arc::ptr_eq(a, b),
+        (None, None) => true,
+        (Some(_), None) | (None, Some(_)) => false,
+    };
+    a.len() == b.len() && a.iter().zip(b.iter()).all(same)
 }
 
 /// A pass that is being recorded into bins.
@@ -118,6 +155,7 @@ impl<'a> Pass<'a> {
                 scissor: None,
                 counter: None,
                 raster: Arc::default(),
+                decided: None,
                 label: 0,
             },
         }
@@ -126,18 +164,16 @@ impl<'a> Pass<'a> {
     /// Takes one command of the pass.
     pub fn command(&mut self, index: usize, command: &Command, report: &mut SubmitReport) {
         match command {
-            Command::BeginPass(_) | Command::EndPass => {}
-            Command::BindPipeline(pipeline) => self.bound.pipeline = Some(pipeline.clone()),
-            Command::BindVertices(bindings) => self.bound.vertices = bindings.clone(),
-            Command::BindTextures { vertex, fragment } => {
-                self.bound.vertex_textures = vertex.clone();
-                self.bound.fragment_textures = fragment.clone();
-            }
-            Command::SetUniforms(words) => self.bound.uniforms = words.clone(),
-            Command::SetRaster(raster) => self.bound.raster = raster.clone(),
-            Command::SetViewport(viewport) => self.bound.viewport = *viewport,
-            Command::SetScissor(scissor) => self.bound.scissor = *scissor,
-            Command::SetCounter(counter) => self.bound.counter = counter.clone(),
+            Command::BeginPass(_)
+            | Command::EndPass
+            | Command::BindPipeline(_)
+            | Command::BindVertices(_)
+            | Command::BindTextures { .. }
+            | Command::SetUniforms(_)
+            | Command::SetRaster(_)
+            | Command::SetViewport(_)
+            | Command::SetScissor(_)
+            | Command::SetCounter(_) => self.bound.set(command),
             Command::Watch(watch) => {
                 self.bound.label = watch.label();
                 self.job.watch = Some(watch.clone());
@@ -254,30 +290,11 @@ impl<'a> Pass<'a> {
             return;
         }
         let inner = self.inner_area(area);
-        let surface = self.colors.iter().flatten().chain(&self.depth).next();
-        let samples = surface.map_or(1, |surface| surface.samples);
-        let raster = self.bound.raster.clone().for_samples(samples);
-        let isa = self.job.isa;
-        let format = |surface: &Option<Surface>| surface.as_ref().map(|s| s.format);
-        let formats: Vec<Option<Format>> = self.colors.iter().map(format).collect();
-        let plan = DrawPlan::new(
-            &pipeline,
-            PlanInput {
-                isa,
-                colors: &formats,
-                depth: format(&self.depth),
-                samples,
-                uniforms: &self.bound.uniforms,
-                textures: self.bound.fragment_textures.clone(),
-                viewport: self.bound.viewport,
-                raster: raster.clone(),
-                counting: match self.bound.counter {
-                    Some(_) => Counting::On,
-                    None => Counting::Off,
-                },
-            },
-        );
-        self.device.explain(&|| plan.describe());
+        let Decided { plan, vertex } = match &self.bound.decided {
+            Some(decided) => decided.clone(),
+            None => self.decide(&pipeline),
+        };
+        let raster = plan.raster.clone();
         let draw = self.job.draws.len();
         let (counter, stopped) = (self.bound.counter.clone(), AtomicBool::new(false));
         let label = self.bound.label;
@@ -286,20 +303,25 @@ impl<'a> Pass<'a> {
 
         let compiled = pipeline.compiled();
         let desc = pipeline.desc();
-        let resolution =
-            format(&self.depth).and_then(DepthFormat::of).and_then(DepthFormat::resolution);
+        let depth = self.depth.as_ref().map(|surface| surface.format);
+        let resolution = depth.and_then(DepthFormat::of).and_then(DepthFormat::resolution);
         let primitives = primitives(desc.topology, desc.provoking, count);
+        let vertices = self.bound.vertices.clone();
+        let textures = self.bound.vertex_textures.clone();
         let mut state = DrawState {
             draw,
+            isa: self.job.isa,
+            budget: self.job.budget,
+            machines: &self.device.machines,
+            geometries: &self.device.geometries,
             pipeline: &pipeline,
             ids,
             primitives,
+            bindings: &vertices,
+            textures: &textures,
             stipple: 0,
-            prepared: compiled.vertex.prepare(
-                isa,
-                &self.bound.uniforms,
-                &self.bound.vertex_textures,
-            ),
+            instance: 0,
+            prepared: vertex,
             slots: compiled.varyings.iter().map(|&(slot, _)| slot).collect(),
             setup: Setup {
                 viewport: self.bound.viewport,
@@ -313,15 +335,16 @@ impl<'a> Pass<'a> {
             },
         };
         for instance in 0..instances {
-            state.stipple = 0;
+            (state.instance, state.stipple) = (instance, 0);
             let mut start = 0;
-            while start < state.primitives.len {
-                let range = start..state.primitives.len.min(start + CHUNK);
+            while start < primitives.len {
+                let range = start..primitives.len.min(start + RUN);
                 start = range.end;
-                if self.chunk(&mut state, range, instance).is_err() {
+                let Ok(chunks) = state.chunks(range) else {
                     self.job.draws[draw].stopped.store(true, Ordering::Relaxed);
                     return;
-                }
+                };
+                self.take(chunks);
                 if self.shapes >= BINS_FULL {
                     self.run_tiles(report);
                 }
@@ -329,66 +352,49 @@ impl<'a> Pass<'a> {
         }
     }
 
-    /// Shades, sets up and bins a chunk of primitives.
-    fn chunk(
-        &mut self,
-        state: &mut DrawState<'_>,
-        range: Range<u32>,
-        instance: u32,
-    ) -> Result<(), OverBudget> {
-        let desc = state.pipeline.desc();
-        let ordinals = ordinals(desc.topology, &state.primitives, &range);
-        let wanted: Vec<u32> = ordinals.iter().map(|ordinal| state.ids.get(ordinal)).collect();
-        let unique = Unique::of(&wanted, state.ids);
-        let stage = VertexStage {
-            isa: self.job.isa,
-            budget: self.job.budget,
-            program: &state.pipeline.compiled().vertex,
-            prepared: &state.prepared,
-            textures: &self.bound.vertex_textures,
-            bindings: &self.bound.vertices,
-            viewport: state.setup.viewport,
-            varyings: &state.slots,
-            point: &state.setup.raster.point,
-            edge_flag: state.setup.raster.polygon.edge_flag,
-        };
-        let geometry = shade(&stage, &unique.ids, instance)?;
-        let local = |ordinal: u32| unique.local(&ordinals, &wanted, ordinal);
-        let task = |start: u32| {
-            let task = start..range.end.min(start + TASK);
-            let mut shapes = Vec::with_capacity(task.len());
-            let of_task = task.map(|i| state.primitives.get(i));
-            setup(&state.setup, &geometry, of_task, local, &mut shapes);
-            shapes
-        };
-        let mut shapes = if range.len() <= TASK as usize {
-            task(range.start)
-        } else {
-            let starts: Vec<u32> = range.clone().step_by(TASK as usize).collect();
-            starts.into_par_iter().map(task).collect::<Vec<_>>().concat()
-        };
-        let chunk = self.job.chunks.len() as u32;
-        match desc.topology {
-            Topology::LineStrip | Topology::LineLoop => {
-                let line = &state.setup.raster.line;
-                state.stipple = stipple_lines(line, &mut shapes, state.stipple);
+    /// Decides how to draw with what is bound.
+    fn decide(&mut self, pipeline: &Pipeline) -> Decided {
+        let surface = self.colors.iter().flatten().chain(&self.depth).next();
+        let samples = surface.map_or(1, |surface| surface.samples);
+        let format = |surface: &Option<Surface>| surface.as_ref().map(|s| s.format);
+        let formats: Vec<Option<Format>> = self.colors.iter().map(format).collect();
+        let (isa, bound) = (self.job.isa, &mut self.bound);
+        let plan = DrawPlan::new(
+            pipeline,
+            PlanInput {
+                isa,
+                colors: &formats,
+                depth: format(&self.depth),
+                samples,
+                uniforms: &bound.uniforms,
+                textures: bound.fragment_textures.clone(),
+                viewport: bound.viewport,
+                raster: bound.raster.clone().for_samples(samples),
+                counting: match bound.counter {
+                    Some(_) => Counting::On,
+                    None => Counting::Off,
+                },
+            },
+        );
+        self.device.explain(&|| plan.describe());
+        let vertex = &pipeline.compiled().vertex;
+        let vertex = vertex.prepare(isa, &bound.uniforms, &bound.vertex_textures);
+        let decided = Decided { plan: Arc::new(plan), vertex: Arc::new(vertex) };
+        bound.decided = Some(decided.clone());
+        decided
+    }
+
+    /// Puts chunks into the bins of their tiles.
+    fn take(&mut self, chunks: Vec<(Chunk, Vec<TileRun>)>) {
+        for (chunk, runs) in chunks {
+            let index = self.job.chunks.len() as u32;
+            for TileRun { tile: [x, y], first, end } in runs {
+                let bin = &mut self.bins[(y * self.across + x) as usize];
+                bin.push(Entry::Shapes { chunk: index, first, end });
             }
-            Topology::Points
-            | Topology::Lines
-            | Topology::Triangles
-            | Topology::TriangleStrip
-            | Topology::TriangleFan
-            | Topology::Quads
-            | Topology::QuadStrip
-            | Topology::Polygon => {}
+            self.shapes += chunk.shapes.len();
+            self.job.chunks.push(chunk);
         }
-        for (index, shape) in shapes.iter().enumerate() {
-            let [low, high] = shape.bounds.map(|pixel| pixel.map(i32::from));
-            self.bin(low, high, Entry::Shape(chunk, index as u32));
-        }
-        self.shapes += shapes.len();
-        self.job.chunks.push(Chunk { draw: state.draw, geometry, shapes });
-        Ok(())
     }
 
     /// Runs every tile that has something to do, and empties the bins.
@@ -423,11 +429,11 @@ impl<'a> Pass<'a> {
             });
             homes.push((tx, ty));
         }
-        let job = &self.job;
+        let (job, workers) = (&self.job, &self.device.workers);
         tiles
             .par_iter_mut()
             .with_max_len(1)
-            .for_each_init(Worker::default, |worker, tile| worker.run(job, tile));
+            .for_each_init(|| workers.lend(), |worker, tile| worker.get().run(job, tile));
         for (tile, (tx, ty)) in tiles.into_iter().zip(homes) {
             let surfaces = self.colors.iter_mut().chain([&mut self.depth]);
             for (surface, target) in surfaces.zip(tile.colors.into_iter().chain([tile.depth])) {
@@ -443,7 +449,11 @@ impl<'a> Pass<'a> {
             }
         }
         // The draws stay: one of them may still be adding chunks.
-        self.job.chunks.clear();
+        for chunk in self.job.chunks.drain(..) {
+            if let Some(geometry) = Arc::into_inner(chunk.geometry) {
+                self.device.geometries.give(geometry);
+            }
+        }
         self.job.clears.clear();
         self.shapes = 0;
     }

@@ -377,6 +377,9 @@ pub struct Module {
     pub uniform_words: u32,
     /// Fragment stage: how each varying slot it may read is interpolated. Empty in the vertex stage.
     pub varyings: Vec<Interpolation>,
+    /// Fragment stage: the slots that are taken at the centroid of a pixel's covered samples, where a
+    /// pixel has several; the others are taken at its centre.
+    pub centroids: Vec<u16>,
     /// The variables (of length 1, type `f32`) that hold the outputs at the end.
     pub outputs: Vec<(Output, Var)>,
     /// What runs.
@@ -411,6 +414,7 @@ impl Module {
             textures: Vec::new(),
             uniform_words: 0,
             varyings: Vec::new(),
+            centroids: Vec::new(),
             outputs: Vec::new(),
             body: Vec::new(),
             notes: Vec::new(),

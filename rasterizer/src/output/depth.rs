@@ -1,6 +1,6 @@
 //! The depth test (GL 2.1, section 4.1.6), on the words that the attachment holds.
 
-use super::mask::{expand_mask, pack_mask};
+use super::mask::expand_mask;
 use crate::driver::DepthWrite;
 use texunit::format::Format;
 use texunit::lanes::{F32s, Kernel, LANES, Simd, U32s};
@@ -127,7 +127,7 @@ impl Kernel for DepthTest<'_> {
                 stored[lane] = (new[lane] & pass[lane]) | (stored[lane] & !pass[lane]);
             }
         }
-        pack_mask(&pass)
+        S::nonzero(&pass)
     }
 }
 

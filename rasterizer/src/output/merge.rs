@@ -47,7 +47,7 @@ pub fn test(
     let Fragments { place, depth, back, mask } = *of;
     let planes = target.sample(sample);
     match (tests.stencil, planes) {
-        (Some(plan), [depths, stencils]) => with_words(stencils, place, |stored| {
+        (Some(plan), [depths, stencils]) => with_words(stencils, place, mask, |stored| {
             let [front, back] =
                 [(plan.front, mask & !back), (plan.back, mask & back)].map(|(face, mask)| {
                     (face, mask, isa.run(StencilTest { face: &face, stored, mask }))
@@ -87,9 +87,9 @@ fn test_depth(
     mask: u64,
 ) -> u64 {
     match plan {
-        Some(plan) if mask != 0 => {
-            with_words(plane, place, |stored| isa.run(DepthTest { plan, depth, stored, mask }))
-        }
+        Some(plan) if mask != 0 => with_words(plane, place, mask, |stored| {
+            isa.run(DepthTest { plan, depth, stored, mask })
+        }),
         Some(_) | None => mask,
     }
 }
@@ -113,10 +113,10 @@ pub fn write(
     let color = [r.unwrap_or(&ZERO), g.unwrap_or(&ZERO), b.unwrap_or(&ZERO), a.unwrap_or(one)];
     let planes = target.sample(sample);
     match (plan.class, planes) {
-        (ColorClass::Bytes, [plane]) => with_words(plane, place, |stored| {
+        (ColorClass::Bytes, [plane]) => with_words(plane, place, mask, |stored| {
             isa.run(WriteBytes { plan, color, stored, mask });
         }),
-        (_, planes) => with_texels(planes, place, |stored| {
+        (_, planes) => with_texels(planes, place, mask, |stored| {
             isa.run(WriteTexels { plan, color, stored, mask });
         }),
     }

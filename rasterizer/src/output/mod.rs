@@ -14,6 +14,6 @@ pub use blend::{factors as blend_factors, range as blend_range};
 pub use color::ColorPlan;
 pub use depth::{DepthFormat, DepthPlan};
 pub use encode::{decode_color, encode_color, texel_color, texel_words};
-pub use mask::{expand_mask, pack_mask};
+pub use mask::expand_mask;
 pub use merge::{Fragments, Tests, test, write};
 pub use stencil::StencilPlan;

@@ -1,7 +1,7 @@
 //! The stencil test and the operations that follow it (GL 2.1, section 4.1.5), on the words that
 //! the attachment holds.
 
-use super::mask::{expand_mask, pack_mask};
+use super::mask::expand_mask;
 use crate::driver::{StencilFace, StencilOp, StencilState};
 use texunit::lanes::{Kernel, LANES, Simd, U32s};
 use texunit::sampler::Compare;
@@ -63,7 +63,7 @@ impl Kernel for StencilTest<'_> {
             Compare::GreaterEqual => compare(&mut pass, stored, read, |s| reference >= s),
             Compare::Always => return mask,
         }
-        pack_mask(&pass) & mask
+        S::nonzero(&pass) & mask
     }
 }
 

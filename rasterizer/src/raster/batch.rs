@@ -22,8 +22,12 @@ struct QuadPlane {
 pub struct Batch {
     /// How many quads.
     len: usize,
+    /// The block of the tile that it is, if it is one.
+    block: Option<usize>,
     /// Which lanes are covered, by sample.
     pub masks: SampleMasks,
+    /// Lanes of quads that went through the early tests before they came here.
+    pub tested: u64,
     /// Which block of the tile each quad is in.
     blocks: [u8; QUADS],
     /// Which quad of its block each is.
@@ -38,15 +42,17 @@ pub struct Batch {
     /// The part of each lane's pixel that is covered, where the draw asks.
     coverage: F32s,
     planes: Vec<QuadPlane>,
-    /// By block: the quads that wait in this batch.
-    waiting: [u16; 64],
+    /// By block: the lanes that wait in this batch.
+    waiting: [u64; 64],
 }
 
 impl Default for Batch {
     fn default() -> Self {
         Self {
             len: 0,
+            block: None,
             masks: [0; MAX_SAMPLES],
+            tested: 0,
             blocks: [0; QUADS],
             quads: [0; QUADS],
             dx: [0.0; QUADS],
@@ -67,6 +73,8 @@ pub struct BlockOf<'a> {
     pub planes: &'a [[f32; 3]],
     /// Which side is seen.
     pub facing: Facing,
+    /// Whether its lanes went through the early tests, if there are any.
+    pub tests: EarlyTests,
     /// Which block of the tile.
     pub block: usize,
     /// Its first pixel.
@@ -75,6 +83,28 @@ pub struct BlockOf<'a> {
     pub y: i32,
     /// The part of each lane's pixel that is covered, where the draw asks.
     pub coverage: Option<&'a F32s>,
+}
+
+/// Whether fragments went through the early tests already.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum EarlyTests {
+    /// They did; what is left of them passed.
+    Done,
+    /// Their batch has to, if the draw has any.
+    Due,
+}
+
+/// All lanes of quads.
+#[inline]
+fn lanes_of(quads: u16) -> u64 {
+    let quads = u64::from(quads);
+    quads | quads << QUADS | quads << (2 * QUADS) | quads << (3 * QUADS)
+}
+
+/// The lanes of quad `from`, as those of quad `to`.
+#[inline]
+pub fn moved_quad(lanes: u64, from: usize, to: usize) -> u64 {
+    (lanes >> from & lanes_of(1)) << to
 }
 
 /// The quads of a mask of lanes, bit by quad.
@@ -94,29 +124,31 @@ impl Batch {
         self.len == QUADS
     }
 
-    /// Whether any of the quads of a block waits here: what comes after must not overtake it.
-    pub fn holds(&self, block: usize, quads: u16) -> bool {
-        self.waiting[block] & quads != 0
+    /// Whether any of the lanes of a block waits here: what comes after must not overtake it.
+    pub fn holds(&self, block: usize, lanes: u64) -> bool {
+        self.waiting[block] & lanes != 0
     }
 
     /// Lanes that run: whole quads, so that derivatives have their neighbours.
     pub fn active(&self) -> u64 {
-        let quads = u64::from(quads_of(self.masks.iter().fold(0, |all, mask| all | mask)));
-        quads | quads << QUADS | quads << (2 * QUADS) | quads << (3 * QUADS)
+        lanes_of(quads_of(self.masks.iter().fold(0, |all, mask| all | mask)))
     }
 
     /// Lanes of back faces.
     pub fn back(&self) -> u64 {
         let mut quads = 0;
         for (quad, &front) in self.front.iter().enumerate().take(self.len) {
-            quads |= u64::from(front == 0) << quad;
+            quads |= u16::from(front == 0) << quad;
         }
-        quads | quads << QUADS | quads << (2 * QUADS) | quads << (3 * QUADS)
+        lanes_of(quads)
     }
 
     /// Where its pixels are.
     pub fn place(&self) -> Place<'_> {
-        Place::Quads(&self.blocks[..self.len], &self.quads[..self.len])
+        match self.block {
+            Some(block) => Place::Block(block),
+            None => Place::Quads(&self.blocks[..self.len], &self.quads[..self.len]),
+        }
     }
 
     /// Forgets its quads and makes room for a draw with `planes` planes.
@@ -126,30 +158,39 @@ impl Batch {
         }
         self.len = 0;
         self.masks = [0; MAX_SAMPLES];
-        let none = QuadPlane { corner: [0.0; QUADS], a: [0.0; QUADS], b: [0.0; QUADS] };
-        self.planes.resize(planes, none);
+        self.tested = 0;
+        self.resize(planes);
     }
 
-    /// Adds one quad of a block; `masks` are the block's covered lanes, by sample.
-    pub fn push(&mut self, of: &BlockOf<'_>, quad: usize, masks: &[u64]) {
+    fn resize(&mut self, planes: usize) {
+        if self.planes.len() != planes {
+            let none = QuadPlane { corner: [0.0; QUADS], a: [0.0; QUADS], b: [0.0; QUADS] };
+            self.planes.resize(planes, none);
+        }
+    }
+
+    /// Adds one quad of a block; `from` is its quad in `masks`, the covered lanes by sample.
+    #[inline]
+    pub fn push(&mut self, of: &BlockOf<'_>, quad: usize, from: usize, masks: &[u64]) {
         let at = self.len % QUADS;
         self.len += 1;
         self.blocks[at] = of.block as u8;
         self.quads[at] = quad as u8;
-        self.waiting[of.block] |= 1 << quad;
-        self.dx[at] = (quad % 4 * 2) as f32;
-        self.dy[at] = (quad / 4 * 2) as f32;
+        self.dx[at] = QUAD_X[quad % QUADS];
+        self.dy[at] = QUAD_Y[quad % QUADS];
         self.x[at] = of.x as f32;
         self.y[at] = of.y as f32;
         self.front[at] = front_word(of.facing);
-        for (mask, lanes) in self.masks.iter_mut().zip(masks) {
-            for e in 0..4 {
-                *mask |= (lanes >> (e * QUADS + quad) & 1) << (e * QUADS + at);
-            }
+        for (mask, &lanes) in self.masks.iter_mut().zip(masks) {
+            *mask |= moved_quad(lanes, from, at);
+            self.waiting[of.block] |= moved_quad(lanes, from, quad);
+        }
+        if of.tests == EarlyTests::Done {
+            self.tested |= lanes_of(1 << at);
         }
         if let Some(coverage) = of.coverage {
             for e in 0..4 {
-                self.coverage[e * QUADS + at] = coverage[e * QUADS + quad];
+                self.coverage[e * QUADS + at] = coverage[e * QUADS + from];
             }
         }
         for (plane, &[corner, a, b]) in self.planes.iter_mut().zip(of.planes) {
@@ -159,18 +200,18 @@ impl Batch {
         }
     }
 
-    /// Makes it a whole block.
+    /// Makes it a whole block. A batch that is one never holds quads of others.
     pub fn set_block(&mut self, of: &BlockOf<'_>, masks: &[u64], planes: usize) {
-        self.clear(planes);
+        self.resize(planes);
         self.len = QUADS;
-        for (mask, lanes) in self.masks.iter_mut().zip(masks) {
-            *mask = *lanes;
-        }
-        // Its quads are not noted in `blocks`: a whole block runs at once and never waits.
-        for quad in 0..QUADS {
-            self.dx[quad] = (quad % 4 * 2) as f32;
-            self.dy[quad] = (quad / 4 * 2) as f32;
-        }
+        self.block = Some(of.block);
+        self.masks = [0; MAX_SAMPLES];
+        self.masks[..masks.len()].copy_from_slice(masks);
+        self.tested = match of.tests {
+            EarlyTests::Done => !0,
+            EarlyTests::Due => 0,
+        };
+        (self.dx, self.dy) = (QUAD_X, QUAD_Y);
         self.x = [of.x as f32; QUADS];
         self.y = [of.y as f32; QUADS];
         self.front = [front_word(of.facing); QUADS];
@@ -184,6 +225,13 @@ impl Batch {
         }
     }
 }
+
+/// Column of each quad's first pixel in its block.
+const QUAD_X: [f32; QUADS] =
+    [0.0, 2.0, 4.0, 6.0, 0.0, 2.0, 4.0, 6.0, 0.0, 2.0, 4.0, 6.0, 0.0, 2.0, 4.0, 6.0];
+/// Row of each quad's first pixel in its block.
+const QUAD_Y: [f32; QUADS] =
+    [0.0, 0.0, 0.0, 0.0, 2.0, 2.0, 2.0, 2.0, 4.0, 4.0, 4.0, 4.0, 6.0, 6.0, 6.0, 6.0];
 
 fn front_word(facing: Facing) -> u32 {
     match facing {
@@ -225,6 +273,10 @@ impl Kernel for Interpolate<'_> {
                 w[lane] = 1.0 / over[lane];
             }
         }
+        let mut centroids = [F32s::ZERO; 2];
+        if plan.centroids {
+            centroids = plan.samples.centroids(&batch.masks);
+        }
         for (index, input) in plan.inputs.iter().enumerate() {
             let out = machine.input_mut(index);
             match *input {
@@ -236,6 +288,17 @@ impl Kernel for Interpolate<'_> {
                     *out.as_f32_mut() = value;
                 }
                 FragmentInput::Linear(index) => *out.as_f32_mut() = batch.evaluate(index),
+                FragmentInput::SmoothWithin(index) => {
+                    let mut value = batch.within(index, &centroids);
+                    let over = batch.within(denominator, &centroids);
+                    for lane in 0..LANES {
+                        value[lane] *= 1.0 / over[lane];
+                    }
+                    *out.as_f32_mut() = value;
+                }
+                FragmentInput::LinearWithin(index) => {
+                    *out.as_f32_mut() = batch.within(index, &centroids);
+                }
                 FragmentInput::SmoothSlope(index, axis) => {
                     let mut slope = batch.evaluate(index);
                     let (of, by) = (*batch.slope(index, axis), *batch.slope(denominator, axis));
@@ -309,6 +372,18 @@ impl Batch {
         out
     }
 
+    /// A plane at every lane, moved so far across and up from the pixel's centre.
+    #[inline(always)]
+    pub fn within(&self, plane: usize, [x, y]: &[F32s; 2]) -> F32s {
+        let mut out = self.evaluate(plane);
+        let plane = &self.planes[plane];
+        for lane in 0..LANES {
+            let quad = lane % QUADS;
+            out[lane] += x[lane] * plane.a[quad] + y[lane] * plane.b[quad];
+        }
+        out
+    }
+
     /// A plane at one pixel of each quad.
     #[inline(always)]
     fn evaluate_pixel(&self, p: &QuadPlane, e: usize, out: &mut [f32; QUADS]) {
@@ -379,8 +454,8 @@ pub struct BatchDepth<'a> {
     pub batch: &'a Batch,
     /// The plane of depth.
     pub plane: usize,
-    /// From the pixel's centre to the sample, in pixels.
-    pub offset: [f32; 2],
+    /// From the pixel's centre to the sample, in pixels; `None` for the centre itself.
+    pub offset: Option<[f32; 2]>,
     /// Takes the depth.
     pub depth: &'a mut F32s,
 }
@@ -391,8 +466,10 @@ impl Kernel for BatchDepth<'_> {
     fn run<S: Simd>(self) {
         let Self { batch, plane, offset, depth } = self;
         let mut p = batch.planes[plane].clone();
-        for q in 0..QUADS {
-            [p.corner[q], _, _] = moved([p.corner[q], p.a[q], p.b[q]], Some(offset));
+        if offset.is_some() {
+            for q in 0..QUADS {
+                [p.corner[q], _, _] = moved([p.corner[q], p.a[q], p.b[q]], offset);
+            }
         }
         let mut out = F32s::ZERO;
         let [first, second, third, fourth] = pixels(&mut out);

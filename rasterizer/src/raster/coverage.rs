@@ -5,9 +5,8 @@
 //! 256 `dy`, so `E mod 256` is the same at every centre, and `floor(E / 256)` has the same sign as
 //! `E` and moves in steps of `dx` and `dy`: exact in 32 bits wherever an edge crosses a block.
 
-use crate::output::pack_mask;
 use crate::primitive::SUBPIXEL;
-use texunit::lanes::{I32s, Isa, Kernel, LANES, QUADS, Simd, U32s, lane_x, lane_y};
+use texunit::lanes::{Isa, Kernel, LANES, QUADS, Simd, U32s, lane_x, lane_y};
 
 /// An edge function, scaled down by 256, relative to the centre of a tile's first pixel.
 #[derive(Clone, Copy, Debug, Default)]
@@ -77,46 +76,54 @@ pub fn block(isa: Isa, edges: &[Edge; 3], bx: i32, by: i32) -> Coverage {
 /// The lanes where no edge function is negative.
 struct Inside([(i32, i32, i32); 3]);
 
-/// Columns of the lanes.
-const X: I32s = {
-    let mut x = I32s::ZERO;
-    let mut lane = 0;
-    while lane < LANES {
-        x.0[lane] = lane_x(lane) as i32;
-        lane += 1;
-    }
-    x
-};
-
-/// Rows of the lanes.
-const Y: I32s = {
-    let mut y = I32s::ZERO;
-    let mut lane = 0;
-    while lane < LANES {
-        y.0[lane] = lane_y(lane) as i32;
-        lane += 1;
-    }
-    y
-};
-
 impl Kernel for Inside {
     type Output = u64;
     #[inline(always)]
     fn run<S: Simd>(self) -> u64 {
-        let [(e0, x0, y0), (e1, x1, y1), (e2, x2, y2)] = self.0;
-        let mut inside = U32s::ZERO;
-        for lane in 0..LANES {
-            let (x, y) = (X.0[lane], Y.0[lane]);
-            let least = (e0 + x * x0 + y * y0) | (e1 + x * x1 + y * y1) | (e2 + x * x2 + y * y2);
-            // The sign bit is set if any of the three has it.
-            inside[lane] = u32::from(least >= 0);
+        inside::<S>(self.0)
+    }
+}
+
+/// Column of each quad's first pixel.
+const QUAD_X: [i32; QUADS] = [0, 2, 4, 6, 0, 2, 4, 6, 0, 2, 4, 6, 0, 2, 4, 6];
+/// Row of each quad's first pixel.
+const QUAD_Y: [i32; QUADS] = [0, 0, 0, 0, 2, 2, 2, 2, 4, 4, 4, 4, 6, 6, 6, 6];
+
+/// The lanes of 8×8 pixels where none of three edge functions is negative, given their values at
+/// the first pixel and their steps.
+#[inline(always)]
+pub fn inside<S: Simd>(edges: [(i32, i32, i32); 3]) -> u64 {
+    let [(_, x0, y0), (_, x1, y1), (_, x2, y2)] = edges;
+    // Of each quad's first pixel.
+    let mut first = [[0_i32; QUADS]; 3];
+    for (first, (e, x, y)) in first.iter_mut().zip(edges) {
+        for q in 0..QUADS {
+            let along = QUAD_X[q].wrapping_mul(x).wrapping_add(QUAD_Y[q].wrapping_mul(y));
+            first[q] = e.wrapping_add(along);
         }
-        pack_mask(&inside)
+    }
+    let mut outside = U32s::ZERO;
+    let [a, b, c, d] = bytemuck::cast_mut::<_, [[u32; QUADS]; 4]>(&mut outside.0);
+    signs(&first, [0, 0, 0], a);
+    signs(&first, [x0, x1, x2], b);
+    signs(&first, [y0, y1, y2], c);
+    signs(&first, [x0.wrapping_add(y0), x1.wrapping_add(y1), x2.wrapping_add(y2)], d);
+    !S::nonzero(&outside)
+}
+
+/// Of one pixel of each quad, the sign bit that is set if any of the three has it.
+#[inline(always)]
+fn signs(first: &[[i32; QUADS]; 3], step: [i32; 3], out: &mut [u32; QUADS]) {
+    for q in 0..QUADS {
+        let least = first[0][q].wrapping_add(step[0])
+            | first[1][q].wrapping_add(step[1])
+            | first[2][q].wrapping_add(step[2]);
+        out[q] = least as u32 & 1 << 31;
     }
 }
 
 /// The lane of column `x`, row `y` of a block.
-pub fn lane_at(x: usize, y: usize) -> usize {
+pub const fn lane_at(x: usize, y: usize) -> usize {
     (y % 2 * 2 + x % 2) * QUADS + y / 2 * 4 + x / 2
 }
 

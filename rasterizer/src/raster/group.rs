@@ -145,13 +145,6 @@ impl PlaneGroup {
         isa.run(ComputeRows { lanes, half, center });
         for (source, out) in setup.sources.iter().zip(&mut self.planes) {
             let Lanes { rows, values, general, .. } = lanes;
-            let mut gather = |value: &dyn Fn(&Shape, usize) -> f32| {
-                for (lane, shape) in shapes.clone().enumerate().take(LANES) {
-                    for (k, values) in values.iter_mut().enumerate() {
-                        values[lane] = value(shape, k).into();
-                    }
-                }
-            };
             match *source {
                 PlaneSource::Denominator => *out = rows.denominator,
                 PlaneSource::Flat(at) => {
@@ -162,7 +155,7 @@ impl PlaneGroup {
                     }
                 }
                 PlaneSource::Depth => {
-                    gather(&|shape, k| geometry.vertices[shape.vertices[k] as usize].clip[2]);
+                    gather(values, shapes.clone(), |v| geometry.vertices[v as usize].clip[2]);
                     let (near, far) =
                         (f64::from(setup.viewport.near), f64::from(setup.viewport.far));
                     isa.run(Sum { rows: &rows.projective, values, out, general });
@@ -172,11 +165,25 @@ impl PlaneGroup {
                 | PlaneSource::NoPerspective(at)
                 | PlaneSource::Sprite(at, _) => {
                     let stride = geometry.stride;
-                    gather(&|shape, k| geometry.varyings[shape.vertices[k] as usize * stride + at]);
+                    gather(values, shapes.clone(), |v| geometry.varyings[v as usize * stride + at]);
                     isa.run(Sum { rows: &rows.smooth, values, out, general });
                 }
                 PlaneSource::InverseW | PlaneSource::PointCoord(_) => {}
             }
+        }
+    }
+}
+
+/// A value of the three vertices of each shape.
+#[inline]
+fn gather<'a>(
+    values: &mut [F64s; 3],
+    shapes: impl Iterator<Item = &'a Shape>,
+    value: impl Fn(u32) -> f32,
+) {
+    for (lane, shape) in shapes.enumerate().take(LANES) {
+        for (values, &vertex) in values.iter_mut().zip(&shape.vertices) {
+            values[lane] = value(vertex).into();
         }
     }
 }

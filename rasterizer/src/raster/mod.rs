@@ -12,6 +12,7 @@ mod group;
 mod interpolate;
 mod samples;
 mod shading;
+mod small;
 mod tile;
 mod watched;
 

@@ -1,11 +1,11 @@
 //! The samples of a draw's pixels: where each lies, and which of them a fragment keeps (GL 2.1,
 //! sections 3.2.1 and 4.1.3).
 //!
-//! A fragment is shaded once, at the centre of its pixel, if any sample is covered. Its depth is
+//! A fragment is shaded once, at the centre of its pixel (what is `centroid`: at the centroid of its
+//! covered samples), if any sample is covered. Its depth is
 //! that of the plane at each sample; each sample is tested and written by itself.
 
 use crate::driver::{AlphaToCoverage, AlphaToOne, MultisampleState, SampleCoverage, SampleRule};
-use crate::output::pack_mask;
 use crate::primitive::SUBPIXEL;
 use crate::target::MAX_SAMPLES;
 use texunit::lanes::{F32s, Isa, Kernel, LANES, Simd, U32s};
@@ -84,6 +84,30 @@ impl Samples {
         self.places.get(sample).map(|place| place.map(|v| v as f32 / SUBPIXEL as f32))
     }
 
+    /// How far the centroid of each lane's covered samples lies from the pixel's centre, across and
+    /// up in pixels; 0 where all or none are covered.
+    #[inline(always)]
+    pub fn centroids(&self, masks: &SampleMasks) -> [F32s; 2] {
+        let mut sums = [F32s::ZERO; 2];
+        let mut counts = F32s::ZERO;
+        for (place, &mask) in self.places.iter().zip(masks) {
+            let place = place.map(|v| v as f32 / SUBPIXEL as f32);
+            for lane in 0..LANES {
+                let covered = (mask >> lane & 1) as f32;
+                counts[lane] += covered;
+                sums[0][lane] += covered * place[0];
+                sums[1][lane] += covered * place[1];
+            }
+        }
+        for sum in &mut sums {
+            for lane in 0..LANES {
+                let count = if counts[lane] > 0.0 { counts[lane] } else { 1.0 };
+                sum[lane] /= count;
+            }
+        }
+        sums
+    }
+
     /// The samples that each lane's alpha leaves: the nearest number to `alpha` times all of them.
     pub fn mask_by_alpha(&self, isa: Isa, alpha: &F32s, masks: &mut SampleMasks) {
         for (sample, mask) in masks[..self.count].iter_mut().enumerate() {
@@ -130,7 +154,7 @@ impl Kernel for AtLeast<'_> {
         for lane in 0..LANES {
             kept[lane] = u32::from(self.alpha[lane] >= self.least);
         }
-        pack_mask(&kept)
+        S::nonzero(&kept)
     }
 }
 

@@ -1,18 +1,46 @@
 //! Shading: runs batches of fragments, tests those that could not be tested before, and writes
 //! their colours.
 
-use super::batch::{Batch, BatchDepth, Interpolate, clamp_depth};
-use super::samples::SampleMasks;
+use super::batch::{Batch, BatchDepth, BlockDepth, BlockOf, Interpolate, clamp_depth};
+use super::samples::{SampleMasks, moved};
 use super::tile::{DrawJob, PassJob, TileJob, any};
 use super::watched::{Shaded, Tested};
 use crate::driver::AlphaToOne;
 use crate::output::{Fragments, test, write};
-use crate::plan::Timing;
+use crate::plan::{DrawPlan, Shading, Timing};
+use crate::primitive::Facing;
 use crate::shader::{Machine, OverBudget, Run};
-use crate::target::Place;
+use crate::target::{Place, TileTarget};
 use crate::trace::{Fate, When};
 use std::sync::atomic::Ordering;
-use texunit::lanes::{F32s, Kernel, Simd};
+use texunit::lanes::{F32s, Isa, Kernel, Simd};
+
+/// The early tests of a whole block of one shape.
+pub fn early_tests(
+    isa: Isa,
+    plan: &DrawPlan,
+    of: &BlockOf<'_>,
+    masks: &mut SampleMasks,
+    tile: &mut TileJob,
+) {
+    let Some(target) = tile.depth.as_mut() else { return };
+    let back = match of.facing {
+        Facing::Front => 0,
+        Facing::Back => !0,
+    };
+    for (sample, mask) in masks.iter_mut().enumerate().take(plan.samples.count) {
+        let depth = match plan.depth_plane {
+            Some(index) => {
+                let plane = moved(of.planes[index], plan.samples.offset(sample));
+                isa.run(BlockDepth { plane })
+            }
+            None => F32s::ZERO,
+        };
+        let fragments =
+            Fragments { place: Place::Block(of.block), depth: &depth, back, mask: *mask };
+        *mask = test(isa, &plan.tests, target, sample, &fragments);
+    }
+}
 
 /// Runs batches and writes what comes out.
 #[derive(Debug, Default)]
@@ -23,15 +51,28 @@ pub struct Shader {
 }
 
 impl Shader {
-    /// Shades a batch; a shader that runs over its budget stops the draw.
-    pub fn shade(
-        &mut self,
-        pass: &PassJob,
-        job: &DrawJob,
-        batch: &Batch,
-        place: Place<'_>,
-        tile: &mut TileJob,
-    ) {
+    /// Makes the early tests that a batch still has to make, and shades what is left; a shader that
+    /// runs over its budget stops the draw.
+    pub fn shade(&mut self, pass: &PassJob, job: &DrawJob, batch: &mut Batch, tile: &mut TileJob) {
+        let plan = &job.plan;
+        if plan.timing == Timing::Early && batch.tested != !0 {
+            if let Some(target) = tile.depth.as_mut() {
+                let due = batch.masks.map(|mask| mask & !batch.tested);
+                let passed = self.test(pass.isa, plan, batch, target, due, None, |_| {});
+                for (mask, passed) in batch.masks.iter_mut().zip(passed) {
+                    *mask = *mask & batch.tested | passed;
+                }
+            }
+        }
+        let batch = &*batch;
+        if plan.shading == Shading::Off {
+            job.count(&batch.masks[..plan.samples.count]);
+            return;
+        }
+        if any(&batch.masks) == 0 {
+            return;
+        }
+        let place = batch.place();
         let watched = tile.watched.as_mut();
         let mut shaded = watched.and_then(|spot| spot.begin(place, any(&batch.masks)));
         match self.run(pass, job, batch, &mut shaded) {
@@ -94,23 +135,11 @@ impl Shader {
         let stored = shaded.as_ref().map(|_| tile.watched_depth());
         let mut depths = Vec::new();
         if let (Timing::Late(output), Some(target)) = (plan.timing, tile.depth.as_mut()) {
-            if let Some(output) = output {
-                self.depth = *self.machine.output(output).as_f32();
-                isa.run(ClampDepth(&mut self.depth));
-            }
-            let back = batch.back();
-            for (sample, mask) in masks.iter_mut().enumerate().take(samples.count) {
-                if let (Some(plane), Some(offset), None) =
-                    (plan.depth_plane, samples.offset(sample), output)
-                {
-                    isa.run(BatchDepth { batch, plane, offset, depth: &mut self.depth });
+            masks = self.test(isa, plan, batch, target, masks, output, |depth| {
+                if let Some(shaded) = &*shaded {
+                    depths.push(depth[shaded.lane]);
                 }
-                let fragments = Fragments { place, depth: &self.depth, back, mask: *mask };
-                *mask = test(isa, &plan.tests, target, sample, &fragments);
-                if let Some(shaded) = shaded {
-                    depths.push(self.depth[shaded.lane]);
-                }
-            }
+            });
             if let (Some(shaded), Some(before)) = (&mut *shaded, stored) {
                 let after = &tile.watched_depth();
                 let when = When::Late;
@@ -143,6 +172,40 @@ impl Shader {
                 shaded.written(color, rgba, masks, [&before, &tile.watched_color(color.target)]);
             }
         }
+    }
+}
+
+impl Shader {
+    /// The stencil and depth tests of the lanes of `masks`; gives those that passed. `output` is the
+    /// program output that holds the depth, if any does; `see` is shown the depth of each sample.
+    #[expect(clippy::too_many_arguments, reason = "of a test that two places make")]
+    fn test(
+        &mut self,
+        isa: Isa,
+        plan: &DrawPlan,
+        batch: &Batch,
+        target: &mut TileTarget,
+        mut masks: SampleMasks,
+        output: Option<usize>,
+        mut see: impl FnMut(&F32s),
+    ) -> SampleMasks {
+        if let Some(output) = output {
+            self.depth = *self.machine.output(output).as_f32();
+            isa.run(ClampDepth(&mut self.depth));
+        }
+        let (back, place) = (batch.back(), batch.place());
+        for (sample, mask) in masks.iter_mut().enumerate().take(plan.samples.count) {
+            let offset = plan.samples.offset(sample);
+            if let (Some(plane), None) = (plan.depth_plane, output)
+                && (sample == 0 || offset.is_some())
+            {
+                isa.run(BatchDepth { batch, plane, offset, depth: &mut self.depth });
+            }
+            let fragments = Fragments { place, depth: &self.depth, back, mask: *mask };
+            *mask = test(isa, &plan.tests, target, sample, &fragments);
+            see(&self.depth);
+        }
+        masks
     }
 }
 

@@ -1,31 +1,34 @@
 //! A tile: everything of a pass that touches its 64×64 pixels, in order.
 
-use super::batch::{Batch, BlockDepth, BlockOf, quads_of};
+use super::batch::{Batch, BlockOf, EarlyTests, moved_quad, quads_of};
 use super::clear::{ClearJob, clear};
 use super::cover::Cover;
 use super::coverage;
 use super::group::PlaneGroup;
 use super::interpolate::PlaneSetup;
-use super::samples::{SampleMasks, moved};
-use super::shading::Shader;
+use super::samples::SampleMasks;
+use super::shading::{Shader, early_tests};
+use super::small::{Window, Windows};
 use super::watched::Spot;
 use crate::driver::{Counter, Watch};
-use crate::output::{Fragments, test};
-use crate::plan::{DrawPlan, Shading, Timing};
+use crate::plan::{DrawPlan, Timing};
 use crate::primitive::{Facing, Kind, Shape};
-use crate::target::{MAX_SAMPLES, Place, TILE, TileTarget};
+use crate::target::{MAX_SAMPLES, TILE, TileTarget};
 use crate::vertex::Geometry;
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use texunit::lanes::{F32s, Isa, LANES};
 
 /// Quads of a block from which on it is shaded by itself rather than packed with others.
 const DENSE: u32 = 12;
+/// Shapes of a group from which on their windows are computed together.
+const WINDOWS_FROM: usize = 4;
 
 /// A draw of a pass.
 #[derive(Debug)]
 pub struct DrawJob {
     /// Its decisions.
-    pub plan: DrawPlan,
+    pub plan: Arc<DrawPlan>,
     /// First and one past the last pixel its triangles may touch, x then y.
     pub area: [[i32; 2]; 2],
     /// What counts the samples that pass its tests.
@@ -53,9 +56,11 @@ pub struct Chunk {
     /// Which draw.
     pub draw: usize,
     /// The vertices.
-    pub geometry: Geometry,
+    pub geometry: Arc<Geometry>,
     /// The shapes.
     pub shapes: Vec<Shape>,
+    /// The shapes of each tile, in order, tile after tile.
+    pub binned: Vec<u32>,
 }
 
 /// Something that happens in a tile.
@@ -63,8 +68,15 @@ pub struct Chunk {
 pub enum Entry {
     /// A clear, by index.
     Clear(u32),
-    /// A shape, by chunk and index.
-    Shape(u32, u32),
+    /// Shapes of a chunk: a range of its `binned`.
+    Shapes {
+        /// Which chunk.
+        chunk: u32,
+        /// The first.
+        first: u32,
+        /// One past the last.
+        end: u32,
+    },
 }
 
 /// Everything that tiles read.
@@ -114,6 +126,7 @@ pub struct Worker {
     /// A block that runs at once.
     block: Batch,
     group: PlaneGroup,
+    windows: Box<Windows>,
     /// Of the block that is filled: each plane's value at its first pixel and steps.
     planes: Vec<[f32; 3]>,
     /// How much of each lane's pixel the shape covers.
@@ -127,23 +140,18 @@ pub struct Worker {
 impl Worker {
     /// Does everything that happens in `tile`.
     pub fn run(&mut self, pass: &PassJob, tile: &mut TileJob) {
-        let entries = std::mem::take(&mut tile.entries);
-        let mut rest = entries.as_slice();
-        while let Some(first) = rest.first() {
-            match *first {
+        for entry in std::mem::take(&mut tile.entries) {
+            match entry {
                 Entry::Clear(index) => {
                     self.flush(pass, tile);
                     clear(pass, &pass.clears[index as usize], tile);
                     tile.note_clear(&pass.clears[index as usize]);
-                    rest = &rest[1..];
                 }
-                Entry::Shape(chunk, _) => {
-                    let of_chunk =
-                        |entry: &&Entry| matches!(entry, Entry::Shape(other, _) if *other == chunk);
-                    let len = rest.iter().take(LANES).take_while(of_chunk).count();
-                    let (group, after) = rest.split_at(len);
-                    rest = after;
-                    self.fill_group(pass, tile, &pass.chunks[chunk as usize], group);
+                Entry::Shapes { chunk, first, end } => {
+                    let chunk = &pass.chunks[chunk as usize];
+                    for group in chunk.binned[first as usize..end as usize].chunks(LANES) {
+                        self.fill_group(pass, tile, chunk, group);
+                    }
                 }
             }
         }
@@ -170,13 +178,13 @@ impl Worker {
     fn flush(&mut self, pass: &PassJob, tile: &mut TileJob) {
         if let Some(draw) = self.draw.filter(|_| !self.waiting.is_empty()) {
             let job = &pass.draws[draw];
-            self.shader.shade(pass, job, &self.waiting, self.waiting.place(), tile);
+            self.shader.shade(pass, job, &mut self.waiting, tile);
             self.waiting.clear(job.plan.planes.len());
         }
     }
 
     /// Fills shapes of one chunk, at most 64.
-    fn fill_group(&mut self, pass: &PassJob, tile: &mut TileJob, chunk: &Chunk, group: &[Entry]) {
+    fn fill_group(&mut self, pass: &PassJob, tile: &mut TileJob, chunk: &Chunk, group: &[u32]) {
         self.select(pass, tile, chunk.draw);
         let job = &pass.draws[chunk.draw];
         if job.stopped.load(Ordering::Relaxed) {
@@ -190,14 +198,62 @@ impl Worker {
             resolution: plan.resolution,
             origin: plan.raster.point.origin,
         };
-        let shapes = group.iter().map(|entry| match *entry {
-            Entry::Shape(_, index) | Entry::Clear(index) => &chunk.shapes[index as usize],
-        });
+        let shapes = group.iter().map(|&index| &chunk.shapes[index as usize]);
         self.group.compute(pass.isa, &setup, &chunk.geometry, shapes.clone());
+        let has_windows =
+            group.len() >= WINDOWS_FROM && plan.has_windows() && tile.watched.is_none();
+        if has_windows {
+            self.windows.compute(pass.isa, [tile.x, tile.y], shapes.clone());
+        }
         for (lane, shape) in shapes.enumerate() {
-            if !job.stopped.load(Ordering::Relaxed) {
-                self.fill(pass, tile, chunk, shape, lane);
+            if job.stopped.load(Ordering::Relaxed) {
+                return;
             }
+            let window = if has_windows { self.windows.get(lane) } else { None };
+            match window {
+                Some(window) if quads_of(window.covered).count_ones() < DENSE => {
+                    self.fill_window(pass, tile, shape.facing, lane, window);
+                }
+                Some(_) | None => self.fill(pass, tile, chunk, shape, lane),
+            }
+        }
+    }
+
+    /// Fills a small triangle.
+    fn fill_window(
+        &mut self,
+        pass: &PassJob,
+        tile: &mut TileJob,
+        facing: Facing,
+        lane: usize,
+        window: Window,
+    ) {
+        let mut left = quads_of(window.covered);
+        let mut planes_of = None;
+        while left != 0 {
+            let from = left.trailing_zeros() as usize;
+            left &= left - 1;
+            let (x, y) = (window.quad[0] + from % 4, window.quad[1] + from / 4);
+            let (block, quad) = (y / 4 * 8 + x / 4, y % 4 * 4 + x % 4);
+            let [px, py] = [tile.x + (x / 4 * 8) as i32, tile.y + (y / 4 * 8) as i32];
+            if planes_of != Some(block) {
+                self.group.at(lane, px, py, &mut self.planes);
+                planes_of = Some(block);
+            }
+            let lanes = moved_quad(window.covered, from, quad);
+            if self.waiting.is_full() || self.waiting.holds(block, lanes) {
+                self.flush(pass, tile);
+            }
+            let of = BlockOf {
+                planes: &self.planes,
+                facing,
+                tests: EarlyTests::Due,
+                block,
+                x: px,
+                y: py,
+                coverage: None,
+            };
+            self.waiting.push(&of, quad, from, &[window.covered]);
         }
     }
 
@@ -275,7 +331,7 @@ impl Worker {
         masks
     }
 
-    /// Tests the depth of a block's covered lanes and puts what is left into a batch.
+    /// Puts the covered lanes of a block into a batch.
     fn fill_block(
         &mut self,
         pass: &PassJob,
@@ -286,44 +342,36 @@ impl Worker {
         mut masks: SampleMasks,
     ) {
         let plan = &job.plan;
-        let (x, y) = (tile.x + 8 * bx, tile.y + 8 * by);
-        let of = BlockOf {
+        let mut quads = quads_of(any(&masks));
+        let block = (by * 8 + bx) as usize;
+        if self.waiting.holds(block, any(&masks)) {
+            self.flush(pass, tile);
+        }
+        let mut of = BlockOf {
             planes: &self.planes,
             facing,
-            block: (by * 8 + bx) as usize,
-            x,
-            y,
+            tests: EarlyTests::Due,
+            block,
+            x: tile.x + 8 * bx,
+            y: tile.y + 8 * by,
             coverage: plan.reads_coverage().then_some(&self.parts),
         };
-        if plan.timing == Timing::Early {
-            // What waits has passed its own test already, so the order holds.
+        let eager = quads.count_ones() >= DENSE || tile.watched.is_some();
+        if eager && plan.timing == Timing::Early {
             let watched = tile.watched.as_ref();
-            let watched = watched.filter(|spot| spot.is_in(of.block, any(&masks)));
+            let watched = watched.filter(|spot| spot.is_in(block, any(&masks)));
             let before = watched.map(|_| tile.watched_depth());
             early_tests(pass.isa, plan, &of, &mut masks, tile);
             if let Some(before) = before {
                 tile.note_early(pass.isa, plan, &of, &masks, &before);
             }
+            of.tests = EarlyTests::Done;
+            quads = quads_of(any(&masks));
         }
         let masks = &masks[..plan.samples.count];
-        if plan.shading == Shading::Off {
-            job.count(masks);
-            return;
-        }
-        let quads = quads_of(any(masks));
-        if quads == 0 {
-            return;
-        }
-        let run_waiting = |waiting: &mut Batch, shader: &mut Shader, tile: &mut TileJob| {
-            shader.shade(pass, job, waiting, waiting.place(), tile);
-            waiting.clear(plan.planes.len());
-        };
-        if self.waiting.holds(of.block, quads) {
-            run_waiting(&mut self.waiting, &mut self.shader, tile);
-        }
         if quads.count_ones() >= DENSE {
             self.block.set_block(&of, masks, plan.planes.len());
-            self.shader.shade(pass, job, &self.block, Place::Block(of.block), tile);
+            self.shader.shade(pass, job, &mut self.block, tile);
             return;
         }
         let mut left = quads;
@@ -331,9 +379,10 @@ impl Worker {
             let quad = left.trailing_zeros() as usize;
             left &= left - 1;
             if self.waiting.is_full() {
-                run_waiting(&mut self.waiting, &mut self.shader, tile);
+                self.shader.shade(pass, job, &mut self.waiting, tile);
+                self.waiting.clear(plan.planes.len());
             }
-            self.waiting.push(&of, quad, masks);
+            self.waiting.push(&of, quad, quad, masks);
         }
     }
 }
@@ -362,30 +411,4 @@ fn block_range(shape: &Shape, x: i32, y: i32) -> Option<[[i32; 2]; 2]> {
         range[1][axis] = last / 8;
     }
     Some(range)
-}
-
-fn early_tests(
-    isa: Isa,
-    plan: &DrawPlan,
-    of: &BlockOf<'_>,
-    masks: &mut SampleMasks,
-    tile: &mut TileJob,
-) {
-    let Some(target) = tile.depth.as_mut() else { return };
-    let back = match of.facing {
-        Facing::Front => 0,
-        Facing::Back => !0,
-    };
-    for (sample, mask) in masks.iter_mut().enumerate().take(plan.samples.count) {
-        let depth = match plan.depth_plane {
-            Some(index) => {
-                let plane = moved(of.planes[index], plan.samples.offset(sample));
-                isa.run(BlockDepth { plane })
-            }
-            None => F32s::ZERO,
-        };
-        let fragments =
-            Fragments { place: Place::Block(of.block), depth: &depth, back, mask: *mask };
-        *mask = test(isa, &plan.tests, target, sample, &fragments);
-    }
 }

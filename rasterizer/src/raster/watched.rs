@@ -82,11 +82,14 @@ impl Spot {
         let lane = match place {
             Place::Block(block) => (block == self.block).then_some(self.lane)?,
             Place::Quads(blocks, quads) => {
-                let here = |(&block, &quad): (&u8, &u8)| {
-                    usize::from(block) == self.block && usize::from(quad) == self.lane % QUADS
+                // Its quad may be there more than once, the pixel may not.
+                let first = self.lane / QUADS * QUADS;
+                let here = |(at, (&block, &quad)): (usize, (&u8, &u8))| {
+                    let same =
+                        usize::from(block) == self.block && usize::from(quad) == self.lane % QUADS;
+                    (same && lanes >> (first + at) & 1 == 1).then_some(first + at)
                 };
-                let at = blocks.iter().zip(quads).position(here)?;
-                self.lane / QUADS * QUADS + at
+                blocks.iter().zip(quads).enumerate().find_map(here)?
             }
         };
         (lanes >> lane & 1 == 1).then_some(lane)
@@ -341,6 +344,8 @@ impl Shaded {
     /// Its inputs were interpolated.
     fn interpolated(&mut self, plan: &DrawPlan, batch: &Batch, machine: &Machine) {
         let of_program = plan.pipeline.compiled().fragment.inputs();
+        let centroids = plan.samples.centroids(&batch.masks);
+        let within = |plane: usize| batch.within(plane, &centroids)[self.lane];
         for (index, (&input, from)) in of_program.iter().zip(&plan.inputs).enumerate() {
             let values = |plane: usize| self.values.get(plane).cloned().unwrap_or_default();
             let source = match *from {
@@ -349,7 +354,14 @@ impl Shaded {
                     numerator: batch.at(plane, self.lane),
                     denominator: plan.denominator_plane.map_or(1.0, |at| batch.at(at, self.lane)),
                 },
-                FragmentInput::Linear(plane) => InputSource::Linear(values(plane)),
+                FragmentInput::SmoothWithin(plane) => InputSource::Perspective {
+                    vertices: values(plane),
+                    numerator: within(plane),
+                    denominator: plan.denominator_plane.map_or(1.0, within),
+                },
+                FragmentInput::Linear(plane) | FragmentInput::LinearWithin(plane) => {
+                    InputSource::Linear(values(plane))
+                }
                 FragmentInput::Flat(_) => InputSource::Flat,
                 FragmentInput::SmoothSlope(..) | FragmentInput::LinearSlope(..) => {
                     InputSource::Slope

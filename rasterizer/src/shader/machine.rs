@@ -8,7 +8,7 @@ mod trace;
 
 pub use trace::Tracer;
 
-use super::inst::{Inst, Reg, SampleInst, SampleLod, Test};
+use super::inst::{Inst, Reg, SampleInst, SampleLod, Slot, Target, Test};
 use super::mask::{Extent, Mask, blend};
 use super::preamble::uniform_at;
 use super::{OverBudget, Prepared, Program, Run};
@@ -239,8 +239,7 @@ impl Machine {
             self.exec.take(&mut self.slots[exit.0 as usize], &self.start);
             return Ok(pc);
         }
-        *left = left.checked_sub((pc - head.0 as usize) as u64).ok_or(OverBudget)?;
-        Ok(head.0 as usize)
+        back(head, pc, left)
     }
 
     #[inline(always)]
@@ -322,10 +321,7 @@ impl Kernel for Interpreter<'_> {
                     }
                 }
                 Inst::Jump { to } => pc = to.0 as usize,
-                Inst::Repeat { head } => {
-                    left = left.checked_sub((pc - head.0 as usize) as u64).ok_or(OverBudget)?;
-                    pc = head.0 as usize;
-                }
+                Inst::Repeat { head } => pc = back(head, pc, &mut left)?,
                 Inst::If { condition, slot, reject } => {
                     let rest = &mut m.slots[slot.0 as usize];
                     m.exec.split(&m.registers[condition.0 as usize], rest);
@@ -359,4 +355,12 @@ impl Kernel for Interpreter<'_> {
         }
         Ok(pc)
     }
+}
+
+/// The head of a loop that ends at `pc`, its turn taken off the budget.
+#[inline(always)]
+fn back(head: Target, pc: usize, left: &mut u64) -> Result<usize, OverBudget> {
+    let head = head.0 as usize;
+    *left = left.checked_sub((pc - head) as u64).ok_or(OverBudget)?;
+    Ok(head)
 }

@@ -12,10 +12,12 @@ pub enum Place<'a> {
     Quads(&'a [u8], &'a [u8]),
 }
 
-/// Lets `change` see the words of a batch's pixels as lanes, and puts them back.
+/// Lets `change` see the words of a batch's pixels as lanes, and puts those of `mask` back; it changes
+/// no others. (A quad may be in a batch more than once, with other pixels each time.)
 pub fn with_words<R>(
     plane: &mut Plane,
     place: Place<'_>,
+    mask: u64,
     change: impl FnOnce(&mut U32s) -> R,
 ) -> R {
     let blocks = plane.blocks_mut();
@@ -24,7 +26,7 @@ pub fn with_words<R>(
         Place::Quads(of, quads) => {
             let mut words = gather(blocks, of, quads);
             let result = change(&mut words);
-            scatter(blocks, of, quads, &words);
+            scatter(blocks, of, quads, mask, &words);
             result
         }
     }
@@ -34,17 +36,18 @@ pub fn with_words<R>(
 pub fn with_texels<R>(
     planes: &mut [Plane],
     place: Place<'_>,
+    mask: u64,
     change: impl FnOnce(&mut [U32s; 4]) -> R,
 ) -> R {
     let mut texels = [U32s::ZERO; 4];
     for (plane, words) in planes.iter_mut().zip(&mut texels) {
-        with_words(plane, place, |stored| *words = *stored);
+        with_words(plane, place, 0, |stored| *words = *stored);
     }
     let result = change(&mut texels);
     for (plane, words) in planes.iter_mut().zip(&texels) {
         match place {
             Place::Block(block) => plane.blocks_mut()[block] = *words,
-            Place::Quads(of, quads) => scatter(plane.blocks_mut(), of, quads, words),
+            Place::Quads(of, quads) => scatter(plane.blocks_mut(), of, quads, mask, words),
         }
     }
     result
@@ -61,11 +64,13 @@ fn gather(blocks: &[U32s], of: &[u8], quads: &[u8]) -> U32s {
     words
 }
 
-fn scatter(blocks: &mut [U32s], of: &[u8], quads: &[u8], words: &U32s) {
+fn scatter(blocks: &mut [U32s], of: &[u8], quads: &[u8], mask: u64, words: &U32s) {
     for (at, (&block, &quad)) in of.iter().zip(quads).enumerate() {
         let to = &mut blocks[usize::from(block)];
         for e in 0..4 {
-            to[e * QUADS + usize::from(quad)] = words[e * QUADS + at];
+            let to = &mut to[e * QUADS + usize::from(quad)];
+            let lane = e * QUADS + at;
+            *to = if mask >> lane & 1 == 1 { words[lane] } else { *to };
         }
     }
 }

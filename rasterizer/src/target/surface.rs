@@ -95,6 +95,22 @@ const LANE_AT: [[u8; 8]; 8] = {
     table
 };
 
+/// Row `y` of a block.
+#[inline]
+fn row_of(block: &U32s, y: usize) -> [u32; 8] {
+    let first = usize::from(LANE_AT[y][0]);
+    let (even, odd) = (&block.0[first..first + 4], &block.0[first + QUADS..first + QUADS + 4]);
+    [even[0], odd[0], even[1], odd[1], even[2], odd[2], even[3], odd[3]]
+}
+
+/// Sets row `y` of a block.
+#[inline]
+fn set_row(block: &mut U32s, y: usize, row: [u32; 8]) {
+    let first = usize::from(LANE_AT[y][0]);
+    block.0[first..first + 4].copy_from_slice(&[row[0], row[2], row[4], row[6]]);
+    block.0[first + QUADS..first + QUADS + 4].copy_from_slice(&[row[1], row[3], row[5], row[7]]);
+}
+
 impl Surface {
     /// Tiles across.
     pub fn tiles_across(&self) -> u32 {
@@ -178,6 +194,12 @@ fn load_tile(level: &Level, slice: usize, [x0, y0]: [u32; 2], words: usize) -> V
         let lanes = LANE_AT[(y % 8) as usize].map(usize::from);
         for (column, texels) in row(y).chunks(8 * size).enumerate() {
             let block = (y / 8 * 8) as usize + column;
+            if let ([plane], 4) = (planes.as_mut_slice(), size) {
+                let mut words = [0_u32; 8];
+                bytemuck::bytes_of_mut(&mut words)[..texels.len()].copy_from_slice(texels);
+                set_row(&mut plane[block], y as usize % 8, words.map(u32::from_le));
+                continue;
+            }
             for (&lane, texel) in lanes.iter().zip(texels.chunks_exact(size)) {
                 let texel = words_of(level.format, texel);
                 for (plane, word) in planes.iter_mut().zip(texel) {
@@ -187,14 +209,6 @@ fn load_tile(level: &Level, slice: usize, [x0, y0]: [u32; 2], words: usize) -> V
         }
     }
     planes.into_iter().map(Plane::Words).collect()
-}
-
-/// Row `y` of a block: the left and the right pixels of four quads, each next to one another in
-/// lane order, interleaved.
-#[inline(always)]
-fn row_of(block: &U32s, y: usize) -> [u32; 8] {
-    let first = usize::from(LANE_AT[y][0]);
-    std::array::from_fn(|x| block[first + x / 2 + x % 2 * QUADS])
 }
 
 /// Row `y` of a tile into the texels of one row.

@@ -1,10 +1,10 @@
 //! Attributes from memory to lanes.
 
 use crate::driver::{VertexFormat, VertexSource, VertexType};
-use texunit::lanes::{F32s, LANES};
+use texunit::lanes::{F32s, Isa, Kernel, LANES, Simd, U32s};
 
 /// Component `component` of an attribute for each of `ids`.
-pub fn component(source: &VertexSource, component: u8, ids: &[u32], out: &mut F32s) {
+pub fn component(isa: Isa, source: &VertexSource, component: u8, ids: &[u32], out: &mut F32s) {
     match source {
         VertexSource::Constant(value) => *out = F32s::splat(value[usize::from(component)]),
         VertexSource::Array { components, format, .. } if component >= *components => {
@@ -18,7 +18,7 @@ pub fn component(source: &VertexSource, component: u8, ids: &[u32], out: &mut F3
             let start = offset + usize::from(component) * ty.size();
             let words = Words { bytes: buffer.bytes(), start, stride: *stride, ids };
             match (ty, format) {
-                (VertexType::F32, _) => words.each(out, f32::from_le_bytes),
+                (VertexType::F32, _) => words.floats(isa, out),
                 (VertexType::F64, _) => words.each(out, |b| f64::from_le_bytes(b) as f32),
                 (VertexType::I8, VertexFormat::Plain) => {
                     words.each(out, |b| f32::from(i8::from_le_bytes(b)));
@@ -93,13 +93,30 @@ struct Words<'a> {
 }
 
 impl Words<'_> {
+    /// Reads floats: gathered where 64 of them are all inside.
+    fn floats(&self, isa: Isa, out: &mut F32s) {
+        match (<&[u32; LANES]>::try_from(self.ids), u32::try_from(self.start), self.end::<4>()) {
+            (Ok(ids), Ok(start), Some(end)) if end <= i32::MAX as usize => {
+                let (bytes, stride) = (&self.bytes[..end], self.stride as u32);
+                *out = *isa.run(Gather { bytes, start, stride, ids }).as_f32();
+            }
+            _ => self.each(out, f32::from_le_bytes),
+        }
+    }
+
+    /// One past the last byte of all `N`-byte words; `None` where some are not there.
+    fn end<const N: usize>(&self) -> Option<usize> {
+        let furthest = self.ids.iter().copied().max().unwrap_or(0) as usize;
+        let last = furthest.checked_mul(self.stride)?.checked_add(self.start)?;
+        last.checked_add(N).filter(|&end| end <= self.bytes.len())
+    }
+
     /// Reads `N` bytes a vertex; what lies past the end reads as zeros.
     fn each<const N: usize>(&self, out: &mut F32s, convert: impl Fn([u8; N]) -> f32) {
         debug_assert!(self.ids.len() <= LANES);
         // One check for all where the furthest is inside.
-        let furthest = self.ids.iter().copied().max().unwrap_or(0) as usize;
-        let end = furthest.checked_mul(self.stride).and_then(|at| at.checked_add(self.start));
-        if let Some(bytes) = end.and_then(|end| self.bytes.get(..end.checked_add(N)?)) {
+        if let Some(end) = self.end::<N>() {
+            let bytes = &self.bytes[..end];
             for (value, &id) in out.0.iter_mut().zip(self.ids) {
                 let at = id as usize * self.stride + self.start;
                 *value = convert(*bytes[at..].first_chunk().unwrap_or(&[0; N]));
@@ -115,6 +132,26 @@ impl Words<'_> {
                 .unwrap_or([0; N]);
             *value = convert(word);
         }
+    }
+}
+
+/// A word of each of 64 vertices; all are inside `bytes`.
+struct Gather<'a> {
+    bytes: &'a [u8],
+    start: u32,
+    stride: u32,
+    ids: &'a [u32; LANES],
+}
+
+impl Kernel for Gather<'_> {
+    type Output = U32s;
+    #[inline(always)]
+    fn run<S: Simd>(self) -> U32s {
+        let mut offsets = U32s::ZERO;
+        for lane in 0..LANES {
+            offsets[lane] = self.ids[lane].wrapping_mul(self.stride).wrapping_add(self.start);
+        }
+        S::gather(self.bytes, &offsets)
     }
 }
 
@@ -151,9 +188,9 @@ mod tests {
                 divisor: 0,
             };
             let mut out = F32s::ZERO;
-            component(&source, 0, &[0, 1, u32::MAX], &mut out);
+            component(Isa::best(), &source, 0, &[0, 1, u32::MAX], &mut out);
             assert_eq!(out[0], *want, "{ty:?} {format:?}");
-            component(&source, 3, &[0], &mut out);
+            component(Isa::best(), &source, 3, &[0], &mut out);
             assert_eq!(out[0], 1.0);
         }
     }

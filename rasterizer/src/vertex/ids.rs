@@ -73,10 +73,10 @@ pub fn ordinals(topology: Topology, all: &Primitives, range: &Range<u32>) -> Ord
 
 /// The vertices to be shaded, each once where their numbers are dense.
 pub struct Unique {
-    /// The vertices.
-    pub ids: Vec<u32>,
-    /// The first, if `ids` is a run that the draw's indices point into.
-    dense: Option<u32>,
+    /// The vertices, if they are a run that the draw's indices point into; else they are as wanted.
+    pub ids: Option<Vec<u32>>,
+    /// The first of that run.
+    first: u32,
 }
 
 impl Unique {
@@ -86,17 +86,17 @@ impl Unique {
             let low = wanted.iter().copied().min().unwrap_or(0);
             let high = wanted.iter().copied().max().unwrap_or(0);
             if (high - low) as usize <= wanted.len() {
-                return Self { ids: (low..=high).collect(), dense: Some(low) };
+                return Self { ids: Some((low..=high).collect()), first: low };
             }
         }
-        Self { ids: wanted.to_vec(), dense: None }
+        Self { ids: None, first: 0 }
     }
 
-    /// Where in `ids` the vertex of an ordinal is.
+    /// Where among the shaded ones the vertex of an ordinal is.
     pub fn local(&self, ordinals: &Ordinals, wanted: &[u32], ordinal: u32) -> u32 {
         let at = ordinals.position(ordinal);
-        match self.dense {
-            Some(low) => wanted[at] - low,
+        match self.ids {
+            Some(_) => wanted[at] - self.first,
             None => at as u32,
         }
     }

@@ -6,7 +6,7 @@ mod ids;
 mod place;
 mod shade;
 
-pub use ids::{Ids, Unique, ordinals};
+pub use ids::{Ids, Ordinals, Unique, ordinals};
 pub use place::GUARD_BAND;
 #[cfg(test)]
 pub use place::ShadedVertex;

@@ -4,6 +4,7 @@ use super::fetch;
 use super::place::{Place, Placed, ShadedVertex, cut};
 use crate::driver::{PointSize, PointState, VertexBinding, VertexSource, Viewport};
 use crate::ir::{Input, Output};
+use crate::pool::Pool;
 use crate::primitive::{Corner, MAX_DISTANCES};
 use crate::shader::{Machine, OverBudget, Prepared, Program, Run};
 use rayon::prelude::*;
@@ -61,6 +62,10 @@ pub struct VertexStage<'a> {
     pub program: &'a Program,
     /// Its values of this draw.
     pub prepared: &'a Prepared,
+    /// What runs it.
+    pub machines: &'a Pool<Machine>,
+    /// Where the memory of its results comes from.
+    pub geometries: &'a Pool<Geometry>,
     /// Its textures.
     pub textures: &'a [Option<Arc<SamplePlan>>],
     /// Its attributes.
@@ -83,21 +88,24 @@ pub fn shade(stage: &VertexStage<'_>, ids: &[u32], instance: u32) -> Result<Geom
     let stride = stage.varyings.len();
     let distance = |output: &&Output| matches!(output, Output::ClipDistance(_));
     let planes = stage.program.outputs().iter().filter(distance).count();
-    let mut geometry = Geometry {
-        vertices: vec![ShadedVertex::default(); ids.len()],
-        varyings: vec![0.0; ids.len() * stride],
-        stride,
-        distances: vec![0.0; ids.len() * planes],
-        planes,
-        edge_flags: stage.edge_flags(ids),
-    };
     let sources: Vec<Source> = stage.program.inputs().iter().map(|&i| stage.source(i)).collect();
     let mut plane = 0..;
     let outputs = stage.program.outputs().iter();
     let targets: Vec<Target> = outputs.map(|&o| stage.target(o, &mut plane)).collect();
-    let new_machine = || {
-        let mut machine = Machine::default();
-        machine.begin(stage.program);
+    let mut geometry = stage.geometries.take();
+    (geometry.stride, geometry.planes) = (stride, planes);
+    // What it holds of another draw is written over, but for varyings that this one does not write.
+    geometry.vertices.resize(ids.len(), ShadedVertex::default());
+    geometry.varyings.resize(ids.len() * stride, 0.0);
+    geometry.distances.resize(ids.len() * planes, 0.0);
+    geometry.edge_flags = stage.edge_flags(ids);
+    let is_varying = |target: &&Target| matches!(target, Target::Varying(_));
+    if targets.iter().filter(is_varying).count() < stride {
+        geometry.varyings.fill(0.0);
+    }
+    let lend = || {
+        let mut machine = stage.machines.lend();
+        machine.get().begin(stage.program);
         machine
     };
     let vertices = geometry.vertices.chunks_mut(LANES);
@@ -114,17 +122,14 @@ pub fn shade(stage: &VertexStage<'_>, ids: &[u32], instance: u32) -> Result<Geom
         })
         .collect();
     if batches.len() <= 4 {
-        let mut machine = new_machine();
+        let mut machine = lend();
         for batch in &mut batches {
-            stage.batch(&mut machine, &sources, &targets, batch)?;
+            stage.batch(machine.get(), &sources, &targets, batch)?;
         }
     } else {
-        batches
-            .par_iter_mut()
-            .with_min_len(4)
-            .try_for_each_init(new_machine, |machine, batch| {
-                stage.batch(machine, &sources, &targets, batch)
-            })?;
+        batches.par_iter_mut().with_min_len(4).try_for_each_init(lend, |machine, batch| {
+            stage.batch(machine.get(), &sources, &targets, batch)
+        })?;
     }
     Ok(geometry)
 }
@@ -202,7 +207,7 @@ impl VertexStage<'_> {
         let mut flags = Vec::with_capacity(ids.len());
         for ids in ids.chunks(LANES) {
             let mut lanes = F32s::ZERO;
-            fetch::component(&binding.source, 0, ids, &mut lanes);
+            fetch::component(self.isa, &binding.source, 0, ids, &mut lanes);
             flags.extend_from_slice(&lanes.0[..ids.len()]);
         }
         flags
@@ -236,11 +241,11 @@ impl VertexStage<'_> {
             let lanes = machine.input_mut(index);
             match source {
                 Source::Attribute(source, component) => {
-                    fetch::component(source, *component, ids, lanes.as_f32_mut());
+                    fetch::component(self.isa, source, *component, ids, lanes.as_f32_mut());
                 }
                 Source::Instanced(source, component, divisor) => {
                     let element = *instance / *divisor;
-                    fetch::component(source, *component, &[element], lanes.as_f32_mut());
+                    fetch::component(self.isa, source, *component, &[element], lanes.as_f32_mut());
                     *lanes = U32s::splat(lanes[0]);
                 }
                 Source::Missing(value) => lanes.0 = [value.to_bits(); LANES],

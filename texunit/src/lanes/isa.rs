@@ -174,6 +174,9 @@ pub trait Simd: Copy + private::Sealed {
         Self::largest(words) != 0
     }
 
+    /// Which lanes are not 0, bit by lane.
+    fn nonzero(words: &U32s) -> u64;
+
     /// Reads `table[word >> shift & 0xFF]` in each lane; `shift` is 0, 8, 16 or 24.
     fn lookup(table: &[f32; 256], words: &U32s, shift: u32) -> F32s;
 
@@ -253,6 +256,10 @@ impl Simd for Baseline {
         reduce::scalar(words)
     }
     #[inline(always)]
+    fn nonzero(words: &U32s) -> u64 {
+        reduce::scalar_nonzero(words)
+    }
+    #[inline(always)]
     fn lookup(table: &[f32; 256], words: &U32s, shift: u32) -> F32s {
         let bytes = gather::bytes(words, shift);
         let mut out = F32s::ZERO;
@@ -300,6 +307,11 @@ impl Simd for Avx2 {
         // SAFETY: this type is reached only through `run_avx2`.
         unsafe { reduce::avx2(words) }
     }
+    #[inline(always)]
+    fn nonzero(words: &U32s) -> u64 {
+        // SAFETY: this type is reached only through `run_avx2`.
+        unsafe { reduce::avx2_nonzero(words) }
+    }
 }
 
 #[cfg(target_arch = "x86_64")]
@@ -338,6 +350,11 @@ impl Simd for Avx512 {
     fn largest(words: &U32s) -> u32 {
         // SAFETY: this type is reached only through `run_avx512`.
         unsafe { reduce::avx512(words) }
+    }
+    #[inline(always)]
+    fn nonzero(words: &U32s) -> u64 {
+        // SAFETY: this type is reached only through `run_avx512`.
+        unsafe { reduce::avx512_nonzero(words) }
     }
 }
 
@@ -401,6 +418,28 @@ mod tests {
                     words[lane] = value;
                     assert_eq!(isa.run(Largest(&words)), value, "{} lane {lane}", isa.name());
                 }
+            }
+        }
+    }
+
+    struct Nonzero<'a>(&'a U32s);
+    impl Kernel for Nonzero<'_> {
+        type Output = u64;
+        #[inline(always)]
+        fn run<S: Simd>(self) -> u64 {
+            S::nonzero(self.0)
+        }
+    }
+
+    #[test]
+    fn the_lanes_that_are_not_zero_are_bits() {
+        for isa in Isa::available() {
+            assert_eq!(isa.run(Nonzero(&U32s::ZERO)), 0);
+            for value in [1, 0x80, 1 << 31, u32::MAX] {
+                let words = U32s::from_fn(|lane| if lane * lane % 7 == 2 { value } else { 0 });
+                let want =
+                    (0..LANES).fold(0, |bits, lane| bits | u64::from(words[lane] != 0) << lane);
+                assert_eq!(isa.run(Nonzero(&words)), want, "{}", isa.name());
             }
         }
     }

@@ -1,5 +1,6 @@
-//! The largest of 64 words. Written with intrinsics, since LLVM sometimes unrolls the plain loop
-//! into 64 scalar comparisons, which then cost more than what they guard.
+//! From 64 words to one: the largest, and which are not 0. Written with intrinsics, since LLVM
+//! sometimes unrolls the plain loop into 64 scalar comparisons, which then cost more than what they
+//! guard.
 
 use super::{LANES, U32s};
 
@@ -55,4 +56,59 @@ pub(super) unsafe fn avx512(words: &U32s) -> u32 {
         let upper = _mm512_max_epu32(third, fourth);
         _mm512_reduce_max_epu32(_mm512_max_epu32(lower, upper))
     }
+}
+
+#[inline(always)]
+pub(super) fn scalar_nonzero(words: &U32s) -> u64 {
+    let mut bytes = [0_u8; LANES];
+    for lane in 0..LANES {
+        bytes[lane] = u8::from(words[lane] != 0);
+    }
+    let mut bits = 0;
+    for (index, eight) in bytes.as_chunks::<8>().0.iter().enumerate() {
+        // Moves bit 0 of byte `i` to bit `56 + i`.
+        let gathered = u64::from_le_bytes(*eight).wrapping_mul(0x0102_0408_1020_4080) >> 56;
+        bits |= gathered << (8 * index);
+    }
+    bits
+}
+
+/// # Safety
+/// AVX2 is there.
+#[cfg(target_arch = "x86_64")]
+#[inline(always)]
+pub(super) unsafe fn avx2_nonzero(words: &U32s) -> u64 {
+    use std::arch::x86_64::{
+        __m256i, _mm256_castsi256_ps, _mm256_cmpeq_epi32, _mm256_load_si256, _mm256_movemask_ps,
+        _mm256_setzero_si256,
+    };
+    let mut zero = 0;
+    for chunk in 0..LANES / 8 {
+        // SAFETY: as for `avx2`.
+        let bits = unsafe {
+            let from = words.0.as_ptr().add(chunk * 8).cast::<__m256i>();
+            let is_zero = _mm256_cmpeq_epi32(_mm256_load_si256(from), _mm256_setzero_si256());
+            _mm256_movemask_ps(_mm256_castsi256_ps(is_zero))
+        };
+        zero |= (bits as u64) << (chunk * 8);
+    }
+    !zero
+}
+
+/// # Safety
+/// AVX-512F is there.
+#[cfg(target_arch = "x86_64")]
+#[inline(always)]
+pub(super) unsafe fn avx512_nonzero(words: &U32s) -> u64 {
+    use std::arch::x86_64::{__m512i, _mm512_load_si512, _mm512_test_epi32_mask};
+    let mut bits = 0;
+    for chunk in 0..LANES / 16 {
+        // SAFETY: as for `avx512`.
+        let set = unsafe {
+            let from = _mm512_load_si512(words.0.as_ptr().add(chunk * 16).cast::<__m512i>());
+            _mm512_test_epi32_mask(from, from)
+        };
+        bits |= u64::from(set) << (chunk * 16);
+    }
+    bits
 }

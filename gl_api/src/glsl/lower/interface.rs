@@ -288,6 +288,9 @@ impl Lowerer<'_> {
                 varyings.resize(len, Interpolation::Smooth);
             }
             varyings[usize::from(next)] = interpolation;
+            if variable.passing.centroid {
+                lowerer.emit.builder.module_mut().centroids.push(next);
+            }
             next += 1;
             lowerer.emit.input(Input::Varying(next - 1))
         };

@@ -1,7 +1,7 @@
 //! A run that is written down for one lane: the same instructions over the same registers, one at a
 //! time.
 
-use super::{Interpreter, Machine, Run, lod};
+use super::{Interpreter, Machine, Run, back, lod};
 use crate::ir::{Access, Ty};
 use crate::shader::inst::{Inst, Reg, SampleInst};
 use crate::shader::{OverBudget, Program};
@@ -86,6 +86,7 @@ impl Machine {
             let before = if executes { self.look(&run, inst, tracer) } else { Before::Control };
             pc = match *inst {
                 Inst::Again { head, exit } => self.again(head, exit, pc + 1, &mut left)?,
+                Inst::Repeat { head } => back(head, pc + 1, &mut left)?,
                 _ => {
                     run.isa.run(Interpreter { machine: self, run, code: &code[..=pc], pc, left })?
                 }
@@ -135,6 +136,7 @@ impl Machine {
             Inst::Sample(sample) => self.look_at_sample(run, sample, tracer),
             Inst::Unless { .. }
             | Inst::Jump { .. }
+            | Inst::Repeat { .. }
             | Inst::If { .. }
             | Inst::Else { .. }
             | Inst::Join { .. }

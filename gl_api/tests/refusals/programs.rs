@@ -1,10 +1,7 @@
 //! What the calls on shaders, programs and uniforms refuse, and that nothing else changed.
 
-use super::{attributes, log, made, shader, uniforms};
+use super::Case;
 use gl_api::*;
-
-/// A call, the flag it must set, and words that its message must have.
-type Case = (fn(&mut Context), GLenum, &'static str);
 
 const VALUE: GLenum = GL_INVALID_VALUE;
 const OPERATION: GLenum = GL_INVALID_OPERATION;
@@ -17,7 +14,7 @@ const P: GLuint = 1;
 const E: GLuint = 4;
 
 /// A program in use with uniforms of each kind.
-pub fn everything(c: &mut Context) -> GLuint {
+fn everything(c: &mut Context) -> GLuint {
     let vertex = "attribute vec4 a; void main() { gl_Position = a; }";
     let fragment = "#version 130
 uniform float f; uniform int i; uniform uint u; uniform bool b; uniform vec3 v; uniform mat3 m;
@@ -27,10 +24,16 @@ void main() {
     float all = f + float(i) + float(u) + float(b) + fa[0] + fa[2] + float(iv.x) + n[0].x;
     color = vec4(m * v, all) + texture(s, v.xy);
 }";
-    let program = made(c, &[vertex], &[fragment]);
+    let program = c.create_program();
+    for (stage, source) in [(GL_VERTEX_SHADER, vertex), (GL_FRAGMENT_SHADER, fragment)] {
+        let shader = c.create_shader(stage);
+        c.shader_source(shader, 1, Strings(vec![source]), &[]);
+        c.compile_shader(shader);
+        c.attach_shader(program, shader);
+    }
     c.link_program(program);
-    assert_eq!(log(c, program), "");
     c.use_program(program);
+    assert_eq!(c.get_error(), GL_NO_ERROR, "{:?}", c.messages());
     program
 }
 
@@ -340,71 +343,19 @@ const CASES: &[Case] = &[
     (|c| c.vertex_attrib_i_2iv(1, &[0; 1]), OPERATION, "1 of 2 numbers"),
 ];
 
-/// All that is known of the objects: sources, logs, lists, values, bindings of the next link.
-fn digest(c: &mut Context) -> String {
-    let mut text = String::new();
-    for name in [V, F] {
-        let mut source = String::new();
-        c.get_shader_source(name, 4096, &mut [], TextOut::String(&mut source));
-        text += &source;
-        for pname in [GL_SHADER_TYPE, GL_DELETE_STATUS, GL_COMPILE_STATUS, GL_INFO_LOG_LENGTH] {
-            let mut value = [0];
-            c.get_shaderiv(name, pname, &mut value);
-            text += &format!("{value:?}");
-        }
-    }
-    for name in [P, E] {
-        let mut shaders = [0; 4];
-        c.get_attached_shaders(name, 4, &mut [], &mut shaders);
-        text += &format!("{shaders:?}{}", log(c, name));
-        for pname in [GL_LINK_STATUS, GL_VALIDATE_STATUS, GL_DELETE_STATUS] {
-            let mut value = [0];
-            c.get_programiv(name, pname, &mut value);
-            text += &format!("{value:?}");
-        }
-    }
-    text += &format!("{:?}{:?}", uniforms(c, P), attributes(c, P));
-    for (name, ..) in uniforms(c, P) {
-        let (mut value, location) = ([0.0; 16], at(c, &name));
-        c.get_uniformfv(P, location, &mut value);
-        text += &format!("{value:?}");
-    }
-    for index in 1..16 {
-        let mut value = [0.0; 4];
-        c.get_vertex_attribfv(index, GL_CURRENT_VERTEX_ATTRIB, &mut value);
-        text += &format!("{value:?}");
-    }
-    let mut current = [0];
-    c.get_integerv(GL_CURRENT_PROGRAM, &mut current);
-    super::no_error(c);
-    text + &format!("{current:?}{}", c.is_shader(V + 3))
-}
-
-#[test]
-fn each_refusal_sets_its_flag_says_why_and_changes_nothing() {
-    for (row, (call, flag, words)) in CASES.iter().enumerate() {
-        let mut c = super::context();
-        assert_eq!(everything(&mut c), P);
-        assert_eq!(c.create_program(), E);
-        let before = digest(&mut c);
-        call(&mut c);
-        let messages: Vec<String> = c.messages().iter().map(ToString::to_string).collect();
-        let text = messages.join("\n");
-        assert_eq!(c.get_error(), *flag, "row {row}, {words:?}: {text}");
-        assert!(text.contains(words), "row {row}: {text:?} lacks {words:?}");
-        assert_eq!(digest(&mut c), before, "row {row}, {words:?}");
-    }
-}
-
-#[test]
-fn a_shader_that_did_not_compile_does_not_link() {
+/// A context with the fixture.
+fn context() -> Context {
     let mut c = super::context();
-    let program = made(&mut c, &["void main() { nothing }"], &[]);
-    c.link_program(program);
-    assert!(log(&mut c, program).contains("is not compiled"));
-    let empty = c.create_program();
-    c.link_program(empty);
-    assert!(log(&mut c, empty).contains("no shader is attached"));
-    shader(&mut c, GL_VERTEX_SHADER, "");
-    super::no_error(&mut c);
+    assert_eq!(everything(&mut c), P);
+    assert_eq!(c.create_program(), E);
+    c
+}
+
+/// Runs the rows.
+pub fn run() {
+    super::table(
+        "programs",
+        context,
+        CASES.iter().map(|(call, flag, words)| (call, *flag, *words)),
+    );
 }

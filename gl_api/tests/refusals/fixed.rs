@@ -1,11 +1,8 @@
 //! What the calls of the fixed function refuse: the flag, what the message says, and that the state
 //! stays.
 
-use crate::context;
+use super::Case;
 use gl_api::*;
-
-/// A call, the flag it must set, and words that its message must have.
-type Case = (fn(&mut Context), GLenum, &'static str);
 
 const ENV: GLenum = GL_TEXTURE_ENV;
 
@@ -155,83 +152,11 @@ const CASES: &[Case] = &[
     ),
 ];
 
-/// State that a refused call must leave alone.
-fn fingerprint(c: &mut Context) -> Vec<f32> {
-    let mut state = Vec::new();
-    let mut four = [0.0; 4];
-    for name in [
-        GL_AMBIENT,
-        GL_DIFFUSE,
-        GL_SPECULAR,
-        GL_POSITION,
-        GL_SPOT_DIRECTION,
-        GL_SPOT_EXPONENT,
-        GL_SPOT_CUTOFF,
-        GL_CONSTANT_ATTENUATION,
-        GL_LINEAR_ATTENUATION,
-    ] {
-        c.get_lightfv(GL_LIGHT0, name, &mut four);
-        state.extend(four);
-    }
-    for name in [GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_EMISSION, GL_SHININESS] {
-        for face in [GL_FRONT, GL_BACK] {
-            c.get_materialfv(face, name, &mut four);
-            state.extend(four);
-        }
-    }
-    for name in [
-        GL_LIGHT_MODEL_AMBIENT,
-        GL_LIGHT_MODEL_COLOR_CONTROL,
-        GL_COLOR_MATERIAL_FACE,
-        GL_COLOR_MATERIAL_PARAMETER,
-        GL_FOG_MODE,
-        GL_FOG_DENSITY,
-        GL_FOG_COLOR,
-        GL_FOG_COORD_SRC,
-        GL_TEXTURE_GEN_S,
-        GL_ACTIVE_TEXTURE,
-    ] {
-        c.get_floatv(name, &mut four);
-        state.extend(four);
-    }
-    for coord in [GL_S, GL_T, GL_R, GL_Q] {
-        for name in [GL_TEXTURE_GEN_MODE, GL_EYE_PLANE, GL_OBJECT_PLANE] {
-            c.get_tex_genfv(coord, name, &mut four);
-            state.extend(four);
-        }
-    }
-    for name in [
-        GL_TEXTURE_ENV_MODE,
-        GL_TEXTURE_ENV_COLOR,
-        GL_COMBINE_RGB,
-        GL_COMBINE_ALPHA,
-        GL_SRC0_RGB,
-        GL_OPERAND0_RGB,
-        GL_OPERAND1_ALPHA,
-        GL_RGB_SCALE,
-        GL_ALPHA_SCALE,
-    ] {
-        c.get_tex_envfv(ENV, name, &mut four);
-        state.extend(four);
-    }
-    let mut plane = [0.0; 4];
-    c.get_clip_plane(GL_CLIP_PLANE0, &mut plane);
-    state.extend(plane.map(|x| x as f32));
-    assert_eq!(c.get_error(), GL_NO_ERROR, "{:?}", c.messages());
-    state
-}
-
-#[test]
-fn each_refusal_sets_its_flag_says_why_and_changes_nothing() {
-    for (row, (call, flag, words)) in CASES.iter().enumerate() {
-        let mut c = context();
-        let before = fingerprint(&mut c);
-        call(&mut c);
-        let messages: Vec<String> = c.messages().iter().map(ToString::to_string).collect();
-        let text = messages.join("\n");
-        assert_eq!(c.get_error(), *flag, "row {row}, {words:?}: {text}");
-        assert!(text.contains(words), "row {row}: {text:?} lacks {words:?}");
-        assert_eq!(c.get_error(), GL_NO_ERROR, "row {row}: the flag was taken");
-        assert_eq!(fingerprint(&mut c), before, "row {row}, {words:?}");
-    }
+/// Runs the rows.
+pub fn run() {
+    super::table(
+        "fixed",
+        super::context,
+        CASES.iter().map(|(call, flag, words)| (call, *flag, *words)),
+    );
 }

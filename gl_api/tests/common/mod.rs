@@ -1,0 +1,5 @@
+//! What several test binaries share.
+
+pub mod digest;
+pub mod refusal;
+pub mod state_table;

@@ -1,0 +1,70 @@
+//! What each entry point refuses: rows of calls, each with its flag and words of its message, and
+//! that no query answers anything else afterwards. In the end every entry point has had a row, or
+//! is named in [`coverage`] among those that cannot fail.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod basic;
+mod coverage;
+mod fixed;
+mod framebuffers;
+mod more;
+mod programs;
+mod queries;
+mod rest;
+mod short;
+mod textures;
+mod vertices;
+
+use common::refusal::{Row, run};
+use gl_api::*;
+
+/// A call, the flag it must set, and words that its message must have.
+type Case = (fn(&mut Context), GLenum, &'static str);
+
+fn context() -> Context {
+    Context::new(ContextDesc { width: 16, height: 8, ..ContextDesc::default() }).expect("a device")
+}
+
+/// Runs a row on a context that is prepared.
+#[track_caller]
+fn row(c: &mut Context, name: String, call: &dyn Fn(&mut Context), flag: GLenum, words: &str) {
+    while c.get_error() != GL_NO_ERROR {}
+    if let Err(problem) = run(c, &Row { name, call, flag, words }) {
+        panic!("{problem}");
+    }
+}
+
+/// Runs the rows of a table, each on a context of its own.
+fn table<'a>(
+    name: &str,
+    context: fn() -> Context,
+    rows: impl Iterator<Item = (&'a fn(&mut Context), GLenum, &'static str)>,
+) {
+    for (number, (call, flag, words)) in rows.enumerate() {
+        row(&mut context(), format!("{name} {number}"), call, flag, words);
+    }
+}
+
+#[test]
+fn each_refusal_sets_its_flag_says_why_and_changes_nothing_and_each_call_has_one() {
+    let tables = [
+        basic::run,
+        fixed::run,
+        framebuffers::run,
+        more::run,
+        programs::run,
+        queries::run,
+        rest::run,
+        short::run,
+        textures::run,
+        vertices::run,
+    ];
+    std::thread::scope(|scope| {
+        for table in tables {
+            scope.spawn(table);
+        }
+    });
+    coverage::check(&common::refusal::refused());
+}
