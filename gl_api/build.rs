@@ -37,6 +37,23 @@ fn main() {
     write("egl.rs", text);
     // Threads that wait in the library would crash if it were unloaded beneath them.
     println!("cargo:rustc-cdylib-link-arg=-Wl,-z,nodelete");
+    // Names of its own are its own, whatever else the process has under them.
+    println!("cargo:rustc-cdylib-link-arg=-Wl,-Bsymbolic");
+    link_unwinder();
+}
+
+/// Puts the unwinder into the library, where there is one to put in: else it needs libgcc_s.so.1.
+fn link_unwinder() {
+    let name = "libgcc_eh.a";
+    let found = std::process::Command::new("cc").arg(format!("-print-file-name={name}")).output();
+    let Some(path) = found.ok().and_then(|output| String::from_utf8(output.stdout).ok()) else {
+        return;
+    };
+    // A compiler that does not have it answers the name alone.
+    if let Some(folder) = Path::new(path.trim()).parent().filter(|folder| folder.is_absolute()) {
+        println!("cargo:rustc-link-search=native={}", folder.display());
+        println!("cargo:rustc-link-lib=static:-bundle=gcc_eh");
+    }
 }
 
 /// An attribute of an XML element that is on one line.

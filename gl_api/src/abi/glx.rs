@@ -8,7 +8,7 @@ use std::ffi::{CStr, c_char, c_int, c_void};
 /// Functions that answer 0: `False`, `None` or a null pointer. They read no argument.
 macro_rules! nothing {
     ($($name:ident)*) => { $(
-        #[cfg_attr(feature = "c-abi", unsafe(no_mangle))]
+        #[unsafe(no_mangle)]
         #[allow(non_snake_case, reason = "GLX's name")]
         extern "C" fn $name() -> *const c_void {
             std::ptr::null()
@@ -19,7 +19,7 @@ macro_rules! nothing {
 /// Functions that answer an error: `GLX_BAD_SCREEN`. They read no argument.
 macro_rules! errors {
     ($($name:ident)*) => { $(
-        #[cfg_attr(feature = "c-abi", unsafe(no_mangle))]
+        #[unsafe(no_mangle)]
         #[allow(non_snake_case, reason = "GLX's name")]
         extern "C" fn $name() -> c_int {
             1
@@ -50,14 +50,14 @@ unsafe fn by_name(name: *const c_char) -> *const c_void {
     name.to_str().map_or(std::ptr::null(), proc_address::any)
 }
 
-#[cfg_attr(feature = "c-abi", unsafe(no_mangle))]
+#[unsafe(no_mangle)]
 #[allow(non_snake_case, reason = "GLX's name")]
 unsafe extern "C" fn glXGetProcAddress(name: *const c_char) -> *const c_void {
     // SAFETY: C's prototype promises the same.
     guard("glXGetProcAddress", || unsafe { by_name(name) })
 }
 
-#[cfg_attr(feature = "c-abi", unsafe(no_mangle))]
+#[unsafe(no_mangle)]
 #[allow(non_snake_case, reason = "GLX's name")]
 unsafe extern "C" fn glXGetProcAddressARB(name: *const c_char) -> *const c_void {
     // SAFETY: C's prototype promises the same.

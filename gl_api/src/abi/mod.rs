@@ -13,6 +13,7 @@
 //! | [`proc_address`] | functions by name |
 //! | [`egl`] | EGL 1.5: displays, configs, surfaces, contexts |
 //! | [`osmesa`] | OSMesa: contexts that draw into the client's memory |
+//! | [`glu`] | GLU under its C names |
 //! | [`glx`] | the names of GLX |
 //!
 //! This is the one place of this crate with `unsafe`. What it trusts is what C's prototypes cannot
@@ -20,6 +21,8 @@
 #![allow(unsafe_code, reason = "C's pointers; see the module's documentation")]
 
 mod egl;
+mod glu;
+#[cfg(feature = "c-abi")]
 mod glx;
 pub(crate) mod lengths;
 pub(crate) mod memory;
@@ -67,13 +70,21 @@ macro_rules! c_export {
                             [$(<$ty as $crate::abi::param::Param<'a>>::COUNTED),*],
                         )
                     };
-                    let arguments = [$(<$ty as $crate::abi::param::Param<'a>>::number($param)),*];
-                    let mut _lengths = rules.iter().map(|rule| rule.length(&arguments));
+                    let _arguments: &[isize] =
+                        &[$(<$ty as $crate::abi::param::Param<'a>>::number($param)),*];
+                    let mut _rules = rules.iter();
                     $(
-                        let length = _lengths.next().unwrap_or(0);
+                        let rule = _rules.next();
+                        let length = match <$ty as $crate::abi::param::Param<'a>>::COUNTED {
+                            $crate::abi::param::Counted::No => 0,
+                            $crate::abi::param::Counted::Elements
+                            | $crate::abi::param::Counted::Text => {
+                                rule.map_or(0, |rule| rule.length(_arguments))
+                            }
+                        };
                         // SAFETY: the caller vouches for its pointers, as C's prototypes cannot.
                         let mut $param = unsafe {
-                            <$ty as $crate::abi::param::Param<'a>>::hold($param, length, &arguments)
+                            <$ty as $crate::abi::param::Param<'a>>::hold($param, length, _arguments)
                         };
                     )*
                     run($(&mut $param),*)
@@ -88,18 +99,25 @@ pub(crate) use c_export;
 /// Runs a call from C; a panic becomes a GL error with a message.
 pub(crate) fn guard<R: Fallback>(name: &'static str, f: impl FnOnce() -> R) -> R {
     catch_unwind(AssertUnwindSafe(f)).unwrap_or_else(|panic| {
-        let error = GlError {
-            code: ErrorCode::InvalidOperation,
-            rule: format!("DetGL failed inside this call, please report it: {}", text(&*panic)),
-            section: "no rule of the specification",
-        };
-        // A second panic, as from a thread that is ending, has nobody to tell.
-        let told = catch_unwind(AssertUnwindSafe(|| {
-            with_current(|context| context.debug.error(name, &error));
-        }));
-        drop(told);
+        failed(name, &*panic);
         R::fallback()
     })
+}
+
+/// Makes a panic a GL error.
+#[cold]
+#[inline(never)]
+fn failed(name: &'static str, panic: &(dyn Any + Send)) {
+    let error = GlError {
+        code: ErrorCode::InvalidOperation,
+        rule: format!("DetGL failed inside this call, please report it: {}", text(panic)),
+        section: "no rule of the specification",
+    };
+    // A second panic, as from a thread that is ending, has nobody to tell.
+    let told = catch_unwind(AssertUnwindSafe(|| {
+        with_current(|context| context.debug.error(name, &error));
+    }));
+    drop(told);
 }
 
 /// What a panic said.

@@ -17,7 +17,7 @@ pub(crate) fn gl(name: &str) -> *const c_void {
 
 /// A function of any of the libraries that this one stands in for; null where there is none.
 pub(crate) fn any(name: &str) -> *const c_void {
-    let libraries = [gl, super::egl::address, super::osmesa::address];
+    let libraries = [gl, super::egl::address, super::osmesa::address, super::glu::address];
     let found = libraries.into_iter().map(|library| library(name));
     found.into_iter().find(|address| !address.is_null()).unwrap_or(std::ptr::null())
 }
@@ -25,8 +25,9 @@ pub(crate) fn any(name: &str) -> *const c_void {
 impl Context {
     /// The C function of a GL entry point, for the thread's current context; null for a name that
     /// is not implemented. Loaders take it as it is:
-    /// `glow::Context::from_loader_function(Context::get_proc_address)`.
+    /// `glow::Context::from_loader_function(Context::get_proc_address)`,
+    /// `gl::load_with(Context::get_proc_address)`. Names of EGL, OSMesa and GLU are known too.
     pub fn get_proc_address(name: &str) -> *const c_void {
-        gl(name)
+        any(name)
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! Messages are queued and never call back, so that nothing happens in the middle of a call.
 
-use super::log::{Kind, Log, Logged};
+use super::log::{GLDEBUGPROC, Kind, Log, Logged};
 use crate::constants::*;
 use crate::error::{ErrorCode, GlError};
 use crate::types::*;
@@ -113,12 +113,8 @@ impl Debug {
 
     /// Calls the program's callback with what the log has gathered.
     pub fn deliver(&mut self) {
-        let Some((Some(procedure), user, messages)) = self.log.deliver() else { return };
-        for Logged { kind, id, text } in messages {
-            let length = text.len() as GLsizei;
-            let bytes = CString::new(text.replace('\0', " ")).unwrap_or_default();
-            let (source, ty, severity) = (kind.source, kind.ty, kind.severity);
-            procedure(source, ty, id, severity, length, bytes.as_ptr(), user as *mut GLvoid);
+        if let Some((procedure, user, messages)) = self.log.deliver() {
+            hand_over(procedure, user, messages);
         }
     }
 
@@ -140,5 +136,17 @@ impl Debug {
             self.queue.pop_front();
         }
         self.queue.push_back(message);
+    }
+}
+
+#[cold]
+#[inline(never)]
+fn hand_over(procedure: GLDEBUGPROC, user: usize, messages: VecDeque<Logged>) {
+    let Some(procedure) = procedure else { return };
+    for Logged { kind, id, text } in messages {
+        let length = text.len() as GLsizei;
+        let bytes = CString::new(text.replace('\0', " ")).unwrap_or_default();
+        let (source, ty, severity) = (kind.source, kind.ty, kind.severity);
+        procedure(source, ty, id, severity, length, bytes.as_ptr(), user as *mut GLvoid);
     }
 }

@@ -10,7 +10,7 @@ use crate::abi::osmesa::Mirror;
 use crate::draw::Recorder;
 use crate::draw::immediate::Immediate;
 use crate::entry::{Fallback, Place};
-use crate::error::{GlError, Result, invalid_operation};
+use crate::error::{ErrorCode, GlError, Result};
 use crate::evaluate::Maps;
 use crate::explain::Watched;
 use crate::feedback::Feedback;
@@ -19,7 +19,7 @@ use crate::glsl::Repairs;
 use crate::list::{Compiling, Lists};
 use crate::object::Objects;
 use crate::object::queries::ActiveQueries;
-use crate::object::sharing::{Entered, Group};
+use crate::object::sharing::{Entered, Group, Invitation, Shared, Turn};
 use crate::state::State;
 use crate::state::attrib::AttribStacks;
 pub use debug::{Message, Severity};
@@ -84,6 +84,8 @@ pub struct Context {
     pub(crate) state: State,
     pub(crate) objects: Objects,
     pub(crate) window: Window,
+    /// What the default framebuffer is read from, if not from `window`.
+    pub(crate) read_window: Option<Window>,
     pub(crate) debug: debug::Debug,
     /// Between `glBegin` and `glEnd`.
     pub(crate) immediate: Option<Immediate>,
@@ -99,6 +101,8 @@ pub struct Context {
     pub(crate) feedback: Feedback,
     /// The contexts that this one shares objects with.
     group: Option<Group>,
+    /// Where another thread asks for the group.
+    pub(crate) invitation: Invitation,
     /// Whether a call runs.
     pub(crate) entered: Entered,
     pub(crate) repairs: Repairs,
@@ -140,6 +144,7 @@ impl Context {
             state: State::new(width, height),
             objects: Objects::default(),
             window: Window::new(width, height, surface).map_err(|_| ContextError::Memory)?,
+            read_window: None,
             debug: debug::Debug::from_env(),
             immediate: None,
             recorder: Recorder::new(device),
@@ -150,6 +155,7 @@ impl Context {
             evaluators: Maps::default(),
             feedback: Feedback::default(),
             group: None,
+            invitation: Invitation::default(),
             entered: Entered::No,
             repairs,
             mirror: None,
@@ -164,13 +170,31 @@ impl Context {
     /// # Errors
     /// As [`Context::new`].
     pub fn new_shared(&mut self, desc: ContextDesc) -> Result<Self, ContextError> {
-        let device = desc.device.clone().unwrap_or_else(|| self.recorder.device());
-        let mut context = Self::new(ContextDesc { device: Some(device), ..desc })?;
+        Self::of_group(self.share(), desc)
+    }
+
+    /// A context that shares what another gave with [`Self::share`].
+    pub(crate) fn of_group(shared: Shared, desc: ContextDesc) -> Result<Self, ContextError> {
+        let device = desc.device.unwrap_or(shared.device);
+        let context = Self::new(ContextDesc { device: Some(device), ..desc })?;
+        Ok(Self { group: Some(shared.group), ..context })
+    }
+
+    /// What a new context needs to share this one's objects.
+    pub(crate) fn share(&mut self) -> Shared {
         // What was recorded is drawn before another thread can change what it reads.
         self.flush();
         let objects = &mut self.objects;
-        context.group = Some(self.group.get_or_insert_with(|| Group::of(objects)).clone());
-        Ok(context)
+        let group = self.group.get_or_insert_with(|| Group::of(objects)).clone();
+        Shared { group, device: self.recorder.device() }
+    }
+
+    /// Gives another thread what it waits for. Not within a call, whose objects are in use.
+    pub(crate) fn answer_invitation(&mut self) {
+        if self.invitation.is_open() {
+            let shared = self.share();
+            self.invitation.answer(shared);
+        }
     }
 
     /// Takes the messages that have gathered, oldest first.
@@ -190,25 +214,39 @@ impl Context {
         place: Place,
         f: impl FnOnce(&mut Self) -> Result<R>,
     ) -> R {
-        let run = |context: &mut Self| match place {
-            Place::Outside if context.immediate.is_some() => invalid_operation(
-                "GL 2.1, section 2.6.3",
-                "must not be called between glBegin and glEnd",
-            ),
-            Place::Outside | Place::Anywhere => f(context),
+        let turn = Turn::begin(self);
+        let result = match place {
+            Place::Outside if turn.context.immediate.is_some() => Err(between_begin_and_end()),
+            Place::Outside | Place::Anywhere => f(turn.context),
         };
-        let result = match (&self.group, self.entered) {
-            (Some(group), Entered::No) => {
-                let group = group.clone();
-                group.run(self, run)
-            }
-            (Some(_), Entered::Yes) | (None, _) => run(self),
-        };
+        drop(turn);
         let result = result.unwrap_or_else(|error: GlError| {
-            self.debug.error(name, &error);
+            self.refuse(name, error);
             R::fallback()
         });
         self.debug.deliver();
         result
+    }
+
+    /// The group whose objects a call has to fetch.
+    pub(crate) fn group_outside(&self) -> Option<&Group> {
+        self.group.as_ref().filter(|_| self.entered == Entered::No)
+    }
+
+    /// Takes note of an error.
+    #[cold]
+    #[inline(never)]
+    fn refuse(&mut self, name: &'static str, error: GlError) {
+        self.debug.error(name, &error);
+    }
+}
+
+#[cold]
+#[inline(never)]
+fn between_begin_and_end() -> GlError {
+    GlError {
+        code: ErrorCode::InvalidOperation,
+        rule: "must not be called between glBegin and glEnd".to_owned(),
+        section: "GL 2.1, section 2.6.3",
     }
 }

@@ -75,20 +75,52 @@ impl Drop for Taken {
     }
 }
 
+// What follows is the same for all entry points, so that it is not part of each of them.
+
+#[inline(never)]
+fn take() -> Option<Taken> {
+    swap_current(None).map(|context| Taken(Some(context)))
+}
+
+#[inline(never)]
+fn give_back(taken: Taken) {
+    drop(taken);
+}
+
+/// The context for an entry point, which may have to let another thread share its objects.
+#[inline(never)]
+fn take_for(name: &str) -> Option<Taken> {
+    let mut taken = swap_current(None).map(|context| Taken(Some(context)));
+    match taken.as_mut().and_then(|taken| taken.0.as_deref_mut()) {
+        Some(context) => context.answer_invitation(),
+        None => warn(name),
+    }
+    taken
+}
+
 /// Runs `f` with the thread's current context, if there is one.
 pub fn with_current<R>(f: impl FnOnce(&mut Context) -> R) -> Option<R> {
-    let mut taken = Taken(Some(swap_current(None)?));
-    taken.0.as_deref_mut().map(f)
+    let mut taken = take()?;
+    let result = taken.0.as_deref_mut().map(f);
+    give_back(taken);
+    result
 }
 
 /// Runs the entry point `name`.
 pub(crate) fn call<R: Fallback>(name: &str, f: impl FnOnce(&mut Context) -> R) -> R {
-    with_current(f).unwrap_or_else(|| {
-        if !WARNED.try_with(|warned| warned.replace(true)).unwrap_or(true) {
-            eprintln!("detgl: {name}: ignored, as this thread has no current context");
-        }
-        R::fallback()
-    })
+    let Some(mut taken) = take_for(name) else { return R::fallback() };
+    let result = taken.0.as_deref_mut().map(f);
+    give_back(taken);
+    result.unwrap_or_else(R::fallback)
+}
+
+/// Says once a thread that it has no current context.
+#[cold]
+#[inline(never)]
+fn warn(name: &str) {
+    if !WARNED.try_with(|warned| warned.replace(true)).unwrap_or(true) {
+        eprintln!("detgl: {name}: ignored, as this thread has no current context");
+    }
 }
 
 /// Makes a context the thread's current one, or none; gives the one that was.

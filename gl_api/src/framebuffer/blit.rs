@@ -4,7 +4,7 @@
 
 use super::clear::drawn_area;
 use super::complete::{
-    Readable, checked_complete, draw_pass, draw_planes, read_attachment, samples,
+    Readable, checked_complete, draw_pass, draw_planes, read_attachment, read_samples, samples,
 };
 use super::read::{Pixels, same_kind, settled};
 use super::srgb_write;
@@ -315,11 +315,8 @@ pub(crate) fn blit_framebuffer(
 
 /// Several samples are resolved, not scaled (`EXT_framebuffer_multisample`, section 4.3.3).
 fn check_samples(context: &Context, axes: [Axis; 2]) -> Result<()> {
-    let bindings = &context.state.bindings;
-    let any = [bindings.read_framebuffer, bindings.draw_framebuffer]
-        .iter()
-        .any(|&name| samples(context, name) > 0);
-    if any && axes.iter().any(|axis| axis.is_scaled()) {
+    let drawn = samples(context, context.state.bindings.draw_framebuffer);
+    if (drawn > 0 || read_samples(context) > 0) && axes.iter().any(|axis| axis.is_scaled()) {
         return invalid_operation(
             "EXT_framebuffer_multisample, section 4.3.3",
             "a framebuffer with several samples a pixel is not scaled: make both rectangles the \

@@ -277,10 +277,12 @@ pub(super) fn read_attachment(context: &Context, what: Readable) -> Result<Optio
     let name = context.state.bindings.read_framebuffer;
     checked_complete(context, name)?;
     let Some(object) = context.objects.framebuffers.get(name) else {
-        let window = &context.window;
+        let window = context.read_window();
         let depth = |there: bool| window.depth.as_ref().filter(|_| there).map(whole);
         return Ok(match what {
-            Readable::Color => (window.selection.read != GL_NONE).then(|| whole(&window.color)),
+            Readable::Color => {
+                (context.window.selection.read != GL_NONE).then(|| whole(&window.color))
+            }
             Readable::Depth => depth(window.planes.depth),
             Readable::Stencil => depth(window.planes.stencil),
         });
@@ -306,4 +308,13 @@ pub(crate) fn samples(context: &Context, name: GLuint) -> u8 {
         None => context.window.color.samples(),
     };
     if samples > 1 { samples } else { 0 }
+}
+
+/// The same of what is read from.
+pub(crate) fn read_samples(context: &Context) -> u8 {
+    match (context.state.bindings.read_framebuffer, &context.read_window) {
+        (0, Some(window)) if window.color.samples() > 1 => window.color.samples(),
+        (0, Some(_)) => 0,
+        (name, _) => samples(context, name),
+    }
 }

@@ -43,6 +43,17 @@ impl Context {
         std::mem::replace(&mut self.window, window)
     }
 
+    /// The default framebuffer that is read from: another one than is drawn to, if there is one.
+    pub(crate) fn read_window(&self) -> &Window {
+        self.read_window.as_ref().unwrap_or(&self.window)
+    }
+
+    /// Puts another default framebuffer in place to be read from, or that which is drawn to.
+    pub(crate) fn swap_read_window(&mut self, window: Option<Window>) -> Option<Window> {
+        self.flush();
+        std::mem::replace(&mut self.read_window, window)
+    }
+
     /// Viewport and scissor take the size of the first default framebuffer (GL 2.1, sections 2.11.1
     /// and 4.1.2).
     pub(crate) fn first_window(&mut self, width: u32, height: u32) {

@@ -1,4 +1,4 @@
-//! GLU's own error codes, and the words for them and for GL's.
+//! GLU's own error codes, the words for them and for GL's, and GLU's version.
 
 use crate::constants::*;
 use crate::types::GLenum;
@@ -11,6 +11,25 @@ pub const GLU_INVALID_VALUE: GLenum = 100_901;
 pub const GLU_OUT_OF_MEMORY: GLenum = 100_902;
 /// What a GLU function answers for a format and type that do not go together.
 pub const GLU_INVALID_OPERATION: GLenum = 100_904;
+
+/// The name of GLU's version for [`gluGetString`].
+pub const GLU_VERSION: GLenum = 100_800;
+/// The name of GLU's extensions for [`gluGetString`].
+pub const GLU_EXTENSIONS: GLenum = 100_801;
+
+/// What there is of GLU; `None` for a name that is neither [`GLU_VERSION`] nor [`GLU_EXTENSIONS`].
+pub fn gluGetString(name: GLenum) -> Option<&'static str> {
+    match name {
+        GLU_VERSION => Some("1.3"),
+        GLU_EXTENSIONS => Some(""),
+        _ => None,
+    }
+}
+
+/// Whether a list of extensions, as `glGetString` gives it, has one of this name.
+pub fn gluCheckExtension(name: &str, list: &str) -> bool {
+    list.split_ascii_whitespace().any(|other| other == name)
+}
 
 /// The words for an error code of GL or GLU; `None` for a number that is no error code.
 pub fn gluErrorString(error: GLenum) -> Option<&'static str> {

@@ -1,6 +1,6 @@
 //! `gluScaleImage`, and images where the client's pixel store has them.
 
-use super::error::{GLU_INVALID_ENUM, GLU_INVALID_OPERATION, GLU_INVALID_VALUE};
+use super::error::{GLU_INVALID_ENUM, GLU_INVALID_OPERATION, GLU_INVALID_VALUE, GLU_OUT_OF_MEMORY};
 use super::pixels::{self, ByteOrder, Layout, Storage, Store, TooShort};
 use super::scale::scale;
 use crate::constants::*;
@@ -77,8 +77,16 @@ pub(super) fn layout(
     if !storage.holds(count) {
         return Err(GLU_INVALID_OPERATION);
     }
-    Ok(Layout { size: size.map(|side| side as usize), count, storage, store })
+    let size = size.map(|side| side as usize);
+    let numbers = size.iter().try_fold(count, |product, &side| product.checked_mul(side));
+    if numbers.is_none_or(|numbers| numbers > MOST_NUMBERS) {
+        return Err(GLU_OUT_OF_MEMORY);
+    }
+    Ok(Layout { size, count, storage, store })
 }
+
+/// How many components an image may have that is scaled: 2 GiB as `f64`.
+const MOST_NUMBERS: usize = 1 << 28;
 
 /// The names of half of the `glPixelStore` state.
 pub(super) struct Names {
@@ -161,7 +169,9 @@ mod tests {
         ] {
             assert_eq!(layout([width, 1, 1], format, type_, TIGHT).err(), Some(expected));
         }
-        let huge = layout([i32::MAX, i32::MAX, 1], GL_RGBA, GL_FLOAT, TIGHT).unwrap();
+        let huge = layout([i32::MAX, i32::MAX, 1], GL_RGBA, GL_FLOAT, TIGHT);
+        assert_eq!(huge.err(), Some(GLU_OUT_OF_MEMORY));
+        let huge = layout([8000, 8000, 1], GL_RGBA, GL_FLOAT, TIGHT).unwrap();
         assert_eq!(huge.read(&[0; 5]), Err(TooShort { needed: huge.needed() }));
     }
 }

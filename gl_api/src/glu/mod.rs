@@ -1,5 +1,8 @@
 //! GLU 1.3: the utility library that the lectures' programs call beside GL.
 //!
+//! Tessellation and NURBS are not there: a program that needs them keeps the system's libGLU, which
+//! works on top of this library.
+//!
 //! Everything here goes through GL's public functions, as the real GLU does.
 //!
 //! | module | is |
@@ -10,7 +13,9 @@
 //! | [`mod@scale`] | the box filter |
 //! | [`image`] | `gluScaleImage`, the pixel store |
 //! | [`mipmap`] | `gluBuild2DMipmaps` and its kin |
-//! | [`error`] | GLU's error codes, `gluErrorString` |
+//! | [`project`] | `gluProject`, `gluUnProject`, `gluPickMatrix` |
+//! | [`quadric`] | `gluSphere`, `gluCylinder`, `gluDisk` |
+//! | [`error`] | GLU's error codes, `gluErrorString`, `gluGetString` |
 #![allow(non_snake_case)]
 
 pub mod angle;
@@ -19,6 +24,9 @@ pub mod image;
 pub mod matrix;
 pub mod mipmap;
 pub mod pixels;
+pub mod project;
+pub mod quadric;
+mod revolve;
 pub mod scale;
 
 pub use error::*;
@@ -28,3 +36,5 @@ pub use mipmap::{
     gluBuild1DMipmapLevels, gluBuild1DMipmaps, gluBuild2DMipmapLevels, gluBuild2DMipmaps,
     gluBuild3DMipmapLevels, gluBuild3DMipmaps,
 };
+pub use project::{gluPickMatrix, gluProject, gluUnProject, gluUnProject4};
+pub use quadric::*;

@@ -6,8 +6,11 @@
 
 use super::Objects;
 use crate::context::Context;
-use parking_lot::{Mutex, MutexGuard};
+use parking_lot::{ArcMutexGuard, Condvar, Mutex, RawMutex};
+use rasterizer::driver::Device;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
 
 /// Whether a call of a context runs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -28,27 +31,96 @@ impl Group {
         exchange(objects, &mut shared);
         Self(Arc::new(Mutex::new(shared)))
     }
+}
 
-    /// Runs `f` with the group's objects in the context, whatever becomes of it.
-    pub fn run<R>(&self, context: &mut Context, f: impl FnOnce(&mut Context) -> R) -> R {
-        let mut shared = self.0.lock();
-        exchange(&mut context.objects, &mut shared);
-        context.entered = Entered::Yes;
-        let turn = Turn { context, shared };
-        f(turn.context)
+/// What a new context needs to share the objects of another.
+#[derive(Clone, Debug)]
+pub(crate) struct Shared {
+    pub group: Group,
+    pub device: Arc<Device>,
+}
+
+/// How a thread comes to share the objects of a context that is current on another: it asks, and the
+/// context answers at its next call or when it is released.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Invitation(Arc<Asked>);
+
+#[derive(Debug, Default)]
+struct Asked {
+    open: AtomicBool,
+    answer: Mutex<Option<Shared>>,
+    answered: Condvar,
+}
+
+impl Invitation {
+    /// Whether a thread waits.
+    pub fn is_open(&self) -> bool {
+        self.0.open.load(Ordering::Acquire)
+    }
+
+    /// Asks and waits, the first time; `None` if the context makes no call for so long.
+    pub fn ask(&self, patience: Duration) -> Option<Shared> {
+        let end = Instant::now() + patience;
+        let mut answer = self.0.answer.lock();
+        self.0.open.store(true, Ordering::Release);
+        while answer.is_none() {
+            if self.0.answered.wait_until(&mut answer, end).timed_out() {
+                break;
+            }
+        }
+        self.0.open.store(false, Ordering::Release);
+        answer.clone()
+    }
+
+    /// Ends the waiting of all who ask.
+    pub fn answer(&self, shared: Shared) {
+        self.0.open.store(false, Ordering::Release);
+        *self.0.answer.lock() = Some(shared);
+        self.0.answered.notify_all();
     }
 }
 
-/// A call that has the group's objects; gives them back, even if the call panics.
-struct Turn<'a> {
-    context: &'a mut Context,
-    shared: MutexGuard<'a, Objects>,
+/// A call, which has the objects of its context's group; gives them back, even if it panics.
+pub(crate) struct Turn<'a> {
+    pub context: &'a mut Context,
+    shared: Option<ArcMutexGuard<RawMutex, Objects>>,
+}
+
+impl<'a> Turn<'a> {
+    /// Waits for the calls of other contexts of the group; without a group there is nothing to do.
+    pub fn begin(context: &'a mut Context) -> Self {
+        let mut turn = Self { context, shared: None };
+        if turn.context.group_outside().is_some() {
+            turn.fetch();
+        }
+        turn
+    }
+
+    #[inline(never)]
+    fn fetch(&mut self) {
+        if let Some(group) = self.context.group_outside() {
+            let mut shared = group.0.lock_arc();
+            exchange(&mut self.context.objects, &mut shared);
+            self.context.entered = Entered::Yes;
+            self.shared = Some(shared);
+        }
+    }
+
+    #[inline(never)]
+    fn give_back(&mut self) {
+        if let Some(mut shared) = self.shared.take() {
+            self.context.entered = Entered::No;
+            exchange(&mut self.context.objects, &mut shared);
+        }
+    }
 }
 
 impl Drop for Turn<'_> {
+    #[inline]
     fn drop(&mut self) {
-        self.context.entered = Entered::No;
-        exchange(&mut self.context.objects, &mut self.shared);
+        if self.shared.is_some() {
+            self.give_back();
+        }
     }
 }
 

@@ -1,7 +1,8 @@
 //! Matrix stacks: GL 2.1, section 2.11.2.
 //!
-//! Matrices are kept in `f64` and rounded once, when a draw or a query reads them: `f64` code in
-//! glam is the same scalar code on every machine, and long products keep their precision.
+//! Each call computes in `f64`, where glam is the same scalar code on every machine, and rounds its
+//! result to what an `f32` holds: a matrix that a program reads with `glGetFloatv` and loads again
+//! is the same matrix, so that two passes agree in depth to the bit.
 
 use crate::constants::*;
 use crate::context::Context;
@@ -91,8 +92,13 @@ fn stack(context: &mut Context) -> Result<&mut Stack> {
 
 fn multiply(context: &mut Context, matrix: DMat4) -> Result<()> {
     let stack = stack(context)?;
-    stack.top *= matrix;
+    stack.top = single(stack.top * matrix);
     Ok(())
+}
+
+/// The nearest matrix of `f32`s.
+fn single(matrix: DMat4) -> DMat4 {
+    DMat4::from_cols_array(&matrix.to_cols_array().map(|x| f64::from(x as f32)))
 }
 
 /// 16 numbers, column by column.
@@ -116,22 +122,22 @@ pub(crate) fn load_identity(context: &mut Context) -> Result<()> {
 }
 
 pub(crate) fn load_matrixf(context: &mut Context, m: &[GLfloat]) -> Result<()> {
-    stack(context)?.top = matrix(m)?;
+    stack(context)?.top = single(matrix(m)?);
     Ok(())
 }
 
 pub(crate) fn load_matrixd(context: &mut Context, m: &[GLdouble]) -> Result<()> {
-    stack(context)?.top = matrix(m)?;
+    stack(context)?.top = single(matrix(m)?);
     Ok(())
 }
 
 pub(crate) fn load_transpose_matrixf(context: &mut Context, m: &[GLfloat]) -> Result<()> {
-    stack(context)?.top = matrix(m)?.transpose();
+    stack(context)?.top = single(matrix(m)?.transpose());
     Ok(())
 }
 
 pub(crate) fn load_transpose_matrixd(context: &mut Context, m: &[GLdouble]) -> Result<()> {
-    stack(context)?.top = matrix(m)?.transpose();
+    stack(context)?.top = single(matrix(m)?.transpose());
     Ok(())
 }
 

@@ -69,7 +69,9 @@ impl Random {
         let turn = DMat4::from_axis_angle(axis, self.between(0.0, 6.0));
         let size = [0; 3].map(|_| self.between(0.4, 2.0));
         let place = [self.between(-2.0, 2.0), self.between(-2.0, 2.0), self.between(-8.0, -3.0)];
-        DMat4::from_translation(place.into()) * turn * DMat4::from_scale(size.into())
+        let matrix = DMat4::from_translation(place.into()) * turn * DMat4::from_scale(size.into());
+        // As GL keeps it.
+        DMat4::from_cols_array(&matrix.to_cols_array().map(|x| f64::from(x as f32)))
     }
 }
 

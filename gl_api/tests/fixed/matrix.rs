@@ -83,3 +83,19 @@ fn transposed_loads_are_transposed() {
     c.get_floatv(GL_MODELVIEW_MATRIX, &mut found);
     assert_eq!(found, transposed);
 }
+
+/// Programs read a matrix between passes, load it again, and compare depths for equality.
+#[test]
+fn a_matrix_that_was_read_and_loaded_again_is_the_same() {
+    let mut c = context();
+    c.rotatef(37.0, 0.3, 0.5, 0.7);
+    c.translatef(0.1, 0.2, 0.3);
+    c.mult_matrixd(&std::array::from_fn::<_, 16, _>(|at| 1.0 / (at as f64 + 3.0)));
+    let (mut before, mut read, mut after) = ([0.0; 16], [0.0; 16], [0.0; 16]);
+    c.get_doublev(GL_MODELVIEW_MATRIX, &mut before);
+    c.get_floatv(GL_MODELVIEW_MATRIX, &mut read);
+    c.load_identity();
+    c.load_matrixf(&read);
+    c.get_doublev(GL_MODELVIEW_MATRIX, &mut after);
+    assert_eq!(before, after);
+}

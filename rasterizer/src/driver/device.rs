@@ -1,6 +1,7 @@
 //! The device: which instruction set, how many threads, and the queue.
 
 use super::command::CommandBuffer;
+use super::threads::Threads;
 use super::{check, submit};
 use crate::pool::Pool;
 use crate::raster::Worker;
@@ -99,7 +100,7 @@ pub struct SubmitReport {
 #[derive(Debug)]
 pub struct Device {
     desc: DeviceDesc,
-    pool: rayon::ThreadPool,
+    threads: Threads,
     /// What runs vertex programs.
     pub(crate) machines: Pool<Machine>,
     /// The memory of its results.
@@ -117,14 +118,10 @@ impl Device {
     /// # Errors
     /// When its threads cannot be started.
     pub fn new(desc: DeviceDesc) -> Result<Self, DeviceError> {
-        let pool = rayon::ThreadPoolBuilder::new()
-            .num_threads(desc.threads.max(1))
-            .thread_name(|index| format!("detgl-{index}"))
-            .build()
-            .map_err(|error| DeviceError::Pool(error.to_string()))?;
+        let threads = Threads::start(desc.threads)?;
         Ok(Self {
             desc,
-            pool,
+            threads,
             machines: Pool::default(),
             geometries: Pool::default(),
             workers: Pool::default(),
@@ -141,10 +138,12 @@ impl Device {
     /// Runs commands to their end. The result does not depend on the number of threads.
     ///
     /// # Errors
-    /// When a command breaks a rule; then nothing was run.
+    /// When a command breaks a rule, or this process was forked from the device's and cannot start
+    /// threads; then nothing was run.
     pub fn submit(&self, commands: &CommandBuffer) -> Result<SubmitReport, SubmitError> {
         check::check(&commands.commands)?;
-        Ok(self.pool.install(|| submit::run(self, &commands.commands)))
+        let run = || submit::run(self, &commands.commands);
+        self.threads.run(run).map_err(|error| SubmitError { index: 0, rule: error.to_string() })
     }
 
     /// The plans kept since the last call, each different one once ([`Explain::Keep`]).

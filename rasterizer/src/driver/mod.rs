@@ -13,6 +13,7 @@ mod pass;
 mod pipeline;
 mod raster;
 mod submit;
+mod threads;
 mod watch;
 
 pub use crate::output::texel_words;

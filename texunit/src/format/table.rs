@@ -19,7 +19,7 @@ macro_rules! formats {
 
         impl Format {
             /// Every format, in the order of the table.
-            pub const ALL: [Self; ROWS.len()] = [$(Self::$Name,)*];
+            pub const ALL: [Self; [$(stringify!($Name)),*].len()] = [$(Self::$Name,)*];
 
             /// The row of this format.
             #[inline(always)]
@@ -28,9 +28,10 @@ macro_rules! formats {
             }
         }
 
-        const ROWS: &[FormatInfo] = {
+        // One table: a constant would be copied into whatever reads it.
+        static ROWS: [FormatInfo; Format::ALL.len()] = {
             use FormatInfo as Row;
-            &[$($row,)*]
+            [$($row,)*]
         };
     };
 }

@@ -76,7 +76,8 @@ const ATTRIBUTES: [(Int, Criterion, Int); 34] = [
     (EGL_NATIVE_RENDERABLE, Criterion::Exact, EGL_DONT_CARE),
     (EGL_NATIVE_VISUAL_ID, Criterion::Ignored, EGL_DONT_CARE),
     (EGL_NATIVE_VISUAL_TYPE, Criterion::Exact, EGL_DONT_CARE),
-    (EGL_RENDERABLE_TYPE, Criterion::Mask, EGL_OPENGL_ES_BIT),
+    // EGL's default is OpenGL ES, which no config has: a request that names no API would find none.
+    (EGL_RENDERABLE_TYPE, Criterion::Mask, EGL_DONT_CARE),
     (EGL_SAMPLE_BUFFERS, Criterion::AtLeast, 0),
     (EGL_SAMPLES, Criterion::AtLeast, 0),
     (EGL_STENCIL_SIZE, Criterion::AtLeast, 0),

@@ -7,6 +7,7 @@ use super::registry::{Api, ContextEntry, Id, Place, Registry, handle, registry, 
 use super::{Attrib, Handle, Int, put};
 use crate::context::{Context, ContextDesc, ContextError};
 use crate::entry::with_current;
+use std::time::Duration;
 
 impl Registry {
     /// Removes a context, now or when it is current no more.
@@ -84,7 +85,10 @@ fn check(attributes: &[(Int, Attrib)]) -> Result<()> {
     Ok(())
 }
 
-/// A context that shares objects with one that is current here, or nowhere.
+/// How long a context that is current on another thread has to make its next call.
+const PATIENCE: Duration = Duration::from_secs(2);
+
+/// A context that shares objects with another, wherever that is current.
 pub(in crate::abi) fn share_with(
     display: Id,
     share: Handle,
@@ -100,11 +104,18 @@ pub(in crate::abi) fn share_with(
                 None => fail(Code::BadContext, "share_context is current, but inside a call"),
             }
         }
-        Place::Current(_) => fail(
-            Code::BadAccess,
-            "share_context is current on another thread: create the new context there, or release \
-             it first",
-        ),
+        Place::Current(_) => {
+            let invitation = entry.invitation.clone();
+            drop(registry);
+            match invitation.ask(PATIENCE) {
+                Some(shared) => Ok(Context::of_group(shared, desc)),
+                None => fail(
+                    Code::BadAccess,
+                    "share_context is current on another thread, which made no GL call while this \
+                     one waited: create the new context there, or release share_context first",
+                ),
+            }
+        }
     }
 }
 
@@ -133,14 +144,7 @@ pub(super) fn create(
     };
     let mut registry = registry();
     let id = registry.new_id();
-    let entry = ContextEntry {
-        display,
-        config,
-        place: Place::Idle(Box::new(context)),
-        doomed: false,
-        sized: false,
-    };
-    registry.contexts.insert(id, entry);
+    registry.contexts.insert(id, ContextEntry::new(display, config, context));
     Ok(handle(id))
 }
 

@@ -29,27 +29,61 @@ fn put_back(registry: &mut Registry, binding: Binding, context: Option<Box<Conte
     let Some(mut context) = context else {
         // A program took it with Rust's `set_current`: nothing is left of it.
         registry.contexts.remove(&binding.context);
-        if let Some(surface) = binding.surface {
+        for surface in [binding.surface, binding.read].into_iter().flatten() {
             registry.surfaces.remove(&surface);
         }
         return;
     };
     context.flush();
     context.mirror = None;
+    context.answer_invitation();
+    let read = context.swap_read_window(None);
+    registry.lay_down(binding.read, read);
     let window = context.swap_window(Window::absent());
-    if let Some(id) = binding.surface
-        && let Some(entry) = registry.surfaces.get_mut(&id)
-    {
-        entry.window = Some(window);
-        entry.thread = None;
-        if entry.doomed {
-            registry.surfaces.remove(&id);
-        }
-    }
+    registry.lay_down(binding.surface, Some(window));
     if let Some(entry) = registry.contexts.get_mut(&binding.context) {
         entry.place = Place::Idle(context);
         if entry.doomed {
             registry.contexts.remove(&binding.context);
+        }
+    }
+}
+
+impl Registry {
+    /// Takes the buffers of a surface for a thread; `None` if another has them.
+    fn pick_up(&mut self, surface: Id, thread: ThreadId) -> Option<Window> {
+        let entry = self.surfaces.get_mut(&surface)?;
+        let window = entry.window.take()?;
+        entry.thread = Some(thread);
+        Some(window)
+    }
+
+    /// The buffers to draw to and, if they are others, to read from; `None` if another thread has
+    /// either.
+    fn pick_up_both(
+        &mut self,
+        draw: Id,
+        read: Option<Id>,
+        thread: ThreadId,
+    ) -> Option<(Window, Option<Window>)> {
+        let window = self.pick_up(draw, thread)?;
+        let Some(read) = read else { return Some((window, None)) };
+        let found = self.pick_up(read, thread);
+        if found.is_none() {
+            self.lay_down(Some(draw), Some(window));
+            return None;
+        }
+        Some((window, found))
+    }
+
+    /// Gives the buffers of a surface back, unless it was destroyed meanwhile.
+    fn lay_down(&mut self, surface: Option<Id>, window: Option<Window>) {
+        let Some(id) = surface else { return };
+        let Some(entry) = self.surfaces.get_mut(&id) else { return };
+        entry.window = window;
+        entry.thread = None;
+        if entry.doomed {
+            self.surfaces.remove(&id);
         }
     }
 }
@@ -75,20 +109,21 @@ fn check(
     }
     let config = entry.config;
     if draw.is_null() {
-        return Ok(Binding { display: dpy, context, surface: None });
+        return Ok(Binding { display: dpy, context, surface: None, read: None });
     }
-    let (read, _) = registry.surface(dpy, read)?;
-    let (draw, surface) = registry.surface(dpy, draw)?;
-    if read != draw {
-        return fail(Code::BadMatch, "draw and read must be the same surface");
-    }
-    if surface.thread.is_some_and(|thread| thread != here) {
-        return fail(Code::BadAccess, "the surface is current on another thread");
-    }
-    if config.is_some() && config != surface.config {
-        return fail(Code::BadMatch, "the surface's config is not the context's");
-    }
-    Ok(Binding { display: dpy, context, surface: Some(draw) })
+    let mut checked = |name: &str, surface: Handle| {
+        let (id, entry) = registry.surface(dpy, surface)?;
+        if entry.thread.is_some_and(|thread| thread != here) {
+            return fail(Code::BadAccess, format!("{name} is current on another thread"));
+        }
+        if config.is_some() && config != entry.config {
+            return fail(Code::BadMatch, format!("{name}'s config is not the context's"));
+        }
+        Ok(id)
+    };
+    let (draw, read) = (checked("draw", draw)?, checked("read", read)?);
+    let read = (read != draw).then_some(read);
+    Ok(Binding { display: dpy, context, surface: Some(draw), read })
 }
 
 pub(super) fn make(dpy: Handle, draw: Handle, read: Handle, context: Handle) -> Result<u32> {
@@ -130,18 +165,15 @@ pub(in crate::abi) fn bind(thread: &Thread, binding: Binding) -> Result<()> {
     let first = !replace(&mut entry.sized, true);
     let mut size = (0, 0);
     if let Some(id) = binding.surface {
-        let surface = registry.surfaces.get_mut(&id);
-        let Some((surface, window)) =
-            surface.and_then(|surface| surface.window.take().map(|window| (surface, window)))
-        else {
+        let Some((draw, read)) = registry.pick_up_both(id, binding.read, here) else {
             if let Some(entry) = registry.contexts.get_mut(&binding.context) {
                 entry.place = Place::Idle(context);
             }
-            return fail(Code::BadAccess, "the surface has become current on another thread");
+            return fail(Code::BadAccess, "a surface has become current on another thread");
         };
-        surface.thread = Some(here);
-        size = (surface.width, surface.height);
-        context.swap_window(window);
+        size = registry.surfaces.get(&id).map_or(size, |entry| (entry.width, entry.height));
+        context.swap_window(draw);
+        context.swap_read_window(read);
     }
     if first {
         context.first_window(size.0, size.1);
@@ -170,7 +202,11 @@ pub(super) fn current_surface(which: Int) -> Result<Handle> {
     if which != EGL_DRAW && which != EGL_READ {
         return fail(Code::BadParameter, "readdraw must be EGL_DRAW or EGL_READ");
     }
-    Ok(handle(binding().and_then(|binding| binding.surface).unwrap_or(0)))
+    let surface = binding().and_then(|binding| match which {
+        EGL_READ => binding.read.or(binding.surface),
+        _ => binding.surface,
+    });
+    Ok(handle(surface.unwrap_or(0)))
 }
 
 pub(super) fn release_thread() -> Result<u32> {

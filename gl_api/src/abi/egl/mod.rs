@@ -16,6 +16,7 @@
 //! | [`context`] | `eglCreateContext` and its attributes |
 //! | [`current`] | `eglMakeCurrent` |
 //! | [`sync`] | fences |
+//! | `vendor` | libglvnd's way to this library |
 
 mod config;
 mod context;
@@ -26,6 +27,8 @@ mod functions;
 pub(in crate::abi) mod registry;
 mod surface;
 mod sync;
+#[cfg(feature = "c-abi")]
+mod vendor;
 
 pub(in crate::abi) use context::share_with;
 pub(crate) use functions::address;

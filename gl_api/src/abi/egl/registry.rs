@@ -5,6 +5,7 @@ use super::error::{Code, Result, fail};
 use super::{Handle, Int};
 use crate::context::Context;
 use crate::framebuffer::Window;
+use crate::object::sharing::Invitation;
 use std::cell::{Cell, RefCell};
 use std::collections::BTreeMap;
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -59,10 +60,21 @@ pub(in crate::abi) struct ContextEntry {
     /// `None` was made with `EGL_NO_CONFIG_KHR`.
     pub config: Option<&'static Config>,
     pub place: Place,
+    /// How other threads ask it to share while it is current.
+    pub invitation: Invitation,
     /// Destroyed, and gone when it is current no more.
     pub doomed: bool,
     /// Whether viewport and scissor have had their first surface (GL 2.1, section 2.11.1).
     pub sized: bool,
+}
+
+impl ContextEntry {
+    /// A new one, current nowhere.
+    pub fn new(display: Id, config: Option<&'static Config>, context: Context) -> Self {
+        let invitation = context.invitation.clone();
+        let place = Place::Idle(Box::new(context));
+        Self { display, config, place, invitation, doomed: false, sized: false }
+    }
 }
 
 #[derive(Debug)]
@@ -160,8 +172,10 @@ pub(in crate::abi) fn handle(id: Id) -> Handle {
 pub(in crate::abi) struct Binding {
     pub display: Id,
     pub context: Id,
-    /// `None` without a default framebuffer.
+    /// What is drawn to; `None` without a default framebuffer.
     pub surface: Option<Id>,
+    /// What is read from, if it is another.
+    pub read: Option<Id>,
 }
 
 /// The API that `eglBindAPI` chose.

@@ -12,7 +12,7 @@ pub(crate) use mirror::Mirror;
 
 use super::egl::current;
 use super::egl::registry::{
-    Binding, ContextEntry, Id, OSMESA, Place, SurfaceEntry, handle, registry, thread,
+    Binding, ContextEntry, Id, OSMESA, SurfaceEntry, handle, registry, thread,
 };
 use super::memory::ClientPointer;
 use crate::constants::*;
@@ -133,9 +133,7 @@ fn create(request: Request, share: Id) -> *mut c_void {
     let Ok(context) = context else { return std::ptr::null_mut() };
     let mut registry = registry();
     let id = registry.new_id();
-    let place = Place::Idle(Box::new(context));
-    let entry = ContextEntry { display: OSMESA, config: None, place, doomed: false, sized: false };
-    registry.contexts.insert(id, entry);
+    registry.contexts.insert(id, ContextEntry::new(OSMESA, None, context));
     let entry = Entry {
         request,
         target: None,
@@ -234,7 +232,7 @@ fn make_current(id: Id, target: Target) -> bool {
         entry.surface = Some(surface);
     }
     entry.target = Some(target);
-    let binding = Binding { display: OSMESA, context: id, surface: entry.surface };
+    let binding = Binding { display: OSMESA, context: id, surface: entry.surface, read: None };
     let bound = thread(|thread| current::bind(thread, binding)).is_ok();
     let (row_length, up) = (entry.row_length, entry.up);
     let mirror = Mirror { memory: target.memory, pixels, row_length, up };

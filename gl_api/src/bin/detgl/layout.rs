@@ -1,4 +1,4 @@
-//! The library under the names that programs and loaders look for.
+//! The library under the names that programs and loaders look for, and its vendor file for libglvnd.
 
 use std::io;
 use std::os::unix::fs::symlink;
@@ -23,28 +23,44 @@ const NAMES: [&str; 8] = [
     "libOSMesa.so",
 ];
 
-/// The library that was built together with this program.
+/// The names of libGLU, for whoever asks for them: a program with a tessellator or NURBS, which this
+/// library does not have, needs the system's.
+const GLU_NAMES: [&str; 2] = ["libGLU.so.1", "libGLU.so"];
+
+/// How the system's libEGL finds the library, where a program has loaded that: the file that
+/// `__EGL_VENDOR_LIBRARY_FILENAMES` names for libglvnd.
+pub const VENDOR_FILE: &str = "egl_vendor.json";
+
+/// Whose libGLU programs get.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Glu {
+    /// The system's, if there is one; it works on top of this library.
+    System,
+    /// This library, which has GLU's functions itself.
+    Own,
+}
+
+/// The library that was built together with this program: beside it, and where `cargo test` leaves
+/// it; whichever is newer.
 fn library() -> io::Result<PathBuf> {
     let program = env::current_exe()?.canonicalize()?;
     let folder = program.parent().unwrap_or(Path::new("."));
-    [LIBRARY, BUILT]
-        .into_iter()
-        .map(|name| folder.join(name))
-        .find(|path| path.is_file())
-        .ok_or_else(|| {
-            io::Error::new(
-                io::ErrorKind::NotFound,
-                format!(
-                    "there is no {BUILT} beside {}: build it with `cargo build --release \
-                     --workspace`",
-                    program.display()
-                ),
-            )
-        })
+    let places = [folder.join(LIBRARY), folder.join(BUILT), folder.join("deps").join(BUILT)];
+    let built = |path: &PathBuf| fs::metadata(path).and_then(|data| data.modified()).ok();
+    let newest = places.into_iter().filter(|path| path.is_file()).max_by_key(built);
+    newest.ok_or_else(|| {
+        io::Error::new(
+            io::ErrorKind::NotFound,
+            format!(
+                "there is no {BUILT} beside {}: build it with `cargo build --release --workspace`",
+                program.display()
+            ),
+        )
+    })
 }
 
 /// Copies the library into a folder and links its names to it.
-pub fn install(folder: &Path) -> io::Result<()> {
+pub fn install(folder: &Path, glu: Glu) -> io::Result<()> {
     let at = |path: &Path, error: io::Error| {
         io::Error::new(error.kind(), format!("{}: {error}", path.display()))
     };
@@ -55,7 +71,11 @@ pub fn install(folder: &Path) -> io::Result<()> {
     let fresh = folder.join(format!(".{LIBRARY}.{}", std::process::id()));
     fs::copy(&library, &fresh).map_err(|error| at(&fresh, error))?;
     fs::rename(&fresh, &target).map_err(|error| at(&target, error))?;
-    for name in NAMES {
+    let glu_names = match glu {
+        Glu::System => &[][..],
+        Glu::Own => &GLU_NAMES,
+    };
+    for name in NAMES.iter().chain(glu_names) {
         let link = folder.join(name);
         match symlink(LIBRARY, &link) {
             Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {
@@ -67,11 +87,25 @@ pub fn install(folder: &Path) -> io::Result<()> {
             result => result.map_err(|error| at(&link, error))?,
         }
     }
-    Ok(())
+    let path = target.canonicalize().map_err(|error| at(&target, error))?;
+    let vendor = folder.join(VENDOR_FILE);
+    fs::write(&vendor, vendor_file(&path)).map_err(|error| at(&vendor, error))
+}
+
+/// JSON in which the library's path is a string.
+fn vendor_file(library: &Path) -> String {
+    let path = library.display().to_string().replace('\\', r"\\").replace('"', "\\\"");
+    format!(
+        "{{\n    \"file_format_version\": \"1.0.0\",\n    \"ICD\": {{ \"library_path\": \"{path}\" }}\n}}\n"
+    )
 }
 
 /// A folder for `detgl run`, which nobody else writes to: beside the program.
-pub fn private_folder() -> io::Result<PathBuf> {
+pub fn private_folder(glu: Glu) -> io::Result<PathBuf> {
     let program = env::current_exe()?.canonicalize()?;
-    Ok(program.parent().unwrap_or(Path::new(".")).join("detgl-libraries"))
+    let name = match glu {
+        Glu::System => "detgl-libraries",
+        Glu::Own => "detgl-libraries-glu",
+    };
+    Ok(program.parent().unwrap_or(Path::new(".")).join(name))
 }

@@ -1,0 +1,118 @@
+//! What is current where: threads, destroyed contexts, two surfaces, shared objects.
+
+use super::*;
+use gl_api::{GL_COLOR, GL_COLOR_BUFFER_BIT, GL_NO_ERROR, GL_TEXTURE_2D, GL_VERSION};
+use std::ffi::CStr;
+use std::ptr::{null, without_provenance_mut};
+use std::sync::mpsc::channel;
+
+#[test]
+fn a_context_is_current_on_one_thread_and_outlives_its_destruction() {
+    let (dpy, config) = display();
+    // SAFETY: handles are only looked up; strings are the library's.
+    unsafe {
+        let context = eglCreateContext(dpy, config, null_mut(), null());
+        let surface = eglCreatePbufferSurface(dpy, config, SURFACE.as_ptr());
+        assert_eq!(eglMakeCurrent(dpy, surface, surface, context), 1);
+        let handles = [dpy, surface, context].map(|handle| handle.addr());
+        let elsewhere = std::thread::spawn(move || {
+            let [dpy, surface, context] = handles.map(without_provenance_mut);
+            (eglMakeCurrent(dpy, surface, surface, context), eglGetError())
+        });
+        assert_eq!(elsewhere.join().expect("no panic"), (0, EGL_BAD_ACCESS));
+        assert_eq!(eglDestroyContext(dpy, context), 1);
+        let version = CStr::from_ptr(glGetString(GL_VERSION));
+        assert!(version.to_bytes().starts_with(b"2.1"), "{version:?}");
+        glClear(GL_COLOR_BUFFER_BIT);
+        assert_eq!(glGetError(), GL_NO_ERROR);
+        assert_eq!(eglMakeCurrent(dpy, null_mut(), null_mut(), null_mut()), 1);
+        assert_eq!(eglMakeCurrent(dpy, surface, surface, context), 0);
+        assert_eq!(eglGetError(), EGL_BAD_CONTEXT);
+        // A thread that ends with a context gives it back.
+        let context = eglCreateContext(dpy, config, null_mut(), null());
+        let handles = [dpy, surface, context].map(|handle| handle.addr());
+        let ended = std::thread::spawn(move || {
+            let [dpy, surface, context] = handles.map(without_provenance_mut);
+            eglMakeCurrent(dpy, surface, surface, context)
+        });
+        assert_eq!(ended.join().expect("no panic"), 1);
+        assert_eq!(eglMakeCurrent(dpy, surface, surface, context), 1);
+        assert_eq!(eglMakeCurrent(dpy, null_mut(), null_mut(), null_mut()), 1);
+    }
+}
+
+#[test]
+fn what_is_drawn_to_need_not_be_what_is_read_from() {
+    let (dpy, config) = display();
+    let none = null_mut();
+    // SAFETY: handles are only looked up.
+    unsafe {
+        let context = eglCreateContext(dpy, config, none, null());
+        let [one, other] = [(); 2].map(|()| eglCreatePbufferSurface(dpy, config, SURFACE.as_ptr()));
+        assert_eq!(eglMakeCurrent(dpy, one, one, context), 1);
+        fill([1.0, 0.0, 0.0]);
+        assert_eq!(eglMakeCurrent(dpy, other, one, context), 1);
+        assert_eq!([0x3059, 0x305A].map(|which| eglGetCurrentSurface(which)), [other, one]);
+        fill([0.0, 1.0, 0.0]);
+        assert_eq!(pixel(), [255, 0, 0, 255], "it is `one` that is read");
+        // A copy goes from one to the other.
+        glRasterPos2f(-1.0, -1.0);
+        glCopyPixels(0, 0, 1, 1, GL_COLOR);
+        assert_eq!(eglMakeCurrent(dpy, one, other, context), 1);
+        assert_eq!(pixel(), [255, 0, 0, 255], "the copied pixel");
+        assert_eq!(eglMakeCurrent(dpy, other, other, context), 1);
+        let mut last = [0_u8; 4];
+        let (rgba, byte) = (gl_api::GL_RGBA, gl_api::GL_UNSIGNED_BYTE);
+        glReadPixels(3, 3, 1, 1, rgba, byte, (&raw mut last).cast());
+        assert_eq!(last, [0, 255, 0, 255], "beside it");
+        // Both are in use while they are current, and destroyed after that.
+        assert_eq!(eglMakeCurrent(dpy, one, other, context), 1);
+        assert_eq!(eglDestroySurface(dpy, other), 1);
+        assert_eq!(pixel(), [255, 0, 0, 255]);
+        assert_eq!(eglMakeCurrent(dpy, none, none, none), 1);
+        assert_eq!(eglMakeCurrent(dpy, one, other, context), 0);
+        assert_eq!(eglGetError(), EGL_BAD_SURFACE);
+        assert_eq!(glGetError(), GL_NO_ERROR);
+    }
+}
+
+#[test]
+fn a_context_shares_with_one_that_another_thread_uses() {
+    let (dpy, config) = display();
+    let (ask, asked) = channel::<()>();
+    // SAFETY: handles are only looked up; one name goes where there is room for it.
+    unsafe {
+        let context = eglCreateContext(dpy, config, null_mut(), null());
+        assert_eq!(eglMakeCurrent(dpy, null_mut(), null_mut(), context), 1);
+        let mut name = 0;
+        glGenTextures(1, &mut name);
+        glBindTexture(GL_TEXTURE_2D, name);
+        let handles = [dpy, config, context].map(|handle| handle.addr());
+        let elsewhere = std::thread::spawn(move || {
+            let [dpy, config, context] = handles.map(without_provenance_mut);
+            assert_eq!(eglBindAPI(EGL_OPENGL_API), 1);
+            ask.send(()).expect("the other thread waits");
+            let shared = eglCreateContext(dpy, config, context, null());
+            assert!(!shared.is_null(), "{:#x}", eglGetError());
+            assert_eq!(eglMakeCurrent(dpy, null_mut(), null_mut(), shared), 1);
+            glIsTexture(name)
+        });
+        asked.recv().expect("the other thread asks");
+        while !elsewhere.is_finished() {
+            // Any call lets the other thread in.
+            assert_eq!(glIsTexture(name), 1);
+        }
+        assert_eq!(elsewhere.join().expect("no panic"), 1);
+        // A context that makes no call is asked in vain, but not for ever.
+        let context = eglCreateContext(dpy, config, null_mut(), null());
+        assert_eq!(eglMakeCurrent(dpy, null_mut(), null_mut(), context), 1);
+        let handles = [dpy, config, context].map(|handle| handle.addr());
+        let elsewhere = std::thread::spawn(move || {
+            let [dpy, config, context] = handles.map(without_provenance_mut);
+            assert_eq!(eglBindAPI(EGL_OPENGL_API), 1);
+            (eglCreateContext(dpy, config, context, null()).is_null(), eglGetError())
+        });
+        assert_eq!(elsewhere.join().expect("no panic"), (true, EGL_BAD_ACCESS));
+        assert_eq!(eglMakeCurrent(dpy, null_mut(), null_mut(), null_mut()), 1);
+    }
+}

@@ -1,0 +1,124 @@
+//! The C ABI as C programs use it: by the addresses that `eglGetProcAddress` gives.
+#![allow(unsafe_code, reason = "calls C functions")]
+
+mod configs;
+mod current;
+mod glu;
+mod handles;
+mod osmesa;
+
+use gl_api::{COMMANDS, Context, GLenum, implemented};
+use std::collections::BTreeSet;
+use std::ffi::{c_char, c_void};
+use std::ptr::null_mut;
+
+type Handle = *mut c_void;
+
+unsafe extern "C" {
+    fn eglGetError() -> i32;
+    fn eglGetDisplay(native: Handle) -> Handle;
+    fn eglInitialize(dpy: Handle, major: *mut i32, minor: *mut i32) -> u32;
+    fn eglBindAPI(api: u32) -> u32;
+    fn eglChooseConfig(dpy: Handle, list: *const i32, out: *mut Handle, n: i32, k: *mut i32)
+    -> u32;
+    fn eglCreatePbufferSurface(dpy: Handle, config: Handle, list: *const i32) -> Handle;
+    fn eglCreateContext(dpy: Handle, config: Handle, share: Handle, list: *const i32) -> Handle;
+    fn eglMakeCurrent(dpy: Handle, draw: Handle, read: Handle, context: Handle) -> u32;
+    fn eglDestroyContext(dpy: Handle, context: Handle) -> u32;
+    fn eglDestroySurface(dpy: Handle, surface: Handle) -> u32;
+    fn eglTerminate(dpy: Handle) -> u32;
+    fn eglGetPlatformDisplay(platform: u32, native: Handle, list: *const isize) -> Handle;
+    fn eglQueryString(dpy: Handle, name: i32) -> *const c_char;
+    fn eglQueryDevicesEXT(max: i32, devices: *mut Handle, number: *mut i32) -> u32;
+    fn eglGetConfigAttrib(dpy: Handle, config: Handle, name: i32, value: *mut i32) -> u32;
+    fn eglGetCurrentSurface(which: i32) -> Handle;
+    fn eglGetProcAddress(name: *const c_char) -> *const c_void;
+    fn glGetString(name: GLenum) -> *const c_char;
+    fn glGetError() -> GLenum;
+    fn glClearColor(r: f32, g: f32, b: f32, a: f32);
+    fn glClear(mask: u32);
+    fn glFinish();
+    fn glReadPixels(x: i32, y: i32, w: i32, h: i32, f: GLenum, t: GLenum, out: *mut c_void);
+    fn glCopyPixels(x: i32, y: i32, w: i32, h: i32, what: GLenum);
+    fn glRasterPos2f(x: f32, y: f32);
+    fn glGenTextures(n: i32, names: *mut u32);
+    fn glBindTexture(target: GLenum, name: u32);
+    fn glIsTexture(name: u32) -> u8;
+    fn OSMesaCreateContextExt(f: GLenum, d: i32, s: i32, a: i32, share: Handle) -> Handle;
+    fn OSMesaMakeCurrent(c: Handle, buffer: *mut c_void, ty: GLenum, w: i32, h: i32) -> u8;
+    fn OSMesaDestroyContext(c: Handle);
+}
+
+const EGL_SUCCESS: i32 = 0x3000;
+const EGL_BAD_ACCESS: i32 = 0x3002;
+const EGL_BAD_CONFIG: i32 = 0x3005;
+const EGL_BAD_CONTEXT: i32 = 0x3006;
+const EGL_BAD_DISPLAY: i32 = 0x3008;
+const EGL_BAD_MATCH: i32 = 0x3009;
+const EGL_BAD_SURFACE: i32 = 0x300D;
+const EGL_NONE: i32 = 0x3038;
+const EGL_OPENGL_API: u32 = 0x30A2;
+const EGL_OPENGL_ES_API: u32 = 0x30A0;
+const SURFACE: [i32; 5] = [0x3057, 4, 0x3056, 4, EGL_NONE];
+
+/// An initialized display, a config, and OpenGL bound.
+fn display() -> (Handle, Handle) {
+    let mut config = null_mut();
+    let mut number = 0;
+    let wanted = [0x3033, 1, 0x3040, 8, 0x3025, 24, 0x3026, 8, EGL_NONE];
+    // SAFETY: every pointer is a local that is large enough.
+    unsafe {
+        let dpy = eglGetDisplay(null_mut());
+        assert_eq!(eglInitialize(dpy, null_mut(), null_mut()), 1);
+        assert_eq!(eglBindAPI(EGL_OPENGL_API), 1);
+        assert_eq!(eglChooseConfig(dpy, wanted.as_ptr(), &mut config, 1, &mut number), 1);
+        assert_eq!(number, 1);
+        (dpy, config)
+    }
+}
+
+#[test]
+fn every_name_has_an_address_and_no_other_has() {
+    let names: BTreeSet<&str> = implemented().map(|(name, _)| name).collect();
+    for (name, _) in COMMANDS {
+        assert_eq!(Context::get_proc_address(name).is_null(), !names.contains(name), "{name}");
+    }
+    for (name, there) in [
+        (c"glClear", true),
+        (c"eglMakeCurrent", true),
+        (c"eglGetProcAddress", true),
+        (c"OSMesaMakeCurrent", true),
+        (c"glDoesNotExist", false),
+        (c"", false),
+    ] {
+        // SAFETY: a string that a zero ends.
+        assert_eq!(!unsafe { eglGetProcAddress(name.as_ptr()) }.is_null(), there, "{name:?}");
+    }
+}
+
+/// The first pixel of what is read from.
+fn pixel() -> [u8; 4] {
+    let mut pixel = [0_u8; 4];
+    // SAFETY: one pixel of four bytes.
+    unsafe {
+        glReadPixels(
+            0,
+            0,
+            1,
+            1,
+            gl_api::GL_RGBA,
+            gl_api::GL_UNSIGNED_BYTE,
+            (&raw mut pixel).cast(),
+        );
+    }
+    pixel
+}
+
+/// Fills what is drawn to.
+fn fill([r, g, b]: [f32; 3]) {
+    // SAFETY: no pointers.
+    unsafe {
+        glClearColor(r, g, b, 1.0);
+        glClear(gl_api::GL_COLOR_BUFFER_BIT);
+    }
+}

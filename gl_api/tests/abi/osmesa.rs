@@ -1,0 +1,82 @@
+//! OSMesa: the picture in the client's memory.
+
+use super::*;
+use gl_api::{GL_COLOR_BUFFER_BIT, GL_FLOAT, GL_RGBA, GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT};
+
+/// The first pixel of a picture cleared to (1, 0.5, 0, 1), as bytes.
+fn osmesa(format: GLenum, ty: GLenum, bytes: usize) -> Option<Vec<u8>> {
+    let mut memory = vec![0_u8; bytes * 4 * 4];
+    // SAFETY: the memory has 4×4 pixels of so many bytes, and stays until the context is gone.
+    unsafe {
+        let context = OSMesaCreateContextExt(format, 24, 8, 0, null_mut());
+        if context.is_null() {
+            return None;
+        }
+        assert_eq!(OSMesaMakeCurrent(context, memory.as_mut_ptr().cast(), ty, 4, 4), 1);
+        glClearColor(1.0, 0.5, 0.0, 1.0);
+        glClear(GL_COLOR_BUFFER_BIT);
+        glFinish();
+        OSMesaMakeCurrent(null_mut(), null_mut(), 0, 0, 0);
+        OSMesaDestroyContext(context);
+    }
+    assert!(memory.chunks_exact(bytes).all(|pixel| *pixel == memory[..bytes]));
+    Some(memory[..bytes].to_vec())
+}
+
+#[test]
+fn osmesa_fills_the_clients_memory_in_every_format() {
+    for (format, ty, pixel) in [
+        (GL_RGBA, GL_UNSIGNED_BYTE, vec![255, 128, 0, 255]),
+        (1, GL_UNSIGNED_BYTE, vec![0, 128, 255, 255]),
+        (2, GL_UNSIGNED_BYTE, vec![255, 255, 128, 0]),
+        (gl_api::GL_RGB, GL_UNSIGNED_BYTE, vec![255, 128, 0]),
+        (4, GL_UNSIGNED_BYTE, vec![0, 128, 255]),
+        (5, gl_api::GL_UNSIGNED_SHORT_5_6_5, 0xFC00_u16.to_le_bytes().to_vec()),
+        (
+            GL_RGBA,
+            GL_UNSIGNED_SHORT,
+            [65535_u16, 32768, 0, 65535].iter().flat_map(|v| v.to_le_bytes()).collect(),
+        ),
+        (
+            GL_RGBA,
+            GL_FLOAT,
+            [1.0_f32, 0.5, 0.0, 1.0].iter().flat_map(|v| v.to_le_bytes()).collect(),
+        ),
+        (2, GL_FLOAT, [1.0_f32, 1.0, 0.5, 0.0].iter().flat_map(|v| v.to_le_bytes()).collect()),
+    ] {
+        assert_eq!(osmesa(format, ty, pixel.len()), Some(pixel), "{format:#x} {ty:#x}");
+    }
+    assert_eq!(osmesa(gl_api::GL_COLOR_INDEX, GL_UNSIGNED_BYTE, 1), None);
+}
+
+#[test]
+fn contexts_and_memory_that_are_not_there_are_refused() {
+    let made_up = std::ptr::without_provenance_mut::<c_void>(0xDEAD_BEE1);
+    let mut memory = [0_u8; 4 * 4 * 4];
+    let memory: *mut c_void = memory.as_mut_ptr().cast();
+    // SAFETY: handles are only looked up; the memory has 4×4 pixels.
+    unsafe {
+        let context = OSMesaCreateContextExt(GL_RGBA, 24, 8, 0, null_mut());
+        for (what, context, memory, ty, width, there) in [
+            ("made up", made_up, memory, GL_UNSIGNED_BYTE, 4, 0),
+            ("null", context, null_mut(), GL_UNSIGNED_BYTE, 4, 0),
+            ("type", context, memory, gl_api::GL_INT, 4, 0),
+            ("width 0", context, memory, GL_UNSIGNED_BYTE, 0, 0),
+            ("width below 0", context, memory, GL_UNSIGNED_BYTE, -4, 0),
+            ("too wide", context, memory, GL_UNSIGNED_BYTE, 1 << 20, 0),
+            ("good", context, memory, GL_UNSIGNED_BYTE, 4, 1),
+        ] {
+            assert_eq!(OSMesaMakeCurrent(context, memory, ty, width, 4), there, "{what}");
+        }
+        // Destroyed while it is current, it goes on until it is current no more.
+        OSMesaDestroyContext(context);
+        glClear(GL_COLOR_BUFFER_BIT);
+        glFinish();
+        assert_eq!(OSMesaMakeCurrent(null_mut(), null_mut(), 0, 0, 0), 1);
+        assert_eq!(OSMesaMakeCurrent(context, memory, GL_UNSIGNED_BYTE, 4, 4), 0);
+        OSMesaDestroyContext(context);
+        OSMesaDestroyContext(made_up);
+        OSMesaDestroyContext(null_mut());
+        assert!(OSMesaCreateContextExt(GL_RGBA, 24, 8, 0, made_up).is_null());
+    }
+}
