@@ -154,3 +154,61 @@ fn stages_agree_on_what_they_hand_on() {
     let many = "varying vec4 v[17]; void main() { gl_FragColor = v[16]; }";
     fails(&["varying vec4 v[17]; void main() { v[0] = gl_Vertex; }"], &[many], "more than 64");
 }
+
+#[test]
+fn locations_that_shaders_say_go_before_those_that_were_bound() {
+    let head = "#version 130\n#extension GL_ARB_explicit_attrib_location : require\n";
+    let vertex = format!(
+        "{head}layout(location = 3) in vec4 a; layout(location = 5) in mat2 b; in float c;
+        void main() {{ gl_Position = a + vec4(b[0], b[1]) + c; }}"
+    );
+    let fragment = format!(
+        "{head}layout(location = 2) out vec4 late; out vec4 pair[2]; out vec4 next;
+        void main() {{ late = pair[0] = next = vec4(1.0); pair[1] = vec4(2.0); }}"
+    );
+    let mut bindings = Bindings::default();
+    bindings.attributes.insert("a".into(), 9);
+    bindings.frag_data.insert("late".into(), 0);
+    let program = program(&[&vertex], &[&fragment], &bindings);
+    let found: Vec<(&str, u8)> =
+        program.attributes.iter().map(|a| (a.name.as_str(), a.location)).collect();
+    assert_eq!(found, [("a", 3), ("b", 5), ("c", 0)]);
+    let found: Vec<(&str, u8)> = program.outputs.iter().map(|(n, c)| (n.as_str(), *c)).collect();
+    assert_eq!(found, [("late", 2), ("pair", 0), ("next", 3)]);
+    let twice = fragment.replace("out vec4 next", "layout(location = 2) out vec4 next");
+    fails(&[&vertex], &[&twice], "two outputs are bound to colour 2");
+    let far = vertex.replace("= 3", "= 0x7fffffff");
+    fails(&[&far], &[&fragment], "does not fit below");
+}
+
+#[test]
+fn what_has_no_location_is_given_none() {
+    let head = "#extension GL_ARB_explicit_attrib_location : enable\n";
+    for (stage, source) in [
+        (Stage::Vertex, "layout(location = 0) out vec4 a;"),
+        (Stage::Fragment, "layout(location = 0) in vec4 a;"),
+        (Stage::Vertex, "layout(location = 0) attribute vec4 a;"),
+        (Stage::Vertex, "layout(location = 0) uniform vec4 a;"),
+        (Stage::Vertex, "layout(location = 1.0) in vec4 a;"),
+        (Stage::Vertex, "layout(location = 1 + 1) in vec4 a;"),
+        (Stage::Vertex, "layout(index = 1) in vec4 a;"),
+    ] {
+        let source = format!("{head}{source}\nvoid main() {{ }}");
+        let compiled = compile(stage, &source, &Options::default());
+        assert!(compiled.shader.is_none(), "{source}");
+        assert!(compiled.log.contains("location"), "{source}\n{}", compiled.log);
+    }
+}
+
+/// An input that nothing writes is zero beside the fixed vertex stage, and a query of the level of
+/// detail is of the fragment stage.
+#[test]
+fn a_fragment_stage_alone_may_read_what_nobody_writes() {
+    let source = "varying vec4 v; void main() { gl_FragColor = v; }";
+    let program = program(&[], &[source], &Bindings::default());
+    assert!(program.fragment.is_some_and(|module| module.validate().is_ok()));
+    let query = "#extension GL_ARB_texture_query_lod : enable
+        uniform sampler2D t; void main() { gl_FragColor = textureQueryLOD(t, vec2(0.5)).xyxy; }";
+    assert!(compile(Stage::Fragment, query, &Options::default()).shader.is_some());
+    assert!(compile(Stage::Vertex, query, &Options::default()).shader.is_none());
+}
