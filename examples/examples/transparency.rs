@@ -32,7 +32,9 @@ fn draw(window: &mut Window) {
     for (panel, capability) in [(0, None), (1, Some(GL_ALPHA_TEST)), (2, Some(GL_BLEND))] {
         window.panel(3, 1, panel);
         draw_sky();
-        capability.into_iter().for_each(|capability| glEnable(capability));
+        if let Some(capability) = capability {
+            glEnable(capability);
+        }
         glEnable(GL_TEXTURE_2D);
         for (x, y, degrees, color) in LEAVES {
             glPushMatrix();
@@ -48,7 +50,9 @@ fn draw(window: &mut Window) {
             glPopMatrix();
         }
         glDisable(GL_TEXTURE_2D);
-        capability.into_iter().for_each(|capability| glDisable(capability));
+        if let Some(capability) = capability {
+            glDisable(capability);
+        }
     }
 }
 

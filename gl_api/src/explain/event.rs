@@ -107,10 +107,10 @@ fn inputs(page: &mut Page, fragment: &Fragment, note: &DrawNote) {
                 }
                 InputSource::Flat => "that of the provoking vertex".into(),
                 InputSource::Slope => "exact, from the planes of the primitive".into(),
-                InputSource::Pixel => match input.input {
-                    Input::Slope { .. } => "left out: no texture of this draw needs λ".into(),
-                    _ => String::new(),
-                },
+                InputSource::Pixel if matches!(input.input, Input::Slope { .. }) => {
+                    "left out: no texture of this draw needs λ".into()
+                }
+                InputSource::Pixel => String::new(),
             };
             vec![note.input(input.input), format!("= {}", value(input.input, input.bits)), how]
         })

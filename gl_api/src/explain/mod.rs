@@ -27,7 +27,7 @@ use crate::draw;
 use note::Note;
 use page::Page;
 use rasterizer::driver::{Command, PassDesc, Watch};
-use rasterizer::trace::{Fate, PixelEvent, Texel};
+use rasterizer::trace::{Cleared, Fate, PixelEvent, Texel};
 use std::fmt;
 use thiserror::Error;
 
@@ -139,8 +139,8 @@ impl Explanation {
     pub fn last_write(&self) -> Option<Texel> {
         self.events.iter().rev().find_map(|event| match event {
             PixelEvent::Clear(clear) => match clear.target {
-                rasterizer::trace::Cleared::Color(0) => Some(clear.after),
-                _ => None,
+                Cleared::Color(0) => Some(clear.after),
+                Cleared::Color(_) | Cleared::Depth | Cleared::Stencil => None,
             },
             PixelEvent::Fragment(fragment) => match fragment.fate {
                 Fate::Written => {

@@ -43,7 +43,11 @@ pub fn steps(page: &mut Page, fragment: &Fragment, note: &DrawNote) {
                     format!("colour.{}", ["r", "g", "b", "a"][usize::from(*component % 4)])
                 }
                 Output::Depth => "depth".into(),
-                _ => return None,
+                Output::Color { .. }
+                | Output::Position(_)
+                | Output::PointSize
+                | Output::ClipDistance(_)
+                | Output::Varying(_) => return None,
             };
             Some(vec![name, format!("= {}", operand(of, note))])
         })
