@@ -33,7 +33,11 @@ macro_rules! entry_points {
             context: &mut $crate::context::Context,
             random: &mut $crate::entry::exercise::Random<'_>,
         ) {
-            #[allow(clippy::extra_unused_lifetimes, reason = "for the rows that borrow")]
+            #[allow(
+                clippy::extra_unused_lifetimes,
+                clippy::too_many_arguments,
+                reason = "GL's signature; 'a is there for the rows that borrow"
+            )]
             fn run<'a>(
                 context: &mut $crate::context::Context,
                 $($param: &'a mut <$ty as $crate::entry::exercise::Exercised<'a>>::Held),*

@@ -154,8 +154,11 @@ const CALLS: &[fn(&mut Context)] = &[
     |c| c.mult_transpose_matrixd(&[]),
 ];
 
+/// A call, and the error it gives.
+type Refused = (fn(&mut Context), GLenum);
+
 /// Units and generic attributes that there are not.
-const PLACES: &[(fn(&mut Context), GLenum)] = &[
+const PLACES: &[Refused] = &[
     (|c| c.vertex_attrib_i_1i(16, 0), GL_INVALID_VALUE),
     (|c| c.vertex_attrib_i_1ui(16, 0), GL_INVALID_VALUE),
     (|c| c.vertex_attrib_i_2i(16, 0, 0), GL_INVALID_VALUE),

@@ -74,7 +74,7 @@ fn arrays_lists_and_raster_positions_hit() {
     c.call_list(1);
     c.load_name(6);
     c.enable_client_state(GL_VERTEX_ARRAY);
-    c.vertex_pointer(3, GL_FLOAT, 0, (&ALL).as_flattened().arg());
+    c.vertex_pointer(3, GL_FLOAT, 0, ALL.as_flattened().arg());
     c.draw_elements(GL_TRIANGLES, 3, GL_UNSIGNED_BYTE, Data::Bytes(&[0, 1, 2]));
     c.load_name(7);
     c.raster_pos_2f(0.0, 0.0);

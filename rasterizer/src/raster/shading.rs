@@ -55,13 +55,12 @@ impl Shader {
     /// runs over its budget stops the draw.
     pub fn shade(&mut self, pass: &PassJob, job: &DrawJob, batch: &mut Batch, tile: &mut TileJob) {
         let plan = &job.plan;
-        if plan.timing == Timing::Early && batch.tested != !0 {
-            if let Some(target) = tile.depth.as_mut() {
-                let due = batch.masks.map(|mask| mask & !batch.tested);
-                let passed = self.test(pass.isa, plan, batch, target, due, None, |_| {});
-                for (mask, passed) in batch.masks.iter_mut().zip(passed) {
-                    *mask = *mask & batch.tested | passed;
-                }
+        let is_due = plan.timing == Timing::Early && batch.tested != !0;
+        if is_due && let Some(target) = tile.depth.as_mut() {
+            let due = batch.masks.map(|mask| mask & !batch.tested);
+            let passed = self.test(pass.isa, plan, batch, target, due, None, |_| {});
+            for (mask, passed) in batch.masks.iter_mut().zip(passed) {
+                *mask = *mask & batch.tested | passed;
             }
         }
         let batch = &*batch;

@@ -184,8 +184,8 @@ impl Spot {
         let Some(waiting) = self.waiting.back() else { return };
         let event = self.events.get_mut(waiting.event);
         let Some(Some(PixelEvent::Fragment(fragment))) = event else { return };
-        for sample in 0..plan.samples.count {
-            let passed = masks[sample] >> self.lane & 1 == 1;
+        for (sample, mask) in masks.iter().enumerate().take(plan.samples.count) {
+            let passed = mask >> self.lane & 1 == 1;
             fragment.tests.extend(of.test(plan, fragment.facing, sample, passed));
         }
         if left >> self.lane & 1 == 0 {
