@@ -30,7 +30,7 @@ pub const TABLE: &[Row] = &[
         [3.0, 1.0, 0.0, 0.0],
     ),
     Row(
-        110,
+        120,
         "struct S { float a[4]; int n; };",
         "S s; for (int i = 0; i < 4; i++) { s.a[i] = float(i * i); s.n += i; } S t = s; t.a[k]--; r = vec4(s.a[k], t.a[k], t.a[3], t.n);",
         [4.0, 3.0, 9.0, 6.0],
@@ -123,12 +123,6 @@ pub const TABLE: &[Row] = &[
         "",
         "vec4 v = vec4(x, 1.0, x * 3.0, u.x); r = dFdx(v) + dFdy(v);",
         [1.0, 0.0, 3.0, 0.0],
-    ),
-    Row(
-        110,
-        "",
-        "gl_FragData[0] = vec4(0.0); int i = k - 2; gl_FragData[i].yz = u.xy; r = gl_FragData[i]; gl_FragData[i] = r; return;",
-        [0.0, 1.0, 2.0, 0.0],
     ),
     // Noise is of its arguments alone, and continuous
     Row(

@@ -16,6 +16,46 @@ fn blit(c: &mut Context, mask: GLenum, filter: GLenum) {
 }
 
 const CASES: &[Case] = &[
+    (nothing, |c| c.bind_renderbuffer(GL_TEXTURE_2D, 1), GL_INVALID_ENUM, "target = GL_TEXTURE_2D"),
+    (
+        nothing,
+        |c| {
+            c.check_framebuffer_status(GL_RENDERBUFFER);
+        },
+        GL_INVALID_ENUM,
+        "target = GL_RENDERBUFFER",
+    ),
+    (
+        nothing,
+        |c| c.framebuffer_renderbuffer(GL_RENDERBUFFER, C0, GL_RENDERBUFFER, 0),
+        GL_INVALID_ENUM,
+        "target = GL_RENDERBUFFER",
+    ),
+    (
+        nothing,
+        |c| c.framebuffer_renderbuffer(FB, GL_BACK, GL_RENDERBUFFER, 0),
+        GL_INVALID_ENUM,
+        "attachment = GL_BACK",
+    ),
+    (
+        nothing,
+        |c| c.framebuffer_renderbuffer(FB, C0, GL_TEXTURE_2D, 0),
+        GL_INVALID_ENUM,
+        "renderbuffertarget = GL_TEXTURE_2D",
+    ),
+    (
+        nothing,
+        |c| c.get_renderbuffer_parameteriv(GL_TEXTURE_2D, GL_RENDERBUFFER_WIDTH, &mut [0]),
+        GL_INVALID_ENUM,
+        "target = GL_TEXTURE_2D",
+    ),
+    (
+        nothing,
+        |c| c.get_renderbuffer_parameteriv(GL_RENDERBUFFER, GL_TEXTURE_WIDTH, &mut [0]),
+        GL_INVALID_ENUM,
+        "pname = GL_TEXTURE_WIDTH",
+    ),
+    (nothing, |c| c.read_buffer(GL_LESS), GL_INVALID_ENUM, "src = GL_LESS"),
     (nothing, |c| c.stencil_func(GL_ZERO, 0, 0), GL_INVALID_ENUM, "func = "),
     (
         nothing,

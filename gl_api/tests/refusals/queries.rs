@@ -187,12 +187,12 @@ const PLAIN_ROWS: &[Case] = &[
     ),
     (
         "push: too many",
-        nothing,
         |c| {
-            for _ in 0..64 {
+            for _ in 0..63 {
                 c.push_debug_group(OWN, 1, -1, "");
             }
         },
+        |c| c.push_debug_group(OWN, 1, -1, ""),
         GL_STACK_OVERFLOW,
         "",
     ),

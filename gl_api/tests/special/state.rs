@@ -14,7 +14,7 @@ fn state_begins_as_the_tables_say_in_every_type() {
         c.get_floatv(name, &mut floats);
         let mut ints = [i32::MIN; 16];
         c.get_integerv(name, &mut ints);
-        let mut bools = [9; 16];
+        let mut bools = [9; 17];
         c.get_booleanv(name, &mut bools);
         let mut longs = [0; 16];
         c.get_integer64v(name, &mut longs);
