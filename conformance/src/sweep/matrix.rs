@@ -11,7 +11,7 @@ pub const CONDITION: Sweep = Sweep {
            difference from the identity, over k·2^-24",
     parameter: "k, the condition number",
     unit: "of k·2^-24",
-    bound: 16.0,
+    bound: 2.0,
     why: "each product is rounded to f32, and the way back magnifies that k times; a few products",
     before: &[],
     run: condition,
