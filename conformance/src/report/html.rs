@@ -75,7 +75,7 @@ fn check_row(outcome: &Outcome, pictures: &[Picture]) -> String {
     };
     let thumbs: String = pictures.iter().map(|picture| thumb(&picture.name)).collect();
     format!(
-        "<tr><td><b>{}</b><br><small>{}</small><td>{}<br><small>tolerance: {}</small>{thumbs}\
+        "<tr><td><b>{}</b><br><small>{}</small><td>{}<br><small>tolerance: {}</small><div>{thumbs}</div>\
          <details><summary><small>worst case</small></summary><small>{}</small></details>\
          <td class=n>{}<td class=n>{}<td class=n>{}<td class={class}>{word}<td class=n>{:.2} s",
         escaped(outcome.name),
