@@ -2,7 +2,7 @@
 //! NURBS keeps the system's libGLU, and these functions work beside it: a quadric is laid out as
 //! libGLU's, since its `gluDisk` calls whichever `gluPartialDisk` the process found first.
 
-use super::guard;
+use super::c_functions;
 use super::memory::ClientPointer;
 use crate::entry::{Data, DataOut};
 use crate::glu::{self, GLUquadric, GLUquadricCallback};
@@ -67,25 +67,7 @@ fn words(found: Option<&'static str>) -> *const u8 {
     }
 }
 
-macro_rules! functions {
-    ($($name:ident($($param:ident: $ty:ty),* $(,)?) $(-> $ret:ty)? $body:block)*) => {
-        $(
-            #[cfg_attr(feature = "c-abi", unsafe(no_mangle))]
-            #[allow(non_snake_case, clippy::too_many_arguments, reason = "GLU's signature")]
-            unsafe extern "C" fn $name($($param: $ty),*) $(-> $ret)? {
-                guard(stringify!($name), || {
-                    // SAFETY: pointers are what GLU's prototype says they are.
-                    #[allow(unused_unsafe, reason = "not every function takes pointers")]
-                    unsafe { $body }
-                })
-            }
-        )*
-        /// Names and addresses.
-        const FUNCTIONS: &[(&str, *const ())] = &[$((stringify!($name), $name as *const ())),*];
-    };
-}
-
-functions! {
+c_functions! {
     gluGetString(name: GLenum) -> *const u8 { words(glu::gluGetString(name)) }
 
     gluErrorString(error: GLenum) -> *const u8 { words(glu::gluErrorString(error)) }

@@ -96,6 +96,34 @@ macro_rules! c_export {
 }
 pub(crate) use c_export;
 
+/// Functions that no table has: each under its C name, and their names and addresses as `FUNCTIONS`.
+macro_rules! c_functions {
+    ($($name:ident($($param:ident: $ty:ty),* $(,)?) $(-> $ret:ty)? $body:block)*) => {
+        $(
+            #[cfg_attr(feature = "c-abi", unsafe(no_mangle))]
+            #[allow(non_snake_case, clippy::too_many_arguments, reason = "C's name and signature")]
+            unsafe extern "C" fn $name($($param: $ty),*) $(-> $ret)? {
+                $crate::abi::guard(stringify!($name), || {
+                    // SAFETY: pointers are what the function's prototype says they are.
+                    unsafe { $crate::abi::trust(|| $body) }
+                })
+            }
+        )*
+        /// Names and addresses.
+        const FUNCTIONS: &[(&str, *const ())] = &[$((stringify!($name), $name as *const ())),*];
+    };
+}
+pub(crate) use c_functions;
+
+/// Runs the body of a C function.
+///
+/// # Safety
+/// The pointers that the body was given are what the function's prototype says they are.
+#[inline(always)]
+unsafe fn trust<R>(body: impl FnOnce() -> R) -> R {
+    body()
+}
+
 /// Runs a call from C; a panic becomes a GL error with a message.
 pub(crate) fn guard<R: Fallback>(name: &'static str, f: impl FnOnce() -> R) -> R {
     catch_unwind(AssertUnwindSafe(f)).unwrap_or_else(|panic| {

@@ -28,11 +28,12 @@ macro_rules! entry_points {
     };
     (@exercise $place:ident $method:ident $gl:ident ($($param:ident: $ty:ty),*)) => {{
         #[allow(clippy::extra_unused_lifetimes, reason = "for the rows that borrow")]
-        #[allow(unused_variables, reason = "calls without arguments draw no numbers")]
         fn exercise<'a>(
             context: &mut $crate::context::Context,
             random: &mut $crate::entry::exercise::Random<'_>,
         ) {
+            // Calls without arguments draw no numbers.
+            let _ = &random;
             #[allow(
                 clippy::extra_unused_lifetimes,
                 clippy::too_many_arguments,

@@ -21,8 +21,7 @@ macro_rules! functions {
         unsafe extern "C" fn $name($($param: $ty),*) -> $ret {
             call(stringify!($name), || {
                 // SAFETY: pointers are what EGL's prototype says they are.
-                #[allow(unused_unsafe, reason = "not every function takes pointers")]
-                unsafe { $body }
+                unsafe { $crate::abi::trust(|| $body) }
             })
         }
     };

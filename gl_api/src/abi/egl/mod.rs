@@ -36,7 +36,7 @@ pub(crate) use functions::address;
 use std::ffi::c_void;
 
 /// EGL's constants, from the Khronos registry.
-#[allow(dead_code, non_upper_case_globals, reason = "the whole registry with its own names")]
+#[expect(dead_code, non_upper_case_globals, reason = "the whole registry with its own names")]
 mod constants {
     include!(concat!(env!("OUT_DIR"), "/egl.rs"));
 }

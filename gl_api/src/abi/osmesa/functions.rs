@@ -6,7 +6,7 @@ use super::{
 };
 use crate::abi::egl::registry::handle;
 use crate::abi::memory::ClientPointer;
-use crate::abi::{guard, proc_address};
+use crate::abi::{c_functions, proc_address};
 use crate::types::{GLboolean, GLenum, GLint, GLsizei};
 use std::ffi::{CStr, c_char, c_void};
 
@@ -21,25 +21,7 @@ unsafe fn put<T>(out: *mut T, value: T) {
     }
 }
 
-macro_rules! functions {
-    ($($name:ident($($param:ident: $ty:ty),*) $(-> $ret:ty)? $body:block)*) => {
-        $(
-            #[cfg_attr(feature = "c-abi", unsafe(no_mangle))]
-            #[allow(non_snake_case, reason = "OSMesa's name")]
-            unsafe extern "C" fn $name($($param: $ty),*) $(-> $ret)? {
-                guard(stringify!($name), || {
-                    // SAFETY: pointers are what OSMesa's prototype says they are.
-                    #[allow(unused_unsafe, reason = "not every function takes pointers")]
-                    unsafe { $body }
-                })
-            }
-        )*
-        /// Names and addresses.
-        const FUNCTIONS: &[(&str, *const ())] = &[$((stringify!($name), $name as *const ())),*];
-    };
-}
-
-functions! {
+c_functions! {
     OSMesaCreateContext(format: GLenum, share: *mut c_void) -> *mut c_void {
         create(Request { format, depth: 24, stencil: 8 }, share.addr())
     }
