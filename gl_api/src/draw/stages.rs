@@ -9,12 +9,13 @@ use crate::error::{ErrorCode, GlError, Result, invalid_operation};
 use crate::explain::DrawNote;
 use crate::fixed::{
     FragmentKey, add_alpha_test, add_clip_planes, add_coverage, add_two_sides, cached,
-    set_shade_model, word,
+    clamp_fragment_colors, set_shade_model, word,
 };
 use crate::framebuffer::complete::draws_integers;
 use crate::glsl::{ComparisonResult, SamplerSlot};
 use crate::interface::MAX_COMBINED_TEXTURE_IMAGE_UNITS;
 use crate::program::validate::runnable;
+use crate::state::clamp::{self, Clamp};
 use crate::state::enable::Flag;
 use crate::state::viewport;
 use crate::texture::TextureTarget;
@@ -49,6 +50,8 @@ pub(super) struct VariantKey {
     alpha: Option<(Compare, u32)>,
     sides: Sides,
     rim: Rim,
+    /// Whether its colours are clamped.
+    clamp: Clamp,
 }
 
 /// A program's vertex stage that user clip planes cut.
@@ -93,6 +96,7 @@ pub(crate) fn choose(
     rim: Rim,
 ) -> Result<Stages> {
     let name = context.state.bindings.program;
+    let clamp = clamp::of_fragments(context);
     let mut words = Vec::new();
     let (mut vertex, mut fragment, mut samplers) = (None, None, Vec::new());
     let mut said = [None; 2];
@@ -104,7 +108,11 @@ pub(crate) fn choose(
         words.clone_from(&linked.words);
         words.resize(program.words as usize, 0);
         put_bindings(context, &mut words, &program.state);
-        (vertex, fragment) = (linked.vertex.clone(), linked.fragment.clone());
+        vertex = match clamp::of_vertices(context) {
+            Clamp::On => linked.vertex.clone(),
+            Clamp::Off => linked.unclamped_vertex.clone(),
+        };
+        fragment = linked.fragment.clone();
         samplers.clone_from(&program.samplers);
         said = program.color_interpolation;
     }
@@ -122,10 +130,21 @@ pub(crate) fn choose(
     let (fragment, fragment_textures) = match fragment.take() {
         Some(module) => {
             let textures = program_textures(context, Stage::Fragment, &module, &samplers, &words);
-            (program_fragment(context, module, said, base, two_sided, rim)?, textures)
+            let key = VariantKey {
+                alpha: alpha_test(context).map(|compare| (compare, base + word::ALPHA_REF)),
+                shade_model: context.state.raster.shade_model,
+                sides: if two_sided { Sides::Two } else { Sides::One },
+                // Writing fractions clamps.
+                clamp: if clamp::draws_fractions(context) { Clamp::Off } else { clamp },
+                said,
+                rim,
+                module,
+            };
+            (program_fragment(context, key, clamp)?, textures)
         }
         None => {
-            let key = keys::fragment_key(context, vertex.is_none().then_some(vertices), base);
+            let own = vertex.is_none().then_some(vertices);
+            let key = keys::fragment_key(context, own, base, clamp);
             let textures = key.units.iter().map(|unit| {
                 let target = TextureTarget::of(unit.shape);
                 Some(plan(context, unit.unit, target, ComparisonResult::Placed))
@@ -160,7 +179,7 @@ pub(crate) fn choose(
     });
     let needed = vertex.module().uniform_words.max(fragment.module().uniform_words);
     let (vertex_key, fragment_key) = (vertex_key.as_ref(), fragment_key.as_ref());
-    let keys = Keys { vertex: vertex_key, fragment: fragment_key, clip_planes };
+    let keys = Keys { vertex: vertex_key, fragment: fragment_key, clip_planes, clamp };
     fixed_words::append(context, &mut words, keys, needed);
     Ok(Stages { vertex, fragment, words, vertex_textures, fragment_textures, note })
 }
@@ -189,27 +208,28 @@ fn program_vertex(
     .map_err(|error| internal(&error))
 }
 
-/// A program's fragment stage with shade model and alpha test built in where they matter.
+/// A program's fragment stage with the state built in where it matters. The alpha test sees clamped
+/// colours, if `clamp` says so, whatever the buffers are.
 fn program_fragment(
     context: &mut Context,
-    module: ShaderModule,
-    said: [Option<Interpolation>; 2],
-    base: u32,
-    two_sided: bool,
-    rim: Rim,
+    mut key: VariantKey,
+    clamp: Clamp,
 ) -> Result<ShaderModule> {
-    let shade_model = context.state.raster.shade_model;
-    let alpha = alpha_test(context).map(|compare| (compare, base + word::ALPHA_REF));
-    let sides = if two_sided { Sides::Two } else { Sides::One };
-    let plain = shade_model == Interpolation::Smooth && alpha.is_none();
-    if plain && sides == Sides::One && rim == Rim::Aliased {
-        return Ok(module);
+    if key.alpha.is_some() {
+        key.clamp = clamp;
     }
-    let key = VariantKey { module, shade_model, said, alpha, sides, rim };
+    let plain = key.shade_model == Interpolation::Smooth && key.alpha.is_none();
+    let plain = plain && key.sides == Sides::One && key.rim == Rim::Aliased;
+    if plain && key.clamp == Clamp::Off {
+        return Ok(key.module);
+    }
     cached(&mut context.recorder.variants, &key, |key| {
         let mut variant = key.module.module().clone();
         if key.sides == Sides::Two {
             add_two_sides(&mut variant);
+        }
+        if key.clamp == Clamp::On {
+            clamp_fragment_colors(&mut variant);
         }
         if key.rim == Rim::Smooth {
             add_coverage(&mut variant);

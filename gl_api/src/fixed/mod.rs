@@ -16,7 +16,7 @@ mod vector;
 mod vertex;
 pub(crate) mod word;
 
-pub(crate) use clamp::clamp_colors;
+pub(crate) use clamp::{clamp_fragment_colors, clamp_vertex_colors};
 pub(crate) use environment::{Environment, environment_base};
 pub(crate) use fog::{FogKey, constants as fog_constants};
 pub(crate) use fragment::{Coordinates, FragmentKey, UnitKey, add_alpha_test, set_shade_model};

@@ -6,6 +6,7 @@ use crate::context::Context;
 use crate::error::{Result, invalid_enum, invalid_operation, invalid_value};
 use crate::interface::MAX_COMBINED_TEXTURE_IMAGE_UNITS;
 use crate::query::put;
+use crate::texture::parameter::border;
 use crate::texture::sampler::{
     Answer, SAMPLER_PARAMETER, SamplerParameter, SamplerState, Values, needs_vector,
 };
@@ -163,7 +164,10 @@ fn got(context: &mut Context, sampler: GLuint, pname: GLenum) -> Result<Answer> 
     let state = found(context, sampler)?;
     Ok(match parameter(pname)? {
         Some(parameter) => Answer::Numbers(vec![state.get(parameter)]),
-        None => Answer::Color(state.sampler.border),
+        None => {
+            let color = state.sampler.border;
+            Answer::Color(border(context, color))
+        }
     })
 }
 

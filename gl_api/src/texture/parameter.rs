@@ -7,9 +7,10 @@ use crate::context::Context;
 use crate::env::symbol;
 use crate::error::{Result, Table, invalid_enum, invalid_value};
 use crate::query::put;
+use crate::state::clamp;
 use crate::state::viewport::unit;
 use crate::types::*;
-use texunit::sampler::{DepthMode, Swizzle};
+use texunit::sampler::{Border, DepthMode, Swizzle};
 
 const SECTION: &str = "GL 2.1, section 3.8.4";
 
@@ -228,11 +229,19 @@ pub(crate) fn tex_parameter_i_uiv(
     vector(context, target, pname, &Values::unsigned(params))
 }
 
+/// A border of fractions as it is asked for (`ARB_color_buffer_float`, section 6.1.2).
+pub(crate) fn border(context: &Context, border: Border) -> Border {
+    match border {
+        Border::Float(color) => Border::Float(clamp::of_fragments(context).color(color)),
+        Border::Sint(_) | Border::Uint(_) => border,
+    }
+}
+
 fn get(context: &Context, target: TextureTarget, parameter: Parameter) -> Answer {
     let texture = bound(context, target);
     let sampler = &texture.state.sampler;
     let one = match parameter {
-        Parameter::BorderColor => return Answer::Color(sampler.border),
+        Parameter::BorderColor => return Answer::Color(border(context, sampler.border)),
         Parameter::Swizzles => {
             let names = sampler.swizzle.iter().map(|&from| SWIZZLE.encode(from) as f32);
             return Answer::Numbers(names.collect());

@@ -61,8 +61,10 @@ pub(crate) enum Kind {
     Color,
     /// Indices of colours, as R.
     ColorIndex,
-    /// Depths as R, stencils beside them as G.
+    /// Depths, as R.
     Depth,
+    /// Depths as R, stencils beside them as G.
+    DepthStencil,
     /// Stencils, as R.
     Stencil,
 }
@@ -75,13 +77,13 @@ impl Transfer {
         let stencil = |at| if moves { Index::Stencil(at, self) } else { Index::None };
         let same = Linear::IDENTITY;
         match (kind, numbers) {
-            (Kind::Color | Kind::Depth, Numbers::Integer) => Steps::IDENTITY,
+            (Kind::Color | Kind::Depth | Kind::DepthStencil, Numbers::Integer) => Steps::IDENTITY,
             (Kind::Color, Numbers::Fixed | Numbers::SignedNormalized) => Steps {
                 linear: [r, g, b, a],
                 colors: self.map_color.then(|| self.maps.colors()),
                 index: Index::None,
             },
-            (Kind::Depth, Numbers::Fixed | Numbers::SignedNormalized) => {
+            (Kind::Depth | Kind::DepthStencil, Numbers::Fixed | Numbers::SignedNormalized) => {
                 Steps { linear: [depth, same, same, same], colors: None, index: stencil(1) }
             }
             // Their colours come from the maps, behind the steps of colours (figure 3.7).
