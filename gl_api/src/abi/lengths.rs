@@ -52,6 +52,10 @@ const OVERRIDES: &[(&str, usize, Rule)] = &[
     ("glGetVertexAttribdvARB", 2, Rule::Named(1)),
     ("glGetVertexAttribiv", 2, Rule::Named(1)),
     ("glGetVertexAttribivARB", 2, Rule::Named(1)),
+    ("glGetVertexAttribIiv", 2, Rule::Named(1)),
+    ("glGetVertexAttribIivEXT", 2, Rule::Named(1)),
+    ("glGetVertexAttribIuiv", 2, Rule::Named(1)),
+    ("glGetVertexAttribIuivEXT", 2, Rule::Named(1)),
     ("glPolygonStipple", 0, Rule::Fixed(128)),
     ("glGetPolygonStipple", 0, Rule::Fixed(128)),
 ];

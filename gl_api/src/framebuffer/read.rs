@@ -66,8 +66,9 @@ pub(super) fn settled(context: &mut Context, attachment: &Attachment) -> Option<
 /// What is read from.
 ///
 /// # Errors
-/// Where the framebuffer is incomplete or has no such buffer.
+/// Where the framebuffer is incomplete, has several samples a pixel, or has no such buffer.
 pub(crate) fn source(context: &mut Context, what: Readable) -> Result<Pixels> {
+    check_samples(context)?;
     let attachment = read_attachment(context, what)?;
     match attachment.and_then(|attachment| settled(context, &attachment)) {
         Some(pixels) => Ok(pixels),
@@ -132,7 +133,6 @@ pub(crate) fn read_pixels(
     }
     let layout = Layout::new(&context.state.pack, pixel, [width, height, 1], Extent::Flat)?;
     let from = chosen(context, pixel.format)?;
-    check_samples(context)?;
     if pixel.format != ClientFormat::Stencil {
         kinds_match(pixel, from.format())?;
     }

@@ -231,9 +231,6 @@ pub(crate) fn link_program(context: &mut Context, name: GLuint) -> Result<()> {
             None => log.push_str(&format!("error: shader {attached} is not compiled\n")),
         }
     }
-    if attached.is_empty() {
-        log.push_str("error: no shader is attached\n");
-    }
     let mut linked = None;
     if log.is_empty() {
         let bindings = match context.objects.programs.get(name) {

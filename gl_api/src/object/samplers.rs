@@ -6,7 +6,7 @@ use crate::context::Context;
 use crate::error::{Result, invalid_enum, invalid_operation, invalid_value};
 use crate::interface::MAX_COMBINED_TEXTURE_IMAGE_UNITS;
 use crate::query::put;
-use crate::texture::parameter::border;
+use crate::texture::parameter::clamped;
 use crate::texture::sampler::{
     Answer, SAMPLER_PARAMETER, SamplerParameter, SamplerState, Values, needs_vector,
 };
@@ -164,10 +164,7 @@ fn got(context: &mut Context, sampler: GLuint, pname: GLenum) -> Result<Answer> 
     let state = found(context, sampler)?;
     Ok(match parameter(pname)? {
         Some(parameter) => Answer::Numbers(vec![state.get(parameter)]),
-        None => {
-            let color = state.sampler.border;
-            Answer::Color(border(context, color))
-        }
+        None => Answer::Color(state.sampler.border),
     })
 }
 
@@ -177,7 +174,8 @@ pub(crate) fn get_sampler_parameteriv(
     pname: GLenum,
     params: &mut [GLint],
 ) -> Result<()> {
-    put(params, &got(context, sampler, pname)?.fixed())
+    let answer = got(context, sampler, pname)?;
+    put(params, &clamped(context, answer).fixed())
 }
 
 pub(crate) fn get_sampler_parameterfv(
@@ -186,7 +184,8 @@ pub(crate) fn get_sampler_parameterfv(
     pname: GLenum,
     params: &mut [GLfloat],
 ) -> Result<()> {
-    put(params, &got(context, sampler, pname)?.floats())
+    let answer = got(context, sampler, pname)?;
+    put(params, &clamped(context, answer).floats())
 }
 
 pub(crate) fn get_sampler_parameter_i_iv(

@@ -9,6 +9,7 @@ use crate::error::{Result, Table, invalid_enum};
 use crate::evaluate::grid;
 use crate::feedback::modes;
 use crate::framebuffer::accumulate;
+use crate::glsl::TEXEL_OFFSETS;
 use crate::interface::*;
 use crate::list::calls::{MAX_LIST_NESTING, MODE};
 use crate::state::attrib::MAX_ATTRIB_STACK_DEPTH;
@@ -164,6 +165,8 @@ fn limit(_: &Context, pname: GLenum) -> Answer {
             int(limits::MAX_UNIFORM_COMPONENTS)
         }
         GL_MAX_VARYING_FLOATS => int(limits::MAX_VARYING_FLOATS),
+        GL_MIN_PROGRAM_TEXEL_OFFSET => int(*TEXEL_OFFSETS.start()),
+        GL_MAX_PROGRAM_TEXEL_OFFSET => int(*TEXEL_OFFSETS.end()),
         GL_MAX_COLOR_ATTACHMENTS | GL_MAX_DRAW_BUFFERS => int(attachments),
         GL_MAX_MODELVIEW_STACK_DEPTH => int(MAX_MODELVIEW_STACK_DEPTH),
         GL_MAX_PROJECTION_STACK_DEPTH | GL_MAX_TEXTURE_STACK_DEPTH => int(MAX_STACK_DEPTH),

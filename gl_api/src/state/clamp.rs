@@ -9,6 +9,7 @@ use crate::context::Context;
 use crate::error::{Result, Table, invalid_enum};
 use crate::framebuffer::complete::drawn_formats;
 use crate::query::table::{Value, flag, symbol};
+use crate::texture::internal::{Component, component_bits};
 use crate::types::*;
 use texunit::format::{Encoding, Format};
 
@@ -158,6 +159,24 @@ impl Clamp {
     }
 }
 
+/// Which of red, green, blue and alpha can be negative (`EXT_packed_float`, table 6.33).
+fn signed_components(format: Format) -> [bool; 4] {
+    let info = format.info();
+    let is_signed = match info.encoding {
+        Encoding::Snorm | Encoding::Sint => true,
+        // Floats of fewer bits have no sign.
+        Encoding::Float => info.fields[0].bits >= 16,
+        Encoding::Unorm
+        | Encoding::Srgb
+        | Encoding::SharedExponent
+        | Encoding::Uint
+        | Encoding::Block(_)
+        | Encoding::SrgbBlock(_) => false,
+    };
+    let there = [Component::Red, Component::Green, Component::Blue, Component::Alpha];
+    there.map(|component| is_signed && component_bits(format, component) > 0)
+}
+
 /// What `glGet` answers.
 pub(crate) fn state_value(context: &Context, pname: GLenum) -> Option<Result<Value>> {
     let state = &context.state.clamp;
@@ -165,6 +184,10 @@ pub(crate) fn state_value(context: &Context, pname: GLenum) -> Option<Result<Val
         GL_RGBA_FLOAT_MODE_ARB => {
             let is_float = |format: Format| format.info().encoding == Encoding::Float;
             flag(drawn_formats(context).any(is_float))
+        }
+        GL_RGBA_SIGNED_COMPONENTS_EXT => {
+            let format = drawn_formats(context).next();
+            Ok(Value::Bools(format.map_or([false; 4], signed_components).to_vec()))
         }
         _ => match TARGET.get(pname)? {
             Target::Vertex => symbol(WHEN.encode(state.vertex)),

@@ -405,6 +405,7 @@ pub const LEAST: &[Row] = rows! {
         GL_MAX_VERTEX_ATTRIBS Number &[16.0];
         GL_MAX_VERTEX_UNIFORM_COMPONENTS Number &[512.0];
         GL_MAX_VARYING_FLOATS Number &[32.0];
+        GL_MAX_PROGRAM_TEXEL_OFFSET Number &[7.0];
         GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS Number &[2.0];
         GL_MAX_VERTEX_TEXTURE_IMAGE_UNITS Number F;
         GL_MAX_TEXTURE_IMAGE_UNITS Number &[2.0];

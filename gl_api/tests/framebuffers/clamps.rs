@@ -322,6 +322,25 @@ fn what_is_clamped_belongs_to_what_is_enabled() {
 }
 
 #[test]
+fn signed_components_are_asked_for() {
+    for (internal, want) in [
+        (GL_RGBA8, [0; 4]),
+        (GL_RGBA16F, [1; 4]),
+        (GL_RGB32F, [1, 1, 1, 0]),
+        (GL_R11F_G11F_B10F, [0; 4]),
+        (GL_RG8_SNORM, [1, 1, 0, 0]),
+        (GL_RGBA8I, [1; 4]),
+        (GL_RGBA8UI, [0; 4]),
+    ] {
+        let mut c = target(internal);
+        let mut signed = [9; 4];
+        c.get_integerv(GL_RGBA_SIGNED_COMPONENTS_EXT, &mut signed);
+        fine(&mut c);
+        assert_eq!(signed, want, "{}", enum_name(internal));
+    }
+}
+
+#[test]
 fn whether_buffers_are_of_floats_is_asked_for() {
     for (internal, want) in [(GL_RGBA8, 0), (GL_RGBA16F, 1), (GL_RGBA32F, 1), (GL_RGBA8I, 0)] {
         let mut c = target(internal);
