@@ -16,7 +16,7 @@ fn blit(c: &mut Context, mask: GLenum, filter: GLenum) {
 }
 
 /// A framebuffer with a renderbuffer of so many samples is bound.
-fn renderbuffer(c: &mut Context, samples: GLsizei) {
+fn multisampled(c: &mut Context, samples: GLsizei) {
     framebuffer(c);
     c.bind_renderbuffer(GL_RENDERBUFFER, 1);
     c.renderbuffer_storage_multisample(GL_RENDERBUFFER, samples, GL_RGBA8, 4, 4);
@@ -319,7 +319,7 @@ const CASES: &[Case] = &[
         "nothing is attached to GL_COLOR_ATTACHMENT0",
     ),
     (
-        |c| renderbuffer(c, 0),
+        |c| multisampled(c, 0),
         |c| {
             let pname = GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL;
             c.get_framebuffer_attachment_parameteriv(FB, C0, pname, &mut [0]);
@@ -328,13 +328,13 @@ const CASES: &[Case] = &[
         "cannot be asked",
     ),
     (
-        |c| renderbuffer(c, 4),
+        |c| multisampled(c, 4),
         |c| c.copy_pixels(0, 0, 1, 1, GL_COLOR),
         GL_INVALID_OPERATION,
         "several samples",
     ),
     (
-        |c| renderbuffer(c, 4),
+        |c| multisampled(c, 4),
         |c| c.copy_tex_image_2d(GL_TEXTURE_2D, 0, GL_RGBA, 0, 0, 1, 1, 0),
         GL_INVALID_OPERATION,
         "several samples",
