@@ -137,6 +137,8 @@ fn objects_and_fences_have_labels() {
     let other = c.fence_sync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
     assert_eq!(c.client_wait_sync(other, 0, 0), GL_ALREADY_SIGNALED);
     assert!(c.is_sync(fence));
+    assert_eq!(c.client_wait_sync(std::ptr::null_mut(), 0, 0), GL_WAIT_FAILED);
+    assert_eq!(c.get_error(), GL_INVALID_VALUE);
     c.delete_sync(fence);
     assert!(!c.is_sync(fence));
     assert_eq!(c.get_error(), GL_NO_ERROR, "{:?}", c.messages());

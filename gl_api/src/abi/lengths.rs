@@ -200,6 +200,7 @@ pub(crate) fn values(pname: GLenum) -> usize {
         GL_VIEWPORT
         | GL_SCISSOR_BOX
         | GL_COLOR_WRITEMASK
+        | GL_RGBA_SIGNED_COMPONENTS_EXT
         | GL_BLEND_COLOR
         | GL_COLOR_CLEAR_VALUE
         | GL_ACCUM_CLEAR_VALUE

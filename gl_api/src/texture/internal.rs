@@ -190,7 +190,7 @@ pub(crate) const STENCIL_FORMAT: Table<Format> = Table {
     ],
 };
 
-/// The generic compressed formats, and the formats that they stand for as nothing is compressed.
+/// The generic compressed formats, and the base formats that they have, as nothing is compressed.
 const GENERIC: [(GLenum, GLenum); 12] = [
     (GL_COMPRESSED_ALPHA, GL_ALPHA),
     (GL_COMPRESSED_LUMINANCE, GL_LUMINANCE),
@@ -200,10 +200,10 @@ const GENERIC: [(GLenum, GLenum); 12] = [
     (GL_COMPRESSED_RG, GL_RG),
     (GL_COMPRESSED_RGB, GL_RGB),
     (GL_COMPRESSED_RGBA, GL_RGBA),
-    (GL_COMPRESSED_SRGB, GL_SRGB),
-    (GL_COMPRESSED_SRGB_ALPHA, GL_SRGB_ALPHA),
-    (GL_COMPRESSED_SLUMINANCE, GL_SLUMINANCE),
-    (GL_COMPRESSED_SLUMINANCE_ALPHA, GL_SLUMINANCE_ALPHA),
+    (GL_COMPRESSED_SRGB, GL_RGB),
+    (GL_COMPRESSED_SRGB_ALPHA, GL_RGBA),
+    (GL_COMPRESSED_SLUMINANCE, GL_LUMINANCE),
+    (GL_COMPRESSED_SLUMINANCE_ALPHA, GL_LUMINANCE_ALPHA),
 ];
 
 /// Whether a generic compressed format was asked for, which is no format of renderbuffers.
@@ -211,8 +211,8 @@ pub(crate) fn is_generic_compressed(internal: GLenum) -> bool {
     specific(internal) != internal
 }
 
-/// The format that is used where this one was asked for (GL 2.1, section 3.8.1): itself, or what a
-/// generic compressed one stands for.
+/// The format that is said to be used where this one was asked for (GL 2.1, section 3.8.1): itself,
+/// or the base format of a generic compressed one.
 pub(crate) fn specific(internal: GLenum) -> GLenum {
     GENERIC.iter().find(|(generic, _)| *generic == internal).map_or(internal, |row| row.1)
 }

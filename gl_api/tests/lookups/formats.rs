@@ -109,15 +109,15 @@ fn the_list_of_compressed_formats_is_for_any_texture() {
     assert_eq!(glGetError(), GL_NO_ERROR);
 }
 
-/// Where nothing is compressed, the internal format is no compressed one (GL 2.1, section 3.8.1).
+/// Where nothing is compressed, the internal format is the base format (GL 2.1, section 3.8.1).
 #[test]
 fn generic_compressed_formats_become_others() {
     let _current = context();
     for (asked, got) in [
         (GL_COMPRESSED_RGB, GL_RGB),
         (GL_COMPRESSED_RG, GL_RG),
-        (GL_COMPRESSED_SRGB_ALPHA, GL_SRGB_ALPHA),
-        (GL_COMPRESSED_SLUMINANCE, GL_SLUMINANCE),
+        (GL_COMPRESSED_SRGB_ALPHA, GL_RGBA),
+        (GL_COMPRESSED_SLUMINANCE, GL_LUMINANCE),
         (GL_COMPRESSED_INTENSITY, GL_INTENSITY),
     ] {
         glTexImage2D(GL_TEXTURE_2D, 0, asked, 4, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, Data::Null);
