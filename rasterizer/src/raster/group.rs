@@ -64,15 +64,14 @@ impl Default for Lanes {
 impl PlaneGroup {
     /// The value of each plane at the centre of pixel `(x, y)` and its steps, of the shape `lane`.
     #[inline]
-    pub fn at(&self, lane: usize, x: i32, y: i32, out: &mut Vec<[f32; 3]>) {
+    pub fn at(&self, lane: usize, x: i32, y: i32, out: &mut [[f32; 3]]) {
         let lane = lane % LANES;
         let dx = f64::from(x) + 0.5 - self.lanes.origin[0][lane];
         let dy = f64::from(y) + 0.5 - self.lanes.origin[1][lane];
-        out.clear();
-        out.extend(self.planes.iter().map(|plane| {
+        for (out, plane) in out.iter_mut().zip(&self.planes) {
             let (a, b, c) = (plane[0][lane], plane[1][lane], plane[2][lane]);
-            [((dx * a + dy * b) + c) as f32, a as f32, b as f32]
-        }));
+            *out = [((dx * a + dy * b) + c) as f32, a as f32, b as f32];
+        }
     }
 
     /// Computes the planes of `shapes`, at most 64.
@@ -364,7 +363,7 @@ mod tests {
             origin: SpriteOrigin::UpperLeft,
         };
         let bits = |group: &PlaneGroup, lane: usize| {
-            let mut out = Vec::new();
+            let mut out = [[0.0; 3]; 5];
             group.at(lane, 320, 200, &mut out);
             out.concat().into_iter().map(f32::to_bits).collect::<Vec<_>>()
         };
