@@ -47,7 +47,8 @@ pub fn early_tests(
 pub struct Shader {
     /// Runs the fragment program.
     pub machine: Machine,
-    depth: F32s,
+    /// The depth of what is shaded.
+    pub(super) depth: F32s,
 }
 
 impl Shader {
@@ -209,7 +210,7 @@ impl Shader {
 }
 
 /// [`clamp_depth`] as a kernel.
-struct ClampDepth<'a>(&'a mut F32s);
+pub(super) struct ClampDepth<'a>(pub &'a mut F32s);
 
 impl Kernel for ClampDepth<'_> {
     type Output = ();
