@@ -5,12 +5,12 @@
 
 use crate::driver::{
     DepthState, DepthWrite, Pipeline, PipelineDesc, PolygonMode, PolygonOffset, RasterState, Rim,
-    Topology, Viewport,
+    Topology, VertexBinding, VertexSource, Viewport,
 };
 use crate::ir::{Axis, Input, Interpolation, Output};
 use crate::output::{ColorPlan, DepthFormat, DepthPlan, StencilPlan, Tests};
 use crate::raster::{PlaneSource, Samples};
-use crate::shader::Prepared;
+use crate::shader::{Prepared, Sources};
 use crate::target::component_bits;
 use std::fmt::Write;
 use std::sync::Arc;
@@ -146,6 +146,8 @@ pub struct PlanInput<'a> {
     pub raster: Arc<RasterState>,
     /// Whether samples are counted.
     pub counting: Counting,
+    /// Where vertices come from.
+    pub vertices: &'a [VertexBinding],
 }
 
 /// Whether somebody counts the samples of a draw.
@@ -193,7 +195,7 @@ impl DrawPlan {
     pub fn new(pipeline: &Pipeline, input: PlanInput<'_>) -> Self {
         let compiled = pipeline.compiled();
         let (desc, fragment) = (&compiled.desc, &compiled.fragment);
-        let output = |wanted: Output| fragment.outputs().iter().position(|&o| o == wanted);
+        let output = |wanted: Output| fragment.output(wanted);
 
         let mut colors = Vec::new();
         for (target, state) in desc.colors.iter().enumerate() {
@@ -257,12 +259,19 @@ impl DrawPlan {
                 PlaneSource::Sprite(at, (slot - first) as u8)
             })
         };
+        // What every vertex has alike needs no plane: it is exactly that everywhere.
+        let arrays = arrays(input.vertices);
+        let is_constant = |slot: u16| {
+            let replaced = replaced.iter().any(|&first| (first..first + 4).contains(&slot));
+            !replaced && compiled.vertex.is_constant(slot, arrays)
+        };
         for &wanted in read {
             inputs.push(match wanted {
                 Input::Varying(slot) => {
                     let at = compiled.varyings.iter().position(|&(s, _)| s == slot);
                     let (at, mode) =
                         at.map_or((0, Interpolation::Flat), |at| (at, compiled.varyings[at].1));
+                    let mode = if is_constant(slot) { Interpolation::Flat } else { mode };
                     // With one sample, it lies at the centre.
                     let centroids = &desc.fragment.module().centroids;
                     let within = samples.is_each() && centroids.contains(&slot);
@@ -289,7 +298,8 @@ impl DrawPlan {
                 }
                 Input::Slope { slot, axis } => {
                     let at = compiled.varyings.iter().position(|&(s, _)| s == slot);
-                    match at.map(|at| (at, compiled.varyings[at].1)).filter(|_| needs_slopes) {
+                    let at = at.filter(|_| needs_slopes && !is_constant(slot));
+                    match at.map(|at| (at, compiled.varyings[at].1)) {
                         Some((at, Interpolation::Smooth)) => {
                             denominator_plane = Some(plane(PlaneSource::Denominator));
                             FragmentInput::SmoothSlope(plane(smooth(slot, at)), axis)
@@ -449,6 +459,17 @@ impl DrawPlan {
         line("planes", format!("{} evaluated a pixel", self.planes.len()));
         text
     }
+}
+
+/// The components of attributes that vertices have for themselves.
+pub fn arrays(bindings: &[VertexBinding]) -> Sources {
+    let of = |sources: Sources, binding: &VertexBinding| match binding.source {
+        VertexSource::Constant(_) => sources,
+        VertexSource::Array { components, .. } => {
+            sources.and(Sources::attribute(binding.location, (1 << components.min(4)) - 1))
+        }
+    };
+    bindings.iter().fold(Sources::default(), of)
 }
 
 /// The first slots of the varyings that points of a draw replace, where it draws any.

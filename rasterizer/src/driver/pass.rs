@@ -12,7 +12,7 @@ use super::image::PassDesc;
 use super::pipeline::Pipeline;
 use super::raster::RasterState;
 use crate::output::{DepthFormat, texel_words};
-use crate::plan::{Counting, DrawPlan, PlanInput, Textures};
+use crate::plan::{Counting, DrawPlan, PlanInput, Textures, arrays};
 use crate::primitive::{Setup, primitives};
 use crate::raster::{
     Chunk, ClearJob, ClearTarget, DrawJob, Entry, Formats, PassJob, Spot, TileJob,
@@ -73,8 +73,11 @@ impl Bound {
             Command::SetViewport(viewport) => self.viewport = *viewport,
             Command::SetCounter(counter) => self.counter = counter.clone(),
             Command::BindVertices(bindings) => {
+                let same = arrays(bindings) == arrays(&self.vertices);
                 self.vertices = bindings.clone();
-                return;
+                if same {
+                    return;
+                }
             }
             Command::SetScissor(scissor) => {
                 self.scissor = *scissor;
@@ -376,6 +379,7 @@ impl<'a> Pass<'a> {
                     Some(_) => Counting::On,
                     None => Counting::Off,
                 },
+                vertices: &bound.vertices,
             },
         );
         self.device.explain(&|| plan.describe());

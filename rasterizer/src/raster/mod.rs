@@ -9,6 +9,7 @@ mod clear;
 mod cover;
 mod coverage;
 mod group;
+mod inputs;
 mod interpolate;
 mod lanes;
 mod pixels;

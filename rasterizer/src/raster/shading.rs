@@ -1,9 +1,10 @@
 //! Shading: runs batches of fragments, tests those that could not be tested before, and writes
 //! their colours.
 
-use super::batch::{Batch, BatchDepth, BlockDepth, BlockOf, Interpolate, clamp_depth};
+use super::batch::{Batch, BlockOf};
+use super::inputs::{BatchDepth, BlockDepth, Interpolate, clamp_depth};
 use super::samples::{SampleMasks, moved};
-use super::tile::{DrawJob, PassJob, TileJob, any};
+use super::tile::{DrawJob, PassJob, TileJob};
 use super::watched::{Shaded, Tested};
 use crate::driver::AlphaToOne;
 use crate::output::{Fragments, test, write};
@@ -28,7 +29,7 @@ pub fn early_tests(
         Facing::Front => 0,
         Facing::Back => !0,
     };
-    for (sample, mask) in masks.iter_mut().enumerate().take(plan.samples.count) {
+    for (sample, mask) in masks.iter_mut().enumerate() {
         let depth = match plan.depth_plane {
             Some(index) => {
                 let plane = moved(of.planes[index], plan.samples.offset(sample));
@@ -47,34 +48,39 @@ pub fn early_tests(
 pub struct Shader {
     /// Runs the fragment program.
     pub machine: Machine,
-    /// The depth of what is shaded.
-    pub(super) depth: F32s,
+    depth: F32s,
 }
 
 impl Shader {
     /// Makes the early tests that a batch still has to make, and shades what is left; a shader that
     /// runs over its budget stops the draw.
-    pub fn shade(&mut self, pass: &PassJob, job: &DrawJob, batch: &mut Batch, tile: &mut TileJob) {
+    pub fn shade(
+        &mut self,
+        pass: &PassJob,
+        job: &DrawJob,
+        mut batch: Batch<'_>,
+        tile: &mut TileJob,
+    ) {
         let plan = &job.plan;
         let is_due = plan.timing == Timing::Early && batch.tested != !0;
         if is_due && let Some(target) = tile.depth.as_mut() {
             let due = batch.masks.map(|mask| mask & !batch.tested);
-            let passed = self.test(pass.isa, plan, batch, target, due, None, |_| {});
-            for (mask, passed) in batch.masks.iter_mut().zip(passed) {
+            let passed = self.test(pass.isa, plan, &batch, target, due, None, |_| {});
+            for (mask, passed) in batch.masks.iter_mut().zip(passed.iter()) {
                 *mask = *mask & batch.tested | passed;
             }
         }
-        let batch = &*batch;
+        let batch = &batch;
         if plan.shading == Shading::Off {
-            job.count(&batch.masks[..plan.samples.count]);
+            job.count(&batch.masks);
             return;
         }
-        if any(&batch.masks) == 0 {
+        if batch.masks.any() == 0 {
             return;
         }
         let place = batch.place();
         let watched = tile.watched.as_mut();
-        let mut shaded = watched.and_then(|spot| spot.begin(place, any(&batch.masks)));
+        let mut shaded = watched.and_then(|spot| spot.begin(place, batch.masks.any()));
         match self.run(pass, job, batch, &mut shaded) {
             Ok(masks) => self.output(pass, job, batch, (place, masks), tile, &mut shaded),
             Err(OverBudget) => job.stopped.store(true, Ordering::Relaxed),
@@ -89,7 +95,7 @@ impl Shader {
         &mut self,
         pass: &PassJob,
         job: &DrawJob,
-        batch: &Batch,
+        batch: &Batch<'_>,
         shaded: &mut Option<Shaded>,
     ) -> Result<SampleMasks, OverBudget> {
         let (isa, plan) = (pass.isa, &job.plan);
@@ -122,14 +128,14 @@ impl Shader {
         &mut self,
         pass: &PassJob,
         job: &DrawJob,
-        batch: &Batch,
+        batch: &Batch<'_>,
         (place, mut masks): (Place<'_>, SampleMasks),
         tile: &mut TileJob,
         shaded: &mut Option<Shaded>,
     ) {
         let (isa, plan) = (pass.isa, &job.plan);
         let samples = &plan.samples;
-        if any(&masks) == 0 {
+        if masks.any() == 0 {
             return;
         }
         let stored = shaded.as_ref().map(|_| tile.watched_depth());
@@ -147,12 +153,11 @@ impl Shader {
                 shaded.tested(plan, &tested, &masks);
                 shaded.ends_unless_in(&masks, Fate::TestFailed);
             }
-            if any(&masks) == 0 {
+            if masks.any() == 0 {
                 return;
             }
         }
-        let masks = &masks[..samples.count];
-        job.count(masks);
+        job.count(&masks);
         for color in &plan.colors {
             let before = shaded.as_ref().map(|_| tile.watched_color(color.target));
             let Some(target) = tile.colors[color.target].as_mut() else { continue };
@@ -169,7 +174,7 @@ impl Shader {
                 }
             }
             if let (Some(shaded), Some(before)) = (&mut *shaded, before) {
-                shaded.written(color, rgba, masks, [&before, &tile.watched_color(color.target)]);
+                shaded.written(color, rgba, &masks, [&before, &tile.watched_color(color.target)]);
             }
         }
     }
@@ -183,7 +188,7 @@ impl Shader {
         &mut self,
         isa: Isa,
         plan: &DrawPlan,
-        batch: &Batch,
+        batch: &Batch<'_>,
         target: &mut TileTarget,
         mut masks: SampleMasks,
         output: Option<usize>,
@@ -194,7 +199,7 @@ impl Shader {
             isa.run(ClampDepth(&mut self.depth));
         }
         let (back, place) = (batch.back(), batch.place());
-        for (sample, mask) in masks.iter_mut().enumerate().take(plan.samples.count) {
+        for (sample, mask) in masks.iter_mut().enumerate() {
             let offset = plan.samples.offset(sample);
             if let (Some(plane), None) = (plan.depth_plane, output)
                 && (sample == 0 || offset.is_some())
@@ -210,7 +215,7 @@ impl Shader {
 }
 
 /// [`clamp_depth`] as a kernel.
-pub(super) struct ClampDepth<'a>(pub &'a mut F32s);
+struct ClampDepth<'a>(&'a mut F32s);
 
 impl Kernel for ClampDepth<'_> {
     type Output = ();

@@ -1,6 +1,6 @@
 //! A tile: everything of a pass that touches its 64×64 pixels, in order.
 
-use super::batch::{Batch, BlockOf, EarlyTests, moved_quad, quads_of};
+use super::batch::{Batch, BlockOf, EarlyTests, Packed, moved_quad, quads_of};
 use super::clear::{ClearJob, Next, clear};
 use super::cover::Cover;
 use super::coverage;
@@ -15,7 +15,7 @@ use super::watched::Spot;
 use crate::driver::{Counter, Watch};
 use crate::plan::{DrawPlan, Packing, Timing};
 use crate::primitive::{Facing, Kind, Shape};
-use crate::target::{MAX_SAMPLES, TILE, TileTarget};
+use crate::target::{TILE, TileTarget};
 use crate::vertex::Geometry;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -134,11 +134,9 @@ pub struct TileJob {
 pub struct Worker {
     shader: Shader,
     /// Quads that wait for others, of the current draw.
-    waiting: Batch,
+    waiting: Packed,
     /// Pixels that wait for others, of the current draw.
     pixels: Pixels,
-    /// A block that runs at once.
-    block: Batch,
     /// The shapes that are filled.
     shapes: Box<ShapeLanes>,
     group: PlaneGroup,
@@ -191,7 +189,7 @@ impl Worker {
         self.draw = Some(draw);
         let plan = &pass.draws[draw].plan;
         self.shader.machine.begin(&plan.pipeline.compiled().fragment);
-        self.waiting.clear(plan.planes.len());
+        self.waiting.clear(plan.planes.len(), plan.samples.count);
         self.pixels.clear(plan.planes.len());
     }
 
@@ -200,8 +198,8 @@ impl Worker {
         let Some(draw) = self.draw else { return };
         let job = &pass.draws[draw];
         if !self.waiting.is_empty() {
-            self.shader.shade(pass, job, &mut self.waiting, tile);
-            self.waiting.clear(job.plan.planes.len());
+            self.shader.shade(pass, job, self.waiting.batch(), tile);
+            self.waiting.clear(job.plan.planes.len(), job.plan.samples.count);
         }
         self.flush_pixels(pass, job, tile);
     }
@@ -209,7 +207,8 @@ impl Worker {
     /// Shades the pixels that wait.
     fn flush_pixels(&mut self, pass: &PassJob, job: &DrawJob, tile: &mut TileJob) {
         if !self.pixels.is_empty() {
-            self.shader.shade_pixels(pass, job, &self.pixels, tile);
+            let batch = self.pixels.batch(pass.isa, [tile.x, tile.y]);
+            self.shader.shade(pass, job, batch, tile);
             self.pixels.clear(job.plan.planes.len());
         }
     }
@@ -316,7 +315,7 @@ impl Worker {
                 y: py,
                 coverage: None,
             };
-            self.waiting.push(&of, quad, from, &[window.covered]);
+            self.waiting.push(&of, quad, from, &SampleMasks::one(window.covered));
         }
     }
 
@@ -347,7 +346,7 @@ impl Worker {
         for by in range[0][1]..=range[1][1] {
             for bx in range[0][0]..=range[1][0] {
                 let mut masks = self.covered(pass.isa, plan, shape, at, [bx, by]);
-                if any(&masks) == 0 {
+                if masks.any() == 0 {
                     continue;
                 }
                 let mut inside = coverage::inside_area(&area, tile.x, tile.y, bx, by);
@@ -356,9 +355,9 @@ impl Worker {
                     inside &= stipple[(row % 4 * 4 + column % 4) as usize];
                 }
                 masks = masks.map(|mask| mask & inside);
-                if any(&masks) != 0 {
+                if masks.any() != 0 {
                     if let Some(spot) = &mut tile.watched
-                        && spot.is_in((by * 8 + bx) as usize, any(&masks))
+                        && spot.is_in((by * 8 + bx) as usize, masks.any())
                     {
                         spot.covered(pass, chunk, shape, &masks);
                     }
@@ -380,9 +379,9 @@ impl Worker {
         tile: [i32; 2],
         block: [i32; 2],
     ) -> SampleMasks {
-        let mut masks = [0; MAX_SAMPLES];
+        let mut masks = SampleMasks::none(plan.samples.count);
         let mut covered = 0;
-        for (sample, mask) in masks.iter_mut().enumerate().take(plan.samples.count) {
+        for (sample, mask) in masks.iter_mut().enumerate() {
             // Samples without an outline of their own are covered as the first is.
             if let Some(cover) = self.covers.get(sample) {
                 covered = cover.block(isa, plan, shape, tile, block, &mut self.parts);
@@ -405,14 +404,14 @@ impl Worker {
         mut masks: SampleMasks,
     ) {
         let plan = &job.plan;
-        let mut quads = quads_of(any(&masks));
+        let mut quads = quads_of(masks.any());
         let block = (by * 8 + bx) as usize;
-        if self.waiting.holds(block, any(&masks)) || self.pixels.holds(block, any(&masks)) {
+        if self.waiting.holds(block, masks.any()) || self.pixels.holds(block, masks.any()) {
             self.flush(pass, tile);
         }
         let packs = plan.packing == Packing::Pixels && tile.watched.is_none();
-        if packs && masks[0].count_ones() < DENSE_PIXELS {
-            let mut left = masks[0];
+        if packs && masks.any().count_ones() < DENSE_PIXELS {
+            let mut left = masks.any();
             while left != 0 {
                 if self.pixels.is_full() {
                     self.flush_pixels(pass, job, tile);
@@ -433,19 +432,17 @@ impl Worker {
         let eager = packs || quads.count_ones() >= DENSE || tile.watched.is_some();
         if eager && plan.timing == Timing::Early {
             let watched = tile.watched.as_ref();
-            let watched = watched.filter(|spot| spot.is_in(block, any(&masks)));
+            let watched = watched.filter(|spot| spot.is_in(block, masks.any()));
             let before = watched.map(|_| tile.watched_depth());
             early_tests(pass.isa, plan, &of, &mut masks, tile);
             if let Some(before) = before {
                 tile.note_early(pass.isa, plan, &of, &masks, &before);
             }
             of.tests = EarlyTests::Done;
-            quads = quads_of(any(&masks));
+            quads = quads_of(masks.any());
         }
-        let masks = &masks[..plan.samples.count];
         if packs || quads.count_ones() >= DENSE {
-            self.block.set_block(&of, masks, plan.planes.len());
-            self.shader.shade(pass, job, &mut self.block, tile);
+            self.shader.shade(pass, job, Batch::of_block(&of, masks), tile);
             return;
         }
         let mut left = quads;
@@ -453,18 +450,12 @@ impl Worker {
             let quad = left.trailing_zeros() as usize;
             left &= left - 1;
             if self.waiting.is_full() {
-                self.shader.shade(pass, job, &mut self.waiting, tile);
-                self.waiting.clear(plan.planes.len());
+                self.shader.shade(pass, job, self.waiting.batch(), tile);
+                self.waiting.clear(plan.planes.len(), plan.samples.count);
             }
-            self.waiting.push(&of, quad, quad, masks);
+            self.waiting.push(&of, quad, quad, &masks);
         }
     }
-}
-
-/// The lanes of which any sample is covered.
-#[inline]
-pub fn any(masks: &[u64]) -> u64 {
-    masks.iter().fold(0, |all, mask| all | mask)
 }
 
 /// A shape's bounds as first and one past the last pixel.

@@ -1,7 +1,8 @@
 //! A watched pixel within its tile: what clears and fragments do to it is written down.
 
-use super::batch::{Batch, BlockDepth, BlockOf};
+use super::batch::{Batch, BlockOf};
 use super::clear::{ClearJob, ClearTarget};
+use super::inputs::BlockDepth;
 use super::interpolate::PlaneSource;
 use super::samples::{SampleMasks, moved};
 use super::tile::{Chunk, PassJob, TileJob};
@@ -159,7 +160,7 @@ impl Spot {
             | PlaneSource::PointCoord(_) => Vec::new(),
         };
         let covered = (0..)
-            .zip(masks)
+            .zip(masks.iter())
             .fold(0, |bits, (sample, mask)| bits | u8::from(mask >> self.lane & 1 == 1) << sample);
         self.waiting.push_back(Waiting {
             event: self.events.len(),
@@ -183,11 +184,11 @@ impl Spot {
 
     /// The tests before shading were made: `masks` are left.
     fn tested_early(&mut self, plan: &DrawPlan, of: &Tested<'_>, masks: &SampleMasks) {
-        let left: u64 = masks.iter().fold(0, |all, mask| all | mask);
+        let left: u64 = masks.any();
         let Some(waiting) = self.waiting.back() else { return };
         let event = self.events.get_mut(waiting.event);
         let Some(Some(PixelEvent::Fragment(fragment))) = event else { return };
-        for (sample, mask) in masks.iter().enumerate().take(plan.samples.count) {
+        for (sample, mask) in masks.iter().enumerate() {
             let passed = mask >> self.lane & 1 == 1;
             fragment.tests.extend(of.test(plan, fragment.facing, sample, passed));
         }
@@ -327,14 +328,14 @@ impl Shaded {
         &mut self,
         machine: &mut Machine,
         plan: &DrawPlan,
-        batch: &Batch,
+        batch: &Batch<'_>,
         run: Run<'_>,
     ) -> Result<u64, OverBudget> {
         self.fragment.fate = if plan.colors.is_empty() { Fate::NoColor } else { Fate::Written };
         self.interpolated(plan, batch, machine);
         let mut tracer = Tracer::new(run.program, self.lane);
         let kept = machine.run_traced(run, &mut tracer);
-        for (index, &output) in run.program.outputs().iter().enumerate() {
+        for (index, output) in run.program.outputs().enumerate() {
             self.fragment.outputs.push((output, tracer.output(machine, index)));
         }
         (self.fragment.steps, self.fragment.more_steps) = (tracer.steps, tracer.more);
@@ -345,10 +346,10 @@ impl Shaded {
     }
 
     /// Its inputs were interpolated.
-    fn interpolated(&mut self, plan: &DrawPlan, batch: &Batch, machine: &Machine) {
+    fn interpolated(&mut self, plan: &DrawPlan, batch: &Batch<'_>, machine: &Machine) {
         let of_program = plan.pipeline.compiled().fragment.inputs();
         let centroids = plan.samples.centroids(&batch.masks);
-        let within = |plane: usize| batch.within(plane, &centroids)[self.lane];
+        let within = |plane: usize| batch.at_moved(plane, self.lane, &centroids);
         for (index, (&input, from)) in of_program.iter().zip(&plan.inputs).enumerate() {
             let values = |plane: usize| self.values.get(plane).cloned().unwrap_or_default();
             let source = match *from {
@@ -383,7 +384,7 @@ impl Shaded {
 
     /// Its samples were tested after shading: `masks` are left.
     pub fn tested(&mut self, plan: &DrawPlan, of: &Tested<'_>, masks: &SampleMasks) {
-        for (sample, mask) in masks.iter().enumerate().take(plan.samples.count) {
+        for (sample, mask) in masks.iter().enumerate() {
             let passed = mask >> self.lane & 1 == 1;
             self.fragment.tests.extend(of.test(plan, self.fragment.facing, sample, passed));
         }

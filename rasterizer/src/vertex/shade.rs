@@ -117,12 +117,12 @@ pub struct VertexStage<'a> {
 /// When a batch runs over its budget.
 pub fn shade(stage: &VertexStage<'_>, ids: &[u32], instance: u32) -> Result<Geometry, OverBudget> {
     let stride = VARYINGS + stage.varyings.len();
-    let distance = |output: &&Output| matches!(output, Output::ClipDistance(_));
-    let planes = stage.program.outputs().iter().filter(distance).count();
+    let distance = |output: &Output| matches!(output, Output::ClipDistance(_));
+    let planes = stage.program.outputs().filter(distance).count();
     let sources: Vec<Source> = stage.program.inputs().iter().map(|&i| stage.source(i)).collect();
     let mut plane = 0..;
-    let outputs = stage.program.outputs().iter();
-    let targets: Vec<Target> = outputs.map(|&o| stage.target(o, &mut plane)).collect();
+    let outputs = stage.program.outputs();
+    let targets: Vec<Target> = outputs.map(|o| stage.target(o, &mut plane)).collect();
     let mut geometry = stage.geometries.take();
     (geometry.stride, geometry.planes) = (stride, planes);
     let sizes = usize::from(targets.contains(&Target::PointSize));
