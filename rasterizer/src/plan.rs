@@ -94,6 +94,8 @@ pub struct DrawPlan {
     pub colors: Vec<ColorPlan>,
     /// Whether the fragment program has to run at all.
     pub shading: Shading,
+    /// How sparse fragments are packed.
+    pub packing: Packing,
     /// Where the window is.
     pub viewport: Viewport,
     /// The offset of filled polygons, where depth matters.
@@ -104,6 +106,15 @@ pub struct DrawPlan {
     pub raster: Arc<RasterState>,
     /// Which lanes the polygon stipple leaves of each block of its 32×32 pixels.
     pub stipple: Option<[u64; 16]>,
+}
+
+/// How fragments of sparsely covered blocks are put into batches.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Packing {
+    /// By quads: what is computed depends on neighbours, or pixels have several samples or parts.
+    Quads,
+    /// By pixels.
+    Pixels,
 }
 
 /// Whether fragments are shaded.
@@ -316,7 +327,15 @@ impl DrawPlan {
         let within = |input: &FragmentInput| {
             matches!(input, FragmentInput::SmoothWithin(_) | FragmentInput::LinearWithin(_))
         };
+        let needs_lod = |slot: u32| {
+            let texture = input.textures.get(slot as usize).and_then(Option::as_ref);
+            texture.is_some_and(|texture| texture.needs_lod())
+        };
+        let alone = samples.count == 1
+            && !inputs.contains(&FragmentInput::Coverage)
+            && !fragment.reads_neighbours(needs_lod);
         Self {
+            packing: if alone { Packing::Pixels } else { Packing::Quads },
             centroids: inputs.iter().any(within),
             prepared: fragment.prepare(input.isa, input.uniforms, &input.textures),
             textures: input.textures,

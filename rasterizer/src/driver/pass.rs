@@ -317,6 +317,7 @@ impl<'a> Pass<'a> {
             budget: self.job.budget,
             machines: &self.device.machines,
             geometries: &self.device.geometries,
+            lists: &self.device.lists,
             pipeline: &pipeline,
             ids,
             primitives,
@@ -327,6 +328,7 @@ impl<'a> Pass<'a> {
             prepared: vertex,
             slots: compiled.varyings.iter().map(|&(slot, _)| slot).collect(),
             setup: Setup {
+                isa: self.job.isa,
                 viewport: self.bound.viewport,
                 cull: desc.cull,
                 front_face: desc.front_face,
@@ -396,7 +398,7 @@ impl<'a> Pass<'a> {
                 let bin = &mut self.bins[(y * self.across + x) as usize];
                 bin.push(Entry::Shapes { chunk: index, first, end });
             }
-            self.shapes += chunk.shapes.len();
+            self.shapes += chunk.lists.shapes.len();
             self.job.chunks.push(chunk);
         }
     }
@@ -454,6 +456,7 @@ impl<'a> Pass<'a> {
         }
         // The draws stay: one of them may still be adding chunks.
         for chunk in self.job.chunks.drain(..) {
+            self.device.lists.give(chunk.lists);
             if let Some(geometry) = Arc::into_inner(chunk.geometry) {
                 self.device.geometries.give(geometry);
             }

@@ -1,5 +1,6 @@
 //! Batches of fragments: the block of one shape, or up to 16 quads, of many blocks or of many shapes.
 
+use super::pixels::Pixels;
 use super::samples::SampleMasks;
 use crate::primitive::Facing;
 use crate::target::Place;
@@ -23,6 +24,8 @@ pub enum Quads<'a> {
     Block(&'a BlockOf<'a>),
     /// Quads of anywhere.
     Packed(&'a Packed),
+    /// No quads: each lane is a pixel by itself.
+    Pixels(&'a Pixels),
 }
 
 /// A block of a shape.
@@ -62,9 +65,12 @@ impl<'a> Batch<'a> {
         Self { quads: Quads::Block(of), masks, tested }
     }
 
-    /// Lanes that run: whole quads, so that derivatives have their neighbours.
+    /// Lanes that run: of quads the whole, so that derivatives have their neighbours.
     pub fn active(&self) -> u64 {
-        lanes_of(quads_of(self.masks.any()))
+        match self.quads {
+            Quads::Block(_) | Quads::Packed(_) => lanes_of(quads_of(self.masks.any())),
+            Quads::Pixels(_) => self.masks.any(),
+        }
     }
 
     /// Lanes of back faces.
@@ -81,6 +87,7 @@ impl<'a> Batch<'a> {
                 }
                 lanes_of(quads)
             }
+            Quads::Pixels(pixels) => pixels.back,
         }
     }
 
@@ -91,6 +98,7 @@ impl<'a> Batch<'a> {
             Quads::Packed(packed) => {
                 Place::Quads(&packed.blocks[..packed.len], &packed.quads[..packed.len])
             }
+            Quads::Pixels(pixels) => pixels.place(),
         }
     }
 }

@@ -1,40 +1,42 @@
 //! The inputs of a fragment program: planes at the pixels of a batch.
 
 use super::batch::{Batch, BlockOf, Packed, QUAD_X, QUAD_Y, Quads, front_word};
+use super::pixels::Pixels;
 use super::samples::moved;
 use crate::ir::Axis;
 use crate::plan::{DrawPlan, FragmentInput};
+use crate::primitive::Facing;
 use crate::shader::Machine;
 use texunit::lanes::{F32s, Kernel, LANES, QUADS, Simd, U32s};
 
-/// What a batch has for each of its quads.
+/// What a batch has for pixel `e` of its quad `q`.
 trait Places {
-    /// A plane: at the first pixel of the quad's block, per pixel across, per pixel up.
-    fn plane(&self, plane: usize) -> impl Fn(usize) -> [f32; 3];
-    /// Its first pixel within its block.
-    fn within(&self, quad: usize) -> [f32; 2];
+    /// A plane: at the first pixel of the block, per pixel across, per pixel up.
+    fn plane(&self, plane: usize) -> impl Fn(usize, usize) -> [f32; 3];
+    /// Its column and row in its block.
+    fn within(&self, e: usize, q: usize) -> [f32; 2];
     /// The first pixel of its block.
-    fn block(&self, quad: usize) -> [f32; 2];
-    fn front(&self, quad: usize) -> u32;
+    fn block(&self, e: usize, q: usize) -> [f32; 2];
+    fn front(&self, e: usize, q: usize) -> u32;
     fn coverage(&self) -> Option<&F32s>;
 }
 
 impl Places for BlockOf<'_> {
     #[inline(always)]
-    fn plane(&self, plane: usize) -> impl Fn(usize) -> [f32; 3] {
+    fn plane(&self, plane: usize) -> impl Fn(usize, usize) -> [f32; 3] {
         let plane = self.planes[plane];
-        move |_| plane
+        move |_, _| plane
     }
     #[inline(always)]
-    fn within(&self, quad: usize) -> [f32; 2] {
-        [QUAD_X[quad], QUAD_Y[quad]]
+    fn within(&self, e: usize, q: usize) -> [f32; 2] {
+        [QUAD_X[q] + X[e], QUAD_Y[q] + Y[e]]
     }
     #[inline(always)]
-    fn block(&self, _quad: usize) -> [f32; 2] {
+    fn block(&self, _e: usize, _q: usize) -> [f32; 2] {
         [self.x as f32, self.y as f32]
     }
     #[inline(always)]
-    fn front(&self, _quad: usize) -> u32 {
+    fn front(&self, _e: usize, _q: usize) -> u32 {
         front_word(self.facing)
     }
     #[inline(always)]
@@ -45,25 +47,53 @@ impl Places for BlockOf<'_> {
 
 impl Places for Packed {
     #[inline(always)]
-    fn plane(&self, plane: usize) -> impl Fn(usize) -> [f32; 3] {
+    fn plane(&self, plane: usize) -> impl Fn(usize, usize) -> [f32; 3] {
         let plane = &self.planes[plane];
-        move |quad| [plane.corner[quad], plane.a[quad], plane.b[quad]]
+        move |_, q| [plane.corner[q], plane.a[q], plane.b[q]]
     }
     #[inline(always)]
-    fn within(&self, quad: usize) -> [f32; 2] {
-        [self.dx[quad], self.dy[quad]]
+    fn within(&self, e: usize, q: usize) -> [f32; 2] {
+        [self.dx[q] + X[e], self.dy[q] + Y[e]]
     }
     #[inline(always)]
-    fn block(&self, quad: usize) -> [f32; 2] {
-        [self.x[quad], self.y[quad]]
+    fn block(&self, _e: usize, q: usize) -> [f32; 2] {
+        [self.x[q], self.y[q]]
     }
     #[inline(always)]
-    fn front(&self, quad: usize) -> u32 {
-        self.front[quad]
+    fn front(&self, _e: usize, q: usize) -> u32 {
+        self.front[q]
     }
     #[inline(always)]
     fn coverage(&self) -> Option<&F32s> {
         Some(&self.coverage)
+    }
+}
+
+impl Places for Pixels {
+    #[inline(always)]
+    fn plane(&self, plane: usize) -> impl Fn(usize, usize) -> [f32; 3] {
+        let plane = &self.planes[plane];
+        move |e, q| {
+            let lane = e * QUADS + q;
+            [plane.corner[lane], plane.a[lane], plane.b[lane]]
+        }
+    }
+    #[inline(always)]
+    fn within(&self, e: usize, q: usize) -> [f32; 2] {
+        [self.within[0][e * QUADS + q], self.within[1][e * QUADS + q]]
+    }
+    #[inline(always)]
+    fn block(&self, e: usize, q: usize) -> [f32; 2] {
+        [self.block[0][e * QUADS + q], self.block[1][e * QUADS + q]]
+    }
+    #[inline(always)]
+    fn front(&self, e: usize, q: usize) -> u32 {
+        let is_back = self.back >> (e * QUADS + q) & 1 == 1;
+        front_word(if is_back { Facing::Back } else { Facing::Front })
+    }
+    #[inline(always)]
+    fn coverage(&self) -> Option<&F32s> {
+        None
     }
 }
 
@@ -87,6 +117,7 @@ impl Kernel for Interpolate<'_> {
         match self.batch.quads {
             Quads::Block(block) => self.fill::<S>(block),
             Quads::Packed(packed) => self.fill::<S>(packed),
+            Quads::Pixels(pixels) => self.fill::<S>(pixels),
         }
     }
 }
@@ -137,31 +168,31 @@ impl Interpolate<'_> {
                 FragmentInput::SmoothSlope(index, axis) => {
                     let mut slope = evaluate(places, index);
                     let (of, by) = (places.plane(index), places.plane(denominator));
-                    let steps = |quad| [along(axis, of(quad)), along(axis, by(quad))];
+                    let steps = |e, q| [along(axis, of(e, q)), along(axis, by(e, q))];
                     let [a, b, c, d] = pixels(&mut slope);
                     let [ia, ib, ic, id] = pixels(&mut w);
-                    slope_pixel(steps, ia, a);
-                    slope_pixel(steps, ib, b);
-                    slope_pixel(steps, ic, c);
-                    slope_pixel(steps, id, d);
+                    slope_pixel(steps, 0, ia, a);
+                    slope_pixel(steps, 1, ib, b);
+                    slope_pixel(steps, 2, ic, c);
+                    slope_pixel(steps, 3, id, d);
                     *out.as_f32_mut() = slope;
                 }
                 FragmentInput::LinearSlope(index, axis) => {
                     let plane = places.plane(index);
-                    by_quad(out, |_, q| along(axis, plane(q)).to_bits());
+                    by_quad(out, |e, q| along(axis, plane(e, q)).to_bits());
                 }
                 FragmentInput::Depth => *out.as_f32_mut() = *depth,
                 FragmentInput::Flat(index) => {
                     let plane = places.plane(index);
-                    by_quad(out, |_, q| plane(q)[0].to_bits());
+                    by_quad(out, |e, q| plane(e, q)[0].to_bits());
                 }
                 FragmentInput::X => by_quad(out, |e, q| {
-                    (places.block(q)[0] + (places.within(q)[0] + X[e] + 0.5)).to_bits()
+                    (places.block(e, q)[0] + (places.within(e, q)[0] + 0.5)).to_bits()
                 }),
                 FragmentInput::Y => by_quad(out, |e, q| {
-                    (places.block(q)[1] + (places.within(q)[1] + Y[e] + 0.5)).to_bits()
+                    (places.block(e, q)[1] + (places.within(e, q)[1] + 0.5)).to_bits()
                 }),
-                FragmentInput::Front => by_quad(out, |_, q| places.front(q)),
+                FragmentInput::Front => by_quad(out, |e, q| places.front(e, q)),
                 FragmentInput::Coverage => {
                     if let Some(coverage) = places.coverage() {
                         *out.as_f32_mut() = *coverage;
@@ -219,7 +250,7 @@ fn evaluate(places: &impl Places, plane: usize) -> F32s {
 }
 
 #[inline(always)]
-fn evaluate_plane(places: &impl Places, plane: impl Fn(usize) -> [f32; 3]) -> F32s {
+fn evaluate_plane(places: &impl Places, plane: impl Fn(usize, usize) -> [f32; 3]) -> F32s {
     let mut out = F32s::ZERO;
     let [first, second, third, fourth] = pixels(&mut out);
     evaluate_pixel(places, &plane, 0, first);
@@ -233,22 +264,27 @@ fn evaluate_plane(places: &impl Places, plane: impl Fn(usize) -> [f32; 3]) -> F3
 #[inline(always)]
 fn evaluate_pixel(
     places: &impl Places,
-    plane: &impl Fn(usize) -> [f32; 3],
+    plane: &impl Fn(usize, usize) -> [f32; 3],
     e: usize,
     out: &mut [f32; QUADS],
 ) {
     for (q, out) in out.iter_mut().enumerate() {
-        let ([corner, a, b], [dx, dy]) = (plane(q), places.within(q));
-        *out = (corner + (dx + X[e]) * a) + (dy + Y[e]) * b;
+        let ([corner, a, b], [dx, dy]) = (plane(e, q), places.within(e, q));
+        *out = (corner + dx * a) + dy * b;
     }
 }
 
 /// The derivative of the quotient of two planes at one pixel of each quad, given the steps of both:
 /// `(n / d)' = (n' - n / d · d') / d`, of `1 / d` and, in `out`, `n`.
 #[inline(always)]
-fn slope_pixel(steps: impl Fn(usize) -> [f32; 2], inverse: &[f32; QUADS], out: &mut [f32; QUADS]) {
+fn slope_pixel(
+    steps: impl Fn(usize, usize) -> [f32; 2],
+    e: usize,
+    inverse: &[f32; QUADS],
+    out: &mut [f32; QUADS],
+) {
     for q in 0..QUADS {
-        let [of, by] = steps(q);
+        let [of, by] = steps(e, q);
         let value = out[q] * inverse[q];
         out[q] = (of - value * by) * inverse[q];
     }
@@ -260,7 +296,7 @@ fn within(places: &impl Places, plane: usize, [x, y]: &[F32s; 2]) -> F32s {
     let mut out = evaluate(places, plane);
     let plane = places.plane(plane);
     for lane in 0..LANES {
-        let [_, a, b] = plane(lane % QUADS);
+        let [_, a, b] = plane(lane / QUADS, lane % QUADS);
         out[lane] += x[lane] * a + y[lane] * b;
     }
     out
@@ -279,6 +315,7 @@ impl Batch<'_> {
         let values = match self.quads {
             Quads::Block(block) => evaluate(block, plane),
             Quads::Packed(packed) => evaluate(packed, plane),
+            Quads::Pixels(pixels) => evaluate(pixels, plane),
         };
         values[lane]
     }
@@ -288,6 +325,7 @@ impl Batch<'_> {
         let values = match self.quads {
             Quads::Block(block) => within(block, plane, by),
             Quads::Packed(packed) => within(packed, plane, by),
+            Quads::Pixels(pixels) => within(pixels, plane, by),
         };
         values[lane]
     }
@@ -344,6 +382,7 @@ impl Kernel for BatchDepth<'_> {
         match self.batch.quads {
             Quads::Block(block) => self.fill(block),
             Quads::Packed(packed) => self.fill(packed),
+            Quads::Pixels(pixels) => self.fill(pixels),
         }
     }
 }
@@ -353,7 +392,7 @@ impl BatchDepth<'_> {
     fn fill(self, places: &impl Places) {
         let Self { plane, offset, depth, .. } = self;
         let plane = places.plane(plane);
-        let mut out = evaluate_plane(places, |quad| moved(plane(quad), offset));
+        let mut out = evaluate_plane(places, |e, q| moved(plane(e, q), offset));
         clamp_depth(&mut out);
         *depth = out;
     }

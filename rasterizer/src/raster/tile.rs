@@ -1,17 +1,19 @@
 //! A tile: everything of a pass that touches its 64×64 pixels, in order.
 
 use super::batch::{Batch, BlockOf, EarlyTests, Packed, moved_quad, quads_of};
-use super::clear::{ClearJob, clear};
+use super::clear::{ClearJob, Next, clear};
 use super::cover::Cover;
 use super::coverage;
 use super::group::PlaneGroup;
 use super::interpolate::PlaneSetup;
+use super::lanes::ShapeLanes;
+use super::pixels::Pixels;
 use super::samples::SampleMasks;
 use super::shading::{Shader, early_tests};
 use super::small::{Window, Windows};
 use super::watched::Spot;
 use crate::driver::{Counter, Watch};
-use crate::plan::{DrawPlan, Timing};
+use crate::plan::{DrawPlan, Packing, Timing};
 use crate::primitive::{Facing, Kind, Shape};
 use crate::target::{TILE, TileTarget};
 use crate::vertex::Geometry;
@@ -21,6 +23,9 @@ use texunit::lanes::{F32s, Isa, LANES};
 
 /// Quads of a block from which on it is shaded by itself rather than packed with others.
 const DENSE: u32 = 12;
+/// Pixels of a block from which on it is shaded by itself rather than packed with others, where these
+/// need not be quads.
+const DENSE_PIXELS: u32 = 40;
 /// Shapes of a group from which on their windows are computed together.
 const WINDOWS_FROM: usize = 4;
 
@@ -57,6 +62,13 @@ pub struct Chunk {
     pub draw: usize,
     /// The vertices.
     pub geometry: Arc<Geometry>,
+    /// Its shapes.
+    pub lists: ShapeLists,
+}
+
+/// The shapes of a chunk, and their order by tiles.
+#[derive(Debug, Default)]
+pub struct ShapeLists {
     /// The shapes.
     pub shapes: Vec<Shape>,
     /// The shapes of each tile, in order, tile after tile.
@@ -123,6 +135,10 @@ pub struct Worker {
     shader: Shader,
     /// Quads that wait for others, of the current draw.
     waiting: Packed,
+    /// Pixels that wait for others, of the current draw.
+    pixels: Pixels,
+    /// The shapes that are filled.
+    shapes: Box<ShapeLanes>,
     group: PlaneGroup,
     windows: Box<Windows>,
     /// Of the block that is filled: each plane's value at its first pixel and steps.
@@ -138,16 +154,20 @@ pub struct Worker {
 impl Worker {
     /// Does everything that happens in `tile`.
     pub fn run(&mut self, pass: &PassJob, tile: &mut TileJob) {
-        for entry in std::mem::take(&mut tile.entries) {
+        let entries = std::mem::take(&mut tile.entries);
+        let is_drawn = |entry: &Entry| matches!(entry, Entry::Shapes { .. });
+        let last_draw = entries.iter().rposition(is_drawn).unwrap_or(0);
+        for (at, entry) in entries.into_iter().enumerate() {
             match entry {
                 Entry::Clear(index) => {
                     self.flush(pass, tile);
-                    clear(pass, &pass.clears[index as usize], tile);
+                    let next = if at < last_draw { Next::Draws } else { Next::Nothing };
+                    clear(pass, &pass.clears[index as usize], tile, next);
                     tile.note_clear(&pass.clears[index as usize]);
                 }
                 Entry::Shapes { chunk, first, end } => {
                     let chunk = &pass.chunks[chunk as usize];
-                    for group in chunk.binned[first as usize..end as usize].chunks(LANES) {
+                    for group in chunk.lists.binned[first as usize..end as usize].chunks(LANES) {
                         self.fill_group(pass, tile, chunk, group);
                     }
                 }
@@ -171,14 +191,26 @@ impl Worker {
         self.shader.machine.begin(&plan.pipeline.compiled().fragment);
         self.waiting.clear(plan.planes.len(), plan.samples.count);
         self.planes.resize(plan.planes.len(), [0.0; 3]);
+        self.pixels.clear(plan.planes.len());
     }
 
     /// Shades what waits.
     fn flush(&mut self, pass: &PassJob, tile: &mut TileJob) {
-        if let Some(draw) = self.draw.filter(|_| !self.waiting.is_empty()) {
-            let job = &pass.draws[draw];
+        let Some(draw) = self.draw else { return };
+        let job = &pass.draws[draw];
+        if !self.waiting.is_empty() {
             self.shader.shade(pass, job, &self.waiting.batch(), tile);
             self.waiting.clear(job.plan.planes.len(), job.plan.samples.count);
+        }
+        self.flush_pixels(pass, job, tile);
+    }
+
+    /// Shades the pixels that wait.
+    fn flush_pixels(&mut self, pass: &PassJob, job: &DrawJob, tile: &mut TileJob) {
+        if !self.pixels.is_empty() {
+            let batch = self.pixels.batch(pass.isa, [tile.x, tile.y]);
+            self.shader.shade(pass, job, &batch, tile);
+            self.pixels.clear(job.plan.planes.len());
         }
     }
 
@@ -197,12 +229,18 @@ impl Worker {
             resolution: plan.resolution,
             origin: plan.raster.point.origin,
         };
-        let shapes = group.iter().map(|&index| &chunk.shapes[index as usize]);
-        self.group.compute(pass.isa, &setup, &chunk.geometry, shapes.clone());
+        let shapes = group.iter().map(|&index| &chunk.lists.shapes[index as usize]);
+        self.shapes.load(shapes.clone());
+        self.group.compute(pass.isa, &setup, &chunk.geometry, &self.shapes, shapes.clone());
         let has_windows =
             group.len() >= WINDOWS_FROM && plan.has_windows() && tile.watched.is_none();
+        let packs = plan.packing == Packing::Pixels && tile.watched.is_none();
         if has_windows {
-            self.windows.compute(pass.isa, [tile.x, tile.y], shapes.clone());
+            let at = [tile.x, tile.y];
+            self.windows.compute(pass.isa, at, &self.shapes);
+            if packs {
+                self.group.enter(pass.isa, at, &self.windows);
+            }
         }
         for (lane, shape) in shapes.enumerate() {
             if job.stopped.load(Ordering::Relaxed) {
@@ -210,10 +248,36 @@ impl Worker {
             }
             let window = if has_windows { self.windows.get(lane) } else { None };
             match window {
-                Some(window) if quads_of(window.covered).count_ones() < DENSE => {
+                Some(window) if packs && window.covered.count_ones() < DENSE_PIXELS => {
+                    self.pack_window(pass, tile, job, shape.facing, lane, window);
+                }
+                Some(window) if !packs && quads_of(window.covered).count_ones() < DENSE => {
                     self.fill_window(pass, tile, shape.facing, lane, window);
                 }
                 Some(_) | None => self.fill(pass, tile, chunk, shape, lane),
+            }
+        }
+    }
+
+    /// Fills a small triangle, pixel by pixel.
+    #[inline]
+    fn pack_window(
+        &mut self,
+        pass: &PassJob,
+        tile: &mut TileJob,
+        job: &DrawJob,
+        facing: Facing,
+        lane: usize,
+        window: Window,
+    ) {
+        for (part, block, lanes) in window.blocks() {
+            let mut left = lanes;
+            while left != 0 {
+                if self.pixels.is_full() || self.pixels.holds(block, left) {
+                    self.flush_pixels(pass, job, tile);
+                }
+                let planes = self.group.in_window(lane, part);
+                left = self.pixels.push(block, left, facing, planes);
             }
         }
     }
@@ -339,8 +403,19 @@ impl Worker {
         let plan = &job.plan;
         let mut quads = quads_of(masks.any());
         let block = (by * 8 + bx) as usize;
-        if self.waiting.holds(block, masks.any()) {
+        if self.waiting.holds(block, masks.any()) || self.pixels.holds(block, masks.any()) {
             self.flush(pass, tile);
+        }
+        let packs = plan.packing == Packing::Pixels && tile.watched.is_none();
+        if packs && masks.any().count_ones() < DENSE_PIXELS {
+            let mut left = masks.any();
+            while left != 0 {
+                if self.pixels.is_full() {
+                    self.flush_pixels(pass, job, tile);
+                }
+                left = self.pixels.push(block, left, facing, self.planes.iter().copied());
+            }
+            return;
         }
         let mut of = BlockOf {
             planes: &self.planes,
@@ -351,7 +426,7 @@ impl Worker {
             y: tile.y + 8 * by,
             coverage: plan.reads_coverage().then_some(&self.parts),
         };
-        let eager = quads.count_ones() >= DENSE || tile.watched.is_some();
+        let eager = packs || quads.count_ones() >= DENSE || tile.watched.is_some();
         if eager && plan.timing == Timing::Early {
             let watched = tile.watched.as_ref();
             let watched = watched.filter(|spot| spot.is_in(block, masks.any()));
@@ -363,7 +438,7 @@ impl Worker {
             of.tests = EarlyTests::Done;
             quads = quads_of(masks.any());
         }
-        if quads.count_ones() >= DENSE {
+        if packs || quads.count_ones() >= DENSE {
             self.shader.shade(pass, job, &Batch::of_block(&of, masks), tile);
             return;
         }

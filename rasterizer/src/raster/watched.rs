@@ -92,6 +92,9 @@ impl Spot {
                 };
                 blocks.iter().zip(quads).enumerate().find_map(here)?
             }
+            Place::Pixels(at) => {
+                at.iter().position(|&at| usize::from(at) == self.block * LANES + self.lane)?
+            }
         };
         (lanes >> lane & 1 == 1).then_some(lane)
     }
@@ -132,8 +135,8 @@ impl Spot {
         let job = &pass.draws[chunk.draw];
         let before = pass.chunks.iter().take_while(|other| !std::ptr::eq(*other, chunk));
         let before = before.filter(|other| other.draw == chunk.draw);
-        let before: usize = before.map(|other| other.shapes.len()).sum();
-        let at = chunk.shapes.iter().position(|other| std::ptr::eq(other, shape));
+        let before: usize = before.map(|other| other.lists.shapes.len()).sum();
+        let at = chunk.lists.shapes.iter().position(|other| std::ptr::eq(other, shape));
         let corners = match shape.kind {
             Kind::Triangle => 3,
             Kind::Line { .. } => 2,
@@ -141,8 +144,8 @@ impl Spot {
         };
         let ids = &shape.vertices[..corners];
         let vertex = |&id: &u32| {
-            let vertex = &chunk.geometry.vertices[id as usize];
-            Vertex { clip: vertex.clip, window: vertex.window }
+            let window = chunk.geometry.window(&job.plan.viewport, id);
+            Vertex { clip: chunk.geometry.clip(id), window }
         };
         let values = |source: &PlaneSource| match *source {
             PlaneSource::Smooth(at)

@@ -32,7 +32,7 @@ pub(crate) use sources::Sources;
 
 use crate::ir::{Input, Module, Output};
 use allocate::Layout;
-use inst::Inst;
+use inst::{Inst, SampleInst};
 use preamble::Preamble;
 use std::fmt::Write;
 use std::sync::Arc;
@@ -186,6 +186,16 @@ impl Program {
     /// The texture slots that the program samples, ascending.
     pub fn texture_slots(&self) -> &[u32] {
         &self.textures
+    }
+
+    /// Whether what it computes in a lane depends on the neighbours in the quad; `needs_lod` says
+    /// which texture slots need a level of detail.
+    pub fn reads_neighbours(&self, needs_lod: impl Fn(u32) -> bool) -> bool {
+        self.code.iter().any(|inst| {
+            let samples = |sample: &SampleInst| sample.reads_neighbours(needs_lod(sample.texture));
+            matches!(inst, Inst::Derivative { .. })
+                || matches!(inst, Inst::Sample(sample) if samples(sample))
+        })
     }
 
     /// One line that says what the program became.
