@@ -5,12 +5,12 @@
 
 use crate::driver::{
     DepthState, DepthWrite, Pipeline, PipelineDesc, PolygonMode, PolygonOffset, RasterState, Rim,
-    Topology, Viewport,
+    Topology, VertexBinding, VertexSource, Viewport,
 };
 use crate::ir::{Axis, Input, Interpolation, Output};
 use crate::output::{ColorPlan, DepthFormat, DepthPlan, StencilPlan, Tests};
 use crate::raster::{PlaneSource, Samples};
-use crate::shader::Prepared;
+use crate::shader::{Prepared, Sources};
 use crate::target::component_bits;
 use std::fmt::Write;
 use std::sync::Arc;
@@ -94,6 +94,8 @@ pub struct DrawPlan {
     pub colors: Vec<ColorPlan>,
     /// Whether the fragment program has to run at all.
     pub shading: Shading,
+    /// How sparse fragments are packed.
+    pub packing: Packing,
     /// Where the window is.
     pub viewport: Viewport,
     /// The offset of filled polygons, where depth matters.
@@ -104,6 +106,15 @@ pub struct DrawPlan {
     pub raster: Arc<RasterState>,
     /// Which lanes the polygon stipple leaves of each block of its 32×32 pixels.
     pub stipple: Option<[u64; 16]>,
+}
+
+/// How fragments of sparsely covered blocks are put into batches.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Packing {
+    /// By quads: what is computed depends on neighbours, or pixels have several samples or parts.
+    Quads,
+    /// By pixels.
+    Pixels,
 }
 
 /// Whether fragments are shaded.
@@ -135,6 +146,8 @@ pub struct PlanInput<'a> {
     pub raster: Arc<RasterState>,
     /// Whether samples are counted.
     pub counting: Counting,
+    /// Where vertices come from.
+    pub vertices: &'a [VertexBinding],
 }
 
 /// Whether somebody counts the samples of a draw.
@@ -182,7 +195,7 @@ impl DrawPlan {
     pub fn new(pipeline: &Pipeline, input: PlanInput<'_>) -> Self {
         let compiled = pipeline.compiled();
         let (desc, fragment) = (&compiled.desc, &compiled.fragment);
-        let output = |wanted: Output| fragment.outputs().iter().position(|&o| o == wanted);
+        let output = |wanted: Output| fragment.output(wanted);
 
         let mut colors = Vec::new();
         for (target, state) in desc.colors.iter().enumerate() {
@@ -246,12 +259,19 @@ impl DrawPlan {
                 PlaneSource::Sprite(at, (slot - first) as u8)
             })
         };
+        // What every vertex has alike needs no plane: it is exactly that everywhere.
+        let arrays = arrays(input.vertices);
+        let is_constant = |slot: u16| {
+            let replaced = replaced.iter().any(|&first| (first..first + 4).contains(&slot));
+            !replaced && compiled.vertex.is_constant(slot, arrays)
+        };
         for &wanted in read {
             inputs.push(match wanted {
                 Input::Varying(slot) => {
                     let at = compiled.varyings.iter().position(|&(s, _)| s == slot);
                     let (at, mode) =
                         at.map_or((0, Interpolation::Flat), |at| (at, compiled.varyings[at].1));
+                    let mode = if is_constant(slot) { Interpolation::Flat } else { mode };
                     // With one sample, it lies at the centre.
                     let centroids = &desc.fragment.module().centroids;
                     let within = samples.is_each() && centroids.contains(&slot);
@@ -278,7 +298,8 @@ impl DrawPlan {
                 }
                 Input::Slope { slot, axis } => {
                     let at = compiled.varyings.iter().position(|&(s, _)| s == slot);
-                    match at.map(|at| (at, compiled.varyings[at].1)).filter(|_| needs_slopes) {
+                    let at = at.filter(|_| needs_slopes && !is_constant(slot));
+                    match at.map(|at| (at, compiled.varyings[at].1)) {
                         Some((at, Interpolation::Smooth)) => {
                             denominator_plane = Some(plane(PlaneSource::Denominator));
                             FragmentInput::SmoothSlope(plane(smooth(slot, at)), axis)
@@ -306,7 +327,15 @@ impl DrawPlan {
         let within = |input: &FragmentInput| {
             matches!(input, FragmentInput::SmoothWithin(_) | FragmentInput::LinearWithin(_))
         };
+        let needs_lod = |slot: u32| {
+            let texture = input.textures.get(slot as usize).and_then(Option::as_ref);
+            texture.is_some_and(|texture| texture.needs_lod())
+        };
+        let alone = samples.count == 1
+            && !inputs.contains(&FragmentInput::Coverage)
+            && !fragment.reads_neighbours(needs_lod);
         Self {
+            packing: if alone { Packing::Pixels } else { Packing::Quads },
             centroids: inputs.iter().any(within),
             prepared: fragment.prepare(input.isa, input.uniforms, &input.textures),
             textures: input.textures,
@@ -430,6 +459,17 @@ impl DrawPlan {
         line("planes", format!("{} evaluated a pixel", self.planes.len()));
         text
     }
+}
+
+/// The components of attributes that vertices have for themselves.
+pub fn arrays(bindings: &[VertexBinding]) -> Sources {
+    let of = |sources: Sources, binding: &VertexBinding| match binding.source {
+        VertexSource::Constant(_) => sources,
+        VertexSource::Array { components, .. } => {
+            sources.and(Sources::attribute(binding.location, (1 << components.min(4)) - 1))
+        }
+    };
+    bindings.iter().fold(Sources::default(), of)
 }
 
 /// The first slots of the varyings that points of a draw replace, where it draws any.

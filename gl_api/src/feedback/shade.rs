@@ -104,10 +104,10 @@ pub(crate) fn shade(
             );
         }
         for lane in 0..ids.len() {
-            let outputs = program.outputs().iter().enumerate();
+            let outputs = program.outputs().enumerate();
             let value = |index: usize| machine.output(index).as_f32()[lane];
             shaded.push(Shaded {
-                outputs: outputs.map(|(index, &output)| (output, value(index))).collect(),
+                outputs: outputs.map(|(index, output)| (output, value(index))).collect(),
             });
         }
     }

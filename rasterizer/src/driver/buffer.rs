@@ -1,7 +1,7 @@
 //! Bytes for vertices and indices, shared with the draws that read them, copied only when written
 //! meanwhile.
 
-use crate::vertex::fetch;
+use crate::vertex::fetch::{self, Elements};
 use std::num::NonZeroU32;
 use std::sync::Arc;
 use texunit::lanes::{F32s, Isa};
@@ -112,14 +112,14 @@ impl VertexSource {
 
     /// A component of the attribute, 0 to 3, for each of at most 64 elements.
     pub fn component(&self, component: u8, elements: &[u32], out: &mut F32s) {
-        fetch::component(Isa::BASELINE, self, component, elements, out);
+        fetch::component(Isa::BASELINE, self, component, Elements::new(elements), out);
     }
 
     /// The attribute of one vertex of the first instance.
     pub fn read(&self, vertex: u32) -> [f32; 4] {
         let mut lanes = F32s::ZERO;
         [0, 1, 2, 3].map(|component| {
-            fetch::component(Isa::BASELINE, self, component, &[vertex], &mut lanes);
+            fetch::component(Isa::BASELINE, self, component, Elements::new(&[vertex]), &mut lanes);
             lanes[0]
         })
     }

@@ -6,10 +6,10 @@ use super::pipeline::{Pipeline, Topology};
 use crate::plan::Textures;
 use crate::pool::Pool;
 use crate::primitive::{Primitives, Setup, Shape, setup, stipple_lines};
-use crate::raster::Chunk;
+use crate::raster::{Chunk, ShapeLists};
 use crate::shader::{Machine, OverBudget, Prepared};
 use crate::target::TILE;
-use crate::vertex::{Geometry, Ids, Ordinals, Unique, VertexStage, ordinals, shade};
+use crate::vertex::{Geometry, Ids, VertexStage, Wanted, ordinals, shade};
 use rayon::prelude::*;
 use std::ops::Range;
 use std::sync::Arc;
@@ -28,6 +28,7 @@ pub struct DrawState<'a> {
     pub budget: u64,
     pub machines: &'a Pool<Machine>,
     pub geometries: &'a Pool<Geometry>,
+    pub lists: &'a Pool<ShapeLists>,
     pub pipeline: &'a Pipeline,
     pub ids: &'a Ids<'a>,
     pub primitives: Primitives,
@@ -57,9 +58,7 @@ pub struct TileRun {
 /// The shaded vertices of a run of primitives.
 struct Vertices {
     geometry: Arc<Geometry>,
-    ordinals: Ordinals,
-    wanted: Vec<u32>,
-    unique: Unique,
+    wanted: Wanted,
 }
 
 impl DrawState<'_> {
@@ -75,7 +74,7 @@ impl DrawState<'_> {
             Ids::Range(_) => None,
         };
         let starts: Vec<u32> = range.clone().step_by(CHUNK as usize).collect();
-        let shapes_of = |start: u32| -> Result<(Arc<Geometry>, Vec<Shape>), OverBudget> {
+        let shapes_of = |start: u32| -> Result<(Arc<Geometry>, ShapeLists), OverBudget> {
             let part = start..range.end.min(start + CHUNK);
             let own;
             let vertices = match &shared {
@@ -99,15 +98,15 @@ impl DrawState<'_> {
             | Topology::Polygon => false,
         };
         let draw = self.draw;
-        let chunk = |(geometry, shapes): (Arc<Geometry>, Vec<Shape>)| {
-            let (binned, runs) = sort_by_tile(&shapes);
-            (Chunk { draw, geometry, shapes, binned }, runs)
+        let chunk = |(geometry, mut lists): (Arc<Geometry>, ShapeLists)| {
+            let runs = sort_by_tile(&mut lists);
+            (Chunk { draw, geometry, lists }, runs)
         };
         if let &[start] = starts.as_slice() {
             let mut one = shapes_of(start)?;
             if is_strip {
                 let line = &self.setup.raster.line;
-                self.stipple = stipple_lines(line, &mut one.1, self.stipple);
+                self.stipple = stipple_lines(line, &mut one.1.shapes, self.stipple);
             }
             return Ok(vec![chunk(one)]);
         }
@@ -116,7 +115,8 @@ impl DrawState<'_> {
         }
         // A line's stipple begins where that of the line before ends.
         let mut all = starts.into_par_iter().map(shapes_of).collect::<Result<Vec<_>, _>>()?;
-        for (_, shapes) in &mut all {
+        for (_, lists) in &mut all {
+            let shapes = &mut lists.shapes;
             self.stipple = stipple_lines(&self.setup.raster.line, shapes, self.stipple);
         }
         Ok(all.into_iter().map(chunk).collect())
@@ -125,8 +125,7 @@ impl DrawState<'_> {
     /// Shades the vertices of a run of primitives.
     fn vertices(&self, range: &Range<u32>) -> Result<Vertices, OverBudget> {
         let ordinals = ordinals(self.pipeline.desc().topology, &self.primitives, range);
-        let wanted: Vec<u32> = ordinals.iter().map(|ordinal| self.ids.get(ordinal)).collect();
-        let unique = Unique::of(&wanted, self.ids);
+        let wanted = Wanted::new(ordinals, self.ids);
         let stage = VertexStage {
             isa: self.isa,
             budget: self.budget,
@@ -138,52 +137,55 @@ impl DrawState<'_> {
             bindings: self.bindings,
             viewport: self.setup.viewport,
             varyings: &self.slots,
-            point: &self.setup.raster.point,
+            point_size: self.setup.raster.point.source,
             edge_flag: self.setup.raster.polygon.edge_flag,
         };
-        let ids = unique.ids.as_deref().unwrap_or(&wanted);
-        let geometry = Arc::new(shade(&stage, ids, self.instance)?);
-        Ok(Vertices { geometry, ordinals, wanted, unique })
+        let geometry = Arc::new(shade(&stage, &wanted.ids, self.instance)?);
+        Ok(Vertices { geometry, wanted })
     }
 
     /// The shapes of a run of primitives.
-    fn shapes(&self, vertices: &Vertices, range: Range<u32>) -> Vec<Shape> {
-        let Vertices { geometry, ordinals, wanted, unique } = vertices;
-        let mut shapes = Vec::with_capacity(range.len());
-        let primitives = range.map(|i| self.primitives.get(i));
-        let local = |ordinal: u32| unique.local(ordinals, wanted, ordinal);
-        setup(&self.setup, geometry, primitives, local, &mut shapes);
-        shapes
+    fn shapes(&self, vertices: &Vertices, range: Range<u32>) -> ShapeLists {
+        let Vertices { geometry, wanted } = vertices;
+        let mut lists = self.lists.take();
+        lists.shapes.clear();
+        lists.shapes.reserve(range.len());
+        setup(&self.setup, geometry, (&self.primitives, range), wanted, &mut lists.shapes);
+        lists
     }
 }
 
 /// The shapes of each tile that they may touch, in order, tile after tile.
-fn sort_by_tile(shapes: &[Shape]) -> (Vec<u32>, Vec<TileRun>) {
-    let tiles_of = |shape: &Shape| {
-        let [low, high] = shape.bounds.map(|pixel| pixel.map(|v| u32::from(v) / TILE));
-        [low, high]
-    };
-    let Some(first) = shapes.first() else { return (Vec::new(), Vec::new()) };
-    let [mut low, mut high] = tiles_of(first);
-    for shape in shapes {
-        let [first, last] = tiles_of(shape);
+fn sort_by_tile(lists: &mut ShapeLists) -> Vec<TileRun> {
+    let ShapeLists { shapes, binned } = lists;
+    let tile = |pixel: u16| u32::from(pixel) / TILE;
+    let Some(first) = shapes.first() else { return Vec::new() };
+    let [mut low, mut high] = first.bounds;
+    for shape in &*shapes {
+        let [first, last] = shape.bounds;
         for axis in 0..2 {
             low[axis] = low[axis].min(first[axis]);
             high[axis] = high[axis].max(last[axis]);
         }
     }
+    let (low, high) = (low.map(tile), high.map(tile));
     let across = (high[0] - low[0] + 1) as usize;
     let up = (high[1] - low[1] + 1) as usize;
-    let indices = |shape: &Shape| {
-        let [first, last] = tiles_of(shape);
-        let row = move |y: u32| (y - low[1]) as usize * across;
-        (first[1]..=last[1])
-            .flat_map(move |y| (first[0]..=last[0]).map(move |x| row(y) + (x - low[0]) as usize))
+    let index = |x: u32, y: u32| (y - low[1]) as usize * across + (x - low[0]) as usize;
+    // The first tile of a shape, and the others if there are any.
+    let first = |shape: &Shape| {
+        let [first, last] = shape.bounds.map(|pixel| pixel.map(tile));
+        (index(first[0], first[1]), first != last)
+    };
+    let all = |shape: &Shape| {
+        let [first, last] = shape.bounds.map(|pixel| pixel.map(tile));
+        (first[1]..=last[1]).flat_map(move |y| (first[0]..=last[0]).map(move |x| index(x, y)))
     };
     let mut ends = vec![0_u32; across * up];
-    for shape in shapes {
-        for tile in indices(shape) {
-            ends[tile] += 1;
+    for shape in &*shapes {
+        match first(shape) {
+            (tile, false) => ends[tile] += 1,
+            (_, true) => all(shape).for_each(|tile| ends[tile] += 1),
         }
     }
     let mut runs = Vec::new();
@@ -197,21 +199,26 @@ fn sort_by_tile(shapes: &[Shape]) -> (Vec<u32>, Vec<TileRun>) {
         }
         *end = first;
     }
-    let mut binned = vec![0; total as usize];
-    for (shape, index) in shapes.iter().zip(0..) {
-        for tile in indices(shape) {
+    binned.clear();
+    binned.resize(total as usize, 0);
+    for (shape, number) in shapes.iter().zip(0..) {
+        let mut put = |tile: usize| {
             let at = &mut ends[tile];
-            binned[*at as usize] = index;
+            binned[*at as usize] = number;
             *at += 1;
+        };
+        match first(shape) {
+            (tile, false) => put(tile),
+            (_, true) => all(shape).for_each(put),
         }
     }
-    (binned, runs)
+    runs
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::primitive::{Facing, Kind};
+    use crate::primitive::{Facing, Kind, Part};
 
     #[test]
     fn every_tile_gets_the_shapes_that_touch_it_in_order() {
@@ -220,6 +227,7 @@ mod tests {
             bounds: [low, high],
             vertices: [0; 3],
             provoking: 0,
+            part: Part::Whole,
             kind: Kind::Triangle,
             facing: Facing::Front,
         };
@@ -229,7 +237,9 @@ mod tests {
             shape([200, 100], [201, 101]),
             shape([64, 0], [127, 63]),
         ];
-        let (binned, runs) = sort_by_tile(&shapes);
+        let mut lists = ShapeLists { shapes: shapes.to_vec(), binned: vec![7] };
+        let runs = sort_by_tile(&mut lists);
+        let binned = lists.binned;
         let by_tile: Vec<([u32; 2], &[u32])> = runs
             .iter()
             .map(|run| (run.tile, &binned[run.first as usize..run.end as usize]))
@@ -237,6 +247,6 @@ mod tests {
         let want: &[([u32; 2], &[u32])] =
             &[([0, 0], &[1]), ([1, 0], &[0, 1, 3]), ([0, 1], &[1]), ([1, 1], &[1]), ([3, 1], &[2])];
         assert_eq!(by_tile, want);
-        assert_eq!(sort_by_tile(&[]), (vec![], vec![]));
+        assert_eq!(sort_by_tile(&mut ShapeLists::default()), vec![]);
     }
 }

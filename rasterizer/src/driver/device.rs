@@ -4,7 +4,7 @@ use super::command::CommandBuffer;
 use super::threads::Threads;
 use super::{check, submit};
 use crate::pool::Pool;
-use crate::raster::Worker;
+use crate::raster::{ShapeLists, Worker};
 use crate::shader::Machine;
 use crate::vertex::Geometry;
 use parking_lot::Mutex;
@@ -105,6 +105,8 @@ pub struct Device {
     pub(crate) machines: Pool<Machine>,
     /// The memory of its results.
     pub(crate) geometries: Pool<Geometry>,
+    /// The memory of shapes.
+    pub(crate) lists: Pool<ShapeLists>,
     /// What draws tiles.
     pub(crate) workers: Pool<Worker>,
     /// The plans seen so far.
@@ -124,6 +126,7 @@ impl Device {
             threads,
             machines: Pool::default(),
             geometries: Pool::default(),
+            lists: Pool::default(),
             workers: Pool::default(),
             explained: Mutex::default(),
             kept: Mutex::default(),

@@ -12,7 +12,7 @@ use super::image::PassDesc;
 use super::pipeline::Pipeline;
 use super::raster::RasterState;
 use crate::output::{DepthFormat, texel_words};
-use crate::plan::{Counting, DrawPlan, PlanInput, Textures};
+use crate::plan::{Counting, DrawPlan, PlanInput, Textures, arrays};
 use crate::primitive::{Setup, primitives};
 use crate::raster::{
     Chunk, ClearJob, ClearTarget, DrawJob, Entry, Formats, PassJob, Spot, TileJob,
@@ -73,8 +73,11 @@ impl Bound {
             Command::SetViewport(viewport) => self.viewport = *viewport,
             Command::SetCounter(counter) => self.counter = counter.clone(),
             Command::BindVertices(bindings) => {
+                let same = arrays(bindings) == arrays(&self.vertices);
                 self.vertices = bindings.clone();
-                return;
+                if same {
+                    return;
+                }
             }
             Command::SetScissor(scissor) => {
                 self.scissor = *scissor;
@@ -314,6 +317,7 @@ impl<'a> Pass<'a> {
             budget: self.job.budget,
             machines: &self.device.machines,
             geometries: &self.device.geometries,
+            lists: &self.device.lists,
             pipeline: &pipeline,
             ids,
             primitives,
@@ -324,6 +328,7 @@ impl<'a> Pass<'a> {
             prepared: vertex,
             slots: compiled.varyings.iter().map(|&(slot, _)| slot).collect(),
             setup: Setup {
+                isa: self.job.isa,
                 viewport: self.bound.viewport,
                 cull: desc.cull,
                 front_face: desc.front_face,
@@ -374,6 +379,7 @@ impl<'a> Pass<'a> {
                     Some(_) => Counting::On,
                     None => Counting::Off,
                 },
+                vertices: &bound.vertices,
             },
         );
         self.device.explain(&|| plan.describe());
@@ -392,7 +398,7 @@ impl<'a> Pass<'a> {
                 let bin = &mut self.bins[(y * self.across + x) as usize];
                 bin.push(Entry::Shapes { chunk: index, first, end });
             }
-            self.shapes += chunk.shapes.len();
+            self.shapes += chunk.lists.shapes.len();
             self.job.chunks.push(chunk);
         }
     }
@@ -450,6 +456,7 @@ impl<'a> Pass<'a> {
         }
         // The draws stay: one of them may still be adding chunks.
         for chunk in self.job.chunks.drain(..) {
+            self.device.lists.give(chunk.lists);
             if let Some(geometry) = Arc::into_inner(chunk.geometry) {
                 self.device.geometries.give(geometry);
             }

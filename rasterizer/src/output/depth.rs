@@ -11,10 +11,14 @@ const LARGEST_16: f64 = 65535.0;
 /// The word of depth 1 in 24 bits.
 const LARGEST_24: f64 = 16_777_215.0;
 
+/// Added to what is less than 2^32, this rounds it to an integer, which is then in the lowest bits.
+const TO_INTEGER: f64 = 4_503_599_627_370_496.0;
+
 /// A depth in [0, 1] as the nearest word. `f64` holds the product exactly, so there is one rounding.
+/// (The largest words are odd, so the only depth halfway between two words is 0.5.)
 #[inline(always)]
 fn unorm(depth: f32, largest: f64) -> u32 {
-    (f64::from(depth) * largest + 0.5) as i32 as u32
+    (f64::from(depth) * largest + TO_INTEGER).to_bits() as u32
 }
 
 /// How depth is stored.

@@ -53,6 +53,7 @@ pub fn primitives(topology: Topology, provoking: Provoking, vertices: u32) -> Pr
 
 impl Primitives {
     /// The primitive `i`.
+    #[inline]
     pub fn get(&self, i: u32) -> Primitive {
         let line = |a, b| match self.provoking {
             Provoking::Last => Primitive::Line([a, b], 1),
@@ -103,6 +104,24 @@ impl Primitives {
                 // Around the quadrilateral, so that its last vertex (2i + 3) comes last.
                 quad([first + 2, first, first + 1, first + 3], i % 2)
             }
+        }
+    }
+
+    /// Which vertex provokes, where primitive `i` is the triangle of ordinals `3 i` to `3 i + 2`.
+    pub fn triples(&self) -> Option<u8> {
+        (self.topology == Topology::Triangles).then(|| self.last_or_first(2, 0))
+    }
+
+    /// Whether they are triangles.
+    pub fn are_triangles(&self) -> bool {
+        match self.topology {
+            Topology::Points | Topology::Lines | Topology::LineStrip | Topology::LineLoop => false,
+            Topology::Triangles
+            | Topology::TriangleStrip
+            | Topology::TriangleFan
+            | Topology::Quads
+            | Topology::QuadStrip
+            | Topology::Polygon => true,
         }
     }
 

@@ -6,9 +6,10 @@ mod clip;
 mod line;
 mod outline;
 mod setup;
+mod triangles;
 
 pub use assemble::{Primitives, primitives};
 pub use clip::{Corner, MAX_DISTANCES};
 pub use line::LineRun;
 pub use outline::{rectangle, stipple_lines};
-pub use setup::{Facing, Kind, SUBPIXEL, Setup, Shape, setup};
+pub use setup::{Facing, Kind, Part, SUBPIXEL, Setup, Shape, setup};

@@ -3,18 +3,17 @@
 
 use super::clip::clip;
 use super::line::LineRun;
-use super::setup::{EdgeFlags, Facing, Kind, SUBPIXEL, Scratch, Setup, Shape, bounds, snap};
+use super::setup::{EdgeFlags, Facing, Kind, Part, SUBPIXEL, Scratch, Setup, Shape, bounds, snap};
 use crate::driver::{LineState, MAX_POINT_SIZE, PointState, PolygonMode, Rim};
 use crate::raster::depth_offset;
 use crate::vertex::{Geometry, Outcode};
 
-/// A triangle that is drawn as lines or points.
+/// A triangle that may be drawn as lines or points.
 pub(super) struct Outline {
     pub vertices: [u32; 3],
     pub provoking: u8,
     /// Which edges are edges of its polygon, bit by their first vertex.
     pub edges: u8,
-    pub facing: Facing,
 }
 
 /// A line of a primitive.
@@ -33,10 +32,11 @@ impl Setup<'_> {
         &self,
         geometry: &Geometry,
         outline: &Outline,
+        facing: Facing,
         scratch: &mut Scratch,
         out: &mut Vec<Shape>,
     ) {
-        let &Outline { vertices, provoking, edges, facing } = outline;
+        let &Outline { vertices, provoking, edges } = outline;
         let polygon = &self.raster.polygon;
         let mode = polygon.mode[facing as usize];
         let bias = polygon.offset[mode as usize].map_or(0.0, |offset| {
@@ -75,16 +75,16 @@ impl Setup<'_> {
         out: &mut Vec<Shape>,
     ) {
         let ends = [line.vertices[0], line.vertices[1]];
-        let [a, b] = ends.map(|v| &geometry.vertices[v as usize]);
-        let (any, every) = (a.outcode.0 | b.outcode.0, a.outcode.0 & b.outcode.0);
+        let [a, b] = ends.map(|v| geometry.outcode(v).0);
+        let (any, every) = (a | b, a & b);
         if every & Outcode::REJECT != 0 || any & Outcode::INVALID != 0 {
             return;
         }
-        let mut corners = [a.snapped, b.snapped];
+        let mut corners = ends.map(|v| geometry.snapped[v as usize]);
         if any & Outcode::CUT != 0 {
             scratch.polygon.clear();
             scratch.polygon.extend(ends.map(|v| geometry.corner(v)));
-            clip(&mut scratch.polygon, &mut scratch.other, &scratch.planes, a.user | b.user);
+            clip(&mut scratch.polygon, &mut scratch.other, &scratch.planes, Outcode(any).user());
             let &[a, b] = scratch.polygon.as_slice() else { return };
             corners = [a, b].map(|p| snap(self.viewport.window(&p.clip)));
         }
@@ -94,6 +94,7 @@ impl Setup<'_> {
             bounds,
             vertices: line.vertices,
             provoking: line.provoking,
+            part: Part::Whole,
             kind: Kind::Line { stipple: 0, bias: line.bias },
             facing: line.facing,
         });
@@ -154,14 +155,13 @@ impl Setup<'_> {
         bias: f32,
         out: &mut Vec<Shape>,
     ) {
-        let shaded = &geometry.vertices[vertex as usize];
         let dropped = Outcode::REJECT | Outcode::INVALID | Outcode::GUARD | Outcode::USER;
-        if shaded.outcode.0 & dropped != 0 {
+        if geometry.outcode(vertex).0 & dropped != 0 {
             return;
         }
         let state = &self.raster.point;
-        let size = drawn_size(state, shaded.point_size);
-        let low = point_corner(state, shaded.window, size);
+        let size = drawn_size(state, geometry.point_size(vertex).unwrap_or(state.size));
+        let low = point_corner(state, geometry.window(&self.viewport, vertex), size);
         let high = low.map(|v| v + f64::from(size));
         // A smooth disc touches pixels beyond the subpixel that its square ends in.
         let rim = if state.sprite.is_some() { Rim::Aliased } else { state.rim };
@@ -174,10 +174,11 @@ impl Setup<'_> {
         };
         let Some(bounds) = bounds(&corners, rim, &self.area) else { return };
         out.push(Shape {
-            corners: [shaded.snapped; 3],
+            corners: [geometry.snapped[vertex as usize]; 3],
             bounds,
             vertices: [vertex; 3],
             provoking: 0,
+            part: Part::Whole,
             kind: Kind::Point { size, bias },
             facing,
         });

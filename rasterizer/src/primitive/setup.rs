@@ -1,9 +1,13 @@
 //! From a primitive to shapes on the subpixel grid, culled.
 
-use super::assemble::Primitive;
+use super::assemble::{Primitive, Primitives};
 use super::clip::{Corner, clip, planes};
+use super::outline::{Line, Outline};
+use super::triangles::Triangles;
 use crate::driver::{Cull, FrontFace, PolygonMode, RasterState, Rim, Viewport};
-use crate::vertex::{Geometry, Outcode};
+use crate::vertex::{Geometry, Outcode, Wanted};
+use std::ops::Range;
+use texunit::lanes::{Isa, LANES};
 
 /// Subpixels of a pixel along an axis (`GL_SUBPIXEL_BITS` = 8).
 pub const SUBPIXEL: i32 = 256;
@@ -39,6 +43,15 @@ pub enum Kind {
     },
 }
 
+/// Whether clipping has cut a primitive.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// It is as its vertices say.
+    Whole,
+    /// Its corners are not its vertices.
+    Cut,
+}
+
 /// Something to be filled, and where its values come from.
 #[derive(Clone, Copy, Debug)]
 pub struct Shape {
@@ -51,6 +64,8 @@ pub struct Shape {
     pub vertices: [u32; 3],
     /// Which of `vertices` gives flat varyings.
     pub provoking: u8,
+    /// Whether it is all of the primitive.
+    pub part: Part,
     /// What it is.
     pub kind: Kind,
     /// Which side is seen.
@@ -69,6 +84,8 @@ pub enum EdgeFlags {
 /// What is fixed for the primitives of a draw.
 #[derive(Clone, Copy, Debug)]
 pub struct Setup<'a> {
+    /// The instruction set.
+    pub isa: Isa,
     /// Where the window is.
     pub viewport: Viewport,
     /// Which faces are not drawn.
@@ -98,51 +115,37 @@ pub(super) struct Scratch {
     pub planes: [[f64; 4]; 7],
 }
 
-/// Puts the shapes of `primitives` behind `out`. `local` gives the vertex of the geometry for an
-/// ordinal of the draw.
+/// Puts the shapes of a range of primitives behind `out`. `wanted` knows where in the geometry the
+/// vertices are.
 pub fn setup(
     setup: &Setup<'_>,
     geometry: &Geometry,
-    primitives: impl Iterator<Item = Primitive>,
-    local: impl Fn(u32) -> u32,
+    (primitives, range): (&Primitives, Range<u32>),
+    wanted: &Wanted,
     out: &mut Vec<Shape>,
 ) {
     let mut scratch = Scratch { planes: planes(&setup.viewport), ..Scratch::default() };
     let filled = setup.raster.polygon.mode == [PolygonMode::Fill; 2];
-    for primitive in primitives {
+    if primitives.are_triangles() && filled {
+        let mut batch = Triangles::default();
+        for first in range.clone().step_by(LANES) {
+            let part = first..range.end.min(first + LANES as u32);
+            batch.load(primitives, part.clone(), wanted);
+            batch.setup(setup, geometry, part.len(), &mut scratch, out);
+        }
+        return;
+    }
+    let local = |ordinal: u32| wanted.local(ordinal);
+    for primitive in range.map(|i| primitives.get(i)) {
         match primitive {
             Primitive::Triangle(v, provoking, edges) => {
-                let vertices = v.map(&local);
-                let shaded = vertices.map(|v| &geometry.vertices[v as usize]);
-                let all = shaded.map(|v| v.outcode.0);
-                let (any, every) = (all[0] | all[1] | all[2], all[0] & all[1] & all[2]);
-                if every & Outcode::REJECT != 0 || any & Outcode::INVALID != 0 {
-                    continue;
-                }
-                let triangle;
-                let corners = if any & Outcode::CUT == 0 {
-                    triangle = shaded.map(|v| v.snapped);
-                    &triangle
-                } else {
-                    setup.cut(geometry, vertices, &mut scratch);
-                    scratch.snapped.as_slice()
-                };
-                let Some((area, facing)) = setup.facing(corners) else { continue };
-                if filled || setup.raster.polygon.mode[facing as usize] == PolygonMode::Fill {
-                    setup.fill(corners, area, vertices, provoking, facing, out);
-                } else {
-                    let outline = super::outline::Outline { vertices, provoking, edges, facing };
-                    setup.outline(geometry, &outline, &mut scratch, out);
-                }
+                let triangle = Outline { vertices: v.map(local), provoking, edges };
+                setup.triangle(geometry, &triangle, &mut scratch, out);
             }
             Primitive::Line(v, provoking) => {
-                let [a, b] = v.map(&local);
-                let line = super::outline::Line {
-                    vertices: [a, b, b],
-                    provoking,
-                    facing: Facing::Front,
-                    bias: 0.0,
-                };
+                let [a, b] = v.map(local);
+                let line =
+                    Line { vertices: [a, b, b], provoking, facing: Facing::Front, bias: 0.0 };
                 setup.line(geometry, &line, &mut scratch, out);
             }
             Primitive::Point(v) => {
@@ -153,12 +156,56 @@ pub fn setup(
 }
 
 impl Setup<'_> {
+    /// A triangle, whichever way it is drawn.
+    pub(super) fn triangle(
+        &self,
+        geometry: &Geometry,
+        triangle: &Outline,
+        scratch: &mut Scratch,
+        out: &mut Vec<Shape>,
+    ) {
+        let Outline { vertices, provoking, .. } = *triangle;
+        let all = vertices.map(|v| geometry.outcode(v).0);
+        let (any, every) = (all[0] | all[1] | all[2], all[0] & all[1] & all[2]);
+        if every & Outcode::REJECT != 0 || any & Outcode::INVALID != 0 {
+            return;
+        }
+        let whole;
+        let (corners, part) = if any & Outcode::CUT == 0 {
+            whole = vertices.map(|v| geometry.snapped[v as usize]);
+            (whole.as_slice(), Part::Whole)
+        } else {
+            self.cut(geometry, vertices, Outcode(any), scratch);
+            (scratch.snapped.as_slice(), Part::Cut)
+        };
+        let Some((area, facing)) = self.facing(corners) else { return };
+        if self.raster.polygon.mode[facing as usize] == PolygonMode::Fill {
+            let shape = Shape {
+                corners: [[0; 2]; 3],
+                bounds: [[0; 2]; 2],
+                vertices,
+                provoking,
+                part,
+                kind: Kind::Triangle,
+                facing,
+            };
+            self.fill(corners, area, shape, out);
+        } else {
+            self.outline(geometry, triangle, facing, scratch, out);
+        }
+    }
+
     /// What clipping leaves of a triangle, as a convex polygon in `scratch.snapped`.
-    fn cut(&self, geometry: &Geometry, vertices: [u32; 3], scratch: &mut Scratch) {
+    fn cut(
+        &self,
+        geometry: &Geometry,
+        vertices: [u32; 3],
+        outcode: Outcode,
+        scratch: &mut Scratch,
+    ) {
         scratch.polygon.clear();
         scratch.polygon.extend(vertices.map(|v| geometry.corner(v)));
-        let user = vertices.iter().fold(0, |all, &v| all | geometry.vertices[v as usize].user);
-        clip(&mut scratch.polygon, &mut scratch.other, &scratch.planes, user);
+        clip(&mut scratch.polygon, &mut scratch.other, &scratch.planes, outcode.user());
         scratch.snapped.clear();
         let snapped = scratch.polygon.iter().map(|p| snap(self.viewport.window(&p.clip)));
         scratch.snapped.extend(snapped);
@@ -189,16 +236,8 @@ impl Setup<'_> {
         Some((area, if front { Facing::Front } else { Facing::Back }))
     }
 
-    /// A convex polygon of this area as triangles.
-    fn fill(
-        &self,
-        corners: &[[i32; 2]],
-        area: i64,
-        vertices: [u32; 3],
-        provoking: u8,
-        facing: Facing,
-        out: &mut Vec<Shape>,
-    ) {
+    /// A convex polygon of this area as triangles, in all else like `shape`.
+    fn fill(&self, corners: &[[i32; 2]], area: i64, shape: Shape, out: &mut Vec<Shape>) {
         if area == 0 {
             return;
         }
@@ -213,8 +252,7 @@ impl Setup<'_> {
                 continue;
             }
             if let Some(bounds) = bounds(&corners, self.raster.polygon.rim, &self.inner) {
-                let kind = Kind::Triangle;
-                out.push(Shape { corners, bounds, vertices, provoking, kind, facing });
+                out.push(Shape { corners, bounds, ..shape });
             }
         }
     }

@@ -76,7 +76,7 @@ impl Cover {
             }
             Kind::Point { size, .. } => match (raster.point.rim, &raster.point.sprite) {
                 (Rim::Smooth, None) => {
-                    let window = geometry.vertices[shape.vertices[0] as usize].window;
+                    let window = geometry.window(&plan.viewport, shape.vertices[0]);
                     Self::Disc(window, f64::from(size) * 0.5)
                 }
                 (Rim::Aliased, _) | (Rim::Smooth, Some(_)) => Self::Box,
@@ -102,7 +102,7 @@ impl Cover {
             }
             Kind::Point { .. } if plan.raster.point.sprite.is_some() => Self::Box,
             Kind::Point { size, .. } => {
-                let window = geometry.vertices[shape.vertices[0] as usize].window;
+                let window = geometry.window(&plan.viewport, shape.vertices[0]);
                 let by = place.map(|v| f64::from(v) / f64::from(SUBPIXEL));
                 let center = [window[0] - by[0], window[1] - by[1]];
                 Self::DiscSample(center, f64::from(size) * 0.5)

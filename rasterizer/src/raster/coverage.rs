@@ -84,42 +84,36 @@ impl Kernel for Inside {
     }
 }
 
-/// Column of each quad's first pixel.
-const QUAD_X: [i32; QUADS] = [0, 2, 4, 6, 0, 2, 4, 6, 0, 2, 4, 6, 0, 2, 4, 6];
-/// Row of each quad's first pixel.
-const QUAD_Y: [i32; QUADS] = [0, 0, 0, 0, 2, 2, 2, 2, 4, 4, 4, 4, 6, 6, 6, 6];
+/// Column of each lane.
+const COLUMN: [i32; LANES] = coordinates(0);
+/// Row of each lane.
+const ROW: [i32; LANES] = coordinates(1);
+
+const fn coordinates(axis: usize) -> [i32; LANES] {
+    let mut table = [0; LANES];
+    let mut lane = 0;
+    while lane < LANES {
+        table[lane] = [lane_x(lane), lane_y(lane)][axis] as i32;
+        lane += 1;
+    }
+    table
+}
 
 /// The lanes of 8×8 pixels where none of three edge functions is negative, given their values at
 /// the first pixel and their steps.
 #[inline(always)]
-pub fn inside<S: Simd>(edges: [(i32, i32, i32); 3]) -> u64 {
-    let [(_, x0, y0), (_, x1, y1), (_, x2, y2)] = edges;
-    // Of each quad's first pixel.
-    let mut first = [[0_i32; QUADS]; 3];
-    for (first, (e, x, y)) in first.iter_mut().zip(edges) {
-        for q in 0..QUADS {
-            let along = QUAD_X[q].wrapping_mul(x).wrapping_add(QUAD_Y[q].wrapping_mul(y));
-            first[q] = e.wrapping_add(along);
-        }
-    }
+fn inside<S: Simd>(edges: [(i32, i32, i32); 3]) -> u64 {
+    let [(e0, x0, y0), (e1, x1, y1), (e2, x2, y2)] = edges;
     let mut outside = U32s::ZERO;
-    let [a, b, c, d] = bytemuck::cast_mut::<_, [[u32; QUADS]; 4]>(&mut outside.0);
-    signs(&first, [0, 0, 0], a);
-    signs(&first, [x0, x1, x2], b);
-    signs(&first, [y0, y1, y2], c);
-    signs(&first, [x0.wrapping_add(y0), x1.wrapping_add(y1), x2.wrapping_add(y2)], d);
-    !S::nonzero(&outside)
-}
-
-/// Of one pixel of each quad, the sign bit that is set if any of the three has it.
-#[inline(always)]
-fn signs(first: &[[i32; QUADS]; 3], step: [i32; 3], out: &mut [u32; QUADS]) {
-    for q in 0..QUADS {
-        let least = first[0][q].wrapping_add(step[0])
-            | first[1][q].wrapping_add(step[1])
-            | first[2][q].wrapping_add(step[2]);
-        out[q] = least as u32 & 1 << 31;
+    for lane in 0..LANES {
+        let at = |e: i32, x: i32, y: i32| {
+            let across = x.wrapping_mul(COLUMN[lane]);
+            e.wrapping_add(across).wrapping_add(y.wrapping_mul(ROW[lane]))
+        };
+        // The sign bit is set if any of the three has it.
+        outside[lane] = (at(e0, x0, y0) | at(e1, x1, y1) | at(e2, x2, y2)) as u32 & 1 << 31;
     }
+    !S::nonzero(&outside)
 }
 
 /// The lane of column `x`, row `y` of a block.

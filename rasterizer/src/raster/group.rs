@@ -2,9 +2,11 @@
 //! [`super::interpolate`], in the same order, over lanes of triangles.
 
 use super::interpolate::{PlaneSetup, PlaneSource, Planes};
-use crate::primitive::{Kind, SUBPIXEL, Shape};
-use crate::vertex::{Geometry, Outcode};
-use texunit::lanes::{Isa, Kernel, LANES, Simd};
+use super::lanes::ShapeLanes;
+use super::small::Windows;
+use crate::primitive::{SUBPIXEL, Shape};
+use crate::vertex::{Geometry, VARYINGS};
+use texunit::lanes::{F32s, Isa, Kernel, LANES, Simd, U32s};
 
 /// A value of each of 64 shapes.
 type F64s = [f64; LANES];
@@ -21,8 +23,21 @@ const ZERO: F64s = [0.0; LANES];
 pub struct PlaneGroup {
     /// In the order of [`PlaneSetup::sources`].
     planes: Vec<PlaneLanes>,
+    /// The same planes in the blocks of the shapes' windows.
+    windows: Vec<WindowPlane>,
     single: Planes,
     lanes: Box<Lanes>,
+}
+
+/// A plane of each shape in the blocks that its window reaches into.
+#[derive(Clone, Debug)]
+struct WindowPlane {
+    /// At the first pixel of the window's first block, the one on its right, and those above.
+    corners: [F32s; 4],
+    /// Per pixel across.
+    a: F32s,
+    /// Per pixel up.
+    b: F32s,
 }
 
 /// What the kernels read and write.
@@ -30,7 +45,6 @@ pub struct PlaneGroup {
 struct Lanes {
     /// x, y and w in clip coordinates of each vertex.
     clip: [[F64s; 3]; 3],
-    window: [[F64s; 2]; 3],
     origin: [F64s; 2],
     /// The values that a plane interpolates, by vertex.
     values: [F64s; 3],
@@ -52,7 +66,6 @@ impl Default for Lanes {
         const PLANE: PlaneLanes = [ZERO; 3];
         Self {
             clip: [[ZERO; 3]; 3],
-            window: [[ZERO; 2]; 3],
             origin: [ZERO; 2],
             values: [ZERO; 3],
             rows: Rows { projective: [PLANE; 3], smooth: [PLANE; 3], denominator: PLANE },
@@ -64,24 +77,34 @@ impl Default for Lanes {
 impl PlaneGroup {
     /// The value of each plane at the centre of pixel `(x, y)` and its steps, of the shape `lane`.
     #[inline]
-    pub fn at(&self, lane: usize, x: i32, y: i32, out: &mut Vec<[f32; 3]>) {
+    pub fn at(&self, lane: usize, x: i32, y: i32, out: &mut [[f32; 3]]) {
         let lane = lane % LANES;
         let dx = f64::from(x) + 0.5 - self.lanes.origin[0][lane];
         let dy = f64::from(y) + 0.5 - self.lanes.origin[1][lane];
-        out.clear();
-        out.extend(self.planes.iter().map(|plane| {
+        for (out, plane) in out.iter_mut().zip(&self.planes) {
             let (a, b, c) = (plane[0][lane], plane[1][lane], plane[2][lane]);
-            [((dx * a + dy * b) + c) as f32, a as f32, b as f32]
-        }));
+            *out = [((dx * a + dy * b) + c) as f32, a as f32, b as f32];
+        }
     }
 
-    /// Computes the planes of `shapes`, at most 64.
+    /// As [`Self::at`], of the first pixel of one of the four blocks that the window of the shape
+    /// `lane` may reach into: bit 0 of `block` is set for those on the right, bit 1 for the upper.
+    #[inline]
+    pub fn in_window(&self, lane: usize, block: usize) -> impl Iterator<Item = [f32; 3]> {
+        let (lane, block) = (lane % LANES, block % 4);
+        self.windows
+            .iter()
+            .map(move |plane| [plane.corners[block][lane], plane.a[lane], plane.b[lane]])
+    }
+
+    /// Computes the planes of `shapes`, which `lanes` holds.
     pub fn compute<'a>(
         &mut self,
         isa: Isa,
         setup: &PlaneSetup<'_>,
         geometry: &Geometry,
-        shapes: impl ExactSizeIterator<Item = &'a Shape> + Clone,
+        lanes: &ShapeLanes,
+        shapes: impl Iterator<Item = &'a Shape>,
     ) {
         self.planes.resize(setup.sources.len(), [ZERO; 3]);
         let plain = setup.offset.is_none()
@@ -95,12 +118,18 @@ impl PlaneGroup {
                 | PlaneSource::PointCoord(_)
                 | PlaneSource::Sprite(..) => false,
             });
-        let together = plain && shapes.len() >= WORTH_IT;
-        if together {
-            self.together(isa, setup, geometry, shapes.clone());
+        let mut general = !0;
+        if plain && lanes.len >= WORTH_IT {
+            let (planes, out) = (&mut self.planes, &mut *self.lanes);
+            general = isa.run(Together { setup, geometry, shapes: lanes, lanes: out, planes });
+            // The planes of a cut triangle are those of thick ones, whatever it looks like.
+            general |= !lanes.whole;
+        }
+        if general & !0 >> (LANES - lanes.len.clamp(1, LANES)) == 0 {
+            return;
         }
         for (lane, shape) in shapes.enumerate().take(LANES) {
-            if together && self.lanes.general[lane] == 0 {
+            if general >> lane & 1 == 0 {
                 continue;
             }
             self.single.compute(setup, geometry, shape);
@@ -113,137 +142,149 @@ impl PlaneGroup {
         }
     }
 
-    fn together<'a>(
-        &mut self,
-        isa: Isa,
-        setup: &PlaneSetup<'_>,
-        geometry: &Geometry,
-        shapes: impl Iterator<Item = &'a Shape> + Clone,
-    ) {
-        let lanes = &mut *self.lanes;
-        for (lane, shape) in shapes.clone().enumerate().take(LANES) {
-            for axis in 0..2 {
-                let origin = f64::from(shape.corners[0][axis]) / f64::from(SUBPIXEL);
+    /// Evaluates the planes in the blocks of windows of the tile whose first pixel is `tile`.
+    pub fn enter(&mut self, isa: Isa, tile: [i32; 2], windows: &Windows) {
+        const NONE: WindowPlane =
+            WindowPlane { corners: [F32s::ZERO; 4], a: F32s::ZERO, b: F32s::ZERO };
+        self.windows.resize(self.planes.len(), NONE);
+        let Self { planes, windows: out, lanes, .. } = self;
+        isa.run(Enter { tile, windows, origin: &lanes.origin, planes, out });
+    }
+}
+
+/// The planes of 64 shapes; gives the lanes that the general computation must do.
+struct Together<'a> {
+    setup: &'a PlaneSetup<'a>,
+    geometry: &'a Geometry,
+    shapes: &'a ShapeLanes,
+    lanes: &'a mut Lanes,
+    planes: &'a mut [PlaneLanes],
+}
+
+impl Kernel for Together<'_> {
+    type Output = u64;
+    #[inline(always)]
+    fn run<S: Simd>(self) -> u64 {
+        let Self { setup, geometry, shapes, lanes, planes } = self;
+        for axis in 0..2 {
+            for lane in 0..LANES {
+                let origin = f64::from(shapes.corners[0][axis][lane]) / f64::from(SUBPIXEL);
                 lanes.origin[axis][lane] = origin;
             }
-            let mut any = 0;
-            for (k, &v) in shape.vertices.iter().enumerate() {
-                let vertex = &geometry.vertices[v as usize];
-                any |= vertex.outcode.0;
-                for (part, component) in [0, 1, 3].into_iter().enumerate() {
-                    lanes.clip[k][part][lane] = vertex.clip[component].into();
-                }
-                for axis in 0..2 {
-                    lanes.window[k][axis][lane] = vertex.window[axis];
-                }
-            }
-            // The planes of a cut triangle are those of thick ones, whatever it looks like.
-            let general = shape.kind != Kind::Triangle || any & Outcode::CUT != 0;
-            lanes.general[lane] = u64::from(general);
         }
-        let (half, center) = (setup.viewport.half(), setup.viewport.center());
-        isa.run(ComputeRows { lanes, half, center });
-        for (source, out) in setup.sources.iter().zip(&mut self.planes) {
-            let Lanes { rows, values, general, .. } = lanes;
+        lanes.general = [0; LANES];
+        for (part, component) in [0, 1, 3].into_iter().enumerate() {
+            let [a, b, c] = &mut lanes.clip;
+            let out = [&mut a[part], &mut b[part], &mut c[part]];
+            gather::<S>(geometry, shapes, component, out);
+        }
+        rows(lanes, setup.viewport.half(), setup.viewport.center());
+        for (source, out) in setup.sources.iter().zip(planes) {
             match *source {
-                PlaneSource::Denominator => *out = rows.denominator,
+                PlaneSource::Denominator => *out = lanes.rows.denominator,
                 PlaneSource::Flat(at) => {
-                    *out = [ZERO; 3];
-                    for (lane, shape) in shapes.clone().enumerate().take(LANES) {
-                        let vertex = shape.vertices[usize::from(shape.provoking)];
-                        out[2][lane] = geometry.varyings_of(vertex)[at].into();
+                    let offsets = offsets(geometry, &shapes.provoking, VARYINGS + at);
+                    let values = S::gather_f32(&geometry.values, &offsets);
+                    let [a, b, c] = out;
+                    (*a, *b) = (ZERO, ZERO);
+                    for lane in 0..LANES {
+                        c[lane] = values[lane].into();
                     }
                 }
                 PlaneSource::Depth => {
-                    gather(values, shapes.clone(), |v| geometry.vertices[v as usize].clip[2]);
+                    gather::<S>(geometry, shapes, 2, lanes.values.each_mut());
+                    sum(&lanes.rows.projective, &lanes.values, out, &mut lanes.general);
                     let (near, far) =
                         (f64::from(setup.viewport.near), f64::from(setup.viewport.far));
-                    isa.run(Sum { rows: &rows.projective, values, out, general });
-                    isa.run(ToDepth { scale: (far - near) * 0.5, add: (near + far) * 0.5, out });
+                    to_depth(out, (far - near) * 0.5, (near + far) * 0.5);
                 }
                 PlaneSource::Smooth(at)
                 | PlaneSource::NoPerspective(at)
                 | PlaneSource::Sprite(at, _) => {
-                    let stride = geometry.stride;
-                    gather(values, shapes.clone(), |v| geometry.varyings[v as usize * stride + at]);
-                    isa.run(Sum { rows: &rows.smooth, values, out, general });
+                    gather::<S>(geometry, shapes, VARYINGS + at, lanes.values.each_mut());
+                    sum(&lanes.rows.smooth, &lanes.values, out, &mut lanes.general);
                 }
                 PlaneSource::InverseW | PlaneSource::PointCoord(_) => {}
             }
         }
+        let mut general = U32s::ZERO;
+        for lane in 0..LANES {
+            general[lane] = u32::from(lanes.general[lane] != 0);
+        }
+        S::nonzero(&general)
     }
 }
 
+/// Where a value of some vertices is.
+#[inline(always)]
+fn offsets(geometry: &Geometry, vertices: &U32s, at: usize) -> U32s {
+    let (stride, at) = (geometry.stride as u32, at as u32);
+    let mut offsets = U32s::ZERO;
+    for lane in 0..LANES {
+        offsets[lane] = vertices[lane].wrapping_mul(stride).wrapping_add(at);
+    }
+    offsets
+}
+
 /// A value of the three vertices of each shape.
-#[inline]
-fn gather<'a>(
-    values: &mut [F64s; 3],
-    shapes: impl Iterator<Item = &'a Shape>,
-    value: impl Fn(u32) -> f32,
-) {
-    for (lane, shape) in shapes.enumerate().take(LANES) {
-        for (values, &vertex) in values.iter_mut().zip(&shape.vertices) {
-            values[lane] = value(vertex).into();
+#[inline(always)]
+fn gather<S: Simd>(geometry: &Geometry, shapes: &ShapeLanes, at: usize, out: [&mut F64s; 3]) {
+    for (vertices, out) in shapes.vertices.iter().zip(out) {
+        let values = S::gather_f32(&geometry.values, &offsets(geometry, vertices, at));
+        for lane in 0..LANES {
+            out[lane] = values[lane].into();
         }
     }
 }
 
 /// `interpolate::Rows::new` of triangles. Those that are too thin are left to the general
 /// computation.
-struct ComputeRows<'a> {
-    lanes: &'a mut Lanes,
-    half: [f64; 2],
-    center: [f64; 2],
-}
-
-impl Kernel for ComputeRows<'_> {
-    type Output = ();
-    #[inline(always)]
-    fn run<S: Simd>(self) {
-        let Self { lanes: Lanes { clip, window, origin, rows, general, .. }, half, center } = self;
-        let Rows { projective, smooth, denominator } = rows;
-        for lane in 0..LANES {
-            let p = |k: usize| {
-                let (x, y, w) = (clip[k][0][lane], clip[k][1][lane], clip[k][2][lane]);
-                [
-                    x * half[0] + w * (center[0] - origin[0][lane]),
-                    y * half[1] + w * (center[1] - origin[1][lane]),
-                    w,
-                ]
-            };
-            let (p0, p1, p2) = (p(0), p(1), p(2));
-            let (r0, r1, r2) = (cross(p1, p2), cross(p2, p0), cross(p0, p1));
-            let determinant = p0[0] * r0[0] + p0[1] * r0[1] + p0[2] * r0[2];
-            let same = (p0[2] == p1[2]) & (p0[2] == p2[2]);
-            for part in 0..3 {
-                let row = [r0[part] / determinant, r1[part] / determinant, r2[part] / determinant];
-                projective[0][part][lane] = row[0];
-                projective[1][part][lane] = row[1];
-                projective[2][part][lane] = row[2];
-                let sum = row[0] * 1.0 + row[1] * 1.0 + row[2] * 1.0;
-                let one = if part == 2 { 1.0 } else { 0.0 };
-                denominator[part][lane] = if same { one } else { sum };
-                smooth[0][part][lane] = if same { row[0] * p0[2] } else { row[0] };
-                smooth[1][part][lane] = if same { row[1] * p1[2] } else { row[1] };
-                smooth[2][part][lane] = if same { row[2] * p2[2] } else { row[2] };
-            }
+#[inline(always)]
+fn rows(lanes: &mut Lanes, half: [f64; 2], center: [f64; 2]) {
+    let Lanes { clip, origin, rows, general, .. } = lanes;
+    let Rows { projective, smooth, denominator } = rows;
+    for lane in 0..LANES {
+        let p = |k: usize| {
+            let (x, y, w) = (clip[k][0][lane], clip[k][1][lane], clip[k][2][lane]);
+            [
+                x * half[0] + w * (center[0] - origin[0][lane]),
+                y * half[1] + w * (center[1] - origin[1][lane]),
+                w,
+            ]
+        };
+        let (p0, p1, p2) = (p(0), p(1), p(2));
+        let (r0, r1, r2) = (cross(p1, p2), cross(p2, p0), cross(p0, p1));
+        let determinant = p0[0] * r0[0] + p0[1] * r0[1] + p0[2] * r0[2];
+        let same = (p0[2] == p1[2]) & (p0[2] == p2[2]);
+        for part in 0..3 {
+            let row = [r0[part] / determinant, r1[part] / determinant, r2[part] / determinant];
+            projective[0][part][lane] = row[0];
+            projective[1][part][lane] = row[1];
+            projective[2][part][lane] = row[2];
+            let sum = row[0] * 1.0 + row[1] * 1.0 + row[2] * 1.0;
+            let one = if part == 2 { 1.0 } else { 0.0 };
+            denominator[part][lane] = if same { one } else { sum };
+            smooth[0][part][lane] = if same { row[0] * p0[2] } else { row[0] };
+            smooth[1][part][lane] = if same { row[1] * p1[2] } else { row[1] };
+            smooth[2][part][lane] = if same { row[2] * p2[2] } else { row[2] };
         }
-        for lane in 0..LANES {
-            let side =
-                |a: usize, b: usize, axis: usize| window[b][axis][lane] - window[a][axis][lane];
-            let (s, t, u) = (
-                [side(0, 1, 0), side(0, 1, 1)],
-                [side(0, 2, 0), side(0, 2, 1)],
-                [side(1, 2, 0), side(1, 2, 1)],
-            );
-            let doubled_area = (s[0] * t[1] - t[0] * s[1]).abs();
-            let square = |e: [f64; 2]| e[0] * e[0] + e[1] * e[1];
-            let (s, t, u) = (square(s), square(t), square(u));
-            let longest = if s > t { s } else { t };
-            let longest = if longest > u { longest } else { u };
-            let thick = doubled_area * doubled_area >= longest / 64.0;
-            general[lane] |= u64::from(!thick);
-        }
+    }
+    for lane in 0..LANES {
+        // As `Viewport::window` has it.
+        let window = |k: usize| {
+            let (x, y, w) = (clip[k][0][lane], clip[k][1][lane], clip[k][2][lane]);
+            [x / w * half[0] + center[0], y / w * half[1] + center[1]]
+        };
+        let (a, b, c) = (window(0), window(1), window(2));
+        let side = |from: [f64; 2], to: [f64; 2]| [to[0] - from[0], to[1] - from[1]];
+        let (s, t, u) = (side(a, b), side(a, c), side(b, c));
+        let doubled_area = (s[0] * t[1] - t[0] * s[1]).abs();
+        let square = |e: [f64; 2]| e[0] * e[0] + e[1] * e[1];
+        let (s, t, u) = (square(s), square(t), square(u));
+        let longest = if s > t { s } else { t };
+        let longest = if longest > u { longest } else { u };
+        let thick = doubled_area * doubled_area >= longest / 64.0;
+        general[lane] |= u64::from(!thick);
     }
 }
 
@@ -253,49 +294,75 @@ fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
 }
 
 /// `Plane::sum`; marks the lanes whose planes are not finite.
-struct Sum<'a> {
-    rows: &'a [PlaneLanes; 3],
-    values: &'a [F64s; 3],
-    out: &'a mut PlaneLanes,
-    general: &'a mut [u64; LANES],
-}
-
-impl Kernel for Sum<'_> {
-    type Output = ();
-    #[inline(always)]
-    fn run<S: Simd>(self) {
-        let Self { rows, values, out, general } = self;
-        for part in 0..3 {
-            for lane in 0..LANES {
-                let sum = rows[0][part][lane] * values[0][lane]
-                    + rows[1][part][lane] * values[1][lane]
-                    + rows[2][part][lane] * values[2][lane];
-                out[part][lane] = sum;
-                general[lane] |= u64::from(!sum.is_finite());
-            }
+#[inline(always)]
+fn sum(
+    rows: &[PlaneLanes; 3],
+    values: &[F64s; 3],
+    out: &mut PlaneLanes,
+    general: &mut [u64; LANES],
+) {
+    for part in 0..3 {
+        for lane in 0..LANES {
+            let sum = rows[0][part][lane] * values[0][lane]
+                + rows[1][part][lane] * values[1][lane]
+                + rows[2][part][lane] * values[2][lane];
+            out[part][lane] = sum;
+            general[lane] |= u64::from(!sum.is_finite());
         }
     }
 }
 
 /// From normalized device coordinates to the depth range (GL 2.1, section 2.11.1).
-struct ToDepth<'a> {
-    scale: f64,
-    add: f64,
-    out: &'a mut PlaneLanes,
+#[inline(always)]
+fn to_depth(plane: &mut PlaneLanes, scale: f64, add: f64) {
+    for part in plane.iter_mut() {
+        for value in part {
+            *value *= scale;
+        }
+    }
+    for value in &mut plane[2] {
+        *value += add;
+    }
 }
 
-impl Kernel for ToDepth<'_> {
+/// [`PlaneGroup::at`] of the blocks of all windows.
+struct Enter<'a> {
+    tile: [i32; 2],
+    windows: &'a Windows,
+    origin: &'a [F64s; 2],
+    planes: &'a [PlaneLanes],
+    out: &'a mut [WindowPlane],
+}
+
+impl Kernel for Enter<'_> {
     type Output = ();
     #[inline(always)]
     fn run<S: Simd>(self) {
-        let Self { scale, add, out } = self;
-        for part in out.iter_mut() {
-            for value in part {
-                *value *= scale;
+        let Self { tile, windows, origin, planes, out } = self;
+        // From the origin to the first pixel of a block and of the next.
+        let mut d = [[ZERO; 2]; 2];
+        for axis in 0..2 {
+            for lane in 0..LANES {
+                let block = windows.quads[axis][lane] & !3;
+                let first = f64::from(tile[axis] + 2 * block);
+                d[axis][0][lane] = first + 0.5 - origin[axis][lane];
+                d[axis][1][lane] = (first + 8.0) + 0.5 - origin[axis][lane];
             }
         }
-        for value in &mut out[2] {
-            *value += add;
+        let [[near_x, far_x], [near_y, far_y]] = &d;
+        for ([a, b, c], out) in planes.iter().zip(out) {
+            for lane in 0..LANES {
+                out.a[lane] = a[lane] as f32;
+                out.b[lane] = b[lane] as f32;
+            }
+            let [first, right, above, last] = &mut out.corners;
+            for lane in 0..LANES {
+                let at = |dx: f64, dy: f64| ((dx * a[lane] + dy * b[lane]) + c[lane]) as f32;
+                first[lane] = at(near_x[lane], near_y[lane]);
+                right[lane] = at(far_x[lane], near_y[lane]);
+                above[lane] = at(near_x[lane], far_y[lane]);
+                last[lane] = at(far_x[lane], far_y[lane]);
+            }
         }
     }
 }
@@ -304,8 +371,7 @@ impl Kernel for ToDepth<'_> {
 mod tests {
     use super::*;
     use crate::driver::{SpriteOrigin, Viewport};
-    use crate::primitive::Facing;
-    use crate::vertex::ShadedVertex;
+    use crate::primitive::{Facing, Kind, Part};
 
     /// A number in [-1, 1) from a counter.
     fn random(state: &mut u64) -> f32 {
@@ -320,32 +386,28 @@ mod tests {
             Viewport { x: 3.0, y: 5.0, width: 640.0, height: 480.0, near: 0.25, far: 1.0 };
         let mut state = 9;
         let mut geometry = Geometry::default();
-        geometry.stride = 3;
+        geometry.stride = VARYINGS + 3;
         let mut shapes = Vec::new();
         for n in 0..64_u32 {
             let w = if n % 3 == 0 { 1.0 } else { 0.0 };
-            for k in 0..3 {
+            for _ in 0..3 {
                 let w = if w > 0.0 { w } else { 1.5 + random(&mut state) };
                 // Some thin, some degenerate, some huge.
                 let size = [0.01, 1e-7, 1.0, 0.0][n as usize % 4];
                 let (x, y) = (random(&mut state) * size + 0.3, random(&mut state) * size - 0.2);
                 let clip = [x * w, y * w, random(&mut state) * w, w];
                 let window = viewport.window(&clip.map(f64::from));
-                geometry.vertices.push(ShadedVertex {
-                    clip,
-                    window,
-                    snapped: window.map(crate::vertex::snap),
-                    outcode: Outcode(if n % 11 == 0 && k == 0 { Outcode::NEAR } else { 0 }),
-                    ..ShadedVertex::default()
-                });
-                geometry.varyings.extend([0; 3].map(|_| random(&mut state)));
+                geometry.snapped.push(window.map(crate::vertex::snap));
+                geometry.values.extend(clip);
+                geometry.values.extend([0; 3].map(|_| random(&mut state)));
             }
             let vertices = [3 * n, 3 * n + 1, 3 * n + 2];
             shapes.push(Shape {
-                corners: vertices.map(|v| geometry.vertices[v as usize].snapped),
+                corners: vertices.map(|v| geometry.snapped[v as usize]),
                 bounds: [[0; 2]; 2],
                 vertices,
                 provoking: 2,
+                part: if n % 11 == 0 { Part::Cut } else { Part::Whole },
                 kind: Kind::Triangle,
                 facing: Facing::Front,
             });
@@ -364,16 +426,35 @@ mod tests {
             origin: SpriteOrigin::UpperLeft,
         };
         let bits = |group: &PlaneGroup, lane: usize| {
-            let mut out = Vec::new();
+            let mut out = [[0.0; 3]; 5];
             group.at(lane, 320, 200, &mut out);
             out.concat().into_iter().map(f32::to_bits).collect::<Vec<_>>()
         };
         let mut alone = PlaneGroup::default();
         for isa in Isa::available() {
             let mut together = PlaneGroup::default();
-            together.compute(isa, &setup, &geometry, shapes.iter());
+            let mut lanes = ShapeLanes::default();
+            lanes.load(shapes.iter());
+            together.compute(isa, &setup, &geometry, &lanes, shapes.iter());
+            let mut windows = Windows::default();
+            windows.compute(isa, [320, 192], &lanes);
+            together.enter(isa, [320, 192], &windows);
             for (lane, shape) in shapes.iter().enumerate() {
-                alone.compute(isa, &setup, &geometry, std::iter::once(shape));
+                lanes.load(std::iter::once(shape));
+                alone.compute(isa, &setup, &geometry, &lanes, std::iter::once(shape));
+                let mut at_block = [[0.0; 3]; 5];
+                for block in 0..4 {
+                    let [x, y] = [0, 1].map(|axis| {
+                        let first = 2 * (windows.quads[axis][lane] & !3);
+                        [320, 192][axis] + first + 8 * (block >> axis & 1)
+                    });
+                    alone.at(0, x, y, &mut at_block);
+                    let bits = |planes: &[[f32; 3]]| {
+                        planes.concat().into_iter().map(f32::to_bits).collect::<Vec<_>>()
+                    };
+                    let entered: Vec<_> = together.in_window(lane, block as usize).collect();
+                    assert_eq!(bits(&entered), bits(&at_block), "{} {lane}", isa.name());
+                }
                 assert_eq!(bits(&together, lane), bits(&alone, 0), "{} {lane}", isa.name());
             }
         }

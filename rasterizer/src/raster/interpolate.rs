@@ -16,7 +16,7 @@
 //! at the first pixel of the screen-aligned 8×8 block, and `dx`, `dy` count pixels within it.
 
 use crate::driver::{PolygonOffset, SpriteOrigin, Viewport};
-use crate::primitive::{Facing, Kind, SUBPIXEL, Shape};
+use crate::primitive::{Facing, Kind, Part, SUBPIXEL, Shape};
 use crate::vertex::{Geometry, Outcode};
 
 /// What one plane of a draw holds.
@@ -104,7 +104,7 @@ impl Planes {
             Kind::Triangle | Kind::Line { .. } => {
                 shape.corners[0].map(|v| f64::from(v) / f64::from(SUBPIXEL))
             }
-            Kind::Point { .. } => geometry.vertices[shape.vertices[0] as usize].window,
+            Kind::Point { .. } => geometry.window(&setup.viewport, shape.vertices[0]),
         };
         let rows = Rows::new(shape, geometry, &setup.viewport, self.origin);
         let varyings = shape.vertices.map(|v| geometry.varyings_of(v));
@@ -160,8 +160,7 @@ struct Rows {
 
 impl Rows {
     fn new(shape: &Shape, geometry: &Geometry, viewport: &Viewport, origin: [f64; 2]) -> Self {
-        let vertices = shape.vertices.map(|v| &geometry.vertices[v as usize]);
-        let mut w = vertices.map(|v| f64::from(v.clip[3]));
+        let mut w = shape.vertices.map(|v| f64::from(geometry.clip(v)[3]));
         if let Kind::Line { .. } = shape.kind {
             // Its third vertex has no weight.
             w[2] = w[1];
@@ -196,7 +195,7 @@ impl Rows {
 
     /// Window depth (GL 2.1, section 2.11.1), moved by the polygon offset (section 3.5.5).
     fn depth(&self, setup: &PlaneSetup<'_>, shape: &Shape, geometry: &Geometry) -> Plane {
-        let z = shape.vertices.map(|v| f64::from(geometry.vertices[v as usize].clip[2]));
+        let z = shape.vertices.map(|v| f64::from(geometry.clip(v)[2]));
         let (near, far) = (f64::from(setup.viewport.near), f64::from(setup.viewport.far));
         let mut plane = Plane::sum(&self.projective, z).scaled((far - near) * 0.5);
         plane.c += (near + far) * 0.5;
@@ -248,12 +247,14 @@ pub fn depth_offset(
     geometry: &Geometry,
     vertices: [u32; 3],
 ) -> f32 {
-    let corners = vertices.map(|v| geometry.vertices[v as usize].snapped);
+    let corners = vertices.map(|v| geometry.snapped[v as usize]);
+    let is_cut = vertices.iter().any(|&v| geometry.outcode(v).0 & Outcode::CUT != 0);
     let shape = Shape {
         corners,
         bounds: [[0; 2]; 2],
         vertices,
         provoking: 0,
+        part: if is_cut { Part::Cut } else { Part::Whole },
         kind: Kind::Triangle,
         facing: Facing::Front,
     };
@@ -286,14 +287,12 @@ fn triangle(
     viewport: &Viewport,
     origin: [f64; 2],
 ) -> [Plane; 3] {
-    let vertices = shape.vertices.map(|v| &geometry.vertices[v as usize]);
-    let p = vertices.map(|v| homogeneous(v.clip, viewport, origin));
-    let exact = invert(p);
-    let cut = vertices.iter().any(|v| v.outcode.0 & Outcode::CUT != 0);
-    if cut {
+    let clip = shape.vertices.map(|v| geometry.clip(v));
+    let exact = invert(clip.map(|clip| homogeneous(clip, viewport, origin)));
+    if shape.part == Part::Cut {
         return exact;
     }
-    let window = vertices.map(|v| v.window);
+    let window = clip.map(|clip| viewport.window(&clip.map(f64::from)));
     let side = |a: [f64; 2], b: [f64; 2]| [b[0] - a[0], b[1] - a[1]];
     let (s, t, u) =
         (side(window[0], window[1]), side(window[0], window[2]), side(window[1], window[2]));
@@ -303,8 +302,9 @@ fn triangle(
     if doubled_area * doubled_area >= longest / 64.0 {
         return exact;
     }
-    let w = vertices.map(|v| f64::from(v.clip[3]));
-    let snapped = vertices.map(|v| v.snapped.map(|v| f64::from(v) / f64::from(SUBPIXEL)));
+    let w = clip.map(|clip| f64::from(clip[3]));
+    let snapped = shape.vertices.map(|v| geometry.snapped[v as usize]);
+    let snapped = snapped.map(|v| v.map(|v| f64::from(v) / f64::from(SUBPIXEL)));
     let q = [0, 1, 2].map(|i| [(snapped[i][0] - origin[0]), (snapped[i][1] - origin[1]), 1.0]);
     let rows = invert(q);
     [0, 1, 2].map(|i| rows[i].scaled(1.0 / w[i]))
@@ -327,8 +327,7 @@ fn invert(p: [[f64; 3]; 3]) -> [Plane; 3] {
 /// The weights of a line: constant across it, so that `l_0 + l_1 = 1/w` along it (GL 2.1, equation
 /// 3.4 and 3.5).
 fn line(shape: &Shape, geometry: &Geometry, viewport: &Viewport, origin: [f64; 2]) -> [Plane; 3] {
-    let ends = [0, 1]
-        .map(|i| homogeneous(geometry.vertices[shape.vertices[i] as usize].clip, viewport, origin));
+    let ends = [0, 1].map(|i| homogeneous(geometry.clip(shape.vertices[i]), viewport, origin));
     // A third point off the line, whose own weight is left out: at infinity, across it.
     let along = [
         ends[1][0] * ends[0][2] - ends[0][0] * ends[1][2],

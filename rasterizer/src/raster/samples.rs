@@ -8,10 +8,69 @@
 use crate::driver::{AlphaToCoverage, AlphaToOne, MultisampleState, SampleCoverage, SampleRule};
 use crate::primitive::SUBPIXEL;
 use crate::target::MAX_SAMPLES;
+use std::ops::{Deref, DerefMut};
 use texunit::lanes::{F32s, Isa, Kernel, LANES, Simd, U32s};
 
-/// The lanes that are covered, by sample; none of samples that are not there.
-pub type SampleMasks = [u64; MAX_SAMPLES];
+/// The lanes that are covered, by sample. (As long as there are samples: with one, as nearly always,
+/// what is done to all of them is done to one word.)
+#[derive(Clone, Copy, Debug, Default)]
+pub struct SampleMasks {
+    lanes: [u64; MAX_SAMPLES],
+    count: usize,
+}
+
+impl SampleMasks {
+    /// No lane of so many samples, at most [`MAX_SAMPLES`].
+    pub fn none(count: usize) -> Self {
+        Self { lanes: [0; MAX_SAMPLES], count: count.min(MAX_SAMPLES) }
+    }
+
+    /// These lanes of the only sample.
+    pub fn one(lanes: u64) -> Self {
+        let mut masks = Self::none(1);
+        masks.lanes[0] = lanes;
+        masks
+    }
+
+    /// The lanes of which any sample is covered.
+    #[inline]
+    pub fn any(&self) -> u64 {
+        self.iter().fold(0, |all, mask| all | mask)
+    }
+
+    /// Becomes those lanes of `masks` that are among `lanes`, of every sample.
+    #[inline]
+    pub fn set(&mut self, masks: &Self, lanes: u64) {
+        self.count = masks.count;
+        for (to, from) in self.iter_mut().zip(masks.iter()) {
+            *to = from & lanes;
+        }
+    }
+
+    /// With those lanes of `masks` that are among `lanes`.
+    #[must_use]
+    pub fn or(mut self, masks: &Self, lanes: u64) -> Self {
+        for (to, from) in self.iter_mut().zip(masks.iter()) {
+            *to |= from & lanes;
+        }
+        self
+    }
+}
+
+impl Deref for SampleMasks {
+    type Target = [u64];
+    #[inline]
+    fn deref(&self) -> &[u64] {
+        &self.lanes[..self.count]
+    }
+}
+
+impl DerefMut for SampleMasks {
+    #[inline]
+    fn deref_mut(&mut self) -> &mut [u64] {
+        &mut self.lanes[..self.count]
+    }
+}
 
 /// Two samples, from the pixel's centre, in subpixels.
 const TWO: [[i32; 2]; 2] = [[64, 64], [-64, -64]];
@@ -90,7 +149,7 @@ impl Samples {
     pub fn centroids(&self, masks: &SampleMasks) -> [F32s; 2] {
         let mut sums = [F32s::ZERO; 2];
         let mut counts = F32s::ZERO;
-        for (place, &mask) in self.places.iter().zip(masks) {
+        for (place, &mask) in self.places.iter().zip(masks.iter()) {
             let place = place.map(|v| v as f32 / SUBPIXEL as f32);
             for lane in 0..LANES {
                 let covered = (mask >> lane & 1) as f32;
@@ -110,7 +169,7 @@ impl Samples {
 
     /// The samples that each lane's alpha leaves: the nearest number to `alpha` times all of them.
     pub fn mask_by_alpha(&self, isa: Isa, alpha: &F32s, masks: &mut SampleMasks) {
-        for (sample, mask) in masks[..self.count].iter_mut().enumerate() {
+        for (sample, mask) in masks.iter_mut().enumerate() {
             let least = (sample as f32 + 0.5) / self.count as f32;
             *mask &= isa.run(AtLeast { alpha, least });
         }

@@ -4,10 +4,11 @@
 //! begins at a quad (not at a block). Its edge functions then fit 32 bits from the start, nothing
 //! has to be asked of blocks, and its quads go straight into the batch that waits.
 
-use super::coverage::{inside, lane_at};
-use crate::primitive::{Kind, SUBPIXEL, Shape};
+use super::coverage::lane_at;
+use super::lanes::ShapeLanes;
+use crate::primitive::SUBPIXEL;
 use crate::target::TILE;
-use texunit::lanes::{Isa, Kernel, LANES, Simd};
+use texunit::lanes::{I32s, Isa, Kernel, LANES, QUADS, Simd, U32s};
 
 /// Subpixels that the corners of a small triangle may lie apart along an axis: the product of two
 /// such distances, and the sum of two of these, fit an `i32`.
@@ -38,32 +39,17 @@ const fn spans(axis: usize) -> [[u64; 8]; 2] {
 const COLUMNS: [[u64; 8]; 2] = spans(0);
 const ROWS: [[u64; 8]; 2] = spans(1);
 
-type I32Lanes = [i32; LANES];
-
 /// The windows of up to 64 shapes.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct Windows {
-    corners: [[I32Lanes; 2]; 3],
-    /// The centre of the window's first pixel, in subpixels.
-    origin: [I32Lanes; 2],
-    /// The first quad of the window in the tile, across and up.
-    quad: [[u8; 2]; LANES],
-    /// The pixels of the window within the shape's bounds and the tile; none of what is not small.
-    bounds: [u64; LANES],
-    /// The pixels that are covered.
-    covered: [u64; LANES],
-}
-
-impl Default for Windows {
-    fn default() -> Self {
-        Self {
-            corners: [[[0; LANES]; 2]; 3],
-            origin: [[0; LANES]; 2],
-            quad: [[0; 2]; LANES],
-            bounds: [0; LANES],
-            covered: [0; LANES],
-        }
-    }
+    /// The first quad of each window in the tile, across and up.
+    pub quads: [I32s; 2],
+    /// The first and the last column, and row, of it that the shape may cover.
+    spans: [[I32s; 2]; 2],
+    /// The pixels inside the edges, as words of a block's mask of lanes.
+    inside: [U32s; 2],
+    /// The shapes that have one, bit by lane.
+    small: u64,
 }
 
 /// The window of a small triangle.
@@ -75,73 +61,109 @@ pub struct Window {
     pub covered: u64,
 }
 
+/// Of windows that begin at column `q % 4`, row `q / 4` of a block's quads: the lanes in their first
+/// block, the one on its right, and those above.
+const PARTS: [[u64; 4]; 16] = {
+    let mut table = [[0; 4]; 16];
+    let mut at = 0;
+    while at < 16 * LANES {
+        let (first, lane) = (at / LANES, at % LANES);
+        let quad = lane % QUADS;
+        let right = (first % 4 + quad % 4) / 4;
+        let above = (first / 4 + quad / 4) / 4;
+        table[first][above * 2 + right] |= 1 << lane;
+        at += 1;
+    }
+    table
+};
+
+impl Window {
+    /// The blocks of the tile that it covers lanes of: which of the four it may reach into (bit 0 is
+    /// set on the right, bit 1 above), which of the tile, and the lanes.
+    #[inline]
+    pub fn blocks(self) -> impl Iterator<Item = (usize, usize, u64)> {
+        let [x, y] = self.quad;
+        let first = y % 4 * 4 + x % 4;
+        (0..4).filter_map(move |part| {
+            let lanes = self.covered & PARTS[first][part];
+            if lanes == 0 {
+                return None;
+            }
+            let (right, above) = (part % 2, part / 2);
+            // By so many quads within each of the four words of a mask; none leaves its word.
+            let by = first as u32 + 64 - (4 * right + 16 * above) as u32;
+            let block = (y / 4 + above) * 8 + x / 4 + right;
+            Some((part, block, lanes.rotate_left(by % 64)))
+        })
+    }
+}
+
 impl Windows {
-    /// Finds the small triangles of `shapes`, at most 64, and what they cover of the tile whose
-    /// first pixel is `tile`.
-    pub fn compute<'a>(
-        &mut self,
-        isa: Isa,
-        tile: [i32; 2],
-        shapes: impl ExactSizeIterator<Item = &'a Shape>,
-    ) {
-        let len = shapes.len().min(LANES);
-        for (lane, shape) in shapes.enumerate().take(LANES) {
-            self.bounds[lane] = match shape.kind {
-                Kind::Triangle => self.place(lane, shape, tile),
-                Kind::Line { .. } | Kind::Point { .. } => 0,
-            };
-        }
-        isa.run(Cover { windows: self, len });
+    /// Finds the small triangles of some shapes, and what they cover of the tile whose first pixel
+    /// is `tile`.
+    pub fn compute(&mut self, isa: Isa, tile: [i32; 2], shapes: &ShapeLanes) {
+        isa.run(Cover { windows: self, tile, shapes });
     }
 
     /// The window of the shape in a lane; `None` where it is not small.
     #[inline]
     pub fn get(&self, lane: usize) -> Option<Window> {
         let lane = lane % LANES;
-        let covered = self.covered[lane];
-        (self.bounds[lane] != 0).then(|| Window { quad: self.quad[lane].map(usize::from), covered })
-    }
-
-    /// Puts a triangle into a lane; gives the pixels of its window that it may cover.
-    #[inline]
-    fn place(&mut self, lane: usize, shape: &Shape, tile: [i32; 2]) -> u64 {
-        let mut spans = [0; 2];
-        for (axis, table) in [COLUMNS, ROWS].iter().enumerate() {
-            let low = (i32::from(shape.bounds[0][axis]) - tile[axis]).max(0);
-            let high = (i32::from(shape.bounds[1][axis]) - tile[axis]).min(TILE as i32 - 1);
-            let first = low & !1;
-            if high < low || high - first > 7 {
-                return 0;
-            }
-            spans[axis] = table[(low - first) as usize][(high - first) as usize];
-            self.quad[lane][axis] = (first / 2) as u8;
-            self.origin[axis][lane] = (tile[axis] + first) * SUBPIXEL + SUBPIXEL / 2;
-            let corners = shape.corners.map(|corner| corner[axis]);
-            let [a, b, c] = corners;
-            if a.max(b).max(c) - a.min(b).min(c) > REACH {
-                return 0;
-            }
-            for (to, from) in self.corners.iter_mut().zip(corners) {
-                to[axis][lane] = from;
-            }
+        if self.small >> lane & 1 == 0 {
+            return None;
         }
-        spans[0] & spans[1]
+        let [[left, right], [low, high]] = &self.spans;
+        let columns = COLUMNS[left[lane] as usize % 2][right[lane] as usize % 8];
+        let rows = ROWS[low[lane] as usize % 2][high[lane] as usize % 8];
+        let [even, odd] = &self.inside;
+        let inside = u64::from(even[lane]) | u64::from(odd[lane]) << 32;
+        let [x, y] = &self.quads;
+        let quad = [x[lane] as usize, y[lane] as usize];
+        Some(Window { quad, covered: inside & columns & rows })
     }
 }
 
-/// The coverage of the first `len` windows: the arithmetic of `coverage::edges` in 32 bits.
+/// The coverage of windows: the arithmetic of `coverage::edges` in 32 bits, over lanes of shapes.
 struct Cover<'a> {
     windows: &'a mut Windows,
-    len: usize,
+    tile: [i32; 2],
+    shapes: &'a ShapeLanes,
 }
+
+/// Quads along a side of a window.
+const SIDE: i32 = 4;
 
 impl Kernel for Cover<'_> {
     type Output = ();
     #[inline(always)]
     fn run<S: Simd>(self) {
-        let Self { windows: Windows { corners, origin, bounds, covered, .. }, len } = self;
+        let Self { windows: Windows { quads, spans, inside, small }, tile, shapes } = self;
+        let ShapeLanes { corners, bounds, .. } = shapes;
+        // Not zero where a triangle is not small.
+        let mut large = U32s::ZERO;
+        let mut origin = [I32s::ZERO; 2];
+        // How many quads of the window the shape reaches, less one.
+        let mut reach = [U32s::ZERO; 2];
+        for axis in 0..2 {
+            for lane in 0..LANES {
+                let low = most(bounds[0][axis][lane] - tile[axis], 0);
+                let high = least(bounds[1][axis][lane] - tile[axis], TILE as i32 - 1);
+                let first = low & !1;
+                let [a, b, c] = [0, 1, 2].map(|k| corners[k][axis][lane]);
+                let extent = most(most(a, b), c).wrapping_sub(least(least(a, b), c));
+                let is_large = (high < low) | (high - first >= 2 * SIDE) | (extent > REACH);
+                large[lane] |= u32::from(is_large);
+                quads[axis][lane] = first >> 1;
+                spans[axis][0][lane] = low - first;
+                spans[axis][1][lane] = high - first;
+                reach[axis][lane] = if is_large { 0 } else { (high - first) as u32 >> 1 };
+                origin[axis][lane] = (tile[axis] + first) * SUBPIXEL + SUBPIXEL / 2;
+            }
+        }
+        let there = !0 >> (LANES - shapes.len.clamp(1, LANES));
+        *small = !S::nonzero(&large) & shapes.triangles & there;
         // Lanes without a small triangle hold anything: hence the wrapping operations.
-        let mut edges = [[[0; LANES]; 3]; 3];
+        let mut edges = [[I32s::ZERO; 3]; 3];
         for (i, [value, x, y]) in edges.iter_mut().enumerate() {
             let (a, b) = (&corners[i], &corners[(i + 1) % 3]);
             for lane in 0..LANES {
@@ -156,23 +178,58 @@ impl Kernel for Cover<'_> {
                 y[lane] = dx;
             }
         }
-        for lane in 0..len {
-            let [a, b, c] = &edges;
-            let of_lane = [
-                (a[0][lane], a[1][lane], a[2][lane]),
-                (b[0][lane], b[1][lane], b[2][lane]),
-                (c[0][lane], c[1][lane], c[2][lane]),
-            ];
-            covered[lane] = bounds[lane] & inside::<S>(of_lane);
+        let [[e0, x0, y0], [e1, x1, y1], [e2, x2, y2]] = &mut edges;
+        let [even, odd] = inside;
+        (*even, *odd) = (U32s::ZERO, U32s::ZERO);
+        let [across, up] = [0, 1].map(|axis| S::largest(&reach[axis]).min(SIDE as u32 - 1));
+        for row in 0..=up {
+            let (mut a, mut b, mut c) = (*e0, *e1, *e2);
+            for column in 0..=across {
+                let quad = row * SIDE as u32 + column;
+                for lane in 0..LANES {
+                    // The sign bit is set where any of the three is negative.
+                    let at = |dx: i32, dy: i32| {
+                        let step = |e: i32, x: i32, y: i32| {
+                            e.wrapping_add(x.wrapping_mul(dx)).wrapping_add(y.wrapping_mul(dy))
+                        };
+                        !(step(a[lane], x0[lane], y0[lane])
+                            | step(b[lane], x1[lane], y1[lane])
+                            | step(c[lane], x2[lane], y2[lane])) as u32
+                            >> 31
+                    };
+                    even[lane] |= (at(0, 0) | at(1, 0) << QUADS) << quad;
+                    odd[lane] |= (at(0, 1) | at(1, 1) << QUADS) << quad;
+                }
+                for lane in 0..LANES {
+                    a[lane] = a[lane].wrapping_add(x0[lane].wrapping_mul(2));
+                    b[lane] = b[lane].wrapping_add(x1[lane].wrapping_mul(2));
+                    c[lane] = c[lane].wrapping_add(x2[lane].wrapping_mul(2));
+                }
+            }
+            for lane in 0..LANES {
+                e0[lane] = e0[lane].wrapping_add(y0[lane].wrapping_mul(2));
+                e1[lane] = e1[lane].wrapping_add(y1[lane].wrapping_mul(2));
+                e2[lane] = e2[lane].wrapping_add(y2[lane].wrapping_mul(2));
+            }
         }
     }
+}
+
+#[inline(always)]
+fn least(a: i32, b: i32) -> i32 {
+    if a < b { a } else { b }
+}
+
+#[inline(always)]
+fn most(a: i32, b: i32) -> i32 {
+    if a > b { a } else { b }
 }
 
 #[cfg(test)]
 mod tests {
     use super::super::coverage::{Coverage, block, edges};
     use super::*;
-    use crate::primitive::Facing;
+    use crate::primitive::{Facing, Kind, Part, Shape};
     use proptest::prelude::*;
 
     proptest! {
@@ -197,13 +254,15 @@ mod tests {
                     bounds: [[edge(false, 0), edge(false, 1)], [edge(true, 0), edge(true, 1)]],
                     vertices: [0; 3],
                     provoking: 0,
+                    part: Part::Whole,
                     kind: Kind::Triangle,
                     facing: Facing::Front,
                 })
             }).collect();
             for isa in Isa::available() {
-                let mut windows = Windows::default();
-                windows.compute(isa, tile, shapes.iter());
+                let (mut windows, mut lanes) = (Windows::default(), ShapeLanes::default());
+                lanes.load(shapes.iter());
+                windows.compute(isa, tile, &lanes);
                 for (lane, shape) in shapes.iter().enumerate() {
                     let Some(window) = windows.get(lane) else { continue };
                     let edges = edges(&shape.corners, tile[0], tile[1]);

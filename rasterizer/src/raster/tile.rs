@@ -1,19 +1,21 @@
 //! A tile: everything of a pass that touches its 64×64 pixels, in order.
 
-use super::batch::{Batch, BlockOf, EarlyTests, moved_quad, quads_of};
-use super::clear::{ClearJob, clear};
+use super::batch::{Batch, BlockOf, EarlyTests, Packed, moved_quad, quads_of};
+use super::clear::{ClearJob, Next, clear};
 use super::cover::Cover;
 use super::coverage;
 use super::group::PlaneGroup;
 use super::interpolate::PlaneSetup;
+use super::lanes::ShapeLanes;
+use super::pixels::Pixels;
 use super::samples::SampleMasks;
 use super::shading::{Shader, early_tests};
 use super::small::{Window, Windows};
 use super::watched::Spot;
 use crate::driver::{Counter, Watch};
-use crate::plan::{DrawPlan, Timing};
+use crate::plan::{DrawPlan, Packing, Timing};
 use crate::primitive::{Facing, Kind, Shape};
-use crate::target::{MAX_SAMPLES, TILE, TileTarget};
+use crate::target::{TILE, TileTarget};
 use crate::vertex::Geometry;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -21,6 +23,9 @@ use texunit::lanes::{F32s, Isa, LANES};
 
 /// Quads of a block from which on it is shaded by itself rather than packed with others.
 const DENSE: u32 = 12;
+/// Pixels of a block from which on it is shaded by itself rather than packed with others, where these
+/// need not be quads.
+const DENSE_PIXELS: u32 = 40;
 /// Shapes of a group from which on their windows are computed together.
 const WINDOWS_FROM: usize = 4;
 
@@ -57,6 +62,13 @@ pub struct Chunk {
     pub draw: usize,
     /// The vertices.
     pub geometry: Arc<Geometry>,
+    /// Its shapes.
+    pub lists: ShapeLists,
+}
+
+/// The shapes of a chunk, and their order by tiles.
+#[derive(Debug, Default)]
+pub struct ShapeLists {
     /// The shapes.
     pub shapes: Vec<Shape>,
     /// The shapes of each tile, in order, tile after tile.
@@ -122,9 +134,11 @@ pub struct TileJob {
 pub struct Worker {
     shader: Shader,
     /// Quads that wait for others, of the current draw.
-    waiting: Batch,
-    /// A block that runs at once.
-    block: Batch,
+    waiting: Packed,
+    /// Pixels that wait for others, of the current draw.
+    pixels: Pixels,
+    /// The shapes that are filled.
+    shapes: Box<ShapeLanes>,
     group: PlaneGroup,
     windows: Box<Windows>,
     /// Of the block that is filled: each plane's value at its first pixel and steps.
@@ -140,16 +154,20 @@ pub struct Worker {
 impl Worker {
     /// Does everything that happens in `tile`.
     pub fn run(&mut self, pass: &PassJob, tile: &mut TileJob) {
-        for entry in std::mem::take(&mut tile.entries) {
+        let entries = std::mem::take(&mut tile.entries);
+        let is_drawn = |entry: &Entry| matches!(entry, Entry::Shapes { .. });
+        let last_draw = entries.iter().rposition(is_drawn).unwrap_or(0);
+        for (at, entry) in entries.into_iter().enumerate() {
             match entry {
                 Entry::Clear(index) => {
                     self.flush(pass, tile);
-                    clear(pass, &pass.clears[index as usize], tile);
+                    let next = if at < last_draw { Next::Draws } else { Next::Nothing };
+                    clear(pass, &pass.clears[index as usize], tile, next);
                     tile.note_clear(&pass.clears[index as usize]);
                 }
                 Entry::Shapes { chunk, first, end } => {
                     let chunk = &pass.chunks[chunk as usize];
-                    for group in chunk.binned[first as usize..end as usize].chunks(LANES) {
+                    for group in chunk.lists.binned[first as usize..end as usize].chunks(LANES) {
                         self.fill_group(pass, tile, chunk, group);
                     }
                 }
@@ -171,15 +189,28 @@ impl Worker {
         self.draw = Some(draw);
         let plan = &pass.draws[draw].plan;
         self.shader.machine.begin(&plan.pipeline.compiled().fragment);
-        self.waiting.clear(plan.planes.len());
+        self.waiting.clear(plan.planes.len(), plan.samples.count);
+        self.planes.resize(plan.planes.len(), [0.0; 3]);
+        self.pixels.clear(plan.planes.len());
     }
 
     /// Shades what waits.
     fn flush(&mut self, pass: &PassJob, tile: &mut TileJob) {
-        if let Some(draw) = self.draw.filter(|_| !self.waiting.is_empty()) {
-            let job = &pass.draws[draw];
-            self.shader.shade(pass, job, &mut self.waiting, tile);
-            self.waiting.clear(job.plan.planes.len());
+        let Some(draw) = self.draw else { return };
+        let job = &pass.draws[draw];
+        if !self.waiting.is_empty() {
+            self.shader.shade(pass, job, &self.waiting.batch(), tile);
+            self.waiting.clear(job.plan.planes.len(), job.plan.samples.count);
+        }
+        self.flush_pixels(pass, job, tile);
+    }
+
+    /// Shades the pixels that wait.
+    fn flush_pixels(&mut self, pass: &PassJob, job: &DrawJob, tile: &mut TileJob) {
+        if !self.pixels.is_empty() {
+            let batch = self.pixels.batch(pass.isa, [tile.x, tile.y]);
+            self.shader.shade(pass, job, &batch, tile);
+            self.pixels.clear(job.plan.planes.len());
         }
     }
 
@@ -198,12 +229,18 @@ impl Worker {
             resolution: plan.resolution,
             origin: plan.raster.point.origin,
         };
-        let shapes = group.iter().map(|&index| &chunk.shapes[index as usize]);
-        self.group.compute(pass.isa, &setup, &chunk.geometry, shapes.clone());
+        let shapes = group.iter().map(|&index| &chunk.lists.shapes[index as usize]);
+        self.shapes.load(shapes.clone());
+        self.group.compute(pass.isa, &setup, &chunk.geometry, &self.shapes, shapes.clone());
         let has_windows =
             group.len() >= WINDOWS_FROM && plan.has_windows() && tile.watched.is_none();
+        let packs = plan.packing == Packing::Pixels && tile.watched.is_none();
         if has_windows {
-            self.windows.compute(pass.isa, [tile.x, tile.y], shapes.clone());
+            let at = [tile.x, tile.y];
+            self.windows.compute(pass.isa, at, &self.shapes);
+            if packs {
+                self.group.enter(pass.isa, at, &self.windows);
+            }
         }
         for (lane, shape) in shapes.enumerate() {
             if job.stopped.load(Ordering::Relaxed) {
@@ -211,10 +248,36 @@ impl Worker {
             }
             let window = if has_windows { self.windows.get(lane) } else { None };
             match window {
-                Some(window) if quads_of(window.covered).count_ones() < DENSE => {
+                Some(window) if packs && window.covered.count_ones() < DENSE_PIXELS => {
+                    self.pack_window(pass, tile, job, shape.facing, lane, window);
+                }
+                Some(window) if !packs && quads_of(window.covered).count_ones() < DENSE => {
                     self.fill_window(pass, tile, shape.facing, lane, window);
                 }
                 Some(_) | None => self.fill(pass, tile, chunk, shape, lane),
+            }
+        }
+    }
+
+    /// Fills a small triangle, pixel by pixel.
+    #[inline]
+    fn pack_window(
+        &mut self,
+        pass: &PassJob,
+        tile: &mut TileJob,
+        job: &DrawJob,
+        facing: Facing,
+        lane: usize,
+        window: Window,
+    ) {
+        for (part, block, lanes) in window.blocks() {
+            let mut left = lanes;
+            while left != 0 {
+                if self.pixels.is_full() || self.pixels.holds(block, left) {
+                    self.flush_pixels(pass, job, tile);
+                }
+                let planes = self.group.in_window(lane, part);
+                left = self.pixels.push(block, left, facing, planes);
             }
         }
     }
@@ -253,7 +316,7 @@ impl Worker {
                 y: py,
                 coverage: None,
             };
-            self.waiting.push(&of, quad, from, &[window.covered]);
+            self.waiting.push(&of, quad, from, &SampleMasks::one(window.covered));
         }
     }
 
@@ -281,34 +344,32 @@ impl Worker {
         if plan.reads_coverage() {
             self.parts = F32s::splat(1.0);
         }
+        let mut masks = SampleMasks::none(plan.samples.count);
         for by in range[0][1]..=range[1][1] {
             for bx in range[0][0]..=range[1][0] {
-                let mut masks = self.covered(pass.isa, plan, shape, at, [bx, by]);
-                if any(&masks) == 0 {
-                    continue;
-                }
                 let mut inside = coverage::inside_area(&area, tile.x, tile.y, bx, by);
                 if let Some(stipple) = stipple {
                     let [column, row] = [at[0] / 8 + bx, at[1] / 8 + by];
                     inside &= stipple[(row % 4 * 4 + column % 4) as usize];
                 }
-                masks = masks.map(|mask| mask & inside);
-                if any(&masks) != 0 {
+                self.covered(pass.isa, plan, shape, at, [bx, by], inside, &mut masks);
+                if masks.any() != 0 {
                     if let Some(spot) = &mut tile.watched
-                        && spot.is_in((by * 8 + bx) as usize, any(&masks))
+                        && spot.is_in((by * 8 + bx) as usize, masks.any())
                     {
                         spot.covered(pass, chunk, shape, &masks);
                     }
                     let (x, y) = (at[0] + 8 * bx, at[1] + 8 * by);
                     self.group.at(lane, x, y, &mut self.planes);
-                    self.fill_block(pass, tile, job, shape.facing, [bx, by], masks);
+                    self.fill_block(pass, tile, job, shape.facing, [bx, by], &mut masks);
                 }
             }
         }
     }
 
-    /// What `self.covers` cover of a block.
+    /// What `self.covers` cover of those lanes of a block that are `inside`.
     #[inline]
+    #[expect(clippy::too_many_arguments, reason = "a shape, a block, and what becomes of it")]
     fn covered(
         &mut self,
         isa: Isa,
@@ -316,19 +377,17 @@ impl Worker {
         shape: &Shape,
         tile: [i32; 2],
         block: [i32; 2],
-    ) -> SampleMasks {
-        let mut masks = [0; MAX_SAMPLES];
+        inside: u64,
+        masks: &mut SampleMasks,
+    ) {
         let mut covered = 0;
-        for (sample, mask) in masks.iter_mut().enumerate().take(plan.samples.count) {
+        for (sample, mask) in masks.iter_mut().enumerate() {
             // Samples without an outline of their own are covered as the first is.
             if let Some(cover) = self.covers.get(sample) {
                 covered = cover.block(isa, plan, shape, tile, block, &mut self.parts);
             }
-            if plan.samples.leaves(sample) {
-                *mask = covered;
-            }
+            *mask = if plan.samples.leaves(sample) { covered & inside } else { 0 };
         }
-        masks
     }
 
     /// Puts the covered lanes of a block into a batch.
@@ -339,13 +398,24 @@ impl Worker {
         job: &DrawJob,
         facing: Facing,
         [bx, by]: [i32; 2],
-        mut masks: SampleMasks,
+        masks: &mut SampleMasks,
     ) {
         let plan = &job.plan;
-        let mut quads = quads_of(any(&masks));
+        let mut quads = quads_of(masks.any());
         let block = (by * 8 + bx) as usize;
-        if self.waiting.holds(block, any(&masks)) {
+        if self.waiting.holds(block, masks.any()) || self.pixels.holds(block, masks.any()) {
             self.flush(pass, tile);
+        }
+        let packs = plan.packing == Packing::Pixels && tile.watched.is_none();
+        if packs && masks.any().count_ones() < DENSE_PIXELS {
+            let mut left = masks.any();
+            while left != 0 {
+                if self.pixels.is_full() {
+                    self.flush_pixels(pass, job, tile);
+                }
+                left = self.pixels.push(block, left, facing, self.planes.iter().copied());
+            }
+            return;
         }
         let mut of = BlockOf {
             planes: &self.planes,
@@ -356,22 +426,20 @@ impl Worker {
             y: tile.y + 8 * by,
             coverage: plan.reads_coverage().then_some(&self.parts),
         };
-        let eager = quads.count_ones() >= DENSE || tile.watched.is_some();
+        let eager = packs || quads.count_ones() >= DENSE || tile.watched.is_some();
         if eager && plan.timing == Timing::Early {
             let watched = tile.watched.as_ref();
-            let watched = watched.filter(|spot| spot.is_in(block, any(&masks)));
+            let watched = watched.filter(|spot| spot.is_in(block, masks.any()));
             let before = watched.map(|_| tile.watched_depth());
-            early_tests(pass.isa, plan, &of, &mut masks, tile);
+            early_tests(pass.isa, plan, &of, masks, tile);
             if let Some(before) = before {
-                tile.note_early(pass.isa, plan, &of, &masks, &before);
+                tile.note_early(pass.isa, plan, &of, masks, &before);
             }
             of.tests = EarlyTests::Done;
-            quads = quads_of(any(&masks));
+            quads = quads_of(masks.any());
         }
-        let masks = &masks[..plan.samples.count];
-        if quads.count_ones() >= DENSE {
-            self.block.set_block(&of, masks, plan.planes.len());
-            self.shader.shade(pass, job, &mut self.block, tile);
+        if packs || quads.count_ones() >= DENSE {
+            self.shader.shade(pass, job, &Batch::of_block(&of, masks), tile);
             return;
         }
         let mut left = quads;
@@ -379,18 +447,12 @@ impl Worker {
             let quad = left.trailing_zeros() as usize;
             left &= left - 1;
             if self.waiting.is_full() {
-                self.shader.shade(pass, job, &mut self.waiting, tile);
-                self.waiting.clear(plan.planes.len());
+                self.shader.shade(pass, job, &self.waiting.batch(), tile);
+                self.waiting.clear(plan.planes.len(), plan.samples.count);
             }
             self.waiting.push(&of, quad, quad, masks);
         }
     }
-}
-
-/// The lanes of which any sample is covered.
-#[inline]
-pub fn any(masks: &[u64]) -> u64 {
-    masks.iter().fold(0, |all, mask| all | mask)
 }
 
 /// A shape's bounds as first and one past the last pixel.

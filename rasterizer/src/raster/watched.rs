@@ -1,7 +1,8 @@
 //! A watched pixel within its tile: what clears and fragments do to it is written down.
 
-use super::batch::{Batch, BlockDepth, BlockOf};
+use super::batch::{Batch, BlockOf};
 use super::clear::{ClearJob, ClearTarget};
+use super::inputs::BlockDepth;
 use super::interpolate::PlaneSource;
 use super::samples::{SampleMasks, moved};
 use super::tile::{Chunk, PassJob, TileJob};
@@ -91,6 +92,9 @@ impl Spot {
                 };
                 blocks.iter().zip(quads).enumerate().find_map(here)?
             }
+            Place::Pixels(at) => {
+                at.iter().position(|&at| usize::from(at) == self.block * LANES + self.lane)?
+            }
         };
         (lanes >> lane & 1 == 1).then_some(lane)
     }
@@ -131,8 +135,8 @@ impl Spot {
         let job = &pass.draws[chunk.draw];
         let before = pass.chunks.iter().take_while(|other| !std::ptr::eq(*other, chunk));
         let before = before.filter(|other| other.draw == chunk.draw);
-        let before: usize = before.map(|other| other.shapes.len()).sum();
-        let at = chunk.shapes.iter().position(|other| std::ptr::eq(other, shape));
+        let before: usize = before.map(|other| other.lists.shapes.len()).sum();
+        let at = chunk.lists.shapes.iter().position(|other| std::ptr::eq(other, shape));
         let corners = match shape.kind {
             Kind::Triangle => 3,
             Kind::Line { .. } => 2,
@@ -140,8 +144,8 @@ impl Spot {
         };
         let ids = &shape.vertices[..corners];
         let vertex = |&id: &u32| {
-            let vertex = &chunk.geometry.vertices[id as usize];
-            Vertex { clip: vertex.clip, window: vertex.window }
+            let window = chunk.geometry.window(&job.plan.viewport, id);
+            Vertex { clip: chunk.geometry.clip(id), window }
         };
         let values = |source: &PlaneSource| match *source {
             PlaneSource::Smooth(at)
@@ -156,7 +160,7 @@ impl Spot {
             | PlaneSource::PointCoord(_) => Vec::new(),
         };
         let covered = (0..)
-            .zip(masks)
+            .zip(masks.iter())
             .fold(0, |bits, (sample, mask)| bits | u8::from(mask >> self.lane & 1 == 1) << sample);
         self.waiting.push_back(Waiting {
             event: self.events.len(),
@@ -180,11 +184,11 @@ impl Spot {
 
     /// The tests before shading were made: `masks` are left.
     fn tested_early(&mut self, plan: &DrawPlan, of: &Tested<'_>, masks: &SampleMasks) {
-        let left: u64 = masks.iter().fold(0, |all, mask| all | mask);
+        let left: u64 = masks.any();
         let Some(waiting) = self.waiting.back() else { return };
         let event = self.events.get_mut(waiting.event);
         let Some(Some(PixelEvent::Fragment(fragment))) = event else { return };
-        for (sample, mask) in masks.iter().enumerate().take(plan.samples.count) {
+        for (sample, mask) in masks.iter().enumerate() {
             let passed = mask >> self.lane & 1 == 1;
             fragment.tests.extend(of.test(plan, fragment.facing, sample, passed));
         }
@@ -324,14 +328,14 @@ impl Shaded {
         &mut self,
         machine: &mut Machine,
         plan: &DrawPlan,
-        batch: &Batch,
+        batch: &Batch<'_>,
         run: Run<'_>,
     ) -> Result<u64, OverBudget> {
         self.fragment.fate = if plan.colors.is_empty() { Fate::NoColor } else { Fate::Written };
         self.interpolated(plan, batch, machine);
         let mut tracer = Tracer::new(run.program, self.lane);
         let kept = machine.run_traced(run, &mut tracer);
-        for (index, &output) in run.program.outputs().iter().enumerate() {
+        for (index, output) in run.program.outputs().enumerate() {
             self.fragment.outputs.push((output, tracer.output(machine, index)));
         }
         (self.fragment.steps, self.fragment.more_steps) = (tracer.steps, tracer.more);
@@ -342,10 +346,10 @@ impl Shaded {
     }
 
     /// Its inputs were interpolated.
-    fn interpolated(&mut self, plan: &DrawPlan, batch: &Batch, machine: &Machine) {
+    fn interpolated(&mut self, plan: &DrawPlan, batch: &Batch<'_>, machine: &Machine) {
         let of_program = plan.pipeline.compiled().fragment.inputs();
-        let centroids = plan.samples.centroids(&batch.masks);
-        let within = |plane: usize| batch.within(plane, &centroids)[self.lane];
+        let centroids = plan.samples.centroids(batch.masks);
+        let within = |plane: usize| batch.at_moved(plane, self.lane, &centroids);
         for (index, (&input, from)) in of_program.iter().zip(&plan.inputs).enumerate() {
             let values = |plane: usize| self.values.get(plane).cloned().unwrap_or_default();
             let source = match *from {
@@ -380,7 +384,7 @@ impl Shaded {
 
     /// Its samples were tested after shading: `masks` are left.
     pub fn tested(&mut self, plan: &DrawPlan, of: &Tested<'_>, masks: &SampleMasks) {
-        for (sample, mask) in masks.iter().enumerate().take(plan.samples.count) {
+        for (sample, mask) in masks.iter().enumerate() {
             let passed = mask >> self.lane & 1 == 1;
             self.fragment.tests.extend(of.test(plan, self.fragment.facing, sample, passed));
         }
@@ -390,22 +394,11 @@ impl Shaded {
     pub fn written(
         &mut self,
         plan: &ColorPlan,
-        rgba: [Option<&F32s>; 4],
+        rgba: [&F32s; 4],
         masks: &[u64],
         [before, after]: [&Stored; 2],
     ) {
-        let at = |channel: usize| match rgba[channel] {
-            Some(values) => values[self.lane],
-            None if channel == 3 && plan.format.is_integer() => f32::from_bits(1),
-            None => {
-                if channel == 3 {
-                    1.0
-                } else {
-                    0.0
-                }
-            }
-        };
-        let color = [0, 1, 2, 3].map(at);
+        let color = rgba.map(|values| values[self.lane]);
         for (sample, (before, after)) in before.iter().zip(after).enumerate() {
             if masks.get(sample).is_none_or(|mask| mask >> self.lane & 1 == 0) {
                 continue;

@@ -275,6 +275,12 @@ impl Inst {
 }
 
 impl SampleInst {
+    /// Whether the level of detail comes from the differences within each quad, and matters.
+    pub fn reads_neighbours(&self, needs_lod: bool) -> bool {
+        let matters = needs_lod || matches!(self.access, Access::Lod);
+        matters && matches!(self.lod, SampleLod::Implicit { .. })
+    }
+
     fn reads(&mut self, mut f: impl FnMut(&mut Reg)) {
         self.coords.iter_mut().for_each(&mut f);
         self.reference.iter_mut().for_each(&mut f);

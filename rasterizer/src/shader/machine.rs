@@ -217,11 +217,7 @@ impl Machine {
         }
         for (out, texel) in sample.out.iter().zip(self.sampled.iter()) {
             if let Some(out) = out {
-                // In lanes: a call of `memcpy` costs more.
-                let (out, texel) = (&mut self.registers[out.0 as usize], texel.as_u32());
-                for lane in 0..LANES {
-                    out[lane] = texel[lane];
-                }
+                *self.registers[out.0 as usize] = *texel.as_u32();
             }
         }
     }

@@ -25,12 +25,14 @@ mod mask;
 mod optimize;
 mod owned;
 mod preamble;
+mod sources;
 
 pub use machine::{Machine, Tracer};
+pub(crate) use sources::Sources;
 
 use crate::ir::{Input, Module, Output};
 use allocate::Layout;
-use inst::Inst;
+use inst::{Inst, SampleInst};
 use preamble::Preamble;
 use std::fmt::Write;
 use std::sync::Arc;
@@ -49,7 +51,8 @@ pub struct Program {
     layout: Layout,
     preamble: Preamble,
     inputs: Vec<Input>,
-    outputs: Vec<Output>,
+    /// And what of the vertex each depends on.
+    outputs: Vec<(Output, Sources)>,
     textures: Vec<u32>,
     slots: u32,
     discards: bool,
@@ -138,7 +141,7 @@ impl Program {
             layout,
             preamble: lowered.preamble,
             inputs: lowered.inputs,
-            outputs: module.outputs.iter().map(|(output, _)| *output).collect(),
+            outputs: sources::of_outputs(module),
             textures: lowered.textures,
             slots: lowered.slots,
             discards: lowered.discards,
@@ -153,8 +156,20 @@ impl Program {
     }
 
     /// The outputs that the program writes, each once. Their order is that of [`Machine::output`].
-    pub fn outputs(&self) -> &[Output] {
-        &self.outputs
+    pub fn outputs(&self) -> impl ExactSizeIterator<Item = Output> {
+        self.outputs.iter().map(|&(output, _)| output)
+    }
+
+    /// Where this output is among [`Self::outputs`].
+    pub fn output(&self, wanted: Output) -> Option<usize> {
+        self.outputs().position(|output| output == wanted)
+    }
+
+    /// Whether a varying that it writes is the same at every vertex, if those of `arrays` are all the
+    /// components of attributes that vertices have for themselves. One that it does not write is.
+    pub(crate) fn is_constant(&self, slot: u16, arrays: Sources) -> bool {
+        let sources = self.outputs.iter().find(|(output, _)| *output == Output::Varying(slot));
+        sources.is_none_or(|(_, sources)| !sources.meet(arrays))
     }
 
     /// Whether any lane can be thrown away.
@@ -171,6 +186,16 @@ impl Program {
     /// The texture slots that the program samples, ascending.
     pub fn texture_slots(&self) -> &[u32] {
         &self.textures
+    }
+
+    /// Whether what it computes in a lane depends on the neighbours in the quad; `needs_lod` says
+    /// which texture slots need a level of detail.
+    pub fn reads_neighbours(&self, needs_lod: impl Fn(u32) -> bool) -> bool {
+        self.code.iter().any(|inst| {
+            let samples = |sample: &SampleInst| sample.reads_neighbours(needs_lod(sample.texture));
+            matches!(inst, Inst::Derivative { .. })
+                || matches!(inst, Inst::Sample(sample) if samples(sample))
+        })
     }
 
     /// One line that says what the program became.

@@ -1,7 +1,7 @@
 //! Where a batch's pixels lie in a tile, and how their words come and go.
 
-use super::Plane;
-use texunit::lanes::{QUADS, U32s};
+use super::{BLOCKS, Plane};
+use texunit::lanes::{LANES, QUADS, U32s};
 
 /// Where a batch's pixels lie in a tile.
 #[derive(Clone, Copy)]
@@ -10,7 +10,12 @@ pub enum Place<'a> {
     Block(usize),
     /// The block and quad of each of its quads.
     Quads(&'a [u8], &'a [u8]),
+    /// Each pixel by itself: its block times 64 and its lane there. No pixel is there twice.
+    Pixels(&'a [u16]),
 }
+
+/// Pixels of a tile.
+const PIXELS: usize = BLOCKS * LANES;
 
 /// Lets `change` see the words of a batch's pixels as lanes, and puts those of `mask` back; it changes
 /// no others. (A quad may be in a batch more than once, with other pixels each time.)
@@ -27,6 +32,12 @@ pub fn with_words<R>(
             let mut words = gather(blocks, of, quads);
             let result = change(&mut words);
             scatter(blocks, of, quads, mask, &words);
+            result
+        }
+        Place::Pixels(at) => {
+            let mut words = gather_pixels(blocks, at);
+            let result = change(&mut words);
+            scatter_pixels(blocks, at, mask, &words);
             result
         }
     }
@@ -48,6 +59,7 @@ pub fn with_texels<R>(
         match place {
             Place::Block(block) => plane.blocks_mut()[block] = *words,
             Place::Quads(of, quads) => scatter(plane.blocks_mut(), of, quads, mask, words),
+            Place::Pixels(at) => scatter_pixels(plane.blocks_mut(), at, mask, words),
         }
     }
     result
@@ -72,5 +84,24 @@ fn scatter(blocks: &mut [U32s], of: &[u8], quads: &[u8], mask: u64, words: &U32s
             let lane = e * QUADS + at;
             *to = if mask >> lane & 1 == 1 { words[lane] } else { *to };
         }
+    }
+}
+
+fn gather_pixels(blocks: &[U32s], at: &[u16]) -> U32s {
+    let mut words = U32s::ZERO;
+    if let Ok(pixels) = <&[u32; PIXELS]>::try_from(bytemuck::cast_slice::<_, u32>(blocks)) {
+        for (word, &at) in words.0.iter_mut().zip(at) {
+            *word = pixels[usize::from(at) % PIXELS];
+        }
+    }
+    words
+}
+
+fn scatter_pixels(blocks: &mut [U32s], at: &[u16], mask: u64, words: &U32s) {
+    let pixels = bytemuck::cast_slice_mut::<_, u32>(blocks);
+    let Ok(pixels) = <&mut [u32; PIXELS]>::try_from(pixels) else { return };
+    for (lane, (&word, &at)) in words.0.iter().zip(at).enumerate() {
+        let to = &mut pixels[usize::from(at) % PIXELS];
+        *to = if mask >> lane & 1 == 1 { word } else { *to };
     }
 }

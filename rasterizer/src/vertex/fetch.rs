@@ -3,8 +3,29 @@
 use crate::driver::{VertexFormat, VertexSource, VertexType};
 use texunit::lanes::{F32s, Isa, Kernel, LANES, Simd, U32s};
 
-/// Component `component` of an attribute for each of `ids`.
-pub fn component(isa: Isa, source: &VertexSource, component: u8, ids: &[u32], out: &mut F32s) {
+/// Which elements are read, at most 64.
+#[derive(Clone, Copy)]
+pub struct Elements<'a> {
+    ids: &'a [u32],
+    furthest: u32,
+}
+
+impl<'a> Elements<'a> {
+    /// These.
+    pub fn new(ids: &'a [u32]) -> Self {
+        debug_assert!(ids.len() <= LANES);
+        Self { ids, furthest: ids.iter().copied().max().unwrap_or(0) }
+    }
+}
+
+/// Component `component` of an attribute for each of some elements.
+pub fn component(
+    isa: Isa,
+    source: &VertexSource,
+    component: u8,
+    elements: Elements<'_>,
+    out: &mut F32s,
+) {
     match source {
         VertexSource::Constant(value) => *out = F32s::splat(value[usize::from(component)]),
         VertexSource::Array { components, format, .. } if component >= *components => {
@@ -16,7 +37,7 @@ pub fn component(isa: Isa, source: &VertexSource, component: u8, ids: &[u32], ou
         }
         VertexSource::Array { buffer, offset, stride, ty, format, .. } => {
             let start = offset + usize::from(component) * ty.size();
-            let words = Words { bytes: buffer.bytes(), start, stride: *stride, ids };
+            let words = Words { bytes: buffer.bytes(), start, stride: *stride, elements };
             match (ty, format) {
                 (VertexType::F32, _) => words.floats(isa, out),
                 (VertexType::F64, _) => words.each(out, |b| f64::from_le_bytes(b) as f32),
@@ -89,16 +110,17 @@ struct Words<'a> {
     bytes: &'a [u8],
     start: usize,
     stride: usize,
-    ids: &'a [u32],
+    elements: Elements<'a>,
 }
 
 impl Words<'_> {
     /// Reads floats: gathered where 64 of them are all inside.
     fn floats(&self, isa: Isa, out: &mut F32s) {
-        match (<&[u32; LANES]>::try_from(self.ids), u32::try_from(self.start), self.end::<4>()) {
+        let ids = <&[u32; LANES]>::try_from(self.elements.ids);
+        match (ids, u32::try_from(self.start), self.end::<4>()) {
             (Ok(ids), Ok(start), Some(end)) if end <= i32::MAX as usize => {
                 let (bytes, stride) = (&self.bytes[..end], self.stride as u32);
-                *out = *isa.run(Gather { bytes, start, stride, ids }).as_f32();
+                isa.run(Gather { bytes, start, stride, ids, out });
             }
             _ => self.each(out, f32::from_le_bytes),
         }
@@ -106,24 +128,23 @@ impl Words<'_> {
 
     /// One past the last byte of all `N`-byte words; `None` where some are not there.
     fn end<const N: usize>(&self) -> Option<usize> {
-        let furthest = self.ids.iter().copied().max().unwrap_or(0) as usize;
+        let furthest = self.elements.furthest as usize;
         let last = furthest.checked_mul(self.stride)?.checked_add(self.start)?;
         last.checked_add(N).filter(|&end| end <= self.bytes.len())
     }
 
     /// Reads `N` bytes a vertex; what lies past the end reads as zeros.
     fn each<const N: usize>(&self, out: &mut F32s, convert: impl Fn([u8; N]) -> f32) {
-        debug_assert!(self.ids.len() <= LANES);
         // One check for all where the furthest is inside.
         if let Some(end) = self.end::<N>() {
             let bytes = &self.bytes[..end];
-            for (value, &id) in out.0.iter_mut().zip(self.ids) {
+            for (value, &id) in out.0.iter_mut().zip(self.elements.ids) {
                 let at = id as usize * self.stride + self.start;
                 *value = convert(*bytes[at..].first_chunk().unwrap_or(&[0; N]));
             }
             return;
         }
-        for (value, &id) in out.0.iter_mut().zip(self.ids) {
+        for (value, &id) in out.0.iter_mut().zip(self.elements.ids) {
             let word = (id as usize)
                 .checked_mul(self.stride)
                 .and_then(|at| at.checked_add(self.start))
@@ -141,17 +162,18 @@ struct Gather<'a> {
     start: u32,
     stride: u32,
     ids: &'a [u32; LANES],
+    out: &'a mut F32s,
 }
 
 impl Kernel for Gather<'_> {
-    type Output = U32s;
+    type Output = ();
     #[inline(always)]
-    fn run<S: Simd>(self) -> U32s {
+    fn run<S: Simd>(self) {
         let mut offsets = U32s::ZERO;
         for lane in 0..LANES {
             offsets[lane] = self.ids[lane].wrapping_mul(self.stride).wrapping_add(self.start);
         }
-        S::gather(self.bytes, &offsets)
+        *self.out = *S::gather(self.bytes, &offsets).as_f32();
     }
 }
 
@@ -188,9 +210,9 @@ mod tests {
                 divisor: 0,
             };
             let mut out = F32s::ZERO;
-            component(Isa::best(), &source, 0, &[0, 1, u32::MAX], &mut out);
+            component(Isa::best(), &source, 0, Elements::new(&[0, 1, u32::MAX]), &mut out);
             assert_eq!(out[0], *want, "{ty:?} {format:?}");
-            component(Isa::best(), &source, 3, &[0], &mut out);
+            component(Isa::best(), &source, 3, Elements::new(&[0]), &mut out);
             assert_eq!(out[0], 1.0);
         }
     }

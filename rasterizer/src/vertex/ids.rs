@@ -1,8 +1,9 @@
 //! Which vertices a run of primitives needs, each shaded once where indices allow.
 
-use crate::driver::{Indices, Topology};
+use crate::driver::{IndexType, Indices, Topology};
 use crate::primitive::Primitives;
 use std::ops::Range;
+use texunit::lanes::U32s;
 
 /// Where a draw's vertex numbers come from.
 pub enum Ids<'a> {
@@ -13,21 +14,41 @@ pub enum Ids<'a> {
 }
 
 impl Ids<'_> {
-    /// The vertex of an ordinal of the draw.
-    pub fn get(&self, ordinal: u32) -> u32 {
-        match self {
-            Self::Range(first) => first.wrapping_add(ordinal),
-            Self::Indexed(indices) => {
-                let (size, ordinal) = (indices.ty.size(), ordinal as usize);
-                let at = ordinal.checked_mul(size).and_then(|at| at.checked_add(indices.offset));
-                let bytes = at.and_then(|at| indices.buffer.bytes().get(at..at.checked_add(size)?));
-                let index = bytes.map_or(0, |bytes| {
-                    bytes.iter().rev().fold(0, |word, &byte| word << 8 | u32::from(byte))
-                });
-                index.wrapping_add_signed(indices.base_vertex)
+    /// The vertices of ordinals of the draw.
+    fn of(&self, ordinals: &Ordinals) -> Vec<u32> {
+        let mut out = Vec::with_capacity(ordinals.len());
+        let parts = [0..u32::from(ordinals.zero), ordinals.run.clone()];
+        for part in parts {
+            match self {
+                Self::Range(first) => out.extend(part.map(|ordinal| first.wrapping_add(ordinal))),
+                Self::Indexed(indices) => match indices.ty {
+                    IndexType::U8 => read(indices, part, &mut out, |[b]| b.into()),
+                    IndexType::U16 => {
+                        read(indices, part, &mut out, |b| u16::from_le_bytes(b).into())
+                    }
+                    IndexType::U32 => read(indices, part, &mut out, u32::from_le_bytes),
+                },
             }
         }
+        out
     }
+}
+
+/// Reads indices of `N` bytes; those that are not there are 0.
+fn read<const N: usize>(
+    indices: &Indices,
+    ordinals: Range<u32>,
+    out: &mut Vec<u32>,
+    convert: impl Fn([u8; N]) -> u32,
+) {
+    let end = out.len() + ordinals.len();
+    let first = (ordinals.start as usize).checked_mul(N);
+    let first = first.and_then(|at| at.checked_add(indices.offset));
+    let bytes = first.and_then(|first| indices.buffer.bytes().get(first..)).unwrap_or_default();
+    let vertex = |index: u32| index.wrapping_add_signed(indices.base_vertex);
+    let (there, _) = bytes.as_chunks::<N>();
+    out.extend(there.iter().take(ordinals.len()).map(|&bytes| vertex(convert(bytes))));
+    out.resize(end, vertex(0));
 }
 
 /// The ordinals that a range of primitives uses: a run, and vertex 0 for a fan or a closing line.
@@ -37,11 +58,12 @@ pub struct Ordinals {
 }
 
 impl Ordinals {
-    pub fn iter(&self) -> impl Iterator<Item = u32> {
-        self.zero.then_some(0).into_iter().chain(self.run.clone())
+    /// How many there are.
+    fn len(&self) -> usize {
+        self.run.len() + usize::from(self.zero)
     }
 
-    /// Where an ordinal stands in [`Ordinals::iter`].
+    /// Where an ordinal stands: vertex 0 first, if it is there, then the run.
     fn position(&self, ordinal: u32) -> usize {
         if self.zero && ordinal == 0 {
             0
@@ -71,33 +93,56 @@ pub fn ordinals(topology: Topology, all: &Primitives, range: &Range<u32>) -> Ord
     }
 }
 
-/// The vertices to be shaded, each once where their numbers are dense.
-pub struct Unique {
-    /// The vertices, if they are a run that the draw's indices point into; else they are as wanted.
-    pub ids: Option<Vec<u32>>,
-    /// The first of that run.
-    first: u32,
+/// The vertices that some primitives need, each once where their numbers are dense.
+pub struct Wanted {
+    ordinals: Ordinals,
+    /// The vertices to be shaded.
+    pub ids: Vec<u32>,
+    /// By ordinal, its place in `ids`; none where they are in the order of the ordinals.
+    places: Option<Vec<u32>>,
 }
 
-impl Unique {
-    /// The vertices of a chunk's ordinals.
-    pub fn of(wanted: &[u32], ids: &Ids<'_>) -> Self {
+impl Wanted {
+    /// The vertices of ordinals of a draw.
+    pub fn new(ordinals: Ordinals, ids: &Ids<'_>) -> Self {
+        let mut wanted = ids.of(&ordinals);
         if let Ids::Indexed(_) = ids {
             let low = wanted.iter().copied().min().unwrap_or(0);
             let high = wanted.iter().copied().max().unwrap_or(0);
             if (high - low) as usize <= wanted.len() {
-                return Self { ids: Some((low..=high).collect()), first: low };
+                wanted.iter_mut().for_each(|id| *id -= low);
+                return Self { ordinals, ids: (low..=high).collect(), places: Some(wanted) };
             }
         }
-        Self { ids: None, first: 0 }
+        Self { ordinals, ids: wanted, places: None }
+    }
+
+    /// Where among the shaded ones the vertices of `len` times three ordinals from `first` on are, of which
+    /// none is the vertex 0 of a fan.
+    #[inline]
+    pub fn triples(&self, first: u32, out: &mut [U32s; 3], len: usize) {
+        let at = self.ordinals.position(first);
+        let [a, b, c] = out;
+        let lanes = a.0.iter_mut().zip(&mut b.0).zip(&mut c.0).take(len);
+        match &self.places {
+            Some(places) => {
+                let (triples, _) = places[at..].as_chunks::<3>();
+                for (((a, b), c), &triple) in lanes.zip(triples) {
+                    [*a, *b, *c] = triple;
+                }
+            }
+            None => {
+                for (((a, b), c), at) in lanes.zip((at as u32..).step_by(3)) {
+                    [*a, *b, *c] = [at, at + 1, at + 2];
+                }
+            }
+        }
     }
 
     /// Where among the shaded ones the vertex of an ordinal is.
-    pub fn local(&self, ordinals: &Ordinals, wanted: &[u32], ordinal: u32) -> u32 {
-        let at = ordinals.position(ordinal);
-        match self.ids {
-            Some(_) => wanted[at] - self.first,
-            None => at as u32,
-        }
+    #[inline]
+    pub fn local(&self, ordinal: u32) -> u32 {
+        let at = self.ordinals.position(ordinal);
+        self.places.as_ref().map_or(at as u32, |places| places[at])
     }
 }

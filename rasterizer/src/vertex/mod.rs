@@ -6,9 +6,7 @@ mod ids;
 mod place;
 mod shade;
 
-pub use ids::{Ids, Ordinals, Unique, ordinals};
+pub use ids::{Ids, Wanted, ordinals};
 pub use place::GUARD_BAND;
-#[cfg(test)]
-pub use place::ShadedVertex;
 pub use place::{Outcode, snap};
-pub use shade::{Geometry, VertexStage, shade};
+pub use shade::{Geometry, VARYINGS, VertexStage, shade};

@@ -8,57 +8,43 @@ use texunit::lanes::{F32s, Kernel, LANES, Simd};
 /// bits of subpixels every edge function then fits its integers ([`crate::raster`]).
 pub const GUARD_BAND: f64 = 32768.0;
 
-/// On which sides of the clip volume a vertex is out; a bit each.
+/// On which sides of the clip volume a vertex is out, a bit each; from bit 16 on, beyond which of the
+/// user's planes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Outcode(pub u16);
+pub struct Outcode(pub u32);
 
 impl Outcode {
     /// `x < -w`.
-    pub const LEFT: u16 = 1;
+    pub const LEFT: u32 = 1;
     /// `x > w`.
-    pub const RIGHT: u16 = 2;
+    pub const RIGHT: u32 = 2;
     /// `y < -w`.
-    pub const BOTTOM: u16 = 4;
+    pub const BOTTOM: u32 = 4;
     /// `y > w`.
-    pub const TOP: u16 = 8;
+    pub const TOP: u32 = 8;
     /// `z < -w`.
-    pub const NEAR: u16 = 16;
+    pub const NEAR: u32 = 16;
     /// `z > w`.
-    pub const FAR: u16 = 32;
+    pub const FAR: u32 = 32;
     /// `w` is not above zero.
-    pub const BEHIND: u16 = 64;
+    pub const BEHIND: u32 = 64;
     /// Outside the guard band.
-    pub const GUARD: u16 = 128;
-    /// Beyond one of the user's clip planes.
-    pub const USER: u16 = 512;
+    pub const GUARD: u32 = 128;
     /// A coordinate is inf or NaN: the primitive is dropped.
-    pub const INVALID: u16 = 256;
+    pub const INVALID: u32 = 256;
+    /// Beyond one of the user's clip planes.
+    pub const USER: u32 = 512;
     /// Out on one of these by every vertex: nothing can be seen.
-    pub const REJECT: u16 =
+    pub const REJECT: u32 =
         Self::LEFT | Self::RIGHT | Self::BOTTOM | Self::TOP | Self::NEAR | Self::FAR | Self::BEHIND;
     /// Out on one of these by any vertex: the primitive is cut.
-    pub const CUT: u16 = Self::NEAR | Self::FAR | Self::BEHIND | Self::GUARD | Self::USER;
-}
+    pub const CUT: u32 = Self::NEAR | Self::FAR | Self::BEHIND | Self::GUARD | Self::USER;
 
-/// A vertex after its program.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct ShadedVertex {
-    /// Clip coordinates.
-    pub clip: [f32; 4],
-    /// Window x and y; meaningless unless `w > 0`.
-    pub window: [f64; 2],
-    /// `gl_PointSize`.
-    pub point_size: f32,
-    /// The same in subpixels.
-    pub snapped: [i32; 2],
-    /// Where it is.
-    pub outcode: Outcode,
     /// Beyond which of the user's clip planes, bit by plane.
-    pub user: u8,
+    pub fn user(self) -> u8 {
+        (self.0 >> 16) as u8
+    }
 }
-
-/// 64 values in `f64`.
-type F64s = [f64; LANES];
 
 /// Adding and taking away this rounds to an integer, which is then in the lowest bits.
 const TO_INTEGER: f64 = 6_755_399_441_055_744.0;
@@ -72,15 +58,8 @@ pub(super) struct Place<'a> {
 
 /// Where 64 vertices are.
 pub(super) struct Placed {
-    window: [F64s; 2],
-    snapped: [[i32; LANES]; 2],
-    outcode: [u32; LANES],
-}
-
-impl Default for Placed {
-    fn default() -> Self {
-        Self { window: [[0.0; LANES]; 2], snapped: [[0; LANES]; 2], outcode: [0; LANES] }
-    }
+    pub snapped: [[i32; LANES]; 2],
+    pub outcodes: [u32; LANES],
 }
 
 impl Kernel for Place<'_> {
@@ -89,20 +68,22 @@ impl Kernel for Place<'_> {
     fn run<S: Simd>(self) {
         let Self { clip: [x, y, z, w], viewport, out } = self;
         let (half, center) = (viewport.half(), viewport.center());
+        // As `Viewport::window` has it.
+        let mut window = [[0.0; LANES]; 2];
         for (axis, position) in [x, y].into_iter().enumerate() {
             for lane in 0..LANES {
                 let ndc = f64::from(position[lane]) / f64::from(w[lane]);
-                out.window[axis][lane] = ndc * half[axis] + center[axis];
+                window[axis][lane] = ndc * half[axis] + center[axis];
             }
             for lane in 0..LANES {
-                out.snapped[axis][lane] = snap(out.window[axis][lane]);
+                out.snapped[axis][lane] = snap(window[axis][lane]);
             }
         }
-        let bit = |out: bool, bit: u16| if out { u32::from(bit) } else { 0 };
+        let bit = |out: bool, bit: u32| if out { bit } else { 0 };
         for lane in 0..LANES {
             let (x, y, z, w) = (x[lane], y[lane], z[lane], w[lane]);
             let inside = |v: f64| v.abs() <= GUARD_BAND;
-            let in_band = inside(out.window[0][lane]) & inside(out.window[1][lane]);
+            let in_band = inside(window[0][lane]) & inside(window[1][lane]);
             let finite = x.is_finite() & y.is_finite() & z.is_finite() & w.is_finite();
             let code = bit(x < -w, Outcode::LEFT)
                 | bit(x > w, Outcode::RIGHT)
@@ -112,23 +93,7 @@ impl Kernel for Place<'_> {
                 | bit(z > w, Outcode::FAR)
                 | bit(w <= 0.0, Outcode::BEHIND)
                 | bit(!in_band, Outcode::GUARD);
-            out.outcode[lane] = if finite { code } else { Outcode::INVALID.into() };
-        }
-    }
-}
-
-impl Placed {
-    /// Gives them to the vertices.
-    pub fn store(&self, clip: [&F32s; 4], point_size: f32, vertices: &mut [ShadedVertex]) {
-        for (lane, vertex) in vertices.iter_mut().enumerate().take(LANES) {
-            *vertex = ShadedVertex {
-                clip: [clip[0][lane], clip[1][lane], clip[2][lane], clip[3][lane]],
-                window: [self.window[0][lane], self.window[1][lane]],
-                snapped: [self.snapped[0][lane], self.snapped[1][lane]],
-                point_size,
-                outcode: Outcode(self.outcode[lane] as u16),
-                user: 0,
-            };
+            out.outcodes[lane] = if finite { code } else { Outcode::INVALID };
         }
     }
 }
@@ -147,13 +112,12 @@ pub fn snap(window: f64) -> i32 {
 }
 
 /// Clip tests against the user's planes. A distance that is no number drops the primitive.
-pub(super) fn cut(vertex: &mut ShadedVertex, distances: &[f32]) {
+pub(super) fn cut(outcode: &mut u32, distances: &[f32]) {
     for (plane, distance) in distances.iter().enumerate() {
         if !distance.is_finite() {
-            vertex.outcode = Outcode(Outcode::INVALID);
+            *outcode = Outcode::INVALID;
         } else if *distance < 0.0 {
-            vertex.outcode.0 |= Outcode::USER;
-            vertex.user |= 1 << plane;
+            *outcode |= Outcode::USER | 1 << (16 + plane);
         }
     }
 }

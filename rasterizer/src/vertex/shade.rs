@@ -1,8 +1,8 @@
 //! The vertex program over batches of 64, and the viewport transform of what it gives.
 
-use super::fetch;
-use super::place::{Place, Placed, ShadedVertex, cut};
-use crate::driver::{PointSize, PointState, VertexBinding, VertexSource, Viewport};
+use super::fetch::{self, Elements};
+use super::place::{Outcode, Place, Placed, cut};
+use crate::driver::{PointSize, VertexBinding, VertexSource, Viewport};
 use crate::ir::{Input, Output};
 use crate::pool::Pool;
 use crate::primitive::{Corner, MAX_DISTANCES};
@@ -16,12 +16,16 @@ use texunit::plan::SamplePlan;
 /// The vertices of a chunk of a draw.
 #[derive(Debug, Default)]
 pub struct Geometry {
-    /// One for each vertex.
-    pub vertices: Vec<ShadedVertex>,
-    /// `stride` for each vertex.
-    pub varyings: Vec<f32>,
-    /// Varyings of a vertex.
+    /// `stride` for each vertex: x, y, z and w in clip coordinates, and its varyings.
+    pub values: Vec<f32>,
+    /// Values of a vertex.
     pub stride: usize,
+    /// Window coordinates on the subpixel grid; meaningless unless `w > 0`.
+    pub snapped: Vec<[i32; 2]>,
+    /// The [`Outcode`] of each vertex.
+    pub outcodes: Vec<u32>,
+    /// `gl_PointSize` of each vertex; empty where it does not matter.
+    point_sizes: Vec<f32>,
     /// `planes` clip distances for each vertex.
     distances: Vec<f32>,
     /// Clip distances of a vertex.
@@ -30,10 +34,37 @@ pub struct Geometry {
     edge_flags: Vec<f32>,
 }
 
+/// Where the varyings of a vertex begin among its values.
+pub const VARYINGS: usize = 4;
+
 impl Geometry {
+    fn values_of(&self, vertex: u32) -> &[f32] {
+        &self.values[vertex as usize * self.stride..][..self.stride]
+    }
+
+    /// The clip coordinates of a vertex.
+    pub fn clip(&self, vertex: u32) -> [f32; 4] {
+        self.values_of(vertex).first_chunk().copied().unwrap_or_default()
+    }
+
     /// The varyings of a vertex.
     pub fn varyings_of(&self, vertex: u32) -> &[f32] {
-        &self.varyings[vertex as usize * self.stride..][..self.stride]
+        &self.values_of(vertex)[VARYINGS..]
+    }
+
+    /// Window x and y of a vertex; meaningless unless `w > 0`.
+    pub fn window(&self, viewport: &Viewport, vertex: u32) -> [f64; 2] {
+        viewport.window(&self.clip(vertex).map(f64::from))
+    }
+
+    /// On which sides of the clip volume a vertex is out.
+    pub fn outcode(&self, vertex: u32) -> Outcode {
+        Outcode(self.outcodes[vertex as usize])
+    }
+
+    /// The size that the vertex stage gave a point, if it did.
+    pub fn point_size(&self, vertex: u32) -> Option<f32> {
+        self.point_sizes.get(vertex as usize).copied()
     }
 
     /// A vertex as a corner of a polygon to be clipped.
@@ -43,7 +74,7 @@ impl Geometry {
         for (to, &from) in distances.iter_mut().zip(own) {
             *to = from.into();
         }
-        Corner { clip: self.vertices[vertex as usize].clip.map(f64::from), distances }
+        Corner { clip: self.clip(vertex).map(f64::from), distances }
     }
 
     /// Whether a boundary edge begins at a vertex (GL 2.1, section 2.6.2).
@@ -74,8 +105,8 @@ pub struct VertexStage<'a> {
     pub viewport: Viewport,
     /// Varying slots that the fragment stage reads, in the order they are stored.
     pub varyings: &'a [u16],
-    /// The size of points and where it comes from.
-    pub point: &'a PointState,
+    /// Where the size of points comes from.
+    pub point_size: PointSize,
     /// The attribute that holds edge flags, where they matter.
     pub edge_flag: Option<u8>,
 }
@@ -85,48 +116,54 @@ pub struct VertexStage<'a> {
 /// # Errors
 /// When a batch runs over its budget.
 pub fn shade(stage: &VertexStage<'_>, ids: &[u32], instance: u32) -> Result<Geometry, OverBudget> {
-    let stride = stage.varyings.len();
-    let distance = |output: &&Output| matches!(output, Output::ClipDistance(_));
-    let planes = stage.program.outputs().iter().filter(distance).count();
+    let stride = VARYINGS + stage.varyings.len();
+    let distance = |output: &Output| matches!(output, Output::ClipDistance(_));
+    let planes = stage.program.outputs().filter(distance).count();
     let sources: Vec<Source> = stage.program.inputs().iter().map(|&i| stage.source(i)).collect();
     let mut plane = 0..;
-    let outputs = stage.program.outputs().iter();
-    let targets: Vec<Target> = outputs.map(|&o| stage.target(o, &mut plane)).collect();
+    let outputs = stage.program.outputs();
+    let targets: Vec<Target> = outputs.map(|o| stage.target(o, &mut plane)).collect();
     let mut geometry = stage.geometries.take();
     (geometry.stride, geometry.planes) = (stride, planes);
-    // What it holds of another draw is written over, but for varyings that this one does not write.
-    geometry.vertices.resize(ids.len(), ShadedVertex::default());
-    geometry.varyings.resize(ids.len() * stride, 0.0);
-    geometry.distances.resize(ids.len() * planes, 0.0);
+    let sizes = usize::from(targets.contains(&Target::PointSize));
+    // What it holds of another draw is written over, but for values that this one does not write.
+    let count = ids.len();
+    geometry.values.resize(count * stride, 0.0);
+    geometry.snapped.resize(count, [0; 2]);
+    geometry.outcodes.resize(count, 0);
+    geometry.point_sizes.resize(count * sizes, 0.0);
+    geometry.distances.resize(count * planes, 0.0);
     geometry.edge_flags = stage.edge_flags(ids);
-    let is_varying = |target: &&Target| matches!(target, Target::Varying(_));
-    if targets.iter().filter(is_varying).count() < stride {
-        geometry.varyings.fill(0.0);
+    let is_value = |target: &&Target| matches!(target, Target::Value(_));
+    if targets.iter().filter(is_value).count() < stride {
+        geometry.values.fill(0.0);
     }
     let lend = || {
         let mut machine = stage.machines.lend();
         machine.get().begin(stage.program);
         machine
     };
-    let vertices = geometry.vertices.chunks_mut(LANES);
-    let varyings = pieces(&mut geometry.varyings, ids.len(), stride);
-    let distances = pieces(&mut geometry.distances, ids.len(), planes);
-    let batches = ids.chunks(LANES).zip(vertices).zip(varyings.into_iter().zip(distances));
-    let mut batches: Vec<Batch<'_>> = batches
-        .map(|((ids, vertices), (varyings, distances))| Batch {
-            ids,
-            instance,
-            vertices,
-            varyings,
-            distances,
-        })
-        .collect();
-    if batches.len() <= 4 {
+    let mut values = Pieces { rest: &mut geometry.values, each: stride };
+    let mut snapped = Pieces { rest: &mut geometry.snapped, each: 1 };
+    let mut outcodes = Pieces { rest: &mut geometry.outcodes, each: 1 };
+    let mut point_sizes = Pieces { rest: &mut geometry.point_sizes, each: sizes };
+    let mut distances = Pieces { rest: &mut geometry.distances, each: planes };
+    let batches = ids.chunks(LANES).map(|ids| Batch {
+        ids,
+        instance,
+        values: values.next(ids.len()),
+        snapped: snapped.next(ids.len()),
+        outcodes: outcodes.next(ids.len()),
+        point_sizes: point_sizes.next(ids.len()),
+        distances: distances.next(ids.len()),
+    });
+    if ids.len() <= 4 * LANES {
         let mut machine = lend();
-        for batch in &mut batches {
-            stage.batch(machine.get(), &sources, &targets, batch)?;
+        for mut batch in batches {
+            stage.batch(machine.get(), &sources, &targets, &mut batch)?;
         }
     } else {
+        let mut batches: Vec<Batch<'_>> = batches.collect();
         batches.par_iter_mut().with_min_len(4).try_for_each_init(lend, |machine, batch| {
             stage.batch(machine.get(), &sources, &targets, batch)
         })?;
@@ -134,17 +171,20 @@ pub fn shade(stage: &VertexStage<'_>, ids: &[u32], instance: u32) -> Result<Geom
     Ok(geometry)
 }
 
-/// `stride` values of each of `count` vertices, cut into batches. (`chunks_mut` takes no stride of
-/// zero.)
-fn pieces(values: &mut [f32], count: usize, stride: usize) -> Vec<&mut [f32]> {
-    let mut pieces = Vec::with_capacity(count.div_ceil(LANES));
-    let mut rest = values;
-    for first in (0..count).step_by(LANES) {
-        let (piece, after) = rest.split_at_mut(LANES.min(count - first) * stride);
-        pieces.push(piece);
-        rest = after;
+/// What is left of values of which each vertex has so many, to be cut into batches. (`chunks_mut`
+/// takes no stride of zero.)
+struct Pieces<'a, T> {
+    rest: &'a mut [T],
+    each: usize,
+}
+
+impl<'a, T> Pieces<'a, T> {
+    /// Those of the next `count` vertices.
+    fn next(&mut self, count: usize) -> &'a mut [T] {
+        let (piece, rest) = std::mem::take(&mut self.rest).split_at_mut(count * self.each);
+        self.rest = rest;
+        piece
     }
-    pieces
 }
 
 /// Where an input of the program comes from.
@@ -159,10 +199,11 @@ enum Source<'a> {
 }
 
 /// Where an output of the program goes.
+#[derive(Clone, Copy, PartialEq, Eq)]
 enum Target {
-    Position(usize),
     PointSize,
-    Varying(usize),
+    /// One of the vertex's values.
+    Value(usize),
     /// A clip distance, by its place among the distances.
     Distance(usize),
     Nowhere,
@@ -172,8 +213,10 @@ enum Target {
 struct Batch<'a> {
     ids: &'a [u32],
     instance: u32,
-    vertices: &'a mut [ShadedVertex],
-    varyings: &'a mut [f32],
+    values: &'a mut [f32],
+    snapped: &'a mut [[i32; 2]],
+    outcodes: &'a mut [u32],
+    point_sizes: &'a mut [f32],
     distances: &'a mut [f32],
 }
 
@@ -207,7 +250,7 @@ impl VertexStage<'_> {
         let mut flags = Vec::with_capacity(ids.len());
         for ids in ids.chunks(LANES) {
             let mut lanes = F32s::ZERO;
-            fetch::component(self.isa, &binding.source, 0, ids, &mut lanes);
+            fetch::component(self.isa, &binding.source, 0, Elements::new(ids), &mut lanes);
             flags.extend_from_slice(&lanes.0[..ids.len()]);
         }
         flags
@@ -215,13 +258,13 @@ impl VertexStage<'_> {
 
     fn target(&self, output: Output, plane: &mut impl Iterator<Item = usize>) -> Target {
         match output {
-            Output::Position(component) => Target::Position(usize::from(component)),
-            Output::PointSize => match self.point.source {
+            Output::Position(component) => Target::Value(component.into()),
+            Output::PointSize => match self.point_size {
                 PointSize::State => Target::Nowhere,
                 PointSize::Vertex => Target::PointSize,
             },
             Output::Varying(slot) => match self.varyings.iter().position(|&s| s == slot) {
-                Some(at) => Target::Varying(at),
+                Some(at) => Target::Value(VARYINGS + at),
                 None => Target::Nowhere,
             },
             Output::ClipDistance(_) => plane.next().map_or(Target::Nowhere, Target::Distance),
@@ -236,16 +279,18 @@ impl VertexStage<'_> {
         targets: &[Target],
         batch: &mut Batch<'_>,
     ) -> Result<(), OverBudget> {
-        let Batch { ids, instance, vertices, varyings, distances } = batch;
+        let Batch { ids, instance, values, snapped, outcodes, point_sizes, distances } = batch;
+        let elements = Elements::new(ids);
         for (index, source) in sources.iter().enumerate() {
             let lanes = machine.input_mut(index);
             match source {
                 Source::Attribute(source, component) => {
-                    fetch::component(self.isa, source, *component, ids, lanes.as_f32_mut());
+                    fetch::component(self.isa, source, *component, elements, lanes.as_f32_mut());
                 }
                 Source::Instanced(source, component, divisor) => {
-                    let element = *instance / *divisor;
-                    fetch::component(self.isa, source, *component, &[element], lanes.as_f32_mut());
+                    let element = [*instance / *divisor];
+                    let element = Elements::new(&element);
+                    fetch::component(self.isa, source, *component, element, lanes.as_f32_mut());
                     *lanes = U32s::splat(lanes[0]);
                 }
                 Source::Missing(value) => lanes.0 = [value.to_bits(); LANES],
@@ -261,44 +306,45 @@ impl VertexStage<'_> {
             active: !0 >> (LANES - ids.len()),
             budget: self.budget,
         })?;
-        let stride = self.varyings.len();
+        let stride = VARYINGS + self.varyings.len();
         let mut clip = [&F32s::ZERO; 4];
-        for (index, target) in targets.iter().enumerate() {
-            if let Target::Position(component) = *target {
-                clip[component] = machine.output(index).as_f32();
-            }
-        }
-        let mut placed = Placed::default();
-        self.isa.run(Place { clip, viewport: &self.viewport, out: &mut placed });
-        placed.store(clip, self.point.size, vertices);
-        for (index, target) in targets.iter().enumerate() {
+        for (index, &target) in targets.iter().enumerate() {
             let lanes = machine.output(index).as_f32();
-            match *target {
-                Target::PointSize => {
-                    for (vertex, &value) in vertices.iter_mut().zip(&lanes.0) {
-                        vertex.point_size = value;
+            match target {
+                Target::PointSize => point_sizes.copy_from_slice(&lanes.0[..ids.len()]),
+                Target::Value(at) => {
+                    if let Some(clip) = clip.get_mut(at) {
+                        *clip = lanes;
                     }
-                }
-                Target::Varying(at) => {
-                    for (all, &value) in varyings.chunks_exact_mut(stride).zip(&lanes.0) {
-                        all[at] = value;
-                    }
+                    scatter(values, at, stride, lanes);
                 }
                 Target::Distance(at) => {
-                    let all = distances.chunks_exact_mut(distances.len() / ids.len());
-                    for (all, &value) in all.zip(&lanes.0) {
-                        all[at] = value;
-                    }
+                    let planes = distances.len() / ids.len();
+                    scatter(distances, at, planes, lanes);
                 }
-                Target::Position(_) | Target::Nowhere => {}
+                Target::Nowhere => {}
             }
         }
+        let mut placed = Placed { snapped: [[0; LANES]; 2], outcodes: [0; LANES] };
+        self.isa.run(Place { clip, viewport: &self.viewport, out: &mut placed });
+        for (lane, to) in snapped.iter_mut().enumerate().take(LANES) {
+            *to = [placed.snapped[0][lane], placed.snapped[1][lane]];
+        }
+        outcodes.copy_from_slice(&placed.outcodes[..ids.len()]);
         if !distances.is_empty() {
             let planes = distances.len() / ids.len();
-            for (vertex, own) in vertices.iter_mut().zip(distances.chunks_exact(planes)) {
-                cut(vertex, own);
+            for (outcode, own) in outcodes.iter_mut().zip(distances.chunks_exact(planes)) {
+                cut(outcode, own);
             }
         }
         Ok(())
+    }
+}
+
+/// Gives each vertex of a batch its value `at`.
+fn scatter(values: &mut [f32], at: usize, stride: usize, lanes: &F32s) {
+    let Some(values) = values.get_mut(at..) else { return };
+    for (to, &value) in values.iter_mut().step_by(stride).zip(&lanes.0) {
+        *to = value;
     }
 }

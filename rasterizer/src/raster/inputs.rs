@@ -1,0 +1,399 @@
+//! The inputs of a fragment program: planes at the pixels of a batch.
+
+use super::batch::{Batch, BlockOf, Packed, QUAD_X, QUAD_Y, Quads, front_word};
+use super::pixels::Pixels;
+use super::samples::moved;
+use crate::ir::Axis;
+use crate::plan::{DrawPlan, FragmentInput};
+use crate::primitive::Facing;
+use crate::shader::Machine;
+use texunit::lanes::{F32s, Kernel, LANES, QUADS, Simd, U32s};
+
+/// What a batch has for pixel `e` of its quad `q`.
+trait Places {
+    /// A plane: at the first pixel of the block, per pixel across, per pixel up.
+    fn plane(&self, plane: usize) -> impl Fn(usize, usize) -> [f32; 3];
+    /// Its column and row in its block.
+    fn within(&self, e: usize, q: usize) -> [f32; 2];
+    /// The first pixel of its block.
+    fn block(&self, e: usize, q: usize) -> [f32; 2];
+    fn front(&self, e: usize, q: usize) -> u32;
+    fn coverage(&self) -> Option<&F32s>;
+}
+
+impl Places for BlockOf<'_> {
+    #[inline(always)]
+    fn plane(&self, plane: usize) -> impl Fn(usize, usize) -> [f32; 3] {
+        let plane = self.planes[plane];
+        move |_, _| plane
+    }
+    #[inline(always)]
+    fn within(&self, e: usize, q: usize) -> [f32; 2] {
+        [QUAD_X[q] + X[e], QUAD_Y[q] + Y[e]]
+    }
+    #[inline(always)]
+    fn block(&self, _e: usize, _q: usize) -> [f32; 2] {
+        [self.x as f32, self.y as f32]
+    }
+    #[inline(always)]
+    fn front(&self, _e: usize, _q: usize) -> u32 {
+        front_word(self.facing)
+    }
+    #[inline(always)]
+    fn coverage(&self) -> Option<&F32s> {
+        self.coverage
+    }
+}
+
+impl Places for Packed {
+    #[inline(always)]
+    fn plane(&self, plane: usize) -> impl Fn(usize, usize) -> [f32; 3] {
+        let plane = &self.planes[plane];
+        move |_, q| [plane.corner[q], plane.a[q], plane.b[q]]
+    }
+    #[inline(always)]
+    fn within(&self, e: usize, q: usize) -> [f32; 2] {
+        [self.dx[q] + X[e], self.dy[q] + Y[e]]
+    }
+    #[inline(always)]
+    fn block(&self, _e: usize, q: usize) -> [f32; 2] {
+        [self.x[q], self.y[q]]
+    }
+    #[inline(always)]
+    fn front(&self, _e: usize, q: usize) -> u32 {
+        self.front[q]
+    }
+    #[inline(always)]
+    fn coverage(&self) -> Option<&F32s> {
+        Some(&self.coverage)
+    }
+}
+
+impl Places for Pixels {
+    #[inline(always)]
+    fn plane(&self, plane: usize) -> impl Fn(usize, usize) -> [f32; 3] {
+        let plane = &self.planes[plane];
+        move |e, q| {
+            let lane = e * QUADS + q;
+            [plane.corner[lane], plane.a[lane], plane.b[lane]]
+        }
+    }
+    #[inline(always)]
+    fn within(&self, e: usize, q: usize) -> [f32; 2] {
+        [self.within[0][e * QUADS + q], self.within[1][e * QUADS + q]]
+    }
+    #[inline(always)]
+    fn block(&self, e: usize, q: usize) -> [f32; 2] {
+        [self.block[0][e * QUADS + q], self.block[1][e * QUADS + q]]
+    }
+    #[inline(always)]
+    fn front(&self, e: usize, q: usize) -> u32 {
+        let is_back = self.back >> (e * QUADS + q) & 1 == 1;
+        front_word(if is_back { Facing::Back } else { Facing::Front })
+    }
+    #[inline(always)]
+    fn coverage(&self) -> Option<&F32s> {
+        None
+    }
+}
+
+/// Fills the input registers of a program from a batch, and the depth of each lane if a plane
+/// holds it.
+pub struct Interpolate<'a> {
+    /// The draw.
+    pub plan: &'a DrawPlan,
+    /// The quads.
+    pub batch: &'a Batch<'a>,
+    /// Takes the inputs.
+    pub machine: &'a mut Machine,
+    /// Takes the depth, where the plan has a plane for it.
+    pub depth: &'a mut F32s,
+}
+
+impl Kernel for Interpolate<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn run<S: Simd>(self) {
+        match self.batch.quads {
+            Quads::Block(block) => self.fill::<S>(block),
+            Quads::Packed(packed) => self.fill::<S>(packed),
+            Quads::Pixels(pixels) => self.fill::<S>(pixels),
+        }
+    }
+}
+
+impl Interpolate<'_> {
+    #[inline(always)]
+    fn fill<S: Simd>(self, places: &impl Places) {
+        let Self { plan, batch, machine, depth } = self;
+        // Planes and registers may overlap as far as the compiler knows: what is computed here is
+        // computed on the stack and stored whole.
+        if let Some(index) = plan.depth_plane {
+            *depth = evaluate(places, index);
+            clamp_depth(depth);
+        }
+        let mut w = F32s::ZERO;
+        let mut denominator = 0;
+        if let Some(index) = plan.denominator_plane {
+            denominator = index;
+            w = evaluate(places, index);
+            invert::<S>(&mut w);
+        }
+        let mut centroids = [F32s::ZERO; 2];
+        if plan.centroids {
+            centroids = plan.samples.centroids(batch.masks);
+        }
+        for (index, input) in plan.inputs.iter().enumerate() {
+            let out = machine.input_mut(index);
+            match *input {
+                FragmentInput::Smooth(index) => {
+                    let mut value = evaluate(places, index);
+                    for lane in 0..LANES {
+                        value[lane] *= w[lane];
+                    }
+                    *out.as_f32_mut() = value;
+                }
+                FragmentInput::Linear(index) => *out.as_f32_mut() = evaluate(places, index),
+                FragmentInput::SmoothWithin(index) => {
+                    let mut value = within(places, index, &centroids);
+                    let over = within(places, denominator, &centroids);
+                    for lane in 0..LANES {
+                        value[lane] *= 1.0 / over[lane];
+                    }
+                    *out.as_f32_mut() = value;
+                }
+                FragmentInput::LinearWithin(index) => {
+                    *out.as_f32_mut() = within(places, index, &centroids);
+                }
+                FragmentInput::SmoothSlope(index, axis) => {
+                    let mut slope = evaluate(places, index);
+                    let (of, by) = (places.plane(index), places.plane(denominator));
+                    let steps = |e, q| [along(axis, of(e, q)), along(axis, by(e, q))];
+                    let [a, b, c, d] = pixels(&mut slope);
+                    let [ia, ib, ic, id] = pixels(&mut w);
+                    slope_pixel(steps, 0, ia, a);
+                    slope_pixel(steps, 1, ib, b);
+                    slope_pixel(steps, 2, ic, c);
+                    slope_pixel(steps, 3, id, d);
+                    *out.as_f32_mut() = slope;
+                }
+                FragmentInput::LinearSlope(index, axis) => {
+                    let plane = places.plane(index);
+                    by_quad(out, |e, q| along(axis, plane(e, q)).to_bits());
+                }
+                FragmentInput::Depth => *out.as_f32_mut() = *depth,
+                FragmentInput::Flat(index) => {
+                    let plane = places.plane(index);
+                    by_quad(out, |e, q| plane(e, q)[0].to_bits());
+                }
+                FragmentInput::X => by_quad(out, |e, q| {
+                    (places.block(e, q)[0] + (places.within(e, q)[0] + 0.5)).to_bits()
+                }),
+                FragmentInput::Y => by_quad(out, |e, q| {
+                    (places.block(e, q)[1] + (places.within(e, q)[1] + 0.5)).to_bits()
+                }),
+                FragmentInput::Front => by_quad(out, |e, q| places.front(e, q)),
+                FragmentInput::Coverage => {
+                    if let Some(coverage) = places.coverage() {
+                        *out.as_f32_mut() = *coverage;
+                    }
+                }
+                FragmentInput::Zero => *out = U32s::ZERO,
+            }
+        }
+    }
+}
+
+/// Column of each pixel of a quad.
+const X: [f32; 4] = [0.0, 1.0, 0.0, 1.0];
+/// Row of each pixel of a quad.
+const Y: [f32; 4] = [0.0, 0.0, 1.0, 1.0];
+
+/// How a plane changes along an axis.
+#[inline(always)]
+fn along(axis: Axis, [_, a, b]: [f32; 3]) -> f32 {
+    match axis {
+        Axis::X => a,
+        Axis::Y => b,
+    }
+}
+
+/// The inverse of each lane. Where nothing is in perspective they are alike, and one division does.
+#[inline(always)]
+fn invert<S: Simd>(lanes: &mut F32s) {
+    let first = lanes[0].to_bits();
+    let mut different = U32s::ZERO;
+    for lane in 0..LANES {
+        different[lane] = lanes[lane].to_bits() ^ first;
+    }
+    if S::nonzero(&different) == 0 {
+        *lanes = F32s::splat(1.0 / lanes[0]);
+        return;
+    }
+    for lane in 0..LANES {
+        lanes[lane] = 1.0 / lanes[lane];
+    }
+}
+
+/// Fills lanes from the pixel of the quad and the quad.
+#[inline(always)]
+fn by_quad(out: &mut U32s, word: impl Fn(usize, usize) -> u32) {
+    for lane in 0..LANES {
+        out[lane] = word(lane / QUADS, lane % QUADS);
+    }
+}
+
+/// A plane at every lane.
+#[inline(always)]
+fn evaluate(places: &impl Places, plane: usize) -> F32s {
+    evaluate_plane(places, places.plane(plane))
+}
+
+#[inline(always)]
+fn evaluate_plane(places: &impl Places, plane: impl Fn(usize, usize) -> [f32; 3]) -> F32s {
+    let mut out = F32s::ZERO;
+    let [first, second, third, fourth] = pixels(&mut out);
+    evaluate_pixel(places, &plane, 0, first);
+    evaluate_pixel(places, &plane, 1, second);
+    evaluate_pixel(places, &plane, 2, third);
+    evaluate_pixel(places, &plane, 3, fourth);
+    out
+}
+
+/// A plane at one pixel of each quad.
+#[inline(always)]
+fn evaluate_pixel(
+    places: &impl Places,
+    plane: &impl Fn(usize, usize) -> [f32; 3],
+    e: usize,
+    out: &mut [f32; QUADS],
+) {
+    for (q, out) in out.iter_mut().enumerate() {
+        let ([corner, a, b], [dx, dy]) = (plane(e, q), places.within(e, q));
+        *out = (corner + dx * a) + dy * b;
+    }
+}
+
+/// The derivative of the quotient of two planes at one pixel of each quad, given the steps of both:
+/// `(n / d)' = (n' - n / d · d') / d`, of `1 / d` and, in `out`, `n`.
+#[inline(always)]
+fn slope_pixel(
+    steps: impl Fn(usize, usize) -> [f32; 2],
+    e: usize,
+    inverse: &[f32; QUADS],
+    out: &mut [f32; QUADS],
+) {
+    for q in 0..QUADS {
+        let [of, by] = steps(e, q);
+        let value = out[q] * inverse[q];
+        out[q] = (of - value * by) * inverse[q];
+    }
+}
+
+/// A plane at every lane, moved so far across and up from the pixel's centre.
+#[inline(always)]
+fn within(places: &impl Places, plane: usize, [x, y]: &[F32s; 2]) -> F32s {
+    let mut out = evaluate(places, plane);
+    let plane = places.plane(plane);
+    for lane in 0..LANES {
+        let [_, a, b] = plane(lane / QUADS, lane % QUADS);
+        out[lane] += x[lane] * a + y[lane] * b;
+    }
+    out
+}
+
+/// The lanes by pixel of the quad. A loop over pixels around a loop over quads would be vectorized
+/// the wrong way round, with scattered stores.
+#[inline(always)]
+fn pixels(lanes: &mut F32s) -> &mut [[f32; QUADS]; 4] {
+    bytemuck::cast_mut(&mut lanes.0)
+}
+
+impl Batch<'_> {
+    /// A plane at one lane.
+    pub fn at(&self, plane: usize, lane: usize) -> f32 {
+        let values = match self.quads {
+            Quads::Block(block) => evaluate(block, plane),
+            Quads::Packed(packed) => evaluate(packed, plane),
+            Quads::Pixels(pixels) => evaluate(pixels, plane),
+        };
+        values[lane]
+    }
+
+    /// A plane at one lane, moved so far across and up from the pixel's centre.
+    pub fn at_moved(&self, plane: usize, lane: usize, by: &[F32s; 2]) -> f32 {
+        let values = match self.quads {
+            Quads::Block(block) => within(block, plane, by),
+            Quads::Packed(packed) => within(packed, plane, by),
+            Quads::Pixels(pixels) => within(pixels, plane, by),
+        };
+        values[lane]
+    }
+}
+
+/// Window depth lies in [0, 1], whatever the planes and offsets gave (GL 2.1, section 2.11.1).
+#[inline(always)]
+pub fn clamp_depth(depth: &mut F32s) {
+    for lane in 0..LANES {
+        depth[lane] = texunit::lanes::math::clamp(depth[lane], 0.0, 1.0);
+    }
+}
+
+/// The depth of a block of one shape: the same numbers as [`Interpolate`] gives, before anything is
+/// shaded.
+pub struct BlockDepth {
+    /// At the first pixel, per pixel across, per pixel up.
+    pub plane: [f32; 3],
+}
+
+impl Kernel for BlockDepth {
+    type Output = F32s;
+    #[inline(always)]
+    fn run<S: Simd>(self) -> F32s {
+        let [corner, a, b] = self.plane;
+        let mut out = F32s::ZERO;
+        for lane in 0..LANES {
+            let dx = texunit::lanes::lane_x(lane) as f32;
+            let dy = texunit::lanes::lane_y(lane) as f32;
+            out[lane] = (corner + dx * a) + dy * b;
+        }
+        clamp_depth(&mut out);
+        out
+    }
+}
+
+/// The depth of a batch at a sample: the same numbers as [`BlockDepth`] gives for a plane that was
+/// moved there.
+pub struct BatchDepth<'a> {
+    /// The quads.
+    pub batch: &'a Batch<'a>,
+    /// The plane of depth.
+    pub plane: usize,
+    /// From the pixel's centre to the sample, in pixels; `None` for the centre itself.
+    pub offset: Option<[f32; 2]>,
+    /// Takes the depth.
+    pub depth: &'a mut F32s,
+}
+
+impl Kernel for BatchDepth<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn run<S: Simd>(self) {
+        match self.batch.quads {
+            Quads::Block(block) => self.fill(block),
+            Quads::Packed(packed) => self.fill(packed),
+            Quads::Pixels(pixels) => self.fill(pixels),
+        }
+    }
+}
+
+impl BatchDepth<'_> {
+    #[inline(always)]
+    fn fill(self, places: &impl Places) {
+        let Self { plane, offset, depth, .. } = self;
+        let plane = places.plane(plane);
+        let mut out = evaluate_plane(places, |e, q| moved(plane(e, q), offset));
+        clamp_depth(&mut out);
+        *depth = out;
+    }
+}

@@ -1,0 +1,169 @@
+//! A batch of fragments that have nothing to do with their neighbours: up to 64 pixels of anywhere in
+//! a tile.
+//!
+//! Where nothing that a draw computes depends on the other pixels of a quad, there is no reason to
+//! shade those that are not covered: a triangle of five pixels is five lanes, not four quads.
+
+use super::batch::{Batch, Quads};
+use super::samples::SampleMasks;
+use crate::primitive::Facing;
+use crate::target::{BLOCKS, Place};
+use texunit::lanes::{F32s, Isa, Kernel, LANES, Simd};
+
+/// Lanes whose plane is written at once: those after the last pixel are written over by the next.
+const AT_ONCE: usize = 4;
+/// Room for that.
+const ROOM: usize = LANES + AT_ONCE;
+
+/// The three numbers of a plane for each pixel: at the first pixel of its block, per pixel across, per
+/// pixel up.
+#[derive(Clone, Debug)]
+pub struct PixelPlane {
+    pub corner: [f32; ROOM],
+    pub a: [f32; ROOM],
+    pub b: [f32; ROOM],
+}
+
+/// The pixels that are to be shaded together.
+#[derive(Debug)]
+pub struct Pixels {
+    /// How many.
+    len: usize,
+    /// Which lanes they are, when they are a batch.
+    masks: SampleMasks,
+    /// Where each is: its block of the tile times 64, and its lane there.
+    at: [u16; LANES],
+    /// Those of back faces, bit by lane.
+    pub back: u64,
+    pub planes: Vec<PixelPlane>,
+    /// Column and row of each in its block.
+    pub within: [F32s; 2],
+    /// The first pixel of that.
+    pub block: [F32s; 2],
+    /// By block: the lanes that wait in this batch.
+    waiting: [u64; BLOCKS],
+    /// The blocks of which any wait.
+    blocks: u64,
+}
+
+impl Default for Pixels {
+    fn default() -> Self {
+        Self {
+            len: 0,
+            masks: SampleMasks::none(1),
+            at: [0; LANES],
+            back: 0,
+            planes: Vec::new(),
+            within: [F32s::ZERO; 2],
+            block: [F32s::ZERO; 2],
+            waiting: [0; BLOCKS],
+            blocks: 0,
+        }
+    }
+}
+
+impl Pixels {
+    /// Whether nothing waits.
+    pub fn is_empty(&self) -> bool {
+        self.len == 0
+    }
+
+    /// Whether no pixel fits any more.
+    pub fn is_full(&self) -> bool {
+        self.len == LANES
+    }
+
+    /// Whether any of the lanes of a block waits here: what comes after must not overtake it.
+    #[inline]
+    pub fn holds(&self, block: usize, lanes: u64) -> bool {
+        self.waiting[block % BLOCKS] & lanes != 0
+    }
+
+    /// The lanes that there are.
+    fn mask(&self) -> u64 {
+        !0 >> (LANES - self.len.clamp(1, LANES))
+    }
+
+    /// What waits, in the tile whose first pixel is `tile`.
+    pub fn batch(&mut self, isa: Isa, tile: [i32; 2]) -> Batch<'_> {
+        isa.run(Find { pixels: self, tile });
+        self.masks = SampleMasks::one(self.mask());
+        Batch { quads: Quads::Pixels(self), masks: &self.masks, tested: 0 }
+    }
+
+    /// Where they are.
+    pub fn place(&self) -> Place<'_> {
+        Place::Pixels(&self.at[..self.len])
+    }
+
+    /// Forgets its pixels and makes room for a draw with `planes` planes.
+    pub fn clear(&mut self, planes: usize) {
+        while self.blocks != 0 {
+            self.waiting[self.blocks.trailing_zeros() as usize % BLOCKS] = 0;
+            self.blocks &= self.blocks - 1;
+        }
+        (self.len, self.back) = (0, 0);
+        if self.planes.len() != planes {
+            let none = PixelPlane { corner: [0.0; ROOM], a: [0.0; ROOM], b: [0.0; ROOM] };
+            self.planes.resize(planes, none);
+        }
+    }
+
+    /// Adds lanes of a block of one shape, as many as fit; gives those that do not. `planes` are, of
+    /// each plane, its value at the first pixel of the block and its steps across and up.
+    #[inline]
+    pub fn push(
+        &mut self,
+        block: usize,
+        lanes: u64,
+        facing: Facing,
+        planes: impl Iterator<Item = [f32; 3]>,
+    ) -> u64 {
+        let first = self.len % LANES;
+        let mut left = lanes;
+        let mut len = first;
+        while left != 0 && len < LANES {
+            self.at[len] = (block * LANES) as u16 | left.trailing_zeros() as u16;
+            left &= left - 1;
+            len += 1;
+        }
+        self.len = len;
+        for (plane, [corner, a, b]) in self.planes.iter_mut().zip(planes) {
+            for at in (first..len).step_by(AT_ONCE) {
+                plane.corner[at..at + AT_ONCE].fill(corner);
+                plane.a[at..at + AT_ONCE].fill(a);
+                plane.b[at..at + AT_ONCE].fill(b);
+            }
+        }
+        self.waiting[block % BLOCKS] |= lanes & !left;
+        self.blocks |= 1 << (block % BLOCKS);
+        if facing == Facing::Back {
+            self.back |= self.mask() & !0 << first;
+        }
+        left
+    }
+}
+
+/// Finds out where in their blocks pixels are, and where these are.
+struct Find<'a> {
+    pixels: &'a mut Pixels,
+    /// The first pixel of the tile.
+    tile: [i32; 2],
+}
+
+impl Kernel for Find<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn run<S: Simd>(self) {
+        let Self { pixels: Pixels { at, within, block, .. }, tile } = self;
+        let ([x, y], [left, low]) = (within, block);
+        for lane in 0..LANES {
+            let (block, lane_there) = (i32::from(at[lane]) / 64, i32::from(at[lane]) % 64);
+            let (pixel, quad) = (lane_there / 16, lane_there % 16);
+            x[lane] = (quad % 4 * 2 + pixel % 2) as f32;
+            y[lane] = (quad / 4 * 2 + pixel / 2) as f32;
+            left[lane] = (tile[0] + block % 8 * 8) as f32;
+            low[lane] = (tile[1] + block / 8 * 8) as f32;
+        }
+    }
+}
