@@ -27,7 +27,7 @@ pub(crate) struct UnitKey {
     pub base: BaseFormat,
     pub shape: Shape,
     pub compare: bool,
-    /// Whether texels may be outside of [0, 1] and are clamped.
+    /// Whether texels may be outside of [0, 1], so that what the unit passes on is clamped.
     pub clamp: Clamp,
     pub coordinates: Coordinates,
 }
@@ -147,7 +147,8 @@ fn texture(b: &mut Builder, key: &FragmentKey, primary: [Value; 4]) -> [Value; 4
         let constant = words(b, key.base + word::ENV_COLOR + 4 * u32::from(unit.unit));
         let clamp = key.clamp;
         let from = Sources { texels: &texels, unit: unit.unit, constant, primary, previous, clamp };
-        previous = apply(b, &unit.environment, unit.base, &from);
+        let passed = apply(b, &unit.environment, unit.base, &from);
+        previous = passed.map(|value| clamped(b, unit.clamp, value));
     }
     previous
 }
@@ -176,8 +177,7 @@ fn sample(b: &mut Builder, unit: &UnitKey) -> [Value; 4] {
         Shape::D3 | Shape::Cube | Shape::D2Array => [s, t, r],
     };
     let reference = unit.compare.then_some(r);
-    let texel = b.sample(texture, coords, reference, Lod::Implicit { bias: None });
-    texel.map(|value| clamped(b, unit.clamp, value))
+    b.sample(texture, coords, reference, Lod::Implicit { bias: None })
 }
 
 /// The secondary colour added (section 3.9).
