@@ -9,7 +9,7 @@ use rasterizer::driver::{
     FrontFace, Image, OutputState, PassDesc, Pipeline, PipelineDesc, Provoking, ShaderModule,
     Topology, VertexBinding, VertexFormat, VertexSource, VertexType, Viewport,
 };
-use rasterizer::ir::{Builder, Input, Interpolation, Lod, Output, Stage, TextureDecl, Value};
+use rasterizer::ir::{Builder, Input, Interpolation, Lod, Op, Output, Stage, TextureDecl, Value};
 use std::hint::black_box;
 use std::sync::Arc;
 use std::time::Instant;
@@ -27,7 +27,7 @@ fn module(b: Builder) -> ShaderModule {
     ShaderModule::new(b.finish()).expect("valid")
 }
 
-/// Position, and s, t as slots 0 and 1.
+/// Position, s and t as slots 0 and 1, a white colour as slots 2 to 5.
 fn vertex() -> ShaderModule {
     let mut b = Builder::new(Stage::Vertex);
     for component in 0..4 {
@@ -35,9 +35,9 @@ fn vertex() -> ShaderModule {
         let out = b.output(Output::Position(component));
         b.store(out, value);
     }
-    for slot in 0..2 {
-        let value = b.input(Input::Attribute { location: 1, component: slot });
-        let out = b.output(Output::Varying(slot.into()));
+    for (slot, component) in (0..).zip([0, 1, 3, 3, 3, 3]) {
+        let value = b.input(Input::Attribute { location: 1, component });
+        let out = b.output(Output::Varying(slot));
         b.store(out, value);
     }
     module(b)
@@ -45,7 +45,7 @@ fn vertex() -> ShaderModule {
 
 fn fragment(color: impl FnOnce(&mut Builder) -> [Value; 4]) -> ShaderModule {
     let mut b = Builder::new(Stage::Fragment);
-    b.module_mut().varyings = vec![Interpolation::Smooth; 2];
+    b.module_mut().varyings = vec![Interpolation::Smooth; 6];
     let rgba = color(&mut b);
     for (component, value) in rgba.into_iter().enumerate() {
         let out = b.output(Output::Color { target: 0, component: component as u8 });
@@ -59,6 +59,22 @@ fn textured() -> ShaderModule {
         let texture = b.texture(TextureDecl::color(Shape::D2));
         let (s, t, zero) = (b.input(Input::Varying(0)), b.input(Input::Varying(1)), b.float(0.0));
         b.sample(texture, [s, t, zero], None, Lod::Implicit { bias: None })
+    })
+}
+
+/// As the fixed function has it: the texel times the clamped colour.
+fn modulated() -> ShaderModule {
+    fragment(|b| {
+        let texture = b.texture(TextureDecl::color(Shape::D2));
+        let (s, t, zero) = (b.input(Input::Varying(0)), b.input(Input::Varying(1)), b.float(0.0));
+        let one = b.float(1.0);
+        let texel = b.sample(texture, [s, t, zero], None, Lod::Implicit { bias: None });
+        let color = [2, 3, 4, 5].map(|slot| {
+            let color = b.input(Input::Varying(slot));
+            let high = b.op(Op::Max, &[color, zero]);
+            b.op(Op::Min, &[high, one])
+        });
+        [0, 1, 2, 3].map(|i| b.op(Op::Mul, &[texel[i], color[i]]))
     })
 }
 
@@ -155,6 +171,7 @@ fn scenes() -> Vec<Scene> {
         scene("constant", &flat, &nearest, 1.0, 1.0),
         scene("interpolated", &smooth, &nearest, 4.0, 0.5),
         scene("nearest", &textured, &nearest, 1.0, 1.0),
+        scene("nearest_modulated", &modulated(), &nearest, 1.0, 1.0),
         scene("bilinear", &textured, &linear, 1.0, 1.0),
         scene("trilinear_floor", &textured, &trilinear, 16.0, 4.0),
         scene("anisotropic_floor_16x", &textured, &anisotropic, 16.0, 4.0),

@@ -3,11 +3,12 @@
 //! Bytes in the order red, green, blue, alpha have a kernel of their own; every other format goes
 //! through its row of the table of formats.
 
-use super::encode::{decode_color, encode_color, unorm};
+use super::encode::{decode_color, encode_color};
 use super::mask::expand_mask;
 use super::{blend, logic};
-use crate::driver::{Blend, LogicOp};
+use crate::driver::{Blend, BlendEquation, BlendFactor, LogicOp};
 use crate::target::{WordMask, all_bits};
+use texunit::format::convert::byte_channel;
 use texunit::format::{BaseFormat, Encoding, Format};
 use texunit::lanes::{F32s, Kernel, LANES, Simd, U32s, math};
 
@@ -67,6 +68,19 @@ impl ColorClass {
 }
 
 impl ColorPlan {
+    /// What a component is that no program writes: 0, alpha 1.
+    #[inline]
+    pub fn unwritten(&self, component: usize) -> &'static F32s {
+        const ZERO: &F32s = &F32s::ZERO;
+        const ONE: &F32s = &F32s::splat(1.0);
+        const ONE_INTEGER: &F32s = &F32s::splat(f32::from_bits(1));
+        match (component, self.class) {
+            (3, ColorClass::Integers) => ONE_INTEGER,
+            (3, ColorClass::Bytes | ColorClass::Numbers) => ONE,
+            (_, _) => ZERO,
+        }
+    }
+
     /// What is done to an attachment that is written as `format`.
     pub fn new(
         target: usize,
@@ -128,41 +142,74 @@ impl Kernel for WriteBytes<'_> {
     #[inline(always)]
     fn run<S: Simd>(self) {
         let Self { plan, color, stored, mask } = self;
-        let mut word = U32s::ZERO;
-        match &plan.blend {
-            None => {
-                for (channel, values) in color.into_iter().enumerate() {
-                    for lane in 0..LANES {
-                        word[lane] |= unorm(values[lane], 255.0) << (8 * channel);
-                    }
-                }
-            }
-            Some(state) => {
-                let mut source = [F32s::ZERO; 4];
-                for channel in 0..4 {
-                    for lane in 0..LANES {
-                        source[channel][lane] = math::clamp(color[channel][lane], 0.0, 1.0);
-                    }
-                }
-                let mut destination = [F32s::ZERO; 4];
-                let channels = plan.format.channels();
-                for (channel, out) in destination.iter_mut().enumerate().take(channels) {
-                    for lane in 0..LANES {
-                        out[lane] = (stored[lane] >> (8 * channel) & 0xFF) as i32 as f32 / 255.0;
-                    }
-                }
-                if channels < 4 {
-                    destination[3] = F32s::splat(1.0);
-                }
-                let blended = blend::blend(state, &source, &destination, blend::UNIT);
-                for (channel, values) in blended.iter().enumerate() {
-                    for lane in 0..LANES {
-                        word[lane] |= unorm(values[lane], 255.0) << (8 * channel);
-                    }
-                }
-            }
-        }
+        let word = match &plan.blend {
+            None => pack(|lane, channel| color[channel][lane]),
+            Some(state) => blended_bytes(state, plan.format, color, stored),
+        };
         put(stored, &word, mask, plan.write[0], plan.whole);
+    }
+}
+
+/// Four bytes of each lane.
+#[inline(always)]
+fn pack(color: impl Fn(usize, usize) -> f32) -> U32s {
+    let mut words = U32s::ZERO;
+    for lane in 0..LANES {
+        let byte = |channel: usize| math::byte(color(lane, channel)) << (8 * channel);
+        words[lane] = byte(0) | byte(1) | byte(2) | byte(3);
+    }
+    words
+}
+
+/// Fragments blended with the bytes that are stored. The usual ways in one loop, the others factor by
+/// factor.
+#[inline(always)]
+fn blended_bytes(state: &Blend, format: Format, color: [&F32s; 4], stored: &U32s) -> U32s {
+    use BlendFactor::{DstColor, One, OneMinusSrcAlpha, SrcAlpha, SrcColor, Zero};
+    let channels = format.channels();
+    let source = |lane: usize, channel: usize| math::clamp(color[channel][lane], 0.0, 1.0);
+    let destination = |lane: usize, channel: usize| match channel {
+        3 if channels < 4 => 1.0,
+        _ => byte_channel(stored[lane], channel),
+    };
+    // Of source, destination and source alpha.
+    let each = Each { source, destination };
+    let alike = state.src[0] == state.src[1] && state.dst[0] == state.dst[1];
+    if alike && state.equation == [BlendEquation::Add; 2] {
+        match (state.src[0], state.dst[0]) {
+            (SrcAlpha, OneMinusSrcAlpha) => return each.blend(|s, d, a| s * a + d * (1.0 - a)),
+            (One, OneMinusSrcAlpha) => return each.blend(|s, d, a| s + d * (1.0 - a)),
+            (SrcAlpha, One) => return each.blend(|s, d, a| s * a + d),
+            (One, One) => return each.blend(|s, d, _| s + d),
+            (DstColor, Zero) | (Zero, SrcColor) => return each.blend(|s, d, _| s * d),
+            (_, _) => {}
+        }
+    }
+    let mut sources = [F32s::ZERO; 4];
+    let mut destinations = [F32s::ZERO; 4];
+    for channel in 0..4 {
+        for lane in 0..LANES {
+            sources[channel][lane] = source(lane, channel);
+            destinations[channel][lane] = destination(lane, channel);
+        }
+    }
+    let blended = blend::blend(state, &sources, &destinations, blend::UNIT);
+    pack(|lane, channel| blended[channel][lane])
+}
+
+/// Blends 64 fragments of bytes in one loop: lane and channel to the numbers that are blended.
+struct Each<S, D> {
+    source: S,
+    destination: D,
+}
+
+impl<S: Fn(usize, usize) -> f32, D: Fn(usize, usize) -> f32> Each<S, D> {
+    #[inline(always)]
+    fn blend(&self, f: impl Fn(f32, f32, f32) -> f32) -> U32s {
+        pack(|lane, channel| {
+            let alpha = (self.source)(lane, 3);
+            f((self.source)(lane, channel), (self.destination)(lane, channel), alpha)
+        })
     }
 }
 
@@ -244,4 +291,66 @@ fn encode_integers(format: Format, rgba: &[F32s; 4]) -> [U32s; 4] {
         }
     }
     out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use texunit::lanes::Isa;
+
+    struct Blended<'a>(&'a Blend, Format, [&'a F32s; 4], &'a U32s);
+
+    impl Kernel for Blended<'_> {
+        type Output = U32s;
+        #[inline(always)]
+        fn run<S: Simd>(self) -> U32s {
+            blended_bytes(self.0, self.1, self.2, self.3)
+        }
+    }
+
+    /// The usual ways to blend are the general one: colours of all kinds over all bytes.
+    #[test]
+    fn blending_in_one_loop_is_blending_factor_by_factor() {
+        use BlendFactor::{DstColor, One, OneMinusSrcAlpha, SrcAlpha, SrcColor, Zero};
+        let usual = [
+            (SrcAlpha, OneMinusSrcAlpha),
+            (One, OneMinusSrcAlpha),
+            (SrcAlpha, One),
+            (One, One),
+            (DstColor, Zero),
+            (Zero, SrcColor),
+            (Zero, One),
+        ];
+        for (src, dst) in usual {
+            let equation = [BlendEquation::Add; 2];
+            let state = Blend { equation, src: [src; 2], dst: [dst; 2], constant: [0.0; 4] };
+            for round in 0..64_u32 {
+                let channel = |channel: u32| {
+                    F32s::from_fn(|lane| {
+                        let at = round * 64 + lane as u32;
+                        (at.wrapping_mul(2_654_435_761 + channel) >> 20) as f32 / 4000.0 - 0.01
+                    })
+                };
+                let color = [0, 1, 2, 3].map(channel);
+                let stored =
+                    U32s::from_fn(|lane| (round * 64 + lane as u32).wrapping_mul(0x0104_0307));
+                for format in [Format::Rgba8, Format::R8] {
+                    let clamped = color
+                        .map(|channel| F32s::from_fn(|lane| math::clamp(channel[lane], 0.0, 1.0)));
+                    let old = [0, 1, 2, 3].map(|channel: usize| {
+                        F32s::from_fn(|lane| match channel {
+                            3 if format == Format::R8 => 1.0,
+                            _ => (stored[lane] >> (8 * channel) & 0xFF) as f32 / 255.0,
+                        })
+                    });
+                    let general = blend::blend(&state, &clamped, &old, blend::UNIT);
+                    let expected = pack(|lane, channel| general[channel][lane]);
+                    for isa in Isa::available() {
+                        let got = isa.run(Blended(&state, format, color.each_ref(), &stored));
+                        assert_eq!(got, expected, "{src:?} {dst:?} {format:?} {}", isa.name());
+                    }
+                }
+            }
+        }
+    }
 }

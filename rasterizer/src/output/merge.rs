@@ -94,23 +94,16 @@ fn test_depth(
     }
 }
 
-/// Writes the colours of fragments into the planes of a sample. A component that the shader does
-/// not write is `None`.
+/// Writes the colours of fragments into the planes of a sample.
 pub fn write(
     isa: Isa,
     plan: &ColorPlan,
     target: &mut TileTarget,
     sample: usize,
     place: Place<'_>,
-    color: [Option<&F32s>; 4],
+    color: [&F32s; 4],
     mask: u64,
 ) {
-    const ZERO: F32s = F32s::splat(0.0);
-    const ONE: F32s = F32s::splat(1.0);
-    const ONE_INTEGER: F32s = F32s::splat(f32::from_bits(1));
-    let one = if plan.class == ColorClass::Integers { &ONE_INTEGER } else { &ONE };
-    let [r, g, b, a] = color;
-    let color = [r.unwrap_or(&ZERO), g.unwrap_or(&ZERO), b.unwrap_or(&ZERO), a.unwrap_or(one)];
     let planes = target.sample(sample);
     match (plan.class, planes) {
         (ColorClass::Bytes, [plane]) => with_words(plane, place, mask, |stored| {

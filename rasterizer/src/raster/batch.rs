@@ -12,7 +12,7 @@ pub struct Batch<'a> {
     /// Where they are, and what is interpolated there.
     pub quads: Quads<'a>,
     /// Which lanes are covered, by sample.
-    pub masks: SampleMasks,
+    pub masks: &'a SampleMasks,
     /// Lanes of quads that went through the early tests before they came here.
     pub tested: u64,
 }
@@ -57,7 +57,7 @@ pub enum EarlyTests {
 
 impl<'a> Batch<'a> {
     /// All of a block.
-    pub fn of_block(of: &'a BlockOf<'a>, masks: SampleMasks) -> Self {
+    pub fn of_block(of: &'a BlockOf<'a>, masks: &'a SampleMasks) -> Self {
         let tested = match of.tests {
             EarlyTests::Done => !0,
             EarlyTests::Due => 0,
@@ -176,7 +176,7 @@ impl Packed {
 
     /// What waits.
     pub fn batch(&self) -> Batch<'_> {
-        Batch { quads: Quads::Packed(self), masks: self.masks, tested: self.tested }
+        Batch { quads: Quads::Packed(self), masks: &self.masks, tested: self.tested }
     }
 
     /// Forgets its quads and makes room for a draw with so many planes and samples.

@@ -77,15 +77,14 @@ impl Default for Lanes {
 impl PlaneGroup {
     /// The value of each plane at the centre of pixel `(x, y)` and its steps, of the shape `lane`.
     #[inline]
-    pub fn at(&self, lane: usize, x: i32, y: i32, out: &mut Vec<[f32; 3]>) {
+    pub fn at(&self, lane: usize, x: i32, y: i32, out: &mut [[f32; 3]]) {
         let lane = lane % LANES;
         let dx = f64::from(x) + 0.5 - self.lanes.origin[0][lane];
         let dy = f64::from(y) + 0.5 - self.lanes.origin[1][lane];
-        out.clear();
-        out.extend(self.planes.iter().map(|plane| {
+        for (out, plane) in out.iter_mut().zip(&self.planes) {
             let (a, b, c) = (plane[0][lane], plane[1][lane], plane[2][lane]);
-            [((dx * a + dy * b) + c) as f32, a as f32, b as f32]
-        }));
+            *out = [((dx * a + dy * b) + c) as f32, a as f32, b as f32];
+        }
     }
 
     /// As [`Self::at`], of the first pixel of one of the blocks that the window of the shape `lane`
@@ -429,7 +428,7 @@ mod tests {
             origin: SpriteOrigin::UpperLeft,
         };
         let bits = |group: &PlaneGroup, lane: usize| {
-            let mut out = Vec::new();
+            let mut out = [[0.0; 3]; 5];
             group.at(lane, 320, 200, &mut out);
             out.concat().into_iter().map(f32::to_bits).collect::<Vec<_>>()
         };
@@ -445,7 +444,7 @@ mod tests {
             for (lane, shape) in shapes.iter().enumerate() {
                 lanes.load(std::iter::once(shape));
                 alone.compute(isa, &setup, &geometry, &lanes, std::iter::once(shape));
-                let mut at_block = Vec::new();
+                let mut at_block = [[0.0; 3]; 5];
                 for (row, column) in (0..9).map(|block| (block / 3, block % 3)) {
                     if column > windows.further[0] || row > windows.further[1] {
                         continue;

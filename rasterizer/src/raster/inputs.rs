@@ -141,7 +141,7 @@ impl Interpolate<'_> {
         }
         let mut centroids = [F32s::ZERO; 2];
         if plan.centroids {
-            centroids = plan.samples.centroids(&batch.masks);
+            centroids = plan.samples.centroids(batch.masks);
         }
         for (index, input) in plan.inputs.iter().enumerate() {
             let out = machine.input_mut(index);

@@ -31,6 +31,8 @@ pub struct Pixels {
     len: usize,
     /// Where each is: its block of the tile times 64, and its lane there.
     at: [u16; LANES],
+    /// The lanes that there are, once they are a batch.
+    masks: SampleMasks,
     /// Those of back faces, bit by lane.
     pub back: u64,
     pub planes: Vec<PixelPlane>,
@@ -49,6 +51,7 @@ impl Default for Pixels {
         Self {
             len: 0,
             at: [0; LANES],
+            masks: SampleMasks::none(1),
             back: 0,
             planes: Vec::new(),
             within: [F32s::ZERO; 2],
@@ -84,8 +87,8 @@ impl Pixels {
     /// What waits, in the tile whose first pixel is `tile`.
     pub fn batch(&mut self, isa: Isa, tile: [i32; 2]) -> Batch<'_> {
         isa.run(Find { pixels: self, tile });
-        let masks = SampleMasks::one(self.mask());
-        Batch { quads: Quads::Pixels(self), masks, tested: 0 }
+        self.masks = SampleMasks::one(self.mask());
+        Batch { quads: Quads::Pixels(self), masks: &self.masks, tested: 0 }
     }
 
     /// Where they are.

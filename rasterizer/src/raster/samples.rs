@@ -13,7 +13,7 @@ use texunit::lanes::{F32s, Isa, Kernel, LANES, Simd, U32s};
 
 /// The lanes that are covered, by sample. (As long as there are samples: with one, as nearly always,
 /// what is done to all of them is done to one word.)
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct SampleMasks {
     lanes: [u64; MAX_SAMPLES],
     count: usize,
@@ -38,12 +38,20 @@ impl SampleMasks {
         self.iter().fold(0, |all, mask| all | mask)
     }
 
-    /// Each changed alike.
+    /// Becomes those lanes of `masks` that are among `lanes`, of every sample.
     #[inline]
+    pub fn set(&mut self, masks: &Self, lanes: u64) {
+        self.count = masks.count;
+        for (to, from) in self.iter_mut().zip(masks.iter()) {
+            *to = from & lanes;
+        }
+    }
+
+    /// With those lanes of `masks` that are among `lanes`.
     #[must_use]
-    pub fn map(mut self, f: impl Fn(u64) -> u64) -> Self {
-        for mask in self.iter_mut() {
-            *mask = f(*mask);
+    pub fn or(mut self, masks: &Self, lanes: u64) -> Self {
+        for (to, from) in self.iter_mut().zip(masks.iter()) {
+            *to |= from & lanes;
         }
         self
     }

@@ -49,30 +49,38 @@ pub struct Shader {
     /// Runs the fragment program.
     pub machine: Machine,
     depth: F32s,
+    /// The lanes that are left of the batch.
+    left: SampleMasks,
 }
 
 impl Shader {
     /// Makes the early tests that a batch still has to make, and shades what is left; a shader that
     /// runs over its budget stops the draw.
-    pub fn shade(
+    pub fn shade(&mut self, pass: &PassJob, job: &DrawJob, batch: &Batch<'_>, tile: &mut TileJob) {
+        let plan = &job.plan;
+        let is_due = plan.timing == Timing::Early && batch.tested != !0;
+        match tile.depth.as_mut().filter(|_| is_due) {
+            Some(target) => {
+                self.left.set(batch.masks, !batch.tested);
+                self.test(pass.isa, plan, batch, target, None, |_| {});
+                let masks = &self.left.or(batch.masks, batch.tested);
+                self.shade_tested(pass, job, &Batch { masks, ..*batch }, tile);
+            }
+            None => self.shade_tested(pass, job, batch, tile),
+        }
+    }
+
+    /// Shades what passed the early tests.
+    fn shade_tested(
         &mut self,
         pass: &PassJob,
         job: &DrawJob,
-        mut batch: Batch<'_>,
+        batch: &Batch<'_>,
         tile: &mut TileJob,
     ) {
         let plan = &job.plan;
-        let is_due = plan.timing == Timing::Early && batch.tested != !0;
-        if is_due && let Some(target) = tile.depth.as_mut() {
-            let due = batch.masks.map(|mask| mask & !batch.tested);
-            let passed = self.test(pass.isa, plan, &batch, target, due, None, |_| {});
-            for (mask, passed) in batch.masks.iter_mut().zip(passed.iter()) {
-                *mask = *mask & batch.tested | passed;
-            }
-        }
-        let batch = &batch;
         if plan.shading == Shading::Off {
-            job.count(&batch.masks);
+            job.count(batch.masks);
             return;
         }
         if batch.masks.any() == 0 {
@@ -82,7 +90,7 @@ impl Shader {
         let watched = tile.watched.as_mut();
         let mut shaded = watched.and_then(|spot| spot.begin(place, batch.masks.any()));
         match self.run(pass, job, batch, &mut shaded) {
-            Ok(masks) => self.output(pass, job, batch, (place, masks), tile, &mut shaded),
+            Ok(()) => self.output(pass, job, batch, place, tile, &mut shaded),
             Err(OverBudget) => job.stopped.store(true, Ordering::Relaxed),
         }
         if let (Some(spot), Some(shaded)) = (&mut tile.watched, shaded) {
@@ -90,14 +98,14 @@ impl Shader {
         }
     }
 
-    /// Runs the fragment program; gives the lanes that are left, by sample.
+    /// Runs the fragment program; notes the lanes that are left, by sample.
     fn run(
         &mut self,
         pass: &PassJob,
         job: &DrawJob,
         batch: &Batch<'_>,
         shaded: &mut Option<Shaded>,
-    ) -> Result<SampleMasks, OverBudget> {
+    ) -> Result<(), OverBudget> {
         let (isa, plan) = (pass.isa, &job.plan);
         isa.run(Interpolate { plan, batch, machine: &mut self.machine, depth: &mut self.depth });
         let run = Run {
@@ -113,14 +121,14 @@ impl Shader {
             Some(shaded) => shaded.run(&mut self.machine, plan, batch, run)?,
         };
         let samples = &plan.samples;
-        let mut masks = batch.masks.map(|mask| mask & kept);
+        self.left.set(batch.masks, kept);
         if let Some(alpha) = samples.alpha {
-            samples.mask_by_alpha(isa, self.machine.output(alpha).as_f32(), &mut masks);
+            samples.mask_by_alpha(isa, self.machine.output(alpha).as_f32(), &mut self.left);
         }
         if let Some(shaded) = shaded {
-            shaded.ends_unless_in(&masks, Fate::Discarded);
+            shaded.ends_unless_in(&self.left, Fate::Discarded);
         }
-        Ok(masks)
+        Ok(())
     }
 
     /// The tests that had to wait, and the colours.
@@ -129,19 +137,19 @@ impl Shader {
         pass: &PassJob,
         job: &DrawJob,
         batch: &Batch<'_>,
-        (place, mut masks): (Place<'_>, SampleMasks),
+        place: Place<'_>,
         tile: &mut TileJob,
         shaded: &mut Option<Shaded>,
     ) {
         let (isa, plan) = (pass.isa, &job.plan);
         let samples = &plan.samples;
-        if masks.any() == 0 {
+        if self.left.any() == 0 {
             return;
         }
         let stored = shaded.as_ref().map(|_| tile.watched_depth());
         let mut depths = Vec::new();
         if let (Timing::Late(output), Some(target)) = (plan.timing, tile.depth.as_mut()) {
-            masks = self.test(isa, plan, batch, target, masks, output, |depth| {
+            self.test(isa, plan, batch, target, output, |depth| {
                 if let Some(shaded) = &*shaded {
                     depths.push(depth[shaded.lane]);
                 }
@@ -150,23 +158,26 @@ impl Shader {
                 let after = &tile.watched_depth();
                 let when = When::Late;
                 let tested = Tested { when, depths: &depths, before: &before, after };
-                shaded.tested(plan, &tested, &masks);
-                shaded.ends_unless_in(&masks, Fate::TestFailed);
+                shaded.tested(plan, &tested, &self.left);
+                shaded.ends_unless_in(&self.left, Fate::TestFailed);
             }
-            if masks.any() == 0 {
+            if self.left.any() == 0 {
                 return;
             }
         }
-        job.count(&masks);
+        let masks = &self.left;
+        job.count(masks);
         for color in &plan.colors {
             let before = shaded.as_ref().map(|_| tile.watched_color(color.target));
             let Some(target) = tile.colors[color.target].as_mut() else { continue };
             let machine = &self.machine;
-            let mut rgba = [0, 1, 2, 3]
-                .map(|i| color.outputs[i].map(|output| machine.output(output).as_f32()));
+            let output = |i: usize| match color.outputs[i] {
+                Some(output) => machine.output(output).as_f32(),
+                None => color.unwritten(i),
+            };
+            let mut rgba = [output(0), output(1), output(2), output(3)];
             if samples.alpha_to_one == AlphaToOne::On {
-                // A component that no program writes: alpha is 1.
-                rgba[3] = None;
+                rgba[3] = color.unwritten(3);
             }
             for (sample, &mask) in masks.iter().enumerate() {
                 if mask != 0 {
@@ -174,32 +185,30 @@ impl Shader {
                 }
             }
             if let (Some(shaded), Some(before)) = (&mut *shaded, before) {
-                shaded.written(color, rgba, &masks, [&before, &tile.watched_color(color.target)]);
+                shaded.written(color, rgba, masks, [&before, &tile.watched_color(color.target)]);
             }
         }
     }
 }
 
 impl Shader {
-    /// The stencil and depth tests of the lanes of `masks`; gives those that passed. `output` is the
-    /// program output that holds the depth, if any does; `see` is shown the depth of each sample.
-    #[expect(clippy::too_many_arguments, reason = "of a test that two places make")]
+    /// The stencil and depth tests of the lanes that are left; leaves those that passed. `output` is
+    /// the program output that holds the depth, if any does; `see` is shown the depth of each sample.
     fn test(
         &mut self,
         isa: Isa,
         plan: &DrawPlan,
         batch: &Batch<'_>,
         target: &mut TileTarget,
-        mut masks: SampleMasks,
         output: Option<usize>,
         mut see: impl FnMut(&F32s),
-    ) -> SampleMasks {
+    ) {
         if let Some(output) = output {
             self.depth = *self.machine.output(output).as_f32();
             isa.run(ClampDepth(&mut self.depth));
         }
         let (back, place) = (batch.back(), batch.place());
-        for (sample, mask) in masks.iter_mut().enumerate() {
+        for (sample, mask) in self.left.iter_mut().enumerate() {
             let offset = plan.samples.offset(sample);
             if let (Some(plane), None) = (plan.depth_plane, output)
                 && (sample == 0 || offset.is_some())
@@ -210,7 +219,6 @@ impl Shader {
             *mask = test(isa, &plan.tests, target, sample, &fragments);
             see(&self.depth);
         }
-        masks
     }
 }
 

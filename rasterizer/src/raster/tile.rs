@@ -191,6 +191,7 @@ impl Worker {
         self.shader.machine.begin(&plan.pipeline.compiled().fragment);
         self.waiting.clear(plan.planes.len(), plan.samples.count);
         self.pixels.clear(plan.planes.len());
+        self.planes.resize(plan.planes.len(), [0.0; 3]);
     }
 
     /// Shades what waits.
@@ -198,7 +199,7 @@ impl Worker {
         let Some(draw) = self.draw else { return };
         let job = &pass.draws[draw];
         if !self.waiting.is_empty() {
-            self.shader.shade(pass, job, self.waiting.batch(), tile);
+            self.shader.shade(pass, job, &self.waiting.batch(), tile);
             self.waiting.clear(job.plan.planes.len(), job.plan.samples.count);
         }
         self.flush_pixels(pass, job, tile);
@@ -208,7 +209,7 @@ impl Worker {
     fn flush_pixels(&mut self, pass: &PassJob, job: &DrawJob, tile: &mut TileJob) {
         if !self.pixels.is_empty() {
             let batch = self.pixels.batch(pass.isa, [tile.x, tile.y]);
-            self.shader.shade(pass, job, batch, tile);
+            self.shader.shade(pass, job, &batch, tile);
             self.pixels.clear(job.plan.planes.len());
         }
     }
@@ -271,10 +272,12 @@ impl Worker {
     ) {
         for (part, block, lanes) in window.blocks() {
             if lanes.count_ones() >= DENSE_PIXELS {
-                self.planes.clear();
-                self.planes.extend(self.group.in_window(lane, part));
+                for (to, plane) in self.planes.iter_mut().zip(self.group.in_window(lane, part)) {
+                    *to = plane;
+                }
                 let at = [block as i32 % 8, block as i32 / 8];
-                self.fill_block(pass, tile, job, facing, at, SampleMasks::one(lanes));
+                let mut masks = SampleMasks::one(lanes);
+                self.fill_block(pass, tile, job, facing, at, &mut masks);
                 continue;
             }
             let mut left = lanes;
@@ -351,18 +354,15 @@ impl Worker {
         if plan.reads_coverage() {
             self.parts = F32s::splat(1.0);
         }
+        let mut masks = SampleMasks::none(plan.samples.count);
         for by in range[0][1]..=range[1][1] {
             for bx in range[0][0]..=range[1][0] {
-                let mut masks = self.covered(pass.isa, plan, shape, at, [bx, by]);
-                if masks.any() == 0 {
-                    continue;
-                }
                 let mut inside = coverage::inside_area(&area, tile.x, tile.y, bx, by);
                 if let Some(stipple) = stipple {
                     let [column, row] = [at[0] / 8 + bx, at[1] / 8 + by];
                     inside &= stipple[(row % 4 * 4 + column % 4) as usize];
                 }
-                masks = masks.map(|mask| mask & inside);
+                self.covered(pass.isa, plan, shape, at, [bx, by], inside, &mut masks);
                 if masks.any() != 0 {
                     if let Some(spot) = &mut tile.watched
                         && spot.is_in((by * 8 + bx) as usize, masks.any())
@@ -371,14 +371,15 @@ impl Worker {
                     }
                     let (x, y) = (at[0] + 8 * bx, at[1] + 8 * by);
                     self.group.at(lane, x, y, &mut self.planes);
-                    self.fill_block(pass, tile, job, shape.facing, [bx, by], masks);
+                    self.fill_block(pass, tile, job, shape.facing, [bx, by], &mut masks);
                 }
             }
         }
     }
 
-    /// What `self.covers` cover of a block.
+    /// What `self.covers` cover of those lanes of a block that are `inside`.
     #[inline]
+    #[expect(clippy::too_many_arguments, reason = "a shape, a block, and what becomes of it")]
     fn covered(
         &mut self,
         isa: Isa,
@@ -386,19 +387,17 @@ impl Worker {
         shape: &Shape,
         tile: [i32; 2],
         block: [i32; 2],
-    ) -> SampleMasks {
-        let mut masks = SampleMasks::none(plan.samples.count);
+        inside: u64,
+        masks: &mut SampleMasks,
+    ) {
         let mut covered = 0;
         for (sample, mask) in masks.iter_mut().enumerate() {
             // Samples without an outline of their own are covered as the first is.
             if let Some(cover) = self.covers.get(sample) {
                 covered = cover.block(isa, plan, shape, tile, block, &mut self.parts);
             }
-            if plan.samples.leaves(sample) {
-                *mask = covered;
-            }
+            *mask = if plan.samples.leaves(sample) { covered & inside } else { 0 };
         }
-        masks
     }
 
     /// Puts the covered lanes of a block into a batch.
@@ -409,7 +408,7 @@ impl Worker {
         job: &DrawJob,
         facing: Facing,
         [bx, by]: [i32; 2],
-        mut masks: SampleMasks,
+        masks: &mut SampleMasks,
     ) {
         let plan = &job.plan;
         let mut quads = quads_of(masks.any());
@@ -442,15 +441,15 @@ impl Worker {
             let watched = tile.watched.as_ref();
             let watched = watched.filter(|spot| spot.is_in(block, masks.any()));
             let before = watched.map(|_| tile.watched_depth());
-            early_tests(pass.isa, plan, &of, &mut masks, tile);
+            early_tests(pass.isa, plan, &of, masks, tile);
             if let Some(before) = before {
-                tile.note_early(pass.isa, plan, &of, &masks, &before);
+                tile.note_early(pass.isa, plan, &of, masks, &before);
             }
             of.tests = EarlyTests::Done;
             quads = quads_of(masks.any());
         }
         if packs || quads.count_ones() >= DENSE {
-            self.shader.shade(pass, job, Batch::of_block(&of, masks), tile);
+            self.shader.shade(pass, job, &Batch::of_block(&of, masks), tile);
             return;
         }
         let mut left = quads;
@@ -458,10 +457,10 @@ impl Worker {
             let quad = left.trailing_zeros() as usize;
             left &= left - 1;
             if self.waiting.is_full() {
-                self.shader.shade(pass, job, self.waiting.batch(), tile);
+                self.shader.shade(pass, job, &self.waiting.batch(), tile);
                 self.waiting.clear(plan.planes.len(), plan.samples.count);
             }
-            self.waiting.push(&of, quad, quad, &masks);
+            self.waiting.push(&of, quad, quad, masks);
         }
     }
 }

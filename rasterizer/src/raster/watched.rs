@@ -348,7 +348,7 @@ impl Shaded {
     /// Its inputs were interpolated.
     fn interpolated(&mut self, plan: &DrawPlan, batch: &Batch<'_>, machine: &Machine) {
         let of_program = plan.pipeline.compiled().fragment.inputs();
-        let centroids = plan.samples.centroids(&batch.masks);
+        let centroids = plan.samples.centroids(batch.masks);
         let within = |plane: usize| batch.at_moved(plane, self.lane, &centroids);
         for (index, (&input, from)) in of_program.iter().zip(&plan.inputs).enumerate() {
             let values = |plane: usize| self.values.get(plane).cloned().unwrap_or_default();
@@ -394,22 +394,11 @@ impl Shaded {
     pub fn written(
         &mut self,
         plan: &ColorPlan,
-        rgba: [Option<&F32s>; 4],
+        rgba: [&F32s; 4],
         masks: &[u64],
         [before, after]: [&Stored; 2],
     ) {
-        let at = |channel: usize| match rgba[channel] {
-            Some(values) => values[self.lane],
-            None if channel == 3 && plan.format.is_integer() => f32::from_bits(1),
-            None => {
-                if channel == 3 {
-                    1.0
-                } else {
-                    0.0
-                }
-            }
-        };
-        let color = [0, 1, 2, 3].map(at);
+        let color = rgba.map(|values| values[self.lane]);
         for (sample, (before, after)) in before.iter().zip(after).enumerate() {
             if masks.get(sample).is_none_or(|mask| mask >> self.lane & 1 == 0) {
                 continue;

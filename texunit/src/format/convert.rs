@@ -28,9 +28,9 @@ fn unorm8(byte: u32) -> f32 {
     c * BYTE_HIGH + c * BYTE_LOW
 }
 
-/// A linear byte channel of a texel's word.
+/// A linear byte channel of a texel's word: `byte / 255` (GL 2.1, table 2.9).
 #[inline(always)]
-pub(crate) fn byte_channel(word: u32, channel: usize) -> f32 {
+pub fn byte_channel(word: u32, channel: usize) -> f32 {
     unorm8(word >> (8 * channel) & 0xFF)
 }
 

@@ -35,6 +35,15 @@ pub fn to_i32(x: f32) -> i32 {
     unsafe { clamped.to_int_unchecked::<i32>() }
 }
 
+/// `[0, 1]` to the nearest byte, 0 to 255; what is outside clamps, NaN gives 0 (GL 2.1, section
+/// 2.14.9).
+#[inline(always)]
+pub fn byte(c: f32) -> u32 {
+    let near = clamp(c, 0.0, 1.0) * 255.0 + 0.5;
+    // SAFETY: the clamp leaves no NaN, so this is in 0.5 ..= 255.5.
+    unsafe { near.to_int_unchecked::<i32>() as u32 }
+}
+
 /// The integer part toward zero as a `u32`; negative and NaN give 0, too large clamps.
 #[inline(always)]
 pub fn to_u32(x: f32) -> u32 {
