@@ -342,11 +342,10 @@ impl Kernel for Enter<'_> {
         // From the origin to the first pixel of each block.
         let mut d = [[ZERO; REACHED]; 2];
         for axis in 0..2 {
-            for block in 0..REACHED {
+            for (block, d) in (0..).zip(&mut d[axis]) {
                 for lane in 0..LANES {
-                    let first = 2 * (windows.quads[axis][lane] & !3) + 8 * block as i32;
-                    let first = f64::from(tile[axis] + first);
-                    d[axis][block][lane] = first + 0.5 - origin[axis][lane];
+                    let first = 2 * (windows.quads[axis][lane] & !3) + 8 * block;
+                    d[lane] = f64::from(tile[axis] + first) + 0.5 - origin[axis][lane];
                 }
             }
         }
