@@ -75,8 +75,8 @@ impl Kernel for Place<'_> {
                 let ndc = f64::from(position[lane]) / f64::from(w[lane]);
                 window[lane] = ndc * half[axis] + center[axis];
             }
-            for lane in 0..LANES {
-                out.snapped[axis][lane] = snap(window[lane]);
+            for (to, &window) in out.snapped[axis].iter_mut().zip(&*window) {
+                *to = snap(window);
             }
         }
         let [across, up] = &window;
