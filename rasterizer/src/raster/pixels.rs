@@ -29,10 +29,10 @@ pub struct PixelPlane {
 pub struct Pixels {
     /// How many.
     len: usize,
-    /// Which lanes they are, when they are a batch.
-    masks: SampleMasks,
     /// Where each is: its block of the tile times 64, and its lane there.
     at: [u16; LANES],
+    /// The lanes that there are, once they are a batch.
+    masks: SampleMasks,
     /// Those of back faces, bit by lane.
     pub back: u64,
     pub planes: Vec<PixelPlane>,
@@ -50,8 +50,8 @@ impl Default for Pixels {
     fn default() -> Self {
         Self {
             len: 0,
-            masks: SampleMasks::none(1),
             at: [0; LANES],
+            masks: SampleMasks::none(1),
             back: 0,
             planes: Vec::new(),
             within: [F32s::ZERO; 2],
