@@ -63,7 +63,7 @@ void main() {
 const SIDE: GLsizei = 256;
 
 /// Factor and units of `glPolygonOffset`.
-const PANELS: [(i32, i32); 3] = [(0, 0), (2, 4), (0, 1_600_000)];
+const PANELS: [(i32, i32); 3] = [(0, 0), (2, 2), (0, 800_000)];
 
 fn draw(window: &mut Window) {
     glEnable(GL_DEPTH_TEST);

@@ -3,8 +3,11 @@
 
 #[path = "../bodies/calls.rs"]
 mod calls;
+#[path = "../bodies/context.rs"]
+mod context;
 
-use calls::{Random, context, make_calls, still_works};
+use calls::{Random, make_calls};
+use context::{context, still_works};
 use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|bytes: &[u8]| {

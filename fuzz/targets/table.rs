@@ -2,10 +2,10 @@
 //! type: none panics, and the context goes on working.
 #![no_main]
 
-#[path = "../bodies/calls.rs"]
-mod calls;
+#[path = "../bodies/context.rs"]
+mod context;
 
-use calls::{context, still_works};
+use context::{context, still_works};
 use gl_api::exercise::{Random, exercises};
 use libfuzzer_sys::fuzz_target;
 

@@ -47,6 +47,11 @@ const ROWS: &[Row] = &[
     (GL_COLOR_BUFFER_BIT, GL_COLOR_WRITEMASK, |c| c.color_mask(true, false, true, false)),
     (GL_COLOR_BUFFER_BIT, GL_COLOR_CLEAR_VALUE, |c| c.clear_color(0.5, 0.25, 0.0, 1.0)),
     (GL_COLOR_BUFFER_BIT, GL_LOGIC_OP_MODE, |c| c.logic_op(GL_XOR)),
+    (GL_LIGHTING_BIT, GL_CLAMP_VERTEX_COLOR, |c| c.clamp_color(GL_CLAMP_VERTEX_COLOR, GL_FALSE)),
+    (GL_COLOR_BUFFER_BIT, GL_CLAMP_FRAGMENT_COLOR, |c| {
+        c.clamp_color(GL_CLAMP_FRAGMENT_COLOR, GL_FALSE);
+    }),
+    (GL_COLOR_BUFFER_BIT, GL_CLAMP_READ_COLOR, |c| c.clamp_color(GL_CLAMP_READ_COLOR, GL_TRUE)),
     (GL_COLOR_BUFFER_BIT, GL_DRAW_BUFFER, |c| c.draw_buffer(GL_NONE)),
     (GL_PIXEL_MODE_BIT, GL_RED_SCALE, |c| c.pixel_transferf(GL_RED_SCALE, 2.0)),
     (GL_PIXEL_MODE_BIT, GL_ZOOM_X, |c| c.pixel_zoom(2.0, 3.0)),

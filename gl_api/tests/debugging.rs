@@ -118,6 +118,12 @@ fn objects_and_fences_have_labels() {
     c.get_object_label(GL_TEXTURE, 3, 4, &mut length, TextOut::Bytes(&mut label));
     let label = CStr::from_bytes_until_nul(&label).expect("ends with zero");
     assert_eq!((label.to_bytes(), length[0]), (&b"bri"[..], 3));
+    c.begin_query(GL_SAMPLES_PASSED, 7);
+    c.end_query(GL_SAMPLES_PASSED);
+    c.object_label(GL_QUERY, 7, -1, "count");
+    let mut text = String::new();
+    c.get_object_label(GL_QUERY, 7, 100, &mut length, TextOut::String(&mut text));
+    assert_eq!(text, "count");
     let fence = c.fence_sync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
     c.object_ptr_label(fence, 2, "fence");
     let mut text = String::new();
@@ -126,9 +132,13 @@ fn objects_and_fences_have_labels() {
     let mut status = [0];
     c.get_synciv(fence, GL_SYNC_STATUS, 1, &mut length, &mut status);
     assert_eq!(status[0] as GLenum, GL_UNSIGNALED);
-    assert_eq!(c.client_wait_sync(fence, 0, 0), GL_CONDITION_SATISFIED);
-    assert_eq!(c.client_wait_sync(fence, 0, 0), GL_ALREADY_SIGNALED);
+    assert_eq!(c.client_wait_sync(fence, 0, 5), GL_CONDITION_SATISFIED);
+    assert_eq!(c.client_wait_sync(fence, 0, 5), GL_ALREADY_SIGNALED);
+    let other = c.fence_sync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+    assert_eq!(c.client_wait_sync(other, 0, 0), GL_ALREADY_SIGNALED);
     assert!(c.is_sync(fence));
+    assert_eq!(c.client_wait_sync(std::ptr::null_mut(), 0, 0), GL_WAIT_FAILED);
+    assert_eq!(c.get_error(), GL_INVALID_VALUE);
     c.delete_sync(fence);
     assert!(!c.is_sync(fence));
     assert_eq!(c.get_error(), GL_NO_ERROR, "{:?}", c.messages());

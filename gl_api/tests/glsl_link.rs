@@ -43,7 +43,9 @@ fn several_shaders_make_a_stage() {
 }
 
 #[test]
-fn one_stage_is_enough() {
+fn one_stage_is_enough_and_so_is_none() {
+    let nothing = program(&[], &[], &Bindings::default());
+    assert!(nothing.vertex.is_none() && nothing.fragment.is_none());
     assert!(program(&[], &[FRAGMENT], &Bindings::default()).vertex.is_none());
     assert!(program(&[VERTEX], &[], &Bindings::default()).fragment.is_none());
 }
@@ -64,7 +66,14 @@ fn what_shaders_of_a_stage_may_not_do() {
     );
     fails(&[VERTEX], &[FRAGMENT, FRAGMENT], "`main()` is defined in two");
     fails(&[VERTEX], &[calls], "never defined");
-    fails(&[], &[], "no shader");
+    let located = |at| {
+        format!(
+            "#version 120\n#extension GL_ARB_explicit_attrib_location: enable\n\
+             layout(location = {at}) in vec4 a;"
+        )
+    };
+    let main = located(2) + "void main() { gl_Position = a; }";
+    fails(&[&main, &located(3)], &[FRAGMENT], "location 2 in one vertex shader and 3 in another");
 }
 
 #[test]
@@ -93,6 +102,32 @@ fn structures_and_arrays_of_uniforms_are_listed_member_by_member() {
         ("m", Some(3), 6),
     ];
     assert_eq!(names, expected);
+}
+
+/// GL 2.1, section 2.15.3: the size of an array is the highest index used, plus one.
+#[test]
+fn arrays_of_uniforms_end_with_their_last_element_that_is_used() {
+    let vertex =
+        "uniform float a[9]; uniform vec4 b[9], c[9]; float whole(float v[9]) { return v[8]; }
+        uniform float d[9]; uniform int i;
+        void main() { gl_Position = b[3] + vec4(a[1], a[0], c[i].x, whole(d)); }";
+    let fragment = "struct S { vec2 x; float y; }; uniform S s[5]; uniform float a[9];
+        void main() { gl_FragColor = vec4(s[1].x, a[4], gl_LightSource[2].spotCutoff); }";
+    let program = program(&[vertex], &[fragment], &Bindings::default());
+    let size = |name: &str| program.uniforms.iter().find(|u| u.name == name).map(|u| u.array);
+    for (name, expected) in [
+        ("a", Some(Some(5))),
+        ("b", Some(Some(4))),
+        ("c", Some(Some(9))),
+        ("d", Some(Some(9))),
+        ("s[0].y", Some(None)),
+        ("s[1].x", Some(None)),
+        ("s[2].x", None),
+    ] {
+        assert_eq!(size(name), expected, "{name}");
+    }
+    let lights = program.builtin_uniforms.iter().filter(|u| u.name.ends_with(".spotCutoff"));
+    assert_eq!(lights.count(), 3);
 }
 
 #[test]

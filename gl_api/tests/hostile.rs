@@ -3,8 +3,11 @@
 
 #[path = "../../fuzz/bodies/calls.rs"]
 mod calls;
+#[path = "../../fuzz/bodies/context.rs"]
+mod context;
 
-use calls::{Random, context, make_calls, still_works};
+use calls::{Random, make_calls};
+use context::{context, still_works};
 use gl_api::*;
 use std::time::{Duration, Instant};
 

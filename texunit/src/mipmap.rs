@@ -61,12 +61,14 @@ impl Level {
 
     /// By way of the colours, in linear light.
     fn halved_blocks(&self, shape: Shape, isa: Isa) -> Result<Self, ImageError> {
-        let mut colors = Self::with_size(Format::Rgba32F, self.size(), [0; 3])?;
-        colors.fill(|at| self.color_at(at).unwrap_or_default());
-        let half = colors.halved_as(shape, isa)?;
-        let mut smaller = Self::with_size(self.format, half.size(), [0; 3])?;
-        smaller.fill(|at| half.color_at(at).unwrap_or_default());
-        Ok(smaller)
+        self.as_format(Format::Rgba32F)?.halved_as(shape, isa)?.as_format(self.format)
+    }
+
+    /// The colours of a level without a border in another format.
+    fn as_format(&self, format: Format) -> Result<Self, ImageError> {
+        let mut other = Self::with_size(format, self.size(), [0; 3])?;
+        other.fill(|at| self.color_at(at).unwrap_or_default());
+        Ok(other)
     }
 }
 
@@ -94,13 +96,26 @@ impl Image {
         let shape = self.shape();
         let isa = Isa::from_env().unwrap_or(Isa::BASELINE);
         let mut level = base as usize;
-        let Some(mut larger) = self.level(face, level) else {
+        let Some(base) = self.level(face, level) else {
             return Err(ImageError::Missing { face, level });
         };
-        while shape != Shape::Rect
-            && shape.halved(larger.size()) != larger.size()
-            && (level as u64) < u64::from(max)
-        {
+        let format = base.format;
+        let is_last = |level: usize, larger: &Level| {
+            let same = shape.halved(larger.size()) == larger.size();
+            shape == Shape::Rect || same || level as u64 >= u64::from(max)
+        };
+        if format.block().is_some() {
+            // Of colours that were not compressed in between: what is lost does not add up.
+            let mut larger = base.as_format(Format::Rgba32F)?;
+            while !is_last(level, &larger) {
+                larger = larger.halved_as(shape, isa)?;
+                level += 1;
+                self.set_level(face, level, larger.as_format(format)?)?;
+            }
+            return Ok(());
+        }
+        let mut larger = base;
+        while !is_last(level, larger) {
             let smaller = larger.halved_as(shape, isa)?;
             level += 1;
             self.set_level(face, level, smaller)?;

@@ -163,6 +163,8 @@ impl Session {
     /// # Errors
     /// When a call sets the error flag.
     pub fn combiners(&self, units: &[Unit], rows: &[Vec<[f32; 4]>]) -> Result<(), DriveError> {
+        // Floats are drawn to, but what a unit passes on is clamped as for any window.
+        glClampColor(GL_CLAMP_FRAGMENT_COLOR, GL_TRUE);
         for (number, (unit, row)) in units.iter().zip(rows).enumerate() {
             glActiveTexture(GL_TEXTURE0 + number as u32);
             let texels = row.as_flattened();

@@ -52,6 +52,10 @@ const OVERRIDES: &[(&str, usize, Rule)] = &[
     ("glGetVertexAttribdvARB", 2, Rule::Named(1)),
     ("glGetVertexAttribiv", 2, Rule::Named(1)),
     ("glGetVertexAttribivARB", 2, Rule::Named(1)),
+    ("glGetVertexAttribIiv", 2, Rule::Named(1)),
+    ("glGetVertexAttribIivEXT", 2, Rule::Named(1)),
+    ("glGetVertexAttribIuiv", 2, Rule::Named(1)),
+    ("glGetVertexAttribIuivEXT", 2, Rule::Named(1)),
     ("glPolygonStipple", 0, Rule::Fixed(128)),
     ("glGetPolygonStipple", 0, Rule::Fixed(128)),
 ];
@@ -196,6 +200,7 @@ pub(crate) fn values(pname: GLenum) -> usize {
         GL_VIEWPORT
         | GL_SCISSOR_BOX
         | GL_COLOR_WRITEMASK
+        | GL_RGBA_SIGNED_COMPONENTS_EXT
         | GL_BLEND_COLOR
         | GL_COLOR_CLEAR_VALUE
         | GL_ACCUM_CLEAR_VALUE

@@ -2,7 +2,7 @@
 
 use super::memory::ClientPointer;
 use crate::context::GLDEBUGPROC;
-use crate::entry::{Data, DataOut, Pointers, Strings, TextOut};
+use crate::entry::{Data, DataOut, Pointers, Strings, TextOut, with_current};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::ffi::{CStr, CString, c_char, c_void};
@@ -285,7 +285,9 @@ impl<'a> Param<'a> for Strings<'a> {
         length: usize,
         arguments: &[isize],
     ) -> Vec<Cow<'static, str>> {
-        if raw.is_null() {
+        // Of a name that is no shader's the strings are not looked at.
+        let shader = arguments.first().map_or(0, |&name| name as u32);
+        if raw.is_null() || with_current(|context| context.is_shader(shader)) != Some(true) {
             return Vec::new();
         }
         let lengths = arguments.last().copied().unwrap_or(0) as *const i32;

@@ -43,6 +43,7 @@ enum Labelled {
     Renderbuffer,
     VertexArray,
     Sampler,
+    Query,
     List,
 }
 
@@ -57,6 +58,7 @@ const IDENTIFIER: Table<Labelled> = Table {
         (GL_RENDERBUFFER, Labelled::Renderbuffer),
         (GL_VERTEX_ARRAY, Labelled::VertexArray),
         (GL_SAMPLER, Labelled::Sampler),
+        (GL_QUERY, Labelled::Query),
         (GL_DISPLAY_LIST, Labelled::List),
     ],
 };
@@ -227,6 +229,7 @@ fn exists(context: &Context, identifier: GLenum, name: GLuint) -> Result<()> {
         Labelled::Renderbuffer => objects.renderbuffers.get(name).is_some(),
         Labelled::VertexArray => objects.vertex_arrays.get(name).is_some(),
         Labelled::Sampler => objects.samplers.get(name).is_some(),
+        Labelled::Query => objects.queries.get(name).is_some(),
         Labelled::List => objects.lists.contains_key(&name),
     };
     if exists {

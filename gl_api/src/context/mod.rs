@@ -236,7 +236,7 @@ impl Context {
     /// Takes note of an error.
     #[cold]
     #[inline(never)]
-    fn refuse(&mut self, name: &'static str, error: GlError) {
+    pub(crate) fn refuse(&mut self, name: &'static str, error: GlError) {
         self.debug.error(name, &error);
     }
 }

@@ -163,10 +163,30 @@ pub(crate) fn draw_arrays(
     first: GLint,
     count: GLsizei,
 ) -> Result<()> {
-    draw_arrays_instanced(context, mode, first, count, 1)
+    draw_ranges(context, mode, first, count, 1)
+}
+
+/// Instances are no part of lists (`ARB_draw_instanced`).
+fn not_in_a_list(context: &Context) -> Result<()> {
+    if context.compiling.is_some() {
+        return invalid_operation(INSTANCED, "draws of instances are not compiled into lists");
+    }
+    Ok(())
 }
 
 pub(crate) fn draw_arrays_instanced(
+    context: &mut Context,
+    mode: GLenum,
+    first: GLint,
+    count: GLsizei,
+    instances: GLsizei,
+) -> Result<()> {
+    not_in_a_list(context)?;
+    draw_ranges(context, mode, first, count, instances)
+}
+
+/// Draws vertices in their order.
+fn draw_ranges(
     context: &mut Context,
     mode: GLenum,
     first: GLint,
@@ -334,6 +354,7 @@ pub(crate) fn draw_elements_instanced(
     indices: Data<'_>,
     instances: GLsizei,
 ) -> Result<()> {
+    not_in_a_list(context)?;
     draw_indexed(context, mode, IndexRequest { count, ty, indices, base_vertex: 0 }, instances)
 }
 
@@ -430,6 +451,7 @@ pub(crate) fn draw_elements_instanced_base_vertex(
     instances: GLsizei,
     base_vertex: GLint,
 ) -> Result<()> {
+    not_in_a_list(context)?;
     draw_indexed(context, mode, IndexRequest { count, ty, indices, base_vertex }, instances)
 }
 

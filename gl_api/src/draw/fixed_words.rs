@@ -6,6 +6,7 @@ use crate::context::Context;
 use crate::env::texgen::GenMode;
 use crate::fixed::{FragmentKey, Generated, PointSize, Varying, VertexKey, fog_constants, word};
 use crate::interface::*;
+use crate::state::clamp::Clamp;
 use crate::state::enable::Flag;
 use crate::state::light::Light;
 use crate::state::material::{Material, material};
@@ -41,13 +42,16 @@ pub(super) struct Keys<'a> {
     pub fragment: Option<&'a FragmentKey>,
     /// Bit by user clip plane that cuts what a program's vertex stage writes.
     pub clip_planes: u8,
+    /// Whether colours of fragments are clamped.
+    pub clamp: Clamp,
 }
 
 impl FixedWords {
     /// The words for a draw, at least as many as its stages read.
     fn update(&mut self, context: &Context, keys: Keys<'_>) {
         self.words.resize(word::COUNT as usize, 0);
-        put(&mut self.words, word::ALPHA_REF, [context.state.fragment.alpha_ref.into()]);
+        let reference = keys.clamp.component(context.state.fragment.alpha_ref);
+        put(&mut self.words, word::ALPHA_REF, [reference.into()]);
         if let Some(key) = keys.fragment {
             fragment(&mut self.words, context, key);
         }
@@ -92,14 +96,15 @@ impl FixedWords {
 fn fragment(words: &mut [u32], context: &Context, key: &FragmentKey) {
     if key.fog.is_some() {
         let fog = &context.state.fog;
-        let [red, green, blue, _] = fog.color.map(f64::from);
+        let [red, green, blue, _] = key.clamp.color(fog.color).map(f64::from);
         let [density, start, end] = [fog.density, fog.start, fog.end].map(f64::from);
         let [factor, offset] = fog_constants(fog.mode, density, start, end);
         put(words, word::FOG, [red, green, blue, factor, offset]);
     }
     for unit in &key.units {
         let color = context.state.units.units[usize::from(unit.unit)].color;
-        put(words, word::ENV_COLOR + 4 * u32::from(unit.unit), color.map(f64::from));
+        let color = key.clamp.color(color).map(f64::from);
+        put(words, word::ENV_COLOR + 4 * u32::from(unit.unit), color);
     }
 }
 

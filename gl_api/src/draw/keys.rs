@@ -9,11 +9,13 @@ use crate::fixed::{
     Place, PointSize, Spot, UnitKey, Varying, VertexKey, environment_base,
 };
 use crate::interface::*;
+use crate::state::clamp::{self, Clamp};
 use crate::state::enable::Flag;
 use crate::state::fog::FogSource;
 use crate::state::light::{ColorControl, Light};
 use crate::state::material::{Part, column, material};
 use crate::texture::TextureTarget;
+use crate::texture::texel::is_wide;
 use glam::{DMat4, DVec4};
 use rasterizer::driver::{LevelInfo, Rim, VertexBinding, VertexSource};
 
@@ -36,6 +38,7 @@ pub(super) fn vertex_key(context: &Context, vertices: &[VertexBinding], base: u3
             true => PointSize::Attenuated,
             false => PointSize::Constant,
         },
+        clamp: clamp::of_vertices(context),
     };
     if state.enables.has(Flag::Normalize) && key.reads_normals() {
         key.normals = Normals::Normalized;
@@ -138,8 +141,9 @@ pub(super) fn fragment_key(
     context: &mut Context,
     vertices: Option<&[VertexBinding]>,
     base: u32,
+    clamp: Clamp,
 ) -> FragmentKey {
-    let units = enabled_units(context, vertices);
+    let units = enabled_units(context, vertices, clamp);
     let state = &context.state;
     let model = &state.lights.model;
     let lit = vertices.is_some() && state.enables.has(Flag::Lighting);
@@ -159,11 +163,16 @@ pub(super) fn fragment_key(
         fog: state.enables.has(Flag::Fog).then_some(FogKey { mode: state.fog.mode, source }),
         alpha: alpha_test(context),
         rim: Rim::Aliased,
+        clamp,
     }
 }
 
 /// The units that texture: enabled, with a complete texture (GL 2.1, section 3.8.15).
-fn enabled_units(context: &mut Context, vertices: Option<&[VertexBinding]>) -> Vec<UnitKey> {
+fn enabled_units(
+    context: &mut Context,
+    vertices: Option<&[VertexBinding]>,
+    clamp: Clamp,
+) -> Vec<UnitKey> {
     let mut units = Vec::new();
     for unit in 0..MAX_TEXTURE_UNITS {
         let state = &context.state.units.units[usize::from(unit)];
@@ -183,6 +192,7 @@ fn enabled_units(context: &mut Context, vertices: Option<&[VertexBinding]>) -> V
             base: environment_base(format.base(), sampler.depth_mode),
             shape: target.shape(),
             compare: format.is_depth() && sampler.compare.is_some(),
+            clamp: if is_wide(format) { clamp } else { Clamp::Off },
             coordinates: coordinates(context, unit, vertices),
         });
     }

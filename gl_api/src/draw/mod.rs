@@ -47,7 +47,7 @@ pub(crate) struct Recorder {
     pub fixed: FixedModules,
     fixed_words: FixedWords,
     variants: HashMap<stages::VariantKey, ShaderModule>,
-    clipped: HashMap<stages::ClippedKey, ShaderModule>,
+    vertex_variants: HashMap<stages::VertexVariantKey, ShaderModule>,
     /// What counts the samples of draws.
     pub counter: Option<Counter>,
     pub rectangles: RectangleModules,
@@ -83,7 +83,7 @@ impl Recorder {
             fixed: FixedModules::default(),
             fixed_words: FixedWords::default(),
             variants: HashMap::new(),
-            clipped: HashMap::new(),
+            vertex_variants: HashMap::new(),
             counter: None,
             rectangles: RectangleModules::default(),
             single: HashMap::new(),

@@ -8,14 +8,16 @@ use crate::context::Context;
 use crate::error::{ErrorCode, GlError, Result, invalid_operation};
 use crate::explain::DrawNote;
 use crate::fixed::{
-    FragmentKey, add_alpha_test, add_clip_planes, add_coverage, add_two_sides, cached,
-    set_shade_model, word,
+    FragmentKey, FromVertex, add_alpha_test, add_clip_planes, add_coverage, add_two_sides, cached,
+    clamp_fragment_colors, read_from_vertices, set_shade_model, word,
 };
 use crate::framebuffer::complete::draws_integers;
 use crate::glsl::{ComparisonResult, SamplerSlot};
-use crate::interface::MAX_COMBINED_TEXTURE_IMAGE_UNITS;
+use crate::interface::{ATTRIB_MATERIAL, MAX_COMBINED_TEXTURE_IMAGE_UNITS, StateBinding, StateVar};
 use crate::program::validate::runnable;
+use crate::state::clamp::{self, Clamp};
 use crate::state::enable::Flag;
+use crate::state::material::{Part, column};
 use crate::state::viewport;
 use crate::texture::TextureTarget;
 use rasterizer::driver::{Rim, ShaderModule, VertexBinding};
@@ -49,16 +51,20 @@ pub(super) struct VariantKey {
     alpha: Option<(Compare, u32)>,
     sides: Sides,
     rim: Rim,
+    /// Whether its colours are clamped.
+    clamp: Clamp,
 }
 
-/// A program's vertex stage that user clip planes cut.
+/// A program's vertex stage with state of the context built in.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub(super) struct ClippedKey {
+pub(super) struct VertexVariantKey {
     module: ShaderModule,
-    /// Bit by plane.
+    /// The user clip planes that cut, bit by plane.
     planes: u8,
     /// The first word of the fixed function.
     base: u32,
+    /// What of the materials each vertex has for itself.
+    materials: Vec<FromVertex>,
 }
 
 /// Whether the back of a polygon has colours of its own (GL 2.1, section 2.15.4).
@@ -93,6 +99,7 @@ pub(crate) fn choose(
     rim: Rim,
 ) -> Result<Stages> {
     let name = context.state.bindings.program;
+    let clamp = clamp::of_fragments(context);
     let mut words = Vec::new();
     let (mut vertex, mut fragment, mut samplers) = (None, None, Vec::new());
     let mut said = [None; 2];
@@ -104,7 +111,11 @@ pub(crate) fn choose(
         words.clone_from(&linked.words);
         words.resize(program.words as usize, 0);
         put_bindings(context, &mut words, &program.state);
-        (vertex, fragment) = (linked.vertex.clone(), linked.fragment.clone());
+        vertex = match clamp::of_vertices(context) {
+            Clamp::On => linked.vertex.clone(),
+            Clamp::Off => linked.unclamped_vertex.clone(),
+        };
+        fragment = linked.fragment.clone();
         samplers.clone_from(&program.samplers);
         said = program.color_interpolation;
     }
@@ -122,10 +133,21 @@ pub(crate) fn choose(
     let (fragment, fragment_textures) = match fragment.take() {
         Some(module) => {
             let textures = program_textures(context, Stage::Fragment, &module, &samplers, &words);
-            (program_fragment(context, module, said, base, two_sided, rim)?, textures)
+            let key = VariantKey {
+                alpha: alpha_test(context).map(|compare| (compare, base + word::ALPHA_REF)),
+                shade_model: context.state.raster.shade_model,
+                sides: if two_sided { Sides::Two } else { Sides::One },
+                // Writing fractions clamps.
+                clamp: if clamp::draws_fractions(context) { Clamp::Off } else { clamp },
+                said,
+                rim,
+                module,
+            };
+            (program_fragment(context, key, clamp)?, textures)
         }
         None => {
-            let key = keys::fragment_key(context, vertex.is_none().then_some(vertices), base);
+            let own = vertex.is_none().then_some(vertices);
+            let key = keys::fragment_key(context, own, base, clamp);
             let textures = key.units.iter().map(|unit| {
                 let target = TextureTarget::of(unit.shape);
                 Some(plan(context, unit.unit, target, ComparisonResult::Placed))
@@ -147,7 +169,10 @@ pub(crate) fn choose(
             if !clips_itself(&module) {
                 clip_planes = context.state.clip.enabled;
             }
-            program_vertex(context, module, clip_planes, base)?
+            let bindings = context.objects.linked_program(name).map(|linked| &linked.program.state);
+            let materials = own_materials(vertices, bindings.map_or(&[], Vec::as_slice));
+            let key = VertexVariantKey { module, planes: clip_planes, base, materials };
+            program_vertex(context, key)?
         }
         None => {
             let key = vertex_key.insert(keys::vertex_key(context, vertices, base));
@@ -160,7 +185,7 @@ pub(crate) fn choose(
     });
     let needed = vertex.module().uniform_words.max(fragment.module().uniform_words);
     let (vertex_key, fragment_key) = (vertex_key.as_ref(), fragment_key.as_ref());
-    let keys = Keys { vertex: vertex_key, fragment: fragment_key, clip_planes };
+    let keys = Keys { vertex: vertex_key, fragment: fragment_key, clip_planes, clamp };
     fixed_words::append(context, &mut words, keys, needed);
     Ok(Stages { vertex, fragment, words, vertex_textures, fragment_textures, note })
 }
@@ -171,45 +196,64 @@ fn clips_itself(module: &ShaderModule) -> bool {
     outputs.any(|(output, _)| matches!(output, Output::ClipDistance(_)))
 }
 
-/// A program's vertex stage, cut by user clip planes.
-fn program_vertex(
-    context: &mut Context,
-    module: ShaderModule,
-    planes: u8,
-    base: u32,
-) -> Result<ShaderModule> {
-    if planes == 0 {
-        return Ok(module);
+/// The words of `gl_FrontMaterial` and `gl_BackMaterial` that each vertex has for itself, as
+/// `glMaterial` changed them between `glBegin` and `glEnd`. Products with lights keep the last ones.
+fn own_materials(vertices: &[VertexBinding], bindings: &[StateBinding]) -> Vec<FromVertex> {
+    // Columns of materials come behind all others.
+    if vertices.last().is_none_or(|binding| binding.location < ATTRIB_MATERIAL) {
+        return Vec::new();
     }
-    let key = ClippedKey { module, planes, base };
-    cached(&mut context.recorder.clipped, &key, |key| {
-        let module = key.module.module().clone();
-        add_clip_planes(module, key.planes, key.base + word::CLIP_PLANES)
+    let mut own = Vec::new();
+    for binding in bindings {
+        let StateVar::Material(side) = binding.var else { continue };
+        for (part, place, count) in Part::WORDS {
+            let location = column(side, part);
+            if vertices.iter().any(|vertex| vertex.location == location) {
+                own.push(FromVertex { word: binding.word + place, count, location });
+            }
+        }
+    }
+    own
+}
+
+/// A program's vertex stage with the state built in where it matters.
+fn program_vertex(context: &mut Context, key: VertexVariantKey) -> Result<ShaderModule> {
+    if key.planes == 0 && key.materials.is_empty() {
+        return Ok(key.module);
+    }
+    cached(&mut context.recorder.vertex_variants, &key, |key| {
+        let mut module = key.module.module().clone();
+        read_from_vertices(&mut module, &key.materials);
+        match key.planes {
+            0 => module,
+            planes => add_clip_planes(module, planes, key.base + word::CLIP_PLANES),
+        }
     })
     .map_err(|error| internal(&error))
 }
 
-/// A program's fragment stage with shade model and alpha test built in where they matter.
+/// A program's fragment stage with the state built in where it matters. The alpha test sees clamped
+/// colours, if `clamp` says so, whatever the buffers are.
 fn program_fragment(
     context: &mut Context,
-    module: ShaderModule,
-    said: [Option<Interpolation>; 2],
-    base: u32,
-    two_sided: bool,
-    rim: Rim,
+    mut key: VariantKey,
+    clamp: Clamp,
 ) -> Result<ShaderModule> {
-    let shade_model = context.state.raster.shade_model;
-    let alpha = alpha_test(context).map(|compare| (compare, base + word::ALPHA_REF));
-    let sides = if two_sided { Sides::Two } else { Sides::One };
-    let plain = shade_model == Interpolation::Smooth && alpha.is_none();
-    if plain && sides == Sides::One && rim == Rim::Aliased {
-        return Ok(module);
+    if key.alpha.is_some() {
+        key.clamp = clamp;
     }
-    let key = VariantKey { module, shade_model, said, alpha, sides, rim };
+    let plain = key.shade_model == Interpolation::Smooth && key.alpha.is_none();
+    let plain = plain && key.sides == Sides::One && key.rim == Rim::Aliased;
+    if plain && key.clamp == Clamp::Off {
+        return Ok(key.module);
+    }
     cached(&mut context.recorder.variants, &key, |key| {
         let mut variant = key.module.module().clone();
         if key.sides == Sides::Two {
             add_two_sides(&mut variant);
+        }
+        if key.clamp == Clamp::On {
+            clamp_fragment_colors(&mut variant);
         }
         if key.rim == Rim::Smooth {
             add_coverage(&mut variant);

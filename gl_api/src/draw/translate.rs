@@ -195,17 +195,18 @@ fn pipeline_desc(
     let has = draw_planes(context);
     let depth = (enables.has(Flag::DepthTest) && has.depth)
         .then_some(DepthState { test: state.depth_func, write: state.depth_write });
-    let colors = state
-        .buffers
-        .iter()
-        .take(pass.colors.len())
-        .map(|buffer| ColorState { blend: buffer.blend.then_some(state.blend), mask: buffer.mask });
+    // A logical operation switches blending off, also where it does nothing itself (section 4.1.10).
+    let logic_op = enables.has(Flag::ColorLogicOp).then_some(state.logic_op);
+    let colors = state.buffers.iter().take(pass.colors.len()).map(|buffer| ColorState {
+        blend: (buffer.blend && logic_op.is_none()).then_some(state.blend),
+        mask: buffer.mask,
+    });
     let two_side = enables.has(Flag::StencilTestTwoSide);
     let back = if two_side { Side::TwoSideBack } else { Side::Back };
     let output = OutputState {
         stencil: (enables.has(Flag::StencilTest) && has.stencil)
             .then(|| state.stencil.to_driver(back)),
-        logic_op: enables.has(Flag::ColorLogicOp).then_some(state.logic_op),
+        logic_op,
         srgb: srgb_write(context),
     };
     PipelineDesc {

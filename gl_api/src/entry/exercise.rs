@@ -2,7 +2,7 @@
 //! target `table` draw from. An argument is random by its type, and by its name where a size would
 //! only cost time.
 
-use super::{Data, DataOut, Place, Pointers, Strings, TextOut};
+use super::{Data, DataOut, Pointers, Strings, TextOut};
 use crate::constants::*;
 use crate::context::{Context, GLDEBUGPROC};
 use crate::types::GLvoid;
@@ -11,7 +11,8 @@ use crate::types::GLvoid;
 pub struct Exercise {
     /// GL's name.
     pub name: &'static str,
-    pub(crate) place: Place,
+    #[cfg(test)]
+    pub(crate) place: super::Place,
     /// The call.
     pub run: fn(&mut Context, &mut Random<'_>),
 }

@@ -1,7 +1,7 @@
 //! Per-fragment operations: GL 2.1, chapter 4.
 
 use crate::framebuffer::{accumulate, clear};
-use crate::state::{fragment, index, masks, stencil};
+use crate::state::{clamp, fragment, index, masks, stencil};
 use crate::types::*;
 
 entry_points! {
@@ -43,6 +43,10 @@ entry_points! {
         clear_depthf: glClearDepthf (depth: GLclampf);
         /// Sets the stencil value that `glClear` writes.
         clear_stencil: glClearStencil (s: GLint);
+    }
+    Outside in clamp {
+        /// Sets when colours are clamped to [0, 1].
+        clamp_color: glClampColor | glClampColorARB (target: GLenum, clamp: GLenum);
     }
     Outside in masks {
         /// Sets which colour components are written.

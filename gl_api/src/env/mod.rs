@@ -8,8 +8,8 @@ use crate::context::{Context, limits};
 use crate::error::{Result, Table, invalid_enum, invalid_operation};
 use crate::interface::{MAX_COMBINED_TEXTURE_IMAGE_UNITS, MAX_TEXTURE_UNITS};
 use crate::query::table::{self, Value};
+use crate::state::clamp;
 use crate::state::params::{Params, parameter_calls, parameter_queries};
-use crate::state::viewport::unit as clamp_unit;
 use crate::texture::TextureTarget;
 use crate::types::*;
 use combine::{Arguments, COMBINER_PARAMETER, Combiner, CombinerParameter};
@@ -188,7 +188,7 @@ fn set_env(context: &mut Context, target: GLenum, pname: GLenum, params: &Params
     let unit = context.state.units.active_mut();
     match parameter {
         Parameter::Mode => unit.mode = MODE.decode("param", params.symbol())?,
-        Parameter::Color => unit.color = params.color().map(|c| clamp_unit(c.into()) as f32),
+        Parameter::Color => unit.color = params.color(),
         Parameter::Combiner(parameter) => {
             combine::set(&mut unit.combiners, parameter, params.number())?;
         }
@@ -204,7 +204,7 @@ fn get_env(context: &Context, target: GLenum, pname: GLenum) -> Result<Value> {
     let unit = context.state.units.active();
     match parameter(target, pname)? {
         Parameter::Mode => table::symbol(MODE.encode(unit.mode)),
-        Parameter::Color => table::unit(&unit.color),
+        Parameter::Color => table::unit(&clamp::of_fragments(context).color(unit.color)),
         Parameter::Combiner(parameter) => combine::get(&unit.combiners, parameter),
         Parameter::LodBias => table::float(unit.lod_bias),
         Parameter::CoordReplace => table::flag(unit.coord_replace),

@@ -1,7 +1,8 @@
 //! Combiners as code: GL 2.1, section 3.8.13, tables 3.24 and 3.25; `NV_texture_env_combine4`.
 
-use super::vector::clamp;
+use super::vector::clamped;
 use crate::env::combine::{Argument, Arguments, Combiner, Function, Operand, Scale, Source};
+use crate::state::clamp::Clamp;
 use rasterizer::ir::{Builder, Op, Value};
 
 /// What combiners take their arguments from.
@@ -13,6 +14,8 @@ pub(super) struct Sources<'a> {
     pub constant: [Value; 4],
     pub primary: [Value; 4],
     pub previous: [Value; 4],
+    /// Whether what a unit passes on is clamped.
+    pub clamp: Clamp,
 }
 
 impl Sources<'_> {
@@ -115,8 +118,8 @@ fn argument(b: &mut Builder, from: &Sources<'_>, argument: Argument, component: 
     }
 }
 
-/// Multiplied by the combiner's scale and clamped.
-fn scaled(b: &mut Builder, value: Value, scale: Scale) -> Value {
+/// Multiplied by the combiner's scale, and clamped where colours are.
+fn scaled(b: &mut Builder, clamp: Clamp, value: Value, scale: Scale) -> Value {
     let value = match scale {
         Scale::One => value,
         Scale::Two | Scale::Four => {
@@ -124,7 +127,7 @@ fn scaled(b: &mut Builder, value: Value, scale: Scale) -> Value {
             b.op(Op::Mul, &[value, factor])
         }
     };
-    clamp(b, value)
+    clamped(b, clamp, value)
 }
 
 /// A component that a combiner gives; a dot product is that of all three.
@@ -183,7 +186,7 @@ fn component(
             b.op(Op::Mul, &[sum, four])
         }
     };
-    scaled(b, value, combiner.scale)
+    scaled(b, from.clamp, value, combiner.scale)
 }
 
 /// The colour that the combiners pass on.

@@ -3,6 +3,7 @@
 use super::combine::{CombineKey, Sources, combine};
 use crate::env::combine::Combiner;
 use crate::env::{Mode, Standard};
+use crate::state::clamp::Clamp;
 use rasterizer::ir::{Builder, Op, Value};
 use texunit::format::BaseFormat;
 use texunit::sampler::DepthMode;
@@ -80,9 +81,7 @@ pub(super) fn apply(
     match (environment, from.texel(from.unit)) {
         (_, None) => from.previous,
         (Environment::Combine(key), Some(_)) => combine(b, key, from),
-        (Environment::Standard(mode), Some(texel)) => {
-            standard(b, *mode, base, from.previous, texel, from.constant)
-        }
+        (Environment::Standard(mode), Some(texel)) => standard(b, *mode, base, from, texel),
     }
 }
 
@@ -92,10 +91,10 @@ fn standard(
     b: &mut Builder,
     mode: Standard,
     base: BaseFormat,
-    previous: [Value; 4],
+    from: &Sources<'_>,
     source: [Value; 4],
-    constant: [Value; 4],
 ) -> [Value; 4] {
+    let Sources { previous, constant, clamp, .. } = *from;
     let (has_color, alpha) = columns(base);
     let color = |b: &mut Builder, i: usize| {
         let (p, s, c) = (previous[i], source[i], constant[i]);
@@ -106,7 +105,7 @@ fn standard(
             Standard::Replace => s,
             Standard::Modulate => b.op(Op::Mul, &[p, s]),
             Standard::Blend => blend(b, p, c, s),
-            Standard::Add => add(b, p, s),
+            Standard::Add => add(b, clamp, p, s),
             // The tables define it for RGB and RGBA; other formats leave the colour as it is.
             Standard::Decal => match base {
                 BaseFormat::Rgb => s,
@@ -127,7 +126,7 @@ fn standard(
         (_, Alpha::Absent) | (Standard::Decal, Alpha::Present | Alpha::Intensity) => p,
         (Standard::Replace, Alpha::Present | Alpha::Intensity) => s,
         (Standard::Blend, Alpha::Intensity) => blend(b, p, c, s),
-        (Standard::Add, Alpha::Intensity) => add(b, p, s),
+        (Standard::Add, Alpha::Intensity) => add(b, clamp, p, s),
         (Standard::Modulate, Alpha::Present | Alpha::Intensity)
         | (Standard::Blend | Standard::Add, Alpha::Present) => b.op(Op::Mul, &[p, s]),
     };
@@ -143,9 +142,14 @@ fn blend(b: &mut Builder, from: Value, to: Value, weight: Value) -> Value {
     b.op(Op::Add, &[from, to])
 }
 
-/// `min(a + b, 1)`: what a unit passes on is clamped.
-fn add(b: &mut Builder, left: Value, right: Value) -> Value {
+/// `min(a + b, 1)` where what a unit passes on is clamped.
+fn add(b: &mut Builder, clamp: Clamp, left: Value, right: Value) -> Value {
     let sum = b.op(Op::Add, &[left, right]);
-    let one = b.float(1.0);
-    b.op(Op::Min, &[sum, one])
+    match clamp {
+        Clamp::On => {
+            let one = b.float(1.0);
+            b.op(Op::Min, &[sum, one])
+        }
+        Clamp::Off => sum,
+    }
 }

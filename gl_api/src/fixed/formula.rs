@@ -7,6 +7,7 @@ use super::fog::FogKey;
 use super::fragment::{FragmentKey, UnitKey};
 use crate::env::Standard;
 use crate::env::combine::{Argument, Arguments, Combiner, Function, Operand, Scale, Source};
+use crate::state::clamp::Clamp;
 use crate::state::fog::FogMode;
 use texunit::format::BaseFormat;
 
@@ -16,7 +17,8 @@ type Formula = (String, &'static str);
 impl FragmentKey {
     /// What the stage computes after the texture lookups, in order.
     pub fn formulas(&self) -> Vec<Formula> {
-        let mut formulas: Vec<Formula> = self.units.iter().flat_map(environment).collect();
+        let mut formulas: Vec<Formula> =
+            self.units.iter().flat_map(|unit| environment(unit, self.clamp)).collect();
         if self.color_sum {
             formulas.push(("colour sum: C = C + C_secondary".into(), "GL 2.1, section 3.9"));
         }
@@ -29,7 +31,7 @@ impl FragmentKey {
     }
 }
 
-fn environment(unit: &UnitKey) -> Vec<Formula> {
+fn environment(unit: &UnitKey, clamp: Clamp) -> Vec<Formula> {
     let number = unit.unit;
     match unit.environment {
         Environment::Standard(mode) => {
@@ -38,11 +40,11 @@ fn environment(unit: &UnitKey) -> Vec<Formula> {
         }
         Environment::Combine(CombineKey { color, alpha, arguments }) => {
             let mut lines = vec![(
-                format!("unit {number}: GL_COMBINE_RGB: {}", combiner(&color, arguments)),
+                format!("unit {number}: GL_COMBINE_RGB: {}", combiner(&color, arguments, clamp)),
                 SECTION_COMBINE,
             )];
             lines.extend(alpha.map(|alpha| {
-                let text = combiner(&alpha, arguments);
+                let text = combiner(&alpha, arguments, clamp);
                 (format!("unit {number}: GL_COMBINE_ALPHA: {text}"), SECTION_COMBINE)
             }));
             lines
@@ -98,8 +100,8 @@ fn standard(mode: Standard, base: BaseFormat) -> (&'static str, &'static str) {
     }
 }
 
-/// A row of table 3.24 with its arguments, scaled and clamped.
-fn combiner(combiner: &Combiner, arguments: Arguments) -> String {
+/// A row of table 3.24 with its arguments, scaled, and clamped where colours are.
+fn combiner(combiner: &Combiner, arguments: Arguments, clamp: Clamp) -> String {
     let [a, b, c, d] = combiner.arguments.map(argument);
     let text = match (combiner.function, arguments) {
         (Function::Replace, _) => a,
@@ -129,10 +131,14 @@ fn combiner(combiner: &Combiner, arguments: Arguments) -> String {
         | Function::Dot3Rgb
         | Function::Dot3Rgba => combiner.scale,
     };
-    match scale {
-        Scale::One => format!("clamp({text})"),
-        Scale::Two => format!("clamp(2 ({text}))"),
-        Scale::Four => format!("clamp(4 ({text}))"),
+    let text = match scale {
+        Scale::One => text,
+        Scale::Two => format!("2 ({text})"),
+        Scale::Four => format!("4 ({text})"),
+    };
+    match clamp {
+        Clamp::On => format!("clamp({text})"),
+        Clamp::Off => text,
     }
 }
 

@@ -4,10 +4,11 @@
 use super::combine::Sources;
 use super::environment::{Environment, apply};
 use super::fog::{FogKey, fog};
-use super::vector::{clamp, words};
+use super::vector::{clamped, words};
 use super::word;
 use crate::context::limits::MAX_COLOR_ATTACHMENTS;
 use crate::interface::*;
+use crate::state::clamp::Clamp;
 use rasterizer::driver::Rim;
 use rasterizer::ir::{
     Builder, Expr, Input, Interpolation, Lod, Module, Op, Output, Stage, Stmt, TextureDecl, Ty,
@@ -26,6 +27,8 @@ pub(crate) struct UnitKey {
     pub base: BaseFormat,
     pub shape: Shape,
     pub compare: bool,
+    /// Whether texels may be outside of [0, 1] and are clamped.
+    pub clamp: Clamp,
     pub coordinates: Coordinates,
 }
 
@@ -55,6 +58,8 @@ pub(crate) struct FragmentKey {
     pub alpha: Option<Compare>,
     /// Whether coverage changes alpha.
     pub rim: Rim,
+    /// Whether colours are clamped, from the first to what is written.
+    pub clamp: Clamp,
 }
 
 /// Generates the stage.
@@ -122,7 +127,7 @@ fn color(b: &mut Builder, key: &FragmentKey, front: u16, back: u16) -> [Value; 4
         let back = back.map(|input| b.input(input));
         color = std::array::from_fn(|i| b.op(Op::SelectF, &[faces, color[i], back[i]]));
     }
-    color.map(|value| clamp(b, value))
+    color.map(|value| clamped(b, key.clamp, value))
 }
 
 /// The primary colour through the environments of all units.
@@ -140,7 +145,8 @@ fn texture(b: &mut Builder, key: &FragmentKey, primary: [Value; 4]) -> [Value; 4
             continue;
         }
         let constant = words(b, key.base + word::ENV_COLOR + 4 * u32::from(unit.unit));
-        let from = Sources { texels: &texels, unit: unit.unit, constant, primary, previous };
+        let clamp = key.clamp;
+        let from = Sources { texels: &texels, unit: unit.unit, constant, primary, previous, clamp };
         previous = apply(b, &unit.environment, unit.base, &from);
     }
     previous
@@ -170,7 +176,8 @@ fn sample(b: &mut Builder, unit: &UnitKey) -> [Value; 4] {
         Shape::D3 | Shape::Cube | Shape::D2Array => [s, t, r],
     };
     let reference = unit.compare.then_some(r);
-    b.sample(texture, coords, reference, Lod::Implicit { bias: None })
+    let texel = b.sample(texture, coords, reference, Lod::Implicit { bias: None });
+    texel.map(|value| clamped(b, unit.clamp, value))
 }
 
 /// The secondary colour added (section 3.9).
@@ -178,7 +185,7 @@ fn color_sum(b: &mut Builder, key: &FragmentKey, primary: [Value; 4]) -> [Value;
     let secondary = color(b, key, VARYING_SECONDARY_COLOR, VARYING_BACK_COLOR + 4);
     let [red, green, blue] = [0, 1, 2].map(|i| {
         let sum = b.op(Op::Add, &[primary[i], secondary[i]]);
-        clamp(b, sum)
+        clamped(b, key.clamp, sum)
     });
     [red, green, blue, primary[3]]
 }

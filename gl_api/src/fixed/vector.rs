@@ -1,5 +1,6 @@
 //! Vectors of values, for the generators.
 
+use crate::state::clamp::Clamp;
 use rasterizer::ir::{Builder, Op, Ty, Value};
 
 /// An operation component by component.
@@ -52,6 +53,14 @@ pub(super) fn clamp(b: &mut Builder, value: Value) -> Value {
     let value = at_least_zero(b, value);
     let one = b.float(1.0);
     b.op(Op::Min, &[value, one])
+}
+
+/// The same, where colours are clamped.
+pub(super) fn clamped(b: &mut Builder, clamps: Clamp, value: Value) -> Value {
+    match clamps {
+        Clamp::On => clamp(b, value),
+        Clamp::Off => value,
+    }
 }
 
 /// A matrix, whose words are column by column, times a vector: columns summed from the left.

@@ -1,9 +1,10 @@
 //! The fixed-function vertex stage: GL 2.1, sections 2.11, 2.12 and 2.14.
 
 use super::light::{LightingKey, Lit, Vertex, light};
-use super::vector::{clamp, dot, each, scale, transform, unit, words};
+use super::vector::{clamped, dot, each, scale, transform, unit, words};
 use super::word;
 use crate::interface::*;
+use crate::state::clamp::Clamp;
 use crate::state::fog::FogSource;
 use rasterizer::ir::{Builder, Input, Module, Op, Output, Stage, Value};
 
@@ -49,6 +50,8 @@ pub(crate) struct VertexKey {
     pub clip_planes: u8,
     pub fog: FogSource,
     pub point_size: PointSize,
+    /// Whether colours are clamped.
+    pub clamp: Clamp,
 }
 
 impl VertexKey {
@@ -121,7 +124,7 @@ fn normal(b: &mut Builder, key: &VertexKey) -> [Value; 3] {
     }
 }
 
-/// Colours of both sides, clamped (section 2.14.6).
+/// Colours of both sides, clamped if the state says so (section 2.14.6).
 fn colors(b: &mut Builder, key: &VertexKey, eye: [Value; 3], normal: [Value; 3]) {
     let (front, back) = match &key.lighting {
         Some(lighting) => light(b, lighting, key.base, &Vertex { eye, normal }),
@@ -138,7 +141,7 @@ fn colors(b: &mut Builder, key: &VertexKey, eye: [Value; 3], normal: [Value; 3])
     for (lit, primary, secondary) in sides {
         let Some(lit) = lit else { continue };
         for (slot, values) in [(primary, lit.primary), (secondary, lit.secondary)] {
-            let values = values.map(|value| clamp(b, value));
+            let values = values.map(|value| clamped(b, key.clamp, value));
             write_varyings(b, slot, values);
         }
     }

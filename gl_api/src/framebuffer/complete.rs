@@ -217,6 +217,18 @@ pub(crate) fn draw_planes(context: &Context) -> Planes {
     }
 }
 
+/// The formats of all colour buffers that are drawn to.
+pub(crate) fn drawn_formats(context: &Context) -> impl Iterator<Item = Format> {
+    let object = context.objects.framebuffers.get(context.state.bindings.draw_framebuffer);
+    let attached = object.into_iter().flat_map(|object| {
+        let indices = object.selection.draw.iter().filter_map(|&buffer| attachment_index(buffer));
+        indices.filter_map(|index| attached_format(object.colors[index].as_ref()?))
+    });
+    let window = &context.window;
+    let draws = object.is_none() && window.selection.draw[0] != GL_NONE;
+    attached.chain(draws.then_some(window.format))
+}
+
 /// Whether the first colour that is drawn to is of integers.
 pub(crate) fn draws_integers(context: &Context) -> bool {
     let object = context.objects.framebuffers.get(context.state.bindings.draw_framebuffer);

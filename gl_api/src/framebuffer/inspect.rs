@@ -197,7 +197,16 @@ pub(crate) fn get_framebuffer_attachment_parameteriv(
                     | Property::Layer
                     | Property::Bits(_)
                     | Property::ComponentType
-                    | Property::ColorEncoding => None,
+                    | Property::ColorEncoding => {
+                        return invalid_operation(
+                            SECTION,
+                            format!(
+                                "nothing is attached to {}: {} cannot be asked for",
+                                enum_name(attachment),
+                                enum_name(pname)
+                            ),
+                        );
+                    }
                 },
             }
         }

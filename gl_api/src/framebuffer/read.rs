@@ -5,9 +5,12 @@ use super::complete::{Readable, read_attachment};
 use crate::context::Context;
 use crate::entry::DataOut;
 use crate::error::{Result, invalid_operation, not_negative};
+use crate::state::clamp;
 use crate::texture::client::{ClientFormat, LuminanceOf, Numbers, Pixel};
+use crate::texture::convert::Final;
 use crate::texture::layout::{Extent, Layout};
 use crate::texture::specify::kinds_match;
+use crate::texture::transfer::{Kind, Transfer};
 use crate::texture::{convert, memory, texel};
 use crate::types::*;
 use rasterizer::driver::Attachment;
@@ -63,8 +66,9 @@ pub(super) fn settled(context: &mut Context, attachment: &Attachment) -> Option<
 /// What is read from.
 ///
 /// # Errors
-/// Where the framebuffer is incomplete or has no such buffer.
+/// Where the framebuffer is incomplete, has several samples a pixel, or has no such buffer.
 pub(crate) fn source(context: &mut Context, what: Readable) -> Result<Pixels> {
+    check_samples(context)?;
     let attachment = read_attachment(context, what)?;
     match attachment.and_then(|attachment| settled(context, &attachment)) {
         Some(pixels) => Ok(pixels),
@@ -96,26 +100,14 @@ fn check_samples(context: &Context) -> Result<()> {
 
 /// What a pixel of the client's is read from.
 fn chosen(context: &mut Context, format: ClientFormat) -> Result<Pixels> {
-    match format {
-        ClientFormat::Depth => source(context, Readable::Depth),
-        ClientFormat::Stencil => source(context, Readable::Stencil),
-        ClientFormat::DepthStencil => {
+    match format.kind() {
+        Kind::Depth => source(context, Readable::Depth),
+        Kind::Stencil => source(context, Readable::Stencil),
+        Kind::DepthStencil => {
             source(context, Readable::Stencil)?;
             source(context, Readable::Depth)
         }
-        ClientFormat::Red
-        | ClientFormat::Green
-        | ClientFormat::Blue
-        | ClientFormat::Alpha
-        | ClientFormat::Rg
-        | ClientFormat::Rgb
-        | ClientFormat::Bgr
-        | ClientFormat::Rgba
-        | ClientFormat::Bgra
-        | ClientFormat::Abgr
-        | ClientFormat::Luminance
-        | ClientFormat::LuminanceAlpha
-        | ClientFormat::ColorIndex => source(context, Readable::Color),
+        Kind::Color | Kind::ColorIndex => source(context, Readable::Color),
     }
 }
 
@@ -141,14 +133,17 @@ pub(crate) fn read_pixels(
     }
     let layout = Layout::new(&context.state.pack, pixel, [width, height, 1], Extent::Flat)?;
     let from = chosen(context, pixel.format)?;
-    check_samples(context)?;
     if pixel.format != ClientFormat::Stencil {
         kinds_match(pixel, from.format())?;
     }
     let region = Region::new(x, y, width, height);
     let transfer = context.state.transfer;
+    let mut last = Final::of(from.format(), LuminanceOf::Sum);
+    if !pixel.format.is_depth() && !from.format().is_integer() {
+        last.clamp = clamp::of_reading(context, from.format());
+    }
     memory::write_pixels(context, &layout, pixels, |bytes| {
-        pack(&from, region, &layout, &transfer, bytes);
+        pack(&from, region, &layout, &transfer, last, bytes);
     })
 }
 
@@ -157,7 +152,8 @@ fn pack(
     from: &Pixels,
     region: Region,
     layout: &Layout,
-    transfer: &crate::texture::transfer::Transfer,
+    transfer: &Transfer,
+    last: Final,
     bytes: &mut [u8],
 ) {
     let [width, height] = from.size();
@@ -168,7 +164,7 @@ fn pack(
     let rows = (0..visible.height)
         .map(|y| (run.start + y * run.stride, from.row(visible.x, visible.y + y, visible.width)));
     if layout.pixel.format != ClientFormat::Stencil {
-        convert::pack_rows(&run, from.format(), transfer, LuminanceOf::Sum, rows, bytes);
+        convert::pack_rows(&run, from.format(), transfer, last, rows, bytes);
         return;
     }
     // A stencil is an integer of its own.
@@ -176,7 +172,8 @@ fn pack(
         let texels = texels.chunks_exact(from.format().bytes());
         let stencils: Vec<u8> = texels.map(|t| texel::stencil_of(from.format(), t)).collect();
         let rows = std::iter::once((at, &stencils[..]));
-        convert::pack_rows(&run, Format::R8UI, transfer, LuminanceOf::Sum, rows, bytes);
+        let last = Final::of(Format::R8UI, LuminanceOf::Sum);
+        convert::pack_rows(&run, Format::R8UI, transfer, last, rows, bytes);
     }
 }
 

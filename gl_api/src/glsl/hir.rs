@@ -100,10 +100,12 @@ pub struct Variable {
     pub written: bool,
     /// Whether it is indexed by what is not constant.
     pub dynamic: bool,
-    /// Of an array without a size: one more than the largest constant index.
+    /// Of an array: one more than the largest constant index.
     pub indexed: u32,
-    /// Whether anything names it.
-    pub used: bool,
+    /// How often it is named.
+    pub named: u32,
+    /// How often of these it is an array of which a constant names an element.
+    pub picked: u32,
     /// The words about how it passes between the stages, as written.
     pub passing: Passing,
     /// Whether the size of the array comes from its largest index alone.
@@ -112,6 +114,14 @@ pub struct Variable {
     pub constant: Option<Arc<[u32]>>,
     /// The initializer of a global.
     pub init: Option<Expr>,
+}
+
+impl Variable {
+    /// How many elements of an array anything names, from the first one on (GL 2.1, section 2.15.3:
+    /// the highest index used, plus one); `None` where all may be.
+    pub fn reach(&self) -> Option<u32> {
+        (self.named == self.picked).then_some(self.indexed)
+    }
 }
 
 /// A function.

@@ -23,6 +23,7 @@ mod version;
 
 use crate::interface::StateBinding;
 use diagnostics::{Diagnostic, Log};
+pub(crate) use limits::TEXEL_OFFSETS;
 use rasterizer::ir::{Interpolation, Module};
 use source::{Source, Span};
 use std::collections::BTreeMap;

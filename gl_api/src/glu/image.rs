@@ -34,19 +34,29 @@ pub fn gluScaleImage<'a>(
         let LocatedOut::Bytes(out) = data_out.arg().locate(0, to.needed()) else {
             return Err(GLU_INVALID_VALUE);
         };
-        rescale(&from, bytes(data_in.arg(), &from), &to, out).map_err(|_| GLU_INVALID_VALUE)
+        rescale(format, (&from, bytes(data_in.arg(), &from)), &to, out)
+            .map_err(|_| GLU_INVALID_VALUE)
     });
     result.err().unwrap_or(0)
 }
 
-fn rescale(from: &Layout, data: &[u8], to: &Layout, out: &mut [u8]) -> Result<(), TooShort> {
+fn rescale(
+    format: GLenum,
+    (from, data): (&Layout, &[u8]),
+    to: &Layout,
+    out: &mut [u8],
+) -> Result<(), TooShort> {
     // Before any work: no size that the slice does not back.
     if out.len() < to.needed() {
         return Err(TooShort { needed: to.needed() });
     }
     let mut image = scale(&from.read(data)?, to.size, from.storage);
     for (at, value) in image.values.iter_mut().enumerate() {
-        *value = from.storage.convert(to.storage, at % to.count, *value);
+        *value = if pixels::are_indices(format) {
+            to.storage.round(0, *value)
+        } else {
+            from.storage.convert(to.storage, at % to.count, *value)
+        };
     }
     to.write(&image, out)
 }
@@ -169,9 +179,24 @@ mod tests {
         ] {
             assert_eq!(layout([width, 1, 1], format, type_, TIGHT).err(), Some(expected));
         }
+        for format in [GL_COLOR_INDEX, GL_STENCIL_INDEX, GL_DEPTH_COMPONENT] {
+            assert_eq!(layout([2, 1, 1], format, GL_UNSIGNED_BYTE, TIGHT).map(|l| l.count), Ok(1));
+        }
         let huge = layout([i32::MAX, i32::MAX, 1], GL_RGBA, GL_FLOAT, TIGHT);
         assert_eq!(huge.err(), Some(GLU_OUT_OF_MEMORY));
         let huge = layout([8000, 8000, 1], GL_RGBA, GL_FLOAT, TIGHT).unwrap();
         assert_eq!(huge.read(&[0; 5]), Err(TooShort { needed: huge.needed() }));
+    }
+
+    #[test]
+    fn indices_are_the_same_numbers_in_every_type() {
+        let from = Layout::tight([4, 1, 1], 1, Storage::U8);
+        let to = Layout::tight([2, 1, 1], 1, Storage::U16);
+        for (format, expected) in [(GL_COLOR_INDEX, [2_u16, 7]), (GL_RED, [514, 1799])] {
+            let mut out = [0; 4];
+            assert_eq!(rescale(format, (&from, &[1, 3, 6, 8]), &to, &mut out), Ok(()));
+            let pairs = [[out[0], out[1]], [out[2], out[3]]].map(u16::from_ne_bytes);
+            assert_eq!(pairs, expected);
+        }
     }
 }

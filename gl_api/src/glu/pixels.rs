@@ -117,11 +117,17 @@ impl Storage {
 pub fn components(format: GLenum) -> Option<usize> {
     Some(match format {
         GL_RED | GL_GREEN | GL_BLUE | GL_ALPHA | GL_LUMINANCE | GL_DEPTH_COMPONENT => 1,
+        GL_COLOR_INDEX | GL_STENCIL_INDEX => 1,
         GL_LUMINANCE_ALPHA | GL_RG => 2,
         GL_RGB | GL_BGR => 3,
         GL_RGBA | GL_BGRA => 4,
         _ => return None,
     })
+}
+
+/// Whether pixels of a format are indices, which are the same numbers in every type.
+pub fn are_indices(format: GLenum) -> bool {
+    matches!(format, GL_COLOR_INDEX | GL_STENCIL_INDEX)
 }
 
 /// Where the rows of an image are in client memory: half of the `glPixelStore` state.

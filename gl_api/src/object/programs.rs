@@ -4,7 +4,7 @@ use super::Objects;
 use super::shaders::{ShaderObject, forget_if_doomed, shader};
 use crate::context::{Context, limits};
 use crate::error::{Result, invalid_operation, invalid_value};
-use crate::fixed::clamp_colors;
+use crate::fixed::clamp_vertex_colors;
 use crate::glsl;
 use crate::interface::MAX_VERTEX_ATTRIBS;
 use crate::types::*;
@@ -50,6 +50,9 @@ pub(crate) struct ProgramObject {
 pub(crate) struct Linked {
     pub program: glsl::Program,
     pub vertex: Option<ShaderModule>,
+    /// The vertex stage with its colours as they are, for `glClampColor`; the same one if it writes
+    /// none.
+    pub unclamped_vertex: Option<ShaderModule>,
     pub fragment: Option<ShaderModule>,
     /// The values of its uniforms; state is filled in when it draws.
     pub words: Vec<u32>,
@@ -200,9 +203,11 @@ pub(crate) fn bind_frag_data_location(
 
 /// A linker's result, ready to draw with.
 fn ready(mut program: glsl::Program) -> std::result::Result<Linked, IrError> {
-    program.vertex.iter_mut().for_each(clamp_colors);
     let module = |module: &Option<Module>| module.clone().map(ShaderModule::new).transpose();
+    let unclamped = program.vertex.clone();
+    let has_colors = program.vertex.as_mut().is_some_and(clamp_vertex_colors);
     let (vertex, fragment) = (module(&program.vertex)?, module(&program.fragment)?);
+    let unclamped_vertex = if has_colors { module(&unclamped)? } else { vertex.clone() };
     let mut words = vec![0; program.words as usize];
     for uniform in &program.uniforms {
         let place = words.get_mut(uniform.word as usize..).unwrap_or_default();
@@ -210,7 +215,7 @@ fn ready(mut program: glsl::Program) -> std::result::Result<Linked, IrError> {
             *word = *initial;
         }
     }
-    Ok(Linked { program, vertex, fragment, words })
+    Ok(Linked { program, vertex, unclamped_vertex, fragment, words })
 }
 
 pub(crate) fn link_program(context: &mut Context, name: GLuint) -> Result<()> {
@@ -225,9 +230,6 @@ pub(crate) fn link_program(context: &mut Context, name: GLuint) -> Result<()> {
             Some(compiled) => shaders.push(compiled),
             None => log.push_str(&format!("error: shader {attached} is not compiled\n")),
         }
-    }
-    if attached.is_empty() {
-        log.push_str("error: no shader is attached\n");
     }
     let mut linked = None;
     if log.is_empty() {

@@ -110,11 +110,8 @@ fn count_with(context: &mut Context) {
 
 pub(crate) fn begin_query(context: &mut Context, target: GLenum, id: GLuint) -> Result<()> {
     let kind = TARGET.decode("target", target)?;
-    if id == 0 || !context.objects.queries.is_reserved(id) {
-        return invalid_operation(
-            SECTION,
-            format!("id = {id} must be a name that glGenQueries gave"),
-        );
+    if id == 0 {
+        return invalid_operation(SECTION, "id = 0 is no query: call glGenQueries");
     }
     if *context.queries.slot(kind) != 0 || context.queries.is_active(id) {
         return invalid_operation(

@@ -6,6 +6,7 @@ use crate::context::Context;
 use crate::error::{Result, invalid_enum, invalid_operation, invalid_value};
 use crate::interface::MAX_COMBINED_TEXTURE_IMAGE_UNITS;
 use crate::query::put;
+use crate::texture::parameter::clamped;
 use crate::texture::sampler::{
     Answer, SAMPLER_PARAMETER, SamplerParameter, SamplerState, Values, needs_vector,
 };
@@ -173,7 +174,8 @@ pub(crate) fn get_sampler_parameteriv(
     pname: GLenum,
     params: &mut [GLint],
 ) -> Result<()> {
-    put(params, &got(context, sampler, pname)?.fixed())
+    let answer = got(context, sampler, pname)?;
+    put(params, &clamped(context, answer).fixed())
 }
 
 pub(crate) fn get_sampler_parameterfv(
@@ -182,7 +184,8 @@ pub(crate) fn get_sampler_parameterfv(
     pname: GLenum,
     params: &mut [GLfloat],
 ) -> Result<()> {
-    put(params, &got(context, sampler, pname)?.floats())
+    let answer = got(context, sampler, pname)?;
+    put(params, &clamped(context, answer).floats())
 }
 
 pub(crate) fn get_sampler_parameter_i_iv(

@@ -74,12 +74,20 @@ pub(crate) fn delete_sync(context: &mut Context, sync: GLsync) -> Result<()> {
     Ok(())
 }
 
+/// A refused wait has failed.
 pub(crate) fn client_wait_sync(
     context: &mut Context,
     sync: GLsync,
     flags: GLbitfield,
-    _timeout: u64,
+    timeout: u64,
 ) -> Result<GLenum> {
+    Ok(waited(context, sync, flags, timeout).unwrap_or_else(|error| {
+        context.refuse("glClientWaitSync", error);
+        GL_WAIT_FAILED
+    }))
+}
+
+fn waited(context: &mut Context, sync: GLsync, flags: GLbitfield, timeout: u64) -> Result<GLenum> {
     let status = known(context, sync)?;
     if flags & !GL_SYNC_FLUSH_COMMANDS_BIT != 0 {
         return invalid_value(
@@ -91,7 +99,8 @@ pub(crate) fn client_wait_sync(
         Status::Signaled => Ok(GL_ALREADY_SIGNALED),
         Status::Unsignaled => {
             submit(context);
-            Ok(GL_CONDITION_SATISFIED)
+            // Who does not wait asks after the commands were carried out.
+            Ok(if timeout == 0 { GL_ALREADY_SIGNALED } else { GL_CONDITION_SATISFIED })
         }
     }
 }

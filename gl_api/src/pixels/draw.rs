@@ -6,11 +6,12 @@ use crate::constants::enum_name;
 use crate::context::Context;
 use crate::entry::Data;
 use crate::error::{Result, invalid_operation, not_negative};
-use crate::feedback::record::Kind;
-use crate::feedback::{self, Mode};
+use crate::feedback::Mode;
+use crate::feedback::record;
 use crate::framebuffer::complete::{draw_pass, draw_planes};
 use crate::texture::client::{ClientFormat, FORMAT, Numbers, Pixel};
 use crate::texture::layout::{Extent, Layout};
+use crate::texture::transfer::Kind;
 use crate::texture::{convert, memory};
 use crate::types::*;
 use texunit::format::Format;
@@ -46,23 +47,11 @@ pub(super) fn room(format: Format, width: usize, height: usize) -> Result<Vec<u8
 /// Whether what is drawn to takes these pixels.
 fn check_target(context: &Context, pixel: Pixel) -> Result<()> {
     let planes = draw_planes(context);
-    let missing = match pixel.format {
-        ClientFormat::Depth => !planes.depth,
-        ClientFormat::Stencil => !planes.stencil,
-        ClientFormat::DepthStencil => !planes.depth || !planes.stencil,
-        ClientFormat::Red
-        | ClientFormat::Green
-        | ClientFormat::Blue
-        | ClientFormat::Alpha
-        | ClientFormat::Rg
-        | ClientFormat::Rgb
-        | ClientFormat::Bgr
-        | ClientFormat::Rgba
-        | ClientFormat::Bgra
-        | ClientFormat::Abgr
-        | ClientFormat::Luminance
-        | ClientFormat::LuminanceAlpha
-        | ClientFormat::ColorIndex => false,
+    let missing = match pixel.format.kind() {
+        Kind::Depth => !planes.depth,
+        Kind::Stencil => !planes.stencil,
+        Kind::DepthStencil => !planes.depth || !planes.stencil,
+        Kind::Color | Kind::ColorIndex => false,
     };
     if missing {
         return invalid_operation(
@@ -103,40 +92,29 @@ pub(crate) fn draw_pixels(
     draw_pass(context)?;
     check_target(context, pixel)?;
     let Some(source) = memory::pixel_source(context, &layout, pixels)? else { return Ok(()) };
-    if feedback::record::pixels(context, Kind::DrawPixels) != Mode::Render {
+    if record::pixels(context, record::Kind::DrawPixels) != Mode::Render {
         return Ok(());
     }
-    let format = match pixel.format {
-        ClientFormat::Depth => Format::D32F,
-        ClientFormat::Stencil => Format::R8UI,
-        ClientFormat::DepthStencil => Format::D32FS8,
-        ClientFormat::Red
-        | ClientFormat::Green
-        | ClientFormat::Blue
-        | ClientFormat::Alpha
-        | ClientFormat::Rg
-        | ClientFormat::Rgb
-        | ClientFormat::Bgr
-        | ClientFormat::Rgba
-        | ClientFormat::Bgra
-        | ClientFormat::Abgr
-        | ClientFormat::Luminance
-        | ClientFormat::LuminanceAlpha
-        | ClientFormat::ColorIndex => Format::Rgba32F,
+    let kind = pixel.format.kind();
+    let format = match kind {
+        Kind::Depth => Format::D32F,
+        Kind::Stencil => Format::R8UI,
+        Kind::DepthStencil => Format::D32FS8,
+        Kind::Color | Kind::ColorIndex => Format::Rgba32F,
     };
     let mut texels = room(format, width, height)?;
     convert::unpack(&layout, source.bytes(), format, &context.state.transfer, &mut texels);
-    match format {
-        Format::R8UI => stencil::draw(context, [width, height], |x, y| texels[y * width + x]),
-        Format::D32FS8 => {
+    match kind {
+        Kind::Stencil => stencil::draw(context, [width, height], |x, y| texels[y * width + x]),
+        Kind::DepthStencil => {
             let at = |x: usize, y: usize| &texels[(y * width + x) * 8..][..8];
             stencil::draw_with_depth(context, [width, height], at)
         }
-        Format::D32F => {
+        Kind::Depth => {
             let floats = Floats { width, texels, channels: 1 };
             rectangle::draw(context, [width, height], Holds::Depth, |x, y| floats.at(x, y))
         }
-        _ => {
+        Kind::Color | Kind::ColorIndex => {
             let floats = Floats { width, texels, channels: 4 };
             rectangle::draw(context, [width, height], Holds::Color, |x, y| floats.at(x, y))
         }

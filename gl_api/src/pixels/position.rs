@@ -6,6 +6,7 @@ use crate::error::{Result, invalid_operation};
 use crate::feedback::Mode;
 use crate::feedback::shade::{self, Id, Shaded};
 use crate::interface::*;
+use crate::state::clamp;
 use crate::state::viewport::unit;
 use crate::types::GLenum;
 use rasterizer::driver::{VertexBinding, VertexSource};
@@ -65,11 +66,6 @@ fn shade(context: &mut Context, position: [f32; 4]) -> Result<Shaded> {
     }
 }
 
-/// A colour as rasterization takes it.
-fn clamped(color: [f32; 4]) -> [f32; 4] {
-    color.map(|c| unit(c.into()) as f32)
-}
-
 /// A valid raster position is a hit (GL 2.1, section 5.2).
 fn select(context: &mut Context) {
     if context.feedback.mode == Mode::Select {
@@ -96,6 +92,7 @@ pub(super) fn raster(context: &mut Context, position: [f64; 4]) -> Result<()> {
         unit(depth),
         w,
     ];
+    let clamp = clamp::of_vertices(context);
     let current = |location: u8| context.state.current[usize::from(location)];
     let mut tex_coords = [[0.0; 4]; MAX_TEXTURE_UNITS as usize];
     for (unit, coords) in (0..).zip(&mut tex_coords) {
@@ -106,10 +103,9 @@ pub(super) fn raster(context: &mut Context, position: [f64; 4]) -> Result<()> {
         window,
         valid: true,
         distance: shaded.get(Output::Varying(VARYING_FOG)).unwrap_or(0.0),
-        color: clamped(shaded.varyings(VARYING_COLOR, current(ATTRIB_COLOR))),
-        secondary_color: clamped(
-            shaded.varyings(VARYING_SECONDARY_COLOR, current(ATTRIB_SECONDARY_COLOR)),
-        ),
+        color: clamp.color(shaded.varyings(VARYING_COLOR, current(ATTRIB_COLOR))),
+        secondary_color: clamp
+            .color(shaded.varyings(VARYING_SECONDARY_COLOR, current(ATTRIB_SECONDARY_COLOR))),
         index: current(ATTRIB_INDEX)[0],
         tex_coords,
     };
@@ -122,6 +118,7 @@ pub(super) fn window(context: &mut Context, position: [f64; 4]) -> Result<()> {
     let [x, y, z, _] = position;
     let [near, far] = context.state.viewport.depth;
     let depth = near + unit(z) * (far - near);
+    let clamp = clamp::of_vertices(context);
     let current = |location: u8| context.state.current[usize::from(location)];
     let mut tex_coords = [[0.0; 4]; MAX_TEXTURE_UNITS as usize];
     for (unit, coords) in (0..).zip(&mut tex_coords) {
@@ -131,8 +128,8 @@ pub(super) fn window(context: &mut Context, position: [f64; 4]) -> Result<()> {
         window: [x, y, depth, 1.0],
         valid: true,
         distance: current(ATTRIB_FOG_COORD)[0],
-        color: clamped(current(ATTRIB_COLOR)),
-        secondary_color: clamped(current(ATTRIB_SECONDARY_COLOR)),
+        color: clamp.color(current(ATTRIB_COLOR)),
+        secondary_color: clamp.color(current(ATTRIB_SECONDARY_COLOR)),
         index: current(ATTRIB_INDEX)[0],
         tex_coords,
     };

@@ -9,6 +9,7 @@ use crate::error::{Result, Table, invalid_enum};
 use crate::evaluate::grid;
 use crate::feedback::modes;
 use crate::framebuffer::accumulate;
+use crate::glsl::TEXEL_OFFSETS;
 use crate::interface::*;
 use crate::list::calls::{MAX_LIST_NESTING, MODE};
 use crate::state::attrib::MAX_ATTRIB_STACK_DEPTH;
@@ -22,7 +23,7 @@ use crate::state::points::ORIGIN;
 use crate::state::polygon::POLYGON_MODE;
 use crate::state::raster::{FACE, FRONT_FACE, HINTS, SHADE_MODEL};
 use crate::state::stencil::{ACTIVE_FACE, STENCIL_OP, Side};
-use crate::state::{fog, index, light};
+use crate::state::{clamp, fog, index, light};
 use crate::texture::internal::general_purpose_formats;
 use crate::texture::pixel_map::MAX_PIXEL_MAP_TABLE;
 use crate::texture::{TextureTarget, transfer};
@@ -105,6 +106,7 @@ pub(crate) fn state_value(context: &Context, pname: GLenum) -> Result<Value> {
         transform,
         light::state_value,
         material,
+        clamp::state_value,
         fog::state_value,
         current,
         raster,
@@ -163,6 +165,8 @@ fn limit(_: &Context, pname: GLenum) -> Answer {
             int(limits::MAX_UNIFORM_COMPONENTS)
         }
         GL_MAX_VARYING_FLOATS => int(limits::MAX_VARYING_FLOATS),
+        GL_MIN_PROGRAM_TEXEL_OFFSET => int(*TEXEL_OFFSETS.start()),
+        GL_MAX_PROGRAM_TEXEL_OFFSET => int(*TEXEL_OFFSETS.end()),
         GL_MAX_COLOR_ATTACHMENTS | GL_MAX_DRAW_BUFFERS => int(attachments),
         GL_MAX_MODELVIEW_STACK_DEPTH => int(MAX_MODELVIEW_STACK_DEPTH),
         GL_MAX_PROJECTION_STACK_DEPTH | GL_MAX_TEXTURE_STACK_DEPTH => int(MAX_STACK_DEPTH),
@@ -274,13 +278,14 @@ fn fragment(context: &Context, pname: GLenum) -> Answer {
     let fragment = &context.state.fragment;
     let blend = &fragment.blend;
     let clear = &context.state.clear;
+    let clamp = clamp::of_fragments(context);
     Some(match pname {
         GL_SCISSOR_BOX => {
             let area = fragment.scissor;
             ints(&[area.x, area.y, area.width as i32, area.height as i32])
         }
         GL_ALPHA_TEST_FUNC => symbol(COMPARE.encode(fragment.alpha_func)),
-        GL_ALPHA_TEST_REF => unit(&[fragment.alpha_ref]),
+        GL_ALPHA_TEST_REF => unit(&[clamp.component(fragment.alpha_ref)]),
         GL_DEPTH_FUNC => symbol(COMPARE.encode(fragment.depth_func)),
         GL_DEPTH_WRITEMASK => flag(fragment.depth_write == DepthWrite::On),
         GL_COLOR_WRITEMASK => Ok(Value::Bools(fragment.buffers[0].mask.to_vec())),
@@ -291,17 +296,12 @@ fn fragment(context: &Context, pname: GLenum) -> Answer {
         GL_BLEND_DST_ALPHA => symbol(DST_FACTOR.encode(blend.dst[1])),
         GL_BLEND_EQUATION => symbol(BLEND_EQUATION.encode(blend.equation[0])),
         GL_BLEND_EQUATION_ALPHA => symbol(BLEND_EQUATION.encode(blend.equation[1])),
-        GL_BLEND_COLOR => unit(&clamped(blend.constant)),
-        GL_COLOR_CLEAR_VALUE => unit(&clamped(clear.color.floats())),
+        GL_BLEND_COLOR => unit(&clamp.color(blend.constant)),
+        GL_COLOR_CLEAR_VALUE => unit(&clamp.color(clear.color.floats())),
         GL_DEPTH_CLEAR_VALUE => Ok(Value::Unit(vec![clear.depth])),
         GL_STENCIL_CLEAR_VALUE => int(clear.stencil),
         _ => return None,
     })
-}
-
-/// Clamped to [0, 1], as `glGet` answers for colours (`ARB_color_buffer_float`).
-fn clamped(color: [f32; 4]) -> [f32; 4] {
-    color.map(|c| crate::state::viewport::unit(c.into()) as f32)
 }
 
 fn raster_position(context: &Context, pname: GLenum) -> Answer {

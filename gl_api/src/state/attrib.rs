@@ -2,7 +2,7 @@
 //! attribute groups of tables 6.5 to 6.37.
 
 use super::enable::{Enables, Flag};
-use super::{State, clip, fog, fragment, light, material, pixel_store, raster, viewport};
+use super::{State, clamp, clip, fog, fragment, light, material, pixel_store, raster, viewport};
 use crate::constants::*;
 use crate::context::Context;
 use crate::draw::arrays::Arrays;
@@ -35,6 +35,7 @@ struct Server {
     raster: raster::RasterState,
     fragment: fragment::FragmentState,
     clear: fragment::ClearState,
+    clamp: clamp::ClampState,
     transfer: Transfer,
     pixel_zoom: [f32; 2],
     raster_position: RasterPosition,
@@ -162,6 +163,7 @@ pub(crate) fn push_attrib(context: &mut Context, mask: GLbitfield) -> Result<()>
         raster: state.raster.clone(),
         fragment: state.fragment.clone(),
         clear: state.clear.clone(),
+        clamp: state.clamp,
         transfer: state.transfer,
         pixel_zoom: state.pixel_zoom,
         raster_position: state.raster_position.clone(),
@@ -244,6 +246,13 @@ fn restore(state: &mut State, saved: Server) {
         state.lights = saved.lights;
         state.materials = saved.materials;
         state.raster.shade_model = saved.raster.shade_model;
+    }
+    if has(GL_LIGHTING_BIT | GL_ENABLE_BIT) {
+        state.clamp.vertex = saved.clamp.vertex;
+    }
+    if has(GL_COLOR_BUFFER_BIT | GL_ENABLE_BIT) {
+        state.clamp.fragment = saved.clamp.fragment;
+        state.clamp.read = saved.clamp.read;
     }
     if has(GL_EVAL_BIT) {
         state.evaluators = saved.evaluators;

@@ -1,7 +1,7 @@
 //! Fog: GL 2.1, section 3.10.
 
+use super::clamp;
 use super::params::{Params, at_least_zero, parameter_calls};
-use super::viewport::unit as clamp_unit;
 use crate::constants::*;
 use crate::context::Context;
 use crate::error::{Result, Table};
@@ -98,7 +98,7 @@ fn set_fog(context: &mut Context, pname: GLenum, params: &Params) -> Result<()> 
         Parameter::Start => fog.start = params.number(),
         Parameter::End => fog.end = params.number(),
         Parameter::Index => fog.index = params.number(),
-        Parameter::Color => fog.color = params.color().map(|c| clamp_unit(c.into()) as f32),
+        Parameter::Color => fog.color = params.color(),
         Parameter::Source => fog.source = FOG_SOURCE.decode("param", params.symbol())?,
     }
     Ok(())
@@ -115,7 +115,7 @@ pub(crate) fn state_value(context: &Context, pname: GLenum) -> Option<Result<Val
         Parameter::Start => float(fog.start),
         Parameter::End => float(fog.end),
         Parameter::Index => float(fog.index),
-        Parameter::Color => unit(&fog.color),
+        Parameter::Color => unit(&clamp::of_fragments(context).color(fog.color)),
         Parameter::Source => symbol(FOG_SOURCE.encode(fog.source)),
     })
 }

@@ -153,10 +153,11 @@ pub(crate) const SRC_FACTOR: Table<BlendFactor> = Table { section: FACTORS, rows
 pub(crate) const DST_FACTOR: Table<BlendFactor> =
     Table { section: FACTORS, rows: DESTINATION.split_at(14).0 };
 
+/// The reference is kept as it is, and clamped where fragments are (`ARB_color_buffer_float`).
 pub(crate) fn alpha_func(context: &mut Context, func: GLenum, reference: GLclampf) -> Result<()> {
     let func = COMPARE.decode("func", func)?;
     context.state.fragment.alpha_func = func;
-    context.state.fragment.alpha_ref = unit(reference.into()) as f32;
+    context.state.fragment.alpha_ref = reference;
     Ok(())
 }
 

@@ -10,7 +10,7 @@ use crate::error::{ErrorCode, GlError, Result, Table, invalid_operation, invalid
 use crate::glu::angle::sin_cos_degrees;
 use crate::interface::MAX_TEXTURE_UNITS;
 use crate::types::*;
-use glam::{DMat3, DMat4, DVec3};
+use glam::{DMat3, DMat4, DVec3, DVec4};
 
 const SECTION: &str = "GL 2.1, section 2.11.2";
 
@@ -331,9 +331,14 @@ fn largest(matrix: &DMat4) -> f64 {
     matrix.to_cols_array().into_iter().fold(0.0, |most, element| element.abs().max(most))
 }
 
-/// [`inverse`] of the upper left three rows and columns.
+/// The upper left three rows and columns of the inverse, which normals go through (GL 2.1, section
+/// 2.11.3).
 pub(crate) fn inverse_3(matrix: DMat4) -> DMat3 {
-    DMat3::from_mat4(inverse(DMat4::from_mat3(DMat3::from_mat4(matrix))))
+    if matrix.row(3) == DVec4::W {
+        // They are the inverse of the upper left three, too.
+        return DMat3::from_mat4(inverse(DMat4::from_mat3(DMat3::from_mat4(matrix))));
+    }
+    DMat3::from_mat4(inverse(matrix))
 }
 
 /// `1 - matrix * inverse`.

@@ -2,6 +2,7 @@
 //! them. Objects are in [`crate::object`], texture environments in [`crate::env`].
 
 pub(crate) mod attrib;
+pub(crate) mod clamp;
 pub(crate) mod clip;
 pub(crate) mod enable;
 pub(crate) mod fog;
@@ -27,6 +28,7 @@ use crate::pixels::position::RasterPosition;
 use crate::texture::Proxies;
 use crate::texture::transfer::Transfer;
 use crate::types::GLuint;
+use clamp::ClampState;
 use clip::ClipPlanes;
 use enable::Enables;
 use fog::FogState;
@@ -73,6 +75,7 @@ pub(crate) struct State {
     pub raster: RasterState,
     pub fragment: FragmentState,
     pub clear: ClearState,
+    pub clamp: ClampState,
     pub pack: PixelStore,
     pub unpack: PixelStore,
     pub transfer: Transfer,
@@ -105,6 +108,7 @@ impl State {
             raster: RasterState::default(),
             fragment: FragmentState::new(width, height),
             clear: ClearState::default(),
+            clamp: ClampState::default(),
             pack: PixelStore::default(),
             unpack: PixelStore::default(),
             transfer: Transfer::default(),

@@ -4,7 +4,7 @@
 
 use super::sub::room;
 use crate::error::Result;
-use texunit::format::{Format, block};
+use texunit::format::{BaseFormat, Format, block};
 use texunit::image::Level;
 
 /// How colours are on their way to and from blocks.
@@ -39,7 +39,21 @@ pub(super) fn compress(format: Format, size: [u32; 3], colors: &[u8]) -> Result<
     Ok(level)
 }
 
-/// The tightly packed [`COLORS`] of a compressed level.
+/// A colour as it is read back: luminance is R, and does not become G and B (GL 2.1, section 6.1.4).
+fn unexpanded(base: BaseFormat, color: [f32; 4]) -> [f32; 4] {
+    match base {
+        BaseFormat::Luminance | BaseFormat::LuminanceAlpha => [color[0], 0.0, 0.0, color[3]],
+        BaseFormat::Alpha
+        | BaseFormat::Intensity
+        | BaseFormat::Red
+        | BaseFormat::Rg
+        | BaseFormat::Rgb
+        | BaseFormat::Rgba
+        | BaseFormat::Depth => color,
+    }
+}
+
+/// The tightly packed [`COLORS`] of a compressed level, as they are read back.
 pub(super) fn decompress(level: &Level) -> Result<Vec<u8>> {
     let [width, height, depth] = level.size().map(|side| side as usize);
     let mut colors = room(COLORS, [width, height, depth])?;
@@ -50,6 +64,7 @@ pub(super) fn decompress(level: &Level) -> Result<Vec<u8>> {
             for x in 0..width as i32 {
                 let within = (x & 3) + 4 * (y & 3);
                 let color = block::decode(format, level.texel_at([x, y, z]), within as u32);
+                let color = unexpanded(format.base(), color);
                 if let Some(out) = out.next() {
                     for (bytes, value) in out.chunks_exact_mut(4).zip(color) {
                         bytes.copy_from_slice(&value.to_le_bytes());

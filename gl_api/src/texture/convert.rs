@@ -9,42 +9,60 @@ use super::client::{ClientType, LuminanceOf, Numbers};
 use super::layout::Layout;
 use super::texel::{self, Bytes};
 use super::transfer::{Kind, Steps, Transfer};
+use crate::state::clamp::Clamp;
 use texunit::format::{Encoding, Format};
 use texunit::image::Level;
+
+/// The last steps on the way to the client (GL 2.1, section 4.3.2, final conversion).
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Final {
+    pub luminance: LuminanceOf,
+    /// Whether components are clamped to [0, 1], whatever the client's numbers can hold.
+    pub clamp: Clamp,
+}
+
+impl Final {
+    /// The steps for texels of a format: fractions stay fractions.
+    pub fn of(format: Format, luminance: LuminanceOf) -> Self {
+        let clamp = match format.info().encoding {
+            Encoding::Unorm | Encoding::Srgb if !format.has_stencil() => Clamp::On,
+            Encoding::Unorm
+            | Encoding::Srgb
+            | Encoding::Snorm
+            | Encoding::Float
+            | Encoding::SharedExponent
+            | Encoding::Uint
+            | Encoding::Sint
+            | Encoding::Block(_)
+            | Encoding::SrgbBlock(_) => Clamp::Off,
+        };
+        Self { luminance, clamp }
+    }
+
+    #[inline]
+    fn clamped(self, components: [f64; 4]) -> [f64; 4] {
+        match self.clamp {
+            Clamp::On => components.map(|c| c.clamp(0.0, 1.0)),
+            Clamp::Off => components,
+        }
+    }
+}
 
 /// What both directions know of a conversion.
 struct Conversion<'a> {
     layout: &'a Layout,
     format: Format,
     numbers: Numbers,
-    luminance: LuminanceOf,
-    /// Whether texels are fractions, which stay fractions on their way to the client (GL 2.1, section
-    /// 4.3.2, final conversion).
-    is_fraction: bool,
+    last: Final,
     steps: Steps<'a>,
 }
 
 impl<'a> Conversion<'a> {
-    fn new(
-        layout: &'a Layout,
-        format: Format,
-        transfer: &'a Transfer,
-        luminance: LuminanceOf,
-    ) -> Self {
+    fn new(layout: &'a Layout, format: Format, transfer: &'a Transfer, last: Final) -> Self {
         let numbers = texel::numbers(format, layout.pixel.numbers);
         let kind = layout.pixel.format.kind();
-        let is_fraction = match format.info().encoding {
-            Encoding::Unorm | Encoding::Srgb => !format.has_stencil(),
-            Encoding::Snorm
-            | Encoding::Float
-            | Encoding::SharedExponent
-            | Encoding::Uint
-            | Encoding::Sint
-            | Encoding::Block(_)
-            | Encoding::SrgbBlock(_) => false,
-        };
         let steps = transfer.of(kind, numbers);
-        Self { layout, format, numbers, luminance, is_fraction, steps }
+        Self { layout, format, numbers, last, steps }
     }
 
     /// A pixel of the client's as a texel.
@@ -65,10 +83,8 @@ impl<'a> Conversion<'a> {
     fn pack(&self, texel: &[u8], pixel: &mut [u8]) {
         let (ty, size) = (self.layout.pixel.ty, self.layout.pixel.ty.size());
         let rgba = self.steps.apply(texel::decode(self.format, texel));
-        let mut components = self.layout.pixel.format.select(rgba, self.luminance);
-        if self.is_fraction {
-            components = components.map(|c| c.clamp(0.0, 1.0));
-        }
+        let components = self.layout.pixel.format.select(rgba, self.last.luminance);
+        let components = self.last.clamped(components);
         let words = ty.write(components, self.numbers);
         for (word, element) in words.into_iter().zip(pixel.chunks_exact_mut(size)) {
             store(word, element, self.layout.swap);
@@ -146,9 +162,13 @@ impl<'a> Conversion<'a> {
     }
 
     fn pack_shuffle(&self) -> Option<Shuffle> {
+        // A copy clamps nothing.
+        if self.last.clamp == Clamp::On && self.format.info().encoding == Encoding::Float {
+            return None;
+        }
         let (size, places) = self.elements()?;
         let rgba = texel::rgba(self.format.base(), MARKS);
-        let components = self.layout.pixel.format.select(rgba, self.luminance);
+        let components = self.layout.pixel.format.select(rgba, self.last.luminance);
         let count = self.layout.pixel.format.components();
         let mut placed = [0.0; 4];
         for (component, value) in components.into_iter().enumerate().take(count) {
@@ -268,7 +288,8 @@ pub(crate) fn unpack(
     if layout.needed == 0 {
         return;
     }
-    let conversion = Conversion::new(layout, format, transfer, LuminanceOf::Red);
+    let last = Final::of(format, LuminanceOf::Red);
+    let conversion = Conversion::new(layout, format, transfer, last);
     let shuffle = conversion.unpack_shuffle();
     let run = layout.size[0] * format.bytes();
     for (at, out) in layout.rows().zip(texels.chunks_exact_mut(run)) {
@@ -292,7 +313,8 @@ pub(crate) fn as_texels<'a>(
     let run = layout.row_bytes();
     let is_tight = (height == 1 || layout.stride == run)
         && (depth == 1 || layout.image_stride == run * height);
-    let conversion = Conversion::new(layout, format, transfer, LuminanceOf::Red);
+    let last = Final::of(format, LuminanceOf::Red);
+    let conversion = Conversion::new(layout, format, transfer, last);
     let is_copy = format.block().is_none()
         && layout.bits.is_none()
         && is_tight
@@ -315,7 +337,7 @@ pub(crate) fn pack(
     }
     let run = layout.size[0] * format.bytes();
     let rows = layout.rows().zip(texels.chunks_exact(run));
-    pack_rows(layout, format, transfer, luminance, rows, bytes);
+    pack_rows(layout, format, transfer, Final::of(format, luminance), rows, bytes);
 }
 
 /// Rows of texels of `format`, each with as many as the layout's rows have pixels, to where each is
@@ -324,11 +346,11 @@ pub(crate) fn pack_rows<'a>(
     layout: &Layout,
     format: Format,
     transfer: &Transfer,
-    luminance: LuminanceOf,
+    last: Final,
     rows: impl Iterator<Item = (usize, &'a [u8])>,
     bytes: &mut [u8],
 ) {
-    let conversion = Conversion::new(layout, format, transfer, luminance);
+    let conversion = Conversion::new(layout, format, transfer, last);
     let shuffle = conversion.pack_shuffle();
     for (at, row) in rows {
         let out = &mut bytes[at..at + layout.row_bytes()];
@@ -384,8 +406,8 @@ mod tests {
                     let layout = Layout::new(&store, pixel, [7, 1, 1], Extent::Flat).unwrap();
                     for format in Format::ALL {
                         let transfer = Transfer::default();
-                        let conversion =
-                            Conversion::new(&layout, format, &transfer, LuminanceOf::Sum);
+                        let last = Final::of(format, LuminanceOf::Sum);
+                        let conversion = Conversion::new(&layout, format, &transfer, last);
                         let bytes = if *ty == ClientType::F32 { &floats } else { &noise };
                         if let Some(shuffle) = conversion.unpack_shuffle() {
                             let mut got = vec![9; 7 * format.bytes()];

@@ -190,23 +190,31 @@ pub(crate) const STENCIL_FORMAT: Table<Format> = Table {
     ],
 };
 
+/// The generic compressed formats, and the base formats that they have, as nothing is compressed.
+const GENERIC: [(GLenum, GLenum); 12] = [
+    (GL_COMPRESSED_ALPHA, GL_ALPHA),
+    (GL_COMPRESSED_LUMINANCE, GL_LUMINANCE),
+    (GL_COMPRESSED_LUMINANCE_ALPHA, GL_LUMINANCE_ALPHA),
+    (GL_COMPRESSED_INTENSITY, GL_INTENSITY),
+    (GL_COMPRESSED_RED, GL_RED),
+    (GL_COMPRESSED_RG, GL_RG),
+    (GL_COMPRESSED_RGB, GL_RGB),
+    (GL_COMPRESSED_RGBA, GL_RGBA),
+    (GL_COMPRESSED_SRGB, GL_RGB),
+    (GL_COMPRESSED_SRGB_ALPHA, GL_RGBA),
+    (GL_COMPRESSED_SLUMINANCE, GL_LUMINANCE),
+    (GL_COMPRESSED_SLUMINANCE_ALPHA, GL_LUMINANCE_ALPHA),
+];
+
 /// Whether a generic compressed format was asked for, which is no format of renderbuffers.
 pub(crate) fn is_generic_compressed(internal: GLenum) -> bool {
-    const GENERIC: [GLenum; 12] = [
-        GL_COMPRESSED_ALPHA,
-        GL_COMPRESSED_LUMINANCE,
-        GL_COMPRESSED_LUMINANCE_ALPHA,
-        GL_COMPRESSED_INTENSITY,
-        GL_COMPRESSED_RED,
-        GL_COMPRESSED_RG,
-        GL_COMPRESSED_RGB,
-        GL_COMPRESSED_RGBA,
-        GL_COMPRESSED_SRGB,
-        GL_COMPRESSED_SRGB_ALPHA,
-        GL_COMPRESSED_SLUMINANCE,
-        GL_COMPRESSED_SLUMINANCE_ALPHA,
-    ];
-    GENERIC.contains(&internal)
+    specific(internal) != internal
+}
+
+/// The format that is said to be used where this one was asked for (GL 2.1, section 3.8.1): itself,
+/// or the base format of a generic compressed one.
+pub(crate) fn specific(internal: GLenum) -> GLenum {
+    GENERIC.iter().find(|(generic, _)| *generic == internal).map_or(internal, |row| row.1)
 }
 
 /// The specific compressed formats (`EXT_texture_compression_s3tc`, `EXT_texture_sRGB`,
@@ -235,11 +243,15 @@ pub(crate) const COMPRESSED_FORMAT: Table<Format> = Table {
 };
 
 /// The compressed formats that serve any texture, which `GL_COMPRESSED_TEXTURE_FORMATS` lists: not
-/// those for sRGB (`EXT_texture_sRGB`), nor those for normals (`ATI_texture_compression_3dc`).
-pub(crate) fn general_purpose_formats() -> impl Iterator<Item = GLenum> {
-    let all = COMPRESSED_FORMAT.rows.iter();
-    all.filter(|(name, format)| !format.is_srgb() && *name != GL_COMPRESSED_LUMINANCE_ALPHA_3DC_ATI)
-        .map(|(name, _)| *name)
+/// those of one bit of alpha (`EXT_texture_compression_s3tc`), for sRGB (`EXT_texture_sRGB`) or of
+/// fewer channels (`ARB_texture_compression_rgtc`, `EXT_texture_compression_latc`).
+pub(crate) fn general_purpose_formats() -> impl ExactSizeIterator<Item = GLenum> {
+    const GENERAL: [GLenum; 3] = [
+        GL_COMPRESSED_RGB_S3TC_DXT1_EXT,
+        GL_COMPRESSED_RGBA_S3TC_DXT3_EXT,
+        GL_COMPRESSED_RGBA_S3TC_DXT5_EXT,
+    ];
+    GENERAL.into_iter()
 }
 
 /// The numbers that `glTexImage` takes since GL 1.0.

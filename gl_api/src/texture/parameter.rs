@@ -5,11 +5,12 @@ use super::{TARGET, TextureTarget, bound, bound_mut};
 use crate::constants::*;
 use crate::context::Context;
 use crate::env::symbol;
-use crate::error::{Result, Table, invalid_enum, invalid_value};
+use crate::error::{Result, Table, invalid_enum, invalid_operation, invalid_value};
 use crate::query::put;
+use crate::state::clamp;
 use crate::state::viewport::unit;
 use crate::types::*;
-use texunit::sampler::{DepthMode, Swizzle};
+use texunit::sampler::{Border, DepthMode, Swizzle};
 
 const SECTION: &str = "GL 2.1, section 3.8.4";
 
@@ -97,8 +98,8 @@ fn level_number(target: TextureTarget, pname: GLenum, value: f32) -> Result<u32>
         return invalid_value(SECTION, format!("{name} = {value} must not be negative"));
     }
     if target == TextureTarget::Rect && pname == GL_TEXTURE_BASE_LEVEL && value != 0.0 {
-        return invalid_value(
-            "ARB_texture_rectangle, section 3.8.4",
+        return invalid_operation(
+            "GL 3.3, section 3.8.7",
             format!("{name} = {value} of a rectangle must be 0"),
         );
     }
@@ -115,12 +116,20 @@ fn set(
 ) -> Result<()> {
     let symbol = symbol(value);
     let texture = bound_mut(context, target);
+    // Levels that were given for good bound these parameters (ARB_texture_storage, section 3.8.X).
+    let last = texture.immutable.map(|levels| levels - 1);
     let sampler = &mut texture.state.sampler;
     match parameter {
         Parameter::Sampler(parameter) => texture.state.set(Some(target), parameter, value)?,
         Parameter::Priority => texture.priority = unit(value.into()) as f32,
-        Parameter::BaseLevel => sampler.base_level = level_number(target, pname, value)?,
-        Parameter::MaxLevel => sampler.max_level = level_number(target, pname, value)?,
+        Parameter::BaseLevel => {
+            sampler.base_level = level_number(target, pname, value)?.min(last.unwrap_or(u32::MAX));
+        }
+        Parameter::MaxLevel => {
+            let level = level_number(target, pname, value)?;
+            let base = sampler.base_level;
+            sampler.max_level = last.map_or(level, |last| level.clamp(base.min(last), last));
+        }
         Parameter::DepthMode => sampler.depth_mode = DEPTH_MODE.decode("param", symbol)?,
         Parameter::GenerateMipmap => texture.generate_mipmap = value != 0.0,
         Parameter::Swizzle(component) => {
@@ -228,6 +237,17 @@ pub(crate) fn tex_parameter_i_uiv(
     vector(context, target, pname, &Values::unsigned(params))
 }
 
+/// An answer as fractions are asked for: a border is clamped where fragments are
+/// (`ARB_color_buffer_float`, section 6.1.2).
+pub(crate) fn clamped(context: &Context, answer: Answer) -> Answer {
+    match answer {
+        Answer::Color(Border::Float(color)) => {
+            Answer::Color(Border::Float(clamp::of_fragments(context).color(color)))
+        }
+        Answer::Color(Border::Sint(_) | Border::Uint(_)) | Answer::Numbers(_) => answer,
+    }
+}
+
 fn get(context: &Context, target: TextureTarget, parameter: Parameter) -> Answer {
     let texture = bound(context, target);
     let sampler = &texture.state.sampler;
@@ -261,7 +281,7 @@ pub(crate) fn get_tex_parameteriv(
     pname: GLenum,
     params: &mut [GLint],
 ) -> Result<()> {
-    put(params, &got(context, target, pname)?.fixed())
+    put(params, &clamped(context, got(context, target, pname)?).fixed())
 }
 
 pub(crate) fn get_tex_parameterfv(
@@ -270,7 +290,7 @@ pub(crate) fn get_tex_parameterfv(
     pname: GLenum,
     params: &mut [GLfloat],
 ) -> Result<()> {
-    put(params, &got(context, target, pname)?.floats())
+    put(params, &clamped(context, got(context, target, pname)?).floats())
 }
 
 pub(crate) fn get_tex_parameter_i_iv(

@@ -1,6 +1,6 @@
 //! What is known of a level: GL 2.1, section 6.1.3.
 
-use super::internal::{Component, component_bits};
+use super::internal::{Component, component_bits, specific};
 use super::target::{ImageTarget, any_image};
 use super::{bound, checked_level};
 use crate::constants::*;
@@ -112,7 +112,7 @@ fn property(context: &Context, target: GLenum, level: GLint, pname: GLenum) -> R
     };
     let [width, height, depth] = known.given.map(|side| side as GLint);
     Ok(match property {
-        Property::InternalFormat => known.internal as GLint,
+        Property::InternalFormat => specific(known.internal) as GLint,
         Property::Width => width,
         Property::Height => height,
         Property::DepthOfVolume => depth,

@@ -61,8 +61,10 @@ pub(crate) enum Kind {
     Color,
     /// Indices of colours, as R.
     ColorIndex,
-    /// Depths as R, stencils beside them as G.
+    /// Depths, as R.
     Depth,
+    /// Depths as R, stencils beside them as G.
+    DepthStencil,
     /// Stencils, as R.
     Stencil,
 }
@@ -72,21 +74,22 @@ impl Transfer {
     pub fn of(&self, kind: Kind, numbers: Numbers) -> Steps<'_> {
         let [r, g, b, a, depth] = self.linear;
         let moves = self.index_shift != 0 || self.index_offset != 0 || self.map_stencil;
-        let stencil = |at| if moves { Index::Stencil(at, self) } else { Index::None };
+        let beside = if moves { Index::Stencil(1, self) } else { Index::None };
         let same = Linear::IDENTITY;
         match (kind, numbers) {
-            (Kind::Color | Kind::Depth, Numbers::Integer) => Steps::IDENTITY,
+            (Kind::Color | Kind::Depth | Kind::DepthStencil, Numbers::Integer) => Steps::IDENTITY,
             (Kind::Color, Numbers::Fixed | Numbers::SignedNormalized) => Steps {
                 linear: [r, g, b, a],
                 colors: self.map_color.then(|| self.maps.colors()),
                 index: Index::None,
             },
-            (Kind::Depth, Numbers::Fixed | Numbers::SignedNormalized) => {
-                Steps { linear: [depth, same, same, same], colors: None, index: stencil(1) }
+            (Kind::Depth | Kind::DepthStencil, Numbers::Fixed | Numbers::SignedNormalized) => {
+                Steps { linear: [depth, same, same, same], colors: None, index: beside }
             }
             // Their colours come from the maps, behind the steps of colours (figure 3.7).
             (Kind::ColorIndex, _) => Steps { index: Index::Color(self), ..Steps::IDENTITY },
-            (Kind::Stencil, _) => Steps { index: stencil(0), ..Steps::IDENTITY },
+            // Of an index the bits count that a buffer has.
+            (Kind::Stencil, _) => Steps { index: Index::Stencil(0, self), ..Steps::IDENTITY },
         }
     }
 

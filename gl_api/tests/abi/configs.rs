@@ -132,6 +132,14 @@ fn contexts_are_what_was_asked_for_or_refused() {
             let context = eglCreateContext(dpy, config, null_mut(), list.as_ptr());
             assert_eq!(eglGetError(), error, "{what}");
             assert_eq!(context.is_null(), error != EGL_SUCCESS, "{what}");
+            if !context.is_null() {
+                // The log of messages is on in debug contexts (`KHR_debug`).
+                let surface = eglCreatePbufferSurface(dpy, config, SURFACE.as_ptr());
+                assert_eq!(eglMakeCurrent(dpy, surface, surface, context), 1);
+                let logs = glIsEnabled(gl_api::GL_DEBUG_OUTPUT) != 0;
+                assert_eq!(logs, what.contains("debug"), "{what}");
+                assert_eq!(eglMakeCurrent(dpy, null_mut(), null_mut(), null_mut()), 1);
+            }
         }
     }
 }

@@ -1,6 +1,7 @@
 //! Handles that are null, freed, made up or of something else, and pointers that are misaligned.
 
 use super::*;
+use std::ffi::c_char;
 use std::ptr::{null, without_provenance_mut};
 
 #[test]
@@ -74,6 +75,10 @@ fn null_and_misaligned_pointers_are_no_harm() {
         glGenTextures(1, off.cast());
         assert_ne!(off.cast::<u32>().read_unaligned(), 0);
         let _ = glGetError();
+        // The strings of what is no shader are not looked at.
+        let garbage: [*const c_char; 1] = [std::ptr::without_provenance(5)];
+        glShaderSource(99, 1, garbage.as_ptr(), null());
+        assert_eq!(glGetError(), gl_api::GL_INVALID_VALUE);
         glGenTextures(1, null_mut());
         assert_ne!(glGetError(), gl_api::GL_NO_ERROR);
         assert_eq!(eglMakeCurrent(dpy, null_mut(), null_mut(), null_mut()), 1);

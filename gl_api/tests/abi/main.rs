@@ -42,7 +42,9 @@ unsafe extern "C" {
     fn glCopyPixels(x: i32, y: i32, w: i32, h: i32, what: GLenum);
     fn glRasterPos2f(x: f32, y: f32);
     fn glGenTextures(n: i32, names: *mut u32);
+    fn glShaderSource(s: u32, n: i32, strings: *const *const c_char, lengths: *const i32);
     fn glBindTexture(target: GLenum, name: u32);
+    fn glIsEnabled(cap: GLenum) -> u8;
     fn glIsTexture(name: u32) -> u8;
     fn OSMesaCreateContextExt(f: GLenum, d: i32, s: i32, a: i32, share: Handle) -> Handle;
     fn OSMesaMakeCurrent(c: Handle, buffer: *mut c_void, ty: GLenum, w: i32, h: i32) -> u8;

@@ -138,6 +138,7 @@ pub const STATE: &[Row] = rows! {
             &[0.2_f32 as f64, 0.2_f32 as f64, 0.2_f32 as f64, 1.0];
         GL_LIGHT_MODEL_LOCAL_VIEWER Number F;
         GL_LIGHT_MODEL_TWO_SIDE Number F;
+        GL_CLAMP_VERTEX_COLOR Number T;
         GL_LIGHT_MODEL_COLOR_CONTROL Number enums![GL_SINGLE_COLOR];
         GL_LIGHT0 Number F;
         GL_LIGHT1 Number F;
@@ -238,6 +239,9 @@ pub const STATE: &[Row] = rows! {
         GL_INDEX_LOGIC_OP Number F;
         GL_COLOR_LOGIC_OP Number F;
         GL_LOGIC_OP_MODE Number enums![GL_COPY];
+        GL_CLAMP_FRAGMENT_COLOR Number enums![GL_FIXED_ONLY];
+        GL_CLAMP_READ_COLOR Number enums![GL_FIXED_ONLY];
+        GL_RGBA_FLOAT_MODE_ARB Number F;
         GL_FRAMEBUFFER_SRGB Number F;
     }
     "6.22, framebuffer control" {
@@ -401,6 +405,7 @@ pub const LEAST: &[Row] = rows! {
         GL_MAX_VERTEX_ATTRIBS Number &[16.0];
         GL_MAX_VERTEX_UNIFORM_COMPONENTS Number &[512.0];
         GL_MAX_VARYING_FLOATS Number &[32.0];
+        GL_MAX_PROGRAM_TEXEL_OFFSET Number &[7.0];
         GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS Number &[2.0];
         GL_MAX_VERTEX_TEXTURE_IMAGE_UNITS Number F;
         GL_MAX_TEXTURE_IMAGE_UNITS Number &[2.0];

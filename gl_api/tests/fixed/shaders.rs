@@ -3,6 +3,7 @@
 
 use crate::{assert_close, context, point, probe, probed};
 use gl_api::*;
+use glam::{DMat4, DVec4};
 
 /// An expression of a `vec4` in [0, 1], and its value in the state that [`set`] makes.
 const VALUES: &[(&str, [f64; 4])] = &[
@@ -89,6 +90,51 @@ fn shaders_read_the_state() {
         let mask = probe(&mut c, &format!("({value})"));
         let found = probed(&mut c, mask, |c| point(c, 0.0));
         assert_close(found, expected, 3e-7, &value);
+    }
+}
+
+/// Draws the pixel, whatever the matrices are.
+fn pixel_at_hand(c: &mut Context) {
+    c.window_pos_2i(0, 0);
+    c.draw_pixels(1, 1, GL_RGBA, GL_UNSIGNED_BYTE, Data::Bytes(&[0; 4]));
+}
+
+/// Every matrix in its four forms, of stacks without a simple inverse.
+#[test]
+fn shaders_read_the_matrices() {
+    let mut c = context();
+    let mut random = crate::Random::new(5);
+    let mut stacks = Vec::new();
+    for (mode, unit) in [(GL_MODELVIEW, 0), (GL_PROJECTION, 0), (GL_TEXTURE, 0), (GL_TEXTURE, 5)] {
+        let matrix = random.modelview() * DMat4::from_diagonal(DVec4::new(1.0, 2.0, 0.5, 1.0));
+        c.active_texture(GL_TEXTURE0 + unit);
+        c.matrix_mode(mode);
+        c.load_matrixd(&matrix.to_cols_array());
+        stacks.push(matrix);
+    }
+    let names = [
+        ("gl_ModelViewMatrix", "", stacks[0]),
+        ("gl_ProjectionMatrix", "", stacks[1]),
+        ("gl_ModelViewProjectionMatrix", "", stacks[1] * stacks[0]),
+        ("gl_TextureMatrix", "[0]", stacks[2]),
+        ("gl_TextureMatrix", "[5]", stacks[3]),
+    ];
+    for (name, index, matrix) in names {
+        let inverse = matrix.inverse();
+        for (form, expected) in [
+            ("", matrix),
+            ("Inverse", inverse),
+            ("Transpose", matrix.transpose()),
+            ("InverseTranspose", inverse.transpose()),
+        ] {
+            for column in 0..4 {
+                let value = format!("({name}{form}{index}[{column}] / 256.0 + 0.5)");
+                let mask = probe(&mut c, &value);
+                let found = probed(&mut c, mask, pixel_at_hand);
+                let expected = (expected.col(column) / 256.0 + 0.5).to_array();
+                assert_close(found, expected, 3e-6, &value);
+            }
+        }
     }
 }
 

@@ -3,6 +3,7 @@
 
 mod attachments;
 mod blits;
+mod clamps;
 mod integers;
 mod rectangles;
 mod samples;

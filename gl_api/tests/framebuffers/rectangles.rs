@@ -86,6 +86,10 @@ fn depths_and_stencils_are_drawn_too() {
     c.draw_pixels(2, 1, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, Data::Bytes(&[0x12, 0x34]));
     assert_eq!(bytes(&mut c, [0, 1, 4, 1], GL_STENCIL_INDEX, 1), [0, 2, 4, 0]);
     c.stencil_mask(0xFF);
+    // Of wider indices the bits count that the buffer has.
+    let wide: Vec<u8> = [0x1234_u16, 0xFF56].iter().flat_map(|s| s.to_ne_bytes()).collect();
+    c.draw_pixels(2, 1, GL_STENCIL_INDEX, GL_UNSIGNED_SHORT, Data::Bytes(&wide));
+    assert_eq!(bytes(&mut c, [0, 1, 4, 1], GL_STENCIL_INDEX, 1), [0, 0x34, 0x56, 0]);
     let both = (0x80_0000_u32 << 8 | 0x77).to_ne_bytes();
     c.window_pos_2i(5, 2);
     c.draw_pixels(1, 1, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, Data::Bytes(&both));

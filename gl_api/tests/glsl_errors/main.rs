@@ -92,6 +92,34 @@ fn link_logs() {
     insta::assert_snapshot!(report);
 }
 
+/// Independent mistakes, each in a line of its own, of every stage of the compiler.
+#[test]
+fn independent_mistakes_are_all_reported_up_to_twenty() {
+    const LINES: [&str; 9] = [
+        "float a = true;",
+        "b = 1.0;",
+        "vec2 c = vec2(1.0, 2.0, 3.0);",
+        "float d = 1.0 + ;",
+        "float e = sin(vec2(1.0);",
+        "u = 1.0;",
+        "float f = $1;",
+        "if (1) discard;",
+        "unknown(1.0);",
+    ];
+    let compiled = |lines: Vec<&str>| {
+        let body = lines.join("\n");
+        let source = format!("uniform float u;\nvoid main() {{\n{body}\n}}");
+        compile(Stage::Fragment, &source, &Options::default()).log
+    };
+    let log = compiled(LINES.to_vec());
+    for (line, text) in (3..).zip(LINES) {
+        assert!(log.contains(&format!("0:{line}(")), "{text}\n{log}");
+    }
+    let log = compiled(LINES.repeat(5));
+    assert_eq!(log.matches(": error: ").count(), 20, "{log}");
+    assert!(log.contains("too many errors, giving up after 20"), "{log}");
+}
+
 #[test]
 fn repairs_are_listed() {
     let source =

@@ -12,6 +12,7 @@ mod functions;
 mod language;
 mod preprocessor;
 mod state;
+mod versions;
 
 use gl_api::glsl::{Bindings, Options, Stage, compile, link};
 use rasterizer::ir::{Input, Output};
@@ -38,6 +39,7 @@ fn table() -> impl Iterator<Item = &'static Row> {
         language::TABLE,
         preprocessor::TABLE,
         state::TABLE,
+        versions::TABLE,
     ];
     tables.into_iter().flatten()
 }

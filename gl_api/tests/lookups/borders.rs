@@ -104,6 +104,10 @@ fn queries_of_another_type_convert() {
     let (t, border) = (GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR);
     let (mut floats, mut ints, mut uints) = ([0.0_f32; 4], [0_i32; 4], [0_u32; 4]);
     glTexParameterfv(t, border, &[0.0_f32, 1.0, -1.0, 2.5]);
+    // Fractions are clamped where fragments are (`ARB_color_buffer_float`, section 6.1.2).
+    glGetTexParameterfv(t, border, &mut floats);
+    assert_eq!(floats, [0.0, 1.0, 0.0, 1.0]);
+    glClampColor(GL_CLAMP_FRAGMENT_COLOR, GL_FALSE);
     glGetTexParameterfv(t, border, &mut floats);
     assert_eq!(floats, [0.0, 1.0, -1.0, 2.5]);
     // Colours scale; the `I` queries round.

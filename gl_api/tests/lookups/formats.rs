@@ -103,8 +103,47 @@ fn the_list_of_compressed_formats_is_for_any_texture() {
     let mut formats = vec![0; count as usize];
     glGetIntegerv(GL_COMPRESSED_TEXTURE_FORMATS, &mut formats[..]);
     let has = |format: GLenum| formats.contains(&(format as i32));
-    assert!(has(GL_COMPRESSED_RGBA_S3TC_DXT5_EXT) && has(GL_COMPRESSED_RED_RGTC1));
+    assert!(has(GL_COMPRESSED_RGB_S3TC_DXT1_EXT) && has(GL_COMPRESSED_RGBA_S3TC_DXT5_EXT));
+    assert!(!has(GL_COMPRESSED_RGBA_S3TC_DXT1_EXT) && !has(GL_COMPRESSED_RED_RGTC1));
     assert!(!has(GL_COMPRESSED_SRGB_S3TC_DXT1_EXT) && !has(GL_COMPRESSED_LUMINANCE_ALPHA_3DC_ATI));
+    assert_eq!(glGetError(), GL_NO_ERROR);
+}
+
+/// Where nothing is compressed, the internal format is the base format (GL 2.1, section 3.8.1).
+#[test]
+fn generic_compressed_formats_become_others() {
+    let _current = context();
+    for (asked, got) in [
+        (GL_COMPRESSED_RGB, GL_RGB),
+        (GL_COMPRESSED_RG, GL_RG),
+        (GL_COMPRESSED_SRGB_ALPHA, GL_RGBA),
+        (GL_COMPRESSED_SLUMINANCE, GL_LUMINANCE),
+        (GL_COMPRESSED_INTENSITY, GL_INTENSITY),
+    ] {
+        glTexImage2D(GL_TEXTURE_2D, 0, asked, 4, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, Data::Null);
+        let mut answers = [0; 2];
+        let [internal, compressed] = &mut answers;
+        glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_INTERNAL_FORMAT, internal);
+        glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_COMPRESSED, compressed);
+        assert_eq!(answers, [got as i32, 0], "{}", enum_name(asked));
+    }
+    assert_eq!(glGetError(), GL_NO_ERROR);
+}
+
+/// Luminance is R of what is read back, and no G and B (GL 2.1, section 6.1.4).
+#[test]
+fn blocks_of_luminance_are_read_back_as_red() {
+    let _current = context();
+    for (internal, alpha) in
+        [(GL_COMPRESSED_LUMINANCE_LATC1_EXT, 255), (GL_COMPRESSED_LUMINANCE_ALPHA_LATC2_EXT, 100)]
+    {
+        let texels = [[200_u8, 100]; 16].concat();
+        let ty = GL_UNSIGNED_BYTE;
+        glTexImage2D(GL_TEXTURE_2D, 0, internal, 4, 4, 0, GL_LUMINANCE_ALPHA, ty, &texels);
+        let mut out = [0_u8; 64];
+        glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, ty, &mut out);
+        assert_eq!(out[..4], [200, 0, 0, alpha], "{}", enum_name(internal));
+    }
     assert_eq!(glGetError(), GL_NO_ERROR);
 }
 

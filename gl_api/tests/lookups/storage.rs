@@ -104,7 +104,8 @@ fn missing_levels_do_not_count() {
     glActiveTexture(GL_TEXTURE1);
     let mut levels = [0; 2];
     glGetTexParameteriv(t, GL_TEXTURE_BASE_LEVEL, &mut levels[..1]);
-    assert_eq!(levels[0], 500);
+    // What was given for good bounds it.
+    assert_eq!(levels[0], 1);
     glGenerateMipmap(t);
     assert_eq!(glGetError(), GL_NO_ERROR);
     glEnable(t);

@@ -15,6 +15,14 @@ fn blit(c: &mut Context, mask: GLenum, filter: GLenum) {
     c.blit_framebuffer(0, 0, 1, 1, 0, 0, 1, 1, mask, filter);
 }
 
+/// A framebuffer with a renderbuffer of so many samples is bound.
+fn multisampled(c: &mut Context, samples: GLsizei) {
+    framebuffer(c);
+    c.bind_renderbuffer(GL_RENDERBUFFER, 1);
+    c.renderbuffer_storage_multisample(GL_RENDERBUFFER, samples, GL_RGBA8, 4, 4);
+    c.framebuffer_renderbuffer(FB, C0, GL_RENDERBUFFER, 1);
+}
+
 const CASES: &[Case] = &[
     (nothing, |c| c.bind_renderbuffer(GL_TEXTURE_2D, 1), GL_INVALID_ENUM, "target = GL_TEXTURE_2D"),
     (
@@ -307,8 +315,29 @@ const CASES: &[Case] = &[
             let pname = GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL;
             c.get_framebuffer_attachment_parameteriv(FB, C0, pname, &mut [0]);
         },
+        GL_INVALID_OPERATION,
+        "nothing is attached to GL_COLOR_ATTACHMENT0",
+    ),
+    (
+        |c| multisampled(c, 0),
+        |c| {
+            let pname = GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL;
+            c.get_framebuffer_attachment_parameteriv(FB, C0, pname, &mut [0]);
+        },
         GL_INVALID_ENUM,
         "cannot be asked",
+    ),
+    (
+        |c| multisampled(c, 4),
+        |c| c.copy_pixels(0, 0, 1, 1, GL_COLOR),
+        GL_INVALID_OPERATION,
+        "several samples",
+    ),
+    (
+        |c| multisampled(c, 4),
+        |c| c.copy_tex_image_2d(GL_TEXTURE_2D, 0, GL_RGBA, 0, 0, 1, 1, 0),
+        GL_INVALID_OPERATION,
+        "several samples",
     ),
     (
         |c| {

@@ -167,6 +167,9 @@ const CASES: &[Case] = &[
         VALUE,
         "ptr",
     ),
+    // Clamping.
+    (nothing, |c| c.clamp_color(GL_LINE, GL_TRUE), ENUM, "target = GL_LINE"),
+    (nothing, |c| c.clamp_color(GL_CLAMP_READ_COLOR, GL_LINE), ENUM, "GL_FIXED_ONLY"),
     // Blending.
     (nothing, |c| c.blend_func_separate(GL_LINE, GL_ONE, GL_ONE, GL_ONE), ENUM, "GL_LINE"),
     (nothing, |c| c.blend_func_separate(GL_ONE, GL_ONE, GL_ONE, GL_LINE), ENUM, "GL_LINE"),

@@ -364,7 +364,7 @@ fn parameters_and_samplers() {
             ENUM,
             "GL_NEAREST or GL_LINEAR",
         ),
-        (GL_TEXTURE_RECTANGLE, GL_TEXTURE_BASE_LEVEL, 1.0, VALUE, "of a rectangle must be 0"),
+        (GL_TEXTURE_RECTANGLE, GL_TEXTURE_BASE_LEVEL, 1.0, OPERATION, "of a rectangle must be 0"),
         (GL_TEXTURE_3D, GL_TEXTURE_WRAP_R, GL_LINEAR as f32, ENUM, "GL_MIRRORED_REPEAT"),
         (GL_TEXTURE_1D, GL_TEXTURE_MAX_LEVEL, -1.0, VALUE, "must not be negative"),
         (GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, f32::NAN, VALUE, "must not be negative"),

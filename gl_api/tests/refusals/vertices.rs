@@ -253,6 +253,13 @@ const BUFFER_ROWS: &[Case] = &[
         GL_INVALID_ENUM,
         "",
     ),
+    (
+        "instances in a list",
+        |c| c.new_list(1, GL_COMPILE),
+        |c| c.draw_arrays_instanced(GL_POINTS, 0, 1, 1),
+        GL_INVALID_OPERATION,
+        "not compiled into lists",
+    ),
     ("instances", nothing, |c| c.draw_arrays_instanced(GL_POINTS, 0, 1, -1), GL_INVALID_VALUE, ""),
     (
         "instances of elements",

@@ -1,5 +1,6 @@
 //! GL 2.1's chapter 5 and what is seldom used: selection, feedback, evaluators, accumulation,
-//! conditional rendering, materials of vertices; the tables of state; windows with several samples;
+//! conditional rendering, materials of vertices, what happens to fragments; the tables of state; windows
+//! with several samples;
 //! and input that is bad in ways that no table of errors lists.
 
 #[path = "../common/state_table.rs"]
@@ -10,6 +11,7 @@ mod bad_input;
 mod conditional;
 mod evaluators;
 mod feedback;
+mod fragments;
 mod indices;
 mod materials;
 mod selection;

@@ -97,6 +97,33 @@ fn lists_do_the_same_and_inherit_what_they_do_not_set() {
 }
 
 #[test]
+fn programs_read_the_materials_of_each_vertex() {
+    let mut c = lit();
+    let vertex = "void main() {
+        gl_Position = gl_Vertex;
+        gl_FrontColor = gl_FrontMaterial.ambient + gl_FrontMaterial.emission; }";
+    let shader = c.create_shader(GL_VERTEX_SHADER);
+    c.shader_source(shader, 1, Strings(vec![vertex]), &[]);
+    c.compile_shader(shader);
+    let program = c.create_program();
+    c.attach_shader(program, shader);
+    c.link_program(program);
+    c.use_program(program);
+    for part in [GL_AMBIENT, GL_EMISSION] {
+        c.materialfv(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE, &[0.0, 0.0, 0.0, 1.0]);
+        c.materialfv(GL_FRONT_AND_BACK, GL_EMISSION, &[0.0, 0.0, 0.0, 1.0]);
+        strip(&mut c, part, &RED, &BLUE);
+        mixed(&mut c);
+    }
+    // Without a change between the vertices, the material is the state's.
+    c.materialfv(GL_FRONT, GL_AMBIENT, &[0.0, 1.0, 0.0, 1.0]);
+    c.materialfv(GL_FRONT, GL_EMISSION, &[0.0; 4]);
+    c.rectf(-1.0, -1.0, 1.0, 1.0);
+    assert_eq!(pixel(&mut c, 1, 0), [0, 255, 0, 255]);
+    fine(&mut c);
+}
+
+#[test]
 fn shininess_and_tracked_colours_of_each_vertex() {
     let mut c = lit();
     c.light_modelfv(GL_LIGHT_MODEL_AMBIENT, &[0.0; 4]);

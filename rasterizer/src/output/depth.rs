@@ -48,11 +48,12 @@ impl DepthFormat {
         (Format::D32FS8, Self::D32F),
     ];
 
-    /// The smallest resolvable difference; `None` where it depends on the value.
+    /// A difference that depths of two polygons keep, whatever they are; `None` where it depends on
+    /// the value. One word is too little: a window depth has been rounded to `f32` before.
     pub fn resolution(self) -> Option<f64> {
         match self {
-            Self::D16 => Some(1.0 / 65536.0),
-            Self::D24 => Some(1.0 / 16_777_216.0),
+            Self::D16 => Some(2.0 / 65536.0),
+            Self::D24 => Some(2.0 / 16_777_216.0),
             Self::D32F => None,
         }
     }

@@ -238,7 +238,7 @@ fn offsets_move_the_mode_they_are_for() {
     {
         let mut raster = RasterState::default();
         raster.polygon.mode = [mode; 2];
-        let units = 16_777_216.0 / 4.0;
+        let units = 8_388_608.0 / 4.0;
         raster.polygon.offset[index] = Some(PolygonOffset { factor: 1.0, units });
         let got = draw(&devices()[0], &desc, &raster, &vertices(&points));
         let depths: BTreeSet<u8> = got.chunks(4).map(|pixel| pixel[0]).collect();

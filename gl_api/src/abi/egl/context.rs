@@ -5,6 +5,7 @@ use super::constants::*;
 use super::error::{Code, Result, fail};
 use super::registry::{Api, ContextEntry, Id, Place, Registry, handle, registry, thread};
 use super::{Attrib, Handle, Int, put};
+use crate::context::debug::Output;
 use crate::context::{Context, ContextDesc, ContextError};
 use crate::entry::with_current;
 use std::time::Duration;
@@ -32,9 +33,11 @@ fn is_version(major: Attrib, minor: Attrib) -> bool {
     }
 }
 
-/// Checks that OpenGL 2.1 is what the attributes ask for.
-fn check(attributes: &[(Int, Attrib)]) -> Result<()> {
-    let (mut major, mut minor, mut flags, mut forward) = (1, 0, 0, false);
+/// Checks that OpenGL 2.1 is what the attributes ask for. The log of messages is on at first in debug
+/// contexts (`KHR_debug`, section 5.5).
+fn check(attributes: &[(Int, Attrib)]) -> Result<Output> {
+    let (mut major, mut minor, mut flags) = (1, 0, 0);
+    let (mut forward, mut debug) = (false, false);
     let mut profile = EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT as Attrib;
     for &(name, value) in attributes {
         match name {
@@ -43,9 +46,9 @@ fn check(attributes: &[(Int, Attrib)]) -> Result<()> {
             EGL_CONTEXT_OPENGL_PROFILE_MASK => profile = value,
             EGL_CONTEXT_FLAGS_KHR => flags = value,
             EGL_CONTEXT_OPENGL_FORWARD_COMPATIBLE => forward = value != 0,
-            // Messages are always kept, accesses always checked, and nothing is ever lost.
-            EGL_CONTEXT_OPENGL_DEBUG
-            | EGL_CONTEXT_OPENGL_ROBUST_ACCESS
+            EGL_CONTEXT_OPENGL_DEBUG => debug = value != 0,
+            // Accesses are always checked, and nothing is ever lost.
+            EGL_CONTEXT_OPENGL_ROBUST_ACCESS
             | EGL_CONTEXT_OPENGL_ROBUST_ACCESS_EXT
             | EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY
             | EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY_EXT
@@ -62,6 +65,7 @@ fn check(attributes: &[(Int, Attrib)]) -> Result<()> {
             format!("EGL_CONTEXT_FLAGS_KHR = {flags:#x}: no such bit"),
         );
     }
+    debug |= flags & EGL_CONTEXT_OPENGL_DEBUG_BIT_KHR as Attrib != 0;
     forward |= flags & EGL_CONTEXT_OPENGL_FORWARD_COMPATIBLE_BIT_KHR as Attrib != 0;
     if !is_version(major, minor) {
         return fail(Code::BadMatch, format!("there is no OpenGL {major}.{minor}"));
@@ -82,7 +86,7 @@ fn check(attributes: &[(Int, Attrib)]) -> Result<()> {
     if forward {
         return fail(Code::BadMatch, "only OpenGL 3.0 and above can be forward compatible");
     }
-    Ok(())
+    Ok(if debug { Output::On } else { Output::Off })
 }
 
 /// How long a context that is current on another thread has to make its next call.
@@ -133,15 +137,16 @@ pub(super) fn create(
             "there is no OpenGL ES: call eglBindAPI(EGL_OPENGL_API) before",
         );
     }
-    check(attributes)?;
+    let output = check(attributes)?;
     // The surface comes with eglMakeCurrent.
     let desc = ContextDesc { width: 1, height: 1, ..ContextDesc::default() };
     let context =
         if share.is_null() { Context::new(desc) } else { share_with(display, share, desc)? };
-    let context = match context {
+    let mut context = match context {
         Ok(context) => context,
         Err(error) => return fail(Code::BadAlloc, error.to_string()),
     };
+    context.debug.output = output;
     let mut registry = registry();
     let id = registry.new_id();
     registry.contexts.insert(id, ContextEntry::new(display, config, context));

@@ -1,12 +1,13 @@
 //! OSMesa's functions under their C names.
 
 use super::{
-    Request, Target, attributes, bits, create, current_id, depths, destroy, entries, get,
-    make_current, pixel_store, release,
+    Request, Target, attributes, bits, color_clamp, create, current_id, depths, destroy, entries,
+    get, make_current, pixel_store, release,
 };
 use crate::abi::egl::registry::handle;
 use crate::abi::memory::ClientPointer;
 use crate::abi::{c_functions, proc_address};
+use crate::constants::{GL_FIXED_ONLY, GL_TRUE};
 use crate::types::{GLboolean, GLenum, GLint, GLsizei};
 use std::ffi::{CStr, c_char, c_void};
 
@@ -120,8 +121,9 @@ c_functions! {
         CStr::from_ptr(name).to_str().map_or(std::ptr::null(), proc_address::any)
     }
 
-    // Colours are clamped as GL's state says.
-    OSMesaColorClamp(_enable: GLboolean) {}
+    OSMesaColorClamp(enable: GLboolean) {
+        color_clamp(if enable != 0 { GL_TRUE } else { GL_FIXED_ONLY });
+    }
 
     // There are no filters.
     OSMesaPostprocess(_context: *mut c_void, _filter: *const c_char, _value: u32) {}

@@ -255,6 +255,11 @@ fn pixel_store(name: GLint, value: GLint) {
     });
 }
 
+/// `OSMesaColorClamp` on the current context: when colours of fragments are clamped.
+fn color_clamp(clamp: GLenum) {
+    with_current(|context| context.clamp_color(GL_CLAMP_FRAGMENT_COLOR, clamp));
+}
+
 /// `OSMesaGetIntegerv` on the current context.
 fn get(name: GLint) -> Option<GLint> {
     let entries = entries();

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::context::ContextDesc;
+use crate::entry::Place;
 use crate::types::GLenum;
 use rasterizer::driver::{Device, DeviceDesc, Explain};
 use std::sync::Arc;

@@ -380,7 +380,7 @@ impl Checker<'_> {
         Expr { ty: element, span, constant, kind }
     }
 
-    /// A constant index lies in the array; it makes an array without a size grow.
+    /// A constant index lies in the array; one without a size is as large as it needs.
     fn check_bounds(&mut self, base: &Expr, value: u32, len: Option<u32>, span: Span) {
         let builtin = base.root().map(|root| self.variable(root).storage);
         let implicit = match builtin {
@@ -393,10 +393,8 @@ impl Checker<'_> {
                 format!("index {} is out of range: {} has {limit} elements", value as i32, base.ty);
             let rule = format!("{} section 5.7", self.version.title());
             self.log.push(Diagnostic::error(span, message).rule(rule));
-        } else if len.is_none()
-            && let ExprKind::Var(var) = base.kind
-        {
-            self.grow(var, value + 1);
+        } else if let (ExprKind::Var(var), Type::Array(..)) = (&base.kind, &base.ty) {
+            self.pick(*var, value + 1);
         }
     }
 

@@ -167,7 +167,7 @@ impl Checker<'_> {
 
     /// Notes that a variable is named here.
     fn note_use(&mut self, var: VarRef) {
-        self.variable_mut(var).used = true;
+        self.variable_mut(var).named += 1;
         if let VarRef::Global(index) = var {
             match &mut self.body {
                 Some(body) => body.globals.insert(index),

@@ -45,7 +45,7 @@ impl Checker<'_> {
             Stage::Vertex => matches!(storage, Storage::Output(_)),
             Stage::Fragment => matches!(storage, Storage::Input(_)),
         };
-        let used = variable.used;
+        let used = variable.named > 0;
         if *ty == Type::Error {
             return true;
         }
@@ -115,8 +115,9 @@ impl Checker<'_> {
     }
 
     /// Makes an array without a size at least `len` long.
-    pub(super) fn grow(&mut self, var: VarRef, len: u32) {
+    pub(super) fn pick(&mut self, var: VarRef, len: u32) {
         let variable = self.variable_mut(var);
+        variable.picked += 1;
         variable.indexed = variable.indexed.max(len);
     }
 }

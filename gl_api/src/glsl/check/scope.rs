@@ -160,7 +160,8 @@ impl Checker<'_> {
                 let plain = self.source.slice(variable.span) == &*candidate.name;
                 // The application knows uniforms and attributes by name.
                 let own = !matches!(variable.storage, Storage::Uniform | Storage::Attribute);
-                (!variable.used && plain && own).then_some((variable.span, candidate.name.clone()))
+                (variable.named == 0 && plain && own)
+                    .then_some((variable.span, candidate.name.clone()))
             });
             let since = variables::since(&name, self.stage);
             let other = [Stage::Vertex, Stage::Fragment]

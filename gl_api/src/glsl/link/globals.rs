@@ -76,13 +76,17 @@ pub fn same_globals(units: &[&Unit], stage: &str, log: &mut Log) {
             format!("is invariant in one {stage} shader only")
         } else if other.passing.centroid != variable.passing.centroid {
             format!("is centroid in one {stage} shader only")
+        } else if let (Some(a), Some(b)) = (other.passing.location, variable.passing.location)
+            && a != b
+        {
+            format!("has location {a} in one {stage} shader and {b} in another")
         } else if let (Some(a), Some(b)) = (&other.init, &variable.init)
             && variable.storage != Storage::Uniform
             && !same_value((home, a), (unit, b))
         {
             format!("has two initial values in the {stage} shaders")
         } else {
-            if other.init.is_none() {
+            if other.init.is_none() && other.passing.location.is_none() {
                 *entry = (unit, variable);
             }
             continue;

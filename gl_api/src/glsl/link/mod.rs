@@ -40,7 +40,7 @@ impl<'a> StageUnits<'a> {
     }
 }
 
-/// Links shaders into a program.
+/// Links shaders into a program; of none, the program leaves everything to the fixed function.
 pub fn link(shaders: &[&Shader], bindings: &Bindings) -> Linked {
     let mut log = Log::default();
     let program = build(shaders, bindings, &mut log);
@@ -49,9 +49,6 @@ pub fn link(shaders: &[&Shader], bindings: &Bindings) -> Linked {
 }
 
 fn build(shaders: &[&Shader], bindings: &Bindings, log: &mut Log) -> Option<Program> {
-    if shaders.is_empty() {
-        log.push(Diagnostic::link_error("there is no shader to link"));
-    }
     let units = globals::settled(shaders.iter().map(|shader| Arc::clone(&shader.unit)));
     let vertex = collect(&units, Stage::Vertex, log);
     let fragment = collect(&units, Stage::Fragment, log);

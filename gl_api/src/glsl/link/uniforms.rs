@@ -67,7 +67,7 @@ pub fn uniforms(stages: &[&StageUnits<'_>], words: &mut Words, log: &mut Log) ->
         }
         uniforms.words.insert(variable.name.clone(), words.next);
         let mut leaves = Vec::new();
-        add_leaves(&variable.name, &variable.ty, 0, &mut leaves);
+        add_leaves(&variable.name, &variable.ty, reach(stages, variable), 0, &mut leaves);
         for Leaf { name, ty, array, at, scalars } in leaves {
             let Some(data_type) = ty.data_type() else {
                 let message = format!("uniform `{name}`: {ty} is not supported by DetGL yet");
@@ -101,7 +101,7 @@ pub fn builtins(stages: &[&StageUnits<'_>]) -> Vec<BuiltinUniform> {
     }
     let mut leaves = Vec::new();
     for variable in named {
-        add_leaves(&variable.name, &variable.ty, 0, &mut leaves);
+        add_leaves(&variable.name, &variable.ty, reach(stages, variable), 0, &mut leaves);
     }
     let listed = |leaf: Leaf<'_>| {
         let ty = leaf.ty.data_type()?;
@@ -121,14 +121,21 @@ struct Leaf<'a> {
     scalars: usize,
 }
 
-/// Takes a variable apart into what GL lists.
-fn add_leaves<'a>(name: &str, ty: &'a Type, at: usize, leaves: &mut Vec<Leaf<'a>>) {
+/// How many elements of a uniform that is an array the shaders of a program name.
+fn reach(stages: &[&StageUnits<'_>], variable: &Variable) -> u32 {
+    let declared = stages.iter().flat_map(|stage| stage.declared());
+    let same = declared.filter(|other| other.name == variable.name && other.named > 0);
+    same.map(|other| other.reach().unwrap_or(u32::MAX)).max().unwrap_or(u32::MAX)
+}
+
+/// Takes a variable apart into what GL lists; of an array, so many elements at most.
+fn add_leaves<'a>(name: &str, ty: &'a Type, reach: u32, at: usize, leaves: &mut Vec<Leaf<'a>>) {
     let (element, array) = match ty {
-        Type::Array(element, len) => (&**element, *len),
+        Type::Array(element, len) => (&**element, len.map(|len| len.min(reach))),
         other => (other, None),
     };
     let Type::Struct(structure) = element else {
-        let scalars = ty.scalars() as usize;
+        let scalars = (element.scalars() * array.unwrap_or(1)) as usize;
         leaves.push(Leaf { name: name.to_owned(), ty: element, array, at, scalars });
         return;
     };
@@ -139,7 +146,7 @@ fn add_leaves<'a>(name: &str, ty: &'a Type, at: usize, leaves: &mut Vec<Leaf<'a>
                 Some(_) => format!("{name}[{index}].{field}"),
                 None => format!("{name}.{field}"),
             };
-            add_leaves(&name, ty, at, leaves);
+            add_leaves(&name, ty, u32::MAX, at, leaves);
             at += ty.scalars() as usize;
         }
     }

@@ -5,7 +5,7 @@ use super::{Lowered, Lowerer};
 use crate::glsl::builtins::math::dot_product;
 use crate::glsl::hir::Variable;
 use crate::glsl::limits::MAX_CLIP_PLANES;
-use crate::interface::{StateVar, VARYING_BACK_COLOR, VARYING_CLIP_DISTANCE, VARYING_TEX_COORD};
+use crate::interface::{StateVar, VARYING_CLIP_DISTANCE};
 use rasterizer::ir::{Op, Output, Stmt, Ty, Value, Var};
 
 /// Scalars to copy to outputs when `main` has ended.
@@ -30,8 +30,6 @@ pub enum Part {
     Low,
     /// The high 16 bits.
     High,
-    /// Its value held in [0, 1], as colours are that leave the vertex stage (GL 2.1 section 2.14.6).
-    Color,
     /// Its value if this user clip plane is enabled, else 0, which cuts nothing away.
     ClipDistance(u8),
     /// The vector that begins there times this user clip plane, if it is enabled.
@@ -39,7 +37,7 @@ pub enum Part {
 }
 
 impl Lowerer<'_> {
-    /// Hands a variable on as a varying. Colours are held in [0, 1].
+    /// Hands a variable on as a varying.
     pub(super) fn varying_output(
         &mut self,
         slot: &Slot,
@@ -47,18 +45,9 @@ impl Lowerer<'_> {
         first: u16,
         copies: &mut Vec<Copy>,
     ) {
-        let color = first < VARYING_TEX_COORD
-            || first == VARYING_BACK_COLOR
-            || first == VARYING_BACK_COLOR + 4;
         let mut next = first;
         for (at, &ty) in types.iter().enumerate() {
             let at = at as u32;
-            if color {
-                let var = self.emit.builder.output(Output::Varying(next));
-                copies.push(Copy { slot: slot.clone(), at, part: Part::Color, var });
-                next += 1;
-                continue;
-            }
             if ty == Ty::F32 {
                 self.output(slot, types, at, Output::Varying(next), copies);
                 next += 1;
@@ -118,11 +107,6 @@ impl Lowerer<'_> {
                 let bits = self.emit.convert(word, Ty::U32);
                 let sixteen = self.emit.uint(16);
                 self.emit.op(Op::UShiftRight, &[bits, sixteen])
-            }
-            Part::Color => {
-                let [zero, one] = [0.0, 1.0].map(|end| self.emit.float(end));
-                let above = self.emit.op(Op::Max, &[word, zero]);
-                self.emit.op(Op::Min, &[above, one])
             }
             Part::ClipDistance(plane) => self.if_enabled(plane, word),
             Part::ClipVertex(plane) => {

@@ -102,7 +102,8 @@ impl ClientFormat {
     /// What its pixels are of.
     pub fn kind(self) -> Kind {
         match self {
-            Depth | DepthStencil => Kind::Depth,
+            Depth => Kind::Depth,
+            DepthStencil => Kind::DepthStencil,
             Stencil => Kind::Stencil,
             ColorIndex => Kind::ColorIndex,
             Red | Green | Blue | Alpha | Rg | Rgb | Bgr | Rgba | Bgra | Abgr | Luminance
@@ -113,7 +114,7 @@ impl ClientFormat {
     /// Whether it is of depth or stencil, not of colour.
     pub fn is_depth(self) -> bool {
         match self.kind() {
-            Kind::Depth | Kind::Stencil => true,
+            Kind::Depth | Kind::DepthStencil | Kind::Stencil => true,
             Kind::Color | Kind::ColorIndex => false,
         }
     }

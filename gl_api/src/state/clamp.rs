@@ -1,0 +1,198 @@
+//! Which colours are clamped to [0, 1]: `glClampColor` (`ARB_color_buffer_float`).
+//!
+//! Colours of the state (fog, environments, the alpha reference, blending, clearing, borders) are kept
+//! as they are given, and clamped where they are used or asked for.
+
+use super::viewport::unit;
+use crate::constants::*;
+use crate::context::Context;
+use crate::error::{Result, Table, invalid_enum};
+use crate::framebuffer::complete::drawn_formats;
+use crate::query::table::{Value, flag, symbol};
+use crate::texture::internal::{Component, component_bits};
+use crate::types::*;
+use texunit::format::{Encoding, Format};
+
+const SECTION: &str = "ARB_color_buffer_float, section 2.14.6";
+
+/// Whether colours are clamped.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Clamp {
+    On,
+    Off,
+}
+
+/// When colours are clamped.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum When {
+    Always,
+    Never,
+    /// Where the colour buffers are of fixed-point numbers, all of them.
+    Fixed,
+}
+
+impl When {
+    fn now(self, mut formats: impl Iterator<Item = Format>) -> Clamp {
+        match self {
+            Self::Always => Clamp::On,
+            Self::Never => Clamp::Off,
+            Self::Fixed if formats.all(is_fixed) => Clamp::On,
+            Self::Fixed => Clamp::Off,
+        }
+    }
+}
+
+/// What `glClampColor` sets.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct ClampState {
+    /// Colours that vertices have, lit or not.
+    pub vertex: When,
+    /// Colours of fragments, from their first to what is written.
+    pub fragment: When,
+    /// Colours that `glReadPixels` gives.
+    pub read: When,
+}
+
+impl Default for ClampState {
+    fn default() -> Self {
+        Self { vertex: When::Always, fragment: When::Fixed, read: When::Fixed }
+    }
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Target {
+    Vertex,
+    Fragment,
+    Read,
+}
+
+const TARGET: Table<Target> = Table {
+    section: SECTION,
+    rows: &[
+        (GL_CLAMP_VERTEX_COLOR, Target::Vertex),
+        (GL_CLAMP_FRAGMENT_COLOR, Target::Fragment),
+        (GL_CLAMP_READ_COLOR, Target::Read),
+    ],
+};
+
+const WHEN: Table<When> = Table {
+    section: SECTION,
+    rows: &[(GL_TRUE, When::Always), (GL_FALSE, When::Never), (GL_FIXED_ONLY, When::Fixed)],
+};
+
+pub(crate) fn clamp_color(context: &mut Context, target: GLenum, clamp: GLenum) -> Result<()> {
+    let target = TARGET.decode("target", target)?;
+    let Some(when) = WHEN.get(clamp) else {
+        return invalid_enum(
+            SECTION,
+            format!("clamp = {clamp:#x} must be GL_TRUE, GL_FALSE or GL_FIXED_ONLY"),
+        );
+    };
+    let state = &mut context.state.clamp;
+    match target {
+        Target::Vertex => state.vertex = when,
+        Target::Fragment => state.fragment = when,
+        Target::Read => state.read = when,
+    }
+    Ok(())
+}
+
+/// Whether a buffer of this format is of fixed-point numbers.
+fn is_fixed(format: Format) -> bool {
+    match format.info().encoding {
+        Encoding::Unorm | Encoding::Srgb | Encoding::Snorm => true,
+        Encoding::Float
+        | Encoding::SharedExponent
+        | Encoding::Uint
+        | Encoding::Sint
+        | Encoding::Block(_)
+        | Encoding::SrgbBlock(_) => false,
+    }
+}
+
+/// Whether all that is drawn to holds numbers from 0 to 1, so that writing clamps.
+pub(crate) fn draws_fractions(context: &Context) -> bool {
+    let is_fraction = |format: Format| match format.info().encoding {
+        Encoding::Unorm | Encoding::Srgb => true,
+        Encoding::Snorm
+        | Encoding::Float
+        | Encoding::SharedExponent
+        | Encoding::Uint
+        | Encoding::Sint
+        | Encoding::Block(_)
+        | Encoding::SrgbBlock(_) => false,
+    };
+    drawn_formats(context).all(is_fraction)
+}
+
+/// Whether colours of vertices are clamped now.
+pub(crate) fn of_vertices(context: &Context) -> Clamp {
+    context.state.clamp.vertex.now(drawn_formats(context))
+}
+
+/// Whether colours of fragments are clamped now.
+pub(crate) fn of_fragments(context: &Context) -> Clamp {
+    context.state.clamp.fragment.now(drawn_formats(context))
+}
+
+/// Whether colours that are read from a buffer of this format are clamped. Integers, depths and
+/// stencils are no colours.
+pub(crate) fn of_reading(context: &Context, format: Format) -> Clamp {
+    if format.is_integer() || format.is_depth() {
+        return Clamp::Off;
+    }
+    context.state.clamp.read.now(std::iter::once(format))
+}
+
+impl Clamp {
+    /// A component of a colour.
+    pub fn component(self, value: f32) -> f32 {
+        match self {
+            Self::On => unit(value.into()) as f32,
+            Self::Off => value,
+        }
+    }
+
+    /// A colour.
+    pub fn color(self, color: [f32; 4]) -> [f32; 4] {
+        color.map(|c| self.component(c))
+    }
+}
+
+/// Which of red, green, blue and alpha can be negative (`EXT_packed_float`, table 6.33).
+fn signed_components(format: Format) -> [bool; 4] {
+    let info = format.info();
+    let is_signed = match info.encoding {
+        Encoding::Snorm | Encoding::Sint => true,
+        // Floats of fewer bits have no sign.
+        Encoding::Float => info.fields[0].bits >= 16,
+        Encoding::Unorm
+        | Encoding::Srgb
+        | Encoding::SharedExponent
+        | Encoding::Uint
+        | Encoding::Block(_)
+        | Encoding::SrgbBlock(_) => false,
+    };
+    let there = [Component::Red, Component::Green, Component::Blue, Component::Alpha];
+    there.map(|component| is_signed && component_bits(format, component) > 0)
+}
+
+/// What `glGet` answers.
+pub(crate) fn state_value(context: &Context, pname: GLenum) -> Option<Result<Value>> {
+    let state = &context.state.clamp;
+    Some(match pname {
+        GL_RGBA_FLOAT_MODE_ARB => {
+            let is_float = |format: Format| format.info().encoding == Encoding::Float;
+            flag(drawn_formats(context).any(is_float))
+        }
+        GL_RGBA_SIGNED_COMPONENTS_EXT => {
+            let format = drawn_formats(context).next();
+            Ok(Value::Bools(format.map_or([false; 4], signed_components).to_vec()))
+        }
+        _ => match TARGET.get(pname)? {
+            Target::Vertex => symbol(WHEN.encode(state.vertex)),
+            Target::Fragment => symbol(WHEN.encode(state.fragment)),
+            Target::Read => symbol(WHEN.encode(state.read)),
+        },
+    })
+}

@@ -1,0 +1,169 @@
+//! What each version of the language has: directives, literals, types, words and constant
+//! expressions that the other tables do not meet.
+
+use super::Row;
+
+pub const TABLE: &[Row] = &[
+    // Directives
+    Row(
+        110,
+        "#\n # /* spaces */ define A 2.0 /* a comment\n over lines */\n/* before */ #define B A// at the end\n",
+        "r.x = A + B;",
+        [4.0, 0.0, 0.0, 0.0],
+    ),
+    Row(
+        110,
+        "#pragma optimize(off)\n#pragma debug(on)\n#pragma\nfloat g(float a) { return a; }\n#define f f\n#define g(x) g(x + 1.0)\nfloat f = 3.0;\n",
+        "r.xy = vec2(f, g(1.0));",
+        [3.0, 2.0, 0.0, 0.0],
+    ),
+    Row(
+        110,
+        "#if 1\n#elif garbage ( here\n#endif\n#if 0\n#if 1\n#else\n#error hidden\n#endif\n#else\nconst float c = 1.0;\n#endif\n",
+        "r.x = c;",
+        [1.0, 0.0, 0.0, 0.0],
+    ),
+    Row(
+        110,
+        "#if (17 % 5 == 2) && (7 / 2 == 3) && (1 << 3) + (16 >> 2) - 2 * 3 == 6 && (5 & 3 | 8 ^ 1) == 9 && ~0 == -1 && +1 != !1 && 2 >= 2 && 1 <= 2\nconst float c = 1.0;\n#else\nconst float c = 2.0;\n#endif\n",
+        "r.x = c;",
+        [1.0, 0.0, 0.0, 0.0],
+    ),
+    Row(
+        110,
+        "#define TWO(a, b) a b\n#define CALL(f, x) f(x)\n#define SQUARE(x) ((x) * (x))\n",
+        "r.x = CALL(SQUARE, u.y); r.y = TWO(-, u.z); r.z = TWO(u.w,); r.w = SQUARE(CALL(\nSQUARE, /* , */ 2.0));",
+        [4.0, -3.0, 4.0, 16.0],
+    ),
+    Row(
+        110,
+        "#define one 1.0\n#define one 1.0\n#undef never\n",
+        "float a/**/= one;r.x = a;",
+        [1.0, 0.0, 0.0, 0.0],
+    ),
+    Row(
+        110,
+        "\r\n#define A 2.0\r\n#define B 3.0\r",
+        "\r\nr.xy = vec2(A, B);\r",
+        [2.0, 3.0, 0.0, 0.0],
+    ),
+    // Literals
+    Row(110, "", "r = vec4(.5, 1., 1e2, 2.5E-1);", [0.5, 1.0, 100.0, 0.25]),
+    Row(120, "", "r = vec4(.5f, 1.F, 1e2f, 0x1F);", [0.5, 1.0, 100.0, 31.0]),
+    Row(130, "", "r = vec4(3e0, 010u, 0XffU, 00);", [3.0, 8.0, 255.0, 0.0]),
+    // Types of 1.20
+    Row(
+        120,
+        "",
+        "mat2x2 a = mat2(u); mat3x3 b = mat3(2.0); mat4x4 c = m; r = vec4(a[1].y, b[2].z, c[3].w, (b * vec3(1)).x);",
+        [4.0, 2.0, 16.0, 2.0],
+    ),
+    Row(
+        120,
+        "",
+        "mat2x4 a = mat2x4(m); mat4x2 b = mat4x2(m); mat3x4 c = mat3x4(m); mat4x3 d = mat4x3(m); r = vec4(a[1][3], b[3][1], c[2][3], d[3][2]);",
+        [8.0, 14.0, 12.0, 15.0],
+    ),
+    Row(
+        120,
+        "",
+        "mat3x2 a = mat3x2(1, 2, 3, 4, 5, 6); mat2x3 b = mat2x3(1, 0, 1, 0, 1, 0); mat2 c = a * b; r = vec4(c[0], c[1]);",
+        [6.0, 8.0, 3.0, 4.0],
+    ),
+    Row(
+        120,
+        "",
+        "mat3x2 a = outerProduct(u.xy, vec3(1, 2, 3)); mat2x3 t = transpose(a); r = vec4(a[2], t[1].y, (vec2(1) * a).z);",
+        [3.0, 6.0, 4.0, 9.0],
+    ),
+    Row(
+        120,
+        "",
+        "mat2x3 a; a[k - 1][k] = 5.0; a[k - 2] = vec3(1, 2, 3); int c = int(x) - 2; r = vec4(a[c][k], a[0][c], a[c - 1][int(x) - 1], a[1][0]);",
+        [5.0, 2.0, 3.0, 0.0],
+    ),
+    Row(
+        120,
+        "",
+        "mat4x3 a = mat4x3(m); a++; a -= mat4x3(1.0); mat4x3 n = -a; r = vec4(a[0][0], a[0][1], n[3][2], a == a);",
+        [1.0, 3.0, -16.0, 1.0],
+    ),
+    // Constant expressions with functions
+    Row(
+        120,
+        "const int n = int(max(2.0, 1.5)) + int(sin(0.0)); const vec2 v = normalize(vec2(3.0, 4.0)); float a[n * 2];",
+        "a[3] = v.y; r = vec4(a.length(), a[3] == v.y, v.x > 0.59 && v.x < 0.61, n);",
+        [4.0, 1.0, 1.0, 2.0],
+    ),
+    Row(
+        120,
+        "struct S { float a[2]; vec3 v; }; const S s = S(float[2](1.0, 2.0), vec3(3.0)); const float f = s.a[1] + s.v.yz[1]; const bool b = s == S(float[](1.0, 2.0), vec3(3.0));",
+        "r = vec4(f, b, s.a.length(), s.a[k - 1]);",
+        [5.0, 1.0, 2.0, 2.0],
+    ),
+    // Arrays of structures
+    Row(
+        120,
+        "struct L { vec3 c; float i; }; L pair[2] = L[2](L(vec3(1.0), 2.0), L(vec3(3.0), 4.0));",
+        "L[2] other = pair; other[k - 1].c.y = 9.0; L[] made = L[](pair[0], other[1], pair[1]); r = vec4(made.length(), made[1].c.y, made[k].i, pair == other);",
+        [3.0, 9.0, 4.0, 0.0],
+    ),
+    Row(
+        120,
+        "struct L { float i; }; L[2] swap(L[2] a) { return L[2](a[1], a[0]); } void set(inout L[2] a, out L b[2]) { b = a; a[0].i = 7.0; }",
+        "L a[2] = L[](L(1.0), L(2.0)), b[2]; a = swap(a); set(a, b); r = vec4(a[0].i, a[1].i, b[0].i, swap(b)[0].i);",
+        [7.0, 1.0, 2.0, 1.0],
+    ),
+    // Declarations
+    Row(
+        110,
+        "struct { float a; } s; float f(void) { return 2.0; } float g(const in float, out float b); float g(const in float a, out float b) { b = a; return -a; }",
+        "float a[2], b, c[3]; s.a = 1.0; a[1] = f(); c[2] = g(3.0, b); r = vec4(s.a, a[1], b, c[2]);",
+        [1.0, 2.0, 3.0, -3.0],
+    ),
+    Row(
+        130,
+        "precision highp float; precision mediump int; uniform lowp float never; highp vec2 f(mediump float a, const in lowp int b) { return vec2(a, b); }",
+        "highp int i = 3; lowp vec2 v = f(1.0, i); r.xy = v;",
+        [1.0, 3.0, 0.0, 0.0],
+    ),
+    Row(
+        120,
+        "#pragma STDGL invariant(all)\ninvariant centroid varying vec3 a; centroid varying mat3x2 b[2]; varying float c[3];",
+        "r.x = float(c.length() + b.length());",
+        [5.0, 0.0, 0.0, 0.0],
+    ),
+    // A vector's components that an index names, both ways
+    Row(
+        130,
+        "",
+        "uvec3 a = uvec3(1u, 2u, 3u); a[k] += 4u; bvec2 b; b[k - 1] = true; ivec4 c; c[uint(k)] = int(a[k]); r = vec4(a[k], b.y, c.z, a[k - 1]);",
+        [7.0, 1.0, 7.0, 2.0],
+    ),
+    // Switches
+    Row(
+        130,
+        "float f(int n) { float v = 0.0; switch (n) { case 0: v += 1.0; case 1: v += 2.0; { v += 4.0; break; } case -1: return -1.0; default: v += 8.0; case 3: v += 16.0; } return v; }",
+        "r = vec4(f(0), f(1), f(-1), f(7));",
+        [7.0, 6.0, -1.0, 24.0],
+    ),
+    Row(
+        130,
+        "float f(int n) { float v = 0.0; for (int i = 0; i < 4; i++) { switch (n + i) { case 1: continue; case 2: v += 10.0; break; default: if (i == 3) return v + 100.0; v += 1.0; } v += 0.5; } return v; }",
+        "r = vec4(f(0), f(1), f(int(x)), f(-1));",
+        [112.0, 112.0, 104.5, 13.5],
+    ),
+    // Integers of 1.30
+    Row(
+        130,
+        "",
+        "uint a = 0xFFFFFFFFu; ivec2 b = ivec2(-7, 7) % ivec2(3); uvec2 c = uvec2(7u, 9u) / 2u; r = vec4(a / 2u == 0x7FFFFFFFu, b.y, c.y, uint(-1) == a);",
+        [1.0, 1.0, 4.0, 1.0],
+    ),
+    Row(
+        130,
+        "",
+        "int i = 5; uint n = 3u; i <<= n; n |= 4u; n &= 6u; n ^= 1u; r = vec4(i, n, i >> n, ~i + 41);",
+        [40.0, 7.0, 0.0, 0.0],
+    ),
+];
