@@ -136,11 +136,9 @@ fn packed_by_pixels_or_by_quads_is_the_same() {
         ("lookup", lookup),
         ("discards", discards),
     ] {
-        for (blend, depth) in
-            [(None, None), (Some(blend.clone()), None), (Some(blend.clone()), Some(less))]
-        {
+        for (blend, depth) in [(None, None), (Some(blend), None), (Some(blend), Some(less))] {
             let mut desc = pipeline(vertex(4), fragment(4, color));
-            desc.colors[0].blend.clone_from(&blend);
+            desc.colors[0].blend = blend;
             desc.depth = depth;
             let want = picture(Isa::BASELINE, &desc, &texture, true);
             for isa in Isa::available() {
