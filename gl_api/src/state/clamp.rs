@@ -9,9 +9,8 @@ use crate::context::Context;
 use crate::error::{Result, Table, invalid_enum};
 use crate::framebuffer::complete::drawn_formats;
 use crate::query::table::{Value, flag, symbol};
-use crate::texture::internal::{Component, component_bits};
 use crate::types::*;
-use texunit::format::{Encoding, Format};
+use texunit::format::{BaseFormat, Encoding, Format};
 
 const SECTION: &str = "ARB_color_buffer_float, section 2.14.6";
 
@@ -173,8 +172,15 @@ fn signed_components(format: Format) -> [bool; 4] {
         | Encoding::Block(_)
         | Encoding::SrgbBlock(_) => false,
     };
-    let there = [Component::Red, Component::Green, Component::Blue, Component::Alpha];
-    there.map(|component| is_signed && component_bits(format, component) > 0)
+    let there = match format.base() {
+        BaseFormat::Red => [true, false, false, false],
+        BaseFormat::Rg => [true, true, false, false],
+        BaseFormat::Rgb | BaseFormat::Luminance => [true, true, true, false],
+        BaseFormat::Rgba | BaseFormat::LuminanceAlpha | BaseFormat::Intensity => [true; 4],
+        BaseFormat::Alpha => [false, false, false, true],
+        BaseFormat::Depth => [false; 4],
+    };
+    there.map(|there| is_signed && there)
 }
 
 /// What `glGet` answers.

@@ -329,6 +329,7 @@ fn signed_components_are_asked_for() {
         (GL_RGB32F, [1, 1, 1, 0]),
         (GL_R11F_G11F_B10F, [0; 4]),
         (GL_RG8_SNORM, [1, 1, 0, 0]),
+        (GL_LUMINANCE16F_ARB, [1, 1, 1, 0]),
         (GL_RGBA8I, [1; 4]),
         (GL_RGBA8UI, [0; 4]),
     ] {

@@ -134,8 +134,8 @@ fn run(isa: Isa, program: &Program, words: &[u32]) -> [f32; 4] {
         Run { isa, program, prepared: &prepared, textures: &[], active: !0, budget: 1_000_000 };
     machine.run(run).expect("the shaders end soon");
     let mut found = [0.0; 4];
-    for (index, output) in program.outputs().iter().enumerate() {
-        if let Some(component) = component(*output) {
+    for (index, output) in program.outputs().enumerate() {
+        if let Some(component) = component(output) {
             found[component] = f32::from_bits(machine.output(index)[LANE]);
         }
     }

@@ -51,10 +51,13 @@ fn every_logical_operation_does_to_bits_what_its_table_says() {
     }
 }
 
+/// A blend equation, and what it makes of source and stored value with the factors of the test.
+type Equation = (GLenum, fn(f64, f64) -> f64);
+
 #[test]
 fn colour_and_alpha_have_blend_equations_of_their_own() {
     let (source, stored) = ([0.25, 0.5, 0.75, 0.5], [0.5, 0.5, 0.25, 0.25]);
-    let equations: [(GLenum, fn(f64, f64) -> f64); 5] = [
+    let equations: [Equation; 5] = [
         (GL_FUNC_ADD, |s, d| s * 0.5 + d),
         (GL_FUNC_SUBTRACT, |s, d| s * 0.5 - d),
         (GL_FUNC_REVERSE_SUBTRACT, |s, d| d - s * 0.5),
