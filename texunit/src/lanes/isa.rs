@@ -1,5 +1,6 @@
 //! Which instruction set a kernel is compiled for, and the one place that picks.
 
+use super::weigh::{self, Sums};
 use super::{F32s, LANES, U32s};
 use super::{gather, math, reduce};
 use thiserror::Error;
@@ -149,6 +150,17 @@ pub trait Simd: Copy + private::Sealed {
     /// When an offset's eight bytes are not all inside `bytes`.
     fn gather_pairs(bytes: &[u8], offsets: &U32s) -> [U32s; 2];
 
+    /// Adds to the sum of each byte the bytes of two texels: `first` times the lower half of the
+    /// weight, `second` times its upper half. Weights are up to 2^15 - 1.
+    fn weigh(first: &U32s, second: &U32s, weights: &U32s, sums: &mut Sums);
+
+    /// [`Simd::weigh`] of the texel of `apart` bytes (3 or 4) at each byte offset and the one right
+    /// after. (Of three bytes the sum of the fourth means nothing.)
+    ///
+    /// # Panics
+    /// When an offset's eight bytes are not all inside `bytes`.
+    fn weigh_pairs(bytes: &[u8], offsets: &U32s, apart: u32, weights: &U32s, sums: &mut Sums);
+
     /// Reads `table[index]` in each lane.
     ///
     /// # Panics
@@ -248,6 +260,14 @@ impl Simd for Baseline {
         gather::scalar_pairs(bytes, offsets)
     }
     #[inline(always)]
+    fn weigh(first: &U32s, second: &U32s, weights: &U32s, sums: &mut Sums) {
+        weigh::scalar(first, second, weights, sums);
+    }
+    #[inline(always)]
+    fn weigh_pairs(bytes: &[u8], offsets: &U32s, apart: u32, weights: &U32s, sums: &mut Sums) {
+        weigh::scalar_pairs(bytes, offsets, apart, weights, sums);
+    }
+    #[inline(always)]
     fn gather_f32(table: &[f32], indices: &U32s) -> F32s {
         gather::scalar_f32(table, indices)
     }
@@ -289,6 +309,17 @@ impl Simd for Avx2 {
         gather::check::<Self>(bytes.len(), offsets, 1, 8);
         // SAFETY: the offsets were checked; this type is reached only through `run_avx2`.
         unsafe { gather::avx2_pairs(bytes.as_ptr(), offsets) }
+    }
+    #[inline(always)]
+    fn weigh(first: &U32s, second: &U32s, weights: &U32s, sums: &mut Sums) {
+        // SAFETY: this type is reached only through `run_avx2`.
+        unsafe { weigh::x86::avx2(first, second, weights, sums) }
+    }
+    #[inline(always)]
+    fn weigh_pairs(bytes: &[u8], offsets: &U32s, apart: u32, weights: &U32s, sums: &mut Sums) {
+        gather::check::<Self>(bytes.len(), offsets, 1, 8);
+        // SAFETY: the offsets were checked; this type is reached only through `run_avx2`.
+        unsafe { weigh::x86::avx2_pairs(bytes.as_ptr(), offsets, apart, weights, sums) }
     }
     #[inline(always)]
     fn gather_f32(table: &[f32], indices: &U32s) -> F32s {
@@ -333,6 +364,17 @@ impl Simd for Avx512 {
         gather::check::<Self>(bytes.len(), offsets, 1, 8);
         // SAFETY: the offsets were checked; this type is reached only through `run_avx512`.
         unsafe { gather::avx512_pairs(bytes.as_ptr(), offsets) }
+    }
+    #[inline(always)]
+    fn weigh(first: &U32s, second: &U32s, weights: &U32s, sums: &mut Sums) {
+        // SAFETY: this type is reached only through `run_avx512`.
+        unsafe { weigh::x86::avx512(first, second, weights, sums) }
+    }
+    #[inline(always)]
+    fn weigh_pairs(bytes: &[u8], offsets: &U32s, apart: u32, weights: &U32s, sums: &mut Sums) {
+        gather::check::<Self>(bytes.len(), offsets, 1, 8);
+        // SAFETY: the offsets were checked; this type is reached only through `run_avx512`.
+        unsafe { weigh::x86::avx512_pairs(bytes.as_ptr(), offsets, apart, weights, sums) }
     }
     #[inline(always)]
     fn gather_f32(table: &[f32], indices: &U32s) -> F32s {

@@ -9,10 +9,11 @@ mod channels;
 #[cfg(test)]
 mod tests;
 
-pub use channels::Class;
-use channels::{of_square, of_texel};
+pub use super::fetch::neighbours;
+use channels::of_square;
+pub use channels::{Class, of_texel};
 
-use super::fetch::{neighbours, side_by_side};
+use super::fetch::side_by_side;
 use super::filter::Place;
 use super::wrap::{Axis, enclosing};
 use crate::lanes::math::floor_small;
