@@ -192,7 +192,8 @@ fn one(page: &mut Page, step: &SampleStep, weights: &mut Vec<f32>) {
         }
         SampleStep::Rows { rows, length } => {
             weights.clear();
-            let text = format!("{rows} of its rows or columns, {} in the footprint", number(length));
+            let text =
+                format!("{rows} of its rows or columns, {} in the footprint", number(length));
             page.line(4, &text, "EXT_texture_filter_anisotropic");
         }
         SampleStep::Row { .. } => {}

@@ -94,7 +94,7 @@ pub(super) mod x86 {
         for half in 0..2 {
             // SAFETY: a table has 16 bytes; `at` and the three lanes after it are lanes.
             unsafe {
-                let places = BY_APART[(apart == 4) as usize][half].as_ptr().cast::<__m128i>();
+                let places = BY_APART[usize::from(apart == 4)][half].as_ptr().cast::<__m128i>();
                 let places = _mm256_broadcastsi128_si256(_mm_loadu_si128(places));
                 let bytes = _mm256_shuffle_epi8(texels, places);
                 let sum = sums.0[half].as_mut_ptr().add(at).cast::<__m256i>();
@@ -158,13 +158,38 @@ pub(super) mod x86 {
         for half in 0..2 {
             // SAFETY: as for `avx2_add`, with eight lanes.
             unsafe {
-                let places = BY_APART[(apart == 4) as usize][half].as_ptr().cast::<__m128i>();
-                let places = _mm512_broadcast_i32x4(_mm_loadu_si128(places));
-                let bytes = _mm512_shuffle_epi8(texels, places);
-                let sum = sums.0[half].as_mut_ptr().add(at).cast::<__m512i>();
-                let products = _mm512_madd_epi16(bytes, weights);
-                _mm512_storeu_si512(sum, _mm512_add_epi32(_mm512_loadu_si512(sum), products));
+                let bytes = _mm512_shuffle_epi8(texels, avx512_places(apart)[half]);
+                avx512_sum(sums, half, at, _mm512_madd_epi16(bytes, weights));
             }
+        }
+    }
+
+    /// Where bytes go, for both halves.
+    ///
+    /// # Safety
+    /// AVX-512F is there.
+    #[inline(always)]
+    pub unsafe fn avx512_places(apart: u32) -> [__m512i; 2] {
+        let [first, second] = &BY_APART[usize::from(apart == 4)];
+        // SAFETY: a table has 16 bytes.
+        unsafe {
+            [
+                _mm512_broadcast_i32x4(_mm_loadu_si128(first.as_ptr().cast())),
+                _mm512_broadcast_i32x4(_mm_loadu_si128(second.as_ptr().cast())),
+            ]
+        }
+    }
+
+    /// Adds to the sums of eight lanes.
+    ///
+    /// # Safety
+    /// AVX-512F is there, and `at` and the seven lanes after it are lanes.
+    #[inline(always)]
+    pub unsafe fn avx512_sum(sums: &mut Sums, half: usize, at: usize, products: __m512i) {
+        // SAFETY: the caller vouches for it.
+        unsafe {
+            let sum = sums.0[half].as_mut_ptr().add(at).cast::<__m512i>();
+            _mm512_storeu_si512(sum, _mm512_add_epi32(_mm512_loadu_si512(sum), products));
         }
     }
 

@@ -34,7 +34,7 @@ pub use read::level;
 use super::footprint::Derivatives;
 use super::record::Recorder;
 use crate::lanes::math::max;
-use crate::lanes::{F32s, I32s, LANES, U32s, log2_of_root};
+use crate::lanes::{F32s, I32s, LANES, ONE, U32s, log2_of_root};
 use crate::trace::SampleStep;
 
 /// The most rows of a level; only levels finer than λ asks for would have more.
@@ -95,7 +95,7 @@ pub fn footprint(
         scan.along_t[lane] = if difference > 0.0 { !0 } else { 0 };
         scan.excess[lane] = if is_long { along } else { 0.0 };
         scan.slope[lane] = slope;
-        scan.even[lane] = rows::to_fixed(even, rows::ONE);
+        scan.even[lane] = rows::to_fixed(even, ONE);
         majors[lane] = major;
         minors[lane] = minor;
     }

@@ -4,13 +4,13 @@
 //! texels with the same weights and give the same bits.
 
 use super::Scan;
-use super::rows::{ONE, Rows};
+use super::rows::Rows;
 use crate::lanes::math::{floor_small, min};
-use crate::lanes::{F32s, I32s, LANES, Simd, Sums, U32s};
+use crate::lanes::{Beside, F32s, I32s, LANES, ONE, Simd, Sums, U32s};
 use crate::plan::Way;
 use crate::sample::fetch;
 use crate::sample::filter::Place;
-use crate::sample::plain::{Class, neighbours, of_texel};
+use crate::sample::plain::{Class, moved, of_texel};
 use crate::sample::record::Recorder;
 use crate::sample::wrap::Indices;
 use crate::trace::SampleStep;
@@ -32,7 +32,8 @@ pub fn level<S: Simd>(
         Way::Plain(class @ (Class::Srgb | Class::Halves | Class::Floats)) => {
             words::<S>(place, class, &mut rows, out);
         }
-        Way::Blocks(_) | Way::General => general::<S>(place, &mut rows, asks, out, recorder),
+        Way::Blocks(_) => blocks::<S>(place, &mut rows, out),
+        Way::General => general::<S>(place, &mut rows, asks, out, recorder),
     }
 }
 
@@ -117,12 +118,15 @@ impl Means {
     /// A row. One without weight is not there: its inf and NaN do not matter.
     #[inline(always)]
     fn add(&mut self, channels: usize, weights: &U32s, texels: [&[F32s; 4]; 2]) {
+        let (mut left, mut right) = (F32s::ZERO, F32s::ZERO);
+        for lane in 0..LANES {
+            [left[lane], right[lane]] = halves(weights[lane]);
+        }
         for channel in 0..channels {
             let sum = &mut self.0[channel];
             for lane in 0..LANES {
-                let [left, right] = halves(weights[lane]);
-                let row = left * texels[0][channel][lane] + right * texels[1][channel][lane];
-                let next = sum[lane] + row;
+                let (a, b) = (texels[0][channel][lane], texels[1][channel][lane]);
+                let next = sum[lane] + (left[lane] * a + right[lane] * b);
                 sum[lane] = if weights[lane] != 0 { next } else { sum[lane] };
             }
         }
@@ -159,27 +163,12 @@ fn bytes<S: Simd>(place: &Place<'_>, rows: &mut Rows, out: &mut [F32s; 4]) {
     let level = place.level;
     let apart = level.format.bytes() as u32;
     let mut sums = Sums::ZERO;
-    let mut walk = Walk::new::<S>(place, rows);
-    while rows.number < rows.most {
-        let weights = rows.weights();
-        match &walk {
-            Walk::Pairs { .. } if apart > 2 => {
-                let offsets = walk.left(rows, place);
-                S::weigh_pairs(&level.texels, &offsets, apart, &weights, &mut sums);
-            }
-            Walk::Pairs { .. } => {
-                let [left, right] = neighbours::<S>(level, &walk.left(rows, place));
-                S::weigh(&left, &right, &weights, &mut sums);
-            }
-            Walk::Inside { .. } | Walk::Wrapped => {
-                let [left, right] = walk.both(rows, place);
-                let left = S::gather(&level.texels, &left);
-                let right = S::gather(&level.texels, &right);
-                S::weigh(&left, &right, &weights, &mut sums);
-            }
+    match Lines::new::<S>(place, rows) {
+        Some(Lines { line, along, across }) => {
+            let beside = across.as_ref().map_or(Beside::Next(apart), Beside::Apart);
+            S::weigh_walk(&level.texels, &rows.walk(&line, &along, beside), &mut sums);
         }
-        rows.advance();
-        walk.advance();
+        None => wrapped::<S>(place, rows, &mut sums),
     }
     let channels = level.format.channels();
     let mut planes = [I32s::ZERO; 4];
@@ -189,155 +178,120 @@ fn bytes<S: Simd>(place: &Place<'_>, rows: &mut Rows, out: &mut [F32s; 4]) {
     mean_of_bytes(rows, channels, &planes, out);
 }
 
+/// Bytes of rows of which some cross the edge of the level.
+#[inline(always)]
+fn wrapped<S: Simd>(place: &Place<'_>, rows: &mut Rows, sums: &mut Sums) {
+    let level = place.level;
+    let apart = level.format.bytes() as u32;
+    while rows.number < rows.most {
+        let weights = rows.weights();
+        let [left, right] = offsets(place, rows);
+        let mut elsewhere = U32s::ZERO;
+        for lane in 0..LANES {
+            elsewhere[lane] = right[lane].wrapping_sub(left[lane]) ^ apart;
+        }
+        // Most rows do not.
+        if apart > 2 && !S::any(&elsewhere) {
+            S::weigh_pairs(&level.texels, &left, apart, &weights, sums);
+        } else {
+            let left = S::gather(&level.texels, &left);
+            let right = S::gather(&level.texels, &right);
+            S::weigh(&left, &right, &weights, sums);
+        }
+        rows.advance();
+    }
+}
+
+/// Where the two texels of a row begin.
+#[inline(always)]
+fn offsets(place: &Place<'_>, rows: &Rows) -> [U32s; 2] {
+    let level = place.level;
+    let (bytes, row) = (level.format.bytes() as u32, level.row_bytes() as u32);
+    let origin = level.origin() as u32;
+    let mut out = [U32s::ZERO; 2];
+    for (out, [x, y]) in out.iter_mut().zip(&rows.texels(place)) {
+        for lane in 0..LANES {
+            let line = y[lane].wrapping_mul(row) + origin;
+            out[lane] = x[lane].wrapping_mul(bytes).wrapping_add(line);
+        }
+    }
+    out
+}
+
 /// Other channels in words.
 #[inline(always)]
 fn words<S: Simd>(place: &Place<'_>, class: Class, rows: &mut Rows, out: &mut [F32s; 4]) {
     let level = place.level;
     let channels = level.format.channels();
     let mut means = Means::ZERO;
-    let mut walk = Walk::new::<S>(place, rows);
     while rows.number < rows.most {
         let weights = rows.weights();
-        let offsets = walk.both(rows, place);
+        let offsets = offsets(place, rows);
         let mut texels = [[F32s::ZERO; 4]; 2];
         for (texel, offsets) in texels.iter_mut().zip(&offsets) {
-            for word in 0..level.format.words() {
-                let mut at = *offsets;
-                for lane in 0..LANES {
-                    at[lane] = at[lane].wrapping_add(4 * word as u32);
-                }
-                of_texel::<S>(class, channels, word, &S::gather(&level.texels, &at), texel);
+            let mut word = 0;
+            while word + 1 < level.format.words() {
+                let two = S::gather_pairs(&level.texels, &moved(offsets, word));
+                of_texel::<S>(class, channels, word, &two[0], texel);
+                of_texel::<S>(class, channels, word + 1, &two[1], texel);
+                word += 2;
+            }
+            if word < level.format.words() {
+                let one = S::gather(&level.texels, &moved(offsets, word));
+                of_texel::<S>(class, channels, word, &one, texel);
             }
         }
         means.add(channels, &weights, [&texels[0], &texels[1]]);
         rows.advance();
-        walk.advance();
     }
     means.divide(rows, channels, out);
 }
 
-/// How byte offsets follow one another from row to row.
-#[expect(clippy::large_enum_variant, reason = "lives on one call's stack, where a box costs more")]
-enum Walk {
-    /// Rows within the level, whose two texels lie side by side.
-    Pairs {
-        /// Where the row begins.
-        line: U32s,
-        /// From row to row.
-        along: u32,
-    },
-    /// Within the level, along either axis.
-    Inside {
-        /// Where the row or column begins.
-        line: U32s,
-        /// To the next one.
-        along: U32s,
-        /// From texel to texel within it.
-        across: U32s,
-    },
-    /// Anywhere.
-    Wrapped,
+/// Compressed texels.
+#[inline(always)]
+fn blocks<S: Simd>(place: &Place<'_>, rows: &mut Rows, out: &mut [F32s; 4]) {
+    let channels = place.level.format.channels();
+    let mut means = Means::ZERO;
+    while rows.number < rows.most {
+        let mut texels = [[F32s::ZERO; 4]; 2];
+        for (texel, [x, y]) in texels.iter_mut().zip(&rows.texels(place)) {
+            fetch::stored::<S>(place.level, [x, y, &U32s::ZERO], texel);
+        }
+        means.add(channels, &rows.weights(), [&texels[0], &texels[1]]);
+        rows.advance();
+    }
+    means.divide(rows, channels, out);
 }
 
-impl Walk {
+/// Rows or columns within the level.
+struct Lines {
+    /// The byte where the first begins.
+    line: U32s,
+    /// Bytes from one to the next.
+    along: U32s,
+    /// Bytes from texel to texel, unless all lanes have rows.
+    across: Option<U32s>,
+}
+
+impl Lines {
+    /// `None` where some line crosses the edge.
     #[inline(always)]
-    fn new<S: Simd>(place: &Place<'_>, rows: &Rows) -> Self {
-        if !rows.are_inside::<S>(place) {
-            return Self::Wrapped;
+    fn new<S: Simd>(place: &Place<'_>, rows: &Rows) -> Option<Self> {
+        // The smallest levels are less than what is read at once.
+        if place.level.texels.len() < 8 || !rows.are_inside::<S>(place) {
+            return None;
         }
         let level = place.level;
         let (bytes, row) = (level.format.bytes() as u32, level.row_bytes() as u32);
         let origin = level.origin() as u32;
-        let mut line = U32s::ZERO;
+        let (mut line, mut along, mut across) = (U32s::ZERO, U32s::ZERO, U32s::ZERO);
         let mut turned = U32s::ZERO;
         for lane in 0..LANES {
             turned[lane] = !rows.along_t[lane];
-        }
-        if !S::any(&turned) {
-            for lane in 0..LANES {
-                line[lane] = (rows.along[lane] as u32).wrapping_mul(row) + origin;
-            }
-            return Self::Pairs { line, along: row };
-        }
-        let (mut along, mut across) = (U32s::ZERO, U32s::ZERO);
-        for lane in 0..LANES {
             along[lane] = if turned[lane] != 0 { bytes } else { row };
             across[lane] = if turned[lane] != 0 { row } else { bytes };
-            line[lane] = (rows.along[lane] as u32).wrapping_mul(along[lane]) + origin;
+            line[lane] = (rows.along[lane] as u32).wrapping_mul(along[lane]).wrapping_add(origin);
         }
-        Self::Inside { line, along, across }
-    }
-
-    /// The offsets of the left texels of rows.
-    #[inline(always)]
-    fn left(&self, rows: &Rows, place: &Place<'_>) -> U32s {
-        let mut out = U32s::ZERO;
-        match self {
-            Self::Pairs { line, .. } => {
-                let bytes = place.level.format.bytes() as u32;
-                for lane in 0..LANES {
-                    let column = (rows.across[lane] >> 16) as u32;
-                    out[lane] = line[lane].wrapping_add(column.wrapping_mul(bytes));
-                }
-            }
-            Self::Inside { line, across, .. } => {
-                for lane in 0..LANES {
-                    let number = (rows.across[lane] >> 16) as u32;
-                    out[lane] = line[lane].wrapping_add(number.wrapping_mul(across[lane]));
-                }
-            }
-            Self::Wrapped => {}
-        }
-        out
-    }
-
-    /// The offsets of both texels.
-    #[inline(always)]
-    fn both(&self, rows: &Rows, place: &Place<'_>) -> [U32s; 2] {
-        let level = place.level;
-        let (bytes, row) = (level.format.bytes() as u32, level.row_bytes() as u32);
-        let mut out = [U32s::ZERO; 2];
-        match self {
-            Self::Pairs { .. } => {
-                out[0] = self.left(rows, place);
-                for lane in 0..LANES {
-                    out[1][lane] = out[0][lane].wrapping_add(bytes);
-                }
-            }
-            Self::Inside { across, .. } => {
-                out[0] = self.left(rows, place);
-                for lane in 0..LANES {
-                    out[1][lane] = out[0][lane].wrapping_add(across[lane]);
-                }
-            }
-            Self::Wrapped => {
-                let origin = level.origin() as u32;
-                for (out, [x, y]) in out.iter_mut().zip(&rows.texels(place)) {
-                    for lane in 0..LANES {
-                        let line = y[lane].wrapping_mul(row) + origin;
-                        out[lane] = x[lane].wrapping_mul(bytes).wrapping_add(line);
-                    }
-                }
-            }
-        }
-        out
-    }
-
-    /// On to the next row.
-    #[inline(always)]
-    fn advance(&mut self) {
-        match self {
-            Self::Pairs { line, along } => {
-                for lane in 0..LANES {
-                    line[lane] = line[lane].wrapping_add(*along);
-                }
-            }
-            Self::Inside { line, along, .. } => {
-                for lane in 0..LANES {
-                    line[lane] = line[lane].wrapping_add(along[lane]);
-                }
-            }
-            Self::Wrapped => {}
-        }
+        Some(Self { line, along, across: S::any(&turned).then_some(across) })
     }
 }

@@ -1,19 +1,16 @@
 //! The rows that lanes cross on one level: places and weights as integers.
 //!
-//! Along the footprint a texel is 2^14 units, so that the weights of a row fit the halves of a word;
+//! Along the footprint a texel is [`ONE`], 2^14 units, so that the weights of a row fit the halves of a word;
 //! across it 2^16. A place is computed once, and goes on from row to row by additions, which are
 //! exact.
 
 use super::{LONGEST, Scan};
 use crate::image::Shape;
 use crate::lanes::math::{clamp, floor_small, max, min, to_i32};
-use crate::lanes::{F32s, I32s, LANES, Simd, U32s};
+use crate::lanes::{Beside, F32s, I32s, LANES, ONE, Simd, U32s, Walk, weights};
 use crate::sample::filter::Place;
 use crate::sample::wrap::Axis;
 use crate::sampler::Wrap;
-
-/// A texel along the footprint, and all of a row's weight.
-pub const ONE: i32 = 1 << 14;
 
 /// How far beyond the edge coordinates that do not repeat are told apart.
 const BEYOND: f32 = 64.0;
@@ -56,9 +53,8 @@ pub struct Rows {
     pub count: U32s,
     /// The sum of all weights.
     pub total: I32s,
-    /// The most rows of a lane, and the fewest.
+    /// The most rows of a lane.
     pub most: u32,
-    fewest: u32,
     /// Which row is next.
     pub number: u32,
 }
@@ -132,7 +128,6 @@ impl Rows {
             count: U32s::ZERO,
             total: I32s::ZERO,
             most: 0,
-            fewest: 0,
             number: 0,
         };
         for lane in 0..LANES {
@@ -163,7 +158,6 @@ impl Rows {
             rows.count[lane] = (total + before + ONE - 1 >> 14) as u32;
         }
         rows.most = S::largest(&rows.count);
-        rows.fewest = S::smallest(&rows.count);
         rows
     }
 
@@ -172,30 +166,27 @@ impl Rows {
     #[inline(always)]
     pub fn weights(&self) -> U32s {
         let mut out = U32s::ZERO;
-        if self.number > 0 && self.number + 1 < self.fewest {
-            // All of the row lies in the footprint, in every lane.
-            for lane in 0..LANES {
-                let right = self.right(lane);
-                out[lane] = ((right << 16) + (ONE - right)) as u32;
-            }
-            return out;
-        }
         for lane in 0..LANES {
-            let rest = self.rest[lane];
-            let rest = if rest < ONE { rest } else { ONE };
-            let weight = (if rest > 0 { rest } else { 0 }) - self.before[lane];
-            let right = (self.right(lane) * weight) >> 14;
-            out[lane] = ((right << 16) + (weight - right)) as u32;
+            let (across, rest) = (self.across[lane], self.rest[lane]);
+            out[lane] = weights(across, rest, self.before[lane], self.even[lane]);
         }
         out
     }
 
-    /// The weight of the right texel of a whole row.
+    /// All rows at once, from these bytes on.
     #[inline(always)]
-    fn right(&self, lane: usize) -> i32 {
-        let fraction = self.across[lane] >> 2 & (ONE - 1);
-        let even = self.even[lane];
-        even + ((fraction * (ONE - 2 * even)) >> 14)
+    pub fn walk<'a>(&'a self, line: &'a U32s, along: &'a U32s, beside: Beside<'a>) -> Walk<'a> {
+        Walk {
+            line,
+            along,
+            beside,
+            place: &self.across,
+            step: &self.step,
+            rest: &self.rest,
+            before: &self.before,
+            even: &self.even,
+            rows: self.most,
+        }
     }
 
     /// On to the next row.
