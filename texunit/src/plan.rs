@@ -103,13 +103,44 @@ pub(crate) enum Detail {
         bias: f32,
     },
     /// λ decides.
-    PerLane {
-        min: Filter,
-        mag: Filter,
-        range: LodRange,
-        /// The most probes of a footprint.
-        probes: u32,
-    },
+    PerLane { min: Filter, mag: Filter, range: LodRange, anisotropy: Anisotropy },
+}
+
+/// How footprints that are longer than wide are filtered.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Anisotropy {
+    /// As wide as they are long.
+    Off,
+    /// In so many samples along the major axis at most.
+    Probes(u32),
+    /// Row by row, up to this ratio of the axes.
+    Scan(u32),
+}
+
+impl Anisotropy {
+    /// `most` is the largest ratio of the axes.
+    fn new(shape: Shape, sampler: &Sampler, most: u32) -> Self {
+        let in_rows = |wrap: Wrap| match wrap_of(shape, sampler.seamless, wrap) {
+            Wrap::Repeat | Wrap::MirroredRepeat | Wrap::ClampToEdge => true,
+            Wrap::Clamp | Wrap::ClampToBorder | Wrap::MirrorClamp | Wrap::MirrorClampToEdge => {
+                false
+            }
+        };
+        let filters = [sampler.min, sampler.mag] == [Filter::Linear; 2];
+        match shape {
+            _ if most == 1 => Self::Off,
+            Shape::D2 | Shape::Rect
+                if filters && in_rows(sampler.wrap[0]) && in_rows(sampler.wrap[1]) =>
+            {
+                Self::Scan(most)
+            }
+            // A line has no minor axis.
+            Shape::D1 | Shape::D1Array => Self::Off,
+            Shape::D2 | Shape::D3 | Shape::Rect | Shape::Cube | Shape::D2Array => {
+                Self::Probes(most)
+            }
+        }
+    }
 }
 
 impl SamplePlan {
@@ -247,15 +278,19 @@ impl Texture {
         let levels = levels(image, reached.base, detail.last_level());
         let base = &levels[0][0];
         let (format, size) = (base.format, base.size());
-        if let (true, Detail::PerLane { probes, .. }) = (format.is_integer(), &mut detail) {
-            // Probes are averaged, which the bits of integers cannot be.
-            *probes = 1;
+        let compare = if format.is_depth() { sampler.compare } else { None };
+        if let Detail::PerLane { anisotropy, .. } = &mut detail {
+            *anisotropy = match *anisotropy {
+                // Texels are averaged, which the bits of integers cannot be.
+                _ if format.is_integer() => Anisotropy::Off,
+                Anisotropy::Scan(most) if compare.is_some() => Anisotropy::Probes(most),
+                any @ (Anisotropy::Off | Anisotropy::Probes(_) | Anisotropy::Scan(_)) => any,
+            };
         }
         let mut border = [0.0; 4];
         for (channel, (to, &from)) in border.iter_mut().zip(format.base().sources()).enumerate() {
             *to = border_channel(format, channel, sampler.border, from);
         }
-        let compare = if format.is_depth() { sampler.compare } else { None };
         Ok(Self {
             shape,
             format,
@@ -313,15 +348,21 @@ impl Texture {
             Detail::Fixed { filter, level, why, bias: _ } => {
                 line += &format!(", {filter:?} of level {level} (from the base), no LOD: {why}");
             }
-            Detail::PerLane { min, mag, range, probes } => {
+            Detail::PerLane { min, mag, range, anisotropy } => {
                 let LodRange { mipmap, last, magnified_to, .. } = range;
                 line += &format!(
                     ", min {min:?} mipmap {mipmap:?} of levels 0 to {last} (from the base), \
                      mag {mag:?} up to lambda {magnified_to}, LOD per lane"
                 );
-                if *probes > 1 {
-                    line += &format!(", up to {probes} probes along the major axis");
-                }
+                line += &match anisotropy {
+                    Anisotropy::Off => String::new(),
+                    Anisotropy::Probes(most) => {
+                        format!(", up to {most} probes along the major axis")
+                    }
+                    Anisotropy::Scan(most) => {
+                        format!(", row by row along the major axis up to {most} times the minor")
+                    }
+                };
             }
         }
         line
@@ -398,17 +439,13 @@ impl Detail {
             | (Filter::Nearest, _, _) => 0.0,
         };
         let fixed = |filter, why| Self::Fixed { filter, level: 0, why, bias: sampler.lod_bias };
-        // A line has no minor axis.
-        let probes = match shape {
-            Shape::D1 | Shape::D1Array => 1,
-            Shape::D2 | Shape::D3 | Shape::Rect | Shape::Cube | Shape::D2Array => {
-                clamp(sampler.max_anisotropy, 1.0, MAX_ANISOTROPY) as u32
-            }
-        };
-        if probes == 1 && sampler.max_lod <= magnified_to {
+        let most = clamp(sampler.max_anisotropy, 1.0, MAX_ANISOTROPY) as u32;
+        let anisotropy = Anisotropy::new(shape, sampler, most);
+        let is_off = anisotropy == Anisotropy::Off;
+        if is_off && sampler.max_lod <= magnified_to {
             return fixed(mag, "the largest LOD never leaves magnification");
         }
-        if probes == 1 && min == mag {
+        if is_off && min == mag {
             match mipmap {
                 Mipmap::None => return fixed(mag, "both filters are alike and without mipmaps"),
                 Mipmap::Nearest | Mipmap::Linear if last == 0 => {
@@ -428,7 +465,7 @@ impl Detail {
         // No λ is above `max`, so no level above that one's is read.
         let ([first, second], _) = range.levels(&F32s::splat(range.max));
         range.last = first[0].max(second[0]);
-        Self::PerLane { min, mag, range, probes }
+        Self::PerLane { min, mag, range, anisotropy }
     }
 
     /// The last level that is read, counted from the base level.

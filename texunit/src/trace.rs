@@ -58,6 +58,20 @@ pub enum SampleStep {
         /// λ of each probe before the bias.
         lambda: f32,
     },
+    /// An anisotropic footprint that is read row by row, or column by column
+    /// (EXT_texture_filter_anisotropic).
+    Scan {
+        /// The square of the longer axis, in texels.
+        major_squared: f32,
+        /// The square of the shorter axis.
+        minor_squared: f32,
+        /// The axis along which one texel follows the other: 0 for s (columns), 1 for t (rows).
+        along: usize,
+        /// Texels across per texel along.
+        slope: f32,
+        /// λ before the bias.
+        lambda: f32,
+    },
     /// λ as the shader gave it.
     Explicit(f32),
     /// The bias added and the result held in the sampler's range (equations 3.18 and 3.19).
@@ -103,6 +117,20 @@ pub enum SampleStep {
         size: [u32; 3],
         /// The filter on it.
         filter: Filter,
+    },
+    /// The rows or columns of a level, which come next.
+    Rows {
+        /// How many there are.
+        rows: u32,
+        /// How much of them lies within the footprint, in texels.
+        length: f32,
+    },
+    /// A row or column, whose two texels come next.
+    Row {
+        /// Which, from 0 on.
+        number: u32,
+        /// The weights of its texels in the level's mean.
+        weights: [f32; 2],
     },
     /// A texel that is read (section 3.8.8).
     Texel {

@@ -1,80 +1,153 @@
-//! The anisotropic filter: `N` probes along the major axis of the footprint.
+//! The anisotropic filter: the rows (or columns) that the footprint crosses, a pair of texels of each.
 //!
-//! EXT_texture_filter_anisotropic leaves the scheme to the implementation. DetGL's: with the
-//! singular values `σ₁ ≥ σ₂` of `J = (∂(u,v)/∂x, ∂(u,v)/∂y)`, `N = min(⌈σ₁/σ₂ - 1/64⌉, limit)`
-//! probes, each with `λ = log2 m` of `m = max(σ₂, σ₁/N)`, `g = √((σ₁² - m²)/(N² - 1))` texels apart
-//! and weighted alike: the second moment of the row is that of the pixel's footprint, `σ₁²/12`.
+//! EXT_texture_filter_anisotropic leaves the scheme to the implementation. DetGL's, for images in a
+//! plane: with the footprint's second moments `C = J·Jᵀ` of eigenvalues `σ₁² ≥ σ₂²`, its limit `A`,
+//! the width `m² = max(σ₂², σ₁²/A²)` and the elongation `ε = 1 - m²/σ₁²`, levels are those of
+//! `λ = ½ log2(m² + ε (1 - 9/16 m²))`. The excess is `κ (C - σ₂² I)`, `κ = (σ₁² - m²)/(σ₁² - σ₂²)`; with
+//! its moments `a²` along the axis of the larger one and `c` between both, a level of texels of size
+//! `x` gives `L = √(1 + a²/x²)` rows, weighted by what lies within `L/2` of the sample, each
+//! `c / (max(m², 1) + a²)` texels beside the one before. The two texels of a row weigh `1 - w` and
+//! `w = b + (1 - 2b) α`, with `b = 7/16 slope² min(m², 1)`.
 
-use super::lod::Derivatives;
-use super::sample::{self, Sampler};
+use super::lod::{self, Derivatives, Levels};
+use super::sample::Sampler;
 use super::texture::Level;
 use crate::mutation::{Mutation, Variant};
 
-/// The probes of a footprint.
+/// How a footprint crosses the texels.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Probes {
-    /// How many.
-    pub count: usize,
-    /// λ of each.
+pub struct Footprint {
+    /// The axis along which texels follow one another: 0 for s (columns), 1 for t (rows).
+    pub along: usize,
+    /// `a²`.
+    pub excess: f64,
+    /// Texels across per texel along.
+    pub slope: f64,
+    /// `b`.
+    pub even: f64,
+    /// λ.
     pub lambda: f64,
-    /// From one to the next, in (s, t).
-    pub step: [f64; 2],
     /// `σ₁/σ₂`.
     pub ratio: f64,
+    /// How much larger one moment is than the other, over their sum: at 0 columns become rows.
+    pub lead: f64,
 }
 
-/// The probes of a footprint on a base level of this size.
-pub fn probes(d: &Derivatives, size: [usize; 2], limit: f64, variant: Variant) -> Probes {
-    let texels = |v: [f64; 2]| [v[0] * size[0] as f64, v[1] * size[1] as f64];
-    let (x, y) = (texels(d.dx), texels(d.dy));
-    // The metric JᵀJ and its eigenvalues.
+/// The footprint on a base level of this size.
+pub fn footprint(d: &Derivatives, size: [usize; 2], limit: f64, variant: Variant) -> Footprint {
+    let texels = |axis: usize| [d.dx[axis], d.dy[axis]].map(|c| c * size[axis] as f64);
+    let (u, v) = (texels(0), texels(1));
     let dot = |a: [f64; 2], b: [f64; 2]| a[0] * b[0] + a[1] * b[1];
-    let (xx, xy, yy) = (dot(x, x), dot(x, y), dot(y, y));
-    let root = (((xx - yy) / 2.0).powi(2) + xy * xy).sqrt();
-    let major = ((xx + yy) / 2.0 + root).sqrt();
-    let minor = ((xx + yy) / 2.0 - root).max(0.0).sqrt();
-    let ratio = major / minor;
-    if ratio <= 1.0 + 1.0 / 64.0 || variant.has(Mutation::AnisotropyIgnored) {
-        return Probes { count: 1, lambda: major.log2(), step: [0.0; 2], ratio };
-    }
+    let (uu, uv, vv) = (dot(u, u), dot(u, v), dot(v, v));
+    let root = ((0.5 * (uu - vv)).powi(2) + uv * uv).sqrt();
+    let major = 0.5 * (uu + vv) + root;
+    let minor = (0.5 * (uu + vv) - root).max(0.0);
+    let ratio = (major / minor).sqrt();
+    let lead = (uu - vv).abs() / (uu + vv);
+    let round = 0.5 * major.log2();
     let limit = if variant.has(Mutation::AnisotropyUnlimited) { 16.0 } else { limit };
-    let n = (ratio - 1.0 / 64.0).ceil().clamp(2.0, limit);
-    let m = minor.max(major / n);
-    // The unit vector of the pixel that is stretched the most.
-    let angle = 0.5 * (2.0 * xy).atan2(xx - yy);
-    let along = if variant.has(Mutation::AnisotropyAcross) {
-        [-angle.sin(), angle.cos()]
-    } else {
-        [angle.cos(), angle.sin()]
-    };
-    let gap = if variant.has(Mutation::ProbesTouch) {
-        major / n / major
-    } else {
-        ((1.0 - (m / major).powi(2)) / (n * n - 1.0)).sqrt()
-    };
-    let step = [0, 1].map(|c| gap * (d.dx[c] * along[0] + d.dy[c] * along[1]));
-    let lambda = if variant.has(Mutation::LambdaOfMajor) { major.log2() } else { m.log2() };
-    Probes { count: n as usize, lambda, step, ratio }
+    let width = minor.max(major / (limit * limit));
+    if major <= width || variant.has(Mutation::AnisotropyIgnored) {
+        let along = usize::from(vv > uu);
+        return Footprint { along, excess: 0.0, slope: 0.0, even: 0.0, lambda: round, ratio, lead };
+    }
+    // C turned by a right angle has the axes exchanged.
+    let across = variant.has(Mutation::AnisotropyAcross);
+    let (uu, uv, vv) = if across { (vv, -uv, uu) } else { (uu, uv, vv) };
+    let part = (major - width) / (major - minor);
+    let excess = part * (uu.max(vv) - minor);
+    let slope = part * uv / (width.max(1.0) + excess);
+    let elongation = 1.0 - width / major;
+    let squared = width + elongation * (1.0 - 9.0 / 16.0 * width);
+    Footprint {
+        along: usize::from(vv > uu),
+        excess,
+        slope: if variant.has(Mutation::RowsUpright) { 0.0 } else { slope },
+        even: if variant.has(Mutation::RowsUneven) {
+            0.0
+        } else {
+            7.0 / 16.0 * slope * slope * width.min(1.0)
+        },
+        lambda: if variant.has(Mutation::LambdaOfMajor) { round } else { 0.5 * squared.log2() },
+        ratio,
+        lead,
+    }
 }
 
-/// The mean of the probes.
+/// The filtered colour of an image that repeats.
 pub fn sample(
     image: &[Level],
     sampler: &Sampler,
     st: [f64; 2],
-    probes: &Probes,
+    footprint: &Footprint,
     variant: Variant,
 ) -> [f64; 4] {
-    let mut sum = [0.0; 4];
-    for k in 0..probes.count {
-        let at = k as f64 - (probes.count - 1) as f64 / 2.0;
-        let st = [0, 1].map(|c| st[c] + at * probes.step[c]);
-        let probe = sample::at_lambda(image, sampler, st, probes.lambda, variant);
-        for (sum, c) in sum.iter_mut().zip(probe) {
-            *sum += c / probes.count as f64;
+    let base = &image[sampler.range.base];
+    let read = |level: usize| rows(base, &image[level], st, footprint, variant).0;
+    match lod::levels(footprint.lambda, sampler.filters, sampler.range, variant) {
+        Levels::One(level, _) => read(level),
+        Levels::Two(levels, weight, _) => {
+            let [a, b] = levels.map(read);
+            std::array::from_fn(|c| (1.0 - weight) * a[c] + weight * b[c])
         }
     }
-    sum
+}
+
+/// How near a sample comes to a step of its formula, in texels: where a row crosses a texel's centre,
+/// the weights of its pair jump; and where columns become rows.
+pub fn nearest_step(
+    image: &[Level],
+    sampler: &Sampler,
+    st: [f64; 2],
+    footprint: &Footprint,
+) -> f64 {
+    let base = &image[sampler.range.base];
+    let near = |level: usize| rows(base, &image[level], st, footprint, Variant::TRUE).1;
+    let near = match lod::levels(footprint.lambda, sampler.filters, sampler.range, Variant::TRUE) {
+        Levels::One(level, _) => near(level),
+        Levels::Two([a, b], ..) => near(a).min(near(b)),
+    };
+    near.min(footprint.lead)
+}
+
+/// The mean of a level's rows, and how near a row comes to a texel's centre.
+fn rows(
+    base: &Level,
+    level: &Level,
+    st: [f64; 2],
+    footprint: &Footprint,
+    variant: Variant,
+) -> ([f64; 4], f64) {
+    let size = [level.width, level.height];
+    let part = [0, 1].map(|c| size[c] as f64 / [base.width, base.height][c] as f64);
+    let (along, across) = (footprint.along, 1 - footprint.along);
+    let place = [0, 1].map(|c| st[c] * size[c] as f64);
+    let slope = (footprint.slope * part[across] / part[along]).clamp(-2.0, 2.0);
+    let length = (1.0 + footprint.excess * part[along] * part[along]).sqrt().min(48.0);
+    let (low, high) = (place[along] - length / 2.0, place[along] + length / 2.0);
+    let (mut sum, mut weights, mut near) = ([0.0; 4], 0.0, f64::INFINITY);
+    let mut row = low.floor();
+    while row < high {
+        let weight = match variant.has(Mutation::RowsWhole) {
+            true => 1.0,
+            false => high.min(row + 1.0) - low.max(row),
+        };
+        let x = place[across] + slope * (row + 0.5 - place[along]) - 0.5;
+        if footprint.even > 0.0 {
+            near = near.min((x - x.round()).abs());
+        }
+        let right = footprint.even + (1.0 - 2.0 * footprint.even) * (x - x.floor());
+        for (i, part) in [(x.floor(), 1.0 - right), (x.floor() + 1.0, right)] {
+            let mut at = [0; 2];
+            at[along] = (row as i64).rem_euclid(size[along] as i64) as usize;
+            at[across] = (i as i64).rem_euclid(size[across] as i64) as usize;
+            let texel = level.texel(at[0], at[1]);
+            (0..4).for_each(|c| sum[c] += weight * part * texel[c]);
+        }
+        weights += weight;
+        row += 1.0;
+    }
+    (sum.map(|c| c / weights), near)
 }
 
 #[cfg(test)]
@@ -82,10 +155,23 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_row_of_touching_boxes() {
+    fn four_texels_along_s_are_columns_without_slope() {
         let d = Derivatives { dx: [4.0 / 64.0, 0.0], dy: [0.0, 1.0 / 64.0] };
-        let probes = probes(&d, [64, 64], 16.0, Variant::TRUE);
-        assert_eq!((probes.count, probes.lambda), (4, 0.0));
-        assert!((probes.step[0] * 64.0 - 1.0).abs() < 1e-12 && probes.step[1].abs() < 1e-12);
+        let got = footprint(&d, [64, 64], 16.0, Variant::TRUE);
+        assert_eq!((got.along, got.excess, got.slope, got.even), (0, 15.0, 0.0, 0.0));
+        let image = [Level::from_fn(64, 64, |i, _| [if i < 3 { 255 } else { 0 }; 4])];
+        // Four columns about the middle of texel 1: half of texel -1, three, and half of texel 3.
+        let (mean, _) = rows(&image[0], &image[0], [1.5 / 64.0; 2], &got, Variant::TRUE);
+        assert!((mean[0] - 0.75).abs() < 1e-12, "{mean:?}");
+    }
+
+    #[test]
+    fn a_round_footprint_has_the_weights_of_a_bilinear_filter() {
+        let d = Derivatives { dx: [2.0 / 64.0, 0.0], dy: [0.0, 2.0 / 64.0] };
+        let got = footprint(&d, [64, 64], 16.0, Variant::TRUE);
+        assert_eq!((got.excess, got.slope, got.even, got.lambda), (0.0, 0.0, 0.0, 1.0));
+        let image = [Level::from_fn(64, 64, |i, j| [(i * 3 + j) as u8; 4])];
+        let (mean, _) = rows(&image[0], &image[0], [10.7 / 64.0, 9.1 / 64.0], &got, Variant::TRUE);
+        assert!((mean[0] * 255.0 - (10.2 * 3.0 + 8.6)).abs() < 1e-9, "{mean:?}");
     }
 }

@@ -62,6 +62,8 @@ const KEPT_SINGLE: usize = 64;
 #[derive(Debug, Default)]
 struct Told {
     pipeline: Option<PipelineDesc>,
+    /// The attributes that the pipeline reads, bit by location.
+    attributes: u64,
     words: Option<Arc<[u32]>>,
     raster: Option<Arc<RasterState>>,
     viewport: Option<Viewport>,

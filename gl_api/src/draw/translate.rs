@@ -105,6 +105,7 @@ fn record(
     }
     if context.recorder.told.pipeline.as_ref() != Some(&desc) {
         let pipeline = pipeline(context, &desc)?;
+        context.recorder.told.attributes = pipeline.attributes().fold(0, |all, at| all | bit(at));
         context.recorder.push(Command::BindPipeline(pipeline));
         context.recorder.told.pipeline = Some(desc);
     }
@@ -117,6 +118,7 @@ fn record(
         commands.push(Command::SetUniforms(Arc::clone(&shared)));
         told.words = Some(shared);
     }
+    let read = told.attributes | raster.polygon.edge_flag.map_or(0, bit);
     if told.raster.as_deref() != Some(&raster) {
         let shared = Arc::new(raster);
         commands.push(Command::SetRaster(Arc::clone(&shared)));
@@ -132,7 +134,8 @@ fn record(
         commands.push(Command::SetCounter(recorder.counter.clone()));
         told.counter.clone_from(&recorder.counter);
     }
-    commands.push(Command::BindVertices(vertices.into()));
+    let vertices = vertices.into_iter().filter(|binding| read & bit(binding.location) != 0);
+    commands.push(Command::BindVertices(vertices.collect()));
     commands.push(Command::BindTextures {
         vertex: stages.vertex_textures,
         fragment: stages.fragment_textures,
@@ -146,6 +149,11 @@ fn record(
         }
     });
     Ok(())
+}
+
+/// A location in a set of attributes.
+fn bit(location: u8) -> u64 {
+    1_u64.checked_shl(location.into()).unwrap_or(0)
 }
 
 fn viewport(context: &Context) -> Viewport {

@@ -58,6 +58,11 @@ fn steps(page: &mut Page, trace: &SampleTrace) {
             texel(step, &mut weights, &mut texels);
             continue;
         }
+        if let SampleStep::Row { weights: of, .. } = step {
+            // All rows of a level are one table.
+            weights.extend(of);
+            continue;
+        }
         if !texels.is_empty() {
             page.table(5, &std::mem::take(&mut texels));
         }
@@ -138,6 +143,18 @@ fn one(page: &mut Page, step: &SampleStep, weights: &mut Vec<f32>) {
             );
             page.line(3, &text, section);
         }
+        SampleStep::Scan { major_squared, minor_squared, along, slope, lambda } => {
+            let section = "EXT_texture_filter_anisotropic";
+            let (major, minor) = (number(major_squared.sqrt()), number(minor_squared.sqrt()));
+            page.line(3, &format!("footprint: {major} texels long, {minor} wide"), section);
+            let lines = ["columns", "rows"][along % 2];
+            let text = format!(
+                "read in {lines}, each {} texels beside the last, λ = {}",
+                number(slope),
+                number(lambda)
+            );
+            page.line(3, &text, section);
+        }
         SampleStep::Explicit(lambda) => {
             page.line(3, &format!("λ = {}, given", number(lambda)), "GLSL 1.30, section 8.7");
         }
@@ -173,6 +190,13 @@ fn one(page: &mut Page, step: &SampleStep, weights: &mut Vec<f32>) {
             let depth = if depth > 1 { format!("×{depth}") } else { String::new() };
             page.line(3, &format!("level {level}, {width}×{height}{depth}"), "");
         }
+        SampleStep::Rows { rows, length } => {
+            weights.clear();
+            let text =
+                format!("{rows} of its rows or columns, {} in the footprint", number(length));
+            page.line(4, &text, "EXT_texture_filter_anisotropic");
+        }
+        SampleStep::Row { .. } => {}
         SampleStep::Nearest { u } => {
             weights.clear();
             let text = format!("(u, v, w) = {}: the texel is its floor", numbers(&u));

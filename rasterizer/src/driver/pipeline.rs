@@ -252,6 +252,21 @@ pub(crate) struct Compiled {
 }
 
 impl Pipeline {
+    /// The locations of the attributes that the vertex program reads; bindings of others do nothing.
+    pub fn attributes(&self) -> impl Iterator<Item = u8> {
+        self.0.vertex.inputs().iter().filter_map(|input| match *input {
+            Input::Attribute { location, .. } => Some(location),
+            Input::VertexId
+            | Input::InstanceId
+            | Input::Varying(_)
+            | Input::Slope { .. }
+            | Input::FragCoord(_)
+            | Input::FrontFacing
+            | Input::PointCoord(_)
+            | Input::Coverage => None,
+        })
+    }
+
     /// Checks and compiles.
     ///
     /// # Errors

@@ -3,7 +3,7 @@
 
 use super::interpolate::{PlaneSetup, PlaneSource, Planes};
 use super::lanes::ShapeLanes;
-use super::small::Windows;
+use super::small::{REACHED, Windows};
 use crate::primitive::{SUBPIXEL, Shape};
 use crate::vertex::{Geometry, VARYINGS};
 use texunit::lanes::{F32s, Isa, Kernel, LANES, Simd, U32s};
@@ -32,8 +32,8 @@ pub struct PlaneGroup {
 /// A plane of each shape in the blocks that its window reaches into.
 #[derive(Clone, Debug)]
 struct WindowPlane {
-    /// At the first pixel of the window's first block, the one on its right, and those above.
-    corners: [F32s; 4],
+    /// At the first pixel of each of the blocks, row by row.
+    corners: [F32s; REACHED * REACHED],
     /// Per pixel across.
     a: F32s,
     /// Per pixel up.
@@ -87,11 +87,11 @@ impl PlaneGroup {
         }
     }
 
-    /// As [`Self::at`], of the first pixel of one of the four blocks that the window of the shape
-    /// `lane` may reach into: bit 0 of `block` is set for those on the right, bit 1 for the upper.
+    /// As [`Self::at`], of the first pixel of one of the blocks that the window of the shape `lane`
+    /// may reach into.
     #[inline]
     pub fn in_window(&self, lane: usize, block: usize) -> impl Iterator<Item = [f32; 3]> {
-        let (lane, block) = (lane % LANES, block % 4);
+        let (lane, block) = (lane % LANES, block % (REACHED * REACHED));
         self.windows
             .iter()
             .map(move |plane| [plane.corners[block][lane], plane.a[lane], plane.b[lane]])
@@ -145,7 +145,7 @@ impl PlaneGroup {
     /// Evaluates the planes in the blocks of windows of the tile whose first pixel is `tile`.
     pub fn enter(&mut self, isa: Isa, tile: [i32; 2], windows: &Windows) {
         const NONE: WindowPlane =
-            WindowPlane { corners: [F32s::ZERO; 4], a: F32s::ZERO, b: F32s::ZERO };
+            WindowPlane { corners: [F32s::ZERO; REACHED * REACHED], a: F32s::ZERO, b: F32s::ZERO };
         self.windows.resize(self.planes.len(), NONE);
         let Self { planes, windows: out, lanes, .. } = self;
         isa.run(Enter { tile, windows, origin: &lanes.origin, planes, out });
@@ -339,29 +339,30 @@ impl Kernel for Enter<'_> {
     #[inline(always)]
     fn run<S: Simd>(self) {
         let Self { tile, windows, origin, planes, out } = self;
-        // From the origin to the first pixel of a block and of the next.
-        let mut d = [[ZERO; 2]; 2];
+        // From the origin to the first pixel of each block.
+        let mut d = [[ZERO; REACHED]; 2];
         for axis in 0..2 {
-            for lane in 0..LANES {
-                let block = windows.quads[axis][lane] & !3;
-                let first = f64::from(tile[axis] + 2 * block);
-                d[axis][0][lane] = first + 0.5 - origin[axis][lane];
-                d[axis][1][lane] = (first + 8.0) + 0.5 - origin[axis][lane];
+            for (block, d) in (0..).zip(&mut d[axis]) {
+                for lane in 0..LANES {
+                    let first = 2 * (windows.quads[axis][lane] & !3) + 8 * block;
+                    d[lane] = f64::from(tile[axis] + first) + 0.5 - origin[axis][lane];
+                }
             }
         }
-        let [[near_x, far_x], [near_y, far_y]] = &d;
+        let [across, up] = windows.further.map(|blocks| blocks.min(REACHED - 1));
         for ([a, b, c], out) in planes.iter().zip(out) {
             for lane in 0..LANES {
                 out.a[lane] = a[lane] as f32;
                 out.b[lane] = b[lane] as f32;
             }
-            let [first, right, above, last] = &mut out.corners;
-            for lane in 0..LANES {
-                let at = |dx: f64, dy: f64| ((dx * a[lane] + dy * b[lane]) + c[lane]) as f32;
-                first[lane] = at(near_x[lane], near_y[lane]);
-                right[lane] = at(far_x[lane], near_y[lane]);
-                above[lane] = at(near_x[lane], far_y[lane]);
-                last[lane] = at(far_x[lane], far_y[lane]);
+            for row in 0..=up {
+                for column in 0..=across {
+                    let ([x, y], to) = (&d, &mut out.corners[row * REACHED + column]);
+                    let (x, y) = (&x[column], &y[row]);
+                    for lane in 0..LANES {
+                        to[lane] = ((x[lane] * a[lane] + y[lane] * b[lane]) + c[lane]) as f32;
+                    }
+                }
             }
         }
     }
@@ -443,16 +444,20 @@ mod tests {
                 lanes.load(std::iter::once(shape));
                 alone.compute(isa, &setup, &geometry, &lanes, std::iter::once(shape));
                 let mut at_block = [[0.0; 3]; 5];
-                for block in 0..4 {
+                for (row, column) in (0..9).map(|block| (block / 3, block % 3)) {
+                    if column > windows.further[0] || row > windows.further[1] {
+                        continue;
+                    }
+                    let block = row * 3 + column;
                     let [x, y] = [0, 1].map(|axis| {
                         let first = 2 * (windows.quads[axis][lane] & !3);
-                        [320, 192][axis] + first + 8 * (block >> axis & 1)
+                        [320, 192][axis] + first + 8 * [column, row][axis] as i32
                     });
                     alone.at(0, x, y, &mut at_block);
                     let bits = |planes: &[[f32; 3]]| {
                         planes.concat().into_iter().map(f32::to_bits).collect::<Vec<_>>()
                     };
-                    let entered: Vec<_> = together.in_window(lane, block as usize).collect();
+                    let entered: Vec<_> = together.in_window(lane, block).collect();
                     assert_eq!(bits(&entered), bits(&at_block), "{} {lane}", isa.name());
                 }
                 assert_eq!(bits(&together, lane), bits(&alone, 0), "{} {lane}", isa.name());

@@ -392,7 +392,10 @@ impl BatchDepth<'_> {
     fn fill(self, places: &impl Places) {
         let Self { plane, offset, depth, .. } = self;
         let plane = places.plane(plane);
-        let mut out = evaluate_plane(places, |e, q| moved(plane(e, q), offset));
+        let mut out = match offset {
+            None => evaluate_plane(places, plane),
+            Some(by) => evaluate_plane(places, |e, q| moved(plane(e, q), Some(by))),
+        };
         clamp_depth(&mut out);
         *depth = out;
     }

@@ -10,7 +10,7 @@ use crate::primitive::Facing;
 use crate::target::{BLOCKS, Place};
 use texunit::lanes::{F32s, Isa, Kernel, LANES, Simd};
 
-/// Lanes whose plane is written at once: those after the last pixel are written over by the next.
+/// Lanes that are written at once: those after the last pixel are written over by the next.
 const AT_ONCE: usize = 4;
 /// Room for that.
 const ROOM: usize = LANES + AT_ONCE;
@@ -29,10 +29,10 @@ pub struct PixelPlane {
 pub struct Pixels {
     /// How many.
     len: usize,
-    /// Which lanes they are, when they are a batch.
-    masks: SampleMasks,
     /// Where each is: its block of the tile times 64, and its lane there.
-    at: [u16; LANES],
+    at: [u16; ROOM],
+    /// The lanes that there are, once they are a batch.
+    masks: SampleMasks,
     /// Those of back faces, bit by lane.
     pub back: u64,
     pub planes: Vec<PixelPlane>,
@@ -50,8 +50,8 @@ impl Default for Pixels {
     fn default() -> Self {
         Self {
             len: 0,
+            at: [0; ROOM],
             masks: SampleMasks::none(1),
-            at: [0; LANES],
             back: 0,
             planes: Vec::new(),
             within: [F32s::ZERO; 2],
@@ -120,14 +120,25 @@ impl Pixels {
         planes: impl Iterator<Item = [f32; 3]>,
     ) -> u64 {
         let first = self.len % LANES;
-        let mut left = lanes;
-        let mut len = first;
-        while left != 0 && len < LANES {
-            self.at[len] = (block * LANES) as u16 | left.trailing_zeros() as u16;
-            left &= left - 1;
-            len += 1;
+        let room = LANES - first;
+        let mut rest = 0;
+        if lanes.count_ones() as usize > room {
+            rest = lanes;
+            for _ in 0..room {
+                rest &= rest - 1;
+            }
         }
+        let mut left = lanes & !rest;
+        let len = first + left.count_ones() as usize;
         self.len = len;
+        self.waiting[block % BLOCKS] |= left;
+        self.blocks |= 1 << (block % BLOCKS);
+        for at in (first..len).step_by(AT_ONCE) {
+            for to in &mut self.at[at..at + AT_ONCE] {
+                *to = (block * LANES) as u16 | left.trailing_zeros() as u16;
+                left &= left.wrapping_sub(1);
+            }
+        }
         for (plane, [corner, a, b]) in self.planes.iter_mut().zip(planes) {
             for at in (first..len).step_by(AT_ONCE) {
                 plane.corner[at..at + AT_ONCE].fill(corner);
@@ -135,12 +146,10 @@ impl Pixels {
                 plane.b[at..at + AT_ONCE].fill(b);
             }
         }
-        self.waiting[block % BLOCKS] |= lanes & !left;
-        self.blocks |= 1 << (block % BLOCKS);
         if facing == Facing::Back {
             self.back |= self.mask() & !0 << first;
         }
-        left
+        rest
     }
 }
 

@@ -1,11 +1,15 @@
 //! Small triangles: what up to 64 of them cover of a tile, computed together.
 //!
-//! A triangle is small when all that it may cover of the tile lies in a window of 8×8 pixels that
+//! A triangle is small when all that it may cover of the tile lies in a window of 16×16 pixels that
 //! begins at a quad (not at a block). Its edge functions then fit 32 bits from the start, nothing
-//! has to be asked of blocks, and its quads go straight into the batch that waits.
+//! has to be asked of blocks, and its pixels go straight into the batch that waits. A window has four
+//! parts of 8×8 pixels, in the order of a block's lanes; as many quads are looked at as the largest
+//! triangle of the 64 may reach.
 
+use super::batch::quads_of;
 use super::coverage::lane_at;
 use super::lanes::ShapeLanes;
+use super::tile::DENSE;
 use crate::primitive::SUBPIXEL;
 use crate::target::TILE;
 use texunit::lanes::{I32s, Isa, Kernel, LANES, QUADS, Simd, U32s};
@@ -14,40 +18,46 @@ use texunit::lanes::{I32s, Isa, Kernel, LANES, QUADS, Simd, U32s};
 /// such distances, and the sum of two of these, fit an `i32`.
 const REACH: i32 = 1 << 14;
 
-/// Lanes of the pixels from a window's column (axis 0) or row (axis 1) 0 or 1 to another.
-const fn spans(axis: usize) -> [[u64; 8]; 2] {
-    let mut table = [[0; 8]; 2];
-    let mut first = 0;
-    while first < 2 {
-        let mut last = first;
-        while last < 8 {
-            let mut at = 0;
-            while at < 64 {
-                let pixel = [at % 8, at / 8];
-                if pixel[axis] >= first && pixel[axis] <= last {
-                    table[first][last] |= 1 << lane_at(pixel[0], pixel[1]);
-                }
-                at += 1;
-            }
-            last += 1;
+/// Quads along a side of a window.
+const SIDE: usize = 8;
+/// Pixels along it.
+const PIXELS: usize = 2 * SIDE;
+/// Blocks along a side that a window can reach into.
+pub const REACHED: usize = 3;
+
+/// Lanes of the pixels from a window's column (axis 0) or row (axis 1) 0 or 1 to another, in each half
+/// of it.
+const fn spans(axis: usize) -> [[[u64; 2]; PIXELS]; 2] {
+    let mut table = [[[0; 2]; PIXELS]; 2];
+    let mut at = 0;
+    while at < 2 * PIXELS * 128 {
+        let (first, last) = (at / 128 / PIXELS, at / 128 % PIXELS);
+        let (half, pixel) = (at % 128 / 64, [at % 8, at / 8 % 8]);
+        let along = half * 8 + pixel[axis];
+        if along >= first && along <= last {
+            table[first][last][half] |= 1 << lane_at(pixel[0], pixel[1]);
         }
-        first += 1;
+        at += 1;
     }
     table
 }
 
-const COLUMNS: [[u64; 8]; 2] = spans(0);
-const ROWS: [[u64; 8]; 2] = spans(1);
+const COLUMNS: [[[u64; 2]; PIXELS]; 2] = spans(0);
+const ROWS: [[[u64; 2]; PIXELS]; 2] = spans(1);
 
 /// The windows of up to 64 shapes.
 #[derive(Debug, Default)]
 pub struct Windows {
     /// The first quad of each window in the tile, across and up.
     pub quads: [I32s; 2],
+    /// How many blocks further than its first a window reaches at most, across and up.
+    pub further: [usize; 2],
     /// The first and the last column, and row, of it that the shape may cover.
     spans: [[I32s; 2]; 2],
-    /// The pixels inside the edges, as words of a block's mask of lanes.
-    inside: [U32s; 2],
+    /// How many parts there are.
+    parts: usize,
+    /// By part, the pixels inside the edges as the two words of a mask of lanes.
+    inside: [[U32s; 2]; 4],
     /// The shapes that have one, bit by lane.
     small: u64,
 }
@@ -57,16 +67,16 @@ pub struct Windows {
 pub struct Window {
     /// Its first quad in the tile, across and up.
     pub quad: [usize; 2],
-    /// Its pixels that are covered, in the order of a block's lanes.
-    pub covered: u64,
+    /// By part, the pixels that are covered.
+    pub covered: [u64; 4],
 }
 
-/// Of windows that begin at column `q % 4`, row `q / 4` of a block's quads: the lanes in their first
+/// Of parts that begin at column `q % 4`, row `q / 4` of a block's quads: the lanes in their first
 /// block, the one on its right, and those above.
-const PARTS: [[u64; 4]; 16] = {
-    let mut table = [[0; 4]; 16];
+const SHARES: [[u64; 4]; QUADS] = {
+    let mut table = [[0; 4]; QUADS];
     let mut at = 0;
-    while at < 16 * LANES {
+    while at < QUADS * LANES {
         let (first, lane) = (at / LANES, at % LANES);
         let quad = lane % QUADS;
         let right = (first % 4 + quad % 4) / 4;
@@ -77,24 +87,63 @@ const PARTS: [[u64; 4]; 16] = {
     table
 };
 
+/// The covered lanes of the blocks that a window reaches into, row by row of [`REACHED`].
+#[derive(Clone, Copy, Debug)]
+pub struct Reached {
+    lanes: [u64; REACHED * REACHED],
+    /// Which of them have any, bit by block.
+    any: u32,
+    /// The first block of the tile.
+    first: usize,
+}
+
 impl Window {
-    /// The blocks of the tile that it covers lanes of: which of the four it may reach into (bit 0 is
-    /// set on the right, bit 1 above), which of the tile, and the lanes.
+    /// Whether it is a few quads of its first part.
+    pub fn is_sparse(&self) -> bool {
+        let [first, others @ ..] = self.covered;
+        others == [0; 3] && quads_of(first).count_ones() < DENSE
+    }
+
+    /// What it covers of blocks.
     #[inline]
-    pub fn blocks(self) -> impl Iterator<Item = (usize, usize, u64)> {
+    pub fn blocks(&self) -> Reached {
         let [x, y] = self.quad;
-        let first = y % 4 * 4 + x % 4;
-        (0..4).filter_map(move |part| {
-            let lanes = self.covered & PARTS[first][part];
-            if lanes == 0 {
-                return None;
+        let begin = y % 4 * 4 + x % 4;
+        let mut out = Reached { lanes: [0; REACHED * REACHED], any: 0, first: y / 4 * 8 + x / 4 };
+        for (part, &covered) in self.covered.iter().enumerate() {
+            if covered == 0 {
+                continue;
             }
-            let (right, above) = (part % 2, part / 2);
-            // By so many quads within each of the four words of a mask; none leaves its word.
-            let by = first as u32 + 64 - (4 * right + 16 * above) as u32;
-            let block = (y / 4 + above) * 8 + x / 4 + right;
-            Some((part, block, lanes.rotate_left(by % 64)))
-        })
+            for (share, among) in SHARES[begin].iter().enumerate() {
+                if covered & among == 0 {
+                    continue;
+                }
+                let (right, above) = (share % 2, share / 2);
+                // By so many quads within each of the four words of a mask; none leaves its word.
+                let by = (begin + 64 - 4 * right - 16 * above) as u32;
+                let lanes = (covered & among).rotate_left(by % 64);
+                let block = (part / 2 + above) * REACHED + part % 2 + right;
+                out.lanes[block] |= lanes;
+                out.any |= 1 << block;
+            }
+        }
+        out
+    }
+}
+
+impl Iterator for Reached {
+    /// Which of the blocks it reaches into, which of the tile, and the lanes.
+    type Item = (usize, usize, u64);
+
+    #[inline]
+    fn next(&mut self) -> Option<Self::Item> {
+        if self.any == 0 {
+            return None;
+        }
+        let block = self.any.trailing_zeros() as usize % self.lanes.len();
+        self.any &= self.any - 1;
+        let in_tile = self.first + block / REACHED * 8 + block % REACHED;
+        Some((block, in_tile, self.lanes[block]))
     }
 }
 
@@ -113,13 +162,16 @@ impl Windows {
             return None;
         }
         let [[left, right], [low, high]] = &self.spans;
-        let columns = COLUMNS[left[lane] as usize % 2][right[lane] as usize % 8];
-        let rows = ROWS[low[lane] as usize % 2][high[lane] as usize % 8];
-        let [even, odd] = &self.inside;
-        let inside = u64::from(even[lane]) | u64::from(odd[lane]) << 32;
+        let columns = &COLUMNS[left[lane] as usize % 2][right[lane] as usize % PIXELS];
+        let rows = &ROWS[low[lane] as usize % 2][high[lane] as usize % PIXELS];
+        let mut covered = [0; 4];
+        for (part, covered) in covered.iter_mut().enumerate().take(self.parts) {
+            let [even, odd] = &self.inside[part];
+            let inside = u64::from(even[lane]) | u64::from(odd[lane]) << 32;
+            *covered = inside & columns[part % 2] & rows[part / 2];
+        }
         let [x, y] = &self.quads;
-        let quad = [x[lane] as usize, y[lane] as usize];
-        Some(Window { quad, covered: inside & columns & rows })
+        Some(Window { quad: [x[lane] as usize, y[lane] as usize], covered })
     }
 }
 
@@ -130,33 +182,34 @@ struct Cover<'a> {
     shapes: &'a ShapeLanes,
 }
 
-/// Quads along a side of a window.
-const SIDE: i32 = 4;
-
 impl Kernel for Cover<'_> {
     type Output = ();
     #[inline(always)]
     fn run<S: Simd>(self) {
-        let Self { windows: Windows { quads, spans, inside, small }, tile, shapes } = self;
+        let Self { windows, tile, shapes } = self;
+        let Windows { quads, further, spans, parts, inside, small } = windows;
         let ShapeLanes { corners, bounds, .. } = shapes;
         // Not zero where a triangle is not small.
         let mut large = U32s::ZERO;
         let mut origin = [I32s::ZERO; 2];
         // How many quads of the window the shape reaches, less one.
         let mut reach = [U32s::ZERO; 2];
+        let mut blocks = [U32s::ZERO; 2];
         for axis in 0..2 {
             for lane in 0..LANES {
                 let low = most(bounds[0][axis][lane] - tile[axis], 0);
                 let high = least(bounds[1][axis][lane] - tile[axis], TILE as i32 - 1);
                 let first = low & !1;
-                let [a, b, c] = [0, 1, 2].map(|k| corners[k][axis][lane]);
+                let (a, b) = (corners[0][axis][lane], corners[1][axis][lane]);
+                let c = corners[2][axis][lane];
                 let extent = most(most(a, b), c).wrapping_sub(least(least(a, b), c));
-                let is_large = (high < low) | (high - first >= 2 * SIDE) | (extent > REACH);
+                let is_large = (high < low) | (high - first >= PIXELS as i32) | (extent > REACH);
                 large[lane] |= u32::from(is_large);
                 quads[axis][lane] = first >> 1;
                 spans[axis][0][lane] = low - first;
                 spans[axis][1][lane] = high - first;
                 reach[axis][lane] = if is_large { 0 } else { (high - first) as u32 >> 1 };
+                blocks[axis][lane] = (reach[axis][lane] + (first as u32 >> 1) % 4) / 4;
                 origin[axis][lane] = (tile[axis] + first) * SUBPIXEL + SUBPIXEL / 2;
             }
         }
@@ -179,13 +232,16 @@ impl Kernel for Cover<'_> {
             }
         }
         let [[e0, x0, y0], [e1, x1, y1], [e2, x2, y2]] = &mut edges;
-        let [even, odd] = inside;
-        (*even, *odd) = (U32s::ZERO, U32s::ZERO);
-        let [across, up] = [0, 1].map(|axis| S::largest(&reach[axis]).min(SIDE as u32 - 1));
+        *inside = [[U32s::ZERO; 2]; 4];
+        let last = |reach: &U32s| (S::largest(reach) as usize).min(SIDE - 1);
+        let (across, up) = (last(&reach[0]), last(&reach[1]));
+        *further = [S::largest(&blocks[0]) as usize, S::largest(&blocks[1]) as usize];
+        *parts = if up < SIDE / 2 { 1 + across / (SIDE / 2) } else { 4 };
         for row in 0..=up {
             let (mut a, mut b, mut c) = (*e0, *e1, *e2);
             for column in 0..=across {
-                let quad = row * SIDE as u32 + column;
+                let [even, odd] = &mut inside[row / 4 * 2 + column / 4];
+                let quad = (row % 4 * 4 + column % 4) as u32;
                 for lane in 0..LANES {
                     // The sign bit is set where any of the three is negative.
                     let at = |dx: i32, dy: i32| {
@@ -235,7 +291,7 @@ mod tests {
     proptest! {
         #[test]
         fn windows_hold_what_the_blocks_of_the_tile_hold(
-            raw in prop::collection::vec((-600..17_000i32, -600..17_000i32, prop::array::uniform4(0..2000i32)), 1..64),
+            raw in prop::collection::vec((-600..17_000i32, -600..17_000i32, prop::array::uniform4(prop_oneof![0..2000i32, 0..5000i32])), 1..64),
         ) {
             let tile = [64, 128];
             let shapes: Vec<Shape> = raw.iter().filter_map(|&(x, y, d)| {
@@ -266,19 +322,17 @@ mod tests {
                 for (lane, shape) in shapes.iter().enumerate() {
                     let Some(window) = windows.get(lane) else { continue };
                     let edges = edges(&shape.corners, tile[0], tile[1]);
-                    for at in 0..4096 {
-                        let (x, y) = (at % 64, at / 64);
-                        let want = match block(isa, &edges, (x / 8) as i32, (y / 8) as i32) {
-                            Coverage::None => false,
-                            Coverage::Full => true,
-                            Coverage::Partial(mask) => mask >> lane_at(x % 8, y % 8) & 1 == 1,
+                    let mut got = [0; 64];
+                    for (_, block, lanes) in window.blocks() {
+                        got[block] |= lanes;
+                    }
+                    for (at, got) in got.into_iter().enumerate() {
+                        let want = match block(isa, &edges, at as i32 % 8, at as i32 / 8) {
+                            Coverage::None => 0,
+                            Coverage::Full => !0,
+                            Coverage::Partial(mask) => mask,
                         };
-                        let within = |v: usize, axis: usize| v.checked_sub(2 * window.quad[axis]).filter(|v| *v < 8);
-                        let got = match (within(x, 0), within(y, 1)) {
-                            (Some(x), Some(y)) => window.covered >> lane_at(x, y) & 1 == 1,
-                            _ => false,
-                        };
-                        prop_assert_eq!(got, want, "{} at {} {}", isa.name(), x, y);
+                        prop_assert_eq!(got, want, "{} in block {}", isa.name(), at);
                     }
                 }
             }

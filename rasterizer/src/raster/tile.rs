@@ -22,7 +22,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use texunit::lanes::{F32s, Isa, LANES};
 
 /// Quads of a block from which on it is shaded by itself rather than packed with others.
-const DENSE: u32 = 12;
+pub const DENSE: u32 = 12;
 /// Pixels of a block from which on it is shaded by itself rather than packed with others, where these
 /// need not be quads.
 const DENSE_PIXELS: u32 = 40;
@@ -190,8 +190,8 @@ impl Worker {
         let plan = &pass.draws[draw].plan;
         self.shader.machine.begin(&plan.pipeline.compiled().fragment);
         self.waiting.clear(plan.planes.len(), plan.samples.count);
-        self.planes.resize(plan.planes.len(), [0.0; 3]);
         self.pixels.clear(plan.planes.len());
+        self.planes.resize(plan.planes.len(), [0.0; 3]);
     }
 
     /// Shades what waits.
@@ -248,10 +248,10 @@ impl Worker {
             }
             let window = if has_windows { self.windows.get(lane) } else { None };
             match window {
-                Some(window) if packs && window.covered.count_ones() < DENSE_PIXELS => {
-                    self.pack_window(pass, tile, job, shape.facing, lane, window);
+                Some(window) if packs => {
+                    self.pack_window(pass, tile, job, shape.facing, lane, &window);
                 }
-                Some(window) if !packs && quads_of(window.covered).count_ones() < DENSE => {
+                Some(window) if window.is_sparse() => {
                     self.fill_window(pass, tile, shape.facing, lane, window);
                 }
                 Some(_) | None => self.fill(pass, tile, chunk, shape, lane),
@@ -268,9 +268,18 @@ impl Worker {
         job: &DrawJob,
         facing: Facing,
         lane: usize,
-        window: Window,
+        window: &Window,
     ) {
         for (part, block, lanes) in window.blocks() {
+            if lanes.count_ones() >= DENSE_PIXELS {
+                for (to, plane) in self.planes.iter_mut().zip(self.group.in_window(lane, part)) {
+                    *to = plane;
+                }
+                let at = [block as i32 % 8, block as i32 / 8];
+                let mut masks = SampleMasks::one(lanes);
+                self.fill_block(pass, tile, job, facing, at, &mut masks);
+                continue;
+            }
             let mut left = lanes;
             while left != 0 {
                 if self.pixels.is_full() || self.pixels.holds(block, left) {
@@ -282,7 +291,7 @@ impl Worker {
         }
     }
 
-    /// Fills a small triangle.
+    /// Fills a small triangle, quad by quad.
     fn fill_window(
         &mut self,
         pass: &PassJob,
@@ -291,7 +300,8 @@ impl Worker {
         lane: usize,
         window: Window,
     ) {
-        let mut left = quads_of(window.covered);
+        let [covered, ..] = window.covered;
+        let mut left = quads_of(covered);
         let mut planes_of = None;
         while left != 0 {
             let from = left.trailing_zeros() as usize;
@@ -303,7 +313,7 @@ impl Worker {
                 self.group.at(lane, px, py, &mut self.planes);
                 planes_of = Some(block);
             }
-            let lanes = moved_quad(window.covered, from, quad);
+            let lanes = moved_quad(covered, from, quad);
             if self.waiting.is_full() || self.waiting.holds(block, lanes) {
                 self.flush(pass, tile);
             }
@@ -316,7 +326,7 @@ impl Worker {
                 y: py,
                 coverage: None,
             };
-            self.waiting.push(&of, quad, from, &SampleMasks::one(window.covered));
+            self.waiting.push(&of, quad, from, &SampleMasks::one(covered));
         }
     }
 

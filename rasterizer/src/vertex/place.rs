@@ -70,20 +70,21 @@ impl Kernel for Place<'_> {
         let (half, center) = (viewport.half(), viewport.center());
         // As `Viewport::window` has it.
         let mut window = [[0.0; LANES]; 2];
-        for (axis, position) in [x, y].into_iter().enumerate() {
+        for (axis, (position, window)) in [x, y].into_iter().zip(&mut window).enumerate() {
             for lane in 0..LANES {
                 let ndc = f64::from(position[lane]) / f64::from(w[lane]);
-                window[axis][lane] = ndc * half[axis] + center[axis];
+                window[lane] = ndc * half[axis] + center[axis];
             }
-            for lane in 0..LANES {
-                out.snapped[axis][lane] = snap(window[axis][lane]);
+            for (to, &window) in out.snapped[axis].iter_mut().zip(&*window) {
+                *to = snap(window);
             }
         }
+        let [across, up] = &window;
         let bit = |out: bool, bit: u32| if out { bit } else { 0 };
         for lane in 0..LANES {
             let (x, y, z, w) = (x[lane], y[lane], z[lane], w[lane]);
             let inside = |v: f64| v.abs() <= GUARD_BAND;
-            let in_band = inside(window[0][lane]) & inside(window[1][lane]);
+            let in_band = inside(across[lane]) & inside(up[lane]);
             let finite = x.is_finite() & y.is_finite() & z.is_finite() & w.is_finite();
             let code = bit(x < -w, Outcode::LEFT)
                 | bit(x > w, Outcode::RIGHT)

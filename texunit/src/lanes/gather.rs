@@ -162,3 +162,47 @@ pub(super) unsafe fn avx512_pairs(base: *const u8, offsets: &U32s) -> [U32s; 2] 
     }
     out
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::lanes::{Isa, Kernel};
+
+    struct Gather<'a>(&'a [u8], &'a U32s);
+    impl Kernel for Gather<'_> {
+        type Output = (U32s, [U32s; 2]);
+        #[inline(always)]
+        fn run<S: Simd>(self) -> Self::Output {
+            (S::gather(self.0, self.1), S::gather_pairs(self.0, self.1))
+        }
+    }
+
+    #[test]
+    fn every_instruction_set_gathers_the_same_unaligned_words() {
+        let bytes: Vec<u8> = (0..1024u32).map(|i| (i * 37 + i / 7) as u8).collect();
+        let offsets = U32s::from_fn(|lane| (lane as u32 * 131) % 1017);
+        let word = |at: usize| u32::from_le_bytes(bytes[at..at + 4].try_into().unwrap());
+        for isa in Isa::available() {
+            let (single, [low, high]) = isa.run(Gather(&bytes, &offsets));
+            for lane in 0..LANES {
+                let at = offsets[lane] as usize;
+                assert_eq!(single[lane], word(at), "{} lane {lane}", isa.name());
+                assert_eq!(low[lane], word(at), "{} lane {lane}", isa.name());
+                assert_eq!(high[lane], word(at + 4), "{} lane {lane}", isa.name());
+            }
+        }
+    }
+
+    #[test]
+    fn a_gather_outside_its_slice_panics_on_every_instruction_set() {
+        let bytes = [0; 64];
+        for bad in [61, 64, u32::MAX, 1 << 31] {
+            let mut offsets = U32s::ZERO;
+            offsets[63] = bad;
+            for isa in Isa::available() {
+                let run = std::panic::catch_unwind(|| isa.run(Gather(&bytes, &offsets)));
+                assert!(run.is_err(), "{} took offset {bad}", isa.name());
+            }
+        }
+    }
+}

@@ -1,5 +1,7 @@
 //! Which instruction set a kernel is compiled for, and the one place that picks.
 
+use super::walk::{self, Walk};
+use super::weigh::{self, Sums};
 use super::{F32s, LANES, U32s};
 use super::{gather, math, reduce};
 use thiserror::Error;
@@ -149,6 +151,28 @@ pub trait Simd: Copy + private::Sealed {
     /// When an offset's eight bytes are not all inside `bytes`.
     fn gather_pairs(bytes: &[u8], offsets: &U32s) -> [U32s; 2];
 
+    /// Adds to the sum of each byte the bytes of two texels: `first` times the lower half of the
+    /// weight, `second` times its upper half. Weights are up to 2^15 - 1.
+    fn weigh(first: &U32s, second: &U32s, weights: &U32s, sums: &mut Sums);
+
+    /// [`Simd::weigh`] of the texel of `apart` bytes (3 or 4) at each byte offset and the one right
+    /// after. (Of three bytes the sum of the fourth means nothing.)
+    ///
+    /// # Panics
+    /// When an offset's eight bytes are not all inside `bytes`.
+    fn weigh_pairs(bytes: &[u8], offsets: &U32s, apart: u32, weights: &U32s, sums: &mut Sums);
+
+    /// [`Simd::weigh`] of the texels that a walk over rows comes by. Reads beyond `bytes` are of the
+    /// last ones.
+    ///
+    /// # Panics
+    /// When `bytes` are fewer than one read (eight, where texels of 3 or 4 bytes are neighbours, else
+    /// four), or more than 2^31 - 1.
+    #[inline(always)]
+    fn weigh_walk(bytes: &[u8], walk: &Walk<'_>, sums: &mut Sums) {
+        walk::by_rows::<Self>(bytes, walk, sums);
+    }
+
     /// Reads `table[index]` in each lane.
     ///
     /// # Panics
@@ -248,6 +272,14 @@ impl Simd for Baseline {
         gather::scalar_pairs(bytes, offsets)
     }
     #[inline(always)]
+    fn weigh(first: &U32s, second: &U32s, weights: &U32s, sums: &mut Sums) {
+        weigh::scalar(first, second, weights, sums);
+    }
+    #[inline(always)]
+    fn weigh_pairs(bytes: &[u8], offsets: &U32s, apart: u32, weights: &U32s, sums: &mut Sums) {
+        weigh::scalar_pairs(bytes, offsets, apart, weights, sums);
+    }
+    #[inline(always)]
     fn gather_f32(table: &[f32], indices: &U32s) -> F32s {
         gather::scalar_f32(table, indices)
     }
@@ -289,6 +321,17 @@ impl Simd for Avx2 {
         gather::check::<Self>(bytes.len(), offsets, 1, 8);
         // SAFETY: the offsets were checked; this type is reached only through `run_avx2`.
         unsafe { gather::avx2_pairs(bytes.as_ptr(), offsets) }
+    }
+    #[inline(always)]
+    fn weigh(first: &U32s, second: &U32s, weights: &U32s, sums: &mut Sums) {
+        // SAFETY: this type is reached only through `run_avx2`.
+        unsafe { weigh::x86::avx2(first, second, weights, sums) }
+    }
+    #[inline(always)]
+    fn weigh_pairs(bytes: &[u8], offsets: &U32s, apart: u32, weights: &U32s, sums: &mut Sums) {
+        gather::check::<Self>(bytes.len(), offsets, 1, 8);
+        // SAFETY: the offsets were checked; this type is reached only through `run_avx2`.
+        unsafe { weigh::x86::avx2_pairs(bytes.as_ptr(), offsets, apart, weights, sums) }
     }
     #[inline(always)]
     fn gather_f32(table: &[f32], indices: &U32s) -> F32s {
@@ -335,6 +378,22 @@ impl Simd for Avx512 {
         unsafe { gather::avx512_pairs(bytes.as_ptr(), offsets) }
     }
     #[inline(always)]
+    fn weigh(first: &U32s, second: &U32s, weights: &U32s, sums: &mut Sums) {
+        // SAFETY: this type is reached only through `run_avx512`.
+        unsafe { weigh::x86::avx512(first, second, weights, sums) }
+    }
+    #[inline(always)]
+    fn weigh_pairs(bytes: &[u8], offsets: &U32s, apart: u32, weights: &U32s, sums: &mut Sums) {
+        gather::check::<Self>(bytes.len(), offsets, 1, 8);
+        // SAFETY: the offsets were checked; this type is reached only through `run_avx512`.
+        unsafe { weigh::x86::avx512_pairs(bytes.as_ptr(), offsets, apart, weights, sums) }
+    }
+    #[inline(always)]
+    fn weigh_walk(bytes: &[u8], walk: &Walk<'_>, sums: &mut Sums) {
+        // SAFETY: this type is reached only through `run_avx512`.
+        unsafe { walk::avx512(bytes, walk, sums) }
+    }
+    #[inline(always)]
     fn gather_f32(table: &[f32], indices: &U32s) -> F32s {
         gather::check::<Self>(size_of_val(table), indices, 4, 4);
         // SAFETY: the indices were checked; this type is reached only through `run_avx512`.
@@ -374,31 +433,6 @@ fn run_avx512<K: Kernel>(kernel: K) -> K::Output {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    struct Gather<'a>(&'a [u8], &'a U32s);
-    impl Kernel for Gather<'_> {
-        type Output = (U32s, [U32s; 2]);
-        #[inline(always)]
-        fn run<S: Simd>(self) -> Self::Output {
-            (S::gather(self.0, self.1), S::gather_pairs(self.0, self.1))
-        }
-    }
-
-    #[test]
-    fn every_instruction_set_gathers_the_same_unaligned_words() {
-        let bytes: Vec<u8> = (0..1024u32).map(|i| (i * 37 + i / 7) as u8).collect();
-        let offsets = U32s::from_fn(|lane| (lane as u32 * 131) % 1017);
-        let word = |at: usize| u32::from_le_bytes(bytes[at..at + 4].try_into().unwrap());
-        for isa in Isa::available() {
-            let (single, [low, high]) = isa.run(Gather(&bytes, &offsets));
-            for lane in 0..LANES {
-                let at = offsets[lane] as usize;
-                assert_eq!(single[lane], word(at), "{} lane {lane}", isa.name());
-                assert_eq!(low[lane], word(at), "{} lane {lane}", isa.name());
-                assert_eq!(high[lane], word(at + 4), "{} lane {lane}", isa.name());
-            }
-        }
-    }
 
     struct Largest<'a>(&'a U32s);
     impl Kernel for Largest<'_> {
@@ -440,19 +474,6 @@ mod tests {
                 let want =
                     (0..LANES).fold(0, |bits, lane| bits | u64::from(words[lane] != 0) << lane);
                 assert_eq!(isa.run(Nonzero(&words)), want, "{}", isa.name());
-            }
-        }
-    }
-
-    #[test]
-    fn a_gather_outside_its_slice_panics_on_every_instruction_set() {
-        let bytes = [0; 64];
-        for bad in [61, 64, u32::MAX, 1 << 31] {
-            let mut offsets = U32s::ZERO;
-            offsets[63] = bad;
-            for isa in Isa::available() {
-                let run = std::panic::catch_unwind(|| isa.run(Gather(&bytes, &offsets)));
-                assert!(run.is_err(), "{} took offset {bad}", isa.name());
             }
         }
     }

@@ -6,7 +6,8 @@
 //!
 //! *Isotropic* (GL 2.1, equation 3.20): `ρ² = max(|∂/∂x|², |∂/∂y|²)`.
 //!
-//! *Anisotropic* (EXT_texture_filter_anisotropic leaves the scheme open): `N` probes in a row along
+//! *Anisotropic* (EXT_texture_filter_anisotropic leaves the scheme open): images in a plane are read
+//! row by row ([`super::scan`]); other shapes and wrap modes take `N` probes in a row along
 //! the major axis, `N = min(⌈σ₁/σ₂ - 1/64⌉, max)`, each filtered for a width of
 //! `m = max(σ₂, σ₁/N)`, so that `λ = log2 m`. They lie `g = √((σ₁² - m²) / (N² - 1))` apart, the one
 //! distance at which `N` boxes of width `m` have the second moment `σ₁²/12` of the parallelogram
@@ -15,6 +16,7 @@
 //! sample of its own, of the levels that λ tells; on a cube, of the face that it comes to lie on.
 
 use super::record::Recorder;
+use super::scan::Scan;
 use crate::lanes::math::{clamp, max};
 use crate::lanes::{F32s, LANES, Simd, U32s, log2_of_root};
 use crate::trace::SampleStep;
@@ -24,6 +26,17 @@ use crate::trace::SampleStep;
 pub struct Derivatives<'a> {
     pub dx: [&'a F32s; 3],
     pub dy: [&'a F32s; 3],
+}
+
+/// How the footprints of a batch are read.
+#[expect(clippy::large_enum_variant, reason = "lives on one call's stack, where a box costs more")]
+pub enum Footprint {
+    /// As round ones, in one sample.
+    Round,
+    /// In samples along the major axis.
+    Probes(Probes),
+    /// Row by row.
+    Scan(Scan),
 }
 
 /// Where the probes of a batch lie.

@@ -15,6 +15,7 @@ pub(crate) mod lod;
 pub(crate) mod plain;
 pub(crate) mod query;
 mod record;
+mod scan;
 mod seamless;
 mod taps;
 pub(crate) mod texel;
@@ -25,9 +26,10 @@ use crate::lanes::math::clamp;
 use crate::lanes::{F32s, Kernel, LANES, Simd, U32s};
 use crate::plan::{Lod, Texture};
 use crate::trace::SampleStep;
-use footprint::Probes;
+use footprint::{Footprint, Probes};
 use record::Recorder;
 pub(crate) use record::{Lane, Off};
+use scan::Scan;
 use taps::Taps;
 
 /// One call: 64 samples of a complete texture.
@@ -53,9 +55,14 @@ impl<R: Recorder> Kernel for Sample<'_, R> {
             None => F32s::ZERO,
         };
         let at = Coordinates::new(texture, coords, recorder);
-        let (taps, probes) = taps::taps::<S>(texture, &at, lod, recorder);
-        let samples = Samples { texture, offset, reference: &reference };
-        sample_probes::<S>(&samples, &at, &taps, probes.as_ref(), out, recorder);
+        let (taps, footprint) = taps::taps::<S>(texture, &at, lod, recorder);
+        let (probes, scan) = match &footprint {
+            Footprint::Round => (None, None),
+            Footprint::Probes(probes) => (Some(probes), None),
+            Footprint::Scan(scan) => (None, Some(scan)),
+        };
+        let samples = Samples { texture, offset, reference: &reference, scan };
+        sample_probes::<S>(&samples, &at, &taps, probes, out, recorder);
         expand::expand(texture.format, texture.depth_mode, out);
         expand::swizzle(texture.format, texture.swizzle, out);
     }
@@ -122,6 +129,8 @@ struct Samples<'a> {
     texture: &'a Texture,
     offset: [i32; 3],
     reference: &'a F32s,
+    /// How rows are read, if they are.
+    scan: Option<&'a Scan>,
 }
 
 /// The mean of the probes, whose running form leaves equal ones as they are.
@@ -214,7 +223,7 @@ fn sample_taps<S: Simd>(
             Taps::Same(_) | Taps::Pair { .. } | Taps::Mixed { .. } => &mut *out,
         };
         recorder.only(|lane| asks(lane) && taps.of_lane(lane).contains(&key));
-        sample_key::<S>(samples, key, at, layer, target, recorder);
+        sample_key::<S>(samples, key, at, [layer, &taps.asking(key)], target, recorder);
         if let Taps::Mixed { keys, .. } = taps {
             let [first, second] = kept.get_or_insert([[F32s::ZERO; 4]; 2]);
             keep::<S>(&keys[0], key, channels, out, first);
@@ -259,17 +268,17 @@ fn keep<S: Simd>(keys: &U32s, key: u32, channels: usize, values: &[F32s; 4], kep
     }
 }
 
-/// One level of one face.
+/// One level of one face, for the lanes that ask for it (a mask): the others get anything.
 #[inline(always)]
 fn sample_key<S: Simd>(
     samples: &Samples<'_>,
     key: u32,
     at: [&F32s; 3],
-    layer: &U32s,
+    [layer, asks]: [&U32s; 2],
     out: &mut [F32s; 4],
     recorder: &mut impl Recorder,
 ) {
-    let Samples { texture, offset, reference } = *samples;
+    let Samples { texture, offset, reference, scan } = *samples;
     let (filter, face, number) = taps::parts(key);
     let level = &*texture.levels[face][number];
     let place = filter::Place { texture, filter, face, number, level, layer, reference };
@@ -285,7 +294,10 @@ fn sample_key<S: Simd>(
         size: level.size(),
         filter,
     });
-    filter::sample_level::<S>(&place, at, out, recorder);
+    match scan {
+        Some(scan) => scan::level::<S>(&place, at, scan, asks, out, recorder),
+        None => filter::sample_level::<S>(&place, at, out, recorder),
+    }
     recorder.note(|lane| SampleStep::Filtered(out.each_ref().map(|channel| channel[lane])));
 }
 

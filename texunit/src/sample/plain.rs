@@ -9,8 +9,8 @@ mod channels;
 #[cfg(test)]
 mod tests;
 
-pub use channels::Class;
-use channels::{of_square, of_texel};
+use channels::of_square;
+pub use channels::{Class, of_texel};
 
 use super::fetch::{neighbours, side_by_side};
 use super::filter::Place;
@@ -159,6 +159,6 @@ fn sum(a: &U32s, b: &U32s) -> U32s {
 
 /// The offsets of a later word of the same texels.
 #[inline(always)]
-fn moved(offsets: &U32s, word: usize) -> U32s {
+pub fn moved(offsets: &U32s, word: usize) -> U32s {
     sum(offsets, &U32s::splat(4 * word as u32))
 }

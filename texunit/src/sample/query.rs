@@ -6,7 +6,7 @@ use super::lod::LodRange;
 use super::record::Off;
 use super::taps::base_lambda;
 use crate::lanes::{F32s, Kernel, LANES, Simd};
-use crate::plan::{Detail, Lod, Texture};
+use crate::plan::{Anisotropy, Detail, Lod, Texture};
 use crate::sampler::Mipmap;
 
 /// One call: 64 levels of detail.
@@ -26,8 +26,8 @@ impl Kernel for Query<'_> {
     fn run<S: Simd>(self) {
         let Self { texture, coords, lod, out } = self;
         let at = Coordinates::new(texture, coords, &mut Off);
-        let (range, most) = match &texture.detail {
-            Detail::PerLane { range, probes, .. } => (*range, *probes),
+        let (range, anisotropy) = match &texture.detail {
+            Detail::PerLane { range, anisotropy, .. } => (*range, *anisotropy),
             // Only the bias counts.
             Detail::Fixed { bias, .. } => (
                 LodRange {
@@ -38,10 +38,10 @@ impl Kernel for Query<'_> {
                     mipmap: Mipmap::None,
                     last: 0,
                 },
-                1,
+                Anisotropy::Off,
             ),
         };
-        let (base, _, bias) = base_lambda::<S>(texture, &at, lod, most, &mut Off);
+        let (base, _, bias) = base_lambda::<S>(texture, &at, lod, anisotropy, &mut Off);
         let free = LodRange { min: f32::NEG_INFINITY, max: f32::INFINITY, ..range };
         out[1] = free.lambda(&base, bias);
         let lambda = range.lambda(&base, bias);

@@ -1,12 +1,12 @@
 //! Which levels and faces the lanes of a batch read, and with which filter.
 
-use super::footprint::{self, Derivatives, Probes};
+use super::footprint::{self, Derivatives, Footprint};
 use super::lod::{across, upward};
 use super::record::Recorder;
-use super::{Coordinates, cube};
+use super::{Coordinates, cube, scan};
 use crate::image::Shape;
 use crate::lanes::{F32s, LANES, Simd, U32s};
-use crate::plan::{Detail, Lod, Texture};
+use crate::plan::{Anisotropy, Detail, Lod, Texture};
 use crate::sampler::Filter;
 use crate::trace::SampleStep;
 
@@ -55,6 +55,29 @@ impl Taps {
         }
     }
 
+    /// The lanes that read this key, as a mask.
+    #[inline(always)]
+    pub fn asking(&self, key: u32) -> U32s {
+        let mut asking = U32s::splat(!0);
+        match self {
+            Self::Same(_) => {}
+            Self::Pair { keys, weight } => {
+                if key == keys[1] {
+                    for lane in 0..LANES {
+                        asking[lane] = if weight[lane] > 0.0 { !0 } else { 0 };
+                    }
+                }
+            }
+            Self::Mixed { keys: [first, second], .. } => {
+                for lane in 0..LANES {
+                    let asks = (first[lane] == key) | (second[lane] == key);
+                    asking[lane] = if asks { !0 } else { 0 };
+                }
+            }
+        }
+        asking
+    }
+
     /// The same levels of other faces.
     #[inline(always)]
     pub fn on_faces(&self, face: &U32s) -> Self {
@@ -97,22 +120,22 @@ pub fn parts(key: u32) -> (Filter, usize, usize) {
     (filter, (key >> FACE & 7) as usize, (key & 31) as usize)
 }
 
-/// What each lane reads, and its probes.
+/// What each lane reads, and how its footprint lies.
 #[inline(always)]
 pub fn taps<S: Simd>(
     texture: &Texture,
     at: &Coordinates,
     lod: Lod<'_>,
     recorder: &mut impl Recorder,
-) -> (Taps, Option<Probes>) {
-    let (min, mag, range, most) = match &texture.detail {
-        Detail::PerLane { min, mag, range, probes } => (min, mag, range, probes),
+) -> (Taps, Footprint) {
+    let (min, mag, range, anisotropy) = match &texture.detail {
+        Detail::PerLane { min, mag, range, anisotropy } => (min, mag, range, anisotropy),
         Detail::Fixed { filter, level, why, .. } => {
             recorder.note(|_| SampleStep::Fixed { filter: *filter, level: *level, why });
-            return (fixed::<S>(texture, at), None);
+            return (fixed::<S>(texture, at), Footprint::Round);
         }
     };
-    let (base, probes, bias) = base_lambda::<S>(texture, at, lod, *most, recorder);
+    let (base, footprint, bias) = base_lambda::<S>(texture, at, lod, *anisotropy, recorder);
     let lambda = range.lambda(&base, bias);
     let (levels, weight) = range.levels(&lambda);
     recorder.note(|lane| SampleStep::Lambda {
@@ -138,7 +161,7 @@ pub fn taps<S: Simd>(
     if texture.shape != Shape::Cube && min == mag {
         // Up to λ = 0 the level is 0 in any case.
         if let Some(taps) = alike::<S>(key(*min, 0, 0), &levels, &weight) {
-            return (taps, probes);
+            return (taps, footprint);
         }
     }
     let mut keys = [U32s::ZERO; 2];
@@ -154,23 +177,22 @@ pub fn taps<S: Simd>(
         keys[1][lane] = if minified { second } else { mag | face };
         weights[lane] = if minified { weight[lane] } else { 0.0 };
     }
-    (mixed::<S>(keys, weights), probes)
+    (mixed::<S>(keys, weights), footprint)
 }
 
-/// λ of the base level before any bias, the probes of an anisotropic filter (at most so many), and
-/// the bias of the lookup.
+/// λ of the base level before any bias, how the footprint lies, and the bias of the lookup.
 #[inline(always)]
 pub fn base_lambda<'a, S: Simd>(
     texture: &Texture,
     at: &Coordinates<'_>,
     lod: Lod<'a>,
-    most: u32,
+    anisotropy: Anisotropy,
     recorder: &mut impl Recorder,
-) -> (F32s, Option<Probes>, Option<&'a F32s>) {
+) -> (F32s, Footprint, Option<&'a F32s>) {
     match lod {
         Lod::Explicit(lambda) => {
             recorder.note(|lane| SampleStep::Explicit(lambda[lane]));
-            (*lambda, None, None)
+            (*lambda, Footprint::Round, None)
         }
         Lod::Implicit { bias } | Lod::Gradient { bias, .. } => {
             let axes = texture.shape.axes();
@@ -199,12 +221,22 @@ pub fn base_lambda<'a, S: Simd>(
                 };
                 SampleStep::Derivatives { dx: of(d.dx), dy: of(d.dy), scale: texture.scale }
             });
-            let (base, probes) = if most > 1 {
-                footprint::anisotropic::<S>(&d, axes, texture.scale, most as f32, recorder)
-            } else {
-                (footprint::isotropic(&d, axes, texture.scale, recorder), None)
+            let (base, footprint) = match anisotropy {
+                Anisotropy::Off => {
+                    (footprint::isotropic(&d, axes, texture.scale, recorder), Footprint::Round)
+                }
+                Anisotropy::Probes(most) => {
+                    let most = most as f32;
+                    let (base, probes) =
+                        footprint::anisotropic::<S>(&d, axes, texture.scale, most, recorder);
+                    (base, probes.map_or(Footprint::Round, Footprint::Probes))
+                }
+                Anisotropy::Scan(most) => {
+                    let (base, scan) = scan::footprint(&d, texture.scale, most as f32, recorder);
+                    (base, Footprint::Scan(scan))
+                }
             };
-            (base, probes, bias)
+            (base, footprint, bias)
         }
     }
 }

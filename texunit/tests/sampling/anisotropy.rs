@@ -61,12 +61,35 @@ fn a_stretched_footprint_is_nearer_to_the_area_integral_than_an_isotropic_one() 
 }
 
 #[test]
-fn a_round_footprint_costs_one_probe_and_gives_the_same() {
+fn a_round_footprint_gives_what_an_isotropic_filter_gives() {
     let image = scene::image(Shape::D2, Format::Rgba8, SIZE, SIZE, 10);
-    let unit = 3.0 / SIZE as f32;
-    let (dx, dy) = ([unit, 0.0], [0.0, unit]);
-    let at = [0.3, 0.6];
-    assert_eq!(sample(&image, 1.0, at, dx, dy), sample(&image, 16.0, at, dx, dy));
+    for (size, turn) in [(3.0, 0.0_f32), (1.7, 0.3), (0.2, 1.0), (9.0, 2.0)] {
+        let unit = size / SIZE as f32;
+        let (sin, cos) = turn.sin_cos();
+        let (dx, dy) = ([unit * cos, unit * sin], [-unit * sin, unit * cos]);
+        let [round, any] = [1.0, 16.0].map(|most| sample(&image, most, [0.3, 0.6], dx, dy));
+        assert!((round - any).abs() < 1.0 / 8192.0, "{size} {turn}: {round} {any}");
+    }
+}
+
+#[test]
+fn white_stays_white_and_black_black() {
+    for (color, want) in [([1.0; 4], 1.0), ([0.0; 4], 0.0)] {
+        for format in [Format::Rgba8, Format::Srgb8A8, Format::Rgba16F, Format::Dxt5] {
+            let mut image = Image::new(Shape::D2);
+            for number in 0..=6 {
+                let mut level = Level::new(format, SIZE >> number, SIZE >> number).unwrap();
+                level.fill(|_| color);
+                image.set_level(0, number, level).unwrap();
+            }
+            let mut random = scene::Random(6);
+            for _ in 0..200 {
+                let mut pair = || [0; 2].map(|_: i32| random.within(-0.3, 0.3));
+                let (at, dx, dy) = (pair(), pair(), pair());
+                assert_eq!(sample(&image, 16.0, at, dx, dy), want, "{format:?} {at:?} {dx:?}");
+            }
+        }
+    }
 }
 
 #[test]

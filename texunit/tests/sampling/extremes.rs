@@ -237,7 +237,7 @@ fn a_footprint_long_one_way_and_nothing_the_other_is_a_mean_along_it() {
                 let (s, t) = (F32s::splat(0.3), F32s::splat(0.25));
                 plan.sample(Isa::best(), [&s, &t, &zero], None, lod, &mut out);
                 let got = out[0][0];
-                // 16 probes of a 16th of the length each still tell the rows apart.
+                // The texels of the levels for a 16th of the length still tell the rows apart.
                 let sharp = anisotropy == 16.0 && texels <= 16.0;
                 assert!((0.0..=1.0).contains(&got), "{anisotropy} {texels}: {got}");
                 assert!(!sharp || got == 0.0, "{anisotropy} {texels}: {got}");
@@ -257,5 +257,7 @@ fn denormal_derivatives_and_coordinates_magnify() {
     let mut out = [F32s::ZERO; 4];
     let (s, t) = (F32s::splat(1e-41), F32s::splat(1e-45));
     plan.sample(Isa::best(), [&s, &t, &F32s::ZERO], None, lod, &mut out);
-    assert_eq!(out.map(|c| c[0]), want);
+    // Weights of an anisotropic filter are multiples of 2^-14.
+    let near = |(c, want): (&F32s, f32)| (c[0] - want).abs() < 1.0 / 8192.0;
+    assert!(out.iter().zip(want).all(near), "{out:?} {want:?}");
 }

@@ -63,6 +63,11 @@ impl Oracle<'_> {
             Detail::Lambda(lambda) => lambda + f64::from(sampler.lod_bias).clamp(-16.0, 16.0),
             Detail::Derivatives { dx, dy, bias } => {
                 let [dx, dy] = [dx, dy].map(|d| self.on_face(place.face, at, d));
+                if self.scans() {
+                    let bias = (f64::from(sampler.lod_bias) + bias).clamp(-16.0, 16.0);
+                    let plane = |v: [f64; 3]| [v[0], v[1]];
+                    return self.swizzled(self.scan(plane(place.at), plane(dx), plane(dy), bias));
+                }
                 let scale = if shape == Shape::Rect { [1.0; 3] } else { size };
                 let (width, step, near) = footprint(sampler, shape, dx, dy, scale);
                 margin = margin.min(near);
@@ -81,8 +86,12 @@ impl Oracle<'_> {
             }
             sum.margin = sum.margin.min(one.margin);
         }
-        let from = sum.rgba;
-        sum.rgba = sampler.swizzle.map(|source| match source {
+        self.swizzled(sum)
+    }
+
+    fn swizzled(&self, answer: Answer) -> Answer {
+        let from = answer.rgba;
+        let rgba = self.sampler.swizzle.map(|source| match source {
             Swizzle::Red => from[0],
             Swizzle::Green => from[1],
             Swizzle::Blue => from[2],
@@ -90,7 +99,7 @@ impl Oracle<'_> {
             Swizzle::Zero => 0.0,
             Swizzle::One => 1.0,
         });
-        sum
+        Answer { rgba, ..answer }
     }
 
     /// A derivative of the coordinates that are filtered along.
@@ -266,7 +275,7 @@ impl Oracle<'_> {
     }
 
     /// A texel, or the border colour where there is none.
-    fn texel(&self, level: &Level, at: [i32; 3]) -> [f64; 4] {
+    pub fn texel(&self, level: &Level, at: [i32; 3]) -> [f64; 4] {
         let border = self.sampler.border.floats().map(f64::from);
         if !level.format.is_depth() {
             return match level.color_at(at) {

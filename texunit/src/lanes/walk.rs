@@ -1,0 +1,228 @@
+//! A walk over rows of texels of bytes, two neighbours of each, with their weighted sums.
+//!
+//! One row is a few dozen operations on what would be a dozen batches: AVX-512 keeps it all in
+//! registers, 16 lanes at a time. Everything is integers, so the way does not matter.
+
+use super::weigh::Sums;
+use super::{I32s, LANES, Simd, U32s};
+
+/// All of a row's weight.
+pub const ONE: i32 = 1 << 14;
+
+/// Where the second texel of a row is.
+#[derive(Clone, Copy, Debug)]
+pub enum Beside<'a> {
+    /// Right after the first, of so many bytes: 1 to 4.
+    Next(u32),
+    /// So many bytes after it, in each lane; texels have up to four.
+    Apart(&'a U32s),
+}
+
+/// The rows of 64 lanes.
+#[derive(Clone, Copy, Debug)]
+pub struct Walk<'a> {
+    /// The byte where the first row begins.
+    pub line: &'a U32s,
+    /// Bytes from row to row.
+    pub along: &'a U32s,
+    /// The second texel.
+    pub beside: Beside<'a>,
+    /// 2^16 times the place in the first row: its integer is the number of the first texel.
+    pub place: &'a I32s,
+    /// How far the place moves from row to row.
+    pub step: &'a I32s,
+    /// How much there is of the rows, in units of [`ONE`]; the first row's part before `before`
+    /// included.
+    pub rest: &'a I32s,
+    /// How much of the first row does not count.
+    pub before: &'a I32s,
+    /// What each of the two texels weighs at least, in units of [`ONE`].
+    pub even: &'a I32s,
+    /// How many rows are walked.
+    pub rows: u32,
+}
+
+/// The weights of both texels of a row, the second in the upper half.
+#[inline(always)]
+pub fn weights(place: i32, rest: i32, before: i32, even: i32) -> u32 {
+    let fraction = place >> 2 & (ONE - 1);
+    let second = even + ((fraction * (ONE - 2 * even)) >> 14);
+    let rest = if rest < ONE { rest } else { ONE };
+    let weight = (if rest > 0 { rest } else { 0 }) - before;
+    let second = (second * weight) >> 14;
+    ((second << 16) + (weight - second)) as u32
+}
+
+/// Row by row.
+#[inline(always)]
+pub(super) fn by_rows<S: Simd>(bytes: &[u8], walk: &Walk<'_>, sums: &mut Sums) {
+    let last = walk.last_offset(bytes);
+    let (mut line, mut place, mut rest) = (*walk.line, *walk.place, *walk.rest);
+    for row in 0..walk.rows {
+        let mut weighed = U32s::ZERO;
+        let mut first = U32s::ZERO;
+        for lane in 0..LANES {
+            let before = if row == 0 { walk.before[lane] } else { 0 };
+            weighed[lane] = weights(place[lane], rest[lane], before, walk.even[lane]);
+        }
+        match walk.beside {
+            Beside::Next(size) => {
+                for lane in 0..LANES {
+                    let number = (place[lane] >> 16) as u32;
+                    first[lane] = held(line[lane].wrapping_add(number.wrapping_mul(size)), last);
+                }
+                if size > 2 {
+                    S::weigh_pairs(bytes, &first, size, &weighed, sums);
+                } else {
+                    let texels = S::gather(bytes, &first);
+                    let mut second = U32s::ZERO;
+                    for lane in 0..LANES {
+                        second[lane] = texels[lane] >> (8 * size & 31);
+                    }
+                    S::weigh(&texels, &second, &weighed, sums);
+                }
+            }
+            Beside::Apart(apart) => {
+                let mut second = U32s::ZERO;
+                for lane in 0..LANES {
+                    let number = (place[lane] >> 16) as u32;
+                    let at = line[lane].wrapping_add(number.wrapping_mul(apart[lane]));
+                    first[lane] = held(at, last);
+                    second[lane] = held(at.wrapping_add(apart[lane]), last);
+                }
+                let (first, second) = (S::gather(bytes, &first), S::gather(bytes, &second));
+                S::weigh(&first, &second, &weighed, sums);
+            }
+        }
+        for lane in 0..LANES {
+            line[lane] = line[lane].wrapping_add(walk.along[lane]);
+            place[lane] = place[lane].wrapping_add(walk.step[lane]);
+            rest[lane] = rest[lane].wrapping_sub(ONE);
+        }
+    }
+}
+
+#[inline(always)]
+fn held(offset: u32, last: u32) -> u32 {
+    if offset < last { offset } else { last }
+}
+
+impl Walk<'_> {
+    /// Whether both texels of a row are read at once.
+    #[inline(always)]
+    fn in_pairs(&self) -> bool {
+        matches!(self.beside, Beside::Next(3..))
+    }
+
+    /// The last offset from which all bytes of a read are there.
+    #[inline(always)]
+    fn last_offset(&self, bytes: &[u8]) -> u32 {
+        let (len, read) = (bytes.len(), if self.in_pairs() { 8 } else { 4 });
+        assert!((read..=i32::MAX as usize).contains(&len), "a walk over {len} bytes");
+        (len - read) as u32
+    }
+}
+
+/// 16 lanes at a time, with sums in registers.
+///
+/// # Safety
+/// AVX-512F and AVX-512BW are there.
+#[cfg(target_arch = "x86_64")]
+#[inline(always)]
+pub(super) unsafe fn avx512(bytes: &[u8], walk: &Walk<'_>, sums: &mut Sums) {
+    use super::weigh::x86::{avx512_places, avx512_sum};
+    use std::arch::x86_64::*;
+    let last = walk.last_offset(bytes);
+    let base = bytes.as_ptr();
+    let (size, apart) = match walk.beside {
+        Beside::Next(size) => (size, None),
+        Beside::Apart(apart) => (4, Some(apart)),
+    };
+    let pairs = walk.in_pairs();
+    for at in (0..LANES).step_by(16) {
+        // SAFETY: batches hold 16 words at `at`; offsets are held to where all bytes of a read are
+        // there, and are below 2^31.
+        unsafe {
+            let load = |words: *const i32| _mm512_load_si512(words.add(at).cast::<__m512i>());
+            let signed = |words: &I32s| load(words.0.as_ptr());
+            let unsigned = |words: &U32s| load(words.0.as_ptr().cast());
+            let (one, zero) = (_mm512_set1_epi32(ONE), _mm512_setzero_si512());
+            let last = _mm512_set1_epi32(last as i32);
+            let low = _mm512_set_epi32(7, 7, 6, 6, 5, 5, 4, 4, 3, 3, 2, 2, 1, 1, 0, 0);
+            let high = _mm512_set_epi32(15, 15, 14, 14, 13, 13, 12, 12, 11, 11, 10, 10, 9, 9, 8, 8);
+            let mixed_low =
+                _mm512_set_epi32(23, 7, 22, 6, 21, 5, 20, 4, 19, 3, 18, 2, 17, 1, 16, 0);
+            let mixed_high =
+                _mm512_set_epi32(31, 15, 30, 14, 29, 13, 28, 12, 27, 11, 26, 10, 25, 9, 24, 8);
+            let places = avx512_places(if pairs { size } else { 4 });
+            let across = match apart {
+                Some(apart) => unsigned(apart),
+                None => _mm512_set1_epi32(size as i32),
+            };
+            let shift = _mm_cvtsi32_si128(8 * size as i32);
+            let (mut line, along) = (unsigned(walk.line), unsigned(walk.along));
+            let (mut place, step) = (signed(walk.place), signed(walk.step));
+            let (mut rest, mut before) = (signed(walk.rest), signed(walk.before));
+            let even = signed(walk.even);
+            let part = _mm512_sub_epi32(one, _mm512_slli_epi32::<1>(even));
+            let mut totals = [[zero; 2]; 2];
+            for _ in 0..walk.rows {
+                let number = _mm512_srai_epi32::<16>(place);
+                let offset = _mm512_add_epi32(line, _mm512_mullo_epi32(number, across));
+                let first = _mm512_min_epu32(offset, last);
+                // `weights`; all factors are below 2^15.
+                let fraction = _mm512_srli_epi32::<2>(place);
+                let fraction = _mm512_and_si512(fraction, _mm512_set1_epi32(ONE - 1));
+                let second = _mm512_srli_epi32::<14>(_mm512_madd_epi16(fraction, part));
+                let second = _mm512_add_epi32(even, second);
+                let whole = _mm512_max_epi32(_mm512_min_epi32(rest, one), zero);
+                let weight = _mm512_sub_epi32(whole, before);
+                let second = _mm512_srli_epi32::<14>(_mm512_madd_epi16(second, weight));
+                let weights = _mm512_or_si512(
+                    _mm512_slli_epi32::<16>(second),
+                    _mm512_sub_epi32(weight, second),
+                );
+                let texels = if pairs {
+                    let (a, b) =
+                        (_mm512_castsi512_si256(first), _mm512_extracti64x4_epi64::<1>(first));
+                    [
+                        _mm512_i32gather_epi64::<1>(a, base.cast::<i64>()),
+                        _mm512_i32gather_epi64::<1>(b, base.cast::<i64>()),
+                    ]
+                } else {
+                    let a = _mm512_i32gather_epi32::<1>(first, base.cast::<i32>());
+                    let b = if apart.is_some() {
+                        let offset = _mm512_min_epu32(_mm512_add_epi32(offset, across), last);
+                        _mm512_i32gather_epi32::<1>(offset, base.cast::<i32>())
+                    } else {
+                        _mm512_srl_epi32(a, shift)
+                    };
+                    [
+                        _mm512_permutex2var_epi32(a, mixed_low, b),
+                        _mm512_permutex2var_epi32(a, mixed_high, b),
+                    ]
+                };
+                let twice = [
+                    _mm512_permutexvar_epi32(low, weights),
+                    _mm512_permutexvar_epi32(high, weights),
+                ];
+                for half in 0..2 {
+                    for part in 0..2 {
+                        let bytes = _mm512_shuffle_epi8(texels[part], places[half]);
+                        let products = _mm512_madd_epi16(bytes, twice[part]);
+                        totals[half][part] = _mm512_add_epi32(totals[half][part], products);
+                    }
+                }
+                line = _mm512_add_epi32(line, along);
+                place = _mm512_add_epi32(place, step);
+                rest = _mm512_sub_epi32(rest, one);
+                before = zero;
+            }
+            for half in 0..2 {
+                for part in 0..2 {
+                    avx512_sum(sums, half, at + 8 * part, totals[half][part]);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,297 @@
+//! The mean of a level's rows: in integers where texels are bytes, else in `f32`.
+//!
+//! As with the other filters there is a general way and a short one (`plain`), which read the same
+//! texels with the same weights and give the same bits.
+
+use super::Scan;
+use super::rows::Rows;
+use crate::lanes::math::{floor_small, min};
+use crate::lanes::{Beside, F32s, I32s, LANES, ONE, Simd, Sums, U32s};
+use crate::plan::Way;
+use crate::sample::fetch;
+use crate::sample::filter::Place;
+use crate::sample::plain::{Class, moved, of_texel};
+use crate::sample::record::Recorder;
+use crate::sample::wrap::Indices;
+use crate::trace::SampleStep;
+
+/// Samples one level in the lanes that ask for it (a mask). Only the stored channels of `out` are
+/// written.
+#[inline(always)]
+pub fn level<S: Simd>(
+    place: &Place<'_>,
+    at: [&F32s; 3],
+    scan: &Scan,
+    asks: &U32s,
+    out: &mut [F32s; 4],
+    recorder: &mut impl Recorder,
+) {
+    let mut rows = Rows::new::<S>(place, at, scan, asks);
+    match place.texture.way {
+        Way::Plain(Class::Bytes) => bytes::<S>(place, &mut rows, out),
+        Way::Plain(class @ (Class::Srgb | Class::Halves | Class::Floats)) => {
+            words::<S>(place, class, &mut rows, out);
+        }
+        Way::Blocks(_) => blocks::<S>(place, &mut rows, out),
+        Way::General => general::<S>(place, &mut rows, asks, out, recorder),
+    }
+}
+
+/// Any texels.
+#[inline(always)]
+fn general<S: Simd>(
+    place: &Place<'_>,
+    rows: &mut Rows,
+    asks: &U32s,
+    out: &mut [F32s; 4],
+    recorder: &mut impl Recorder,
+) {
+    let channels = place.texture.format.channels();
+    let is_bytes = Class::of(place.texture.format) == Some(Class::Bytes);
+    let mut means = Means::ZERO;
+    let mut sums = [I32s::ZERO; 4];
+    recorder.note(|lane| SampleStep::Rows {
+        rows: rows.count[lane],
+        length: rows.total[lane] as f32 / ONE as f32,
+    });
+    while rows.number < rows.most {
+        let weights = rows.weights();
+        recorder.only(|lane| asks[lane] != 0 && rows.number < rows.count[lane]);
+        recorder.note(|lane| SampleStep::Row {
+            number: rows.number,
+            weights: halves(weights[lane]).map(|weight| weight / rows.total[lane] as f32),
+        });
+        let [left, right] = rows.texels(place).map(|texel| indices(place, &texel));
+        let slice = place.slice();
+        let mut texels = [[F32s::ZERO; 4]; 2];
+        let [first, second] = &mut texels;
+        fetch::texels::<S>(place, [&left[0], &left[1], &slice], first, recorder);
+        fetch::texels::<S>(place, [&right[0], &right[1], &slice], second, recorder);
+        recorder.only(|lane| asks[lane] != 0);
+        if is_bytes {
+            for channel in 0..channels {
+                for lane in 0..LANES {
+                    let byte = |c: f32| floor_small(c * 255.0 + 0.5).0;
+                    let (low, high) = (weights[lane] & 0xFFFF, weights[lane] >> 16);
+                    let (a, b) = (byte(first[channel][lane]), byte(second[channel][lane]));
+                    sums[channel][lane] += a * low as i32 + b * high as i32;
+                }
+            }
+        } else {
+            means.add(channels, &weights, [first, second]);
+        }
+        rows.advance();
+    }
+    if is_bytes {
+        mean_of_bytes(rows, channels, &sums, out);
+    } else {
+        means.divide(rows, channels, out);
+    }
+}
+
+/// A texel as the general fetch takes it.
+#[inline(always)]
+fn indices(place: &Place<'_>, texel: &[U32s; 2]) -> [Indices; 2] {
+    let border = place.level.border;
+    let along = |axis: usize| {
+        let mut out = Indices { index: U32s::ZERO, outside: U32s::ZERO };
+        for lane in 0..LANES {
+            out.index[lane] = texel[axis][lane] + border[axis];
+        }
+        out
+    };
+    [along(0), along(1)]
+}
+
+/// Both weights of a row, in units of 2^-14.
+#[inline(always)]
+fn halves(weights: u32) -> [f32; 2] {
+    [(weights & 0xFFFF) as i32 as f32, (weights >> 16) as i32 as f32]
+}
+
+/// Sums of what is not bytes.
+struct Means([F32s; 4]);
+
+impl Means {
+    const ZERO: Self = Self([F32s::ZERO; 4]);
+
+    /// A row. One without weight is not there: its inf and NaN do not matter.
+    #[inline(always)]
+    fn add(&mut self, channels: usize, weights: &U32s, texels: [&[F32s; 4]; 2]) {
+        let (mut left, mut right) = (F32s::ZERO, F32s::ZERO);
+        for lane in 0..LANES {
+            [left[lane], right[lane]] = halves(weights[lane]);
+        }
+        for channel in 0..channels {
+            let sum = &mut self.0[channel];
+            for lane in 0..LANES {
+                let (a, b) = (texels[0][channel][lane], texels[1][channel][lane]);
+                let next = sum[lane] + (left[lane] * a + right[lane] * b);
+                sum[lane] = if weights[lane] != 0 { next } else { sum[lane] };
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn divide(&self, rows: &Rows, channels: usize, out: &mut [F32s; 4]) {
+        for (sum, out) in self.0.iter().zip(out).take(channels) {
+            for lane in 0..LANES {
+                out[lane] = sum[lane] / rows.total[lane] as f32;
+            }
+        }
+    }
+}
+
+/// From sums of bytes to fractions of 255. The factor is a little more than the reciprocal, so that
+/// nothing but ones gives exactly 1.
+#[inline(always)]
+fn mean_of_bytes(rows: &Rows, channels: usize, sums: &[I32s; 4], out: &mut [F32s; 4]) {
+    let mut factor = F32s::ZERO;
+    for lane in 0..LANES {
+        factor[lane] = (1.0 + 2.0 * f32::EPSILON) / (255 * rows.total[lane]) as f32;
+    }
+    for (sum, out) in sums.iter().zip(out).take(channels) {
+        for lane in 0..LANES {
+            out[lane] = min(sum[lane] as f32 * factor[lane], 1.0);
+        }
+    }
+}
+
+/// Bytes where they lie.
+#[inline(always)]
+fn bytes<S: Simd>(place: &Place<'_>, rows: &mut Rows, out: &mut [F32s; 4]) {
+    let level = place.level;
+    let apart = level.format.bytes() as u32;
+    let mut sums = Sums::ZERO;
+    match Lines::new::<S>(place, rows) {
+        Some(Lines { line, along, across }) => {
+            let beside = across.as_ref().map_or(Beside::Next(apart), Beside::Apart);
+            S::weigh_walk(&level.texels, &rows.walk(&line, &along, beside), &mut sums);
+        }
+        None => wrapped::<S>(place, rows, &mut sums),
+    }
+    let channels = level.format.channels();
+    let mut planes = [I32s::ZERO; 4];
+    for (byte, plane) in planes.iter_mut().enumerate().take(channels) {
+        *plane = sums.of_byte(byte);
+    }
+    mean_of_bytes(rows, channels, &planes, out);
+}
+
+/// Bytes of rows of which some cross the edge of the level.
+#[inline(always)]
+fn wrapped<S: Simd>(place: &Place<'_>, rows: &mut Rows, sums: &mut Sums) {
+    let level = place.level;
+    let apart = level.format.bytes() as u32;
+    while rows.number < rows.most {
+        let weights = rows.weights();
+        let [left, right] = offsets(place, rows);
+        let mut elsewhere = U32s::ZERO;
+        for lane in 0..LANES {
+            elsewhere[lane] = right[lane].wrapping_sub(left[lane]) ^ apart;
+        }
+        // Most rows do not.
+        if apart > 2 && !S::any(&elsewhere) {
+            S::weigh_pairs(&level.texels, &left, apart, &weights, sums);
+        } else {
+            let left = S::gather(&level.texels, &left);
+            let right = S::gather(&level.texels, &right);
+            S::weigh(&left, &right, &weights, sums);
+        }
+        rows.advance();
+    }
+}
+
+/// Where the two texels of a row begin.
+#[inline(always)]
+fn offsets(place: &Place<'_>, rows: &Rows) -> [U32s; 2] {
+    let level = place.level;
+    let (bytes, row) = (level.format.bytes() as u32, level.row_bytes() as u32);
+    let origin = level.origin() as u32;
+    let mut out = [U32s::ZERO; 2];
+    for (out, [x, y]) in out.iter_mut().zip(&rows.texels(place)) {
+        for lane in 0..LANES {
+            let line = y[lane].wrapping_mul(row) + origin;
+            out[lane] = x[lane].wrapping_mul(bytes).wrapping_add(line);
+        }
+    }
+    out
+}
+
+/// Other channels in words.
+#[inline(always)]
+fn words<S: Simd>(place: &Place<'_>, class: Class, rows: &mut Rows, out: &mut [F32s; 4]) {
+    let level = place.level;
+    let channels = level.format.channels();
+    let mut means = Means::ZERO;
+    while rows.number < rows.most {
+        let weights = rows.weights();
+        let offsets = offsets(place, rows);
+        let mut texels = [[F32s::ZERO; 4]; 2];
+        for (texel, offsets) in texels.iter_mut().zip(&offsets) {
+            let mut word = 0;
+            while word + 1 < level.format.words() {
+                let two = S::gather_pairs(&level.texels, &moved(offsets, word));
+                of_texel::<S>(class, channels, word, &two[0], texel);
+                of_texel::<S>(class, channels, word + 1, &two[1], texel);
+                word += 2;
+            }
+            if word < level.format.words() {
+                let one = S::gather(&level.texels, &moved(offsets, word));
+                of_texel::<S>(class, channels, word, &one, texel);
+            }
+        }
+        means.add(channels, &weights, [&texels[0], &texels[1]]);
+        rows.advance();
+    }
+    means.divide(rows, channels, out);
+}
+
+/// Compressed texels.
+#[inline(always)]
+fn blocks<S: Simd>(place: &Place<'_>, rows: &mut Rows, out: &mut [F32s; 4]) {
+    let channels = place.level.format.channels();
+    let mut means = Means::ZERO;
+    while rows.number < rows.most {
+        let mut texels = [[F32s::ZERO; 4]; 2];
+        for (texel, [x, y]) in texels.iter_mut().zip(&rows.texels(place)) {
+            fetch::stored::<S>(place.level, [x, y, &U32s::ZERO], texel);
+        }
+        means.add(channels, &rows.weights(), [&texels[0], &texels[1]]);
+        rows.advance();
+    }
+    means.divide(rows, channels, out);
+}
+
+/// Rows or columns within the level.
+struct Lines {
+    /// The byte where the first begins.
+    line: U32s,
+    /// Bytes from one to the next.
+    along: U32s,
+    /// Bytes from texel to texel, unless all lanes have rows.
+    across: Option<U32s>,
+}
+
+impl Lines {
+    /// `None` where some line crosses the edge.
+    #[inline(always)]
+    fn new<S: Simd>(place: &Place<'_>, rows: &Rows) -> Option<Self> {
+        // The smallest levels are less than what is read at once.
+        if place.level.texels.len() < 8 || !rows.are_inside::<S>(place) {
+            return None;
+        }
+        let level = place.level;
+        let (bytes, row) = (level.format.bytes() as u32, level.row_bytes() as u32);
+        let origin = level.origin() as u32;
+        let (mut line, mut along, mut across) = (U32s::ZERO, U32s::ZERO, U32s::ZERO);
+        let mut turned = U32s::ZERO;
+        for lane in 0..LANES {
+            turned[lane] = !rows.along_t[lane];
+            along[lane] = if turned[lane] != 0 { bytes } else { row };
+            across[lane] = if turned[lane] != 0 { row } else { bytes };
+            line[lane] = (rows.along[lane] as u32).wrapping_mul(along[lane]).wrapping_add(origin);
+        }
+        Some(Self { line, along, across: S::any(&turned).then_some(across) })
+    }
+}

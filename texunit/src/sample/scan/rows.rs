@@ -1,0 +1,288 @@
+//! The rows that lanes cross on one level: places and weights as integers.
+//!
+//! Along the footprint a texel is [`ONE`], 2^14 units, so that the weights of a row fit the halves of a word;
+//! across it 2^16. A place is computed once, and goes on from row to row by additions, which are
+//! exact.
+
+use super::{LONGEST, Scan};
+use crate::image::Shape;
+use crate::lanes::math::{clamp, floor_small, max, min, to_i32};
+use crate::lanes::{Beside, F32s, I32s, LANES, ONE, Simd, U32s, Walk, weights};
+use crate::sample::filter::Place;
+use crate::sample::wrap::Axis;
+use crate::sampler::Wrap;
+
+/// How far beyond the edge coordinates that do not repeat are told apart.
+const BEYOND: f32 = 64.0;
+
+/// More texels across per texel along have only levels that are one texel wide.
+const STEEPEST: f32 = 2.0;
+
+/// 1.5 · 2^23: its sum with a small number holds the nearest integer in its low bits.
+const MAGIC: f32 = 12_582_912.0;
+
+/// `x · one`, to the nearest integer, of two the even one. For results below 2^22.
+#[inline(always)]
+pub fn to_fixed(x: f32, one: i32) -> i32 {
+    (x * one as f32 + MAGIC).to_bits().wrapping_sub(MAGIC.to_bits()) as i32
+}
+
+/// The same for results below 2^31.
+#[inline(always)]
+fn to_large_fixed<S: Simd>(x: f32, one: i32) -> i32 {
+    to_i32(S::round_even(x * one as f32))
+}
+
+/// Where each lane is: before the first row at first.
+pub struct Rows {
+    /// `!0` where rows are crossed, 0 where columns are.
+    pub along_t: U32s,
+    /// The row, unwrapped.
+    pub along: I32s,
+    /// 2^16 times the place between the texels of the row: its integer is the left one.
+    pub across: I32s,
+    /// From row to row.
+    step: I32s,
+    /// From the row's lower end to the footprint's upper end, in units of 2^-14.
+    rest: I32s,
+    /// Of the row before the footprint's lower end; 0 from the second row on.
+    before: I32s,
+    /// `b` of the lane.
+    even: I32s,
+    /// How many rows each lane has.
+    pub count: U32s,
+    /// The sum of all weights.
+    pub total: I32s,
+    /// The most rows of a lane.
+    pub most: u32,
+    /// Which row is next.
+    pub number: u32,
+}
+
+/// A coordinate in texels, and whether the image is mirrored there (a mask).
+struct Coordinate {
+    texels: F32s,
+    mirrored: U32s,
+}
+
+#[inline(always)]
+fn coordinate<S: Simd>(axis: &Axis, s: &F32s) -> Coordinate {
+    let n = axis.size as f32;
+    let mut out = Coordinate { texels: F32s::ZERO, mirrored: U32s::ZERO };
+    match axis.wrap {
+        Wrap::Repeat => out.texels = axis.texel_coordinate::<S>(s),
+        Wrap::MirroredRepeat => {
+            for lane in 0..LANES {
+                let whole = S::floor(s[lane]);
+                let part = max(s[lane] - whole, 0.0);
+                let half = whole * 0.5;
+                let odd = S::floor(half) < half;
+                out.texels[lane] = (if odd { 1.0 - part } else { part }) * n;
+                out.mirrored[lane] = if odd { !0 } else { 0 };
+            }
+        }
+        Wrap::ClampToEdge
+        | Wrap::Clamp
+        | Wrap::ClampToBorder
+        | Wrap::MirrorClamp
+        | Wrap::MirrorClampToEdge => {
+            for lane in 0..LANES {
+                let texels = s[lane] * axis.scale;
+                let number = if texels.is_nan() { 0.0 } else { texels };
+                out.texels[lane] = clamp(number, -BEYOND, n + BEYOND);
+            }
+        }
+    }
+    out
+}
+
+impl Rows {
+    /// The rows of a level. Lanes that do not ask for it (mask) have the fewest that there are.
+    #[inline(always)]
+    pub fn new<S: Simd>(place: &Place<'_>, at: [&F32s; 3], scan: &Scan, asks: &U32s) -> Self {
+        let axes = [place.axis(0), place.axis(1)];
+        let (s, t) = (coordinate::<S>(&axes[0], at[0]), coordinate::<S>(&axes[1], at[1]));
+        // Texels of this level per texel of the base level.
+        let base = place.texture.size;
+        let part = |axis: usize| match place.texture.shape {
+            Shape::Rect => 1.0,
+            _ => axes[axis].size as f32 / base[axis] as f32,
+        };
+        let part = [part(0), part(1)];
+        let turn = [part[1] / part[0], part[0] / part[1]];
+        let mut slope = scan.slope;
+        if axes.iter().any(|axis| axis.wrap == Wrap::MirroredRepeat) {
+            for lane in 0..LANES {
+                let mirrored = s.mirrored[lane] ^ t.mirrored[lane];
+                slope[lane] = if mirrored != 0 { -slope[lane] } else { slope[lane] };
+            }
+        }
+        let mut rows = Self {
+            along_t: scan.along_t,
+            along: I32s::ZERO,
+            across: I32s::ZERO,
+            step: I32s::ZERO,
+            rest: I32s::ZERO,
+            before: I32s::ZERO,
+            even: scan.even,
+            count: U32s::ZERO,
+            total: I32s::ZERO,
+            most: 0,
+            number: 0,
+        };
+        for lane in 0..LANES {
+            let along_t = scan.along_t[lane] != 0;
+            let (u, v) = (s.texels[lane], t.texels[lane]);
+            let (along, across) = if along_t { (v, u) } else { (u, v) };
+            let (part, turn) = if along_t { (part[1], turn[1]) } else { (part[0], turn[0]) };
+            let slope = clamp(slope[lane] * turn, -STEEPEST, STEEPEST);
+            let length = min((1.0 + scan.excess[lane] * part * part).sqrt(), LONGEST);
+            let length = if asks[lane] != 0 { length } else { 1.0 };
+
+            let total = to_fixed(length, ONE);
+            let middle = to_large_fixed::<S>(along, ONE);
+            let low = middle - (total >> 1);
+            let first = low >> 14;
+            let before = low & (ONE - 1);
+            // From the middle to the first row's.
+            let from = ((first << 14) + ONE / 2 - middle) as f32 / ONE as f32;
+            let moved = to_fixed(slope * from, 1 << 16);
+            // The centre of texel i is at i + 1/2; half a unit of the weight, to round it.
+            let across = to_large_fixed::<S>(across, 1 << 16) + moved - (1 << 15) + 2;
+            rows.along[lane] = first;
+            rows.across[lane] = across;
+            rows.step[lane] = to_fixed(slope, 1 << 16);
+            rows.total[lane] = total;
+            rows.before[lane] = before;
+            rows.rest[lane] = total + before;
+            rows.count[lane] = (total + before + ONE - 1 >> 14) as u32;
+        }
+        rows.most = S::largest(&rows.count);
+        rows
+    }
+
+    /// The weights of the left texel and (in the upper half) of the right one in the row that is
+    /// next. 0 where the lane has no more rows.
+    #[inline(always)]
+    pub fn weights(&self) -> U32s {
+        let mut out = U32s::ZERO;
+        for lane in 0..LANES {
+            let (across, rest) = (self.across[lane], self.rest[lane]);
+            out[lane] = weights(across, rest, self.before[lane], self.even[lane]);
+        }
+        out
+    }
+
+    /// All rows at once, from these bytes on.
+    #[inline(always)]
+    pub fn walk<'a>(&'a self, line: &'a U32s, along: &'a U32s, beside: Beside<'a>) -> Walk<'a> {
+        Walk {
+            line,
+            along,
+            beside,
+            place: &self.across,
+            step: &self.step,
+            rest: &self.rest,
+            before: &self.before,
+            even: &self.even,
+            rows: self.most,
+        }
+    }
+
+    /// On to the next row.
+    #[inline(always)]
+    pub fn advance(&mut self) {
+        for lane in 0..LANES {
+            self.along[lane] += 1;
+            self.across[lane] += self.step[lane];
+            self.rest[lane] -= ONE;
+        }
+        if self.number == 0 {
+            self.before = I32s::ZERO;
+        }
+        self.number += 1;
+    }
+
+    /// Whether no row of any lane reaches beyond the texels of the level.
+    #[inline(always)]
+    pub fn are_inside<S: Simd>(&self, place: &Place<'_>) -> bool {
+        let size = [place.level.width as i32, place.level.height as i32];
+        let mut beyond = U32s::ZERO;
+        let last = self.most as i32 - 1;
+        for lane in 0..LANES {
+            let along_t = self.along_t[lane] != 0;
+            let (along, across) = if along_t { (size[1], size[0]) } else { (size[0], size[1]) };
+            let first = self.along[lane];
+            let (a, b) =
+                (self.across[lane] >> 16, (self.across[lane] + last * self.step[lane]) >> 16);
+            let (low, high) = if a < b { (a, b) } else { (b, a) };
+            // Negative numbers are those with the topmost bit.
+            let bits = first | (along - 1 - last - first) | low | (across - 2 - high);
+            beyond[lane] = bits as u32 >> 31;
+        }
+        !S::any(&beyond)
+    }
+
+    /// Column and row of the left and of the right texel, wrapped, without the border's offset.
+    #[inline(always)]
+    pub fn texels(&self, place: &Place<'_>) -> [[U32s; 2]; 2] {
+        let axes = [place.axis(0), place.axis(1)];
+        let mut left = [I32s::ZERO; 2];
+        let mut right = [I32s::ZERO; 2];
+        for lane in 0..LANES {
+            let along_t = self.along_t[lane] != 0;
+            let (j, i) = (self.along[lane], self.across[lane] >> 16);
+            left[0][lane] = if along_t { i } else { j };
+            left[1][lane] = if along_t { j } else { i };
+            right[0][lane] = if along_t { i + 1 } else { j };
+            right[1][lane] = if along_t { j } else { i + 1 };
+        }
+        [
+            [wrapped(&axes[0], &left[0]), wrapped(&axes[1], &left[1])],
+            [wrapped(&axes[0], &right[0]), wrapped(&axes[1], &right[1])],
+        ]
+    }
+}
+
+/// The texels that stand for those of any index within [`BEYOND`] of the image.
+#[inline(always)]
+fn wrapped(axis: &Axis, index: &I32s) -> U32s {
+    let mut out = U32s::ZERO;
+    let (size, last) = (axis.size as i32, axis.size as i32 - 1);
+    match axis.wrap {
+        Wrap::Repeat if axis.size.is_power_of_two() => {
+            for lane in 0..LANES {
+                out[lane] = (index[lane] & last) as u32;
+            }
+        }
+        Wrap::Repeat => {
+            for lane in 0..LANES {
+                out[lane] = modulo(index[lane], size) as u32;
+            }
+        }
+        Wrap::MirroredRepeat => {
+            for lane in 0..LANES {
+                let i = modulo(index[lane], 2 * size);
+                out[lane] = if i < size { i } else { 2 * size - 1 - i } as u32;
+            }
+        }
+        Wrap::ClampToEdge
+        | Wrap::Clamp
+        | Wrap::ClampToBorder
+        | Wrap::MirrorClamp
+        | Wrap::MirrorClampToEdge => {
+            for lane in 0..LANES {
+                let low = if index[lane] > 0 { index[lane] } else { 0 };
+                out[lane] = if low < last { low } else { last } as u32;
+            }
+        }
+    }
+    out
+}
+
+/// `i mod n`, at least 0. The quotient of `i + 1/2` is never near an integer, so `f32` finds it.
+#[inline(always)]
+fn modulo(i: i32, n: i32) -> i32 {
+    let quotient = (i as f32 + 0.5) / n as f32;
+    i - floor_small(quotient).0 * n
+}
