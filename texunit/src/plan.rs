@@ -8,10 +8,11 @@ use crate::sample::lod::LodRange;
 use crate::sample::plain::Class;
 use crate::sample::query::Query;
 use crate::sample::texel::Fetch;
-use crate::sample::{Off, Sample};
+use crate::sample::{Off, Probed, Sample, Scanned};
 use crate::sampler::{
     Border, Compare, DepthMode, Filter, MAX_ANISOTROPY, Mipmap, Sampler, Seamless, Swizzle, Wrap,
 };
+use std::marker::PhantomData;
 use std::sync::Arc;
 
 /// Where the level of detail of a batch comes from.
@@ -200,7 +201,32 @@ impl SamplePlan {
         match &self.0 {
             Ok(texture) => {
                 let recorder = &mut Off;
-                isa.run(Sample { texture, coords, reference, offset, lod, out, recorder });
+                // Kernels of their own: neither pays for the other's size.
+                if texture.scans() {
+                    let reads = PhantomData::<Scanned>;
+                    isa.run(Sample {
+                        texture,
+                        coords,
+                        reference,
+                        offset,
+                        lod,
+                        out,
+                        recorder,
+                        reads,
+                    });
+                } else {
+                    let reads = PhantomData::<Probed>;
+                    isa.run(Sample {
+                        texture,
+                        coords,
+                        reference,
+                        offset,
+                        lod,
+                        out,
+                        recorder,
+                        reads,
+                    });
+                }
             }
             Err(_) => *out = OPAQUE_BLACK,
         }
@@ -319,6 +345,11 @@ impl Texture {
             && (self.wrap[0].reaches_border(filter)
                 || (axes > 1 && self.wrap[1].reaches_border(filter))
                 || (axes > 2 && self.wrap[2].reaches_border(filter)))
+    }
+
+    /// Whether footprints are read row by row.
+    fn scans(&self) -> bool {
+        matches!(self.detail, Detail::PerLane { anisotropy: Anisotropy::Scan(_), .. })
     }
 
     /// Whether one coordinate is a layer.

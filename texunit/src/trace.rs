@@ -5,8 +5,9 @@
 
 use crate::lanes::{Baseline, F32s, Kernel, LANES};
 use crate::plan::{Lod, SamplePlan};
-use crate::sample::{Lane, Sample};
+use crate::sample::{Any, Lane, Sample};
 use crate::sampler::{Compare, Filter};
+use std::marker::PhantomData;
 
 /// A step of a sample, in the order of GL 2.1, section 3.8. Levels count from the base level.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -208,7 +209,8 @@ impl SamplePlan {
         let mut recorder = Lane::new(lane);
         if let Some(texture) = self.general().texture() {
             let (out, recorder) = (&mut out, &mut recorder);
-            let sample = Sample { texture, coords, reference, offset, lod, out, recorder };
+            let reads = PhantomData::<Any>;
+            let sample = Sample { texture, coords, reference, offset, lod, out, recorder, reads };
             sample.run::<Baseline>();
         }
         SampleTrace {

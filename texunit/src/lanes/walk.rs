@@ -77,7 +77,7 @@ pub(super) fn by_rows<S: Simd>(bytes: &[u8], walk: &Walk<'_>, sums: &mut Sums) {
                     let texels = S::gather(bytes, &first);
                     let mut second = U32s::ZERO;
                     for lane in 0..LANES {
-                        second[lane] = texels[lane] >> (8 * size & 31);
+                        second[lane] = texels[lane] >> ((8 * size) & 31);
                     }
                     S::weigh(&texels, &second, &weighed, sums);
                 }
@@ -218,10 +218,9 @@ pub(super) unsafe fn avx512(bytes: &[u8], walk: &Walk<'_>, sums: &mut Sums) {
                 rest = _mm512_sub_epi32(rest, one);
                 before = zero;
             }
-            for half in 0..2 {
-                for part in 0..2 {
-                    avx512_sum(sums, half, at + 8 * part, totals[half][part]);
-                }
+            for (half, [first, second]) in totals.into_iter().enumerate() {
+                avx512_sum(sums, half, at, first);
+                avx512_sum(sums, half, at + 8, second);
             }
         }
     }

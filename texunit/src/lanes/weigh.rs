@@ -91,11 +91,11 @@ pub(super) mod x86 {
     /// AVX2 is there.
     #[inline(always)]
     unsafe fn avx2_add(texels: __m256i, weights: __m256i, apart: u32, sums: &mut Sums, at: usize) {
-        for half in 0..2 {
+        for (half, places) in BY_APART[usize::from(apart == 4)].iter().enumerate() {
             // SAFETY: a table has 16 bytes; `at` and the three lanes after it are lanes.
             unsafe {
-                let places = BY_APART[usize::from(apart == 4)][half].as_ptr().cast::<__m128i>();
-                let places = _mm256_broadcastsi128_si256(_mm_loadu_si128(places));
+                let places = _mm_loadu_si128(places.as_ptr().cast::<__m128i>());
+                let places = _mm256_broadcastsi128_si256(places);
                 let bytes = _mm256_shuffle_epi8(texels, places);
                 let sum = sums.0[half].as_mut_ptr().add(at).cast::<__m256i>();
                 let products = _mm256_madd_epi16(bytes, weights);

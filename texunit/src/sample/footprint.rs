@@ -29,7 +29,6 @@ pub struct Derivatives<'a> {
 }
 
 /// How the footprints of a batch are read.
-#[expect(clippy::large_enum_variant, reason = "lives on one call's stack, where a box costs more")]
 pub enum Footprint {
     /// As round ones, in one sample.
     Round,
@@ -37,6 +36,38 @@ pub enum Footprint {
     Probes(Probes),
     /// Row by row.
     Scan(Scan),
+}
+
+/// Which footprints a kernel can read: what it cannot is not compiled into it.
+pub trait Reads: Copy {
+    /// [`Footprint::Probes`].
+    const PROBES: bool;
+    /// [`Footprint::Scan`].
+    const SCANS: bool;
+}
+
+/// Round ones and those with probes.
+#[derive(Clone, Copy)]
+pub struct Probed;
+impl Reads for Probed {
+    const PROBES: bool = true;
+    const SCANS: bool = false;
+}
+
+/// Round ones and those that are read row by row.
+#[derive(Clone, Copy)]
+pub struct Scanned;
+impl Reads for Scanned {
+    const PROBES: bool = false;
+    const SCANS: bool = true;
+}
+
+/// All.
+#[derive(Clone, Copy)]
+pub struct Any;
+impl Reads for Any {
+    const PROBES: bool = true;
+    const SCANS: bool = true;
 }
 
 /// Where the probes of a batch lie.

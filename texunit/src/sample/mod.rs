@@ -26,14 +26,16 @@ use crate::lanes::math::clamp;
 use crate::lanes::{F32s, Kernel, LANES, Simd, U32s};
 use crate::plan::{Lod, Texture};
 use crate::trace::SampleStep;
-use footprint::{Footprint, Probes};
+pub(crate) use footprint::{Any, Probed, Scanned};
+use footprint::{Footprint, Probes, Reads};
 use record::Recorder;
 pub(crate) use record::{Lane, Off};
 use scan::Scan;
+use std::marker::PhantomData;
 use taps::Taps;
 
 /// One call: 64 samples of a complete texture.
-pub(crate) struct Sample<'a, R> {
+pub(crate) struct Sample<'a, R, F> {
     pub texture: &'a Texture,
     pub coords: [&'a F32s; 3],
     pub reference: Option<&'a F32s>,
@@ -42,24 +44,26 @@ pub(crate) struct Sample<'a, R> {
     pub lod: Lod<'a>,
     pub out: &'a mut [F32s; 4],
     pub recorder: &'a mut R,
+    /// What the kernel is compiled for.
+    pub reads: PhantomData<F>,
 }
 
-impl<R: Recorder> Kernel for Sample<'_, R> {
+impl<R: Recorder, F: Reads> Kernel for Sample<'_, R, F> {
     type Output = ();
 
     #[inline(always)]
     fn run<S: Simd>(self) {
-        let Self { texture, coords, reference, offset, lod, out, recorder } = self;
+        let Self { texture, coords, reference, offset, lod, out, recorder, reads: _ } = self;
         let reference = match texture.compare {
             Some(_) => unit_range(reference.unwrap_or(coords[2])),
             None => F32s::ZERO,
         };
         let at = Coordinates::new(texture, coords, recorder);
-        let (taps, footprint) = taps::taps::<S>(texture, &at, lod, recorder);
+        let (taps, footprint) = taps::taps::<S, F>(texture, &at, lod, recorder);
         let (probes, scan) = match &footprint {
-            Footprint::Round => (None, None),
-            Footprint::Probes(probes) => (Some(probes), None),
-            Footprint::Scan(scan) => (None, Some(scan)),
+            Footprint::Probes(probes) if F::PROBES => (Some(probes), None),
+            Footprint::Scan(scan) if F::SCANS => (None, Some(scan)),
+            Footprint::Round | Footprint::Probes(_) | Footprint::Scan(_) => (None, None),
         };
         let samples = Samples { texture, offset, reference: &reference, scan };
         sample_probes::<S>(&samples, &at, &taps, probes, out, recorder);
@@ -223,7 +227,11 @@ fn sample_taps<S: Simd>(
             Taps::Same(_) | Taps::Pair { .. } | Taps::Mixed { .. } => &mut *out,
         };
         recorder.only(|lane| asks(lane) && taps.of_lane(lane).contains(&key));
-        sample_key::<S>(samples, key, at, [layer, &taps.asking(key)], target, recorder);
+        let asking = match samples.scan {
+            Some(_) => taps.asking(key),
+            None => U32s::ZERO,
+        };
+        sample_key::<S>(samples, key, at, [layer, &asking], target, recorder);
         if let Taps::Mixed { keys, .. } = taps {
             let [first, second] = kept.get_or_insert([[F32s::ZERO; 4]; 2]);
             keep::<S>(&keys[0], key, channels, out, first);

@@ -1,10 +1,10 @@
 //! What level of detail a lookup has, without the lookup (`textureQueryLOD`,
 //! ARB_texture_query_lod).
 
-use super::Coordinates;
 use super::lod::LodRange;
 use super::record::Off;
 use super::taps::base_lambda;
+use super::{Any, Coordinates};
 use crate::lanes::{F32s, Kernel, LANES, Simd};
 use crate::plan::{Anisotropy, Detail, Lod, Texture};
 use crate::sampler::Mipmap;
@@ -41,7 +41,7 @@ impl Kernel for Query<'_> {
                 Anisotropy::Off,
             ),
         };
-        let (base, _, bias) = base_lambda::<S>(texture, &at, lod, anisotropy, &mut Off);
+        let (base, _, bias) = base_lambda::<S, Any>(texture, &at, lod, anisotropy, &mut Off);
         let free = LodRange { min: f32::NEG_INFINITY, max: f32::INFINITY, ..range };
         out[1] = free.lambda(&base, bias);
         let lambda = range.lambda(&base, bias);

@@ -1,6 +1,6 @@
 //! Which levels and faces the lanes of a batch read, and with which filter.
 
-use super::footprint::{self, Derivatives, Footprint};
+use super::footprint::{self, Derivatives, Footprint, Reads};
 use super::lod::{across, upward};
 use super::record::Recorder;
 use super::{Coordinates, cube, scan};
@@ -122,7 +122,7 @@ pub fn parts(key: u32) -> (Filter, usize, usize) {
 
 /// What each lane reads, and how its footprint lies.
 #[inline(always)]
-pub fn taps<S: Simd>(
+pub fn taps<S: Simd, F: Reads>(
     texture: &Texture,
     at: &Coordinates,
     lod: Lod<'_>,
@@ -135,7 +135,7 @@ pub fn taps<S: Simd>(
             return (fixed::<S>(texture, at), Footprint::Round);
         }
     };
-    let (base, footprint, bias) = base_lambda::<S>(texture, at, lod, *anisotropy, recorder);
+    let (base, footprint, bias) = base_lambda::<S, F>(texture, at, lod, *anisotropy, recorder);
     let lambda = range.lambda(&base, bias);
     let (levels, weight) = range.levels(&lambda);
     recorder.note(|lane| SampleStep::Lambda {
@@ -182,7 +182,7 @@ pub fn taps<S: Simd>(
 
 /// λ of the base level before any bias, how the footprint lies, and the bias of the lookup.
 #[inline(always)]
-pub fn base_lambda<'a, S: Simd>(
+pub fn base_lambda<'a, S: Simd, F: Reads>(
     texture: &Texture,
     at: &Coordinates<'_>,
     lod: Lod<'a>,
@@ -222,18 +222,18 @@ pub fn base_lambda<'a, S: Simd>(
                 SampleStep::Derivatives { dx: of(d.dx), dy: of(d.dy), scale: texture.scale }
             });
             let (base, footprint) = match anisotropy {
-                Anisotropy::Off => {
-                    (footprint::isotropic(&d, axes, texture.scale, recorder), Footprint::Round)
-                }
-                Anisotropy::Probes(most) => {
+                Anisotropy::Probes(most) if F::PROBES => {
                     let most = most as f32;
                     let (base, probes) =
                         footprint::anisotropic::<S>(&d, axes, texture.scale, most, recorder);
                     (base, probes.map_or(Footprint::Round, Footprint::Probes))
                 }
-                Anisotropy::Scan(most) => {
+                Anisotropy::Scan(most) if F::SCANS => {
                     let (base, scan) = scan::footprint(&d, texture.scale, most as f32, recorder);
                     (base, Footprint::Scan(scan))
+                }
+                Anisotropy::Off | Anisotropy::Probes(_) | Anisotropy::Scan(_) => {
+                    (footprint::isotropic(&d, axes, texture.scale, recorder), Footprint::Round)
                 }
             };
             (base, footprint, bias)

@@ -93,14 +93,14 @@ fn general<S: Simd>(
 #[inline(always)]
 fn indices(place: &Place<'_>, texel: &[U32s; 2]) -> [Indices; 2] {
     let border = place.level.border;
-    let along = |axis: usize| {
+    let along = |index: &U32s, border: u32| {
         let mut out = Indices { index: U32s::ZERO, outside: U32s::ZERO };
         for lane in 0..LANES {
-            out.index[lane] = texel[axis][lane] + border[axis];
+            out.index[lane] = index[lane] + border;
         }
         out
     };
-    [along(0), along(1)]
+    [along(&texel[0], border[0]), along(&texel[1], border[1])]
 }
 
 /// Both weights of a row, in units of 2^-14.
@@ -117,15 +117,15 @@ impl Means {
 
     /// A row. One without weight is not there: its inf and NaN do not matter.
     #[inline(always)]
-    fn add(&mut self, channels: usize, weights: &U32s, texels: [&[F32s; 4]; 2]) {
+    fn add(&mut self, channels: usize, weights: &U32s, [first, second]: [&[F32s; 4]; 2]) {
         let (mut left, mut right) = (F32s::ZERO, F32s::ZERO);
         for lane in 0..LANES {
             [left[lane], right[lane]] = halves(weights[lane]);
         }
-        for channel in 0..channels {
-            let sum = &mut self.0[channel];
+        let pairs = first.iter().zip(second);
+        for (sum, (first, second)) in self.0.iter_mut().zip(pairs).take(channels) {
             for lane in 0..LANES {
-                let (a, b) = (texels[0][channel][lane], texels[1][channel][lane]);
+                let (a, b) = (first[lane], second[lane]);
                 let next = sum[lane] + (left[lane] * a + right[lane] * b);
                 sum[lane] = if weights[lane] != 0 { next } else { sum[lane] };
             }

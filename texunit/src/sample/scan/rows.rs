@@ -155,7 +155,7 @@ impl Rows {
             rows.total[lane] = total;
             rows.before[lane] = before;
             rows.rest[lane] = total + before;
-            rows.count[lane] = (total + before + ONE - 1 >> 14) as u32;
+            rows.count[lane] = ((total + before + ONE - 1) >> 14) as u32;
         }
         rows.most = S::largest(&rows.count);
         rows
