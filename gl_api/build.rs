@@ -39,6 +39,12 @@ fn main() {
     println!("cargo:rustc-cdylib-link-arg=-Wl,-z,nodelete");
     // Names of its own are its own, whatever else the process has under them.
     println!("cargo:rustc-cdylib-link-arg=-Wl,-Bsymbolic");
+    // The workspace's `strip` does not reach a package that has a setting of its own.
+    if std::env::var("PROFILE").is_ok_and(|profile| profile == "release")
+        && std::env::var("DEBUG").is_ok_and(|debug| debug == "false")
+    {
+        println!("cargo:rustc-cdylib-link-arg=-Wl,-s");
+    }
     link_unwinder();
 }
 

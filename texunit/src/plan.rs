@@ -200,32 +200,14 @@ impl SamplePlan {
     ) {
         match &self.0 {
             Ok(texture) => {
-                let recorder = &mut Off;
+                let (recorder, reads) = (&mut Off, PhantomData::<Probed>);
+                let sample =
+                    Sample { texture, coords, reference, offset, lod, out, recorder, reads };
                 // Kernels of their own: neither pays for the other's size.
                 if texture.scans() {
-                    let reads = PhantomData::<Scanned>;
-                    isa.run(Sample {
-                        texture,
-                        coords,
-                        reference,
-                        offset,
-                        lod,
-                        out,
-                        recorder,
-                        reads,
-                    });
+                    sample.reading::<Scanned>().run_on(isa);
                 } else {
-                    let reads = PhantomData::<Probed>;
-                    isa.run(Sample {
-                        texture,
-                        coords,
-                        reference,
-                        offset,
-                        lod,
-                        out,
-                        recorder,
-                        reads,
-                    });
+                    sample.run_on(isa);
                 }
             }
             Err(_) => *out = OPAQUE_BLACK,

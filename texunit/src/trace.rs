@@ -3,7 +3,7 @@
 //! [`SamplePlan::trace`] runs the general kernels with a recorder in them; a sample runs the same
 //! code without one. So a trace cannot differ from what was drawn.
 
-use crate::lanes::{Baseline, F32s, Kernel, LANES};
+use crate::lanes::{F32s, LANES};
 use crate::plan::{Lod, SamplePlan};
 use crate::sample::{Any, Lane, Sample};
 use crate::sampler::{Compare, Filter};
@@ -211,7 +211,7 @@ impl SamplePlan {
             let (out, recorder) = (&mut out, &mut recorder);
             let reads = PhantomData::<Any>;
             let sample = Sample { texture, coords, reference, offset, lod, out, recorder, reads };
-            sample.run::<Baseline>();
+            sample.run_in_baseline();
         }
         SampleTrace {
             coords: coords.map(|coord| coord[lane]),

@@ -125,6 +125,23 @@ impl Isa {
     }
 }
 
+impl Isa {
+    /// As [`Self::run`], but gives the kernel back where it would be compiled for the baseline: for
+    /// those that are large, and there already in another form.
+    #[inline]
+    pub(crate) fn run_above_baseline<K: Kernel>(self, kernel: K) -> Result<K::Output, K> {
+        match self.0 {
+            Level::Baseline => Err(kernel),
+            // SAFETY: the value exists, so the processor was seen to have these features.
+            #[cfg(target_arch = "x86_64")]
+            Level::Avx2 => Ok(unsafe { run_avx2(kernel) }),
+            // SAFETY: as above.
+            #[cfg(target_arch = "x86_64")]
+            Level::Avx512 => Ok(unsafe { run_avx512(kernel) }),
+        }
+    }
+}
+
 /// One body of loops over lanes, compiled once per instruction set.
 ///
 /// `run`, and every function it calls on the hot path, must be `#[inline(always)]`: only what is

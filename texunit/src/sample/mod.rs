@@ -23,7 +23,7 @@ mod wrap;
 
 use crate::image::Shape;
 use crate::lanes::math::clamp;
-use crate::lanes::{F32s, Kernel, LANES, Simd, U32s};
+use crate::lanes::{Baseline, F32s, Isa, Kernel, LANES, Simd, U32s};
 use crate::plan::{Lod, Texture};
 use crate::trace::SampleStep;
 pub(crate) use footprint::{Any, Probed, Scanned};
@@ -69,6 +69,34 @@ impl<R: Recorder, F: Reads> Kernel for Sample<'_, R, F> {
         sample_probes::<S>(&samples, &at, &taps, probes, out, recorder);
         expand::expand(texture.format, texture.depth_mode, out);
         expand::swizzle(texture.format, texture.swizzle, out);
+    }
+}
+
+impl<'a, F: Reads> Sample<'a, Off, F> {
+    /// The same with a kernel that reads other footprints.
+    pub fn reading<G: Reads>(self) -> Sample<'a, Off, G> {
+        let Self { texture, coords, reference, offset, lod, out, recorder, reads: _ } = self;
+        let reads = PhantomData;
+        Sample { texture, coords, reference, offset, lod, out, recorder, reads }
+    }
+
+    /// Runs it as compiled for an instruction set.
+    #[inline]
+    pub fn run_on(self, isa: Isa) {
+        if let Err(sample) = isa.run_above_baseline(self) {
+            let Self { texture, coords, reference, offset, lod, out, .. } = sample;
+            let (recorder, reads) = (&mut Lane::deaf(), PhantomData);
+            Sample { texture, coords, reference, offset, lod, out, recorder, reads }
+                .run_in_baseline();
+        }
+    }
+}
+
+impl Sample<'_, Lane, Any> {
+    /// The one kernel of the baseline: traces run it too.
+    #[inline(never)]
+    pub fn run_in_baseline(self) {
+        self.run::<Baseline>();
     }
 }
 

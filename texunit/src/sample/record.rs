@@ -27,6 +27,8 @@ impl Recorder for Off {
 pub(crate) struct Lane {
     pub lane: usize,
     pub steps: Vec<SampleStep>,
+    /// Whether anybody wants them.
+    listens: bool,
     /// Whether what runs concerns it.
     concerned: bool,
 }
@@ -34,7 +36,12 @@ pub(crate) struct Lane {
 impl Lane {
     /// Nothing yet.
     pub fn new(lane: usize) -> Self {
-        Self { lane, steps: Vec::new(), concerned: true }
+        Self { lane, steps: Vec::new(), listens: true, concerned: true }
+    }
+
+    /// Nobody wants to know.
+    pub fn deaf() -> Self {
+        Self { lane: 0, steps: Vec::new(), listens: false, concerned: false }
     }
 }
 
@@ -46,6 +53,6 @@ impl Recorder for Lane {
     }
 
     fn only(&mut self, takes_part: impl FnOnce(usize) -> bool) {
-        self.concerned = takes_part(self.lane);
+        self.concerned = self.listens && takes_part(self.lane);
     }
 }
