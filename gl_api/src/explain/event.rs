@@ -105,7 +105,7 @@ fn inputs(page: &mut Page, fragment: &Fragment, note: &DrawNote) {
                 InputSource::Linear(vertices) => {
                     format!("linear, from {} at the vertices", numbers(vertices))
                 }
-                InputSource::Flat => "that of the provoking vertex".into(),
+                InputSource::Flat => "the same all over the primitive".into(),
                 InputSource::Slope => "exact, from the planes of the primitive".into(),
                 InputSource::Pixel if matches!(input.input, Input::Slope { .. }) => {
                     "left out: no texture of this draw needs λ".into()
