@@ -108,19 +108,30 @@ fn agree(words: &U32s) -> bool {
 }
 
 macro_rules! operations {
-    (@last $a:ident) => { $a };
-    (@last $a:ident, $b:ident) => { $b };
-    (@last $a:ident, $b:ident, $c:ident) => { $c };
-    (@rare $out:ident $args:ident $a:ident: $A:ty,) => {};
-    (@rare $out:ident $args:ident $a:ident: $A:ty, $rare:expr, $far:expr) => {
+    (@operands $registers:ident $args:ident $a:ident $(, $b:ident $(, $c:ident)?)?) => {
+        let $a = &$registers[$args[0]];
+        $(let $b = &$registers[$args[1]]; $(let $c = &$registers[$args[2]];)?)?
+    };
+    (@lane $lane:ident $a:ident: $A:ty $(, $b:ident: $B:ty $(, $c:ident: $C:ty)?)?) => {
+        let $a = <$A>::from_word($a[$lane]);
+        $(let $b = <$B>::from_word($b[$lane]); $(let $c = <$C>::from_word($c[$lane]);)?)?
+    };
+    (@agree $a:ident $(, $b:ident $(, $c:ident)?)?) => {
+        agree($a) $(&& agree($b) $(&& agree($c))?)?
+    };
+    (@first $a:ident) => { [$a[0], 0, 0] };
+    (@first $a:ident, $b:ident) => { [$a[0], $b[0], 0] };
+    (@first $a:ident, $b:ident, $c:ident) => { [$a[0], $b[0], $c[0]] };
+    (@rare $out:ident $a:ident: $A:ty,) => {};
+    (@rare $out:ident $a:ident: $A:ty, $rare:expr, $far:expr) => {
         let mut any = false;
         for lane in 0..LANES {
-            let $a = <$A>::from_word($args[0][lane]);
+            let $a = <$A>::from_word($a[lane]);
             any |= $rare;
         }
         if any {
             for lane in 0..LANES {
-                let $a = <$A>::from_word($args[0][lane]);
+                let $a = <$A>::from_word($a[lane]);
                 if $rare {
                     $out[lane] = $far.to_word();
                 }
@@ -182,29 +193,29 @@ macro_rules! operations {
                 }
             }
 
-            /// The operation on 64 lanes. Operands beyond the arity are not looked at.
+            /// The operation on 64 lanes of a file of registers: what is at `args` to `out`, which may be
+            /// one of them. Operands beyond the arity are not looked at.
             #[inline(always)]
-            pub fn run<S: Simd>(self, out: &mut U32s, args: [&U32s; 3]) {
+            pub fn run<S: Simd>(self, registers: &mut [U32s], out: usize, args: [usize; 3]) {
                 match self {
                     $(Self::$Name => {
+                        // By itself, so that the compiler knows that no operand is written.
+                        let mut result = U32s::ZERO;
+                        operations!(@operands registers args $a $(, $b $(, $c)?)?);
                         if Self::$Name.cost() >= LONG {
-                            let $a = agree(args[0]);
-                            $(let $b = $a && agree(args[1]); $(let $c = $b && agree(args[2]);)?)?
-                            let agreed = operations!(@last $a $(, $b $(, $c)?)?);
-                            if agreed {
-                                let word = Self::$Name.lane::<S>(args.map(|arg| arg[0]));
-                                *out = U32s::splat(word);
+                            if operations!(@agree $a $(, $b $(, $c)?)?) {
+                                let word = Self::$Name.lane::<S>(operations!(@first $a $(, $b $(, $c)?)?));
+                                registers[out] = U32s::splat(word);
                                 return;
                             }
                         }
                         for lane in 0..LANES {
-                            let $a = <$A>::from_word(args[0][lane]);
-                            $(let $b = <$B>::from_word(args[1][lane]);
-                            $(let $c = <$C>::from_word(args[2][lane]);)?)?
-                            let result: $R = $body;
-                            out[lane] = result.to_word();
+                            operations!(@lane lane $a: $A $(, $b: $B $(, $c: $C)?)?);
+                            let value: $R = $body;
+                            result[lane] = value.to_word();
                         }
-                        operations!(@rare out args $a: $A, $($rare, $far)?);
+                        operations!(@rare result $a: $A, $($rare, $far)?);
+                        registers[out] = result;
                     })*
                 }
             }

@@ -71,14 +71,19 @@ macro_rules! fused {
             /// Larger ones before those that they contain.
             const ALL: &[(Self, Tree)] = &[$((Self::$Name, tree!($op ($($arg)*)))),*];
 
-            /// The operations on 64 lanes. Operands that the tree lacks are not looked at.
+            /// The operations on 64 lanes of a file of registers: what is at `args` to `out`, which may be
+            /// one of them. Operands that the tree lacks are not looked at.
             #[inline(always)]
-            pub fn run<S: Simd>(self, out: &mut U32s, args: [&U32s; OPERANDS]) {
+            pub fn run<S: Simd>(self, registers: &mut [U32s], out: usize, args: [usize; OPERANDS]) {
+                let args = args.map(|arg| &registers[arg]);
                 match self {
                     $(Self::$Name => {
+                        // Of each arm by itself, so that the compiler knows that no operand is written.
+                        let mut result = U32s::ZERO;
                         for lane in 0..LANES {
-                            out[lane] = words!(S args lane $op ($($arg)*));
+                            result[lane] = words!(S args lane $op ($($arg)*));
                         }
+                        registers[out] = result;
                     })*
                 }
             }

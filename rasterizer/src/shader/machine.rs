@@ -1,8 +1,8 @@
 //! Running a register program over 64 lanes.
 //!
 //! One run is one [`Kernel`]: the loop over the instructions is compiled per instruction set with
-//! every operation's loop inlined. An operation writes a scratch register that is then swapped
-//! with the destination (two pointers), so that no output ever aliases an input.
+//! every operation's loop inlined. An operation computes into a value of its own that is then moved to
+//! its register, so that no output ever aliases an input.
 
 mod trace;
 
@@ -19,9 +19,7 @@ use texunit::plan::Lod;
 /// The registers of a thread, reused from batch to batch and from program to program.
 #[derive(Debug, Default)]
 pub struct Machine {
-    #[expect(clippy::vec_box, reason = "registers are swapped by pointer")]
-    registers: Vec<Box<U32s>>,
-    scratch: Box<U32s>,
+    registers: Vec<U32s>,
     /// The lanes that execute.
     exec: Mask,
     /// The lanes that the run began with.
@@ -45,7 +43,7 @@ impl Machine {
         }
         let count = program.layout.registers as usize;
         if self.registers.len() < count {
-            self.registers.resize_with(count, Box::default);
+            self.registers.resize(count, U32s::ZERO);
         }
         if self.slots.len() < program.slots as usize {
             self.slots.resize_with(program.slots as usize, Mask::default);
@@ -82,7 +80,7 @@ impl Machine {
         self.begin(run.program);
         if self.prepared != run.prepared.id {
             for (reg, word) in self.registers.iter_mut().zip(&run.program.layout.splats) {
-                **reg = U32s::splat(run.prepared.words[*word as usize]);
+                *reg = U32s::splat(run.prepared.words[*word as usize]);
             }
             self.prepared = run.prepared.id;
         }
@@ -104,21 +102,15 @@ impl Machine {
         &self.registers[reg.0 as usize]
     }
 
-    /// Makes the scratch register the value of `out`.
-    #[inline(always)]
-    fn set(&mut self, out: Reg) {
-        std::mem::swap(&mut self.registers[out.0 as usize], &mut self.scratch);
-    }
-
     #[inline(always)]
     fn load_at(&mut self, out: Reg, base: Reg, len: u32, index: Reg) {
         let array = &self.registers[base.0 as usize..][..len as usize];
         let index = &self.registers[index.0 as usize];
-        let scratch = &mut *self.scratch;
+        let mut found = U32s::ZERO;
         for lane in 0..LANES {
-            scratch[lane] = array[index[lane].min(len - 1) as usize][lane];
+            found[lane] = array[index[lane].min(len - 1) as usize][lane];
         }
-        self.set(out);
+        self.registers[out.0 as usize] = found;
     }
 
     #[inline(always)]
@@ -128,11 +120,12 @@ impl Machine {
             Extent::Part => {
                 let old = &self.registers[out.0 as usize];
                 let new = &self.registers[from.0 as usize];
-                blend(&mut self.scratch, &self.exec.lanes, new, old);
+                let mut blended = U32s::ZERO;
+                blend(&mut blended, &self.exec.lanes, new, old);
+                self.registers[out.0 as usize] = blended;
             }
-            Extent::Whole => *self.scratch = *self.registers[from.0 as usize],
+            Extent::Whole => self.registers[out.0 as usize] = self.registers[from.0 as usize],
         }
-        self.set(out);
     }
 
     #[inline(always)]
@@ -155,7 +148,7 @@ impl Machine {
     #[inline(always)]
     fn derivative(&mut self, axis: Axis, out: Reg, from: Reg) {
         let from = self.registers[from.0 as usize].as_f32();
-        let scratch = self.scratch.as_f32_mut();
+        let mut difference = F32s::ZERO;
         // By pixel of the quad: the planes of the near and the far neighbour.
         let planes = match axis {
             Axis::X => [(0, 1), (0, 1), (2, 3), (2, 3)],
@@ -163,11 +156,11 @@ impl Machine {
         };
         for (pixel, (near, far)) in planes.into_iter().enumerate() {
             for quad in 0..QUADS {
-                scratch[pixel * QUADS + quad] =
+                difference[pixel * QUADS + quad] =
                     from[far * QUADS + quad] - from[near * QUADS + quad];
             }
         }
-        self.set(out);
+        self.registers[out.0 as usize] = *difference.as_u32();
     }
 
     #[inline(always)]
@@ -217,7 +210,7 @@ impl Machine {
         }
         for (out, texel) in sample.out.iter().zip(self.sampled.iter()) {
             if let Some(out) = out {
-                *self.registers[out.0 as usize] = *texel.as_u32();
+                self.registers[out.0 as usize] = *texel.as_u32();
             }
         }
     }
@@ -241,16 +234,17 @@ impl Machine {
     #[inline(always)]
     fn uniform_at(&mut self, prepared: &Prepared, out: Reg, base: u32, len: u32, index: Reg) {
         let index = &self.registers[index.0 as usize];
+        let mut found = U32s::ZERO;
         for lane in 0..LANES {
-            self.scratch[lane] = uniform_at(&prepared.uniforms, base, len, index[lane]);
+            found[lane] = uniform_at(&prepared.uniforms, base, len, index[lane]);
         }
-        self.set(out);
+        self.registers[out.0 as usize] = found;
     }
 }
 
 /// Where the level of detail of a sample comes from.
 #[inline(always)]
-fn lod<'a>(registers: &'a [Box<U32s>], sample: &SampleInst) -> Lod<'a> {
+fn lod<'a>(registers: &'a [U32s], sample: &SampleInst) -> Lod<'a> {
     let reg = |reg: Reg| registers[reg.0 as usize].as_f32();
     match sample.lod {
         SampleLod::Implicit { bias } => Lod::Implicit { bias: bias.map(reg) },
@@ -281,22 +275,19 @@ impl Kernel for Interpreter<'_> {
             pc += 1;
             match *inst {
                 Inst::Op { op, out, args } => {
-                    let args = args.map(|reg| &*m.registers[reg.0 as usize]);
-                    op.run::<S>(&mut m.scratch, args);
-                    m.set(out);
+                    let args = args.map(|reg| reg.0 as usize);
+                    op.run::<S>(&mut m.registers, out.0 as usize, args);
                 }
                 Inst::Fused { fused, out, args } => {
-                    let args = args.map(|reg| &*m.registers[reg.0 as usize]);
-                    fused.run::<S>(&mut m.scratch, args);
-                    m.set(out);
+                    let args = args.map(|reg| reg.0 as usize);
+                    fused.run::<S>(&mut m.registers, out.0 as usize, args);
                 }
                 Inst::Move { out, from } => {
-                    *m.scratch = *m.registers[from.0 as usize];
-                    m.set(out);
+                    m.registers[out.0 as usize] = m.registers[from.0 as usize];
                 }
                 Inst::Zero { out, len } => {
                     for reg in &mut m.registers[out.0 as usize..][..len as usize] {
-                        **reg = U32s::ZERO;
+                        *reg = U32s::ZERO;
                     }
                 }
                 Inst::Store { out, from } => m.store(out, from),

@@ -41,13 +41,13 @@ fn red(module: &Module) -> Vec<f32> {
     first
 }
 
-struct OneOp<'a>(Op, &'a mut U32s, [&'a U32s; 3]);
+struct OneOp<'a>(Op, &'a mut [U32s; 4]);
 
 impl texunit::lanes::Kernel for OneOp<'_> {
     type Output = ();
     #[inline(always)]
     fn run<S: texunit::lanes::Simd>(self) {
-        self.0.run::<S>(self.1, self.2);
+        self.0.run::<S>(self.1, 3, [0, 1, 2]);
     }
 }
 
@@ -90,8 +90,9 @@ fn every_operation_is_the_same_on_one_lane_and_on_64_of_every_instruction_set() 
                 })
             });
             for isa in Isa::available() {
-                let mut out = U32s::ZERO;
-                isa.run(OneOp(op, &mut out, [&args[0], &args[1], &args[2]]));
+                let mut registers = [args[0], args[1], args[2], U32s::ZERO];
+                isa.run(OneOp(op, &mut registers));
+                let out = &registers[3];
                 for lane in 0..LANES {
                     let want = op.eval([args[0][lane], args[1][lane], args[2][lane]]);
                     let (got, want) = (super::any_nan(out[lane]), super::any_nan(want));
