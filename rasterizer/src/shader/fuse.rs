@@ -75,7 +75,8 @@ macro_rules! fused {
             /// one of them. Operands that the tree lacks are not looked at.
             #[inline(always)]
             pub fn run<S: Simd>(self, registers: &mut [U32s], out: usize, args: [usize; OPERANDS]) {
-                let args = args.map(|arg| &registers[arg]);
+                let [a, b, c, d] = args;
+                let args = [&registers[a], &registers[b], &registers[c], &registers[d]];
                 match self {
                     $(Self::$Name => {
                         // Of each arm by itself, so that the compiler knows that no operand is written.
@@ -92,6 +93,8 @@ macro_rules! fused {
 }
 
 fused! {
+    /// GLSL's `mod`, `a - b floor(a / b)`.
+    Modulo = Sub(a, Mul(b, Floor(Div(a, b))));
     /// Hermite's cubic of the fraction of `a`.
     FractSmooth = Mul(Mul(Fract(a), Fract(a)), Sub(b, Mul(c, Fract(a))));
     /// Hermite's cubic, `a² (b - c a)`.
