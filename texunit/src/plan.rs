@@ -4,6 +4,7 @@ use crate::format::{Block, Encoding, Format};
 use crate::image::{Image, Incomplete, Level, Shape};
 use crate::lanes::math::clamp;
 use crate::lanes::{F32s, I32s, Isa, LANES};
+use crate::sample::flat;
 use crate::sample::lod::LodRange;
 use crate::sample::plain::Class;
 use crate::sample::query::Query;
@@ -64,6 +65,32 @@ pub(crate) struct Texture {
     pub swizzle: [Swizzle; 4],
     pub way: Way,
     pub detail: Detail,
+    pub kernel: SampleKernel,
+}
+
+/// Which kernel samples. Where several can, they give the same bits.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum SampleKernel {
+    /// Of most textures.
+    Flat,
+    /// Of any whose footprints are not read row by row.
+    Probed,
+    /// Of those whose are.
+    Scanned,
+}
+
+impl SampleKernel {
+    fn new(shape: Shape, way: Way, detail: &Detail) -> Self {
+        let anisotropy = match detail {
+            Detail::Fixed { .. } => Anisotropy::Off,
+            Detail::PerLane { anisotropy, .. } => *anisotropy,
+        };
+        match anisotropy {
+            Anisotropy::Off if flat::leads(shape, way) => Self::Flat,
+            Anisotropy::Off | Anisotropy::Probes(_) => Self::Probed,
+            Anisotropy::Scan(_) => Self::Scanned,
+        }
+    }
 }
 
 /// Which kernels read texels. Both give the same bits.
@@ -203,11 +230,11 @@ impl SamplePlan {
                 let (recorder, reads) = (&mut Off, PhantomData::<Probed>);
                 let sample =
                     Sample { texture, coords, reference, offset, lod, out, recorder, reads };
-                // Kernels of their own: neither pays for the other's size.
-                if texture.scans() {
-                    sample.reading::<Scanned>().run_on(isa);
-                } else {
-                    sample.run_on(isa);
+                // Kernels of their own: none pays for another's size.
+                match texture.kernel {
+                    SampleKernel::Flat if offset == [0; 3] => sample.run_shortest(isa),
+                    SampleKernel::Flat | SampleKernel::Probed => sample.run_on(isa),
+                    SampleKernel::Scanned => sample.reading::<Scanned>().run_on(isa),
                 }
             }
             Err(_) => *out = OPAQUE_BLACK,
@@ -269,7 +296,10 @@ impl SamplePlan {
     /// The same plan without its quicker kernels.
     pub(crate) fn general(&self) -> Self {
         let way = Way::General;
-        Self(self.0.clone().map(|texture| Texture { way, ..texture }))
+        Self(self.0.clone().map(|texture| {
+            let kernel = SampleKernel::new(texture.shape, way, &texture.detail);
+            Texture { way, kernel, ..texture }
+        }))
     }
 
     /// What the kernels read, if the image is complete.
@@ -299,6 +329,7 @@ impl Texture {
         for (channel, (to, &from)) in border.iter_mut().zip(format.base().sources()).enumerate() {
             *to = border_channel(format, channel, sampler.border, from);
         }
+        let way = Way::new(shape, format, compare);
         Ok(Self {
             shape,
             format,
@@ -314,7 +345,8 @@ impl Texture {
             compare,
             depth_mode: sampler.depth_mode,
             swizzle: sampler.swizzle,
-            way: Way::new(shape, format, compare),
+            way,
+            kernel: SampleKernel::new(shape, way, &detail),
             detail,
         })
     }
@@ -327,11 +359,6 @@ impl Texture {
             && (self.wrap[0].reaches_border(filter)
                 || (axes > 1 && self.wrap[1].reaches_border(filter))
                 || (axes > 2 && self.wrap[2].reaches_border(filter)))
-    }
-
-    /// Whether footprints are read row by row.
-    fn scans(&self) -> bool {
-        matches!(self.detail, Detail::PerLane { anisotropy: Anisotropy::Scan(_), .. })
     }
 
     /// Whether one coordinate is a layer.

@@ -123,6 +123,8 @@ fused! {
     LessSelect = SelectF(Less(a, b), c, d);
     /// `c` where `a <= b`, else `d`.
     LessEqualSelect = SelectF(LessEqual(a, b), c, d);
+    /// `a` held between `b` and `c`, times `d`.
+    ClampMul = Mul(Min(Max(a, b), c), d);
     /// `a` held between `b` and `c`.
     Clamp = Min(Max(a, b), c);
     /// `a b + c`, two roundings.

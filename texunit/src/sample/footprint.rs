@@ -46,6 +46,14 @@ pub trait Reads: Copy {
     const SCANS: bool;
 }
 
+/// Round ones.
+#[derive(Clone, Copy)]
+pub struct Round;
+impl Reads for Round {
+    const PROBES: bool = false;
+    const SCANS: bool = false;
+}
+
 /// Round ones and those with probes.
 #[derive(Clone, Copy)]
 pub struct Probed;

@@ -10,6 +10,7 @@ mod cube;
 mod expand;
 mod fetch;
 mod filter;
+pub(crate) mod flat;
 mod footprint;
 pub(crate) mod lod;
 pub(crate) mod plain;
@@ -73,6 +74,15 @@ impl<R: Recorder, F: Reads> Kernel for Sample<'_, R, F> {
 }
 
 impl<'a, F: Reads> Sample<'a, Off, F> {
+    /// Runs it the shortest way that leads there.
+    #[inline]
+    pub fn run_shortest(self, isa: Isa) {
+        match isa.run_above_baseline(flat::Flat(self)) {
+            Ok(Ok(())) => {}
+            Ok(Err(sample)) | Err(flat::Flat(sample)) => sample.run_on(isa),
+        }
+    }
+
     /// The same with a kernel that reads other footprints.
     pub fn reading<G: Reads>(self) -> Sample<'a, Off, G> {
         let Self { texture, coords, reference, offset, lod, out, recorder, reads: _ } = self;
@@ -113,9 +123,15 @@ pub(crate) struct Coordinates<'a> {
 }
 
 impl<'a> Coordinates<'a> {
+    /// Where there are neither faces nor layers.
+    #[inline(always)]
+    fn in_plane(given: [&'a F32s; 3]) -> Self {
+        Self { given, face: U32s::ZERO, layer: U32s::ZERO, st: None }
+    }
+
     #[inline(always)]
     fn new(texture: &Texture, given: [&'a F32s; 3], recorder: &mut impl Recorder) -> Self {
-        let mut at = Self { given, face: U32s::ZERO, layer: U32s::ZERO, st: None };
+        let mut at = Self::in_plane(given);
         match texture.shape {
             Shape::D1 | Shape::D2 | Shape::Rect | Shape::D3 => {}
             Shape::D1Array => at.layer = wrap::layer(given[1], texture.size[2]),

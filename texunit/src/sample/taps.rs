@@ -259,17 +259,20 @@ fn fixed<S: Simd>(texture: &Texture, at: &Coordinates) -> Taps {
 /// Where all lanes read the same level, and the one after it if any.
 #[inline(always)]
 fn alike<S: Simd>(filter: u32, levels: &[U32s; 2], weight: &F32s) -> Option<Taps> {
+    let [first, second] = same_levels::<S>(levels, weight)?;
+    let keys = [filter | first, filter | second];
+    Some(if first == second { Taps::Same(keys[0]) } else { Taps::Pair { keys, weight: *weight } })
+}
+
+/// The level that all lanes read, and the one after it, or the same where it has no weight.
+#[inline(always)]
+pub fn same_levels<S: Simd>(levels: &[U32s; 2], weight: &F32s) -> Option<[u32; 2]> {
     let least = S::smallest(&levels[0]);
     if least != S::largest(&levels[0]) {
         return None;
     }
-    let first = filter | least;
     // No weight is negative, and of those the bits are in the same order.
-    Some(if S::any(weight.as_u32()) {
-        Taps::Pair { keys: [first, first + 1], weight: *weight }
-    } else {
-        Taps::Same(first)
-    })
+    Some([least, if S::any(weight.as_u32()) { least + 1 } else { least }])
 }
 
 #[inline(always)]

@@ -1,0 +1,90 @@
+//! The shortest way: a texture in a plane whose texels have a short way ([`super::plain`]), of which all
+//! lanes read the same level, or the same two. Most batches of most draws are so.
+//!
+//! A kernel of its own, so that these do not carry the stack and the branches of probes, faces, layers
+//! and lanes that read different levels. Every number is computed by the functions of the general way.
+
+use super::footprint::Round;
+use super::record::Off;
+use super::{Coordinates, Sample, expand, filter, plain, taps};
+use crate::image::Shape;
+use crate::lanes::{F32s, Kernel, Simd, U32s};
+use crate::plan::{Detail, Way};
+use crate::sampler::Filter;
+
+/// One call: 64 samples of a texture that [`leads`] here.
+pub(crate) struct Flat<'a, F>(pub Sample<'a, Off, F>);
+
+/// Whether a texture may go this way.
+pub(crate) fn leads(shape: Shape, way: Way) -> bool {
+    let in_plane = match shape {
+        Shape::D2 | Shape::Rect => true,
+        Shape::D1 | Shape::D3 | Shape::Cube | Shape::D1Array | Shape::D2Array => false,
+    };
+    let has_short_way = match way {
+        Way::Plain(_) => true,
+        Way::General | Way::Blocks(_) => false,
+    };
+    in_plane && has_short_way
+}
+
+impl<'a, F> Kernel for Flat<'a, F> {
+    /// The sample again, where lanes read different levels or texels that have no short way.
+    type Output = Result<(), Sample<'a, Off, F>>;
+
+    #[inline(always)]
+    fn run<S: Simd>(self) -> Self::Output {
+        let sample = self.0;
+        let texture = sample.texture;
+        let mut weight = F32s::ZERO;
+        let (filter, levels) = match &texture.detail {
+            Detail::Fixed { filter, level, .. } => (*filter, [*level, *level]),
+            Detail::PerLane { min, mag, range, anisotropy } => {
+                if min != mag {
+                    return Err(sample);
+                }
+                let at = Coordinates::in_plane(sample.coords);
+                let (lod, off) = (sample.lod, &mut Off);
+                let (base, _, bias) =
+                    taps::base_lambda::<S, Round>(texture, &at, lod, *anisotropy, off);
+                let each;
+                (each, weight) = range.levels(&range.lambda(&base, bias));
+                match taps::same_levels::<S>(&each, &weight) {
+                    Some(levels) => (*min, levels),
+                    None => return Err(sample),
+                }
+            }
+        };
+        let Way::Plain(class) = texture.way else { return Err(sample) };
+        let mut second = [F32s::ZERO; 4];
+        let reads_both = levels[0] != levels[1];
+        for (turn, number) in levels.into_iter().take(1 + usize::from(reads_both)).enumerate() {
+            let place = filter::Place {
+                texture,
+                filter,
+                face: 0,
+                number: number as usize,
+                level: &texture.levels[0][number as usize],
+                layer: &U32s::ZERO,
+                reference: &F32s::ZERO,
+            };
+            let out = if turn == 0 { &mut *sample.out } else { &mut second };
+            let is_done = match filter {
+                Filter::Nearest => plain::nearest::<S>(&place, class, sample.coords, out),
+                Filter::Linear => plain::linear::<S>(&place, class, sample.coords, out),
+            };
+            if !is_done {
+                return Err(sample);
+            }
+        }
+        if reads_both {
+            for channel in 0..texture.format.channels() {
+                let first = sample.out[channel];
+                filter::mix(&first, &second[channel], &weight, &mut sample.out[channel]);
+            }
+        }
+        expand::expand(texture.format, texture.depth_mode, sample.out);
+        expand::swizzle(texture.format, texture.swizzle, sample.out);
+        Ok(())
+    }
+}
