@@ -363,9 +363,8 @@ impl DrawPlan {
         self.inputs.contains(&FragmentInput::Coverage)
     }
 
-    /// Whether small triangles may be filled by the windows they lie in: one sample, and nothing
-    /// but the outline says what is covered.
-    pub fn has_windows(&self) -> bool {
+    /// Whether nothing but its outline says what a triangle covers, of one sample.
+    pub fn covers_by_outline(&self) -> bool {
         self.samples.count == 1
             && self.samples.leaves(0)
             && self.raster.polygon.rim == Rim::Aliased

@@ -1,7 +1,7 @@
 //! What a shape covers of the blocks of a tile, whatever its kind and rim.
 
 use super::area;
-use super::coverage::{self, Coverage, Edge};
+use super::coverage::{self, Edge};
 use crate::driver::{LineStipple, Rim};
 use crate::plan::DrawPlan;
 use crate::primitive::{Kind, LineRun, SUBPIXEL, Shape, rectangle};
@@ -128,11 +128,7 @@ impl Cover {
             Kind::Triangle | Kind::Point { .. } => None,
         };
         match self {
-            Self::Triangle(edges) => match coverage::block(isa, edges, bx, by) {
-                Coverage::None => 0,
-                Coverage::Full => !0,
-                Coverage::Partial(mask) => mask,
-            },
+            Self::Triangle(edges) => coverage::block(isa, edges, bx, by).lanes(),
             Self::Run(run, width) => run_lanes(run, *width, dashes, first),
             Self::Box => !0,
             Self::SmoothTriangle(corners) => {

@@ -12,11 +12,11 @@ use texunit::lanes::{Isa, Kernel, LANES, QUADS, Simd, U32s, lane_x, lane_y};
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Edge {
     /// Value at the first pixel.
-    value: i64,
+    pub value: i64,
     /// Step to the next pixel across.
-    x: i32,
+    pub x: i32,
     /// Step to the next pixel up.
-    y: i32,
+    pub y: i32,
 }
 
 /// How a block lies to a triangle.
@@ -28,6 +28,18 @@ pub enum Coverage {
     Full,
     /// These are, bit by lane.
     Partial(u64),
+}
+
+impl Coverage {
+    /// The lanes that are covered.
+    #[inline]
+    pub fn lanes(self) -> u64 {
+        match self {
+            Self::None => 0,
+            Self::Full => !0,
+            Self::Partial(lanes) => lanes,
+        }
+    }
 }
 
 /// The three edges of a counter-clockwise triangle, seen from a tile whose first pixel is
@@ -155,14 +167,6 @@ mod tests {
         })
     }
 
-    fn mask(coverage: Coverage) -> u64 {
-        match coverage {
-            Coverage::None => 0,
-            Coverage::Full => !0,
-            Coverage::Partial(mask) => mask,
-        }
-    }
-
     #[test]
     fn every_lane_is_at_its_place() {
         for lane in 0..LANES {
@@ -184,7 +188,7 @@ mod tests {
             let edges = edges(&corners, 0, 0);
             let want = oracle(&corners, 8 * bx, 8 * by);
             for isa in Isa::available() {
-                prop_assert_eq!(mask(block(isa, &edges, bx, by)), want, "{}", isa.name());
+                prop_assert_eq!(block(isa, &edges, bx, by).lanes(), want, "{}", isa.name());
             }
         }
     }

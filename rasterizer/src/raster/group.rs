@@ -75,14 +75,27 @@ impl Default for Lanes {
 }
 
 impl PlaneGroup {
+    /// What the planes of the shape `lane` count from, in pixels.
+    #[inline(always)]
+    pub fn origin(&self, lane: usize) -> [f64; 2] {
+        let [x, y] = &self.lanes.origin;
+        [x[lane % LANES], y[lane % LANES]]
+    }
+
+    /// The planes of the shape `lane`: per pixel across, per pixel up, at the origin.
+    #[inline(always)]
+    pub fn of(&self, lane: usize) -> impl Iterator<Item = [f64; 3]> {
+        let lane = lane % LANES;
+        self.planes.iter().map(move |[a, b, c]| [a[lane], b[lane], c[lane]])
+    }
+
     /// The value of each plane at the centre of pixel `(x, y)` and its steps, of the shape `lane`.
     #[inline]
     pub fn at(&self, lane: usize, x: i32, y: i32, out: &mut [[f32; 3]]) {
-        let lane = lane % LANES;
-        let dx = f64::from(x) + 0.5 - self.lanes.origin[0][lane];
-        let dy = f64::from(y) + 0.5 - self.lanes.origin[1][lane];
-        for (out, plane) in out.iter_mut().zip(&self.planes) {
-            let (a, b, c) = (plane[0][lane], plane[1][lane], plane[2][lane]);
+        let origin = self.origin(lane);
+        let dx = f64::from(x) + 0.5 - origin[0];
+        let dy = f64::from(y) + 0.5 - origin[1];
+        for (out, [a, b, c]) in out.iter_mut().zip(self.of(lane)) {
             *out = [((dx * a + dy * b) + c) as f32, a as f32, b as f32];
         }
     }

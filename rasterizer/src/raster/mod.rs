@@ -5,6 +5,7 @@
 
 mod area;
 mod batch;
+mod broad;
 mod clear;
 mod cover;
 mod coverage;

@@ -1,6 +1,7 @@
 //! A tile: everything of a pass that touches its 64×64 pixels, in order.
 
 use super::batch::{Batch, BlockOf, EarlyTests, Packed, moved_quad, quads_of};
+use super::broad::{self, Broad};
 use super::clear::{ClearJob, Next, clear};
 use super::cover::Cover;
 use super::coverage;
@@ -141,6 +142,7 @@ pub struct Worker {
     shapes: Box<ShapeLanes>,
     group: PlaneGroup,
     windows: Box<Windows>,
+    broad: Broad,
     /// Of the block that is filled: each plane's value at its first pixel and steps.
     planes: Vec<[f32; 3]>,
     /// How much of each lane's pixel the shape covers.
@@ -233,7 +235,7 @@ impl Worker {
         self.shapes.load(shapes.clone());
         self.group.compute(pass.isa, &setup, &chunk.geometry, &self.shapes, shapes.clone());
         let has_windows =
-            group.len() >= WINDOWS_FROM && plan.has_windows() && tile.watched.is_none();
+            group.len() >= WINDOWS_FROM && plan.covers_by_outline() && tile.watched.is_none();
         let packs = plan.packing == Packing::Pixels && tile.watched.is_none();
         if has_windows {
             let at = [tile.x, tile.y];
@@ -343,6 +345,15 @@ impl Worker {
         let plan = &job.plan;
         let Some(range) = block_range(shape, tile.x, tile.y) else { return };
         let at = [tile.x, tile.y];
+        let blocks = (range[1][0] - range[0][0] + 1) * (range[1][1] - range[0][1] + 1);
+        let is_broad = blocks >= broad::WORTH_IT
+            && shape.kind == Kind::Triangle
+            && plan.covers_by_outline()
+            && tile.watched.is_none();
+        if is_broad {
+            self.fill_broad(pass, tile, job, shape, lane);
+            return;
+        }
         self.covers.clear();
         let places = plan.samples.places().iter();
         self.covers.extend(places.map(|&by| Cover::new(plan, &chunk.geometry, shape, at, by)));
@@ -373,6 +384,34 @@ impl Worker {
                     self.group.at(lane, x, y, &mut self.planes);
                     self.fill_block(pass, tile, job, shape.facing, [bx, by], &mut masks);
                 }
+            }
+        }
+    }
+
+    /// Fills a triangle that may cover many blocks, of the only sample.
+    fn fill_broad(
+        &mut self,
+        pass: &PassJob,
+        tile: &mut TileJob,
+        job: &DrawJob,
+        shape: &Shape,
+        lane: usize,
+    ) {
+        let edges = coverage::edges(&shape.corners, tile.x, tile.y);
+        self.broad.compute(pass.isa, [tile.x, tile.y], &edges, &self.group, lane);
+        let mut left = self.broad.touched;
+        while left != 0 {
+            let block = left.trailing_zeros() as usize;
+            left &= left - 1;
+            let [bx, by] = [block as i32 % 8, block as i32 / 8];
+            let mut covered = coverage::inside_area(&job.area, tile.x, tile.y, bx, by);
+            if self.broad.full >> block & 1 == 0 {
+                covered &= coverage::block(pass.isa, &edges, bx, by).lanes();
+            }
+            if covered != 0 {
+                self.broad.at(block, &mut self.planes);
+                let mut masks = SampleMasks::one(covered);
+                self.fill_block(pass, tile, job, shape.facing, [bx, by], &mut masks);
             }
         }
     }

@@ -13,7 +13,15 @@ use crate::plan::{Detail, Way};
 use crate::sampler::Filter;
 
 /// One call: 64 samples of a texture that [`leads`] here.
-pub(crate) struct Flat<'a, F>(pub Sample<'a, Off, F>);
+pub(crate) struct Flat<'s, 'a, F>(pub &'s mut Sample<'a, Off, F>);
+
+/// What became of a call.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Outcome {
+    Sampled,
+    /// Lanes read different levels, or texels that have no short way: nothing is done.
+    NotFlat,
+}
 
 /// Whether a texture may go this way.
 pub(crate) fn leads(shape: Shape, way: Way) -> bool {
@@ -28,20 +36,19 @@ pub(crate) fn leads(shape: Shape, way: Way) -> bool {
     in_plane && has_short_way
 }
 
-impl<'a, F> Kernel for Flat<'a, F> {
-    /// The sample again, where lanes read different levels or texels that have no short way.
-    type Output = Result<(), Sample<'a, Off, F>>;
+impl<F> Kernel for Flat<'_, '_, F> {
+    type Output = Outcome;
 
     #[inline(always)]
-    fn run<S: Simd>(self) -> Self::Output {
-        let sample = self.0;
+    fn run<S: Simd>(self) -> Outcome {
+        let Self(sample) = self;
         let texture = sample.texture;
         let mut weight = F32s::ZERO;
         let (filter, levels) = match &texture.detail {
             Detail::Fixed { filter, level, .. } => (*filter, [*level, *level]),
             Detail::PerLane { min, mag, range, anisotropy } => {
                 if min != mag {
-                    return Err(sample);
+                    return Outcome::NotFlat;
                 }
                 let at = Coordinates::in_plane(sample.coords);
                 let (lod, off) = (sample.lod, &mut Off);
@@ -51,11 +58,11 @@ impl<'a, F> Kernel for Flat<'a, F> {
                 (each, weight) = range.levels(&range.lambda(&base, bias));
                 match taps::same_levels::<S>(&each, &weight) {
                     Some(levels) => (*min, levels),
-                    None => return Err(sample),
+                    None => return Outcome::NotFlat,
                 }
             }
         };
-        let Way::Plain(class) = texture.way else { return Err(sample) };
+        let Way::Plain(class) = texture.way else { return Outcome::NotFlat };
         let mut second = [F32s::ZERO; 4];
         let reads_both = levels[0] != levels[1];
         for (turn, number) in levels.into_iter().take(1 + usize::from(reads_both)).enumerate() {
@@ -74,17 +81,18 @@ impl<'a, F> Kernel for Flat<'a, F> {
                 Filter::Linear => plain::linear::<S>(&place, class, sample.coords, out),
             };
             if !is_done {
-                return Err(sample);
+                return Outcome::NotFlat;
             }
         }
         if reads_both {
-            for channel in 0..texture.format.channels() {
-                let first = sample.out[channel];
-                filter::mix(&first, &second[channel], &weight, &mut sample.out[channel]);
+            let channels = texture.format.channels();
+            for (out, second) in sample.out.iter_mut().zip(&second).take(channels) {
+                let first = *out;
+                filter::mix(&first, second, &weight, out);
             }
         }
         expand::expand(texture.format, texture.depth_mode, sample.out);
         expand::swizzle(texture.format, texture.swizzle, sample.out);
-        Ok(())
+        Outcome::Sampled
     }
 }

@@ -76,10 +76,10 @@ impl<R: Recorder, F: Reads> Kernel for Sample<'_, R, F> {
 impl<'a, F: Reads> Sample<'a, Off, F> {
     /// Runs it the shortest way that leads there.
     #[inline]
-    pub fn run_shortest(self, isa: Isa) {
-        match isa.run_above_baseline(flat::Flat(self)) {
-            Ok(Ok(())) => {}
-            Ok(Err(sample)) | Err(flat::Flat(sample)) => sample.run_on(isa),
+    pub fn run_shortest(mut self, isa: Isa) {
+        match isa.run_above_baseline(flat::Flat(&mut self)) {
+            Ok(flat::Outcome::Sampled) => {}
+            Ok(flat::Outcome::NotFlat) | Err(flat::Flat(_)) => self.run_on(isa),
         }
     }
 
