@@ -116,7 +116,7 @@ impl Machine {
     #[inline(always)]
     fn store(&mut self, out: Reg, from: Reg) {
         match self.exec.extent {
-            Extent::Empty => return,
+            Extent::Empty => {}
             Extent::Part => {
                 let old = &self.registers[out.0 as usize];
                 let new = &self.registers[from.0 as usize];
