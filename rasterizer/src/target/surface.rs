@@ -165,13 +165,16 @@ impl Surface {
         let (row_bytes, slice_bytes) = (level.row_bytes(), level.slice_bytes());
         let first = level.origin() + slice * slice_bytes;
         let across = self.tiles_across() as usize;
-        for y in 0..self.height as usize {
-            let row = &mut level.texels[first + y * row_bytes..][..self.width as usize * size];
-            let tiles = &tiles[y / TILE as usize * across..][..across];
-            for (texels, planes) in row.chunks_mut(TILE as usize * size).zip(tiles) {
-                store_row(self.format, planes, y % TILE as usize, texels);
+        let texels = &mut level.texels[first..first + self.height as usize * row_bytes];
+        let tiles = tiles.par_chunks(across);
+        texels.par_chunks_mut(TILE as usize * row_bytes).zip(tiles).for_each(|(rows, tiles)| {
+            for (y, row) in rows.chunks_mut(row_bytes).enumerate() {
+                let row = row[..self.width as usize * size].chunks_mut(TILE as usize * size);
+                for (texels, planes) in row.zip(tiles) {
+                    store_row(self.format, planes, y, texels);
+                }
             }
-        }
+        });
     }
 }
 
@@ -222,7 +225,11 @@ fn store_row(format: Format, planes: &[Plane], y: usize, row: &mut [u8]) {
         // One word of four bytes is the texel itself.
         if let ([plane], 4) = (planes, size) {
             let words = words(plane).map(u32::to_le);
-            texels.copy_from_slice(&bytemuck::bytes_of(&words)[..texels.len()]);
+            let bytes: &[u8; 32] = bytemuck::cast_ref(&words);
+            match <&mut [u8; 32]>::try_from(&mut *texels) {
+                Ok(texels) => *texels = *bytes,
+                Err(_) => texels.copy_from_slice(&bytes[..texels.len()]),
+            }
             continue;
         }
         let mut all = [[0; 8]; 4];
