@@ -79,6 +79,27 @@ pub enum Encoding {
     SrgbBlock(Block),
 }
 
+impl Encoding {
+    /// The numbers from 0 to 1.
+    pub const UNIT: [f32; 2] = [0.0, 1.0];
+
+    /// The least and the largest number that fixed-point channels hold: what colours are clamped to
+    /// (`ARB_color_buffer_float`, section 4.1.8). `None` for what is no fixed-point number.
+    #[inline(always)]
+    pub const fn range(self) -> Option<[f32; 2]> {
+        match self {
+            Self::Unorm | Self::Srgb => Some(Self::UNIT),
+            Self::Snorm => Some([-1.0, 1.0]),
+            Self::Float
+            | Self::SharedExponent
+            | Self::Uint
+            | Self::Sint
+            | Self::Block(_)
+            | Self::SrgbBlock(_) => None,
+        }
+    }
+}
+
 /// Where the bits of one channel are: in which word of the texel, from which bit on, how many.
 /// Words are of four bytes, little end first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -98,30 +98,12 @@ pub(crate) fn clamp_color(context: &mut Context, target: GLenum, clamp: GLenum) 
 
 /// Whether a buffer of this format is of fixed-point numbers.
 fn is_fixed(format: Format) -> bool {
-    match format.info().encoding {
-        Encoding::Unorm | Encoding::Srgb | Encoding::Snorm => true,
-        Encoding::Float
-        | Encoding::SharedExponent
-        | Encoding::Uint
-        | Encoding::Sint
-        | Encoding::Block(_)
-        | Encoding::SrgbBlock(_) => false,
-    }
+    format.info().encoding.range().is_some()
 }
 
 /// Whether all that is drawn to holds numbers from 0 to 1, so that writing clamps.
 pub(crate) fn draws_fractions(context: &Context) -> bool {
-    let is_fraction = |format: Format| match format.info().encoding {
-        Encoding::Unorm | Encoding::Srgb => true,
-        Encoding::Snorm
-        | Encoding::Float
-        | Encoding::SharedExponent
-        | Encoding::Uint
-        | Encoding::Sint
-        | Encoding::Block(_)
-        | Encoding::SrgbBlock(_) => false,
-    };
-    drawn_formats(context).all(is_fraction)
+    drawn_formats(context).all(|format| format.info().encoding.range() == Some(Encoding::UNIT))
 }
 
 /// Whether colours of vertices are clamped now.

@@ -24,18 +24,8 @@ pub(crate) struct Final {
 impl Final {
     /// The steps for texels of a format: fractions stay fractions.
     pub fn of(format: Format, luminance: LuminanceOf) -> Self {
-        let clamp = match format.info().encoding {
-            Encoding::Unorm | Encoding::Srgb if !format.has_stencil() => Clamp::On,
-            Encoding::Unorm
-            | Encoding::Srgb
-            | Encoding::Snorm
-            | Encoding::Float
-            | Encoding::SharedExponent
-            | Encoding::Uint
-            | Encoding::Sint
-            | Encoding::Block(_)
-            | Encoding::SrgbBlock(_) => Clamp::Off,
-        };
+        let is_fraction = format.info().encoding.range() == Some(Encoding::UNIT);
+        let clamp = if is_fraction && !format.has_stencil() { Clamp::On } else { Clamp::Off };
         Self { luminance, clamp }
     }
 

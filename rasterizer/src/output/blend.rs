@@ -2,30 +2,11 @@
 //! clamped to what it can hold; the constant colour here, source and destination by the caller.
 
 use crate::driver::{Blend, BlendEquation, BlendFactor};
-use texunit::format::{Encoding, Format};
 use texunit::lanes::{F32s, LANES, math};
 
-/// The least and largest number that an attachment can hold, where it is fixed-point.
-pub type Range = Option<[f32; 2]>;
-
-/// The range of unsigned normalized numbers.
-pub const UNIT: Range = Some([0.0, 1.0]);
-
-/// What colours are clamped to before they are blended into this format
-/// (`ARB_color_buffer_float`, section 4.1.8).
-#[inline(always)]
-pub fn range(format: Format) -> Range {
-    match format.info().encoding {
-        Encoding::Unorm | Encoding::Srgb => UNIT,
-        Encoding::Snorm => Some([-1.0, 1.0]),
-        Encoding::Float
-        | Encoding::SharedExponent
-        | Encoding::Uint
-        | Encoding::Sint
-        | Encoding::Block(_)
-        | Encoding::SrgbBlock(_) => None,
-    }
-}
+/// The least and largest number that an attachment can hold, where it is fixed-point
+/// ([`texunit::format::Encoding::range`]).
+type Range = Option<[f32; 2]>;
 
 /// The blended colour of 64 fragments, unclamped.
 #[inline(always)]

@@ -193,7 +193,7 @@ fn blended_bytes(state: &Blend, format: Format, color: [&F32s; 4], stored: &U32s
             destinations[channel][lane] = destination(lane, channel);
         }
     }
-    let blended = blend::blend(state, &sources, &destinations, blend::UNIT);
+    let blended = blend::blend(state, &sources, &destinations, Some(Encoding::UNIT));
     pack(|lane, channel| blended[channel][lane])
 }
 
@@ -237,7 +237,7 @@ impl Kernel for WriteTexels<'_> {
             ColorClass::Bytes | ColorClass::Numbers => match &plan.blend {
                 None => encode_color(plan.format, &source),
                 Some(state) => {
-                    let range = blend::range(plan.format);
+                    let range = plan.format.info().encoding.range();
                     let mut clamped = source;
                     if let Some([low, high]) = range {
                         for values in &mut clamped {
@@ -343,7 +343,7 @@ mod tests {
                             _ => (stored[lane] >> (8 * channel) & 0xFF) as f32 / 255.0,
                         })
                     });
-                    let general = blend::blend(&state, &clamped, &old, blend::UNIT);
+                    let general = blend::blend(&state, &clamped, &old, Some(Encoding::UNIT));
                     let expected = pack(|lane, channel| general[channel][lane]);
                     for isa in Isa::available() {
                         let got = isa.run(Blended(&state, format, color.each_ref(), &stored));

@@ -10,7 +10,7 @@ mod mask;
 mod merge;
 mod stencil;
 
-pub use blend::{factors as blend_factors, range as blend_range};
+pub use blend::factors as blend_factors;
 pub use color::ColorPlan;
 pub use depth::{DepthFormat, DepthPlan};
 pub use encode::{decode_color, encode_color, texel_color, texel_words};

@@ -179,8 +179,8 @@ impl Kernel for Project<'_> {
             for lane in 0..LANES {
                 let (a, b) = (corners[0][axis][lane], corners[1][axis][lane]);
                 let c = corners[2][axis][lane];
-                let least = least(least(a, b), c);
-                let most = most(most(a, b), c);
+                let least = a.min(b).min(c);
+                let most = a.max(b).max(c);
                 let least = (least + first) >> SUBPIXEL.trailing_zeros();
                 let most = (most - last) >> SUBPIXEL.trailing_zeros();
                 low[axis][lane] = if least > from { least } else { from };
@@ -191,14 +191,4 @@ impl Kernel for Project<'_> {
         }
         Fates { whole: S::nonzero(&whole), back: S::nonzero(&back), cut: S::nonzero(&cut) }
     }
-}
-
-#[inline(always)]
-fn least(a: i32, b: i32) -> i32 {
-    if a < b { a } else { b }
-}
-
-#[inline(always)]
-fn most(a: i32, b: i32) -> i32 {
-    if a > b { a } else { b }
 }

@@ -103,13 +103,18 @@ impl<'a> Batch<'a> {
     }
 }
 
-/// The three numbers of a plane for each quad: at the first pixel of its block, per pixel across,
-/// per pixel up.
+/// The three numbers of a plane for each of some quads or pixels: at the first pixel of its block, per
+/// pixel across, per pixel up.
 #[derive(Clone, Debug)]
-pub struct QuadPlane {
-    pub corner: [f32; QUADS],
-    pub a: [f32; QUADS],
-    pub b: [f32; QUADS],
+pub struct EachPlane<const N: usize> {
+    pub corner: [f32; N],
+    pub a: [f32; N],
+    pub b: [f32; N],
+}
+
+impl<const N: usize> EachPlane<N> {
+    /// Zero everywhere.
+    pub const NONE: Self = Self { corner: [0.0; N], a: [0.0; N], b: [0.0; N] };
 }
 
 /// Quads that wait until there are enough to be shaded together.
@@ -133,7 +138,7 @@ pub struct Packed {
     pub front: [u32; QUADS],
     /// The part of each lane's pixel that is covered, where the draw asks.
     pub coverage: F32s,
-    pub planes: Vec<QuadPlane>,
+    pub planes: Vec<EachPlane<QUADS>>,
     /// By block: the lanes that wait in this batch.
     waiting: [u64; 64],
 }
@@ -188,8 +193,7 @@ impl Packed {
         self.masks = SampleMasks::none(samples);
         self.tested = 0;
         if self.planes.len() != planes {
-            let none = QuadPlane { corner: [0.0; QUADS], a: [0.0; QUADS], b: [0.0; QUADS] };
-            self.planes.resize(planes, none);
+            self.planes.resize(planes, EachPlane::NONE);
         }
     }
 

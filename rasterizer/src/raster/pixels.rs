@@ -4,7 +4,7 @@
 //! Where nothing that a draw computes depends on the other pixels of a quad, there is no reason to
 //! shade those that are not covered: a triangle of five pixels is five lanes, not four quads.
 
-use super::batch::{Batch, Quads};
+use super::batch::{Batch, EachPlane, Quads};
 use super::samples::SampleMasks;
 use crate::primitive::Facing;
 use crate::target::{BLOCKS, Place};
@@ -14,15 +14,6 @@ use texunit::lanes::{F32s, Isa, Kernel, LANES, Simd};
 const AT_ONCE: usize = 4;
 /// Room for that.
 const ROOM: usize = LANES + AT_ONCE;
-
-/// The three numbers of a plane for each pixel: at the first pixel of its block, per pixel across, per
-/// pixel up.
-#[derive(Clone, Debug)]
-pub struct PixelPlane {
-    pub corner: [f32; ROOM],
-    pub a: [f32; ROOM],
-    pub b: [f32; ROOM],
-}
 
 /// The pixels that are to be shaded together.
 #[derive(Debug)]
@@ -35,7 +26,7 @@ pub struct Pixels {
     masks: SampleMasks,
     /// Those of back faces, bit by lane.
     pub back: u64,
-    pub planes: Vec<PixelPlane>,
+    pub planes: Vec<EachPlane<ROOM>>,
     /// Column and row of each in its block.
     pub within: [F32s; 2],
     /// The first pixel of that.
@@ -104,8 +95,7 @@ impl Pixels {
         }
         (self.len, self.back) = (0, 0);
         if self.planes.len() != planes {
-            let none = PixelPlane { corner: [0.0; ROOM], a: [0.0; ROOM], b: [0.0; ROOM] };
-            self.planes.resize(planes, none);
+            self.planes.resize(planes, EachPlane::NONE);
         }
     }
 

@@ -197,12 +197,12 @@ impl Kernel for Cover<'_> {
         let mut blocks = [U32s::ZERO; 2];
         for axis in 0..2 {
             for lane in 0..LANES {
-                let low = most(bounds[0][axis][lane] - tile[axis], 0);
-                let high = least(bounds[1][axis][lane] - tile[axis], TILE as i32 - 1);
+                let low = (bounds[0][axis][lane] - tile[axis]).max(0);
+                let high = (bounds[1][axis][lane] - tile[axis]).min(TILE as i32 - 1);
                 let first = low & !1;
                 let (a, b) = (corners[0][axis][lane], corners[1][axis][lane]);
                 let c = corners[2][axis][lane];
-                let extent = most(most(a, b), c).wrapping_sub(least(least(a, b), c));
+                let extent = a.max(b).max(c).wrapping_sub(a.min(b).min(c));
                 let is_large = (high < low) | (high - first >= PIXELS as i32) | (extent > REACH);
                 large[lane] |= u32::from(is_large);
                 quads[axis][lane] = first >> 1;
@@ -269,16 +269,6 @@ impl Kernel for Cover<'_> {
             }
         }
     }
-}
-
-#[inline(always)]
-fn least(a: i32, b: i32) -> i32 {
-    if a < b { a } else { b }
-}
-
-#[inline(always)]
-fn most(a: i32, b: i32) -> i32 {
-    if a > b { a } else { b }
 }
 
 #[cfg(test)]

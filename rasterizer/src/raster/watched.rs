@@ -7,7 +7,7 @@ use super::interpolate::PlaneSource;
 use super::samples::{SampleMasks, moved};
 use super::tile::{Chunk, PassJob, TileJob};
 use crate::driver::Watch;
-use crate::output::{ColorPlan, DepthFormat, blend_factors, blend_range, texel_color};
+use crate::output::{ColorPlan, DepthFormat, blend_factors, texel_color};
 use crate::plan::{DrawPlan, FragmentInput, Shading};
 use crate::primitive::{Facing, Kind, Shape};
 use crate::shader::{Machine, OverBudget, Run, Tracer};
@@ -404,7 +404,7 @@ impl Shaded {
                 continue;
             }
             let blend = plan.blend.map(|state| {
-                let range = blend_range(plan.format);
+                let range = plan.format.info().encoding.range();
                 let clamped =
                     color.map(|c| range.map_or(c, |[low, high]| math::clamp(c, low, high)));
                 let [source_factor, destination_factor, result] =

@@ -30,6 +30,16 @@ pub struct Indices {
     pub outside: U32s,
 }
 
+/// The coordinate of a mirrored image within [0, 1], and whether it is mirrored there.
+#[inline(always)]
+pub fn fold<S: Simd>(s: f32) -> (f32, bool) {
+    let whole = S::floor(s);
+    let part = max(s - whole, 0.0);
+    let half = whole * 0.5;
+    let odd = S::floor(half) < half;
+    (if odd { 1.0 - part } else { part }, odd)
+}
+
 impl Axis {
     /// `u`, the wrapped coordinate in texels: within [0, size], half a texel more for the border.
     #[inline(always)]
@@ -62,12 +72,8 @@ impl Axis {
             }
             Wrap::MirroredRepeat => {
                 for lane in 0..LANES {
-                    let whole = S::floor(s[lane]);
-                    let part = max(s[lane] - whole, 0.0);
-                    let half = whole * 0.5;
-                    let odd = S::floor(half) < half;
-                    let mirrored = if odd { 1.0 - part } else { part };
-                    u[lane] = clamp(mirrored * n, 0.5, n - 0.5);
+                    let (folded, _) = fold::<S>(s[lane]);
+                    u[lane] = clamp(folded * n, 0.5, n - 0.5);
                 }
             }
             Wrap::MirrorClamp => {

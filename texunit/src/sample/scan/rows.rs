@@ -6,10 +6,10 @@
 
 use super::{LONGEST, Scan};
 use crate::image::Shape;
-use crate::lanes::math::{clamp, floor_small, max, min, to_i32};
+use crate::lanes::math::{clamp, floor_small, min, to_i32};
 use crate::lanes::{Beside, F32s, I32s, LANES, ONE, Simd, U32s, Walk, weights};
 use crate::sample::filter::Place;
-use crate::sample::wrap::Axis;
+use crate::sample::wrap::{Axis, fold};
 use crate::sampler::Wrap;
 
 /// How far beyond the edge coordinates that do not repeat are told apart.
@@ -73,11 +73,8 @@ fn coordinate<S: Simd>(axis: &Axis, s: &F32s) -> Coordinate {
         Wrap::Repeat => out.texels = axis.texel_coordinate::<S>(s),
         Wrap::MirroredRepeat => {
             for lane in 0..LANES {
-                let whole = S::floor(s[lane]);
-                let part = max(s[lane] - whole, 0.0);
-                let half = whole * 0.5;
-                let odd = S::floor(half) < half;
-                out.texels[lane] = (if odd { 1.0 - part } else { part }) * n;
+                let (folded, odd) = fold::<S>(s[lane]);
+                out.texels[lane] = folded * n;
                 out.mirrored[lane] = if odd { !0 } else { 0 };
             }
         }
