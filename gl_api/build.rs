@@ -105,7 +105,8 @@ fn constants(api: &str, registry: &Registry, text: &mut String) {
     }
 }
 
-/// Names by value, sorted: one for each value. Where values collide, the name without a vendor's
+/// Names by value, sorted: one for each value, one after the other in one text, which takes no pointers
+/// that a loader would have to fill in. Where values collide, the name without a vendor's
 /// suffix wins, then the shorter one, then the first.
 fn names(registry: &Registry, text: &mut String) {
     let mut best: BTreeMap<u32, String> = BTreeMap::new();
@@ -122,13 +123,16 @@ fn names(registry: &Registry, text: &mut String) {
             best.insert(value, name);
         }
     }
-    text.push_str("/// Every value and its name, by value.\n");
-    writeln!(text, "pub(crate) static NAMES: [(u32, &str); {}] = [", best.len())
+    text.push_str("/// Every value and where its name begins in [`NAMES`], by value.\n");
+    writeln!(text, "pub(crate) static VALUES: [(u32, u32); {}] = [", best.len())
         .expect("a String takes everything");
+    let mut names = String::new();
     for (value, name) in best {
-        writeln!(text, "    ({value:#06x}, {name:?}),").expect("a String takes everything");
+        writeln!(text, "    ({value:#06x}, {}),", names.len()).expect("a String takes everything");
+        names.push_str(&name);
     }
-    text.push_str("];\n");
+    text.push_str("];\n/// The names of all values, in their order.\n");
+    writeln!(text, "static NAMES: &str = {names:?};").expect("a String takes everything");
 }
 
 fn commands(registry: &Registry, text: &mut String) {

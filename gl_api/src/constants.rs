@@ -29,8 +29,11 @@ pub const GL_COMPRESSED_LUMINANCE_ALPHA_3DC_ATI: u32 = 0x8837;
 /// The name of a value for messages: `GL_TEXTURE_2D`; a number where no name is known or where
 /// the value is so small that a name says nothing.
 pub fn enum_name(value: u32) -> String {
-    match NAMES.binary_search_by_key(&value, |row| row.0) {
-        Ok(row) if value > 0xff => NAMES[row].1.to_owned(),
+    match VALUES.binary_search_by_key(&value, |row| row.0) {
+        Ok(row) if value > 0xff => {
+            let end = VALUES.get(row + 1).map_or(NAMES.len(), |next| next.1 as usize);
+            NAMES[VALUES[row].1 as usize..end].to_owned()
+        }
         _ if value > 9 => format!("{value:#06x}"),
         _ => value.to_string(),
     }

@@ -75,7 +75,7 @@ pub(crate) enum SampleKernel {
     Flat,
     /// Of any whose footprints are not read row by row.
     Probed,
-    /// Of those whose are.
+    /// Of those whose are, where a lookup has a footprint.
     Scanned,
 }
 
@@ -231,10 +231,14 @@ impl SamplePlan {
                 let sample =
                     Sample { texture, coords, reference, offset, lod, out, recorder, reads };
                 // Kernels of their own: none pays for another's size.
-                match texture.kernel {
-                    SampleKernel::Flat if offset == [0; 3] => sample.run_shortest(isa),
-                    SampleKernel::Flat | SampleKernel::Probed => sample.run_on(isa),
-                    SampleKernel::Scanned => sample.reading::<Scanned>().run_on(isa),
+                match (texture.kernel, lod) {
+                    (SampleKernel::Flat, _) if offset == [0; 3] => sample.run_shortest(isa),
+                    (SampleKernel::Scanned, Lod::Implicit { .. } | Lod::Gradient { .. }) => {
+                        sample.reading::<Scanned>().run_on(isa);
+                    }
+                    // With a level that is told, the footprint is not looked at.
+                    (SampleKernel::Scanned, Lod::Explicit(_))
+                    | (SampleKernel::Flat | SampleKernel::Probed, _) => sample.run_on(isa),
                 }
             }
             Err(_) => *out = OPAQUE_BLACK,

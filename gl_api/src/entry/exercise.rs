@@ -81,7 +81,7 @@ impl<'a> Random<'a> {
             0 => self.number() as u32,
             1..4 => self.below(14) as u32,
             4..12 => self.pick(COMMON),
-            _ => NAMES[self.below(NAMES.len())].0,
+            _ => VALUES[self.below(VALUES.len())].0,
         }
     }
 

@@ -114,7 +114,7 @@ impl Isa {
     #[inline]
     pub fn run<K: Kernel>(self, kernel: K) -> K::Output {
         match self.0 {
-            Level::Baseline => kernel.run::<Baseline>(),
+            Level::Baseline => run_baseline(kernel),
             // SAFETY: the value exists, so the processor was seen to have these features.
             #[cfg(target_arch = "x86_64")]
             Level::Avx2 => unsafe { run_avx2(kernel) },
@@ -432,6 +432,12 @@ impl Simd for Avx512 {
         // SAFETY: this type is reached only through `run_avx512`.
         unsafe { reduce::avx512_nonzero(words) }
     }
+}
+
+/// Once for each kernel, not for each place that runs it.
+#[inline(never)]
+fn run_baseline<K: Kernel>(kernel: K) -> K::Output {
+    kernel.run::<Baseline>()
 }
 
 // `fma` is left out on purpose: nothing here may contract a multiply and an add.

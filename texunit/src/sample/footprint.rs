@@ -40,6 +40,8 @@ pub enum Footprint {
 
 /// Which footprints a kernel can read: what it cannot is not compiled into it.
 pub trait Reads: Copy {
+    /// [`Footprint::Round`], or a probe of many.
+    const ROUND: bool;
     /// [`Footprint::Probes`].
     const PROBES: bool;
     /// [`Footprint::Scan`].
@@ -50,6 +52,7 @@ pub trait Reads: Copy {
 #[derive(Clone, Copy)]
 pub struct Round;
 impl Reads for Round {
+    const ROUND: bool = true;
     const PROBES: bool = false;
     const SCANS: bool = false;
 }
@@ -58,14 +61,16 @@ impl Reads for Round {
 #[derive(Clone, Copy)]
 pub struct Probed;
 impl Reads for Probed {
+    const ROUND: bool = true;
     const PROBES: bool = true;
     const SCANS: bool = false;
 }
 
-/// Round ones and those that are read row by row.
+/// Those that are read row by row.
 #[derive(Clone, Copy)]
 pub struct Scanned;
 impl Reads for Scanned {
+    const ROUND: bool = false;
     const PROBES: bool = false;
     const SCANS: bool = true;
 }
@@ -74,6 +79,7 @@ impl Reads for Scanned {
 #[derive(Clone, Copy)]
 pub struct Any;
 impl Reads for Any {
+    const ROUND: bool = true;
     const PROBES: bool = true;
     const SCANS: bool = true;
 }

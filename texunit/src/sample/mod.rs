@@ -67,7 +67,7 @@ impl<R: Recorder, F: Reads> Kernel for Sample<'_, R, F> {
             Footprint::Round | Footprint::Probes(_) | Footprint::Scan(_) => (None, None),
         };
         let samples = Samples { texture, offset, reference: &reference, scan };
-        sample_probes::<S>(&samples, &at, &taps, probes, out, recorder);
+        sample_probes::<S, F>(&samples, &at, &taps, probes, out, recorder);
         expand::expand(texture.format, texture.depth_mode, out);
         expand::swizzle(texture.format, texture.swizzle, out);
     }
@@ -183,7 +183,7 @@ struct Samples<'a> {
 
 /// The mean of the probes, whose running form leaves equal ones as they are.
 #[inline(always)]
-fn sample_probes<S: Simd>(
+fn sample_probes<S: Simd, F: Reads>(
     samples: &Samples<'_>,
     at: &Coordinates<'_>,
     taps: &Taps,
@@ -226,7 +226,7 @@ fn sample_probes<S: Simd>(
         }
         let target = if probe == 0 { &mut *out } else { one.get_or_insert([F32s::ZERO; 4]) };
         let asks = |lane: usize| probes.is_none_or(|probes| (probe as f32) < probes.count[lane]);
-        sample_taps::<S>(samples, there, &at.layer, read, asks, target, recorder);
+        sample_taps::<S, F>(samples, there, &at.layer, read, asks, target, recorder);
         let (Some(probes), Some(one)) = (probes, &one) else { continue };
         let share = 1.0 / (probe + 1) as f32;
         for channel in 0..samples.texture.format.channels() {
@@ -252,7 +252,7 @@ fn place_probe(from: &F32s, probes: &Probes, axis: usize, probe: u32, to: &mut F
 
 /// Samples every distinct key once and mixes.
 #[inline(always)]
-fn sample_taps<S: Simd>(
+fn sample_taps<S: Simd, F: Reads>(
     samples: &Samples<'_>,
     at: [&F32s; 3],
     layer: &U32s,
@@ -275,7 +275,7 @@ fn sample_taps<S: Simd>(
             Some(_) => taps.asking(key),
             None => U32s::ZERO,
         };
-        sample_key::<S>(samples, key, at, [layer, &asking], target, recorder);
+        sample_key::<S, F>(samples, key, at, [layer, &asking], target, recorder);
         if let Taps::Mixed { keys, .. } = taps {
             let [first, second] = kept.get_or_insert([[F32s::ZERO; 4]; 2]);
             keep::<S>(&keys[0], key, channels, out, first);
@@ -322,7 +322,7 @@ fn keep<S: Simd>(keys: &U32s, key: u32, channels: usize, values: &[F32s; 4], kep
 
 /// One level of one face, for the lanes that ask for it (a mask): the others get anything.
 #[inline(always)]
-fn sample_key<S: Simd>(
+fn sample_key<S: Simd, F: Reads>(
     samples: &Samples<'_>,
     key: u32,
     at: [&F32s; 3],
@@ -347,8 +347,9 @@ fn sample_key<S: Simd>(
         filter,
     });
     match scan {
-        Some(scan) => scan::level::<S>(&place, at, scan, asks, out, recorder),
-        None => filter::sample_level::<S>(&place, at, out, recorder),
+        Some(scan) if F::SCANS => scan::level::<S>(&place, at, scan, asks, out, recorder),
+        Some(_) | None if F::ROUND => filter::sample_level::<S>(&place, at, out, recorder),
+        Some(_) | None => {}
     }
     recorder.note(|lane| SampleStep::Filtered(out.each_ref().map(|channel| channel[lane])));
 }
