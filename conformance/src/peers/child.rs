@@ -84,11 +84,13 @@ impl Task {
         let scene = scenes()
             .find(|scene| scene.name == self.scene)
             .ok_or_else(|| PeersError::NoScene(self.scene.clone()))?;
-        // What the scene is made of is no work of the driver's.
+        // What the scene is made of, and where its picture goes, is no work of the driver's. (Memory is
+        // there once it has been written to.)
         let recipe = (scene.recipe)(self.size);
+        let picture = vec![u8::MAX; 4 * self.size * self.size];
         let start = Instant::now();
         let client = Client::open(&self.lib, self.size)?;
-        let mut player = Player::new(&client.gl, &recipe, self.size)?;
+        let mut player = Player::new(&client.gl, &recipe, self.size, picture)?;
         player.frame();
         player.read();
         let first = start.elapsed();

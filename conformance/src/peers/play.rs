@@ -33,7 +33,12 @@ impl<'a> Player<'a> {
     ///
     /// # Errors
     /// When a shader is refused, or a call sets the error flag.
-    pub fn new(gl: &'a Gl, recipe: &'a Recipe, side: usize) -> Result<Self, ClientError> {
+    pub fn new(
+        gl: &'a Gl,
+        recipe: &'a Recipe,
+        side: usize,
+        picture: Vec<u8>,
+    ) -> Result<Self, ClientError> {
         let mut names = Vec::new();
         for (unit, texture) in (GL_TEXTURE0..).zip(&recipe.textures) {
             let name = gl.gen_texture();
@@ -47,7 +52,7 @@ impl<'a> Player<'a> {
             recipe.steps.iter().map(|step| Ready::new(gl, step, &names)).collect();
         gl.viewport(0, 0, side as i32, side as i32);
         gl.check("making the objects of a scene")?;
-        Ok(Self { gl, steps: steps?, side, picture: Vec::new() })
+        Ok(Self { gl, steps: steps?, side, picture })
     }
 
     /// Draws a frame and waits until it is done.

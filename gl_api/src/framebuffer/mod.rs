@@ -100,8 +100,7 @@ pub(crate) struct Window {
 
 impl Window {
     pub fn new(width: u32, height: u32, desc: SurfaceDesc) -> Result<Self, ImageError> {
-        let image =
-            |format| Ok(Image::with_samples(texels(format, width, height)?, desc.samples.max(1)));
+        let image = |format| Image::blank(format, width, height, desc.samples.max(1));
         let format = desc.color.format();
         Ok(Self {
             width,

@@ -11,7 +11,7 @@ use crate::target::{MAX_SAMPLES, Surface};
 use parking_lot::Mutex;
 use std::sync::Arc;
 use texunit::format::Format;
-use texunit::image::{Image as Texels, Shape};
+use texunit::image::{Image as Texels, ImageError, Level, Shape};
 
 /// An image of the driver. Cloning gives another handle to the same image.
 #[derive(Clone, Debug)]
@@ -20,8 +20,18 @@ pub struct Image(Arc<Mutex<State>>);
 #[derive(Debug)]
 struct State {
     texels: Texels,
+    /// The one level of an image of zeros whose rows nobody has asked for.
+    blank: Option<Blank>,
     samples: u8,
     attached: Option<Attached>,
+}
+
+/// A level that is all zeros.
+#[derive(Clone, Copy, Debug)]
+struct Blank {
+    format: Format,
+    width: u32,
+    height: u32,
 }
 
 #[derive(Debug)]
@@ -73,8 +83,36 @@ impl State {
         }
     }
 
-    /// Brings the rows up to date.
+    /// What a slice of a level is, if it exists.
+    fn info(&self, at: Subresource) -> Option<LevelInfo> {
+        let samples = self.samples;
+        match self.blank {
+            Some(Blank { format, width, height }) => {
+                let is_it = at == Subresource { face: 0, slice: 0, level: 0 };
+                let (size, border) = ([width, height, 1], [0; 3]);
+                is_it.then_some(LevelInfo { format, size, border, samples })
+            }
+            None => {
+                let level = self.texels.level(at.face, at.level)?;
+                let (size, border, format) = (level.size(), level.border, level.format);
+                (at.slice < level.depth as usize).then_some(LevelInfo {
+                    format,
+                    size,
+                    border,
+                    samples,
+                })
+            }
+        }
+    }
+
+    /// Brings the rows up to date. Those of a blank level are not there if there is no memory.
     fn resolve(&mut self) {
+        if let Some(Blank { format, width, height }) = self.blank.take()
+            && let Ok(level) = Level::new(format, width, height)
+        {
+            // A level fits an image that has none.
+            let _ = self.texels.set_level(0, 0, level);
+        }
         if let Some(attached) = self.attached.as_mut().filter(|attached| attached.drawn) {
             let Subresource { face, slice, level } = attached.at;
             if let Some(level) = self.texels.level_mut(face, level) {
@@ -99,7 +137,24 @@ impl Image {
     /// An image of one level with several samples a pixel, each with these texels; with one for 0,
     /// with [`crate::driver::MAX_SAMPLES`] for more than that.
     pub fn with_samples(texels: Texels, samples: u8) -> Self {
-        Self(Arc::new(Mutex::new(State { texels, samples: possible(samples), attached: None })))
+        Self::of(State { texels, blank: None, samples: possible(samples), attached: None })
+    }
+
+    /// A two-dimensional image of one level of zeros, which takes no memory until it is drawn to or its
+    /// texels are asked for; samples as of [`Image::with_samples`].
+    ///
+    /// # Errors
+    /// When it is too large.
+    pub fn blank(format: Format, width: u32, height: u32, samples: u8) -> Result<Self, ImageError> {
+        if Level::required_bytes(format, width, height, 1).is_none() {
+            return Err(ImageError::TooLarge { width, height, depth: 1 });
+        }
+        let (texels, blank) = (Texels::new(Shape::D2), Some(Blank { format, width, height }));
+        Ok(Self::of(State { texels, blank, samples: possible(samples), attached: None }))
+    }
+
+    fn of(state: State) -> Self {
+        Self(Arc::new(Mutex::new(state)))
     }
 
     /// How many samples a pixel has; 1 if it is no multisample image.
@@ -117,10 +172,7 @@ impl Image {
 
     /// What is known of a level without looking at its texels, if it exists.
     pub fn level(&self, face: usize, level: usize) -> Option<LevelInfo> {
-        let state = self.0.lock();
-        let level = state.texels.level(face, level)?;
-        let (size, border, format) = (level.size(), level.border, level.format);
-        Some(LevelInfo { format, size, border, samples: state.samples })
+        self.0.lock().info(Subresource { face, slice: 0, level })
     }
 
     /// Changes its texels. Draws that were recorded earlier keep what they saw.
@@ -133,7 +185,8 @@ impl Image {
 
     /// Puts other texels in place of its own, with this many samples.
     pub fn replace(&self, texels: Texels, samples: u8) {
-        *self.0.lock() = State { texels, samples: possible(samples), attached: None };
+        let samples = possible(samples);
+        *self.0.lock() = State { texels, blank: None, samples, attached: None };
     }
 
     /// Whether both handles name the same image.
@@ -144,14 +197,9 @@ impl Image {
     /// Format and size of what an attachment names, if it exists.
     pub(crate) fn attachment(&self, face: u16, level: u8) -> Option<AttachmentInfo> {
         let state = self.0.lock();
-        let at = state.place(face, level);
-        let level = state.texels.level(at.face, at.level)?;
-        (at.slice < level.depth as usize).then_some(AttachmentInfo {
-            format: level.format,
-            width: level.width,
-            height: level.height,
-            samples: state.samples,
-        })
+        let LevelInfo { format, size: [width, height, _], samples, .. } =
+            state.info(state.place(face, level))?;
+        Some(AttachmentInfo { format, width, height, samples })
     }
 
     /// Takes a slice of a level out in the attachment layout; `None` if it does not exist.
@@ -161,9 +209,12 @@ impl Image {
         if let Some(attached) = state.attached.take_if(|attached| attached.at == at) {
             return Some(attached.surface);
         }
+        let samples = state.samples;
+        if let Some(Blank { format, width, height }) = state.blank {
+            return state.info(at).map(|_| Surface::zeros(format, width, height, samples));
+        }
         state.resolve();
         state.attached = None;
-        let samples = state.samples;
         let texels = state.texels.level(at.face, at.level)?;
         Some(Surface::from_level(texels, at.slice, samples))
     }
@@ -172,7 +223,9 @@ impl Image {
     pub(crate) fn detach(&self, face: u16, level: u8, surface: Surface) {
         let mut state = self.0.lock();
         // Another level of the same image may have been drawn to in the same pass.
-        state.resolve();
+        if state.attached.is_some() {
+            state.resolve();
+        }
         let at = state.place(face, level);
         state.attached = Some(Attached { at, surface, drawn: true });
     }

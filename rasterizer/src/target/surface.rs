@@ -140,6 +140,14 @@ impl Surface {
         Self { format, width, height, samples, tiles }
     }
 
+    /// A surface of zeros.
+    pub fn zeros(format: Format, width: u32, height: u32, samples: u8) -> Self {
+        let planes = usize::from(samples) * attachment_words(format);
+        let tiles = width.div_ceil(TILE) * height.div_ceil(TILE);
+        let tiles = vec![vec![Plane::Cleared(0); planes]; tiles as usize];
+        Self { format, width, height, samples, tiles }
+    }
+
     /// Takes a tile's planes out.
     pub fn take(&mut self, tile: usize) -> TileTarget {
         let planes = std::mem::take(&mut self.tiles[tile]);
