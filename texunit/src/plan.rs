@@ -71,7 +71,7 @@ pub(crate) struct Texture {
 /// Which kernel samples. Where several can, they give the same bits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum SampleKernel {
-    /// Of most textures.
+    /// Of most textures: in a plane, one filter, texels with a short way.
     Flat,
     /// Of any whose footprints are not read row by row.
     Probed,
@@ -81,12 +81,12 @@ pub(crate) enum SampleKernel {
 
 impl SampleKernel {
     fn new(shape: Shape, way: Way, detail: &Detail) -> Self {
-        let anisotropy = match detail {
-            Detail::Fixed { .. } => Anisotropy::Off,
-            Detail::PerLane { anisotropy, .. } => *anisotropy,
+        let (anisotropy, filters_alike) = match detail {
+            Detail::Fixed { .. } => (Anisotropy::Off, true),
+            Detail::PerLane { anisotropy, min, mag, .. } => (*anisotropy, min == mag),
         };
         match anisotropy {
-            Anisotropy::Off if flat::leads(shape, way) => Self::Flat,
+            Anisotropy::Off if filters_alike && flat::leads(shape, way) => Self::Flat,
             Anisotropy::Off | Anisotropy::Probes(_) => Self::Probed,
             Anisotropy::Scan(_) => Self::Scanned,
         }

@@ -83,24 +83,19 @@ impl State {
         }
     }
 
-    /// What a slice of a level is, if it exists.
+    /// What the level is, if it exists; it may have fewer slices.
     fn info(&self, at: Subresource) -> Option<LevelInfo> {
         let samples = self.samples;
         match self.blank {
             Some(Blank { format, width, height }) => {
-                let is_it = at == Subresource { face: 0, slice: 0, level: 0 };
+                let is_it = (at.face, at.level) == (0, 0);
                 let (size, border) = ([width, height, 1], [0; 3]);
                 is_it.then_some(LevelInfo { format, size, border, samples })
             }
             None => {
                 let level = self.texels.level(at.face, at.level)?;
                 let (size, border, format) = (level.size(), level.border, level.format);
-                (at.slice < level.depth as usize).then_some(LevelInfo {
-                    format,
-                    size,
-                    border,
-                    samples,
-                })
+                Some(LevelInfo { format, size, border, samples })
             }
         }
     }
@@ -197,9 +192,9 @@ impl Image {
     /// Format and size of what an attachment names, if it exists.
     pub(crate) fn attachment(&self, face: u16, level: u8) -> Option<AttachmentInfo> {
         let state = self.0.lock();
-        let LevelInfo { format, size: [width, height, _], samples, .. } =
-            state.info(state.place(face, level))?;
-        Some(AttachmentInfo { format, width, height, samples })
+        let at = state.place(face, level);
+        let LevelInfo { format, size: [width, height, slices], samples, .. } = state.info(at)?;
+        (at.slice < slices as usize).then_some(AttachmentInfo { format, width, height, samples })
     }
 
     /// Takes a slice of a level out in the attachment layout; `None` if it does not exist.

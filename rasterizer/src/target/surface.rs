@@ -155,7 +155,8 @@ impl Surface {
     }
 
     /// Writes the tiles back into the slice of the level they came from; of several samples, what
-    /// they are resolved to.
+    /// they are resolved to. On the thread that asks, which is none of the device's: others would be
+    /// those of a pool that is no more after a `fork`.
     pub fn store(&self, level: &mut Level, slice: usize) {
         debug_assert_eq!((self.width, self.height), (level.width, level.height));
         if !is_attachable(self.format) {
@@ -164,7 +165,7 @@ impl Surface {
         let resolved: Vec<Vec<Plane>>;
         let tiles = if self.samples > 1 {
             let resolve = |tile: &Vec<Plane>| resolve_tile(self.format, self.samples, tile);
-            resolved = self.tiles.par_iter().map(resolve).collect();
+            resolved = self.tiles.iter().map(resolve).collect();
             &resolved
         } else {
             &self.tiles
@@ -173,16 +174,13 @@ impl Surface {
         let (row_bytes, slice_bytes) = (level.row_bytes(), level.slice_bytes());
         let first = level.origin() + slice * slice_bytes;
         let across = self.tiles_across() as usize;
-        let texels = &mut level.texels[first..first + self.height as usize * row_bytes];
-        let tiles = tiles.par_chunks(across);
-        texels.par_chunks_mut(TILE as usize * row_bytes).zip(tiles).for_each(|(rows, tiles)| {
-            for (y, row) in rows.chunks_mut(row_bytes).enumerate() {
-                let row = row[..self.width as usize * size].chunks_mut(TILE as usize * size);
-                for (texels, planes) in row.zip(tiles) {
-                    store_row(self.format, planes, y, texels);
-                }
+        for y in 0..self.height as usize {
+            let row = &mut level.texels[first + y * row_bytes..][..self.width as usize * size];
+            let tiles = &tiles[y / TILE as usize * across..][..across];
+            for (texels, planes) in row.chunks_mut(TILE as usize * size).zip(tiles) {
+                store_row(self.format, planes, y % TILE as usize, texels);
             }
-        });
+        }
     }
 }
 

@@ -1,5 +1,5 @@
-//! The shortest way: a texture in a plane whose texels have a short way ([`super::plain`]), of which all
-//! lanes read the same level, or the same two. Most batches of most draws are so.
+//! The shortest way: a texture in a plane whose texels have a short way ([`super::plain`]) and whose two
+//! filters are alike, of which all lanes read the same level, or the same two. Most batches of most draws are so.
 //!
 //! A kernel of its own, so that these do not carry the stack and the branches of probes, faces, layers
 //! and lanes that read different levels. Every number is computed by the functions of the general way.
@@ -46,10 +46,7 @@ impl<F> Kernel for Flat<'_, '_, F> {
         let mut weight = F32s::ZERO;
         let (filter, levels) = match &texture.detail {
             Detail::Fixed { filter, level, .. } => (*filter, [*level, *level]),
-            Detail::PerLane { min, mag, range, anisotropy } => {
-                if min != mag {
-                    return Outcome::NotFlat;
-                }
+            Detail::PerLane { min, range, anisotropy, .. } => {
                 let at = Coordinates::in_plane(sample.coords);
                 let (lod, off) = (sample.lod, &mut Off);
                 let (base, _, bias) =
