@@ -1,7 +1,11 @@
 //! Points, lines and polygons through GL: state that is set is drawn with and answered; what is wrong
 //! is refused.
 
+#[path = "common/shading.rs"]
+mod shading;
+
 use gl_api::*;
+use shading::use_program;
 use std::collections::BTreeSet;
 
 const SIZE: i32 = 16;
@@ -179,23 +183,10 @@ fn coverage_comes_before_the_alpha_test() {
     assert_eq!(drawn(&mut c, GL_LINES, &line).len(), 0);
 }
 
-fn program(c: &mut Context, vertex: &str, fragment: &str) {
-    let program = c.create_program();
-    for (kind, text) in [(GL_VERTEX_SHADER, vertex), (GL_FRAGMENT_SHADER, fragment)] {
-        let shader = c.create_shader(kind);
-        c.shader_source(shader, 1, text.arg(), Null.arg());
-        c.compile_shader(shader);
-        c.attach_shader(program, shader);
-    }
-    c.link_program(program);
-    c.use_program(program);
-    assert_eq!(c.get_error(), GL_NO_ERROR, "{:?}", c.messages());
-}
-
 #[test]
 fn programs_give_sizes_and_two_sides() {
     let mut c = context();
-    program(
+    use_program(
         &mut c,
         "void main() { gl_Position = ftransform(); gl_PointSize = 3.0; \
          gl_FrontColor = vec4(1.0, 0.0, 0.0, 1.0); gl_BackColor = vec4(0.0, 1.0, 0.0, 1.0); }",

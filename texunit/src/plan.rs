@@ -71,8 +71,8 @@ pub(crate) struct Texture {
 /// Which kernel samples. Where several can, they give the same bits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum SampleKernel {
-    /// Of most textures: in a plane, one filter, texels with a short way.
-    Flat,
+    /// Of most textures: in a plane, one filter, texels of a class that has a short way.
+    Flat(Class),
     /// Of any whose footprints are not read row by row.
     Probed,
     /// Of those whose are, where a lookup has a footprint.
@@ -85,10 +85,10 @@ impl SampleKernel {
             Detail::Fixed { .. } => (Anisotropy::Off, true),
             Detail::PerLane { anisotropy, min, mag, .. } => (*anisotropy, min == mag),
         };
-        match anisotropy {
-            Anisotropy::Off if filters_alike && flat::leads(shape, way) => Self::Flat,
-            Anisotropy::Off | Anisotropy::Probes(_) => Self::Probed,
-            Anisotropy::Scan(_) => Self::Scanned,
+        match (anisotropy, flat::class(shape, way)) {
+            (Anisotropy::Off, Some(class)) if filters_alike => Self::Flat(class),
+            (Anisotropy::Off | Anisotropy::Probes(_), _) => Self::Probed,
+            (Anisotropy::Scan(_), _) => Self::Scanned,
         }
     }
 }
@@ -232,13 +232,15 @@ impl SamplePlan {
                     Sample { texture, coords, reference, offset, lod, out, recorder, reads };
                 // Kernels of their own: none pays for another's size.
                 match (texture.kernel, lod) {
-                    (SampleKernel::Flat, _) if offset == [0; 3] => sample.run_shortest(isa),
+                    (SampleKernel::Flat(class), _) if offset == [0; 3] => {
+                        sample.run_flat(isa, class);
+                    }
                     (SampleKernel::Scanned, Lod::Implicit { .. } | Lod::Gradient { .. }) => {
                         sample.reading::<Scanned>().run_on(isa);
                     }
                     // With a level that is told, the footprint is not looked at.
                     (SampleKernel::Scanned, Lod::Explicit(_))
-                    | (SampleKernel::Flat | SampleKernel::Probed, _) => sample.run_on(isa),
+                    | (SampleKernel::Flat(_) | SampleKernel::Probed, _) => sample.run_on(isa),
                 }
             }
             Err(_) => *out = OPAQUE_BLACK,

@@ -2,4 +2,5 @@
 
 pub mod digest;
 pub mod refusal;
+pub mod shading;
 pub mod state_table;

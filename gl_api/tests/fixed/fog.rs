@@ -1,5 +1,6 @@
 //! Fog (section 3.10) and colour sum (section 3.9).
 
+use crate::shading::use_program;
 use crate::{BYTE, Random, assert_close, color, context, times, transform, triangle};
 use gl_api::*;
 
@@ -88,14 +89,8 @@ fn fog_comes_after_colour_sum() {
 #[test]
 fn a_program_writes_the_fog_coordinate_for_the_fixed_fragment_stage() {
     let mut c = context();
-    let shader = c.create_shader(GL_VERTEX_SHADER);
     let source = "void main() { gl_Position = ftransform(); gl_FrontColor = gl_Color; gl_FogFragCoord = 0.25; }";
-    c.shader_source(shader, 1, Strings(vec![source]), &[]);
-    c.compile_shader(shader);
-    let program = c.create_program();
-    c.attach_shader(program, shader);
-    c.link_program(program);
-    c.use_program(program);
+    use_program(&mut c, source, "");
     c.enable(GL_FOG);
     c.fogi(GL_FOG_MODE, GL_LINEAR as GLint);
     c.fogfv(GL_FOG_COLOR, &[0.0; 4]);

@@ -1,6 +1,7 @@
 //! The lighting equation: sections 2.14.1 to 2.14.6.
 
 use crate::oracle::{Light, Material, Model, Vec3, lit};
+use crate::shading::use_program;
 use crate::{
     BYTE, Random, assert_close, color, context, point, probe, probed, times, transform, triangle,
 };
@@ -299,13 +300,7 @@ fn a_material_may_change_between_primitives() {
 fn colours_of_programs_are_clamped_at_vertices() {
     let mut c = context();
     let source = "void main() { gl_Position = gl_Vertex; gl_FrontColor = gl_Vertex.xxxx * 0.5; }";
-    let shader = c.create_shader(GL_VERTEX_SHADER);
-    c.shader_source(shader, 1, Strings(vec![source]), &[]);
-    c.compile_shader(shader);
-    let program = c.create_program();
-    c.attach_shader(program, shader);
-    c.link_program(program);
-    c.use_program(program);
+    use_program(&mut c, source, "");
     // 2 and -2 at the sides are clamped to 1 and 0: in the middle 1/2, not 0.
     c.begin(GL_QUADS);
     for (x, y) in [(-4.0, -4.0), (4.0, -4.0), (4.0, 4.0), (-4.0, 4.0)] {

@@ -4,6 +4,9 @@
 //! is read as bytes: it may differ from the oracle by half a byte and what `f32` loses (0.51 / 255).
 //! Where a program's fragment stage reads what the fixed vertex stage gives, it is read as 24 bits.
 
+#[path = "../common/shading.rs"]
+mod shading;
+
 mod combine;
 mod determinism;
 mod fog;
@@ -129,14 +132,7 @@ void main() {{
     gl_FragColor = vec4(high, middle, rest - middle * 256.0, 255.0) / 255.0;
 }}"
     );
-    let shader = c.create_shader(GL_FRAGMENT_SHADER);
-    c.shader_source(shader, 1, Strings(vec![&source]), &[]);
-    c.compile_shader(shader);
-    let program = c.create_program();
-    c.attach_shader(program, shader);
-    c.link_program(program);
-    c.use_program(program);
-    assert_eq!(c.get_error(), GL_NO_ERROR, "{:?}", c.messages());
+    let program = shading::use_program(c, "", &source);
     c.get_uniform_location(program, "mask")
 }
 

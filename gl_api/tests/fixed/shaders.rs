@@ -1,6 +1,7 @@
 //! What shaders read of the fixed function's state (GLSL 1.30, section 7.4), and that the fixed
 //! vertex stage and a program's agree.
 
+use crate::shading::use_program;
 use crate::{assert_close, context, point, probe, probed};
 use gl_api::*;
 use glam::{DMat4, DVec4};
@@ -145,12 +146,8 @@ fn ftransform_is_the_fixed_transformation() {
     let desc = ContextDesc { width: 64, height: 64, ..ContextDesc::default() };
     let mut c = Context::new(desc).expect("a small window");
     let source = "void main() { gl_Position = ftransform(); gl_FrontColor = vec4(0, 1, 0, 1); }";
-    let shader = c.create_shader(GL_VERTEX_SHADER);
-    c.shader_source(shader, 1, Strings(vec![source]), &[]);
-    c.compile_shader(shader);
-    let program = c.create_program();
-    c.attach_shader(program, shader);
-    c.link_program(program);
+    let program = use_program(&mut c, source, "");
+    c.use_program(0);
     c.enable(GL_DEPTH_TEST);
     c.enable(GL_LIGHT0);
     for seed in 0..20 {

@@ -1,6 +1,7 @@
 //! `glClampColor`: colours of vertices, of fragments and of what is read, each clamped to [0, 1]
 //! always, never, or where the buffers are of fixed-point numbers (`ARB_color_buffer_float`).
 
+use super::shading::use_program;
 use super::*;
 
 /// A framebuffer of one pixel with a buffer of this format.
@@ -17,22 +18,6 @@ fn target(internal: GLenum) -> Context {
 #[track_caller]
 fn pixel(c: &mut Context) -> Vec<f32> {
     floats(c, [0, 0, 1, 1], GL_RGBA, 4)
-}
-
-/// A program of these sources, in use; the empty one is left out.
-fn use_program(c: &mut Context, vertex: &str, fragment: &str) {
-    let program = c.create_program();
-    for (stage, source) in [(GL_VERTEX_SHADER, vertex), (GL_FRAGMENT_SHADER, fragment)] {
-        if !source.is_empty() {
-            let shader = c.create_shader(stage);
-            c.shader_source(shader, 1, Strings(vec![source]), &[]);
-            c.compile_shader(shader);
-            c.attach_shader(program, shader);
-        }
-    }
-    c.link_program(program);
-    c.use_program(program);
-    fine(c);
 }
 
 const WIDE: [f32; 4] = [2.0, -1.0, 0.5, 3.0];
@@ -143,12 +128,16 @@ const WIDE_FRAGMENTS: &[Wide] = &[
     ),
     (
         "a program",
-        |c| use_program(c, "", "void main() { gl_FragColor = vec4(2.0, 3.0, 4.0, 1.0); }"),
+        |c| {
+            use_program(c, "", "void main() { gl_FragColor = vec4(2.0, 3.0, 4.0, 1.0); }");
+        },
         [2.0, 3.0, 4.0],
     ),
     (
         "a program of several buffers",
-        |c| use_program(c, "", "void main() { gl_FragData[0] = vec4(2.0, 3.0, 4.0, 1.0); }"),
+        |c| {
+            use_program(c, "", "void main() { gl_FragData[0] = vec4(2.0, 3.0, 4.0, 1.0); }");
+        },
         [2.0, 3.0, 4.0],
     ),
 ];

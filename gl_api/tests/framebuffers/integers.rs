@@ -1,22 +1,11 @@
 //! Shaders that draw to textures of integers, packed ones among them: what is written is kept as it
 //! is, blending and the like stay out.
 
+use super::shading::use_program;
 use super::*;
 
 const FRAGMENT: &str = "#version 130
 out uvec4 color; void main() { color = uvec4(1023u, 512u, 7u, 2u); }";
-
-/// A program with one fragment shader, in use.
-fn use_fragment(c: &mut Context, source: &str) {
-    let shader = c.create_shader(GL_FRAGMENT_SHADER);
-    c.shader_source(shader, 1, Strings(vec![source]), &[]);
-    c.compile_shader(shader);
-    let program = c.create_program();
-    c.attach_shader(program, shader);
-    c.link_program(program);
-    c.use_program(program);
-    fine(c);
-}
 
 #[test]
 fn shaders_write_unsigned_integers() {
@@ -34,7 +23,7 @@ fn shaders_write_unsigned_integers() {
         c.framebuffer_texture_2d(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, target, 1, 0);
         let status = c.check_framebuffer_status(GL_FRAMEBUFFER);
         assert_eq!(status, GL_FRAMEBUFFER_COMPLETE, "{}", enum_name(internal));
-        use_fragment(&mut c, FRAGMENT);
+        use_program(&mut c, "", FRAGMENT);
         c.enable(GL_BLEND);
         c.blend_func(GL_ONE, GL_ONE);
         // Integers have no alpha to test.

@@ -1,6 +1,9 @@
 //! Framebuffers: attachments of every kind, completeness, stencil, clears, blits, reading back,
 //! and what each call refuses.
 
+#[path = "../common/shading.rs"]
+mod shading;
+
 mod attachments;
 mod blits;
 mod clamps;

@@ -1,6 +1,7 @@
 //! What the calls on shaders, programs and uniforms refuse, and that nothing else changed.
 
 use super::Case;
+use super::common::shading::use_program;
 use gl_api::*;
 
 const VALUE: GLenum = GL_INVALID_VALUE;
@@ -24,17 +25,7 @@ void main() {
     float all = f + float(i) + float(u) + float(b) + fa[0] + fa[2] + float(iv.x) + n[0].x;
     color = vec4(m * v, all) + texture(s, v.xy);
 }";
-    let program = c.create_program();
-    for (stage, source) in [(GL_VERTEX_SHADER, vertex), (GL_FRAGMENT_SHADER, fragment)] {
-        let shader = c.create_shader(stage);
-        c.shader_source(shader, 1, Strings(vec![source]), &[]);
-        c.compile_shader(shader);
-        c.attach_shader(program, shader);
-    }
-    c.link_program(program);
-    c.use_program(program);
-    assert_eq!(c.get_error(), GL_NO_ERROR, "{:?}", c.messages());
-    program
+    use_program(c, vertex, fragment)
 }
 
 fn at(c: &mut Context, name: &str) -> GLint {

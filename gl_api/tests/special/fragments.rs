@@ -1,6 +1,7 @@
 //! What happens to fragments: logical operations, blend equations, draw buffers, depth range, polygon
 //! offset; and the arrays that are seldom enabled.
 
+use super::shading::use_program;
 use super::{ALL, context, draw, fine, pixel};
 use gl_api::*;
 
@@ -101,13 +102,7 @@ fn draw_buffers_take_the_fragment_data_of_their_number() {
         gl_FragData[1] = vec4(0.0, 1.0, 0.0, 1.0);
         gl_FragData[2] = vec4(0.0, 0.0, 1.0, 1.0);
         gl_FragDepth = 0.5; }";
-    let shader = c.create_shader(GL_FRAGMENT_SHADER);
-    c.shader_source(shader, 1, Strings(vec![fragment]), &[]);
-    c.compile_shader(shader);
-    let program = c.create_program();
-    c.attach_shader(program, shader);
-    c.link_program(program);
-    c.use_program(program);
+    use_program(&mut c, "", fragment);
     draw(&mut c, GL_QUADS, &ALL);
     for (at, want) in [(0, [0, 0, 255, 255]), (1, [0; 4]), (2, [255, 0, 0, 255])] {
         c.read_buffer(GL_COLOR_ATTACHMENT0 + at);

@@ -3,6 +3,8 @@
 //! with several samples;
 //! and input that is bad in ways that no table of errors lists.
 
+#[path = "../common/shading.rs"]
+mod shading;
 #[path = "../common/state_table.rs"]
 mod state_table;
 

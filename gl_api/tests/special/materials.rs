@@ -1,5 +1,6 @@
 //! `glMaterial` between `glBegin` and `glEnd`: each vertex has the material of its time.
 
+use super::shading::use_program;
 use super::{context, fine, pixel};
 use gl_api::*;
 
@@ -102,13 +103,7 @@ fn programs_read_the_materials_of_each_vertex() {
     let vertex = "void main() {
         gl_Position = gl_Vertex;
         gl_FrontColor = gl_FrontMaterial.ambient + gl_FrontMaterial.emission; }";
-    let shader = c.create_shader(GL_VERTEX_SHADER);
-    c.shader_source(shader, 1, Strings(vec![vertex]), &[]);
-    c.compile_shader(shader);
-    let program = c.create_program();
-    c.attach_shader(program, shader);
-    c.link_program(program);
-    c.use_program(program);
+    use_program(&mut c, vertex, "");
     for part in [GL_AMBIENT, GL_EMISSION] {
         c.materialfv(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE, &[0.0, 0.0, 0.0, 1.0]);
         c.materialfv(GL_FRONT_AND_BACK, GL_EMISSION, &[0.0, 0.0, 0.0, 1.0]);

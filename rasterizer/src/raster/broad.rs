@@ -1,5 +1,5 @@
 //! A triangle that covers many blocks of a tile: which they are, and its planes there, computed over lanes
-//! that are blocks. The numbers are those of [`coverage::block`] and [`PlaneGroup::at`].
+//! that are blocks. The numbers are those of [`super::coverage::block`] and [`PlaneGroup::at`].
 
 use super::coverage::Edge;
 use super::group::PlaneGroup;

@@ -2,7 +2,7 @@
 //! on. Where a draw has none of them in an array, the output is the same at every vertex, and needs
 //! no plane.
 
-use crate::ir::{Block, Expr, Input, Module, Output, Stmt, Value, Var};
+use crate::ir::{Block, Expr, Input, Module, Output, Stage, Stmt, Value, Var};
 
 /// What a value depends on besides what is the same in the whole draw: components of attributes,
 /// bit by word; every bit where it depends on more, or nobody looked closer.
@@ -33,8 +33,12 @@ impl Sources {
     }
 }
 
-/// The sources of each output of a module, in their order.
+/// The sources of each output of a module, in their order. Nobody asks for those of a fragment program,
+/// which are not looked for.
 pub(super) fn of_outputs(module: &Module) -> Vec<(Output, Sources)> {
+    if module.stage == Stage::Fragment {
+        return module.outputs.iter().map(|&(output, _)| (output, Sources::ANYTHING)).collect();
+    }
     let mut search = Search {
         module,
         values: vec![None; module.values.len()],

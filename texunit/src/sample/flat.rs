@@ -5,6 +5,7 @@
 //! and lanes that read different levels. Every number is computed by the functions of the general way.
 
 use super::footprint::Round;
+use super::plain::Class;
 use super::record::Off;
 use super::{Coordinates, Sample, expand, filter, plain, taps};
 use crate::image::Shape;
@@ -12,8 +13,11 @@ use crate::lanes::{F32s, Kernel, Simd, U32s};
 use crate::plan::{Detail, Way};
 use crate::sampler::Filter;
 
-/// One call: 64 samples of a texture that [`leads`] here.
-pub(crate) struct Flat<'s, 'a, F>(pub &'s mut Sample<'a, Off, F>);
+/// One call: 64 samples of a texture that goes this way, of texels of this class.
+pub(crate) struct Flat<'s, 'a, F> {
+    pub sample: &'s mut Sample<'a, Off, F>,
+    pub class: Class,
+}
 
 /// What became of a call.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -23,17 +27,13 @@ pub(crate) enum Outcome {
     NotFlat,
 }
 
-/// Whether a texture may go this way.
-pub(crate) fn leads(shape: Shape, way: Way) -> bool {
-    let in_plane = match shape {
-        Shape::D2 | Shape::Rect => true,
-        Shape::D1 | Shape::D3 | Shape::Cube | Shape::D1Array | Shape::D2Array => false,
-    };
-    let has_short_way = match way {
-        Way::Plain(_) => true,
-        Way::General | Way::Blocks(_) => false,
-    };
-    in_plane && has_short_way
+/// The class of the texels, where the image and its texels go this way.
+pub(crate) fn class(shape: Shape, way: Way) -> Option<Class> {
+    match (shape, way) {
+        (Shape::D2 | Shape::Rect, Way::Plain(class)) => Some(class),
+        (Shape::D2 | Shape::Rect, Way::General | Way::Blocks(_))
+        | (Shape::D1 | Shape::D3 | Shape::Cube | Shape::D1Array | Shape::D2Array, _) => None,
+    }
 }
 
 impl<F> Kernel for Flat<'_, '_, F> {
@@ -41,7 +41,7 @@ impl<F> Kernel for Flat<'_, '_, F> {
 
     #[inline(always)]
     fn run<S: Simd>(self) -> Outcome {
-        let Self(sample) = self;
+        let Self { sample, class } = self;
         let texture = sample.texture;
         let mut weight = F32s::ZERO;
         let (filter, levels) = match &texture.detail {
@@ -59,7 +59,6 @@ impl<F> Kernel for Flat<'_, '_, F> {
                 }
             }
         };
-        let Way::Plain(class) = texture.way else { return Outcome::NotFlat };
         let mut second = [F32s::ZERO; 4];
         let reads_both = levels[0] != levels[1];
         for (turn, number) in levels.into_iter().take(1 + usize::from(reads_both)).enumerate() {

@@ -74,12 +74,12 @@ impl<R: Recorder, F: Reads> Kernel for Sample<'_, R, F> {
 }
 
 impl<'a, F: Reads> Sample<'a, Off, F> {
-    /// Runs it the shortest way that leads there.
+    /// Runs it the shortest way if that leads there; texels are of this class.
     #[inline]
-    pub fn run_shortest(mut self, isa: Isa) {
-        match isa.run_above_baseline(flat::Flat(&mut self)) {
+    pub fn run_flat(mut self, isa: Isa, class: plain::Class) {
+        match isa.run_above_baseline(flat::Flat { sample: &mut self, class }) {
             Ok(flat::Outcome::Sampled) => {}
-            Ok(flat::Outcome::NotFlat) | Err(flat::Flat(_)) => self.run_on(isa),
+            Ok(flat::Outcome::NotFlat) | Err(flat::Flat { .. }) => self.run_on(isa),
         }
     }
 
