@@ -122,16 +122,20 @@ macro_rules! operations {
     (@first $a:ident) => { [$a[0], 0, 0] };
     (@first $a:ident, $b:ident) => { [$a[0], $b[0], 0] };
     (@first $a:ident, $b:ident, $c:ident) => { [$a[0], $b[0], $c[0]] };
-    (@rare $out:ident $a:ident: $A:ty,) => {};
-    (@rare $out:ident $a:ident: $A:ty, $rare:expr, $far:expr) => {
+    (@rare $out:ident [$($operands:tt)*]) => {};
+    (@rare $out:ident [$($operands:tt)*] $rare:expr, $far:expr) => {
         let mut any = false;
         for lane in 0..LANES {
-            let $a = <$A>::from_word($a[lane]);
-            any |= $rare;
+            #[allow(unused_variables, reason = "the condition may not look at all of them")]
+            let is_rare = {
+                operations!(@lane lane $($operands)*);
+                $rare
+            };
+            any |= is_rare;
         }
         if any {
             for lane in 0..LANES {
-                let $a = <$A>::from_word($a[lane]);
+                operations!(@lane lane $($operands)*);
                 if $rare {
                     $out[lane] = $far.to_word();
                 }
@@ -214,7 +218,7 @@ macro_rules! operations {
                             let value: $R = $body;
                             result[lane] = value.to_word();
                         }
-                        operations!(@rare result $a: $A, $($rare, $far)?);
+                        operations!(@rare result [$a: $A $(, $b: $B $(, $c: $C)?)?] $($rare, $far)?);
                         registers[out] = result;
                     })*
                 }
@@ -252,6 +256,12 @@ operations! {
     RoundEven "round_even" (a: f32) -> f32 = S::round_even(a);
     /// `a - floor(a)`.
     Fract "fract" (a: f32) -> f32 = a - S::floor(a);
+    /// GLSL's `mod` of `a` and `b`, whose inverse is `c`, see [`math::modulo`].
+    Mod "mod" (a: f32, b: f32, c: f32) -> f32 = math::modulo(a, b, c, S::round_even(a * c)),
+        where c.is_infinite() => a - b * S::floor(a / b);
+    /// The same where the inverse is known to be finite.
+    ModNear "mod_near" (a: f32, b: f32, c: f32) -> f32 =
+        math::modulo(a, b, c, S::round_even(a * c));
     /// IEEE square root.
     Sqrt "sqrt" (a: f32) -> f32 = a.sqrt();
     /// `1 / sqrt(a)`, two roundings.
@@ -413,7 +423,8 @@ impl Op {
     #[inline(always)]
     pub const fn cost(self) -> u32 {
         match self {
-            Self::Div | Self::Sqrt | Self::InverseSqrt => 4,
+            Self::Div | Self::Sqrt | Self::InverseSqrt => 8,
+            Self::Mod | Self::ModNear => 8,
             Self::Sin | Self::Cos | Self::Tan => LONG,
             Self::Asin | Self::Acos | Self::Atan | Self::Atan2 => LONG,
             Self::Sinh | Self::Cosh | Self::Tanh | Self::Asinh | Self::Acosh | Self::Atanh => LONG,

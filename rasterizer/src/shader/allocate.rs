@@ -241,7 +241,7 @@ impl Allocation {
         layout.registers = next;
         layout.outputs =
             lowered.outputs.iter().map(|(_, reg)| self.real[reg.0 as usize].0).collect();
-        compact(&mut lowered.code, &self.removed);
+        compact(lowered, &self.removed);
         layout
     }
 
@@ -298,24 +298,26 @@ fn loop_ends(code: &[Inst]) -> Vec<Vec<u32>> {
 }
 
 /// Takes the removed instructions out.
-pub(super) fn compact(code: &mut Vec<Inst>, removed: &[bool]) {
-    let mut moved = Vec::with_capacity(code.len() + 1);
+pub(super) fn compact(lowered: &mut Lowered, removed: &[bool]) {
+    let mut moved = Vec::with_capacity(removed.len() + 1);
     let mut kept = 0;
     for removed in removed {
         moved.push(kept);
         kept += u32::from(!removed);
     }
     moved.push(kept);
-    let mut at = 0;
-    code.retain(|_| {
-        at += 1;
-        !removed[at - 1]
-    });
-    for inst in code {
+    retain(&mut lowered.code, removed);
+    retain(&mut lowered.places, removed);
+    for inst in &mut lowered.code {
         if let Some(Target(to)) = inst.target_mut() {
             *to = moved[*to as usize];
         }
     }
+}
+
+fn retain<T>(list: &mut Vec<T>, removed: &[bool]) {
+    let mut removed = removed.iter();
+    list.retain(|_| removed.next() == Some(&false));
 }
 
 /// Variables start as zero, unless all lanes are written before anything else happens to them.
@@ -338,6 +340,6 @@ fn zero_variables(lowered: &mut Lowered, allocation: &Allocation) {
             *to += shift;
         }
     }
-    zeros.append(&mut lowered.code);
-    lowered.code = zeros;
+    lowered.places.splice(0..0, zeros.iter().map(|_| 0));
+    lowered.code.splice(0..0, zeros);
 }

@@ -93,8 +93,6 @@ macro_rules! fused {
 }
 
 fused! {
-    /// GLSL's `mod`, `a - b floor(a / b)`.
-    Modulo = Sub(a, Mul(b, Floor(Div(a, b))));
     /// Hermite's cubic of the fraction of `a`.
     FractSmooth = Mul(Mul(Fract(a), Fract(a)), Sub(b, Mul(c, Fract(a))));
     /// Hermite's cubic, `a² (b - c a)`.
@@ -159,7 +157,29 @@ impl Fused {
     }
 }
 
+impl Fused {
+    /// About how many additions it takes as long as, all and those that follow one another.
+    pub fn size(self) -> [u32; 2] {
+        let tree = Self::ALL.iter().find(|(fused, _)| *fused == self);
+        tree.map_or([1, 1], |(_, tree)| tree.size())
+    }
+}
+
 impl Tree {
+    fn size(&self) -> [u32; 2] {
+        match self {
+            Self::Operand(_) => [0, 0],
+            Self::Node(op, trees) => {
+                let (mut cost, mut depth) = (0, 0);
+                for [of, under] in trees.iter().map(Self::size) {
+                    cost += of;
+                    depth = under.max(depth);
+                }
+                [cost + op.cost(), depth + op.cost()]
+            }
+        }
+    }
+
     fn expression(&self, ty: Ty, operand: &impl Fn(usize, Ty) -> Expression) -> Expression {
         match self {
             Self::Operand(at) => operand(*at, ty),
@@ -195,7 +215,7 @@ pub(super) fn run(lowered: &mut Lowered) {
             }
         }
     }
-    super::allocate::compact(&mut lowered.code, &definitions.taken);
+    super::allocate::compact(lowered, &definitions.taken);
 }
 
 /// Where temporaries are made, and how often they are read.

@@ -30,6 +30,8 @@ pub(super) enum Kind {
 #[derive(Debug, Default)]
 pub(super) struct Lowered {
     pub code: Vec<Inst>,
+    /// By instruction: its place in the order of the source.
+    pub places: Vec<u32>,
     /// By virtual register.
     pub kinds: Vec<Kind>,
     pub preamble: Preamble,

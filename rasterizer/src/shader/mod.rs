@@ -25,6 +25,7 @@ mod mask;
 mod optimize;
 mod owned;
 mod preamble;
+mod schedule;
 mod sources;
 
 pub use machine::{Machine, Tracer};
@@ -48,6 +49,8 @@ pub struct Program {
     /// Of the module before and after it was optimized.
     statements: [usize; 2],
     code: Vec<Inst>,
+    /// By instruction: its place in the order of the source.
+    places: Vec<u32>,
     layout: Layout,
     preamble: Preamble,
     inputs: Vec<Input>,
@@ -129,8 +132,10 @@ impl Program {
     /// Lowers `module` as it stands.
     fn lowered(module: &Module, fusing: Fusing) -> Self {
         let mut lowered = lower::lower(module);
+        lowered.places = (0..lowered.code.len() as u32).collect();
         if fusing == Fusing::On {
             fuse::run(&mut lowered);
+            schedule::run(&mut lowered);
         }
         let layout = allocate::allocate(&mut lowered);
         Self {
@@ -138,6 +143,7 @@ impl Program {
             statements: [0; 2],
             masked: lowered.code.iter().any(Inst::uses_mask),
             code: lowered.code,
+            places: lowered.places,
             layout,
             preamble: lowered.preamble,
             inputs: lowered.inputs,

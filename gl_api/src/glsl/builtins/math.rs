@@ -56,13 +56,13 @@ pub fn degrees(emit: &mut Emit, args: Args<'_>) -> Vec<Value> {
     each(emit, args, |emit, at| emit.op(Op::Mul, &[at(0), factor]))
 }
 
-/// `x - y · floor(x / y)`.
+/// `x - y · floor(x / y)`. `y` is mostly a constant: its inverse is one too.
 pub fn modulo(emit: &mut Emit, args: Args<'_>) -> Vec<Value> {
+    let one = emit.float(1.0);
     each(emit, args, |emit, at| {
-        let quotient = emit.op(Op::Div, &[at(0), at(1)]);
-        let whole = emit.op(Op::Floor, &[quotient]);
-        let product = emit.op(Op::Mul, &[at(1), whole]);
-        emit.op(Op::Sub, &[at(0), product])
+        let inverse = emit.op(Op::Div, &[one, at(1)]);
+        let is_finite = emit.known(inverse).is_some_and(|bits| f32::from_bits(bits).is_finite());
+        emit.op(if is_finite { Op::ModNear } else { Op::Mod }, &[at(0), at(1), inverse])
     })
 }
 

@@ -13,11 +13,13 @@ pub struct Tracer {
     lane: usize,
     /// By register.
     names: Vec<Name>,
-    /// In order.
+    /// In the order of the source.
     pub steps: Vec<Step>,
     /// How many were not kept.
     pub more: usize,
     next: u32,
+    /// Those of the present straight run of code, with their places, in the order of execution.
+    run: Vec<(u32, Step)>,
 }
 
 impl Tracer {
@@ -29,7 +31,7 @@ impl Tracer {
                 *name = Name::Input(*input);
             }
         }
-        Self { lane, names, steps: Vec::new(), more: 0, next: 1 }
+        Self { lane, names, steps: Vec::new(), more: 0, next: 1, run: Vec::new() }
     }
 
     fn operand(&self, machine: &Machine, reg: Reg, ty: Ty) -> Operand {
@@ -37,12 +39,33 @@ impl Tracer {
         Operand { name, ty, bits }
     }
 
-    fn keep(&mut self, step: Step) {
-        if self.steps.len() < MAX_STEPS {
-            self.steps.push(step);
-        } else {
-            self.more += 1;
+    /// Ends a straight run: its steps go where they stand in the source, and are numbered so.
+    fn settle(&mut self) {
+        let first =
+            self.next - self.run.iter().filter(|(_, step)| step.number().is_some()).count() as u32;
+        self.run.sort_by_key(|(place, _)| *place);
+        let numbers: Vec<u32> = self.run.iter().filter_map(|(_, step)| step.number()).collect();
+        let renamed = |name: Name| {
+            let new = |number: u32| {
+                let at = numbers.iter().position(|old| *old == number);
+                at.map_or(number, |at| first + at as u32)
+            };
+            match name {
+                Name::Draw | Name::Input(_) => name,
+                Name::Texel(number, component) => Name::Texel(new(number), component),
+                Name::Step(number) => Name::Step(new(number)),
+            }
+        };
+        let mut next = first;
+        for (_, mut step) in self.run.drain(..) {
+            step.rename(&mut next, &renamed);
+            if self.steps.len() < MAX_STEPS {
+                self.steps.push(step);
+            } else {
+                self.more += 1;
+            }
         }
+        self.names.iter_mut().for_each(|name| *name = renamed(*name));
     }
 
     /// The number of the next step.
@@ -81,6 +104,10 @@ impl Machine {
         let code = &run.program.code[..];
         let mut pc = 0;
         while let Some(inst) = code.get(pc) {
+            if inst.is_control() {
+                tracer.settle();
+            }
+            let place = run.program.places[pc];
             let executes =
                 !run.program.masked || !self.exec.is_empty() && self.exec.lanes[tracer.lane] != 0;
             let before = if executes { self.look(&run, inst, tracer) } else { Before::Control };
@@ -92,9 +119,10 @@ impl Machine {
                 }
             };
             if executes {
-                self.note(inst, before, tracer);
+                self.note(inst, place, before, tracer);
             }
         }
+        tracer.settle();
         Ok(run.active & !self.discarded.bits())
     }
 
@@ -169,12 +197,12 @@ impl Machine {
         Before::Sample { coords, texture, trace }
     }
 
-    fn note(&self, inst: &Inst, before: Before, tracer: &mut Tracer) {
+    fn note(&self, inst: &Inst, place: u32, before: Before, tracer: &mut Tracer) {
         match (before, inst) {
             (Before::Value { out, ty, expression }, _) => {
                 let (number, bits) = (tracer.number(), self.reg(out)[tracer.lane]);
                 tracer.names[out.0 as usize] = Name::Step(number);
-                tracer.keep(Step::Value { number, expression, ty, bits });
+                tracer.run.push((place, Step::Value { number, expression, ty, bits }));
             }
             (Before::Copy { out, name }, _) => tracer.names[out.0 as usize] = name,
             (Before::Zero { out, len }, _) => {
@@ -189,7 +217,7 @@ impl Machine {
                         tracer.names[reg.0 as usize] = Name::Texel(number, component);
                     }
                 }
-                tracer.keep(Step::Lookup(Box::new(Lookup {
+                let lookup = Lookup {
                     number,
                     slot: sample.texture,
                     access: sample.access,
@@ -197,10 +225,51 @@ impl Machine {
                     coords,
                     trace,
                     result,
-                })));
+                };
+                tracer.run.push((place, Step::Lookup(Box::new(lookup))));
             }
-            (Before::Control, Inst::Discard) => tracer.keep(Step::Discard),
+            (Before::Control, Inst::Discard) => tracer.run.push((place, Step::Discard)),
             (Before::Sample { .. } | Before::Control, _) => {}
+        }
+    }
+}
+
+impl Step {
+    fn number(&self) -> Option<u32> {
+        match self {
+            Self::Value { number, .. } => Some(*number),
+            Self::Lookup(lookup) => Some(lookup.number),
+            Self::Discard => None,
+        }
+    }
+
+    /// Gives it the next number, and what it reads its new names.
+    fn rename(&mut self, next: &mut u32, renamed: &impl Fn(Name) -> Name) {
+        let number = match self {
+            Self::Value { number, expression, .. } => {
+                expression.rename(renamed);
+                number
+            }
+            Self::Lookup(lookup) => {
+                for coord in &mut lookup.coords {
+                    coord.name = renamed(coord.name);
+                }
+                &mut lookup.number
+            }
+            Self::Discard => return,
+        };
+        *number = *next;
+        *next += 1;
+    }
+}
+
+impl Expression {
+    fn rename(&mut self, renamed: &impl Fn(Name) -> Name) {
+        match self {
+            Self::Operand(operand) | Self::Derivative(_, operand) => {
+                operand.name = renamed(operand.name);
+            }
+            Self::Apply(_, args) => args.iter_mut().for_each(|arg| arg.rename(renamed)),
         }
     }
 }

@@ -107,6 +107,16 @@ pub fn round_even(x: f32) -> f32 {
     result.copysign(x)
 }
 
+/// `a - b · floor(a / b)` (GLSL 1.20, section 8.3), given `inverse`, `1 / b`, and `nearest`, the
+/// integer nearest to `a · inverse`. This is the whole quotient or one more: then the difference has
+/// not `b`'s sign. Other than the formula in `f32` it never leaves the range from 0 to `b` because a
+/// quotient was rounded up, as long as this is below 2^22. An infinite inverse (`b` below 2^-128) is none.
+#[inline(always)]
+pub fn modulo(a: f32, b: f32, inverse: f32, nearest: f32) -> f32 {
+    let left = a - b * nearest;
+    if left * inverse < 0.0 { left + b } else { left }
+}
+
 /// The smaller; `b` if `a` is NaN. (Rust's and each processor's own `min` differ on NaN and ±0.)
 #[inline(always)]
 pub fn min(a: f32, b: f32) -> f32 {

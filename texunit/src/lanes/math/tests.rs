@@ -141,3 +141,43 @@ fn the_floor_of_small_numbers_is_the_floor() {
         x += 997.37;
     }
 }
+
+/// `mod` as a shader computes it.
+fn modulo_of(a: f32, b: f32) -> f32 {
+    let inverse = 1.0 / b;
+    modulo(a, b, inverse, round_even(a * inverse))
+}
+
+#[test]
+fn mod_of_whole_numbers_is_exact() {
+    for b in 1..700_u16 {
+        for a in (-70_000..70_000).step_by(41).chain(-3 * i32::from(b)..=3 * i32::from(b)) {
+            let want = a.rem_euclid(b.into()) as f32;
+            let (a, b) = (a as f32, f32::from(b));
+            assert_eq!(modulo_of(a, b), want, "mod({a}, {b})");
+            assert_eq!(modulo_of(-a, -b), -want, "mod({}, {})", -a, -b);
+        }
+    }
+}
+
+#[test]
+fn mod_stays_in_its_range_and_loses_no_more_than_the_product() {
+    let mut bits = 1_u32;
+    let mut roll = || {
+        bits = bits.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        bits
+    };
+    for _ in 0..1_000_000 {
+        let quotient = f64::from(roll().max(1000)) / 4_294_967_296.0;
+        let b = f32::from_bits(roll() & 0x7F7F_FFFF).clamp(1e-37, 1e30);
+        let a = (f64::from(b) * 4_000_000.0 * quotient.powi(5)) as f32;
+        let a = if roll() & 1 == 0 { a } else { -a };
+        let (got, want) = (modulo_of(a, b), f64::from(a).rem_euclid(b.into()));
+        assert!((0.0..=b).contains(&got), "mod({a:?}, {b:?}) = {got:?}");
+        // 0 and `b` are neighbours.
+        let off = (f64::from(got) - want).abs();
+        let off = off.min(f64::from(b) - off);
+        let ulp = |x: f32| f64::from(x.abs().next_up()) - f64::from(x.abs());
+        assert!(off <= ulp(a) + ulp(b), "mod({a:?}, {b:?}) = {got:?}, not {want:?}");
+    }
+}

@@ -1,0 +1,300 @@
+//! The order of instructions: what depends on one another is moved apart.
+//!
+//! A step over 64 lanes is a few vector operations, each of which waits for the one before it. A
+//! processor fills that time with the next step only if this does not wait for the same. So in each
+//! straight run of code the next instruction is the one whose operands are there first, among the few
+//! that follow ([`WINDOW`]: what is computed earlier than it is needed takes a register meanwhile).
+
+use super::inst::{Inst, Reg, Role, Target};
+use super::lower::{Kind, Lowered};
+use crate::ir::Op;
+use std::ops::Range;
+
+/// How far ahead of the first instruction that is left one is chosen.
+const WINDOW: usize = 32;
+
+/// Orders the code, which is over virtual registers, each temporary written once.
+pub(super) fn run(lowered: &mut Lowered) {
+    let mut registers = Registers::new(lowered);
+    for run in straight_runs(&lowered.code) {
+        let order = Order::new(&mut lowered.code[run.clone()], &mut registers).choose();
+        let mut moved: Vec<Option<(Inst, u32)>> = lowered
+            .code
+            .drain(run.clone())
+            .zip(lowered.places.drain(run.clone()))
+            .map(Some)
+            .collect();
+        let (code, places): (Vec<Inst>, Vec<u32>) =
+            order.into_iter().filter_map(|at| moved[at].take()).unzip();
+        lowered.code.splice(run.start..run.start, code);
+        lowered.places.splice(run.start..run.start, places);
+    }
+}
+
+/// Where code runs straight on, and nothing else accesses arrays.
+fn straight_runs(code: &[Inst]) -> Vec<Range<usize>> {
+    let mut is_target = vec![false; code.len() + 1];
+    for Target(to) in code.iter().filter_map(Inst::target) {
+        is_target[to as usize] = true;
+    }
+    let mut runs = Vec::new();
+    let mut start = 0;
+    for (at, inst) in code.iter().enumerate() {
+        if is_target[at] || !moves_freely(inst) {
+            runs.push(start..at);
+            start = at + usize::from(!moves_freely(inst));
+        }
+    }
+    runs.push(start..code.len());
+    runs.retain(|run| run.len() > 2);
+    runs
+}
+
+/// Whether an instruction may change places with those about it. Arrays are accessed in order.
+fn moves_freely(inst: &Inst) -> bool {
+    let accesses_array = matches!(
+        inst,
+        Inst::Zero { .. } | Inst::LoadAt { .. } | Inst::StoreAt { .. } | Inst::UniformAt { .. }
+    );
+    !inst.is_control() && !accesses_array
+}
+
+/// How long an instruction keeps a processor busy, and how long its result takes, in cycles or so.
+fn times(inst: &Inst) -> [u32; 2] {
+    let of = |cost: u32, depth: u32| [4 + 2 * cost, 12 + 2 * cost + 4 * depth];
+    match inst {
+        Inst::Op { op, .. } => of(op.cost(), op.cost().min(8)),
+        Inst::Fused { fused, .. } => {
+            let [cost, depth] = fused.size();
+            of(cost, depth)
+        }
+        Inst::Sample(_) => of(200, 0),
+        // Most of these are never made.
+        Inst::Move { .. } | Inst::Store { .. } => [0, 0],
+        _ => of(Op::Sub.cost(), 1),
+    }
+}
+
+/// What is known of the virtual registers.
+struct Registers {
+    kinds: Vec<Kind>,
+    /// How often each is read.
+    reads: Vec<u32>,
+    /// The number of the present run.
+    run: u32,
+    accesses: Vec<Accesses>,
+}
+
+/// The accesses of a register in a run so far.
+#[derive(Clone, Default)]
+struct Accesses {
+    run: u32,
+    writer: Option<usize>,
+    /// Since then.
+    readers: Vec<usize>,
+    /// The variable of which this is a copy.
+    copy_of: Option<Reg>,
+}
+
+impl Registers {
+    fn new(lowered: &mut Lowered) -> Self {
+        let mut reads = vec![0; lowered.kinds.len()];
+        for inst in &mut lowered.code {
+            inst.operands(&mut |reg, role| reads[reg.0 as usize] += u32::from(role == Role::Read));
+        }
+        let accesses = vec![Accesses::default(); reads.len()];
+        Self { kinds: lowered.kinds.clone(), reads, run: 0, accesses }
+    }
+
+    fn of(&mut self, reg: Reg) -> &mut Accesses {
+        let accesses = &mut self.accesses[reg.0 as usize];
+        if accesses.run != self.run {
+            accesses.run = self.run;
+            (accesses.writer, accesses.copy_of) = (None, None);
+            accesses.readers.clear();
+        }
+        accesses
+    }
+
+    /// Notes an access; gives the instructions that must come before it.
+    fn access(&mut self, at: usize, reg: Reg, role: Role, before: &mut Vec<usize>) {
+        let accesses = self.of(reg);
+        before.extend(accesses.writer);
+        match role {
+            Role::Read => {
+                accesses.readers.push(at);
+                // A copy is not made if its variable is not written while it is read.
+                if let Some(variable) = accesses.copy_of {
+                    self.of(variable).readers.push(at);
+                }
+            }
+            Role::Write => {
+                before.append(&mut accesses.readers);
+                accesses.writer = Some(at);
+            }
+        }
+    }
+
+    fn is(&self, reg: Reg, kind: fn(Kind) -> bool) -> bool {
+        kind(self.kinds[reg.0 as usize])
+    }
+}
+
+/// A straight run, and who waits for whom.
+struct Order<'a> {
+    code: &'a [Inst],
+    /// By instruction: for how many it waits.
+    waits: Vec<u32>,
+    /// By instruction: those that wait for it.
+    followers: Vec<Vec<usize>>,
+    /// By instruction: the move of its value into a variable. They stay together: then the value is
+    /// computed there at once.
+    moves: Vec<Option<usize>>,
+}
+
+impl<'a> Order<'a> {
+    fn new(code: &'a mut [Inst], registers: &mut Registers) -> Self {
+        registers.run += 1;
+        let count = code.len();
+        let mut order = Self {
+            waits: vec![0; count],
+            followers: vec![Vec::new(); count],
+            moves: vec![None; count],
+            code: &[],
+        };
+        let mut before = Vec::new();
+        for (at, inst) in code.iter_mut().enumerate() {
+            inst.operands(&mut |reg, role| registers.access(at, *reg, role, &mut before));
+            before.sort_unstable();
+            before.dedup();
+            before.retain(|&earlier| earlier != at);
+            if let Inst::Move { out, from } = *inst {
+                let is_variable = |kind| matches!(kind, Kind::Variable { .. });
+                if registers.is(from, is_variable) {
+                    registers.of(out).copy_of = Some(from);
+                } else if registers.is(out, is_variable)
+                    && registers.reads[from.0 as usize] == 1
+                    && let Some(writer) = registers.of(from).writer
+                    && before.iter().all(|&earlier| earlier <= writer)
+                {
+                    order.moves[writer] = Some(at);
+                    before.iter().for_each(|&earlier| order.follow(earlier, writer));
+                }
+            }
+            before.drain(..).for_each(|earlier| order.follow(earlier, at));
+        }
+        order.code = code;
+        order
+    }
+
+    fn follow(&mut self, earlier: usize, later: usize) {
+        if earlier != later {
+            self.followers[earlier].push(later);
+            self.waits[later] += 1;
+        }
+    }
+
+    /// The instructions by their places in the run.
+    fn choose(mut self) -> Vec<usize> {
+        let count = self.code.len();
+        let mut order = Vec::with_capacity(count);
+        let mut is_chosen = vec![false; count];
+        // When the operands are there.
+        let mut ready = vec![0_u32; count];
+        let (mut now, mut first) = (0_u32, 0);
+        while first < count {
+            let next_few = first..count.min(first + WINDOW);
+            let free = next_few.filter(|&at| !is_chosen[at] && self.waits[at] == 0);
+            // The first of the run that is left waits for nothing.
+            let next = free.min_by_key(|&at| (ready[at].max(now), at)).unwrap_or(first);
+            let mut chosen = Some(next);
+            while let Some(at) = chosen {
+                let [busy, latency] = times(&self.code[at]);
+                let start = now.max(ready[at]);
+                now = start + busy;
+                for follower in std::mem::take(&mut self.followers[at]) {
+                    self.waits[follower] -= 1;
+                    ready[follower] = ready[follower].max(start + latency);
+                }
+                is_chosen[at] = true;
+                order.push(at);
+                chosen = self.moves[at];
+            }
+            while first < count && is_chosen[first] {
+                first += 1;
+            }
+        }
+        order
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::ir::{Builder, Input, Interpolation, Op, Output, Stage};
+    use crate::shader::{Machine, Program, Run, Tracer};
+    use crate::trace::{Expression, Name, Step};
+    use texunit::lanes::{Isa, U32s};
+
+    /// Two chains of square roots, of red and of green.
+    fn two_chains() -> Program {
+        let mut b = Builder::new(Stage::Fragment);
+        b.module_mut().varyings = vec![Interpolation::Smooth; 2];
+        for component in 0..2 {
+            let mut value = b.input(Input::Varying(u16::from(component)));
+            for _ in 0..6 {
+                value = b.op(Op::Sqrt, &[value]);
+            }
+            let out = b.output(Output::Color { target: 0, component });
+            b.store(out, value);
+        }
+        Program::new(&b.finish(), |_| true)
+    }
+
+    #[test]
+    fn two_chains_take_turns() {
+        let program = two_chains();
+        assert_eq!(program.code.len(), 12, "{:?}", program.code);
+        let chains: Vec<bool> = program.places.iter().map(|place| *place > 6).collect();
+        assert!(chains[..10].windows(2).all(|pair| pair[0] != pair[1]), "{:?}", program.places);
+    }
+
+    #[test]
+    fn a_trace_tells_them_one_after_the_other() {
+        let program = two_chains();
+        let isa = Isa::best();
+        let prepared = program.prepare(isa, &[], &[]);
+        let mut machine = Machine::default();
+        machine.begin(&program);
+        for index in 0..2 {
+            *machine.input_mut(index) = U32s::splat((256.0 + index as f32).to_bits());
+        }
+        let mut tracer = Tracer::new(&program, 3);
+        let (active, budget) = (!0, 100);
+        let run =
+            Run { isa, program: &program, prepared: &prepared, textures: &[], active, budget };
+        assert_eq!(machine.run_traced(run, &mut tracer), Ok(!0));
+        let of = |step: &Step| match step {
+            Step::Value { number, expression: Expression::Apply(Op::Sqrt, args), bits, .. } => {
+                let [Expression::Operand(operand)] = args[..] else { panic!("{args:?}") };
+                (*number, operand.name, f32::from_bits(*bits))
+            }
+            other => panic!("{other:?}"),
+        };
+        let mut value = 0.0_f32;
+        for (at, step) in tracer.steps.iter().enumerate() {
+            let (number, name, bits) = of(step);
+            assert_eq!(number as usize, at + 1);
+            let chain = at / 6;
+            if at % 6 == 0 {
+                assert_eq!(name, Name::Input(program.inputs()[chain]));
+                value = 256.0 + chain as f32;
+            } else {
+                assert_eq!(name, Name::Step(at as u32));
+            }
+            value = value.sqrt();
+            assert_eq!(bits, value);
+        }
+        assert_eq!(tracer.steps.len(), 12);
+        assert_eq!(tracer.output(&machine, 1).name, Name::Step(12));
+    }
+}
