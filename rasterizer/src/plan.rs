@@ -80,6 +80,8 @@ pub struct DrawPlan {
     pub inputs: Vec<FragmentInput>,
     /// Whether any of them is taken at the centroid of the covered samples.
     pub centroids: bool,
+    /// Whether any of them is how much of its pixel is covered.
+    pub reads_coverage: bool,
     /// The plane of depth, where anybody needs it.
     pub depth_plane: Option<usize>,
     /// The plane that smooth varyings are divided by, where there are any.
@@ -337,6 +339,7 @@ impl DrawPlan {
         Self {
             packing: if alone { Packing::Pixels } else { Packing::Quads },
             centroids: inputs.iter().any(within),
+            reads_coverage: inputs.contains(&FragmentInput::Coverage),
             prepared: fragment.prepare(input.isa, input.uniforms, &input.textures),
             textures: input.textures,
             planes,
@@ -358,18 +361,13 @@ impl DrawPlan {
         }
     }
 
-    /// Whether any fragment asks how much of its pixel is covered.
-    pub fn reads_coverage(&self) -> bool {
-        self.inputs.contains(&FragmentInput::Coverage)
-    }
-
     /// Whether nothing but its outline says what a triangle covers, of one sample.
     pub fn covers_by_outline(&self) -> bool {
         self.samples.count == 1
             && self.samples.leaves(0)
             && self.raster.polygon.rim == Rim::Aliased
             && self.stipple.is_none()
-            && !self.reads_coverage()
+            && !self.reads_coverage
     }
 
     /// What runs, what was left out, and why.

@@ -13,6 +13,8 @@ use texunit::lanes::{F32s, Kernel, LANES, QUADS, Simd, U32s};
 trait Places {
     /// A plane: at the first pixel of the block, per pixel across, per pixel up.
     fn plane(&self, plane: usize) -> impl Fn(usize, usize) -> [f32; 3];
+    /// Whether a plane is known to be 1 at every lane.
+    fn is_one(&self, plane: usize) -> bool;
     /// Its column and row in its block.
     fn within(&self, e: usize, q: usize) -> [f32; 2];
     /// The first pixel of its block.
@@ -26,6 +28,10 @@ impl Places for BlockOf<'_> {
     fn plane(&self, plane: usize) -> impl Fn(usize, usize) -> [f32; 3] {
         let plane = self.planes[plane];
         move |_, _| plane
+    }
+    #[inline(always)]
+    fn is_one(&self, plane: usize) -> bool {
+        self.planes[plane] == [1.0, 0.0, 0.0]
     }
     #[inline(always)]
     fn within(&self, e: usize, q: usize) -> [f32; 2] {
@@ -50,6 +56,10 @@ impl Places for Packed {
     fn plane(&self, plane: usize) -> impl Fn(usize, usize) -> [f32; 3] {
         let plane = &self.planes[plane];
         move |_, q| [plane.corner[q], plane.a[q], plane.b[q]]
+    }
+    #[inline(always)]
+    fn is_one(&self, _plane: usize) -> bool {
+        false
     }
     #[inline(always)]
     fn within(&self, e: usize, q: usize) -> [f32; 2] {
@@ -77,6 +87,10 @@ impl Places for Pixels {
             let lane = e * QUADS + q;
             [plane.corner[lane], plane.a[lane], plane.b[lane]]
         }
+    }
+    #[inline(always)]
+    fn is_one(&self, _plane: usize) -> bool {
+        false
     }
     #[inline(always)]
     fn within(&self, e: usize, q: usize) -> [f32; 2] {
@@ -132,11 +146,12 @@ impl Interpolate<'_> {
             *depth = evaluate(places, index);
             clamp_depth(depth);
         }
-        let mut w = F32s::ZERO;
-        let mut denominator = 0;
-        if let Some(index) = plan.denominator_plane {
-            denominator = index;
-            w = evaluate(places, index);
+        let mut w = F32s::splat(1.0);
+        let denominator = plan.denominator_plane.unwrap_or(0);
+        // Of shapes that do not lie in perspective nothing is divided.
+        let is_divided = plan.denominator_plane.is_some_and(|index| !places.is_one(index));
+        if is_divided {
+            w = evaluate(places, denominator);
             invert::<S>(&mut w);
         }
         let mut centroids = [F32s::ZERO; 2];
@@ -148,8 +163,10 @@ impl Interpolate<'_> {
             match *input {
                 FragmentInput::Smooth(index) => {
                     let mut value = evaluate(places, index);
-                    for lane in 0..LANES {
-                        value[lane] *= w[lane];
+                    if is_divided {
+                        for lane in 0..LANES {
+                            value[lane] *= w[lane];
+                        }
                     }
                     *out.as_f32_mut() = value;
                 }
@@ -198,7 +215,8 @@ impl Interpolate<'_> {
                         *out.as_f32_mut() = *coverage;
                     }
                 }
-                FragmentInput::Zero => *out = U32s::ZERO,
+                // Was set when the draw began.
+                FragmentInput::Zero => {}
             }
         }
     }
@@ -226,7 +244,7 @@ fn invert<S: Simd>(lanes: &mut F32s) {
     for lane in 0..LANES {
         different[lane] = lanes[lane].to_bits() ^ first;
     }
-    if S::nonzero(&different) == 0 {
+    if !S::any(&different) {
         *lanes = F32s::splat(1.0 / lanes[0]);
         return;
     }

@@ -14,13 +14,13 @@ use super::shading::{Shader, early_tests};
 use super::small::{Window, Windows};
 use super::watched::Spot;
 use crate::driver::{Counter, Watch};
-use crate::plan::{DrawPlan, Packing, Timing};
+use crate::plan::{DrawPlan, FragmentInput, Packing, Timing};
 use crate::primitive::{Facing, Kind, Shape};
 use crate::target::{TILE, TileTarget};
 use crate::vertex::Geometry;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use texunit::lanes::{F32s, Isa, LANES};
+use texunit::lanes::{F32s, Isa, LANES, U32s};
 
 /// Quads of a block from which on it is shaded by itself rather than packed with others.
 pub const DENSE: u32 = 12;
@@ -190,7 +190,13 @@ impl Worker {
         self.flush(pass, tile);
         self.draw = Some(draw);
         let plan = &pass.draws[draw].plan;
-        self.shader.machine.begin(&plan.pipeline.compiled().fragment);
+        let machine = &mut self.shader.machine;
+        machine.begin(&plan.pipeline.compiled().fragment);
+        for (index, &input) in plan.inputs.iter().enumerate() {
+            if input == FragmentInput::Zero {
+                *machine.input_mut(index) = U32s::ZERO;
+            }
+        }
         self.waiting.clear(plan.planes.len(), plan.samples.count);
         self.pixels.clear(plan.planes.len());
         self.planes.resize(plan.planes.len(), [0.0; 3]);
@@ -362,7 +368,7 @@ impl Worker {
             // Their outlines do not know where the view volume ends.
             Kind::Line { .. } | Kind::Point { .. } => (pixels(&shape.bounds), None),
         };
-        if plan.reads_coverage() {
+        if plan.reads_coverage {
             self.parts = F32s::splat(1.0);
         }
         let mut masks = SampleMasks::none(plan.samples.count);
@@ -473,7 +479,7 @@ impl Worker {
             block,
             x: tile.x + 8 * bx,
             y: tile.y + 8 * by,
-            coverage: plan.reads_coverage().then_some(&self.parts),
+            coverage: plan.reads_coverage.then_some(&self.parts),
         };
         let eager = packs || quads.count_ones() >= DENSE || tile.watched.is_some();
         if eager && plan.timing == Timing::Early {

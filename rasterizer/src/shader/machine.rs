@@ -54,12 +54,12 @@ impl Machine {
         self.prepared = 0;
     }
 
-    /// The register of the program's input `index`, to be filled before each run.
+    /// The register of the program's input `index`: filled before each run, unless it holds what is wanted. Programs do not write there.
     pub fn input_mut(&mut self, index: usize) -> &mut U32s {
         &mut self.registers[self.inputs + index]
     }
 
-    /// What the input `index` was filled with; the program may have overwritten it after a run.
+    /// What the input `index` was filled with.
     pub fn input(&self, index: usize) -> &U32s {
         &self.registers[self.inputs + index]
     }

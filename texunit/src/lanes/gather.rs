@@ -7,9 +7,10 @@ use super::{F32s, LANES, Simd, U32s};
 /// byte offset fits the signed 32 bits that the instructions take.
 #[inline(always)]
 pub(super) fn check<S: Simd>(len: usize, indices: &U32s, scale: u64, size: u64) {
-    let largest = S::largest(indices);
-    let end = u64::from(largest) * scale + size;
-    assert!(end <= len as u64 && end <= i32::MAX as u64, "gather at {largest} of {len} bytes");
+    let reached = (len as u64).min(i32::MAX as u64);
+    // The first index that is too large, if there is room for any.
+    let bound = reached.checked_sub(size).map_or(0, |last| last / scale + 1);
+    assert!(S::below(indices, bound as u32), "gather at {} of {len} bytes", S::largest(indices));
 }
 
 /// A byte of each word.

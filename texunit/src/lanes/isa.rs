@@ -210,9 +210,12 @@ pub trait Simd: Copy + private::Sealed {
     }
 
     /// Whether any lane is not 0.
+    fn any(words: &U32s) -> bool;
+
+    /// Whether every lane is below `bound`.
     #[inline(always)]
-    fn any(words: &U32s) -> bool {
-        Self::largest(words) != 0
+    fn below(words: &U32s, bound: u32) -> bool {
+        Self::largest(words) < bound
     }
 
     /// Which lanes are not 0, bit by lane.
@@ -305,6 +308,10 @@ impl Simd for Baseline {
         reduce::scalar(words)
     }
     #[inline(always)]
+    fn any(words: &U32s) -> bool {
+        reduce::scalar_any(words)
+    }
+    #[inline(always)]
     fn nonzero(words: &U32s) -> u64 {
         reduce::scalar_nonzero(words)
     }
@@ -368,6 +375,11 @@ impl Simd for Avx2 {
         unsafe { reduce::avx2(words) }
     }
     #[inline(always)]
+    fn any(words: &U32s) -> bool {
+        // SAFETY: this type is reached only through `run_avx2`.
+        unsafe { reduce::avx2_any(words) }
+    }
+    #[inline(always)]
     fn nonzero(words: &U32s) -> u64 {
         // SAFETY: this type is reached only through `run_avx2`.
         unsafe { reduce::avx2_nonzero(words) }
@@ -428,6 +440,16 @@ impl Simd for Avx512 {
         unsafe { reduce::avx512(words) }
     }
     #[inline(always)]
+    fn any(words: &U32s) -> bool {
+        // SAFETY: this type is reached only through `run_avx512`.
+        unsafe { reduce::avx512_any(words) }
+    }
+    #[inline(always)]
+    fn below(words: &U32s, bound: u32) -> bool {
+        // SAFETY: this type is reached only through `run_avx512`.
+        unsafe { reduce::avx512_below(words, bound) }
+    }
+    #[inline(always)]
     fn nonzero(words: &U32s) -> u64 {
         // SAFETY: this type is reached only through `run_avx512`.
         unsafe { reduce::avx512_nonzero(words) }
@@ -481,22 +503,49 @@ mod tests {
 
     struct Nonzero<'a>(&'a U32s);
     impl Kernel for Nonzero<'_> {
-        type Output = u64;
+        type Output = (u64, bool);
         #[inline(always)]
-        fn run<S: Simd>(self) -> u64 {
-            S::nonzero(self.0)
+        fn run<S: Simd>(self) -> (u64, bool) {
+            (S::nonzero(self.0), S::any(self.0))
+        }
+    }
+
+    struct Below<'a>(&'a U32s, u32);
+    impl Kernel for Below<'_> {
+        type Output = bool;
+        #[inline(always)]
+        fn run<S: Simd>(self) -> bool {
+            S::below(self.0, self.1)
+        }
+    }
+
+    #[test]
+    fn one_lane_that_is_not_below_is_noticed_wherever_it_lies() {
+        for isa in Isa::available() {
+            for bound in [1, 255, 1 << 31, u32::MAX] {
+                let mut words = U32s::splat(bound - 1);
+                assert!(isa.run(Below(&words, bound)), "{}", isa.name());
+                assert!(!isa.run(Below(&words, 0)), "{}", isa.name());
+                for lane in 0..LANES {
+                    for word in [bound, u32::MAX] {
+                        words[lane] = word;
+                        assert!(!isa.run(Below(&words, bound)), "{} lane {lane}", isa.name());
+                    }
+                    words[lane] = 0;
+                }
+            }
         }
     }
 
     #[test]
     fn the_lanes_that_are_not_zero_are_bits() {
         for isa in Isa::available() {
-            assert_eq!(isa.run(Nonzero(&U32s::ZERO)), 0);
+            assert_eq!(isa.run(Nonzero(&U32s::ZERO)), (0, false));
             for value in [1, 0x80, 1 << 31, u32::MAX] {
                 let words = U32s::from_fn(|lane| if lane * lane % 7 == 2 { value } else { 0 });
                 let want =
                     (0..LANES).fold(0, |bits, lane| bits | u64::from(words[lane] != 0) << lane);
-                assert_eq!(isa.run(Nonzero(&words)), want, "{}", isa.name());
+                assert_eq!(isa.run(Nonzero(&words)), (want, true), "{}", isa.name());
             }
         }
     }

@@ -1,4 +1,4 @@
-//! From 64 words to one: the largest, and which are not 0. Written with intrinsics, since LLVM
+//! From 64 words to one: the largest, which are not 0, whether any is, whether all are below a bound. Written with intrinsics, since LLVM
 //! sometimes unrolls the plain loop into 64 scalar comparisons, which then cost more than what they
 //! guard.
 
@@ -42,19 +42,88 @@ pub(super) unsafe fn avx2(words: &U32s) -> u32 {
 #[cfg(target_arch = "x86_64")]
 #[inline(always)]
 pub(super) unsafe fn avx512(words: &U32s) -> u32 {
-    use std::arch::x86_64::{
-        __m512i, _mm512_load_si512, _mm512_max_epu32, _mm512_reduce_max_epu32,
-    };
-    // SAFETY: as for `avx2`, with 16 words a chunk.
+    use std::arch::x86_64::{_mm512_max_epu32, _mm512_reduce_max_epu32};
+    // SAFETY: the caller vouches for the instructions.
     unsafe {
-        let at = words.0.as_ptr();
-        let first = _mm512_load_si512(at.cast::<__m512i>());
-        let second = _mm512_load_si512(at.add(16).cast::<__m512i>());
-        let third = _mm512_load_si512(at.add(32).cast::<__m512i>());
-        let fourth = _mm512_load_si512(at.add(48).cast::<__m512i>());
-        let lower = _mm512_max_epu32(first, second);
-        let upper = _mm512_max_epu32(third, fourth);
-        _mm512_reduce_max_epu32(_mm512_max_epu32(lower, upper))
+        let [a, b, c, d] = avx512_vectors(words);
+        _mm512_reduce_max_epu32(_mm512_max_epu32(_mm512_max_epu32(a, b), _mm512_max_epu32(c, d)))
+    }
+}
+
+#[inline(always)]
+pub(super) fn scalar_any(words: &U32s) -> bool {
+    let mut any = 0;
+    for lane in 0..LANES {
+        any |= words[lane];
+    }
+    any != 0
+}
+
+/// # Safety
+/// AVX2 is there.
+#[cfg(target_arch = "x86_64")]
+#[inline(always)]
+pub(super) unsafe fn avx2_any(words: &U32s) -> bool {
+    use std::arch::x86_64::{
+        __m256i, _mm256_load_si256, _mm256_or_si256, _mm256_setzero_si256, _mm256_testz_si256,
+    };
+    // SAFETY: as for `avx2`.
+    unsafe {
+        let mut any = _mm256_setzero_si256();
+        for chunk in 0..LANES / 8 {
+            let from = words.0.as_ptr().add(chunk * 8).cast::<__m256i>();
+            any = _mm256_or_si256(any, _mm256_load_si256(from));
+        }
+        _mm256_testz_si256(any, any) == 0
+    }
+}
+
+/// The four vectors of a batch.
+///
+/// # Safety
+/// AVX-512F is there.
+#[cfg(target_arch = "x86_64")]
+#[inline(always)]
+unsafe fn avx512_vectors(words: &U32s) -> [std::arch::x86_64::__m512i; 4] {
+    use std::arch::x86_64::{__m512i, _mm512_load_si512};
+    let at = words.0.as_ptr();
+    // SAFETY: a batch is 64-byte aligned and holds 16 words at each chunk; the caller vouches for
+    // the instructions.
+    unsafe {
+        [
+            _mm512_load_si512(at.cast::<__m512i>()),
+            _mm512_load_si512(at.add(16).cast::<__m512i>()),
+            _mm512_load_si512(at.add(32).cast::<__m512i>()),
+            _mm512_load_si512(at.add(48).cast::<__m512i>()),
+        ]
+    }
+}
+
+/// # Safety
+/// AVX-512F is there.
+#[cfg(target_arch = "x86_64")]
+#[inline(always)]
+pub(super) unsafe fn avx512_any(words: &U32s) -> bool {
+    use std::arch::x86_64::{_mm512_or_si512, _mm512_test_epi32_mask};
+    // SAFETY: the caller vouches for the instructions.
+    unsafe {
+        let [a, b, c, d] = avx512_vectors(words);
+        let any = _mm512_or_si512(_mm512_or_si512(a, b), _mm512_or_si512(c, d));
+        _mm512_test_epi32_mask(any, any) != 0
+    }
+}
+
+/// # Safety
+/// AVX-512F is there.
+#[cfg(target_arch = "x86_64")]
+#[inline(always)]
+pub(super) unsafe fn avx512_below(words: &U32s, bound: u32) -> bool {
+    use std::arch::x86_64::{_mm512_cmplt_epu32_mask, _mm512_max_epu32, _mm512_set1_epi32};
+    // SAFETY: the caller vouches for the instructions.
+    unsafe {
+        let [a, b, c, d] = avx512_vectors(words);
+        let largest = _mm512_max_epu32(_mm512_max_epu32(a, b), _mm512_max_epu32(c, d));
+        _mm512_cmplt_epu32_mask(largest, _mm512_set1_epi32(bound as i32)) == u16::MAX
     }
 }
 

@@ -75,7 +75,7 @@ pub fn row<S: Simd>(
 #[inline(always)]
 pub fn side_by_side<S: Simd>(i: &I32s, size: u32) -> bool {
     // -1 is the largest of all.
-    S::largest(i.as_u32()) < size - 1
+    S::below(i.as_u32(), size - 1)
 }
 
 /// The texels at the offsets and those right after, in one gather; of up to four bytes each.

@@ -267,12 +267,16 @@ fn alike<S: Simd>(filter: u32, levels: &[U32s; 2], weight: &F32s) -> Option<Taps
 /// The level that all lanes read, and the one after it, or the same where it has no weight.
 #[inline(always)]
 pub fn same_levels<S: Simd>(levels: &[U32s; 2], weight: &F32s) -> Option<[u32; 2]> {
-    let least = S::smallest(&levels[0]);
-    if least != S::largest(&levels[0]) {
+    let first = levels[0][0];
+    let mut different = U32s::ZERO;
+    for lane in 0..LANES {
+        different[lane] = levels[0][lane] ^ first;
+    }
+    if S::any(&different) {
         return None;
     }
-    // No weight is negative, and of those the bits are in the same order.
-    Some([least, if S::any(weight.as_u32()) { least + 1 } else { least }])
+    // No weight is negative, nor is its zero.
+    Some([first, if S::any(weight.as_u32()) { first + 1 } else { first }])
 }
 
 #[inline(always)]
