@@ -338,3 +338,31 @@ fn nothing_is_drawn_beyond_the_viewport() {
         assert_eq!(pixel, [u8::from(inside) * 255; 4], "{},{}", i % 40, i / 40);
     }
 }
+
+/// An image is put into tiles by several threads; one of them that waits may take up the commands of
+/// another client meanwhile, which ask for the same image.
+#[test]
+fn clients_that_draw_to_one_image_at_a_time_do_not_wait_for_ever() {
+    let device = &one();
+    let mut level = Level::new(Format::Rgba8, 512, 512).expect("small");
+    for (index, byte) in level.texels.iter_mut().enumerate() {
+        *byte = (index * 37 % 253) as u8;
+    }
+    let mut texels = Texels::new(Shape::D2);
+    texels.set_level(0, 0, level).expect("face 0");
+    let target = &Image::new(texels);
+    let desc = &pipeline(vertex(0), constant([1.0; 4]));
+    std::thread::scope(|scope| {
+        for _ in 0..4 {
+            scope.spawn(move || {
+                for _ in 0..60 {
+                    // Its tiles are made anew for each.
+                    target.update(|_| ());
+                    let begin = [pass(target, None, 512, 512), viewport(8, 8)];
+                    let commands = begin.into_iter().chain(draw(desc, 0.0));
+                    submit(device, commands.chain([Command::EndPass]));
+                }
+            });
+        }
+    });
+}

@@ -51,7 +51,7 @@ impl Pixels {
 /// The pixels of an attachment as everything recorded leaves them.
 pub(super) fn settled(context: &mut Context, attachment: &Attachment) -> Option<Pixels> {
     crate::draw::settle(context, &attachment.image);
-    let texels = attachment.image.texels();
+    let texels = context.recorder.device().texels(&attachment.image);
     let face = usize::from(attachment.face);
     let (face, slice) = match texels.shape() {
         Shape::Cube => (face, 0),

@@ -1,6 +1,7 @@
 //! The device: which instruction set, how many threads, and the queue.
 
 use super::command::CommandBuffer;
+use super::image::Image;
 use super::threads::Threads;
 use super::{check, submit};
 use crate::pool::Pool;
@@ -9,6 +10,7 @@ use crate::shader::Machine;
 use crate::vertex::Geometry;
 use parking_lot::Mutex;
 use std::collections::BTreeSet;
+use texunit::image::Image as Texels;
 use texunit::lanes::{Isa, IsaError};
 use thiserror::Error;
 
@@ -147,6 +149,11 @@ impl Device {
         check::check(&commands.commands)?;
         let run = || submit::run(self, &commands.commands);
         self.threads.run(run).map_err(|error| SubmitError { index: 0, rule: error.to_string() })
+    }
+
+    /// [`Image::texels`], faster of large ones.
+    pub fn texels(&self, image: &Image) -> Texels {
+        image.texels_by(self.desc.threads)
     }
 
     /// The plans kept since the last call, each different one once ([`Explain::Keep`]).

@@ -101,7 +101,7 @@ impl State {
     }
 
     /// Brings the rows up to date. Those of a blank level are not there if there is no memory.
-    fn resolve(&mut self) {
+    fn resolve(&mut self, threads: usize) {
         if let Some(Blank { format, width, height }) = self.blank.take()
             && let Ok(level) = Level::new(format, width, height)
         {
@@ -111,7 +111,7 @@ impl State {
         if let Some(attached) = self.attached.as_mut().filter(|attached| attached.drawn) {
             let Subresource { face, slice, level } = attached.at;
             if let Some(level) = self.texels.level_mut(face, level) {
-                attached.surface.store(level, slice);
+                attached.surface.store(level, slice, threads);
             }
             attached.drawn = false;
         }
@@ -160,8 +160,13 @@ impl Image {
     /// Its texels as they are after everything submitted so far. Shares them: later writes to the
     /// image copy. Of a multisample image, what its samples are resolved to.
     pub fn texels(&self) -> Texels {
+        self.texels_by(1)
+    }
+
+    /// As [`Image::texels`], on up to so many threads ([`super::Device::texels`]).
+    pub(super) fn texels_by(&self, threads: usize) -> Texels {
         let mut state = self.0.lock();
-        state.resolve();
+        state.resolve(threads);
         state.texels.clone()
     }
 
@@ -173,7 +178,7 @@ impl Image {
     /// Changes its texels. Draws that were recorded earlier keep what they saw.
     pub fn update<R>(&self, change: impl FnOnce(&mut Texels) -> R) -> R {
         let mut state = self.0.lock();
-        state.resolve();
+        state.resolve(1);
         state.attached = None;
         change(&mut state.texels)
     }
@@ -208,10 +213,12 @@ impl Image {
         if let Some(Blank { format, width, height }) = state.blank {
             return state.info(at).map(|_| Surface::zeros(format, width, height, samples));
         }
-        state.resolve();
+        state.resolve(1);
         state.attached = None;
-        let texels = state.texels.level(at.face, at.level)?;
-        Some(Surface::from_level(texels, at.slice, samples))
+        let texels = state.texels.clone();
+        // What runs on several threads must not hold what another piece of work on them may wait for.
+        drop(state);
+        Some(Surface::from_level(texels.level(at.face, at.level)?, at.slice, samples))
     }
 
     /// Puts back what [`Image::attach`] took, drawn to.
@@ -219,7 +226,7 @@ impl Image {
         let mut state = self.0.lock();
         // Another level of the same image may have been drawn to in the same pass.
         if state.attached.is_some() {
-            state.resolve();
+            state.resolve(1);
         }
         let at = state.place(face, level);
         state.attached = Some(Attached { at, surface, drawn: true });

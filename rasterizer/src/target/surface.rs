@@ -10,13 +10,17 @@
 
 use super::resolve::resolve_tile;
 use super::words::{attachment_words, is_attachable, texel_of, words_of};
+use parking_lot::Mutex;
 use rayon::prelude::*;
+use std::thread;
 use texunit::format::Format;
 use texunit::image::Level;
 use texunit::lanes::{LANES, QUADS, U32s, lane_x, lane_y};
 
 /// The most samples that a pixel can have.
 pub const MAX_SAMPLES: usize = 4;
+/// From so many tiles on threads are started to store them: each takes longer to start than a few.
+const WORTH_THREADS: usize = 64;
 /// Pixels along a side of a tile.
 pub const TILE: u32 = 64;
 /// Blocks of 8×8 pixels in a tile.
@@ -155,30 +159,51 @@ impl Surface {
     }
 
     /// Writes the tiles back into the slice of the level they came from; of several samples, what
-    /// they are resolved to. On the thread that asks, which is none of the device's: others would be
-    /// those of a pool that is no more after a `fork`.
-    pub fn store(&self, level: &mut Level, slice: usize) {
+    /// they are resolved to. Many tiles on this many threads, which are not the device's: after a
+    /// `fork` those are no more, and a caller that waits for them would do other work of theirs meanwhile.
+    pub fn store(&self, level: &mut Level, slice: usize, threads: usize) {
         debug_assert_eq!((self.width, self.height), (level.width, level.height));
-        if !is_attachable(self.format) {
+        if !is_attachable(self.format) || self.tiles.is_empty() {
             return;
         }
+        let row_bytes = level.row_bytes();
+        let first = level.origin() + slice * level.slice_bytes();
+        let last_row = (self.height as usize - 1) * row_bytes;
+        let end = first + last_row + self.width as usize * self.format.bytes();
+        let texels = level.texels[first..end].chunks_mut(TILE as usize * row_bytes);
+        let tiles = self.tiles.chunks(self.tiles_across() as usize);
+        let left = Mutex::new(tiles.zip(texels));
+        let next = || left.lock().next();
+        let work = || {
+            while let Some((tiles, texels)) = next() {
+                self.store_tiles(tiles, row_bytes, texels);
+            }
+        };
+        let threads = if self.tiles.len() < WORTH_THREADS { 1 } else { threads };
+        thread::scope(|scope| {
+            for _ in 1..threads {
+                // One that cannot be started leaves its work to the others.
+                let _ = thread::Builder::new().spawn_scoped(scope, work);
+            }
+            work();
+        });
+    }
+
+    /// Writes a row of tiles into rows of texels.
+    fn store_tiles(&self, tiles: &[Vec<Plane>], row_bytes: usize, texels: &mut [u8]) {
         let resolved: Vec<Vec<Plane>>;
         let tiles = if self.samples > 1 {
             let resolve = |tile: &Vec<Plane>| resolve_tile(self.format, self.samples, tile);
-            resolved = self.tiles.iter().map(resolve).collect();
+            resolved = tiles.iter().map(resolve).collect();
             &resolved
         } else {
-            &self.tiles
+            tiles
         };
         let size = self.format.bytes();
-        let (row_bytes, slice_bytes) = (level.row_bytes(), level.slice_bytes());
-        let first = level.origin() + slice * slice_bytes;
-        let across = self.tiles_across() as usize;
-        for y in 0..self.height as usize {
-            let row = &mut level.texels[first + y * row_bytes..][..self.width as usize * size];
-            let tiles = &tiles[y / TILE as usize * across..][..across];
+        for (y, row) in texels.chunks_mut(row_bytes).enumerate() {
+            let row = &mut row[..self.width as usize * size];
             for (texels, planes) in row.chunks_mut(TILE as usize * size).zip(tiles) {
-                store_row(self.format, planes, y % TILE as usize, texels);
+                store_row(self.format, planes, y, texels);
             }
         }
     }
@@ -279,8 +304,24 @@ mod tests {
             let cleared = |tile: &Vec<Plane>| matches!(tile[0], Plane::Cleared(_));
             assert_eq!(surface.tiles.iter().filter(|tile| cleared(tile)).count(), 5);
             let mut back = Level::new(format, 150, 70).expect("small");
-            surface.store(&mut back, 0);
+            surface.store(&mut back, 0, 3);
             assert_eq!(back.texels, level.texels, "{format:?}");
+        }
+    }
+
+    #[test]
+    fn what_is_stored_does_not_depend_on_the_number_of_threads() {
+        let mut level = Level::new(Format::Rgba8, 641, 530).expect("small");
+        let used = level.row_bytes() * 530;
+        for (index, byte) in level.texels[..used].iter_mut().enumerate() {
+            *byte = (index * 37 % 253) as u8;
+        }
+        let surface = Surface::from_level(&level, 0, 1);
+        assert!(surface.tiles.len() >= WORTH_THREADS);
+        for threads in [1, 2, 7] {
+            let mut back = Level::new(Format::Rgba8, 641, 530).expect("small");
+            surface.store(&mut back, 0, threads);
+            assert!(back.texels == level.texels, "{threads} threads");
         }
     }
 }

@@ -40,7 +40,7 @@ pub(crate) struct Mirror {
 impl Mirror {
     /// Copies the picture; everything recorded has been carried out.
     pub(crate) fn update(&self, context: &Context) {
-        let texels = context.window.color.texels();
+        let texels = context.recorder.device().texels(&context.window.color);
         let Some(level) = texels.level(0, 0) else { return };
         let (width, height) = (level.width as usize, level.height as usize);
         let Ok(pixel) = Pixel::new(self.pixels.gl.0, self.pixels.gl.1) else { return };
