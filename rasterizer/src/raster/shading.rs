@@ -86,19 +86,49 @@ impl Shader {
         if batch.masks.any() == 0 {
             return;
         }
-        let place = batch.place();
-        let watched = tile.watched.as_mut();
-        let mut shaded = watched.and_then(|spot| spot.begin(place, batch.masks.any()));
-        match self.run(pass, job, batch, &mut shaded) {
-            Ok(()) => self.output(pass, job, batch, place, tile, &mut shaded),
-            Err(OverBudget) => job.stopped.store(true, Ordering::Relaxed),
+        if tile.watched.is_some() {
+            self.shade_watched(pass, job, batch, tile);
+        } else {
+            self.shade_noting(pass, job, batch, tile, &mut None);
         }
+    }
+
+    /// As [`Self::shade_noting`], in a tile of which a pixel is watched: apart, since it is never in a hurry.
+    #[cold]
+    #[inline(never)]
+    fn shade_watched(
+        &mut self,
+        pass: &PassJob,
+        job: &DrawJob,
+        batch: &Batch<'_>,
+        tile: &mut TileJob,
+    ) {
+        let spot = tile.watched.as_mut();
+        let mut shaded = spot.and_then(|spot| spot.begin(batch.place(), batch.masks.any()));
+        self.shade_noting(pass, job, batch, tile, &mut shaded);
         if let (Some(spot), Some(shaded)) = (&mut tile.watched, shaded) {
             spot.end(shaded);
         }
     }
 
+    /// Shades; what happens to a pixel that is watched is noted.
+    #[inline(always)]
+    fn shade_noting(
+        &mut self,
+        pass: &PassJob,
+        job: &DrawJob,
+        batch: &Batch<'_>,
+        tile: &mut TileJob,
+        shaded: &mut Option<Shaded>,
+    ) {
+        match self.run(pass, job, batch, shaded) {
+            Ok(()) => self.output(pass, job, batch, tile, shaded),
+            Err(OverBudget) => job.stopped.store(true, Ordering::Relaxed),
+        }
+    }
+
     /// Runs the fragment program; notes the lanes that are left, by sample.
+    #[inline(always)]
     fn run(
         &mut self,
         pass: &PassJob,
@@ -132,16 +162,16 @@ impl Shader {
     }
 
     /// The tests that had to wait, and the colours.
+    #[inline(always)]
     fn output(
         &mut self,
         pass: &PassJob,
         job: &DrawJob,
         batch: &Batch<'_>,
-        place: Place<'_>,
         tile: &mut TileJob,
         shaded: &mut Option<Shaded>,
     ) {
-        let (isa, plan) = (pass.isa, &job.plan);
+        let (isa, plan, place) = (pass.isa, &job.plan, batch.place());
         let samples = &plan.samples;
         if self.left.any() == 0 {
             return;
