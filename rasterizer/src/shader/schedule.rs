@@ -68,10 +68,27 @@ fn times(inst: &Inst) -> [u32; 2] {
             let [cost, depth] = fused.size();
             of(cost, depth)
         }
+        Inst::Derivative { .. } => of(Op::Sub.cost(), 1),
         Inst::Sample(_) => of(200, 0),
         // Most of these are never made.
         Inst::Move { .. } | Inst::Store { .. } => [0, 0],
-        _ => of(Op::Sub.cost(), 1),
+        // In no straight run.
+        Inst::Zero { .. }
+        | Inst::LoadAt { .. }
+        | Inst::StoreAt { .. }
+        | Inst::UniformAt { .. }
+        | Inst::Unless { .. }
+        | Inst::Jump { .. }
+        | Inst::Repeat { .. }
+        | Inst::If { .. }
+        | Inst::Else { .. }
+        | Inst::Join { .. }
+        | Inst::Open { .. }
+        | Inst::Leave { .. }
+        | Inst::LeaveIf { .. }
+        | Inst::Discard
+        | Inst::SkipEmpty { .. }
+        | Inst::Again { .. } => [0, 0],
     }
 }
 

@@ -41,20 +41,22 @@ impl Tracer {
 
     /// Ends a straight run: its steps go where they stand in the source, and are numbered so.
     fn settle(&mut self) {
-        let first =
-            self.next - self.run.iter().filter(|(_, step)| step.number().is_some()).count() as u32;
         self.run.sort_by_key(|(place, _)| *place);
         let numbers: Vec<u32> = self.run.iter().filter_map(|(_, step)| step.number()).collect();
-        let renamed = |name: Name| {
-            let new = |number: u32| {
-                let at = numbers.iter().position(|old| *old == number);
-                at.map_or(number, |at| first + at as u32)
-            };
-            match name {
-                Name::Draw | Name::Input(_) => name,
-                Name::Texel(number, component) => Name::Texel(new(number), component),
-                Name::Step(number) => Name::Step(new(number)),
-            }
+        let first = self.next - numbers.len() as u32;
+        // By number from `first` on.
+        let mut new = vec![0; numbers.len()];
+        for (number, old) in (first..).zip(numbers) {
+            new[(old - first) as usize] = number;
+        }
+        let renumbered = |old: u32| match old.checked_sub(first) {
+            Some(at) => new[at as usize],
+            None => old,
+        };
+        let renamed = |name: Name| match name {
+            Name::Draw | Name::Input(_) => name,
+            Name::Texel(number, component) => Name::Texel(renumbered(number), component),
+            Name::Step(number) => Name::Step(renumbered(number)),
         };
         let mut next = first;
         for (_, mut step) in self.run.drain(..) {
