@@ -1,8 +1,8 @@
 //! # The lecture programs
 //!
 //! Each file in `examples/examples/` is one program that follows the code of a lecture, statement
-//! by statement. It runs alone (`cargo run --release -p examples --example textured_square --
-//! picture.ppm`), and this library collects all of them for the gallery.
+//! by statement. It runs alone (`cargo run --release -p examples --example textured_square`, with a
+//! picture of yours after `--`), and this library collects all of them for the gallery.
 //!
 //! | module | is |
 //! |---|---|
