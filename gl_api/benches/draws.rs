@@ -4,6 +4,9 @@
 //! `cargo bench -p gl_api --bench draws [words…]` runs the scenes whose names hold one of the words.
 //! All are measured in turn, round after round; a number is the least of a scene's rounds.
 
+#[path = "../tests/common/shading.rs"]
+mod shading;
+
 use gl_api::*;
 use rasterizer::driver::{Device, DeviceDesc, Explain};
 use std::hint::black_box;
@@ -98,15 +101,7 @@ fn context(stages: Stages) -> (Context, i32) {
     c.end_list();
     let mut tint = -1;
     if stages == Stages::Program {
-        let program = c.create_program();
-        for (kind, text) in [(GL_VERTEX_SHADER, VERTEX), (GL_FRAGMENT_SHADER, FRAGMENT)] {
-            let shader = c.create_shader(kind);
-            c.shader_source(shader, 1, Strings(vec![text]), &[]);
-            c.compile_shader(shader);
-            c.attach_shader(program, shader);
-        }
-        c.link_program(program);
-        c.use_program(program);
+        let program = shading::use_program(&mut c, VERTEX, FRAGMENT);
         tint = c.get_uniform_location(program, "tint");
         c.uniform_4f(tint, 1.0, 1.0, 1.0, 1.0);
     }

@@ -2,7 +2,7 @@
 //!
 //! The table gives the enum, its listing names, the constant folder ([`Op::eval`]) and the lane
 //! kernel ([`Op::run`]) from one body, so that they cannot differ. All bodies are branch-free
-//! scalar code that LLVM vectorizes over the 64 lanes. A row may say `where rare(a) => far(a)`: a
+//! scalar code that LLVM vectorizes over the 64 lanes. A row may say `where a: rare(a) => far(a, …)`: a
 //! piece of the operation that is computed lane by lane, when a lane of the batch needs it.
 
 use super::{TRUE, Ty};
@@ -119,25 +119,22 @@ macro_rules! operations {
     (@agree $a:ident $(, $b:ident $(, $c:ident)?)?) => {
         agree($a) $(&& agree($b) $(&& agree($c))?)?
     };
-    (@first $a:ident) => { [$a[0], 0, 0] };
-    (@first $a:ident, $b:ident) => { [$a[0], $b[0], 0] };
-    (@first $a:ident, $b:ident, $c:ident) => { [$a[0], $b[0], $c[0]] };
-    (@rare $out:ident [$($operands:tt)*]) => {};
-    (@rare $out:ident [$($operands:tt)*] $rare:expr, $far:expr) => {
+    (@words $at:tt $a:ident) => { [$a[$at], 0, 0] };
+    (@words $at:tt $a:ident, $b:ident) => { [$a[$at], $b[$at], 0] };
+    (@words $at:tt $a:ident, $b:ident, $c:ident) => { [$a[$at], $b[$at], $c[$at]] };
+    (@rare [$($far:tt)*] $out:ident $($operand:ident),*;) => {};
+    (@rare [$($far:tt)*] $out:ident $($operand:ident),*; $of:ident $rare:expr) => {
         let mut any = false;
         for lane in 0..LANES {
-            #[allow(unused_variables, reason = "the condition may not look at all of them")]
-            let is_rare = {
-                operations!(@lane lane $($operands)*);
-                $rare
-            };
-            any |= is_rare;
+            let $of = f32::from_word($of[lane]);
+            any |= $rare;
         }
         if any {
             for lane in 0..LANES {
-                operations!(@lane lane $($operands)*);
+                let words = operations!(@words lane $($operand),*);
+                let $of = f32::from_word($of[lane]);
                 if $rare {
-                    $out[lane] = $far.to_word();
+                    $out[lane] = $($far)*(words);
                 }
             }
         }
@@ -145,7 +142,7 @@ macro_rules! operations {
     ($(
         $(#[doc = $doc:literal])+
         $Name:ident $name:literal ($a:ident: $A:ty $(, $b:ident: $B:ty $(, $c:ident: $C:ty)?)?) -> $R:ty = $body:expr
-        $(, where $rare:expr => $far:expr)?;
+        $(, where $of:ident: $rare:expr => $far:expr)?;
     )*) => {
         /// An operation on scalars.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -208,7 +205,7 @@ macro_rules! operations {
                         operations!(@operands registers args $a $(, $b $(, $c)?)?);
                         if Self::$Name.cost() >= LONG {
                             if operations!(@agree $a $(, $b $(, $c)?)?) {
-                                let word = Self::$Name.lane::<S>(operations!(@first $a $(, $b $(, $c)?)?));
+                                let word = Self::$Name.lane::<S>(operations!(@words 0 $a $(, $b $(, $c)?)?));
                                 registers[out] = U32s::splat(word);
                                 return;
                             }
@@ -218,7 +215,7 @@ macro_rules! operations {
                             let value: $R = $body;
                             result[lane] = value.to_word();
                         }
-                        operations!(@rare result [$a: $A $(, $b: $B $(, $c: $C)?)?] $($rare, $far)?);
+                        operations!(@rare [Self::$Name.lane::<S>] result $a $(, $b $(, $c)?)?; $($of $rare)?);
                         registers[out] = result;
                     })*
                 }
@@ -258,7 +255,7 @@ operations! {
     Fract "fract" (a: f32) -> f32 = a - S::floor(a);
     /// GLSL's `mod` of `a` and `b`, whose inverse is `c`, see [`math::modulo`].
     Mod "mod" (a: f32, b: f32, c: f32) -> f32 = math::modulo(a, b, c, S::round_even(a * c)),
-        where c.is_infinite() => a - b * S::floor(a / b);
+        where c: c.is_infinite() => a - b * S::floor(a / b);
     /// The same where the inverse is known to be finite.
     ModNear "mod_near" (a: f32, b: f32, c: f32) -> f32 =
         math::modulo(a, b, c, S::round_even(a * c));
@@ -269,13 +266,13 @@ operations! {
 
     /// Sine of an angle in radians; bounds of this and the next are those of [`math`].
     Sin "sin" (a: f32) -> f32 = math::sin_near(a),
-        where math::is_far(a) => math::sin_far(a);
+        where a: math::is_far(a) => math::sin_far(a);
     /// Cosine.
     Cos "cos" (a: f32) -> f32 = math::cos_near(a),
-        where math::is_far(a) => math::cos_far(a);
+        where a: math::is_far(a) => math::cos_far(a);
     /// Tangent.
     Tan "tan" (a: f32) -> f32 = math::tan_near(a),
-        where math::is_far(a) => math::tan_far(a);
+        where a: math::is_far(a) => math::tan_far(a);
     /// The angle of this sine.
     Asin "asin" (a: f32) -> f32 = math::asin(a);
     /// The angle of this cosine.

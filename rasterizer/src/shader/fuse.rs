@@ -152,16 +152,17 @@ fused! {
 impl Fused {
     /// The tree, with what `operand` makes of its operands.
     pub fn expression(self, operand: &impl Fn(usize, Ty) -> Expression) -> Expression {
-        let tree = Self::ALL.iter().find(|(fused, _)| *fused == self);
-        tree.map_or_else(|| operand(0, Ty::F32), |(_, tree)| tree.expression(Ty::F32, operand))
+        let tree = self.tree();
+        tree.map_or_else(|| operand(0, Ty::F32), |tree| tree.expression(Ty::F32, operand))
     }
-}
 
-impl Fused {
     /// About how many additions it takes as long as, all and those that follow one another.
     pub fn size(self) -> [u32; 2] {
-        let tree = Self::ALL.iter().find(|(fused, _)| *fused == self);
-        tree.map_or([1, 1], |(_, tree)| tree.size())
+        self.tree().map_or([1, 1], Tree::size)
+    }
+
+    fn tree(self) -> Option<&'static Tree> {
+        Self::ALL.iter().find(|(fused, _)| *fused == self).map(|(_, tree)| tree)
     }
 }
 

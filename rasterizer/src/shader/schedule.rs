@@ -17,7 +17,8 @@ const WINDOW: usize = 32;
 pub(super) fn run(lowered: &mut Lowered) {
     let mut registers = Registers::new(lowered);
     for run in straight_runs(&lowered.code) {
-        let order = Order::new(&mut lowered.code[run.clone()], &mut registers).choose();
+        let code = &mut lowered.code[run.clone()];
+        let order = Order::new(code, &mut registers).choose(code);
         let mut moved: Vec<Option<(Inst, u32)>> = lowered
             .code
             .drain(run.clone())
@@ -31,7 +32,7 @@ pub(super) fn run(lowered: &mut Lowered) {
     }
 }
 
-/// Where code runs straight on, and nothing else accesses arrays.
+/// Where code runs straight on, of instructions that may change places.
 fn straight_runs(code: &[Inst]) -> Vec<Range<usize>> {
     let mut is_target = vec![false; code.len() + 1];
     for Target(to) in code.iter().filter_map(Inst::target) {
@@ -40,9 +41,10 @@ fn straight_runs(code: &[Inst]) -> Vec<Range<usize>> {
     let mut runs = Vec::new();
     let mut start = 0;
     for (at, inst) in code.iter().enumerate() {
-        if is_target[at] || !moves_freely(inst) {
+        let stays = times(inst).is_none();
+        if is_target[at] || stays {
             runs.push(start..at);
-            start = at + usize::from(!moves_freely(inst));
+            start = at + usize::from(stays);
         }
     }
     runs.push(start..code.len());
@@ -50,18 +52,10 @@ fn straight_runs(code: &[Inst]) -> Vec<Range<usize>> {
     runs
 }
 
-/// Whether an instruction may change places with those about it. Arrays are accessed in order.
-fn moves_freely(inst: &Inst) -> bool {
-    let accesses_array = matches!(
-        inst,
-        Inst::Zero { .. } | Inst::LoadAt { .. } | Inst::StoreAt { .. } | Inst::UniformAt { .. }
-    );
-    !inst.is_control() && !accesses_array
-}
-
-/// How long an instruction keeps a processor busy, and how long its result takes, in cycles or so.
-fn times(inst: &Inst) -> [u32; 2] {
-    let of = |cost: u32, depth: u32| [4 + 2 * cost, 12 + 2 * cost + 4 * depth];
+/// How long an instruction keeps a processor busy, and how long its result takes, in cycles or so; `None` if it
+/// may not change places with those about it.
+fn times(inst: &Inst) -> Option<[u32; 2]> {
+    let of = |cost: u32, depth: u32| Some([4 + 2 * cost, 12 + 2 * cost + 4 * depth]);
     match inst {
         Inst::Op { op, .. } => of(op.cost(), op.cost().min(8)),
         Inst::Fused { fused, .. } => {
@@ -71,8 +65,8 @@ fn times(inst: &Inst) -> [u32; 2] {
         Inst::Derivative { .. } => of(Op::Sub.cost(), 1),
         Inst::Sample(_) => of(200, 0),
         // Most of these are never made.
-        Inst::Move { .. } | Inst::Store { .. } => [0, 0],
-        // In no straight run.
+        Inst::Move { .. } | Inst::Store { .. } => Some([0, 0]),
+        // Arrays are accessed in order.
         Inst::Zero { .. }
         | Inst::LoadAt { .. }
         | Inst::StoreAt { .. }
@@ -88,7 +82,7 @@ fn times(inst: &Inst) -> [u32; 2] {
         | Inst::LeaveIf { .. }
         | Inst::Discard
         | Inst::SkipEmpty { .. }
-        | Inst::Again { .. } => [0, 0],
+        | Inst::Again { .. } => None,
     }
 }
 
@@ -157,9 +151,8 @@ impl Registers {
     }
 }
 
-/// A straight run, and who waits for whom.
-struct Order<'a> {
-    code: &'a [Inst],
+/// Who waits for whom in a straight run.
+struct Order {
     /// By instruction: for how many it waits.
     waits: Vec<u32>,
     /// By instruction: those that wait for it.
@@ -169,15 +162,14 @@ struct Order<'a> {
     moves: Vec<Option<usize>>,
 }
 
-impl<'a> Order<'a> {
-    fn new(code: &'a mut [Inst], registers: &mut Registers) -> Self {
+impl Order {
+    fn new(code: &mut [Inst], registers: &mut Registers) -> Self {
         registers.run += 1;
         let count = code.len();
         let mut order = Self {
             waits: vec![0; count],
             followers: vec![Vec::new(); count],
             moves: vec![None; count],
-            code: &[],
         };
         let mut before = Vec::new();
         for (at, inst) in code.iter_mut().enumerate() {
@@ -200,7 +192,6 @@ impl<'a> Order<'a> {
             }
             before.drain(..).for_each(|earlier| order.follow(earlier, at));
         }
-        order.code = code;
         order
     }
 
@@ -212,8 +203,8 @@ impl<'a> Order<'a> {
     }
 
     /// The instructions by their places in the run.
-    fn choose(mut self) -> Vec<usize> {
-        let count = self.code.len();
+    fn choose(mut self, code: &[Inst]) -> Vec<usize> {
+        let count = code.len();
         let mut order = Vec::with_capacity(count);
         let mut is_chosen = vec![false; count];
         // When the operands are there.
@@ -226,7 +217,7 @@ impl<'a> Order<'a> {
             let next = free.min_by_key(|&at| (ready[at].max(now), at)).unwrap_or(first);
             let mut chosen = Some(next);
             while let Some(at) = chosen {
-                let [busy, latency] = times(&self.code[at]);
+                let [busy, latency] = times(&code[at]).unwrap_or_default();
                 let start = now.max(ready[at]);
                 now = start + busy;
                 for follower in std::mem::take(&mut self.followers[at]) {

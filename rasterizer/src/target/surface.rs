@@ -168,9 +168,8 @@ impl Surface {
         }
         let row_bytes = level.row_bytes();
         let first = level.origin() + slice * level.slice_bytes();
-        let last_row = (self.height as usize - 1) * row_bytes;
-        let end = first + last_row + self.width as usize * self.format.bytes();
-        let texels = level.texels[first..end].chunks_mut(TILE as usize * row_bytes);
+        let texels = &mut level.texels[first..first + self.height as usize * row_bytes];
+        let texels = texels.chunks_mut(TILE as usize * row_bytes);
         let tiles = self.tiles.chunks(self.tiles_across() as usize);
         let left = Mutex::new(tiles.zip(texels));
         let next = || left.lock().next();
