@@ -104,13 +104,22 @@ fn text(expression: &Expression, note: &DrawNote) -> String {
                     };
                     format!("{} {sign} {}", side(&args[0], left), side(&args[1], right))
                 }
-                _ => format!("{}({})", op.name(), inner.join(", ")),
+                _ => format!("{}({})", called(*op), inner.join(", ")),
             }
         }
     }
 }
 
 /// The sign of an operation that has one.
+/// What the source calls it.
+fn called(op: Op) -> &'static str {
+    match op {
+        Op::AtMost => Op::Min.name(),
+        Op::AtLeast => Op::Max.name(),
+        op => op.name(),
+    }
+}
+
 fn infix(op: Op) -> Option<&'static str> {
     match op {
         Op::Add | Op::IAdd | Op::UAdd => Some("+"),

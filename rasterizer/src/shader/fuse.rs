@@ -122,9 +122,9 @@ fused! {
     /// `c` where `a <= b`, else `d`.
     LessEqualSelect = SelectF(LessEqual(a, b), c, d);
     /// `a` held between `b` and `c`, times `d`.
-    ClampMul = Mul(Min(Max(a, b), c), d);
+    ClampMul = Mul(AtMost(AtLeast(a, b), c), d);
     /// `a` held between `b` and `c`.
-    Clamp = Min(Max(a, b), c);
+    Clamp = AtMost(AtLeast(a, b), c);
     /// `a b + c`, two roundings.
     MulAdd = Add(Mul(a, b), c);
     /// `a b - c`.
@@ -143,10 +143,10 @@ fused! {
     MulFract = Fract(Mul(a, b));
     /// The fraction of `a + b`.
     AddFract = Fract(Add(a, b));
-    /// The larger of `a b` and `c`.
-    MulMax = Max(Mul(a, b), c);
-    /// The larger of `a + b` and `c`.
-    AddMax = Max(Add(a, b), c);
+    /// `a b`, but at least `c`.
+    MulAtLeast = AtLeast(Mul(a, b), c);
+    /// `a + b`, but at least `c`.
+    AddAtLeast = AtLeast(Add(a, b), c);
 }
 
 impl Fused {

@@ -27,6 +27,25 @@ impl Args<'_> {
     }
 }
 
+/// The smaller.
+pub fn min(emit: &mut Emit, args: Args<'_>) -> Vec<Value> {
+    extreme(emit, args, Op::Min)
+}
+
+/// The larger.
+pub fn max(emit: &mut Emit, args: Args<'_>) -> Vec<Value> {
+    extreme(emit, args, Op::Max)
+}
+
+/// A constant goes second, where the operation is a single step.
+fn extreme(emit: &mut Emit, args: Args<'_>, op: Op) -> Vec<Value> {
+    each(emit, args, |emit, at| {
+        let [a, b] = [at(0), at(1)];
+        let is_turned = emit.known(a).is_some() && emit.known(b).is_none();
+        emit.op(op, &if is_turned { [b, a] } else { [a, b] })
+    })
+}
+
 /// The operation on each component; a scalar goes with all components.
 pub fn map(emit: &mut Emit, args: Args<'_>, op: Op) -> Vec<Value> {
     each(emit, args, |emit, at| {

@@ -8,6 +8,8 @@ pub(super) enum Folded {
     Const(u32),
     /// One of its operands, or of theirs.
     Same(Value),
+    /// What this one makes of the same operands, in fewer steps.
+    Instead(Op),
     /// Itself.
     Op,
 }
@@ -51,6 +53,8 @@ pub(super) fn fold(module: &Module, op: Op, args: [Value; 3]) -> Folded {
         (Op::And, Some(0), _) | (Op::And, _, Some(0)) => Folded::Const(0),
         (Op::Or, Some(TRUE), _) | (Op::Or, _, Some(TRUE)) => Folded::Const(TRUE),
         (Op::And | Op::Or | Op::Min | Op::Max, ..) if a == b => Folded::Same(a),
+        (Op::Min, _, Some(b)) if is_number(b) => Folded::Instead(Op::AtMost),
+        (Op::Max, _, Some(b)) if is_number(b) => Folded::Instead(Op::AtLeast),
         (Op::IMin | Op::IMax | Op::UMin | Op::UMax, ..) if a == b => Folded::Same(a),
 
         (Op::SelectF | Op::SelectI | Op::SelectU | Op::SelectB, Some(0), _) => Folded::Same(c),
@@ -59,6 +63,10 @@ pub(super) fn fold(module: &Module, op: Op, args: [Value; 3]) -> Folded {
         (Op::SelectB, _, Some(TRUE)) if known[2] == Some(0) => Folded::Same(a),
         _ => Folded::Op,
     }
+}
+
+fn is_number(bits: u32) -> bool {
+    !f32::from_bits(bits).is_nan()
 }
 
 fn all(known: &[Option<u32>]) -> Option<[u32; 3]> {

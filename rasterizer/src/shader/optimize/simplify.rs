@@ -185,6 +185,7 @@ impl Walk<'_> {
                     self.instead[at] = same;
                     return false;
                 }
+                Folded::Instead(op) => Expr::Op { op, args },
                 Folded::Op => expr,
             },
             Expr::UniformAt { base, len, index, ty } => match self.module.expr(index) {
