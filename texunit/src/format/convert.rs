@@ -21,17 +21,29 @@ const NAN: u32 = 0x7FC0_0000;
 /// The largest 32-bit unsigned normalized number.
 const UNORM32: f64 = u32::MAX as f64;
 
-/// `byte / 255` for 0 to 255, the nearest `f32`, without a division.
+/// `c / 255` for 0 to 255, without a division: of a byte the nearest `f32`, of what lies between bytes
+/// within 1 ULP of it.
+#[inline(always)]
+pub fn over_255(c: f32) -> f32 {
+    c * BYTE_HIGH + c * BYTE_LOW
+}
+
+/// `byte / 255` for 0 to 255, the nearest `f32`.
 #[inline(always)]
 fn unorm8(byte: u32) -> f32 {
-    let c = byte as i32 as f32;
-    c * BYTE_HIGH + c * BYTE_LOW
+    over_255(byte as i32 as f32)
+}
+
+/// A byte of a texel's word, 0 to 255.
+#[inline(always)]
+pub fn byte_of(word: u32, byte: usize) -> f32 {
+    (word >> (8 * byte) & 0xFF) as i32 as f32
 }
 
 /// A linear byte channel of a texel's word: `byte / 255` (GL 2.1, table 2.9).
 #[inline(always)]
 pub fn byte_channel(word: u32, channel: usize) -> f32 {
-    unorm8(word >> (8 * channel) & 0xFF)
+    over_255(byte_of(word, channel))
 }
 
 #[inline(always)]

@@ -1,11 +1,13 @@
 //! One level: the nearest texel, or the weighted mean of 2, 2×2 or 2×2×2 (GL 2.1, section 3.8.8).
 //!
 //! The mean is linear interpolations, first along s, then along t, then along r, each
-//! `a + (b - a) · α` in this order: two equal texels give exactly themselves.
+//! `a + (b - a) · α` in this order: two equal texels give exactly themselves. Channels of bytes are
+//! weighed as 0 to 255 and divided at last, which is one division for all texels.
 
 use super::record::Recorder;
 use super::wrap::{Axis, Indices, enclosing};
 use super::{fetch, plain, seamless};
+use crate::format::convert::over_255;
 use crate::image::{Level, Shape};
 use crate::lanes::{F32s, LANES, Simd, U32s};
 use crate::plan::{Texture, Way};
@@ -153,8 +155,7 @@ fn linear<S: Simd>(
             }
         }
         for (channel, out) in out.iter_mut().enumerate().take(place.texture.format.channels()) {
-            let texels = corners.each_ref().map(|corner| &corner[channel]);
-            let mean = mean(texels, &alpha, &beta);
+            let mean = mean(place, &corners, channel, [&alpha, &beta]);
             if slice == 0 {
                 *out = mean;
             } else {
@@ -164,18 +165,40 @@ fn linear<S: Simd>(
             }
         }
     }
+    divide(place, out);
 }
 
-/// The mean of four texels, in the order (0, 0), (1, 0), (0, 1), (1, 1).
+/// The mean of a channel of four texels, in the order (0, 0), (1, 0), (0, 1), (1, 1); of a byte, times
+/// 255.
 #[inline(always)]
-pub fn mean(texels: [&F32s; 4], alpha: &F32s, beta: &F32s) -> F32s {
+pub fn mean(
+    place: &Place<'_>,
+    corners: &[[F32s; 4]; 4],
+    channel: usize,
+    [alpha, beta]: [&F32s; 2],
+) -> F32s {
+    let scale = if place.texture.format.is_byte_channel(channel) { 255.0 } else { 1.0 };
     let mut out = F32s::ZERO;
     for lane in 0..LANES {
-        let lower = lerp(texels[0][lane], texels[1][lane], alpha[lane]);
-        let upper = lerp(texels[2][lane], texels[3][lane], alpha[lane]);
+        let texel = |corner: usize| corners[corner][channel][lane] * scale;
+        let lower = lerp(texel(0), texel(1), alpha[lane]);
+        let upper = lerp(texel(2), texel(3), alpha[lane]);
         out[lane] = lerp(lower, upper, beta[lane]);
     }
     out
+}
+
+/// What [`mean`] gave of bytes, over 255.
+#[inline(always)]
+pub fn divide(place: &Place<'_>, means: &mut [F32s; 4]) {
+    let format = place.texture.format;
+    for (channel, mean) in means.iter_mut().enumerate().take(format.channels()) {
+        if format.is_byte_channel(channel) {
+            for lane in 0..LANES {
+                mean[lane] = over_255(mean[lane]);
+            }
+        }
+    }
 }
 
 /// Two levels in proportion, if the second has any weight at all: its inf and NaN do not matter

@@ -3,7 +3,7 @@
 //! A texel beyond an edge is the one that touches the edge from the other face. Beyond a corner
 //! there is none: the mean of the other three stands for it.
 
-use super::filter::{Place, mean};
+use super::filter::{Place, divide, mean};
 use super::record::{Off, Recorder};
 use super::wrap::Indices;
 use super::{cube, fetch};
@@ -48,8 +48,9 @@ pub fn linear<S: Simd>(
                 corners[corner][channel][lane] = if there { here } else { (a + b + c) / 3.0 };
             }
         }
-        *out = mean(corners.each_ref().map(|corner| &corner[channel]), alpha, beta);
+        *out = mean(place, &corners, channel, [alpha, beta]);
     }
+    divide(place, out);
 }
 
 /// One texel of each lane, from whichever faces the lanes ended up on.

@@ -98,6 +98,18 @@ fn oracle(format: Format, channel: usize, words: [u32; 4]) -> f64 {
 fn a_byte_is_the_rounded_quotient() {
     for byte in 0..=255 {
         assert_eq!(unorm8(byte).to_bits(), (byte as f32 / 255.0).to_bits(), "{byte}");
+        // So that a filter may take either.
+        assert_eq!(unorm8(byte) * 255.0, byte as f32, "{byte}");
+    }
+}
+
+#[test]
+fn what_lies_between_bytes_is_divided_within_an_ulp() {
+    for step in 0..255 * 4096 {
+        let c = step as f32 / 4096.0;
+        let (got, want) = (over_255(c), f64::from(c) / 255.0);
+        let ulp = f64::from((want as f32).next_up()) - f64::from(want as f32);
+        assert!((f64::from(got) - want).abs() <= ulp, "{c}: {got} for {want}");
     }
 }
 

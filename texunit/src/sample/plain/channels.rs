@@ -3,7 +3,7 @@
 //! A class is picked once per draw. Each channel has a loop of its own, in which the shift is a
 //! constant: in a loop over channels the compiler would try all shifts in every lane.
 
-use crate::format::convert::byte_channel;
+use crate::format::convert::{byte_channel, byte_of, over_255};
 use crate::format::small_float::decode_half;
 use crate::format::{Encoding, Format, srgb};
 use crate::lanes::{F32s, LANES, Simd, U32s};
@@ -114,28 +114,28 @@ pub fn of_square<S: Simd>(
     let [r, g, b, a] = out;
     match class {
         Class::Bytes => {
-            mean(words, weights, r, byte::<0>);
+            mean_of_bytes::<0>(words, weights, r);
             if channels > 1 {
-                mean(words, weights, g, byte::<1>);
+                mean_of_bytes::<1>(words, weights, g);
             }
             if channels > 2 {
-                mean(words, weights, b, byte::<2>);
+                mean_of_bytes::<2>(words, weights, b);
             }
             if channels > 3 {
-                mean(words, weights, a, byte::<3>);
+                mean_of_bytes::<3>(words, weights, a);
             }
         }
         Class::Srgb => {
             mean_of_srgb::<S>(words, weights, r, 0);
             if channels == 2 {
-                mean(words, weights, g, byte::<1>);
+                mean_of_bytes::<1>(words, weights, g);
             }
             if channels > 2 {
                 mean_of_srgb::<S>(words, weights, g, 8);
                 mean_of_srgb::<S>(words, weights, b, 16);
             }
             if channels > 3 {
-                mean(words, weights, a, byte::<3>);
+                mean_of_bytes::<3>(words, weights, a);
             }
         }
         Class::Halves => {
@@ -146,6 +146,15 @@ pub fn of_square<S: Simd>(
             }
         }
         Class::Floats => mean(words, weights, &mut out[word], f32::from_bits),
+    }
+}
+
+/// The same as of the general way: of bytes, divided by 255 at last.
+#[inline(always)]
+fn mean_of_bytes<const CHANNEL: usize>(words: [&U32s; 4], weights: [&F32s; 2], out: &mut F32s) {
+    mean(words, weights, out, |word| byte_of(word, CHANNEL));
+    for lane in 0..LANES {
+        out[lane] = over_255(out[lane]);
     }
 }
 
