@@ -13,6 +13,11 @@ trait Scalar: Copy {
     const TY: Ty;
     fn from_word(word: u32) -> Self;
     fn to_word(self) -> u32;
+    /// What a lane holds.
+    #[inline(always)]
+    fn of_lane(words: &U32s, lane: usize) -> Self {
+        Self::from_word(words[lane])
+    }
 }
 
 impl Scalar for f32 {
@@ -24,6 +29,12 @@ impl Scalar for f32 {
     #[inline(always)]
     fn to_word(self) -> u32 {
         self.to_bits()
+    }
+    /// Loaded as a float: LLVM chooses between words that were loaded as integers by their bits, and
+    /// then sees no minimum or maximum.
+    #[inline(always)]
+    fn of_lane(words: &U32s, lane: usize) -> Self {
+        words.as_f32()[lane]
     }
 }
 
@@ -113,8 +124,8 @@ macro_rules! operations {
         $(let $b = &$registers[$args[1]]; $(let $c = &$registers[$args[2]];)?)?
     };
     (@lane $lane:ident $a:ident: $A:ty $(, $b:ident: $B:ty $(, $c:ident: $C:ty)?)?) => {
-        let $a = <$A>::from_word($a[$lane]);
-        $(let $b = <$B>::from_word($b[$lane]); $(let $c = <$C>::from_word($c[$lane]);)?)?
+        let $a = <$A>::of_lane($a, $lane);
+        $(let $b = <$B>::of_lane($b, $lane); $(let $c = <$C>::of_lane($c, $lane);)?)?
     };
     (@agree $a:ident $(, $b:ident $(, $c:ident)?)?) => {
         agree($a) $(&& agree($b) $(&& agree($c))?)?
@@ -148,6 +159,20 @@ macro_rules! operations {
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
         pub enum Op {
             $($(#[doc = $doc])+ $Name,)*
+        }
+
+        /// Every operation inside a kernel, in its own types; of operands that are not rare.
+        #[allow(non_snake_case, unused_imports, reason = "called as in the table")]
+        #[allow(clippy::extra_unused_type_parameters, reason = "not every body asks")]
+        pub mod scalar {
+            use super::*;
+            $(
+                $(#[doc = $doc])+
+                #[inline(always)]
+                pub fn $Name<S: Simd>($a: $A $(, $b: $B $(, $c: $C)?)?) -> $R {
+                    $body
+                }
+            )*
         }
 
         impl Op {
@@ -188,8 +213,7 @@ macro_rules! operations {
                             let result: $R = $far;
                             return result.to_word();
                         })?
-                        let result: $R = $body;
-                        result.to_word()
+                        scalar::$Name::<S>($a $(, $b $(, $c)?)?).to_word()
                     })*
                 }
             }
@@ -212,8 +236,7 @@ macro_rules! operations {
                         }
                         for lane in 0..LANES {
                             operations!(@lane lane $a: $A $(, $b: $B $(, $c: $C)?)?);
-                            let value: $R = $body;
-                            result[lane] = value.to_word();
+                            result[lane] = scalar::$Name::<S>($a $(, $b $(, $c)?)?).to_word();
                         }
                         operations!(@rare [Self::$Name.lane::<S>] result $a $(, $b $(, $c)?)?; $($of $rare)?);
                         registers[out] = result;

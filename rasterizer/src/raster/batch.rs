@@ -67,9 +67,10 @@ impl<'a> Batch<'a> {
 
     /// Lanes that run: of quads the whole, so that derivatives have their neighbours.
     pub fn active(&self) -> u64 {
+        let any = self.masks.any();
         match self.quads {
-            Quads::Block(_) | Quads::Packed(_) => lanes_of(quads_of(self.masks.any())),
-            Quads::Pixels(_) => self.masks.any(),
+            Quads::Block(_) | Quads::Packed(_) if any != !0 => lanes_of(quads_of(any)),
+            Quads::Block(_) | Quads::Packed(_) | Quads::Pixels(_) => any,
         }
     }
 

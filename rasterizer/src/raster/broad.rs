@@ -46,12 +46,19 @@ impl Broad {
         isa.run(Blocks { tile, edges, group, lane, out: self });
     }
 
-    /// The planes at the first pixel of a block, with their steps.
+    /// The planes' steps, which are those of every block; their values are left alone.
+    pub fn steps(&self, out: &mut [[f32; 3]]) {
+        for ([_, a, b], plane) in out.iter_mut().zip(&self.planes) {
+            [*a, *b] = plane.steps;
+        }
+    }
+
+    /// The planes' values at the first pixel of a block; their steps are left alone.
     #[inline]
-    pub fn at(&self, block: usize, out: &mut [[f32; 3]]) {
+    pub fn corners(&self, block: usize, out: &mut [[f32; 3]]) {
         let block = block % BLOCKS;
-        for (out, plane) in out.iter_mut().zip(&self.planes) {
-            *out = [plane.corners[block], plane.steps[0], plane.steps[1]];
+        for ([corner, ..], plane) in out.iter_mut().zip(&self.planes) {
+            *corner = plane.corners[block];
         }
     }
 }

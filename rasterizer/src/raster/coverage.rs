@@ -133,11 +133,18 @@ pub const fn lane_at(x: usize, y: usize) -> usize {
     (y % 2 * 2 + x % 2) * QUADS + y / 2 * 4 + x / 2
 }
 
-/// The lanes of block column `bx`, row `by` of a tile at `(x, y)` that lie in `area` (first and one
-/// past the last pixel, x then y).
+/// Whether the square of `side` pixels whose first is `(x, y)` lies in `area` (first and one past the
+/// last pixel, x then y).
+#[inline]
+pub fn is_inside_area(area: &[[i32; 2]; 2], x: i32, y: i32, side: i32) -> bool {
+    let [[left, low], [right, high]] = *area;
+    x >= left && y >= low && x + side <= right && y + side <= high
+}
+
+/// The lanes of block column `bx`, row `by` of a tile at `(x, y)` that lie in `area`.
 pub fn inside_area(area: &[[i32; 2]; 2], x: i32, y: i32, bx: i32, by: i32) -> u64 {
     let (left, low) = (x + 8 * bx, y + 8 * by);
-    if left >= area[0][0] && low >= area[0][1] && left + 8 <= area[1][0] && low + 8 <= area[1][1] {
+    if is_inside_area(area, left, low, 8) {
         return !0;
     }
     (0..LANES).fold(0, |mask, lane| {

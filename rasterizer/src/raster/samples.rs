@@ -11,10 +11,10 @@ use crate::target::MAX_SAMPLES;
 use std::ops::{Deref, DerefMut};
 use texunit::lanes::{F32s, Isa, Kernel, LANES, Simd, U32s};
 
-/// The lanes that are covered, by sample. (As long as there are samples: with one, as nearly always,
-/// what is done to all of them is done to one word.)
+/// The lanes that are covered, by sample.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct SampleMasks {
+    /// 0 for samples that there are not.
     lanes: [u64; MAX_SAMPLES],
     count: usize,
 }
@@ -35,16 +35,13 @@ impl SampleMasks {
     /// The lanes of which any sample is covered.
     #[inline]
     pub fn any(&self) -> u64 {
-        self.iter().fold(0, |all, mask| all | mask)
+        self.lanes.iter().fold(0, |all, mask| all | mask)
     }
 
     /// Becomes those lanes of `masks` that are among `lanes`, of every sample.
     #[inline]
     pub fn set(&mut self, masks: &Self, lanes: u64) {
-        self.count = masks.count;
-        for (to, from) in self.iter_mut().zip(masks.iter()) {
-            *to = from & lanes;
-        }
+        *self = Self { lanes: masks.lanes.map(|mask| mask & lanes), count: masks.count };
     }
 
     /// With those lanes of `masks` that are among `lanes`.

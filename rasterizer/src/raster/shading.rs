@@ -173,29 +173,15 @@ impl Shader {
     ) {
         let (isa, plan, place) = (pass.isa, &job.plan, batch.place());
         let samples = &plan.samples;
-        if self.left.any() == 0 {
-            return;
-        }
-        let stored = shaded.as_ref().map(|_| tile.watched_depth());
-        let mut depths = Vec::new();
-        if let (Timing::Late(output), Some(target)) = (plan.timing, tile.depth.as_mut()) {
-            self.test(isa, plan, batch, target, output, |depth| {
-                if let Some(shaded) = &*shaded {
-                    depths.push(depth[shaded.lane]);
-                }
-            });
-            if let (Some(shaded), Some(before)) = (&mut *shaded, stored) {
-                let after = &tile.watched_depth();
-                let when = When::Late;
-                let tested = Tested { when, depths: &depths, before: &before, after };
-                shaded.tested(plan, &tested, &self.left);
-                shaded.ends_unless_in(&self.left, Fate::TestFailed);
-            }
-            if self.left.any() == 0 {
-                return;
-            }
+        if let Timing::Late(output) = plan.timing
+            && self.left.any() != 0
+        {
+            self.late_tests(isa, plan, batch, tile, output, shaded);
         }
         let masks = &self.left;
+        if masks.any() == 0 {
+            return;
+        }
         job.count(masks);
         for color in &plan.colors {
             let before = shaded.as_ref().map(|_| tile.watched_color(color.target));
@@ -222,6 +208,33 @@ impl Shader {
 }
 
 impl Shader {
+    /// The tests that had to wait for the program; `output` is its output that holds the depth, if any
+    /// does.
+    fn late_tests(
+        &mut self,
+        isa: Isa,
+        plan: &DrawPlan,
+        batch: &Batch<'_>,
+        tile: &mut TileJob,
+        output: Option<usize>,
+        shaded: &mut Option<Shaded>,
+    ) {
+        let before = shaded.as_ref().map(|_| tile.watched_depth());
+        let Some(target) = tile.depth.as_mut() else { return };
+        let mut depths = Vec::new();
+        self.test(isa, plan, batch, target, output, |depth| {
+            if let Some(shaded) = &*shaded {
+                depths.push(depth[shaded.lane]);
+            }
+        });
+        if let (Some(shaded), Some(before)) = (shaded, before) {
+            let (when, after) = (When::Late, &tile.watched_depth());
+            let tested = Tested { when, depths: &depths, before: &before, after };
+            shaded.tested(plan, &tested, &self.left);
+            shaded.ends_unless_in(&self.left, Fate::TestFailed);
+        }
+    }
+
     /// The stencil and depth tests of the lanes that are left; leaves those that passed. `output` is
     /// the program output that holds the depth, if any does; `see` is shown the depth of each sample.
     fn test(

@@ -405,17 +405,22 @@ impl Worker {
     ) {
         let edges = coverage::edges(&shape.corners, tile.x, tile.y);
         self.broad.compute(pass.isa, [tile.x, tile.y], &edges, &self.group, lane);
+        self.broad.steps(&mut self.planes);
+        let is_inside = coverage::is_inside_area(&job.area, tile.x, tile.y, TILE as i32);
         let mut left = self.broad.touched;
         while left != 0 {
             let block = left.trailing_zeros() as usize;
             left &= left - 1;
             let [bx, by] = [block as i32 % 8, block as i32 / 8];
-            let mut covered = coverage::inside_area(&job.area, tile.x, tile.y, bx, by);
+            let mut covered = !0;
+            if !is_inside {
+                covered &= coverage::inside_area(&job.area, tile.x, tile.y, bx, by);
+            }
             if self.broad.full >> block & 1 == 0 {
                 covered &= coverage::block(pass.isa, &edges, bx, by).lanes();
             }
             if covered != 0 {
-                self.broad.at(block, &mut self.planes);
+                self.broad.corners(block, &mut self.planes);
                 let mut masks = SampleMasks::one(covered);
                 self.fill_block(pass, tile, job, shape.facing, [bx, by], &mut masks);
             }
@@ -456,14 +461,14 @@ impl Worker {
         masks: &mut SampleMasks,
     ) {
         let plan = &job.plan;
-        let mut quads = quads_of(masks.any());
+        let covered = masks.any();
         let block = (by * 8 + bx) as usize;
-        if self.waiting.holds(block, masks.any()) || self.pixels.holds(block, masks.any()) {
+        if self.waiting.holds(block, covered) || self.pixels.holds(block, covered) {
             self.flush(pass, tile);
         }
         let packs = plan.packing == Packing::Pixels && tile.watched.is_none();
-        if packs && masks.any().count_ones() < DENSE_PIXELS {
-            let mut left = masks.any();
+        if packs && covered.count_ones() < DENSE_PIXELS {
+            let mut left = covered;
             while left != 0 {
                 if self.pixels.is_full() {
                     self.flush_pixels(pass, job, tile);
@@ -481,23 +486,23 @@ impl Worker {
             y: tile.y + 8 * by,
             coverage: plan.reads_coverage.then_some(&self.parts),
         };
-        let eager = packs || quads.count_ones() >= DENSE || tile.watched.is_some();
-        if eager && plan.timing == Timing::Early {
+        let is_dense = |lanes: u64| packs || lanes == !0 || quads_of(lanes).count_ones() >= DENSE;
+        let is_eager = is_dense(covered) || tile.watched.is_some();
+        if is_eager && plan.timing == Timing::Early {
             let watched = tile.watched.as_ref();
-            let watched = watched.filter(|spot| spot.is_in(block, masks.any()));
+            let watched = watched.filter(|spot| spot.is_in(block, covered));
             let before = watched.map(|_| tile.watched_depth());
             early_tests(pass.isa, plan, &of, masks, tile);
             if let Some(before) = before {
                 tile.note_early(pass.isa, plan, &of, masks, &before);
             }
             of.tests = EarlyTests::Done;
-            quads = quads_of(masks.any());
         }
-        if packs || quads.count_ones() >= DENSE {
+        if is_dense(masks.any()) {
             self.shader.shade(pass, job, &Batch::of_block(&of, masks), tile);
             return;
         }
-        let mut left = quads;
+        let mut left = quads_of(masks.any());
         while left != 0 {
             let quad = left.trailing_zeros() as usize;
             left &= left - 1;

@@ -6,9 +6,9 @@
 
 use super::inst::{Inst, Reg, Role};
 use super::lower::{Kind, Lowered};
-use crate::ir::{Op, Ty};
+use crate::ir::{Op, Ty, scalar};
 use crate::trace::Expression;
-use texunit::lanes::{LANES, Simd, U32s};
+use texunit::lanes::{F32s, LANES, Simd, U32s};
 
 /// The most operands of a fused instruction.
 pub(super) const OPERANDS: usize = 4;
@@ -41,20 +41,20 @@ mod operand {
     pub const d: usize = 3;
 }
 
-/// The words of one lane: the tree as an expression.
-macro_rules! words {
+/// The tree as an expression on one lane.
+macro_rules! expression {
     ($S:ident $args:ident $lane:ident $op:ident ($($arg:tt)*)) => {
-        Op::$op.lane::<$S>(words!(@list $S $args $lane [] $($arg)*))
+        expression!(@list $S $args $lane $op [] $($arg)*)
     };
-    (@list $S:ident $args:ident $lane:ident [$x:expr,]) => { [$x, 0, 0] };
-    (@list $S:ident $args:ident $lane:ident [$x:expr, $y:expr,]) => { [$x, $y, 0] };
-    (@list $S:ident $args:ident $lane:ident [$x:expr, $y:expr, $z:expr,]) => { [$x, $y, $z] };
-    (@list $S:ident $args:ident $lane:ident [$($done:expr,)*] $op:ident ($($arg:tt)*) $(, $($rest:tt)*)?) => {
-        words!(@list $S $args $lane
-            [$($done,)* words!($S $args $lane $op ($($arg)*)),] $($($rest)*)?)
+    (@list $S:ident $args:ident $lane:ident $op:ident [$($done:expr,)*]) => {
+        scalar::$op::<$S>($($done),*)
     };
-    (@list $S:ident $args:ident $lane:ident [$($done:expr,)*] $operand:ident $(, $($rest:tt)*)?) => {
-        words!(@list $S $args $lane
+    (@list $S:ident $args:ident $lane:ident $op:ident [$($done:expr,)*] $inner:ident ($($arg:tt)*) $(, $($rest:tt)*)?) => {
+        expression!(@list $S $args $lane $op
+            [$($done,)* expression!($S $args $lane $inner ($($arg)*)),] $($($rest)*)?)
+    };
+    (@list $S:ident $args:ident $lane:ident $op:ident [$($done:expr,)*] $operand:ident $(, $($rest:tt)*)?) => {
+        expression!(@list $S $args $lane $op
             [$($done,)* $args[operand::$operand][$lane],] $($($rest)*)?)
     };
 }
@@ -76,15 +76,16 @@ macro_rules! fused {
             #[inline(always)]
             pub fn run<S: Simd>(self, registers: &mut [U32s], out: usize, args: [usize; OPERANDS]) {
                 let [a, b, c, d] = args;
-                let args = [&registers[a], &registers[b], &registers[c], &registers[d]];
+                // All operands of the table are floats, and are loaded as such.
+                let args = [a, b, c, d].map(|at| registers[at].as_f32());
                 match self {
                     $(Self::$Name => {
                         // Of each arm by itself, so that the compiler knows that no operand is written.
-                        let mut result = U32s::ZERO;
+                        let mut result = F32s::ZERO;
                         for lane in 0..LANES {
-                            result[lane] = words!(S args lane $op ($($arg)*));
+                            result[lane] = expression!(S args lane $op ($($arg)*));
                         }
-                        registers[out] = result;
+                        registers[out] = *result.as_u32();
                     })*
                 }
             }
