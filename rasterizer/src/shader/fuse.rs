@@ -1,7 +1,8 @@
-//! Several operations as one instruction, so that what is between them stays in registers.
+//! What an instruction computes: an operation, or several as one, so that what is between them stays in
+//! registers.
 //!
 //! A row of the table is a tree of operations over up to four operands. It is read twice: as the
-//! kernel, where each node is the operation's own body ([`Op::lane`]), and as the pattern that is
+//! kernel, where each node is the operation's own body ([`scalar`]), and as the pattern that is
 //! looked for in the code. So a fused instruction cannot differ from the operations it replaces.
 
 use super::inst::{Inst, Reg, Role};
@@ -10,7 +11,7 @@ use crate::ir::{Op, Ty, scalar};
 use crate::trace::Expression;
 use texunit::lanes::{F32s, LANES, Simd, U32s};
 
-/// The most operands of a fused instruction.
+/// The most operands of an instruction.
 pub(super) const OPERANDS: usize = 4;
 
 /// A tree of operations.
@@ -59,27 +60,41 @@ macro_rules! expression {
     };
 }
 
-macro_rules! fused {
+macro_rules! trees {
     ($($(#[doc = $doc:literal])+ $Name:ident = $op:ident ($($arg:tt)*);)*) => {
-        /// An instruction made of several operations.
+        /// What an instruction computes. (One enum, so that it takes one jump to run it.)
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-        pub(super) enum Fused {
+        pub(super) enum Compute {
+            /// An operation by itself.
+            One(Op),
             $($(#[doc = $doc])+ $Name,)*
         }
 
-        impl Fused {
-            /// Larger ones before those that they contain.
-            const ALL: &[(Self, Tree)] = &[$((Self::$Name, tree!($op ($($arg)*)))),*];
+        impl Compute {
+            /// The trees. Larger ones before those that they contain.
+            const TREES: &[(Self, Tree)] = &[$((Self::$Name, tree!($op ($($arg)*)))),*];
 
-            /// The operations on 64 lanes of a file of registers: what is at `args` to `out`, which may be
-            /// one of them. Operands that the tree lacks are not looked at.
-            #[inline(always)]
-            pub fn run<S: Simd>(self, registers: &mut [U32s], out: usize, args: [usize; OPERANDS]) {
-                let [a, b, c, d] = args;
-                // All operands of the table are floats, and are loaded as such.
-                let args = [a, b, c, d].map(|at| registers[at].as_f32());
+            /// The tree, or what is an operation by itself.
+            fn as_tree(self) -> Result<Tree, Op> {
                 match self {
+                    Self::One(op) => Err(op),
+                    $(Self::$Name => Ok(tree!($op ($($arg)*))),)*
+                }
+            }
+
+            /// Computes 64 lanes of a file of registers: what is at `args` to `out`, which may be
+            /// one of them. Operands that there are not are not looked at.
+            #[inline(always)]
+            pub fn run<S: Simd>(self, registers: &mut [U32s], out: Reg, args: [Reg; OPERANDS]) {
+                let (out, args) = (out.0 as usize, args.map(|arg| arg.0 as usize));
+                match self {
+                    Self::One(op) => {
+                        let [a, b, c, _] = args;
+                        op.run::<S>(registers, out, [a, b, c]);
+                    }
                     $(Self::$Name => {
+                        // All operands of the table are floats, and are loaded as such.
+                        let args = args.map(|at| registers[at].as_f32());
                         // Of each arm by itself, so that the compiler knows that no operand is written.
                         let mut result = F32s::ZERO;
                         for lane in 0..LANES {
@@ -93,7 +108,7 @@ macro_rules! fused {
     };
 }
 
-fused! {
+trees! {
     /// Hermite's cubic of the fraction of `a`.
     FractSmooth = Mul(Mul(Fract(a), Fract(a)), Sub(b, Mul(c, Fract(a))));
     /// Hermite's cubic, `a² (b - c a)`.
@@ -150,20 +165,40 @@ fused! {
     AddAtLeast = AtLeast(Add(a, b), c);
 }
 
-impl Fused {
-    /// The tree, with what `operand` makes of its operands.
+impl Compute {
+    /// How many operands it has; a tree may look at some of them more than once, or not at all.
+    pub fn arity(self) -> usize {
+        match self.as_tree() {
+            Ok(_) => OPERANDS,
+            Err(op) => op.args().len(),
+        }
+    }
+
+    /// The type of the result.
+    pub fn result(self) -> Ty {
+        match self.as_tree() {
+            Ok(Tree::Node(op, _)) | Err(op) => op.result(),
+            Ok(Tree::Operand(_)) => Ty::F32,
+        }
+    }
+
+    /// The formula, with what `operand` makes of its operands.
     pub fn expression(self, operand: &impl Fn(usize, Ty) -> Expression) -> Expression {
-        let tree = self.tree();
-        tree.map_or_else(|| operand(0, Ty::F32), |tree| tree.expression(Ty::F32, operand))
+        match self.as_tree() {
+            Ok(tree) => tree.expression(Ty::F32, operand),
+            Err(op) => {
+                let args = op.args().iter().enumerate().map(|(at, &ty)| operand(at, ty));
+                Expression::Apply(op, args.collect())
+            }
+        }
     }
 
     /// About how many additions it takes as long as, all and those that follow one another.
     pub fn size(self) -> [u32; 2] {
-        self.tree().map_or([1, 1], Tree::size)
-    }
-
-    fn tree(self) -> Option<&'static Tree> {
-        Self::ALL.iter().find(|(fused, _)| *fused == self).map(|(_, tree)| tree)
+        match self.as_tree() {
+            Ok(tree) => tree.size(),
+            Err(op) => [op.cost(), op.cost().min(8)],
+        }
     }
 }
 
@@ -199,19 +234,19 @@ impl Tree {
 pub(super) fn run(lowered: &mut Lowered) {
     let mut definitions = Definitions::of(lowered);
     for at in (0..lowered.code.len()).rev() {
-        let Inst::Op { out, .. } = lowered.code[at] else { continue };
+        let Inst::Compute { what: Compute::One(_), out, .. } = lowered.code[at] else { continue };
         if definitions.taken[at] {
             continue;
         }
-        let best = Fused::ALL.iter().find_map(|(fused, tree)| {
+        let best = Compute::TREES.iter().find_map(|(what, tree)| {
             let mut found = Match::default();
             let fits = found.node(&lowered.code, &definitions, at, tree);
-            (fits && found.is_whole(&lowered.code, &definitions)).then_some((*fused, found))
+            (fits && found.is_whole(&lowered.code, &definitions)).then_some((*what, found))
         });
-        if let Some((fused, found)) = best {
+        if let Some((what, found)) = best {
             let first = found.operands.iter().flatten().next().copied().unwrap_or(out);
             let args = found.operands.map(|operand| operand.unwrap_or(first));
-            lowered.code[at] = Inst::Fused { fused, out, args };
+            lowered.code[at] = Inst::Compute { what, out, args };
             for inner in found.inner {
                 definitions.taken[inner] = true;
             }
@@ -271,9 +306,8 @@ struct Match {
 impl Match {
     /// Whether the instruction at `at` is this tree's root.
     fn node(&mut self, code: &[Inst], definitions: &Definitions, at: usize, tree: &Tree) -> bool {
-        let (Tree::Node(wanted, trees), Inst::Op { op, args, .. }) = (tree, &code[at]) else {
-            return false;
-        };
+        let Tree::Node(wanted, trees) = tree else { return false };
+        let Inst::Compute { what: Compute::One(op), args, .. } = &code[at] else { return false };
         if op != wanted {
             return false;
         }
@@ -314,7 +348,7 @@ impl Match {
     fn is_whole(&self, code: &[Inst], definitions: &Definitions) -> bool {
         self.inner.iter().all(|inner| {
             let reads = self.inner.iter().filter(|other| *other == inner).count();
-            matches!(code[*inner], Inst::Op { out, .. }
+            matches!(code[*inner], Inst::Compute { out, .. }
                 if definitions.reads[out.0 as usize] as usize == reads)
         })
     }
@@ -339,7 +373,7 @@ mod tests {
 
     #[test]
     fn every_tree_is_found_and_gives_what_its_operations_give() {
-        for (fused, tree) in Fused::ALL {
+        for (what, tree) in Compute::TREES {
             let mut b = Builder::new(Stage::Fragment);
             b.module_mut().varyings = vec![Interpolation::Smooth; OPERANDS];
             let value = build(&mut b, tree);
@@ -347,7 +381,7 @@ mod tests {
             b.store(red, value);
             let module = b.finish();
             let program = Program::new(&module, |_| true);
-            assert_eq!(program.code.len(), 1, "{fused:?}: {:?}", program.code);
+            assert_eq!(program.code.len(), 1, "{what:?}: {:?}", program.code);
             let corners = [0.0, -0.0, 1.0, -2.5, 3.75, 1e30, -1e-30, f32::INFINITY, f32::NAN];
             check(&module, &[], |input, lane| match input {
                 Input::Varying(slot) => {

@@ -5,8 +5,8 @@
 //! construct (`Break`, `Continue`, `Leave`) is one thing: move the executing lanes to the slot of
 //! the place they go to. So a join is a union of two masks, and nothing is ever recomputed.
 
-use super::fuse::{Fused, OPERANDS};
-use crate::ir::{Access, Axis, Op};
+use super::fuse::{Compute, OPERANDS};
+use crate::ir::{Access, Axis};
 
 /// A register. While lowering: a virtual one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -23,10 +23,8 @@ pub(super) struct Target(pub u32);
 /// One step of a register program.
 #[derive(Clone, Debug)]
 pub(super) enum Inst {
-    /// All lanes; operands beyond the arity repeat the first.
-    Op { op: Op, out: Reg, args: [Reg; 3] },
-    /// All lanes; operands beyond those of the tree repeat another.
-    Fused { fused: Fused, out: Reg, args: [Reg; OPERANDS] },
+    /// All lanes; operands that there are not repeat another.
+    Compute { what: Compute, out: Reg, args: [Reg; OPERANDS] },
     /// All lanes.
     Move { out: Reg, from: Reg },
     /// Zero in all lanes of `len` registers.
@@ -120,18 +118,11 @@ impl Inst {
     /// Visits every register operand, those that are read first.
     pub fn operands(&mut self, f: &mut impl FnMut(&mut Reg, Role)) {
         match self {
-            Self::Op { op, out, args } => {
-                for arg in &mut args[..op.args().len()] {
-                    f(arg, Role::Read);
-                }
-                f(out, Role::Write);
-                for i in op.args().len()..args.len() {
-                    args[i] = args[0];
-                }
-            }
-            Self::Fused { out, args, .. } => {
+            Self::Compute { what, out, args } => {
+                let (args, rest) = args.split_at_mut(what.arity());
                 args.iter_mut().for_each(|arg| f(arg, Role::Read));
                 f(out, Role::Write);
+                rest.fill(args[0]);
             }
             Self::Move { out, from }
             | Self::Store { out, from }
@@ -204,8 +195,7 @@ impl Inst {
             | Self::Discard
             | Self::SkipEmpty { .. }
             | Self::Again { .. } => true,
-            Self::Op { .. }
-            | Self::Fused { .. }
+            Self::Compute { .. }
             | Self::Move { .. }
             | Self::Zero { .. }
             | Self::Store { .. }
@@ -227,8 +217,7 @@ impl Inst {
             | Self::SkipEmpty { to }
             | Self::Repeat { head: to }
             | Self::Again { head: to, .. } => Some(*to),
-            Self::Op { .. }
-            | Self::Fused { .. }
+            Self::Compute { .. }
             | Self::Move { .. }
             | Self::Zero { .. }
             | Self::Store { .. }
@@ -255,8 +244,7 @@ impl Inst {
             | Self::SkipEmpty { to }
             | Self::Repeat { head: to }
             | Self::Again { head: to, .. } => Some(to),
-            Self::Op { .. }
-            | Self::Fused { .. }
+            Self::Compute { .. }
             | Self::Move { .. }
             | Self::Zero { .. }
             | Self::Store { .. }

@@ -7,6 +7,7 @@
 mod flow;
 
 use super::alike::Alike;
+use super::fuse::{Compute, OPERANDS};
 use super::inst::{Inst, Reg, SampleInst, SampleLod, Slot, Target};
 use super::owned::Owned;
 use super::preamble::Preamble;
@@ -250,12 +251,12 @@ impl Lowering<'_> {
                 self.emit(Inst::LoadAt { out, base, len, index });
             }
             Expr::Op { op, args } => {
-                let mut regs = [self.value(args[0]); 3];
+                let mut regs = [self.value(args[0]); OPERANDS];
                 for i in 1..op.args().len() {
                     regs[i] = self.value(args[i]);
                 }
                 let out = self.value(value);
-                self.emit(Inst::Op { op: *op, out, args: regs });
+                self.emit(Inst::Compute { what: Compute::One(*op), out, args: regs });
             }
             Expr::Derivative { axis, value: of } => {
                 let (from, out) = (self.value(*of), self.value(value));

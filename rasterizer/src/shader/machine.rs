@@ -271,17 +271,17 @@ impl Kernel for Interpreter<'_> {
     #[inline(always)]
     fn run<S: Simd>(self) -> Result<usize, OverBudget> {
         let Self { machine: m, run, code, mut pc, mut left } = self;
-        while let Some(inst) = code.get(pc) {
+        loop {
+            // Nearly all of a program, with one jump an instruction.
+            let registers = &mut m.registers[..];
+            while let Some(&Inst::Compute { what, out, args }) = code.get(pc) {
+                what.run::<S>(registers, out, args);
+                pc += 1;
+            }
+            let Some(inst) = code.get(pc) else { return Ok(pc) };
             pc += 1;
             match *inst {
-                Inst::Op { op, out, args } => {
-                    let args = args.map(|reg| reg.0 as usize);
-                    op.run::<S>(&mut m.registers, out.0 as usize, args);
-                }
-                Inst::Fused { fused, out, args } => {
-                    let args = args.map(|reg| reg.0 as usize);
-                    fused.run::<S>(&mut m.registers, out.0 as usize, args);
-                }
+                Inst::Compute { .. } => {}
                 Inst::Move { out, from } => {
                     m.registers[out.0 as usize] = m.registers[from.0 as usize];
                 }
@@ -340,7 +340,6 @@ impl Kernel for Interpreter<'_> {
                 Inst::Again { head, exit } => pc = m.again(head, exit, pc, &mut left)?,
             }
         }
-        Ok(pc)
     }
 }
 

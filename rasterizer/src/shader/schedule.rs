@@ -57,9 +57,8 @@ fn straight_runs(code: &[Inst]) -> Vec<Range<usize>> {
 fn times(inst: &Inst) -> Option<[u32; 2]> {
     let of = |cost: u32, depth: u32| Some([4 + 2 * cost, 12 + 2 * cost + 4 * depth]);
     match inst {
-        Inst::Op { op, .. } => of(op.cost(), op.cost().min(8)),
-        Inst::Fused { fused, .. } => {
-            let [cost, depth] = fused.size();
+        Inst::Compute { what, .. } => {
+            let [cost, depth] = what.size();
             of(cost, depth)
         }
         Inst::Derivative { .. } => of(Op::Sub.cost(), 1),

@@ -132,18 +132,9 @@ impl Machine {
         let operand = |reg: Reg, ty: Ty| Expression::Operand(tracer.operand(self, reg, ty));
         let name = |reg: Reg| tracer.names[reg.0 as usize];
         match inst {
-            Inst::Op { op, out, args } => {
-                let args = args.iter().zip(op.args()).map(|(&reg, &ty)| operand(reg, ty));
-                let expression = Expression::Apply(*op, args.collect());
-                Before::Value { out: *out, ty: op.result(), expression }
-            }
-            Inst::Fused { fused, out, args } => {
-                let expression = fused.expression(&|at, ty| operand(args[at], ty));
-                let ty = match &expression {
-                    Expression::Apply(op, _) => op.result(),
-                    Expression::Operand(_) | Expression::Derivative(..) => Ty::F32,
-                };
-                Before::Value { out: *out, ty, expression }
+            Inst::Compute { what, out, args } => {
+                let expression = what.expression(&|at, ty| operand(args[at], ty));
+                Before::Value { out: *out, ty: what.result(), expression }
             }
             Inst::Derivative { axis, out, from } => {
                 let expression =
