@@ -35,7 +35,7 @@ mod visit;
 
 pub use build::Builder;
 pub use ops::Op;
-pub(crate) use ops::scalar;
+pub(crate) use ops::{batch, scalar, with_operations};
 pub use validate::{IrError, MAX_NESTING, MAX_VALUES, MAX_VARIABLE_WORDS};
 
 /// The word that stands for `true`.

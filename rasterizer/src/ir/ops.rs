@@ -1,7 +1,7 @@
 //! Every operation of the IR, once: name, types, meaning over one lane.
 //!
 //! The table gives the enum, its listing names, the constant folder ([`Op::eval`]) and the lane
-//! kernel ([`Op::run`]) from one body, so that they cannot differ. All bodies are branch-free
+//! kernel ([`batch`]) from one body, so that they cannot differ. All bodies are branch-free
 //! scalar code that LLVM vectorizes over the 64 lanes. A row may say `where a: rare(a) => far(a, …)`: a
 //! piece of the operation that is computed lane by lane, when a lane of the batch needs it.
 
@@ -150,7 +150,7 @@ macro_rules! operations {
             }
         }
     };
-    ($(
+    ($d:tt $(
         $(#[doc = $doc:literal])+
         $Name:ident $name:literal ($a:ident: $A:ty $(, $b:ident: $B:ty $(, $c:ident: $C:ty)?)?) -> $R:ty = $body:expr
         $(, where $of:ident: $rare:expr => $far:expr)?;
@@ -217,37 +217,46 @@ macro_rules! operations {
                     })*
                 }
             }
-
-            /// The operation on 64 lanes of a file of registers: what is at `args` to `out`, which may be
-            /// one of them. Operands beyond the arity are not looked at.
-            #[inline(always)]
-            pub fn run<S: Simd>(self, registers: &mut [U32s], out: usize, args: [usize; 3]) {
-                match self {
-                    $(Self::$Name => {
-                        // By itself, so that the compiler knows that no operand is written.
-                        let mut result = U32s::ZERO;
-                        operations!(@operands registers args $a $(, $b $(, $c)?)?);
-                        if Self::$Name.cost() >= LONG {
-                            if operations!(@agree $a $(, $b $(, $c)?)?) {
-                                let word = Self::$Name.lane::<S>(operations!(@words 0 $a $(, $b $(, $c)?)?));
-                                registers[out] = U32s::splat(word);
-                                return;
-                            }
-                        }
-                        for lane in 0..LANES {
-                            operations!(@lane lane $a: $A $(, $b: $B $(, $c: $C)?)?);
-                            result[lane] = scalar::$Name::<S>($a $(, $b $(, $c)?)?).to_word();
-                        }
-                        operations!(@rare [Self::$Name.lane::<S>] result $a $(, $b $(, $c)?)?; $($of $rare)?);
-                        registers[out] = result;
-                    })*
-                }
-            }
         }
+
+        /// Every operation on 64 lanes of a file of registers: what is at `args` to `out`, which may be
+        /// one of them. Operands beyond the arity are not looked at.
+        #[allow(non_snake_case, unused_variables, reason = "called as in the table")]
+        pub mod batch {
+            use super::*;
+            $(
+                $(#[doc = $doc])+
+                #[inline(always)]
+                pub fn $Name<S: Simd>(registers: &mut [U32s], out: usize, args: [usize; 3]) {
+                    // By itself, so that the compiler knows that no operand is written.
+                    let mut result = U32s::ZERO;
+                    operations!(@operands registers args $a $(, $b $(, $c)?)?);
+                    if Op::$Name.cost() >= LONG {
+                        if operations!(@agree $a $(, $b $(, $c)?)?) {
+                            let word = Op::$Name.lane::<S>(operations!(@words 0 $a $(, $b $(, $c)?)?));
+                            registers[out] = U32s::splat(word);
+                            return;
+                        }
+                    }
+                    for lane in 0..LANES {
+                        operations!(@lane lane $a: $A $(, $b: $B $(, $c: $C)?)?);
+                        result[lane] = scalar::$Name::<S>($a $(, $b $(, $c)?)?).to_word();
+                    }
+                    operations!(@rare [Op::$Name.lane::<S>] result $a $(, $b $(, $c)?)?; $($of $rare)?);
+                    registers[out] = result;
+                }
+            )*
+        }
+
+        /// Calls a macro with the names of all operations in brackets, before what else it is given.
+        macro_rules! with_operations {
+            ($d then:ident! { $d($d rest:tt)* }) => { $d then! { [$($Name)*] $d($d rest)* } };
+        }
+        pub(crate) use with_operations;
     };
 }
 
-operations! {
+operations! { $
     /// `a + b`.
     Add "add" (a: f32, b: f32) -> f32 = a + b;
     /// `a - b`.

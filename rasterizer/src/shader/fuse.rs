@@ -7,7 +7,7 @@
 
 use super::inst::{Inst, Reg, Role};
 use super::lower::{Kind, Lowered};
-use crate::ir::{Op, Ty, scalar};
+use crate::ir::{Op, Ty, batch, scalar, with_operations};
 use crate::trace::Expression;
 use texunit::lanes::{F32s, LANES, Simd, U32s};
 
@@ -61,13 +61,20 @@ macro_rules! expression {
 }
 
 macro_rules! trees {
-    ($($(#[doc = $doc:literal])+ $Name:ident = $op:ident ($($arg:tt)*);)*) => {
+    ([$($One:ident)*] $($(#[doc = $doc:literal])+ $Name:ident = $op:ident ($($arg:tt)*);)*) => {
         /// What an instruction computes. (One enum, so that it takes one jump to run it.)
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         pub(super) enum Compute {
-            /// An operation by itself.
-            One(Op),
+            $(#[doc = "The operation of this name by itself."] $One,)*
             $($(#[doc = $doc])+ $Name,)*
+        }
+
+        impl From<Op> for Compute {
+            fn from(op: Op) -> Self {
+                match op {
+                    $(Op::$One => Self::$One,)*
+                }
+            }
         }
 
         impl Compute {
@@ -77,7 +84,7 @@ macro_rules! trees {
             /// The tree, or what is an operation by itself.
             fn as_tree(self) -> Result<Tree, Op> {
                 match self {
-                    Self::One(op) => Err(op),
+                    $(Self::$One => Err(Op::$One),)*
                     $(Self::$Name => Ok(tree!($op ($($arg)*))),)*
                 }
             }
@@ -87,11 +94,9 @@ macro_rules! trees {
             #[inline(always)]
             pub fn run<S: Simd>(self, registers: &mut [U32s], out: Reg, args: [Reg; OPERANDS]) {
                 let (out, args) = (out.0 as usize, args.map(|arg| arg.0 as usize));
+                let [a, b, c, _] = args;
                 match self {
-                    Self::One(op) => {
-                        let [a, b, c, _] = args;
-                        op.run::<S>(registers, out, [a, b, c]);
-                    }
+                    $(Self::$One => batch::$One::<S>(registers, out, [a, b, c]),)*
                     $(Self::$Name => {
                         // All operands of the table are floats, and are loaded as such.
                         let args = args.map(|at| registers[at].as_f32());
@@ -108,7 +113,7 @@ macro_rules! trees {
     };
 }
 
-trees! {
+with_operations! { trees! {
     /// Hermite's cubic of the fraction of `a`.
     FractSmooth = Mul(Mul(Fract(a), Fract(a)), Sub(b, Mul(c, Fract(a))));
     /// Hermite's cubic, `a² (b - c a)`.
@@ -163,7 +168,7 @@ trees! {
     MulAtLeast = AtLeast(Mul(a, b), c);
     /// `a + b`, but at least `c`.
     AddAtLeast = AtLeast(Add(a, b), c);
-}
+} }
 
 impl Compute {
     /// How many operands it has; a tree may look at some of them more than once, or not at all.
@@ -234,7 +239,7 @@ impl Tree {
 pub(super) fn run(lowered: &mut Lowered) {
     let mut definitions = Definitions::of(lowered);
     for at in (0..lowered.code.len()).rev() {
-        let Inst::Compute { what: Compute::One(_), out, .. } = lowered.code[at] else { continue };
+        let Inst::Compute { out, .. } = lowered.code[at] else { continue };
         if definitions.taken[at] {
             continue;
         }
@@ -307,8 +312,8 @@ impl Match {
     /// Whether the instruction at `at` is this tree's root.
     fn node(&mut self, code: &[Inst], definitions: &Definitions, at: usize, tree: &Tree) -> bool {
         let Tree::Node(wanted, trees) = tree else { return false };
-        let Inst::Compute { what: Compute::One(op), args, .. } = &code[at] else { return false };
-        if op != wanted {
+        let Inst::Compute { what, args, .. } = &code[at] else { return false };
+        if *what != Compute::from(*wanted) {
             return false;
         }
         let before = self.clone();
@@ -317,7 +322,7 @@ impl Match {
         }
         *self = before;
         // Which of two NaN comes out of a sum or product is the only thing their order decides.
-        matches!(op, Op::Add | Op::Mul)
+        matches!(wanted, Op::Add | Op::Mul)
             && self.all(code, definitions, at, &[args[1], args[0]], trees)
     }
 

@@ -256,7 +256,7 @@ impl Lowering<'_> {
                     regs[i] = self.value(args[i]);
                 }
                 let out = self.value(value);
-                self.emit(Inst::Compute { what: Compute::One(*op), out, args: regs });
+                self.emit(Inst::Compute { what: Compute::from(*op), out, args: regs });
             }
             Expr::Derivative { axis, value: of } => {
                 let (from, out) = (self.value(*of), self.value(value));

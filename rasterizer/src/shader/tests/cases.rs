@@ -5,7 +5,8 @@ use crate::ir::{
     Axis, Block, Builder, Expr, Input, Interpolation, Lod, MAX_NESTING, Module, Op, Output, Stage,
     Stmt, TextureDecl, Ty, Var,
 };
-use crate::shader::inst::Inst;
+use crate::shader::fuse::Compute;
+use crate::shader::inst::{Inst, Reg};
 use crate::shader::{Fusing, OverBudget, Program};
 use texunit::image::Shape;
 use texunit::lanes::{Isa, LANES, U32s, lane_x, lane_y};
@@ -47,7 +48,7 @@ impl texunit::lanes::Kernel for OneOp<'_> {
     type Output = ();
     #[inline(always)]
     fn run<S: texunit::lanes::Simd>(self) {
-        self.0.run::<S>(self.1, 3, [0, 1, 2]);
+        Compute::from(self.0).run::<S>(self.1, Reg(3), [Reg(0), Reg(1), Reg(2), Reg(2)]);
     }
 }
 
