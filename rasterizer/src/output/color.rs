@@ -7,7 +7,7 @@ use super::encode::{decode_color, encode_color};
 use super::mask::expand_mask;
 use super::{blend, logic};
 use crate::driver::{Blend, BlendEquation, BlendFactor, LogicOp};
-use crate::target::{WordMask, all_bits};
+use crate::target::{Old, WordMask, all_bits};
 use texunit::format::convert::byte_channel;
 use texunit::format::{BaseFormat, Encoding, Format};
 use texunit::lanes::{F32s, Kernel, LANES, Simd, U32s, math};
@@ -79,6 +79,12 @@ impl ColorPlan {
             (3, ColorClass::Bytes | ColorClass::Numbers) => ONE,
             (_, _) => ZERO,
         }
+    }
+
+    /// Whether what is written depends on what is stored.
+    pub fn old(&self) -> Old {
+        let is_read = self.blend.is_some() || self.logic_op.is_some() || !self.whole;
+        if is_read { Old::Read } else { Old::Ignored }
     }
 
     /// What is done to an attachment that is written as `format`.

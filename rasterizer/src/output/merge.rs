@@ -4,7 +4,7 @@ use super::color::{ColorClass, ColorPlan, WriteBytes, WriteTexels};
 use super::depth::{DepthPlan, DepthTest};
 use super::stencil::{StencilPlan, StencilTest, StencilUpdate};
 use crate::driver::StencilFace;
-use crate::target::{Place, Plane, TileTarget, with_texels, with_words};
+use crate::target::{Old, Place, Plane, TileTarget, with_texels, with_words};
 use texunit::lanes::{F32s, Isa, U32s};
 
 /// The tests of a draw.
@@ -47,18 +47,20 @@ pub fn test(
     let Fragments { place, depth, back, mask } = *of;
     let planes = target.sample(sample);
     match (tests.stencil, planes) {
-        (Some(plan), [depths, stencils]) => with_words(stencils, place, mask, |stored| {
-            let [front, back] =
-                [(plan.front, mask & !back), (plan.back, mask & back)].map(|(face, mask)| {
-                    (face, mask, isa.run(StencilTest { face: &face, stored, mask }))
-                });
-            let passed = front.2 | back.2;
-            let kept = test_depth(isa, tests.depth, depths, place, depth, passed);
-            for (face, mask, passed) in [front, back] {
-                finish(isa, &face, stored, mask, passed, kept);
-            }
-            kept
-        }),
+        (Some(plan), [depths, stencils]) => {
+            with_words(isa, stencils, place, mask, Old::Read, |stored| {
+                let [front, back] =
+                    [(plan.front, mask & !back), (plan.back, mask & back)].map(|(face, mask)| {
+                        (face, mask, isa.run(StencilTest { face: &face, stored, mask }))
+                    });
+                let passed = front.2 | back.2;
+                let kept = test_depth(isa, tests.depth, depths, place, depth, passed);
+                for (face, mask, passed) in [front, back] {
+                    finish(isa, &face, stored, mask, passed, kept);
+                }
+                kept
+            })
+        }
         (_, [depths, ..]) => test_depth(isa, tests.depth, depths, place, depth, mask),
         (_, []) => mask,
     }
@@ -87,7 +89,7 @@ fn test_depth(
     mask: u64,
 ) -> u64 {
     match plan {
-        Some(plan) if mask != 0 => with_words(plane, place, mask, |stored| {
+        Some(plan) if mask != 0 => with_words(isa, plane, place, mask, Old::Read, |stored| {
             isa.run(DepthTest { plan, depth, stored, mask })
         }),
         Some(_) | None => mask,
@@ -106,10 +108,10 @@ pub fn write(
 ) {
     let planes = target.sample(sample);
     match (plan.class, planes) {
-        (ColorClass::Bytes, [plane]) => with_words(plane, place, mask, |stored| {
+        (ColorClass::Bytes, [plane]) => with_words(isa, plane, place, mask, plan.old(), |stored| {
             isa.run(WriteBytes { plan, color, stored, mask });
         }),
-        (_, planes) => with_texels(planes, place, mask, |stored| {
+        (_, planes) => with_texels(isa, planes, place, mask, |stored| {
             isa.run(WriteTexels { plan, color, stored, mask });
         }),
     }

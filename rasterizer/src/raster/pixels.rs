@@ -84,7 +84,7 @@ impl Pixels {
 
     /// Where they are.
     pub fn place(&self) -> Place<'_> {
-        Place::Pixels(&self.at[..self.len])
+        Place::Pixels(self.at.first_chunk().unwrap_or(&[0; LANES]))
     }
 
     /// Forgets its pixels and makes room for a draw with `planes` planes.
@@ -111,18 +111,18 @@ impl Pixels {
     ) -> u64 {
         let first = self.len % LANES;
         let room = LANES - first;
-        let mut rest = 0;
-        if lanes.count_ones() as usize > room {
-            rest = lanes;
+        let (mut count, mut rest) = (lanes.count_ones() as usize, 0);
+        if count > room {
+            (count, rest) = (room, lanes);
             for _ in 0..room {
                 rest &= rest - 1;
             }
         }
         let mut left = lanes & !rest;
-        let len = first + left.count_ones() as usize;
-        self.len = len;
+        self.len = first + count;
         self.waiting[block % BLOCKS] |= left;
         self.blocks |= 1 << (block % BLOCKS);
+        let len = self.len;
         for at in (first..len).step_by(AT_ONCE) {
             for to in &mut self.at[at..at + AT_ONCE] {
                 *to = (block * LANES) as u16 | left.trailing_zeros() as u16;
@@ -130,10 +130,14 @@ impl Pixels {
             }
         }
         for (plane, [corner, a, b]) in self.planes.iter_mut().zip(planes) {
-            for at in (first..len).step_by(AT_ONCE) {
+            let mut at = first;
+            while at < len {
+                // Which it is; so that nothing is checked.
+                at %= LANES;
                 plane.corner[at..at + AT_ONCE].fill(corner);
                 plane.a[at..at + AT_ONCE].fill(a);
                 plane.b[at..at + AT_ONCE].fill(b);
+                at += AT_ONCE;
             }
         }
         if facing == Facing::Back {

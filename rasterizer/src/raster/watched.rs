@@ -93,7 +93,8 @@ impl Spot {
                 blocks.iter().zip(quads).enumerate().find_map(here)?
             }
             Place::Pixels(at) => {
-                at.iter().position(|&at| usize::from(at) == self.block * LANES + self.lane)?
+                let here = self.block * LANES + self.lane;
+                (0..LANES).find(|&lane| lanes >> lane & 1 == 1 && usize::from(at[lane]) == here)?
             }
         };
         (lanes >> lane & 1 == 1).then_some(lane)

@@ -5,7 +5,7 @@ mod resolve;
 mod surface;
 mod words;
 
-pub use place::{Place, with_texels, with_words};
+pub use place::{Old, Place, with_texels, with_words};
 pub use surface::{BLOCKS, MAX_SAMPLES, Plane, Surface, TILE, TileTarget};
 pub(crate) use words::is_attachable;
 pub use words::{WordMask, all_bits, component_bits};

@@ -1,7 +1,7 @@
 //! Where a batch's pixels lie in a tile, and how their words come and go.
 
 use super::{BLOCKS, Plane};
-use texunit::lanes::{LANES, QUADS, U32s};
+use texunit::lanes::{Isa, Kernel, LANES, QUADS, Simd, U32s};
 
 /// Where a batch's pixels lie in a tile.
 #[derive(Clone, Copy)]
@@ -10,32 +10,50 @@ pub enum Place<'a> {
     Block(usize),
     /// The block and quad of each of its quads.
     Quads(&'a [u8], &'a [u8]),
-    /// Each pixel by itself: its block times 64 and its lane there. No pixel is there twice.
-    Pixels(&'a [u16]),
+    /// Each pixel by itself: its block times 64 and its lane there. No pixel is there twice; lanes that
+    /// there are not are anywhere.
+    Pixels(&'a [u16; LANES]),
 }
 
 /// Pixels of a tile.
 const PIXELS: usize = BLOCKS * LANES;
 
+/// Whether it matters what words hold before they are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Old {
+    /// It does.
+    Read,
+    /// All of each word is written, whatever it was.
+    Ignored,
+}
+
 /// Lets `change` see the words of a batch's pixels as lanes, and puts those of `mask` back; it changes
 /// no others. (A quad may be in a batch more than once, with other pixels each time.)
 pub fn with_words<R>(
+    isa: Isa,
     plane: &mut Plane,
     place: Place<'_>,
     mask: u64,
+    old: Old,
     change: impl FnOnce(&mut U32s) -> R,
 ) -> R {
     let blocks = plane.blocks_mut();
     match place {
         Place::Block(block) => change(&mut blocks[block]),
         Place::Quads(of, quads) => {
-            let mut words = gather(blocks, of, quads);
+            let mut words = match old {
+                Old::Read => gather(blocks, of, quads),
+                Old::Ignored => U32s::ZERO,
+            };
             let result = change(&mut words);
             scatter(blocks, of, quads, mask, &words);
             result
         }
         Place::Pixels(at) => {
-            let mut words = gather_pixels(blocks, at);
+            let mut words = match old {
+                Old::Read => isa.run(Gather { blocks, at }),
+                Old::Ignored => U32s::ZERO,
+            };
             let result = change(&mut words);
             scatter_pixels(blocks, at, mask, &words);
             result
@@ -45,6 +63,7 @@ pub fn with_words<R>(
 
 /// [`with_words`] for texels of up to four words, each in a plane of its own.
 pub fn with_texels<R>(
+    isa: Isa,
     planes: &mut [Plane],
     place: Place<'_>,
     mask: u64,
@@ -52,7 +71,7 @@ pub fn with_texels<R>(
 ) -> R {
     let mut texels = [U32s::ZERO; 4];
     for (plane, words) in planes.iter_mut().zip(&mut texels) {
-        with_words(plane, place, 0, |stored| *words = *stored);
+        with_words(isa, plane, place, 0, Old::Read, |stored| *words = *stored);
     }
     let result = change(&mut texels);
     for (plane, words) in planes.iter_mut().zip(&texels) {
@@ -87,21 +106,31 @@ fn scatter(blocks: &mut [U32s], of: &[u8], quads: &[u8], mask: u64, words: &U32s
     }
 }
 
-fn gather_pixels(blocks: &[U32s], at: &[u16]) -> U32s {
-    let mut words = U32s::ZERO;
-    if let Ok(pixels) = <&[u32; PIXELS]>::try_from(bytemuck::cast_slice::<_, u32>(blocks)) {
-        for (word, &at) in words.0.iter_mut().zip(at) {
-            *word = pixels[usize::from(at) % PIXELS];
-        }
-    }
-    words
+/// The words of single pixels.
+struct Gather<'a> {
+    blocks: &'a [U32s],
+    at: &'a [u16; LANES],
 }
 
-fn scatter_pixels(blocks: &mut [U32s], at: &[u16], mask: u64, words: &U32s) {
+impl Kernel for Gather<'_> {
+    type Output = U32s;
+    #[inline(always)]
+    fn run<S: Simd>(self) -> U32s {
+        let mut offsets = U32s::ZERO;
+        for lane in 0..LANES {
+            offsets[lane] = u32::from(self.at[lane]) % PIXELS as u32 * 4;
+        }
+        S::gather(bytemuck::cast_slice(self.blocks), &offsets)
+    }
+}
+
+fn scatter_pixels(blocks: &mut [U32s], at: &[u16; LANES], mask: u64, words: &U32s) {
     let pixels = bytemuck::cast_slice_mut::<_, u32>(blocks);
     let Ok(pixels) = <&mut [u32; PIXELS]>::try_from(pixels) else { return };
-    for (lane, (&word, &at)) in words.0.iter().zip(at).enumerate() {
-        let to = &mut pixels[usize::from(at) % PIXELS];
-        *to = if mask >> lane & 1 == 1 { word } else { *to };
+    let mut left = mask;
+    while left != 0 {
+        let lane = left.trailing_zeros() as usize;
+        left &= left - 1;
+        pixels[usize::from(at[lane]) % PIXELS] = words[lane];
     }
 }
