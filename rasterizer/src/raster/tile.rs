@@ -279,7 +279,8 @@ impl Worker {
         window: &Window,
     ) {
         for (part, block, lanes) in window.blocks() {
-            if lanes.count_ones() >= DENSE_PIXELS {
+            let mut count = lanes.count_ones();
+            if count >= DENSE_PIXELS {
                 for (to, plane) in self.planes.iter_mut().zip(self.group.in_window(lane, part)) {
                     *to = plane;
                 }
@@ -294,7 +295,10 @@ impl Worker {
                     self.flush_pixels(pass, job, tile);
                 }
                 let planes = self.group.in_window(lane, part);
-                left = self.pixels.push(block, left, facing, planes);
+                left = self.pixels.push(block, left, count, facing, planes);
+                if left != 0 {
+                    count = left.count_ones();
+                }
             }
         }
     }
@@ -473,7 +477,8 @@ impl Worker {
                 if self.pixels.is_full() {
                     self.flush_pixels(pass, job, tile);
                 }
-                left = self.pixels.push(block, left, facing, self.planes.iter().copied());
+                let (count, planes) = (left.count_ones(), self.planes.iter().copied());
+                left = self.pixels.push(block, left, count, facing, planes);
             }
             return;
         }
