@@ -415,25 +415,29 @@ impl Texture {
     }
 }
 
-/// Component `from` of the border colour as a channel of texels: of integers the bits, held in what
-/// the channel can be.
+/// Component `from` of the border colour as a channel of texels, held in what the channel can be (OpenGL
+/// 4.6, section 8.14.2); of integers the bits.
 fn border_channel(format: Format, channel: usize, border: Border, from: usize) -> f32 {
     let info = format.info();
     let largest = i64::from(info.fields[channel].mask());
     let integer = || border.integers()[from];
+    let number = border.floats()[from];
     match info.encoding {
         Encoding::Uint => f32::from_bits(integer().clamp(0, largest) as u32),
         Encoding::Sint => {
             let most = largest >> 1;
             f32::from_bits(integer().clamp(-most - 1, most) as i32 as u32)
         }
+        Encoding::Snorm | Encoding::Block(Block::Rgtc1Snorm | Block::Rgtc2Snorm) => {
+            clamp(number, -1.0, 1.0)
+        }
         Encoding::Unorm
-        | Encoding::Snorm
         | Encoding::Srgb
-        | Encoding::Float
-        | Encoding::SharedExponent
-        | Encoding::Block(_)
-        | Encoding::SrgbBlock(_) => border.floats()[from],
+        | Encoding::SrgbBlock(_)
+        | Encoding::Block(Block::Dxt1 | Block::Dxt3 | Block::Dxt5 | Block::Rgtc1 | Block::Rgtc2) => {
+            clamp(number, 0.0, 1.0)
+        }
+        Encoding::Float | Encoding::SharedExponent => number,
     }
 }
 

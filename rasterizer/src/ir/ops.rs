@@ -256,6 +256,7 @@ macro_rules! operations {
     };
 }
 
+// The dollar sign is for the macro that this one defines.
 operations! { $
     /// `a + b`.
     Add "add" (a: f32, b: f32) -> f32 = a + b;

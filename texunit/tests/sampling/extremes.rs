@@ -171,6 +171,26 @@ fn border_colours_and_float_texels_keep_what_is_outside_zero_to_one() {
     assert!(sample_bits(&plan, 0.6, 0.1).is_nan());
 }
 
+#[test]
+fn a_border_colour_is_held_in_the_range_of_normalized_texels() {
+    for (format, least) in [(Format::Rgba8, 0.0), (Format::Rgba16, 0.0), (Format::Rgba8Snorm, -1.0)]
+    {
+        let sampler = Sampler {
+            wrap: [Wrap::ClampToBorder; 3],
+            min: Filter::Linear,
+            mag: Filter::Linear,
+            mipmap: Mipmap::None,
+            border: [f32::MAX, f32::MIN, f32::NAN, 0.5].into(),
+            ..Sampler::default()
+        };
+        let plan = SamplePlan::new(&scene::image(Shape::D2, format, 4, 4, 2), &sampler);
+        let [r, g, _, a] = sample(&plan, -3.0, 0.5, 0.0);
+        assert_eq!([r, g, a], [1.0, least, 0.5], "{format:?}");
+        // Half of it at the edge.
+        assert!(sample(&plan, 0.0, 0.4, 0.0).iter().all(|c| c.abs() <= 1.0), "{format:?}");
+    }
+}
+
 /// One component, which may be NaN.
 fn sample_bits(plan: &SamplePlan, s: f32, t: f32) -> f32 {
     let mut out = [F32s::ZERO; 4];

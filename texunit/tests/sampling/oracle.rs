@@ -5,6 +5,7 @@
 //! a point close to the step may fall on either side in `f32`. Each answer therefore carries its
 //! distance from the nearest step that it took.
 
+use texunit::format::{Encoding, Format};
 use texunit::image::{Image, Level, Shape};
 use texunit::sampler::{Compare, DepthMode, Filter, Mipmap, Sampler, Seamless, Swizzle, Wrap};
 
@@ -276,14 +277,14 @@ impl Oracle<'_> {
 
     /// A texel, or the border colour where there is none.
     pub fn texel(&self, level: &Level, at: [i32; 3]) -> [f64; 4] {
-        let border = self.sampler.border.floats().map(f64::from);
+        let border = border(level.format, self.sampler.border.floats());
         if !level.format.is_depth() {
             return match level.color_at(at) {
                 Some(color) => color.map(f64::from),
                 None => {
                     let mut stored = [0.0; 4];
                     for (to, &from) in stored.iter_mut().zip(level.format.base().sources()) {
-                        *to = self.sampler.border.floats()[from];
+                        *to = border[from] as f32;
                     }
                     texunit::format::convert::expand(level.format.base(), stored).map(f64::from)
                 }
@@ -405,4 +406,11 @@ fn project(face: usize, [x, y, z]: [f64; 3]) -> [f64; 2] {
         _ => (-x, -y, z),
     };
     [0.5 * (sc / ma.abs() + 1.0), 0.5 * (tc / ma.abs() + 1.0)]
+}
+
+/// The border colour as texels of a format can have it.
+fn border(format: Format, color: [f32; 4]) -> [f64; 4] {
+    let is_number = matches!(format.info().encoding, Encoding::Float | Encoding::SharedExponent);
+    let least = if format!("{format:?}").contains("Snorm") { -1.0 } else { 0.0 };
+    color.map(f64::from).map(|c| if is_number { c } else { c.clamp(least, 1.0) })
 }
