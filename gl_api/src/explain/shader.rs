@@ -110,7 +110,6 @@ fn text(expression: &Expression, note: &DrawNote) -> String {
     }
 }
 
-/// The sign of an operation that has one.
 /// What the source calls it.
 fn called(op: Op) -> &'static str {
     match op {
@@ -120,6 +119,7 @@ fn called(op: Op) -> &'static str {
     }
 }
 
+/// The sign of an operation that has one.
 fn infix(op: Op) -> Option<&'static str> {
     match op {
         Op::Add | Op::IAdd | Op::UAdd => Some("+"),
