@@ -26,22 +26,30 @@ impl SampleMasks {
     }
 
     /// These lanes of the only sample.
+    #[inline]
     pub fn one(lanes: u64) -> Self {
-        let mut masks = Self::none(1);
-        masks.lanes[0] = lanes;
-        masks
+        Self { lanes: [lanes, 0, 0, 0], count: 1 }
     }
 
     /// The lanes of which any sample is covered.
+    ///
+    /// An only sample is read by itself: what was written a word at a time cannot be read as a
+    /// vector before the processor has put all its stores away.
     #[inline]
     pub fn any(&self) -> u64 {
-        self.lanes.iter().fold(0, |all, mask| all | mask)
+        match self.count {
+            0 | 1 => self.lanes[0],
+            _ => self.lanes.iter().fold(0, |all, mask| all | mask),
+        }
     }
 
     /// Becomes those lanes of `masks` that are among `lanes`, of every sample.
     #[inline]
     pub fn set(&mut self, masks: &Self, lanes: u64) {
-        *self = Self { lanes: masks.lanes.map(|mask| mask & lanes), count: masks.count };
+        *self = match masks.count {
+            0 | 1 => Self { lanes: [masks.lanes[0] & lanes, 0, 0, 0], count: masks.count },
+            count => Self { lanes: masks.lanes.map(|mask| mask & lanes), count },
+        };
     }
 
     /// With those lanes of `masks` that are among `lanes`.

@@ -130,6 +130,16 @@ pub struct TileJob {
     pub watched: Option<Box<Spot>>,
 }
 
+impl TileJob {
+    /// Asks for the words of a block that is filled next.
+    #[inline]
+    fn prefetch(&self, block: usize) {
+        for target in self.colors.iter().chain([&self.depth]).flatten() {
+            target.prefetch(block);
+        }
+    }
+}
+
 /// What a thread keeps from tile to tile.
 #[derive(Debug, Default)]
 pub struct Worker {
@@ -415,6 +425,9 @@ impl Worker {
         while left != 0 {
             let block = left.trailing_zeros() as usize;
             left &= left - 1;
+            if left != 0 {
+                tile.prefetch(left.trailing_zeros() as usize);
+            }
             let [bx, by] = [block as i32 % 8, block as i32 / 8];
             let mut covered = !0;
             if !is_inside {

@@ -15,7 +15,7 @@ use rayon::prelude::*;
 use std::thread;
 use texunit::format::Format;
 use texunit::image::Level;
-use texunit::lanes::{LANES, QUADS, U32s, lane_x, lane_y};
+use texunit::lanes::{LANES, QUADS, U32s, lane_x, lane_y, prefetch};
 
 /// The most samples that a pixel can have.
 pub const MAX_SAMPLES: usize = 4;
@@ -85,6 +85,16 @@ impl TileTarget {
     /// The planes of one sample.
     pub fn sample(&mut self, sample: usize) -> &mut [Plane] {
         &mut self.planes[sample * self.words..][..self.words]
+    }
+
+    /// Asks for the words of a block that is written soon.
+    #[inline]
+    pub fn prefetch(&self, block: usize) {
+        for plane in &self.planes {
+            if let Plane::Words(words) = plane {
+                prefetch(&words[block]);
+            }
+        }
     }
 }
 
