@@ -84,6 +84,8 @@ pub struct DrawPlan {
     pub reads_coverage: bool,
     /// The plane of depth, where anybody needs it.
     pub depth_plane: Option<usize>,
+    /// Whether shading needs the depths of its fragments: the program reads them, or a test waits for it.
+    pub shades_depth: bool,
     /// The plane that smooth varyings are divided by, where there are any.
     pub denominator_plane: Option<usize>,
     /// The stencil and depth tests.
@@ -96,6 +98,8 @@ pub struct DrawPlan {
     pub colors: Vec<ColorPlan>,
     /// Whether the fragment program has to run at all.
     pub shading: Shading,
+    /// Blocks that may be shaded together, see [`crate::shader::Machine::run_banks`].
+    pub together: usize,
     /// How sparse fragments are packed.
     pub packing: Packing,
     /// Where the window is.
@@ -336,7 +340,14 @@ impl DrawPlan {
         let alone = samples.count == 1
             && !inputs.contains(&FragmentInput::Coverage)
             && !fragment.reads_neighbours(needs_lod);
+        // Of one sample, and with nothing left to decide once they are shaded.
+        let is_plain = shading == Shading::On
+            && !late
+            && samples.count == 1
+            && !inputs.contains(&FragmentInput::Coverage);
         Self {
+            together: if is_plain { fragment.banks() } else { 1 },
+            shades_depth: late || inputs.contains(&FragmentInput::Depth),
             packing: if alone { Packing::Pixels } else { Packing::Quads },
             centroids: inputs.iter().any(within),
             reads_coverage: inputs.contains(&FragmentInput::Coverage),

@@ -131,28 +131,39 @@ fn put(stored: &mut U32s, new: &U32s, mask: u64, write: u32, whole: bool) {
     }
 }
 
-/// Blends, packs and writes 64 fragments of [`ColorClass::Bytes`].
+/// The colours of 64 fragments and where they go.
+pub struct BlockColors<'a> {
+    /// Which block of the words that are written.
+    pub block: usize,
+    /// Red, green, blue, alpha of each fragment.
+    pub color: [&'a F32s; 4],
+    /// Which fragments there are.
+    pub mask: u64,
+}
+
+/// Blends, packs and writes fragments of [`ColorClass::Bytes`], block after block.
 pub struct WriteBytes<'a> {
     /// What is done.
     pub plan: &'a ColorPlan,
-    /// Red, green, blue, alpha of each fragment.
-    pub color: [&'a F32s; 4],
+    /// The fragments.
+    pub colors: &'a [BlockColors<'a>],
     /// The attachment's words.
-    pub stored: &'a mut U32s,
-    /// Which fragments there are.
-    pub mask: u64,
+    pub blocks: &'a mut [U32s],
 }
 
 impl Kernel for WriteBytes<'_> {
     type Output = ();
     #[inline(always)]
     fn run<S: Simd>(self) {
-        let Self { plan, color, stored, mask } = self;
-        let word = match &plan.blend {
-            None => pack(|lane, channel| color[channel][lane]),
-            Some(state) => blended_bytes(state, plan.format, color, stored),
-        };
-        put(stored, &word, mask, plan.write[0], plan.whole);
+        let Self { plan, colors, blocks } = self;
+        for &BlockColors { block, color, mask } in colors {
+            let stored = &mut blocks[block];
+            let word = match &plan.blend {
+                None => pack(|lane, channel| color[channel][lane]),
+                Some(state) => blended_bytes(state, plan.format, color, stored),
+            };
+            put(stored, &word, mask, plan.write[0], plan.whole);
+        }
     }
 }
 

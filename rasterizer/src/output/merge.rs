@@ -1,6 +1,6 @@
 //! Fragments into the attachments of a tile: the tests, then the colours.
 
-use super::color::{ColorClass, ColorPlan, WriteBytes, WriteTexels};
+use super::color::{BlockColors, ColorClass, ColorPlan, WriteBytes, WriteTexels};
 use super::depth::{DepthPlan, DepthTest};
 use super::stencil::{StencilPlan, StencilTest, StencilUpdate};
 use crate::driver::StencilFace;
@@ -107,12 +107,38 @@ pub fn write(
     mask: u64,
 ) {
     let planes = target.sample(sample);
-    match (plan.class, planes) {
-        (ColorClass::Bytes, [plane]) => with_words(isa, plane, place, mask, plan.old(), |stored| {
-            isa.run(WriteBytes { plan, color, stored, mask });
-        }),
-        (_, planes) => with_texels(isa, planes, place, mask, |stored| {
+    match (plan.class, planes, place) {
+        (ColorClass::Bytes, [plane], Place::Block(block)) => {
+            let colors = &[BlockColors { block, color, mask }];
+            isa.run(WriteBytes { plan, colors, blocks: plane.blocks_mut() });
+        }
+        (ColorClass::Bytes, [plane], _) => {
+            with_words(isa, plane, place, mask, plan.old(), |stored| {
+                let colors = &[BlockColors { block: 0, color, mask }];
+                isa.run(WriteBytes { plan, colors, blocks: std::slice::from_mut(stored) });
+            });
+        }
+        (_, planes, _) => with_texels(isa, planes, place, mask, |stored| {
             isa.run(WriteTexels { plan, color, stored, mask });
         }),
+    }
+}
+
+/// Writes the colours of whole blocks, of an attachment of one sample.
+pub fn write_blocks(
+    isa: Isa,
+    plan: &ColorPlan,
+    target: &mut TileTarget,
+    colors: &[BlockColors<'_>],
+) {
+    match (plan.class, target.sample(0)) {
+        (ColorClass::Bytes, [plane]) => {
+            isa.run(WriteBytes { plan, colors, blocks: plane.blocks_mut() });
+        }
+        _ => {
+            for &BlockColors { block, color, mask } in colors {
+                write(isa, plan, target, 0, Place::Block(block), color, mask);
+            }
+        }
     }
 }

@@ -11,9 +11,9 @@ mod merge;
 mod stencil;
 
 pub use blend::factors as blend_factors;
-pub use color::ColorPlan;
+pub use color::{BlockColors, ColorPlan};
 pub use depth::{DepthFormat, DepthPlan};
 pub use encode::{decode_color, encode_color, texel_color, texel_words};
 pub use mask::expand_mask;
-pub use merge::{Fragments, Tests, test, write};
+pub use merge::{Fragments, Tests, test, write, write_blocks};
 pub use stencil::StencilPlan;

@@ -13,9 +13,10 @@ use texunit::lanes::{Isa, LANES};
 pub const SUBPIXEL: i32 = 256;
 
 /// Which side of a polygon is seen.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Facing {
     /// Points and lines too.
+    #[default]
     Front,
     /// The other.
     Back,

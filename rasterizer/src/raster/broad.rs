@@ -53,6 +53,16 @@ impl Broad {
         }
     }
 
+    /// The planes of a block.
+    #[inline]
+    pub fn at(&self, block: usize) -> impl Iterator<Item = [f32; 3]> {
+        let block = block % BLOCKS;
+        self.planes.iter().map(move |plane| {
+            let [a, b] = plane.steps;
+            [plane.corners[block], a, b]
+        })
+    }
+
     /// The planes' values at the first pixel of a block; their steps are left alone.
     #[inline]
     pub fn corners(&self, block: usize, out: &mut [[f32; 3]]) {

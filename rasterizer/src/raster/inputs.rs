@@ -2,7 +2,8 @@
 
 use super::batch::{Batch, BlockOf, Packed, QUAD_X, QUAD_Y, Quads, front_word};
 use super::pixels::Pixels;
-use super::samples::moved;
+use super::run::BlockRun;
+use super::samples::{SampleMasks, moved};
 use crate::ir::Axis;
 use crate::plan::{DrawPlan, FragmentInput};
 use crate::primitive::Facing;
@@ -111,8 +112,7 @@ impl Places for Pixels {
     }
 }
 
-/// Fills the input registers of a program from a batch, and the depth of each lane if a plane
-/// holds it.
+/// Fills the input registers of a program from a batch, and the depth of each lane if shading needs it.
 pub struct Interpolate<'a> {
     /// The draw.
     pub plan: &'a DrawPlan,
@@ -128,22 +128,58 @@ impl Kernel for Interpolate<'_> {
     type Output = ();
     #[inline(always)]
     fn run<S: Simd>(self) {
-        match self.batch.quads {
-            Quads::Block(block) => self.fill::<S>(block),
-            Quads::Packed(packed) => self.fill::<S>(packed),
-            Quads::Pixels(pixels) => self.fill::<S>(pixels),
+        let Self { plan, batch, machine, depth } = self;
+        let mut fill = Fill { plan, masks: batch.masks, machine, bank: 0, depth };
+        match batch.quads {
+            Quads::Block(block) => fill.fill::<S>(block),
+            Quads::Packed(packed) => fill.fill::<S>(packed),
+            Quads::Pixels(pixels) => fill.fill::<S>(pixels),
         }
     }
 }
 
-impl Interpolate<'_> {
+/// Fills the input registers of a program from a run, bank by bank.
+pub struct InterpolateRun<'a> {
+    /// The draw.
+    pub plan: &'a DrawPlan,
+    /// The blocks.
+    pub run: &'a BlockRun,
+    /// The first pixel of their tile.
+    pub tile: [i32; 2],
+    /// Takes the inputs.
+    pub machine: &'a mut Machine,
+}
+
+impl Kernel for InterpolateRun<'_> {
+    type Output = ();
     #[inline(always)]
-    fn fill<S: Simd>(self, places: &impl Places) {
-        let Self { plan, batch, machine, depth } = self;
+    fn run<S: Simd>(self) {
+        let Self { plan, run, tile, machine } = self;
+        let (masks, mut depth) = (&SampleMasks::default(), F32s::ZERO);
+        let depth = &mut depth;
+        for (bank, (block, _)) in run.blocks(tile).enumerate() {
+            Fill { plan, masks, machine, bank, depth }.fill::<S>(&block);
+        }
+    }
+}
+
+/// Fills the input registers of a bank.
+struct Fill<'a> {
+    plan: &'a DrawPlan,
+    masks: &'a SampleMasks,
+    machine: &'a mut Machine,
+    bank: usize,
+    depth: &'a mut F32s,
+}
+
+impl Fill<'_> {
+    #[inline(always)]
+    fn fill<S: Simd>(&mut self, places: &impl Places) {
+        let Self { plan, masks, machine, bank, depth } = self;
         // Planes and registers may overlap as far as the compiler knows: what is computed here is
         // computed on the stack and stored whole.
-        if let Some(index) = plan.depth_plane {
-            *depth = evaluate(places, index);
+        if let Some(index) = plan.depth_plane.filter(|_| plan.shades_depth) {
+            **depth = evaluate(places, index);
             clamp_depth(depth);
         }
         let mut w = F32s::splat(1.0);
@@ -156,10 +192,10 @@ impl Interpolate<'_> {
         }
         let mut centroids = [F32s::ZERO; 2];
         if plan.centroids {
-            centroids = plan.samples.centroids(batch.masks);
+            centroids = plan.samples.centroids(masks);
         }
         for (index, input) in plan.inputs.iter().enumerate() {
-            let out = machine.input_mut(index);
+            let out = machine.input_of(*bank, index);
             match *input {
                 FragmentInput::Smooth(index) => {
                     let mut value = evaluate(places, index);
@@ -198,7 +234,7 @@ impl Interpolate<'_> {
                     let plane = places.plane(index);
                     by_quad(out, |e, q| along(axis, plane(e, q)).to_bits());
                 }
-                FragmentInput::Depth => *out.as_f32_mut() = *depth,
+                FragmentInput::Depth => *out.as_f32_mut() = **depth,
                 FragmentInput::Flat(index) => {
                     let plane = places.plane(index);
                     by_quad(out, |e, q| plane(e, q)[0].to_bits());

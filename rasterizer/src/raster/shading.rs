@@ -2,12 +2,13 @@
 //! their colours.
 
 use super::batch::{Batch, BlockOf};
-use super::inputs::{BatchDepth, BlockDepth, Interpolate, clamp_depth};
+use super::inputs::{BatchDepth, BlockDepth, Interpolate, InterpolateRun, clamp_depth};
+use super::run::BlockRun;
 use super::samples::{SampleMasks, moved};
 use super::tile::{DrawJob, PassJob, TileJob};
 use super::watched::{Shaded, Tested};
 use crate::driver::AlphaToOne;
-use crate::output::{Fragments, test, write};
+use crate::output::{BlockColors, Fragments, test, write, write_blocks};
 use crate::plan::{DrawPlan, Shading, Timing};
 use crate::primitive::Facing;
 use crate::shader::{Machine, OverBudget, Run};
@@ -67,6 +68,48 @@ impl Shader {
                 self.shade_tested(pass, job, &Batch { masks, ..*batch }, tile);
             }
             None => self.shade_tested(pass, job, batch, tile),
+        }
+    }
+
+    /// Shades a run, whose tests are done, and forgets it. The plan has said that this is all.
+    pub fn shade_run(
+        &mut self,
+        pass: &PassJob,
+        job: &DrawJob,
+        blocks: &mut BlockRun,
+        tile: &mut TileJob,
+    ) {
+        let (isa, plan, machine) = (pass.isa, &job.plan, &mut self.machine);
+        isa.run(InterpolateRun { plan, run: blocks, tile: [tile.x, tile.y], machine });
+        let run = Run {
+            isa,
+            program: &plan.pipeline.compiled().fragment,
+            prepared: &plan.prepared,
+            textures: &plan.textures,
+            active: !0,
+            budget: pass.budget,
+        };
+        match self.machine.run_banks(run, blocks.len()) {
+            Ok(()) => self.write_run(isa, job, blocks, tile),
+            Err(OverBudget) => job.stopped.store(true, Ordering::Relaxed),
+        }
+        blocks.clear();
+    }
+
+    /// The colours of a run.
+    #[inline(always)]
+    fn write_run(&self, isa: Isa, job: &DrawJob, blocks: &BlockRun, tile: &mut TileJob) {
+        job.count(&blocks.each(|_, _, lanes| lanes)[..blocks.len()]);
+        for color in &job.plan.colors {
+            let Some(target) = tile.colors[color.target].as_mut() else { continue };
+            let colors = blocks.each(|bank, block, mask| {
+                let output = |i: usize| match color.outputs[i] {
+                    Some(output) => self.machine.output_of(bank, output).as_f32(),
+                    None => color.unwritten(i),
+                };
+                BlockColors { block, color: [output(0), output(1), output(2), output(3)], mask }
+            });
+            write_blocks(isa, color, target, &colors[..blocks.len()]);
         }
     }
 

@@ -9,6 +9,7 @@ use super::group::PlaneGroup;
 use super::interpolate::PlaneSetup;
 use super::lanes::ShapeLanes;
 use super::pixels::Pixels;
+use super::run::BlockRun;
 use super::samples::SampleMasks;
 use super::shading::{Shader, early_tests};
 use super::small::{Window, Windows};
@@ -131,11 +132,13 @@ pub struct TileJob {
 }
 
 impl TileJob {
-    /// Asks for the words of a block that is filled next.
+    /// Asks for the words of a block that a draw will write its colours to.
     #[inline]
-    fn prefetch(&self, block: usize) {
-        for target in self.colors.iter().chain([&self.depth]).flatten() {
-            target.prefetch(block);
+    fn prefetch(&self, plan: &DrawPlan, block: usize) {
+        for color in &plan.colors {
+            if let Some(target) = &self.colors[color.target] {
+                target.prefetch(block);
+            }
         }
     }
 }
@@ -148,6 +151,8 @@ pub struct Worker {
     waiting: Packed,
     /// Pixels that wait for others, of the current draw.
     pixels: Pixels,
+    /// Blocks that wait for others, of the current shape.
+    run: BlockRun,
     /// The shapes that are filled.
     shapes: Box<ShapeLanes>,
     group: PlaneGroup,
@@ -204,7 +209,7 @@ impl Worker {
         machine.begin(&plan.pipeline.compiled().fragment);
         for (index, &input) in plan.inputs.iter().enumerate() {
             if input == FragmentInput::Zero {
-                *machine.input_mut(index) = U32s::ZERO;
+                (0..plan.together).for_each(|bank| *machine.input_of(bank, index) = U32s::ZERO);
             }
         }
         self.waiting.clear(plan.planes.len(), plan.samples.count);
@@ -221,6 +226,13 @@ impl Worker {
             self.waiting.clear(job.plan.planes.len(), job.plan.samples.count);
         }
         self.flush_pixels(pass, job, tile);
+    }
+
+    /// Shades the blocks that wait.
+    fn flush_run(&mut self, pass: &PassJob, job: &DrawJob, tile: &mut TileJob) {
+        if self.run.len() > 0 {
+            self.shader.shade_run(pass, job, &mut self.run, tile);
+        }
     }
 
     /// Shades the pixels that wait.
@@ -406,6 +418,7 @@ impl Worker {
                 }
             }
         }
+        self.flush_run(pass, job, tile);
     }
 
     /// Fills a triangle that may cover many blocks, of the only sample.
@@ -420,13 +433,17 @@ impl Worker {
         let edges = coverage::edges(&shape.corners, tile.x, tile.y);
         self.broad.compute(pass.isa, [tile.x, tile.y], &edges, &self.group, lane);
         self.broad.steps(&mut self.planes);
+        // Whole blocks have nothing to decide then.
+        let is_plain = job.plan.together > 1 && job.plan.timing == Timing::Never;
         let is_inside = coverage::is_inside_area(&job.area, tile.x, tile.y, TILE as i32);
         let mut left = self.broad.touched;
         while left != 0 {
             let block = left.trailing_zeros() as usize;
             left &= left - 1;
-            if left != 0 {
-                tile.prefetch(left.trailing_zeros() as usize);
+            if let (Timing::Early, Some(depth)) = (job.plan.timing, &tile.depth)
+                && left != 0
+            {
+                depth.prefetch(left.trailing_zeros() as usize);
             }
             let [bx, by] = [block as i32 % 8, block as i32 / 8];
             let mut covered = !0;
@@ -436,12 +453,22 @@ impl Worker {
             if self.broad.full >> block & 1 == 0 {
                 covered &= coverage::block(pass.isa, &edges, bx, by).lanes();
             }
-            if covered != 0 {
+            if covered == !0 && is_plain {
+                if self.waiting.holds(block, covered) || self.pixels.holds(block, covered) {
+                    self.flush(pass, tile);
+                }
+                tile.prefetch(&job.plan, block);
+                self.run.push(self.broad.at(block), shape.facing, block, covered);
+                if self.run.len() == job.plan.together {
+                    self.flush_run(pass, job, tile);
+                }
+            } else if covered != 0 {
                 self.broad.corners(block, &mut self.planes);
                 let mut masks = SampleMasks::one(covered);
                 self.fill_block(pass, tile, job, shape.facing, [bx, by], &mut masks);
             }
         }
+        self.flush_run(pass, job, tile);
     }
 
     /// What `self.covers` cover of those lanes of a block that are `inside`.
@@ -506,6 +533,9 @@ impl Worker {
         };
         let is_dense = |lanes: u64| packs || lanes == !0 || quads_of(lanes).count_ones() >= DENSE;
         let is_eager = is_dense(covered) || tile.watched.is_some();
+        if is_eager {
+            tile.prefetch(plan, block);
+        }
         if is_eager && plan.timing == Timing::Early {
             let watched = tile.watched.as_ref();
             let watched = watched.filter(|spot| spot.is_in(block, covered));
@@ -517,7 +547,14 @@ impl Worker {
             of.tests = EarlyTests::Done;
         }
         if is_dense(masks.any()) {
-            self.shader.shade(pass, job, &Batch::of_block(&of, masks), tile);
+            if plan.together == 1 || tile.watched.is_some() {
+                self.shader.shade(pass, job, &Batch::of_block(&of, masks), tile);
+            } else if masks.any() != 0 {
+                self.run.push(self.planes.iter().copied(), facing, block, masks.any());
+                if self.run.len() == plan.together {
+                    self.flush_run(pass, job, tile);
+                }
+            }
             return;
         }
         let mut left = quads_of(masks.any());

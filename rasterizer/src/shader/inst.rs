@@ -180,6 +180,33 @@ impl Inst {
         matches!(self, Self::Leave { .. } | Self::LeaveIf { .. } | Self::Discard)
     }
 
+    /// Whether it computes values from values of its own lanes' registers, whatever lanes execute: code of
+    /// such instructions alone can do each of them for several banks of registers before the next.
+    pub fn is_straight(&self) -> bool {
+        match self {
+            Self::Compute { .. } | Self::Move { .. } | Self::Derivative { .. } | Self::Sample(_) => {
+                true
+            }
+            Self::Zero { .. }
+            | Self::Store { .. }
+            | Self::LoadAt { .. }
+            | Self::StoreAt { .. }
+            | Self::UniformAt { .. }
+            | Self::If { .. }
+            | Self::Unless { .. }
+            | Self::Jump { .. }
+            | Self::Repeat { .. }
+            | Self::Else { .. }
+            | Self::Join { .. }
+            | Self::Open { .. }
+            | Self::Leave { .. }
+            | Self::LeaveIf { .. }
+            | Self::Discard
+            | Self::SkipEmpty { .. }
+            | Self::Again { .. } => false,
+        }
+    }
+
     /// Whether it changes which lanes execute, or where the program goes on.
     pub fn is_control(&self) -> bool {
         match self {

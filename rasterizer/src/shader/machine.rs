@@ -3,6 +3,9 @@
 //! One run is one [`Kernel`]: the loop over the instructions is compiled per instruction set with
 //! every operation's loop inlined. An operation computes into a value of its own that is then moved to
 //! its register, so that no output ever aliases an input.
+//!
+//! Batches of straight code run together, each with a bank of registers of its own: an instruction is
+//! looked up once for all of them, and they do not wait for one another.
 
 mod trace;
 
@@ -33,6 +36,24 @@ pub struct Machine {
     prepared: u64,
     inputs: usize,
     outputs: Vec<u32>,
+    /// Registers of a bank.
+    bank: usize,
+}
+
+/// Banks of registers, one behind the other.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Banks {
+    /// Registers of each.
+    size: usize,
+    count: usize,
+}
+
+impl Banks {
+    /// The first register of each.
+    #[inline(always)]
+    pub fn starts(self) -> impl Iterator<Item = usize> {
+        (0..self.count).map(move |bank| bank * self.size)
+    }
 }
 
 impl Machine {
@@ -41,9 +62,9 @@ impl Machine {
         if self.program == program.id {
             return;
         }
-        let count = program.layout.registers as usize;
-        if self.registers.len() < count {
-            self.registers.resize(count, U32s::ZERO);
+        self.bank = program.layout.registers as usize;
+        if self.registers.len() < self.bank * program.banks {
+            self.registers.resize(self.bank * program.banks, U32s::ZERO);
         }
         if self.slots.len() < program.slots as usize {
             self.slots.resize_with(program.slots as usize, Mask::default);
@@ -56,7 +77,13 @@ impl Machine {
 
     /// The register of the program's input `index`: filled before each run, unless it holds what is wanted. Programs do not write there.
     pub fn input_mut(&mut self, index: usize) -> &mut U32s {
-        &mut self.registers[self.inputs + index]
+        self.input_of(0, index)
+    }
+
+    /// [`Self::input_mut`] of a bank.
+    #[inline(always)]
+    pub fn input_of(&mut self, bank: usize, index: usize) -> &mut U32s {
+        &mut self.registers[bank * self.bank + self.inputs + index]
     }
 
     /// What the input `index` was filled with.
@@ -71,16 +98,30 @@ impl Machine {
     pub fn run(&mut self, run: Run<'_>) -> Result<u64, OverBudget> {
         let left = self.start(&run)?;
         let code = &run.program.code;
-        run.isa.run(Interpreter { machine: self, run, code, pc: 0, left })?;
+        run.isa.run(Interpreter { machine: self, run: &run, code, banks: 1, pc: 0, left })?;
         Ok(run.active & !self.discarded.bits())
+    }
+
+    /// Runs the program once for each of so many banks, at most [`Program::banks`], over all lanes.
+    ///
+    /// # Errors
+    /// When the budget is used up.
+    pub fn run_banks(&mut self, run: Run<'_>, banks: usize) -> Result<(), OverBudget> {
+        let left = self.start(&run)?;
+        let (code, banks) = (&run.program.code, banks.min(run.program.banks));
+        run.isa.run(Interpreter { machine: self, run: &run, code, banks, pc: 0, left })?;
+        Ok(())
     }
 
     /// Fills the registers that are the same in all lanes; gives what is left of the budget.
     fn start(&mut self, run: &Run<'_>) -> Result<u64, OverBudget> {
         self.begin(run.program);
         if self.prepared != run.prepared.id {
-            for (reg, word) in self.registers.iter_mut().zip(&run.program.layout.splats) {
-                *reg = U32s::splat(run.prepared.words[*word as usize]);
+            for bank in 0..run.program.banks {
+                let registers = &mut self.registers[bank * self.bank..];
+                for (reg, word) in registers.iter_mut().zip(&run.program.layout.splats) {
+                    *reg = U32s::splat(run.prepared.words[*word as usize]);
+                }
             }
             self.prepared = run.prepared.id;
         }
@@ -94,7 +135,13 @@ impl Machine {
 
     /// The register of the program's output `index`, after a run. Inactive lanes hold any bits.
     pub fn output(&self, index: usize) -> &U32s {
-        &self.registers[self.outputs[index] as usize]
+        self.output_of(0, index)
+    }
+
+    /// [`Self::output`] of a bank.
+    #[inline(always)]
+    pub fn output_of(&self, bank: usize, index: usize) -> &U32s {
+        &self.registers[bank * self.bank + self.outputs[index] as usize]
     }
 
     #[inline(always)]
@@ -146,8 +193,8 @@ impl Machine {
     /// Fine derivatives: the difference within each row or column of a quad. Lane order is
     /// quad-planar, see [`texunit::lanes`].
     #[inline(always)]
-    fn derivative(&mut self, axis: Axis, out: Reg, from: Reg) {
-        let from = self.registers[from.0 as usize].as_f32();
+    fn derivative(&mut self, bank: usize, axis: Axis, out: Reg, from: Reg) {
+        let from = self.registers[bank + from.0 as usize].as_f32();
         let mut difference = F32s::ZERO;
         // By pixel of the quad: the planes of the near and the far neighbour.
         let planes = match axis {
@@ -160,16 +207,18 @@ impl Machine {
                     from[far * QUADS + quad] - from[near * QUADS + quad];
             }
         }
-        self.registers[out.0 as usize] = *difference.as_u32();
+        self.registers[bank + out.0 as usize] = *difference.as_u32();
     }
 
+    /// Samples for the bank whose first register is `bank`.
     #[inline(always)]
-    fn sample(&mut self, run: &Run<'_>, sample: &SampleInst) {
+    fn sample(&mut self, bank: usize, run: &Run<'_>, sample: &SampleInst) {
         let plan = run.textures.get(sample.texture as usize).and_then(Option::as_ref);
+        let registers = &mut self.registers[bank..];
         match plan.filter(|plan| plan.incomplete().is_none()) {
             Some(plan) => {
-                let reg = |reg: Reg| self.registers[reg.0 as usize].as_f32();
-                let lod = lod(&self.registers, sample);
+                let reg = |reg: Reg| registers[reg.0 as usize].as_f32();
+                let lod = lod(registers, sample);
                 let coords = sample.coords.map(reg);
                 let reference = sample.reference.map(reg);
                 let out = &mut *self.sampled;
@@ -210,7 +259,7 @@ impl Machine {
         }
         for (out, texel) in sample.out.iter().zip(self.sampled.iter()) {
             if let Some(out) = out {
-                self.registers[out.0 as usize] = *texel.as_u32();
+                registers[out.0 as usize] = *texel.as_u32();
             }
         }
     }
@@ -258,8 +307,10 @@ fn lod<'a>(registers: &'a [U32s], sample: &SampleInst) -> Lod<'a> {
 /// Runs from an instruction to the end of the code; gives where the program goes on.
 struct Interpreter<'a> {
     machine: &'a mut Machine,
-    run: Run<'a>,
+    run: &'a Run<'a>,
     code: &'a [Inst],
+    /// For how many banks.
+    banks: usize,
     pc: usize,
     /// How many instructions may still run.
     left: u64,
@@ -270,12 +321,13 @@ impl Kernel for Interpreter<'_> {
 
     #[inline(always)]
     fn run<S: Simd>(self) -> Result<usize, OverBudget> {
-        let Self { machine: m, run, code, mut pc, mut left } = self;
+        let Self { machine: m, run, code, banks, mut pc, mut left } = self;
+        let banks = Banks { size: m.bank, count: banks };
         loop {
             // Nearly all of a program, with one jump an instruction.
             let registers = &mut m.registers[..];
             while let Some(&Inst::Compute { what, out, args }) = code.get(pc) {
-                what.run::<S>(registers, out, args);
+                what.run::<S>(registers, banks, out, args);
                 pc += 1;
             }
             let Some(inst) = code.get(pc) else { return Ok(pc) };
@@ -283,7 +335,9 @@ impl Kernel for Interpreter<'_> {
             match *inst {
                 Inst::Compute { .. } => {}
                 Inst::Move { out, from } => {
-                    m.registers[out.0 as usize] = m.registers[from.0 as usize];
+                    for bank in banks.starts() {
+                        m.registers[bank + out.0 as usize] = m.registers[bank + from.0 as usize];
+                    }
                 }
                 Inst::Zero { out, len } => {
                     for reg in &mut m.registers[out.0 as usize..][..len as usize] {
@@ -296,8 +350,12 @@ impl Kernel for Interpreter<'_> {
                 Inst::UniformAt { out, base, len, index } => {
                     m.uniform_at(run.prepared, out, base, len, index);
                 }
-                Inst::Derivative { axis, out, from } => m.derivative(axis, out, from),
-                Inst::Sample(ref sample) => m.sample(&run, sample),
+                Inst::Derivative { axis, out, from } => {
+                    banks.starts().for_each(|bank| m.derivative(bank, axis, out, from));
+                }
+                Inst::Sample(ref sample) => {
+                    banks.starts().for_each(|bank| m.sample(bank, run, sample));
+                }
                 Inst::Unless { test, to } => {
                     let word = match test {
                         Test::Word(word) => run.prepared.words[word as usize],

@@ -63,7 +63,15 @@ pub struct Program {
     reads_uniforms: bool,
     /// Whether it matters which lanes execute.
     masked: bool,
+    /// Banks of registers that one run may fill.
+    banks: usize,
 }
+
+/// The most banks of registers: batches that run together, each instruction for all of them before the
+/// next.
+pub const BANKS: usize = 4;
+/// As many registers as banks may have together, so that they stay in the first cache.
+const BANKED: usize = 96;
 
 /// What of a program is computed once per draw: its uniform words, and every value that depends on
 /// nothing else.
@@ -142,6 +150,7 @@ impl Program {
             id: identity(),
             statements: [0; 2],
             masked: lowered.code.iter().any(Inst::uses_mask),
+            banks: banks(&lowered.code, &layout),
             code: lowered.code,
             places: lowered.places,
             layout,
@@ -176,6 +185,11 @@ impl Program {
     pub(crate) fn is_constant(&self, slot: u16, arrays: Sources) -> bool {
         let sources = self.outputs.iter().find(|(output, _)| *output == Output::Varying(slot));
         sources.is_none_or(|(_, sources)| !sources.meet(arrays))
+    }
+
+    /// How many batches may run together, see [`Machine::run_banks`].
+    pub fn banks(&self) -> usize {
+        self.banks
     }
 
     /// Whether any lane can be thrown away.
@@ -234,6 +248,15 @@ impl Program {
             words: self.preamble.run(uniforms),
             uniforms: if self.reads_uniforms { uniforms.to_vec() } else { Vec::new() },
         }
+    }
+}
+
+/// How many batches a program may run for together: where instructions depend on which lanes execute, or
+/// on what lanes hold, on their own.
+fn banks(code: &[Inst], layout: &Layout) -> usize {
+    match code.iter().all(Inst::is_straight) {
+        true => (BANKED / layout.registers.max(1) as usize).clamp(1, BANKS),
+        false => 1,
     }
 }
 

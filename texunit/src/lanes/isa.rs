@@ -230,6 +230,12 @@ pub trait Simd: Copy + private::Sealed {
         math::floor(x)
     }
 
+    /// [`math::floor_small`] of one lane that is known to be small; of others some integer.
+    #[inline(always)]
+    fn floor_small(x: f32) -> (i32, f32) {
+        math::floor_small(x)
+    }
+
     /// [`math::ceil`] of one lane.
     #[inline(always)]
     fn ceil(x: f32) -> f32 {
@@ -257,6 +263,11 @@ macro_rules! rounding_instructions {
         #[inline(always)]
         fn floor(x: f32) -> f32 {
             x.floor() + 0.0
+        }
+        #[inline(always)]
+        fn floor_small(x: f32) -> (i32, f32) {
+            let whole = x.floor() + 0.0;
+            (math::low_bits(whole), whole)
         }
         #[inline(always)]
         fn ceil(x: f32) -> f32 {
@@ -496,6 +507,35 @@ mod tests {
                     let mut words = U32s::ZERO;
                     words[lane] = value;
                     assert_eq!(isa.run(Largest(&words)), value, "{} lane {lane}", isa.name());
+                }
+            }
+        }
+    }
+
+    struct FloorSmall<'a>(&'a F32s);
+    impl Kernel for FloorSmall<'_> {
+        type Output = [U32s; 2];
+        #[inline(always)]
+        fn run<S: Simd>(self) -> [U32s; 2] {
+            let mut found = [U32s::ZERO; 2];
+            for lane in 0..LANES {
+                let (whole, number) = S::floor_small(self.0[lane]);
+                (found[0][lane], found[1][lane]) = (whole as u32, number.to_bits());
+            }
+            found
+        }
+    }
+
+    #[test]
+    fn the_floor_of_small_numbers_is_the_same_everywhere() {
+        for start in [-0.0, 0.5, -7.25, 4_000_000.5, -4_000_000.5, 1e-30, -1e-30] {
+            let x = U32s::from_fn(|lane| (start + lane as f32 * start * 1e-3).to_bits());
+            for isa in Isa::available() {
+                let [whole, number] = isa.run(FloorSmall(x.as_f32()));
+                for lane in 0..LANES {
+                    let (want, floor) = math::floor_small(x.as_f32()[lane]);
+                    let found = (whole[lane] as i32, number[lane]);
+                    assert_eq!(found, (want, floor.to_bits()), "{} {start} {lane}", isa.name());
                 }
             }
         }

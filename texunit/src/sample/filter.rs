@@ -77,16 +77,16 @@ fn nearest<S: Simd>(
     let axes = place.texture.shape.axes();
     recorder.note(|lane| SampleStep::Nearest { u: texel_coordinates::<S>(place, at, lane) });
     let axis = place.axis(0);
-    let x = axis.nearest(&axis.texel_coordinate::<S>(at[0]));
+    let x = axis.nearest::<S>(&axis.texel_coordinate::<S>(at[0]));
     let mut y = Indices { index: U32s::ZERO, outside: U32s::ZERO };
     let mut z = place.slice();
     if axes > 1 {
         let axis = place.axis(1);
-        y = axis.nearest(&axis.texel_coordinate::<S>(at[1]));
+        y = axis.nearest::<S>(&axis.texel_coordinate::<S>(at[1]));
     }
     if axes > 2 {
         let axis = place.axis(2);
-        z = axis.nearest(&axis.texel_coordinate::<S>(at[2]));
+        z = axis.nearest::<S>(&axis.texel_coordinate::<S>(at[2]));
     }
     fetch::texels::<S>(place, [&x, &y, &z], out, recorder);
 }
@@ -108,7 +108,7 @@ fn linear<S: Simd>(
 ) {
     let axes = place.texture.shape.axes();
     let axis = place.axis(0);
-    let (i, alpha) = enclosing(&axis.texel_coordinate::<S>(at[0]));
+    let (i, alpha) = enclosing::<S>(&axis.texel_coordinate::<S>(at[0]));
     let close = fetch::side_by_side::<S>(&i, axis.size);
     let xs = axis.pair(&i);
     let none = || Indices { index: U32s::ZERO, outside: U32s::ZERO };
@@ -117,7 +117,7 @@ fn linear<S: Simd>(
     if axes > 1 {
         let axis = place.axis(1);
         let j;
-        (j, beta) = enclosing(&axis.texel_coordinate::<S>(at[1]));
+        (j, beta) = enclosing::<S>(&axis.texel_coordinate::<S>(at[1]));
         let crosses = place.texture.seamless == Seamless::On
             && !(close && fetch::side_by_side::<S>(&j, axis.size));
         if crosses {
@@ -133,7 +133,7 @@ fn linear<S: Simd>(
     if axes > 2 {
         let axis = place.axis(2);
         let k;
-        (k, gamma) = enclosing(&axis.texel_coordinate::<S>(at[2]));
+        (k, gamma) = enclosing::<S>(&axis.texel_coordinate::<S>(at[2]));
         zs = axis.pair(&k);
     }
     recorder.note(|lane| SampleStep::Linear {

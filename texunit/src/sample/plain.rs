@@ -15,7 +15,6 @@ pub use channels::{Class, of_texel};
 use super::fetch::{neighbours, side_by_side};
 use super::filter::Place;
 use super::wrap::{Axis, enclosing};
-use crate::lanes::math::floor_small;
 use crate::lanes::{F32s, I32s, LANES, Simd, U32s};
 use crate::sampler::{Filter, Seamless, Wrap};
 
@@ -39,7 +38,7 @@ pub fn nearest<S: Simd>(
     let mut offsets = U32s::ZERO;
     for lane in 0..LANES {
         // Neither is below 0; the coordinate may be rounded up to the size.
-        let (i, j) = (floor_small(u[lane]).0, floor_small(v[lane]).0);
+        let (i, j) = (S::floor_small(u[lane]).0, S::floor_small(v[lane]).0);
         let x = if i > last_s { last_s } else { i } as u32;
         let y = if j > last_t { last_t } else { j } as u32;
         offsets[lane] = y.wrapping_mul(row).wrapping_add(x.wrapping_mul(bytes)) + origin;
@@ -112,8 +111,8 @@ struct Reach {
 #[inline(always)]
 fn reach<S: Simd>(place: &Place<'_>, at: [&F32s; 3]) -> Option<Reach> {
     let axes = [place.axis(0), place.axis(1)];
-    let (i, alpha) = enclosing(&axes[0].texel_coordinate::<S>(at[0]));
-    let (j, beta) = enclosing(&axes[1].texel_coordinate::<S>(at[1]));
+    let (i, alpha) = enclosing::<S>(&axes[0].texel_coordinate::<S>(at[0]));
+    let (j, beta) = enclosing::<S>(&axes[1].texel_coordinate::<S>(at[1]));
     let inside = [side_by_side::<S>(&i, axes[0].size), side_by_side::<S>(&j, axes[1].size)];
     let seamless = place.texture.seamless == Seamless::On;
     for (axis, inside) in axes.iter().zip(inside) {

@@ -5,7 +5,7 @@
 //! the nearest index and a mask. Defined beyond the specification: NaN counts as 0, and so does
 //! ±inf where coordinates repeat; elsewhere ±inf is the end of the range.
 
-use crate::lanes::math::{clamp, floor, floor_small, max, to_i32};
+use crate::lanes::math::{clamp, floor, max, to_i32};
 use crate::lanes::{F32s, I32s, LANES, Simd, U32s};
 use crate::sampler::Wrap;
 
@@ -92,10 +92,10 @@ impl Axis {
 
     /// The texel that `u` lies in; `u = size` lies in the last, unless the border is reached.
     #[inline(always)]
-    pub fn nearest(self, u: &F32s) -> Indices {
+    pub fn nearest<S: Simd>(self, u: &F32s) -> Indices {
         let mut i = I32s::ZERO;
         for lane in 0..LANES {
-            i[lane] = floor_small(u[lane]).0;
+            i[lane] = S::floor_small(u[lane]).0;
         }
         match self.wrap {
             Wrap::ClampToBorder => self.stored(&i),
@@ -174,13 +174,13 @@ impl Axis {
 /// The lower of the two texels whose centres enclose `u`, -1 at least, and the weight of the upper
 /// in [0, 1).
 #[inline(always)]
-pub fn enclosing(u: &F32s) -> (I32s, F32s) {
+pub fn enclosing<S: Simd>(u: &F32s) -> (I32s, F32s) {
     let mut i = I32s::ZERO;
     let mut weight = F32s::ZERO;
     for lane in 0..LANES {
         let x = u[lane] - 0.5;
         let whole;
-        (i[lane], whole) = floor_small(x);
+        (i[lane], whole) = S::floor_small(x);
         weight[lane] = x - whole;
     }
     (i, weight)

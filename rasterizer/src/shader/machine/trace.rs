@@ -117,7 +117,8 @@ impl Machine {
                 Inst::Again { head, exit } => self.again(head, exit, pc + 1, &mut left)?,
                 Inst::Repeat { head } => back(head, pc + 1, &mut left)?,
                 _ => {
-                    run.isa.run(Interpreter { machine: self, run, code: &code[..=pc], pc, left })?
+                    let code = &code[..=pc];
+                    run.isa.run(Interpreter { machine: self, run: &run, code, banks: 1, pc, left })?
                 }
             };
             if executes {

@@ -81,7 +81,13 @@ const MAGIC: f32 = 12_582_912.0;
 pub fn floor_small(x: f32) -> (i32, f32) {
     let nearest = (x + MAGIC) - MAGIC;
     let whole = if nearest > x { nearest - 1.0 } else { nearest };
-    ((whole + MAGIC).to_bits().wrapping_sub(MAGIC.to_bits()) as i32, whole)
+    (low_bits(whole), whole)
+}
+
+/// The integer that a whole number of a magnitude below 2^22 is.
+#[inline(always)]
+pub(super) fn low_bits(whole: f32) -> i32 {
+    (whole + MAGIC).to_bits().wrapping_sub(MAGIC.to_bits()) as i32
 }
 
 /// The smallest integer not below `x`. Exact; keeps inf and NaN.

@@ -1,0 +1,82 @@
+//! A run: blocks of one shape that are shaded together, each with a bank of registers of its own.
+//!
+//! Each instruction of the program is done for all blocks of a run before the next one: what there is to
+//! decide and to look up is so decided and looked up once for several of them, and while one block
+//! waits the processor works at another.
+
+use super::batch::{BlockOf, EarlyTests};
+use crate::primitive::Facing;
+use crate::shader::BANKS;
+
+/// Blocks of one shape, whose early tests are done.
+#[derive(Debug, Default)]
+pub struct BlockRun {
+    /// The planes of the first block, then those of the next.
+    planes: Vec<[f32; 3]>,
+    facing: Facing,
+    blocks: [Covered; BANKS],
+    len: usize,
+}
+
+/// What is covered of a block.
+#[derive(Clone, Copy, Debug, Default)]
+struct Covered {
+    block: u8,
+    lanes: u64,
+}
+
+impl BlockRun {
+    /// How many blocks there are.
+    pub fn len(&self) -> usize {
+        self.len
+    }
+
+    /// Forgets them.
+    pub fn clear(&mut self) {
+        self.planes.clear();
+        self.len = 0;
+    }
+
+    /// Adds a block of the shape, of which these lanes are left. There is room for [`BANKS`].
+    #[inline]
+    pub fn push(
+        &mut self,
+        planes: impl Iterator<Item = [f32; 3]>,
+        facing: Facing,
+        block: usize,
+        lanes: u64,
+    ) {
+        self.planes.extend(planes);
+        self.facing = facing;
+        self.blocks[self.len] = Covered { block: block as u8, lanes };
+        self.len += 1;
+    }
+
+    /// The blocks of the tile whose first pixel is `tile`, each with its lanes.
+    pub fn blocks(&self, tile: [i32; 2]) -> impl Iterator<Item = (BlockOf<'_>, u64)> {
+        let planes = self.planes.len() / self.len.max(1);
+        self.blocks[..self.len].iter().enumerate().map(move |(at, covered)| {
+            let block = usize::from(covered.block);
+            let of = BlockOf {
+                planes: &self.planes[at * planes..][..planes],
+                facing: self.facing,
+                tests: EarlyTests::Done,
+                block,
+                x: tile[0] + block as i32 % 8 * 8,
+                y: tile[1] + block as i32 / 8 * 8,
+                coverage: None,
+            };
+            (of, covered.lanes)
+        })
+    }
+
+    /// What `what` makes of each bank, its block and lanes; beyond [`Self::len`], of the last once more.
+    #[inline(always)]
+    pub fn each<T>(&self, what: impl Fn(usize, usize, u64) -> T) -> [T; BANKS] {
+        std::array::from_fn(|bank| {
+            let bank = bank.min(self.len.saturating_sub(1));
+            let Covered { block, lanes } = self.blocks[bank];
+            what(bank, usize::from(block), lanes)
+        })
+    }
+}
