@@ -132,6 +132,7 @@ fn put(stored: &mut U32s, new: &U32s, mask: u64, write: u32, whole: bool) {
 }
 
 /// The colours of 64 fragments and where they go.
+#[derive(Clone, Copy)]
 pub struct BlockColors<'a> {
     /// Which block of the words that are written.
     pub block: usize,

@@ -109,8 +109,7 @@ pub fn write(
     let planes = target.sample(sample);
     match (plan.class, planes, place) {
         (ColorClass::Bytes, [plane], Place::Block(block)) => {
-            let colors = &[BlockColors { block, color, mask }];
-            isa.run(WriteBytes { plan, colors, blocks: plane.blocks_mut() });
+            write_bytes(isa, plan, plane, &[BlockColors { block, color, mask }]);
         }
         (ColorClass::Bytes, [plane], _) => {
             with_words(isa, plane, place, mask, plan.old(), |stored| {
@@ -132,13 +131,18 @@ pub fn write_blocks(
     colors: &[BlockColors<'_>],
 ) {
     match (plan.class, target.sample(0)) {
-        (ColorClass::Bytes, [plane]) => {
-            isa.run(WriteBytes { plan, colors, blocks: plane.blocks_mut() });
-        }
+        (ColorClass::Bytes, [plane]) => write_bytes(isa, plan, plane, colors),
         _ => {
             for &BlockColors { block, color, mask } in colors {
                 write(isa, plan, target, 0, Place::Block(block), color, mask);
             }
         }
     }
+}
+
+fn write_bytes(isa: Isa, plan: &ColorPlan, plane: &mut Plane, colors: &[BlockColors<'_>]) {
+    for color in colors {
+        plane.ready(color.block, if color.mask == !0 { plan.old() } else { Old::Read });
+    }
+    isa.run(WriteBytes { plan, colors, blocks: plane.ready_blocks() });
 }

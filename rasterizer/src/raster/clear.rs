@@ -3,8 +3,8 @@
 use super::coverage;
 use super::tile::{PassJob, TileJob};
 use crate::output::expand_mask;
-use crate::target::{Plane, TILE, WordMask};
-use texunit::lanes::{LANES, U32s};
+use crate::target::{TILE, WordMask};
+use texunit::lanes::LANES;
 
 /// What a clear writes to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,17 +34,8 @@ pub struct ClearJob {
     pub label: u32,
 }
 
-/// What happens in a tile after a clear.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Next {
-    /// Something is drawn: the memory of words that are there is used again.
-    Draws,
-    /// Nothing: a cleared tile takes no memory.
-    Nothing,
-}
-
 /// Clears a tile's part of an attachment.
-pub fn clear(pass: &PassJob, job: &ClearJob, tile: &mut TileJob, next: Next) {
+pub fn clear(pass: &PassJob, job: &ClearJob, tile: &mut TileJob) {
     let (target, first) = match job.target {
         ClearTarget::Color(index) => (tile.colors.get_mut(index).and_then(Option::as_mut), 0),
         ClearTarget::Depth => (tile.depth.as_mut(), 0),
@@ -64,10 +55,7 @@ pub fn clear(pass: &PassJob, job: &ClearJob, tile: &mut TileJob, next: Next) {
                 continue;
             }
             if whole && write == all {
-                match (next, plane) {
-                    (Next::Draws, Plane::Words(words)) => words.fill(U32s::splat(word)),
-                    (_, plane) => *plane = Plane::Cleared(word),
-                }
+                plane.clear(word);
                 continue;
             }
             for (index, block) in plane.blocks_mut().iter_mut().enumerate() {

@@ -70,13 +70,10 @@ impl BlockRun {
         })
     }
 
-    /// What `what` makes of each bank, its block and lanes; beyond [`Self::len`], of the last once more.
-    #[inline(always)]
-    pub fn each<T>(&self, what: impl Fn(usize, usize, u64) -> T) -> [T; BANKS] {
-        std::array::from_fn(|bank| {
-            let bank = bank.min(self.len.saturating_sub(1));
-            let Covered { block, lanes } = self.blocks[bank];
-            what(bank, usize::from(block), lanes)
-        })
+    /// The block of a bank and its lanes.
+    #[inline]
+    pub fn covered(&self, bank: usize) -> (usize, u64) {
+        let Covered { block, lanes } = self.blocks[bank];
+        (usize::from(block), lanes)
     }
 }

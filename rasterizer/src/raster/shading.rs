@@ -11,7 +11,7 @@ use crate::driver::AlphaToOne;
 use crate::output::{BlockColors, Fragments, test, write, write_blocks};
 use crate::plan::{DrawPlan, Shading, Timing};
 use crate::primitive::Facing;
-use crate::shader::{Machine, OverBudget, Run};
+use crate::shader::{BANKS, Machine, OverBudget, Run};
 use crate::target::{Place, TileTarget};
 use crate::trace::{Fate, When};
 use std::sync::atomic::Ordering;
@@ -99,16 +99,24 @@ impl Shader {
     /// The colours of a run.
     #[inline(always)]
     fn write_run(&self, isa: Isa, job: &DrawJob, blocks: &BlockRun, tile: &mut TileJob) {
-        job.count(&blocks.each(|_, _, lanes| lanes)[..blocks.len()]);
+        for bank in 0..blocks.len() {
+            let (_, lanes) = blocks.covered(bank);
+            job.count(&[lanes]);
+        }
         for color in &job.plan.colors {
             let Some(target) = tile.colors[color.target].as_mut() else { continue };
-            let colors = blocks.each(|bank, block, mask| {
+            let colors_of = |bank: usize| {
                 let output = |i: usize| match color.outputs[i] {
                     Some(output) => self.machine.output_of(bank, output).as_f32(),
                     None => color.unwritten(i),
                 };
+                let (block, mask) = blocks.covered(bank);
                 BlockColors { block, color: [output(0), output(1), output(2), output(3)], mask }
-            });
+            };
+            let mut colors = [colors_of(0); BANKS];
+            for (bank, colors) in colors.iter_mut().enumerate().take(blocks.len()).skip(1) {
+                *colors = colors_of(bank);
+            }
             write_blocks(isa, color, target, &colors[..blocks.len()]);
         }
     }

@@ -2,7 +2,7 @@
 
 use super::batch::{Batch, BlockOf, EarlyTests, Packed, moved_quad, quads_of};
 use super::broad::{self, Broad};
-use super::clear::{ClearJob, Next, clear};
+use super::clear::{ClearJob, clear};
 use super::cover::Cover;
 use super::coverage;
 use super::group::PlaneGroup;
@@ -172,14 +172,11 @@ impl Worker {
     /// Does everything that happens in `tile`.
     pub fn run(&mut self, pass: &PassJob, tile: &mut TileJob) {
         let entries = std::mem::take(&mut tile.entries);
-        let is_drawn = |entry: &Entry| matches!(entry, Entry::Shapes { .. });
-        let last_draw = entries.iter().rposition(is_drawn).unwrap_or(0);
-        for (at, entry) in entries.into_iter().enumerate() {
+        for entry in entries {
             match entry {
                 Entry::Clear(index) => {
                     self.flush(pass, tile);
-                    let next = if at < last_draw { Next::Draws } else { Next::Nothing };
-                    clear(pass, &pass.clears[index as usize], tile, next);
+                    clear(pass, &pass.clears[index as usize], tile);
                     tile.note_clear(&pass.clears[index as usize]);
                 }
                 Entry::Shapes { chunk, first, end } => {

@@ -6,8 +6,8 @@
 //! looked for in the code. So a fused instruction cannot differ from the operations it replaces.
 
 use super::inst::{Inst, Reg, Role};
-use super::machine::Banks;
 use super::lower::{Kind, Lowered};
+use super::machine::Banks;
 use crate::ir::{Op, Ty, batch, scalar, with_operations};
 use crate::trace::Expression;
 use texunit::lanes::{F32s, LANES, Simd, U32s};

@@ -184,9 +184,10 @@ impl Inst {
     /// such instructions alone can do each of them for several banks of registers before the next.
     pub fn is_straight(&self) -> bool {
         match self {
-            Self::Compute { .. } | Self::Move { .. } | Self::Derivative { .. } | Self::Sample(_) => {
-                true
-            }
+            Self::Compute { .. }
+            | Self::Move { .. }
+            | Self::Derivative { .. }
+            | Self::Sample(_) => true,
             Self::Zero { .. }
             | Self::Store { .. }
             | Self::LoadAt { .. }

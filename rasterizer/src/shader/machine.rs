@@ -49,6 +49,9 @@ pub(super) struct Banks {
 }
 
 impl Banks {
+    /// The only one.
+    pub const ONE: Self = Self { size: 0, count: 1 };
+
     /// The first register of each.
     #[inline(always)]
     pub fn starts(self) -> impl Iterator<Item = usize> {

@@ -1,11 +1,13 @@
 //! What a pass draws into: attachments as tiles of 64×64 words in lane order.
 
 mod place;
+mod plane;
 mod resolve;
 mod surface;
 mod words;
 
 pub use place::{Old, Place, with_texels, with_words};
-pub use surface::{BLOCKS, MAX_SAMPLES, Plane, Surface, TILE, TileTarget};
+pub use plane::{BLOCKS, Plane};
+pub use surface::{MAX_SAMPLES, Surface, TILE, TileTarget};
 pub(crate) use words::is_attachable;
 pub use words::{WordMask, all_bits, component_bits};

@@ -37,10 +37,10 @@ pub fn with_words<R>(
     old: Old,
     change: impl FnOnce(&mut U32s) -> R,
 ) -> R {
-    let blocks = plane.blocks_mut();
     match place {
-        Place::Block(block) => change(&mut blocks[block]),
+        Place::Block(block) => change(plane.block_mut(block)),
         Place::Quads(of, quads) => {
+            let blocks = plane.blocks_mut();
             let mut words = match old {
                 Old::Read => gather(blocks, of, quads),
                 Old::Ignored => U32s::ZERO,
@@ -50,6 +50,7 @@ pub fn with_words<R>(
             result
         }
         Place::Pixels(at) => {
+            let blocks = plane.blocks_mut();
             let mut words = match old {
                 Old::Read => isa.run(Gather { blocks, at }),
                 Old::Ignored => U32s::ZERO,
@@ -76,7 +77,7 @@ pub fn with_texels<R>(
     let result = change(&mut texels);
     for (plane, words) in planes.iter_mut().zip(&texels) {
         match place {
-            Place::Block(block) => plane.blocks_mut()[block] = *words,
+            Place::Block(block) => *plane.block_mut(block) = *words,
             Place::Quads(of, quads) => scatter(plane.blocks_mut(), of, quads, mask, words),
             Place::Pixels(at) => scatter_pixels(plane.blocks_mut(), at, mask, words),
         }

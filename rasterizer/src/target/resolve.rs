@@ -1,8 +1,7 @@
 //! From the samples of a pixel to one (`EXT_framebuffer_multisample`, section 4.3.2): colours are
 //! their mean; depth, stencil and integers are those of the first sample.
 
-use super::Plane;
-use super::surface::BLOCKS;
+use super::plane::{BLOCKS, Plane};
 use super::words::attachment_words;
 use crate::output::{decode_color, encode_color};
 use texunit::format::Format;
@@ -13,9 +12,8 @@ pub fn resolve_tile(format: Format, samples: u8, planes: &[Plane]) -> Vec<Plane>
     let words = attachment_words(format);
     let samples: Vec<&[Plane]> = planes.chunks(words).take(usize::from(samples)).collect();
     let Some((first, rest)) = samples.split_first() else { return Vec::new() };
-    let same = |plane: &Plane, word: usize| match (plane, &first[word]) {
-        (Plane::Cleared(a), Plane::Cleared(b)) => a == b,
-        (_, _) => false,
+    let same = |plane: &Plane, word: usize| {
+        plane.alike().is_some_and(|word_of_all| first[word].alike() == Some(word_of_all))
     };
     let is_clear = rest.iter().all(|s| s.iter().enumerate().all(|(word, p)| same(p, word)));
     if format.is_depth() || format.is_integer() || is_clear {
@@ -30,7 +28,7 @@ pub fn resolve_tile(format: Format, samples: u8, planes: &[Plane]) -> Vec<Plane>
             plane[block] = words;
         }
     }
-    out.into_iter().map(Plane::Words).collect()
+    out.into_iter().map(Plane::of).collect()
 }
 
 /// The mean of the samples of a block.

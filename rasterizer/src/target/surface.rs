@@ -8,6 +8,7 @@
 //! A texel of several words has a plane for each, and so has every sample of a multisample image.
 //! Which words a format has is in [`super::words`].
 
+use super::plane::{BLOCKS, Plane};
 use super::resolve::resolve_tile;
 use super::words::{attachment_words, is_attachable, texel_of, words_of};
 use parking_lot::Mutex;
@@ -15,7 +16,7 @@ use rayon::prelude::*;
 use std::thread;
 use texunit::format::Format;
 use texunit::image::Level;
-use texunit::lanes::{LANES, QUADS, U32s, lane_x, lane_y, prefetch};
+use texunit::lanes::{LANES, QUADS, U32s, lane_x, lane_y};
 
 /// The most samples that a pixel can have.
 pub const MAX_SAMPLES: usize = 4;
@@ -23,39 +24,6 @@ pub const MAX_SAMPLES: usize = 4;
 const WORTH_THREADS: usize = 64;
 /// Pixels along a side of a tile.
 pub const TILE: u32 = 64;
-/// Blocks of 8×8 pixels in a tile.
-pub const BLOCKS: usize = 64;
-
-/// One word of every pixel of a tile.
-#[derive(Clone, Debug)]
-pub enum Plane {
-    /// The same word everywhere: a clear that nothing has drawn over.
-    Cleared(u32),
-    /// [`BLOCKS`] blocks, row by row, each in lane order.
-    Words(Vec<U32s>),
-}
-
-impl Plane {
-    /// The blocks, for writing.
-    pub fn blocks_mut(&mut self) -> &mut [U32s] {
-        if let Self::Cleared(word) = *self {
-            *self = Self::Words(vec![U32s::splat(word); BLOCKS]);
-        }
-        match self {
-            Self::Words(words) => words,
-            Self::Cleared(_) => unreachable!("became words above"),
-        }
-    }
-
-    /// The words of a block.
-    pub fn block(&self, block: usize) -> U32s {
-        match self {
-            Self::Cleared(word) => U32s::splat(*word),
-            Self::Words(words) => words[block],
-        }
-    }
-}
-
 /// A level in the attachment layout.
 #[derive(Clone, Debug)]
 pub struct Surface {
@@ -91,9 +59,7 @@ impl TileTarget {
     #[inline]
     pub fn prefetch(&self, block: usize) {
         for plane in &self.planes {
-            if let Plane::Words(words) = plane {
-                prefetch(&words[block]);
-            }
+            plane.prefetch(block);
         }
     }
 }
@@ -145,7 +111,7 @@ impl Surface {
                 let one = if is_attachable(level.format) {
                     load_tile(level, slice, [x0, y0], words)
                 } else {
-                    vec![Plane::Cleared(0); words]
+                    vec![Plane::cleared(0); words]
                 };
                 (0..samples).flat_map(|_| one.clone()).collect()
             })
@@ -158,7 +124,7 @@ impl Surface {
     pub fn zeros(format: Format, width: u32, height: u32, samples: u8) -> Self {
         let planes = usize::from(samples) * attachment_words(format);
         let tiles = width.div_ceil(TILE) * height.div_ceil(TILE);
-        let tiles = vec![vec![Plane::Cleared(0); planes]; tiles as usize];
+        let tiles = vec![vec![Plane::cleared(0); planes]; tiles as usize];
         Self { format, width, height, samples, tiles }
     }
 
@@ -230,7 +196,7 @@ fn load_tile(level: &Level, slice: usize, [x0, y0]: [u32; 2], words: usize) -> V
     let all = row(0);
     if all[size..] == all[..(width - 1) * size] && (1..height).all(|y| row(y) == all) {
         let texel = words_of(level.format, &all[..size]);
-        return texel[..words].iter().copied().map(Plane::Cleared).collect();
+        return texel[..words].iter().copied().map(Plane::cleared).collect();
     }
     let mut planes = vec![vec![U32s::ZERO; BLOCKS]; words];
     for y in 0..height {
@@ -251,17 +217,15 @@ fn load_tile(level: &Level, slice: usize, [x0, y0]: [u32; 2], words: usize) -> V
             }
         }
     }
-    planes.into_iter().map(Plane::Words).collect()
+    planes.into_iter().map(Plane::of).collect()
 }
 
 /// Row `y` of a tile into the texels of one row.
 fn store_row(format: Format, planes: &[Plane], y: usize, row: &mut [u8]) {
     let size = format.bytes();
     for (column, texels) in row.chunks_mut(8 * size).enumerate() {
-        let words = |plane: &Plane| match plane {
-            Plane::Cleared(word) => [*word; 8],
-            Plane::Words(words) => row_of(&words[y / 8 * 8 + column], y % 8),
-        };
+        let words =
+            |plane: &Plane| plane.with_block(y / 8 * 8 + column, |words| row_of(words, y % 8));
         // One word of four bytes is the texel itself.
         if let ([plane], 4) = (planes, size) {
             let words = words(plane).map(u32::to_le);
@@ -310,7 +274,7 @@ mod tests {
                 *byte = (index * 7 % 251) as u8;
             }
             let surface = Surface::from_level(&level, 0, 1);
-            let cleared = |tile: &Vec<Plane>| matches!(tile[0], Plane::Cleared(_));
+            let cleared = |tile: &Vec<Plane>| tile[0].alike().is_some();
             assert_eq!(surface.tiles.iter().filter(|tile| cleared(tile)).count(), 5);
             let mut back = Level::new(format, 150, 70).expect("small");
             surface.store(&mut back, 0, 3);

@@ -118,7 +118,14 @@ impl Machine {
                 Inst::Repeat { head } => back(head, pc + 1, &mut left)?,
                 _ => {
                     let code = &code[..=pc];
-                    run.isa.run(Interpreter { machine: self, run: &run, code, banks: 1, pc, left })?
+                    run.isa.run(Interpreter {
+                        machine: self,
+                        run: &run,
+                        code,
+                        banks: 1,
+                        pc,
+                        left,
+                    })?
                 }
             };
             if executes {

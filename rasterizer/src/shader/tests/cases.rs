@@ -7,7 +7,8 @@ use crate::ir::{
 };
 use crate::shader::fuse::Compute;
 use crate::shader::inst::{Inst, Reg};
-use crate::shader::{Fusing, OverBudget, Program};
+use crate::shader::machine::Banks;
+use crate::shader::{BANKS, Fusing, OverBudget, Program};
 use texunit::image::Shape;
 use texunit::lanes::{Isa, LANES, U32s, lane_x, lane_y};
 
@@ -42,13 +43,34 @@ fn red(module: &Module) -> Vec<f32> {
     first
 }
 
+/// Straight code of few registers runs for several batches at once; what depends on lanes does not.
+#[test]
+fn what_has_no_control_flow_runs_in_banks() {
+    let (mut b, red) = fragment();
+    let x = b.input(Input::Varying(0));
+    let value = b.op(Op::Sqrt, &[x]);
+    b.store(red, value);
+    let straight = b.finish();
+    assert_eq!(Program::new(&straight, |_| true).banks(), BANKS);
+    check(&straight, &[], by_lane);
+
+    let (mut b, red) = fragment();
+    let x = b.input(Input::Varying(0));
+    b.store(red, x);
+    let zero = b.float(0.0);
+    let condition = b.op(Op::Less, &[x, zero]);
+    b.push(Stmt::If { condition, accept: vec![Stmt::Discard], reject: Vec::new() });
+    assert_eq!(Program::new(&b.finish(), |_| true).banks(), 1);
+}
+
 struct OneOp<'a>(Op, &'a mut [U32s; 4]);
 
 impl texunit::lanes::Kernel for OneOp<'_> {
     type Output = ();
     #[inline(always)]
     fn run<S: texunit::lanes::Simd>(self) {
-        Compute::from(self.0).run::<S>(self.1, Reg(3), [Reg(0), Reg(1), Reg(2), Reg(2)]);
+        let args = [Reg(0), Reg(1), Reg(2), Reg(2)];
+        Compute::from(self.0).run::<S>(self.1, Banks::ONE, Reg(3), args);
     }
 }
 
