@@ -1,8 +1,8 @@
 //! A run: blocks of one shape that are shaded together, each with a bank of registers of its own.
 //!
-//! Each instruction of the program is done for all blocks of a run before the next one: what there is to
-//! decide and to look up is so decided and looked up once for several of them, and while one block
-//! waits the processor works at another.
+//! Inputs, each stretch of the program and the colours are done for all blocks of a run in turn: what there
+//! is to decide and to look up is so decided and looked up once for several of them, and while one
+//! block waits the processor works at another.
 
 use super::batch::{BlockOf, EarlyTests};
 use crate::primitive::Facing;

@@ -7,7 +7,6 @@
 
 use super::inst::{Inst, Reg, Role};
 use super::lower::{Kind, Lowered};
-use super::machine::Banks;
 use crate::ir::{Op, Ty, batch, scalar, with_operations};
 use crate::trace::Expression;
 use texunit::lanes::{F32s, LANES, Simd, U32s};
@@ -90,31 +89,23 @@ macro_rules! trees {
                 }
             }
 
-            /// Computes 64 lanes of each bank of a file of registers: what is at `args` to `out`,
-            /// which may be one of them. Operands that there are not are not looked at.
+            /// Computes 64 lanes of a file of registers: what is at `args` to `out`, which may be
+            /// one of them. Operands that there are not are not looked at.
             #[inline(always)]
-            pub fn run<S: Simd>(
-                self,
-                registers: &mut [U32s],
-                banks: Banks,
-                out: Reg,
-                args: [Reg; OPERANDS],
-            ) {
+            pub fn run<S: Simd>(self, registers: &mut [U32s], out: Reg, args: [Reg; OPERANDS]) {
                 let (out, args) = (out.0 as usize, args.map(|arg| arg.0 as usize));
                 let [a, b, c, _] = args;
                 match self {
-                    $(Self::$One => for at in banks.starts() {
-                        batch::$One::<S>(registers, at + out, [at + a, at + b, at + c]);
-                    })*
-                    $(Self::$Name => for first in banks.starts() {
+                    $(Self::$One => batch::$One::<S>(registers, out, [a, b, c]),)*
+                    $(Self::$Name => {
                         // All operands of the table are floats, and are loaded as such.
-                        let args = args.map(|at| registers[first + at].as_f32());
+                        let args = args.map(|at| registers[at].as_f32());
                         // Of each arm by itself, so that the compiler knows that no operand is written.
                         let mut result = F32s::ZERO;
                         for lane in 0..LANES {
                             result[lane] = expression!(S args lane $op ($($arg)*));
                         }
-                        registers[first + out] = *result.as_u32();
+                        registers[out] = *result.as_u32();
                     })*
                 }
             }

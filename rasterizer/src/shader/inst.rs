@@ -180,8 +180,8 @@ impl Inst {
         matches!(self, Self::Leave { .. } | Self::LeaveIf { .. } | Self::Discard)
     }
 
-    /// Whether it computes values from values of its own lanes' registers, whatever lanes execute: code of
-    /// such instructions alone can do each of them for several banks of registers before the next.
+    /// Whether it computes values from values of registers, whatever lanes execute: code of such
+    /// instructions alone can run for several banks of registers at once.
     pub fn is_straight(&self) -> bool {
         match self {
             Self::Compute { .. }

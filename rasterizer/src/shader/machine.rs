@@ -4,8 +4,8 @@
 //! every operation's loop inlined. An operation computes into a value of its own that is then moved to
 //! its register, so that no output ever aliases an input.
 //!
-//! Batches of straight code run together, each with a bank of registers of its own: an instruction is
-//! looked up once for all of them, and they do not wait for one another.
+//! Batches of straight code run together, each with a bank of registers of its own: what lies between two
+//! samples is computed for one after the other, and they do not wait for one another.
 
 mod trace;
 
@@ -38,25 +38,6 @@ pub struct Machine {
     outputs: Vec<u32>,
     /// Registers of a bank.
     bank: usize,
-}
-
-/// Banks of registers, one behind the other.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Banks {
-    /// Registers of each.
-    size: usize,
-    count: usize,
-}
-
-impl Banks {
-    /// The only one.
-    pub const ONE: Self = Self { size: 0, count: 1 };
-
-    /// The first register of each.
-    #[inline(always)]
-    pub fn starts(self) -> impl Iterator<Item = usize> {
-        (0..self.count).map(move |bank| bank * self.size)
-    }
 }
 
 impl Machine {
@@ -325,20 +306,26 @@ impl Kernel for Interpreter<'_> {
     #[inline(always)]
     fn run<S: Simd>(self) -> Result<usize, OverBudget> {
         let Self { machine: m, run, code, banks, mut pc, mut left } = self;
-        let banks = Banks { size: m.bank, count: banks };
+        let size = m.bank;
+        // The first register of each bank.
+        let banks = || (0..banks).map(|bank| bank * size);
         loop {
             // Nearly all of a program, with one jump an instruction.
-            let registers = &mut m.registers[..];
-            while let Some(&Inst::Compute { what, out, args }) = code.get(pc) {
-                what.run::<S>(registers, banks, out, args);
-                pc += 1;
+            let first = pc;
+            for bank in banks() {
+                let registers = &mut m.registers[bank..];
+                pc = first;
+                while let Some(&Inst::Compute { what, out, args }) = code.get(pc) {
+                    what.run::<S>(registers, out, args);
+                    pc += 1;
+                }
             }
             let Some(inst) = code.get(pc) else { return Ok(pc) };
             pc += 1;
             match *inst {
                 Inst::Compute { .. } => {}
                 Inst::Move { out, from } => {
-                    for bank in banks.starts() {
+                    for bank in banks() {
                         m.registers[bank + out.0 as usize] = m.registers[bank + from.0 as usize];
                     }
                 }
@@ -354,10 +341,10 @@ impl Kernel for Interpreter<'_> {
                     m.uniform_at(run.prepared, out, base, len, index);
                 }
                 Inst::Derivative { axis, out, from } => {
-                    banks.starts().for_each(|bank| m.derivative(bank, axis, out, from));
+                    banks().for_each(|bank| m.derivative(bank, axis, out, from));
                 }
                 Inst::Sample(ref sample) => {
-                    banks.starts().for_each(|bank| m.sample(bank, run, sample));
+                    banks().for_each(|bank| m.sample(bank, run, sample));
                 }
                 Inst::Unless { test, to } => {
                     let word = match test {

@@ -67,8 +67,7 @@ pub struct Program {
     banks: usize,
 }
 
-/// The most banks of registers: batches that run together, each instruction for all of them before the
-/// next.
+/// The most banks of registers: batches that run together.
 pub const BANKS: usize = 4;
 /// As many registers as banks may have together, so that they stay in the first cache.
 const BANKED: usize = 96;

@@ -103,9 +103,14 @@ impl Plane {
 
     #[cold]
     fn fill_all(&mut self) {
-        for block in 0..BLOCKS {
-            self.ready(block, Old::Read);
+        let cleared = U32s::splat(self.word);
+        self.words.resize(BLOCKS, cleared);
+        for (block, words) in self.words.iter_mut().enumerate() {
+            if self.cleared >> block & 1 == 1 {
+                *words = cleared;
+            }
         }
+        self.cleared = 0;
     }
 
     /// Asks for the words of a block that is written soon.

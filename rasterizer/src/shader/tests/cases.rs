@@ -7,7 +7,6 @@ use crate::ir::{
 };
 use crate::shader::fuse::Compute;
 use crate::shader::inst::{Inst, Reg};
-use crate::shader::machine::Banks;
 use crate::shader::{BANKS, Fusing, OverBudget, Program};
 use texunit::image::Shape;
 use texunit::lanes::{Isa, LANES, U32s, lane_x, lane_y};
@@ -69,8 +68,7 @@ impl texunit::lanes::Kernel for OneOp<'_> {
     type Output = ();
     #[inline(always)]
     fn run<S: texunit::lanes::Simd>(self) {
-        let args = [Reg(0), Reg(1), Reg(2), Reg(2)];
-        Compute::from(self.0).run::<S>(self.1, Banks::ONE, Reg(3), args);
+        Compute::from(self.0).run::<S>(self.1, Reg(3), [Reg(0), Reg(1), Reg(2), Reg(2)]);
     }
 }
 
