@@ -81,12 +81,16 @@ pub(crate) enum SampleKernel {
 
 impl SampleKernel {
     fn new(shape: Shape, way: Way, detail: &Detail) -> Self {
-        let (anisotropy, filters_alike) = match detail {
-            Detail::Fixed { .. } => (Anisotropy::Off, true),
-            Detail::PerLane { anisotropy, min, mag, .. } => (*anisotropy, min == mag),
+        let (anisotropy, min, mag) = match detail {
+            Detail::Fixed { filter, .. } => (Anisotropy::Off, filter, filter),
+            Detail::PerLane { anisotropy, min, mag, .. } => (*anisotropy, min, mag),
+        };
+        let suit = match way {
+            Way::Compared(_) => (min, mag) == (&Filter::Nearest, &Filter::Nearest),
+            Way::General | Way::Plain(_) | Way::Blocks(_) => min == mag,
         };
         match (anisotropy, flat::class(shape, way)) {
-            (Anisotropy::Off, Some(class)) if filters_alike => Self::Flat(class),
+            (Anisotropy::Off, Some(class)) if suit => Self::Flat(class),
             (Anisotropy::Off | Anisotropy::Probes(_), _) => Self::Probed,
             (Anisotropy::Scan(_), _) => Self::Scanned,
         }
@@ -102,18 +106,22 @@ pub(crate) enum Way {
     Plain(Class),
     /// The same of compressed texels.
     Blocks(Block),
+    /// Depths in a plane that are compared, of such a class: short where a filter takes one texel.
+    Compared(Class),
 }
 
 impl Way {
     fn new(shape: Shape, format: Format, compare: Option<Compare>) -> Self {
         let short = match shape {
-            Shape::D2 | Shape::Rect | Shape::Cube => compare.is_none(),
+            Shape::D2 | Shape::Rect => true,
+            Shape::Cube => compare.is_none(),
             Shape::D1 | Shape::D3 | Shape::D1Array | Shape::D2Array => false,
         };
-        match (short, format.block(), Class::of(format)) {
-            (true, Some(block), _) => Self::Blocks(block),
-            (true, None, Some(class)) => Self::Plain(class),
-            (true, None, None) | (false, _, _) => Self::General,
+        match (short, format.block(), Class::of(format), compare) {
+            (true, Some(block), _, None) => Self::Blocks(block),
+            (true, None, Some(class), None) => Self::Plain(class),
+            (true, None, Some(class), Some(_)) => Self::Compared(class),
+            (true, Some(_), _, Some(_)) | (true, None, None, _) | (false, _, _, _) => Self::General,
         }
     }
 }

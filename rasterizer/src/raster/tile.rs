@@ -283,6 +283,8 @@ impl Worker {
                 }
                 Some(_) | None => self.fill(pass, tile, chunk, shape, lane),
             }
+            // The next shape may reach the same pixels.
+            self.flush_run(pass, job, tile);
         }
     }
 
@@ -415,7 +417,6 @@ impl Worker {
                 }
             }
         }
-        self.flush_run(pass, job, tile);
     }
 
     /// Fills a triangle that may cover many blocks, of the only sample.
@@ -465,7 +466,6 @@ impl Worker {
                 self.fill_block(pass, tile, job, shape.facing, [bx, by], &mut masks);
             }
         }
-        self.flush_run(pass, job, tile);
     }
 
     /// What `self.covers` cover of those lanes of a block that are `inside`.

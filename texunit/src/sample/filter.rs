@@ -58,7 +58,7 @@ pub fn sample_level<S: Simd>(
         (Way::Blocks(block), Filter::Linear) => plain::blocks::linear::<S>(place, block, at, out),
         // A fetch of one texel is short in any case.
         (Way::Blocks(_), Filter::Nearest) => false,
-        (Way::General, Filter::Nearest | Filter::Linear) => false,
+        (Way::General | Way::Compared(_), Filter::Nearest | Filter::Linear) => false,
     };
     match place.filter {
         _ if done => {}

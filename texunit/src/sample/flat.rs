@@ -4,10 +4,11 @@
 //! A kernel of its own, so that these do not carry the stack and the branches of probes, faces, layers
 //! and lanes that read different levels. Every number is computed by the functions of the general way.
 
+use super::compare::compare;
 use super::footprint::Round;
 use super::plain::Class;
 use super::record::Off;
-use super::{Coordinates, Sample, expand, filter, plain, taps};
+use super::{Coordinates, Sample, expand, filter, plain, taps, unit_range};
 use crate::image::Shape;
 use crate::lanes::{F32s, Kernel, Simd, U32s};
 use crate::plan::{Detail, Way};
@@ -30,7 +31,7 @@ pub(crate) enum Outcome {
 /// The class of the texels, where the image and its texels go this way.
 pub(crate) fn class(shape: Shape, way: Way) -> Option<Class> {
     match (shape, way) {
-        (Shape::D2 | Shape::Rect, Way::Plain(class)) => Some(class),
+        (Shape::D2 | Shape::Rect, Way::Plain(class) | Way::Compared(class)) => Some(class),
         (Shape::D2 | Shape::Rect, Way::General | Way::Blocks(_))
         | (Shape::D1 | Shape::D3 | Shape::Cube | Shape::D1Array | Shape::D2Array, _) => None,
     }
@@ -78,6 +79,11 @@ impl<F> Kernel for Flat<'_, '_, F> {
             };
             if !is_done {
                 return Outcome::NotFlat;
+            }
+            // Each texel by itself, which is why there is only one a lane.
+            if let Some(op) = texture.compare {
+                let reference = unit_range(sample.reference.unwrap_or(sample.coords[2]));
+                compare(op, &reference, &mut out[0]);
             }
         }
         if reads_both {

@@ -20,13 +20,25 @@ pub enum Class {
     Halves,
     /// Floats.
     Floats,
+    /// Depths over their largest number.
+    Depth {
+        /// Where the bits lie in the word.
+        shift: u32,
+        /// The largest.
+        largest: u32,
+    },
 }
 
 impl Class {
     /// Of a format, if it has one.
     pub fn of(format: Format) -> Option<Self> {
         let info = format.info();
-        let bits = info.fields[0].bits;
+        let depth = info.fields[0];
+        let bits = depth.bits;
+        // A few bits more would not be exact in `f32`.
+        if format.is_depth() && info.encoding == Encoding::Unorm && bits <= 24 && depth.word == 0 {
+            return Some(Self::Depth { shift: depth.shift, largest: depth.mask() });
+        }
         let class = match (info.encoding, bits) {
             (Encoding::Unorm, 8) => Self::Bytes,
             (Encoding::Srgb, 8) => Self::Srgb,
@@ -97,6 +109,11 @@ pub fn of_texel<S: Simd>(
             }
         }
         Class::Floats => out[word] = *words.as_f32(),
+        Class::Depth { shift, largest } => {
+            if word == 0 {
+                each(words, r, |word| depth(word, shift, largest));
+            }
+        }
     }
 }
 
@@ -146,6 +163,11 @@ pub fn of_square<S: Simd>(
             }
         }
         Class::Floats => mean(words, weights, &mut out[word], f32::from_bits),
+        Class::Depth { shift, largest } => {
+            if word == 0 {
+                mean(words, weights, r, |word| depth(word, shift, largest));
+            }
+        }
     }
 }
 
@@ -173,6 +195,11 @@ fn mean_of_srgb<S: Simd>(words: [&U32s; 4], weights: [&F32s; 2], out: &mut F32s,
 #[inline(always)]
 fn byte<const CHANNEL: usize>(word: u32) -> f32 {
     byte_channel(word, CHANNEL)
+}
+
+#[inline(always)]
+fn depth(word: u32, shift: u32, largest: u32) -> f32 {
+    (word >> shift & largest) as i32 as f32 / largest as i32 as f32
 }
 
 #[inline(always)]

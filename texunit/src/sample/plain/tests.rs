@@ -5,7 +5,7 @@ use crate::format::Format;
 use crate::image::{Image, Level, Shape};
 use crate::lanes::Isa;
 use crate::plan::{Lod, SamplePlan};
-use crate::sampler::{Filter, Mipmap, Sampler, Seamless, Wrap};
+use crate::sampler::{Compare, Filter, Mipmap, Sampler, Seamless, Wrap};
 
 fn noise(seed: u32) -> u32 {
     let mixed = seed.wrapping_mul(0x9E37_79B9) ^ seed >> 13;
@@ -29,12 +29,59 @@ fn image(shape: Shape, format: Format, size: [u32; 3], seed: u32) -> Image {
     image
 }
 
+const COMPARES: [Compare; 8] = [
+    Compare::Never,
+    Compare::Less,
+    Compare::Equal,
+    Compare::LessEqual,
+    Compare::Greater,
+    Compare::NotEqual,
+    Compare::GreaterEqual,
+    Compare::Always,
+];
+
+#[test]
+fn depths_are_compared_the_short_way_as_they_are_in_general() {
+    for (at, format) in Format::ALL.into_iter().filter(|format| format.is_depth()).enumerate() {
+        for (number, op) in COMPARES.into_iter().enumerate() {
+            for wrap in Wrap::ALL {
+                let image = image(Shape::D2, format, [16, 9, 1], 2 * (at + number) as u32);
+                let mipmap = [Mipmap::None, Mipmap::Nearest, Mipmap::Linear][number % 3];
+                let sampler = Sampler {
+                    wrap: [wrap; 3],
+                    min: Filter::Nearest,
+                    mag: Filter::Nearest,
+                    mipmap,
+                    compare: Some(op),
+                    ..Sampler::default()
+                };
+                let plan = SamplePlan::new(&image, &sampler);
+                let coords = [0.09, 0.07, 0.05].map(|step| {
+                    F32s::from_fn(|lane| match lane {
+                        17 => f32::NAN,
+                        _ => step * lane as f32 - 0.7,
+                    })
+                });
+                for isa in Isa::available() {
+                    let sample = |plan: &SamplePlan| {
+                        let mut out = [F32s::ZERO; 4];
+                        let lod = Lod::Implicit { bias: None };
+                        plan.sample(isa, coords.each_ref(), None, lod, &mut out);
+                        out.map(|c| c.0.map(f32::to_bits))
+                    };
+                    assert_eq!(sample(&plan), sample(&plan.general()), "{}", plan.describe());
+                }
+            }
+        }
+    }
+}
+
 #[test]
 fn the_short_way_gives_the_bits_of_the_general_one() {
     let is_short = |format: &Format| Class::of(*format).is_some() || format.block().is_some();
     let formats: Vec<Format> = Format::ALL.into_iter().filter(is_short).collect();
     assert!(formats.len() > 30);
-    for round in 0..800_u32 {
+    for round in 0..1000_u32 {
         let pick = |salt: u32, n: usize| noise(round * 32 + salt) as usize % n;
         let (shape, border) = [(Shape::D2, round), (Shape::Cube, round & !1)][pick(0, 2)];
         let width = 1 + pick(1, 40) as u32;
@@ -51,6 +98,8 @@ fn the_short_way_gives_the_bits_of_the_general_one() {
             border: [-1.0, 0.25, 2.0, 0.5].into(),
             max_anisotropy: [1.0, 1.0, 4.0, 16.0][pick(10, 4)],
             seamless: [Seamless::Off, Seamless::On][pick(15, 2)],
+            compare: (format.is_depth() && pick(16, 3) > 0)
+                .then(|| COMPARES[pick(17, COMPARES.len())]),
             ..Sampler::default()
         };
         let plan = SamplePlan::new(&image, &sampler);

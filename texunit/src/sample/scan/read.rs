@@ -29,11 +29,11 @@ pub fn level<S: Simd>(
     let mut rows = Rows::new::<S>(place, at, scan, asks);
     match place.texture.way {
         Way::Plain(Class::Bytes) => bytes::<S>(place, &mut rows, out),
-        Way::Plain(class @ (Class::Srgb | Class::Halves | Class::Floats)) => {
+        Way::Plain(class @ (Class::Srgb | Class::Halves | Class::Floats | Class::Depth { .. })) => {
             words::<S>(place, class, &mut rows, out);
         }
         Way::Blocks(_) => blocks::<S>(place, &mut rows, out),
-        Way::General => general::<S>(place, &mut rows, asks, out, recorder),
+        Way::General | Way::Compared(_) => general::<S>(place, &mut rows, asks, out, recorder),
     }
 }
 
