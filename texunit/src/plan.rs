@@ -224,6 +224,7 @@ impl SamplePlan {
 
     /// [`SamplePlan::sample`] with texels added along s, t, r on each level that is read
     /// (`textureOffset`, GLSL 1.30, section 8.7). λ does not depend on them.
+    #[inline(always)]
     pub fn sample_offset(
         &self,
         isa: Isa,

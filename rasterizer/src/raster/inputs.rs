@@ -194,8 +194,7 @@ impl Fill<'_> {
         if plan.centroids {
             centroids = plan.samples.centroids(masks);
         }
-        for (index, input) in plan.inputs.iter().enumerate() {
-            let out = machine.input_of(*bank, index);
+        for (out, input) in machine.inputs_of(*bank).iter_mut().zip(&plan.inputs) {
             match *input {
                 FragmentInput::Smooth(index) => {
                     let mut value = evaluate(places, index);

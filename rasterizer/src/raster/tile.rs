@@ -206,7 +206,7 @@ impl Worker {
         machine.begin(&plan.pipeline.compiled().fragment);
         for (index, &input) in plan.inputs.iter().enumerate() {
             if input == FragmentInput::Zero {
-                (0..plan.together).for_each(|bank| *machine.input_of(bank, index) = U32s::ZERO);
+                (0..plan.together).for_each(|bank| machine.inputs_of(bank)[index] = U32s::ZERO);
             }
         }
         self.waiting.clear(plan.planes.len(), plan.samples.count);

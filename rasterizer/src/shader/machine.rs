@@ -61,13 +61,13 @@ impl Machine {
 
     /// The register of the program's input `index`: filled before each run, unless it holds what is wanted. Programs do not write there.
     pub fn input_mut(&mut self, index: usize) -> &mut U32s {
-        self.input_of(0, index)
+        &mut self.inputs_of(0)[index]
     }
 
-    /// [`Self::input_mut`] of a bank.
+    /// The inputs of a bank, each as [`Self::input_mut`]; other registers may follow.
     #[inline(always)]
-    pub fn input_of(&mut self, bank: usize, index: usize) -> &mut U32s {
-        &mut self.registers[bank * self.bank + self.inputs + index]
+    pub fn inputs_of(&mut self, bank: usize) -> &mut [U32s] {
+        &mut self.registers[bank * self.bank + self.inputs..]
     }
 
     /// What the input `index` was filled with.

@@ -96,7 +96,7 @@ fn run_banks(
     for bank in 0..program.banks() {
         for (index, wanted) in program.inputs().iter().enumerate() {
             let lanes = U32s::from_fn(|lane| input(*wanted, (lane + bank) % LANES));
-            *machine.input_of(bank, index) = lanes;
+            machine.inputs_of(bank)[index] = lanes;
         }
     }
     let run = Run { isa, program, prepared, textures: &[], active: !0, budget: 10_000_000 };
