@@ -237,6 +237,7 @@ impl SamplePlan {
         match &self.0 {
             Ok(texture) => {
                 let (recorder, reads) = (&mut Off, PhantomData::<Probed>);
+                let (coords, lod) = (&coords, &lod);
                 let sample =
                     Sample { texture, coords, reference, offset, lod, out, recorder, reads };
                 // Kernels of their own: none pays for another's size.

@@ -210,7 +210,9 @@ impl SamplePlan {
         if let Some(texture) = self.general().texture() {
             let (out, recorder) = (&mut out, &mut recorder);
             let reads = PhantomData::<Any>;
-            let sample = Sample { texture, coords, reference, offset, lod, out, recorder, reads };
+            let (at, lod) = (&coords, &lod);
+            let sample =
+                Sample { texture, coords: at, reference, offset, lod, out, recorder, reads };
             sample.run_in_baseline();
         }
         SampleTrace {

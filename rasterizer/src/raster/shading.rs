@@ -113,10 +113,10 @@ impl Shader {
                 let (block, mask) = blocks.covered(bank);
                 BlockColors { block, color: [output(0), output(1), output(2), output(3)], mask }
             };
-            let mut colors = [colors_of(0); BANKS];
-            for (bank, colors) in colors.iter_mut().enumerate().take(blocks.len()).skip(1) {
-                *colors = colors_of(bank);
-            }
+            // Beyond the last once more the last: nobody looks. One by one, so that none is copied.
+            let last = blocks.len().saturating_sub(1);
+            let colors: [_; BANKS] =
+                [colors_of(0), colors_of(1.min(last)), colors_of(2.min(last)), colors_of(last)];
             write_blocks(isa, color, target, &colors[..blocks.len()]);
         }
     }

@@ -21,7 +21,7 @@ use crate::target::{TILE, TileTarget};
 use crate::vertex::Geometry;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use texunit::lanes::{F32s, Isa, LANES, U32s};
+use texunit::lanes::{F32s, Isa, LANES, U32s, prefetch};
 
 /// Quads of a block from which on it is shaded by itself rather than packed with others.
 pub const DENSE: u32 = 12;
@@ -181,7 +181,12 @@ impl Worker {
                 }
                 Entry::Shapes { chunk, first, end } => {
                     let chunk = &pass.chunks[chunk as usize];
-                    for group in chunk.lists.binned[first as usize..end as usize].chunks(LANES) {
+                    let mut groups =
+                        chunk.lists.binned[first as usize..end as usize].chunks(LANES).peekable();
+                    while let Some(group) = groups.next() {
+                        for &index in groups.peek().copied().unwrap_or_default() {
+                            prefetch(&chunk.lists.shapes[index as usize]);
+                        }
                         self.fill_group(pass, tile, chunk, group);
                     }
                 }

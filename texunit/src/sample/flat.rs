@@ -48,8 +48,8 @@ impl<F> Kernel for Flat<'_, '_, F> {
         let (filter, levels) = match &texture.detail {
             Detail::Fixed { filter, level, .. } => (*filter, [*level, *level]),
             Detail::PerLane { min, range, anisotropy, .. } => {
-                let at = Coordinates::in_plane(sample.coords);
-                let (lod, off) = (sample.lod, &mut Off);
+                let at = Coordinates::in_plane(*sample.coords);
+                let (lod, off) = (*sample.lod, &mut Off);
                 let (base, _, bias) =
                     taps::base_lambda::<S, Round>(texture, &at, lod, *anisotropy, off);
                 let each;
@@ -74,8 +74,8 @@ impl<F> Kernel for Flat<'_, '_, F> {
             };
             let out = if turn == 0 { &mut *sample.out } else { &mut second };
             let is_done = match filter {
-                Filter::Nearest => plain::nearest::<S>(&place, class, sample.coords, out),
-                Filter::Linear => plain::linear::<S>(&place, class, sample.coords, out),
+                Filter::Nearest => plain::nearest::<S>(&place, class, *sample.coords, out),
+                Filter::Linear => plain::linear::<S>(&place, class, *sample.coords, out),
             };
             if !is_done {
                 return Outcome::NotFlat;

@@ -38,11 +38,13 @@ use taps::Taps;
 /// One call: 64 samples of a complete texture.
 pub(crate) struct Sample<'a, R, F> {
     pub texture: &'a Texture,
-    pub coords: [&'a F32s; 3],
+    /// By reference, as is `lod`: a copy in vectors of what was just stored word by word would wait
+    /// for all stores before it.
+    pub coords: &'a [&'a F32s; 3],
     pub reference: Option<&'a F32s>,
     /// Texels added along s, t, r, on each level (GLSL 1.30, section 8.7).
     pub offset: [i32; 3],
-    pub lod: Lod<'a>,
+    pub lod: &'a Lod<'a>,
     pub out: &'a mut [F32s; 4],
     pub recorder: &'a mut R,
     /// What the kernel is compiled for.
@@ -59,8 +61,8 @@ impl<R: Recorder, F: Reads> Kernel for Sample<'_, R, F> {
             Some(_) => unit_range(reference.unwrap_or(coords[2])),
             None => F32s::ZERO,
         };
-        let at = Coordinates::new(texture, coords, recorder);
-        let (taps, footprint) = taps::taps::<S, F>(texture, &at, lod, recorder);
+        let at = Coordinates::new(texture, *coords, recorder);
+        let (taps, footprint) = taps::taps::<S, F>(texture, &at, *lod, recorder);
         let (probes, scan) = match &footprint {
             Footprint::Probes(probes) if F::PROBES => (Some(probes), None),
             Footprint::Scan(scan) if F::SCANS => (None, Some(scan)),
