@@ -27,7 +27,7 @@ impl Tests {
 /// 64 fragments of one sample before the tests.
 pub struct Fragments<'a> {
     /// Where they are.
-    pub place: Place<'a>,
+    pub place: &'a Place<'a>,
     /// Their depth, in [0, 1].
     pub depth: &'a F32s,
     /// Which of them are of back faces.
@@ -84,7 +84,7 @@ fn test_depth(
     isa: Isa,
     plan: Option<DepthPlan>,
     plane: &mut Plane,
-    place: Place<'_>,
+    place: &Place<'_>,
     depth: &F32s,
     mask: u64,
 ) -> u64 {
@@ -102,13 +102,13 @@ pub fn write(
     plan: &ColorPlan,
     target: &mut TileTarget,
     sample: usize,
-    place: Place<'_>,
+    place: &Place<'_>,
     color: [&F32s; 4],
     mask: u64,
 ) {
     let planes = target.sample(sample);
     match (plan.class, planes, place) {
-        (ColorClass::Bytes, [plane], Place::Block(block)) => {
+        (ColorClass::Bytes, [plane], &Place::Block(block)) => {
             write_bytes(isa, plan, plane, &[BlockColors { block, color, mask }]);
         }
         (ColorClass::Bytes, [plane], _) => {
@@ -134,7 +134,7 @@ pub fn write_blocks(
         (ColorClass::Bytes, [plane]) => write_bytes(isa, plan, plane, colors),
         _ => {
             for &BlockColors { block, color, mask } in colors {
-                write(isa, plan, target, 0, Place::Block(block), color, mask);
+                write(isa, plan, target, 0, &Place::Block(block), color, mask);
             }
         }
     }

@@ -157,7 +157,7 @@ impl Kernel for InterpolateRun<'_> {
         let Self { plan, run, tile, machine } = self;
         let (masks, mut depth) = (&SampleMasks::default(), F32s::ZERO);
         let depth = &mut depth;
-        for (bank, (block, _)) in run.blocks(tile).enumerate() {
+        for (bank, block) in run.blocks(tile).enumerate() {
             Fill { plan, masks, machine, bank, depth }.fill::<S>(&block);
         }
     }

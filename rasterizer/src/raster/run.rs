@@ -52,12 +52,12 @@ impl BlockRun {
         self.len += 1;
     }
 
-    /// The blocks of the tile whose first pixel is `tile`, each with its lanes.
-    pub fn blocks(&self, tile: [i32; 2]) -> impl Iterator<Item = (BlockOf<'_>, u64)> {
+    /// The blocks, of the tile whose first pixel is `tile`.
+    pub fn blocks(&self, tile: [i32; 2]) -> impl Iterator<Item = BlockOf<'_>> {
         let planes = self.planes.len() / self.len.max(1);
         self.blocks[..self.len].iter().enumerate().map(move |(at, covered)| {
             let block = usize::from(covered.block);
-            let of = BlockOf {
+            BlockOf {
                 planes: &self.planes[at * planes..][..planes],
                 facing: self.facing,
                 tests: EarlyTests::Done,
@@ -65,8 +65,7 @@ impl BlockRun {
                 x: tile[0] + block as i32 % 8 * 8,
                 y: tile[1] + block as i32 / 8 * 8,
                 coverage: None,
-            };
-            (of, covered.lanes)
+            }
         })
     }
 

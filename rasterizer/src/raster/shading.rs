@@ -39,7 +39,7 @@ pub fn early_tests(
             None => F32s::ZERO,
         };
         let fragments =
-            Fragments { place: Place::Block(of.block), depth: &depth, back, mask: *mask };
+            Fragments { place: &Place::Block(of.block), depth: &depth, back, mask: *mask };
         *mask = test(isa, &plan.tests, target, sample, &fragments);
     }
 }
@@ -222,7 +222,7 @@ impl Shader {
         tile: &mut TileJob,
         shaded: &mut Option<Shaded>,
     ) {
-        let (isa, plan, place) = (pass.isa, &job.plan, batch.place());
+        let (isa, plan, place) = (pass.isa, &job.plan, &batch.place());
         let samples = &plan.samples;
         if let Timing::Late(output) = plan.timing
             && self.left.any() != 0
@@ -301,7 +301,7 @@ impl Shader {
             self.depth = *self.machine.output(output).as_f32();
             isa.run(ClampDepth(&mut self.depth));
         }
-        let (back, place) = (batch.back(), batch.place());
+        let (back, place) = (batch.back(), &batch.place());
         for (sample, mask) in self.left.iter_mut().enumerate() {
             let offset = plan.samples.offset(sample);
             if let (Some(plane), None) = (plan.depth_plane, output)

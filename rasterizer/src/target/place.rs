@@ -32,12 +32,12 @@ pub enum Old {
 pub fn with_words<R>(
     isa: Isa,
     plane: &mut Plane,
-    place: Place<'_>,
+    place: &Place<'_>,
     mask: u64,
     old: Old,
     change: impl FnOnce(&mut U32s) -> R,
 ) -> R {
-    match place {
+    match *place {
         Place::Block(block) => change(plane.block_mut(block)),
         Place::Quads(of, quads) => {
             let blocks = plane.blocks_mut();
@@ -66,7 +66,7 @@ pub fn with_words<R>(
 pub fn with_texels<R>(
     isa: Isa,
     planes: &mut [Plane],
-    place: Place<'_>,
+    place: &Place<'_>,
     mask: u64,
     change: impl FnOnce(&mut [U32s; 4]) -> R,
 ) -> R {
@@ -76,7 +76,7 @@ pub fn with_texels<R>(
     }
     let result = change(&mut texels);
     for (plane, words) in planes.iter_mut().zip(&texels) {
-        match place {
+        match *place {
             Place::Block(block) => *plane.block_mut(block) = *words,
             Place::Quads(of, quads) => scatter(plane.blocks_mut(), of, quads, mask, words),
             Place::Pixels(at) => scatter_pixels(plane.blocks_mut(), at, mask, words),
