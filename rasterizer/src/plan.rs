@@ -337,14 +337,10 @@ impl DrawPlan {
             let texture = input.textures.get(slot as usize).and_then(Option::as_ref);
             texture.is_some_and(|texture| texture.needs_lod())
         };
-        let alone = samples.count == 1
-            && !inputs.contains(&FragmentInput::Coverage)
-            && !fragment.reads_neighbours(needs_lod);
-        // Of one sample, and with nothing left to decide once they are shaded.
-        let is_plain = shading == Shading::On
-            && !late
-            && samples.count == 1
-            && !inputs.contains(&FragmentInput::Coverage);
+        let is_whole = samples.count == 1 && !inputs.contains(&FragmentInput::Coverage);
+        let alone = is_whole && !fragment.reads_neighbours(needs_lod);
+        // With nothing left to decide once they are shaded.
+        let is_plain = is_whole && shading == Shading::On && !late;
         Self {
             together: if is_plain { fragment.banks() } else { 1 },
             shades_depth: late || inputs.contains(&FragmentInput::Depth),

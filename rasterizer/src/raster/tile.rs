@@ -230,6 +230,14 @@ impl Worker {
         self.flush_pixels(pass, job, tile);
     }
 
+    /// Shades what waits, if any of it lies at these lanes of a block.
+    #[inline]
+    fn make_way(&mut self, pass: &PassJob, tile: &mut TileJob, block: usize, lanes: u64) {
+        if self.waiting.holds(block, lanes) || self.pixels.holds(block, lanes) {
+            self.flush(pass, tile);
+        }
+    }
+
     /// Shades the blocks that wait.
     fn flush_run(&mut self, pass: &PassJob, job: &DrawJob, tile: &mut TileJob) {
         if self.run.len() > 0 {
@@ -457,9 +465,7 @@ impl Worker {
                 covered &= coverage::block(pass.isa, &edges, bx, by).lanes();
             }
             if covered == !0 && is_plain {
-                if self.waiting.holds(block, covered) || self.pixels.holds(block, covered) {
-                    self.flush(pass, tile);
-                }
+                self.make_way(pass, tile, block, covered);
                 tile.prefetch(&job.plan, block);
                 self.run.push(self.broad.at(block), shape.facing, block, covered);
                 if self.run.len() == job.plan.together {
@@ -509,9 +515,7 @@ impl Worker {
         let plan = &job.plan;
         let covered = masks.any();
         let block = (by * 8 + bx) as usize;
-        if self.waiting.holds(block, covered) || self.pixels.holds(block, covered) {
-            self.flush(pass, tile);
-        }
+        self.make_way(pass, tile, block, covered);
         let packs = plan.packing == Packing::Pixels && tile.watched.is_none();
         if packs && covered.count_ones() < DENSE_PIXELS {
             let mut left = covered;

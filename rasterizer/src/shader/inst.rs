@@ -183,29 +183,8 @@ impl Inst {
     /// Whether it computes values from values of registers, whatever lanes execute: code of such
     /// instructions alone can run for several banks of registers at once.
     pub fn is_straight(&self) -> bool {
-        match self {
-            Self::Compute { .. }
-            | Self::Move { .. }
-            | Self::Derivative { .. }
-            | Self::Sample(_) => true,
-            Self::Zero { .. }
-            | Self::Store { .. }
-            | Self::LoadAt { .. }
-            | Self::StoreAt { .. }
-            | Self::UniformAt { .. }
-            | Self::If { .. }
-            | Self::Unless { .. }
-            | Self::Jump { .. }
-            | Self::Repeat { .. }
-            | Self::Else { .. }
-            | Self::Join { .. }
-            | Self::Open { .. }
-            | Self::Leave { .. }
-            | Self::LeaveIf { .. }
-            | Self::Discard
-            | Self::SkipEmpty { .. }
-            | Self::Again { .. } => false,
-        }
+        let moves = matches!(self, Self::Move { .. } | Self::Derivative { .. });
+        moves || matches!(self, Self::Compute { .. } | Self::Sample(_))
     }
 
     /// Whether it changes which lanes execute, or where the program goes on.

@@ -51,7 +51,7 @@ impl Plane {
     /// The words of a block.
     #[inline]
     pub fn block(&self, block: usize) -> U32s {
-        if self.is_cleared(block) { U32s::splat(self.word) } else { self.words[block] }
+        self.with_block(block, |words| *words)
     }
 
     /// What `see` makes of the words of a block.
