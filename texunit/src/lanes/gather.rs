@@ -23,7 +23,9 @@ pub(super) fn bytes(words: &U32s, shift: u32) -> U32s {
     out
 }
 
-#[inline(always)]
+// The baseline's are functions by themselves: they take on no instruction set, and stand in many places.
+
+#[inline(never)]
 pub(super) fn scalar(bytes: &[u8], offsets: &U32s) -> U32s {
     check::<Baseline>(bytes.len(), offsets, 1, 4);
     let mut out = U32s::ZERO;
@@ -36,7 +38,7 @@ pub(super) fn scalar(bytes: &[u8], offsets: &U32s) -> U32s {
     out
 }
 
-#[inline(always)]
+#[inline(never)]
 pub(super) fn scalar_pairs(bytes: &[u8], offsets: &U32s) -> [U32s; 2] {
     check::<Baseline>(bytes.len(), offsets, 1, 8);
     let mut out = [U32s::ZERO; 2];
@@ -51,7 +53,7 @@ pub(super) fn scalar_pairs(bytes: &[u8], offsets: &U32s) -> [U32s; 2] {
     out
 }
 
-#[inline(always)]
+#[inline(never)]
 pub(super) fn scalar_f32(table: &[f32], indices: &U32s) -> F32s {
     check::<Baseline>(size_of_val(table), indices, 4, 4);
     let mut out = F32s::ZERO;

@@ -4,7 +4,9 @@
 
 use super::{LANES, U32s};
 
-#[inline(always)]
+// The baseline's are functions by themselves, as in `gather`.
+
+#[inline(never)]
 pub(super) fn scalar(words: &U32s) -> u32 {
     let mut largest = 0;
     for lane in 0..LANES {
@@ -50,7 +52,7 @@ pub(super) unsafe fn avx512(words: &U32s) -> u32 {
     }
 }
 
-#[inline(always)]
+#[inline(never)]
 pub(super) fn scalar_any(words: &U32s) -> bool {
     let mut any = 0;
     for lane in 0..LANES {
@@ -127,7 +129,7 @@ pub(super) unsafe fn avx512_below(words: &U32s, bound: u32) -> bool {
     }
 }
 
-#[inline(always)]
+#[inline(never)]
 pub(super) fn scalar_nonzero(words: &U32s) -> u64 {
     let mut bytes = [0_u8; LANES];
     for lane in 0..LANES {
