@@ -1,15 +1,17 @@
 //! One decision per draw: how this image is sampled with this sampler.
 
-use crate::format::{Block, Encoding, Format};
+use crate::format::{BaseFormat, Block, Encoding, Format};
 use crate::image::{Image, Incomplete, Level, Shape};
 use crate::lanes::math::clamp;
-use crate::lanes::{F32s, I32s, Isa, LANES};
-use crate::sample::flat;
+use crate::lanes::{F32s, I32s, Isa, LANES, Simd};
 use crate::sample::lod::LodRange;
 use crate::sample::plain::Class;
 use crate::sample::query::Query;
+use crate::sample::take;
+pub use crate::sample::take::{Take, Texels};
 use crate::sample::texel::Fetch;
 use crate::sample::{Off, Probed, Sample, Scanned};
+use crate::sample::{ahead, flat};
 use crate::sampler::{
     Border, Compare, DepthMode, Filter, MAX_ANISOTROPY, Mipmap, Sampler, Seamless, Swizzle, Wrap,
 };
@@ -66,6 +68,8 @@ pub(crate) struct Texture {
     pub way: Way,
     pub detail: Detail,
     pub kernel: SampleKernel,
+    /// Whether texels may go to who looks them up as words of bytes: red, green, blue and, if any, alpha.
+    pub gives_words: bool,
 }
 
 /// Which kernel samples. Where several can, they give the same bits.
@@ -199,6 +203,11 @@ impl SamplePlan {
         }
     }
 
+    /// Whether [`Self::take`] may be asked: the image is complete, and what it gives is not compared.
+    pub fn gives_colors(&self) -> bool {
+        self.0.as_ref().is_ok_and(|texture| texture.compare.is_none())
+    }
+
     /// The decisions in one line.
     pub fn describe(&self) -> String {
         match &self.0 {
@@ -255,6 +264,44 @@ impl SamplePlan {
             }
             Err(_) => *out = OPAQUE_BLACK,
         }
+    }
+
+    /// Asks for the texels that [`SamplePlan::take`] will read around these points (s and t), as part of a kernel.
+    /// `like` and `lod` are of one of the batches that the points are of.
+    #[inline(always)]
+    pub fn ask<S: Simd>(&self, points: [&F32s; 2], like: [&F32s; 3], lod: &Lod<'_>) {
+        if let Ok(texture) = &self.0
+            && S::WIDE
+            && texture.gives_words
+        {
+            ahead::ask::<S>(texture, points, like, lod);
+        }
+    }
+
+    /// [`SamplePlan::sample`] as part of a kernel, of images that are not compared. What it gives goes to `take`
+    /// without a detour, where texels are bytes and all lanes read the same level, or the same two; else by way
+    /// of `lanes`.
+    #[inline(always)]
+    pub fn take<S: Simd, T: Take>(
+        &self,
+        isa: Isa,
+        coords: [&F32s; 3],
+        lod: Lod<'_>,
+        lanes: &mut [F32s; 4],
+        take: T,
+    ) -> T::Output {
+        let take = match &self.0 {
+            Ok(texture) if S::WIDE && texture.gives_words => {
+                match take::take::<S, T>(texture, coords, &lod, take) {
+                    Ok(output) => return output,
+                    Err(take) => take,
+                }
+            }
+            Ok(_) | Err(_) => take,
+        };
+        // By the same kernels that shaders call: another copy of them would be a megabyte.
+        self.sample_offset(isa, coords, None, [0; 3], lod, lanes);
+        take.take::<S>(&take::Lanes(lanes))
     }
 
     /// What level of detail a lookup with these coordinates has (`textureQueryLOD`): the level that
@@ -314,7 +361,7 @@ impl SamplePlan {
         let way = Way::General;
         Self(self.0.clone().map(|texture| {
             let kernel = SampleKernel::new(texture.shape, way, &texture.detail);
-            Texture { way, kernel, ..texture }
+            Texture { way, kernel, gives_words: false, ..texture }
         }))
     }
 
@@ -362,6 +409,12 @@ impl Texture {
             depth_mode: sampler.depth_mode,
             swizzle: sampler.swizzle,
             way,
+            gives_words: {
+                let is_color = matches!(format.base(), BaseFormat::Rgb | BaseFormat::Rgba);
+                let is_flat =
+                    SampleKernel::new(shape, way, &detail) == SampleKernel::Flat(Class::Bytes);
+                is_flat && is_color && sampler.swizzle == Swizzle::IDENTITY
+            },
             kernel: SampleKernel::new(shape, way, &detail),
             detail,
         })

@@ -155,6 +155,9 @@ pub trait Kernel {
 
 /// The operations that plain loops do not reach on every instruction set.
 pub trait Simd: Copy + private::Sealed {
+    /// Whether it is worth the size of a kernel to have a shorter way beside one that does as well.
+    const WIDE: bool;
+
     /// Reads the four bytes at each byte offset as a little-endian word.
     ///
     /// # Panics
@@ -230,7 +233,13 @@ pub trait Simd: Copy + private::Sealed {
         math::floor(x)
     }
 
-    /// [`math::floor_small`] of one lane that is known to be small; of others some integer.
+    /// [`Simd::floor`] of one lane, whose zero has any sign.
+    #[inline(always)]
+    fn floor_unsigned(x: f32) -> f32 {
+        math::floor(x)
+    }
+
+    /// [`math::floor_small`] of one lane, whose zero has any sign, that is known to be small; of others some integer.
     #[inline(always)]
     fn floor_small(x: f32) -> (i32, f32) {
         math::floor_small(x)
@@ -266,8 +275,12 @@ macro_rules! rounding_instructions {
         }
         #[inline(always)]
         fn floor_small(x: f32) -> (i32, f32) {
-            let whole = x.floor() + 0.0;
+            let whole = x.floor();
             (math::low_bits(whole), whole)
+        }
+        #[inline(always)]
+        fn floor_unsigned(x: f32) -> f32 {
+            x.floor()
         }
         #[inline(always)]
         fn ceil(x: f32) -> f32 {
@@ -294,6 +307,7 @@ mod private {
 pub struct Baseline;
 impl private::Sealed for Baseline {}
 impl Simd for Baseline {
+    const WIDE: bool = false;
     #[inline(always)]
     fn gather(bytes: &[u8], offsets: &U32s) -> U32s {
         gather::scalar(bytes, offsets)
@@ -344,6 +358,7 @@ struct Avx2;
 impl private::Sealed for Avx2 {}
 #[cfg(target_arch = "x86_64")]
 impl Simd for Avx2 {
+    const WIDE: bool = true;
     rounding_instructions!();
     #[inline(always)]
     fn gather(bytes: &[u8], offsets: &U32s) -> U32s {
@@ -404,6 +419,7 @@ struct Avx512;
 impl private::Sealed for Avx512 {}
 #[cfg(target_arch = "x86_64")]
 impl Simd for Avx512 {
+    const WIDE: bool = true;
     rounding_instructions!();
     #[inline(always)]
     fn gather(bytes: &[u8], offsets: &U32s) -> U32s {

@@ -30,6 +30,6 @@ mod weigh;
 pub use batch::{F32s, I32s, LANES, QUADS, U32s, lane_x, lane_y};
 pub use isa::{Baseline, Isa, IsaError, Kernel, Simd};
 pub use log2::{log2, log2_of_root};
-pub use prefetch::prefetch;
+pub use prefetch::{prefetch, prefetch_at};
 pub use walk::{Beside, ONE, Walk, weights};
 pub use weigh::Sums;

@@ -206,10 +206,15 @@ pub fn divide(place: &Place<'_>, means: &mut [F32s; 4]) {
 #[inline(always)]
 pub fn mix(first: &F32s, second: &F32s, weight: &F32s, out: &mut F32s) {
     for lane in 0..LANES {
-        let (a, t) = (first[lane], weight[lane]);
-        let mean = lerp(a, second[lane], t);
-        out[lane] = if t > 0.0 { mean } else { a };
+        out[lane] = mixed(first[lane], second[lane], weight[lane]);
     }
+}
+
+/// [`mix`] of one lane.
+#[inline(always)]
+pub fn mixed(first: f32, second: f32, weight: f32) -> f32 {
+    let mean = lerp(first, second, weight);
+    if weight > 0.0 { mean } else { first }
 }
 
 /// `a` to `b`, exact where they are equal and where `t` is 0.

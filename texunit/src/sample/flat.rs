@@ -11,7 +11,7 @@ use super::record::Off;
 use super::{Coordinates, Sample, expand, filter, plain, taps, unit_range};
 use crate::image::Shape;
 use crate::lanes::{F32s, Kernel, Simd, U32s};
-use crate::plan::{Detail, Way};
+use crate::plan::{Detail, Lod, Texture, Way};
 use crate::sampler::Filter;
 
 /// One call: 64 samples of a texture that goes this way, of texels of this class.
@@ -37,6 +37,47 @@ pub(crate) fn class(shape: Shape, way: Way) -> Option<Class> {
     }
 }
 
+/// What all lanes of a batch read.
+pub struct Read {
+    pub filter: Filter,
+    /// Twice the same where no lane reads another.
+    pub levels: [u32; 2],
+    /// Of the second level, where λ has a say.
+    pub weight: Option<F32s>,
+}
+
+/// Which levels all lanes read; `None` where they read different ones.
+#[inline(always)]
+pub fn read<S: Simd>(texture: &Texture, coords: &[&F32s; 3], lod: &Lod<'_>) -> Option<Read> {
+    match &texture.detail {
+        Detail::Fixed { filter, level, .. } => {
+            Some(Read { filter: *filter, levels: [*level, *level], weight: None })
+        }
+        Detail::PerLane { min, range, anisotropy, .. } => {
+            let (at, off) = (Coordinates::in_plane(*coords), &mut Off);
+            let (base, _, bias) =
+                taps::base_lambda::<S, Round>(texture, &at, *lod, *anisotropy, off);
+            let (each, weight) = range.levels(&range.lambda(&base, bias));
+            let levels = taps::same_levels::<S>(&each, &weight)?;
+            Some(Read { filter: *min, levels, weight: Some(weight) })
+        }
+    }
+}
+
+/// A level of a texture in a plane.
+#[inline(always)]
+pub fn place(texture: &Texture, filter: Filter, number: u32) -> filter::Place<'_> {
+    filter::Place {
+        texture,
+        filter,
+        face: 0,
+        number: number as usize,
+        level: &texture.levels[0][number as usize],
+        layer: &U32s::ZERO,
+        reference: &F32s::ZERO,
+    }
+}
+
 impl<F> Kernel for Flat<'_, '_, F> {
     type Output = Outcome;
 
@@ -44,35 +85,17 @@ impl<F> Kernel for Flat<'_, '_, F> {
     fn run<S: Simd>(self) -> Outcome {
         let Self { sample, class } = self;
         let texture = sample.texture;
-        let mut weight = F32s::ZERO;
-        let (filter, levels) = match &texture.detail {
-            Detail::Fixed { filter, level, .. } => (*filter, [*level, *level]),
-            Detail::PerLane { min, range, anisotropy, .. } => {
-                let at = Coordinates::in_plane(*sample.coords);
-                let (lod, off) = (*sample.lod, &mut Off);
-                let (base, _, bias) =
-                    taps::base_lambda::<S, Round>(texture, &at, lod, *anisotropy, off);
-                let each;
-                (each, weight) = range.levels(&range.lambda(&base, bias));
-                match taps::same_levels::<S>(&each, &weight) {
-                    Some(levels) => (*min, levels),
-                    None => return Outcome::NotFlat,
-                }
-            }
-        };
-        let mut second = [F32s::ZERO; 4];
+        let read = read::<S>(texture, sample.coords, sample.lod);
+        let Some(Read { filter, levels, weight }) = read else { return Outcome::NotFlat };
+        // Where nothing is stored in vain, no texel waits behind it.
+        let mut second = None;
         let reads_both = levels[0] != levels[1];
         for (turn, number) in levels.into_iter().take(1 + usize::from(reads_both)).enumerate() {
-            let place = filter::Place {
-                texture,
-                filter,
-                face: 0,
-                number: number as usize,
-                level: &texture.levels[0][number as usize],
-                layer: &U32s::ZERO,
-                reference: &F32s::ZERO,
+            let place = place(texture, filter, number);
+            let out = match turn {
+                0 => &mut *sample.out,
+                _ => second.get_or_insert([F32s::ZERO; 4]),
             };
-            let out = if turn == 0 { &mut *sample.out } else { &mut second };
             let is_done = match filter {
                 Filter::Nearest => plain::nearest::<S>(&place, class, *sample.coords, out),
                 Filter::Linear => plain::linear::<S>(&place, class, *sample.coords, out),
@@ -86,11 +109,11 @@ impl<F> Kernel for Flat<'_, '_, F> {
                 compare(op, &reference, &mut out[0]);
             }
         }
-        if reads_both {
+        if let (Some(second), Some(weight)) = (&second, &weight) {
             let channels = texture.format.channels();
-            for (out, second) in sample.out.iter_mut().zip(&second).take(channels) {
+            for (out, second) in sample.out.iter_mut().zip(second).take(channels) {
                 let first = *out;
-                filter::mix(&first, second, &weight, out);
+                filter::mix(&first, second, weight, out);
             }
         }
         expand::expand(texture.format, texture.depth_mode, sample.out);

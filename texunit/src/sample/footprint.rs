@@ -148,7 +148,7 @@ pub fn isotropic(
 
 /// ρ² of two axes.
 #[inline(always)]
-fn rho_squared(d: &Derivatives<'_>, scale: [f32; 3], lane: usize) -> f32 {
+pub fn rho_squared(d: &Derivatives<'_>, scale: [f32; 3], lane: usize) -> f32 {
     let (dudx, dvdx) = (d.dx[0][lane] * scale[0], d.dx[1][lane] * scale[1]);
     let (dudy, dvdy) = (d.dy[0][lane] * scale[0], d.dy[1][lane] * scale[1]);
     max(dudx * dudx + dvdx * dvdx, dudy * dudy + dvdy * dvdy)

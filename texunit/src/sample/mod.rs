@@ -5,6 +5,7 @@
 //! is sampled once in all lanes, and a mask keeps the lanes that asked for it. Most batches touch
 //! one to three. What a lane gets does not depend on its neighbours' levels.
 
+pub(crate) mod ahead;
 mod compare;
 mod cube;
 mod expand;
@@ -18,6 +19,7 @@ pub(crate) mod query;
 mod record;
 mod scan;
 mod seamless;
+pub(crate) mod take;
 mod taps;
 pub(crate) mod texel;
 mod wrap;

@@ -15,6 +15,7 @@ pub use channels::{Class, of_texel};
 use super::fetch::{neighbours, side_by_side};
 use super::filter::Place;
 use super::wrap::{Axis, enclosing};
+use crate::lanes::math::index;
 use crate::lanes::{F32s, I32s, LANES, Simd, U32s};
 use crate::sampler::{Filter, Seamless, Wrap};
 
@@ -26,28 +27,41 @@ pub fn nearest<S: Simd>(
     at: [&F32s; 3],
     out: &mut [F32s; 4],
 ) -> bool {
+    let Some(offsets) = texel_offsets::<S>(place, at) else { return false };
+    let level = place.level;
+    for word in 0..level.format.words() {
+        let words = S::gather(&level.texels, &moved(&offsets, word));
+        of_texel::<S>(class, level.format.channels(), word, &words, out);
+    }
+    true
+}
+
+/// Where the texels begin that the points lie in; `None`, where this way does not lead.
+#[inline(always)]
+fn texel_offsets<S: Simd>(place: &Place<'_>, at: [&F32s; 3]) -> Option<U32s> {
     if place.texture.reaches_border(Filter::Nearest) {
-        return false;
+        return None;
     }
     let (s, t) = (place.axis(0), place.axis(1));
     let (u, v) = (s.texel_coordinate::<S>(at[0]), t.texel_coordinate::<S>(at[1]));
     let level = place.level;
     let (bytes, row) = (level.format.bytes() as u32, level.row_bytes() as u32);
     let origin = level.origin() as u32;
-    let (last_s, last_t) = (s.size as i32 - 1, t.size as i32 - 1);
+    let (last_s, last_t) = ((s.size - 1) as f32, (t.size - 1) as f32);
     let mut offsets = U32s::ZERO;
     for lane in 0..LANES {
-        // Neither is below 0; the coordinate may be rounded up to the size.
-        let (i, j) = (S::floor_small(u[lane]).0, S::floor_small(v[lane]).0);
-        let x = if i > last_s { last_s } else { i } as u32;
-        let y = if j > last_t { last_t } else { j } as u32;
+        // A coordinate may be rounded up to the size.
+        let (x, y) = (index(u[lane], last_s), index(v[lane], last_t));
         offsets[lane] = y.wrapping_mul(row).wrapping_add(x.wrapping_mul(bytes)) + origin;
     }
-    for word in 0..level.format.words() {
-        let words = S::gather(&level.texels, &moved(&offsets, word));
-        of_texel::<S>(class, level.format.channels(), word, &words, out);
-    }
-    true
+    Some(offsets)
+}
+
+/// The texels that the points lie in, of one word each; `None`, where this way does not lead.
+#[inline(always)]
+pub fn texels<S: Simd>(place: &Place<'_>, at: [&F32s; 3]) -> Option<U32s> {
+    let offsets = texel_offsets::<S>(place, at)?;
+    Some(S::gather(&place.level.texels, &offsets))
 }
 
 /// The mean of 2×2 texels; or `false`, where this way does not lead.
@@ -58,21 +72,16 @@ pub fn linear<S: Simd>(
     at: [&F32s; 3],
     out: &mut [F32s; 4],
 ) -> bool {
-    let Some(reach) = reach::<S>(place, at) else { return false };
-    let Reach { axes: [s, t], first: [i, j], weights: [alpha, beta], inside } = &reach;
-    let level = place.level;
-    let xs = ends(s, i, inside[0], level.format.bytes() as u32, level.origin() as u32);
-    let ys = ends(t, j, inside[1], level.row_bytes() as u32, 0);
-    let offsets = [sum(&xs[0], &ys[0]), sum(&xs[0], &ys[1])];
-    let weights = [alpha, beta];
-    let (words, channels) = (level.format.words(), level.format.channels());
-    if words == 1 && inside[0] {
-        let [a, b] = neighbours::<S>(level, &offsets[0]);
-        let [c, d] = neighbours::<S>(level, &offsets[1]);
-        of_square::<S>(class, channels, 0, [&a, &b, &c, &d], weights, out);
+    let (words, channels) = (place.level.format.words(), place.level.format.channels());
+    if words == 1 {
+        let Some(Square { words, weights }) = square::<S>(place, at) else { return false };
+        of_square::<S>(class, channels, 0, words.each_ref(), weights.each_ref(), out);
         return true;
     }
-    let corners = [offsets[0], sum(&xs[1], &ys[0]), offsets[1], sum(&xs[1], &ys[1])];
+    let Some(reach) = reach::<S>(place, at) else { return false };
+    let corners = reach.corners(place);
+    let level = place.level;
+    let weights = reach.weights.each_ref();
     let mut word = 0;
     while word + 1 < words {
         let a = S::gather_pairs(&level.texels, &moved(&corners[0], word));
@@ -86,13 +95,44 @@ pub fn linear<S: Simd>(
         word += 2;
     }
     if word < words {
-        let a = S::gather(&level.texels, &moved(&corners[0], word));
-        let b = S::gather(&level.texels, &moved(&corners[1], word));
-        let c = S::gather(&level.texels, &moved(&corners[2], word));
-        let d = S::gather(&level.texels, &moved(&corners[3], word));
-        of_square::<S>(class, channels, word, [&a, &b, &c, &d], weights, out);
+        let words = one_by_one::<S>(place, &corners, word);
+        of_square::<S>(class, channels, word, words.each_ref(), weights, out);
     }
     true
+}
+
+/// 2×2 texels of one word each, in the order (0, 0), (1, 0), (0, 1), (1, 1).
+pub struct Square {
+    pub words: [U32s; 4],
+    /// Of the right and of the upper texels.
+    pub weights: [F32s; 2],
+}
+
+/// The texels whose mean a point takes, of one word each; `None`, where this way does not lead.
+#[inline(always)]
+pub fn square<S: Simd>(place: &Place<'_>, at: [&F32s; 3]) -> Option<Square> {
+    let reach = reach::<S>(place, at)?;
+    let corners = reach.corners(place);
+    let words = if reach.inside[0] {
+        let [a, b] = neighbours::<S>(place.level, &corners[0]);
+        let [c, d] = neighbours::<S>(place.level, &corners[2]);
+        [a, b, c, d]
+    } else {
+        one_by_one::<S>(place, &corners, 0)
+    };
+    Some(Square { words, weights: reach.weights })
+}
+
+/// A word of each of four texels.
+#[inline(always)]
+fn one_by_one<S: Simd>(place: &Place<'_>, corners: &[U32s; 4], word: usize) -> [U32s; 4] {
+    let texels = &place.level.texels;
+    [
+        S::gather(texels, &moved(&corners[0], word)),
+        S::gather(texels, &moved(&corners[1], word)),
+        S::gather(texels, &moved(&corners[2], word)),
+        S::gather(texels, &moved(&corners[3], word)),
+    ]
 }
 
 /// The squares of texels that lanes take means of.
@@ -105,6 +145,18 @@ struct Reach {
     weights: [F32s; 2],
     /// Whether both columns, both rows, are the level's in every lane.
     inside: [bool; 2],
+}
+
+impl Reach {
+    /// Where each texel of the squares begins.
+    #[inline(always)]
+    fn corners(&self, place: &Place<'_>) -> [U32s; 4] {
+        let Self { axes: [s, t], first: [i, j], inside, .. } = self;
+        let level = place.level;
+        let xs = ends(s, i, inside[0], level.format.bytes() as u32, level.origin() as u32);
+        let ys = ends(t, j, inside[1], level.row_bytes() as u32, 0);
+        [sum(&xs[0], &ys[0]), sum(&xs[1], &ys[0]), sum(&xs[0], &ys[1]), sum(&xs[1], &ys[1])]
+    }
 }
 
 /// Finds the squares; `None` where the border or another face is reached.

@@ -50,7 +50,7 @@ impl Axis {
         match wrap {
             Wrap::Repeat => {
                 for lane in 0..LANES {
-                    u[lane] = max(s[lane] - S::floor(s[lane]), 0.0) * n;
+                    u[lane] = max(s[lane] - S::floor_unsigned(s[lane]), 0.0) * n;
                 }
             }
             Wrap::Clamp => {

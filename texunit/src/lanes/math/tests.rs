@@ -132,6 +132,16 @@ fn rounding_is_exact() {
 }
 
 #[test]
+fn an_index_is_the_integer_part_held_in_range() {
+    for x in domain(40_009) {
+        for last in [0.0, 1.0, 511.0, 16_383.0] {
+            let want = if x.is_nan() { 0.0 } else { x.clamp(0.0, last) };
+            assert_eq!(index(x, last), want as u32, "index({x:?}, {last})");
+        }
+    }
+}
+
+#[test]
 fn the_floor_of_small_numbers_is_the_floor() {
     let mut x = -4_000_000.9_f32;
     while x < 4_000_000.0 {

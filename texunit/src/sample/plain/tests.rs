@@ -3,8 +3,8 @@
 use super::*;
 use crate::format::Format;
 use crate::image::{Image, Level, Shape};
-use crate::lanes::Isa;
-use crate::plan::{Lod, SamplePlan};
+use crate::lanes::{Isa, Kernel};
+use crate::plan::{Lod, SamplePlan, Take, Texels};
 use crate::sampler::{Compare, Filter, Mipmap, Sampler, Seamless, Wrap};
 
 fn noise(seed: u32) -> u32 {
@@ -76,11 +76,49 @@ fn depths_are_compared_the_short_way_as_they_are_in_general() {
     }
 }
 
+/// The bits of numbers, all that are none alike.
+fn bits(lanes: F32s) -> [u32; LANES] {
+    lanes.0.map(|x| if x.is_nan() { f32::NAN.to_bits() } else { x.to_bits() })
+}
+
+/// A lookup as part of a kernel: its colours, and its bytes, if that is what they are.
+struct Taken<'a> {
+    isa: Isa,
+    plan: &'a SamplePlan,
+    coords: [&'a F32s; 3],
+}
+
+/// Keeps what a lookup gives.
+struct Keep;
+
+impl Take for Keep {
+    type Output = ([F32s; 4], Option<U32s>);
+
+    #[inline(always)]
+    fn take<S: Simd>(self, texels: &impl Texels) -> Self::Output {
+        let channel = |channel| F32s::from_fn(|lane| texels.channel(lane, channel));
+        ([0, 1, 2, 3].map(channel), texels.bytes().copied())
+    }
+}
+
+impl Kernel for Taken<'_> {
+    type Output = ([F32s; 4], Option<U32s>);
+
+    #[inline(always)]
+    fn run<S: Simd>(self) -> Self::Output {
+        let (lod, lanes) = (Lod::Implicit { bias: None }, &mut [F32s::ZERO; 4]);
+        let [s, t, _] = self.coords;
+        self.plan.ask::<S>([s, t], self.coords, &lod);
+        self.plan.take::<S, _>(self.isa, self.coords, lod, lanes, Keep)
+    }
+}
+
 #[test]
 fn the_short_way_gives_the_bits_of_the_general_one() {
     let is_short = |format: &Format| Class::of(*format).is_some() || format.block().is_some();
     let formats: Vec<Format> = Format::ALL.into_iter().filter(is_short).collect();
     assert!(formats.len() > 30);
+    let mut bytes_given = 0;
     for round in 0..1000_u32 {
         let pick = |salt: u32, n: usize| noise(round * 32 + salt) as usize % n;
         let (shape, border) = [(Shape::D2, round), (Shape::Cube, round & !1)][pick(0, 2)];
@@ -121,9 +159,24 @@ fn the_short_way_gives_the_bits_of_the_general_one() {
                 let mut out = [F32s::ZERO; 4];
                 let lod = Lod::Implicit { bias: None };
                 plan.sample(isa, coords.each_ref(), None, lod, &mut out);
-                out.map(|c| c.0.map(|x| if x.is_nan() { f32::NAN.to_bits() } else { x.to_bits() }))
+                out.map(bits)
             };
-            assert_eq!(sample(&plan), sample(&plan.general()), "{}", plan.describe());
+            let want = sample(&plan);
+            assert_eq!(want, sample(&plan.general()), "{}", plan.describe());
+            if plan.gives_colors() {
+                let coords = coords.each_ref();
+                let (colors, bytes) = isa.run(Taken { isa, plan: &plan, coords });
+                let got = colors.map(bits);
+                assert_eq!(got, want, "as part of a kernel: {}", plan.describe());
+                for lane in 0..LANES {
+                    let Some(bytes) = bytes else { continue };
+                    let byte = |channel: usize| f32::from(bytes[lane].to_le_bytes()[channel]);
+                    let given = [0, 1, 2, 3].map(|channel| (byte(channel) / 255.0).to_bits());
+                    assert_eq!(given, got.map(|channel| channel[lane]), "{}", plan.describe());
+                    bytes_given += 1;
+                }
+            }
         }
     }
+    assert!(bytes_given > 0 || Isa::available().len() == 1);
 }

@@ -1,0 +1,80 @@
+//! Texels asked for before they are sampled. A texture is often larger than what a processor keeps near, and its
+//! rows lie too far apart for it to guess which one comes next. Whatever is asked for, no result depends on it.
+
+use super::filter::Place;
+use super::flat::place;
+use super::footprint::{Derivatives, rho_squared};
+use crate::lanes::math::index;
+use crate::lanes::{F32s, LANES, QUADS, Simd, U32s, prefetch_at};
+use crate::plan::{Detail, Lod, Texture};
+
+/// Levels of fewer bytes stay near by themselves.
+const FAR: usize = 1 << 20;
+
+/// Of each 16 points, four by four, those on the diagonals: of any two sides of a block they reach both, whichever
+/// way the texture is turned.
+const ASKED: [usize; 8] = [0, 5, 10, 15, 3, 6, 9, 12];
+
+/// Asks for the rows around points of a plane: of every 16 lanes, every other pixel of a block. `like` and `lod` are
+/// of a batch whose first lane reads about the levels that all of them read.
+#[inline(always)]
+pub(crate) fn ask<S: Simd>(texture: &Texture, points: [&F32s; 2], like: [&F32s; 3], lod: &Lod<'_>) {
+    let levels = &texture.levels[0];
+    if levels[0].texels.len() < FAR {
+        return;
+    }
+    let (filter, first, last) = match &texture.detail {
+        Detail::Fixed { filter, level, .. } => (*filter, *level, *level),
+        Detail::PerLane { min, range, .. } => {
+            let first = guess(texture, like, lod).min(range.last);
+            (*min, first, (first + 1).min(range.last))
+        }
+    };
+    for number in first..=last {
+        let place = place(texture, filter, number);
+        if place.level.texels.len() >= FAR {
+            ask_level::<S>(&place, points);
+        }
+    }
+}
+
+/// The whole levels of λ in the first lane, by its exponent alone.
+#[inline(always)]
+fn guess(texture: &Texture, like: [&F32s; 3], lod: &Lod<'_>) -> u32 {
+    let differences;
+    let derivatives = match lod {
+        Lod::Gradient { dx, dy, .. } => Derivatives { dx: *dx, dy: *dy },
+        Lod::Implicit { .. } => {
+            let to = |lane: usize| like.map(|v| F32s::splat(v[lane] - v[0]));
+            differences = [to(QUADS), to(2 * QUADS)];
+            let [dx, dy] = &differences;
+            Derivatives { dx: dx.each_ref(), dy: dy.each_ref() }
+        }
+        Lod::Explicit(lambda) => return lambda[0] as u32,
+    };
+    let exponent = (rho_squared(&derivatives, texture.scale, 0).to_bits() >> 23) as i32 - 127;
+    (exponent >> 1).max(0) as u32
+}
+
+/// Beyond any texel.
+const MAX: f32 = 65_536.0;
+
+#[inline(always)]
+fn ask_level<S: Simd>(place: &Place<'_>, points: [&F32s; 2]) {
+    let (s, t) = (place.axis(0), place.axis(1));
+    let (u, v) = (s.texel_coordinate::<S>(points[0]), t.texel_coordinate::<S>(points[1]));
+    let level = place.level;
+    let (bytes, row) = (level.format.bytes() as u32, level.row_bytes() as u32);
+    let mut offsets = U32s::ZERO;
+    for lane in 0..LANES {
+        let (i, j) = (index(u[lane], MAX), index(v[lane], MAX));
+        offsets[lane] = j.wrapping_mul(row).wrapping_add(i.wrapping_mul(bytes));
+    }
+    for block in offsets.0.chunks_exact(QUADS) {
+        for point in ASKED {
+            let at = block[point] as usize;
+            prefetch_at(&level.texels, at);
+            prefetch_at(&level.texels, at.wrapping_add(row as usize));
+        }
+    }
+}

@@ -1,0 +1,150 @@
+//! Lookups that are part of another kernel: what a lane gets is computed where it is used, from texels that are
+//! still words, and lies in no memory between. The numbers are those of [`super::flat`].
+
+use super::filter::lerp;
+use super::flat::{self, Read};
+use super::plain::{self, Square};
+use crate::format::convert::{byte_channel, byte_of, over_255};
+use crate::lanes::{F32s, Simd, U32s};
+use crate::plan::{Lod, Texture};
+use crate::sampler::Filter;
+
+/// What a lookup gives.
+pub trait Texels {
+    /// Red, green, blue or alpha of a lane.
+    fn channel(&self, lane: usize, channel: usize) -> f32;
+
+    /// The same as four bytes over 255, where that is all that they are.
+    fn bytes(&self) -> Option<&U32s>;
+}
+
+/// What is done with it, as part of the kernel: see [`super::super::plan::SamplePlan::take`].
+pub trait Take {
+    /// What comes of it.
+    type Output;
+    /// Does it. `#[inline(always)]`, see [`crate::lanes::Kernel`].
+    fn take<S: Simd>(self, texels: &impl Texels) -> Self::Output;
+}
+
+/// Computed before.
+pub(crate) struct Lanes<'a>(pub &'a [F32s; 4]);
+
+impl Texels for Lanes<'_> {
+    #[inline(always)]
+    fn channel(&self, lane: usize, channel: usize) -> f32 {
+        self.0[channel][lane]
+    }
+    #[inline(always)]
+    fn bytes(&self) -> Option<&U32s> {
+        None
+    }
+}
+
+/// A texel of four bytes.
+struct One(U32s);
+
+impl Texels for One {
+    #[inline(always)]
+    fn channel(&self, lane: usize, channel: usize) -> f32 {
+        byte_channel(self.0[lane], channel)
+    }
+    #[inline(always)]
+    fn bytes(&self) -> Option<&U32s> {
+        Some(&self.0)
+    }
+}
+
+impl Texels for Square {
+    #[inline(always)]
+    fn channel(&self, lane: usize, channel: usize) -> f32 {
+        let texel = |corner: usize| byte_of(self.words[corner][lane], channel);
+        let [alpha, beta] = [self.weights[0][lane], self.weights[1][lane]];
+        let (lower, upper) = (lerp(texel(0), texel(1), alpha), lerp(texel(2), texel(3), alpha));
+        over_255(lerp(lower, upper, beta))
+    }
+    #[inline(always)]
+    fn bytes(&self) -> Option<&U32s> {
+        None
+    }
+}
+
+/// Of two levels, with the weight of the second.
+struct Both<'a>([Square; 2], &'a F32s);
+
+impl Texels for Both<'_> {
+    #[inline(always)]
+    fn channel(&self, lane: usize, channel: usize) -> f32 {
+        let Self([first, second], weight) = self;
+        super::filter::mixed(
+            first.channel(lane, channel),
+            second.channel(lane, channel),
+            weight[lane],
+        )
+    }
+    #[inline(always)]
+    fn bytes(&self) -> Option<&U32s> {
+        None
+    }
+}
+
+/// Looks up 64 lanes of a texture whose texels are red, green, blue and, if any, alpha in bytes; gives `take` back
+/// where that leads nowhere.
+#[inline(always)]
+pub(crate) fn take<S: Simd, T: Take>(
+    texture: &Texture,
+    coords: [&F32s; 3],
+    lod: &Lod<'_>,
+    take: T,
+) -> Result<T::Output, T> {
+    let Some(Read { filter, levels, weight }) = flat::read::<S>(texture, &coords, lod) else {
+        return Err(take);
+    };
+    let [first, second] = levels.map(|number| flat::place(texture, filter, number));
+    let is_same = levels[0] == levels[1];
+    match filter {
+        Filter::Nearest if is_same => {
+            let Some(words) = plain::texels::<S>(&first, coords) else { return Err(take) };
+            Ok(take.take::<S>(&One(with_alpha(texture, words))))
+        }
+        // Two levels of one texel each are rare.
+        Filter::Nearest => Err(take),
+        Filter::Linear => {
+            let Some(lower) = square::<S>(texture, &first, coords) else { return Err(take) };
+            match &weight {
+                Some(weight) if !is_same => {
+                    let upper = square::<S>(texture, &second, coords);
+                    let Some(upper) = upper else { return Err(take) };
+                    Ok(take.take::<S>(&Both([lower, upper], weight)))
+                }
+                Some(_) | None => Ok(take.take::<S>(&lower)),
+            }
+        }
+    }
+}
+
+#[inline(always)]
+fn square<S: Simd>(
+    texture: &Texture,
+    place: &super::filter::Place<'_>,
+    coords: [&F32s; 3],
+) -> Option<Square> {
+    let Square { words: [a, b, c, d], weights } = plain::square::<S>(place, coords)?;
+    let words = [
+        with_alpha(texture, a),
+        with_alpha(texture, b),
+        with_alpha(texture, c),
+        with_alpha(texture, d),
+    ];
+    Some(Square { words, weights })
+}
+
+/// Alpha is 1 where texels have none: then the fourth byte is anything.
+#[inline(always)]
+fn with_alpha(texture: &Texture, mut words: U32s) -> U32s {
+    if texture.format.channels() < 4 {
+        for word in &mut words.0 {
+            *word |= 0xFF00_0000;
+        }
+    }
+    words
+}
