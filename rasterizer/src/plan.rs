@@ -10,7 +10,7 @@ use crate::driver::{
 use crate::ir::{Axis, Input, Interpolation, Output};
 use crate::output::{ColorPlan, DepthFormat, DepthPlan, StencilPlan, Tests};
 use crate::raster::{PlaneSource, Samples};
-use crate::shader::{Prepared, Sources};
+use crate::shader::{Prepared, Program, Sources};
 use crate::target::component_bits;
 use std::fmt::Write;
 use std::sync::Arc;
@@ -100,6 +100,8 @@ pub struct DrawPlan {
     pub shading: Shading,
     /// Blocks that may be shaded together, see [`crate::shader::Machine::run_banks`].
     pub together: usize,
+    /// How whole blocks are shaded without the interpreter, if they are.
+    pub product: Option<ProductPlan>,
     /// How sparse fragments are packed.
     pub packing: Packing,
     /// Where the window is.
@@ -112,6 +114,67 @@ pub struct DrawPlan {
     pub raster: Arc<RasterState>,
     /// Which lanes the polygon stipple leaves of each block of its 32×32 pixels.
     pub stipple: Option<[u64; 16]>,
+}
+
+/// What a fragment program that is a product ([`crate::shader::Product`]) comes to in a draw.
+#[derive(Debug)]
+pub struct ProductPlan {
+    /// The planes that its factors depend on, if they depend on nothing else: where these are the same all over a
+    /// shape, so are the factors.
+    pub factor_planes: Option<Vec<usize>>,
+    /// The inputs that a block needs where the factors are known.
+    pub inputs: Vec<FragmentInput>,
+}
+
+impl ProductPlan {
+    /// Decides; `None` where the interpreter is needed.
+    fn new(
+        fragment: &Program,
+        inputs: &[FragmentInput],
+        denominator: Option<usize>,
+        textures: &Textures,
+    ) -> Option<Self> {
+        let product = fragment.product()?;
+        let is_there = |slot: u32| {
+            let texture = textures.get(slot as usize).and_then(Option::as_ref);
+            texture.is_some_and(|texture| texture.gives_colors())
+        };
+        if !product.textures().all(is_there) {
+            return None;
+        }
+        let mut factor_planes = Some(Vec::new());
+        for index in product.factor_inputs(fragment) {
+            match inputs[index] {
+                FragmentInput::Flat(plane) | FragmentInput::Linear(plane) => {
+                    factor_planes.iter_mut().for_each(|planes| planes.push(plane));
+                }
+                FragmentInput::Smooth(plane) => {
+                    let both = [Some(plane), denominator].into_iter().flatten();
+                    factor_planes.iter_mut().for_each(|planes| planes.extend(both.clone()));
+                }
+                FragmentInput::Zero => {}
+                FragmentInput::SmoothWithin(_)
+                | FragmentInput::LinearWithin(_)
+                | FragmentInput::SmoothSlope(..)
+                | FragmentInput::LinearSlope(..)
+                | FragmentInput::X
+                | FragmentInput::Y
+                | FragmentInput::Depth
+                | FragmentInput::Front
+                | FragmentInput::Coverage => factor_planes = None,
+            }
+        }
+        if let Some(planes) = &mut factor_planes {
+            planes.sort_unstable();
+            planes.dedup();
+        }
+        let read = product.lookup_inputs(fragment);
+        let needed = |(index, input): (usize, &FragmentInput)| match read.contains(&index) {
+            true => *input,
+            false => FragmentInput::Zero,
+        };
+        Some(Self { factor_planes, inputs: inputs.iter().enumerate().map(needed).collect() })
+    }
 }
 
 /// How fragments of sparsely covered blocks are put into batches.
@@ -341,8 +404,11 @@ impl DrawPlan {
         let alone = is_whole && !fragment.reads_neighbours(needs_lod);
         // With nothing left to decide once they are shaded.
         let is_plain = is_whole && shading == Shading::On && !late;
+        let together = if is_plain { fragment.banks() } else { 1 };
+        let product = ProductPlan::new(fragment, &inputs, denominator_plane, &input.textures);
         Self {
-            together: if is_plain { fragment.banks() } else { 1 },
+            product: product.filter(|_| together > 1 && colors.len() == 1 && colors[0].target == 0),
+            together,
             shades_depth: late || inputs.contains(&FragmentInput::Depth),
             packing: if alone { Packing::Pixels } else { Packing::Quads },
             centroids: inputs.iter().any(within),
@@ -425,6 +491,9 @@ impl DrawPlan {
                 }
             }
             Shading::Off => line("fragment", "left out: no colour is written".into()),
+        }
+        if self.product.is_some() {
+            line("", "blocks: texels are multiplied as they come, without registers".into());
         }
         for (slot, texture) in self.textures.iter().enumerate() {
             let used = compiled.fragment.texture_slots().contains(&(slot as u32));

@@ -119,7 +119,7 @@ impl ColorPlan {
 
 /// `new` in the fragments of a mask, through the write mask.
 #[inline(always)]
-fn put(stored: &mut U32s, new: &U32s, mask: u64, write: u32, whole: bool) {
+pub fn put(stored: &mut U32s, new: &U32s, mask: u64, write: u32, whole: bool) {
     if mask == !0 && whole {
         *stored = *new;
         return;
@@ -171,10 +171,32 @@ impl Kernel for WriteBytes<'_> {
 /// Four bytes of each lane.
 #[inline(always)]
 fn pack(color: impl Fn(usize, usize) -> f32) -> U32s {
+    pack_colors(&Colors(color))
+}
+
+struct Colors<F>(F);
+
+impl<F: Fn(usize, usize) -> f32> Color for Colors<F> {
+    #[inline(always)]
+    fn channel(&self, lane: usize, channel: usize) -> f32 {
+        (self.0)(lane, channel)
+    }
+}
+
+/// Colours of 64 fragments. (A closure that is long would become a function of its own.)
+pub trait Color {
+    /// Red, green, blue or alpha of a lane.
+    fn channel(&self, lane: usize, channel: usize) -> f32;
+}
+
+/// Four bytes of each lane.
+#[inline(always)]
+pub fn pack_colors(color: &impl Color) -> U32s {
     let mut words = U32s::ZERO;
     for lane in 0..LANES {
-        let byte = |channel: usize| math::byte(color(lane, channel)) << (8 * channel);
-        words[lane] = byte(0) | byte(1) | byte(2) | byte(3);
+        let [r, g] = [math::byte(color.channel(lane, 0)), math::byte(color.channel(lane, 1))];
+        let [b, a] = [math::byte(color.channel(lane, 2)), math::byte(color.channel(lane, 3))];
+        words[lane] = r | g << 8 | b << 16 | a << 24;
     }
     words
 }

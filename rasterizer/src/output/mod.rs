@@ -11,7 +11,7 @@ mod merge;
 mod stencil;
 
 pub use blend::factors as blend_factors;
-pub use color::{BlockColors, ColorPlan};
+pub use color::{BlockColors, Color, ColorClass, ColorPlan, pack_colors, put};
 pub use depth::{DepthFormat, DepthPlan};
 pub use encode::{decode_color, encode_color, texel_color, texel_words};
 pub use mask::expand_mask;

@@ -129,7 +129,8 @@ impl Kernel for Interpolate<'_> {
     #[inline(always)]
     fn run<S: Simd>(self) {
         let Self { plan, batch, machine, depth } = self;
-        let mut fill = Fill { plan, masks: batch.masks, machine, bank: 0, depth };
+        let inputs = &plan.inputs[..];
+        let mut fill = Fill { plan, inputs, masks: batch.masks, machine, bank: 0, depth };
         match batch.quads {
             Quads::Block(block) => fill.fill::<S>(block),
             Quads::Packed(packed) => fill.fill::<S>(packed),
@@ -142,6 +143,8 @@ impl Kernel for Interpolate<'_> {
 pub struct InterpolateRun<'a> {
     /// The draw.
     pub plan: &'a DrawPlan,
+    /// What is filled of the first bank, and of the others.
+    pub inputs: [&'a [FragmentInput]; 2],
     /// The blocks.
     pub run: &'a BlockRun,
     /// The first pixel of their tile.
@@ -154,11 +157,12 @@ impl Kernel for InterpolateRun<'_> {
     type Output = ();
     #[inline(always)]
     fn run<S: Simd>(self) {
-        let Self { plan, run, tile, machine } = self;
+        let Self { plan, inputs: [first, others], run, tile, machine } = self;
         let (masks, mut depth) = (&SampleMasks::default(), F32s::ZERO);
         let depth = &mut depth;
         for (bank, block) in run.blocks(tile).enumerate() {
-            Fill { plan, masks, machine, bank, depth }.fill::<S>(&block);
+            let inputs = if bank == 0 { first } else { others };
+            Fill { plan, inputs, masks, machine, bank, depth }.fill::<S>(&block);
         }
     }
 }
@@ -166,6 +170,7 @@ impl Kernel for InterpolateRun<'_> {
 /// Fills the input registers of a bank.
 struct Fill<'a> {
     plan: &'a DrawPlan,
+    inputs: &'a [FragmentInput],
     masks: &'a SampleMasks,
     machine: &'a mut Machine,
     bank: usize,
@@ -175,7 +180,7 @@ struct Fill<'a> {
 impl Fill<'_> {
     #[inline(always)]
     fn fill<S: Simd>(&mut self, places: &impl Places) {
-        let Self { plan, masks, machine, bank, depth } = self;
+        let Self { plan, inputs, masks, machine, bank, depth } = self;
         // Planes and registers may overlap as far as the compiler knows: what is computed here is
         // computed on the stack and stored whole.
         if let Some(index) = plan.depth_plane.filter(|_| plan.shades_depth) {
@@ -194,7 +199,7 @@ impl Fill<'_> {
         if plan.centroids {
             centroids = plan.samples.centroids(masks);
         }
-        for (out, input) in machine.inputs_of(*bank).iter_mut().zip(&plan.inputs) {
+        for (out, input) in machine.inputs_of(*bank).iter_mut().zip(*inputs) {
             match *input {
                 FragmentInput::Smooth(index) => {
                     let mut value = evaluate(places, index);

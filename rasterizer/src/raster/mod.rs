@@ -14,6 +14,7 @@ mod inputs;
 mod interpolate;
 mod lanes;
 mod pixels;
+mod product;
 mod run;
 mod samples;
 mod shading;

@@ -31,6 +31,30 @@ impl BlockRun {
         self.len
     }
 
+    /// Whether a plane is 1 all over the blocks.
+    pub fn is_one(&self, plane: usize) -> bool {
+        let count = self.planes.len() / self.len.max(1);
+        self.planes.iter().skip(plane).step_by(count.max(1)).all(|plane| *plane == [1.0, 0.0, 0.0])
+    }
+
+    /// The bits of what these planes are all over the blocks, if they are the same there.
+    pub fn shared(&self, planes: &[usize], values: &mut Vec<u32>) -> bool {
+        values.clear();
+        let mut blocks = self.planes.chunks_exact((self.planes.len() / self.len.max(1)).max(1));
+        let Some(first) = blocks.next() else { return false };
+        for &index in planes {
+            let [value, a, b] = first[index];
+            // What lies between is rounded to the same.
+            if value + 7.0 * a != value || value + 7.0 * b != value {
+                return false;
+            }
+            values.push(value.to_bits());
+        }
+        blocks.all(|block| {
+            planes.iter().zip(&*values).all(|(&index, &bits)| block[index][0].to_bits() == bits)
+        })
+    }
+
     /// Forgets them.
     pub fn clear(&mut self) {
         self.planes.clear();

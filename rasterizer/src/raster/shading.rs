@@ -3,16 +3,17 @@
 
 use super::batch::{Batch, BlockOf};
 use super::inputs::{BatchDepth, BlockDepth, Interpolate, InterpolateRun, clamp_depth};
+use super::product::{Factors, Multiply, Products, Words};
 use super::run::BlockRun;
 use super::samples::{SampleMasks, moved};
 use super::tile::{DrawJob, PassJob, TileJob};
 use super::watched::{Shaded, Tested};
 use crate::driver::AlphaToOne;
-use crate::output::{BlockColors, Fragments, test, write, write_blocks};
+use crate::output::{BlockColors, ColorClass, ColorPlan, Fragments, test, write, write_blocks};
 use crate::plan::{DrawPlan, Shading, Timing};
 use crate::primitive::Facing;
-use crate::shader::{BANKS, Machine, OverBudget, Run};
-use crate::target::{Place, TileTarget};
+use crate::shader::{BANKS, Machine, OverBudget, Product, Run};
+use crate::target::{Old, Place, TileTarget};
 use crate::trace::{Fate, When};
 use std::sync::atomic::Ordering;
 use texunit::lanes::{F32s, Isa, Kernel, Simd};
@@ -44,11 +45,40 @@ pub fn early_tests(
     }
 }
 
+/// Writes the colours of a run: of a bank, an attachment's plan and a component.
+#[inline(always)]
+fn write_run<'a>(
+    isa: Isa,
+    job: &'a DrawJob,
+    blocks: &BlockRun,
+    tile: &mut TileJob,
+    color_of: impl Fn(usize, &'a ColorPlan, usize) -> &'a F32s,
+) {
+    for bank in 0..blocks.len() {
+        let (_, lanes) = blocks.covered(bank);
+        job.count(&[lanes]);
+    }
+    for plan in &job.plan.colors {
+        let Some(target) = tile.colors[plan.target].as_mut() else { continue };
+        let colors_of = |bank: usize| {
+            let (block, mask) = blocks.covered(bank);
+            let color = [0, 1, 2, 3].map(|component| color_of(bank, plan, component));
+            BlockColors { block, color, mask }
+        };
+        // Beyond the last once more the last: nobody looks. One by one, so that none is copied.
+        let last = blocks.len().saturating_sub(1);
+        let colors: [_; BANKS] =
+            [colors_of(0), colors_of(1.min(last)), colors_of(2.min(last)), colors_of(last)];
+        write_blocks(isa, plan, target, &colors[..blocks.len()]);
+    }
+}
+
 /// Runs batches and writes what comes out.
 #[derive(Debug, Default)]
 pub struct Shader {
     /// Runs the fragment program.
     pub machine: Machine,
+    products: Products,
     depth: F32s,
     /// The lanes that are left of the batch.
     left: SampleMasks,
@@ -80,44 +110,76 @@ impl Shader {
         tile: &mut TileJob,
     ) {
         let (isa, plan, machine) = (pass.isa, &job.plan, &mut self.machine);
-        isa.run(InterpolateRun { plan, run: blocks, tile: [tile.x, tile.y], machine });
+        let program = &plan.pipeline.compiled().fragment;
+        let product = plan.product.as_ref().zip(program.product());
+        let (all, known) = (&plan.inputs[..], plan.product.as_ref().map(|of| &of.inputs[..]));
+        let inputs = match (product, known) {
+            (Some((of, _)), Some(known)) => match self.products.factors_of(plan, of, blocks) {
+                Factors::Varying => [all; 2],
+                Factors::Shared => [all, known],
+                Factors::Known => [known; 2],
+            },
+            (_, _) => [all; 2],
+        };
+        isa.run(InterpolateRun { plan, inputs, run: blocks, tile: [tile.x, tile.y], machine });
         let run = Run {
             isa,
-            program: &plan.pipeline.compiled().fragment,
+            program,
             prepared: &plan.prepared,
             textures: &plan.textures,
             active: !0,
             budget: pass.budget,
         };
-        match self.machine.run_banks(run, blocks.len()) {
-            Ok(()) => self.write_run(isa, job, blocks, tile),
-            Err(OverBudget) => job.stopped.store(true, Ordering::Relaxed),
+        let done = match product {
+            Some((_, product)) => {
+                self.products.begin(&mut self.machine, &run, product, blocks.len())
+            }
+            None => self.machine.run_banks(run, blocks.len()),
+        };
+        match (done, product) {
+            (Ok(()), Some((_, product))) => self.multiply(isa, job, product, blocks, tile),
+            (Ok(()), None) => {
+                let machine = &self.machine;
+                write_run(isa, job, blocks, tile, |bank, color, i| match color.outputs[i] {
+                    Some(output) => machine.output_of(bank, output).as_f32(),
+                    None => color.unwritten(i),
+                });
+            }
+            (Err(OverBudget), _) => job.stopped.store(true, Ordering::Relaxed),
         }
         blocks.clear();
     }
 
-    /// The colours of a run.
-    #[inline(always)]
-    fn write_run(&self, isa: Isa, job: &DrawJob, blocks: &BlockRun, tile: &mut TileJob) {
-        for bank in 0..blocks.len() {
-            let (_, lanes) = blocks.covered(bank);
-            job.count(&[lanes]);
-        }
-        for color in &job.plan.colors {
-            let Some(target) = tile.colors[color.target].as_mut() else { continue };
-            let colors_of = |bank: usize| {
-                let output = |i: usize| match color.outputs[i] {
-                    Some(output) => self.machine.output_of(bank, output).as_f32(),
-                    None => color.unwritten(i),
-                };
+    /// Shades a run of a program that is a product.
+    fn multiply(
+        &mut self,
+        isa: Isa,
+        job: &DrawJob,
+        product: &Product,
+        blocks: &BlockRun,
+        tile: &mut TileJob,
+    ) {
+        let Self { machine, products, .. } = self;
+        let plan = &job.plan;
+        let mut words = None;
+        if let [color] = &plan.colors[..]
+            && color.class == ColorClass::Bytes
+            && color.blend.is_none()
+            && let Some(target) = tile.colors[color.target].as_mut()
+            && let [plane] = target.sample(0)
+        {
+            for bank in 0..blocks.len() {
                 let (block, mask) = blocks.covered(bank);
-                BlockColors { block, color: [output(0), output(1), output(2), output(3)], mask }
-            };
-            // Beyond the last once more the last: nobody looks. One by one, so that none is copied.
-            let last = blocks.len().saturating_sub(1);
-            let colors: [_; BANKS] =
-                [colors_of(0), colors_of(1.min(last)), colors_of(2.min(last)), colors_of(last)];
-            write_blocks(isa, color, target, &colors[..blocks.len()]);
+                plane.ready(block, if mask == !0 { color.old() } else { Old::Read });
+                job.count(&[mask]);
+            }
+            words = Some(Words { color, blocks: plane.ready_blocks() });
+        }
+        let is_done = words.is_some();
+        isa.run(Multiply { isa, plan, product, machine, run: blocks, products, words });
+        if !is_done {
+            let products = &self.products;
+            write_run(isa, job, blocks, tile, |bank, _, component| products.color(bank, component));
         }
     }
 

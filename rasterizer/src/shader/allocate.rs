@@ -17,6 +17,8 @@ pub(super) struct Layout {
     pub splats: Vec<u32>,
     /// The first input.
     pub inputs: u32,
+    /// The first of those that the program writes.
+    pub given: u32,
     /// By output of the program.
     pub outputs: Vec<u32>,
     /// How many registers there are.
@@ -185,7 +187,8 @@ impl Allocation {
             }
         }
         layout.inputs = layout.splats.len() as u32;
-        let mut next = layout.inputs + lowered.inputs.len() as u32;
+        layout.given = layout.inputs + lowered.inputs.len() as u32;
+        let mut next = layout.given;
         for (virt, kind) in lowered.kinds.iter().enumerate() {
             match kind {
                 Kind::Input { index } => self.real[virt] = Reg(layout.inputs + index),

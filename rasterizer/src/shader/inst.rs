@@ -276,7 +276,8 @@ impl SampleInst {
         matters && matches!(self.lod, SampleLod::Implicit { .. })
     }
 
-    fn reads(&mut self, mut f: impl FnMut(&mut Reg)) {
+    /// Visits the registers that it reads.
+    pub fn reads(&mut self, mut f: impl FnMut(&mut Reg)) {
         self.coords.iter_mut().for_each(&mut f);
         self.reference.iter_mut().for_each(&mut f);
         match &mut self.lod {

@@ -70,6 +70,12 @@ impl Machine {
         &mut self.registers[bank * self.bank + self.inputs..]
     }
 
+    /// The registers of a bank; others may follow.
+    #[inline(always)]
+    pub(super) fn bank(&self, bank: usize) -> &[U32s] {
+        &self.registers[bank * self.bank..]
+    }
+
     /// What the input `index` was filled with.
     pub fn input(&self, index: usize) -> &U32s {
         &self.registers[self.inputs + index]
@@ -98,7 +104,10 @@ impl Machine {
     }
 
     /// Fills the registers that are the same in all lanes; gives what is left of the budget.
-    fn start(&mut self, run: &Run<'_>) -> Result<u64, OverBudget> {
+    ///
+    /// # Errors
+    /// When the program is longer than that.
+    pub fn start(&mut self, run: &Run<'_>) -> Result<u64, OverBudget> {
         self.begin(run.program);
         if self.prepared != run.prepared.id {
             for bank in 0..run.program.banks {
@@ -277,7 +286,7 @@ impl Machine {
 
 /// Where the level of detail of a sample comes from.
 #[inline(always)]
-fn lod<'a>(registers: &'a [U32s], sample: &SampleInst) -> Lod<'a> {
+pub(super) fn lod<'a>(registers: &'a [U32s], sample: &SampleInst) -> Lod<'a> {
     let reg = |reg: Reg| registers[reg.0 as usize].as_f32();
     match sample.lod {
         SampleLod::Implicit { bias } => Lod::Implicit { bias: bias.map(reg) },
@@ -289,15 +298,15 @@ fn lod<'a>(registers: &'a [U32s], sample: &SampleInst) -> Lod<'a> {
 }
 
 /// Runs from an instruction to the end of the code; gives where the program goes on.
-struct Interpreter<'a> {
-    machine: &'a mut Machine,
-    run: &'a Run<'a>,
-    code: &'a [Inst],
+pub(super) struct Interpreter<'a> {
+    pub machine: &'a mut Machine,
+    pub run: &'a Run<'a>,
+    pub code: &'a [Inst],
     /// For how many banks.
-    banks: usize,
-    pc: usize,
+    pub banks: usize,
+    pub pc: usize,
     /// How many instructions may still run.
-    left: u64,
+    pub left: u64,
 }
 
 impl Kernel for Interpreter<'_> {

@@ -12,6 +12,7 @@
 //! | [`fuse`] | several operations as one instruction |
 //! | [`preamble`] | the values that a draw computes once |
 //! | [`allocate`] | real registers for virtual ones |
+//! | [`product`] | the programs that need no interpreter |
 //! | [`machine`] | the interpreter: 64 lanes an instruction, with an execution [`mask`] |
 
 mod alike;
@@ -25,10 +26,12 @@ mod mask;
 mod optimize;
 mod owned;
 mod preamble;
+mod product;
 mod schedule;
 mod sources;
 
 pub use machine::{Machine, Tracer};
+pub use product::{Lookup, Part, Product};
 pub(crate) use sources::Sources;
 
 use crate::ir::{Input, Module, Output};
@@ -65,6 +68,7 @@ pub struct Program {
     masked: bool,
     /// Banks of registers that one run may fill.
     banks: usize,
+    product: Option<Product>,
 }
 
 /// The most banks of registers: batches that run together.
@@ -82,6 +86,13 @@ pub struct Prepared {
     words: Vec<u32>,
     /// The draw's uniform words, if the program indexes them per lane.
     uniforms: Vec<u32>,
+}
+
+impl Prepared {
+    /// Unlike any other draw's.
+    pub fn id(&self) -> u64 {
+        self.id
+    }
 }
 
 /// What one run needs besides the registers.
@@ -144,10 +155,13 @@ impl Program {
             fuse::run(&mut lowered);
             schedule::run(&mut lowered);
         }
-        let layout = allocate::allocate(&mut lowered);
+        let mut layout = allocate::allocate(&mut lowered);
+        let outputs = lowered.outputs.iter().map(|&(output, _)| output);
+        let product = Product::of(&lowered.code, &mut layout, outputs);
         Self {
             id: identity(),
             statements: [0; 2],
+            product,
             masked: lowered.code.iter().any(Inst::uses_mask),
             banks: banks(&lowered.code, &layout),
             code: lowered.code,
@@ -189,6 +203,11 @@ impl Program {
     /// How many batches may run together, see [`Machine::run_banks`].
     pub fn banks(&self) -> usize {
         self.banks
+    }
+
+    /// What it is the product of, if it is one.
+    pub fn product(&self) -> Option<&Product> {
+        self.product.as_ref()
     }
 
     /// Whether any lane can be thrown away.

@@ -1,6 +1,7 @@
 //! Points, lines, polygon modes and user clip planes: which pixels are drawn, against formulas.
 
 mod packing;
+mod products;
 
 use super::common::{fragment, pipeline, vertex};
 use super::{Random, colored, devices, picture_with, varyings};

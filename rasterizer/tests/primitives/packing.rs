@@ -7,7 +7,7 @@ use super::super::common::{
 };
 use rasterizer::driver::{
     Blend, BlendEquation, BlendFactor, ClearValue, Command, CommandBuffer, DepthState, DepthWrite,
-    Pipeline, PipelineDesc, Rect, Watch,
+    Pipeline, PipelineDesc, Rect, VertexBinding, Watch,
 };
 use rasterizer::ir::{Builder, Input, Lod, Op, Stmt, TextureDecl, Value};
 use std::sync::Arc;
@@ -42,27 +42,37 @@ fn triangles() -> Vec<f32> {
     out
 }
 
-/// The picture and the depths of a draw.
-fn picture(isa: Isa, desc: &PipelineDesc, texture: &Arc<SamplePlan>, watched: bool) -> Vec<u8> {
-    let (color, depth) = (image(Format::Rgba8, SIZE, SIZE), image(Format::D24, SIZE, SIZE));
+/// A draw.
+pub struct Drawn<'a> {
+    pub desc: &'a PipelineDesc,
+    pub textures: &'a [Option<Arc<SamplePlan>>],
+    pub vertices: &'a Arc<[VertexBinding]>,
+    pub count: u32,
+    /// The format of the attachment.
+    pub target: Format,
+}
+
+/// The picture and the depths of a draw, and what is said of it.
+pub fn picture(isa: Isa, drawn: &Drawn<'_>, watched: bool) -> (Vec<u8>, String) {
+    let (color, depth) = (image(drawn.target, SIZE, SIZE), image(Format::D24, SIZE, SIZE));
     let area = Rect { x: 0, y: 0, width: SIZE, height: SIZE };
-    let fragment = Arc::new([Some(texture.clone())]);
     let mut commands = vec![pass(&color, Some(&depth), SIZE, SIZE), viewport(SIZE, SIZE)];
     if watched {
         commands.push(Command::Watch(Watch::new(20, 30)));
     }
     commands.extend([
         Command::Clear { value: ClearValue::Depth(1.0), area },
-        Command::BindPipeline(Pipeline::new(desc.clone()).expect("valid")),
-        Command::BindVertices(bindings(&triangles(), 2)),
-        Command::BindTextures { vertex: Arc::new([]), fragment },
+        Command::BindPipeline(Pipeline::new(drawn.desc.clone()).expect("valid")),
+        Command::BindVertices(drawn.vertices.clone()),
+        Command::BindTextures { vertex: Arc::new([]), fragment: drawn.textures.into() },
         Command::SetScissor(Some(Rect { x: 3, y: 1, width: 58, height: 61 })),
-        Command::Draw { first: 0, count: 2700, instances: 1 },
+        Command::Draw { first: 0, count: drawn.count, instances: 1 },
         Command::EndPass,
     ]);
-    let report = device(isa, 2).submit(&CommandBuffer { commands }).expect("legal");
+    let device = device(isa, 2);
+    let report = device.submit(&CommandBuffer { commands }).expect("legal");
     assert!(report.over_budget.is_empty());
-    [bytes(&color), bytes(&depth)].concat()
+    ([bytes(&color), bytes(&depth)].concat(), device.take_explanations().concat())
 }
 
 /// A texture of noise with mipmaps.
@@ -77,7 +87,7 @@ fn noise() -> Texels {
     image
 }
 
-fn varying(b: &mut Builder, slot: u16) -> Value {
+pub fn varying(b: &mut Builder, slot: u16) -> Value {
     b.input(Input::Varying(slot))
 }
 
@@ -140,9 +150,16 @@ fn packed_by_pixels_or_by_quads_is_the_same() {
             let mut desc = pipeline(vertex(4), fragment(4, color));
             desc.colors[0].blend = blend;
             desc.depth = depth;
-            let want = picture(Isa::BASELINE, &desc, &texture, true);
+            let drawn = Drawn {
+                desc: &desc,
+                textures: &[Some(texture.clone())],
+                vertices: &bindings(&triangles(), 2),
+                count: 2700,
+                target: Format::Rgba8,
+            };
+            let (want, _) = picture(Isa::BASELINE, &drawn, true);
             for isa in Isa::available() {
-                let got = picture(isa, &desc, &texture, false);
+                let (got, _) = picture(isa, &drawn, false);
                 assert!(got == want, "{name}, {blend:?}, {depth:?}, {}", isa.name());
             }
         }

@@ -1,0 +1,252 @@
+//! Shading without registers: of programs that are a product ([`crate::shader::Product`]), texels are multiplied
+//! as they come, and where nothing is blended they go straight into the attachment's words.
+
+use super::run::BlockRun;
+use crate::output::{Color, ColorPlan, pack_colors, put};
+use crate::plan::{DrawPlan, ProductPlan};
+use crate::shader::{BANKS, Machine, OverBudget, Part, Product, Run};
+use texunit::lanes::{F32s, Isa, Kernel, LANES, QUADS, Simd, U32s};
+use texunit::plan::{Take, Texels};
+
+/// The colours of a run, and what there is between its lookups.
+#[derive(Debug, Default)]
+pub struct Products {
+    /// Red, green, blue and alpha of each block.
+    colors: Box<[[F32s; 4]; BANKS]>,
+    /// Products that are not done, by turns.
+    between: Box<[[F32s; 4]; 2]>,
+    /// Of lookups that have to take a longer way.
+    lanes: Box<[F32s; 4]>,
+    /// How the run has its factors.
+    how: Factors,
+    /// Factors that are the same all over a run, for as long as these are what they depend on: the draw, and the
+    /// values of planes.
+    factors: Box<[F32s; 4]>,
+    draw: u64,
+    values: Vec<u32>,
+    /// The planes' values of this run.
+    now: Vec<u32>,
+    /// Whether all of those factors are 1: then everything is what it was.
+    is_one: bool,
+}
+
+/// How a run has its factors.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Factors {
+    /// They differ from pixel to pixel: computed in each bank.
+    #[default]
+    Varying,
+    /// They are the same everywhere: computed in the first bank.
+    Shared,
+    /// They are what they were in the run before.
+    Known,
+}
+
+impl Products {
+    /// Says how the factors of a run are to be had.
+    pub fn factors_of(&mut self, plan: &DrawPlan, of: &ProductPlan, run: &BlockRun) -> Factors {
+        let shared = match &of.factor_planes {
+            Some(planes) => {
+                let is_one = |plane: usize| run.is_one(plane);
+                let in_perspective = plan.denominator_plane.is_some_and(|plane| !is_one(plane));
+                let reads = |plane| planes.contains(&plane);
+                let divides = in_perspective && plan.denominator_plane.is_some_and(reads);
+                !divides && run.shared(planes, &mut self.now)
+            }
+            None => false,
+        };
+        self.how = match shared {
+            false => Factors::Varying,
+            true if self.draw == plan.prepared.id() && self.now == self.values => Factors::Known,
+            true => {
+                self.draw = plan.prepared.id();
+                self.values.clone_from(&self.now);
+                Factors::Shared
+            }
+        };
+        self.how
+    }
+
+    /// Computes what comes before the lookups of a run, whose inputs are in the machine.
+    ///
+    /// # Errors
+    /// When the budget is used up.
+    pub fn begin(
+        &mut self,
+        machine: &mut Machine,
+        run: &Run<'_>,
+        product: &Product,
+        banks: usize,
+    ) -> Result<(), OverBudget> {
+        match self.how {
+            Factors::Varying => return machine.run_before(run, product, Part::Whole, banks),
+            Factors::Shared => {
+                machine.run_before(run, product, Part::Factors, 1)?;
+                *self.factors = machine.factors(product, 0).map(|factor| *factor);
+                self.is_one = self.factors.iter().all(|factor| factor[0] == 1.0);
+            }
+            Factors::Known => {}
+        }
+        machine.run_before(run, product, Part::Lookups, banks)
+    }
+
+    /// Red, green, blue or alpha of a block of the run, where that is what was asked for.
+    #[inline(always)]
+    pub fn color(&self, bank: usize, component: usize) -> &F32s {
+        &self.colors[bank][component]
+    }
+}
+
+/// Computes the products of a run, whose inputs are in the machine.
+pub struct Multiply<'a> {
+    pub isa: Isa,
+    pub plan: &'a DrawPlan,
+    pub product: &'a Product,
+    pub machine: &'a Machine,
+    pub run: &'a BlockRun,
+    pub products: &'a mut Products,
+    /// Takes the colours as words, if it is there; else they are kept.
+    pub words: Option<Words<'a>>,
+}
+
+/// Where colours go that are four bytes a pixel, and are not blended.
+pub struct Words<'a> {
+    pub color: &'a ColorPlan,
+    /// The attachment's words.
+    pub blocks: &'a mut [U32s],
+}
+
+impl Kernel for Multiply<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<S: Simd>(self) {
+        let Self { isa, plan, product, machine, run, products, mut words } = self;
+        let Products { colors, between, lanes, factors, how, is_one, .. } = products;
+        let (how, is_one) = (*how, *is_one && *how != Factors::Varying);
+        let [even, odd] = &mut **between;
+        ask::<S>(plan, product, machine, run.len());
+        for (bank, colors) in colors.iter_mut().enumerate().take(run.len()) {
+            let given = match how {
+                Factors::Varying => machine.factors(product, bank),
+                Factors::Shared | Factors::Known => factors.each_ref(),
+            };
+            for at in 0..product.lookups() {
+                let is_last = at + 1 == product.lookups();
+                let (before, after) =
+                    if at % 2 == 0 { (&*odd, &mut *even) } else { (&*even, &mut *odd) };
+                let times = Times {
+                    factors: if at == 0 { given } else { before.each_ref() },
+                    is_one: is_one && at == 0,
+                    to: match &mut words {
+                        Some(Words { color, blocks }) if is_last => {
+                            let (block, mask) = run.covered(bank);
+                            To::Words { color, stored: &mut blocks[block], mask }
+                        }
+                        _ if is_last => To::Lanes(colors),
+                        _ => To::Lanes(after),
+                    },
+                };
+                let lookup = machine.lookup(product, at, bank);
+                let texture = plan.textures.get(lookup.texture as usize);
+                if let Some(texture) = texture.and_then(Option::as_ref) {
+                    texture.take::<S, _>(isa, lookup.coords, lookup.lod, lanes, times);
+                }
+            }
+        }
+    }
+}
+
+/// Asks for the texels of a run: at every other pixel of each block.
+#[inline(always)]
+fn ask<S: Simd>(plan: &DrawPlan, product: &Product, machine: &Machine, banks: usize) {
+    for at in 0..product.lookups() {
+        let first = machine.lookup(product, at, 0);
+        let texture = plan.textures.get(first.texture as usize);
+        let Some(texture) = texture.and_then(Option::as_ref) else { continue };
+        let mut points = [F32s::ZERO; 2];
+        for bank in 0..BANKS {
+            let coords = machine.coords(product, at, bank.min(banks - 1));
+            for (points, coords) in points.iter_mut().zip(coords) {
+                points.0[bank * QUADS..][..QUADS].copy_from_slice(&coords.0[..QUADS]);
+            }
+        }
+        texture.ask::<S>(points.each_ref(), first.coords, &first.lod);
+    }
+}
+
+/// Multiplies a lookup.
+struct Times<'a> {
+    factors: [&'a F32s; 4],
+    /// Whether all of them are 1.
+    is_one: bool,
+    to: To<'a>,
+}
+
+/// Where products go.
+enum To<'a> {
+    Lanes(&'a mut [F32s; 4]),
+    Words { color: &'a ColorPlan, stored: &'a mut U32s, mask: u64 },
+}
+
+impl Take for Times<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn take<S: Simd>(self, texels: &impl Texels) {
+        let Self { factors, is_one, to } = self;
+        match to {
+            To::Lanes([r, g, b, a]) => {
+                times(texels, factors, 0, r);
+                times(texels, factors, 1, g);
+                times(texels, factors, 2, b);
+                times(texels, factors, 3, a);
+            }
+            To::Words { color, stored, mask } => {
+                let write = color.write[0];
+                match texels.bytes() {
+                    // A byte over 255 is that byte again.
+                    Some(bytes) if is_one => put(stored, bytes, mask, write, color.whole),
+                    None if is_one => {
+                        let words = pack_colors(&Alone(texels));
+                        put(stored, &words, mask, write, color.whole);
+                    }
+                    Some(_) | None => {
+                        let words = pack_colors(&Colors { texels, factors });
+                        put(stored, &words, mask, write, color.whole);
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[inline(always)]
+fn times(texels: &impl Texels, factors: [&F32s; 4], channel: usize, out: &mut F32s) {
+    for lane in 0..LANES {
+        out[lane] = factors[channel][lane] * texels.channel(lane, channel);
+    }
+}
+
+/// The lookup as colours.
+struct Alone<'a, T>(&'a T);
+
+impl<T: Texels> Color for Alone<'_, T> {
+    #[inline(always)]
+    fn channel(&self, lane: usize, channel: usize) -> f32 {
+        self.0.channel(lane, channel)
+    }
+}
+
+/// The products as colours.
+struct Colors<'a, T> {
+    texels: &'a T,
+    factors: [&'a F32s; 4],
+}
+
+impl<T: Texels> Color for Colors<'_, T> {
+    #[inline(always)]
+    fn channel(&self, lane: usize, channel: usize) -> f32 {
+        self.factors[channel][lane] * self.texels.channel(lane, channel)
+    }
+}

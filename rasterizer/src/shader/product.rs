@@ -1,0 +1,372 @@
+//! Programs that are a product: each colour is a lookup, or several, times at most one more number. Most of what
+//! is drawn with textures is so, by the fixed function too. Between its lookups and its colours no register is
+//! needed: `raster/product.rs` multiplies texels as they come, by the same numbers in the same order.
+
+use super::fuse::{Compute, OPERANDS};
+use super::inst::{Inst, Reg, Role, SampleInst};
+use super::machine::{Interpreter, Machine, lod};
+use super::{Layout, OverBudget, Program, Run};
+use crate::ir::{Access, Output};
+use texunit::lanes::F32s;
+use texunit::plan::Lod;
+
+/// As many instructions may come before the lookups; programs with more of them keep to the interpreter.
+const MOST_BEFORE: usize = 16;
+
+/// What a product is made of.
+#[derive(Debug)]
+pub struct Product {
+    /// The factors of red, green, blue and alpha, which come first. One that is not there is 1.
+    factors: [Option<Reg>; 4],
+    /// The lookups in the order in which they are multiplied.
+    lookups: Vec<SampleInst>,
+    /// What computes the factors and what the lookups read, of what is given.
+    before: Vec<Inst>,
+    /// What of it the factors need.
+    before_factors: Vec<Inst>,
+    /// What of it the lookups need.
+    before_lookups: Vec<Inst>,
+}
+
+/// A lookup of a product.
+pub struct Lookup<'a> {
+    /// The texture's slot.
+    pub texture: u32,
+    /// s, t, r.
+    pub coords: [&'a F32s; 3],
+    /// Where its level of detail comes from.
+    pub lod: Lod<'a>,
+}
+
+/// A part of what comes before the lookups.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// What the factors need.
+    Factors,
+    /// What the lookups need.
+    Lookups,
+    /// All of it.
+    Whole,
+}
+
+impl Product {
+    /// What straight code computes, if that is a product, and if there are four colours and nothing else. Gives the
+    /// layout the registers that it needs.
+    pub(super) fn of(
+        code: &[Inst],
+        layout: &mut Layout,
+        mut outputs: impl Iterator<Item = Output>,
+    ) -> Option<Self> {
+        let mut steps = Steps { given: layout.given, ..Steps::default() };
+        for inst in code {
+            steps.take(inst)?;
+        }
+        let mut colors = [const { None }; 4];
+        for &reg in &layout.outputs {
+            match (outputs.next()?, steps.value(Reg(reg))?) {
+                (Output::Color { target: 0, component }, Value::Product(product)) => {
+                    colors[usize::from(component)] = Some(product);
+                }
+                (_, _) => return None,
+            }
+        }
+        let [Some(r), Some(g), Some(b), Some(a)] = colors else { return None };
+        let colors = [r, g, b, a];
+        let lookups = colors[0].lookups.clone();
+        let belongs = |(component, color): (usize, &Term)| {
+            color.component == component && color.lookups == lookups
+        };
+        if !colors.iter().enumerate().all(belongs) {
+            return None;
+        }
+        let factors = colors.each_ref().map(|color| color.factor);
+        let lookups: Vec<SampleInst> =
+            lookups.iter().map(|&at| steps.lookups[at].clone()).collect();
+        let read_by_lookups: Vec<Reg> = lookups.iter().flat_map(read_by).collect();
+        layout.registers = layout.registers.max(layout.given + steps.before.len() as u32);
+        Some(Self {
+            before_factors: needed(&steps.before, factors.into_iter().flatten().collect()),
+            before_lookups: needed(&steps.before, read_by_lookups),
+            before: steps.before,
+            factors,
+            lookups,
+        })
+    }
+
+    /// Which inputs of the program its factors depend on.
+    pub fn factor_inputs(&self, program: &Program) -> Vec<usize> {
+        let factors = self.factors.into_iter().flatten();
+        inputs(program, factors.chain(self.before_factors.iter().flat_map(operands)))
+    }
+
+    /// Which inputs of the program its lookups depend on.
+    pub fn lookup_inputs(&self, program: &Program) -> Vec<usize> {
+        let lookups = self.lookups.iter().flat_map(read_by);
+        inputs(program, lookups.chain(self.before_lookups.iter().flat_map(operands)))
+    }
+
+    /// The textures' slots.
+    pub fn textures(&self) -> impl Iterator<Item = u32> {
+        self.lookups.iter().map(|sample| sample.texture)
+    }
+
+    /// How many lookups there are, at least one.
+    pub fn lookups(&self) -> usize {
+        self.lookups.len()
+    }
+}
+
+impl Machine {
+    /// Computes what comes before the lookups of a product, or a part of it, for so many banks whose inputs are there.
+    ///
+    /// # Errors
+    /// When the budget is used up.
+    pub fn run_before(
+        &mut self,
+        run: &Run<'_>,
+        product: &Product,
+        part: Part,
+        banks: usize,
+    ) -> Result<(), OverBudget> {
+        let left = self.start(run)?;
+        let code = match part {
+            Part::Factors => &product.before_factors,
+            Part::Lookups => &product.before_lookups,
+            Part::Whole => &product.before,
+        };
+        if !code.is_empty() {
+            run.isa.run(Interpreter { machine: self, run, code, banks, pc: 0, left })?;
+        }
+        Ok(())
+    }
+
+    /// The factors of a product, as its bank has them.
+    #[inline(always)]
+    pub fn factors(&self, product: &Product, bank: usize) -> [&F32s; 4] {
+        const ONE: &F32s = &F32s::splat(1.0);
+        let registers = self.bank(bank);
+        product.factors.map(|reg| reg.map_or(ONE, |reg| registers[reg.0 as usize].as_f32()))
+    }
+
+    /// The coordinates of a lookup alone.
+    #[inline(always)]
+    pub fn coords(&self, product: &Product, at: usize, bank: usize) -> [&F32s; 3] {
+        let registers = self.bank(bank);
+        product.lookups[at].coords.map(|reg| registers[reg.0 as usize].as_f32())
+    }
+
+    /// Lookup number `at` of a product, as its bank has it.
+    #[inline(always)]
+    pub fn lookup<'a>(&'a self, product: &'a Product, at: usize, bank: usize) -> Lookup<'a> {
+        let registers = self.bank(bank);
+        let sample = &product.lookups[at];
+        Lookup {
+            texture: sample.texture,
+            coords: sample.coords.map(|reg| registers[reg.0 as usize].as_f32()),
+            lod: lod(registers, sample),
+        }
+    }
+}
+
+/// What a register holds.
+#[derive(Clone, Debug)]
+enum Value {
+    /// What is given or computed before the lookups.
+    Number(Reg),
+    Product(Term),
+}
+
+/// Lookups and a factor.
+#[derive(Clone, Debug)]
+struct Term {
+    factor: Option<Reg>,
+    /// By number.
+    lookups: Vec<usize>,
+    /// Of all lookups.
+    component: usize,
+}
+
+impl Term {
+    /// The lookup, if it is a lookup by itself.
+    fn texel(&self) -> Option<usize> {
+        match (self.factor, &self.lookups[..]) {
+            (None, [lookup]) => Some(*lookup),
+            (_, _) => None,
+        }
+    }
+
+    /// Times a lookup by itself.
+    fn times(mut self, other: &Self) -> Option<Self> {
+        let lookup = other.texel()?;
+        let is_new = !self.lookups.contains(&lookup);
+        self.lookups.push(lookup);
+        (is_new && self.component == other.component).then_some(self)
+    }
+}
+
+/// A program so far, its parts sorted.
+#[derive(Default)]
+struct Steps {
+    /// Registers below are given to the program.
+    given: u32,
+    /// What the registers hold that it has written.
+    written: Vec<(Reg, Value)>,
+    /// Instructions before the lookups. Each has a register of its own, from `given` on.
+    before: Vec<Inst>,
+    lookups: Vec<SampleInst>,
+}
+
+impl Steps {
+    /// Takes the next instruction; `None` where it makes the program something else.
+    fn take(&mut self, inst: &Inst) -> Option<()> {
+        if let Inst::Sample(sample) = inst {
+            return self.look_up(sample);
+        }
+        // Nothing else is part of a product.
+        let (out, value) = if let Inst::Compute { what, out, args } = *inst {
+            (out, self.compute(what, args)?)
+        } else if let Inst::Move { out, from } = *inst {
+            (out, self.value(from)?)
+        } else {
+            return None;
+        };
+        self.set(out, value);
+        Some(())
+    }
+
+    fn look_up(&mut self, sample: &SampleInst) -> Option<()> {
+        let filters = sample.access == Access::Filter { offset: [0; 3] };
+        if !filters || sample.reference.is_some() {
+            return None;
+        }
+        let mut moved = sample.clone();
+        let mut are_numbers = true;
+        moved.reads(|reg| match self.value(*reg) {
+            Some(Value::Number(number)) => *reg = number,
+            Some(Value::Product(_)) | None => are_numbers = false,
+        });
+        if !are_numbers {
+            return None;
+        }
+        let number = self.lookups.len();
+        self.lookups.push(moved);
+        for (component, out) in sample.out.iter().enumerate() {
+            let term = Term { factor: None, lookups: vec![number], component };
+            out.iter().for_each(|&out| self.set(out, Value::Product(term.clone())));
+        }
+        Some(())
+    }
+
+    /// What an instruction makes of its operands.
+    fn compute(&mut self, what: Compute, args: [Reg; OPERANDS]) -> Option<Value> {
+        let mut numbers = args;
+        let (read, rest) = numbers.split_at_mut(what.arity());
+        let are_numbers = read.iter_mut().all(|arg| match self.value(*arg) {
+            Some(Value::Number(number)) => {
+                *arg = number;
+                true
+            }
+            Some(Value::Product(_)) | None => false,
+        });
+        if are_numbers {
+            rest.fill(read[0]);
+            return self.number(what, numbers);
+        }
+        // Trees that end in a product are taken apart.
+        let [a, b, c, d] = args;
+        let (first, last) = if what == Compute::Mul {
+            (self.value(a)?, b)
+        } else if what == Compute::MulMul {
+            (self.compute(Compute::Mul, [a, b, a, a])?, c)
+        } else if what == Compute::ClampMul {
+            (self.compute(Compute::Clamp, [a, b, c, a])?, d)
+        } else {
+            return None;
+        };
+        self.times(first, self.value(last)?)
+    }
+
+    /// Computes a number before the lookups.
+    fn number(&mut self, what: Compute, args: [Reg; OPERANDS]) -> Option<Value> {
+        if self.before.len() == MOST_BEFORE {
+            return None;
+        }
+        let out = Reg(self.given + self.before.len() as u32);
+        self.before.push(Inst::Compute { what, out, args });
+        Some(Value::Number(out))
+    }
+
+    /// The product of two values that are not both numbers. (Which comes first does not matter to it.)
+    fn times(&self, first: Value, second: Value) -> Option<Value> {
+        let product = match (first, second) {
+            (Value::Number(factor), Value::Product(term))
+            | (Value::Product(term), Value::Number(factor)) => {
+                let is_first = term.factor.is_none() && term.lookups.len() == 1;
+                is_first.then_some(Term { factor: Some(factor), ..term })
+            }
+            (Value::Product(first), Value::Product(second)) => match second.texel() {
+                Some(_) => first.times(&second),
+                None => second.times(&first),
+            },
+            (Value::Number(_), Value::Number(_)) => None,
+        };
+        product.map(Value::Product)
+    }
+
+    fn value(&self, reg: Reg) -> Option<Value> {
+        if reg.0 < self.given {
+            return Some(Value::Number(reg));
+        }
+        let written = self.written.iter().find(|(written, _)| *written == reg);
+        written.map(|(_, value)| value.clone())
+    }
+
+    fn set(&mut self, reg: Reg, value: Value) {
+        self.written.retain(|(written, _)| *written != reg);
+        self.written.push((reg, value));
+    }
+}
+
+/// The registers that a lookup reads.
+fn read_by(sample: &SampleInst) -> Vec<Reg> {
+    let mut read = Vec::new();
+    sample.clone().reads(|reg| read.push(*reg));
+    read
+}
+
+/// The registers that an instruction reads.
+fn operands(inst: &Inst) -> Vec<Reg> {
+    let mut read = Vec::new();
+    inst.clone().operands(&mut |reg, role| {
+        if role == Role::Read {
+            read.push(*reg);
+        }
+    });
+    read
+}
+
+/// The instructions that these registers depend on. Each writes a register of its own.
+fn needed(code: &[Inst], mut wanted: Vec<Reg>) -> Vec<Inst> {
+    let mut needed = Vec::new();
+    for inst in code.iter().rev() {
+        let mut is_wanted = false;
+        inst.clone().operands(&mut |reg, role| {
+            is_wanted |= role == Role::Write && wanted.contains(reg);
+        });
+        if is_wanted {
+            wanted.extend(operands(inst));
+            needed.push(inst.clone());
+        }
+    }
+    needed.reverse();
+    needed
+}
+
+/// Those of the registers that are inputs, as numbers of inputs.
+fn inputs(program: &Program, registers: impl Iterator<Item = Reg>) -> Vec<usize> {
+    let Layout { inputs, given, .. } = program.layout;
+    registers
+        .filter(|reg| (inputs..given).contains(&reg.0))
+        .map(|reg| (reg.0 - inputs) as usize)
+        .collect()
+}
