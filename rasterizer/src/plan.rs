@@ -121,19 +121,23 @@ pub struct DrawPlan {
 pub struct ProductPlan {
     /// The planes that its factors depend on, if they depend on nothing else: where these are the same all over a
     /// shape, so are the factors.
-    pub factor_planes: Option<Vec<usize>>,
+    pub factor_planes: Option<FactorPlanes>,
     /// The inputs that a block needs where the factors are known.
     pub inputs: Vec<FragmentInput>,
 }
 
+/// The planes that factors depend on.
+#[derive(Debug, Default)]
+pub struct FactorPlanes {
+    /// Those that are divided by the denominator.
+    pub smooth: Vec<usize>,
+    /// Those that are taken as they are.
+    pub linear: Vec<usize>,
+}
+
 impl ProductPlan {
     /// Decides; `None` where the interpreter is needed.
-    fn new(
-        fragment: &Program,
-        inputs: &[FragmentInput],
-        denominator: Option<usize>,
-        textures: &Textures,
-    ) -> Option<Self> {
+    fn new(fragment: &Program, inputs: &[FragmentInput], textures: &Textures) -> Option<Self> {
         let product = fragment.product()?;
         let is_there = |slot: u32| {
             let texture = textures.get(slot as usize).and_then(Option::as_ref);
@@ -142,15 +146,14 @@ impl ProductPlan {
         if !product.textures().all(is_there) {
             return None;
         }
-        let mut factor_planes = Some(Vec::new());
+        let mut factor_planes = Some(FactorPlanes::default());
         for index in product.factor_inputs(fragment) {
             match inputs[index] {
                 FragmentInput::Flat(plane) | FragmentInput::Linear(plane) => {
-                    factor_planes.iter_mut().for_each(|planes| planes.push(plane));
+                    factor_planes.iter_mut().for_each(|planes| planes.linear.push(plane));
                 }
                 FragmentInput::Smooth(plane) => {
-                    let both = [Some(plane), denominator].into_iter().flatten();
-                    factor_planes.iter_mut().for_each(|planes| planes.extend(both.clone()));
+                    factor_planes.iter_mut().for_each(|planes| planes.smooth.push(plane));
                 }
                 FragmentInput::Zero => {}
                 FragmentInput::SmoothWithin(_)
@@ -164,9 +167,11 @@ impl ProductPlan {
                 | FragmentInput::Coverage => factor_planes = None,
             }
         }
-        if let Some(planes) = &mut factor_planes {
-            planes.sort_unstable();
-            planes.dedup();
+        if let Some(FactorPlanes { smooth, linear }) = &mut factor_planes {
+            for planes in [smooth, linear] {
+                planes.sort_unstable();
+                planes.dedup();
+            }
         }
         let read = product.lookup_inputs(fragment);
         let needed = |(index, input): (usize, &FragmentInput)| match read.contains(&index) {
@@ -405,7 +410,7 @@ impl DrawPlan {
         // With nothing left to decide once they are shaded.
         let is_plain = is_whole && shading == Shading::On && !late;
         let together = if is_plain { fragment.banks() } else { 1 };
-        let product = ProductPlan::new(fragment, &inputs, denominator_plane, &input.textures);
+        let product = ProductPlan::new(fragment, &inputs, &input.textures);
         Self {
             product: product.filter(|_| together > 1 && colors.len() == 1 && colors[0].target == 0),
             together,

@@ -7,11 +7,10 @@ use crate::lanes::{F32s, I32s, Isa, LANES, Simd};
 use crate::sample::lod::LodRange;
 use crate::sample::plain::Class;
 use crate::sample::query::Query;
-use crate::sample::take;
 pub use crate::sample::take::{Take, Texels};
 use crate::sample::texel::Fetch;
 use crate::sample::{Off, Probed, Sample, Scanned};
-use crate::sample::{ahead, flat};
+use crate::sample::{ahead, flat, take};
 use crate::sampler::{
     Border, Compare, DepthMode, Filter, MAX_ANISOTROPY, Mipmap, Sampler, Seamless, Swizzle, Wrap,
 };
@@ -393,6 +392,7 @@ impl Texture {
             *to = border_channel(format, channel, sampler.border, from);
         }
         let way = Way::new(shape, format, compare);
+        let kernel = SampleKernel::new(shape, way, &detail);
         Ok(Self {
             shape,
             format,
@@ -409,13 +409,10 @@ impl Texture {
             depth_mode: sampler.depth_mode,
             swizzle: sampler.swizzle,
             way,
-            gives_words: {
-                let is_color = matches!(format.base(), BaseFormat::Rgb | BaseFormat::Rgba);
-                let is_flat =
-                    SampleKernel::new(shape, way, &detail) == SampleKernel::Flat(Class::Bytes);
-                is_flat && is_color && sampler.swizzle == Swizzle::IDENTITY
-            },
-            kernel: SampleKernel::new(shape, way, &detail),
+            gives_words: kernel == SampleKernel::Flat(Class::Bytes)
+                && matches!(format.base(), BaseFormat::Rgb | BaseFormat::Rgba)
+                && sampler.swizzle == Swizzle::IDENTITY,
+            kernel,
             detail,
         })
     }

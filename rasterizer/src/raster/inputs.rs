@@ -201,15 +201,10 @@ impl Fill<'_> {
         }
         for (out, input) in machine.inputs_of(*bank).iter_mut().zip(*inputs) {
             match *input {
-                FragmentInput::Smooth(index) => {
-                    let mut value = evaluate(places, index);
-                    if is_divided {
-                        for lane in 0..LANES {
-                            value[lane] *= w[lane];
-                        }
-                    }
-                    *out.as_f32_mut() = value;
+                FragmentInput::Smooth(index) if is_divided => {
+                    *out.as_f32_mut() = divided(places, [index, denominator], &w);
                 }
+                FragmentInput::Smooth(index) => *out.as_f32_mut() = evaluate(places, index),
                 FragmentInput::Linear(index) => *out.as_f32_mut() = evaluate(places, index),
                 FragmentInput::SmoothWithin(index) => {
                     let mut value = within(places, index, &centroids);
@@ -266,6 +261,35 @@ impl Fill<'_> {
 const X: [f32; 4] = [0.0, 1.0, 0.0, 1.0];
 /// Row of each pixel of a quad.
 const Y: [f32; 4] = [0.0, 0.0, 1.0, 1.0];
+
+/// A plane over the denominator's, given its inverse. Where both are the same plane that is 1: what is 1 at all
+/// vertices is so in between.
+#[inline(always)]
+fn divided(places: &impl Places, [plane, denominator]: [usize; 2], inverse: &F32s) -> F32s {
+    let mut out = evaluate(places, plane);
+    let (of, by) = (places.plane(plane), places.plane(denominator));
+    let is_one = |e, q| of(e, q) == by(e, q);
+    let [a, b, c, d] = pixels(&mut out);
+    divide_pixel(is_one, 0, inverse, a);
+    divide_pixel(is_one, 1, inverse, b);
+    divide_pixel(is_one, 2, inverse, c);
+    divide_pixel(is_one, 3, inverse, d);
+    out
+}
+
+/// One pixel of each quad times the inverse, or 1.
+#[inline(always)]
+fn divide_pixel(
+    is_one: impl Fn(usize, usize) -> bool,
+    e: usize,
+    inverse: &F32s,
+    out: &mut [f32; QUADS],
+) {
+    for (q, out) in out.iter_mut().enumerate() {
+        let quotient = *out * inverse[e * QUADS + q];
+        *out = if is_one(e, q) { 1.0 } else { quotient };
+    }
+}
 
 /// How a plane changes along an axis.
 #[inline(always)]

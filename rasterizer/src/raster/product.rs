@@ -3,7 +3,7 @@
 
 use super::run::BlockRun;
 use crate::output::{Color, ColorPlan, pack_colors, put};
-use crate::plan::{DrawPlan, ProductPlan};
+use crate::plan::{DrawPlan, FactorPlanes, ProductPlan};
 use crate::shader::{BANKS, Machine, OverBudget, Part, Product, Run};
 use texunit::lanes::{F32s, Isa, Kernel, LANES, QUADS, Simd, U32s};
 use texunit::plan::{Take, Texels};
@@ -46,12 +46,15 @@ impl Products {
     /// Says how the factors of a run are to be had.
     pub fn factors_of(&mut self, plan: &DrawPlan, of: &ProductPlan, run: &BlockRun) -> Factors {
         let shared = match &of.factor_planes {
-            Some(planes) => {
-                let is_one = |plane: usize| run.is_one(plane);
-                let in_perspective = plan.denominator_plane.is_some_and(|plane| !is_one(plane));
-                let reads = |plane| planes.contains(&plane);
-                let divides = in_perspective && plan.denominator_plane.is_some_and(reads);
-                !divides && run.shared(planes, &mut self.now)
+            Some(FactorPlanes { smooth, linear }) => {
+                let now = &mut self.now;
+                now.clear();
+                let denominator = plan.denominator_plane.filter(|&plane| !run.is_one(plane));
+                run.shares(linear, now)
+                    && match denominator {
+                        Some(plane) => run.shares_ones(smooth, plane, now),
+                        None => run.shares(smooth, now),
+                    }
             }
             None => false,
         };

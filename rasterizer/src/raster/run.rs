@@ -33,14 +33,12 @@ impl BlockRun {
 
     /// Whether a plane is 1 all over the blocks.
     pub fn is_one(&self, plane: usize) -> bool {
-        let count = self.planes.len() / self.len.max(1);
-        self.planes.iter().skip(plane).step_by(count.max(1)).all(|plane| *plane == [1.0, 0.0, 0.0])
+        self.planes().all(|planes| planes[plane] == [1.0, 0.0, 0.0])
     }
 
-    /// The bits of what these planes are all over the blocks, if they are the same there.
-    pub fn shared(&self, planes: &[usize], values: &mut Vec<u32>) -> bool {
-        values.clear();
-        let mut blocks = self.planes.chunks_exact((self.planes.len() / self.len.max(1)).max(1));
+    /// Whether these planes are the same all over the blocks; adds the bits of what they are.
+    pub fn shares(&self, planes: &[usize], values: &mut Vec<u32>) -> bool {
+        let mut blocks = self.planes();
         let Some(first) = blocks.next() else { return false };
         for &index in planes {
             let [value, a, b] = first[index];
@@ -50,9 +48,21 @@ impl BlockRun {
             }
             values.push(value.to_bits());
         }
-        blocks.all(|block| {
-            planes.iter().zip(&*values).all(|(&index, &bits)| block[index][0].to_bits() == bits)
-        })
+        let is_first = |block: &[[f32; 3]], index: usize| {
+            block[index][0].to_bits() == first[index][0].to_bits()
+        };
+        blocks.all(|block| planes.iter().all(|&index| is_first(block, index)))
+    }
+
+    /// Whether these planes are 1 all over the blocks once they are divided: where they are the denominator's.
+    pub fn shares_ones(&self, planes: &[usize], denominator: usize, values: &mut Vec<u32>) -> bool {
+        values.extend(planes.iter().map(|_| 1.0_f32.to_bits()));
+        self.planes().all(|block| planes.iter().all(|&index| block[index] == block[denominator]))
+    }
+
+    /// The planes of each block.
+    fn planes(&self) -> impl Iterator<Item = &[[f32; 3]]> {
+        self.planes.chunks_exact((self.planes.len() / self.len.max(1)).max(1))
     }
 
     /// Forgets them.

@@ -112,14 +112,14 @@ impl Shader {
         let (isa, plan, machine) = (pass.isa, &job.plan, &mut self.machine);
         let program = &plan.pipeline.compiled().fragment;
         let product = plan.product.as_ref().zip(program.product());
-        let (all, known) = (&plan.inputs[..], plan.product.as_ref().map(|of| &of.inputs[..]));
-        let inputs = match (product, known) {
-            (Some((of, _)), Some(known)) => match self.products.factors_of(plan, of, blocks) {
+        let all = &plan.inputs[..];
+        let inputs = match product {
+            Some((of, _)) => match self.products.factors_of(plan, of, blocks) {
                 Factors::Varying => [all; 2],
-                Factors::Shared => [all, known],
-                Factors::Known => [known; 2],
+                Factors::Shared => [all, &of.inputs],
+                Factors::Known => [&of.inputs[..]; 2],
             },
-            (_, _) => [all; 2],
+            None => [all; 2],
         };
         isa.run(InterpolateRun { plan, inputs, run: blocks, tile: [tile.x, tile.y], machine });
         let run = Run {

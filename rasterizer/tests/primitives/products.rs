@@ -31,8 +31,9 @@ fn noise(format: Format, sampler: Sampler) -> Arc<SamplePlan> {
     Arc::new(SamplePlan::new(&image, &sampler))
 }
 
-/// Large triangles over one another, some in perspective: position, then s, t and four values.
-fn triangles() -> Vec<f32> {
+/// Large triangles over one another, some in perspective: position, then s, t and others, then what `factor` makes
+/// of the four values that the factors come from.
+fn triangles(factor: impl Fn(f32) -> f32) -> Vec<f32> {
     let corners = [
         [[-1.5, -1.2, 0.0, 1.0], [1.6, -1.1, 0.0, 1.0], [0.1, 1.9, 0.0, 1.0]],
         [[-1.0, -1.0, 0.0, 1.0], [2.5, -2.6, 0.0, 2.7], [0.2, 0.9, 0.0, 0.9]],
@@ -44,7 +45,7 @@ fn triangles() -> Vec<f32> {
         for (corner, given) in corners.into_iter().zip(given) {
             out.extend(corner);
             out.extend(given);
-            out.extend(given.map(|v| 1.2 - v));
+            out.extend(given.map(|v| factor(1.2 - v)));
         }
     }
     out
@@ -52,7 +53,7 @@ fn triangles() -> Vec<f32> {
 
 /// Attribute 2, which the factors come from, is the same for all vertices.
 fn constant(values: [f32; 4]) -> Arc<[VertexBinding]> {
-    let mut all = bindings(&triangles(), 3).to_vec();
+    let mut all = bindings(&triangles(|v| v), 3).to_vec();
     all[2].source = VertexSource::Constant(values);
     all.into()
 }
@@ -150,8 +151,13 @@ fn texels_multiplied_as_they_come_are_what_the_interpreter_multiplies() {
         dst: [BlendFactor::OneMinusSrcAlpha; 2],
         constant: [0.0; 4],
     };
-    let vertices =
-        [bindings(&triangles(), 3), constant([1.0; 4]), constant([0.25, 1.0, 1.5, 0.75])];
+    let vertices = [
+        bindings(&triangles(|v| v), 3),
+        bindings(&triangles(|_| 1.0), 3),
+        bindings(&triangles(|_| 0.6), 3),
+        constant([1.0; 4]),
+        constant([0.25, 1.0, 1.5, 0.75]),
+    ];
     let targets = [
         (Format::Rgba8, None, [true; 4]),
         (Format::Rgba8, None, [true, false, true, true]),
@@ -189,6 +195,24 @@ fn texels_multiplied_as_they_come_are_what_the_interpreter_multiplies() {
                     assert!(got == want, "{of}");
                 }
             }
+        }
+    }
+}
+
+/// In perspective too: there a plane is divided by another, and rounded.
+#[test]
+fn what_is_one_at_all_vertices_is_one_in_between() {
+    let desc = pipeline(vertex(8), fragment(8, |b| each(b, |b, at| varying(b, 4 + at as u16))));
+    let vertices = &bindings(&triangles(|_| 1.0), 3);
+    let target = Format::Rgba32F;
+    let drawn = Drawn { desc: &desc, textures: &[], vertices, count: 9, target };
+    for isa in Isa::available() {
+        for watched in [false, true] {
+            let (bytes, _) = picture(isa, &drawn, watched);
+            let pixels = bytes[..64 * 64 * 16].as_chunks::<4>().0.iter();
+            let values: Vec<f32> = pixels.map(|bytes| f32::from_le_bytes(*bytes)).collect();
+            assert!(values.iter().all(|&value| value == 1.0 || value == 0.0), "{}", isa.name());
+            assert!(values.contains(&1.0) && values.contains(&0.0));
         }
     }
 }
