@@ -87,7 +87,7 @@ impl<F> Kernel for Flat<'_, '_, F> {
         let texture = sample.texture;
         let read = read::<S>(texture, sample.coords, sample.lod);
         let Some(Read { filter, levels, weight }) = read else { return Outcome::NotFlat };
-        // Where nothing is stored in vain, no texel waits behind it.
+        // Takes no time where there is no second level.
         let mut second = None;
         let reads_both = levels[0] != levels[1];
         for (turn, number) in levels.into_iter().take(1 + usize::from(reads_both)).enumerate() {
