@@ -239,7 +239,7 @@ pub trait Simd: Copy + private::Sealed {
         math::floor(x)
     }
 
-    /// [`math::floor_small`] of one lane, whose zero has any sign, that is known to be small; of others some integer.
+    /// [`math::floor_small`] of one lane that is known to be small; of others some integer.
     #[inline(always)]
     fn floor_small(x: f32) -> (i32, f32) {
         math::floor_small(x)
@@ -275,7 +275,7 @@ macro_rules! rounding_instructions {
         }
         #[inline(always)]
         fn floor_small(x: f32) -> (i32, f32) {
-            let whole = x.floor();
+            let whole = x.floor() + 0.0;
             (math::low_bits(whole), whole)
         }
         #[inline(always)]
