@@ -147,7 +147,7 @@ impl ProductPlan {
             return None;
         }
         let mut factor_planes = Some(FactorPlanes::default());
-        for index in product.factor_inputs(fragment) {
+        for &index in &product.factor_inputs {
             match inputs[index] {
                 FragmentInput::Flat(plane) | FragmentInput::Linear(plane) => {
                     factor_planes.iter_mut().for_each(|planes| planes.linear.push(plane));
@@ -173,8 +173,10 @@ impl ProductPlan {
                 planes.dedup();
             }
         }
-        let read = product.lookup_inputs(fragment);
-        let needed = |(index, input): (usize, &FragmentInput)| match read.contains(&index) {
+        let needed = |(index, input): (usize, &FragmentInput)| match product
+            .lookup_inputs
+            .contains(&index)
+        {
             true => *input,
             false => FragmentInput::Zero,
         };
@@ -410,9 +412,13 @@ impl DrawPlan {
         // With nothing left to decide once they are shaded.
         let is_plain = is_whole && shading == Shading::On && !late;
         let together = if is_plain { fragment.banks() } else { 1 };
-        let product = ProductPlan::new(fragment, &inputs, &input.textures);
+        let may_multiply = together > 1 && colors.len() == 1 && colors[0].target == 0;
         Self {
-            product: product.filter(|_| together > 1 && colors.len() == 1 && colors[0].target == 0),
+            product: if may_multiply {
+                ProductPlan::new(fragment, &inputs, &input.textures)
+            } else {
+                None
+            },
             together,
             shades_depth: late || inputs.contains(&FragmentInput::Depth),
             packing: if alone { Packing::Pixels } else { Packing::Quads },

@@ -87,6 +87,11 @@ impl ColorPlan {
         if is_read { Old::Read } else { Old::Ignored }
     }
 
+    /// [`Self::old`] of a block of which the fragments of a mask are written.
+    pub fn old_under(&self, mask: u64) -> Old {
+        if mask == !0 { self.old() } else { Old::Read }
+    }
+
     /// What is done to an attachment that is written as `format`.
     pub fn new(
         target: usize,

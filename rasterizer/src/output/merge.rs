@@ -142,7 +142,7 @@ pub fn write_blocks(
 
 fn write_bytes(isa: Isa, plan: &ColorPlan, plane: &mut Plane, colors: &[BlockColors<'_>]) {
     for color in colors {
-        plane.ready(color.block, if color.mask == !0 { plan.old() } else { Old::Read });
+        plane.ready(color.block, plan.old_under(color.mask));
     }
     isa.run(WriteBytes { plan, colors, blocks: plane.ready_blocks() });
 }

@@ -13,7 +13,7 @@ use crate::output::{BlockColors, ColorClass, ColorPlan, Fragments, test, write, 
 use crate::plan::{DrawPlan, Shading, Timing};
 use crate::primitive::Facing;
 use crate::shader::{BANKS, Machine, OverBudget, Product, Run};
-use crate::target::{Old, Place, TileTarget};
+use crate::target::{Place, TileTarget};
 use crate::trace::{Fate, When};
 use std::sync::atomic::Ordering;
 use texunit::lanes::{F32s, Isa, Kernel, Simd};
@@ -54,10 +54,6 @@ fn write_run<'a>(
     tile: &mut TileJob,
     color_of: impl Fn(usize, &'a ColorPlan, usize) -> &'a F32s,
 ) {
-    for bank in 0..blocks.len() {
-        let (_, lanes) = blocks.covered(bank);
-        job.count(&[lanes]);
-    }
     for plan in &job.plan.colors {
         let Some(target) = tile.colors[plan.target].as_mut() else { continue };
         let colors_of = |bank: usize| {
@@ -136,6 +132,12 @@ impl Shader {
             }
             None => self.machine.run_banks(run, blocks.len()),
         };
+        if done.is_ok() {
+            for bank in 0..blocks.len() {
+                let (_, lanes) = blocks.covered(bank);
+                job.count(&[lanes]);
+            }
+        }
         match (done, product) {
             (Ok(()), Some((_, product))) => self.multiply(isa, job, product, blocks, tile),
             (Ok(()), None) => {
@@ -170,8 +172,7 @@ impl Shader {
         {
             for bank in 0..blocks.len() {
                 let (block, mask) = blocks.covered(bank);
-                plane.ready(block, if mask == !0 { color.old() } else { Old::Read });
-                job.count(&[mask]);
+                plane.ready(block, color.old_under(mask));
             }
             words = Some(Words { color, blocks: plane.ready_blocks() });
         }

@@ -5,7 +5,7 @@
 use super::fuse::{Compute, OPERANDS};
 use super::inst::{Inst, Reg, Role, SampleInst};
 use super::machine::{Interpreter, Machine, lod};
-use super::{Layout, OverBudget, Program, Run};
+use super::{Layout, OverBudget, Run};
 use crate::ir::{Access, Output};
 use texunit::lanes::F32s;
 use texunit::plan::Lod;
@@ -26,6 +26,10 @@ pub struct Product {
     before_factors: Vec<Inst>,
     /// What of it the lookups need.
     before_lookups: Vec<Inst>,
+    /// Which inputs of the program its factors depend on.
+    pub factor_inputs: Vec<usize>,
+    /// Which inputs of the program its lookups depend on.
+    pub lookup_inputs: Vec<usize>,
 }
 
 /// A lookup of a product.
@@ -84,25 +88,18 @@ impl Product {
             lookups.iter().map(|&at| steps.lookups[at].clone()).collect();
         let read_by_lookups: Vec<Reg> = lookups.iter().flat_map(read_by).collect();
         layout.registers = layout.registers.max(layout.given + steps.before.len() as u32);
+        let read_by_factors: Vec<Reg> = factors.into_iter().flatten().collect();
+        let before_factors = needed(&steps.before, read_by_factors.clone());
+        let before_lookups = needed(&steps.before, read_by_lookups.clone());
         Some(Self {
-            before_factors: needed(&steps.before, factors.into_iter().flatten().collect()),
-            before_lookups: needed(&steps.before, read_by_lookups),
+            factor_inputs: inputs(layout, read_by_factors, &before_factors),
+            lookup_inputs: inputs(layout, read_by_lookups, &before_lookups),
             before: steps.before,
+            before_factors,
+            before_lookups,
             factors,
             lookups,
         })
-    }
-
-    /// Which inputs of the program its factors depend on.
-    pub fn factor_inputs(&self, program: &Program) -> Vec<usize> {
-        let factors = self.factors.into_iter().flatten();
-        inputs(program, factors.chain(self.before_factors.iter().flat_map(operands)))
-    }
-
-    /// Which inputs of the program its lookups depend on.
-    pub fn lookup_inputs(&self, program: &Program) -> Vec<usize> {
-        let lookups = self.lookups.iter().flat_map(read_by);
-        inputs(program, lookups.chain(self.before_lookups.iter().flat_map(operands)))
     }
 
     /// The textures' slots.
@@ -162,7 +159,7 @@ impl Machine {
         let sample = &product.lookups[at];
         Lookup {
             texture: sample.texture,
-            coords: sample.coords.map(|reg| registers[reg.0 as usize].as_f32()),
+            coords: self.coords(product, at, bank),
             lod: lod(registers, sample),
         }
     }
@@ -362,11 +359,9 @@ fn needed(code: &[Inst], mut wanted: Vec<Reg>) -> Vec<Inst> {
     needed
 }
 
-/// Those of the registers that are inputs, as numbers of inputs.
-fn inputs(program: &Program, registers: impl Iterator<Item = Reg>) -> Vec<usize> {
-    let Layout { inputs, given, .. } = program.layout;
-    registers
-        .filter(|reg| (inputs..given).contains(&reg.0))
-        .map(|reg| (reg.0 - inputs) as usize)
-        .collect()
+/// The inputs among these registers and those that the code reads, as numbers of inputs.
+fn inputs(layout: &Layout, registers: Vec<Reg>, code: &[Inst]) -> Vec<usize> {
+    let read = registers.into_iter().chain(code.iter().flat_map(operands));
+    let is_input = |reg: &Reg| (layout.inputs..layout.given).contains(&reg.0);
+    read.filter(is_input).map(|reg| (reg.0 - layout.inputs) as usize).collect()
 }

@@ -1,30 +1,30 @@
-//! Values asked for before they are needed.
+//! Values asked for before they are needed. Nothing here changes a result; it does nothing where there is no such
+//! instruction.
+
+/// Asks the processor to have all of a value near soon: what is read or written a while later then does
+/// not wait for memory.
+#[inline(always)]
+pub fn prefetch<T>(value: &T) {
+    for byte in (0..size_of::<T>()).step_by(64) {
+        line(std::ptr::from_ref(value).cast::<i8>().wrapping_add(byte));
+    }
+}
 
 /// As [`prefetch`], of the line of bytes around an offset, which may lie anywhere.
 #[inline(always)]
 pub fn prefetch_at(bytes: &[u8], offset: usize) {
+    line(bytes.as_ptr().cast::<i8>().wrapping_add(offset));
+}
+
+/// Asks for the line that an address lies in.
+#[inline(always)]
+fn line(at: *const i8) {
     #[cfg(target_arch = "x86_64")]
     {
         use std::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};
-        let at = bytes.as_ptr().cast::<i8>().wrapping_add(offset);
-        // SAFETY: as above.
-        unsafe { _mm_prefetch::<_MM_HINT_T0>(at) };
-    }
-    #[cfg(not(target_arch = "x86_64"))]
-    let _ = (bytes, offset);
-}
-
-/// Asks the processor to have all of a value near soon: what is read or written a while later then does
-/// not wait for memory. Never changes a result; does nothing where there is no such instruction.
-#[inline(always)]
-pub fn prefetch<T>(value: &T) {
-    #[cfg(target_arch = "x86_64")]
-    for line in (0..size_of::<T>()).step_by(64) {
-        use std::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};
-        let at = std::ptr::from_ref(value).cast::<i8>().wrapping_add(line);
         // SAFETY: every x86-64 has it, and it faults at no address.
         unsafe { _mm_prefetch::<_MM_HINT_T0>(at) };
     }
     #[cfg(not(target_arch = "x86_64"))]
-    let _ = value;
+    let _ = at;
 }
