@@ -335,5 +335,5 @@ fn plan(
     if result == ComparisonResult::Scalar {
         sampler.depth_mode = DepthMode::Red;
     }
-    context.objects.texture_mut(target, name).plan(&sampler)
+    context.objects.texture_mut(target, name).plan(&context.recorder.device, &sampler)
 }

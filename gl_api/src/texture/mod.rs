@@ -30,7 +30,7 @@ use crate::constants::*;
 use crate::context::{Context, limits};
 use crate::error::{ErrorCode, GlError};
 use crate::types::*;
-use rasterizer::driver::Image;
+use rasterizer::driver::{Device, Image};
 use sampler::SamplerState;
 use std::sync::Arc;
 pub(crate) use target::{
@@ -119,12 +119,12 @@ impl Texture {
         self.plan = None;
     }
 
-    /// How it is sampled with this state.
-    pub fn plan(&mut self, sampler: &Sampler) -> Arc<SamplePlan> {
+    /// How it is sampled with this state. The device's threads bring its texels up to date.
+    pub fn plan(&mut self, device: &Device, sampler: &Sampler) -> Arc<SamplePlan> {
         match &self.plan {
             Some((same, plan)) if same == sampler => Arc::clone(plan),
             _ => {
-                let plan = Arc::new(SamplePlan::new(&self.image.texels(), sampler));
+                let plan = Arc::new(SamplePlan::new(&device.texels(&self.image), sampler));
                 self.plan = Some((sampler.clone(), Arc::clone(&plan)));
                 plan
             }

@@ -58,7 +58,7 @@ pub fn clear(pass: &PassJob, job: &ClearJob, tile: &mut TileJob) {
                 plane.clear(word);
                 continue;
             }
-            for (index, block) in plane.blocks_mut().iter_mut().enumerate() {
+            for (index, block) in plane.blocks_mut(!0).iter_mut().enumerate() {
                 let (bx, by) = (index as i32 % 8, index as i32 / 8);
                 let lanes = expand_mask(coverage::inside_area(&job.area, tile.x, tile.y, bx, by));
                 for lane in 0..LANES {

@@ -1,7 +1,7 @@
 //! The planes of up to 64 shapes of a chunk, computed together: the arithmetic of
 //! [`super::interpolate`], in the same order, over lanes of triangles.
 
-use super::interpolate::{PlaneSetup, PlaneSource, Planes};
+use super::interpolate::{Inverse, PlaneSetup, PlaneSource, Planes};
 use super::lanes::ShapeLanes;
 use super::small::{REACHED, Windows};
 use crate::primitive::{SUBPIXEL, Shape};
@@ -51,6 +51,8 @@ struct Lanes {
     rows: Rows,
     /// Not zero where the general computation must do it.
     general: [u64; LANES],
+    /// From the origin to the first pixel of each column of blocks that a window reaches into, and each row.
+    to_block: [[F64s; REACHED]; 2],
 }
 
 /// The planes that weight the three vertices; see `interpolate::Rows`.
@@ -70,6 +72,7 @@ impl Default for Lanes {
             values: [ZERO; 3],
             rows: Rows { projective: [PLANE; 3], smooth: [PLANE; 3], denominator: PLANE },
             general: [0; LANES],
+            to_block: [[ZERO; REACHED]; 2],
         }
     }
 }
@@ -102,7 +105,7 @@ impl PlaneGroup {
 
     /// As [`Self::at`], of the first pixel of one of the blocks that the window of the shape `lane`
     /// may reach into.
-    #[inline]
+    #[inline(always)]
     pub fn in_window(&self, lane: usize, block: usize) -> impl Iterator<Item = [f32; 3]> {
         let (lane, block) = (lane % LANES, block % (REACHED * REACHED));
         self.windows
@@ -161,7 +164,7 @@ impl PlaneGroup {
             WindowPlane { corners: [F32s::ZERO; REACHED * REACHED], a: F32s::ZERO, b: F32s::ZERO };
         self.windows.resize(self.planes.len(), NONE);
         let Self { planes, windows: out, lanes, .. } = self;
-        isa.run(Enter { tile, windows, origin: &lanes.origin, planes, out });
+        isa.run(Enter { tile, windows, lanes, planes, out });
     }
 }
 
@@ -266,11 +269,11 @@ fn rows(lanes: &mut Lanes, half: [f64; 2], center: [f64; 2]) {
             ]
         };
         let (p0, p1, p2) = (p(0), p(1), p(2));
-        let (r0, r1, r2) = (cross(p1, p2), cross(p2, p0), cross(p0, p1));
-        let determinant = p0[0] * r0[0] + p0[1] * r0[1] + p0[2] * r0[2];
+        let inverse = Inverse::of([p0, p1, p2]);
+        let ([r0, r1, r2], scale) = (inverse.adjugate, inverse.scale());
         let same = (p0[2] == p1[2]) & (p0[2] == p2[2]);
         for part in 0..3 {
-            let row = [r0[part] / determinant, r1[part] / determinant, r2[part] / determinant];
+            let row = [r0[part] * scale, r1[part] * scale, r2[part] * scale];
             projective[0][part][lane] = row[0];
             projective[1][part][lane] = row[1];
             projective[2][part][lane] = row[2];
@@ -281,29 +284,8 @@ fn rows(lanes: &mut Lanes, half: [f64; 2], center: [f64; 2]) {
             smooth[1][part][lane] = if same { row[1] * p1[2] } else { row[1] };
             smooth[2][part][lane] = if same { row[2] * p2[2] } else { row[2] };
         }
+        general[lane] |= u64::from(!inverse.is_thick());
     }
-    for lane in 0..LANES {
-        // As `Viewport::window` has it.
-        let window = |k: usize| {
-            let (x, y, w) = (clip[k][0][lane], clip[k][1][lane], clip[k][2][lane]);
-            [x / w * half[0] + center[0], y / w * half[1] + center[1]]
-        };
-        let (a, b, c) = (window(0), window(1), window(2));
-        let side = |from: [f64; 2], to: [f64; 2]| [to[0] - from[0], to[1] - from[1]];
-        let (s, t, u) = (side(a, b), side(a, c), side(b, c));
-        let doubled_area = (s[0] * t[1] - t[0] * s[1]).abs();
-        let square = |e: [f64; 2]| e[0] * e[0] + e[1] * e[1];
-        let (s, t, u) = (square(s), square(t), square(u));
-        let longest = if s > t { s } else { t };
-        let longest = if longest > u { longest } else { u };
-        let thick = doubled_area * doubled_area >= longest / 64.0;
-        general[lane] |= u64::from(!thick);
-    }
-}
-
-#[inline(always)]
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
 /// `Plane::sum`; marks the lanes whose planes are not finite.
@@ -342,7 +324,7 @@ fn to_depth(plane: &mut PlaneLanes, scale: f64, add: f64) {
 struct Enter<'a> {
     tile: [i32; 2],
     windows: &'a Windows,
-    origin: &'a [F64s; 2],
+    lanes: &'a mut Lanes,
     planes: &'a [PlaneLanes],
     out: &'a mut [WindowPlane],
 }
@@ -351,9 +333,7 @@ impl Kernel for Enter<'_> {
     type Output = ();
     #[inline(always)]
     fn run<S: Simd>(self) {
-        let Self { tile, windows, origin, planes, out } = self;
-        // From the origin to the first pixel of each block.
-        let mut d = [[ZERO; REACHED]; 2];
+        let Self { tile, windows, lanes: Lanes { origin, to_block: d, .. }, planes, out } = self;
         for axis in 0..2 {
             for (block, d) in (0..).zip(&mut d[axis]) {
                 for lane in 0..LANES {
@@ -370,7 +350,7 @@ impl Kernel for Enter<'_> {
             }
             for row in 0..=up {
                 for column in 0..=across {
-                    let ([x, y], to) = (&d, &mut out.corners[row * REACHED + column]);
+                    let ([x, y], to) = (&*d, &mut out.corners[row * REACHED + column]);
                     let (x, y) = (&x[column], &y[row]);
                     for lane in 0..LANES {
                         to[lane] = ((x[lane] * a[lane] + y[lane] * b[lane]) + c[lane]) as f32;

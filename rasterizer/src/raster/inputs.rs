@@ -90,8 +90,15 @@ impl Places for Pixels {
         }
     }
     #[inline(always)]
-    fn is_one(&self, _plane: usize) -> bool {
-        false
+    fn is_one(&self, plane: usize) -> bool {
+        let plane = &self.planes[plane];
+        let mut other = 0;
+        for lane in 0..LANES {
+            // A zero of any sign is none.
+            let steps = (plane.a[lane].to_bits() | plane.b[lane].to_bits()) << 1;
+            other |= plane.corner[lane].to_bits() ^ 1.0_f32.to_bits() | steps;
+        }
+        other == 0
     }
     #[inline(always)]
     fn within(&self, e: usize, q: usize) -> [f32; 2] {

@@ -288,40 +288,63 @@ fn triangle(
     origin: [f64; 2],
 ) -> [Plane; 3] {
     let clip = shape.vertices.map(|v| geometry.clip(v));
-    let exact = invert(clip.map(|clip| homogeneous(clip, viewport, origin)));
-    if shape.part == Part::Cut {
-        return exact;
-    }
-    let window = clip.map(|clip| viewport.window(&clip.map(f64::from)));
-    let side = |a: [f64; 2], b: [f64; 2]| [b[0] - a[0], b[1] - a[1]];
-    let (s, t, u) =
-        (side(window[0], window[1]), side(window[0], window[2]), side(window[1], window[2]));
-    let doubled_area = (s[0] * t[1] - t[0] * s[1]).abs();
-    let longest = [s, t, u].map(|e| e[0] * e[0] + e[1] * e[1]).into_iter().fold(0.0, f64::max);
-    // Altitude over the longest side below an eighth of a pixel.
-    if doubled_area * doubled_area >= longest / 64.0 {
-        return exact;
+    let inverse = Inverse::of(clip.map(|clip| homogeneous(clip, viewport, origin)));
+    if shape.part == Part::Cut || inverse.is_thick() {
+        return inverse.rows();
     }
     let w = clip.map(|clip| f64::from(clip[3]));
     let snapped = shape.vertices.map(|v| geometry.snapped[v as usize]);
     let snapped = snapped.map(|v| v.map(|v| f64::from(v) / f64::from(SUBPIXEL)));
     let q = [0, 1, 2].map(|i| [(snapped[i][0] - origin[0]), (snapped[i][1] - origin[1]), 1.0]);
-    let rows = invert(q);
+    let rows = Inverse::of(q).rows();
     [0, 1, 2].map(|i| rows[i].scaled(1.0 / w[i]))
 }
 
-/// The rows of the inverse of the matrix whose columns are `p`: row `i` is 1 at `p[i]`.
-fn invert(p: [[f64; 3]; 3]) -> [Plane; 3] {
-    let cross = |a: [f64; 3], b: [f64; 3]| {
-        [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-    };
-    let (r0, r1, r2) = (cross(p[1], p[2]), cross(p[2], p[0]), cross(p[0], p[1]));
-    let determinant = p[0][0] * r0[0] + p[0][1] * r0[1] + p[0][2] * r0[2];
-    [r0, r1, r2].map(|r| Plane {
-        a: r[0] / determinant,
-        b: r[1] / determinant,
-        c: r[2] / determinant,
-    })
+/// The inverse of the matrix whose columns are homogeneous positions.
+pub struct Inverse {
+    positions: [[f64; 3]; 3],
+    /// Row `i` is 0 at the other two positions,
+    pub adjugate: [[f64; 3]; 3],
+    /// and this at position `i`.
+    determinant: f64,
+}
+
+impl Inverse {
+    #[inline(always)]
+    pub fn of(positions: [[f64; 3]; 3]) -> Self {
+        let cross = |a: [f64; 3], b: [f64; 3]| {
+            [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+        };
+        let [p, q, r] = positions;
+        let adjugate = [cross(q, r), cross(r, p), cross(p, q)];
+        let determinant = p[0] * adjugate[0][0] + p[1] * adjugate[0][1] + p[2] * adjugate[0][2];
+        Self { positions, adjugate, determinant }
+    }
+
+    /// What the adjugate is multiplied by. (Of numbers that were `f32` it does not overflow.)
+    #[inline(always)]
+    pub fn scale(&self) -> f64 {
+        1.0 / self.determinant
+    }
+
+    /// Whether the altitude over the longest side is an eighth of a pixel at least. Of the triangle in the window,
+    /// the doubled area is `determinant / (w_0 w_1 w_2)`, the side from i to j `(p_i w_j - p_j w_i) / (w_i w_j)`:
+    /// all are compared times `w_0 w_1 w_2`, so that nothing is divided.
+    #[inline(always)]
+    pub fn is_thick(&self) -> bool {
+        let [p, q, r] = self.positions;
+        let side = |from: [f64; 3], to: [f64; 3], w: f64| {
+            let (x, y) = (from[0] * to[2] - to[0] * from[2], from[1] * to[2] - to[1] * from[2]);
+            (x * x + y * y) * (w * w)
+        };
+        let area = 64.0 * (self.determinant * self.determinant);
+        (area >= side(p, q, r[2])) & (area >= side(p, r, q[2])) & (area >= side(q, r, p[2]))
+    }
+
+    fn rows(&self) -> [Plane; 3] {
+        let scale = self.scale();
+        self.adjugate.map(|[a, b, c]| Plane { a: a * scale, b: b * scale, c: c * scale })
+    }
 }
 
 /// The weights of a line: constant across it, so that `l_0 + l_1 = 1/w` along it (GL 2.1, equation
@@ -333,6 +356,6 @@ fn line(shape: &Shape, geometry: &Geometry, viewport: &Viewport, origin: [f64; 2
         ends[1][0] * ends[0][2] - ends[0][0] * ends[1][2],
         ends[1][1] * ends[0][2] - ends[0][1] * ends[1][2],
     ];
-    let rows = invert([ends[0], ends[1], [-along[1], along[0], 0.0]]);
+    let rows = Inverse::of([ends[0], ends[1], [-along[1], along[0], 0.0]]).rows();
     [rows[0], rows[1], Plane::default()]
 }

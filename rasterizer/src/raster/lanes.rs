@@ -1,7 +1,7 @@
 //! Up to 64 shapes of a chunk, over lanes: what the kernels of [`super::group`] and [`super::small`]
 //! read.
 
-use crate::primitive::{Kind, Part, Shape};
+use crate::primitive::{Facing, Kind, Part, Shape};
 use texunit::lanes::{I32s, LANES, U32s};
 
 /// The shapes, a lane each.
@@ -21,6 +21,8 @@ pub struct ShapeLanes {
     pub triangles: u64,
     /// Those of them that are whole.
     pub whole: u64,
+    /// Those that show their back.
+    back: u64,
 }
 
 impl Default for ShapeLanes {
@@ -33,6 +35,7 @@ impl Default for ShapeLanes {
             provoking: U32s::ZERO,
             triangles: 0,
             whole: 0,
+            back: 0,
         }
     }
 }
@@ -40,7 +43,7 @@ impl Default for ShapeLanes {
 impl ShapeLanes {
     /// Holds these shapes, at most 64.
     pub fn load<'a>(&mut self, shapes: impl Iterator<Item = &'a Shape>) {
-        (self.len, self.triangles, self.whole) = (0, 0, 0);
+        (self.len, self.triangles, self.whole, self.back) = (0, 0, 0, 0);
         for (lane, shape) in shapes.enumerate().take(LANES) {
             for k in 0..3 {
                 self.corners[k][0][lane] = shape.corners[k][0];
@@ -58,10 +61,19 @@ impl ShapeLanes {
             };
             self.triangles |= is_triangle << lane;
             self.whole |= (is_triangle & u64::from(shape.part == Part::Whole)) << lane;
+            self.back |= u64::from(shape.facing == Facing::Back) << lane;
             self.len = lane + 1;
         }
         for vertices in self.vertices.iter_mut().chain([&mut self.provoking]) {
             vertices.0[self.len..].fill(0);
+        }
+    }
+    /// Which side a shape shows.
+    #[inline(always)]
+    pub fn facing(&self, lane: usize) -> Facing {
+        match self.back >> (lane % LANES) & 1 {
+            0 => Facing::Front,
+            _ => Facing::Back,
         }
     }
 }

@@ -13,6 +13,7 @@ mod group;
 mod inputs;
 mod interpolate;
 mod lanes;
+mod pack;
 mod pixels;
 mod product;
 mod run;

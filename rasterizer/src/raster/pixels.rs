@@ -60,17 +60,19 @@ impl Pixels {
     }
 
     /// Whether no pixel fits any more.
+    #[inline(always)]
     pub fn is_full(&self) -> bool {
         self.len == LANES
     }
 
     /// Whether any of the lanes of a block waits here: what comes after must not overtake it.
-    #[inline]
+    #[inline(always)]
     pub fn holds(&self, block: usize, lanes: u64) -> bool {
         self.waiting[block % BLOCKS] & lanes != 0
     }
 
     /// The lanes that there are.
+    #[inline(always)]
     fn mask(&self) -> u64 {
         !0 >> (LANES - self.len.clamp(1, LANES))
     }
@@ -84,7 +86,7 @@ impl Pixels {
 
     /// Where they are.
     pub fn place(&self) -> Place<'_> {
-        Place::Pixels(self.at.first_chunk().unwrap_or(&[0; LANES]))
+        Place::Pixels(self.at.first_chunk().unwrap_or(&[0; LANES]), self.blocks)
     }
 
     /// Forgets its pixels and makes room for a draw with `planes` planes.
@@ -101,7 +103,7 @@ impl Pixels {
 
     /// Adds lanes of a block of one shape, of which there are `count`, as many as fit; gives those that do
     /// not. `planes` are, of each plane, its value at the first pixel of the block and its steps across and up.
-    #[inline]
+    #[inline(always)]
     pub fn push(
         &mut self,
         block: usize,

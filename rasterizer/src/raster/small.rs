@@ -60,6 +60,8 @@ pub struct Windows {
     inside: [[U32s; 2]; 4],
     /// The shapes that have one, bit by lane.
     small: u64,
+    /// Their edge functions at the first pixel of a row of quads, and per pixel across and up.
+    edges: [[I32s; 3]; 3],
 }
 
 /// The window of a small triangle.
@@ -87,8 +89,19 @@ const SHARES: [[u64; 4]; QUADS] = {
     table
 };
 
+/// From the first block that a window reaches into to each of them, in the tile.
+const FURTHER: [usize; REACHED * REACHED] = {
+    let mut table = [0; REACHED * REACHED];
+    let mut block = 0;
+    while block < table.len() {
+        table[block] = block / REACHED * (TILE as usize / 8) + block % REACHED;
+        block += 1;
+    }
+    table
+};
+
 /// The covered lanes of the blocks that a window reaches into, row by row of [`REACHED`].
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Reached {
     lanes: [u64; REACHED * REACHED],
     /// Which of them have any, bit by block.
@@ -105,7 +118,7 @@ impl Window {
     }
 
     /// What it covers of blocks.
-    #[inline]
+    #[inline(always)]
     pub fn blocks(&self) -> Reached {
         let [x, y] = self.quad;
         let begin = y % 4 * 4 + x % 4;
@@ -131,19 +144,35 @@ impl Window {
     }
 }
 
-impl Iterator for Reached {
-    /// Which of the blocks it reaches into, which of the tile, and the lanes.
-    type Item = (usize, usize, u64);
+/// What a window covers of one block.
+#[derive(Clone, Copy, Debug)]
+pub struct Share {
+    /// Which of the blocks that it reaches into.
+    pub part: usize,
+    /// Which of the tile.
+    pub block: usize,
+    /// The lanes.
+    pub lanes: u64,
+}
 
-    #[inline]
-    fn next(&mut self) -> Option<Self::Item> {
+impl Reached {
+    /// The first share that is left.
+    #[inline(always)]
+    pub fn first(&self) -> Option<Share> {
         if self.any == 0 {
             return None;
         }
-        let block = self.any.trailing_zeros() as usize % self.lanes.len();
-        self.any &= self.any - 1;
-        let in_tile = self.first + block / REACHED * 8 + block % REACHED;
-        Some((block, in_tile, self.lanes[block]))
+        let part = self.any.trailing_zeros() as usize % self.lanes.len();
+        Some(Share { part, block: self.first + FURTHER[part], lanes: self.lanes[part] })
+    }
+
+    /// Leaves these lanes of it.
+    #[inline(always)]
+    pub fn leave(&mut self, share: Share, lanes: u64) {
+        self.lanes[share.part] = lanes;
+        if lanes == 0 {
+            self.any &= !(1 << share.part);
+        }
     }
 }
 
@@ -155,7 +184,7 @@ impl Windows {
     }
 
     /// The window of the shape in a lane; `None` where it is not small.
-    #[inline]
+    #[inline(always)]
     pub fn get(&self, lane: usize) -> Option<Window> {
         let lane = lane % LANES;
         if self.small >> lane & 1 == 0 {
@@ -187,7 +216,7 @@ impl Kernel for Cover<'_> {
     #[inline(always)]
     fn run<S: Simd>(self) {
         let Self { windows, tile, shapes } = self;
-        let Windows { quads, further, spans, parts, inside, small } = windows;
+        let Windows { quads, further, spans, parts, inside, small, edges } = windows;
         let ShapeLanes { corners, bounds, .. } = shapes;
         // Not zero where a triangle is not small.
         let mut large = U32s::ZERO;
@@ -216,7 +245,6 @@ impl Kernel for Cover<'_> {
         let there = !0 >> (LANES - shapes.len.clamp(1, LANES));
         *small = !S::nonzero(&large) & shapes.triangles & there;
         // Lanes without a small triangle hold anything: hence the wrapping operations.
-        let mut edges = [[I32s::ZERO; 3]; 3];
         for (i, [value, x, y]) in edges.iter_mut().enumerate() {
             let (a, b) = (&corners[i], &corners[(i + 1) % 3]);
             for lane in 0..LANES {
@@ -231,12 +259,12 @@ impl Kernel for Cover<'_> {
                 y[lane] = dx;
             }
         }
-        let [[e0, x0, y0], [e1, x1, y1], [e2, x2, y2]] = &mut edges;
-        *inside = [[U32s::ZERO; 2]; 4];
+        let [[e0, x0, y0], [e1, x1, y1], [e2, x2, y2]] = edges;
         let last = |reach: &U32s| (S::largest(reach) as usize).min(SIDE - 1);
         let (across, up) = (last(&reach[0]), last(&reach[1]));
         *further = [S::largest(&blocks[0]) as usize, S::largest(&blocks[1]) as usize];
         *parts = if up < SIDE / 2 { 1 + across / (SIDE / 2) } else { 4 };
+        inside[..*parts].fill([U32s::ZERO; 2]);
         for row in 0..=up {
             let (mut a, mut b, mut c) = (*e0, *e1, *e2);
             for column in 0..=across {
@@ -313,8 +341,10 @@ mod tests {
                     let Some(window) = windows.get(lane) else { continue };
                     let edges = edges(&shape.corners, tile[0], tile[1]);
                     let mut got = [0; 64];
-                    for (_, block, lanes) in window.blocks() {
-                        got[block] |= lanes;
+                    let mut reached = window.blocks();
+                    while let Some(share) = reached.first() {
+                        got[share.block] |= share.lanes;
+                        reached.leave(share, 0);
                     }
                     for (at, got) in got.into_iter().enumerate() {
                         let want = match block(isa, &edges, at as i32 % 8, at as i32 / 8) {

@@ -8,11 +8,12 @@ use super::coverage;
 use super::group::PlaneGroup;
 use super::interpolate::PlaneSetup;
 use super::lanes::ShapeLanes;
+use super::pack::{self, DENSE_PIXELS, Pack, Stop};
 use super::pixels::Pixels;
 use super::run::BlockRun;
 use super::samples::SampleMasks;
 use super::shading::{Shader, early_tests};
-use super::small::{Window, Windows};
+use super::small::{Share, Window, Windows};
 use super::watched::Spot;
 use crate::driver::{Counter, Watch};
 use crate::plan::{DrawPlan, FragmentInput, Packing, Timing};
@@ -25,9 +26,6 @@ use texunit::lanes::{F32s, Isa, LANES, U32s, prefetch};
 
 /// Quads of a block from which on it is shaded by itself rather than packed with others.
 pub const DENSE: u32 = 12;
-/// Pixels of a block from which on it is shaded by itself rather than packed with others, where these
-/// need not be quads.
-const DENSE_PIXELS: u32 = 40;
 /// Shapes of a group from which on their windows are computed together.
 const WINDOWS_FROM: usize = 4;
 
@@ -274,12 +272,13 @@ impl Worker {
         self.group.compute(pass.isa, &setup, &chunk.geometry, &self.shapes, shapes.clone());
         let has_windows =
             group.len() >= WINDOWS_FROM && plan.covers_by_outline() && tile.watched.is_none();
-        let packs = plan.packing == Packing::Pixels && tile.watched.is_none();
         if has_windows {
             let at = [tile.x, tile.y];
             self.windows.compute(pass.isa, at, &self.shapes);
-            if packs {
+            if plan.packing == Packing::Pixels {
                 self.group.enter(pass.isa, at, &self.windows);
+                self.pack_group(pass, tile, chunk, group);
+                return;
             }
         }
         for (lane, shape) in shapes.enumerate() {
@@ -288,9 +287,6 @@ impl Worker {
             }
             let window = if has_windows { self.windows.get(lane) } else { None };
             match window {
-                Some(window) if packs => {
-                    self.pack_window(pass, tile, job, shape.facing, lane, &window);
-                }
                 Some(window) if window.is_sparse() => {
                     self.fill_window(pass, tile, shape.facing, lane, window);
                 }
@@ -301,39 +297,38 @@ impl Worker {
         }
     }
 
-    /// Fills a small triangle, pixel by pixel.
-    #[inline]
-    fn pack_window(
-        &mut self,
-        pass: &PassJob,
-        tile: &mut TileJob,
-        job: &DrawJob,
-        facing: Facing,
-        lane: usize,
-        window: &Window,
-    ) {
-        for (part, block, lanes) in window.blocks() {
-            let mut count = lanes.count_ones();
-            if count >= DENSE_PIXELS {
-                for (to, plane) in self.planes.iter_mut().zip(self.group.in_window(lane, part)) {
-                    *to = plane;
-                }
-                let at = [block as i32 % 8, block as i32 / 8];
-                let mut masks = SampleMasks::one(lanes);
-                self.fill_block(pass, tile, job, facing, at, &mut masks);
-                continue;
+    /// Fills the shapes of a group that has windows, pixel by pixel where these are small.
+    fn pack_group(&mut self, pass: &PassJob, tile: &mut TileJob, chunk: &Chunk, group: &[u32]) {
+        let job = &pass.draws[chunk.draw];
+        let shape = |lane: usize| &chunk.lists.shapes[group[lane] as usize];
+        let mut packed = pack::Packed::default();
+        loop {
+            if job.stopped.load(Ordering::Relaxed) {
+                return;
             }
-            let mut left = lanes;
-            while left != 0 {
-                if self.pixels.is_full() || self.pixels.holds(block, left) {
-                    self.flush_pixels(pass, job, tile);
-                }
-                let planes = self.group.in_window(lane, part);
-                left = self.pixels.push(block, left, count, facing, planes);
-                if left != 0 {
-                    count = left.count_ones();
+            let stop = pass.isa.run(Pack {
+                shapes: &self.shapes,
+                windows: &self.windows,
+                group: &self.group,
+                packed: &mut packed,
+                pixels: &mut self.pixels,
+            });
+            match stop {
+                Stop::Done => return,
+                Stop::Flush => self.flush_pixels(pass, job, tile),
+                Stop::Shape(lane) => self.fill(pass, tile, chunk, shape(lane), lane),
+                Stop::Dense(lane, Share { part, block, lanes }) => {
+                    for (to, plane) in self.planes.iter_mut().zip(self.group.in_window(lane, part))
+                    {
+                        *to = plane;
+                    }
+                    let at = [block as i32 % 8, block as i32 / 8];
+                    let mut masks = SampleMasks::one(lanes);
+                    self.fill_block(pass, tile, job, shape(lane).facing, at, &mut masks);
                 }
             }
+            // The next shape may reach the same pixels.
+            self.flush_run(pass, job, tile);
         }
     }
 

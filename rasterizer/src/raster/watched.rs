@@ -92,7 +92,7 @@ impl Spot {
                 };
                 blocks.iter().zip(quads).enumerate().find_map(here)?
             }
-            Place::Pixels(at) => {
+            Place::Pixels(at, _) => {
                 let here = self.block * LANES + self.lane;
                 (0..LANES).find(|&lane| lanes >> lane & 1 == 1 && usize::from(at[lane]) == here)?
             }

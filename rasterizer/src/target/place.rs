@@ -10,9 +10,9 @@ pub enum Place<'a> {
     Block(usize),
     /// The block and quad of each of its quads.
     Quads(&'a [u8], &'a [u8]),
-    /// Each pixel by itself: its block times 64 and its lane there. No pixel is there twice; lanes that
-    /// there are not are anywhere.
-    Pixels(&'a [u16; LANES]),
+    /// Each pixel by itself: its block times 64 and its lane there; and these blocks, bit by block. No pixel is
+    /// there twice; lanes that there are not are anywhere.
+    Pixels(&'a [u16; LANES], u64),
 }
 
 /// Pixels of a tile.
@@ -40,7 +40,7 @@ pub fn with_words<R>(
     match *place {
         Place::Block(block) => change(plane.block_mut(block)),
         Place::Quads(of, quads) => {
-            let blocks = plane.blocks_mut();
+            let blocks = plane.blocks_mut(set_of(of));
             let mut words = match old {
                 Old::Read => gather(blocks, of, quads),
                 Old::Ignored => U32s::ZERO,
@@ -49,8 +49,8 @@ pub fn with_words<R>(
             scatter(blocks, of, quads, mask, &words);
             result
         }
-        Place::Pixels(at) => {
-            let blocks = plane.blocks_mut();
+        Place::Pixels(at, of) => {
+            let blocks = plane.blocks_mut(of);
             let mut words = match old {
                 Old::Read => isa.run(Gather { blocks, at }),
                 Old::Ignored => U32s::ZERO,
@@ -78,11 +78,18 @@ pub fn with_texels<R>(
     for (plane, words) in planes.iter_mut().zip(&texels) {
         match *place {
             Place::Block(block) => *plane.block_mut(block) = *words,
-            Place::Quads(of, quads) => scatter(plane.blocks_mut(), of, quads, mask, words),
-            Place::Pixels(at) => scatter_pixels(plane.blocks_mut(), at, mask, words),
+            Place::Quads(of, quads) => {
+                scatter(plane.blocks_mut(set_of(of)), of, quads, mask, words)
+            }
+            Place::Pixels(at, of) => scatter_pixels(plane.blocks_mut(of), at, mask, words),
         }
     }
     result
+}
+
+/// Blocks as a set, bit by block.
+fn set_of(blocks: &[u8]) -> u64 {
+    blocks.iter().fold(0, |set, &block| set | 1 << (usize::from(block) % BLOCKS))
 }
 
 fn gather(blocks: &[U32s], of: &[u8], quads: &[u8]) -> U32s {

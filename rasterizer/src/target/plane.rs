@@ -92,25 +92,22 @@ impl Plane {
         &mut self.words
     }
 
-    /// All blocks, for writing.
+    /// All blocks, for writing to those of `blocks`, bit by block.
     #[inline]
-    pub fn blocks_mut(&mut self) -> &mut [U32s] {
-        if self.cleared != 0 {
-            self.fill_all();
+    pub fn blocks_mut(&mut self, blocks: u64) -> &mut [U32s] {
+        let cleared = self.cleared & blocks;
+        if cleared != 0 {
+            self.fill_all(cleared);
         }
         &mut self.words
     }
 
     #[cold]
-    fn fill_all(&mut self) {
-        let cleared = U32s::splat(self.word);
-        self.words.resize(BLOCKS, cleared);
-        for (block, words) in self.words.iter_mut().enumerate() {
-            if self.cleared >> block & 1 == 1 {
-                *words = cleared;
-            }
+    fn fill_all(&mut self, mut blocks: u64) {
+        while blocks != 0 {
+            self.fill(blocks.trailing_zeros() as usize, Old::Read);
+            blocks &= blocks - 1;
         }
-        self.cleared = 0;
     }
 
     /// Asks for the words of a block that is written soon.

@@ -223,22 +223,26 @@ fn load_tile(level: &Level, slice: usize, [x0, y0]: [u32; 2], words: usize) -> V
 /// Row `y` of a tile into the texels of one row.
 fn store_row(format: Format, planes: &[Plane], y: usize, row: &mut [u8]) {
     let size = format.bytes();
-    for (column, texels) in row.chunks_mut(8 * size).enumerate() {
-        let words =
-            |plane: &Plane| plane.with_block(y / 8 * 8 + column, |words| row_of(words, y % 8));
-        // One word of four bytes is the texel itself.
-        if let ([plane], 4) = (planes, size) {
-            let words = words(plane).map(u32::to_le);
-            let bytes: &[u8; 32] = bytemuck::cast_ref(&words);
-            match <&mut [u8; 32]>::try_from(&mut *texels) {
-                Ok(texels) => *texels = *bytes,
-                Err(_) => texels.copy_from_slice(&bytes[..texels.len()]),
-            }
-            continue;
+    let words = |plane: &Plane, column: usize| {
+        plane.with_block(y / 8 * 8 + column, |words| row_of(words, y % 8))
+    };
+    // One word of four bytes is the texel itself.
+    if let ([plane], 4) = (planes, size) {
+        let bytes = |column| words(plane, column).map(u32::to_le_bytes);
+        let (whole, rest) = row.as_chunks_mut::<32>();
+        let columns = whole.len();
+        for (column, texels) in whole.iter_mut().enumerate() {
+            *texels = bytemuck::cast(bytes(column));
         }
+        if !rest.is_empty() {
+            rest.copy_from_slice(&bytes(columns).as_flattened()[..rest.len()]);
+        }
+        return;
+    }
+    for (column, texels) in row.chunks_mut(8 * size).enumerate() {
         let mut all = [[0; 8]; 4];
         for (to, plane) in all.iter_mut().zip(planes) {
-            *to = words(plane);
+            *to = words(plane, column);
         }
         for (x, texel) in texels.chunks_exact_mut(size).enumerate() {
             texel_of(format, all.map(|words| words[x]), texel);
