@@ -1,7 +1,10 @@
 //! Gathers: the largest index of the batch is checked once, then 64 words are read unchecked.
 
+#[cfg(target_arch = "x86_64")]
+pub(super) mod x86;
+
 use super::isa::Baseline;
-use super::{F32s, LANES, Simd, U32s};
+use super::{F32s, Kernel, LANES, Simd, U32s};
 
 /// Panics unless `size` bytes at `index * scale` lie inside `len` bytes in every lane, and every
 /// byte offset fits the signed 32 bits that the instructions take.
@@ -11,6 +14,34 @@ pub(super) fn check<S: Simd>(len: usize, indices: &U32s, scale: u64, size: u64) 
     // The first index that is too large, if there is room for any.
     let bound = reached.checked_sub(size).map_or(0, |last| last / scale + 1);
     assert!(S::below(indices, bound as u32), "gather at {} of {len} bytes", S::largest(indices));
+}
+
+/// [`Simd::gather`].
+pub struct Words<'a> {
+    pub bytes: &'a [u8],
+    pub offsets: &'a U32s,
+}
+
+impl Kernel for Words<'_> {
+    type Output = U32s;
+    #[inline(always)]
+    fn run<S: Simd>(self) -> U32s {
+        S::gather_here(self.bytes, self.offsets)
+    }
+}
+
+/// [`Simd::gather_pairs`].
+pub struct Pairs<'a> {
+    pub bytes: &'a [u8],
+    pub offsets: &'a U32s,
+}
+
+impl Kernel for Pairs<'_> {
+    type Output = [U32s; 2];
+    #[inline(always)]
+    fn run<S: Simd>(self) -> [U32s; 2] {
+        S::gather_pairs_here(self.bytes, self.offsets)
+    }
 }
 
 /// A byte of each word.
@@ -64,112 +95,10 @@ pub(super) fn scalar_f32(table: &[f32], indices: &U32s) -> F32s {
     out
 }
 
-/// # Safety
-/// AVX2 is there, and the four bytes at every `index * SCALE` can be read.
-#[cfg(target_arch = "x86_64")]
-#[inline(always)]
-pub(super) unsafe fn avx2<const SCALE: i32>(base: *const u8, indices: &U32s) -> U32s {
-    use std::arch::x86_64::{
-        __m256i, _mm256_i32gather_epi32, _mm256_load_si256, _mm256_store_si256,
-    };
-    let mut out = U32s::ZERO;
-    for chunk in 0..LANES / 8 {
-        // SAFETY: both batches are 64-byte aligned and hold 8 words at each chunk; the caller
-        // vouches for the gathered bytes.
-        unsafe {
-            let index = _mm256_load_si256(indices.0.as_ptr().add(chunk * 8).cast::<__m256i>());
-            let words = _mm256_i32gather_epi32::<SCALE>(base.cast::<i32>(), index);
-            _mm256_store_si256(out.0.as_mut_ptr().add(chunk * 8).cast::<__m256i>(), words);
-        }
-    }
-    out
-}
-
-/// # Safety
-/// AVX-512F is there, and the four bytes at every `index * SCALE` can be read.
-#[cfg(target_arch = "x86_64")]
-#[inline(always)]
-pub(super) unsafe fn avx512<const SCALE: i32>(base: *const u8, indices: &U32s) -> U32s {
-    use std::arch::x86_64::{
-        __m512i, _mm512_i32gather_epi32, _mm512_load_si512, _mm512_store_si512,
-    };
-    let mut out = U32s::ZERO;
-    for chunk in 0..LANES / 16 {
-        // SAFETY: as for `avx2`, with 16 words a chunk.
-        unsafe {
-            let index = _mm512_load_si512(indices.0.as_ptr().add(chunk * 16).cast::<__m512i>());
-            let words = _mm512_i32gather_epi32::<SCALE>(index, base.cast::<i32>());
-            _mm512_store_si512(out.0.as_mut_ptr().add(chunk * 16).cast::<__m512i>(), words);
-        }
-    }
-    out
-}
-
-/// # Safety
-/// AVX2 is there, and the eight bytes at every offset can be read.
-#[cfg(target_arch = "x86_64")]
-#[inline(always)]
-pub(super) unsafe fn avx2_pairs(base: *const u8, offsets: &U32s) -> [U32s; 2] {
-    use std::arch::x86_64::{
-        __m128i, __m256i, _mm_load_si128, _mm256_castpd_si256, _mm256_castps_pd,
-        _mm256_castsi256_ps, _mm256_i32gather_epi64, _mm256_permute4x64_pd, _mm256_shuffle_ps,
-        _mm256_store_si256,
-    };
-    let mut out = [U32s::ZERO; 2];
-    for chunk in 0..LANES / 8 {
-        // SAFETY: batches are 64-byte aligned and hold 8 words at each chunk; the caller vouches
-        // for the gathered bytes.
-        unsafe {
-            let at = offsets.0.as_ptr().add(chunk * 8);
-            let first = _mm_load_si128(at.cast::<__m128i>());
-            let second = _mm_load_si128(at.add(4).cast::<__m128i>());
-            let a = _mm256_castsi256_ps(_mm256_i32gather_epi64::<1>(base.cast::<i64>(), first));
-            let b = _mm256_castsi256_ps(_mm256_i32gather_epi64::<1>(base.cast::<i64>(), second));
-            // Within each half of 128 bits the even (odd) words of `a`, then of `b`.
-            let low = _mm256_castps_pd(_mm256_shuffle_ps::<0b10_00_10_00>(a, b));
-            let high = _mm256_castps_pd(_mm256_shuffle_ps::<0b11_01_11_01>(a, b));
-            for (out, words) in out.iter_mut().zip([low, high]) {
-                let words = _mm256_castpd_si256(_mm256_permute4x64_pd::<0b11_01_10_00>(words));
-                _mm256_store_si256(out.0.as_mut_ptr().add(chunk * 8).cast::<__m256i>(), words);
-            }
-        }
-    }
-    out
-}
-
-/// # Safety
-/// AVX-512F is there, and the eight bytes at every offset can be read.
-#[cfg(target_arch = "x86_64")]
-#[inline(always)]
-pub(super) unsafe fn avx512_pairs(base: *const u8, offsets: &U32s) -> [U32s; 2] {
-    use std::arch::x86_64::{
-        __m256i, __m512i, _mm256_load_si256, _mm512_i32gather_epi64, _mm512_permutex2var_epi32,
-        _mm512_set_epi32, _mm512_store_si512,
-    };
-    let mut out = [U32s::ZERO; 2];
-    for chunk in 0..LANES / 16 {
-        // SAFETY: as for `avx2_pairs`, with 16 words a chunk.
-        unsafe {
-            let at = offsets.0.as_ptr().add(chunk * 16);
-            let first = _mm256_load_si256(at.cast::<__m256i>());
-            let second = _mm256_load_si256(at.add(8).cast::<__m256i>());
-            let a = _mm512_i32gather_epi64::<1>(first, base.cast::<i64>());
-            let b = _mm512_i32gather_epi64::<1>(second, base.cast::<i64>());
-            let even = _mm512_set_epi32(30, 28, 26, 24, 22, 20, 18, 16, 14, 12, 10, 8, 6, 4, 2, 0);
-            let odd = _mm512_set_epi32(31, 29, 27, 25, 23, 21, 19, 17, 15, 13, 11, 9, 7, 5, 3, 1);
-            for (out, pick) in out.iter_mut().zip([even, odd]) {
-                let words = _mm512_permutex2var_epi32(a, pick, b);
-                _mm512_store_si512(out.0.as_mut_ptr().add(chunk * 16).cast::<__m512i>(), words);
-            }
-        }
-    }
-    out
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::lanes::{Isa, Kernel};
+    use crate::lanes::Isa;
 
     struct Gather<'a>(&'a [u8], &'a U32s);
     impl Kernel for Gather<'_> {

@@ -158,18 +158,34 @@ pub trait Simd: Copy + private::Sealed {
     /// Whether it is worth the size of a kernel to have a shorter way beside one that does as well.
     const WIDE: bool;
 
+    /// Runs a kernel of the same instruction set as a function of its own: for what is large, and stands in
+    /// many places.
+    fn apart<K: Kernel>(kernel: K) -> K::Output;
+
     /// Reads the four bytes at each byte offset as a little-endian word.
     ///
     /// # Panics
     /// When an offset's four bytes are not all inside `bytes`.
-    fn gather(bytes: &[u8], offsets: &U32s) -> U32s;
+    #[inline(always)]
+    fn gather(bytes: &[u8], offsets: &U32s) -> U32s {
+        Self::apart(gather::Words { bytes, offsets })
+    }
 
     /// Reads the eight bytes at each byte offset as two little-endian words: two neighbouring
     /// texels for the price of one.
     ///
     /// # Panics
     /// When an offset's eight bytes are not all inside `bytes`.
-    fn gather_pairs(bytes: &[u8], offsets: &U32s) -> [U32s; 2];
+    #[inline(always)]
+    fn gather_pairs(bytes: &[u8], offsets: &U32s) -> [U32s; 2] {
+        Self::apart(gather::Pairs { bytes, offsets })
+    }
+
+    /// [`Simd::gather`] without a call: a kilobyte in each place.
+    fn gather_here(bytes: &[u8], offsets: &U32s) -> U32s;
+
+    /// [`Simd::gather_pairs`] without a call: a kilobyte in each place.
+    fn gather_pairs_here(bytes: &[u8], offsets: &U32s) -> [U32s; 2];
 
     /// Adds to the sum of each byte the bytes of two texels: `first` times the lower half of the
     /// weight, `second` times its upper half. Weights are up to 2^15 - 1.
@@ -309,11 +325,15 @@ impl private::Sealed for Baseline {}
 impl Simd for Baseline {
     const WIDE: bool = false;
     #[inline(always)]
-    fn gather(bytes: &[u8], offsets: &U32s) -> U32s {
+    fn apart<K: Kernel>(kernel: K) -> K::Output {
+        run_baseline(kernel)
+    }
+    #[inline(always)]
+    fn gather_here(bytes: &[u8], offsets: &U32s) -> U32s {
         gather::scalar(bytes, offsets)
     }
     #[inline(always)]
-    fn gather_pairs(bytes: &[u8], offsets: &U32s) -> [U32s; 2] {
+    fn gather_pairs_here(bytes: &[u8], offsets: &U32s) -> [U32s; 2] {
         gather::scalar_pairs(bytes, offsets)
     }
     #[inline(always)]
@@ -353,24 +373,27 @@ impl Simd for Baseline {
 
 #[cfg(target_arch = "x86_64")]
 #[derive(Clone, Copy)]
-struct Avx2;
+pub(super) struct Avx2;
 #[cfg(target_arch = "x86_64")]
 impl private::Sealed for Avx2 {}
 #[cfg(target_arch = "x86_64")]
 impl Simd for Avx2 {
     const WIDE: bool = true;
+    #[inline(always)]
+    fn apart<K: Kernel>(kernel: K) -> K::Output {
+        // SAFETY: this type is reached only through `run_avx2`.
+        unsafe { run_avx2(kernel) }
+    }
     rounding_instructions!();
     #[inline(always)]
-    fn gather(bytes: &[u8], offsets: &U32s) -> U32s {
-        gather::check::<Self>(bytes.len(), offsets, 1, 4);
-        // SAFETY: the offsets were checked; this type is reached only through `run_avx2`.
-        unsafe { gather::avx2::<1>(bytes.as_ptr(), offsets) }
+    fn gather_here(bytes: &[u8], offsets: &U32s) -> U32s {
+        // SAFETY: this type is reached only through `run_avx2`.
+        unsafe { gather::x86::avx2::<1>(bytes, offsets) }
     }
     #[inline(always)]
-    fn gather_pairs(bytes: &[u8], offsets: &U32s) -> [U32s; 2] {
-        gather::check::<Self>(bytes.len(), offsets, 1, 8);
-        // SAFETY: the offsets were checked; this type is reached only through `run_avx2`.
-        unsafe { gather::avx2_pairs(bytes.as_ptr(), offsets) }
+    fn gather_pairs_here(bytes: &[u8], offsets: &U32s) -> [U32s; 2] {
+        // SAFETY: this type is reached only through `run_avx2`.
+        unsafe { gather::x86::avx2_pairs(bytes, offsets) }
     }
     #[inline(always)]
     fn weigh(first: &U32s, second: &U32s, weights: &U32s, sums: &mut Sums) {
@@ -385,15 +408,14 @@ impl Simd for Avx2 {
     }
     #[inline(always)]
     fn gather_f32(table: &[f32], indices: &U32s) -> F32s {
-        gather::check::<Self>(size_of_val(table), indices, 4, 4);
-        // SAFETY: the indices were checked; this type is reached only through `run_avx2`.
-        *unsafe { gather::avx2::<4>(table.as_ptr().cast(), indices) }.as_f32()
+        // SAFETY: this type is reached only through `run_avx2`.
+        *unsafe { gather::x86::avx2::<4>(bytemuck::cast_slice(table), indices) }.as_f32()
     }
     #[inline(always)]
     fn lookup(table: &[f32; 256], words: &U32s, shift: u32) -> F32s {
         let bytes = gather::bytes(words, shift);
-        // SAFETY: a byte is below 256; this type is reached only through `run_avx2`.
-        *unsafe { gather::avx2::<4>(table.as_ptr().cast(), &bytes) }.as_f32()
+        // SAFETY: this type is reached only through `run_avx2`.
+        *unsafe { gather::x86::avx2::<4>(bytemuck::cast_slice(table), &bytes) }.as_f32()
     }
     #[inline(always)]
     fn largest(words: &U32s) -> u32 {
@@ -414,24 +436,27 @@ impl Simd for Avx2 {
 
 #[cfg(target_arch = "x86_64")]
 #[derive(Clone, Copy)]
-struct Avx512;
+pub(super) struct Avx512;
 #[cfg(target_arch = "x86_64")]
 impl private::Sealed for Avx512 {}
 #[cfg(target_arch = "x86_64")]
 impl Simd for Avx512 {
     const WIDE: bool = true;
+    #[inline(always)]
+    fn apart<K: Kernel>(kernel: K) -> K::Output {
+        // SAFETY: this type is reached only through `run_avx512`.
+        unsafe { run_avx512(kernel) }
+    }
     rounding_instructions!();
     #[inline(always)]
-    fn gather(bytes: &[u8], offsets: &U32s) -> U32s {
-        gather::check::<Self>(bytes.len(), offsets, 1, 4);
-        // SAFETY: the offsets were checked; this type is reached only through `run_avx512`.
-        unsafe { gather::avx512::<1>(bytes.as_ptr(), offsets) }
+    fn gather_here(bytes: &[u8], offsets: &U32s) -> U32s {
+        // SAFETY: this type is reached only through `run_avx512`.
+        unsafe { gather::x86::avx512::<1>(bytes, offsets) }
     }
     #[inline(always)]
-    fn gather_pairs(bytes: &[u8], offsets: &U32s) -> [U32s; 2] {
-        gather::check::<Self>(bytes.len(), offsets, 1, 8);
-        // SAFETY: the offsets were checked; this type is reached only through `run_avx512`.
-        unsafe { gather::avx512_pairs(bytes.as_ptr(), offsets) }
+    fn gather_pairs_here(bytes: &[u8], offsets: &U32s) -> [U32s; 2] {
+        // SAFETY: this type is reached only through `run_avx512`.
+        unsafe { gather::x86::avx512_pairs(bytes, offsets) }
     }
     #[inline(always)]
     fn weigh(first: &U32s, second: &U32s, weights: &U32s, sums: &mut Sums) {
@@ -451,15 +476,14 @@ impl Simd for Avx512 {
     }
     #[inline(always)]
     fn gather_f32(table: &[f32], indices: &U32s) -> F32s {
-        gather::check::<Self>(size_of_val(table), indices, 4, 4);
-        // SAFETY: the indices were checked; this type is reached only through `run_avx512`.
-        *unsafe { gather::avx512::<4>(table.as_ptr().cast(), indices) }.as_f32()
+        // SAFETY: this type is reached only through `run_avx512`.
+        *unsafe { gather::x86::avx512::<4>(bytemuck::cast_slice(table), indices) }.as_f32()
     }
     #[inline(always)]
     fn lookup(table: &[f32; 256], words: &U32s, shift: u32) -> F32s {
         let bytes = gather::bytes(words, shift);
-        // SAFETY: a byte is below 256; this type is reached only through `run_avx512`.
-        *unsafe { gather::avx512::<4>(table.as_ptr().cast(), &bytes) }.as_f32()
+        // SAFETY: this type is reached only through `run_avx512`.
+        *unsafe { gather::x86::avx512::<4>(bytemuck::cast_slice(table), &bytes) }.as_f32()
     }
     #[inline(always)]
     fn largest(words: &U32s) -> u32 {
@@ -491,12 +515,14 @@ fn run_baseline<K: Kernel>(kernel: K) -> K::Output {
 
 // `fma` is left out on purpose: nothing here may contract a multiply and an add.
 #[cfg(target_arch = "x86_64")]
+#[inline(never)]
 #[target_feature(enable = "avx2,bmi1,bmi2,lzcnt,popcnt")]
 fn run_avx2<K: Kernel>(kernel: K) -> K::Output {
     kernel.run::<Avx2>()
 }
 
 #[cfg(target_arch = "x86_64")]
+#[inline(never)]
 #[target_feature(enable = "avx512f,avx512bw,avx512dq,avx512vl,avx2,bmi1,bmi2,lzcnt,popcnt")]
 fn run_avx512<K: Kernel>(kernel: K) -> K::Output {
     kernel.run::<Avx512>()

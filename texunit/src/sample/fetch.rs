@@ -6,7 +6,7 @@ use super::record::Recorder;
 use super::wrap::Indices;
 use crate::format::{Encoding, Field, convert};
 use crate::image::Level;
-use crate::lanes::{F32s, I32s, LANES, Simd, U32s};
+use crate::lanes::{F32s, I32s, Kernel, LANES, Simd, U32s};
 use crate::trace::{SampleStep, TexelSource};
 
 /// One texel in each lane. Only the stored channels of `out` are written.
@@ -21,26 +21,42 @@ pub fn texels<S: Simd>(
     finish(place, [x, y, z], out, recorder);
 }
 
-/// The channels of stored texels; those of integer formats are their bits.
+/// The channels of stored texels; those of integer formats are their bits. A function of its own: what knows all
+/// formats is large.
 #[inline(always)]
 pub fn stored<S: Simd>(level: &Level, at: [&U32s; 3], out: &mut [F32s; 4]) {
-    if !level.format.is_integer() {
-        return level.fetch_lanes::<S>(at, out);
-    }
-    let info = level.format.info();
-    let (words, _) = level.gather::<S>(at);
-    for (channel, out) in out.iter_mut().enumerate().take(level.format.channels()) {
-        let Field { word, shift, bits } = info.fields[channel];
-        // To the top, and back with the sign or zeros.
-        let (up, down) = (32 - bits - shift, 32 - bits);
-        let out = out.as_u32_mut();
-        for lane in 0..LANES {
-            let top = words[word][lane] << up;
-            out[lane] = if info.encoding == Encoding::Sint {
-                (top as i32 >> down) as u32
-            } else {
-                top >> down
-            };
+    S::apart(Stored { level, at, out });
+}
+
+struct Stored<'a> {
+    level: &'a Level,
+    at: [&'a U32s; 3],
+    out: &'a mut [F32s; 4],
+}
+
+impl Kernel for Stored<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn run<S: Simd>(self) {
+        let Self { level, at, out } = self;
+        if !level.format.is_integer() {
+            return level.fetch_lanes::<S>(at, out);
+        }
+        let info = level.format.info();
+        let (words, _) = level.gather::<S>(at);
+        for (channel, out) in out.iter_mut().enumerate().take(level.format.channels()) {
+            let Field { word, shift, bits } = info.fields[channel];
+            // To the top, and back with the sign or zeros.
+            let (up, down) = (32 - bits - shift, 32 - bits);
+            let out = out.as_u32_mut();
+            for lane in 0..LANES {
+                let top = words[word][lane] << up;
+                out[lane] = if info.encoding == Encoding::Sint {
+                    (top as i32 >> down) as u32
+                } else {
+                    top >> down
+                };
+            }
         }
     }
 }

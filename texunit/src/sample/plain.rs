@@ -15,6 +15,7 @@ pub use channels::{Class, of_texel};
 use super::fetch::{neighbours, side_by_side};
 use super::filter::Place;
 use super::wrap::{Axis, enclosing};
+use crate::image::Level;
 use crate::lanes::math::index;
 use crate::lanes::{F32s, I32s, LANES, Simd, U32s};
 use crate::sampler::{Filter, Seamless, Wrap};
@@ -61,7 +62,7 @@ fn texel_offsets<S: Simd>(place: &Place<'_>, at: [&F32s; 3]) -> Option<U32s> {
 #[inline(always)]
 pub fn texels<S: Simd>(place: &Place<'_>, at: [&F32s; 3]) -> Option<U32s> {
     let offsets = texel_offsets::<S>(place, at)?;
-    Some(S::gather(&place.level.texels, &offsets))
+    Some(S::gather_here(&place.level.texels, &offsets))
 }
 
 /// The mean of 2×2 texels; or `false`, where this way does not lead.
@@ -114,13 +115,22 @@ pub fn square<S: Simd>(place: &Place<'_>, at: [&F32s; 3]) -> Option<Square> {
     let reach = reach::<S>(place, at)?;
     let corners = reach.corners(place);
     let words = if reach.inside[0] {
-        let [a, b] = neighbours::<S>(place.level, &corners[0]);
-        let [c, d] = neighbours::<S>(place.level, &corners[2]);
+        let [a, b] = pair::<S>(place.level, &corners[0]);
+        let [c, d] = pair::<S>(place.level, &corners[2]);
         [a, b, c, d]
     } else {
         one_by_one::<S>(place, &corners, 0)
     };
     Some(Square { words, weights: reach.weights })
+}
+
+/// [`neighbours`], without a call where a texel is a word.
+#[inline(always)]
+fn pair<S: Simd>(level: &Level, offsets: &U32s) -> [U32s; 2] {
+    match level.format.bytes() {
+        4 => S::gather_pairs_here(&level.texels, offsets),
+        _ => neighbours::<S>(level, offsets),
+    }
 }
 
 /// A word of each of four texels.

@@ -1,0 +1,175 @@
+//! Gathers of AVX2 and AVX-512.
+//!
+//! The processors' own gathers are no faster than the loads that they stand for, and on many slower by half. So words
+//! are loaded one by one, and put together on the way.
+
+use super::super::isa::{Avx2, Avx512};
+use super::{LANES, U32s, check};
+use std::arch::x86_64::{
+    __m128, __m128i, __m256, __m256i, __m512, __m512i, _mm_castpd_ps, _mm_cvtsi32_si128,
+    _mm_insert_epi32, _mm_load_sd, _mm_loadh_pd, _mm256_castps_pd, _mm256_castps128_ps256,
+    _mm256_castsi128_si256, _mm256_insertf128_ps, _mm256_inserti128_si256, _mm256_shuffle_ps,
+    _mm256_store_ps, _mm256_store_si256, _mm512_castpd_ps, _mm512_castpd256_pd512,
+    _mm512_castsi256_si512, _mm512_insertf64x4, _mm512_inserti64x4, _mm512_shuffle_ps,
+    _mm512_store_ps, _mm512_store_si512,
+};
+
+/// The word at every `index * SCALE`.
+///
+/// # Safety
+/// AVX2 is there.
+#[inline(always)]
+pub unsafe fn avx2<const SCALE: usize>(bytes: &[u8], indices: &U32s) -> U32s {
+    check::<Avx2>(bytes.len(), indices, SCALE as u64, 4);
+    let mut out = U32s::ZERO;
+    for first in (0..LANES).step_by(8) {
+        // SAFETY: the indices were checked; the batch is 64-byte aligned and has 8 words from `first` on.
+        unsafe {
+            let words = eight_words::<SCALE>(bytes.as_ptr(), indices, first);
+            _mm256_store_si256(out.0.as_mut_ptr().add(first).cast::<__m256i>(), words);
+        }
+    }
+    out
+}
+
+/// The word at every `index * SCALE`.
+///
+/// # Safety
+/// AVX-512 is there.
+#[inline(always)]
+pub unsafe fn avx512<const SCALE: usize>(bytes: &[u8], indices: &U32s) -> U32s {
+    check::<Avx512>(bytes.len(), indices, SCALE as u64, 4);
+    let mut out = U32s::ZERO;
+    for first in (0..LANES).step_by(16) {
+        // SAFETY: as for `avx2`, with 16 words.
+        unsafe {
+            let low = eight_words::<SCALE>(bytes.as_ptr(), indices, first);
+            let high = eight_words::<SCALE>(bytes.as_ptr(), indices, first + 8);
+            let words = _mm512_inserti64x4::<1>(_mm512_castsi256_si512(low), high);
+            _mm512_store_si512(out.0.as_mut_ptr().add(first).cast::<__m512i>(), words);
+        }
+    }
+    out
+}
+
+/// The pair at every offset.
+///
+/// # Safety
+/// AVX2 is there.
+#[inline(always)]
+pub unsafe fn avx2_pairs(bytes: &[u8], offsets: &U32s) -> [U32s; 2] {
+    check::<Avx2>(bytes.len(), offsets, 1, 8);
+    let mut out = [U32s::ZERO; 2];
+    for first in (0..LANES).step_by(8) {
+        // SAFETY: the offsets were checked; batches are 64-byte aligned and have 8 words from `first` on.
+        unsafe {
+            // Pairs 0, 1, 4 and 5; 2, 3, 6 and 7: within each half of 128 bits, the even (odd) words of one,
+            // then of the other, are eight in order.
+            let a = four_pairs(bytes.as_ptr(), offsets, first);
+            let b = four_pairs(bytes.as_ptr(), offsets, first + 2);
+            let even = _mm256_shuffle_ps::<0b10_00_10_00>(a, b);
+            let odd = _mm256_shuffle_ps::<0b11_01_11_01>(a, b);
+            _mm256_store_ps(out[0].0.as_mut_ptr().add(first).cast::<f32>(), even);
+            _mm256_store_ps(out[1].0.as_mut_ptr().add(first).cast::<f32>(), odd);
+        }
+    }
+    out
+}
+
+/// The pair at every offset.
+///
+/// # Safety
+/// AVX-512 is there.
+#[inline(always)]
+pub unsafe fn avx512_pairs(bytes: &[u8], offsets: &U32s) -> [U32s; 2] {
+    check::<Avx512>(bytes.len(), offsets, 1, 8);
+    let mut out = [U32s::ZERO; 2];
+    for first in (0..LANES).step_by(16) {
+        // SAFETY: as for `avx2_pairs`, with 16 words.
+        unsafe {
+            let a = eight_pairs(bytes.as_ptr(), offsets, first);
+            let b = eight_pairs(bytes.as_ptr(), offsets, first + 2);
+            let even = _mm512_shuffle_ps::<0b10_00_10_00>(a, b);
+            let odd = _mm512_shuffle_ps::<0b11_01_11_01>(a, b);
+            _mm512_store_ps(out[0].0.as_mut_ptr().add(first).cast::<f32>(), even);
+            _mm512_store_ps(out[1].0.as_mut_ptr().add(first).cast::<f32>(), odd);
+        }
+    }
+    out
+}
+
+/// Where the bytes of a lane are. Read from memory by itself: it would be taken out of a vector otherwise,
+/// which is slower.
+#[inline(always)]
+unsafe fn at<const SCALE: usize>(base: *const u8, indices: &U32s, lane: usize) -> *const u8 {
+    // SAFETY: a reference is good for a read; the caller vouches for the bytes.
+    unsafe { base.add(std::ptr::read_volatile(&raw const indices.0[lane]) as usize * SCALE) }
+}
+
+#[inline(always)]
+unsafe fn word<const SCALE: usize>(base: *const u8, indices: &U32s, lane: usize) -> i32 {
+    // SAFETY: the caller vouches for the bytes.
+    unsafe { at::<SCALE>(base, indices, lane).cast::<i32>().read_unaligned() }
+}
+
+#[inline(always)]
+unsafe fn four_words<const SCALE: usize>(base: *const u8, indices: &U32s, first: usize) -> __m128i {
+    // SAFETY: the caller vouches for the bytes.
+    unsafe {
+        let words = _mm_cvtsi32_si128(word::<SCALE>(base, indices, first));
+        let words = _mm_insert_epi32::<1>(words, word::<SCALE>(base, indices, first + 1));
+        let words = _mm_insert_epi32::<2>(words, word::<SCALE>(base, indices, first + 2));
+        _mm_insert_epi32::<3>(words, word::<SCALE>(base, indices, first + 3))
+    }
+}
+
+/// # Safety
+/// AVX2 is there, and the four bytes at `index * SCALE` of eight lanes from `first` on can be read.
+#[inline(always)]
+pub unsafe fn eight_words<const SCALE: usize>(
+    base: *const u8,
+    indices: &U32s,
+    first: usize,
+) -> __m256i {
+    // SAFETY: the caller vouches for the bytes.
+    unsafe {
+        let low = _mm256_castsi128_si256(four_words::<SCALE>(base, indices, first));
+        _mm256_inserti128_si256::<1>(low, four_words::<SCALE>(base, indices, first + 4))
+    }
+}
+
+#[inline(always)]
+unsafe fn two_pairs(base: *const u8, offsets: &U32s, first: usize) -> __m128 {
+    // SAFETY: the caller vouches for the bytes; these loads ask for no alignment.
+    unsafe {
+        let low = _mm_load_sd(at::<1>(base, offsets, first).cast::<f64>());
+        _mm_castpd_ps(_mm_loadh_pd(low, at::<1>(base, offsets, first + 1).cast::<f64>()))
+    }
+}
+
+/// The pairs of lanes `first`, the next, and the two that are four further.
+///
+/// # Safety
+/// AVX2 is there, and the eight bytes at their offsets can be read.
+#[inline(always)]
+pub unsafe fn four_pairs(base: *const u8, offsets: &U32s, first: usize) -> __m256 {
+    // SAFETY: the caller vouches for the bytes.
+    unsafe {
+        let low = _mm256_castps128_ps256(two_pairs(base, offsets, first));
+        _mm256_insertf128_ps::<1>(low, two_pairs(base, offsets, first + 4))
+    }
+}
+
+/// [`four_pairs`], and those of eight lanes further.
+///
+/// # Safety
+/// AVX-512F is there, and the eight bytes at their offsets can be read.
+#[inline(always)]
+pub unsafe fn eight_pairs(base: *const u8, offsets: &U32s, first: usize) -> __m512 {
+    // SAFETY: the caller vouches for the bytes.
+    unsafe {
+        let low = _mm256_castps_pd(four_pairs(base, offsets, first));
+        let high = _mm256_castps_pd(four_pairs(base, offsets, first + 8));
+        _mm512_castpd_ps(_mm512_insertf64x4::<1>(_mm512_castpd256_pd512(low), high))
+    }
+}
