@@ -100,12 +100,25 @@ mod tests {
     use super::*;
     use crate::lanes::Isa;
 
-    struct Gather<'a>(&'a [u8], &'a U32s);
+    /// A way to gather; as a call and in place.
+    #[derive(Clone, Copy, Debug)]
+    enum Way {
+        Words,
+        Pairs,
+    }
+
+    struct Gather<'a>(Way, &'a [u8], &'a U32s);
     impl Kernel for Gather<'_> {
-        type Output = (U32s, [U32s; 2]);
+        type Output = Vec<U32s>;
         #[inline(always)]
         fn run<S: Simd>(self) -> Self::Output {
-            (S::gather(self.0, self.1), S::gather_pairs(self.0, self.1))
+            let Self(way, bytes, offsets) = self;
+            match way {
+                Way::Words => vec![S::gather(bytes, offsets), S::gather_here(bytes, offsets)],
+                Way::Pairs => {
+                    [S::gather_pairs(bytes, offsets), S::gather_pairs_here(bytes, offsets)].concat()
+                }
+            }
         }
     }
 
@@ -114,13 +127,18 @@ mod tests {
         let bytes: Vec<u8> = (0..1024u32).map(|i| (i * 37 + i / 7) as u8).collect();
         let offsets = U32s::from_fn(|lane| (lane as u32 * 131) % 1017);
         let word = |at: usize| u32::from_le_bytes(bytes[at..at + 4].try_into().unwrap());
+        // Where each batch that comes back has its words, from the offset.
+        let ways: [(Way, &[usize]); 2] = [(Way::Words, &[0, 0]), (Way::Pairs, &[0, 4, 0, 4])];
         for isa in Isa::available() {
-            let (single, [low, high]) = isa.run(Gather(&bytes, &offsets));
-            for lane in 0..LANES {
-                let at = offsets[lane] as usize;
-                assert_eq!(single[lane], word(at), "{} lane {lane}", isa.name());
-                assert_eq!(low[lane], word(at), "{} lane {lane}", isa.name());
-                assert_eq!(high[lane], word(at + 4), "{} lane {lane}", isa.name());
+            for (way, places) in ways {
+                let got = isa.run(Gather(way, &bytes, &offsets));
+                assert_eq!(got.len(), places.len());
+                for (words, further) in got.iter().zip(places) {
+                    for lane in 0..LANES {
+                        let want = word(offsets[lane] as usize + further);
+                        assert_eq!(words[lane], want, "{} {way:?} lane {lane}", isa.name());
+                    }
+                }
             }
         }
     }
@@ -128,12 +146,16 @@ mod tests {
     #[test]
     fn a_gather_outside_its_slice_panics_on_every_instruction_set() {
         let bytes = [0; 64];
-        for bad in [61, 64, u32::MAX, 1 << 31] {
-            let mut offsets = U32s::ZERO;
-            offsets[63] = bad;
-            for isa in Isa::available() {
-                let run = std::panic::catch_unwind(|| isa.run(Gather(&bytes, &offsets)));
-                assert!(run.is_err(), "{} took offset {bad}", isa.name());
+        for isa in Isa::available() {
+            for (way, last) in [(Way::Words, 60), (Way::Pairs, 56)] {
+                let mut offsets = U32s::ZERO;
+                offsets[63] = last;
+                isa.run(Gather(way, &bytes, &offsets));
+                for bad in [last + 1, 64, u32::MAX, 1 << 31] {
+                    offsets[63] = bad;
+                    let run = std::panic::catch_unwind(|| isa.run(Gather(way, &bytes, &offsets)));
+                    assert!(run.is_err(), "{} {way:?} took offset {bad}", isa.name());
+                }
             }
         }
     }
