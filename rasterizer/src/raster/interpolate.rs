@@ -312,9 +312,6 @@ pub struct Inverse {
 impl Inverse {
     #[inline(always)]
     pub fn of(positions: [[f64; 3]; 3]) -> Self {
-        let cross = |a: [f64; 3], b: [f64; 3]| {
-            [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-        };
         let [p, q, r] = positions;
         let adjugate = [cross(q, r), cross(r, p), cross(p, q)];
         let determinant = p[0] * adjugate[0][0] + p[1] * adjugate[0][1] + p[2] * adjugate[0][2];
@@ -333,10 +330,6 @@ impl Inverse {
     #[inline(always)]
     pub fn is_thick(&self) -> bool {
         let [p, q, r] = self.positions;
-        let side = |from: [f64; 3], to: [f64; 3], w: f64| {
-            let (x, y) = (from[0] * to[2] - to[0] * from[2], from[1] * to[2] - to[1] * from[2]);
-            (x * x + y * y) * (w * w)
-        };
         let area = 64.0 * (self.determinant * self.determinant);
         (area >= side(p, q, r[2])) & (area >= side(p, r, q[2])) & (area >= side(q, r, p[2]))
     }
@@ -345,6 +338,18 @@ impl Inverse {
         let scale = self.scale();
         self.adjugate.map(|[a, b, c]| Plane { a: a * scale, b: b * scale, c: c * scale })
     }
+}
+
+#[inline(always)]
+fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+/// The square of the side between two homogeneous positions, times those of their `w` and of the third's.
+#[inline(always)]
+fn side(from: [f64; 3], to: [f64; 3], third: f64) -> f64 {
+    let (x, y) = (from[0] * to[2] - to[0] * from[2], from[1] * to[2] - to[1] * from[2]);
+    (x * x + y * y) * (third * third)
 }
 
 /// The weights of a line: constant across it, so that `l_0 + l_1 = 1/w` along it (GL 2.1, equation

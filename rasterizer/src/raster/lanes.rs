@@ -68,6 +68,7 @@ impl ShapeLanes {
             vertices.0[self.len..].fill(0);
         }
     }
+
     /// Which side a shape shows.
     #[inline(always)]
     pub fn facing(&self, lane: usize) -> Facing {

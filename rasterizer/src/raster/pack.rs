@@ -13,7 +13,7 @@ pub const DENSE_PIXELS: u32 = 40;
 
 /// How far the shapes of a group are packed.
 #[derive(Debug, Default)]
-pub struct Packed {
+pub struct Progress {
     /// The first shape that is not begun.
     next: usize,
     /// What is left of the one before it.
@@ -38,7 +38,7 @@ pub struct Pack<'a> {
     pub shapes: &'a ShapeLanes,
     pub windows: &'a Windows,
     pub group: &'a PlaneGroup,
-    pub packed: &'a mut Packed,
+    pub progress: &'a mut Progress,
     pub pixels: &'a mut Pixels,
 }
 
@@ -47,7 +47,7 @@ impl Kernel for Pack<'_> {
 
     #[inline(always)]
     fn run<S: Simd>(self) -> Stop {
-        let Self { shapes, windows, group, packed: Packed { next, left }, pixels } = self;
+        let Self { shapes, windows, group, progress: Progress { next, left }, pixels } = self;
         loop {
             let Some(share) = left.first() else {
                 let lane = *next;

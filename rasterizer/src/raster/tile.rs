@@ -8,7 +8,7 @@ use super::coverage;
 use super::group::PlaneGroup;
 use super::interpolate::PlaneSetup;
 use super::lanes::ShapeLanes;
-use super::pack::{self, DENSE_PIXELS, Pack, Stop};
+use super::pack::{DENSE_PIXELS, Pack, Progress, Stop};
 use super::pixels::Pixels;
 use super::run::BlockRun;
 use super::samples::SampleMasks;
@@ -301,7 +301,7 @@ impl Worker {
     fn pack_group(&mut self, pass: &PassJob, tile: &mut TileJob, chunk: &Chunk, group: &[u32]) {
         let job = &pass.draws[chunk.draw];
         let shape = |lane: usize| &chunk.lists.shapes[group[lane] as usize];
-        let mut packed = pack::Packed::default();
+        let mut progress = Progress::default();
         loop {
             if job.stopped.load(Ordering::Relaxed) {
                 return;
@@ -310,7 +310,7 @@ impl Worker {
                 shapes: &self.shapes,
                 windows: &self.windows,
                 group: &self.group,
-                packed: &mut packed,
+                progress: &mut progress,
                 pixels: &mut self.pixels,
             });
             match stop {
