@@ -1,7 +1,7 @@
 //! Gathers of AVX2 and AVX-512.
 //!
-//! The processors' own gathers are no faster than the loads that they stand for, and on many slower by half. So words
-//! are loaded one by one, and put together on the way.
+//! The processors' own gathers are slower than the loads that they stand for: on AMD's by half, on Intel's by a
+//! little (on some older ones it is the other way round). So words are loaded one by one, and put together on the way.
 
 use super::super::isa::{Avx2, Avx512};
 use super::{LANES, U32s, check};
