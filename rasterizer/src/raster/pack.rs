@@ -62,8 +62,7 @@ impl Kernel for Pack<'_> {
                 continue;
             };
             let lane = next.saturating_sub(1);
-            let count = share.lanes.count_ones();
-            if count >= DENSE_PIXELS {
+            if share.lanes.count_ones() >= DENSE_PIXELS {
                 left.leave(share, 0);
                 return Stop::Dense(lane, share);
             }
@@ -71,7 +70,7 @@ impl Kernel for Pack<'_> {
                 return Stop::Flush;
             }
             let planes = group.in_window(lane, share.part);
-            let rest = pixels.push(share.block, share.lanes, count, shapes.facing(lane), planes);
+            let rest = pixels.push(share.block, share.lanes, shapes.facing(lane), planes);
             left.leave(share, rest);
         }
     }

@@ -101,20 +101,19 @@ impl Pixels {
         }
     }
 
-    /// Adds lanes of a block of one shape, of which there are `count`, as many as fit; gives those that do
-    /// not. `planes` are, of each plane, its value at the first pixel of the block and its steps across and up.
+    /// Adds lanes of a block of one shape, as many as fit; gives those that do not. `planes` are, of each plane,
+    /// its value at the first pixel of the block and its steps across and up.
     #[inline(always)]
     pub fn push(
         &mut self,
         block: usize,
         lanes: u64,
-        count: u32,
         facing: Facing,
         planes: impl Iterator<Item = [f32; 3]>,
     ) -> u64 {
         let first = self.len % LANES;
         let room = LANES - first;
-        let (mut count, mut rest) = (count as usize, 0);
+        let (mut count, mut rest) = (lanes.count_ones() as usize, 0);
         if count > room {
             (count, rest) = (room, lanes);
             for _ in 0..room {

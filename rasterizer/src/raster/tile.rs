@@ -518,8 +518,7 @@ impl Worker {
                 if self.pixels.is_full() {
                     self.flush_pixels(pass, job, tile);
                 }
-                let (count, planes) = (left.count_ones(), self.planes.iter().copied());
-                left = self.pixels.push(block, left, count, facing, planes);
+                left = self.pixels.push(block, left, facing, self.planes.iter().copied());
             }
             return;
         }

@@ -241,7 +241,10 @@ pub trait Simd: Copy + private::Sealed {
     fn nonzero(words: &U32s) -> u64;
 
     /// Reads `table[word >> shift & 0xFF]` in each lane; `shift` is 0, 8, 16 or 24.
-    fn lookup(table: &[f32; 256], words: &U32s, shift: u32) -> F32s;
+    #[inline(always)]
+    fn lookup(table: &[f32; 256], words: &U32s, shift: u32) -> F32s {
+        Self::gather_f32(table, &gather::bytes(words, shift))
+    }
 
     /// [`math::floor`] of one lane.
     #[inline(always)]
@@ -360,15 +363,6 @@ impl Simd for Baseline {
     fn nonzero(words: &U32s) -> u64 {
         reduce::scalar_nonzero(words)
     }
-    #[inline(always)]
-    fn lookup(table: &[f32; 256], words: &U32s, shift: u32) -> F32s {
-        let bytes = gather::bytes(words, shift);
-        let mut out = F32s::ZERO;
-        for lane in 0..LANES {
-            out[lane] = table[(bytes[lane] & 0xFF) as usize];
-        }
-        out
-    }
 }
 
 #[cfg(target_arch = "x86_64")]
@@ -410,12 +404,6 @@ impl Simd for Avx2 {
     fn gather_f32(table: &[f32], indices: &U32s) -> F32s {
         // SAFETY: this type is reached only through `run_avx2`.
         *unsafe { gather::x86::avx2::<4>(bytemuck::cast_slice(table), indices) }.as_f32()
-    }
-    #[inline(always)]
-    fn lookup(table: &[f32; 256], words: &U32s, shift: u32) -> F32s {
-        let bytes = gather::bytes(words, shift);
-        // SAFETY: this type is reached only through `run_avx2`.
-        *unsafe { gather::x86::avx2::<4>(bytemuck::cast_slice(table), &bytes) }.as_f32()
     }
     #[inline(always)]
     fn largest(words: &U32s) -> u32 {
@@ -478,12 +466,6 @@ impl Simd for Avx512 {
     fn gather_f32(table: &[f32], indices: &U32s) -> F32s {
         // SAFETY: this type is reached only through `run_avx512`.
         *unsafe { gather::x86::avx512::<4>(bytemuck::cast_slice(table), indices) }.as_f32()
-    }
-    #[inline(always)]
-    fn lookup(table: &[f32; 256], words: &U32s, shift: u32) -> F32s {
-        let bytes = gather::bytes(words, shift);
-        // SAFETY: this type is reached only through `run_avx512`.
-        *unsafe { gather::x86::avx512::<4>(bytemuck::cast_slice(table), &bytes) }.as_f32()
     }
     #[inline(always)]
     fn largest(words: &U32s) -> u32 {
