@@ -4,6 +4,7 @@
 use super::group::PlaneGroup;
 use super::lanes::ShapeLanes;
 use super::pixels::Pixels;
+use super::run::BlockRun;
 use super::small::{Reached, Share, Windows};
 use texunit::lanes::{Kernel, Simd};
 
@@ -25,8 +26,10 @@ pub struct Progress {
 pub enum Stop {
     /// All shapes are packed.
     Done,
-    /// What waits must be shaded first: it is a whole batch, or holds a pixel that comes now.
-    Flush,
+    /// The pixels that wait must be shaded first: they are a whole batch, or one of them comes again.
+    Pixels,
+    /// So must the blocks.
+    Blocks,
     /// The shape in this lane has no window: it is for the caller, and will not come again.
     Shape(usize),
     /// So is this share of the shape in this lane, which is dense.
@@ -40,6 +43,8 @@ pub struct Pack<'a> {
     pub group: &'a PlaneGroup,
     pub progress: &'a mut Progress,
     pub pixels: &'a mut Pixels,
+    /// The blocks that wait.
+    pub run: &'a BlockRun,
 }
 
 impl Kernel for Pack<'_> {
@@ -47,7 +52,8 @@ impl Kernel for Pack<'_> {
 
     #[inline(always)]
     fn run<S: Simd>(self) -> Stop {
-        let Self { shapes, windows, group, progress: Progress { next, left }, pixels } = self;
+        let Self { shapes, windows, group, progress, pixels, run } = self;
+        let Progress { next, left } = progress;
         loop {
             let Some(share) = left.first() else {
                 let lane = *next;
@@ -66,11 +72,15 @@ impl Kernel for Pack<'_> {
                 left.leave(share, 0);
                 return Stop::Dense(lane, share);
             }
-            if pixels.is_full() || pixels.holds(share.block, share.lanes) {
-                return Stop::Flush;
+            let Share { block, lanes, .. } = share;
+            if pixels.is_full() || pixels.holds(block, lanes) {
+                return Stop::Pixels;
+            }
+            if run.holds(block, lanes) {
+                return Stop::Blocks;
             }
             let planes = group.in_window(lane, share.part);
-            let rest = pixels.push(share.block, share.lanes, shapes.facing(lane), planes);
+            let rest = pixels.push(block, lanes, shapes.facing(lane), planes);
             left.leave(share, rest);
         }
     }

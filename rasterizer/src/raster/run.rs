@@ -1,4 +1,4 @@
-//! A run: blocks of one shape that are shaded together, each with a bank of registers of its own.
+//! A run: blocks that are shaded together, each with a bank of registers of its own.
 //!
 //! Inputs, each stretch of the program and the colours are done for all blocks of a run in turn: what there
 //! is to decide and to look up is so decided and looked up once for several of them, and while one
@@ -8,20 +8,20 @@ use super::batch::{BlockOf, EarlyTests};
 use crate::primitive::Facing;
 use crate::shader::BANKS;
 
-/// Blocks of one shape, whose early tests are done.
+/// Blocks of shapes of one draw, whose early tests are done. No pixel is in two of them.
 #[derive(Debug, Default)]
 pub struct BlockRun {
     /// The planes of the first block, then those of the next.
     planes: Vec<[f32; 3]>,
-    facing: Facing,
     blocks: [Covered; BANKS],
     len: usize,
 }
 
-/// What is covered of a block.
+/// What a shape covers of a block.
 #[derive(Clone, Copy, Debug, Default)]
 struct Covered {
     block: u8,
+    facing: Facing,
     lanes: u64,
 }
 
@@ -29,6 +29,15 @@ impl BlockRun {
     /// How many blocks there are.
     pub fn len(&self) -> usize {
         self.len
+    }
+
+    /// Whether any of the lanes of a block waits here: what comes after must not overtake it.
+    #[inline(always)]
+    pub fn holds(&self, block: usize, lanes: u64) -> bool {
+        let waiting = |covered: &Covered| {
+            if usize::from(covered.block) == block { covered.lanes } else { 0 }
+        };
+        self.blocks.iter().take(self.len).any(|covered| waiting(covered) & lanes != 0)
     }
 
     /// Whether a plane is 1 all over the blocks.
@@ -71,7 +80,7 @@ impl BlockRun {
         self.len = 0;
     }
 
-    /// Adds a block of the shape, of which these lanes are left. There is room for [`BANKS`].
+    /// Adds a block of a shape, of which these lanes are left. There is room for [`BANKS`].
     #[inline]
     pub fn push(
         &mut self,
@@ -81,8 +90,7 @@ impl BlockRun {
         lanes: u64,
     ) {
         self.planes.extend(planes);
-        self.facing = facing;
-        self.blocks[self.len] = Covered { block: block as u8, lanes };
+        self.blocks[self.len] = Covered { block: block as u8, facing, lanes };
         self.len += 1;
     }
 
@@ -93,7 +101,7 @@ impl BlockRun {
             let block = usize::from(covered.block);
             BlockOf {
                 planes: &self.planes[at * planes..][..planes],
-                facing: self.facing,
+                facing: covered.facing,
                 tests: EarlyTests::Done,
                 block,
                 x: tile[0] + block as i32 % 8 * 8,
@@ -106,7 +114,7 @@ impl BlockRun {
     /// The block of a bank and its lanes.
     #[inline]
     pub fn covered(&self, bank: usize) -> (usize, u64) {
-        let Covered { block, lanes } = self.blocks[bank];
+        let Covered { block, lanes, .. } = self.blocks[bank];
         (usize::from(block), lanes)
     }
 }

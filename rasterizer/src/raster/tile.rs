@@ -149,7 +149,7 @@ pub struct Worker {
     waiting: Packed,
     /// Pixels that wait for others, of the current draw.
     pixels: Pixels,
-    /// Blocks that wait for others, of the current shape.
+    /// Blocks that wait for others, of the current draw.
     run: BlockRun,
     /// The shapes that are filled.
     shapes: Box<ShapeLanes>,
@@ -221,18 +221,38 @@ impl Worker {
     fn flush(&mut self, pass: &PassJob, tile: &mut TileJob) {
         let Some(draw) = self.draw else { return };
         let job = &pass.draws[draw];
+        self.flush_quads(pass, job, tile);
+        self.flush_pixels(pass, job, tile);
+        self.flush_run(pass, job, tile);
+    }
+
+    /// Shades what of these lanes of a block waits: what comes must not overtake it. No pixel waits twice, so
+    /// that nothing else has to go first.
+    #[inline]
+    fn make_way(
+        &mut self,
+        pass: &PassJob,
+        job: &DrawJob,
+        tile: &mut TileJob,
+        block: usize,
+        lanes: u64,
+    ) {
+        if self.waiting.holds(block, lanes) {
+            self.flush_quads(pass, job, tile);
+        }
+        if self.pixels.holds(block, lanes) {
+            self.flush_pixels(pass, job, tile);
+        }
+        if self.run.holds(block, lanes) {
+            self.flush_run(pass, job, tile);
+        }
+    }
+
+    /// Shades the quads that wait.
+    fn flush_quads(&mut self, pass: &PassJob, job: &DrawJob, tile: &mut TileJob) {
         if !self.waiting.is_empty() {
             self.shader.shade(pass, job, &self.waiting.batch(), tile);
             self.waiting.clear(job.plan.planes.len(), job.plan.samples.count);
-        }
-        self.flush_pixels(pass, job, tile);
-    }
-
-    /// Shades what waits, if any of it lies at these lanes of a block.
-    #[inline]
-    fn make_way(&mut self, pass: &PassJob, tile: &mut TileJob, block: usize, lanes: u64) {
-        if self.waiting.holds(block, lanes) || self.pixels.holds(block, lanes) {
-            self.flush(pass, tile);
         }
     }
 
@@ -288,12 +308,10 @@ impl Worker {
             let window = if has_windows { self.windows.get(lane) } else { None };
             match window {
                 Some(window) if window.is_sparse() => {
-                    self.fill_window(pass, tile, shape.facing, lane, window);
+                    self.fill_window(pass, tile, job, shape.facing, lane, window);
                 }
                 Some(_) | None => self.fill(pass, tile, chunk, shape, lane),
             }
-            // The next shape may reach the same pixels.
-            self.flush_run(pass, job, tile);
         }
     }
 
@@ -312,10 +330,12 @@ impl Worker {
                 group: &self.group,
                 progress: &mut progress,
                 pixels: &mut self.pixels,
+                run: &self.run,
             });
             match stop {
                 Stop::Done => return,
-                Stop::Flush => self.flush_pixels(pass, job, tile),
+                Stop::Pixels => self.flush_pixels(pass, job, tile),
+                Stop::Blocks => self.flush_run(pass, job, tile),
                 Stop::Shape(lane) => self.fill(pass, tile, chunk, shape(lane), lane),
                 Stop::Dense(lane, Share { part, block, lanes }) => {
                     for (to, plane) in self.planes.iter_mut().zip(self.group.in_window(lane, part))
@@ -327,16 +347,16 @@ impl Worker {
                     self.fill_block(pass, tile, job, shape(lane).facing, at, &mut masks);
                 }
             }
-            // The next shape may reach the same pixels.
-            self.flush_run(pass, job, tile);
         }
     }
 
     /// Fills a small triangle, quad by quad.
+    #[expect(clippy::too_many_arguments, reason = "a pass, a tile, a draw, and a shape there")]
     fn fill_window(
         &mut self,
         pass: &PassJob,
         tile: &mut TileJob,
+        job: &DrawJob,
         facing: Facing,
         lane: usize,
         window: Window,
@@ -355,9 +375,10 @@ impl Worker {
                 planes_of = Some(block);
             }
             let lanes = moved_quad(covered, from, quad);
-            if self.waiting.is_full() || self.waiting.holds(block, lanes) {
-                self.flush(pass, tile);
+            if self.waiting.is_full() {
+                self.flush_quads(pass, job, tile);
             }
+            self.make_way(pass, job, tile, block, lanes);
             let of = BlockOf {
                 planes: &self.planes,
                 facing,
@@ -460,7 +481,7 @@ impl Worker {
                 covered &= coverage::block(pass.isa, &edges, bx, by).lanes();
             }
             if covered == !0 && is_plain {
-                self.make_way(pass, tile, block, covered);
+                self.make_way(pass, job, tile, block, covered);
                 tile.prefetch(&job.plan, block);
                 self.run.push(self.broad.at(block), shape.facing, block, covered);
                 if self.run.len() == job.plan.together {
@@ -510,7 +531,7 @@ impl Worker {
         let plan = &job.plan;
         let covered = masks.any();
         let block = (by * 8 + bx) as usize;
-        self.make_way(pass, tile, block, covered);
+        self.make_way(pass, job, tile, block, covered);
         let packs = plan.packing == Packing::Pixels && tile.watched.is_none();
         if packs && covered.count_ones() < DENSE_PIXELS {
             let mut left = covered;
