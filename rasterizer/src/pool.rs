@@ -15,6 +15,32 @@ impl<T: Default> Pool<T> {
         Lent { value: self.0.lock().pop(), home: self }
     }
 
+    /// Does a piece of work after the other, in parallel on the threads of the pool that this is called on. Each
+    /// thread has one value for as long as there is work, so that none goes from processor to processor.
+    pub fn share<I>(
+        &self,
+        pieces: impl ExactSizeIterator<Item = I> + Send,
+        work: impl Fn(&mut T, I) + Sync,
+    ) where
+        T: Send,
+    {
+        let helpers = rayon::current_num_threads().min(pieces.len()).saturating_sub(1);
+        let left = Mutex::new(pieces);
+        let next = || left.lock().next();
+        let take_part = || {
+            let mut lent = self.lend();
+            while let Some(piece) = next() {
+                work(lent.get(), piece);
+            }
+        };
+        rayon::scope(|scope| {
+            for _ in 0..helpers {
+                scope.spawn(|_| take_part());
+            }
+            take_part();
+        });
+    }
+
     /// One of them for as long as anybody likes, or a new one.
     pub fn take(&self) -> T {
         self.0.lock().pop().unwrap_or_default()

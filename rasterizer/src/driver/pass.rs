@@ -20,7 +20,6 @@ use crate::raster::{
 use crate::shader::Prepared;
 use crate::target::{Surface, TILE, all_bits, component_bits};
 use crate::vertex::Ids;
-use rayon::prelude::*;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use texunit::format::Format;
@@ -436,10 +435,13 @@ impl<'a> Pass<'a> {
             homes.push((tx, ty));
         }
         let (job, workers) = (&self.job, &self.device.workers);
-        tiles
-            .par_iter_mut()
-            .with_max_len(1)
-            .for_each_init(|| workers.lend(), |worker, tile| worker.get().run(job, tile));
+        if self.shapes > 0 {
+            workers.share(tiles.iter_mut(), |worker, tile| worker.run(job, tile));
+        } else {
+            // Clears are done sooner than another thread is there.
+            let mut worker = workers.lend();
+            tiles.iter_mut().for_each(|tile| worker.get().run(job, tile));
+        }
         for (tile, (tx, ty)) in tiles.into_iter().zip(homes) {
             let surfaces = self.colors.iter_mut().chain([&mut self.depth]);
             for (surface, target) in surfaces.zip(tile.colors.into_iter().chain([tile.depth])) {

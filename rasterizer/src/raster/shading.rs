@@ -58,7 +58,9 @@ fn write_run<'a>(
         let Some(target) = tile.colors[plan.target].as_mut() else { continue };
         let colors_of = |bank: usize| {
             let (block, mask) = blocks.covered(bank);
-            let color = [0, 1, 2, 3].map(|component| color_of(bank, plan, component));
+            let of = |component| color_of(bank, plan, component);
+            // Not `map`, which stays a call for each.
+            let color = [of(0), of(1), of(2), of(3)];
             BlockColors { block, color, mask }
         };
         // Beyond the last once more the last: nobody looks. One by one, so that none is copied.

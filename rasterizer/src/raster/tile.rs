@@ -351,7 +351,6 @@ impl Worker {
     }
 
     /// Fills a small triangle, quad by quad.
-    #[expect(clippy::too_many_arguments, reason = "a pass, a tile, a draw, and a shape there")]
     fn fill_window(
         &mut self,
         pass: &PassJob,

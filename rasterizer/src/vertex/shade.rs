@@ -7,9 +7,9 @@ use crate::ir::{Input, Output};
 use crate::pool::Pool;
 use crate::primitive::{Corner, MAX_DISTANCES};
 use crate::shader::{Machine, OverBudget, Prepared, Program, Run};
-use rayon::prelude::*;
 use std::num::NonZeroU32;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 use texunit::lanes::{F32s, Isa, LANES, U32s};
 use texunit::plan::SamplePlan;
 
@@ -111,6 +111,9 @@ pub struct VertexStage<'a> {
     pub edge_flag: Option<u8>,
 }
 
+/// Batches that a thread takes at a time.
+const PIECE: usize = 4;
+
 /// Shades the vertices `ids`, in parallel where there are many.
 ///
 /// # Errors
@@ -138,11 +141,6 @@ pub fn shade(stage: &VertexStage<'_>, ids: &[u32], instance: u32) -> Result<Geom
     if targets.iter().filter(is_value).count() < stride {
         geometry.values.fill(0.0);
     }
-    let lend = || {
-        let mut machine = stage.machines.lend();
-        machine.get().begin(stage.program);
-        machine
-    };
     let mut values = Pieces { rest: &mut geometry.values, each: stride };
     let mut snapped = Pieces { rest: &mut geometry.snapped, each: 1 };
     let mut outcodes = Pieces { rest: &mut geometry.outcodes, each: 1 };
@@ -157,18 +155,27 @@ pub fn shade(stage: &VertexStage<'_>, ids: &[u32], instance: u32) -> Result<Geom
         point_sizes: point_sizes.next(ids.len()),
         distances: distances.next(ids.len()),
     });
-    if ids.len() <= 4 * LANES {
-        let mut machine = lend();
+    if ids.len() <= PIECE * LANES {
+        let mut machine = stage.machines.lend();
+        machine.get().begin(stage.program);
         for mut batch in batches {
             stage.batch(machine.get(), &sources, &targets, &mut batch)?;
         }
-    } else {
-        let mut batches: Vec<Batch<'_>> = batches.collect();
-        batches.par_iter_mut().with_min_len(4).try_for_each_init(lend, |machine, batch| {
-            stage.batch(machine.get(), &sources, &targets, batch)
-        })?;
+        return Ok(geometry);
     }
-    Ok(geometry)
+    let mut batches: Vec<Batch<'_>> = batches.collect();
+    let stopped = AtomicBool::new(false);
+    stage.machines.share(batches.chunks_mut(PIECE), |machine, batches| {
+        machine.begin(stage.program);
+        for batch in batches {
+            if !stopped.load(Ordering::Relaxed)
+                && stage.batch(machine, &sources, &targets, batch).is_err()
+            {
+                stopped.store(true, Ordering::Relaxed);
+            }
+        }
+    });
+    if stopped.into_inner() { Err(OverBudget) } else { Ok(geometry) }
 }
 
 /// What is left of values of which each vertex has so many, to be cut into batches. (`chunks_mut`

@@ -69,7 +69,7 @@ impl Texels for Square {
 }
 
 /// Of two levels, with the weight of the second.
-struct Both<'a>([Square; 2], &'a F32s);
+struct Both<'a>([&'a Square; 2], &'a F32s);
 
 impl Texels for Both<'_> {
     #[inline(always)]
@@ -103,8 +103,9 @@ pub(crate) fn take<S: Simd, T: Take>(
     let is_same = levels[0] == levels[1];
     match filter {
         Filter::Nearest if is_same => {
-            let Some(words) = plain::texels::<S>(&first, coords) else { return Err(take) };
-            Ok(take.take::<S>(&One(with_alpha(texture, words))))
+            let Some(mut words) = plain::texels::<S>(&first, coords) else { return Err(take) };
+            with_alpha(texture, &mut words);
+            Ok(take.take::<S>(&One(words)))
         }
         // Two levels of one texel each are rare.
         Filter::Nearest => Err(take),
@@ -114,7 +115,7 @@ pub(crate) fn take<S: Simd, T: Take>(
                 Some(weight) if !is_same => {
                     let upper = square::<S>(texture, &second, coords);
                     let Some(upper) = upper else { return Err(take) };
-                    Ok(take.take::<S>(&Both([lower, upper], weight)))
+                    Ok(take.take::<S>(&Both([&lower, &upper], weight)))
                 }
                 Some(_) | None => Ok(take.take::<S>(&lower)),
             }
@@ -128,23 +129,19 @@ fn square<S: Simd>(
     place: &super::filter::Place<'_>,
     coords: [&F32s; 3],
 ) -> Option<Square> {
-    let Square { words: [a, b, c, d], weights } = plain::square::<S>(place, coords)?;
-    let words = [
-        with_alpha(texture, a),
-        with_alpha(texture, b),
-        with_alpha(texture, c),
-        with_alpha(texture, d),
-    ];
-    Some(Square { words, weights })
+    let mut square = plain::square::<S>(place, coords)?;
+    for words in &mut square.words {
+        with_alpha(texture, words);
+    }
+    Some(square)
 }
 
 /// Alpha is 1 where texels have none: then the fourth byte is anything.
 #[inline(always)]
-fn with_alpha(texture: &Texture, mut words: U32s) -> U32s {
+fn with_alpha(texture: &Texture, words: &mut U32s) {
     if texture.format.channels() < 4 {
         for word in &mut words.0 {
             *word |= 0xFF00_0000;
         }
     }
-    words
 }
