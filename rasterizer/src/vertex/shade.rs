@@ -111,8 +111,10 @@ pub struct VertexStage<'a> {
     pub edge_flag: Option<u8>,
 }
 
-/// Batches that a thread takes at a time.
+/// Batches that a thread takes at a time, at least.
 const PIECE: usize = 4;
+/// In so many pieces a thread takes its share of many.
+const PARTS: usize = 8;
 
 /// Shades the vertices `ids`, in parallel where there are many.
 ///
@@ -165,7 +167,8 @@ pub fn shade(stage: &VertexStage<'_>, ids: &[u32], instance: u32) -> Result<Geom
     }
     let mut batches: Vec<Batch<'_>> = batches.collect();
     let stopped = AtomicBool::new(false);
-    stage.machines.share(batches.chunks_mut(PIECE), |machine, batches| {
+    let piece = PIECE.max(batches.len() / (PARTS * rayon::current_num_threads()));
+    stage.machines.share(batches.chunks_mut(piece), |machine, batches| {
         machine.begin(stage.program);
         for batch in batches {
             if !stopped.load(Ordering::Relaxed)
