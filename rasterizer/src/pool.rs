@@ -4,6 +4,8 @@ use parking_lot::Mutex;
 
 /// As many of the values that nobody gives back by itself are kept.
 const KEPT: usize = 64;
+/// Into so many pieces goes a thread's share of what is left.
+const PARTS: usize = 4;
 
 /// Values that nobody uses now.
 #[derive(Debug, Default)]
@@ -15,22 +17,26 @@ impl<T: Default> Pool<T> {
         Lent { value: self.0.lock().pop(), home: self }
     }
 
-    /// Does a piece of work after the other, in parallel on the threads of the pool that this is called on. Each
-    /// thread has one value for as long as there is work, so that none goes from processor to processor.
-    pub fn share<I>(
-        &self,
-        pieces: impl ExactSizeIterator<Item = I> + Send,
-        work: impl Fn(&mut T, I) + Sync,
-    ) where
+    /// Does all of some work, in parallel on the threads of the pool that this is called on. Each thread has one
+    /// value for as long as there is work, so that none goes from processor to processor; and it takes neighbours,
+    /// which read the same memory: many while there are many left, and in the end at most `least`.
+    pub fn share<I>(&self, work: &mut [I], least: usize, each: impl Fn(&mut T, &mut [I]) + Sync)
+    where
         T: Send,
+        I: Send,
     {
-        let helpers = rayon::current_num_threads().min(pieces.len()).saturating_sub(1);
-        let left = Mutex::new(pieces);
-        let next = || left.lock().next();
+        let threads = rayon::current_num_threads();
+        let helpers = threads.min(work.len().div_ceil(least)).saturating_sub(1);
+        let left = Mutex::new(work);
+        let next = || {
+            let mut left = left.lock();
+            let count = left.len().min(least.max(left.len() / (PARTS * threads)));
+            left.split_off_mut(..count).filter(|piece| !piece.is_empty())
+        };
         let take_part = || {
             let mut lent = self.lend();
             while let Some(piece) = next() {
-                work(lent.get(), piece);
+                each(lent.get(), piece);
             }
         };
         rayon::scope(|scope| {

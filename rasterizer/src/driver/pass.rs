@@ -436,7 +436,9 @@ impl<'a> Pass<'a> {
         }
         let (job, workers) = (&self.job, &self.device.workers);
         if self.shapes > 0 {
-            workers.share(tiles.iter_mut(), |worker, tile| worker.run(job, tile));
+            workers.share(&mut tiles, 1, |worker, tiles| {
+                tiles.iter_mut().for_each(|tile| worker.run(job, tile));
+            });
         } else {
             // Clears are done sooner than another thread is there.
             let mut worker = workers.lend();

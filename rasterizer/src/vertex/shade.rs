@@ -113,8 +113,6 @@ pub struct VertexStage<'a> {
 
 /// Batches that a thread takes at a time, at least.
 const PIECE: usize = 4;
-/// In so many pieces a thread takes its share of many.
-const PARTS: usize = 8;
 
 /// Shades the vertices `ids`, in parallel where there are many.
 ///
@@ -167,8 +165,7 @@ pub fn shade(stage: &VertexStage<'_>, ids: &[u32], instance: u32) -> Result<Geom
     }
     let mut batches: Vec<Batch<'_>> = batches.collect();
     let stopped = AtomicBool::new(false);
-    let piece = PIECE.max(batches.len() / (PARTS * rayon::current_num_threads()));
-    stage.machines.share(batches.chunks_mut(piece), |machine, batches| {
+    stage.machines.share(&mut batches, PIECE, |machine, batches| {
         machine.begin(stage.program);
         for batch in batches {
             if !stopped.load(Ordering::Relaxed)
