@@ -296,6 +296,9 @@ operations! { $
     /// The same where the inverse is known to be finite.
     ModNear "mod_near" (a: f32, b: f32, c: f32) -> f32 =
         math::modulo(a, b, c, S::round_even(a * c));
+    /// The same where `b` is known to be above 0 too.
+    ModPositive "mod_positive" (a: f32, b: f32, c: f32) -> f32 =
+        math::modulo_positive(a, b, S::round_even(a * c));
     /// IEEE square root.
     Sqrt "sqrt" (a: f32) -> f32 = a.sqrt();
     /// `1 / sqrt(a)`, two roundings.
@@ -458,7 +461,7 @@ impl Op {
     pub const fn cost(self) -> u32 {
         match self {
             Self::Div | Self::Sqrt | Self::InverseSqrt => 8,
-            Self::Mod | Self::ModNear => 8,
+            Self::Mod | Self::ModNear | Self::ModPositive => 8,
             Self::Sin | Self::Cos | Self::Tan => LONG,
             Self::Asin | Self::Acos | Self::Atan | Self::Atan2 => LONG,
             Self::Sinh | Self::Cosh | Self::Tanh | Self::Asinh | Self::Acosh | Self::Atanh => LONG,

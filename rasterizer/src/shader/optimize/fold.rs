@@ -35,6 +35,8 @@ pub(super) fn fold(module: &Module, op: Op, args: [Value; 3]) -> Folded {
         // x + -0 is x even for -0; x + 0 is not.
         (Op::Add, Some(MINUS_ZERO), _) => Folded::Same(b),
         (Op::Add, _, Some(MINUS_ZERO)) | (Op::Sub, _, Some(0)) => Folded::Same(a),
+        (Op::Add, Some(0), _) if is_never_minus_zero(module, b) => Folded::Same(b),
+        (Op::Add, _, Some(0)) if is_never_minus_zero(module, a) => Folded::Same(a),
         (Op::Neg | Op::INeg | Op::Not | Op::BitNot, ..) => undo(module, op, op, a),
         (Op::IntToUint, ..) => undo(module, op, Op::UintToInt, a),
         (Op::UintToInt, ..) => undo(module, op, Op::IntToUint, a),
@@ -55,6 +57,7 @@ pub(super) fn fold(module: &Module, op: Op, args: [Value; 3]) -> Folded {
         (Op::And | Op::Or | Op::Min | Op::Max, ..) if a == b => Folded::Same(a),
         (Op::Min, _, Some(b)) if is_number(b) => Folded::Instead(Op::AtMost),
         (Op::Max, _, Some(b)) if is_number(b) => Folded::Instead(Op::AtLeast),
+        (Op::ModNear, _, Some(b)) if f32::from_bits(b) > 0.0 => Folded::Instead(Op::ModPositive),
         (Op::IMin | Op::IMax | Op::UMin | Op::UMax, ..) if a == b => Folded::Same(a),
 
         (Op::SelectF | Op::SelectI | Op::SelectU | Op::SelectB, Some(0), _) => Folded::Same(c),
@@ -62,6 +65,22 @@ pub(super) fn fold(module: &Module, op: Op, args: [Value; 3]) -> Folded {
         (Op::SelectF | Op::SelectI | Op::SelectU | Op::SelectB, ..) if b == c => Folded::Same(b),
         (Op::SelectB, _, Some(TRUE)) if known[2] == Some(0) => Folded::Same(a),
         _ => Folded::Op,
+    }
+}
+
+/// Whether it is known that a value is not -0.
+fn is_never_minus_zero(module: &Module, value: Value) -> bool {
+    let is_other = |value: Value| match module.expr(value) {
+        Expr::Const { bits, .. } => *bits != MINUS_ZERO,
+        _ => false,
+    };
+    match module.expr(value) {
+        // A sum is -0 where both are.
+        Expr::Op { op: Op::Add, args: [a, b, _] } => is_other(*a) || is_other(*b),
+        Expr::Op { op, .. } => {
+            matches!(op, Op::Floor | Op::Ceil | Op::Trunc | Op::IntToFloat | Op::UintToFloat)
+        }
+        _ => is_other(value),
     }
 }
 

@@ -418,3 +418,25 @@ fn counted_loops_become_straight_code_within_bounds() {
     let program = Program::new(&counted(30, 4), |_| true);
     assert!(program.code.len() < 100_000, "{}", program.describe());
 }
+
+/// A zero that is added goes where no -0 can come, and only there.
+#[test]
+fn a_zero_is_added_to_what_may_be_minus_zero() {
+    let inputs = |_, lane: usize| {
+        let x = [-0.0, 0.0, -0.25, 0.75, -1.0, f32::INFINITY, f32::NAN, -1e-40];
+        x[lane % x.len()].to_bits()
+    };
+    let none = [Op::Floor, Op::Ceil, Op::Trunc];
+    for (op, kept) in none.map(|op| (op, 0)).into_iter().chain([(Op::RoundEven, 1), (Op::Neg, 1)]) {
+        let (mut b, red) = fragment();
+        let x = b.input(Input::Varying(0));
+        let (value, zero) = (b.op(op, &[x]), b.float(0.0));
+        let sum = b.op(Op::Add, &[zero, value]);
+        b.store(red, sum);
+        let module = b.finish();
+        check(&module, &[], inputs);
+        let program = Program::new(&module, |_| true);
+        let is_sum = |inst: &&Inst| matches!(inst, Inst::Compute { what: Compute::Add, .. });
+        assert_eq!(program.code.iter().filter(is_sum).count(), kept, "{op:?}");
+    }
+}

@@ -21,6 +21,8 @@ pub use circular::{
 pub use exponential::{acosh, asinh, atanh, cosh, exp, exp2, log, log2, pow, sinh, tanh};
 pub use inverse::{acos, asin, atan, atan2};
 
+/// The bit of a number's sign.
+const SIGN: u32 = 1 << 31;
 /// 2^23, from which on every `f32` is an integer.
 const INTEGERS_FROM: f32 = 8_388_608.0;
 
@@ -128,7 +130,15 @@ pub fn round_even(x: f32) -> f32 {
 #[inline(always)]
 pub fn modulo(a: f32, b: f32, inverse: f32, nearest: f32) -> f32 {
     let left = a - b * nearest;
-    if left * inverse < 0.0 { left + b } else { left }
+    let along = f32::from_bits(left.to_bits() ^ inverse.to_bits() & SIGN);
+    if along < 0.0 { left + b } else { left }
+}
+
+/// [`modulo`] of a `b` above 0.
+#[inline(always)]
+pub fn modulo_positive(a: f32, b: f32, nearest: f32) -> f32 {
+    let left = a - b * nearest;
+    if left < 0.0 { left + b } else { left }
 }
 
 /// The smaller; `b` if `a` is NaN. (Rust's and each processor's own `min` differ on NaN and ±0.)

@@ -155,7 +155,24 @@ fn the_floor_of_small_numbers_is_the_floor() {
 /// `mod` as a shader computes it.
 fn modulo_of(a: f32, b: f32) -> f32 {
     let inverse = 1.0 / b;
-    modulo(a, b, inverse, round_even(a * inverse))
+    let nearest = round_even(a * inverse);
+    let got = modulo(a, b, inverse, nearest);
+    if b > 0.0 {
+        let want = modulo_positive(a, b, nearest);
+        assert_eq!(got.to_bits(), want.to_bits(), "mod({a:?}, {b:?})");
+    }
+    got
+}
+
+#[test]
+fn mod_of_the_smallest_numbers_is_in_its_range() {
+    for b in [289.0_f32, 1.0, 1e-30] {
+        for bits in [1_u32, 2, 1000] {
+            let a = -f32::from_bits(bits);
+            assert_eq!(modulo_of(a, b), b, "mod({a:?}, {b:?})");
+            assert_eq!(modulo_of(-a, -b), -b, "mod({:?}, {:?})", -a, -b);
+        }
+    }
 }
 
 #[test]
