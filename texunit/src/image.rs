@@ -4,11 +4,13 @@ mod complete;
 mod error;
 mod fetch;
 mod level;
+mod memory;
 mod shape;
 
 pub use complete::{Incomplete, Levels};
 pub use error::ImageError;
-pub use level::{Level, MAX_LEVEL_BYTES, PADDING, zeroed};
+pub use level::{Level, MAX_LEVEL_BYTES, PADDING};
+pub use memory::{Memory, zeroed};
 pub use shape::{MAX_LAYERS, MAX_SIZE, MAX_SIZE_3D, Shape};
 
 use std::sync::Arc;
@@ -171,7 +173,7 @@ mod tests {
     /// The bytes of all levels there are.
     fn bytes_of(image: &Image) -> usize {
         let levels = image.levels.iter().flatten().flatten();
-        levels.map(|level| level.texels.capacity()).sum()
+        levels.map(|level| level.texels.len()).sum()
     }
 
     #[test]

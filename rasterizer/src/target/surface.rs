@@ -108,7 +108,7 @@ impl Surface {
             .into_par_iter()
             .map(|tile| {
                 let (x0, y0) = (tile % across * TILE, tile / across * TILE);
-                let one = if is_attachable(level.format) {
+                let one = if is_attachable(level.format) && !level.texels.is_blank() {
                     load_tile(level, slice, [x0, y0], words)
                 } else {
                     vec![Plane::cleared(0); words]

@@ -1,6 +1,6 @@
 //! One face of one level: its size, its border, and its texels.
 
-use super::{ImageError, MAX_LAYERS, MAX_SIZE};
+use super::{ImageError, MAX_LAYERS, MAX_SIZE, Memory};
 use crate::format::{Format, block, convert};
 
 /// The most bytes of a level: offsets then fit the signed 32 bits that a gather takes.
@@ -8,14 +8,6 @@ pub const MAX_LEVEL_BYTES: usize = 1 << 30;
 
 /// Bytes after the last texel, so that gathers of whole words from it stay inside.
 pub const PADDING: usize = 3;
-
-/// So many zeros, or none where there is no memory for them. The system gives memory that is zero
-/// and no page of it is touched, as filling it would: images are often written whole right after.
-pub fn zeroed(bytes: usize) -> Option<Vec<u8>> {
-    // `vec!` ends the program where there is no memory, so that is asked first.
-    Vec::<u8>::new().try_reserve_exact(bytes).ok()?;
-    Some(vec![0; bytes])
-}
 
 /// One face of one level. Rows run from t = 0 up and slices from r = 0 up, tightly packed.
 ///
@@ -35,7 +27,7 @@ pub struct Level {
     /// Texels of border on either side along s, t and r, 0 or 1 each ([`super::Shape::border`]).
     pub border: [u32; 3],
     /// The texels, and then [`PADDING`] bytes so that a gather of the last texel stays inside.
-    pub texels: Vec<u8>,
+    pub texels: Memory,
 }
 
 impl Level {
@@ -82,7 +74,7 @@ impl Level {
             height,
             depth,
         })? + PADDING;
-        let texels = zeroed(bytes).ok_or(ImageError::OutOfMemory { bytes })?;
+        let texels = Memory::zeroed(bytes).ok_or(ImageError::OutOfMemory { bytes })?;
         Ok(Self { format, width, height, depth, border, texels })
     }
 
