@@ -46,8 +46,8 @@ struct Lanes {
     /// x, y and w in clip coordinates of each vertex.
     clip: [[F64s; 3]; 3],
     origin: [F64s; 2],
-    /// The values that a plane interpolates, by vertex.
-    values: [F64s; 3],
+    /// Four values that planes interpolate, by vertex.
+    values: [[F32s; 4]; 3],
     rows: Rows,
     /// Not zero where the general computation must do it.
     general: [u64; LANES],
@@ -69,7 +69,7 @@ impl Default for Lanes {
         Self {
             clip: [[ZERO; 3]; 3],
             origin: [ZERO; 2],
-            values: [ZERO; 3],
+            values: [[F32s::ZERO; 4]; 3],
             rows: Rows { projective: [PLANE; 3], smooth: [PLANE; 3], denominator: PLANE },
             general: [0; LANES],
             to_block: [[ZERO; REACHED]; 2],
@@ -189,15 +189,24 @@ impl Kernel for Together<'_> {
             }
         }
         lanes.general = [0; LANES];
-        for (part, component) in [0, 1, 3].into_iter().enumerate() {
-            let [a, b, c] = &mut lanes.clip;
-            let out = [&mut a[part], &mut b[part], &mut c[part]];
-            gather::<S>(geometry, shapes, component, out);
+        gather(geometry, shapes, 0, &mut lanes.values);
+        for (clip, [x, y, _, w]) in lanes.clip.iter_mut().zip(&lanes.values) {
+            for (to, from) in clip.iter_mut().zip([x, y, w]) {
+                for lane in 0..LANES {
+                    to[lane] = from[lane].into();
+                }
+            }
         }
         rows(lanes, setup.viewport.half(), setup.viewport.center());
-        for (source, out) in setup.sources.iter().zip(planes) {
+        for (source, out) in setup.sources.iter().zip(&mut *planes) {
             match *source {
                 PlaneSource::Denominator => *out = lanes.rows.denominator,
+                PlaneSource::Depth => {
+                    sum(&lanes.rows.projective, &lanes.values, 2, out, &mut lanes.general);
+                    let (near, far) =
+                        (f64::from(setup.viewport.near), f64::from(setup.viewport.far));
+                    to_depth(out, (far - near) * 0.5, (near + far) * 0.5);
+                }
                 PlaneSource::Flat(at) => {
                     let offsets = offsets(geometry, &shapes.provoking, VARYINGS + at);
                     let values = S::gather_f32(&geometry.values, &offsets);
@@ -207,20 +216,22 @@ impl Kernel for Together<'_> {
                         c[lane] = values[lane].into();
                     }
                 }
-                PlaneSource::Depth => {
-                    gather::<S>(geometry, shapes, 2, lanes.values.each_mut());
-                    sum(&lanes.rows.projective, &lanes.values, out, &mut lanes.general);
-                    let (near, far) =
-                        (f64::from(setup.viewport.near), f64::from(setup.viewport.far));
-                    to_depth(out, (far - near) * 0.5, (near + far) * 0.5);
+                PlaneSource::Smooth(_)
+                | PlaneSource::NoPerspective(_)
+                | PlaneSource::Sprite(..)
+                | PlaneSource::InverseW
+                | PlaneSource::PointCoord(_) => {}
+            }
+        }
+        let mut four = 0;
+        for (source, out) in setup.sources.iter().zip(planes) {
+            if let PlaneSource::Smooth(at) = *source {
+                let at = VARYINGS + at;
+                if at / 4 != four {
+                    four = at / 4;
+                    gather(geometry, shapes, four, &mut lanes.values);
                 }
-                PlaneSource::Smooth(at)
-                | PlaneSource::NoPerspective(at)
-                | PlaneSource::Sprite(at, _) => {
-                    gather::<S>(geometry, shapes, VARYINGS + at, lanes.values.each_mut());
-                    sum(&lanes.rows.smooth, &lanes.values, out, &mut lanes.general);
-                }
-                PlaneSource::InverseW | PlaneSource::PointCoord(_) => {}
+                sum(&lanes.rows.smooth, &lanes.values, at % 4, out, &mut lanes.general);
             }
         }
         let mut general = U32s::ZERO;
@@ -242,13 +253,15 @@ fn offsets(geometry: &Geometry, vertices: &U32s, at: usize) -> U32s {
     offsets
 }
 
-/// A value of the three vertices of each shape.
+/// Four values, from `4 four` on, of the three vertices of each shape.
 #[inline(always)]
-fn gather<S: Simd>(geometry: &Geometry, shapes: &ShapeLanes, at: usize, out: [&mut F64s; 3]) {
-    for (vertices, out) in shapes.vertices.iter().zip(out) {
-        let values = S::gather_f32(&geometry.values, &offsets(geometry, vertices, at));
+fn gather(geometry: &Geometry, shapes: &ShapeLanes, four: usize, out: &mut [[F32s; 4]; 3]) {
+    let (values, _) = geometry.values.as_chunks::<4>();
+    let stride = geometry.stride / 4;
+    for (vertices, [a, b, c, d]) in shapes.vertices.iter().zip(out) {
         for lane in 0..LANES {
-            out[lane] = values[lane].into();
+            let values = values[vertices[lane] as usize * stride + four];
+            [a[lane], b[lane], c[lane], d[lane]] = values;
         }
     }
 }
@@ -288,19 +301,21 @@ fn rows(lanes: &mut Lanes, half: [f64; 2], center: [f64; 2]) {
     }
 }
 
-/// `Plane::sum`; marks the lanes whose planes are not finite.
+/// `Plane::sum` of one of four values; marks the lanes whose planes are not finite.
 #[inline(always)]
 fn sum(
     rows: &[PlaneLanes; 3],
-    values: &[F64s; 3],
+    values: &[[F32s; 4]; 3],
+    at: usize,
     out: &mut PlaneLanes,
     general: &mut [u64; LANES],
 ) {
     for part in 0..3 {
         for lane in 0..LANES {
-            let sum = rows[0][part][lane] * values[0][lane]
-                + rows[1][part][lane] * values[1][lane]
-                + rows[2][part][lane] * values[2][lane];
+            let value = |vertex: usize| f64::from(values[vertex][at][lane]);
+            let sum = rows[0][part][lane] * value(0)
+                + rows[1][part][lane] * value(1)
+                + rows[2][part][lane] * value(2);
             out[part][lane] = sum;
             general[lane] |= u64::from(!sum.is_finite());
         }
@@ -380,7 +395,7 @@ mod tests {
             Viewport { x: 3.0, y: 5.0, width: 640.0, height: 480.0, near: 0.25, far: 1.0 };
         let mut state = 9;
         let mut geometry = Geometry::default();
-        geometry.stride = VARYINGS + 3;
+        geometry.stride = VARYINGS + 4;
         let mut shapes = Vec::new();
         for n in 0..64_u32 {
             let w = if n % 3 == 0 { 1.0 } else { 0.0 };
@@ -393,7 +408,7 @@ mod tests {
                 let window = viewport.window(&clip.map(f64::from));
                 geometry.snapped.push(window.map(crate::vertex::snap));
                 geometry.values.extend(clip);
-                geometry.values.extend([0; 3].map(|_| random(&mut state)));
+                geometry.values.extend([0; 4].map(|_| random(&mut state)));
             }
             let vertices = [3 * n, 3 * n + 1, 3 * n + 2];
             shapes.push(Shape {

@@ -135,6 +135,12 @@ impl Kernel for Gather<'_> {
 fn scatter_pixels(blocks: &mut [U32s], at: &[u16; LANES], mask: u64, words: &U32s) {
     let pixels = bytemuck::cast_slice_mut::<_, u32>(blocks);
     let Ok(pixels) = <&mut [u32; PIXELS]>::try_from(pixels) else { return };
+    if mask == !0 {
+        for lane in 0..LANES {
+            pixels[usize::from(at[lane]) % PIXELS] = words[lane];
+        }
+        return;
+    }
     let mut left = mask;
     while left != 0 {
         let lane = left.trailing_zeros() as usize;

@@ -18,7 +18,7 @@ use texunit::plan::SamplePlan;
 pub struct Geometry {
     /// `stride` for each vertex: x, y, z and w in clip coordinates, and its varyings.
     pub values: Vec<f32>,
-    /// Values of a vertex.
+    /// Values of a vertex, and up to three that nobody reads: a multiple of four.
     pub stride: usize,
     /// Window coordinates on the subpixel grid; meaningless unless `w > 0`.
     pub snapped: Vec<[i32; 2]>,
@@ -119,7 +119,7 @@ const PIECE: usize = 4;
 /// # Errors
 /// When a batch runs over its budget.
 pub fn shade(stage: &VertexStage<'_>, ids: &[u32], instance: u32) -> Result<Geometry, OverBudget> {
-    let stride = VARYINGS + stage.varyings.len();
+    let stride = stage.stride();
     let distance = |output: &Output| matches!(output, Output::ClipDistance(_));
     let planes = stage.program.outputs().filter(distance).count();
     let sources: Vec<Source> = stage.program.inputs().iter().map(|&i| stage.source(i)).collect();
@@ -138,7 +138,7 @@ pub fn shade(stage: &VertexStage<'_>, ids: &[u32], instance: u32) -> Result<Geom
     geometry.distances.resize(count * planes, 0.0);
     geometry.edge_flags = stage.edge_flags(ids);
     let is_value = |target: &&Target| matches!(target, Target::Value(_));
-    if targets.iter().filter(is_value).count() < stride {
+    if targets.iter().filter(is_value).count() < VARYINGS + stage.varyings.len() {
         geometry.values.fill(0.0);
     }
     let mut values = Pieces { rest: &mut geometry.values, each: stride };
@@ -228,6 +228,11 @@ struct Batch<'a> {
 }
 
 impl VertexStage<'_> {
+    /// Values of a vertex, a multiple of four.
+    fn stride(&self) -> usize {
+        (VARYINGS + self.varyings.len()).next_multiple_of(4)
+    }
+
     fn source(&self, input: Input) -> Source<'_> {
         match input {
             Input::Attribute { location, component } => {
@@ -313,7 +318,7 @@ impl VertexStage<'_> {
             active: !0 >> (LANES - ids.len()),
             budget: self.budget,
         })?;
-        let stride = VARYINGS + self.varyings.len();
+        let stride = self.stride();
         let mut clip = [&F32s::ZERO; 4];
         for (index, &target) in targets.iter().enumerate() {
             let lanes = machine.output(index).as_f32();
