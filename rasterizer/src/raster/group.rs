@@ -106,7 +106,7 @@ impl PlaneGroup {
     /// As [`Self::at`], of the first pixel of one of the blocks that the window of the shape `lane`
     /// may reach into.
     #[inline(always)]
-    pub fn in_window(&self, lane: usize, block: usize) -> impl Iterator<Item = [f32; 3]> {
+    pub fn in_window(&self, lane: usize, block: usize) -> impl Iterator<Item = [f32; 3]> + Clone {
         let (lane, block) = (lane % LANES, block % (REACHED * REACHED));
         self.windows
             .iter()

@@ -12,6 +12,8 @@ use texunit::lanes::{F32s, Isa, Kernel, LANES, Simd};
 
 /// Lanes that are written at once: those after the last pixel are written over by the next.
 const AT_ONCE: usize = 8;
+/// A number in each of the four `u16` of a word.
+const EACH: u64 = 0x0001_0001_0001_0001;
 /// Room for that.
 const ROOM: usize = LANES + AT_ONCE;
 
@@ -109,7 +111,7 @@ impl Pixels {
         block: usize,
         lanes: u64,
         facing: Facing,
-        planes: impl Iterator<Item = [f32; 3]>,
+        planes: impl Iterator<Item = [f32; 3]> + Clone,
     ) -> u64 {
         let first = self.len % LANES;
         let room = LANES - first;
@@ -125,21 +127,24 @@ impl Pixels {
         self.waiting[block % BLOCKS] |= left;
         self.blocks |= 1 << (block % BLOCKS);
         let len = self.len;
+        let block = (block * LANES) as u64 * EACH;
         for at in (first..len).step_by(AT_ONCE) {
-            for to in &mut self.at[at..at + AT_ONCE] {
-                *to = (block * LANES) as u16 | left.trailing_zeros() as u16;
-                left &= left.wrapping_sub(1);
+            // Which it is; so that nothing is checked.
+            let at = at % LANES;
+            for to in self.at[at..at + AT_ONCE].as_chunks_mut::<4>().0 {
+                let mut four = 0;
+                // One after the other into one word: as a loop over lanes this becomes a detour.
+                for _ in 0..4 {
+                    four = four >> 16 | u64::from(left.trailing_zeros()) << 48;
+                    left &= left.wrapping_sub(1);
+                }
+                let four = four | block;
+                *to = [four as u16, (four >> 16) as u16, (four >> 32) as u16, (four >> 48) as u16];
             }
-        }
-        for (plane, [corner, a, b]) in self.planes.iter_mut().zip(planes) {
-            let mut at = first;
-            while at < len {
-                // Which it is; so that nothing is checked.
-                at %= LANES;
+            for (plane, [corner, a, b]) in self.planes.iter_mut().zip(planes.clone()) {
                 plane.corner[at..at + AT_ONCE].fill(corner);
                 plane.a[at..at + AT_ONCE].fill(a);
                 plane.b[at..at + AT_ONCE].fill(b);
-                at += AT_ONCE;
             }
         }
         if facing == Facing::Back {
