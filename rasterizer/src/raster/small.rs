@@ -127,17 +127,15 @@ impl Window {
             if covered == 0 {
                 continue;
             }
+            // Nobody could tell before which there are: no branch does.
             for (share, among) in SHARES[begin].iter().enumerate() {
-                if covered & among == 0 {
-                    continue;
-                }
                 let (right, above) = (share % 2, share / 2);
                 // By so many quads within each of the four words of a mask; none leaves its word.
                 let by = (begin + 64 - 4 * right - 16 * above) as u32;
                 let lanes = (covered & among).rotate_left(by % 64);
                 let block = (part / 2 + above) * REACHED + part % 2 + right;
                 out.lanes[block] |= lanes;
-                out.any |= 1 << block;
+                out.any |= u32::from(lanes != 0) << block;
             }
         }
         out
