@@ -435,14 +435,15 @@ impl<'a> Pass<'a> {
             homes.push((tx, ty));
         }
         let (job, workers) = (&self.job, &self.device.workers);
-        if self.shapes > 0 {
+        let is_whole = |clear: &ClearJob| clear.is_whole(job.width, job.height);
+        if self.shapes == 0 && job.clears.iter().all(is_whole) {
+            // That is done sooner than another thread is there.
+            let mut worker = workers.lend();
+            tiles.iter_mut().for_each(|tile| worker.get().run(job, tile));
+        } else {
             workers.share(&mut tiles, 1, |worker, tiles| {
                 tiles.iter_mut().for_each(|tile| worker.run(job, tile));
             });
-        } else {
-            // Clears are done sooner than another thread is there.
-            let mut worker = workers.lend();
-            tiles.iter_mut().for_each(|tile| worker.get().run(job, tile));
         }
         for (tile, (tx, ty)) in tiles.into_iter().zip(homes) {
             let surfaces = self.colors.iter_mut().chain([&mut self.depth]);

@@ -1,7 +1,7 @@
 //! Clears, tile by tile.
 
 use super::coverage;
-use super::tile::{PassJob, TileJob};
+use super::job::{PassJob, TileJob};
 use crate::output::expand_mask;
 use crate::target::{TILE, WordMask};
 use texunit::lanes::LANES;
@@ -32,6 +32,19 @@ pub struct ClearJob {
     pub area: [[i32; 2]; 2],
     /// What a watch calls it.
     pub label: u32,
+}
+
+impl ClearJob {
+    /// Whether it writes all of every pixel of a pass of this size, so that no word is written yet.
+    pub fn is_whole(&self, width: u32, height: u32) -> bool {
+        let [[left, low], [right, high]] = self.area;
+        let written = |(write, all): (&u32, &u32)| *write == 0 || write == all;
+        left <= 0
+            && low <= 0
+            && i64::from(right) >= i64::from(width)
+            && i64::from(high) >= i64::from(height)
+            && self.write.iter().zip(&self.all).all(written)
+    }
 }
 
 /// Clears a tile's part of an attachment.
@@ -66,6 +79,36 @@ pub fn clear(pass: &PassJob, job: &ClearJob, tile: &mut TileJob) {
                     block[lane] = (word & write) | (block[lane] & !write);
                 }
             }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_clear_is_whole_where_no_pixel_and_no_bit_is_left() {
+        let clear = |area, write| ClearJob {
+            target: ClearTarget::Color(0),
+            words: [7; 4],
+            write,
+            all: [!0, 0xFF, 0, 0],
+            area,
+            label: 0,
+        };
+        let all = [!0, 0xFF, 0, 0];
+        for (area, write, want) in [
+            ([[0, 0], [70, 30]], all, true),
+            ([[-5, 0], [70, 31]], all, true),
+            ([[0, 0], [70, 30]], [!0, 0, 0, 0], true),
+            ([[1, 0], [70, 30]], all, false),
+            ([[0, 2], [70, 30]], all, false),
+            ([[0, 0], [69, 30]], all, false),
+            ([[0, 0], [70, 29]], all, false),
+            ([[0, 0], [70, 30]], [!1, 0xFF, 0, 0], false),
+        ] {
+            assert_eq!(clear(area, write).is_whole(70, 30), want, "{area:?} {write:x?}");
         }
     }
 }

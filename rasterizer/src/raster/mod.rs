@@ -12,6 +12,7 @@ mod coverage;
 mod group;
 mod inputs;
 mod interpolate;
+mod job;
 mod lanes;
 mod pack;
 mod pixels;
@@ -25,6 +26,7 @@ mod watched;
 
 pub use clear::{ClearJob, ClearTarget};
 pub use interpolate::{PlaneSource, depth_offset};
+pub use job::{Chunk, DrawJob, Entry, PassJob, ShapeLists, TileJob};
 pub use samples::Samples;
-pub use tile::{Chunk, DrawJob, Entry, PassJob, ShapeLists, TileJob, Worker};
+pub use tile::Worker;
 pub use watched::{Formats, Spot};

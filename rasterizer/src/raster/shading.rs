@@ -3,10 +3,10 @@
 
 use super::batch::{Batch, BlockOf};
 use super::inputs::{BatchDepth, BlockDepth, Interpolate, InterpolateRun, clamp_depth};
+use super::job::{DrawJob, PassJob, TileJob};
 use super::product::{Factors, Multiply, Products, Words};
 use super::run::BlockRun;
 use super::samples::{SampleMasks, moved};
-use super::tile::{DrawJob, PassJob, TileJob};
 use super::watched::{Shaded, Tested};
 use crate::driver::AlphaToOne;
 use crate::output::{BlockColors, ColorClass, ColorPlan, Fragments, test, write, write_blocks};

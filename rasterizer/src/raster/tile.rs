@@ -2,11 +2,12 @@
 
 use super::batch::{Batch, BlockOf, EarlyTests, Packed, moved_quad, quads_of};
 use super::broad::{self, Broad};
-use super::clear::{ClearJob, clear};
+use super::clear::clear;
 use super::cover::Cover;
 use super::coverage;
 use super::group::PlaneGroup;
 use super::interpolate::PlaneSetup;
+use super::job::{Chunk, DrawJob, Entry, PassJob, TileJob};
 use super::lanes::ShapeLanes;
 use super::pack::{DENSE_PIXELS, Pack, Progress, Stop};
 use super::pixels::Pixels;
@@ -14,132 +15,16 @@ use super::run::BlockRun;
 use super::samples::SampleMasks;
 use super::shading::{Shader, early_tests};
 use super::small::{Share, Window, Windows};
-use super::watched::Spot;
-use crate::driver::{Counter, Watch};
 use crate::plan::{DrawPlan, FragmentInput, Packing, Timing};
 use crate::primitive::{Facing, Kind, Shape};
-use crate::target::{TILE, TileTarget};
-use crate::vertex::Geometry;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use crate::target::TILE;
+use std::sync::atomic::Ordering;
 use texunit::lanes::{F32s, Isa, LANES, U32s, prefetch};
 
 /// Quads of a block from which on it is shaded by itself rather than packed with others.
 pub const DENSE: u32 = 12;
 /// Shapes of a group from which on their windows are computed together.
 const WINDOWS_FROM: usize = 4;
-
-/// A draw of a pass.
-#[derive(Debug)]
-pub struct DrawJob {
-    /// Its decisions.
-    pub plan: Arc<DrawPlan>,
-    /// First and one past the last pixel its triangles may touch, x then y.
-    pub area: [[i32; 2]; 2],
-    /// What counts the samples that pass its tests.
-    pub counter: Option<Counter>,
-    /// Set when its shader ran over the budget: nothing more of it is drawn.
-    pub stopped: AtomicBool,
-    /// What a watch calls it.
-    pub label: u32,
-}
-
-impl DrawJob {
-    /// Counts the samples of masks, if somebody does.
-    pub fn count(&self, masks: &[u64]) {
-        if let Some(counter) = &self.counter {
-            for &mask in masks {
-                counter.add(mask);
-            }
-        }
-    }
-}
-
-/// The shapes of a run of primitives and the vertices they stand on.
-#[derive(Debug)]
-pub struct Chunk {
-    /// Which draw.
-    pub draw: usize,
-    /// The vertices.
-    pub geometry: Arc<Geometry>,
-    /// Its shapes.
-    pub lists: ShapeLists,
-}
-
-/// The shapes of a chunk, and their order by tiles.
-#[derive(Debug, Default)]
-pub struct ShapeLists {
-    /// The shapes.
-    pub shapes: Vec<Shape>,
-    /// The shapes of each tile, in order, tile after tile.
-    pub binned: Vec<u32>,
-}
-
-/// Something that happens in a tile.
-#[derive(Clone, Copy, Debug)]
-pub enum Entry {
-    /// A clear, by index.
-    Clear(u32),
-    /// Shapes of a chunk: a range of its `binned`.
-    Shapes {
-        /// Which chunk.
-        chunk: u32,
-        /// The first.
-        first: u32,
-        /// One past the last.
-        end: u32,
-    },
-}
-
-/// Everything that tiles read.
-#[derive(Debug)]
-pub struct PassJob {
-    /// The instruction set.
-    pub isa: Isa,
-    /// Instructions a batch may run.
-    pub budget: u64,
-    /// Pixels across.
-    pub width: u32,
-    /// Pixels up.
-    pub height: u32,
-    /// The draws.
-    pub draws: Vec<DrawJob>,
-    /// The chunks of all draws, in order.
-    pub chunks: Vec<Chunk>,
-    /// The clears.
-    pub clears: Vec<ClearJob>,
-    /// The pixel whose story is recorded.
-    pub watch: Option<Watch>,
-}
-
-/// One tile, and what happens in it.
-#[derive(Debug)]
-pub struct TileJob {
-    /// Its first pixel.
-    pub x: i32,
-    /// Its first row.
-    pub y: i32,
-    /// Its part of each colour attachment.
-    pub colors: Vec<Option<TileTarget>>,
-    /// Its part of the depth attachment.
-    pub depth: Option<TileTarget>,
-    /// What happens, in order.
-    pub entries: Vec<Entry>,
-    /// The watched pixel, if it is in this tile.
-    pub watched: Option<Box<Spot>>,
-}
-
-impl TileJob {
-    /// Asks for the words of a block that a draw will write its colours to.
-    #[inline]
-    fn prefetch(&self, plan: &DrawPlan, block: usize) {
-        for color in &plan.colors {
-            if let Some(target) = &self.colors[color.target] {
-                target.prefetch(block);
-            }
-        }
-    }
-}
 
 /// What a thread keeps from tile to tile.
 #[derive(Debug, Default)]

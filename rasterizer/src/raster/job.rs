@@ -1,0 +1,124 @@
+//! What there is to do: the draws, chunks of shapes and clears of a pass, and what of them happens in a tile.
+
+use super::clear::ClearJob;
+use super::watched::Spot;
+use crate::driver::{Counter, Watch};
+use crate::plan::DrawPlan;
+use crate::primitive::Shape;
+use crate::target::TileTarget;
+use crate::vertex::Geometry;
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+use texunit::lanes::Isa;
+
+/// A draw of a pass.
+#[derive(Debug)]
+pub struct DrawJob {
+    /// Its decisions.
+    pub plan: Arc<DrawPlan>,
+    /// First and one past the last pixel its triangles may touch, x then y.
+    pub area: [[i32; 2]; 2],
+    /// What counts the samples that pass its tests.
+    pub counter: Option<Counter>,
+    /// Set when its shader ran over the budget: nothing more of it is drawn.
+    pub stopped: AtomicBool,
+    /// What a watch calls it.
+    pub label: u32,
+}
+
+impl DrawJob {
+    /// Counts the samples of masks, if somebody does.
+    pub fn count(&self, masks: &[u64]) {
+        if let Some(counter) = &self.counter {
+            for &mask in masks {
+                counter.add(mask);
+            }
+        }
+    }
+}
+
+/// The shapes of a run of primitives and the vertices they stand on.
+#[derive(Debug)]
+pub struct Chunk {
+    /// Which draw.
+    pub draw: usize,
+    /// The vertices.
+    pub geometry: Arc<Geometry>,
+    /// Its shapes.
+    pub lists: ShapeLists,
+}
+
+/// The shapes of a chunk, and their order by tiles.
+#[derive(Debug, Default)]
+pub struct ShapeLists {
+    /// The shapes.
+    pub shapes: Vec<Shape>,
+    /// The shapes of each tile, in order, tile after tile.
+    pub binned: Vec<u32>,
+}
+
+/// Something that happens in a tile.
+#[derive(Clone, Copy, Debug)]
+pub enum Entry {
+    /// A clear, by index.
+    Clear(u32),
+    /// Shapes of a chunk: a range of its `binned`.
+    Shapes {
+        /// Which chunk.
+        chunk: u32,
+        /// The first.
+        first: u32,
+        /// One past the last.
+        end: u32,
+    },
+}
+
+/// Everything that tiles read.
+#[derive(Debug)]
+pub struct PassJob {
+    /// The instruction set.
+    pub isa: Isa,
+    /// Instructions a batch may run.
+    pub budget: u64,
+    /// Pixels across.
+    pub width: u32,
+    /// Pixels up.
+    pub height: u32,
+    /// The draws.
+    pub draws: Vec<DrawJob>,
+    /// The chunks of all draws, in order.
+    pub chunks: Vec<Chunk>,
+    /// The clears.
+    pub clears: Vec<ClearJob>,
+    /// The pixel whose story is recorded.
+    pub watch: Option<Watch>,
+}
+
+/// One tile, and what happens in it.
+#[derive(Debug)]
+pub struct TileJob {
+    /// Its first pixel.
+    pub x: i32,
+    /// Its first row.
+    pub y: i32,
+    /// Its part of each colour attachment.
+    pub colors: Vec<Option<TileTarget>>,
+    /// Its part of the depth attachment.
+    pub depth: Option<TileTarget>,
+    /// What happens, in order.
+    pub entries: Vec<Entry>,
+    /// The watched pixel, if it is in this tile.
+    pub watched: Option<Box<Spot>>,
+}
+
+impl TileJob {
+    /// Asks for the words of a block that a draw will write its colours to.
+    #[inline]
+    pub fn prefetch(&self, plan: &DrawPlan, block: usize) {
+        for color in &plan.colors {
+            if let Some(target) = &self.colors[color.target] {
+                target.prefetch(block);
+            }
+        }
+    }
+}
