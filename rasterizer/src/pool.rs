@@ -80,3 +80,31 @@ impl<T: Default> Drop for Lent<'_, T> {
         self.home.0.lock().extend(self.value.take());
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rayon::ThreadPoolBuilder;
+
+    #[test]
+    fn every_piece_is_worked_on_once_by_however_many_threads() {
+        for threads in [1, 2, 5] {
+            let rayon = ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            for (count, least) in [(0, 1), (1, 4), (7, 4), (1000, 1), (1000, 3)] {
+                let pool = Pool::<usize>::default();
+                let mut work = vec![0; count];
+                rayon.install(|| {
+                    pool.share(&mut work, least, |own, piece| {
+                        assert!(piece.len() <= least.max(count / PARTS));
+                        *own += piece.len();
+                        piece.iter_mut().for_each(|times| *times += 1);
+                    });
+                });
+                assert_eq!(work, vec![1; count], "{threads} threads");
+                let lent = pool.0.into_inner();
+                assert!(lent.len() <= threads);
+                assert_eq!(lent.iter().sum::<usize>(), count);
+            }
+        }
+    }
+}
