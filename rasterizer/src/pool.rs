@@ -19,7 +19,8 @@ impl<T: Default> Pool<T> {
 
     /// Does all of some work, in parallel on the threads of the pool that this is called on. Each thread has one
     /// value for as long as there is work, so that none goes from processor to processor; and it takes neighbours,
-    /// which read the same memory: many while there are many left, and in the end at most `least`.
+    /// which read the same memory: many while there are many left, and in the end at most `least`, which are not
+    /// worth another thread.
     pub fn share<I>(&self, work: &mut [I], least: usize, each: impl Fn(&mut T, &mut [I]) + Sync)
     where
         T: Send,
@@ -39,6 +40,9 @@ impl<T: Default> Pool<T> {
                 each(lent.get(), piece);
             }
         };
+        if helpers == 0 {
+            return take_part();
+        }
         rayon::scope(|scope| {
             for _ in 0..helpers {
                 scope.spawn(|_| take_part());

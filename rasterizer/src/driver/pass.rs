@@ -436,15 +436,12 @@ impl<'a> Pass<'a> {
         }
         let (job, workers) = (&self.job, &self.device.workers);
         let is_whole = |clear: &ClearJob| clear.is_whole(job.width, job.height);
-        if self.shapes == 0 && job.clears.iter().all(is_whole) {
-            // That is done sooner than another thread is there.
-            let mut worker = workers.lend();
-            tiles.iter_mut().for_each(|tile| worker.get().run(job, tile));
-        } else {
-            workers.share(&mut tiles, 1, |worker, tiles| {
-                tiles.iter_mut().for_each(|tile| worker.run(job, tile));
-            });
-        }
+        let is_light = self.shapes == 0 && job.clears.iter().all(is_whole);
+        // Whole clears are all done sooner than another thread is there.
+        let least = if is_light { tiles.len().max(1) } else { 1 };
+        workers.share(&mut tiles, least, |worker, tiles| {
+            tiles.iter_mut().for_each(|tile| worker.run(job, tile));
+        });
         for (tile, (tx, ty)) in tiles.into_iter().zip(homes) {
             let surfaces = self.colors.iter_mut().chain([&mut self.depth]);
             for (surface, target) in surfaces.zip(tile.colors.into_iter().chain([tile.depth])) {

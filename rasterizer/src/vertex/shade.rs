@@ -111,7 +111,7 @@ pub struct VertexStage<'a> {
     pub edge_flag: Option<u8>,
 }
 
-/// Batches that a thread takes at a time, at least.
+/// Batches that are not worth another thread.
 const PIECE: usize = 4;
 
 /// Shades the vertices `ids`, in parallel where there are many.
@@ -155,14 +155,6 @@ pub fn shade(stage: &VertexStage<'_>, ids: &[u32], instance: u32) -> Result<Geom
         point_sizes: point_sizes.next(ids.len()),
         distances: distances.next(ids.len()),
     });
-    if ids.len() <= PIECE * LANES {
-        let mut machine = stage.machines.lend();
-        machine.get().begin(stage.program);
-        for mut batch in batches {
-            stage.batch(machine.get(), &sources, &targets, &mut batch)?;
-        }
-        return Ok(geometry);
-    }
     let mut batches: Vec<Batch<'_>> = batches.collect();
     let stopped = AtomicBool::new(false);
     stage.machines.share(&mut batches, PIECE, |machine, batches| {
