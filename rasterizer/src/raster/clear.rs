@@ -37,13 +37,15 @@ pub struct ClearJob {
 impl ClearJob {
     /// Whether it writes all of every pixel of a pass of this size, so that no word is written yet.
     pub fn is_whole(&self, width: u32, height: u32) -> bool {
-        let [[left, low], [right, high]] = self.area;
-        let written = |(write, all): (&u32, &u32)| *write == 0 || write == all;
-        left <= 0
-            && low <= 0
-            && i64::from(right) >= i64::from(width)
-            && i64::from(high) >= i64::from(height)
-            && self.write.iter().zip(&self.all).all(written)
+        let is_written = |(write, all): (&u32, &u32)| *write == 0 || write == all;
+        self.covers([0, 0], [width as i32, height as i32])
+            && self.write.iter().zip(&self.all).all(is_written)
+    }
+
+    /// Whether all pixels from the first to before the last are in its area.
+    fn covers(&self, first: [i32; 2], end: [i32; 2]) -> bool {
+        let [low, high] = self.area;
+        low[0] <= first[0] && low[1] <= first[1] && high[0] >= end[0] && high[1] >= end[1]
     }
 }
 
@@ -57,10 +59,7 @@ pub fn clear(pass: &PassJob, job: &ClearJob, tile: &mut TileJob) {
     let Some(target) = target else { return };
     // What a tile has beyond the pass is never seen.
     let end = |start: i32, size: u32| (start + TILE as i32).min(size as i32);
-    let whole = job.area[0][0] <= tile.x
-        && job.area[0][1] <= tile.y
-        && job.area[1][0] >= end(tile.x, pass.width)
-        && job.area[1][1] >= end(tile.y, pass.height);
+    let whole = job.covers([tile.x, tile.y], [end(tile.x, pass.width), end(tile.y, pass.height)]);
     for sample in target.planes.chunks_mut(target.words) {
         for (index, plane) in sample.iter_mut().skip(first).enumerate() {
             let (word, write, all) = (job.words[index], job.write[index], job.all[index]);

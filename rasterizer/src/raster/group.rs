@@ -198,40 +198,37 @@ impl Kernel for Together<'_> {
             }
         }
         rows(lanes, setup.viewport.half(), setup.viewport.center());
-        for (source, out) in setup.sources.iter().zip(&mut *planes) {
-            match *source {
-                PlaneSource::Denominator => *out = lanes.rows.denominator,
-                PlaneSource::Depth => {
-                    sum(&lanes.rows.projective, &lanes.values, 2, out, &mut lanes.general);
-                    let (near, far) =
-                        (f64::from(setup.viewport.near), f64::from(setup.viewport.far));
-                    to_depth(out, (far - near) * 0.5, (near + far) * 0.5);
-                }
-                PlaneSource::Flat(at) => {
-                    let offsets = offsets(geometry, &shapes.provoking, VARYINGS + at);
-                    let values = S::gather_f32(&geometry.values, &offsets);
-                    let [a, b, c] = out;
-                    (*a, *b) = (ZERO, ZERO);
-                    for lane in 0..LANES {
-                        c[lane] = values[lane].into();
-                    }
-                }
-                PlaneSource::Smooth(_)
-                | PlaneSource::NoPerspective(_)
-                | PlaneSource::Sprite(..)
-                | PlaneSource::InverseW
-                | PlaneSource::PointCoord(_) => {}
-            }
-        }
         let mut four = 0;
         for (source, out) in setup.sources.iter().zip(planes) {
-            if let PlaneSource::Smooth(at) = *source {
-                let at = VARYINGS + at;
-                if at / 4 != four {
-                    four = at / 4;
-                    gather(geometry, shapes, four, &mut lanes.values);
+            let (rows, at) = match *source {
+                PlaneSource::Depth => (&lanes.rows.projective, 2),
+                PlaneSource::Smooth(at) => (&lanes.rows.smooth, VARYINGS + at),
+                PlaneSource::Denominator => {
+                    *out = lanes.rows.denominator;
+                    continue;
                 }
-                sum(&lanes.rows.smooth, &lanes.values, at % 4, out, &mut lanes.general);
+                PlaneSource::Flat(at) => {
+                    let [a, b, c] = out;
+                    (*a, *b) = (ZERO, ZERO);
+                    for (c, &vertex) in c.iter_mut().zip(&shapes.provoking.0) {
+                        let values = &geometry.values[vertex as usize * geometry.stride..];
+                        *c = values[VARYINGS + at].into();
+                    }
+                    continue;
+                }
+                PlaneSource::NoPerspective(_)
+                | PlaneSource::Sprite(..)
+                | PlaneSource::InverseW
+                | PlaneSource::PointCoord(_) => continue,
+            };
+            if at / 4 != four {
+                four = at / 4;
+                gather(geometry, shapes, four, &mut lanes.values);
+            }
+            sum(rows, &lanes.values, at % 4, out, &mut lanes.general);
+            if *source == PlaneSource::Depth {
+                let (near, far) = (f64::from(setup.viewport.near), f64::from(setup.viewport.far));
+                to_depth(out, (far - near) * 0.5, (near + far) * 0.5);
             }
         }
         let mut general = U32s::ZERO;
@@ -240,17 +237,6 @@ impl Kernel for Together<'_> {
         }
         S::nonzero(&general)
     }
-}
-
-/// Where a value of some vertices is.
-#[inline(always)]
-fn offsets(geometry: &Geometry, vertices: &U32s, at: usize) -> U32s {
-    let (stride, at) = (geometry.stride as u32, at as u32);
-    let mut offsets = U32s::ZERO;
-    for lane in 0..LANES {
-        offsets[lane] = vertices[lane].wrapping_mul(stride).wrapping_add(at);
-    }
-    offsets
 }
 
 /// Four values, from `4 four` on, of the three vertices of each shape.

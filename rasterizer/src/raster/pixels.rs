@@ -12,10 +12,10 @@ use texunit::lanes::{F32s, Isa, Kernel, LANES, Simd};
 
 /// Lanes that are written at once: those after the last pixel are written over by the next.
 const AT_ONCE: usize = 8;
-/// A number in each of the four `u16` of a word.
-const EACH: u64 = 0x0001_0001_0001_0001;
 /// Room for that.
 const ROOM: usize = LANES + AT_ONCE;
+/// A number in each of the four `u16` of a word.
+const EACH: u64 = 0x0001_0001_0001_0001;
 
 /// The pixels that are to be shaded together.
 #[derive(Debug)]
@@ -126,9 +126,8 @@ impl Pixels {
         self.len = first + count;
         self.waiting[block % BLOCKS] |= left;
         self.blocks |= 1 << (block % BLOCKS);
-        let len = self.len;
         let block = (block * LANES) as u64 * EACH;
-        for at in (first..len).step_by(AT_ONCE) {
+        for at in (first..self.len).step_by(AT_ONCE) {
             // Which it is; so that nothing is checked.
             let at = at % LANES;
             for to in self.at[at..at + AT_ONCE].as_chunks_mut::<4>().0 {
