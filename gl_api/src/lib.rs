@@ -64,6 +64,7 @@ mod program;
 mod query;
 mod state;
 mod texture;
+mod transform_feedback;
 pub mod types;
 
 pub use abi::memory::ClientPointer;

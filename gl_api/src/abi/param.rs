@@ -2,7 +2,7 @@
 
 use super::memory::ClientPointer;
 use crate::context::GLDEBUGPROC;
-use crate::entry::{Data, DataOut, Pointers, Strings, TextOut, with_current};
+use crate::entry::{Data, DataOut, Names, Pointers, Strings, TextOut, with_current};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::ffi::{CStr, CString, c_char, c_void};
@@ -307,6 +307,39 @@ impl<'a> Param<'a> for Strings<'a> {
 
     fn lend(held: &'a mut Vec<Cow<'static, str>>) -> Self {
         Strings(held.iter().map(AsRef::as_ref).collect())
+    }
+}
+
+/// `glTransformFeedbackVaryings` alone has this type.
+impl<'a> Param<'a> for Names<'a> {
+    type Raw = *const *const c_char;
+    type Held = Vec<Cow<'static, str>>;
+    const COUNTED: Counted = Counted::Elements;
+
+    fn number(raw: *const *const c_char) -> isize {
+        raw.addr() as isize
+    }
+
+    unsafe fn hold(
+        raw: *const *const c_char,
+        length: usize,
+        arguments: &[isize],
+    ) -> Vec<Cow<'static, str>> {
+        // Of a name that is no program's the strings are not looked at.
+        let program = arguments.first().map_or(0, |&name| name as u32);
+        if raw.is_null() || with_current(|context| context.is_program(program)) != Some(true) {
+            return Vec::new();
+        }
+        (0..length)
+            .map(|at| {
+                // SAFETY: promised by the caller: `length` pointers to texts that zeros end.
+                unsafe { text(raw.add(at).read_unaligned(), TERMINATED) }
+            })
+            .collect()
+    }
+
+    fn lend(held: &'a mut Vec<Cow<'static, str>>) -> Self {
+        Names(held.iter().map(AsRef::as_ref).collect())
     }
 }
 

@@ -1,5 +1,8 @@
 //! The limits that `glGet` reports and that calls are checked against.
 
+/// `GL_MAJOR_VERSION` and `GL_MINOR_VERSION`.
+pub(crate) const VERSION: (i32, i32) = (3, 0);
+
 /// `GL_MAX_TEXTURE_SIZE`, `GL_MAX_CUBE_MAP_TEXTURE_SIZE` and `GL_MAX_RENDERBUFFER_SIZE`.
 pub(crate) const MAX_TEXTURE_SIZE: u32 = 8192;
 /// Levels of the largest texture: 8192 to 1.
@@ -22,3 +25,9 @@ pub(crate) const MAX_UNIFORM_COMPONENTS: i32 = 4096;
 pub(crate) const MAX_VARYING_FLOATS: i32 = 64;
 /// The largest buffer object, in bytes.
 pub(crate) const MAX_BUFFER_SIZE: usize = 1 << 31;
+/// `GL_MAX_TRANSFORM_FEEDBACK_SEPARATE_ATTRIBS`: the buffers that transform feedback fills at once.
+pub(crate) const MAX_TRANSFORM_FEEDBACK_SEPARATE_ATTRIBS: usize = 4;
+/// `GL_MAX_TRANSFORM_FEEDBACK_SEPARATE_COMPONENTS`.
+pub(crate) const MAX_TRANSFORM_FEEDBACK_SEPARATE_COMPONENTS: usize = 128;
+/// `GL_MAX_TRANSFORM_FEEDBACK_INTERLEAVED_COMPONENTS`.
+pub(crate) const MAX_TRANSFORM_FEEDBACK_INTERLEAVED_COMPONENTS: usize = 128;

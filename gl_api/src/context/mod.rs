@@ -22,6 +22,7 @@ use crate::object::queries::ActiveQueries;
 use crate::object::sharing::{Entered, Group, Invitation, Shared, Turn};
 use crate::state::State;
 use crate::state::attrib::AttribStacks;
+use crate::transform_feedback::TransformFeedback;
 pub use debug::{Message, Severity};
 pub use log::GLDEBUGPROC;
 use rasterizer::driver::{Device, DeviceDesc, DeviceError};
@@ -99,6 +100,7 @@ pub struct Context {
     pub(crate) evaluators: Maps,
     /// Selection and feedback.
     pub(crate) feedback: Feedback,
+    pub(crate) transform_feedback: TransformFeedback,
     /// The contexts that this one shares objects with.
     group: Option<Group>,
     /// Where another thread asks for the group.
@@ -154,6 +156,7 @@ impl Context {
             queries: ActiveQueries::default(),
             evaluators: Maps::default(),
             feedback: Feedback::default(),
+            transform_feedback: TransformFeedback::default(),
             group: None,
             invitation: Invitation::default(),
             entered: Entered::No,

@@ -12,6 +12,7 @@ use crate::pixels::rectangle::Rectangle;
 use crate::state::enable::Flag;
 use crate::state::multisample::multisample_state;
 use crate::state::stencil::Side;
+use crate::transform_feedback;
 use rasterizer::driver::{
     ColorState, Command, Cull, DepthState, FrontFace, Indices, OutputState, PassDesc, Pipeline,
     PipelineDesc, Provoking, RasterState, Rect, Rim, SampleRule, ShaderModule, Topology,
@@ -27,6 +28,32 @@ const KEPT: usize = 1024;
 pub(crate) enum Elements {
     Range { first: u32, count: u32, instances: u32 },
     Indexed { indices: Indices, count: u32, instances: u32 },
+}
+
+impl Elements {
+    /// How many vertices an instance has, and how many instances there are.
+    pub fn counts(&self) -> (u32, u32) {
+        match self {
+            Self::Range { count, instances, .. } | Self::Indexed { count, instances, .. } => {
+                (*count, *instances)
+            }
+        }
+    }
+
+    /// The number of vertex `at`; 0 past the end of the indices.
+    pub fn number(&self, at: u32) -> u32 {
+        match self {
+            Self::Range { first, .. } => first.saturating_add(at),
+            Self::Indexed { indices, .. } => {
+                let size = indices.ty.size();
+                let start = indices.offset.saturating_add(at as usize * size);
+                let bytes = indices.buffer.bytes().get(start..start.saturating_add(size));
+                let number = bytes.unwrap_or_default().iter().rev();
+                let number = number.fold(0, |number: u32, &byte| number << 8 | u32::from(byte));
+                number.wrapping_add_signed(indices.base_vertex)
+            }
+        }
+    }
 }
 
 /// Records a draw.
@@ -72,6 +99,12 @@ fn record(
         );
     }
     if context.queries.discards() {
+        return Ok(());
+    }
+    if rectangle.is_none() {
+        transform_feedback::draw(context, topology, &vertices, elements)?;
+    }
+    if context.state.enables.has(Flag::RasterizerDiscard) {
         return Ok(());
     }
     if context.feedback.mode != Mode::Render {

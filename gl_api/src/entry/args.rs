@@ -418,6 +418,22 @@ impl<'a, T: AsRef<str>> Arg<Strings<'a>> for &'a Vec<T> {
     }
 }
 
+/// Where C has an array of strings that zeros end.
+#[derive(Clone, Debug)]
+pub struct Names<'a>(pub Vec<&'a str>);
+
+impl<'a, T: AsRef<str>> Arg<Names<'a>> for &'a [T] {
+    fn arg(self) -> Names<'a> {
+        Names(self.iter().map(AsRef::as_ref).collect())
+    }
+}
+
+impl<'a, T: AsRef<str>, const N: usize> Arg<Names<'a>> for &'a [T; N] {
+    fn arg(self) -> Names<'a> {
+        self.as_slice().arg()
+    }
+}
+
 /// Where C has a `char *` that the call writes text to.
 #[derive(Debug)]
 pub enum TextOut<'a> {

@@ -2,7 +2,7 @@
 //! target `table` draw from. An argument is random by its type, and by its name where a size would
 //! only cost time.
 
-use super::{Data, DataOut, Pointers, Strings, TextOut};
+use super::{Data, DataOut, Names, Pointers, Strings, TextOut};
 use crate::constants::*;
 use crate::context::{Context, GLDEBUGPROC};
 use crate::types::GLvoid;
@@ -19,7 +19,7 @@ pub struct Exercise {
 
 /// Every row of the tables.
 pub fn exercises() -> Vec<Exercise> {
-    let chapters: [fn() -> Vec<Exercise>; 17] = [
+    let chapters: [fn() -> Vec<Exercise>; 18] = [
         super::attributes::exercises,
         super::debugging::exercises,
         super::fragments::exercises,
@@ -36,6 +36,7 @@ pub fn exercises() -> Vec<Exercise> {
         super::special::exercises,
         super::textures::exercises,
         super::transform::exercises,
+        super::transform_feedback::exercises,
         super::vertices::exercises,
     ];
     chapters.into_iter().flat_map(|chapter| chapter()).collect()
@@ -389,6 +390,18 @@ impl<'a> Exercised<'a> for Strings<'a> {
 
     fn lend(held: &'a mut Self::Held) -> Self {
         Strings(held.clone())
+    }
+}
+
+impl<'a> Exercised<'a> for Names<'a> {
+    type Held = Vec<&'static str>;
+
+    fn held(random: &mut Random<'_>, _: &str, _: &str) -> Self::Held {
+        (0..random.below(4)).map(|_| random.pick(TEXTS)).collect()
+    }
+
+    fn lend(held: &'a mut Self::Held) -> Self {
+        Names(held.clone())
     }
 }
 

@@ -154,9 +154,12 @@ mod rectangles;
 mod special;
 mod textures;
 mod transform;
+mod transform_feedback;
 mod vertices;
 
-pub use args::{Arg, BUFFER_OFFSET, Data, DataOut, NULL, Null, Offset, Pointers, Strings, TextOut};
+pub use args::{
+    Arg, BUFFER_OFFSET, Data, DataOut, NULL, Names, Null, Offset, Pointers, Strings, TextOut,
+};
 pub(crate) use args::{Located, LocatedOut};
 pub use current::{Current, set_current, with_current};
 pub(crate) use current::{Fallback, call, swap_current};
@@ -178,6 +181,7 @@ pub use rectangles::*;
 pub use special::*;
 pub use textures::*;
 pub use transform::*;
+pub use transform_feedback::*;
 pub use vertices::*;
 
 /// Whether a call may stand between `glBegin` and `glEnd` (GL 2.1, section 2.6.3).
@@ -226,6 +230,7 @@ fn groups() -> impl Iterator<Item = &'static [Row]> {
         SPECIAL,
         TEXTURES,
         TRANSFORM,
+        TRANSFORM_FEEDBACK,
         VERTICES,
     ]
     .into_iter()

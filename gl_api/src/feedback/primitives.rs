@@ -4,13 +4,13 @@
 use super::Corner;
 use super::clip::{self, Vertex};
 use super::record::Kind;
-use super::shade::{Id, Shaded, shade};
+use super::shade::{Id, Shaded, Vertices, shade};
 use crate::context::Context;
 use crate::draw::translate::Elements;
 use crate::error::{ErrorCode, GlError, Result};
 use crate::interface::*;
 use crate::state::enable::Flag;
-use rasterizer::driver::{Cull, FrontFace, Indices, PolygonMode, Topology, VertexBinding};
+use rasterizer::driver::{Cull, FrontFace, PolygonMode, Topology, VertexBinding};
 use rasterizer::ir::{Interpolation, Output};
 use std::ops::Range;
 
@@ -27,11 +27,7 @@ pub(crate) fn draw(
     vertices: &[VertexBinding],
     elements: &Elements,
 ) -> Result<()> {
-    let (count, instances) = match elements {
-        Elements::Range { count, instances, .. } | Elements::Indexed { count, instances, .. } => {
-            (*count, *instances)
-        }
-    };
+    let (count, instances) = elements.counts();
     let total = u64::from(count) * u64::from(instances);
     if total > MAX_VERTICES {
         return Err(GlError {
@@ -40,12 +36,9 @@ pub(crate) fn draw(
             section: "GL 2.1, section 5.2",
         });
     }
-    let numbers: Vec<u32> = match elements {
-        Elements::Range { first, count, .. } => (*first..first.saturating_add(*count)).collect(),
-        Elements::Indexed { indices, count, .. } => read(indices, *count),
-    };
     for instance in 0..instances {
-        let ids: Vec<Id> = numbers.iter().map(|&vertex| Id { vertex, instance }).collect();
+        let id = |at| Id { vertex: elements.number(at), instance };
+        let ids: Vec<Id> = (0..count).map(id).collect();
         let shaded = shade(context, vertices, &ids)?;
         let corners = clip_vertices(context, vertices, &ids, &shaded);
         assemble(context, topology, &corners);
@@ -53,25 +46,15 @@ pub(crate) fn draw(
     Ok(())
 }
 
-/// The vertex numbers of indices.
-fn read(indices: &Indices, count: u32) -> Vec<u32> {
-    let size = indices.ty.size();
-    let bytes = indices.buffer.bytes().get(indices.offset..).unwrap_or_default();
-    let number =
-        |index: &[u8]| index.iter().rev().fold(0, |n: u32, &byte| n << 8 | u32::from(byte));
-    let numbers = bytes.chunks_exact(size).take(count as usize).map(number);
-    numbers.map(|n| n.wrapping_add_signed(indices.base_vertex)).collect()
-}
-
 fn clip_vertices(
     context: &Context,
     vertices: &[VertexBinding],
     ids: &[Id],
-    shaded: &[Shaded],
+    shaded: &Vertices,
 ) -> Vec<Vertex> {
     let current = |location: u8| context.state.current[usize::from(location)];
     let flags = vertices.iter().find(|binding| binding.location == ATTRIB_EDGE_FLAG);
-    let vertex = |(id, shaded): (&Id, &Shaded)| {
+    let vertex = |(id, shaded): (&Id, Shaded<'_>)| {
         let front = shaded.varyings(VARYING_COLOR, current(ATTRIB_COLOR));
         let values = [
             front,
@@ -86,7 +69,7 @@ fn clip_vertices(
             edge: flags.is_none_or(|flags| flags.source.read(id.vertex)[0] != 0.0),
         }
     };
-    ids.iter().zip(shaded).map(vertex).collect()
+    ids.iter().zip(shaded.iter()).map(vertex).collect()
 }
 
 /// Takes the primitives that vertices make.

@@ -1,5 +1,5 @@
-//! Vertices through the vertex stage of the state, for what never becomes fragments: selection,
-//! feedback, raster positions.
+//! Vertices through the vertex stage of the state, for what is not drawn: selection, feedback,
+//! transform feedback, raster positions.
 
 use crate::context::Context;
 use crate::draw::stages;
@@ -16,15 +16,52 @@ pub(crate) struct Id {
     pub instance: u32,
 }
 
-/// What the vertex stage made of a vertex.
-pub(crate) struct Shaded {
-    outputs: Vec<(Output, f32)>,
+/// What the vertex stage made of vertices.
+pub(crate) struct Vertices {
+    outputs: Vec<Output>,
+    /// The outputs of the first vertex, then those of the next.
+    values: Vec<f32>,
+    len: usize,
 }
 
-impl Shaded {
+impl Vertices {
+    /// How many there are.
+    pub fn len(&self) -> usize {
+        self.len
+    }
+
+    /// Which of the outputs this is, if the stage has it.
+    pub fn place(&self, wanted: Output) -> Option<usize> {
+        self.outputs.iter().position(|output| *output == wanted)
+    }
+
+    /// The output at a [`Self::place`], of vertex `at`.
+    pub fn value(&self, at: usize, place: usize) -> f32 {
+        self.values.get(at * self.outputs.len() + place).copied().unwrap_or_default()
+    }
+
+    /// Vertex `at`.
+    pub fn vertex(&self, at: usize) -> Shaded<'_> {
+        Shaded { vertices: self, at }
+    }
+
+    /// All of them, in order.
+    pub fn iter(&self) -> impl Iterator<Item = Shaded<'_>> {
+        (0..self.len).map(|at| self.vertex(at))
+    }
+}
+
+/// What the vertex stage made of a vertex.
+#[derive(Clone, Copy)]
+pub(crate) struct Shaded<'a> {
+    vertices: &'a Vertices,
+    at: usize,
+}
+
+impl Shaded<'_> {
     /// An output, if the stage has it.
     pub fn get(&self, wanted: Output) -> Option<f32> {
-        self.outputs.iter().find(|(output, _)| *output == wanted).map(|(_, value)| *value)
+        self.vertices.place(wanted).map(|place| self.vertices.value(self.at, place))
     }
 
     /// The clip coordinates.
@@ -68,7 +105,7 @@ fn input(vertices: &[VertexBinding], input: Input, ids: &[Id], out: &mut U32s) {
     }
 }
 
-/// Runs the vertex stage for vertices.
+/// Runs the vertex stage of the state for vertices.
 ///
 /// # Errors
 /// As a draw, and where the shader runs too long.
@@ -76,7 +113,7 @@ pub(crate) fn shade(
     context: &mut Context,
     vertices: &[VertexBinding],
     ids: &[Id],
-) -> Result<Vec<Shaded>> {
+) -> Result<Vertices> {
     let stages = stages::choose(context, vertices, Rim::Aliased)?;
     // Every instruction set gives the same bits.
     let isa = Isa::best();
@@ -84,7 +121,8 @@ pub(crate) fn shade(
     let prepared = program.prepare(isa, &stages.words, &stages.vertex_textures);
     let mut machine = Machine::default();
     machine.begin(&program);
-    let mut shaded = Vec::with_capacity(ids.len());
+    let outputs: Vec<Output> = program.outputs().collect();
+    let mut values = Vec::with_capacity(ids.len() * outputs.len());
     for ids in ids.chunks(LANES) {
         for (index, &wanted) in program.inputs().iter().enumerate() {
             input(vertices, wanted, ids, machine.input_mut(index));
@@ -104,12 +142,9 @@ pub(crate) fn shade(
             );
         }
         for lane in 0..ids.len() {
-            let outputs = program.outputs().enumerate();
             let value = |index: usize| machine.output(index).as_f32()[lane];
-            shaded.push(Shaded {
-                outputs: outputs.map(|(index, output)| (output, value(index))).collect(),
-            });
+            values.extend((0..outputs.len()).map(value));
         }
     }
-    Ok(shaded)
+    Ok(Vertices { outputs, values, len: ids.len() })
 }

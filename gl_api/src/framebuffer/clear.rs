@@ -78,7 +78,9 @@ fn stencil(context: &Context, value: GLint) -> Option<ClearValue> {
 
 /// Whether clears have an effect now.
 fn is_effective(context: &Context) -> bool {
-    context.feedback.mode == Mode::Render && !context.queries.discards()
+    context.feedback.mode == Mode::Render
+        && !context.queries.discards()
+        && !context.state.enables.has(Flag::RasterizerDiscard)
 }
 
 fn record(context: &mut Context, pass: PassDesc, clears: Vec<ClearValue>) {

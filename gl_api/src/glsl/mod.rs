@@ -24,9 +24,10 @@ mod version;
 use crate::interface::StateBinding;
 use diagnostics::{Diagnostic, Log};
 pub(crate) use limits::TEXEL_OFFSETS;
-use rasterizer::ir::{Interpolation, Module};
+use rasterizer::ir::{Interpolation, Module, Output};
 use source::{Source, Span};
 use std::collections::BTreeMap;
+use std::fmt;
 use std::sync::Arc;
 
 /// The kinds of sampler.
@@ -155,13 +156,80 @@ pub enum ComparisonResult {
     Scalar,
 }
 
-/// What was asked for with `glBindAttribLocation` and `glBindFragDataLocation` before the link.
+/// What was asked for with `glBindAttribLocation`, `glBindFragDataLocation` and
+/// `glTransformFeedbackVaryings` before the link.
 #[derive(Clone, Debug, Default)]
 pub struct Bindings {
     /// Attribute name to location.
     pub attributes: BTreeMap<String, u8>,
     /// Fragment output name to colour attachment.
     pub frag_data: BTreeMap<String, u8>,
+    /// What transform feedback captures.
+    pub capture: Capture,
+}
+
+/// How transform feedback fills buffers (GL 3.0 section 2.15).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum BufferMode {
+    /// All varyings of a vertex one after the other into one buffer.
+    #[default]
+    Interleaved,
+    /// Each varying into a buffer of its own.
+    Separate,
+}
+
+/// What transform feedback was asked to capture.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Capture {
+    /// How it fills buffers.
+    pub mode: BufferMode,
+    /// The names, in order.
+    pub varyings: Vec<CaptureRequest>,
+}
+
+/// A name that transform feedback was asked to capture.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct CaptureRequest {
+    /// The variable.
+    pub variable: String,
+    /// The element of the array, if the name ends in `[n]`.
+    pub element: Option<u32>,
+}
+
+impl fmt::Display for CaptureRequest {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.element {
+            Some(element) => write!(f, "{}[{element}]", self.variable),
+            None => f.write_str(&self.variable),
+        }
+    }
+}
+
+/// A varying that transform feedback captures.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Captured {
+    /// Its name, as it was asked for.
+    pub name: String,
+    /// The type of it or of its elements.
+    pub ty: DataType,
+    /// How many elements; 1 if it is no array.
+    pub size: u32,
+    /// Where its scalars are, in order.
+    pub scalars: Vec<CapturedScalar>,
+}
+
+/// Where a captured scalar is among the outputs of the vertex stage.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CapturedScalar {
+    /// An output as it is.
+    Float(Output),
+    /// A word whose halves of 16 bits are outputs.
+    Word {
+        /// The low half.
+        low: Output,
+        /// The high half.
+        high: Output,
+    },
 }
 
 /// A linked program.
@@ -182,6 +250,10 @@ pub struct Program {
     pub outputs: Vec<(String, u8)>,
     /// The fragment stage's own varyings: first slot, how many slots, name.
     pub varyings: Vec<(u16, u16, String)>,
+    /// What transform feedback captures, and how.
+    pub captured: Vec<Captured>,
+    /// How it fills buffers.
+    pub buffer_mode: BufferMode,
     /// Which texture slots sample which units.
     pub samplers: Vec<SamplerSlot>,
     /// How its shaders say that the colour and the secondary colour are interpolated; `None` leaves

@@ -3,7 +3,7 @@
 
 use super::pixels;
 use crate::context::{Context, GLDEBUGPROC};
-use crate::entry::{Data, DataOut, Located, Pointers, Strings, TextOut};
+use crate::entry::{Data, DataOut, Located, Names, Pointers, Strings, TextOut};
 use std::convert::Infallible;
 use std::marker::PhantomData;
 
@@ -162,5 +162,7 @@ answers! {
     [] Pointers<'_>, Pointers<'static> => Pointers<'a>;
     // The source of a shader is taken at once.
     [] Strings<'_>, Strings<'static> => Strings<'a>;
+    // What a program captures, too.
+    [] Names<'_>, Names<'static> => Names<'a>;
     [] TextOut<'_>, TextOut<'static> => TextOut<'a>;
 }

@@ -53,16 +53,18 @@ pub(crate) enum BufferTarget {
     PixelUnpack,
     CopyRead,
     CopyWrite,
+    TransformFeedback,
 }
 
 impl BufferTarget {
-    const ALL: [Self; 6] = [
+    const ALL: [Self; 7] = [
         Self::Array,
         Self::ElementArray,
         Self::PixelPack,
         Self::PixelUnpack,
         Self::CopyRead,
         Self::CopyWrite,
+        Self::TransformFeedback,
     ];
 }
 
@@ -75,6 +77,7 @@ pub(crate) const BUFFER_TARGET: Table<BufferTarget> = Table {
         (GL_PIXEL_UNPACK_BUFFER, BufferTarget::PixelUnpack),
         (GL_COPY_READ_BUFFER, BufferTarget::CopyRead),
         (GL_COPY_WRITE_BUFFER, BufferTarget::CopyWrite),
+        (GL_TRANSFORM_FEEDBACK_BUFFER, BufferTarget::TransformFeedback),
     ],
 };
 
@@ -102,6 +105,7 @@ pub(super) fn binding(context: &mut Context, target: BufferTarget) -> &mut GLuin
         BufferTarget::PixelUnpack => &mut context.state.bindings.pixel_unpack_buffer,
         BufferTarget::CopyRead => &mut context.state.bindings.copy_read_buffer,
         BufferTarget::CopyWrite => &mut context.state.bindings.copy_write_buffer,
+        BufferTarget::TransformFeedback => &mut context.state.bindings.transform_feedback_buffer,
     }
 }
 
@@ -130,6 +134,7 @@ pub(crate) fn delete_buffers(context: &mut Context, n: GLsizei, buffers: &[GLuin
             }
         }
         context.state.arrays.forget_buffer(name);
+        context.transform_feedback.forget_buffer(name);
         context.objects.buffers.remove(name);
     }
     Ok(())

@@ -51,7 +51,10 @@ pub(crate) fn begin_conditional_render(
     };
     match query.target() {
         QueryTarget::SamplesPassed | QueryTarget::AnySamplesPassed => {}
-        QueryTarget::TimeElapsed | QueryTarget::Timestamp => {
+        QueryTarget::PrimitivesGenerated
+        | QueryTarget::TransformFeedbackPrimitivesWritten
+        | QueryTarget::TimeElapsed
+        | QueryTarget::Timestamp => {
             return invalid_operation(SECTION, format!("query {id} counts no samples"));
         }
     }

@@ -7,6 +7,7 @@ use crate::error::{Result, invalid_operation, invalid_value};
 use crate::fixed::clamp_vertex_colors;
 use crate::glsl;
 use crate::interface::MAX_VERTEX_ATTRIBS;
+use crate::transform_feedback::calls::not_while_active;
 use crate::types::*;
 use rasterizer::driver::ShaderModule;
 use rasterizer::ir::{IrError, Module};
@@ -219,6 +220,9 @@ fn ready(mut program: glsl::Program) -> std::result::Result<Linked, IrError> {
 }
 
 pub(crate) fn link_program(context: &mut Context, name: GLuint) -> Result<()> {
+    if context.state.bindings.program == name {
+        not_while_active(context)?;
+    }
     let attached = program(context, name)?.attached.clone();
     let mut log = String::new();
     let mut shaders = Vec::new();
@@ -267,6 +271,7 @@ pub(crate) fn use_program(context: &mut Context, name: GLuint) -> Result<()> {
             format!("program {name} is not linked: see glGetProgramInfoLog"),
         );
     }
+    not_while_active(context)?;
     let before = std::mem::replace(&mut context.state.bindings.program, name);
     if before == name || before == 0 {
         return Ok(());

@@ -1,4 +1,5 @@
-//! Queries: GL 2.1, section 4.1.7 (samples), `ARB_occlusion_query2`, `ARB_timer_query`.
+//! Queries: GL 2.1, section 4.1.7 (samples), GL 3.0, section 2.16 (primitives),
+//! `ARB_occlusion_query2`, `ARB_timer_query`.
 
 use super::conditional::Verdict;
 use super::doomed;
@@ -18,19 +19,22 @@ const SECTION: &str = "GL 2.1, section 4.1.7";
 pub(crate) enum QueryTarget {
     SamplesPassed,
     AnySamplesPassed,
+    PrimitivesGenerated,
+    TransformFeedbackPrimitivesWritten,
     TimeElapsed,
     Timestamp,
 }
 
-impl QueryTarget {
-    const COUNT: usize = 4;
-}
+/// How many queries can be active at once: of samples, of either kind of primitives, of time.
+const ACTIVE: usize = 4;
 
 const TARGET: Table<QueryTarget> = Table {
     section: SECTION,
     rows: &[
         (GL_SAMPLES_PASSED, QueryTarget::SamplesPassed),
         (GL_ANY_SAMPLES_PASSED, QueryTarget::AnySamplesPassed),
+        (GL_PRIMITIVES_GENERATED, QueryTarget::PrimitivesGenerated),
+        (GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN, QueryTarget::TransformFeedbackPrimitivesWritten),
         (GL_TIME_ELAPSED, QueryTarget::TimeElapsed),
     ],
 };
@@ -40,6 +44,7 @@ const TARGET: Table<QueryTarget> = Table {
 pub(crate) struct Query {
     target: QueryTarget,
     counter: Counter,
+    primitives: u64,
     /// When it began, and nanoseconds since, once it has ended.
     began: Option<Instant>,
     nanoseconds: u64,
@@ -49,7 +54,7 @@ pub(crate) struct Query {
 /// through.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct ActiveQueries {
-    names: [GLuint; QueryTarget::COUNT],
+    names: [GLuint; ACTIVE],
     /// Of conditional rendering, if it has begun.
     pub(super) conditional: Option<Verdict>,
 }
@@ -77,6 +82,28 @@ impl ActiveQueries {
         match target {
             QueryTarget::SamplesPassed | QueryTarget::AnySamplesPassed => &mut self.names[0],
             QueryTarget::TimeElapsed | QueryTarget::Timestamp => &mut self.names[1],
+            QueryTarget::PrimitivesGenerated => &mut self.names[GENERATED],
+            QueryTarget::TransformFeedbackPrimitivesWritten => &mut self.names[WRITTEN],
+        }
+    }
+
+    /// Whether a query counts primitives.
+    pub fn counts_primitives(&self) -> bool {
+        self.names[GENERATED] != 0 || self.names[WRITTEN] != 0
+    }
+}
+
+/// Where the queries of primitives are among the active ones.
+const GENERATED: usize = 2;
+const WRITTEN: usize = 3;
+
+impl Context {
+    /// Counts primitives of a draw, and those of them that transform feedback wrote.
+    pub(crate) fn count_primitives(&mut self, generated: u64, written: u64) {
+        for (place, count) in [(GENERATED, generated), (WRITTEN, written)] {
+            if let Some(query) = self.objects.queries.get_mut(self.queries.names[place]) {
+                query.primitives = query.primitives.saturating_add(count);
+            }
         }
     }
 }
@@ -128,11 +155,13 @@ pub(crate) fn begin_query(context: &mut Context, target: GLenum, id: GLuint) -> 
     context.objects.queries.create(id, || Query {
         target: kind,
         counter: Counter::new(),
+        primitives: 0,
         began: None,
         nanoseconds: 0,
     });
     if let Some(query) = context.objects.queries.get_mut(id) {
         query.counter = Counter::new();
+        query.primitives = 0;
         query.began = Some(Instant::now());
         query.nanoseconds = 0;
     }
@@ -182,8 +211,13 @@ pub(crate) fn query_counter(context: &mut Context, id: GLuint, target: GLenum) -
         return invalid_operation(COUNTER.section, format!("query {id} is of another target"));
     }
     submit(context);
-    let query =
-        Query { target: kind, counter: Counter::new(), began: None, nanoseconds: timestamp() };
+    let query = Query {
+        target: kind,
+        counter: Counter::new(),
+        primitives: 0,
+        began: None,
+        nanoseconds: timestamp(),
+    };
     context.objects.queries.create(id, || query.clone());
     if let Some(slot) = context.objects.queries.get_mut(id) {
         *slot = query;
@@ -219,7 +253,11 @@ pub(crate) fn get_queryiv(
         }
         Property::Bits => match kind {
             QueryTarget::AnySamplesPassed => 1,
-            QueryTarget::SamplesPassed | QueryTarget::TimeElapsed | QueryTarget::Timestamp => 64,
+            QueryTarget::SamplesPassed
+            | QueryTarget::PrimitivesGenerated
+            | QueryTarget::TransformFeedbackPrimitivesWritten
+            | QueryTarget::TimeElapsed
+            | QueryTarget::Timestamp => 64,
         },
     };
     put(params, &[value])
@@ -255,6 +293,10 @@ fn answer(context: &mut Context, id: GLuint, pname: GLenum) -> Result<u64> {
         (Answer::Available, _) => 1,
         (Answer::Result, QueryTarget::SamplesPassed) => query.counter.samples(),
         (Answer::Result, QueryTarget::AnySamplesPassed) => u64::from(query.counter.samples() > 0),
+        (
+            Answer::Result,
+            QueryTarget::PrimitivesGenerated | QueryTarget::TransformFeedbackPrimitivesWritten,
+        ) => query.primitives,
         (Answer::Result, QueryTarget::TimeElapsed | QueryTarget::Timestamp) => query.nanoseconds,
     })
 }

@@ -4,7 +4,7 @@ use crate::constants::*;
 use crate::context::{Context, limits};
 use crate::error::{Result, invalid_operation};
 use crate::feedback::Mode;
-use crate::feedback::shade::{self, Id, Shaded};
+use crate::feedback::shade::{self, Id, Shaded, Vertices};
 use crate::interface::*;
 use crate::state::clamp;
 use crate::state::viewport::unit;
@@ -43,14 +43,14 @@ impl Default for RasterPosition {
 }
 
 /// Whether a shaded point is outside of the view volume or behind a plane of the user.
-fn is_clipped(shaded: &Shaded) -> bool {
+fn is_clipped(shaded: Shaded<'_>) -> bool {
     let [x, y, z, w] = shaded.position();
     let outside = [x, y, z].iter().any(|c| !(-w <= *c && *c <= w));
     outside || (0..8).any(|plane| shaded.get(Output::ClipDistance(plane)).is_some_and(|d| d < 0.0))
 }
 
 /// Runs the vertex stage of the state for one vertex.
-fn shade(context: &mut Context, position: [f32; 4]) -> Result<Shaded> {
+fn shade(context: &mut Context, position: [f32; 4]) -> Result<Vertices> {
     let vertices: Vec<VertexBinding> = (0..)
         .zip(&context.state.current)
         .map(|(location, current)| {
@@ -59,11 +59,7 @@ fn shade(context: &mut Context, position: [f32; 4]) -> Result<Shaded> {
             VertexBinding { location, source: VertexSource::Constant(value) }
         })
         .collect();
-    let mut shaded = shade::shade(context, &vertices, &[Id { vertex: 0, instance: 0 }])?;
-    match shaded.pop() {
-        Some(shaded) => Ok(shaded),
-        None => invalid_operation(SECTION, "the vertex shader gave nothing"),
-    }
+    shade::shade(context, &vertices, &[Id { vertex: 0, instance: 0 }])
 }
 
 /// A valid raster position is a hit (GL 2.1, section 5.2).
@@ -75,8 +71,9 @@ fn select(context: &mut Context) {
 
 /// `glRasterPos`: the position goes through the vertex stage.
 pub(super) fn raster(context: &mut Context, position: [f64; 4]) -> Result<()> {
-    let shaded = shade(context, position.map(|c| c as f32))?;
-    if is_clipped(&shaded) {
+    let vertices = shade(context, position.map(|c| c as f32))?;
+    let shaded = vertices.vertex(0);
+    if is_clipped(shaded) {
         context.state.raster_position.valid = false;
         return Ok(());
     }

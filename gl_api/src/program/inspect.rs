@@ -11,6 +11,7 @@ use crate::interface::MAX_VERTEX_ATTRIBS;
 use crate::object::programs::{Linked, ProgramObject, program};
 use crate::object::shaders::{c_length, put_text};
 use crate::query::put;
+use crate::transform_feedback::varyings::BUFFER_MODE;
 use crate::types::*;
 
 const SECTION: &str = "GL 2.1, section 6.1.14";
@@ -26,6 +27,9 @@ enum Property {
     ActiveAttributeMaxLength,
     ActiveUniforms,
     ActiveUniformMaxLength,
+    BufferMode,
+    Captured,
+    CapturedMaxLength,
 }
 
 pub(crate) fn get_programiv(
@@ -46,12 +50,16 @@ pub(crate) fn get_programiv(
             (GL_ACTIVE_ATTRIBUTE_MAX_LENGTH, Property::ActiveAttributeMaxLength),
             (GL_ACTIVE_UNIFORMS, Property::ActiveUniforms),
             (GL_ACTIVE_UNIFORM_MAX_LENGTH, Property::ActiveUniformMaxLength),
+            (GL_TRANSFORM_FEEDBACK_BUFFER_MODE, Property::BufferMode),
+            (GL_TRANSFORM_FEEDBACK_VARYINGS, Property::Captured),
+            (GL_TRANSFORM_FEEDBACK_VARYING_MAX_LENGTH, Property::CapturedMaxLength),
         ],
     };
     let object = program(context, name)?;
     let property = PROPERTY.decode("pname", pname)?;
     let linked = object.linked().map(|linked| &linked.program);
     let attributes = linked.map_or(&[][..], |linked| &linked.attributes);
+    let captured = linked.map_or(&[][..], |linked| &linked.captured);
     let value = match property {
         Property::Deleted => object.doomed.into(),
         Property::Linked => linked.is_some().into(),
@@ -65,6 +73,13 @@ pub(crate) fn get_programiv(
         Property::ActiveUniforms => active_uniforms(object).count() as GLint,
         Property::ActiveUniformMaxLength => {
             active_uniforms(object).map(|uniform| c_length(&listed(uniform))).max().unwrap_or(0)
+        }
+        Property::BufferMode => BUFFER_MODE
+            .encode(linked.map_or_else(Default::default, |linked| linked.buffer_mode))
+            as GLint,
+        Property::Captured => captured.len() as GLint,
+        Property::CapturedMaxLength => {
+            captured.iter().map(|captured| c_length(&captured.name)).max().unwrap_or(0)
         }
     };
     put(params, &[value])
@@ -185,7 +200,7 @@ pub(crate) fn get_active_attrib(
 }
 
 /// A name with an index at its end, taken apart: `a[2]` is `a` and 2.
-fn indexed(name: &str) -> Option<(&str, u32)> {
+pub(crate) fn indexed(name: &str) -> Option<(&str, u32)> {
     let (base, rest) = name.rsplit_once('[')?;
     let digits = rest.strip_suffix(']')?;
     let canonical = digits == "0" || !digits.starts_with('0');

@@ -112,6 +112,7 @@ pub(crate) const EXTENSIONS: &[&str] = &[
     "GL_EXT_texture_snorm",
     "GL_EXT_texture_swizzle",
     "GL_EXT_timer_query",
+    "GL_EXT_transform_feedback",
     "GL_IBM_texture_mirrored_repeat",
     "GL_KHR_debug",
     "GL_NV_blend_square",
@@ -135,7 +136,7 @@ pub(crate) fn get_string(_: &mut Context, name: GLenum) -> Result<&'static str> 
         rows: &[
             (GL_VENDOR, "DetGL"),
             (GL_RENDERER, "DetGL"),
-            (GL_VERSION, concat!("2.1 DetGL ", env!("CARGO_PKG_VERSION"))),
+            (GL_VERSION, concat!("3.0 DetGL ", env!("CARGO_PKG_VERSION"))),
             (GL_SHADING_LANGUAGE_VERSION, "1.30"),
             (GL_EXTENSIONS, ""),
         ],

@@ -165,6 +165,15 @@ fn limit(_: &Context, pname: GLenum) -> Answer {
             int(limits::MAX_UNIFORM_COMPONENTS)
         }
         GL_MAX_VARYING_FLOATS => int(limits::MAX_VARYING_FLOATS),
+        GL_MAX_TRANSFORM_FEEDBACK_SEPARATE_ATTRIBS => {
+            int(limits::MAX_TRANSFORM_FEEDBACK_SEPARATE_ATTRIBS)
+        }
+        GL_MAX_TRANSFORM_FEEDBACK_SEPARATE_COMPONENTS => {
+            int(limits::MAX_TRANSFORM_FEEDBACK_SEPARATE_COMPONENTS)
+        }
+        GL_MAX_TRANSFORM_FEEDBACK_INTERLEAVED_COMPONENTS => {
+            int(limits::MAX_TRANSFORM_FEEDBACK_INTERLEAVED_COMPONENTS)
+        }
         GL_MIN_PROGRAM_TEXEL_OFFSET => int(*TEXEL_OFFSETS.start()),
         GL_MAX_PROGRAM_TEXEL_OFFSET => int(*TEXEL_OFFSETS.end()),
         GL_MAX_COLOR_ATTACHMENTS | GL_MAX_DRAW_BUFFERS => int(attachments),
@@ -181,8 +190,10 @@ fn limit(_: &Context, pname: GLenum) -> Answer {
         GL_COMPRESSED_TEXTURE_FORMATS => {
             Ok(Value::Ints(general_purpose_formats().map(|format| format as i32).collect()))
         }
-        GL_MAJOR_VERSION => int(2),
-        GL_MINOR_VERSION => int(1),
+        GL_MAJOR_VERSION => int(limits::VERSION.0),
+        GL_MINOR_VERSION => int(limits::VERSION.1),
+        // No context is forward compatible (GL 3.0, table 6.47).
+        GL_CONTEXT_FLAGS => int(0),
         GL_NUM_EXTENSIONS => int(super::extensions::EXTENSIONS.len()),
         GL_STEREO => flag(false),
         GL_AUX_BUFFERS => int(0),
@@ -448,6 +459,7 @@ fn bindings(context: &Context, pname: GLenum) -> Answer {
         GL_PIXEL_UNPACK_BUFFER_BINDING => symbol(bindings.pixel_unpack_buffer),
         GL_COPY_READ_BUFFER => symbol(bindings.copy_read_buffer),
         GL_COPY_WRITE_BUFFER => symbol(bindings.copy_write_buffer),
+        GL_TRANSFORM_FEEDBACK_BUFFER_BINDING => symbol(bindings.transform_feedback_buffer),
         GL_VERTEX_ARRAY_BINDING => symbol(bindings.vertex_array),
         GL_FRAMEBUFFER_BINDING => symbol(bindings.draw_framebuffer),
         GL_READ_FRAMEBUFFER_BINDING => symbol(bindings.read_framebuffer),

@@ -121,7 +121,12 @@ const FLAGS: &[(GLbitfield, &[Flag])] = &[
     (GL_TRANSFORM_BIT, &[Flag::Normalize, Flag::RescaleNormal]),
     (
         GL_ENABLE_BIT,
-        &[Flag::SeamlessCubeMaps, Flag::VertexProgramPointSize, Flag::VertexProgramTwoSide],
+        &[
+            Flag::RasterizerDiscard,
+            Flag::SeamlessCubeMaps,
+            Flag::VertexProgramPointSize,
+            Flag::VertexProgramTwoSide,
+        ],
     ),
 ];
 

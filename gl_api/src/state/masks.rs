@@ -5,6 +5,7 @@ use super::enable::Flag;
 use crate::constants::*;
 use crate::context::{Context, limits};
 use crate::error::{Result, Table, invalid_enum, invalid_value};
+use crate::transform_feedback::bindings;
 use crate::types::*;
 use rasterizer::driver::LogicOp;
 
@@ -154,5 +155,8 @@ pub(crate) fn get_integeri_v(
     index: GLuint,
     data: &mut [GLint],
 ) -> Result<()> {
+    if let Some(value) = bindings::indexed_value(context, target, index) {
+        return crate::query::put(data, &[value?]);
+    }
     answer(data, &indexed_state(context, target, index)?)
 }

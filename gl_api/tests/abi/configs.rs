@@ -7,9 +7,15 @@ use std::ptr::null;
 #[test]
 fn versions_that_are_not_there_are_refused() {
     let (dpy, config) = display();
-    for (major, minor, there) in
-        [(1, 0, true), (1, 5, true), (2, 1, true), (2, 2, false), (3, 0, false), (3, 2, false)]
-    {
+    for (major, minor, there) in [
+        (1, 0, true),
+        (1, 5, true),
+        (2, 1, true),
+        (2, 2, false),
+        (3, 0, true),
+        (3, 1, false),
+        (3, 2, false),
+    ] {
         let list = [0x3098, major, 0x30FB, minor, EGL_NONE];
         // SAFETY: the list ends with EGL_NONE.
         unsafe {
@@ -115,6 +121,9 @@ fn contexts_are_what_was_asked_for_or_refused() {
     for (what, list, error) in [
         ("2.1, compatibility", &[0x3098, 2, 0x30FB, 1, 0x30FD, 2][..], EGL_SUCCESS),
         ("2.1, core, which 2.1 ignores", &[0x3098, 2, 0x30FB, 1, 0x30FD, 1], EGL_SUCCESS),
+        ("3.0", &[0x3098, 3, 0x30FB, 0], EGL_SUCCESS),
+        ("3.0, forward compatible", &[0x3098, 3, 0x30FB, 0, 0x31B1, 1], EGL_BAD_MATCH),
+        ("3.1", &[0x3098, 3, 0x30FB, 1], EGL_BAD_MATCH),
         ("debug", &[0x31B0, 1], EGL_SUCCESS),
         ("robust", &[0x31B2, 1], EGL_SUCCESS),
         ("flags: debug", &[0x30FC, 1], EGL_SUCCESS),

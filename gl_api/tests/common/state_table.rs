@@ -90,6 +90,7 @@ pub const STATE: &[Row] = rows! {
         GL_SECONDARY_COLOR_ARRAY_BUFFER_BINDING Number F;
         GL_FOG_COORD_ARRAY_BUFFER_BINDING Number F;
         GL_ELEMENT_ARRAY_BUFFER_BINDING Number F;
+        GL_TRANSFORM_FEEDBACK_BUFFER_BINDING Number F;
         GL_VERTEX_ARRAY_BINDING Number F;
         GL_PRIMITIVE_RESTART Number F;
     }
@@ -204,6 +205,7 @@ pub const STATE: &[Row] = rows! {
     }
     "6.21, pixel operations" {
         GL_SCISSOR_TEST Number F;
+        GL_RASTERIZER_DISCARD Number F;
         GL_SCISSOR_BOX Number &[0.0, 0.0, 16.0, 8.0];
         GL_ALPHA_TEST Number F;
         GL_ALPHA_TEST_FUNC Number enums![GL_ALWAYS];
@@ -403,17 +405,20 @@ pub const LEAST: &[Row] = rows! {
     "6.39" {
         GL_MAX_TEXTURE_UNITS Number &[2.0];
         GL_MAX_VERTEX_ATTRIBS Number &[16.0];
-        GL_MAX_VERTEX_UNIFORM_COMPONENTS Number &[512.0];
-        GL_MAX_VARYING_FLOATS Number &[32.0];
+        GL_MAX_VERTEX_UNIFORM_COMPONENTS Number &[1024.0];
+        GL_MAX_VARYING_FLOATS Number &[64.0];
         GL_MAX_PROGRAM_TEXEL_OFFSET Number &[7.0];
-        GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS Number &[2.0];
-        GL_MAX_VERTEX_TEXTURE_IMAGE_UNITS Number F;
-        GL_MAX_TEXTURE_IMAGE_UNITS Number &[2.0];
-        GL_MAX_TEXTURE_COORDS Number &[2.0];
-        GL_MAX_FRAGMENT_UNIFORM_COMPONENTS Number &[64.0];
-        GL_MAX_DRAW_BUFFERS Number T;
-        GL_MAX_COLOR_ATTACHMENTS Number T;
-        GL_MAX_RENDERBUFFER_SIZE Number T;
+        GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS Number &[16.0];
+        GL_MAX_VERTEX_TEXTURE_IMAGE_UNITS Number &[16.0];
+        GL_MAX_TEXTURE_IMAGE_UNITS Number &[16.0];
+        GL_MAX_TEXTURE_COORDS Number &[8.0];
+        GL_MAX_FRAGMENT_UNIFORM_COMPONENTS Number &[1024.0];
+        GL_MAX_DRAW_BUFFERS Number &[8.0];
+        GL_MAX_COLOR_ATTACHMENTS Number &[8.0];
+        GL_MAX_RENDERBUFFER_SIZE Number &[1024.0];
+        GL_MAX_TRANSFORM_FEEDBACK_INTERLEAVED_COMPONENTS Number &[64.0];
+        GL_MAX_TRANSFORM_FEEDBACK_SEPARATE_ATTRIBS Number &[4.0];
+        GL_MAX_TRANSFORM_FEEDBACK_SEPARATE_COMPONENTS Number &[4.0];
         GL_MAX_SAMPLES Number &[4.0];
     }
     "6.40" {
@@ -430,8 +435,9 @@ pub const LEAST: &[Row] = rows! {
         GL_ACCUM_ALPHA_BITS Number &[16.0];
         GL_SAMPLE_BUFFERS Number F;
         GL_SAMPLES Number F;
-        GL_MAJOR_VERSION Number &[2.0];
-        GL_MINOR_VERSION Number T;
+        GL_MAJOR_VERSION Number &[3.0];
+        GL_MINOR_VERSION Number F;
+        GL_CONTEXT_FLAGS Number F;
         GL_NUM_EXTENSIONS Number T;
     }
 };

@@ -15,6 +15,7 @@ mod queries;
 mod rest;
 mod short;
 mod textures;
+mod transform_feedback;
 mod vertices;
 
 use common::refusal::{Row, run};
@@ -59,6 +60,7 @@ fn each_refusal_sets_its_flag_says_why_and_changes_nothing_and_each_call_has_one
         rest::run,
         short::run,
         textures::run,
+        transform_feedback::run,
         vertices::run,
     ];
     std::thread::scope(|scope| {

@@ -6,7 +6,7 @@ use super::error::{Code, Result, fail};
 use super::registry::{Api, ContextEntry, Id, Place, Registry, handle, registry, thread};
 use super::{Attrib, Handle, Int, put};
 use crate::context::debug::Output;
-use crate::context::{Context, ContextDesc, ContextError};
+use crate::context::{Context, ContextDesc, ContextError, limits};
 use crate::entry::with_current;
 use std::time::Duration;
 
@@ -33,8 +33,8 @@ fn is_version(major: Attrib, minor: Attrib) -> bool {
     }
 }
 
-/// Checks that OpenGL 2.1 is what the attributes ask for. The log of messages is on at first in debug
-/// contexts (`KHR_debug`, section 5.5).
+/// Checks that the attributes ask for no more than there is. The log of messages is on at first in
+/// debug contexts (`KHR_debug`, section 5.5).
 fn check(attributes: &[(Int, Attrib)]) -> Result<Output> {
     let (mut major, mut minor, mut flags) = (1, 0, 0);
     let (mut forward, mut debug) = (false, false);
@@ -70,7 +70,8 @@ fn check(attributes: &[(Int, Attrib)]) -> Result<Output> {
     if !is_version(major, minor) {
         return fail(Code::BadMatch, format!("there is no OpenGL {major}.{minor}"));
     }
-    if (major, minor) > (2, 1) {
+    let (has_major, has_minor) = limits::VERSION;
+    if (major, minor) > (has_major as Attrib, has_minor as Attrib) {
         let profiles =
             EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT | EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT;
         let named = if profile & profiles as Attrib != profile || profile == 0 {
@@ -80,11 +81,17 @@ fn check(attributes: &[(Int, Attrib)]) -> Result<Output> {
         };
         return fail(
             Code::BadMatch,
-            format!("OpenGL {major}.{minor}{named} was asked for; DetGL has 2.1"),
+            format!(
+                "OpenGL {major}.{minor}{named} was asked for; DetGL has {has_major}.{has_minor}"
+            ),
         );
     }
     if forward {
-        return fail(Code::BadMatch, "only OpenGL 3.0 and above can be forward compatible");
+        return fail(
+            Code::BadMatch,
+            "a forward-compatible context, without what OpenGL 3.0 calls deprecated, was asked for; \
+             DetGL has all of it",
+        );
     }
     Ok(if debug { Output::On } else { Output::Off })
 }

@@ -162,7 +162,7 @@ fn attributes(pairs: &[(GLint, GLint)]) -> Option<Request> {
             _ => return None,
         }
     }
-    (version <= (2, 1) && profile == OSMESA_COMPAT_PROFILE).then_some(request)
+    (version <= limits::VERSION && profile == OSMESA_COMPAT_PROFILE).then_some(request)
 }
 
 /// Bits of depth or stencil, as many as there can be.

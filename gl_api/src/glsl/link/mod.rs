@@ -1,6 +1,7 @@
 //! Shaders to a program (GL 2.1 section 2.15, GLSL 1.30 section 4.3): the stages' interfaces are
 //! matched, locations and uniform words given, and both stages lowered.
 
+mod captured;
 mod globals;
 mod numbered;
 mod uniforms;
@@ -69,7 +70,8 @@ fn build(shaders: &[&Shader], bindings: &Bindings, log: &mut Log) -> Option<Prog
         None => Vec::new(),
     };
     let (outputs, inputs) = (vertex.as_ref(), fragment.as_ref());
-    varyings::varyings(outputs, inputs, &mut in_vertex, &mut in_fragment, log);
+    let next = varyings::varyings(outputs, inputs, &mut in_vertex, &mut in_fragment, log);
+    let captured = captured::captured(outputs, &bindings.capture, next, &mut in_vertex, log);
     let varyings = varyings::slots(inputs, &in_fragment);
     let color_interpolation = varyings::colors(outputs, inputs, log);
     let targets = match &fragment {
@@ -139,6 +141,8 @@ fn build(shaders: &[&Shader], bindings: &Bindings, log: &mut Log) -> Option<Prog
         builtin_uniforms,
         outputs: targets,
         varyings,
+        captured,
+        buffer_mode: bindings.capture.mode,
         samplers,
         color_interpolation,
         state: words.state,

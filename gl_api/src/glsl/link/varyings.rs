@@ -9,22 +9,23 @@ use crate::glsl::version::Version;
 use crate::interface::VARYING_USER;
 use rasterizer::ir::Interpolation;
 
-/// Matches what the vertex stage writes with what the fragment stage reads.
+/// Matches what the vertex stage writes with what the fragment stage reads; gives the first slot that
+/// is free.
 pub fn varyings(
     vertex: Option<&StageUnits<'_>>,
     fragment: Option<&StageUnits<'_>>,
     in_vertex: &mut Locations,
     in_fragment: &mut Locations,
     log: &mut Log,
-) {
+) -> u16 {
     let is_output = |storage| matches!(storage, Storage::Output(_));
     for variable in vertex.iter().flat_map(|stage| stage.declared()) {
         if is_output(variable.storage) {
             in_vertex.insert(variable.name.clone(), Binding::Varying(None));
         }
     }
-    let Some(fragment) = fragment else { return };
     let (mut next, mut scalars) = (VARYING_USER, 0u32);
+    let Some(fragment) = fragment else { return next };
     for input in fragment.with(|storage| matches!(storage, Storage::Input(_))) {
         let name = &input.name;
         let output = vertex
@@ -64,12 +65,13 @@ pub fn varyings(
             let message =
                 format!("more than {MAX_VARYING_FLOATS} components pass between the stages");
             log.push(Diagnostic::link_error(message));
-            return;
+            return next;
         }
         in_vertex.insert(name.clone(), Binding::Varying(Some(next)));
         in_fragment.insert(name.clone(), Binding::Varying(Some(next)));
         next += varying_slots(&input.ty.flat());
     }
+    next
 }
 
 /// The slots of the varyings that the fragment stage reads: first, how many, name.

@@ -219,8 +219,13 @@ impl Lowerer<'_> {
                 }
                 Ok(storage)
             }
-            (Storage::Builtin(builtin), _) => {
-                self.builtin_global(variable, &types, builtin, copies)
+            (Storage::Builtin(builtin), binding) => {
+                let storage = self.builtin_global(variable, &types, builtin, copies)?;
+                // Transform feedback captures it.
+                if let Some(Binding::Varying(Some(first))) = binding {
+                    self.varying_output(&storage, &types, first, copies);
+                }
+                Ok(storage)
             }
             (
                 Storage::Uniform

@@ -1,0 +1,163 @@
+//! What a draw writes to the buffers of transform feedback.
+
+use super::{Active, SECTION, primitives};
+use crate::context::Context;
+use crate::draw::translate::Elements;
+use crate::error::{Result, invalid_operation};
+use crate::feedback::shade::{Id, Vertices, shade};
+use crate::glsl::{BufferMode, Captured, CapturedScalar};
+use rasterizer::driver::{Topology, VertexBinding};
+
+/// Primitives of this many vertices are run and written at once.
+const CHUNK: usize = 1 << 12;
+
+/// Counts the primitives of a draw, and captures them if transform feedback is active.
+///
+/// # Errors
+/// `GL_INVALID_OPERATION` if they are not what is captured, or a buffer is mapped; as a draw.
+pub(crate) fn draw(
+    context: &mut Context,
+    topology: Topology,
+    vertices: &[VertexBinding],
+    elements: &Elements,
+) -> Result<()> {
+    let counts = context.queries.counts_primitives();
+    let Some(active) = context.transform_feedback.active else {
+        if counts {
+            let (count, instances) = elements.counts();
+            let made = primitives::count(topology, count.into()) * u64::from(instances);
+            context.count_primitives(made, 0);
+        }
+        return Ok(());
+    };
+    if primitives::kind(topology) != active.kind {
+        return invalid_operation(
+            SECTION,
+            format!("a draw of {topology:?}, but {:?} are captured", active.kind),
+        );
+    }
+    let Some(layout) = Layout::of(context) else { return Ok(()) };
+    layout.check(context)?;
+    let (count, instances) = elements.counts();
+    let made = primitives::count(topology, count.into());
+    let corners = primitives::corners(active.kind);
+    let mut active = active;
+    let mut written = 0;
+    'full: for instance in 0..instances {
+        for first in (0..made).step_by(CHUNK) {
+            let chunk = first..made.min(first + CHUNK as u64);
+            let asked = chunk.end - chunk.start;
+            let id = |at| Id { vertex: elements.number(at), instance };
+            let ids: Vec<Id> = chunk
+                .flat_map(|at| {
+                    let all = primitives::primitive(topology, count, at as u32);
+                    all.into_iter().take(corners).map(id)
+                })
+                .collect();
+            let shaded = shade(context, vertices, &ids)?;
+            let fit = layout.write(context, &shaded, &mut active);
+            written += fit;
+            if fit < asked {
+                break 'full;
+            }
+        }
+    }
+    context.transform_feedback.active = Some(active);
+    context.count_primitives(made * u64::from(instances), written);
+    Ok(())
+}
+
+/// What is written for a vertex: for each buffer the scalars in order.
+struct Layout {
+    buffers: Vec<Vec<CapturedScalar>>,
+}
+
+impl Layout {
+    /// What the program in use captures.
+    fn of(context: &Context) -> Option<Self> {
+        let linked = context.objects.linked_program(context.state.bindings.program)?;
+        let scalars = |captured: &Captured| captured.scalars.clone();
+        let all = linked.program.captured.iter();
+        Some(Self {
+            buffers: match linked.program.buffer_mode {
+                BufferMode::Interleaved => vec![all.flat_map(scalars).collect()],
+                BufferMode::Separate => all.map(scalars).collect(),
+            },
+        })
+    }
+
+    /// Checks that the buffers can be written to.
+    fn check(&self, context: &Context) -> Result<()> {
+        for range in context.transform_feedback.buffers.iter().take(self.buffers.len()) {
+            let object = context.objects.buffers.get(range.name);
+            if object.is_some_and(|object| object.map.is_some()) {
+                return invalid_operation(
+                    SECTION,
+                    format!("buffer {} is mapped: call glUnmapBuffer", range.name),
+                );
+            }
+        }
+        Ok(())
+    }
+
+    /// Writes whole primitives, as many as all buffers have room for: how many.
+    fn write(&self, context: &mut Context, vertices: &Vertices, active: &mut Active) -> u64 {
+        let corners = primitives::corners(active.kind);
+        let ranges = context.transform_feedback.buffers;
+        let mut fit = vertices.len() / corners;
+        for ((range, scalars), written) in ranges.iter().zip(&self.buffers).zip(active.written) {
+            let buffer = context.objects.buffers.get(range.name);
+            let bytes = buffer.map_or(0, |object| object.buffer.bytes().len());
+            let room = bytes.saturating_sub(range.offset).min(range.size.unwrap_or(usize::MAX));
+            let each = corners * scalars.len() * 4;
+            fit = fit.min(room.saturating_sub(written) / each.max(1));
+        }
+        for ((range, scalars), written) in ranges.iter().zip(&self.buffers).zip(&mut active.written)
+        {
+            let Some(object) = context.objects.buffers.get_mut(range.name) else { continue };
+            let places = scalars.iter().map(|scalar| Place::of(vertices, *scalar));
+            let places: Vec<Place> = places.collect();
+            let first = range.offset + *written;
+            let bytes = fit * corners * scalars.len() * 4;
+            let out = object.buffer.bytes_mut().get_mut(first..first + bytes).unwrap_or_default();
+            let words = (0..fit * corners)
+                .flat_map(|at| places.iter().map(move |place| place.word(vertices, at)));
+            for (out, word) in out.chunks_exact_mut(4).zip(words) {
+                out.copy_from_slice(&word.to_le_bytes());
+            }
+            *written += bytes;
+        }
+        fit as u64
+    }
+}
+
+/// Where a captured scalar is among the outputs that vertices have; an output that the stage does
+/// not have is 0.
+#[derive(Clone, Copy)]
+enum Place {
+    Float(Option<usize>),
+    Word([Option<usize>; 2]),
+}
+
+impl Place {
+    fn of(vertices: &Vertices, scalar: CapturedScalar) -> Self {
+        match scalar {
+            CapturedScalar::Float(output) => Self::Float(vertices.place(output)),
+            CapturedScalar::Word { low, high } => {
+                Self::Word([low, high].map(|output| vertices.place(output)))
+            }
+        }
+    }
+
+    /// The bits of the scalar at a vertex.
+    fn word(self, vertices: &Vertices, at: usize) -> u32 {
+        let value = |place: Option<usize>| place.map_or(0.0, |place| vertices.value(at, place));
+        match self {
+            Self::Float(place) => value(place).to_bits(),
+            Self::Word(places) => {
+                let [low, high] = places.map(|place| value(place) as u32);
+                high << 16 | low
+            }
+        }
+    }
+}

@@ -1,0 +1,78 @@
+//! Transform feedback: GL 3.0, section 2.15 (`EXT_transform_feedback`).
+//!
+//! While it is active, the vertices of a draw run through the vertex stage once more, here; they
+//! are assembled to points, lines or triangles of their own ([`primitives`]), and what the program
+//! captures of them is written to the bound buffers ([`capture`]), before the draw goes on.
+
+pub(crate) mod bindings;
+pub(crate) mod calls;
+mod capture;
+mod primitives;
+pub(crate) mod varyings;
+
+pub(crate) use capture::draw;
+
+use crate::constants::*;
+use crate::context::limits::MAX_TRANSFORM_FEEDBACK_SEPARATE_ATTRIBS;
+use crate::error::Table;
+use crate::types::GLuint;
+
+const SECTION: &str = "GL 3.0, section 2.15";
+
+/// What is captured.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Kind {
+    Points,
+    Lines,
+    Triangles,
+}
+
+impl Kind {
+    const TABLE: Table<Self> = Table {
+        section: "GL 3.0, table 2.14",
+        rows: &[
+            (GL_POINTS, Self::Points),
+            (GL_LINES, Self::Lines),
+            (GL_TRIANGLES, Self::Triangles),
+        ],
+    };
+}
+
+/// A part of a buffer that is bound to an index.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct BufferRange {
+    pub name: GLuint,
+    /// Its first byte, a multiple of 4.
+    pub offset: usize,
+    /// Its bytes, a multiple of 4; all that there are when it is used, if `None`.
+    pub size: Option<usize>,
+}
+
+/// What is active between `glBeginTransformFeedback` and `glEndTransformFeedback`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Active {
+    kind: Kind,
+    /// Bytes written to each buffer.
+    written: [usize; MAX_TRANSFORM_FEEDBACK_SEPARATE_ATTRIBS],
+}
+
+/// The bound buffers, and what is active.
+#[derive(Debug, Default)]
+pub(crate) struct TransformFeedback {
+    buffers: [BufferRange; MAX_TRANSFORM_FEEDBACK_SEPARATE_ATTRIBS],
+    active: Option<Active>,
+}
+
+impl TransformFeedback {
+    /// Whether vertices are captured.
+    pub fn is_active(&self) -> bool {
+        self.active.is_some()
+    }
+
+    /// A buffer is no more.
+    pub fn forget_buffer(&mut self, name: GLuint) {
+        for range in self.buffers.iter_mut().filter(|range| range.name == name) {
+            *range = BufferRange::default();
+        }
+    }
+}
