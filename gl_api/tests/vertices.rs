@@ -130,6 +130,49 @@ fn every_way_to_say_two_triangles_gives_the_same_picture() {
     }
 }
 
+/// Half floats (GL 3.0, table 2.5) of every array that takes them are the floats they stand for.
+#[test]
+fn half_floats_are_their_floats() {
+    /// -0.75, 0.5, 1, 0.25 and 0 as bits of half floats.
+    const HALF: [(f32, u16); 5] =
+        [(-0.75, 0xBA00), (0.5, 0x3800), (1.0, 0x3C00), (0.25, 0x3400), (0.0, 0)];
+    let floats: Vec<f32> = [0, 0, 1, 0, 2, 2].map(|at| HALF[at].0).to_vec();
+    let shades: Vec<f32> = [2, 3, 4, 4, 1, 2, 3, 2, 1].map(|at| HALF[at].0).to_vec();
+    let half = |floats: &[f32]| -> Vec<u16> {
+        let bits = |value| HALF.iter().find(|(float, _)| *float == value).map(|(_, bits)| *bits);
+        floats.iter().map(|value| bits(*value).expect("a row of HALF")).collect()
+    };
+    type Arrays = fn(&mut Context, [Data<'_>; 2], GLenum);
+    let ways: [Arrays; 2] = [
+        |c, [place, shade], ty| {
+            c.enable_client_state(GL_VERTEX_ARRAY);
+            c.enable_client_state(GL_COLOR_ARRAY);
+            c.vertex_pointer(2, ty, 0, place);
+            c.color_pointer(3, ty, 0, shade);
+        },
+        |c, [place, shade], ty| {
+            let vertex = "attribute vec2 position; attribute vec3 extra; varying vec3 v;\n\
+                void main() { v = extra; gl_Position = vec4(position, 0.0, 1.0); }";
+            program(c, vertex, "varying vec3 v; void main() { gl_FragColor = vec4(v, 1.0); }");
+            c.enable_vertex_attrib_array(0);
+            c.enable_vertex_attrib_array(1);
+            c.vertex_attrib_pointer(0, 2, ty, false, 0, place);
+            c.vertex_attrib_pointer(1, 3, ty, true, 0, shade);
+        },
+    ];
+    for way in ways {
+        let mut c = context();
+        way(&mut c, [floats.as_slice().arg(), shades.as_slice().arg()], GL_FLOAT);
+        c.draw_arrays(GL_TRIANGLES, 0, 3);
+        let expected = picture(&mut c);
+        let mut c = context();
+        let (places, colors) = (half(&floats), half(&shades));
+        way(&mut c, [places.as_slice().arg(), colors.as_slice().arg()], GL_HALF_FLOAT);
+        c.draw_arrays(GL_TRIANGLES, 0, 3);
+        assert_eq!(picture(&mut c), expected);
+    }
+}
+
 #[test]
 fn interleaved_arrays_are_their_pointers() {
     // Format, floats of texture coordinates, colour and normal before the position, its size.

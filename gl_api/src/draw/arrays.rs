@@ -163,28 +163,29 @@ const ALL_TYPES: &[(GLenum, VertexType)] = &[
     (GL_INT, VertexType::I32),
     (GL_FLOAT, VertexType::F32),
     (GL_DOUBLE, VertexType::F64),
+    (GL_HALF_FLOAT, VertexType::F16),
     (GL_BYTE, VertexType::I8),
     (GL_UNSIGNED_BYTE, VertexType::U8),
     (GL_UNSIGNED_SHORT, VertexType::U16),
     (GL_UNSIGNED_INT, VertexType::U32),
 ];
 
-/// GL 2.1, table 2.4: of texture coordinates and vertices.
+/// GL 3.0, table 2.5: of texture coordinates and vertices.
 const COORDINATE_TYPE: Table<VertexType> =
-    Table { section: "GL 2.1, table 2.4", rows: ALL_TYPES.split_at(4).0 };
+    Table { section: "GL 3.0, table 2.5", rows: ALL_TYPES.split_at(5).0 };
 /// Of normals.
 const NORMAL_TYPE: Table<VertexType> =
-    Table { section: "GL 2.1, table 2.4", rows: ALL_TYPES.split_at(5).0 };
+    Table { section: "GL 3.0, table 2.5", rows: ALL_TYPES.split_at(6).0 };
 /// Of fog coordinates.
 const FOG_TYPE: Table<VertexType> =
-    Table { section: "GL 2.1, table 2.4", rows: ALL_TYPES.split_at(4).0.split_at(2).1 };
+    Table { section: "GL 3.0, table 2.5", rows: ALL_TYPES.split_at(5).0.split_at(2).1 };
 /// Of colours and generic attributes.
 pub(crate) const ANY_TYPE: Table<VertexType> =
-    Table { section: "GL 2.1, table 2.4", rows: ALL_TYPES };
+    Table { section: "GL 3.0, table 2.5", rows: ALL_TYPES };
 
 /// Of colour indices.
 const INDEX_TYPE: Table<VertexType> = Table {
-    section: "GL 2.1, table 2.4",
+    section: "GL 3.0, table 2.5",
     rows: &[
         (GL_UNSIGNED_BYTE, VertexType::U8),
         (GL_SHORT, VertexType::I16),

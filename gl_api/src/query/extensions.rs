@@ -22,6 +22,7 @@ pub(crate) const EXTENSIONS: &[&str] = &[
     "GL_ARB_framebuffer_object",
     "GL_ARB_framebuffer_sRGB",
     "GL_ARB_half_float_pixel",
+    "GL_ARB_half_float_vertex",
     "GL_ARB_instanced_arrays",
     "GL_ARB_map_buffer_range",
     "GL_ARB_multisample",

@@ -42,6 +42,8 @@ pub enum VertexType {
     I32,
     /// Unsigned 32 bits.
     U32,
+    /// Half precision (GL 3.0, section 2.1.2).
+    F16,
     /// Single precision.
     F32,
     /// Double precision.
@@ -53,7 +55,7 @@ impl VertexType {
     pub fn size(self) -> usize {
         match self {
             Self::I8 | Self::U8 => 1,
-            Self::I16 | Self::U16 => 2,
+            Self::I16 | Self::U16 | Self::F16 => 2,
             Self::I32 | Self::U32 | Self::F32 => 4,
             Self::F64 => 8,
         }

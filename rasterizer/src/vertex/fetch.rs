@@ -1,6 +1,7 @@
 //! Attributes from memory to lanes.
 
 use crate::driver::{VertexFormat, VertexSource, VertexType};
+use texunit::format::small_float::decode_half;
 use texunit::lanes::{F32s, Isa, Kernel, LANES, Simd, U32s};
 
 /// Which elements are read, at most 64.
@@ -40,6 +41,9 @@ pub fn component(
             let words = Words { bytes: buffer.bytes(), start, stride: *stride, elements };
             match (ty, format) {
                 (VertexType::F32, _) => words.floats(isa, out),
+                (VertexType::F16, _) => {
+                    words.each(out, |b| decode_half(u16::from_le_bytes(b).into()));
+                }
                 (VertexType::F64, _) => words.each(out, |b| f64::from_le_bytes(b) as f32),
                 (VertexType::I8, VertexFormat::Plain) => {
                     words.each(out, |b| f32::from(i8::from_le_bytes(b)));
@@ -195,6 +199,8 @@ mod tests {
             (VertexType::U32, VertexFormat::Normalized, &[255; 4], 1.0),
             (VertexType::I32, VertexFormat::Plain, &[254, 255, 255, 255], -2.0),
             (VertexType::F32, VertexFormat::Plain, &[0, 0, 128, 63], 1.0),
+            (VertexType::F16, VertexFormat::Plain, &[0, 0xC1], -2.5),
+            (VertexType::F16, VertexFormat::Normalized, &[0xFF, 0x7B], 65504.0),
             (VertexType::F64, VertexFormat::Plain, &[0, 0, 0, 0, 0, 0, 0xE0, 0x3F], 0.5),
             // Too short for its type: zero bytes.
             (VertexType::F32, VertexFormat::Plain, &[0, 0, 128], 0.0),
