@@ -54,8 +54,10 @@ pub const VARYING_FOG: u16 = 40;
 pub const VARYING_BACK_COLOR: u16 = 41;
 /// First of the eight slots of `gl_ClipDistance`.
 pub const VARYING_CLIP_DISTANCE: u16 = 49;
+/// First of the two slots of `gl_PrimitiveID`: its low and its high 16 bits.
+pub const VARYING_PRIMITIVE_ID: u16 = 57;
 /// First slot of what the shader declares itself.
-pub const VARYING_USER: u16 = 57;
+pub const VARYING_USER: u16 = 59;
 
 /// A matrix of the GL state that shaders can read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]

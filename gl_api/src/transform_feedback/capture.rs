@@ -1,12 +1,12 @@
 //! What a draw writes to the buffers of transform feedback.
 
-use super::{Active, SECTION, primitives};
+use super::{Active, Kind, SECTION};
 use crate::context::Context;
 use crate::draw::translate::Elements;
 use crate::error::{Result, invalid_operation};
 use crate::feedback::shade::{Id, Vertices, shade};
 use crate::glsl::{BufferMode, Captured, CapturedScalar};
-use rasterizer::driver::{Topology, VertexBinding};
+use rasterizer::driver::{Primitive, Provoking, Topology, VertexBinding, primitives};
 
 /// Primitives of this many vertices are run and written at once.
 const CHUNK: usize = 1 << 12;
@@ -25,12 +25,13 @@ pub(crate) fn draw(
     let Some(active) = context.transform_feedback.active else {
         if counts {
             let (count, instances) = elements.counts();
-            let made = primitives::count(topology, count.into()) * u64::from(instances);
+            let made = u64::from(primitives(topology, Provoking::Last, count).len);
+            let made = made * u64::from(instances);
             context.count_primitives(made, 0);
         }
         return Ok(());
     };
-    if primitives::kind(topology) != active.kind {
+    if Kind::of(topology) != active.kind {
         return invalid_operation(
             SECTION,
             format!("a draw of {topology:?}, but {:?} are captured", active.kind),
@@ -39,21 +40,22 @@ pub(crate) fn draw(
     let Some(layout) = Layout::of(context) else { return Ok(()) };
     layout.check(context)?;
     let (count, instances) = elements.counts();
-    let made = primitives::count(topology, count.into());
-    let corners = primitives::corners(active.kind);
+    let all = primitives(topology, Provoking::Last, count);
     let mut active = active;
     let mut written = 0;
     'full: for instance in 0..instances {
-        for first in (0..made).step_by(CHUNK) {
-            let chunk = first..made.min(first + CHUNK as u64);
-            let asked = chunk.end - chunk.start;
+        for first in (0..all.len).step_by(CHUNK) {
+            let chunk = first..all.len.min(first.saturating_add(CHUNK as u32));
+            let asked = u64::from(chunk.end - chunk.start);
             let id = |at| Id { vertex: elements.number(at), instance };
-            let ids: Vec<Id> = chunk
-                .flat_map(|at| {
-                    let all = primitives::primitive(topology, count, at as u32);
-                    all.into_iter().take(corners).map(id)
-                })
-                .collect();
+            let mut ids: Vec<Id> = Vec::new();
+            for at in chunk {
+                match all.get(at) {
+                    Primitive::Point(ordinal) => ids.push(id(ordinal)),
+                    Primitive::Line(ordinals, _) => ids.extend(ordinals.map(id)),
+                    Primitive::Triangle(ordinals, _, _) => ids.extend(ordinals.map(id)),
+                }
+            }
             let shaded = shade(context, vertices, &ids)?;
             let fit = layout.write(context, &shaded, &mut active);
             written += fit;
@@ -63,7 +65,7 @@ pub(crate) fn draw(
         }
     }
     context.transform_feedback.active = Some(active);
-    context.count_primitives(made * u64::from(instances), written);
+    context.count_primitives(u64::from(all.len) * u64::from(instances), written);
     Ok(())
 }
 
@@ -102,7 +104,7 @@ impl Layout {
 
     /// Writes whole primitives, as many as all buffers have room for: how many.
     fn write(&self, context: &mut Context, vertices: &Vertices, active: &mut Active) -> u64 {
-        let corners = primitives::corners(active.kind);
+        let corners = active.kind.corners();
         let ranges = context.transform_feedback.buffers;
         let mut fit = vertices.len() / corners;
         for ((range, scalars), written) in ranges.iter().zip(&self.buffers).zip(active.written) {

@@ -1,13 +1,12 @@
 //! Transform feedback: GL 3.0, section 2.15 (`EXT_transform_feedback`).
 //!
 //! While it is active, the vertices of a draw run through the vertex stage once more, here; they
-//! are assembled to points, lines or triangles of their own ([`primitives`]), and what the program
-//! captures of them is written to the bound buffers ([`capture`]), before the draw goes on.
+//! are assembled to points, lines or triangles of their own, and what the program captures of them is
+//! written to the bound buffers ([`capture`]), before the draw goes on.
 
 pub(crate) mod bindings;
 pub(crate) mod calls;
 mod capture;
-mod primitives;
 pub(crate) mod varyings;
 
 pub(crate) use capture::draw;
@@ -16,6 +15,7 @@ use crate::constants::*;
 use crate::context::limits::MAX_TRANSFORM_FEEDBACK_SEPARATE_ATTRIBS;
 use crate::error::Table;
 use crate::types::GLuint;
+use rasterizer::driver::Topology;
 
 const SECTION: &str = "GL 3.0, section 2.15";
 
@@ -36,6 +36,29 @@ impl Kind {
             (GL_TRIANGLES, Self::Triangles),
         ],
     };
+
+    /// What the primitives of a topology are captured as.
+    fn of(topology: Topology) -> Self {
+        match topology {
+            Topology::Points => Self::Points,
+            Topology::Lines | Topology::LineStrip | Topology::LineLoop => Self::Lines,
+            Topology::Triangles
+            | Topology::TriangleStrip
+            | Topology::TriangleFan
+            | Topology::Quads
+            | Topology::QuadStrip
+            | Topology::Polygon => Self::Triangles,
+        }
+    }
+
+    /// How many vertices one has.
+    fn corners(self) -> usize {
+        match self {
+            Self::Points => 1,
+            Self::Lines => 2,
+            Self::Triangles => 3,
+        }
+    }
 }
 
 /// A part of a buffer that is bound to an index.

@@ -20,7 +20,7 @@ fn every_topology_is_captured_as_its_parts() {
         (GL_TRIANGLES, GL_TRIANGLE_FAN, 4, &[0, 1, 2, 0, 2, 3]),
         (GL_TRIANGLES, GL_POLYGON, 4, &[0, 1, 2, 0, 2, 3]),
         (GL_TRIANGLES, GL_QUADS, 7, &[0, 1, 3, 1, 2, 3]),
-        (GL_TRIANGLES, GL_QUAD_STRIP, 5, &[0, 1, 3, 2, 0, 3]),
+        (GL_TRIANGLES, GL_QUAD_STRIP, 5, &[2, 0, 3, 0, 1, 3]),
         (GL_TRIANGLES, GL_TRIANGLES, 2, &[]),
         (GL_LINES, GL_LINE_LOOP, 1, &[]),
         (GL_TRIANGLES, GL_POLYGON, 2, &[]),

@@ -5,7 +5,7 @@ use super::buffer::VertexBinding;
 use super::pipeline::{Pipeline, Topology};
 use crate::plan::Textures;
 use crate::pool::Pool;
-use crate::primitive::{Primitives, Setup, Shape, setup, stipple_lines};
+use crate::primitive::{Primitive, Primitives, Setup, Shape, setup, stipple_lines};
 use crate::raster::{Chunk, ShapeLists};
 use crate::shader::{Machine, OverBudget, Prepared};
 use crate::target::TILE;
@@ -125,7 +125,11 @@ impl DrawState<'_> {
     /// Shades the vertices of a run of primitives.
     fn vertices(&self, range: &Range<u32>) -> Result<Vertices, OverBudget> {
         let ordinals = ordinals(self.pipeline.desc().topology, &self.primitives, range);
-        let wanted = Wanted::new(ordinals, self.ids);
+        let numbered = self.primitive_id();
+        let wanted = match numbered {
+            [None, None] => Wanted::new(ordinals, self.ids),
+            [Some(_), _] | [None, Some(_)] => Wanted::apart(ordinals, self.ids),
+        };
         let stage = VertexStage {
             isa: self.isa,
             budget: self.budget,
@@ -140,8 +144,24 @@ impl DrawState<'_> {
             point_size: self.setup.raster.point.source,
             edge_flag: self.setup.raster.polygon.edge_flag,
         };
-        let geometry = Arc::new(shade(&stage, &wanted.ids, self.instance)?);
-        Ok(Vertices { geometry, wanted })
+        let mut geometry = shade(&stage, &wanted.ids, self.instance)?;
+        for (part, varying) in [0, 16].into_iter().zip(numbered) {
+            let Some(varying) = varying else { continue };
+            for at in range.clone() {
+                let vertex = wanted.local(provoking(self.primitives.get(at)));
+                let bits = self.primitives.number(at) >> part & 0xFFFF;
+                geometry.set_varying(vertex, varying, bits as f32);
+            }
+        }
+        Ok(Vertices { geometry: Arc::new(geometry), wanted })
+    }
+
+    /// Which of the varyings are the halves of the primitive's number, where the fragment stage reads
+    /// them.
+    fn primitive_id(&self) -> [Option<usize>; 2] {
+        let first = self.pipeline.desc().fragment.module().primitive_id;
+        let place = |slot| self.slots.iter().position(|&other| other == slot);
+        [0, 1].map(|half| first.and_then(|first| place(first.saturating_add(half))))
     }
 
     /// The shapes of a run of primitives.
@@ -152,6 +172,15 @@ impl DrawState<'_> {
         lists.shapes.reserve(range.len());
         setup(&self.setup, geometry, (&self.primitives, range), wanted, &mut lists.shapes);
         lists
+    }
+}
+
+/// The ordinal of the vertex that provokes.
+fn provoking(primitive: Primitive) -> u32 {
+    match primitive {
+        Primitive::Point(ordinal) => ordinal,
+        Primitive::Line(ordinals, provoking) => ordinals[usize::from(provoking)],
+        Primitive::Triangle(ordinals, provoking, _) => ordinals[usize::from(provoking)],
     }
 }
 

@@ -17,6 +17,7 @@ mod threads;
 mod watch;
 
 pub use crate::output::texel_words;
+pub use crate::primitive::{Primitive, Primitives, primitives};
 pub use crate::target::MAX_SAMPLES;
 pub use buffer::{Buffer, VertexBinding, VertexFormat, VertexSource, VertexType};
 pub use command::{ClearValue, Command, CommandBuffer, IndexType, Indices, Rect, Viewport};

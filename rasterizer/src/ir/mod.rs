@@ -381,6 +381,10 @@ pub struct Module {
     /// Fragment stage: the slots that are taken at the centroid of a pixel's covered samples, where a
     /// pixel has several; the others are taken at its centre.
     pub centroids: Vec<u16>,
+    /// Fragment stage: the first of two flat varying slots that the driver writes itself: the low and
+    /// the high 16 bits of the primitive's number within its instance of the draw
+    /// (`EXT_gpu_shader4`: `gl_PrimitiveID`).
+    pub primitive_id: Option<u16>,
     /// The variables (of length 1, type `f32`) that hold the outputs at the end.
     pub outputs: Vec<(Output, Var)>,
     /// What runs.
@@ -416,6 +420,7 @@ impl Module {
             uniform_words: 0,
             varyings: Vec::new(),
             centroids: Vec::new(),
+            primitive_id: None,
             outputs: Vec::new(),
             body: Vec::new(),
             notes: Vec::new(),

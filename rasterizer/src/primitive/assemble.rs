@@ -107,6 +107,22 @@ impl Primitives {
         }
     }
 
+    /// The number that a shader has for primitive `i`: halves of a quadrilateral have one, and so have
+    /// the parts of a polygon (`EXT_gpu_shader4`). No vertex provokes two that differ in it.
+    pub fn number(&self, i: u32) -> u32 {
+        match self.topology {
+            Topology::Points
+            | Topology::Lines
+            | Topology::LineStrip
+            | Topology::LineLoop
+            | Topology::Triangles
+            | Topology::TriangleStrip
+            | Topology::TriangleFan => i,
+            Topology::Quads | Topology::QuadStrip => i / 2,
+            Topology::Polygon => 0,
+        }
+    }
+
     /// Which vertex provokes, where primitive `i` is the triangle of ordinals `3 i` to `3 i + 2`.
     pub fn triples(&self) -> Option<u8> {
         (self.topology == Topology::Triangles).then(|| self.last_or_first(2, 0))

@@ -8,7 +8,7 @@ mod outline;
 mod setup;
 mod triangles;
 
-pub use assemble::{Primitives, primitives};
+pub use assemble::{Primitive, Primitives, primitives};
 pub use clip::{Corner, MAX_DISTANCES};
 pub use line::LineRun;
 pub use outline::{rectangle, stipple_lines};

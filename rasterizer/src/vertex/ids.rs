@@ -117,6 +117,12 @@ impl Wanted {
         Self { ordinals, ids: wanted, places: None }
     }
 
+    /// The vertices of ordinals of a draw, one for each ordinal, whatever the indices share.
+    pub fn apart(ordinals: Ordinals, ids: &Ids<'_>) -> Self {
+        let ids = ids.of(&ordinals);
+        Self { ordinals, ids, places: None }
+    }
+
     /// Where among the shaded ones the vertices of `len` times three ordinals from `first` on are, of which
     /// none is the vertex 0 of a fan.
     #[inline]

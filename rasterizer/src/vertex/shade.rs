@@ -52,6 +52,11 @@ impl Geometry {
         &self.values_of(vertex)[VARYINGS..]
     }
 
+    /// Sets a varying of a vertex that the vertex stage does not write.
+    pub fn set_varying(&mut self, vertex: u32, varying: usize, value: f32) {
+        self.values[vertex as usize * self.stride + VARYINGS + varying] = value;
+    }
+
     /// Window x and y of a vertex; meaningless unless `w > 0`.
     pub fn window(&self, viewport: &Viewport, vertex: u32) -> [f64; 2] {
         viewport.window(&self.clip(vertex).map(f64::from))

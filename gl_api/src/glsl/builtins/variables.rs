@@ -43,6 +43,8 @@ pub enum Builtin {
     FrontFacing,
     /// `gl_PointCoord`.
     PointCoord,
+    /// `gl_PrimitiveID`, of the fragment stage.
+    PrimitiveId,
     /// `gl_FragColor`.
     FragColor,
     /// `gl_FragData`.
@@ -132,6 +134,7 @@ pub fn is_redeclarable(builtin: Builtin) -> bool {
         | Builtin::InstanceId
         | Builtin::Attribute(_)
         | Builtin::PointCoord
+        | Builtin::PrimitiveId
         | Builtin::FrontFacing
         | Builtin::FragColor
         | Builtin::FragData
@@ -216,6 +219,8 @@ fn rows() -> Vec<Row> {
     row("gl_FogFragCoord", FLOAT, Fragment, V110, ReadOnly, varying(VARYING_FOG));
 
     row("gl_FragCoord", vec(4), Fragment, ALWAYS, ReadOnly, Builtin::FragCoord);
+    let gpu_shader4 = Since::only(Extension::GpuShader4);
+    row("gl_PrimitiveID", INT, Fragment, gpu_shader4, ReadOnly, Builtin::PrimitiveId);
     row("gl_FrontFacing", BOOL, Fragment, ALWAYS, ReadOnly, Builtin::FrontFacing);
     row("gl_PointCoord", vec(2), Fragment, Since::V120.and_es(), ReadOnly, Builtin::PointCoord);
     row("gl_FragColor", vec(4), Fragment, ALWAYS, ReadWrite, Builtin::FragColor);

@@ -84,6 +84,7 @@ fn find(
             | Builtin::FragCoord
             | Builtin::FrontFacing
             | Builtin::PointCoord
+            | Builtin::PrimitiveId
             | Builtin::FragColor
             | Builtin::FragData
             | Builtin::FragDepth

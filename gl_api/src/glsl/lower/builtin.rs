@@ -6,7 +6,7 @@ use super::{Lowered, Lowerer};
 use crate::glsl::builtins::variables::Builtin;
 use crate::glsl::hir::{Passing, Variable};
 use crate::glsl::limits::MAX_DRAW_BUFFERS;
-use crate::interface::{StateVar, VARYING_BACK_COLOR, VARYING_CLIP_DISTANCE};
+use crate::interface::{StateVar, VARYING_BACK_COLOR, VARYING_CLIP_DISTANCE, VARYING_PRIMITIVE_ID};
 use rasterizer::ir::{Input, Interpolation, Op, Output, Stage, Ty, Value};
 
 impl Lowerer<'_> {
@@ -61,6 +61,11 @@ impl Lowerer<'_> {
             Builtin::FrontFacing => {
                 let read = |lowerer: &mut Self, _| lowerer.emit.input(Input::FrontFacing);
                 return Ok(self.inputs(variable, types, read));
+            }
+            Builtin::PrimitiveId => {
+                let first = VARYING_PRIMITIVE_ID;
+                self.emit.builder.module_mut().primitive_id = Some(first);
+                return Ok(self.varying_input(variable, types, first, Interpolation::Flat));
             }
             Builtin::Varying(slot) => {
                 if stage == Stage::Fragment {

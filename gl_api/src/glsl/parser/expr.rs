@@ -266,6 +266,12 @@ impl Parser<'_> {
                     self.node(span, &[], ExprKind::Bool(&**word == "true"))
                 }
                 Word::Keyword => self.fail(format!("expected an expression, found `{word}`")),
+                Word::Reserved
+                    if &**word == "unsigned" && keywords::has_unsigned_int(self.language) =>
+                {
+                    let ty = self.type_name()?;
+                    self.construct(ty)
+                }
                 Word::Reserved => self.fail(format!("`{word}` is reserved for later versions")),
             },
             Kind::Punct(_) | Kind::Stray(_) | Kind::Newline | Kind::End => {
