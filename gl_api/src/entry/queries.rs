@@ -65,6 +65,8 @@ entry_points! {
     Outside in flush {
         /// Carries out what was recorded.
         flush: glFlush ();
+        /// Lets lookups of the next draw see what was drawn to their own texture.
+        texture_barrier_nv: glTextureBarrierNV ();
         /// Carries out what was recorded and waits for it.
         finish: glFinish ();
     }

@@ -120,6 +120,7 @@ pub(crate) const EXTENSIONS: &[&str] = &[
     "GL_NV_conditional_render",
     "GL_NV_primitive_restart",
     "GL_NV_texgen_reflection",
+    "GL_NV_texture_barrier",
     "GL_NV_texture_env_combine4",
     "GL_NV_texture_rectangle",
     "GL_SGIS_generate_mipmap",

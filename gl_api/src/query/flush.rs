@@ -1,4 +1,4 @@
-//! `glFlush` and `glFinish`: GL 2.1, section 5.5.
+//! `glFlush` and `glFinish`: GL 2.1, section 5.5; `glTextureBarrierNV`.
 
 use crate::context::Context;
 use crate::draw;
@@ -9,6 +9,12 @@ pub(crate) fn flush(context: &mut Context) -> Result<()> {
     if let Some(mirror) = context.mirror {
         mirror.update(context);
     }
+    Ok(())
+}
+
+/// What was drawn can be looked up from the next draw on (`NV_texture_barrier`).
+pub(crate) fn texture_barrier_nv(context: &mut Context) -> Result<()> {
+    draw::submit(context);
     Ok(())
 }
 

@@ -5,6 +5,7 @@
 mod shading;
 
 mod attachments;
+mod barrier;
 mod blits;
 mod clamps;
 mod integers;

@@ -7,7 +7,15 @@ use std::collections::BTreeSet;
 const CANNOT_FAIL: &[(&str, &[&str])] = &[
     (
         "they have no arguments, and need nothing",
-        &["glCreateProgram", "glFinish", "glFlush", "glGetError", "glInitNames", "glLoadIdentity"],
+        &[
+            "glCreateProgram",
+            "glFinish",
+            "glFlush",
+            "glGetError",
+            "glInitNames",
+            "glLoadIdentity",
+            "glTextureBarrierNV",
+        ],
     ),
     (
         "any name is legal: one without an object is told so, or ignored",
