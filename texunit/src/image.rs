@@ -11,7 +11,7 @@ pub use complete::{Incomplete, Levels};
 pub use error::ImageError;
 pub use level::{Level, MAX_LEVEL_BYTES, PADDING};
 pub use memory::{Memory, zeroed};
-pub use shape::{MAX_LAYERS, MAX_SIZE, MAX_SIZE_3D, Shape};
+pub use shape::{FACES, MAX_LAYERS, MAX_SIZE, MAX_SIZE_3D, Shape};
 
 use std::sync::Arc;
 
@@ -211,6 +211,11 @@ mod tests {
         let wrong = Err(ImageError::WrongBorder { border: [1, 1, 0] });
         assert_eq!(set(Shape::Rect, [4, 4, 1], [1, 1, 0]), wrong);
         assert_eq!(set(Shape::D2Array, [4, 4, 7], [1, 1, 0]), Ok(()));
+        assert_eq!(set(Shape::CubeArray, [4, 4, 12], [1, 1, 0]), Ok(()));
+        for [width, height, depth] in [[4, 4, 7], [4, 4, 1], [4, 2, 6], [1, 2, 12]] {
+            let wrong = Err(ImageError::NotCubes { width, height, depth });
+            assert_eq!(set(Shape::CubeArray, [width, height, depth], [0; 3]), wrong);
+        }
     }
 
     #[test]

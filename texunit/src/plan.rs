@@ -1,7 +1,7 @@
 //! One decision per draw: how this image is sampled with this sampler.
 
 use crate::format::{BaseFormat, Block, Encoding, Format};
-use crate::image::{Image, Incomplete, Level, Shape};
+use crate::image::{FACES, Image, Incomplete, Level, Shape};
 use crate::lanes::math::clamp;
 use crate::lanes::{F32s, I32s, Isa, LANES, Simd};
 use crate::sample::lod::LodRange;
@@ -38,6 +38,19 @@ pub enum Lod<'a> {
     },
 }
 
+/// Where 64 lanes look a texture up. Any bits are legal in any lane: NaN counts as 0.
+#[derive(Clone, Copy, Debug)]
+pub struct Points<'a> {
+    /// s, t, r, of which those that the shape has are read: the one after those that are filtered
+    /// along is the layer of an array.
+    pub coords: [&'a F32s; 3],
+    /// The layer of an array of cubes, whose coordinates are a direction; layer 0 where there is
+    /// none.
+    pub layer: Option<&'a F32s>,
+    /// What is compared when the plan compares; r where there is none.
+    pub reference: Option<&'a F32s>,
+}
+
 /// An image and a sampler, with every decision taken. Keeps the levels it reaches alive.
 #[derive(Clone, Debug)]
 pub struct SamplePlan(Result<Texture, Incomplete>);
@@ -52,7 +65,8 @@ pub(crate) struct Texture {
     /// Texels of the base level per unit of s, t, r.
     pub scale: [f32; 3],
     /// `levels[face][level]`, levels counted from the base level: those that a filter reaches,
-    /// and those that fit them, which only a fetch reads.
+    /// and those that fit them, which only a fetch reads. In an array of cubes, all faces are
+    /// slices of the same levels.
     pub levels: Vec<Vec<Arc<Level>>>,
     /// Wrap of s, t, r.
     pub wrap: [Wrap; 3],
@@ -118,7 +132,7 @@ impl Way {
         let short = match shape {
             Shape::D2 | Shape::Rect => true,
             Shape::Cube => compare.is_none(),
-            Shape::D1 | Shape::D3 | Shape::D1Array | Shape::D2Array => false,
+            Shape::D1 | Shape::D3 | Shape::D1Array | Shape::D2Array | Shape::CubeArray => false,
         };
         match (short, format.block(), Class::of(format), compare) {
             (true, Some(block), _, None) => Self::Blocks(block),
@@ -175,9 +189,12 @@ impl Anisotropy {
             }
             // A line has no minor axis.
             Shape::D1 | Shape::D1Array => Self::Off,
-            Shape::D2 | Shape::D3 | Shape::Rect | Shape::Cube | Shape::D2Array => {
-                Self::Probes(most)
-            }
+            Shape::D2
+            | Shape::D3
+            | Shape::Rect
+            | Shape::Cube
+            | Shape::D2Array
+            | Shape::CubeArray => Self::Probes(most),
         }
     }
 }
@@ -215,10 +232,8 @@ impl SamplePlan {
         }
     }
 
-    /// Samples 64 lanes. Components of integer formats are bits, not numbers. `coords` are s, t, r (those the shape has are read; the coordinate after
-    /// those that are filtered along is the layer of an array); `reference` is compared when the
-    /// plan compares, and is r where there is none. Any bits are legal coordinates in any lane:
-    /// NaN counts as 0.
+    /// Samples 64 lanes at these [`Points`], those of an array of cubes in its first. Components of
+    /// integer formats are bits, not numbers.
     pub fn sample(
         &self,
         isa: Isa,
@@ -227,7 +242,7 @@ impl SamplePlan {
         lod: Lod<'_>,
         out: &mut [F32s; 4],
     ) {
-        self.sample_offset(isa, coords, reference, [0; 3], lod, out);
+        self.sample_offset(isa, Points { coords, layer: None, reference }, [0; 3], lod, out);
     }
 
     /// [`SamplePlan::sample`] with texels added along s, t, r on each level that is read
@@ -236,8 +251,7 @@ impl SamplePlan {
     pub fn sample_offset(
         &self,
         isa: Isa,
-        coords: [&F32s; 3],
-        reference: Option<&F32s>,
+        points: Points<'_>,
         offset: [i32; 3],
         lod: Lod<'_>,
         out: &mut [F32s; 4],
@@ -245,9 +259,10 @@ impl SamplePlan {
         match &self.0 {
             Ok(texture) => {
                 let (recorder, reads) = (&mut Off, PhantomData::<Probed>);
+                let Points { coords, layer, reference } = points;
                 let (coords, lod) = (&coords, &lod);
                 let sample =
-                    Sample { texture, coords, reference, offset, lod, out, recorder, reads };
+                    Sample { texture, coords, layer, reference, offset, lod, out, recorder, reads };
                 // Kernels of their own: none pays for another's size.
                 match (texture.kernel, lod) {
                     (SampleKernel::Flat(class), _) if offset == [0; 3] => {
@@ -299,7 +314,8 @@ impl SamplePlan {
             Ok(_) | Err(_) => take,
         };
         // By the same kernels that shaders call: another copy of them would be a megabyte.
-        self.sample_offset(isa, coords, None, [0; 3], lod, lanes);
+        let points = Points { coords, layer: None, reference: None };
+        self.sample_offset(isa, points, [0; 3], lod, lanes);
         take.take::<S>(&take::Lanes(lanes))
     }
 
@@ -340,6 +356,7 @@ impl SamplePlan {
             let found = usize::try_from(level[lane]).ok().and_then(|n| texture.levels[0].get(n));
             let Some(found) = found else { continue };
             let mut size = found.size();
+            size[2] = layers(texture.shape, size);
             if texture.shape == Shape::D1Array {
                 size.swap(1, 2);
             }
@@ -375,7 +392,11 @@ impl Texture {
         let reached = image.completeness(sampler)?;
         let shape = image.shape();
         let mut detail = Detail::new(shape, sampler, reached.last - reached.base);
-        let levels = levels(image, reached.base, detail.last_level());
+        let mut levels = levels(image, reached.base, detail.last_level());
+        if shape == Shape::CubeArray {
+            // The kernels look for a level by its face; which slices are that face's, they know.
+            levels = vec![levels[0].clone(); FACES];
+        }
         let base = &levels[0][0];
         let (format, size) = (base.format, base.size());
         let compare = if format.is_depth() { sampler.compare } else { None };
@@ -403,7 +424,7 @@ impl Texture {
             },
             levels,
             wrap: sampler.wrap.map(|wrap| wrap_of(shape, sampler.seamless, wrap)),
-            seamless: if shape == Shape::Cube { sampler.seamless } else { Seamless::Off },
+            seamless: if shape.is_cube() { sampler.seamless } else { Seamless::Off },
             border,
             compare,
             depth_mode: sampler.depth_mode,
@@ -430,7 +451,13 @@ impl Texture {
     /// Whether one coordinate is a layer.
     #[inline(always)]
     pub fn is_array(&self) -> bool {
-        matches!(self.shape, Shape::D1Array | Shape::D2Array)
+        matches!(self.shape, Shape::D1Array | Shape::D2Array | Shape::CubeArray)
+    }
+
+    /// How many layers a lookup chooses from.
+    #[inline(always)]
+    pub fn layers(&self) -> u32 {
+        layers(self.shape, self.size)
     }
 
     fn describe(&self) -> String {
@@ -505,7 +532,7 @@ fn border_channel(format: Format, channel: usize, border: Border, from: usize) -
 /// coordinate on a seamless face only has to stay on it.
 fn wrap_of(shape: Shape, seamless: Seamless, wrap: Wrap) -> Wrap {
     match (shape, seamless, wrap) {
-        (Shape::Cube, Seamless::On, _) => Wrap::Clamp,
+        (Shape::Cube | Shape::CubeArray, Seamless::On, _) => Wrap::Clamp,
         (
             Shape::Rect,
             _,
@@ -513,6 +540,12 @@ fn wrap_of(shape: Shape, seamless: Seamless, wrap: Wrap) -> Wrap {
         ) => Wrap::ClampToEdge,
         (_, _, wrap) => wrap,
     }
+}
+
+/// The layers of an image of this size: of an array of cubes, the cubes.
+#[inline(always)]
+fn layers(shape: Shape, size: [u32; 3]) -> u32 {
+    if shape == Shape::CubeArray { size[2] / FACES as u32 } else { size[2] }
 }
 
 /// The levels of each face from `base` on: `last` more, and then as many as fit them.

@@ -4,7 +4,7 @@
 //! code without one. So a trace cannot differ from what was drawn.
 
 use crate::lanes::{F32s, LANES};
-use crate::plan::{Lod, SamplePlan};
+use crate::plan::{Lod, Points, SamplePlan};
 use crate::sample::{Any, Lane, Sample};
 use crate::sampler::{Compare, Filter};
 use std::marker::PhantomData;
@@ -199,8 +199,7 @@ impl SamplePlan {
     pub fn trace(
         &self,
         lane: usize,
-        coords: [&F32s; 3],
-        reference: Option<&F32s>,
+        points: Points<'_>,
         offset: [i32; 3],
         lod: Lod<'_>,
     ) -> SampleTrace {
@@ -210,13 +209,14 @@ impl SamplePlan {
         if let Some(texture) = self.general().texture() {
             let (out, recorder) = (&mut out, &mut recorder);
             let reads = PhantomData::<Any>;
-            let (at, lod) = (&coords, &lod);
+            let Points { coords, layer, reference } = points;
+            let (coords, lod) = (&coords, &lod);
             let sample =
-                Sample { texture, coords: at, reference, offset, lod, out, recorder, reads };
+                Sample { texture, coords, layer, reference, offset, lod, out, recorder, reads };
             sample.run_in_baseline();
         }
         SampleTrace {
-            coords: coords.map(|coord| coord[lane]),
+            coords: points.coords.map(|coord| coord[lane]),
             steps: recorder.steps,
             result: out.map(|channel| channel[lane]),
         }

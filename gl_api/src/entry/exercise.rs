@@ -154,6 +154,7 @@ const COMMON: &[u32] = &[
     GL_TEXTURE_1D,
     GL_TEXTURE_3D,
     GL_TEXTURE_2D_ARRAY,
+    GL_TEXTURE_CUBE_MAP_ARRAY,
     GL_RGB,
     GL_RGBA,
     GL_RGBA8,

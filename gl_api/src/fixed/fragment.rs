@@ -164,7 +164,7 @@ fn sample(b: &mut Builder, unit: &UnitKey) -> [Value; 4] {
         Coordinates::Projective => {
             let [s, t, r, q] = [0, 1, 2, 3].map(|i| b.input(Input::Varying(first + i)));
             // A cube map's coordinates are a direction, which q does not change.
-            if unit.shape == Shape::Cube {
+            if unit.shape.is_cube() {
                 [s, t, r]
             } else {
                 [s, t, r].map(|coord| b.op(Op::Div, &[coord, q]))
@@ -174,7 +174,7 @@ fn sample(b: &mut Builder, unit: &UnitKey) -> [Value; 4] {
     let coords = match unit.shape {
         Shape::D1 => [s, zero, zero],
         Shape::D2 | Shape::Rect | Shape::D1Array => [s, t, zero],
-        Shape::D3 | Shape::Cube | Shape::D2Array => [s, t, r],
+        Shape::D3 | Shape::Cube | Shape::D2Array | Shape::CubeArray => [s, t, r],
     };
     let reference = unit.compare.then_some(r);
     b.sample(texture, coords, reference, Lod::Implicit { bias: None })

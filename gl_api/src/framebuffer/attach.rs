@@ -98,7 +98,9 @@ fn attach_texture(
     let level = crate::texture::checked_level(SECTION, of.target, level)?;
     let most = match of.target {
         TextureTarget::D3 => limits::MAX_3D_TEXTURE_SIZE,
-        TextureTarget::D1Array | TextureTarget::D2Array => limits::MAX_ARRAY_TEXTURE_LAYERS,
+        TextureTarget::D1Array | TextureTarget::D2Array | TextureTarget::CubeArray => {
+            limits::MAX_ARRAY_TEXTURE_LAYERS
+        }
         TextureTarget::D1 | TextureTarget::D2 | TextureTarget::Rect | TextureTarget::Cube => 1,
     };
     let slice = match u16::try_from(slice) {
@@ -202,7 +204,10 @@ pub(crate) fn framebuffer_texture_layer(
     let Some(object) = context.objects.textures.get(texture) else { return no_texture(texture) };
     let of = FaceTarget { target: object.target, face: 0 };
     match of.target {
-        TextureTarget::D3 | TextureTarget::D1Array | TextureTarget::D2Array => {}
+        TextureTarget::D3
+        | TextureTarget::D1Array
+        | TextureTarget::D2Array
+        | TextureTarget::CubeArray => {}
         TextureTarget::D1 | TextureTarget::D2 | TextureTarget::Rect | TextureTarget::Cube => {
             return invalid_operation(
                 SECTION,

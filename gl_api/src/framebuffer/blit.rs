@@ -187,9 +187,13 @@ pub(crate) fn edit(
     image.update(|texels| {
         let (face, slice) = match texels.shape() {
             Shape::Cube => (face, 0),
-            Shape::D1 | Shape::D2 | Shape::D3 | Shape::Rect | Shape::D1Array | Shape::D2Array => {
-                (0, face)
-            }
+            Shape::D1
+            | Shape::D2
+            | Shape::D3
+            | Shape::Rect
+            | Shape::D1Array
+            | Shape::D2Array
+            | Shape::CubeArray => (0, face),
         };
         if let Some(level) = texels.level_mut(face, attachment.level.into()) {
             let first = level.origin() + slice * level.slice_bytes();

@@ -79,7 +79,8 @@ fn find(attached: &Attached) -> std::result::Result<Found, String> {
                 | TextureTarget::D3
                 | TextureTarget::Rect
                 | TextureTarget::D1Array
-                | TextureTarget::D2Array => slice,
+                | TextureTarget::D2Array
+                | TextureTarget::CubeArray => slice,
             };
             Ok(found(info, Attachment { image, face, level: level as u8 }))
         }

@@ -114,7 +114,8 @@ fn of_attached(attached: &Attached, point: Point, property: Property) -> Option<
             | TextureTarget::D3
             | TextureTarget::Rect
             | TextureTarget::D1Array
-            | TextureTarget::D2Array => 0,
+            | TextureTarget::D2Array
+            | TextureTarget::CubeArray => 0,
         }),
         (Property::Level | Property::Layer | Property::Face, Source::Renderbuffer(_)) => None,
         (Property::Bits(component), _) => {

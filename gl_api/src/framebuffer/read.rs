@@ -55,9 +55,13 @@ pub(super) fn settled(context: &mut Context, attachment: &Attachment) -> Option<
     let face = usize::from(attachment.face);
     let (face, slice) = match texels.shape() {
         Shape::Cube => (face, 0),
-        Shape::D1 | Shape::D2 | Shape::D3 | Shape::Rect | Shape::D1Array | Shape::D2Array => {
-            (0, face)
-        }
+        Shape::D1
+        | Shape::D2
+        | Shape::D3
+        | Shape::Rect
+        | Shape::D1Array
+        | Shape::D2Array
+        | Shape::CubeArray => (0, face),
     };
     let level = texels.level(face, attachment.level.into())?.clone();
     Some(Pixels { level, slice })

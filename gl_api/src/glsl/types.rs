@@ -23,6 +23,8 @@ pub enum Dim {
     D1Array,
     /// `sampler2DArray`.
     D2Array,
+    /// `samplerCubeArray`.
+    CubeArray,
 }
 
 impl Dim {
@@ -32,6 +34,7 @@ impl Dim {
             Self::D1 => 1,
             Self::D2 | Self::Rect | Self::D1Array => 2,
             Self::D3 | Self::Cube | Self::D2Array => 3,
+            Self::CubeArray => 4,
         }
     }
 }
@@ -103,8 +106,8 @@ pub const fn vec(size: u8) -> Type {
 }
 
 /// The words that name types, and since when.
-static NAMES: [(&str, Type, Since); 56] = {
-    use Dim::{Cube, D1, D1Array, D2, D2Array, D3, Rect};
+static NAMES: [(&str, Type, Since); 60] = {
+    use Dim::{Cube, CubeArray, D1, D1Array, D2, D2Array, D3, Rect};
     use Scalar::{Bool, Float, Int, Uint};
     use Type::{Matrix, Vector, Void};
     const ALWAYS: Since = Since::ALWAYS;
@@ -113,6 +116,7 @@ static NAMES: [(&str, Type, Since); 56] = {
     const V130: Since = Since::V130;
     const INTEGER: Since = V130.or(Extension::GpuShader4);
     const ARRAY: Since = INTEGER.or(Extension::TextureArray);
+    const CUBE_ARRAY: Since = Since::only(Extension::TextureCubeMapArray);
     const RECT: Since = Since::only(Extension::TextureRectangle);
     const INTEGER_RECT: Since = Since::only(Extension::GpuShader4).or(Extension::TextureRectangle);
     const fn plain(dim: Dim, scalar: Scalar) -> Type {
@@ -172,12 +176,16 @@ static NAMES: [(&str, Type, Since); 56] = {
         ("sampler2DArray", plain(D2Array, Float), ARRAY),
         ("isampler2DArray", plain(D2Array, Int), INTEGER),
         ("usampler2DArray", plain(D2Array, Uint), INTEGER),
+        ("samplerCubeArray", plain(CubeArray, Float), CUBE_ARRAY),
+        ("isamplerCubeArray", plain(CubeArray, Int), CUBE_ARRAY),
+        ("usamplerCubeArray", plain(CubeArray, Uint), CUBE_ARRAY),
         ("sampler1DShadow", shadow(D1), V110),
         ("sampler2DShadow", shadow(D2), V110),
         ("samplerCubeShadow", shadow(Cube), INTEGER),
         ("sampler2DRectShadow", shadow(Rect), RECT),
         ("sampler1DArrayShadow", shadow(D1Array), ARRAY),
         ("sampler2DArrayShadow", shadow(D2Array), ARRAY),
+        ("samplerCubeArrayShadow", shadow(CubeArray), CUBE_ARRAY),
     ]
 };
 

@@ -54,6 +54,8 @@ pub enum Extension {
     FragmentCoordConventions,
     /// `GL_ARB_shader_texture_lod`: explicit levels and gradients in both stages.
     ShaderTextureLod,
+    /// `GL_ARB_texture_cube_map_array`: `samplerCubeArray`.
+    TextureCubeMapArray,
     /// `GL_ARB_texture_query_lod`: `textureQueryLOD`.
     TextureQueryLod,
     /// `GL_ARB_texture_rectangle`: `sampler2DRect`.
@@ -68,12 +70,13 @@ pub enum Extension {
 
 impl Extension {
     /// Every extension and its name.
-    pub const ALL: [(Self, &'static str); 10] = [
+    pub const ALL: [(Self, &'static str); 11] = [
         (Self::DrawBuffers, "GL_ARB_draw_buffers"),
         (Self::DrawInstanced, "GL_ARB_draw_instanced"),
         (Self::ExplicitAttribLocation, "GL_ARB_explicit_attrib_location"),
         (Self::FragmentCoordConventions, "GL_ARB_fragment_coord_conventions"),
         (Self::ShaderTextureLod, "GL_ARB_shader_texture_lod"),
+        (Self::TextureCubeMapArray, "GL_ARB_texture_cube_map_array"),
         (Self::TextureQueryLod, "GL_ARB_texture_query_lod"),
         (Self::TextureRectangle, "GL_ARB_texture_rectangle"),
         (Self::GpuShader4, "GL_EXT_gpu_shader4"),

@@ -216,7 +216,7 @@ pub(super) fn of(name: &str) -> Class {
 
 /// Whether a target is a proxy.
 pub(super) fn is_proxy(target: i64) -> bool {
-    const PROXIES: [GLenum; 7] = [
+    const PROXIES: [GLenum; 8] = [
         GL_PROXY_TEXTURE_1D,
         GL_PROXY_TEXTURE_2D,
         GL_PROXY_TEXTURE_3D,
@@ -224,6 +224,7 @@ pub(super) fn is_proxy(target: i64) -> bool {
         GL_PROXY_TEXTURE_CUBE_MAP,
         GL_PROXY_TEXTURE_1D_ARRAY,
         GL_PROXY_TEXTURE_2D_ARRAY,
+        GL_PROXY_TEXTURE_CUBE_MAP_ARRAY,
     ];
     PROXIES.iter().any(|&proxy| i64::from(proxy) == target)
 }

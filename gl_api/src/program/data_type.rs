@@ -65,11 +65,17 @@ fn sampler_type(sampler: glsl::Sampler) -> GLenum {
         (Dim::D2Array, Comparison::No) => {
             of(GL_SAMPLER_2D_ARRAY, GL_INT_SAMPLER_2D_ARRAY, GL_UNSIGNED_INT_SAMPLER_2D_ARRAY)
         }
+        (Dim::CubeArray, Comparison::No) => of(
+            GL_SAMPLER_CUBE_MAP_ARRAY,
+            GL_INT_SAMPLER_CUBE_MAP_ARRAY,
+            GL_UNSIGNED_INT_SAMPLER_CUBE_MAP_ARRAY,
+        ),
         (Dim::D1, Comparison::Yes) => GL_SAMPLER_1D_SHADOW,
         (Dim::D2 | Dim::D3, Comparison::Yes) => GL_SAMPLER_2D_SHADOW,
         (Dim::Cube, Comparison::Yes) => GL_SAMPLER_CUBE_SHADOW,
         (Dim::Rect, Comparison::Yes) => GL_SAMPLER_2D_RECT_SHADOW,
         (Dim::D1Array, Comparison::Yes) => GL_SAMPLER_1D_ARRAY_SHADOW,
         (Dim::D2Array, Comparison::Yes) => GL_SAMPLER_2D_ARRAY_SHADOW,
+        (Dim::CubeArray, Comparison::Yes) => GL_SAMPLER_CUBE_MAP_ARRAY_SHADOW,
     }
 }

@@ -43,6 +43,7 @@ pub(crate) const EXTENSIONS: &[&str] = &[
     "GL_ARB_texture_compression",
     "GL_ARB_texture_compression_rgtc",
     "GL_ARB_texture_cube_map",
+    "GL_ARB_texture_cube_map_array",
     "GL_ARB_texture_env_add",
     "GL_ARB_texture_env_combine",
     "GL_ARB_texture_env_crossbar",

@@ -395,6 +395,7 @@ const BINDING: Table<TextureTarget> = Table {
         (GL_TEXTURE_BINDING_RECTANGLE, TextureTarget::Rect),
         (GL_TEXTURE_BINDING_1D_ARRAY, TextureTarget::D1Array),
         (GL_TEXTURE_BINDING_2D_ARRAY, TextureTarget::D2Array),
+        (GL_TEXTURE_BINDING_CUBE_MAP_ARRAY, TextureTarget::CubeArray),
     ],
 };
 

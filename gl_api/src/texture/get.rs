@@ -39,7 +39,7 @@ pub(crate) fn get_tex_image(
     }
     let size = target.target.level_box(level.stored_size()).map(|side| side as usize);
     let extent = match target.target {
-        TextureTarget::D3 | TextureTarget::D2Array => Extent::Volume,
+        TextureTarget::D3 | TextureTarget::D2Array | TextureTarget::CubeArray => Extent::Volume,
         TextureTarget::D1
         | TextureTarget::D2
         | TextureTarget::Rect

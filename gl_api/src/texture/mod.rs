@@ -72,7 +72,8 @@ fn default_sampler(target: TextureTarget) -> Sampler {
         | TextureTarget::D3
         | TextureTarget::Cube
         | TextureTarget::D1Array
-        | TextureTarget::D2Array => Sampler::default(),
+        | TextureTarget::D2Array
+        | TextureTarget::CubeArray => Sampler::default(),
     }
 }
 
@@ -166,6 +167,7 @@ pub(crate) fn storage_error(section: &'static str, error: &ImageError) -> GlErro
     let code = match error {
         ImageError::NoMean { .. } | ImageError::CutsBlocks { .. } => ErrorCode::InvalidOperation,
         ImageError::TooLarge { .. }
+        | ImageError::NotCubes { .. }
         | ImageError::OutOfMemory { .. }
         | ImageError::WrongBorder { .. }
         | ImageError::TooShort { .. }

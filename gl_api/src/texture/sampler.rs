@@ -129,7 +129,8 @@ impl SamplerState {
                 | TextureTarget::D3
                 | TextureTarget::Cube
                 | TextureTarget::D1Array
-                | TextureTarget::D2Array,
+                | TextureTarget::D2Array
+                | TextureTarget::CubeArray,
             )
             | None => (&WRAP, &MIN_FILTER),
         };

@@ -13,7 +13,7 @@ use crate::entry::Data;
 use crate::error::{Result, invalid_operation, invalid_value, not_negative};
 use crate::types::*;
 use texunit::format::Format;
-use texunit::image::Level;
+use texunit::image::{FACES, Level};
 
 const SECTION: &str = "GL 2.1, section 3.8.1";
 
@@ -88,11 +88,20 @@ impl Request {
             }
             sides[axis] = inside;
         }
-        if target == TextureTarget::Cube && given[0] != given[1] {
+        if target.shape().is_cube() && given[0] != given[1] {
             let [width, height, _] = given;
             return invalid_value(
                 SECTION,
                 format!("width = {width} and height = {height} of a cube map's face must be equal"),
+            );
+        }
+        if target == TextureTarget::CubeArray && given[2] as usize % FACES != 0 {
+            let depth = given[2];
+            return invalid_value(
+                "ARB_texture_cube_map_array, section 3.9.1",
+                format!(
+                    "depth = {depth} must be a multiple of 6: it counts the faces of all cubes"
+                ),
             );
         }
         let given = given.map(|side| side as u32);
@@ -143,10 +152,13 @@ impl Request {
 fn checked_blocks(target: TextureTarget, border: u32) -> Result<()> {
     const SECTION: &str = "EXT_texture_compression_s3tc, section 3.8.3";
     match target {
-        TextureTarget::D2 | TextureTarget::Cube | TextureTarget::D2Array if border == 0 => Ok(()),
-        TextureTarget::D2 | TextureTarget::Cube | TextureTarget::D2Array => {
-            invalid_operation(SECTION, "compressed images have no border")
-        }
+        TextureTarget::D2
+        | TextureTarget::Cube
+        | TextureTarget::D2Array
+        | TextureTarget::CubeArray => match border {
+            0 => Ok(()),
+            _ => invalid_operation(SECTION, "compressed images have no border"),
+        },
         TextureTarget::D1 | TextureTarget::D3 | TextureTarget::Rect | TextureTarget::D1Array => {
             invalid_operation(SECTION, "this target takes no compressed internalformat")
         }
@@ -165,7 +177,8 @@ fn checked_border(target: TextureTarget, border: GLint) -> Result<u32> {
             | TextureTarget::D3
             | TextureTarget::Cube
             | TextureTarget::D1Array
-            | TextureTarget::D2Array,
+            | TextureTarget::D2Array
+            | TextureTarget::CubeArray,
             1,
         ) => Ok(1),
         (_, _) => invalid_value(SECTION, format!("border = {border} must be 0 or 1")),

@@ -43,8 +43,10 @@ const STORAGE_3D: Table<ImageTarget> = Table {
     rows: &[
         (GL_TEXTURE_3D, whole(TextureTarget::D3)),
         (GL_TEXTURE_2D_ARRAY, whole(TextureTarget::D2Array)),
+        (GL_TEXTURE_CUBE_MAP_ARRAY, whole(TextureTarget::CubeArray)),
         (GL_PROXY_TEXTURE_3D, ImageTarget::Proxy(TextureTarget::D3)),
         (GL_PROXY_TEXTURE_2D_ARRAY, ImageTarget::Proxy(TextureTarget::D2Array)),
+        (GL_PROXY_TEXTURE_CUBE_MAP_ARRAY, ImageTarget::Proxy(TextureTarget::CubeArray)),
     ],
 };
 

@@ -11,6 +11,7 @@ use texunit::image::Shape;
 pub(crate) enum TextureTarget {
     D1Array,
     D2Array,
+    CubeArray,
     D1,
     D2,
     Rect,
@@ -21,8 +22,16 @@ pub(crate) enum TextureTarget {
 impl TextureTarget {
     /// The targets, the one that wins where several are enabled last (section 3.8.15;
     /// `ARB_texture_rectangle`). Arrays are for shaders alone.
-    pub const ALL: [Self; 7] =
-        [Self::D1Array, Self::D2Array, Self::D1, Self::D2, Self::Rect, Self::D3, Self::Cube];
+    pub const ALL: [Self; 8] = [
+        Self::D1Array,
+        Self::D2Array,
+        Self::CubeArray,
+        Self::D1,
+        Self::D2,
+        Self::Rect,
+        Self::D3,
+        Self::Cube,
+    ];
     /// How many there are.
     pub const COUNT: usize = Self::ALL.len();
 
@@ -36,6 +45,7 @@ impl TextureTarget {
             Self::Cube => Shape::Cube,
             Self::D1Array => Shape::D1Array,
             Self::D2Array => Shape::D2Array,
+            Self::CubeArray => Shape::CubeArray,
         }
     }
 
@@ -49,6 +59,7 @@ impl TextureTarget {
             Shape::Cube => Self::Cube,
             Shape::D1Array => Self::D1Array,
             Shape::D2Array => Self::D2Array,
+            Shape::CubeArray => Self::CubeArray,
         }
     }
 
@@ -61,7 +72,7 @@ impl TextureTarget {
             Self::D2 | Self::Rect | Self::Cube => [side, side, 1],
             Self::D3 => [limits::MAX_3D_TEXTURE_SIZE; 3],
             Self::D1Array => [side, layers, 1],
-            Self::D2Array => [side, side, layers],
+            Self::D2Array | Self::CubeArray => [side, side, layers],
         }
     }
 
@@ -69,9 +80,13 @@ impl TextureTarget {
     pub fn levels(self) -> usize {
         match self {
             Self::Rect => 1,
-            Self::D1 | Self::D2 | Self::D3 | Self::Cube | Self::D1Array | Self::D2Array => {
-                self.limits()[0].ilog2() as usize + 1
-            }
+            Self::D1
+            | Self::D2
+            | Self::D3
+            | Self::Cube
+            | Self::D1Array
+            | Self::D2Array
+            | Self::CubeArray => self.limits()[0].ilog2() as usize + 1,
         }
     }
 
@@ -79,9 +94,13 @@ impl TextureTarget {
     pub fn level_box<T: Copy>(self, [width, height, depth]: [T; 3]) -> [T; 3] {
         match self {
             Self::D1Array => [width, depth, height],
-            Self::D1 | Self::D2 | Self::D3 | Self::Rect | Self::Cube | Self::D2Array => {
-                [width, height, depth]
-            }
+            Self::D1
+            | Self::D2
+            | Self::D3
+            | Self::Rect
+            | Self::Cube
+            | Self::D2Array
+            | Self::CubeArray => [width, height, depth],
         }
     }
 }
@@ -97,6 +116,7 @@ pub(crate) const TARGET: Table<TextureTarget> = Table {
         (GL_TEXTURE_RECTANGLE, TextureTarget::Rect),
         (GL_TEXTURE_1D_ARRAY, TextureTarget::D1Array),
         (GL_TEXTURE_2D_ARRAY, TextureTarget::D2Array),
+        (GL_TEXTURE_CUBE_MAP_ARRAY, TextureTarget::CubeArray),
     ],
 };
 
@@ -199,8 +219,10 @@ const IMAGE_3D: Table<ImageTarget> = Table {
     rows: &[
         (GL_TEXTURE_3D, ImageTarget::Bound(whole(TextureTarget::D3))),
         (GL_TEXTURE_2D_ARRAY, ImageTarget::Bound(whole(TextureTarget::D2Array))),
+        (GL_TEXTURE_CUBE_MAP_ARRAY, ImageTarget::Bound(whole(TextureTarget::CubeArray))),
         (GL_PROXY_TEXTURE_3D, ImageTarget::Proxy(TextureTarget::D3)),
         (GL_PROXY_TEXTURE_2D_ARRAY, ImageTarget::Proxy(TextureTarget::D2Array)),
+        (GL_PROXY_TEXTURE_CUBE_MAP_ARRAY, ImageTarget::Proxy(TextureTarget::CubeArray)),
     ],
 };
 

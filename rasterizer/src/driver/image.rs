@@ -77,9 +77,13 @@ impl State {
         let (face, level) = (usize::from(face), usize::from(level));
         match self.texels.shape() {
             Shape::Cube => Subresource { face, slice: 0, level },
-            Shape::D1 | Shape::D2 | Shape::D3 | Shape::Rect | Shape::D1Array | Shape::D2Array => {
-                Subresource { face: 0, slice: face, level }
-            }
+            Shape::D1
+            | Shape::D2
+            | Shape::D3
+            | Shape::Rect
+            | Shape::D1Array
+            | Shape::D2Array
+            | Shape::CubeArray => Subresource { face: 0, slice: face, level },
         }
     }
 
@@ -238,7 +242,8 @@ impl Image {
 pub struct Attachment {
     /// The image.
     pub image: Image,
-    /// Which face of a cube, slice of a volume, or layer of an array; else 0.
+    /// Which face of a cube, slice of a volume, or layer of an array (of cubes: which of all
+    /// faces); else 0.
     pub face: u16,
     /// Which level; it must exist.
     pub level: u8,

@@ -154,19 +154,12 @@ impl Builder {
         reference: Option<Value>,
         lod: Lod,
     ) -> [Value; 4] {
-        self.access(texture, Access::FILTER, coords, reference, lod)
+        let access = Access::FILTER;
+        self.access(Sample { texture, access, coords, layer: None, reference, lod })
     }
 
     /// A texture access of any kind, as its four components.
-    pub fn access(
-        &mut self,
-        texture: Texture,
-        access: Access,
-        coords: [Value; 3],
-        reference: Option<Value>,
-        lod: Lod,
-    ) -> [Value; 4] {
-        let sample = Sample { texture, access, coords, reference, lod };
+    pub fn access(&mut self, sample: Sample) -> [Value; 4] {
         let sample = self.value(Expr::Sample(Box::new(sample)));
         [0, 1, 2, 3].map(|component| self.value(Expr::Component { sample, component }))
     }

@@ -219,6 +219,8 @@ pub struct Sample {
     pub access: Access,
     /// s, t, r; coordinates that the shape lacks are a constant zero.
     pub coords: [Value; 3],
+    /// The layer of an array of cubes, whose coordinates are a direction.
+    pub layer: Option<Value>,
     /// The reference for depth compare, when the slot compares.
     pub reference: Option<Value>,
     /// Where the level of detail comes from.

@@ -101,6 +101,9 @@ fn sample(f: &mut Formatter<'_>, module: &Module, sample: &Sample) -> Result {
     if offset != [0; 3] {
         write!(f, ", offset {offset:?}")?;
     }
+    if let Some(layer) = sample.layer {
+        write!(f, ", layer {}", Operand(module, layer))?;
+    }
     if let Some(reference) = sample.reference {
         write!(f, ", compare {}", Operand(module, reference))?;
     }

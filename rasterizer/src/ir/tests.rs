@@ -58,11 +58,21 @@ fn modules_that_break_a_rule_are_refused_with_the_rule() {
             let slot = b.texture(TextureDecl { compare: true, ..TextureDecl::color(Shape::D2) });
             ignore(b.sample(slot, [s; 3], None, Lod::Explicit(s)));
         }),
+        ("needs a layer", |b, _, s| {
+            let slot = b.texture(TextureDecl::color(Shape::CubeArray));
+            ignore(b.sample(slot, [s; 3], None, Lod::Explicit(s)));
+        }),
+        ("has no layer", |b, _, s| {
+            let texture = b.texture(TextureDecl::color(Shape::D2Array));
+            let (access, coords, lod) = (Access::FILTER, [s; 3], Lod::Explicit(s));
+            let (layer, reference) = (Some(s), None);
+            ignore(b.access(Sample { texture, access, coords, layer, reference, lod }));
+        }),
         ("whole sample", |b, out, s| {
             let texture = b.texture(TextureDecl::color(Shape::D2));
             let lod = Lod::Explicit(s);
             let (access, coords) = (Access::FILTER, [s; 3]);
-            let sample = Sample { texture, access, coords, reference: None, lod };
+            let sample = Sample { texture, access, coords, layer: None, reference: None, lod };
             let sample = b.value(Expr::Sample(Box::new(sample)));
             b.store(out, sample);
         }),

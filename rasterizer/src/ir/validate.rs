@@ -7,6 +7,7 @@ use super::{
     Access, Block, Expr, Input, Lod, Module, Op, Output, Sample, Stage, Stmt, TRUE, Ty, Value, Var,
 };
 use std::collections::BTreeSet;
+use texunit::image::Shape;
 use thiserror::Error;
 
 /// How deep blocks may nest.
@@ -293,6 +294,13 @@ impl Body<'_> {
             "{user}: texture slot {slot} gives {:?}",
             decl.texels
         );
+        let layered =
+            decl.shape == Shape::CubeArray && matches!(sample.access, Access::Filter { .. });
+        rule!(
+            layered == sample.layer.is_some(),
+            "{user}: texture slot {slot} {} a layer apart from its coordinates",
+            if layered { "needs" } else { "has no" }
+        );
         let ty = match sample.access {
             Access::Filter { .. } => {
                 rule!(
@@ -326,7 +334,8 @@ impl Body<'_> {
             Lod::Gradient { dx, dy, bias } => (bias, Some([dx, dy])),
         };
         let gradient = gradient.iter().flatten().flatten();
-        for value in sample.coords.iter().chain(&sample.reference).chain(&lod).chain(gradient) {
+        let own = sample.coords.iter().chain(&sample.layer).chain(&sample.reference);
+        for value in own.chain(&lod).chain(gradient) {
             self.operand(*value, ty, user)?;
         }
         Ok(())

@@ -26,6 +26,7 @@ impl Expr {
                 texture: sample.texture,
                 access: sample.access,
                 coords: sample.coords.map(&mut *f),
+                layer: sample.layer.map(&mut *f),
                 reference: sample.reference.map(&mut *f),
                 lod: match sample.lod {
                     Lod::Implicit { bias } => Lod::Implicit { bias: bias.map(f) },

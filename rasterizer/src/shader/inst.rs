@@ -91,6 +91,7 @@ pub(super) struct SampleInst {
     pub texture: u32,
     pub access: Access,
     pub coords: [Reg; 3],
+    pub layer: Option<Reg>,
     pub reference: Option<Reg>,
     pub lod: SampleLod,
     /// The word of alpha where there is no texture.
@@ -279,6 +280,7 @@ impl SampleInst {
     /// Visits the registers that it reads.
     pub fn reads(&mut self, mut f: impl FnMut(&mut Reg)) {
         self.coords.iter_mut().for_each(&mut f);
+        self.layer.iter_mut().for_each(&mut f);
         self.reference.iter_mut().for_each(&mut f);
         match &mut self.lod {
             SampleLod::Implicit { bias } => bias.iter_mut().for_each(f),

@@ -272,6 +272,7 @@ impl Lowering<'_> {
 
     fn sample(&mut self, value: Value, sample: &Sample) {
         let coords = sample.coords.map(|coord| self.value(coord));
+        let layer = sample.layer.map(|layer| self.value(layer));
         let reference = sample.reference.map(|reference| self.value(reference));
         let lod = match (sample.lod, self.module.stage) {
             (Lod::Implicit { bias }, Stage::Fragment) => {
@@ -306,7 +307,7 @@ impl Lowering<'_> {
             (Access::Filter { .. } | Access::Fetch { .. }, Ty::F32) => 1f32.to_bits(),
             (Access::Filter { .. } | Access::Fetch { .. }, Ty::I32 | Ty::U32 | Ty::Bool) => 1,
         };
-        let inst = SampleInst { texture, access, coords, reference, lod, one, out };
+        let inst = SampleInst { texture, access, coords, layer, reference, lod, one, out };
         self.emit(Inst::Sample(Box::new(inst)));
     }
 }

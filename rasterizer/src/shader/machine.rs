@@ -17,7 +17,7 @@ use super::preamble::uniform_at;
 use super::{OverBudget, Prepared, Program, Run};
 use crate::ir::{Access, Axis};
 use texunit::lanes::{F32s, Kernel, LANES, QUADS, Simd, U32s};
-use texunit::plan::Lod;
+use texunit::plan::{Lod, Points};
 
 /// The registers of a thread, reused from batch to batch and from program to program.
 #[derive(Debug, Default)]
@@ -213,7 +213,7 @@ impl Machine {
                 let reg = |reg: Reg| registers[reg.0 as usize].as_f32();
                 let lod = lod(registers, sample);
                 let coords = sample.coords.map(reg);
-                let reference = sample.reference.map(reg);
+                let (layer, reference) = (sample.layer.map(reg), sample.reference.map(reg));
                 let out = &mut *self.sampled;
                 match (sample.access, lod) {
                     (Access::Fetch { offset }, Lod::Explicit(level)) => {
@@ -238,7 +238,8 @@ impl Machine {
                         *rest = [F32s::ZERO; 2];
                     }
                     (Access::Filter { offset }, lod) => {
-                        plan.sample_offset(run.isa, coords, reference, offset, lod, out);
+                        let points = Points { coords, layer, reference };
+                        plan.sample_offset(run.isa, points, offset, lod, out);
                     }
                     // Validation wants a level for these.
                     (Access::Fetch { .. } | Access::Size, Lod::Implicit { .. })

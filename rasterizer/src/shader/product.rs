@@ -233,7 +233,7 @@ impl Steps {
 
     fn look_up(&mut self, sample: &SampleInst) -> Option<()> {
         let filters = sample.access == Access::Filter { offset: [0; 3] };
-        if !filters || sample.reference.is_some() {
+        if !filters || sample.layer.is_some() || sample.reference.is_some() {
             return None;
         }
         let mut moved = sample.clone();

@@ -180,7 +180,13 @@ fn face_name(shape: Shape, face: usize) -> &'static str {
         " of the face -Z",
     ];
     match shape {
-        Shape::D1 | Shape::D2 | Shape::D3 | Shape::Rect | Shape::D1Array | Shape::D2Array => "",
+        Shape::D1
+        | Shape::D2
+        | Shape::D3
+        | Shape::Rect
+        | Shape::D1Array
+        | Shape::D2Array
+        | Shape::CubeArray => "",
         Shape::Cube => NAMES.get(face).copied().unwrap_or(""),
     }
 }
@@ -190,7 +196,7 @@ fn call_name(shape: Shape) -> &'static str {
     match shape {
         Shape::D1 => "glTexImage1D",
         Shape::D2 | Shape::Rect | Shape::Cube | Shape::D1Array => "glTexImage2D",
-        Shape::D3 | Shape::D2Array => "glTexImage3D",
+        Shape::D3 | Shape::D2Array | Shape::CubeArray => "glTexImage3D",
     }
 }
 
@@ -201,14 +207,14 @@ fn sides(shape: Shape, [width, height, depth]: &[u32; 3]) -> String {
         Shape::D2 | Shape::Rect | Shape::Cube => format!("{width}×{height}"),
         Shape::D3 => format!("{width}×{height}×{depth}"),
         Shape::D1Array => format!("{width} in {depth} layers"),
-        Shape::D2Array => format!("{width}×{height} in {depth} layers"),
+        Shape::D2Array | Shape::CubeArray => format!("{width}×{height} in {depth} layers"),
     }
 }
 
 fn layers_stay(shape: Shape) -> &'static str {
     match shape {
         Shape::D1 | Shape::D2 | Shape::D3 | Shape::Rect | Shape::Cube => "",
-        Shape::D1Array | Shape::D2Array => "; all levels have as many layers",
+        Shape::D1Array | Shape::D2Array | Shape::CubeArray => "; all levels have as many layers",
     }
 }
 

@@ -20,6 +20,19 @@ pub enum ImageError {
         /// Slices or layers.
         depth: u32,
     },
+    /// A level of an array of cubes that is not made of whole cubes.
+    #[error(
+        "a level of {width}×{height} texels in {depth} layers is no array of cubes: faces are \
+         squares, and six layers make a cube"
+    )]
+    NotCubes {
+        /// Texels in a row.
+        width: u32,
+        /// Rows.
+        height: u32,
+        /// Faces of all cubes.
+        depth: u32,
+    },
     /// The allocation failed.
     #[error("there is no memory for {bytes} bytes of texels")]
     OutOfMemory {

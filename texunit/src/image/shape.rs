@@ -6,7 +6,9 @@ use super::{ImageError, Level};
 pub const MAX_SIZE: u32 = 16_384;
 /// The largest width, height and depth of a three-dimensional level.
 pub const MAX_SIZE_3D: u32 = 512;
-/// The most layers of an array.
+/// The faces of a cube.
+pub const FACES: usize = 6;
+/// The most layers of an array; of an array of cubes, the most faces.
 pub const MAX_LAYERS: u32 = 2048;
 
 /// The shape of an image, and of the coordinates that address it.
@@ -26,18 +28,43 @@ pub enum Shape {
     D1Array,
     /// Two coordinates and a layer (`EXT_texture_array`).
     D2Array,
+    /// A direction and a layer (`ARB_texture_cube_map_array`). Its layers are stored as those of
+    /// [`Self::D2Array`], the six faces of a cube one after the other.
+    CubeArray,
 }
 
 impl Shape {
     /// Every shape.
-    pub const ALL: [Self; 7] =
-        [Self::D1, Self::D2, Self::D3, Self::Rect, Self::Cube, Self::D1Array, Self::D2Array];
+    pub const ALL: [Self; 8] = [
+        Self::D1,
+        Self::D2,
+        Self::D3,
+        Self::Rect,
+        Self::Cube,
+        Self::D1Array,
+        Self::D2Array,
+        Self::CubeArray,
+    ];
 
-    /// How many faces an image of this shape has.
+    /// How many faces an image of this shape has that are levels of their own.
     pub const fn faces(self) -> usize {
         match self {
-            Self::D1 | Self::D2 | Self::D3 | Self::Rect | Self::D1Array | Self::D2Array => 1,
-            Self::Cube => 6,
+            Self::D1
+            | Self::D2
+            | Self::D3
+            | Self::Rect
+            | Self::D1Array
+            | Self::D2Array
+            | Self::CubeArray => 1,
+            Self::Cube => FACES,
+        }
+    }
+
+    /// Whether its first three coordinates are a direction, which meets one of six faces.
+    pub const fn is_cube(self) -> bool {
+        match self {
+            Self::Cube | Self::CubeArray => true,
+            Self::D1 | Self::D2 | Self::D3 | Self::Rect | Self::D1Array | Self::D2Array => false,
         }
     }
 
@@ -46,19 +73,19 @@ impl Shape {
     pub const fn axes(self) -> usize {
         match self {
             Self::D1 | Self::D1Array => 1,
-            Self::D2 | Self::Rect | Self::Cube | Self::D2Array => 2,
+            Self::D2 | Self::Rect | Self::Cube | Self::D2Array | Self::CubeArray => 2,
             Self::D3 => 3,
         }
     }
 
-    /// The largest width, height and depth (of an array: layers) of a level.
+    /// The largest width, height and depth (of an array: layers, of cubes' faces) of a level.
     pub const fn max_size(self) -> [u32; 3] {
         match self {
             Self::D1 => [MAX_SIZE, 1, 1],
             Self::D2 | Self::Rect | Self::Cube => [MAX_SIZE, MAX_SIZE, 1],
             Self::D3 => [MAX_SIZE_3D; 3],
             Self::D1Array => [MAX_SIZE, 1, MAX_LAYERS],
-            Self::D2Array => [MAX_SIZE, MAX_SIZE, MAX_LAYERS],
+            Self::D2Array | Self::CubeArray => [MAX_SIZE, MAX_SIZE, MAX_LAYERS],
         }
     }
 
@@ -89,6 +116,10 @@ impl Shape {
         if size.iter().zip(self.max_size()).any(|(&side, most)| side > most) {
             let [width, height, depth] = size;
             return Err(ImageError::TooLarge { width, height, depth });
+        }
+        let [width, height, depth] = size;
+        if self == Self::CubeArray && (width != height || depth as usize % FACES != 0) {
+            return Err(ImageError::NotCubes { width, height, depth });
         }
         if level.border != [0; 3] && level.border != self.border(1) {
             return Err(ImageError::WrongBorder { border: level.border });

@@ -102,6 +102,7 @@ fn every_format_and_shape_is_the_integral_over_its_area() {
         (Shape::Cube, [3, 3, 1]),
         (Shape::D1Array, [6, 1, 3]),
         (Shape::D2Array, [4, 3, 3]),
+        (Shape::CubeArray, [5, 5, 6]),
     ];
     for format in averaged() {
         for (number, (shape, size)) in cases.into_iter().enumerate() {
@@ -229,9 +230,11 @@ fn the_largest_level_ends_the_pyramid_and_a_missing_base_is_an_error() {
 
 #[test]
 fn layers_stay_and_slices_are_halved() {
-    for (shape, depths) in [(Shape::D3, [5, 2, 1]), (Shape::D2Array, [5, 5, 5])] {
+    for (shape, depths) in
+        [(Shape::D3, [6, 3, 1]), (Shape::D2Array, [6, 6, 6]), (Shape::CubeArray, [6, 6, 6])]
+    {
         let mut image = Image::new(shape);
-        image.set_level(0, 0, noise(Format::Rgba8, [4, 4, 5], [0; 3], 1)).unwrap();
+        image.set_level(0, 0, noise(Format::Rgba8, [4, 4, 6], [0; 3], 1)).unwrap();
         image.generate_mipmaps(0, 99).unwrap();
         let made = [0, 1, 2].map(|level| image.level(0, level).unwrap().depth);
         assert_eq!(made, depths);

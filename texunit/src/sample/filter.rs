@@ -8,7 +8,7 @@ use super::record::Recorder;
 use super::wrap::{Axis, Indices, enclosing};
 use super::{fetch, plain, seamless};
 use crate::format::convert::over_255;
-use crate::image::{Level, Shape};
+use crate::image::{FACES, Level, Shape};
 use crate::lanes::{F32s, LANES, Simd, U32s};
 use crate::plan::{Texture, Way};
 use crate::sampler::{Filter, Seamless};
@@ -23,7 +23,7 @@ pub struct Place<'a> {
     /// The level's number, from the base level.
     pub number: usize,
     pub level: &'a Level,
-    /// The layer of each lane; 0 where there are none.
+    /// The layer of each lane (of an array of cubes: which cube); 0 where there are none.
     pub layer: &'a U32s,
     /// What texels are compared with.
     pub reference: &'a F32s,
@@ -40,7 +40,13 @@ impl Place<'_> {
     /// The slice that each lane reads where r is not filtered along.
     #[inline(always)]
     pub fn slice(&self) -> Indices {
-        Indices { index: *self.layer, outside: U32s::ZERO }
+        let mut slice = Indices { index: *self.layer, outside: U32s::ZERO };
+        if self.texture.shape == Shape::CubeArray {
+            for lane in 0..LANES {
+                slice.index[lane] = slice.index[lane] * FACES as u32 + self.face as u32;
+            }
+        }
+        slice
     }
 }
 

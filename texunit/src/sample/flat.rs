@@ -33,7 +33,15 @@ pub(crate) fn class(shape: Shape, way: Way) -> Option<Class> {
     match (shape, way) {
         (Shape::D2 | Shape::Rect, Way::Plain(class) | Way::Compared(class)) => Some(class),
         (Shape::D2 | Shape::Rect, Way::General | Way::Blocks(_))
-        | (Shape::D1 | Shape::D3 | Shape::Cube | Shape::D1Array | Shape::D2Array, _) => None,
+        | (
+            Shape::D1
+            | Shape::D3
+            | Shape::Cube
+            | Shape::D1Array
+            | Shape::D2Array
+            | Shape::CubeArray,
+            _,
+        ) => None,
     }
 }
 

@@ -43,6 +43,7 @@ pub(crate) struct Sample<'a, R, F> {
     /// By reference, as is `lod`: a copy in vectors of what was just stored word by word would wait
     /// for all stores before it.
     pub coords: &'a [&'a F32s; 3],
+    pub layer: Option<&'a F32s>,
     pub reference: Option<&'a F32s>,
     /// Texels added along s, t, r, on each level (GLSL 1.30, section 8.7).
     pub offset: [i32; 3],
@@ -58,12 +59,12 @@ impl<R: Recorder, F: Reads> Kernel for Sample<'_, R, F> {
 
     #[inline(always)]
     fn run<S: Simd>(self) {
-        let Self { texture, coords, reference, offset, lod, out, recorder, reads: _ } = self;
+        let Self { texture, coords, layer, reference, offset, lod, out, recorder, reads: _ } = self;
         let reference = match texture.compare {
             Some(_) => unit_range(reference.unwrap_or(coords[2])),
             None => F32s::ZERO,
         };
-        let at = Coordinates::new(texture, *coords, recorder);
+        let at = Coordinates::new(texture, *coords, layer, recorder);
         let (taps, footprint) = taps::taps::<S, F>(texture, &at, *lod, recorder);
         let (probes, scan) = match &footprint {
             Footprint::Probes(probes) if F::PROBES => (Some(probes), None),
@@ -89,18 +90,18 @@ impl<'a, F: Reads> Sample<'a, Off, F> {
 
     /// The same with a kernel that reads other footprints.
     pub fn reading<G: Reads>(self) -> Sample<'a, Off, G> {
-        let Self { texture, coords, reference, offset, lod, out, recorder, reads: _ } = self;
+        let Self { texture, coords, layer, reference, offset, lod, out, recorder, reads: _ } = self;
         let reads = PhantomData;
-        Sample { texture, coords, reference, offset, lod, out, recorder, reads }
+        Sample { texture, coords, layer, reference, offset, lod, out, recorder, reads }
     }
 
     /// Runs it as compiled for an instruction set.
     #[inline]
     pub fn run_on(self, isa: Isa) {
         if let Err(sample) = isa.run_above_baseline(self) {
-            let Self { texture, coords, reference, offset, lod, out, .. } = sample;
+            let Self { texture, coords, layer, reference, offset, lod, out, .. } = sample;
             let (recorder, reads) = (&mut Lane::deaf(), PhantomData);
-            Sample { texture, coords, reference, offset, lod, out, recorder, reads }
+            Sample { texture, coords, layer, reference, offset, lod, out, recorder, reads }
                 .run_in_baseline();
         }
     }
@@ -134,13 +135,18 @@ impl<'a> Coordinates<'a> {
     }
 
     #[inline(always)]
-    fn new(texture: &Texture, given: [&'a F32s; 3], recorder: &mut impl Recorder) -> Self {
+    fn new(
+        texture: &Texture,
+        given: [&'a F32s; 3],
+        layer: Option<&F32s>,
+        recorder: &mut impl Recorder,
+    ) -> Self {
         let mut at = Self::in_plane(given);
         match texture.shape {
             Shape::D1 | Shape::D2 | Shape::Rect | Shape::D3 => {}
-            Shape::D1Array => at.layer = wrap::layer(given[1], texture.size[2]),
-            Shape::D2Array => at.layer = wrap::layer(given[2], texture.size[2]),
-            Shape::Cube => {
+            Shape::D1Array => at.layer = wrap::layer(given[1], texture.layers()),
+            Shape::D2Array => at.layer = wrap::layer(given[2], texture.layers()),
+            Shape::Cube | Shape::CubeArray => {
                 let projected = cube::project(given);
                 recorder.note(|lane| SampleStep::Face {
                     face: projected.face[lane],
@@ -148,6 +154,9 @@ impl<'a> Coordinates<'a> {
                 });
                 at.face = projected.face;
                 at.st = Some(projected.st);
+                if let Some(layer) = layer {
+                    at.layer = wrap::layer(layer, texture.layers());
+                }
             }
         }
         if texture.is_array() {
@@ -211,7 +220,7 @@ fn sample_probes<S: Simd, F: Reads>(
             for (axis, to) in to.iter_mut().enumerate().take(axes) {
                 place_probe(at.filtered()[axis], probes, axis, probe, to);
             }
-            if samples.texture.shape == Shape::Cube {
+            if samples.texture.shape.is_cube() {
                 let [s, t, _] = *to;
                 let on = cube::over_edges(&cube::Projected { face: at.face, st: [s, t] });
                 [to[0], to[1]] = on.st;

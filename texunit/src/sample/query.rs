@@ -25,7 +25,7 @@ impl Kernel for Query<'_> {
     #[inline(always)]
     fn run<S: Simd>(self) {
         let Self { texture, coords, lod, out } = self;
-        let at = Coordinates::new(texture, coords, &mut Off);
+        let at = Coordinates::new(texture, coords, None, &mut Off);
         let (range, anisotropy) = match &texture.detail {
             Detail::PerLane { range, anisotropy, .. } => (*range, *anisotropy),
             // Only the bias counts.

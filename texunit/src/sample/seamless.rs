@@ -19,6 +19,7 @@ pub fn linear<S: Simd>(
     out: &mut [F32s; 4],
     recorder: &mut impl Recorder,
 ) {
+    let on = |face: u32| Place { face: face as usize, ..*place };
     let mut corners = [[F32s::ZERO; 4]; 4];
     let mut missing = [U32s::ZERO; 4];
     for corner in 0..4 {
@@ -28,7 +29,7 @@ pub fn linear<S: Simd>(
         texels::<S>(place, &found, &mut corners[corner]);
         recorder.note(|lane| SampleStep::Texel {
             face: found.face[lane],
-            at: [found.x[lane], found.y[lane], 0],
+            at: [found.x[lane], found.y[lane], on(found.face[lane]).slice().index[lane]],
             source: match found.missing[lane] {
                 0 => TexelSource::Stored,
                 _ => TexelSource::Corner,

@@ -4,7 +4,6 @@ use super::footprint::{self, Derivatives, Footprint, Reads};
 use super::lod::{across, upward};
 use super::record::Recorder;
 use super::{Coordinates, cube, scan};
-use crate::image::Shape;
 use crate::lanes::{F32s, LANES, Simd, U32s};
 use crate::plan::{Anisotropy, Detail, Lod, Texture};
 use crate::sampler::Filter;
@@ -158,7 +157,7 @@ pub fn taps<S: Simd, F: Reads>(
             weight: if minified { weight } else { 0.0 },
         }
     });
-    if texture.shape != Shape::Cube && min == mag {
+    if !texture.shape.is_cube() && min == mag {
         // Up to λ = 0 the level is 0 in any case.
         if let Some(taps) = alike::<S>(key(*min, 0, 0), &levels, &weight) {
             return (taps, footprint);
@@ -200,14 +199,14 @@ pub fn base_lambda<'a, S: Simd, F: Reads>(
             let mut d = match &lod {
                 Lod::Gradient { dx, dy, .. } => Derivatives { dx: *dx, dy: *dy },
                 Lod::Implicit { .. } | Lod::Explicit(_) => {
-                    let read = if texture.shape == Shape::Cube { 3 } else { axes };
+                    let read = if texture.shape.is_cube() { 3 } else { axes };
                     differences = of_quads(at.given, read);
                     let [dx, dy] = &differences;
                     Derivatives { dx: dx.each_ref(), dy: dy.each_ref() }
                 }
             };
             let on_face;
-            if texture.shape == Shape::Cube {
+            if texture.shape.is_cube() {
                 on_face = [
                     cube::derivatives(&at.face, at.given, d.dx),
                     cube::derivatives(&at.face, at.given, d.dy),
@@ -246,7 +245,7 @@ pub fn base_lambda<'a, S: Simd, F: Reads>(
 fn fixed<S: Simd>(texture: &Texture, at: &Coordinates) -> Taps {
     let Detail::Fixed { filter, level, .. } = &texture.detail else { return Taps::Same(NONE) };
     let every = key(*filter, 0, *level);
-    if texture.shape != Shape::Cube {
+    if !texture.shape.is_cube() {
         return Taps::Same(every);
     }
     let mut keys = U32s::ZERO;

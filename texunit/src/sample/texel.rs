@@ -8,7 +8,8 @@ use crate::plan::Texture;
 /// are 0.
 pub(crate) struct Fetch<'a> {
     pub texture: &'a Texture,
-    /// Column, row, and slice or layer; a 1D array's layer is the second.
+    /// Column, row, and slice or layer; a 1D array's layer is the second, cubes have their faces
+    /// as layers.
     pub texel: [&'a I32s; 3],
     /// From the base level.
     pub level: &'a I32s,

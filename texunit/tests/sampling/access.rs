@@ -59,6 +59,8 @@ fn sizes_follow_the_levels_and_layers_stay() {
     assert_eq!(size(Shape::D3, 1), [4, 3, 2]);
     assert_eq!(size(Shape::D1Array, 1), [4, 3, 1]);
     assert_eq!(size(Shape::D2Array, 1), [4, 3, 3]);
+    assert_eq!(size(Shape::CubeArray, 0), [9, 9, 3]);
+    assert_eq!(size(Shape::CubeArray, 1), [4, 4, 3]);
     assert_eq!(size(Shape::Rect, 1), [0; 3]);
     assert_eq!(size(Shape::D2, -1), [0; 3]);
 }

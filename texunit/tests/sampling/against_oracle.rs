@@ -6,7 +6,7 @@ use proptest::prelude::*;
 use texunit::format::Format;
 use texunit::image::{Image, Shape};
 use texunit::lanes::{F32s, Isa, LANES};
-use texunit::plan::{Lod, SamplePlan};
+use texunit::plan::{Lod, Points, SamplePlan};
 use texunit::sampler::Sampler;
 
 /// What a filter may be off by. A coordinate of magnitude up to about 20 has an error of a few
@@ -55,6 +55,7 @@ fn check(image: &Image, sampler: &Sampler, seed: u64) -> Tally {
         let reference = F32s::from_fn(|l| if l % 2 == 0 { held } else { random.within(-0.2, 1.2) });
         let bias = F32s::from_fn(|_| random.within(-1.0, 1.0));
         let lambda = F32s::from_fn(|_| random.within(-2.0, 7.0));
+        let layer = F32s::from_fn(|_| random.within(-1.5, 4.0));
         let dx = [(); 3].map(|()| F32s::from_fn(|_| random.within(-scale, scale)));
         let dy = [(); 3].map(|()| F32s::from_fn(|_| random.within(-scale, scale)));
         let lods = [
@@ -65,8 +66,12 @@ fn check(image: &Image, sampler: &Sampler, seed: u64) -> Tally {
         ];
         for lod in lods {
             let mut got = [F32s::splat(f32::NAN); 4];
-            let (at, reference_lanes) = (coords.each_ref(), Some(&reference));
-            plan.sample_offset(Isa::best(), at, reference_lanes, offset, lod, &mut got);
+            let points = Points {
+                coords: coords.each_ref(),
+                layer: Some(&layer),
+                reference: Some(&reference),
+            };
+            plan.sample_offset(Isa::best(), points, offset, lod, &mut got);
             for lane in 0..LANES {
                 let at = coords.each_ref().map(|c| f64::from(c[lane]));
                 let detail = match lod {
@@ -82,8 +87,8 @@ fn check(image: &Image, sampler: &Sampler, seed: u64) -> Tally {
                         Detail::Derivatives { dx: lane_of(dx), dy: lane_of(dy), bias: 0.0 }
                     }
                 };
-                let reference = f64::from(reference[lane]);
-                let oracle = Oracle { image, sampler, reference, offset };
+                let (layer, reference) = (f64::from(layer[lane]), f64::from(reference[lane]));
+                let oracle = Oracle { image, sampler, layer, reference, offset };
                 tally.check(&got, lane, oracle.sample(at, detail), &what);
             }
         }

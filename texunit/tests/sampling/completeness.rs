@@ -101,6 +101,8 @@ fn every_shape_needs_its_own_sizes() {
         (Shape::D1Array, [4, 1, 8], &[[2, 1, 4]], "2 in 4 layers, but must be 2 in 8 layers"),
         (Shape::D2Array, [4, 4, 16], &[[2, 2, 16], [1, 1, 16]], ""),
         (Shape::D2Array, [4, 4, 2], &[[2, 2, 1]], "2×2 in 1 layers, but must be 2×2 in 2 layers"),
+        (Shape::CubeArray, [4, 4, 12], &[[2, 2, 12], [1, 1, 12]], ""),
+        (Shape::CubeArray, [4, 4, 12], &[[2, 2, 6]], "2×2 in 6 layers, but must be 2×2 in 12"),
         (Shape::D2, [8, 2, 1], &[[4, 1, 1], [2, 1, 1], [1, 1, 1]], ""),
     ];
     for (shape, base, smaller, words) in rows {

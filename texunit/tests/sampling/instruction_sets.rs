@@ -3,7 +3,7 @@
 use crate::scene::{self, Random};
 use proptest::prelude::*;
 use texunit::lanes::{F32s, Isa, LANES};
-use texunit::plan::{Lod, SamplePlan};
+use texunit::plan::{Lod, Points, SamplePlan};
 
 /// Bits that no range of coordinates leaves out.
 fn anything(random: &mut Random) -> F32s {
@@ -41,14 +41,19 @@ proptest! {
                 0 => [(); 3].map(|()| anything(&mut random)),
                 _ => scene::block(&mut random, 0.05),
             };
-            let reference = anything(&mut random);
+            let [layer, reference] = [(); 2].map(|()| anything(&mut random));
             let bias = anything(&mut random);
             let lods =
                 [Lod::Implicit { bias: None }, Lod::Implicit { bias: Some(&bias) }, Lod::Explicit(&bias)];
             for lod in lods {
                 let sample = |isa| {
                     let mut out = [F32s::ZERO; 4];
-                    plan.sample(isa, coords.each_ref(), Some(&reference), lod, &mut out);
+                    let points = Points {
+                        coords: coords.each_ref(),
+                        layer: Some(&layer),
+                        reference: Some(&reference),
+                    };
+                    plan.sample_offset(isa, points, [0; 3], lod, &mut out);
                     out
                 };
                 let want = sample(Isa::BASELINE);

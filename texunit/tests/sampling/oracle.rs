@@ -26,6 +26,8 @@ pub struct Answer {
 pub struct Oracle<'a> {
     pub image: &'a Image,
     pub sampler: &'a Sampler,
+    /// The layer coordinate of an array of cubes.
+    pub layer: f64,
     pub reference: f64,
     pub offset: [i32; 3],
 }
@@ -49,12 +51,21 @@ impl Oracle<'_> {
             margin = (r + 0.5 - (r + 0.5).round()).abs();
             (r + 0.5).floor().clamp(0.0, size[2] - 1.0) as i32
         };
+        // Six layers of storage are one layer of an array of cubes.
+        let cubes = |q: f64| ((q + 0.5).floor().clamp(0.0, size[2] / 6.0 - 1.0)) as i32;
         match shape {
             Shape::D1 | Shape::D2 | Shape::D3 | Shape::Rect => {}
             Shape::D1Array => place.layer = layer_of(at[1]),
             Shape::D2Array => place.layer = layer_of(at[2]),
             Shape::Cube => {
                 (place.face, margin) = select_face(at);
+                let [s, t] = project(place.face, at);
+                place.at = [s, t, 0.0];
+            }
+            Shape::CubeArray => {
+                (place.face, margin) = select_face(at);
+                margin = margin.min((self.layer + 0.5 - (self.layer + 0.5).round()).abs());
+                place.layer = cubes(self.layer);
                 let [s, t] = project(place.face, at);
                 place.at = [s, t, 0.0];
             }
@@ -109,7 +120,7 @@ impl Oracle<'_> {
             Shape::D1 | Shape::D1Array => [d[0], 0.0, 0.0],
             Shape::D2 | Shape::Rect | Shape::D2Array => [d[0], d[1], 0.0],
             Shape::D3 => d,
-            Shape::Cube => {
+            Shape::Cube | Shape::CubeArray => {
                 // The projection's own slope, by a central difference.
                 let h = 1e-6;
                 let ahead = project(face, [0, 1, 2].map(|i| at[i] + h * d[i]));
@@ -173,14 +184,14 @@ impl Oracle<'_> {
     /// One level with one filter.
     fn level(&self, place: Place, number: usize, filter: Filter, mut margin: f64) -> Answer {
         let shape = self.image.shape();
-        let level = self.image.level(place.face, number).unwrap();
-        let seamless = shape == Shape::Cube && self.sampler.seamless == Seamless::On;
+        let (level, slice) = self.stored(place, number);
+        let seamless = is_cube(shape) && self.sampler.seamless == Seamless::On;
         // Per axis the indices and their weights.
-        let mut along = [vec![(0.0, 1.0)], vec![(0.0, 1.0)], vec![(f64::from(place.layer), 1.0)]];
+        let mut along = [vec![(0.0, 1.0)], vec![(0.0, 1.0)], vec![(f64::from(slice), 1.0)]];
         for (axis, along) in along.iter_mut().enumerate().take(shape.axes()) {
             let n = f64::from(level.size()[axis]);
             let wrap = match (shape, self.sampler.wrap[axis]) {
-                (Shape::Cube, _) if seamless => Wrap::Clamp,
+                (Shape::Cube | Shape::CubeArray, _) if seamless => Wrap::Clamp,
                 (Shape::Rect, Wrap::Clamp) => Wrap::Clamp,
                 (Shape::Rect, Wrap::ClampToBorder) => Wrap::ClampToBorder,
                 (Shape::Rect, _) => Wrap::ClampToEdge,
@@ -224,7 +235,7 @@ impl Oracle<'_> {
                 for &(i, wi) in &along[0] {
                     let at = [i as i32, j as i32, k as i32];
                     let texel = if seamless {
-                        self.across(place.face, number, at)
+                        self.across(place, number, at)
                     } else {
                         Some(self.texel(level, at))
                     };
@@ -246,12 +257,12 @@ impl Oracle<'_> {
     }
 
     /// A texel of a seamless cube; none beyond a corner.
-    fn across(&self, face: usize, number: usize, [i, j, _]: [i32; 3]) -> Option<[f64; 4]> {
-        let level = self.image.level(face, number).unwrap();
+    fn across(&self, place: Place, number: usize, [i, j, _]: [i32; 3]) -> Option<[f64; 4]> {
+        let (level, slice) = self.stored(place, number);
         let n = level.width as i32;
         let inside = |i: i32| (0..n).contains(&i);
         match (inside(i), inside(j)) {
-            (true, true) => return Some(self.texel(level, [i, j, 0])),
+            (true, true) => return Some(self.texel(level, [i, j, slice])),
             (false, false) => return None,
             _ => {}
         }
@@ -261,7 +272,7 @@ impl Oracle<'_> {
             centre.clamp(-1.0 - 1e-9, 1.0 + 1e-9)
         };
         let (sc, tc) = (on_edge(i), on_edge(j));
-        let direction = match face {
+        let direction = match place.face {
             0 => [1.0, -tc, -sc],
             1 => [-1.0, -tc, sc],
             2 => [sc, 1.0, tc],
@@ -269,10 +280,20 @@ impl Oracle<'_> {
             4 => [sc, -tc, 1.0],
             _ => [-sc, -tc, -1.0],
         };
-        let (other, _) = select_face(direction);
+        let (face, _) = select_face(direction);
         let [x, y] =
-            project(other, direction).map(|s| ((s * f64::from(n)).floor() as i32).clamp(0, n - 1));
-        Some(self.texel(self.image.level(other, number).unwrap(), [x, y, 0]))
+            project(face, direction).map(|s| ((s * f64::from(n)).floor() as i32).clamp(0, n - 1));
+        let (level, slice) = self.stored(Place { face, ..place }, number);
+        Some(self.texel(level, [x, y, slice]))
+    }
+
+    /// A level, and which slice of it a place is in.
+    fn stored(&self, place: Place, number: usize) -> (&Level, i32) {
+        let (face, slice) = match self.image.shape() {
+            Shape::CubeArray => (0, 6 * place.layer + place.face as i32),
+            _ => (place.face, place.layer),
+        };
+        (self.image.level(face, number).unwrap(), slice)
     }
 
     /// A texel, or the border colour where there is none.
@@ -313,14 +334,18 @@ impl Oracle<'_> {
     }
 }
 
+fn is_cube(shape: Shape) -> bool {
+    matches!(shape, Shape::Cube | Shape::CubeArray)
+}
+
 /// A point beyond the edge of a cube's face is where its direction meets the cube; and its distance
 /// to where this matters.
 fn over_edges(shape: Shape, place: Place) -> (Place, f64) {
     let [s, t, _] = place.at;
     let (sc, tc) = (2.0 * s - 1.0, 2.0 * t - 1.0);
     let beyond = sc.abs().max(tc.abs()) - 1.0;
-    if shape != Shape::Cube || beyond <= 0.0 {
-        return (place, if shape == Shape::Cube { -beyond } else { f64::INFINITY });
+    if !is_cube(shape) || beyond <= 0.0 {
+        return (place, if is_cube(shape) { -beyond } else { f64::INFINITY });
     }
     let direction = match place.face {
         0 => [1.0, -tc, -sc],

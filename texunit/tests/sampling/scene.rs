@@ -35,6 +35,7 @@ pub fn image(shape: Shape, format: Format, width: u32, height: u32, seed: u64) -
         Shape::Cube => [width, width, 1],
         Shape::D1Array => [width, 1, 3],
         Shape::D2Array => [width, height, 3],
+        Shape::CubeArray => [width, width, 18],
     };
     let border = shape.border(if format.block().is_none() { (seed % 2) as u32 } else { 0 });
     let mut image = Image::new(shape);
@@ -157,8 +158,12 @@ pub fn samplers() -> impl Strategy<Value = Sampler> {
 pub fn for_shape(shape: Shape, sampler: Sampler) -> Sampler {
     match shape {
         Shape::Rect => Sampler { mipmap: Mipmap::None, base_level: 0, ..sampler },
-        Shape::D1 | Shape::D2 | Shape::D3 | Shape::Cube | Shape::D1Array | Shape::D2Array => {
-            sampler
-        }
+        Shape::D1
+        | Shape::D2
+        | Shape::D3
+        | Shape::Cube
+        | Shape::D1Array
+        | Shape::D2Array
+        | Shape::CubeArray => sampler,
     }
 }

@@ -5,7 +5,7 @@ use proptest::prelude::*;
 use texunit::format::Format;
 use texunit::image::Shape;
 use texunit::lanes::{F32s, Isa, LANES};
-use texunit::plan::{Lod, SamplePlan};
+use texunit::plan::{Lod, Points, SamplePlan};
 use texunit::sampler::{Filter, Mipmap, Sampler, Wrap};
 use texunit::trace::SampleStep;
 
@@ -31,6 +31,7 @@ proptest! {
         for scale in [0.02, 0.3] {
             let coords = scene::block(&mut random, scale);
             let reference = F32s::from_fn(|_| random.within(-0.2, 1.2));
+            let layer = F32s::from_fn(|_| random.within(-1.5, 4.0));
             let bias = F32s::from_fn(|_| random.within(-1.0, 1.0));
             let d = [(); 6].map(|()| F32s::from_fn(|_| random.within(-scale, scale)));
             let [a, b, c, e, f, g] = d.each_ref();
@@ -40,11 +41,15 @@ proptest! {
                 Lod::Gradient { dx: [a, b, c], dy: [e, f, g], bias: None },
             ];
             for lod in lods {
-                let (at, reference) = (coords.each_ref(), Some(&reference));
+                let points = Points {
+                    coords: coords.each_ref(),
+                    layer: Some(&layer),
+                    reference: Some(&reference),
+                };
                 let mut out = [F32s::ZERO; 4];
-                plan.sample_offset(Isa::best(), at, reference, [1, 0, -2], lod, &mut out);
+                plan.sample_offset(Isa::best(), points, [1, 0, -2], lod, &mut out);
                 for lane in (0..LANES).step_by(7) {
-                    let trace = plan.trace(lane, at, reference, [1, 0, -2], lod);
+                    let trace = plan.trace(lane, points, [1, 0, -2], lod);
                     let want = out.each_ref().map(|channel| bits(channel[lane]));
                     prop_assert_eq!(trace.result.map(bits), want, "{}", plan.describe());
                 }
@@ -67,7 +72,8 @@ fn the_steps_of_a_trilinear_sample_are_those_of_the_chapter() {
     // Three texels a pixel.
     let s = F32s::from_fn(|lane| 0.375 * texunit::lanes::lane_x(lane) as f32);
     let t = F32s::from_fn(|lane| 0.375 * texunit::lanes::lane_y(lane) as f32);
-    let trace = plan.trace(5, [&s, &t, &F32s::ZERO], None, [0; 3], Lod::Implicit { bias: None });
+    let points = Points { coords: [&s, &t, &F32s::ZERO], layer: None, reference: None };
+    let trace = plan.trace(5, points, [0; 3], Lod::Implicit { bias: None });
     let levels: Vec<u32> = trace
         .steps
         .iter()

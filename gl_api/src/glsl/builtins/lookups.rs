@@ -1,6 +1,6 @@
 //! The texture lookups (GLSL 1.30 section 8.7; GLSL 1.20 section 8.7; `EXT_gpu_shader4`,
-//! `EXT_texture_array`, `ARB_texture_rectangle`, `ARB_shader_texture_lod`), generated from a table of
-//! what each kind of sampler takes.
+//! `EXT_texture_array`, `ARB_texture_rectangle`, `ARB_shader_texture_lod`,
+//! `ARB_texture_cube_map_array`), generated from a table of what each kind of sampler takes.
 
 use super::functions::{Lower, P, Row};
 use crate::glsl::Scalar;
@@ -54,7 +54,9 @@ pub enum Lookup {
 /// Which levels of detail a kind of sampler can be asked for.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Levels {
-    /// It has none: from the quad or from derivatives only.
+    /// From the quad only.
+    Implicit,
+    /// From the quad or from derivatives only.
     Derived,
     /// As above, and with a bias.
     Biased,
@@ -66,7 +68,8 @@ enum Levels {
 struct Kind {
     dim: Dim,
     comparison: Comparison,
-    /// Components of the coordinates, layer and reference included.
+    /// Components of the coordinates, layer and reference included; where there are five, the
+    /// last is an argument of its own.
     coords: u8,
     /// Components of coordinates that are divided by their last.
     projected: &'static [u8],
@@ -77,27 +80,36 @@ struct Kind {
     /// Components of a size.
     size: u8,
     levels: Levels,
-    /// How the functions before 1.30 begin.
-    prefix: &'static str,
-    /// What brought those of them that are not of `EXT_gpu_shader4` alone.
+    /// How the functions before 1.30 begin, and what brought those of them that are not of
+    /// `EXT_gpu_shader4` alone.
+    older: Option<(&'static str, Since)>,
+    /// What brought those of 1.30.
     since: Since,
 }
 
 const GPU_SHADER4: Since = Since::only(Extension::GpuShader4);
 
-const KINDS: [Kind; 13] = {
+const KINDS: [Kind; 15] = {
     use Comparison::{No, Yes};
-    use Dim::{Cube, D1, D1Array, D2, D2Array, D3, Rect};
-    use Levels::{All, Biased, Derived};
+    use Dim::{Cube, CubeArray, D1, D1Array, D2, D2Array, D3, Rect};
+    use Levels::{All, Biased, Derived, Implicit};
     const fn row(
         (dim, comparison): (Dim, Comparison),
         coords: u8,
         projected: &'static [u8],
         [gradient, offset, size]: [u8; 3],
         levels: Levels,
-        (prefix, since): (&'static str, Since),
+        older: (&'static str, Since),
     ) -> Kind {
-        Kind { dim, comparison, coords, projected, gradient, offset, size, levels, prefix, since }
+        let (older, since) = (Some(older), Since::V130);
+        Kind { dim, comparison, coords, projected, gradient, offset, size, levels, older, since }
+    }
+    /// Cubes in an array, which have no functions before 1.30.
+    const fn cubes(comparison: Comparison, coords: u8, levels: Levels) -> Kind {
+        let (dim, projected, older) = (CubeArray, &[], None);
+        let [gradient, offset, size] = [3, 0, 3];
+        let since = Since::only(Extension::TextureCubeMapArray);
+        Kind { dim, comparison, coords, projected, gradient, offset, size, levels, older, since }
     }
     const RECT: Since = Since::only(Extension::TextureRectangle);
     const ARRAY: Since = GPU_SHADER4.or(Extension::TextureArray);
@@ -115,6 +127,8 @@ const KINDS: [Kind; 13] = {
         row((Rect, Yes), 3, &[4], [2, 2, 2], Derived, ("shadow2DRect", RECT)),
         row((D1Array, Yes), 3, &[], [1, 1, 2], All, ("shadow1DArray", ARRAY)),
         row((D2Array, Yes), 4, &[], [2, 2, 3], Derived, ("shadow2DArray", ARRAY)),
+        cubes(No, 4, All),
+        cubes(Yes, 5, Implicit),
     ]
 };
 
@@ -124,8 +138,9 @@ const FORMS: [LodForm; 4] =
 impl Kind {
     fn allows(&self, form: LodForm) -> bool {
         match form {
-            LodForm::Implicit | LodForm::Gradient => true,
-            LodForm::Bias => self.levels != Levels::Derived,
+            LodForm::Implicit => true,
+            LodForm::Gradient => self.levels != Levels::Implicit,
+            LodForm::Bias => matches!(self.levels, Levels::Biased | Levels::All),
             LodForm::Explicit => self.levels == Levels::All,
         }
     }
@@ -146,7 +161,7 @@ impl Kind {
 
     /// Whether there is a layer among the coordinates.
     fn is_array(&self) -> bool {
-        matches!(self.dim, Dim::D1Array | Dim::D2Array)
+        matches!(self.dim, Dim::D1Array | Dim::D2Array | Dim::CubeArray)
     }
 
     /// With offset and without, as far as there are offsets.
@@ -157,7 +172,10 @@ impl Kind {
 
     /// The parameters of a sample.
     fn parameters(&self, sampler: Sampler, size: u8, form: LodForm, shift: Shift) -> Vec<P> {
-        let mut all = vec![P::Sampler(sampler), P::Fixed(Scalar::Float, size)];
+        let mut all = vec![P::Sampler(sampler), P::Fixed(Scalar::Float, size.min(4))];
+        if size > 4 {
+            all.push(P::Fixed(Scalar::Float, size - 4));
+        }
         match form {
             LodForm::Implicit | LodForm::Bias => {}
             LodForm::Explicit => all.push(P::Fixed(Scalar::Float, 1)),
@@ -198,7 +216,9 @@ pub fn rows() -> Vec<Row> {
     for kind in &KINDS {
         for &scalar in kind.scalars() {
             let sampler = Sampler { dim: kind.dim, scalar, comparison: kind.comparison };
-            named_by_kind(kind, sampler, &mut rows);
+            if let Some(older) = kind.older {
+                named_by_kind(kind, older, sampler, &mut rows);
+            }
             overloaded(kind, sampler, &mut rows);
             query(kind, sampler, &mut rows);
         }
@@ -215,8 +235,12 @@ fn row(name: String, result: P, parameters: Vec<P>, since: Since, lookup: Lookup
 /// The functions that have the kind of sampler in their names: `texture2DProjLod`. Integers,
 /// offsets and gradients are of `EXT_gpu_shader4`; gradients with an `ARB` behind them of
 /// `ARB_shader_texture_lod`.
-fn named_by_kind(kind: &Kind, sampler: Sampler, rows: &mut Vec<Row>) {
-    let prefix = kind.prefix;
+fn named_by_kind(
+    kind: &Kind,
+    (prefix, since_float): (&str, Since),
+    sampler: Sampler,
+    rows: &mut Vec<Row>,
+) {
     let result = P::Fixed(sampler.scalar, 4);
     for (projection, size) in kind.coordinates() {
         for form in FORMS.into_iter().filter(|form| kind.allows(*form)) {
@@ -234,7 +258,7 @@ fn named_by_kind(kind: &Kind, sampler: Sampler, rows: &mut Vec<Row>) {
                         Scalar::Float,
                         LodForm::Implicit | LodForm::Bias | LodForm::Explicit,
                         Shift::None,
-                    ) => kind.since,
+                    ) => since_float,
                     (_, _, _) => GPU_SHADER4,
                 };
                 let name = format!("{prefix}{}{suffix}", infix(projection, form));
@@ -262,12 +286,12 @@ fn overloaded(kind: &Kind, sampler: Sampler, rows: &mut Vec<Row>) {
                 let name = format!("texture{}{suffix}", infix(projection, form));
                 let parameters = kind.parameters(sampler, size, form, shift);
                 let lookup = Lookup::Sample(projection, form, shift);
-                let row = row(name, result, parameters, Since::V130, lookup);
+                let row = row(name, result, parameters, kind.since, lookup);
                 rows.push(Row { stages: stages(form), ..row });
             }
         }
     }
-    unfiltered(kind, sampler, "", Since::V130, rows);
+    unfiltered(kind, sampler, "", kind.since, rows);
 }
 
 /// `textureQueryLOD` (ARB_texture_query_lod), whose coordinates have no layer and no reference. A

@@ -3,7 +3,8 @@
 
 use crate::glsl::limits::MAX_VALUES;
 use rasterizer::ir::{
-    Access, Axis, Builder, Expr, Input, Lod, Op, Stage, Stmt, Texture, TextureDecl, Ty, Value, Var,
+    Access, Axis, Builder, Expr, Input, Op, Sample, Stage, Stmt, Texture, TextureDecl, Ty, Value,
+    Var,
 };
 use std::collections::BTreeMap;
 
@@ -188,24 +189,17 @@ impl Emit {
     }
 
     /// A texture access.
-    pub fn access(
-        &mut self,
-        texture: Texture,
-        access: Access,
-        coords: [Value; 3],
-        reference: Option<Value>,
-        lod: Lod,
-    ) -> [Value; 4] {
+    pub fn access(&mut self, sample: Sample) -> [Value; 4] {
         if self.is_full() {
-            let decl = self.builder.module().textures[texture.0 as usize];
-            let ty = match access {
+            let decl = self.builder.module().textures[sample.texture.0 as usize];
+            let ty = match sample.access {
                 Access::Size => Ty::I32,
                 Access::Lod => Ty::F32,
                 Access::Filter { .. } | Access::Fetch { .. } => decl.texels,
             };
             return [self.constant(0, ty); 4];
         }
-        self.builder.access(texture, access, coords, reference, lod)
+        self.builder.access(sample)
     }
 
     /// A new texture slot.

@@ -14,6 +14,7 @@ use texunit::image::Shape;
 struct Access {
     access: ir::Access,
     coords: [Value; 3],
+    layer: Option<Value>,
     reference: Option<Value>,
     lod: Lod,
     compared: ComparisonResult,
@@ -29,6 +30,7 @@ fn shape(dim: Dim) -> Shape {
         Dim::Rect => Shape::Rect,
         Dim::D1Array => Shape::D1Array,
         Dim::D2Array => Shape::D2Array,
+        Dim::CubeArray => Shape::CubeArray,
     }
 }
 
@@ -100,6 +102,7 @@ impl Lowerer<'_> {
                 Access {
                     access: ir::Access::Size,
                     coords: [zero; 3],
+                    layer: None,
                     reference: None,
                     lod,
                     compared,
@@ -109,8 +112,8 @@ impl Lowerer<'_> {
                 let [_, zero] = zeros;
                 let coords = arguments.three(values.first().map_or(&[], |v| &v[..]), zero);
                 let lod = Lod::Implicit { bias: None };
-                let compared = ComparisonResult::Placed;
-                Access { access: ir::Access::Lod, coords, reference: None, lod, compared }
+                let (layer, reference, compared) = (None, None, ComparisonResult::Placed);
+                Access { access: ir::Access::Lod, coords, layer, reference, lod, compared }
             }
         };
         let mut values = self.look_up(&place, slot(kind), &access)?;
@@ -132,9 +135,19 @@ impl Lowerer<'_> {
         {
             coords = coords.iter().map(|&c| self.emit.op(Op::Div, &[c, q])).collect();
         }
+        let compares = kind.comparison == Comparison::Yes;
+        let layer = match kind.dim {
+            Dim::CubeArray => Some(coords.get(3).copied().unwrap_or(zero)),
+            Dim::D1 | Dim::D2 | Dim::D3 | Dim::Cube | Dim::Rect | Dim::D1Array | Dim::D2Array => {
+                None
+            }
+        };
+        if compares && layer.is_some() {
+            // Four components find the texel: the reference is an argument of its own.
+            coords.extend(arguments.scalar(Some(1)));
+        }
         // The reference is the third component, or the one after the coordinates.
         let behind = kind.dim.coords().max(2);
-        let compares = kind.comparison == Comparison::Yes;
         let reference = compares.then(|| coords.get(behind).copied().unwrap_or(zero));
         let last = values.len().checked_sub(1);
         // Behind the offset, where there is one.
@@ -154,7 +167,7 @@ impl Lowerer<'_> {
             }
         };
         let access = ir::Access::Filter { offset: self.texel_offset(arguments, offset) };
-        Access { access, coords: arguments.three(&coords, zero), reference, lod, compared }
+        Access { access, coords: arguments.three(&coords, zero), layer, reference, lod, compared }
     }
 
     fn fetch_access(&mut self, arguments: &Arguments<'_>, shift: Shift) -> Access {
@@ -168,7 +181,7 @@ impl Lowerer<'_> {
         };
         let lod = Lod::Explicit(arguments.scalar(level).unwrap_or(zero));
         let access = ir::Access::Fetch { offset: self.texel_offset(arguments, offset) };
-        Access { access, coords, reference: None, lod, compared }
+        Access { access, coords, layer: None, reference: None, lod, compared }
     }
 
     /// A constant offset, as the checker has seen it; 0 where there is none.
@@ -224,7 +237,7 @@ impl Lowerer<'_> {
                 texture
             }
         };
-        let Access { access, coords, reference, lod, .. } = *access;
-        self.emit.access(texture, access, coords, reference, lod)
+        let Access { access, coords, layer, reference, lod, .. } = *access;
+        self.emit.access(ir::Sample { texture, access, coords, layer, reference, lod })
     }
 }

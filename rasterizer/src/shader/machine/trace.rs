@@ -6,6 +6,7 @@ use crate::ir::{Access, Ty};
 use crate::shader::inst::{Inst, Reg, SampleInst};
 use crate::shader::{OverBudget, Program};
 use crate::trace::{Expression, Lookup, MAX_STEPS, Name, Operand, Step};
+use texunit::plan::Points;
 use texunit::trace::SampleTrace;
 
 /// The steps of a lane, and where the values in its registers come from.
@@ -181,12 +182,14 @@ impl Machine {
     fn look_at_sample(&self, run: &Run<'_>, sample: &SampleInst, tracer: &Tracer) -> Before {
         let plan = run.textures.get(sample.texture as usize).and_then(Option::as_ref);
         let coords = sample.coords.map(|reg| self.reg(reg).as_f32());
-        let reference = sample.reference.map(|reg| self.reg(reg).as_f32());
+        let [layer, reference] =
+            [sample.layer, sample.reference].map(|reg| reg.map(|reg| self.reg(reg).as_f32()));
+        let points = Points { coords, layer, reference };
         let lod = lod(&self.registers, sample);
         let trace = match sample.access {
             Access::Filter { offset } => plan
                 .filter(|plan| plan.incomplete().is_none())
-                .map(|plan| plan.trace(tracer.lane, coords, reference, offset, lod)),
+                .map(|plan| plan.trace(tracer.lane, points, offset, lod)),
             Access::Fetch { .. } | Access::Size | Access::Lod => None,
         };
         let ty = match sample.access {

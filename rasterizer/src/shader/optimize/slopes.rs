@@ -9,7 +9,6 @@
 use crate::ir::{
     Access, Axis, Block, Expr, Input, Interpolation, Lod, Module, Op, Stage, Stmt, Ty, Value,
 };
-use texunit::image::Shape;
 
 /// How many operations deep a coordinate is followed.
 const DEPTH: u32 = 12;
@@ -80,7 +79,7 @@ impl Pass<'_> {
         };
         let (coords, texture) = (sample.coords, sample.texture);
         let axes = match self.module.textures[texture.0 as usize].shape {
-            Shape::Cube => 3,
+            shape if shape.is_cube() => 3,
             shape => shape.axes(),
         };
         let mut emitted = Vec::new();
