@@ -364,10 +364,15 @@ fn copies_take_the_framebuffer_to_every_target() {
     let (rgba, ty) = (GL_RGBA, GL_UNSIGNED_BYTE);
     c.tex_image_3d(GL_TEXTURE_2D_ARRAY, 0, rgba as i32, 2, 2, 2, 0, rgba, ty, Data::Null);
     c.copy_tex_sub_image_3d(GL_TEXTURE_2D_ARRAY, 0, 0, 0, 1, 0, 0, 2, 2);
+    c.tex_image_3d(GL_TEXTURE_CUBE_MAP_ARRAY, 0, rgba as i32, 1, 1, 12, 0, rgba, ty, Data::Null);
+    c.copy_tex_sub_image_3d(GL_TEXTURE_CUBE_MAP_ARRAY, 0, 0, 0, 11, 0, 0, 1, 1);
     let mut out = [0; 64];
-    for (target, texels, filled) in
-        [(GL_TEXTURE_1D, 4, 0), (GL_TEXTURE_RECTANGLE, 16, 0), (GL_TEXTURE_2D_ARRAY, 8, 4)]
-    {
+    for (target, texels, filled) in [
+        (GL_TEXTURE_1D, 4, 0),
+        (GL_TEXTURE_RECTANGLE, 16, 0),
+        (GL_TEXTURE_2D_ARRAY, 8, 4),
+        (GL_TEXTURE_CUBE_MAP_ARRAY, 12, 11),
+    ] {
         c.get_tex_image(target, 0, rgba, ty, DataOut::Bytes(&mut out));
         for (at, texel) in out.chunks_exact(4).take(texels).enumerate() {
             let want = if at >= filled { [255, 128, 0, 255] } else { [0; 4] };

@@ -136,7 +136,7 @@ impl Reader<'_> {
 
     /// Parameters and levels of the textures that are bound to the active unit.
     fn textures(&mut self) {
-        const TARGETS: [(GLenum, GLenum); 7] = [
+        const TARGETS: [(GLenum, GLenum); 8] = [
             (GL_TEXTURE_1D, GL_TEXTURE_1D),
             (GL_TEXTURE_2D, GL_TEXTURE_2D),
             (GL_TEXTURE_3D, GL_TEXTURE_3D),
@@ -144,6 +144,7 @@ impl Reader<'_> {
             (GL_TEXTURE_CUBE_MAP, GL_TEXTURE_CUBE_MAP_POSITIVE_X),
             (GL_TEXTURE_1D_ARRAY, GL_TEXTURE_1D_ARRAY),
             (GL_TEXTURE_2D_ARRAY, GL_TEXTURE_2D_ARRAY),
+            (GL_TEXTURE_CUBE_MAP_ARRAY, GL_TEXTURE_CUBE_MAP_ARRAY),
         ];
         const LEVEL: [GLenum; 6] = [
             GL_TEXTURE_WIDTH,

@@ -196,6 +196,7 @@ pub const STATE: &[Row] = rows! {
         GL_TEXTURE_BINDING_RECTANGLE Number F;
         GL_TEXTURE_BINDING_1D_ARRAY Number F;
         GL_TEXTURE_BINDING_2D_ARRAY Number F;
+        GL_TEXTURE_BINDING_CUBE_MAP_ARRAY Number F;
         GL_SAMPLER_BINDING Number F;
         GL_ACTIVE_TEXTURE Number enums![GL_TEXTURE0];
         GL_TEXTURE_GEN_S Number F;

@@ -164,7 +164,12 @@ fn integers_are_cleared_and_read_as_they_are() {
     }
 }
 
-/// A texture of a target with an image of 8 × 8 (× 4), bound.
+/// How many layers, slices or faces the textures of a target have here.
+fn layers(target: GLenum) -> usize {
+    if target == GL_TEXTURE_CUBE_MAP_ARRAY { 12 } else { 4 }
+}
+
+/// A texture of a target with an image of 8 × 8 (× its layers), bound.
 fn texture(c: &mut Context, target: GLenum) -> GLuint {
     let mut name = [0];
     c.gen_textures(1, &mut name);
@@ -172,8 +177,9 @@ fn texture(c: &mut Context, target: GLenum) -> GLuint {
     let (format, ty, data) = (GL_RGBA, GL_UNSIGNED_BYTE, Data::Null);
     match target {
         GL_TEXTURE_1D => c.tex_image_1d(target, 0, GL_RGBA8 as i32, 8, 0, format, ty, data),
-        GL_TEXTURE_3D | GL_TEXTURE_2D_ARRAY => {
-            c.tex_image_3d(target, 0, GL_RGBA8 as i32, 8, 8, 4, 0, format, ty, data);
+        GL_TEXTURE_3D | GL_TEXTURE_2D_ARRAY | GL_TEXTURE_CUBE_MAP_ARRAY => {
+            let depth = layers(target) as i32;
+            c.tex_image_3d(target, 0, GL_RGBA8 as i32, 8, 8, depth, 0, format, ty, data);
         }
         GL_TEXTURE_CUBE_MAP => {
             for face in 0..6 {
@@ -218,9 +224,11 @@ fn every_slice_of_every_kind_of_texture_is_drawn_to_by_itself() {
         c.framebuffer_texture_2d(FB, AT, target, cube, 0);
         paint(&mut c, 30 + face as u8);
     }
-    for target in [GL_TEXTURE_3D, GL_TEXTURE_2D_ARRAY, GL_TEXTURE_1D_ARRAY] {
+    for target in
+        [GL_TEXTURE_3D, GL_TEXTURE_2D_ARRAY, GL_TEXTURE_1D_ARRAY, GL_TEXTURE_CUBE_MAP_ARRAY]
+    {
         let layered = texture(&mut c, target);
-        for layer in 0..4 {
+        for layer in 0..layers(target) as i32 {
             if target == GL_TEXTURE_3D && layer % 2 == 0 {
                 c.framebuffer_texture_3d(FB, AT, target, layered, 0, layer);
             } else {
@@ -228,10 +236,10 @@ fn every_slice_of_every_kind_of_texture_is_drawn_to_by_itself() {
             }
             paint(&mut c, 40 + layer as u8);
         }
-        let mut texels = vec![0_u8; 8 * 8 * 4];
+        let mut texels = vec![0_u8; 8 * 8 * layers(target)];
         c.get_tex_image(target, 0, GL_RED, GL_UNSIGNED_BYTE, DataOut::Bytes(&mut texels));
         let slice = if target == GL_TEXTURE_1D_ARRAY { 8 } else { 64 };
-        for (i, texel) in texels[..slice * 4].iter().enumerate() {
+        for (i, texel) in texels[..slice * layers(target)].iter().enumerate() {
             assert_eq!(usize::from(*texel), 40 + i / slice, "{}", enum_name(target));
         }
     }

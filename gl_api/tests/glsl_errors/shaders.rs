@@ -281,6 +281,11 @@ void main() { gl_FragColor = texture(s[i], vec2(0.0)); }",
         "#version 130\nout vec4 c;\nvoid main() { c = vec4(1.0); gl_FragColor = c; }",
     ),
     ("array texture in 120", "#version 120\nuniform sampler2DArray t;\nvoid main() {}"),
+    ("array of cubes", "#version 130\nuniform samplerCubeArray t;\nvoid main() {}"),
+    (
+        "bias of an array of cubes of depths",
+        "#version 130\n#extension GL_ARB_texture_cube_map_array : enable\nuniform samplerCubeArrayShadow t;\nvoid main() { gl_FragColor = vec4(texture(t, vec4(0.5), 0.5, 1.0)); }",
+    ),
     (
         "fetch in 120",
         "uniform sampler3D t;\nvoid main() { gl_FragColor = texelFetch3D(t, ivec3(1), 0); }",

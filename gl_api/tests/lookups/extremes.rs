@@ -201,6 +201,30 @@ fn more_than_there_is_memory_for() {
             GL_OUT_OF_MEMORY,
         ),
         (GL_TEXTURE_2D_ARRAY, GL_PROXY_TEXTURE_2D_ARRAY, GL_R8, [1, 1, 2048], 1, GL_NO_ERROR),
+        (
+            GL_TEXTURE_CUBE_MAP_ARRAY,
+            GL_PROXY_TEXTURE_CUBE_MAP_ARRAY,
+            GL_RGBA8,
+            [8192, 8192, 2046],
+            0,
+            GL_OUT_OF_MEMORY,
+        ),
+        (
+            GL_TEXTURE_CUBE_MAP_ARRAY,
+            GL_PROXY_TEXTURE_CUBE_MAP_ARRAY,
+            GL_R8,
+            [1, 1, 2052],
+            0,
+            GL_INVALID_VALUE,
+        ),
+        (
+            GL_TEXTURE_CUBE_MAP_ARRAY,
+            GL_PROXY_TEXTURE_CUBE_MAP_ARRAY,
+            GL_R8,
+            [1, 1, 2046],
+            1,
+            GL_NO_ERROR,
+        ),
     ];
     for &(target, proxy, internal, [w, h, d], width, flag) in rows {
         let specify = |target| match target {

@@ -30,6 +30,7 @@ struct Row {
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Shadow {
     None,
+    Implicit,
     Derived,
     Biased,
     All,
@@ -121,7 +122,30 @@ const ROWS: &[Row] = &[
         gradient: "vec2(0.0, 0.5), vec2(0.0)",
         shadow: Shadow::Derived,
     },
+    Row {
+        name: "CubeArray",
+        target: GL_TEXTURE_CUBE_MAP_ARRAY,
+        size: [4, 4, 18],
+        // As of one cube; the face -Y is the fourth of the second cube.
+        coords: "-0.4 + d / 2.0, -1.0, -0.8, 0.6",
+        texel: [[1, 3, 9], [0, 1, 9]],
+        projected: &[],
+        offset: None,
+        fetch: None,
+        gradient: "vec3(1.0, 0.0, 0.0), vec3(0.0)",
+        shadow: Shadow::Implicit,
+    },
 ];
+
+impl Row {
+    /// The generations that have functions for it.
+    fn names(&self) -> &'static [Names] {
+        match self.target {
+            GL_TEXTURE_CUBE_MAP_ARRAY => &[Names::Overloaded],
+            _ => &[Names::ByKind, Names::Overloaded],
+        }
+    }
+}
 
 /// Where a lookup takes its level of detail from, and the level it comes to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -185,7 +209,10 @@ impl Names {
                  #extension GL_ARB_texture_rectangle : enable\n\
                  #extension GL_EXT_texture_array : enable"
             }
-            Self::Overloaded => "#version 130\n#extension GL_ARB_texture_rectangle : enable",
+            Self::Overloaded => {
+                "#version 130\n#extension GL_ARB_texture_rectangle : enable\n\
+                 #extension GL_ARB_texture_cube_map_array : enable"
+            }
         }
     }
 
@@ -256,7 +283,7 @@ fn samples() {
         for (kind, letter, convert) in KINDS {
             let texels = Texels { target, size, kind };
             let sampler = format!("{letter}sampler{}", row.name);
-            for names in [Names::ByKind, Names::Overloaded] {
+            for &names in row.names() {
                 for stage in [Stage::Fragment, Stage::Vertex] {
                     for form in FORMS {
                         let rect = target == GL_TEXTURE_RECTANGLE;
@@ -296,10 +323,11 @@ fn comparisons() {
         let Row { target, size, .. } = *row;
         let texels = Texels { target, size, kind: Kind::Depth };
         let sampler = format!("sampler{}Shadow", row.name);
-        for names in [Names::ByKind, Names::Overloaded] {
+        for &names in row.names() {
             for form in FORMS {
                 let allowed = match form {
-                    Form::Implicit | Form::Grad => true,
+                    Form::Implicit => true,
+                    Form::Grad => row.shadow != Shadow::Implicit,
                     Form::Bias => matches!(row.shadow, Shadow::Biased | Shadow::All),
                     Form::Lod => row.shadow == Shadow::All,
                 };
@@ -327,6 +355,7 @@ fn comparisons() {
                                 row.coords,
                                 2.0 * reference
                             ),
+                            ("CubeArray", _) => format!("vec4({}), {reference:?}", row.coords),
                             (_, "") => constructed(&format!("{}, {reference:?}", row.coords)),
                             (_, _) => format!(
                                 "vec4(2.0 * vec2({}), {:?}, 2.0)",
@@ -340,7 +369,7 @@ fn comparisons() {
                     let body = format!(
                         "r = vec4({}, {}, 0.0, 1.0);",
                         lookup(at),
-                        lookup(at + 1.0 / 65_536.0)
+                        lookup(at + 1.0 / 131_072.0)
                     );
                     let got = run(Stage::Fragment, names.preamble(), &sampler, &body, texels);
                     wrong.check(&format!("{sampler} {body}"), got, [255, 0, 0, 255]);
@@ -361,7 +390,7 @@ fn fetches_and_sizes() {
         for (kind, letter, convert) in KINDS {
             let texels = Texels { target, size, kind };
             let sampler = format!("{letter}sampler{}", row.name);
-            for names in [Names::ByKind, Names::Overloaded] {
+            for &names in row.names() {
                 for stage in [Stage::Fragment, Stage::Vertex] {
                     let mut check = |body: &str, want| {
                         let got = run(stage, names.preamble(), &sampler, body, texels);
@@ -393,6 +422,7 @@ fn fetches_and_sizes() {
                         "1D" => ("r = vec4(SIZE, 0, 0, 0) / 255.0;", &[width]),
                         "3D" | "2DArray" => ("r = vec4(SIZE, 0) / 255.0;", &[width, height, depth]),
                         "1DArray" => ("r = vec4(SIZE, 0, 0) / 255.0;", &[width, depth]),
+                        "CubeArray" => ("r = vec4(SIZE, 0) / 255.0;", &[width, height, depth / 6]),
                         _ => ("r = vec4(SIZE, 0, 0) / 255.0;", &[width, height]),
                     };
                     let mut want = [0; 4];
@@ -430,6 +460,42 @@ fn names_of_extensions() {
         let got = run(Stage::Fragment, preamble, "sampler2D", &body, texels);
         wrong.check(&body, got, bytes([[2, 2, 0], [1, 1, 0]][level], level));
     }
+}
+
+/// The layer of an array of cubes is the nearest, held in range.
+#[test]
+fn layers_of_cubes_are_rounded_and_held() {
+    let _current = context();
+    let mut wrong = Wrong::default();
+    let texels = Texels { target: GL_TEXTURE_CUBE_MAP_ARRAY, size: [4, 4, 18], kind: Kind::Float };
+    for (layer, cube) in [
+        ("-7.0", 0),
+        ("0.49", 0),
+        ("0.5", 1),
+        ("1.49", 1),
+        ("1.5", 2),
+        ("2.6", 2),
+        ("1e30", 2),
+        ("-1e30", 0),
+    ] {
+        // The middle of +Z.
+        let body = format!("r = texture(s, vec4(0.1, -0.1, 1.0, {layer}));");
+        let preamble = Names::Overloaded.preamble();
+        let got = run(Stage::Fragment, preamble, "samplerCubeArray", &body, texels);
+        wrong.check(&body, got, bytes([2, 2, 6 * cube + 4], 0));
+    }
+}
+
+/// The functions come with the extension, to earlier versions too, and only with it.
+#[test]
+fn arrays_of_cubes_come_with_their_extension() {
+    let _current = context();
+    let texels = Texels { target: GL_TEXTURE_CUBE_MAP_ARRAY, size: [4, 4, 12], kind: Kind::Float };
+    let body = "r = texture(s, vec4(0.1, -0.1, 1.0, 1.0));";
+    let run = |preamble| run(Stage::Fragment, preamble, "samplerCubeArray", body, texels);
+    let enabled = "#extension GL_ARB_texture_cube_map_array : enable";
+    assert_eq!(run(enabled), Ok([2, 2, 10, 0]));
+    assert!(run("#version 130").is_err_and(|log| log.contains(enabled)));
 }
 
 /// A sampler chosen by what is not constant gives integers too.

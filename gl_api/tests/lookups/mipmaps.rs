@@ -15,6 +15,7 @@ const SHAPES: &[(GLenum, [usize; 3])] = &[
     (GL_TEXTURE_CUBE_MAP, [5, 5, 1]),
     (GL_TEXTURE_1D_ARRAY, [9, 1, 3]),
     (GL_TEXTURE_2D_ARRAY, [6, 7, 3]),
+    (GL_TEXTURE_CUBE_MAP_ARRAY, [5, 5, 12]),
 ];
 
 fn axes(target: GLenum) -> usize {
@@ -43,7 +44,7 @@ fn upload(image: GLenum, [w, h, d]: [usize; 3], bytes: &[u8]) {
     let (internal, format, ty) = (GL_LUMINANCE8, GL_LUMINANCE, GL_UNSIGNED_BYTE);
     match image {
         GL_TEXTURE_1D => glTexImage1D(image, 0, internal, w as i32, 0, format, ty, bytes),
-        GL_TEXTURE_3D | GL_TEXTURE_2D_ARRAY => {
+        GL_TEXTURE_3D | GL_TEXTURE_2D_ARRAY | GL_TEXTURE_CUBE_MAP_ARRAY => {
             let (w, h, d) = (w as i32, h as i32, d as i32);
             glTexImage3D(image, 0, internal, w, h, d, 0, format, ty, bytes);
         }

@@ -27,13 +27,14 @@ fn every_target_gets_its_levels() {
         (GL_TEXTURE_RECTANGLE, 1),
         (GL_TEXTURE_1D_ARRAY, 4),
         (GL_TEXTURE_2D_ARRAY, 4),
+        (GL_TEXTURE_CUBE_MAP_ARRAY, 4),
     ]) {
         glBindTexture(target, name);
         assert_eq!(parameter(target, GL_TEXTURE_IMMUTABLE_FORMAT), 0);
         match target {
             GL_TEXTURE_1D => glTexStorage1D(target, levels, GL_RGBA8, 8),
-            GL_TEXTURE_3D | GL_TEXTURE_2D_ARRAY => {
-                glTexStorage3D(target, levels, GL_RGBA8, 8, 8, 4);
+            GL_TEXTURE_3D | GL_TEXTURE_2D_ARRAY | GL_TEXTURE_CUBE_MAP_ARRAY => {
+                glTexStorage3D(target, levels, GL_RGBA8, 8, 8, 6);
             }
             _ => glTexStorage2D(target, levels, GL_RGBA8, 8, 8),
         }
@@ -49,7 +50,8 @@ fn every_target_gets_its_levels() {
 
 type Call = fn();
 
-/// A 2D texture with storage for good is bound, a 3D one without, and no 1D one.
+/// A 2D texture with storage for good is bound, a 3D one and an array of
+/// cubes without, and no 1D one.
 const REFUSED: &[(Call, GLenum)] = &[
     (|| glTexStorage2D(GL_TEXTURE_2D, 1, GL_RGBA8, 4, 4), GL_INVALID_OPERATION),
     (|| glTexStorage1D(GL_TEXTURE_1D, 1, GL_RGBA8, 4), GL_INVALID_OPERATION),
@@ -58,6 +60,8 @@ const REFUSED: &[(Call, GLenum)] = &[
     (|| glTexStorage3D(GL_TEXTURE_3D, 1, GL_RGBA, 4, 4, 4), GL_INVALID_ENUM),
     (|| glTexStorage3D(GL_TEXTURE_3D, 1, GL_COMPRESSED_RGB, 4, 4, 4), GL_INVALID_ENUM),
     (|| glTexStorage3D(GL_TEXTURE_3D, 1, 4, 4, 4, 4), GL_INVALID_ENUM),
+    (|| glTexStorage3D(GL_TEXTURE_CUBE_MAP_ARRAY, 1, GL_RGBA8, 4, 4, 4), GL_INVALID_VALUE),
+    (|| glTexStorage3D(GL_TEXTURE_CUBE_MAP_ARRAY, 1, GL_RGBA8, 4, 2, 6), GL_INVALID_VALUE),
     (|| glTexStorage3D(GL_TEXTURE_3D, 0, GL_RGBA8, 4, 4, 4), GL_INVALID_VALUE),
     (|| glTexStorage3D(GL_TEXTURE_3D, 1, GL_RGBA8, 4, 0, 4), GL_INVALID_VALUE),
     (|| glTexStorage3D(GL_TEXTURE_3D, 4, GL_RGBA8, 4, 4, 4), GL_INVALID_OPERATION),
@@ -77,6 +81,7 @@ fn refusals() {
     glBindTexture(GL_TEXTURE_2D, 1);
     glTexStorage2D(GL_TEXTURE_2D, 1, GL_RGBA8, 4, 4);
     glBindTexture(GL_TEXTURE_3D, 2);
+    glBindTexture(GL_TEXTURE_CUBE_MAP_ARRAY, 3);
     for (row, (call, flag)) in REFUSED.iter().enumerate() {
         assert_eq!(glGetError(), GL_NO_ERROR);
         call();

@@ -28,7 +28,7 @@ pub struct Texels {
 
 /// The depth of a texel: no two places have the same.
 pub fn depth([x, y, z, level]: [i32; 4]) -> f32 {
-    (1 + x + 16 * y + 256 * z + 1024 * level) as f32 / 16_384.0
+    (1 + x + 16 * y + 256 * z + 4096 * level) as f32 / 65_536.0
 }
 
 impl Texels {
@@ -38,7 +38,9 @@ impl Texels {
         let [width, height, depth] = self.size;
         match self.target {
             GL_TEXTURE_3D => [half(width), half(height), half(depth)],
-            GL_TEXTURE_1D_ARRAY | GL_TEXTURE_2D_ARRAY => [half(width), half(height), depth],
+            GL_TEXTURE_1D_ARRAY | GL_TEXTURE_2D_ARRAY | GL_TEXTURE_CUBE_MAP_ARRAY => {
+                [half(width), half(height), depth]
+            }
             _ => [half(width), half(height), 1],
         }
     }
@@ -98,7 +100,7 @@ impl Texels {
                     let pixels = self.pixels(level, 0..1);
                     glTexImage1D(target, level, internal, width, 0, format, ty, &pixels);
                 }
-                GL_TEXTURE_3D | GL_TEXTURE_2D_ARRAY => {
+                GL_TEXTURE_3D | GL_TEXTURE_2D_ARRAY | GL_TEXTURE_CUBE_MAP_ARRAY => {
                     let pixels = self.pixels(level, 0..depth);
                     let border = 0;
                     glTexImage3D(

@@ -188,6 +188,29 @@ void main() { gl_FragColor = texture2D(map, start) * plain; }";
 }
 
 #[test]
+fn samplers_of_arrays_of_cubes_have_types_of_their_own() {
+    let mut c = context();
+    let fragment = "#version 130
+#extension GL_ARB_texture_cube_map_array : require
+uniform samplerCubeArray f; uniform isamplerCubeArray i; uniform usamplerCubeArray u;
+uniform samplerCubeArrayShadow s;
+void main() {
+    gl_FragColor = texture(f, vec4(1.0)) + vec4(texture(i, vec4(1.0))) + vec4(texture(u, vec4(1.0)))
+        + texture(s, vec4(1.0), 0.5);
+}";
+    let program = linked(&mut c, &["void main() { gl_Position = gl_Vertex; }"], &[fragment]);
+    let mut found = uniforms(&mut c, program);
+    found.sort();
+    let want = [
+        ("f", GL_SAMPLER_CUBE_MAP_ARRAY),
+        ("i", GL_INT_SAMPLER_CUBE_MAP_ARRAY),
+        ("s", GL_SAMPLER_CUBE_MAP_ARRAY_SHADOW),
+        ("u", GL_UNSIGNED_INT_SAMPLER_CUBE_MAP_ARRAY),
+    ];
+    assert_eq!(found, want.map(|(name, ty)| (name.to_owned(), 1, ty)));
+}
+
+#[test]
 fn uniforms_are_listed_and_found_in_parts() {
     let mut c = context();
     let source = "#version 120

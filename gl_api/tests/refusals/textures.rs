@@ -67,6 +67,7 @@ fn images() {
     const U8: GLenum = GL_UNSIGNED_BYTE;
     const C: GLenum = GL_RGBA;
     const D: GLenum = GL_DEPTH_COMPONENT;
+    const CUBES: GLenum = GL_TEXTURE_CUBE_MAP_ARRAY;
     const ONE: [i32; 3] = [1; 3];
     let rows: &[(Image, GLenum, &str)] = &[
         // Targets of other dimensions, and proxies where there is none.
@@ -76,6 +77,7 @@ fn images() {
         ((2, GL_TEXTURE_1D, 0, C, ONE, 0, C, U8), ENUM, "GL_TEXTURE_2D"),
         ((2, GL_TEXTURE_3D, 0, C, ONE, 0, C, U8), ENUM, "target"),
         ((2, GL_TEXTURE_2D_ARRAY, 0, C, ONE, 0, C, U8), ENUM, "target"),
+        ((2, CUBES, 0, C, ONE, 0, C, U8), ENUM, "target"),
         ((2, GL_TEXTURE_CUBE_MAP, 0, C, ONE, 0, C, U8), ENUM, "GL_TEXTURE_CUBE_MAP_POSITIVE_X"),
         ((2, GL_PROXY_TEXTURE_3D, 0, C, ONE, 0, C, U8), ENUM, "GL_PROXY_TEXTURE_CUBE_MAP"),
         ((3, GL_TEXTURE_2D, 0, C, ONE, 0, C, U8), ENUM, "GL_TEXTURE_3D"),
@@ -90,6 +92,7 @@ fn images() {
         ((2, GL_TEXTURE_1D_ARRAY, 14, C, ONE, 0, C, U8), VALUE, "level = 14"),
         ((3, GL_TEXTURE_3D, 10, C, ONE, 0, C, U8), VALUE, "level = 10 must be 0 to 9"),
         ((3, GL_TEXTURE_2D_ARRAY, 14, C, ONE, 0, C, U8), VALUE, "level = 14"),
+        ((3, CUBES, 14, C, [1, 1, 6], 0, C, U8), VALUE, "level = 14"),
         ((2, GL_PROXY_TEXTURE_2D, 14, C, ONE, 0, C, U8), VALUE, "level = 14"),
         // Internal formats.
         ((1, GL_TEXTURE_1D, 0, 0, ONE, 0, C, U8), VALUE, "internalformat = 0"),
@@ -115,6 +118,11 @@ fn images() {
         ((3, GL_TEXTURE_3D, 9, C, [1, 1, 2], 0, C, U8), VALUE, "depth = 2"),
         ((3, GL_TEXTURE_2D_ARRAY, 0, C, [1, 1, 2049], 0, C, U8), VALUE, "depth = 2049"),
         ((3, GL_TEXTURE_2D_ARRAY, 13, C, [2, 1, 2048], 0, C, U8), VALUE, "width = 2"),
+        ((3, CUBES, 0, C, [1, 1, 7], 0, C, U8), VALUE, "depth = 7 must be a multiple of 6"),
+        ((3, CUBES, 0, C, [2, 1, 6], 0, C, U8), VALUE, "width = 2 and height = 1"),
+        ((3, CUBES, 0, C, [1, 1, 2052], 0, C, U8), VALUE, "depth = 2052"),
+        ((3, CUBES, 13, C, [2, 2, 6], 0, C, U8), VALUE, "width = 2"),
+        ((3, GL_PROXY_TEXTURE_CUBE_MAP_ARRAY, 0, C, ONE, 0, C, U8), VALUE, "multiple of 6"),
         // Borders.
         ((1, GL_TEXTURE_1D, 0, C, [4, 1, 1], 2, C, U8), VALUE, "border = 2 must be 0 or 1"),
         ((1, GL_TEXTURE_1D, 0, C, [1, 1, 1], 1, C, U8), VALUE, "must be at least 2"),
@@ -200,9 +208,11 @@ fn sub_images() {
         ((1, GL_PROXY_TEXTURE_1D, 0, AT, ONE, C), ENUM, "proxy"),
         ((2, GL_PROXY_TEXTURE_2D, 0, AT, ONE, C), ENUM, "proxy"),
         ((3, GL_PROXY_TEXTURE_3D, 0, AT, ONE, C), ENUM, "proxy"),
+        ((3, GL_PROXY_TEXTURE_CUBE_MAP_ARRAY, 0, AT, ONE, C), ENUM, "proxy"),
         ((1, GL_TEXTURE_1D, 0, AT, ONE, C), OPERATION, "no image yet"),
         ((2, GL_TEXTURE_2D, 1, AT, ONE, C), OPERATION, "no image yet"),
         ((3, GL_TEXTURE_2D_ARRAY, 0, AT, ONE, C), OPERATION, "no image yet"),
+        ((3, GL_TEXTURE_CUBE_MAP_ARRAY, 0, AT, ONE, C), OPERATION, "no image yet"),
         ((2, GL_TEXTURE_2D, -1, AT, ONE, C), VALUE, "level = -1"),
         ((3, GL_TEXTURE_3D, 10, AT, ONE, C), VALUE, "level = 10"),
         ((2, GL_TEXTURE_RECTANGLE, 1, AT, ONE, C), VALUE, "level = 1"),
