@@ -169,6 +169,7 @@ pub enum Mutation {
     LatcAsRgtc,
     SizeOfBaseLevel,
     LayersHalved,
+    LayersOfFaces,
     LastAxisFree,
     MajorAxisFixed,
     IntegersThroughFloats,

@@ -16,6 +16,7 @@ mod combine;
 mod compressed;
 mod coverage;
 mod cube;
+mod cube_array;
 mod depth_test;
 mod env;
 mod filter;
@@ -102,6 +103,7 @@ pub const CHAPTERS: &[Chapter] = &[
             cube::FACE,
             cube::FILTER,
             seamless::SEAMLESS,
+            cube_array::FILTER,
             lod::LOD,
             lod::BIAS_CLAMP,
             lookup::LOD,

@@ -53,7 +53,7 @@ fn run(bench: &Bench, tally: &mut Tally) -> Result<(), DriveError> {
 
 /// A direction within a texel of an edge or corner more often than not, but not so near that `f32`
 /// may take it for the other face.
-fn direction(rng: &mut Rng, size: usize) -> [f32; 3] {
+pub(super) fn direction(rng: &mut Rng, size: usize) -> [f32; 3] {
     loop {
         let mut r = [0; 3].map(|_: i32| rng.real(-1.0, 1.0));
         let edges = rng.integer(0, 2) as usize;

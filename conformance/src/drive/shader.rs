@@ -36,6 +36,7 @@ void main() {
 
 const VERSION: &str = "#version 130
 #extension GL_ARB_shader_texture_lod : enable
+#extension GL_ARB_texture_cube_map_array : enable
 #extension GL_ARB_texture_rectangle : enable
 #extension GL_EXT_texture_array : enable
 ";
@@ -79,6 +80,12 @@ vec4 value() { return texture2DProj(image, a); }
 pub const TEXTURE_CUBE: &str = "
 uniform samplerCube image;
 vec4 value() { return textureCube(image, a.xyz); }
+";
+
+/// `image` in direction `a.xyz` of the cube `a.w`.
+pub const TEXTURE_CUBE_ARRAY: &str = "
+uniform samplerCubeArray image;
+vec4 value() { return texture(image, a); }
 ";
 
 /// `image` at (a.s, a.t) compared with a.z.

@@ -74,6 +74,23 @@ impl Session {
         self.check("specifying a cube map")
     }
 
+    /// Binds an array of cube maps with these faces, those of a cube in GL's order, with this
+    /// state to unit 0.
+    ///
+    /// # Errors
+    /// When a call sets the error flag.
+    pub fn texture_cube_array(&self, faces: &[Level], sampler: &Sampler) -> Result<(), DriveError> {
+        let target = GL_TEXTURE_CUBE_MAP_ARRAY;
+        let texels: Vec<u8> =
+            faces.iter().flat_map(|face| face.texels.as_flattened()).copied().collect();
+        let (side, depth) = (faces[0].width, faces.len());
+        let (format, ty) = (GL_RGBA, GL_UNSIGNED_BYTE);
+        glBindTexture(target, 1);
+        glTexImage3D(target, 0, GL_RGBA8, side, side, depth, 0, format, ty, &texels);
+        set_sampler(target, sampler);
+        self.check("specifying an array of cube maps")
+    }
+
     /// Lets linear filters cross the edges of cube maps.
     ///
     /// # Errors

@@ -143,11 +143,8 @@ impl Texture {
         sum
     }
 
-    /// `max(0, min(d - 1, floor(layer + 1/2)))` (GLSL 1.30, section 8.7).
-    fn layer(&self, layer: f64, variant: Variant) -> i64 {
-        let layers = self.size[self.target.axes()] as f64;
-        let half = if variant.has(Mutation::LayerFloored) { 0.0 } else { 0.5 };
-        (layer + half).floor().clamp(0.0, layers - 1.0) as i64
+    fn layer(&self, coordinate: f64, variant: Variant) -> i64 {
+        layer(coordinate, self.size[self.target.axes()], variant) as i64
     }
 
     /// One texel; 0 where there is none, as DetGL defines it.
@@ -159,6 +156,13 @@ impl Texture {
         }
         self.stored(at, variant)
     }
+}
+
+/// Which of `layers` a coordinate names: `max(0, min(d - 1, floor(layer + 1/2)))` (GLSL 1.30,
+/// section 8.7).
+pub fn layer(coordinate: f64, layers: usize, variant: Variant) -> usize {
+    let half = if variant.has(Mutation::LayerFloored) { 0.0 } else { 0.5 };
+    (coordinate + half).floor().clamp(0.0, layers as f64 - 1.0) as usize
 }
 
 #[cfg(test)]
