@@ -95,7 +95,7 @@ impl Request {
                 format!("width = {width} and height = {height} of a cube map's face must be equal"),
             );
         }
-        if target == TextureTarget::CubeArray && given[2] as usize % FACES != 0 {
+        if target == TextureTarget::CubeArray && !(given[2] as usize).is_multiple_of(FACES) {
             let depth = given[2];
             return invalid_value(
                 "ARB_texture_cube_map_array, section 3.9.1",

@@ -112,13 +112,11 @@ impl Shape {
 
     /// Whether an image of this shape may have this level.
     pub(super) fn check(self, level: &Level) -> Result<(), ImageError> {
-        let size = level.size();
+        let size @ [width, height, depth] = level.size();
         if size.iter().zip(self.max_size()).any(|(&side, most)| side > most) {
-            let [width, height, depth] = size;
             return Err(ImageError::TooLarge { width, height, depth });
         }
-        let [width, height, depth] = size;
-        if self == Self::CubeArray && (width != height || depth as usize % FACES != 0) {
+        if self == Self::CubeArray && (width != height || !(depth as usize).is_multiple_of(FACES)) {
             return Err(ImageError::NotCubes { width, height, depth });
         }
         if level.border != [0; 3] && level.border != self.border(1) {
