@@ -12,6 +12,8 @@ use proptest::prelude::*;
 
 use std::time::{Duration, Instant};
 
+const ARRAYS: &str = "#version 120\n#extension GL_ARB_arrays_of_arrays : enable\n";
+
 fn compiled(source: &str) -> Compiled {
     let start = Instant::now();
     let result = compile(Stage::Fragment, source, &Options::default());
@@ -39,6 +41,16 @@ fn rejected_soon() {
         }
         source
     };
+    // Each has four of the one before.
+    let arrays = |levels: usize| {
+        let mut source = "const float[] a0 = float[](1.0);\n".to_owned();
+        for level in 1..levels {
+            let (inner, open) = (format!("a{}", level - 1), "[]".repeat(level + 1));
+            let all = [&*inner; 4].join(", ");
+            source.push_str(&format!("const float{open} a{level} = float{open}({all});\n"));
+        }
+        source
+    };
     let table = [
         ("parentheses", main(format!("float f = {}1.0{};", open("("), open(")")))),
         ("open parentheses", main(open("("))),
@@ -62,6 +74,10 @@ fn rejected_soon() {
         ("hashes", open("#")),
         ("stray", open("\u{1F600}")),
         ("open comment", open("/*")),
+        ("dimensions", format!("{ARRAYS}float a{};", open("[1]"))),
+        ("dimensions constructed", format!("{ARRAYS}float a = float{}(1.0);", open("[1]"))),
+        ("arrays of arrays", ARRAYS.to_owned() + &arrays(40)),
+        ("an index into large arrays", format!("{ARRAYS}float a[][60000]; float b = a[4000][0];")),
     ];
     for (name, source) in table {
         let result = compiled(&source);
@@ -175,6 +191,7 @@ const PIECES: &[&str] = &[
     "S ",
     "[2]",
     "[]",
+    "#extension GL_ARB_arrays_of_arrays : enable\n",
 ];
 
 proptest! {
@@ -191,7 +208,7 @@ proptest! {
 }
 
 /// Valid shaders that use most of the language.
-const VALID: [&str; 3] = [
+const VALID: [&str; 4] = [
     "#version 120
 struct Light { vec3 toward; float power[2]; };
 uniform Light lights[2]; uniform sampler2D image; uniform int count;
@@ -228,6 +245,15 @@ void main() {
     vec4 l = gl_LightSource[0].diffuse * gl_FrontMaterial.ambient + gl_Fog.color;
     gl_FragData[0] = a > 1.0 && !(a < 2.0 || a == 3.0) ? l : gl_TexCoord[1];
     gl_FragData[1].rgb = dFdx(l.rgb) * gl_TextureMatrix[0][1].xyz;
+}",
+    "#version 120
+#extension GL_ARB_arrays_of_arrays : enable
+struct S { vec2[2] v[3]; }; uniform S s[2][1]; uniform int i; varying vec4[2] place[2];
+const float t[][2] = float[][](float[](1.0, 2.0), float[2](3.0, 4.0));
+float[2][2] f(inout vec2 a[3][2]) { a[i][1].x = t[1][i]; return t; }
+void main() {
+    S one[1] = s[i]; float[] g[2] = f(one[0].v); vec4 late[][2]; late[1][0] = place[1][i];
+    gl_FragColor = one[0].v[2][1].xyxy * g[1][0] + late[1][0] * float(g.length() + g[0].length());
 }",
 ];
 

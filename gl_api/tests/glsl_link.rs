@@ -1,6 +1,7 @@
 //! Links: several shaders a stage, and what is asked for before the link.
 
 use gl_api::glsl::{Bindings, Linked, Options, Program, Shader, Stage, compile, link};
+use gl_api::interface::VARYING_USER;
 use rasterizer::ir::Output;
 
 const VERTEX: &str = "void main() { gl_Position = gl_Vertex; }";
@@ -102,6 +103,70 @@ fn structures_and_arrays_of_uniforms_are_listed_member_by_member() {
         ("m", Some(3), 6),
     ];
     assert_eq!(names, expected);
+}
+
+/// GL 4.3, section 7.3.1: an entry for each element of an array of arrays, up to the last that is
+/// used, as of an array of structures.
+#[test]
+fn arrays_of_arrays_of_uniforms_are_listed_by_their_outer_elements() {
+    let fragment = "#version 120\n#extension GL_ARB_arrays_of_arrays : enable
+        struct S { vec2 a; float[2] b[3]; }; uniform S s[1][2]; uniform float[4] t[3];
+        uniform sampler2D images[2][2]; uniform vec4 u[2][1][3]; uniform int i;
+        void main() { gl_FragColor = vec4(s[0][1].a, s[0][i].b[2][1], t[1][2]) + u[i][0][0]
+            + texture2D(images[1][0], vec2(0.5)); }";
+    let program = program(&[VERTEX], &[fragment], &Bindings::default());
+    let names: Vec<(&str, Option<u32>, u32, u32)> =
+        program.uniforms.iter().map(|u| (&*u.name, u.array, u.location, u.word)).collect();
+    let expected = [
+        ("s[0][0].a", None, 0, 0),
+        ("s[0][0].b[0]", Some(2), 1, 2),
+        ("s[0][0].b[1]", Some(2), 3, 4),
+        ("s[0][0].b[2]", Some(2), 5, 6),
+        ("s[0][1].a", None, 7, 8),
+        ("s[0][1].b[0]", Some(2), 8, 10),
+        ("s[0][1].b[1]", Some(2), 10, 12),
+        ("s[0][1].b[2]", Some(2), 12, 14),
+        ("t[0]", Some(4), 14, 16),
+        ("t[1]", Some(4), 18, 20),
+        ("images[0]", Some(2), 22, 28),
+        ("images[1]", Some(2), 24, 30),
+        ("u[0][0]", Some(3), 26, 32),
+        ("u[1][0]", Some(3), 29, 44),
+        ("i", None, 32, 56),
+    ];
+    assert_eq!(names, expected);
+    assert_eq!(program.samplers.iter().map(|sampler| sampler.word).collect::<Vec<_>>(), [30]);
+}
+
+#[test]
+fn arrays_of_arrays_pass_between_the_stages_and_to_colours() {
+    let head = "#version 130\n#extension GL_ARB_arrays_of_arrays : enable\n";
+    let vertex = |declared: &str| {
+        format!("{head}out {declared}; void main() {{ v[1][0] = gl_Position = gl_Vertex; }}")
+    };
+    let fragment = |declared: &str| {
+        format!(
+            "{head}in {declared}; out vec2 first; out vec4[2] c[3];
+            void main() {{ c[2][1] = c[0][0] = v[1][0]; first = vec2(1); }}"
+        )
+    };
+    let (outer, inner) = ("vec4 v[3][2]", "vec4[2] v[3]");
+    for (written, read) in
+        [(outer, inner), (inner, outer), ("vec4 v[][2]", outer), (outer, "vec4[][2] v")]
+    {
+        let program = program(&[&vertex(written)], &[&fragment(read)], &Bindings::default());
+        assert_eq!(program.varyings, [(VARYING_USER, 24, "v".to_owned())], "{written}, {read}");
+        assert_eq!(program.outputs, [("first".to_owned(), 0), ("c".to_owned(), 1)]);
+        let outputs = program.fragment.expect("a fragment stage was linked").outputs;
+        let last = Output::Color { target: 6, component: 3 };
+        assert!(outputs.iter().any(|(output, _)| *output == last), "{outputs:?}");
+    }
+    fails(&[&vertex(outer)], &[&fragment("vec4[3] v[2]")], "`v` is vec4[3][2] in the vertex");
+    fails(&[&vertex(outer)], &[&fragment("vec4 v[2][2][2]").replace("v[1][0]", "v[1][0][0]")], "v");
+    let two = "float[2][2] f(); void main() { gl_FragColor = vec4(f()[1][0]); }";
+    let body = "float[2][2] f() { return float[][](float[](1., 2.), float[](3., 4.)); }";
+    let shaders = [two, body].map(|source| format!("{head}{source}"));
+    program(&[VERTEX], &[&shaders[0], &shaders[1]], &Bindings::default());
 }
 
 /// GL 2.1, section 2.15.3: the size of an array is the highest index used, plus one.

@@ -211,8 +211,8 @@ pub struct TypeName {
     pub span: Span,
     /// Its base.
     pub base: TypeBase,
-    /// `[n]` or `[]` after the base (from version 120 on).
-    pub array: Option<ArraySize>,
+    /// `[n]` or `[]` after the base (from version 120 on), the outermost first.
+    pub array: Vec<ArraySize>,
 }
 
 /// The base of a type.
@@ -230,7 +230,7 @@ pub struct StructDecl {
     /// Its name, if it has one.
     pub name: Option<Name>,
     /// Its members.
-    pub fields: Vec<(TypeName, Name, Option<ArraySize>)>,
+    pub fields: Vec<(TypeName, Name, Vec<ArraySize>)>,
 }
 
 /// `[]` or `[size]`.
@@ -315,8 +315,8 @@ pub struct QualifiedType {
 pub struct Declarator {
     /// The name.
     pub name: Name,
-    /// `[n]` after it.
-    pub array: Option<ArraySize>,
+    /// `[n]` after it, the outermost first.
+    pub array: Vec<ArraySize>,
     /// `= value`.
     pub init: Option<Expr>,
 }
@@ -337,8 +337,8 @@ pub struct Parameter {
     pub ty: QualifiedType,
     /// Its name, if it has one.
     pub name: Option<Name>,
-    /// `[n]` after the name.
-    pub array: Option<ArraySize>,
+    /// `[n]` after the name, the outermost first.
+    pub array: Vec<ArraySize>,
 }
 
 /// A function.

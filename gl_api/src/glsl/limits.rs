@@ -38,6 +38,8 @@ pub const MAX_TREE: u32 = 3 * MAX_NESTING;
 pub const MAX_SCALARS: u32 = 1 << 16;
 /// How long an array may grow that has no size but its largest index.
 pub const MAX_IMPLICIT_SIZE: u32 = MAX_SCALARS / 16;
+/// How many dimensions an array may have.
+pub const MAX_DIMENSIONS: u32 = 32;
 /// How deep structures may stand inside one another.
 pub const MAX_STRUCT_DEPTH: u32 = 32;
 

@@ -104,7 +104,8 @@ pub struct Attribute {
 }
 
 /// A uniform of a linked program: a scalar, vector, matrix or sampler, or an array of them.
-/// Structures come as their members, named `s.member`, `a[2].member`.
+/// Structures come as their members, named `s.member`, `a[2].member`; arrays of arrays as the arrays
+/// in their last dimension, `a[2]`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Uniform {
     /// Its name, without a trailing `[0]`.

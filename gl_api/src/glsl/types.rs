@@ -286,16 +286,37 @@ impl Type {
         }
     }
 
-    /// The type of the elements, or itself when it is no array.
+    /// The type of what an array holds in its last dimension, or itself when it is no array.
     pub fn base(&self) -> &Self {
         match self {
-            Self::Array(element, _) => element,
+            Self::Array(element, _) => element.base(),
             Self::Void
             | Self::Vector(..)
             | Self::Matrix(..)
             | Self::Sampler(_)
             | Self::Struct(_)
             | Self::Error => self,
+        }
+    }
+
+    /// Whether it is an array with a dimension that has no size.
+    pub fn is_unsized(&self) -> bool {
+        matches!(self, Self::Array(element, len) if len.is_none() || element.is_unsized())
+    }
+
+    /// Itself, with the sizes of `other` in the dimensions that have none, where that makes it
+    /// `other`.
+    pub fn sized_as(self, other: &Self) -> Self {
+        if self.is_unsized() && self.fits(other) { other.clone() } else { self }
+    }
+
+    /// Whether it is `other` but for the dimensions that have no size.
+    fn fits(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Array(a, len), Self::Array(b, other)) => {
+                (len.is_none() || len == other) && a.fits(b)
+            }
+            (a, b) => a == b,
         }
     }
 
@@ -351,8 +372,18 @@ impl fmt::Display for Type {
         match self {
             Self::Struct(structure) if structure.name.is_empty() => write!(f, "struct"),
             Self::Struct(structure) => write!(f, "{}", structure.name),
-            Self::Array(element, Some(len)) => write!(f, "{element}[{len}]"),
-            Self::Array(element, None) => write!(f, "{element}[]"),
+            Self::Array(..) => {
+                write!(f, "{}", self.base())?;
+                let mut rest = self;
+                while let Self::Array(element, len) = rest {
+                    match len {
+                        Some(len) => write!(f, "[{len}]")?,
+                        None => write!(f, "[]")?,
+                    }
+                    rest = element;
+                }
+                Ok(())
+            }
             Self::Error => write!(f, "unknown type"),
             other => match NAMES.iter().find(|row| row.1 == *other) {
                 Some(row) => write!(f, "{}", row.0),

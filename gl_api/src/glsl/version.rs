@@ -44,6 +44,8 @@ impl Version {
 /// An extension that a shader can enable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Extension {
+    /// `GL_ARB_arrays_of_arrays`: arrays of more than one dimension.
+    ArraysOfArrays,
     /// `GL_ARB_draw_buffers`: `gl_FragData`, which every version has.
     DrawBuffers,
     /// `GL_ARB_draw_instanced`: `gl_InstanceIDARB`.
@@ -70,7 +72,8 @@ pub enum Extension {
 
 impl Extension {
     /// Every extension and its name.
-    pub const ALL: [(Self, &'static str); 11] = [
+    pub const ALL: [(Self, &'static str); 12] = [
+        (Self::ArraysOfArrays, "GL_ARB_arrays_of_arrays"),
         (Self::DrawBuffers, "GL_ARB_draw_buffers"),
         (Self::DrawInstanced, "GL_ARB_draw_instanced"),
         (Self::ExplicitAttribLocation, "GL_ARB_explicit_attrib_location"),

@@ -306,6 +306,66 @@ void main() { gl_FragColor = texture(s[i], vec2(0.0)); }",
         "sampler of a value",
         "uniform sampler2D t;\nvoid main() { gl_FragColor = texture2D(0, vec2(0.5)); }",
     ),
+    ("array of arrays by the type in 130", "#version 130\nfloat[2] a[3];\nvoid main() {}"),
+    (
+        "array of arrays constructed in 130",
+        "#version 130\nstruct S { float a; };\nvoid main() { S[2][1](S(1.0), S(2.0)); }",
+    ),
+    (
+        "inner array without size",
+        "#version 120\n#extension GL_ARB_arrays_of_arrays : enable\nuniform vec4[] a[2];\nvoid main() {}",
+    ),
+    (
+        "inner array of a member without size",
+        "#version 120\n#extension GL_ARB_arrays_of_arrays : enable
+struct S { vec4 a[2][]; };\nvoid main() {}",
+    ),
+    (
+        "array of arrays as a parameter without size",
+        "#version 120\n#extension GL_ARB_arrays_of_arrays : enable
+void f(float a[][2]) {}\nvoid main() {}",
+    ),
+    (
+        "array of arrays of another order",
+        "#version 120\n#extension GL_ARB_arrays_of_arrays : enable
+void main() { float[2][3] a; float[2] b[3]; a = b; }",
+    ),
+    (
+        "inner elements of two sizes",
+        "#version 120\n#extension GL_ARB_arrays_of_arrays : enable
+void main() { float[][] a = float[][](float[](1.0), float[](1.0, 2.0)); }",
+    ),
+    (
+        "inner array too short",
+        "#version 120\n#extension GL_ARB_arrays_of_arrays : enable
+uniform vec4 a[3][2];\nvoid main() { gl_FragColor = a[1][2]; }",
+    ),
+    (
+        "size given by an array of other dimensions",
+        "#version 120\n#extension GL_ARB_arrays_of_arrays : enable
+float a[];\nvoid f() { a[3] = 1.0; }\nfloat a[4][2];\nvoid main() {}",
+    ),
+    (
+        "built-in redeclared with two dimensions",
+        "#version 120\n#extension GL_ARB_arrays_of_arrays : enable
+varying vec4 gl_TexCoord[2][1];\nvoid main() {}",
+    ),
+    (
+        "an index is missing behind another",
+        "#version 120\n#extension GL_ARB_arrays_of_arrays : enable
+void main() { float a[2][2]; a[1][] = 1.0; }",
+    ),
+    (
+        "too many dimensions",
+        "#version 120\n#extension GL_ARB_arrays_of_arrays : enable
+float[1][1][1][1][1][1][1][1][1][1][1][1][1][1][1][1][1] a[1][1][1][1][1][1][1][1][1][1][1][1][1][1][1][1];
+void main() {}",
+    ),
+    (
+        "a constructor that is too large",
+        "#version 120\n#extension GL_ARB_arrays_of_arrays : enable
+void main() { float a[40000]; float b[][40000] = float[][40000](a, a); }",
+    ),
 ];
 
 /// Fragment shaders with directives or a version that are wrong.

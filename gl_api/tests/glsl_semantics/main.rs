@@ -6,6 +6,7 @@
 //! 16 column by column, and `x = gl_FragCoord.x`, which is 3.5 in the lane that is looked at.
 //! Lanes are the pixels of an 8 by 8 block, quads by planes (see `texunit::lanes`).
 
+mod arrays;
 mod corners;
 mod data;
 mod functions;
@@ -33,6 +34,7 @@ struct Row(u32, &'static str, &'static str, [f32; 4]);
 /// Every row.
 fn table() -> impl Iterator<Item = &'static Row> {
     let tables = [
+        arrays::TABLE,
         corners::TABLE,
         data::TABLE,
         functions::TABLE,

@@ -245,6 +245,41 @@ void main() {
     no_error(&mut c);
 }
 
+/// ARB_arrays_of_arrays: what is set is one row, by its name with or without the last `[0]`.
+#[test]
+fn arrays_of_arrays_are_set_row_by_row() {
+    let mut c = context();
+    let source = "#version 120
+#extension GL_ARB_arrays_of_arrays : require
+uniform float[3] a[2]; uniform int i;
+void main() { gl_FragColor = vec4(a[1][i], a[i][1], a[0][2], 1.0); }";
+    let program = linked(&mut c, &[PASS], &[source]);
+    let all = uniforms(&mut c, program);
+    for name in ["a[0][0]", "a[1][0]"] {
+        assert!(all.contains(&(name.to_owned(), 3, GL_FLOAT)), "{name}: {all:?}");
+    }
+    assert_eq!(all.len(), 3, "{all:?}");
+    let at = |c: &mut Context, name| c.get_uniform_location(program, name);
+    let row = at(&mut c, "a[1]");
+    assert_eq!(at(&mut c, "a[1][0]"), row);
+    assert_eq!(at(&mut c, "a[1][2]"), row + 2);
+    for none in ["a", "a[2]", "a[2][0]", "a[1][3]", "a[1][0][0]", "a[]", "a[01][0]"] {
+        assert_eq!(at(&mut c, none), -1, "{none}");
+    }
+    c.use_program(program);
+    c.uniform_1fv(row + 1, 2, &[5.0, 6.0]);
+    let first = at(&mut c, "a[0][2]");
+    c.uniform_1f(first, 7.0);
+    let mut value = [0.0; 1];
+    for (name, expected) in [("a[1][0]", 0.0), ("a[1][1]", 5.0), ("a[1][2]", 6.0), ("a[0][2]", 7.0)]
+    {
+        let location = at(&mut c, name);
+        c.get_uniformfv(program, location, &mut value);
+        assert_eq!(value, [expected], "{name}");
+    }
+    no_error(&mut c);
+}
+
 #[test]
 fn built_in_variables_are_listed_without_locations() {
     let mut c = context();

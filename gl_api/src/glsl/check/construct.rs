@@ -4,6 +4,7 @@ use super::Checker;
 use crate::glsl::ast;
 use crate::glsl::diagnostics::Diagnostic;
 use crate::glsl::hir::{Expr, ExprKind};
+use crate::glsl::limits::MAX_SCALARS;
 use crate::glsl::source::Span;
 use crate::glsl::types::{Struct, Type};
 use crate::glsl::version::Version;
@@ -17,7 +18,7 @@ impl Checker<'_> {
         span: Span,
     ) -> Expr {
         let arguments: Vec<Expr> = arguments.iter().map(|a| self.expr(a)).collect();
-        let ty = self.type_of(name, None);
+        let ty = self.type_of(name, &[]);
         if arguments.iter().any(Expr::is_error) {
             return Expr::error(span);
         }
@@ -122,10 +123,19 @@ impl Checker<'_> {
             let message = format!("an array of {len} takes {len} elements, not {have}");
             return self.bad_constructor(span, message);
         }
+        // `float[][](...)` has the inner sizes of its arguments too.
+        let element = element.sized_as(&arguments[0].ty);
         let convert = |argument| self.converted(argument, &element, "use");
         let parts: Vec<Expr> = arguments.into_iter().map(convert).collect();
+        if parts.iter().any(Expr::is_error) {
+            return Expr::error(span);
+        }
         let constant = parts.iter().all(|part| part.constant);
         let ty = Type::Array(Box::new(element), Some(len));
+        if ty.scalars() > MAX_SCALARS {
+            let message = format!("{ty} has more than {MAX_SCALARS} components");
+            return self.bad_constructor(span, message);
+        }
         Expr { ty, span, constant, kind: ExprKind::Construct(parts) }
     }
 }

@@ -7,27 +7,41 @@ use crate::glsl::ast::{self, TypeBase};
 use crate::glsl::builtins::variables;
 use crate::glsl::diagnostics::{Diagnostic, closest};
 use crate::glsl::hir::{Expr, ExprKind, Passing, Storage, VarRef, Variable};
-use crate::glsl::limits::{MAX_SCALARS, MAX_STRUCT_DEPTH};
+use crate::glsl::limits::{MAX_DIMENSIONS, MAX_SCALARS, MAX_STRUCT_DEPTH};
 use crate::glsl::source::Span;
 use crate::glsl::types::{Struct, Type};
-use crate::glsl::version::Version;
+use crate::glsl::version::{Extension, Since, Version};
 use std::sync::Arc;
 
 impl Checker<'_> {
-    /// The type that is written, with the array size after the name.
-    pub(super) fn type_of(&mut self, name: &ast::TypeName, after: Option<&ast::ArraySize>) -> Type {
+    /// The type that is written, with the array sizes after the name: these are the outer ones
+    /// (ARB_arrays_of_arrays).
+    pub(super) fn type_of(&mut self, name: &ast::TypeName, after: &[ast::ArraySize]) -> Type {
         let base = match &name.base {
             TypeBase::Struct(declared) => self.structure(declared, name.span),
             TypeBase::Named(word) => self.named_type(word, name.span),
         };
+        let count = name.array.len() + after.len();
+        let allowed = match self.language.enabled(Extension::ArraysOfArrays) {
+            true => MAX_DIMENSIONS as usize,
+            false => 1,
+        };
+        if let (true, Some(size)) = (count > allowed, after.last().or(name.array.last())) {
+            let message = match allowed {
+                1 => "arrays of arrays are not in this version".to_owned(),
+                _ => format!("an array has {MAX_DIMENSIONS} dimensions at most"),
+            };
+            self.error(size.span, "4.1.9", message);
+            return Type::Error;
+        }
+        if count > 1
+            && let Some(extension) = self.language.warns(Since::only(Extension::ArraysOfArrays))
+        {
+            let message = format!("arrays of arrays come from {}", extension.name());
+            self.log.push(Diagnostic::warning(name.span, message));
+        }
         let mut ty = base;
-        for size in name.array.iter().chain(after) {
-            if matches!(ty, Type::Array(..)) {
-                let rule = format!("{} section 4.1.9", self.version.title());
-                let message = "arrays of arrays are not in this version";
-                self.log.push(Diagnostic::error(size.span, message).rule(rule));
-                return Type::Error;
-            }
+        for size in name.array.iter().rev().chain(after.iter().rev()) {
             ty = self.array_of(ty, size);
         }
         if ty.scalars() > MAX_SCALARS {
@@ -62,9 +76,12 @@ impl Checker<'_> {
     }
 
     fn array_of(&mut self, element: Type, size: &ast::ArraySize) -> Type {
+        if element == Type::Error {
+            return Type::Error;
+        }
         let Some(expr) = &size.size else { return Type::Array(Box::new(element), None) };
         let checked = self.expr(expr);
-        if checked.is_error() || element == Type::Error {
+        if checked.is_error() {
             return Type::Error;
         }
         let integer = matches!(checked.ty, Type::Vector(Scalar::Int | Scalar::Uint, 1));
@@ -97,7 +114,7 @@ impl Checker<'_> {
                 self.error(ty.span, "4.1.8", message);
                 return Type::Error;
             }
-            let field = self.type_of(ty, array.as_ref());
+            let field = self.type_of(ty, array);
             if fields.iter().any(|(known, _)| *known == name.text) {
                 self.error(name.span, "4.1.8", format!("a second member `{}`", name.text));
                 continue;
@@ -105,7 +122,7 @@ impl Checker<'_> {
             match &field {
                 Type::Error => return Type::Error,
                 Type::Void => self.error(name.span, "4.1.1", "a member cannot be void"),
-                Type::Array(_, None) => {
+                array if array.is_unsized() => {
                     self.error(name.span, "4.1.9", "an array in a structure needs a size");
                 }
                 Type::Vector(..)
@@ -180,16 +197,16 @@ impl Checker<'_> {
         let Some((storage, passing)) = self.global_storage(&declaration.ty) else { return };
         self.check_precision(&declaration.ty);
         if declaration.names.is_empty() {
-            let _ = self.type_of(&declaration.ty.ty, None);
+            let _ = self.type_of(&declaration.ty.ty, &[]);
             return;
         }
         for declared in &declaration.names {
-            let ty = self.type_of(&declaration.ty.ty, declared.array.as_ref());
+            let ty = self.type_of(&declaration.ty.ty, &declared.array);
             if self.redeclares_builtin(declared, &ty, storage, passing) {
                 continue;
             }
             let init = declared.init.as_ref().map(|init| self.expr(init));
-            let ty = sized_by(ty, init.as_ref());
+            let ty = self.sized_by(ty, init.as_ref(), declared.name.span);
             if let Some(var) = self.completes_array(declared, &ty) {
                 if init.is_some() {
                     let mut variable = self.variable(var).clone();
@@ -203,7 +220,7 @@ impl Checker<'_> {
             self.check_layout(&declared.name, passing);
             let type_span = (declaration.names.len() == 1).then_some(declaration.ty.ty.span);
             let mut variable = self.new_variable(declared, ty, storage);
-            variable.type_span = type_span.filter(|_| declared.array.is_none());
+            variable.type_span = type_span.filter(|_| declared.array.is_empty());
             variable.passing = passing;
             self.initialize(&mut variable, init, declared.name.span);
             self.check_sized(&variable);
@@ -320,14 +337,25 @@ impl Checker<'_> {
             );
         }
     }
-}
 
-/// The type of an array, with the size that its initializer gives it.
-pub(super) fn sized_by(ty: Type, init: Option<&Expr>) -> Type {
-    match (&ty, init.map(|init| &init.ty)) {
-        (Type::Array(element, None), Some(Type::Array(other, Some(len)))) if element == other => {
-            Type::Array(element.clone(), Some(*len))
+    /// The type of an array, with the sizes that its initializer gives it. Indices can bring the
+    /// outermost size later; the others have to be there.
+    pub(super) fn sized_by(&mut self, ty: Type, init: Option<&Expr>, span: Span) -> Type {
+        let ty = match init {
+            Some(init) => ty.sized_as(&init.ty),
+            None => ty,
+        };
+        match &ty {
+            Type::Array(element, _) if element.is_unsized() => {
+                if init.is_some_and(Expr::is_error) {
+                    return Type::Error;
+                }
+                let message = format!("{ty}: only the first size of an array may be left out");
+                let problem = Diagnostic::error(span, message).rule("ARB_arrays_of_arrays");
+                self.log.push(problem.help("write the others, or a value that has them"));
+                Type::Error
+            }
+            _ => ty,
         }
-        _ => ty,
     }
 }

@@ -8,7 +8,7 @@ use crate::glsl::ast::{self, BinaryOp, UnaryOp};
 use crate::glsl::builtins::variables;
 use crate::glsl::diagnostics::{Diagnostic, closest};
 use crate::glsl::hir::{Expr, ExprKind, Storage, VarRef};
-use crate::glsl::limits::{MAX_CLIP_DISTANCES, MAX_IMPLICIT_SIZE};
+use crate::glsl::limits::{MAX_CLIP_DISTANCES, MAX_IMPLICIT_SIZE, MAX_SCALARS};
 use crate::glsl::source::Span;
 use crate::glsl::types::{BOOL, FLOAT, INT, Type, UINT};
 use crate::glsl::version::{Extension, Since, Version};
@@ -385,7 +385,10 @@ impl Checker<'_> {
         let builtin = base.root().map(|root| self.variable(root).storage);
         let implicit = match builtin {
             Some(Storage::Builtin(_)) => MAX_CLIP_DISTANCES.into(),
-            _ => MAX_IMPLICIT_SIZE,
+            _ => match base.ty.element() {
+                Some((element, _)) => MAX_IMPLICIT_SIZE.min(MAX_SCALARS / element.scalars().max(1)),
+                None => MAX_IMPLICIT_SIZE,
+            },
         };
         let limit = len.unwrap_or(implicit);
         if value >= limit {

@@ -12,13 +12,13 @@ use crate::glsl::version::Version;
 impl Checker<'_> {
     pub(super) fn function(&mut self, declared: &ast::Function) {
         self.check_precision(&declared.ty);
-        let result = self.type_of(&declared.ty.ty, None);
+        let result = self.type_of(&declared.ty.ty, &[]);
         for (qualifier, span) in &declared.ty.qualifiers {
             if *qualifier != Qualifier::Precision {
                 self.error(*span, "6.4", "what a function returns takes no such word");
             }
         }
-        if result.has_sampler() || matches!(result, Type::Array(_, None)) {
+        if result.has_sampler() || result.is_unsized() {
             self.error(declared.ty.ty.span, "6.4", format!("a function cannot return {result}"));
         }
         let mut directions = Vec::new();
@@ -76,9 +76,9 @@ impl Checker<'_> {
             }
         }
         self.check_precision(&parameter.ty);
-        let ty = self.type_of(&parameter.ty.ty, parameter.array.as_ref());
+        let ty = self.type_of(&parameter.ty.ty, &parameter.array);
         let span = parameter.name.as_ref().map_or(parameter.ty.ty.span, |name| name.span);
-        if matches!(ty, Type::Void | Type::Array(_, None)) {
+        if ty == Type::Void || ty.is_unsized() {
             self.error(span, "6.1", format!("a parameter cannot be {ty}"));
         }
         if ty.has_sampler() && direction != Direction::In {

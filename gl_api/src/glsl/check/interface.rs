@@ -254,7 +254,7 @@ impl Checker<'_> {
 
     /// `precision highp float;`: every number has 32 bits here, so only the type is checked.
     pub(super) fn default_precision(&mut self, name: &ast::TypeName) {
-        let ty = self.type_of(name, None);
+        let ty = self.type_of(name, &[]);
         match ty {
             FLOAT => self.float_precision = true,
             INT | Type::Sampler(_) | Type::Error => {}

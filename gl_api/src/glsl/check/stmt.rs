@@ -1,7 +1,6 @@
 //! Statements (GLSL 1.30 sections 6.2 to 6.4).
 
 use super::Checker;
-use super::decl::sized_by;
 use super::scope::Symbol;
 use crate::glsl::Scalar;
 use crate::glsl::ast::{self, Qualifier, StmtKind};
@@ -203,12 +202,12 @@ impl Checker<'_> {
         }
         self.check_precision(&declaration.ty);
         if declaration.names.is_empty() {
-            let _ = self.type_of(&declaration.ty.ty, None);
+            let _ = self.type_of(&declaration.ty.ty, &[]);
         }
         for declared in &declaration.names {
-            let ty = self.type_of(&declaration.ty.ty, declared.array.as_ref());
+            let ty = self.type_of(&declaration.ty.ty, &declared.array);
             let init = declared.init.as_ref().map(|init| self.expr(init));
-            let ty = sized_by(ty, init.as_ref());
+            let ty = self.sized_by(ty, init.as_ref(), declared.name.span);
             if let Some(var) = self.completes_array(declared, &ty) {
                 if let (Some(init), VarRef::Local(local)) = (init, var) {
                     let init = self.converted(init, &ty, "initialize with");

@@ -3,6 +3,7 @@
 
 use crate::glsl::diagnostics::{Diagnostic, Log};
 use crate::glsl::hir::{Expr, Storage, Unit, Variable};
+use crate::glsl::limits::MAX_SCALARS;
 use crate::glsl::lower;
 use crate::glsl::types::Type;
 use crate::glsl::version::stage_name;
@@ -55,7 +56,9 @@ pub fn settled(units: impl Iterator<Item = Arc<Unit>>) -> Vec<Arc<Unit>> {
     }
     for (unit, global, len) in lengths {
         let variable = &mut Arc::make_mut(&mut units[unit]).globals[global];
-        if let Type::Array(_, size) = &mut variable.ty {
+        if let Type::Array(element, size) = &mut variable.ty
+            && element.scalars().saturating_mul(len) <= MAX_SCALARS
+        {
             *size = Some(len);
         }
     }

@@ -7,7 +7,6 @@ use crate::glsl::diagnostics::{Diagnostic, Log};
 use crate::glsl::hir::{Storage, Variable};
 use crate::glsl::limits::{MAX_DRAW_BUFFERS, MAX_VERTEX_ATTRIBS};
 use crate::glsl::lower::Binding;
-use crate::glsl::types::Type;
 use crate::glsl::{Attribute, Bindings};
 use crate::interface::ATTRIB_VERTEX;
 
@@ -105,7 +104,7 @@ pub fn targets(
     let mut taken = [false; MAX_DRAW_BUFFERS as usize];
     // An array takes a colour for each element.
     let colors = |variable: &Variable| {
-        if let Type::Array(_, Some(len)) = variable.ty { len as usize } else { 1 }
+        (variable.ty.scalars() / variable.ty.base().scalars().max(1)) as usize
     };
     let bound = |variable: &Variable| {
         let said = variable.passing.location.map(|said| u8::try_from(said).unwrap_or(u8::MAX));

@@ -134,20 +134,31 @@ fn add_leaves<'a>(name: &str, ty: &'a Type, reach: u32, at: usize, leaves: &mut 
         Type::Array(element, len) => (&**element, len.map(|len| len.min(reach))),
         other => (other, None),
     };
-    let Type::Struct(structure) = element else {
-        let scalars = (element.scalars() * array.unwrap_or(1)) as usize;
-        leaves.push(Leaf { name: name.to_owned(), ty: element, array, at, scalars });
-        return;
+    let each = element.scalars() as usize;
+    let count = array.unwrap_or(1);
+    let nth = |index: u32| match array {
+        Some(_) => format!("{name}[{index}]"),
+        None => name.to_owned(),
     };
-    let mut at = at;
-    for index in 0..array.unwrap_or(1) {
-        for (field, ty) in &structure.fields {
-            let name = match array {
-                Some(_) => format!("{name}[{index}].{field}"),
-                None => format!("{name}.{field}"),
-            };
-            add_leaves(&name, ty, u32::MAX, at, leaves);
-            at += ty.scalars() as usize;
+    match element {
+        Type::Struct(structure) => {
+            let mut at = at;
+            for index in 0..count {
+                for (field, ty) in &structure.fields {
+                    let name = format!("{}.{field}", nth(index));
+                    add_leaves(&name, ty, u32::MAX, at, leaves);
+                    at += ty.scalars() as usize;
+                }
+            }
+        }
+        Type::Array(..) => {
+            for index in 0..count {
+                add_leaves(&nth(index), element, u32::MAX, at + index as usize * each, leaves);
+            }
+        }
+        Type::Void | Type::Vector(..) | Type::Matrix(..) | Type::Sampler(_) | Type::Error => {
+            let (name, scalars) = (name.to_owned(), each * count as usize);
+            leaves.push(Leaf { name, ty: element, array, at, scalars });
         }
     }
 }

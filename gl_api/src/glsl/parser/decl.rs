@@ -169,8 +169,8 @@ impl Parser<'_> {
             }
         };
         let span = span.to(self.last_span());
-        let array = self.array_size()?;
-        if let Some(array) = &array
+        let array = self.array_sizes()?;
+        if let Some(array) = array.first()
             && self.version < Version::V120
         {
             self.log.push(
@@ -182,23 +182,34 @@ impl Parser<'_> {
         Ok(TypeName { span, base, array })
     }
 
-    /// `[]` or `[size]`, if one is here.
-    pub(super) fn array_size(&mut self) -> Parsed<Option<ArraySize>> {
-        let span = self.span();
-        if !self.eat("[") {
-            return Ok(None);
+    /// As many `[]` and `[size]` as are here.
+    pub(super) fn array_sizes(&mut self) -> Parsed<Vec<ArraySize>> {
+        let mut sizes = Vec::new();
+        loop {
+            let span = self.span();
+            if !self.eat("[") {
+                return Ok(sizes);
+            }
+            if !sizes.is_empty() {
+                self.has_arrays_of_arrays(span)?;
+            }
+            let size =
+                if self.is("]") { None } else { Some(Box::new(self.nested(Self::conditional)?)) };
+            self.expect("]")?;
+            sizes.push(ArraySize { span: span.to(self.last_span()), size });
         }
-        let size =
-            if self.is("]") { None } else { Some(Box::new(self.nested(Self::conditional)?)) };
-        self.expect("]")?;
-        if self.is("[") {
-            let message = "arrays of arrays are not in this version";
-            let problem = Diagnostic::error(self.span(), message)
-                .rule(format!("{} section 4.1.9", self.version.title()));
-            self.log.push(problem.help("write one array of all elements, or of structures"));
-            return Err(super::Broken);
+    }
+
+    /// Whether an array may have the second size that begins here; says so if not.
+    pub(super) fn has_arrays_of_arrays(&mut self, span: Span) -> Parsed<()> {
+        if self.language.enabled(Extension::ArraysOfArrays) {
+            return Ok(());
         }
-        Ok(Some(ArraySize { span: span.to(self.last_span()), size }))
+        let message = "arrays of arrays are not in this version";
+        let problem = Diagnostic::error(span, message)
+            .rule(format!("{} section 4.1.9", self.version.title()));
+        self.log.push(problem.help("write one array of all elements, or of structures"));
+        Err(super::Broken)
     }
 
     fn structure(&mut self) -> Parsed<StructDecl> {
@@ -220,7 +231,7 @@ impl Parser<'_> {
             }
             loop {
                 let name = self.name()?;
-                let array = self.array_size()?;
+                let array = self.array_sizes()?;
                 fields.push((ty.ty.clone(), name, array));
                 if !self.eat(",") {
                     break;
@@ -240,7 +251,7 @@ impl Parser<'_> {
         }
         loop {
             let name = self.declared_name(&ty)?;
-            let array = self.array_size()?;
+            let array = self.array_sizes()?;
             let init = if self.eat("=") { Some(self.assignment()?) } else { None };
             names.push(Declarator { name, array, init });
             if !self.eat(",") {
@@ -286,7 +297,7 @@ impl Parser<'_> {
             }
             let ty = self.qualified_type()?;
             let name = if self.token().word().is_some() { Some(self.name()?) } else { None };
-            let array = self.array_size()?;
+            let array = self.array_sizes()?;
             parameters.push(Parameter { ty, name, array });
         }
         self.expect(")")?;

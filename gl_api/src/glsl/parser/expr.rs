@@ -146,7 +146,7 @@ impl Parser<'_> {
         loop {
             let start = expr.span;
             if self.is("[") {
-                expr = self.bracket(expr)?;
+                expr = self.brackets(expr)?;
             } else if self.eat(".") {
                 let token = self.token();
                 let Some(word) = token.word().cloned() else {
@@ -177,27 +177,35 @@ impl Parser<'_> {
         }
     }
 
-    /// `a[b]`, or `Structure[n](...)`.
-    fn bracket(&mut self, base: Expr) -> Parsed<Expr> {
-        let open = self.bump().span;
-        let index = if self.is("]") { None } else { Some(self.expression()?) };
-        self.expect("]")?;
-        let close = self.last_span();
+    /// `a[b][c]`, or `Structure[n][m](...)`.
+    fn brackets(&mut self, base: Expr) -> Parsed<Expr> {
+        let mut array = Vec::new();
+        while self.is("[") {
+            let open = self.bump().span;
+            let size = if self.is("]") { None } else { Some(Box::new(self.expression()?)) };
+            self.expect("]")?;
+            array.push(ArraySize { span: open.to(self.last_span()), size });
+        }
         if self.is("(")
             && let ExprKind::Name(name) = &base.kind
         {
-            let array = ArraySize { span: open.to(close), size: index.map(Box::new) };
+            if let [_, second, ..] = &array[..] {
+                self.has_arrays_of_arrays(second.span)?;
+            }
             let base_ty = TypeBase::Named(name.clone());
-            let ty = TypeName { span: base.span, base: base_ty, array: Some(array) };
-            return self.construct(ty);
+            return self.construct(TypeName { span: base.span, base: base_ty, array });
         }
-        let Some(index) = index else {
-            self.log.push(Diagnostic::error(open.to(close), "an index is missing"));
-            return Err(super::Broken);
-        };
-        let span = base.span.to(close);
-        let depth = 1 + base.depth.max(index.depth);
-        self.node_at(span, depth, ExprKind::Index(Box::new(base), Box::new(index)))
+        let mut expr = base;
+        for ArraySize { span, size } in array {
+            let Some(index) = size else {
+                self.log.push(Diagnostic::error(span, "an index is missing"));
+                return Err(super::Broken);
+            };
+            let span = expr.span.to(span);
+            let depth = 1 + expr.depth.max(index.depth);
+            expr = self.node_at(span, depth, ExprKind::Index(Box::new(expr), index))?;
+        }
+        Ok(expr)
     }
 
     fn construct(&mut self, ty: TypeName) -> Parsed<Expr> {
