@@ -20,7 +20,7 @@ pub(crate) const MAX_SAMPLES: u8 = 4;
 /// `GL_MAX_TEXTURE_LOD_BIAS`.
 pub(crate) const MAX_TEXTURE_LOD_BIAS: f32 = 16.0;
 /// `GL_MAX_VERTEX_UNIFORM_COMPONENTS` and `GL_MAX_FRAGMENT_UNIFORM_COMPONENTS`.
-pub(crate) const MAX_UNIFORM_COMPONENTS: i32 = 4096;
+pub(crate) const MAX_UNIFORM_COMPONENTS: i32 = 16384;
 /// `GL_MAX_VARYING_FLOATS`.
 pub(crate) const MAX_VARYING_FLOATS: i32 = 64;
 /// The largest buffer object, in bytes.

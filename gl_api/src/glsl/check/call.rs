@@ -23,7 +23,7 @@ enum Target {
 }
 
 #[derive(Clone, Debug)]
-struct Candidate {
+pub(super) struct Candidate {
     target: Target,
     parameters: Vec<Type>,
     directions: Vec<Direction>,
@@ -31,6 +31,13 @@ struct Candidate {
 }
 
 impl Candidate {
+    /// A function of the language.
+    pub(super) fn builtin(row: &'static Row, parameters: Vec<Type>, result: Type) -> Self {
+        let direction = |p: &P| if *p == P::Out { Direction::Out } else { Direction::In };
+        let directions = row.parameters.iter().map(direction).collect();
+        Self { target: Target::Builtin(row), parameters, directions, result }
+    }
+
     /// How many arguments need a conversion; `None` if one does not fit.
     fn conversions(&self, arguments: &[Expr], version: Version) -> Option<usize> {
         if arguments.len() != self.parameters.len() {
@@ -85,6 +92,9 @@ impl Checker<'_> {
         let fits = |candidate: &&Candidate| candidate.conversions(&arguments, self.version);
         let fitting: Vec<&Candidate> = candidates.iter().filter(|c| fits(c).is_some()).collect();
         let Some(&best) = fitting.iter().min_by_key(|c| fits(c)) else {
+            if let Some(function) = self.integer_function(name, &arguments) {
+                return self.finish_call(name, function, arguments, span);
+            }
             self.no_match(name, &arguments, &candidates);
             return Expr::error(span);
         };
@@ -123,10 +133,7 @@ impl Checker<'_> {
                 if candidates.iter().any(|candidate| candidate.parameters == parameters) {
                     continue;
                 }
-                let direction = |p: &P| if *p == P::Out { Direction::Out } else { Direction::In };
-                let directions = row.parameters.iter().map(direction).collect();
-                let target = Target::Builtin(row);
-                candidates.push(Candidate { target, parameters, directions, result });
+                candidates.push(Candidate::builtin(row, parameters, result));
             }
         }
         candidates

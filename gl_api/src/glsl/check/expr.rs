@@ -287,6 +287,9 @@ impl Checker<'_> {
         if converts(&value.ty, ty, self.version) {
             return convert(value, ty);
         }
+        if let Some(integer) = self.as_integers(&value, ty) {
+            return integer;
+        }
         let message = format!("cannot {verb} {} where {ty} is needed", value.ty);
         let title = self.version.title();
         let mut problem = Diagnostic::error(value.span, message)
@@ -334,7 +337,10 @@ impl Checker<'_> {
 
     fn index(&mut self, base: &ast::Expr, index: &ast::Expr, span: Span) -> Expr {
         let base = self.expr(base);
-        let index = self.expr(index);
+        let mut index = self.expr(index);
+        if let Some(integer) = self.as_integers(&index, &INT) {
+            index = integer;
+        }
         if base.is_error() || index.is_error() {
             return Expr::error(span);
         }

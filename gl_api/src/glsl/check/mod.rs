@@ -5,6 +5,7 @@ mod construct;
 mod decl;
 mod expr;
 mod functions;
+mod integers;
 mod interface;
 mod lvalue;
 mod operators;
