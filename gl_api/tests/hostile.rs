@@ -95,3 +95,84 @@ fn extremes_are_refused_or_cut_one_by_one() {
     assert_eq!(status, [0]);
     still_works(&mut c);
 }
+
+/// A draw of a triangle, and something new of 4 MiB that nothing but it needs once the next is made.
+type Greedy = (&'static str, fn(&mut Context, bytes: &[u8], number: GLuint));
+
+const GREEDY: &[Greedy] = &[
+    ("textures that are deleted", |c, bytes, number| {
+        c.bind_texture(GL_TEXTURE_2D, number);
+        c.tex_parameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST as GLint);
+        let (format, ty, data) = (GL_RGBA, GL_UNSIGNED_BYTE, Data::Bytes(bytes));
+        c.tex_image_2d(GL_TEXTURE_2D, 0, GL_RGBA as GLint, 1024, 1024, 0, format, ty, data);
+        c.rectf(-1.0, -1.0, 1.0, 1.0);
+        c.delete_textures(1, &[number]);
+    }),
+    ("one texture that changes", |c, bytes, number| {
+        c.bind_texture(GL_TEXTURE_2D, 1);
+        c.tex_parameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST as GLint);
+        let (format, ty, data) = (GL_RGBA, GL_UNSIGNED_BYTE, Data::Bytes(bytes));
+        if number == 1 {
+            c.tex_image_2d(GL_TEXTURE_2D, 0, GL_RGBA as GLint, 1024, 1024, 0, format, ty, data);
+        } else {
+            c.tex_sub_image_2d(GL_TEXTURE_2D, 0, 0, 0, 1, 1, format, ty, data);
+        }
+        c.rectf(-1.0, -1.0, 1.0, 1.0);
+    }),
+    ("arrays", |c, bytes, _| {
+        c.enable_client_state(GL_VERTEX_ARRAY);
+        c.vertex_pointer(3, GL_FLOAT, 0, Data::Bytes(bytes));
+        c.draw_arrays(GL_TRIANGLES, 0, 3);
+    }),
+    ("a buffer that is made anew", |c, bytes, _| {
+        c.bind_buffer(GL_ARRAY_BUFFER, 1);
+        c.buffer_data(
+            GL_ARRAY_BUFFER,
+            bytes.len() as GLsizeiptr,
+            Data::Bytes(bytes),
+            GL_STREAM_DRAW,
+        );
+        c.enable_client_state(GL_VERTEX_ARRAY);
+        c.vertex_pointer(3, GL_FLOAT, 0, Data::Offset(0));
+        c.draw_arrays(GL_TRIANGLES, 0, 3);
+    }),
+    ("a buffer that changes", |c, bytes, number| {
+        c.bind_buffer(GL_ARRAY_BUFFER, 1);
+        if number == 1 {
+            let size = bytes.len() as GLsizeiptr;
+            c.buffer_data(GL_ARRAY_BUFFER, size, Data::Bytes(bytes), GL_STREAM_DRAW);
+        } else {
+            c.buffer_sub_data(GL_ARRAY_BUFFER, 0, 4, Data::Bytes(bytes));
+        }
+        c.enable_client_state(GL_VERTEX_ARRAY);
+        c.vertex_pointer(3, GL_FLOAT, 0, Data::Offset(0));
+        c.draw_arrays(GL_TRIANGLES, 0, 3);
+    }),
+];
+
+/// What waits to be drawn keeps what it needs, but not without end.
+#[test]
+fn draws_that_hold_much_memory_do_not_wait() {
+    let bytes = vec![0; 1 << 22];
+    for (what, draw) in GREEDY {
+        let desc = ContextDesc { width: 8, height: 8, ..ContextDesc::default() };
+        let mut c = Context::new(desc).expect("a device");
+        c.enable(GL_TEXTURE_2D);
+        let waits = |c: &mut Context, fence: GLsync| {
+            let (mut length, mut status) = ([0], [0]);
+            c.get_synciv(fence, GL_SYNC_STATUS, 1, &mut length, &mut status);
+            status[0] as GLenum == GL_UNSIGNALED
+        };
+        draw(&mut c, &bytes, 1);
+        let fence = c.fence_sync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+        for number in 2..8 {
+            draw(&mut c, &bytes, number);
+        }
+        assert!(waits(&mut c, fence), "{what}: 28 MiB are not much");
+        for number in 8..20 {
+            draw(&mut c, &bytes, number);
+        }
+        assert!(!waits(&mut c, fence), "{what}: 76 MiB wait");
+        assert_eq!(c.get_error(), GL_NO_ERROR, "{what}: {:?}", c.messages());
+    }
+}

@@ -241,7 +241,10 @@ fn set(
                 ),
             );
         }
-        Data::Bytes(bytes) => Source::Client(Buffer::new(bytes.to_vec())),
+        Data::Bytes(bytes) => {
+            context.recorder.hold(bytes.len());
+            Source::Client(Buffer::new(bytes.to_vec()))
+        }
         Data::Client(pointer) if name != 0 => Source::Object { name, offset: pointer.offset() },
         Data::Client(pointer) if pointer.is_null() => Source::Client(Buffer::default()),
         Data::Client(pointer) => Source::Pointer(pointer.kept()),

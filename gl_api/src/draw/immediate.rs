@@ -104,6 +104,7 @@ fn finish(context: &mut Context) -> Result<()> {
     for &location in &immediate.used {
         bytes.extend_from_slice(bytemuck::cast_slice(&immediate.columns[location]));
     }
+    context.recorder.hold(bytes.len());
     let buffer = Buffer::new(bytes);
     draw_columns(context, immediate.topology, &buffer, count, |location| {
         immediate.used.iter().position(|used| *used == location)

@@ -31,6 +31,9 @@ use std::sync::Arc;
 
 /// A command buffer of this many commands is submitted.
 const MAX_COMMANDS: usize = 1 << 14;
+/// So is one that holds so many bytes of textures and vertices that are new with it: they may be
+/// deleted or replaced already, and then nothing but the waiting draws needs them.
+const MAX_HELD: usize = 1 << 26;
 
 /// What has been recorded and not submitted, and what was compiled for it.
 #[derive(Debug)]
@@ -41,6 +44,8 @@ pub(crate) struct Recorder {
     pass: Option<PassDesc>,
     /// What the recorded passes write to.
     written: Vec<Image>,
+    /// The bytes that the recorded commands hold, of those that came since the last submission.
+    held: usize,
     /// What the open pass was last told.
     told: Told,
     pipelines: HashMap<PipelineDesc, Pipeline>,
@@ -78,6 +83,7 @@ impl Recorder {
             commands: CommandBuffer::new(),
             pass: None,
             written: Vec::new(),
+            held: 0,
             told: Told::default(),
             pipelines: HashMap::new(),
             fixed: FixedModules::default(),
@@ -105,6 +111,16 @@ impl Recorder {
     /// The device that commands are submitted to.
     pub fn device(&self) -> Arc<Device> {
         Arc::clone(&self.device)
+    }
+
+    /// Notes that what is recorded next holds so many bytes that nothing recorded before it does.
+    pub fn hold(&mut self, bytes: usize) {
+        self.held = self.held.saturating_add(bytes);
+    }
+
+    /// Whether what waits is enough.
+    fn is_full(&self) -> bool {
+        self.commands.commands.len() >= MAX_COMMANDS || self.held >= MAX_HELD
     }
 
     /// Records a command into the open pass.
@@ -137,11 +153,10 @@ fn same_pass(a: &PassDesc, b: &PassDesc) -> bool {
 /// Goes on with the open pass if it draws to the same attachments, else opens one.
 pub(crate) fn begin_pass(context: &mut Context, pass: PassDesc) {
     let recorder = &mut context.recorder;
-    if recorder.pass.as_ref().is_some_and(|open| same_pass(open, &pass)) {
-        if recorder.commands.commands.len() < MAX_COMMANDS {
-            return;
-        }
+    if recorder.is_full() {
         submit(context);
+    } else if recorder.pass.as_ref().is_some_and(|open| same_pass(open, &pass)) {
+        return;
     }
     let recorder = &mut context.recorder;
     recorder.end_pass();
@@ -166,6 +181,7 @@ pub(crate) fn submit(context: &mut Context) {
     context.recorder.end_pass();
     context.objects.syncs.signal();
     let commands = std::mem::take(&mut context.recorder.commands);
+    context.recorder.held = 0;
     if commands.commands.is_empty() {
         return;
     }

@@ -335,5 +335,8 @@ fn plan(
     if result == ComparisonResult::Scalar {
         sampler.depth_mode = DepthMode::Red;
     }
-    context.objects.texture_mut(target, name).plan(&context.recorder.device, &sampler)
+    let texture = context.objects.texture_mut(target, name);
+    let plan = texture.plan(&context.recorder.device, &sampler);
+    context.recorder.hold(texture.new_bytes());
+    plan
 }

@@ -14,8 +14,8 @@ use crate::state::multisample::multisample_state;
 use crate::state::stencil::Side;
 use crate::transform_feedback;
 use rasterizer::driver::{
-    ColorState, Command, Cull, DepthState, FrontFace, Indices, OutputState, PassDesc, Pipeline,
-    PipelineDesc, Provoking, RasterState, Rect, Rim, SampleRule, ShaderModule, Topology,
+    Buffer, ColorState, Command, Cull, DepthState, FrontFace, Indices, OutputState, PassDesc,
+    Pipeline, PipelineDesc, Provoking, RasterState, Rect, Rim, SampleRule, ShaderModule, Topology,
     VertexBinding, Viewport,
 };
 use std::sync::Arc;
@@ -168,7 +168,10 @@ fn record(
         told.counter.clone_from(&recorder.counter);
     }
     let vertices = vertices.into_iter().filter(|binding| read & bit(binding.location) != 0);
-    commands.push(Command::BindVertices(vertices.collect()));
+    let vertices: Arc<[_]> = vertices.collect();
+    let buffers = vertices.iter().filter_map(|binding| binding.source.buffer());
+    recorder.held += buffers.map(Buffer::own_bytes).sum::<usize>();
+    commands.push(Command::BindVertices(vertices));
     commands.push(Command::BindTextures {
         vertex: stages.vertex_textures,
         fragment: stages.fragment_textures,
@@ -178,6 +181,7 @@ fn record(
             Command::Draw { first: *first, count: *count, instances: *instances }
         }
         Elements::Indexed { indices, count, instances } => {
+            recorder.held += indices.buffer.own_bytes();
             Command::DrawIndexed { indices: indices.clone(), count: *count, instances: *instances }
         }
     });

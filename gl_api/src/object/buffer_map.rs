@@ -118,7 +118,9 @@ pub(crate) fn unmap_buffer(context: &mut Context, target: GLenum) -> Result<bool
     let object = bound(context, target)?;
     match object.map.take() {
         Some(map) => {
+            let size = map.bytes.len();
             object.buffer = Buffer::new(map.bytes);
+            context.recorder.hold(size);
             Ok(true)
         }
         None => invalid_operation(SECTION, "the buffer is not mapped"),

@@ -192,6 +192,7 @@ pub(crate) fn buffer_data(
     object.buffer = Buffer::new(bytes);
     object.usage = usage;
     object.map = None;
+    context.recorder.hold(size);
     Ok(())
 }
 
@@ -233,7 +234,10 @@ pub(crate) fn buffer_sub_data(
     match data.locate(0, range.len()) {
         Located::Bytes(source) if source.len() >= range.len() => {
             let source = &source[..range.len()];
+            // Draws that wait keep the bytes that they saw.
+            let copied = if object.buffer.is_shared() { object.len() } else { 0 };
             object.buffer.bytes_mut()[range].copy_from_slice(source);
+            context.recorder.hold(copied);
             Ok(())
         }
         Located::Bytes(source) => invalid_operation(

@@ -180,7 +180,7 @@ impl Objects {
     pub fn images_changed(&mut self, changed: impl Fn(&Image) -> bool) {
         for texture in self.textures.values_mut().chain(&mut self.default_textures) {
             if changed(&texture.image) {
-                texture.changed();
+                texture.texels_changed();
             }
         }
     }

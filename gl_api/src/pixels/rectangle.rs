@@ -78,6 +78,7 @@ pub(super) fn draw(
         rule: error.to_string(),
         section: "GL 2.1, section 3.6.4",
     })?;
+    context.recorder.hold(zoomed.columns.len() * zoomed.rows.len() * TEXEL);
     let position = &context.state.raster_position;
     let rectangle = Rectangle {
         holds,
@@ -92,6 +93,9 @@ pub(super) fn draw(
     draw_rectangle(context, vertices, &elements, &rectangle)
 }
 
+/// The bytes of a texel of a rectangle.
+const TEXEL: usize = 16;
+
 /// How the image of a rectangle is sampled.
 fn image(
     zoomed: &Zoomed,
@@ -99,7 +103,7 @@ fn image(
 ) -> std::result::Result<SamplePlan, ImageError> {
     let (width, height) = (zoomed.columns.len() as u32, zoomed.rows.len() as u32);
     let mut level = Level::new(Format::Rgba32F, width, height)?;
-    let mut to = level.texels.chunks_exact_mut(16);
+    let mut to = level.texels.chunks_exact_mut(TEXEL);
     for &row in &zoomed.rows {
         for (&column, texel) in zoomed.columns.iter().zip(&mut to) {
             for (bytes, value) in texel.chunks_exact_mut(4).zip(pixel(column, row)) {

@@ -37,7 +37,7 @@ fn generate(texture: &mut Texture, faces: Faces) -> Result<()> {
             levels[base..].fill(format);
         }
     }
-    texture.changed();
+    texture.texels_changed();
     Ok(())
 }
 

@@ -56,6 +56,8 @@ pub(crate) struct Texture {
     pub requested: Vec<[GLenum; limits::MAX_TEXTURE_LEVELS]>,
     /// How it is sampled with some sampler state, until something changes.
     plan: Option<(Sampler, Arc<SamplePlan>)>,
+    /// Whether no draw has its texels yet.
+    is_new: bool,
 }
 
 /// The sampler state of a new texture (GL 2.1, table 6.16; `ARB_texture_rectangle`).
@@ -102,6 +104,7 @@ impl Texture {
             immutable: None,
             requested: vec![[GL_NONE; limits::MAX_TEXTURE_LEVELS]; shape.faces()],
             plan: None,
+            is_new: true,
         }
     }
 
@@ -115,9 +118,27 @@ impl Texture {
         sampler
     }
 
-    /// To be called after every change of texels or parameters.
+    /// To be called after every change of parameters.
     pub fn changed(&mut self) {
         self.plan = None;
+    }
+
+    /// To be called after every change of texels.
+    pub fn texels_changed(&mut self) {
+        self.changed();
+        self.is_new = true;
+    }
+
+    /// The bytes of its texels if no draw had them before, and none if one had.
+    pub fn new_bytes(&mut self) -> usize {
+        if !std::mem::take(&mut self.is_new) {
+            return 0;
+        }
+        let texels = self.image.texels();
+        let faces = 0..self.target.shape().faces();
+        let levels = |face| (0..limits::MAX_TEXTURE_LEVELS).map(move |level| (face, level));
+        let all = faces.flat_map(levels).filter_map(|(face, level)| texels.level(face, level));
+        all.map(|level| level.texels.len()).sum()
     }
 
     /// How it is sampled with this state. The device's threads bring its texels up to date.

@@ -223,7 +223,7 @@ pub(super) fn store_level(
         .update(|image| image.set_level(face, level, texels))
         .map_err(|error| super::storage_error(SECTION, &error))?;
     texture.requested[face][level] = internal;
-    texture.changed();
+    texture.texels_changed();
     super::mipmap::base_level_changed(texture, face, level)
 }
 

@@ -143,7 +143,7 @@ fn store(
         requested[..levels.len()].fill(internal);
     }
     texture.immutable = Some(levels.len() as u32);
-    texture.changed();
+    texture.texels_changed();
     Ok(())
 }
 

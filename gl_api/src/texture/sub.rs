@@ -75,7 +75,7 @@ pub(super) fn write_area(context: &mut Context, area: &Area, texels: &[u8]) -> R
     crate::draw::settle(context, &image);
     let texture = bound_mut(context, target.target);
     // Its plan reads the texels: while it is there they would be copied first.
-    texture.changed();
+    texture.texels_changed();
     let written = texture.image.update(|image| {
         image
             .level_mut(target.face.into(), area.level)

@@ -21,6 +21,16 @@ impl Buffer {
         &self.0
     }
 
+    /// Whether anything else has it, such as a draw that was recorded.
+    pub fn is_shared(&self) -> bool {
+        Arc::strong_count(&self.0) > 1
+    }
+
+    /// How many bytes are there for this handle alone.
+    pub fn own_bytes(&self) -> usize {
+        if self.is_shared() { 0 } else { self.0.len() }
+    }
+
     /// Its bytes for writing. Draws that were recorded earlier keep what they saw.
     pub fn bytes_mut(&mut self) -> &mut Vec<u8> {
         Arc::make_mut(&mut self.0)
@@ -134,4 +144,14 @@ pub struct VertexBinding {
     pub location: u8,
     /// Where from.
     pub source: VertexSource,
+}
+
+impl VertexSource {
+    /// The memory that it reads.
+    pub fn buffer(&self) -> Option<&Buffer> {
+        match self {
+            Self::Array { buffer, .. } => Some(buffer),
+            Self::Constant(_) => None,
+        }
+    }
 }
