@@ -153,10 +153,13 @@ pub(super) fn completeness(context: &Context, name: GLuint) -> std::result::Resu
             Err(reason) => Some(reason),
         };
         if let Some(reason) = reason {
-            return incomplete(
-                GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT,
-                format!("{}: {reason}", point()),
-            );
+            // An image with a border is a complete attachment by EXT_framebuffer_object, section 4.4.4.1.
+            let has_border = level_info(attached).is_some_and(|info| info.border != [0; 3]);
+            let status = match has_border {
+                true => GL_FRAMEBUFFER_UNSUPPORTED,
+                false => GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT,
+            };
+            return incomplete(status, format!("{}: {reason}", point()));
         }
     }
     if samples.is_none() {

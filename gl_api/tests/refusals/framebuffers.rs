@@ -470,6 +470,16 @@ const INCOMPLETE: &[Incomplete] = &[
         GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT,
         "texture 5 has no image at level 3",
     ),
+    (
+        |c| {
+            c.bind_texture(GL_TEXTURE_2D, 5);
+            let rgba = GL_RGBA as i32;
+            c.tex_image_2d(GL_TEXTURE_2D, 0, rgba, 6, 6, 1, GL_RGBA, GL_UNSIGNED_BYTE, Data::Null);
+            c.framebuffer_texture_2d(FB, C0, GL_TEXTURE_2D, 5, 0);
+        },
+        GL_FRAMEBUFFER_UNSUPPORTED,
+        "texture 5 has a border at level 0",
+    ),
 ];
 
 #[test]
