@@ -306,6 +306,11 @@ void main() { gl_FragColor = texture(s[i], vec2(0.0)); }",
         "sampler of a value",
         "uniform sampler2D t;\nvoid main() { gl_FragColor = texture2D(0, vec2(0.5)); }",
     ),
+    ("minimum of an integer and a float", "#version 120\nvoid main() { int i = min(1, 2.0); }"),
+    (
+        "minimum of integers in ES",
+        "#version 100\nprecision highp float;\nvoid main() { int i = min(1, 2); }",
+    ),
     ("array of arrays by the type in 130", "#version 130\nfloat[2] a[3];\nvoid main() {}"),
     (
         "array of arrays constructed in 130",

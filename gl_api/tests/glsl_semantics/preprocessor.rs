@@ -100,7 +100,7 @@ pub const TABLE: &[Row] = &[
         100,
         "precision mediump float;\n",
         "r = vec4(gl_MaxVaryingVectors, gl_MaxFragmentUniformVectors, gl_MaxVertexUniformVectors, gl_MaxDrawBuffers);",
-        [16.0, 1024.0, 1024.0, 8.0],
+        [16.0, 4096.0, 4096.0, 8.0],
     ),
     Row(
         100,

@@ -129,13 +129,13 @@ pub const TABLE: &[Row] = &[
         110,
         "",
         "r = vec4(gl_MaxVertexAttribs, gl_MaxVertexUniformComponents, gl_MaxVaryingFloats, gl_MaxVertexTextureImageUnits);",
-        [16.0, 4096.0, 64.0, 16.0],
+        [16.0, 16384.0, 64.0, 16.0],
     ),
     Row(
         110,
         "",
         "r = vec4(gl_MaxCombinedTextureImageUnits, gl_MaxTextureImageUnits, gl_MaxFragmentUniformComponents, gl_MaxDrawBuffers);",
-        [32.0, 16.0, 4096.0, 8.0],
+        [32.0, 16.0, 16384.0, 8.0],
     ),
     Row(
         130,

@@ -51,6 +51,31 @@ pub const TABLE: &[Row] = &[
     Row(110, "", "r = vec4(.5, 1., 1e2, 2.5E-1);", [0.5, 1.0, 100.0, 0.25]),
     Row(120, "", "r = vec4(.5f, 1.F, 1e2f, 0x1F);", [0.5, 1.0, 100.0, 31.0]),
     Row(130, "", "r = vec4(3e0, 010u, 0XffU, 00);", [3.0, 8.0, 255.0, 0.0]),
+    // Functions of integers before 1.30: where nothing else can be meant
+    Row(
+        110,
+        "",
+        "r = vec4(min(k, 5) / 4, max(-7, k), clamp(k + 40, -1, 3), abs(-k) + sign(-9)); int i = 3; i = min(i, k); r.x += float(i);",
+        [2.0, 2.0, 3.0, 1.0],
+    ),
+    Row(
+        110,
+        "",
+        "ivec2 v = min(ivec2(k, 9), 3); ivec2 w = clamp(ivec2(k, 9), ivec2(3), ivec2(4, 7)); r = vec4(v, w);",
+        [2.0, 3.0, 3.0, 7.0],
+    ),
+    Row(
+        110,
+        "int min(int a, int b) { return 9; }\n",
+        "r.xy = vec2(min(k, 1), min(3.0, 2.0));",
+        [9.0, 2.0, 0.0, 0.0],
+    ),
+    Row(
+        120,
+        "int twice(int i) { return 2 * i; }\nconst int seven = min(7, 16777217);\n",
+        "int i = min(k, 5); ivec2 v = clamp(ivec2(k, 9), 3, 16777217); float a[seven]; a[6] = 4.0; r = vec4(min(k, 5) / 4, list[max(abs(-1), min(k, 0))] + i, v.y, a[6]);",
+        [0.5, 22.0, 9.0, 4.0],
+    ),
     // Types of 1.20
     Row(
         120,
