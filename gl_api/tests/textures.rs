@@ -21,6 +21,7 @@ fn floats(bytes: &[u8]) -> Vec<f32> {
 const FORMATS: &[(GLenum, [u32; 4])] = &[
     (GL_RGB4, [4, 4, 4, 0]),
     (GL_RGB5, [5, 5, 5, 0]),
+    (GL_RGB565, [5, 6, 5, 0]),
     (GL_RGB8, [8, 8, 8, 0]),
     (GL_RGB10, [10, 10, 10, 0]),
     (GL_RGB12, [12, 12, 12, 0]),

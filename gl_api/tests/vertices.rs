@@ -273,6 +273,35 @@ fn integer_attributes_keep_all_their_bits() {
     assert!(!pixels.chunks(4).any(|pixel| pixel == [255, 0, 0, 255]));
 }
 
+/// ARB_ES2_compatibility: generic attributes of 16 bits before the point and 16 behind it.
+#[test]
+fn fixed_point_attributes_are_their_quotients() {
+    let vertex = "attribute vec2 position; attribute vec3 extra; varying vec3 value;
+        void main() { value = extra; gl_Position = vec4(position, 0.0, 1.0); }";
+    let fragment = "varying vec3 value; void main() {
+        bool same = value == vec3(-1.5, 32767.0, 1.0 / 65536.0);
+        gl_FragColor = same ? vec4(0.0, 1.0, 0.0, 1.0) : vec4(1.0, 0.0, 0.0, 1.0); }";
+    let mut c = context();
+    program(&mut c, vertex, fragment);
+    c.enable_vertex_attrib_array(0);
+    c.vertex_attrib_pointer(0, 2, GL_FLOAT, false, 0, CORNERS.as_slice().arg());
+    c.enable_vertex_attrib_array(1);
+    let values: Vec<i32> = [-3 << 15, 32767 << 16, 1].repeat(6);
+    // Normalization is of integers.
+    for normalized in [false, true] {
+        c.vertex_attrib_pointer(1, 3, GL_FIXED, normalized, 0, values.as_slice().arg());
+        let mut ty = [0];
+        c.get_vertex_attribiv(1, GL_VERTEX_ATTRIB_ARRAY_TYPE, &mut ty);
+        assert_eq!(ty[0] as GLenum, GL_FIXED);
+        c.draw_arrays(GL_TRIANGLES, 0, 6);
+        let pixels = picture(&mut c);
+        assert!(pixels.chunks(4).any(|pixel| pixel == [0, 255, 0, 255]));
+        assert!(!pixels.chunks(4).any(|pixel| pixel == [255, 0, 0, 255]));
+    }
+    c.color_pointer(4, GL_FIXED, 0, values.as_slice().arg());
+    assert_eq!(c.get_error(), GL_INVALID_ENUM, "colours are of no fixed-point numbers");
+}
+
 #[test]
 fn mapped_buffers_belong_to_the_client() {
     let mut c = context();

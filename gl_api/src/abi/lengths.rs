@@ -242,6 +242,7 @@ pub(crate) fn values(pname: GLenum) -> usize {
         GL_COMPRESSED_TEXTURE_FORMATS => {
             crate::texture::internal::general_purpose_formats().count()
         }
+        GL_SHADER_BINARY_FORMATS => 0,
         _ => 1,
     }
 }

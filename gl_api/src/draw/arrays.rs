@@ -168,6 +168,7 @@ const ALL_TYPES: &[(GLenum, VertexType)] = &[
     (GL_UNSIGNED_BYTE, VertexType::U8),
     (GL_UNSIGNED_SHORT, VertexType::U16),
     (GL_UNSIGNED_INT, VertexType::U32),
+    (GL_FIXED, VertexType::Fixed),
 ];
 
 /// GL 3.0, table 2.5: of texture coordinates and vertices.
@@ -179,9 +180,12 @@ const NORMAL_TYPE: Table<VertexType> =
 /// Of fog coordinates.
 const FOG_TYPE: Table<VertexType> =
     Table { section: "GL 3.0, table 2.5", rows: ALL_TYPES.split_at(5).0.split_at(2).1 };
-/// Of colours and generic attributes.
+/// Of colours.
+const COLOR_TYPE: Table<VertexType> =
+    Table { section: "GL 3.0, table 2.5", rows: ALL_TYPES.split_at(9).0 };
+/// Of generic attributes.
 pub(crate) const ANY_TYPE: Table<VertexType> =
-    Table { section: "GL 3.0, table 2.5", rows: ALL_TYPES };
+    Table { section: "GL 3.0, table 2.5, and ARB_ES2_compatibility", rows: ALL_TYPES };
 
 /// Of colour indices.
 const INDEX_TYPE: Table<VertexType> = Table {
@@ -299,7 +303,7 @@ pub(crate) fn color_pointer(
     stride: GLsizei,
     pointer: Data<'_>,
 ) -> Result<()> {
-    let rules = Rules { sizes: 3..=4, types: ANY_TYPE, format: VertexFormat::Normalized };
+    let rules = Rules { sizes: 3..=4, types: COLOR_TYPE, format: VertexFormat::Normalized };
     set(context, ATTRIB_COLOR, &rules, size, ty, stride, pointer)
 }
 
@@ -310,7 +314,7 @@ pub(crate) fn secondary_color_pointer(
     stride: GLsizei,
     pointer: Data<'_>,
 ) -> Result<()> {
-    let rules = Rules { sizes: 3..=3, types: ANY_TYPE, format: VertexFormat::Normalized };
+    let rules = Rules { sizes: 3..=3, types: COLOR_TYPE, format: VertexFormat::Normalized };
     set(context, ATTRIB_SECONDARY_COLOR, &rules, size, ty, stride, pointer)
 }
 
@@ -339,7 +343,7 @@ pub(crate) fn edge_flag_pointer(
     stride: GLsizei,
     pointer: Data<'_>,
 ) -> Result<()> {
-    let rules = Rules { sizes: 1..=1, types: ANY_TYPE, format: VertexFormat::Plain };
+    let rules = Rules { sizes: 1..=1, types: COLOR_TYPE, format: VertexFormat::Plain };
     set(context, ATTRIB_EDGE_FLAG, &rules, 1, GL_UNSIGNED_BYTE, stride, pointer)
 }
 

@@ -1,7 +1,7 @@
 //! Shaders and programs: GL 2.1, sections 2.15, 3.11 and 6.1.14.
 
-use super::{Strings, TextOut};
-use crate::object::{programs, shaders};
+use super::{Data, Strings, TextOut};
+use crate::object::{compiler, programs, shaders};
 use crate::program::{arb, inspect, uniform, validate};
 use crate::types::*;
 
@@ -27,6 +27,16 @@ entry_points! {
         /// Reads a shader's source.
         get_shader_source: glGetShaderSource | glGetShaderSourceARB
             (shader: GLuint, max_length: GLsizei, length: &'a mut [GLsizei], source: TextOut<'a>);
+    }
+    Outside in compiler {
+        /// Says that no shader is compiled for a while.
+        release_shader_compiler: glReleaseShaderCompiler ();
+        /// Loads compiled shaders, of which there is no format.
+        shader_binary: glShaderBinary
+            (count: GLsizei, shaders: &'a [GLuint], binary_format: GLenum, binary: Data<'a>, length: GLsizei);
+        /// Reads the range and the precision of the numbers of a stage.
+        get_shader_precision_format: glGetShaderPrecisionFormat
+            (shader_type: GLenum, precision_type: GLenum, range: &'a mut [GLint], precision: &'a mut [GLint]);
     }
     Outside in programs {
         /// Makes a program object.

@@ -2,6 +2,7 @@
 
 pub(crate) mod buffer_map;
 pub(crate) mod buffers;
+pub(crate) mod compiler;
 pub(crate) mod conditional;
 pub(crate) mod framebuffers;
 pub(crate) mod programs;

@@ -8,6 +8,7 @@ use std::sync::LazyLock;
 
 /// The names, sorted.
 pub(crate) const EXTENSIONS: &[&str] = &[
+    "GL_ARB_ES2_compatibility",
     "GL_ARB_arrays_of_arrays",
     "GL_ARB_color_buffer_float",
     "GL_ARB_copy_buffer",

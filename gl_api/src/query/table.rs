@@ -164,6 +164,9 @@ fn limit(_: &Context, pname: GLenum) -> Answer {
         GL_MAX_VERTEX_UNIFORM_COMPONENTS | GL_MAX_FRAGMENT_UNIFORM_COMPONENTS => {
             int(limits::MAX_UNIFORM_COMPONENTS)
         }
+        GL_MAX_VERTEX_UNIFORM_VECTORS | GL_MAX_FRAGMENT_UNIFORM_VECTORS => {
+            int(limits::MAX_UNIFORM_COMPONENTS / 4)
+        }
         GL_MAX_VARYING_FLOATS => int(limits::MAX_VARYING_FLOATS),
         GL_MAX_TRANSFORM_FEEDBACK_SEPARATE_ATTRIBS => {
             int(limits::MAX_TRANSFORM_FEEDBACK_SEPARATE_ATTRIBS)
@@ -174,6 +177,10 @@ fn limit(_: &Context, pname: GLenum) -> Answer {
         GL_MAX_TRANSFORM_FEEDBACK_INTERLEAVED_COMPONENTS => {
             int(limits::MAX_TRANSFORM_FEEDBACK_INTERLEAVED_COMPONENTS)
         }
+        GL_MAX_VARYING_VECTORS => int(limits::MAX_VARYING_FLOATS / 4),
+        GL_SHADER_COMPILER => flag(true),
+        GL_NUM_SHADER_BINARY_FORMATS => int(0),
+        GL_SHADER_BINARY_FORMATS => ints(&[]),
         GL_MIN_PROGRAM_TEXEL_OFFSET => int(*TEXEL_OFFSETS.start()),
         GL_MAX_PROGRAM_TEXEL_OFFSET => int(*TEXEL_OFFSETS.end()),
         GL_MAX_COLOR_ATTACHMENTS | GL_MAX_DRAW_BUFFERS => int(attachments),

@@ -43,6 +43,7 @@ pub(crate) const INTERNAL_FORMAT: Table<Format> = Table {
         (GL_R3_G3_B2, Format::R3G3B2),
         (GL_RGB4, Format::R5G6B5),
         (GL_RGB5, Format::R5G6B5),
+        (GL_RGB565, Format::R5G6B5),
         (GL_RGB8, Format::Rgb8),
         (GL_RGB10, Format::Rgb10),
         (GL_RGB12, Format::Rgb16),

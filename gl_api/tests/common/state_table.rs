@@ -422,6 +422,13 @@ pub const LEAST: &[Row] = rows! {
         GL_MAX_TRANSFORM_FEEDBACK_SEPARATE_COMPONENTS Number &[4.0];
         GL_MAX_SAMPLES Number &[4.0];
     }
+    "ARB_ES2_compatibility" {
+        GL_SHADER_COMPILER Number T;
+        GL_NUM_SHADER_BINARY_FORMATS Number F;
+        GL_MAX_VERTEX_UNIFORM_VECTORS Number &[128.0];
+        GL_MAX_FRAGMENT_UNIFORM_VECTORS Number &[16.0];
+        GL_MAX_VARYING_VECTORS Number &[8.0];
+    }
     "6.40" {
         GL_RED_BITS Number &[8.0];
         GL_GREEN_BITS Number &[8.0];

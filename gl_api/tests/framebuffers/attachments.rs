@@ -46,6 +46,7 @@ const FORMATS: &[(GLenum, [Stored; 4])] = &[
     (GL_RGB5_A1, [Fixed(5), Fixed(5), Fixed(5), Fixed(1)]),
     (GL_RGBA4, [Fixed(4); 4]),
     (GL_RGB5, [Fixed(5), Fixed(6), Fixed(5), Not(1.0)]),
+    (GL_RGB565, [Fixed(5), Fixed(6), Fixed(5), Not(1.0)]),
     (GL_R3_G3_B2, [Fixed(3), Fixed(3), Fixed(2), Not(1.0)]),
     (GL_SRGB8_ALPHA8, [Fixed(8); 4]),
     (GL_SRGB8, [Fixed(8), Fixed(8), Fixed(8), Not(1.0)]),

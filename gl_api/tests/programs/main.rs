@@ -245,6 +245,29 @@ void main() {
     no_error(&mut c);
 }
 
+/// ARB_ES2_compatibility: floats of IEEE 754 and integers of 32 bits, whatever precision is asked for.
+#[test]
+fn every_precision_is_the_highest() {
+    let mut c = context();
+    c.release_shader_compiler();
+    for stage in [GL_VERTEX_SHADER, GL_FRAGMENT_SHADER] {
+        for (numbers, expected, bits) in [
+            ([GL_LOW_FLOAT, GL_MEDIUM_FLOAT, GL_HIGH_FLOAT], [127, 127], 23),
+            ([GL_LOW_INT, GL_MEDIUM_INT, GL_HIGH_INT], [31, 30], 0),
+        ] {
+            for precision in numbers {
+                let (mut range, mut found) = ([0; 2], [9]);
+                c.get_shader_precision_format(stage, precision, &mut range, &mut found);
+                assert_eq!((range, found), (expected, [bits]), "{}", enum_name(precision));
+            }
+        }
+    }
+    let mut none = [7];
+    c.get_integerv(GL_SHADER_BINARY_FORMATS, &mut none[..0]);
+    assert_eq!(none, [7]);
+    no_error(&mut c);
+}
+
 /// ARB_arrays_of_arrays: what is set is one row, by its name with or without the last `[0]`.
 #[test]
 fn arrays_of_arrays_are_set_row_by_row() {

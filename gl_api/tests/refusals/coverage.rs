@@ -14,6 +14,7 @@ const CANNOT_FAIL: &[(&str, &[&str])] = &[
             "glGetError",
             "glInitNames",
             "glLoadIdentity",
+            "glReleaseShaderCompiler",
             "glTextureBarrierNV",
         ],
     ),

@@ -58,6 +58,8 @@ pub enum VertexType {
     F32,
     /// Double precision.
     F64,
+    /// Signed, with 16 bits behind the point.
+    Fixed,
 }
 
 impl VertexType {
@@ -66,7 +68,7 @@ impl VertexType {
         match self {
             Self::I8 | Self::U8 => 1,
             Self::I16 | Self::U16 | Self::F16 => 2,
-            Self::I32 | Self::U32 | Self::F32 => 4,
+            Self::I32 | Self::U32 | Self::F32 | Self::Fixed => 4,
             Self::F64 => 8,
         }
     }

@@ -44,6 +44,9 @@ pub fn component(
                 (VertexType::F16, _) => {
                     words.each(out, |b| decode_half(u16::from_le_bytes(b).into()));
                 }
+                (VertexType::Fixed, _) => {
+                    words.each(out, |b| i32::from_le_bytes(b) as f32 / 65536.0);
+                }
                 (VertexType::F64, _) => words.each(out, |b| f64::from_le_bytes(b) as f32),
                 (VertexType::I8, VertexFormat::Plain) => {
                     words.each(out, |b| f32::from(i8::from_le_bytes(b)));
@@ -202,6 +205,8 @@ mod tests {
             (VertexType::F16, VertexFormat::Plain, &[0, 0xC1], -2.5),
             (VertexType::F16, VertexFormat::Normalized, &[0xFF, 0x7B], 65504.0),
             (VertexType::F64, VertexFormat::Plain, &[0, 0, 0, 0, 0, 0, 0xE0, 0x3F], 0.5),
+            (VertexType::Fixed, VertexFormat::Plain, &[0, 0xC0, 0xFE, 0xFF], -1.25),
+            (VertexType::Fixed, VertexFormat::Normalized, &[0, 0, 3, 0], 3.0),
             // Too short for its type: zero bytes.
             (VertexType::F32, VertexFormat::Plain, &[0, 0, 128], 0.0),
         ];
