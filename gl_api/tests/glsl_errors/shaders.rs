@@ -416,6 +416,18 @@ pub const DIRECTIVES: &[(&str, &str)] = &[
         "ES derivatives",
         "#version 100\nprecision mediump float;\nvoid main() { float f = dFdx(1.0); }",
     ),
+    (
+        "ES precision of an inner scope",
+        "#version 100\nvoid f() { { precision mediump float; float x; } }\nfloat y;\nfloat z;\nvoid main() {}",
+    ),
+    (
+        "ES declares a function once",
+        "#version 100\nint f(int a);\nint f(int a);\nvoid main() {}\nint f(int a) { return a; }",
+    ),
+    (
+        "a sequence is not constant in 120",
+        "#version 120\nconst float f = (1.0, 2.0);\nvoid main() {}",
+    ),
     ("precision of a vector", "#version 100\nprecision highp vec2;\nvoid main() {}"),
 ];
 

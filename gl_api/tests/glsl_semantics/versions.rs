@@ -76,6 +76,13 @@ pub const TABLE: &[Row] = &[
         "int i = min(k, 5); ivec2 v = clamp(ivec2(k, 9), 3, 16777217); float a[seven]; a[6] = 4.0; r = vec4(min(k, 5) / 4, list[max(abs(-1), min(k, 0))] + i, v.y, a[6]);",
         [0.5, 22.0, 9.0, 4.0],
     ),
+    // Constants and arrays of ES
+    Row(
+        100,
+        "precision mediump float;\nconst float c = cos((1.0, 0.0)); const int n = (5, 2);\nvoid f(inout float a[2], out float b[n]) { a[1] += a[0]; b[0] = 9.0; }\n",
+        "float a[(3, n)]; float b[n]; a[0] = 3.0; a[1] = 4.0; f(a, b); r = vec4(c, a[0], a[1], b[0]);",
+        [1.0, 3.0, 7.0, 9.0],
+    ),
     // Types of 1.20
     Row(
         120,

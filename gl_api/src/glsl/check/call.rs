@@ -287,9 +287,9 @@ impl Checker<'_> {
             let message = format!("`{}` comes from {}", name.text, extension.name());
             self.log.push(Diagnostic::warning(name.span, message));
         }
-        // From 1.20 on a function of constants is constant (section 4.3.3).
+        // From ES 1.00 (section 5.10) and 1.20 (section 4.3.3) on a function of constants is constant.
         let constant = row.folds()
-            && self.version >= Version::V120
+            && self.version >= Version::Es100
             && arguments.iter().all(|argument| argument.constant);
         Expr { ty, span, constant, kind: ExprKind::Builtin(row, arguments) }
     }

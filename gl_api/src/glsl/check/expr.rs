@@ -59,7 +59,10 @@ impl Checker<'_> {
             ast::ExprKind::Comma(all) => {
                 let all: Vec<Expr> = all.iter().map(|expr| self.expr(expr)).collect();
                 let ty = all.last().map_or(Type::Void, |last| last.ty.clone());
-                Expr { ty, span, constant: false, kind: ExprKind::Comma(all) }
+                // An operator like any other in GLSL ES 1.00 (section 5.10).
+                let constant =
+                    self.version == Version::Es100 && all.iter().all(|part| part.constant);
+                Expr { ty, span, constant, kind: ExprKind::Comma(all) }
             }
             ast::ExprKind::Index(base, index) => self.index(base, index, span),
             ast::ExprKind::Field(base, name) => self.field(base, name, span),

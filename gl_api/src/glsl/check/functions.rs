@@ -84,7 +84,8 @@ impl Checker<'_> {
         if ty.has_sampler() && direction != Direction::In {
             self.error(span, "6.1", "a sampler cannot be an `out` parameter");
         }
-        if ty.has_array() && direction != Direction::In && self.version < Version::V120 {
+        // They are l-values in GLSL ES, for this alone (section 5.8).
+        if ty.has_array() && direction != Direction::In && self.version == Version::V110 {
             let message = "an array cannot be an `out` parameter: it is no l-value";
             self.error(span, "5.8", message);
         }
@@ -138,6 +139,12 @@ impl Checker<'_> {
                 Some(format!("`{}` differs from its declaration in line {line}", name.text))
             } else if other.body.is_some() && declared.body.is_some() {
                 Some(format!("`{}` is defined already, in line {line}", new.signature()))
+            } else if self.version == Version::Es100
+                && other.body.is_none()
+                && declared.body.is_none()
+            {
+                // One prototype and the definition (section 4.2.7).
+                Some(format!("`{}` is declared already, in line {line}", new.signature()))
             } else {
                 None
             };
@@ -163,6 +170,7 @@ impl Checker<'_> {
         let (locals, result) = (function.locals.clone(), function.result.clone());
         self.body =
             Some(Body { function: index, result: Some(result.clone()), locals, ..Body::default() });
+        let precision = self.float_precision;
         self.scopes.open();
         for (number, parameter) in declared.parameters.iter().enumerate() {
             if let Some(name) = &parameter.name {
@@ -173,6 +181,7 @@ impl Checker<'_> {
         }
         let statements = self.statements(body);
         self.scopes.close();
+        self.float_precision = precision;
         let Some(mut body) = self.body.take() else { return };
         settle_arrays(&mut body.locals);
         if result != Type::Void && result != Type::Error && !body.returns {

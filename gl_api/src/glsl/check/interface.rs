@@ -289,11 +289,10 @@ impl Checker<'_> {
             self.error(*span, "4.5.2", message);
         }
         let float = named.is_some_and(|named| named.scalar() == Some(Scalar::Float));
-        if self.float_precision || given || !float {
+        if self.float_precision || self.lacks_precision || given || !float {
             return;
         }
-        // Once is enough.
-        self.float_precision = true;
+        self.lacks_precision = true;
         let message = "floats of the fragment stage have no precision yet";
         let problem = Diagnostic::error(ty.ty.span, message).rule(self.rule("4.5.3"));
         self.log.push(problem.help("write `precision mediump float;` first"));

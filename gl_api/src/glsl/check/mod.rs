@@ -54,8 +54,10 @@ struct Checker<'a> {
     stage: Stage,
     language: Language,
     version: Version,
-    /// Whether floats have a precision (GLSL ES 1.00 section 4.5.3).
+    /// Whether floats have a precision here (GLSL ES 1.00 section 4.5.3).
     float_precision: bool,
+    /// Whether it was said that they have none: once is enough.
+    lacks_precision: bool,
     unit: Unit,
     scopes: Scopes,
     undeclared: Vec<Undeclared>,
@@ -81,6 +83,7 @@ pub fn check(
         language,
         version,
         float_precision: version != Version::Es100 || stage == Stage::Vertex,
+        lacks_precision: false,
         unit,
         scopes: Scopes::new(),
         undeclared: Vec::new(),
@@ -188,9 +191,11 @@ impl Checker<'_> {
 
     /// A body of statements in a scope of its own.
     fn scoped(&mut self, check: impl FnOnce(&mut Self) -> Vec<Stmt>) -> Vec<Stmt> {
+        let precision = self.float_precision;
         self.scopes.open();
         let statements = check(self);
         self.scopes.close();
+        self.float_precision = precision;
         statements
     }
 }
