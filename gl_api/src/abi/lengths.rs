@@ -56,6 +56,7 @@ const OVERRIDES: &[(&str, usize, Rule)] = &[
     ("glGetVertexAttribIivEXT", 2, Rule::Named(1)),
     ("glGetVertexAttribIuiv", 2, Rule::Named(1)),
     ("glGetVertexAttribIuivEXT", 2, Rule::Named(1)),
+    ("glGetMultisamplefv", 2, Rule::Fixed(2)),
     ("glPolygonStipple", 0, Rule::Fixed(128)),
     ("glGetPolygonStipple", 0, Rule::Fixed(128)),
 ];

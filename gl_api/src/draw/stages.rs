@@ -277,16 +277,15 @@ fn program_textures(
     samplers: &[SamplerSlot],
     words: &[u32],
 ) -> Textures {
-    let slots = module.module().textures.iter().enumerate();
-    slots
-        .map(|(slot, decl)| {
+    (0..module.module().textures.len())
+        .map(|slot| {
             let sampler = samplers
                 .iter()
                 .find(|sampler| sampler.stage == stage && sampler.slot as usize == slot)?;
             let unit = *words.get(sampler.word as usize)?;
             let unit =
                 u8::try_from(unit).ok().filter(|unit| *unit < MAX_COMBINED_TEXTURE_IMAGE_UNITS)?;
-            let target = TextureTarget::of(decl.shape);
+            let target = TextureTarget::of_sampler(sampler.dim);
             hints::sampler(context, unit, target, sampler.word);
             Some(plan(context, unit, target, sampler.result))
         })
@@ -299,7 +298,9 @@ pub(super) fn sampler(context: &Context, unit: u8, target: TextureTarget) -> Sam
     let state = &context.state.units.units[usize::from(unit)];
     let texture = context.objects.texture(target, state.bound[target as usize]);
     let own = texture.sampler();
-    let mut sampler = match context.objects.samplers.get(state.sampler) {
+    // Where there are several samples a texel, sampler objects do not count.
+    let object = if target.is_multisample() { 0 } else { state.sampler };
+    let mut sampler = match context.objects.samplers.get(object) {
         Some(object) => Sampler {
             base_level: own.base_level,
             max_level: own.max_level,

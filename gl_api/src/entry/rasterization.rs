@@ -36,6 +36,11 @@ entry_points! {
     Outside in multisample {
         /// Sets which part of the samples of a pixel `GL_SAMPLE_COVERAGE` leaves.
         sample_coverage: glSampleCoverage | glSampleCoverageARB (value: GLclampf, invert: bool);
+        /// Sets which samples `GL_SAMPLE_MASK` leaves, bit by sample.
+        sample_maski: glSampleMaski (mask_number: GLuint, mask: GLbitfield);
+        /// Reads where a sample of the draw framebuffer lies in its pixel.
+        get_multisamplefv: glGetMultisamplefv
+            (pname: GLenum, index: GLuint, val: &'a mut [GLfloat]);
     }
     Outside in polygon {
         /// Sets whether polygons are filled, or drawn by their edges or vertices.

@@ -3,7 +3,9 @@
 use super::{Data, DataOut};
 use crate::env;
 use crate::object::{samplers, textures};
-use crate::texture::{compressed, copy, get, mipmap, parameter, query, specify, storage, sub};
+use crate::texture::{
+    compressed, copy, get, mipmap, multisample, parameter, query, specify, storage, sub,
+};
 use crate::types::*;
 
 entry_points! {
@@ -60,6 +62,28 @@ entry_points! {
         tex_storage_3d: glTexStorage3D (
             target: GLenum, levels: GLsizei, internalformat: GLenum, width: GLsizei,
             height: GLsizei, depth: GLsizei
+        );
+    }
+    Outside in multisample {
+        /// Gives a texture an image with several samples a texel.
+        tex_image_2d_multisample: glTexImage2DMultisample (
+            target: GLenum, samples: GLsizei, internalformat: GLenum, width: GLsizei,
+            height: GLsizei, fixedsamplelocations: bool
+        );
+        /// Gives a texture layers with several samples a texel.
+        tex_image_3d_multisample: glTexImage3DMultisample (
+            target: GLenum, samples: GLsizei, internalformat: GLenum, width: GLsizei,
+            height: GLsizei, depth: GLsizei, fixedsamplelocations: bool
+        );
+        /// Gives a texture an image with several samples a texel for good.
+        tex_storage_2d_multisample: glTexStorage2DMultisample (
+            target: GLenum, samples: GLsizei, internalformat: GLenum, width: GLsizei,
+            height: GLsizei, fixedsamplelocations: bool
+        );
+        /// Gives a texture layers with several samples a texel for good.
+        tex_storage_3d_multisample: glTexStorage3DMultisample (
+            target: GLenum, samples: GLsizei, internalformat: GLenum, width: GLsizei,
+            height: GLsizei, depth: GLsizei, fixedsamplelocations: bool
         );
     }
     Outside in sub {

@@ -41,7 +41,7 @@ impl DrawNote {
         let mut note = Self { title: format!("program {name}"), ..Self::default() };
         let Some(linked) = context.objects.linked_program(name) else { return note };
         note.varyings.clone_from(&linked.program.varyings);
-        for (slot, decl) in fragment.module().textures.iter().enumerate() {
+        for slot in 0..fragment.module().textures.len() {
             let sampler =
                 linked.program.samplers.iter().find(|sampler| {
                     sampler.stage == Stage::Fragment && sampler.slot as usize == slot
@@ -52,10 +52,9 @@ impl DrawNote {
                 linked.program.uniforms.iter().find(of_word)
             });
             let name = uniform.map_or_else(|| format!("sampler {slot}"), |u| u.name.to_string());
-            note.textures.push(match unit {
-                Some(&unit) => {
-                    format!("{name}: {}", texture(context, unit, TextureTarget::of(decl.shape)))
-                }
+            let target = sampler.map(|sampler| TextureTarget::of_sampler(sampler.dim));
+            note.textures.push(match unit.zip(target) {
+                Some((&unit, target)) => format!("{name}: {}", texture(context, unit, target)),
                 None => name,
             });
         }

@@ -120,7 +120,7 @@ fn give_back(context: &mut Context, area: Rect, factor: f32) {
     let width = context.window.width as usize;
     let sums = std::mem::take(&mut context.window.accumulation.0);
     for attachment in pass.colors.iter().flatten() {
-        edit(context, attachment, |level, first| {
+        edit(context, attachment, |level, first, _| {
             let (format, size, row) = (level.format, level.format.bytes(), level.row_bytes());
             for y in area.y as usize..area.y as usize + area.height as usize {
                 for x in area.x as usize..area.x as usize + area.width as usize {

@@ -98,10 +98,15 @@ fn attach_texture(
     let level = crate::texture::checked_level(SECTION, of.target, level)?;
     let most = match of.target {
         TextureTarget::D3 => limits::MAX_3D_TEXTURE_SIZE,
-        TextureTarget::D1Array | TextureTarget::D2Array | TextureTarget::CubeArray => {
-            limits::MAX_ARRAY_TEXTURE_LAYERS
-        }
-        TextureTarget::D1 | TextureTarget::D2 | TextureTarget::Rect | TextureTarget::Cube => 1,
+        TextureTarget::D1Array
+        | TextureTarget::D2Array
+        | TextureTarget::CubeArray
+        | TextureTarget::D2MultisampleArray => limits::MAX_ARRAY_TEXTURE_LAYERS,
+        TextureTarget::D1
+        | TextureTarget::D2
+        | TextureTarget::Rect
+        | TextureTarget::Cube
+        | TextureTarget::D2Multisample => 1,
     };
     let slice = match u16::try_from(slice) {
         Ok(slice) if u32::from(slice) < most => slice,
@@ -207,8 +212,13 @@ pub(crate) fn framebuffer_texture_layer(
         TextureTarget::D3
         | TextureTarget::D1Array
         | TextureTarget::D2Array
-        | TextureTarget::CubeArray => {}
-        TextureTarget::D1 | TextureTarget::D2 | TextureTarget::Rect | TextureTarget::Cube => {
+        | TextureTarget::CubeArray
+        | TextureTarget::D2MultisampleArray => {}
+        TextureTarget::D1
+        | TextureTarget::D2
+        | TextureTarget::Rect
+        | TextureTarget::Cube
+        | TextureTarget::D2Multisample => {
             return invalid_operation(
                 SECTION,
                 format!(

@@ -1,12 +1,13 @@
 //! `glBlitFramebuffer`: `ARB_framebuffer_object`, section 4.3.3.
 //!
-//! A multisample image is read as what it resolves to.
+//! Where both sides have several samples a pixel, samples go to samples; a multisample image is else
+//! read as what it resolves to, and every sample of one is written alike.
 
 use super::clear::drawn_area;
 use super::complete::{
     Readable, checked_complete, draw_pass, draw_planes, read_attachment, read_samples, samples,
 };
-use super::read::{Pixels, same_kind, settled};
+use super::read::{Pixels, same_kind, settled, settled_samples};
 use super::srgb_write;
 use crate::constants::*;
 use crate::context::Context;
@@ -137,13 +138,14 @@ impl Blit {
         }
     }
 
-    /// Copies to one attachment.
-    fn write(&self, context: &mut Context, from: &Pixels, to: &Attachment, part: Part) {
-        let [width, height] = from.size();
+    /// Copies to one attachment, from what every sample has or from a sample each.
+    fn write(&self, context: &mut Context, from: &[Pixels], to: &Attachment, part: Part) {
+        let Some([width, height]) = from.first().map(Pixels::size) else { return };
         let area = self.area;
         let columns = self.axes[0].taps(area.x, area.width, width, self.filter);
         let rows = self.axes[1].taps(area.y, area.height, height, self.filter);
-        edit(context, to, |level, first| {
+        edit(context, to, |level, first, sample| {
+            let Some(from) = from.get(sample).or(from.first()) else { return };
             let (format, size) = (level.format, level.format.bytes());
             let row_bytes = level.row_bytes();
             for (y, tap) in (area.y as usize..).zip(&rows) {
@@ -174,17 +176,36 @@ impl Blit {
     }
 }
 
-/// Lets `change` write the texels of an attachment: a level, and where in its bytes the attached
-/// slice begins.
+/// Lets `change` write the texels of an attachment, of one sample after the other: a level, where in
+/// its bytes they begin, and the number of the sample.
 pub(crate) fn edit(
     context: &mut Context,
     attachment: &Attachment,
-    change: impl FnOnce(&mut Level, usize),
+    change: impl Fn(&mut Level, usize, usize),
 ) {
     let image = &attachment.image;
     crate::draw::settle(context, image);
+    if image.samples() > 1 {
+        edit_samples(attachment, change);
+    } else {
+        edit_slice(attachment, |level, first| change(level, first, 0));
+    }
+    context.objects.images_changed(|other| other.same(image));
+}
+
+fn edit_samples(attachment: &Attachment, change: impl Fn(&mut Level, usize, usize)) {
+    let &Attachment { ref image, face, level: number } = attachment;
+    let Some(mut level) = image.each_sample(face, number) else { return };
+    for sample in 0..level.depth as usize {
+        let first = sample * level.slice_bytes();
+        change(&mut level, first, sample);
+    }
+    image.set_each_sample(face, number, &level);
+}
+
+fn edit_slice(attachment: &Attachment, change: impl FnOnce(&mut Level, usize)) {
     let face = usize::from(attachment.face);
-    image.update(|texels| {
+    attachment.image.update(|texels| {
         let (face, slice) = match texels.shape() {
             Shape::Cube => (face, 0),
             Shape::D1
@@ -200,7 +221,6 @@ pub(crate) fn edit(
             change(level, first);
         }
     });
-    context.objects.images_changed(|other| other.same(image));
 }
 
 /// What of a framebuffer a mask names, in the order in which it is copied.
@@ -213,7 +233,8 @@ const PARTS: [(GLbitfield, Part, Readable); 3] = [
 /// Where a part is copied from and to.
 struct Copy {
     part: Part,
-    from: Pixels,
+    /// Of one sample, or of each.
+    from: Vec<Pixels>,
     to: Vec<Attachment>,
 }
 
@@ -297,11 +318,16 @@ pub(crate) fn blit_framebuffer(
         else {
             continue;
         };
-        let Some(from) = settled(context, &attachment) else { continue };
-        for to in &to {
-            let format = super::format_of(to).unwrap_or(from.format());
-            check_formats(part, from.format(), format, filter)?;
+        let format = super::format_of(&attachment);
+        for (from, to) in to.iter().filter_map(|to| format.zip(super::format_of(to))) {
+            check_formats(part, from, to, filter)?;
         }
+        let several = |attachment: &Attachment| attachment.image.samples() > 1;
+        let from = if several(&attachment) && to.iter().any(several) {
+            settled_samples(context, &attachment)
+        } else {
+            settled(context, &attachment).into_iter().collect()
+        };
         copies.push(Copy { part, from, to });
     }
     if context.queries.discards() {

@@ -80,7 +80,9 @@ fn find(attached: &Attached) -> std::result::Result<Found, String> {
                 | TextureTarget::Rect
                 | TextureTarget::D1Array
                 | TextureTarget::D2Array
-                | TextureTarget::CubeArray => slice,
+                | TextureTarget::CubeArray
+                | TextureTarget::D2Multisample
+                | TextureTarget::D2MultisampleArray => slice,
             };
             Ok(found(info, Attachment { image, face, level: level as u8 }))
         }
@@ -88,6 +90,19 @@ fn find(attached: &Attached) -> std::result::Result<Found, String> {
             Err(format!("renderbuffer {name} has no image: call glRenderbufferStorage with a size"))
         }
         (Source::Renderbuffer(_), Some(info)) => Ok(found(info, whole(&image))),
+    }
+}
+
+/// Whether the samples of an attachment were asked to lie alike in all its pixels: those of
+/// renderbuffers do. Of a deleted texture it is not known any more.
+fn fixed_locations(context: &Context, attached: &Attached) -> Option<bool> {
+    match attached.source {
+        Source::Renderbuffer(_) => Some(true),
+        Source::Texture { name, .. } => {
+            let texture = context.objects.textures.get(name);
+            let texture = texture.filter(|texture| texture.image.same(&attached.image))?;
+            Some(texture.samples.is_none_or(|samples| samples.fixed_locations))
+        }
     }
 }
 
@@ -129,7 +144,7 @@ pub(super) fn completeness(context: &Context, name: GLuint) -> std::result::Resu
             ),
         };
     };
-    let mut samples = None;
+    let (mut samples, mut locations) = (None, None);
     let colors =
         object.colors.iter().enumerate().map(|(index, attached)| (attached, Wants::Color, index));
     let others = [(&object.depth, Wants::Depth, 0), (&object.stencil, Wants::Stencil, 0)];
@@ -146,6 +161,18 @@ pub(super) fn completeness(context: &Context, name: GLuint) -> std::result::Resu
                     return incomplete(
                         GL_FRAMEBUFFER_INCOMPLETE_MULTISAMPLE,
                         format!("{} has {} samples, others differ", point(), found.samples),
+                    );
+                }
+                if let Some(fixed) = fixed_locations(context, attached)
+                    && *locations.get_or_insert(fixed) != fixed
+                {
+                    return incomplete(
+                        GL_FRAMEBUFFER_INCOMPLETE_MULTISAMPLE,
+                        format!(
+                            "{}: fixedsamplelocations differs from that of others (renderbuffers \
+                             have GL_TRUE)",
+                            point()
+                        ),
                     );
                 }
                 misfit(attached, wants, &found)

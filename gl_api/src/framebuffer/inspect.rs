@@ -115,7 +115,9 @@ fn of_attached(attached: &Attached, point: Point, property: Property) -> Option<
             | TextureTarget::Rect
             | TextureTarget::D1Array
             | TextureTarget::D2Array
-            | TextureTarget::CubeArray => 0,
+            | TextureTarget::CubeArray
+            | TextureTarget::D2Multisample
+            | TextureTarget::D2MultisampleArray => 0,
         }),
         (Property::Level | Property::Layer | Property::Face, Source::Renderbuffer(_)) => None,
         (Property::Bits(component), _) => {

@@ -16,7 +16,7 @@ use crate::types::*;
 use rasterizer::driver::Attachment;
 use std::sync::Arc;
 use texunit::format::Format;
-use texunit::image::{Level, Shape};
+use texunit::image::Level;
 
 const SECTION: &str = "GL 2.1, section 4.3.2";
 
@@ -51,20 +51,16 @@ impl Pixels {
 /// The pixels of an attachment as everything recorded leaves them.
 pub(super) fn settled(context: &mut Context, attachment: &Attachment) -> Option<Pixels> {
     crate::draw::settle(context, &attachment.image);
-    let texels = context.recorder.device().texels(&attachment.image);
-    let face = usize::from(attachment.face);
-    let (face, slice) = match texels.shape() {
-        Shape::Cube => (face, 0),
-        Shape::D1
-        | Shape::D2
-        | Shape::D3
-        | Shape::Rect
-        | Shape::D1Array
-        | Shape::D2Array
-        | Shape::CubeArray => (0, face),
-    };
-    let level = texels.level(face, attachment.level.into())?.clone();
+    let (level, slice) = context.recorder.device().resolved(attachment)?;
     Some(Pixels { level, slice })
+}
+
+/// The pixels of every sample of an attachment, as everything recorded leaves them.
+pub(super) fn settled_samples(context: &mut Context, attachment: &Attachment) -> Vec<Pixels> {
+    let Attachment { image, face, level } = attachment;
+    crate::draw::settle(context, image);
+    let Some(level) = image.each_sample(*face, *level).map(Arc::new) else { return Vec::new() };
+    (0..level.depth as usize).map(|slice| Pixels { level: Arc::clone(&level), slice }).collect()
 }
 
 /// What is read from.

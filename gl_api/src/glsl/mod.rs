@@ -144,6 +144,8 @@ pub struct SamplerSlot {
     pub slot: u32,
     /// The uniform word that holds the texture unit.
     pub word: u32,
+    /// The shape of the textures that it takes.
+    pub dim: Dim,
     /// What comes of comparisons.
     pub result: ComparisonResult,
 }

@@ -25,6 +25,10 @@ pub enum Dim {
     D2Array,
     /// `samplerCubeArray`.
     CubeArray,
+    /// `sampler2DMS`.
+    D2Multisample,
+    /// `sampler2DMSArray`.
+    D2MultisampleArray,
 }
 
 impl Dim {
@@ -32,8 +36,8 @@ impl Dim {
     pub fn coords(self) -> usize {
         match self {
             Self::D1 => 1,
-            Self::D2 | Self::Rect | Self::D1Array => 2,
-            Self::D3 | Self::Cube | Self::D2Array => 3,
+            Self::D2 | Self::Rect | Self::D1Array | Self::D2Multisample => 2,
+            Self::D3 | Self::Cube | Self::D2Array | Self::D2MultisampleArray => 3,
             Self::CubeArray => 4,
         }
     }
@@ -106,8 +110,10 @@ pub const fn vec(size: u8) -> Type {
 }
 
 /// The words that name types, and since when.
-static NAMES: [(&str, Type, Since); 60] = {
-    use Dim::{Cube, CubeArray, D1, D1Array, D2, D2Array, D3, Rect};
+static NAMES: [(&str, Type, Since); 66] = {
+    use Dim::{
+        Cube, CubeArray, D1, D1Array, D2, D2Array, D2Multisample, D2MultisampleArray, D3, Rect,
+    };
     use Scalar::{Bool, Float, Int, Uint};
     use Type::{Matrix, Vector, Void};
     const ALWAYS: Since = Since::ALWAYS;
@@ -119,6 +125,7 @@ static NAMES: [(&str, Type, Since); 60] = {
     const CUBE_ARRAY: Since = Since::only(Extension::TextureCubeMapArray);
     const RECT: Since = Since::only(Extension::TextureRectangle);
     const INTEGER_RECT: Since = Since::only(Extension::GpuShader4).or(Extension::TextureRectangle);
+    const MULTISAMPLE: Since = Since::only(Extension::TextureMultisample);
     const fn plain(dim: Dim, scalar: Scalar) -> Type {
         Type::Sampler(Sampler { dim, scalar, comparison: Comparison::No })
     }
@@ -179,6 +186,12 @@ static NAMES: [(&str, Type, Since); 60] = {
         ("samplerCubeArray", plain(CubeArray, Float), CUBE_ARRAY),
         ("isamplerCubeArray", plain(CubeArray, Int), CUBE_ARRAY),
         ("usamplerCubeArray", plain(CubeArray, Uint), CUBE_ARRAY),
+        ("sampler2DMS", plain(D2Multisample, Float), MULTISAMPLE),
+        ("isampler2DMS", plain(D2Multisample, Int), MULTISAMPLE),
+        ("usampler2DMS", plain(D2Multisample, Uint), MULTISAMPLE),
+        ("sampler2DMSArray", plain(D2MultisampleArray, Float), MULTISAMPLE),
+        ("isampler2DMSArray", plain(D2MultisampleArray, Int), MULTISAMPLE),
+        ("usampler2DMSArray", plain(D2MultisampleArray, Uint), MULTISAMPLE),
         ("sampler1DShadow", shadow(D1), V110),
         ("sampler2DShadow", shadow(D2), V110),
         ("samplerCubeShadow", shadow(Cube), INTEGER),

@@ -58,6 +58,8 @@ pub enum Extension {
     ShaderTextureLod,
     /// `GL_ARB_texture_cube_map_array`: `samplerCubeArray`.
     TextureCubeMapArray,
+    /// `GL_ARB_texture_multisample`: `sampler2DMS`.
+    TextureMultisample,
     /// `GL_ARB_texture_query_lod`: `textureQueryLOD`.
     TextureQueryLod,
     /// `GL_ARB_texture_rectangle`: `sampler2DRect`.
@@ -72,7 +74,7 @@ pub enum Extension {
 
 impl Extension {
     /// Every extension and its name.
-    pub const ALL: [(Self, &'static str); 12] = [
+    pub const ALL: [(Self, &'static str); 13] = [
         (Self::ArraysOfArrays, "GL_ARB_arrays_of_arrays"),
         (Self::DrawBuffers, "GL_ARB_draw_buffers"),
         (Self::DrawInstanced, "GL_ARB_draw_instanced"),
@@ -80,6 +82,7 @@ impl Extension {
         (Self::FragmentCoordConventions, "GL_ARB_fragment_coord_conventions"),
         (Self::ShaderTextureLod, "GL_ARB_shader_texture_lod"),
         (Self::TextureCubeMapArray, "GL_ARB_texture_cube_map_array"),
+        (Self::TextureMultisample, "GL_ARB_texture_multisample"),
         (Self::TextureQueryLod, "GL_ARB_texture_query_lod"),
         (Self::TextureRectangle, "GL_ARB_texture_rectangle"),
         (Self::GpuShader4, "GL_EXT_gpu_shader4"),

@@ -162,7 +162,9 @@ const IMMEDIATE: &[&str] = &[
     "glTexCoordPointerEXT",
     "glTexStorage1D",
     "glTexStorage2D",
+    "glTexStorage2DMultisample",
     "glTexStorage3D",
+    "glTexStorage3DMultisample",
     "glTransformFeedbackVaryings",
     "glTransformFeedbackVaryingsEXT",
     "glValidateProgram",
@@ -218,7 +220,7 @@ pub(super) fn of(name: &str) -> Class {
 
 /// Whether a target is a proxy.
 pub(super) fn is_proxy(target: i64) -> bool {
-    const PROXIES: [GLenum; 8] = [
+    const PROXIES: [GLenum; 10] = [
         GL_PROXY_TEXTURE_1D,
         GL_PROXY_TEXTURE_2D,
         GL_PROXY_TEXTURE_3D,
@@ -227,6 +229,8 @@ pub(super) fn is_proxy(target: i64) -> bool {
         GL_PROXY_TEXTURE_1D_ARRAY,
         GL_PROXY_TEXTURE_2D_ARRAY,
         GL_PROXY_TEXTURE_CUBE_MAP_ARRAY,
+        GL_PROXY_TEXTURE_2D_MULTISAMPLE,
+        GL_PROXY_TEXTURE_2D_MULTISAMPLE_ARRAY,
     ];
     PROXIES.iter().any(|&proxy| i64::from(proxy) == target)
 }

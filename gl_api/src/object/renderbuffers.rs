@@ -14,7 +14,7 @@ use crate::texture::internal::{
 };
 use crate::texture::texel::is_renderable;
 use crate::types::*;
-use rasterizer::driver::{Image, LevelInfo};
+use rasterizer::driver::{Image, LevelInfo, Rows};
 use texunit::format::Format;
 use texunit::image::{Image as Texels, Shape};
 
@@ -158,7 +158,8 @@ pub(crate) fn renderbuffer_storage_multisample(
     let image = bound(context)?.image.clone();
     // What was recorded draws to the image as it was.
     crate::draw::settle(context, &image);
-    image.replace(texels, if samples > 0 { limits::MAX_SAMPLES } else { 1 });
+    let samples = if samples > 0 { limits::MAX_SAMPLES } else { 1 };
+    image.replace(texels, samples, Rows::Resolved);
     bound(context)?.requested = internalformat;
     Ok(())
 }

@@ -23,7 +23,7 @@ fn each_texel(
         return Ok(());
     };
     let Some(zoomed) = Zoomed::new(context, size, area) else { return Ok(()) };
-    edit(context, &depth, |level, first| {
+    edit(context, &depth, |level, first, _| {
         let (format, size, row_bytes) = (level.format, level.format.bytes(), level.row_bytes());
         for (y, &row) in (zoomed.origin[1] as usize..).zip(&zoomed.rows) {
             let start = first + y * row_bytes + zoomed.origin[0] as usize * size;

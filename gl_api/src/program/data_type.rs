@@ -70,6 +70,16 @@ fn sampler_type(sampler: glsl::Sampler) -> GLenum {
             GL_INT_SAMPLER_CUBE_MAP_ARRAY,
             GL_UNSIGNED_INT_SAMPLER_CUBE_MAP_ARRAY,
         ),
+        (Dim::D2Multisample, _) => of(
+            GL_SAMPLER_2D_MULTISAMPLE,
+            GL_INT_SAMPLER_2D_MULTISAMPLE,
+            GL_UNSIGNED_INT_SAMPLER_2D_MULTISAMPLE,
+        ),
+        (Dim::D2MultisampleArray, _) => of(
+            GL_SAMPLER_2D_MULTISAMPLE_ARRAY,
+            GL_INT_SAMPLER_2D_MULTISAMPLE_ARRAY,
+            GL_UNSIGNED_INT_SAMPLER_2D_MULTISAMPLE_ARRAY,
+        ),
         (Dim::D1, Comparison::Yes) => GL_SAMPLER_1D_SHADOW,
         (Dim::D2 | Dim::D3, Comparison::Yes) => GL_SAMPLER_2D_SHADOW,
         (Dim::Cube, Comparison::Yes) => GL_SAMPLER_CUBE_SHADOW,

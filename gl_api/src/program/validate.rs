@@ -2,7 +2,7 @@
 
 use crate::context::Context;
 use crate::error::Result;
-use crate::glsl::SamplerSlot;
+use crate::glsl::{Dim, SamplerSlot};
 use crate::interface::MAX_COMBINED_TEXTURE_IMAGE_UNITS;
 use crate::object::programs::{Linked, program};
 use crate::types::*;
@@ -40,7 +40,7 @@ pub(crate) fn runnable(linked: &Linked) -> Result<(), String> {
 
 /// Samplers of different types must name different units (GL 2.1, section 2.15.3).
 fn one_type_per_unit(linked: &Linked) -> Result<(), String> {
-    let mut seen: BTreeMap<u32, (TextureDecl, u32)> = BTreeMap::new();
+    let mut seen: BTreeMap<u32, ((TextureDecl, Dim), u32)> = BTreeMap::new();
     for slot in &linked.program.samplers {
         let (Some(decl), Some(&unit)) =
             (declared(linked, slot), linked.words.get(slot.word as usize))
@@ -60,11 +60,11 @@ fn one_type_per_unit(linked: &Linked) -> Result<(), String> {
     Ok(())
 }
 
-/// What a stage says of a texture that it samples.
-fn declared(linked: &Linked, slot: &SamplerSlot) -> Option<TextureDecl> {
+/// What a stage says of a texture that it samples, and what textures that means.
+fn declared(linked: &Linked, slot: &SamplerSlot) -> Option<(TextureDecl, Dim)> {
     let module = match slot.stage {
         Stage::Vertex => linked.vertex.as_ref(),
         Stage::Fragment => linked.fragment.as_ref(),
     };
-    module?.module().textures.get(slot.slot as usize).copied()
+    Some((*module?.module().textures.get(slot.slot as usize)?, slot.dim))
 }

@@ -18,6 +18,7 @@ use crate::state::fragment::{BLEND_EQUATION, COMPARE, DST_FACTOR, SRC_FACTOR};
 use crate::state::masks::LOGIC_OP;
 use crate::state::material::{FACES, TRACKED};
 use crate::state::matrix::{MATRIX_MODE, MAX_MODELVIEW_STACK_DEPTH, MAX_STACK_DEPTH, Stack};
+use crate::state::multisample::MAX_SAMPLE_MASK_WORDS;
 use crate::state::pixel_store::PixelStore;
 use crate::state::points::ORIGIN;
 use crate::state::polygon::POLYGON_MODE;
@@ -204,7 +205,11 @@ fn limit(_: &Context, pname: GLenum) -> Answer {
         GL_NUM_EXTENSIONS => int(super::extensions::EXTENSIONS.len()),
         GL_STEREO => flag(false),
         GL_AUX_BUFFERS => int(0),
-        GL_MAX_SAMPLES => int(limits::MAX_SAMPLES),
+        GL_MAX_SAMPLES
+        | GL_MAX_COLOR_TEXTURE_SAMPLES
+        | GL_MAX_DEPTH_TEXTURE_SAMPLES
+        | GL_MAX_INTEGER_SAMPLES => int(limits::MAX_SAMPLES),
+        GL_MAX_SAMPLE_MASK_WORDS => int(MAX_SAMPLE_MASK_WORDS),
         GL_DOUBLEBUFFER => flag(false),
         GL_RGBA_MODE => flag(true),
         _ => return None,
@@ -403,6 +408,8 @@ const BINDING: Table<TextureTarget> = Table {
         (GL_TEXTURE_BINDING_1D_ARRAY, TextureTarget::D1Array),
         (GL_TEXTURE_BINDING_2D_ARRAY, TextureTarget::D2Array),
         (GL_TEXTURE_BINDING_CUBE_MAP_ARRAY, TextureTarget::CubeArray),
+        (GL_TEXTURE_BINDING_2D_MULTISAMPLE, TextureTarget::D2Multisample),
+        (GL_TEXTURE_BINDING_2D_MULTISAMPLE_ARRAY, TextureTarget::D2MultisampleArray),
     ],
 };
 

@@ -102,6 +102,7 @@ const FLAGS: &[(GLbitfield, &[Flag])] = &[
             Flag::SampleAlphaToCoverage,
             Flag::SampleAlphaToOne,
             Flag::SampleCoverage,
+            Flag::SampleMask,
         ],
     ),
     (GL_POINT_BIT, &[Flag::PointSmooth, Flag::PointSprite]),

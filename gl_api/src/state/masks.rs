@@ -2,6 +2,7 @@
 //! sections 4.1.10 and 4.2.2; `EXT_draw_buffers2`.
 
 use super::enable::Flag;
+use super::multisample;
 use crate::constants::*;
 use crate::context::{Context, limits};
 use crate::error::{Result, Table, invalid_enum, invalid_value};
@@ -155,7 +156,9 @@ pub(crate) fn get_integeri_v(
     index: GLuint,
     data: &mut [GLint],
 ) -> Result<()> {
-    if let Some(value) = bindings::indexed_value(context, target, index) {
+    let value = bindings::indexed_value(context, target, index)
+        .or_else(|| multisample::indexed_value(context, target, index));
+    if let Some(value) = value {
         return crate::query::put(data, &[value?]);
     }
     answer(data, &indexed_state(context, target, index)?)

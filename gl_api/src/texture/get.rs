@@ -44,7 +44,9 @@ pub(crate) fn get_tex_image(
         | TextureTarget::D2
         | TextureTarget::Rect
         | TextureTarget::Cube
-        | TextureTarget::D1Array => Extent::Flat,
+        | TextureTarget::D1Array
+        | TextureTarget::D2Multisample
+        | TextureTarget::D2MultisampleArray => Extent::Flat,
     };
     let layout = Layout::new(&context.state.pack, pixel, size, extent)?;
     let transfer = context.state.transfer;

@@ -1,7 +1,7 @@
 //! Making mipmaps: `glGenerateMipmap` (`EXT_framebuffer_object`, section 3.8.8) and
 //! `GL_GENERATE_MIPMAP` (GL 2.1, section 3.8.8).
 
-use super::{TARGET, Texture, TextureTarget, bound, bound_mut};
+use super::{TARGET, Texture, bound, bound_mut};
 use crate::constants::*;
 use crate::context::{Context, limits};
 use crate::error::{Result, invalid_enum, invalid_operation};
@@ -56,8 +56,9 @@ pub(super) fn base_level_changed(texture: &mut Texture, face: usize, level: usiz
 
 pub(crate) fn generate_mipmap(context: &mut Context, target: GLenum) -> Result<()> {
     let target = TARGET.decode("target", target)?;
-    if target == TextureTarget::Rect {
-        return invalid_enum(SECTION, "target = GL_TEXTURE_RECTANGLE has no mipmaps");
+    if target.levels() == 1 {
+        let name = enum_name(TARGET.encode(target));
+        return invalid_enum(SECTION, format!("target = {name} has no mipmaps"));
     }
     let image = bound(context, target).image.clone();
     crate::draw::settle(context, &image);

@@ -14,6 +14,7 @@ pub(crate) mod internal;
 pub(crate) mod layout;
 pub(crate) mod memory;
 pub(crate) mod mipmap;
+pub(crate) mod multisample;
 pub(crate) mod packed;
 pub(crate) mod parameter;
 pub(crate) mod pixel_map;
@@ -52,6 +53,8 @@ pub(crate) struct Texture {
     pub priority: f32,
     /// How many levels it was given for good (`ARB_texture_storage`).
     pub immutable: Option<u32>,
+    /// What was asked for of its samples, if it has several.
+    pub samples: Option<Samples>,
     /// The internal format that was asked for, by face and level.
     pub requested: Vec<[GLenum; limits::MAX_TEXTURE_LEVELS]>,
     /// How it is sampled with some sampler state, until something changes.
@@ -69,6 +72,13 @@ fn default_sampler(target: TextureTarget) -> Sampler {
             mipmap: Mipmap::None,
             ..Sampler::default()
         },
+        // Its texels are fetched, never filtered: integers are as good as others.
+        TextureTarget::D2Multisample | TextureTarget::D2MultisampleArray => Sampler {
+            min: Filter::Nearest,
+            mag: Filter::Nearest,
+            mipmap: Mipmap::None,
+            ..Sampler::default()
+        },
         TextureTarget::D1
         | TextureTarget::D2
         | TextureTarget::D3
@@ -79,6 +89,15 @@ fn default_sampler(target: TextureTarget) -> Sampler {
     }
 }
 
+/// The samples of an image that has several a texel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Samples {
+    /// How many there are.
+    pub count: u8,
+    /// Whether they were asked to lie alike in all texels, which they always do.
+    pub fixed_locations: bool,
+}
+
 /// An image that a proxy was asked about and that could be stored (GL 2.1, section 3.8.11).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Proxy {
@@ -87,6 +106,7 @@ pub(crate) struct Proxy {
     pub border: u32,
     pub internal: GLenum,
     pub format: Format,
+    pub samples: Option<Samples>,
 }
 
 /// The levels that each target's proxy was last asked about.
@@ -102,6 +122,7 @@ impl Texture {
             generate_mipmap: false,
             priority: 1.0,
             immutable: None,
+            samples: None,
             requested: vec![[GL_NONE; limits::MAX_TEXTURE_LEVELS]; shape.faces()],
             plan: None,
             is_new: true,
@@ -166,6 +187,9 @@ impl Texture {
             && plan.incomplete().is_none()
         {
             return None;
+        }
+        if self.target.is_multisample() && self.image.level(0, 0).is_none() {
+            return Some("it has no image: give it one with glTexImage2DMultisample or 3D".into());
         }
         self.image.texels().completeness(sampler).err().map(|reason| reason.to_string())
     }

@@ -97,13 +97,32 @@ fn level_number(target: TextureTarget, pname: GLenum, value: f32) -> Result<u32>
     if value.is_nan() || value < 0.0 {
         return invalid_value(SECTION, format!("{name} = {value} must not be negative"));
     }
-    if target == TextureTarget::Rect && pname == GL_TEXTURE_BASE_LEVEL && value != 0.0 {
+    if target.levels() == 1 && pname == GL_TEXTURE_BASE_LEVEL && value != 0.0 {
+        let target = enum_name(TARGET.encode(target));
         return invalid_operation(
             "GL 3.3, section 3.8.7",
-            format!("{name} = {value} of a rectangle must be 0"),
+            format!("{name} = {value} of {target} must be 0"),
         );
     }
     Ok(value.round() as u32)
+}
+
+/// A parameter that textures of a target have: where there are several samples a texel, nothing is
+/// filtered, wrapped or compared.
+fn parameter_of(target: TextureTarget, pname: GLenum) -> Result<Parameter> {
+    let parameter = parameter(pname)?;
+    let is_samplers = matches!(parameter, Parameter::Sampler(_) | Parameter::BorderColor);
+    if is_samplers && target.is_multisample() {
+        return invalid_enum(
+            "ARB_texture_storage_multisample, section 3.8.8",
+            format!(
+                "pname = {} is of samplers, which do not count for target = {}",
+                enum_name(pname),
+                enum_name(TARGET.encode(target))
+            ),
+        );
+    }
+    Ok(parameter)
 }
 
 /// Sets a parameter of one number.
@@ -148,12 +167,12 @@ fn set(
 
 fn scalar(context: &mut Context, target: GLenum, pname: GLenum, value: f32) -> Result<()> {
     let target = TARGET.decode("target", target)?;
-    set(context, target, pname, parameter(pname)?, value)
+    set(context, target, pname, parameter_of(target, pname)?, value)
 }
 
 fn vector(context: &mut Context, target: GLenum, pname: GLenum, values: &Values) -> Result<()> {
     let target = TARGET.decode("target", target)?;
-    let parameter = parameter(pname)?;
+    let parameter = parameter_of(target, pname)?;
     match parameter {
         Parameter::BorderColor => {
             let color = values.four(SECTION, pname)?;

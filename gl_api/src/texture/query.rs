@@ -1,8 +1,8 @@
 //! What is known of a level: GL 2.1, section 6.1.3.
 
 use super::internal::{Component, component_bits, specific};
-use super::target::{ImageTarget, any_image};
-use super::{bound, checked_level};
+use super::target::{ImageTarget, any_samples};
+use super::{Samples, bound, checked_level};
 use crate::constants::*;
 use crate::context::Context;
 use crate::error::{Result, Table, invalid_operation};
@@ -23,6 +23,8 @@ enum Property {
     Compressed,
     CompressedBytes,
     Bits(Component),
+    Samples,
+    FixedLocations,
     /// What kind of numbers a component is (`ARB_texture_float`).
     Kind(Component),
 }
@@ -52,6 +54,8 @@ const PROPERTY: Table<Property> = Table {
         (GL_TEXTURE_COMPRESSED_IMAGE_SIZE, Property::CompressedBytes),
         (GL_TEXTURE_STENCIL_SIZE, Property::Bits(Component::Stencil)),
         (GL_TEXTURE_DEPTH_SIZE, Property::Bits(Component::Depth)),
+        (GL_TEXTURE_SAMPLES, Property::Samples),
+        (GL_TEXTURE_FIXED_SAMPLE_LOCATIONS, Property::FixedLocations),
     ],
 };
 
@@ -62,27 +66,27 @@ struct Known {
     border: u32,
     internal: GLenum,
     format: Format,
+    samples: Option<Samples>,
 }
 
 fn known(context: &Context, image: ImageTarget, level: usize) -> Option<Known> {
     let target = image.target();
-    let (size, border, internal, format) = match image {
+    let (size, border, internal, format, samples) = match image {
         ImageTarget::Bound(face) => {
             let texture = bound(context, target);
             let number = usize::from(face.face);
-            let texels = texture.image.texels();
-            let found = texels.level(number, level)?;
+            let found = texture.image.level(number, level)?;
             let requested = texture.requested[number][level];
-            (found.size(), found.border[0], requested, found.format)
+            (found.size, found.border[0], requested, found.format, texture.samples)
         }
         ImageTarget::Proxy(_) => {
             let proxy = context.state.proxies[target as usize][level]?;
-            (proxy.size, proxy.border, proxy.internal, proxy.format)
+            (proxy.size, proxy.border, proxy.internal, proxy.format, proxy.samples)
         }
     };
     let borders = target.shape().border(border);
     let given = target.level_box([0, 1, 2].map(|axis| size[axis] + 2 * borders[axis]));
-    Some(Known { given, border, internal, format })
+    Some(Known { given, border, internal, format, samples })
 }
 
 /// What kind of numbers a format's components are.
@@ -101,13 +105,14 @@ fn kind(format: Format) -> GLenum {
 }
 
 fn property(context: &Context, target: GLenum, level: GLint, pname: GLenum) -> Result<GLint> {
-    let image = any_image(target)?;
+    let image = any_samples(target)?;
     let level = checked_level(SECTION, image.target(), level)?;
     let property = PROPERTY.decode("pname", pname)?;
     let Some(known) = known(context, image, level) else {
-        // GL 2.1, table 6.17: the initial value; of a proxy, that the image does not fit.
-        let is_initial =
-            property == Property::InternalFormat && matches!(image, ImageTarget::Bound(_));
+        // GL 2.1, table 6.17, and ARB_texture_multisample: the initial value; of a proxy, that the
+        // image does not fit.
+        let is_one = matches!(property, Property::InternalFormat | Property::FixedLocations);
+        let is_initial = is_one && matches!(image, ImageTarget::Bound(_));
         return Ok(i32::from(is_initial));
     };
     let [width, height, depth] = known.given.map(|side| side as GLint);
@@ -127,6 +132,10 @@ fn property(context: &Context, target: GLenum, level: GLint, pname: GLenum) -> R
             bytes.map_or(0, |bytes| bytes as GLint)
         }
         Property::Bits(component) => component_bits(known.format, component),
+        Property::Samples => known.samples.map_or(0, |samples| samples.count.into()),
+        Property::FixedLocations => {
+            known.samples.is_none_or(|samples| samples.fixed_locations).into()
+        }
         Property::Kind(component) if component_bits(known.format, component) == 0 => 0,
         Property::Kind(_) => kind(known.format) as GLint,
     })

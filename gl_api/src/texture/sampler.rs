@@ -130,7 +130,9 @@ impl SamplerState {
                 | TextureTarget::Cube
                 | TextureTarget::D1Array
                 | TextureTarget::D2Array
-                | TextureTarget::CubeArray,
+                | TextureTarget::CubeArray
+                | TextureTarget::D2Multisample
+                | TextureTarget::D2MultisampleArray,
             )
             | None => (&WRAP, &MIN_FILTER),
         };

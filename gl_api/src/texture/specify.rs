@@ -6,7 +6,9 @@ use super::layout::{Extent, Layout};
 use super::memory::pixel_source;
 use super::sub::room;
 use super::target::{Dimensions, ImageTarget};
-use super::{FaceTarget, Proxy, TextureTarget, blocks, bound, bound_mut, checked_level, convert};
+use super::{
+    FaceTarget, Proxy, Samples, TextureTarget, blocks, bound, bound_mut, checked_level, convert,
+};
 use crate::constants::*;
 use crate::context::Context;
 use crate::entry::Data;
@@ -44,6 +46,8 @@ pub(super) struct Request {
     /// Width, height and depth of the level, without border.
     pub size: [u32; 3],
     pub border: u32,
+    /// Of an image with several a texel.
+    pub samples: Option<Samples>,
     /// The first side that is too large, if one is.
     too_large: Option<String>,
 }
@@ -106,7 +110,8 @@ impl Request {
         }
         let given = given.map(|side| side as u32);
         let size = target.level_box(sides);
-        Ok(Self { image, level, internal, format, given, size, border, too_large })
+        let samples = None;
+        Ok(Self { image, level, internal, format, given, size, border, samples, too_large })
     }
 
     /// The image to put the level into; a proxy is answered, and then there is none.
@@ -124,26 +129,32 @@ impl Request {
             }
             (ImageTarget::Bound(target), None) => Ok(Some(target)),
             (ImageTarget::Proxy(target), too_large) => {
-                let Self { size, border, internal, format, .. } = *self;
+                let Self { size, border, internal, format, samples, .. } = *self;
                 let [width, height, depth] = target.shape().border(border).map(|side| 2 * side);
                 let bytes = Level::required_bytes(
                     format,
                     size[0] + width,
                     size[1] + height,
-                    size[2] + depth,
+                    self.slices() + depth,
                 );
                 let fits = too_large.is_none() && bytes.is_some();
                 context.state.proxies[target as usize][self.level] =
-                    fits.then_some(Proxy { size, border, internal, format });
+                    fits.then_some(Proxy { size, border, internal, format, samples });
                 Ok(None)
             }
         }
     }
 
+    /// The slices of the level: every sample of a layer has one.
+    fn slices(&self) -> u32 {
+        self.size[2] * self.samples.map_or(1, |samples| samples.count.into())
+    }
+
     /// A level as asked for, its bytes all 0.
     pub fn storage(&self) -> Result<Level> {
         let border = self.image.target().shape().border(self.border);
-        Level::with_size(self.format, self.size, border)
+        let [width, height, _] = self.size;
+        Level::with_size(self.format, [width, height, self.slices()], border)
             .map_err(|error| super::storage_error(SECTION, &error))
     }
 }
@@ -159,7 +170,12 @@ fn checked_blocks(target: TextureTarget, border: u32) -> Result<()> {
             0 => Ok(()),
             _ => invalid_operation(SECTION, "compressed images have no border"),
         },
-        TextureTarget::D1 | TextureTarget::D3 | TextureTarget::Rect | TextureTarget::D1Array => {
+        TextureTarget::D1
+        | TextureTarget::D3
+        | TextureTarget::Rect
+        | TextureTarget::D1Array
+        | TextureTarget::D2Multisample
+        | TextureTarget::D2MultisampleArray => {
             invalid_operation(SECTION, "this target takes no compressed internalformat")
         }
     }
@@ -178,7 +194,9 @@ fn checked_border(target: TextureTarget, border: GLint) -> Result<u32> {
             | TextureTarget::Cube
             | TextureTarget::D1Array
             | TextureTarget::D2Array
-            | TextureTarget::CubeArray,
+            | TextureTarget::CubeArray
+            | TextureTarget::D2Multisample
+            | TextureTarget::D2MultisampleArray,
             1,
         ) => Ok(1),
         (_, _) => invalid_value(SECTION, format!("border = {border} must be 0 or 1")),

@@ -3,6 +3,7 @@
 use crate::constants::*;
 use crate::context::limits;
 use crate::error::{Result, Table, invalid_enum, invalid_value};
+use crate::glsl::Dim;
 use crate::types::*;
 use texunit::image::Shape;
 
@@ -17,12 +18,14 @@ pub(crate) enum TextureTarget {
     Rect,
     D3,
     Cube,
+    D2Multisample,
+    D2MultisampleArray,
 }
 
 impl TextureTarget {
-    /// The targets, the one that wins where several are enabled last (section 3.8.15;
-    /// `ARB_texture_rectangle`). Arrays are for shaders alone.
-    pub const ALL: [Self; 8] = [
+    /// The targets, the one that wins where several are enabled after the others (section 3.8.15;
+    /// `ARB_texture_rectangle`). Arrays and several samples are for shaders alone.
+    pub const ALL: [Self; 10] = [
         Self::D1Array,
         Self::D2Array,
         Self::CubeArray,
@@ -31,11 +34,13 @@ impl TextureTarget {
         Self::Rect,
         Self::D3,
         Self::Cube,
+        Self::D2Multisample,
+        Self::D2MultisampleArray,
     ];
     /// How many there are.
     pub const COUNT: usize = Self::ALL.len();
 
-    /// The shape of its images.
+    /// The shape of its images; every sample of a texture with several is a layer.
     pub fn shape(self) -> Shape {
         match self {
             Self::D1 => Shape::D1,
@@ -44,12 +49,12 @@ impl TextureTarget {
             Self::Rect => Shape::Rect,
             Self::Cube => Shape::Cube,
             Self::D1Array => Shape::D1Array,
-            Self::D2Array => Shape::D2Array,
+            Self::D2Array | Self::D2Multisample | Self::D2MultisampleArray => Shape::D2Array,
             Self::CubeArray => Shape::CubeArray,
         }
     }
 
-    /// What images of this shape are bound to.
+    /// What textures of this shape with one sample a texel are bound to.
     pub fn of(shape: Shape) -> Self {
         match shape {
             Shape::D1 => Self::D1,
@@ -63,23 +68,54 @@ impl TextureTarget {
         }
     }
 
+    /// What a sampler of a program takes.
+    pub fn of_sampler(dim: Dim) -> Self {
+        match dim {
+            Dim::D1 => Self::D1,
+            Dim::D2 => Self::D2,
+            Dim::D3 => Self::D3,
+            Dim::Rect => Self::Rect,
+            Dim::Cube => Self::Cube,
+            Dim::D1Array => Self::D1Array,
+            Dim::D2Array => Self::D2Array,
+            Dim::CubeArray => Self::CubeArray,
+            Dim::D2Multisample => Self::D2Multisample,
+            Dim::D2MultisampleArray => Self::D2MultisampleArray,
+        }
+    }
+
+    /// Whether its textures have several samples a texel.
+    pub fn is_multisample(self) -> bool {
+        match self {
+            Self::D2Multisample | Self::D2MultisampleArray => true,
+            Self::D1
+            | Self::D2
+            | Self::D3
+            | Self::Rect
+            | Self::Cube
+            | Self::D1Array
+            | Self::D2Array
+            | Self::CubeArray => false,
+        }
+    }
+
     /// The largest width, height and depth that a call may give, border aside: the layers of a
     /// one-dimensional array are its height.
     pub fn limits(self) -> [u32; 3] {
         let (side, layers) = (limits::MAX_TEXTURE_SIZE, limits::MAX_ARRAY_TEXTURE_LAYERS);
         match self {
             Self::D1 => [side, 1, 1],
-            Self::D2 | Self::Rect | Self::Cube => [side, side, 1],
+            Self::D2 | Self::Rect | Self::Cube | Self::D2Multisample => [side, side, 1],
             Self::D3 => [limits::MAX_3D_TEXTURE_SIZE; 3],
             Self::D1Array => [side, layers, 1],
-            Self::D2Array | Self::CubeArray => [side, side, layers],
+            Self::D2Array | Self::CubeArray | Self::D2MultisampleArray => [side, side, layers],
         }
     }
 
     /// How many levels its textures can have.
     pub fn levels(self) -> usize {
         match self {
-            Self::Rect => 1,
+            Self::Rect | Self::D2Multisample | Self::D2MultisampleArray => 1,
             Self::D1
             | Self::D2
             | Self::D3
@@ -100,7 +136,9 @@ impl TextureTarget {
             | Self::Rect
             | Self::Cube
             | Self::D2Array
-            | Self::CubeArray => [width, height, depth],
+            | Self::CubeArray
+            | Self::D2Multisample
+            | Self::D2MultisampleArray => [width, height, depth],
         }
     }
 }
@@ -117,6 +155,8 @@ pub(crate) const TARGET: Table<TextureTarget> = Table {
         (GL_TEXTURE_1D_ARRAY, TextureTarget::D1Array),
         (GL_TEXTURE_2D_ARRAY, TextureTarget::D2Array),
         (GL_TEXTURE_CUBE_MAP_ARRAY, TextureTarget::CubeArray),
+        (GL_TEXTURE_2D_MULTISAMPLE, TextureTarget::D2Multisample),
+        (GL_TEXTURE_2D_MULTISAMPLE_ARRAY, TextureTarget::D2MultisampleArray),
     ],
 };
 
@@ -164,6 +204,7 @@ pub(crate) const FACE_TARGET: Table<FaceTarget> = Table {
         (GL_TEXTURE_CUBE_MAP_POSITIVE_Z, face(4)),
         (GL_TEXTURE_CUBE_MAP_NEGATIVE_Z, face(5)),
         (GL_TEXTURE_RECTANGLE, whole(TextureTarget::Rect)),
+        (GL_TEXTURE_2D_MULTISAMPLE, whole(TextureTarget::D2Multisample)),
     ],
 };
 
@@ -226,6 +267,31 @@ const IMAGE_3D: Table<ImageTarget> = Table {
     ],
 };
 
+/// The images with several samples a texel, which only calls of their own specify
+/// (`ARB_texture_multisample`, section 3.8.X).
+pub(crate) const IMAGE_2D_MULTISAMPLE: Table<ImageTarget> = Table {
+    section: "ARB_texture_multisample, section 3.8.X",
+    rows: &[
+        (GL_TEXTURE_2D_MULTISAMPLE, ImageTarget::Bound(whole(TextureTarget::D2Multisample))),
+        (GL_PROXY_TEXTURE_2D_MULTISAMPLE, ImageTarget::Proxy(TextureTarget::D2Multisample)),
+    ],
+};
+
+/// Arrays of them.
+pub(crate) const IMAGE_3D_MULTISAMPLE: Table<ImageTarget> = Table {
+    section: "ARB_texture_multisample, section 3.8.X",
+    rows: &[
+        (
+            GL_TEXTURE_2D_MULTISAMPLE_ARRAY,
+            ImageTarget::Bound(whole(TextureTarget::D2MultisampleArray)),
+        ),
+        (
+            GL_PROXY_TEXTURE_2D_MULTISAMPLE_ARRAY,
+            ImageTarget::Proxy(TextureTarget::D2MultisampleArray),
+        ),
+    ],
+};
+
 /// The dimensions that a call's name ends in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Dimensions {
@@ -283,6 +349,14 @@ pub(crate) fn any_image(target: GLenum) -> Result<ImageTarget> {
     }
 }
 
+/// The image with any number of samples that `target` names, or a proxy.
+pub(crate) fn any_samples(target: GLenum) -> Result<ImageTarget> {
+    match IMAGE_2D_MULTISAMPLE.get(target).or_else(|| IMAGE_3D_MULTISAMPLE.get(target)) {
+        Some(image) => Ok(image),
+        None => any_image(target),
+    }
+}
+
 /// The image of any number of dimensions that `target` names; proxies have no texels.
 pub(crate) fn any_bound(target: GLenum) -> Result<FaceTarget> {
     refuse_proxy(target, any_image(target)?)
@@ -297,9 +371,10 @@ pub(crate) fn checked_level(
     let levels = target.levels();
     match usize::try_from(level) {
         Ok(level) if level < levels => Ok(level),
-        _ if levels == 1 => {
-            invalid_value(section, format!("level = {level} of a rectangle must be 0"))
-        }
+        _ if levels == 1 => invalid_value(
+            section,
+            format!("level = {level} of {} must be 0", enum_name(TARGET.encode(target))),
+        ),
         _ => invalid_value(section, format!("level = {level} must be 0 to {}", levels - 1)),
     }
 }

@@ -1,7 +1,7 @@
 //! The device: which instruction set, how many threads, and the queue.
 
 use super::command::CommandBuffer;
-use super::image::Image;
+use super::image::{Attachment, Image};
 use super::threads::Threads;
 use super::{check, submit};
 use crate::pool::Pool;
@@ -10,7 +10,8 @@ use crate::shader::Machine;
 use crate::vertex::Geometry;
 use parking_lot::Mutex;
 use std::collections::BTreeSet;
-use texunit::image::Image as Texels;
+use std::sync::Arc;
+use texunit::image::{Image as Texels, Level};
 use texunit::lanes::{Isa, IsaError};
 use thiserror::Error;
 
@@ -154,6 +155,13 @@ impl Device {
     /// [`Image::texels`], faster of large ones.
     pub fn texels(&self, image: &Image) -> Texels {
         image.texels_by(self.desc.threads)
+    }
+
+    /// What an attachment names, as everything submitted leaves it, with one sample a pixel, which
+    /// several are resolved to: a level, if it exists, and which slice of it.
+    pub fn resolved(&self, attachment: &Attachment) -> Option<(Arc<Level>, usize)> {
+        let Attachment { image, face, level } = attachment;
+        image.resolved_by(*face, *level, self.desc.threads)
     }
 
     /// The plans kept since the last call, each different one once ([`Explain::Keep`]).

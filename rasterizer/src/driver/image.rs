@@ -4,10 +4,11 @@
 //! is in the attachment layout ([`crate::target`]). The transition back happens when somebody asks
 //! for the texels, not when a pass ends, so that passes that follow each other do not pay for it.
 //!
-//! The samples of a multisample image are only in its attachment layout; its rows are what they
-//! are resolved to.
+//! The rows of an image with several samples a pixel are what they are resolved to, and the samples
+//! themselves are in the attachment layout alone; or every sample has rows of its own ([`Rows`]), so
+//! that they can be sampled one by one and several layers drawn to in turn.
 
-use crate::target::{MAX_SAMPLES, Surface};
+use crate::target::{MAX_SAMPLES, Slices, Surface};
 use parking_lot::Mutex;
 use std::sync::Arc;
 use texunit::format::Format;
@@ -23,7 +24,18 @@ struct State {
     /// The one level of an image of zeros whose rows nobody has asked for.
     blank: Option<Blank>,
     samples: u8,
+    rows: Rows,
     attached: Option<Attached>,
+}
+
+/// What the rows of an image with several samples a pixel hold.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rows {
+    /// What the samples are resolved to.
+    Resolved,
+    /// The samples: each has a slice, those of a layer lie together. The shape is
+    /// [`Shape::D2Array`].
+    EachSample,
 }
 
 /// A level that is all zeros.
@@ -87,6 +99,14 @@ impl State {
         }
     }
 
+    /// The slices of the level where its samples are.
+    fn slices(&self, at: Subresource) -> Slices {
+        match self.rows {
+            Rows::Resolved => Slices::One(at.slice),
+            Rows::EachSample => Slices::Each(at.slice * usize::from(self.samples)),
+        }
+    }
+
     /// What the level is, if it exists; it may have fewer slices.
     fn info(&self, at: Subresource) -> Option<LevelInfo> {
         let samples = self.samples;
@@ -98,7 +118,10 @@ impl State {
             }
             None => {
                 let level = self.texels.level(at.face, at.level)?;
-                let (size, border, format) = (level.size(), level.border, level.format);
+                let (mut size, border, format) = (level.size(), level.border, level.format);
+                if self.rows == Rows::EachSample {
+                    size[2] /= u32::from(samples);
+                }
                 Some(LevelInfo { format, size, border, samples })
             }
         }
@@ -112,13 +135,25 @@ impl State {
             // A level fits an image that has none.
             let _ = self.texels.set_level(0, 0, level);
         }
-        if let Some(attached) = self.attached.as_mut().filter(|attached| attached.drawn) {
-            let Subresource { face, slice, level } = attached.at;
+        let slices = self.attached.as_ref().map(|attached| self.slices(attached.at));
+        let attached = self.attached.as_mut().filter(|attached| attached.drawn);
+        if let (Some(attached), Some(slices)) = (attached, slices) {
+            let Subresource { face, level, .. } = attached.at;
             if let Some(level) = self.texels.level_mut(face, level) {
-                attached.surface.store(level, slice, threads);
+                attached.surface.store(level, slices, threads);
             }
             attached.drawn = false;
         }
+    }
+
+    /// The surface of what an attachment names: a copy of it, or made from its rows.
+    fn surface(&mut self, at: Subresource) -> Option<Surface> {
+        if let Some(attached) = self.attached.as_ref().filter(|attached| attached.at == at) {
+            return Some(attached.surface.clone());
+        }
+        self.resolve(1);
+        let level = self.texels.level(at.face, at.level)?;
+        Some(Surface::from_level_alone(level, self.slices(at), self.samples))
     }
 }
 
@@ -136,7 +171,8 @@ impl Image {
     /// An image of one level with several samples a pixel, each with these texels; with one for 0,
     /// with [`crate::driver::MAX_SAMPLES`] for more than that.
     pub fn with_samples(texels: Texels, samples: u8) -> Self {
-        Self::of(State { texels, blank: None, samples: possible(samples), attached: None })
+        let (samples, rows) = (possible(samples), Rows::Resolved);
+        Self::of(State { texels, blank: None, samples, rows, attached: None })
     }
 
     /// A two-dimensional image of one level of zeros, which takes no memory until it is drawn to or its
@@ -149,7 +185,8 @@ impl Image {
             return Err(ImageError::TooLarge { width, height, depth: 1 });
         }
         let (texels, blank) = (Texels::new(Shape::D2), Some(Blank { format, width, height }));
-        Ok(Self::of(State { texels, blank, samples: possible(samples), attached: None }))
+        let (samples, rows) = (possible(samples), Rows::Resolved);
+        Ok(Self::of(State { texels, blank, samples, rows, attached: None }))
     }
 
     fn of(state: State) -> Self {
@@ -162,7 +199,7 @@ impl Image {
     }
 
     /// Its texels as they are after everything submitted so far. Shares them: later writes to the
-    /// image copy. Of a multisample image, what its samples are resolved to.
+    /// image copy. Of a multisample image, what its [`Rows`] hold.
     pub fn texels(&self) -> Texels {
         self.texels_by(1)
     }
@@ -187,10 +224,49 @@ impl Image {
         change(&mut state.texels)
     }
 
-    /// Puts other texels in place of its own, with this many samples.
-    pub fn replace(&self, texels: Texels, samples: u8) {
+    /// Puts other texels in place of its own, which are `rows` of this many samples.
+    pub fn replace(&self, texels: Texels, samples: u8, rows: Rows) {
         let samples = possible(samples);
-        *self.0.lock() = State { texels, blank: None, samples, attached: None };
+        *self.0.lock() = State { texels, blank: None, samples, rows, attached: None };
+    }
+
+    /// What an attachment names with one sample a pixel, which several are resolved to: a level, and
+    /// which slice of it. On up to so many threads ([`super::Device::resolved`]).
+    pub(super) fn resolved_by(
+        &self,
+        face: u16,
+        level: u8,
+        threads: usize,
+    ) -> Option<(Arc<Level>, usize)> {
+        let mut state = self.0.lock();
+        let at = state.place(face, level);
+        if state.rows == Rows::Resolved {
+            state.resolve(threads);
+            return Some((Arc::clone(state.texels.level(at.face, at.level)?), at.slice));
+        }
+        let surface = state.surface(at)?;
+        let mut level = Level::new(surface.format, surface.width, surface.height).ok()?;
+        surface.store(&mut level, Slices::One(0), threads);
+        Some((Arc::new(level), 0))
+    }
+
+    /// The samples of what an attachment names, each a slice.
+    pub fn each_sample(&self, face: u16, level: u8) -> Option<Level> {
+        let mut state = self.0.lock();
+        let at = state.place(face, level);
+        let surface = state.surface(at)?;
+        let size = [surface.width, surface.height, surface.samples.into()];
+        let mut level = Level::with_size(surface.format, size, [0; 3]).ok()?;
+        surface.store(&mut level, Slices::Each(0), 1);
+        Some(level)
+    }
+
+    /// Puts back what [`Image::each_sample`] gave, changed. Draws that were recorded earlier keep what
+    /// they saw.
+    pub fn set_each_sample(&self, face: u16, level: u8, samples: &Level) {
+        let count = samples.depth.min(MAX_SAMPLES as u32) as u8;
+        let surface = Surface::from_level_alone(samples, Slices::Each(0), count);
+        self.detach(face, level, surface);
     }
 
     /// Whether both handles name the same image.
@@ -213,7 +289,7 @@ impl Image {
         if let Some(attached) = state.attached.take_if(|attached| attached.at == at) {
             return Some(attached.surface);
         }
-        let samples = state.samples;
+        let (samples, slices) = (state.samples, state.slices(at));
         if let Some(Blank { format, width, height }) = state.blank {
             return state.info(at).map(|_| Surface::zeros(format, width, height, samples));
         }
@@ -222,7 +298,7 @@ impl Image {
         let texels = state.texels.clone();
         // What runs on several threads must not hold what another piece of work on them may wait for.
         drop(state);
-        Some(Surface::from_level(texels.level(at.face, at.level)?, at.slice, samples))
+        Some(Surface::from_level(texels.level(at.face, at.level)?, slices, samples))
     }
 
     /// Puts back what [`Image::attach`] took, drawn to.

@@ -18,12 +18,13 @@ mod watch;
 
 pub use crate::output::texel_words;
 pub use crate::primitive::{Primitive, Primitives, primitives};
+pub use crate::raster::sample_positions;
 pub use crate::target::MAX_SAMPLES;
 pub use buffer::{Buffer, VertexBinding, VertexFormat, VertexSource, VertexType};
 pub use command::{ClearValue, Command, CommandBuffer, IndexType, Indices, Rect, Viewport};
 pub use counter::Counter;
 pub use device::{Device, DeviceDesc, DeviceError, Explain, SubmitError, SubmitReport};
-pub use image::{Attachment, Image, LevelInfo, PassDesc};
+pub use image::{Attachment, Image, LevelInfo, PassDesc, Rows};
 pub use output::{LogicOp, OutputState, SrgbWrite, StencilFace, StencilOp, StencilState};
 pub use pipeline::{
     Blend, BlendEquation, BlendFactor, ColorState, Cull, DepthState, DepthWrite, FrontFace,

@@ -153,7 +153,7 @@ pub enum SampleCoverage {
 }
 
 /// Several samples a pixel (GL 2.1, sections 3.2.1 and 4.1.3); nothing where attachments have one.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MultisampleState {
     /// Which are covered.
     pub rule: SampleRule,
@@ -163,6 +163,20 @@ pub struct MultisampleState {
     pub alpha_to_one: AlphaToOne,
     /// Which of them are left at all.
     pub coverage: Option<SampleCoverage>,
+    /// Which of those, bit by sample (`ARB_texture_multisample`, section 4.1.3).
+    pub mask: u32,
+}
+
+impl Default for MultisampleState {
+    fn default() -> Self {
+        Self {
+            rule: SampleRule::default(),
+            alpha_to_coverage: AlphaToCoverage::default(),
+            alpha_to_one: AlphaToOne::default(),
+            coverage: None,
+            mask: u32::MAX,
+        }
+    }
 }
 
 /// All of it.

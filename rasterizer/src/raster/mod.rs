@@ -27,6 +27,6 @@ mod watched;
 pub use clear::{ClearJob, ClearTarget};
 pub use interpolate::{PlaneSource, depth_offset};
 pub use job::{Chunk, DrawJob, Entry, PassJob, ShapeLists, TileJob};
-pub use samples::Samples;
+pub use samples::{Samples, sample_positions};
 pub use tile::Worker;
 pub use watched::{Formats, Spot};

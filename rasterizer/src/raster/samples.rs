@@ -77,6 +77,17 @@ impl DerefMut for SampleMasks {
     }
 }
 
+/// Where the samples of a pixel that has so many lie, each in a cell of its own, from the pixel's
+/// lower left corner in pixels.
+pub fn sample_positions(count: u8) -> Vec<[f32; 2]> {
+    let places: &[[i32; 2]] = match count {
+        0 | 1 => &CENTER,
+        2 => &TWO,
+        _ => &FOUR,
+    };
+    places.iter().map(|place| place.map(|v| 0.5 + v as f32 / SUBPIXEL as f32)).collect()
+}
+
 /// Two samples, from the pixel's centre, in subpixels.
 const TWO: [[i32; 2]; 2] = [[64, 64], [-64, -64]];
 /// Four: one in each row and each column of quarters of the pixel.
@@ -93,7 +104,7 @@ pub struct Samples {
     /// Where each lies, from the pixel's centre, in subpixels; empty where all are covered, and
     /// have the depth, that the centre has.
     places: &'static [[i32; 2]],
-    /// Those that the coverage of the state leaves, bit by sample.
+    /// Those that the coverage and the mask of the state leave, bit by sample.
     left: u8,
     /// The program output whose alpha says how many are kept.
     pub alpha: Option<usize>,
@@ -118,7 +129,7 @@ impl Samples {
         Self {
             count,
             places,
-            left: left_by(state.coverage, count),
+            left: left_by(state.coverage, count) & state.mask as u8,
             alpha: match state.alpha_to_coverage {
                 AlphaToCoverage::On => alpha,
                 AlphaToCoverage::Off => None,
@@ -138,7 +149,7 @@ impl Samples {
         !self.places.is_empty()
     }
 
-    /// Whether the coverage of the state leaves a sample.
+    /// Whether the coverage and the mask of the state leave a sample.
     pub fn leaves(&self, sample: usize) -> bool {
         self.left >> sample & 1 == 1
     }

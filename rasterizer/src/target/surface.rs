@@ -40,6 +40,24 @@ pub struct Surface {
     pub tiles: Vec<Vec<Plane>>,
 }
 
+/// Which slices of a level hold the samples of a surface.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Slices {
+    /// This one: its texels in every sample, and what the samples are resolved to.
+    One(usize),
+    /// One for each sample, from this one on.
+    Each(usize),
+}
+
+/// What of a pixel is written to a texel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Stored {
+    /// All samples, resolved.
+    All,
+    /// This sample.
+    One(usize),
+}
+
 /// One attachment's part of a tile.
 #[derive(Debug)]
 pub struct TileTarget {
@@ -97,27 +115,21 @@ impl Surface {
         self.width.div_ceil(TILE)
     }
 
-    /// The texels of a slice of a level without border, in tiles, the same in every sample; zeros
-    /// where the format has no attachment layout, which a command buffer with such an attachment
-    /// is refused for.
-    pub fn from_level(level: &Level, slice: usize, samples: u8) -> Self {
-        let across = level.width.div_ceil(TILE);
-        let up = level.height.div_ceil(TILE);
-        let words = attachment_words(level.format);
-        let tiles = (0..across * up)
-            .into_par_iter()
-            .map(|tile| {
-                let (x0, y0) = (tile % across * TILE, tile / across * TILE);
-                let one = if is_attachable(level.format) && !level.texels.is_blank() {
-                    load_tile(level, slice, [x0, y0], words)
-                } else {
-                    vec![Plane::cleared(0); words]
-                };
-                (0..samples).flat_map(|_| one.clone()).collect()
-            })
-            .collect();
+    /// The texels of slices of a level without border, in tiles; zeros where the format has no
+    /// attachment layout, which a command buffer with such an attachment is refused for.
+    pub fn from_level(level: &Level, slices: Slices, samples: u8) -> Self {
+        let tiles = 0..level.width.div_ceil(TILE) * level.height.div_ceil(TILE);
+        let tiles = tiles.into_par_iter().map(|tile| load_samples(level, slices, samples, tile));
         let &Level { format, width, height, .. } = level;
-        Self { format, width, height, samples, tiles }
+        Self { format, width, height, samples, tiles: tiles.collect() }
+    }
+
+    /// As [`Surface::from_level`], by the caller's thread alone, which may hold a lock.
+    pub fn from_level_alone(level: &Level, slices: Slices, samples: u8) -> Self {
+        let tiles = 0..level.width.div_ceil(TILE) * level.height.div_ceil(TILE);
+        let tiles = tiles.map(|tile| load_samples(level, slices, samples, tile));
+        let &Level { format, width, height, .. } = level;
+        Self { format, width, height, samples, tiles: tiles.collect() }
     }
 
     /// A surface of zeros.
@@ -134,10 +146,21 @@ impl Surface {
         TileTarget { words: attachment_words(self.format), planes }
     }
 
-    /// Writes the tiles back into the slice of the level they came from; of several samples, what
-    /// they are resolved to. Many tiles on this many threads, which are not the device's: after a
-    /// `fork` those are no more, and a caller that waits for them would do other work of theirs meanwhile.
-    pub fn store(&self, level: &mut Level, slice: usize, threads: usize) {
+    /// Writes the tiles back into slices of the level they came from. Many tiles on this many threads,
+    /// which are not the device's: after a `fork` those are no more, and a caller that waits for them
+    /// would do other work of theirs meanwhile.
+    pub fn store(&self, level: &mut Level, slices: Slices, threads: usize) {
+        match slices {
+            Slices::One(slice) => self.store_slice(Stored::All, level, slice, threads),
+            Slices::Each(first) => {
+                for sample in 0..self.samples.into() {
+                    self.store_slice(Stored::One(sample), level, first + sample, threads);
+                }
+            }
+        }
+    }
+
+    fn store_slice(&self, what: Stored, level: &mut Level, slice: usize, threads: usize) {
         debug_assert_eq!((self.width, self.height), (level.width, level.height));
         if !is_attachable(self.format) || self.tiles.is_empty() {
             return;
@@ -151,7 +174,7 @@ impl Surface {
         let next = || left.lock().next();
         let work = || {
             while let Some((tiles, texels)) = next() {
-                self.store_tiles(tiles, row_bytes, texels);
+                self.store_tiles(what, tiles, row_bytes, texels);
             }
         };
         let threads = if self.tiles.len() < WORTH_THREADS { 1 } else { threads };
@@ -165,22 +188,46 @@ impl Surface {
     }
 
     /// Writes a row of tiles into rows of texels.
-    fn store_tiles(&self, tiles: &[Vec<Plane>], row_bytes: usize, texels: &mut [u8]) {
+    fn store_tiles(&self, what: Stored, tiles: &[Vec<Plane>], row_bytes: usize, texels: &mut [u8]) {
+        let (size, words) = (self.format.bytes(), attachment_words(self.format));
         let resolved: Vec<Vec<Plane>>;
-        let tiles = if self.samples > 1 {
-            let resolve = |tile: &Vec<Plane>| resolve_tile(self.format, self.samples, tile);
-            resolved = tiles.iter().map(resolve).collect();
-            &resolved
-        } else {
-            tiles
+        let planes: Vec<&[Plane]> = match what {
+            Stored::All if self.samples > 1 => {
+                let resolve = |tile: &Vec<Plane>| resolve_tile(self.format, self.samples, tile);
+                resolved = tiles.iter().map(resolve).collect();
+                resolved.iter().map(Vec::as_slice).collect()
+            }
+            Stored::All => tiles.iter().map(Vec::as_slice).collect(),
+            Stored::One(sample) => {
+                tiles.iter().map(|tile| &tile[sample * words..][..words]).collect()
+            }
         };
-        let size = self.format.bytes();
         for (y, row) in texels.chunks_mut(row_bytes).enumerate() {
             let row = &mut row[..self.width as usize * size];
-            for (texels, planes) in row.chunks_mut(TILE as usize * size).zip(tiles) {
+            for (texels, planes) in row.chunks_mut(TILE as usize * size).zip(&planes) {
                 store_row(self.format, planes, y, texels);
             }
         }
+    }
+}
+
+/// All samples of a tile.
+fn load_samples(level: &Level, slices: Slices, samples: u8, tile: u32) -> Vec<Plane> {
+    let (across, words) = (level.width.div_ceil(TILE), attachment_words(level.format));
+    let corner = [tile % across * TILE, tile / across * TILE];
+    let of_slice = |slice: usize| {
+        if is_attachable(level.format) && !level.texels.is_blank() {
+            load_tile(level, slice, corner, words)
+        } else {
+            vec![Plane::cleared(0); words]
+        }
+    };
+    match slices {
+        Slices::One(slice) => {
+            let one = of_slice(slice);
+            (0..samples).flat_map(|_| one.clone()).collect()
+        }
+        Slices::Each(first) => (first..).take(samples.into()).flat_map(of_slice).collect(),
     }
 }
 
@@ -277,12 +324,31 @@ mod tests {
             {
                 *byte = (index * 7 % 251) as u8;
             }
-            let surface = Surface::from_level(&level, 0, 1);
+            let surface = Surface::from_level(&level, Slices::One(0), 1);
             let cleared = |tile: &Vec<Plane>| tile[0].alike().is_some();
             assert_eq!(surface.tiles.iter().filter(|tile| cleared(tile)).count(), 5);
             let mut back = Level::new(format, 150, 70).expect("small");
-            surface.store(&mut back, 0, 3);
+            surface.store(&mut back, Slices::One(0), 3);
             assert_eq!(back.texels, level.texels, "{format:?}");
+        }
+    }
+
+    /// A slice for each sample holds them as they are, whichever slice is the first.
+    #[test]
+    fn samples_keep_to_slices_of_their_own() {
+        for format in [Format::Rgba8, Format::D24S8, Format::Rgba32F, Format::R16F] {
+            let mut level = Level::with_size(format, [70, 3, 7], [0; 3]).expect("small");
+            let used = 7 * level.slice_bytes();
+            for (index, byte) in level.texels[..used].iter_mut().enumerate() {
+                *byte = (index * 31 % 241) as u8;
+            }
+            let surface = Surface::from_level(&level, Slices::Each(2), 4);
+            let mut back = Level::with_size(format, [70, 3, 7], [0; 3]).expect("small");
+            surface.store(&mut back, Slices::Each(2), 1);
+            let slice = level.slice_bytes();
+            let (stored, left) = (2 * slice..6 * slice, &back.texels[6 * slice..]);
+            assert_eq!(back.texels[stored.clone()], level.texels[stored], "{format:?}");
+            assert!(left.iter().chain(&back.texels[..2 * slice]).all(|byte| *byte == 0));
         }
     }
 
@@ -293,11 +359,11 @@ mod tests {
         for (index, byte) in level.texels[..used].iter_mut().enumerate() {
             *byte = (index * 37 % 253) as u8;
         }
-        let surface = Surface::from_level(&level, 0, 1);
+        let surface = Surface::from_level(&level, Slices::One(0), 1);
         assert!(surface.tiles.len() >= WORTH_THREADS);
         for threads in [1, 2, 7] {
             let mut back = Level::new(Format::Rgba8, 641, 530).expect("small");
-            surface.store(&mut back, 0, threads);
+            surface.store(&mut back, Slices::One(0), threads);
             assert!(back.texels == level.texels, "{threads} threads");
         }
     }

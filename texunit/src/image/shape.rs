@@ -8,8 +8,9 @@ pub const MAX_SIZE: u32 = 16_384;
 pub const MAX_SIZE_3D: u32 = 512;
 /// The faces of a cube.
 pub const FACES: usize = 6;
-/// The most layers of an array; of an array of cubes, the most faces.
-pub const MAX_LAYERS: u32 = 2048;
+/// The most layers of an array, of an array of cubes the most faces; also 2048 layers of four samples
+/// each, which lie as layers.
+pub const MAX_LAYERS: u32 = 8192;
 
 /// The shape of an image, and of the coordinates that address it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -1,6 +1,7 @@
 //! The texture lookups (GLSL 1.30 section 8.7; GLSL 1.20 section 8.7; `EXT_gpu_shader4`,
 //! `EXT_texture_array`, `ARB_texture_rectangle`, `ARB_shader_texture_lod`,
-//! `ARB_texture_cube_map_array`), generated from a table of what each kind of sampler takes.
+//! `ARB_texture_cube_map_array`, `ARB_texture_multisample`), generated from a table of what each kind of
+//! sampler takes.
 
 use super::functions::{Lower, P, Row};
 use crate::glsl::Scalar;
@@ -223,7 +224,24 @@ pub fn rows() -> Vec<Row> {
             query(kind, sampler, &mut rows);
         }
     }
+    multisample(&mut rows);
     rows
+}
+
+/// `textureSize` and `texelFetch` where there are several samples a texel, whose number comes last.
+fn multisample(rows: &mut Vec<Row>) {
+    let int = |size| P::Fixed(Scalar::Int, size);
+    let since = Since::only(Extension::TextureMultisample);
+    for (dim, coords) in [(Dim::D2Multisample, 2), (Dim::D2MultisampleArray, 3)] {
+        for scalar in [Scalar::Float, Scalar::Int, Scalar::Uint] {
+            let sampler = P::Sampler(Sampler { dim, scalar, comparison: Comparison::No });
+            let (name, texel) = ("texelFetch".to_owned(), P::Fixed(scalar, 4));
+            let parameters = vec![sampler, int(coords), int(1)];
+            rows.push(row(name, texel, parameters, since, Lookup::Fetch(Shift::None)));
+            let name = "textureSize".to_owned();
+            rows.push(row(name, int(coords), vec![sampler], since, Lookup::Size));
+        }
+    }
 }
 
 /// A row of any stage.

@@ -105,7 +105,7 @@ fn build(shaders: &[&Shader], bindings: &Bindings, log: &mut Log) -> Option<Prog
                 *words = lowered.words;
                 let slots = lowered.samplers.into_iter();
                 let stage = stage.stage;
-                let active: BTreeSet<u32> = slots.clone().map(|(_, word, _)| word).collect();
+                let active: BTreeSet<u32> = slots.clone().map(|(_, word, ..)| word).collect();
                 if active.len() > usize::from(MAX_TEXTURE_IMAGE_UNITS) {
                     let message = format!(
                         "the {} shader uses {} samplers; a stage has {MAX_TEXTURE_IMAGE_UNITS} \
@@ -115,10 +115,11 @@ fn build(shaders: &[&Shader], bindings: &Bindings, log: &mut Log) -> Option<Prog
                     );
                     log.push(Diagnostic::link_error(message).rule("GL 2.1 section 2.15.3"));
                 }
-                samplers.extend(slots.map(|(slot, word, result)| SamplerSlot {
+                samplers.extend(slots.map(|(slot, word, dim, result)| SamplerSlot {
                     stage,
                     slot: slot.0,
                     word,
+                    dim,
                     result,
                 }));
                 Some(lowered.module)

@@ -4,8 +4,8 @@ use super::call::{returns_early, without_last_return};
 use super::outputs::Copy;
 use super::place::Slot;
 use super::{Failure, Lowered, Lowerer, Words, functions};
-use crate::glsl::ComparisonResult;
 use crate::glsl::hir::{Function, Storage, Unit, Variable};
+use crate::glsl::{ComparisonResult, Dim};
 use rasterizer::ir::{Input, Interpolation, Module, Op, Output, Stage, Texture, Ty, Value};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -35,8 +35,8 @@ pub fn varying_slots(types: &[Ty]) -> u16 {
 pub struct LoweredStage {
     /// The module.
     pub module: Module,
-    /// Each texture slot and the word that holds its unit.
-    pub samplers: Vec<(Texture, u32, ComparisonResult)>,
+    /// Each texture slot, the word that holds its unit, and what textures it takes.
+    pub samplers: Vec<(Texture, u32, Dim, ComparisonResult)>,
     /// The words, with the state that this stage reads.
     pub words: Words,
 }

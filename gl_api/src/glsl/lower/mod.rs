@@ -13,7 +13,7 @@ mod texture;
 use super::builtins::state::StateArray;
 use super::hir::{Expr, Function, Unit, VarRef, Variable};
 use super::limits::{MAX_INLINED_DEPTH, MAX_VALUES};
-use crate::glsl::ComparisonResult;
+use crate::glsl::{ComparisonResult, Dim};
 use crate::interface::{StateBinding, StateVar};
 use emit::Emit;
 pub use interface::{Binding, lower_stage, named_globals, varying_slots};
@@ -113,8 +113,9 @@ struct Lowerer<'a> {
     loops: u32,
     words: Words,
     textures: BTreeMap<(u32, [u8; 3], ComparisonResult), Texture>,
-    /// The slots, the words that hold their units, and what comes of comparisons.
-    samplers: Vec<(Texture, u32, ComparisonResult)>,
+    /// The slots, the words that hold their units, what textures they take, and what comes of
+    /// comparisons.
+    samplers: Vec<(Texture, u32, Dim, ComparisonResult)>,
 }
 
 impl<'a> Lowerer<'a> {

@@ -7,6 +7,7 @@ use crate::glsl::hir::Expr;
 use crate::glsl::limits::MAX_DYNAMIC_SAMPLERS;
 use crate::glsl::types::{Comparison, Dim, Sampler, Type};
 use crate::glsl::{ComparisonResult, Scalar};
+use rasterizer::driver::MAX_SAMPLES;
 use rasterizer::ir::{self, Lod, Op, Texture, TextureDecl, Ty, Value};
 use texunit::image::Shape;
 
@@ -20,7 +21,8 @@ struct Access {
     compared: ComparisonResult,
 }
 
-/// The shape of texture that a sampler takes.
+/// The shape of texture that a sampler takes; where there are several samples a texel, each is a
+/// layer.
 fn shape(dim: Dim) -> Shape {
     match dim {
         Dim::D1 => Shape::D1,
@@ -29,7 +31,7 @@ fn shape(dim: Dim) -> Shape {
         Dim::Cube => Shape::Cube,
         Dim::Rect => Shape::Rect,
         Dim::D1Array => Shape::D1Array,
-        Dim::D2Array => Shape::D2Array,
+        Dim::D2Array | Dim::D2Multisample | Dim::D2MultisampleArray => Shape::D2Array,
         Dim::CubeArray => Shape::CubeArray,
     }
 }
@@ -116,7 +118,11 @@ impl Lowerer<'_> {
                 Access { access: ir::Access::Lod, coords, layer, reference, lod, compared }
             }
         };
-        let mut values = self.look_up(&place, slot(kind), &access)?;
+        let mut values = self.look_up(&place, kind, &access)?;
+        if (lookup, kind.dim) == (Lookup::Size, Dim::D2MultisampleArray) {
+            let samples = self.emit.constant(MAX_SAMPLES as u32, Ty::I32);
+            values[2] = self.emit.op(Op::IDiv, &[values[2], samples]);
+        }
         values.truncate(result.scalars() as usize);
         Ok(values)
     }
@@ -138,9 +144,15 @@ impl Lowerer<'_> {
         let compares = kind.comparison == Comparison::Yes;
         let layer = match kind.dim {
             Dim::CubeArray => Some(coords.get(3).copied().unwrap_or(zero)),
-            Dim::D1 | Dim::D2 | Dim::D3 | Dim::Cube | Dim::Rect | Dim::D1Array | Dim::D2Array => {
-                None
-            }
+            Dim::D1
+            | Dim::D2
+            | Dim::D3
+            | Dim::Cube
+            | Dim::Rect
+            | Dim::D1Array
+            | Dim::D2Array
+            | Dim::D2Multisample
+            | Dim::D2MultisampleArray => None,
         };
         if compares && layer.is_some() {
             // Four components find the texel: the reference is an argument of its own.
@@ -173,6 +185,10 @@ impl Lowerer<'_> {
     fn fetch_access(&mut self, arguments: &Arguments<'_>, shift: Shift) -> Access {
         let Arguments { kind, values, zeros: [zero, _], compared } = *arguments;
         let coords = arguments.three(values.first().map_or(&[], |v| &v[..]), zero);
+        if let Dim::D2Multisample | Dim::D2MultisampleArray = kind.dim {
+            let number = arguments.scalar(Some(1)).unwrap_or(zero);
+            return self.sample_fetch(coords, number, zero);
+        }
         let (level, offset) = match (kind.dim, shift) {
             (Dim::Rect, Shift::None) => (None, None),
             (Dim::Rect, Shift::Texels) => (None, Some(1)),
@@ -181,6 +197,16 @@ impl Lowerer<'_> {
         };
         let lod = Lod::Explicit(arguments.scalar(level).unwrap_or(zero));
         let access = ir::Access::Fetch { offset: self.texel_offset(arguments, offset) };
+        Access { access, coords, layer: None, reference: None, lod, compared }
+    }
+
+    /// A sample of a texel: those of a layer lie together.
+    fn sample_fetch(&mut self, [x, y, layer]: [Value; 3], number: Value, zero: Value) -> Access {
+        let samples = self.emit.constant(MAX_SAMPLES as u32, Ty::I32);
+        let first = self.emit.op(Op::IMul, &[layer, samples]);
+        let coords = [x, y, self.emit.op(Op::IAdd, &[first, number])];
+        let (access, lod) = (ir::Access::Fetch { offset: [0; 3] }, Lod::Explicit(zero));
+        let compared = ComparisonResult::Placed;
         Access { access, coords, layer: None, reference: None, lod, compared }
     }
 
@@ -194,18 +220,13 @@ impl Lowerer<'_> {
         offset
     }
 
-    fn look_up(
-        &mut self,
-        place: &Place,
-        decl: TextureDecl,
-        access: &Access,
-    ) -> Lowered<Vec<Value>> {
+    fn look_up(&mut self, place: &Place, kind: Sampler, access: &Access) -> Lowered<Vec<Value>> {
         let Slot::Uniform(word, types) = &place.slot else {
             return Err(Failure("a sampler that is no uniform".to_owned()));
         };
         let (first, types) = (word + place.base, types.clone());
         let Some(dynamic) = place.dynamic else {
-            return Ok(self.sample(first, decl, access).to_vec());
+            return Ok(self.sample(first, kind, access).to_vec());
         };
         // There is no texture by number in the IR: sample all, choose one.
         let count = types.len() as u32 - place.base;
@@ -214,9 +235,9 @@ impl Lowerer<'_> {
                 "a sampler in a structure or large array, indexed by what is not constant";
             return Err(Failure(format!("{message}, is not supported by DetGL yet")));
         }
-        let mut chosen = self.sample(first, decl, access);
+        let mut chosen = self.sample(first, kind, access);
         for index in 1..count {
-            let other = self.sample(first + index, decl, access);
+            let other = self.sample(first + index, kind, access);
             let number = self.emit.uint(index);
             let here = self.emit.equal(dynamic, number);
             for (chosen, other) in chosen.iter_mut().zip(other) {
@@ -226,14 +247,15 @@ impl Lowerer<'_> {
         Ok(chosen.to_vec())
     }
 
-    fn sample(&mut self, word: u32, decl: TextureDecl, access: &Access) -> [Value; 4] {
+    fn sample(&mut self, word: u32, kind: Sampler, access: &Access) -> [Value; 4] {
+        let decl = slot(kind);
         let key = (word, texture_key(decl), access.compared);
         let texture: Texture = match self.textures.get(&key) {
             Some(&texture) => texture,
             None => {
                 let texture = self.emit.texture(decl);
                 self.textures.insert(key, texture);
-                self.samplers.push((texture, word, access.compared));
+                self.samplers.push((texture, word, kind.dim, access.compared));
                 texture
             }
         };
