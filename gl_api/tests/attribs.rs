@@ -66,6 +66,7 @@ const ROWS: &[Row] = &[
     (GL_TEXTURE_BIT, GL_TEXTURE_GEN_S, |c| c.enable(GL_TEXTURE_GEN_S)),
     (GL_TEXTURE_BIT, GL_ACTIVE_TEXTURE, |c| c.active_texture(GL_TEXTURE3)),
     (GL_MULTISAMPLE_BIT, GL_MULTISAMPLE, |c| c.disable(GL_MULTISAMPLE)),
+    (GL_MULTISAMPLE_BIT, GL_SAMPLE_MASK, |c| c.enable(GL_SAMPLE_MASK)),
 ];
 
 /// Up to sixteen values of a piece of state.

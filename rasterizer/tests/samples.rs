@@ -6,7 +6,7 @@ use common::{bindings, bytes, device, fragment, image, pass, pipeline, vertex, v
 use rasterizer::driver::{
     AlphaToCoverage, AlphaToOne, Blend, BlendEquation, BlendFactor, ClearValue, Command,
     CommandBuffer, Counter, DepthState, DepthWrite, Device, Image, MultisampleState, Pipeline,
-    PipelineDesc, RasterState, Rect, SampleCoverage, SampleRule, ShaderModule, Topology,
+    PipelineDesc, RasterState, Rect, Rows, SampleCoverage, SampleRule, ShaderModule, Topology,
 };
 use rasterizer::ir::{Builder, Input, Interpolation, Output, Stage};
 use std::sync::Arc;
@@ -257,6 +257,39 @@ fn depth_is_that_of_the_plane_at_each_sample() {
 }
 
 #[test]
+fn rows_of_every_sample_hold_what_it_holds() {
+    let device = device(Isa::best(), 2);
+    let mut state = 3;
+    let end = 256 * i64::from(SIZE);
+    for _ in 0..20 {
+        let corners: Vec<[i64; 2]> =
+            (0..3).map(|_| [0; 2].map(|_| random(&mut state, end))).collect();
+        let mut texels = Texels::new(Shape::D2Array);
+        let level = Level::with_size(Format::R32F, [SIZE, SIZE, 4], [0; 3]).expect("small");
+        texels.set_level(0, 0, level).expect("face 0");
+        let target = Image::new(Texels::new(Shape::D2Array));
+        target.replace(texels, 4, Rows::EachSample);
+        let targets = (&target, None);
+        draw(&device, targets, &constant([1.0; 4]), each(), &corners, |_| 0.0);
+        let texels = target.texels();
+        let rows = texels.level(0, 0).expect("there");
+        for (pixel, sample) in (0..SIZE * SIZE).flat_map(|at| (0..4).map(move |s| (at, s))) {
+            let (x, y) = (pixel % SIZE, pixel / SIZE);
+            let covered = inside(&corners, x.into(), y.into()).contains(&FOUR[sample]);
+            let got = rows.texel_at([x as i32, y as i32, sample as i32]);
+            assert_eq!(got, f32::from(u8::from(covered)).to_le_bytes(), "{x} {y} {sample}");
+        }
+        // Given back with other texels, the samples are those.
+        let mut samples = target.each_sample(0, 0).expect("there");
+        assert_eq!(samples.texels, rows.texels);
+        samples.write_box([3, 4, 2], [1; 3], &7.0_f32.to_le_bytes()).expect("within");
+        target.set_each_sample(0, 0, &samples);
+        let texels = target.texels();
+        assert_eq!(texels.level(0, 0).expect("there").texels, samples.texels);
+    }
+}
+
+#[test]
 fn alpha_and_the_coverage_of_the_state_choose_samples() {
     let device = device(Isa::best(), 2);
     let end = 256 * i64::from(SIZE);
@@ -267,6 +300,7 @@ fn alpha_and_the_coverage_of_the_state_choose_samples() {
         ..each()
     };
     let covered = |coverage| MultisampleState { coverage: Some(coverage), ..each() };
+    let masked = |mask, state| MultisampleState { mask, ..state };
     let (off, on) = (AlphaToOne::Off, AlphaToOne::On);
     // The state, the fragment's alpha, how many samples it keeps, and their alpha.
     for (state, a, kept, written) in [
@@ -281,6 +315,11 @@ fn alpha_and_the_coverage_of_the_state_choose_samples() {
         (covered(SampleCoverage::Part(0.5)), 1.0, 2, 1.0),
         (covered(SampleCoverage::AllBut(0.25)), 1.0, 3, 1.0),
         (covered(SampleCoverage::Part(0.0)), 1.0, 0, 1.0),
+        (masked(0b1010, each()), 1.0, 2, 1.0),
+        (masked(0xFFFF_FFF0, each()), 1.0, 0, 1.0),
+        (masked(0b0011, covered(SampleCoverage::AllBut(0.25))), 1.0, 1, 1.0),
+        // Alpha leaves the first two.
+        (masked(0b0110, alpha(off)), 0.5, 1, 0.5),
     ] {
         // With and without a depth test, which then has to come after the shader.
         for test in [None, Some(DepthState { test: Compare::Less, write: DepthWrite::On })] {

@@ -140,6 +140,15 @@ pub(crate) fn renderbuffer_storage_multisample(
         }
     }
     if not_negative(SECTION, "samples", samples.into())? > usize::from(limits::MAX_SAMPLES) {
+        if format.is_integer() {
+            return invalid_operation(
+                "ARB_texture_multisample, section 4.4.2",
+                format!(
+                    "samples = {samples} of integers must not be above {}",
+                    limits::MAX_SAMPLES
+                ),
+            );
+        }
         return invalid_value(
             SECTION,
             format!("samples = {samples} must not be above {}", limits::MAX_SAMPLES),

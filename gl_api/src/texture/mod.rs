@@ -74,6 +74,7 @@ fn default_sampler(target: TextureTarget) -> Sampler {
         },
         // Its texels are fetched, never filtered: integers are as good as others.
         TextureTarget::D2Multisample | TextureTarget::D2MultisampleArray => Sampler {
+            wrap: [Wrap::ClampToEdge; 3],
             min: Filter::Nearest,
             mag: Filter::Nearest,
             mipmap: Mipmap::None,

@@ -136,7 +136,7 @@ impl Reader<'_> {
 
     /// Parameters and levels of the textures that are bound to the active unit.
     fn textures(&mut self) {
-        const TARGETS: [(GLenum, GLenum); 8] = [
+        const TARGETS: [(GLenum, GLenum); 10] = [
             (GL_TEXTURE_1D, GL_TEXTURE_1D),
             (GL_TEXTURE_2D, GL_TEXTURE_2D),
             (GL_TEXTURE_3D, GL_TEXTURE_3D),
@@ -145,14 +145,18 @@ impl Reader<'_> {
             (GL_TEXTURE_1D_ARRAY, GL_TEXTURE_1D_ARRAY),
             (GL_TEXTURE_2D_ARRAY, GL_TEXTURE_2D_ARRAY),
             (GL_TEXTURE_CUBE_MAP_ARRAY, GL_TEXTURE_CUBE_MAP_ARRAY),
+            (GL_TEXTURE_2D_MULTISAMPLE, GL_TEXTURE_2D_MULTISAMPLE),
+            (GL_TEXTURE_2D_MULTISAMPLE_ARRAY, GL_TEXTURE_2D_MULTISAMPLE_ARRAY),
         ];
-        const LEVEL: [GLenum; 6] = [
+        const LEVEL: [GLenum; 8] = [
             GL_TEXTURE_WIDTH,
             GL_TEXTURE_HEIGHT,
             GL_TEXTURE_DEPTH,
             GL_TEXTURE_INTERNAL_FORMAT,
             GL_TEXTURE_BORDER,
             GL_TEXTURE_COMPRESSED,
+            GL_TEXTURE_SAMPLES,
+            GL_TEXTURE_FIXED_SAMPLE_LOCATIONS,
         ];
         for (target, image) in TARGETS {
             for name in PARAMETERS {
@@ -160,7 +164,9 @@ impl Reader<'_> {
                     c.get_tex_parameterfv(target, *name, v);
                 });
             }
-            let levels = if target == GL_TEXTURE_RECTANGLE { 1 } else { 3 };
+            const FLAT: [GLenum; 3] =
+                [GL_TEXTURE_RECTANGLE, GL_TEXTURE_2D_MULTISAMPLE, GL_TEXTURE_2D_MULTISAMPLE_ARRAY];
+            let levels = if FLAT.contains(&target) { 1 } else { 3 };
             for level in 0..levels {
                 for name in LEVEL {
                     self.keep(format!("level {image:#x} {level} {name:#x}"), |c, v| {

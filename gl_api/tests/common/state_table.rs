@@ -182,6 +182,7 @@ pub const STATE: &[Row] = rows! {
         GL_SAMPLE_COVERAGE Number F;
         GL_SAMPLE_COVERAGE_VALUE Number T;
         GL_SAMPLE_COVERAGE_INVERT Number F;
+        GL_SAMPLE_MASK Number F;
     }
     "6.17 to 6.20, textures" {
         GL_TEXTURE_1D Number F;
@@ -197,6 +198,8 @@ pub const STATE: &[Row] = rows! {
         GL_TEXTURE_BINDING_1D_ARRAY Number F;
         GL_TEXTURE_BINDING_2D_ARRAY Number F;
         GL_TEXTURE_BINDING_CUBE_MAP_ARRAY Number F;
+        GL_TEXTURE_BINDING_2D_MULTISAMPLE Number F;
+        GL_TEXTURE_BINDING_2D_MULTISAMPLE_ARRAY Number F;
         GL_SAMPLER_BINDING Number F;
         GL_ACTIVE_TEXTURE Number enums![GL_TEXTURE0];
         GL_TEXTURE_GEN_S Number F;

@@ -10,6 +10,7 @@ mod blits;
 mod clamps;
 mod integers;
 mod rectangles;
+mod sample_textures;
 mod samples;
 mod stencils;
 

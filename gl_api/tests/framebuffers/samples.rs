@@ -77,13 +77,54 @@ fn alpha_and_the_coverage_value_choose_samples() {
 }
 
 #[test]
+fn the_mask_keeps_the_samples_that_its_bits_name() {
+    let mut c = context(4, 4);
+    let object = multisampled(&mut c);
+    c.enable(GL_SAMPLE_MASK);
+    for (mask, red) in [(0, 0), (0b1000, 64), (0b0101, 128), (0xF0, 0), (0b1110, 191), (!0, 255)] {
+        c.sample_maski(0, mask);
+        fill(&mut c, 4.0, 1.0);
+        assert_eq!(resolved(&mut c, object), [red; 4], "{mask:#b}");
+    }
+    // The coverage value leaves two other samples, of which the mask takes one.
+    c.sample_maski(0, 0b0110);
+    c.enable(GL_SAMPLE_COVERAGE);
+    c.sample_coverage(0.5, false);
+    fill(&mut c, 4.0, 1.0);
+    assert_eq!(resolved(&mut c, object), [64; 4]);
+    c.disable(GL_SAMPLE_COVERAGE);
+    // Clears do not look at it, and nothing does where there is one sample.
+    c.clear_color(1.0, 0.0, 0.0, 0.0);
+    c.clear(GL_COLOR_BUFFER_BIT);
+    assert_eq!(resolved(&mut c, object), [255; 4]);
+    c.clear_color(0.0, 0.0, 0.0, 0.0);
+    c.disable(GL_MULTISAMPLE);
+    fill(&mut c, 4.0, 1.0);
+    assert_eq!(resolved(&mut c, object), [255; 4]);
+    c.enable(GL_MULTISAMPLE);
+    c.bind_framebuffer(GL_FRAMEBUFFER, 0);
+    c.sample_maski(0, 0);
+    fill(&mut c, 4.0, 1.0);
+    assert_eq!(bytes(&mut c, [0, 0, 1, 1], GL_RED, 1), [255]);
+}
+
+#[test]
 fn the_state_of_samples_is_kept_and_answered() {
     let mut c = context(4, 4);
     let mut value = [0.0];
     c.get_floatv(GL_SAMPLE_COVERAGE_VALUE, &mut value);
     assert_eq!(value, [1.0]);
+    let mask = |c: &mut Context| {
+        let mut value = [7];
+        c.get_integeri_v(GL_SAMPLE_MASK_VALUE, 0, &mut value);
+        value[0]
+    };
+    assert_eq!(mask(&mut c), -1);
     c.push_attrib(GL_MULTISAMPLE_BIT);
     c.enable(GL_SAMPLE_ALPHA_TO_ONE);
+    c.enable(GL_SAMPLE_MASK);
+    c.sample_maski(0, 0x8000_0005);
+    assert_eq!(mask(&mut c) as u32, 0x8000_0005);
     c.sample_coverage(7.0, false);
     c.get_floatv(GL_SAMPLE_COVERAGE_VALUE, &mut value);
     assert_eq!(value, [1.0]);
@@ -97,5 +138,7 @@ fn the_state_of_samples_is_kept_and_answered() {
     c.get_floatv(GL_SAMPLE_COVERAGE_INVERT, &mut value);
     assert_eq!(value, [0.0]);
     assert!(!c.is_enabled(GL_SAMPLE_ALPHA_TO_ONE));
+    assert!(!c.is_enabled(GL_SAMPLE_MASK));
+    assert_eq!(mask(&mut c), -1);
     assert_eq!(c.get_error(), GL_NO_ERROR);
 }

@@ -280,6 +280,12 @@ void main() { gl_FragColor = texture(s[i], vec2(0.0)); }",
         "output beside gl_FragColor",
         "#version 130\nout vec4 c;\nvoid main() { c = vec4(1.0); gl_FragColor = c; }",
     ),
+    ("samples without their extension", "#version 130\nuniform sampler2DMS t;\nvoid main() {}"),
+    (
+        "filtered samples",
+        "#version 130\n#extension GL_ARB_texture_multisample : enable\nuniform sampler2DMS t;
+void main() { gl_FragColor = texture(t, vec2(0.5)); }",
+    ),
     ("array texture in 120", "#version 120\nuniform sampler2DArray t;\nvoid main() {}"),
     ("array of cubes", "#version 130\nuniform samplerCubeArray t;\nvoid main() {}"),
     (

@@ -274,6 +274,12 @@ const CASES: &[Case] = &[
     ),
     (
         nothing,
+        |c| c.renderbuffer_storage_multisample(GL_RENDERBUFFER, 5, GL_R8UI, 1, 1),
+        GL_INVALID_OPERATION,
+        "samples = 5 of integers must not be above 4",
+    ),
+    (
+        nothing,
         |c| c.renderbuffer_storage_multisample(GL_RENDERBUFFER, -1, GL_RGBA8, 1, 1),
         GL_INVALID_VALUE,
         "samples = -1",
