@@ -266,6 +266,11 @@ impl Image {
     pub fn set_each_sample(&self, face: u16, level: u8, samples: &Level) {
         let count = samples.depth.min(MAX_SAMPLES as u32) as u8;
         let surface = Surface::from_level_alone(samples, Slices::Each(0), count);
+        let mut state = self.0.lock();
+        let at = state.place(face, level);
+        // What it replaces need not be brought to its rows.
+        state.attached.take_if(|attached| attached.at == at);
+        drop(state);
         self.detach(face, level, surface);
     }
 
