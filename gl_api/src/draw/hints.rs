@@ -3,7 +3,7 @@
 use crate::constants::*;
 use crate::context::Context;
 use crate::interface::MAX_COMBINED_TEXTURE_IMAGE_UNITS;
-use crate::state::enable::is_capability;
+use crate::state::enable::CAPABILITY;
 use crate::texture::{TARGET, TextureTarget};
 
 /// A texture that is sampled but incomplete: the unit is as if switched off, a shader reads black.
@@ -57,10 +57,10 @@ pub(super) fn nothing_enabled(context: &mut Context) {
         return;
     }
     let bound = units.iter().zip(0..MAX_COMBINED_TEXTURE_IMAGE_UNITS).find_map(|(unit, number)| {
-        // The others are for shaders alone.
-        let mut switched =
-            TextureTarget::ALL.into_iter().filter(|t| is_capability(TARGET.encode(*t)));
-        let target = switched.find(|t| unit.bound[*t as usize] != 0)?;
+        // Those that cannot be switched on are for shaders alone.
+        let target = TextureTarget::ALL.into_iter().find(|&target| {
+            unit.bound[target as usize] != 0 && CAPABILITY.get(TARGET.encode(target)).is_some()
+        })?;
         Some((number, target, unit.bound[target as usize]))
     });
     if let Some((unit, target, name)) = bound {

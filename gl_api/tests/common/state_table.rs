@@ -424,6 +424,10 @@ pub const LEAST: &[Row] = rows! {
         GL_MAX_TRANSFORM_FEEDBACK_SEPARATE_ATTRIBS Number &[4.0];
         GL_MAX_TRANSFORM_FEEDBACK_SEPARATE_COMPONENTS Number &[4.0];
         GL_MAX_SAMPLES Number &[4.0];
+        GL_MAX_COLOR_TEXTURE_SAMPLES Number T;
+        GL_MAX_DEPTH_TEXTURE_SAMPLES Number T;
+        GL_MAX_INTEGER_SAMPLES Number T;
+        GL_MAX_SAMPLE_MASK_WORDS Number T;
     }
     "ARB_ES2_compatibility" {
         GL_SHADER_COMPILER Number T;
