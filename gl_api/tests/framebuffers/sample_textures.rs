@@ -418,3 +418,18 @@ fn a_unit_has_its_own_texture_for_samples_and_no_sampler_object_for_it() {
     rectangle(&mut c, ALL, 0.0);
     assert_eq!(c.get_error(), GL_INVALID_OPERATION, "both samplers name unit 0");
 }
+
+#[test]
+fn no_hint_asks_to_switch_on_what_is_for_shaders_alone() {
+    let mut c = context(SIZE as u32, SIZE as u32);
+    let told = |c: &mut Context| {
+        rectangle(c, ALL, 0.0);
+        fine(c);
+        c.messages().iter().filter(|m| m.text.contains("texturing is off")).count()
+    };
+    texture(&mut c, PLANE, GL_RGBA8, 1);
+    texture(&mut c, ARRAY, GL_RGBA8, 1);
+    assert_eq!(told(&mut c), 0);
+    c.bind_texture(GL_TEXTURE_2D, 77);
+    assert_eq!(told(&mut c), 1);
+}
