@@ -16,7 +16,7 @@ pub(crate) const MAX_VIEWPORT_DIMS: u32 = 8192;
 /// `GL_MAX_COLOR_ATTACHMENTS` and `GL_MAX_DRAW_BUFFERS`.
 pub(crate) const MAX_COLOR_ATTACHMENTS: usize = 8;
 /// `GL_MAX_SAMPLES`.
-pub(crate) const MAX_SAMPLES: u8 = 4;
+pub(crate) const MAX_SAMPLES: u8 = rasterizer::driver::MAX_SAMPLES as u8;
 /// `GL_MAX_TEXTURE_LOD_BIAS`.
 pub(crate) const MAX_TEXTURE_LOD_BIAS: f32 = 16.0;
 /// `GL_MAX_VERTEX_UNIFORM_COMPONENTS` and `GL_MAX_FRAGMENT_UNIFORM_COMPONENTS`.

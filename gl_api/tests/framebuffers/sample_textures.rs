@@ -424,7 +424,7 @@ fn no_hint_asks_to_switch_on_what_is_for_shaders_alone() {
     let mut c = context(SIZE as u32, SIZE as u32);
     let told = |c: &mut Context| {
         rectangle(c, ALL, 0.0);
-        fine(c);
+        assert_eq!(c.get_error(), GL_NO_ERROR);
         c.messages().iter().filter(|m| m.text.contains("texturing is off")).count()
     };
     texture(&mut c, PLANE, GL_RGBA8, 1);
