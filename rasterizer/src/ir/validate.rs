@@ -298,8 +298,8 @@ impl Body<'_> {
             decl.shape == Shape::CubeArray && matches!(sample.access, Access::Filter { .. });
         rule!(
             layered == sample.layer.is_some(),
-            "{user}: texture slot {slot} {} a layer apart from its coordinates",
-            if layered { "needs" } else { "has no" }
+            "{user}: texture slot {slot} {} layer apart from its coordinates",
+            if layered { "needs a" } else { "has no" }
         );
         let ty = match sample.access {
             Access::Filter { .. } => {
