@@ -68,29 +68,29 @@ fn shared_vertices_have_the_number_of_each_primitive() {
     }
 }
 
-/// Strips, fans and loops: each primitive ends at a vertex of its own.
-#[test]
-fn strips_fans_and_loops_count_on() {
-    // A band of triangles, two a cell.
+/// A strip of four cells along the bottom.
+fn band(mode: GLenum) -> Context {
     let mut c = context();
-    c.begin(GL_TRIANGLE_STRIP);
+    c.begin(mode);
     for i in 0..5 {
         c.vertex_2f(at((i * 4) as f32), at(0.0));
         c.vertex_2f(at((i * 4) as f32), at(4.0));
     }
     c.end();
+    c
+}
+
+/// Strips, fans and loops: each primitive ends at a vertex of its own.
+#[test]
+fn strips_fans_and_loops_count_on() {
+    // A band of triangles, two a cell.
+    let mut c = band(GL_TRIANGLE_STRIP);
     for cell in 0..4 {
         assert_eq!(number(&mut c, cell * 4, 1), Some(cell as u32 * 2));
         assert_eq!(number(&mut c, cell * 4 + 3, 2), Some(cell as u32 * 2 + 1));
     }
     // The same as quadrilaterals.
-    let mut c = context();
-    c.begin(GL_QUAD_STRIP);
-    for i in 0..5 {
-        c.vertex_2f(at((i * 4) as f32), at(0.0));
-        c.vertex_2f(at((i * 4) as f32), at(4.0));
-    }
-    c.end();
+    let mut c = band(GL_QUAD_STRIP);
     for cell in 0..4 {
         assert_eq!(number(&mut c, cell * 4, 1), Some(cell as u32));
         assert_eq!(number(&mut c, cell * 4 + 3, 2), Some(cell as u32));

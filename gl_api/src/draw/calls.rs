@@ -69,8 +69,7 @@ fn indexed_reach(
     let mut reach = Reach { first: 0, last: 0, instances };
     if reads_pointers(context) {
         let indices = bytes.chunks_exact(ty.size());
-        let indices = indices
-            .map(|index| index.iter().rev().fold(0, |word, &byte| word << 8 | u32::from(byte)));
+        let indices = indices.map(IndexType::index);
         let (low, high) =
             indices.fold((u32::MAX, 0), |(low, high), index| (low.min(index), high.max(index)));
         reach.last = high.saturating_add_signed(base_vertex);

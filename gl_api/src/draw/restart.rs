@@ -29,8 +29,7 @@ pub(super) fn runs(
     let mut runs = Vec::new();
     let mut start = 0;
     for (at, index) in bytes.chunks_exact(ty.size()).enumerate() {
-        let index = index.iter().rev().fold(0, |word, &byte| word << 8 | u32::from(byte));
-        if is_restart(context, index) {
+        if is_restart(context, IndexType::index(index)) {
             runs.push(start..at);
             start = at + 1;
         }

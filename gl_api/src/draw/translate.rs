@@ -14,9 +14,9 @@ use crate::state::multisample::multisample_state;
 use crate::state::stencil::Side;
 use crate::transform_feedback;
 use rasterizer::driver::{
-    Buffer, ColorState, Command, Cull, DepthState, FrontFace, Indices, OutputState, PassDesc,
-    Pipeline, PipelineDesc, Provoking, RasterState, Rect, Rim, SampleRule, ShaderModule, Topology,
-    VertexBinding, Viewport,
+    Buffer, ColorState, Command, Cull, DepthState, FrontFace, IndexType, Indices, OutputState,
+    PassDesc, Pipeline, PipelineDesc, Provoking, RasterState, Rect, Rim, SampleRule, ShaderModule,
+    Topology, VertexBinding, Viewport,
 };
 use std::sync::Arc;
 
@@ -48,9 +48,8 @@ impl Elements {
                 let size = indices.ty.size();
                 let start = indices.offset.saturating_add(at as usize * size);
                 let bytes = indices.buffer.bytes().get(start..start.saturating_add(size));
-                let number = bytes.unwrap_or_default().iter().rev();
-                let number = number.fold(0, |number: u32, &byte| number << 8 | u32::from(byte));
-                number.wrapping_add_signed(indices.base_vertex)
+                let index = IndexType::index(bytes.unwrap_or_default());
+                index.wrapping_add_signed(indices.base_vertex)
             }
         }
     }

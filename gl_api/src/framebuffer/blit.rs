@@ -16,7 +16,7 @@ use crate::texture::texel;
 use crate::types::*;
 use rasterizer::driver::{Attachment, Rect, SrgbWrite};
 use texunit::format::{Format, convert};
-use texunit::image::{Level, Shape};
+use texunit::image::Level;
 use texunit::sampler::Filter;
 
 const SECTION: &str = "ARB_framebuffer_object, section 4.3.3";
@@ -204,18 +204,8 @@ fn edit_samples(attachment: &Attachment, change: impl Fn(&mut Level, usize, usiz
 }
 
 fn edit_slice(attachment: &Attachment, change: impl FnOnce(&mut Level, usize)) {
-    let face = usize::from(attachment.face);
     attachment.image.update(|texels| {
-        let (face, slice) = match texels.shape() {
-            Shape::Cube => (face, 0),
-            Shape::D1
-            | Shape::D2
-            | Shape::D3
-            | Shape::Rect
-            | Shape::D1Array
-            | Shape::D2Array
-            | Shape::CubeArray => (0, face),
-        };
+        let (face, slice) = attachment.place(texels.shape());
         if let Some(level) = texels.level_mut(face, attachment.level.into()) {
             let first = level.origin() + slice * level.slice_bytes();
             change(level, first);

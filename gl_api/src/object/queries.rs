@@ -86,11 +86,6 @@ impl ActiveQueries {
             QueryTarget::TransformFeedbackPrimitivesWritten => &mut self.names[WRITTEN],
         }
     }
-
-    /// Whether a query counts primitives.
-    pub fn counts_primitives(&self) -> bool {
-        self.names[GENERATED] != 0 || self.names[WRITTEN] != 0
-    }
 }
 
 /// Where the queries of primitives are among the active ones.

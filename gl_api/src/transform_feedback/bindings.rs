@@ -1,9 +1,10 @@
 //! The buffers that transform feedback fills: `glBindBufferRange`, `glBindBufferBase`.
 
+use super::calls::not_while_active;
 use super::{BufferRange, SECTION};
 use crate::constants::*;
 use crate::context::Context;
-use crate::error::{Result, Table, invalid_operation, invalid_value};
+use crate::error::{Result, Table, invalid_value};
 use crate::object::buffers::{self, BufferTarget};
 use crate::types::*;
 
@@ -35,12 +36,7 @@ fn bind(context: &mut Context, target: GLenum, index: GLuint, range: BufferRange
             ),
         );
     }
-    if context.transform_feedback.is_active() {
-        return invalid_operation(
-            SECTION,
-            "transform feedback is active: call glEndTransformFeedback first",
-        );
-    }
+    not_while_active(context)?;
     buffers::bind_buffer(context, target, range.name)?;
     context.transform_feedback.buffers[index as usize] = range;
     Ok(())

@@ -62,7 +62,7 @@ pub(crate) fn not_while_active(context: &Context) -> Result<()> {
     if context.transform_feedback.is_active() {
         return invalid_operation(
             SECTION,
-            "the program in use captures vertices: call glEndTransformFeedback first",
+            "transform feedback is active: call glEndTransformFeedback first",
         );
     }
     Ok(())

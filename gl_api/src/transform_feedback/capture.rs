@@ -21,14 +21,11 @@ pub(crate) fn draw(
     vertices: &[VertexBinding],
     elements: &Elements,
 ) -> Result<()> {
-    let counts = context.queries.counts_primitives();
-    let Some(active) = context.transform_feedback.active else {
-        if counts {
-            let (count, instances) = elements.counts();
-            let made = u64::from(primitives(topology, Provoking::Last, count).len);
-            let made = made * u64::from(instances);
-            context.count_primitives(made, 0);
-        }
+    let (count, instances) = elements.counts();
+    let all = primitives(topology, Provoking::Last, count);
+    let made = u64::from(all.len) * u64::from(instances);
+    let Some(mut active) = context.transform_feedback.active else {
+        context.count_primitives(made, 0);
         return Ok(());
     };
     if Kind::of(topology) != active.kind {
@@ -39,9 +36,6 @@ pub(crate) fn draw(
     }
     let Some(layout) = Layout::of(context) else { return Ok(()) };
     layout.check(context)?;
-    let (count, instances) = elements.counts();
-    let all = primitives(topology, Provoking::Last, count);
-    let mut active = active;
     let mut written = 0;
     'full: for instance in 0..instances {
         for first in (0..all.len).step_by(CHUNK) {
@@ -65,7 +59,7 @@ pub(crate) fn draw(
         }
     }
     context.transform_feedback.active = Some(active);
-    context.count_primitives(u64::from(all.len) * u64::from(instances), written);
+    context.count_primitives(made, written);
     Ok(())
 }
 

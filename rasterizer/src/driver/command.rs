@@ -111,6 +111,11 @@ impl IndexType {
             Self::U32 => 4,
         }
     }
+
+    /// The index that these bytes are, the lowest first; 0 where there are none.
+    pub fn index(bytes: &[u8]) -> u32 {
+        bytes.iter().rev().fold(0, |index, &byte| index << 8 | u32::from(byte))
+    }
 }
 
 /// The indices of a draw. What lies past the buffer's end reads as index 0.

@@ -83,20 +83,25 @@ pub(crate) struct AttachmentInfo {
     pub samples: u8,
 }
 
+/// Which face of an image of a shape an attachment's number names, and which slice.
+fn face_and_slice(shape: Shape, number: u16) -> (usize, usize) {
+    match shape {
+        Shape::Cube => (number.into(), 0),
+        Shape::D1
+        | Shape::D2
+        | Shape::D3
+        | Shape::Rect
+        | Shape::D1Array
+        | Shape::D2Array
+        | Shape::CubeArray => (0, number.into()),
+    }
+}
+
 impl State {
     /// Which slice of which face an attachment names.
     fn place(&self, face: u16, level: u8) -> Subresource {
-        let (face, level) = (usize::from(face), usize::from(level));
-        match self.texels.shape() {
-            Shape::Cube => Subresource { face, slice: 0, level },
-            Shape::D1
-            | Shape::D2
-            | Shape::D3
-            | Shape::Rect
-            | Shape::D1Array
-            | Shape::D2Array
-            | Shape::CubeArray => Subresource { face: 0, slice: face, level },
-        }
+        let (face, slice) = face_and_slice(self.texels.shape(), face);
+        Subresource { face, slice, level: level.into() }
     }
 
     /// The slices of the level where its samples are.
@@ -328,6 +333,13 @@ pub struct Attachment {
     pub face: u16,
     /// Which level; it must exist.
     pub level: u8,
+}
+
+impl Attachment {
+    /// Which face it names, if its image is of this shape, and which slice.
+    pub fn place(&self, shape: Shape) -> (usize, usize) {
+        face_and_slice(shape, self.face)
+    }
 }
 
 /// What a pass draws to. All attachments are at least `width` × `height` and have the same number
