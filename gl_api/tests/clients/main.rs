@@ -1,10 +1,11 @@
 //! Programs that know nothing of DetGL, run by `detgl run`: C with the system's headers, PyOpenGL,
-//! MuJoCo. Where a client is not installed, its test says so and passes.
+//! MuJoCo, frameworks of Python's. Where a client is not installed, its test says so and passes.
 //!
 //! `DETGL_PYTHON` names the Python to use, `python3` if it is not set.
 
 mod c;
 mod demon;
+mod frameworks;
 mod picture;
 mod python;
 

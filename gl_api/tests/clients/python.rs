@@ -5,10 +5,10 @@ use super::{demon, detgl, folder, python_program, run, skip, source};
 use std::path::Path;
 use std::process::Command;
 
-/// Whether Python has a module; says so if not.
-fn has(test: &str, module: &str) -> bool {
+/// Whether Python has some modules; says so if not.
+pub fn has(test: &str, modules: &str) -> bool {
     let mut command = Command::new(python_program());
-    match run(command.arg("-c").arg(format!("import {module}"))) {
+    match run(command.arg("-c").arg(format!("import {modules}"))) {
         Ok(_) => true,
         Err(said) => {
             skip(test, &said);
