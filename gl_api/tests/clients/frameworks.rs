@@ -1,17 +1,15 @@
-//! What Python programs draw with: vispy, Panda3D, pyglet, Kivy, pygame, ModernGL. Each draws a picture
+//! What programs draw with: vispy, Panda3D, pyglet, Kivy, pygame, ModernGL, LÖVE. Each draws a picture
 //! with what is its own, on DetGL and on Mesa's llvmpipe, and the two are compared.
 
 use super::picture::Picture;
 use super::python::has;
 use super::{detgl, folder, python_program, run, skip, source};
+use std::ffi::OsString;
 use std::path::Path;
 use std::process::Command;
 
-/// A script of `frameworks/` and how far its picture may be from Mesa's.
-struct Client {
-    script: &'static str,
-    /// What must be installed, as Python imports it.
-    modules: &'static str,
+/// What must be true of a picture, and how far it may be from Mesa's.
+struct Limits {
     /// Colours there must be at least: not every picture with the right background is one.
     colors: usize,
     /// The mean difference of a component, in 255ths.
@@ -20,100 +18,88 @@ struct Client {
     visible: f64,
 }
 
-/// Runs the script by whatever `command` ends with.
-fn draw(command: &mut Command, script: &str, out: &Path) -> Result<Picture, String> {
-    command.arg(source("frameworks").join(script)).arg(out);
-    command.env("PYTHONDONTWRITEBYTECODE", "1");
-    run(command)?;
+/// Runs a program, which is told where to write its picture.
+fn draw(command: &mut Command, out: &Path) -> Result<Picture, String> {
+    // Without a window and without sound, whatever it would like to have.
+    command.envs([("SDL_VIDEODRIVER", "offscreen"), ("SDL_AUDIODRIVER", "dummy")]);
+    run(command.arg(out).env("PYTHONDONTWRITEBYTECODE", "1"))?;
     Ok(Picture::read(out))
 }
 
-fn looks_as_on_mesa(client: &Client) {
-    let Client { script, modules, colors, mean, visible } = *client;
-    if !has(script, modules) {
-        return;
-    }
-    let folder = folder(script);
+/// `program` with its arguments, as it is run on any driver.
+fn looks_as_on_mesa(test: &str, program: &[OsString], limits: &Limits) {
+    let folder = folder(test);
     let mut command = detgl();
-    command.args(["run", "--glu", "--"]).arg(python_program());
-    let ours = draw(&mut command, script, &folder.join("detgl.ppm"));
+    command.args(["run", "--glu", "--"]).args(program);
+    let ours = draw(&mut command, &folder.join("detgl.ppm"));
     let ours = ours.unwrap_or_else(|said| panic!("{said}"));
-    assert!(ours.colors() >= colors, "{} colours", ours.colors());
-    let mut command = Command::new(python_program());
+    assert!(ours.colors() >= limits.colors, "{} colours", ours.colors());
+    let mut command = Command::new(&program[0]);
+    command.args(&program[1..]).env("PYOPENGL_PLATFORM", "egl");
     command.env("EGL_PLATFORM", "surfaceless").env("LIBGL_ALWAYS_SOFTWARE", "1");
-    match draw(command.env("PYOPENGL_PLATFORM", "egl"), script, &folder.join("mesa.ppm")) {
+    match draw(&mut command, &folder.join("mesa.ppm")) {
         Ok(theirs) => {
             let distance = ours.distance(&theirs);
-            assert!(distance.mean < mean && distance.visible < visible, "{distance:?}");
+            let is_near = distance.mean < limits.mean && distance.visible < limits.visible;
+            assert!(is_near, "{distance:?}");
         }
-        Err(said) => skip(&format!("{script}: comparison with Mesa"), &said),
+        Err(said) => skip(&format!("{test}: comparison with Mesa"), &said),
+    }
+}
+
+/// A script of `frameworks/`, which needs some modules, as Python imports them.
+fn script_looks_as_on_mesa(script: &str, modules: &str, limits: &Limits) {
+    if has(script, modules) {
+        let program = [python_program(), source("frameworks").join(script).into()];
+        looks_as_on_mesa(script, &program, limits);
     }
 }
 
 #[test]
 fn vispy() {
-    looks_as_on_mesa(&Client {
-        script: "vispy_scenes.py",
-        modules: "vispy, OpenGL",
-        colors: 1000,
-        mean: 0.1,
-        visible: 0.001,
-    });
+    let limits = Limits { colors: 1000, mean: 0.1, visible: 0.001 };
+    script_looks_as_on_mesa("vispy_scenes.py", "vispy, OpenGL", &limits);
 }
 
 #[test]
 fn panda3d() {
-    // Fog far away differs: llvmpipe's is that of vertices.
-    looks_as_on_mesa(&Client {
-        script: "panda3d_scene.py",
-        modules: "panda3d.core",
-        colors: 10_000,
-        mean: 1.0,
-        visible: 0.002,
-    });
+    // llvmpipe's fog is that of vertices, ours that of fragments.
+    let limits = Limits { colors: 10_000, mean: 1.0, visible: 0.002 };
+    script_looks_as_on_mesa("panda3d_scene.py", "panda3d.core", &limits);
 }
 
 #[test]
 fn pyglet() {
     // Mesa gives it a configuration of 16 bits.
-    looks_as_on_mesa(&Client {
-        script: "pyglet_batch.py",
-        modules: "pyglet; assert pyglet.version < '2'",
-        colors: 100,
-        mean: 3.0,
-        visible: 0.001,
-    });
+    let limits = Limits { colors: 100, mean: 3.0, visible: 0.001 };
+    let modules = "pyglet; assert pyglet.version < '2', 'pyglet 1.5 is the last for OpenGL 2'";
+    script_looks_as_on_mesa("pyglet_batch.py", modules, &limits);
 }
 
 #[test]
 fn kivy() {
-    looks_as_on_mesa(&Client {
-        script: "kivy_window.py",
-        modules: "kivy",
-        colors: 100,
-        mean: 0.3,
-        visible: 0.005,
-    });
+    let limits = Limits { colors: 100, mean: 0.3, visible: 0.005 };
+    script_looks_as_on_mesa("kivy_window.py", "kivy", &limits);
 }
 
 #[test]
 fn pygame() {
-    looks_as_on_mesa(&Client {
-        script: "pygame_sphere.py",
-        modules: "pygame, OpenGL",
-        colors: 100,
-        mean: 0.5,
-        visible: 0.001,
-    });
+    let limits = Limits { colors: 100, mean: 0.5, visible: 0.001 };
+    script_looks_as_on_mesa("pygame_sphere.py", "pygame, OpenGL", &limits);
 }
 
 #[test]
 fn moderngl() {
-    looks_as_on_mesa(&Client {
-        script: "moderngl_particles.py",
-        modules: "moderngl, glcontext",
-        colors: 100,
-        mean: 0.1,
-        visible: 0.001,
-    });
+    let limits = Limits { colors: 100, mean: 0.1, visible: 0.001 };
+    script_looks_as_on_mesa("moderngl_particles.py", "moderngl, glcontext", &limits);
+}
+
+#[test]
+fn love() {
+    if let Err(said) = run(Command::new("love").arg("--version")) {
+        return skip("love", &said);
+    }
+    let limits = Limits { colors: 1000, mean: 0.5, visible: 0.001 };
+    let program = ["love".into(), source("love").into()];
+    looks_as_on_mesa("love", &program, &limits);
 }

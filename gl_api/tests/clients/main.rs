@@ -1,5 +1,5 @@
 //! Programs that know nothing of DetGL, run by `detgl run`: C with the system's headers, PyOpenGL,
-//! MuJoCo, frameworks of Python's. Where a client is not installed, its test says so and passes.
+//! MuJoCo, what others draw with. Where a client is not installed, its test says so and passes.
 //!
 //! `DETGL_PYTHON` names the Python to use, `python3` if it is not set.
 

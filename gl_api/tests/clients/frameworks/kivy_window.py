@@ -1,11 +1,11 @@
-"""Kivy in a window of SDL's that is nowhere: a button, a slider, a turned square. Writes the picture as
+"""Kivy in a window of SDL's: a button, a slider, a turned square. Writes the picture as
 PPM: kivy_window.py OUT."""
 
 import os
 import sys
 
 OUT = sys.argv[1]
-os.environ.update(SDL_VIDEODRIVER="offscreen", KIVY_NO_ARGS="1", KIVY_GL_BACKEND="sdl2",
+os.environ.update(KIVY_NO_ARGS="1", KIVY_GL_BACKEND="sdl2",
                   KIVY_NO_CONFIG="1", KIVY_NO_FILELOG="1")
 
 import ppm  # noqa: E402

@@ -1,7 +1,6 @@
-"""A lit sphere of GLU's in a window of pygame's that is nowhere. Writes the picture as PPM:
+"""A lit sphere of GLU's in a window of pygame's. Writes the picture as PPM:
 pygame_sphere.py OUT."""
 
-import os
 import sys
 
 import ppm
@@ -10,7 +9,6 @@ SIZE = (320, 240)
 
 
 def main(out):
-    os.environ.update(SDL_VIDEODRIVER="offscreen", SDL_AUDIODRIVER="dummy")
     import pygame
     from OpenGL import GL as gl
     from OpenGL import GLU as glu
