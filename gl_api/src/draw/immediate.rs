@@ -10,7 +10,7 @@ use crate::context::Context;
 use crate::error::{Result, invalid_operation};
 use crate::interface::{ATTRIB_TEX_COORD, ATTRIB_VERTEX};
 use crate::object::textures::texture_unit;
-use crate::state::material::MATERIAL_COLUMNS;
+use crate::state::material::{MATERIAL_COLUMNS, Materials};
 use crate::state::{LOCATIONS, State};
 use crate::types::*;
 use rasterizer::driver::{Buffer, Topology, VertexBinding, VertexFormat, VertexSource, VertexType};
@@ -32,6 +32,8 @@ pub(crate) struct Immediate {
     columns: Vec<Vec<[f32; 4]>>,
     /// The locations whose columns are in use.
     used: Vec<usize>,
+    /// What the materials were before the first `glMaterial` since `glBegin`.
+    materials: Option<Box<Materials>>,
 }
 
 /// What an attribute call sets.
@@ -66,6 +68,7 @@ impl Immediate {
             positions: Vec::new(),
             columns: vec![Vec::new(); COLUMNS],
             used: Vec::new(),
+            materials: None,
         }
     }
 }
@@ -106,9 +109,20 @@ fn finish(context: &mut Context) -> Result<()> {
     }
     context.recorder.hold(bytes.len());
     let buffer = Buffer::new(bytes);
-    draw_columns(context, immediate.topology, &buffer, count, |location| {
+    // A program reads the materials that were current before: a change is sure to have an effect on
+    // what comes after `glEnd` only (section 2.14.2), and everywhere it is left at that.
+    let mut materials = immediate.materials;
+    let mut exchange = |context: &mut Context| {
+        if let Some(others) = &mut materials {
+            std::mem::swap(&mut context.state.materials, others);
+        }
+    };
+    exchange(context);
+    let result = draw_columns(context, immediate.topology, &buffer, count, |location| {
         immediate.used.iter().position(|used| *used == location)
-    })
+    });
+    exchange(context);
+    result
 }
 
 /// Draws `count` vertices of a buffer of columns: positions, then a column for each attribute that
@@ -187,6 +201,9 @@ pub(crate) fn attribute(context: &mut Context, slot: Slot, value: [f32; 4]) -> R
             let before = current(&context.state, location);
             column.resize(immediate.positions.len(), before);
             immediate.used.push(location);
+            if location >= LOCATIONS && immediate.materials.is_none() {
+                immediate.materials = Some(Box::new(context.state.materials.clone()));
+            }
         }
     }
     set_current(context, location, value);

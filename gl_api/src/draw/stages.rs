@@ -8,16 +8,15 @@ use crate::context::Context;
 use crate::error::{ErrorCode, GlError, Result, invalid_operation};
 use crate::explain::DrawNote;
 use crate::fixed::{
-    FragmentKey, FromVertex, add_alpha_test, add_clip_planes, add_coverage, add_two_sides, cached,
-    clamp_fragment_colors, read_from_vertices, set_shade_model, word,
+    FragmentKey, add_alpha_test, add_clip_planes, add_coverage, add_two_sides, cached,
+    clamp_fragment_colors, set_shade_model, word,
 };
 use crate::framebuffer::complete::draws_integers;
 use crate::glsl::{ComparisonResult, SamplerSlot};
-use crate::interface::{ATTRIB_MATERIAL, MAX_COMBINED_TEXTURE_IMAGE_UNITS, StateBinding, StateVar};
+use crate::interface::MAX_COMBINED_TEXTURE_IMAGE_UNITS;
 use crate::program::validate::runnable;
 use crate::state::clamp::{self, Clamp};
 use crate::state::enable::Flag;
-use crate::state::material::{Part, column};
 use crate::state::viewport;
 use crate::texture::TextureTarget;
 use rasterizer::driver::{Rim, ShaderModule, VertexBinding};
@@ -63,8 +62,6 @@ pub(super) struct VertexVariantKey {
     planes: u8,
     /// The first word of the fixed function.
     base: u32,
-    /// What of the materials each vertex has for itself.
-    materials: Vec<FromVertex>,
 }
 
 /// Whether the back of a polygon has colours of its own (GL 2.1, section 2.15.4).
@@ -169,10 +166,7 @@ pub(crate) fn choose(
             if !clips_itself(&module) {
                 clip_planes = context.state.clip.enabled;
             }
-            let bindings = context.objects.linked_program(name).map(|linked| &linked.program.state);
-            let materials = own_materials(vertices, bindings.map_or(&[], Vec::as_slice));
-            let key = VertexVariantKey { module, planes: clip_planes, base, materials };
-            program_vertex(context, key)?
+            program_vertex(context, VertexVariantKey { module, planes: clip_planes, base })?
         }
         None => {
             let key = vertex_key.insert(keys::vertex_key(context, vertices, base));
@@ -196,38 +190,14 @@ fn clips_itself(module: &ShaderModule) -> bool {
     outputs.any(|(output, _)| matches!(output, Output::ClipDistance(_)))
 }
 
-/// The words of `gl_FrontMaterial` and `gl_BackMaterial` that each vertex has for itself, as
-/// `glMaterial` changed them between `glBegin` and `glEnd`. Products with lights keep the last ones.
-fn own_materials(vertices: &[VertexBinding], bindings: &[StateBinding]) -> Vec<FromVertex> {
-    // Columns of materials come behind all others.
-    if vertices.last().is_none_or(|binding| binding.location < ATTRIB_MATERIAL) {
-        return Vec::new();
-    }
-    let mut own = Vec::new();
-    for binding in bindings {
-        let StateVar::Material(side) = binding.var else { continue };
-        for (part, place, count) in Part::WORDS {
-            let location = column(side, part);
-            if vertices.iter().any(|vertex| vertex.location == location) {
-                own.push(FromVertex { word: binding.word + place, count, location });
-            }
-        }
-    }
-    own
-}
-
 /// A program's vertex stage with the state built in where it matters.
 fn program_vertex(context: &mut Context, key: VertexVariantKey) -> Result<ShaderModule> {
-    if key.planes == 0 && key.materials.is_empty() {
+    if key.planes == 0 {
         return Ok(key.module);
     }
     cached(&mut context.recorder.vertex_variants, &key, |key| {
-        let mut module = key.module.module().clone();
-        read_from_vertices(&mut module, &key.materials);
-        match key.planes {
-            0 => module,
-            planes => add_clip_planes(module, planes, key.base + word::CLIP_PLANES),
-        }
+        let module = key.module.module().clone();
+        add_clip_planes(module, key.planes, key.base + word::CLIP_PLANES)
     })
     .map_err(|error| internal(&error))
 }

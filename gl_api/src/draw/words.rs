@@ -40,9 +40,11 @@ fn colors<const N: usize>(colors: [[f32; 4]; N]) -> impl Iterator<Item = f64> {
     colors.into_iter().flatten().map(f64::from)
 }
 
-/// The product of two colours.
-fn product(left: [f32; 4], right: [f32; 4]) -> [f32; 4] {
-    std::array::from_fn(|i| (f64::from(left[i]) * f64::from(right[i])) as f32)
+/// The product of a light's colour and a material's. Alpha is the material's, as in what lighting
+/// produces (GL 2.1, section 2.14.1): shaders that add products up rely on it.
+fn product(light: [f32; 4], material: [f32; 4]) -> [f32; 4] {
+    let color = |i: usize| (f64::from(light[i]) * f64::from(material[i])) as f32;
+    [color(0), color(1), color(2), material[3]]
 }
 
 /// The emission and the product of the ambient colours; alpha is the material's.
@@ -59,7 +61,8 @@ fn light(words: &mut [u32], first: u32, light: &Light) {
     let [constant, linear, quadratic] = light.attenuation.map(f64::from);
     put(words, first, colors([light.ambient, light.diffuse, light.specular]));
     put(words, first + 12, light.position.to_array());
-    put(words, first + 16, light.derived.half.extend(0.0).to_array());
+    // No specification says what its w is; with 1 it is what other drivers have.
+    put(words, first + 16, light.derived.half.extend(1.0).to_array());
     put(words, first + 20, direction);
     put(
         words,

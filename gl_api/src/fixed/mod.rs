@@ -21,9 +21,7 @@ pub(crate) use environment::{Environment, environment_base};
 pub(crate) use fog::{FogKey, constants as fog_constants};
 pub(crate) use fragment::{Coordinates, FragmentKey, UnitKey, add_alpha_test, set_shade_model};
 pub(crate) use light::{LightKey, LightingKey, Place, Spot, Varying};
-pub(crate) use rewrite::{
-    FromVertex, add_clip_planes, add_coverage, add_two_sides, read_from_vertices,
-};
+pub(crate) use rewrite::{add_clip_planes, add_coverage, add_two_sides};
 pub(crate) use vertex::{Generated, Normals, PointSize, VertexKey};
 
 use rasterizer::driver::ShaderModule;

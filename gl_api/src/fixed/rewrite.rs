@@ -59,30 +59,6 @@ pub(crate) fn add_two_sides(module: &mut Module) {
     module.body.splice(0..0, evaluated);
 }
 
-/// Uniform words that each vertex has for itself: components of an attribute, from its first on.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(crate) struct FromVertex {
-    /// The first of them.
-    pub word: u32,
-    pub count: u8,
-    pub location: u8,
-}
-
-/// Lets a vertex stage read attributes instead of uniform words.
-pub(crate) fn read_from_vertices(module: &mut Module, own: &[FromVertex]) {
-    for value in &mut module.values {
-        let Expr::Uniform { word, .. } = *value else { continue };
-        for from in own {
-            if let Some(component) =
-                word.checked_sub(from.word).filter(|at| *at < from.count.into())
-            {
-                let (location, component) = (from.location, component as u8);
-                *value = Expr::Input(Input::Attribute { location, component });
-            }
-        }
-    }
-}
-
 /// Lets user clip planes cut by the position that a program's vertex stage writes (GLSL 1.30,
 /// section 7.1). `planes` has a bit for each that is enabled; those of plane 0 are the words from
 /// `first` on.

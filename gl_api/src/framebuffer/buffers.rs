@@ -185,7 +185,7 @@ pub(crate) fn state_value(context: &Context, pname: GLenum) -> Option<Answer> {
 }
 
 /// The format of the first buffer that is drawn to, or of depth or stencil.
-fn drawn_format(context: &Context, component: Component) -> Option<Format> {
+pub(crate) fn drawn_format(context: &Context, component: Component) -> Option<Format> {
     let Some(object) = context.objects.framebuffers.get(context.state.bindings.draw_framebuffer)
     else {
         let window = &context.window;

@@ -98,7 +98,10 @@ fn storage_format(internal: GLenum) -> Result<Format> {
         Some(format) => format,
         None => INTERNAL_FORMAT.decode("internalformat", internal)?,
     };
-    if is_generic_compressed(internal) || !is_renderable(format) {
+    // Its base format is that of colours which are drawn to, so it has storage (GL 3.0, section
+    // 4.4.4); that nothing can be drawn to it is the framebuffer's to say.
+    let is_stored = is_renderable(format) || format == Format::Rgb9E5;
+    if is_generic_compressed(internal) || !is_stored {
         return invalid_enum(
             SECTION,
             format!(

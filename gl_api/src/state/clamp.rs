@@ -7,8 +7,10 @@ use super::viewport::unit;
 use crate::constants::*;
 use crate::context::Context;
 use crate::error::{Result, Table, invalid_enum};
+use crate::framebuffer::buffers::drawn_format;
 use crate::framebuffer::complete::drawn_formats;
 use crate::query::table::{Value, flag, symbol};
+use crate::texture::internal::Component;
 use crate::types::*;
 use texunit::format::{BaseFormat, Encoding, Format};
 
@@ -174,7 +176,7 @@ pub(crate) fn state_value(context: &Context, pname: GLenum) -> Option<Result<Val
             flag(drawn_formats(context).any(is_float))
         }
         GL_RGBA_SIGNED_COMPONENTS_EXT => {
-            let format = drawn_formats(context).next();
+            let format = drawn_format(context, Component::Red);
             Ok(Value::Bools(format.map_or([false; 4], signed_components).to_vec()))
         }
         _ => match TARGET.get(pname)? {

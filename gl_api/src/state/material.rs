@@ -50,15 +50,6 @@ pub(crate) enum Part {
 impl Part {
     const ALL: [Self; 5] =
         [Self::Emission, Self::Ambient, Self::Diffuse, Self::Specular, Self::Shininess];
-
-    /// Where each is among the words of [`crate::interface::StateVar::Material`], and how many it has.
-    pub const WORDS: [(Self, u32, u8); 5] = [
-        (Self::Emission, 0, 4),
-        (Self::Ambient, 4, 4),
-        (Self::Diffuse, 8, 4),
-        (Self::Specular, 12, 4),
-        (Self::Shininess, 16, 1),
-    ];
 }
 
 /// How many columns of materials there are.

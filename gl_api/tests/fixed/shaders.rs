@@ -13,7 +13,7 @@ const VALUES: &[(&str, [f64; 4])] = &[
     ("gl_LightSource[2].specular", [0.9, 0.8, 0.7, 0.6]),
     ("gl_LightSource[2].position / 8.0", [0.125, 0.25, 0.375, 0.125]),
     // (1, 2, 3) of length one, plus (0, 0, 1), of length one.
-    ("gl_LightSource[2].halfVector", [0.140_789_3, 0.281_578_6, 0.949_153_2, 0.0]),
+    ("gl_LightSource[2].halfVector", [0.140_789_3, 0.281_578_6, 0.949_153_2, 1.0]),
     ("vec4(-gl_LightSource[2].spotDirection / 4.0, 1.0)", [0.0, 0.0, 0.5, 1.0]),
     (
         "vec4(gl_LightSource[2].spotExponent / 128.0, gl_LightSource[2].spotCutoff / 180.0,
@@ -36,9 +36,9 @@ const VALUES: &[(&str, [f64; 4])] = &[
         [0.25, 0.5, 0.0, 0.0],
     ),
     ("gl_FrontLightModelProduct.sceneColor", [0.1, 0.25, 0.5, 0.2]),
-    ("gl_FrontLightProduct[2].ambient", [0.02, 0.08, 0.18, 0.32]),
-    ("gl_FrontLightProduct[2].diffuse", [0.4, 0.36, 0.28, 0.16]),
-    ("gl_BackLightProduct[2].specular", [0.27, 0.24, 0.21, 0.6]),
+    ("gl_FrontLightProduct[2].ambient", [0.02, 0.08, 0.18, 0.8]),
+    ("gl_FrontLightProduct[2].diffuse", [0.4, 0.36, 0.28, 0.2]),
+    ("gl_BackLightProduct[2].specular", [0.27, 0.24, 0.21, 1.0]),
     ("gl_Fog.color", [0.1, 0.3, 0.5, 0.7]),
     (
         "vec4(gl_Fog.density, gl_Fog.start / 8.0, gl_Fog.end / 8.0, gl_Fog.scale)",

@@ -328,6 +328,30 @@ fn signed_components_are_asked_for() {
         fine(&mut c);
         assert_eq!(signed, want, "{}", enum_name(internal));
     }
+    // It is about the first draw buffer, which has nothing here.
+    let mut c = context(4, 4);
+    framebuffer(&mut c);
+    c.draw_buffers(2, &[GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1]);
+    renderbuffer(&mut c, GL_COLOR_ATTACHMENT1, GL_RGBA16F, 4, 4);
+    let mut signed = [9; 4];
+    c.get_integerv(GL_RGBA_SIGNED_COMPONENTS_EXT, &mut signed);
+    fine(&mut c);
+    assert_eq!(signed, [0; 4]);
+}
+
+/// What has the base format of colours has storage; whether anything is drawn to it, completeness
+/// says.
+#[test]
+fn shared_exponents_have_storage_and_nothing_is_drawn_to_them() {
+    let mut c = context(4, 4);
+    framebuffer(&mut c);
+    renderbuffer(&mut c, GL_COLOR_ATTACHMENT0, GL_RGB9_E5, 4, 4);
+    fine(&mut c);
+    let mut bits = [0];
+    c.get_renderbuffer_parameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_GREEN_SIZE, &mut bits);
+    assert_eq!(bits, [9]);
+    let status = c.check_framebuffer_status(GL_FRAMEBUFFER);
+    assert_eq!(status, GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT);
 }
 
 #[test]

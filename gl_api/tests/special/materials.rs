@@ -97,24 +97,35 @@ fn lists_do_the_same_and_inherit_what_they_do_not_set() {
     assert_eq!(value[..3], [3.0, 4.0, 5.0]);
 }
 
+/// GL 2.1, section 2.14.2: with a vertex shader, a change is sure to be seen after `glEnd` only.
 #[test]
-fn programs_read_the_materials_of_each_vertex() {
+fn programs_read_the_materials_from_before_the_primitive() {
     let mut c = lit();
     let vertex = "void main() {
         gl_Position = gl_Vertex;
         gl_FrontColor = gl_FrontMaterial.ambient + gl_FrontMaterial.emission; }";
     use_program(&mut c, vertex, "");
     for part in [GL_AMBIENT, GL_EMISSION] {
-        c.materialfv(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE, &[0.0, 0.0, 0.0, 1.0]);
-        c.materialfv(GL_FRONT_AND_BACK, GL_EMISSION, &[0.0, 0.0, 0.0, 1.0]);
-        strip(&mut c, part, &RED, &BLUE);
-        mixed(&mut c);
+        for in_a_list in [false, true] {
+            let other = if part == GL_AMBIENT { GL_EMISSION } else { GL_AMBIENT };
+            c.materialfv(GL_FRONT, other, &[0.0, 0.0, 0.0, 1.0]);
+            c.materialfv(GL_FRONT, part, &[0.0, 1.0, 0.0, 1.0]);
+            if in_a_list {
+                c.new_list(7, GL_COMPILE_AND_EXECUTE);
+            }
+            strip(&mut c, part, &RED, &BLUE);
+            if in_a_list {
+                c.end_list();
+            }
+            assert_eq!(pixel(&mut c, 0, 0), [0, 255, 0, 255]);
+            // The next primitive has what came last.
+            c.rectf(-1.0, -1.0, 1.0, 1.0);
+            assert_eq!(pixel(&mut c, 1, 0), [0, 0, 255, 255]);
+            let mut value = [0.0; 4];
+            c.get_materialfv(GL_FRONT, part, &mut value);
+            assert_eq!(value, BLUE);
+        }
     }
-    // Without a change between the vertices, the material is the state's.
-    c.materialfv(GL_FRONT, GL_AMBIENT, &[0.0, 1.0, 0.0, 1.0]);
-    c.materialfv(GL_FRONT, GL_EMISSION, &[0.0; 4]);
-    c.rectf(-1.0, -1.0, 1.0, 1.0);
-    assert_eq!(pixel(&mut c, 1, 0), [0, 255, 0, 255]);
     fine(&mut c);
 }
 
