@@ -234,7 +234,8 @@ fn pipeline_desc(
     // A logical operation switches blending off, also where it does nothing itself (section 4.1.10).
     let logic_op = enables.has(Flag::ColorLogicOp).then_some(state.logic_op);
     let colors = state.buffers.iter().take(pass.colors.len()).map(|buffer| ColorState {
-        blend: (buffer.blend && logic_op.is_none()).then_some(state.blend),
+        blend: (buffer.blend && logic_op.is_none())
+            .then(|| buffer.formula.to_driver(state.blend_color)),
         mask: buffer.mask,
     });
     let two_side = enables.has(Flag::StencilTestTwoSide);

@@ -1,7 +1,7 @@
 //! Per-fragment operations: GL 2.1, chapter 4.
 
 use crate::framebuffer::{accumulate, clear};
-use crate::state::{clamp, fragment, index, masks, stencil};
+use crate::state::{blend, clamp, fragment, index, masks, stencil};
 use crate::types::*;
 
 entry_points! {
@@ -9,19 +9,6 @@ entry_points! {
     Outside in fragment {
         /// Sets the alpha test.
         alpha_func: glAlphaFunc (func: GLenum, reference: GLclampf);
-        /// Sets the factors of both blend equations.
-        blend_func: glBlendFunc (sfactor: GLenum, dfactor: GLenum);
-        /// Sets the factors of the blend equations of colour and alpha.
-        blend_func_separate: glBlendFuncSeparate | glBlendFuncSeparateEXT
-            (src_rgb: GLenum, dst_rgb: GLenum, src_alpha: GLenum, dst_alpha: GLenum);
-        /// Sets both blend equations.
-        blend_equation: glBlendEquation | glBlendEquationEXT (mode: GLenum);
-        /// Sets the blend equations of colour and alpha.
-        blend_equation_separate: glBlendEquationSeparate | glBlendEquationSeparateEXT
-            (mode_rgb: GLenum, mode_alpha: GLenum);
-        /// Sets the constant colour of blending.
-        blend_color: glBlendColor | glBlendColorEXT
-            (red: GLclampf, green: GLclampf, blue: GLclampf, alpha: GLclampf);
         /// Sets the depth test.
         depth_func: glDepthFunc (func: GLenum);
         /// Sets whether depth is written.
@@ -43,6 +30,35 @@ entry_points! {
         clear_depthf: glClearDepthf (depth: GLclampf);
         /// Sets the stencil value that `glClear` writes.
         clear_stencil: glClearStencil (s: GLint);
+    }
+    Outside in blend {
+        /// Sets the factors of both blend equations.
+        blend_func: glBlendFunc (sfactor: GLenum, dfactor: GLenum);
+        /// Sets the factors of the blend equations of colour and alpha.
+        blend_func_separate: glBlendFuncSeparate | glBlendFuncSeparateEXT
+            (src_rgb: GLenum, dst_rgb: GLenum, src_alpha: GLenum, dst_alpha: GLenum);
+        /// Sets both blend equations.
+        blend_equation: glBlendEquation | glBlendEquationEXT (mode: GLenum);
+        /// Sets the blend equations of colour and alpha.
+        blend_equation_separate: glBlendEquationSeparate | glBlendEquationSeparateEXT
+            (mode_rgb: GLenum, mode_alpha: GLenum);
+        /// Sets the constant colour of blending.
+        blend_color: glBlendColor | glBlendColorEXT
+            (red: GLclampf, green: GLclampf, blue: GLclampf, alpha: GLclampf);
+        /// Sets the factors of both blend equations of a draw buffer.
+        blend_funci: glBlendFunci | glBlendFunciARB | glBlendFuncIndexedAMD
+            (buf: GLuint, src: GLenum, dst: GLenum);
+        /// Sets the factors of the blend equations of colour and alpha of a draw buffer.
+        blend_func_separatei: glBlendFuncSeparatei | glBlendFuncSeparateiARB
+            | glBlendFuncSeparateIndexedAMD
+            (buf: GLuint, src_rgb: GLenum, dst_rgb: GLenum, src_alpha: GLenum, dst_alpha: GLenum);
+        /// Sets both blend equations of a draw buffer.
+        blend_equationi: glBlendEquationi | glBlendEquationiARB | glBlendEquationIndexedAMD
+            (buf: GLuint, mode: GLenum);
+        /// Sets the blend equations of colour and alpha of a draw buffer.
+        blend_equation_separatei: glBlendEquationSeparatei | glBlendEquationSeparateiARB
+            | glBlendEquationSeparateIndexedAMD
+            (buf: GLuint, mode_rgb: GLenum, mode_alpha: GLenum);
     }
     Outside in clamp {
         /// Sets when colours are clamped to [0, 1].

@@ -8,6 +8,7 @@ use std::sync::LazyLock;
 
 /// The names, sorted.
 pub(crate) const EXTENSIONS: &[&str] = &[
+    "GL_AMD_draw_buffers_blend",
     "GL_ARB_ES2_compatibility",
     "GL_ARB_arrays_of_arrays",
     "GL_ARB_color_buffer_float",
@@ -16,6 +17,7 @@ pub(crate) const EXTENSIONS: &[&str] = &[
     "GL_ARB_depth_buffer_float",
     "GL_ARB_depth_texture",
     "GL_ARB_draw_buffers",
+    "GL_ARB_draw_buffers_blend",
     "GL_ARB_draw_elements_base_vertex",
     "GL_ARB_draw_instanced",
     "GL_ARB_explicit_attrib_location",

@@ -18,14 +18,7 @@ pub(crate) fn get_booleanv(
     pname: GLenum,
     params: &mut [GLboolean],
 ) -> Result<()> {
-    let values: Vec<GLboolean> = match state_value(context, pname)? {
-        Value::Bools(values) => values.into_iter().map(u8::from).collect(),
-        Value::Ints(values) => values.into_iter().map(|value| u8::from(value != 0)).collect(),
-        Value::Floats(values) | Value::Unit(values) => {
-            values.into_iter().map(|value| u8::from(value != 0.0)).collect()
-        }
-    };
-    put(params, &values)
+    put_bools(params, state_value(context, pname)?)
 }
 
 pub(crate) fn get_integerv(
@@ -62,6 +55,18 @@ pub(crate) fn get_doublev(
     params: &mut [GLdouble],
 ) -> Result<()> {
     put_doubles(params, state_value(context, pname)?)
+}
+
+/// Answers in truth values: whether it is not zero.
+pub(crate) fn put_bools(params: &mut [GLboolean], value: Value) -> Result<()> {
+    let values: Vec<GLboolean> = match value {
+        Value::Bools(values) => values.into_iter().map(u8::from).collect(),
+        Value::Ints(values) => values.into_iter().map(|value| u8::from(value != 0)).collect(),
+        Value::Floats(values) | Value::Unit(values) => {
+            values.into_iter().map(|value| u8::from(value != 0.0)).collect()
+        }
+    };
+    put(params, &values)
 }
 
 /// Answers in integers: floats are rounded, fractions scaled to the whole range.

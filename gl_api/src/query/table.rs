@@ -14,7 +14,7 @@ use crate::interface::*;
 use crate::list::calls::{MAX_LIST_NESTING, MODE};
 use crate::state::attrib::MAX_ATTRIB_STACK_DEPTH;
 use crate::state::enable::is_capability;
-use crate::state::fragment::{BLEND_EQUATION, COMPARE, DST_FACTOR, SRC_FACTOR};
+use crate::state::fragment::COMPARE;
 use crate::state::masks::LOGIC_OP;
 use crate::state::material::{FACES, TRACKED};
 use crate::state::matrix::{MATRIX_MODE, MAX_MODELVIEW_STACK_DEPTH, MAX_STACK_DEPTH, Stack};
@@ -299,7 +299,6 @@ fn raster(context: &Context, pname: GLenum) -> Answer {
 
 fn fragment(context: &Context, pname: GLenum) -> Answer {
     let fragment = &context.state.fragment;
-    let blend = &fragment.blend;
     let clear = &context.state.clear;
     let clamp = clamp::of_fragments(context);
     Some(match pname {
@@ -313,17 +312,11 @@ fn fragment(context: &Context, pname: GLenum) -> Answer {
         GL_DEPTH_WRITEMASK => flag(fragment.depth_write == DepthWrite::On),
         GL_COLOR_WRITEMASK => Ok(Value::Bools(fragment.buffers[0].mask.to_vec())),
         GL_LOGIC_OP_MODE => symbol(LOGIC_OP.encode(fragment.logic_op)),
-        GL_BLEND_SRC | GL_BLEND_SRC_RGB => symbol(SRC_FACTOR.encode(blend.src[0])),
-        GL_BLEND_SRC_ALPHA => symbol(SRC_FACTOR.encode(blend.src[1])),
-        GL_BLEND_DST | GL_BLEND_DST_RGB => symbol(DST_FACTOR.encode(blend.dst[0])),
-        GL_BLEND_DST_ALPHA => symbol(DST_FACTOR.encode(blend.dst[1])),
-        GL_BLEND_EQUATION => symbol(BLEND_EQUATION.encode(blend.equation[0])),
-        GL_BLEND_EQUATION_ALPHA => symbol(BLEND_EQUATION.encode(blend.equation[1])),
-        GL_BLEND_COLOR => unit(&clamp.color(blend.constant)),
+        GL_BLEND_COLOR => unit(&clamp.color(fragment.blend_color)),
         GL_COLOR_CLEAR_VALUE => unit(&clamp.color(clear.color.floats())),
         GL_DEPTH_CLEAR_VALUE => Ok(Value::Unit(vec![clear.depth])),
         GL_STENCIL_CLEAR_VALUE => int(clear.stencil),
-        _ => return None,
+        _ => symbol(fragment.buffers[0].formula.get(pname)?),
     })
 }
 

@@ -319,7 +319,7 @@ fn restore(state: &mut State, saved: Server) {
     if has(GL_COLOR_BUFFER_BIT) {
         state.fragment.alpha_func = saved.fragment.alpha_func;
         state.fragment.alpha_ref = saved.fragment.alpha_ref;
-        state.fragment.blend = saved.fragment.blend;
+        state.fragment.blend_color = saved.fragment.blend_color;
         state.fragment.logic_op = saved.fragment.logic_op;
         state.fragment.buffers = saved.fragment.buffers;
         state.clear.color = saved.clear.color;

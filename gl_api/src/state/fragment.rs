@@ -7,7 +7,7 @@ use crate::constants::*;
 use crate::context::Context;
 use crate::error::{Result, Table, not_negative};
 use crate::types::*;
-use rasterizer::driver::{Blend, BlendEquation, BlendFactor, DepthWrite, LogicOp, Rect};
+use rasterizer::driver::{DepthWrite, LogicOp, Rect};
 use texunit::sampler::Compare;
 
 /// What happens to fragments.
@@ -18,7 +18,7 @@ pub(crate) struct FragmentState {
     pub alpha_ref: f32,
     pub depth_func: Compare,
     pub depth_write: DepthWrite,
-    pub blend: Blend,
+    pub blend_color: [f32; 4],
     pub stencil: Stencil,
     pub logic_op: LogicOp,
     pub buffers: BufferStates,
@@ -34,12 +34,7 @@ impl FragmentState {
             alpha_ref: 0.0,
             depth_func: Compare::Less,
             depth_write: DepthWrite::On,
-            blend: Blend {
-                equation: [BlendEquation::Add; 2],
-                src: [BlendFactor::One; 2],
-                dst: [BlendFactor::Zero; 2],
-                constant: [0.0; 4],
-            },
+            blend_color: [0.0; 4],
             stencil: Stencil::default(),
             logic_op: LogicOp::Copy,
             buffers: BUFFERS,
@@ -115,101 +110,11 @@ pub(crate) const COMPARE: Table<Compare> = Table {
     ],
 };
 
-pub(crate) const BLEND_EQUATION: Table<BlendEquation> = Table {
-    section: "GL 2.1, section 4.1.8",
-    rows: &[
-        (GL_FUNC_ADD, BlendEquation::Add),
-        (GL_FUNC_SUBTRACT, BlendEquation::Subtract),
-        (GL_FUNC_REVERSE_SUBTRACT, BlendEquation::ReverseSubtract),
-        (GL_MIN, BlendEquation::Min),
-        (GL_MAX, BlendEquation::Max),
-    ],
-};
-
-const DESTINATION: &[(GLenum, BlendFactor)] = &[
-    (GL_ZERO, BlendFactor::Zero),
-    (GL_ONE, BlendFactor::One),
-    (GL_SRC_COLOR, BlendFactor::SrcColor),
-    (GL_ONE_MINUS_SRC_COLOR, BlendFactor::OneMinusSrcColor),
-    (GL_DST_COLOR, BlendFactor::DstColor),
-    (GL_ONE_MINUS_DST_COLOR, BlendFactor::OneMinusDstColor),
-    (GL_SRC_ALPHA, BlendFactor::SrcAlpha),
-    (GL_ONE_MINUS_SRC_ALPHA, BlendFactor::OneMinusSrcAlpha),
-    (GL_DST_ALPHA, BlendFactor::DstAlpha),
-    (GL_ONE_MINUS_DST_ALPHA, BlendFactor::OneMinusDstAlpha),
-    (GL_CONSTANT_COLOR, BlendFactor::ConstantColor),
-    (GL_ONE_MINUS_CONSTANT_COLOR, BlendFactor::OneMinusConstantColor),
-    (GL_CONSTANT_ALPHA, BlendFactor::ConstantAlpha),
-    (GL_ONE_MINUS_CONSTANT_ALPHA, BlendFactor::OneMinusConstantAlpha),
-    (GL_SRC_ALPHA_SATURATE, BlendFactor::SrcAlphaSaturate),
-];
-
-const FACTORS: &str = "GL 2.1, table 4.2";
-
-/// What a source is weighted with.
-pub(crate) const SRC_FACTOR: Table<BlendFactor> = Table { section: FACTORS, rows: DESTINATION };
-
-/// What a destination is weighted with: everything but `GL_SRC_ALPHA_SATURATE`.
-pub(crate) const DST_FACTOR: Table<BlendFactor> =
-    Table { section: FACTORS, rows: DESTINATION.split_at(14).0 };
-
 /// The reference is kept as it is, and clamped where fragments are (`ARB_color_buffer_float`).
 pub(crate) fn alpha_func(context: &mut Context, func: GLenum, reference: GLclampf) -> Result<()> {
     let func = COMPARE.decode("func", func)?;
     context.state.fragment.alpha_func = func;
     context.state.fragment.alpha_ref = reference;
-    Ok(())
-}
-
-pub(crate) fn blend_func(context: &mut Context, sfactor: GLenum, dfactor: GLenum) -> Result<()> {
-    blend_func_separate(context, sfactor, dfactor, sfactor, dfactor)
-}
-
-pub(crate) fn blend_func_separate(
-    context: &mut Context,
-    src_rgb: GLenum,
-    dst_rgb: GLenum,
-    src_alpha: GLenum,
-    dst_alpha: GLenum,
-) -> Result<()> {
-    let src = [
-        SRC_FACTOR.decode("source factor", src_rgb)?,
-        SRC_FACTOR.decode("source alpha factor", src_alpha)?,
-    ];
-    let dst = [
-        DST_FACTOR.decode("destination factor", dst_rgb)?,
-        DST_FACTOR.decode("destination alpha factor", dst_alpha)?,
-    ];
-    context.state.fragment.blend.src = src;
-    context.state.fragment.blend.dst = dst;
-    Ok(())
-}
-
-pub(crate) fn blend_equation(context: &mut Context, mode: GLenum) -> Result<()> {
-    blend_equation_separate(context, mode, mode)
-}
-
-pub(crate) fn blend_equation_separate(
-    context: &mut Context,
-    mode_rgb: GLenum,
-    mode_alpha: GLenum,
-) -> Result<()> {
-    context.state.fragment.blend.equation = [
-        BLEND_EQUATION.decode("mode", mode_rgb)?,
-        BLEND_EQUATION.decode("alpha mode", mode_alpha)?,
-    ];
-    Ok(())
-}
-
-/// Kept as it is, and clamped where the framebuffer is fixed-point (`ARB_color_buffer_float`).
-pub(crate) fn blend_color(
-    context: &mut Context,
-    red: GLclampf,
-    green: GLclampf,
-    blue: GLclampf,
-    alpha: GLclampf,
-) -> Result<()> {
-    context.state.fragment.blend.constant = [red, green, blue, alpha];
     Ok(())
 }
 

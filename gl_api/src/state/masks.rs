@@ -1,11 +1,14 @@
 //! Which components are written, which buffers are blended, and the logical operation: GL 2.1,
 //! sections 4.1.10 and 4.2.2; `EXT_draw_buffers2`.
 
+use super::blend::Formula;
 use super::enable::Flag;
 use super::multisample;
 use crate::constants::*;
 use crate::context::{Context, limits};
 use crate::error::{Result, Table, invalid_enum, invalid_value};
+use crate::query::get::{put_bools, put_ints};
+use crate::query::table::{Value, flag, int, symbol};
 use crate::transform_feedback::bindings;
 use crate::types::*;
 use rasterizer::driver::LogicOp;
@@ -41,6 +44,8 @@ pub(crate) struct BufferState {
     pub mask: [bool; 4],
     /// Whether it is blended.
     pub blend: bool,
+    /// How it is blended (`ARB_draw_buffers_blend`).
+    pub formula: Formula,
 }
 
 /// By draw buffer.
@@ -48,7 +53,8 @@ pub(crate) type BufferStates = [BufferState; limits::MAX_COLOR_ATTACHMENTS];
 
 /// The initial state.
 pub(crate) const BUFFERS: BufferStates =
-    [BufferState { mask: [true; 4], blend: false }; limits::MAX_COLOR_ATTACHMENTS];
+    [BufferState { mask: [true; 4], blend: false, formula: Formula::REPLACE };
+        limits::MAX_COLOR_ATTACHMENTS];
 
 pub(crate) fn logic_op(context: &mut Context, opcode: GLenum) -> Result<()> {
     context.state.fragment.logic_op = LOGIC_OP.decode("opcode", opcode)?;
@@ -56,7 +62,7 @@ pub(crate) fn logic_op(context: &mut Context, opcode: GLenum) -> Result<()> {
 }
 
 /// The number of a draw buffer.
-fn index(argument: &str, index: GLuint) -> Result<usize> {
+pub(crate) fn buffer_index(argument: &str, index: GLuint) -> Result<usize> {
     let limit = limits::MAX_COLOR_ATTACHMENTS;
     match usize::try_from(index) {
         Ok(index) if index < limit => Ok(index),
@@ -87,7 +93,7 @@ pub(crate) fn color_maski(
     blue: bool,
     alpha: bool,
 ) -> Result<()> {
-    let buf = index("buf", buf)?;
+    let buf = buffer_index("buf", buf)?;
     context.state.fragment.buffers[buf].mask = [red, green, blue, alpha];
     Ok(())
 }
@@ -97,7 +103,7 @@ fn indexed(target: GLenum, buffer: GLuint) -> Result<usize> {
     if target != GL_BLEND {
         return invalid_enum(SECTION, format!("target = {} must be GL_BLEND", enum_name(target)));
     }
-    index("index", buffer)
+    buffer_index("index", buffer)
 }
 
 fn switch(context: &mut Context, target: GLenum, buffer: GLuint, on: bool) -> Result<()> {
@@ -122,23 +128,31 @@ pub(crate) fn is_enabledi(context: &mut Context, target: GLenum, index: GLuint) 
     Ok(context.state.fragment.buffers[buffer].blend)
 }
 
-/// State of one draw buffer.
-fn indexed_state(context: &Context, target: GLenum, buffer: GLuint) -> Result<Vec<bool>> {
-    let at = |buffer| Ok(&context.state.fragment.buffers[index("index", buffer)?]);
+/// State that has a number: of one draw buffer, of a binding of transform feedback, or a word of the
+/// sample mask.
+fn indexed_state(context: &Context, target: GLenum, number: GLuint) -> Result<Value> {
+    let value = bindings::indexed_value(context, target, number)
+        .or_else(|| multisample::indexed_value(context, target, number));
+    if let Some(value) = value {
+        return int(value?);
+    }
+    let buffers = &context.state.fragment.buffers;
+    let at = |number| Ok(&buffers[buffer_index("index", number)?]);
     match target {
-        GL_COLOR_WRITEMASK => at(buffer).map(|state: &BufferState| state.mask.to_vec()),
-        GL_BLEND => at(buffer).map(|state: &BufferState| vec![state.blend]),
+        GL_COLOR_WRITEMASK => at(number).map(|state| Value::Bools(state.mask.to_vec())),
+        GL_BLEND => at(number).and_then(|state| flag(state.blend)),
+        _ if Formula::REPLACE.get(target).is_some() => {
+            symbol(at(number)?.formula.get(target).unwrap_or_default())
+        }
         _ => invalid_enum(
             SECTION,
-            format!("target = {} must be GL_BLEND or GL_COLOR_WRITEMASK", enum_name(target)),
+            format!(
+                "target = {} must be GL_BLEND, GL_BLEND_SRC_RGB or another part of a blend \
+                 formula, GL_COLOR_WRITEMASK, GL_SAMPLE_MASK_VALUE or of transform feedback",
+                enum_name(target)
+            ),
         ),
     }
-}
-
-/// Writes an answer into the slice, which must have room for it.
-fn answer<T: Copy + From<u8>>(data: &mut [T], values: &[bool]) -> Result<()> {
-    let values: Vec<T> = values.iter().map(|&on| T::from(u8::from(on))).collect();
-    crate::query::put(data, &values)
 }
 
 pub(crate) fn get_booleani_v(
@@ -147,7 +161,7 @@ pub(crate) fn get_booleani_v(
     index: GLuint,
     data: &mut [GLboolean],
 ) -> Result<()> {
-    answer(data, &indexed_state(context, target, index)?)
+    put_bools(data, indexed_state(context, target, index)?)
 }
 
 pub(crate) fn get_integeri_v(
@@ -156,10 +170,5 @@ pub(crate) fn get_integeri_v(
     index: GLuint,
     data: &mut [GLint],
 ) -> Result<()> {
-    let value = bindings::indexed_value(context, target, index)
-        .or_else(|| multisample::indexed_value(context, target, index));
-    if let Some(value) = value {
-        return crate::query::put(data, &[value?]);
-    }
-    answer(data, &indexed_state(context, target, index)?)
+    put_ints(data, indexed_state(context, target, index)?)
 }

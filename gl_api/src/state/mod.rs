@@ -2,6 +2,7 @@
 //! them. Objects are in [`crate::object`], texture environments in [`crate::env`].
 
 pub(crate) mod attrib;
+pub(crate) mod blend;
 pub(crate) mod clamp;
 pub(crate) mod clip;
 pub(crate) mod enable;

@@ -6,6 +6,7 @@ mod shading;
 
 mod attachments;
 mod barrier;
+mod blends;
 mod blits;
 mod clamps;
 mod integers;
