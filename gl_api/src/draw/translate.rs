@@ -128,7 +128,8 @@ fn record(
     }
     let mut desc = pipeline_desc(context, &pass, topology, stages.vertex, stages.fragment);
     if rectangle.is_some() {
-        desc = PipelineDesc { cull: Cull::None, front_face: FrontFace::Ccw, ..desc };
+        let (cull, front_face, provoking) = (Cull::None, FrontFace::Ccw, Provoking::Last);
+        desc = PipelineDesc { cull, front_face, provoking, ..desc };
     }
     let watched = is_watched(context, &pass);
     begin_pass(context, pass);

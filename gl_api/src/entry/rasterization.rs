@@ -26,6 +26,8 @@ entry_points! {
         front_face: glFrontFace (mode: GLenum);
         /// Sets whether colours are interpolated.
         shade_model: glShadeModel (mode: GLenum);
+        /// Sets which vertex of a primitive flat colours are of.
+        provoking_vertex: glProvokingVertex | glProvokingVertexEXT (mode: GLenum);
         /// Sets the width of lines in pixels.
         line_width: glLineWidth (width: GLfloat);
         /// Sets which fragments of lines are left: `factor` fragments a bit of `pattern`.

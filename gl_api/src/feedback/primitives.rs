@@ -10,7 +10,7 @@ use crate::draw::translate::Elements;
 use crate::error::{ErrorCode, GlError, Result};
 use crate::interface::*;
 use crate::state::enable::Flag;
-use rasterizer::driver::{Cull, FrontFace, PolygonMode, Topology, VertexBinding};
+use rasterizer::driver::{Cull, FrontFace, PolygonMode, Provoking, Topology, VertexBinding};
 use rasterizer::ir::{Interpolation, Output};
 use std::ops::Range;
 
@@ -76,8 +76,10 @@ fn clip_vertices(
 fn assemble(context: &mut Context, topology: Topology, vertices: &[Vertex]) {
     let count = vertices.len();
     let at = |index: usize| vertices[index];
+    let convention = context.state.raster.provoking;
+    let provoking = |first, last| at(chosen(convention, first, last));
     let line = |context: &mut Context, ends: [usize; 2], kind| {
-        emit_line(context, ends.map(at), at(ends[1]), kind);
+        emit_line(context, ends.map(at), provoking(ends[0], ends[1]), kind);
     };
     match topology {
         Topology::Points => vertices.iter().for_each(|vertex| point(context, vertex)),
@@ -101,23 +103,31 @@ fn assemble(context: &mut Context, topology: Topology, vertices: &[Vertex]) {
             for first in 0..count.saturating_sub(2) {
                 let [a, b] = if first % 2 == 0 { [0, 1] } else { [1, 0] };
                 let corners = [first + a, first + b, first + 2].map(at).map(edged);
-                polygon(context, &corners, at(first + 2));
+                polygon(context, &corners, provoking(first, first + 2));
             }
         }
         Topology::TriangleFan => {
             for last in 2..count {
                 let corners = [0, last - 1, last].map(at).map(edged);
-                polygon(context, &corners, at(last));
+                polygon(context, &corners, provoking(last - 1, last));
             }
         }
         Topology::QuadStrip => {
             for first in (0..count.saturating_sub(3)).step_by(2) {
                 let corners = [first, first + 1, first + 3, first + 2].map(at).map(edged);
-                polygon(context, &corners, at(first + 3));
+                polygon(context, &corners, provoking(first, first + 3));
             }
         }
         Topology::Polygon if count >= 3 => polygon(context, vertices, at(0)),
         Topology::Polygon => {}
+    }
+}
+
+/// The first vertex of a primitive, or the last.
+fn chosen(convention: Provoking, first: usize, last: usize) -> usize {
+    match convention {
+        Provoking::First => first,
+        Provoking::Last => last,
     }
 }
 
@@ -127,8 +137,9 @@ fn edged(vertex: Vertex) -> Vertex {
 }
 
 fn polygons(context: &mut Context, vertices: &[Vertex], corners: usize) {
+    let provoking = chosen(context.state.raster.provoking, 0, corners - 1);
     for corners in vertices.chunks_exact(corners) {
-        polygon(context, corners, corners[corners.len() - 1]);
+        polygon(context, corners, corners[provoking]);
     }
 }
 

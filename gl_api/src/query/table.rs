@@ -22,7 +22,7 @@ use crate::state::multisample::MAX_SAMPLE_MASK_WORDS;
 use crate::state::pixel_store::PixelStore;
 use crate::state::points::ORIGIN;
 use crate::state::polygon::POLYGON_MODE;
-use crate::state::raster::{FACE, FRONT_FACE, HINTS, SHADE_MODEL};
+use crate::state::raster::{FACE, FRONT_FACE, HINTS, PROVOKING, SHADE_MODEL};
 use crate::state::stencil::{ACTIVE_FACE, STENCIL_OP, Side};
 use crate::state::{clamp, fog, index, light};
 use crate::texture::internal::general_purpose_formats;
@@ -279,6 +279,8 @@ fn raster(context: &Context, pname: GLenum) -> Answer {
         GL_CULL_FACE_MODE => symbol(FACE.encode(raster.cull)),
         GL_FRONT_FACE => symbol(FRONT_FACE.encode(raster.front_face)),
         GL_SHADE_MODEL => symbol(SHADE_MODEL.encode(raster.shade_model)),
+        GL_PROVOKING_VERTEX => symbol(PROVOKING.encode(raster.provoking)),
+        GL_QUADS_FOLLOW_PROVOKING_VERTEX_CONVENTION => flag(true),
         GL_POLYGON_MODE => ints(&raster.polygons.mode.map(|mode| POLYGON_MODE.encode(mode) as i32)),
         GL_POLYGON_OFFSET_FACTOR => float(raster.polygons.offset_factor),
         GL_POLYGON_OFFSET_UNITS => float(raster.polygons.offset_units),

@@ -252,6 +252,7 @@ fn restore(state: &mut State, saved: Server) {
         state.lights = saved.lights;
         state.materials = saved.materials;
         state.raster.shade_model = saved.raster.shade_model;
+        state.raster.provoking = saved.raster.provoking;
     }
     if has(GL_LIGHTING_BIT | GL_ENABLE_BIT) {
         state.clamp.vertex = saved.clamp.vertex;

@@ -7,7 +7,7 @@ use crate::constants::*;
 use crate::context::Context;
 use crate::error::{Result, Table, invalid_value};
 use crate::types::*;
-use rasterizer::driver::{Cull, FrontFace};
+use rasterizer::driver::{Cull, FrontFace, Provoking};
 use rasterizer::ir::Interpolation;
 
 /// What primitives are drawn how.
@@ -16,6 +16,8 @@ pub(crate) struct RasterState {
     pub cull: Cull,
     pub front_face: FrontFace,
     pub shade_model: Interpolation,
+    /// Which vertex flat colours are of (`ARB_provoking_vertex`).
+    pub provoking: Provoking,
     pub line_width: f32,
     /// 1 to 256.
     pub stipple_factor: u16,
@@ -33,6 +35,7 @@ impl Default for RasterState {
             cull: Cull::Back,
             front_face: FrontFace::Ccw,
             shade_model: Interpolation::Smooth,
+            provoking: Provoking::Last,
             line_width: 1.0,
             stipple_factor: 1,
             stipple_pattern: !0,
@@ -57,6 +60,14 @@ pub(crate) const FRONT_FACE: Table<FrontFace> = Table {
 pub(crate) const SHADE_MODEL: Table<Interpolation> = Table {
     section: "GL 2.1, section 2.14.7",
     rows: &[(GL_SMOOTH, Interpolation::Smooth), (GL_FLAT, Interpolation::Flat)],
+};
+
+pub(crate) const PROVOKING: Table<Provoking> = Table {
+    section: "ARB_provoking_vertex, flatshading",
+    rows: &[
+        (GL_FIRST_VERTEX_CONVENTION, Provoking::First),
+        (GL_LAST_VERTEX_CONVENTION, Provoking::Last),
+    ],
 };
 
 /// The hints that are kept, by their place.
@@ -91,6 +102,11 @@ pub(crate) fn front_face(context: &mut Context, mode: GLenum) -> Result<()> {
 
 pub(crate) fn shade_model(context: &mut Context, mode: GLenum) -> Result<()> {
     context.state.raster.shade_model = SHADE_MODEL.decode("mode", mode)?;
+    Ok(())
+}
+
+pub(crate) fn provoking_vertex(context: &mut Context, mode: GLenum) -> Result<()> {
+    context.state.raster.provoking = PROVOKING.decode("mode", mode)?;
     Ok(())
 }
 

@@ -6,7 +6,7 @@ use crate::draw::translate::Elements;
 use crate::error::{Result, invalid_operation};
 use crate::feedback::shade::{Id, Vertices, shade};
 use crate::glsl::{BufferMode, Captured, CapturedScalar};
-use rasterizer::driver::{Primitive, Provoking, Topology, VertexBinding, primitives};
+use rasterizer::driver::{Primitive, Topology, VertexBinding, primitives};
 
 /// Primitives of this many vertices are run and written at once.
 const CHUNK: usize = 1 << 12;
@@ -22,7 +22,7 @@ pub(crate) fn draw(
     elements: &Elements,
 ) -> Result<()> {
     let (count, instances) = elements.counts();
-    let all = primitives(topology, Provoking::Last, count);
+    let all = primitives(topology, context.state.raster.provoking, count);
     let made = u64::from(all.len) * u64::from(instances);
     let Some(mut active) = context.transform_feedback.active else {
         context.count_primitives(made, 0);

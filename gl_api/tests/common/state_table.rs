@@ -129,6 +129,8 @@ pub const STATE: &[Row] = rows! {
         GL_FOG_COORD_SRC Number enums![GL_FRAGMENT_DEPTH];
         GL_COLOR_SUM Number F;
         GL_SHADE_MODEL Number enums![GL_SMOOTH];
+        GL_PROVOKING_VERTEX Number enums![GL_LAST_VERTEX_CONVENTION];
+        GL_QUADS_FOLLOW_PROVOKING_VERTEX_CONVENTION Number T;
     }
     "6.13 and 6.14, lighting" {
         GL_LIGHTING Number F;

@@ -190,6 +190,7 @@ const CASES: &[Case] = &[
     (|c| c.cull_face(GL_CW), GL_INVALID_ENUM, "mode = GL_CW must be GL_FRONT, GL_BACK or"),
     (|c| c.front_face(GL_FRONT), GL_INVALID_ENUM, "GL_CCW or GL_CW"),
     (|c| c.shade_model(GL_FILL), GL_INVALID_ENUM, "GL_SMOOTH or GL_FLAT"),
+    (|c| c.provoking_vertex(GL_FLAT), GL_INVALID_ENUM, "mode = GL_FLAT"),
     (|c| c.line_width(0.0), GL_INVALID_VALUE, "width = 0 must be positive"),
     (|c| c.point_size(f32::NAN), GL_INVALID_VALUE, "size = NaN must be positive"),
     (|c| c.hint(GL_FOG_HINT, GL_LINEAR), GL_INVALID_ENUM, "GL_FASTEST"),

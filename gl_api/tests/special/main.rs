@@ -16,6 +16,7 @@ mod feedback;
 mod fragments;
 mod indices;
 mod materials;
+mod provoking;
 mod selection;
 mod state;
 mod windows;

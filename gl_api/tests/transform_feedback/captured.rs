@@ -53,6 +53,30 @@ fn every_topology_is_captured_as_its_parts() {
     }
 }
 
+/// By the other convention, the vertex that provokes comes first, also when what was captured is
+/// drawn as triangles.
+#[test]
+fn the_first_vertex_stays_first() {
+    let cases: [(GLenum, GLenum, i32, &[u32]); 5] = [
+        (GL_LINES, GL_LINE_LOOP, 3, &[0, 1, 1, 2, 2, 0]),
+        (GL_TRIANGLES, GL_TRIANGLE_STRIP, 5, &[0, 1, 2, 1, 3, 2, 2, 3, 4]),
+        (GL_TRIANGLES, GL_TRIANGLE_FAN, 4, &[1, 2, 0, 2, 3, 0]),
+        (GL_TRIANGLES, GL_QUADS, 4, &[0, 1, 2, 0, 2, 3]),
+        (GL_TRIANGLES, GL_QUAD_STRIP, 4, &[0, 1, 3, 0, 3, 2]),
+    ];
+    for (kind, mode, count, expected) in cases {
+        let mut c = context();
+        c.provoking_vertex(GL_FIRST_VERTEX_CONVENTION);
+        capturing(&mut c, NUMBER, &["number"], GL_INTERLEAVED_ATTRIBS);
+        buffer(&mut c, 1, 0, 32);
+        c.begin_transform_feedback(kind);
+        c.draw_arrays(mode, 0, count);
+        c.end_transform_feedback();
+        fine(&mut c);
+        assert_eq!(words(&mut c, 1, 32)[..expected.len()], *expected, "{}", enum_name(mode));
+    }
+}
+
 fn result(c: &mut Context, id: GLuint) -> GLuint {
     let mut value = [0];
     c.get_query_objectuiv(id, GL_QUERY_RESULT, &mut value);

@@ -59,13 +59,18 @@ impl Primitives {
             Provoking::Last => Primitive::Line([a, b], 1),
             Provoking::First => Primitive::Line([a, b], 0),
         };
-        // Cut from the second to the fourth vertex: both halves hold the fourth, which provokes.
-        let quad = |q: [u32; 4], half: u32| {
-            if half == 0 {
-                Primitive::Triangle([q[0], q[1], q[3]], 2, 0b101)
-            } else {
-                Primitive::Triangle([q[1], q[2], q[3]], 2, 0b011)
-            }
+        // Cut so that both halves hold the vertex that provokes: from the second to the fourth, or
+        // from the first to the third.
+        let quad = |[a, b, c, d]: [u32; 4], half: u32| match (self.provoking, half) {
+            (Provoking::Last, 0) => Primitive::Triangle([a, b, d], 2, 0b101),
+            (Provoking::Last, _) => Primitive::Triangle([b, c, d], 2, 0b011),
+            (Provoking::First, 0) => Primitive::Triangle([a, b, c], 0, 0b011),
+            (Provoking::First, _) => Primitive::Triangle([a, c, d], 0, 0b110),
+        };
+        // The same triangle from whichever vertex: the one that provokes is at its end.
+        let triangle = |last: [u32; 3], first: [u32; 3]| match self.provoking {
+            Provoking::Last => Primitive::Triangle(last, 2, ALL_EDGES),
+            Provoking::First => Primitive::Triangle(first, 0, ALL_EDGES),
         };
         match self.topology {
             Topology::Points => Primitive::Point(i),
@@ -73,23 +78,14 @@ impl Primitives {
             Topology::LineStrip => line(i, i + 1),
             Topology::LineLoop => line(i, if i + 1 == self.vertices { 0 } else { i + 1 }),
             Topology::Triangles => {
-                let first = 3 * i;
-                Primitive::Triangle(
-                    [first, first + 1, first + 2],
-                    self.last_or_first(2, 0),
-                    ALL_EDGES,
-                )
+                let own = [3 * i, 3 * i + 1, 3 * i + 2];
+                triangle(own, own)
             }
-            Topology::TriangleStrip => {
-                if i.is_multiple_of(2) {
-                    Primitive::Triangle([i, i + 1, i + 2], self.last_or_first(2, 0), ALL_EDGES)
-                } else {
-                    Primitive::Triangle([i + 1, i, i + 2], self.last_or_first(2, 1), ALL_EDGES)
-                }
+            Topology::TriangleStrip if i.is_multiple_of(2) => {
+                triangle([i, i + 1, i + 2], [i, i + 1, i + 2])
             }
-            Topology::TriangleFan => {
-                Primitive::Triangle([0, i + 1, i + 2], self.last_or_first(2, 1), ALL_EDGES)
-            }
+            Topology::TriangleStrip => triangle([i + 1, i, i + 2], [i, i + 2, i + 1]),
+            Topology::TriangleFan => triangle([0, i + 1, i + 2], [i + 1, i + 2, 0]),
             Topology::Polygon => {
                 let (first, last) = (i == 0, i + 3 == self.vertices);
                 let edges = u8::from(first) | 0b010 | u8::from(last) << 2;
@@ -101,8 +97,12 @@ impl Primitives {
             }
             Topology::QuadStrip => {
                 let first = i / 2 * 2;
-                // Around the quadrilateral, so that its last vertex (2i + 3) comes last.
-                quad([first + 2, first, first + 1, first + 3], i % 2)
+                // Around the quadrilateral, so that its last vertex (2i + 3) comes last, or its first
+                // one (2i) first.
+                match self.provoking {
+                    Provoking::Last => quad([first + 2, first, first + 1, first + 3], i % 2),
+                    Provoking::First => quad([first, first + 1, first + 3, first + 2], i % 2),
+                }
             }
         }
     }
@@ -125,7 +125,10 @@ impl Primitives {
 
     /// Which vertex provokes, where primitive `i` is the triangle of ordinals `3 i` to `3 i + 2`.
     pub fn triples(&self) -> Option<u8> {
-        (self.topology == Topology::Triangles).then(|| self.last_or_first(2, 0))
+        (self.topology == Topology::Triangles).then_some(match self.provoking {
+            Provoking::Last => 2,
+            Provoking::First => 0,
+        })
     }
 
     /// Whether they are triangles.
@@ -153,13 +156,6 @@ impl Primitives {
             | Topology::TriangleStrip
             | Topology::TriangleFan
             | Topology::QuadStrip => EdgeFlags::AllSet,
-        }
-    }
-
-    fn last_or_first(&self, last: u8, first: u8) -> u8 {
-        match self.provoking {
-            Provoking::Last => last,
-            Provoking::First => first,
         }
     }
 }
@@ -203,8 +199,13 @@ mod tests {
 
     #[test]
     fn every_edge_of_a_polygon_is_in_one_of_its_triangles() {
-        for (topology, count) in [(Topology::Quads, 4), (Topology::Polygon, 7)] {
-            let all = primitives(topology, Provoking::Last, count);
+        let cases = [
+            (Topology::Quads, Provoking::Last, 4),
+            (Topology::Quads, Provoking::First, 4),
+            (Topology::Polygon, Provoking::Last, 7),
+        ];
+        for (topology, convention, count) in cases {
+            let all = primitives(topology, convention, count);
             let mut edges = Vec::new();
             for i in 0..all.len {
                 let Primitive::Triangle(v, _, mask) = all.get(i) else { panic!() };
@@ -221,10 +222,55 @@ mod tests {
     #[test]
     fn the_provoking_vertex_of_a_quad_is_in_both_halves() {
         for topology in [Topology::Quads, Topology::QuadStrip] {
-            let all = primitives(topology, Provoking::Last, 4);
-            for i in 0..2 {
-                let Primitive::Triangle(v, provoking, _) = all.get(i) else { panic!() };
-                assert_eq!(v[usize::from(provoking)], 3, "{topology:?}");
+            for (convention, vertex) in [(Provoking::Last, 3), (Provoking::First, 0)] {
+                let all = primitives(topology, convention, 4);
+                for i in 0..2 {
+                    let Primitive::Triangle(v, provoking, _) = all.get(i) else { panic!() };
+                    assert_eq!(v[usize::from(provoking)], vertex, "{topology:?}");
+                }
+            }
+        }
+    }
+
+    /// What each convention of `ARB_provoking_vertex` chooses. The triangles are the same
+    /// ones, wound the same way.
+    #[test]
+    fn either_convention_chooses_its_vertex() {
+        let cases: [(Topology, u32, &[u32], &[u32]); 9] = [
+            (Topology::Lines, 4, &[0, 2], &[1, 3]),
+            (Topology::LineStrip, 4, &[0, 1, 2], &[1, 2, 3]),
+            (Topology::LineLoop, 3, &[0, 1, 2], &[1, 2, 0]),
+            (Topology::Triangles, 6, &[0, 3], &[2, 5]),
+            (Topology::TriangleStrip, 6, &[0, 1, 2, 3], &[2, 3, 4, 5]),
+            (Topology::TriangleFan, 5, &[1, 2, 3], &[2, 3, 4]),
+            (Topology::Quads, 8, &[0, 0, 4, 4], &[3, 3, 7, 7]),
+            (Topology::QuadStrip, 6, &[0, 0, 2, 2], &[3, 3, 5, 5]),
+            (Topology::Polygon, 5, &[0, 0, 0], &[0, 0, 0]),
+        ];
+        for (topology, count, first, last) in cases {
+            for (convention, want) in [(Provoking::First, first), (Provoking::Last, last)] {
+                let all = primitives(topology, convention, count);
+                let chosen = (0..all.len).map(|i| match all.get(i) {
+                    Primitive::Point(vertex) => vertex,
+                    Primitive::Line(vertices, at) => vertices[usize::from(at)],
+                    Primitive::Triangle(vertices, at, _) => vertices[usize::from(at)],
+                });
+                assert_eq!(chosen.collect::<Vec<_>>(), want, "{topology:?} {convention:?}");
+            }
+        }
+        // From its least vertex on, each triangle of a strip or a fan is the same.
+        for topology in [Topology::TriangleStrip, Topology::TriangleFan] {
+            let rotated = |convention, i| match primitives(topology, convention, 6).get(i) {
+                Primitive::Triangle(mut v, ..) => {
+                    while v[0] > v[1] || v[0] > v[2] {
+                        v.rotate_left(1);
+                    }
+                    v
+                }
+                other => panic!("{other:?}"),
+            };
+            for i in 0..4 {
+                assert_eq!(rotated(Provoking::First, i), rotated(Provoking::Last, i));
             }
         }
     }
