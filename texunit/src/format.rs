@@ -252,6 +252,21 @@ impl Format {
         matches!(self.info().encoding, Encoding::Srgb | Encoding::SrgbBlock(_))
     }
 
+    /// The format with the same bytes whose colours are numbers like others.
+    pub const fn without_srgb(self) -> Self {
+        match self {
+            Self::Srgb8 => Self::Rgb8,
+            Self::Srgb8A8 => Self::Rgba8,
+            Self::Sl8 => Self::L8,
+            Self::Sl8A8 => Self::La8,
+            Self::SrgbDxt1Rgb => Self::Dxt1Rgb,
+            Self::SrgbDxt1Rgba => Self::Dxt1Rgba,
+            Self::SrgbDxt3 => Self::Dxt3,
+            Self::SrgbDxt5 => Self::Dxt5,
+            other => other,
+        }
+    }
+
     /// Whether this stored channel is sRGB-encoded: colour of an sRGB format, never alpha.
     pub const fn is_srgb_channel(self, channel: usize) -> bool {
         self.is_srgb() && self.base().sources()[channel] != 3

@@ -12,7 +12,8 @@ use crate::sample::texel::Fetch;
 use crate::sample::{Off, Probed, Sample, Scanned};
 use crate::sample::{ahead, flat, take};
 use crate::sampler::{
-    Border, Compare, DepthMode, Filter, MAX_ANISOTROPY, Mipmap, Sampler, Seamless, Swizzle, Wrap,
+    Border, Compare, DepthMode, Filter, MAX_ANISOTROPY, Mipmap, Sampler, Seamless, SrgbRead,
+    Swizzle, Wrap,
 };
 use std::marker::PhantomData;
 use std::sync::Arc;
@@ -393,6 +394,9 @@ impl Texture {
         let shape = image.shape();
         let mut detail = Detail::new(shape, sampler, reached.last - reached.base);
         let mut levels = levels(image, reached.base, detail.last_level());
+        if sampler.srgb == SrgbRead::AsIs {
+            levels.iter_mut().flatten().for_each(without_srgb);
+        }
         if shape == Shape::CubeArray {
             // The kernels look for a level by its face; which slices are that face's, they know.
             levels = vec![levels[0].clone(); FACES];
@@ -539,6 +543,15 @@ fn wrap_of(shape: Shape, seamless: Seamless, wrap: Wrap) -> Wrap {
             Wrap::Repeat | Wrap::MirroredRepeat | Wrap::MirrorClamp | Wrap::MirrorClampToEdge,
         ) => Wrap::ClampToEdge,
         (_, _, wrap) => wrap,
+    }
+}
+
+/// Lets colours that are encoded be numbers like others. The kernels go by a level's format, so it is a
+/// copy: what few draws ask for costs the others nothing.
+fn without_srgb(level: &mut Arc<Level>) {
+    if level.format.is_srgb() {
+        let format = level.format.without_srgb();
+        *level = Arc::new(Level { format, ..Level::clone(level) });
     }
 }
 

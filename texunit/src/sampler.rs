@@ -176,6 +176,15 @@ impl From<[f32; 4]> for Border {
     }
 }
 
+/// What becomes of colours that are stored sRGB-encoded.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SrgbRead {
+    /// They are made linear.
+    Decode,
+    /// They are numbers like others (`EXT_texture_sRGB_decode`).
+    AsIs,
+}
+
 /// Everything beside the texels that a sample depends on.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sampler {
@@ -207,6 +216,8 @@ pub struct Sampler {
     pub max_anisotropy: f32,
     /// At the edges of cube faces.
     pub seamless: Seamless,
+    /// Before the filter.
+    pub srgb: SrgbRead,
     /// The last step of a sample: which component each one is taken from.
     pub swizzle: [Swizzle; 4],
 }
@@ -229,6 +240,7 @@ impl Default for Sampler {
             depth_mode: DepthMode::Luminance,
             max_anisotropy: 1.0,
             seamless: Seamless::Off,
+            srgb: SrgbRead::Decode,
             swizzle: Swizzle::IDENTITY,
         }
     }

@@ -20,10 +20,10 @@ use crate::state::enable::Flag;
 use crate::state::viewport;
 use crate::texture::TextureTarget;
 use rasterizer::driver::{Rim, ShaderModule, VertexBinding};
-use rasterizer::ir::{Interpolation, IrError, Output, Stage};
+use rasterizer::ir::{Access, Expr, Interpolation, IrError, Module, Output, Stage};
 use std::sync::Arc;
 use texunit::plan::SamplePlan;
-use texunit::sampler::{Border, Compare, DepthMode, Sampler, Seamless};
+use texunit::sampler::{Border, Compare, DepthMode, Sampler, Seamless, SrgbRead};
 
 /// The texture of each slot of a stage.
 type Textures = Arc<[Option<Arc<SamplePlan>>]>;
@@ -147,7 +147,13 @@ pub(crate) fn choose(
             let key = keys::fragment_key(context, own, base, clamp);
             let textures = key.units.iter().map(|unit| {
                 let target = TextureTarget::of(unit.shape);
-                Some(plan(context, unit.unit, target, ComparisonResult::Placed))
+                Some(plan(
+                    context,
+                    unit.unit,
+                    target,
+                    ComparisonResult::Placed,
+                    Reader::FixedFunction,
+                ))
             });
             let textures = textures.collect();
             let key = fragment_key.insert(FragmentKey {
@@ -257,7 +263,8 @@ fn program_textures(
                 u8::try_from(unit).ok().filter(|unit| *unit < MAX_COMBINED_TEXTURE_IMAGE_UNITS)?;
             let target = TextureTarget::of_sampler(sampler.dim);
             hints::sampler(context, unit, target, sampler.word);
-            Some(plan(context, unit, target, sampler.result))
+            let reader = Reader::Program(module.module(), slot);
+            Some(plan(context, unit, target, sampler.result, reader))
         })
         .collect()
 }
@@ -292,12 +299,34 @@ pub(super) fn sampler(context: &Context, unit: u8, target: TextureTarget) -> Sam
     sampler
 }
 
+/// Who reads a texture.
+#[derive(Clone, Copy, Debug)]
+enum Reader<'a> {
+    FixedFunction,
+    /// A slot of a program's stage.
+    Program(&'a Module, usize),
+}
+
+impl Reader<'_> {
+    /// Whether it reads texel by texel, if only here and there.
+    fn fetches(self) -> bool {
+        let Self::Program(module, slot) = self else { return false };
+        module.values.iter().any(|value| match value {
+            Expr::Sample(sample) => {
+                sample.texture.0 as usize == slot && matches!(sample.access, Access::Fetch { .. })
+            }
+            _ => false,
+        })
+    }
+}
+
 /// How a unit samples the texture of a target, as everything recorded leaves it.
 fn plan(
     context: &mut Context,
     unit: u8,
     target: TextureTarget,
     result: ComparisonResult,
+    reader: Reader<'_>,
 ) -> Arc<SamplePlan> {
     let name = context.state.units.units[usize::from(unit)].bound[target as usize];
     let image = context.objects.texture(target, name).image.clone();
@@ -305,6 +334,11 @@ fn plan(
     let mut sampler = sampler(context, unit, target);
     if result == ComparisonResult::Scalar {
         sampler.depth_mode = DepthMode::Red;
+    }
+    // What is fetched is linear whatever the sampler says (EXT_texture_sRGB_decode, where what a stage
+    // filters as well is undefined).
+    if sampler.srgb == SrgbRead::AsIs && reader.fetches() {
+        sampler.srgb = SrgbRead::Decode;
     }
     let texture = context.objects.texture_mut(target, name);
     let plan = texture.plan(&context.recorder.device, &sampler);

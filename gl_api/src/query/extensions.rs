@@ -118,6 +118,7 @@ pub(crate) const EXTENSIONS: &[&str] = &[
     "GL_EXT_texture_lod_bias",
     "GL_EXT_texture_rectangle",
     "GL_EXT_texture_sRGB",
+    "GL_EXT_texture_sRGB_decode",
     "GL_EXT_texture_shared_exponent",
     "GL_EXT_texture_snorm",
     "GL_EXT_texture_swizzle",

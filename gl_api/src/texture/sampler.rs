@@ -1,5 +1,6 @@
 //! The parameters that textures and sampler objects share: GL 2.1, table 3.18;
-//! `ARB_sampler_objects`, `EXT_texture_filter_anisotropic`, `EXT_texture_mirror_clamp`.
+//! `ARB_sampler_objects`, `EXT_texture_filter_anisotropic`, `EXT_texture_mirror_clamp`,
+//! `EXT_texture_sRGB_decode`.
 
 use super::TextureTarget;
 use crate::constants::*;
@@ -7,7 +8,7 @@ use crate::env::{lod_bias, symbol, unit_to_signed};
 use crate::error::{Result, Table, invalid_enum, invalid_value};
 use crate::state::fragment::COMPARE;
 use crate::types::*;
-use texunit::sampler::{Border, Compare, Filter, MAX_ANISOTROPY, Mipmap, Sampler, Wrap};
+use texunit::sampler::{Border, Compare, Filter, MAX_ANISOTROPY, Mipmap, Sampler, SrgbRead, Wrap};
 
 const WRAP: Table<Wrap> = Table {
     section: "GL 2.1, table 3.18",
@@ -61,6 +62,11 @@ const COMPARE_MODE: Table<bool> = Table {
     rows: &[(GL_NONE, false), (GL_COMPARE_R_TO_TEXTURE, true)],
 };
 
+const SRGB_DECODE: Table<SrgbRead> = Table {
+    section: "EXT_texture_sRGB_decode",
+    rows: &[(GL_DECODE_EXT, SrgbRead::Decode), (GL_SKIP_DECODE_EXT, SrgbRead::AsIs)],
+};
+
 /// A parameter of one number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum SamplerParameter {
@@ -74,6 +80,7 @@ pub(crate) enum SamplerParameter {
     CompareMode,
     CompareFunc,
     MaxAnisotropy,
+    SrgbDecode,
 }
 
 pub(crate) const SAMPLER_PARAMETER: Table<SamplerParameter> = Table {
@@ -90,6 +97,7 @@ pub(crate) const SAMPLER_PARAMETER: Table<SamplerParameter> = Table {
         (GL_TEXTURE_COMPARE_MODE, SamplerParameter::CompareMode),
         (GL_TEXTURE_COMPARE_FUNC, SamplerParameter::CompareFunc),
         (GL_TEXTURE_MAX_ANISOTROPY_EXT, SamplerParameter::MaxAnisotropy),
+        (GL_TEXTURE_SRGB_DECODE_EXT, SamplerParameter::SrgbDecode),
     ],
 };
 
@@ -156,6 +164,7 @@ impl SamplerState {
                 self.compare_func = CompareFunc(func);
                 sampler.compare = sampler.compare.map(|_| func);
             }
+            SamplerParameter::SrgbDecode => sampler.srgb = SRGB_DECODE.decode("param", symbol)?,
             SamplerParameter::MaxAnisotropy if value >= 1.0 => {
                 sampler.max_anisotropy = value.min(MAX_ANISOTROPY);
             }
@@ -183,6 +192,7 @@ impl SamplerState {
             SamplerParameter::CompareMode => symbol(COMPARE_MODE.encode(sampler.compare.is_some())),
             SamplerParameter::CompareFunc => symbol(COMPARE.encode(self.compare_func.0)),
             SamplerParameter::MaxAnisotropy => sampler.max_anisotropy,
+            SamplerParameter::SrgbDecode => symbol(SRGB_DECODE.encode(sampler.srgb)),
         }
     }
 }

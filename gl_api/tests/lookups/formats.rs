@@ -163,3 +163,80 @@ fn blocks_of_luminance() {
         assert_eq!(got, want, "{}", enum_name(internal));
     }
 }
+
+/// Parameters of textures and of sampler objects say whether sRGB colours are linear.
+#[test]
+fn colours_of_srgb_textures_are_decoded_or_as_they_are() {
+    let _current = context();
+    let (rgba, bytes) = (GL_RGBA, GL_UNSIGNED_BYTE);
+    // Bytes, and what they are as linear light.
+    let (stored, linear) = ([188, 128, 64, 100], [128, 55, 13, 100]);
+    let lookup = "uniform sampler2D s; void main() { gl_FragColor = texture2D(s, vec2(0.5)); }";
+    let fetch = "#version 130
+uniform sampler2D s; void main() { gl_FragColor = texelFetch(s, ivec2(0), 0); }";
+    let (lookup, fetch) = (program(VERTEX, lookup).unwrap(), program(VERTEX, fetch).unwrap());
+    let t = GL_TEXTURE_2D;
+    let (decode, skip) = (GL_DECODE_EXT as i32, GL_SKIP_DECODE_EXT as i32);
+    glBindTexture(t, 1);
+    glTexParameteri(t, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    for (internal, stored, linear) in [
+        (GL_SRGB8_ALPHA8, stored, linear),
+        (GL_SRGB8, [188, 128, 64, 255], [128, 55, 13, 255]),
+        (GL_SLUMINANCE8_ALPHA8, [188, 188, 188, 100], [128, 128, 128, 100]),
+        (GL_SLUMINANCE8, [188, 188, 188, 255], [128, 128, 128, 255]),
+        (GL_RGBA8, [188, 128, 64, 100], [188, 128, 64, 100]),
+    ] {
+        glTexImage2D(t, 0, internal, 1, 1, 0, rgba, bytes, &[188_u8, 128, 64, 100]);
+        glTexParameteri(t, GL_TEXTURE_SRGB_DECODE_EXT, skip);
+        assert_eq!(drawn(lookup), stored, "{}", enum_name(internal));
+        // Texels that are fetched are always linear.
+        assert_eq!(drawn(fetch), linear, "{}", enum_name(internal));
+        assert_eq!(drawn(lookup), stored, "{}", enum_name(internal));
+        glTexParameteri(t, GL_TEXTURE_SRGB_DECODE_EXT, decode);
+        assert_eq!(drawn(lookup), linear, "{}", enum_name(internal));
+    }
+    // The fixed function, and a sampler object, which takes the texture's place.
+    glTexImage2D(t, 0, GL_SRGB8_ALPHA8, 1, 1, 0, rgba, bytes, &[188_u8, 128, 64, 100]);
+    glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
+    glEnable(t);
+    let mut sampler = [0];
+    glGenSamplers(1, &mut sampler);
+    glSamplerParameteri(sampler[0], GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    let mut value = [0];
+    glGetSamplerParameteriv(sampler[0], GL_TEXTURE_SRGB_DECODE_EXT, &mut value);
+    assert_eq!(value, [decode]);
+    glSamplerParameteri(sampler[0], GL_TEXTURE_SRGB_DECODE_EXT, skip);
+    assert_eq!(drawn(0), linear);
+    glBindSampler(0, sampler[0]);
+    assert_eq!(drawn(0), stored);
+    glTexParameteri(t, GL_TEXTURE_SRGB_DECODE_EXT, skip);
+    glSamplerParameteri(sampler[0], GL_TEXTURE_SRGB_DECODE_EXT, decode);
+    assert_eq!(drawn(0), linear);
+    glBindSampler(0, 0);
+    assert_eq!(drawn(0), stored);
+    glGetTexParameteriv(t, GL_TEXTURE_SRGB_DECODE_EXT, &mut value);
+    assert_eq!(value, [skip]);
+    assert_eq!(glGetError(), GL_NO_ERROR);
+}
+
+/// Compressed colours too.
+#[test]
+fn colours_of_srgb_blocks_are_as_they_are() {
+    let _current = context();
+    let lookup = "uniform sampler2D s; void main() { gl_FragColor = texture2D(s, vec2(0.5)); }";
+    let lookup = program(VERTEX, lookup).unwrap();
+    let t = GL_TEXTURE_2D;
+    glBindTexture(t, 1);
+    glTexParameteri(t, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    // Two colours of a block alike: red 16 of 31, green 32 of 63, blue 16 of 31.
+    let block = [0x10_u8, 0x84, 0x10, 0x84, 0, 0, 0, 0];
+    for (internal, want) in [
+        (GL_COMPRESSED_SRGB_S3TC_DXT1_EXT, [132, 130, 132, 255]),
+        (GL_COMPRESSED_RGB_S3TC_DXT1_EXT, [132, 130, 132, 255]),
+    ] {
+        glCompressedTexImage2D(t, 0, internal, 4, 4, 0, 8, &block);
+        glTexParameteri(t, GL_TEXTURE_SRGB_DECODE_EXT, GL_SKIP_DECODE_EXT);
+        assert_eq!(drawn(lookup), want, "{}", enum_name(internal));
+    }
+    assert_eq!(glGetError(), GL_NO_ERROR);
+}

@@ -388,6 +388,7 @@ fn parameters_and_samplers() {
         (GL_TEXTURE_3D, GL_TEXTURE_WRAP_R, GL_LINEAR as f32, ENUM, "GL_MIRRORED_REPEAT"),
         (GL_TEXTURE_1D, GL_TEXTURE_MAX_LEVEL, -1.0, VALUE, "must not be negative"),
         (GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, f32::NAN, VALUE, "must not be negative"),
+        (GL_TEXTURE_2D, GL_TEXTURE_SRGB_DECODE_EXT, 1.0, ENUM, "GL_DECODE_EXT or"),
         (GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, 0.5, VALUE, "must be at least 1"),
         (GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, f32::NAN, VALUE, "must be at least 1"),
         (GL_TEXTURE_2D, GL_TEXTURE_SWIZZLE_R, GL_LUMINANCE as f32, ENUM, "GL_ALPHA, 0 or 1"),

@@ -114,12 +114,9 @@ pub enum SrgbWrite {
 impl SrgbWrite {
     /// The format that texels of an attachment are written as.
     pub fn format(self, format: Format) -> Format {
-        match (self, format) {
-            (Self::AsIs, Format::Srgb8) => Format::Rgb8,
-            (Self::AsIs, Format::Srgb8A8) => Format::Rgba8,
-            (Self::AsIs, Format::Sl8) => Format::L8,
-            (Self::AsIs, Format::Sl8A8) => Format::La8,
-            (Self::AsIs | Self::Encode, _) => format,
+        match self {
+            Self::AsIs => format.without_srgb(),
+            Self::Encode => format,
         }
     }
 }
