@@ -54,6 +54,8 @@ pub enum Extension {
     ExplicitAttribLocation,
     /// `GL_ARB_fragment_coord_conventions`: `layout(...)` of `gl_FragCoord`.
     FragmentCoordConventions,
+    /// `GL_ARB_shader_bit_encoding`: `floatBitsToInt` and its kin.
+    ShaderBitEncoding,
     /// `GL_ARB_shader_texture_lod`: explicit levels and gradients in both stages.
     ShaderTextureLod,
     /// `GL_ARB_texture_cube_map_array`: `samplerCubeArray`.
@@ -74,12 +76,13 @@ pub enum Extension {
 
 impl Extension {
     /// Every extension and its name.
-    pub const ALL: [(Self, &'static str); 13] = [
+    pub const ALL: [(Self, &'static str); 14] = [
         (Self::ArraysOfArrays, "GL_ARB_arrays_of_arrays"),
         (Self::DrawBuffers, "GL_ARB_draw_buffers"),
         (Self::DrawInstanced, "GL_ARB_draw_instanced"),
         (Self::ExplicitAttribLocation, "GL_ARB_explicit_attrib_location"),
         (Self::FragmentCoordConventions, "GL_ARB_fragment_coord_conventions"),
+        (Self::ShaderBitEncoding, "GL_ARB_shader_bit_encoding"),
         (Self::ShaderTextureLod, "GL_ARB_shader_texture_lod"),
         (Self::TextureCubeMapArray, "GL_ARB_texture_cube_map_array"),
         (Self::TextureMultisample, "GL_ARB_texture_multisample"),

@@ -39,6 +39,7 @@ pub(crate) const EXTENSIONS: &[&str] = &[
     "GL_ARB_provoking_vertex",
     "GL_ARB_sampler_objects",
     "GL_ARB_seamless_cube_map",
+    "GL_ARB_shader_bit_encoding",
     "GL_ARB_shader_objects",
     "GL_ARB_shader_texture_lod",
     "GL_ARB_shading_language_100",

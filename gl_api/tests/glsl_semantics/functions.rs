@@ -372,4 +372,18 @@ pub const TABLE: &[Row] = &[
         "r = vec4(dFdy(x * 2.0), fwidth(x * 3.0), dFdx(4.0), dFdx(u.x));",
         [0.0, 3.0, 0.0, 0.0],
     ),
+    Row(
+        130,
+        "#extension GL_ARB_shader_bit_encoding : require\n",
+        "r = vec4(floatBitsToInt(u.x) == 0x3f800000, intBitsToFloat(k * 0x20000000 + 0x400000),
+            uintBitsToFloat(0x40800000u), floatBitsToUint(-u.y) == 0xc0000000u);",
+        [1.0, 3.0, 4.0, 1.0],
+    ),
+    Row(
+        130,
+        "#extension GL_ARB_shader_bit_encoding : require\n",
+        "r = intBitsToFloat(floatBitsToInt(u) + ivec4(1 << 23));
+            r.zw = uintBitsToFloat(floatBitsToUint(-u.zw) ^ uvec2(1u << 31u));",
+        [2.0, 4.0, 3.0, 4.0],
+    ),
 ];

@@ -404,6 +404,8 @@ operations! { $
     ULessEqual "uless_equal" (a: u32, b: u32) -> bool = a <= b;
     /// The bits of a float, as those of an integer attribute.
     FloatBits "float_bits" (a: f32) -> u32 = a.to_bits();
+    /// The float of these bits.
+    BitsFloat "bits_float" (a: u32) -> f32 = f32::from_bits(a);
     /// Bits of both.
     BitAnd "bit_and" (a: u32, b: u32) -> u32 = a & b;
     /// Bits of either.

@@ -63,6 +63,22 @@ fn each(
     (0..args.len()).map(|index| f(emit, &|which| args.at(which, index))).collect()
 }
 
+/// The bits as a signed integer.
+pub fn float_bits_to_int(emit: &mut Emit, args: Args<'_>) -> Vec<Value> {
+    each(emit, args, |emit, at| {
+        let bits = emit.op(Op::FloatBits, &[at(0)]);
+        emit.op(Op::UintToInt, &[bits])
+    })
+}
+
+/// The float whose bits a signed integer has.
+pub fn int_bits_to_float(emit: &mut Emit, args: Args<'_>) -> Vec<Value> {
+    each(emit, args, |emit, at| {
+        let bits = emit.op(Op::IntToUint, &[at(0)]);
+        emit.op(Op::BitsFloat, &[bits])
+    })
+}
+
 /// `x · π / 180`.
 pub fn radians(emit: &mut Emit, args: Args<'_>) -> Vec<Value> {
     let factor = emit.float(std::f32::consts::PI / 180.0);

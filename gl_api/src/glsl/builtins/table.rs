@@ -14,6 +14,9 @@ const V130: Since = Since::V130;
 /// What came with integers.
 const INTEGER: Since = Since::V130.or(Extension::GpuShader4);
 
+/// What gives the bits of numbers.
+const BITS: Since = Since::only(Extension::ShaderBitEncoding);
+
 const F: P = P::Gen(Scalar::Float);
 const I: P = P::Gen(Scalar::Int);
 const U: P = P::Gen(Scalar::Uint);
@@ -113,6 +116,10 @@ pub fn rows() -> Vec<Row> {
         any("smoothstep", F, &[F1, F1, F], ALWAYS, With(math::smoothstep)),
         any("isnan", B, &[F], V130, With(math::isnan)),
         any("isinf", B, &[F], V130, With(math::isinf)),
+        any("floatBitsToInt", I, &[F], BITS, With(math::float_bits_to_int)),
+        any("floatBitsToUint", U, &[F], BITS, Map(Op::FloatBits)),
+        any("intBitsToFloat", F, &[I], BITS, With(math::int_bits_to_float)),
+        any("uintBitsToFloat", F, &[U], BITS, Map(Op::BitsFloat)),
         // 8.4 Geometric
         any("length", F1, &[F], ALWAYS, With(math::length)),
         any("distance", F1, &[F, F], ALWAYS, With(math::distance)),
