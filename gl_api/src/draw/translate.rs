@@ -12,11 +12,12 @@ use crate::pixels::rectangle::Rectangle;
 use crate::state::enable::Flag;
 use crate::state::multisample::multisample_state;
 use crate::state::stencil::Side;
+use crate::state::viewport::depth_clip;
 use crate::transform_feedback;
 use rasterizer::driver::{
-    Buffer, ColorState, Command, Cull, DepthState, FrontFace, IndexType, Indices, OutputState,
-    PassDesc, Pipeline, PipelineDesc, Provoking, RasterState, Rect, Rim, SampleRule, ShaderModule,
-    Topology, VertexBinding, Viewport,
+    Buffer, ColorState, Command, Cull, DepthClip, DepthState, FrontFace, IndexType, Indices,
+    OutputState, PassDesc, Pipeline, PipelineDesc, Provoking, RasterState, Rect, Rim, SampleRule,
+    ShaderModule, Topology, VertexBinding, Viewport,
 };
 use std::sync::Arc;
 
@@ -203,13 +204,15 @@ fn viewport(context: &Context) -> Viewport {
         height: viewport.height as f32,
         near: near as f32,
         far: far as f32,
+        depth_clip: depth_clip(context),
     }
 }
 
 /// The whole framebuffer, everything at one depth.
 fn rectangle_viewport(pass: &PassDesc, depth: f32) -> Viewport {
     let (width, height) = (pass.width as f32, pass.height as f32);
-    Viewport { x: 0.0, y: 0.0, width, height, near: depth, far: depth }
+    let depth_clip = DepthClip::Cut;
+    Viewport { x: 0.0, y: 0.0, width, height, near: depth, far: depth, depth_clip }
 }
 
 /// The scissor rectangle, if the test is on.
@@ -253,7 +256,7 @@ fn pipeline_desc(
         topology,
         cull: if enables.has(Flag::CullFace) { raster.cull } else { Cull::None },
         front_face: raster.front_face,
-        provoking: Provoking::Last,
+        provoking: raster.provoking,
         depth,
         colors: colors.collect(),
         output,

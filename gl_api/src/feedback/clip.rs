@@ -1,6 +1,8 @@
 //! Clipping in homogeneous coordinates: GL 2.1, section 2.12. What lies between two vertices is
 //! mixed linearly there (section 2.14.8).
 
+use rasterizer::driver::DepthClip;
+
 /// Most planes of the user.
 const USER_PLANES: usize = 8;
 /// The sides of the view volume, and the planes of the user.
@@ -16,6 +18,8 @@ pub(super) struct Vertex {
     pub values: [[f64; 4]; 3],
     /// Whether the edge that begins here is one of the polygon's.
     pub edge: bool,
+    /// What the near and the far plane do.
+    pub depth_clip: DepthClip,
 }
 
 impl Vertex {
@@ -27,6 +31,7 @@ impl Vertex {
             1 => w - x,
             2 => w + y,
             3 => w - y,
+            4 | 5 if self.depth_clip == DepthClip::Clamp => 1.0,
             4 => w + z,
             5 => w - z,
             _ => self.distances[plane - 6],
@@ -44,6 +49,7 @@ impl Vertex {
             distances: std::array::from_fn(|i| mix(self.distances[i], to.distances[i])),
             values: std::array::from_fn(|i| four(self.values[i], to.values[i])),
             edge: self.edge,
+            depth_clip: self.depth_clip,
         }
     }
 }
@@ -93,7 +99,8 @@ mod tests {
 
     fn at(x: f64, y: f64) -> Vertex {
         let values = [[x, y, 0.0, 1.0]; 3];
-        Vertex { clip: [x, y, 0.0, 1.0], distances: [1.0; 8], values, edge: true }
+        let depth_clip = DepthClip::Cut;
+        Vertex { clip: [x, y, 0.0, 1.0], distances: [1.0; 8], values, edge: true, depth_clip }
     }
 
     #[test]

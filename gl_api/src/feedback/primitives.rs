@@ -10,7 +10,10 @@ use crate::draw::translate::Elements;
 use crate::error::{ErrorCode, GlError, Result};
 use crate::interface::*;
 use crate::state::enable::Flag;
-use rasterizer::driver::{Cull, FrontFace, PolygonMode, Provoking, Topology, VertexBinding};
+use crate::state::viewport::{depth_clip, within};
+use rasterizer::driver::{
+    Cull, DepthClip, FrontFace, PolygonMode, Provoking, Topology, VertexBinding,
+};
 use rasterizer::ir::{Interpolation, Output};
 use std::ops::Range;
 
@@ -53,6 +56,7 @@ fn clip_vertices(
     shaded: &Vertices,
 ) -> Vec<Vertex> {
     let current = |location: u8| context.state.current[usize::from(location)];
+    let depth_clip = depth_clip(context);
     let flags = vertices.iter().find(|binding| binding.location == ATTRIB_EDGE_FLAG);
     let vertex = |(id, shaded): (&Id, Shaded<'_>)| {
         let front = shaded.varyings(VARYING_COLOR, current(ATTRIB_COLOR));
@@ -67,6 +71,7 @@ fn clip_vertices(
             distances: [0, 1, 2, 3, 4, 5, 6, 7].map(distance),
             values: values.map(|value| value.map(f64::from)),
             edge: flags.is_none_or(|flags| flags.source.read(id.vertex)[0] != 0.0),
+            depth_clip,
         }
     };
     ids.iter().zip(shaded.iter()).map(vertex).collect()
@@ -166,11 +171,15 @@ fn corner(context: &Context, vertex: &Vertex, facing: Facing) -> Corner {
     let along =
         |c: f64, start: i32, size: i32| f64::from(start) + (c / w + 1.0) * f64::from(size) / 2.0;
     let [near, far] = viewport.depth;
+    let depth = near + (z / w + 1.0) * (far - near) / 2.0;
     Corner {
         window: [
             along(x, viewport.x, viewport.width),
             along(y, viewport.y, viewport.height),
-            near + (z / w + 1.0) * (far - near) / 2.0,
+            match vertex.depth_clip {
+                DepthClip::Cut => depth,
+                DepthClip::Clamp => within(depth, viewport.depth),
+            },
         ],
         clip_w: w,
         color: match facing {

@@ -7,9 +7,9 @@ use crate::feedback::Mode;
 use crate::feedback::shade::{self, Id, Shaded, Vertices};
 use crate::interface::*;
 use crate::state::clamp;
-use crate::state::viewport::unit;
+use crate::state::viewport::{depth_clip, unit, within};
 use crate::types::GLenum;
-use rasterizer::driver::{VertexBinding, VertexSource};
+use rasterizer::driver::{DepthClip, VertexBinding, VertexSource};
 use rasterizer::ir::Output;
 
 const SECTION: &str = "GL 2.1, section 2.13";
@@ -43,9 +43,14 @@ impl Default for RasterPosition {
 }
 
 /// Whether a shaded point is outside of the view volume or behind a plane of the user.
-fn is_clipped(shaded: Shaded<'_>) -> bool {
+fn is_clipped(shaded: Shaded<'_>, depth_clip: DepthClip) -> bool {
     let [x, y, z, w] = shaded.position();
-    let outside = [x, y, z].iter().any(|c| !(-w <= *c && *c <= w));
+    let bounded = match depth_clip {
+        DepthClip::Cut => [x, y, z],
+        // Behind the eye is outside of something whatever z is.
+        DepthClip::Clamp => [x, y, w],
+    };
+    let outside = bounded.iter().any(|c| !(-w <= *c && *c <= w));
     outside || (0..8).any(|plane| shaded.get(Output::ClipDistance(plane)).is_some_and(|d| d < 0.0))
 }
 
@@ -73,7 +78,8 @@ fn select(context: &mut Context) {
 pub(super) fn raster(context: &mut Context, position: [f64; 4]) -> Result<()> {
     let vertices = shade(context, position.map(|c| c as f32))?;
     let shaded = vertices.vertex(0);
-    if is_clipped(shaded) {
+    let depth_clip = depth_clip(context);
+    if is_clipped(shaded, depth_clip) {
         context.state.raster_position.valid = false;
         return Ok(());
     }
@@ -86,7 +92,10 @@ pub(super) fn raster(context: &mut Context, position: [f64; 4]) -> Result<()> {
     let window = [
         along(x, viewport.x, viewport.width),
         along(y, viewport.y, viewport.height),
-        unit(depth),
+        match depth_clip {
+            DepthClip::Cut => unit(depth),
+            DepthClip::Clamp => within(depth, viewport.depth),
+        },
         w,
     ];
     let clamp = clamp::of_vertices(context);

@@ -15,6 +15,7 @@ pub(crate) const EXTENSIONS: &[&str] = &[
     "GL_ARB_copy_buffer",
     "GL_ARB_debug_output",
     "GL_ARB_depth_buffer_float",
+    "GL_ARB_depth_clamp",
     "GL_ARB_depth_texture",
     "GL_ARB_draw_buffers",
     "GL_ARB_draw_buffers_blend",

@@ -119,7 +119,7 @@ const FLAGS: &[(GLbitfield, &[Flag])] = &[
     ),
     (GL_SCISSOR_BIT, &[Flag::ScissorTest]),
     (GL_STENCIL_BUFFER_BIT, &[Flag::StencilTest, Flag::StencilTestTwoSide]),
-    (GL_TRANSFORM_BIT, &[Flag::Normalize, Flag::RescaleNormal]),
+    (GL_TRANSFORM_BIT, &[Flag::DepthClamp, Flag::Normalize, Flag::RescaleNormal]),
     (
         GL_ENABLE_BIT,
         &[

@@ -1,8 +1,10 @@
 //! The viewport transformation: GL 2.1, section 2.11.1.
 
+use super::enable::Flag;
 use crate::context::{Context, limits};
 use crate::error::{Result, not_negative};
 use crate::types::*;
+use rasterizer::driver::DepthClip;
 
 /// Where in the window normalized device coordinates lie.
 #[derive(Clone, Debug)]
@@ -53,4 +55,14 @@ pub(crate) fn depth_rangef(context: &mut Context, near: GLclampf, far: GLclampf)
 /// Clamped to [0, 1]; NaN gives 0.
 pub(crate) fn unit(value: f64) -> f64 {
     if value > 0.0 { value.min(1.0) } else { 0.0 }
+}
+
+/// What the near and the far plane do (`ARB_depth_clamp`).
+pub(crate) fn depth_clip(context: &Context) -> DepthClip {
+    if context.state.enables.has(Flag::DepthClamp) { DepthClip::Clamp } else { DepthClip::Cut }
+}
+
+/// A depth between those of the near and the far plane.
+pub(crate) fn within(depth: f64, [near, far]: [f64; 2]) -> f64 {
+    depth.max(near.min(far)).min(near.max(far))
 }

@@ -11,6 +11,7 @@ mod state_table;
 mod accumulation;
 mod bad_input;
 mod conditional;
+mod depth_clamp;
 mod evaluators;
 mod feedback;
 mod fragments;

@@ -24,9 +24,30 @@ pub struct Viewport {
     pub near: f32,
     /// Window depth of the far plane, 0 to 1.
     pub far: f32,
+    /// What becomes of what lies before the near plane or behind the far one.
+    pub depth_clip: DepthClip,
+}
+
+/// What the near and the far plane do.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum DepthClip {
+    /// They cut.
+    #[default]
+    Cut,
+    /// Nothing; depths are held between those of both planes (`ARB_depth_clamp`).
+    Clamp,
 }
 
 impl Viewport {
+    /// The least and the largest depth of fragments, whatever planes, offsets and shaders gave.
+    pub(crate) fn depths(&self) -> [f32; 2] {
+        match self.depth_clip {
+            DepthClip::Cut => [0.0, 1.0],
+            DepthClip::Clamp if self.near < self.far => [self.near, self.far],
+            DepthClip::Clamp => [self.far, self.near],
+        }
+    }
+
     /// Half its width and height.
     pub(crate) fn half(&self) -> [f64; 2] {
         [f64::from(self.width) * 0.5, f64::from(self.height) * 0.5]

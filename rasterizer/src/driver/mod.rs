@@ -21,7 +21,9 @@ pub use crate::primitive::{Primitive, Primitives, primitives};
 pub use crate::raster::sample_positions;
 pub use crate::target::MAX_SAMPLES;
 pub use buffer::{Buffer, VertexBinding, VertexFormat, VertexSource, VertexType};
-pub use command::{ClearValue, Command, CommandBuffer, IndexType, Indices, Rect, Viewport};
+pub use command::{
+    ClearValue, Command, CommandBuffer, DepthClip, IndexType, Indices, Rect, Viewport,
+};
 pub use counter::Counter;
 pub use device::{Device, DeviceDesc, DeviceError, Explain, SubmitError, SubmitReport};
 pub use image::{Attachment, Image, LevelInfo, PassDesc, Rows};

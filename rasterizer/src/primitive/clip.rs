@@ -5,7 +5,7 @@
 //! precision and leaves no seam. The sides of the view volume cut nothing: a guard band far outside
 //! the window does, and the scissor does the rest.
 
-use crate::driver::Viewport;
+use crate::driver::{DepthClip, Viewport};
 use crate::vertex::GUARD_BAND;
 
 /// How many clip distances a vertex can have.
@@ -26,16 +26,21 @@ const W_MIN: f64 = 1e-30;
 /// A half space: what has `p · plane >= 0` is inside.
 type Plane = [f64; 4];
 
-/// The half spaces that a primitive is cut by: w > 0, near, far, and the guard band of a viewport.
+/// The half spaces that a primitive is cut by: w > 0, near and far (where depth is clamped instead,
+/// w > 0 again), and the guard band of a viewport.
 pub fn planes(viewport: &Viewport) -> [Plane; 7] {
     let (half, center) = (viewport.half(), viewport.center());
     // -G w <= x half + center w <= G w
     let low = |axis: usize| center[axis] + GUARD_BAND;
     let high = |axis: usize| GUARD_BAND - center[axis];
+    let depth = match viewport.depth_clip {
+        DepthClip::Cut => 1.0,
+        DepthClip::Clamp => 0.0,
+    };
     [
         [0.0, 0.0, 0.0, 1.0],
-        [0.0, 0.0, 1.0, 1.0],
-        [0.0, 0.0, -1.0, 1.0],
+        [0.0, 0.0, depth, 1.0],
+        [0.0, 0.0, -depth, 1.0],
         [half[0], 0.0, 0.0, low(0)],
         [-half[0], 0.0, 0.0, high(0)],
         [0.0, half[1], 0.0, low(1)],

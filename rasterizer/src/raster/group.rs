@@ -377,8 +377,15 @@ mod tests {
 
     #[test]
     fn shapes_together_have_the_planes_they_have_alone() {
-        let viewport =
-            Viewport { x: 3.0, y: 5.0, width: 640.0, height: 480.0, near: 0.25, far: 1.0 };
+        let viewport = Viewport {
+            x: 3.0,
+            y: 5.0,
+            width: 640.0,
+            height: 480.0,
+            near: 0.25,
+            far: 1.0,
+            depth_clip: Default::default(),
+        };
         let mut state = 9;
         let mut geometry = Geometry::default();
         geometry.stride = VARYINGS + 4;

@@ -192,7 +192,7 @@ impl Fill<'_> {
         // computed on the stack and stored whole.
         if let Some(index) = plan.depth_plane.filter(|_| plan.shades_depth) {
             **depth = evaluate(places, index);
-            clamp_depth(depth);
+            clamp_depth(depth, plan.viewport.depths());
         }
         let mut w = F32s::splat(1.0);
         let denominator = plan.denominator_plane.unwrap_or(0);
@@ -420,11 +420,12 @@ impl Batch<'_> {
     }
 }
 
-/// Window depth lies in [0, 1], whatever the planes and offsets gave (GL 2.1, section 2.11.1).
+/// Window depth lies within bounds, [0, 1] or closer ones, whatever the planes and offsets gave (GL 2.1,
+/// section 2.11.1; `ARB_depth_clamp`).
 #[inline(always)]
-pub fn clamp_depth(depth: &mut F32s) {
+pub fn clamp_depth(depth: &mut F32s, [low, high]: [f32; 2]) {
     for lane in 0..LANES {
-        depth[lane] = texunit::lanes::math::clamp(depth[lane], 0.0, 1.0);
+        depth[lane] = texunit::lanes::math::clamp(depth[lane], low, high);
     }
 }
 
@@ -433,6 +434,8 @@ pub fn clamp_depth(depth: &mut F32s) {
 pub struct BlockDepth {
     /// At the first pixel, per pixel across, per pixel up.
     pub plane: [f32; 3],
+    /// What depths are held within.
+    pub depths: [f32; 2],
 }
 
 impl Kernel for BlockDepth {
@@ -446,7 +449,7 @@ impl Kernel for BlockDepth {
             let dy = texunit::lanes::lane_y(lane) as f32;
             out[lane] = (corner + dx * a) + dy * b;
         }
-        clamp_depth(&mut out);
+        clamp_depth(&mut out, self.depths);
         out
     }
 }
@@ -460,6 +463,8 @@ pub struct BatchDepth<'a> {
     pub plane: usize,
     /// From the pixel's centre to the sample, in pixels; `None` for the centre itself.
     pub offset: Option<[f32; 2]>,
+    /// What depths are held within.
+    pub depths: [f32; 2],
     /// Takes the depth.
     pub depth: &'a mut F32s,
 }
@@ -479,13 +484,13 @@ impl Kernel for BatchDepth<'_> {
 impl BatchDepth<'_> {
     #[inline(always)]
     fn fill(self, places: &impl Places) {
-        let Self { plane, offset, depth, .. } = self;
+        let Self { plane, offset, depths, depth, .. } = self;
         let plane = places.plane(plane);
         let mut out = match offset {
             None => evaluate_plane(places, plane),
             Some(by) => evaluate_plane(places, |e, q| moved(plane(e, q), Some(by))),
         };
-        clamp_depth(&mut out);
+        clamp_depth(&mut out, depths);
         *depth = out;
     }
 }

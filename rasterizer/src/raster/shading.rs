@@ -35,7 +35,7 @@ pub fn early_tests(
         let depth = match plan.depth_plane {
             Some(index) => {
                 let plane = moved(of.planes[index], plan.samples.offset(sample));
-                isa.run(BlockDepth { plane })
+                isa.run(BlockDepth { plane, depths: plan.viewport.depths() })
             }
             None => F32s::ZERO,
         };
@@ -362,9 +362,10 @@ impl Shader {
         output: Option<usize>,
         mut see: impl FnMut(&F32s),
     ) {
+        let depths = plan.viewport.depths();
         if let Some(output) = output {
             self.depth = *self.machine.output(output).as_f32();
-            isa.run(ClampDepth(&mut self.depth));
+            isa.run(ClampDepth(&mut self.depth, depths));
         }
         let (back, place) = (batch.back(), &batch.place());
         for (sample, mask) in self.left.iter_mut().enumerate() {
@@ -372,7 +373,8 @@ impl Shader {
             if let (Some(plane), None) = (plan.depth_plane, output)
                 && (sample == 0 || offset.is_some())
             {
-                isa.run(BatchDepth { batch, plane, offset, depth: &mut self.depth });
+                let depth = &mut self.depth;
+                isa.run(BatchDepth { batch, plane, offset, depths, depth });
             }
             let fragments = Fragments { place, depth: &self.depth, back, mask: *mask };
             *mask = test(isa, &plan.tests, target, sample, &fragments);
@@ -382,12 +384,12 @@ impl Shader {
 }
 
 /// [`clamp_depth`] as a kernel.
-struct ClampDepth<'a>(&'a mut F32s);
+struct ClampDepth<'a>(&'a mut F32s, [f32; 2]);
 
 impl Kernel for ClampDepth<'_> {
     type Output = ();
     #[inline(always)]
     fn run<S: Simd>(self) {
-        clamp_depth(self.0);
+        clamp_depth(self.0, self.1);
     }
 }

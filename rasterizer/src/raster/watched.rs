@@ -290,7 +290,8 @@ impl TileJob {
         let depth = |sample: usize| {
             let plane =
                 plan.depth_plane.map(|at| moved(of.planes[at], plan.samples.offset(sample)));
-            plane.map_or(0.0, |plane| isa.run(BlockDepth { plane })[spot.lane])
+            let depths = plan.viewport.depths();
+            plane.map_or(0.0, |plane| isa.run(BlockDepth { plane, depths })[spot.lane])
         };
         let depths: Vec<f32> = (0..plan.samples.count).map(depth).collect();
         let tested = Tested { when: When::Early, depths: &depths, before, after: &after };

@@ -1,6 +1,6 @@
 //! Where shaded vertices lie: the viewport transform and the clip tests, 64 at a time.
 
-use crate::driver::Viewport;
+use crate::driver::{DepthClip, Viewport};
 use crate::primitive::SUBPIXEL;
 use texunit::lanes::{F32s, Kernel, LANES, Simd};
 
@@ -81,6 +81,10 @@ impl Kernel for Place<'_> {
         }
         let [across, up] = &window;
         let bit = |out: bool, bit: u32| if out { bit } else { 0 };
+        let kept = match viewport.depth_clip {
+            DepthClip::Cut => !0,
+            DepthClip::Clamp => !(Outcode::NEAR | Outcode::FAR),
+        };
         for lane in 0..LANES {
             let (x, y, z, w) = (x[lane], y[lane], z[lane], w[lane]);
             let inside = |v: f64| v.abs() <= GUARD_BAND;
@@ -94,7 +98,7 @@ impl Kernel for Place<'_> {
                 | bit(z > w, Outcode::FAR)
                 | bit(w <= 0.0, Outcode::BEHIND)
                 | bit(!in_band, Outcode::GUARD);
-            out.outcodes[lane] = if finite { code } else { Outcode::INVALID };
+            out.outcodes[lane] = if finite { code & kept } else { Outcode::INVALID };
         }
     }
 }

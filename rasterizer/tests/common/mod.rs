@@ -116,5 +116,6 @@ pub fn viewport(width: u32, height: u32) -> Command {
         height: height as f32,
         near: 0.0,
         far: 1.0,
+        depth_clip: Default::default(),
     })
 }
