@@ -66,6 +66,7 @@ mod state;
 mod texture;
 mod transform_feedback;
 pub mod types;
+mod uniform_buffer;
 
 pub use abi::memory::ClientPointer;
 pub use constants::*;

@@ -119,12 +119,16 @@ const fn rule(command: &str, parameter: usize, length: Length) -> Rule {
             } else if same(formula, "COMPSIZE(drawcount)")
                 || same(formula, "COMPSIZE(primcount)")
                 || same(formula, "COMPSIZE(count)")
+                || same(formula, "COMPSIZE(uniformCount)")
+                || same(formula, "COMPSIZE(uniformCount,pname)")
             {
                 Rule::Times(arguments[0], 1)
             } else if same(formula, "COMPSIZE(program,location)")
                 || same(formula, "COMPSIZE(programObj,location)")
             {
                 Rule::Computed(uniform)
+            } else if same(formula, "COMPSIZE(program,uniformBlockIndex,pname)") {
+                Rule::Computed(block)
             } else if same(formula, "COMPSIZE(buffer)") {
                 Rule::Computed(buffer)
             } else if same(formula, "COMPSIZE(target,stride,order)") {
@@ -253,6 +257,15 @@ fn uniform(arguments: &[isize]) -> usize {
     let (program, location) = (arguments[0] as u32, arguments[1] as i32);
     let words = with_current(|context| crate::program::inspect::words(context, program, location));
     words.and_then(Result::ok).map_or(0, |(_, words)| words.len())
+}
+
+/// `glGetActiveUniformBlockiv`: (program, index, pname, params).
+fn block(arguments: &[isize]) -> usize {
+    let [program, index, pname] = [0, 1, 2].map(|at| arguments[at] as u32);
+    let values = with_current(|context| {
+        crate::uniform_buffer::inspect::block_values(context, program, index, pname)
+    });
+    values.and_then(Result::ok).map_or(0, |values| values.len())
 }
 
 /// `glClearBuffer`: (buffer, drawbuffer, value).

@@ -310,7 +310,7 @@ impl<'a> Param<'a> for Strings<'a> {
     }
 }
 
-/// `glTransformFeedbackVaryings` alone has this type.
+/// `glTransformFeedbackVaryings` and `glGetUniformIndices` have this type.
 impl<'a> Param<'a> for Names<'a> {
     type Raw = *const *const c_char;
     type Held = Vec<Cow<'static, str>>;

@@ -21,6 +21,14 @@ pub(crate) const MAX_SAMPLES: u8 = rasterizer::driver::MAX_SAMPLES as u8;
 pub(crate) const MAX_TEXTURE_LOD_BIAS: f32 = 16.0;
 /// `GL_MAX_VERTEX_UNIFORM_COMPONENTS` and `GL_MAX_FRAGMENT_UNIFORM_COMPONENTS`.
 pub(crate) const MAX_UNIFORM_COMPONENTS: i32 = 16384;
+/// `GL_MAX_VERTEX_UNIFORM_BLOCKS` and `GL_MAX_FRAGMENT_UNIFORM_BLOCKS`.
+pub(crate) const MAX_UNIFORM_BLOCKS: usize = 16;
+/// `GL_MAX_UNIFORM_BUFFER_BINDINGS`.
+pub(crate) const MAX_UNIFORM_BUFFER_BINDINGS: usize = 64;
+/// `GL_MAX_UNIFORM_BLOCK_SIZE`, in bytes.
+pub(crate) const MAX_UNIFORM_BLOCK_SIZE: u32 = 65536;
+/// `GL_UNIFORM_BUFFER_OFFSET_ALIGNMENT`: what rows of blocks in one buffer are a multiple of.
+pub(crate) const UNIFORM_BUFFER_OFFSET_ALIGNMENT: usize = 16;
 /// `GL_MAX_VARYING_FLOATS`.
 pub(crate) const MAX_VARYING_FLOATS: i32 = 64;
 /// The largest buffer object, in bytes.

@@ -23,6 +23,7 @@ use crate::object::sharing::{Entered, Group, Invitation, Shared, Turn};
 use crate::state::State;
 use crate::state::attrib::AttribStacks;
 use crate::transform_feedback::TransformFeedback;
+use crate::uniform_buffer::UniformBuffers;
 pub use debug::{Message, Severity};
 pub use log::GLDEBUGPROC;
 use rasterizer::driver::{Device, DeviceDesc, DeviceError};
@@ -101,6 +102,7 @@ pub struct Context {
     /// Selection and feedback.
     pub(crate) feedback: Feedback,
     pub(crate) transform_feedback: TransformFeedback,
+    pub(crate) uniform_buffers: UniformBuffers,
     /// The contexts that this one shares objects with.
     group: Option<Group>,
     /// Where another thread asks for the group.
@@ -157,6 +159,7 @@ impl Context {
             evaluators: Maps::default(),
             feedback: Feedback::default(),
             transform_feedback: TransformFeedback::default(),
+            uniform_buffers: UniformBuffers::default(),
             group: None,
             invitation: Invitation::default(),
             entered: Entered::No,

@@ -19,6 +19,7 @@ use crate::state::clamp::{self, Clamp};
 use crate::state::enable::Flag;
 use crate::state::viewport;
 use crate::texture::TextureTarget;
+use crate::uniform_buffer;
 use rasterizer::driver::{Rim, ShaderModule, VertexBinding};
 use rasterizer::ir::{Access, Expr, Interpolation, IrError, Module, Output, Stage};
 use std::sync::Arc;
@@ -96,6 +97,7 @@ pub(crate) fn choose(
     rim: Rim,
 ) -> Result<Stages> {
     let name = context.state.bindings.program;
+    uniform_buffer::unpack::refresh(context, name)?;
     let clamp = clamp::of_fragments(context);
     let mut words = Vec::new();
     let (mut vertex, mut fragment, mut samplers) = (None, None, Vec::new());

@@ -19,7 +19,7 @@ pub struct Exercise {
 
 /// Every row of the tables.
 pub fn exercises() -> Vec<Exercise> {
-    let chapters: [fn() -> Vec<Exercise>; 18] = [
+    let chapters: [fn() -> Vec<Exercise>; 19] = [
         super::attributes::exercises,
         super::debugging::exercises,
         super::fragments::exercises,
@@ -37,6 +37,7 @@ pub fn exercises() -> Vec<Exercise> {
         super::textures::exercises,
         super::transform::exercises,
         super::transform_feedback::exercises,
+        super::uniform_buffers::exercises,
         super::vertices::exercises,
     ];
     chapters.into_iter().flat_map(|chapter| chapter()).collect()

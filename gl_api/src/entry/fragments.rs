@@ -84,6 +84,9 @@ entry_points! {
         /// Reads state of one draw buffer as integers.
         get_integeri_v: glGetIntegeri_v | glGetIntegerIndexedvEXT
             (target: GLenum, index: GLuint, data: &'a mut [GLint]);
+        /// Reads state of one draw buffer or binding as integers of 64 bits.
+        get_integer64i_v: glGetInteger64i_v
+            (target: GLenum, index: GLuint, data: &'a mut [GLint64]);
     }
     Outside in stencil {
         /// Sets the stencil test of both faces.

@@ -155,6 +155,7 @@ mod special;
 mod textures;
 mod transform;
 mod transform_feedback;
+mod uniform_buffers;
 mod vertices;
 
 pub use args::{
@@ -182,6 +183,7 @@ pub use special::*;
 pub use textures::*;
 pub use transform::*;
 pub use transform_feedback::*;
+pub use uniform_buffers::*;
 pub use vertices::*;
 
 /// Whether a call may stand between `glBegin` and `glEnd` (GL 2.1, section 2.6.3).
@@ -231,6 +233,7 @@ fn groups() -> impl Iterator<Item = &'static [Row]> {
         TEXTURES,
         TRANSFORM,
         TRANSFORM_FEEDBACK,
+        UNIFORM_BUFFERS,
         VERTICES,
     ]
     .into_iter()

@@ -1,7 +1,8 @@
 //! Transform feedback: GL 3.0, section 2.15 (`EXT_transform_feedback`).
 
 use super::{Names, TextOut};
-use crate::transform_feedback::{bindings, calls, varyings};
+use crate::object::indexed_buffers;
+use crate::transform_feedback::{calls, varyings};
 use crate::types::*;
 
 entry_points! {
@@ -13,7 +14,7 @@ entry_points! {
         /// Ends it.
         end_transform_feedback: glEndTransformFeedback | glEndTransformFeedbackEXT ();
     }
-    Outside in bindings {
+    Outside in indexed_buffers {
         /// Binds a part of a buffer to a numbered binding.
         bind_buffer_range: glBindBufferRange | glBindBufferRangeEXT
             (target: GLenum, index: GLuint, buffer: GLuint, offset: GLintptr, size: GLsizeiptr);

@@ -277,6 +277,23 @@ pub enum Qualifier {
     PixelCenterInteger,
     /// `layout(location = n)`.
     Location(u32),
+    /// `layout(std140)` and the like, of uniform blocks.
+    Block(BlockLayout),
+}
+
+/// A word about how a uniform block lies in its buffer (ARB_uniform_buffer_object, section 4.3.5.2).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BlockLayout {
+    /// `shared`.
+    Shared,
+    /// `packed`.
+    Packed,
+    /// `std140`.
+    Std140,
+    /// `row_major`.
+    RowMajor,
+    /// `column_major`.
+    ColumnMajor,
 }
 
 impl Qualifier {
@@ -287,6 +304,7 @@ impl Qualifier {
             Self::OriginUpperLeft
             | Self::PixelCenterInteger
             | Self::Location(_)
+            | Self::Block(_)
             | Self::Invariant => 0,
             Self::Smooth | Self::Flat | Self::NoPerspective => 1,
             Self::Centroid | Self::Const => 2,
@@ -354,6 +372,17 @@ pub struct Function {
     pub body: Option<Vec<Stmt>>,
 }
 
+/// A uniform block.
+#[derive(Clone, Debug)]
+pub struct BlockDecl {
+    /// The words before its name.
+    pub qualifiers: Vec<(Qualifier, Span)>,
+    /// Its name.
+    pub name: Name,
+    /// What stands in it.
+    pub members: Vec<Declaration>,
+}
+
 /// What stands outside of functions.
 #[derive(Clone, Debug)]
 pub enum Item {
@@ -361,6 +390,10 @@ pub enum Item {
     Declaration(Declaration),
     /// A function.
     Function(Function),
+    /// A uniform block.
+    Block(BlockDecl),
+    /// `layout(std140) uniform;`: what the blocks after it begin with.
+    BlockDefaults(Vec<(Qualifier, Span)>),
     /// `invariant a, b;`.
     Invariant(Vec<Name>),
     /// `precision highp float;`, with the type.

@@ -1,5 +1,6 @@
 //! A checked shader: every name resolved, every expression typed, every conversion written out.
 
+use super::MatrixOrder;
 use super::ast::{BinaryOp, Step, StepResult, UnaryOp};
 use super::builtins::functions::Row;
 use super::builtins::variables::Builtin;
@@ -83,6 +84,29 @@ pub struct Passing {
     pub location: Option<u32>,
 }
 
+/// How a uniform block lies in its buffer (ARB_uniform_buffer_object, section 4.3.5.2). They lie
+/// all as `std140` says; what is `packed` and not named is not there.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Packing {
+    /// `shared`.
+    Shared,
+    /// `packed`.
+    Packed,
+    /// `std140`.
+    Std140,
+}
+
+/// What makes a uniform that is a structure a uniform block: its members have the names.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Block {
+    /// The block's name.
+    pub name: Arc<str>,
+    /// How it lies in its buffer.
+    pub packing: Packing,
+    /// How the matrices of each member lie.
+    pub orders: Vec<MatrixOrder>,
+}
+
 /// A variable.
 #[derive(Clone, Debug)]
 pub struct Variable {
@@ -110,6 +134,8 @@ pub struct Variable {
     pub passing: Passing,
     /// Whether the size of the array comes from its largest index alone.
     pub implicit: bool,
+    /// What it is as a uniform block.
+    pub block: Option<Arc<Block>>,
     /// Its words, if it is a constant.
     pub constant: Option<Arc<[u32]>>,
     /// The initializer of a global.

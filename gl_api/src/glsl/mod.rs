@@ -124,6 +124,53 @@ pub struct Uniform {
     pub initial: Vec<u32>,
 }
 
+/// Which way a matrix lies in a buffer (ARB_uniform_buffer_object, section 2.15.3.1.1).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MatrixOrder {
+    /// Column by column.
+    Columns,
+    /// Row by row.
+    Rows,
+}
+
+/// A uniform of a uniform block. It has no location; its value comes from a buffer.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Member {
+    /// Its name, without a trailing `[0]`.
+    pub name: String,
+    /// The type of an element.
+    pub ty: DataType,
+    /// How many elements; `None` when it is no array.
+    pub array: Option<u32>,
+    /// Which block.
+    pub block: u32,
+    /// Its first word, counted from the block's; as those of [`Uniform`].
+    pub word: u32,
+    /// Its first byte in the buffer, counted from the block's.
+    pub offset: u32,
+    /// Bytes from an element to the next; 0 when it is no array.
+    pub array_stride: u32,
+    /// Bytes from a column (or a row) to the next; 0 when it is no matrix.
+    pub matrix_stride: u32,
+    /// Which way a matrix lies.
+    pub order: MatrixOrder,
+}
+
+/// A uniform block of a linked program.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct UniformBlock {
+    /// Its name.
+    pub name: String,
+    /// The bytes of a buffer that it needs.
+    pub bytes: u32,
+    /// Its first word; `None` if no stage reads it.
+    pub word: Option<u32>,
+    /// Which members it has.
+    pub members: std::ops::Range<u32>,
+    /// Which stages read it.
+    pub stages: Vec<Stage>,
+}
+
 /// Built-in state that a program reads, as `glGetActiveUniform` lists it: it has no location.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct BuiltinUniform {
@@ -247,6 +294,10 @@ pub struct Program {
     pub attributes: Vec<Attribute>,
     /// What the application sets.
     pub uniforms: Vec<Uniform>,
+    /// The members of uniform blocks.
+    pub members: Vec<Member>,
+    /// The uniform blocks.
+    pub blocks: Vec<UniformBlock>,
     /// The built-in uniforms that it names.
     pub builtin_uniforms: Vec<BuiltinUniform>,
     /// The fragment stage's own outputs and the colours they go to.

@@ -66,6 +66,8 @@ pub enum Extension {
     TextureQueryLod,
     /// `GL_ARB_texture_rectangle`: `sampler2DRect`.
     TextureRectangle,
+    /// `GL_ARB_uniform_buffer_object`: uniform blocks.
+    UniformBufferObject,
     /// `GL_EXT_gpu_shader4`, as far as it is what GLSL 1.30 has.
     GpuShader4,
     /// `GL_EXT_texture_array`: `sampler1DArray`, `sampler2DArray`.
@@ -88,6 +90,7 @@ impl Extension {
         (Self::TextureMultisample, "GL_ARB_texture_multisample"),
         (Self::TextureQueryLod, "GL_ARB_texture_query_lod"),
         (Self::TextureRectangle, "GL_ARB_texture_rectangle"),
+        (Self::UniformBufferObject, "GL_ARB_uniform_buffer_object"),
         (Self::GpuShader4, "GL_EXT_gpu_shader4"),
         (Self::TextureArray, "GL_EXT_texture_array"),
         (Self::StandardDerivatives, "GL_OES_standard_derivatives"),
@@ -218,6 +221,9 @@ impl Since {
     pub const V120: Self = Self { core: Some(Version::V120), ..Self::V110 };
     /// From GLSL 1.30 on.
     pub const V130: Self = Self { core: Some(Version::V130), ..Self::V110 };
+
+    /// What brings uniform blocks and their layouts.
+    pub const UNIFORM_BLOCKS: Self = Self::only(Extension::UniformBufferObject);
 
     /// GLSL ES 1.00 alone.
     pub const ES: Self = Self { core: None, es: true, extensions: 0 };

@@ -9,6 +9,7 @@ use crate::error::{
 };
 use crate::types::*;
 use rasterizer::driver::Buffer;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 const SECTION: &str = "GL 2.1, section 2.9";
 
@@ -17,6 +18,8 @@ const SECTION: &str = "GL 2.1, section 2.9";
 pub(crate) struct BufferObject {
     /// Empty while it is mapped.
     pub buffer: Buffer,
+    /// Another number after each write, and in each object.
+    pub version: u64,
     pub usage: GLenum,
     pub map: Option<Map>,
     /// `GL_BUFFER_ACCESS`, of the last mapping.
@@ -25,13 +28,36 @@ pub(crate) struct BufferObject {
 
 impl BufferObject {
     fn new() -> Self {
-        Self { buffer: Buffer::default(), usage: GL_STATIC_DRAW, map: None, access: GL_READ_WRITE }
+        Self {
+            buffer: Buffer::default(),
+            version: next_version(),
+            usage: GL_STATIC_DRAW,
+            map: None,
+            access: GL_READ_WRITE,
+        }
+    }
+
+    /// Its bytes for writing.
+    pub fn write(&mut self) -> &mut Vec<u8> {
+        self.version = next_version();
+        self.buffer.bytes_mut()
+    }
+
+    /// Gives it other bytes.
+    pub fn replace(&mut self, bytes: Vec<u8>) {
+        self.version = next_version();
+        self.buffer = Buffer::new(bytes);
     }
 
     /// Bytes, mapped or not.
     pub fn len(&self) -> usize {
         self.map.as_ref().map_or(self.buffer.bytes().len(), |map| map.bytes.len())
     }
+}
+
+fn next_version() -> u64 {
+    static LAST: AtomicU64 = AtomicU64::new(0);
+    LAST.fetch_add(1, Ordering::Relaxed)
 }
 
 /// A buffer's bytes while the client has them.
@@ -54,10 +80,11 @@ pub(crate) enum BufferTarget {
     CopyRead,
     CopyWrite,
     TransformFeedback,
+    Uniform,
 }
 
 impl BufferTarget {
-    const ALL: [Self; 7] = [
+    const ALL: [Self; 8] = [
         Self::Array,
         Self::ElementArray,
         Self::PixelPack,
@@ -65,6 +92,7 @@ impl BufferTarget {
         Self::CopyRead,
         Self::CopyWrite,
         Self::TransformFeedback,
+        Self::Uniform,
     ];
 }
 
@@ -78,6 +106,7 @@ pub(crate) const BUFFER_TARGET: Table<BufferTarget> = Table {
         (GL_COPY_READ_BUFFER, BufferTarget::CopyRead),
         (GL_COPY_WRITE_BUFFER, BufferTarget::CopyWrite),
         (GL_TRANSFORM_FEEDBACK_BUFFER, BufferTarget::TransformFeedback),
+        (GL_UNIFORM_BUFFER, BufferTarget::Uniform),
     ],
 };
 
@@ -106,6 +135,7 @@ pub(super) fn binding(context: &mut Context, target: BufferTarget) -> &mut GLuin
         BufferTarget::CopyRead => &mut context.state.bindings.copy_read_buffer,
         BufferTarget::CopyWrite => &mut context.state.bindings.copy_write_buffer,
         BufferTarget::TransformFeedback => &mut context.state.bindings.transform_feedback_buffer,
+        BufferTarget::Uniform => &mut context.state.bindings.uniform_buffer,
     }
 }
 
@@ -135,6 +165,7 @@ pub(crate) fn delete_buffers(context: &mut Context, n: GLsizei, buffers: &[GLuin
         }
         context.state.arrays.forget_buffer(name);
         context.transform_feedback.forget_buffer(name);
+        context.uniform_buffers.forget_buffer(name);
         context.objects.buffers.remove(name);
     }
     Ok(())
@@ -189,7 +220,7 @@ pub(crate) fn buffer_data(
         }
         Located::Offset(_) => return invalid_operation(SECTION, "data must be a slice or NULL"),
     }
-    object.buffer = Buffer::new(bytes);
+    object.replace(bytes);
     object.usage = usage;
     object.map = None;
     context.recorder.hold(size);
@@ -236,7 +267,7 @@ pub(crate) fn buffer_sub_data(
             let source = &source[..range.len()];
             // Draws that wait keep the bytes that they saw.
             let copied = if object.buffer.is_shared() { object.len() } else { 0 };
-            object.buffer.bytes_mut()[range].copy_from_slice(source);
+            object.write()[range].copy_from_slice(source);
             context.recorder.hold(copied);
             Ok(())
         }

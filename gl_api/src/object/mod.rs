@@ -5,6 +5,7 @@ pub(crate) mod buffers;
 pub(crate) mod compiler;
 pub(crate) mod conditional;
 pub(crate) mod framebuffers;
+pub(crate) mod indexed_buffers;
 pub(crate) mod programs;
 pub(crate) mod queries;
 pub(crate) mod renderbuffers;

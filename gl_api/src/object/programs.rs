@@ -9,6 +9,7 @@ use crate::glsl;
 use crate::interface::MAX_VERTEX_ATTRIBS;
 use crate::transform_feedback::calls::not_while_active;
 use crate::types::*;
+use crate::uniform_buffer::unpack::BlockState;
 use rasterizer::driver::ShaderModule;
 use rasterizer::ir::{IrError, Module};
 
@@ -57,6 +58,8 @@ pub(crate) struct Linked {
     pub fragment: Option<ShaderModule>,
     /// The values of its uniforms; state is filled in when it draws.
     pub words: Vec<u32>,
+    /// Its uniform blocks.
+    pub blocks: Vec<BlockState>,
 }
 
 impl Linked {
@@ -216,7 +219,8 @@ fn ready(mut program: glsl::Program) -> std::result::Result<Linked, IrError> {
             *word = *initial;
         }
     }
-    Ok(Linked { program, vertex, unclamped_vertex, fragment, words })
+    let blocks = BlockState::of(&program);
+    Ok(Linked { program, vertex, unclamped_vertex, fragment, words, blocks })
 }
 
 pub(crate) fn link_program(context: &mut Context, name: GLuint) -> Result<()> {

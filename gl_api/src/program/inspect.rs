@@ -6,7 +6,7 @@ use crate::constants::*;
 use crate::context::Context;
 use crate::entry::TextOut;
 use crate::error::{Result, Table, invalid_operation, invalid_value, not_negative};
-use crate::glsl::{DataType, Scalar};
+use crate::glsl::{DataType, Member, Scalar};
 use crate::interface::MAX_VERTEX_ATTRIBS;
 use crate::object::programs::{Linked, ProgramObject, program};
 use crate::object::shaders::{c_length, put_text};
@@ -27,6 +27,8 @@ enum Property {
     ActiveAttributeMaxLength,
     ActiveUniforms,
     ActiveUniformMaxLength,
+    ActiveBlocks,
+    ActiveBlockMaxLength,
     BufferMode,
     Captured,
     CapturedMaxLength,
@@ -50,6 +52,8 @@ pub(crate) fn get_programiv(
             (GL_ACTIVE_ATTRIBUTE_MAX_LENGTH, Property::ActiveAttributeMaxLength),
             (GL_ACTIVE_UNIFORMS, Property::ActiveUniforms),
             (GL_ACTIVE_UNIFORM_MAX_LENGTH, Property::ActiveUniformMaxLength),
+            (GL_ACTIVE_UNIFORM_BLOCKS, Property::ActiveBlocks),
+            (GL_ACTIVE_UNIFORM_BLOCK_MAX_NAME_LENGTH, Property::ActiveBlockMaxLength),
             (GL_TRANSFORM_FEEDBACK_BUFFER_MODE, Property::BufferMode),
             (GL_TRANSFORM_FEEDBACK_VARYINGS, Property::Captured),
             (GL_TRANSFORM_FEEDBACK_VARYING_MAX_LENGTH, Property::CapturedMaxLength),
@@ -60,6 +64,7 @@ pub(crate) fn get_programiv(
     let linked = object.linked().map(|linked| &linked.program);
     let attributes = linked.map_or(&[][..], |linked| &linked.attributes);
     let captured = linked.map_or(&[][..], |linked| &linked.captured);
+    let blocks = linked.map_or(&[][..], |linked| &linked.blocks);
     let value = match property {
         Property::Deleted => object.doomed.into(),
         Property::Linked => linked.is_some().into(),
@@ -72,7 +77,11 @@ pub(crate) fn get_programiv(
         }
         Property::ActiveUniforms => active_uniforms(object).count() as GLint,
         Property::ActiveUniformMaxLength => {
-            active_uniforms(object).map(|uniform| c_length(&listed(uniform))).max().unwrap_or(0)
+            active_uniforms(object).map(|uniform| c_length(&uniform.listed())).max().unwrap_or(0)
+        }
+        Property::ActiveBlocks => blocks.len() as GLint,
+        Property::ActiveBlockMaxLength => {
+            blocks.iter().map(|block| c_length(&block.name)).max().unwrap_or(0)
         }
         Property::BufferMode => BUFFER_MODE
             .encode(linked.map_or_else(Default::default, |linked| linked.buffer_mode))
@@ -85,23 +94,46 @@ pub(crate) fn get_programiv(
     put(params, &[value])
 }
 
-/// Name, type and length of an array.
-type Active<'a> = (&'a str, DataType, Option<u32>);
+/// A uniform as GL lists it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Active<'a> {
+    pub name: &'a str,
+    pub ty: DataType,
+    /// The length of an array.
+    pub array: Option<u32>,
+    /// What it is in a uniform block.
+    pub member: Option<&'a Member>,
+}
 
-/// The uniforms as GL lists them: the application's, then built-in state.
-fn active_uniforms(object: &ProgramObject) -> impl Iterator<Item = Active<'_>> {
+impl Active<'_> {
+    /// Its name as GL lists it: arrays end in `[0]`.
+    pub fn listed(&self) -> String {
+        if self.array.is_some() { format!("{}[0]", self.name) } else { self.name.to_owned() }
+    }
+}
+
+/// The uniforms as GL lists them: the application's, members of blocks, then built-in state.
+pub(crate) fn active_uniforms(object: &ProgramObject) -> impl Iterator<Item = Active<'_>> {
     let program = object.linked().map(|linked| &linked.program);
     program.into_iter().flat_map(|program| {
         let own = program.uniforms.iter();
         let builtin = program.builtin_uniforms.iter();
-        own.map(|uniform| (&*uniform.name, uniform.ty, uniform.array))
-            .chain(builtin.map(|uniform| (&*uniform.name, uniform.ty, uniform.array)))
+        let members = program.members.iter();
+        let plain = |name, ty, array| Active { name, ty, array, member: None };
+        own.map(move |uniform| plain(&uniform.name, uniform.ty, uniform.array))
+            .chain(members.map(|member| Active {
+                name: &member.name,
+                ty: member.ty,
+                array: member.array,
+                member: Some(member),
+            }))
+            .chain(builtin.map(move |uniform| plain(&uniform.name, uniform.ty, uniform.array)))
     })
 }
 
-/// A uniform's name as GL lists it: arrays end in `[0]`.
-fn listed((name, _, array): Active<'_>) -> String {
-    if array.is_some() { format!("{name}[0]") } else { name.to_owned() }
+/// How many uniforms there are before the members of blocks.
+pub(crate) fn first_member(object: &ProgramObject) -> usize {
+    object.linked().map_or(0, |linked| linked.program.uniforms.len())
 }
 
 pub(crate) fn get_program_info_log(
@@ -172,8 +204,7 @@ pub(crate) fn get_active_uniform(
             format!("index = {index} must be below GL_ACTIVE_UNIFORMS, {count}"),
         );
     };
-    let (_, data_type, array) = uniform;
-    let variable = (&*listed(uniform), data_type, array.unwrap_or(1));
+    let variable = (&*uniform.listed(), uniform.ty, uniform.array.unwrap_or(1));
     put_variable(variable, max_length, length, size, ty, out)
 }
 

@@ -69,6 +69,7 @@ pub(crate) const EXTENSIONS: &[&str] = &[
     "GL_ARB_texture_swizzle",
     "GL_ARB_timer_query",
     "GL_ARB_transpose_matrix",
+    "GL_ARB_uniform_buffer_object",
     "GL_ARB_vertex_array_object",
     "GL_ARB_vertex_buffer_object",
     "GL_ARB_vertex_shader",

@@ -37,8 +37,7 @@ pub(crate) fn get_integer64v(
     if pname == GL_TIMESTAMP {
         return put(params, &[crate::object::queries::timestamp() as GLint64]);
     }
-    let values = doubles(state_value(context, pname)?);
-    put(params, &values.into_iter().map(|value| value.round() as GLint64).collect::<Vec<_>>())
+    put_longs(params, state_value(context, pname)?)
 }
 
 pub(crate) fn get_floatv(
@@ -80,6 +79,12 @@ pub(crate) fn put_ints(params: &mut [GLint], value: Value) -> Result<()> {
         }
     };
     put(params, &values)
+}
+
+/// Answers in integers of 64 bits: floats are rounded.
+pub(crate) fn put_longs(params: &mut [GLint64], value: Value) -> Result<()> {
+    let values = doubles(value).into_iter().map(|value| value.round() as GLint64);
+    put(params, &values.collect::<Vec<_>>())
 }
 
 /// Answers in single precision.

@@ -29,6 +29,7 @@ use crate::texture::internal::general_purpose_formats;
 use crate::texture::pixel_map::MAX_PIXEL_MAP_TABLE;
 use crate::texture::{TextureTarget, transfer};
 use crate::types::*;
+use crate::uniform_buffer;
 use rasterizer::driver::{DepthWrite, MAX_LINE_WIDTH, MAX_POINT_SIZE};
 
 /// State, before the conversion to the type that was asked for.
@@ -212,7 +213,7 @@ fn limit(_: &Context, pname: GLenum) -> Answer {
         GL_MAX_SAMPLE_MASK_WORDS => int(MAX_SAMPLE_MASK_WORDS),
         GL_DOUBLEBUFFER => flag(false),
         GL_RGBA_MODE => flag(true),
-        _ => return None,
+        _ => return uniform_buffer::limit(pname).map(int),
     })
 }
 
@@ -470,6 +471,7 @@ fn bindings(context: &Context, pname: GLenum) -> Answer {
         GL_COPY_READ_BUFFER => symbol(bindings.copy_read_buffer),
         GL_COPY_WRITE_BUFFER => symbol(bindings.copy_write_buffer),
         GL_TRANSFORM_FEEDBACK_BUFFER_BINDING => symbol(bindings.transform_feedback_buffer),
+        GL_UNIFORM_BUFFER_BINDING => symbol(bindings.uniform_buffer),
         GL_VERTEX_ARRAY_BINDING => symbol(bindings.vertex_array),
         GL_FRAMEBUFFER_BINDING => symbol(bindings.draw_framebuffer),
         GL_READ_FRAMEBUFFER_BINDING => symbol(bindings.read_framebuffer),

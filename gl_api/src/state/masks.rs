@@ -7,9 +7,9 @@ use super::multisample;
 use crate::constants::*;
 use crate::context::{Context, limits};
 use crate::error::{Result, Table, invalid_enum, invalid_value};
-use crate::query::get::{put_bools, put_ints};
+use crate::object::indexed_buffers;
+use crate::query::get::{put_bools, put_ints, put_longs};
 use crate::query::table::{Value, flag, int, symbol};
-use crate::transform_feedback::bindings;
 use crate::types::*;
 use rasterizer::driver::LogicOp;
 
@@ -128,27 +128,24 @@ pub(crate) fn is_enabledi(context: &mut Context, target: GLenum, index: GLuint) 
     Ok(context.state.fragment.buffers[buffer].blend)
 }
 
-/// State that has a number: of one draw buffer, of a binding of transform feedback, or a word of the
-/// sample mask.
-fn indexed_state(context: &Context, target: GLenum, number: GLuint) -> Result<Value> {
-    let value = bindings::indexed_value(context, target, number)
-        .or_else(|| multisample::indexed_value(context, target, number));
-    if let Some(value) = value {
+/// State that has an index: of one draw buffer, of an indexed buffer, or a word of the sample mask.
+fn indexed_state(context: &Context, target: GLenum, index: GLuint) -> Result<Value> {
+    if let Some(value) = number(context, target, index) {
         return int(value?);
     }
     let buffers = &context.state.fragment.buffers;
-    let at = |number| Ok(&buffers[buffer_index("index", number)?]);
+    let at = || Ok(&buffers[buffer_index("index", index)?]);
     match target {
-        GL_COLOR_WRITEMASK => at(number).map(|state| Value::Bools(state.mask.to_vec())),
-        GL_BLEND => at(number).and_then(|state| flag(state.blend)),
+        GL_COLOR_WRITEMASK => at().map(|state| Value::Bools(state.mask.to_vec())),
+        GL_BLEND => at().and_then(|state| flag(state.blend)),
         _ if Formula::REPLACE.get(target).is_some() => {
-            symbol(at(number)?.formula.get(target).unwrap_or_default())
+            symbol(at()?.formula.get(target).unwrap_or_default())
         }
         _ => invalid_enum(
             SECTION,
             format!(
                 "target = {} must be GL_BLEND, GL_BLEND_SRC_RGB or another part of a blend \
-                 formula, GL_COLOR_WRITEMASK, GL_SAMPLE_MASK_VALUE or of transform feedback",
+                 formula, GL_COLOR_WRITEMASK, GL_SAMPLE_MASK_VALUE or an indexed buffer",
                 enum_name(target)
             ),
         ),
@@ -171,4 +168,24 @@ pub(crate) fn get_integeri_v(
     data: &mut [GLint],
 ) -> Result<()> {
     put_ints(data, indexed_state(context, target, index)?)
+}
+
+pub(crate) fn get_integer64i_v(
+    context: &mut Context,
+    target: GLenum,
+    index: GLuint,
+    data: &mut [GLint64],
+) -> Result<()> {
+    if let Some(value) = number(context, target, index) {
+        return crate::query::put(data, &[value?]);
+    }
+    put_longs(data, indexed_state(context, target, index)?)
+}
+
+/// Indexed state that is a number.
+fn number(context: &Context, target: GLenum, index: GLuint) -> Option<Result<GLint64>> {
+    indexed_buffers::indexed_value(context, target, index).or_else(|| {
+        let word = multisample::indexed_value(context, target, index)?;
+        Some(word.map(GLint64::from))
+    })
 }

@@ -54,6 +54,7 @@ pub(crate) struct Bindings {
     pub copy_read_buffer: GLuint,
     pub copy_write_buffer: GLuint,
     pub transform_feedback_buffer: GLuint,
+    pub uniform_buffer: GLuint,
     pub vertex_array: GLuint,
     pub draw_framebuffer: GLuint,
     pub read_framebuffer: GLuint,

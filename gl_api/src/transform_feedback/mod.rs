@@ -4,7 +4,6 @@
 //! are assembled to points, lines or triangles of their own, and what the program captures of them is
 //! written to the bound buffers ([`capture`]), before the draw goes on.
 
-pub(crate) mod bindings;
 pub(crate) mod calls;
 mod capture;
 pub(crate) mod varyings;
@@ -14,6 +13,7 @@ pub(crate) use capture::draw;
 use crate::constants::*;
 use crate::context::limits::MAX_TRANSFORM_FEEDBACK_SEPARATE_ATTRIBS;
 use crate::error::Table;
+use crate::object::indexed_buffers::BufferRange;
 use crate::types::GLuint;
 use rasterizer::driver::Topology;
 
@@ -61,16 +61,6 @@ impl Kind {
     }
 }
 
-/// A part of a buffer that is bound to an index.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) struct BufferRange {
-    pub name: GLuint,
-    /// Its first byte, a multiple of 4.
-    pub offset: usize,
-    /// Its bytes, a multiple of 4; all that there are when it is used, if `None`.
-    pub size: Option<usize>,
-}
-
 /// What is active between `glBeginTransformFeedback` and `glEndTransformFeedback`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Active {
@@ -82,7 +72,8 @@ struct Active {
 /// The bound buffers, and what is active.
 #[derive(Debug, Default)]
 pub(crate) struct TransformFeedback {
-    buffers: [BufferRange; MAX_TRANSFORM_FEEDBACK_SEPARATE_ATTRIBS],
+    /// All of whose numbers are multiples of 4.
+    pub buffers: [BufferRange; MAX_TRANSFORM_FEEDBACK_SEPARATE_ATTRIBS],
     active: Option<Active>,
 }
 

@@ -91,6 +91,7 @@ pub const STATE: &[Row] = rows! {
         GL_FOG_COORD_ARRAY_BUFFER_BINDING Number F;
         GL_ELEMENT_ARRAY_BUFFER_BINDING Number F;
         GL_TRANSFORM_FEEDBACK_BUFFER_BINDING Number F;
+        GL_UNIFORM_BUFFER_BINDING Number F;
         GL_VERTEX_ARRAY_BINDING Number F;
         GL_PRIMITIVE_RESTART Number F;
     }
@@ -430,6 +431,18 @@ pub const LEAST: &[Row] = rows! {
         GL_MAX_DEPTH_TEXTURE_SAMPLES Number T;
         GL_MAX_INTEGER_SAMPLES Number T;
         GL_MAX_SAMPLE_MASK_WORDS Number T;
+    }
+    "ARB_uniform_buffer_object" {
+        GL_MAX_VERTEX_UNIFORM_BLOCKS Number &[12.0];
+        GL_MAX_FRAGMENT_UNIFORM_BLOCKS Number &[12.0];
+        GL_MAX_GEOMETRY_UNIFORM_BLOCKS Number F;
+        GL_MAX_COMBINED_UNIFORM_BLOCKS Number &[24.0];
+        GL_MAX_UNIFORM_BUFFER_BINDINGS Number &[24.0];
+        GL_MAX_UNIFORM_BLOCK_SIZE Number &[16384.0];
+        GL_MAX_COMBINED_VERTEX_UNIFORM_COMPONENTS Number &[50176.0];
+        GL_MAX_COMBINED_FRAGMENT_UNIFORM_COMPONENTS Number &[50176.0];
+        GL_MAX_COMBINED_GEOMETRY_UNIFORM_COMPONENTS Number F;
+        GL_UNIFORM_BUFFER_OFFSET_ALIGNMENT Number T;
     }
     "ARB_ES2_compatibility" {
         GL_SHADER_COMPILER Number T;

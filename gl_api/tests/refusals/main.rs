@@ -16,6 +16,7 @@ mod rest;
 mod short;
 mod textures;
 mod transform_feedback;
+mod uniform_buffers;
 mod vertices;
 
 use common::refusal::{Row, run};
@@ -61,6 +62,7 @@ fn each_refusal_sets_its_flag_says_why_and_changes_nothing_and_each_call_has_one
         short::run,
         textures::run,
         transform_feedback::run,
+        uniform_buffers::run,
         vertices::run,
     ];
     std::thread::scope(|scope| {

@@ -98,6 +98,7 @@ pub fn find(name: &str, stage: Stage, language: Language) -> Option<Variable> {
         picked: 0,
         passing: Passing::default(),
         implicit: false,
+        block: None,
         constant,
         init: None,
     })

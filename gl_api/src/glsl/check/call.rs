@@ -125,7 +125,7 @@ impl Checker<'_> {
                     });
                 }
             }
-            Some(Symbol::Variable(_)) => return candidates,
+            Some(Symbol::Variable(_) | Symbol::Member(..) | Symbol::Block) => return candidates,
             Some(Symbol::Struct(_) | Symbol::Undeclared(_)) | None => {}
         }
         for row in functions::find(&name.text, self.stage, self.language) {
@@ -141,7 +141,7 @@ impl Checker<'_> {
 
     fn unknown_function(&mut self, name: &ast::Name) {
         let text = &name.text;
-        if let Some(Symbol::Variable(_)) = self.scopes.find(text) {
+        if let Some(Symbol::Variable(_) | Symbol::Member(..)) = self.scopes.find(text) {
             self.error(name.span, "6.4", format!("`{text}` is a variable, not a function"));
             return;
         }

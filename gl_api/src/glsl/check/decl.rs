@@ -168,7 +168,7 @@ impl Checker<'_> {
             None | Some(Symbol::Undeclared(_)) => {}
             Some(symbol) => {
                 let mut message = format!("`{}` is declared already", name.text);
-                if let Symbol::Variable(var) = symbol {
+                if let Symbol::Variable(var) | Symbol::Member(var, _) = symbol {
                     let line = self.source.position(self.variable(*var).span.start).line;
                     message = format!("{message}, in line {line}");
                 }
@@ -184,7 +184,13 @@ impl Checker<'_> {
             let symbol = self.scopes.find(&name.text).cloned();
             let var = match symbol {
                 Some(Symbol::Variable(var)) => Some(var),
-                Some(Symbol::Struct(_) | Symbol::Functions(_) | Symbol::Undeclared(_)) => None,
+                Some(
+                    Symbol::Member(..)
+                    | Symbol::Block
+                    | Symbol::Struct(_)
+                    | Symbol::Functions(_)
+                    | Symbol::Undeclared(_),
+                ) => None,
                 None => self.builtin_variable(&name.text),
             };
             if var.is_none() {
@@ -249,6 +255,7 @@ impl Checker<'_> {
             picked: 0,
             passing: Passing::default(),
             implicit: false,
+            block: None,
             constant: None,
             init: None,
         }

@@ -70,7 +70,8 @@ impl Checker<'_> {
                 | Qualifier::NoPerspective
                 | Qualifier::OriginUpperLeft
                 | Qualifier::PixelCenterInteger
-                | Qualifier::Location(_) => {
+                | Qualifier::Location(_)
+                | Qualifier::Block(_) => {
                     self.error(*span, "6.1", "a parameter is `in`, `out`, `inout` or `const in`");
                 }
             }
@@ -107,6 +108,7 @@ impl Checker<'_> {
             picked: 0,
             passing: Passing::default(),
             implicit: false,
+            block: None,
             constant: None,
             init: None,
         };
@@ -119,7 +121,7 @@ impl Checker<'_> {
         let mut known = match self.scopes.find_global(&name.text) {
             Some(Symbol::Functions(all)) => all.clone(),
             Some(Symbol::Undeclared(_)) | None => Vec::new(),
-            Some(Symbol::Variable(_) | Symbol::Struct(_)) => {
+            Some(Symbol::Variable(_) | Symbol::Member(..) | Symbol::Block | Symbol::Struct(_)) => {
                 self.check_new(name);
                 return None;
             }

@@ -37,7 +37,8 @@ fn storage(
             | Qualifier::Precision
             | Qualifier::OriginUpperLeft
             | Qualifier::PixelCenterInteger
-            | Qualifier::Location(_),
+            | Qualifier::Location(_)
+            | Qualifier::Block(_),
             _,
         ) => Ok(Storage::Plain),
     }
@@ -48,6 +49,7 @@ impl Checker<'_> {
     /// other.
     pub(super) fn global_storage(&mut self, ty: &ast::QualifiedType) -> Option<(Storage, Passing)> {
         self.check_order(&ty.qualifiers);
+        self.no_block_layout(&ty.qualifiers);
         let mut word: Option<(Qualifier, Span)> = None;
         let mut passing = Passing::default();
         let mut words_of_passing: Vec<(Qualifier, Span)> = Vec::new();
@@ -98,7 +100,7 @@ impl Checker<'_> {
                     passing.location = Some(location);
                     continue;
                 }
-                Qualifier::Precision => continue,
+                Qualifier::Block(_) | Qualifier::Precision => continue,
             };
             words_of_passing.push((qualifier, span));
             if passing.interpolation.replace(smoothness).is_some() {

@@ -1,5 +1,6 @@
 //! Syntax tree to checked shader: names, types, qualifiers, constants (GLSL 1.30 chapters 4 to 6).
 
+mod block;
 mod call;
 mod construct;
 mod decl;
@@ -20,6 +21,7 @@ use super::hir::{Expr, Stmt, Storage, Unit, VarRef, Variable};
 use super::source::{Source, Span};
 use super::types::Type;
 use super::version::{Language, Version};
+use block::BlockDefaults;
 use rasterizer::ir::Stage;
 pub use recursion::recursive_call;
 use redeclare::settle_arrays;
@@ -59,6 +61,8 @@ struct Checker<'a> {
     /// Whether it was said that they have none: once is enough.
     lacks_precision: bool,
     unit: Unit,
+    /// What the next uniform block begins with.
+    block_layout: BlockDefaults,
     scopes: Scopes,
     undeclared: Vec<Undeclared>,
     body: Option<Body>,
@@ -85,6 +89,7 @@ pub fn check(
         float_precision: version != Version::Es100 || stage == Stage::Vertex,
         lacks_precision: false,
         unit,
+        block_layout: BlockDefaults::default(),
         scopes: Scopes::new(),
         undeclared: Vec::new(),
         body: None,
@@ -93,6 +98,8 @@ pub fn check(
     for item in items {
         match item {
             Item::Declaration(declaration) => checker.global_declaration(declaration),
+            Item::Block(block) => checker.uniform_block(block),
+            Item::BlockDefaults(words) => checker.block_defaults(words),
             Item::Function(function) => checker.function(function),
             Item::Invariant(names) => checker.invariant(names),
             Item::Precision(ty) => checker.default_precision(ty),

@@ -27,9 +27,14 @@ impl Checker<'_> {
         }
         let known = match self.scopes.find_global(&name.text) {
             Some(Symbol::Variable(var)) => Some(*var),
-            Some(Symbol::Struct(_) | Symbol::Functions(_) | Symbol::Undeclared(_)) | None => {
-                self.builtin_variable(&name.text)
-            }
+            Some(
+                Symbol::Member(..)
+                | Symbol::Block
+                | Symbol::Struct(_)
+                | Symbol::Functions(_)
+                | Symbol::Undeclared(_),
+            )
+            | None => self.builtin_variable(&name.text),
         };
         let Some(var) = known else { return false };
         let variable = self.variable(var);

@@ -17,6 +17,10 @@ use std::sync::Arc;
 pub enum Symbol {
     /// A variable.
     Variable(VarRef),
+    /// A member of a uniform block, by index.
+    Member(VarRef, u32),
+    /// A uniform block, which nothing names but its declaration.
+    Block,
     /// A structure.
     Struct(Arc<Struct>),
     /// Functions: their indices in the unit.
@@ -120,7 +124,11 @@ impl Checker<'_> {
                     declared: Some((*var, of)),
                 })
             }
-            Symbol::Struct(_) | Symbol::Functions(_) | Symbol::Undeclared(_) => None,
+            Symbol::Member(..)
+            | Symbol::Block
+            | Symbol::Struct(_)
+            | Symbol::Functions(_)
+            | Symbol::Undeclared(_) => None,
         });
         let mut candidates: Vec<Candidate> = declared.collect();
         for near in variables::names(self.stage, self.language) {

@@ -193,7 +193,8 @@ impl Checker<'_> {
                 | Qualifier::NoPerspective
                 | Qualifier::OriginUpperLeft
                 | Qualifier::PixelCenterInteger
-                | Qualifier::Location(_) => {
+                | Qualifier::Location(_)
+                | Qualifier::Block(_) => {
                     let rule = format!("{} section 4.3", self.version.title());
                     let message = "a variable in a function can only be `const`";
                     self.log.push(Diagnostic::error(span, message).rule(rule));

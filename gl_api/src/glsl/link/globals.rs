@@ -71,6 +71,10 @@ pub fn same_globals(units: &[&Unit], stage: &str, log: &mut Log) {
     for (unit, variable) in
         units.iter().flat_map(|unit| unit.globals.iter().map(move |v| (*unit, v)))
     {
+        // Blocks are compared over all stages.
+        if variable.block.is_some() {
+            continue;
+        }
         let entry = known.entry(&variable.name).or_insert((unit, variable));
         let (home, other) = *entry;
         let message = if other.ty != variable.ty || other.storage != variable.storage {

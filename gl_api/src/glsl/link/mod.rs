@@ -1,9 +1,11 @@
 //! Shaders to a program (GL 2.1 section 2.15, GLSL 1.30 section 4.3): the stages' interfaces are
 //! matched, locations and uniform words given, and both stages lowered.
 
+mod blocks;
 mod captured;
 mod globals;
 mod numbered;
+mod std140;
 mod uniforms;
 mod varyings;
 
@@ -61,7 +63,8 @@ fn build(shaders: &[&Shader], bindings: &Bindings, log: &mut Log) -> Option<Prog
     let stages: Vec<&StageUnits<'_>> = vertex.iter().chain(&fragment).collect();
     let mut words = Words::default();
     let uniforms = uniforms::uniforms(&stages, &mut words, log);
-    for (name, word) in &uniforms.words {
+    let blocks = blocks::blocks(&stages, &mut words, log);
+    for (name, word) in uniforms.words.iter().chain(&blocks.words) {
         in_vertex.insert(name.clone(), Binding::Uniform(*word));
         in_fragment.insert(name.clone(), Binding::Uniform(*word));
     }
@@ -139,6 +142,8 @@ fn build(shaders: &[&Shader], bindings: &Bindings, log: &mut Log) -> Option<Prog
         fragment,
         attributes,
         uniforms: uniforms.list,
+        members: blocks.members,
+        blocks: blocks.list,
         builtin_uniforms,
         outputs: targets,
         varyings,

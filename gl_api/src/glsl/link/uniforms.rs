@@ -25,10 +25,11 @@ pub struct Uniforms {
 pub fn uniforms(stages: &[&StageUnits<'_>], words: &mut Words, log: &mut Log) -> Uniforms {
     let mut all: Vec<(&Variable, Vec<u32>)> = Vec::new();
     let mut names: BTreeMap<&str, usize> = BTreeMap::new();
-    let is_uniform = |storage| storage == Storage::Uniform;
-    let named = stages.iter().flat_map(|stage| stage.with(is_uniform));
+    let is_uniform =
+        |variable: &&Variable| variable.storage == Storage::Uniform && variable.block.is_none();
+    let named = stages.iter().flat_map(|stage| stage.used.iter().copied()).filter(is_uniform);
     let declared = || stages.iter().flat_map(|stage| stage.declared());
-    let valued = declared().filter(|v| is_uniform(v.storage) && v.init.is_some());
+    let valued = declared().filter(|v| is_uniform(v) && v.init.is_some());
     for variable in named.chain(valued) {
         if !names.contains_key(&*variable.name) {
             names.insert(&variable.name, all.len());
@@ -36,7 +37,7 @@ pub fn uniforms(stages: &[&StageUnits<'_>], words: &mut Words, log: &mut Log) ->
         }
     }
     let mut types: BTreeMap<&str, &Type> = BTreeMap::new();
-    for variable in declared().filter(|variable| is_uniform(variable.storage)) {
+    for variable in declared().filter(is_uniform) {
         let ty = *types.entry(&variable.name).or_insert(&variable.ty);
         if *ty != variable.ty {
             let message = format!(

@@ -33,7 +33,11 @@ impl Parser<'_> {
             self.expect(";")?;
             return Ok(Some(Item::Invariant(names)));
         }
-        let ty = self.qualified_type()?;
+        let qualifiers = self.qualifiers()?;
+        if let Some(item) = self.block_item(&qualifiers)? {
+            return Ok(Some(item));
+        }
+        let ty = QualifiedType { qualifiers, ty: self.type_name()? };
         if self.ahead(1).is("(") && self.token().word().is_some() {
             return self.function(ty).map(|function| Some(Item::Function(function)));
         }
@@ -55,6 +59,10 @@ impl Parser<'_> {
 
     /// Qualifiers and a type.
     pub(super) fn qualified_type(&mut self) -> Parsed<QualifiedType> {
+        Ok(QualifiedType { qualifiers: self.qualifiers()?, ty: self.type_name()? })
+    }
+
+    fn qualifiers(&mut self) -> Parsed<Vec<(Qualifier, Span)>> {
         let mut qualifiers = Vec::new();
         while let Some(word) = self.token().word() {
             let span = self.span();
@@ -82,16 +90,27 @@ impl Parser<'_> {
                 }
             }
         }
-        let ty = self.type_name()?;
-        Ok(QualifiedType { qualifiers, ty })
+        Ok(qualifiers)
     }
 
-    /// `layout(origin_upper_left, pixel_center_integer)` (ARB_fragment_coord_conventions) or
-    /// `layout(location = 3)` (ARB_explicit_attrib_location).
+    /// `layout(origin_upper_left, pixel_center_integer)` (ARB_fragment_coord_conventions),
+    /// `layout(location = 3)` (ARB_explicit_attrib_location) or `layout(std140)`
+    /// (ARB_uniform_buffer_object).
     fn layout(&mut self, qualifiers: &mut Vec<(Qualifier, Span)>) -> Parsed<()> {
         self.bump();
         self.expect("(")?;
         loop {
+            // `packed` is a reserved word elsewhere.
+            let span = self.span();
+            let word = self.token().word();
+            if let Some(layout) = word.and_then(|w| keywords::block_layout(w, self.language)) {
+                self.bump();
+                qualifiers.push((Qualifier::Block(layout), span));
+                if !self.eat(",") {
+                    return self.expect(")");
+                }
+                continue;
+            }
             let name = self.name()?;
             let conventions = self.language.enabled(Extension::FragmentCoordConventions);
             let locations = self.language.enabled(Extension::ExplicitAttribLocation);
@@ -101,14 +120,15 @@ impl Parser<'_> {
                 "location" if locations => self.location()?,
                 other => {
                     let message = format!("`{other}` is no layout");
-                    let known = match (conventions, locations) {
-                        (true, false) => "there are `origin_upper_left` and `pixel_center_integer`",
-                        (false, _) => "there is `location = n`",
-                        (true, true) => {
-                            "there are `origin_upper_left`, `pixel_center_integer` and \
-                             `location = n`"
-                        }
-                    };
+                    let blocks = keywords::has_blocks(self.language);
+                    let known = [
+                        (conventions, "`origin_upper_left`, `pixel_center_integer`"),
+                        (locations, "`location = n`"),
+                        (blocks, "`shared`, `packed`, `std140`, `row_major`, `column_major`"),
+                    ];
+                    let known: Vec<&str> =
+                        known.iter().filter(|(here, _)| *here).map(|(_, words)| *words).collect();
+                    let known = format!("layouts here: {}", known.join(", "));
                     self.log.push(Diagnostic::error(name.span, message).help(known));
                     None
                 }

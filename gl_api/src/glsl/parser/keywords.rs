@@ -1,6 +1,6 @@
 //! The words that are not names (GLSL 1.30 section 3.6).
 
-use crate::glsl::ast::Qualifier;
+use crate::glsl::ast::{BlockLayout, Qualifier};
 use crate::glsl::types::Type;
 use crate::glsl::version::{Extension, Language, Since, Version};
 
@@ -10,9 +10,18 @@ const V130: Since = Since::V130;
 /// Words about precision, which GLSL ES had first.
 const PRECISION: Since = V130.and_es();
 
-/// `layout`: of `gl_FragCoord`, and of attributes and outputs.
+/// `layout`: of `gl_FragCoord`, and of attributes and outputs; uniform blocks have it too.
 const LAYOUT: Since =
     Since::only(Extension::FragmentCoordConventions).or(Extension::ExplicitAttribLocation);
+
+/// The words that a layout of uniform blocks can have.
+const BLOCK_LAYOUTS: [(&str, BlockLayout); 5] = [
+    ("shared", BlockLayout::Shared),
+    ("packed", BlockLayout::Packed),
+    ("std140", BlockLayout::Std140),
+    ("row_major", BlockLayout::RowMajor),
+    ("column_major", BlockLayout::ColumnMajor),
+];
 
 /// What a word is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -28,7 +37,7 @@ pub enum Word {
 }
 
 /// Keywords that are no types, and since when.
-const KEYWORDS: [(&str, Since); 31] = [
+const KEYWORDS: [(&str, Since); 32] = [
     ("attribute", ALWAYS),
     ("const", ALWAYS),
     ("uniform", ALWAYS),
@@ -60,6 +69,7 @@ const KEYWORDS: [(&str, Since); 31] = [
     ("mediump", PRECISION),
     ("precision", PRECISION),
     ("layout", LAYOUT),
+    ("layout", Since::UNIFORM_BLOCKS),
 ];
 
 /// Qualifiers, and since when.
@@ -135,7 +145,18 @@ pub fn missing_qualifier(word: &str, language: Language) -> Option<Since> {
 
 /// Whether the language has `layout(...)`.
 pub fn has_layout(language: Language) -> bool {
-    language.has(LAYOUT)
+    language.has(LAYOUT) || has_blocks(language)
+}
+
+/// Whether the language has uniform blocks.
+pub fn has_blocks(language: Language) -> bool {
+    language.has(Since::UNIFORM_BLOCKS)
+}
+
+/// The layout of uniform blocks that a word is.
+pub fn block_layout(word: &str, language: Language) -> Option<BlockLayout> {
+    let row = BLOCK_LAYOUTS.iter().find(|row| row.0 == word && has_blocks(language));
+    row.map(|row| row.1)
 }
 
 /// Whether the language has unsigned integers.

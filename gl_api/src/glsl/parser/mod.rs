@@ -1,5 +1,6 @@
 //! Tokens to the syntax tree: recursive descent, bounded in depth, that goes on after an error.
 
+mod block;
 mod decl;
 mod expr;
 mod keywords;

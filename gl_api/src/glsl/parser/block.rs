@@ -1,0 +1,58 @@
+//! Uniform blocks (ARB_uniform_buffer_object, section 4.3.5.1).
+
+use super::keywords;
+use super::{Parsed, Parser};
+use crate::glsl::ast::{BlockDecl, Item, Qualifier};
+use crate::glsl::diagnostics::Diagnostic;
+use crate::glsl::lexer::Kind;
+use crate::glsl::source::Span;
+use crate::glsl::version::Since;
+
+impl Parser<'_> {
+    /// What these qualifiers begin, if it is no declaration of variables: `uniform name { ... };`,
+    /// or `layout(std140) uniform;`.
+    pub(super) fn block_item(&mut self, words: &[(Qualifier, Span)]) -> Parsed<Option<Item>> {
+        let uniform = matches!(words.last(), Some((Qualifier::Uniform, _)));
+        if uniform && words.len() > 1 && self.is(";") {
+            self.bump();
+            return Ok(Some(Item::BlockDefaults(words.to_vec())));
+        }
+        let begins = self.token().word().is_some() && self.ahead(1).is("{");
+        if !begins || !uniform || self.is_word("struct") {
+            return Ok(None);
+        }
+        if !keywords::has_blocks(self.language) {
+            let message = format!("uniform blocks are not in {}", self.version.title());
+            let mut problem = Diagnostic::error(self.span(), message);
+            if let Some(advice) = self.language.advice(Since::UNIFORM_BLOCKS) {
+                problem = problem.help(advice);
+            }
+            self.log.push(problem);
+            return Err(super::Broken);
+        }
+        self.uniform_block(words.to_vec()).map(|block| Some(Item::Block(block)))
+    }
+
+    fn uniform_block(&mut self, qualifiers: Vec<(Qualifier, Span)>) -> Parsed<BlockDecl> {
+        let name = self.name()?;
+        self.expect("{")?;
+        let mut members = Vec::new();
+        while !self.is("}") {
+            if self.kind() == &Kind::End {
+                return self.fail("the uniform block is not closed by `}`");
+            }
+            let ty = self.qualified_type()?;
+            members.push(self.declarators(ty)?);
+            self.expect(";")?;
+        }
+        self.expect("}")?;
+        if self.token().word().is_some() {
+            let message = "a uniform block has no name behind it: its members are named directly";
+            let rule = "ARB_uniform_buffer_object, section 4.3.5.1";
+            self.log.push(Diagnostic::error(self.span(), message).rule(rule));
+            return Err(super::Broken);
+        }
+        self.expect(";")?;
+        Ok(BlockDecl { qualifiers, name, members })
+    }
+}

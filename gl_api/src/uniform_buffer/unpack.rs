@@ -1,0 +1,116 @@
+//! From the bytes of buffers to the words of uniform blocks: ARB_uniform_buffer_object, section
+//! 2.15.3.1.1.
+
+use super::SECTION;
+use crate::context::Context;
+use crate::error::{Result, invalid_operation};
+use crate::glsl::{DataType, MatrixOrder, Member, Scalar};
+use crate::object::indexed_buffers::BufferRange;
+use crate::object::programs::{Linked, ShaderOrProgram};
+use crate::types::*;
+use rasterizer::ir::TRUE;
+
+/// A block of a linked program, and where its words came from.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct BlockState {
+    /// `GL_UNIFORM_BLOCK_BINDING`.
+    pub binding: GLuint,
+    /// The range and the version of its buffer; `None` before the first draw.
+    source: Option<(BufferRange, u64)>,
+}
+
+impl BlockState {
+    /// The blocks of a program that was just linked.
+    pub fn of(program: &crate::glsl::Program) -> Vec<Self> {
+        vec![Self::default(); program.blocks.len()]
+    }
+}
+
+/// Brings the words of a program's uniform blocks up to date.
+///
+/// # Errors
+/// `GL_INVALID_OPERATION` if a buffer that it reads is mapped.
+pub(crate) fn refresh(context: &mut Context, name: GLuint) -> Result<()> {
+    let program = match context.objects.programs.get_mut(name) {
+        Some(ShaderOrProgram::Program(program)) => program.executable.as_mut(),
+        Some(ShaderOrProgram::Shader(_)) | None => None,
+    };
+    let Some(Linked { program, blocks, words, .. }) = program else { return Ok(()) };
+    for (block, state) in program.blocks.iter().zip(blocks) {
+        let Some(word) = block.word else { continue };
+        let bound = context.uniform_buffers.buffers.get(state.binding as usize);
+        let range = bound.copied().unwrap_or_default();
+        let object = context.objects.buffers.get(range.name);
+        if object.is_some_and(|object| object.map.is_some()) {
+            return invalid_operation(
+                SECTION,
+                format!(
+                    "buffer {}, which the uniform block \"{}\" is read from, is mapped: call \
+                     glUnmapBuffer",
+                    range.name, block.name
+                ),
+            );
+        }
+        let source = Some((range, object.map_or(0, |object| object.version)));
+        if state.source == source {
+            continue;
+        }
+        state.source = source;
+        let bytes = object.map_or(&[][..], |object| object.buffer.bytes());
+        let bytes = bytes.get(range.offset..).unwrap_or_default();
+        let bytes = &bytes[..range.size.unwrap_or(bytes.len()).min(bytes.len())];
+        if bytes.len() < block.bytes as usize {
+            context.debug.warn(format!(
+                "the uniform block \"{}\" needs {} bytes; buffer {}, bound to index {} of \
+                 GL_UNIFORM_BUFFER, has {}: the others read as 0",
+                block.name,
+                block.bytes,
+                range.name,
+                state.binding,
+                bytes.len()
+            ));
+        }
+        let members = block.members.start as usize..block.members.end as usize;
+        let words = words.get_mut(word as usize..).unwrap_or_default();
+        for member in program.members.get(members).unwrap_or_default() {
+            unpack(member, bytes, words);
+        }
+    }
+    Ok(())
+}
+
+/// Writes the words of a member.
+fn unpack(member: &Member, bytes: &[u8], words: &mut [u32]) {
+    // Rows and columns as they lie in the buffer: how many, of how many numbers.
+    let (vectors, numbers, truth) = match member.ty {
+        DataType::Vector(scalar, size) => (1, size, scalar == Scalar::Bool),
+        DataType::Matrix(columns, rows) => match member.order {
+            MatrixOrder::Columns => (columns, rows, false),
+            MatrixOrder::Rows => (rows, columns, false),
+        },
+        DataType::Sampler(_) => return,
+    };
+    let (vectors, numbers) = (usize::from(vectors), usize::from(numbers));
+    let all = words.get_mut(member.word as usize..).unwrap_or_default();
+    let elements = all.chunks_exact_mut(vectors * numbers);
+    for (index, element) in elements.take(member.array.unwrap_or(1) as usize).enumerate() {
+        let first = member.offset as usize + index * member.array_stride as usize;
+        for vector in 0..vectors {
+            let first = first + vector * member.matrix_stride as usize;
+            for number in 0..numbers {
+                let word = read(bytes, first + number * 4);
+                let at = match member.order {
+                    MatrixOrder::Columns => vector * numbers + number,
+                    MatrixOrder::Rows => number * vectors + vector,
+                };
+                element[at] = if truth && word != 0 { TRUE } else { word };
+            }
+        }
+    }
+}
+
+/// The word at a byte; what lies past the end is 0.
+fn read(bytes: &[u8], at: usize) -> u32 {
+    let word = bytes.get(at..).and_then(|rest| rest.first_chunk());
+    word.map_or(0, |word| u32::from_le_bytes(*word))
+}
