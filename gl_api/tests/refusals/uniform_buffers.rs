@@ -179,7 +179,7 @@ const ROWS: &[Case] = &[
         nothing,
         |c| c.get_integer64i_v(GL_FOG, 0, &mut [0]),
         GL_INVALID_ENUM,
-        "must be GL_BLEND or GL_COLOR_WRITEMASK",
+        "must be GL_BLEND",
     ),
     (
         |c| {
