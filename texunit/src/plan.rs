@@ -1,5 +1,7 @@
 //! One decision per draw: how this image is sampled with this sampler.
 
+mod row;
+
 use crate::format::{BaseFormat, Block, Encoding, Format};
 use crate::image::{FACES, Image, Incomplete, Level, Shape};
 use crate::lanes::math::clamp;

@@ -11,6 +11,11 @@ pub(crate) const MAX_TEXTURE_LEVELS: usize = MAX_TEXTURE_SIZE.ilog2() as usize +
 pub(crate) const MAX_3D_TEXTURE_SIZE: u32 = 512;
 /// `GL_MAX_ARRAY_TEXTURE_LAYERS`.
 pub(crate) const MAX_ARRAY_TEXTURE_LAYERS: u32 = 2048;
+/// `GL_MAX_TEXTURE_BUFFER_SIZE`, in texels; of the largest ones they are as many bytes as can be
+/// gathered from.
+pub(crate) const MAX_TEXTURE_BUFFER_SIZE: u32 = 1 << 26;
+/// `GL_TEXTURE_BUFFER_OFFSET_ALIGNMENT`: the size of the largest texel.
+pub(crate) const TEXTURE_BUFFER_OFFSET_ALIGNMENT: usize = 16;
 /// `GL_MAX_VIEWPORT_DIMS`, both.
 pub(crate) const MAX_VIEWPORT_DIMS: u32 = 8192;
 /// `GL_MAX_COLOR_ATTACHMENTS` and `GL_MAX_DRAW_BUFFERS`.

@@ -18,7 +18,7 @@ use crate::program::validate::runnable;
 use crate::state::clamp::{self, Clamp};
 use crate::state::enable::Flag;
 use crate::state::viewport;
-use crate::texture::TextureTarget;
+use crate::texture::{TextureTarget, buffer};
 use crate::uniform_buffer;
 use rasterizer::driver::{Rim, ShaderModule, VertexBinding};
 use rasterizer::ir::{Access, Expr, Interpolation, IrError, Module, Output, Stage};
@@ -125,13 +125,13 @@ pub(crate) fn choose(
         None => context.state.enables.has(Flag::Lighting) && context.state.lights.model.two_side,
     };
     let vertex_textures = match &vertex {
-        Some(module) => program_textures(context, Stage::Vertex, module, &samplers, &words),
+        Some(module) => program_textures(context, Stage::Vertex, module, &samplers, &words)?,
         None => Arc::from([]),
     };
     let mut fragment_key = None;
     let (fragment, fragment_textures) = match fragment.take() {
         Some(module) => {
-            let textures = program_textures(context, Stage::Fragment, &module, &samplers, &words);
+            let textures = program_textures(context, Stage::Fragment, &module, &samplers, &words)?;
             let key = VariantKey {
                 alpha: alpha_test(context).map(|compare| (compare, base + word::ALPHA_REF)),
                 shade_model: context.state.raster.shade_model,
@@ -254,21 +254,43 @@ fn program_textures(
     module: &ShaderModule,
     samplers: &[SamplerSlot],
     words: &[u32],
-) -> Textures {
-    (0..module.module().textures.len())
-        .map(|slot| {
-            let sampler = samplers
-                .iter()
-                .find(|sampler| sampler.stage == stage && sampler.slot as usize == slot)?;
-            let unit = *words.get(sampler.word as usize)?;
-            let unit =
-                u8::try_from(unit).ok().filter(|unit| *unit < MAX_COMBINED_TEXTURE_IMAGE_UNITS)?;
-            let target = TextureTarget::of_sampler(sampler.dim);
-            hints::sampler(context, unit, target, sampler.word);
-            let reader = Reader::Program(module.module(), slot);
-            Some(plan(context, unit, target, sampler.result, reader))
-        })
-        .collect()
+) -> Result<Textures> {
+    let found = |slot: usize| {
+        let sampler = samplers
+            .iter()
+            .find(|sampler| sampler.stage == stage && sampler.slot as usize == slot)?;
+        let unit = u8::try_from(*words.get(sampler.word as usize)?).ok()?;
+        (unit < MAX_COMBINED_TEXTURE_IMAGE_UNITS).then_some((sampler, unit))
+    };
+    let mut textures = Vec::new();
+    for slot in 0..module.module().textures.len() {
+        let Some((sampler, unit)) = found(slot) else {
+            textures.push(None);
+            continue;
+        };
+        let target = TextureTarget::of_sampler(sampler.dim);
+        hints::sampler(context, unit, target, sampler.word);
+        textures.push(Some(match target {
+            TextureTarget::Buffer => {
+                let bound = context.state.units.units[usize::from(unit)].bound;
+                buffer::plan(context, bound[target as usize])?
+            }
+            TextureTarget::D1Array
+            | TextureTarget::D2Array
+            | TextureTarget::CubeArray
+            | TextureTarget::D1
+            | TextureTarget::D2
+            | TextureTarget::Rect
+            | TextureTarget::D3
+            | TextureTarget::Cube
+            | TextureTarget::D2Multisample
+            | TextureTarget::D2MultisampleArray => {
+                let reader = Reader::Program(module.module(), slot);
+                plan(context, unit, target, sampler.result, reader)
+            }
+        }));
+    }
+    Ok(textures.into())
 }
 
 /// The sampler state of a unit and target: that of the bound sampler object or else the texture's,

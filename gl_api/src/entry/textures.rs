@@ -4,7 +4,7 @@ use super::{Data, DataOut};
 use crate::env;
 use crate::object::{samplers, textures};
 use crate::texture::{
-    compressed, copy, get, mipmap, multisample, parameter, query, specify, storage, sub,
+    buffer, compressed, copy, get, mipmap, multisample, parameter, query, specify, storage, sub,
 };
 use crate::types::*;
 
@@ -233,6 +233,16 @@ entry_points! {
         /// Reads a parameter of a sampler object.
         get_sampler_parameter_i_uiv: glGetSamplerParameterIuiv
             (sampler: GLuint, pname: GLenum, params: &'a mut [GLuint]);
+    }
+    Outside in buffer {
+        /// Makes the bytes of a buffer object the texels of the bound buffer texture; 0 for none.
+        tex_buffer: glTexBuffer | glTexBufferARB | glTexBufferEXT
+            (target: GLenum, internalformat: GLenum, buffer: GLuint);
+        /// Makes a part of a buffer object's bytes the texels of the bound buffer texture.
+        tex_buffer_range: glTexBufferRange (
+            target: GLenum, internalformat: GLenum, buffer: GLuint, offset: GLintptr,
+            size: GLsizeiptr
+        );
     }
     Outside in mipmap {
         /// Makes all levels above the base from the base level.

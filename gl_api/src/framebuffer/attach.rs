@@ -106,7 +106,8 @@ fn attach_texture(
         | TextureTarget::D2
         | TextureTarget::Rect
         | TextureTarget::Cube
-        | TextureTarget::D2Multisample => 1,
+        | TextureTarget::D2Multisample
+        | TextureTarget::Buffer => 1,
     };
     let slice = match u16::try_from(slice) {
         Ok(slice) if u32::from(slice) < most => slice,
@@ -218,7 +219,8 @@ pub(crate) fn framebuffer_texture_layer(
         | TextureTarget::D2
         | TextureTarget::Rect
         | TextureTarget::Cube
-        | TextureTarget::D2Multisample => {
+        | TextureTarget::D2Multisample
+        | TextureTarget::Buffer => {
             return invalid_operation(
                 SECTION,
                 format!(

@@ -82,7 +82,8 @@ fn find(attached: &Attached) -> std::result::Result<Found, String> {
                 | TextureTarget::D2Array
                 | TextureTarget::CubeArray
                 | TextureTarget::D2Multisample
-                | TextureTarget::D2MultisampleArray => slice,
+                | TextureTarget::D2MultisampleArray
+                | TextureTarget::Buffer => slice,
             };
             Ok(found(info, Attachment { image, face, level: level as u8 }))
         }

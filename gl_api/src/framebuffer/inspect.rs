@@ -117,7 +117,8 @@ fn of_attached(attached: &Attached, point: Point, property: Property) -> Option<
             | TextureTarget::D2Array
             | TextureTarget::CubeArray
             | TextureTarget::D2Multisample
-            | TextureTarget::D2MultisampleArray => 0,
+            | TextureTarget::D2MultisampleArray
+            | TextureTarget::Buffer => 0,
         }),
         (Property::Level | Property::Layer | Property::Face, Source::Renderbuffer(_)) => None,
         (Property::Bits(component), _) => {

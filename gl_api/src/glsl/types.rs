@@ -29,13 +29,15 @@ pub enum Dim {
     D2Multisample,
     /// `sampler2DMSArray`.
     D2MultisampleArray,
+    /// `samplerBuffer`.
+    Buffer,
 }
 
 impl Dim {
     /// How many coordinates find a texel, the layer included.
     pub fn coords(self) -> usize {
         match self {
-            Self::D1 => 1,
+            Self::D1 | Self::Buffer => 1,
             Self::D2 | Self::Rect | Self::D1Array | Self::D2Multisample => 2,
             Self::D3 | Self::Cube | Self::D2Array | Self::D2MultisampleArray => 3,
             Self::CubeArray => 4,
@@ -110,9 +112,10 @@ pub const fn vec(size: u8) -> Type {
 }
 
 /// The words that name types, and since when.
-static NAMES: [(&str, Type, Since); 66] = {
+static NAMES: [(&str, Type, Since); 69] = {
     use Dim::{
-        Cube, CubeArray, D1, D1Array, D2, D2Array, D2Multisample, D2MultisampleArray, D3, Rect,
+        Buffer, Cube, CubeArray, D1, D1Array, D2, D2Array, D2Multisample, D2MultisampleArray, D3,
+        Rect,
     };
     use Scalar::{Bool, Float, Int, Uint};
     use Type::{Matrix, Vector, Void};
@@ -126,6 +129,7 @@ static NAMES: [(&str, Type, Since); 66] = {
     const RECT: Since = Since::only(Extension::TextureRectangle);
     const INTEGER_RECT: Since = Since::only(Extension::GpuShader4).or(Extension::TextureRectangle);
     const MULTISAMPLE: Since = Since::only(Extension::TextureMultisample);
+    const BUFFER: Since = Since::only(Extension::GpuShader4);
     const fn plain(dim: Dim, scalar: Scalar) -> Type {
         Type::Sampler(Sampler { dim, scalar, comparison: Comparison::No })
     }
@@ -192,6 +196,9 @@ static NAMES: [(&str, Type, Since); 66] = {
         ("sampler2DMSArray", plain(D2MultisampleArray, Float), MULTISAMPLE),
         ("isampler2DMSArray", plain(D2MultisampleArray, Int), MULTISAMPLE),
         ("usampler2DMSArray", plain(D2MultisampleArray, Uint), MULTISAMPLE),
+        ("samplerBuffer", plain(Buffer, Float), BUFFER),
+        ("isamplerBuffer", plain(Buffer, Int), BUFFER),
+        ("usamplerBuffer", plain(Buffer, Uint), BUFFER),
         ("sampler1DShadow", shadow(D1), V110),
         ("sampler2DShadow", shadow(D2), V110),
         ("samplerCubeShadow", shadow(Cube), INTEGER),

@@ -81,10 +81,11 @@ pub(crate) enum BufferTarget {
     CopyWrite,
     TransformFeedback,
     Uniform,
+    Texture,
 }
 
 impl BufferTarget {
-    const ALL: [Self; 8] = [
+    const ALL: [Self; 9] = [
         Self::Array,
         Self::ElementArray,
         Self::PixelPack,
@@ -93,6 +94,7 @@ impl BufferTarget {
         Self::CopyWrite,
         Self::TransformFeedback,
         Self::Uniform,
+        Self::Texture,
     ];
 }
 
@@ -107,6 +109,7 @@ pub(crate) const BUFFER_TARGET: Table<BufferTarget> = Table {
         (GL_COPY_WRITE_BUFFER, BufferTarget::CopyWrite),
         (GL_TRANSFORM_FEEDBACK_BUFFER, BufferTarget::TransformFeedback),
         (GL_UNIFORM_BUFFER, BufferTarget::Uniform),
+        (GL_TEXTURE_BUFFER, BufferTarget::Texture),
     ],
 };
 
@@ -136,6 +139,7 @@ pub(super) fn binding(context: &mut Context, target: BufferTarget) -> &mut GLuin
         BufferTarget::CopyWrite => &mut context.state.bindings.copy_write_buffer,
         BufferTarget::TransformFeedback => &mut context.state.bindings.transform_feedback_buffer,
         BufferTarget::Uniform => &mut context.state.bindings.uniform_buffer,
+        BufferTarget::Texture => &mut context.state.bindings.texture_buffer,
     }
 }
 
@@ -166,7 +170,7 @@ pub(crate) fn delete_buffers(context: &mut Context, n: GLsizei, buffers: &[GLuin
         context.state.arrays.forget_buffer(name);
         context.transform_feedback.forget_buffer(name);
         context.uniform_buffers.forget_buffer(name);
-        context.objects.buffers.remove(name);
+        context.objects.remove_buffer(name);
     }
     Ok(())
 }

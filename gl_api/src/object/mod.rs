@@ -21,7 +21,7 @@ use crate::list::List;
 use crate::texture::sampler::SamplerState;
 use crate::texture::{Texture, TextureTarget};
 use crate::types::*;
-use rasterizer::driver::Image;
+use rasterizer::driver::{Buffer, Image};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -166,6 +166,15 @@ impl Objects {
     /// The name, or 0 if there is no such buffer any more.
     pub fn existing_buffer(&self, name: GLuint) -> GLuint {
         if self.buffers.get(name).is_some() { name } else { 0 }
+    }
+
+    /// Forgets a buffer; textures that are made of it keep its bytes.
+    fn remove_buffer(&mut self, name: GLuint) {
+        let Some(object) = self.buffers.remove(name) else { return };
+        let buffer = object.map.map_or(object.buffer, |map| Buffer::new(map.bytes));
+        for texture in self.textures.values_mut().chain(&mut self.default_textures) {
+            texture.store.keep(name, &buffer);
+        }
     }
 
     /// The texture of a name; 0 is the default texture of the target.

@@ -80,6 +80,9 @@ fn sampler_type(sampler: glsl::Sampler) -> GLenum {
             GL_INT_SAMPLER_2D_MULTISAMPLE_ARRAY,
             GL_UNSIGNED_INT_SAMPLER_2D_MULTISAMPLE_ARRAY,
         ),
+        (Dim::Buffer, _) => {
+            of(GL_SAMPLER_BUFFER, GL_INT_SAMPLER_BUFFER, GL_UNSIGNED_INT_SAMPLER_BUFFER)
+        }
         (Dim::D1, Comparison::Yes) => GL_SAMPLER_1D_SHADOW,
         (Dim::D2 | Dim::D3, Comparison::Yes) => GL_SAMPLER_2D_SHADOW,
         (Dim::Cube, Comparison::Yes) => GL_SAMPLER_CUBE_SHADOW,

@@ -152,6 +152,8 @@ fn limit(_: &Context, pname: GLenum) -> Answer {
         | GL_MAX_CUBE_MAP_TEXTURE_SIZE
         | GL_MAX_RECTANGLE_TEXTURE_SIZE
         | GL_MAX_RENDERBUFFER_SIZE => int(limits::MAX_TEXTURE_SIZE),
+        GL_MAX_TEXTURE_BUFFER_SIZE => int(limits::MAX_TEXTURE_BUFFER_SIZE),
+        GL_TEXTURE_BUFFER_OFFSET_ALIGNMENT => int(limits::TEXTURE_BUFFER_OFFSET_ALIGNMENT as i32),
         GL_MAX_3D_TEXTURE_SIZE => int(limits::MAX_3D_TEXTURE_SIZE),
         GL_MAX_ARRAY_TEXTURE_LAYERS => int(limits::MAX_ARRAY_TEXTURE_LAYERS),
         GL_MAX_VIEWPORT_DIMS => ints(&[sizes; 2]),
@@ -406,6 +408,7 @@ const BINDING: Table<TextureTarget> = Table {
         (GL_TEXTURE_BINDING_CUBE_MAP_ARRAY, TextureTarget::CubeArray),
         (GL_TEXTURE_BINDING_2D_MULTISAMPLE, TextureTarget::D2Multisample),
         (GL_TEXTURE_BINDING_2D_MULTISAMPLE_ARRAY, TextureTarget::D2MultisampleArray),
+        (GL_TEXTURE_BINDING_BUFFER, TextureTarget::Buffer),
     ],
 };
 
@@ -416,6 +419,12 @@ fn texture(context: &Context, pname: GLenum) -> Answer {
         GL_ACTIVE_TEXTURE => symbol(GL_TEXTURE0 + u32::from(units.active)),
         GL_CLIENT_ACTIVE_TEXTURE => symbol(GL_TEXTURE0 + u32::from(units.client_active)),
         GL_SAMPLER_BINDING => symbol(units.active().sampler),
+        GL_TEXTURE_BUFFER_FORMAT_ARB => {
+            symbol(crate::texture::bound(context, TextureTarget::Buffer).store.internal)
+        }
+        GL_TEXTURE_BUFFER_DATA_STORE_BINDING => {
+            symbol(crate::texture::bound(context, TextureTarget::Buffer).store.buffer)
+        }
         _ => symbol(bound[BINDING.get(pname)? as usize]),
     })
 }
@@ -472,6 +481,7 @@ fn bindings(context: &Context, pname: GLenum) -> Answer {
         GL_COPY_WRITE_BUFFER => symbol(bindings.copy_write_buffer),
         GL_TRANSFORM_FEEDBACK_BUFFER_BINDING => symbol(bindings.transform_feedback_buffer),
         GL_UNIFORM_BUFFER_BINDING => symbol(bindings.uniform_buffer),
+        GL_TEXTURE_BUFFER => symbol(bindings.texture_buffer),
         GL_VERTEX_ARRAY_BINDING => symbol(bindings.vertex_array),
         GL_FRAMEBUFFER_BINDING => symbol(bindings.draw_framebuffer),
         GL_READ_FRAMEBUFFER_BINDING => symbol(bindings.read_framebuffer),

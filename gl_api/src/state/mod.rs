@@ -51,6 +51,7 @@ pub(crate) struct Bindings {
     pub element_array_buffer: GLuint,
     pub pixel_pack_buffer: GLuint,
     pub pixel_unpack_buffer: GLuint,
+    pub texture_buffer: GLuint,
     pub copy_read_buffer: GLuint,
     pub copy_write_buffer: GLuint,
     pub transform_feedback_buffer: GLuint,

@@ -46,7 +46,8 @@ pub(crate) fn get_tex_image(
         | TextureTarget::Cube
         | TextureTarget::D1Array
         | TextureTarget::D2Multisample
-        | TextureTarget::D2MultisampleArray => Extent::Flat,
+        | TextureTarget::D2MultisampleArray
+        | TextureTarget::Buffer => Extent::Flat,
     };
     let layout = Layout::new(&context.state.pack, pixel, size, extent)?;
     let transfer = context.state.transfer;

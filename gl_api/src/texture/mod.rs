@@ -5,6 +5,7 @@
 //! calls that specify images, parameters, mipmaps, and reading back.
 
 mod blocks;
+pub(crate) mod buffer;
 pub(crate) mod client;
 pub(crate) mod compressed;
 pub(crate) mod convert;
@@ -31,6 +32,7 @@ use crate::constants::*;
 use crate::context::{Context, limits};
 use crate::error::{ErrorCode, GlError};
 use crate::types::*;
+use buffer::DataStore;
 use rasterizer::driver::{Device, Image};
 use sampler::SamplerState;
 use std::sync::Arc;
@@ -55,6 +57,8 @@ pub(crate) struct Texture {
     pub immutable: Option<u32>,
     /// What was asked for of its samples, if it has several.
     pub samples: Option<Samples>,
+    /// Where its texels come from, if it is a buffer texture.
+    pub store: DataStore,
     /// The internal format that was asked for, by face and level.
     pub requested: Vec<[GLenum; limits::MAX_TEXTURE_LEVELS]>,
     /// How it is sampled with some sampler state, until something changes.
@@ -73,7 +77,9 @@ fn default_sampler(target: TextureTarget) -> Sampler {
             ..Sampler::default()
         },
         // Its texels are fetched, never filtered: integers are as good as others.
-        TextureTarget::D2Multisample | TextureTarget::D2MultisampleArray => Sampler {
+        TextureTarget::D2Multisample
+        | TextureTarget::D2MultisampleArray
+        | TextureTarget::Buffer => Sampler {
             wrap: [Wrap::ClampToEdge; 3],
             min: Filter::Nearest,
             mag: Filter::Nearest,
@@ -124,6 +130,7 @@ impl Texture {
             priority: 1.0,
             immutable: None,
             samples: None,
+            store: DataStore::default(),
             requested: vec![[GL_NONE; limits::MAX_TEXTURE_LEVELS]; shape.faces()],
             plan: None,
             is_new: true,
@@ -188,6 +195,9 @@ impl Texture {
             && plan.incomplete().is_none()
         {
             return None;
+        }
+        if self.target == TextureTarget::Buffer {
+            return self.store.incomplete_reason();
         }
         if self.target.is_multisample() && self.image.level(0, 0).is_none() {
             return Some("it has no image: give it one with glTexImage2DMultisample or 3D".into());

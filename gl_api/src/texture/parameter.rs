@@ -107,6 +107,18 @@ fn level_number(target: TextureTarget, pname: GLenum, value: f32) -> Result<u32>
     Ok(value.round() as u32)
 }
 
+/// A target whose textures have parameters: those of buffers have none.
+fn checked_target(target: GLenum) -> Result<TextureTarget> {
+    let target = TARGET.decode("target", target)?;
+    if target == TextureTarget::Buffer {
+        return invalid_enum(
+            "GL 3.1, section 3.8.5",
+            "target = GL_TEXTURE_BUFFER: the texels of a buffer are fetched, which has no parameters",
+        );
+    }
+    Ok(target)
+}
+
 /// A parameter that textures of a target have: where there are several samples a texel, nothing is
 /// filtered, wrapped or compared.
 fn parameter_of(target: TextureTarget, pname: GLenum) -> Result<Parameter> {
@@ -166,12 +178,12 @@ fn set(
 }
 
 fn scalar(context: &mut Context, target: GLenum, pname: GLenum, value: f32) -> Result<()> {
-    let target = TARGET.decode("target", target)?;
+    let target = checked_target(target)?;
     set(context, target, pname, parameter_of(target, pname)?, value)
 }
 
 fn vector(context: &mut Context, target: GLenum, pname: GLenum, values: &Values) -> Result<()> {
-    let target = TARGET.decode("target", target)?;
+    let target = checked_target(target)?;
     let parameter = parameter_of(target, pname)?;
     match parameter {
         Parameter::BorderColor => {
@@ -290,7 +302,7 @@ fn get(context: &Context, target: TextureTarget, parameter: Parameter) -> Answer
 }
 
 fn got(context: &Context, target: GLenum, pname: GLenum) -> Result<Answer> {
-    let target = TARGET.decode("target", target)?;
+    let target = checked_target(target)?;
     Ok(get(context, target, parameter(pname)?))
 }
 

@@ -1,13 +1,15 @@
 //! What is known of a level: GL 2.1, section 6.1.3.
 
+use super::buffer::length;
 use super::internal::{Component, component_bits, specific};
-use super::target::{ImageTarget, any_samples};
-use super::{Samples, bound, checked_level};
+use super::target::{ImageTarget, any_known};
+use super::{Samples, TextureTarget, bound, checked_level};
 use crate::constants::*;
 use crate::context::Context;
 use crate::error::{Result, Table, invalid_operation};
 use crate::query::put;
 use crate::types::*;
+use std::ops::Range;
 use texunit::format::{Block, Encoding, Format};
 use texunit::image::Level;
 
@@ -25,6 +27,10 @@ enum Property {
     Bits(Component),
     Samples,
     FixedLocations,
+    /// Of a buffer texture: the buffer's name and which of its bytes are texels.
+    Buffer,
+    BufferOffset,
+    BufferSize,
     /// What kind of numbers a component is (`ARB_texture_float`).
     Kind(Component),
 }
@@ -56,6 +62,9 @@ const PROPERTY: Table<Property> = Table {
         (GL_TEXTURE_DEPTH_SIZE, Property::Bits(Component::Depth)),
         (GL_TEXTURE_SAMPLES, Property::Samples),
         (GL_TEXTURE_FIXED_SAMPLE_LOCATIONS, Property::FixedLocations),
+        (GL_TEXTURE_BUFFER_DATA_STORE_BINDING, Property::Buffer),
+        (GL_TEXTURE_BUFFER_OFFSET, Property::BufferOffset),
+        (GL_TEXTURE_BUFFER_SIZE, Property::BufferSize),
     ],
 };
 
@@ -67,10 +76,29 @@ struct Known {
     internal: GLenum,
     format: Format,
     samples: Option<Samples>,
+    /// Of a buffer texture: the buffer's name and which of its bytes are texels.
+    buffer: (GLuint, Range<usize>),
+}
+
+/// What is known of a buffer texture.
+fn known_buffer(context: &Context) -> Known {
+    let store = &bound(context, TextureTarget::Buffer).store;
+    let range = store.range_of(length(context, store));
+    Known {
+        given: [store.texels(range.len()), 1, 1],
+        border: 0,
+        internal: store.internal,
+        format: store.format,
+        samples: None,
+        buffer: (store.buffer, range),
+    }
 }
 
 fn known(context: &Context, image: ImageTarget, level: usize) -> Option<Known> {
     let target = image.target();
+    if target == TextureTarget::Buffer {
+        return Some(known_buffer(context));
+    }
     let (size, border, internal, format, samples) = match image {
         ImageTarget::Bound(face) => {
             let texture = bound(context, target);
@@ -86,7 +114,7 @@ fn known(context: &Context, image: ImageTarget, level: usize) -> Option<Known> {
     };
     let borders = target.shape().border(border);
     let given = target.level_box([0, 1, 2].map(|axis| size[axis] + 2 * borders[axis]));
-    Some(Known { given, border, internal, format, samples })
+    Some(Known { given, border, internal, format, samples, buffer: (0, 0..0) })
 }
 
 /// What kind of numbers a format's components are.
@@ -105,7 +133,7 @@ fn kind(format: Format) -> GLenum {
 }
 
 fn property(context: &Context, target: GLenum, level: GLint, pname: GLenum) -> Result<GLint> {
-    let image = any_samples(target)?;
+    let image = any_known(target)?;
     let level = checked_level(SECTION, image.target(), level)?;
     let property = PROPERTY.decode("pname", pname)?;
     let Some(known) = known(context, image, level) else {
@@ -136,6 +164,9 @@ fn property(context: &Context, target: GLenum, level: GLint, pname: GLenum) -> R
         Property::FixedLocations => {
             known.samples.is_none_or(|samples| samples.fixed_locations).into()
         }
+        Property::Buffer => known.buffer.0 as GLint,
+        Property::BufferOffset => known.buffer.1.start as GLint,
+        Property::BufferSize => known.buffer.1.len() as GLint,
         Property::Kind(component) if component_bits(known.format, component) == 0 => 0,
         Property::Kind(_) => kind(known.format) as GLint,
     })

@@ -140,7 +140,8 @@ impl SamplerState {
                 | TextureTarget::D2Array
                 | TextureTarget::CubeArray
                 | TextureTarget::D2Multisample
-                | TextureTarget::D2MultisampleArray,
+                | TextureTarget::D2MultisampleArray
+                | TextureTarget::Buffer,
             )
             | None => (&WRAP, &MIN_FILTER),
         };

@@ -175,7 +175,8 @@ fn checked_blocks(target: TextureTarget, border: u32) -> Result<()> {
         | TextureTarget::Rect
         | TextureTarget::D1Array
         | TextureTarget::D2Multisample
-        | TextureTarget::D2MultisampleArray => {
+        | TextureTarget::D2MultisampleArray
+        | TextureTarget::Buffer => {
             invalid_operation(SECTION, "this target takes no compressed internalformat")
         }
     }
@@ -196,7 +197,8 @@ fn checked_border(target: TextureTarget, border: GLint) -> Result<u32> {
             | TextureTarget::D2Array
             | TextureTarget::CubeArray
             | TextureTarget::D2Multisample
-            | TextureTarget::D2MultisampleArray,
+            | TextureTarget::D2MultisampleArray
+            | TextureTarget::Buffer,
             1,
         ) => Ok(1),
         (_, _) => invalid_value(SECTION, format!("border = {border} must be 0 or 1")),

@@ -20,12 +20,13 @@ pub(crate) enum TextureTarget {
     Cube,
     D2Multisample,
     D2MultisampleArray,
+    Buffer,
 }
 
 impl TextureTarget {
     /// The targets, the one that wins where several are enabled after the others (section 3.8.15;
-    /// `ARB_texture_rectangle`). Arrays and several samples are for shaders alone.
-    pub const ALL: [Self; 10] = [
+    /// `ARB_texture_rectangle`). Arrays, several samples and buffers are for shaders alone.
+    pub const ALL: [Self; 11] = [
         Self::D1Array,
         Self::D2Array,
         Self::CubeArray,
@@ -36,14 +37,15 @@ impl TextureTarget {
         Self::Cube,
         Self::D2Multisample,
         Self::D2MultisampleArray,
+        Self::Buffer,
     ];
     /// How many there are.
     pub const COUNT: usize = Self::ALL.len();
 
-    /// The shape of its images; every sample of a texture with several is a layer.
+    /// The shape of its images; every sample of a texture with several is a layer, a buffer a row.
     pub fn shape(self) -> Shape {
         match self {
-            Self::D1 => Shape::D1,
+            Self::D1 | Self::Buffer => Shape::D1,
             Self::D2 => Shape::D2,
             Self::D3 => Shape::D3,
             Self::Rect => Shape::Rect,
@@ -81,6 +83,7 @@ impl TextureTarget {
             Dim::CubeArray => Self::CubeArray,
             Dim::D2Multisample => Self::D2Multisample,
             Dim::D2MultisampleArray => Self::D2MultisampleArray,
+            Dim::Buffer => Self::Buffer,
         }
     }
 
@@ -95,7 +98,8 @@ impl TextureTarget {
             | Self::Cube
             | Self::D1Array
             | Self::D2Array
-            | Self::CubeArray => false,
+            | Self::CubeArray
+            | Self::Buffer => false,
         }
     }
 
@@ -108,6 +112,7 @@ impl TextureTarget {
             Self::D2 | Self::Rect | Self::Cube | Self::D2Multisample => [side, side, 1],
             Self::D3 => [limits::MAX_3D_TEXTURE_SIZE; 3],
             Self::D1Array => [side, layers, 1],
+            Self::Buffer => [limits::MAX_TEXTURE_BUFFER_SIZE, 1, 1],
             Self::D2Array | Self::CubeArray | Self::D2MultisampleArray => [side, side, layers],
         }
     }
@@ -115,7 +120,7 @@ impl TextureTarget {
     /// How many levels its textures can have.
     pub fn levels(self) -> usize {
         match self {
-            Self::Rect | Self::D2Multisample | Self::D2MultisampleArray => 1,
+            Self::Rect | Self::D2Multisample | Self::D2MultisampleArray | Self::Buffer => 1,
             Self::D1
             | Self::D2
             | Self::D3
@@ -138,7 +143,8 @@ impl TextureTarget {
             | Self::D2Array
             | Self::CubeArray
             | Self::D2Multisample
-            | Self::D2MultisampleArray => [width, height, depth],
+            | Self::D2MultisampleArray
+            | Self::Buffer => [width, height, depth],
         }
     }
 }
@@ -157,6 +163,7 @@ pub(crate) const TARGET: Table<TextureTarget> = Table {
         (GL_TEXTURE_CUBE_MAP_ARRAY, TextureTarget::CubeArray),
         (GL_TEXTURE_2D_MULTISAMPLE, TextureTarget::D2Multisample),
         (GL_TEXTURE_2D_MULTISAMPLE_ARRAY, TextureTarget::D2MultisampleArray),
+        (GL_TEXTURE_BUFFER, TextureTarget::Buffer),
     ],
 };
 
@@ -292,6 +299,12 @@ pub(crate) const IMAGE_3D_MULTISAMPLE: Table<ImageTarget> = Table {
     ],
 };
 
+/// The texels of a buffer, which are specified as a buffer's bytes.
+const IMAGE_BUFFER: Table<ImageTarget> = Table {
+    section: "ARB_texture_buffer_object, section 6.1.3",
+    rows: &[(GL_TEXTURE_BUFFER, ImageTarget::Bound(whole(TextureTarget::Buffer)))],
+};
+
 /// The dimensions that a call's name ends in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Dimensions {
@@ -349,9 +362,11 @@ pub(crate) fn any_image(target: GLenum) -> Result<ImageTarget> {
     }
 }
 
-/// The image with any number of samples that `target` names, or a proxy.
-pub(crate) fn any_samples(target: GLenum) -> Result<ImageTarget> {
-    match IMAGE_2D_MULTISAMPLE.get(target).or_else(|| IMAGE_3D_MULTISAMPLE.get(target)) {
+/// What `target` names of which something is known: an image with any number of samples, a proxy, or
+/// the texels of a buffer.
+pub(crate) fn any_known(target: GLenum) -> Result<ImageTarget> {
+    let special = [&IMAGE_2D_MULTISAMPLE, &IMAGE_3D_MULTISAMPLE, &IMAGE_BUFFER];
+    match special.into_iter().find_map(|table| table.get(target)) {
         Some(image) => Ok(image),
         None => any_image(target),
     }

@@ -47,7 +47,15 @@ impl Reader<'_> {
             let answer = get(self.c, GL_DRAW_BUFFER0 + buffer).unwrap_or_default();
             self.digest.insert(format!("draw buffer {buffer}"), answer);
         }
-        for name in [GL_READ_BUFFER, GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER] {
+        for name in [
+            GL_READ_BUFFER,
+            GL_COPY_READ_BUFFER,
+            GL_COPY_WRITE_BUFFER,
+            GL_TEXTURE_BUFFER_BINDING,
+            GL_TEXTURE_BINDING_BUFFER,
+            GL_TEXTURE_BUFFER_DATA_STORE_BINDING,
+            GL_TEXTURE_BUFFER_FORMAT_ARB,
+        ] {
             let answer = get(self.c, name).unwrap_or_default();
             self.digest.insert(enum_name(name), answer);
         }

@@ -3,6 +3,7 @@
 //! textures of every format, made in every way, and at the ends of every range.
 
 mod borders;
+mod buffers;
 mod extremes;
 mod formats;
 mod functions;

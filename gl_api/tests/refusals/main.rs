@@ -6,6 +6,7 @@
 mod common;
 
 mod basic;
+mod buffer_textures;
 mod coverage;
 mod fixed;
 mod framebuffers;
@@ -53,6 +54,7 @@ fn table<'a>(
 fn each_refusal_sets_its_flag_says_why_and_changes_nothing_and_each_call_has_one() {
     let tables = [
         basic::run,
+        buffer_textures::run,
         fixed::run,
         framebuffers::run,
         more::run,

@@ -175,12 +175,7 @@ const ROWS: &[Case] = &[
         GL_INVALID_VALUE,
         "index = 64 must be below 64",
     ),
-    (
-        nothing,
-        |c| c.get_integer64i_v(GL_FOG, 0, &mut [0]),
-        GL_INVALID_ENUM,
-        "must be GL_BLEND",
-    ),
+    (nothing, |c| c.get_integer64i_v(GL_FOG, 0, &mut [0]), GL_INVALID_ENUM, "must be GL_BLEND"),
     (
         |c| {
             c.map_buffer_range(TARGET, 0, 4, GL_MAP_READ_BIT);

@@ -3,7 +3,7 @@
 
 use crate::vertex::fetch::{self, Elements};
 use std::num::NonZeroU32;
-use std::sync::Arc;
+use std::sync::{Arc, Weak};
 use texunit::lanes::{F32s, Isa};
 
 /// Bytes that draws read. Cloning shares them.
@@ -31,9 +31,26 @@ impl Buffer {
         if self.is_shared() { 0 } else { self.0.len() }
     }
 
+    /// Its bytes as they are now, to be told from later ones.
+    pub fn version(&self) -> Version {
+        Version(Arc::downgrade(&self.0))
+    }
+
     /// Its bytes for writing. Draws that were recorded earlier keep what they saw.
     pub fn bytes_mut(&mut self) -> &mut Vec<u8> {
         Arc::make_mut(&mut self.0)
+    }
+}
+
+/// The bytes that a [`Buffer`] once had, without keeping them: whoever asks to write gets others, as
+/// [`Arc::make_mut`] moves them away from what is still watched.
+#[derive(Clone, Debug, Default)]
+pub struct Version(Weak<Vec<u8>>);
+
+impl Version {
+    /// Whether nobody has asked to write to the buffer since.
+    pub fn is_of(&self, buffer: &Buffer) -> bool {
+        std::ptr::eq(self.0.as_ptr(), Arc::as_ptr(&buffer.0))
     }
 }
 
@@ -155,5 +172,26 @@ impl VertexSource {
             Self::Array { buffer, .. } => Some(buffer),
             Self::Constant(_) => None,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_version_is_that_of_the_bytes_until_somebody_writes() {
+        let mut buffer = Buffer::new(vec![1, 2]);
+        let first = buffer.version();
+        assert!(first.is_of(&buffer) && first.is_of(&buffer.clone()));
+        assert!(!first.is_of(&Buffer::new(vec![1, 2])));
+        assert!(!Version::default().is_of(&buffer));
+        // Alone, the bytes move; shared, they are copied.
+        buffer.bytes_mut()[0] = 3;
+        assert!(!first.is_of(&buffer) && !buffer.is_shared());
+        let (second, other) = (buffer.version(), buffer.clone());
+        buffer.bytes_mut()[0] = 4;
+        assert!(second.is_of(&other) && !second.is_of(&buffer));
+        assert_eq!((buffer.bytes(), other.bytes()), (&[4, 2][..], &[3, 2][..]));
     }
 }

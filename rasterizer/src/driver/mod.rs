@@ -20,7 +20,7 @@ pub use crate::output::texel_words;
 pub use crate::primitive::{Primitive, Primitives, primitives};
 pub use crate::raster::sample_positions;
 pub use crate::target::MAX_SAMPLES;
-pub use buffer::{Buffer, VertexBinding, VertexFormat, VertexSource, VertexType};
+pub use buffer::{Buffer, Version, VertexBinding, VertexFormat, VertexSource, VertexType};
 pub use command::{
     ClearValue, Command, CommandBuffer, DepthClip, IndexType, Indices, Rect, Viewport,
 };

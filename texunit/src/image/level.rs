@@ -94,6 +94,22 @@ impl Level {
         Ok(level)
     }
 
+    /// One row of as many texels as `texels` has whole, at most `most`; more than an image may have.
+    /// Where the bytes are too many for gathers, the last texels are left out.
+    ///
+    /// # Errors
+    /// When there is no memory.
+    pub fn row(format: Format, texels: &[u8], most: u32) -> Result<Self, ImageError> {
+        let size = format.bytes();
+        let count = (texels.len().min(MAX_LEVEL_BYTES) / size).min(most as usize);
+        // What lies outside is read at the first texel, so there always is one.
+        let bytes = count.max(1) * size + PADDING;
+        let mut memory = Memory::zeroed(bytes).ok_or(ImageError::OutOfMemory { bytes })?;
+        memory[..count * size].copy_from_slice(&texels[..count * size]);
+        let (width, height, depth, border) = (count as u32, 1, 1, [0; 3]);
+        Ok(Self { format, width, height, depth, border, texels: memory })
+    }
+
     /// Width, height and depth, without border.
     pub fn size(&self) -> [u32; 3] {
         [self.width, self.height, self.depth]

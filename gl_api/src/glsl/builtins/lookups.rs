@@ -225,7 +225,23 @@ pub fn rows() -> Vec<Row> {
         }
     }
     multisample(&mut rows);
+    buffers(&mut rows);
     rows
+}
+
+/// `texelFetchBuffer` and `textureSizeBuffer`: the texels of a buffer lie in one row and have no
+/// levels.
+fn buffers(rows: &mut Vec<Row>) {
+    let int = P::Fixed(Scalar::Int, 1);
+    for scalar in [Scalar::Float, Scalar::Int, Scalar::Uint] {
+        let sampler = Sampler { dim: Dim::Buffer, scalar, comparison: Comparison::No };
+        let (sampler, texel) = (P::Sampler(sampler), P::Fixed(scalar, 4));
+        for (suffix, since) in [("Buffer", GPU_SHADER4)] {
+            let (name, lookup) = (format!("texelFetch{suffix}"), Lookup::Fetch(Shift::None));
+            rows.push(row(name, texel, vec![sampler, int], since, lookup));
+            rows.push(row(format!("textureSize{suffix}"), int, vec![sampler], since, Lookup::Size));
+        }
+    }
 }
 
 /// `textureSize` and `texelFetch` where there are several samples a texel, whose number comes last.

@@ -25,7 +25,7 @@ struct Access {
 /// layer.
 fn shape(dim: Dim) -> Shape {
     match dim {
-        Dim::D1 => Shape::D1,
+        Dim::D1 | Dim::Buffer => Shape::D1,
         Dim::D2 => Shape::D2,
         Dim::D3 => Shape::D3,
         Dim::Cube => Shape::Cube,
@@ -152,7 +152,8 @@ impl Lowerer<'_> {
             | Dim::D1Array
             | Dim::D2Array
             | Dim::D2Multisample
-            | Dim::D2MultisampleArray => None,
+            | Dim::D2MultisampleArray
+            | Dim::Buffer => None,
         };
         if compares && layer.is_some() {
             // Four components find the texel: the reference is an argument of its own.
@@ -190,7 +191,7 @@ impl Lowerer<'_> {
             return self.sample_fetch(coords, number, zero);
         }
         let (level, offset) = match (kind.dim, shift) {
-            (Dim::Rect, Shift::None) => (None, None),
+            (Dim::Rect | Dim::Buffer, Shift::None) => (None, None),
             (Dim::Rect, Shift::Texels) => (None, Some(1)),
             (_, Shift::None) => (Some(1), None),
             (_, Shift::Texels) => (Some(1), Some(2)),
