@@ -94,6 +94,7 @@ pub const STATE: &[Row] = rows! {
         GL_UNIFORM_BUFFER_BINDING Number F;
         GL_VERTEX_ARRAY_BINDING Number F;
         GL_PRIMITIVE_RESTART Number F;
+        GL_PRIMITIVE_RESTART_INDEX Number F;
     }
     "6.11, transformation" {
         GL_MODELVIEW_MATRIX Number IDENTITY;
