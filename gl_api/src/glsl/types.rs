@@ -126,10 +126,10 @@ static NAMES: [(&str, Type, Since); 69] = {
     const INTEGER: Since = V130.or(Extension::GpuShader4);
     const ARRAY: Since = INTEGER.or(Extension::TextureArray);
     const CUBE_ARRAY: Since = Since::only(Extension::TextureCubeMapArray);
-    const RECT: Since = Since::only(Extension::TextureRectangle);
-    const INTEGER_RECT: Since = Since::only(Extension::GpuShader4).or(Extension::TextureRectangle);
+    const RECT: Since = Since::V140.or(Extension::TextureRectangle);
+    const INTEGER_RECT: Since = RECT.or(Extension::GpuShader4);
     const MULTISAMPLE: Since = Since::only(Extension::TextureMultisample);
-    const BUFFER: Since = Since::only(Extension::GpuShader4);
+    const BUFFER: Since = Since::V140.or(Extension::GpuShader4);
     const fn plain(dim: Dim, scalar: Scalar) -> Type {
         Type::Sampler(Sampler { dim, scalar, comparison: Comparison::No })
     }

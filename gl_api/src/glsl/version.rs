@@ -14,11 +14,15 @@ pub enum Version {
     V120,
     /// GLSL 1.30.
     V130,
+    /// GLSL 1.40 as contexts with `GL_ARB_compatibility` have it: with everything of 1.30.
+    V140,
 }
 
 impl Version {
     /// Every version.
-    pub const ALL: [Self; 4] = [Self::V110, Self::Es100, Self::V120, Self::V130];
+    pub const ALL: [Self; 5] = [Self::V110, Self::Es100, Self::V120, Self::V130, Self::V140];
+    /// The newest, which stands in for those that there are not.
+    pub const NEWEST: Self = Self::V140;
 
     /// The number that `#version` takes and `__VERSION__` gives.
     pub fn number(self) -> i32 {
@@ -27,6 +31,7 @@ impl Version {
             Self::Es100 => 100,
             Self::V120 => 120,
             Self::V130 => 130,
+            Self::V140 => 140,
         }
     }
 
@@ -37,6 +42,7 @@ impl Version {
             Self::Es100 => "GLSL ES 1.00",
             Self::V120 => "GLSL 1.20",
             Self::V130 => "GLSL 1.30",
+            Self::V140 => "GLSL 1.40",
         }
     }
 }
@@ -46,6 +52,8 @@ impl Version {
 pub enum Extension {
     /// `GL_ARB_arrays_of_arrays`: arrays of more than one dimension.
     ArraysOfArrays,
+    /// `GL_ARB_compatibility`: what GLSL 1.40 has left out, which is there with or without it.
+    Compatibility,
     /// `GL_ARB_draw_buffers`: `gl_FragData`, which every version has.
     DrawBuffers,
     /// `GL_ARB_draw_instanced`: `gl_InstanceIDARB`.
@@ -78,8 +86,9 @@ pub enum Extension {
 
 impl Extension {
     /// Every extension and its name.
-    pub const ALL: [(Self, &'static str); 15] = [
+    pub const ALL: [(Self, &'static str); 16] = [
         (Self::ArraysOfArrays, "GL_ARB_arrays_of_arrays"),
+        (Self::Compatibility, "GL_ARB_compatibility"),
         (Self::DrawBuffers, "GL_ARB_draw_buffers"),
         (Self::DrawInstanced, "GL_ARB_draw_instanced"),
         (Self::ExplicitAttribLocation, "GL_ARB_explicit_attrib_location"),
@@ -108,11 +117,28 @@ impl Extension {
 
     /// Whether shaders of a version can enable it.
     pub fn is_in(self, version: Version) -> bool {
-        (self == Self::StandardDerivatives) == (version == Version::Es100)
+        match self {
+            Self::StandardDerivatives => version == Version::Es100,
+            Self::Compatibility => version >= Version::V140,
+            Self::ArraysOfArrays
+            | Self::DrawBuffers
+            | Self::DrawInstanced
+            | Self::ExplicitAttribLocation
+            | Self::FragmentCoordConventions
+            | Self::ShaderBitEncoding
+            | Self::ShaderTextureLod
+            | Self::UniformBufferObject
+            | Self::TextureCubeMapArray
+            | Self::TextureMultisample
+            | Self::TextureQueryLod
+            | Self::TextureRectangle
+            | Self::GpuShader4
+            | Self::TextureArray => version != Version::Es100,
+        }
     }
 
-    const fn bit(self) -> u16 {
-        1 << self as u16
+    const fn bit(self) -> u32 {
+        1 << self as u32
     }
 }
 
@@ -132,8 +158,8 @@ pub enum Behaviour {
 pub struct Language {
     /// The version.
     pub version: Version,
-    enabled: u16,
-    warned: u16,
+    enabled: u32,
+    warned: u32,
 }
 
 impl From<Version> for Language {
@@ -184,8 +210,10 @@ impl Language {
     fn has_core(self, since: Since) -> bool {
         match (self.version, since.core) {
             (Version::Es100, _) => since.es,
-            (Version::V110 | Version::V120 | Version::V130, Some(core)) => self.version >= core,
-            (Version::V110 | Version::V120 | Version::V130, None) => false,
+            (Version::V110 | Version::V120 | Version::V130 | Version::V140, Some(core)) => {
+                self.version >= core
+            }
+            (Version::V110 | Version::V120 | Version::V130 | Version::V140, None) => false,
         }
     }
 
@@ -209,7 +237,7 @@ pub struct Since {
     core: Option<Version>,
     es: bool,
     /// The bits of the extensions of which any brings it.
-    extensions: u16,
+    extensions: u32,
 }
 
 impl Since {
@@ -221,9 +249,11 @@ impl Since {
     pub const V120: Self = Self { core: Some(Version::V120), ..Self::V110 };
     /// From GLSL 1.30 on.
     pub const V130: Self = Self { core: Some(Version::V130), ..Self::V110 };
+    /// From GLSL 1.40 on.
+    pub const V140: Self = Self { core: Some(Version::V140), ..Self::V110 };
 
     /// What brings uniform blocks and their layouts.
-    pub const UNIFORM_BLOCKS: Self = Self::only(Extension::UniformBufferObject);
+    pub const UNIFORM_BLOCKS: Self = Self::V140.or(Extension::UniformBufferObject);
 
     /// GLSL ES 1.00 alone.
     pub const ES: Self = Self { core: None, es: true, extensions: 0 };

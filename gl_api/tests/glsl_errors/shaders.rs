@@ -55,6 +55,26 @@ pub const FRAGMENT: &[(&str, &str)] = &[
     ("remainder in 120", "#version 120\nvoid main() { int i = 7 % 2; }"),
     ("integers smooth", "#version 130\nin ivec2 v;\nvoid main() {}"),
     ("version unknown", "#version 330\nvoid main() {}"),
+    (
+        "version unknown and all else right",
+        "#version 330 core\nin vec2 v;\nuniform sampler2D s;\nlayout(location = 0) out vec4 r;\n\
+         void main() { r = texture(s, v) * float(textureSize(s, 0).x & 3); }",
+    ),
+    ("version unknown and more wrong", "#version 450\nout vec4 r;\nvoid main() { r = colour; }"),
+    ("layout is a word of 140", "#version 140\nfloat layout;\nvoid main() {}"),
+    ("layout without extension", "#version 140\nlayout(location = 0) out vec4 r;\nvoid main() {}"),
+    ("words after 140", "#version 140 compatibility\nvoid main() {}"),
+    ("buffer in 130", "#version 130\nuniform samplerBuffer s;\nvoid main() {}"),
+    (
+        "buffer filtered",
+        "#version 140\nuniform samplerBuffer s;\nvoid main() { gl_FragColor = texture(s, 0.5); }",
+    ),
+    (
+        "buffer with a level",
+        "#version 140\nuniform samplerBuffer s;\nvoid main() { gl_FragColor = texelFetch(s, 1, 0); }",
+    ),
+    ("inverse in 130", "#version 130\nvoid main() { gl_FragColor.xy = inverse(mat2(1.0))[0]; }"),
+    ("inverse of no square", "#version 140\nvoid main() { mat2x3 a = inverse(mat2x3(1.0)); }"),
     ("version late", "float f;\n#version 120\nvoid main() {}"),
     ("macro arguments", "#define F(a, b) a\nfloat f = F(1.0);\nvoid main() {}"),
     ("error directive", "#error not today\nvoid main() {}"),

@@ -185,6 +185,31 @@ pub const TABLE: &[Row] = &[
         "r = vec4(f(0), f(1), f(int(x)), f(-1));",
         [112.0, 112.0, 104.5, 13.5],
     ),
+    // What came with 1.40, and what stays by GL_ARB_compatibility
+    Row(
+        140,
+        "#ifndef GL_ARB_compatibility\n#error not there\n#endif\n",
+        "mat2 a = inverse(mat2(1, 2, 3, 4)); r = vec4(a[0], a[1]) * float(__VERSION__ - 139);",
+        [-2.0, 1.0, 1.5, -0.5],
+    ),
+    Row(
+        140,
+        "#extension GL_ARB_compatibility : require\n",
+        "mat3 a = inverse(mat3(1, 2, 3, 0, 1, 4, 5, 6, 0)); r = vec4(a[0], a[2].y);",
+        [-24.0, 18.0, 5.0, 4.0],
+    ),
+    Row(
+        140,
+        "",
+        "mat4 a = inverse(mat4(2, 0, 0, 0, 0, 4, 0, 0, 0, 0, 8, 0, 1, 2, 3, 1)); r = vec4(a[3].xyz, a[1].y);",
+        [-0.5, -0.5, -0.375, 0.25],
+    ),
+    Row(
+        140,
+        "",
+        "mat4 p = mat4(0, u.x, 0, 0, 1, 0, 0, 0, 0, 0, 0, u.y, 0, 0, u.w, 0); p = inverse(p); r = vec4(p[0].y, p[1].x, p[2].w, p[3].z);",
+        [1.0, 1.0, 0.25, 0.5],
+    ),
     // Integers of 1.30
     Row(
         130,

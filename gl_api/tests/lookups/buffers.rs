@@ -428,6 +428,42 @@ fn queries_tell_what_is_bound_and_what_it_holds() {
 }
 
 #[test]
+fn glsl_1_40_has_them_and_rectangles_without_an_extension() {
+    let _current = context();
+    let vertex = "#version 140\nvoid main() { gl_Position = gl_Vertex; }";
+    let drawn = |declarations: &str, value: &str| {
+        let fragment = format!(
+            "#version 140\n{declarations}\nvoid main() {{ gl_FragColor = vec4({value}) / 255.0; }}"
+        );
+        let pixel = super::drawn(program(vertex, &fragment).unwrap());
+        glUseProgram(0);
+        pixel
+    };
+    store(1, GL_RGBA8UI, &[1, 2, 3, 4, 5, 6, 7, 8]);
+    assert_eq!(drawn("uniform usamplerBuffer s;", "texelFetch(s, 1)"), [5, 6, 7, 8]);
+    assert_eq!(drawn("uniform isamplerBuffer s;", "textureSize(s)"), [2; 4]);
+    glTexBuffer(T, GL_RGBA8, 1);
+    assert_eq!(drawn("uniform samplerBuffer s;", "255.0 * texelFetch(s, 0)"), [1, 2, 3, 4]);
+    let (rect, rgba, byte) = (GL_TEXTURE_RECTANGLE, GL_RGBA, GL_UNSIGNED_BYTE);
+    glBindTexture(rect, 2);
+    glTexParameteri(rect, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(rect, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTexImage2D(rect, 0, rgba, 2, 1, 0, rgba, byte, &[1_u8, 2, 3, 4, 5, 6, 7, 8]);
+    for call in [
+        "texture(s, vec2(1.5, 0.5))",
+        "textureProj(s, vec3(3.0, 1.0, 2.0))",
+        "textureOffset(s, vec2(0.5), ivec2(1, 0))",
+        "texelFetch(s, ivec2(1, 0))",
+        "texelFetchOffset(s, ivec2(0), ivec2(1, 0))",
+        "texture2DRect(s, vec2(1.5, 0.5))",
+    ] {
+        assert_eq!(drawn("uniform sampler2DRect s;", &format!("255.0 * {call}")), [5, 6, 7, 8]);
+    }
+    assert_eq!(drawn("uniform sampler2DRect s;", "textureSize(s), 3, 4"), [2, 1, 3, 4]);
+    assert_eq!(glGetError(), GL_NO_ERROR);
+}
+
+#[test]
 fn a_sampler_of_buffers_says_so() {
     let _current = context();
     for (kind, ty) in Kind::ALL.into_iter().zip([

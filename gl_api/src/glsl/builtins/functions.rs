@@ -23,6 +23,8 @@ pub enum P {
     Mat,
     /// Matrix of `m` columns, `n` rows.
     MatTransposed,
+    /// Matrix of `n` columns and rows.
+    Square,
     /// Vector of `m` components.
     Column,
     /// `out genType`.
@@ -105,6 +107,7 @@ impl P {
             Self::Fixed(scalar, size) => Some(Type::Vector(scalar, size)),
             Self::Mat => (n >= 2).then_some(Type::Matrix(n, m)),
             Self::MatTransposed => (n >= 2).then_some(Type::Matrix(m, n)),
+            Self::Square => (n >= 2).then_some(Type::Matrix(n, n)),
             Self::Column => Some(vec(m)),
             Self::Out => Some(vec(n)),
             Self::Sampler(sampler) => Some(Type::Sampler(sampler)),

@@ -1,6 +1,6 @@
 //! The texture lookups (GLSL 1.30 section 8.7; GLSL 1.20 section 8.7; `EXT_gpu_shader4`,
 //! `EXT_texture_array`, `ARB_texture_rectangle`, `ARB_shader_texture_lod`,
-//! `ARB_texture_cube_map_array`, `ARB_texture_multisample`), generated from a table of what each kind of
+//! `ARB_texture_cube_map_array`, `ARB_texture_multisample`; GLSL 1.40), generated from a table of what each kind of
 //! sampler takes.
 
 use super::functions::{Lower, P, Row};
@@ -229,14 +229,14 @@ pub fn rows() -> Vec<Row> {
     rows
 }
 
-/// `texelFetchBuffer` and `textureSizeBuffer`: the texels of a buffer lie in one row and have no
+/// `texelFetch` and `textureSize`, before with `Buffer` in their names: the texels of a buffer lie in one row and have no
 /// levels.
 fn buffers(rows: &mut Vec<Row>) {
     let int = P::Fixed(Scalar::Int, 1);
     for scalar in [Scalar::Float, Scalar::Int, Scalar::Uint] {
         let sampler = Sampler { dim: Dim::Buffer, scalar, comparison: Comparison::No };
         let (sampler, texel) = (P::Sampler(sampler), P::Fixed(scalar, 4));
-        for (suffix, since) in [("Buffer", GPU_SHADER4)] {
+        for (suffix, since) in [("Buffer", GPU_SHADER4), ("", Since::V140)] {
             let (name, lookup) = (format!("texelFetch{suffix}"), Lookup::Fetch(Shift::None));
             rows.push(row(name, texel, vec![sampler, int], since, lookup));
             rows.push(row(format!("textureSize{suffix}"), int, vec![sampler], since, Lookup::Size));

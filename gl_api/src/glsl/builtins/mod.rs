@@ -3,6 +3,7 @@
 pub mod functions;
 pub mod lookups;
 pub mod math;
+pub mod matrix;
 mod noise;
 pub mod state;
 mod table;

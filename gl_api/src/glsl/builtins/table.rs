@@ -1,8 +1,8 @@
-//! The built-in functions but for texture lookups (GLSL 1.30 sections 8.1 to 8.6, 8.8 and 8.9), one
+//! The built-in functions but for texture lookups (GLSL 1.40 sections 8.1 to 8.6, 8.8 and 8.9), one
 //! row for all sizes of a signature.
 
 use super::functions::{Lower, P, Row};
-use super::{math, noise};
+use super::{math, matrix, noise};
 use crate::glsl::Scalar;
 use crate::glsl::version::{Extension, Since, Stages};
 use rasterizer::ir::{Axis, Op};
@@ -141,6 +141,7 @@ pub fn rows() -> Vec<Row> {
         any("matrixCompMult", P::Mat, &[P::Mat, P::Mat], ALWAYS, Map(Op::Mul)),
         any("outerProduct", P::Mat, &[P::Column, VF], V120, With(math::outer_product)),
         any("transpose", P::MatTransposed, &[P::Mat], V120, With(math::transpose)),
+        any("inverse", P::Square, &[P::Square], Since::V140, With(matrix::inverse)),
         // 8.6 Vector relational
         any("lessThan", VB, &[VF, VF], ALWAYS, Map(Op::Less)),
         any("lessThan", VB, &[VI, VI], ALWAYS, Map(Op::ILess)),

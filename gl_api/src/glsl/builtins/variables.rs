@@ -172,12 +172,12 @@ fn rows() -> Vec<Row> {
     row("gl_PointSize", FLOAT, Vertex, ALWAYS, ReadWrite, Builtin::PointSize);
     row("gl_ClipVertex", vec(4), Vertex, V110, ReadWrite, Builtin::ClipVertex);
     row("gl_VertexID", INT, Vertex, V130.or(Extension::GpuShader4), ReadOnly, Builtin::VertexId);
-    for (name, extension) in [
-        ("gl_InstanceIDARB", Extension::DrawInstanced),
-        ("gl_InstanceID", Extension::DrawInstanced),
-        ("gl_InstanceID", Extension::GpuShader4),
+    let draw_instanced = Since::only(Extension::DrawInstanced);
+    for (name, since) in [
+        ("gl_InstanceIDARB", draw_instanced),
+        ("gl_InstanceID", Since::V140.or(Extension::DrawInstanced).or(Extension::GpuShader4)),
     ] {
-        row(name, INT, Vertex, Since::only(extension), ReadOnly, Builtin::InstanceId);
+        row(name, INT, Vertex, since, ReadOnly, Builtin::InstanceId);
     }
     // Without a size: the largest index or a redeclaration brings it (GLSL 1.30 section 7.1).
     let distances = Type::Array(Box::new(FLOAT), None);

@@ -85,9 +85,12 @@ fn build(shaders: &[&Shader], bindings: &Bindings, log: &mut Log) -> Option<Prog
         let position = vertex.used.iter().any(|v| &*v.name == "gl_Position" && v.written);
         if !position {
             let message = "the vertex shader never writes gl_Position";
-            // What is seen is undefined in GLSL ES; the desktop's versions forbid it.
-            let es = vertex.units.iter().all(|unit| unit.version == Version::Es100);
-            let problem = if es {
+            // What is seen is undefined in GLSL ES and from 1.40 on; those between forbid it.
+            let is_legal = vertex
+                .units
+                .iter()
+                .all(|unit| unit.version == Version::Es100 || unit.version >= Version::V140);
+            let problem = if is_legal {
                 Diagnostic::link_warning(message)
             } else {
                 Diagnostic::link_error(message)

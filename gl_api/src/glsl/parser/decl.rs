@@ -130,6 +130,9 @@ impl Parser<'_> {
                         known.iter().filter(|(here, _)| *here).map(|(_, words)| *words).collect();
                     let known = format!("layouts here: {}", known.join(", "));
                     self.log.push(Diagnostic::error(name.span, message).help(known));
+                    if self.eat("=") {
+                        self.bump();
+                    }
                     None
                 }
             };

@@ -304,7 +304,7 @@ impl Parser<'_> {
                 let problem = match self.version {
                     // Every compiler of the desktop takes it.
                     Version::V110 => Diagnostic::warning(span, message),
-                    Version::Es100 | Version::V120 | Version::V130 => {
+                    Version::Es100 | Version::V120 | Version::V130 | Version::V140 => {
                         Diagnostic::error(span, message)
                     }
                 };

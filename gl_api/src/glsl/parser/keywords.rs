@@ -10,9 +10,9 @@ const V130: Since = Since::V130;
 /// Words about precision, which GLSL ES had first.
 const PRECISION: Since = V130.and_es();
 
-/// `layout`: of `gl_FragCoord`, and of attributes and outputs; uniform blocks have it too.
+/// `layout`: of `gl_FragCoord`, of attributes and outputs, of uniform blocks; a keyword from GLSL 1.40 on.
 const LAYOUT: Since =
-    Since::only(Extension::FragmentCoordConventions).or(Extension::ExplicitAttribLocation);
+    Since::V140.or(Extension::FragmentCoordConventions).or(Extension::ExplicitAttribLocation);
 
 /// The words that a layout of uniform blocks can have.
 const BLOCK_LAYOUTS: [(&str, BlockLayout); 5] = [
@@ -103,7 +103,7 @@ const RESERVED: [&str; 40] = [
     "sizeof", "cast", "namespace", "using",
 ];
 
-/// Words that GLSL 1.30 reserves besides.
+/// Words that GLSL 1.30 reserves besides, and 1.40 as far as it does not use them.
 #[rustfmt::skip]
 const RESERVED_130: [&str; 37] = [
     "common", "partition", "active", "filter", "image1D", "image2D",
@@ -125,7 +125,7 @@ pub fn classify(word: &str, language: Language) -> Word {
     if keyword {
         return Word::Keyword;
     }
-    let later = language.version == Version::V130 && RESERVED_130.contains(&word);
+    let later = language.version >= Version::V130 && RESERVED_130.contains(&word);
     if RESERVED.contains(&word) || later {
         return Word::Reserved;
     }

@@ -222,20 +222,36 @@ impl Preprocessor<'_> {
             self.error(at, "a version number is expected");
             return;
         };
-        match Version::ALL.into_iter().find(|version| i64::from(version.number()) == number) {
-            Some(version) => {
-                self.language = version.into();
-                self.macros = Macros::new(version);
-                if let Some(more) = rest.get(1) {
-                    let message = format!("unexpected {} after the version", more.describe());
-                    let problem = Diagnostic::error(more.span, message);
-                    self.log.push(problem.rule("GLSL 1.30 section 3.3: `#version number`"));
-                }
-            }
-            None => self.log.push(
+        let known = Version::ALL.into_iter().find(|known| i64::from(known.number()) == number);
+        // The rest of a shader in a version that there is not is read as one of the newest with all
+        // extensions, which is what later ones began as: most of it is alike, and what is wrong with
+        // it besides is worth saying.
+        let version = known.unwrap_or(Version::NEWEST);
+        self.language = version.into();
+        self.macros = Macros::new(version);
+        if known.is_none() {
+            self.set_all(Behaviour::Enable);
+        }
+        match (known, rest.get(1)) {
+            (None, _) => self.log.push(
                 Diagnostic::error(at, format!("GLSL version {number} is not supported"))
-                    .help("DetGL knows the versions 110, 120, 130 and 100 (GLSL ES)"),
+                    .help("DetGL knows the versions 110, 120, 130, 140 and 100 (GLSL ES)"),
             ),
+            (Some(_), Some(more)) => {
+                let message = format!("unexpected {} after the version", more.describe());
+                let problem = Diagnostic::error(more.span, message);
+                self.log.push(problem.rule("GLSL 1.30 section 3.3: `#version number`"));
+            }
+            (Some(_), None) => {}
+        }
+    }
+
+    /// Every extension of the version.
+    fn set_all(&mut self, behaviour: Behaviour) {
+        for (known, _) in Extension::ALL {
+            if known.is_in(self.language.version) {
+                self.language.set(known, behaviour);
+            }
         }
     }
 
@@ -286,11 +302,7 @@ impl Preprocessor<'_> {
                 self.log.push(Diagnostic::error(span, message).rule(rule));
                 return;
             }
-            for (known, _) in Extension::ALL {
-                if known.is_in(version) {
-                    self.language.set(known, behaviour);
-                }
-            }
+            self.set_all(behaviour);
             return;
         }
         match Extension::named(extension).filter(|known| known.is_in(version)) {

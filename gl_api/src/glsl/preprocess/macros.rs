@@ -89,7 +89,7 @@ impl Macros {
         let names = extensions.map(|known| known.1);
         let table = match version {
             Version::Es100 => names.chain(ES).map(row).collect(),
-            Version::V130 => names.chain([HIGH]).map(row).collect(),
+            Version::V130 | Version::V140 => names.chain([HIGH]).map(row).collect(),
             Version::V110 | Version::V120 => names.map(row).collect(),
         };
         Self { table, produced: 0 }
