@@ -108,6 +108,9 @@ pub(crate) fn draw_buffer(context: &mut Context, buf: GLenum) -> Result<()> {
     Ok(())
 }
 
+/// What names one buffer or more, which has no place in an array of buffers.
+const SEVERAL: [GLenum; 5] = [GL_FRONT, GL_BACK, GL_LEFT, GL_RIGHT, GL_FRONT_AND_BACK];
+
 pub(crate) fn draw_buffers(context: &mut Context, n: GLsizei, bufs: &[GLenum]) -> Result<()> {
     let n = not_negative(DRAW, "n", n.into())?;
     if n > limits::MAX_COLOR_ATTACHMENTS {
@@ -121,6 +124,15 @@ pub(crate) fn draw_buffers(context: &mut Context, n: GLsizei, bufs: &[GLenum]) -
     };
     let framebuffer = context.state.bindings.draw_framebuffer;
     for (index, &buf) in bufs.iter().enumerate() {
+        if SEVERAL.contains(&buf) {
+            return invalid_enum(
+                "GL 3.1, section 4.2.1",
+                format!(
+                    "bufs[{index}] = {} may name several buffers: name one, as GL_BACK_LEFT",
+                    enum_name(buf)
+                ),
+            );
+        }
         checked(DRAW, framebuffer, &format!("bufs[{index}]"), buf)?;
         if buf != GL_NONE && bufs[..index].contains(&buf) {
             return invalid_operation(

@@ -276,7 +276,9 @@ const CASES: &[Case] = &[
     (|c| c.draw_buffer(GL_RIGHT), GL_INVALID_OPERATION, "no such buffer"),
     (|c| c.draw_buffer(GL_LINEAR), GL_INVALID_ENUM, "must name a colour buffer"),
     (|c| c.draw_buffers(9, &[GL_NONE; 9]), GL_INVALID_VALUE, "must not be above 8"),
-    (|c| c.draw_buffers(2, &[GL_BACK; 2]), GL_INVALID_OPERATION, "was named before"),
+    (|c| c.draw_buffers(2, &[GL_BACK_LEFT; 2]), GL_INVALID_OPERATION, "was named before"),
+    (|c| c.draw_buffers(1, &[GL_BACK]), GL_INVALID_ENUM, "may name several buffers"),
+    (|c| c.draw_buffers(1, &[GL_FRONT_AND_BACK]), GL_INVALID_ENUM, "may name several buffers"),
     // Programs and queries.
     (|c| assert_eq!(c.create_shader(GL_TEXTURE_2D), 0), GL_INVALID_ENUM, "GL_VERTEX_SHADER"),
     (|c| c.compile_shader(7), GL_INVALID_VALUE, "shader = 7 is no shader"),
