@@ -118,13 +118,13 @@ fn chapters(registry: &str) -> Vec<Chapter<'_>> {
     chapters
 }
 
-/// The page: of each version up to 3.0 and each claimed extension, what is there and what is not.
+/// The page: of each version up to 3.1 and each claimed extension, what is there and what is not.
 fn page(registry: &str) -> String {
     let there: BTreeSet<&str> = implemented().map(|(name, _)| name).collect();
     let context = Context::new(ContextDesc { width: 1, height: 1, ..ContextDesc::default() });
     let claimed = context.expect("a device").get_string(GL_EXTENSIONS);
     let claimed: BTreeSet<&str> = claimed.split(' ').collect();
-    let versions = ["1_0", "1_1", "1_2", "1_3", "1_4", "1_5", "2_0", "2_1", "3_0"];
+    let versions = ["1_0", "1_1", "1_2", "1_3", "1_4", "1_5", "2_0", "2_1", "3_0", "3_1"];
     let versions = versions.map(|version| format!("GL_VERSION_{version}"));
     let mut text = String::from(
         "# Entry points\n\nGenerated from the Khronos registry by \

@@ -6,12 +6,13 @@ use crate::error::{Result, Table, invalid_value};
 use crate::types::*;
 use std::sync::LazyLock;
 
-/// The names, sorted.
+/// The names, sorted. `GL_ARB_compatibility` says that OpenGL 3.1 has kept what 3.0 calls deprecated.
 pub(crate) const EXTENSIONS: &[&str] = &[
     "GL_AMD_draw_buffers_blend",
     "GL_ARB_ES2_compatibility",
     "GL_ARB_arrays_of_arrays",
     "GL_ARB_color_buffer_float",
+    "GL_ARB_compatibility",
     "GL_ARB_copy_buffer",
     "GL_ARB_debug_output",
     "GL_ARB_depth_buffer_float",
@@ -155,8 +156,8 @@ pub(crate) fn get_string(_: &mut Context, name: GLenum) -> Result<&'static str> 
         rows: &[
             (GL_VENDOR, "DetGL"),
             (GL_RENDERER, "DetGL"),
-            (GL_VERSION, concat!("3.0 DetGL ", env!("CARGO_PKG_VERSION"))),
-            (GL_SHADING_LANGUAGE_VERSION, "1.30"),
+            (GL_VERSION, concat!("3.1 DetGL ", env!("CARGO_PKG_VERSION"))),
+            (GL_SHADING_LANGUAGE_VERSION, "1.40"),
             (GL_EXTENSIONS, ""),
         ],
     };

@@ -13,7 +13,7 @@ fn versions_that_are_not_there_are_refused() {
         (2, 1, true),
         (2, 2, false),
         (3, 0, true),
-        (3, 1, false),
+        (3, 1, true),
         (3, 2, false),
     ] {
         let list = [0x3098, major, 0x30FB, minor, EGL_NONE];
@@ -123,7 +123,10 @@ fn contexts_are_what_was_asked_for_or_refused() {
         ("2.1, core, which 2.1 ignores", &[0x3098, 2, 0x30FB, 1, 0x30FD, 1], EGL_SUCCESS),
         ("3.0", &[0x3098, 3, 0x30FB, 0], EGL_SUCCESS),
         ("3.0, forward compatible", &[0x3098, 3, 0x30FB, 0, 0x31B1, 1], EGL_BAD_MATCH),
-        ("3.1", &[0x3098, 3, 0x30FB, 1], EGL_BAD_MATCH),
+        ("3.1", &[0x3098, 3, 0x30FB, 1], EGL_SUCCESS),
+        ("3.1, core, which 3.1 ignores", &[0x3098, 3, 0x30FB, 1, 0x30FD, 1], EGL_SUCCESS),
+        ("3.1, forward compatible", &[0x3098, 3, 0x30FB, 1, 0x31B1, 1], EGL_BAD_MATCH),
+        ("3.2", &[0x3098, 3, 0x30FB, 2], EGL_BAD_MATCH),
         ("debug", &[0x31B0, 1], EGL_SUCCESS),
         ("robust", &[0x31B2, 1], EGL_SUCCESS),
         ("flags: debug", &[0x30FC, 1], EGL_SUCCESS),

@@ -467,7 +467,7 @@ pub const LEAST: &[Row] = rows! {
         GL_SAMPLE_BUFFERS Number F;
         GL_SAMPLES Number F;
         GL_MAJOR_VERSION Number &[3.0];
-        GL_MINOR_VERSION Number F;
+        GL_MINOR_VERSION Number &[1.0];
         GL_CONTEXT_FLAGS Number F;
         GL_NUM_EXTENSIONS Number T;
     }
