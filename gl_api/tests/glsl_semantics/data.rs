@@ -297,6 +297,12 @@ pub const TABLE: &[Row] = &[
     ),
     Row(
         110,
+        "struct S { float a; vec2 b; } s, t[2], v;",
+        "s.a = 1.0; t[k - 1].b = vec2(2.0, 3.0); v.a = 4.0; r = vec4(s.a, t[1].b, v.a);",
+        [1.0, 2.0, 3.0, 4.0],
+    ),
+    Row(
+        110,
         "struct A { float x; }; struct B { A a[2]; float y; };",
         "B b; b.a[k - 1].x = 5.0; b.y = 6.0; r.xy = vec2(b.a[1].x, b.y);",
         [5.0, 6.0, 0.0, 0.0],

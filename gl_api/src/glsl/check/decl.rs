@@ -18,7 +18,15 @@ impl Checker<'_> {
     /// (ARB_arrays_of_arrays).
     pub(super) fn type_of(&mut self, name: &ast::TypeName, after: &[ast::ArraySize]) -> Type {
         let base = match &name.base {
-            TypeBase::Struct(declared) => self.structure(declared, name.span),
+            TypeBase::Struct(declared) => match &self.declared {
+                // Another name of the same declaration.
+                Some((known, ty)) if Arc::ptr_eq(known, declared) => ty.clone(),
+                Some(_) | None => {
+                    let ty = self.structure(declared, name.span);
+                    self.declared = Some((Arc::clone(declared), ty.clone()));
+                    ty
+                }
+            },
             TypeBase::Named(word) => self.named_type(word, name.span),
         };
         let count = name.array.len() + after.len();

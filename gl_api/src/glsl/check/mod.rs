@@ -15,7 +15,7 @@ mod redeclare;
 mod scope;
 mod stmt;
 
-use super::ast::Item;
+use super::ast::{Item, StructDecl};
 use super::diagnostics::{Diagnostic, Log};
 use super::hir::{Expr, Stmt, Storage, Unit, VarRef, Variable};
 use super::source::{Source, Span};
@@ -63,6 +63,8 @@ struct Checker<'a> {
     unit: Unit,
     /// What the next uniform block begins with.
     block_layout: BlockDefaults,
+    /// The structure that was declared last.
+    declared: Option<(Arc<StructDecl>, Type)>,
     scopes: Scopes,
     undeclared: Vec<Undeclared>,
     body: Option<Body>,
@@ -90,6 +92,7 @@ pub fn check(
         lacks_precision: false,
         unit,
         block_layout: BlockDefaults::default(),
+        declared: None,
         scopes: Scopes::new(),
         undeclared: Vec::new(),
         body: None,
