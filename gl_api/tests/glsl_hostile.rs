@@ -12,6 +12,7 @@ use proptest::prelude::*;
 
 use std::time::{Duration, Instant};
 
+const BLOCKS: &str = "#extension GL_ARB_uniform_buffer_object : enable\n";
 const ARRAYS: &str = "#version 120\n#extension GL_ARB_arrays_of_arrays : enable\n";
 
 fn compiled(source: &str) -> Compiled {
@@ -71,6 +72,9 @@ fn rejected_soon() {
         ("conditionals", open("#if 1\n")),
         ("conditions", format!("#if {}1", open("("))),
         ("structures", structures(40)),
+        ("uniform blocks", BLOCKS.to_owned() + &open("uniform B {")),
+        ("members", format!("{BLOCKS}uniform B {{ {} }};", open("float f;"))),
+        ("layouts", BLOCKS.to_owned() + &open("layout(std140) ")),
         ("hashes", open("#")),
         ("stray", open("\u{1F600}")),
         ("open comment", open("/*")),
@@ -116,7 +120,23 @@ fn deep_but_bounded() {
     let uniforms: String = (0..20_000).map(|i| format!("uniform float u{i};\n")).collect();
     let uses: String = (0..20_000).map(|i| format!("f += u{i};\n")).collect();
     let many = format!("{uniforms}void main() {{ float f; {uses} gl_FragColor = vec4(f); }}");
+    let members: String = (0..16_000).map(|i| format!("float u{i};\n")).collect();
+    let uses: String = (0..16_000).map(|i| format!("f += u{i};\n")).collect();
+    let block = format!(
+        "{BLOCKS}uniform B {{ {members} }};\n\
+         void main() {{ float f; {uses} gl_FragColor = vec4(f); }}"
+    );
+    let tree = (1..12).fold("struct S0 { float a; };\n".to_owned(), |all, level| {
+        all + &format!("struct S{level} {{ S{0} a; S{0} b; }};\n", level - 1)
+    });
+    let tree = format!(
+        "{BLOCKS}{tree} uniform B {{ S11 s; S11 t; }};\n\
+         void main() {{ gl_FragColor = vec4(s.a.b{}); }}",
+        ".a".repeat(10)
+    );
     for (name, source, links) in [
+        ("members", block, true),
+        ("tree of members", tree, true),
         ("calls", calls, false),
         ("sums", sums, true),
         ("blocks", blocks, true),

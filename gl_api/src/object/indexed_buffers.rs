@@ -1,5 +1,5 @@
-//! Buffers that are bound to numbers: `glBindBufferRange`, `glBindBufferBase` (GL 3.0, section 2.15;
-//! ARB_uniform_buffer_object, section 2.15.3.2).
+//! Buffers that are bound to numbers: `glBindBufferRange`, `glBindBufferBase` (GL 3.0, section
+//! 2.15; ARB_uniform_buffer_object, section 2.15.3.2).
 
 use super::buffers;
 use crate::constants::*;

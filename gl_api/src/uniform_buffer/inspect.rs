@@ -1,4 +1,5 @@
-//! What is known of uniform blocks, and of uniforms in them: ARB_uniform_buffer_object, section 2.15.3.
+//! What is known of uniform blocks, and of uniforms in them: ARB_uniform_buffer_object, section
+//! 2.15.3.
 
 use super::SECTION;
 use crate::constants::*;

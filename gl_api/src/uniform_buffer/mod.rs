@@ -1,8 +1,8 @@
 //! Uniform blocks and the buffers that they are read from: ARB_uniform_buffer_object.
 //!
 //! A block's members have words among those of the program's uniforms, so shaders read them as any
-//! uniform. Before a draw [`unpack`] writes the words of those blocks whose buffer, or what is in it,
-//! is another than before.
+//! uniform. Before a draw [`unpack`] writes the words of those blocks whose buffer, or what is in
+//! it, is another than before.
 
 pub(crate) mod inspect;
 pub(crate) mod unpack;

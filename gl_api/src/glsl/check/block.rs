@@ -1,7 +1,7 @@
 //! Uniform blocks and their layouts (ARB_uniform_buffer_object, section 4.3.5).
 //!
-//! A block becomes one uniform, a structure of its members; the names of the members stand for parts
-//! of it.
+//! A block becomes one uniform, a structure of its members; the names of the members stand for
+//! parts of it.
 
 use super::Checker;
 use super::scope::Symbol;
@@ -139,6 +139,9 @@ impl Checker<'_> {
         let mut fields: Vec<(Arc<str>, Type)> = Vec::new();
         let mut orders = Vec::new();
         for declaration in members {
+            if self.log.is_full() {
+                break;
+            }
             let order = self.order_of(&declaration.ty.qualifiers, layout.order);
             self.check_precision(&declaration.ty);
             if declaration.names.is_empty() {

@@ -76,10 +76,7 @@ impl Checker<'_> {
     fn name(&mut self, name: &Arc<str>, span: Span) -> Expr {
         let var = match self.scopes.find(name) {
             Some(Symbol::Variable(var)) => Some(*var),
-            Some(Symbol::Member(block, index)) => {
-                let (block, index) = (*block, *index);
-                return self.member(block, index, span);
-            }
+            Some(&Symbol::Member(block, index)) => return self.member(block, index, span),
             Some(Symbol::Block | Symbol::Struct(_) | Symbol::Functions(_)) => {
                 let message = format!("`{name}` is not a variable");
                 self.error(span, "5.1", message);
