@@ -51,6 +51,13 @@ fn one_stage_is_enough_and_so_is_none() {
     assert!(program(&[VERTEX], &[], &Bindings::default()).fragment.is_none());
 }
 
+/// GLSL 1.40 no longer asks for it; transform feedback may be all that a vertex stage is for.
+#[test]
+fn a_position_is_needed_before_1_40() {
+    fails(&["#version 130\nvoid main() {}"], &[], "never writes gl_Position");
+    program(&["#version 140\nvoid main() {}"], &[], &Bindings::default());
+}
+
 #[test]
 fn what_shaders_of_a_stage_may_not_do() {
     let calls = "void f(); void main() { f(); }";

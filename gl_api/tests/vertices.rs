@@ -73,6 +73,7 @@ fn every_way_to_say_two_triangles_gives_the_same_picture() {
         ("restarted fans", |c| {
             c.enable(GL_PRIMITIVE_RESTART);
             c.primitive_restart_index(200);
+            assert_eq!(integer(c, GL_PRIMITIVE_RESTART_INDEX), 200);
             let indices = Data::Bytes(&[0, 1, 2, 200, 200, 3, 4, 5, 200]);
             c.draw_elements(GL_TRIANGLE_FAN, 9, GL_UNSIGNED_BYTE, indices);
         }),
