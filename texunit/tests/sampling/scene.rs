@@ -4,7 +4,9 @@ use proptest::prelude::*;
 use texunit::format::Format;
 use texunit::image::{Image, Level, Shape};
 use texunit::lanes::{F32s, LANES, lane_x, lane_y};
-use texunit::sampler::{Compare, DepthMode, Filter, Mipmap, Sampler, Seamless, Swizzle, Wrap};
+use texunit::sampler::{
+    Compare, DepthMode, Filter, Mipmap, Sampler, Seamless, SrgbRead, Swizzle, Wrap,
+};
 
 /// A small generator (splitmix64), so that a case is its seed.
 pub struct Random(pub u64);
@@ -149,6 +151,7 @@ pub fn samplers() -> impl Strategy<Value = Sampler> {
                 depth_mode,
                 max_anisotropy,
                 seamless,
+                srgb: SrgbRead::Decode,
                 swizzle,
             }
         })
