@@ -337,3 +337,42 @@ fn mapped_buffers_belong_to_the_client() {
     assert_eq!(integer(&mut c, GL_COPY_WRITE_BUFFER), 1);
     assert_eq!(c.get_error(), GL_NO_ERROR, "{:?}", c.messages());
 }
+
+/// `EXT_vertex_array`: the calls that came before GL 1.1, which say how many elements there are.
+#[test]
+fn arrays_with_a_count_are_arrays() {
+    let mut plain = context();
+    plain.enable_client_state(GL_VERTEX_ARRAY);
+    plain.vertex_pointer(2, GL_FLOAT, 0, CORNERS.as_slice().arg());
+    plain.draw_arrays(GL_TRIANGLES, 0, 6);
+    let mut c = context();
+    c.enable(GL_VERTEX_ARRAY);
+    c.vertex_pointer_ext(2, GL_FLOAT, 0, 6, CORNERS.as_slice().arg());
+    c.draw_arrays(GL_TRIANGLES, 0, 6);
+    assert_eq!(picture(&mut c), picture(&mut plain));
+    // What was said is answered, until a call without a count.
+    c.push_client_attrib(GL_CLIENT_VERTEX_ARRAY_BIT);
+    c.normal_pointer_ext(GL_FLOAT, 0, 1, Data::Null);
+    c.color_pointer_ext(3, GL_UNSIGNED_BYTE, 0, 2, Data::Null);
+    c.tex_coord_pointer_ext(2, GL_SHORT, 0, 3, Data::Null);
+    c.index_pointer_ext(GL_INT, 0, 4, Data::Null);
+    c.edge_flag_pointer_ext(0, 5, Data::Null);
+    let counts = |c: &mut Context| {
+        [
+            GL_VERTEX_ARRAY_COUNT_EXT,
+            GL_NORMAL_ARRAY_COUNT_EXT,
+            GL_COLOR_ARRAY_COUNT_EXT,
+            GL_TEXTURE_COORD_ARRAY_COUNT_EXT,
+            GL_INDEX_ARRAY_COUNT_EXT,
+            GL_EDGE_FLAG_ARRAY_COUNT_EXT,
+        ]
+        .map(|pname| integer(c, pname))
+    };
+    assert_eq!(counts(&mut c), [6, 1, 2, 3, 4, 5]);
+    assert_eq!(integer(&mut c, GL_TEXTURE_COORD_ARRAY_TYPE), GL_SHORT as i32);
+    c.normal_pointer(GL_FLOAT, 0, Data::Null);
+    assert_eq!(counts(&mut c), [6, 0, 2, 3, 4, 5]);
+    c.pop_client_attrib();
+    assert_eq!(counts(&mut c), [6, 0, 0, 0, 0, 0]);
+    assert_eq!(c.get_error(), GL_NO_ERROR);
+}

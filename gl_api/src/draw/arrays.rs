@@ -40,6 +40,8 @@ pub(crate) struct Array {
     pub source: Source,
     /// 0 for an element a vertex, else one for so many instances.
     pub divisor: u32,
+    /// How many elements `EXT_vertex_array` was told of; kept, not used.
+    pub count: usize,
 }
 
 /// The arrays by attribute location.
@@ -61,6 +63,7 @@ impl Default for Arrays {
                 stride: 0,
                 source: Source::Client(Buffer::default()),
                 divisor: 0,
+                count: 0,
             }),
             restart_index: 0,
         }
@@ -79,6 +82,11 @@ impl Arrays {
 }
 
 impl Array {
+    /// The size as it was given.
+    pub fn given_size(&self) -> GLenum {
+        if self.format == VertexFormat::NormalizedBgra { GL_BGRA } else { self.components.into() }
+    }
+
     /// Bytes from a vertex to the next.
     fn step(&self) -> usize {
         if self.stride > 0 { self.stride } else { self.size() }
@@ -86,7 +94,7 @@ impl Array {
 
     /// Bytes of a vertex.
     fn size(&self) -> usize {
-        usize::from(self.components) * self.ty.size()
+        self.ty.bytes(self.components)
     }
 }
 
@@ -158,7 +166,13 @@ pub(crate) fn vertex_source(
     })
 }
 
+/// Types of words that hold four components (`ARB_vertex_type_2_10_10_10_rev`).
+pub(crate) const PACKED: Table<VertexType> =
+    Table { section: "ARB_vertex_type_2_10_10_10_rev, section 2.7", rows: ALL_TYPES.split_at(2).0 };
+
 const ALL_TYPES: &[(GLenum, VertexType)] = &[
+    (GL_INT_2_10_10_10_REV, VertexType::I1010102),
+    (GL_UNSIGNED_INT_2_10_10_10_REV, VertexType::U1010102),
     (GL_SHORT, VertexType::I16),
     (GL_INT, VertexType::I32),
     (GL_FLOAT, VertexType::F32),
@@ -173,16 +187,16 @@ const ALL_TYPES: &[(GLenum, VertexType)] = &[
 
 /// GL 3.0, table 2.5: of texture coordinates and vertices.
 const COORDINATE_TYPE: Table<VertexType> =
-    Table { section: "GL 3.0, table 2.5", rows: ALL_TYPES.split_at(5).0 };
+    Table { section: "GL 3.0, table 2.5", rows: ALL_TYPES.split_at(7).0 };
 /// Of normals.
 const NORMAL_TYPE: Table<VertexType> =
-    Table { section: "GL 3.0, table 2.5", rows: ALL_TYPES.split_at(6).0 };
+    Table { section: "GL 3.0, table 2.5", rows: ALL_TYPES.split_at(8).0 };
 /// Of fog coordinates.
 const FOG_TYPE: Table<VertexType> =
-    Table { section: "GL 3.0, table 2.5", rows: ALL_TYPES.split_at(5).0.split_at(2).1 };
+    Table { section: "GL 3.0, table 2.5", rows: ALL_TYPES.split_at(7).0.split_at(4).1 };
 /// Of colours.
 const COLOR_TYPE: Table<VertexType> =
-    Table { section: "GL 3.0, table 2.5", rows: ALL_TYPES.split_at(9).0 };
+    Table { section: "GL 3.0, table 2.5", rows: ALL_TYPES.split_at(11).0 };
 /// Of generic attributes.
 pub(crate) const ANY_TYPE: Table<VertexType> =
     Table { section: "GL 3.0, table 2.5, and ARB_ES2_compatibility", rows: ALL_TYPES };
@@ -212,11 +226,75 @@ const INTEGER_TYPE: Table<VertexType> = Table {
     ],
 };
 
+/// Whether `GL_BGRA` is a size: four components in that order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Bgra {
+    Refused,
+    Taken,
+}
+
 /// Which sizes an array can have, and how its integers are read.
 struct Rules {
     sizes: std::ops::RangeInclusive<GLint>,
+    bgra: Bgra,
     types: Table<VertexType>,
     format: VertexFormat,
+}
+
+impl Rules {
+    fn new(
+        sizes: std::ops::RangeInclusive<GLint>,
+        types: Table<VertexType>,
+        format: VertexFormat,
+    ) -> Self {
+        Self { sizes, bgra: Bgra::Refused, types, format }
+    }
+
+    fn or_bgra(self) -> Self {
+        Self { bgra: Bgra::Taken, ..self }
+    }
+
+    /// How many components there are, their type and how they are read.
+    ///
+    /// # Errors
+    /// As GL 3.3, section 2.8, says which sizes and types go together.
+    fn check(&self, size: GLint, ty: GLenum) -> Result<(u8, VertexType, VertexFormat)> {
+        let is_bgra = size == GL_BGRA as GLint && self.bgra == Bgra::Taken;
+        if !is_bgra && !self.sizes.contains(&size) {
+            let (least, most) = (self.sizes.start(), self.sizes.end());
+            let or = match self.bgra {
+                Bgra::Refused => "",
+                Bgra::Taken => " or GL_BGRA",
+            };
+            return invalid_value(SECTION, format!("size = {size} must be {least} to {most}{or}"));
+        }
+        let ty = self.types.decode("type", ty)?;
+        if is_bgra {
+            return self.check_bgra(ty);
+        }
+        // Normals have three components, whatever they are in.
+        if ty.is_packed() && size != 4 && self.sizes != (3..=3) {
+            return invalid_operation(
+                PACKED.section,
+                format!("size = {size} must be 4: {} has so many", enum_name(PACKED.encode(ty))),
+            );
+        }
+        Ok((size as u8, ty, self.format))
+    }
+
+    fn check_bgra(&self, ty: VertexType) -> Result<(u8, VertexType, VertexFormat)> {
+        const SECTION: &str = "EXT_vertex_array_bgra, section 2.8";
+        if self.format != VertexFormat::Normalized {
+            return invalid_operation(SECTION, "size = GL_BGRA needs normalized = GL_TRUE");
+        }
+        if ty != VertexType::U8 && !ty.is_packed() {
+            return invalid_operation(
+                SECTION,
+                format!("size = GL_BGRA needs type = GL_UNSIGNED_BYTE or {}", PACKED.list()),
+            );
+        }
+        Ok((4, ty, VertexFormat::NormalizedBgra))
+    }
 }
 
 fn set(
@@ -228,11 +306,7 @@ fn set(
     stride: GLsizei,
     pointer: Data<'_>,
 ) -> Result<()> {
-    if !rules.sizes.contains(&size) {
-        let (least, most) = (rules.sizes.start(), rules.sizes.end());
-        return invalid_value(SECTION, format!("size = {size} must be {least} to {most}"));
-    }
-    let ty = rules.types.decode("type", ty)?;
+    let (components, ty, format) = rules.check(size, ty)?;
     let stride = not_negative(SECTION, "stride", stride.into())?;
     let name = context.state.bindings.array_buffer;
     let source = match pointer {
@@ -267,12 +341,18 @@ fn set(
         }
     };
     let array = &mut context.state.arrays.by_location[usize::from(location)];
-    array.components = size as u8;
+    array.components = components;
     array.ty = ty;
-    array.format = rules.format;
+    array.format = format;
     array.stride = stride;
     array.source = source;
+    array.count = 0;
     Ok(())
+}
+
+/// The location of the texture coordinates of the client's active unit.
+pub(super) fn tex_coord_location(context: &Context) -> u8 {
+    ATTRIB_TEX_COORD + context.state.units.client_active
 }
 
 pub(crate) fn vertex_pointer(
@@ -282,7 +362,7 @@ pub(crate) fn vertex_pointer(
     stride: GLsizei,
     pointer: Data<'_>,
 ) -> Result<()> {
-    let rules = Rules { sizes: 2..=4, types: COORDINATE_TYPE, format: VertexFormat::Plain };
+    let rules = Rules::new(2..=4, COORDINATE_TYPE, VertexFormat::Plain);
     set(context, ATTRIB_VERTEX, &rules, size, ty, stride, pointer)
 }
 
@@ -292,7 +372,7 @@ pub(crate) fn normal_pointer(
     stride: GLsizei,
     pointer: Data<'_>,
 ) -> Result<()> {
-    let rules = Rules { sizes: 3..=3, types: NORMAL_TYPE, format: VertexFormat::Normalized };
+    let rules = Rules::new(3..=3, NORMAL_TYPE, VertexFormat::Normalized);
     set(context, ATTRIB_NORMAL, &rules, 3, ty, stride, pointer)
 }
 
@@ -303,7 +383,7 @@ pub(crate) fn color_pointer(
     stride: GLsizei,
     pointer: Data<'_>,
 ) -> Result<()> {
-    let rules = Rules { sizes: 3..=4, types: COLOR_TYPE, format: VertexFormat::Normalized };
+    let rules = Rules::new(3..=4, COLOR_TYPE, VertexFormat::Normalized).or_bgra();
     set(context, ATTRIB_COLOR, &rules, size, ty, stride, pointer)
 }
 
@@ -314,7 +394,7 @@ pub(crate) fn secondary_color_pointer(
     stride: GLsizei,
     pointer: Data<'_>,
 ) -> Result<()> {
-    let rules = Rules { sizes: 3..=3, types: COLOR_TYPE, format: VertexFormat::Normalized };
+    let rules = Rules::new(3..=3, COLOR_TYPE, VertexFormat::Normalized).or_bgra();
     set(context, ATTRIB_SECONDARY_COLOR, &rules, size, ty, stride, pointer)
 }
 
@@ -324,7 +404,7 @@ pub(crate) fn fog_coord_pointer(
     stride: GLsizei,
     pointer: Data<'_>,
 ) -> Result<()> {
-    let rules = Rules { sizes: 1..=1, types: FOG_TYPE, format: VertexFormat::Plain };
+    let rules = Rules::new(1..=1, FOG_TYPE, VertexFormat::Plain);
     set(context, ATTRIB_FOG_COORD, &rules, 1, ty, stride, pointer)
 }
 
@@ -334,7 +414,7 @@ pub(crate) fn index_pointer(
     stride: GLsizei,
     pointer: Data<'_>,
 ) -> Result<()> {
-    let rules = Rules { sizes: 1..=1, types: INDEX_TYPE, format: VertexFormat::Plain };
+    let rules = Rules::new(1..=1, INDEX_TYPE, VertexFormat::Plain);
     set(context, ATTRIB_INDEX, &rules, 1, ty, stride, pointer)
 }
 
@@ -343,7 +423,7 @@ pub(crate) fn edge_flag_pointer(
     stride: GLsizei,
     pointer: Data<'_>,
 ) -> Result<()> {
-    let rules = Rules { sizes: 1..=1, types: COLOR_TYPE, format: VertexFormat::Plain };
+    let rules = Rules::new(1..=1, COLOR_TYPE, VertexFormat::Plain);
     set(context, ATTRIB_EDGE_FLAG, &rules, 1, GL_UNSIGNED_BYTE, stride, pointer)
 }
 
@@ -354,8 +434,8 @@ pub(crate) fn tex_coord_pointer(
     stride: GLsizei,
     pointer: Data<'_>,
 ) -> Result<()> {
-    let rules = Rules { sizes: 1..=4, types: COORDINATE_TYPE, format: VertexFormat::Plain };
-    let location = ATTRIB_TEX_COORD + context.state.units.client_active;
+    let rules = Rules::new(1..=4, COORDINATE_TYPE, VertexFormat::Plain);
+    let location = tex_coord_location(context);
     set(context, location, &rules, size, ty, stride, pointer)
 }
 
@@ -380,7 +460,7 @@ pub(crate) fn vertex_attrib_pointer(
     pointer: Data<'_>,
 ) -> Result<()> {
     let format = if normalized { VertexFormat::Normalized } else { VertexFormat::Plain };
-    let rules = Rules { sizes: 1..=4, types: ANY_TYPE, format };
+    let rules = Rules::new(1..=4, ANY_TYPE, format).or_bgra();
     set(context, generic(index)?, &rules, size, ty, stride, pointer)
 }
 
@@ -392,7 +472,7 @@ pub(crate) fn vertex_attrib_i_pointer(
     stride: GLsizei,
     pointer: Data<'_>,
 ) -> Result<()> {
-    let rules = Rules { sizes: 1..=4, types: INTEGER_TYPE, format: VertexFormat::Integer };
+    let rules = Rules::new(1..=4, INTEGER_TYPE, VertexFormat::Integer);
     set(context, generic(index)?, &rules, size, ty, stride, pointer)
 }
 

@@ -121,7 +121,7 @@ fn has_positions(context: &mut Context) -> bool {
 fn check_range(vertices: &[VertexBinding], first: usize, count: usize) -> Result<()> {
     let arrays = vertices.iter().filter_map(|binding| match &binding.source {
         VertexSource::Array { buffer, offset, stride, ty, components, divisor: 0, .. } => {
-            let vertex = usize::from(*components) * ty.size();
+            let vertex = ty.bytes(*components);
             Some((binding.location, buffer.bytes().len(), *offset, *stride, vertex))
         }
         // Elements of instances are as many as there are instances.

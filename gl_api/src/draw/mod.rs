@@ -5,11 +5,13 @@
 
 pub(crate) mod arrays;
 pub(crate) mod calls;
+pub(crate) mod counted;
 mod fixed_words;
 pub(crate) mod hints;
 pub(crate) mod immediate;
 pub(crate) mod interleaved;
 mod keys;
+pub(crate) mod packed;
 mod primitives;
 pub(crate) mod rect;
 pub(crate) mod restart;

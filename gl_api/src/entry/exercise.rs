@@ -28,6 +28,7 @@ pub fn exercises() -> Vec<Exercise> {
         super::integers::exercises,
         super::lighting::exercises,
         super::lists::exercises,
+        super::packed::exercises,
         super::pixels::exercises,
         super::programs::exercises,
         super::queries::exercises,

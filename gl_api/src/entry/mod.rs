@@ -146,6 +146,7 @@ mod generics;
 mod integers;
 mod lighting;
 mod lists;
+mod packed;
 mod pixels;
 mod programs;
 mod queries;
@@ -174,6 +175,7 @@ pub use generics::*;
 pub use integers::*;
 pub use lighting::*;
 pub use lists::*;
+pub use packed::*;
 pub use pixels::*;
 pub use programs::*;
 pub use queries::*;
@@ -224,6 +226,7 @@ fn groups() -> impl Iterator<Item = &'static [Row]> {
         INTEGERS,
         LIGHTING,
         LISTS,
+        PACKED,
         PIXELS,
         PROGRAMS,
         QUERIES,

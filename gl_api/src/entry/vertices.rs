@@ -2,7 +2,7 @@
 //! [`super::attributes`].
 
 use super::{Data, DataOut, Pointers};
-use crate::draw::{arrays, calls, immediate, interleaved, rect, restart};
+use crate::draw::{arrays, calls, counted, immediate, interleaved, rect, restart};
 use crate::object::{buffer_map, buffers, vertex_arrays};
 use crate::query::arrays as query_arrays;
 use crate::types::*;
@@ -57,6 +57,26 @@ entry_points! {
         /// Switches the array of a generic attribute off.
         disable_vertex_attrib_array: glDisableVertexAttribArray | glDisableVertexAttribArrayARB
             (index: GLuint);
+    }
+    Outside in counted {
+        /// Says where positions are, and how many. A slice is copied now.
+        vertex_pointer_ext: glVertexPointerEXT
+            (size: GLint, ty: GLenum, stride: GLsizei, count: GLsizei, pointer: Data<'a>);
+        /// Says where normals are, and how many. A slice is copied now.
+        normal_pointer_ext: glNormalPointerEXT
+            (ty: GLenum, stride: GLsizei, count: GLsizei, pointer: Data<'a>);
+        /// Says where colours are, and how many. A slice is copied now.
+        color_pointer_ext: glColorPointerEXT
+            (size: GLint, ty: GLenum, stride: GLsizei, count: GLsizei, pointer: Data<'a>);
+        /// Says where texture coordinates are, and how many. A slice is copied now.
+        tex_coord_pointer_ext: glTexCoordPointerEXT
+            (size: GLint, ty: GLenum, stride: GLsizei, count: GLsizei, pointer: Data<'a>);
+        /// Says where colour indices are, and how many. A slice is copied now.
+        index_pointer_ext: glIndexPointerEXT
+            (ty: GLenum, stride: GLsizei, count: GLsizei, pointer: Data<'a>);
+        /// Says where edge flags are, and how many. A slice is copied now.
+        edge_flag_pointer_ext: glEdgeFlagPointerEXT
+            (stride: GLsizei, count: GLsizei, pointer: Data<'a>);
     }
     Outside in query_arrays {
         /// Where the array of a generic attribute begins; an offset for one in a buffer.
@@ -117,7 +137,7 @@ entry_points! {
     }
     Outside in calls {
         /// Draws `count` vertices of the arrays from `first` on.
-        draw_arrays: glDrawArrays (mode: GLenum, first: GLint, count: GLsizei);
+        draw_arrays: glDrawArrays | glDrawArraysEXT (mode: GLenum, first: GLint, count: GLsizei);
         /// Draws the same vertices of the arrays many times; `gl_InstanceID` counts.
         draw_arrays_instanced: glDrawArraysInstanced | glDrawArraysInstancedARB
                 | glDrawArraysInstancedEXT

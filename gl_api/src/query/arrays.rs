@@ -17,6 +17,7 @@ enum Part {
     Type,
     Stride,
     Buffer,
+    Count,
 }
 
 /// The conventional arrays' state, by location.
@@ -27,13 +28,16 @@ const STATE: Table<(u8, Part)> = Table {
         (GL_VERTEX_ARRAY_TYPE, (ATTRIB_VERTEX, Part::Type)),
         (GL_VERTEX_ARRAY_STRIDE, (ATTRIB_VERTEX, Part::Stride)),
         (GL_VERTEX_ARRAY_BUFFER_BINDING, (ATTRIB_VERTEX, Part::Buffer)),
+        (GL_VERTEX_ARRAY_COUNT_EXT, (ATTRIB_VERTEX, Part::Count)),
         (GL_NORMAL_ARRAY_TYPE, (ATTRIB_NORMAL, Part::Type)),
         (GL_NORMAL_ARRAY_STRIDE, (ATTRIB_NORMAL, Part::Stride)),
         (GL_NORMAL_ARRAY_BUFFER_BINDING, (ATTRIB_NORMAL, Part::Buffer)),
+        (GL_NORMAL_ARRAY_COUNT_EXT, (ATTRIB_NORMAL, Part::Count)),
         (GL_COLOR_ARRAY_SIZE, (ATTRIB_COLOR, Part::Size)),
         (GL_COLOR_ARRAY_TYPE, (ATTRIB_COLOR, Part::Type)),
         (GL_COLOR_ARRAY_STRIDE, (ATTRIB_COLOR, Part::Stride)),
         (GL_COLOR_ARRAY_BUFFER_BINDING, (ATTRIB_COLOR, Part::Buffer)),
+        (GL_COLOR_ARRAY_COUNT_EXT, (ATTRIB_COLOR, Part::Count)),
         (GL_SECONDARY_COLOR_ARRAY_SIZE, (ATTRIB_SECONDARY_COLOR, Part::Size)),
         (GL_SECONDARY_COLOR_ARRAY_TYPE, (ATTRIB_SECONDARY_COLOR, Part::Type)),
         (GL_SECONDARY_COLOR_ARRAY_STRIDE, (ATTRIB_SECONDARY_COLOR, Part::Stride)),
@@ -41,15 +45,18 @@ const STATE: Table<(u8, Part)> = Table {
         (GL_INDEX_ARRAY_TYPE, (ATTRIB_INDEX, Part::Type)),
         (GL_INDEX_ARRAY_STRIDE, (ATTRIB_INDEX, Part::Stride)),
         (GL_INDEX_ARRAY_BUFFER_BINDING, (ATTRIB_INDEX, Part::Buffer)),
+        (GL_INDEX_ARRAY_COUNT_EXT, (ATTRIB_INDEX, Part::Count)),
         (GL_FOG_COORD_ARRAY_TYPE, (ATTRIB_FOG_COORD, Part::Type)),
         (GL_FOG_COORD_ARRAY_STRIDE, (ATTRIB_FOG_COORD, Part::Stride)),
         (GL_FOG_COORD_ARRAY_BUFFER_BINDING, (ATTRIB_FOG_COORD, Part::Buffer)),
         (GL_EDGE_FLAG_ARRAY_STRIDE, (ATTRIB_EDGE_FLAG, Part::Stride)),
         (GL_EDGE_FLAG_ARRAY_BUFFER_BINDING, (ATTRIB_EDGE_FLAG, Part::Buffer)),
+        (GL_EDGE_FLAG_ARRAY_COUNT_EXT, (ATTRIB_EDGE_FLAG, Part::Count)),
         (GL_TEXTURE_COORD_ARRAY_SIZE, (ATTRIB_TEX_COORD, Part::Size)),
         (GL_TEXTURE_COORD_ARRAY_TYPE, (ATTRIB_TEX_COORD, Part::Type)),
         (GL_TEXTURE_COORD_ARRAY_STRIDE, (ATTRIB_TEX_COORD, Part::Stride)),
         (GL_TEXTURE_COORD_ARRAY_BUFFER_BINDING, (ATTRIB_TEX_COORD, Part::Buffer)),
+        (GL_TEXTURE_COORD_ARRAY_COUNT_EXT, (ATTRIB_TEX_COORD, Part::Count)),
     ],
 };
 
@@ -71,10 +78,11 @@ pub(super) fn state_value(context: &Context, pname: GLenum) -> Option<Result<Val
     let unit = if location == ATTRIB_TEX_COORD { context.state.units.client_active } else { 0 };
     let array = &context.state.arrays.by_location[usize::from(location + unit)];
     Some(match part {
-        Part::Size => int(array.components),
+        Part::Size => symbol(array.given_size()),
         Part::Type => symbol(ANY_TYPE.encode(array.ty)),
         Part::Stride => int(array.stride),
         Part::Buffer => symbol(buffer(array)),
+        Part::Count => int(array.count),
     })
 }
 
@@ -157,11 +165,12 @@ pub(crate) fn property(context: &Context, index: GLuint, pname: GLenum) -> Resul
     }
     Ok(match property {
         Property::Enabled => vec![f32::from(u8::from(array.enabled))],
-        Property::Size => vec![array.components.into()],
+        Property::Size => vec![array.given_size() as f32],
         Property::Stride => vec![array.stride as f32],
         Property::Type => vec![ANY_TYPE.encode(array.ty) as f32],
         Property::Normalized => {
-            vec![f32::from(u8::from(array.format == VertexFormat::Normalized))]
+            let formats = [VertexFormat::Normalized, VertexFormat::NormalizedBgra];
+            vec![f32::from(u8::from(formats.contains(&array.format)))]
         }
         Property::Integer => vec![f32::from(u8::from(array.format == VertexFormat::Integer))],
         Property::Divisor => vec![array.divisor as f32],

@@ -7,10 +7,12 @@ mod common;
 
 mod basic;
 mod buffer_textures;
+mod blends;
 mod coverage;
 mod fixed;
 mod framebuffers;
 mod more;
+mod packed;
 mod programs;
 mod queries;
 mod rest;
@@ -55,9 +57,11 @@ fn each_refusal_sets_its_flag_says_why_and_changes_nothing_and_each_call_has_one
     let tables = [
         basic::run,
         buffer_textures::run,
+        blends::run,
         fixed::run,
         framebuffers::run,
         more::run,
+        packed::run,
         programs::run,
         queries::run,
         rest::run,

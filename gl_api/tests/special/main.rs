@@ -17,6 +17,7 @@ mod feedback;
 mod fragments;
 mod indices;
 mod materials;
+mod packed;
 mod provoking;
 mod selection;
 mod state;

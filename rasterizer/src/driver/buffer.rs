@@ -77,17 +77,32 @@ pub enum VertexType {
     F64,
     /// Signed, with 16 bits behind the point.
     Fixed,
+    /// Four signed components in a word: three of 10 bits from the lowest on, then one of 2.
+    I1010102,
+    /// The same, unsigned.
+    U1010102,
 }
 
 impl VertexType {
-    /// Bytes of a component.
+    /// Bytes from a component to the next; none where a word holds all of them.
     pub fn size(self) -> usize {
         match self {
             Self::I8 | Self::U8 => 1,
             Self::I16 | Self::U16 | Self::F16 => 2,
             Self::I32 | Self::U32 | Self::F32 | Self::Fixed => 4,
             Self::F64 => 8,
+            Self::I1010102 | Self::U1010102 => 0,
         }
+    }
+
+    /// Bytes of so many components.
+    pub fn bytes(self, components: u8) -> usize {
+        if self.is_packed() { 4 } else { usize::from(components) * self.size() }
+    }
+
+    /// Whether a word holds all components.
+    pub fn is_packed(self) -> bool {
+        self.size() == 0
     }
 }
 
@@ -98,6 +113,8 @@ pub enum VertexFormat {
     Plain,
     /// Integers are divided by their largest value; signed by `(2c + 1) / (2^b - 1)` (GL 2.1, table 2.9).
     Normalized,
+    /// The same; the components lie in the order blue, green, red, alpha.
+    NormalizedBgra,
     /// The bits of the integers, sign-extended to 32 (GL 3.0, section 2.7), for
     /// [`crate::ir::Op::FloatBits`]; floats keep their bits.
     Integer,

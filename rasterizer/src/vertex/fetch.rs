@@ -27,16 +27,21 @@ pub fn component(
     elements: Elements<'_>,
     out: &mut F32s,
 ) {
+    use VertexFormat::{Integer, Normalized, NormalizedBgra, Plain};
     match source {
         VertexSource::Constant(value) => *out = F32s::splat(value[usize::from(component)]),
         VertexSource::Array { components, format, .. } if component >= *components => {
             let one = match format {
-                VertexFormat::Plain | VertexFormat::Normalized => 1.0,
-                VertexFormat::Integer => bits(1),
+                Plain | Normalized | NormalizedBgra => 1.0,
+                Integer => bits(1),
             };
             *out = F32s::splat(if component == 3 { one } else { 0.0 });
         }
         VertexSource::Array { buffer, offset, stride, ty, format, .. } => {
+            let component = match format {
+                NormalizedBgra => [2, 1, 0, 3][usize::from(component)],
+                Plain | Normalized | Integer => component,
+            };
             let start = offset + usize::from(component) * ty.size();
             let words = Words { bytes: buffer.bytes(), start, stride: *stride, elements };
             match (ty, format) {
@@ -48,54 +53,65 @@ pub fn component(
                     words.each(out, |b| i32::from_le_bytes(b) as f32 / 65536.0);
                 }
                 (VertexType::F64, _) => words.each(out, |b| f64::from_le_bytes(b) as f32),
-                (VertexType::I8, VertexFormat::Plain) => {
+                (VertexType::I8, Plain) => {
                     words.each(out, |b| f32::from(i8::from_le_bytes(b)));
                 }
-                (VertexType::U8, VertexFormat::Plain) => words.each(out, |[b]| f32::from(b)),
-                (VertexType::I16, VertexFormat::Plain) => {
+                (VertexType::U8, Plain) => words.each(out, |[b]| f32::from(b)),
+                (VertexType::I16, Plain) => {
                     words.each(out, |b| f32::from(i16::from_le_bytes(b)));
                 }
-                (VertexType::U16, VertexFormat::Plain) => {
+                (VertexType::U16, Plain) => {
                     words.each(out, |b| f32::from(u16::from_le_bytes(b)));
                 }
-                (VertexType::I32, VertexFormat::Plain) => {
+                (VertexType::I32, Plain) => {
                     words.each(out, |b| i32::from_le_bytes(b) as f32);
                 }
-                (VertexType::U32, VertexFormat::Plain) => {
+                (VertexType::U32, Plain) => {
                     words.each(out, |b| u32::from_le_bytes(b) as f32);
                 }
-                (VertexType::I8, VertexFormat::Integer) => {
+                (VertexType::I8, Integer) => {
                     words.each(out, |b| bits(i8::from_le_bytes(b).into()));
                 }
-                (VertexType::U8, VertexFormat::Integer) => words.each(out, |[b]| bits(b.into())),
-                (VertexType::I16, VertexFormat::Integer) => {
+                (VertexType::U8, Integer) => words.each(out, |[b]| bits(b.into())),
+                (VertexType::I16, Integer) => {
                     words.each(out, |b| bits(i16::from_le_bytes(b).into()));
                 }
-                (VertexType::U16, VertexFormat::Integer) => {
+                (VertexType::U16, Integer) => {
                     words.each(out, |b| bits(u16::from_le_bytes(b).into()));
                 }
-                (VertexType::I32 | VertexType::U32, VertexFormat::Integer) => {
+                (VertexType::I32 | VertexType::U32, Integer) => {
                     words.each(out, f32::from_le_bytes);
                 }
                 // GL 2.1, table 2.9, in f64 so that the quotient is rounded once.
-                (VertexType::I8, VertexFormat::Normalized) => {
+                (VertexType::I8, Normalized | NormalizedBgra) => {
                     words.each(out, |b| signed(i8::from_le_bytes(b).into(), 255.0));
                 }
-                (VertexType::U8, VertexFormat::Normalized) => {
+                (VertexType::U8, Normalized | NormalizedBgra) => {
                     words.each(out, |[b]| f32::from(b) / 255.0);
                 }
-                (VertexType::I16, VertexFormat::Normalized) => {
+                (VertexType::I16, Normalized | NormalizedBgra) => {
                     words.each(out, |b| signed(i16::from_le_bytes(b).into(), 65535.0));
                 }
-                (VertexType::U16, VertexFormat::Normalized) => {
+                (VertexType::U16, Normalized | NormalizedBgra) => {
                     words.each(out, |b| f32::from(u16::from_le_bytes(b)) / 65535.0);
                 }
-                (VertexType::I32, VertexFormat::Normalized) => {
+                (VertexType::I32, Normalized | NormalizedBgra) => {
                     words.each(out, |b| signed(i32::from_le_bytes(b).into(), 4_294_967_295.0));
                 }
-                (VertexType::U32, VertexFormat::Normalized) => {
+                (VertexType::U32, Normalized | NormalizedBgra) => {
                     let largest = f64::from(u32::MAX);
                     words.each(out, |b| (f64::from(u32::from_le_bytes(b)) / largest) as f32);
+                }
+                (VertexType::I1010102, _) => {
+                    let field = Field::new(component);
+                    let signed = |b| field.signed(u32::from_le_bytes(b));
+                    words.each(out, |b| field.convert(signed(b).into(), *format, self::signed));
+                }
+                (VertexType::U1010102, _) => {
+                    let field = Field::new(component);
+                    let unsigned = |b| field.unsigned(u32::from_le_bytes(b));
+                    let fraction = |c: f64, largest: f64| (c / largest) as f32;
+                    words.each(out, |b| field.convert(unsigned(b).into(), *format, fraction));
                 }
             }
         }
@@ -110,6 +126,39 @@ fn bits(c: i32) -> f32 {
 /// `(2c + 1) / (2^b - 1)`.
 fn signed(c: f64, largest: f64) -> f32 {
     ((2.0 * c + 1.0) / largest) as f32
+}
+
+/// A component of four in a word.
+#[derive(Clone, Copy)]
+struct Field {
+    /// Its lowest bit.
+    at: u32,
+    bits: u32,
+}
+
+impl Field {
+    fn new(component: u8) -> Self {
+        Self { at: 10 * u32::from(component), bits: if component == 3 { 2 } else { 10 } }
+    }
+
+    fn unsigned(self, word: u32) -> u32 {
+        word >> self.at & ((1 << self.bits) - 1)
+    }
+
+    fn signed(self, word: u32) -> i32 {
+        (word << (32 - self.at - self.bits)) as i32 >> (32 - self.bits)
+    }
+
+    /// The component as a format has it; `fraction` takes it and the largest number of its bits.
+    fn convert(self, c: f64, format: VertexFormat, fraction: impl Fn(f64, f64) -> f32) -> f32 {
+        match format {
+            VertexFormat::Plain => c as f32,
+            VertexFormat::Normalized | VertexFormat::NormalizedBgra => {
+                fraction(c, f64::from((1 << self.bits) - 1))
+            }
+            VertexFormat::Integer => bits(c as i32),
+        }
+    }
 }
 
 /// One component of a strided array.
@@ -207,6 +256,10 @@ mod tests {
             (VertexType::F64, VertexFormat::Plain, &[0, 0, 0, 0, 0, 0, 0xE0, 0x3F], 0.5),
             (VertexType::Fixed, VertexFormat::Plain, &[0, 0xC0, 0xFE, 0xFF], -1.25),
             (VertexType::Fixed, VertexFormat::Normalized, &[0, 0, 3, 0], 3.0),
+            (VertexType::I1010102, VertexFormat::Plain, &[0, 2, 0, 0x40], -512.0),
+            (VertexType::I1010102, VertexFormat::Normalized, &[0xFF, 1, 0, 0x40], 1.0),
+            (VertexType::U1010102, VertexFormat::Plain, &[0xFF, 3, 0, 0x40], 1023.0),
+            (VertexType::U1010102, VertexFormat::NormalizedBgra, &[0, 0, 0xF0, 0x7F], 1.0),
             // Too short for its type: zero bytes.
             (VertexType::F32, VertexFormat::Plain, &[0, 0, 128], 0.0),
         ];
