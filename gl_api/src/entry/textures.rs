@@ -4,7 +4,8 @@ use super::{Data, DataOut};
 use crate::env;
 use crate::object::{samplers, textures};
 use crate::texture::{
-    buffer, compressed, copy, get, mipmap, multisample, parameter, query, specify, storage, sub,
+    buffer, compressed, copy, get, get_sub, mipmap, multisample, parameter, query, specify,
+    storage, sub,
 };
 use crate::types::*;
 
@@ -139,6 +140,20 @@ entry_points! {
         /// Reads the blocks of a compressed level.
         get_compressed_tex_image: glGetCompressedTexImage | glGetCompressedTexImageARB
             (target: GLenum, level: GLint, img: DataOut<'a>);
+    }
+    Outside in get_sub {
+        /// Reads a part of a level of a texture.
+        get_texture_sub_image: glGetTextureSubImage (
+            texture: GLuint, level: GLint, xoffset: GLint, yoffset: GLint, zoffset: GLint,
+            width: GLsizei, height: GLsizei, depth: GLsizei, format: GLenum, ty: GLenum,
+            buf_size: GLsizei, pixels: DataOut<'a>
+        );
+        /// Reads blocks of a compressed level of a texture.
+        get_compressed_texture_sub_image: glGetCompressedTextureSubImage (
+            texture: GLuint, level: GLint, xoffset: GLint, yoffset: GLint, zoffset: GLint,
+            width: GLsizei, height: GLsizei, depth: GLsizei, buf_size: GLsizei,
+            pixels: DataOut<'a>
+        );
     }
     Outside in copy {
         /// Specifies a level from a row of the read framebuffer.

@@ -27,6 +27,7 @@ pub(crate) const EXTENSIONS: &[&str] = &[
     "GL_ARB_fragment_shader",
     "GL_ARB_framebuffer_object",
     "GL_ARB_framebuffer_sRGB",
+    "GL_ARB_get_texture_sub_image",
     "GL_ARB_half_float_pixel",
     "GL_ARB_half_float_vertex",
     "GL_ARB_instanced_arrays",

@@ -9,8 +9,21 @@ use crate::context::Context;
 use crate::entry::DataOut;
 use crate::error::{Result, invalid_enum, invalid_operation};
 use crate::types::*;
+use texunit::format::Format;
 
 const SECTION: &str = "GL 2.1, section 6.1.4";
+
+/// Checks that texels of a format can be read as these pixels.
+pub(super) fn readable(pixel: Pixel, format: Format) -> Result<()> {
+    kinds_match(pixel, format)?;
+    if pixel.format == ClientFormat::DepthStencil && !format.has_stencil() {
+        return invalid_operation(
+            "EXT_packed_depth_stencil, section 6.1.4",
+            "format GL_DEPTH_STENCIL: the texture has no stencils, ask for GL_DEPTH_COMPONENT",
+        );
+    }
+    Ok(())
+}
 
 pub(crate) fn get_tex_image(
     context: &mut Context,
@@ -30,13 +43,7 @@ pub(crate) fn get_tex_image(
     crate::draw::settle(context, &image);
     let texels = bound(context, target.target).image.texels();
     let Some(level) = texels.level(target.face.into(), level) else { return Ok(()) };
-    kinds_match(pixel, level.format)?;
-    if pixel.format == ClientFormat::DepthStencil && !level.format.has_stencil() {
-        return invalid_operation(
-            "EXT_packed_depth_stencil, section 6.1.4",
-            "format GL_DEPTH_STENCIL: the texture has no stencils, ask for GL_DEPTH_COMPONENT",
-        );
-    }
+    readable(pixel, level.format)?;
     let size = target.target.level_box(level.stored_size()).map(|side| side as usize);
     let extent = match target.target {
         TextureTarget::D3 | TextureTarget::D2Array | TextureTarget::CubeArray => Extent::Volume,

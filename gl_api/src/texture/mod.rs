@@ -11,6 +11,7 @@ pub(crate) mod compressed;
 pub(crate) mod convert;
 pub(crate) mod copy;
 pub(crate) mod get;
+pub(crate) mod get_sub;
 pub(crate) mod internal;
 pub(crate) mod layout;
 pub(crate) mod memory;

@@ -10,6 +10,7 @@ mod functions;
 mod indices;
 mod limits;
 mod mipmaps;
+mod parts;
 mod shadows;
 mod storage;
 mod textures;

@@ -6,13 +6,14 @@
 mod common;
 
 mod basic;
-mod buffer_textures;
 mod blends;
+mod buffer_textures;
 mod coverage;
 mod fixed;
 mod framebuffers;
 mod more;
 mod packed;
+mod parts;
 mod programs;
 mod queries;
 mod rest;
@@ -62,6 +63,7 @@ fn each_refusal_sets_its_flag_says_why_and_changes_nothing_and_each_call_has_one
         framebuffers::run,
         more::run,
         packed::run,
+        parts::run,
         programs::run,
         queries::run,
         rest::run,
