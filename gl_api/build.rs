@@ -116,8 +116,10 @@ fn names(registry: &Registry, text: &mut String) {
         let name = c_name("GL", item);
         let rank = |name: &str| {
             let suffix = name.rsplit('_').next().unwrap_or_default();
+            // Nobody's first, then ARB's, then EXT's, then one vendor's.
             let vendor = ["ARB", "EXT", "NV", "ATI", "AMD", "SGIX", "SGIS", "OES", "APPLE"];
-            (vendor.contains(&suffix), name.len(), name.to_owned())
+            let place = vendor.iter().position(|vendor| *vendor == suffix);
+            (place.map_or(0, |place| 1 + place.min(2)), name.len(), name.to_owned())
         };
         if best.get(&value).is_none_or(|old| rank(&name) < rank(old)) {
             best.insert(value, name);

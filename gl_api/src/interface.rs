@@ -70,6 +70,8 @@ pub enum StateMatrix {
     ModelViewProjection,
     /// `gl_TextureMatrix[unit]`.
     Texture(u8),
+    /// `state.matrix.program[n]`.
+    Program(u8),
 }
 
 /// Which form of a matrix.

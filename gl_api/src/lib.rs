@@ -35,6 +35,7 @@
 //! | `pixels` | pixel rectangles and bitmaps as fragments, the raster position |
 //! | `program` | uniforms, attributes, what a link found |
 //! | [`glsl`], [`interface`] | the GLSL front end, and where programs and state meet |
+//! | `assembly` | assembly programs: parser, IR, the parameters they read |
 //! | `fixed` | the fixed function as generated shaders |
 //! | `draw` | vertices, draw calls, and their translation into driver commands |
 //! | `list`, `evaluate`, `feedback` | display lists, evaluators, selection and feedback |
@@ -43,6 +44,7 @@
 #![deny(unsafe_code)]
 
 mod abi;
+mod assembly;
 pub mod constants;
 pub mod context;
 mod draw;

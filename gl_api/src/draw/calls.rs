@@ -3,6 +3,7 @@
 use super::arrays::{Reach, reads_pointers, vertex_source};
 use super::immediate::{Slot, attribute};
 use super::translate::{Elements, draw};
+use crate::assembly::running::has_vertex_program;
 use crate::constants::*;
 use crate::context::Context;
 use crate::entry::{Data, Located, Pointers};
@@ -105,7 +106,8 @@ fn has_positions(context: &mut Context) -> bool {
     let arrays = &context.state.arrays.by_location;
     let any = arrays[0].enabled
         || arrays[usize::from(ATTRIB_VERTEX)].enabled
-        || context.state.bindings.program != 0;
+        || context.state.bindings.program != 0
+        || has_vertex_program(context);
     if !any {
         context.debug.warn(
             "a draw of vertex arrays drew nothing: no array of positions is enabled, call \

@@ -42,6 +42,8 @@ pub(super) struct Keys<'a> {
     pub fragment: Option<&'a FragmentKey>,
     /// Bit by user clip plane that cuts what a program's vertex stage writes.
     pub clip_planes: u8,
+    /// Brings their equations from eye coordinates to those of what they cut.
+    pub clip_space: DMat4,
     /// Whether colours of fragments are clamped.
     pub clamp: Clamp,
 }
@@ -56,7 +58,7 @@ impl FixedWords {
             fragment(&mut self.words, context, key);
         }
         // Planes are in the coordinates that they are compared with.
-        clip_planes(&mut self.words, context, keys.clip_planes, DMat4::IDENTITY);
+        clip_planes(&mut self.words, context, keys.clip_planes, keys.clip_space);
         if let Some(key) = keys.vertex {
             self.transform(context);
             if key.reads_normals() {

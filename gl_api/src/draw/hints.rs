@@ -1,5 +1,6 @@
 //! Warnings for a draw whose picture may not be what was meant: the usual reasons of a black one.
 
+use crate::assembly::running::has_fragment_program;
 use crate::constants::*;
 use crate::context::Context;
 use crate::interface::MAX_COMBINED_TEXTURE_IMAGE_UNITS;
@@ -49,7 +50,7 @@ fn uniform_name(context: &Context, word: u32) -> String {
 
 /// Textures are bound, but no unit is switched on and no program is in use.
 pub(super) fn nothing_enabled(context: &mut Context) {
-    if context.state.bindings.program != 0 {
+    if context.state.bindings.program != 0 || has_fragment_program(context) {
         return;
     }
     let units = &context.state.units.units;

@@ -6,6 +6,7 @@
 use super::arrays::generic;
 use super::calls::topology;
 use super::translate::{Elements, draw};
+use crate::assembly::running as assembly;
 use crate::context::Context;
 use crate::error::{Result, invalid_operation};
 use crate::interface::{ATTRIB_TEX_COORD, ATTRIB_VERTEX};
@@ -57,6 +58,7 @@ pub(crate) fn begin(context: &mut Context, mode: GLenum) -> Result<()> {
         return invalid_operation(SECTION, "glBegin was called before: glEnd is missing");
     }
     let topology = topology(mode)?;
+    assembly::check(context)?;
     context.immediate = Some(Immediate::new(topology));
     Ok(())
 }

@@ -4,6 +4,7 @@
 //! them, the draw calls check them, the stages are chosen, and the translation records commands.
 
 pub(crate) mod arrays;
+mod assembly;
 pub(crate) mod calls;
 pub(crate) mod counted;
 mod fixed_words;
@@ -55,6 +56,8 @@ pub(crate) struct Recorder {
     fixed_words: FixedWords,
     variants: HashMap<stages::VariantKey, ShaderModule>,
     vertex_variants: HashMap<stages::VertexVariantKey, ShaderModule>,
+    /// Stages of assembly programs, by what their uniform words are moved by.
+    moved: Vec<(ShaderModule, u32, ShaderModule)>,
     /// What counts the samples of draws.
     pub counter: Option<Counter>,
     pub rectangles: RectangleModules,
@@ -92,6 +95,7 @@ impl Recorder {
             fixed_words: FixedWords::default(),
             variants: HashMap::new(),
             vertex_variants: HashMap::new(),
+            moved: Vec::new(),
             counter: None,
             rectangles: RectangleModules::default(),
             single: HashMap::new(),

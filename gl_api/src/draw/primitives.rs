@@ -1,6 +1,7 @@
 //! The state of the rasterizer for the primitives of a draw. What has no effect on them is left at
 //! its default, so that equal draws are told once.
 
+use crate::assembly::running::has_vertex_program;
 use crate::context::Context;
 use crate::interface::{ATTRIB_EDGE_FLAG, VARYING_TEX_COORD};
 use crate::state::enable::Flag;
@@ -104,8 +105,7 @@ fn polygon_state(context: &Context, vertices: &[VertexBinding]) -> PolygonState 
 
 fn point_state(context: &Context) -> PointState {
     let (enables, points) = (&context.state.enables, &context.state.raster.points);
-    let linked = context.objects.linked_program(context.state.bindings.program);
-    let programmed = linked.is_some_and(|linked| linked.vertex.is_some());
+    let programmed = has_vertex_program(context);
     // GL 2.1, section 3.3: a program's size where it is enabled, else the attenuated one, which the
     // fixed-function vertex stage computes.
     let from_vertex = match programmed {

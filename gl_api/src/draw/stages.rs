@@ -1,9 +1,11 @@
 //! Which shaders a draw runs, with which textures: the program in use, or the fixed function for
 //! each stage that it lacks.
 
+use super::assembly::assembled;
 use super::fixed_words::{self, Keys};
 use super::words::put_bindings;
 use super::{hints, keys};
+use crate::assembly::{Position, Target};
 use crate::context::Context;
 use crate::error::{ErrorCode, GlError, Result, invalid_operation};
 use crate::explain::DrawNote;
@@ -17,9 +19,11 @@ use crate::interface::MAX_COMBINED_TEXTURE_IMAGE_UNITS;
 use crate::program::validate::runnable;
 use crate::state::clamp::{self, Clamp};
 use crate::state::enable::Flag;
+use crate::state::matrix::inverse;
 use crate::state::viewport;
 use crate::texture::{TextureTarget, buffer};
 use crate::uniform_buffer;
+use glam::DMat4;
 use rasterizer::driver::{Rim, ShaderModule, VertexBinding};
 use rasterizer::ir::{Access, Expr, Interpolation, IrError, Module, Output, Stage};
 use std::sync::Arc;
@@ -118,6 +122,15 @@ pub(crate) fn choose(
         samplers.clone_from(&program.samplers);
         said = program.color_interpolation;
     }
+    // Assembly programs are the stages that the program in use lacks.
+    let mut assembly = [None; 2];
+    if let Some(found) = assembled(context, Target::Vertex, &mut words, &mut samplers)? {
+        (vertex, assembly[0]) = (Some(found.module), Some(found.position));
+    }
+    if let Some(found) = assembled(context, Target::Fragment, &mut words, &mut samplers)? {
+        (fragment, assembly[1]) = (Some(found.module), Some(found.position));
+        said = [None; 2];
+    }
     let base = words.len() as u32;
 
     let two_sided = match vertex {
@@ -169,10 +182,20 @@ pub(crate) fn choose(
     };
     let mut vertex_key = None;
     let mut clip_planes = 0;
+    let mut clip_space = DMat4::IDENTITY;
     let vertex = match vertex.take() {
         Some(module) => {
-            if !clips_itself(&module) {
-                clip_planes = context.state.clip.enabled;
+            match assembly[0] {
+                // ARB_vertex_program, section 2.11: other positions are not cut.
+                Some(Position::Computed) => {}
+                Some(Position::Invariant) => {
+                    clip_planes = context.state.clip.enabled;
+                    if clip_planes != 0 {
+                        clip_space = inverse(context.state.matrices.projection.top).transpose();
+                    }
+                }
+                None if !clips_itself(&module) => clip_planes = context.state.clip.enabled,
+                None => {}
             }
             program_vertex(context, VertexVariantKey { module, planes: clip_planes, base })?
         }
@@ -183,11 +206,14 @@ pub(crate) fn choose(
     };
     let note = context.watched.is_some().then(|| match &fragment_key {
         Some(key) => DrawNote::of_fixed(context, key),
-        None => DrawNote::of_program(context, name, &fragment, &words),
+        None => match assembly[1] {
+            Some(_) => DrawNote::of_assembly(context, &samplers, &words),
+            None => DrawNote::of_program(context, name, &fragment, &words),
+        },
     });
     let needed = vertex.module().uniform_words.max(fragment.module().uniform_words);
     let (vertex_key, fragment_key) = (vertex_key.as_ref(), fragment_key.as_ref());
-    let keys = Keys { vertex: vertex_key, fragment: fragment_key, clip_planes, clamp };
+    let keys = Keys { vertex: vertex_key, fragment: fragment_key, clip_planes, clip_space, clamp };
     fixed_words::append(context, &mut words, keys, needed);
     Ok(Stages { vertex, fragment, words, vertex_textures, fragment_textures, note })
 }
@@ -356,8 +382,10 @@ fn plan(
     let image = context.objects.texture(target, name).image.clone();
     super::settle(context, &image);
     let mut sampler = sampler(context, unit, target);
-    if result == ComparisonResult::Scalar {
-        sampler.depth_mode = DepthMode::Red;
+    match result {
+        ComparisonResult::Placed => {}
+        ComparisonResult::Scalar => sampler.depth_mode = DepthMode::Red,
+        ComparisonResult::Ignored => sampler.compare = None,
     }
     // What is fetched is linear whatever the sampler says (EXT_texture_sRGB_decode, where what a stage
     // filters as well is undefined).

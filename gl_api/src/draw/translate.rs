@@ -2,6 +2,7 @@
 
 use super::primitives::{raster_state, smoothness};
 use super::{begin_pass, hints, stages};
+use crate::assembly::running as assembly;
 use crate::context::Context;
 use crate::error::{ErrorCode, GlError, Result, invalid_operation};
 use crate::explain::{is_watched, watch_draw};
@@ -98,6 +99,7 @@ fn record(
             format!("program {program} is in use but not linked: see glGetProgramInfoLog"),
         );
     }
+    assembly::check(context)?;
     if context.queries.discards() {
         return Ok(());
     }

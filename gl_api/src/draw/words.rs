@@ -18,6 +18,9 @@ fn matrix(context: &Context, matrix: StateMatrix, form: MatrixForm) -> DMat4 {
         StateMatrix::Texture(unit) => {
             matrices.texture.get(usize::from(unit)).map_or(DMat4::IDENTITY, |stack| stack.top)
         }
+        StateMatrix::Program(number) => {
+            matrices.program.get(usize::from(number)).map_or(DMat4::IDENTITY, |stack| stack.top)
+        }
     };
     match form {
         MatrixForm::Plain => plain,

@@ -19,7 +19,8 @@ pub struct Exercise {
 
 /// Every row of the tables.
 pub fn exercises() -> Vec<Exercise> {
-    let chapters: [fn() -> Vec<Exercise>; 19] = [
+    let chapters: [fn() -> Vec<Exercise>; 21] = [
+        super::assembly::exercises,
         super::attributes::exercises,
         super::debugging::exercises,
         super::fragments::exercises,

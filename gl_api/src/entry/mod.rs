@@ -134,6 +134,7 @@ macro_rules! entry_points {
 }
 
 mod args;
+mod assembly;
 mod current;
 #[cfg(any(test, feature = "exercise"))]
 pub mod exercise;
@@ -166,6 +167,7 @@ pub(crate) use args::{Located, LocatedOut};
 pub use current::{Current, set_current, with_current};
 pub(crate) use current::{Fallback, call, swap_current};
 
+pub use assembly::*;
 pub use attributes::*;
 pub(crate) use attributes::{Component, filled};
 pub use debugging::*;
@@ -218,6 +220,7 @@ pub(crate) fn rows() -> impl Iterator<Item = Row> {
 /// The names of each entry point.
 fn groups() -> impl Iterator<Item = &'static [Row]> {
     [
+        ASSEMBLY,
         ATTRIBUTES,
         DEBUGGING,
         FRAMEBUFFERS,

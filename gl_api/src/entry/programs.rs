@@ -44,7 +44,7 @@ entry_points! {
         /// Deletes a program, once it is not in use.
         delete_program: glDeleteProgram (program: GLuint);
         /// Whether a name is a program.
-        is_program: glIsProgram | glIsProgramARB (program: GLuint) -> bool;
+        is_program: glIsProgram (program: GLuint) -> bool;
         /// Adds a shader to a program.
         attach_shader: glAttachShader | glAttachObjectARB (program: GLuint, shader: GLuint);
         /// Takes a shader from a program.
@@ -65,7 +65,7 @@ entry_points! {
     }
     Outside in inspect {
         /// Reads what is known of a program.
-        get_programiv: glGetProgramiv | glGetProgramivARB (program: GLuint, pname: GLenum, params: &'a mut [GLint]);
+        get_programiv: glGetProgramiv (program: GLuint, pname: GLenum, params: &'a mut [GLint]);
         /// Reads what the linker said.
         get_program_info_log: glGetProgramInfoLog
             (program: GLuint, max_length: GLsizei, length: &'a mut [GLsizei], info_log: TextOut<'a>);

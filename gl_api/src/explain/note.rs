@@ -1,8 +1,10 @@
 //! What the state of a draw means, kept when it is recorded.
 
+use crate::assembly::Target;
 use crate::constants::enum_name;
 use crate::context::Context;
 use crate::fixed::FragmentKey;
+use crate::glsl::SamplerSlot;
 use crate::interface::*;
 use crate::texture::{TARGET, TextureTarget};
 use rasterizer::driver::{ShaderModule, Topology};
@@ -59,6 +61,22 @@ impl DrawNote {
             });
         }
         note
+    }
+
+    /// A draw whose fragments an assembly program colours.
+    pub fn of_assembly(context: &Context, samplers: &[SamplerSlot], words: &[u32]) -> Self {
+        let name = context.state.assembly.bound[Target::Fragment as usize];
+        let of_fragments = samplers.iter().filter(|sampler| sampler.stage == Stage::Fragment);
+        let textures = of_fragments.map(|sampler| {
+            let unit = words.get(sampler.word as usize).copied().unwrap_or(0);
+            let target = TextureTarget::of_sampler(sampler.dim);
+            format!("texture[{unit}]: {}", texture(context, unit, target))
+        });
+        Self {
+            title: format!("assembly program {name}"),
+            textures: textures.collect(),
+            ..Self::default()
+        }
     }
 
     /// A draw of the fixed function.

@@ -5,6 +5,7 @@ use super::Corner;
 use super::clip::{self, Vertex};
 use super::record::Kind;
 use super::shade::{Id, Shaded, Vertices, shade};
+use crate::assembly::running::has_vertex_program;
 use crate::context::Context;
 use crate::draw::translate::Elements;
 use crate::error::{ErrorCode, GlError, Result};
@@ -217,9 +218,8 @@ fn doubled_area(corners: &[Corner]) -> f64 {
 
 /// Whether polygons have colours of their own on the back (sections 2.14.1 and 2.15.3).
 fn is_two_sided(context: &Context) -> bool {
-    let linked = context.objects.linked_program(context.state.bindings.program);
     let enables = &context.state.enables;
-    if linked.is_some_and(|linked| linked.vertex.is_some()) {
+    if has_vertex_program(context) {
         return enables.has(Flag::VertexProgramTwoSide);
     }
     enables.has(Flag::Lighting) && context.state.lights.model.two_side

@@ -12,7 +12,7 @@ mod formula;
 mod fragment;
 mod light;
 mod rewrite;
-mod vector;
+pub(crate) mod vector;
 mod vertex;
 pub(crate) mod word;
 

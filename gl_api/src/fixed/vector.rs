@@ -49,7 +49,7 @@ pub(super) fn at_least_zero(b: &mut Builder, value: Value) -> Value {
 }
 
 /// Clamped to [0, 1]; NaN gives 0.
-pub(super) fn clamp(b: &mut Builder, value: Value) -> Value {
+pub(crate) fn clamp(b: &mut Builder, value: Value) -> Value {
     let value = at_least_zero(b, value);
     let one = b.float(1.0);
     b.op(Op::Min, &[value, one])
@@ -64,7 +64,7 @@ pub(super) fn clamped(b: &mut Builder, clamps: Clamp, value: Value) -> Value {
 }
 
 /// A matrix, whose words are column by column, times a vector: columns summed from the left.
-pub(super) fn transform<const N: usize>(
+pub(crate) fn transform<const N: usize>(
     b: &mut Builder,
     first: u32,
     vector: [Value; N],

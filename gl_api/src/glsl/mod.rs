@@ -204,6 +204,8 @@ pub enum ComparisonResult {
     Placed,
     /// One number, whatever the mode is: the functions of GLSL 1.30.
     Scalar,
+    /// There is none, whatever the sampler says: assembly programs that do not ask for it.
+    Ignored,
 }
 
 /// What was asked for with `glBindAttribLocation`, `glBindFragDataLocation` and

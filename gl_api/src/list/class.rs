@@ -62,6 +62,7 @@ const IMMEDIATE: &[&str] = &[
     "glDeleteLists",
     "glDeleteObjectARB",
     "glDeleteProgram",
+    "glDeleteProgramsARB",
     "glDeleteQueries",
     "glDeleteQueriesARB",
     "glDeleteRenderbuffers",

@@ -1,5 +1,6 @@
 //! Objects and their names: GL 2.1, sections 2.9, 2.15 and 3.8.12; framebuffer objects.
 
+pub(crate) mod assemblies;
 pub(crate) mod buffer_map;
 pub(crate) mod buffers;
 pub(crate) mod compiler;
@@ -16,11 +17,13 @@ pub(crate) mod syncs;
 pub(crate) mod textures;
 pub(crate) mod vertex_arrays;
 
+use crate::assembly::Target;
 use crate::error::{Result, invalid_operation, not_negative};
 use crate::list::List;
 use crate::texture::sampler::SamplerState;
 use crate::texture::{Texture, TextureTarget};
 use crate::types::*;
+use assemblies::Assembly;
 use rasterizer::driver::{Buffer, Image};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -134,6 +137,9 @@ pub(crate) struct Objects {
     pub renderbuffers: Names<renderbuffers::Renderbuffer>,
     /// Shaders and programs share one space of names.
     pub programs: Names<programs::ShaderOrProgram>,
+    /// Assembly programs, and those of name 0 by target.
+    pub assemblies: Names<Assembly>,
+    pub default_assemblies: [Assembly; 2],
     /// Vertex array objects; that of name 0 has a place of its own while another is bound.
     pub vertex_arrays: Names<vertex_arrays::VertexArray>,
     pub default_vertex_array: vertex_arrays::VertexArray,
@@ -153,6 +159,8 @@ impl Default for Objects {
             framebuffers: Names::default(),
             renderbuffers: Names::default(),
             programs: Names::default(),
+            assemblies: Names::default(),
+            default_assemblies: [Target::Vertex, Target::Fragment].map(Assembly::new),
             vertex_arrays: Names::default(),
             default_vertex_array: vertex_arrays::VertexArray::default(),
             queries: Names::default(),

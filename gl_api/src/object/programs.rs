@@ -206,7 +206,7 @@ pub(crate) fn bind_frag_data_location(
 }
 
 /// A linker's result, ready to draw with.
-fn ready(mut program: glsl::Program) -> std::result::Result<Linked, IrError> {
+pub(crate) fn ready(mut program: glsl::Program) -> std::result::Result<Linked, IrError> {
     let module = |module: &Option<Module>| module.clone().map(ShaderModule::new).transpose();
     let unclamped = program.vertex.clone();
     let has_colors = program.vertex.as_mut().is_some_and(clamp_vertex_colors);

@@ -124,13 +124,15 @@ impl Drop for Turn<'_> {
     }
 }
 
-/// Exchanges what can be shared. Framebuffers, and the textures named 0, are a context's own.
+/// Exchanges what can be shared. Framebuffers, and the textures and assembly programs
+/// named 0, are a context's own.
 fn exchange(a: &mut Objects, b: &mut Objects) {
     std::mem::swap(&mut a.textures, &mut b.textures);
     std::mem::swap(&mut a.samplers, &mut b.samplers);
     std::mem::swap(&mut a.buffers, &mut b.buffers);
     std::mem::swap(&mut a.renderbuffers, &mut b.renderbuffers);
     std::mem::swap(&mut a.programs, &mut b.programs);
+    std::mem::swap(&mut a.assemblies, &mut b.assemblies);
     std::mem::swap(&mut a.syncs, &mut b.syncs);
     std::mem::swap(&mut a.lists, &mut b.lists);
 }

@@ -24,6 +24,8 @@ pub(crate) const EXTENSIONS: &[&str] = &[
     "GL_ARB_draw_instanced",
     "GL_ARB_explicit_attrib_location",
     "GL_ARB_fragment_coord_conventions",
+    "GL_ARB_fragment_program",
+    "GL_ARB_fragment_program_shadow",
     "GL_ARB_fragment_shader",
     "GL_ARB_framebuffer_object",
     "GL_ARB_framebuffer_sRGB",
@@ -78,6 +80,7 @@ pub(crate) const EXTENSIONS: &[&str] = &[
     "GL_ARB_vertex_array_bgra",
     "GL_ARB_vertex_array_object",
     "GL_ARB_vertex_buffer_object",
+    "GL_ARB_vertex_program",
     "GL_ARB_vertex_shader",
     "GL_ARB_vertex_type_2_10_10_10_rev",
     "GL_ARB_window_pos",
@@ -99,6 +102,7 @@ pub(crate) const EXTENSIONS: &[&str] = &[
     "GL_EXT_framebuffer_multisample",
     "GL_EXT_framebuffer_object",
     "GL_EXT_framebuffer_sRGB",
+    "GL_EXT_gpu_program_parameters",
     "GL_EXT_gpu_shader4",
     "GL_EXT_multi_draw_arrays",
     "GL_EXT_packed_depth_stencil",
@@ -155,7 +159,7 @@ pub(crate) const EXTENSIONS: &[&str] = &[
 /// The names with blanks between them.
 static JOINED: LazyLock<String> = LazyLock::new(|| EXTENSIONS.join(" "));
 
-pub(crate) fn get_string(_: &mut Context, name: GLenum) -> Result<&'static str> {
+pub(crate) fn get_string(context: &mut Context, name: GLenum) -> Result<&'static str> {
     const STRING: Table<&str> = Table {
         section: "GL 2.1, section 6.1.11",
         rows: &[
@@ -164,10 +168,14 @@ pub(crate) fn get_string(_: &mut Context, name: GLenum) -> Result<&'static str> 
             (GL_VERSION, concat!("3.1 DetGL ", env!("CARGO_PKG_VERSION"))),
             (GL_SHADING_LANGUAGE_VERSION, "1.40"),
             (GL_EXTENSIONS, ""),
+            (GL_PROGRAM_ERROR_STRING_ARB, ""),
         ],
     };
     match name {
         GL_EXTENSIONS => Ok(&JOINED),
+        GL_PROGRAM_ERROR_STRING_ARB => {
+            Ok(context.state.assembly.error.map_or("", |(_, message)| message))
+        }
         _ => STRING.decode("name", name),
     }
 }

@@ -119,6 +119,7 @@ pub(crate) fn state_value(context: &Context, pname: GLenum) -> Result<Value> {
         texture,
         framebuffer,
         bindings,
+        crate::assembly::query::state_value,
         lists,
         debug,
         arrays::state_value,

@@ -123,8 +123,10 @@ const FLAGS: &[(GLbitfield, &[Flag])] = &[
     (
         GL_ENABLE_BIT,
         &[
+            Flag::FragmentProgram,
             Flag::RasterizerDiscard,
             Flag::SeamlessCubeMaps,
+            Flag::VertexProgram,
             Flag::VertexProgramPointSize,
             Flag::VertexProgramTwoSide,
         ],

@@ -4,6 +4,7 @@
 //! result to what an `f32` holds: a matrix that a program reads with `glGetFloatv` and loads again
 //! is the same matrix, so that two passes agree in depth to the bit.
 
+use crate::assembly::limits::{MAX_PROGRAM_MATRICES, MAX_PROGRAM_MATRIX_STACK_DEPTH};
 use crate::constants::*;
 use crate::context::Context;
 use crate::error::{ErrorCode, GlError, Result, Table, invalid_operation, invalid_value};
@@ -25,6 +26,8 @@ pub(crate) enum MatrixMode {
     ModelView,
     Projection,
     Texture,
+    /// Of assembly programs.
+    Program(u8),
 }
 
 pub(crate) const MATRIX_MODE: Table<MatrixMode> = Table {
@@ -33,6 +36,14 @@ pub(crate) const MATRIX_MODE: Table<MatrixMode> = Table {
         (GL_MODELVIEW, MatrixMode::ModelView),
         (GL_PROJECTION, MatrixMode::Projection),
         (GL_TEXTURE, MatrixMode::Texture),
+        (GL_MATRIX0_ARB, MatrixMode::Program(0)),
+        (GL_MATRIX1_ARB, MatrixMode::Program(1)),
+        (GL_MATRIX2_ARB, MatrixMode::Program(2)),
+        (GL_MATRIX3_ARB, MatrixMode::Program(3)),
+        (GL_MATRIX4_ARB, MatrixMode::Program(4)),
+        (GL_MATRIX5_ARB, MatrixMode::Program(5)),
+        (GL_MATRIX6_ARB, MatrixMode::Program(6)),
+        (GL_MATRIX7_ARB, MatrixMode::Program(7)),
     ],
 };
 
@@ -62,6 +73,7 @@ pub(crate) struct Matrices {
     pub modelview: Stack,
     pub projection: Stack,
     pub texture: [Stack; MAX_TEXTURE_UNITS as usize],
+    pub program: [Stack; MAX_PROGRAM_MATRICES as usize],
 }
 
 impl Default for Matrices {
@@ -71,6 +83,7 @@ impl Default for Matrices {
             modelview: Stack::new(MAX_MODELVIEW_STACK_DEPTH),
             projection: Stack::new(MAX_STACK_DEPTH),
             texture: std::array::from_fn(|_| Stack::new(MAX_STACK_DEPTH)),
+            program: std::array::from_fn(|_| Stack::new(MAX_PROGRAM_MATRIX_STACK_DEPTH)),
         }
     }
 }
@@ -87,6 +100,20 @@ fn stack(context: &mut Context) -> Result<&mut Stack> {
         MatrixMode::Texture => {
             &mut matrices.texture[context.state.units.active_coordinates(SECTION)?]
         }
+        MatrixMode::Program(number) => &mut matrices.program[usize::from(number)],
+    })
+}
+
+/// The same, to be read.
+pub(crate) fn current(context: &Context) -> Result<&Stack> {
+    let matrices = &context.state.matrices;
+    Ok(match matrices.mode {
+        MatrixMode::ModelView => &matrices.modelview,
+        MatrixMode::Projection => &matrices.projection,
+        MatrixMode::Texture => {
+            &matrices.texture[context.state.units.active_coordinates(SECTION)?]
+        }
+        MatrixMode::Program(number) => &matrices.program[usize::from(number)],
     })
 }
 

@@ -22,6 +22,7 @@ pub(crate) mod raster;
 pub(crate) mod stencil;
 pub(crate) mod viewport;
 
+use crate::assembly::calls::AssemblyState;
 use crate::env::Units;
 use crate::evaluate::EvaluatorState;
 use crate::interface::{ATTRIB_COLOR, ATTRIB_EDGE_FLAG, ATTRIB_INDEX, ATTRIB_NORMAL};
@@ -89,6 +90,7 @@ pub(crate) struct State {
     pub units: Units,
     pub evaluators: EvaluatorState,
     pub bindings: Bindings,
+    pub assembly: AssemblyState,
 }
 
 impl State {
@@ -122,6 +124,7 @@ impl State {
             units: Units::default(),
             evaluators: EvaluatorState::default(),
             bindings: Bindings::default(),
+            assembly: AssemblyState::default(),
         }
     }
 }

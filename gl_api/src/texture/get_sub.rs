@@ -39,10 +39,10 @@ impl Part {
             return invalid_operation(SECTION, format!("texture = {name} is no texture"));
         };
         let (target, image) = (texture.target, texture.image.clone());
-        if target.is_multisample() {
+        if target.is_multisample() || target == TextureTarget::Buffer {
             return invalid_operation(
                 SECTION,
-                "a texture with several samples has no texels to read",
+                "a texture with several samples has no texels to read, nor has one of a buffer",
             );
         }
         let level = checked_level(SECTION, target, level)?;
@@ -170,7 +170,8 @@ pub(crate) fn get_texture_sub_image(
         | TextureTarget::Rect
         | TextureTarget::D1Array
         | TextureTarget::D2Multisample
-        | TextureTarget::D2MultisampleArray => Extent::Flat,
+        | TextureTarget::D2MultisampleArray
+        | TextureTarget::Buffer => Extent::Flat,
     };
     let layout = Layout::new(&context.state.pack, pixel, part.size, extent)?;
     check_room(layout.needed, buf_size)?;

@@ -346,6 +346,12 @@ pub const STATE: &[Row] = rows! {
         GL_CURRENT_PROGRAM Number F;
         GL_VERTEX_PROGRAM_TWO_SIDE Number F;
         GL_VERTEX_PROGRAM_POINT_SIZE Number F;
+        GL_VERTEX_PROGRAM_ARB Number F;
+        GL_FRAGMENT_PROGRAM_ARB Number F;
+        GL_PROGRAM_ERROR_POSITION_ARB Number &[-1.0];
+        GL_CURRENT_MATRIX_ARB Number IDENTITY;
+        GL_TRANSPOSE_CURRENT_MATRIX_ARB Number IDENTITY;
+        GL_CURRENT_MATRIX_STACK_DEPTH_ARB Number T;
     }
     "6.36, hints" {
         GL_PERSPECTIVE_CORRECTION_HINT Number enums![GL_DONT_CARE];
@@ -422,6 +428,8 @@ pub const LEAST: &[Row] = rows! {
         GL_MAX_TEXTURE_COORDS Number &[8.0];
         GL_MAX_FRAGMENT_UNIFORM_COMPONENTS Number &[1024.0];
         GL_MAX_DRAW_BUFFERS Number &[8.0];
+        GL_MAX_PROGRAM_MATRICES_ARB Number &[8.0];
+        GL_MAX_PROGRAM_MATRIX_STACK_DEPTH_ARB Number T;
         GL_MAX_COLOR_ATTACHMENTS Number &[8.0];
         GL_MAX_RENDERBUFFER_SIZE Number &[1024.0];
         GL_MAX_TRANSFORM_FEEDBACK_INTERLEAVED_COMPONENTS Number &[64.0];

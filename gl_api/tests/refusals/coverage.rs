@@ -26,6 +26,7 @@ const CANNOT_FAIL: &[(&str, &[&str])] = &[
             "glIsFramebuffer",
             "glIsList",
             "glIsProgram",
+            "glIsProgramARB",
             "glIsQuery",
             "glIsRenderbuffer",
             "glIsSampler",

@@ -5,6 +5,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod assembly;
 mod basic;
 mod blends;
 mod buffer_textures;
@@ -56,6 +57,7 @@ fn table<'a>(
 #[test]
 fn each_refusal_sets_its_flag_says_why_and_changes_nothing_and_each_call_has_one() {
     let tables = [
+        assembly::run,
         basic::run,
         buffer_textures::run,
         blends::run,

@@ -1,0 +1,101 @@
+//! Assembly programs: ARB_vertex_program, ARB_fragment_program, ARB_fragment_program_shadow.
+//!
+//! The modules in the order in which a program passes through them: `lexer`, `parser` (with
+//! `operand`, `state` and `counts`) to the instructions of `program`, then `lower`, which makes IR
+//! of them with `arithmetic` and puts their parameters into the uniform words of `layout`. What
+//! comes out is what the GLSL linker gives, a stage with its words; `running` fills these in for a
+//! draw, where the program in use lacks the stage.
+
+mod arithmetic;
+pub(crate) mod calls;
+mod counts;
+mod layout;
+mod lexer;
+pub(crate) mod limits;
+mod lower;
+mod operand;
+mod parser;
+mod program;
+pub(crate) mod query;
+pub(crate) mod running;
+mod state;
+
+use crate::glsl::{self, BufferMode};
+use crate::object::programs::{Linked, ready};
+use layout::Row;
+pub(crate) use program::{Counts, Target};
+
+/// Why a program does not load.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Failure {
+    /// Where, in bytes.
+    pub position: usize,
+    pub message: String,
+}
+
+impl Failure {
+    fn at<T>(position: usize, message: impl Into<String>) -> Result<T, Self> {
+        Err(Self { position, message: message.into() })
+    }
+}
+
+type Parsed<T> = Result<T, Failure>;
+
+/// Whether a vertex program's position is the fixed function's (`ARB_position_invariant`), which
+/// user clip planes cut; other positions they leave alone.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Position {
+    Invariant,
+    Computed,
+}
+
+/// A loaded program.
+#[derive(Debug)]
+pub(crate) struct Loaded {
+    pub linked: Linked,
+    /// The words that a draw fills in beside the state, by their first words.
+    pub rows: Vec<(u32, Row)>,
+    pub counts: Counts,
+    pub position: Position,
+}
+
+/// Loads a program. Any text is fine; it never panics.
+///
+/// # Errors
+/// The first thing that is wrong.
+pub(crate) fn load(text: &str, target: Target) -> Parsed<Loaded> {
+    let program = parser::parse(text, target)?;
+    let lower::Lowered { module, layout, samplers } = lower::lower(&program);
+    let (vertex, fragment) = match target {
+        Target::Vertex => (Some(module), None),
+        Target::Fragment => (None, Some(module)),
+    };
+    let result = ready(glsl::Program {
+        vertex,
+        fragment,
+        attributes: Vec::new(),
+        uniforms: Vec::new(),
+        members: Vec::new(),
+        blocks: Vec::new(),
+        builtin_uniforms: Vec::new(),
+        outputs: Vec::new(),
+        varyings: Vec::new(),
+        captured: Vec::new(),
+        buffer_mode: BufferMode::Interleaved,
+        samplers,
+        color_interpolation: [None; 2],
+        words: layout.len(),
+        state: layout.state,
+    });
+    let position = match program.options.position_invariant {
+        true => Position::Invariant,
+        false => Position::Computed,
+    };
+    match result {
+        Ok(mut linked) => {
+            linked.words = layout.initial;
+            Ok(Loaded { linked, rows: layout.rows, counts: program.counts, position })
+        }
+        Err(error) => Failure::at(text.len(), format!("the program is too large: {error}")),
+    }
+}
