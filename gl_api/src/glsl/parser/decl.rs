@@ -128,7 +128,10 @@ impl Parser<'_> {
                     ];
                     let known: Vec<&str> =
                         known.iter().filter(|(here, _)| *here).map(|(_, words)| *words).collect();
-                    let known = format!("layouts here: {}", known.join(", "));
+                    let known = match other {
+                        "location" => "enable GL_ARB_explicit_attrib_location".into(),
+                        _ => format!("layouts here: {}", known.join(", ")),
+                    };
                     self.log.push(Diagnostic::error(name.span, message).help(known));
                     if self.eat("=") {
                         self.bump();
