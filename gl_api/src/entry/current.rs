@@ -106,7 +106,9 @@ pub fn with_current<R>(f: impl FnOnce(&mut Context) -> R) -> Option<R> {
     result
 }
 
-/// Runs the entry point `name`.
+/// Runs the entry point `name`. As a part of each entry point: as functions of their own, a thousand of them,
+/// these few instructions are 70 KB more.
+#[inline(always)]
 pub(crate) fn call<R: Fallback>(name: &str, f: impl FnOnce(&mut Context) -> R) -> R {
     let Some(mut taken) = take_for(name) else { return R::fallback() };
     let result = taken.0.as_deref_mut().map(f);
