@@ -39,8 +39,12 @@ fn still_works(c: &mut Context) {
     c.color_mask(true, true, true, true);
     c.disable(GL_SCISSOR_TEST);
     c.disable(GL_FRAMEBUFFER_SRGB);
+    c.end_transform_feedback();
+    c.disable(GL_RASTERIZER_DISCARD);
+    clear_errors(c);
     c.clear_color(1.0, 1.0, 1.0, 1.0);
     c.clear(GL_COLOR_BUFFER_BIT);
+    let said = c.messages();
     for name in [GL_PACK_ROW_LENGTH, GL_PACK_SKIP_ROWS, GL_PACK_SKIP_PIXELS, GL_PACK_SWAP_BYTES] {
         c.pixel_storei(name, 0);
     }
@@ -54,7 +58,7 @@ fn still_works(c: &mut Context) {
     let mut out = [0_u8; 16 * 8 * 4];
     c.read_pixels(0, 0, 16, 8, GL_RGBA, GL_UNSIGNED_BYTE, DataOut::Bytes(&mut out));
     assert_eq!(c.get_error(), GL_NO_ERROR, "{:?}", c.messages());
-    assert!(out.iter().all(|&byte| byte == 255), "{out:?}");
+    assert!(out.iter().all(|&byte| byte == 255), "{out:?}\n{said:?}");
 }
 
 #[test]
