@@ -376,3 +376,27 @@ fn arrays_with_a_count_are_arrays() {
     assert_eq!(counts(&mut c), [6, 0, 0, 0, 0, 0]);
     assert_eq!(c.get_error(), GL_NO_ERROR);
 }
+
+#[test]
+fn locked_arrays_draw_what_they_draw_unlocked() {
+    let pictures = [None, Some((0, 3)), Some((1, 2))].map(|locked| {
+        let mut c = context();
+        c.vertex_pointer(2, GL_FLOAT, 0, CORNERS.as_slice().arg());
+        c.enable_client_state(GL_VERTEX_ARRAY);
+        let asked = |c: &mut Context| {
+            [GL_ARRAY_ELEMENT_LOCK_FIRST_EXT, GL_ARRAY_ELEMENT_LOCK_COUNT_EXT]
+                .map(|pname| integer(c, pname))
+        };
+        if let Some((first, count)) = locked {
+            c.lock_arrays(first, count);
+            assert_eq!(asked(&mut c), [first, count]);
+        }
+        c.draw_arrays(GL_TRIANGLES, 0, 6);
+        if locked.is_some() {
+            c.unlock_arrays();
+        }
+        assert_eq!(asked(&mut c), [0, 0]);
+        picture(&mut c)
+    });
+    assert!(pictures.iter().all(|picture| *picture == pictures[0]));
+}

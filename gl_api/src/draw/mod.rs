@@ -12,6 +12,7 @@ pub(crate) mod hints;
 pub(crate) mod immediate;
 pub(crate) mod interleaved;
 mod keys;
+pub(crate) mod locked;
 pub(crate) mod packed;
 mod primitives;
 pub(crate) mod rect;

@@ -94,10 +94,13 @@ entry_points! {
         /// Sets the stencil test of one face, or of both.
         stencil_func_separate: glStencilFuncSeparate
             (face: GLenum, func: GLenum, reference: GLint, mask: GLuint);
+        /// Sets the comparisons of the stencil tests of front and back faces.
+        stencil_func_separate_ati: glStencilFuncSeparateATI
+            (frontfunc: GLenum, backfunc: GLenum, reference: GLint, mask: GLuint);
         /// Sets what happens to stencils, for both faces.
         stencil_op: glStencilOp (fail: GLenum, zfail: GLenum, zpass: GLenum);
         /// Sets what happens to stencils, for one face or for both.
-        stencil_op_separate: glStencilOpSeparate
+        stencil_op_separate: glStencilOpSeparate | glStencilOpSeparateATI
             (face: GLenum, sfail: GLenum, dpfail: GLenum, dppass: GLenum);
         /// Sets which bits of stencils are written, for both faces.
         stencil_mask: glStencilMask (mask: GLuint);

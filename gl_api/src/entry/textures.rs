@@ -22,10 +22,10 @@ entry_points! {
         /// Whether a name is a texture that has been bound.
         is_texture: glIsTexture | glIsTextureEXT (texture: GLuint) -> bool;
         /// Sets what `GL_TEXTURE_PRIORITY` answers; every texture is resident.
-        prioritize_textures: glPrioritizeTextures
+        prioritize_textures: glPrioritizeTextures | glPrioritizeTexturesEXT
             (n: GLsizei, textures: &'a [GLuint], priorities: &'a [GLfloat]);
         /// Whether all are resident: they are.
-        are_textures_resident: glAreTexturesResident
+        are_textures_resident: glAreTexturesResident | glAreTexturesResidentEXT
             (n: GLsizei, textures: &'a [GLuint], residences: &'a mut [GLboolean]) -> bool;
         /// Selects the texture unit that texture calls and matrices work on.
         active_texture: glActiveTexture | glActiveTextureARB (texture: GLenum);

@@ -2,7 +2,7 @@
 //! [`super::attributes`].
 
 use super::{Data, DataOut, Pointers};
-use crate::draw::{arrays, calls, counted, immediate, interleaved, rect, restart};
+use crate::draw::{arrays, calls, counted, immediate, interleaved, locked, rect, restart};
 use crate::object::{buffer_map, buffers, vertex_arrays};
 use crate::query::arrays as query_arrays;
 use crate::types::*;
@@ -14,6 +14,12 @@ entry_points! {
         begin: glBegin (mode: GLenum);
         /// Ends a group of vertices and draws them.
         end: glEnd ();
+    }
+    Outside in locked {
+        /// Promises that `count` vertices from `first` on stay as they are.
+        lock_arrays: glLockArraysEXT (first: GLint, count: GLsizei);
+        /// Ends the promise.
+        unlock_arrays: glUnlockArraysEXT ();
     }
     Outside in arrays {
         /// Says where positions are. A slice is copied now; later writes to it are not seen.

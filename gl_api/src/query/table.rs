@@ -474,6 +474,8 @@ fn lists(context: &Context, pname: GLenum) -> Answer {
 fn bindings(context: &Context, pname: GLenum) -> Answer {
     let bindings = &context.state.bindings;
     Some(match pname {
+        GL_ARRAY_ELEMENT_LOCK_FIRST_EXT => int(context.state.locked.first),
+        GL_ARRAY_ELEMENT_LOCK_COUNT_EXT => int(context.state.locked.count),
         GL_ARRAY_BUFFER_BINDING => symbol(bindings.array_buffer),
         GL_ELEMENT_ARRAY_BUFFER_BINDING => symbol(bindings.element_array_buffer),
         GL_PIXEL_PACK_BUFFER_BINDING => symbol(bindings.pixel_pack_buffer),

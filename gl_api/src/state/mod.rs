@@ -72,6 +72,7 @@ pub(crate) struct State {
     /// The current value of each attribute, by location.
     pub current: [[f32; 4]; LOCATIONS],
     pub arrays: crate::draw::arrays::Arrays,
+    pub locked: crate::draw::locked::Locked,
     pub enables: Enables,
     pub lights: Lights,
     pub materials: Materials,
@@ -106,6 +107,7 @@ impl State {
             viewport: ViewportState::new(width, height),
             current,
             arrays: crate::draw::arrays::Arrays::default(),
+            locked: crate::draw::locked::Locked::default(),
             enables: Enables::default(),
             lights: Lights::default(),
             materials: Materials::default(),

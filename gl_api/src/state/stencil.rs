@@ -151,6 +151,20 @@ pub(crate) fn stencil_func_separate(
     Ok(())
 }
 
+/// As [`stencil_func_separate`] of either face (`ATI_separate_stencil`).
+pub(crate) fn stencil_func_separate_ati(
+    context: &mut Context,
+    frontfunc: GLenum,
+    backfunc: GLenum,
+    reference: GLint,
+    mask: GLuint,
+) -> Result<()> {
+    COMPARE.decode("frontfunc", frontfunc)?;
+    COMPARE.decode("backfunc", backfunc)?;
+    stencil_func_separate(context, GL_FRONT, frontfunc, reference, mask)?;
+    stencil_func_separate(context, GL_BACK, backfunc, reference, mask)
+}
+
 /// `sfail`, `dpfail` and `dppass` of a call.
 fn operations(ops: [GLenum; 3]) -> Result<[StencilOp; 3]> {
     let [fail, depth_fail, pass] = ops;

@@ -154,6 +154,24 @@ fn a_fragment_that_is_thrown_away_leaves_no_stencil() {
 }
 
 #[test]
+fn both_faces_can_be_compared_by_one_call() {
+    let mut c = context(4, 4);
+    c.stencil_func_separate_ati(GL_LESS, GL_GREATER, 5, 0x3F);
+    for (pname, want) in [
+        (GL_STENCIL_FUNC, GL_LESS as i32),
+        (GL_STENCIL_BACK_FUNC, GL_GREATER as i32),
+        (GL_STENCIL_REF, 5),
+        (GL_STENCIL_BACK_REF, 5),
+        (GL_STENCIL_VALUE_MASK, 0x3F),
+        (GL_STENCIL_BACK_VALUE_MASK, 0x3F),
+    ] {
+        let mut value = [0];
+        c.get_integerv(pname, &mut value);
+        assert_eq!(value, [want], "{pname:#x}");
+    }
+}
+
+#[test]
 fn the_state_can_be_asked_for() {
     let mut c = context(4, 4);
     c.stencil_func_separate(GL_BACK, GL_LESS, -3, 0xF0);
