@@ -6,7 +6,7 @@ use crate::assembly::{Position, Target};
 use crate::context::Context;
 use crate::error::Result;
 use crate::glsl::SamplerSlot;
-use crate::state::clamp::{self, Clamp};
+use crate::state::clamp;
 use rasterizer::driver::ShaderModule;
 use rasterizer::ir::Expr;
 
@@ -29,10 +29,7 @@ pub(super) fn assembled(
     let Some(loaded) = running(context, target) else { return Ok(None) };
     let linked = &loaded.linked;
     let module = match target {
-        Target::Vertex => match clamp::of_vertices(context) {
-            Clamp::On => &linked.vertex,
-            Clamp::Off => &linked.unclamped_vertex,
-        },
+        Target::Vertex => linked.vertex_of(clamp::of_vertices(context)),
         Target::Fragment => &linked.fragment,
     };
     let Some(module) = module.clone() else { return Ok(None) };

@@ -114,10 +114,7 @@ pub(crate) fn choose(
         words.clone_from(&linked.words);
         words.resize(program.words as usize, 0);
         put_bindings(context, &mut words, &program.state);
-        vertex = match clamp::of_vertices(context) {
-            Clamp::On => linked.vertex.clone(),
-            Clamp::Off => linked.unclamped_vertex.clone(),
-        };
+        vertex = linked.vertex_of(clamp::of_vertices(context)).clone();
         fragment = linked.fragment.clone();
         samplers.clone_from(&program.samplers);
         said = program.color_interpolation;

@@ -97,6 +97,20 @@ pub struct Struct {
     pub depth: u32,
 }
 
+impl Struct {
+    /// A structure of these members.
+    pub fn new(name: Arc<str>, fields: Vec<(Arc<str>, Type)>) -> Self {
+        let (mut scalars, mut depth) = (0u32, 1);
+        for (_, field) in &fields {
+            scalars = scalars.saturating_add(field.scalars());
+            if let Type::Struct(inner) = field.base() {
+                depth = depth.max(inner.depth + 1);
+            }
+        }
+        Self { name, fields, scalars, depth }
+    }
+}
+
 /// `float`.
 pub const FLOAT: Type = Type::Vector(Scalar::Float, 1);
 /// `int`.

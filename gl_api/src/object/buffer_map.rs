@@ -10,6 +10,7 @@ use crate::context::Context;
 use crate::error::{Result, Table, invalid_operation, invalid_value};
 use crate::query::put;
 use crate::types::*;
+use rasterizer::driver::Buffer;
 
 const SECTION: &str = "GL 2.1, section 2.9";
 const RANGE: &str = "ARB_map_buffer_range";
@@ -118,7 +119,7 @@ pub(crate) fn unmap_buffer(context: &mut Context, target: GLenum) -> Result<bool
     match object.map.take() {
         Some(map) => {
             let size = map.bytes.len();
-            object.replace(map.bytes);
+            object.buffer = Buffer::new(map.bytes);
             context.recorder.hold(size);
             Ok(true)
         }
@@ -156,7 +157,7 @@ pub(crate) fn copy_buffer_sub_data(
             format!("bytes {from:?} and {to:?} of the same buffer must not overlap"),
         );
     }
-    target.write()[to].copy_from_slice(&source.bytes()[from]);
+    target.buffer.bytes_mut()[to].copy_from_slice(&source.bytes()[from]);
     Ok(())
 }
 

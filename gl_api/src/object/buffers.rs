@@ -9,7 +9,6 @@ use crate::error::{
 };
 use crate::types::*;
 use rasterizer::driver::Buffer;
-use std::sync::atomic::{AtomicU64, Ordering};
 
 const SECTION: &str = "GL 2.1, section 2.9";
 
@@ -18,8 +17,6 @@ const SECTION: &str = "GL 2.1, section 2.9";
 pub(crate) struct BufferObject {
     /// Empty while it is mapped.
     pub buffer: Buffer,
-    /// Another number after each write, and in each object.
-    pub version: u64,
     pub usage: GLenum,
     pub map: Option<Map>,
     /// `GL_BUFFER_ACCESS`, of the last mapping.
@@ -28,36 +25,13 @@ pub(crate) struct BufferObject {
 
 impl BufferObject {
     fn new() -> Self {
-        Self {
-            buffer: Buffer::default(),
-            version: next_version(),
-            usage: GL_STATIC_DRAW,
-            map: None,
-            access: GL_READ_WRITE,
-        }
-    }
-
-    /// Its bytes for writing.
-    pub fn write(&mut self) -> &mut Vec<u8> {
-        self.version = next_version();
-        self.buffer.bytes_mut()
-    }
-
-    /// Gives it other bytes.
-    pub fn replace(&mut self, bytes: Vec<u8>) {
-        self.version = next_version();
-        self.buffer = Buffer::new(bytes);
+        Self { buffer: Buffer::default(), usage: GL_STATIC_DRAW, map: None, access: GL_READ_WRITE }
     }
 
     /// Bytes, mapped or not.
     pub fn len(&self) -> usize {
         self.map.as_ref().map_or(self.buffer.bytes().len(), |map| map.bytes.len())
     }
-}
-
-fn next_version() -> u64 {
-    static LAST: AtomicU64 = AtomicU64::new(0);
-    LAST.fetch_add(1, Ordering::Relaxed)
 }
 
 /// A buffer's bytes while the client has them.
@@ -224,7 +198,7 @@ pub(crate) fn buffer_data(
         }
         Located::Offset(_) => return invalid_operation(SECTION, "data must be a slice or NULL"),
     }
-    object.replace(bytes);
+    object.buffer = Buffer::new(bytes);
     object.usage = usage;
     object.map = None;
     context.recorder.hold(size);
@@ -271,7 +245,7 @@ pub(crate) fn buffer_sub_data(
             let source = &source[..range.len()];
             // Draws that wait keep the bytes that they saw.
             let copied = if object.buffer.is_shared() { object.len() } else { 0 };
-            object.write()[range].copy_from_slice(source);
+            object.buffer.bytes_mut()[range].copy_from_slice(source);
             context.recorder.hold(copied);
             Ok(())
         }

@@ -7,6 +7,7 @@ use crate::error::{Result, invalid_operation, invalid_value};
 use crate::fixed::clamp_vertex_colors;
 use crate::glsl;
 use crate::interface::MAX_VERTEX_ATTRIBS;
+use crate::state::clamp::Clamp;
 use crate::transform_feedback::calls::not_while_active;
 use crate::types::*;
 use crate::uniform_buffer::unpack::BlockState;
@@ -63,6 +64,14 @@ pub(crate) struct Linked {
 }
 
 impl Linked {
+    /// The vertex stage, whose colours are clamped or not.
+    pub fn vertex_of(&self, clamp: Clamp) -> &Option<ShaderModule> {
+        match clamp {
+            Clamp::On => &self.vertex,
+            Clamp::Off => &self.unclamped_vertex,
+        }
+    }
+
     /// The name of the uniform that has this word, quoted, after a space.
     pub fn quoted_name(&self, word: u32) -> String {
         let uniform = self.program.uniforms.iter().rfind(|uniform| uniform.word <= word);

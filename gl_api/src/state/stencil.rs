@@ -159,10 +159,11 @@ pub(crate) fn stencil_func_separate_ati(
     reference: GLint,
     mask: GLuint,
 ) -> Result<()> {
-    COMPARE.decode("frontfunc", frontfunc)?;
-    COMPARE.decode("backfunc", backfunc)?;
-    stencil_func_separate(context, GL_FRONT, frontfunc, reference, mask)?;
-    stencil_func_separate(context, GL_BACK, backfunc, reference, mask)
+    let funcs = [COMPARE.decode("frontfunc", frontfunc)?, COMPARE.decode("backfunc", backfunc)?];
+    for (face, func) in context.state.fragment.stencil.faces.iter_mut().zip(funcs) {
+        *face = Face { func, reference, value_mask: mask, ..*face };
+    }
+    Ok(())
 }
 
 /// `sfail`, `dpfail` and `dppass` of a call.

@@ -25,6 +25,30 @@ pub(super) fn readable(pixel: Pixel, format: Format) -> Result<()> {
     Ok(())
 }
 
+/// The pixels that a call asks for.
+pub(super) fn asked_for(section: &'static str, format: GLenum, ty: GLenum) -> Result<Pixel> {
+    let pixel = Pixel::new(format, ty)?;
+    if pixel.format == ClientFormat::ColorIndex {
+        return invalid_enum(section, "format = GL_COLOR_INDEX: texels have colours, no indices");
+    }
+    Ok(pixel)
+}
+
+/// Which parts of the pixel store count for an image of a target.
+pub(super) fn extent(target: TextureTarget) -> Extent {
+    match target {
+        TextureTarget::D3 | TextureTarget::D2Array | TextureTarget::CubeArray => Extent::Volume,
+        TextureTarget::D1
+        | TextureTarget::D2
+        | TextureTarget::Rect
+        | TextureTarget::Cube
+        | TextureTarget::D1Array
+        | TextureTarget::D2Multisample
+        | TextureTarget::D2MultisampleArray
+        | TextureTarget::Buffer => Extent::Flat,
+    }
+}
+
 pub(crate) fn get_tex_image(
     context: &mut Context,
     target: GLenum,
@@ -35,28 +59,14 @@ pub(crate) fn get_tex_image(
 ) -> Result<()> {
     let target = any_bound(target)?;
     let level = checked_level(SECTION, target.target, level)?;
-    let pixel = Pixel::new(format, ty)?;
-    if pixel.format == ClientFormat::ColorIndex {
-        return invalid_enum(SECTION, "format = GL_COLOR_INDEX: texels have colours, no indices");
-    }
+    let pixel = asked_for(SECTION, format, ty)?;
     let image = bound(context, target.target).image.clone();
     crate::draw::settle(context, &image);
     let texels = bound(context, target.target).image.texels();
     let Some(level) = texels.level(target.face.into(), level) else { return Ok(()) };
     readable(pixel, level.format)?;
     let size = target.target.level_box(level.stored_size()).map(|side| side as usize);
-    let extent = match target.target {
-        TextureTarget::D3 | TextureTarget::D2Array | TextureTarget::CubeArray => Extent::Volume,
-        TextureTarget::D1
-        | TextureTarget::D2
-        | TextureTarget::Rect
-        | TextureTarget::Cube
-        | TextureTarget::D1Array
-        | TextureTarget::D2Multisample
-        | TextureTarget::D2MultisampleArray
-        | TextureTarget::Buffer => Extent::Flat,
-    };
-    let layout = Layout::new(&context.state.pack, pixel, size, extent)?;
+    let layout = Layout::new(&context.state.pack, pixel, size, extent(target.target))?;
     let transfer = context.state.transfer;
     if level.format.block().is_some() {
         let colors = blocks::decompress(level)?;

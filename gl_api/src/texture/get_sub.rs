@@ -1,12 +1,12 @@
 //! Reading a part of a level back, by the texture's name: `ARB_get_texture_sub_image`.
 
-use super::client::{ClientFormat, LuminanceOf, Pixel};
-use super::get::readable;
+use super::client::LuminanceOf;
+use super::get::{asked_for, extent, readable};
 use super::layout::{Extent, Layout};
 use super::{TextureTarget, blocks, checked_level, convert, memory};
 use crate::context::Context;
 use crate::entry::DataOut;
-use crate::error::{Result, invalid_enum, invalid_operation, invalid_value, not_negative};
+use crate::error::{Result, invalid_operation, invalid_value, not_negative};
 use crate::types::*;
 use std::sync::Arc;
 use texunit::format::Format;
@@ -154,25 +154,12 @@ pub(crate) fn get_texture_sub_image(
 ) -> Result<()> {
     let (offset, size) = ([xoffset, yoffset, zoffset], [width, height, depth]);
     let part = Part::new(context, texture, level, offset, size)?;
-    let pixel = Pixel::new(format, ty)?;
-    if pixel.format == ClientFormat::ColorIndex {
-        return invalid_enum(SECTION, "format = GL_COLOR_INDEX: texels have colours, no indices");
-    }
+    let pixel = asked_for(SECTION, format, ty)?;
     let Some(format) = part.format() else { return Ok(()) };
     readable(pixel, format)?;
-    let extent = match part.target {
-        TextureTarget::D3
-        | TextureTarget::Cube
-        | TextureTarget::D2Array
-        | TextureTarget::CubeArray => Extent::Volume,
-        TextureTarget::D1
-        | TextureTarget::D2
-        | TextureTarget::Rect
-        | TextureTarget::D1Array
-        | TextureTarget::D2Multisample
-        | TextureTarget::D2MultisampleArray
-        | TextureTarget::Buffer => Extent::Flat,
-    };
+    // Its faces are layers here.
+    let is_cube = part.target == TextureTarget::Cube;
+    let extent = if is_cube { Extent::Volume } else { extent(part.target) };
     let layout = Layout::new(&context.state.pack, pixel, part.size, extent)?;
     check_room(layout.needed, buf_size)?;
     let (mut texels, mut stored) = (Vec::new(), format);

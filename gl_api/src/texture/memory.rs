@@ -90,7 +90,7 @@ pub(crate) fn write_bytes(
             let length = object.buffer.bytes().len();
             check_offset(offset, length)?;
             check_room(length - offset, needed)?;
-            write(&mut object.write()[offset..]);
+            write(&mut object.buffer.bytes_mut()[offset..]);
             Ok(())
         }
     }

@@ -115,7 +115,7 @@ impl Layout {
             let places: Vec<Place> = places.collect();
             let first = range.offset + *written;
             let bytes = fit * corners * scalars.len() * 4;
-            let out = object.write().get_mut(first..first + bytes).unwrap_or_default();
+            let out = object.buffer.bytes_mut().get_mut(first..first + bytes).unwrap_or_default();
             let words = (0..fit * corners)
                 .flat_map(|at| places.iter().map(move |place| place.word(vertices, at)));
             for (out, word) in out.chunks_exact_mut(4).zip(words) {

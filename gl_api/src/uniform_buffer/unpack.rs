@@ -8,21 +8,34 @@ use crate::glsl::{DataType, MatrixOrder, Member, Scalar};
 use crate::object::indexed_buffers::BufferRange;
 use crate::object::programs::{Linked, ShaderOrProgram};
 use crate::types::*;
+use rasterizer::driver::{Buffer, Version};
 use rasterizer::ir::TRUE;
 
 /// A block of a linked program, and where its words came from.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct BlockState {
     /// `GL_UNIFORM_BLOCK_BINDING`.
     pub binding: GLuint,
-    /// The range and the version of its buffer; `None` before the first draw.
-    source: Option<(BufferRange, u64)>,
+    /// The range, and its buffer's version if there is a buffer; `None` before the first draw.
+    source: Option<(BufferRange, Option<Version>)>,
 }
 
 impl BlockState {
     /// The blocks of a program that was just linked.
     pub fn of(program: &crate::glsl::Program) -> Vec<Self> {
         vec![Self::default(); program.blocks.len()]
+    }
+
+    /// Whether the words are those of this range of a buffer as it is now.
+    fn is_of(&self, range: BufferRange, buffer: Option<&Buffer>) -> bool {
+        self.source.as_ref().is_some_and(|(of, version)| {
+            let same = match (version, buffer) {
+                (Some(version), Some(buffer)) => version.is_of(buffer),
+                (None, None) => true,
+                (Some(_), None) | (None, Some(_)) => false,
+            };
+            *of == range && same
+        })
     }
 }
 
@@ -51,12 +64,12 @@ pub(crate) fn refresh(context: &mut Context, name: GLuint) -> Result<()> {
                 ),
             );
         }
-        let source = Some((range, object.map_or(0, |object| object.version)));
-        if state.source == source {
+        let buffer = object.map(|object| &object.buffer);
+        if state.is_of(range, buffer) {
             continue;
         }
-        state.source = source;
-        let bytes = object.map_or(&[][..], |object| object.buffer.bytes());
+        state.source = Some((range, buffer.map(Buffer::version)));
+        let bytes = buffer.map_or(&[][..], Buffer::bytes);
         let bytes = bytes.get(range.offset..).unwrap_or_default();
         let bytes = &bytes[..range.size.unwrap_or(bytes.len()).min(bytes.len())];
         if bytes.len() < block.bytes as usize {

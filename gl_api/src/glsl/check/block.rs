@@ -49,34 +49,32 @@ impl Checker<'_> {
         self.log.push(Diagnostic::error(span, message).rule(rule));
     }
 
-    /// What the words before a block say, over what holds already.
-    fn layout_of(&mut self, words: &[(Qualifier, Span)]) -> BlockDefaults {
-        let mut layout = self.block_layout;
+    /// The layouts among some words; the others must be these.
+    fn layouts(
+        &mut self,
+        words: &[(Qualifier, Span)],
+        others: &[Qualifier],
+        message: &str,
+    ) -> Vec<(BlockLayout, Span)> {
+        let mut layouts = Vec::new();
         for &(qualifier, span) in words {
-            match qualifier {
-                Qualifier::Block(word) => layout.set(word),
-                Qualifier::Uniform => {}
-                Qualifier::Const
-                | Qualifier::Attribute
-                | Qualifier::Varying
-                | Qualifier::In
-                | Qualifier::Out
-                | Qualifier::Inout
-                | Qualifier::Centroid
-                | Qualifier::Invariant
-                | Qualifier::Smooth
-                | Qualifier::Flat
-                | Qualifier::NoPerspective
-                | Qualifier::Precision
-                | Qualifier::OriginUpperLeft
-                | Qualifier::PixelCenterInteger
-                | Qualifier::Location(_) => {
-                    let message = "before a uniform block stand `layout(...)` and `uniform`";
-                    self.against(span, BLOCKS, message);
-                }
+            if let Qualifier::Block(layout) = qualifier {
+                layouts.push((layout, span));
+            } else if !others.contains(&qualifier) {
+                self.against(span, BLOCKS, message);
             }
         }
-        layout
+        layouts
+    }
+
+    /// What the words before a block say, over what holds already.
+    fn layout_of(&mut self, words: &[(Qualifier, Span)]) -> BlockDefaults {
+        let message = "before a uniform block stand `layout(...)` and `uniform`";
+        let mut defaults = self.block_layout;
+        for (layout, _) in self.layouts(words, &[Qualifier::Uniform], message) {
+            defaults.set(layout);
+        }
+        defaults
     }
 
     /// `layout(std140) uniform;`.
@@ -86,34 +84,16 @@ impl Checker<'_> {
 
     /// How the matrices of a member lie.
     fn order_of(&mut self, words: &[(Qualifier, Span)], order: MatrixOrder) -> MatrixOrder {
+        let message = "a member of a uniform block takes `layout(...)` and `uniform`";
+        let others = [Qualifier::Uniform, Qualifier::Precision];
         let mut order = order;
-        for &(qualifier, span) in words {
-            match qualifier {
-                Qualifier::Block(BlockLayout::RowMajor) => order = MatrixOrder::Rows,
-                Qualifier::Block(BlockLayout::ColumnMajor) => order = MatrixOrder::Columns,
-                Qualifier::Uniform | Qualifier::Precision => {}
-                Qualifier::Block(
-                    BlockLayout::Shared | BlockLayout::Packed | BlockLayout::Std140,
-                ) => {
+        for (layout, span) in self.layouts(words, &others, message) {
+            match layout {
+                BlockLayout::RowMajor => order = MatrixOrder::Rows,
+                BlockLayout::ColumnMajor => order = MatrixOrder::Columns,
+                BlockLayout::Shared | BlockLayout::Packed | BlockLayout::Std140 => {
                     let message = "`shared`, `packed` and `std140` are of a whole block";
                     self.against(span, LAYOUTS, message);
-                }
-                Qualifier::Const
-                | Qualifier::Attribute
-                | Qualifier::Varying
-                | Qualifier::In
-                | Qualifier::Out
-                | Qualifier::Inout
-                | Qualifier::Centroid
-                | Qualifier::Invariant
-                | Qualifier::Smooth
-                | Qualifier::Flat
-                | Qualifier::NoPerspective
-                | Qualifier::OriginUpperLeft
-                | Qualifier::PixelCenterInteger
-                | Qualifier::Location(_) => {
-                    let message = "a member of a uniform block takes `layout(...)` and `uniform`";
-                    self.against(span, BLOCKS, message);
                 }
             }
         }
@@ -160,22 +140,12 @@ impl Checker<'_> {
         if fields.is_empty() {
             self.against(name.span, BLOCKS, "a uniform block needs a member");
         }
-        let scalars = fields.iter().fold(0u32, |sum, (_, ty)| sum.saturating_add(ty.scalars()));
-        if scalars > MAX_SCALARS {
+        let structure = Struct::new(name.text.clone(), fields);
+        if structure.scalars > MAX_SCALARS {
             let message = format!("the block has more than {MAX_SCALARS} components");
             self.against(name.span, BLOCKS, message);
         }
-        let depths = fields.iter().map(|(_, ty)| match ty.base() {
-            Type::Struct(inner) => inner.depth + 1,
-            Type::Void
-            | Type::Vector(..)
-            | Type::Matrix(..)
-            | Type::Sampler(_)
-            | Type::Array(..)
-            | Type::Error => 1,
-        });
-        let depth = depths.max().unwrap_or(1);
-        let ty = Type::Struct(Arc::new(Struct { name: name.text.clone(), fields, scalars, depth }));
+        let ty = Type::Struct(Arc::new(structure));
         let block = Block { name: name.text.clone(), packing: layout.packing, orders };
         let variable = self.variable_mut(var);
         variable.ty = ty;

@@ -115,7 +115,6 @@ impl Checker<'_> {
 
     fn structure(&mut self, declared: &ast::StructDecl, span: Span) -> Type {
         let mut fields: Vec<(Arc<str>, Type)> = Vec::new();
-        let (mut scalars, mut depth) = (0u32, 1);
         for (ty, name, array) in &declared.fields {
             if matches!(ty.base, TypeBase::Struct(_)) {
                 let message = "a structure cannot be declared inside another";
@@ -139,25 +138,22 @@ impl Checker<'_> {
                 | Type::Struct(_)
                 | Type::Array(..) => {}
             }
-            if let Type::Struct(inner) = field.base() {
-                depth = depth.max(inner.depth + 1);
-            }
-            scalars = scalars.saturating_add(field.scalars());
             fields.push((name.text.clone(), field));
         }
         if fields.is_empty() {
             self.error(span, "4.1.8", "a structure needs a member");
             return Type::Error;
         }
-        if scalars > MAX_SCALARS || depth > MAX_STRUCT_DEPTH {
+        let name = declared.name.as_ref().map_or(Arc::from(""), |name| name.text.clone());
+        let structure = Struct::new(name.clone(), fields);
+        if structure.scalars > MAX_SCALARS || structure.depth > MAX_STRUCT_DEPTH {
             let message = format!(
                 "the structure has more than {MAX_SCALARS} components or {MAX_STRUCT_DEPTH} levels"
             );
             self.error(span, "4.1.8", message);
             return Type::Error;
         }
-        let name = declared.name.as_ref().map_or(Arc::from(""), |name| name.text.clone());
-        let structure = Arc::new(Struct { name: name.clone(), fields, scalars, depth });
+        let structure = Arc::new(structure);
         if let Some(declared) = &declared.name {
             self.check_new(declared);
             self.scopes.add(name, Symbol::Struct(structure.clone()));
@@ -189,16 +185,8 @@ impl Checker<'_> {
     /// `invariant a, b;`: invariance holds always here, so only the names are checked.
     pub(super) fn invariant(&mut self, names: &[ast::Name]) {
         for name in names {
-            let symbol = self.scopes.find(&name.text).cloned();
-            let var = match symbol {
-                Some(Symbol::Variable(var)) => Some(var),
-                Some(
-                    Symbol::Member(..)
-                    | Symbol::Block
-                    | Symbol::Struct(_)
-                    | Symbol::Functions(_)
-                    | Symbol::Undeclared(_),
-                ) => None,
+            let var = match self.scopes.find(&name.text) {
+                Some(symbol) => symbol.variable(),
                 None => self.builtin_variable(&name.text),
             };
             if var.is_none() {

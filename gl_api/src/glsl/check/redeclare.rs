@@ -26,17 +26,10 @@ impl Checker<'_> {
             return false;
         }
         let known = match self.scopes.find_global(&name.text) {
-            Some(Symbol::Variable(var)) => Some(*var),
-            Some(
-                Symbol::Member(..)
-                | Symbol::Block
-                | Symbol::Struct(_)
-                | Symbol::Functions(_)
-                | Symbol::Undeclared(_),
-            )
-            | None => self.builtin_variable(&name.text),
+            Some(symbol) => symbol.variable(),
+            None => None,
         };
-        let Some(var) = known else { return false };
+        let Some(var) = known.or_else(|| self.builtin_variable(&name.text)) else { return false };
         let variable = self.variable(var);
         let Storage::Builtin(builtin) = variable.storage else { return false };
         let (known, indexed) = (variable.ty.clone(), variable.indexed);

@@ -29,6 +29,20 @@ pub enum Symbol {
     Undeclared(usize),
 }
 
+impl Symbol {
+    /// The variable, if it is one.
+    pub fn variable(&self) -> Option<VarRef> {
+        match self {
+            Self::Variable(var) => Some(*var),
+            Self::Member(..)
+            | Self::Block
+            | Self::Struct(_)
+            | Self::Functions(_)
+            | Self::Undeclared(_) => None,
+        }
+    }
+}
+
 /// The open scopes; the first is the global one.
 #[derive(Debug)]
 pub struct Scopes {
