@@ -98,14 +98,16 @@ extern "system" fn called(
 fn a_callback_is_called_when_the_call_is_over() {
     let mut c = context();
     c.enable(GL_DEBUG_OUTPUT);
-    c.debug_message_callback(Some(called), 77 as *const GLvoid);
     let (source, ty) = (GL_DEBUG_SOURCE_APPLICATION, GL_DEBUG_TYPE_OTHER);
+    // What was logged before stays in the log.
+    c.debug_message_insert(source, ty, 4, GL_DEBUG_SEVERITY_HIGH, -1, "three");
+    c.debug_message_callback(Some(called), 77 as *const GLvoid);
     c.debug_message_insert(source, ty, 5, GL_DEBUG_SEVERITY_HIGH, -1, "four");
     assert_eq!(*CALLED.lock().expect("nobody panics"), ["5 4 77"]);
     let mut pointers = [std::ptr::null_mut()];
     c.get_pointerv(GL_DEBUG_CALLBACK_USER_PARAM, &mut pointers);
     assert_eq!(pointers[0] as usize, 77);
-    assert_eq!(log(&mut c), []);
+    assert_eq!(log(&mut c), [(4, "three".to_owned())]);
 }
 
 #[test]

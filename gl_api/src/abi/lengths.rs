@@ -6,8 +6,11 @@
 
 use super::param::{Counted, TERMINATED};
 use crate::constants::*;
+use crate::context::Context;
+use crate::context::log::{MAX_LABEL, MAX_LENGTH};
 use crate::entry::with_current;
 use crate::evaluate::map::MAX_EVAL_ORDER;
+use crate::object::sharing::Turn;
 use crate::types::GLenum;
 
 /// What the registry says of a parameter.
@@ -42,6 +45,8 @@ pub(crate) enum Rule {
     Terminated,
     /// Text as long as an argument says, by position; a negative one means that a zero ends it.
     Text(usize),
+    /// The same, of which nothing is read if it is so long or longer: the call refuses it by its length.
+    TextBelow(usize, usize),
 }
 
 /// Where the registry is silent, or says the largest of several lengths.
@@ -59,6 +64,10 @@ const OVERRIDES: &[(&str, usize, Rule)] = &[
     ("glGetMultisamplefv", 2, Rule::Fixed(2)),
     ("glPolygonStipple", 0, Rule::Fixed(128)),
     ("glGetPolygonStipple", 0, Rule::Fixed(128)),
+    ("glDebugMessageInsert", 5, Rule::TextBelow(4, MAX_LENGTH)),
+    ("glPushDebugGroup", 3, Rule::TextBelow(2, MAX_LENGTH)),
+    ("glObjectLabel", 3, Rule::TextBelow(2, MAX_LABEL)),
+    ("glObjectPtrLabel", 2, Rule::TextBelow(1, MAX_LABEL)),
 ];
 
 const fn same(a: &str, b: &str) -> bool {
@@ -98,14 +107,18 @@ const fn registry(command: &str) -> &'static [Length] {
     panic!("an entry point that is not in the Khronos registry")
 }
 
-const fn rule(command: &str, parameter: usize, length: Length) -> Rule {
+const fn overridden(command: &str, parameter: usize) -> Option<Rule> {
     let mut at = 0;
     while at < OVERRIDES.len() {
         if OVERRIDES[at].1 == parameter && same(OVERRIDES[at].0, command) {
-            return OVERRIDES[at].2;
+            return Some(OVERRIDES[at].2);
         }
         at += 1;
     }
+    None
+}
+
+const fn rule(length: Length) -> Rule {
     match length {
         Length::Fixed(count) => Rule::Fixed(count),
         Length::Times(argument, factor) => Rule::Times(argument, factor),
@@ -162,11 +175,12 @@ pub(crate) const fn rules<const N: usize>(command: &str, counted: [Counted; N]) 
     let mut rules = [Rule::None; N];
     let mut at = 0;
     while at < N {
-        match counted[at] {
-            Counted::No => {}
-            Counted::Elements => rules[at] = rule(command, at, lengths[at]),
-            Counted::Text => rules[at] = text_rule(lengths[at]),
-        }
+        rules[at] = match (counted[at], overridden(command, at)) {
+            (Counted::No, _) => Rule::None,
+            (Counted::Elements | Counted::Text, Some(rule)) => rule,
+            (Counted::Elements, None) => rule(lengths[at]),
+            (Counted::Text, None) => text_rule(lengths[at]),
+        };
         at += 1;
     }
     rules
@@ -186,6 +200,11 @@ impl Rule {
             Self::Computed(formula) => formula(arguments),
             Self::Terminated => TERMINATED,
             Self::Text(argument) => usize::try_from(arguments[argument]).unwrap_or(TERMINATED),
+            Self::TextBelow(argument, limit) => match usize::try_from(arguments[argument]) {
+                Ok(length) if length >= limit => 0,
+                Ok(length) => length,
+                Err(_) => TERMINATED,
+            },
         }
     }
 }
@@ -257,17 +276,26 @@ pub(crate) fn values(pname: GLenum) -> usize {
 /// `glGetUniform`: (program, location, params).
 fn uniform(arguments: &[isize]) -> usize {
     let (program, location) = (arguments[0] as u32, arguments[1] as i32);
-    let words = with_current(|context| crate::program::inspect::words(context, program, location));
-    words.and_then(Result::ok).map_or(0, |(_, words)| words.len())
+    with_objects(|context| match crate::program::inspect::words(context, program, location) {
+        Ok((_, words)) => words.len(),
+        Err(_) => 0,
+    })
 }
 
 /// `glGetActiveUniformBlockiv`: (program, index, pname, params).
 fn block(arguments: &[isize]) -> usize {
     let [program, index, pname] = [0, 1, 2].map(|at| arguments[at] as u32);
-    let values = with_current(|context| {
-        crate::uniform_buffer::inspect::block_values(context, program, index, pname)
-    });
-    values.and_then(Result::ok).map_or(0, |values| values.len())
+    with_objects(|context| {
+        match crate::uniform_buffer::inspect::block_values(context, program, index, pname) {
+            Ok(values) => values.len(),
+            Err(_) => 0,
+        }
+    })
+}
+
+/// What the current context says of its objects, shared ones too; 0 without one.
+fn with_objects(f: impl FnOnce(&mut Context) -> usize) -> usize {
+    with_current(|context| f(Turn::begin(context).context)).unwrap_or(0)
 }
 
 /// `glClearBuffer`: (buffer, drawbuffer, value).

@@ -77,6 +77,8 @@ struct Callback {
 #[derive(Debug)]
 pub(crate) struct Log {
     queue: VecDeque<Logged>,
+    /// What the callback is to be called with; what was logged before there was one stays in the log.
+    pending: VecDeque<Logged>,
     callback: Callback,
     /// The groups that are open; the first always is.
     groups: Vec<Group>,
@@ -88,6 +90,7 @@ impl Default for Log {
     fn default() -> Self {
         Self {
             queue: VecDeque::new(),
+            pending: VecDeque::new(),
             callback: Callback::default(),
             groups: vec![Group::default()],
             labels: BTreeMap::new(),
@@ -107,18 +110,23 @@ impl Log {
 
     /// Adds a message, if the filters let it through; a full log drops it.
     pub fn push(&mut self, message: Logged) {
-        if self.queue.len() < MAX_LOGGED && self.lets_through(&message) {
-            self.queue.push_back(message);
+        let lets_through = self.lets_through(&message);
+        let queue = match self.callback.procedure {
+            Some(_) => &mut self.pending,
+            None => &mut self.queue,
+        };
+        if queue.len() < MAX_LOGGED && lets_through {
+            queue.push_back(message);
         }
     }
 
     /// Takes the messages for the callback, if there is one.
     pub fn deliver(&mut self) -> Option<(GLDEBUGPROC, usize, VecDeque<Logged>)> {
-        if self.callback.procedure.is_none() || self.queue.is_empty() {
+        if self.callback.procedure.is_none() || self.pending.is_empty() {
             return None;
         }
         let Callback { procedure, user } = self.callback;
-        Some((procedure, user, std::mem::take(&mut self.queue)))
+        Some((procedure, user, std::mem::take(&mut self.pending)))
     }
 
     pub fn set_callback(&mut self, procedure: GLDEBUGPROC, user: usize) {

@@ -65,16 +65,14 @@ const IDENTIFIER: Table<Labelled> = Table {
 
 /// The text of a call: `length` bytes, or all where it is negative.
 fn text(argument: &str, length: GLsizei, text: &str, most: usize) -> Result<String> {
-    let text = match usize::try_from(length) {
-        Ok(length) => text.get(..length).unwrap_or(text),
-        Err(_) => text,
-    };
-    if text.len() >= most {
+    let length = usize::try_from(length).unwrap_or(text.len());
+    if length >= most {
         return invalid_value(
             SECTION,
-            format!("{argument} has {} bytes; it must have fewer than {most}", text.len()),
+            format!("{argument} has {length} bytes; it must have fewer than {most}"),
         );
     }
+    let text = text.get(..length).unwrap_or(text);
     Ok(text.to_owned())
 }
 

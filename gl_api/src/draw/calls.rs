@@ -280,6 +280,8 @@ fn index_buffer(
         },
         (Located::Offset(offset), Some(buffer)) => (buffer, offset),
         (Located::Null, Some(buffer)) => (buffer, 0),
+        // No index needs no memory.
+        (Located::Null, None) if needed == 0 => (Buffer::default(), 0),
         (Located::Bytes(_), Some(_)) => {
             return invalid_operation(
                 SECTION,

@@ -4,6 +4,7 @@
 use super::pixels;
 use crate::context::{Context, GLDEBUGPROC};
 use crate::entry::{Data, DataOut, Located, Names, Pointers, Strings, TextOut};
+use crate::object::sharing::Turn;
 use std::convert::Infallible;
 use std::marker::PhantomData;
 
@@ -14,7 +15,7 @@ pub(crate) trait Keep {
 
     /// A copy of what the argument says or points to, or `None` where the call answers something
     /// through it, and so is not compiled. `integers` are all arguments of the call `name`.
-    fn keep(&self, context: &Context, name: &str, integers: &[i64]) -> Option<Self::Kept>;
+    fn keep(&self, context: &mut Context, name: &str, integers: &[i64]) -> Option<Self::Kept>;
 
     /// The argument as a number; 0 for pointers.
     fn integer(&self) -> i64 {
@@ -38,7 +39,7 @@ macro_rules! numbers {
         impl Keep for $ty {
             type Kept = $ty;
 
-            fn keep(&self, _: &Context, _: &str, _: &[i64]) -> Option<$ty> {
+            fn keep(&self, _: &mut Context, _: &str, _: &[i64]) -> Option<$ty> {
                 Some(*self)
             }
 
@@ -62,7 +63,7 @@ numbers!(i8, u8, i16, u16, i32, u32, i64, u64, isize, usize, f32, f64, bool);
 impl<T: Copy + Send + Sync + 'static> Keep for &[T] {
     type Kept = Vec<T>;
 
-    fn keep(&self, _: &Context, _: &str, _: &[i64]) -> Option<Vec<T>> {
+    fn keep(&self, _: &mut Context, _: &str, _: &[i64]) -> Option<Vec<T>> {
         Some(self.to_vec())
     }
 }
@@ -78,7 +79,7 @@ impl<T: Copy + Send + Sync + 'static> Lend for Vec<T> {
 impl Keep for &str {
     type Kept = String;
 
-    fn keep(&self, _: &Context, _: &str, _: &[i64]) -> Option<String> {
+    fn keep(&self, _: &mut Context, _: &str, _: &[i64]) -> Option<String> {
         Some((*self).to_owned())
     }
 }
@@ -102,7 +103,9 @@ pub(crate) enum KeptData {
 impl Keep for Data<'_> {
     type Kept = KeptData;
 
-    fn keep(&self, context: &Context, name: &str, integers: &[i64]) -> Option<KeptData> {
+    fn keep(&self, context: &mut Context, name: &str, integers: &[i64]) -> Option<KeptData> {
+        // The pixels may lie in a buffer, which may be the group's.
+        let context = &*Turn::begin(context).context;
         Some(match pixels::bytes(context, name, integers, *self) {
             Some(bytes) => KeptData::Bytes(bytes),
             None => match self.locate(0, 0) {
@@ -136,7 +139,7 @@ macro_rules! answers {
         impl<$($generic)*> Keep for $ty {
             type Kept = Never<$mark>;
 
-            fn keep(&self, _: &Context, _: &str, _: &[i64]) -> Option<Never<$mark>> {
+            fn keep(&self, _: &mut Context, _: &str, _: &[i64]) -> Option<Never<$mark>> {
                 None
             }
         }

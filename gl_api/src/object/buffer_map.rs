@@ -43,6 +43,9 @@ pub(crate) fn map_buffer(
     let access = ACCESS.decode("access", access)?;
     let object = unmapped(object)?;
     let all = 0..object.len();
+    if all.is_empty() {
+        return invalid_operation(SECTION, "the buffer has no bytes: call glBufferData first");
+    }
     Ok(map(object, all, access).cast())
 }
 

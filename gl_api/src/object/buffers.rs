@@ -253,6 +253,8 @@ pub(crate) fn buffer_sub_data(
             SECTION,
             format!("size = {size}, but the slice has {} bytes", source.len()),
         ),
+        // What an empty vector of C++ gives.
+        Located::Null | Located::Offset(_) if range.is_empty() => Ok(()),
         Located::Null | Located::Offset(_) => invalid_operation(SECTION, "data must be a slice"),
     }
 }
@@ -275,6 +277,7 @@ pub(crate) fn get_buffer_sub_data(
             SECTION,
             format!("size = {size}, but the slice has {} bytes", out.len()),
         ),
+        LocatedOut::Null | LocatedOut::Offset(_) if range.is_empty() => Ok(()),
         LocatedOut::Null | LocatedOut::Offset(_) => {
             invalid_operation(SECTION, "data must be a slice")
         }

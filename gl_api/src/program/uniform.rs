@@ -12,13 +12,16 @@ use rasterizer::ir::TRUE;
 
 const SECTION: &str = "GL 2.1, section 2.15.3";
 
-/// Values as a call brings them: words, and what they are.
-#[derive(Clone, Copy, Debug)]
+/// Values as a call brings them: words, and what they are. A word is read once it is known to be stored: a C
+/// program may say that there are more than there are, where nothing is (of location -1, say).
+#[derive(Clone, Copy)]
 struct Values<'a> {
     scalar: Scalar,
     /// Numbers of an element: 1 to 4 of a vector.
     size: u8,
-    words: &'a [u32],
+    /// How many words there are.
+    len: usize,
+    word: &'a dyn Fn(usize) -> u32,
 }
 
 /// Words of an element of a type.
@@ -39,14 +42,14 @@ pub(super) fn at_location(uniforms: &[Uniform], location: GLint) -> Option<(&Uni
     })
 }
 
-/// Writes `count` elements from a location on. `check` sees the uniform; `convert` makes a word of
-/// the uniform from one of the call.
+/// Writes `count` elements from a location on. `check` sees the uniform and how many elements it takes; `word`
+/// makes a word of the uniform from one of the call.
 fn store(
     context: &mut Context,
     location: GLint,
     count: GLsizei,
     given: usize,
-    check: impl FnOnce(&Uniform) -> Result<()>,
+    check: impl FnOnce(&Uniform, usize) -> Result<()>,
     word: impl Fn(&Uniform, usize) -> u32,
 ) -> Result<()> {
     let count = not_negative(SECTION, "count", count.into())?;
@@ -73,7 +76,9 @@ fn store(
             format!("count = {count}, but \"{}\" is no array", uniform.name),
         );
     }
-    check(uniform)?;
+    // What lies past an array's end is ignored.
+    let taken = count.min(uniform.array.unwrap_or(1) as usize - element);
+    check(uniform, taken)?;
     let each = element_words(uniform.ty);
     if given < count * each {
         return invalid_operation(
@@ -84,10 +89,8 @@ fn store(
             ),
         );
     }
-    // What lies past an array's end is ignored.
-    let count = count.min(uniform.array.unwrap_or(1) as usize - element);
     let first = uniform.word as usize + element * each;
-    let place = linked.words.get_mut(first..first + count * each).unwrap_or_default();
+    let place = linked.words.get_mut(first..first + taken * each).unwrap_or_default();
     for (index, place) in place.iter_mut().enumerate() {
         *place = word(uniform, index);
     }
@@ -95,20 +98,19 @@ fn store(
 }
 
 fn set(context: &mut Context, location: GLint, count: GLsizei, values: Values<'_>) -> Result<()> {
-    let Values { scalar, size, words } = values;
-    let check = |uniform: &Uniform| match uniform.ty {
+    let Values { scalar, size, len, word } = values;
+    let check = |uniform: &Uniform, taken: usize| match uniform.ty {
         DataType::Vector(Scalar::Bool, expected) if expected == size => Ok(()),
         DataType::Vector(expected, length) if expected == scalar && length == size => Ok(()),
         DataType::Sampler(_) if scalar == Scalar::Int && size == 1 => {
             let units = 0..u32::from(MAX_COMBINED_TEXTURE_IMAGE_UNITS);
-            let elements = usize::try_from(count).unwrap_or(0);
-            match words.iter().take(elements).find(|unit| !units.contains(unit)) {
+            match (0..taken.min(len)).map(word).find(|unit| !units.contains(unit)) {
                 Some(unit) => invalid_value(
                     SECTION,
                     format!(
                         "\"{}\" is a sampler: its value {} must be a texture unit, 0 to {}",
                         uniform.name,
-                        *unit as i32,
+                        unit as i32,
                         MAX_COMBINED_TEXTURE_IMAGE_UNITS - 1
                     ),
                 ),
@@ -120,7 +122,7 @@ fn set(context: &mut Context, location: GLint, count: GLsizei, values: Values<'_
         }
     };
     let convert = |uniform: &Uniform, index: usize| {
-        let word = words[index];
+        let word = word(index);
         match uniform.ty {
             DataType::Vector(Scalar::Bool, _) => {
                 let zero = match scalar {
@@ -132,7 +134,7 @@ fn set(context: &mut Context, location: GLint, count: GLsizei, values: Values<'_
             DataType::Vector(..) | DataType::Matrix(..) | DataType::Sampler(_) => word,
         }
     };
-    store(context, location, count, words.len(), check, convert)
+    store(context, location, count, len, check, convert)
 }
 
 fn mismatch(uniform: &Uniform, given: GLenum) -> Result<()> {
@@ -149,7 +151,7 @@ fn set_matrix(
     value: &[GLfloat],
 ) -> Result<()> {
     let ty = DataType::Matrix(columns, rows);
-    let check = |uniform: &Uniform| {
+    let check = |uniform: &Uniform, _: usize| {
         if uniform.ty == ty { Ok(()) } else { mismatch(uniform, gl_type(ty)) }
     };
     let (columns, rows) = (usize::from(columns), usize::from(rows));
@@ -168,9 +170,7 @@ macro_rules! uniforms {
     })*) => {
         $($(
             pub(crate) fn $name(context: &mut Context, location: GLint $(, $x: $ty)*) -> Result<()> {
-                let words = [$($x),*].map($to_word);
-                let values = Values { scalar: Scalar::$scalar, size: $size, words: &words };
-                set(context, location, 1, values)
+                $vector(context, location, 1, &[$($x),*])
             }
 
             pub(crate) fn $vector(
@@ -179,9 +179,9 @@ macro_rules! uniforms {
                 count: GLsizei,
                 value: &[$ty],
             ) -> Result<()> {
-                let words: Vec<u32> = value.iter().copied().map($to_word).collect();
-                let values = Values { scalar: Scalar::$scalar, size: $size, words: &words };
-                set(context, location, count, values)
+                let word = |index: usize| $to_word(value[index]);
+                let (scalar, len) = (Scalar::$scalar, value.len());
+                set(context, location, count, Values { scalar, size: $size, len, word: &word })
             }
         )*)*
     };

@@ -5,6 +5,7 @@ mod configs;
 mod current;
 mod glu;
 mod handles;
+mod lengths;
 mod osmesa;
 
 use gl_api::{COMMANDS, Context, GLenum, implemented};
