@@ -98,6 +98,58 @@ fn a_group_comes_back_and_no_other_does() {
     }
 }
 
+/// Whether sprites replace the coordinates of the active unit.
+fn replaces(c: &mut Context) -> GLint {
+    let mut value = [9];
+    c.get_tex_enviv(GL_POINT_SPRITE, GL_COORD_REPLACE, &mut value);
+    value[0]
+}
+
+#[test]
+fn the_coordinates_of_sprites_are_of_the_points() {
+    for (bit, after) in [(GL_POINT_BIT, 0), (GL_TEXTURE_BIT, 1), (GL_ALL_ATTRIB_BITS, 0)] {
+        let mut c = context();
+        c.push_attrib(bit);
+        c.tex_envi(GL_POINT_SPRITE, GL_COORD_REPLACE, 1);
+        c.active_texture(GL_TEXTURE1);
+        c.enable(GL_TEXTURE_GEN_S);
+        c.pop_attrib();
+        assert_eq!(c.is_enabled(GL_TEXTURE_GEN_S), bit == GL_POINT_BIT, "{bit:#x}");
+        c.active_texture(GL_TEXTURE0);
+        assert_eq!(replaces(&mut c), after, "{bit:#x}");
+    }
+}
+
+#[test]
+fn buffers_come_back_to_framebuffers_that_have_them() {
+    let mut c = context();
+    let mut names = [0; 2];
+    c.gen_framebuffers(2, &mut names);
+    let selected =
+        |c: &mut Context| [GL_DRAW_BUFFER, GL_READ_BUFFER].map(|pname| read(c, pname)[0]);
+    let of = |draw: GLenum, read: GLenum| [draw as f32, read as f32];
+    // From the window to an object and back: each keeps what it can have.
+    c.push_attrib(GL_ALL_ATTRIB_BITS);
+    c.bind_framebuffer(GL_FRAMEBUFFER, names[0]);
+    c.pop_attrib();
+    assert_eq!(selected(&mut c), of(GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT0));
+    c.push_attrib(GL_ALL_ATTRIB_BITS);
+    c.bind_framebuffer(GL_FRAMEBUFFER, 0);
+    c.pop_attrib();
+    assert_eq!(selected(&mut c), of(GL_FRONT, GL_FRONT));
+    // What is read belongs to the framebuffer that is read.
+    c.bind_framebuffer(GL_DRAW_FRAMEBUFFER, names[0]);
+    c.bind_framebuffer(GL_READ_FRAMEBUFFER, names[1]);
+    c.read_buffer(GL_COLOR_ATTACHMENT1);
+    c.draw_buffer(GL_COLOR_ATTACHMENT2);
+    c.push_attrib(GL_PIXEL_MODE_BIT | GL_COLOR_BUFFER_BIT);
+    c.read_buffer(GL_COLOR_ATTACHMENT0);
+    c.draw_buffer(GL_NONE);
+    c.pop_attrib();
+    assert_eq!(selected(&mut c), of(GL_COLOR_ATTACHMENT2, GL_COLOR_ATTACHMENT1));
+    assert_eq!(c.get_error(), GL_NO_ERROR, "{:?}", c.messages());
+}
+
 #[test]
 fn everything_that_is_enabled_is_a_group_too() {
     let capabilities = [

@@ -108,6 +108,31 @@ pub(crate) fn draw_buffer(context: &mut Context, buf: GLenum) -> Result<()> {
     Ok(())
 }
 
+/// What `glPushAttrib` saves: what the bound framebuffers draw to and read from.
+pub(crate) fn selected(context: &Context) -> Selection {
+    let bindings = &context.state.bindings;
+    Selection {
+        draw: selection(context, bindings.draw_framebuffer).draw,
+        read: selection(context, bindings.read_framebuffer).read,
+    }
+}
+
+/// Draws to saved buffers again, unless another framebuffer is bound that has none of such names.
+pub(crate) fn draw_again(context: &mut Context, saved: &Selection) {
+    let framebuffer = context.state.bindings.draw_framebuffer;
+    if saved.draw.iter().all(|&buffer| checked(DRAW, framebuffer, "buf", buffer).is_ok()) {
+        selection_mut(context, framebuffer).draw = saved.draw;
+    }
+}
+
+/// Reads from a saved buffer again, as [`draw_again`].
+pub(crate) fn read_again(context: &mut Context, saved: &Selection) {
+    let framebuffer = context.state.bindings.read_framebuffer;
+    if checked(READ, framebuffer, "src", saved.read).is_ok() {
+        selection_mut(context, framebuffer).read = saved.read;
+    }
+}
+
 /// What names one buffer or more, which has no place in an array of buffers.
 const SEVERAL: [GLenum; 5] = [GL_FRONT, GL_BACK, GL_LEFT, GL_RIGHT, GL_FRONT_AND_BACK];
 

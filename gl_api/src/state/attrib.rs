@@ -9,7 +9,7 @@ use crate::draw::arrays::Arrays;
 use crate::env::Units;
 use crate::error::{ErrorCode, GlError, Result};
 use crate::evaluate::EvaluatorState;
-use crate::framebuffer::buffers::{Selection, selection, selection_mut};
+use crate::framebuffer::buffers::{self, Selection};
 use crate::pixels::position::RasterPosition;
 use crate::state::matrix::MatrixMode;
 use crate::texture::TextureTarget;
@@ -179,9 +179,9 @@ pub(crate) fn push_attrib(context: &mut Context, mask: GLbitfield) -> Result<()>
         evaluators: state.evaluators,
         matrix_mode: state.matrices.mode,
         list_base: context.lists.base(),
-        selection: has(GL_COLOR_BUFFER_BIT | GL_PIXEL_MODE_BIT)
-            .then(|| selection(context, state.bindings.draw_framebuffer).clone()),
-        units: has(GL_TEXTURE_BIT | GL_ENABLE_BIT).then(|| Box::new(state.units.clone())),
+        selection: has(GL_COLOR_BUFFER_BIT | GL_PIXEL_MODE_BIT).then(|| buffers::selected(context)),
+        units: has(GL_TEXTURE_BIT | GL_ENABLE_BIT | GL_POINT_BIT)
+            .then(|| Box::new(state.units.clone())),
         textures: if has(GL_TEXTURE_BIT) { bound_textures(context) } else { Vec::new() },
     };
     context.attribs.server.push(saved);
@@ -209,12 +209,11 @@ pub(crate) fn pop_attrib(context: &mut Context) -> Result<()> {
         context.lists.set_base(saved.list_base);
     }
     if let Some(selection) = &saved.selection {
-        let own = selection_mut(context, context.state.bindings.draw_framebuffer);
         if saved.mask & GL_COLOR_BUFFER_BIT != 0 {
-            own.draw = selection.draw;
+            buffers::draw_again(context, selection);
         }
         if saved.mask & GL_PIXEL_MODE_BIT != 0 {
-            own.read = selection.read;
+            buffers::read_again(context, selection);
         }
     }
     restore(&mut context.state, saved);
@@ -243,12 +242,17 @@ fn restore(state: &mut State, saved: Server) {
             }
         }
     }
-    if has(GL_TEXTURE_BIT)
-        && let Some(units) = saved.units
-    {
-        let client_active = state.units.client_active;
-        state.units = *units;
-        state.units.client_active = client_active;
+    if let Some(mut units) = saved.units {
+        // The sprites' coordinates are of the points' group, the units' other state of the textures'.
+        let (points, textures) = (has(GL_POINT_BIT), has(GL_TEXTURE_BIT));
+        for (unit, saved) in state.units.units.iter_mut().zip(&mut units.units) {
+            let kept = if points { saved.coord_replace } else { unit.coord_replace };
+            (unit.coord_replace, saved.coord_replace) = (kept, kept);
+        }
+        if textures {
+            units.client_active = state.units.client_active;
+            state.units = *units;
+        }
     }
     if has(GL_LIGHTING_BIT) {
         state.lights = saved.lights;
