@@ -7,7 +7,7 @@ use crate::context::Context;
 use crate::error::{ErrorCode, GlError, Result, invalid_operation};
 use crate::explain::{is_watched, watch_draw};
 use crate::feedback::{self, Mode};
-use crate::framebuffer::complete::{draw_pass, draw_planes};
+use crate::framebuffer::complete::{draw_pass, draw_planes, drawn_formats};
 use crate::framebuffer::srgb_write;
 use crate::pixels::rectangle::Rectangle;
 use crate::state::enable::Flag;
@@ -21,6 +21,7 @@ use rasterizer::driver::{
     ShaderModule, Topology, VertexBinding, Viewport,
 };
 use std::sync::Arc;
+use texunit::format::Format;
 
 /// More pipelines than this are forgotten and made again.
 const KEPT: usize = 1024;
@@ -84,6 +85,20 @@ pub(crate) fn draw_rectangle(
     record(context, Topology::Quads, vertices, elements, Some(rectangle))
 }
 
+/// Integers are written by fragment shaders alone.
+fn integers_have_a_shader(context: &Context) -> Result<()> {
+    let program = context.objects.linked_program(context.state.bindings.program);
+    let is_shaded = program.is_some_and(|linked| linked.fragment.is_some());
+    if !is_shaded && drawn_formats(context).any(Format::is_integer) {
+        return invalid_operation(
+            "EXT_texture_integer, section 2.6",
+            "a colour buffer that is drawn to holds integers, which only a fragment shader writes: \
+             call glUseProgram with one",
+        );
+    }
+    Ok(())
+}
+
 fn record(
     context: &mut Context,
     topology: Topology,
@@ -100,6 +115,7 @@ fn record(
         );
     }
     assembly::check(context)?;
+    integers_have_a_shader(context)?;
     if context.queries.discards() {
         return Ok(());
     }

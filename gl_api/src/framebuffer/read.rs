@@ -177,7 +177,7 @@ fn pack(
     }
 }
 
-/// Whether integers go to integers and other numbers to others, as a copy needs.
+/// Whether signed integers go to signed ones, unsigned to unsigned and other numbers to others, as a blit needs.
 pub(crate) fn same_kind(a: Format, b: Format) -> bool {
     let kind = |format: Format| {
         (format.is_integer()).then(|| format.info().encoding == texunit::format::Encoding::Sint)

@@ -48,7 +48,9 @@ impl Pixel {
             ClientType::Packed(packed) if packed.bits.len() != count => {
                 refuse("GL_RGBA or GL_BGRA")
             }
-            ClientType::Rgb9E5 | ClientType::R11G11B10F if !rgb => refuse("GL_RGB"),
+            ClientType::Rgb9E5 | ClientType::R11G11B10F if !rgb || pixel.numbers == Integer => {
+                refuse("GL_RGB")
+            }
             ClientType::Depth24Stencil8 | ClientType::Depth32FStencil8
                 if pixel.format != DepthStencil =>
             {

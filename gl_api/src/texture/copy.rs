@@ -9,7 +9,7 @@ use crate::context::Context;
 use crate::error::{Result, invalid_operation};
 use crate::framebuffer::Region;
 use crate::framebuffer::complete::Readable;
-use crate::framebuffer::read::{self, same_kind};
+use crate::framebuffer::read;
 use crate::types::*;
 use texunit::format::Format;
 
@@ -20,13 +20,10 @@ const SECTION: &str = "GL 2.1, section 3.8.2";
 fn copied(context: &mut Context, region: Region, format: Format) -> Result<Vec<u8>> {
     let what = if format.is_depth() { Readable::Depth } else { Readable::Color };
     let source = read::source(context, what)?;
-    if !same_kind(source.format(), format) {
+    if source.format().is_integer() != format.is_integer() {
         return invalid_operation(
-            SECTION,
-            format!(
-                "{:?} is not converted to {format:?}: integers stay integers of their kind",
-                source.format()
-            ),
+            "EXT_texture_integer, section 3.8.2",
+            "integers stay integers, and other colours other colours",
         );
     }
     if source.format().is_depth() != format.is_depth() {

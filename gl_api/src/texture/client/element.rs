@@ -99,9 +99,9 @@ impl ClientType {
 
     pub(super) fn is_float(self) -> bool {
         match self {
-            Self::F16 | Self::F32 | Self::Rgb9E5 | Self::R11G11B10F | Self::Depth32FStencil8 => {
-                true
-            }
+            Self::F16 | Self::F32 => true,
+            // Packed types go with a row of formats.
+            Self::Rgb9E5 | Self::R11G11B10F | Self::Depth32FStencil8 => false,
             Self::U8 | Self::I8 | Self::U16 | Self::I16 | Self::U32 | Self::I32 => false,
             Self::Bit | Self::Packed(_) | Self::Depth24Stencil8 => false,
         }
