@@ -140,6 +140,8 @@ fn base_enum(base: Base) -> u32 {
         Base::Alpha => GL_ALPHA8,
         Base::Luminance => GL_LUMINANCE8,
         Base::LuminanceAlpha => GL_LUMINANCE8_ALPHA8,
+        Base::Red => GL_R8,
+        Base::Rg => GL_RG8,
         Base::Intensity => GL_INTENSITY8,
         Base::Rgb => GL_RGB8,
         Base::Rgba => GL_RGBA8,

@@ -24,7 +24,7 @@ impl Mode {
     /// Whether the specification says what this mode does with this format.
     pub fn defined_for(self, base: Base) -> bool {
         match self {
-            Self::Decal => matches!(base, Base::Rgb | Base::Rgba),
+            Self::Decal => matches!(base, Base::Red | Base::Rg | Base::Rgb | Base::Rgba),
             Self::Replace | Self::Modulate | Self::Blend | Self::Add => true,
         }
     }
@@ -41,6 +41,10 @@ pub enum Base {
     LuminanceAlpha,
     /// `GL_INTENSITY`.
     Intensity,
+    /// `GL_RED`.
+    Red,
+    /// `GL_RG`.
+    Rg,
     /// `GL_RGB`.
     Rgb,
     /// `GL_RGBA`.
@@ -49,11 +53,13 @@ pub enum Base {
 
 impl Base {
     /// All of them.
-    pub const ALL: [Self; 6] = [
+    pub const ALL: [Self; 8] = [
         Self::Alpha,
         Self::Luminance,
         Self::LuminanceAlpha,
         Self::Intensity,
+        Self::Red,
+        Self::Rg,
         Self::Rgb,
         Self::Rgba,
     ];
@@ -68,6 +74,8 @@ pub fn source(base: Base, texel: [f64; 4]) -> (Option<[f64; 3]>, Option<f64>) {
         Base::Luminance => (Some([r; 3]), None),
         Base::LuminanceAlpha => (Some([r; 3]), Some(a)),
         Base::Intensity => (Some([r; 3]), Some(r)),
+        Base::Red => (Some([r, 0.0, 0.0]), None),
+        Base::Rg => (Some([r, g, 0.0]), None),
         Base::Rgb => (Some([r, g, b]), None),
         Base::Rgba => (Some([r, g, b]), Some(a)),
     }
@@ -122,9 +130,13 @@ pub fn apply(mode: Mode, base: Base, inputs: &Inputs, variant: Variant) -> [f64;
             };
             let av = match base {
                 Base::Intensity => alpha.map_or(ap, |a| blend(ap, a, ac)),
-                Base::Alpha | Base::Luminance | Base::LuminanceAlpha | Base::Rgb | Base::Rgba => {
-                    modulated
-                }
+                Base::Alpha
+                | Base::Luminance
+                | Base::LuminanceAlpha
+                | Base::Red
+                | Base::Rg
+                | Base::Rgb
+                | Base::Rgba => modulated,
             };
             (rgb(&blend), av)
         }
@@ -132,7 +144,13 @@ pub fn apply(mode: Mode, base: Base, inputs: &Inputs, variant: Variant) -> [f64;
             let added = alpha.map_or(ap, |a| ap + a);
             let av = match base {
                 Base::Intensity => added,
-                Base::Alpha | Base::Luminance | Base::LuminanceAlpha | Base::Rgb | Base::Rgba => {
+                Base::Alpha
+                | Base::Luminance
+                | Base::LuminanceAlpha
+                | Base::Red
+                | Base::Rg
+                | Base::Rgb
+                | Base::Rgba => {
                     if variant.has(Mutation::AddAddsAlpha) {
                         added
                     } else {

@@ -106,16 +106,15 @@ fn standard(
             Standard::Modulate => b.op(Op::Mul, &[p, s]),
             Standard::Blend => blend(b, p, c, s),
             Standard::Add => add(b, clamp, p, s),
-            // The tables define it for RGB and RGBA; other formats leave the colour as it is.
+            // The tables define it for RGB, with RED and RG (GL 3.0, table 3.23), and RGBA; other formats leave
+            // the colour as it is.
             Standard::Decal => match base {
-                BaseFormat::Rgb => s,
+                BaseFormat::Rgb | BaseFormat::Red | BaseFormat::Rg => s,
                 BaseFormat::Rgba => blend(b, p, s, source[3]),
                 BaseFormat::Alpha
                 | BaseFormat::Luminance
                 | BaseFormat::LuminanceAlpha
                 | BaseFormat::Intensity
-                | BaseFormat::Red
-                | BaseFormat::Rg
                 | BaseFormat::Depth => p,
             },
         }

@@ -78,13 +78,11 @@ fn standard(mode: Standard, base: BaseFormat) -> (&'static str, &'static str) {
         Standard::Modulate => ("GL_MODULATE", "C = C_p C_s, A = A_p"),
         Standard::Decal => match base {
             BaseFormat::Rgba => ("GL_DECAL", "C = C_p (1 - A_s) + C_s A_s, A = A_p"),
-            BaseFormat::Rgb => ("GL_DECAL", "C = C_s, A = A_p"),
+            BaseFormat::Rgb | BaseFormat::Red | BaseFormat::Rg => ("GL_DECAL", "C = C_s, A = A_p"),
             BaseFormat::Alpha
             | BaseFormat::LuminanceAlpha
             | BaseFormat::Luminance
             | BaseFormat::Intensity
-            | BaseFormat::Red
-            | BaseFormat::Rg
             | BaseFormat::Depth => ("GL_DECAL", "undefined; here C = C_p, A = A_p"),
         },
         Standard::Blend if is_alpha => ("GL_BLEND", "C = C_p, A = A_p A_s"),
