@@ -47,6 +47,37 @@ fn an_incomplete_framebuffer_says_what_is_missing() {
 }
 
 #[test]
+fn a_draw_of_nothing_needs_a_complete_framebuffer_too() {
+    let draws: [fn(&mut Context); 4] = [
+        |c| {
+            c.begin(GL_TRIANGLES);
+            c.end();
+        },
+        |c| c.draw_arrays(GL_TRIANGLES, 0, 0),
+        |c| c.draw_arrays(GL_TRIANGLES, 0, 3),
+        |c| c.draw_elements(GL_TRIANGLES, 0, GL_UNSIGNED_BYTE, Data::Null),
+    ];
+    for (index, draw) in draws.into_iter().enumerate() {
+        let mut c = context();
+        draw(&mut c);
+        assert_eq!(c.get_error(), GL_NO_ERROR, "{index}");
+        c.bind_framebuffer(GL_FRAMEBUFFER, 3);
+        draw(&mut c);
+        assert_eq!(c.get_error(), GL_INVALID_FRAMEBUFFER_OPERATION, "{index}");
+        // In a list it is an error where the list is called; of an empty glBegin nothing is kept.
+        if index == 0 {
+            continue;
+        }
+        c.new_list(1, GL_COMPILE);
+        draw(&mut c);
+        c.end_list();
+        assert_eq!(c.get_error(), GL_NO_ERROR, "{index}");
+        c.call_list(1);
+        assert_eq!(c.get_error(), GL_INVALID_FRAMEBUFFER_OPERATION, "{index}");
+    }
+}
+
+#[test]
 fn without_a_context_calls_are_ignored() {
     glBindTexture(GL_TEXTURE_2D, 1);
     assert_eq!(glGetError(), 0);

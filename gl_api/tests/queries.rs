@@ -96,5 +96,12 @@ fn what_is_known_of_queries() {
     c.get_queryiv(GL_SAMPLES_PASSED, GL_CURRENT_QUERY, &mut value);
     assert_eq!(value[0], 0);
     c.get_queryiv(GL_TIMESTAMP, GL_QUERY_COUNTER_BITS, &mut value);
+    // The clock can be read by every kind of number.
+    let (mut first, mut then, mut last) = ([0], [0.0], [0]);
+    c.get_integer64v(GL_TIMESTAMP, &mut first);
+    c.get_doublev(GL_TIMESTAMP, &mut then);
+    c.get_integer64v(GL_TIMESTAMP, &mut last);
+    assert!((first[0] as f64..=last[0] as f64).contains(&then[0]), "{first:?} {then:?} {last:?}");
+    assert_eq!(c.get_error(), GL_NO_ERROR);
     assert_eq!(value[0], 64);
 }

@@ -205,8 +205,7 @@ fn draw_ranges(
         let elements = Elements::Range { first: first as u32, count: count as u32, instances };
         return draw_or_record(context, topology, vertices, elements);
     }
-    context.record_empty_draw("glDrawArrays");
-    Ok(())
+    context.empty_draw("glDrawArrays")
 }
 
 /// How many draws a multi-draw has, of as many counts.
@@ -323,8 +322,7 @@ fn draw_indexed(
     let ty = INDEX_TYPE.decode("type", request.ty)?;
     let (buffer, offset) = index_buffer(context, request.indices, count, count * ty.size())?;
     if count == 0 || instances == 0 || !has_positions(context) {
-        context.record_empty_draw("glDrawElements");
-        return Ok(());
+        return context.empty_draw("glDrawElements");
     }
     let base_vertex = request.base_vertex;
     for run in super::restart::runs(context, &buffer, offset, ty, count) {

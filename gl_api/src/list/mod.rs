@@ -18,6 +18,7 @@ use crate::draw::immediate::Slot;
 use crate::draw::translate::{Elements, draw};
 use crate::entry::Place;
 use crate::error::Result;
+use crate::framebuffer::complete::draw_pass;
 use crate::state::pixel_store::PixelStore;
 use crate::types::*;
 use rasterizer::driver::{Topology, VertexBinding, VertexSource};
@@ -210,13 +211,16 @@ impl Context {
         None
     }
 
-    /// Records a draw of nothing, if a list is compiled: it is still an error between `glBegin` and
-    /// `glEnd`.
-    pub(crate) fn record_empty_draw(&mut self, name: &'static str) {
-        if self.compiling.is_some() {
-            let run = Box::new(|_: &mut Self| Ok(()));
-            self.record_step(Step::Call { name, place: Place::Outside, unpack: None, run });
+    /// A draw of nothing: it is still an error between `glBegin` and `glEnd`, and where the framebuffer is
+    /// incomplete. Recorded, if a list is compiled.
+    pub(crate) fn empty_draw(&mut self, name: &'static str) -> Result<()> {
+        let run = |context: &mut Self| draw_pass(context).map(drop);
+        if self.compiling.is_none() {
+            return run(self);
         }
+        let step = Step::Call { name, place: Place::Outside, unpack: None, run: Box::new(run) };
+        self.record_step(step);
+        Ok(())
     }
 
     fn run_step(&mut self, step: &Step) {

@@ -34,9 +34,6 @@ pub(crate) fn get_integer64v(
     pname: GLenum,
     params: &mut [GLint64],
 ) -> Result<()> {
-    if pname == GL_TIMESTAMP {
-        return put(params, &[crate::object::queries::timestamp() as GLint64]);
-    }
     put_longs(params, state_value(context, pname)?)
 }
 

@@ -12,6 +12,7 @@ use crate::framebuffer::accumulate;
 use crate::glsl::TEXEL_OFFSETS;
 use crate::interface::*;
 use crate::list::calls::{MAX_LIST_NESTING, MODE};
+use crate::object::queries;
 use crate::state::attrib::MAX_ATTRIB_STACK_DEPTH;
 use crate::state::enable::is_capability;
 use crate::state::fragment::COMPARE;
@@ -451,6 +452,8 @@ fn debug(context: &Context, pname: GLenum) -> Answer {
         GL_MAX_DEBUG_GROUP_STACK_DEPTH => int(MAX_GROUPS as i32),
         GL_MAX_LABEL_LENGTH => int(MAX_LABEL as i32),
         GL_MAX_SERVER_WAIT_TIMEOUT => int(0),
+        // Exact for a hundred days.
+        GL_TIMESTAMP => Ok(Value::Floats(vec![queries::timestamp() as f64])),
         _ => return None,
     })
 }
