@@ -25,6 +25,12 @@ fn every_mistake_is_noticed() {
 }
 
 #[test]
+fn the_readme_counts_the_mistakes() {
+    let mistakes = format!("{} known mistakes", MUTATIONS.len());
+    assert!(include_str!("../../README.md").contains(&mistakes), "README.md: {mistakes}");
+}
+
+#[test]
 fn every_check_has_mistakes_to_notice() {
     for check in checks() {
         assert!(MUTATIONS.iter().any(|row| row.check == check.name), "{}", check.name);

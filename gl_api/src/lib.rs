@@ -1,4 +1,4 @@
-//! # gl_api: OpenGL 2.1 over the rasterizer
+//! # gl_api: OpenGL 3.1, compatibility, over the rasterizer
 //!
 //! The GL state machine: entry points, validation, objects, GLU, the GLSL front end, and the
 //! translation of validated state into commands of the driver.
@@ -37,9 +37,11 @@
 //! | [`glsl`], [`interface`] | the GLSL front end, and where programs and state meet |
 //! | `assembly` | assembly programs: parser, IR, the parameters they read |
 //! | `fixed` | the fixed function as generated shaders |
+//! | `uniform_buffer`, `transform_feedback` | blocks of uniforms from buffers; captured vertices |
 //! | `draw` | vertices, draw calls, and their translation into driver commands |
 //! | `list`, `evaluate`, `feedback` | display lists, evaluators, selection and feedback |
 //! | `query` | `glGet` |
+//! | [`explain`] | how a pixel came to be |
 //! | [`glu`] | the utility library over the free functions |
 #![deny(unsafe_code)]
 

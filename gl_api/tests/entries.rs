@@ -11,7 +11,13 @@ fn every_entry_point_is_one_of_the_registry_with_as_many_parameters() {
         assert_eq!(registry.get(name), Some(&arity), "{name}");
         assert!(seen.insert(name), "{name} is there twice");
     }
-    assert!(seen.len() > 350, "{}", seen.len());
+}
+
+#[test]
+fn the_readme_counts_the_formats() {
+    let readme = include_str!("../../README.md").replace('\n', " ");
+    let formats = format!("in {} formats", texunit::format::Format::ALL.len());
+    assert!(readme.contains(&formats), "README.md should say {formats:?}");
 }
 
 #[test]
@@ -118,27 +124,36 @@ fn chapters(registry: &str) -> Vec<Chapter<'_>> {
     chapters
 }
 
-/// The page: of each version up to 3.1 and each claimed extension, what is there and what is not.
+/// The last version that is claimed.
+const CLAIMED: &str = "GL_VERSION_3_1";
+
+/// The page: of each version up to 3.1 and each claimed extension, what is there and what is not; which extensions
+/// bring no commands; and how much of later versions is there.
 fn page(registry: &str) -> String {
     let there: BTreeSet<&str> = implemented().map(|(name, _)| name).collect();
     let context = Context::new(ContextDesc { width: 1, height: 1, ..ContextDesc::default() });
     let claimed = context.expect("a device").get_string(GL_EXTENSIONS);
     let claimed: BTreeSet<&str> = claimed.split(' ').collect();
-    let versions = ["1_0", "1_1", "1_2", "1_3", "1_4", "1_5", "2_0", "2_1", "3_0", "3_1"];
-    let versions = versions.map(|version| format!("GL_VERSION_{version}"));
     let mut text = String::from(
         "# Entry points\n\nGenerated from the Khronos registry by \
          `DETGL_BLESS=1 cargo test -p gl_api --test entries`. What is missing resolves to null.\n\n\
          | version or extension | there | of | missing |\n|---|---|---|---|\n",
     );
-    let mut lists = String::new();
+    let (mut lists, mut later, mut bare) = (String::new(), String::new(), Vec::new());
     for (name, commands) in chapters(registry) {
-        let wanted = versions.iter().any(|version| version == name) || claimed.contains(name);
+        let (has, lacks): (Vec<&str>, Vec<&str>) =
+            commands.iter().partition(|command| there.contains(*command));
+        let is_version = name.starts_with("GL_VERSION_") && !name.starts_with("GL_VERSION_ES");
+        if is_version && name > CLAIMED {
+            later += &format!("| {name} | {} | {} |\n", has.len(), commands.len());
+        }
+        if claimed.contains(name) && commands.is_empty() {
+            bare.push(name);
+        }
+        let wanted = is_version && name <= CLAIMED || claimed.contains(name);
         if !wanted || commands.is_empty() {
             continue;
         }
-        let (has, lacks): (Vec<&str>, Vec<&str>) =
-            commands.iter().partition(|command| there.contains(*command));
         let quoted = |names: &[&str]| {
             names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
         };
@@ -146,6 +161,11 @@ fn page(registry: &str) -> String {
         text += &format!("| {name} | {} | {all} | {missing} |\n", has.len());
         lists += &format!("\n## {name}\n\n{}\n", quoted(&has));
     }
+    text += "\nLater versions are not claimed; some of their commands are there as extensions':\n\n\
+             | version | there | of |\n|---|---|---|\n";
+    text += &later;
+    let bare: Vec<String> = bare.iter().map(|name| format!("`{name}`")).collect();
+    text += &format!("\nExtensions without commands: {}.\n", bare.join(", "));
     text + &lists
 }
 
