@@ -3,11 +3,15 @@
 //! "Leave out what a scene does not need" is this plan. What it leaves out costs neither time nor
 //! memory; `DETGL_EXPLAIN=1` prints it.
 
+mod inputs;
+
+use inputs::{Gathered, Inputs, sprite_slots};
+
 use crate::driver::{
-    DepthState, DepthWrite, Pipeline, PipelineDesc, PolygonMode, PolygonOffset, RasterState, Rim,
-    Topology, VertexBinding, VertexSource, Viewport,
+    DepthState, DepthWrite, Pipeline, PolygonMode, PolygonOffset, RasterState, Rim, VertexBinding,
+    VertexSource, Viewport,
 };
-use crate::ir::{Axis, Input, Interpolation, Output};
+use crate::ir::{Axis, Input, Output};
 use crate::output::{ColorPlan, DepthFormat, DepthPlan, StencilPlan, Tests};
 use crate::raster::{PlaneSource, Samples};
 use crate::shader::{Prepared, Program, Sources};
@@ -266,6 +270,29 @@ fn tests(pipeline: &Pipeline, format: Option<Format>) -> Tests {
     Tests { stencil: stencil.as_ref().and_then(StencilPlan::new), depth }
 }
 
+/// The attachments that a draw writes colours to.
+fn colors(pipeline: &Pipeline, formats: &[Option<Format>]) -> Vec<ColorPlan> {
+    let compiled = pipeline.compiled();
+    let (desc, fragment) = (&compiled.desc, &compiled.fragment);
+    let mut colors = Vec::new();
+    for (target, state) in desc.colors.iter().enumerate() {
+        let Some(format) = formats.get(target).copied().flatten() else { continue };
+        let outputs = [0, 1, 2, 3]
+            .map(|component| fragment.output(Output::Color { target: target as u8, component }));
+        let format = desc.output.srgb.format(format);
+        let write = component_bits(format, state.mask);
+        // A target that the shader never mentions is not written.
+        let mentioned = desc.fragment.module().outputs.iter().any(
+            |(o, _)| matches!(o, Output::Color { target: t, .. } if usize::from(*t) == target),
+        );
+        if write != [0; 4] && mentioned {
+            let logic_op = desc.output.logic_op;
+            colors.push(ColorPlan::new(target, outputs, format, write, state.blend, logic_op));
+        }
+    }
+    colors
+}
+
 impl DrawPlan {
     /// Decides.
     pub fn new(pipeline: &Pipeline, input: PlanInput<'_>) -> Self {
@@ -273,23 +300,7 @@ impl DrawPlan {
         let (desc, fragment) = (&compiled.desc, &compiled.fragment);
         let output = |wanted: Output| fragment.output(wanted);
 
-        let mut colors = Vec::new();
-        for (target, state) in desc.colors.iter().enumerate() {
-            let Some(format) = input.colors.get(target).copied().flatten() else { continue };
-            let outputs = [0, 1, 2, 3]
-                .map(|component| output(Output::Color { target: target as u8, component }));
-            let format = desc.output.srgb.format(format);
-            let write = component_bits(format, state.mask);
-            // A target that the shader never mentions is not written.
-            let mentioned = desc.fragment.module().outputs.iter().any(
-                |(o, _)| matches!(o, Output::Color { target: t, .. } if usize::from(*t) == target),
-            );
-            if write != [0; 4] && mentioned {
-                let logic_op = desc.output.logic_op;
-                colors.push(ColorPlan::new(target, outputs, format, write, state.blend, logic_op));
-            }
-        }
-
+        let colors = colors(pipeline, input.colors);
         let tests = tests(pipeline, input.depth);
         let depth_output = output(Output::Depth).filter(|_| tests.depth.is_some());
         let alpha = output(Output::Color { target: 0, component: 3 });
@@ -307,18 +318,6 @@ impl DrawPlan {
         let shading =
             if colors.is_empty() && !late && !counts { Shading::Off } else { Shading::On };
 
-        let mut planes = Vec::new();
-        let mut inputs = Vec::new();
-        let mut plane = |source: PlaneSource| {
-            planes.iter().position(|&p| p == source).unwrap_or_else(|| {
-                planes.push(source);
-                planes.len() - 1
-            })
-        };
-        let reads_z = fragment.inputs().contains(&Input::FragCoord(2));
-        let tests_z = tests.depth.is_some() && depth_output.is_none();
-        let depth_plane = (tests_z || reads_z).then(|| plane(PlaneSource::Depth));
-        let mut denominator_plane = None;
         // Nothing but levels of detail is made of slopes.
         let needs_slopes = fragment.queries_lod()
             || fragment
@@ -326,80 +325,20 @@ impl DrawPlan {
                 .iter()
                 .filter_map(|&slot| input.textures.get(slot as usize)?.as_ref())
                 .any(|texture| texture.needs_lod());
+        let of = Inputs {
+            compiled,
+            replaced: sprite_slots(desc, &input.raster),
+            arrays: arrays(input.vertices),
+            needs_slopes,
+            samples: &samples,
+            planes: Vec::new(),
+            denominator: None,
+        };
+        let tests_z = tests.depth.is_some() && depth_output.is_none();
+        let reads_z = fragment.inputs().contains(&Input::FragCoord(2));
+        let depth = (tests_z || reads_z).then_some(PlaneSource::Depth);
         let read = if shading == Shading::On { fragment.inputs() } else { &[] };
-        let replaced = sprite_slots(desc, &input.raster);
-        // The plane of a smooth varying, or of what a sprite puts in its place.
-        let smooth = |slot: u16, at: usize| {
-            let first = replaced.iter().find(|&&first| (first..first + 4).contains(&slot));
-            first.map_or(PlaneSource::Smooth(at), |first| {
-                PlaneSource::Sprite(at, (slot - first) as u8)
-            })
-        };
-        // What every vertex has alike needs no plane: it is exactly that everywhere.
-        let arrays = arrays(input.vertices);
-        let is_constant = |slot: u16| {
-            let replaced = replaced.iter().any(|&first| (first..first + 4).contains(&slot));
-            !replaced && compiled.vertex.is_constant(slot, arrays)
-        };
-        for &wanted in read {
-            inputs.push(match wanted {
-                Input::Varying(slot) => {
-                    let at = compiled.varyings.iter().position(|&(s, _)| s == slot);
-                    let (at, mode) =
-                        at.map_or((0, Interpolation::Flat), |at| (at, compiled.varyings[at].1));
-                    let mode = if is_constant(slot) { Interpolation::Flat } else { mode };
-                    // With one sample, it lies at the centre.
-                    let centroids = &desc.fragment.module().centroids;
-                    let within = samples.is_each() && centroids.contains(&slot);
-                    match mode {
-                        Interpolation::Smooth => {
-                            denominator_plane = Some(plane(PlaneSource::Denominator));
-                            let index = plane(smooth(slot, at));
-                            if within {
-                                FragmentInput::SmoothWithin(index)
-                            } else {
-                                FragmentInput::Smooth(index)
-                            }
-                        }
-                        Interpolation::NoPerspective => {
-                            let index = plane(PlaneSource::NoPerspective(at));
-                            if within {
-                                FragmentInput::LinearWithin(index)
-                            } else {
-                                FragmentInput::Linear(index)
-                            }
-                        }
-                        Interpolation::Flat => FragmentInput::Flat(plane(PlaneSource::Flat(at))),
-                    }
-                }
-                Input::Slope { slot, axis } => {
-                    let at = compiled.varyings.iter().position(|&(s, _)| s == slot);
-                    let at = at.filter(|_| needs_slopes && !is_constant(slot));
-                    match at.map(|at| (at, compiled.varyings[at].1)) {
-                        Some((at, Interpolation::Smooth)) => {
-                            denominator_plane = Some(plane(PlaneSource::Denominator));
-                            FragmentInput::SmoothSlope(plane(smooth(slot, at)), axis)
-                        }
-                        Some((at, Interpolation::NoPerspective)) => {
-                            FragmentInput::LinearSlope(plane(PlaneSource::NoPerspective(at)), axis)
-                        }
-                        Some((_, Interpolation::Flat)) | None => FragmentInput::Zero,
-                    }
-                }
-                Input::FragCoord(0) => FragmentInput::X,
-                Input::FragCoord(1) => FragmentInput::Y,
-                Input::FragCoord(2) => FragmentInput::Depth,
-                Input::FragCoord(_) => FragmentInput::Linear(plane(PlaneSource::InverseW)),
-                Input::FrontFacing => FragmentInput::Front,
-                Input::Coverage => FragmentInput::Coverage,
-                Input::PointCoord(axis) => {
-                    FragmentInput::Linear(plane(PlaneSource::PointCoord(axis)))
-                }
-                Input::Attribute { .. } | Input::VertexId | Input::InstanceId => {
-                    FragmentInput::Zero
-                }
-            });
-        }
+        let Gathered { planes, depth_plane, denominator_plane, inputs } = of.gather(depth, read);
         let within = |input: &FragmentInput| {
             matches!(input, FragmentInput::SmoothWithin(_) | FragmentInput::LinearWithin(_))
         };
@@ -554,21 +493,6 @@ pub fn arrays(bindings: &[VertexBinding]) -> Sources {
         }
     };
     bindings.iter().fold(Sources::default(), of)
-}
-
-/// The first slots of the varyings that points of a draw replace, where it draws any.
-fn sprite_slots<'a>(desc: &PipelineDesc, raster: &'a RasterState) -> &'a [u16] {
-    let points = match desc.topology {
-        Topology::Points => true,
-        Topology::Lines | Topology::LineStrip | Topology::LineLoop => false,
-        Topology::Triangles
-        | Topology::TriangleStrip
-        | Topology::TriangleFan
-        | Topology::Quads
-        | Topology::QuadStrip
-        | Topology::Polygon => raster.polygon.mode.contains(&PolygonMode::Point),
-    };
-    if points { raster.point.sprite.as_deref().unwrap_or(&[]) } else { &[] }
 }
 
 /// A stipple pattern (see [`crate::driver::PolygonState`]) as lanes of 4×4 blocks.

@@ -1,10 +1,12 @@
 //! One decision per draw: how this image is sampled with this sampler.
 
+mod prepare;
 mod row;
 
-use crate::format::{BaseFormat, Block, Encoding, Format};
+use prepare::wrap_of;
+
+use crate::format::{Block, Format};
 use crate::image::{FACES, Image, Incomplete, Level, Shape};
-use crate::lanes::math::clamp;
 use crate::lanes::{F32s, I32s, Isa, LANES, Simd};
 use crate::sample::lod::LodRange;
 use crate::sample::plain::Class;
@@ -13,10 +15,7 @@ pub use crate::sample::take::{Take, Texels};
 use crate::sample::texel::Fetch;
 use crate::sample::{Off, Probed, Sample, Scanned};
 use crate::sample::{ahead, flat, take};
-use crate::sampler::{
-    Border, Compare, DepthMode, Filter, MAX_ANISOTROPY, Mipmap, Sampler, Seamless, SrgbRead,
-    Swizzle, Wrap,
-};
+use crate::sampler::{Compare, DepthMode, Filter, Sampler, Seamless, Swizzle, Wrap};
 use std::marker::PhantomData;
 use std::sync::Arc;
 
@@ -391,59 +390,6 @@ impl SamplePlan {
 }
 
 impl Texture {
-    fn new(image: &Image, sampler: &Sampler) -> Result<Self, Incomplete> {
-        let reached = image.completeness(sampler)?;
-        let shape = image.shape();
-        let mut detail = Detail::new(shape, sampler, reached.last - reached.base);
-        let mut levels = levels(image, reached.base, detail.last_level());
-        if sampler.srgb == SrgbRead::AsIs {
-            levels.iter_mut().flatten().for_each(without_srgb);
-        }
-        if shape == Shape::CubeArray {
-            // The kernels look for a level by its face; which slices are that face's, they know.
-            levels = vec![levels[0].clone(); FACES];
-        }
-        let base = &levels[0][0];
-        let (format, size) = (base.format, base.size());
-        let compare = if format.is_depth() { sampler.compare } else { None };
-        if let Detail::PerLane { anisotropy, .. } = &mut detail {
-            *anisotropy = match *anisotropy {
-                // Texels are averaged, which the bits of integers cannot be.
-                _ if format.is_integer() => Anisotropy::Off,
-                Anisotropy::Scan(most) if compare.is_some() => Anisotropy::Probes(most),
-                any @ (Anisotropy::Off | Anisotropy::Probes(_) | Anisotropy::Scan(_)) => any,
-            };
-        }
-        let mut border = [0.0; 4];
-        for (channel, (to, &from)) in border.iter_mut().zip(format.base().sources()).enumerate() {
-            *to = border_channel(format, channel, sampler.border, from);
-        }
-        let way = Way::new(shape, format, compare);
-        let kernel = SampleKernel::new(shape, way, &detail);
-        Ok(Self {
-            shape,
-            format,
-            size,
-            scale: match shape {
-                Shape::Rect => [1.0; 3],
-                _ => size.map(|side| side as f32),
-            },
-            levels,
-            wrap: sampler.wrap.map(|wrap| wrap_of(shape, sampler.seamless, wrap)),
-            seamless: if shape.is_cube() { sampler.seamless } else { Seamless::Off },
-            border,
-            compare,
-            depth_mode: sampler.depth_mode,
-            swizzle: sampler.swizzle,
-            way,
-            gives_words: kernel == SampleKernel::Flat(Class::Bytes)
-                && matches!(format.base(), BaseFormat::Rgb | BaseFormat::Rgba)
-                && sampler.swizzle == Swizzle::IDENTITY,
-            kernel,
-            detail,
-        })
-    }
-
     /// Whether a sample with this filter can mix in the border colour.
     #[inline(always)]
     pub fn reaches_border(&self, filter: Filter) -> bool {
@@ -508,129 +454,8 @@ impl Texture {
     }
 }
 
-/// Component `from` of the border colour as a channel of texels, held in what the channel can be (OpenGL
-/// 4.6, section 8.14.2); of integers the bits.
-fn border_channel(format: Format, channel: usize, border: Border, from: usize) -> f32 {
-    let info = format.info();
-    let largest = i64::from(info.fields[channel].mask());
-    let integer = || border.integers()[from];
-    let number = border.floats()[from];
-    match info.encoding {
-        Encoding::Uint => f32::from_bits(integer().clamp(0, largest) as u32),
-        Encoding::Sint => {
-            let most = largest >> 1;
-            f32::from_bits(integer().clamp(-most - 1, most) as i32 as u32)
-        }
-        Encoding::Snorm | Encoding::Block(Block::Rgtc1Snorm | Block::Rgtc2Snorm) => {
-            clamp(number, -1.0, 1.0)
-        }
-        Encoding::Unorm
-        | Encoding::Srgb
-        | Encoding::SrgbBlock(_)
-        | Encoding::Block(Block::Dxt1 | Block::Dxt3 | Block::Dxt5 | Block::Rgtc1 | Block::Rgtc2) => {
-            clamp(number, 0.0, 1.0)
-        }
-        Encoding::Float | Encoding::SharedExponent => number,
-    }
-}
-
-/// The wrap mode that this shape takes: rectangles do not repeat (ARB_texture_rectangle), and the
-/// coordinate on a seamless face only has to stay on it.
-fn wrap_of(shape: Shape, seamless: Seamless, wrap: Wrap) -> Wrap {
-    match (shape, seamless, wrap) {
-        (Shape::Cube | Shape::CubeArray, Seamless::On, _) => Wrap::Clamp,
-        (
-            Shape::Rect,
-            _,
-            Wrap::Repeat | Wrap::MirroredRepeat | Wrap::MirrorClamp | Wrap::MirrorClampToEdge,
-        ) => Wrap::ClampToEdge,
-        (_, _, wrap) => wrap,
-    }
-}
-
-/// Lets colours that are encoded be numbers like others. The kernels go by a level's format, so it is a
-/// copy: what few draws ask for costs the others nothing.
-fn without_srgb(level: &mut Arc<Level>) {
-    if level.format.is_srgb() {
-        let format = level.format.without_srgb();
-        *level = Arc::new(Level { format, ..Level::clone(level) });
-    }
-}
-
 /// The layers of an image of this size: of an array of cubes, the cubes.
 #[inline(always)]
 fn layers(shape: Shape, size: [u32; 3]) -> u32 {
     if shape == Shape::CubeArray { size[2] / FACES as u32 } else { size[2] }
-}
-
-/// The levels of each face from `base` on: `last` more, and then as many as fit them.
-fn levels(image: &Image, base: u32, last: u32) -> Vec<Vec<Arc<Level>>> {
-    let mut levels = vec![Vec::new(); image.shape().faces()];
-    for number in 0.. {
-        let found = |face: usize| image.level(face, (base + number) as usize);
-        let all: Option<Vec<_>> = (0..levels.len()).map(found).collect();
-        let Some(all) = all else { return levels };
-        if number > last {
-            let before: &Arc<Level> = &levels[0][number as usize - 1];
-            let half = image.shape().halved(before.size());
-            let fits = |level: &&Arc<Level>| level.size() == half && level.format == before.format;
-            if before.size() == half || !all.iter().all(fits) {
-                return levels;
-            }
-        }
-        for (face, level) in levels.iter_mut().zip(all) {
-            face.push(Arc::clone(level));
-        }
-    }
-    levels
-}
-
-impl Detail {
-    /// Decides whether λ is needed at all. `last` counts from the base level.
-    fn new(shape: Shape, sampler: &Sampler, last: u32) -> Self {
-        let Sampler { min, mipmap, mag, .. } = *sampler;
-        // GL 2.1, section 3.8.9: the switch-over to magnification.
-        let magnified_to = match (mag, min, mipmap) {
-            (Filter::Linear, Filter::Nearest, Mipmap::Nearest | Mipmap::Linear) => 0.5,
-            (Filter::Linear, Filter::Nearest, Mipmap::None)
-            | (Filter::Linear, Filter::Linear, _)
-            | (Filter::Nearest, _, _) => 0.0,
-        };
-        let fixed = |filter, why| Self::Fixed { filter, level: 0, why, bias: sampler.lod_bias };
-        let most = clamp(sampler.max_anisotropy, 1.0, MAX_ANISOTROPY) as u32;
-        let anisotropy = Anisotropy::new(shape, sampler, most);
-        let is_off = anisotropy == Anisotropy::Off;
-        if is_off && sampler.max_lod <= magnified_to {
-            return fixed(mag, "the largest LOD never leaves magnification");
-        }
-        if is_off && min == mag {
-            match mipmap {
-                Mipmap::None => return fixed(mag, "both filters are alike and without mipmaps"),
-                Mipmap::Nearest | Mipmap::Linear if last == 0 => {
-                    return fixed(mag, "both filters are alike and there is one level");
-                }
-                Mipmap::Nearest | Mipmap::Linear => {}
-            }
-        }
-        let mut range = LodRange {
-            bias: sampler.lod_bias,
-            min: sampler.min_lod,
-            max: sampler.max_lod,
-            magnified_to,
-            mipmap,
-            last,
-        };
-        // No λ is above `max`, so no level above that one's is read.
-        let ([first, second], _) = range.levels(&F32s::splat(range.max));
-        range.last = first[0].max(second[0]);
-        Self::PerLane { min, mag, range, anisotropy }
-    }
-
-    /// The last level that is read, counted from the base level.
-    fn last_level(&self) -> u32 {
-        match self {
-            Self::Fixed { level, .. } => *level,
-            Self::PerLane { range, .. } => range.last,
-        }
-    }
 }

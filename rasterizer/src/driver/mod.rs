@@ -28,6 +28,7 @@ pub use counter::Counter;
 pub use device::{Device, DeviceDesc, DeviceError, Explain, SubmitError, SubmitReport};
 pub use image::{Attachment, Image, LevelInfo, PassDesc, Rows};
 pub use output::{LogicOp, OutputState, SrgbWrite, StencilFace, StencilOp, StencilState};
+pub(crate) use pipeline::Compiled;
 pub use pipeline::{
     Blend, BlendEquation, BlendFactor, ColorState, Cull, DepthState, DepthWrite, FrontFace,
     Pipeline, PipelineDesc, PipelineError, Provoking, ShaderModule, Topology,

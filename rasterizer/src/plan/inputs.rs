@@ -1,0 +1,139 @@
+//! Where the inputs of fragments come from: the planes that are set up for each primitive of a draw, and which of
+//! them an input reads.
+
+use super::FragmentInput;
+use crate::driver::{Compiled, PipelineDesc, PolygonMode, RasterState, Topology};
+use crate::ir::{Axis, Input, Interpolation};
+use crate::raster::{PlaneSource, Samples};
+use crate::shader::Sources;
+
+/// What they depend on, and the planes so far.
+pub struct Inputs<'a> {
+    pub compiled: &'a Compiled,
+    /// The first slots of the varyings that sprites replace.
+    pub replaced: &'a [u16],
+    /// What vertices have for themselves.
+    pub arrays: Sources,
+    /// Whether any level of detail is made of slopes.
+    pub needs_slopes: bool,
+    pub samples: &'a Samples,
+    pub planes: Vec<PlaneSource>,
+    /// The plane that smooth values are divided by.
+    pub denominator: Option<usize>,
+}
+
+/// The planes of a draw and what reads them.
+pub struct Gathered {
+    pub planes: Vec<PlaneSource>,
+    pub depth_plane: Option<usize>,
+    pub denominator_plane: Option<usize>,
+    /// By input of the fragment program.
+    pub inputs: Vec<FragmentInput>,
+}
+
+impl Inputs<'_> {
+    /// Finds the planes of these inputs, and of the depth that is tested or read.
+    pub fn gather(mut self, depth: Option<PlaneSource>, read: &[Input]) -> Gathered {
+        let depth_plane = depth.map(|depth| self.plane(depth));
+        let inputs = read.iter().map(|&input| self.input(input)).collect();
+        let Self { planes, denominator, .. } = self;
+        Gathered { planes, depth_plane, denominator_plane: denominator, inputs }
+    }
+
+    /// The number of a plane.
+    fn plane(&mut self, source: PlaneSource) -> usize {
+        self.planes.iter().position(|&plane| plane == source).unwrap_or_else(|| {
+            self.planes.push(source);
+            self.planes.len() - 1
+        })
+    }
+
+    fn input(&mut self, input: Input) -> FragmentInput {
+        match input {
+            Input::Varying(slot) => self.varying(slot),
+            Input::Slope { slot, axis } => self.slope(slot, axis),
+            Input::FragCoord(0) => FragmentInput::X,
+            Input::FragCoord(1) => FragmentInput::Y,
+            Input::FragCoord(2) => FragmentInput::Depth,
+            Input::FragCoord(_) => FragmentInput::Linear(self.plane(PlaneSource::InverseW)),
+            Input::FrontFacing => FragmentInput::Front,
+            Input::Coverage => FragmentInput::Coverage,
+            Input::PointCoord(axis) => {
+                FragmentInput::Linear(self.plane(PlaneSource::PointCoord(axis)))
+            }
+            Input::Attribute { .. } | Input::VertexId | Input::InstanceId => FragmentInput::Zero,
+        }
+    }
+
+    fn varying(&mut self, slot: u16) -> FragmentInput {
+        let (at, mode) = self.written(slot).unwrap_or((0, Interpolation::Flat));
+        let mode = if self.is_constant(slot) { Interpolation::Flat } else { mode };
+        // With one sample, it lies at the centre.
+        let centroids = &self.compiled.desc.fragment.module().centroids;
+        let within = self.samples.is_each() && centroids.contains(&slot);
+        match mode {
+            Interpolation::Smooth => match self.smooth(slot, at) {
+                index if within => FragmentInput::SmoothWithin(index),
+                index => FragmentInput::Smooth(index),
+            },
+            Interpolation::NoPerspective => match self.plane(PlaneSource::NoPerspective(at)) {
+                index if within => FragmentInput::LinearWithin(index),
+                index => FragmentInput::Linear(index),
+            },
+            Interpolation::Flat => FragmentInput::Flat(self.plane(PlaneSource::Flat(at))),
+        }
+    }
+
+    fn slope(&mut self, slot: u16, axis: Axis) -> FragmentInput {
+        match self.written(slot).filter(|_| self.needs_slopes && !self.is_constant(slot)) {
+            Some((at, Interpolation::Smooth)) => {
+                FragmentInput::SmoothSlope(self.smooth(slot, at), axis)
+            }
+            Some((at, Interpolation::NoPerspective)) => {
+                FragmentInput::LinearSlope(self.plane(PlaneSource::NoPerspective(at)), axis)
+            }
+            Some((_, Interpolation::Flat)) | None => FragmentInput::Zero,
+        }
+    }
+
+    /// Where a varying lies among those that are interpolated, and how it is.
+    fn written(&self, slot: u16) -> Option<(usize, Interpolation)> {
+        let varyings = &self.compiled.varyings;
+        let at = varyings.iter().position(|&(of, _)| of == slot)?;
+        Some((at, varyings[at].1))
+    }
+
+    /// The first of the four slots that a sprite replaces, if this one is among them.
+    fn sprite(&self, slot: u16) -> Option<u16> {
+        self.replaced.iter().copied().find(|first| (*first..first + 4).contains(&slot))
+    }
+
+    /// What every vertex has alike needs no plane: it is exactly that everywhere.
+    fn is_constant(&self, slot: u16) -> bool {
+        self.sprite(slot).is_none() && self.compiled.vertex.is_constant(slot, self.arrays)
+    }
+
+    /// The plane of a smooth varying, or of what a sprite puts in its place.
+    fn smooth(&mut self, slot: u16, at: usize) -> usize {
+        self.denominator = Some(self.plane(PlaneSource::Denominator));
+        let source = self
+            .sprite(slot)
+            .map_or(PlaneSource::Smooth(at), |first| PlaneSource::Sprite(at, (slot - first) as u8));
+        self.plane(source)
+    }
+}
+
+/// The first slots of the varyings that points of a draw replace, where it draws any.
+pub fn sprite_slots<'a>(desc: &PipelineDesc, raster: &'a RasterState) -> &'a [u16] {
+    let points = match desc.topology {
+        Topology::Points => true,
+        Topology::Lines | Topology::LineStrip | Topology::LineLoop => false,
+        Topology::Triangles
+        | Topology::TriangleStrip
+        | Topology::TriangleFan
+        | Topology::Quads
+        | Topology::QuadStrip
+        | Topology::Polygon => raster.polygon.mode.contains(&PolygonMode::Point),
+    };
+    if points { raster.point.sprite.as_deref().unwrap_or(&[]) } else { &[] }
+}
