@@ -1,8 +1,10 @@
 //! Wrong shaders and what the log says of them.
 
+mod rules;
 mod shaders;
 
-use gl_api::glsl::{Bindings, Options, Repairs, Stage, compile, link};
+use gl_api::glsl::{Bindings, Compiled, Options, Repairs, Stage, compile, link};
+use rules::{REFUSED, WARNED};
 use shaders::{DIRECTIVES, FRAGMENT, VERTEX};
 use std::fmt::Write as _;
 
@@ -34,6 +36,28 @@ fn directive_logs() {
 #[test]
 fn vertex_logs() {
     insta::assert_snapshot!(report(Stage::Vertex, VERTEX));
+}
+
+/// Shaders of which the log says these words, all with the same outcome.
+fn said(table: &[(Stage, &str, &str)], expected: fn(&Compiled) -> bool) {
+    let mut wrong = String::new();
+    for (stage, source, words) in table {
+        let compiled = compile(*stage, source, &Options::default());
+        if !expected(&compiled) || !compiled.log.contains(words) {
+            let _ = writeln!(wrong, "{source:?}\nexpected {words:?}:\n{}", compiled.log);
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong}");
+}
+
+#[test]
+fn refused() {
+    said(REFUSED, |compiled| compiled.shader.is_none());
+}
+
+#[test]
+fn warned() {
+    said(WARNED, |compiled| compiled.shader.is_some());
 }
 
 #[test]

@@ -11,6 +11,7 @@ mod corners;
 mod data;
 mod functions;
 mod language;
+mod names;
 mod preprocessor;
 mod state;
 mod versions;
@@ -39,6 +40,7 @@ fn table() -> impl Iterator<Item = &'static Row> {
         data::TABLE,
         functions::TABLE,
         language::TABLE,
+        names::TABLE,
         preprocessor::TABLE,
         state::TABLE,
         versions::TABLE,

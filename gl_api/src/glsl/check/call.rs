@@ -38,6 +38,11 @@ impl Candidate {
         Self { target: Target::Builtin(row), parameters, directions, result }
     }
 
+    /// Whether it is a function of the shader.
+    fn is_own(&self) -> bool {
+        matches!(self.target, Target::User(_))
+    }
+
     /// How many arguments need a conversion; `None` if one does not fit.
     fn conversions(&self, arguments: &[Expr], version: Version) -> Option<usize> {
         if arguments.len() != self.parameters.len() {
@@ -89,8 +94,16 @@ impl Checker<'_> {
             self.unknown_function(name);
             return Expr::error(span);
         }
-        let fits = |candidate: &&Candidate| candidate.conversions(&arguments, self.version);
-        let fitting: Vec<&Candidate> = candidates.iter().filter(|c| fits(c).is_some()).collect();
+        let version = self.version;
+        let fits = |candidate: &&Candidate| candidate.conversions(&arguments, version);
+        let mut fitting: Vec<&Candidate> =
+            candidates.iter().filter(|c| fits(c).is_some()).collect();
+        // A function of the shader hides all of the language's that have its name: those lie in a
+        // scope around the global one. Before, it hides the one that takes the same.
+        let hides = version >= Version::V120;
+        if hides && fitting.iter().any(|c| c.is_own()) {
+            fitting.retain(|c| c.is_own());
+        }
         let Some(&best) = fitting.iter().min_by_key(|c| fits(c)) else {
             if let Some(function) = self.integer_function(name, &arguments) {
                 return self.finish_call(name, function, arguments, span);
@@ -105,12 +118,17 @@ impl Checker<'_> {
             self.log.push(problem.note(format!("there are: {}", list.join(", "))));
             return Expr::error(span);
         }
+        if hides && !best.is_own() && candidates.iter().any(Candidate::is_own) {
+            let message = format!("the shader's own `{0}` hides the language's `{0}`", name.text);
+            let problem = Diagnostic::warning(name.span, message).rule(self.rule("4.2"));
+            self.log.push(problem.help("name it otherwise: other compilers refuse this call"));
+        }
         let best = best.clone();
         self.finish_call(name, best, arguments, span)
     }
 
-    /// What a name can mean in a call: the shader's functions hide those of the language that take
-    /// the same.
+    /// What a name can mean in a call: the shader's functions, and those of the language that take
+    /// something else.
     fn candidates(&mut self, name: &ast::Name) -> Vec<Candidate> {
         let mut candidates = Vec::new();
         match self.scopes.find(&name.text) {

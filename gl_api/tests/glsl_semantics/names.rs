@@ -1,0 +1,53 @@
+//! Which declaration a name means (GLSL 1.20 sections 4.2 and 6.1).
+
+use super::Row;
+
+pub const TABLE: &[Row] = &[
+    // From 1.20 on a function of the shader hides all of the language's that have its name
+    Row(120, "float abs(float a) { return 50.0; }", "r.x = abs(-3);", [50.0, 0.0, 0.0, 0.0]),
+    Row(130, "float abs(float a) { return 50.0; }", "r.x = abs(-3);", [50.0, 0.0, 0.0, 0.0]),
+    Row(
+        140,
+        "float max(float a, float b) { return 50.0; }",
+        "r.x = max(1, 2);",
+        [50.0, 0.0, 0.0, 0.0],
+    ),
+    Row(
+        120,
+        "float pow(float a, int n) { return 50.0; }",
+        "r.xy = vec2(pow(2, 3), pow(2.0, 3));",
+        [50.0, 50.0, 0.0, 0.0],
+    ),
+    Row(
+        130,
+        "float mod(float a, int n) { return 50.0; }",
+        "r.x = mod(5, 2);",
+        [50.0, 0.0, 0.0, 0.0],
+    ),
+    Row(
+        120,
+        "float clamp(float a, float b, int c) { return 50.0; }",
+        "r.x = clamp(0.3, 0, 1);",
+        [50.0, 0.0, 0.0, 0.0],
+    ),
+    // What it does not take, the language's still does, with a warning
+    Row(
+        120,
+        "float abs(mat2 m) { return 50.0; }",
+        "r.xy = vec2(abs(-3.0), abs(mat2(1.0)));",
+        [3.0, 50.0, 0.0, 0.0],
+    ),
+    // In 1.10 and GLSL ES it hides only the one that takes the same
+    Row(
+        110,
+        "float abs(float a) { return 50.0; }",
+        "r.xyz = vec3(abs(-1.0), abs(vec2(-2.0)));",
+        [50.0, 2.0, 2.0, 0.0],
+    ),
+    Row(
+        100,
+        "precision mediump float; float sin(float a, float b) { return 50.0; }",
+        "r.xy = vec2(sin(0.0), sin(0.0, 0.0));",
+        [0.0, 50.0, 0.0, 0.0],
+    ),
+];
