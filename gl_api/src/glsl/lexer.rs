@@ -1,7 +1,7 @@
 //! Text to tokens: comments and line continuations go, everything else stays, also what is no
 //! token of the language; the preprocessor decides what is looked at (GLSL 1.30 chapter 3).
 
-use super::source::Span;
+use super::source::{Span, is_line_end, line_end};
 use std::sync::Arc;
 
 /// What a token is.
@@ -87,21 +87,21 @@ pub fn tokens(text: &str) -> Lexed {
     while at < bytes.len() {
         let start = at;
         let kind = match bytes[at] {
-            b'\n' => {
-                at += 1;
+            b'\n' | b'\r' => {
+                at += line_end(&bytes[at..]);
                 Some(Kind::Newline)
             }
-            b' ' | b'\t' | b'\r' | 0x0b | 0x0c => {
+            b' ' | b'\t' | 0x0b | 0x0c => {
                 at += 1;
                 None
             }
-            b'\\' if continuation(&bytes[at + 1..]) > 0 => {
+            b'\\' if line_end(&bytes[at + 1..]) > 0 => {
                 continued = continued.or(Some(Span { start: at as u32, end: at as u32 + 1 }));
-                at += 1 + continuation(&bytes[at + 1..]);
+                at += 1 + line_end(&bytes[at + 1..]);
                 None
             }
             b'/' if bytes.get(at + 1) == Some(&b'/') => {
-                at += bytes[at..].iter().position(|&b| b == b'\n').unwrap_or(bytes.len() - at);
+                at += bytes[at..].iter().position(|b| is_line_end(*b)).unwrap_or(bytes.len() - at);
                 None
             }
             b'/' if bytes.get(at + 1) == Some(&b'*') => {
@@ -148,15 +148,6 @@ pub fn tokens(text: &str) -> Lexed {
     tokens.push(Token { kind: Kind::Newline, span: Span { start: end, end } });
     tokens.push(Token { kind: Kind::End, span: Span { start: end, end } });
     Lexed { tokens, unclosed, continued }
-}
-
-/// How many bytes of line end follow a backslash.
-fn continuation(rest: &[u8]) -> usize {
-    match rest {
-        [b'\n', ..] => 1,
-        [b'\r', b'\n', ..] => 2,
-        _ => 0,
-    }
 }
 
 /// Where a number ends: digits, letters, points, and signs after an exponent letter, as in C.

@@ -1,5 +1,20 @@
 //! The text of a shader and where things stand in it.
 
+/// Whether a byte ends a line.
+pub fn is_line_end(byte: u8) -> bool {
+    matches!(byte, b'\n' | b'\r')
+}
+
+/// How many bytes of line end these begin with: a carriage return, a line feed, or both in either
+/// order, which end one line (GLSL 1.30 section 3.1).
+pub fn line_end(bytes: &[u8]) -> usize {
+    match bytes {
+        [b'\n', b'\r', ..] | [b'\r', b'\n', ..] => 2,
+        [b'\n' | b'\r', ..] => 1,
+        _ => 0,
+    }
+}
+
 /// A run of bytes of the source.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Span {
@@ -50,8 +65,14 @@ pub struct Source {
 impl Source {
     /// Finds the lines of `text`.
     pub fn new(text: &str) -> Self {
-        let newlines = text.bytes().enumerate().filter(|&(_, byte)| byte == b'\n');
-        let lines = std::iter::once(0).chain(newlines.map(|(at, _)| at as u32 + 1)).collect();
+        let bytes = text.as_bytes();
+        let mut lines = vec![0];
+        let mut at = 0;
+        while let Some(length) = bytes[at..].iter().position(|byte| is_line_end(*byte)) {
+            at += length;
+            at += line_end(&bytes[at..]);
+            lines.push(at as u32);
+        }
         Self { text: text.to_owned(), lines, renumberings: Vec::new() }
     }
 
@@ -74,8 +95,7 @@ impl Source {
     pub fn line_text(&self, offset: u32) -> (&str, u32) {
         let start = self.lines[self.line_index(offset)];
         let rest = &self.text[start as usize..];
-        let line = rest.split('\n').next().unwrap_or("");
-        (line.trim_end_matches('\r'), start)
+        (rest.split(['\n', '\r']).next().unwrap_or(""), start)
     }
 
     /// What `#line` says of a byte's position.

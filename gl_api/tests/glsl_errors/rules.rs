@@ -10,6 +10,9 @@ pub const REFUSED: &[(Stage, &str, &str)] = &[
         "#version 120\nfloat abs(float a) { return a; }\nvoid main() { bool b = abs(true) > 0.0; }",
         "there are: abs(float)",
     ),
+    // Lines.
+    (Fragment, "void main() {}\r\n\rfloat f = true;", "0:3(11): error"),
+    (Fragment, "#error not\rvoid main() {}", "#error not\n"),
 ];
 
 /// Shaders that compile, with a warning.

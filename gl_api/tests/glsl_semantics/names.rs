@@ -1,4 +1,4 @@
-//! Which declaration a name means (GLSL 1.20 sections 4.2 and 6.1).
+//! Which declaration a name means, and how lines end (GLSL 1.20 sections 3.1, 4.2 and 6.1).
 
 use super::Row;
 
@@ -50,4 +50,21 @@ pub const TABLE: &[Row] = &[
         "r.xy = vec2(sin(0.0), sin(0.0, 0.0));",
         [0.0, 50.0, 0.0, 0.0],
     ),
+    // A carriage return ends a line, and so does a pair of it and a line feed
+    Row(
+        120,
+        "float a = 3.0; // a comment\rfloat b = 4.0;\r",
+        "r.xy = vec2(a, b);",
+        [3.0, 4.0, 0.0, 0.0],
+    ),
+    Row(110, "#define A 3.0\r#define B 4.0\r", "r.xy = vec2(A, B);", [3.0, 4.0, 0.0, 0.0]),
+    Row(110, "#line 1\rfloat a = float(__LINE__);", "r.x = a;", [2.0, 0.0, 0.0, 0.0]),
+    Row(
+        110,
+        "#line 1\n\r\r\n\n\nfloat a = float(__LINE__);\r\rfloat b = float(__LINE__);",
+        "r.xy = vec2(a, b);",
+        [5.0, 7.0, 0.0, 0.0],
+    ),
+    Row(130, "#define A 3.0 + \\\r4.0\n", "r.x = A;", [7.0, 0.0, 0.0, 0.0]),
+    Row(130, "#define A 3.0 + \\\n\r4.0\n", "r.x = A;", [7.0, 0.0, 0.0, 0.0]),
 ];
