@@ -10,6 +10,13 @@ pub const REFUSED: &[(Stage, &str, &str)] = &[
         "#version 120\nfloat abs(float a) { return a; }\nvoid main() { bool b = abs(true) > 0.0; }",
         "there are: abs(float)",
     ),
+    // Constructors.
+    (
+        Fragment,
+        "void main() { mat2 m = mat2(vec4(1.0), 1.0); }",
+        "too many arguments: mat2 takes 4 components",
+    ),
+    (Fragment, "void main() { mat2 m = mat2(vec3(1.0)); }", "mat2 takes 4 components, not 3"),
     // Lines.
     (Fragment, "void main() {}\r\n\rfloat f = true;", "0:3(11): error"),
     (Fragment, "#error not\rvoid main() {}", "#error not\n"),

@@ -3,6 +3,21 @@
 use super::Row;
 
 pub const TABLE: &[Row] = &[
+    // The last argument of a matrix may have more than is left to fill (section 5.4.2)
+    Row(110, "", "mat2 a = mat2(u.xyz, u.wx); r = vec4(a[0], a[1]);", [1.0, 2.0, 3.0, 4.0]),
+    Row(110, "", "mat3 a = mat3(u, u, u); r = vec4(a[2], a[1][2]);", [3.0, 4.0, 1.0, 2.0]),
+    Row(
+        120,
+        "const mat2x3 c = mat2x3(vec4(1, 2, 3, 4), vec4(5));",
+        "r = vec4(c[1], c[0]);",
+        [4.0, 5.0, 5.0, 1.0],
+    ),
+    Row(
+        100,
+        "precision mediump float;",
+        "mat2 a = mat2(1.0, 2.0, 3.0, u); r = vec4(a[0], a[1]);",
+        [1.0, 2.0, 3.0, 1.0],
+    ),
     // Operators
     Row(110, "", "r = u + 1.0;", [2.0, 3.0, 4.0, 5.0]),
     Row(110, "", "r = 10.0 - u;", [9.0, 8.0, 7.0, 6.0]),

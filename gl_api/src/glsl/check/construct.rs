@@ -72,10 +72,6 @@ impl Checker<'_> {
                 let message = format!("{ty} takes {needed} components, not {have}");
                 return self.bad_constructor(span, message);
             }
-            if have > needed && matches!(ty, Type::Matrix(..)) {
-                let message = format!("{ty} takes {needed} components, not {have}");
-                return self.bad_constructor(span, message);
-            }
         }
         let constant = arguments.iter().all(|argument| argument.constant);
         Expr { ty, span, constant, kind: ExprKind::Construct(arguments) }
