@@ -3,8 +3,8 @@
 mod rules;
 mod shaders;
 
-use gl_api::glsl::{Bindings, Compiled, Options, Repairs, Stage, compile, link};
-use rules::{REFUSED, WARNED};
+use gl_api::glsl::{Bindings, Compiled, Linked, Options, Repairs, Stage, compile, link};
+use rules::{LINKED, REFUSED, UNLINKED, WARNED};
 use shaders::{DIRECTIVES, FRAGMENT, VERTEX};
 use std::fmt::Write as _;
 
@@ -100,16 +100,37 @@ const PAIRS: &[(&str, &str, &str)] = &[
     ),
 ];
 
+/// A link of a vertex and a fragment shader, which compile.
+fn linked(vertex: &str, fragment: &str) -> Linked {
+    let shaders = [(Stage::Vertex, vertex), (Stage::Fragment, fragment)].map(|(stage, source)| {
+        let compiled = compile(stage, source, &Options::default());
+        compiled.shader.unwrap_or_else(|| panic!("{source:?}: {}", compiled.log))
+    });
+    link(&[&shaders[0], &shaders[1]], &Bindings::default())
+}
+
+#[test]
+fn what_links() {
+    for (vertex, fragment) in LINKED {
+        let linked = linked(vertex, fragment);
+        assert!(linked.program.is_some(), "{vertex:?}, {fragment:?}: {}", linked.log);
+    }
+}
+
+#[test]
+fn what_does_not_link() {
+    for (vertex, fragment, words) in UNLINKED {
+        let linked = linked(vertex, fragment);
+        assert!(linked.program.is_none(), "{vertex:?}, {fragment:?} links");
+        assert!(linked.log.contains(words), "{words:?}: {}", linked.log);
+    }
+}
+
 #[test]
 fn link_logs() {
     let mut report = String::new();
     for (name, vertex, fragment) in PAIRS {
-        let shaders =
-            [(Stage::Vertex, vertex), (Stage::Fragment, fragment)].map(|(stage, source)| {
-                let compiled = compile(stage, source, &Options::default());
-                compiled.shader.unwrap_or_else(|| panic!("{name}: {}", compiled.log))
-            });
-        let linked = link(&[&shaders[0], &shaders[1]], &Bindings::default());
+        let linked = linked(vertex, fragment);
         assert!(linked.program.is_none(), "{name} links");
         let _ = writeln!(report, "== {name}\n{}", linked.log.trim_end());
     }

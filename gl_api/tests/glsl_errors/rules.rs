@@ -36,3 +36,42 @@ pub const WARNED: &[(Stage, &str, &str)] = &[
         "warning: the shader's own `pow` hides the language's `pow`",
     ),
 ];
+
+/// Pairs of a vertex and a fragment shader that link.
+pub const LINKED: &[(&str, &str)] = &[
+    // Only what both stages declare has to agree.
+    (
+        "varying float x; void main() { gl_Position = vec4(x); }",
+        "varying vec2 y; void main() { gl_FragColor = vec4(1.0); }",
+    ),
+    // The size of an array may come from the other stage.
+    (
+        "varying float x[]; void main() { x[1] = 1.0; gl_Position = vec4(1.0); }",
+        "varying float x[3]; void main() { gl_FragColor = vec4(1.0); }",
+    ),
+];
+
+/// Pairs of a vertex and a fragment shader that compile and do not link.
+pub const UNLINKED: &[(&str, &str, &str)] = &[
+    // What both stages declare agrees, also where nobody reads it.
+    (
+        "varying float x; void main() { x = 1.0; gl_Position = vec4(1.0); }",
+        "varying vec2 x; void main() { gl_FragColor = vec4(1.0); }",
+        "`x` is float in the vertex shader and vec2 in the fragment shader",
+    ),
+    (
+        "varying float x[2]; void main() { gl_Position = vec4(1.0); }",
+        "varying float x[3]; void main() { gl_FragColor = vec4(1.0); }",
+        "`x` is float[2] in the vertex shader and float[3] in the fragment shader",
+    ),
+    (
+        "#version 130\nflat out float x; void main() { gl_Position = vec4(1.0); }",
+        "#version 130\nin float x; void main() { gl_FragColor = vec4(1.0); }",
+        "`x` is flat in the vertex shader and smooth in the fragment shader",
+    ),
+    (
+        "#version 120\ncentroid varying float x; void main() { gl_Position = vec4(1.0); }",
+        "#version 120\nvarying float x; void main() { gl_FragColor = vec4(1.0); }",
+        "`x` is centroid in the vertex shader and not centroid in the fragment shader",
+    ),
+];

@@ -8,6 +8,7 @@ use crate::glsl::lower::{Binding, varying_slots};
 use crate::glsl::version::Version;
 use crate::interface::VARYING_USER;
 use rasterizer::ir::Interpolation;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Matches what the vertex stage writes with what the fragment stage reads; gives the first slot that
 /// is free.
@@ -18,47 +19,42 @@ pub fn varyings(
     in_fragment: &mut Locations,
     log: &mut Log,
 ) -> u16 {
-    let is_output = |storage| matches!(storage, Storage::Output(_));
+    // Of each name, what the vertex stage declares, and whether it writes it.
+    let mut outputs: BTreeMap<&str, (&Variable, bool)> = BTreeMap::new();
     for variable in vertex.iter().flat_map(|stage| stage.declared()) {
-        if is_output(variable.storage) {
+        if matches!(variable.storage, Storage::Output(_)) {
             in_vertex.insert(variable.name.clone(), Binding::Varying(None));
+            outputs.entry(&variable.name).or_insert((variable, false)).1 |= variable.written;
         }
     }
     let (mut next, mut scalars) = (VARYING_USER, 0u32);
-    let Some(fragment) = fragment else { return next };
-    for input in fragment.with(|storage| matches!(storage, Storage::Input(_))) {
-        let name = &input.name;
-        let output = vertex
-            .and_then(|vertex| vertex.declared().find(|v| v.name == *name && is_output(v.storage)));
-        if vertex.is_none() {
-            // The fixed function writes no varying of the program's: it is undefined, here zero.
-            in_fragment.insert(name.clone(), Binding::Varying(None));
-            continue;
+    let (Some(_), Some(fragment)) = (vertex, fragment) else {
+        // The fixed function writes no varying of the program's: it is undefined, here zero.
+        for input in fragment.iter().flat_map(|fragment| fragment.with(is_input)) {
+            in_fragment.insert(input.name.clone(), Binding::Varying(None));
         }
-        let Some(output) = output else {
+        return next;
+    };
+    let mut inputs: BTreeSet<&str> = BTreeSet::new();
+    for input in fragment.declared().filter(|variable| is_input(variable.storage)) {
+        if let Some((output, _)) = outputs.get(&*input.name)
+            && inputs.insert(&input.name)
+        {
+            check_alike(output, input, log);
+        }
+    }
+    for input in fragment.with(is_input) {
+        let name = &input.name;
+        let Some((_, written)) = outputs.get(&**name) else {
             let message =
                 format!("the fragment shader reads `{name}`, which no vertex shader writes");
             log.push(Diagnostic::link_error(message).rule("GLSL 1.30 section 4.3.6"));
             continue;
         };
-        let vertex = vertex.iter();
-        let written =
-            vertex.flat_map(|vertex| vertex.declared()).any(|v| v.name == *name && v.written);
         if !written && fragment.units.iter().all(|unit| unit.version <= Version::V120) {
             let message =
                 format!("the fragment shader reads `{name}`, which the vertex shader never writes");
             log.push(Diagnostic::link_error(message).rule("GLSL 1.20 section 4.3.6"));
-        }
-        if output.ty != input.ty {
-            let message = format!(
-                "`{name}` is {} in the vertex shader and {} in the fragment shader",
-                output.ty, input.ty
-            );
-            log.push(Diagnostic::link_error(message).rule("GLSL 1.30 section 4.3.6"));
-        } else if let Some((a, b)) = mismatch(output, input) {
-            let message =
-                format!("`{name}` is {a} in the vertex shader and {b} in the fragment shader");
-            log.push(Diagnostic::link_error(message).rule("GLSL 1.30 section 4.3.7"));
         }
         scalars += input.ty.scalars();
         if scalars > u32::from(MAX_VARYING_FLOATS) {
@@ -85,6 +81,24 @@ pub fn slots(fragment: Option<&StageUnits<'_>>, locations: &Locations) -> Vec<(u
             _ => None,
         })
         .collect()
+}
+
+fn is_input(storage: Storage) -> bool {
+    matches!(storage, Storage::Input(_))
+}
+
+/// Reports a varying that the stages declare differently, whether it is read or not.
+fn check_alike(output: &Variable, input: &Variable, log: &mut Log) {
+    let (a, b, rule) = if output.ty != input.ty {
+        (output.ty.to_string(), input.ty.to_string(), "GLSL 1.30 section 4.3.6")
+    } else if let Some((a, b)) = mismatch(output, input) {
+        (a.to_owned(), b.to_owned(), "GLSL 1.30 section 4.3.7")
+    } else {
+        return;
+    };
+    let name = &output.name;
+    let message = format!("`{name}` is {a} in the vertex shader and {b} in the fragment shader");
+    log.push(Diagnostic::link_error(message).rule(rule));
 }
 
 /// The words about its passing that two declarations of a varying differ in.
