@@ -18,6 +18,8 @@ pub struct Unit {
     pub stage: Stage,
     /// The version it is written in.
     pub version: Version,
+    /// Whether all that it passes on is invariant, by a `#pragma`.
+    pub all_invariant: bool,
     /// Its global variables, those of the language that it names among them.
     pub globals: Vec<Variable>,
     /// Its functions, prototypes among them.

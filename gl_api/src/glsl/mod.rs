@@ -354,7 +354,8 @@ fn compile_once(stage: Stage, text: &str) -> Pass {
     }
     let preprocessed = preprocess::preprocess(&mut source, &mut log);
     let items = parser::parse(&preprocessed.tokens, preprocessed.language, &mut log);
-    let unit = check::check(&items, stage, preprocessed.language, &source, &mut log);
+    let mut unit = check::check(&items, stage, preprocessed.language, &source, &mut log);
+    unit.all_invariant = preprocessed.all_invariant;
     Pass { unit, source, log }
 }
 

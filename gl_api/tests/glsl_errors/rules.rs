@@ -1,6 +1,6 @@
 //! Rules of the language, each with a shader that breaks it and words of what the log says.
 
-use gl_api::glsl::Stage::{self, Fragment};
+use gl_api::glsl::Stage::{self, Fragment, Vertex};
 
 /// Shaders that do not compile.
 pub const REFUSED: &[(Stage, &str, &str)] = &[
@@ -20,6 +20,68 @@ pub const REFUSED: &[(Stage, &str, &str)] = &[
     // Lines.
     (Fragment, "void main() {}\r\n\rfloat f = true;", "0:3(11): error"),
     (Fragment, "#error not\rvoid main() {}", "#error not\n"),
+    // Invariance.
+    (
+        Vertex,
+        "#version 120\nuniform float u; invariant u; void main() {}",
+        "only what passes from the vertex to the fragment stage can be invariant",
+    ),
+    (
+        Vertex,
+        "#version 120\nattribute float a; invariant a; void main() {}",
+        "only what passes from the vertex to the fragment stage can be invariant",
+    ),
+    (
+        Vertex,
+        "#version 120\ninvariant float a; void main() {}",
+        "only what passes from the vertex to the fragment stage can be invariant",
+    ),
+    (
+        Vertex,
+        "#version 120\nfloat a; invariant a; void main() {}",
+        "only what passes from the vertex to the fragment stage can be invariant",
+    ),
+    (
+        Vertex,
+        "#version 120\ninvariant uniform float a; void main() {}",
+        "only what passes from the vertex to the fragment stage can be invariant",
+    ),
+    (
+        Vertex,
+        "#version 120\ninvariant attribute float a; void main() {}",
+        "only what passes from the vertex to the fragment stage can be invariant",
+    ),
+    (
+        Vertex,
+        "#version 120\ninvariant gl_Vertex; void main() {}",
+        "only what passes from the vertex to the fragment stage can be invariant",
+    ),
+    (
+        Fragment,
+        "#version 120\ninvariant gl_FragColor; void main() {}",
+        "only what passes from the vertex to the fragment stage can be invariant",
+    ),
+    (
+        Fragment,
+        "#version 130\ninvariant gl_FrontFacing; void main() {}",
+        "only what passes from the vertex to the fragment stage can be invariant",
+    ),
+    (
+        Vertex,
+        "#version 130\ninvariant in float a; void main() {}",
+        "only what passes from the vertex to the fragment stage can be invariant",
+    ),
+    (
+        Vertex,
+        "#version 120\nvoid main() { gl_Position = vec4(1.0); } invariant gl_Position;",
+        "`gl_Position` is used before it is made invariant",
+    ),
+    (
+        Vertex,
+        "#version 100\nvarying float x; void main() { x = 1.0; } invariant x;",
+        "`x` is used before it is made invariant",
+    ),
+    (Vertex, "#version 120\ninvariant x; varying float x; void main() {}", "`x` is not declared"),
 ];
 
 /// Shaders that compile, with a warning.
@@ -49,6 +111,36 @@ pub const LINKED: &[(&str, &str)] = &[
         "varying float x[]; void main() { x[1] = 1.0; gl_Position = vec4(1.0); }",
         "varying float x[3]; void main() { gl_FragColor = vec4(1.0); }",
     ),
+    // Invariance is declared in both stages, in whichever way.
+    (
+        "#version 120\ninvariant varying float x; void main() { x = 1.0; gl_Position = vec4(x); }",
+        "#version 120\ninvariant varying float x; void main() { gl_FragColor = vec4(x); }",
+    ),
+    (
+        "#version 120\nvarying float x; invariant x; void main() { x = 1.0; gl_Position = vec4(x); }",
+        "#version 120\ninvariant varying float x; void main() { gl_FragColor = vec4(x); }",
+    ),
+    (
+        "#version 100\ninvariant varying float x; void main() { x = 1.0; gl_Position = vec4(x); }",
+        "#version 100\nprecision mediump float; varying float x; invariant x; void main() { gl_FragColor = vec4(x); }",
+    ),
+    (
+        "#version 120\ninvariant gl_Position, gl_FrontColor; void main() { gl_Position = gl_FrontColor = vec4(1.0); }",
+        "#version 120\ninvariant gl_FragCoord; void main() { gl_FragColor = gl_FragCoord; }",
+    ),
+    (
+        "#version 130\ninvariant out float x; void main() { x = 1.0; gl_Position = vec4(x); }",
+        "#version 130\ninvariant in float x; invariant out vec4 c; void main() { c = vec4(x); }",
+    ),
+    // Of what all is invariant, it need not be said.
+    (
+        "#pragma STDGL invariant(all)\nvarying float x; void main() { x = 1.0; gl_Position = vec4(x); }",
+        "#version 120\ninvariant varying float x; void main() { gl_FragColor = vec4(x); }",
+    ),
+    (
+        "#version 120\n#pragma STDGL invariant(all)\nvarying float x; void main() { x = 1.0; gl_Position = vec4(x); }",
+        "#version 120\nvarying float x; void main() { gl_FragColor = vec4(x); }",
+    ),
 ];
 
 /// Pairs of a vertex and a fragment shader that compile and do not link.
@@ -73,5 +165,36 @@ pub const UNLINKED: &[(&str, &str, &str)] = &[
         "#version 120\ncentroid varying float x; void main() { gl_Position = vec4(1.0); }",
         "#version 120\nvarying float x; void main() { gl_FragColor = vec4(1.0); }",
         "`x` is centroid in the vertex shader and not centroid in the fragment shader",
+    ),
+    // Invariance.
+    (
+        "#version 120\ninvariant varying float x; void main() { x = 1.0; gl_Position = vec4(x); }",
+        "#version 120\nvarying float x; void main() { gl_FragColor = vec4(x); }",
+        "`x` is invariant in the vertex shader and not invariant in the fragment shader",
+    ),
+    (
+        "#version 120\nvarying float x; void main() { x = 1.0; gl_Position = vec4(x); }",
+        "#version 120\ninvariant varying float x; void main() { gl_FragColor = vec4(x); }",
+        "`x` is not invariant in the vertex shader and invariant in the fragment shader",
+    ),
+    (
+        "#version 120\nvarying float x; invariant x; void main() { x = 1.0; gl_Position = vec4(x); }",
+        "#version 120\nvarying float x; void main() { gl_FragColor = vec4(x); }",
+        "`x` is invariant in the vertex shader and not invariant in the fragment shader",
+    ),
+    (
+        "#version 130\nvarying float x; void main() { x = 1.0; gl_Position = vec4(x); }",
+        "#version 130\nvarying float x; invariant x; void main() { gl_FragColor = vec4(x); }",
+        "`x` is not invariant in the vertex shader and invariant in the fragment shader",
+    ),
+    (
+        "#version 100\ninvariant varying float x; void main() { x = 1.0; gl_Position = vec4(x); }",
+        "#version 100\nprecision mediump float; varying float x; void main() { gl_FragColor = vec4(x); }",
+        "`x` is invariant in the vertex shader and not invariant in the fragment shader",
+    ),
+    (
+        "#version 120\n#pragma STDGL invariant(none)\ninvariant varying float x; void main() { gl_Position = vec4(1.0); }",
+        "#version 120\nvarying float x; void main() { gl_FragColor = vec4(1.0); }",
+        "`x` is invariant in the vertex shader and not invariant in the fragment shader",
     ),
 ];

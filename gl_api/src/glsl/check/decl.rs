@@ -182,19 +182,6 @@ impl Checker<'_> {
         }
     }
 
-    /// `invariant a, b;`: invariance holds always here, so only the names are checked.
-    pub(super) fn invariant(&mut self, names: &[ast::Name]) {
-        for name in names {
-            let var = match self.scopes.find(&name.text) {
-                Some(symbol) => symbol.variable(),
-                None => self.builtin_variable(&name.text),
-            };
-            if var.is_none() {
-                self.undeclared(&name.text, name.span);
-            }
-        }
-    }
-
     pub(super) fn global_declaration(&mut self, declaration: &ast::Declaration) {
         let Some((storage, passing)) = self.global_storage(&declaration.ty) else { return };
         self.check_precision(&declaration.ty);

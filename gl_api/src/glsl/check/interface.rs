@@ -4,6 +4,7 @@
 use super::Checker;
 use crate::glsl::Scalar;
 use crate::glsl::ast::{self, Qualifier};
+use crate::glsl::builtins::variables::Builtin;
 use crate::glsl::diagnostics::Diagnostic;
 use crate::glsl::hir::{Passing, Storage};
 use crate::glsl::source::Span;
@@ -52,6 +53,7 @@ impl Checker<'_> {
         self.no_block_layout(&ty.qualifiers);
         let mut word: Option<(Qualifier, Span)> = None;
         let mut passing = Passing::default();
+        let mut invariant = None;
         let mut words_of_passing: Vec<(Qualifier, Span)> = Vec::new();
         for &(qualifier, span) in &ty.qualifiers {
             let smoothness = match qualifier {
@@ -81,6 +83,7 @@ impl Checker<'_> {
                 // Invariance always holds: the word is only compared.
                 Qualifier::Invariant => {
                     passing.invariant = true;
+                    invariant = Some(span);
                     continue;
                 }
                 Qualifier::Centroid => {
@@ -122,6 +125,9 @@ impl Checker<'_> {
                 self.check_passing(storage, &words_of_passing, is(Qualifier::Varying));
                 let old = is(Qualifier::Attribute) || is(Qualifier::Varying);
                 self.check_location(storage, &ty.qualifiers, old);
+                if let Some(span) = invariant {
+                    self.check_invariant(storage, span);
+                }
                 Some((storage, passing))
             }
             Err((message, span)) => {
@@ -181,6 +187,67 @@ impl Checker<'_> {
         let problem = Diagnostic::error(span, message).rule("ARB_explicit_attrib_location");
         let help = if has_one { "write `in` or `out`" } else { "leave the location out" };
         self.log.push(problem.help(help));
+    }
+
+    /// Only what passes between the stages can be invariant (GLSL 1.20 section 4.6.1), and from 1.30
+    /// on and in GLSL ES what the fragment stage writes.
+    fn check_invariant(&mut self, storage: Storage, span: Span) {
+        let later = self.version >= Version::V130 || self.version == Version::Es100;
+        let fits = match storage {
+            Storage::Output(_) | Storage::Input(_) => true,
+            Storage::FragmentOutput => later,
+            Storage::Builtin(builtin) => match builtin {
+                Builtin::Position
+                | Builtin::PointSize
+                | Builtin::ClipVertex
+                | Builtin::ClipDistance
+                | Builtin::Varying(_)
+                | Builtin::FragCoord
+                | Builtin::PointCoord => true,
+                Builtin::FragColor | Builtin::FragData | Builtin::FragDepth => later,
+                Builtin::InstanceId
+                | Builtin::VertexId
+                | Builtin::Attribute(_)
+                | Builtin::FrontFacing
+                | Builtin::PrimitiveId
+                | Builtin::State(_)
+                | Builtin::States(_)
+                | Builtin::Limit(_) => false,
+            },
+            Storage::Plain
+            | Storage::Const
+            | Storage::Parameter(_)
+            | Storage::Uniform
+            | Storage::Attribute => false,
+        };
+        if !fits {
+            let message = "only what passes from the vertex to the fragment stage can be invariant";
+            let problem = Diagnostic::error(span, message).rule(self.rule("4.6.1"));
+            self.log.push(problem.help("leave `invariant` out"));
+        }
+    }
+
+    /// `invariant a, b;`: invariance holds always here, so it is only noted, for the linker.
+    pub(super) fn invariant(&mut self, names: &[ast::Name]) {
+        for name in names {
+            let var = match self.scopes.find(&name.text) {
+                Some(symbol) => symbol.variable(),
+                None => self.builtin_variable(&name.text),
+            };
+            let Some(var) = var else {
+                self.undeclared(&name.text, name.span);
+                continue;
+            };
+            let variable = self.variable_mut(var);
+            variable.passing.invariant = true;
+            let (storage, used) = (variable.storage, variable.named > 0);
+            self.check_invariant(storage, name.span);
+            if used {
+                let message = format!("`{}` is used before it is made invariant", name.text);
+                let problem = Diagnostic::error(name.span, message).rule(self.rule("4.6.1"));
+                self.log.push(problem.help("put this before the first use"));
+            }
+        }
     }
 
     /// `in` and `out` of globals came with 1.30; before, they are taken as what they mean there, so

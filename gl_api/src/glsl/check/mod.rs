@@ -81,7 +81,8 @@ pub fn check(
     log: &mut Log,
 ) -> Unit {
     let version = language.version;
-    let unit = Unit { stage, version, globals: Vec::new(), functions: Vec::new() };
+    let (globals, functions) = (Vec::new(), Vec::new());
+    let unit = Unit { stage, version, all_invariant: false, globals, functions };
     let mut checker = Checker {
         source,
         log,

@@ -69,7 +69,8 @@ impl Checker<'_> {
                 self.log.push(Diagnostic::error(name.span, message).rule(rule));
             }
             let variable = self.variable_mut(var);
-            variable.passing = passing;
+            let invariant = variable.passing.invariant || passing.invariant;
+            variable.passing = Passing { invariant, ..passing };
             if matches!(ty, Type::Array(_, Some(_))) {
                 variable.ty = ty.clone();
             }

@@ -28,7 +28,7 @@ pub fn varyings(
         }
     }
     let (mut next, mut scalars) = (VARYING_USER, 0u32);
-    let (Some(_), Some(fragment)) = (vertex, fragment) else {
+    let (Some(vertex), Some(fragment)) = (vertex, fragment) else {
         // The fixed function writes no varying of the program's: it is undefined, here zero.
         for input in fragment.iter().flat_map(|fragment| fragment.with(is_input)) {
             in_fragment.insert(input.name.clone(), Binding::Varying(None));
@@ -40,7 +40,7 @@ pub fn varyings(
         if let Some((output, _)) = outputs.get(&*input.name)
             && inputs.insert(&input.name)
         {
-            check_alike(output, input, log);
+            check_alike(output, input, vertex, log);
         }
     }
     for input in fragment.with(is_input) {
@@ -88,11 +88,19 @@ fn is_input(storage: Storage) -> bool {
 }
 
 /// Reports a varying that the stages declare differently, whether it is read or not.
-fn check_alike(output: &Variable, input: &Variable, log: &mut Log) {
+fn check_alike(output: &Variable, input: &Variable, vertex: &StageUnits<'_>, log: &mut Log) {
     let (a, b, rule) = if output.ty != input.ty {
         (output.ty.to_string(), input.ty.to_string(), "GLSL 1.30 section 4.3.6")
     } else if let Some((a, b)) = mismatch(output, input) {
         (a.to_owned(), b.to_owned(), "GLSL 1.30 section 4.3.7")
+    } else if output.passing.invariant != input.passing.invariant
+        && !vertex.units.iter().any(|unit| unit.all_invariant)
+    {
+        let [a, b] = [output, input].map(|variable| match variable.passing.invariant {
+            true => "invariant".to_owned(),
+            false => "not invariant".to_owned(),
+        });
+        (a, b, "GLSL 1.20 section 4.6.1")
     } else {
         return;
     };

@@ -63,7 +63,13 @@ impl Preprocessor<'_> {
                 let message = format!("#error {}", text.unwrap_or_default());
                 self.error(span, message.trim_end());
             }
-            "pragma" => {}
+            "pragma" => {
+                let words = ["STDGL", "invariant", "(", "all", ")"];
+                let is = |(token, word): (&Token, &str)| {
+                    token.is(word) || token.word().is_some_and(|found| **found == *word)
+                };
+                self.all_invariant |= rest.len() == words.len() && rest.iter().zip(words).all(is);
+            }
             "version" => self.version(span, rest),
             "extension" => self.extension(span, rest),
             "line" => self.line(span, rest),

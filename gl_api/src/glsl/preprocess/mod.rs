@@ -18,6 +18,8 @@ pub struct Preprocessed {
     pub tokens: Vec<Token>,
     /// What `#version` and `#extension` asked for.
     pub language: Language,
+    /// Whether `#pragma STDGL invariant(all)` stands in it.
+    pub all_invariant: bool,
 }
 
 /// An `#if` that is open.
@@ -47,6 +49,7 @@ struct Preprocessor<'a> {
     source: &'a mut Source,
     log: &'a mut Log,
     language: Language,
+    all_invariant: bool,
     macros: Macros,
     conditionals: Vec<Conditional>,
     /// Whether anything but blanks and comments came before.
@@ -71,13 +74,15 @@ pub fn preprocess(source: &mut Source, log: &mut Log) -> Preprocessed {
         source,
         log,
         language: Version::V110.into(),
+        all_invariant: false,
         macros: Macros::new(Version::V110),
         conditionals: Vec::new(),
         begun: false,
         program_begun: false,
     };
     let tokens = preprocessor.run(&lexed.tokens);
-    Preprocessed { tokens, language: preprocessor.language }
+    let Preprocessor { language, all_invariant, .. } = preprocessor;
+    Preprocessed { tokens, language, all_invariant }
 }
 
 impl Preprocessor<'_> {
