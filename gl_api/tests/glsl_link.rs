@@ -51,6 +51,16 @@ fn one_stage_is_enough_and_so_is_none() {
     assert!(program(&[VERTEX], &[], &Bindings::default()).fragment.is_none());
 }
 
+#[test]
+fn an_initializer_may_call_a_function_of_another_shader() {
+    let main = "#version 120\nfloat f(); float g = f(); void main() { gl_FragColor = vec4(g); }";
+    let library = "#version 120\nuniform float u; float f() { return u; }";
+    let program = program(&[VERTEX], &[main, library], &Bindings::default());
+    assert_eq!(program.uniforms.len(), 1);
+    let again = "#version 120\nfloat f(); float g = f();";
+    fails(&[VERTEX], &[main, library, again], "`g` has two initial values");
+}
+
 /// GLSL 1.40 no longer asks for it; transform feedback may be all that a vertex stage is for.
 #[test]
 fn a_position_is_needed_before_1_40() {

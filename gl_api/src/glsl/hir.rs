@@ -24,6 +24,8 @@ pub struct Unit {
     pub globals: Vec<Variable>,
     /// Its functions, prototypes among them.
     pub functions: Vec<Function>,
+    /// The functions that initializers of globals call.
+    pub calls: Vec<u32>,
 }
 
 /// A variable.
@@ -145,6 +147,11 @@ pub struct Variable {
 }
 
 impl Variable {
+    /// Whether its value has effects, so that it is worked out even if nobody names the variable.
+    pub fn has_effects(&self) -> bool {
+        self.storage == Storage::Plain && self.init.as_ref().is_some_and(Expr::has_effects)
+    }
+
     /// How many elements of an array anything names, from the first one on (GL 2.1, section 2.15.3:
     /// the highest index used, plus one); `None` where all may be.
     pub fn reach(&self) -> Option<u32> {

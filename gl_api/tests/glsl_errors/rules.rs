@@ -82,6 +82,28 @@ pub const REFUSED: &[(Stage, &str, &str)] = &[
         "`x` is used before it is made invariant",
     ),
     (Vertex, "#version 120\ninvariant x; varying float x; void main() {}", "`x` is not declared"),
+    // Functions of the shader make no constants.
+    (
+        Fragment,
+        "#version 120\nfloat f() { return 3.0; }\nconst float g = f();\nvoid main() {}",
+        "0:3(17): error: the value of a constant is not a constant expression",
+    ),
+    (
+        Fragment,
+        "#version 120\nfloat f() { return 3.0; }\nuniform float g = f();\nvoid main() {}",
+        "the value of a uniform is not a constant expression",
+    ),
+    (
+        Fragment,
+        "#version 120\nint f() { return 3; }\nfloat g[f()];\nvoid main() {}",
+        "the size of an array is a constant integer",
+    ),
+    (
+        Fragment,
+        "#version 100\nprecision mediump float;\nfloat f() { return 3.0; }\nfloat g = f();\n\
+         void main() {}",
+        "functions of the shader cannot be called outside of functions",
+    ),
 ];
 
 /// Shaders that compile, with a warning.
@@ -196,5 +218,11 @@ pub const UNLINKED: &[(&str, &str, &str)] = &[
         "#version 120\n#pragma STDGL invariant(none)\ninvariant varying float x; void main() { gl_Position = vec4(1.0); }",
         "#version 120\nvarying float x; void main() { gl_FragColor = vec4(1.0); }",
         "`x` is invariant in the vertex shader and not invariant in the fragment shader",
+    ),
+    // Functions that initializers call.
+    (
+        "void main() { gl_Position = vec4(1.0); }",
+        "float f(); float g = f(); void main() { gl_FragColor = vec4(g); }",
+        "`f()` is called and never defined",
     ),
 ];

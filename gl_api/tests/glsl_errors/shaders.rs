@@ -201,7 +201,10 @@ pub const FRAGMENT: &[(&str, &str)] = &[
     ("main takes something", "void main(float a) {}"),
     ("main returns something", "float main() { return 1.0; }"),
     ("mutual recursion", "void g();\nvoid f() { g(); }\nvoid g() { f(); }\nvoid main() { f(); }"),
-    ("call outside", "float f() { return 1.0; }\nfloat g = f();\nvoid main() {}"),
+    (
+        "call outside",
+        "#version 100\nprecision mediump float;\nfloat f() { return 1.0; }\nfloat g = f();\nvoid main() {}",
+    ),
     ("continue outside", "void main() { continue; }"),
     ("while int", "void main() { while (1) {} }"),
     ("for int", "void main() { for (int i = 0; i; i++) {} }"),

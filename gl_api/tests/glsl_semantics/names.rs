@@ -67,4 +67,43 @@ pub const TABLE: &[Row] = &[
     ),
     Row(130, "#define A 3.0 + \\\r4.0\n", "r.x = A;", [7.0, 0.0, 0.0, 0.0]),
     Row(130, "#define A 3.0 + \\\n\r4.0\n", "r.x = A;", [7.0, 0.0, 0.0, 0.0]),
+    // Initializers of globals may call functions of the shader; they run before `main`, in order
+    Row(120, "float f() { return 3.0; } float g = f();", "r.x = g;", [3.0, 0.0, 0.0, 0.0]),
+    Row(110, "float f() { return 3.0; } float g = f() + 1.0;", "r.x = g;", [4.0, 0.0, 0.0, 0.0]),
+    Row(
+        120,
+        "float f(); float g = f(); float f() { return 3.0; }",
+        "g += 1.0; r.x = g;",
+        [4.0, 0.0, 0.0, 0.0],
+    ),
+    Row(
+        130,
+        "float g = 1.0; float f() { g += 1.0; return 3.0; } float h = f(); float i = g;",
+        "r.xyz = vec3(g, h, i);",
+        [2.0, 3.0, 2.0, 0.0],
+    ),
+    // Also those that nobody names, if they have effects
+    Row(
+        140,
+        "float g = 1.0; float f() { g += 1.0; return 3.0; } float h = f();",
+        "r.x = g;",
+        [2.0, 0.0, 0.0, 0.0],
+    ),
+    Row(110, "float g; float h = g = 5.0;", "r.x = g;", [5.0, 0.0, 0.0, 0.0]),
+    // What is called finds the globals that come later, without their values
+    Row(
+        120,
+        "float f(); float h = f(); float g = 1.0; const float c = 2.0; float a[2];
+         float f() { if (g > 0.5) return 9.0; a[1] = c; g = 5.0; return g + a[1]; }",
+        "r = vec4(g, h, a[1], c);",
+        [1.0, 7.0, 2.0, 2.0],
+    ),
+    Row(
+        120,
+        "float f(float a) { for (int i = 0; i < 3; i++) { if (a > 4.0) return a; a *= 2.0; }
+         return 0.0; }
+         struct S { float a; vec2 b; }; S s = S(f(3.0), vec2(f(5.0), f(0.0)));",
+        "r.xyz = vec3(s.a, s.b);",
+        [6.0, 5.0, 0.0, 0.0],
+    ),
 ];

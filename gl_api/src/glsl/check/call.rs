@@ -268,10 +268,13 @@ impl Checker<'_> {
             Target::User(index) => {
                 match &mut self.body {
                     Some(body) => body.calls.push((index, name.span)),
+                    // Initializers run before `main`; those of GLSL ES are constant.
+                    None if self.version != Version::Es100 => self.unit.calls.push(index),
                     None => {
                         let message =
                             "functions of the shader cannot be called outside of functions";
                         self.error(span, "6.1", message);
+                        return Expr::error(span);
                     }
                 }
                 Expr { ty, span, constant: false, kind: ExprKind::Call(index, converted) }

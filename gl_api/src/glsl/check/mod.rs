@@ -81,8 +81,8 @@ pub fn check(
     log: &mut Log,
 ) -> Unit {
     let version = language.version;
-    let (globals, functions) = (Vec::new(), Vec::new());
-    let unit = Unit { stage, version, all_invariant: false, globals, functions };
+    let (globals, functions, calls) = (Vec::new(), Vec::new(), Vec::new());
+    let unit = Unit { stage, version, all_invariant: false, globals, functions, calls };
     let mut checker = Checker {
         source,
         log,

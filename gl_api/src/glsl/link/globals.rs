@@ -89,6 +89,7 @@ pub fn same_globals(units: &[&Unit], stage: &str, log: &mut Log) {
             format!("has location {a} in one {stage} shader and {b} in another")
         } else if let (Some(a), Some(b)) = (&other.init, &variable.init)
             && variable.storage != Storage::Uniform
+            && !std::ptr::eq(other, variable)
             && !same_value((home, a), (unit, b))
         {
             format!("has two initial values in the {stage} shaders")
@@ -106,6 +107,9 @@ pub fn same_globals(units: &[&Unit], stage: &str, log: &mut Log) {
 /// Whether two initializers give one value. Several shaders can only give what is constant
 /// (GLSL 1.30 section 4.3).
 fn same_value((home, a): (&Unit, &Expr), (away, b): (&Unit, &Expr)) -> bool {
+    if a.has_effects() || b.has_effects() {
+        return false;
+    }
     let a = lower::constant(a, &home.globals, &[]);
     a.is_some() && a == lower::constant(b, &away.globals, &[])
 }

@@ -54,13 +54,30 @@ pub fn lower_stage(
     lowerer.unit_functions = units.iter().map(|unit| &unit.functions[..]).collect();
     lowerer.words = words;
     let mut copies = Vec::new();
-    for variable in used_globals(units, reachable, bindings) {
-        let unit = variable.0;
-        lowerer.open_frame(unit, &[]);
-        let slot = lowerer.global(&variable.1, bindings, &mut copies);
-        lowerer.frames.pop();
-        let slot = slot?;
-        lowerer.globals.insert(variable.1.name.clone(), slot);
+    let mut globals = used_globals(units, reachable, bindings);
+    // What is called may name any global, so all of them are there before the first value is worked
+    // out.
+    let mut values = Vec::new();
+    if units.iter().any(|unit| !unit.calls.is_empty()) {
+        for (unit, global) in &mut globals {
+            if let (Storage::Plain, Some(init)) = (global.storage, global.init.take()) {
+                values.push((*unit, global.name.clone(), init));
+            }
+        }
+    }
+    for (unit, global) in &globals {
+        let slot =
+            lowerer.in_unit(*unit, |lowerer| lowerer.global(global, bindings, &mut copies))?;
+        lowerer.globals.insert(global.name.clone(), slot);
+    }
+    for (unit, name, init) in &values {
+        lowerer.in_unit(*unit, |lowerer| {
+            let values = lowerer.expr(init)?;
+            if let Some(slot) = lowerer.globals.get(name).cloned() {
+                lowerer.fill(&slot, &values);
+            }
+            Ok(())
+        })?;
     }
     let Some(&(unit, main)) = reachable.first() else {
         return Err(Failure("there is no function `main`".to_owned()));
@@ -83,12 +100,16 @@ pub fn lower_stage(
     Ok(LoweredStage { module: emit.builder.finish(), samplers, words })
 }
 
-/// The globals that the functions name, and those that their initializers name: unit and index, in
-/// order.
+/// The globals that the functions name, those whose initializers have effects, and those that
+/// initializers name: unit and index, in order.
 pub fn named_globals(units: &[&Unit], reachable: &[(usize, &Function)]) -> Vec<(usize, u32)> {
     let mut named: Vec<BTreeSet<u32>> = vec![BTreeSet::new(); units.len()];
     for (unit, function) in reachable {
         named[*unit].extend(&function.globals);
+    }
+    for (declared, named) in units.iter().zip(&mut named) {
+        let all = declared.globals.iter().zip(0..);
+        named.extend(all.filter(|(global, _)| global.has_effects()).map(|(_, index)| index));
     }
     // A global of one shader may have its initializer in another.
     let mut open: Vec<(usize, u32)> = Vec::new();
@@ -164,6 +185,18 @@ fn used_globals(
 }
 
 impl Lowerer<'_> {
+    /// Runs `lower` outside of the functions of a unit.
+    fn in_unit<T>(
+        &mut self,
+        unit: usize,
+        lower: impl FnOnce(&mut Self) -> Lowered<T>,
+    ) -> Lowered<T> {
+        self.open_frame(unit, &[]);
+        let result = lower(self);
+        self.frames.pop();
+        result
+    }
+
     /// Where a global lives; copies to outputs are noted.
     fn global(
         &mut self,

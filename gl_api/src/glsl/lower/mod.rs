@@ -204,25 +204,29 @@ fn functions<'a>(units: &[&'a Unit]) -> BTreeMap<String, (usize, &'a Function)> 
     all
 }
 
-/// The functions that `main` reaches, `main` first, each with its unit. One that nobody defines is
-/// no mistake as long as the calls of it fold away.
+/// The functions that `main` reaches, `main` first, and those that initializers of globals reach, each
+/// with its unit. One that nobody defines is no mistake as long as the calls of it fold away.
 pub fn reachable<'a>(units: &[&'a Unit]) -> Vec<(usize, &'a Function)> {
     let bodies = functions(units);
     let Some(&main) = bodies.get("main()") else { return Vec::new() };
     let mut seen = vec![main];
     let mut names = std::collections::BTreeSet::from(["main()".to_owned()]);
+    let mut add = |seen: &mut Vec<_>, unit: usize, call: u32| {
+        let signature = units[unit].functions[call as usize].signature();
+        if let Some(&target) = bodies.get(&signature)
+            && names.insert(signature)
+        {
+            seen.push(target);
+        }
+    };
+    for (index, unit) in units.iter().enumerate() {
+        unit.calls.iter().for_each(|&call| add(&mut seen, index, call));
+    }
     let mut next = 0;
     while next < seen.len() {
         let (unit, function) = seen[next];
         next += 1;
-        for &(call, _) in &function.calls {
-            let signature = units[unit].functions[call as usize].signature();
-            if let Some(&target) = bodies.get(&signature)
-                && names.insert(signature)
-            {
-                seen.push(target);
-            }
-        }
+        function.calls.iter().for_each(|&(call, _)| add(&mut seen, unit, call));
     }
     seen
 }
