@@ -104,6 +104,16 @@ pub const REFUSED: &[(Stage, &str, &str)] = &[
          void main() {}",
         "functions of the shader cannot be called outside of functions",
     ),
+    // `##` joins two tokens.
+    (Fragment, "#version 130\n#define A 2##\nvoid main() {}", "0:2(12): error: `##` has nothing"),
+    (Fragment, "#version 130\n#define A ##2\nvoid main() {}", "0:2(11): error: `##` has nothing"),
+    (Fragment, "#version 130\n#define A(x) x##\nvoid main() {}", "`##` has nothing to join here"),
+    (Fragment, "#version 130\n#define A(x) ##x\nvoid main() {}", "`##` has nothing to join here"),
+    (
+        Fragment,
+        "#version 130\n#define A 1\n#define F(x, y) x##y\nint a = F(A, B);\nvoid main() {}",
+        "`AB` is not declared",
+    ),
 ];
 
 /// Shaders that compile, with a warning.

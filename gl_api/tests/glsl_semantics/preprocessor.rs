@@ -108,4 +108,39 @@ pub const TABLE: &[Row] = &[
         "r.x = dFdx(x) + fwidth(x);",
         [2.0, 0.0, 0.0, 0.0],
     ),
+    // `##` joins what is written, which is then expanded; an empty argument joins as nothing
+    Row(
+        130,
+        "#define A 1.0\n#define AB 5.0\n#define CAT(x, y) x##y\n",
+        "r.x = CAT(A, B);",
+        [5.0, 0.0, 0.0, 0.0],
+    ),
+    Row(
+        130,
+        "#define A 1\n#define CAT(x, y) x##y\n#define XCAT(x, y) CAT(x, y) + x\n",
+        "r.x = XCAT(A, 2);",
+        [13.0, 0.0, 0.0, 0.0],
+    ),
+    Row(130, "#define F(x, y) 3 + x##y\n", "r.x = F(, 4);", [7.0, 0.0, 0.0, 0.0]),
+    Row(
+        130,
+        "#define F(x, y) int x##y\n",
+        "F(, q) = 3; F(n, ) = 4; r.xy = vec2(q, n);",
+        [3.0, 4.0, 0.0, 0.0],
+    ),
+    Row(
+        130,
+        "#define F(x, y, z) 4 x##y##z\n",
+        "r = vec4(F(,,), F(+ 1, 2, ), F(, + 1, 0), F(,,+ 1));",
+        [4.0, 16.0, 14.0, 5.0],
+    ),
+    Row(
+        130,
+        "#define F(x, y, z) x##y##z\n",
+        "int F(a, b, c) = 3; int F(a, , c) = 4; int F(, , c) = 5; r.xyz = vec3(abc, ac, c);",
+        [3.0, 4.0, 5.0, 0.0],
+    ),
+    Row(130, "#define F(x, y) x##y\n", "r.x = F(1 + 2, 3 + 4);", [28.0, 0.0, 0.0, 0.0]),
+    // Before 1.30 a body may hold it that nobody uses
+    Row(120, "#define F 2##\n#define G ##\n", "r.x = 1.0;", [1.0, 0.0, 0.0, 0.0]),
 ];

@@ -191,7 +191,7 @@ impl Preprocessor<'_> {
             let message = format!("`{name}` holds two underscores in a row, which is reserved");
             self.log.push(Diagnostic::warning(at, message));
         }
-        match Macro::parse(at, more) {
+        match Macro::parse(at, more, self.language.version) {
             Ok(new) => {
                 if !self.macros.define(name, new) {
                     let message = format!("`{name}` is already defined differently");

@@ -23,7 +23,7 @@ pub struct Macro {
 
 impl Macro {
     /// Reads what follows the name `at` in a `#define`.
-    pub fn parse(at: Span, rest: &[Token]) -> Result<Self, Box<Diagnostic>> {
+    pub fn parse(at: Span, rest: &[Token], version: Version) -> Result<Self, Box<Diagnostic>> {
         // Only a parenthesis without a blank before it begins parameters.
         let [open, more @ ..] = rest else {
             return Ok(Self { parameters: None, body: Vec::new() });
@@ -33,7 +33,7 @@ impl Macro {
             return Err(problem.rule("GLSL 1.30 section 3.3").into());
         }
         if !(open.is("(") && open.span.start == at.end) {
-            return Ok(Self { parameters: None, body: rest.to_vec() });
+            return Ok(Self { parameters: None, body: body(rest, version)? });
         }
         let Some(close) = more.iter().position(|token| token.is(")")) else {
             return Err(
@@ -53,7 +53,7 @@ impl Macro {
                 }
             }
         }
-        Ok(Self { parameters: Some(parameters), body: more[close + 1..].to_vec() })
+        Ok(Self { parameters: Some(parameters), body: body(&more[close + 1..], version)? })
     }
 
     /// Whether a second definition says the same.
@@ -62,6 +62,22 @@ impl Macro {
             && self.body.len() == other.body.len()
             && self.body.iter().zip(&other.body).all(|(a, b)| a.kind == b.kind)
     }
+}
+
+/// The body of a macro: `##` has something to join on both sides. Before GLSL 1.30, which brought
+/// it, only its use is an error.
+fn body(tokens: &[Token], version: Version) -> Result<Vec<Token>, Box<Diagnostic>> {
+    let ends = [tokens.first(), tokens.last()];
+    match ends.into_iter().flatten().find(|token| token.is("##")) {
+        Some(end) if version >= Version::V130 => Err(nothing_to_join(end)),
+        Some(_) | None => Ok(tokens.to_vec()),
+    }
+}
+
+fn nothing_to_join(at: &Token) -> Box<Diagnostic> {
+    Diagnostic::error(at.span, "`##` has nothing to join here")
+        .rule("GLSL 1.30 section 3.3: `##` joins two tokens, from version 130 on")
+        .into()
 }
 
 /// A token on its way through the expansion.
@@ -190,7 +206,7 @@ impl Expansion<'_> {
                 continue;
             }
             let body = match &found.parameters {
-                None => self.paste(&found.body, &[], &[], token.span)?,
+                None => self.paste(&found.body, &[], &[], &[], token.span)?,
                 Some(parameters) => {
                     let next = work.iter().rev().find(|item| !matches!(item, Item::EndOf(_)));
                     if !matches!(next, Some(Item::Token(next)) if next.is("(")) {
@@ -215,19 +231,18 @@ impl Expansion<'_> {
                         return Err(Diagnostic::error(token.span, message).into());
                     }
                     let mut arguments = Vec::new();
-                    for argument in raw {
-                        let items = argument.into_iter().map(Item::Token).collect();
+                    for argument in &raw {
+                        let items = argument.iter().cloned().map(Item::Token).collect();
                         let active = self.active.clone();
                         arguments.push(self.run(items, None, depth + 1)?);
                         self.active = active;
                     }
-                    self.paste(&found.body, parameters, &arguments, token.span)?
+                    self.paste(&found.body, parameters, &raw, &arguments, token.span)?
                 }
             };
             *self.produced += body.len() + 1;
             if *self.produced > MAX_EXPANDED_TOKENS {
-                let message = format!("macros expand to more than {MAX_EXPANDED_TOKENS} tokens");
-                return Err(Diagnostic::error(token.span, message).into());
+                return Err(too_many_tokens(token.span));
             }
             self.active.insert(name.clone());
             work.push(Item::EndOf(name));
@@ -284,52 +299,63 @@ impl Expansion<'_> {
         Err(Diagnostic::error(name.span, message).into())
     }
 
-    /// The body with arguments in place of parameters, `##` applied (GLSL 1.30 section 3.3).
+    /// The body with arguments in place of parameters, `##` applied (GLSL 1.30 section 3.3): to the
+    /// arguments as they are written, where elsewhere they are `expanded`.
     fn paste(
         &self,
         body: &[Token],
         parameters: &[Arc<str>],
-        arguments: &[Vec<Item>],
+        written: &[Vec<Token>],
+        expanded: &[Vec<Item>],
         at: Span,
     ) -> Result<Vec<Item>, Box<Diagnostic>> {
         let mut output: Vec<Item> = Vec::new();
         let mut joining = false;
-        for token in body {
+        // Whether what is before gave a token: an empty argument joins as nothing.
+        let mut before = false;
+        for (index, token) in body.iter().enumerate() {
             if token.is("##") {
-                if output.is_empty() || self.version < Version::V130 {
-                    let message = "`##` has nothing to join here";
-                    return Err(Diagnostic::error(token.span, message)
-                        .rule("GLSL 1.30 section 3.3: `##` joins two tokens, from version 130 on")
-                        .into());
+                if self.version < Version::V130 {
+                    return Err(nothing_to_join(token));
                 }
                 joining = true;
                 continue;
             }
             let parameter = token.word().and_then(|w| parameters.iter().position(|p| p == w));
+            let joined = joining || body.get(index + 1).is_some_and(|next| next.is("##"));
             let start = output.len();
             match parameter {
+                Some(index) if joined => {
+                    output.extend(written[index].iter().cloned().map(Item::Token));
+                }
                 Some(index) => {
-                    for item in &arguments[index] {
+                    for item in &expanded[index] {
                         match item {
                             Item::Token(t) => output.push(Item::Token(t.clone())),
                             Item::Painted(t) => output.push(Item::Painted(t.clone())),
                             Item::EndOf(_) => {}
                         }
                     }
-                    if *self.produced + output.len() > MAX_EXPANDED_TOKENS {
-                        let message =
-                            format!("macros expand to more than {MAX_EXPANDED_TOKENS} tokens");
-                        return Err(Diagnostic::error(at, message).into());
-                    }
                 }
                 None => output.push(Item::Token(Token { kind: token.kind.clone(), span: at })),
             }
-            if std::mem::take(&mut joining) && start > 0 && start < output.len() {
+            if *self.produced + output.len() > MAX_EXPANDED_TOKENS {
+                return Err(too_many_tokens(at));
+            }
+            let given = start < output.len();
+            if joining && before && given {
                 join(&mut output, start, at)?;
             }
+            before = given || joining && before;
+            joining = false;
         }
         Ok(output)
     }
+}
+
+fn too_many_tokens(at: Span) -> Box<Diagnostic> {
+    let message = format!("macros expand to more than {MAX_EXPANDED_TOKENS} tokens");
+    Diagnostic::error(at, message).into()
 }
 
 /// Joins the tokens at `start - 1` and `start` into one.
