@@ -103,6 +103,27 @@ fn long_but_fine() {
     assert!(linked.program.is_some(), "{}", linked.log);
 }
 
+/// What is asked about a line, or compared with what was declared before, is not looked for again
+/// each time.
+#[test]
+fn in_one_line_and_by_one_name() {
+    let lines = format!("void main() {{ int x; {} }}", "x = __LINE__; ".repeat(50_000));
+    let prototypes = "float f(float a); ".repeat(50_000) + "void main() {}";
+    let overload = |number: u32| {
+        let ty =
+            |digit: u32| ["float", "vec2", "vec3", "vec4"][(number >> (2 * digit) & 3) as usize];
+        let types: Vec<&str> = (0..7).map(ty).collect();
+        format!("float f({});", types.join(", "))
+    };
+    let overloads = (0..1 << 14).map(overload).collect::<String>() + "void main() {}";
+    let members: String = (0..20_000).map(|number| format!("float a{number};")).collect();
+    let structure = format!("struct S {{ {members} }}; void main() {{}}");
+    for source in [lines, prototypes, overloads, structure] {
+        let compiled = compiled(&source);
+        assert!(compiled.shader.is_some(), "{}", compiled.log);
+    }
+}
+
 #[test]
 fn deep_but_bounded() {
     let mut calls = "float f0(float a) { return a; }\n".to_owned();

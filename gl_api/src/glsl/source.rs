@@ -98,25 +98,31 @@ impl Source {
         (rest.split(['\n', '\r']).next().unwrap_or(""), start)
     }
 
-    /// What `#line` says of a byte's position.
-    pub fn position(&self, offset: u32) -> Position {
+    /// The source string number and the line of a byte, as `#line` says.
+    pub fn line_of(&self, offset: u32) -> (i64, i64) {
         let index = self.line_index(offset);
-        let (text, start) = self.line_text(offset);
-        let before = (offset - start) as usize;
-        let column = 1 + text.char_indices().take_while(|&(at, _)| at < before).count();
         let ruling = self.renumberings.iter().rev().find(|renumbering| renumbering.first <= index);
-        let (string, line) = match ruling {
+        match ruling {
             Some(ruling) => {
                 (ruling.string, ruling.line.saturating_add((index - ruling.first) as i64))
             }
             None => (0, index as i64 + 1),
-        };
+        }
+    }
+
+    /// What `#line` says of a byte's position. Takes as long as the line before it is; where no column
+    /// is needed, use [`Source::line_of`].
+    pub fn position(&self, offset: u32) -> Position {
+        let (text, start) = self.line_text(offset);
+        let before = (offset - start) as usize;
+        let column = 1 + text.char_indices().take_while(|&(at, _)| at < before).count();
+        let (string, line) = self.line_of(offset);
         Position { string, line, column }
     }
 
     /// Applies a `#line`: the line after the one of `directive` gets the number `line`.
     pub fn renumber(&mut self, directive: u32, line: i64, string: Option<i64>) {
-        let string = string.unwrap_or_else(|| self.position(directive).string);
+        let string = string.unwrap_or_else(|| self.line_of(directive).0);
         let first = self.line_index(directive) + 1;
         self.renumberings.push(Renumbering { first, line, string });
     }

@@ -130,22 +130,23 @@ impl Checker<'_> {
     /// What a name can mean in a call: the shader's functions, and those of the language that take
     /// something else.
     fn candidates(&mut self, name: &ast::Name) -> Vec<Candidate> {
-        let mut candidates = Vec::new();
-        match self.scopes.find(&name.text) {
-            Some(Symbol::Functions(all)) => {
-                for &index in all {
-                    let function = &self.unit.functions[index as usize];
-                    candidates.push(Candidate {
-                        target: Target::User(index),
-                        parameters: function.parameters().cloned().collect(),
-                        directions: function.directions.clone(),
-                        result: function.result.clone(),
-                    });
-                }
-            }
-            Some(Symbol::Variable(_) | Symbol::Member(..) | Symbol::Block) => return candidates,
-            Some(Symbol::Struct(_) | Symbol::Undeclared(_)) | None => {}
+        let hidden = matches!(
+            self.scopes.find(&name.text),
+            Some(Symbol::Variable(_) | Symbol::Member(..) | Symbol::Block)
+        );
+        if hidden {
+            return Vec::new();
         }
+        let own = self.scopes.functions(&name.text).iter().map(|&index| {
+            let function = &self.unit.functions[index as usize];
+            Candidate {
+                target: Target::User(index),
+                parameters: function.parameters().cloned().collect(),
+                directions: function.directions.clone(),
+                result: function.result.clone(),
+            }
+        });
+        let mut candidates: Vec<Candidate> = own.collect();
         for row in functions::find(&name.text, self.stage, self.language) {
             for (parameters, result) in row.signatures() {
                 if candidates.iter().any(|candidate| candidate.parameters == parameters) {
@@ -239,7 +240,7 @@ impl Checker<'_> {
         if self.source.slice(span) != argument.ty.to_string() {
             return problem;
         }
-        let line = self.source.position(span.start).line;
+        let line = self.source.line_of(span.start).1;
         let text = format!("declare `{}` in line {line} as `{needed}`", variable.name);
         problem.fix(text, span, needed.to_string())
     }

@@ -11,6 +11,7 @@ use crate::glsl::limits::{MAX_DIMENSIONS, MAX_SCALARS, MAX_STRUCT_DEPTH};
 use crate::glsl::source::Span;
 use crate::glsl::types::{Struct, Type};
 use crate::glsl::version::{Extension, Since, Version};
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 impl Checker<'_> {
@@ -115,6 +116,7 @@ impl Checker<'_> {
 
     fn structure(&mut self, declared: &ast::StructDecl, span: Span) -> Type {
         let mut fields: Vec<(Arc<str>, Type)> = Vec::new();
+        let mut names: BTreeSet<&str> = BTreeSet::new();
         for (ty, name, array) in &declared.fields {
             if matches!(ty.base, TypeBase::Struct(_)) {
                 let message = "a structure cannot be declared inside another";
@@ -122,7 +124,7 @@ impl Checker<'_> {
                 return Type::Error;
             }
             let field = self.type_of(ty, array);
-            if fields.iter().any(|(known, _)| *known == name.text) {
+            if !names.insert(&*name.text) {
                 self.error(name.span, "4.1.8", format!("a second member `{}`", name.text));
                 continue;
             }
@@ -173,7 +175,7 @@ impl Checker<'_> {
             Some(symbol) => {
                 let mut message = format!("`{}` is declared already", name.text);
                 if let Symbol::Variable(var) | Symbol::Member(var, _) = symbol {
-                    let line = self.source.position(self.variable(*var).span.start).line;
+                    let line = self.source.line_of(self.variable(*var).span.start).1;
                     message = format!("{message}, in line {line}");
                 }
                 let rule = format!("{} section 4.2.2", self.version.title());

@@ -77,7 +77,7 @@ impl Checker<'_> {
         let var = match self.scopes.find(name) {
             Some(Symbol::Variable(var)) => Some(*var),
             Some(&Symbol::Member(block, index)) => return self.member(block, index, span),
-            Some(Symbol::Block | Symbol::Struct(_) | Symbol::Functions(_)) => {
+            Some(Symbol::Block | Symbol::Struct(_) | Symbol::Functions) => {
                 let message = format!("`{name}` is not a variable");
                 self.error(span, "5.1", message);
                 return Expr::error(span);

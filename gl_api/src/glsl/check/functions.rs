@@ -118,52 +118,49 @@ impl Checker<'_> {
     /// Enters a function, or finds the prototype that announced it.
     fn declare_function(&mut self, declared: &ast::Function, new: Function) -> Option<usize> {
         let name = &declared.name;
-        let mut known = match self.scopes.find_global(&name.text) {
-            Some(Symbol::Functions(all)) => all.clone(),
-            Some(Symbol::Undeclared(_)) | None => Vec::new(),
+        match self.scopes.find_global(&name.text) {
+            Some(Symbol::Functions | Symbol::Undeclared(_)) | None => {}
             Some(Symbol::Variable(_) | Symbol::Member(..) | Symbol::Block | Symbol::Struct(_)) => {
                 self.check_new(name);
                 return None;
             }
-        };
+        }
         if name.text.starts_with("gl_") {
             self.check_new(name);
         }
-        let same = known.iter().copied().find(|&index| {
-            let other = &self.unit.functions[index as usize];
-            other.parameters().eq(new.parameters())
-        });
+        let signature = new.signature();
+        let known = self.signatures.get(&signature).copied();
+        let same =
+            known.filter(|&index| self.unit.functions[index].parameters().eq(new.parameters()));
         if let Some(index) = same {
-            let other = &self.unit.functions[index as usize];
-            let rule = format!("{} section 6.1", self.version.title());
-            let line = self.source.position(other.span.start).line;
+            let other = &self.unit.functions[index];
             let problem = if other.result != new.result || other.directions != new.directions {
-                Some(format!("`{}` differs from its declaration in line {line}", name.text))
+                Some(("differs from its declaration", &*name.text))
             } else if other.body.is_some() && declared.body.is_some() {
-                Some(format!("`{}` is defined already, in line {line}", new.signature()))
+                Some(("is defined already,", &*signature))
             } else if self.version == Version::Es100
                 && other.body.is_none()
                 && declared.body.is_none()
             {
                 // One prototype and the definition (section 4.2.7).
-                Some(format!("`{}` is declared already, in line {line}", new.signature()))
+                Some(("is declared already,", &*signature))
             } else {
                 None
             };
-            if let Some(message) = problem {
-                self.log.push(Diagnostic::error(name.span, message).rule(rule));
+            if let Some((problem, what)) = problem {
+                let line = self.source.line_of(other.span.start).1;
+                self.error(name.span, "6.1", format!("`{what}` {problem} in line {line}"));
                 return None;
             }
             if declared.body.is_some() {
-                let old = &mut self.unit.functions[index as usize];
-                *old = new;
+                self.unit.functions[index] = new;
             }
-            return Some(index as usize);
+            return Some(index);
         }
         let index = self.unit.functions.len();
         self.unit.functions.push(new);
-        known.push(index as u32);
-        self.scopes.add_global(name.text.clone(), Symbol::Functions(known));
+        self.signatures.insert(signature, index);
+        self.scopes.add_function(name.text.clone(), index as u32);
         Some(index)
     }
 

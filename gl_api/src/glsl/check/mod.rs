@@ -26,6 +26,7 @@ use rasterizer::ir::Stage;
 pub use recursion::recursive_call;
 use redeclare::settle_arrays;
 use scope::{Scopes, Undeclared};
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// What is known while a function's body is checked.
@@ -66,6 +67,8 @@ struct Checker<'a> {
     /// The structure that was declared last.
     declared: Option<(Arc<StructDecl>, Type)>,
     scopes: Scopes,
+    /// The functions of the unit by signature.
+    signatures: BTreeMap<String, usize>,
     undeclared: Vec<Undeclared>,
     body: Option<Body>,
     /// The globals that initializers of globals name.
@@ -95,6 +98,7 @@ pub fn check(
         block_layout: BlockDefaults::default(),
         declared: None,
         scopes: Scopes::new(),
+        signatures: BTreeMap::new(),
         undeclared: Vec::new(),
         body: None,
         outside: std::collections::BTreeSet::new(),

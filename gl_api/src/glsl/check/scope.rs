@@ -23,8 +23,8 @@ pub enum Symbol {
     Block,
     /// A structure.
     Struct(Arc<Struct>),
-    /// Functions: their indices in the unit.
-    Functions(Vec<u32>),
+    /// Functions: see [`Scopes::functions`].
+    Functions,
     /// Nothing: reported, by index into the undeclared names.
     Undeclared(usize),
 }
@@ -37,7 +37,7 @@ impl Symbol {
             Self::Member(..)
             | Self::Block
             | Self::Struct(_)
-            | Self::Functions(_)
+            | Self::Functions
             | Self::Undeclared(_) => None,
         }
     }
@@ -47,12 +47,14 @@ impl Symbol {
 #[derive(Debug)]
 pub struct Scopes {
     open: Vec<BTreeMap<Arc<str>, Symbol>>,
+    /// The functions of each name: their indices in the unit.
+    functions: BTreeMap<Arc<str>, Vec<u32>>,
 }
 
 impl Scopes {
     /// The global scope.
     pub fn new() -> Self {
-        Self { open: vec![BTreeMap::new()] }
+        Self { open: vec![BTreeMap::new()], functions: BTreeMap::new() }
     }
 
     /// Opens a scope.
@@ -90,6 +92,27 @@ impl Scopes {
     /// Adds a name to the global scope.
     pub fn add_global(&mut self, name: Arc<str>, symbol: Symbol) {
         self.open[0].insert(name, symbol);
+    }
+
+    /// The functions that a name means here.
+    pub fn functions(&self, name: &str) -> &[u32] {
+        match self.find(name) {
+            Some(Symbol::Functions) => self.functions.get(name).map_or(&[], |all| all),
+            Some(
+                Symbol::Variable(_)
+                | Symbol::Member(..)
+                | Symbol::Block
+                | Symbol::Struct(_)
+                | Symbol::Undeclared(_),
+            )
+            | None => &[],
+        }
+    }
+
+    /// Adds a function, which may have others of its name beside it.
+    pub fn add_function(&mut self, name: Arc<str>, index: u32) {
+        self.functions.entry(name.clone()).or_default().push(index);
+        self.add_global(name, Symbol::Functions);
     }
 
     fn names(&self) -> impl Iterator<Item = (&Arc<str>, &Symbol)> {
@@ -141,7 +164,7 @@ impl Checker<'_> {
             Symbol::Member(..)
             | Symbol::Block
             | Symbol::Struct(_)
-            | Symbol::Functions(_)
+            | Symbol::Functions
             | Symbol::Undeclared(_) => None,
         });
         let mut candidates: Vec<Candidate> = declared.collect();
@@ -194,7 +217,7 @@ impl Checker<'_> {
             } else if let Some(other) = other {
                 problem = problem.note(format!("only the {} stage has it", stage_name(other)));
             } else if let Some((span, near)) = unused {
-                let line = self.source.position(span.start).line;
+                let line = self.source.line_of(span.start).1;
                 let text = format!(
                     "`{near}`, declared in line {line}, is never used: declare it as `{name}`"
                 );

@@ -254,8 +254,8 @@ impl Expansion<'_> {
     /// `__LINE__` and the like.
     fn predefined(&self, name: &str, at: Span) -> Option<i64> {
         match name {
-            "__LINE__" => Some(self.source.position(at.start).line),
-            "__FILE__" => Some(self.source.position(at.start).string),
+            "__LINE__" => Some(self.source.line_of(at.start).1),
+            "__FILE__" => Some(self.source.line_of(at.start).0),
             "__VERSION__" => Some(i64::from(self.version.number())),
             _ => None,
         }
