@@ -76,10 +76,18 @@ pub struct Lexed {
     pub unclosed: Option<Span>,
     /// The first line end that a backslash takes away.
     pub continued: Option<Span>,
+    /// The first U+0000 behind everything else.
+    pub terminator: Option<Span>,
 }
 
 /// Splits a text into tokens.
 pub fn tokens(text: &str) -> Lexed {
+    let blank = |c: char| c == '\0' || c.is_ascii_whitespace();
+    let ended = text.trim_end_matches(blank).len();
+    let terminator = text[ended..].find('\0').map(|at| {
+        let start = (ended + at) as u32;
+        Span { start, end: start + 1 }
+    });
     let bytes = text.as_bytes();
     let mut tokens = Vec::new();
     let (mut unclosed, mut continued) = (None, None);
@@ -92,6 +100,10 @@ pub fn tokens(text: &str) -> Lexed {
                 Some(Kind::Newline)
             }
             b' ' | b'\t' | 0x0b | 0x0c => {
+                at += 1;
+                None
+            }
+            b'\0' if at >= ended => {
                 at += 1;
                 None
             }
@@ -147,7 +159,7 @@ pub fn tokens(text: &str) -> Lexed {
     let end = text.len() as u32;
     tokens.push(Token { kind: Kind::Newline, span: Span { start: end, end } });
     tokens.push(Token { kind: Kind::End, span: Span { start: end, end } });
-    Lexed { tokens, unclosed, continued }
+    Lexed { tokens, unclosed, continued, terminator }
 }
 
 /// Where a number ends: digits, letters, points, and signs after an exponent letter, as in C.

@@ -114,6 +114,33 @@ pub const REFUSED: &[(Stage, &str, &str)] = &[
         "#version 130\n#define A 1\n#define F(x, y) x##y\nint a = F(A, B);\nvoid main() {}",
         "`AB` is not declared",
     ),
+    // The body of a `for` or a `while` is in the scope of its head.
+    (
+        Fragment,
+        "void main() { for (int i = 0; i < 3; i++) { float i = 7.0; } }",
+        "0:1(51): error: `i` is declared already",
+    ),
+    (
+        Fragment,
+        "#version 130\nvoid main() { for (int i = 0; i < 3; i++) float i = 7.0; }",
+        "`i` is declared already",
+    ),
+    (
+        Fragment,
+        "#version 100\nvoid main() { while (bool i = false) { int i; } }",
+        "`i` is declared already",
+    ),
+    // Conditions.
+    (Fragment, "#if defined(\n#endif\nvoid main() {}", "`defined(` takes one name"),
+    (Fragment, "#if defined(A B)\n#endif\nvoid main() {}", "`defined(` takes one name"),
+    (Fragment, "#if defined\n#endif\nvoid main() {}", "`defined` needs a name"),
+    (Fragment, "#if defined 3\n#endif\nvoid main() {}", "`defined` needs a name"),
+    (
+        Fragment,
+        "#define A 3\n#define M(x) defined(x)\n#if M(A)\n#endif\nvoid main() {}",
+        "`defined` needs a name",
+    ),
+    (Fragment, "void main() {}\0float f;", "found the character U+0000"),
 ];
 
 /// Shaders that compile, with a warning.
@@ -129,6 +156,8 @@ pub const WARNED: &[(Stage, &str, &str)] = &[
          void main() { float f = pow(1.0, 2.0); }",
         "warning: the shader's own `pow` hides the language's `pow`",
     ),
+    (Fragment, "void main() {}\0", "0:1(15): warning: the text ends with U+0000"),
+    (Fragment, "void main() {}\n\0\0\n", "0:2(1): warning: the text ends with U+0000"),
 ];
 
 /// Pairs of a vertex and a fragment shader that link.

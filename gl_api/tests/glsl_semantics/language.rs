@@ -188,7 +188,30 @@ pub const TABLE: &[Row] = &[
         "float a = 1.0, b = a + 1.0, c = a + b; r.xyz = vec3(a, b, c);",
         [1.0, 2.0, 3.0, 0.0],
     ),
-    Row(110, "", "for (int i = 0; i < 2; i++) { float i = 5.0; r.x += i; }", [10.0, 0.0, 0.0, 0.0]),
+    Row(
+        110,
+        "",
+        "for (int i = 0; i < 2; i++) { { float i = 5.0; r.x += i; } }",
+        [10.0, 0.0, 0.0, 0.0],
+    ),
+    Row(
+        120,
+        "",
+        "float a = 0.0; do { float a = 5.0; r.x += a; } while (a++ < 1.0); r.y = a;",
+        [10.0, 2.0, 0.0, 0.0],
+    ),
+    Row(
+        130,
+        "",
+        "for (int i = 0; i < 2; i++) { float a = 5.0; r.x += a; } int a = 3, i = 4; r.yz = vec2(a, i);",
+        [10.0, 3.0, 4.0, 0.0],
+    ),
+    Row(
+        110,
+        "",
+        "float a = 5.0; while (r.x < 2.0) { float a = 1.0; r.x += a; } r.y = a;",
+        [2.0, 5.0, 0.0, 0.0],
+    ),
     Row(
         110,
         "float g; void set() { g = 3.0; }",

@@ -143,4 +143,18 @@ pub const TABLE: &[Row] = &[
     Row(130, "#define F(x, y) x##y\n", "r.x = F(1 + 2, 3 + 4);", [28.0, 0.0, 0.0, 0.0]),
     // Before 1.30 a body may hold it that nobody uses
     Row(120, "#define F 2##\n#define G ##\n", "r.x = 1.0;", [1.0, 0.0, 0.0, 0.0]),
+    // `defined` may come from a macro; its name is not expanded
+    Row(
+        110,
+        "#define A B\n#define M defined(A)\n#define N(x) defined x && !defined ( B )\n\
+         #if M && !defined M2 && N(C)\n#error\n#elif M && !(N(C))\nconst float c = 3.0;\n#endif\n",
+        "r.x = c;",
+        [3.0, 0.0, 0.0, 0.0],
+    ),
+    Row(
+        130,
+        "#define A 3\n#define M (defined(A) && A == 3)\n#if M\nconst float c = 3.0;\n#endif\n",
+        "r.x = c;",
+        [3.0, 0.0, 0.0, 0.0],
+    ),
 ];

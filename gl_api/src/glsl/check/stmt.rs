@@ -62,7 +62,7 @@ impl Checker<'_> {
                 all.push(Stmt::Block(block));
             }
             StmtKind::DoWhile(body, condition) => {
-                let body = self.loop_body(body);
+                let body = self.loop_body(|checker| checker.branch(body));
                 let after = Some(self.condition(condition));
                 let turn = Loop { declare: None, before: None, body, step: None, after };
                 all.push(Stmt::Loop(Box::new(turn)));
@@ -116,19 +116,23 @@ impl Checker<'_> {
 
     /// A statement that is a block of its own.
     fn branch(&mut self, statement: &ast::Stmt) -> Vec<Stmt> {
-        self.scoped(|checker| {
-            if let StmtKind::Block(statements) = &statement.kind {
-                return checker.statements(statements);
-            }
-            let mut all = Vec::new();
-            checker.statement(statement, &mut all);
-            all
-        })
+        self.scoped(|checker| checker.unscoped(statement))
     }
 
-    fn loop_body(&mut self, body: &ast::Stmt) -> Vec<Stmt> {
+    /// A statement whose braces, if it has some, open no scope.
+    fn unscoped(&mut self, statement: &ast::Stmt) -> Vec<Stmt> {
+        if let StmtKind::Block(statements) = &statement.kind {
+            return self.statements(statements);
+        }
+        let mut all = Vec::new();
+        self.statement(statement, &mut all);
+        all
+    }
+
+    /// What a loop repeats. `for` and `while` have one scope for their head and it (section 6.3).
+    fn loop_body(&mut self, check: impl FnOnce(&mut Self) -> Vec<Stmt>) -> Vec<Stmt> {
         self.nest(1);
-        let body = self.branch(body);
+        let body = check(self);
         self.nest(-1);
         body
     }
@@ -153,7 +157,7 @@ impl Checker<'_> {
             Some(ast::Condition::Declaration(declaration)) => self.declared_condition(declaration),
         };
         let step = step.map(|step| self.expr(step));
-        let body = self.loop_body(body);
+        let body = self.loop_body(|checker| checker.unscoped(body));
         all.push(Stmt::Loop(Box::new(Loop { declare, before, body, step, after: None })));
     }
 

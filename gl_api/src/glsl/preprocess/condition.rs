@@ -16,7 +16,7 @@ pub fn evaluate(
     version: Version,
     log: &mut Log,
 ) -> Result<i64, Box<Diagnostic>> {
-    let tokens = macros.expand(resolve_defined(line, macros)?, source, version)?;
+    let tokens = macros.expand_condition(line.to_vec(), source, version)?;
     let mut parser = Parser { tokens: &tokens, at: 0, end: span, depth: 0, version, log };
     let value = parser.binary(0, Need::Value)?;
     match parser.tokens.get(parser.at) {
@@ -40,35 +40,6 @@ pub fn values(
         values.push(parser.binary(0, Need::Value)?);
     }
     Ok(values)
-}
-
-/// Replaces `defined X` and `defined(X)` before macros are expanded.
-fn resolve_defined(line: &[Token], macros: &Macros) -> Result<Vec<Token>, Box<Diagnostic>> {
-    let mut output = Vec::new();
-    let mut rest = line;
-    while let [token, more @ ..] = rest {
-        rest = more;
-        if token.word().is_none_or(|word| &**word != "defined") {
-            output.push(token.clone());
-            continue;
-        }
-        let (name, after) = match more {
-            [open, name, close, after @ ..] if open.is("(") && close.is(")") => (name, after),
-            [open, ..] if open.is("(") => {
-                let problem = Diagnostic::error(open.span, "`defined(` takes one name and a `)`");
-                return Err(problem.rule("GLSL 1.30 section 3.3").into());
-            }
-            [name, after @ ..] => (name, after),
-            [] => return Err(Diagnostic::error(token.span, "`defined` needs a name").into()),
-        };
-        let Some(word) = name.word() else {
-            return Err(Diagnostic::error(name.span, "`defined` needs a name").into());
-        };
-        let value = if macros.is_defined(word) { "1" } else { "0" };
-        output.push(Token { kind: Kind::Number(value.into()), span: token.span });
-        rest = after;
-    }
-    Ok(output)
 }
 
 /// Whether an operand's value matters: what `0 &&` and `1 ||` leave out may be undefined.

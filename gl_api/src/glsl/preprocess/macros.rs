@@ -137,9 +137,31 @@ impl Macros {
         source: &Source,
         version: Version,
     ) -> Result<Vec<Token>, Box<Diagnostic>> {
+        self.expand_where(Place::Text, tokens, source, version)
+    }
+
+    /// Expands every macro in a condition, and replaces `defined X` and `defined(X)` by 1 or 0, also
+    /// where a macro gives them.
+    pub fn expand_condition(
+        &mut self,
+        tokens: Vec<Token>,
+        source: &Source,
+        version: Version,
+    ) -> Result<Vec<Token>, Box<Diagnostic>> {
+        self.expand_where(Place::Condition, tokens, source, version)
+    }
+
+    fn expand_where(
+        &mut self,
+        place: Place,
+        tokens: Vec<Token>,
+        source: &Source,
+        version: Version,
+    ) -> Result<Vec<Token>, Box<Diagnostic>> {
         let mut produced = self.produced;
         let mut expansion = Expansion {
             macros: self,
+            place,
             source,
             version,
             active: BTreeSet::new(),
@@ -155,9 +177,19 @@ impl Macros {
     }
 }
 
+/// What is expanded.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Place {
+    /// The program, or the numbers of `#line`.
+    Text,
+    /// What follows `#if` or `#elif`.
+    Condition,
+}
+
 /// One expansion under way.
 struct Expansion<'a> {
     macros: &'a Macros,
+    place: Place,
     source: &'a Source,
     version: Version,
     /// The macros whose bodies are being read.
@@ -195,6 +227,10 @@ impl Expansion<'_> {
             if let Some(number) = self.predefined(&name, at) {
                 let kind = Kind::Number(number.to_string().into());
                 output.push(Item::Token(Token { kind, span: at }));
+                continue;
+            }
+            if self.place == Place::Condition && &*name == "defined" {
+                output.push(Item::Token(self.defined(&mut work, &token)?));
                 continue;
             }
             let Some(found) = self.macros.table.get(&name) else {
@@ -258,6 +294,41 @@ impl Expansion<'_> {
             "__FILE__" => Some(self.source.line_of(at.start).0),
             "__VERSION__" => Some(i64::from(self.version.number())),
             _ => None,
+        }
+    }
+
+    /// Takes the name that `defined` asks for off the work, with its parentheses, if it has some.
+    fn defined(
+        &mut self,
+        work: &mut Vec<Item>,
+        operator: &Token,
+    ) -> Result<Token, Box<Diagnostic>> {
+        let mut next = || loop {
+            match work.pop() {
+                Some(Item::Token(token) | Item::Painted(token)) => return Some(token),
+                Some(Item::EndOf(name)) => drop(self.active.remove(&name)),
+                None => return None,
+            }
+        };
+        let (open, name) = match next() {
+            Some(open) if open.is("(") => (Some(open), next()),
+            name => (None, name),
+        };
+        if let Some(open) = open
+            && !next().is_some_and(|close| close.is(")"))
+        {
+            let problem = Diagnostic::error(open.span, "`defined(` takes one name and a `)`");
+            return Err(problem.rule("GLSL 1.30 section 3.3").into());
+        }
+        match name.as_ref().map(|name| (name.word(), name.span)) {
+            Some((Some(word), _)) => {
+                let value = if self.macros.is_defined(word) { "1" } else { "0" };
+                Ok(Token { kind: Kind::Number(value.into()), span: operator.span })
+            }
+            other => {
+                let at = other.map_or(operator.span, |(_, span)| span);
+                Err(Diagnostic::error(at, "`defined` needs a name").into())
+            }
         }
     }
 

@@ -70,6 +70,11 @@ pub fn preprocess(source: &mut Source, log: &mut Log) -> Preprocessed {
             .rule("GLSL 1.30 section 3.1: the backslash is no character of the language");
         log.push(problem.help("write it in one line; other compilers may refuse this"));
     }
+    if let Some(span) = lexed.terminator {
+        let message = "the text ends with U+0000, which is no character of the language";
+        let problem = Diagnostic::warning(span, message);
+        log.push(problem.help("leave it out of the length that glShaderSource is given"));
+    }
     let mut preprocessor = Preprocessor {
         source,
         log,
