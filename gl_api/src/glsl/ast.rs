@@ -418,6 +418,8 @@ pub enum StmtKind {
     Precision(TypeName),
     /// Variables.
     Declaration(Declaration),
+    /// A function that is defined elsewhere.
+    Prototype(Function),
     /// An expression.
     Expr(Expr),
     /// `{ ... }`.

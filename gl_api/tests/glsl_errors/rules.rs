@@ -141,6 +141,58 @@ pub const REFUSED: &[(Stage, &str, &str)] = &[
         "`defined` needs a name",
     ),
     (Fragment, "void main() {}\0float f;", "found the character U+0000"),
+    // Names of functions are those of variables, but in 1.10.
+    (
+        Fragment,
+        "#version 120\nfloat g;\nvoid g() {}\nvoid main() {}",
+        "0:3(6): error: `g` is declared already, in line 2",
+    ),
+    (
+        Fragment,
+        "#version 120\nvoid g() {}\nfloat g;\nvoid main() {}",
+        "0:3(7): error: `g` is declared already",
+    ),
+    (
+        Fragment,
+        "#version 120\nvoid main() { float sin = 1.0; sin = sin(sin); }",
+        "`sin` is a variable, not a function",
+    ),
+    (
+        Fragment,
+        "#version 100\nprecision mediump float;\nvoid g() {}\nfloat g;\nvoid main() {}",
+        "`g` is declared already",
+    ),
+    (Fragment, "struct f { float a; };\nvoid f() {}\nvoid main() {}", "`f` is declared already"),
+    (
+        Fragment,
+        "struct f { float a; };\nvoid main() { float f(float a); }",
+        "`f` is declared already",
+    ),
+    (
+        Fragment,
+        "float f(float a) { return a; }\nstruct f { float b; };\nvoid main() {}",
+        "0:2(8): error: `f` is declared already",
+    ),
+    (Fragment, "float g;\nvoid main() { g(); }", "`g` is a variable, not a function"),
+    (Fragment, "float f() { return 1.0; }\nvoid main() { float x = f; }", "it is called with `()`"),
+    // Structures in structures and prototypes among statements are of 1.10.
+    (
+        Fragment,
+        "#version 120\nstruct T { struct U { float a; } u; };\nvoid main() {}",
+        "a structure cannot be declared inside another",
+    ),
+    (Fragment, "struct T { struct U { float a; }; U u; };\nvoid main() {}", "expected a name"),
+    (Fragment, "struct T { struct T { float a; } t; };\nvoid main() {}", "`T` is declared already"),
+    (
+        Fragment,
+        "#version 120\nvoid main() { float f(float a); }",
+        "a function cannot be declared inside another",
+    ),
+    (
+        Fragment,
+        "void main() { void f() {} }",
+        "0:1(20): error: a function cannot be defined inside another",
+    ),
 ];
 
 /// Shaders that compile, with a warning.

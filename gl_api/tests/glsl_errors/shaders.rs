@@ -163,7 +163,10 @@ pub const FRAGMENT: &[(&str, &str)] = &[
     ("two structures of a name", "struct S { float a; };\nstruct S { float b; };\nvoid main() {}"),
     ("two members of a name", "struct S { float a; vec2 a; };\nvoid main() {}"),
     ("empty structure", "struct S { };\nvoid main() {}"),
-    ("structure in a structure", "struct S { struct T { float a; } t; };\nvoid main() {}"),
+    (
+        "structure in a structure",
+        "#version 120\nstruct S { struct T { float a; } t; };\nvoid main() {}",
+    ),
     ("qualified member", "struct S { uniform float a; };\nvoid main() {}"),
     ("two storage words", "uniform varying vec2 v;\nvoid main() {}"),
     ("two interpolations", "#version 130\nflat smooth in vec2 v;\nvoid main() {}"),

@@ -106,4 +106,47 @@ pub const TABLE: &[Row] = &[
         "r.xyz = vec3(s.a, s.b);",
         [6.0, 5.0, 0.0, 0.0],
     ),
+    // Functions have names of their own in 1.10
+    Row(
+        110,
+        "float g = 3.0; float g() { return 2.0; } float h() { return g + 2.0; } float h = 1.0;",
+        "r = vec4(g, g(), h, h());",
+        [3.0, 2.0, 1.0, 5.0],
+    ),
+    Row(110, "float cos = 3.0;", "r.xy = vec2(cos, cos(0.0));", [3.0, 1.0, 0.0, 0.0]),
+    Row(110, "", "float cos = 0.0; cos = cos(cos); r.x = cos;", [1.0, 0.0, 0.0, 0.0]),
+    Row(
+        110,
+        "float f(float f) { return f * 2.0; }",
+        "float f = f(2.0); r.x = f(f);",
+        [8.0, 0.0, 0.0, 0.0],
+    ),
+    // and prototypes among statements,
+    Row(
+        110,
+        "float f() { float g(float); return g(3.0); } float g(float a) { return a * 2.0; }",
+        "float g(float a); r.xy = vec2(f(), g(2.0));",
+        [6.0, 4.0, 0.0, 0.0],
+    ),
+    // and structures in structures, whose names are those of the scope around
+    Row(
+        110,
+        "struct T { struct U { float a; vec2 b; } u, w[2]; struct { float c; } v; };",
+        "T t; U a = U(3.0, vec2(4.0, 5.0)); t.w[1] = a; t.v.c = 6.0; t.u = t.w[1];
+         r = vec4(t.u.a, t.w[1].b, t.v.c);",
+        [3.0, 4.0, 5.0, 6.0],
+    ),
+    Row(
+        110,
+        "",
+        "struct T { struct U { float a; } u; }; T t = T(U(3.0)); r.x = t.u.a;",
+        [3.0, 0.0, 0.0, 0.0],
+    ),
+    // A local structure hides a function, and a structure one of the language's
+    Row(
+        120,
+        "float f(float a) { return a; } struct cos { float a; };",
+        "struct f { vec2 a; }; r.xyz = vec3(f(vec2(3.0)).a, cos(4.0).a);",
+        [3.0, 3.0, 4.0, 0.0],
+    ),
 ];

@@ -130,11 +130,7 @@ impl Checker<'_> {
     /// What a name can mean in a call: the shader's functions, and those of the language that take
     /// something else.
     fn candidates(&mut self, name: &ast::Name) -> Vec<Candidate> {
-        let hidden = matches!(
-            self.scopes.find(&name.text),
-            Some(Symbol::Variable(_) | Symbol::Member(..) | Symbol::Block)
-        );
-        if hidden {
+        if self.scopes.hides_functions(&name.text) {
             return Vec::new();
         }
         let own = self.scopes.functions(&name.text).iter().map(|&index| {

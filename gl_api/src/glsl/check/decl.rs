@@ -118,7 +118,7 @@ impl Checker<'_> {
         let mut fields: Vec<(Arc<str>, Type)> = Vec::new();
         let mut names: BTreeSet<&str> = BTreeSet::new();
         for (ty, name, array) in &declared.fields {
-            if matches!(ty.base, TypeBase::Struct(_)) {
+            if matches!(ty.base, TypeBase::Struct(_)) && self.version != Version::V110 {
                 let message = "a structure cannot be declared inside another";
                 self.error(ty.span, "4.1.8", message);
                 return Type::Error;
@@ -158,6 +158,9 @@ impl Checker<'_> {
         let structure = Arc::new(structure);
         if let Some(declared) = &declared.name {
             self.check_new(declared);
+            if self.scopes.is_function_apart(&name) {
+                self.declared_already(declared, &Symbol::Functions);
+            }
             self.scopes.add(name, Symbol::Struct(structure.clone()));
         }
         Type::Struct(structure)
@@ -170,18 +173,20 @@ impl Checker<'_> {
             let rule = format!("{} section 3.7", self.version.title());
             self.log.push(Diagnostic::error(name.span, message).rule(rule));
         }
-        match self.scopes.find_innermost(&name.text) {
+        match self.scopes.find_innermost(&name.text).cloned() {
             None | Some(Symbol::Undeclared(_)) => {}
-            Some(symbol) => {
-                let mut message = format!("`{}` is declared already", name.text);
-                if let Symbol::Variable(var) | Symbol::Member(var, _) = symbol {
-                    let line = self.source.line_of(self.variable(*var).span.start).1;
-                    message = format!("{message}, in line {line}");
-                }
-                let rule = format!("{} section 4.2.2", self.version.title());
-                self.log.push(Diagnostic::error(name.span, message).rule(rule));
-            }
+            Some(symbol) => self.declared_already(name, &symbol),
         }
+    }
+
+    /// Reports a second declaration.
+    pub(super) fn declared_already(&mut self, name: &ast::Name, first: &Symbol) {
+        let mut message = format!("`{}` is declared already", name.text);
+        if let Symbol::Variable(var) | Symbol::Member(var, _) = first {
+            let line = self.source.line_of(self.variable(*var).span.start).1;
+            message = format!("{message}, in line {line}");
+        }
+        self.error(name.span, "4.2.2", message);
     }
 
     pub(super) fn global_declaration(&mut self, declaration: &ast::Declaration) {

@@ -118,12 +118,17 @@ impl Checker<'_> {
     /// Enters a function, or finds the prototype that announced it.
     fn declare_function(&mut self, declared: &ast::Function, new: Function) -> Option<usize> {
         let name = &declared.name;
-        match self.scopes.find_global(&name.text) {
-            Some(Symbol::Functions | Symbol::Undeclared(_)) | None => {}
-            Some(Symbol::Variable(_) | Symbol::Member(..) | Symbol::Block | Symbol::Struct(_)) => {
-                self.check_new(name);
-                return None;
+        let known = self.scopes.find_global(&name.text).cloned();
+        let taken = match &known {
+            Some(Symbol::Functions | Symbol::Undeclared(_)) | None => None,
+            Some(Symbol::Struct(_)) => known,
+            Some(Symbol::Variable(_) | Symbol::Member(..) | Symbol::Block) => {
+                known.filter(|_| self.scopes.hides_functions(&name.text))
             }
+        };
+        if let Some(symbol) = taken {
+            self.declared_already(name, &symbol);
+            return None;
         }
         if name.text.starts_with("gl_") {
             self.check_new(name);

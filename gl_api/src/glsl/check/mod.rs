@@ -97,7 +97,7 @@ pub fn check(
         unit,
         block_layout: BlockDefaults::default(),
         declared: None,
-        scopes: Scopes::new(),
+        scopes: Scopes::new(version),
         signatures: BTreeMap::new(),
         undeclared: Vec::new(),
         body: None,

@@ -7,7 +7,7 @@ use crate::glsl::hir::{Storage, VarRef};
 use crate::glsl::limits::MAX_ERRORS;
 use crate::glsl::source::Span;
 use crate::glsl::types::Struct;
-use crate::glsl::version::stage_name;
+use crate::glsl::version::{Version, stage_name};
 use rasterizer::ir::Stage;
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -49,12 +49,26 @@ pub struct Scopes {
     open: Vec<BTreeMap<Arc<str>, Symbol>>,
     /// The functions of each name: their indices in the unit.
     functions: BTreeMap<Arc<str>, Vec<u32>>,
+    names: FunctionNames,
+}
+
+/// Whether functions share their names with variables and structures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum FunctionNames {
+    /// They do.
+    Shared,
+    /// They have a name space of their own (GLSL 1.10 section 4.2).
+    Apart,
 }
 
 impl Scopes {
     /// The global scope.
-    pub fn new() -> Self {
-        Self { open: vec![BTreeMap::new()], functions: BTreeMap::new() }
+    pub fn new(version: Version) -> Self {
+        let names = match version {
+            Version::V110 => FunctionNames::Apart,
+            Version::Es100 | Version::V120 | Version::V130 | Version::V140 => FunctionNames::Shared,
+        };
+        Self { open: vec![BTreeMap::new()], functions: BTreeMap::new(), names }
     }
 
     /// Opens a scope.
@@ -94,25 +108,36 @@ impl Scopes {
         self.open[0].insert(name, symbol);
     }
 
-    /// The functions that a name means here.
-    pub fn functions(&self, name: &str) -> &[u32] {
+    /// Whether a variable of this name, or a block, hides functions here, which may be the
+    /// language's.
+    pub fn hides_functions(&self, name: &str) -> bool {
         match self.find(name) {
-            Some(Symbol::Functions) => self.functions.get(name).map_or(&[], |all| all),
-            Some(
-                Symbol::Variable(_)
-                | Symbol::Member(..)
-                | Symbol::Block
-                | Symbol::Struct(_)
-                | Symbol::Undeclared(_),
-            )
-            | None => &[],
+            Some(Symbol::Variable(_) | Symbol::Member(..) | Symbol::Block) => {
+                self.names == FunctionNames::Shared
+            }
+            Some(Symbol::Struct(_) | Symbol::Functions | Symbol::Undeclared(_)) | None => false,
         }
+    }
+
+    /// The functions of this name, whether they are hidden or not.
+    pub fn functions(&self, name: &str) -> &[u32] {
+        self.functions.get(name).map_or(&[], |all| all)
+    }
+
+    /// Whether a structure of this name, whose constructor is a function, would have the name of one
+    /// that no scope shows.
+    pub fn is_function_apart(&self, name: &str) -> bool {
+        self.names == FunctionNames::Apart
+            && self.open.len() == 1
+            && self.functions.contains_key(name)
     }
 
     /// Adds a function, which may have others of its name beside it.
     pub fn add_function(&mut self, name: Arc<str>, index: u32) {
         self.functions.entry(name.clone()).or_default().push(index);
-        self.add_global(name, Symbol::Functions);
+        if self.names == FunctionNames::Shared {
+            self.add_global(name, Symbol::Functions);
+        }
     }
 
     fn names(&self) -> impl Iterator<Item = (&Arc<str>, &Symbol)> {
@@ -233,7 +258,9 @@ impl Checker<'_> {
                 variables::since(&name, self.stage).and_then(|since| self.language.advice(since))
             {
                 problem = problem.help(advice);
-            } else if functions::find(&name, self.stage, self.language).next().is_some() {
+            } else if functions::find(&name, self.stage, self.language).next().is_some()
+                || !self.scopes.functions(&name).is_empty()
+            {
                 problem = problem.note(format!("`{name}` is a function: it is called with `()`"));
             }
             self.log.push(problem);

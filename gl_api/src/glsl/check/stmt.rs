@@ -28,6 +28,7 @@ impl Checker<'_> {
             StmtKind::Empty => {}
             StmtKind::Precision(ty) => self.default_precision(ty),
             StmtKind::Declaration(declaration) => self.local_declaration(declaration, all),
+            StmtKind::Prototype(function) => self.function(function),
             StmtKind::Expr(expr) => {
                 let expr = self.expr(expr);
                 all.push(Stmt::Expr(expr));
@@ -282,6 +283,7 @@ impl Checker<'_> {
                 StmtKind::Empty
                 | StmtKind::Precision(_)
                 | StmtKind::Declaration(_)
+                | StmtKind::Prototype(_)
                 | StmtKind::Expr(_)
                 | StmtKind::Block(_)
                 | StmtKind::If(..)

@@ -310,7 +310,7 @@ impl Parser<'_> {
         Err(super::Broken)
     }
 
-    fn function(&mut self, ty: QualifiedType) -> Parsed<Function> {
+    pub(super) fn function(&mut self, ty: QualifiedType) -> Parsed<Function> {
         let name = self.name()?;
         self.expect("(")?;
         let mut parameters = Vec::new();

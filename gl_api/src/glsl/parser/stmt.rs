@@ -2,7 +2,7 @@
 
 use super::keywords::{self, Word};
 use super::{Broken, Parsed, Parser};
-use crate::glsl::ast::{Condition, Expr, Stmt, StmtKind};
+use crate::glsl::ast::{Condition, Expr, QualifiedType, Stmt, StmtKind};
 use crate::glsl::diagnostics::Diagnostic;
 use crate::glsl::lexer::Kind;
 use crate::glsl::version::Version;
@@ -146,7 +146,7 @@ impl Parser<'_> {
         } else if self.is_declaration() {
             let ty = self.qualified_type()?;
             if self.token().word().is_some() && self.ahead(1).is("(") {
-                return self.fail("a function cannot be declared inside another");
+                return self.prototype(ty);
             }
             StmtKind::Declaration(self.declarators(ty)?)
         } else {
@@ -155,6 +155,20 @@ impl Parser<'_> {
         };
         self.expect(";")?;
         Ok(kind)
+    }
+
+    /// A prototype among statements, which GLSL 1.10 alone has.
+    fn prototype(&mut self, ty: QualifiedType) -> Parsed<StmtKind> {
+        if self.version != Version::V110 {
+            return self.fail("a function cannot be declared inside another");
+        }
+        let function = self.function(ty)?;
+        if function.body.is_some() {
+            let message = "a function cannot be defined inside another";
+            self.log.push(Diagnostic::error(function.name.span, message));
+            return Ok(StmtKind::Empty);
+        }
+        Ok(StmtKind::Prototype(function))
     }
 
     /// Whether a declaration begins here: a qualifier, or a type that no `(` follows.
