@@ -155,3 +155,34 @@ fn contexts_are_what_was_asked_for_or_refused() {
         }
     }
 }
+
+/// Where this is set, the test below is the child that asks for configs.
+const CHILD: &str = "DETGL_TEST_CONFIGS";
+
+/// Runs itself once more, to read what is printed.
+#[test]
+fn a_request_that_no_config_meets_says_why() {
+    const NAME: &str = "configs::a_request_that_no_config_meets_says_why";
+    if std::env::var_os(CHILD).is_some() {
+        let (dpy, _) = display();
+        let choose = |list: &[i32]| {
+            let (mut config, mut count) = (null_mut(), 9);
+            // SAFETY: the list ends with EGL_NONE, and there is room for one config.
+            let answer = unsafe { eglChooseConfig(dpy, list.as_ptr(), &mut config, 1, &mut count) };
+            (answer, count)
+        };
+        assert_eq!(choose(&[EGL_NONE]), (1, 0));
+        assert_eq!(choose(&[0x3033, 1, 0x3025, 64, EGL_NONE]), (1, 0));
+        assert_eq!(choose(&[0x3033, 1, 0x3040, 8, EGL_NONE]), (1, 1));
+        return;
+    }
+    let mut child = std::process::Command::new(std::env::current_exe().expect("a file"));
+    child.args(["--exact", NAME, "--nocapture"]).env(CHILD, "1").env("DETGL_DEBUG", "1");
+    let output = child.output().expect("it runs");
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(output.status.success(), "{said}");
+    let lines: Vec<&str> = said.lines().filter(|line| line.contains("eglChooseConfig")).collect();
+    assert_eq!(lines.len(), 2, "{said}");
+    assert!(lines[0].contains("there are no windows: ask for EGL_PBUFFER_BIT"), "{said}");
+    assert!(lines[1].contains("none meets attribute 0x3025 = 64"), "{said}");
+}

@@ -1,7 +1,7 @@
 //! The configs, and how they are chosen (EGL 1.5, section 3.4).
 
 use super::constants::*;
-use super::error::{Code, Result, fail};
+use super::error::{Code, Result, fail, say};
 use super::registry::{Id, handle, registry};
 use super::{Attrib, Handle, Int, int_attributes, put};
 use crate::context::limits::MAX_VIEWPORT_DIMS;
@@ -162,6 +162,24 @@ impl Config {
     }
 }
 
+/// Why no config meets a request: the first attribute that none has, by itself.
+#[cold]
+fn why_none(wanted: &[(Int, Criterion, Int)]) -> String {
+    let lacks = |row: &&(Int, Criterion, Int)| !CONFIGS.iter().any(|config| config.meets(**row));
+    match wanted.iter().find(lacks) {
+        Some((EGL_SURFACE_TYPE, _, value)) if value & EGL_WINDOW_BIT != 0 => {
+            "eglChooseConfig: no config, as EGL_SURFACE_TYPE has EGL_WINDOW_BIT, which is its default, \
+             and there are no windows: ask for EGL_PBUFFER_BIT"
+                .to_owned()
+        }
+        Some((name, _, value)) => format!(
+            "eglChooseConfig: no config, as none meets attribute {name:#x} = {value} (EGL 1.5, \
+             section 3.4)"
+        ),
+        None => "eglChooseConfig: no config has all that is asked for together".to_owned(),
+    }
+}
+
 /// The configs that meet a request, in the order of EGL 1.5, section 3.4.1.2.
 fn matching(request: &[(Int, Attrib)]) -> Result<Vec<&'static Config>> {
     let mut wanted = ATTRIBUTES;
@@ -185,6 +203,9 @@ fn matching(request: &[(Int, Attrib)]) -> Result<Vec<&'static Config>> {
         }
     };
     let mut found: Vec<_> = CONFIGS.iter().filter(meets).collect();
+    if found.is_empty() {
+        say("warning", &why_none(&wanted));
+    }
     let color = |config: &Config| {
         let rgb = [EGL_RED_SIZE, EGL_GREEN_SIZE, EGL_BLUE_SIZE];
         let rgb = rgb.into_iter().filter(|&name| asked(name)).count() as Int * 8;

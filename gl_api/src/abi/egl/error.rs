@@ -72,6 +72,13 @@ impl<T> Answer for *mut T {
     const FAILURE: *mut T = std::ptr::null_mut();
 }
 
+/// Prints a message if `DETGL_DEBUG` asks for them.
+pub(super) fn say(severity: &str, text: &str) {
+    if std::env::var_os("DETGL_DEBUG").is_some_and(|value| value != "0") {
+        eprintln!("detgl: {severity}: {text}");
+    }
+}
+
 /// Runs a function: sets what `eglGetError` answers, and says why it failed if `DETGL_DEBUG` asks.
 /// A panic is `EGL_BAD_ALLOC`.
 pub(super) fn call<R: Answer>(name: &str, f: impl FnOnce() -> Result<R>) -> R {
@@ -83,9 +90,7 @@ pub(super) fn call<R: Answer>(name: &str, f: impl FnOnce() -> Result<R>) -> R {
             value
         }
         Err(Error { code, rule }) => {
-            if std::env::var_os("DETGL_DEBUG").is_some_and(|value| value != "0") {
-                eprintln!("detgl: error: {name}: {rule}; {code:?}");
-            }
+            say("error", &format!("{name}: {rule}; {code:?}"));
             thread(|thread| thread.error.set(code.to_egl()));
             R::FAILURE
         }
