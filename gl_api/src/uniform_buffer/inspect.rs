@@ -159,6 +159,11 @@ fn block(object: &ProgramObject, index: GLuint) -> Result<&UniformBlock> {
     let blocks = blocks(object);
     match blocks.get(index as usize) {
         Some(block) => Ok(block),
+        None if index == GL_INVALID_INDEX => invalid_value(
+            SECTION,
+            "uniformBlockIndex = GL_INVALID_INDEX is what glGetUniformBlockIndex answers where the \
+             program has no such block: its name is misspelt, or nothing uses it",
+        ),
         None => invalid_value(
             SECTION,
             format!(

@@ -4,7 +4,7 @@
 use super::SECTION;
 use crate::context::Context;
 use crate::error::{Result, invalid_operation};
-use crate::glsl::{DataType, MatrixOrder, Member, Scalar};
+use crate::glsl::{DataType, MatrixOrder, Member, Scalar, UniformBlock};
 use crate::object::indexed_buffers::BufferRange;
 use crate::object::programs::{Linked, ShaderOrProgram};
 use crate::types::*;
@@ -73,15 +73,7 @@ pub(crate) fn refresh(context: &mut Context, name: GLuint) -> Result<()> {
         let bytes = bytes.get(range.offset..).unwrap_or_default();
         let bytes = &bytes[..range.size.unwrap_or(bytes.len()).min(bytes.len())];
         if bytes.len() < block.bytes as usize {
-            context.debug.warn(format!(
-                "the uniform block \"{}\" needs {} bytes; buffer {}, bound to index {} of \
-                 GL_UNIFORM_BUFFER, has {}: the others read as 0",
-                block.name,
-                block.bytes,
-                range.name,
-                state.binding,
-                bytes.len()
-            ));
+            context.debug.warn(too_small(block, state.binding, range, bytes.len()));
         }
         let members = block.members.start as usize..block.members.end as usize;
         let words = words.get_mut(word as usize..).unwrap_or_default();
@@ -90,6 +82,24 @@ pub(crate) fn refresh(context: &mut Context, name: GLuint) -> Result<()> {
         }
     }
     Ok(())
+}
+
+/// A block that has no buffer, or one of fewer bytes than it has itself.
+#[cold]
+#[inline(never)]
+fn too_small(block: &UniformBlock, binding: GLuint, range: BufferRange, bytes: usize) -> String {
+    let (name, needs, buffer) = (&block.name, block.bytes, range.name);
+    if buffer == 0 {
+        return format!(
+            "draw: the uniform block \"{name}\" has no buffer: call \
+             glBindBufferBase(GL_UNIFORM_BUFFER, {binding}, buffer) (GL 3.1, section 2.11.4)"
+        );
+    }
+    format!(
+        "draw: the uniform block \"{name}\" needs {needs} bytes, and buffer {buffer}, bound to index \
+         {binding} of GL_UNIFORM_BUFFER, has {bytes}: the others read as 0; give it more with \
+         glBufferData (GL 3.1, section 2.11.4)"
+    )
 }
 
 /// Writes the words of a member.

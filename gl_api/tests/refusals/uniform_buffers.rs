@@ -134,6 +134,12 @@ const ROWS: &[Case] = &[
     (nothing, |c| c.uniform_block_binding(1, 1, 0), GL_INVALID_VALUE, BLOCKS),
     (
         nothing,
+        |c| c.uniform_block_binding(1, GL_INVALID_INDEX, 0),
+        GL_INVALID_VALUE,
+        "GL_INVALID_INDEX is what glGetUniformBlockIndex answers",
+    ),
+    (
+        nothing,
         |c| c.uniform_block_binding(1, 0, 64),
         GL_INVALID_VALUE,
         "must be below GL_MAX_UNIFORM_BUFFER_BINDINGS, 64",
