@@ -3,6 +3,7 @@
 //! A slice is copied when the pointer call is made, since it cannot be kept: later writes to it are
 //! not seen. Buffer objects, and pointers of C programs, are read when the draw is made.
 
+use super::array_names::{mapped, no_attribute};
 use crate::abi::memory::ClientPointer;
 use crate::constants::*;
 use crate::context::{Context, limits};
@@ -152,6 +153,9 @@ pub(crate) fn vertex_source(
         Source::Pointer(pointer) => (snapshot(array, *pointer, reach)?, 0),
         Source::Object { name, offset } => {
             let object = context.objects.buffers.get(*name);
+            if object.is_some_and(|object| object.map.is_some()) {
+                return mapped(*name, location);
+            }
             (object.map(|object| object.buffer.clone()).unwrap_or_default(), *offset)
         }
     };
@@ -443,10 +447,7 @@ pub(crate) fn tex_coord_pointer(
 pub(crate) fn generic(index: GLuint) -> Result<u8> {
     match u8::try_from(index) {
         Ok(index) if index < MAX_VERTEX_ATTRIBS => Ok(index),
-        _ => invalid_value(
-            SECTION,
-            format!("index = {index} must be below GL_MAX_VERTEX_ATTRIBS, {MAX_VERTEX_ATTRIBS}"),
-        ),
+        _ => no_attribute(index),
     }
 }
 

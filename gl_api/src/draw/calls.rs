@@ -1,5 +1,6 @@
 //! The draw calls on vertex arrays: GL 2.1, section 2.8.
 
+use super::array_names::{array_of, extent};
 use super::arrays::{Reach, reads_pointers, vertex_source};
 use super::immediate::{Slot, attribute};
 use super::translate::{Elements, draw};
@@ -79,18 +80,12 @@ fn indexed_reach(
     reach
 }
 
-/// Where every attribute of an array draw comes from. Generic attribute 0 and the vertex array
-/// stand in for each other (GL 2.1, section 2.8).
+/// Where every attribute of an array draw comes from.
 fn bindings(context: &Context, reach: Reach) -> Result<Vec<VertexBinding>> {
     let arrays = &context.state.arrays.by_location;
-    let vertex = usize::from(ATTRIB_VERTEX);
     let mut bindings = Vec::with_capacity(LOCATIONS);
     for location in 0..LOCATIONS {
-        let from = match location {
-            0 if !arrays[0].enabled => vertex,
-            _ if location == vertex && arrays[0].enabled => 0,
-            _ => location,
-        };
+        let from = array_of(context, location);
         let source = if arrays[from].enabled {
             vertex_source(context, from, reach)?
         } else {
@@ -110,8 +105,8 @@ fn has_positions(context: &mut Context) -> bool {
         || has_vertex_program(context);
     if !any {
         context.debug.warn(
-            "a draw of vertex arrays drew nothing: no array of positions is enabled, call \
-             glEnableClientState(GL_VERTEX_ARRAY) or glEnableVertexAttribArray"
+            "draw: nothing is drawn, as no array of positions is enabled: call \
+             glEnableClientState(GL_VERTEX_ARRAY) or glEnableVertexAttribArray(0)"
                 .into(),
         );
     }
@@ -120,7 +115,12 @@ fn has_positions(context: &mut Context) -> bool {
 
 /// Checks that the array of positions has all vertices of a draw; without one, the first array.
 /// Other arrays that are too short read as zeros.
-fn check_range(vertices: &[VertexBinding], first: usize, count: usize) -> Result<()> {
+fn check_range(
+    context: &Context,
+    vertices: &[VertexBinding],
+    first: usize,
+    count: usize,
+) -> Result<()> {
     let arrays = vertices.iter().filter_map(|binding| match &binding.source {
         VertexSource::Array { buffer, offset, stride, ty, components, divisor: 0, .. } => {
             let vertex = ty.bytes(*components);
@@ -130,15 +130,15 @@ fn check_range(vertices: &[VertexBinding], first: usize, count: usize) -> Result
         VertexSource::Array { .. } | VertexSource::Constant(_) => None,
     });
     let by_rank = arrays.min_by_key(|array| (array.0 != ATTRIB_VERTEX, array.0));
-    let Some((_, length, offset, stride, vertex)) = by_rank else { return Ok(()) };
+    let Some((location, length, offset, stride, vertex)) = by_rank else { return Ok(()) };
     let last = first as u128 + count as u128 - 1;
     let needed = offset as u128 + last * stride as u128 + vertex as u128;
     if needed > length as u128 {
         return invalid_operation(
             SECTION,
             format!(
-                "vertices {first} to {last} take {needed} bytes of the array of positions, which \
-                 has {length}"
+                "vertices {first} to {last} end at byte {needed}, but {}",
+                extent(context, location, length)
             ),
         );
     }
@@ -201,7 +201,7 @@ fn draw_ranges(
     if count > 0 && instances > 0 && has_positions(context) {
         let (last, instances) = ((first + count - 1) as u32, instances as u32);
         let vertices = bindings(context, Reach { first: first as u32, last, instances })?;
-        check_range(&vertices, first, count)?;
+        check_range(context, &vertices, first, count)?;
         let elements = Elements::Range { first: first as u32, count: count as u32, instances };
         return draw_or_record(context, topology, vertices, elements);
     }

@@ -99,7 +99,7 @@ pub(crate) fn end(context: &mut Context) -> Result<()> {
 /// Draws what was collected.
 fn finish(context: &mut Context) -> Result<()> {
     let Some(immediate) = context.immediate.take() else {
-        return invalid_operation(SECTION, "glBegin was not called before");
+        return invalid_operation(SECTION, "no glBegin is open: it was not called, or was refused");
     };
     let count = immediate.positions.len();
     if count == 0 {

@@ -3,6 +3,7 @@
 //! The modules in the order in which vertices pass through them: arrays and immediate mode collect
 //! them, the draw calls check them, the stages are chosen, and the translation records commands.
 
+mod array_names;
 pub(crate) mod arrays;
 mod assembly;
 pub(crate) mod calls;

@@ -203,7 +203,7 @@ const CASES: &[Case] = &[
     (|c| c.clear(1), GL_INVALID_VALUE, "bits that name no buffer: 0x1"),
     // Vertices.
     (|c| c.begin(42), GL_INVALID_ENUM, "GL_POINTS"),
-    (|c| c.end(), GL_INVALID_OPERATION, "glBegin was not called"),
+    (|c| c.end(), GL_INVALID_OPERATION, "no glBegin is open"),
     (|c| c.multi_tex_coord_2f(GL_TEXTURE0 + 9, 0.0, 0.0), GL_INVALID_ENUM, "GL_TEXTURE9"),
     (|c| c.vertex_attrib_1f(16, 0.0), GL_INVALID_VALUE, "must be below GL_MAX_VERTEX_ATTRIBS"),
     (|c| c.color_3fv(&[1.0; 2]), GL_INVALID_OPERATION, "2 of 3 numbers"),

@@ -81,7 +81,50 @@ const BUFFER_ROWS: &[Case] = &[
             c.draw_arrays(GL_TRIANGLES, 0, 3);
         },
         GL_INVALID_OPERATION,
-        "",
+        "GL_VERTEX_ARRAY reads buffer 1, which is mapped: call glUnmapBuffer",
+    ),
+    (
+        "drawing from a mapped buffer by index",
+        |c| {
+            c.enable_vertex_attrib_array(0);
+            c.vertex_attrib_pointer(0, 2, GL_FLOAT, false, 0, Data::Offset(0));
+            c.map_buffer(GL_ARRAY_BUFFER, GL_READ_ONLY);
+        },
+        |c| {
+            c.draw_elements(GL_TRIANGLES, 3, GL_UNSIGNED_BYTE, Data::Bytes(&[0, 1, 2]));
+        },
+        GL_INVALID_OPERATION,
+        "array 0 reads buffer 1, which is mapped",
+    ),
+    (
+        "drawing colours from a mapped buffer",
+        |c| {
+            c.enable_client_state(GL_COLOR_ARRAY);
+            c.color_pointer(4, GL_UNSIGNED_BYTE, 0, Data::Offset(0));
+            c.map_buffer(GL_ARRAY_BUFFER, GL_READ_ONLY);
+            c.bind_buffer(GL_ARRAY_BUFFER, 0);
+            c.enable_client_state(GL_VERTEX_ARRAY);
+            c.vertex_pointer(2, GL_FLOAT, 0, Data::Bytes(&[0; 24]));
+        },
+        |c| {
+            c.draw_arrays(GL_TRIANGLES, 0, 3);
+        },
+        GL_INVALID_OPERATION,
+        "GL_COLOR_ARRAY reads buffer 1, which is mapped",
+    ),
+    (
+        "an element of a mapped buffer",
+        |c| {
+            c.client_active_texture(GL_TEXTURE1);
+            c.enable_client_state(GL_TEXTURE_COORD_ARRAY);
+            c.tex_coord_pointer(2, GL_FLOAT, 0, Data::Offset(0));
+            c.map_buffer(GL_ARRAY_BUFFER, GL_READ_ONLY);
+        },
+        |c| {
+            c.array_element(0);
+        },
+        GL_INVALID_OPERATION,
+        "GL_TEXTURE_COORD_ARRAY of unit 1 reads buffer 1, which is mapped",
     ),
     (
         "indices in a mapped buffer",
@@ -93,7 +136,54 @@ const BUFFER_ROWS: &[Case] = &[
             c.draw_elements(GL_TRIANGLES, 3, GL_UNSIGNED_BYTE, Data::Offset(0));
         },
         GL_INVALID_OPERATION,
-        "",
+        "buffer 1 is bound to GL_ELEMENT_ARRAY_BUFFER and mapped: call glUnmapBuffer",
+    ),
+    (
+        "more vertices than the buffer has",
+        |c| {
+            c.enable_vertex_attrib_array(0);
+            c.vertex_attrib_pointer(0, 2, GL_FLOAT, false, 0, Data::Offset(16));
+        },
+        |c| {
+            c.draw_arrays(GL_TRIANGLES, 0, 9);
+        },
+        GL_INVALID_OPERATION,
+        "vertices 0 to 8 end at byte 88, but array 0 reads buffer 1 (bound to GL_ARRAY_BUFFER when \
+         its pointer was set) from byte 16 on, which has 64 bytes",
+    ),
+    (
+        "a pointer for an offset",
+        |c| {
+            c.enable_client_state(GL_VERTEX_ARRAY);
+            c.vertex_pointer(2, GL_FLOAT, 0, Data::Offset(0x7fff_0000_0000));
+        },
+        |c| {
+            c.draw_arrays(GL_TRIANGLES, 0, 3);
+        },
+        GL_INVALID_OPERATION,
+        "GL_VERTEX_ARRAY reads buffer 1 from byte 140733193388032 on, which looks like a pointer",
+    ),
+    (
+        "no memory",
+        |c| {
+            c.bind_buffer(GL_ARRAY_BUFFER, 0);
+            c.enable_vertex_attrib_array(3);
+            c.vertex_attrib_pointer(3, 2, GL_FLOAT, false, 0, Data::Null);
+            c.enable_vertex_attrib_array(0);
+            c.vertex_attrib_pointer(0, 2, GL_FLOAT, false, 0, Data::Null);
+        },
+        |c| {
+            c.draw_arrays(GL_TRIANGLES, 0, 3);
+        },
+        GL_INVALID_OPERATION,
+        "array 0 has no memory: no buffer was bound to GL_ARRAY_BUFFER",
+    ),
+    (
+        "the location of no attribute",
+        nothing,
+        |c| c.enable_vertex_attrib_array(GLuint::MAX),
+        GL_INVALID_VALUE,
+        "index = -1 is what glGetAttribLocation answers",
     ),
     (
         "pixels in a mapped buffer",

@@ -1,0 +1,83 @@
+//! Vertex arrays in messages: what a client calls them, where they lie, and what is wrong with them.
+
+use super::arrays::Source;
+use crate::constants::*;
+use crate::context::{Context, limits};
+use crate::error::{Result, invalid_operation, invalid_value};
+use crate::interface::{ATTRIB_TEX_COORD, ATTRIB_VERTEX, MAX_VERTEX_ATTRIBS};
+use crate::state::enable::CLIENT_ARRAY;
+use crate::types::*;
+
+/// The location of the array that an attribute is read from: generic attribute 0 and the vertex array
+/// stand in for each other (GL 2.1, section 2.8).
+pub(super) fn array_of(context: &Context, location: usize) -> usize {
+    let vertex = usize::from(ATTRIB_VERTEX);
+    match (location, context.state.arrays.by_location[0].enabled) {
+        (0, false) => vertex,
+        (at, true) if at == vertex => 0,
+        (other, _) => other,
+    }
+}
+
+/// What a client calls the array of a location.
+fn array_name(location: usize) -> String {
+    let location = location as u8;
+    if location < MAX_VERTEX_ATTRIBS {
+        return format!("array {location}");
+    }
+    if location >= ATTRIB_TEX_COORD {
+        return format!("GL_TEXTURE_COORD_ARRAY of unit {}", location - ATTRIB_TEX_COORD);
+    }
+    enum_name(CLIENT_ARRAY.encode(location))
+}
+
+/// What the array behind an attribute has, for a message that it is too little: so many bytes.
+#[cold]
+#[inline(never)]
+pub(super) fn extent(context: &Context, location: u8, bytes: usize) -> String {
+    let location = array_of(context, location.into());
+    let array = array_name(location);
+    match context.state.arrays.by_location[location].source {
+        Source::Object { name, offset } if offset > limits::MAX_BUFFER_SIZE => format!(
+            "{array} reads buffer {name} from byte {offset} on, which looks like a pointer: buffer \
+             {name} was bound to GL_ARRAY_BUFFER when it was set; call \
+             glBindBuffer(GL_ARRAY_BUFFER, 0) before"
+        ),
+        Source::Object { name, offset } => format!(
+            "{array} reads buffer {name} (bound to GL_ARRAY_BUFFER when its pointer was set) from \
+             byte {offset} on, which has {bytes} bytes"
+        ),
+        Source::Client(_) | Source::Pointer(_) if bytes == 0 => format!(
+            "{array} has no memory: no buffer was bound to GL_ARRAY_BUFFER when its pointer was \
+             set, and the pointer was NULL"
+        ),
+        Source::Client(_) | Source::Pointer(_) => format!("{array} has {bytes} bytes"),
+    }
+}
+
+/// Refuses to read an array whose buffer is mapped.
+#[cold]
+#[inline(never)]
+pub(super) fn mapped<T>(name: GLuint, location: usize) -> Result<T> {
+    let array = array_name(location);
+    invalid_operation(
+        "GL 3.1, section 2.9",
+        format!("{array} reads buffer {name}, which is mapped: call glUnmapBuffer"),
+    )
+}
+
+/// Refuses a generic attribute that there is not.
+#[cold]
+#[inline(never)]
+pub(super) fn no_attribute<T>(index: GLuint) -> Result<T> {
+    const SECTION: &str = "GL 2.1, section 2.8";
+    if index == GLuint::MAX {
+        return invalid_value(
+            SECTION,
+            "index = -1 is what glGetAttribLocation answers where the program has no such attribute: \
+             it is misspelt, or nothing uses it",
+        );
+    }
+    let rule = format!("index = {index} must be below GL_MAX_VERTEX_ATTRIBS, {MAX_VERTEX_ATTRIBS}");
+    invalid_value(SECTION, rule)
+}
