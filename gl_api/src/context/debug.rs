@@ -118,6 +118,11 @@ impl Debug {
         }
     }
 
+    /// Whether somebody asks for messages as they come.
+    pub fn listens(&self) -> bool {
+        self.echo == Echo::Stderr || self.output == Output::On
+    }
+
     /// Takes the flag.
     pub fn take_flag(&mut self) -> Option<ErrorCode> {
         self.flag.take()

@@ -4,6 +4,7 @@ pub(crate) mod debug;
 pub(crate) mod limits;
 pub(crate) mod log;
 pub(crate) mod log_calls;
+pub(crate) mod said;
 mod surface;
 
 use crate::abi::osmesa::Mirror;
@@ -89,6 +90,8 @@ pub struct Context {
     /// What the default framebuffer is read from, if not from `window`.
     pub(crate) read_window: Option<Window>,
     pub(crate) debug: debug::Debug,
+    /// Which hints were given.
+    said: said::Said,
     /// Between `glBegin` and `glEnd`.
     pub(crate) immediate: Option<Immediate>,
     pub(crate) recorder: Recorder,
@@ -150,6 +153,7 @@ impl Context {
             window: Window::new(width, height, surface).map_err(|_| ContextError::Memory)?,
             read_window: None,
             debug: debug::Debug::from_env(),
+            said: said::Said::default(),
             immediate: None,
             recorder: Recorder::new(device),
             lists: Lists::default(),

@@ -2,6 +2,7 @@
 
 use super::array_names::{array_of, extent};
 use super::arrays::{Reach, reads_pointers, vertex_source};
+use super::hints;
 use super::immediate::{Slot, attribute};
 use super::translate::{Elements, draw};
 use crate::assembly::running::has_vertex_program;
@@ -97,11 +98,16 @@ fn bindings(context: &Context, reach: Reach) -> Result<Vec<VertexBinding>> {
 }
 
 /// Whether there are positions to draw; without, nothing is drawn.
-fn has_positions(context: &mut Context) -> bool {
+fn has_positions(context: &mut Context, topology: Topology) -> bool {
     let arrays = &context.state.arrays.by_location;
-    let any = arrays[0].enabled
+    let program = context.state.bindings.program != 0;
+    if program && !arrays.iter().any(|array| array.enabled) {
+        hints::arrays::none(context, topology);
+        return true;
+    }
+    let any = program
+        || arrays[0].enabled
         || arrays[usize::from(ATTRIB_VERTEX)].enabled
-        || context.state.bindings.program != 0
         || has_vertex_program(context);
     if !any {
         context.debug.warn(
@@ -198,7 +204,7 @@ fn draw_ranges(
     let first = not_negative(SECTION, "first", first.into())?;
     let count = not_negative(SECTION, "count", count.into())?;
     let instances = not_negative(INSTANCED, "primcount", instances.into())?;
-    if count > 0 && instances > 0 && has_positions(context) {
+    if count > 0 && instances > 0 && has_positions(context, topology) {
         let (last, instances) = ((first + count - 1) as u32, instances as u32);
         let vertices = bindings(context, Reach { first: first as u32, last, instances })?;
         check_range(context, &vertices, first, count)?;
@@ -321,7 +327,7 @@ fn draw_indexed(
     let instances = not_negative(INSTANCED, "primcount", instances.into())? as u32;
     let ty = INDEX_TYPE.decode("type", request.ty)?;
     let (buffer, offset) = index_buffer(context, request.indices, count, count * ty.size())?;
-    if count == 0 || instances == 0 || !has_positions(context) {
+    if count == 0 || instances == 0 || !has_positions(context, topology) {
         return context.empty_draw("glDrawElements");
     }
     let base_vertex = request.base_vertex;

@@ -181,7 +181,7 @@ fn enabled_units(
         let texture = context.objects.texture(target, state.bound[target as usize]);
         let sampler = sampler(context, unit, target);
         if let Some(reason) = texture.incomplete_reason(&sampler) {
-            hints::incomplete(context, unit, target, &reason);
+            hints::textures::incomplete(context, unit, target, &reason);
             continue;
         }
         let level = texture.image.level(0, sampler.base_level as usize);

@@ -292,7 +292,8 @@ fn program_textures(
             continue;
         };
         let target = TextureTarget::of_sampler(sampler.dim);
-        hints::sampler(context, unit, target, sampler.word);
+        let decl = module.module().textures[slot];
+        hints::textures::sampler(context, unit, target, sampler.word, decl);
         textures.push(Some(match target {
             TextureTarget::Buffer => {
                 let bound = context.state.units.units[usize::from(unit)].bound;
@@ -389,6 +390,7 @@ fn plan(
     if sampler.srgb == SrgbRead::AsIs && reader.fetches() {
         sampler.srgb = SrgbRead::Decode;
     }
+    hints::textures::feedback_loop(context, name, &image, &sampler);
     let texture = context.objects.texture_mut(target, name);
     let plan = texture.plan(&context.recorder.device, &sampler);
     context.recorder.hold(texture.new_bytes());

@@ -128,7 +128,7 @@ fn record(
     if context.feedback.mode != Mode::Render {
         return feedback::draw(context, topology, &vertices, elements);
     }
-    hints::nothing_enabled(context);
+    hints::textures::nothing_enabled(context);
     // Choosing may carry out what was recorded, if a texture of this draw was drawn to.
     let rim = if rectangle.is_some() { Rim::Aliased } else { smoothness(context, topology) };
     let mut stages = stages::choose(context, &vertices, rim)?;
@@ -149,6 +149,8 @@ fn record(
     if rectangle.is_some() {
         let (cull, front_face, provoking) = (Cull::None, FrontFace::Ccw, Provoking::Last);
         desc = PipelineDesc { cull, front_face, provoking, ..desc };
+    } else {
+        hints::state::check(context, &pass, &desc, elements);
     }
     let watched = is_watched(context, &pass);
     begin_pass(context, pass);
@@ -188,6 +190,9 @@ fn record(
     }
     let vertices = vertices.into_iter().filter(|binding| read & bit(binding.location) != 0);
     let vertices: Arc<[_]> = vertices.collect();
+    hints::arrays::short(context, &vertices, elements);
+    let recorder = &mut context.recorder;
+    let commands = &mut recorder.commands;
     let buffers = vertices.iter().filter_map(|binding| binding.source.buffer());
     recorder.held += buffers.map(Buffer::own_bytes).sum::<usize>();
     commands.push(Command::BindVertices(vertices));

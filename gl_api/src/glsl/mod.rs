@@ -22,6 +22,7 @@ mod types;
 mod version;
 
 use crate::interface::StateBinding;
+pub(crate) use diagnostics::edit_distance;
 use diagnostics::{Diagnostic, Log};
 pub(crate) use limits::TEXEL_OFFSETS;
 use rasterizer::ir::{Interpolation, Module, Output};
@@ -57,6 +58,13 @@ pub struct Options {
 #[derive(Clone, Debug)]
 pub struct Shader {
     unit: Arc<hir::Unit>,
+}
+
+impl Shader {
+    /// Whether it declares a global of this name.
+    pub(crate) fn declares(&self, name: &str) -> bool {
+        self.unit.globals.iter().any(|global| &*global.name == name)
+    }
 }
 
 /// What a compilation gives.

@@ -3,6 +3,7 @@
 use super::{Compiling, List, Mode};
 use crate::constants::*;
 use crate::context::Context;
+use crate::context::said::Hint;
 use crate::entry::{Data, Located};
 use crate::error::{Result, Table, invalid_operation, invalid_value, not_negative};
 use crate::types::*;
@@ -158,6 +159,25 @@ pub(crate) fn list_base(context: &mut Context, base: GLuint) -> Result<()> {
 }
 
 pub(crate) fn call_list(context: &mut Context, list: GLuint) -> Result<()> {
+    // Of the names that glCallLists is given some may be none: letters that a font leaves out.
+    if list != 0 && !context.objects.lists.contains_key(&list) {
+        not_there(context, list);
+    }
+    run_list(context, list)
+}
+
+#[cold]
+#[inline(never)]
+fn not_there(context: &mut Context, list: GLuint) {
+    if context.is_news(Hint::NoList, list) {
+        context.debug.warn(format!(
+            "glCallList: list {list} does not exist, so nothing is called: see glNewList ({SECTION})"
+        ));
+    }
+}
+
+/// Carries out a list, if there is one.
+fn run_list(context: &mut Context, list: GLuint) -> Result<()> {
     let lists = &mut context.lists;
     if lists.depth == 0 {
         lists.budget = BUDGET;
@@ -210,7 +230,7 @@ pub(crate) fn call_lists(
     }
     for name in bytes.chunks_exact(size) {
         let name = context.lists.base.wrapping_add(ty.read(name));
-        call_list(context, name)?;
+        run_list(context, name)?;
     }
     Ok(())
 }

@@ -272,6 +272,9 @@ pub(crate) fn link_program(context: &mut Context, name: GLuint) -> Result<()> {
     if program.link == LinkStatus::Failed {
         let text = format!("glLinkProgram: program {name} did not link:\n{}", program.log);
         context.debug.warn(text);
+    } else if !program.log.is_empty() {
+        let text = format!("glLinkProgram: program {name} linked:\n{}", program.log);
+        context.debug.warn(text);
     }
     Ok(())
 }

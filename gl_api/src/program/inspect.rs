@@ -1,6 +1,7 @@
 //! What is known of a program: GL 2.1, sections 2.15.3 and 6.1.14.
 
 use super::data_type::gl_type;
+use super::near::{self, Of};
 use super::uniform::{at_location, element_words};
 use crate::constants::*;
 use crate::context::Context;
@@ -251,7 +252,11 @@ pub(crate) fn get_uniform_location(
         let found = uniforms.iter().find(|found| found.name == base)?;
         (index < found.array?).then_some(found.location + index)
     };
-    Ok(whole.or_else(element).map_or(-1, |location| location as GLint))
+    let location = whole.or_else(element);
+    if location.is_none() {
+        near::not_found(context, name, Of::Uniform, uniform);
+    }
+    Ok(location.map_or(-1, |location| location as GLint))
 }
 
 pub(crate) fn get_attrib_location(
@@ -263,7 +268,11 @@ pub(crate) fn get_attrib_location(
     let found = attributes
         .iter()
         .find(|found| found.name == attribute && found.location < MAX_VERTEX_ATTRIBS);
-    Ok(found.map_or(-1, |found| found.location.into()))
+    let location = found.map(|found| found.location);
+    if location.is_none() {
+        near::not_found(context, name, Of::Attribute, attribute);
+    }
+    Ok(location.map_or(-1, GLint::from))
 }
 
 pub(crate) fn get_frag_data_location(

@@ -5,5 +5,6 @@ pub(crate) mod attribute;
 pub(crate) mod data_type;
 pub(crate) mod inspect;
 pub(crate) mod integer;
+mod near;
 pub(crate) mod uniform;
 pub(crate) mod validate;

@@ -1,6 +1,7 @@
 //! `glFlush` and `glFinish`: GL 2.1, section 5.5; `glTextureBarrierNV`.
 
 use crate::context::Context;
+use crate::context::said::Hint;
 use crate::draw;
 use crate::error::Result;
 
@@ -15,6 +16,8 @@ pub(crate) fn flush(context: &mut Context) -> Result<()> {
 /// What was drawn can be looked up from the next draw on (`NV_texture_barrier`).
 pub(crate) fn texture_barrier_nv(context: &mut Context) -> Result<()> {
     draw::submit(context);
+    // Who calls this knows that a texture is drawn to and looked up.
+    context.is_news(Hint::FeedbackLoop, 0);
     Ok(())
 }
 

@@ -90,12 +90,13 @@ fn build(shaders: &[&Shader], bindings: &Bindings, log: &mut Log) -> Option<Prog
                 .units
                 .iter()
                 .all(|unit| unit.version == Version::Es100 || unit.version >= Version::V140);
-            let problem = if is_legal {
-                Diagnostic::link_warning(message)
-            } else {
-                Diagnostic::link_error(message)
-            };
-            log.push(problem.rule("GLSL 1.30 section 7.1"));
+            let rule = "GLSL 1.30 section 7.1";
+            if !is_legal {
+                log.push(Diagnostic::link_error(message).rule(rule));
+            } else if captured.is_empty() {
+                // What is captured need not be seen.
+                log.push(Diagnostic::link_warning(message).rule(rule));
+            }
         }
     }
     if log.has_errors() {
