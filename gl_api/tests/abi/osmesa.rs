@@ -2,6 +2,8 @@
 
 use super::*;
 use gl_api::{GL_COLOR_BUFFER_BIT, GL_FLOAT, GL_RGBA, GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT};
+use std::sync::mpsc::channel;
+use std::time::Duration;
 
 /// The first pixel of a picture cleared to (1, 0.5, 0, 1), as bytes.
 fn osmesa(format: GLenum, ty: GLenum, bytes: usize) -> Option<Vec<u8>> {
@@ -78,5 +80,35 @@ fn contexts_and_memory_that_are_not_there_are_refused() {
         OSMesaDestroyContext(made_up);
         OSMesaDestroyContext(null_mut());
         assert!(OSMesaCreateContextExt(GL_RGBA, 24, 8, 0, made_up).is_null());
+    }
+}
+
+#[test]
+fn contexts_are_made_on_one_thread_and_become_current_on_another() {
+    let (done, both) = channel();
+    let threads = [0, 20].map(|times| {
+        let done = done.clone();
+        std::thread::spawn(move || {
+            let mut memory = [0_u8; 4 * 4 * 4];
+            let memory: *mut c_void = memory.as_mut_ptr().cast();
+            for _ in 0..3000 {
+                // SAFETY: the memory has 4×4 pixels, and stays until the context is gone.
+                unsafe {
+                    let context = OSMesaCreateContextExt(GL_RGBA, 24, 8, 0, null_mut());
+                    for _ in 0..times {
+                        OSMesaMakeCurrent(context, memory, GL_UNSIGNED_BYTE, 4, 4);
+                    }
+                    OSMesaMakeCurrent(null_mut(), null_mut(), 0, 0, 0);
+                    OSMesaDestroyContext(context);
+                }
+            }
+            done.send(()).expect("the test waits");
+        })
+    });
+    for _ in &threads {
+        both.recv_timeout(Duration::from_secs(60)).expect("neither thread waits for the other");
+    }
+    for thread in threads {
+        thread.join().expect("no panic");
     }
 }

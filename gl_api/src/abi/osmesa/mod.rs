@@ -76,8 +76,17 @@ struct Entry {
     depths: Vec<u32>,
 }
 
+impl Entry {
+    /// Takes note of what is drawn to; how rows lie in it.
+    fn draw_to(&mut self, target: Target, surface: Id) -> (usize, Up) {
+        (self.target, self.surface) = (Some(target), Some(surface));
+        (self.row_length, self.up)
+    }
+}
+
 static ENTRIES: Mutex<BTreeMap<Id, Entry>> = Mutex::new(BTreeMap::new());
 
+/// Locks what OSMesa knows. Nothing is drawn, and the registry is not locked, while it is.
 fn entries() -> MutexGuard<'static, BTreeMap<Id, Entry>> {
     ENTRIES.lock().unwrap_or_else(PoisonError::into_inner)
 }
@@ -131,9 +140,12 @@ fn create(request: Request, share: Id) -> *mut c_void {
         }
     };
     let Ok(context) = context else { return std::ptr::null_mut() };
-    let mut registry = registry();
-    let id = registry.new_id();
-    registry.contexts.insert(id, ContextEntry::new(OSMESA, None, context));
+    let id = {
+        let mut registry = registry();
+        let id = registry.new_id();
+        registry.contexts.insert(id, ContextEntry::new(OSMESA, None, context));
+        id
+    };
     let entry = Entry {
         request,
         target: None,
@@ -198,45 +210,62 @@ fn release() {
 
 /// Makes a context draw to the client's memory; whether that is possible.
 fn make_current(id: Id, target: Target) -> bool {
-    let mut entries = entries();
-    let Some(entry) = entries.get_mut(&id) else { return false };
-    let Some(pixels) = pixels(entry.request.format, target.ty) else { return false };
+    let found = entries().get(&id).map(|entry| (entry.request, entry.target, entry.surface));
+    let Some((request, old, used)) = found else { return false };
+    let Some(pixels) = pixels(request.format, target.ty) else { return false };
     let limit = limits::MAX_VIEWPORT_DIMS;
     if !(1..=limit).contains(&target.width) || !(1..=limit).contains(&target.height) {
         return false;
     }
-    let same = entry.target.is_some_and(|old| {
+    let same = old.is_some_and(|old| {
         (old.ty, old.width, old.height) == (target.ty, target.width, target.height)
     });
-    release();
-    if !same || entry.surface.is_none() {
-        let desc = entry.request.surface(target.ty);
-        let Ok(window) = Window::new(target.width, target.height, desc) else { return false };
-        let mut registry = registry();
-        if let Some(old) = entry.surface.take() {
-            registry.doom_surface(old);
-        }
-        let surface = registry.new_id();
-        let (width, height) = (target.width, target.height);
-        let buffers = SurfaceEntry {
-            display: OSMESA,
-            config: None,
-            width,
-            height,
-            largest: false,
-            window: Some(window),
-            thread: None,
-            doomed: false,
-        };
-        registry.surfaces.insert(surface, buffers);
-        entry.surface = Some(surface);
-    }
-    entry.target = Some(target);
-    let binding = Binding { display: OSMESA, context: id, surface: entry.surface, read: None };
+    let surface = match used.filter(|_| same) {
+        Some(surface) => surface,
+        None => match new_surface(request, target) {
+            Some(surface) => surface,
+            None => return false,
+        },
+    };
+    let binding = Binding { display: OSMESA, context: id, surface: Some(surface), read: None };
     let bound = thread(|thread| current::bind(thread, binding)).is_ok();
-    let (row_length, up) = (entry.row_length, entry.up);
+    let stored = if bound {
+        entries().get_mut(&id).map(|entry| entry.draw_to(target, surface))
+    } else {
+        None
+    };
+    let Some((row_length, up)) = stored else {
+        // Current on another thread, or destroyed by one.
+        if used != Some(surface) {
+            registry().doom_surface(surface);
+        }
+        return false;
+    };
+    if let Some(used) = used.filter(|&used| used != surface) {
+        registry().doom_surface(used);
+    }
     let mirror = Mirror { memory: target.memory, pixels, row_length, up };
-    bound && with_current(|context| context.mirror = Some(mirror)).is_some()
+    with_current(|context| context.mirror = Some(mirror)).is_some()
+}
+
+/// Buffers for a client's memory.
+fn new_surface(request: Request, target: Target) -> Option<Id> {
+    let Target { ty, width, height, .. } = target;
+    let window = Window::new(width, height, request.surface(ty)).ok()?;
+    let mut registry = registry();
+    let surface = registry.new_id();
+    let buffers = SurfaceEntry {
+        display: OSMESA,
+        config: None,
+        width,
+        height,
+        largest: false,
+        window: Some(window),
+        thread: None,
+        doomed: false,
+    };
+    registry.surfaces.insert(surface, buffers);
+    Some(surface)
 }
 
 /// `OSMesaPixelStore` on the current context.
@@ -283,10 +312,7 @@ fn depths(id: Id) -> Option<(GLint, GLint, GLint, *mut c_void)> {
     if current_id() != Some(id) {
         return None;
     }
-    let mut entries = entries();
-    let entry = entries.get_mut(&id)?;
-    let target = entry.target?;
-    let bits = match entry.request.depth {
+    let bits = match entries().get(&id)?.request.depth {
         0 => return None,
         1..=16 => 16,
         17..=24 => 24,
@@ -296,16 +322,18 @@ fn depths(id: Id) -> Option<(GLint, GLint, GLint, *mut c_void)> {
         context.flush();
         context.mirror.and_then(|mirror| mirror.depths(context, bits))
     });
-    entry.depths = depths??;
-    let size = (target.width as GLint, target.height as GLint);
-    if bits == 16 {
+    let mut depths = depths??;
+    let bytes = if bits == 16 {
         // Two to a word, so that the memory stays aligned and the context's own.
-        let narrow: Vec<u16> = entry.depths.iter().map(|&depth| depth as u16).collect();
-        entry.depths = narrow
-            .chunks(2)
-            .map(|pair| u32::from(pair[0]) | u32::from(*pair.get(1).unwrap_or(&0)) << 16)
-            .collect();
-        return Some((size.0, size.1, 2, entry.depths.as_mut_ptr().cast()));
-    }
-    Some((size.0, size.1, 4, entry.depths.as_mut_ptr().cast()))
+        depths = depths.chunks(2).map(|pair| pair[0] | pair.get(1).unwrap_or(&0) << 16).collect();
+        2
+    } else {
+        4
+    };
+    let mut entries = entries();
+    let entry = entries.get_mut(&id)?;
+    let target = entry.target?;
+    entry.depths = depths;
+    let size = (target.width as GLint, target.height as GLint);
+    Some((size.0, size.1, bytes, entry.depths.as_mut_ptr().cast()))
 }
