@@ -194,6 +194,11 @@ impl Context {
     pub(crate) fn share(&mut self) -> Shared {
         // What was recorded is drawn before another thread can change what it reads.
         self.flush();
+        self.shared()
+    }
+
+    /// As [`Self::share`], where nothing is recorded; no call of another context is waited for.
+    pub(crate) fn shared(&mut self) -> Shared {
         let objects = &mut self.objects;
         let group = self.group.get_or_insert_with(|| Group::of(objects)).clone();
         Shared { group, device: self.recorder.device() }

@@ -193,6 +193,7 @@ pub(crate) fn submit(context: &mut Context) {
     if commands.commands.is_empty() {
         return;
     }
+    context.outdate_mirror();
     match context.recorder.device.submit(&commands) {
         Ok(report) => {
             if !report.over_budget.is_empty() {

@@ -185,6 +185,7 @@ pub(crate) fn edit(
 ) {
     let image = &attachment.image;
     crate::draw::settle(context, image);
+    context.outdate_mirror();
     if image.samples() > 1 {
         edit_samples(attachment, change);
     } else {

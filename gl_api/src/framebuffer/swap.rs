@@ -35,10 +35,9 @@ impl Window {
 }
 
 impl Context {
-    /// Puts another default framebuffer in place, with everything drawn to the one that was. Which
-    /// of its buffers are drawn to and read from is the context's.
+    /// Puts another default framebuffer in place of one to which everything was drawn. Which of its
+    /// buffers are drawn to and read from is the context's.
     pub(crate) fn swap_window(&mut self, mut window: Window) -> Window {
-        self.flush();
         window.selection = self.window.selection.clone();
         std::mem::replace(&mut self.window, window)
     }
@@ -48,9 +47,9 @@ impl Context {
         self.read_window.as_ref().unwrap_or(&self.window)
     }
 
-    /// Puts another default framebuffer in place to be read from, or that which is drawn to.
+    /// Puts another default framebuffer in place to be read from, or that which is drawn to; nothing
+    /// that was recorded reads it.
     pub(crate) fn swap_read_window(&mut self, window: Option<Window>) -> Option<Window> {
-        self.flush();
         std::mem::replace(&mut self.read_window, window)
     }
 

@@ -7,9 +7,7 @@ use crate::error::Result;
 
 pub(crate) fn flush(context: &mut Context) -> Result<()> {
     draw::submit(context);
-    if let Some(mirror) = context.mirror {
-        mirror.update(context);
-    }
+    context.show_mirror();
     Ok(())
 }
 

@@ -32,6 +32,7 @@ unsafe extern "C" {
     fn eglQueryString(dpy: Handle, name: i32) -> *const c_char;
     fn eglQueryDevicesEXT(max: i32, devices: *mut Handle, number: *mut i32) -> u32;
     fn eglGetConfigAttrib(dpy: Handle, config: Handle, name: i32, value: *mut i32) -> u32;
+    fn eglQuerySurface(dpy: Handle, surface: Handle, name: i32, value: *mut i32) -> u32;
     fn eglGetCurrentSurface(which: i32) -> Handle;
     fn eglGetProcAddress(name: *const c_char) -> *const c_void;
     fn glGetString(name: GLenum) -> *const c_char;
@@ -39,6 +40,10 @@ unsafe extern "C" {
     fn glClearColor(r: f32, g: f32, b: f32, a: f32);
     fn glClear(mask: u32);
     fn glFinish();
+    fn glEnable(cap: GLenum);
+    fn glBlendFunc(from: GLenum, to: GLenum);
+    fn glColor4f(r: f32, g: f32, b: f32, a: f32);
+    fn glRectf(x1: f32, y1: f32, x2: f32, y2: f32);
     fn glReadPixels(x: i32, y: i32, w: i32, h: i32, f: GLenum, t: GLenum, out: *mut c_void);
     fn glCopyPixels(x: i32, y: i32, w: i32, h: i32, what: GLenum);
     fn glRasterPos2f(x: f32, y: f32);
@@ -50,6 +55,7 @@ unsafe extern "C" {
     fn OSMesaCreateContextExt(f: GLenum, d: i32, s: i32, a: i32, share: Handle) -> Handle;
     fn OSMesaMakeCurrent(c: Handle, buffer: *mut c_void, ty: GLenum, w: i32, h: i32) -> u8;
     fn OSMesaDestroyContext(c: Handle);
+    fn OSMesaGetCurrentContext() -> Handle;
 }
 
 const EGL_SUCCESS: i32 = 0x3000;

@@ -70,8 +70,9 @@ fn contexts_and_memory_that_are_not_there_are_refused() {
         ] {
             assert_eq!(OSMesaMakeCurrent(context, memory, ty, width, 4), there, "{what}");
         }
-        // Destroyed while it is current, it goes on until it is current no more.
+        // Destroyed while it is current, it is current no more.
         OSMesaDestroyContext(context);
+        assert!(OSMesaGetCurrentContext().is_null());
         glClear(GL_COLOR_BUFFER_BIT);
         glFinish();
         assert_eq!(OSMesaMakeCurrent(null_mut(), null_mut(), 0, 0, 0), 1);
@@ -110,5 +111,70 @@ fn contexts_are_made_on_one_thread_and_become_current_on_another() {
     }
     for thread in threads {
         thread.join().expect("no panic");
+    }
+}
+
+/// Memory of 8×8 pixels, whose bytes are 7. Client memory that must not be touched any more is read
+/// instead of freed: a byte that is still 7 was not written to.
+struct Memory([u8; 8 * 8 * 4]);
+
+impl Memory {
+    const UNTOUCHED: u8 = 7;
+
+    fn new() -> Self {
+        Self([Self::UNTOUCHED; 8 * 8 * 4])
+    }
+
+    fn at(&mut self) -> *mut c_void {
+        self.0.as_mut_ptr().cast()
+    }
+
+    fn reset(&mut self) {
+        self.0.fill(Self::UNTOUCHED);
+    }
+}
+
+#[test]
+fn memory_that_the_client_may_have_freed_is_not_written_to() {
+    let [mut first, mut second] = [(); 2].map(|()| Memory::new());
+    let byte = GL_UNSIGNED_BYTE;
+    // SAFETY: the memory has up to 8×8 pixels, and stays.
+    unsafe {
+        let [one, other] = [(); 2].map(|()| OSMesaCreateContextExt(GL_RGBA, 24, 8, 0, null_mut()));
+        // What is drawn is there when the context stops being current.
+        assert_eq!(OSMesaMakeCurrent(one, first.at(), byte, 4, 4), 1);
+        fill([1.0, 0.0, 0.0]);
+        assert_eq!(OSMesaMakeCurrent(other, second.at(), byte, 4, 4), 1);
+        assert_eq!(first.0[..4], [255, 0, 0, 255]);
+        // Nothing was drawn since it was copied: the client may be done with its memory.
+        fill([0.0, 1.0, 0.0]);
+        glFinish();
+        assert_eq!(second.0[..4], [0, 255, 0, 255]);
+        second.reset();
+        assert_eq!(OSMesaMakeCurrent(one, first.at(), byte, 4, 4), 1);
+        assert_eq!(second.0[0], Memory::UNTOUCHED);
+        // Other memory for the same context, of the same and of another size.
+        for size in [4, 8] {
+            fill([0.0, 0.0, 1.0]);
+            first.reset();
+            assert_eq!(OSMesaMakeCurrent(one, second.at(), byte, size, size), 1);
+            assert_eq!(first.0[0], Memory::UNTOUCHED, "{size}");
+            fill([0.0, 0.0, 1.0]);
+            glFinish();
+            assert_eq!(second.0[..4], [0, 0, 255, 255], "{size}");
+            assert_eq!(OSMesaMakeCurrent(one, first.at(), byte, 4, 4), 1);
+        }
+        // The same memory again.
+        fill([1.0, 0.0, 0.0]);
+        assert_eq!(OSMesaMakeCurrent(one, first.at(), byte, 4, 4), 1);
+        assert_eq!(first.0[..4], [255, 0, 0, 255]);
+        // A context that is destroyed while it is current.
+        fill([1.0, 1.0, 0.0]);
+        first.reset();
+        OSMesaDestroyContext(one);
+        assert_eq!(OSMesaMakeCurrent(other, second.at(), byte, 8, 8), 1);
+        assert_eq!(first.0[0], Memory::UNTOUCHED);
+        assert_eq!(OSMesaMakeCurrent(null_mut(), null_mut(), 0, 0, 0), 1);
+        OSMesaDestroyContext(other);
     }
 }

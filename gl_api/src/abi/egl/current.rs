@@ -20,11 +20,15 @@ fn this_thread() -> ThreadId {
 /// What was current on this thread goes back to where it lies otherwise.
 pub(in crate::abi) fn release(thread: &Thread) {
     let Some(binding) = thread.binding.take() else { return };
-    let context = swap_current(None);
+    let mut context = swap_current(None);
+    if let Some(context) = &mut context {
+        // While the registry is locked, every thread's calls of EGL wait.
+        context.end_mirror();
+    }
     put_back(&mut registry(), binding, context);
 }
 
-/// Gives a context and its surface back to the registry, with everything drawn.
+/// Gives a context and its surface back to the registry; everything was drawn before.
 fn put_back(registry: &mut Registry, binding: Binding, context: Option<Box<Context>>) {
     let Some(mut context) = context else {
         // A program took it with Rust's `set_current`: nothing is left of it.
@@ -34,9 +38,10 @@ fn put_back(registry: &mut Registry, binding: Binding, context: Option<Box<Conte
         }
         return;
     };
-    context.flush();
-    context.mirror = None;
-    context.answer_invitation();
+    if context.invitation.is_open() {
+        let shared = context.shared();
+        context.invitation.answer(shared);
+    }
     let read = context.swap_read_window(None);
     registry.lay_down(binding.read, read);
     let window = context.swap_window(Window::absent());

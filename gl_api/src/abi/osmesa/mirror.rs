@@ -3,6 +3,7 @@
 use crate::abi::memory::ClientPointer;
 use crate::constants::*;
 use crate::context::Context;
+use crate::object::sharing::Turn;
 use crate::state::pixel_store::PixelStore;
 use crate::texture::client::{LuminanceOf, Pixel};
 use crate::texture::convert;
@@ -28,6 +29,15 @@ pub(super) enum Up {
     NotY,
 }
 
+/// Whether the client's memory has the picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Copied {
+    /// It has the last one.
+    Yes,
+    /// There may be a newer one.
+    No,
+}
+
 /// The client's memory.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Mirror {
@@ -35,11 +45,39 @@ pub(crate) struct Mirror {
     pub(super) pixels: Pixels,
     pub(super) row_length: usize,
     pub(super) up: Up,
+    pub(super) copied: Copied,
+}
+
+impl Context {
+    /// Copies the picture for an OSMesa client; everything recorded has been carried out.
+    pub(crate) fn show_mirror(&mut self) {
+        if let Some(mirror) = self.mirror {
+            mirror.update(self);
+            self.mirror = Some(Mirror { copied: Copied::Yes, ..mirror });
+        }
+    }
+
+    /// Takes note that the client's memory has another picture than was just drawn.
+    pub(crate) fn outdate_mirror(&mut self) {
+        if let Some(mirror) = &mut self.mirror {
+            mirror.copied = Copied::No;
+        }
+    }
+
+    /// Draws everything and forgets the client's memory, as it is current no more. What the client
+    /// has seen already is not copied again: it may have freed memory that it is done with.
+    pub(crate) fn end_mirror(&mut self) {
+        let turn = Turn::begin(self);
+        crate::draw::submit(turn.context);
+        drop(turn);
+        if let Some(mirror) = self.mirror.take().filter(|mirror| mirror.copied == Copied::No) {
+            mirror.update(self);
+        }
+    }
 }
 
 impl Mirror {
-    /// Copies the picture; everything recorded has been carried out.
-    pub(crate) fn update(&self, context: &Context) {
+    fn update(&self, context: &Context) {
         let texels = context.recorder.device().texels(&context.window.color);
         let Some(level) = texels.level(0, 0) else { return };
         let (width, height) = (level.width as usize, level.height as usize);

@@ -2,7 +2,8 @@
 //!
 //! Handles and what is current are EGL's ([`super::egl`]): an OSMesa context is one of a display
 //! that EGL does not know, with a surface of its own. The client's memory is a copy of the surface,
-//! made at `glFlush`, `glFinish` and when the context stops being current ([`mirror`]).
+//! made at `glFlush`, `glFinish` and when the context stops being current ([`mirror`]). Memory that
+//! another replaces, or whose context is destroyed, is not touched any more.
 
 mod functions;
 mod mirror;
@@ -20,7 +21,7 @@ use crate::context::{Context, ContextDesc, SurfaceColor, SurfaceDesc, limits};
 use crate::entry::with_current;
 use crate::framebuffer::Window;
 use crate::types::{GLenum, GLint};
-use mirror::{Pixels, Up};
+use mirror::{Copied, Pixels, Up};
 use std::collections::BTreeMap;
 use std::ffi::c_void;
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -183,6 +184,10 @@ fn bits(value: GLint, most: u8) -> Option<u8> {
 }
 
 fn destroy(id: Id) {
+    if current_id() == Some(id) {
+        forget_memory();
+        release();
+    }
     let Some(entry) = entries().remove(&id) else { return };
     let mut registry = registry();
     registry.doom_context(id);
@@ -197,13 +202,16 @@ fn current_id() -> Option<Id> {
     binding.filter(|binding| binding.display == OSMESA).map(|binding| binding.context)
 }
 
+/// Lets go of the current context's memory, which the client may have freed.
+fn forget_memory() {
+    with_current(|context| context.mirror = None);
+}
+
 /// Ends being current, with the picture in the client's memory.
 fn release() {
-    if current_id().is_some() {
-        with_current(|context| {
-            context.flush();
-            context.mirror = None;
-        });
+    if current_id().is_some_and(|id| !entries().contains_key(&id)) {
+        // Another thread has destroyed it.
+        forget_memory();
     }
     thread(current::release);
 }
@@ -227,6 +235,12 @@ fn make_current(id: Id, target: Target) -> bool {
             None => return false,
         },
     };
+    let address = |target: Target| target.memory.address();
+    if current_id() == Some(id) && !(same && old.map(address) == Some(address(target))) {
+        // The picture goes on in the new memory.
+        forget_memory();
+    }
+    release();
     let binding = Binding { display: OSMESA, context: id, surface: Some(surface), read: None };
     let bound = thread(|thread| current::bind(thread, binding)).is_ok();
     let stored = if bound {
@@ -244,7 +258,7 @@ fn make_current(id: Id, target: Target) -> bool {
     if let Some(used) = used.filter(|&used| used != surface) {
         registry().doom_surface(used);
     }
-    let mirror = Mirror { memory: target.memory, pixels, row_length, up };
+    let mirror = Mirror { memory: target.memory, pixels, row_length, up, copied: Copied::Yes };
     with_current(|context| context.mirror = Some(mirror)).is_some()
 }
 
