@@ -58,11 +58,15 @@ impl Invitation {
         self.0.open.load(Ordering::Acquire)
     }
 
-    /// Asks and waits, the first time; `None` if the context makes no call for so long.
-    pub fn ask(&self, patience: Duration) -> Option<Shared> {
+    /// Asks: [`Self::wait`] waits for the answer.
+    pub fn open(&self) {
+        self.0.open.store(true, Ordering::Release);
+    }
+
+    /// Waits until the context has answered; `None` if it makes no call for so long.
+    pub fn wait(&self, patience: Duration) -> Option<Shared> {
         let end = Instant::now() + patience;
         let mut answer = self.0.answer.lock();
-        self.0.open.store(true, Ordering::Release);
         while answer.is_none() {
             if self.0.answered.wait_until(&mut answer, end).timed_out() {
                 break;

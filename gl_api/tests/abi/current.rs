@@ -1,10 +1,11 @@
 //! What is current where: threads, destroyed contexts, two surfaces, shared objects.
 
 use super::*;
-use gl_api::{GL_COLOR, GL_COLOR_BUFFER_BIT, GL_NO_ERROR, GL_TEXTURE_2D, GL_VERSION};
+use gl_api::{GL_BLEND, GL_COLOR, GL_COLOR_BUFFER_BIT, GL_NO_ERROR, GL_TEXTURE_2D, GL_VERSION};
 use std::ffi::CStr;
 use std::ptr::{null, without_provenance_mut};
-use std::sync::mpsc::channel;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::mpsc::{TryRecvError, channel};
 
 #[test]
 fn a_context_is_current_on_one_thread_and_outlives_its_destruction() {
@@ -114,5 +115,42 @@ fn a_context_shares_with_one_that_another_thread_uses() {
         });
         assert_eq!(elsewhere.join().expect("no panic"), (true, EGL_BAD_ACCESS));
         assert_eq!(eglMakeCurrent(dpy, null_mut(), null_mut(), null_mut()), 1);
+    }
+}
+
+/// How often another thread has asked EGL something.
+static QUERIES: AtomicUsize = AtomicUsize::new(0);
+
+#[test]
+fn no_thread_waits_for_anothers_frame() {
+    let (dpy, config) = display();
+    let list = [0x3057, 1024, 0x3056, 1024, EGL_NONE];
+    let (stop, stopped) = channel::<()>();
+    // SAFETY: handles are only looked up; the list ends with EGL_NONE, the value is a local.
+    unsafe {
+        let context = eglCreateContext(dpy, config, null_mut(), null());
+        let surface = eglCreatePbufferSurface(dpy, config, list.as_ptr());
+        assert_eq!(eglMakeCurrent(dpy, surface, surface, context), 1);
+        let handles = [dpy, surface].map(|handle| handle.addr());
+        let elsewhere = std::thread::spawn(move || {
+            let [dpy, surface] = handles.map(without_provenance_mut);
+            let mut width = 0;
+            while stopped.try_recv() == Err(TryRecvError::Empty) {
+                assert_eq!(eglQuerySurface(dpy, surface, 0x3057, &mut width), 1);
+                QUERIES.fetch_add(1, Ordering::Relaxed);
+            }
+        });
+        glEnable(GL_BLEND);
+        glBlendFunc(gl_api::GL_SRC_ALPHA, gl_api::GL_ONE_MINUS_SRC_ALPHA);
+        for layer in 0..60_u8 {
+            glColor4f(f32::from(layer) / 60.0, 0.5, 0.0, 0.1);
+            glRectf(-1.0, -1.0, 1.0, 1.0);
+        }
+        let before = QUERIES.load(Ordering::Relaxed);
+        assert_eq!(eglMakeCurrent(dpy, null_mut(), null_mut(), null_mut()), 1);
+        let meanwhile = QUERIES.load(Ordering::Relaxed) - before;
+        stop.send(()).expect("the other thread listens");
+        elsewhere.join().expect("no panic");
+        assert!(meanwhile > 50, "{meanwhile} calls while the frame was drawn");
     }
 }

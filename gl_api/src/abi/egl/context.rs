@@ -108,7 +108,11 @@ pub(in crate::abi) fn share_with(
     let mut registry = registry();
     let (_, entry) = registry.context(display, share)?;
     match &mut entry.place {
-        Place::Idle(context) => Ok(context.new_shared(desc)),
+        Place::Idle(context) => {
+            let shared = context.shared();
+            drop(registry);
+            Ok(Context::of_group(shared, desc))
+        }
         Place::Current(thread) if *thread == std::thread::current().id() => {
             match with_current(|context| context.new_shared(desc)) {
                 Some(context) => Ok(context),
@@ -117,8 +121,10 @@ pub(in crate::abi) fn share_with(
         }
         Place::Current(_) => {
             let invitation = entry.invitation.clone();
+            // Before the registry is let go of: a context that is released from now on answers.
+            invitation.open();
             drop(registry);
-            match invitation.ask(PATIENCE) {
+            match invitation.wait(PATIENCE) {
                 Some(shared) => Ok(Context::of_group(shared, desc)),
                 None => fail(
                     Code::BadAccess,
