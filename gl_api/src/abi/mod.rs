@@ -15,6 +15,7 @@
 //! | [`osmesa`] | OSMesa: contexts that draw into the client's memory |
 //! | [`glu`] | GLU under its C names |
 //! | [`glx`] | the names of GLX |
+//! | [`thread_ends`] | what becomes of a current context |
 //!
 //! This is the one place of this crate with `unsafe`. What it trusts is what C's prototypes cannot
 //! say: that a pointer has as many elements as the specification lets the call read or write.
@@ -29,6 +30,7 @@ pub(crate) mod memory;
 pub(crate) mod osmesa;
 pub(crate) mod param;
 pub(crate) mod proc_address;
+pub(crate) mod thread_ends;
 
 use crate::entry::{Fallback, with_current};
 use crate::error::{ErrorCode, GlError};

@@ -2,15 +2,21 @@
 //!
 //! A call takes the context out of its place for as long as it runs, so that nothing can borrow it
 //! twice; a call from within a call finds no context, and is ignored.
+//!
+//! The place has nothing to destroy, so that it is there to the end of the thread: the main thread's
+//! destructors run before the functions of `atexit`, which may call GL. What a thread that is
+//! ending leaves there is taken away by [`thread_ends`](crate::abi::thread_ends).
 
+use crate::abi::thread_ends;
 use crate::context::Context;
 use crate::types::GLvoid;
 use std::cell::Cell;
 use std::fmt;
 use std::marker::PhantomData;
+use std::mem::ManuallyDrop;
 
 thread_local! {
-    static CURRENT: Cell<Option<Box<Context>>> = const { Cell::new(None) };
+    static CURRENT: Cell<Option<ManuallyDrop<Box<Context>>>> = const { Cell::new(None) };
     static WARNED: Cell<bool> = const { Cell::new(false) };
 }
 
@@ -120,19 +126,20 @@ pub(crate) fn call<R: Fallback>(name: &str, f: impl FnOnce(&mut Context) -> R) -
 #[cold]
 #[inline(never)]
 fn warn(name: &str) {
-    if !WARNED.try_with(|warned| warned.replace(true)).unwrap_or(true) {
+    if !WARNED.replace(true) {
         eprintln!("detgl: {name}: ignored, as this thread has no current context");
     }
 }
 
 /// Makes a context the thread's current one, or none; gives the one that was.
 pub fn set_current(context: Option<Context>) -> Option<Context> {
+    thread_ends::expect();
     swap_current(context.map(Box::new)).map(|context| *context)
 }
 
-/// As [`set_current`]. A thread that is ending has no current context, and drops what it is given.
+/// As [`set_current`], where the thread's end is expected already.
 pub(crate) fn swap_current(context: Option<Box<Context>>) -> Option<Box<Context>> {
-    CURRENT.try_with(|current| current.replace(context)).ok().flatten()
+    CURRENT.replace(context.map(ManuallyDrop::new)).map(ManuallyDrop::into_inner)
 }
 
 /// A context that is current until this is dropped; then the one before is current again.

@@ -121,6 +121,11 @@ fn a_program_may_exit_with_a_context_current() {
 }
 
 #[test]
+fn what_runs_after_main_may_draw() {
+    lives("atexit", "atexit");
+}
+
+#[test]
 fn a_context_is_one_threads() {
     lives("thread", "thread");
 }

@@ -1,4 +1,4 @@
-/* How programs end and divide, with a context current: lifetimes fork | exit | thread */
+/* How programs end and divide, with a context current: lifetimes fork | exit | atexit | thread */
 
 #include <EGL/egl.h>
 #include <GL/gl.h>
@@ -85,6 +85,19 @@ static int on_two_threads(void)
     return !good || eglGetCurrentContext() != mine || !draws(1, 1);
 }
 
+/* The main thread's destructors have run: its context is still there, and others can be made. */
+static void at_last(void)
+{
+    EGLContext mine = context;
+    int good = eglGetCurrentContext() == mine && draws(0, 1)
+        && eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT)
+        && eglMakeCurrent(display, surface, surface, mine) && eglGetCurrentContext() == mine
+        && draws(1, 0) && start() && context != mine && eglGetCurrentContext() == context
+        && draws(1, 1) && !eglMakeCurrent(display, surface, surface, EGL_NO_CONTEXT)
+        && eglGetError() == EGL_BAD_MATCH;
+    _exit(!good);
+}
+
 int main(int argc, char **argv)
 {
     const char *what = argc == 2 ? argv[1] : "";
@@ -94,6 +107,8 @@ int main(int argc, char **argv)
         return on_two_threads();
     if (!strcmp(what, "exit"))
         exit(!(start() && draws(1, 0)));
-    fprintf(stderr, "lifetimes fork | exit | thread\n");
+    if (!strcmp(what, "atexit") && !atexit(at_last))
+        exit(start() && draws(1, 0) ? 0 : 1);
+    fprintf(stderr, "lifetimes fork | exit | atexit | thread\n");
     return 2;
 }

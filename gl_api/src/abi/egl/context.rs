@@ -3,7 +3,9 @@
 use super::config::Config;
 use super::constants::*;
 use super::error::{Code, Result, fail};
-use super::registry::{Api, ContextEntry, Id, Place, Registry, handle, registry, thread};
+use super::registry::{
+    Api, ContextEntry, Id, Place, Registry, handle, registry, this_thread, thread,
+};
 use super::{Attrib, Handle, Int, put};
 use crate::context::debug::Output;
 use crate::context::{Context, ContextDesc, ContextError, limits};
@@ -113,7 +115,7 @@ pub(in crate::abi) fn share_with(
             drop(registry);
             Ok(Context::of_group(shared, desc))
         }
-        Place::Current(thread) if *thread == std::thread::current().id() => {
+        Place::Current(thread) if *thread == this_thread() => {
             match with_current(|context| context.new_shared(desc)) {
                 Some(context) => Ok(context),
                 None => fail(Code::BadContext, "share_context is current, but inside a call"),
@@ -183,7 +185,7 @@ pub(super) unsafe fn query(
     let mut registry = registry();
     let display = registry.display(dpy)?;
     let (id, entry) = registry.context(display, context)?;
-    let binding = thread(|thread| *thread.binding.borrow());
+    let binding = thread(|thread| thread.binding.get());
     let bound = binding.filter(|binding| binding.context == id);
     let found = match attribute {
         EGL_CONFIG_ID => entry.config.map_or(0, |config| config.id),

@@ -3,19 +3,15 @@
 use super::constants::*;
 use super::error::{Code, Result, fail};
 use super::registry::{
-    Api, Binding, Id, Place, Registry, Thread, display, handle, registry, thread,
+    Api, Binding, Id, Place, Registry, Thread, ThreadId, display, handle, registry, this_thread,
+    thread,
 };
 use super::{Handle, Int};
+use crate::abi::thread_ends;
 use crate::context::Context;
 use crate::entry::{swap_current, with_current};
 use crate::framebuffer::Window;
 use std::mem::replace;
-use std::thread::ThreadId;
-
-/// A thread that is ending has no id of its own any more.
-fn this_thread() -> ThreadId {
-    std::thread::current().id()
-}
 
 /// What was current on this thread goes back to where it lies otherwise.
 pub(in crate::abi) fn release(thread: &Thread) {
@@ -151,6 +147,7 @@ pub(super) fn make(dpy: Handle, draw: Handle, read: Handle, context: Handle) -> 
 
 /// Makes current what was checked, in place of what is.
 pub(in crate::abi) fn bind(thread: &Thread, binding: Binding) -> Result<()> {
+    thread_ends::expect();
     release(thread);
     let mut registry = registry();
     let here = this_thread();
@@ -186,12 +183,12 @@ pub(in crate::abi) fn bind(thread: &Thread, binding: Binding) -> Result<()> {
     drop(registry);
     // A context that Rust code made current is dropped, as if the thread had ended.
     drop(swap_current(Some(context)));
-    thread.binding.replace(Some(binding));
+    thread.binding.set(Some(binding));
     Ok(())
 }
 
 fn binding() -> Option<Binding> {
-    thread(|thread| *thread.binding.borrow())
+    thread(|thread| thread.binding.get())
 }
 
 pub(super) fn current_context() -> Result<Handle> {

@@ -6,10 +6,10 @@ use super::{Handle, Int};
 use crate::context::Context;
 use crate::framebuffer::Window;
 use crate::object::sharing::Invitation;
-use std::cell::{Cell, RefCell};
+use std::cell::Cell;
 use std::collections::BTreeMap;
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
-use std::thread::ThreadId;
 
 /// A handle as a number.
 pub(in crate::abi) type Id = usize;
@@ -186,43 +186,41 @@ pub(in crate::abi) enum Api {
     OpenGl,
 }
 
-/// What belongs to a thread.
+/// A thread, by a number that no other has. (One that is ending has no `std::thread::ThreadId`.)
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::abi) struct ThreadId(u64);
+
+/// The thread that asks.
+pub(in crate::abi) fn this_thread() -> ThreadId {
+    static LAST: AtomicU64 = AtomicU64::new(0);
+    thread(|thread| {
+        let id = thread.id.get().unwrap_or_else(|| ThreadId(LAST.fetch_add(1, Ordering::Relaxed)));
+        thread.id.set(Some(id));
+        id
+    })
+}
+
+/// What belongs to a thread. Nothing of it is to be destroyed, so it is there to the thread's end.
 #[derive(Debug)]
 pub(in crate::abi) struct Thread {
+    id: Cell<Option<ThreadId>>,
     pub error: Cell<Int>,
     pub api: Cell<Api>,
-    pub binding: RefCell<Option<Binding>>,
-}
-
-impl Thread {
-    fn new() -> Self {
-        // The place of the current context has to outlive this, which gives the context back: what
-        // a thread made first ends last.
-        crate::entry::with_current(|_| ());
-        Self {
-            error: Cell::new(super::constants::EGL_SUCCESS),
-            api: Cell::new(Api::None),
-            binding: RefCell::new(None),
-        }
-    }
-}
-
-impl Drop for Thread {
-    fn drop(&mut self) {
-        // An OSMesa client's memory may have ended with its thread.
-        crate::entry::with_current(|context| context.mirror = None);
-        super::current::release(self);
-    }
+    pub binding: Cell<Option<Binding>>,
 }
 
 thread_local! {
-    static THREAD: Thread = Thread::new();
+    static THREAD: Thread = const {
+        Thread {
+            id: Cell::new(None),
+            error: Cell::new(super::constants::EGL_SUCCESS),
+            api: Cell::new(Api::None),
+            binding: Cell::new(None),
+        }
+    };
 }
 
-/// Runs `f` with what belongs to this thread; a thread that is ending has forgotten it.
+/// Runs `f` with what belongs to this thread.
 pub(in crate::abi) fn thread<R>(f: impl FnOnce(&Thread) -> R) -> R {
-    let mut f = Some(f);
-    let known = THREAD.try_with(|thread| f.take().map(|f| f(thread))).ok().flatten();
-    // `f` is still there exactly if it was not run.
-    known.or_else(|| f.take().map(|f| f(&Thread::new()))).expect("one of both has run")
+    THREAD.with(f)
 }

@@ -14,7 +14,7 @@ pub(super) fn create(dpy: Handle, ty: u32, attributes: &[(Int, Attrib)]) -> Resu
     if let Some((name, _)) = attributes.first() {
         return fail(Code::BadAttribute, format!("attrib_list: no attribute {name:#x}"));
     }
-    if thread(|thread| thread.binding.borrow().is_none()) {
+    if thread(|thread| thread.binding.get().is_none()) {
         return fail(Code::BadMatch, "no context is current");
     }
     crate::entry::with_current(crate::Context::flush);

@@ -198,7 +198,7 @@ fn destroy(id: Id) {
 
 /// The context that is current on this thread, if it is OSMesa's.
 fn current_id() -> Option<Id> {
-    let binding = thread(|thread| *thread.binding.borrow());
+    let binding = thread(|thread| thread.binding.get());
     binding.filter(|binding| binding.display == OSMESA).map(|binding| binding.context)
 }
 
