@@ -132,11 +132,20 @@ fn contexts_are_what_was_asked_for_or_refused() {
         ("flags: debug", &[0x30FC, 1], EGL_SUCCESS),
         ("flags: forward compatible", &[0x30FC, 2], EGL_BAD_MATCH),
         ("forward compatible", &[0x31B1, 1], EGL_BAD_MATCH),
-        ("flags that are none", &[0x30FC, 64], 0x3004),
+        ("flags that are none", &[0x30FC, 64], EGL_BAD_ATTRIBUTE),
         ("3.2 core", &[0x3098, 3, 0x30FB, 2, 0x30FD, 1], EGL_BAD_MATCH),
         ("4.6 compatibility", &[0x3098, 4, 0x30FB, 6, 0x30FD, 2], EGL_BAD_MATCH),
         ("a version that never was", &[0x3098, 2, 0x30FB, 7], EGL_BAD_MATCH),
-        ("an attribute of surfaces", &[0x3057, 4], 0x3004),
+        ("an attribute of surfaces", &[0x3057, 4], EGL_BAD_ATTRIBUTE),
+        ("no reset notification", &[0x31BD, 0x31BE], EGL_SUCCESS),
+        ("lose the context on reset, as of EXT", &[0x3138, 0x31BF], EGL_SUCCESS),
+        ("a strategy that is none", &[0x31BD, 0x77], EGL_BAD_ATTRIBUTE),
+        ("a strategy of EXT that is none", &[0x3138, 0x77], EGL_BAD_ATTRIBUTE),
+        ("without errors", &[0x31B3, 1], EGL_SUCCESS),
+        ("without errors, but with debugging", &[0x31B3, 1, 0x31B0, 1], EGL_BAD_MATCH),
+        ("without errors, flags: with debugging", &[0x30FC, 1, 0x31B3, 1], EGL_BAD_MATCH),
+        ("without errors, but robust", &[0x31B2, 1, 0x31B3, 1], EGL_BAD_MATCH),
+        ("with errors and debugging", &[0x31B3, 0, 0x31B0, 1], EGL_SUCCESS),
     ] {
         let list = [list, &[EGL_NONE]].concat();
         // SAFETY: the list ends with EGL_NONE.
@@ -185,4 +194,84 @@ fn a_request_that_no_config_meets_says_why() {
     assert_eq!(lines.len(), 2, "{said}");
     assert!(lines[0].contains("there are no windows: ask for EGL_PBUFFER_BIT"), "{said}");
     assert!(lines[1].contains("none meets attribute 0x3025 = 64"), "{said}");
+}
+
+/// Attributes of configs, a value that is a possible one and one that is none.
+const VALUES: [(i32, i32, i32); 18] = [
+    (0x3024, 0, -5),
+    (0x3024, -1, -2),
+    (0x3031, 8, -2),
+    (0x3032, 1, 2),
+    (0x3039, 1, 3),
+    (0x3039, -1, -3),
+    (0x303F, 0x308F, 77),
+    (0x3027, 0x3051, 77),
+    (0x3028, 9999, 0),
+    (0x3028, -1, -3),
+    (0x3042, 0x48, 0x10_0000),
+    (0x3040, -1, 0x10_0000),
+    (0x3033, 0x400, i32::MIN),
+    (0x3029, -5, -1),
+    (0x302D, 1, 5),
+    (0x3034, 0x3052, 77),
+    (0x302C, 100, -2),
+    (0x3339, 0x333B, 77),
+];
+
+#[test]
+fn values_that_no_config_could_have_are_refused() {
+    let (dpy, _) = display();
+    for (attribute, possible, impossible) in VALUES {
+        for (value, there) in [(possible, 1), (impossible, 0)] {
+            let (list, mut number) = ([attribute, value, EGL_NONE], -7);
+            // SAFETY: the list ends with EGL_NONE; only the number is asked for.
+            let found = unsafe { eglChooseConfig(dpy, list.as_ptr(), null_mut(), 0, &mut number) };
+            assert_eq!(found, there, "{attribute:#x} {value:#x}");
+            assert_eq!(number == -7, there == 0, "{attribute:#x} {value:#x}");
+            // SAFETY: no pointers.
+            let error = unsafe { eglGetError() };
+            assert_eq!(error, [EGL_BAD_ATTRIBUTE, EGL_SUCCESS][found as usize]);
+        }
+    }
+}
+
+#[test]
+fn values_of_surfaces_attributes_are_refused_as_unknown_or_as_not_there() {
+    let (dpy, config) = display();
+    for (attribute, value, error) in [
+        (0x3080, 0x305C, EGL_SUCCESS),
+        (0x3080, 0x305E, EGL_BAD_MATCH),
+        (0x3080, 0x77, EGL_BAD_ATTRIBUTE),
+        (0x3081, 0x305C, EGL_SUCCESS),
+        (0x3081, 0x305F, EGL_BAD_MATCH),
+        (0x3081, 0x77, EGL_BAD_ATTRIBUTE),
+        (0x309D, 0x308A, EGL_SUCCESS),
+        (0x309D, 0x3089, EGL_BAD_MATCH),
+        (0x309D, 1, EGL_BAD_ATTRIBUTE),
+    ] {
+        let list = [0x3057, 4, 0x3056, 4, attribute, value, EGL_NONE];
+        // SAFETY: the list ends with EGL_NONE.
+        unsafe {
+            let surface = eglCreatePbufferSurface(dpy, config, list.as_ptr());
+            assert_eq!(eglGetError(), error, "{attribute:#x} {value:#x}");
+            assert_eq!(surface.is_null(), error != EGL_SUCCESS, "{attribute:#x} {value:#x}");
+        }
+    }
+    // SAFETY: the list ends with EGL_NONE; handles are only looked up.
+    unsafe {
+        let surface = eglCreatePbufferSurface(dpy, config, SURFACE.as_ptr());
+        for (attribute, value, error) in [
+            (0x3093, 0x3094, EGL_SUCCESS),
+            (0x3093, 0x3095, EGL_SUCCESS),
+            (0x3093, 77, EGL_BAD_ATTRIBUTE),
+            (0x3099, 0x309A, EGL_SUCCESS),
+            (0x3099, 0x309B, EGL_BAD_MATCH),
+            (0x3099, 7, EGL_BAD_ATTRIBUTE),
+            (0x3057, 1, EGL_BAD_ATTRIBUTE),
+        ] {
+            let set = eglSurfaceAttrib(dpy, surface, attribute, value);
+            assert_eq!(eglGetError(), error, "{attribute:#x} {value:#x}");
+            assert_eq!(set == 1, error == EGL_SUCCESS, "{attribute:#x} {value:#x}");
+        }
+    }
 }

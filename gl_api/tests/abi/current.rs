@@ -66,11 +66,19 @@ fn what_is_drawn_to_need_not_be_what_is_read_from() {
         let (rgba, byte) = (gl_api::GL_RGBA, gl_api::GL_UNSIGNED_BYTE);
         glReadPixels(3, 3, 1, 1, rgba, byte, (&raw mut last).cast());
         assert_eq!(last, [0, 255, 0, 255], "beside it");
+        // What is swapped is what is drawn to.
+        assert_eq!(eglSwapBuffers(dpy, other), 1);
+        assert_eq!(eglSwapBuffers(dpy, one), 0);
+        assert_eq!(eglGetError(), EGL_BAD_SURFACE);
+        assert_eq!(eglCopyBuffers(dpy, one, none), 0);
+        assert_eq!(eglGetError(), 0x300A);
         // Both are in use while they are current, and destroyed after that.
         assert_eq!(eglMakeCurrent(dpy, one, other, context), 1);
         assert_eq!(eglDestroySurface(dpy, other), 1);
         assert_eq!(pixel(), [255, 0, 0, 255]);
         assert_eq!(eglMakeCurrent(dpy, none, none, none), 1);
+        assert_eq!(eglSwapBuffers(dpy, one), 0);
+        assert_eq!(eglGetError(), EGL_BAD_SURFACE);
         assert_eq!(eglMakeCurrent(dpy, one, other, context), 0);
         assert_eq!(eglGetError(), EGL_BAD_SURFACE);
         assert_eq!(glGetError(), GL_NO_ERROR);

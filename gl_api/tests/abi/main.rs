@@ -32,6 +32,9 @@ unsafe extern "C" {
     fn eglQueryString(dpy: Handle, name: i32) -> *const c_char;
     fn eglQueryDevicesEXT(max: i32, devices: *mut Handle, number: *mut i32) -> u32;
     fn eglGetConfigAttrib(dpy: Handle, config: Handle, name: i32, value: *mut i32) -> u32;
+    fn eglSurfaceAttrib(dpy: Handle, surface: Handle, name: i32, value: i32) -> u32;
+    fn eglSwapBuffers(dpy: Handle, surface: Handle) -> u32;
+    fn eglCopyBuffers(dpy: Handle, surface: Handle, target: Handle) -> u32;
     fn eglQuerySurface(dpy: Handle, surface: Handle, name: i32, value: *mut i32) -> u32;
     fn eglGetCurrentSurface(which: i32) -> Handle;
     fn eglGetProcAddress(name: *const c_char) -> *const c_void;
@@ -60,6 +63,7 @@ unsafe extern "C" {
 
 const EGL_SUCCESS: i32 = 0x3000;
 const EGL_BAD_ACCESS: i32 = 0x3002;
+const EGL_BAD_ATTRIBUTE: i32 = 0x3004;
 const EGL_BAD_CONFIG: i32 = 0x3005;
 const EGL_BAD_CONTEXT: i32 = 0x3006;
 const EGL_BAD_DISPLAY: i32 = 0x3008;

@@ -50,43 +50,99 @@ enum Criterion {
     Ignored,
 }
 
-/// Attribute, criterion, and what counts when a request does not name it.
-const ATTRIBUTES: [(Int, Criterion, Int); 34] = [
-    (EGL_BUFFER_SIZE, Criterion::AtLeast, 0),
-    (EGL_RED_SIZE, Criterion::AtLeast, 0),
-    (EGL_GREEN_SIZE, Criterion::AtLeast, 0),
-    (EGL_BLUE_SIZE, Criterion::AtLeast, 0),
-    (EGL_LUMINANCE_SIZE, Criterion::AtLeast, 0),
-    (EGL_ALPHA_SIZE, Criterion::AtLeast, 0),
-    (EGL_ALPHA_MASK_SIZE, Criterion::AtLeast, 0),
-    (EGL_BIND_TO_TEXTURE_RGB, Criterion::Exact, EGL_DONT_CARE),
-    (EGL_BIND_TO_TEXTURE_RGBA, Criterion::Exact, EGL_DONT_CARE),
-    (EGL_COLOR_BUFFER_TYPE, Criterion::Exact, EGL_RGB_BUFFER),
-    (EGL_CONFIG_CAVEAT, Criterion::Exact, EGL_DONT_CARE),
-    (EGL_CONFIG_ID, Criterion::Exact, EGL_DONT_CARE),
-    (EGL_CONFORMANT, Criterion::Mask, 0),
-    (EGL_DEPTH_SIZE, Criterion::AtLeast, 0),
-    (EGL_LEVEL, Criterion::Exact, 0),
-    (EGL_MATCH_NATIVE_PIXMAP, Criterion::Ignored, EGL_NONE),
-    (EGL_MAX_PBUFFER_WIDTH, Criterion::Ignored, EGL_DONT_CARE),
-    (EGL_MAX_PBUFFER_HEIGHT, Criterion::Ignored, EGL_DONT_CARE),
-    (EGL_MAX_PBUFFER_PIXELS, Criterion::Ignored, EGL_DONT_CARE),
-    (EGL_MAX_SWAP_INTERVAL, Criterion::Exact, EGL_DONT_CARE),
-    (EGL_MIN_SWAP_INTERVAL, Criterion::Exact, EGL_DONT_CARE),
-    (EGL_NATIVE_RENDERABLE, Criterion::Exact, EGL_DONT_CARE),
-    (EGL_NATIVE_VISUAL_ID, Criterion::Ignored, EGL_DONT_CARE),
-    (EGL_NATIVE_VISUAL_TYPE, Criterion::Exact, EGL_DONT_CARE),
+/// The values that a request may ask for, beside `EGL_DONT_CARE`; other ones no config could ever have.
+#[derive(Clone, Copy)]
+enum Allowed {
+    Any,
+    /// Any, but not `EGL_DONT_CARE`.
+    Level,
+    Boolean,
+    /// 0 and above.
+    Count,
+    /// 1 and above.
+    Positive,
+    OneOf(&'static [Int]),
+    Bits(Int),
+}
+
+impl Allowed {
+    fn has(self, value: Int) -> bool {
+        (value == EGL_DONT_CARE && !matches!(self, Self::Level))
+            || match self {
+                Self::Any => true,
+                Self::Level => value != EGL_DONT_CARE,
+                Self::Boolean => (0..=1).contains(&value),
+                Self::Count => value >= 0,
+                Self::Positive => value > 0,
+                Self::OneOf(values) => values.contains(&value),
+                Self::Bits(bits) => value & !bits == 0,
+            }
+    }
+}
+
+/// The bits of `EGL_RENDERABLE_TYPE`.
+const APIS: Int =
+    EGL_OPENGL_ES_BIT | EGL_OPENVG_BIT | EGL_OPENGL_ES2_BIT | EGL_OPENGL_ES3_BIT | EGL_OPENGL_BIT;
+/// The bits of `EGL_SURFACE_TYPE`.
+const SURFACES: Int = EGL_PBUFFER_BIT
+    | EGL_PIXMAP_BIT
+    | EGL_WINDOW_BIT
+    | EGL_VG_COLORSPACE_LINEAR_BIT
+    | EGL_VG_ALPHA_FORMAT_PRE_BIT
+    | EGL_MULTISAMPLE_RESOLVE_BOX_BIT
+    | EGL_SWAP_BEHAVIOR_PRESERVED_BIT
+    | EGL_MUTABLE_RENDER_BUFFER_BIT_KHR;
+const COLOR_BUFFERS: [Int; 2] = [EGL_RGB_BUFFER, EGL_LUMINANCE_BUFFER];
+const CAVEATS: [Int; 3] = [EGL_NONE, EGL_SLOW_CONFIG, EGL_NON_CONFORMANT_CONFIG];
+const TRANSPARENCIES: [Int; 2] = [EGL_NONE, EGL_TRANSPARENT_RGB];
+const COMPONENTS: [Int; 2] =
+    [EGL_COLOR_COMPONENT_TYPE_FIXED_EXT, EGL_COLOR_COMPONENT_TYPE_FLOAT_EXT];
+
+/// A row of the table: attribute, criterion, what counts when a request does not name it, and what a
+/// request may ask for.
+type Row = (Int, Criterion, Int, Allowed);
+
+const ATTRIBUTES: [Row; 34] = [
+    (EGL_BUFFER_SIZE, Criterion::AtLeast, 0, Allowed::Count),
+    (EGL_RED_SIZE, Criterion::AtLeast, 0, Allowed::Count),
+    (EGL_GREEN_SIZE, Criterion::AtLeast, 0, Allowed::Count),
+    (EGL_BLUE_SIZE, Criterion::AtLeast, 0, Allowed::Count),
+    (EGL_LUMINANCE_SIZE, Criterion::AtLeast, 0, Allowed::Count),
+    (EGL_ALPHA_SIZE, Criterion::AtLeast, 0, Allowed::Count),
+    (EGL_ALPHA_MASK_SIZE, Criterion::AtLeast, 0, Allowed::Count),
+    (EGL_BIND_TO_TEXTURE_RGB, Criterion::Exact, EGL_DONT_CARE, Allowed::Boolean),
+    (EGL_BIND_TO_TEXTURE_RGBA, Criterion::Exact, EGL_DONT_CARE, Allowed::Boolean),
+    (EGL_COLOR_BUFFER_TYPE, Criterion::Exact, EGL_RGB_BUFFER, Allowed::OneOf(&COLOR_BUFFERS)),
+    (EGL_CONFIG_CAVEAT, Criterion::Exact, EGL_DONT_CARE, Allowed::OneOf(&CAVEATS)),
+    (EGL_CONFIG_ID, Criterion::Exact, EGL_DONT_CARE, Allowed::Positive),
+    (EGL_CONFORMANT, Criterion::Mask, 0, Allowed::Bits(APIS)),
+    (EGL_DEPTH_SIZE, Criterion::AtLeast, 0, Allowed::Count),
+    (EGL_LEVEL, Criterion::Exact, 0, Allowed::Level),
+    (EGL_MATCH_NATIVE_PIXMAP, Criterion::Ignored, EGL_NONE, Allowed::Any),
+    (EGL_MAX_PBUFFER_WIDTH, Criterion::Ignored, EGL_DONT_CARE, Allowed::Count),
+    (EGL_MAX_PBUFFER_HEIGHT, Criterion::Ignored, EGL_DONT_CARE, Allowed::Count),
+    (EGL_MAX_PBUFFER_PIXELS, Criterion::Ignored, EGL_DONT_CARE, Allowed::Count),
+    (EGL_MAX_SWAP_INTERVAL, Criterion::Exact, EGL_DONT_CARE, Allowed::Count),
+    (EGL_MIN_SWAP_INTERVAL, Criterion::Exact, EGL_DONT_CARE, Allowed::Count),
+    (EGL_NATIVE_RENDERABLE, Criterion::Exact, EGL_DONT_CARE, Allowed::Boolean),
+    (EGL_NATIVE_VISUAL_ID, Criterion::Ignored, EGL_DONT_CARE, Allowed::Any),
+    (EGL_NATIVE_VISUAL_TYPE, Criterion::Exact, EGL_DONT_CARE, Allowed::Any),
     // EGL's default is OpenGL ES, which no config has: a request that names no API would find none.
-    (EGL_RENDERABLE_TYPE, Criterion::Mask, EGL_DONT_CARE),
-    (EGL_SAMPLE_BUFFERS, Criterion::AtLeast, 0),
-    (EGL_SAMPLES, Criterion::AtLeast, 0),
-    (EGL_STENCIL_SIZE, Criterion::AtLeast, 0),
-    (EGL_SURFACE_TYPE, Criterion::Mask, EGL_WINDOW_BIT),
-    (EGL_TRANSPARENT_TYPE, Criterion::Exact, EGL_NONE),
-    (EGL_TRANSPARENT_RED_VALUE, Criterion::Exact, EGL_DONT_CARE),
-    (EGL_TRANSPARENT_GREEN_VALUE, Criterion::Exact, EGL_DONT_CARE),
-    (EGL_TRANSPARENT_BLUE_VALUE, Criterion::Exact, EGL_DONT_CARE),
-    (EGL_COLOR_COMPONENT_TYPE_EXT, Criterion::Exact, EGL_COLOR_COMPONENT_TYPE_FIXED_EXT),
+    (EGL_RENDERABLE_TYPE, Criterion::Mask, EGL_DONT_CARE, Allowed::Bits(APIS)),
+    (EGL_SAMPLE_BUFFERS, Criterion::AtLeast, 0, Allowed::Boolean),
+    (EGL_SAMPLES, Criterion::AtLeast, 0, Allowed::Count),
+    (EGL_STENCIL_SIZE, Criterion::AtLeast, 0, Allowed::Count),
+    (EGL_SURFACE_TYPE, Criterion::Mask, EGL_WINDOW_BIT, Allowed::Bits(SURFACES)),
+    (EGL_TRANSPARENT_TYPE, Criterion::Exact, EGL_NONE, Allowed::OneOf(&TRANSPARENCIES)),
+    (EGL_TRANSPARENT_RED_VALUE, Criterion::Exact, EGL_DONT_CARE, Allowed::Count),
+    (EGL_TRANSPARENT_GREEN_VALUE, Criterion::Exact, EGL_DONT_CARE, Allowed::Count),
+    (EGL_TRANSPARENT_BLUE_VALUE, Criterion::Exact, EGL_DONT_CARE, Allowed::Count),
+    (
+        EGL_COLOR_COMPONENT_TYPE_EXT,
+        Criterion::Exact,
+        EGL_COLOR_COMPONENT_TYPE_FIXED_EXT,
+        Allowed::OneOf(&COMPONENTS),
+    ),
 ];
 
 impl Config {
@@ -150,7 +206,7 @@ impl Config {
         })
     }
 
-    fn meets(&self, (attribute, criterion, wanted): (Int, Criterion, Int)) -> bool {
+    fn meets(&self, (attribute, criterion, wanted, _): Row) -> bool {
         let value = self.get(attribute).unwrap_or(0);
         wanted == EGL_DONT_CARE
             || match criterion {
@@ -185,7 +241,11 @@ fn matching(request: &[(Int, Attrib)]) -> Result<Vec<&'static Config>> {
     let mut wanted = ATTRIBUTES;
     for &(name, value) in request {
         match wanted.iter_mut().find(|row| row.0 == name) {
-            Some(row) => row.2 = value as Int,
+            Some(row) if row.3.has(value as Int) => row.2 = value as Int,
+            Some(_) => {
+                let rule = format!("attrib_list: attribute {name:#x} has no value {value:#x}");
+                return fail(Code::BadAttribute, rule);
+            }
             None => {
                 return fail(Code::BadAttribute, format!("attrib_list: no attribute {name:#x}"));
             }

@@ -39,7 +39,7 @@ fn is_version(major: Attrib, minor: Attrib) -> bool {
 /// debug contexts (`KHR_debug`, section 5.5).
 fn check(attributes: &[(Int, Attrib)]) -> Result<Output> {
     let (mut major, mut minor, mut flags) = (1, 0, 0);
-    let (mut forward, mut debug) = (false, false);
+    let (mut forward, mut debug, mut robust, mut no_error) = (false, false, false, false);
     let mut profile = EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT as Attrib;
     for &(name, value) in attributes {
         match name {
@@ -49,12 +49,24 @@ fn check(attributes: &[(Int, Attrib)]) -> Result<Output> {
             EGL_CONTEXT_FLAGS_KHR => flags = value,
             EGL_CONTEXT_OPENGL_FORWARD_COMPATIBLE => forward = value != 0,
             EGL_CONTEXT_OPENGL_DEBUG => debug = value != 0,
-            // Accesses are always checked, and nothing is ever lost.
-            EGL_CONTEXT_OPENGL_ROBUST_ACCESS
-            | EGL_CONTEXT_OPENGL_ROBUST_ACCESS_EXT
-            | EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY
-            | EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY_EXT
-            | EGL_CONTEXT_OPENGL_NO_ERROR_KHR => {}
+            // Accesses and errors are always checked, and nothing is ever lost.
+            EGL_CONTEXT_OPENGL_ROBUST_ACCESS | EGL_CONTEXT_OPENGL_ROBUST_ACCESS_EXT => {
+                robust = value != 0;
+            }
+            EGL_CONTEXT_OPENGL_NO_ERROR_KHR => no_error = value != 0,
+            EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY
+            | EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY_EXT => match value as Int {
+                EGL_NO_RESET_NOTIFICATION | EGL_LOSE_CONTEXT_ON_RESET => {}
+                value => {
+                    return fail(
+                        Code::BadAttribute,
+                        format!(
+                            "EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY = {value:#x} must be \
+                             EGL_NO_RESET_NOTIFICATION or EGL_LOSE_CONTEXT_ON_RESET"
+                        ),
+                    );
+                }
+            },
             _ => return fail(Code::BadAttribute, format!("attrib_list: no attribute {name:#x}")),
         }
     }
@@ -68,7 +80,14 @@ fn check(attributes: &[(Int, Attrib)]) -> Result<Output> {
         );
     }
     debug |= flags & EGL_CONTEXT_OPENGL_DEBUG_BIT_KHR as Attrib != 0;
+    robust |= flags & EGL_CONTEXT_OPENGL_ROBUST_ACCESS_BIT_KHR as Attrib != 0;
     forward |= flags & EGL_CONTEXT_OPENGL_FORWARD_COMPATIBLE_BIT_KHR as Attrib != 0;
+    if no_error && (debug || robust) {
+        return fail(
+            Code::BadMatch,
+            "EGL_CONTEXT_OPENGL_NO_ERROR_KHR cannot go with a debug or robust context: leave one out",
+        );
+    }
     if !is_version(major, minor) {
         return fail(Code::BadMatch, format!("there is no OpenGL {major}.{minor}"));
     }

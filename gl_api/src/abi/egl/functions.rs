@@ -85,10 +85,8 @@ functions! {
     eglReleaseTexImage(dpy: Handle, surface: Handle, _buffer: Int) -> u32
         => surface::tex_image(dpy, surface);
     eglSwapBuffers(dpy: Handle, surface: Handle) -> u32 => surface::swap(dpy, surface);
-    eglCopyBuffers(dpy: Handle, surface: Handle, _target: Handle) -> u32 => {
-        surface::swap(dpy, surface)?;
-        fail(Code::BadNativePixmap, "target is no pixmap: DetGL has none")
-    };
+    eglCopyBuffers(dpy: Handle, surface: Handle, _target: Handle) -> u32
+        => surface::copy(dpy, surface);
     eglSwapInterval(dpy: Handle, _interval: Int) -> u32 => current::swap_interval(dpy);
 
     eglBindAPI(api: u32) -> u32 => context::bind_api(api);

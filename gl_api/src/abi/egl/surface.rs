@@ -3,7 +3,7 @@
 use super::config::Config;
 use super::constants::*;
 use super::error::{Code, Result, fail};
-use super::registry::{Id, Registry, SurfaceEntry, handle, registry};
+use super::registry::{Id, Registry, SurfaceEntry, handle, registry, thread};
 use super::{Attrib, Handle, Int, int_attributes, put};
 use crate::context::limits::MAX_VIEWPORT_DIMS;
 use crate::framebuffer::Window;
@@ -28,6 +28,11 @@ struct Request {
     largest: bool,
 }
 
+/// The refusal of a value that an attribute never has.
+fn no_value<T>(attribute: Int, value: Int) -> Result<T> {
+    fail(Code::BadAttribute, format!("attribute {attribute:#x} has no value {value:#x}"))
+}
+
 fn request(attributes: &[(Int, Attrib)]) -> Result<Request> {
     let mut request = Request::default();
     let side = |name: &str, value: Attrib| match u32::try_from(value) {
@@ -39,16 +44,24 @@ fn request(attributes: &[(Int, Attrib)]) -> Result<Request> {
             EGL_WIDTH => request.width = side("EGL_WIDTH", value)?,
             EGL_HEIGHT => request.height = side("EGL_HEIGHT", value)?,
             EGL_LARGEST_PBUFFER => request.largest = value != 0,
-            EGL_TEXTURE_FORMAT | EGL_TEXTURE_TARGET if value as Int == EGL_NO_TEXTURE => {}
-            EGL_TEXTURE_FORMAT | EGL_TEXTURE_TARGET => {
-                return fail(Code::BadMatch, "no config binds pbuffers to textures");
-            }
+            EGL_TEXTURE_FORMAT | EGL_TEXTURE_TARGET => match (name, value as Int) {
+                (_, EGL_NO_TEXTURE) => {}
+                (EGL_TEXTURE_FORMAT, EGL_TEXTURE_RGB | EGL_TEXTURE_RGBA)
+                | (EGL_TEXTURE_TARGET, EGL_TEXTURE_2D) => {
+                    return fail(Code::BadMatch, "no config binds pbuffers to textures");
+                }
+                (_, value) => return no_value(name, value),
+            },
             // Of OpenGL ES and OpenVG: accepted and without effect.
             EGL_MIPMAP_TEXTURE | EGL_VG_ALPHA_FORMAT => {}
-            EGL_GL_COLORSPACE if value as Int == EGL_GL_COLORSPACE_LINEAR => {}
-            EGL_GL_COLORSPACE => {
-                return fail(Code::BadMatch, "EGL_GL_COLORSPACE must be EGL_GL_COLORSPACE_LINEAR");
-            }
+            EGL_GL_COLORSPACE => match value as Int {
+                EGL_GL_COLORSPACE_LINEAR => {}
+                EGL_GL_COLORSPACE_SRGB => {
+                    let rule = "EGL_GL_COLORSPACE must be EGL_GL_COLORSPACE_LINEAR";
+                    return fail(Code::BadMatch, rule);
+                }
+                value => return no_value(name, value),
+            },
             _ => return fail(Code::BadAttribute, format!("attrib_list: no attribute {name:#x}")),
         }
     }
@@ -147,10 +160,11 @@ pub(super) fn set_attrib(dpy: Handle, surface: Handle, attribute: Int, value: In
         // Without a swap and without mipmaps these have no effect.
         (EGL_MIPMAP_LEVEL, _)
         | (EGL_MULTISAMPLE_RESOLVE, EGL_MULTISAMPLE_RESOLVE_DEFAULT)
-        | (EGL_SWAP_BEHAVIOR, EGL_BUFFER_PRESERVED) => Ok(1),
-        (EGL_MULTISAMPLE_RESOLVE | EGL_SWAP_BEHAVIOR, _) => {
+        | (EGL_SWAP_BEHAVIOR, EGL_BUFFER_PRESERVED | EGL_BUFFER_DESTROYED) => Ok(1),
+        (EGL_MULTISAMPLE_RESOLVE, EGL_MULTISAMPLE_RESOLVE_BOX) => {
             fail(Code::BadMatch, format!("no config has {value:#x} for attribute {attribute:#x}"))
         }
+        (EGL_MULTISAMPLE_RESOLVE | EGL_SWAP_BEHAVIOR, _) => no_value(attribute, value),
         _ => fail(Code::BadAttribute, format!("attribute = {attribute:#x} cannot be set")),
     }
 }
@@ -167,10 +181,24 @@ pub(super) fn tex_image(dpy: Handle, surface: Handle) -> Result<u32> {
 pub(super) fn swap(dpy: Handle, surface: Handle) -> Result<u32> {
     let mut registry = registry();
     let display = registry.display(dpy)?;
-    registry.surface(display, surface)?;
+    let (id, _) = registry.surface(display, surface)?;
     drop(registry);
+    if thread(|thread| thread.binding.get()).and_then(|binding| binding.surface) != Some(id) {
+        return fail(
+            Code::BadSurface,
+            "surface is not what the current context draws to: call eglMakeCurrent with it before",
+        );
+    }
     crate::entry::with_current(crate::Context::flush);
     Ok(1)
+}
+
+/// `eglCopyBuffers`: there is nothing to copy to.
+pub(super) fn copy(dpy: Handle, surface: Handle) -> Result<u32> {
+    let mut registry = registry();
+    let display = registry.display(dpy)?;
+    registry.surface(display, surface)?;
+    fail(Code::BadNativePixmap, "target is no pixmap: DetGL has none")
 }
 
 /// `eglCreateWindowSurface` and its kin.
