@@ -149,8 +149,9 @@ pub(in crate::abi) fn share_with(
                 Some(shared) => Ok(Context::of_group(shared, desc)),
                 None => fail(
                     Code::BadAccess,
-                    "share_context is current on another thread, which made no GL call while this \
-                     one waited: create the new context there, or release share_context first",
+                    "share_context is current on another thread, which made no GL call for 2 \
+                     seconds, and only its calls can let this one share: create the new context \
+                     there before it waits, or let it release share_context first",
                 ),
             }
         }
