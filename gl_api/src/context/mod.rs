@@ -135,7 +135,14 @@ impl Context {
     /// # Errors
     /// When the size is out of range or the device cannot be made.
     pub fn new(desc: ContextDesc) -> Result<Self, ContextError> {
-        let ContextDesc { width, height, repairs, device, surface } = desc;
+        let repairs = desc.repairs;
+        let (device, window) = Self::parts(desc)?;
+        Ok(Self::assemble(device, window, repairs, None))
+    }
+
+    /// What a context is made of that there may not be.
+    fn parts(desc: ContextDesc) -> Result<(Arc<Device>, Window), ContextError> {
+        let ContextDesc { width, height, repairs: _, device, surface } = desc;
         let limit = limits::MAX_VIEWPORT_DIMS;
         if !(1..=limit).contains(&width) || !(1..=limit).contains(&height) {
             return Err(ContextError::Size { width, height, limit });
@@ -147,10 +154,21 @@ impl Context {
             Some(device) => device,
             None => shared_device()?,
         };
-        Ok(Self {
-            state: State::new(width, height),
+        let window = Window::new(width, height, surface).map_err(|_| ContextError::Memory)?;
+        Ok((device, window))
+    }
+
+    /// Puts a context together; viewport and scissor have the window's size.
+    fn assemble(
+        device: Arc<Device>,
+        window: Window,
+        repairs: Repairs,
+        group: Option<Group>,
+    ) -> Self {
+        Self {
+            state: State::new(window.width, window.height),
             objects: Objects::default(),
-            window: Window::new(width, height, surface).map_err(|_| ContextError::Memory)?,
+            window,
             read_window: None,
             debug: debug::Debug::from_env(),
             said: said::Said::default(),
@@ -164,13 +182,13 @@ impl Context {
             feedback: Feedback::default(),
             transform_feedback: TransformFeedback::default(),
             uniform_buffers: UniformBuffers::default(),
-            group: None,
+            group,
             invitation: Invitation::default(),
             entered: Entered::No,
             repairs,
             mirror: None,
             watched: None,
-        })
+        }
     }
 
     /// A context that shares textures, samplers, buffers, renderbuffers, shaders, programs and
@@ -180,14 +198,21 @@ impl Context {
     /// # Errors
     /// As [`Context::new`].
     pub fn new_shared(&mut self, desc: ContextDesc) -> Result<Self, ContextError> {
-        Self::of_group(self.share(), desc)
+        Self::boxed(desc, Some(self.share())).map(|context| *context)
     }
 
-    /// A context that shares what another gave with [`Self::share`].
-    pub(crate) fn of_group(shared: Shared, desc: ContextDesc) -> Result<Self, ContextError> {
-        let device = desc.device.unwrap_or(shared.device);
-        let context = Self::new(ContextDesc { device: Some(device), ..desc })?;
-        Ok(Self { group: Some(shared.group), ..context })
+    /// As [`Context::new`], sharing what another context gave with [`Self::share`]. On the heap: a
+    /// context is too large to be moved about on the stack of a client's thread, where there may be
+    /// as little as 128 KB.
+    #[inline(never)]
+    pub(crate) fn boxed(
+        desc: ContextDesc,
+        shared: Option<Shared>,
+    ) -> Result<Box<Self>, ContextError> {
+        let repairs = desc.repairs;
+        let (group, device) = shared.map(|shared| (shared.group, shared.device)).unzip();
+        let (device, window) = Self::parts(ContextDesc { device: desc.device.or(device), ..desc })?;
+        Ok(Box::new(Self::assemble(device, window, repairs, group)))
     }
 
     /// What a new context needs to share this one's objects.

@@ -113,7 +113,8 @@ fn point_state(context: &Context) -> PointState {
         false => points.attenuates(),
     };
     let sprite = enables.has(Flag::PointSprite).then(|| {
-        let units = (0..).zip(&context.state.units.units).filter(|(_, unit)| unit.coord_replace);
+        let units =
+            (0..).zip(context.state.units.units.iter()).filter(|(_, unit)| unit.coord_replace);
         units.map(|(unit, _)| VARYING_TEX_COORD + 4 * unit).collect()
     });
     PointState {

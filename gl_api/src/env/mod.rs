@@ -71,7 +71,8 @@ pub(crate) struct Unit {
 /// All units, and which one calls work on.
 #[derive(Clone, Debug)]
 pub(crate) struct Units {
-    pub units: [Unit; MAX_COMBINED_TEXTURE_IMAGE_UNITS as usize],
+    /// A third of a context, which has to fit a client's stack several times while it is made.
+    pub units: Box<[Unit; MAX_COMBINED_TEXTURE_IMAGE_UNITS as usize]>,
     pub active: u8,
     pub client_active: u8,
 }
@@ -89,7 +90,8 @@ impl Default for Units {
             generate: Generate::initial(),
             coord_replace: false,
         };
-        Self { units: std::array::from_fn(|_| unit.clone()), active: 0, client_active: 0 }
+        let units = Box::new(std::array::from_fn(|_| unit.clone()));
+        Self { units, active: 0, client_active: 0 }
     }
 }
 

@@ -25,7 +25,7 @@ pub(crate) fn delete_textures(
     textures: &[GLuint],
 ) -> Result<()> {
     for &name in doomed(SECTION, n, textures)?.iter().filter(|&&name| name != 0) {
-        for unit in &mut context.state.units.units {
+        for unit in context.state.units.units.iter_mut() {
             for bound in unit.bound.iter_mut().filter(|bound| **bound == name) {
                 *bound = 0;
             }

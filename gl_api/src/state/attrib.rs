@@ -135,7 +135,7 @@ const FLAGS: &[(GLbitfield, &[Flag])] = &[
 
 fn bound_textures(context: &Context) -> Vec<(TextureTarget, GLuint, SamplerState)> {
     let mut textures = Vec::new();
-    for unit in &context.state.units.units {
+    for unit in context.state.units.units.iter() {
         for target in TextureTarget::ALL {
             let name = unit.bound[target as usize];
             if textures.iter().all(|(t, n, _)| (*t, *n) != (target, name)) {
@@ -234,7 +234,7 @@ fn restore(state: &mut State, saved: Server) {
         for (buffer, saved) in state.fragment.buffers.iter_mut().zip(&saved.fragment.buffers) {
             buffer.blend = saved.blend;
         }
-        let units = saved.units.iter().flat_map(|units| &units.units);
+        let units = saved.units.iter().flat_map(|units| units.units.iter());
         for (unit, saved) in state.units.units.iter_mut().zip(units) {
             unit.enabled = saved.enabled;
             for (generate, saved) in unit.generate.iter_mut().zip(&saved.generate) {

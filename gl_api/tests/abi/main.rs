@@ -7,6 +7,7 @@ mod glu;
 mod handles;
 mod lengths;
 mod osmesa;
+mod stack;
 
 use gl_api::{COMMANDS, Context, GLenum, implemented};
 use std::collections::BTreeSet;

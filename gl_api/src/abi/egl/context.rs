@@ -8,8 +8,9 @@ use super::registry::{
 };
 use super::{Attrib, Handle, Int, put};
 use crate::context::debug::Output;
-use crate::context::{Context, ContextDesc, ContextError, limits};
+use crate::context::{Context, ContextDesc, limits};
 use crate::entry::with_current;
+use crate::object::sharing::Shared;
 use std::time::Duration;
 
 impl Registry {
@@ -120,23 +121,16 @@ fn check(attributes: &[(Int, Attrib)]) -> Result<Output> {
 /// How long a context that is current on another thread has to make its next call.
 const PATIENCE: Duration = Duration::from_secs(2);
 
-/// A context that shares objects with another, wherever that is current.
-pub(in crate::abi) fn share_with(
-    display: Id,
-    share: Handle,
-    desc: ContextDesc,
-) -> Result<std::result::Result<Context, ContextError>> {
+/// What a new context needs to share the objects of another, wherever that is current.
+pub(in crate::abi) fn shared_by(display: Id, share: Handle) -> Result<Shared> {
     let mut registry = registry();
     let (_, entry) = registry.context(display, share)?;
     match &mut entry.place {
-        Place::Idle(context) => {
-            let shared = context.shared();
-            drop(registry);
-            Ok(Context::of_group(shared, desc))
-        }
+        Place::Idle(context) => Ok(context.shared()),
         Place::Current(thread) if *thread == this_thread() => {
-            match with_current(|context| context.new_shared(desc)) {
-                Some(context) => Ok(context),
+            drop(registry);
+            match with_current(Context::share) {
+                Some(shared) => Ok(shared),
                 None => fail(Code::BadContext, "share_context is current, but inside a call"),
             }
         }
@@ -146,7 +140,7 @@ pub(in crate::abi) fn share_with(
             invitation.open();
             drop(registry);
             match invitation.wait(PATIENCE) {
-                Some(shared) => Ok(Context::of_group(shared, desc)),
+                Some(shared) => Ok(shared),
                 None => fail(
                     Code::BadAccess,
                     "share_context is current on another thread, which made no GL call for 2 \
@@ -175,9 +169,8 @@ pub(super) fn create(
     let output = check(attributes)?;
     // The surface comes with eglMakeCurrent.
     let desc = ContextDesc { width: 1, height: 1, ..ContextDesc::default() };
-    let context =
-        if share.is_null() { Context::new(desc) } else { share_with(display, share, desc)? };
-    let mut context = match context {
+    let shared = if share.is_null() { None } else { Some(shared_by(display, share)?) };
+    let mut context = match Context::boxed(desc, shared) {
         Ok(context) => context,
         Err(error) => return fail(Code::BadAlloc, error.to_string()),
     };

@@ -30,7 +30,7 @@ mod sync;
 #[cfg(feature = "c-abi")]
 mod vendor;
 
-pub(in crate::abi) use context::share_with;
+pub(in crate::abi) use context::shared_by;
 pub(crate) use functions::address;
 
 use std::ffi::c_void;

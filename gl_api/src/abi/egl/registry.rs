@@ -70,9 +70,9 @@ pub(in crate::abi) struct ContextEntry {
 
 impl ContextEntry {
     /// A new one, current nowhere.
-    pub fn new(display: Id, config: Option<&'static Config>, context: Context) -> Self {
+    pub fn new(display: Id, config: Option<&'static Config>, context: Box<Context>) -> Self {
         let invitation = context.invitation.clone();
-        let place = Place::Idle(Box::new(context));
+        let place = Place::Idle(context);
         Self { display, config, place, invitation, doomed: false, sized: false }
     }
 }

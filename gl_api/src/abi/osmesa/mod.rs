@@ -132,15 +132,14 @@ fn create(request: Request, share: Id) -> *mut c_void {
         return std::ptr::null_mut();
     }
     let desc = ContextDesc { width: 1, height: 1, ..ContextDesc::default() };
-    let context = if share == 0 {
-        Context::new(desc)
-    } else {
-        match super::egl::share_with(OSMESA, handle(share), desc) {
-            Ok(context) => context,
+    let shared = match share {
+        0 => None,
+        share => match super::egl::shared_by(OSMESA, handle(share)) {
+            Ok(shared) => Some(shared),
             Err(_) => return std::ptr::null_mut(),
-        }
+        },
     };
-    let Ok(context) = context else { return std::ptr::null_mut() };
+    let Ok(context) = Context::boxed(desc, shared) else { return std::ptr::null_mut() };
     let id = {
         let mut registry = registry();
         let id = registry.new_id();
