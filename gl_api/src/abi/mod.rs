@@ -15,6 +15,7 @@
 //! | [`osmesa`] | OSMesa: contexts that draw into the client's memory |
 //! | [`glu`] | GLU under its C names |
 //! | [`glx`] | the names of GLX |
+//! | [`imaging`] | the names of the imaging subset |
 //! | [`thread_ends`] | what becomes of a current context |
 //!
 //! This is the one place of this crate with `unsafe`. What it trusts is what C's prototypes cannot
@@ -25,6 +26,8 @@ mod egl;
 mod glu;
 #[cfg(feature = "c-abi")]
 mod glx;
+#[cfg(feature = "c-abi")]
+mod imaging;
 pub(crate) mod lengths;
 pub(crate) mod memory;
 pub(crate) mod osmesa;

@@ -51,6 +51,7 @@ unsafe extern "C" {
     fn glReadPixels(x: i32, y: i32, w: i32, h: i32, f: GLenum, t: GLenum, out: *mut c_void);
     fn glCopyPixels(x: i32, y: i32, w: i32, h: i32, what: GLenum);
     fn glRasterPos2f(x: f32, y: f32);
+    fn glColorTable(t: GLenum, i: GLenum, w: i32, f: GLenum, ty: GLenum, table: *const c_void);
     fn glGenTextures(n: i32, names: *mut u32);
     fn glShaderSource(s: u32, n: i32, strings: *const *const c_char, lengths: *const i32);
     fn glBindTexture(target: GLenum, name: u32);
@@ -103,6 +104,7 @@ fn every_name_has_an_address_and_no_other_has() {
         (c"eglGetProcAddress", true),
         (c"OSMesaMakeCurrent", true),
         (c"glDoesNotExist", false),
+        (c"glColorTable", false),
         (c"", false),
     ] {
         // SAFETY: a string that a zero ends.
@@ -134,5 +136,20 @@ fn fill([r, g, b]: [f32; 3]) {
     unsafe {
         glClearColor(r, g, b, 1.0);
         glClear(gl_api::GL_COLOR_BUFFER_BIT);
+    }
+}
+
+#[test]
+fn the_imaging_subset_has_names_alone() {
+    let (dpy, config) = display();
+    // SAFETY: handles are only looked up; the table is not read.
+    unsafe {
+        // Without a context it is ignored, as every call.
+        glColorTable(0, 0, 0, 0, 0, std::ptr::null());
+        let context = eglCreateContext(dpy, config, null_mut(), std::ptr::null());
+        assert_eq!(eglMakeCurrent(dpy, null_mut(), null_mut(), context), 1);
+        glColorTable(0, 0, 0, 0, 0, std::ptr::null());
+        assert_eq!(glGetError(), gl_api::GL_INVALID_OPERATION);
+        assert_eq!(eglMakeCurrent(dpy, null_mut(), null_mut(), null_mut()), 1);
     }
 }
