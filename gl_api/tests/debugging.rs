@@ -2,6 +2,7 @@
 
 use gl_api::*;
 use std::ffi::CStr;
+use std::process::Command;
 use std::sync::Mutex;
 
 fn context() -> Context {
@@ -78,6 +79,119 @@ fn filters_and_groups_decide_what_is_kept() {
     let got: Vec<(GLuint, &str)> = got.iter().map(|(id, text)| (*id, text.as_str())).collect();
     assert_eq!(got, [(2, "here"), (9, "gro"), (3, "here"), (9, "gro"), (2, "here")]);
     assert_eq!(c.get_error(), GL_NO_ERROR, "{:?}", c.messages());
+}
+
+/// A shader whose every line is wrong, so that its log is longer than the longest message.
+fn broken_shader(c: &mut Context) -> GLuint {
+    let shader = c.create_shader(GL_FRAGMENT_SHADER);
+    let comment = "☃".repeat(100);
+    let lines: String =
+        (0..60).map(|at| format!("    gl_FragColor = vec4(size{at}); // {comment}\n")).collect();
+    c.shader_source(shader, 1, Strings(vec![&format!("void main() {{\n{lines}}}\n")]), &[]);
+    shader
+}
+
+#[test]
+fn a_message_is_cut_to_what_a_reader_has_room_for() {
+    let mut c = context();
+    c.enable(GL_DEBUG_OUTPUT);
+    let shader = broken_shader(&mut c);
+    c.compile_shader(shader);
+    let mut length = [0];
+    c.get_shaderiv(shader, GL_INFO_LOG_LENGTH, &mut length);
+    let most = integer(&mut c, GL_MAX_DEBUG_MESSAGE_LENGTH);
+    assert!(length[0] > most, "{length:?}");
+    c.line_width(-1.0);
+    let mut text = vec![0; most as usize];
+    let mut lengths = [0];
+    let none: &mut [GLenum] = &mut [];
+    let (severities, ids) = (&mut [][..], &mut [][..]);
+    let room = TextOut::Bytes(&mut text);
+    let taken =
+        c.get_debug_message_log(1, most, none, &mut [], ids, severities, &mut lengths, room);
+    assert_eq!(taken, 1);
+    assert!((most - 3..=most).contains(&lengths[0]), "{lengths:?}");
+    let text = CStr::from_bytes_until_nul(&text).expect("ends with zero").to_str();
+    let text = text.expect("cut between two characters");
+    assert!(text.starts_with("glCompileShader: shader 1 did not compile:\n"), "{text}");
+    assert_eq!(text.len() + 1, lengths[0] as usize);
+    assert_eq!(log(&mut c).len(), 1, "the next one can be read");
+}
+
+#[test]
+fn what_comes_of_a_call_is_said_each_time_and_what_each_draw_would_say_once() {
+    let mut c = context();
+    let shader = broken_shader(&mut c);
+    c.compile_shader(shader);
+    c.enable(GL_DEBUG_OUTPUT);
+    c.compile_shader(shader);
+    c.compile_shader(shader);
+    assert_eq!(log(&mut c).len(), 2);
+    let program = c.create_program();
+    c.attach_shader(program, shader);
+    c.link_program(program);
+    c.link_program(program);
+    assert_eq!(log(&mut c).len(), 2);
+    c.bind_framebuffer(GL_FRAMEBUFFER, 1);
+    assert_ne!(c.check_framebuffer_status(GL_FRAMEBUFFER), GL_FRAMEBUFFER_COMPLETE);
+    assert_ne!(c.check_framebuffer_status(GL_FRAMEBUFFER), GL_FRAMEBUFFER_COMPLETE);
+    assert_eq!(log(&mut c).len(), 2);
+    c.bind_framebuffer(GL_FRAMEBUFFER, 0);
+    c.disable(GL_DEBUG_OUTPUT);
+    for _ in 0..2 {
+        c.draw_arrays(GL_TRIANGLES, 0, 3);
+        c.draw_arrays(GL_TRIANGLES, 0, 3);
+        c.enable(GL_DEBUG_OUTPUT);
+    }
+    assert_eq!(log(&mut c).len(), 1, "a log that was off has not heard of it");
+}
+
+#[test]
+fn a_kind_of_warning_can_be_switched_off_by_its_number() {
+    let mut c = context();
+    c.enable(GL_DEBUG_OUTPUT);
+    let other = c.create_program();
+    let shader = broken_shader(&mut c);
+    c.compile_shader(shader);
+    c.link_program(other);
+    let compiled = log(&mut c)[0].0;
+    assert_ne!(compiled, 0);
+    let (source, ty) = (GL_DEBUG_SOURCE_API, GL_DEBUG_TYPE_OTHER);
+    c.debug_message_control(source, ty, GL_DONT_CARE, 1, &[compiled], false);
+    let next = broken_shader(&mut c);
+    c.compile_shader(next);
+    c.attach_shader(other, next);
+    c.link_program(other);
+    let rest = log(&mut c);
+    assert_eq!(rest.len(), 1, "{rest:?}");
+    assert!(rest[0].1.starts_with("glLinkProgram"), "{rest:?}");
+    assert_ne!(rest[0].0, compiled);
+}
+
+/// Nothing by itself: [`messages_are_announced`] runs it in a process of its own.
+#[test]
+fn makes_two_contexts() {
+    drop((context(), context()));
+}
+
+#[test]
+fn messages_are_announced() {
+    let program = std::env::current_exe().expect("this program");
+    let said = |value: &str| {
+        let mut child = Command::new(&program);
+        child.args(["--exact", "makes_two_contexts", "--nocapture"]);
+        child.env("DETGL_DEBUG", value).env("DETGL_THREADS", "2").env("DETGL_ISA", "baseline");
+        let output = child.output().expect("it runs");
+        let text = String::from_utf8_lossy(&output.stderr).into_owned();
+        text.lines()
+            .filter(|line| line.starts_with("detgl:"))
+            .map(str::to_owned)
+            .collect::<Vec<_>>()
+    };
+    let announced =
+        concat!("detgl: DetGL ", env!("CARGO_PKG_VERSION"), ", OpenGL 3.1, baseline, 2 threads");
+    assert_eq!(said("1"), Vec::from([announced.to_owned()]));
+    assert_eq!(said("0"), Vec::<String>::new());
 }
 
 static CALLED: Mutex<Vec<String>> = Mutex::new(Vec::new());

@@ -2,13 +2,16 @@
 //!
 //! Messages are queued and never call back, so that nothing happens in the middle of a call.
 
-use super::log::{GLDEBUGPROC, Kind, Log, Logged};
+use super::limits;
+use super::log::{GLDEBUGPROC, Kind, Log, Logged, MAX_LENGTH};
 use crate::constants::*;
 use crate::error::{ErrorCode, GlError};
 use crate::types::*;
+use rasterizer::driver::DeviceDesc;
 use std::collections::{BTreeSet, VecDeque};
 use std::ffi::CString;
 use std::fmt;
+use std::sync::Once;
 
 /// The queue keeps this many messages; older ones are dropped.
 const KEPT: usize = 1024;
@@ -54,32 +57,40 @@ pub(crate) struct Debug {
     /// The first error since `glGetError`.
     flag: Option<ErrorCode>,
     queue: VecDeque<Message>,
-    /// Warnings that were given: a draw that repeats says them once.
-    given: BTreeSet<String>,
+    /// Warnings that were given: a draw that repeats says them once, and once more to a log that
+    /// was off.
+    given: BTreeSet<(Output, String)>,
     echo: Echo,
     /// What `KHR_debug` reads.
     pub log: Log,
     /// Whether it is kept (`GL_DEBUG_OUTPUT`).
     pub output: Output,
+    /// Whether it was at first: it is in debug contexts.
+    at_first: Output,
 }
 
 /// Whether messages go to the log of `KHR_debug`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Output {
     Off,
     On,
 }
 
 impl Debug {
-    /// Prints to stderr if `DETGL_DEBUG` is set to anything but 0.
-    pub fn from_env() -> Self {
+    /// Prints to stderr if `DETGL_DEBUG` is set to anything but 0; first of all, that it is there.
+    pub fn from_env(device: &DeviceDesc) -> Self {
+        static GREETED: Once = Once::new();
         let on = std::env::var_os("DETGL_DEBUG").is_some_and(|value| value != "0");
+        if on {
+            GREETED.call_once(|| eprintln!("detgl: {}", greeting(device)));
+        }
         Self {
             flag: None,
             queue: VecDeque::new(),
             given: BTreeSet::new(),
             log: Log::default(),
             output: Output::Off,
+            at_first: Output::Off,
             echo: if on { Echo::Stderr } else { Echo::Off },
         }
     }
@@ -92,22 +103,42 @@ impl Debug {
         self.push(Message { severity: Severity::Error, text });
     }
 
-    /// Says something once.
+    /// Says something once: what each draw would say again.
     pub fn warn(&mut self, text: String) {
         if self.given.len() >= KEPT {
             self.given.clear();
         }
-        if self.given.insert(text.clone()) {
-            self.log(GL_DEBUG_TYPE_OTHER, 0, GL_DEBUG_SEVERITY_MEDIUM, &text);
-            self.push(Message { severity: Severity::Warning, text });
+        if self.given.insert((self.output, text.clone())) {
+            self.say(text);
         }
     }
 
-    /// Adds a message of ours to the log, if it is kept.
+    /// Says something, as often as it happens: what came of a call that asks for it.
+    pub fn say(&mut self, text: String) {
+        self.log(GL_DEBUG_TYPE_OTHER, warning_id(&text), GL_DEBUG_SEVERITY_MEDIUM, &text);
+        self.push(Message { severity: Severity::Warning, text });
+    }
+
+    /// Adds a message of ours to the log, if it is kept: as much of it as the log's readers have
+    /// room for (`KHR_debug`, section 5.5.1).
     fn log(&mut self, ty: GLenum, id: GLuint, severity: GLenum, text: &str) {
         if self.output == Output::On {
             let kind = Kind { source: GL_DEBUG_SOURCE_API, ty, severity };
+            let text = &text[..text.floor_char_boundary(MAX_LENGTH - 1)];
             self.log.push(Logged { kind, id, text: text.to_owned() });
+        }
+    }
+
+    /// Sets what a new context begins with.
+    pub fn begin_with(&mut self, output: Output) {
+        (self.output, self.at_first) = (output, output);
+    }
+
+    /// `GL_CONTEXT_FLAGS`: no context is forward compatible (GL 3.0, table 6.47).
+    pub fn context_flags(&self) -> GLenum {
+        match self.at_first {
+            Output::On => GL_CONTEXT_FLAG_DEBUG_BIT,
+            Output::Off => 0,
         }
     }
 
@@ -142,6 +173,22 @@ impl Debug {
         }
         self.queue.push_back(message);
     }
+}
+
+/// What is there: so that whoever waits for messages knows that they would come.
+fn greeting(device: &DeviceDesc) -> String {
+    let version = env!("CARGO_PKG_VERSION");
+    let ((major, minor), isa, threads) = (limits::VERSION, device.isa.name(), device.threads);
+    let s = if threads == 1 { "" } else { "s" };
+    format!("DetGL {version}, OpenGL {major}.{minor}, {isa}, {threads} thread{s}")
+}
+
+/// The number that filters know a warning by: a hash (FNV-1a) of the lowercase letters of its first
+/// line, without what is quoted. So it is the same for all values, objects and names of constants.
+fn warning_id(text: &str) -> GLuint {
+    let line = text.lines().next().unwrap_or_default();
+    let letters = line.split('"').step_by(2).flat_map(str::bytes).filter(u8::is_ascii_lowercase);
+    letters.fold(0x811c_9dc5, |hash, byte| (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193))
 }
 
 #[cold]

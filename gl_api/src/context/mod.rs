@@ -170,7 +170,7 @@ impl Context {
             objects: Objects::default(),
             window,
             read_window: None,
-            debug: debug::Debug::from_env(),
+            debug: debug::Debug::from_env(device.desc()),
             said: said::Said::default(),
             immediate: None,
             recorder: Recorder::new(device),

@@ -271,10 +271,11 @@ pub(crate) fn link_program(context: &mut Context, name: GLuint) -> Result<()> {
     program.validated = false;
     if program.link == LinkStatus::Failed {
         let text = format!("glLinkProgram: program {name} did not link:\n{}", program.log);
-        context.debug.warn(text);
+        context.debug.say(text);
     } else if !program.log.is_empty() {
-        let text = format!("glLinkProgram: program {name} linked:\n{}", program.log);
-        context.debug.warn(text);
+        let text = format!("glLinkProgram: program {name} linked:
+{}", program.log);
+        context.debug.say(text);
     }
     Ok(())
 }

@@ -205,8 +205,6 @@ fn limit(_: &Context, pname: GLenum) -> Answer {
         }
         GL_MAJOR_VERSION => int(limits::VERSION.0),
         GL_MINOR_VERSION => int(limits::VERSION.1),
-        // No context is forward compatible (GL 3.0, table 6.47).
-        GL_CONTEXT_FLAGS => int(0),
         GL_NUM_EXTENSIONS => int(super::extensions::EXTENSIONS.len()),
         GL_STEREO => flag(false),
         GL_AUX_BUFFERS => int(0),
@@ -451,6 +449,7 @@ fn debug(context: &Context, pname: GLenum) -> Answer {
         GL_MAX_DEBUG_MESSAGE_LENGTH => int(MAX_LENGTH as i32),
         GL_MAX_DEBUG_GROUP_STACK_DEPTH => int(MAX_GROUPS as i32),
         GL_MAX_LABEL_LENGTH => int(MAX_LABEL as i32),
+        GL_CONTEXT_FLAGS => symbol(context.debug.context_flags()),
         GL_MAX_SERVER_WAIT_TIMEOUT => int(0),
         // Exact for a hundred days.
         GL_TIMESTAMP => Ok(Value::Floats(vec![queries::timestamp() as f64])),

@@ -159,6 +159,11 @@ fn contexts_are_what_was_asked_for_or_refused() {
                 assert_eq!(eglMakeCurrent(dpy, surface, surface, context), 1);
                 let logs = glIsEnabled(gl_api::GL_DEBUG_OUTPUT) != 0;
                 assert_eq!(logs, what.contains("debug"), "{what}");
+                let mut flags = -1;
+                glDisable(gl_api::GL_DEBUG_OUTPUT);
+                glGetIntegerv(gl_api::GL_CONTEXT_FLAGS, &mut flags);
+                let bit = if logs { gl_api::GL_CONTEXT_FLAG_DEBUG_BIT } else { 0 };
+                assert_eq!(flags as u32, bit, "{what}: of the context, whatever is enabled later");
                 assert_eq!(eglMakeCurrent(dpy, null_mut(), null_mut(), null_mut()), 1);
             }
         }

@@ -43,6 +43,8 @@ unsafe extern "C" {
     fn glGetError() -> GLenum;
     fn glClearColor(r: f32, g: f32, b: f32, a: f32);
     fn glClear(mask: u32);
+    fn glDisable(cap: GLenum);
+    fn glGetIntegerv(pname: GLenum, values: *mut i32);
     fn glFinish();
     fn glEnable(cap: GLenum);
     fn glBlendFunc(from: GLenum, to: GLenum);

@@ -174,7 +174,7 @@ pub(super) fn create(
         Ok(context) => context,
         Err(error) => return fail(Code::BadAlloc, error.to_string()),
     };
-    context.debug.output = output;
+    context.debug.begin_with(output);
     let mut registry = registry();
     let id = registry.new_id();
     registry.contexts.insert(id, ContextEntry::new(display, config, context));
