@@ -3,12 +3,16 @@
 //! each pointer parameter has. `egl.rs`: EGL's constants.
 
 use gl_generator::{Api, Enum, Fallbacks, Profile, Registry};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::path::Path;
 
+/// Where the extensions are listed that DetGL has.
+const CLAIMED: &str = "src/query/extensions.rs";
+
 fn main() {
     println!("cargo:rerun-if-changed=build.rs");
+    println!("cargo:rerun-if-changed={CLAIMED}");
     let xml = String::from_utf8_lossy(khronos_api::GL_XML);
     let registry = Registry::new(
         Api::Gl,
@@ -18,9 +22,15 @@ fn main() {
         extensions(&xml, "gl"),
     );
 
+    let claimed = std::fs::read_to_string(CLAIMED).expect("it is in this package");
+    let claimed: Vec<&str> = claimed.split('"').skip(1).step_by(2).collect();
+    let known = extensions(&xml, "gl").into_iter().filter(|name| claimed.contains(name));
+    let known: Vec<&str> = known.collect();
+    let implemented = Registry::new(Api::Gl, (3, 1), Profile::Compatibility, Fallbacks::All, known);
+
     let mut text = String::new();
     constants("GL", &registry, &mut text);
-    names(&registry, &mut text);
+    names(&registry, &implemented, &mut text);
     commands(&registry, &mut text);
     let directory = std::env::var_os("OUT_DIR").expect("cargo sets OUT_DIR");
     let write = |file: &str, text: String| {
@@ -106,21 +116,35 @@ fn constants(api: &str, registry: &Registry, text: &mut String) {
 }
 
 /// Names by value, sorted: one for each value, one after the other in one text, which takes no pointers
-/// that a loader would have to fill in. Where values collide, the name without a vendor's
-/// suffix wins, then the shorter one, then the first.
-fn names(registry: &Registry, text: &mut String) {
+/// that a loader would have to fill in. Where values collide, what is implemented wins, which a
+/// program may have meant; then what is no bit of a mask, which messages do not name; then the name
+/// without a vendor's suffix, then the shorter one, then the first.
+fn names(registry: &Registry, implemented: &Registry, text: &mut String) {
     let mut best: BTreeMap<u32, String> = BTreeMap::new();
+    let vendor = ["ARB", "EXT", "NV", "ATI", "AMD", "SGIX", "SGIS", "OES", "APPLE", "ANGLE"];
+    let place = |name: &str| {
+        let suffix = name.rsplit('_').next().unwrap_or_default();
+        vendor.iter().position(|vendor| *vendor == suffix)
+    };
+    let mut ours: BTreeSet<String> = BTreeSet::new();
+    for name in implemented.enums.iter().map(|item| c_name("GL", item)) {
+        // Without the suffix too: so it is called where a later version took it up.
+        if let (Some(_), Some((plain, _))) = (place(&name), name.rsplit_once('_')) {
+            ours.insert(plain.to_owned());
+        }
+        ours.insert(name);
+    }
+    let rank = |name: &str| {
+        let foreign = !ours.contains(name);
+        let bit = name.split('_').any(|word| word == "BIT");
+        // Nobody's first, then ARB's, then EXT's, then one vendor's.
+        let place = place(name).map_or(0, |place| 1 + place.min(2));
+        (foreign, bit, place, name.len(), name.to_owned())
+    };
     for item in &registry.enums {
         let Some(value) = item.value.strip_prefix("0x") else { continue };
         let Ok(value) = u32::from_str_radix(value, 16) else { continue };
         let name = c_name("GL", item);
-        let rank = |name: &str| {
-            let suffix = name.rsplit('_').next().unwrap_or_default();
-            // Nobody's first, then ARB's, then EXT's, then one vendor's.
-            let vendor = ["ARB", "EXT", "NV", "ATI", "AMD", "SGIX", "SGIS", "OES", "APPLE"];
-            let place = vendor.iter().position(|vendor| *vendor == suffix);
-            (place.map_or(0, |place| 1 + place.min(2)), name.len(), name.to_owned())
-        };
         if best.get(&value).is_none_or(|old| rank(&name) < rank(old)) {
             best.insert(value, name);
         }

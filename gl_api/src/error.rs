@@ -2,6 +2,7 @@
 //! door.
 
 use crate::constants::*;
+use crate::glsl::diagnostics::edit_distance;
 use crate::types::GLenum;
 use std::fmt;
 
@@ -98,10 +99,7 @@ impl<T: Copy + PartialEq> Table<T> {
     pub fn decode(&self, argument: &str, value: GLenum) -> Result<T> {
         match self.get(value) {
             Some(meaning) => Ok(meaning),
-            None => invalid_enum(
-                self.section,
-                format!("{argument} = {} must be {}", enum_name(value), self.list()),
-            ),
+            None => Err(not_a_choice(self.section, argument, value, &self.values())),
         }
     }
 
@@ -115,13 +113,77 @@ impl<T: Copy + PartialEq> Table<T> {
         self.rows.iter().find(|row| row.1 == meaning).map_or(GL_NONE, |row| row.0)
     }
 
+    /// GL's values, in order.
+    pub fn values(&self) -> Vec<GLenum> {
+        self.rows.iter().map(|row| row.0).collect()
+    }
+
     /// `A, B or C`.
     pub fn list(&self) -> String {
-        let names: Vec<String> = self.rows.iter().map(|row| enum_name(row.0)).collect();
-        match names.split_last() {
-            Some((last, [])) => last.clone(),
-            Some((last, rest)) => format!("{} or {last}", rest.join(", ")),
-            None => String::new(),
-        }
+        list(&self.values())
+    }
+}
+
+#[cold]
+#[inline(never)]
+fn not_a_choice(
+    section: &'static str,
+    argument: &str,
+    value: GLenum,
+    choices: &[GLenum],
+) -> GlError {
+    let rule = format!("{argument} = {} {}", enum_name(value), must_be(value, choices));
+    GlError { code: ErrorCode::InvalidEnum, rule, section }
+}
+
+/// `A, B or C`.
+pub fn list(choices: &[GLenum]) -> String {
+    let names: Vec<String> = choices.iter().map(|&value| choice_name(value, choices)).collect();
+    match names.split_last() {
+        Some((last, [])) => last.clone(),
+        Some((last, rest)) => format!("{} or {last}", rest.join(", ")),
+        None => String::new(),
+    }
+}
+
+/// The name of one of several values: those that are too small for names of their own
+/// ([`enum_name`]) have them by what they stand among.
+fn choice_name(value: GLenum, choices: &[GLenum]) -> String {
+    let among = |other| choices.contains(&other);
+    let name = match value {
+        GL_POINTS if among(GL_TRIANGLES) => "GL_POINTS",
+        GL_LINES if among(GL_TRIANGLES) => "GL_LINES",
+        GL_TRIANGLES => "GL_TRIANGLES",
+        GL_FALSE if among(GL_FIXED_ONLY) => "GL_FALSE",
+        GL_TRUE if among(GL_FIXED_ONLY) => "GL_TRUE",
+        GL_NONE if among(GL_COMPARE_R_TO_TEXTURE) => "GL_NONE",
+        GL_ZERO => "GL_ZERO",
+        GL_ONE => "GL_ONE",
+        _ => return enum_name(value),
+    };
+    name.to_owned()
+}
+
+/// What `value`, which is none of the choices, must be: `must be A, B or C`; of many, those whose
+/// names are most like its own.
+pub fn must_be(value: GLenum, choices: &[GLenum]) -> String {
+    /// Nobody reads more than these.
+    const LISTED: usize = 20;
+    const SHOWN: usize = 5;
+    if choices.len() <= LISTED {
+        return format!("must be {}", list(choices));
+    }
+    let name = enum_name(value);
+    let names: Vec<String> = choices.iter().map(|&choice| choice_name(choice, choices)).collect();
+    let mut near: Vec<(usize, &str)> = names
+        .iter()
+        .filter_map(|other| Some((edit_distance(&name, other, name.len() / 3)?, other.as_str())))
+        .collect();
+    near.sort_by_key(|&(distance, _)| distance);
+    let near: Vec<&str> = near.into_iter().map(|(_, other)| other).take(SHOWN).collect();
+    let count = names.len();
+    match near.is_empty() {
+        false => format!("must be one of {count} values; near in name: {}", near.join(", ")),
+        true => format!("must be one of {count} values, such as {}", names[..SHOWN].join(", ")),
     }
 }

@@ -197,11 +197,14 @@ pub(crate) fn program_string(
             Ok(())
         }
         Err(failure) => {
-            let line = 1 + text.bytes().take(failure.position).filter(|&b| b == b'\n').count();
-            let message = format!("line {line}: {}", failure.message);
+            let message = failure.in_text(text);
             let position = GLint::try_from(failure.position).unwrap_or(GLint::MAX);
             context.state.assembly.error = Some((position, super::query::kept(&message)));
-            invalid_operation(SECTION, format!("the program does not load: {message}"))
+            let section = match target {
+                Target::Vertex => "ARB_vertex_program, section 2.14",
+                Target::Fragment => "ARB_fragment_program, section 3.11",
+            };
+            invalid_operation(section, format!("the program does not load: {message}"))
         }
     }
 }

@@ -20,6 +20,7 @@ pub(crate) mod query;
 pub(crate) mod running;
 mod state;
 
+use crate::glsl::diagnostics::closest;
 use crate::glsl::{self, BufferMode};
 use crate::object::programs::{Linked, ready};
 use layout::Row;
@@ -36,6 +37,32 @@ pub(crate) struct Failure {
 impl Failure {
     fn at<T>(position: usize, message: impl Into<String>) -> Result<T, Self> {
         Err(Self { position, message: message.into() })
+    }
+
+    /// A name that means nothing, with what was probably meant among what there is.
+    #[cold]
+    fn unknown(position: usize, message: String, name: &str, known: &[&str]) -> Self {
+        let message = match closest(name, known.iter().copied()) {
+            Some(near) => format!("{message}: did you mean {near}?"),
+            None => message,
+        };
+        Self { position, message }
+    }
+
+    /// The message with its place and what stands there.
+    fn in_text(&self, text: &str) -> String {
+        /// How much of a line is shown to either side.
+        const SHOWN: usize = 40;
+        let position = text.floor_char_boundary(self.position);
+        let (before, after) = text.split_at(position);
+        let line = 1 + before.matches('\n').count();
+        let before = before.rsplit('\n').next().unwrap_or_default();
+        let after = after.split(['\r', '\n']).next().unwrap_or_default();
+        let column = 1 + before.chars().count();
+        let first = before.ceil_char_boundary(before.len().saturating_sub(SHOWN));
+        let last = after.floor_char_boundary(SHOWN);
+        let excerpt = format!("{}{}", &before[first..], &after[..last]);
+        format!("line {line}, column {column}, in \"{}\": {}", excerpt.trim(), self.message)
     }
 }
 

@@ -287,7 +287,12 @@ impl Parser<'_> {
                 let index = self.index(MAX_VERTEX_ATTRIBS.into(), "attributes")? as u8;
                 (index, index, 1)
             }
-            other => return Failure::at(position, format!("there is no vertex.{other}")),
+            other => {
+                let known =
+                    ["position", "normal", "color", "fogcoord", "texcoord", "attrib", "weight"];
+                let message = format!("there is no vertex.{other}");
+                return Err(Failure::unknown(position, message, other, &known));
+            }
         };
         self.named[way] |= 1 << number;
         if self.named[1 - way] >> number & 1 == 1 {
@@ -307,7 +312,11 @@ impl Parser<'_> {
             }
             "fogcoord" => Attribute::Fog,
             "position" => Attribute::Position,
-            other => return Failure::at(position, format!("there is no fragment.{other}")),
+            other => {
+                let known = ["position", "color", "fogcoord", "texcoord"];
+                let message = format!("there is no fragment.{other}");
+                return Err(Failure::unknown(position, message, other, &known));
+            }
         })
     }
 
@@ -343,7 +352,11 @@ impl Parser<'_> {
             }
             ("color", Target::Fragment) => Output::Color(0),
             ("depth", Target::Fragment) => Output::Depth,
-            (other, _) => return Failure::at(position, format!("there is no result.{other}")),
+            (other, _) => {
+                let known = ["position", "color", "fogcoord", "pointsize", "texcoord", "depth"];
+                let message = format!("there is no result.{other}");
+                return Err(Failure::unknown(position, message, other, &known));
+            }
         })
     }
 

@@ -5,7 +5,7 @@ use super::lexer::{Placed, Token, tokens};
 use super::limits;
 use super::program::{
     Attribute, Counts, Destination, Fog, Instruction, Lookup, Opcode, Operands, Options, Parameter,
-    Program, Result as Output, Saturation, Target, Written, opcode,
+    Program, Result as Output, Saturation, Target, Written, instructions, opcode,
 };
 use super::{Failure, Parsed};
 use crate::interface::MAX_TEXTURE_IMAGE_UNITS;
@@ -206,7 +206,15 @@ impl<'a> Parser<'a> {
         let name = self.word("a variable")?;
         match self.place(name) {
             Ok(place) => Ok(self.names[place].1),
-            Err(_) => Failure::at(position, format!("{name} is not declared")),
+            Err(_) => {
+                let roots = match self.target {
+                    Target::Vertex => "vertex",
+                    Target::Fragment => "fragment",
+                };
+                let known: Vec<&str> =
+                    self.names.iter().map(|row| row.0).chain([roots, "program", "state"]).collect();
+                Err(Failure::unknown(position, format!("{name} is not declared"), name, &known))
+            }
         }
     }
 
@@ -298,7 +306,18 @@ impl<'a> Parser<'a> {
                 Some((opcode, operands, saturation)) => {
                     self.instruction(opcode, operands, saturation)
                 }
-                None => Failure::at(position, format!("{word} is no instruction")),
+                None => {
+                    let message = format!("{word} is no instruction");
+                    let capitals = word.to_ascii_uppercase();
+                    if opcode(&capitals, target).is_some() {
+                        return Failure::at(
+                            position,
+                            format!("{message}: did you mean {capitals}?"),
+                        );
+                    }
+                    let known = instructions(target);
+                    Err(Failure::unknown(position, message, &capitals, &known))
+                }
             },
         }
     }

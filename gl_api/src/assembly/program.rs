@@ -77,6 +77,15 @@ enum Of {
     Only(Target),
 }
 
+impl Of {
+    fn has(self, target: Target) -> bool {
+        match self {
+            Self::Both => true,
+            Self::Only(only) => only == target,
+        }
+    }
+}
+
 /// Every instruction.
 const INSTRUCTIONS: &[(&str, Opcode, Operands, Of)] = &[
     ("ABS", Opcode::Abs, Operands::Vectors(1), Of::Both),
@@ -124,6 +133,11 @@ pub(super) enum Saturation {
     On,
 }
 
+/// The names of the instructions of a target, without `_SAT`.
+pub(super) fn instructions(target: Target) -> Vec<&'static str> {
+    INSTRUCTIONS.iter().filter(|row| row.3.has(target)).map(|row| row.0).collect()
+}
+
 /// The instruction of that name; fragment programs have each with `_SAT` too.
 pub(super) fn opcode(name: &str, target: Target) -> Option<(Opcode, Operands, Saturation)> {
     let plain = name.strip_suffix("_SAT").filter(|_| target == Target::Fragment);
@@ -131,10 +145,7 @@ pub(super) fn opcode(name: &str, target: Target) -> Option<(Opcode, Operands, Sa
     let plain = plain.unwrap_or(name);
     let place = INSTRUCTIONS.binary_search_by_key(&plain, |row| row.0).ok()?;
     let (_, opcode, operands, of) = INSTRUCTIONS[place];
-    let exists = match of {
-        Of::Both => true,
-        Of::Only(only) => only == target,
-    };
+    let exists = of.has(target);
     // What has no result has none to be held.
     let saturates = saturation == Saturation::Off || operands != Operands::Condition;
     (exists && saturates).then_some((opcode, operands, saturation))

@@ -100,7 +100,7 @@ pub(crate) fn debug_message_control(
     if count > 0 && (source == GL_DONT_CARE || ty == GL_DONT_CARE || severity != GL_DONT_CARE) {
         return invalid_operation(
             SECTION,
-            "with ids, source and type must not be GL_DONT_CARE and severity must be",
+            "with ids, source and type must not be GL_DONT_CARE, and severity must be it",
         );
     }
     let kind = Kind { source, ty, severity };
@@ -195,7 +195,9 @@ pub(crate) fn push_debug_group(
     if context.debug.log.depth() >= MAX_GROUPS {
         return Err(GlError {
             code: ErrorCode::StackOverflow,
-            rule: format!("{MAX_GROUPS} groups are open"),
+            rule: format!(
+                "{MAX_GROUPS} groups are open, the most there may be: glPopDebugGroup is missing"
+            ),
             section: SECTION,
         });
     }
@@ -296,7 +298,7 @@ fn sync_key(context: &Context, sync: *const GLvoid) -> Result<(GLenum, usize)> {
     if context.objects.syncs.contains(sync as usize) {
         return Ok((GL_SYNC_FENCE, sync as usize));
     }
-    invalid_value(SECTION, "ptr is no sync object")
+    invalid_value(SECTION, "ptr is no handle that glFenceSync gave")
 }
 
 pub(crate) fn object_ptr_label(

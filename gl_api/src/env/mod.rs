@@ -5,7 +5,7 @@ pub(crate) mod texgen;
 
 use crate::constants::*;
 use crate::context::{Context, limits};
-use crate::error::{Result, Table, invalid_enum, invalid_operation};
+use crate::error::{Result, Table, invalid_enum, invalid_operation, must_be};
 use crate::interface::{MAX_COMBINED_TEXTURE_IMAGE_UNITS, MAX_TEXTURE_UNITS};
 use crate::query::table::{self, Value};
 use crate::state::clamp;
@@ -168,15 +168,9 @@ fn parameter(target: GLenum, pname: GLenum) -> Result<Parameter> {
         Target::Environment => match COMBINER_PARAMETER.get(pname) {
             Some(parameter) => Ok(Parameter::Combiner(parameter)),
             None => ENV_PARAMETER.decode("pname", pname).or_else(|_| {
-                invalid_enum(
-                    SECTION,
-                    format!(
-                        "pname = {} must be {} or one of the combiners' parameters: {}",
-                        enum_name(pname),
-                        ENV_PARAMETER.list(),
-                        COMBINER_PARAMETER.list()
-                    ),
-                )
+                let choices = [ENV_PARAMETER.values(), COMBINER_PARAMETER.values()].concat();
+                let rule = format!("pname = {} {}", enum_name(pname), must_be(pname, &choices));
+                invalid_enum(SECTION, rule)
             }),
         },
         Target::FilterControl => FILTER_PARAMETER.decode("pname", pname),

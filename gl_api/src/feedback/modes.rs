@@ -72,7 +72,7 @@ fn target(section: &'static str, argument: &str, buffer: DataOut<'_>) -> Result<
         DataOut::Bytes(_) | DataOut::Offset(_) => invalid_operation(
             section,
             format!(
-                "{argument} cannot be a slice, which ends with the call: pass NULL, and read \
+                "{argument} cannot be memory that is borrowed for the call alone: pass NULL, and read \
                  Context::selection or Context::feedback after glRenderMode"
             ),
         ),

@@ -274,7 +274,7 @@ pub(crate) fn check_framebuffer_status(context: &mut Context, target: GLenum) ->
             GL_FRAMEBUFFER_COMPLETE
         }
         Err(incomplete) => {
-            context.debug.say(format!("glCheckFramebufferStatus: {}", incomplete.reason));
+            context.debug.say(format!("glCheckFramebufferStatus: {}", incomplete.rule(name)));
             incomplete.status
         }
     })

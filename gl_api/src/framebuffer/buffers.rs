@@ -145,7 +145,7 @@ pub(crate) fn draw_buffers(context: &mut Context, n: GLsizei, bufs: &[GLenum]) -
         );
     }
     let Some(bufs) = bufs.get(..n) else {
-        return invalid_operation(DRAW, format!("n = {n}, but the slice has {}", bufs.len()));
+        return invalid_operation(DRAW, format!("n = {n}, but bufs has {}", bufs.len()));
     };
     let framebuffer = context.state.bindings.draw_framebuffer;
     for (index, &buf) in bufs.iter().enumerate() {

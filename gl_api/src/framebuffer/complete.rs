@@ -8,6 +8,7 @@ use crate::context::Context;
 use crate::error::{ErrorCode, GlError, Result};
 use crate::object::framebuffers::{Attached, Framebuffer, Planes, Source};
 use crate::texture::TextureTarget;
+use crate::texture::internal::format_name;
 use crate::texture::texel::is_renderable;
 use crate::types::*;
 use rasterizer::driver::{Attachment, LevelInfo, PassDesc};
@@ -21,6 +22,16 @@ pub(crate) struct Incomplete {
     /// What `glCheckFramebufferStatus` answers.
     pub status: GLenum,
     pub reason: String,
+}
+
+impl Incomplete {
+    /// The reason, of a framebuffer with its name.
+    pub fn rule(&self, name: GLuint) -> String {
+        match name {
+            0 => self.reason.clone(),
+            _ => format!("framebuffer {name} is incomplete: {}", self.reason),
+        }
+    }
 }
 
 /// An attached image, found.
@@ -119,7 +130,7 @@ enum Wants {
 fn misfit(attached: &Attached, wants: Wants, found: &Found) -> Option<String> {
     let format = found.format;
     if !is_renderable(format) {
-        return Some(format!("nothing is drawn to images of {format:?}"));
+        return Some(format!("nothing is drawn to images of {}", format_name(format)));
     }
     match wants {
         Wants::Color if format.is_depth() => Some("a depth format cannot be a colour".to_owned()),
@@ -158,10 +169,15 @@ pub(super) fn completeness(context: &Context, name: GLuint) -> std::result::Resu
         };
         let reason = match find(attached) {
             Ok(found) => {
-                if *samples.get_or_insert(found.samples) != found.samples {
+                let first = *samples.get_or_insert(found.samples);
+                if first != found.samples {
                     return incomplete(
                         GL_FRAMEBUFFER_INCOMPLETE_MULTISAMPLE,
-                        format!("{} has {} samples, others differ", point(), found.samples),
+                        format!(
+                            "{} has {} samples a pixel, the attachments before have {first}",
+                            point(),
+                            found.samples
+                        ),
                     );
                 }
                 if let Some(fixed) = fixed_locations(context, attached)
@@ -193,7 +209,7 @@ pub(super) fn completeness(context: &Context, name: GLuint) -> std::result::Resu
     if samples.is_none() {
         return incomplete(
             GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT,
-            format!("framebuffer {name} has no attachment at all"),
+            "nothing is attached: call glFramebufferTexture2D or glFramebufferRenderbuffer".into(),
         );
     }
     if let (Some(depth), Some(stencil)) = (&object.depth, &object.stencil)
@@ -236,7 +252,7 @@ pub(super) fn selects_nothing(object: &Framebuffer) -> Option<String> {
 pub(super) fn checked_complete(context: &Context, name: GLuint) -> Result<()> {
     completeness(context, name).map_err(|incomplete| GlError {
         code: ErrorCode::InvalidFramebufferOperation,
-        rule: format!("framebuffer {name} is incomplete: {}", incomplete.reason),
+        rule: incomplete.rule(name),
         section: SECTION,
     })
 }

@@ -2,6 +2,7 @@
 
 use super::Region;
 use super::complete::{Readable, read_attachment};
+use crate::constants::*;
 use crate::context::Context;
 use crate::entry::DataOut;
 use crate::error::{Result, invalid_operation, not_negative};
@@ -72,17 +73,40 @@ pub(crate) fn source(context: &mut Context, what: Readable) -> Result<Pixels> {
     let attachment = read_attachment(context, what)?;
     match attachment.and_then(|attachment| settled(context, &attachment)) {
         Some(pixels) => Ok(pixels),
-        None => {
-            let kind = match what {
-                Readable::Color => "colour",
-                Readable::Depth => "depth",
-                Readable::Stencil => "stencil",
+        None => invalid_operation(SECTION, nothing_there(context, what)),
+    }
+}
+
+/// What is missing in the framebuffer that is read from, and what to do about it.
+fn nothing_there(context: &Context, what: Readable) -> String {
+    let name = context.state.bindings.read_framebuffer;
+    let object = context.objects.framebuffers.get(name);
+    let kind = match what {
+        Readable::Depth => "depth",
+        Readable::Stencil => "stencil",
+        Readable::Color => {
+            let read = object.map_or(context.window.selection.read, |object| object.selection.read);
+            let first = object.and_then(|object| object.colors.iter().position(Option::is_some));
+            let fix = match (object, first) {
+                (None, _) => "call glReadBuffer(GL_BACK)".to_owned(),
+                (Some(_), Some(first)) => format!("call glReadBuffer(GL_COLOR_ATTACHMENT{first})"),
+                (Some(_), None) => "no colour is attached at all".to_owned(),
             };
-            invalid_operation(
-                SECTION,
-                format!("the framebuffer that is read from has no {kind} buffer"),
-            )
+            return match read {
+                GL_NONE => format!("framebuffer {name} reads GL_NONE: {fix}"),
+                _ => format!(
+                    "framebuffer {name} reads {}, where nothing is attached: {fix}",
+                    enum_name(read)
+                ),
+            };
         }
+    };
+    match object {
+        Some(_) => format!(
+            "framebuffer {name}, which is read from, has nothing attached to GL_{}_ATTACHMENT",
+            kind.to_uppercase()
+        ),
+        None => format!("the default framebuffer, which is read from, has no {kind} buffer"),
     }
 }
 

@@ -8,7 +8,7 @@
 mod ast;
 mod builtins;
 mod check;
-mod diagnostics;
+pub(crate) mod diagnostics;
 mod hir;
 mod lexer;
 mod limits;

@@ -65,7 +65,10 @@ pub(crate) fn map_buffer_range(
     let object = bound(context, target)?;
     let range = range(object, offset, length)?;
     if access & !ALL != 0 {
-        return invalid_value(RANGE, format!("access = {access:#x} has bits that mean nothing"));
+        return invalid_value(
+            RANGE,
+            format!("access = {access:#x} has bits that are none of GL_MAP_..._BIT"),
+        );
     }
     let object = unmapped(object)?;
     let has = |bits| access & bits != 0;
@@ -89,7 +92,7 @@ pub(crate) fn map_buffer_range(
         return invalid_operation(RANGE, format!("access = {access:#x} {rule}"));
     }
     if range.is_empty() {
-        return invalid_operation(RANGE, "length = 0 maps nothing");
+        return invalid_operation(RANGE, "length = 0 must be above 0");
     }
     Ok(map(object, range, access).cast())
 }
@@ -102,10 +105,14 @@ pub(crate) fn flush_mapped_buffer_range(
 ) -> Result<()> {
     let object = bound(context, target)?;
     let Some(map) = &object.map else {
-        return invalid_operation(RANGE, "the buffer is not mapped");
+        return invalid_operation(RANGE, "the buffer is not mapped: call glMapBufferRange");
     };
     if map.access & GL_MAP_FLUSH_EXPLICIT_BIT == 0 {
-        return invalid_operation(RANGE, "the buffer was mapped without GL_MAP_FLUSH_EXPLICIT_BIT");
+        return invalid_operation(
+            RANGE,
+            "the buffer was mapped without GL_MAP_FLUSH_EXPLICIT_BIT: add it to the access of \
+             glMapBufferRange, or leave out the call",
+        );
     }
     let mapped = map.range.len();
     if range(object, offset, length)?.end > mapped {
@@ -126,7 +133,10 @@ pub(crate) fn unmap_buffer(context: &mut Context, target: GLenum) -> Result<bool
             context.recorder.hold(size);
             Ok(true)
         }
-        None => invalid_operation(SECTION, "the buffer is not mapped"),
+        None => invalid_operation(
+            SECTION,
+            "the buffer is not mapped: it never was, or glBufferData has ended it",
+        ),
     }
 }
 

@@ -188,7 +188,7 @@ pub(crate) fn buffer_data(
             None => {
                 return invalid_operation(
                     SECTION,
-                    format!("size = {size}, but the slice has {} bytes", source.len()),
+                    format!("size = {size}, but data has {} bytes", source.len()),
                 );
             }
         },
@@ -196,7 +196,9 @@ pub(crate) fn buffer_data(
             bytes.try_reserve_exact(size).map_err(|_| no_memory())?;
             bytes.resize(size, 0);
         }
-        Located::Offset(_) => return invalid_operation(SECTION, "data must be a slice or NULL"),
+        Located::Offset(_) => {
+            return invalid_operation(SECTION, "data is an offset; it must be memory or NULL");
+        }
     }
     object.buffer = Buffer::new(bytes);
     object.usage = usage;
@@ -251,11 +253,13 @@ pub(crate) fn buffer_sub_data(
         }
         Located::Bytes(source) => invalid_operation(
             SECTION,
-            format!("size = {size}, but the slice has {} bytes", source.len()),
+            format!("size = {size}, but data has {} bytes", source.len()),
         ),
         // What an empty vector of C++ gives.
         Located::Null | Located::Offset(_) if range.is_empty() => Ok(()),
-        Located::Null | Located::Offset(_) => invalid_operation(SECTION, "data must be a slice"),
+        Located::Null | Located::Offset(_) => {
+            invalid_operation(SECTION, "data is NULL or an offset; it must be memory")
+        }
     }
 }
 
@@ -273,13 +277,12 @@ pub(crate) fn get_buffer_sub_data(
             out[..range.len()].copy_from_slice(&object.buffer.bytes()[range]);
             Ok(())
         }
-        LocatedOut::Bytes(out) => invalid_operation(
-            SECTION,
-            format!("size = {size}, but the slice has {} bytes", out.len()),
-        ),
+        LocatedOut::Bytes(out) => {
+            invalid_operation(SECTION, format!("size = {size}, but data has {} bytes", out.len()))
+        }
         LocatedOut::Null | LocatedOut::Offset(_) if range.is_empty() => Ok(()),
         LocatedOut::Null | LocatedOut::Offset(_) => {
-            invalid_operation(SECTION, "data must be a slice")
+            invalid_operation(SECTION, "data is NULL or an offset; it must be memory")
         }
     }
 }

@@ -61,7 +61,7 @@ impl<T> Names<T> {
             let has = names.len();
             return invalid_operation(
                 section,
-                format!("n = {n}, but the slice has {has} elements"),
+                format!("n = {n}, but the memory has {has} elements"),
             );
         }
         let mut last = 0;
@@ -120,7 +120,7 @@ fn doomed<'a>(section: &'static str, n: GLsizei, names: &'a [GLuint]) -> Result<
         Some(names) => Ok(names),
         None => {
             let has = names.len();
-            invalid_operation(section, format!("n = {n}, but the slice has {has} elements"))
+            invalid_operation(section, format!("n = {n}, but the memory has {has} elements"))
         }
     }
 }

@@ -65,6 +65,18 @@ impl Query {
         self.target
     }
 
+    /// GL's name of the target.
+    fn target_name(&self) -> String {
+        enum_name(match self.target {
+            QueryTarget::Timestamp => GL_TIMESTAMP,
+            target @ (QueryTarget::SamplesPassed
+            | QueryTarget::AnySamplesPassed
+            | QueryTarget::TimeElapsed
+            | QueryTarget::PrimitivesGenerated
+            | QueryTarget::TransformFeedbackPrimitivesWritten) => TARGET.encode(target),
+        })
+    }
+
     /// Samples, as far as draws were carried out.
     pub fn samples(&self) -> u64 {
         self.counter.samples()
@@ -135,14 +147,21 @@ pub(crate) fn begin_query(context: &mut Context, target: GLenum, id: GLuint) -> 
     if id == 0 {
         return invalid_operation(SECTION, "id = 0 is no query: call glGenQueries");
     }
-    if *context.queries.slot(kind) != 0 || context.queries.is_active(id) {
-        return invalid_operation(
-            SECTION,
-            format!("a query of {} is active: glEndQuery is missing", enum_name(target)),
-        );
+    let active = *context.queries.slot(kind);
+    if let Some(query) = context.objects.queries.get(active).filter(|_| active != 0) {
+        let active = query.target_name();
+        let rule = format!("a query of {active} is active: glEndQuery is missing");
+        return invalid_operation(SECTION, rule);
     }
-    if context.objects.queries.get(id).is_some_and(|query| query.target != kind) {
-        return invalid_operation(SECTION, format!("query {id} is of another target"));
+    let before = context.objects.queries.get(id);
+    if let Some(query) = before.filter(|_| context.queries.is_active(id)) {
+        let active = query.target_name();
+        let rule = format!("query {id} is active as one of {active}: glEndQuery is missing");
+        return invalid_operation(SECTION, rule);
+    }
+    if let Some(query) = before.filter(|query| query.target != kind) {
+        let rule = format!("query {id} is one of {}: take another name", query.target_name());
+        return invalid_operation(SECTION, rule);
     }
     if kind == QueryTarget::TimeElapsed {
         submit(context);
@@ -202,8 +221,9 @@ pub(crate) fn query_counter(context: &mut Context, id: GLuint, target: GLenum) -
             format!("id = {id} must be a name that glGenQueries gave, and not be active"),
         );
     }
-    if context.objects.queries.get(id).is_some_and(|query| query.target != kind) {
-        return invalid_operation(COUNTER.section, format!("query {id} is of another target"));
+    if let Some(query) = context.objects.queries.get(id).filter(|query| query.target != kind) {
+        let rule = format!("query {id} is one of {}: take another name", query.target_name());
+        return invalid_operation(COUNTER.section, rule);
     }
     submit(context);
     let query = Query {

@@ -115,7 +115,10 @@ pub(crate) fn wait_sync(
     if flags != 0 || timeout != GL_TIMEOUT_IGNORED {
         return invalid_value(
             SECTION,
-            format!("flags = {flags:#x} and timeout = {timeout:#x} must be 0, GL_TIMEOUT_IGNORED"),
+            format!(
+                "flags = {flags:#x} must be 0, and timeout = {timeout:#x} must be \
+                 GL_TIMEOUT_IGNORED"
+            ),
         );
     }
     Ok(())

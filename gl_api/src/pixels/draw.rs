@@ -91,7 +91,9 @@ pub(crate) fn draw_pixels(
     let layout = Layout::new(&context.state.unpack, pixel, [width, height, 1], Extent::Flat)?;
     draw_pass(context)?;
     check_target(context, pixel)?;
-    let Some(source) = memory::pixel_source(context, &layout, pixels)? else { return Ok(()) };
+    let Some(source) = memory::pixel_source(context, "glDrawPixels", &layout, pixels)? else {
+        return Ok(());
+    };
     if record::pixels(context, record::Kind::DrawPixels) != Mode::Render {
         return Ok(());
     }

@@ -186,7 +186,7 @@ fn filled<const N: usize>(components: [f64; N]) -> [f64; 4] {
 fn first<const N: usize, T: Copy>(v: &[T]) -> Result<[T; N]> {
     match v.first_chunk() {
         Some(components) => Ok(*components),
-        None => invalid_operation(SECTION, format!("v has {} of {N} components", v.len())),
+        None => invalid_operation(SECTION, format!("v has {} of {N} numbers", v.len())),
     }
 }
 

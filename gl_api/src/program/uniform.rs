@@ -84,7 +84,7 @@ fn store(
         return invalid_operation(
             SECTION,
             format!(
-                "count = {count} elements take {} numbers, the slice has {given}",
+                "count = {count} elements take {} numbers, the memory has {given}",
                 count * each
             ),
         );

@@ -3,7 +3,7 @@
 use crate::constants::*;
 use crate::context::Context;
 use crate::context::debug::Output;
-use crate::error::{Result, Table};
+use crate::error::{Result, Table, invalid_enum};
 use crate::evaluate::Name;
 use crate::evaluate::map::MAP;
 use crate::interface::{
@@ -11,7 +11,7 @@ use crate::interface::{
     ATTRIB_SECONDARY_COLOR, ATTRIB_TEX_COORD, ATTRIB_VERTEX, TexCoord,
 };
 use crate::state::material::keep_tracked;
-use crate::texture::TextureTarget;
+use crate::texture::{TARGET, TextureTarget};
 use crate::types::*;
 
 /// A capability of the context as a whole, as its bit in [`Enables`].
@@ -76,7 +76,7 @@ pub(crate) enum Capability {
     Map(Name),
 }
 
-/// What is implemented; anything else is `GL_INVALID_ENUM` with this list in the message.
+/// What is implemented; anything else is `GL_INVALID_ENUM`.
 /// `GL_DITHER` changes nothing, and messages are always synchronous.
 pub(crate) const CAPABILITY: Table<Capability> = Table {
     section: "GL 2.1, table 6.22 and others; what DetGL implements",
@@ -153,15 +153,22 @@ pub(crate) const CAPABILITY: Table<Capability> = Table {
 
 /// A capability of any kind.
 fn capability(cap: GLenum) -> Result<Capability> {
-    match MAP.get(cap) {
-        Some(map) => Ok(Capability::Map(map)),
-        None => CAPABILITY.decode("cap", cap),
+    if let Some(map) = MAP.get(cap) {
+        return Ok(Capability::Map(map));
     }
+    if CAPABILITY.get(cap).is_none() && TARGET.get(cap).is_some() {
+        let rule = format!(
+            "cap = {}: a texture of this target is sampled by shaders alone, which need no glEnable",
+            enum_name(cap)
+        );
+        return invalid_enum(CAPABILITY.section, rule);
+    }
+    CAPABILITY.decode("cap", cap)
 }
 
 /// Whether `glIsEnabled` and `glGet` know a capability.
 pub(crate) fn is_capability(cap: GLenum) -> bool {
-    capability(cap).is_ok() || CLIENT_ARRAY.get(cap).is_some()
+    CAPABILITY.get(cap).is_some() || MAP.get(cap).is_some() || CLIENT_ARRAY.get(cap).is_some()
 }
 
 /// Which flags are on.

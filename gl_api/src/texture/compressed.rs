@@ -59,7 +59,7 @@ fn checked_slice(has: &[u8], bytes: usize) -> Result<&[u8]> {
         Some(blocks) => Ok(blocks),
         None => invalid_operation(
             SECTION,
-            format!("imageSize = {bytes}, but the slice has {} bytes", has.len()),
+            format!("imageSize = {bytes}, but the memory has {} bytes", has.len()),
         ),
     }
 }

@@ -1,6 +1,6 @@
 //! `glCopyTexImage` and `glCopyTexSubImage`: GL 2.1, section 3.8.2.
 
-use super::internal::{COMPRESSED_FORMAT, INTERNAL_FORMAT};
+use super::internal::{COMPRESSED_FORMAT, INTERNAL_FORMAT, format_name};
 use super::specify::{Request, store_level};
 use super::sub::{checked_area, room, write_area};
 use super::target::{Dimensions, ImageTarget};
@@ -23,7 +23,11 @@ fn copied(context: &mut Context, region: Region, format: Format) -> Result<Vec<u
     if source.format().is_integer() != format.is_integer() {
         return invalid_operation(
             "EXT_texture_integer, section 3.8.2",
-            "integers stay integers, and other colours other colours",
+            format!(
+                "{} is not converted to {}: integers stay integers, and other colours other colours",
+                format_name(source.format()),
+                format_name(format)
+            ),
         );
     }
     if source.format().is_depth() != format.is_depth() {

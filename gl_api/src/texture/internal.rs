@@ -304,6 +304,12 @@ pub(crate) fn sized_format(internal: GLenum) -> Option<Format> {
     INTERNAL_FORMAT.get(internal).or_else(|| COMPRESSED_FORMAT.get(internal))
 }
 
+/// GL's name of a format: the last that is stored so, which is the most exact.
+pub(crate) fn format_name(format: Format) -> String {
+    let rows = INTERNAL_FORMAT.rows.iter().chain(STENCIL_FORMAT.rows).chain(COMPRESSED_FORMAT.rows);
+    rows.rev().find(|row| row.1 == format).map_or_else(String::new, |row| enum_name(row.0))
+}
+
 /// The format of a texture image; the numbers 1 to 4 count too.
 pub(crate) fn texture_format(internal: GLenum) -> Option<Format> {
     let named = INTERNAL_FORMAT.get(internal).or_else(|| COMPRESSED_FORMAT.get(internal));

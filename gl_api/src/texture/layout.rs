@@ -193,7 +193,7 @@ impl Layout {
             "GL 2.1, section 3.6.4",
             format!(
                 "{width}×{height}{images} pixels of {each}, rows {} bytes apart, take {} bytes; \
-                 the slice has {has}{hint}",
+                 the memory has {has}{hint}",
                 self.stride, self.needed
             ),
         )

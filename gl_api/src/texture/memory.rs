@@ -5,6 +5,7 @@ use super::layout::Layout;
 use crate::context::Context;
 use crate::entry::{Data, DataOut, Located, LocatedOut};
 use crate::error::{Result, invalid_operation};
+use crate::state::pixel_store::PixelStore;
 use crate::types::GLuint;
 use rasterizer::driver::Buffer;
 
@@ -41,19 +42,26 @@ pub(crate) fn source<'a>(
         (Some(_), Located::Bytes(_)) => slice_and_buffer("GL_PIXEL_UNPACK_BUFFER"),
         (Some(object), Located::Null) => Ok(Some(Source::Buffer(object.buffer.clone(), 0))),
         (Some(object), Located::Offset(offset)) => {
-            check_offset(offset, object.buffer.bytes().len())?;
+            check_offset(offset, object.buffer.bytes().len(), name, "GL_PIXEL_UNPACK_BUFFER")?;
             Ok(Some(Source::Buffer(object.buffer.clone(), offset)))
         }
     }
 }
 
-/// The client's pixels, with enough bytes for the layout, or `None` for a null pointer.
+/// The client's pixels, with enough bytes for the layout, or `None` for a null pointer; `call` is
+/// named where they may not lie as they are read.
 pub(crate) fn pixel_source<'a>(
-    context: &Context,
+    context: &mut Context,
+    call: &'static str,
     layout: &Layout,
     pixels: Data<'a>,
 ) -> Result<Option<Source<'a>>> {
+    // How long a pointer's memory is, nobody knows.
+    let unknown = matches!(pixels, Data::Client(_));
     let source = source(context, pixels, layout.needed)?;
+    if unknown && matches!(source, Some(Source::Client(_))) {
+        check_alignment(context, call, layout);
+    }
     if let Some(source) = &source {
         layout.check_length(source.bytes().len(), "GL_UNPACK_ALIGNMENT")?;
         if let Source::Buffer(_, offset) = source {
@@ -61,6 +69,22 @@ pub(crate) fn pixel_source<'a>(
         }
     }
     Ok(source)
+}
+
+/// Warns where rows are padded because nobody has said otherwise: the commonest reason of skewed
+/// pictures, and of reading past the client's memory.
+fn check_alignment(context: &mut Context, call: &'static str, layout: &Layout) {
+    let unpack = &context.state.unpack;
+    let (tight, apart, [_, height, depth]) = (layout.row_bytes(), layout.stride, layout.size);
+    let default = PixelStore::default().alignment;
+    if unpack.alignment != default || unpack.row_length != 0 || height * depth < 2 || apart == tight
+    {
+        return;
+    }
+    context.debug.warn(format!(
+        "{call}: rows of {tight} bytes are read {apart} apart, as GL_UNPACK_ALIGNMENT is \
+         {default}: if they are packed, call glPixelStorei(GL_UNPACK_ALIGNMENT, 1)"
+    ));
 }
 
 /// Lets `write` write `needed` bytes to where a call's `pixels` are.
@@ -88,7 +112,7 @@ pub(crate) fn write_bytes(
         (Some(object), out @ (LocatedOut::Null | LocatedOut::Offset(_))) => {
             let offset = if let LocatedOut::Offset(offset) = out { offset } else { 0 };
             let length = object.buffer.bytes().len();
-            check_offset(offset, length)?;
+            check_offset(offset, length, name, "GL_PIXEL_PACK_BUFFER")?;
             check_room(length - offset, needed)?;
             write(&mut object.buffer.bytes_mut()[offset..]);
             Ok(())
@@ -132,13 +156,17 @@ fn check_room(has: usize, needed: usize) -> Result<()> {
     invalid_operation(SECTION, format!("{needed} bytes are needed; there are {has}"))
 }
 
-fn check_offset(offset: usize, length: usize) -> Result<()> {
+fn check_offset(offset: usize, length: usize, buffer: GLuint, target: &str) -> Result<()> {
     if offset <= length {
         return Ok(());
     }
     invalid_operation(
         SECTION,
-        format!("pixels = offset {offset} lies behind the buffer's {length} bytes"),
+        format!(
+            "pixels = offset {offset} lies behind the {length} bytes of buffer {buffer}: while it \
+             is bound to {target}, pixels is an offset; if it is memory, call \
+             glBindBuffer({target}, 0)"
+        ),
     )
 }
 

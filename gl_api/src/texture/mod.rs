@@ -34,6 +34,7 @@ use crate::context::{Context, limits};
 use crate::error::{ErrorCode, GlError};
 use crate::types::*;
 use buffer::DataStore;
+use internal::format_name;
 use rasterizer::driver::{Device, Image};
 use sampler::SamplerState;
 use std::sync::Arc;
@@ -41,7 +42,7 @@ pub(crate) use target::{
     FACE_TARGET, FaceTarget, TARGET, TextureTarget, attachable_target, checked_level,
 };
 use texunit::format::Format;
-use texunit::image::{Image as Texels, ImageError};
+use texunit::image::{Image as Texels, ImageError, Incomplete};
 use texunit::plan::SamplePlan;
 use texunit::sampler::{Filter, Mipmap, Sampler, Wrap};
 
@@ -203,7 +204,23 @@ impl Texture {
         if self.target.is_multisample() && self.image.level(0, 0).is_none() {
             return Some("it has no image: give it one with glTexImage2DMultisample or 3D".into());
         }
-        self.image.texels().completeness(sampler).err().map(|reason| reason.to_string())
+        let reason = self.image.texels().completeness(sampler).err()?;
+        Some(match reason {
+            Incomplete::MixedFormats { got, expected, .. } => {
+                format!("{reason}: {} is not {}", format_name(got), format_name(expected))
+            }
+            Incomplete::FilteredIntegers { format, .. } => {
+                format!("{reason} (they are of {})", format_name(format))
+            }
+            Incomplete::NoBase { .. }
+            | Incomplete::Empty { .. }
+            | Incomplete::NoLevels { .. }
+            | Incomplete::Missing { .. }
+            | Incomplete::WrongSize { .. }
+            | Incomplete::MixedBorders { .. }
+            | Incomplete::NotSquare { .. }
+            | Incomplete::UnequalFaces { .. } => reason.to_string(),
+        })
     }
 }
 

@@ -5,7 +5,7 @@ use super::{TARGET, TextureTarget, bound, bound_mut};
 use crate::constants::*;
 use crate::context::Context;
 use crate::env::symbol;
-use crate::error::{Result, Table, invalid_enum, invalid_operation, invalid_value};
+use crate::error::{Result, Table, invalid_enum, invalid_operation, invalid_value, must_be};
 use crate::query::put;
 use crate::state::clamp;
 use crate::state::viewport::unit;
@@ -83,10 +83,9 @@ fn parameter(pname: GLenum) -> Result<Parameter> {
         None => invalid_enum(
             SECTION,
             format!(
-                "pname = {} must be {}, {}",
+                "pname = {} {}",
                 enum_name(pname),
-                SAMPLER_PARAMETER.list(),
-                PARAMETER.list()
+                must_be(pname, &[SAMPLER_PARAMETER.values(), PARAMETER.values()].concat())
             ),
         ),
     }

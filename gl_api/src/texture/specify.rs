@@ -12,7 +12,7 @@ use super::{
 use crate::constants::*;
 use crate::context::Context;
 use crate::entry::Data;
-use crate::error::{Result, invalid_operation, invalid_value, not_negative};
+use crate::error::{Result, invalid_operation, invalid_value, must_be, not_negative};
 use crate::types::*;
 use texunit::format::Format;
 use texunit::image::{FACES, Level};
@@ -25,11 +25,14 @@ pub(super) fn checked_internal(internal: GLenum) -> Result<Format> {
         Some(format) => Ok(format),
         None => invalid_value(
             SECTION,
-            format!(
-                "internalformat = {} must be 1 to 4, {}",
-                enum_name(internal),
-                INTERNAL_FORMAT.list()
-            ),
+            match internal {
+                0..=9 => format!("internalformat = {internal} must be 1 to 4, or a format's name"),
+                _ => format!(
+                    "internalformat = {} {}",
+                    enum_name(internal),
+                    must_be(internal, &INTERNAL_FORMAT.values())
+                ),
+            },
         ),
     }
 }
@@ -273,7 +276,7 @@ fn tex_image(
     let extent = extent(dimensions);
     let size = request.given.map(|side| side as usize);
     let layout = Layout::new(&context.state.unpack, pixel, size, extent)?;
-    let source = pixel_source(context, &layout, pixels.data)?;
+    let source = pixel_source(context, "glTexImage", &layout, pixels.data)?;
     let texels = match (source, format.block()) {
         (None, _) => request.storage()?,
         (Some(source), None) => {

@@ -43,7 +43,10 @@ pub(super) fn checked_area(
     let Some(texels) = image.level(target.face.into(), level) else {
         return invalid_operation(
             SECTION,
-            format!("level {level} has no image yet: call glTexImage2D first"),
+            format!(
+                "level {level} has no image yet: call {} first",
+                target.target.shape().image_call()
+            ),
         );
     };
     let limits = target.target.level_box(texels.size());
@@ -114,7 +117,7 @@ fn tex_sub_image(
     if layout.needed == 0 {
         return Ok(());
     }
-    let Some(source) = pixel_source(context, &layout, pixels)? else {
+    let Some(source) = pixel_source(context, "glTexSubImage", &layout, pixels)? else {
         return invalid_operation(
             SECTION,
             format!("pixels must not be NULL: {} bytes are needed", layout.needed),

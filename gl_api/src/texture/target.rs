@@ -2,7 +2,7 @@
 
 use crate::constants::*;
 use crate::context::limits;
-use crate::error::{Result, Table, invalid_enum, invalid_value};
+use crate::error::{Result, Table, invalid_enum, invalid_value, must_be};
 use crate::glsl::Dim;
 use crate::types::*;
 use texunit::image::Shape;
@@ -352,11 +352,12 @@ pub(crate) fn any_image(target: GLenum) -> Result<ImageTarget> {
         None => invalid_enum(
             SECTION,
             format!(
-                "target = {} must be {}, {} or {}",
+                "target = {} {}",
                 enum_name(target),
-                IMAGE_1D.list(),
-                IMAGE_2D.list(),
-                IMAGE_3D.list()
+                must_be(
+                    target,
+                    &[IMAGE_1D.values(), IMAGE_2D.values(), IMAGE_3D.values()].concat()
+                )
             ),
         ),
     }

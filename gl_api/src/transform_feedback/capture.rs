@@ -31,7 +31,11 @@ pub(crate) fn draw(
     if Kind::of(topology) != active.kind {
         return invalid_operation(
             SECTION,
-            format!("a draw of {topology:?}, but {:?} are captured", active.kind),
+            format!(
+                "mode draws {}, but glBeginTransformFeedback was called for {}",
+                Kind::of(topology).noun(),
+                active.kind.noun()
+            ),
         );
     }
     let Some(layout) = Layout::of(context) else { return Ok(()) };

@@ -51,6 +51,14 @@ impl Kind {
         }
     }
 
+    fn noun(self) -> &'static str {
+        match self {
+            Self::Points => "points",
+            Self::Lines => "lines",
+            Self::Triangles => "triangles",
+        }
+    }
+
     /// How many vertices one has.
     fn corners(self) -> usize {
         match self {

@@ -11,7 +11,7 @@ mod stack;
 
 use gl_api::{COMMANDS, Context, GLenum, implemented};
 use std::collections::BTreeSet;
-use std::ffi::{c_char, c_void};
+use std::ffi::{CStr, c_char, c_void};
 use std::ptr::null_mut;
 
 type Handle = *mut c_void;
@@ -44,6 +44,29 @@ unsafe extern "C" {
     fn glClearColor(r: f32, g: f32, b: f32, a: f32);
     fn glClear(mask: u32);
     fn glDisable(cap: GLenum);
+    fn glEnable(cap: GLenum);
+    fn glTexImage2D(
+        target: GLenum,
+        level: i32,
+        internal: i32,
+        width: i32,
+        height: i32,
+        border: i32,
+        format: GLenum,
+        ty: GLenum,
+        pixels: *const c_void,
+    );
+    fn glPixelStorei(pname: GLenum, value: i32);
+    fn glGetDebugMessageLog(
+        count: u32,
+        room: i32,
+        sources: *mut GLenum,
+        types: *mut GLenum,
+        ids: *mut u32,
+        severities: *mut GLenum,
+        lengths: *mut i32,
+        text: *mut c_char,
+    ) -> u32;
     fn glGetIntegerv(pname: GLenum, values: *mut i32);
     fn glFinish();
     fn glEnable(cap: GLenum);
@@ -130,6 +153,69 @@ fn pixel() -> [u8; 4] {
         );
     }
     pixel
+}
+
+/// A context that is current on this thread, with what there is to be said of calls.
+fn logging() {
+    let (dpy, config) = display();
+    // SAFETY: every pointer is null or a local list that ends with EGL_NONE.
+    unsafe {
+        let surface = eglCreatePbufferSurface(dpy, config, SURFACE.as_ptr());
+        let context = eglCreateContext(dpy, config, null_mut(), null_mut());
+        assert_eq!(eglMakeCurrent(dpy, surface, surface, context), 1);
+        glEnable(gl_api::GL_DEBUG_OUTPUT);
+    }
+}
+
+/// Takes a message, if there is one.
+fn message() -> Option<String> {
+    let mut text = vec![0_u8; 4096];
+    let none: Handle = null_mut();
+    // SAFETY: as many bytes as it says.
+    let taken = unsafe {
+        glGetDebugMessageLog(
+            1,
+            4096,
+            none.cast(),
+            none.cast(),
+            none.cast(),
+            none.cast(),
+            none.cast(),
+            text.as_mut_ptr().cast(),
+        )
+    };
+    let text = CStr::from_bytes_until_nul(&text).expect("ends with zero");
+    (taken == 1).then(|| text.to_string_lossy().into_owned())
+}
+
+#[test]
+fn rows_that_may_be_packed_are_told_of() {
+    logging();
+    let image = |width, height, format| {
+        let pixels = [0_u8; 64];
+        // SAFETY: the rows take no more bytes than there are, padded or not.
+        unsafe {
+            let (target, ty) = (gl_api::GL_TEXTURE_2D, gl_api::GL_UNSIGNED_BYTE);
+            let pixels = pixels.as_ptr().cast();
+            glTexImage2D(target, 0, gl_api::GL_RGB as i32, width, height, 0, format, ty, pixels);
+        }
+    };
+    let (rgb, rgba) = (gl_api::GL_RGB, gl_api::GL_RGBA);
+    image(3, 1, rgb);
+    image(4, 3, rgb);
+    image(3, 3, rgba);
+    assert_eq!(message(), None, "nothing is padded");
+    image(3, 3, rgb);
+    let text = "glTexImage: rows of 9 bytes are read 12 apart, as GL_UNPACK_ALIGNMENT is 4: if they \
+                are packed, call glPixelStorei(GL_UNPACK_ALIGNMENT, 1)";
+    assert_eq!(message().as_deref(), Some(text));
+    // SAFETY: no pointers.
+    unsafe { glPixelStorei(gl_api::GL_UNPACK_ALIGNMENT, 1) };
+    image(1, 3, rgb);
+    // SAFETY: no pointers.
+    unsafe { glPixelStorei(gl_api::GL_UNPACK_ALIGNMENT, 2) };
+    image(3, 3, rgb);
+    assert_eq!(message(), None, "said so");
 }
 
 /// Fills what is drawn to.

@@ -13,6 +13,12 @@ const WRONG: &[(&str, &str)] = &[
     ("!!ARBvp1.0\n^FOO a, b;\nEND", "FOO is no instruction"),
     ("!!ARBvp1.0\nMOV result.position, vertex.position\n^END", "expected ';'"),
     ("!!ARBvp1.0\nTEMP a;\n^COS a, a.x;\nEND", "no instruction"),
+    ("!!ARBvp1.0\nTEMP a;\n  ^MOVE a, a;\nEND", "MOVE is no instruction: did you mean MOV?"),
+    ("!!ARBfp1.0\nTEMP a;\n^mul_sat a, a, a;\nEND", "did you mean MUL_SAT?"),
+    ("!!ARBvp1.0\nTEMP color;\nMOV ^colour, color;\nEND", "did you mean color?"),
+    ("!!ARBvp1.0\nMOV result^.colour, vertex.color;\nEND", "result.colour: did you mean color?"),
+    ("!!ARBvp1.0\nMOV result.color, ^vertex.colour;\nEND", "vertex.colour: did you mean color?"),
+    ("!!ARBfp1.0\nMOV result.color, ^fragment.colr;\nEND", "fragment.colr: did you mean color?"),
     ("!!ARBvp1.0\nTEMP a;\n^MOV_SAT a, a;\nEND", "no instruction"),
     ("!!ARBvp1.0\nTEMP a;\n^OPTION ARB_position_invariant;\nEND", "no instruction"),
     ("!!ARBvp1.0\nOPTION ^ARB_fog_exp;\nEND", "no option"),
@@ -93,7 +99,12 @@ fn what_is_wrong_is_told_with_its_place() {
         let message = c.get_string(GL_PROGRAM_ERROR_STRING_ARB);
         assert!(message.contains(words), "{marked}: {message}");
         let line = text[..position].matches('\n').count() + 1;
-        assert!(message.starts_with(&format!("line {line}: ")), "{marked}: {message}");
+        let begin = text[..position].rfind('\n').map_or(0, |at| at + 1);
+        let quoted = text[begin..].lines().next().unwrap_or_default().trim();
+        let place = format!("line {line}, column {}, in \"", position - begin + 1);
+        assert!(message.starts_with(&place), "{marked}: {message}");
+        let quoted = &quoted[..quoted.len().min(40)];
+        assert!(message[place.len()..].starts_with(quoted), "{marked}: {message}");
         let mut found = [0];
         c.get_integerv(GL_PROGRAM_ERROR_POSITION_ARB, &mut found);
         assert_eq!(found, [position as GLint], "{marked}: {message}");

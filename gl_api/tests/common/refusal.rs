@@ -29,6 +29,9 @@ pub fn refused() -> BTreeSet<String> {
 /// `prepared` says which answers they change.
 pub fn run(c: &mut Context, row: &Row<'_>) -> Result<(), String> {
     let Row { name, call, flag, words } = row;
+    if words.is_empty() {
+        return Err(format!("{name}: no words that the message must have"));
+    }
     let before = digest(c);
     call(c);
     let messages: Vec<String> = c.messages().iter().map(ToString::to_string).collect();

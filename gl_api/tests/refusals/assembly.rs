@@ -83,7 +83,11 @@ const ROWS: &[Case] = &[
     (|c| c.get_program_env_parameterdv(VERTEX, 256, &mut [0.0; 4]), GL_INVALID_VALUE, "beyond"),
     (|c| c.get_program_local_parameterfv(VERTEX, 2048, &mut [0.0; 4]), GL_INVALID_VALUE, "beyond"),
     (|c| c.get_program_local_parameterdv(GL_RGBA, 0, &mut [0.0; 4]), GL_INVALID_ENUM, "target"),
-    (|c| c.get_assembly_programiv(GL_RGBA, GL_PROGRAM_LENGTH_ARB, &mut [0]), GL_INVALID_ENUM, ""),
+    (
+        |c| c.get_assembly_programiv(GL_RGBA, GL_PROGRAM_LENGTH_ARB, &mut [0]),
+        GL_INVALID_ENUM,
+        "target = GL_RGBA must be GL_VERTEX_PROGRAM_ARB",
+    ),
     (|c| c.get_assembly_programiv(VERTEX, GL_RGBA, &mut [0]), GL_INVALID_ENUM, "GL_RGBA"),
     (
         |c| c.get_assembly_programiv(VERTEX, GL_PROGRAM_TEX_INSTRUCTIONS_ARB, &mut [0]),

@@ -146,8 +146,8 @@ const CASES: &[Case] = &[
         GL_INVALID_VALUE,
         "drawbuffer = 2",
     ),
-    (nothing, |c| c.raster_pos_2fv(&[0.0]), GL_INVALID_OPERATION, "1 of 2 components"),
-    (nothing, |c| c.window_pos_3iv(&[0]), GL_INVALID_OPERATION, "1 of 3 components"),
+    (nothing, |c| c.raster_pos_2fv(&[0.0]), GL_INVALID_OPERATION, "1 of 2 numbers"),
+    (nothing, |c| c.window_pos_3iv(&[0]), GL_INVALID_OPERATION, "1 of 3 numbers"),
     (nothing, |c| c.pixel_zoom(f32::NAN, 1.0), GL_INVALID_VALUE, "xfactor = NaN"),
     (
         nothing,
@@ -177,7 +177,7 @@ const CASES: &[Case] = &[
         nothing,
         |c| c.draw_pixels(2, 2, GL_RGBA, GL_FLOAT, Data::Bytes(&[0; 16])),
         GL_INVALID_OPERATION,
-        "the slice has 16",
+        "has 16",
     ),
     (nothing, |c| c.copy_pixels(0, 0, -1, 1, GL_COLOR), GL_INVALID_VALUE, "width = -1"),
     (nothing, |c| c.copy_pixels(0, 0, 1, -1, GL_COLOR), GL_INVALID_VALUE, "height = -1"),
@@ -199,7 +199,7 @@ const CASES: &[Case] = &[
         nothing,
         |c| c.bitmap(9, 2, 0.0, 0.0, 0.0, 0.0, Data::Bytes(&[0; 3])),
         GL_INVALID_OPERATION,
-        "take 6 bytes; the slice has 3",
+        "take 6 bytes; the memory has 3",
     ),
     (nothing, |c| blit(c, 1, GL_NEAREST), GL_INVALID_VALUE, "mask = 0x1"),
     (nothing, |c| blit(c, GL_COLOR_BUFFER_BIT, GL_LINEAR_MIPMAP_LINEAR), GL_INVALID_ENUM, "filter"),
@@ -363,7 +363,7 @@ const CASES: &[Case] = &[
             c.clear(GL_COLOR_BUFFER_BIT);
         },
         GL_INVALID_FRAMEBUFFER_OPERATION,
-        "no attachment at all",
+        "framebuffer 1 is incomplete: nothing is attached",
     ),
     (
         |c| {
@@ -374,7 +374,7 @@ const CASES: &[Case] = &[
             c.read_pixels(0, 0, 1, 1, GL_STENCIL_INDEX, GL_BYTE, DataOut::Bytes(&mut [0; 4]));
         },
         GL_INVALID_OPERATION,
-        "no stencil buffer",
+        "has nothing attached to GL_STENCIL_ATTACHMENT",
     ),
     (
         |c| {
@@ -390,7 +390,13 @@ const CASES: &[Case] = &[
 ];
 
 /// A new renderbuffer at a point of the bound framebuffer.
-fn renderbuffer(c: &mut Context, point: GLenum, internal: GLenum, width: i32, height: i32) {
+pub(super) fn renderbuffer(
+    c: &mut Context,
+    point: GLenum,
+    internal: GLenum,
+    width: i32,
+    height: i32,
+) {
     let mut name = [0];
     c.gen_renderbuffers(1, &mut name);
     c.bind_renderbuffer(GL_RENDERBUFFER, name[0]);
@@ -399,7 +405,7 @@ fn renderbuffer(c: &mut Context, point: GLenum, internal: GLenum, width: i32, he
 }
 
 /// A new framebuffer object, bound.
-fn framebuffer(c: &mut Context) {
+pub(super) fn framebuffer(c: &mut Context) {
     let mut name = [0];
     c.gen_framebuffers(1, &mut name);
     c.bind_framebuffer(GL_FRAMEBUFFER, name[0]);
@@ -418,7 +424,11 @@ pub fn run() {
 type Incomplete = (fn(&mut Context), GLenum, &'static str);
 
 const INCOMPLETE: &[Incomplete] = &[
-    (|_| {}, GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT, "no attachment at all"),
+    (
+        |_| {},
+        GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT,
+        "framebuffer 1 is incomplete: nothing is attached",
+    ),
     (
         |c| renderbuffer(c, C0, GL_DEPTH_COMPONENT24, 2, 2),
         GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT,
@@ -460,7 +470,7 @@ const INCOMPLETE: &[Incomplete] = &[
             c.renderbuffer_storage_multisample(GL_RENDERBUFFER, 4, GL_RGBA8, 2, 2);
         },
         GL_FRAMEBUFFER_INCOMPLETE_MULTISAMPLE,
-        "4 samples",
+        "GL_COLOR_ATTACHMENT1 has 4 samples a pixel, the attachments before have 1",
     ),
     (
         |c| {

@@ -17,6 +17,7 @@ mod packed;
 mod parts;
 mod programs;
 mod queries;
+mod reading;
 mod rest;
 mod short;
 mod textures;
@@ -68,6 +69,7 @@ fn each_refusal_sets_its_flag_says_why_and_changes_nothing_and_each_call_has_one
         parts::run,
         programs::run,
         queries::run,
+        reading::run,
         rest::run,
         short::run,
         textures::run,

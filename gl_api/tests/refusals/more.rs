@@ -63,12 +63,22 @@ const CASES: &[Case] = &[
         VALUE,
         "mapsize = 6",
     ),
-    (nothing, |c| c.pixel_mapuiv(GL_PIXEL_MAP_R_TO_R, 6, (&[0_u32; 5]).arg()), OPERATION, ""),
+    (
+        nothing,
+        |c| c.pixel_mapuiv(GL_PIXEL_MAP_R_TO_R, 6, (&[0_u32; 5]).arg()),
+        OPERATION,
+        "values has fewer",
+    ),
     (nothing, |c| c.get_pixel_mapfv(GL_MAP_COLOR, (&mut [0.0_f32]).arg()), ENUM, "GL_MAP_COLOR"),
     (nothing, |c| c.get_pixel_mapuiv(GL_MAP_COLOR, (&mut [0_u32]).arg()), ENUM, "GL_MAP_COLOR"),
     (nothing, |c| c.get_pixel_mapusv(GL_MAP_COLOR, (&mut [0_u16]).arg()), ENUM, "GL_MAP_COLOR"),
     // Storage for good.
-    (stored, |c| c.tex_storage_2d(GL_TEXTURE_2D, 1, GL_RGBA8, 4, 4), OPERATION, ""),
+    (
+        stored,
+        |c| c.tex_storage_2d(GL_TEXTURE_2D, 1, GL_RGBA8, 4, 4),
+        OPERATION,
+        "has storage for good already",
+    ),
     (nothing, |c| c.tex_storage_1d(GL_TEXTURE_2D, 1, GL_RGBA8, 4), ENUM, "GL_TEXTURE_1D"),
     (nothing, |c| c.tex_storage_3d(GL_TEXTURE_2D, 1, GL_RGBA8, 4, 4, 4), ENUM, "GL_TEXTURE_3D"),
     // Several samples a texel.
@@ -91,9 +101,14 @@ const CASES: &[Case] = &[
         nothing,
         |c| c.tex_image_2d_multisample(MS, 4, GL_RGBA32F, 8192, 8192, true),
         GL_OUT_OF_MEMORY,
-        "",
+        "a level of 8192×8192×4 texels is too large",
     ),
-    (stored_samples, |c| c.tex_image_2d_multisample(MS, 4, GL_RGBA8, 4, 4, true), OPERATION, ""),
+    (
+        stored_samples,
+        |c| c.tex_image_2d_multisample(MS, 4, GL_RGBA8, 4, 4, true),
+        OPERATION,
+        "given for good by glTexStorage",
+    ),
     (
         stored_samples,
         |c| c.tex_storage_2d_multisample(MS, 4, GL_RGBA8, 4, 4, true),
@@ -201,11 +216,21 @@ const CASES: &[Case] = &[
     (nothing, |c| assert_eq!(c.render_mode(GL_FEEDBACK), 0), OPERATION, "glFeedbackBuffer first"),
     (nothing, |c| c.select_buffer(-1, DataOut::Null), VALUE, "size = -1"),
     (selecting, |c| c.select_buffer(1, DataOut::Null), OPERATION, "the mode is GL_SELECT"),
-    (nothing, |c| c.select_buffer(4, DataOut::Bytes(&mut [0; 16])), OPERATION, "cannot be a slice"),
+    (
+        nothing,
+        |c| c.select_buffer(4, DataOut::Bytes(&mut [0; 16])),
+        OPERATION,
+        "cannot be memory that is borrowed",
+    ),
     (nothing, |c| c.feedback_buffer(-1, GL_2D, DataOut::Null), VALUE, "size = -1"),
     (nothing, |c| c.feedback_buffer(1, GL_RGBA, DataOut::Null), ENUM, "type = GL_RGBA"),
     (feeding_back, |c| c.feedback_buffer(1, GL_2D, DataOut::Null), OPERATION, "GL_FEEDBACK"),
-    (nothing, |c| c.feedback_buffer(1, GL_2D, DataOut::Offset(4)), OPERATION, "cannot be a slice"),
+    (
+        nothing,
+        |c| c.feedback_buffer(1, GL_2D, DataOut::Offset(4)),
+        OPERATION,
+        "cannot be memory that is borrowed",
+    ),
     (selecting, |c| c.load_name(1), OPERATION, "call glPushName"),
     (selecting, |c| c.pop_name(), GL_STACK_UNDERFLOW, "glPushName is missing"),
     (
@@ -234,7 +259,7 @@ const CASES: &[Case] = &[
         |c| c.bind_framebuffer(GL_FRAMEBUFFER, 1),
         |c| c.accum(GL_LOAD, 1.0),
         GL_INVALID_FRAMEBUFFER_OPERATION,
-        "no attachment",
+        "framebuffer 1 is incomplete: nothing is attached",
     ),
     (counted, |c| c.begin_conditional_render(1, GL_LINE), ENUM, "mode = GL_LINE"),
     (nothing, |c| c.begin_conditional_render(7, GL_QUERY_WAIT), VALUE, "id = 7 is no query"),
@@ -329,7 +354,7 @@ const CASES: &[Case] = &[
         nothing,
         |c| c.draw_pixels(9, 1, GL_COLOR_INDEX, GL_BITMAP, Data::Bytes(&[0])),
         OPERATION,
-        "take 2 bytes; the slice has 1",
+        "take 2 bytes; the memory has 1",
     ),
 ];
 

@@ -42,7 +42,7 @@ const ROWS: &[Row] = &[
     (1, 0, [0, 0, 1], [1; 3], GL_RGBA, VALUE, "ends at z = 2"),
     (1, 0, [0; 3], [1; 3], GL_LINEAR, ENUM, "format"),
     (1, 0, [0; 3], [1; 3], GL_COLOR_INDEX, ENUM, "no indices"),
-    (1, 0, [0; 3], [1; 3], GL_DEPTH_COMPONENT, OPERATION, ""),
+    (1, 0, [0; 3], [1; 3], GL_DEPTH_COMPONENT, OPERATION, "go together, and not with colours"),
     (1, 0, [0; 3], [8, 8, 1], GL_RGBA, OPERATION, "bufSize = 255, but 256 bytes"),
 ];
 

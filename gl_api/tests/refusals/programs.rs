@@ -229,7 +229,7 @@ const CASES: &[Case] = &[
             c.uniform_3fv(l, 1, &[0.0; 2])
         },
         OPERATION,
-        "the slice has 2",
+        "has 2",
     ),
     (
         |c| {
@@ -245,7 +245,7 @@ const CASES: &[Case] = &[
             c.uniform_1fv(l, 3, &[0.0; 2])
         },
         OPERATION,
-        "the slice has 2",
+        "has 2",
     ),
     (
         |c| {
@@ -309,7 +309,7 @@ const CASES: &[Case] = &[
             c.uniform_matrix_3fv(l, 1, false, &[0.0; 8])
         },
         OPERATION,
-        "the slice has 8",
+        "has 8",
     ),
     (
         |c| {

@@ -13,8 +13,20 @@ const HIGH: GLenum = GL_DEBUG_SEVERITY_HIGH;
 
 /// With names 1 to 4 of queries.
 const QUERY_ROWS: &[Case] = &[
-    ("begin: target", nothing, |c| c.begin_query(GL_TIMESTAMP, 1), GL_INVALID_ENUM, ""),
-    ("begin: 0", nothing, |c| c.begin_query(GL_SAMPLES_PASSED, 0), GL_INVALID_OPERATION, ""),
+    (
+        "begin: target",
+        nothing,
+        |c| c.begin_query(GL_TIMESTAMP, 1),
+        GL_INVALID_ENUM,
+        "target = GL_TIMESTAMP must be GL_SAMPLES_PASSED",
+    ),
+    (
+        "begin: 0",
+        nothing,
+        |c| c.begin_query(GL_SAMPLES_PASSED, 0),
+        GL_INVALID_OPERATION,
+        "id = 0 is no query: call glGenQueries",
+    ),
     (
         "begin: twice",
         |c| {
@@ -24,7 +36,7 @@ const QUERY_ROWS: &[Case] = &[
             c.begin_query(GL_SAMPLES_PASSED, 2);
         },
         GL_INVALID_OPERATION,
-        "",
+        "a query of GL_SAMPLES_PASSED is active: glEndQuery is missing",
     ),
     (
         "begin: active elsewhere",
@@ -35,7 +47,7 @@ const QUERY_ROWS: &[Case] = &[
             c.begin_query(GL_TIME_ELAPSED, 1);
         },
         GL_INVALID_OPERATION,
-        "",
+        "query 1 is active as one of GL_SAMPLES_PASSED",
     ),
     (
         "begin: another target's",
@@ -47,14 +59,50 @@ const QUERY_ROWS: &[Case] = &[
             c.begin_query(GL_TIME_ELAPSED, 1);
         },
         GL_INVALID_OPERATION,
-        "",
+        "query 1 is one of GL_SAMPLES_PASSED: take another name",
     ),
-    ("end: none", nothing, |c| c.end_query(GL_SAMPLES_PASSED), GL_INVALID_OPERATION, ""),
-    ("end: target", nothing, |c| c.end_query(GL_FLOAT), GL_INVALID_ENUM, ""),
-    ("counter: target", nothing, |c| c.query_counter(1, GL_SAMPLES_PASSED), GL_INVALID_ENUM, ""),
-    ("counter: unknown", nothing, |c| c.query_counter(9, GL_TIMESTAMP), GL_INVALID_OPERATION, ""),
-    ("gen", nothing, |c| c.gen_queries(-1, &mut []), GL_INVALID_VALUE, ""),
-    ("delete", nothing, |c| c.delete_queries(-1, &[]), GL_INVALID_VALUE, ""),
+    (
+        "end: none",
+        nothing,
+        |c| c.end_query(GL_SAMPLES_PASSED),
+        GL_INVALID_OPERATION,
+        "no query of GL_SAMPLES_PASSED is active: glBeginQuery is missing",
+    ),
+    (
+        "end: target",
+        nothing,
+        |c| c.end_query(GL_FLOAT),
+        GL_INVALID_ENUM,
+        "target = GL_FLOAT must be GL_SAMPLES_PASSED",
+    ),
+    (
+        "counter: target",
+        nothing,
+        |c| c.query_counter(1, GL_SAMPLES_PASSED),
+        GL_INVALID_ENUM,
+        "target = GL_SAMPLES_PASSED must be GL_TIMESTAMP",
+    ),
+    (
+        "counter: unknown",
+        nothing,
+        |c| c.query_counter(9, GL_TIMESTAMP),
+        GL_INVALID_OPERATION,
+        "id = 9 must be a name that glGenQueries gave, and not be active",
+    ),
+    (
+        "gen",
+        nothing,
+        |c| c.gen_queries(-1, &mut []),
+        GL_INVALID_VALUE,
+        "n = -1 must not be negative",
+    ),
+    (
+        "delete",
+        nothing,
+        |c| c.delete_queries(-1, &[]),
+        GL_INVALID_VALUE,
+        "n = -1 must not be negative",
+    ),
     (
         "of a target: pname",
         nothing,
@@ -62,7 +110,7 @@ const QUERY_ROWS: &[Case] = &[
             c.get_queryiv(GL_SAMPLES_PASSED, GL_FLOAT, &mut [0]);
         },
         GL_INVALID_ENUM,
-        "",
+        "pname = GL_FLOAT must be GL_CURRENT_QUERY",
     ),
     (
         "of an object: no query",
@@ -71,7 +119,7 @@ const QUERY_ROWS: &[Case] = &[
             c.get_query_objectiv(1, GL_QUERY_RESULT, &mut [0]);
         },
         GL_INVALID_OPERATION,
-        "",
+        "id = 1 is no query that has begun",
     ),
     (
         "of an object: active",
@@ -82,7 +130,7 @@ const QUERY_ROWS: &[Case] = &[
             c.get_query_objectiv(1, GL_QUERY_RESULT, &mut [0]);
         },
         GL_INVALID_OPERATION,
-        "",
+        "query 1 is active: call glEndQuery first",
     ),
     (
         "of an object: pname",
@@ -93,7 +141,7 @@ const QUERY_ROWS: &[Case] = &[
             c.get_query_objectiv(1, GL_FLOAT, &mut [0]);
         },
         GL_INVALID_ENUM,
-        "",
+        "pname = GL_FLOAT must be GL_QUERY_RESULT",
     ),
 ];
 
@@ -106,7 +154,7 @@ const PLAIN_ROWS: &[Case] = &[
             c.debug_message_control(GL_FLOAT, GL_DONT_CARE, GL_DONT_CARE, 0, &[], true);
         },
         GL_INVALID_ENUM,
-        "",
+        "source = GL_FLOAT must be GL_DEBUG_SOURCE_API",
     ),
     (
         "control: type",
@@ -115,7 +163,7 @@ const PLAIN_ROWS: &[Case] = &[
             c.debug_message_control(GL_DONT_CARE, GL_FLOAT, GL_DONT_CARE, 0, &[], true);
         },
         GL_INVALID_ENUM,
-        "",
+        "type = GL_FLOAT must be GL_DEBUG_TYPE_ERROR",
     ),
     (
         "control: severity",
@@ -124,7 +172,7 @@ const PLAIN_ROWS: &[Case] = &[
             c.debug_message_control(GL_DONT_CARE, GL_DONT_CARE, GL_FLOAT, 0, &[], true);
         },
         GL_INVALID_ENUM,
-        "",
+        "severity = GL_FLOAT must be GL_DEBUG_SEVERITY_HIGH",
     ),
     (
         "control: count",
@@ -133,7 +181,7 @@ const PLAIN_ROWS: &[Case] = &[
             c.debug_message_control(GL_DONT_CARE, GL_DONT_CARE, GL_DONT_CARE, -1, &[], true);
         },
         GL_INVALID_VALUE,
-        "",
+        "count = -1 must not be negative",
     ),
     (
         "control: ids of any source",
@@ -142,7 +190,7 @@ const PLAIN_ROWS: &[Case] = &[
             c.debug_message_control(GL_DONT_CARE, GL_DONT_CARE, GL_DONT_CARE, 1, &[1], true);
         },
         GL_INVALID_OPERATION,
-        "",
+        "source and type must not be GL_DONT_CARE",
     ),
     (
         "insert: source",
@@ -152,7 +200,7 @@ const PLAIN_ROWS: &[Case] = &[
             c.debug_message_insert(source, GL_DEBUG_TYPE_OTHER, 1, HIGH, -1, "");
         },
         GL_INVALID_ENUM,
-        "",
+        "source = GL_DEBUG_SOURCE_API must be GL_DEBUG_SOURCE_APPLICATION",
     ),
     (
         "insert: length",
@@ -162,7 +210,7 @@ const PLAIN_ROWS: &[Case] = &[
             c.debug_message_insert(OWN, GL_DEBUG_TYPE_OTHER, 1, HIGH, -1, &text);
         },
         GL_INVALID_VALUE,
-        "",
+        "message has 4096 bytes; it must have fewer than 4096",
     ),
     (
         "log: room",
@@ -173,7 +221,7 @@ const PLAIN_ROWS: &[Case] = &[
             c.get_debug_message_log(1, -1, &mut [], &mut [], &mut [], &mut [], empty, none);
         },
         GL_INVALID_VALUE,
-        "",
+        "bufSize = -1 must not be negative",
     ),
     (
         "push: source",
@@ -182,7 +230,7 @@ const PLAIN_ROWS: &[Case] = &[
             c.push_debug_group(GL_DEBUG_SOURCE_OTHER, 1, -1, "");
         },
         GL_INVALID_ENUM,
-        "",
+        "source = GL_DEBUG_SOURCE_OTHER must be GL_DEBUG_SOURCE_APPLICATION",
     ),
     (
         "push: too many",
@@ -193,11 +241,29 @@ const PLAIN_ROWS: &[Case] = &[
         },
         |c| c.push_debug_group(OWN, 1, -1, ""),
         GL_STACK_OVERFLOW,
-        "",
+        "64 groups are open, the most there may be: glPopDebugGroup is missing",
     ),
-    ("pop: none", nothing, |c| c.pop_debug_group(), GL_STACK_UNDERFLOW, ""),
-    ("label: identifier", nothing, |c| c.object_label(GL_FLOAT, 1, -1, ""), GL_INVALID_ENUM, ""),
-    ("label: name", nothing, |c| c.object_label(GL_BUFFER, 1, -1, ""), GL_INVALID_VALUE, ""),
+    (
+        "pop: none",
+        nothing,
+        |c| c.pop_debug_group(),
+        GL_STACK_UNDERFLOW,
+        "no group is open: glPushDebugGroup is missing",
+    ),
+    (
+        "label: identifier",
+        nothing,
+        |c| c.object_label(GL_FLOAT, 1, -1, ""),
+        GL_INVALID_ENUM,
+        "identifier = GL_FLOAT must be GL_BUFFER",
+    ),
+    (
+        "label: name",
+        nothing,
+        |c| c.object_label(GL_BUFFER, 1, -1, ""),
+        GL_INVALID_VALUE,
+        "name = 1 is no object of GL_BUFFER",
+    ),
     (
         "label: length",
         |c| {
@@ -207,21 +273,21 @@ const PLAIN_ROWS: &[Case] = &[
             c.object_label(GL_BUFFER, 1, -1, &"x".repeat(256));
         },
         GL_INVALID_VALUE,
-        "",
+        "label has 256 bytes; it must have fewer than 256",
     ),
     (
         "label: sync",
         nothing,
         |c| c.object_ptr_label(5 as *const GLvoid, -1, ""),
         GL_INVALID_VALUE,
-        "",
+        "ptr is no handle that glFenceSync gave",
     ),
     (
         "pointer",
         nothing,
         |c| c.get_pointerv(GL_FLOAT, &mut [std::ptr::null_mut()]),
         GL_INVALID_ENUM,
-        "",
+        "pname = GL_FLOAT names no pointer",
     ),
     (
         "fence: condition",
@@ -230,7 +296,7 @@ const PLAIN_ROWS: &[Case] = &[
             c.fence_sync(GL_FLOAT, 0);
         },
         GL_INVALID_ENUM,
-        "",
+        "condition = GL_FLOAT must be GL_SYNC_GPU_COMMANDS_COMPLETE",
     ),
     (
         "fence: flags",
@@ -239,7 +305,7 @@ const PLAIN_ROWS: &[Case] = &[
             c.fence_sync(GL_SYNC_GPU_COMMANDS_COMPLETE, 1);
         },
         GL_INVALID_VALUE,
-        "",
+        "flags = 0x1 must be 0",
     ),
     (
         "fence: handle",
@@ -248,9 +314,15 @@ const PLAIN_ROWS: &[Case] = &[
             c.client_wait_sync(5 as GLsync, 0, 0);
         },
         GL_INVALID_VALUE,
-        "",
+        "sync is no handle that glFenceSync gave",
     ),
-    ("fence: deleting", nothing, |c| c.delete_sync(5 as GLsync), GL_INVALID_VALUE, ""),
+    (
+        "fence: deleting",
+        nothing,
+        |c| c.delete_sync(5 as GLsync),
+        GL_INVALID_VALUE,
+        "sync is no handle that glFenceSync gave",
+    ),
     (
         "fence: waiting",
         nothing,
@@ -259,7 +331,7 @@ const PLAIN_ROWS: &[Case] = &[
             c.wait_sync(fence, 0, 1);
         },
         GL_INVALID_VALUE,
-        "",
+        "timeout = 0x1 must be GL_TIMEOUT_IGNORED",
     ),
     (
         "fence: pname",
@@ -269,7 +341,7 @@ const PLAIN_ROWS: &[Case] = &[
             c.get_synciv(fence, GL_FLOAT, 1, &mut [0], &mut [0]);
         },
         GL_INVALID_ENUM,
-        "",
+        "pname = GL_FLOAT must be GL_OBJECT_TYPE",
     ),
 ];
 

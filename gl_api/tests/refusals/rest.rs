@@ -111,10 +111,30 @@ const CASES: &[Case] = &[
     (nothing, |c| c.get_vertex_attrib_i_iv(16, GL_CURRENT_VERTEX_ATTRIB, &mut [0; 4]), VALUE, "16"),
     (nothing, |c| c.get_vertex_attrib_i_uiv(1, GL_LINE, &mut [0]), ENUM, "pname = GL_LINE"),
     // Draws.
-    (incomplete, |c| c.rects(0, 0, 1, 1), NO_FRAMEBUFFER, "no attachment"),
-    (incomplete, |c| c.recti(0, 0, 1, 1), NO_FRAMEBUFFER, "no attachment"),
-    (incomplete, |c| c.rectf(0.0, 0.0, 1.0, 1.0), NO_FRAMEBUFFER, "no attachment"),
-    (incomplete, |c| c.rectd(0.0, 0.0, 1.0, 1.0), NO_FRAMEBUFFER, "no attachment"),
+    (
+        incomplete,
+        |c| c.rects(0, 0, 1, 1),
+        NO_FRAMEBUFFER,
+        "framebuffer 1 is incomplete: nothing is attached",
+    ),
+    (
+        incomplete,
+        |c| c.recti(0, 0, 1, 1),
+        NO_FRAMEBUFFER,
+        "framebuffer 1 is incomplete: nothing is attached",
+    ),
+    (
+        incomplete,
+        |c| c.rectf(0.0, 0.0, 1.0, 1.0),
+        NO_FRAMEBUFFER,
+        "framebuffer 1 is incomplete: nothing is attached",
+    ),
+    (
+        incomplete,
+        |c| c.rectd(0.0, 0.0, 1.0, 1.0),
+        NO_FRAMEBUFFER,
+        "framebuffer 1 is incomplete: nothing is attached",
+    ),
     (
         nothing,
         |c| c.draw_elements_base_vertex(GL_POINTS, -1, GL_UNSIGNED_BYTE, Data::Null, 0),
@@ -178,7 +198,12 @@ const CASES: &[Case] = &[
     (nothing, |c| c.clamp_color(GL_LINE, GL_TRUE), ENUM, "target = GL_LINE"),
     (nothing, |c| c.clamp_color(GL_CLAMP_READ_COLOR, GL_LINE), ENUM, "GL_FIXED_ONLY"),
     // Blending.
-    (nothing, |c| c.blend_func_separate(GL_LINE, GL_ONE, GL_ONE, GL_ONE), ENUM, "GL_LINE"),
+    (
+        nothing,
+        |c| c.blend_func_separate(GL_LINE, GL_ONE, GL_ONE, GL_ONE),
+        ENUM,
+        "GL_ZERO, GL_ONE, GL_",
+    ),
     (nothing, |c| c.blend_func_separate(GL_ONE, GL_ONE, GL_ONE, GL_LINE), ENUM, "GL_LINE"),
     (nothing, |c| c.blend_equation_separate(GL_FUNC_ADD, GL_ONE), ENUM, "GL_FUNC_ADD"),
     // Compressed images.
@@ -189,7 +214,7 @@ const CASES: &[Case] = &[
             c.compressed_tex_sub_image_1d(GL_TEXTURE_1D, 0, 0, 4, format, 8, Data::Null);
         },
         OPERATION,
-        "",
+        "level 0 has no image yet: call glTexImage1D first",
     ),
     (
         nothing,
@@ -198,7 +223,7 @@ const CASES: &[Case] = &[
             c.compressed_tex_sub_image_3d(target, 0, 0, 0, 0, 4, 4, 1, format, 8, Data::Null);
         },
         OPERATION,
-        "",
+        "level 0 has no image yet: call glTexImage3D first",
     ),
     // Uniforms without a program.
     (nothing, |c| c.uniform_4f(0, 0.0, 0.0, 0.0, 0.0), OPERATION, "no linked program"),

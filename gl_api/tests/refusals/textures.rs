@@ -354,7 +354,7 @@ fn compressed_images() {
         (GL_TEXTURE_2D, DXT1, [8196, 4], 0, 8, VALUE, "above 8192"),
         (GL_TEXTURE_RECTANGLE, DXT1, [4, 4], 0, 8, OPERATION, "takes no compressed"),
         (GL_TEXTURE_1D_ARRAY, DXT1, [4, 4], 0, 8, OPERATION, "takes no compressed"),
-        (GL_TEXTURE_2D, DXT1, [8, 4], 0, 16, OPERATION, "the slice has 8"),
+        (GL_TEXTURE_2D, DXT1, [8, 4], 0, 16, OPERATION, "has 8"),
     ];
     for row in rows {
         let &(target, internal, [w, h], border, size, flag, words) = row;
@@ -371,7 +371,7 @@ fn compressed_images() {
         (FACE, [0, 0], [4, 2], DXT1, 8, OPERATION, "cuts the 4×4 blocks"),
         (FACE, [0, 0], [4, 4], DXT1, 7, VALUE, "take 8 bytes"),
         (FACE, [8, 0], [4, 4], DXT1, 8, VALUE, "xoffset = 8"),
-        (FACE, [0, 0], [8, 4], DXT1, 16, OPERATION, "the slice has 8"),
+        (FACE, [0, 0], [8, 4], DXT1, 16, OPERATION, "has 8"),
         (GL_TEXTURE_3D, [0, 0], [4, 4], DXT1, 8, ENUM, "target"),
     ];
     for row in rows {
@@ -419,7 +419,13 @@ fn parameters_and_samplers() {
         (GL_TEXTURE_2D, GL_TEXTURE_SRGB_DECODE_EXT, 1.0, ENUM, "GL_DECODE_EXT or"),
         (GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, 0.5, VALUE, "must be at least 1"),
         (GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, f32::NAN, VALUE, "must be at least 1"),
-        (GL_TEXTURE_2D, GL_TEXTURE_SWIZZLE_R, GL_LUMINANCE as f32, ENUM, "GL_ALPHA, 0 or 1"),
+        (
+            GL_TEXTURE_2D,
+            GL_TEXTURE_SWIZZLE_R,
+            GL_LUMINANCE as f32,
+            ENUM,
+            "GL_ALPHA, GL_ZERO or GL_ONE",
+        ),
         (GL_TEXTURE_2D, GL_TEXTURE_SWIZZLE_RGBA, GL_RED as f32, ENUM, "four components"),
         (GL_TEXTURE_2D, GL_DEPTH_TEXTURE_MODE, GL_RGBA as f32, ENUM, "GL_INTENSITY"),
         (GL_TEXTURE_2D, GL_TEXTURE_RESIDENT, 1.0, ENUM, "can only be read"),
@@ -512,7 +518,7 @@ fn pixel_buffers() {
     refused_after(
         &"behind",
         OPERATION,
-        "lies behind",
+        "lies behind the 16 bytes of buffer 1: while it is bound to GL_PIXEL_UNPACK_BUFFER",
         |c| bound(c, GL_PIXEL_UNPACK_BUFFER),
         |c| {
             image(c, GL_UNSIGNED_BYTE, Data::Offset(17));

@@ -154,7 +154,7 @@ const ROWS: &[Case] = &[
         active,
         |c| c.draw_arrays(GL_LINES, 0, 2),
         GL_INVALID_OPERATION,
-        "a draw of Lines, but Points are captured",
+        "mode draws lines, but glBeginTransformFeedback was called for points",
     ),
     (
         |c| {

@@ -17,7 +17,7 @@ const BUFFER_ROWS: &[Case] = &[
             c.map_buffer(GL_TEXTURE_2D, GL_READ_ONLY);
         },
         GL_INVALID_ENUM,
-        "",
+        "target = GL_TEXTURE_2D must be GL_ARRAY_BUFFER",
     ),
     (
         "map: access",
@@ -26,7 +26,7 @@ const BUFFER_ROWS: &[Case] = &[
             c.map_buffer(GL_ARRAY_BUFFER, GL_READ_BUFFER);
         },
         GL_INVALID_ENUM,
-        "",
+        "access = GL_READ_BUFFER must be GL_READ_ONLY, GL_WRITE_ONLY or GL_READ_WRITE",
     ),
     (
         "map: none bound",
@@ -35,7 +35,7 @@ const BUFFER_ROWS: &[Case] = &[
             c.map_buffer(GL_PIXEL_PACK_BUFFER, GL_READ_ONLY);
         },
         GL_INVALID_OPERATION,
-        "",
+        "no buffer is bound to GL_PIXEL_PACK_BUFFER",
     ),
     (
         "map: twice",
@@ -46,7 +46,7 @@ const BUFFER_ROWS: &[Case] = &[
             c.map_buffer(GL_ARRAY_BUFFER, GL_READ_ONLY);
         },
         GL_INVALID_OPERATION,
-        "",
+        "the buffer is mapped: call glUnmapBuffer",
     ),
     (
         "data of a mapped buffer",
@@ -57,7 +57,7 @@ const BUFFER_ROWS: &[Case] = &[
             c.buffer_sub_data(GL_ARRAY_BUFFER, 0, 1, Data::Bytes(&[0]));
         },
         GL_INVALID_OPERATION,
-        "",
+        "the buffer is mapped: call glUnmapBuffer",
     ),
     (
         "reading a mapped buffer",
@@ -68,7 +68,7 @@ const BUFFER_ROWS: &[Case] = &[
             c.get_buffer_sub_data(GL_ARRAY_BUFFER, 0, 1, DataOut::Bytes(&mut [0]));
         },
         GL_INVALID_OPERATION,
-        "",
+        "the buffer is mapped: call glUnmapBuffer",
     ),
     (
         "drawing from a mapped buffer",
@@ -196,7 +196,7 @@ const BUFFER_ROWS: &[Case] = &[
             c.tex_image_2d(GL_TEXTURE_2D, 0, rgb, 1, 1, 0, GL_RGB, ty, Data::Offset(0));
         },
         GL_INVALID_OPERATION,
-        "",
+        "buffer 1 is bound for pixels and mapped",
     ),
     (
         "range: negative",
@@ -205,7 +205,7 @@ const BUFFER_ROWS: &[Case] = &[
             c.map_buffer_range(GL_ARRAY_BUFFER, -1, 1, GL_MAP_READ_BIT);
         },
         GL_INVALID_VALUE,
-        "",
+        "offset = -1 must not be negative",
     ),
     (
         "range: too far",
@@ -214,7 +214,7 @@ const BUFFER_ROWS: &[Case] = &[
             c.map_buffer_range(GL_ARRAY_BUFFER, 60, 5, GL_MAP_READ_BIT);
         },
         GL_INVALID_VALUE,
-        "",
+        "reach past the buffer's 64 bytes",
     ),
     (
         "range: bits",
@@ -223,7 +223,7 @@ const BUFFER_ROWS: &[Case] = &[
             c.map_buffer_range(GL_ARRAY_BUFFER, 0, 1, 0x8000);
         },
         GL_INVALID_VALUE,
-        "",
+        "access = 0x8000 has bits that are none",
     ),
     (
         "range: empty",
@@ -232,7 +232,7 @@ const BUFFER_ROWS: &[Case] = &[
             c.map_buffer_range(GL_ARRAY_BUFFER, 0, 0, GL_MAP_READ_BIT);
         },
         GL_INVALID_OPERATION,
-        "",
+        "length = 0 must be above 0",
     ),
     (
         "range: neither",
@@ -241,7 +241,7 @@ const BUFFER_ROWS: &[Case] = &[
             c.map_buffer_range(GL_ARRAY_BUFFER, 0, 1, GL_MAP_UNSYNCHRONIZED_BIT);
         },
         GL_INVALID_OPERATION,
-        "",
+        "must have GL_MAP_READ_BIT or GL_MAP_WRITE_BIT",
     ),
     (
         "range: reads what is invalid",
@@ -251,7 +251,7 @@ const BUFFER_ROWS: &[Case] = &[
             c.map_buffer_range(GL_ARRAY_BUFFER, 0, 1, access);
         },
         GL_INVALID_OPERATION,
-        "",
+        "GL_MAP_READ_BIT goes with no INVALIDATE or UNSYNCHRONIZED bit",
     ),
     (
         "range: flush without write",
@@ -261,7 +261,7 @@ const BUFFER_ROWS: &[Case] = &[
             c.map_buffer_range(GL_ARRAY_BUFFER, 0, 1, access);
         },
         GL_INVALID_OPERATION,
-        "",
+        "GL_MAP_FLUSH_EXPLICIT_BIT, which needs GL_MAP_WRITE_BIT",
     ),
     (
         "flush: not mapped",
@@ -270,7 +270,7 @@ const BUFFER_ROWS: &[Case] = &[
             c.flush_mapped_buffer_range(GL_ARRAY_BUFFER, 0, 1);
         },
         GL_INVALID_OPERATION,
-        "",
+        "the buffer is not mapped",
     ),
     (
         "flush: not explicit",
@@ -281,7 +281,7 @@ const BUFFER_ROWS: &[Case] = &[
             c.flush_mapped_buffer_range(GL_ARRAY_BUFFER, 0, 1);
         },
         GL_INVALID_OPERATION,
-        "",
+        "mapped without GL_MAP_FLUSH_EXPLICIT_BIT: add it to the access of glMapBufferRange",
     ),
     (
         "flush: too far",
@@ -293,7 +293,7 @@ const BUFFER_ROWS: &[Case] = &[
             c.flush_mapped_buffer_range(GL_ARRAY_BUFFER, 2, 3);
         },
         GL_INVALID_VALUE,
-        "",
+        "reach past the 4 mapped bytes",
     ),
     (
         "unmap: not mapped",
@@ -302,7 +302,7 @@ const BUFFER_ROWS: &[Case] = &[
             c.unmap_buffer(GL_ARRAY_BUFFER);
         },
         GL_INVALID_OPERATION,
-        "",
+        "the buffer is not mapped",
     ),
     (
         "copy: overlap",
@@ -313,7 +313,7 @@ const BUFFER_ROWS: &[Case] = &[
             c.copy_buffer_sub_data(GL_COPY_READ_BUFFER, GL_ARRAY_BUFFER, 0, 1, 2);
         },
         GL_INVALID_VALUE,
-        "",
+        "bytes 0..2 and 1..3 of the same buffer must not overlap",
     ),
     (
         "copy: too far",
@@ -322,7 +322,7 @@ const BUFFER_ROWS: &[Case] = &[
             c.copy_buffer_sub_data(GL_ARRAY_BUFFER, GL_ARRAY_BUFFER, 0, 60, 5);
         },
         GL_INVALID_VALUE,
-        "",
+        "reach past the buffer's 64 bytes",
     ),
     (
         "pointer: pname",
@@ -332,7 +332,7 @@ const BUFFER_ROWS: &[Case] = &[
             c.get_buffer_pointerv(GL_ARRAY_BUFFER, GL_BUFFER_SIZE, pointer);
         },
         GL_INVALID_ENUM,
-        "",
+        "pname = GL_BUFFER_SIZE must be GL_BUFFER_MAP_POINTER",
     ),
     (
         "parameter: pname",
@@ -341,7 +341,7 @@ const BUFFER_ROWS: &[Case] = &[
             c.get_buffer_parameteriv(GL_ARRAY_BUFFER, GL_TEXTURE_2D, &mut [0]);
         },
         GL_INVALID_ENUM,
-        "",
+        "pname = GL_TEXTURE_2D must be GL_BUFFER_SIZE",
     ),
     (
         "instances in a list",
@@ -350,7 +350,13 @@ const BUFFER_ROWS: &[Case] = &[
         GL_INVALID_OPERATION,
         "not compiled into lists",
     ),
-    ("instances", nothing, |c| c.draw_arrays_instanced(GL_POINTS, 0, 1, -1), GL_INVALID_VALUE, ""),
+    (
+        "instances",
+        nothing,
+        |c| c.draw_arrays_instanced(GL_POINTS, 0, 1, -1),
+        GL_INVALID_VALUE,
+        "primcount = -1 must not be negative",
+    ),
     (
         "instances of elements",
         nothing,
@@ -359,15 +365,21 @@ const BUFFER_ROWS: &[Case] = &[
             c.draw_elements_instanced(GL_POINTS, 1, GL_UNSIGNED_BYTE, indices, -1);
         },
         GL_INVALID_VALUE,
-        "",
+        "primcount = -1 must not be negative",
     ),
-    ("runs", nothing, |c| c.multi_draw_arrays(GL_POINTS, &[], &[], -1), GL_INVALID_VALUE, ""),
+    (
+        "runs",
+        nothing,
+        |c| c.multi_draw_arrays(GL_POINTS, &[], &[], -1),
+        GL_INVALID_VALUE,
+        "primcount = -1 must not be negative",
+    ),
     (
         "too few runs",
         nothing,
         |c| c.multi_draw_arrays(GL_POINTS, &[0], &[], 1),
         GL_INVALID_OPERATION,
-        "",
+        "primcount = 1, but",
     ),
     (
         "too few runs of indices",
@@ -376,10 +388,16 @@ const BUFFER_ROWS: &[Case] = &[
             c.multi_draw_elements(GL_POINTS, &[1], GL_UNSIGNED_BYTE, Pointers(Vec::new()), 1);
         },
         GL_INVALID_OPERATION,
-        "",
+        "primcount = 1, but",
     ),
-    ("element", nothing, |c| c.array_element(-1), GL_INVALID_VALUE, ""),
-    ("restart outside", nothing, |c| c.primitive_restart(), GL_INVALID_OPERATION, ""),
+    ("element", nothing, |c| c.array_element(-1), GL_INVALID_VALUE, "i = -1 must not be negative"),
+    (
+        "restart outside",
+        nothing,
+        |c| c.primitive_restart(),
+        GL_INVALID_OPERATION,
+        "must be called between glBegin and glEnd",
+    ),
     (
         "interleaved: format",
         nothing,
@@ -387,7 +405,7 @@ const BUFFER_ROWS: &[Case] = &[
             c.interleaved_arrays(GL_FLOAT, 0, Data::Null);
         },
         GL_INVALID_ENUM,
-        "",
+        "format = GL_FLOAT must be GL_V2F",
     ),
     (
         "interleaved: stride",
@@ -396,7 +414,7 @@ const BUFFER_ROWS: &[Case] = &[
             c.interleaved_arrays(GL_V2F, -1, Data::Null);
         },
         GL_INVALID_VALUE,
-        "",
+        "stride = -1 must not be negative",
     ),
     (
         "integer pointer: type",
@@ -405,7 +423,7 @@ const BUFFER_ROWS: &[Case] = &[
             c.vertex_attrib_i_pointer(1, 2, GL_FLOAT, 0, Data::Offset(0));
         },
         GL_INVALID_ENUM,
-        "",
+        "type = GL_FLOAT must be GL_BYTE",
     ),
     (
         "integer pointer: size",
@@ -414,12 +432,36 @@ const BUFFER_ROWS: &[Case] = &[
             c.vertex_attrib_i_pointer(1, 5, GL_INT, 0, Data::Offset(0));
         },
         GL_INVALID_VALUE,
-        "",
+        "size = 5 must be 1 to 4",
     ),
-    ("divisor", nothing, |c| c.vertex_attrib_divisor(99, 1), GL_INVALID_VALUE, ""),
-    ("vertex array", nothing, |c| c.bind_vertex_array(77), GL_INVALID_OPERATION, ""),
-    ("vertex arrays", nothing, |c| c.gen_vertex_arrays(-1, &mut []), GL_INVALID_VALUE, ""),
-    ("no vertex arrays", nothing, |c| c.delete_vertex_arrays(-1, &[]), GL_INVALID_VALUE, ""),
+    (
+        "divisor",
+        nothing,
+        |c| c.vertex_attrib_divisor(99, 1),
+        GL_INVALID_VALUE,
+        "must be below GL_MAX_VERTEX_ATTRIBS, 16",
+    ),
+    (
+        "vertex array",
+        nothing,
+        |c| c.bind_vertex_array(77),
+        GL_INVALID_OPERATION,
+        "array = 77 must be a name that glGenVertexArrays gave",
+    ),
+    (
+        "vertex arrays",
+        nothing,
+        |c| c.gen_vertex_arrays(-1, &mut []),
+        GL_INVALID_VALUE,
+        "n = -1 must not be negative",
+    ),
+    (
+        "no vertex arrays",
+        nothing,
+        |c| c.delete_vertex_arrays(-1, &[]),
+        GL_INVALID_VALUE,
+        "n = -1 must not be negative",
+    ),
     (
         "the position has no value",
         nothing,
@@ -427,7 +469,7 @@ const BUFFER_ROWS: &[Case] = &[
             c.get_vertex_attribfv(0, GL_CURRENT_VERTEX_ATTRIB, &mut [0.0; 4]);
         },
         GL_INVALID_OPERATION,
-        "",
+        "index = 0 has no current value: it is the position",
     ),
 ];
 

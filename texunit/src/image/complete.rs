@@ -21,7 +21,7 @@ pub enum Incomplete {
     /// The base level was never given.
     #[error(
         "level {level}{} has no image: give it one with {} (GL_TEXTURE_BASE_LEVEL is {level})",
-        face_name(*.shape, *.face), call_name(*.shape)
+        face_name(*.shape, *.face), .shape.image_call()
     )]
     NoBase {
         /// The image's shape.
@@ -33,7 +33,7 @@ pub enum Incomplete {
     },
     /// The base level has a side of 0.
     #[error("level {level}{} has a size of 0: give it an image with {}",
-        face_name(*.shape, *.face), call_name(*.shape))]
+        face_name(*.shape, *.face), .shape.image_call())]
     Empty {
         /// The image's shape.
         shape: Shape,
@@ -111,7 +111,7 @@ pub enum Incomplete {
     },
     /// Integers, and a filter that takes their mean (EXT_texture_integer, section 3.8.10).
     #[error(
-        "its texels are integers ({format:?}), which cannot be filtered: set \
+        "its texels are integers, which cannot be filtered: set \
          GL_TEXTURE_MAG_FILTER (is {mag}) to GL_NEAREST and GL_TEXTURE_MIN_FILTER (is {min}) to \
          GL_NEAREST or GL_NEAREST_MIPMAP_NEAREST"
     )]
@@ -125,8 +125,8 @@ pub enum Incomplete {
     },
     /// Two levels or faces are stored differently.
     #[error(
-        "level {level}{} is stored as {got:?}, the base level as {expected:?}: give all levels \
-         and faces the same internal format",
+        "level {level}{} and the base level differ in their format: give all levels and faces the \
+         same internal format",
         face_name(*.shape, *.face)
     )]
     MixedFormats {
@@ -191,12 +191,14 @@ fn face_name(shape: Shape, face: usize) -> &'static str {
     }
 }
 
-/// The call that gives images of a shape.
-fn call_name(shape: Shape) -> &'static str {
-    match shape {
-        Shape::D1 => "glTexImage1D",
-        Shape::D2 | Shape::Rect | Shape::Cube | Shape::D1Array => "glTexImage2D",
-        Shape::D3 | Shape::D2Array | Shape::CubeArray => "glTexImage3D",
+impl Shape {
+    /// The call that gives images of this shape.
+    pub fn image_call(self) -> &'static str {
+        match self {
+            Self::D1 => "glTexImage1D",
+            Self::D2 | Self::Rect | Self::Cube | Self::D1Array => "glTexImage2D",
+            Self::D3 | Self::D2Array | Self::CubeArray => "glTexImage3D",
+        }
     }
 }
 

@@ -101,7 +101,7 @@ pub enum ImageError {
         level: usize,
     },
     /// Mipmaps of a format that has no mean: integers and stencil.
-    #[error("mipmaps of {format:?} texels cannot be generated: they are not averaged")]
+    #[error("mipmaps of integers and of stencil values cannot be generated: they are not averaged")]
     NoMean {
         /// The base level's format.
         format: Format,
