@@ -200,11 +200,7 @@ pub(crate) fn program_string(
             let message = failure.in_text(text);
             let position = GLint::try_from(failure.position).unwrap_or(GLint::MAX);
             context.state.assembly.error = Some((position, super::query::kept(&message)));
-            let section = match target {
-                Target::Vertex => "ARB_vertex_program, section 2.14",
-                Target::Fragment => "ARB_fragment_program, section 3.11",
-            };
-            invalid_operation(section, format!("the program does not load: {message}"))
+            invalid_operation(target.section(), format!("the program does not load: {message}"))
         }
     }
 }

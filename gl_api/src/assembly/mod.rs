@@ -62,7 +62,11 @@ impl Failure {
         let first = before.ceil_char_boundary(before.len().saturating_sub(SHOWN));
         let last = after.floor_char_boundary(SHOWN);
         let excerpt = format!("{}{}", &before[first..], &after[..last]);
-        format!("line {line}, column {column}, in \"{}\": {}", excerpt.trim(), self.message)
+        let quoted = match excerpt.trim() {
+            "" => String::new(),
+            excerpt => format!(", in \"{excerpt}\""),
+        };
+        format!("line {line}, column {column}{quoted}: {}", self.message)
     }
 }
 

@@ -12,6 +12,16 @@ pub(crate) enum Target {
     Fragment,
 }
 
+impl Target {
+    /// Where its programs are specified.
+    pub fn section(self) -> &'static str {
+        match self {
+            Self::Vertex => "ARB_vertex_program, section 2.14",
+            Self::Fragment => "ARB_fragment_program, section 3.11",
+        }
+    }
+}
+
 /// What an instruction does (ARB_vertex_program, table X.5; ARB_fragment_program, table X.5).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Opcode {

@@ -54,11 +54,11 @@ pub(crate) fn check(context: &Context) -> Result<()> {
     for target in [Target::Vertex, Target::Fragment] {
         if enabled(context, target).is_some_and(|program| program.loaded.is_none()) {
             let name = context.state.assembly.bound[target as usize];
-            let target = enum_name(TARGET.encode(target));
+            let cap = enum_name(TARGET.encode(target));
             return invalid_operation(
-                super::calls::SECTION,
+                target.section(),
                 format!(
-                    "{target} is enabled, but no text was loaded into program {name} that is \
+                    "{cap} is enabled, but no text was loaded into program {name} that is \
                      bound there: see glProgramStringARB"
                 ),
             );

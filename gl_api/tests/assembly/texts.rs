@@ -101,7 +101,11 @@ fn what_is_wrong_is_told_with_its_place() {
         let line = text[..position].matches('\n').count() + 1;
         let begin = text[..position].rfind('\n').map_or(0, |at| at + 1);
         let quoted = text[begin..].lines().next().unwrap_or_default().trim();
-        let place = format!("line {line}, column {}, in \"", position - begin + 1);
+        let column = position - begin + 1;
+        let place = match quoted {
+            "" => format!("line {line}, column {column}: "),
+            _ => format!("line {line}, column {column}, in \""),
+        };
         assert!(message.starts_with(&place), "{marked}: {message}");
         let quoted = &quoted[..quoted.len().min(40)];
         assert!(message[place.len()..].starts_with(quoted), "{marked}: {message}");
