@@ -273,8 +273,11 @@ pub(crate) fn link_program(context: &mut Context, name: GLuint) -> Result<()> {
         let text = format!("glLinkProgram: program {name} did not link:\n{}", program.log);
         context.debug.say(text);
     } else if !program.log.is_empty() {
-        let text = format!("glLinkProgram: program {name} linked:
-{}", program.log);
+        let text = format!(
+            "glLinkProgram: program {name} linked:
+{}",
+            program.log
+        );
         context.debug.say(text);
     }
     Ok(())

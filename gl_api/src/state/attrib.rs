@@ -245,7 +245,7 @@ fn restore(state: &mut State, saved: Server) {
     if let Some(mut units) = saved.units {
         // The sprites' coordinates are of the points' group, the units' other state of the textures'.
         let (points, textures) = (has(GL_POINT_BIT), has(GL_TEXTURE_BIT));
-        for (unit, saved) in state.units.units.iter_mut().zip(&mut units.units) {
+        for (unit, saved) in state.units.units.iter_mut().zip(units.units.iter_mut()) {
             let kept = if points { saved.coord_replace } else { unit.coord_replace };
             (unit.coord_replace, saved.coord_replace) = (kept, kept);
         }

@@ -220,15 +220,15 @@ impl Config {
 
 /// Why no config meets a request: the first attribute that none has, by itself.
 #[cold]
-fn why_none(wanted: &[(Int, Criterion, Int)]) -> String {
-    let lacks = |row: &&(Int, Criterion, Int)| !CONFIGS.iter().any(|config| config.meets(**row));
+fn why_none(wanted: &[Row]) -> String {
+    let lacks = |row: &&Row| !CONFIGS.iter().any(|config| config.meets(**row));
     match wanted.iter().find(lacks) {
-        Some((EGL_SURFACE_TYPE, _, value)) if value & EGL_WINDOW_BIT != 0 => {
+        Some((EGL_SURFACE_TYPE, _, value, _)) if value & EGL_WINDOW_BIT != 0 => {
             "eglChooseConfig: no config, as EGL_SURFACE_TYPE has EGL_WINDOW_BIT, which is its default, \
              and there are no windows: ask for EGL_PBUFFER_BIT"
                 .to_owned()
         }
-        Some((name, _, value)) => format!(
+        Some((name, _, value, _)) => format!(
             "eglChooseConfig: no config, as none meets attribute {name:#x} = {value} (EGL 1.5, \
              section 3.4)"
         ),
