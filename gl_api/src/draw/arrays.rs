@@ -318,7 +318,7 @@ fn set(
             return invalid_operation(
                 SECTION,
                 format!(
-                    "pointer is a slice, but buffer {name} is bound to GL_ARRAY_BUFFER: pass \
+                    "pointer is memory, but buffer {name} is bound to GL_ARRAY_BUFFER: pass \
                      BUFFER_OFFSET(n), or call glBindBuffer(GL_ARRAY_BUFFER, 0)"
                 ),
             );

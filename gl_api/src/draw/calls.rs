@@ -221,7 +221,7 @@ fn draws(primcount: GLsizei, lengths: [usize; 2]) -> Result<usize> {
     if has < draws {
         return invalid_operation(
             SECTION,
-            format!("primcount = {draws}, but the slices have {has} elements"),
+            format!("primcount = {draws}, but the memory has {has} elements"),
         );
     }
     Ok(draws)
@@ -277,7 +277,7 @@ fn index_buffer(
                 return invalid_operation(
                     SECTION,
                     format!(
-                        "count = {count} indices take {needed} bytes, the slice has {}",
+                        "count = {count} indices take {needed} bytes, the memory has {}",
                         bytes.len()
                     ),
                 );
@@ -291,7 +291,7 @@ fn index_buffer(
             return invalid_operation(
                 SECTION,
                 format!(
-                    "indices is a slice, but buffer {name} is bound to GL_ELEMENT_ARRAY_BUFFER: \
+                    "indices is memory, but buffer {name} is bound to GL_ELEMENT_ARRAY_BUFFER: \
                      pass BUFFER_OFFSET(n), or bind buffer 0"
                 ),
             );
@@ -299,7 +299,7 @@ fn index_buffer(
         (Located::Offset(_) | Located::Null, None) => {
             return invalid_operation(
                 SECTION,
-                "indices must be a slice, as no buffer is bound to GL_ELEMENT_ARRAY_BUFFER",
+                "indices is NULL or an offset, but no buffer is bound to GL_ELEMENT_ARRAY_BUFFER",
             );
         }
     };

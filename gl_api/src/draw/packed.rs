@@ -33,7 +33,7 @@ fn set(
 fn first(words: &[GLuint]) -> Result<GLuint> {
     match words.first() {
         Some(&word) => Ok(word),
-        None => invalid_operation(PACKED.section, "the slice has none of 1 words"),
+        None => invalid_operation(PACKED.section, "the memory has none of 1 words"),
     }
 }
 
