@@ -113,7 +113,7 @@ fn values_that_no_uniform_takes_are_not_read() {
         let last = [1.0, 2.0, 3.0, 4.0];
         // SAFETY: what is read is there; that nothing else is, is what is tested.
         unsafe {
-            let at = |name: &std::ffi::CStr| glGetUniformLocation(program, name.as_ptr());
+            let at = |name: &CStr| glGetUniformLocation(program, name.as_ptr());
             glUniform4fv(-1, 1000, nowhere);
             assert_eq!(glGetError(), GL_NO_ERROR);
             glUniform3fv(at(c"single"), 1, nowhere);

@@ -69,7 +69,6 @@ unsafe extern "C" {
     ) -> u32;
     fn glGetIntegerv(pname: GLenum, values: *mut i32);
     fn glFinish();
-    fn glEnable(cap: GLenum);
     fn glBlendFunc(from: GLenum, to: GLenum);
     fn glColor4f(r: f32, g: f32, b: f32, a: f32);
     fn glRectf(x1: f32, y1: f32, x2: f32, y2: f32);
