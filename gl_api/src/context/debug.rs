@@ -11,6 +11,7 @@ use rasterizer::driver::DeviceDesc;
 use std::collections::{BTreeSet, VecDeque};
 use std::ffi::CString;
 use std::fmt;
+use std::io::{self, Write};
 use std::sync::Once;
 
 /// The queue keeps this many messages; older ones are dropped.
@@ -82,7 +83,7 @@ impl Debug {
         static GREETED: Once = Once::new();
         let on = std::env::var_os("DETGL_DEBUG").is_some_and(|value| value != "0");
         if on {
-            GREETED.call_once(|| eprintln!("detgl: {}", greeting(device)));
+            GREETED.call_once(|| print(&greeting(device)));
         }
         Self {
             flag: None,
@@ -166,13 +167,18 @@ impl Debug {
 
     fn push(&mut self, message: Message) {
         if self.echo == Echo::Stderr {
-            eprintln!("detgl: {message}");
+            print(&message);
         }
         if self.queue.len() == KEPT {
             self.queue.pop_front();
         }
         self.queue.push_back(message);
     }
+}
+
+/// Prints to stderr; where nobody reads that any more, nothing.
+fn print(what: &impl fmt::Display) {
+    let _ = writeln!(io::stderr(), "detgl: {what}");
 }
 
 /// What is there: so that whoever waits for messages knows that they would come.
