@@ -30,7 +30,8 @@ fn main() {
 
     let mut text = String::new();
     constants("GL", &registry, &mut text);
-    names(&registry, &implemented, &mut text);
+    let later = Registry::new(Api::Gl, (4, 6), Profile::Compatibility, Fallbacks::All, []);
+    names(&registry, &implemented, &later, &mut text);
     commands(&registry, &mut text);
     let directory = std::env::var_os("OUT_DIR").expect("cargo sets OUT_DIR");
     let write = |file: &str, text: String| {
@@ -115,11 +116,12 @@ fn constants(api: &str, registry: &Registry, text: &mut String) {
     }
 }
 
-/// Names by value, sorted: one for each value, one after the other in one text, which takes no pointers
-/// that a loader would have to fill in. Where values collide, what is implemented wins, which a
+/// Names by value, sorted: one for each value that is implemented or belongs to a later version, without
+/// its `GL_`, one after the other in one text, which takes no pointers that a loader would have to fill
+/// in. What only some vendor has stays a number. Where values collide, what is implemented wins, which a
 /// program may have meant; then what is no bit of a mask, which messages do not name; then the name
 /// without a vendor's suffix, then the shorter one, then the first.
-fn names(registry: &Registry, implemented: &Registry, text: &mut String) {
+fn names(registry: &Registry, implemented: &Registry, later: &Registry, text: &mut String) {
     let mut best: BTreeMap<u32, String> = BTreeMap::new();
     let vendor = ["ARB", "EXT", "NV", "ATI", "AMD", "SGIX", "SGIS", "OES", "APPLE", "ANGLE"];
     let place = |name: &str| {
@@ -141,10 +143,14 @@ fn names(registry: &Registry, implemented: &Registry, text: &mut String) {
         let place = place(name).map_or(0, |place| 1 + place.min(2));
         (foreign, bit, place, name.len(), name.to_owned())
     };
+    let later: BTreeSet<String> = later.enums.iter().map(|item| c_name("GL", item)).collect();
     for item in &registry.enums {
         let Some(value) = item.value.strip_prefix("0x") else { continue };
         let Ok(value) = u32::from_str_radix(value, 16) else { continue };
         let name = c_name("GL", item);
+        if !ours.contains(&name) && !later.contains(&name) {
+            continue;
+        }
         if best.get(&value).is_none_or(|old| rank(&name) < rank(old)) {
             best.insert(value, name);
         }
@@ -155,7 +161,7 @@ fn names(registry: &Registry, implemented: &Registry, text: &mut String) {
     let mut names = String::new();
     for (value, name) in best {
         writeln!(text, "    ({value:#06x}, {}),", names.len()).expect("a String takes everything");
-        names.push_str(&name);
+        names.push_str(name.strip_prefix("GL_").unwrap_or(&name));
     }
     text.push_str("];\n/// The names of all values, in their order.\n");
     writeln!(text, "static NAMES: &str = {names:?};").expect("a String takes everything");

@@ -32,7 +32,7 @@ pub fn enum_name(value: u32) -> String {
     match VALUES.binary_search_by_key(&value, |row| row.0) {
         Ok(row) if value > 0xff => {
             let end = VALUES.get(row + 1).map_or(NAMES.len(), |next| next.1 as usize);
-            NAMES[VALUES[row].1 as usize..end].to_owned()
+            format!("GL_{}", &NAMES[VALUES[row].1 as usize..end])
         }
         _ if value > 9 => format!("{value:#06x}"),
         _ => value.to_string(),
