@@ -58,9 +58,9 @@ pub(crate) struct Debug {
     /// The first error since `glGetError`.
     flag: Option<ErrorCode>,
     queue: VecDeque<Message>,
-    /// Warnings that were given: a draw that repeats says them once, and once more to a log that
-    /// was off.
-    given: BTreeSet<(Output, String)>,
+    /// Warnings that were given while the log was off, and while it was on: a draw that repeats says
+    /// them once, and once more to a log that was off.
+    given: [BTreeSet<String>; 2],
     echo: Echo,
     /// What `KHR_debug` reads.
     pub log: Log,
@@ -71,7 +71,7 @@ pub(crate) struct Debug {
 }
 
 /// Whether messages go to the log of `KHR_debug`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Output {
     Off,
     On,
@@ -88,7 +88,7 @@ impl Debug {
         Self {
             flag: None,
             queue: VecDeque::new(),
-            given: BTreeSet::new(),
+            given: [const { BTreeSet::new() }; 2],
             log: Log::default(),
             output: Output::Off,
             at_first: Output::Off,
@@ -106,10 +106,11 @@ impl Debug {
 
     /// Says something once: what each draw would say again.
     pub fn warn(&mut self, text: String) {
-        if self.given.len() >= KEPT {
-            self.given.clear();
+        let given = &mut self.given[self.output as usize];
+        if given.len() >= KEPT {
+            given.clear();
         }
-        if self.given.insert((self.output, text.clone())) {
+        if given.insert(text.clone()) {
             self.say(text);
         }
     }

@@ -104,7 +104,7 @@ fn nothing_there(context: &Context, what: Readable) -> String {
     match object {
         Some(_) => format!(
             "framebuffer {name}, which is read from, has nothing attached to GL_{}_ATTACHMENT",
-            kind.to_uppercase()
+            kind.to_ascii_uppercase()
         ),
         None => format!("the default framebuffer, which is read from, has no {kind} buffer"),
     }

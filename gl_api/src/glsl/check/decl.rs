@@ -116,7 +116,7 @@ impl Checker<'_> {
 
     fn structure(&mut self, declared: &ast::StructDecl, span: Span) -> Type {
         let mut fields: Vec<(Arc<str>, Type)> = Vec::new();
-        let mut names: BTreeSet<&str> = BTreeSet::new();
+        let mut names: BTreeSet<String> = BTreeSet::new();
         for (ty, name, array) in &declared.fields {
             if matches!(ty.base, TypeBase::Struct(_)) && self.version != Version::V110 {
                 let message = "a structure cannot be declared inside another";
@@ -124,7 +124,7 @@ impl Checker<'_> {
                 return Type::Error;
             }
             let field = self.type_of(ty, array);
-            if !names.insert(&*name.text) {
+            if !names.insert(name.text.to_string()) {
                 self.error(name.span, "4.1.8", format!("a second member `{}`", name.text));
                 continue;
             }
