@@ -69,9 +69,12 @@ fn integers(c: &mut Context) -> [i32; 4] {
     words
 }
 
+/// A call and what it draws.
+type Draw = (&'static str, fn(&mut Context));
+
 #[test]
 fn without_a_fragment_shader_integers_stay_as_they_are() {
-    let draws: [(&str, fn(&mut Context)); 5] = [
+    let draws: [Draw; 5] = [
         ("glBegin", |c| rectangle(c, [-1.0, -1.0, 1.0, 1.0], 0.0)),
         ("glRectf", |c| c.rectf(-1.0, -1.0, 1.0, 1.0)),
         ("glDrawArrays", |c| {
