@@ -103,6 +103,11 @@ impl<T> Names<T> {
     }
 
     /// Every object.
+    pub fn values(&self) -> impl Iterator<Item = &T> {
+        self.objects.values().flatten()
+    }
+
+    /// Every object, to be changed.
     pub fn values_mut(&mut self) -> impl Iterator<Item = &mut T> {
         self.objects.values_mut().flatten()
     }

@@ -1,8 +1,9 @@
 //! Names that a program does not have, though it nearly has: `glGetUniformLocation` answers -1 for
 //! them, and a program that goes on sets nothing.
 //!
-//! Programs also ask for what nothing uses, and rightly: only a name that no attached shader declares,
-//! and that is a slip away from one that there is, is worth a word.
+//! Programs also ask for what nothing uses, and ask all their programs for the same names, and rightly:
+//! only a name that no shader at all declares, and that is a slip away from one that there is, is worth a
+//! word.
 
 use crate::context::Context;
 use crate::context::said::Hint;
@@ -30,7 +31,7 @@ pub(super) fn not_found(context: &mut Context, program: GLuint, of: Of, asked: &
     let subject = asked.bytes().fold(program, |hash, byte| {
         (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193).rotate_left(5)
     });
-    if !context.is_news(hint, subject) || is_declared(context, program, asked) {
+    if !context.is_news(hint, subject) || is_declared(context, asked) {
         return;
     }
     let Some(near) = nearest(context, program, of, asked) else { return };
@@ -39,19 +40,21 @@ pub(super) fn not_found(context: &mut Context, program: GLuint, of: Of, asked: &
     ));
 }
 
-/// Whether a shader of the program declares a name: it is not active because nothing uses it.
-fn is_declared(context: &Context, program: GLuint, asked: &str) -> bool {
+/// Whether any shader declares a name: it is another program's, or not active because nothing uses it.
+fn is_declared(context: &Context, asked: &str) -> bool {
     let base = asked.split(['[', '.']).next().unwrap_or(asked);
-    let objects = &context.objects.programs;
-    let Some(ShaderOrProgram::Program(program)) = objects.get(program) else { return false };
-    let mut members = program.executable.iter().flat_map(|linked| &linked.program.members);
-    members.any(|member| member.name == asked)
-        || program.attached.iter().any(|&name| match objects.get(name) {
-            Some(ShaderOrProgram::Shader(shader)) => {
-                shader.compiled.as_ref().is_some_and(|compiled| compiled.declares(base))
-            }
-            Some(ShaderOrProgram::Program(_)) | None => false,
-        })
+    context.objects.programs.values().any(|object| match object {
+        ShaderOrProgram::Shader(shader) => {
+            shader.compiled.as_ref().is_some_and(|compiled| compiled.declares(base))
+        }
+        // Shaders may be deleted once they are linked.
+        ShaderOrProgram::Program(program) => program.executable.as_ref().is_some_and(|linked| {
+            let program = &linked.program;
+            program.members.iter().any(|member| member.name == asked)
+                || program.uniforms.iter().any(|uniform| uniform.name == asked)
+                || program.attributes.iter().any(|attribute| attribute.name == asked)
+        }),
+    })
 }
 
 /// The name that was meant, perhaps. Others differ in their numbers alone: elements that there may be.

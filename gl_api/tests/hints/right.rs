@@ -26,6 +26,15 @@ pub const ROWS: &[Case] = &[
         c.enable(GL_TEXTURE_2D);
         triangle(c);
     }),
+    ("a name of another program", |c| {
+        let other = "#version 120\nuniform vec4 uSMatrix; void main() { gl_FragColor = uSMatrix; }";
+        shaded(c, other);
+        let program = shaded(
+            c,
+            "#version 120\nuniform vec4 uMatrix; void main() { gl_FragColor = uMatrix; }",
+        );
+        assert_eq!(c.get_uniform_location(program, "uSMatrix"), -1);
+    }),
     ("arrays that are just long enough", |c| {
         shaded(c, WHITE);
         buffer(c, 1, 24);
