@@ -156,8 +156,8 @@ fn draw(window: &mut Window) {
 fn draw_panel(window: &Window, panel: i32, program: GLuint) {
     glUseProgram(program);
     let uniform = |name| safe_glGetUniformLocation(program, name);
-    safe_glUniform1i(uniform("uTexUnit0"), 0);
-    safe_glUniform1i(uniform("vTexUnit0"), 0);
+    // The slides call it one way, then the other.
+    safe_glUniform1i(uniform(if panel < 2 { "uTexUnit0" } else { "vTexUnit0" }), 0);
     safe_glUniformMatrix4fv(uniform("uProjMatrix"), &perspective(40., 1., 0.1, 50.));
     let place = translate(0., 0., -3.6);
     let (mesh, model_view) = match panel {
