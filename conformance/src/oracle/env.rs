@@ -128,36 +128,17 @@ pub fn apply(mode: Mode, base: Base, inputs: &Inputs, variant: Variant) -> [f64;
                     p * (1.0 - s) + c * s
                 }
             };
-            let av = match base {
-                Base::Intensity => alpha.map_or(ap, |a| blend(ap, a, ac)),
-                Base::Alpha
-                | Base::Luminance
-                | Base::LuminanceAlpha
-                | Base::Red
-                | Base::Rg
-                | Base::Rgb
-                | Base::Rgba => modulated,
+            let av = if base == Base::Intensity {
+                alpha.map_or(ap, |a| blend(ap, a, ac))
+            } else {
+                modulated
             };
             (rgb(&blend), av)
         }
         Mode::Add => {
             let added = alpha.map_or(ap, |a| ap + a);
-            let av = match base {
-                Base::Intensity => added,
-                Base::Alpha
-                | Base::Luminance
-                | Base::LuminanceAlpha
-                | Base::Red
-                | Base::Rg
-                | Base::Rgb
-                | Base::Rgba => {
-                    if variant.has(Mutation::AddAddsAlpha) {
-                        added
-                    } else {
-                        modulated
-                    }
-                }
-            };
+            let adds_alpha = base == Base::Intensity || variant.has(Mutation::AddAddsAlpha);
+            let av = if adds_alpha { added } else { modulated };
             (rgb(&|cp, cs, _| cp + cs), av)
         }
     };

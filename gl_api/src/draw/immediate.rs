@@ -9,7 +9,7 @@ use super::translate::{Elements, draw};
 use crate::assembly::running as assembly;
 use crate::context::Context;
 use crate::error::{Result, invalid_operation};
-use crate::framebuffer::complete::draw_pass;
+use crate::framebuffer::complete::checked_drawable;
 use crate::interface::{ATTRIB_TEX_COORD, ATTRIB_VERTEX};
 use crate::object::textures::texture_unit;
 use crate::state::material::{MATERIAL_COLUMNS, Materials};
@@ -103,7 +103,7 @@ fn finish(context: &mut Context) -> Result<()> {
     };
     let count = immediate.positions.len();
     if count == 0 {
-        return draw_pass(context).map(drop);
+        return checked_drawable(context);
     }
     let mut bytes = Vec::with_capacity((immediate.used.len() + 1) * count * VALUE);
     bytes.extend_from_slice(bytemuck::cast_slice(&immediate.positions));

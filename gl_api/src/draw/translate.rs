@@ -85,11 +85,9 @@ pub(crate) fn draw_rectangle(
     record(context, Topology::Quads, vertices, elements, Some(rectangle))
 }
 
-/// Integers are written by fragment shaders alone.
-fn integers_have_a_shader(context: &Context) -> Result<()> {
-    let program = context.objects.linked_program(context.state.bindings.program);
-    let is_shaded = program.is_some_and(|linked| linked.fragment.is_some());
-    if !is_shaded && drawn_formats(context).any(Format::is_integer) {
+/// Refuses to draw to integers without a fragment shader, which alone writes them.
+fn no_integers(context: &Context) -> Result<()> {
+    if drawn_formats(context).any(Format::is_integer) {
         return invalid_operation(
             "EXT_texture_integer, section 2.6",
             "a colour buffer that is drawn to holds integers, which only a fragment shader writes: \
@@ -108,14 +106,18 @@ fn record(
 ) -> Result<()> {
     let pass = draw_pass(context)?;
     let program = context.state.bindings.program;
-    if program != 0 && context.objects.linked_program(program).is_none() {
+    let linked = context.objects.linked_program(program);
+    let is_shaded = linked.is_some_and(|linked| linked.fragment.is_some());
+    if program != 0 && linked.is_none() {
         return invalid_operation(
             "GL 2.1, section 2.15.3",
             format!("program {program} is in use but not linked: see glGetProgramInfoLog"),
         );
     }
     assembly::check(context)?;
-    integers_have_a_shader(context)?;
+    if !is_shaded {
+        no_integers(context)?;
+    }
     if context.queries.discards() {
         return Ok(());
     }

@@ -257,6 +257,14 @@ pub(super) fn checked_complete(context: &Context, name: GLuint) -> Result<()> {
     })
 }
 
+/// Checks that the draw framebuffer can be drawn to, for calls that need no [`draw_pass`].
+///
+/// # Errors
+/// `GL_INVALID_FRAMEBUFFER_OPERATION` where it is incomplete.
+pub(crate) fn checked_drawable(context: &Context) -> Result<()> {
+    checked_complete(context, context.state.bindings.draw_framebuffer)
+}
+
 /// Which of depth and stencil the draw framebuffer has.
 pub(crate) fn draw_planes(context: &Context) -> Planes {
     match context.objects.framebuffers.get(context.state.bindings.draw_framebuffer) {
@@ -293,8 +301,8 @@ pub(crate) fn draws_integers(context: &Context) -> bool {
 /// # Errors
 /// `GL_INVALID_FRAMEBUFFER_OPERATION` where it is incomplete.
 pub(crate) fn draw_pass(context: &Context) -> Result<PassDesc> {
+    checked_drawable(context)?;
     let name = context.state.bindings.draw_framebuffer;
-    checked_complete(context, name)?;
     let Some(object) = context.objects.framebuffers.get(name) else {
         let window = &context.window;
         let color = (window.selection.draw[0] != GL_NONE).then(|| whole(&window.color));

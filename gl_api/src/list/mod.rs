@@ -18,7 +18,7 @@ use crate::draw::immediate::Slot;
 use crate::draw::translate::{Elements, draw};
 use crate::entry::Place;
 use crate::error::Result;
-use crate::framebuffer::complete::draw_pass;
+use crate::framebuffer::complete::checked_drawable;
 use crate::state::pixel_store::PixelStore;
 use crate::types::*;
 use rasterizer::driver::{Topology, VertexBinding, VertexSource};
@@ -214,7 +214,7 @@ impl Context {
     /// A draw of nothing: it is still an error between `glBegin` and `glEnd`, and where the framebuffer is
     /// incomplete. Recorded, if a list is compiled.
     pub(crate) fn empty_draw(&mut self, name: &'static str) -> Result<()> {
-        let run = |context: &mut Self| draw_pass(context).map(drop);
+        let run = |context: &mut Self| checked_drawable(context);
         if self.compiling.is_none() {
             return run(self);
         }

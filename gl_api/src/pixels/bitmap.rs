@@ -7,7 +7,7 @@ use crate::entry::Data;
 use crate::error::{Result, not_negative};
 use crate::feedback::record::Kind;
 use crate::feedback::{self, Mode};
-use crate::framebuffer::complete::draw_pass;
+use crate::framebuffer::complete::checked_drawable;
 use crate::texture::client::Pixel;
 use crate::texture::layout::{Extent, Layout};
 use crate::texture::memory;
@@ -35,7 +35,7 @@ pub(crate) fn bitmap(
 ) -> Result<()> {
     let width = not_negative(SECTION, "width", width.into())?;
     let height = not_negative(SECTION, "height", height.into())?;
-    draw_pass(context)?;
+    checked_drawable(context)?;
     let size = [width, height, 1];
     let layout = Layout::new(&context.state.unpack, Pixel::BIT, size, Extent::Flat)?;
     let source = memory::source(context, bitmap, layout.needed)?;

@@ -7,7 +7,7 @@ use crate::constants::*;
 use crate::context::Context;
 use crate::error::{Result, Table, invalid_operation, not_negative};
 use crate::feedback::{self, Mode};
-use crate::framebuffer::complete::{Readable, draw_pass, draw_planes};
+use crate::framebuffer::complete::{Readable, checked_drawable, draw_planes};
 use crate::framebuffer::{Region, read};
 use crate::texture::client::Numbers;
 use crate::texture::{convert, texel, transfer};
@@ -63,7 +63,7 @@ pub(crate) fn copy_pixels(
     let width = not_negative(SECTION, "width", width.into())?;
     let height = not_negative(SECTION, "height", height.into())?;
     let kind = KIND.decode("type", ty)?;
-    draw_pass(context)?;
+    checked_drawable(context)?;
     let planes = draw_planes(context);
     let missing = match kind {
         Kind::Color => false,

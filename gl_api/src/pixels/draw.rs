@@ -8,7 +8,7 @@ use crate::entry::Data;
 use crate::error::{Result, invalid_operation, not_negative};
 use crate::feedback::Mode;
 use crate::feedback::record;
-use crate::framebuffer::complete::{draw_pass, draw_planes};
+use crate::framebuffer::complete::{checked_drawable, draw_planes};
 use crate::texture::client::{ClientFormat, FORMAT, Numbers, Pixel};
 use crate::texture::layout::{Extent, Layout};
 use crate::texture::transfer::Kind;
@@ -89,7 +89,7 @@ pub(crate) fn draw_pixels(
     check_numbers(format)?;
     let pixel = Pixel::new(format, ty)?;
     let layout = Layout::new(&context.state.unpack, pixel, [width, height, 1], Extent::Flat)?;
-    draw_pass(context)?;
+    checked_drawable(context)?;
     check_target(context, pixel)?;
     let Some(source) = memory::pixel_source(context, "glDrawPixels", &layout, pixels)? else {
         return Ok(());
