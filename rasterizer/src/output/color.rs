@@ -179,7 +179,14 @@ fn pack(color: impl Fn(usize, usize) -> f32) -> U32s {
     pack_colors(&Colors(color))
 }
 
+/// [`pack`] of what lies in [0, 1], give or take its last bits.
+#[inline(always)]
+fn pack_units(color: impl Fn(usize, usize) -> f32) -> U32s {
+    pack_colors(&Units(color))
+}
+
 struct Colors<F>(F);
+struct Units<F>(F);
 
 impl<F: Fn(usize, usize) -> f32> Color for Colors<F> {
     #[inline(always)]
@@ -188,10 +195,27 @@ impl<F: Fn(usize, usize) -> f32> Color for Colors<F> {
     }
 }
 
+impl<F: Fn(usize, usize) -> f32> Color for Units<F> {
+    #[inline(always)]
+    fn channel(&self, lane: usize, channel: usize) -> f32 {
+        (self.0)(lane, channel)
+    }
+    #[inline(always)]
+    fn byte(&self, lane: usize, channel: usize) -> u32 {
+        math::unit_byte(self.channel(lane, channel))
+    }
+}
+
 /// Colours of 64 fragments. (A closure that is long would become a function of its own.)
 pub trait Color {
     /// Red, green, blue or alpha of a lane.
     fn channel(&self, lane: usize, channel: usize) -> f32;
+
+    /// The same to the nearest byte.
+    #[inline(always)]
+    fn byte(&self, lane: usize, channel: usize) -> u32 {
+        math::byte(self.channel(lane, channel))
+    }
 }
 
 /// Four bytes of each lane.
@@ -199,8 +223,8 @@ pub trait Color {
 pub fn pack_colors(color: &impl Color) -> U32s {
     let mut words = U32s::ZERO;
     for lane in 0..LANES {
-        let [r, g] = [math::byte(color.channel(lane, 0)), math::byte(color.channel(lane, 1))];
-        let [b, a] = [math::byte(color.channel(lane, 2)), math::byte(color.channel(lane, 3))];
+        let [r, g] = [color.byte(lane, 0), color.byte(lane, 1)];
+        let [b, a] = [color.byte(lane, 2), color.byte(lane, 3)];
         words[lane] = r | g << 8 | b << 16 | a << 24;
     }
     words
@@ -222,11 +246,13 @@ fn blended_bytes(state: &Blend, format: Format, color: [&F32s; 4], stored: &U32s
     let alike = state.src[0] == state.src[1] && state.dst[0] == state.dst[1];
     if alike && state.equation == [BlendEquation::Add; 2] {
         match (state.src[0], state.dst[0]) {
-            (SrcAlpha, OneMinusSrcAlpha) => return each.blend(|s, d, a| s * a + d * (1.0 - a)),
+            (SrcAlpha, OneMinusSrcAlpha) => {
+                return each.blend_units(|s, d, a| s * a + d * (1.0 - a));
+            }
             (One, OneMinusSrcAlpha) => return each.blend(|s, d, a| s + d * (1.0 - a)),
             (SrcAlpha, One) => return each.blend(|s, d, a| s * a + d),
             (One, One) => return each.blend(|s, d, _| s + d),
-            (DstColor, Zero) | (Zero, SrcColor) => return each.blend(|s, d, _| s * d),
+            (DstColor, Zero) | (Zero, SrcColor) => return each.blend_units(|s, d, _| s * d),
             (_, _) => {}
         }
     }
@@ -252,6 +278,15 @@ impl<S: Fn(usize, usize) -> f32, D: Fn(usize, usize) -> f32> Each<S, D> {
     #[inline(always)]
     fn blend(&self, f: impl Fn(f32, f32, f32) -> f32) -> U32s {
         pack(|lane, channel| {
+            let alpha = (self.source)(lane, 3);
+            f((self.source)(lane, channel), (self.destination)(lane, channel), alpha)
+        })
+    }
+
+    /// [`Self::blend`] of what stays in [0, 1].
+    #[inline(always)]
+    fn blend_units(&self, f: impl Fn(f32, f32, f32) -> f32) -> U32s {
+        pack_units(|lane, channel| {
             let alpha = (self.source)(lane, 3);
             f((self.source)(lane, channel), (self.destination)(lane, channel), alpha)
         })

@@ -4,6 +4,7 @@
 use super::interpolate::{Inverse, PlaneSetup, PlaneSource, Planes};
 use super::lanes::ShapeLanes;
 use super::small::{REACHED, Windows};
+use crate::plan::FactorPlanes;
 use crate::primitive::{SUBPIXEL, Shape};
 use crate::vertex::{Geometry, VARYINGS};
 use texunit::lanes::{F32s, Isa, Kernel, LANES, Simd, U32s};
@@ -90,6 +91,22 @@ impl PlaneGroup {
     pub fn of(&self, lane: usize) -> impl Iterator<Item = [f64; 3]> {
         let lane = lane % LANES;
         self.planes.iter().map(move |[a, b, c]| [a[lane], b[lane], c[lane]])
+    }
+
+    /// Whether what factors depend on is the same all over the shape `lane`: planes that do not rise, or that are
+    /// the denominator they are divided by.
+    pub fn is_level(&self, lane: usize, of: &FactorPlanes, denominator: Option<usize>) -> bool {
+        let lane = lane % LANES;
+        let plane = |index: usize| self.planes[index].each_ref().map(|numbers| numbers[lane]);
+        // The sign of a zero may change on the way to a block.
+        let rests = |index: &usize| {
+            let [a, b, c] = plane(*index);
+            a == 0.0 && b == 0.0 && (c as f32).to_bits() != (-0.0_f32).to_bits()
+        };
+        let by = denominator.map(plane);
+        let is_one = by.is_none_or(|by| by == [0.0, 0.0, 1.0]);
+        of.linear.iter().all(rests)
+            && of.smooth.iter().all(|index| by == Some(plane(*index)) || is_one && rests(index))
     }
 
     /// The value of each plane at the centre of pixel `(x, y)` and its steps, of the shape `lane`.

@@ -24,6 +24,8 @@ pub struct Products {
     factors: Box<[F32s; 4]>,
     draw: u64,
     values: Vec<u32>,
+    /// The shape that they are known to be the same all over, see [`BlockRun::level`].
+    level: Option<u64>,
     /// The planes' values of this run.
     now: Vec<u32>,
     /// Whether all of those factors are 1: then everything is what it was.
@@ -45,6 +47,10 @@ pub enum Factors {
 impl Products {
     /// Says how the factors of a run are to be had.
     pub fn factors_of(&mut self, plan: &DrawPlan, of: &ProductPlan, run: &BlockRun) -> Factors {
+        if run.level().is_some() && run.level() == self.level {
+            self.how = Factors::Known;
+            return self.how;
+        }
         let shared = match &of.factor_planes {
             Some(FactorPlanes { smooth, linear }) => {
                 let now = &mut self.now;
@@ -58,6 +64,7 @@ impl Products {
             }
             None => false,
         };
+        self.level = run.level().filter(|_| shared);
         self.how = match shared {
             false => Factors::Varying,
             true if self.draw == plan.prepared.id() && self.now == self.values => Factors::Known,
@@ -238,6 +245,10 @@ impl<T: Texels> Color for Alone<'_, T> {
     #[inline(always)]
     fn channel(&self, lane: usize, channel: usize) -> f32 {
         self.0.channel(lane, channel)
+    }
+    #[inline(always)]
+    fn byte(&self, lane: usize, channel: usize) -> u32 {
+        self.0.byte(lane, channel)
     }
 }
 

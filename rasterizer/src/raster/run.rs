@@ -15,6 +15,8 @@ pub struct BlockRun {
     planes: Vec<[f32; 3]>,
     blocks: [Covered; BANKS],
     len: usize,
+    /// What all blocks are of, see [`Self::level`].
+    level: Option<u64>,
 }
 
 /// What a shape covers of a block.
@@ -38,6 +40,11 @@ impl BlockRun {
             if usize::from(covered.block) == block { covered.lanes } else { 0 }
         };
         self.blocks.iter().take(self.len).any(|covered| waiting(covered) & lanes != 0)
+    }
+
+    /// The number of the shape that all blocks are of, where the factors of a product are the same all over it.
+    pub fn level(&self) -> Option<u64> {
+        self.level
     }
 
     /// Whether a plane is 1 all over the blocks.
@@ -80,7 +87,8 @@ impl BlockRun {
         self.len = 0;
     }
 
-    /// Adds a block of a shape, of which these lanes are left. There is room for [`BANKS`].
+    /// Adds a block of a shape, of which these lanes are left. There is room for [`BANKS`]. `level` is the shape's
+    /// number, if it has one: see [`Self::level`].
     #[inline]
     pub fn push(
         &mut self,
@@ -88,7 +96,9 @@ impl BlockRun {
         facing: Facing,
         block: usize,
         lanes: u64,
+        level: Option<u64>,
     ) {
+        self.level = level.filter(|_| self.len == 0 || self.level == level);
         self.planes.extend(planes);
         self.blocks[self.len] = Covered { block: block as u8, facing, lanes };
         self.len += 1;

@@ -49,6 +49,8 @@ pub struct Worker {
     covers: Vec<Cover>,
     /// The draw whose shapes come now.
     draw: Option<usize>,
+    /// How many shapes had a number, see [`BlockRun::level`].
+    levels: u64,
 }
 
 impl Worker {
@@ -347,6 +349,9 @@ impl Worker {
         // Whole blocks have nothing to decide then.
         let is_plain = job.plan.together > 1 && job.plan.timing == Timing::Never;
         let is_inside = coverage::is_inside_area(&job.area, tile.x, tile.y, TILE as i32);
+        // No block of a shape is in another's way.
+        let is_free = self.waiting.is_empty() && self.pixels.is_empty() && self.run.len() == 0;
+        let level = self.level(&job.plan, lane);
         let mut left = self.broad.touched;
         while left != 0 {
             let block = left.trailing_zeros() as usize;
@@ -365,9 +370,11 @@ impl Worker {
                 covered &= coverage::block(pass.isa, &edges, bx, by).lanes();
             }
             if covered == !0 && is_plain {
-                self.make_way(pass, job, tile, block, covered);
+                if !is_free {
+                    self.make_way(pass, job, tile, block, covered);
+                }
                 tile.prefetch(&job.plan, block);
-                self.run.push(self.broad.at(block), shape.facing, block, covered);
+                self.run.push(self.broad.at(block), shape.facing, block, covered, level);
                 if self.run.len() == job.plan.together {
                     self.flush_run(pass, job, tile);
                 }
@@ -377,6 +384,15 @@ impl Worker {
                 self.fill_block(pass, tile, job, shape.facing, [bx, by], &mut masks);
             }
         }
+    }
+
+    /// A number of the shape in this lane of the group, where the factors of a product are the same all over it: then
+    /// no run of its blocks has to look. No other shape has it.
+    fn level(&mut self, plan: &DrawPlan, lane: usize) -> Option<u64> {
+        let factors = plan.product.as_ref()?.factor_planes.as_ref()?;
+        self.levels += 1;
+        let is_level = self.group.is_level(lane, factors, plan.denominator_plane);
+        is_level.then_some(self.levels)
     }
 
     /// What `self.covers` cover of those lanes of a block that are `inside`.
@@ -455,7 +471,7 @@ impl Worker {
             if plan.together == 1 || tile.watched.is_some() {
                 self.shader.shade(pass, job, &Batch::of_block(&of, masks), tile);
             } else if masks.any() != 0 {
-                self.run.push(self.planes.iter().copied(), facing, block, masks.any());
+                self.run.push(self.planes.iter().copied(), facing, block, masks.any(), None);
                 if self.run.len() == plan.together {
                     self.flush_run(pass, job, tile);
                 }

@@ -32,8 +32,8 @@ fn noise(format: Format, sampler: Sampler) -> Arc<SamplePlan> {
 }
 
 /// Large triangles over one another, some in perspective: position, then s, t and others, then what `factor` makes
-/// of the four values that the factors come from.
-fn triangles(factor: impl Fn(f32) -> f32) -> Vec<f32> {
+/// of the number of the triangle and the four values that the factors come from.
+fn triangles(factor: impl Fn(usize, f32) -> f32) -> Vec<f32> {
     let corners = [
         [[-1.5, -1.2, 0.0, 1.0], [1.6, -1.1, 0.0, 1.0], [0.1, 1.9, 0.0, 1.0]],
         [[-1.0, -1.0, 0.0, 1.0], [2.5, -2.6, 0.0, 2.7], [0.2, 0.9, 0.0, 0.9]],
@@ -41,11 +41,11 @@ fn triangles(factor: impl Fn(f32) -> f32) -> Vec<f32> {
     ];
     let given = [[-0.3, 0.1, 0.2, 1.1], [1.9, 0.2, 0.9, -0.2], [0.7, 1.4, 0.5, 0.8]];
     let mut out = Vec::new();
-    for corners in corners {
+    for (number, corners) in corners.into_iter().enumerate() {
         for (corner, given) in corners.into_iter().zip(given) {
             out.extend(corner);
             out.extend(given);
-            out.extend(given.map(|v| factor(1.2 - v)));
+            out.extend(given.map(|v| factor(number, 1.2 - v)));
         }
     }
     out
@@ -53,7 +53,7 @@ fn triangles(factor: impl Fn(f32) -> f32) -> Vec<f32> {
 
 /// Attribute 2, which the factors come from, is the same for all vertices.
 fn constant(values: [f32; 4]) -> Arc<[VertexBinding]> {
-    let mut all = bindings(&triangles(|v| v), 3).to_vec();
+    let mut all = bindings(&triangles(|_, v| v), 3).to_vec();
     all[2].source = VertexSource::Constant(values);
     all.into()
 }
@@ -152,9 +152,10 @@ fn texels_multiplied_as_they_come_are_what_the_interpreter_multiplies() {
         constant: [0.0; 4],
     };
     let vertices = [
-        bindings(&triangles(|v| v), 3),
-        bindings(&triangles(|_| 1.0), 3),
-        bindings(&triangles(|_| 0.6), 3),
+        bindings(&triangles(|_, v| v), 3),
+        bindings(&triangles(|_, _| 1.0), 3),
+        bindings(&triangles(|number, _| [1.0, 0.6, 0.3][number]), 3),
+        bindings(&triangles(|number, _| [0.6, -0.0, 0.0][number]), 3),
         constant([1.0; 4]),
         constant([0.25, 1.0, 1.5, 0.75]),
     ];
@@ -203,7 +204,7 @@ fn texels_multiplied_as_they_come_are_what_the_interpreter_multiplies() {
 #[test]
 fn what_is_one_at_all_vertices_is_one_in_between() {
     let desc = pipeline(vertex(8), fragment(8, |b| each(b, |b, at| varying(b, 4 + at as u16))));
-    let vertices = &bindings(&triangles(|_| 1.0), 3);
+    let vertices = &bindings(&triangles(|_, _| 1.0), 3);
     let target = Format::Rgba32F;
     let drawn = Drawn { desc: &desc, textures: &[], vertices, count: 9, target };
     for isa in Isa::available() {

@@ -5,7 +5,7 @@ use super::filter::lerp;
 use super::flat::{self, Read};
 use super::plain::{self, Square};
 use crate::format::convert::{byte_channel, byte_of, over_255};
-use crate::lanes::{F32s, Simd, U32s};
+use crate::lanes::{F32s, Simd, U32s, math};
 use crate::plan::{Lod, Texture};
 use crate::sampler::Filter;
 
@@ -13,6 +13,12 @@ use crate::sampler::Filter;
 pub trait Texels {
     /// Red, green, blue or alpha of a lane.
     fn channel(&self, lane: usize, channel: usize) -> f32;
+
+    /// The same to the nearest byte.
+    #[inline(always)]
+    fn byte(&self, lane: usize, channel: usize) -> u32 {
+        math::byte(self.channel(lane, channel))
+    }
 
     /// The same as four bytes over 255, where that is all that they are.
     fn bytes(&self) -> Option<&U32s>;
@@ -63,6 +69,11 @@ impl Texels for Square {
         over_255(lerp(lower, upper, beta))
     }
     #[inline(always)]
+    fn byte(&self, lane: usize, channel: usize) -> u32 {
+        // A mean of bytes over 255.
+        math::unit_byte(self.channel(lane, channel))
+    }
+    #[inline(always)]
     fn bytes(&self) -> Option<&U32s> {
         None
     }
@@ -80,6 +91,11 @@ impl Texels for Both<'_> {
             second.channel(lane, channel),
             weight[lane],
         )
+    }
+    #[inline(always)]
+    fn byte(&self, lane: usize, channel: usize) -> u32 {
+        // A mean of bytes over 255.
+        math::unit_byte(self.channel(lane, channel))
     }
     #[inline(always)]
     fn bytes(&self) -> Option<&U32s> {

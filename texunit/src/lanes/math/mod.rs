@@ -49,8 +49,20 @@ pub fn index(x: f32, last: f32) -> u32 {
 /// 2.14.9).
 #[inline(always)]
 pub fn byte(c: f32) -> u32 {
-    let near = clamp(c, 0.0, 1.0) * 255.0 + 0.5;
+    // Held in bounds at last: LLVM makes a choice between products of a clamp before.
+    let near = clamp(c * 255.0 + 0.5, 0.5, 255.5);
     // SAFETY: the clamp leaves no NaN, so this is in 0.5 ..= 255.5.
+    unsafe { near.to_int_unchecked::<i32>() as u32 }
+}
+
+/// [`byte`] of what is known to lie in `[0, 1]`, give or take its last bits. What does not gives some byte.
+#[inline(always)]
+pub fn unit_byte(c: f32) -> u32 {
+    const LAST: u32 = 255.5_f32.to_bits();
+    let bits = (c * 255.0 + 0.5).to_bits();
+    // Floats that are not negative are in the order of their bits; all others are beyond.
+    let near = f32::from_bits(if bits < LAST { bits } else { LAST });
+    // SAFETY: bits from 0 to those of 255.5 are of floats from 0 to 255.5.
     unsafe { near.to_int_unchecked::<i32>() as u32 }
 }
 

@@ -208,3 +208,24 @@ fn mod_stays_in_its_range_and_loses_no_more_than_the_product() {
         assert!(off <= ulp(a) + ulp(b), "mod({a:?}, {b:?}) = {got:?}, not {want:?}");
     }
 }
+
+#[test]
+fn a_byte_is_the_nearest_and_short_of_the_bounds_needs_none() {
+    for c in domain(65_521) {
+        let exact = (f64::from(c).clamp(0.0, 1.0) * 255.0 + 0.5).floor();
+        let got = f64::from(byte(c));
+        let is_tie = (f64::from(c) * 255.0).fract() - 0.5;
+        let near = if is_tie.abs() < 1e-4 { 1.0 } else { 0.0 };
+        assert!(c.is_nan() && got == 0.0 || (got - exact).abs() <= near, "{c}: {got}, {exact}");
+        assert!(unit_byte(c) <= 255, "{c}");
+    }
+    let (least, most) = ((-0.001_f32).to_bits(), 1.001_f32.to_bits());
+    for bits in ((-0.0_f32).to_bits()..least).step_by(65_521).chain((0..most).step_by(61)) {
+        let c = f32::from_bits(bits);
+        assert_eq!(unit_byte(c), byte(c), "{c}");
+    }
+    for number in 0..=255 {
+        let c = (f64::from(number) / 255.0) as f32;
+        assert_eq!([byte(c), unit_byte(c)], [number; 2]);
+    }
+}
