@@ -137,7 +137,12 @@ impl Generator<'_> {
                 } else {
                     self.dice.of(Op::ALL)
                 };
-                let args: Vec<Value> = op.args().iter().map(|ty| self.value(*ty)).collect();
+                let mut args: Vec<Value> = op.args().iter().map(|ty| self.value(*ty)).collect();
+                // What `ModNear` becomes may count on the inverse.
+                if let (Op::ModNear | Op::ModPositive, [_, b, inverse]) = (op, &mut args[..]) {
+                    let one = self.b.float(1.0);
+                    *inverse = self.b.op(Op::Div, &[one, *b]);
+                }
                 let value = self.b.op(op, &args);
                 self.visible.push(value);
             }
