@@ -5,13 +5,14 @@
 
 mod inputs;
 
+pub use inputs::{FilledInput, FragmentInput};
 use inputs::{Gathered, Inputs, sprite_slots};
 
 use crate::driver::{
     DepthState, DepthWrite, Pipeline, PolygonMode, PolygonOffset, RasterState, Rim, VertexBinding,
     VertexSource, Viewport,
 };
-use crate::ir::{Axis, Input, Output};
+use crate::ir::{Input, Output};
 use crate::output::{ColorPlan, DepthFormat, DepthPlan, StencilPlan, Tests};
 use crate::raster::{PlaneSource, Samples};
 use crate::shader::{Prepared, Program, Sources};
@@ -25,37 +26,6 @@ use texunit::sampler::Compare;
 
 /// Textures by slot.
 pub type Textures = Arc<[Option<Arc<SamplePlan>>]>;
-
-/// Where a fragment program's input comes from. The numbers are planes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum FragmentInput {
-    /// Divided by the denominator.
-    Smooth(usize),
-    /// The plane as it is.
-    Linear(usize),
-    /// As [`Self::Smooth`], at the centroid of the covered samples.
-    SmoothWithin(usize),
-    /// As [`Self::Linear`], at the centroid of the covered samples.
-    LinearWithin(usize),
-    /// The plane's value at the provoking vertex.
-    Flat(usize),
-    /// How a smooth value changes from pixel to pixel.
-    SmoothSlope(usize, Axis),
-    /// How a linear value changes from pixel to pixel.
-    LinearSlope(usize, Axis),
-    /// Window x.
-    X,
-    /// Window y.
-    Y,
-    /// Window depth.
-    Depth,
-    /// Which side is seen.
-    Front,
-    /// The part of the pixel that is covered.
-    Coverage,
-    /// Not there in this stage, or not needed by this draw.
-    Zero,
-}
 
 /// When the stencil and depth tests happen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -82,6 +52,8 @@ pub struct DrawPlan {
     pub planes: Vec<PlaneSource>,
     /// By input of the fragment program.
     pub inputs: Vec<FragmentInput>,
+    /// Those of them that batches fill.
+    pub filled: Vec<FilledInput>,
     /// Whether any of them is taken at the centroid of the covered samples.
     pub centroids: bool,
     /// Whether any of them is how much of its pixel is covered.
@@ -127,7 +99,7 @@ pub struct ProductPlan {
     /// shape, so are the factors.
     pub factor_planes: Option<FactorPlanes>,
     /// The inputs that a block needs where the factors are known.
-    pub inputs: Vec<FragmentInput>,
+    pub inputs: Vec<FilledInput>,
 }
 
 /// The planes that factors depend on.
@@ -177,14 +149,9 @@ impl ProductPlan {
                 planes.dedup();
             }
         }
-        let needed = |(index, input): (usize, &FragmentInput)| match product
-            .lookup_inputs
-            .contains(&index)
-        {
-            true => *input,
-            false => FragmentInput::Zero,
-        };
-        Some(Self { factor_planes, inputs: inputs.iter().enumerate().map(needed).collect() })
+        let mut filled = FilledInput::of(inputs);
+        filled.retain(|input| product.lookup_inputs.contains(&input.number));
+        Some(Self { factor_planes, inputs: filled })
     }
 }
 
@@ -366,6 +333,7 @@ impl DrawPlan {
             prepared: fragment.prepare(input.isa, input.uniforms, &input.textures),
             textures: input.textures,
             planes,
+            filled: FilledInput::of(&inputs),
             inputs,
             depth_plane,
             denominator_plane,

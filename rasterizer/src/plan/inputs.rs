@@ -1,11 +1,57 @@
 //! Where the inputs of fragments come from: the planes that are set up for each primitive of a draw, and which of
 //! them an input reads.
 
-use super::FragmentInput;
 use crate::driver::{Compiled, PipelineDesc, PolygonMode, RasterState, Topology};
 use crate::ir::{Axis, Input, Interpolation};
 use crate::raster::{PlaneSource, Samples};
 use crate::shader::Sources;
+
+/// Where a fragment program's input comes from. The numbers are planes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FragmentInput {
+    /// Divided by the denominator.
+    Smooth(usize),
+    /// The plane as it is.
+    Linear(usize),
+    /// As [`Self::Smooth`], at the centroid of the covered samples.
+    SmoothWithin(usize),
+    /// As [`Self::Linear`], at the centroid of the covered samples.
+    LinearWithin(usize),
+    /// The plane's value at the provoking vertex.
+    Flat(usize),
+    /// How a smooth value changes from pixel to pixel.
+    SmoothSlope(usize, Axis),
+    /// How a linear value changes from pixel to pixel.
+    LinearSlope(usize, Axis),
+    /// Window x.
+    X,
+    /// Window y.
+    Y,
+    /// Window depth.
+    Depth,
+    /// Which side is seen.
+    Front,
+    /// The part of the pixel that is covered.
+    Coverage,
+    /// Not there in this stage, or not needed by this draw.
+    Zero,
+}
+
+/// An input that each batch fills.
+#[derive(Clone, Copy, Debug)]
+pub struct FilledInput {
+    /// Of the program's inputs.
+    pub number: usize,
+    pub from: FragmentInput,
+}
+
+impl FilledInput {
+    /// Those that are not zero.
+    pub fn of(inputs: &[FragmentInput]) -> Vec<Self> {
+        let all = inputs.iter().enumerate().map(|(number, &from)| Self { number, from });
+        all.filter(|input| input.from != FragmentInput::Zero).collect()
+    }
+}
 
 /// What they depend on, and the planes so far.
 pub struct Inputs<'a> {

@@ -5,7 +5,7 @@ use super::pixels::Pixels;
 use super::run::BlockRun;
 use super::samples::{SampleMasks, moved};
 use crate::ir::Axis;
-use crate::plan::{DrawPlan, FragmentInput};
+use crate::plan::{DrawPlan, FilledInput, FragmentInput};
 use crate::primitive::Facing;
 use crate::shader::Machine;
 use texunit::lanes::{F32s, Kernel, LANES, QUADS, Simd, U32s};
@@ -136,7 +136,7 @@ impl Kernel for Interpolate<'_> {
     #[inline(always)]
     fn run<S: Simd>(self) {
         let Self { plan, batch, machine, depth } = self;
-        let inputs = &plan.inputs[..];
+        let inputs = &plan.filled[..];
         let mut fill = Fill { plan, inputs, masks: batch.masks, machine, bank: 0, depth };
         match batch.quads {
             Quads::Block(block) => fill.fill::<S>(block),
@@ -151,7 +151,7 @@ pub struct InterpolateRun<'a> {
     /// The draw.
     pub plan: &'a DrawPlan,
     /// What is filled of the first bank, and of the others.
-    pub inputs: [&'a [FragmentInput]; 2],
+    pub inputs: [&'a [FilledInput]; 2],
     /// The blocks.
     pub run: &'a BlockRun,
     /// The first pixel of their tile.
@@ -177,7 +177,7 @@ impl Kernel for InterpolateRun<'_> {
 /// Fills the input registers of a bank.
 struct Fill<'a> {
     plan: &'a DrawPlan,
-    inputs: &'a [FragmentInput],
+    inputs: &'a [FilledInput],
     masks: &'a SampleMasks,
     machine: &'a mut Machine,
     bank: usize,
@@ -206,8 +206,10 @@ impl Fill<'_> {
         if plan.centroids {
             centroids = plan.samples.centroids(masks);
         }
-        for (out, input) in machine.inputs_of(*bank).iter_mut().zip(*inputs) {
-            match *input {
+        let registers = machine.inputs_of(*bank);
+        for &FilledInput { number, from } in *inputs {
+            let Some(out) = registers.get_mut(number) else { continue };
+            match from {
                 FragmentInput::Smooth(index) if is_divided => {
                     *out.as_f32_mut() = divided(places, [index, denominator], &w);
                 }
@@ -257,7 +259,7 @@ impl Fill<'_> {
                         *out.as_f32_mut() = *coverage;
                     }
                 }
-                // Was set when the draw began.
+                // Was set when the draw began, and is not filled.
                 FragmentInput::Zero => {}
             }
         }

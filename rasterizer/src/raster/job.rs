@@ -112,12 +112,12 @@ pub struct TileJob {
 }
 
 impl TileJob {
-    /// Asks for the words of a block that a draw will write its colours to.
+    /// Asks for the words of the blocks that a draw will write its colours to.
     #[inline]
-    pub fn prefetch(&self, plan: &DrawPlan, block: usize) {
+    pub fn prefetch(&self, plan: &DrawPlan, blocks: impl Iterator<Item = usize> + Clone) {
         for color in &plan.colors {
             if let Some(target) = &self.colors[color.target] {
-                target.prefetch(block);
+                target.prefetch(blocks.clone());
             }
         }
     }

@@ -6,7 +6,7 @@ use crate::output::{Color, ColorPlan, pack_colors, put};
 use crate::plan::{DrawPlan, FactorPlanes, ProductPlan};
 use crate::shader::{BANKS, Machine, OverBudget, Part, Product, Run};
 use texunit::lanes::{F32s, Isa, Kernel, LANES, QUADS, Simd, U32s};
-use texunit::plan::{Take, Texels};
+use texunit::plan::{Lod, SamplePlan, Take, Texels};
 
 /// The colours of a run, and what there is between its lookups.
 #[derive(Debug, Default)]
@@ -157,10 +157,11 @@ impl Kernel for Multiply<'_> {
                         _ => To::Lanes(after),
                     },
                 };
-                let lookup = machine.lookup(product, at, bank);
-                let texture = plan.textures.get(lookup.texture as usize);
+                let texture = plan.textures.get(product.texture(at));
                 if let Some(texture) = texture.and_then(Option::as_ref) {
-                    texture.take::<S, _>(isa, lookup.coords, lookup.lod, lanes, times);
+                    let coords = machine.coords(product, at, bank);
+                    let lod = lod_of(texture, machine, product, at, bank);
+                    texture.take::<S, _>(isa, coords, lod, lanes, times);
                 }
             }
         }
@@ -171,9 +172,9 @@ impl Kernel for Multiply<'_> {
 #[inline(always)]
 fn ask<S: Simd>(plan: &DrawPlan, product: &Product, machine: &Machine, banks: usize) {
     for at in 0..product.lookups() {
-        let first = machine.lookup(product, at, 0);
-        let texture = plan.textures.get(first.texture as usize);
+        let texture = plan.textures.get(product.texture(at));
         let Some(texture) = texture.and_then(Option::as_ref) else { continue };
+        let lod = lod_of(texture, machine, product, at, 0);
         let mut points = [F32s::ZERO; 2];
         for bank in 0..BANKS {
             let coords = machine.coords(product, at, bank.min(banks - 1));
@@ -181,8 +182,20 @@ fn ask<S: Simd>(plan: &DrawPlan, product: &Product, machine: &Machine, banks: us
                 points.0[bank * QUADS..][..QUADS].copy_from_slice(&coords.0[..QUADS]);
             }
         }
-        texture.ask::<S>(points.each_ref(), first.coords, &first.lod);
+        texture.ask::<S>(points.each_ref(), machine.coords(product, at, 0), &lod);
     }
+}
+
+/// The level of detail of a lookup, which is not looked up where the texture has no use for it.
+#[inline(always)]
+fn lod_of<'a>(
+    texture: &SamplePlan,
+    machine: &'a Machine,
+    product: &'a Product,
+    at: usize,
+    bank: usize,
+) -> Lod<'a> {
+    if texture.needs_lod() { machine.lod(product, at, bank) } else { Lod::Implicit { bias: None } }
 }
 
 /// Multiplies a lookup.

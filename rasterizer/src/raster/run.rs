@@ -121,6 +121,11 @@ impl BlockRun {
         })
     }
 
+    /// The block of each bank.
+    pub fn numbers(&self) -> impl Iterator<Item = usize> + Clone {
+        self.blocks[..self.len].iter().map(|covered| usize::from(covered.block))
+    }
+
     /// The block of a bank and its lanes.
     #[inline]
     pub fn covered(&self, bank: usize) -> (usize, u64) {

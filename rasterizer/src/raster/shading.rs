@@ -108,9 +108,10 @@ impl Shader {
         tile: &mut TileJob,
     ) {
         let (isa, plan, machine) = (pass.isa, &job.plan, &mut self.machine);
+        tile.prefetch(plan, blocks.numbers());
         let program = &plan.pipeline.compiled().fragment;
         let product = plan.product.as_ref().zip(program.product());
-        let all = &plan.inputs[..];
+        let all = &plan.filled[..];
         let inputs = match product {
             Some((of, _)) => match self.products.factors_of(plan, of, blocks) {
                 Factors::Varying => [all; 2],

@@ -359,7 +359,7 @@ impl Worker {
             if let (Timing::Early, Some(depth)) = (job.plan.timing, &tile.depth)
                 && left != 0
             {
-                depth.prefetch(left.trailing_zeros() as usize);
+                depth.prefetch(std::iter::once(left.trailing_zeros() as usize));
             }
             let [bx, by] = [block as i32 % 8, block as i32 / 8];
             let mut covered = !0;
@@ -373,7 +373,6 @@ impl Worker {
                 if !is_free {
                     self.make_way(pass, job, tile, block, covered);
                 }
-                tile.prefetch(&job.plan, block);
                 self.run.push(self.broad.at(block), shape.facing, block, covered, level);
                 if self.run.len() == job.plan.together {
                     self.flush_run(pass, job, tile);
@@ -454,8 +453,9 @@ impl Worker {
         };
         let is_dense = |lanes: u64| packs || lanes == !0 || quads_of(lanes).count_ones() >= DENSE;
         let is_eager = is_dense(covered) || tile.watched.is_some();
-        if is_eager {
-            tile.prefetch(plan, block);
+        let is_alone = plan.together == 1 || tile.watched.is_some();
+        if is_eager && is_alone {
+            tile.prefetch(plan, std::iter::once(block));
         }
         if is_eager && plan.timing == Timing::Early {
             let watched = tile.watched.as_ref();
@@ -468,7 +468,7 @@ impl Worker {
             of.tests = EarlyTests::Done;
         }
         if is_dense(masks.any()) {
-            if plan.together == 1 || tile.watched.is_some() {
+            if is_alone {
                 self.shader.shade(pass, job, &Batch::of_block(&of, masks), tile);
             } else if masks.any() != 0 {
                 self.run.push(self.planes.iter().copied(), facing, block, masks.any(), None);

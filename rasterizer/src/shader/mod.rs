@@ -31,7 +31,7 @@ mod schedule;
 mod sources;
 
 pub use machine::{Machine, Tracer};
-pub use product::{Lookup, Part, Product};
+pub use product::{Part, Product};
 pub(crate) use sources::Sources;
 
 use crate::ir::{Input, Module, Output};

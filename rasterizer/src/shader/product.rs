@@ -32,16 +32,6 @@ pub struct Product {
     pub lookup_inputs: Vec<usize>,
 }
 
-/// A lookup of a product.
-pub struct Lookup<'a> {
-    /// The texture's slot.
-    pub texture: u32,
-    /// s, t, r.
-    pub coords: [&'a F32s; 3],
-    /// Where its level of detail comes from.
-    pub lod: Lod<'a>,
-}
-
 /// A part of what comes before the lookups.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Part {
@@ -107,6 +97,12 @@ impl Product {
         self.lookups.iter().map(|sample| sample.texture)
     }
 
+    /// The texture's slot of a lookup.
+    #[inline(always)]
+    pub fn texture(&self, at: usize) -> usize {
+        self.lookups[at].texture as usize
+    }
+
     /// How many lookups there are, at least one.
     pub fn lookups(&self) -> usize {
         self.lookups.len()
@@ -145,23 +141,17 @@ impl Machine {
         product.factors.map(|reg| reg.map_or(ONE, |reg| registers[reg.0 as usize].as_f32()))
     }
 
-    /// The coordinates of a lookup alone.
+    /// s, t and r of a lookup, as its bank has them.
     #[inline(always)]
     pub fn coords(&self, product: &Product, at: usize, bank: usize) -> [&F32s; 3] {
         let registers = self.bank(bank);
         product.lookups[at].coords.map(|reg| registers[reg.0 as usize].as_f32())
     }
 
-    /// Lookup number `at` of a product, as its bank has it.
+    /// Where the level of detail of a lookup comes from, as its bank has it.
     #[inline(always)]
-    pub fn lookup<'a>(&'a self, product: &'a Product, at: usize, bank: usize) -> Lookup<'a> {
-        let registers = self.bank(bank);
-        let sample = &product.lookups[at];
-        Lookup {
-            texture: sample.texture,
-            coords: self.coords(product, at, bank),
-            lod: lod(registers, sample),
-        }
+    pub fn lod<'a>(&'a self, product: &'a Product, at: usize, bank: usize) -> Lod<'a> {
+        lod(self.bank(bank), &product.lookups[at])
     }
 }
 

@@ -73,11 +73,11 @@ impl TileTarget {
         &mut self.planes[sample * self.words..][..self.words]
     }
 
-    /// Asks for the words of a block that is written soon.
+    /// Asks for the words of blocks that are written soon.
     #[inline]
-    pub fn prefetch(&self, block: usize) {
+    pub fn prefetch(&self, blocks: impl Iterator<Item = usize> + Clone) {
         for plane in &self.planes {
-            plane.prefetch(block);
+            blocks.clone().for_each(|block| plane.prefetch(block));
         }
     }
 }

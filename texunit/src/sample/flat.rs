@@ -50,24 +50,29 @@ pub struct Read {
     pub filter: Filter,
     /// Twice the same where no lane reads another.
     pub levels: [u32; 2],
-    /// Of the second level, where λ has a say.
-    pub weight: Option<F32s>,
 }
 
-/// Which levels all lanes read; `None` where they read different ones.
+/// Which levels all lanes read; `None` where they read different ones. Where they read two, `weight` takes that of
+/// the second.
 #[inline(always)]
-pub fn read<S: Simd>(texture: &Texture, coords: &[&F32s; 3], lod: &Lod<'_>) -> Option<Read> {
+pub fn read<S: Simd>(
+    texture: &Texture,
+    coords: &[&F32s; 3],
+    lod: &Lod<'_>,
+    weight: &mut F32s,
+) -> Option<Read> {
     match &texture.detail {
         Detail::Fixed { filter, level, .. } => {
-            Some(Read { filter: *filter, levels: [*level, *level], weight: None })
+            Some(Read { filter: *filter, levels: [*level, *level] })
         }
         Detail::PerLane { min, range, anisotropy, .. } => {
             let (at, off) = (Coordinates::in_plane(*coords), &mut Off);
             let (base, _, bias) =
                 taps::base_lambda::<S, Round>(texture, &at, *lod, *anisotropy, off);
-            let (each, weight) = range.levels(&range.lambda(&base, bias));
-            let levels = taps::same_levels::<S>(&each, &weight)?;
-            Some(Read { filter: *min, levels, weight: Some(weight) })
+            let each;
+            (each, *weight) = range.levels(&range.lambda(&base, bias));
+            let levels = taps::same_levels::<S>(&each, weight)?;
+            Some(Read { filter: *min, levels })
         }
     }
 }
@@ -93,8 +98,9 @@ impl<F> Kernel for Flat<'_, '_, F> {
     fn run<S: Simd>(self) -> Outcome {
         let Self { sample, class } = self;
         let texture = sample.texture;
-        let read = read::<S>(texture, sample.coords, sample.lod);
-        let Some(Read { filter, levels, weight }) = read else { return Outcome::NotFlat };
+        let mut weight = F32s::ZERO;
+        let read = read::<S>(texture, sample.coords, sample.lod, &mut weight);
+        let Some(Read { filter, levels }) = read else { return Outcome::NotFlat };
         // Takes no time where there is no second level.
         let mut second = None;
         let reads_both = levels[0] != levels[1];
@@ -117,11 +123,11 @@ impl<F> Kernel for Flat<'_, '_, F> {
                 compare(op, &reference, &mut out[0]);
             }
         }
-        if let (Some(second), Some(weight)) = (&second, &weight) {
+        if let Some(second) = &second {
             let channels = texture.format.channels();
             for (out, second) in sample.out.iter_mut().zip(second).take(channels) {
                 let first = *out;
-                filter::mix(&first, second, weight, out);
+                filter::mix(&first, second, &weight, out);
             }
         }
         expand::expand(texture.format, texture.depth_mode, sample.out);

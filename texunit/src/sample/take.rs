@@ -112,7 +112,8 @@ pub(crate) fn take<S: Simd, T: Take>(
     lod: &Lod<'_>,
     take: T,
 ) -> Result<T::Output, T> {
-    let Some(Read { filter, levels, weight }) = flat::read::<S>(texture, &coords, lod) else {
+    let mut weight = F32s::ZERO;
+    let Some(Read { filter, levels }) = flat::read::<S>(texture, &coords, lod, &mut weight) else {
         return Err(take);
     };
     let [first, second] = levels.map(|number| flat::place(texture, filter, number));
@@ -127,14 +128,11 @@ pub(crate) fn take<S: Simd, T: Take>(
         Filter::Nearest => Err(take),
         Filter::Linear => {
             let Some(lower) = square::<S>(texture, &first, coords) else { return Err(take) };
-            match &weight {
-                Some(weight) if !is_same => {
-                    let upper = square::<S>(texture, &second, coords);
-                    let Some(upper) = upper else { return Err(take) };
-                    Ok(take.take::<S>(&Both([&lower, &upper], weight)))
-                }
-                Some(_) | None => Ok(take.take::<S>(&lower)),
+            if is_same {
+                return Ok(take.take::<S>(&lower));
             }
+            let Some(upper) = square::<S>(texture, &second, coords) else { return Err(take) };
+            Ok(take.take::<S>(&Both([&lower, &upper], &weight)))
         }
     }
 }
