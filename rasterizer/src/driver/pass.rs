@@ -25,8 +25,9 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use texunit::format::Format;
 use texunit::plan::SamplePlan;
 
-/// Shapes in the bins from which on they are drawn before the pass ends.
-const BINS_FULL: usize = 1 << 20;
+/// Shapes in the bins from which on they are drawn before the pass ends. A tile's part of so many is worth a turn of
+/// its own, and the next ones have their memory: it is near, and the system does not have to give any more.
+const BINS_FULL: usize = 1 << 16;
 
 /// The state that commands set.
 struct Bound {
