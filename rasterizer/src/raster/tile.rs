@@ -15,7 +15,7 @@ use super::run::BlockRun;
 use super::samples::SampleMasks;
 use super::shading::{Shader, early_tests};
 use super::small::{Share, Window, Windows};
-use crate::plan::{DrawPlan, FragmentInput, Packing, Timing};
+use crate::plan::{DrawPlan, FragmentInput, Packing, Shading, Timing};
 use crate::primitive::{Facing, Kind, Shape};
 use crate::target::TILE;
 use std::sync::atomic::Ordering;
@@ -432,7 +432,8 @@ impl Worker {
         let block = (by * 8 + bx) as usize;
         self.make_way(pass, job, tile, block, covered);
         let packs = plan.packing == Packing::Pixels && tile.watched.is_none();
-        if packs && covered.count_ones() < DENSE_PIXELS {
+        // To test a block costs less than to pack its pixels, where nothing is shaded.
+        if packs && covered.count_ones() < DENSE_PIXELS && plan.shading == Shading::On {
             let mut left = covered;
             while left != 0 {
                 if self.pixels.is_full() {
