@@ -1,0 +1,293 @@
+//! Shapes into batches: what a shape covers of each block of the tile, and whether that waits for others, is tested
+//! at once, or is shaded by itself.
+
+use super::super::batch::{Batch, BlockOf, EarlyTests, moved_quad, quads_of};
+use super::super::broad;
+use super::super::cover::Cover;
+use super::super::coverage;
+use super::super::job::{Chunk, DrawJob, PassJob, TileJob};
+use super::super::pack::DENSE_PIXELS;
+use super::super::samples::SampleMasks;
+use super::super::shading::early_tests;
+use super::super::small::Window;
+use super::{DENSE, Worker};
+use crate::plan::{DrawPlan, Packing, Shading, Timing};
+use crate::primitive::{Facing, Kind, Shape};
+use crate::target::TILE;
+use texunit::lanes::{F32s, Isa};
+
+impl Worker {
+    /// Fills a small triangle, quad by quad.
+    pub(super) fn fill_window(
+        &mut self,
+        pass: &PassJob,
+        tile: &mut TileJob,
+        job: &DrawJob,
+        facing: Facing,
+        lane: usize,
+        window: Window,
+    ) {
+        let [covered, ..] = window.covered;
+        let mut left = quads_of(covered);
+        let mut planes_of = None;
+        while left != 0 {
+            let from = left.trailing_zeros() as usize;
+            left &= left - 1;
+            let (x, y) = (window.quad[0] + from % 4, window.quad[1] + from / 4);
+            let (block, quad) = (y / 4 * 8 + x / 4, y % 4 * 4 + x % 4);
+            let [px, py] = [tile.x + (x / 4 * 8) as i32, tile.y + (y / 4 * 8) as i32];
+            if planes_of != Some(block) {
+                self.group.at(lane, px, py, &mut self.planes);
+                planes_of = Some(block);
+            }
+            let lanes = moved_quad(covered, from, quad);
+            if self.waiting.is_full() {
+                self.flush_quads(pass, job, tile);
+            }
+            self.make_way(pass, job, tile, block, lanes);
+            let of = BlockOf {
+                planes: &self.planes,
+                facing,
+                tests: EarlyTests::Due,
+                block,
+                x: px,
+                y: py,
+                coverage: None,
+            };
+            self.waiting.push(&of, quad, from, &SampleMasks::one(covered));
+        }
+    }
+
+    /// Fills one shape, whose planes are in a lane of the group.
+    pub(super) fn fill(
+        &mut self,
+        pass: &PassJob,
+        tile: &mut TileJob,
+        chunk: &Chunk,
+        shape: &Shape,
+        lane: usize,
+    ) {
+        let job = &pass.draws[chunk.draw];
+        let plan = &job.plan;
+        let Some(range) = block_range(shape, tile.x, tile.y) else { return };
+        let at = [tile.x, tile.y];
+        let blocks = (range[1][0] - range[0][0] + 1) * (range[1][1] - range[0][1] + 1);
+        let is_broad = blocks >= broad::WORTH_IT
+            && shape.kind == Kind::Triangle
+            && plan.covers_by_outline()
+            && tile.watched.is_none();
+        if is_broad {
+            self.fill_broad(pass, tile, job, shape, lane);
+            return;
+        }
+        self.covers.clear();
+        let places = plan.samples.places().iter();
+        self.covers.extend(places.map(|&by| Cover::new(plan, &chunk.geometry, shape, at, by)));
+        let (area, stipple) = match shape.kind {
+            Kind::Triangle => (job.area, plan.stipple.as_ref()),
+            // Their outlines do not know where the view volume ends.
+            Kind::Line { .. } | Kind::Point { .. } => (pixels(&shape.bounds), None),
+        };
+        if plan.reads_coverage {
+            self.parts = F32s::splat(1.0);
+        }
+        let mut masks = SampleMasks::none(plan.samples.count);
+        for by in range[0][1]..=range[1][1] {
+            for bx in range[0][0]..=range[1][0] {
+                let mut inside = coverage::inside_area(&area, tile.x, tile.y, bx, by);
+                if let Some(stipple) = stipple {
+                    let [column, row] = [at[0] / 8 + bx, at[1] / 8 + by];
+                    inside &= stipple[(row % 4 * 4 + column % 4) as usize];
+                }
+                self.covered(pass.isa, plan, shape, at, [bx, by], inside, &mut masks);
+                if masks.any() != 0 {
+                    if let Some(spot) = &mut tile.watched
+                        && spot.is_in((by * 8 + bx) as usize, masks.any())
+                    {
+                        spot.covered(pass, chunk, shape, &masks);
+                    }
+                    let (x, y) = (at[0] + 8 * bx, at[1] + 8 * by);
+                    self.group.at(lane, x, y, &mut self.planes);
+                    self.fill_block(pass, tile, job, shape.facing, [bx, by], &mut masks);
+                }
+            }
+        }
+    }
+
+    /// Fills a triangle that may cover many blocks, of the only sample.
+    fn fill_broad(
+        &mut self,
+        pass: &PassJob,
+        tile: &mut TileJob,
+        job: &DrawJob,
+        shape: &Shape,
+        lane: usize,
+    ) {
+        let edges = coverage::edges(&shape.corners, tile.x, tile.y);
+        self.broad.compute(pass.isa, [tile.x, tile.y], &edges, &self.group, lane);
+        self.broad.steps(&mut self.planes);
+        // Whole blocks have nothing to decide then.
+        let is_plain = job.plan.together > 1 && job.plan.timing == Timing::Never;
+        let is_inside = coverage::is_inside_area(&job.area, tile.x, tile.y, TILE as i32);
+        // No block of a shape is in another's way.
+        let is_free = self.waiting.is_empty() && self.pixels.is_empty() && self.run.len() == 0;
+        let level = self.level(&job.plan, lane);
+        let mut left = self.broad.touched;
+        while left != 0 {
+            let block = left.trailing_zeros() as usize;
+            left &= left - 1;
+            if let (Timing::Early, Some(depth)) = (job.plan.timing, &tile.depth)
+                && left != 0
+            {
+                depth.prefetch(std::iter::once(left.trailing_zeros() as usize));
+            }
+            let [bx, by] = [block as i32 % 8, block as i32 / 8];
+            let mut covered = !0;
+            if !is_inside {
+                covered &= coverage::inside_area(&job.area, tile.x, tile.y, bx, by);
+            }
+            if self.broad.full >> block & 1 == 0 {
+                covered &= coverage::block(pass.isa, &edges, bx, by).lanes();
+            }
+            if covered == !0 && is_plain {
+                if !is_free {
+                    self.make_way(pass, job, tile, block, covered);
+                }
+                self.run.push(self.broad.at(block), shape.facing, block, covered, level);
+                if self.run.len() == job.plan.together {
+                    self.flush_run(pass, job, tile);
+                }
+            } else if covered != 0 {
+                self.broad.corners(block, &mut self.planes);
+                let mut masks = SampleMasks::one(covered);
+                self.fill_block(pass, tile, job, shape.facing, [bx, by], &mut masks);
+            }
+        }
+    }
+
+    /// A number of the shape in this lane of the group, where the factors of a product are the same all over it: then
+    /// no run of its blocks has to look. No other shape has it.
+    fn level(&mut self, plan: &DrawPlan, lane: usize) -> Option<u64> {
+        let factors = plan.product.as_ref()?.factor_planes.as_ref()?;
+        self.levels += 1;
+        let is_level = self.group.is_level(lane, factors, plan.denominator_plane);
+        is_level.then_some(self.levels)
+    }
+
+    /// What `self.covers` cover of those lanes of a block that are `inside`.
+    #[inline]
+    #[expect(clippy::too_many_arguments, reason = "a shape, a block, and what becomes of it")]
+    fn covered(
+        &mut self,
+        isa: Isa,
+        plan: &DrawPlan,
+        shape: &Shape,
+        tile: [i32; 2],
+        block: [i32; 2],
+        inside: u64,
+        masks: &mut SampleMasks,
+    ) {
+        let mut covered = 0;
+        for (sample, mask) in masks.iter_mut().enumerate() {
+            // Samples without an outline of their own are covered as the first is.
+            if let Some(cover) = self.covers.get(sample) {
+                covered = cover.block(isa, plan, shape, tile, block, &mut self.parts);
+            }
+            *mask = if plan.samples.leaves(sample) { covered & inside } else { 0 };
+        }
+    }
+
+    /// Puts the covered lanes of a block into a batch.
+    pub(super) fn fill_block(
+        &mut self,
+        pass: &PassJob,
+        tile: &mut TileJob,
+        job: &DrawJob,
+        facing: Facing,
+        [bx, by]: [i32; 2],
+        masks: &mut SampleMasks,
+    ) {
+        let plan = &job.plan;
+        let covered = masks.any();
+        let block = (by * 8 + bx) as usize;
+        self.make_way(pass, job, tile, block, covered);
+        let packs = plan.packing == Packing::Pixels && tile.watched.is_none();
+        // To test a block costs less than to pack its pixels, where nothing is shaded.
+        if packs && covered.count_ones() < DENSE_PIXELS && plan.shading == Shading::On {
+            let mut left = covered;
+            while left != 0 {
+                if self.pixels.is_full() {
+                    self.flush_pixels(pass, job, tile);
+                }
+                left = self.pixels.push(block, left, facing, self.planes.iter().copied());
+            }
+            return;
+        }
+        let mut of = BlockOf {
+            planes: &self.planes,
+            facing,
+            tests: EarlyTests::Due,
+            block,
+            x: tile.x + 8 * bx,
+            y: tile.y + 8 * by,
+            coverage: plan.reads_coverage.then_some(&self.parts),
+        };
+        let is_dense = |lanes: u64| packs || lanes == !0 || quads_of(lanes).count_ones() >= DENSE;
+        let is_eager = is_dense(covered) || tile.watched.is_some();
+        let is_alone = plan.together == 1 || tile.watched.is_some();
+        if is_eager && is_alone {
+            tile.prefetch(plan, std::iter::once(block));
+        }
+        if is_eager && plan.timing == Timing::Early {
+            let watched = tile.watched.as_ref();
+            let watched = watched.filter(|spot| spot.is_in(block, covered));
+            let before = watched.map(|_| tile.watched_depth());
+            early_tests(pass.isa, plan, &of, masks, tile);
+            if let Some(before) = before {
+                tile.note_early(pass.isa, plan, &of, masks, &before);
+            }
+            of.tests = EarlyTests::Done;
+        }
+        if is_dense(masks.any()) {
+            if is_alone {
+                self.shader.shade(pass, job, &Batch::of_block(&of, masks), tile);
+            } else if masks.any() != 0 {
+                self.run.push(self.planes.iter().copied(), facing, block, masks.any(), None);
+                if self.run.len() == plan.together {
+                    self.flush_run(pass, job, tile);
+                }
+            }
+            return;
+        }
+        let mut left = quads_of(masks.any());
+        while left != 0 {
+            let quad = left.trailing_zeros() as usize;
+            left &= left - 1;
+            if self.waiting.is_full() {
+                self.shader.shade(pass, job, &self.waiting.batch(), tile);
+                self.waiting.clear(plan.planes.len(), plan.samples.count);
+            }
+            self.waiting.push(&of, quad, quad, masks);
+        }
+    }
+}
+
+/// A shape's bounds as first and one past the last pixel.
+fn pixels(bounds: &[[u16; 2]; 2]) -> [[i32; 2]; 2] {
+    [bounds[0].map(i32::from), bounds[1].map(|last| i32::from(last) + 1)]
+}
+
+/// The blocks of the tile that a shape may cover: first and last, x then y.
+fn block_range(shape: &Shape, x: i32, y: i32) -> Option<[[i32; 2]; 2]> {
+    let mut range = [[0; 2]; 2];
+    for (axis, start) in [x, y].into_iter().enumerate() {
+        let first = i32::from(shape.bounds[0][axis]).max(start) - start;
+        let last = i32::from(shape.bounds[1][axis]).min(start + TILE as i32 - 1) - start;
+        if first > last {
+            return None;
+        }
+        range[0][axis] = first / 8;
+        range[1][axis] = last / 8;
+    }
+    Some(range)
+}
