@@ -48,7 +48,9 @@ pub struct Worker {
     covers: Vec<Cover>,
     /// The draw whose shapes come now.
     draw: Option<usize>,
-    /// How many shapes had a number, see [`BlockRun::level`].
+    /// The number of the shape that is filled, if it has one, see [`BlockRun::level`].
+    level: Option<u64>,
+    /// How many had one.
     levels: u64,
 }
 

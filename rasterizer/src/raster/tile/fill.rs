@@ -131,7 +131,7 @@ impl Worker {
         let is_inside = coverage::is_inside_area(&job.area, tile.x, tile.y, TILE as i32);
         // No block of a shape is in another's way.
         let is_free = self.waiting.is_empty() && self.pixels.is_empty() && self.run.len() == 0;
-        let level = self.level(&job.plan, lane);
+        self.level = self.number(&job.plan, lane);
         let mut left = self.broad.touched;
         while left != 0 {
             let block = left.trailing_zeros() as usize;
@@ -153,7 +153,7 @@ impl Worker {
                 if !is_free {
                     self.make_way(pass, job, tile, block, covered);
                 }
-                self.run.push(self.broad.at(block), shape.facing, block, covered, level);
+                self.run.push(self.broad.at(block), shape.facing, block, covered, self.level);
                 if self.run.len() == job.plan.together {
                     self.flush_run(pass, job, tile);
                 }
@@ -163,11 +163,12 @@ impl Worker {
                 self.fill_block(pass, tile, job, shape.facing, [bx, by], &mut masks);
             }
         }
+        self.level = None;
     }
 
     /// A number of the shape in this lane of the group, where the factors of a product are the same all over it: then
     /// no run of its blocks has to look. No other shape has it.
-    fn level(&mut self, plan: &DrawPlan, lane: usize) -> Option<u64> {
+    fn number(&mut self, plan: &DrawPlan, lane: usize) -> Option<u64> {
         let factors = plan.product.as_ref()?.factor_planes.as_ref()?;
         self.levels += 1;
         let is_level = self.group.is_level(lane, factors, plan.denominator_plane);
@@ -252,7 +253,8 @@ impl Worker {
             if is_alone {
                 self.shader.shade(pass, job, &Batch::of_block(&of, masks), tile);
             } else if masks.any() != 0 {
-                self.run.push(self.planes.iter().copied(), facing, block, masks.any(), None);
+                let planes = self.planes.iter().copied();
+                self.run.push(planes, facing, block, masks.any(), self.level);
                 if self.run.len() == plan.together {
                     self.flush_run(pass, job, tile);
                 }
