@@ -33,7 +33,9 @@ pub(crate) fn ask<S: Simd>(texture: &Texture, points: [&F32s; 2], like: [&F32s; 
     for number in first..=last {
         let place = place(texture, filter, number);
         if place.level.texels.len() >= FAR {
-            ask_level::<S>(&place, points);
+            // Texels of the second level are twice as large.
+            let asked = if number == first { &ASKED[..] } else { &ASKED[..4] };
+            ask_level::<S>(&place, points, asked);
         }
     }
 }
@@ -60,7 +62,7 @@ fn guess(texture: &Texture, like: [&F32s; 3], lod: &Lod<'_>) -> u32 {
 const MAX: f32 = 65_536.0;
 
 #[inline(always)]
-fn ask_level<S: Simd>(place: &Place<'_>, points: [&F32s; 2]) {
+fn ask_level<S: Simd>(place: &Place<'_>, points: [&F32s; 2], asked: &[usize]) {
     let (s, t) = (place.axis(0), place.axis(1));
     let (u, v) = (s.texel_coordinate::<S>(points[0]), t.texel_coordinate::<S>(points[1]));
     let level = place.level;
@@ -71,8 +73,8 @@ fn ask_level<S: Simd>(place: &Place<'_>, points: [&F32s; 2]) {
         offsets[lane] = j.wrapping_mul(row).wrapping_add(i.wrapping_mul(bytes));
     }
     for block in offsets.0.chunks_exact(QUADS) {
-        for point in ASKED {
-            let at = block[point] as usize;
+        for &point in asked {
+            let at = block[point % QUADS] as usize;
             prefetch_at(&level.texels, at);
             prefetch_at(&level.texels, at.wrapping_add(row as usize));
         }
