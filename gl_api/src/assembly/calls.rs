@@ -6,6 +6,7 @@ use crate::constants::*;
 use crate::context::Context;
 use crate::error::{Result, Table, invalid_operation, invalid_value, not_negative};
 use crate::object::assemblies::TARGET;
+use crate::object::bound::Bound;
 use crate::types::*;
 use std::sync::Arc;
 
@@ -16,8 +17,8 @@ const FORMAT: Table<()> = Table { section: SECTION, rows: &[(GL_PROGRAM_FORMAT_A
 /// The state of assembly programs.
 #[derive(Debug, Default)]
 pub(crate) struct AssemblyState {
-    /// The names of the programs that are bound, by target.
-    pub bound: [GLuint; 2],
+    /// The programs that are bound, by target.
+    pub bound: [Bound; 2],
     /// `program.env` by target, as far as it was set; the others are zeros.
     pub env: [Vec<[f32; 4]>; 2],
     /// What was wrong with the last text, and where.
@@ -38,7 +39,7 @@ pub(super) fn parameters(context: &Context, target: Target, scope: Scope) -> &[[
     let state = &context.state.assembly;
     match scope {
         Scope::Env => &state.env[target as usize],
-        Scope::Local => &context.objects.assembly(target, state.bound[target as usize]).local,
+        Scope::Local => &context.objects.assembly(target, &state.bound[target as usize]).local,
     }
 }
 
@@ -70,7 +71,7 @@ fn set(
     let all = match scope {
         Scope::Env => &mut state.env[target as usize],
         Scope::Local => {
-            &mut context.objects.assembly_mut(target, state.bound[target as usize]).local
+            &mut context.objects.assembly_mut(target, &state.bound[target as usize]).local
         }
     };
     let end = first + values.len();
@@ -189,8 +190,8 @@ pub(crate) fn program_string(
     };
     match load(text, target) {
         Ok(loaded) => {
-            let name = context.state.assembly.bound[target as usize];
-            let program = context.objects.assembly_mut(target, name);
+            let bound = &context.state.assembly.bound[target as usize];
+            let program = context.objects.assembly_mut(target, bound);
             program.text = text.to_owned();
             program.loaded = Some(Arc::new(loaded));
             context.state.assembly.error = None;

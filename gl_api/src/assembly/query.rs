@@ -63,7 +63,7 @@ pub(crate) fn get_program_local_parameterdv(
 }
 
 fn bound(context: &Context, target: Target) -> &Assembly {
-    context.objects.assembly(target, context.state.assembly.bound[target as usize])
+    context.objects.assembly(target, &context.state.assembly.bound[target as usize])
 }
 
 /// What the bound program has of something that is limited, and the limit. Limits are the
@@ -139,7 +139,7 @@ pub(crate) fn get_assembly_programiv(
     let value = match pname {
         GL_PROGRAM_LENGTH_ARB => program.text.len() as u32,
         GL_PROGRAM_FORMAT_ARB => GL_PROGRAM_FORMAT_ASCII_ARB,
-        GL_PROGRAM_BINDING_ARB => context.state.assembly.bound[target as usize],
+        GL_PROGRAM_BINDING_ARB => context.state.assembly.bound[target as usize].name(),
         GL_PROGRAM_UNDER_NATIVE_LIMITS_ARB => 1,
         _ => match counted(target, &counts, pname) {
             Some(value) => value,

@@ -27,8 +27,8 @@ fn enabled(context: &Context, target: Target) -> Option<&Assembly> {
         Target::Fragment => Flag::FragmentProgram,
     };
     let runs = context.state.enables.has(flag) && !in_use_has(context, target);
-    let name = context.state.assembly.bound[target as usize];
-    runs.then(|| context.objects.assembly(target, name))
+    let bound = &context.state.assembly.bound[target as usize];
+    runs.then(|| context.objects.assembly(target, bound))
 }
 
 /// The assembly program that runs as a stage.
@@ -53,7 +53,7 @@ pub(crate) fn has_fragment_program(context: &Context) -> bool {
 pub(crate) fn check(context: &Context) -> Result<()> {
     for target in [Target::Vertex, Target::Fragment] {
         if enabled(context, target).is_some_and(|program| program.loaded.is_none()) {
-            let name = context.state.assembly.bound[target as usize];
+            let name = context.state.assembly.bound[target as usize].name();
             let cap = enum_name(TARGET.encode(target));
             return invalid_operation(
                 target.section(),
@@ -72,7 +72,7 @@ pub(crate) fn check(context: &Context) -> Result<()> {
 pub(crate) fn put_rows(context: &Context, target: Target, loaded: &Loaded, words: &mut [u32]) {
     let state = &context.state.assembly;
     let env = &state.env[target as usize];
-    let local = &context.objects.assembly(target, state.bound[target as usize]).local;
+    let local = &context.objects.assembly(target, &state.bound[target as usize]).local;
     for (first, row) in &loaded.rows {
         let from = |all: &[[f32; 4]], number: u16| {
             let values = all.get(usize::from(number)).copied().unwrap_or_default();

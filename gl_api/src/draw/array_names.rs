@@ -37,13 +37,15 @@ fn array_name(location: usize) -> String {
 pub(super) fn extent(context: &Context, location: u8, bytes: usize) -> String {
     let location = array_of(context, location.into());
     let array = array_name(location);
-    match context.state.arrays.by_location[location].source {
-        Source::Object { name, offset } if offset > limits::MAX_BUFFER_SIZE => format!(
+    let source = &context.state.arrays.by_location[location].source;
+    let name = if let Source::Object { buffer, .. } = source { buffer.name() } else { 0 };
+    match source {
+        Source::Object { offset, .. } if *offset > limits::MAX_BUFFER_SIZE => format!(
             "{array} reads buffer {name} from byte {offset} on, which looks like a pointer: buffer \
              {name} was bound to GL_ARRAY_BUFFER when it was set; call \
              glBindBuffer(GL_ARRAY_BUFFER, 0) before"
         ),
-        Source::Object { name, offset } => format!(
+        Source::Object { offset, .. } => format!(
             "{array} reads buffer {name} (bound to GL_ARRAY_BUFFER when its pointer was set) from \
              byte {offset} on, which has {bytes} bytes"
         ),

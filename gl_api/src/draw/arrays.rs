@@ -12,6 +12,7 @@ use crate::error::{
     ErrorCode, GlError, Result, Table, invalid_operation, invalid_value, not_negative,
 };
 use crate::interface::*;
+use crate::object::bound::Bound;
 use crate::state::LOCATIONS;
 use crate::types::*;
 use rasterizer::driver::{Buffer, VertexFormat, VertexSource, VertexType};
@@ -25,8 +26,8 @@ pub(crate) enum Source {
     Client(Buffer),
     /// The memory of a C program, not null.
     Pointer(ClientPointer<'static>),
-    /// A buffer object by name, from a byte on.
-    Object { name: GLuint, offset: usize },
+    /// A buffer object, from a byte on.
+    Object { buffer: Bound, offset: usize },
 }
 
 /// One attribute's array.
@@ -73,9 +74,9 @@ impl Default for Arrays {
 
 impl Arrays {
     /// Arrays of a deleted buffer object become empty.
-    pub fn forget_buffer(&mut self, buffer: GLuint) {
+    pub fn forget_buffer(&mut self, gone: &Bound) {
         for array in &mut self.by_location {
-            if matches!(array.source, Source::Object { name, .. } if name == buffer) {
+            if matches!(&array.source, Source::Object { buffer, .. } if buffer == gone) {
                 array.source = Source::Client(Buffer::default());
             }
         }
@@ -151,10 +152,10 @@ pub(crate) fn vertex_source(
     let (buffer, offset) = match &array.source {
         Source::Client(buffer) => (buffer.clone(), 0),
         Source::Pointer(pointer) => (snapshot(array, *pointer, reach)?, 0),
-        Source::Object { name, offset } => {
-            let object = context.objects.buffers.get(*name);
+        Source::Object { buffer, offset } => {
+            let object = context.objects.buffers.bound(buffer);
             if object.is_some_and(|object| object.map.is_some()) {
-                return mapped(*name, location);
+                return mapped(buffer.name(), location);
             }
             (object.map(|object| object.buffer.clone()).unwrap_or_default(), *offset)
         }
@@ -312,7 +313,8 @@ fn set(
 ) -> Result<()> {
     let (components, ty, format) = rules.check(size, ty)?;
     let stride = not_negative(SECTION, "stride", stride.into())?;
-    let name = context.state.bindings.array_buffer;
+    let buffer = context.state.bindings.array_buffer.clone();
+    let name = buffer.name();
     let source = match pointer {
         Data::Bytes(_) if name != 0 => {
             return invalid_operation(
@@ -327,13 +329,13 @@ fn set(
             context.recorder.hold(bytes.len());
             Source::Client(Buffer::new(bytes.to_vec()))
         }
-        Data::Client(pointer) if name != 0 => Source::Object { name, offset: pointer.offset() },
+        Data::Client(pointer) if name != 0 => Source::Object { buffer, offset: pointer.offset() },
         Data::Client(pointer) if pointer.is_null() => Source::Client(Buffer::default()),
         Data::Client(pointer) => Source::Pointer(pointer.kept()),
         Data::Null if name == 0 => Source::Client(Buffer::default()),
         Data::Offset(0) if name == 0 => Source::Client(Buffer::default()),
-        Data::Null => Source::Object { name, offset: 0 },
-        Data::Offset(offset) if name != 0 => Source::Object { name, offset },
+        Data::Null => Source::Object { buffer, offset: 0 },
+        Data::Offset(offset) if name != 0 => Source::Object { buffer, offset },
         Data::Offset(offset) => {
             return invalid_operation(
                 SECTION,

@@ -259,8 +259,9 @@ fn index_buffer(
     count: usize,
     needed: usize,
 ) -> Result<(Buffer, usize)> {
-    let name = context.state.bindings.element_array_buffer;
-    let object = context.objects.buffers.get(name);
+    let bound = &context.state.bindings.element_array_buffer;
+    let name = bound.name();
+    let object = context.objects.buffers.bound(bound);
     if object.is_some_and(|object| object.map.is_some()) {
         return invalid_operation(
             SECTION,

@@ -178,7 +178,7 @@ fn enabled_units(
         let state = &context.state.units.units[usize::from(unit)];
         let winner = TextureTarget::ALL.into_iter().rfind(|target| state.enabled[*target as usize]);
         let Some(target) = winner else { continue };
-        let texture = context.objects.texture(target, state.bound[target as usize]);
+        let texture = context.objects.texture(target, &state.bound[target as usize]);
         let sampler = sampler(context, unit, target);
         if let Some(reason) = texture.incomplete_reason(&sampler) {
             hints::textures::incomplete(context, unit, target, &reason);

@@ -295,10 +295,7 @@ fn program_textures(
         let decl = module.module().textures[slot];
         hints::textures::sampler(context, unit, target, sampler.word, decl);
         textures.push(Some(match target {
-            TextureTarget::Buffer => {
-                let bound = context.state.units.units[usize::from(unit)].bound;
-                buffer::plan(context, bound[target as usize])?
-            }
+            TextureTarget::Buffer => buffer::plan(context, unit)?,
             TextureTarget::D1Array
             | TextureTarget::D2Array
             | TextureTarget::CubeArray
@@ -321,11 +318,11 @@ fn program_textures(
 /// with the unit's bias.
 pub(super) fn sampler(context: &Context, unit: u8, target: TextureTarget) -> Sampler {
     let state = &context.state.units.units[usize::from(unit)];
-    let texture = context.objects.texture(target, state.bound[target as usize]);
+    let texture = context.objects.texture(target, &state.bound[target as usize]);
     let own = texture.sampler();
     // Where there are several samples a texel, sampler objects do not count.
-    let object = if target.is_multisample() { 0 } else { state.sampler };
-    let mut sampler = match context.objects.samplers.get(object) {
+    let object = context.objects.samplers.bound(&state.sampler);
+    let mut sampler = match object.filter(|_| !target.is_multisample()) {
         Some(object) => Sampler {
             base_level: own.base_level,
             max_level: own.max_level,
@@ -376,8 +373,8 @@ fn plan(
     result: ComparisonResult,
     reader: Reader<'_>,
 ) -> Arc<SamplePlan> {
-    let name = context.state.units.units[usize::from(unit)].bound[target as usize];
-    let image = context.objects.texture(target, name).image.clone();
+    let bound = &context.state.units.units[usize::from(unit)].bound[target as usize];
+    let image = context.objects.texture(target, bound).image.clone();
     super::settle(context, &image);
     let mut sampler = sampler(context, unit, target);
     match result {
@@ -390,8 +387,9 @@ fn plan(
     if sampler.srgb == SrgbRead::AsIs && reader.fetches() {
         sampler.srgb = SrgbRead::Decode;
     }
-    hints::textures::feedback_loop(context, name, &image, &sampler);
-    let texture = context.objects.texture_mut(target, name);
+    hints::textures::feedback_loop(context, (unit, target), &image, &sampler);
+    let bound = &context.state.units.units[usize::from(unit)].bound[target as usize];
+    let texture = context.objects.texture_mut(target, bound);
     let plan = texture.plan(&context.recorder.device, &sampler);
     context.recorder.hold(texture.new_bytes());
     plan

@@ -7,6 +7,7 @@ use crate::constants::*;
 use crate::context::{Context, limits};
 use crate::error::{Result, Table, invalid_enum, invalid_operation, must_be};
 use crate::interface::{MAX_COMBINED_TEXTURE_IMAGE_UNITS, MAX_TEXTURE_UNITS};
+use crate::object::bound::Bound;
 use crate::query::table::{self, Value};
 use crate::state::clamp;
 use crate::state::params::{Params, parameter_calls, parameter_queries};
@@ -53,10 +54,10 @@ pub(crate) const MODE: Table<Mode> = Table {
 pub(crate) struct Unit {
     /// By [`TextureTarget`]; of several, the last in its list wins (section 3.8.15).
     pub enabled: [bool; TextureTarget::COUNT],
-    /// Texture names, by target.
-    pub bound: [GLuint; TextureTarget::COUNT],
-    /// The sampler object, whose state stands for the textures', or 0.
-    pub sampler: GLuint,
+    /// Textures, by target.
+    pub bound: [Bound; TextureTarget::COUNT],
+    /// The sampler object, if any, whose state stands for the textures'.
+    pub sampler: Bound,
     pub mode: Mode,
     pub color: [f32; 4],
     pub lod_bias: f32,
@@ -81,8 +82,8 @@ impl Default for Units {
     fn default() -> Self {
         let unit = Unit {
             enabled: [false; TextureTarget::COUNT],
-            bound: [0; TextureTarget::COUNT],
-            sampler: 0,
+            bound: Default::default(),
+            sampler: Bound::default(),
             mode: Mode::Standard(Standard::Modulate),
             color: [0.0; 4],
             lod_bias: 0.0,

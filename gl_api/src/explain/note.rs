@@ -65,7 +65,7 @@ impl DrawNote {
 
     /// A draw whose fragments an assembly program colours.
     pub fn of_assembly(context: &Context, samplers: &[SamplerSlot], words: &[u32]) -> Self {
-        let name = context.state.assembly.bound[Target::Fragment as usize];
+        let name = context.state.assembly.bound[Target::Fragment as usize].name();
         let of_fragments = samplers.iter().filter(|sampler| sampler.stage == Stage::Fragment);
         let textures = of_fragments.map(|sampler| {
             let unit = words.get(sampler.word as usize).copied().unwrap_or(0);
@@ -181,6 +181,6 @@ fn component_name(letters: &str, component: usize) -> String {
 /// A texture unit's texture.
 fn texture(context: &Context, unit: u32, target: TextureTarget) -> String {
     let state = context.state.units.units.get(unit as usize);
-    let name = state.map_or(0, |state| state.bound[target as usize]);
+    let name = state.map_or(0, |state| state.bound[target as usize].name());
     format!("unit {unit}, {} {name}", enum_name(TARGET.encode(target)))
 }

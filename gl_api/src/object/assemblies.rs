@@ -1,5 +1,6 @@
 //! Assembly programs and their names: ARB_vertex_program, section 2.14.1.
 
+use super::bound::Bound;
 use super::{Objects, doomed};
 use crate::assembly::{Loaded, Target};
 use crate::constants::*;
@@ -35,14 +36,14 @@ impl Assembly {
 }
 
 impl Objects {
-    /// The assembly program of a name; 0 is the target's own.
-    pub fn assembly(&self, target: Target, name: GLuint) -> &Assembly {
-        self.assemblies.get(name).unwrap_or(&self.default_assemblies[target as usize])
+    /// The assembly program that is bound; if none is, the target's own.
+    pub fn assembly(&self, target: Target, bound: &Bound) -> &Assembly {
+        self.assemblies.bound(bound).unwrap_or(&self.default_assemblies[target as usize])
     }
 
-    /// The assembly program of a name, to be changed.
-    pub fn assembly_mut(&mut self, target: Target, name: GLuint) -> &mut Assembly {
-        self.assemblies.get_mut(name).unwrap_or(&mut self.default_assemblies[target as usize])
+    /// The assembly program that is bound, to be changed.
+    pub fn assembly_mut(&mut self, target: Target, bound: &Bound) -> &mut Assembly {
+        self.assemblies.bound_mut(bound).unwrap_or(&mut self.default_assemblies[target as usize])
     }
 }
 
@@ -60,11 +61,14 @@ pub(crate) fn delete_programs(
     programs: &[GLuint],
 ) -> Result<()> {
     for &name in doomed(SECTION, n, programs)?.iter().filter(|&&name| name != 0) {
-        for bound in context.state.assembly.bound.iter_mut().filter(|bound| **bound == name) {
-            *bound = 0;
+        let gone = context.objects.assemblies.hold(name);
+        for bound in context.state.assembly.bound.iter_mut().filter(|bound| **bound == gone) {
+            *bound = Bound::default();
         }
+        drop(gone);
         context.objects.assemblies.remove(name);
     }
+    context.objects.sweep();
     Ok(())
 }
 
@@ -78,7 +82,7 @@ pub(crate) fn bind_program(context: &mut Context, target: GLenum, program: GLuin
         return invalid_operation(SECTION, rule);
     }
     context.objects.assemblies.create(program, || Assembly::new(target));
-    context.state.assembly.bound[target as usize] = program;
+    context.state.assembly.bound[target as usize] = context.objects.assemblies.hold(program);
     Ok(())
 }
 

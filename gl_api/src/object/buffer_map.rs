@@ -4,6 +4,7 @@
 //! A mapped buffer's bytes are taken out of it, so that a draw that was recorded earlier keeps what
 //! it saw and nothing else can read them; calls that would are refused.
 
+use super::bound::Bound;
 use super::buffers::{BUFFER_TARGET, BufferObject, Map, binding, bound, range, unmapped};
 use crate::constants::*;
 use crate::context::Context;
@@ -144,8 +145,8 @@ impl Context {
     /// The bytes of a mapped buffer, for clients that do not want to work with the pointer that
     /// `glMapBuffer` gives. `None` if nothing is bound to the target or it is not mapped.
     pub fn mapped_bytes(&mut self, target: GLenum) -> Option<&mut [u8]> {
-        let name = *binding(self, BUFFER_TARGET.get(target)?);
-        let map = self.objects.buffers.get_mut(name)?.map.as_mut()?;
+        let bound = binding(self, BUFFER_TARGET.get(target)?).clone();
+        let map = self.objects.buffers.bound_mut(&bound)?.map.as_mut()?;
         Some(&mut map.bytes[map.range.clone()])
     }
 }
@@ -174,8 +175,8 @@ pub(crate) fn copy_buffer_sub_data(
     Ok(())
 }
 
-fn binding_of(context: &mut Context, target: GLenum) -> Option<GLuint> {
-    BUFFER_TARGET.get(target).map(|target| *binding(context, target))
+fn binding_of(context: &mut Context, target: GLenum) -> Option<Bound> {
+    BUFFER_TARGET.get(target).map(|target| binding(context, target).clone())
 }
 
 pub(crate) fn get_buffer_pointerv(

@@ -1,5 +1,6 @@
 //! Buffer objects: GL 2.1, section 2.9.
 
+use super::bound::Bound;
 use super::doomed;
 use crate::constants::*;
 use crate::context::{Context, limits};
@@ -103,7 +104,7 @@ const USAGE: Table<GLenum> = Table {
     ],
 };
 
-pub(super) fn binding(context: &mut Context, target: BufferTarget) -> &mut GLuint {
+pub(super) fn binding(context: &mut Context, target: BufferTarget) -> &mut Bound {
     match target {
         BufferTarget::Array => &mut context.state.bindings.array_buffer,
         BufferTarget::ElementArray => &mut context.state.bindings.element_array_buffer,
@@ -119,8 +120,8 @@ pub(super) fn binding(context: &mut Context, target: BufferTarget) -> &mut GLuin
 
 /// The buffer that is bound to a target.
 pub(super) fn bound(context: &mut Context, target: GLenum) -> Result<&mut BufferObject> {
-    let name = *binding(context, BUFFER_TARGET.decode("target", target)?);
-    match context.objects.buffers.get_mut(name) {
+    let bound = binding(context, BUFFER_TARGET.decode("target", target)?).clone();
+    match context.objects.buffers.bound_mut(&bound) {
         Some(object) => Ok(object),
         None => invalid_operation(
             SECTION,
@@ -135,24 +136,33 @@ pub(crate) fn gen_buffers(context: &mut Context, n: GLsizei, buffers: &mut [GLui
 
 pub(crate) fn delete_buffers(context: &mut Context, n: GLsizei, buffers: &[GLuint]) -> Result<()> {
     for &name in doomed(SECTION, n, buffers)?.iter().filter(|&&name| name != 0) {
+        let gone = context.objects.buffers.hold(name);
         for target in BufferTarget::ALL {
             let bound = binding(context, target);
-            if *bound == name {
-                *bound = 0;
+            if *bound == gone {
+                *bound = Bound::default();
             }
         }
-        context.state.arrays.forget_buffer(name);
-        context.transform_feedback.forget_buffer(name);
-        context.uniform_buffers.forget_buffer(name);
-        context.objects.remove_buffer(name);
+        context.state.arrays.forget_buffer(&gone);
+        context.transform_feedback.forget_buffer(&gone);
+        context.uniform_buffers.forget_buffer(&gone);
+        drop(gone);
+        // Its mapping ends, whoever has it.
+        if let Some(object) = context.objects.buffers.get_mut(name)
+            && let Some(map) = object.map.take()
+        {
+            object.buffer = Buffer::new(map.bytes);
+        }
+        context.objects.buffers.remove(name);
     }
+    context.objects.sweep();
     Ok(())
 }
 
 pub(crate) fn bind_buffer(context: &mut Context, target: GLenum, buffer: GLuint) -> Result<()> {
     let target = BUFFER_TARGET.decode("target", target)?;
     context.objects.buffers.create(buffer, BufferObject::new);
-    *binding(context, target) = buffer;
+    *binding(context, target) = context.objects.buffers.hold(buffer);
     Ok(())
 }
 

@@ -1,6 +1,7 @@
 //! Buffers that are bound to numbers: `glBindBufferRange`, `glBindBufferBase` (GL 3.0, section
 //! 2.15; ARB_uniform_buffer_object, section 2.15.3.2).
 
+use super::bound::Bound;
 use super::buffers;
 use crate::constants::*;
 use crate::context::Context;
@@ -12,9 +13,9 @@ use crate::types::*;
 const SECTION: &str = "GL 3.1, section 2.9.1";
 
 /// A part of a buffer that is bound to a number.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct BufferRange {
-    pub name: GLuint,
+    pub buffer: Bound,
     /// Its first byte.
     pub offset: usize,
     /// Its bytes; all that there are when it is used, if `None`.
@@ -87,7 +88,7 @@ fn bind(
     [offset, size]: [Option<i64>; 2],
 ) -> Result<()> {
     let numbered = Numbered::TARGET.decode("target", target)?;
-    let mut range = BufferRange { name: buffer, offset: 0, size: None };
+    let mut range = BufferRange::default();
     let [of_offset, of_size] = numbered.alignments();
     // Without a buffer there is no range of it.
     if buffer != 0 {
@@ -106,7 +107,8 @@ fn bind(
     if numbered == Numbered::TransformFeedback {
         not_while_active(context)?;
     }
-    buffers::bind_buffer(context, target, range.name)?;
+    buffers::bind_buffer(context, target, buffer)?;
+    range.buffer = context.objects.buffers.hold(buffer);
     numbered.ranges_mut(context)[index as usize] = range;
     Ok(())
 }
@@ -178,7 +180,7 @@ pub(crate) fn indexed_value(
         ));
     };
     Some(Ok(match property {
-        Property::Name => range.name.into(),
+        Property::Name => range.buffer.name().into(),
         Property::Start => range.offset as GLint64,
         Property::Size => range.size.unwrap_or(0) as GLint64,
     }))

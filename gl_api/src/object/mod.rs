@@ -1,6 +1,7 @@
 //! Objects and their names: GL 2.1, sections 2.9, 2.15 and 3.8.12; framebuffer objects.
 
 pub(crate) mod assemblies;
+pub(crate) mod bound;
 pub(crate) mod buffer_map;
 pub(crate) mod buffers;
 pub(crate) mod compiler;
@@ -24,7 +25,8 @@ use crate::texture::sampler::SamplerState;
 use crate::texture::{Texture, TextureTarget};
 use crate::types::*;
 use assemblies::Assembly;
-use rasterizer::driver::{Buffer, Image};
+use bound::{Bound, Place};
+use rasterizer::driver::Image;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -32,12 +34,29 @@ use std::sync::Arc;
 #[derive(Debug)]
 pub(crate) struct Names<T> {
     /// `None` is a name that was made but never bound.
-    objects: BTreeMap<GLuint, Option<T>>,
+    objects: BTreeMap<GLuint, Option<Named<T>>>,
+    /// Objects that were deleted while something was bound to them, by number: sorted.
+    departed: Vec<(GLuint, Named<T>)>,
+    /// The last of these numbers.
+    departures: GLuint,
+}
+
+#[derive(Debug)]
+struct Named<T> {
+    object: T,
+    /// What is bound to it is a copy of this; nothing before the first is.
+    bound: Bound,
+}
+
+impl<T> Named<T> {
+    fn new(object: T) -> Self {
+        Self { object, bound: Bound::default() }
+    }
 }
 
 impl<T> Default for Names<T> {
     fn default() -> Self {
-        Self { objects: BTreeMap::new() }
+        Self { objects: BTreeMap::new(), departed: Vec::new(), departures: 0 }
     }
 }
 
@@ -76,15 +95,29 @@ impl<T> Names<T> {
     /// Adds an object under an unused name.
     fn add(&mut self, object: T) -> GLuint {
         let name = self.unused(0);
-        self.objects.insert(name, Some(object));
+        self.objects.insert(name, Some(Named::new(object)));
         name
     }
 
     /// Makes sure that a name other than 0 has an object: binding creates it.
     fn create(&mut self, name: GLuint, new: impl FnOnce() -> T) {
         if name != 0 {
-            self.objects.entry(name).or_insert(None).get_or_insert_with(new);
+            self.objects.entry(name).or_insert(None).get_or_insert_with(|| Named::new(new()));
         }
+    }
+
+    /// What holds the object of a name; nothing if there is none.
+    pub fn hold(&mut self, name: GLuint) -> Bound {
+        let Some(Some(named)) = self.objects.get_mut(&name) else { return Bound::default() };
+        if named.bound.place().is_none() {
+            named.bound = Bound::new(name);
+        }
+        named.bound.clone()
+    }
+
+    /// Whether anything is bound to the object of a name.
+    fn is_held(&self, name: GLuint) -> bool {
+        matches!(self.objects.get(&name), Some(Some(named)) if named.bound.is_shared())
     }
 
     /// Whether a name was made, with an object or without.
@@ -94,27 +127,60 @@ impl<T> Names<T> {
 
     /// The object of a name.
     pub fn get(&self, name: GLuint) -> Option<&T> {
-        self.objects.get(&name)?.as_ref()
+        Some(&self.objects.get(&name)?.as_ref()?.object)
     }
 
     /// The object of a name, to be changed.
     pub fn get_mut(&mut self, name: GLuint) -> Option<&mut T> {
-        self.objects.get_mut(&name)?.as_mut()
+        Some(&mut self.objects.get_mut(&name)?.as_mut()?.object)
+    }
+
+    /// The object that is bound, deleted or not.
+    pub fn bound(&self, bound: &Bound) -> Option<&T> {
+        match bound.place()? {
+            Place::Named(name) => self.get(name),
+            Place::Departed(number) => {
+                let at = self.departed.binary_search_by_key(&number, |(number, _)| *number).ok()?;
+                Some(&self.departed[at].1.object)
+            }
+        }
+    }
+
+    /// The object that is bound, to be changed.
+    pub fn bound_mut(&mut self, bound: &Bound) -> Option<&mut T> {
+        match bound.place()? {
+            Place::Named(name) => self.get_mut(name),
+            Place::Departed(number) => {
+                let at = self.departed.binary_search_by_key(&number, |(number, _)| *number).ok()?;
+                Some(&mut self.departed[at].1.object)
+            }
+        }
     }
 
     /// Every object.
     pub fn values(&self) -> impl Iterator<Item = &T> {
-        self.objects.values().flatten()
+        self.objects.values().flatten().map(|named| &named.object)
     }
 
-    /// Every object, to be changed.
+    /// Every object, deleted ones too, to be changed.
     pub fn values_mut(&mut self) -> impl Iterator<Item = &mut T> {
-        self.objects.values_mut().flatten()
+        let departed = self.departed.iter_mut().map(|(_, named)| named);
+        self.objects.values_mut().flatten().chain(departed).map(|named| &mut named.object)
     }
 
-    /// Forgets a name.
-    fn remove(&mut self, name: GLuint) -> Option<T> {
-        self.objects.remove(&name)?
+    /// Forgets a name, and its object unless something is bound to it.
+    fn remove(&mut self, name: GLuint) {
+        let Some(Some(named)) = self.objects.remove(&name) else { return };
+        if named.bound.is_shared() {
+            self.departures = self.departures.wrapping_add(1).max(1);
+            named.bound.depart(self.departures);
+            self.departed.push((self.departures, named));
+        }
+    }
+
+    /// Frees what nothing is bound to any more.
+    fn sweep(&mut self) {
+        self.departed.retain(|(_, named)| named.bound.is_shared());
     }
 }
 
@@ -142,6 +208,8 @@ pub(crate) struct Objects {
     pub renderbuffers: Names<renderbuffers::Renderbuffer>,
     /// Shaders and programs share one space of names.
     pub programs: Names<programs::ShaderOrProgram>,
+    /// Programs that were deleted while a context used them: they keep their names.
+    pub doomed_programs: Vec<GLuint>,
     /// Assembly programs, and those of name 0 by target.
     pub assemblies: Names<Assembly>,
     pub default_assemblies: [Assembly; 2],
@@ -164,6 +232,7 @@ impl Default for Objects {
             framebuffers: Names::default(),
             renderbuffers: Names::default(),
             programs: Names::default(),
+            doomed_programs: Vec::new(),
             assemblies: Names::default(),
             default_assemblies: [Target::Vertex, Target::Fragment].map(Assembly::new),
             vertex_arrays: Names::default(),
@@ -176,28 +245,24 @@ impl Default for Objects {
 }
 
 impl Objects {
-    /// The name, or 0 if there is no such buffer any more.
-    pub fn existing_buffer(&self, name: GLuint) -> GLuint {
-        if self.buffers.get(name).is_some() { name } else { 0 }
+    /// Frees what was deleted and is not bound any more; textures hold buffers.
+    pub fn sweep(&mut self) {
+        self.textures.sweep();
+        self.samplers.sweep();
+        self.buffers.sweep();
+        self.renderbuffers.sweep();
+        self.assemblies.sweep();
+        programs::sweep(self);
     }
 
-    /// Forgets a buffer; textures that are made of it keep its bytes.
-    fn remove_buffer(&mut self, name: GLuint) {
-        let Some(object) = self.buffers.remove(name) else { return };
-        let buffer = object.map.map_or(object.buffer, |map| Buffer::new(map.bytes));
-        for texture in self.textures.values_mut().chain(&mut self.default_textures) {
-            texture.store.keep(name, &buffer);
-        }
+    /// The texture that is bound; if none is, the default texture of the target.
+    pub fn texture(&self, target: TextureTarget, bound: &Bound) -> &Texture {
+        self.textures.bound(bound).unwrap_or(&self.default_textures[target as usize])
     }
 
-    /// The texture of a name; 0 is the default texture of the target.
-    pub fn texture(&self, target: TextureTarget, name: GLuint) -> &Texture {
-        self.textures.get(name).unwrap_or(&self.default_textures[target as usize])
-    }
-
-    /// The texture of a name, to be changed.
-    pub fn texture_mut(&mut self, target: TextureTarget, name: GLuint) -> &mut Texture {
-        self.textures.get_mut(name).unwrap_or(&mut self.default_textures[target as usize])
+    /// The texture that is bound, to be changed.
+    pub fn texture_mut(&mut self, target: TextureTarget, bound: &Bound) -> &mut Texture {
+        self.textures.bound_mut(bound).unwrap_or(&mut self.default_textures[target as usize])
     }
 
     /// Lets the textures know whose images the driver has drawn to.

@@ -118,27 +118,43 @@ pub(crate) fn delete_program(context: &mut Context, name: GLuint) -> Result<()> 
     if name == 0 {
         return Ok(());
     }
-    program(context, name)?.doomed = true;
-    if context.state.bindings.program == name { Ok(()) } else { forget(context, name) }
-}
-
-/// Removes a program and lets go of its shaders.
-fn forget(context: &mut Context, name: GLuint) -> Result<()> {
-    let attached = std::mem::take(&mut program(context, name)?.attached);
-    context.objects.programs.remove(name);
-    for name in attached {
-        release(context, name)?;
+    if std::mem::replace(&mut program(context, name)?.doomed, true) {
+        return Ok(());
     }
+    // As long as it is part of the state of any context, it is only flagged.
+    context.objects.doomed_programs.push(name);
+    context.objects.sweep();
     Ok(())
 }
 
+/// Removes deleted programs that no context uses any more, and lets go of their shaders.
+pub(super) fn sweep(objects: &mut Objects) {
+    for name in std::mem::take(&mut objects.doomed_programs) {
+        if objects.programs.is_held(name) {
+            objects.doomed_programs.push(name);
+            continue;
+        }
+        let attached = match objects.programs.get_mut(name) {
+            Some(ShaderOrProgram::Program(program)) => std::mem::take(&mut program.attached),
+            Some(ShaderOrProgram::Shader(_)) | None => Vec::new(),
+        };
+        objects.programs.remove(name);
+        for name in attached {
+            release(objects, name);
+        }
+    }
+}
+
 /// One program less holds a shader.
-fn release(context: &mut Context, name: GLuint) -> Result<()> {
-    shader(context, name)?.attachments -= 1;
-    forget_if_doomed(context, name)
+fn release(objects: &mut Objects, name: GLuint) {
+    if let Some(ShaderOrProgram::Shader(shader)) = objects.programs.get_mut(name) {
+        shader.attachments -= 1;
+    }
+    forget_if_doomed(objects, name);
 }
 
 pub(crate) fn is_program(context: &mut Context, name: GLuint) -> Result<bool> {
+    sweep(&mut context.objects);
     Ok(matches!(context.objects.programs.get(name), Some(ShaderOrProgram::Program(_))))
 }
 
@@ -159,7 +175,8 @@ pub(crate) fn detach_shader(context: &mut Context, name: GLuint, gone: GLuint) -
     match program.attached.iter().position(|attached| *attached == gone) {
         Some(place) => {
             program.attached.remove(place);
-            release(context, gone)
+            release(&mut context.objects, gone);
+            Ok(())
         }
         None => invalid_operation(SECTION, format!("shader {gone} is not attached to it")),
     }
@@ -261,7 +278,7 @@ pub(crate) fn link_program(context: &mut Context, name: GLuint) -> Result<()> {
             Err(error) => log.push_str(&format!("error: internal: {error}\n")),
         }
     }
-    let in_use = context.state.bindings.program == name;
+    let in_use = context.objects.programs.is_held(name);
     let program = program(context, name)?;
     program.link = if linked.is_some() { LinkStatus::Linked } else { LinkStatus::Failed };
     if linked.is_some() || !in_use {
@@ -293,15 +310,17 @@ pub(crate) fn use_program(context: &mut Context, name: GLuint) -> Result<()> {
     }
     not_while_active(context)?;
     let before = std::mem::replace(&mut context.state.bindings.program, name);
-    if before == name || before == 0 {
+    if before == name {
         return Ok(());
     }
-    let object = program(context, before)?;
-    if object.doomed {
-        return forget(context, before);
-    }
-    if object.link == LinkStatus::Failed {
-        object.executable = None;
+    let objects = &mut context.objects;
+    context.state.bindings.held_program = objects.programs.hold(name);
+    sweep(objects);
+    if !objects.programs.is_held(before)
+        && let Some(ShaderOrProgram::Program(before)) = objects.programs.get_mut(before)
+        && before.link == LinkStatus::Failed
+    {
+        before.executable = None;
     }
     Ok(())
 }

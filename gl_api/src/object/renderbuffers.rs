@@ -1,5 +1,6 @@
 //! Renderbuffers: `ARB_framebuffer_object`, section 4.4.2.
 
+use super::bound::Bound;
 use super::doomed;
 use super::framebuffers::Planes;
 use crate::constants::*;
@@ -59,12 +60,13 @@ pub(crate) fn delete_renderbuffers(
     renderbuffers: &[GLuint],
 ) -> Result<()> {
     for &name in doomed(SECTION, n, renderbuffers)?.iter().filter(|&&name| name != 0) {
-        if context.state.bindings.renderbuffer == name {
-            context.state.bindings.renderbuffer = 0;
+        if context.state.bindings.renderbuffer == context.objects.renderbuffers.hold(name) {
+            context.state.bindings.renderbuffer = Bound::default();
         }
         crate::framebuffer::attach::detach_renderbuffer(context, name);
         context.objects.renderbuffers.remove(name);
     }
+    context.objects.sweep();
     Ok(())
 }
 
@@ -75,7 +77,7 @@ pub(crate) fn bind_renderbuffer(
 ) -> Result<()> {
     RENDERBUFFER_TARGET.decode("target", target)?;
     context.objects.renderbuffers.create(renderbuffer, Renderbuffer::new);
-    context.state.bindings.renderbuffer = renderbuffer;
+    context.state.bindings.renderbuffer = context.objects.renderbuffers.hold(renderbuffer);
     Ok(())
 }
 
@@ -85,7 +87,7 @@ pub(crate) fn is_renderbuffer(context: &mut Context, renderbuffer: GLuint) -> Re
 
 /// The bound renderbuffer.
 fn bound(context: &mut Context) -> Result<&mut Renderbuffer> {
-    match context.objects.renderbuffers.get_mut(context.state.bindings.renderbuffer) {
+    match context.objects.renderbuffers.bound_mut(&context.state.bindings.renderbuffer) {
         Some(renderbuffer) => Ok(renderbuffer),
         None => invalid_operation(SECTION, "no renderbuffer is bound: call glBindRenderbuffer"),
     }

@@ -1,5 +1,6 @@
 //! Sampler objects: `ARB_sampler_objects`, section 3.8.2.
 
+use super::bound::Bound;
 use super::doomed;
 use crate::constants::*;
 use crate::context::Context;
@@ -33,11 +34,14 @@ pub(crate) fn delete_samplers(
     samplers: &[GLuint],
 ) -> Result<()> {
     for &name in doomed(SECTION, n, samplers)?.iter().filter(|&&name| name != 0) {
-        for unit in context.state.units.units.iter_mut().filter(|unit| unit.sampler == name) {
-            unit.sampler = 0;
+        let gone = context.objects.samplers.hold(name);
+        for unit in context.state.units.units.iter_mut().filter(|unit| unit.sampler == gone) {
+            unit.sampler = Bound::default();
         }
+        drop(gone);
         context.objects.samplers.remove(name);
     }
+    context.objects.sweep();
     Ok(())
 }
 
@@ -58,7 +62,7 @@ pub(crate) fn bind_sampler(context: &mut Context, unit: GLuint, sampler: GLuint)
     if sampler != 0 {
         found(context, sampler)?;
     }
-    context.state.units.units[unit as usize].sampler = sampler;
+    context.state.units.units[unit as usize].sampler = context.objects.samplers.hold(sampler);
     Ok(())
 }
 

@@ -1,5 +1,6 @@
 //! Shader objects: GL 2.1, sections 2.15.1 and 6.1.14.
 
+use super::Objects;
 use super::programs::ShaderOrProgram;
 use crate::constants::*;
 use crate::context::Context;
@@ -56,18 +57,19 @@ pub(crate) fn create_shader(context: &mut Context, ty: GLenum) -> Result<GLuint>
 pub(crate) fn delete_shader(context: &mut Context, name: GLuint) -> Result<()> {
     if name != 0 {
         shader(context, name)?.doomed = true;
-        forget_if_doomed(context, name)?;
+        forget_if_doomed(&mut context.objects, name);
     }
     Ok(())
 }
 
 /// Removes a shader that was deleted, once no program holds it.
-pub(super) fn forget_if_doomed(context: &mut Context, name: GLuint) -> Result<()> {
-    let shader = shader(context, name)?;
-    if shader.doomed && shader.attachments == 0 {
-        context.objects.programs.remove(name);
+pub(super) fn forget_if_doomed(objects: &mut Objects, name: GLuint) {
+    if let Some(ShaderOrProgram::Shader(shader)) = objects.programs.get(name)
+        && shader.doomed
+        && shader.attachments == 0
+    {
+        objects.programs.remove(name);
     }
-    Ok(())
 }
 
 pub(crate) fn is_shader(context: &mut Context, name: GLuint) -> Result<bool> {

@@ -136,6 +136,7 @@ fn exchange(a: &mut Objects, b: &mut Objects) {
     std::mem::swap(&mut a.buffers, &mut b.buffers);
     std::mem::swap(&mut a.renderbuffers, &mut b.renderbuffers);
     std::mem::swap(&mut a.programs, &mut b.programs);
+    std::mem::swap(&mut a.doomed_programs, &mut b.doomed_programs);
     std::mem::swap(&mut a.assemblies, &mut b.assemblies);
     std::mem::swap(&mut a.syncs, &mut b.syncs);
     std::mem::swap(&mut a.lists, &mut b.lists);

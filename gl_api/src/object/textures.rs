@@ -1,5 +1,6 @@
 //! Texture names and units: GL 2.1, sections 3.8.12 and 2.7.
 
+use super::bound::Bound;
 use super::doomed;
 use crate::constants::*;
 use crate::context::Context;
@@ -25,14 +26,17 @@ pub(crate) fn delete_textures(
     textures: &[GLuint],
 ) -> Result<()> {
     for &name in doomed(SECTION, n, textures)?.iter().filter(|&&name| name != 0) {
+        let gone = context.objects.textures.hold(name);
         for unit in context.state.units.units.iter_mut() {
-            for bound in unit.bound.iter_mut().filter(|bound| **bound == name) {
-                *bound = 0;
+            for bound in unit.bound.iter_mut().filter(|bound| **bound == gone) {
+                *bound = Bound::default();
             }
         }
+        drop(gone);
         crate::framebuffer::attach::detach_texture(context, name);
         context.objects.textures.remove(name);
     }
+    context.objects.sweep();
     Ok(())
 }
 
@@ -52,7 +56,8 @@ pub(crate) fn bind_texture(context: &mut Context, target: GLenum, texture: GLuin
         );
     }
     context.objects.textures.create(texture, || Texture::new(target));
-    context.state.units.active_mut().bound[target as usize] = texture;
+    context.state.units.active_mut().bound[target as usize] =
+        context.objects.textures.hold(texture);
     Ok(())
 }
 

@@ -1,6 +1,7 @@
 //! Vertex array objects (`ARB_vertex_array_object`): the arrays and the element buffer under a
 //! name. The current object's state is in the context; the others' is kept here.
 
+use super::bound::Bound;
 use super::doomed;
 use crate::context::Context;
 use crate::draw::arrays::Arrays;
@@ -13,7 +14,7 @@ const SECTION: &str = "ARB_vertex_array_object, section 2.10";
 #[derive(Clone, Debug, Default)]
 pub(crate) struct VertexArray {
     arrays: Arrays,
-    element_array_buffer: GLuint,
+    element_array_buffer: Bound,
 }
 
 pub(crate) fn gen_vertex_arrays(
@@ -35,6 +36,7 @@ pub(crate) fn delete_vertex_arrays(
         }
         context.objects.vertex_arrays.remove(name);
     }
+    context.objects.sweep();
     Ok(())
 }
 

@@ -62,8 +62,8 @@ const STATE: Table<(u8, Part)> = Table {
 
 /// The name of the buffer object that an array lies in, or 0.
 fn buffer(array: &Array) -> GLuint {
-    match array.source {
-        Source::Object { name, .. } => name,
+    match &array.source {
+        Source::Object { buffer, .. } => buffer.name(),
         Source::Client(_) | Source::Pointer(_) => 0,
     }
 }

@@ -7,6 +7,8 @@ use crate::error::Result;
 
 pub(crate) fn flush(context: &mut Context) -> Result<()> {
     draw::submit(context);
+    // Another context may have been the last that held something.
+    context.objects.sweep();
     context.show_mirror();
     Ok(())
 }

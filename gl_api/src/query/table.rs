@@ -418,14 +418,14 @@ fn texture(context: &Context, pname: GLenum) -> Answer {
     Some(match pname {
         GL_ACTIVE_TEXTURE => symbol(GL_TEXTURE0 + u32::from(units.active)),
         GL_CLIENT_ACTIVE_TEXTURE => symbol(GL_TEXTURE0 + u32::from(units.client_active)),
-        GL_SAMPLER_BINDING => symbol(units.active().sampler),
+        GL_SAMPLER_BINDING => symbol(units.active().sampler.name()),
         GL_TEXTURE_BUFFER_FORMAT_ARB => {
             symbol(crate::texture::bound(context, TextureTarget::Buffer).store.internal)
         }
         GL_TEXTURE_BUFFER_DATA_STORE_BINDING => {
-            symbol(crate::texture::bound(context, TextureTarget::Buffer).store.buffer)
+            symbol(crate::texture::bound(context, TextureTarget::Buffer).store.buffer.name())
         }
-        _ => symbol(bound[BINDING.get(pname)? as usize]),
+        _ => symbol(bound[BINDING.get(pname)? as usize].name()),
     })
 }
 
@@ -478,19 +478,19 @@ fn bindings(context: &Context, pname: GLenum) -> Answer {
     Some(match pname {
         GL_ARRAY_ELEMENT_LOCK_FIRST_EXT => int(context.state.locked.first),
         GL_ARRAY_ELEMENT_LOCK_COUNT_EXT => int(context.state.locked.count),
-        GL_ARRAY_BUFFER_BINDING => symbol(bindings.array_buffer),
-        GL_ELEMENT_ARRAY_BUFFER_BINDING => symbol(bindings.element_array_buffer),
-        GL_PIXEL_PACK_BUFFER_BINDING => symbol(bindings.pixel_pack_buffer),
-        GL_PIXEL_UNPACK_BUFFER_BINDING => symbol(bindings.pixel_unpack_buffer),
-        GL_COPY_READ_BUFFER => symbol(bindings.copy_read_buffer),
-        GL_COPY_WRITE_BUFFER => symbol(bindings.copy_write_buffer),
-        GL_TRANSFORM_FEEDBACK_BUFFER_BINDING => symbol(bindings.transform_feedback_buffer),
-        GL_UNIFORM_BUFFER_BINDING => symbol(bindings.uniform_buffer),
-        GL_TEXTURE_BUFFER => symbol(bindings.texture_buffer),
+        GL_ARRAY_BUFFER_BINDING => symbol(bindings.array_buffer.name()),
+        GL_ELEMENT_ARRAY_BUFFER_BINDING => symbol(bindings.element_array_buffer.name()),
+        GL_PIXEL_PACK_BUFFER_BINDING => symbol(bindings.pixel_pack_buffer.name()),
+        GL_PIXEL_UNPACK_BUFFER_BINDING => symbol(bindings.pixel_unpack_buffer.name()),
+        GL_COPY_READ_BUFFER => symbol(bindings.copy_read_buffer.name()),
+        GL_COPY_WRITE_BUFFER => symbol(bindings.copy_write_buffer.name()),
+        GL_TRANSFORM_FEEDBACK_BUFFER_BINDING => symbol(bindings.transform_feedback_buffer.name()),
+        GL_UNIFORM_BUFFER_BINDING => symbol(bindings.uniform_buffer.name()),
+        GL_TEXTURE_BUFFER => symbol(bindings.texture_buffer.name()),
         GL_VERTEX_ARRAY_BINDING => symbol(bindings.vertex_array),
         GL_FRAMEBUFFER_BINDING => symbol(bindings.draw_framebuffer),
         GL_READ_FRAMEBUFFER_BINDING => symbol(bindings.read_framebuffer),
-        GL_RENDERBUFFER_BINDING => symbol(bindings.renderbuffer),
+        GL_RENDERBUFFER_BINDING => symbol(bindings.renderbuffer.name()),
         GL_CURRENT_PROGRAM => symbol(bindings.program),
         _ => return None,
     })

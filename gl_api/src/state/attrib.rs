@@ -10,6 +10,7 @@ use crate::env::Units;
 use crate::error::{ErrorCode, GlError, Result};
 use crate::evaluate::EvaluatorState;
 use crate::framebuffer::buffers::{self, Selection};
+use crate::object::bound::Bound;
 use crate::pixels::position::RasterPosition;
 use crate::state::matrix::MatrixMode;
 use crate::texture::TextureTarget;
@@ -46,8 +47,8 @@ struct Server {
     selection: Option<Selection>,
     /// Of `GL_TEXTURE_BIT` and `GL_ENABLE_BIT`.
     units: Option<Box<Units>>,
-    /// Of `GL_TEXTURE_BIT`: the parameters of the textures that are bound, by name.
-    textures: Vec<(TextureTarget, GLuint, SamplerState)>,
+    /// Of `GL_TEXTURE_BIT`: the parameters of the textures that are bound.
+    textures: Vec<(TextureTarget, Bound, SamplerState)>,
 }
 
 /// What of the client's state a push keeps.
@@ -56,9 +57,9 @@ struct Client {
     mask: GLbitfield,
     pack: pixel_store::PixelStore,
     unpack: pixel_store::PixelStore,
-    pixel_buffers: [GLuint; 2],
+    pixel_buffers: [Bound; 2],
     arrays: Arrays,
-    array_buffers: [GLuint; 2],
+    array_buffers: [Bound; 2],
     vertex_array: GLuint,
     client_active: u8,
 }
@@ -133,14 +134,14 @@ const FLAGS: &[(GLbitfield, &[Flag])] = &[
     ),
 ];
 
-fn bound_textures(context: &Context) -> Vec<(TextureTarget, GLuint, SamplerState)> {
+fn bound_textures(context: &Context) -> Vec<(TextureTarget, Bound, SamplerState)> {
     let mut textures = Vec::new();
     for unit in context.state.units.units.iter() {
         for target in TextureTarget::ALL {
-            let name = unit.bound[target as usize];
-            if textures.iter().all(|(t, n, _)| (*t, *n) != (target, name)) {
-                let state = context.objects.texture(target, name).state.clone();
-                textures.push((target, name, state));
+            let bound = &unit.bound[target as usize];
+            if textures.iter().all(|(t, b, _)| (*t, b) != (target, bound)) {
+                let state = context.objects.texture(target, bound).state.clone();
+                textures.push((target, bound.clone(), state));
             }
         }
     }
@@ -248,6 +249,11 @@ fn restore(state: &mut State, saved: Server) {
         for (unit, saved) in state.units.units.iter_mut().zip(units.units.iter_mut()) {
             let kept = if points { saved.coord_replace } else { unit.coord_replace };
             (unit.coord_replace, saved.coord_replace) = (kept, kept);
+            // What was deleted meanwhile stays deleted: name 0 is bound in its place.
+            for (now, saved) in unit.bound.iter().zip(&mut saved.bound) {
+                *saved = std::mem::take(saved).restored(now);
+            }
+            saved.sampler = std::mem::take(&mut saved.sampler).restored(&unit.sampler);
         }
         if textures {
             units.client_active = state.units.client_active;
@@ -335,12 +341,10 @@ fn restore(state: &mut State, saved: Server) {
     }
 }
 
-/// Textures that were deleted meanwhile stay deleted; their bindings go back to name 0.
+/// Puts the parameters of the textures back that were bound.
 fn restore_textures(context: &mut Context, saved: &Server) {
-    for (target, name, state) in &saved.textures {
-        if *name == 0 || context.objects.textures.get(*name).is_some() {
-            context.objects.texture_mut(*target, *name).state = state.clone();
-        }
+    for (target, bound, state) in &saved.textures {
+        context.objects.texture_mut(*target, bound).state = state.clone();
     }
 }
 
@@ -357,13 +361,20 @@ pub(crate) fn push_client_attrib(context: &mut Context, mask: GLbitfield) -> Res
         mask,
         pack: state.pack.clone(),
         unpack: state.unpack.clone(),
-        pixel_buffers: [bindings.pixel_pack_buffer, bindings.pixel_unpack_buffer],
+        pixel_buffers: [&bindings.pixel_pack_buffer, &bindings.pixel_unpack_buffer]
+            .map(Bound::clone),
         arrays: state.arrays.clone(),
-        array_buffers: [bindings.array_buffer, bindings.element_array_buffer],
+        array_buffers: [&bindings.array_buffer, &bindings.element_array_buffer].map(Bound::clone),
         vertex_array: bindings.vertex_array,
         client_active: state.units.client_active,
     });
     Ok(())
+}
+
+fn restore_buffers(places: [&mut Bound; 2], saved: [Bound; 2]) {
+    for (place, saved) in places.into_iter().zip(saved) {
+        *place = saved.restored(place);
+    }
 }
 
 pub(crate) fn pop_client_attrib(context: &mut Context) -> Result<()> {
@@ -376,9 +387,9 @@ pub(crate) fn pop_client_attrib(context: &mut Context) -> Result<()> {
     if saved.mask & GL_CLIENT_PIXEL_STORE_BIT != 0 {
         context.state.pack = saved.pack;
         context.state.unpack = saved.unpack;
-        let [pack, unpack] = saved.pixel_buffers.map(|name| context.objects.existing_buffer(name));
-        context.state.bindings.pixel_pack_buffer = pack;
-        context.state.bindings.pixel_unpack_buffer = unpack;
+        let bindings = &mut context.state.bindings;
+        let places = [&mut bindings.pixel_pack_buffer, &mut bindings.pixel_unpack_buffer];
+        restore_buffers(places, saved.pixel_buffers);
     }
     if saved.mask & GL_CLIENT_VERTEX_ARRAY_BIT != 0 {
         // A vertex array object that was deleted meanwhile cannot come back: its arrays do, as the
@@ -389,11 +400,10 @@ pub(crate) fn pop_client_attrib(context: &mut Context) -> Result<()> {
             0
         };
         crate::object::vertex_arrays::bind_vertex_array(context, name)?;
-        let [array, element] =
-            saved.array_buffers.map(|name| context.objects.existing_buffer(name));
         context.state.arrays = saved.arrays;
-        context.state.bindings.array_buffer = array;
-        context.state.bindings.element_array_buffer = element;
+        let bindings = &mut context.state.bindings;
+        let places = [&mut bindings.array_buffer, &mut bindings.element_array_buffer];
+        restore_buffers(places, saved.array_buffers);
         context.state.units.client_active = saved.client_active;
     }
     Ok(())

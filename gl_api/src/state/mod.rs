@@ -26,6 +26,7 @@ use crate::assembly::calls::AssemblyState;
 use crate::env::Units;
 use crate::evaluate::EvaluatorState;
 use crate::interface::{ATTRIB_COLOR, ATTRIB_EDGE_FLAG, ATTRIB_INDEX, ATTRIB_NORMAL};
+use crate::object::bound::Bound;
 use crate::pixels::position::RasterPosition;
 use crate::texture::Proxies;
 use crate::texture::transfer::Transfer;
@@ -45,23 +46,25 @@ use viewport::ViewportState;
 /// How many attribute locations there are, conventional ones included; see [`crate::interface`].
 pub(crate) const LOCATIONS: usize = 32;
 
-/// The names of what is bound; 0 where nothing is.
+/// What is bound, or its name; 0 where nothing is.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Bindings {
-    pub array_buffer: GLuint,
-    pub element_array_buffer: GLuint,
-    pub pixel_pack_buffer: GLuint,
-    pub pixel_unpack_buffer: GLuint,
-    pub texture_buffer: GLuint,
-    pub copy_read_buffer: GLuint,
-    pub copy_write_buffer: GLuint,
-    pub transform_feedback_buffer: GLuint,
-    pub uniform_buffer: GLuint,
+    pub array_buffer: Bound,
+    pub element_array_buffer: Bound,
+    pub pixel_pack_buffer: Bound,
+    pub pixel_unpack_buffer: Bound,
+    pub texture_buffer: Bound,
+    pub copy_read_buffer: Bound,
+    pub copy_write_buffer: Bound,
+    pub transform_feedback_buffer: Bound,
+    pub uniform_buffer: Bound,
     pub vertex_array: GLuint,
     pub draw_framebuffer: GLuint,
     pub read_framebuffer: GLuint,
-    pub renderbuffer: GLuint,
+    pub renderbuffer: Bound,
     pub program: GLuint,
+    /// Keeps the program.
+    pub held_program: Bound,
 }
 
 /// Everything that is no object.

@@ -12,6 +12,8 @@ use crate::context::{Context, limits};
 use crate::error::{
     ErrorCode, GlError, Result, Table, invalid_enum, invalid_operation, invalid_value,
 };
+use crate::object::bound::Bound;
+use crate::object::buffers::BufferObject;
 use crate::types::*;
 use rasterizer::driver::{Buffer, Version};
 use std::ops::Range;
@@ -57,12 +59,10 @@ pub(crate) struct DataStore {
     /// The internal format that was asked for.
     pub internal: GLenum,
     pub format: Format,
-    /// The name of the buffer; 0 for none.
-    pub buffer: GLuint,
+    /// The buffer, if there is one: the texture keeps it when it is deleted.
+    pub buffer: Bound,
     /// The bytes of the buffer that are texels, unless all are.
     range: Option<Range<usize>>,
-    /// What the buffer held when it was deleted: the texture keeps it.
-    orphan: Option<Buffer>,
     /// How the texels of these bytes are fetched.
     plan: Option<(Version, Arc<SamplePlan>)>,
 }
@@ -71,14 +71,14 @@ impl Default for DataStore {
     /// As a new texture has it (`ARB_texture_buffer_object`, section 6.2).
     fn default() -> Self {
         let (internal, format) = (GL_LUMINANCE8, Format::L8);
-        Self { internal, format, buffer: 0, range: None, orphan: None, plan: None }
+        Self { internal, format, buffer: Bound::default(), range: None, plan: None }
     }
 }
 
 impl DataStore {
     /// Why there are no texels, if so.
     pub fn incomplete_reason(&self) -> Option<String> {
-        (self.buffer == 0).then(|| "it has no buffer: give it one with glTexBuffer".into())
+        (self.buffer.name() == 0).then(|| "it has no buffer: give it one with glTexBuffer".into())
     }
 
     /// Which bytes of a buffer are texels.
@@ -94,39 +94,28 @@ impl DataStore {
         let most = limits::MAX_TEXTURE_BUFFER_SIZE;
         u32::try_from(bytes / self.format.bytes()).map_or(most, |texels| texels.min(most))
     }
-
-    /// The bytes that come from `buffer`, which is deleted now.
-    pub fn keep(&mut self, name: GLuint, buffer: &Buffer) {
-        if self.buffer == name && self.orphan.is_none() {
-            self.orphan = Some(buffer.clone());
-        }
-    }
 }
 
 /// The length of the buffer that a store reads; mapped or not.
 pub(super) fn length(context: &Context, store: &DataStore) -> usize {
-    match (&store.orphan, context.objects.buffers.get(store.buffer)) {
-        (Some(orphan), _) => orphan.bytes().len(),
-        (None, Some(object)) => object.len(),
-        (None, None) => 0,
-    }
+    context.objects.buffers.bound(&store.buffer).map_or(0, BufferObject::len)
 }
 
-/// How a draw fetches the texels of a texture that is bound to `GL_TEXTURE_BUFFER`.
+/// How a draw fetches the texels of the texture that is bound to `GL_TEXTURE_BUFFER` of a unit.
 ///
 /// # Errors
 /// When the client has the buffer mapped, or there is no memory.
-pub(crate) fn plan(context: &mut Context, name: GLuint) -> Result<Arc<SamplePlan>> {
-    let store = &context.objects.texture(TextureTarget::Buffer, name).store;
-    let buffer = match (&store.orphan, context.objects.buffers.get(store.buffer)) {
-        (Some(orphan), _) => orphan.clone(),
-        (None, Some(object)) if object.map.is_some() => {
-            let rule =
-                format!("buffer {} of texture {name} is mapped: call glUnmapBuffer", store.buffer);
+pub(crate) fn plan(context: &mut Context, unit: u8) -> Result<Arc<SamplePlan>> {
+    let bound = &context.state.units.units[usize::from(unit)].bound[TextureTarget::Buffer as usize];
+    let store = &context.objects.texture(TextureTarget::Buffer, bound).store;
+    let buffer = match context.objects.buffers.bound(&store.buffer) {
+        Some(object) if object.map.is_some() => {
+            let (buffer, name) = (store.buffer.name(), bound.name());
+            let rule = format!("buffer {buffer} of texture {name} is mapped: call glUnmapBuffer");
             return invalid_operation("ARB_texture_buffer_object, section 3.8", rule);
         }
-        (None, Some(object)) => object.buffer.clone(),
-        (None, None) => Buffer::default(),
+        Some(object) => object.buffer.clone(),
+        None => Buffer::default(),
     };
     if let Some((version, plan)) = &store.plan
         && version.is_of(&buffer)
@@ -140,7 +129,7 @@ pub(crate) fn plan(context: &mut Context, name: GLuint) -> Result<Arc<SamplePlan
         })?;
     context.recorder.hold(row.texels.len());
     let plan = Arc::new(SamplePlan::of_row(row));
-    let store = &mut context.objects.texture_mut(TextureTarget::Buffer, name).store;
+    let store = &mut context.objects.texture_mut(TextureTarget::Buffer, bound).store;
     store.plan = Some((buffer.version(), Arc::clone(&plan)));
     Ok(plan)
 }
@@ -173,6 +162,7 @@ fn attach(
             return invalid_operation(SECTION, rule);
         }
     };
+    let buffer = context.objects.buffers.hold(buffer);
     bound_mut(context, TextureTarget::Buffer).store =
         DataStore { internal, format, buffer, range, ..DataStore::default() };
     Ok(())

@@ -5,6 +5,7 @@ use super::layout::Layout;
 use crate::context::Context;
 use crate::entry::{Data, DataOut, Located, LocatedOut};
 use crate::error::{Result, invalid_operation};
+use crate::object::bound::Bound;
 use crate::state::pixel_store::PixelStore;
 use crate::types::GLuint;
 use rasterizer::driver::Buffer;
@@ -33,9 +34,10 @@ pub(crate) fn source<'a>(
     pixels: Data<'a>,
     needed: usize,
 ) -> Result<Option<Source<'a>>> {
-    let name = context.state.bindings.pixel_unpack_buffer;
-    not_mapped(context, name)?;
-    match (context.objects.buffers.get(name), pixels.locate(name, needed)) {
+    let bound = &context.state.bindings.pixel_unpack_buffer;
+    let name = bound.name();
+    not_mapped(context, bound)?;
+    match (context.objects.buffers.bound(bound), pixels.locate(name, needed)) {
         (None, Located::Null | Located::Offset(0)) => Ok(None),
         (None, Located::Bytes(bytes)) => Ok(Some(Source::Client(bytes))),
         (None, Located::Offset(offset)) => no_buffer(offset, "GL_PIXEL_UNPACK_BUFFER"),
@@ -94,9 +96,10 @@ pub(crate) fn write_bytes(
     needed: usize,
     write: impl FnOnce(&mut [u8]),
 ) -> Result<()> {
-    let name: GLuint = context.state.bindings.pixel_pack_buffer;
-    not_mapped(context, name)?;
-    match (context.objects.buffers.get_mut(name), pixels.locate(name, needed)) {
+    let bound = &context.state.bindings.pixel_pack_buffer;
+    let name = bound.name();
+    not_mapped(context, bound)?;
+    match (context.objects.buffers.bound_mut(bound), pixels.locate(name, needed)) {
         (_, LocatedOut::Null | LocatedOut::Offset(0)) if needed == 0 => Ok(()),
         (None, LocatedOut::Bytes(bytes)) => {
             check_room(bytes.len(), needed)?;
@@ -130,7 +133,7 @@ pub(crate) fn write_pixels(
     match &pixels {
         DataOut::Bytes(bytes) => layout.check_length(bytes.len(), "GL_PACK_ALIGNMENT")?,
         DataOut::Offset(offset) => check_multiple(layout, *offset)?,
-        DataOut::Client(pointer) if context.state.bindings.pixel_pack_buffer != 0 => {
+        DataOut::Client(pointer) if context.state.bindings.pixel_pack_buffer.name() != 0 => {
             check_multiple(layout, pointer.offset())?;
         }
         DataOut::Null | DataOut::Client(_) => {}
@@ -139,11 +142,11 @@ pub(crate) fn write_pixels(
 }
 
 /// Refuses a buffer that the client has mapped.
-fn not_mapped(context: &Context, name: GLuint) -> Result<()> {
-    match context.objects.buffers.get(name) {
+fn not_mapped(context: &Context, bound: &Bound) -> Result<()> {
+    match context.objects.buffers.bound(bound) {
         Some(object) if object.map.is_some() => invalid_operation(
             SECTION,
-            format!("buffer {name} is bound for pixels and mapped: call glUnmapBuffer"),
+            format!("buffer {} is bound for pixels and mapped: call glUnmapBuffer", bound.name()),
         ),
         Some(_) | None => Ok(()),
     }

@@ -226,14 +226,14 @@ impl Texture {
 
 /// The texture that is bound to a target of the active unit.
 pub(crate) fn bound(context: &Context, target: TextureTarget) -> &Texture {
-    let name = context.state.units.active().bound[target as usize];
-    context.objects.texture(target, name)
+    let bound = &context.state.units.active().bound[target as usize];
+    context.objects.texture(target, bound)
 }
 
 /// The texture that is bound to a target of the active unit, to be changed.
 pub(crate) fn bound_mut(context: &mut Context, target: TextureTarget) -> &mut Texture {
-    let name = context.state.units.active().bound[target as usize];
-    context.objects.texture_mut(target, name)
+    let bound = &context.state.units.active().bound[target as usize];
+    context.objects.texture_mut(target, bound)
 }
 
 /// What an image that cannot be stored means to the client.

@@ -63,7 +63,9 @@ fn checked_storage(context: &Context, image: ImageTarget, size: [GLsizei; 3]) ->
     }
     let target = image.target();
     match image {
-        ImageTarget::Bound(_) if context.state.units.active().bound[target as usize] == 0 => {
+        ImageTarget::Bound(_)
+            if context.state.units.active().bound[target as usize].name() == 0 =>
+        {
             invalid_operation(STORAGE, "texture 0 is the default one: bind another")
         }
         ImageTarget::Bound(_) | ImageTarget::Proxy(_) => Ok(()),

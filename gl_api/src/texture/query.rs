@@ -90,7 +90,7 @@ fn known_buffer(context: &Context) -> Known {
         internal: store.internal,
         format: store.format,
         samples: None,
-        buffer: (store.buffer, range),
+        buffer: (store.buffer.name(), range),
     }
 }
 

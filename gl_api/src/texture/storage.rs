@@ -92,7 +92,7 @@ fn tex_storage(
     };
     let levels = checked_levels(target, levels, size)?;
     if let ImageTarget::Bound(_) = image {
-        let name = context.state.units.active().bound[target as usize];
+        let name = context.state.units.active().bound[target as usize].name();
         if name == 0 || bound(context, target).immutable.is_some() {
             let why = if name == 0 { "is the default one" } else { "has storage for good already" };
             return invalid_operation(SECTION, format!("texture {name} {why}: bind another"));

@@ -30,7 +30,7 @@ pub(crate) fn begin_transform_feedback(context: &mut Context, mode: GLenum) -> R
         BufferMode::Separate => count,
     };
     let buffers = context.transform_feedback.buffers.iter().take(needed);
-    if let Some(index) = buffers.clone().position(|range| range.name == 0) {
+    if let Some(index) = buffers.clone().position(|range| range.buffer.name() == 0) {
         return invalid_operation(
             SECTION,
             format!(

@@ -89,11 +89,11 @@ impl Layout {
     /// Checks that the buffers can be written to.
     fn check(&self, context: &Context) -> Result<()> {
         for range in context.transform_feedback.buffers.iter().take(self.buffers.len()) {
-            let object = context.objects.buffers.get(range.name);
+            let object = context.objects.buffers.bound(&range.buffer);
             if object.is_some_and(|object| object.map.is_some()) {
                 return invalid_operation(
                     SECTION,
-                    format!("buffer {} is mapped: call glUnmapBuffer", range.name),
+                    format!("buffer {} is mapped: call glUnmapBuffer", range.buffer.name()),
                 );
             }
         }
@@ -103,10 +103,10 @@ impl Layout {
     /// Writes whole primitives, as many as all buffers have room for: how many.
     fn write(&self, context: &mut Context, vertices: &Vertices, active: &mut Active) -> u64 {
         let corners = active.kind.corners();
-        let ranges = context.transform_feedback.buffers;
+        let ranges = &context.transform_feedback.buffers;
         let mut fit = vertices.len() / corners;
         for ((range, scalars), written) in ranges.iter().zip(&self.buffers).zip(active.written) {
-            let buffer = context.objects.buffers.get(range.name);
+            let buffer = context.objects.buffers.bound(&range.buffer);
             let bytes = buffer.map_or(0, |object| object.buffer.bytes().len());
             let room = bytes.saturating_sub(range.offset).min(range.size.unwrap_or(usize::MAX));
             let each = corners * scalars.len() * 4;
@@ -114,7 +114,7 @@ impl Layout {
         }
         for ((range, scalars), written) in ranges.iter().zip(&self.buffers).zip(&mut active.written)
         {
-            let Some(object) = context.objects.buffers.get_mut(range.name) else { continue };
+            let Some(object) = context.objects.buffers.bound_mut(&range.buffer) else { continue };
             let places = scalars.iter().map(|scalar| Place::of(vertices, *scalar));
             let places: Vec<Place> = places.collect();
             let first = range.offset + *written;

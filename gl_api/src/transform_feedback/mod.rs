@@ -13,8 +13,8 @@ pub(crate) use capture::draw;
 use crate::constants::*;
 use crate::context::limits::MAX_TRANSFORM_FEEDBACK_SEPARATE_ATTRIBS;
 use crate::error::Table;
+use crate::object::bound::Bound;
 use crate::object::indexed_buffers::BufferRange;
-use crate::types::GLuint;
 use rasterizer::driver::Topology;
 
 const SECTION: &str = "GL 3.0, section 2.15";
@@ -92,8 +92,8 @@ impl TransformFeedback {
     }
 
     /// A buffer is no more.
-    pub fn forget_buffer(&mut self, name: GLuint) {
-        for range in self.buffers.iter_mut().filter(|range| range.name == name) {
+    pub fn forget_buffer(&mut self, gone: &Bound) {
+        for range in self.buffers.iter_mut().filter(|range| range.buffer == *gone) {
             *range = BufferRange::default();
         }
     }

@@ -12,6 +12,7 @@ use crate::context::limits::{
     MAX_UNIFORM_BLOCK_SIZE, MAX_UNIFORM_BLOCKS, MAX_UNIFORM_BUFFER_BINDINGS,
     MAX_UNIFORM_COMPONENTS, UNIFORM_BUFFER_OFFSET_ALIGNMENT,
 };
+use crate::object::bound::Bound;
 use crate::object::indexed_buffers::BufferRange;
 use crate::types::*;
 
@@ -25,14 +26,14 @@ pub(crate) struct UniformBuffers {
 
 impl Default for UniformBuffers {
     fn default() -> Self {
-        Self { buffers: [BufferRange::default(); MAX_UNIFORM_BUFFER_BINDINGS] }
+        Self { buffers: std::array::from_fn(|_| BufferRange::default()) }
     }
 }
 
 impl UniformBuffers {
     /// A buffer is no more.
-    pub fn forget_buffer(&mut self, name: GLuint) {
-        for range in self.buffers.iter_mut().filter(|range| range.name == name) {
+    pub fn forget_buffer(&mut self, gone: &Bound) {
+        for range in self.buffers.iter_mut().filter(|range| range.buffer == *gone) {
             *range = BufferRange::default();
         }
     }

@@ -16,8 +16,8 @@ use rasterizer::ir::TRUE;
 pub(crate) struct BlockState {
     /// `GL_UNIFORM_BLOCK_BINDING`.
     pub binding: GLuint,
-    /// The range, and its buffer's version if there is a buffer; `None` before the first draw.
-    source: Option<(BufferRange, Option<Version>)>,
+    /// Offset and size, and the buffer's version if there is a buffer; `None` before the first draw.
+    source: Option<(usize, Option<usize>, Option<Version>)>,
 }
 
 impl BlockState {
@@ -27,14 +27,14 @@ impl BlockState {
     }
 
     /// Whether the words are those of this range of a buffer as it is now.
-    fn is_of(&self, range: BufferRange, buffer: Option<&Buffer>) -> bool {
-        self.source.as_ref().is_some_and(|(of, version)| {
+    fn is_of(&self, range: &BufferRange, buffer: Option<&Buffer>) -> bool {
+        self.source.as_ref().is_some_and(|(offset, size, version)| {
             let same = match (version, buffer) {
                 (Some(version), Some(buffer)) => version.is_of(buffer),
                 (None, None) => true,
                 (Some(_), None) | (None, Some(_)) => false,
             };
-            *of == range && same
+            (*offset, *size) == (range.offset, range.size) && same
         })
     }
 }
@@ -49,18 +49,20 @@ pub(crate) fn refresh(context: &mut Context, name: GLuint) -> Result<()> {
         Some(ShaderOrProgram::Shader(_)) | None => None,
     };
     let Some(Linked { program, blocks, words, .. }) = program else { return Ok(()) };
+    let none = BufferRange::default();
     for (block, state) in program.blocks.iter().zip(blocks) {
         let Some(word) = block.word else { continue };
         let bound = context.uniform_buffers.buffers.get(state.binding as usize);
-        let range = bound.copied().unwrap_or_default();
-        let object = context.objects.buffers.get(range.name);
+        let range = bound.unwrap_or(&none);
+        let object = context.objects.buffers.bound(&range.buffer);
         if object.is_some_and(|object| object.map.is_some()) {
             return invalid_operation(
                 SECTION,
                 format!(
                     "buffer {}, which the uniform block \"{}\" is read from, is mapped: call \
                      glUnmapBuffer",
-                    range.name, block.name
+                    range.buffer.name(),
+                    block.name
                 ),
             );
         }
@@ -68,7 +70,7 @@ pub(crate) fn refresh(context: &mut Context, name: GLuint) -> Result<()> {
         if state.is_of(range, buffer) {
             continue;
         }
-        state.source = Some((range, buffer.map(Buffer::version)));
+        state.source = Some((range.offset, range.size, buffer.map(Buffer::version)));
         let bytes = buffer.map_or(&[][..], Buffer::bytes);
         let bytes = bytes.get(range.offset..).unwrap_or_default();
         let bytes = &bytes[..range.size.unwrap_or(bytes.len()).min(bytes.len())];
@@ -87,8 +89,8 @@ pub(crate) fn refresh(context: &mut Context, name: GLuint) -> Result<()> {
 /// A block that has no buffer, or one of fewer bytes than it has itself.
 #[cold]
 #[inline(never)]
-fn too_small(block: &UniformBlock, binding: GLuint, range: BufferRange, bytes: usize) -> String {
-    let (name, needs, buffer) = (&block.name, block.bytes, range.name);
+fn too_small(block: &UniformBlock, binding: GLuint, range: &BufferRange, bytes: usize) -> String {
+    let (name, needs, buffer) = (&block.name, block.bytes, range.buffer.name());
     if buffer == 0 {
         return format!(
             "draw: the uniform block \"{name}\" has no buffer: call \

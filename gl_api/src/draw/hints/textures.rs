@@ -5,8 +5,10 @@ use crate::constants::*;
 use crate::context::Context;
 use crate::context::said::Hint;
 use crate::draw::stages;
+use crate::env::Unit;
 use crate::framebuffer::buffers::attachment_index;
 use crate::interface::MAX_COMBINED_TEXTURE_IMAGE_UNITS;
+use crate::object::bound::Bound;
 use crate::object::framebuffers::{Attached, Source};
 use crate::state::enable::{CAPABILITY, Flag};
 use crate::texture::{TARGET, TextureTarget};
@@ -32,17 +34,18 @@ enum Elsewhere {
 /// Where the texture may be that was meant for a unit's target, if nothing is there.
 fn elsewhere(context: &Context, unit: u8, target: TextureTarget) -> Option<Elsewhere> {
     let units = &context.state.units.units;
-    let bound = &units[usize::from(unit)].bound;
-    let default = context.objects.texture(target, 0);
+    let name = |unit: &Unit, target: TextureTarget| unit.bound[target as usize].name();
+    let own = &units[usize::from(unit)];
+    let default = context.objects.texture(target, &Bound::default());
     let has_image = target != TextureTarget::Buffer && default.image.level(0, 0).is_some();
-    if bound[target as usize] != 0 || has_image {
+    if name(own, target) != 0 || has_image {
         return None;
     }
-    if let Some(other) = TextureTarget::ALL.into_iter().find(|other| bound[*other as usize] != 0) {
-        return Some(Elsewhere::Target(bound[other as usize], other));
+    if let Some(other) = TextureTarget::ALL.into_iter().find(|other| name(own, *other) != 0) {
+        return Some(Elsewhere::Target(name(own, other), other));
     }
     let others = units.iter().zip(0..MAX_COMBINED_TEXTURE_IMAGE_UNITS);
-    let mut others = others.map(|(state, other)| (state.bound[target as usize], other));
+    let mut others = others.map(|(state, other)| (name(state, target), other));
     let found = others.find(|&(name, _)| name != 0);
     Some(found.map_or(Elsewhere::Nowhere, |(name, other)| Elsewhere::Unit(name, other)))
 }
@@ -56,7 +59,7 @@ pub(in crate::draw) fn incomplete(
     target: TextureTarget,
     reason: &str,
 ) {
-    let name = context.state.units.units[usize::from(unit)].bound[target as usize];
+    let name = context.state.units.units[usize::from(unit)].bound[target as usize].name();
     let asked = target_name(target);
     let text = match elsewhere(context, unit, target) {
         None => format!(
@@ -90,12 +93,14 @@ pub(in crate::draw) fn sampler(
     word: u32,
     decl: TextureDecl,
 ) {
-    let bound = context.state.units.units[usize::from(unit)].bound;
-    let name = bound[target as usize];
+    let bound = &context.state.units.units[usize::from(unit)].bound[target as usize];
     let state = stages::sampler(context, unit, target);
-    match context.objects.texture(target, name).incomplete_reason(&state) {
+    match context.objects.texture(target, bound).incomplete_reason(&state) {
         Some(reason) => reads_black(context, unit, target, word, &reason),
-        None if decl.compare && state.compare.is_none() => uncompared(context, name, target, word),
+        None if decl.compare && state.compare.is_none() => {
+            let name = bound.name();
+            uncompared(context, name, target, word);
+        }
         None => {}
     }
 }
@@ -103,7 +108,7 @@ pub(in crate::draw) fn sampler(
 #[cold]
 #[inline(never)]
 fn reads_black(context: &mut Context, unit: u8, target: TextureTarget, word: u32, reason: &str) {
-    let name = context.state.units.units[usize::from(unit)].bound[target as usize];
+    let name = context.state.units.units[usize::from(unit)].bound[target as usize].name();
     let uniform = uniform_name(context, word);
     let asked = target_name(target);
     let who = match uniform.is_empty() {
@@ -124,7 +129,7 @@ fn reads_black(context: &mut Context, unit: u8, target: TextureTarget, word: u32
             let units = context.state.units.units.iter();
             let mut units = units.zip(0..MAX_COMBINED_TEXTURE_IMAGE_UNITS);
             let is_name = |at: GLuint| unit != 0 && at == GLuint::from(unit);
-            let named = units.find(|(at, _)| is_name(at.bound[target as usize]));
+            let named = units.find(|(at, _)| is_name(at.bound[target as usize].name()));
             let mut advice = String::new();
             if !uniform.is_empty() {
                 if let Some((_, at)) = named {
@@ -170,21 +175,26 @@ fn uniform_name(context: &Context, word: u32) -> String {
 /// A texture that is sampled by a draw that may draw to it (GL 3.1, section 4.4.3).
 pub(in crate::draw) fn feedback_loop(
     context: &mut Context,
-    name: GLuint,
+    place: (u8, TextureTarget),
     image: &Image,
     sampler: &Sampler,
 ) {
     let framebuffer = context.state.bindings.draw_framebuffer;
     let Some(object) = context.objects.framebuffers.get(framebuffer) else { return };
     if object.attached().any(|attached| attached.image.same(image)) {
-        maybe_loop(context, name, image, sampler);
+        maybe_loop(context, place, image, sampler);
     }
 }
 
 /// It is one if a level that is sampled is drawn to. Who calls `glTextureBarrierNV` means it.
 #[cold]
 #[inline(never)]
-fn maybe_loop(context: &mut Context, name: GLuint, image: &Image, sampler: &Sampler) {
+fn maybe_loop(
+    context: &mut Context,
+    (unit, target): (u8, TextureTarget),
+    image: &Image,
+    sampler: &Sampler,
+) {
     let framebuffer = context.state.bindings.draw_framebuffer;
     let Some(object) = context.objects.framebuffers.get(framebuffer) else { return };
     let last = if sampler.mipmap == Mipmap::None { sampler.base_level } else { sampler.max_level };
@@ -204,6 +214,7 @@ fn maybe_loop(context: &mut Context, name: GLuint, image: &Image, sampler: &Samp
     let tests = context.state.enables.has(Flag::DepthTest);
     let depth = tests && fragment.depth_write == DepthWrite::On && sampled(&object.depth);
     if (color || depth) && context.is_news(Hint::FeedbackLoop, 0) {
+        let name = context.state.units.units[usize::from(unit)].bound[target as usize].name();
         context.debug.warn(format!(
             "draw: texture {name} is sampled and drawn to, as it is attached to framebuffer \
              {framebuffer}: what is read is undefined, but for what glTextureBarrierNV promises; draw to \
@@ -224,9 +235,10 @@ pub(in crate::draw) fn nothing_enabled(context: &mut Context) {
     let bound = units.iter().zip(0..MAX_COMBINED_TEXTURE_IMAGE_UNITS).find_map(|(unit, number)| {
         // Those that cannot be switched on are for shaders alone.
         let target = TextureTarget::ALL.into_iter().find(|&target| {
-            unit.bound[target as usize] != 0 && CAPABILITY.get(TARGET.encode(target)).is_some()
+            unit.bound[target as usize].name() != 0
+                && CAPABILITY.get(TARGET.encode(target)).is_some()
         })?;
-        Some((number, target, unit.bound[target as usize]))
+        Some((number, target, unit.bound[target as usize].name()))
     });
     if let Some((unit, target, name)) = bound {
         let target = target_name(target);
