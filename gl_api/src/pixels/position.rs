@@ -7,6 +7,7 @@ use crate::feedback::Mode;
 use crate::feedback::shade::{self, Id, Shaded, Vertices};
 use crate::interface::*;
 use crate::state::clamp;
+use crate::state::fog::FogSource;
 use crate::state::viewport::{depth_clip, unit, within};
 use crate::types::GLenum;
 use rasterizer::driver::{DepthClip, VertexBinding, VertexSource};
@@ -67,6 +68,15 @@ fn shade(context: &mut Context, position: [f32; 4]) -> Result<Vertices> {
     shade::shade(context, &vertices, &[Id { vertex: 0, instance: 0 }])
 }
 
+/// The distance that goes with a raster position: a depth without its sign, or else what the
+/// coordinate is.
+fn distance(context: &Context, depth: f32, coordinate: f32) -> f32 {
+    match context.state.fog.source {
+        FogSource::Depth => depth.abs(),
+        FogSource::Coordinate => coordinate,
+    }
+}
+
 /// A valid raster position is a hit (GL 2.1, section 5.2).
 fn select(context: &mut Context) {
     if context.feedback.mode == Mode::Select {
@@ -105,10 +115,11 @@ pub(super) fn raster(context: &mut Context, position: [f64; 4]) -> Result<()> {
         let first = VARYING_TEX_COORD + 4 * u16::from(unit);
         *coords = shaded.varyings(first, current(ATTRIB_TEX_COORD + unit));
     }
+    let fog = shaded.get(Output::Varying(VARYING_FOG)).unwrap_or(0.0);
     context.state.raster_position = RasterPosition {
         window,
         valid: true,
-        distance: shaded.get(Output::Varying(VARYING_FOG)).unwrap_or(0.0),
+        distance: distance(context, fog, fog),
         color: clamp.color(shaded.varyings(VARYING_COLOR, current(ATTRIB_COLOR))),
         secondary_color: clamp
             .color(shaded.varyings(VARYING_SECONDARY_COLOR, current(ATTRIB_SECONDARY_COLOR))),
@@ -133,7 +144,7 @@ pub(super) fn window(context: &mut Context, position: [f64; 4]) -> Result<()> {
     context.state.raster_position = RasterPosition {
         window: [x, y, depth, 1.0],
         valid: true,
-        distance: current(ATTRIB_FOG_COORD)[0],
+        distance: distance(context, 0.0, current(ATTRIB_FOG_COORD)[0]),
         color: clamp.color(current(ATTRIB_COLOR)),
         secondary_color: clamp.color(current(ATTRIB_SECONDARY_COLOR)),
         index: current(ATTRIB_INDEX)[0],

@@ -34,6 +34,35 @@ fn clear(c: &mut Context, color: [u8; 4]) {
     c.clear(GL_COLOR_BUFFER_BIT);
 }
 
+/// The distance of a raster position is what fog takes it for (GL 2.1, section 2.13).
+#[test]
+fn the_distance_of_a_raster_position_is_that_of_the_fog() {
+    let mut c = context(4, 4);
+    c.fog_coordf(-9.0);
+    let distance = |c: &mut Context| {
+        let mut distance = [f32::NAN];
+        c.get_floatv(GL_CURRENT_RASTER_DISTANCE, &mut distance);
+        distance[0]
+    };
+    for (source, of_window, of_depth) in
+        [(GL_FRAGMENT_DEPTH, 0.0, 0.75), (GL_FOG_COORD, -9.0, -9.0)]
+    {
+        c.fogi(GL_FOG_COORD_SRC, source as i32);
+        for z in [-0.75, 0.75] {
+            c.raster_pos_3f(0.0, 0.0, z);
+            assert_eq!(distance(&mut c), of_depth, "{z}, {}", enum_name(source));
+            c.window_pos_3f(0.0, 0.0, z);
+            assert_eq!(distance(&mut c), of_window, "{z}, {}", enum_name(source));
+        }
+    }
+    // Pixels at no distance are in no fog.
+    c.enable(GL_FOG);
+    c.fogi(GL_FOG_COORD_SRC, GL_FRAGMENT_DEPTH as i32);
+    c.window_pos_2i(1, 1);
+    c.draw_pixels(1, 1, GL_RGBA, GL_UNSIGNED_BYTE, Data::Bytes(&[255; 4]));
+    assert_eq!(pixel(&mut c, 1, 1), [255; 4]);
+}
+
 #[test]
 fn every_logical_operation_does_to_bits_what_its_table_says() {
     let (source, stored) = ([0x0F, 0x33, 0xFF, 0xA5], [0x3C, 0x55, 0x00, 0x99]);
