@@ -197,12 +197,35 @@ fn texture_parameters_come_back_with_their_texture() {
     let mut wrap = [0];
     c.get_tex_parameteriv(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, &mut wrap);
     assert_eq!(wrap[0] as GLenum, GL_REPEAT);
+    let rest = |c: &mut Context| {
+        let mut values = [[9.0]; 2];
+        c.get_tex_parameterfv(GL_TEXTURE_2D, GL_GENERATE_MIPMAP, &mut values[0]);
+        c.get_tex_parameterfv(GL_TEXTURE_2D, GL_TEXTURE_PRIORITY, &mut values[1]);
+        values.concat()
+    };
+    c.push_attrib(GL_TEXTURE_BIT);
+    c.tex_parameteri(GL_TEXTURE_2D, GL_GENERATE_MIPMAP, 1);
+    c.tex_parameterf(GL_TEXTURE_2D, GL_TEXTURE_PRIORITY, 0.25);
+    assert_eq!(rest(&mut c), [1.0, 0.25]);
+    c.pop_attrib();
+    assert_eq!(rest(&mut c), [0.0, 1.0]);
     // One that was deleted meanwhile stays deleted.
     c.push_attrib(GL_TEXTURE_BIT);
     c.delete_textures(1, &[1]);
     c.pop_attrib();
     assert!(!c.is_texture(1));
     assert_eq!(c.get_error(), GL_NO_ERROR, "{:?}", c.messages());
+}
+
+#[test]
+fn the_maps_of_pixels_are_of_no_group() {
+    let mut c = context();
+    c.push_attrib(GL_ALL_ATTRIB_BITS);
+    c.pixel_mapfv(GL_PIXEL_MAP_R_TO_R, 2, [0.5_f32, 0.25].as_slice().arg());
+    c.pixel_transferi(GL_INDEX_OFFSET, 3);
+    c.pop_attrib();
+    let found = [GL_PIXEL_MAP_R_TO_R_SIZE, GL_INDEX_OFFSET].map(|pname| read(&mut c, pname)[0]);
+    assert_eq!(found, [2.0, 0.0]);
 }
 
 #[test]
@@ -216,6 +239,8 @@ fn the_clients_groups_come_back() {
     c.enable_client_state(GL_VERTEX_ARRAY);
     c.bind_buffer(GL_ARRAY_BUFFER, 0);
     c.client_active_texture(GL_TEXTURE2);
+    c.enable(GL_PRIMITIVE_RESTART);
+    c.primitive_restart_index(7);
     c.pop_client_attrib();
     for (pname, value) in [
         (GL_UNPACK_ALIGNMENT, 4.0),
@@ -223,9 +248,46 @@ fn the_clients_groups_come_back() {
         (GL_VERTEX_ARRAY, 0.0),
         (GL_ARRAY_BUFFER_BINDING, 3.0),
         (GL_CLIENT_ACTIVE_TEXTURE, GL_TEXTURE0 as GLfloat),
+        (GL_PRIMITIVE_RESTART, 0.0),
+        (GL_PRIMITIVE_RESTART_INDEX, 0.0),
         (GL_CLIENT_ATTRIB_STACK_DEPTH, 0.0),
     ] {
         assert_eq!(read(&mut c, pname)[0], value, "{}", enum_name(pname));
+    }
+}
+
+#[test]
+fn the_arrays_of_an_object_come_back_to_it_alone() {
+    for deleted in [false, true] {
+        let mut c = context();
+        let mut names = [0; 2];
+        c.gen_vertex_arrays(2, &mut names);
+        c.bind_vertex_array(names[0]);
+        c.primitive_restart_index(9);
+        c.bind_buffer(GL_ARRAY_BUFFER, 3);
+        c.bind_buffer(GL_ELEMENT_ARRAY_BUFFER, 4);
+        c.vertex_pointer(3, GL_SHORT, 16, Data::Offset(0));
+        c.push_client_attrib(GL_CLIENT_VERTEX_ARRAY_BIT);
+        c.primitive_restart_index(5);
+        c.bind_buffer(GL_ARRAY_BUFFER, 0);
+        if deleted {
+            c.delete_vertex_arrays(1, &names);
+        }
+        c.bind_vertex_array(names[1]);
+        assert_eq!(read(&mut c, GL_PRIMITIVE_RESTART_INDEX)[0], 5.0, "is of no object");
+        c.pop_client_attrib();
+        // What is of no object comes back in any case.
+        assert_eq!(read(&mut c, GL_ARRAY_BUFFER_BINDING)[0], 3.0);
+        assert_eq!(read(&mut c, GL_PRIMITIVE_RESTART_INDEX)[0], 9.0);
+        let arrays = |c: &mut Context| {
+            [GL_VERTEX_ARRAY_BINDING, GL_VERTEX_ARRAY_STRIDE, GL_ELEMENT_ARRAY_BUFFER_BINDING]
+                .map(|pname| read(c, pname)[0] as GLuint)
+        };
+        let expected = if deleted { [names[1], 0, 0] } else { [names[0], 16, 4] };
+        assert_eq!(arrays(&mut c), expected, "deleted: {deleted}");
+        c.bind_vertex_array(0);
+        assert_eq!(arrays(&mut c), [0; 3], "deleted: {deleted}");
+        assert_eq!(c.get_error(), GL_NO_ERROR, "{:?}", c.messages());
     }
 }
 

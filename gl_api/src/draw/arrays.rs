@@ -50,8 +50,6 @@ pub(crate) struct Array {
 #[derive(Clone, Debug)]
 pub(crate) struct Arrays {
     pub by_location: [Array; LOCATIONS],
-    /// The index that restarts a primitive.
-    pub restart_index: GLuint,
 }
 
 impl Default for Arrays {
@@ -67,7 +65,6 @@ impl Default for Arrays {
                 divisor: 0,
                 count: 0,
             }),
-            restart_index: 0,
         }
     }
 }

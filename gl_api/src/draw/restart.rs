@@ -11,7 +11,7 @@ use std::ops::Range;
 
 /// Whether an index restarts.
 pub(super) fn is_restart(context: &Context, index: u32) -> bool {
-    context.state.enables.has(Flag::PrimitiveRestart) && index == context.state.arrays.restart_index
+    context.state.enables.has(Flag::PrimitiveRestart) && index == context.state.restart_index
 }
 
 /// The runs of indices, as their numbers in the draw; all of them, where nothing restarts.
@@ -40,7 +40,7 @@ pub(super) fn runs(
 }
 
 pub(crate) fn primitive_restart_index(context: &mut Context, index: GLuint) -> Result<()> {
-    context.state.arrays.restart_index = index;
+    context.state.restart_index = index;
     Ok(())
 }
 

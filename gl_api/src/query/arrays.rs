@@ -69,10 +69,10 @@ fn buffer(array: &Array) -> GLuint {
 }
 
 /// State of a conventional array by its name; of texture coordinates, the client's active unit's;
-/// and of all arrays, the index that restarts a primitive (GL 3.1, table 6.4).
+/// and of no array, the index that restarts a primitive (GL 3.1, table 6.4).
 pub(super) fn state_value(context: &Context, pname: GLenum) -> Option<Result<Value>> {
     if let GL_PRIMITIVE_RESTART_INDEX | GL_PRIMITIVE_RESTART_INDEX_NV = pname {
-        return Some(symbol(context.state.arrays.restart_index));
+        return Some(symbol(context.state.restart_index));
     }
     let (location, part) = STATE.get(pname)?;
     let unit = if location == ATTRIB_TEX_COORD { context.state.units.client_active } else { 0 };

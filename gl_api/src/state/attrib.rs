@@ -47,8 +47,18 @@ struct Server {
     selection: Option<Selection>,
     /// Of `GL_TEXTURE_BIT` and `GL_ENABLE_BIT`.
     units: Option<Box<Units>>,
-    /// Of `GL_TEXTURE_BIT`: the parameters of the textures that are bound.
-    textures: Vec<(TextureTarget, Bound, SamplerState)>,
+    /// Of `GL_TEXTURE_BIT`.
+    textures: Vec<Parameters>,
+}
+
+/// The parameters of a texture that is bound.
+#[derive(Clone, Debug)]
+struct Parameters {
+    target: TextureTarget,
+    bound: Bound,
+    state: SamplerState,
+    generate_mipmap: bool,
+    priority: f32,
 }
 
 /// What of the client's state a push keeps.
@@ -61,6 +71,8 @@ struct Client {
     arrays: Arrays,
     array_buffers: [Bound; 2],
     vertex_array: GLuint,
+    /// Whether primitives are restarted, and by which index.
+    restart: (bool, GLuint),
     client_active: u8,
 }
 
@@ -134,14 +146,20 @@ const FLAGS: &[(GLbitfield, &[Flag])] = &[
     ),
 ];
 
-fn bound_textures(context: &Context) -> Vec<(TextureTarget, Bound, SamplerState)> {
-    let mut textures = Vec::new();
+fn bound_textures(context: &Context) -> Vec<Parameters> {
+    let mut textures: Vec<Parameters> = Vec::new();
     for unit in context.state.units.units.iter() {
         for target in TextureTarget::ALL {
             let bound = &unit.bound[target as usize];
-            if textures.iter().all(|(t, b, _)| (*t, b) != (target, bound)) {
-                let state = context.objects.texture(target, bound).state.clone();
-                textures.push((target, bound.clone(), state));
+            if textures.iter().all(|known| (known.target, &known.bound) != (target, bound)) {
+                let texture = context.objects.texture(target, bound);
+                textures.push(Parameters {
+                    target,
+                    bound: bound.clone(),
+                    state: texture.state.clone(),
+                    generate_mipmap: texture.generate_mipmap,
+                    priority: texture.priority,
+                });
             }
         }
     }
@@ -311,7 +329,8 @@ fn restore(state: &mut State, saved: Server) {
         state.raster.points = saved.raster.points;
     }
     if has(GL_PIXEL_MODE_BIT) {
-        state.transfer = saved.transfer;
+        // The maps are of no group (GL 2.1, section 6.2).
+        state.transfer = Transfer { maps: state.transfer.maps, ..saved.transfer };
         state.pixel_zoom = saved.pixel_zoom;
     }
     if has(GL_SCISSOR_BIT) {
@@ -343,8 +362,11 @@ fn restore(state: &mut State, saved: Server) {
 
 /// Puts the parameters of the textures back that were bound.
 fn restore_textures(context: &mut Context, saved: &Server) {
-    for (target, bound, state) in &saved.textures {
-        context.objects.texture_mut(*target, bound).state = state.clone();
+    for saved in &saved.textures {
+        let texture = context.objects.texture_mut(saved.target, &saved.bound);
+        texture.state = saved.state.clone();
+        texture.generate_mipmap = saved.generate_mipmap;
+        texture.priority = saved.priority;
     }
 }
 
@@ -366,6 +388,7 @@ pub(crate) fn push_client_attrib(context: &mut Context, mask: GLbitfield) -> Res
         arrays: state.arrays.clone(),
         array_buffers: [&bindings.array_buffer, &bindings.element_array_buffer].map(Bound::clone),
         vertex_array: bindings.vertex_array,
+        restart: (state.enables.has(Flag::PrimitiveRestart), state.restart_index),
         client_active: state.units.client_active,
     });
     Ok(())
@@ -392,18 +415,21 @@ pub(crate) fn pop_client_attrib(context: &mut Context) -> Result<()> {
         restore_buffers(places, saved.pixel_buffers);
     }
     if saved.mask & GL_CLIENT_VERTEX_ARRAY_BIT != 0 {
-        // A vertex array object that was deleted meanwhile cannot come back: its arrays do, as the
-        // default object's.
-        let name = if context.objects.vertex_arrays.get(saved.vertex_array).is_some() {
-            saved.vertex_array
-        } else {
-            0
-        };
-        crate::object::vertex_arrays::bind_vertex_array(context, name)?;
-        context.state.arrays = saved.arrays;
-        let bindings = &mut context.state.bindings;
-        let places = [&mut bindings.array_buffer, &mut bindings.element_array_buffer];
-        restore_buffers(places, saved.array_buffers);
+        let [array, element] = saved.array_buffers;
+        // A vertex array object that was deleted meanwhile stays deleted (ARB_vertex_array_object,
+        // section 2.10), and its arrays are no other object's.
+        let name = saved.vertex_array;
+        if name == 0 || context.objects.vertex_arrays.get(name).is_some() {
+            crate::object::vertex_arrays::bind_vertex_array(context, name)?;
+            context.state.arrays = saved.arrays;
+            let place = &mut context.state.bindings.element_array_buffer;
+            *place = element.restored(place);
+        }
+        let place = &mut context.state.bindings.array_buffer;
+        *place = array.restored(place);
+        let (restarts, index) = saved.restart;
+        context.state.enables.set(Flag::PrimitiveRestart, restarts);
+        context.state.restart_index = index;
         context.state.units.client_active = saved.client_active;
     }
     Ok(())

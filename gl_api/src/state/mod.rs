@@ -75,6 +75,8 @@ pub(crate) struct State {
     /// The current value of each attribute, by location.
     pub current: [[f32; 4]; LOCATIONS],
     pub arrays: crate::draw::arrays::Arrays,
+    /// The index that restarts a primitive; of no vertex array object.
+    pub restart_index: GLuint,
     pub locked: crate::draw::locked::Locked,
     pub enables: Enables,
     pub lights: Lights,
@@ -110,6 +112,7 @@ impl State {
             viewport: ViewportState::new(width, height),
             current,
             arrays: crate::draw::arrays::Arrays::default(),
+            restart_index: 0,
             locked: crate::draw::locked::Locked::default(),
             enables: Enables::default(),
             lights: Lights::default(),
