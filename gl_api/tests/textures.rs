@@ -83,6 +83,24 @@ fn formats_keep_as_many_bits_as_they_promise() {
     }
 }
 
+/// `EXT_texture_shared_exponent`: only one format has bits that all components share.
+#[test]
+fn bits_of_a_shared_exponent_can_be_asked_for() {
+    for (internal, bits) in [(GL_RGB9_E5, 5), (GL_RGB16F, 0), (GL_RGBA8, 0)] {
+        let mut c = context();
+        let asked = |c: &mut Context| {
+            let mut bits = [-1];
+            c.get_tex_level_parameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_SHARED_SIZE, &mut bits);
+            bits[0]
+        };
+        assert_eq!(asked(&mut c), 0);
+        let (rgb, ty) = (GL_RGB, GL_FLOAT);
+        c.tex_image_2d(GL_TEXTURE_2D, 0, internal as i32, 2, 2, 0, rgb, ty, Data::Null);
+        assert_eq!(asked(&mut c), bits, "{}", enum_name(internal));
+        ok(&mut c);
+    }
+}
+
 #[test]
 fn integers_stay_themselves() {
     for (internal, ty, values) in [

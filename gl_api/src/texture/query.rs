@@ -25,6 +25,8 @@ enum Property {
     Compressed,
     CompressedBytes,
     Bits(Component),
+    /// Bits of the exponent that all components share (`EXT_texture_shared_exponent`).
+    SharedBits,
     Samples,
     FixedLocations,
     /// Of a buffer texture: the buffer's name and which of its bytes are texels.
@@ -60,6 +62,7 @@ const PROPERTY: Table<Property> = Table {
         (GL_TEXTURE_COMPRESSED_IMAGE_SIZE, Property::CompressedBytes),
         (GL_TEXTURE_STENCIL_SIZE, Property::Bits(Component::Stencil)),
         (GL_TEXTURE_DEPTH_SIZE, Property::Bits(Component::Depth)),
+        (GL_TEXTURE_SHARED_SIZE, Property::SharedBits),
         (GL_TEXTURE_SAMPLES, Property::Samples),
         (GL_TEXTURE_FIXED_SAMPLE_LOCATIONS, Property::FixedLocations),
         (GL_TEXTURE_BUFFER_DATA_STORE_BINDING, Property::Buffer),
@@ -160,6 +163,17 @@ fn property(context: &Context, target: GLenum, level: GLint, pname: GLenum) -> R
             bytes.map_or(0, |bytes| bytes as GLint)
         }
         Property::Bits(component) => component_bits(known.format, component),
+        Property::SharedBits => match known.format.info().encoding {
+            Encoding::SharedExponent => 5,
+            Encoding::Unorm
+            | Encoding::Srgb
+            | Encoding::Snorm
+            | Encoding::Float
+            | Encoding::Uint
+            | Encoding::Sint
+            | Encoding::Block(_)
+            | Encoding::SrgbBlock(_) => 0,
+        },
         Property::Samples => known.samples.map_or(0, |samples| samples.count.into()),
         Property::FixedLocations => {
             known.samples.is_none_or(|samples| samples.fixed_locations).into()
