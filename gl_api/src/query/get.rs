@@ -58,6 +58,7 @@ pub(crate) fn put_bools(params: &mut [GLboolean], value: Value) -> Result<()> {
     let values: Vec<GLboolean> = match value {
         Value::Bools(values) => values.into_iter().map(u8::from).collect(),
         Value::Ints(values) => values.into_iter().map(|value| u8::from(value != 0)).collect(),
+        Value::Word(value) => vec![u8::from(value != 0)],
         Value::Floats(values) | Value::Unit(values) => {
             values.into_iter().map(|value| u8::from(value != 0.0)).collect()
         }
@@ -70,6 +71,7 @@ pub(crate) fn put_ints(params: &mut [GLint], value: Value) -> Result<()> {
     let values: Vec<GLint> = match value {
         Value::Bools(values) => values.into_iter().map(GLint::from).collect(),
         Value::Ints(values) => values,
+        Value::Word(value) => vec![value as GLint],
         Value::Floats(values) => values.into_iter().map(|value| value.round() as GLint).collect(),
         Value::Unit(values) => {
             values.into_iter().map(|value| unit_to_signed(value as f32)).collect()
@@ -98,6 +100,7 @@ fn doubles(value: Value) -> Vec<f64> {
     match value {
         Value::Bools(values) => values.into_iter().map(|on| f64::from(u8::from(on))).collect(),
         Value::Ints(values) => values.into_iter().map(f64::from).collect(),
+        Value::Word(value) => vec![value.into()],
         Value::Floats(values) | Value::Unit(values) => values,
     }
 }

@@ -38,6 +38,8 @@ use rasterizer::driver::{DepthWrite, MAX_LINE_WIDTH, MAX_POINT_SIZE};
 pub(crate) enum Value {
     Bools(Vec<bool>),
     Ints(Vec<i32>),
+    /// A symbol, name or mask; as an integer of 32 bits, the same bits.
+    Word(u32),
     Floats(Vec<f64>),
     /// Colours, normals and depths: as integers, 1 is the largest one.
     Unit(Vec<f64>),
@@ -52,7 +54,7 @@ pub(crate) fn int(value: impl TryInto<i32>) -> Result<Value> {
 }
 
 pub(crate) fn symbol(value: GLenum) -> Result<Value> {
-    Ok(Value::Ints(vec![value as i32]))
+    Ok(Value::Word(value))
 }
 
 fn ints(values: &[i32]) -> Result<Value> {
@@ -337,19 +339,18 @@ fn raster_position(context: &Context, pname: GLenum) -> Answer {
 fn stencil(context: &Context, pname: GLenum) -> Answer {
     let stencil = &context.state.fragment.stencil;
     let (front, back) = (stencil.active(), &stencil.faces[Side::Back as usize]);
-    let mask = |mask: GLuint| Ok(Value::Ints(vec![mask as i32]));
     Some(match pname {
         GL_STENCIL_FUNC => symbol(COMPARE.encode(front.func)),
         GL_STENCIL_REF => int(front.reference),
-        GL_STENCIL_VALUE_MASK => mask(front.value_mask),
-        GL_STENCIL_WRITEMASK => mask(front.write_mask),
+        GL_STENCIL_VALUE_MASK => symbol(front.value_mask),
+        GL_STENCIL_WRITEMASK => symbol(front.write_mask),
         GL_STENCIL_FAIL => symbol(STENCIL_OP.encode(front.fail)),
         GL_STENCIL_PASS_DEPTH_FAIL => symbol(STENCIL_OP.encode(front.depth_fail)),
         GL_STENCIL_PASS_DEPTH_PASS => symbol(STENCIL_OP.encode(front.pass)),
         GL_STENCIL_BACK_FUNC => symbol(COMPARE.encode(back.func)),
         GL_STENCIL_BACK_REF => int(back.reference),
-        GL_STENCIL_BACK_VALUE_MASK => mask(back.value_mask),
-        GL_STENCIL_BACK_WRITEMASK => mask(back.write_mask),
+        GL_STENCIL_BACK_VALUE_MASK => symbol(back.value_mask),
+        GL_STENCIL_BACK_WRITEMASK => symbol(back.write_mask),
         GL_STENCIL_BACK_FAIL => symbol(STENCIL_OP.encode(back.fail)),
         GL_STENCIL_BACK_PASS_DEPTH_FAIL => symbol(STENCIL_OP.encode(back.depth_fail)),
         GL_STENCIL_BACK_PASS_DEPTH_PASS => symbol(STENCIL_OP.encode(back.pass)),

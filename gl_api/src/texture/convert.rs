@@ -5,7 +5,7 @@
 //! copies them instead; which goes where it finds out by sending marked numbers down the general
 //! path.
 
-use super::client::{ClientType, LuminanceOf, Numbers};
+use super::client::{ClientFormat, ClientType, LuminanceOf, Numbers};
 use super::layout::Layout;
 use super::texel::{self, Bytes};
 use super::transfer::{Kind, Steps, Transfer};
@@ -74,7 +74,11 @@ impl<'a> Conversion<'a> {
         let (ty, size) = (self.layout.pixel.ty, self.layout.pixel.ty.size());
         let rgba = self.steps.apply(texel::decode(self.format, texel));
         let components = self.layout.pixel.format.select(rgba, self.last.luminance);
-        let components = self.last.clamped(components);
+        let mut components = self.last.clamped(components);
+        // A byte with a sign takes the lower seven bits of a stencil (GL 2.1, section 4.3.2).
+        if (self.layout.pixel.format, ty) == (ClientFormat::Stencil, ClientType::I8) {
+            components[0] = (components[0] as u8 & 0x7F).into();
+        }
         let words = ty.write(components, self.numbers);
         for (word, element) in words.into_iter().zip(pixel.chunks_exact_mut(size)) {
             store(word, element, self.layout.swap);

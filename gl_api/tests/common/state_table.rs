@@ -19,7 +19,7 @@ pub type Row = (GLenum, As, &'static [f64]);
 
 const T: &[f64] = &[1.0];
 const F: &[f64] = &[0.0];
-const ONES: &[f64] = &[u32::MAX as i32 as f64];
+const ONES: &[f64] = &[u32::MAX as f64];
 const IDENTITY: &[f64] =
     &[1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0];
 

@@ -153,6 +153,20 @@ fn a_fragment_that_is_thrown_away_leaves_no_stencil() {
     }
 }
 
+/// GL 2.1, section 4.3.2: an index is masked with what its type can hold.
+#[test]
+fn a_byte_with_a_sign_takes_seven_bits_of_a_stencil() {
+    let mut c = context(16, 16);
+    ramp(&mut c);
+    let mut found = [0_u8; 256];
+    let out = DataOut::Bytes(&mut found);
+    c.read_pixels(0, 0, 16, 16, GL_STENCIL_INDEX, GL_BYTE, out);
+    for (value, got) in found.into_iter().enumerate() {
+        assert_eq!(usize::from(got), value & 0x7F);
+    }
+    fine(&mut c);
+}
+
 #[test]
 fn both_faces_can_be_compared_by_one_call() {
     let mut c = context(4, 4);
@@ -194,5 +208,10 @@ fn the_state_can_be_asked_for() {
         c.get_integerv(pname, &mut value);
         assert_eq!(value[0], want, "{}", enum_name(pname));
     }
+    // A mask has no sign; as an integer of 32 bits it is the same bits.
+    let (mut long, mut float) = ([0], [0.0]);
+    c.get_integer64v(GL_STENCIL_BACK_WRITEMASK, &mut long);
+    c.get_doublev(GL_STENCIL_BACK_WRITEMASK, &mut float);
+    assert_eq!((long[0], float[0]), (i64::from(u32::MAX), f64::from(u32::MAX)));
     fine(&mut c);
 }
