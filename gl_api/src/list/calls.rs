@@ -92,7 +92,8 @@ pub(crate) fn new_list(context: &mut Context, list: GLuint, mode: GLenum) -> Res
             format!("list {name} is being compiled: glEndList is missing"),
         );
     }
-    context.compiling = Some(Compiling { name: list, mode, steps: Vec::new(), open: None });
+    context.compiling =
+        Some(Compiling { name: list, mode, steps: Vec::new(), open: None, begun: false });
     Ok(())
 }
 

@@ -103,6 +103,9 @@ pub(crate) struct Compiling {
     steps: Vec<Step>,
     /// Since `glBegin`, as long as nothing but attributes followed.
     open: Option<Open>,
+    /// Whether a `glBegin` is recorded by itself: vertices after another, which is refused when the
+    /// list is called, are the first one's (GL 2.1, section 2.5).
+    begun: bool,
 }
 
 impl Context {
@@ -156,8 +159,9 @@ impl Context {
 
     /// Ends a `glBegin` that the list leaves open.
     fn finish_open(&mut self) {
-        let open = self.compiling.as_mut().and_then(|compiling| compiling.open.take());
-        if let Some(open) = open {
+        let Some(compiling) = &mut self.compiling else { return };
+        if let Some(open) = compiling.open.take() {
+            compiling.begun = true;
             self.keep_steps(open.spill());
         }
     }
@@ -168,7 +172,7 @@ impl Context {
         let nested = self.immediate.is_some();
         let Some(compiling) = &mut self.compiling else { return false };
         let open = Open::new(mode);
-        if nested {
+        if nested || compiling.begun {
             self.keep_steps(open.spill());
         } else {
             compiling.open = Some(open);
@@ -179,6 +183,7 @@ impl Context {
     /// Records `glEnd`, if a list is compiled.
     pub(crate) fn record_end(&mut self) -> bool {
         let Some(compiling) = &mut self.compiling else { return false };
+        compiling.begun = false;
         let steps = match compiling.open.take() {
             Some(open) => open.close(),
             None => vec![shapes::end_step()],

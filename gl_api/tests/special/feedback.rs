@@ -68,6 +68,45 @@ fn colours_coordinates_and_tokens_come_along() {
     assert_eq!(pixels, [tokens[0], 4.0, 2.0, tokens[1], 5.0, 2.0, tokens[2], 5.0, 2.0]);
 }
 
+/// GL 2.1, section 2.5: of the calls of a list, only the one that is wrong is ignored.
+#[test]
+fn a_second_begin_of_a_list_leaves_its_vertices_to_the_first() {
+    let calls: [fn(&mut Context); 3] = [
+        |_| (),
+        |c| c.begin(GL_LINES),
+        // A call that is refused, too, between them.
+        |c| {
+            c.enable(GL_BLEND);
+            c.begin(GL_LINES);
+        },
+    ];
+    for (row, call) in calls.into_iter().enumerate() {
+        for mode in [GL_COMPILE, GL_COMPILE_AND_EXECUTE] {
+            let mut c = context(8, 4);
+            feed(&mut c, GL_2D);
+            c.new_list(1, mode);
+            c.begin(GL_POINTS);
+            c.vertex_2f(0.0, 0.0);
+            call(&mut c);
+            c.vertex_2f(0.5, 0.5);
+            c.end();
+            // Afterwards all is as before.
+            c.begin(GL_POINTS);
+            c.vertex_2f(0.5, 0.0);
+            c.end();
+            c.end_list();
+            if mode == GL_COMPILE {
+                c.call_list(1);
+            }
+            assert_eq!(c.get_error() == GL_INVALID_OPERATION, row > 0);
+            let count = c.render_mode(GL_RENDER);
+            let points = [POINT, 4.0, 2.0, POINT, 6.0, 3.0, POINT, 6.0, 2.0];
+            assert_eq!(c.feedback(), points, "{row}");
+            assert_eq!(count, 9);
+        }
+    }
+}
+
 #[test]
 fn polygon_modes_shading_and_lights_are_applied_before() {
     let mut c = context(8, 4);
