@@ -113,7 +113,9 @@ fn every_way_to_say_two_triangles_gives_the_same_picture() {
             c.bind_vertex_array(names[0]);
             assert!(!c.is_enabled(GL_VERTEX_ARRAY));
             c.enable_client_state(GL_VERTEX_ARRAY);
-            c.vertex_pointer(2, GL_FLOAT, 0, [0.0f32; 12].as_slice().arg());
+            c.bind_buffer(GL_ARRAY_BUFFER, 4);
+            c.buffer_data(GL_ARRAY_BUFFER, 48, Data::Bytes(&[0; 48]), GL_STATIC_DRAW);
+            c.vertex_pointer(2, GL_FLOAT, 0, Data::Offset(0));
             c.bind_vertex_array(0);
             assert!(c.is_vertex_array(names[0]) && !c.is_vertex_array(names[1]));
             c.delete_vertex_arrays(2, &names);
@@ -210,12 +212,16 @@ fn interleaved_arrays_are_their_pointers() {
         }
         direct.end();
         let mut c = context();
+        let others =
+            [GL_EDGE_FLAG_ARRAY, GL_INDEX_ARRAY, GL_SECONDARY_COLOR_ARRAY, GL_FOG_COORD_ARRAY];
+        others.iter().for_each(|&array| c.enable_client_state(array));
         c.interleaved_arrays(format, 0, bytes.as_slice().arg());
         c.draw_arrays(GL_TRIANGLES, 0, 6);
         assert!(picture(&mut direct) == picture(&mut c), "{}", enum_name(format));
         assert_eq!(c.is_enabled(GL_COLOR_ARRAY), color > 0);
         assert_eq!(c.is_enabled(GL_NORMAL_ARRAY), normal > 0);
         assert_eq!(c.is_enabled(GL_TEXTURE_COORD_ARRAY), tex_coord > 0);
+        assert_eq!(others.map(|array| c.is_enabled(array)), [false; 4]);
     }
 }
 

@@ -3,6 +3,7 @@
 use super::arrays::Source;
 use crate::constants::*;
 use crate::context::{Context, limits};
+use crate::entry::Data;
 use crate::error::{Result, invalid_operation, invalid_value};
 use crate::interface::{ATTRIB_TEX_COORD, ATTRIB_VERTEX, MAX_VERTEX_ATTRIBS};
 use crate::state::enable::CLIENT_ARRAY;
@@ -55,6 +56,28 @@ pub(super) fn extent(context: &Context, location: u8, bytes: usize) -> String {
         ),
         Source::Client(_) | Source::Pointer(_) => format!("{array} has {bytes} bytes"),
     }
+}
+
+/// Refuses the client's memory where a vertex array object would have to keep its address
+/// (`ARB_vertex_array_object`, section 2.10).
+pub(super) fn refuse_client_memory(context: &Context, pointer: &Data<'_>) -> Result<()> {
+    let bindings = &context.state.bindings;
+    let is_memory = match pointer {
+        Data::Bytes(_) => true,
+        Data::Client(pointer) => !pointer.is_null(),
+        Data::Offset(_) | Data::Null => false,
+    };
+    if !is_memory || bindings.vertex_array == 0 || bindings.array_buffer.name() != 0 {
+        return Ok(());
+    }
+    invalid_operation(
+        "ARB_vertex_array_object, section 2.10",
+        format!(
+            "pointer is memory, but vertex array object {} is bound, which reads buffer objects \
+             only: bind a buffer to GL_ARRAY_BUFFER, or call glBindVertexArray(0)",
+            bindings.vertex_array
+        ),
+    )
 }
 
 /// Refuses to read an array whose buffer is mapped.

@@ -3,7 +3,7 @@
 //! A slice is copied when the pointer call is made, since it cannot be kept: later writes to it are
 //! not seen. Buffer objects, and pointers of C programs, are read when the draw is made.
 
-use super::array_names::{mapped, no_attribute};
+use super::array_names::{mapped, no_attribute, refuse_client_memory};
 use crate::abi::memory::ClientPointer;
 use crate::constants::*;
 use crate::context::{Context, limits};
@@ -310,6 +310,7 @@ fn set(
 ) -> Result<()> {
     let (components, ty, format) = rules.check(size, ty)?;
     let stride = not_negative(SECTION, "stride", stride.into())?;
+    refuse_client_memory(context, &pointer)?;
     let buffer = context.state.bindings.array_buffer.clone();
     let name = buffer.name();
     let source = match pointer {

@@ -1,5 +1,6 @@
 //! `glInterleavedArrays`: GL 2.1, table 2.5.
 
+use super::array_names::refuse_client_memory;
 use super::arrays;
 use crate::constants::*;
 use crate::context::Context;
@@ -81,6 +82,9 @@ pub(crate) fn interleaved_arrays(
     let row = FORMAT.decode("format", format)?;
     let given = not_negative("GL 2.1, section 2.8", "stride", stride.into())?;
     let stride = if given == 0 { row.stride as GLsizei } else { stride };
+    refuse_client_memory(context, &pointer)?;
+    disable_client_state(context, GL_EDGE_FLAG_ARRAY)?;
+    disable_client_state(context, GL_INDEX_ARRAY)?;
     disable_client_state(context, GL_SECONDARY_COLOR_ARRAY)?;
     disable_client_state(context, GL_FOG_COORD_ARRAY)?;
     match row.tex_coord {

@@ -23,6 +23,7 @@ mod short;
 mod textures;
 mod transform_feedback;
 mod uniform_buffers;
+mod vertex_arrays;
 mod vertices;
 
 use common::refusal::{Row, run};
@@ -75,6 +76,7 @@ fn each_refusal_sets_its_flag_says_why_and_changes_nothing_and_each_call_has_one
         textures::run,
         transform_feedback::run,
         uniform_buffers::run,
+        vertex_arrays::run,
         vertices::run,
     ];
     std::thread::scope(|scope| {

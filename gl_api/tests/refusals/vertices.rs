@@ -442,27 +442,6 @@ const BUFFER_ROWS: &[Case] = &[
         "must be below GL_MAX_VERTEX_ATTRIBS, 16",
     ),
     (
-        "vertex array",
-        nothing,
-        |c| c.bind_vertex_array(77),
-        GL_INVALID_OPERATION,
-        "array = 77 must be a name that glGenVertexArrays gave",
-    ),
-    (
-        "vertex arrays",
-        nothing,
-        |c| c.gen_vertex_arrays(-1, &mut []),
-        GL_INVALID_VALUE,
-        "n = -1 must not be negative",
-    ),
-    (
-        "no vertex arrays",
-        nothing,
-        |c| c.delete_vertex_arrays(-1, &[]),
-        GL_INVALID_VALUE,
-        "n = -1 must not be negative",
-    ),
-    (
         "the position has no value",
         nothing,
         |c| {
