@@ -21,6 +21,82 @@ fn a_stage_has_sixteen_samplers() {
     assert!(log.contains("17 samplers; a stage has 16"), "{log}");
 }
 
+/// A texture of one texel at each of the first units, red as the unit's number times ten.
+fn numbered_units(count: u8) {
+    for unit in 0..count {
+        glActiveTexture(GL_TEXTURE0 + u32::from(unit));
+        glBindTexture(GL_TEXTURE_2D, 1 + u32::from(unit));
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+        let texel = [10 * unit, 0, 0, 255];
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, &texel);
+    }
+}
+
+/// Of an array of structures, the samplers count that an index can choose, not what is beside them.
+#[test]
+fn samplers_in_structures_are_chosen_by_index() {
+    let _current = context();
+    numbered_units(8);
+    let look = "texture2D(l[k].t, vec2(0.5))";
+    // Declarations, the lookup, and the names of the samplers by k.
+    let rows: [(&str, &str, &[&str]); 4] = [
+        (
+            "struct L { vec4 c; sampler2D t; float f; }; uniform L l[3];",
+            look,
+            &["l[0].t", "l[1].t", "l[2].t"],
+        ),
+        (
+            "struct L { mat4 c[4]; sampler2D t; }; uniform L l[4];",
+            "l[k].c[0][0] + texture2D(l[k].t, vec2(0.5))",
+            &["l[0].t", "l[1].t", "l[2].t", "l[3].t"],
+        ),
+        (
+            "struct L { float f; sampler2D t[2]; }; uniform L l[3];",
+            "texture2D(l[k / 2].t[k - k / 2 * 2], vec2(0.5))",
+            &["l[0].t[0]", "l[0].t[1]", "l[1].t[0]", "l[1].t[1]", "l[2].t[0]", "l[2].t[1]"],
+        ),
+        (
+            "struct L { sampler2D a; float f; sampler2D t; }; struct M { float f; L l[2]; }; \
+             uniform M m[2];",
+            "texture2D(m[k].l[1].t, vec2(0.5)) + 0.0 * texture2D(m[0].l[k].a, vec2(0.5))",
+            &["m[0].l[1].t", "m[1].l[1].t"],
+        ),
+    ];
+    for (declarations, lookup, names) in rows {
+        let uniform =
+            format!("{declarations} uniform int k; void main() {{ gl_FragColor = {lookup}; }}");
+        let program = program(VERTEX, &uniform).unwrap_or_else(|log| panic!("{log}"));
+        glUseProgram(program);
+        for (unit, name) in (1..).zip(names) {
+            glUniform1i(glGetUniformLocation(program, *name), unit);
+        }
+        for k in 0..names.len() as u8 {
+            glUniform1i(glGetUniformLocation(program, "k"), i32::from(k));
+            assert_eq!(drawn(program), [10 * (k + 1), 0, 0, 255], "{declarations} {k}");
+        }
+        assert_eq!(glGetError(), GL_NO_ERROR);
+    }
+    // By the variable of a loop, as programs with several lights do.
+    let fragment = "struct L { vec4 c; sampler2D t; float f; }; uniform L l[3];
+void main() { vec4 r = vec4(0.0); for (int k = 0; k < 3; ++k) r += texture2D(l[k].t, vec2(0.5));
+gl_FragColor = r; }";
+    let program = program(VERTEX, fragment).unwrap_or_else(|log| panic!("{log}"));
+    glUseProgram(program);
+    for (unit, name) in (1..).zip(["l[0].t", "l[1].t", "l[2].t"]) {
+        glUniform1i(glGetUniformLocation(program, name), unit);
+    }
+    assert_eq!(drawn(program), [60, 0, 0, 255]);
+}
+
+#[test]
+fn more_samplers_than_can_be_chosen_from_are_refused_by_number() {
+    let _current = context();
+    let fragment = "struct L { sampler2D t[6]; }; uniform L l[6]; uniform int k;
+void main() { gl_FragColor = texture2D(l[k].t[k], vec2(0.5)); }";
+    let log = program(VERTEX, fragment).expect_err("36 are too many");
+    assert!(log.contains("one of 36 samplers, indexed by what is not constant"), "{log}");
+}
+
 #[test]
 fn every_unit_can_be_sampled() {
     let _current = context();

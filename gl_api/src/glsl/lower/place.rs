@@ -45,6 +45,8 @@ pub struct Place {
     pub base: u32,
     /// A `u32` to add, below the total.
     pub dynamic: Option<Value>,
+    /// Of each index in `dynamic`, scalars from an element to the next and how many there are.
+    pub steps: Vec<(u32, u32)>,
     /// The components of a swizzle.
     components: Option<Vec<u8>>,
     /// The type of the part.
@@ -155,6 +157,7 @@ impl Lowerer<'_> {
                         total: ty.scalars(),
                         base: 0,
                         dynamic: None,
+                        steps: Vec::new(),
                         components: None,
                         ty,
                     },
@@ -215,6 +218,7 @@ impl Lowerer<'_> {
             let offset = match place.components.take() {
                 Some(components) => self.swizzled(&components, index),
                 None => {
+                    place.steps.push((stride, len));
                     let stride = self.emit.uint(stride);
                     self.emit.op(Op::UMul, &[index, stride])
                 }
@@ -243,7 +247,8 @@ impl Lowerer<'_> {
     pub(super) fn value_place(values: Vec<Value>, ty: Type) -> Place {
         let total = values.len() as u32;
         let slot = Slot::Values(values.into());
-        Place { slot, total, base: 0, dynamic: None, components: None, ty }
+        let (dynamic, steps) = (None, Vec::new());
+        Place { slot, total, base: 0, dynamic, steps, components: None, ty }
     }
 
     /// Reads a part.

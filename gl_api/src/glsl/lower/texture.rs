@@ -47,6 +47,17 @@ fn slot(sampler: Sampler) -> TextureDecl {
     TextureDecl { shape: shape(sampler.dim), compare, texels }
 }
 
+/// Of what some indices can choose, each with so many words an element and so many elements, how far
+/// the one of this number lies behind the first.
+fn offset_of(mut number: u32, steps: &[(u32, u32)]) -> u32 {
+    let mut offset = 0;
+    for (stride, len) in steps {
+        offset += number % len * stride;
+        number /= len;
+    }
+    offset
+}
+
 /// The arguments of a lookup behind the sampler, taken apart.
 struct Arguments<'a> {
     kind: Sampler,
@@ -222,24 +233,26 @@ impl Lowerer<'_> {
     }
 
     fn look_up(&mut self, place: &Place, kind: Sampler, access: &Access) -> Lowered<Vec<Value>> {
-        let Slot::Uniform(word, types) = &place.slot else {
+        let Slot::Uniform(word, _) = &place.slot else {
             return Err(Failure("a sampler that is no uniform".to_owned()));
         };
-        let (first, types) = (word + place.base, types.clone());
+        let first = word + place.base;
         let Some(dynamic) = place.dynamic else {
             return Ok(self.sample(first, kind, access).to_vec());
         };
         // There is no texture by number in the IR: sample all, choose one.
-        let count = types.len() as u32 - place.base;
-        if count > MAX_DYNAMIC_SAMPLERS || types.iter().any(|&ty| ty != Ty::I32) {
-            let message =
-                "a sampler in a structure or large array, indexed by what is not constant";
-            return Err(Failure(format!("{message}, is not supported by DetGL yet")));
+        let count = place.steps.iter().fold(1, |count: u32, (_, len)| count.saturating_mul(*len));
+        if count > MAX_DYNAMIC_SAMPLERS {
+            return Err(Failure(format!(
+                "one of {count} samplers, indexed by what is not constant, is not supported by \
+                 DetGL yet: {MAX_DYNAMIC_SAMPLERS} are the most"
+            )));
         }
         let mut chosen = self.sample(first, kind, access);
         for index in 1..count {
-            let other = self.sample(first + index, kind, access);
-            let number = self.emit.uint(index);
+            let offset = offset_of(index, &place.steps);
+            let other = self.sample(first + offset, kind, access);
+            let number = self.emit.uint(offset);
             let here = self.emit.equal(dynamic, number);
             for (chosen, other) in chosen.iter_mut().zip(other) {
                 *chosen = self.emit.select(here, other, *chosen);
