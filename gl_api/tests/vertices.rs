@@ -86,6 +86,8 @@ fn every_way_to_say_two_triangles_gives_the_same_picture() {
         }),
         ("restarts by hand", |c| {
             c.enable_client_state(GL_PRIMITIVE_RESTART_NV);
+            assert!(c.is_enabled(GL_PRIMITIVE_RESTART_NV));
+            assert_eq!(integer(c, GL_PRIMITIVE_RESTART_NV), 1);
             c.primitive_restart_index(77);
             c.begin(GL_TRIANGLE_STRIP);
             for i in [0, 1, 2, 77, 3] {

@@ -168,7 +168,10 @@ fn capability(cap: GLenum) -> Result<Capability> {
 
 /// Whether `glIsEnabled` and `glGet` know a capability.
 pub(crate) fn is_capability(cap: GLenum) -> bool {
-    CAPABILITY.get(cap).is_some() || MAP.get(cap).is_some() || CLIENT_ARRAY.get(cap).is_some()
+    CAPABILITY.get(cap).is_some()
+        || MAP.get(cap).is_some()
+        || CLIENT_ARRAY.get(cap).is_some()
+        || cap == GL_PRIMITIVE_RESTART_NV
 }
 
 /// Which flags are on.
@@ -248,6 +251,9 @@ pub(crate) fn is_enabled(context: &mut Context, cap: GLenum) -> Result<bool> {
 
 /// Whether a capability or a client array is on.
 pub(crate) fn is_on(context: &Context, cap: GLenum) -> Result<bool> {
+    if cap == GL_PRIMITIVE_RESTART_NV {
+        return Ok(context.state.enables.has(Flag::PrimitiveRestart));
+    }
     if let Some(location) = CLIENT_ARRAY.get(cap) {
         return Ok(context.state.arrays.by_location[client_location(context, location)].enabled);
     }
