@@ -58,10 +58,18 @@ fn every_way_to_say_two_triangles_gives_the_same_picture() {
             c.draw_elements(GL_TRIANGLES, 6, GL_UNSIGNED_BYTE, indices);
         }),
         ("several runs", |c| c.multi_draw_arrays(GL_TRIANGLES, &[3, 0], &[3, 3], 2)),
+        ("runs of nothing", |c| {
+            c.multi_draw_arrays(GL_TRIANGLES, &[3, -1, 0], &[3, 0, 3], 3);
+        }),
         ("several runs of indices", |c| {
             let runs: [&[u8]; 2] = [&[5, 3, 4], &[0, 1, 2]];
             let runs = Pointers(runs.map(Data::Bytes).to_vec());
             c.multi_draw_elements(GL_TRIANGLES, &[3, 3], GL_UNSIGNED_BYTE, runs, 2);
+        }),
+        ("runs of no indices", |c| {
+            let runs = [Data::Bytes(&[0, 1, 2]), Data::Offset(99), Data::Bytes(&[4, 5, 6])];
+            let (runs, ty) = (Pointers(runs.to_vec()), GL_UNSIGNED_BYTE);
+            c.multi_draw_elements_base_vertex(GL_TRIANGLES, &[3, 0, 3], ty, runs, 3, &[0, 9, -1]);
         }),
         ("a base vertex", |c| {
             let indices: Vec<u8> =
@@ -344,6 +352,63 @@ fn mapped_buffers_belong_to_the_client() {
     assert_eq!(all, [1, 2, 30, 4, 5, 1, 2, 30]);
     assert_eq!(integer(&mut c, GL_COPY_WRITE_BUFFER), 1);
     assert_eq!(c.get_error(), GL_NO_ERROR, "{:?}", c.messages());
+}
+
+/// A call that is refused for one of its runs draws none of them.
+#[test]
+fn several_runs_are_checked_before_the_first_is_drawn() {
+    type Row = (fn(&mut Context, [Data<'_>; 2]), GLenum);
+    let rows: [Row; 8] = [
+        (|c, _| c.multi_draw_arrays(GL_TRIANGLES, &[0, 3], &[3, -1], 2), GL_INVALID_VALUE),
+        (|c, _| c.multi_draw_arrays(GL_TRIANGLES, &[0, -3], &[3, 3], 2), GL_INVALID_VALUE),
+        (|c, _| c.multi_draw_arrays(GL_FRONT, &[], &[], 0), GL_INVALID_ENUM),
+        (
+            |c, runs| {
+                let runs = Pointers(runs.to_vec());
+                c.multi_draw_elements(GL_TRIANGLES, &[3, -1], GL_UNSIGNED_BYTE, runs, 2);
+            },
+            GL_INVALID_VALUE,
+        ),
+        (
+            |c, _| {
+                let none = Pointers(Vec::new());
+                c.multi_draw_elements(GL_FRONT, &[], GL_UNSIGNED_BYTE, none, 0);
+            },
+            GL_INVALID_ENUM,
+        ),
+        (
+            |c, _| {
+                let none = Pointers(Vec::new());
+                c.multi_draw_elements(GL_TRIANGLES, &[], GL_BYTE, none, 0);
+            },
+            GL_INVALID_ENUM,
+        ),
+        (
+            |c, runs| {
+                let (runs, ty) = (Pointers(runs.to_vec()), GL_UNSIGNED_BYTE);
+                c.multi_draw_elements_base_vertex(GL_TRIANGLES, &[3, -1], ty, runs, 2, &[0, 0]);
+            },
+            GL_INVALID_VALUE,
+        ),
+        (
+            |c, runs| {
+                let (runs, ty) = (Pointers(runs.to_vec()), GL_UNSIGNED_BYTE);
+                c.multi_draw_elements_base_vertex(GL_TRIANGLES, &[3, 3], ty, runs, 2, &[0]);
+            },
+            GL_INVALID_OPERATION,
+        ),
+    ];
+    for (row, (draw, error)) in rows.into_iter().enumerate() {
+        let mut c = context();
+        c.enable_client_state(GL_VERTEX_ARRAY);
+        c.vertex_pointer(2, GL_FLOAT, 0, CORNERS.as_slice().arg());
+        draw(&mut c, [Data::Bytes(&[0, 1, 2]), Data::Bytes(&[3, 4, 5])]);
+        assert_eq!(c.get_error(), error, "{row}: {:?}", c.messages());
+        let mut pixels = vec![0; (SIZE * SIZE * 4) as usize];
+        let out = DataOut::Bytes(&mut pixels);
+        c.read_pixels(0, 0, SIZE, SIZE, GL_RGBA, GL_UNSIGNED_BYTE, out);
+        assert!(pixels.chunks(4).all(|pixel| pixel == &pixels[..4]), "{row} draws a part");
+    }
 }
 
 /// `EXT_vertex_array`: the calls that came before GL 1.1, which say how many elements there are.

@@ -8,14 +8,14 @@ use super::translate::{Elements, draw};
 use crate::assembly::running::has_vertex_program;
 use crate::constants::*;
 use crate::context::Context;
-use crate::entry::{Data, Located, Pointers};
+use crate::entry::{Data, Located};
 use crate::error::{Result, Table, invalid_enum, invalid_operation, invalid_value, not_negative};
 use crate::interface::ATTRIB_VERTEX;
 use crate::state::LOCATIONS;
 use crate::types::*;
 use rasterizer::driver::{Buffer, IndexType, Indices, Topology, VertexBinding, VertexSource};
 
-const SECTION: &str = "GL 2.1, section 2.8";
+pub(super) const SECTION: &str = "GL 2.1, section 2.8";
 const INSTANCED: &str = "ARB_draw_instanced";
 
 const TOPOLOGY: Table<Topology> = Table {
@@ -53,7 +53,7 @@ pub(crate) fn topology(mode: GLenum) -> Result<Topology> {
     }
 }
 
-const INDEX_TYPE: Table<IndexType> = Table {
+pub(super) const INDEX_TYPE: Table<IndexType> = Table {
     section: SECTION,
     rows: &[
         (GL_UNSIGNED_BYTE, IndexType::U8),
@@ -214,42 +214,12 @@ fn draw_ranges(
     context.empty_draw("glDrawArrays")
 }
 
-/// How many draws a multi-draw has, of as many counts.
-fn draws(primcount: GLsizei, lengths: [usize; 2]) -> Result<usize> {
-    let draws = not_negative(SECTION, "primcount", primcount.into())?;
-    let has = lengths[0].min(lengths[1]);
-    if has < draws {
-        return invalid_operation(
-            SECTION,
-            format!("primcount = {draws}, but the memory has {has} elements"),
-        );
-    }
-    Ok(draws)
-}
-
-pub(crate) fn multi_draw_arrays(
-    context: &mut Context,
-    mode: GLenum,
-    first: &[GLint],
-    count: &[GLsizei],
-    primcount: GLsizei,
-) -> Result<()> {
-    let draws = draws(primcount, [first.len(), count.len()])?;
-    for &count in &count[..draws] {
-        not_negative(SECTION, "count", count.into())?;
-    }
-    for (&first, &count) in first.iter().zip(count).take(draws) {
-        draw_arrays(context, mode, first, count)?;
-    }
-    Ok(())
-}
-
 /// The indices of a draw: where they are, and how many of them there must be.
-struct IndexRequest<'a> {
-    count: GLsizei,
-    ty: GLenum,
-    indices: Data<'a>,
-    base_vertex: GLint,
+pub(super) struct IndexRequest<'a> {
+    pub count: GLsizei,
+    pub ty: GLenum,
+    pub indices: Data<'a>,
+    pub base_vertex: GLint,
 }
 
 /// The bytes of indices, and where they begin.
@@ -317,7 +287,7 @@ fn index_buffer(
 }
 
 /// Draws by index.
-fn draw_indexed(
+pub(super) fn draw_indexed(
     context: &mut Context,
     mode: GLenum,
     request: IndexRequest<'_>,
@@ -398,21 +368,6 @@ pub(crate) fn draw_range_elements(
     draw_elements(context, mode, count, ty, indices)
 }
 
-pub(crate) fn multi_draw_elements(
-    context: &mut Context,
-    mode: GLenum,
-    count: &[GLsizei],
-    ty: GLenum,
-    indices: Pointers<'_>,
-    primcount: GLsizei,
-) -> Result<()> {
-    let draws = draws(primcount, [count.len(), indices.0.len()])?;
-    for (&count, &indices) in count.iter().zip(&indices.0).take(draws) {
-        draw_elements(context, mode, count, ty, indices)?;
-    }
-    Ok(())
-}
-
 /// GL 2.1, section 2.8: an element of every array that is enabled, the position last.
 pub(crate) fn array_element(context: &mut Context, index: GLint) -> Result<()> {
     let index = not_negative(SECTION, "i", index.into())? as u32;
@@ -461,21 +416,4 @@ pub(crate) fn draw_elements_instanced_base_vertex(
 ) -> Result<()> {
     not_in_a_list(context)?;
     draw_indexed(context, mode, IndexRequest { count, ty, indices, base_vertex }, instances)
-}
-
-pub(crate) fn multi_draw_elements_base_vertex(
-    context: &mut Context,
-    mode: GLenum,
-    count: &[GLsizei],
-    ty: GLenum,
-    indices: Pointers<'_>,
-    primcount: GLsizei,
-    base_vertex: &[GLint],
-) -> Result<()> {
-    let draws = draws(primcount, [count.len().min(base_vertex.len()), indices.0.len()])?;
-    let all = count.iter().zip(&indices.0).zip(base_vertex);
-    for ((&count, &indices), &base_vertex) in all.take(draws) {
-        draw_elements_base_vertex(context, mode, count, ty, indices, base_vertex)?;
-    }
-    Ok(())
 }

@@ -18,6 +18,7 @@ pub(crate) mod packed;
 mod primitives;
 pub(crate) mod rect;
 pub(crate) mod restart;
+pub(crate) mod runs;
 pub(crate) mod stages;
 pub(crate) mod translate;
 mod words;

@@ -2,7 +2,7 @@
 //! [`super::attributes`].
 
 use super::{Data, DataOut, Pointers};
-use crate::draw::{arrays, calls, counted, immediate, interleaved, locked, rect, restart};
+use crate::draw::{arrays, calls, counted, immediate, interleaved, locked, rect, restart, runs};
 use crate::object::{buffer_map, buffers, vertex_arrays};
 use crate::query::arrays as query_arrays;
 use crate::types::*;
@@ -167,6 +167,16 @@ entry_points! {
             mode: GLenum, count: GLsizei, ty: GLenum, indices: Data<'a>, instancecount: GLsizei,
             basevertex: GLint
         );
+        /// Draws vertices of the arrays by index.
+        draw_elements: glDrawElements
+            (mode: GLenum, count: GLsizei, ty: GLenum, indices: Data<'a>);
+        /// Draws vertices of the arrays by index; all are promised to be `start` to `end`.
+        draw_range_elements: glDrawRangeElements | glDrawRangeElementsEXT (
+            mode: GLenum, start: GLuint, end: GLuint, count: GLsizei, ty: GLenum,
+            indices: Data<'a>
+        );
+    }
+    Outside in runs {
         /// As `glMultiDrawElements`; each run has its own `basevertex`.
         multi_draw_elements_base_vertex: glMultiDrawElementsBaseVertex (
             mode: GLenum, count: &'a [GLsizei], ty: GLenum, indices: Pointers<'a>,
@@ -180,14 +190,6 @@ entry_points! {
         /// Draws several runs of vertices of the arrays.
         multi_draw_arrays: glMultiDrawArrays | glMultiDrawArraysEXT
             (mode: GLenum, first: &'a [GLint], count: &'a [GLsizei], primcount: GLsizei);
-        /// Draws vertices of the arrays by index.
-        draw_elements: glDrawElements
-            (mode: GLenum, count: GLsizei, ty: GLenum, indices: Data<'a>);
-        /// Draws vertices of the arrays by index; all are promised to be `start` to `end`.
-        draw_range_elements: glDrawRangeElements | glDrawRangeElementsEXT (
-            mode: GLenum, start: GLuint, end: GLuint, count: GLsizei, ty: GLenum,
-            indices: Data<'a>
-        );
     }
     Outside in buffers {
         /// Makes `n` unused buffer names.
