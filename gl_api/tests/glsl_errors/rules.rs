@@ -17,6 +17,17 @@ pub const REFUSED: &[(Stage, &str, &str)] = &[
         "too many arguments: mat2 takes 4 components",
     ),
     (Fragment, "void main() { mat2 m = mat2(vec3(1.0)); }", "mat2 takes 4 components, not 3"),
+    // Uniform blocks.
+    (
+        Fragment,
+        "#version 140\nuniform A { struct X { float a; } x; };\nvoid main() {}",
+        "0:2(13): error: a structure is not defined inside of a uniform block",
+    ),
+    (
+        Fragment,
+        "#version 140\nlayout(std140) layout(row_major) uniform A { mat2 a; };\nvoid main() {}",
+        "0:2(16): error: a declaration has one `layout(...)` before GLSL 4.20",
+    ),
     // Lines.
     (Fragment, "void main() {}\r\n\rfloat f = true;", "0:3(11): error"),
     (Fragment, "#error not\rvoid main() {}", "#error not\n"),

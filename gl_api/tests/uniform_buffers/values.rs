@@ -23,7 +23,7 @@ const TABLE: &[(&str, &str, &str, &[u32])] = &[
     ("S s;", "vec2", "s.y", &[8, 12]),
     ("float f; S s[2];", "vec2", "s[1].y", &[72, 76]),
     ("float f; S s[2];", "vec3", "s[1].m[1]", &[96, 100, 104]),
-    ("struct { vec2 x; float y; } s[3];", "float", "s[two].y", &[40]),
+    ("U s[3];", "float", "s[two].y", &[40]),
     ("layout(row_major) S s[2];", "vec3", "s[1].m[1]", &[84, 100, 116]),
     ("S s[2]; float f;", "float", "f", &[96]),
     ("T t[2];", "float", "t[1].s[1].x", &[176]),
@@ -38,7 +38,7 @@ const TABLE: &[(&str, &str, &str, &[u32])] = &[
 #[test]
 fn members_are_read_from_their_bytes() {
     let types = "struct S { float x; vec2 y; mat2x3 m; }; struct T { S s[2]; float f[2]; };\n\
-        uniform int two;";
+        struct U { vec2 x; float y; }; uniform int two;";
     for &(members, ty, value, bytes) in TABLE {
         let mut c = context();
         let block = format!("{types}\nlayout(std140) uniform B {{ {members} }};");

@@ -2,11 +2,13 @@
 
 use super::keywords;
 use super::{Parsed, Parser};
-use crate::glsl::ast::{BlockDecl, Item, Qualifier};
+use crate::glsl::ast::{BlockDecl, Item, Qualifier, TypeBase};
 use crate::glsl::diagnostics::Diagnostic;
 use crate::glsl::lexer::Kind;
 use crate::glsl::source::Span;
 use crate::glsl::version::Since;
+
+const SECTION: &str = "ARB_uniform_buffer_object, section 4.3.5.1";
 
 impl Parser<'_> {
     /// What these qualifiers begin, if it is no declaration of variables: `uniform name { ... };`,
@@ -42,14 +44,18 @@ impl Parser<'_> {
                 return self.fail("the uniform block is not closed by `}`");
             }
             let ty = self.qualified_type()?;
+            if let TypeBase::Struct(_) = ty.ty.base {
+                let message = "a structure is not defined inside of a uniform block";
+                let problem = Diagnostic::error(ty.ty.span, message).rule(SECTION);
+                self.log.push(problem.help("define it before the block, and name it here"));
+            }
             members.push(self.declarators(ty)?);
             self.expect(";")?;
         }
         self.expect("}")?;
         if self.token().word().is_some() {
             let message = "a uniform block has no name behind it: its members are named directly";
-            let rule = "ARB_uniform_buffer_object, section 4.3.5.1";
-            self.log.push(Diagnostic::error(self.span(), message).rule(rule));
+            self.log.push(Diagnostic::error(self.span(), message).rule(SECTION));
             return Err(super::Broken);
         }
         self.expect(";")?;

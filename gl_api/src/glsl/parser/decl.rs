@@ -64,9 +64,16 @@ impl Parser<'_> {
 
     fn qualifiers(&mut self) -> Parsed<Vec<(Qualifier, Span)>> {
         let mut qualifiers = Vec::new();
+        let mut layouts = 0;
         while let Some(word) = self.token().word() {
             let span = self.span();
             if &**word == "layout" && keywords::has_layout(self.language) {
+                layouts += 1;
+                if layouts == 2 {
+                    let message = "a declaration has one `layout(...)` before GLSL 4.20";
+                    let problem = Diagnostic::error(span, message);
+                    self.log.push(problem.help("write all layouts in one, with commas between"));
+                }
                 self.layout(&mut qualifiers)?;
                 continue;
             }
