@@ -299,6 +299,29 @@ fn buffers_are_read_from_and_written_to() {
     assert_eq!(out[2..14], texels[4..16]);
 }
 
+#[test]
+fn no_pixels_are_read_and_written_anywhere() {
+    let mut c = context();
+    let (rgba, ty, beyond) = (GL_RGBA, GL_UNSIGNED_BYTE, 20);
+    c.tex_image_2d(GL_TEXTURE_2D, 0, rgba as i32, 2, 2, 0, rgba, ty, Data::Null);
+    for target in [GL_PIXEL_UNPACK_BUFFER, GL_PIXEL_PACK_BUFFER] {
+        c.bind_buffer(target, 1);
+    }
+    c.buffer_data(GL_PIXEL_PACK_BUFFER, 16, Data::Null, GL_STREAM_READ);
+    let data = Data::Offset(beyond);
+    c.read_pixels(0, 0, 0, 5, rgba, ty, DataOut::Offset(beyond));
+    c.get_tex_image(GL_TEXTURE_2D, 1, rgba, ty, DataOut::Offset(beyond));
+    c.draw_pixels(0, 5, rgba, ty, data);
+    c.bitmap(0, 5, 0.0, 0.0, 0.0, 0.0, data);
+    c.tex_sub_image_2d(GL_TEXTURE_2D, 0, 0, 0, 2, 0, rgba, ty, data);
+    c.tex_image_2d(GL_TEXTURE_2D, 1, rgba as i32, 0, 0, 0, rgba, ty, data);
+    ok(&mut c);
+    c.read_pixels(0, 0, 1, 1, rgba, ty, DataOut::Offset(beyond));
+    assert_eq!(c.get_error(), GL_INVALID_OPERATION);
+    c.tex_sub_image_2d(GL_TEXTURE_2D, 0, 0, 0, 2, 1, rgba, ty, data);
+    assert_eq!(c.get_error(), GL_INVALID_OPERATION);
+}
+
 /// Draws the window with one texture coordinate and gives the colour.
 fn sampled(c: &mut Context, [s, t, r]: [f32; 3]) -> [u8; 4] {
     c.tex_envi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE as i32);

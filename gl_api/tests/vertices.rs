@@ -351,6 +351,10 @@ fn mapped_buffers_belong_to_the_client() {
     c.get_buffer_sub_data(GL_ARRAY_BUFFER, 0, 8, DataOut::Bytes(&mut all));
     assert_eq!(all, [1, 2, 30, 4, 5, 1, 2, 30]);
     assert_eq!(integer(&mut c, GL_COPY_WRITE_BUFFER), 1);
+    // New bytes were never mapped (GL 2.1, table 2.7).
+    c.buffer_data(GL_ARRAY_BUFFER, 8, Data::Null, GL_STATIC_DRAW);
+    c.get_buffer_parameteriv(GL_ARRAY_BUFFER, GL_BUFFER_ACCESS, &mut value);
+    assert_eq!(value[0] as GLenum, GL_READ_WRITE);
     assert_eq!(c.get_error(), GL_NO_ERROR, "{:?}", c.messages());
 }
 

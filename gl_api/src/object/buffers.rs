@@ -213,6 +213,7 @@ pub(crate) fn buffer_data(
     object.buffer = Buffer::new(bytes);
     object.usage = usage;
     object.map = None;
+    object.access = GL_READ_WRITE;
     context.recorder.hold(size);
     Ok(())
 }

@@ -23,7 +23,7 @@ impl Source<'_> {
     pub fn bytes(&self) -> &[u8] {
         match self {
             Self::Client(bytes) => bytes,
-            Self::Buffer(buffer, offset) => &buffer.bytes()[*offset..],
+            Self::Buffer(buffer, offset) => buffer.bytes().get(*offset..).unwrap_or_default(),
         }
     }
 }
@@ -44,7 +44,10 @@ pub(crate) fn source<'a>(
         (Some(_), Located::Bytes(_)) => slice_and_buffer("GL_PIXEL_UNPACK_BUFFER"),
         (Some(object), Located::Null) => Ok(Some(Source::Buffer(object.buffer.clone(), 0))),
         (Some(object), Located::Offset(offset)) => {
-            check_offset(offset, object.buffer.bytes().len(), name, "GL_PIXEL_UNPACK_BUFFER")?;
+            if needed > 0 {
+                let length = object.buffer.bytes().len();
+                check_offset(offset, length, name, "GL_PIXEL_UNPACK_BUFFER")?;
+            }
             Ok(Some(Source::Buffer(object.buffer.clone(), offset)))
         }
     }
@@ -101,6 +104,7 @@ pub(crate) fn write_bytes(
     not_mapped(context, bound)?;
     match (context.objects.buffers.bound_mut(bound), pixels.locate(name, needed)) {
         (_, LocatedOut::Null | LocatedOut::Offset(0)) if needed == 0 => Ok(()),
+        (Some(_), LocatedOut::Offset(_)) if needed == 0 => Ok(()),
         (None, LocatedOut::Bytes(bytes)) => {
             check_room(bytes.len(), needed)?;
             write(bytes);
