@@ -135,9 +135,12 @@ fn of_attached(attached: &Attached, point: Point, property: Property) -> Option<
             let format = attached_format(attached).filter(|_| !hidden);
             Some(format.map_or(0, |format| component_bits(format, component)))
         }
-        (Property::ComponentType | Property::ColorEncoding, _) => {
-            of_format(attached_format(attached)?, point, property)
-        }
+        (Property::ComponentType | Property::ColorEncoding, _) => match attached_format(attached) {
+            Some(format) => of_format(format, point, property),
+            // There is no image yet.
+            None if property == Property::ComponentType => Some(GL_NONE as GLint),
+            None => Some(GL_LINEAR as GLint),
+        },
     }
 }
 

@@ -329,6 +329,37 @@ fn what_is_attached_lives_as_long_as_it_is_attached() {
 }
 
 #[test]
+fn an_attachment_without_an_image_has_no_components() {
+    let mut c = context(4, 4);
+    framebuffer(&mut c);
+    let mut names = [0];
+    c.gen_renderbuffers(1, &mut names);
+    c.bind_renderbuffer(GL_RENDERBUFFER, names[0]);
+    let plane = texture(&mut c, GL_TEXTURE_2D);
+    let asked = |c: &mut Context| {
+        [
+            GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE,
+            GL_FRAMEBUFFER_ATTACHMENT_COLOR_ENCODING,
+            GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE,
+        ]
+        .map(|pname| {
+            let (mut value, point) = ([-1], GL_COLOR_ATTACHMENT0);
+            c.get_framebuffer_attachment_parameteriv(GL_FRAMEBUFFER, point, pname, &mut value);
+            fine(c);
+            value[0] as GLenum
+        })
+    };
+    let none = [GL_NONE, GL_LINEAR, 0];
+    let point = GL_COLOR_ATTACHMENT0;
+    c.framebuffer_renderbuffer(GL_FRAMEBUFFER, point, GL_RENDERBUFFER, names[0]);
+    assert_eq!(asked(&mut c), none);
+    c.framebuffer_texture_2d(GL_FRAMEBUFFER, point, GL_TEXTURE_2D, plane, 3);
+    assert_eq!(asked(&mut c), none);
+    c.framebuffer_texture_2d(GL_FRAMEBUFFER, point, GL_TEXTURE_2D, plane, 0);
+    assert_eq!(asked(&mut c), [GL_UNSIGNED_NORMALIZED, GL_LINEAR, 8]);
+}
+
+#[test]
 fn several_samples_are_resolved_when_read() {
     let mut c = context(4, 4);
     framebuffer(&mut c);
