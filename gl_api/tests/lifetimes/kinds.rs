@@ -37,6 +37,11 @@ fn buffer_of(c: &mut Context, target: GLenum, name: GLuint, bytes: &[u8]) {
     c.buffer_data(target, bytes.len() as isize, Data::Bytes(bytes), GL_STATIC_DRAW);
 }
 
+/// Bytes for an array, which vertex array objects read from buffers only.
+fn array_of(c: &mut Context, name: GLuint, bytes: &[u8]) {
+    buffer_of(c, GL_ARRAY_BUFFER, name, bytes);
+}
+
 fn new_texture(c: &mut Context) -> GLuint {
     one(|name| c.gen_textures(1, name))
 }
@@ -63,9 +68,10 @@ fn textured(c: &mut Context) -> u8 {
 
 /// Draws with an array of colours that is set already.
 pub fn colored(c: &mut Context) -> u8 {
-    c.bind_buffer(GL_ARRAY_BUFFER, 0);
-    c.vertex_pointer(2, GL_FLOAT, 0, CORNERS.as_slice().arg());
+    array_of(c, 900, bytemuck::cast_slice(&CORNERS));
+    c.vertex_pointer(2, GL_FLOAT, 0, Data::Offset(0));
     c.enable_client_state(GL_VERTEX_ARRAY);
+    c.bind_buffer(GL_ARRAY_BUFFER, 0);
     let [red, ..] = color_of(c, |c| c.draw_arrays(GL_QUADS, 0, 4));
     red
 }
@@ -107,10 +113,11 @@ fn shaded(c: &mut Context, fragment: &str) -> u8 {
 fn indexed(c: &mut Context) -> u8 {
     // The four corners at the first index: the buffer says which of the colours it is.
     let colors: Vec<u8> = (0..=255).flat_map(|number| [number, 0, 0, 255]).collect();
-    let corner = |_: u32| [0.0f32, 0.0];
-    let corners: Vec<f32> = (0..256).flat_map(corner).collect();
-    c.color_pointer(4, GL_UNSIGNED_BYTE, 0, colors.as_slice().arg());
-    c.vertex_pointer(2, GL_FLOAT, 0, corners.as_slice().arg());
+    array_of(c, 901, &colors);
+    c.color_pointer(4, GL_UNSIGNED_BYTE, 0, Data::Offset(0));
+    array_of(c, 902, bytemuck::cast_slice(&[[0.0_f32; 2]; 256]));
+    c.vertex_pointer(2, GL_FLOAT, 0, Data::Offset(0));
+    c.bind_buffer(GL_ARRAY_BUFFER, 0);
     c.enable_client_state(GL_COLOR_ARRAY);
     c.enable_client_state(GL_VERTEX_ARRAY);
     c.point_size(4.0 * SIZE as f32);
