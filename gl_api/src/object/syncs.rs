@@ -6,7 +6,6 @@ use crate::context::Context;
 use crate::draw::submit;
 use crate::error::{Result, Table, invalid_operation, invalid_value, not_negative};
 use crate::types::*;
-use std::collections::BTreeMap;
 
 const SECTION: &str = "ARB_sync, section 5.3";
 
@@ -17,30 +16,36 @@ enum Status {
     Signaled,
 }
 
-/// The fences by the number that is their handle.
+/// The fences, by the number that is their handle and in its order.
 #[derive(Debug, Default)]
 pub(crate) struct Syncs {
-    fences: BTreeMap<usize, Status>,
+    fences: Vec<(usize, Status)>,
     last: usize,
 }
 
 impl Syncs {
     /// Whether a handle is a fence.
     pub fn contains(&self, handle: usize) -> bool {
-        self.fences.contains_key(&handle)
+        self.place(handle).is_some()
+    }
+
+    /// Where a fence is.
+    fn place(&self, handle: usize) -> Option<usize> {
+        self.fences.binary_search_by_key(&handle, |(handle, _)| *handle).ok()
     }
 
     /// Everything before the fences has been carried out.
     pub fn signal(&mut self) {
-        for status in self.fences.values_mut() {
+        for (_, status) in &mut self.fences {
             *status = Status::Signaled;
         }
     }
 }
 
-fn known(context: &Context, sync: GLsync) -> Result<Status> {
-    match context.objects.syncs.fences.get(&(sync as usize)) {
-        Some(status) => Ok(*status),
+/// Where a fence is.
+fn known(context: &Context, sync: GLsync) -> Result<usize> {
+    match context.objects.syncs.place(sync as usize) {
+        Some(at) => Ok(at),
         None => invalid_value(SECTION, "sync is no handle that glFenceSync gave"),
     }
 }
@@ -58,7 +63,7 @@ pub(crate) fn fence_sync(
     }
     let syncs = &mut context.objects.syncs;
     syncs.last += 1;
-    syncs.fences.insert(syncs.last, Status::Unsignaled);
+    syncs.fences.push((syncs.last, Status::Unsignaled));
     Ok(syncs.last as GLsync)
 }
 
@@ -68,8 +73,8 @@ pub(crate) fn is_sync(context: &mut Context, sync: GLsync) -> Result<bool> {
 
 pub(crate) fn delete_sync(context: &mut Context, sync: GLsync) -> Result<()> {
     if !sync.is_null() {
-        known(context, sync)?;
-        context.objects.syncs.fences.remove(&(sync as usize));
+        let at = known(context, sync)?;
+        context.objects.syncs.fences.remove(at);
     }
     Ok(())
 }
@@ -88,7 +93,7 @@ pub(crate) fn client_wait_sync(
 }
 
 fn waited(context: &mut Context, sync: GLsync, flags: GLbitfield, timeout: u64) -> Result<GLenum> {
-    let status = known(context, sync)?;
+    let (_, status) = context.objects.syncs.fences[known(context, sync)?];
     if flags & !GL_SYNC_FLUSH_COMMANDS_BIT != 0 {
         return invalid_value(
             SECTION,
@@ -149,7 +154,7 @@ pub(crate) fn get_synciv(
             (GL_SYNC_FLAGS, Property::Flags),
         ],
     };
-    let status = known(context, sync)?;
+    let (_, status) = context.objects.syncs.fences[known(context, sync)?];
     let property = PROPERTY.decode("pname", pname)?;
     let room = not_negative(SECTION, "bufSize", room.into())?;
     let value = match property {

@@ -36,9 +36,11 @@ pub fn uniforms(stages: &[&StageUnits<'_>], words: &mut Words, log: &mut Log) ->
             all.push((variable, initial(variable)));
         }
     }
-    let mut types: BTreeMap<&str, &Type> = BTreeMap::new();
-    for variable in declared().filter(is_uniform) {
-        let ty = *types.entry(&variable.name).or_insert(&variable.ty);
+    // Of each name, the first declaration.
+    let mut first: BTreeMap<&str, usize> = BTreeMap::new();
+    let every: Vec<&Variable> = declared().filter(is_uniform).collect();
+    for (at, variable) in every.iter().enumerate() {
+        let ty = &every[*first.entry(&variable.name).or_insert(at)].ty;
         if *ty != variable.ty {
             let message = format!(
                 "uniform `{}` is {ty} in one shader and {} in another",

@@ -20,11 +20,16 @@ pub fn varyings(
     log: &mut Log,
 ) -> u16 {
     // Of each name, what the vertex stage declares, and whether it writes it.
-    let mut outputs: BTreeMap<&str, (&Variable, bool)> = BTreeMap::new();
+    let mut outputs: Vec<(&Variable, bool)> = Vec::new();
+    let mut named: BTreeMap<&str, usize> = BTreeMap::new();
     for variable in vertex.iter().flat_map(|stage| stage.declared()) {
         if matches!(variable.storage, Storage::Output(_)) {
             in_vertex.insert(variable.name.clone(), Binding::Varying(None));
-            outputs.entry(&variable.name).or_insert((variable, false)).1 |= variable.written;
+            let at = *named.entry(&variable.name).or_insert(outputs.len());
+            if at == outputs.len() {
+                outputs.push((variable, false));
+            }
+            outputs[at].1 |= variable.written;
         }
     }
     let (mut next, mut scalars) = (VARYING_USER, 0u32);
@@ -37,15 +42,15 @@ pub fn varyings(
     };
     let mut inputs: BTreeSet<&str> = BTreeSet::new();
     for input in fragment.declared().filter(|variable| is_input(variable.storage)) {
-        if let Some((output, _)) = outputs.get(&*input.name)
+        if let Some(&at) = named.get(&*input.name)
             && inputs.insert(&input.name)
         {
-            check_alike(output, input, vertex, log);
+            check_alike(outputs[at].0, input, vertex, log);
         }
     }
     for input in fragment.with(is_input) {
         let name = &input.name;
-        let Some((_, written)) = outputs.get(&**name) else {
+        let Some((_, written)) = named.get(&**name).map(|&at| outputs[at]) else {
             let message =
                 format!("the fragment shader reads `{name}`, which no vertex shader writes");
             log.push(Diagnostic::link_error(message).rule("GLSL 1.30 section 4.3.6"));

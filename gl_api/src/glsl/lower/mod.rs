@@ -35,8 +35,8 @@ pub struct Words {
     pub next: u32,
     /// State that is read.
     pub state: Vec<StateBinding>,
-    /// State of all elements in a row.
-    arrays: BTreeMap<StateArray, u32>,
+    /// State of all elements in a row, and its first word: a handful.
+    arrays: Vec<(StateArray, u32)>,
 }
 
 impl Words {
@@ -50,14 +50,14 @@ impl Words {
 
     /// The first word of element 0, the other elements following.
     fn array(&mut self, array: StateArray) -> u32 {
-        if let Some(&word) = self.arrays.get(&array) {
+        if let Some(&(_, word)) = self.arrays.iter().find(|(known, _)| *known == array) {
             return word;
         }
         let first = self.next;
         for index in 0..array.len() {
             self.add(array.of(index));
         }
-        self.arrays.insert(array, first);
+        self.arrays.push((array, first));
         first
     }
 
