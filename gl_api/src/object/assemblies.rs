@@ -68,7 +68,7 @@ pub(crate) fn delete_programs(
         drop(gone);
         context.objects.assemblies.remove(name);
     }
-    context.objects.sweep();
+    context.objects.tidy();
     Ok(())
 }
 

@@ -135,6 +135,28 @@ mod tests {
         assert_eq!(departed(&mut c), [0; 3]);
     }
 
+    /// They are looked through now and then, and where a frame ends.
+    #[test]
+    fn many_are_freed_too() {
+        let mut c = Context::new(desc()).expect("a device");
+        let mut arrays = [0; 500];
+        c.gen_vertex_arrays(500, &mut arrays);
+        for array in arrays {
+            let mut buffer = [0];
+            c.gen_buffers(1, &mut buffer);
+            assert_eq!(buffer, [1], "its name is free again");
+            c.bind_vertex_array(array);
+            c.bind_buffer(GL_ARRAY_BUFFER, 1);
+            c.vertex_pointer(2, GL_FLOAT, 0, Data::Offset(0));
+            c.bind_vertex_array(0);
+            c.delete_buffers(1, &buffer);
+        }
+        assert_eq!(departed(&mut c), [500, 0, 0]);
+        c.delete_vertex_arrays(500, &arrays);
+        c.flush();
+        assert_eq!(departed(&mut c), [0; 3]);
+    }
+
     #[test]
     fn vertex_arrays_free_their_buffers() {
         let mut c = Context::new(desc()).expect("a device");

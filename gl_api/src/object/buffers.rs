@@ -155,7 +155,7 @@ pub(crate) fn delete_buffers(context: &mut Context, n: GLsizei, buffers: &[GLuin
         }
         context.objects.buffers.remove(name);
     }
-    context.objects.sweep();
+    context.objects.tidy();
     Ok(())
 }
 

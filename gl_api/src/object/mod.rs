@@ -35,11 +35,18 @@ use std::sync::Arc;
 pub(crate) struct Names<T> {
     /// `None` is a name that was made but never bound.
     objects: BTreeMap<GLuint, Option<Named<T>>>,
+    /// All names up to this one are used.
+    used: GLuint,
     /// Objects that were deleted while something was bound to them, by number: sorted.
     departed: Vec<(GLuint, Named<T>)>,
     /// The last of these numbers.
     departures: GLuint,
+    /// How many of them were left when they were looked through.
+    left: usize,
 }
+
+/// Fewer of the departed than these are looked through at each deletion.
+const FEW: usize = 64;
 
 #[derive(Debug)]
 struct Named<T> {
@@ -56,14 +63,14 @@ impl<T> Named<T> {
 
 impl<T> Default for Names<T> {
     fn default() -> Self {
-        Self { objects: BTreeMap::new(), departed: Vec::new(), departures: 0 }
+        Self { objects: BTreeMap::new(), used: 0, departed: Vec::new(), departures: 0, left: 0 }
     }
 }
 
 impl<T> Names<T> {
     /// The smallest unused name above `after`.
     fn unused(&self, after: GLuint) -> GLuint {
-        let mut name = after + 1;
+        let mut name = after.max(self.used) + 1;
         for &used in self.objects.range(name..).map(|(used, _)| used) {
             if used != name {
                 break;
@@ -71,6 +78,14 @@ impl<T> Names<T> {
             name += 1;
         }
         name
+    }
+
+    /// Takes an unused name.
+    fn take(&mut self, name: GLuint, object: Option<Named<T>>) {
+        self.objects.insert(name, object);
+        if name == self.used + 1 {
+            self.used = name;
+        }
     }
 
     /// `glGen…`: reserves `n` names.
@@ -86,7 +101,7 @@ impl<T> Names<T> {
         let mut last = 0;
         for name in &mut names[..n] {
             last = self.unused(last);
-            self.objects.insert(last, None);
+            self.take(last, None);
             *name = last;
         }
         Ok(())
@@ -95,7 +110,7 @@ impl<T> Names<T> {
     /// Adds an object under an unused name.
     fn add(&mut self, object: T) -> GLuint {
         let name = self.unused(0);
-        self.objects.insert(name, Some(Named::new(object)));
+        self.take(name, Some(Named::new(object)));
         name
     }
 
@@ -170,6 +185,7 @@ impl<T> Names<T> {
 
     /// Forgets a name, and its object unless something is bound to it.
     fn remove(&mut self, name: GLuint) {
+        self.used = self.used.min(name.saturating_sub(1));
         let Some(Some(named)) = self.objects.remove(&name) else { return };
         if named.bound.is_shared() {
             self.departures = self.departures.wrapping_add(1).max(1);
@@ -181,6 +197,14 @@ impl<T> Names<T> {
     /// Frees what nothing is bound to any more.
     fn sweep(&mut self) {
         self.departed.retain(|(_, named)| named.bound.is_shared());
+        self.left = self.departed.len();
+    }
+
+    /// The same, where there are few, or twice as many as were left: deletions cost what each by itself does.
+    fn tidy(&mut self) {
+        if self.departed.len() < FEW || self.departed.len() >= 2 * self.left {
+            self.sweep();
+        }
     }
 }
 
@@ -245,6 +269,16 @@ impl Default for Objects {
 }
 
 impl Objects {
+    /// [`Self::sweep`] after a deletion, which does not look at everything each time.
+    pub fn tidy(&mut self) {
+        self.textures.tidy();
+        self.samplers.tidy();
+        self.buffers.tidy();
+        self.renderbuffers.tidy();
+        self.assemblies.tidy();
+        programs::sweep(self);
+    }
+
     /// Frees what was deleted and is not bound any more; textures hold buffers.
     pub fn sweep(&mut self) {
         self.textures.sweep();

@@ -123,7 +123,7 @@ pub(crate) fn delete_program(context: &mut Context, name: GLuint) -> Result<()> 
     }
     // As long as it is part of the state of any context, it is only flagged.
     context.objects.doomed_programs.push(name);
-    context.objects.sweep();
+    context.objects.tidy();
     Ok(())
 }
 

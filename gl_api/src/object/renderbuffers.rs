@@ -66,7 +66,7 @@ pub(crate) fn delete_renderbuffers(
         crate::framebuffer::attach::detach_renderbuffer(context, name);
         context.objects.renderbuffers.remove(name);
     }
-    context.objects.sweep();
+    context.objects.tidy();
     Ok(())
 }
 

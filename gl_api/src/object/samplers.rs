@@ -41,7 +41,7 @@ pub(crate) fn delete_samplers(
         drop(gone);
         context.objects.samplers.remove(name);
     }
-    context.objects.sweep();
+    context.objects.tidy();
     Ok(())
 }
 

@@ -36,7 +36,7 @@ pub(crate) fn delete_textures(
         crate::framebuffer::attach::detach_texture(context, name);
         context.objects.textures.remove(name);
     }
-    context.objects.sweep();
+    context.objects.tidy();
     Ok(())
 }
 

@@ -36,7 +36,7 @@ pub(crate) fn delete_vertex_arrays(
         }
         context.objects.vertex_arrays.remove(name);
     }
-    context.objects.sweep();
+    context.objects.tidy();
     Ok(())
 }
 

@@ -7,6 +7,7 @@ mod shading;
 
 mod contexts;
 mod kinds;
+mod names;
 mod programs;
 mod vertex_arrays;
 
