@@ -100,7 +100,7 @@ fn bindings(context: &Context, reach: Reach) -> Result<Vec<VertexBinding>> {
 /// Whether there are positions to draw; without, nothing is drawn.
 fn has_positions(context: &mut Context, topology: Topology) -> bool {
     let arrays = &context.state.arrays.by_location;
-    let program = context.state.bindings.program != 0;
+    let program = context.state.bindings.program.name() != 0;
     if program && !arrays.iter().any(|array| array.enabled) {
         hints::arrays::none(context, topology);
         return true;

@@ -100,7 +100,7 @@ pub(crate) fn choose(
     vertices: &[VertexBinding],
     rim: Rim,
 ) -> Result<Stages> {
-    let name = context.state.bindings.program;
+    let name = context.state.bindings.program.name();
     uniform_buffer::unpack::refresh(context, name)?;
     let clamp = clamp::of_fragments(context);
     let mut words = Vec::new();

@@ -105,7 +105,7 @@ fn record(
     rectangle: Option<&Rectangle>,
 ) -> Result<()> {
     let pass = draw_pass(context)?;
-    let program = context.state.bindings.program;
+    let program = context.state.bindings.program.name();
     let linked = context.objects.linked_program(program);
     let is_shaded = linked.is_some_and(|linked| linked.fragment.is_some());
     if program != 0 && linked.is_none() {

@@ -1,7 +1,7 @@
 //! Assembly programs and their names: ARB_vertex_program, section 2.14.1.
 
 use super::bound::Bound;
-use super::{Objects, doomed};
+use super::{Objects, Sweep, doomed};
 use crate::assembly::{Loaded, Target};
 use crate::constants::*;
 use crate::context::Context;
@@ -62,13 +62,11 @@ pub(crate) fn delete_programs(
 ) -> Result<()> {
     for &name in doomed(SECTION, n, programs)?.iter().filter(|&&name| name != 0) {
         let gone = context.objects.assemblies.hold(name);
-        for bound in context.state.assembly.bound.iter_mut().filter(|bound| **bound == gone) {
-            *bound = Bound::default();
-        }
+        context.state.assembly.bound.iter_mut().for_each(|bound| bound.forget(&gone));
         drop(gone);
         context.objects.assemblies.remove(name);
     }
-    context.objects.tidy();
+    context.objects.sweep(Sweep::Deleted);
     Ok(())
 }
 

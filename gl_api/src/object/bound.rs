@@ -69,6 +69,18 @@ impl Bound {
         self.0.as_ref().is_some_and(|identity| Arc::strong_count(identity) > 1)
     }
 
+    /// Binds nothing where this was bound, which is deleted.
+    pub fn forget(&mut self, gone: &Self) {
+        if self == gone {
+            *self = Self::default();
+        }
+    }
+
+    /// `glPop…` of what was pushed, see [`Self::restored`].
+    pub fn restore(&mut self, pushed: Self) {
+        *self = pushed.restored(self);
+    }
+
     /// What `glPop…` binds: what was pushed, unless it was deleted and unbound meanwhile.
     pub fn restored(self, current: &Self) -> Self {
         match self.place() {

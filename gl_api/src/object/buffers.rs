@@ -1,7 +1,7 @@
 //! Buffer objects: GL 2.1, section 2.9.
 
 use super::bound::Bound;
-use super::doomed;
+use super::{Sweep, doomed};
 use crate::constants::*;
 use crate::context::{Context, limits};
 use crate::entry::{Data, DataOut, Located, LocatedOut};
@@ -138,10 +138,7 @@ pub(crate) fn delete_buffers(context: &mut Context, n: GLsizei, buffers: &[GLuin
     for &name in doomed(SECTION, n, buffers)?.iter().filter(|&&name| name != 0) {
         let gone = context.objects.buffers.hold(name);
         for target in BufferTarget::ALL {
-            let bound = binding(context, target);
-            if *bound == gone {
-                *bound = Bound::default();
-            }
+            binding(context, target).forget(&gone);
         }
         context.state.arrays.forget_buffer(&gone);
         context.transform_feedback.forget_buffer(&gone);
@@ -155,7 +152,7 @@ pub(crate) fn delete_buffers(context: &mut Context, n: GLsizei, buffers: &[GLuin
         }
         context.objects.buffers.remove(name);
     }
-    context.objects.tidy();
+    context.objects.sweep(Sweep::Deleted);
     Ok(())
 }
 

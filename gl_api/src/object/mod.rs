@@ -45,8 +45,17 @@ pub(crate) struct Names<T> {
     left: usize,
 }
 
-/// Fewer of the departed than these are looked through at each deletion.
+/// Fewer of the departed than these are looked through after each deletion.
 const FEW: usize = 64;
+
+/// When what was deleted is looked through for what nothing is bound to any more.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Sweep {
+    /// After deletions: where there are few, or twice as many as were left the last time.
+    Deleted,
+    /// Where somebody flushes.
+    Flushed,
+}
 
 #[derive(Debug)]
 struct Named<T> {
@@ -68,24 +77,18 @@ impl<T> Default for Names<T> {
 }
 
 impl<T> Names<T> {
-    /// The smallest unused name above `after`.
-    fn unused(&self, after: GLuint) -> GLuint {
-        let mut name = after.max(self.used) + 1;
+    /// Takes the smallest unused name.
+    fn take(&mut self, object: Option<Named<T>>) -> GLuint {
+        let mut name = self.used + 1;
         for &used in self.objects.range(name..).map(|(used, _)| used) {
             if used != name {
                 break;
             }
             name += 1;
         }
-        name
-    }
-
-    /// Takes an unused name.
-    fn take(&mut self, name: GLuint, object: Option<Named<T>>) {
+        self.used = name;
         self.objects.insert(name, object);
-        if name == self.used + 1 {
-            self.used = name;
-        }
+        name
     }
 
     /// `glGen…`: reserves `n` names.
@@ -98,20 +101,15 @@ impl<T> Names<T> {
                 format!("n = {n}, but the memory has {has} elements"),
             );
         }
-        let mut last = 0;
         for name in &mut names[..n] {
-            last = self.unused(last);
-            self.take(last, None);
-            *name = last;
+            *name = self.take(None);
         }
         Ok(())
     }
 
     /// Adds an object under an unused name.
     fn add(&mut self, object: T) -> GLuint {
-        let name = self.unused(0);
-        self.take(name, Some(Named::new(object)));
-        name
+        self.take(Some(Named::new(object)))
     }
 
     /// Makes sure that a name other than 0 has an object: binding creates it.
@@ -195,15 +193,15 @@ impl<T> Names<T> {
     }
 
     /// Frees what nothing is bound to any more.
-    fn sweep(&mut self) {
-        self.departed.retain(|(_, named)| named.bound.is_shared());
-        self.left = self.departed.len();
-    }
-
-    /// The same, where there are few, or twice as many as were left: deletions cost what each by itself does.
-    fn tidy(&mut self) {
-        if self.departed.len() < FEW || self.departed.len() >= 2 * self.left {
-            self.sweep();
+    fn sweep(&mut self, when: Sweep) {
+        let is_due = match when {
+            Sweep::Flushed => true,
+            // So that deletions cost what each by itself does.
+            Sweep::Deleted => self.departed.len() < FEW || self.departed.len() >= 2 * self.left,
+        };
+        if is_due {
+            self.departed.retain(|(_, named)| named.bound.is_shared());
+            self.left = self.departed.len();
         }
     }
 }
@@ -269,23 +267,13 @@ impl Default for Objects {
 }
 
 impl Objects {
-    /// [`Self::sweep`] after a deletion, which does not look at everything each time.
-    pub fn tidy(&mut self) {
-        self.textures.tidy();
-        self.samplers.tidy();
-        self.buffers.tidy();
-        self.renderbuffers.tidy();
-        self.assemblies.tidy();
-        programs::sweep(self);
-    }
-
     /// Frees what was deleted and is not bound any more; textures hold buffers.
-    pub fn sweep(&mut self) {
-        self.textures.sweep();
-        self.samplers.sweep();
-        self.buffers.sweep();
-        self.renderbuffers.sweep();
-        self.assemblies.sweep();
+    pub fn sweep(&mut self, when: Sweep) {
+        self.textures.sweep(when);
+        self.samplers.sweep(when);
+        self.buffers.sweep(when);
+        self.renderbuffers.sweep(when);
+        self.assemblies.sweep(when);
         programs::sweep(self);
     }
 

@@ -1,7 +1,7 @@
 //! Program objects: GL 2.1, section 2.15.2.
 
-use super::Objects;
 use super::shaders::{ShaderObject, forget_if_doomed, shader};
+use super::{Objects, Sweep};
 use crate::context::{Context, limits};
 use crate::error::{Result, invalid_operation, invalid_value};
 use crate::fixed::clamp_vertex_colors;
@@ -123,7 +123,7 @@ pub(crate) fn delete_program(context: &mut Context, name: GLuint) -> Result<()> 
     }
     // As long as it is part of the state of any context, it is only flagged.
     context.objects.doomed_programs.push(name);
-    context.objects.tidy();
+    context.objects.sweep(Sweep::Deleted);
     Ok(())
 }
 
@@ -250,7 +250,7 @@ pub(crate) fn ready(mut program: glsl::Program) -> std::result::Result<Linked, I
 }
 
 pub(crate) fn link_program(context: &mut Context, name: GLuint) -> Result<()> {
-    if context.state.bindings.program == name {
+    if context.state.bindings.program.name() == name {
         not_while_active(context)?;
     }
     let attached = program(context, name)?.attached.clone();
@@ -309,12 +309,12 @@ pub(crate) fn use_program(context: &mut Context, name: GLuint) -> Result<()> {
         );
     }
     not_while_active(context)?;
-    let before = std::mem::replace(&mut context.state.bindings.program, name);
+    let objects = &mut context.objects;
+    let now = objects.programs.hold(name);
+    let before = std::mem::replace(&mut context.state.bindings.program, now).name();
     if before == name {
         return Ok(());
     }
-    let objects = &mut context.objects;
-    context.state.bindings.held_program = objects.programs.hold(name);
     sweep(objects);
     if !objects.programs.is_held(before)
         && let Some(ShaderOrProgram::Program(before)) = objects.programs.get_mut(before)

@@ -1,8 +1,7 @@
 //! Renderbuffers: `ARB_framebuffer_object`, section 4.4.2.
 
-use super::bound::Bound;
-use super::doomed;
 use super::framebuffers::Planes;
+use super::{Sweep, doomed};
 use crate::constants::*;
 use crate::context::{Context, limits};
 use crate::error::{
@@ -60,13 +59,13 @@ pub(crate) fn delete_renderbuffers(
     renderbuffers: &[GLuint],
 ) -> Result<()> {
     for &name in doomed(SECTION, n, renderbuffers)?.iter().filter(|&&name| name != 0) {
-        if context.state.bindings.renderbuffer == context.objects.renderbuffers.hold(name) {
-            context.state.bindings.renderbuffer = Bound::default();
-        }
+        let gone = context.objects.renderbuffers.hold(name);
+        context.state.bindings.renderbuffer.forget(&gone);
+        drop(gone);
         crate::framebuffer::attach::detach_renderbuffer(context, name);
         context.objects.renderbuffers.remove(name);
     }
-    context.objects.tidy();
+    context.objects.sweep(Sweep::Deleted);
     Ok(())
 }
 

@@ -1,7 +1,6 @@
 //! Sampler objects: `ARB_sampler_objects`, section 3.8.2.
 
-use super::bound::Bound;
-use super::doomed;
+use super::{Sweep, doomed};
 use crate::constants::*;
 use crate::context::Context;
 use crate::error::{Result, invalid_enum, invalid_operation, invalid_value};
@@ -35,13 +34,11 @@ pub(crate) fn delete_samplers(
 ) -> Result<()> {
     for &name in doomed(SECTION, n, samplers)?.iter().filter(|&&name| name != 0) {
         let gone = context.objects.samplers.hold(name);
-        for unit in context.state.units.units.iter_mut().filter(|unit| unit.sampler == gone) {
-            unit.sampler = Bound::default();
-        }
+        context.state.units.units.iter_mut().for_each(|unit| unit.sampler.forget(&gone));
         drop(gone);
         context.objects.samplers.remove(name);
     }
-    context.objects.tidy();
+    context.objects.sweep(Sweep::Deleted);
     Ok(())
 }
 

@@ -1,7 +1,6 @@
 //! Texture names and units: GL 2.1, sections 3.8.12 and 2.7.
 
-use super::bound::Bound;
-use super::doomed;
+use super::{Sweep, doomed};
 use crate::constants::*;
 use crate::context::Context;
 use crate::error::{Result, invalid_enum, invalid_operation, invalid_value};
@@ -28,15 +27,13 @@ pub(crate) fn delete_textures(
     for &name in doomed(SECTION, n, textures)?.iter().filter(|&&name| name != 0) {
         let gone = context.objects.textures.hold(name);
         for unit in context.state.units.units.iter_mut() {
-            for bound in unit.bound.iter_mut().filter(|bound| **bound == gone) {
-                *bound = Bound::default();
-            }
+            unit.bound.iter_mut().for_each(|bound| bound.forget(&gone));
         }
         drop(gone);
         crate::framebuffer::attach::detach_texture(context, name);
         context.objects.textures.remove(name);
     }
-    context.objects.tidy();
+    context.objects.sweep(Sweep::Deleted);
     Ok(())
 }
 

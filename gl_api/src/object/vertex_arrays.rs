@@ -2,7 +2,7 @@
 //! name. The current object's state is in the context; the others' is kept here.
 
 use super::bound::Bound;
-use super::doomed;
+use super::{Sweep, doomed};
 use crate::context::Context;
 use crate::draw::arrays::Arrays;
 use crate::error::{Result, invalid_operation};
@@ -36,7 +36,7 @@ pub(crate) fn delete_vertex_arrays(
         }
         context.objects.vertex_arrays.remove(name);
     }
-    context.objects.tidy();
+    context.objects.sweep(Sweep::Deleted);
     Ok(())
 }
 

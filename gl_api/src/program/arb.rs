@@ -74,7 +74,7 @@ pub(crate) fn get_info_log(
 pub(crate) fn get_handle(context: &mut Context, pname: GLenum) -> Result<GLuint> {
     const HANDLE: Table<()> = Table { section: SECTION, rows: &[(GL_PROGRAM_OBJECT_ARB, ())] };
     HANDLE.decode("pname", pname)?;
-    Ok(context.state.bindings.program)
+    Ok(context.state.bindings.program.name())
 }
 
 pub(crate) fn delete_object(context: &mut Context, object: GLuint) -> Result<()> {

@@ -53,7 +53,7 @@ fn store(
     word: impl Fn(&Uniform, usize) -> u32,
 ) -> Result<()> {
     let count = not_negative(SECTION, "count", count.into())?;
-    let name = context.state.bindings.program;
+    let name = context.state.bindings.program.name();
     let program = match context.objects.programs.get_mut(name) {
         Some(ShaderOrProgram::Program(program)) => program.executable.as_mut(),
         Some(ShaderOrProgram::Shader(_)) | None => None,

@@ -4,11 +4,12 @@ use crate::context::Context;
 use crate::context::said::Hint;
 use crate::draw;
 use crate::error::Result;
+use crate::object::Sweep;
 
 pub(crate) fn flush(context: &mut Context) -> Result<()> {
     draw::submit(context);
     // Another context may have been the last that held something.
-    context.objects.sweep();
+    context.objects.sweep(Sweep::Flushed);
     context.show_mirror();
     Ok(())
 }

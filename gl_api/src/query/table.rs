@@ -492,7 +492,7 @@ fn bindings(context: &Context, pname: GLenum) -> Answer {
         GL_FRAMEBUFFER_BINDING => symbol(bindings.draw_framebuffer),
         GL_READ_FRAMEBUFFER_BINDING => symbol(bindings.read_framebuffer),
         GL_RENDERBUFFER_BINDING => symbol(bindings.renderbuffer.name()),
-        GL_CURRENT_PROGRAM => symbol(bindings.program),
+        GL_CURRENT_PROGRAM => symbol(bindings.program.name()),
         _ => return None,
     })
 }

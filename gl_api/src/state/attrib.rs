@@ -394,12 +394,6 @@ pub(crate) fn push_client_attrib(context: &mut Context, mask: GLbitfield) -> Res
     Ok(())
 }
 
-fn restore_buffers(places: [&mut Bound; 2], saved: [Bound; 2]) {
-    for (place, saved) in places.into_iter().zip(saved) {
-        *place = saved.restored(place);
-    }
-}
-
 pub(crate) fn pop_client_attrib(context: &mut Context) -> Result<()> {
     let Some(saved) = context.attribs.client.pop() else {
         return stack_error(
@@ -411,8 +405,9 @@ pub(crate) fn pop_client_attrib(context: &mut Context) -> Result<()> {
         context.state.pack = saved.pack;
         context.state.unpack = saved.unpack;
         let bindings = &mut context.state.bindings;
-        let places = [&mut bindings.pixel_pack_buffer, &mut bindings.pixel_unpack_buffer];
-        restore_buffers(places, saved.pixel_buffers);
+        let [pack, unpack] = saved.pixel_buffers;
+        bindings.pixel_pack_buffer.restore(pack);
+        bindings.pixel_unpack_buffer.restore(unpack);
     }
     if saved.mask & GL_CLIENT_VERTEX_ARRAY_BIT != 0 {
         let [array, element] = saved.array_buffers;
@@ -422,11 +417,9 @@ pub(crate) fn pop_client_attrib(context: &mut Context) -> Result<()> {
         if name == 0 || context.objects.vertex_arrays.get(name).is_some() {
             crate::object::vertex_arrays::bind_vertex_array(context, name)?;
             context.state.arrays = saved.arrays;
-            let place = &mut context.state.bindings.element_array_buffer;
-            *place = element.restored(place);
+            context.state.bindings.element_array_buffer.restore(element);
         }
-        let place = &mut context.state.bindings.array_buffer;
-        *place = array.restored(place);
+        context.state.bindings.array_buffer.restore(array);
         let (restarts, index) = saved.restart;
         context.state.enables.set(Flag::PrimitiveRestart, restarts);
         context.state.restart_index = index;

@@ -62,9 +62,7 @@ pub(crate) struct Bindings {
     pub draw_framebuffer: GLuint,
     pub read_framebuffer: GLuint,
     pub renderbuffer: Bound,
-    pub program: GLuint,
-    /// Keeps the program.
-    pub held_program: Bound,
+    pub program: Bound,
 }
 
 /// Everything that is no object.

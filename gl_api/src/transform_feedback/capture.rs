@@ -75,7 +75,7 @@ struct Layout {
 impl Layout {
     /// What the program in use captures.
     fn of(context: &Context) -> Option<Self> {
-        let linked = context.objects.linked_program(context.state.bindings.program)?;
+        let linked = context.objects.linked_program(context.state.bindings.program.name())?;
         let scalars = |captured: &Captured| captured.scalars.clone();
         let all = linked.program.captured.iter();
         Some(Self {

@@ -59,7 +59,7 @@ fn last_vertex(context: &Context, elements: &Elements) -> Option<u32> {
 
 /// Draws of a program's vertices that are all alike: it has attributes, and none has an array.
 pub(in crate::draw) fn none(context: &mut Context, topology: Topology) {
-    let name = context.state.bindings.program;
+    let name = context.state.bindings.program.name();
     let linked = context.objects.linked_program(name);
     // A point can be where a constant says.
     if topology != Topology::Points

@@ -182,7 +182,7 @@ fn colors(context: &mut Context, pass: &PassDesc, desc: &PipelineDesc) {
 #[cold]
 #[inline(never)]
 fn without_color(context: &mut Context) {
-    let program = context.state.bindings.program;
+    let program = context.state.bindings.program.name();
     if context.is_news(Hint::NoColorOfShader, program) {
         context.debug.warn(format!(
             "draw: the fragment stage of program {program} writes no colour, so that of what is drawn \

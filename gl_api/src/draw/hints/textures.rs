@@ -168,7 +168,7 @@ fn uncompared(context: &mut Context, name: GLuint, target: TextureTarget, word: 
 
 /// The uniform of the program in use that has this word, quoted, after a space.
 fn uniform_name(context: &Context, word: u32) -> String {
-    let program = context.objects.linked_program(context.state.bindings.program);
+    let program = context.objects.linked_program(context.state.bindings.program.name());
     program.map_or_else(String::new, |linked| linked.quoted_name(word))
 }
 
@@ -225,7 +225,7 @@ fn maybe_loop(
 
 /// Textures are bound, but no unit is switched on and no program is in use.
 pub(in crate::draw) fn nothing_enabled(context: &mut Context) {
-    if context.state.bindings.program != 0 || has_fragment_program(context) {
+    if context.state.bindings.program.name() != 0 || has_fragment_program(context) {
         return;
     }
     let units = &context.state.units.units;
