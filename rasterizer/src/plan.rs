@@ -5,8 +5,8 @@
 
 mod inputs;
 
-pub use inputs::{FilledInput, FragmentInput};
-use inputs::{Gathered, Inputs, sprite_slots};
+pub use inputs::{FilledInput, FragmentInput, sprite_slots};
+use inputs::{Gathered, Inputs};
 
 use crate::driver::{
     DepthState, DepthWrite, Pipeline, PolygonMode, PolygonOffset, RasterState, Rim, VertexBinding,
@@ -374,8 +374,13 @@ impl DrawPlan {
         line(
             "varyings",
             format!(
-                "{} scalars interpolated{}{}",
+                "{} scalars interpolated{}{}{}",
                 compiled.varyings.len(),
+                if compiled.left > 0 {
+                    format!(", of them {} made of others at the vertices", compiled.left)
+                } else {
+                    String::new()
+                },
                 if dropped > 0 {
                     format!("; left out: {dropped} that the fragment stage does not read")
                 } else {

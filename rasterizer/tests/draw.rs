@@ -396,6 +396,7 @@ fn a_draw_that_needs_little_says_what_it_left_out() {
     let plans = device.take_explanations();
     assert_eq!(plans.len(), 1);
     for part in [
+        "1 scalars interpolated, of them 1 made of others at the vertices",
         "left out: 3 that the fragment stage does not read",
         "left out: no depth test",
         "left out: blending",

@@ -168,7 +168,7 @@ impl DrawNote {
             (None, VARYING_CLIP_DISTANCE..VARYING_USER) => {
                 format!("gl_ClipDistance[{}]", slot - VARYING_CLIP_DISTANCE)
             }
-            (None, _) => format!("varying {slot}"),
+            (None, _) => format!("varying {slot}, made of others at the vertices"),
         }
     }
 }

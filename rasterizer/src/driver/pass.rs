@@ -12,7 +12,7 @@ use super::image::PassDesc;
 use super::pipeline::Pipeline;
 use super::raster::RasterState;
 use crate::output::{DepthFormat, texel_words};
-use crate::plan::{Counting, DrawPlan, PlanInput, Textures, arrays};
+use crate::plan::{Counting, DrawPlan, PlanInput, Textures, arrays, sprite_slots};
 use crate::primitive::{Setup, primitives};
 use crate::raster::{
     Chunk, ClearJob, ClearTarget, DrawJob, Entry, Formats, PassJob, Spot, TileJob,
@@ -296,6 +296,10 @@ impl<'a> Pass<'a> {
         report: &mut SubmitReport,
     ) {
         let Some(pipeline) = self.bound.pipeline.clone() else { return };
+        let pipeline = match sprite_slots(pipeline.desc(), &self.bound.raster) {
+            [] => pipeline,
+            _ => pipeline.of_sprites(),
+        };
         let area = self.area(self.bound.scissor);
         if area[0][0] >= area[1][0] || area[0][1] >= area[1][1] {
             return;

@@ -2,9 +2,9 @@
 
 use super::output::OutputState;
 use crate::ir::{Input, Interpolation, Module, Output, Stage};
-use crate::shader::Program;
+use crate::shader::{Draft, Program};
 use std::hash::{Hash, Hasher};
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 use texunit::sampler::Compare;
 use thiserror::Error;
 
@@ -241,7 +241,7 @@ pub struct Pipeline(Arc<Compiled>);
 #[derive(Debug)]
 pub(crate) struct Compiled {
     pub desc: PipelineDesc,
-    /// The vertex program, without the varyings that the fragment program does not read.
+    /// The vertex program, without the varyings that the fragment program does not read, and with what it left to it.
     pub vertex: Program,
     /// The fragment program, without outputs that nobody takes.
     pub fragment: Program,
@@ -249,6 +249,10 @@ pub(crate) struct Compiled {
     pub varyings: Vec<(u16, Interpolation)>,
     /// How many varying slots the vertex module writes.
     pub written_varyings: usize,
+    /// How many varyings hold what the fragment module makes of others.
+    pub left: usize,
+    /// See [`Pipeline::of_sprites`].
+    of_sprites: OnceLock<Pipeline>,
 }
 
 impl Pipeline {
@@ -279,7 +283,45 @@ impl Pipeline {
         if fragment.stage != Stage::Fragment {
             return Err(PipelineError("`fragment` must be a module of the fragment stage".into()));
         }
-        let fragment_program = Program::new(fragment, |output| match output {
+        Ok(Self(Arc::new(Compiled::new(desc, Sharing::Fair))))
+    }
+
+    /// The pipeline where sprites replace varyings, which are not there at the vertices: what fragments make of them
+    /// stays with the fragments.
+    pub(crate) fn of_sprites(&self) -> Self {
+        if self.0.left == 0 {
+            return self.clone();
+        }
+        let of_sprites = self
+            .0
+            .of_sprites
+            .get_or_init(|| Self(Arc::new(Compiled::new(self.0.desc.clone(), Sharing::AsWritten))));
+        of_sprites.clone()
+    }
+
+    /// What it was made of.
+    pub fn desc(&self) -> &PipelineDesc {
+        &self.0.desc
+    }
+
+    pub(crate) fn compiled(&self) -> &Compiled {
+        &self.0
+    }
+}
+
+/// Who computes what fragments make of varyings.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Sharing {
+    /// The vertex stage, where that is as good.
+    Fair,
+    /// The fragment stage.
+    AsWritten,
+}
+
+impl Compiled {
+    /// Compiles modules that are of their stages.
+    fn new(desc: PipelineDesc, sharing: Sharing) -> Self {
+        let mut fragment = Draft::new(desc.fragment.module(), |output| match output {
             Output::Color { target, component } => desc
                 .colors
                 .get(usize::from(target))
@@ -290,12 +332,20 @@ impl Pipeline {
             | Output::ClipDistance(_)
             | Output::Varying(_) => false,
         });
-        let mut varyings: Vec<(u16, Interpolation)> = fragment_program
+        let vertex = desc.vertex.module();
+        let with_more = match sharing {
+            Sharing::Fair => fragment.leave_to(vertex),
+            Sharing::AsWritten => None,
+        };
+        let left = with_more.as_ref().map_or(0, |more| more.outputs.len() - vertex.outputs.len());
+        let modes = fragment.module.varyings.clone();
+        let fragment = fragment.finish();
+        let mut varyings: Vec<(u16, Interpolation)> = fragment
             .inputs()
             .iter()
             .filter_map(|input| match *input {
                 Input::Varying(slot) | Input::Slope { slot, .. } => {
-                    let mode = fragment.varyings.get(usize::from(slot)).copied();
+                    let mode = modes.get(usize::from(slot)).copied();
                     Some((slot, mode.unwrap_or(Interpolation::Smooth)))
                 }
                 Input::Attribute { .. }
@@ -309,30 +359,17 @@ impl Pipeline {
             .collect();
         varyings.sort_unstable_by_key(|&(slot, _)| slot);
         varyings.dedup();
-        let vertex_program = Program::new(vertex, |output| match output {
+        let written_varyings =
+            vertex.outputs.iter().filter(|(o, _)| matches!(o, Output::Varying(_))).count();
+        let vertex = with_more.as_ref().unwrap_or(vertex);
+        let vertex = Program::new(vertex, |output| match output {
             Output::Position(_) => true,
             // Any topology can end as points, and what is written to clip distances cuts.
             Output::PointSize | Output::ClipDistance(_) => true,
             Output::Varying(slot) => varyings.iter().any(|&(read, _)| read == slot),
             Output::Color { .. } | Output::Depth => false,
         });
-        let written_varyings =
-            vertex.outputs.iter().filter(|(o, _)| matches!(o, Output::Varying(_))).count();
-        Ok(Self(Arc::new(Compiled {
-            vertex: vertex_program,
-            fragment: fragment_program,
-            varyings,
-            written_varyings,
-            desc,
-        })))
-    }
-
-    /// What it was made of.
-    pub fn desc(&self) -> &PipelineDesc {
-        &self.0.desc
-    }
-
-    pub(crate) fn compiled(&self) -> &Compiled {
-        &self.0
+        let of_sprites = OnceLock::new();
+        Self { desc, vertex, fragment, varyings, written_varyings, left, of_sprites }
     }
 }

@@ -113,6 +113,44 @@ pub struct Run<'a> {
     pub budget: u64,
 }
 
+/// A module that is optimized by itself, and not lowered.
+pub(crate) struct Draft {
+    pub module: Module,
+    /// How many statements it had before.
+    given: usize,
+}
+
+impl Draft {
+    /// Optimizes `module`, keeping only the outputs that `keep` says somebody reads. The module has been validated.
+    pub fn new(module: &Module, keep: impl Fn(Output) -> bool) -> Self {
+        let mut module = module.clone();
+        let given = statements(&module);
+        module.outputs.retain(|(output, _)| keep(*output));
+        optimize::optimize(&mut module);
+        Self { module, given }
+    }
+
+    /// Leaves what vertices can do as well to `vertex`, the module of the vertex stage that this one runs with; `None`
+    /// where there is nothing.
+    pub fn leave_to(&mut self, vertex: &Module) -> Option<Module> {
+        optimize::leave_to(vertex, &mut self.module)
+    }
+
+    /// Lowers it.
+    pub fn finish(mut self) -> Program {
+        optimize::finish(&mut self.module);
+        let left = statements(&self.module);
+        Program { statements: [self.given, left], ..Program::lowered(&self.module, Fusing::On) }
+    }
+}
+
+/// How many statements a module has.
+fn statements(module: &Module) -> usize {
+    let mut count = 0;
+    module.body.iter().for_each(|stmt| stmt.walk(&mut |_| count += 1));
+    count
+}
+
 /// Whether operations are fused.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Fusing {
@@ -135,16 +173,7 @@ impl Program {
     /// Optimizes and lowers `module`, keeping only the outputs that `keep` says somebody reads.
     /// The module has been validated.
     pub fn new(module: &Module, keep: impl Fn(Output) -> bool) -> Self {
-        let mut module = module.clone();
-        let size = |module: &Module| {
-            let mut size = 0;
-            module.body.iter().for_each(|stmt| stmt.walk(&mut |_| size += 1));
-            size
-        };
-        let before = size(&module);
-        module.outputs.retain(|(output, _)| keep(*output));
-        optimize::optimize(&mut module);
-        Self { statements: [before, size(&module)], ..Self::lowered(&module, Fusing::On) }
+        Draft::new(module, keep).finish()
     }
 
     /// Lowers `module` as it stands.

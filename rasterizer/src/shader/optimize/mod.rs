@@ -1,5 +1,5 @@
 //! The optimizer: passes over the structured IR, each in its own file. Every pass keeps the bits,
-//! but [`slopes`], which makes them better; what it does depends on the module alone.
+//! but [`affine`] and [`slopes`], which make them better; what they do depends on the modules alone.
 //!
 //! | pass | does |
 //! |---|---|
@@ -9,10 +9,12 @@
 //! | [`flatten`] | small branches become selects |
 //! | [`stores`] | stores that are overwritten before anybody reads them go |
 //! | [`dead`] | what no output depends on goes |
+//! | [`affine`] | what fragments make of varyings by affine maps moves to the vertices |
 //! | [`slopes`] | the level of detail of a varying's lookup from the varying's planes |
 //!
 //! What depends on uniform words only is split off later, by [`super::preamble`].
 
+mod affine;
 mod arrays;
 mod common;
 mod dead;
@@ -25,12 +27,14 @@ mod slopes;
 mod stores;
 mod unroll;
 
+pub(super) use affine::leave_to;
+
 use crate::ir::Module;
 
 /// How often the passes that make work for each other are repeated at most.
 const ROUNDS: usize = 6;
 
-/// Optimizes a valid module in place.
+/// Optimizes a valid module in place, by itself.
 pub(super) fn optimize(module: &mut Module) {
     scopes::run(module);
     for _ in 0..ROUNDS {
@@ -44,6 +48,10 @@ pub(super) fn optimize(module: &mut Module) {
     }
     stores::run(module);
     dead::run(module);
+}
+
+/// The passes that come last.
+pub(super) fn finish(module: &mut Module) {
     if slopes::run(module) {
         simplify::run(module);
         dead::run(module);

@@ -1,9 +1,11 @@
 //! Random modules, for properties that hold for all.
 
 use super::check;
+use super::reference::{self, Outcome};
 use crate::ir::{
     Block, Builder, Expr, Input, Interpolation, Op, Output, Stage, Stmt, Ty, Value, Var,
 };
+use crate::shader::Draft;
 use proptest::prelude::*;
 
 const TYPES: [Ty; 4] = [Ty::F32, Ty::I32, Ty::U32, Ty::Bool];
@@ -235,6 +237,21 @@ fn word(seed: u32, lane: usize) -> u32 {
     }
 }
 
+/// The uniform words, of which every fourth is of each type.
+fn uniforms(seed: u32) -> Vec<u32> {
+    let of = |at: usize| match TYPES[at % 4] {
+        Ty::Bool => {
+            if word(seed, at) & 1 == 0 {
+                0
+            } else {
+                crate::ir::TRUE
+            }
+        }
+        Ty::F32 | Ty::I32 | Ty::U32 => word(seed, at),
+    };
+    (0..UNIFORMS as usize).map(of).collect()
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 400, failure_persistence: None, ..ProptestConfig::default() })]
 
@@ -243,16 +260,54 @@ proptest! {
         rolls in proptest::collection::vec(any::<u32>(), 50..900),
         seed in any::<u32>(),
     ) {
-        let uniforms: Vec<u32> = (0..UNIFORMS as usize)
-            .map(|at| match TYPES[at % 4] {
-                Ty::Bool => if word(seed, at) & 1 == 0 { 0 } else { crate::ir::TRUE },
-                Ty::F32 | Ty::I32 | Ty::U32 => word(seed, at),
-            })
-            .collect();
+        let uniforms = uniforms(seed);
         check(&module(&rolls), &uniforms, |input, lane| match input {
             Input::FrontFacing => if word(seed, lane + 1000) & 1 == 0 { 0 } else { crate::ir::TRUE },
             Input::Varying(slot) => word(seed, lane * 8 + usize::from(slot)),
             other => unreachable!("{other:?}"),
         });
     }
+
+    #[test]
+    fn what_moves_to_the_vertices_is_computed_there_as_it_was(
+        rolls in proptest::collection::vec(any::<u32>(), 50..900),
+        seed in any::<u32>(),
+    ) {
+        let uniforms = uniforms(seed);
+        let given = |slot: u16| word(seed, 8 + usize::from(slot));
+        let fragment = module(&rolls);
+        let mut draft = Draft::new(&fragment, |_| true);
+        let Some(vertex) = draft.leave_to(&passing()) else { return Ok(()) };
+        vertex.validate().unwrap();
+        draft.module.validate().unwrap();
+        let brought = reference::run(&vertex, &uniforms, 20_000, |input| match input {
+            Input::Attribute { location, .. } => given(location.into()),
+            other => unreachable!("{other:?}"),
+        });
+        let Outcome::Done(brought) = brought else { panic!("{brought:?}") };
+        let [want, got] = [&fragment, &draft.module].map(|module| {
+            reference::run(module, &uniforms, 20_000, |input| match input {
+                Input::FrontFacing => crate::ir::TRUE,
+                Input::Varying(slot) => {
+                    let written = |(output, _): &(Output, Var)| *output == Output::Varying(slot);
+                    brought[vertex.outputs.iter().position(written).unwrap()]
+                }
+                other => unreachable!("{other:?}"),
+            })
+        });
+        if ![&want, &got].contains(&&Outcome::Endless) {
+            prop_assert_eq!(want, got);
+        }
+    }
+}
+
+/// A vertex module that passes attributes on.
+fn passing() -> crate::ir::Module {
+    let mut b = Builder::new(Stage::Vertex);
+    for slot in 0..4 {
+        let value = b.input(Input::Attribute { location: slot, component: 0 });
+        let out = b.output(Output::Varying(slot.into()));
+        b.store(out, value);
+    }
+    b.finish()
 }

@@ -3,7 +3,7 @@
 use crate::ir::{Block, Expr, Input, Module, Stmt, Value, Var};
 
 /// How a lane ended.
-#[derive(Debug)]
+#[derive(Debug, PartialEq)]
 pub enum Outcome {
     /// By output.
     Done(Vec<u32>),
