@@ -1,10 +1,12 @@
 //! What a shape covers of the blocks of a tile, whatever its kind and rim.
 
-use super::area;
+use super::area::{self, Areas, LEAST, Overlap};
+use super::band::{Band, Dashes, is_dash};
 use super::coverage::{self, Edge};
-use crate::driver::{LineStipple, Rim};
+use crate::driver::Rim;
 use crate::plan::DrawPlan;
-use crate::primitive::{Kind, LineRun, SUBPIXEL, Shape, rectangle};
+use crate::primitive::{Kind, LineRun, SUBPIXEL, Shape};
+use crate::target::TILE;
 use crate::vertex::Geometry;
 use texunit::lanes::{F32s, Isa, LANES, lane_x, lane_y};
 
@@ -19,25 +21,14 @@ pub enum Cover {
     Box,
     /// A triangle with a smooth rim.
     SmoothTriangle([[f64; 2]; 3]),
-    /// A smooth line between two ends, so wide.
-    Band([[f64; 2]; 2], f64),
+    /// A smooth line.
+    Band(Band),
     /// A smooth point: centre and radius.
     Disc([f64; 2], f64),
     /// What of a smooth line holds a sample.
-    BandSample([[f64; 2]; 2], f64),
+    BandSample(Band),
     /// What of a smooth point does.
     DiscSample([f64; 2], f64),
-}
-
-/// What of a line is left, and how far it has come before this one, in subpixels.
-type Dashes = Option<(LineStipple, u32)>;
-
-/// Whether the stipple leaves what is `at` subpixels from a line's start.
-fn is_dash(dashes: Dashes, at: u32) -> bool {
-    dashes.is_none_or(|(stipple, before)| {
-        let fragment = before.wrapping_add(at) / SUBPIXEL as u32;
-        stipple.pattern >> (fragment / u32::from(stipple.factor) % 16) & 1 == 1
-    })
 }
 
 impl Cover {
@@ -70,7 +61,7 @@ impl Cover {
                     }
                     Rim::Smooth => {
                         let [a, b, _] = corners();
-                        Self::Band([a, b], width.into())
+                        Self::Band(Band::new(a, b, width.into()))
                     }
                 }
             }
@@ -98,7 +89,7 @@ impl Cover {
             Kind::Triangle => Self::Triangle(coverage::edges(&corners, tile[0], tile[1])),
             Kind::Line { .. } => {
                 let [a, b, _] = corners.map(|c| c.map(|v| f64::from(v) / f64::from(SUBPIXEL)));
-                Self::BandSample([a, b], plan.raster.line.drawn_width().into())
+                Self::BandSample(Band::new(a, b, plan.raster.line.drawn_width().into()))
             }
             Kind::Point { .. } if plan.raster.point.sprite.is_some() => Self::Box,
             Kind::Point { size, .. } => {
@@ -107,6 +98,24 @@ impl Cover {
                 let center = [window[0] - by[0], window[1] - by[1]];
                 Self::DiscSample(center, f64::from(size) * 0.5)
             }
+        }
+    }
+
+    /// The blocks of the tile that it may cover any of, bit by block: a long line passes most of its bounds by.
+    pub fn touched(&self, tile: [i32; 2]) -> u64 {
+        let passes = |corners: &[[f64; 2]]| match area::overlap(
+            corners,
+            tile.map(f64::from),
+            f64::from(TILE),
+        ) {
+            Overlap::None => 0,
+            Overlap::Part | Overlap::All => !0,
+        };
+        match self {
+            Self::Run(run, width) => run_blocks(run, *width, tile),
+            Self::SmoothTriangle(corners) => passes(corners),
+            Self::Band(band) | Self::BandSample(band) => passes(&band.corners),
+            Self::Triangle(_) | Self::Box | Self::Disc(..) | Self::DiscSample(..) => !0,
         }
     }
 
@@ -123,6 +132,7 @@ impl Cover {
         parts: &mut F32s,
     ) -> u64 {
         let first = [tile[0] + 8 * bx, tile[1] + 8 * by];
+        let origin = first.map(f64::from);
         let dashes = match shape.kind {
             Kind::Line { stipple, .. } => plan.raster.line.stipple.map(|state| (state, stipple)),
             Kind::Triangle | Kind::Point { .. } => None,
@@ -132,23 +142,55 @@ impl Cover {
             Self::Run(run, width) => run_lanes(run, *width, dashes, first),
             Self::Box => !0,
             Self::SmoothTriangle(corners) => {
-                smooth(shape, first, parts, |pixel| area::polygon(corners, pixel))
+                let add = |areas: &mut Areas| area::add(isa, corners, origin, areas);
+                smooth(shape, first, area::overlap(corners, origin, 8.0), parts, add)
             }
-            Self::Band(ends, width) => {
-                smooth(shape, first, parts, |pixel| band(*ends, *width, dashes, pixel))
+            Self::Band(band) => {
+                let overlap = match area::overlap(&band.corners, origin, 8.0) {
+                    Overlap::All if dashes.is_some() => Overlap::Part,
+                    overlap => overlap,
+                };
+                smooth(shape, first, overlap, parts, |areas| band.add(isa, dashes, origin, areas))
             }
-            Self::Disc(center, radius) => {
-                smooth(shape, first, parts, |pixel| area::disc(*center, *radius, pixel))
-            }
-            Self::BandSample(ends, width) => {
-                centers(first, |center| on_band(*ends, *width, dashes, center))
-            }
+            Self::Disc(center, radius) => smooth(shape, first, Overlap::Part, parts, |areas| {
+                for (lane, area) in areas.iter_mut().enumerate() {
+                    let pixel = [origin[0] + lane_x(lane) as f64, origin[1] + lane_y(lane) as f64];
+                    *area = area::disc(*center, *radius, pixel);
+                }
+            }),
+            Self::BandSample(band) => match area::overlap(&band.corners, origin, 8.0) {
+                Overlap::None => 0,
+                Overlap::Part | Overlap::All => band.centers(isa, dashes, first),
+            },
             Self::DiscSample(middle, radius) => centers(first, |center| {
                 let (x, y) = (center[0] - middle[0], center[1] - middle[1]);
                 x * x + y * y <= radius * radius
             }),
         }
     }
+}
+
+/// The blocks of a tile that a run of columns comes through.
+fn run_blocks(run: &LineRun, width: i32, tile: [i32; 2]) -> u64 {
+    let (major, minor) = (run.major, 1 - run.major);
+    let last_row = TILE as i32 - 1;
+    let mut blocks = 0;
+    for along in 0..TILE as i32 / 8 {
+        let first = tile[major] + 8 * along;
+        let (low, high) = (run.first.max(first), run.last.min(first + 7));
+        if low > high {
+            continue;
+        }
+        // Rows only rise, or only fall, from column to column.
+        let ends = [run.row(low), run.row(high)].map(|row| row - tile[minor]);
+        let lowest = ends[0].min(ends[1]).max(0);
+        let highest = (ends[0].max(ends[1]) + width - 1).min(last_row);
+        for across in lowest / 8..(highest + 8) / 8 {
+            let at = if major == 0 { [along, across] } else { [across, along] };
+            blocks |= 1 << (at[1] * 8 + at[0]);
+        }
+    }
+    blocks
 }
 
 /// The lanes of the block from pixel `first` on that a run of columns covers.
@@ -171,22 +213,35 @@ fn run_lanes(run: &LineRun, width: i32, dashes: Dashes, first: [i32; 2]) -> u64 
     lanes
 }
 
-/// The lanes of which any part is covered.
-fn smooth(shape: &Shape, first: [i32; 2], parts: &mut F32s, area: impl Fn([f64; 2]) -> f64) -> u64 {
-    let mut lanes = 0;
-    for lane in 0..LANES {
-        let pixel = [first[0] + lane_x(lane) as i32, first[1] + lane_y(lane) as i32];
-        let inside = |axis: usize| {
-            pixel[axis] >= i32::from(shape.bounds[0][axis])
-                && pixel[axis] <= i32::from(shape.bounds[1][axis])
-        };
-        parts[lane] = 0.0;
-        if inside(0) && inside(1) {
-            parts[lane] = area(pixel.map(f64::from)) as f32;
-            lanes |= u64::from(parts[lane] > 0.0) << lane;
+/// The lanes of the block from pixel `first` on of which any part is covered: `overlap` says how the outline and the
+/// block lie, `add` what it covers of each pixel.
+fn smooth(
+    shape: &Shape,
+    first: [i32; 2],
+    overlap: Overlap,
+    parts: &mut F32s,
+    add: impl FnOnce(&mut Areas),
+) -> u64 {
+    let [low, high] = shape.bounds;
+    let bounds = [low.map(i32::from), high.map(|last| i32::from(last) + 1)];
+    let inside = coverage::inside_area(&bounds, first[0], first[1], 0, 0);
+    match overlap {
+        Overlap::None => 0,
+        Overlap::All => {
+            *parts = F32s::splat(1.0);
+            inside
+        }
+        Overlap::Part => {
+            let mut areas = [0.0; LANES];
+            add(&mut areas);
+            let mut lanes = 0;
+            for (lane, area) in areas.into_iter().enumerate() {
+                parts[lane] = area.min(1.0) as f32;
+                lanes |= u64::from(area >= LEAST) << lane;
+            }
+            lanes & inside
         }
     }
-    lanes
 }
 
 /// The lanes of the block from pixel `first` on whose centres are inside.
@@ -195,42 +250,4 @@ fn centers(first: [i32; 2], inside: impl Fn([f64; 2]) -> bool) -> u64 {
         let pixel = [first[0] + lane_x(lane) as i32, first[1] + lane_y(lane) as i32];
         lanes | u64::from(inside(pixel.map(|v| f64::from(v) + 0.5))) << lane
     })
-}
-
-/// Whether a line of this width, where its stipple leaves it, holds a point. Of its sides those of
-/// its start and on its right do not belong to the next.
-fn on_band(ends: [[f64; 2]; 2], width: f64, dashes: Dashes, point: [f64; 2]) -> bool {
-    let [a, b] = ends;
-    let way = [b[0] - a[0], b[1] - a[1]];
-    let length = (way[0] * way[0] + way[1] * way[1]).sqrt();
-    let p = [point[0] - a[0], point[1] - a[1]];
-    let along = (p[0] * way[0] + p[1] * way[1]) / length;
-    let across = (way[0] * p[1] - way[1] * p[0]) / length;
-    (0.0..length).contains(&along)
-        && (-0.5 * width..0.5 * width).contains(&across)
-        && is_dash(dashes, (along * f64::from(SUBPIXEL)) as u32)
-}
-
-/// How much of a pixel a smooth line covers: with a stipple, of the pieces one pixel long that are
-/// left of it (GL 2.1, section 3.4.2).
-fn band(ends: [[f64; 2]; 2], width: f64, dashes: Dashes, pixel: [f64; 2]) -> f64 {
-    let [a, b] = ends;
-    let way = [b[0] - a[0], b[1] - a[1]];
-    let length = (way[0] * way[0] + way[1] * way[1]).sqrt();
-    if dashes.is_none() {
-        return area::polygon(&rectangle(ends, width, [0.0, length]), pixel);
-    }
-    // How far along the line the corners of the pixel lie.
-    let along = |x: f64, y: f64| ((x - a[0]) * way[0] + (y - a[1]) * way[1]) / length;
-    let (x, y) = (pixel[0], pixel[1]);
-    let at = [along(x, y), along(x + 1.0, y), along(x, y + 1.0), along(x + 1.0, y + 1.0)];
-    let low = at.into_iter().fold(length, f64::min).max(0.0).floor() as u32;
-    let high = at.into_iter().fold(0.0, f64::max).min(length).ceil() as u32;
-    let pieces = (low..high).filter(|piece| is_dash(dashes, piece * SUBPIXEL as u32));
-    pieces
-        .map(|piece| {
-            let part = [f64::from(piece), f64::from(piece) + 1.0];
-            area::polygon(&rectangle(ends, width, part), pixel)
-        })
-        .sum()
 }

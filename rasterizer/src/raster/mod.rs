@@ -4,6 +4,7 @@
 //! clear and shape of the pass is done in order, so that the result does not depend on threads.
 
 mod area;
+mod band;
 mod batch;
 mod broad;
 mod clear;

@@ -83,6 +83,10 @@ impl Worker {
         self.covers.clear();
         let places = plan.samples.places().iter();
         self.covers.extend(places.map(|&by| Cover::new(plan, &chunk.geometry, shape, at, by)));
+        let touched = self.covers.iter().fold(0, |blocks, cover| blocks | cover.touched(at));
+        if touched == 0 {
+            return;
+        }
         let (area, stipple) = match shape.kind {
             Kind::Triangle => (job.area, plan.stipple.as_ref()),
             // Their outlines do not know where the view volume ends.
@@ -94,6 +98,9 @@ impl Worker {
         let mut masks = SampleMasks::none(plan.samples.count);
         for by in range[0][1]..=range[1][1] {
             for bx in range[0][0]..=range[1][0] {
+                if touched >> (by * 8 + bx) & 1 == 0 {
+                    continue;
+                }
                 let mut inside = coverage::inside_area(&area, tile.x, tile.y, bx, by);
                 if let Some(stipple) = stipple {
                     let [column, row] = [at[0] / 8 + bx, at[1] / 8 + by];
