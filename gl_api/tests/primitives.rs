@@ -66,6 +66,61 @@ fn lines_have_a_width_and_a_stipple() {
     assert_eq!(values[0], 256);
 }
 
+/// GL 2.1, section 2.12: a line is cut by the view volume, and what is left has its width.
+#[test]
+fn lines_end_where_their_middle_leaves_the_viewport() {
+    let mut c = context();
+    // Window coordinates are those of `context`, whatever the viewport.
+    let view = |c: &mut Context, [low, size]: [i32; 2]| {
+        c.viewport(low, low, size, size);
+        c.matrix_mode(GL_PROJECTION);
+        c.load_identity();
+        let [low, high] = [low, low + size].map(f64::from);
+        c.ortho(low, high, low, high, -1.0, 1.0);
+    };
+    let (low, high) = (4, 12);
+    for line in [
+        [[2.3_f32, 6.1], [14.2, 2.7]],
+        [[1.2, 3.1], [15.7, 13.9]],
+        [[6.2, 1.4], [3.1, 14.2]],
+        [[14.3, 15.2], [6.1, 5.4]],
+        [[1.3, 3.2], [15.1, 3.4]],
+    ] {
+        let slope = [line[1][0] - line[0][0], line[1][1] - line[0][1]].map(f32::abs);
+        let minor = usize::from(slope[0] >= slope[1]);
+        c.line_width(1.0);
+        view(&mut c, [0, SIZE]);
+        let inside = |(x, y): &(i32, i32)| [x, y].iter().all(|v| (low..high).contains(*v));
+        let middle: BTreeSet<_> =
+            drawn(&mut c, GL_LINES, &line).into_iter().filter(inside).collect();
+        view(&mut c, [low, high - low]);
+        assert_eq!(drawn(&mut c, GL_LINES, &line), middle, "{line:?}");
+        c.line_width(3.0);
+        let moved = |(x, y), by| if minor == 1 { (x, y + by) } else { (x + by, y) };
+        let want: BTreeSet<_> =
+            middle.iter().flat_map(|&at| [-1, 0, 1].map(|by| moved(at, by))).collect();
+        assert_eq!(drawn(&mut c, GL_LINES, &line), want, "{line:?}");
+
+        // A smooth one covers as much as its part inside is long.
+        let [from, to] = line.map(|end| end.map(f64::from));
+        let at = |part: f64| [0, 1].map(|axis| from[axis] + (to[axis] - from[axis]) * part);
+        let is_in = |part: &u32| {
+            let place = at(f64::from(*part) / 1e5);
+            place.iter().all(|v| (f64::from(low)..=f64::from(high)).contains(v))
+        };
+        let share = (0..100_000).filter(is_in).count() as f64 / 1e5;
+        let length = (to[0] - from[0]).hypot(to[1] - from[1]) * share;
+        c.enable(GL_LINE_SMOOTH);
+        c.enable(GL_BLEND);
+        c.blend_func(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+        drawn(&mut c, GL_LINES, &line);
+        let area: f64 = pixels(&mut c).iter().map(|pixel| f64::from(pixel[0]) / 255.0).sum();
+        assert!((area - 3.0 * length).abs() < 0.1, "{line:?}: {area} of {}", 3.0 * length);
+        c.disable(GL_LINE_SMOOTH);
+        c.disable(GL_BLEND);
+    }
+}
+
 #[test]
 fn polygons_have_modes_and_edge_flags() {
     let mut c = context();

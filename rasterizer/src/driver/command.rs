@@ -59,6 +59,16 @@ impl Viewport {
         [f64::from(self.x) + half[0], f64::from(self.y) + half[1]]
     }
 
+    /// The pixels whose centres it holds: the first, and one past the last.
+    pub(crate) fn pixels(&self) -> [[i32; 2]; 2] {
+        let sides = [(self.x, self.width), (self.y, self.height)];
+        let [x, y] = sides.map(|(start, size)| {
+            let (start, size) = (f64::from(start), f64::from(size));
+            [(start - 0.5).ceil() as i32, (start + size - 0.5).ceil() as i32]
+        });
+        [[x[0], y[0]], [x[1], y[1]]]
+    }
+
     /// Window x and y of clip coordinates; meaningless unless `w > 0`.
     pub(crate) fn window(&self, clip: &[f64; 4]) -> [f64; 2] {
         let (half, center) = (self.half(), self.center());

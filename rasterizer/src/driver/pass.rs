@@ -214,15 +214,10 @@ impl<'a> Pass<'a> {
 
     /// The pixels of `area` that have their centre in the viewport.
     fn inner_area(&self, mut area: [[i32; 2]; 2]) -> [[i32; 2]; 2] {
-        let viewport = &self.bound.viewport;
-        for (axis, (start, size)) in
-            [(viewport.x, viewport.width), (viewport.y, viewport.height)].into_iter().enumerate()
-        {
-            let (start, size) = (f64::from(start), f64::from(size));
-            let first = (start - 0.5).ceil() as i32;
-            let end = (start + size - 0.5).ceil() as i32;
-            area[0][axis] = area[0][axis].max(first);
-            area[1][axis] = area[1][axis].min(end);
+        let [first, end] = self.bound.viewport.pixels();
+        for axis in 0..2 {
+            area[0][axis] = area[0][axis].max(first[axis]);
+            area[1][axis] = area[1][axis].min(end[axis]);
         }
         area
     }

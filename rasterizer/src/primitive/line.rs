@@ -9,6 +9,7 @@
 //! in its diamond, and the end's taken away if the end does.
 
 use super::setup::SUBPIXEL;
+use std::ops::Range;
 
 const HALF: i32 = SUBPIXEL / 2;
 
@@ -85,6 +86,29 @@ impl LineRun {
     /// How many columns come before this one.
     pub fn index(&self, column: i32) -> u32 {
         if self.backward { (self.last - column) as u32 } else { (column - self.first) as u32 }
+    }
+
+    /// Of these columns, the first and the last whose row is one of these.
+    pub fn columns_within(&self, columns: [i32; 2], rows: Range<i32>) -> Option<[i32; 2]> {
+        let ends = columns.map(|column| self.row(column));
+        // Rows only rise, or only fall, from column to column.
+        let (come, gone): (&dyn Fn(i32) -> bool, &dyn Fn(i32) -> bool) = match ends[0] <= ends[1] {
+            true => (&|row| row >= rows.start, &|row| row >= rows.end),
+            false => (&|row| row < rows.end, &|row| row < rows.start),
+        };
+        let [first, end] = [come, gone].map(|is_so| self.first_column(columns, is_so));
+        (first < end).then_some([first, end - 1])
+    }
+
+    /// Of these columns, the first of whose row something is true that is true of all that follow; one past the last
+    /// if there is none.
+    fn first_column(&self, [first, last]: [i32; 2], is_so: &dyn Fn(i32) -> bool) -> i32 {
+        let (mut low, mut high) = (first, last + 1);
+        while low < high {
+            let middle = low + (high - low) / 2;
+            if is_so(self.row(middle)) { high = middle } else { low = middle + 1 }
+        }
+        low
     }
 
     /// The first row of a column.

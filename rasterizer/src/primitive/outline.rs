@@ -88,6 +88,10 @@ impl Setup<'_> {
             let &[a, b] = scratch.polygon.as_slice() else { return };
             corners = [a, b].map(|p| snap(self.viewport.window(&p.clip)));
         }
+        if self.raster.line.rim == Rim::Smooth {
+            let Some(cut) = self.cut_to_view(corners) else { return };
+            corners = cut;
+        }
         let Some(bounds) = self.line_bounds(corners) else { return };
         out.push(Shape {
             corners: [corners[0], corners[1], corners[1]],
@@ -100,8 +104,39 @@ impl Setup<'_> {
         });
     }
 
+    /// The part of a smooth line in the view volume, where its ends leave that at a side: what is cut off is no part
+    /// of the rectangle that it becomes (section 2.12). Aliased lines keep their ends, which say what their columns
+    /// hold: [`Self::line_bounds`] leaves columns out.
+    fn cut_to_view(&self, ends: [[i32; 2]; 2]) -> Option<[[i32; 2]; 2]> {
+        let viewport = &self.viewport;
+        let sides = [(viewport.x, viewport.width), (viewport.y, viewport.height)];
+        let [from, to] = ends.map(|end| end.map(f64::from));
+        // Of the way from one end to the other, where it enters and where it leaves.
+        let (mut enters, mut leaves) = (0.0_f64, 1.0_f64);
+        for (axis, (start, size)) in sides.into_iter().enumerate() {
+            let low = f64::from(start) * f64::from(SUBPIXEL);
+            let high = low + f64::from(size) * f64::from(SUBPIXEL);
+            let way = to[axis] - from[axis];
+            if way == 0.0 {
+                if from[axis] < low || from[axis] > high {
+                    return None;
+                }
+                continue;
+            }
+            let [a, b] = [low, high].map(|side| (side - from[axis]) / way);
+            enters = enters.max(a.min(b));
+            leaves = leaves.min(a.max(b));
+        }
+        if enters == 0.0 && leaves == 1.0 {
+            return Some(ends);
+        }
+        let at = |part: f64| [0, 1].map(|axis| from[axis] + (to[axis] - from[axis]) * part);
+        (enters < leaves).then(|| [enters, leaves].map(|part| at(part).map(|v| v.round() as i32)))
+    }
+
     /// The pixels that a line may cover. A line that ends at a side of the view volume is as wide
-    /// outside it as inside (section 2.12), so along its minor axis more than the viewport counts.
+    /// outside it as inside (section 2.12), so along its minor axis more than the viewport counts; but
+    /// of the columns only those whose middle is inside.
     fn line_bounds(&self, [a, b]: [[i32; 2]; 2]) -> Option<[[u16; 2]; 2]> {
         let state = &self.raster.line;
         let width = state.drawn_width();
@@ -119,9 +154,16 @@ impl Setup<'_> {
                 }
                 let (major, minor) = (run.major, 1 - run.major);
                 let area = extend(self.inner, minor);
-                let rows = [run.row(run.first), run.row(run.last)];
-                let low = [run.first, rows[0].min(rows[1])];
-                let high = [run.last, rows[0].max(rows[1]) + width as i32 - 1];
+                let [view, end] = self.viewport.pixels().map(|pixel| pixel[minor]);
+                let is_inside = |p: [i32; 2]| (view..end).contains(&p[minor].div_euclid(SUBPIXEL));
+                let mut columns = [run.first, run.last];
+                if !(is_inside(a) && is_inside(b)) {
+                    columns = LineRun::new(a, b, 1).columns_within(columns, view..end)?;
+                }
+                let [first, last] = columns;
+                let rows = [run.row(first), run.row(last)];
+                let low = [first, rows[0].min(rows[1])];
+                let high = [last, rows[0].max(rows[1]) + width as i32 - 1];
                 let mut out = [[0; 2]; 2];
                 for (from, axis) in [major, minor].into_iter().enumerate() {
                     let first = low[from].max(area[0][axis]);
