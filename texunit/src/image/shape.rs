@@ -79,6 +79,22 @@ impl Shape {
         }
     }
 
+    /// What a coordinate is multiplied by to count texels along a side of so many: rectangles take
+    /// coordinates that count them already.
+    #[inline(always)]
+    pub const fn scale(self, side: u32) -> f32 {
+        match self {
+            Self::Rect => 1.0,
+            Self::D1
+            | Self::D2
+            | Self::D3
+            | Self::Cube
+            | Self::D1Array
+            | Self::D2Array
+            | Self::CubeArray => side as f32,
+        }
+    }
+
     /// The largest width, height and depth (of an array: layers, of cubes' faces) of a level.
     pub const fn max_size(self) -> [u32; 3] {
         match self {

@@ -51,10 +51,7 @@ impl Texture {
             shape,
             format,
             size,
-            scale: match shape {
-                Shape::Rect => [1.0; 3],
-                _ => size.map(|side| side as f32),
-            },
+            scale: size.map(|side| shape.scale(side)),
             levels,
             wrap: sampler.wrap.map(|wrap| wrap_of(shape, sampler.seamless, wrap)),
             seamless: if shape.is_cube() { sampler.seamless } else { Seamless::Off },

@@ -16,7 +16,7 @@ impl SamplePlan {
             shape,
             format,
             size,
-            scale: size.map(|side| side as f32),
+            scale: size.map(|side| shape.scale(side)),
             levels: vec![vec![Arc::new(row)]],
             wrap: [Wrap::ClampToEdge; 3],
             seamless: Seamless::Off,

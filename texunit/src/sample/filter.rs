@@ -33,7 +33,7 @@ impl Place<'_> {
     #[inline(always)]
     pub fn axis(&self, axis: usize) -> Axis {
         let size = [self.level.width, self.level.height, self.level.depth][axis];
-        let scale = if self.texture.shape == Shape::Rect { 1.0 } else { size as f32 };
+        let scale = self.texture.shape.scale(size);
         Axis { wrap: self.texture.wrap[axis], size, border: self.level.border[axis], scale }
     }
 

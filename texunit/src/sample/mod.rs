@@ -373,7 +373,7 @@ fn shifted(place: &filter::Place<'_>, at: [&F32s; 3], offset: [i32; 3]) -> [F32s
     let size = place.level.size();
     let mut shifted = [F32s::ZERO; 3];
     for axis in 0..place.texture.shape.axes() {
-        let scale = if place.texture.shape == Shape::Rect { 1.0 } else { size[axis] as f32 };
+        let scale = place.texture.shape.scale(size[axis]);
         let shift = offset[axis] as f32 / scale;
         for lane in 0..LANES {
             shifted[axis][lane] = at[axis][lane] + shift;

@@ -5,7 +5,6 @@
 //! exact.
 
 use super::{LONGEST, Scan};
-use crate::image::Shape;
 use crate::lanes::math::{clamp, floor_small, min, to_i32};
 use crate::lanes::{Beside, F32s, I32s, LANES, ONE, Simd, U32s, Walk, weights};
 use crate::sample::filter::Place;
@@ -100,12 +99,8 @@ impl Rows {
         let axes = [place.axis(0), place.axis(1)];
         let (s, t) = (coordinate::<S>(&axes[0], at[0]), coordinate::<S>(&axes[1], at[1]));
         // Texels of this level per texel of the base level.
-        let base = place.texture.size;
-        let part = |axis: usize| match place.texture.shape {
-            Shape::Rect => 1.0,
-            _ => axes[axis].size as f32 / base[axis] as f32,
-        };
-        let part = [part(0), part(1)];
+        let base = place.texture.scale;
+        let part = [axes[0].scale / base[0], axes[1].scale / base[1]];
         let turn = [part[1] / part[0], part[0] / part[1]];
         let mut slope = scan.slope;
         if axes.iter().any(|axis| axis.wrap == Wrap::MirroredRepeat) {
