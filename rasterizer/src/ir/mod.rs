@@ -439,6 +439,22 @@ impl Module {
         &self.variables[var.0 as usize]
     }
 
+    /// The word of a value that is constant.
+    pub fn constant(&self, value: Value) -> Option<u32> {
+        match self.expr(value) {
+            Expr::Const { bits, .. } => Some(*bits),
+            Expr::Input(_)
+            | Expr::Uniform { .. }
+            | Expr::UniformAt { .. }
+            | Expr::Load(_)
+            | Expr::LoadAt { .. }
+            | Expr::Op { .. }
+            | Expr::Derivative { .. }
+            | Expr::Sample(_)
+            | Expr::Component { .. } => None,
+        }
+    }
+
     /// The type of a value; a sample as a whole counts as `F32`.
     pub fn ty(&self, value: Value) -> Ty {
         match self.expr(value) {

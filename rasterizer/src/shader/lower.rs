@@ -210,8 +210,7 @@ impl Lowering<'_> {
 
     /// The element that a constant index reaches.
     fn constant_element(&mut self, var: Var, index: Value) -> Option<Reg> {
-        let Expr::Const { bits, .. } = self.module.expr(index) else { return None };
-        let element = (*bits).min(self.module.variable(var).len - 1);
+        let element = self.module.constant(index)?.min(self.module.variable(var).len - 1);
         Some(Reg(self.variable(var).0 + element))
     }
 

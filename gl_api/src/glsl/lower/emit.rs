@@ -50,8 +50,7 @@ impl Emit {
 
     /// The word of a value that is constant.
     pub fn known(&self, value: Value) -> Option<u32> {
-        let Expr::Const { bits, .. } = self.builder.module().expr(value) else { return None };
-        Some(*bits)
+        self.builder.module().constant(value)
     }
 
     /// A constant.

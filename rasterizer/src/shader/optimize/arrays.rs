@@ -8,15 +8,16 @@ pub(super) fn run(module: &mut Module) -> bool {
     let mut body = std::mem::take(&mut module.body);
     for stmt in &body {
         stmt.walk(&mut |stmt| {
-            let (var, index) = match stmt {
-                Stmt::StoreAt { var, index, .. } => (var, index),
-                Stmt::Eval(value) => match module.expr(*value) {
-                    Expr::LoadAt { var, index } => (var, index),
-                    _ => return,
-                },
-                _ => return,
+            let (var, index) = if let Stmt::StoreAt { var, index, .. } = stmt {
+                (var, index)
+            } else if let Stmt::Eval(value) = stmt
+                && let Expr::LoadAt { var, index } = module.expr(*value)
+            {
+                (var, index)
+            } else {
+                return;
             };
-            indexed[var.0 as usize] |= constant(module, *index).is_none();
+            indexed[var.0 as usize] |= module.constant(*index).is_none();
         });
     }
     // By array: the variables that its elements become.
@@ -41,13 +42,6 @@ pub(super) fn run(module: &mut Module) -> bool {
     any
 }
 
-fn constant(module: &Module, index: Value) -> Option<u32> {
-    match module.expr(index) {
-        Expr::Const { bits, .. } => Some(*bits),
-        _ => None,
-    }
-}
-
 #[derive(Clone, Copy)]
 struct Elements {
     first: u32,
@@ -62,7 +56,7 @@ struct Split<'a> {
 impl Split<'_> {
     fn element(&self, var: Var, index: Value) -> Option<Var> {
         let Elements { first, len } = self.elements[var.0 as usize]?;
-        Some(Var(first + constant(self.module, index)?.min(len - 1)))
+        Some(Var(first + self.module.constant(index)?.min(len - 1)))
     }
 
     fn block(&mut self, block: &mut Block) {

@@ -19,11 +19,7 @@ const MINUS_ZERO: u32 = 0x8000_0000;
 
 /// Looks at an operation whose operands are simplified already.
 pub(super) fn fold(module: &Module, op: Op, args: [Value; 3]) -> Folded {
-    let constant = |value: Value| match module.expr(value) {
-        Expr::Const { bits, .. } => Some(*bits),
-        _ => None,
-    };
-    let known = args.map(constant);
+    let known = args.map(|value| module.constant(value));
     let arity = op.args().len();
     if let Some(words) = all(&known[..arity]) {
         return Folded::Const(op.eval(words));
@@ -70,17 +66,22 @@ pub(super) fn fold(module: &Module, op: Op, args: [Value; 3]) -> Folded {
 
 /// Whether it is known that a value is not -0.
 fn is_never_minus_zero(module: &Module, value: Value) -> bool {
-    let is_other = |value: Value| match module.expr(value) {
-        Expr::Const { bits, .. } => *bits != MINUS_ZERO,
-        _ => false,
-    };
+    let is_other = |value| module.constant(value).is_some_and(|bits| bits != MINUS_ZERO);
     match module.expr(value) {
         // A sum is -0 where both are.
         Expr::Op { op: Op::Add, args: [a, b, _] } => is_other(*a) || is_other(*b),
         Expr::Op { op, .. } => {
             matches!(op, Op::Floor | Op::Ceil | Op::Trunc | Op::IntToFloat | Op::UintToFloat)
         }
-        _ => is_other(value),
+        Expr::Const { .. }
+        | Expr::Input(_)
+        | Expr::Uniform { .. }
+        | Expr::UniformAt { .. }
+        | Expr::Load(_)
+        | Expr::LoadAt { .. }
+        | Expr::Derivative { .. }
+        | Expr::Sample(_)
+        | Expr::Component { .. } => is_other(value),
     }
 }
 
@@ -98,11 +99,11 @@ fn all(known: &[Option<u32>]) -> Option<[u32; 3]> {
 
 /// `op(inverse(x))` is `x`.
 fn undo(module: &Module, op: Op, inverse: Op, arg: Value) -> Folded {
-    match module.expr(arg) {
-        Expr::Op { op: inner, args } if *inner == inverse => {
-            debug_assert_eq!(op.args(), &[inverse.result()]);
-            Folded::Same(args[0])
-        }
-        _ => Folded::Op,
+    if let Expr::Op { op: inner, args } = module.expr(arg)
+        && *inner == inverse
+    {
+        debug_assert_eq!(op.args(), &[inverse.result()]);
+        return Folded::Same(args[0]);
     }
+    Folded::Op
 }

@@ -120,11 +120,7 @@ impl Walk<'_> {
     /// The turns of a loop one after the other, if they can be counted.
     fn unroll(&mut self, blocks: [&Block; 2]) -> Option<Block> {
         let (instead, memory) = (&self.instead, &self.memory);
-        let constant = |module: &Module, value: Value| match module.expr(instead[value.0 as usize])
-        {
-            Expr::Const { bits, .. } => Some(*bits),
-            _ => None,
-        };
+        let constant = |module: &Module, value: Value| module.constant(instead[value.0 as usize]);
         let variable =
             |module: &Module, var| memory.get(var).and_then(|value| constant(module, value));
         let copies = unroll::run(self.module, blocks, self.room, constant, variable)?;
@@ -146,8 +142,8 @@ impl Walk<'_> {
 
     fn branch(&mut self, condition: Value, accept: Block, reject: Block, out: &mut Block) {
         let condition = self.instead(condition);
-        if let Expr::Const { bits, .. } = self.module.expr(condition) {
-            return self.block(if *bits == 0 { reject } else { accept }, out);
+        if let Some(bits) = self.module.constant(condition) {
+            return self.block(if bits == 0 { reject } else { accept }, out);
         }
         let start = self.memory.mark();
         let accept = self.nested(accept);
@@ -188,9 +184,9 @@ impl Walk<'_> {
                 Folded::Instead(op) => Expr::Op { op, args },
                 Folded::Op => expr,
             },
-            Expr::UniformAt { base, len, index, ty } => match self.module.expr(index) {
-                Expr::Const { bits, .. } => Expr::Uniform { word: base + (*bits).min(len - 1), ty },
-                _ => expr,
+            Expr::UniformAt { base, len, index, ty } => match self.module.constant(index) {
+                Some(bits) => Expr::Uniform { word: base + bits.min(len - 1), ty },
+                None => expr,
             },
             Expr::LoadAt { .. } => {
                 self.module.values[at] = expr;
