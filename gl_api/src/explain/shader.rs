@@ -96,11 +96,13 @@ fn text(expression: &Expression, note: &DrawNote) -> String {
             let inner: Vec<String> = args.iter().map(|arg| text(arg, note)).collect();
             match (infix(*op), &inner[..]) {
                 (Some(sign), [left, right]) => {
-                    let side = |of: &Expression, text: &str| match of {
-                        Expression::Apply(inner, _) if infix(*inner).is_some() => {
-                            format!("({text})")
+                    let side = |of: &Expression, text: &str| {
+                        if let Expression::Apply(inner, _) = of
+                            && infix(*inner).is_some()
+                        {
+                            return format!("({text})");
                         }
-                        _ => text.to_owned(),
+                        text.to_owned()
                     };
                     format!("{} {sign} {}", side(&args[0], left), side(&args[1], right))
                 }
@@ -119,17 +121,19 @@ fn called(op: Op) -> &'static str {
     }
 }
 
+/// The signs that stand between two operands.
+const SIGNS: [(&str, &[Op]); 8] = [
+    ("+", &[Op::Add, Op::IAdd, Op::UAdd]),
+    ("-", &[Op::Sub, Op::ISub, Op::USub]),
+    ("·", &[Op::Mul, Op::IMul, Op::UMul]),
+    ("/", &[Op::Div, Op::IDiv, Op::UDiv]),
+    ("<", &[Op::Less, Op::ILess, Op::ULess]),
+    ("<=", &[Op::LessEqual, Op::ILessEqual, Op::ULessEqual]),
+    ("==", &[Op::Equal, Op::IEqual]),
+    ("!=", &[Op::NotEqual, Op::INotEqual]),
+];
+
 /// The sign of an operation that has one.
 fn infix(op: Op) -> Option<&'static str> {
-    match op {
-        Op::Add | Op::IAdd | Op::UAdd => Some("+"),
-        Op::Sub | Op::ISub | Op::USub => Some("-"),
-        Op::Mul | Op::IMul | Op::UMul => Some("·"),
-        Op::Div | Op::IDiv | Op::UDiv => Some("/"),
-        Op::Less | Op::ILess | Op::ULess => Some("<"),
-        Op::LessEqual | Op::ILessEqual | Op::ULessEqual => Some("<="),
-        Op::Equal | Op::IEqual => Some("=="),
-        Op::NotEqual | Op::INotEqual => Some("!="),
-        _ => None,
-    }
+    SIGNS.iter().find(|(_, ops)| ops.contains(&op)).map(|(sign, _)| *sign)
 }
