@@ -356,11 +356,9 @@ impl Reader<'_> {
     /// Whether it reads texel by texel, if only here and there.
     fn fetches(self) -> bool {
         let Self::Program(module, slot) = self else { return false };
-        module.values.iter().any(|value| match value {
-            Expr::Sample(sample) => {
-                sample.texture.0 as usize == slot && matches!(sample.access, Access::Fetch { .. })
-            }
-            _ => false,
+        module.values.iter().any(|value| {
+            let Expr::Sample(sample) = value else { return false };
+            sample.texture.0 as usize == slot && matches!(sample.access, Access::Fetch { .. })
         })
     }
 }

@@ -94,21 +94,29 @@ pub(crate) fn accum(context: &mut Context, op: GLenum, value: GLfloat) -> Result
         return Ok(());
     }
     match operation {
-        Operation::Accumulate | Operation::Load => {
-            let from = read::source(context, Readable::Color)?;
-            let format = from.format();
-            each(context, area, |x, y, sum| {
-                let color = texel::decode(format, from.row(x, y, 1)).map(|c| c as f32 * value);
-                *sum = match operation {
-                    Operation::Load => color,
-                    _ => [0, 1, 2, 3].map(|i| sum[i] + color[i]),
-                };
-            });
-        }
+        Operation::Accumulate => colors(context, area, value, |sum, color| {
+            *sum = [0, 1, 2, 3].map(|i| sum[i] + color[i]);
+        })?,
+        Operation::Load => colors(context, area, value, |sum, color| *sum = color)?,
         Operation::Multiply => each(context, area, |_, _, sum| *sum = sum.map(|c| c * value)),
         Operation::Add => each(context, area, |_, _, sum| *sum = sum.map(|c| c + value)),
         Operation::Return => give_back(context, area, value),
     }
+    Ok(())
+}
+
+/// Changes the sums of the pixels of an area by their colours, which are read and taken times a factor.
+fn colors(
+    context: &mut Context,
+    area: Rect,
+    factor: f32,
+    change: fn(&mut [f32; 4], [f32; 4]),
+) -> Result<()> {
+    let from = read::source(context, Readable::Color)?;
+    let format = from.format();
+    each(context, area, |x, y, sum| {
+        change(sum, texel::decode(format, from.row(x, y, 1)).map(|c| c as f32 * factor));
+    });
     Ok(())
 }
 

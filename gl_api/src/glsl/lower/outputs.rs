@@ -71,12 +71,18 @@ impl Lowerer<'_> {
         copies: &mut Vec<Copy>,
     ) {
         // Colours for attachments of integers stay integers.
-        let ty = match (output, types[at as usize]) {
-            (Output::Color { .. }, ty @ (Ty::I32 | Ty::U32)) => ty,
-            _ => Ty::F32,
+        let own = types[at as usize];
+        let ty = match output {
+            Output::Color { .. } if matches!(own, Ty::I32 | Ty::U32) => own,
+            Output::Color { .. }
+            | Output::Position(_)
+            | Output::PointSize
+            | Output::ClipDistance(_)
+            | Output::Varying(_)
+            | Output::Depth => Ty::F32,
         };
         if let Slot::Vars(vars) = slot
-            && types[at as usize] == ty
+            && own == ty
         {
             let var = vars[at as usize];
             self.emit.builder.module_mut().outputs.push((output, var));

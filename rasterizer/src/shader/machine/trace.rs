@@ -117,7 +117,25 @@ impl Machine {
             pc = match *inst {
                 Inst::Again { head, exit } => self.again(head, exit, pc + 1, &mut left)?,
                 Inst::Repeat { head } => back(head, pc + 1, &mut left)?,
-                _ => {
+                Inst::Compute { .. }
+                | Inst::Move { .. }
+                | Inst::Zero { .. }
+                | Inst::Store { .. }
+                | Inst::LoadAt { .. }
+                | Inst::StoreAt { .. }
+                | Inst::UniformAt { .. }
+                | Inst::Derivative { .. }
+                | Inst::Sample(_)
+                | Inst::Unless { .. }
+                | Inst::Jump { .. }
+                | Inst::If { .. }
+                | Inst::Else { .. }
+                | Inst::Join { .. }
+                | Inst::Open { .. }
+                | Inst::Leave { .. }
+                | Inst::LeaveIf { .. }
+                | Inst::Discard
+                | Inst::SkipEmpty { .. } => {
                     let code = &code[..=pc];
                     run.isa.run(Interpreter {
                         machine: self,

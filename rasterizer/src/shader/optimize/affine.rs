@@ -116,14 +116,26 @@ impl<'a> Search<'a> {
         };
         for (at, expr) in module.values.iter().enumerate() {
             match expr {
-                Expr::Const { ty: Ty::F32, .. } | Expr::Uniform { ty: Ty::F32, .. } => {
-                    search.kinds[at] = Kind::Alike;
+                Expr::Const { ty, .. } | Expr::Uniform { ty, .. } => {
+                    if *ty == Ty::F32 {
+                        search.kinds[at] = Kind::Alike;
+                    }
                 }
-                Expr::Input(Input::Varying(slot)) if search.is_smooth(*slot) => {
-                    search.kinds[at] = Kind::Affine;
-                    search.slots[at] = *slot;
+                Expr::Input(Input::Varying(slot)) => {
+                    if search.is_smooth(*slot) {
+                        search.kinds[at] = Kind::Affine;
+                        search.slots[at] = *slot;
+                    }
                 }
-                _ => {}
+                // What else there is, is told where it is evaluated, or is not followed.
+                Expr::Input(_)
+                | Expr::UniformAt { .. }
+                | Expr::Load(_)
+                | Expr::LoadAt { .. }
+                | Expr::Op { .. }
+                | Expr::Derivative { .. }
+                | Expr::Sample(_)
+                | Expr::Component { .. } => {}
             }
         }
         module.body.iter().for_each(|stmt| stmt.walk(&mut |stmt| search.statement(stmt)));

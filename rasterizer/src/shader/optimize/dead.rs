@@ -184,23 +184,28 @@ fn sweep(block: &mut Block, nodes: &[Node], values: &[bool], variables: &[bool],
     block.retain_mut(|stmt| match stmt {
         Stmt::Eval(value) => values[value.0 as usize],
         Stmt::Store { var, .. } | Stmt::StoreAt { var, .. } => variables[var.0 as usize],
-        Stmt::If { .. } | Stmt::Loop { .. } | Stmt::Scope(_) => {
-            let node = &nodes[*next];
-            if !node.needed {
-                *next = node.end;
-                return false;
+        Stmt::If { accept: a, reject: b, .. } | Stmt::Loop { body: a, continuing: b } => {
+            let is_needed = enter(nodes, next);
+            if is_needed {
+                sweep(a, nodes, values, variables, next);
+                sweep(b, nodes, values, variables, next);
             }
-            *next += 1;
-            match stmt {
-                Stmt::If { accept: a, reject: b, .. } | Stmt::Loop { body: a, continuing: b } => {
-                    sweep(a, nodes, values, variables, next);
-                    sweep(b, nodes, values, variables, next);
-                }
-                Stmt::Scope(body) => sweep(body, nodes, values, variables, next),
-                _ => {}
+            is_needed
+        }
+        Stmt::Scope(body) => {
+            let is_needed = enter(nodes, next);
+            if is_needed {
+                sweep(body, nodes, values, variables, next);
             }
-            true
+            is_needed
         }
         Stmt::Break | Stmt::Continue | Stmt::Leave | Stmt::Discard => true,
     });
+}
+
+/// Goes on to what the next node holds if that is needed, else past all of it; says which.
+fn enter(nodes: &[Node], next: &mut usize) -> bool {
+    let node = &nodes[*next];
+    *next = if node.needed { *next + 1 } else { node.end };
+    node.needed
 }
