@@ -22,14 +22,14 @@ pub enum PixelEvent {
     Fragment(Box<Fragment>),
 }
 
-/// What was cleared.
+/// What a clear writes to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Cleared {
     /// A colour attachment.
     Color(usize),
-    /// Depth.
+    /// The depths of the depth attachment.
     Depth,
-    /// Stencil.
+    /// Its stencils.
     Stencil,
 }
 

@@ -14,11 +14,10 @@ use super::raster::RasterState;
 use crate::output::{DepthFormat, texel_words};
 use crate::plan::{Counting, DrawPlan, PlanInput, Textures, arrays, sprite_slots};
 use crate::primitive::{Setup, primitives};
-use crate::raster::{
-    Chunk, ClearJob, ClearTarget, DrawJob, Entry, Formats, PassJob, Spot, TileJob,
-};
+use crate::raster::{Chunk, ClearJob, DrawJob, Entry, Formats, PassJob, Spot, TileJob};
 use crate::shader::Prepared;
 use crate::target::{Surface, TILE, all_bits, component_bits};
+use crate::trace::Cleared;
 use crate::vertex::Ids;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -230,7 +229,7 @@ impl<'a> Pass<'a> {
         let first = |word: u32| [word, 0, 0, 0];
         let job = match value {
             ClearValue::Color { target, value, mask } => color(target).map(|format| ClearJob {
-                target: ClearTarget::Color(target.into()),
+                target: Cleared::Color(target.into()),
                 words: texel_words(format, value),
                 write: component_bits(format, mask),
                 all: all_bits(format),
@@ -238,7 +237,7 @@ impl<'a> Pass<'a> {
                 label,
             }),
             ClearValue::Texel { target, words, mask } => color(target).map(|format| ClearJob {
-                target: ClearTarget::Color(target.into()),
+                target: Cleared::Color(target.into()),
                 words,
                 write: component_bits(format, mask),
                 all: all_bits(format),
@@ -246,7 +245,7 @@ impl<'a> Pass<'a> {
                 label,
             }),
             ClearValue::Depth(value) => depth.and_then(DepthFormat::of).map(|format| ClearJob {
-                target: ClearTarget::Depth,
+                target: Cleared::Depth,
                 words: first(format.word(texunit::lanes::math::clamp(value, 0.0, 1.0))),
                 write: first(!0),
                 all: first(!0),
@@ -255,7 +254,7 @@ impl<'a> Pass<'a> {
             }),
             ClearValue::Stencil { value, mask } => {
                 depth.filter(|format| format.has_stencil()).map(|_| ClearJob {
-                    target: ClearTarget::Stencil,
+                    target: Cleared::Stencil,
                     words: first(value.into()),
                     write: first(mask.into()),
                     all: first(0xFF),

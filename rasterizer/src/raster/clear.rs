@@ -4,24 +4,14 @@ use super::coverage;
 use super::job::{PassJob, TileJob};
 use crate::output::expand_mask;
 use crate::target::{TILE, WordMask};
+use crate::trace::Cleared;
 use texunit::lanes::LANES;
-
-/// What a clear writes to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ClearTarget {
-    /// A colour attachment.
-    Color(usize),
-    /// The depths of the depth attachment.
-    Depth,
-    /// Its stencils.
-    Stencil,
-}
 
 /// A clear of a pass.
 #[derive(Clone, Copy, Debug)]
 pub struct ClearJob {
     /// What is cleared.
-    pub target: ClearTarget,
+    pub target: Cleared,
     /// The words of a texel.
     pub words: WordMask,
     /// Their bits that are written.
@@ -52,9 +42,9 @@ impl ClearJob {
 /// Clears a tile's part of an attachment.
 pub fn clear(pass: &PassJob, job: &ClearJob, tile: &mut TileJob) {
     let (target, first) = match job.target {
-        ClearTarget::Color(index) => (tile.colors.get_mut(index).and_then(Option::as_mut), 0),
-        ClearTarget::Depth => (tile.depth.as_mut(), 0),
-        ClearTarget::Stencil => (tile.depth.as_mut(), 1),
+        Cleared::Color(index) => (tile.colors.get_mut(index).and_then(Option::as_mut), 0),
+        Cleared::Depth => (tile.depth.as_mut(), 0),
+        Cleared::Stencil => (tile.depth.as_mut(), 1),
     };
     let Some(target) = target else { return };
     // What a tile has beyond the pass is never seen.
@@ -89,7 +79,7 @@ mod tests {
     #[test]
     fn a_clear_is_whole_where_no_pixel_and_no_bit_is_left() {
         let clear = |area, write| ClearJob {
-            target: ClearTarget::Color(0),
+            target: Cleared::Color(0),
             words: [7; 4],
             write,
             all: [!0, 0xFF, 0, 0],

@@ -25,7 +25,7 @@ mod small;
 mod tile;
 mod watched;
 
-pub use clear::{ClearJob, ClearTarget};
+pub use clear::ClearJob;
 pub use interpolate::{PlaneSource, depth_offset};
 pub use job::{Chunk, DrawJob, Entry, PassJob, ShapeLists, TileJob};
 pub use samples::{Samples, sample_positions};

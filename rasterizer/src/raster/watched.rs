@@ -1,7 +1,7 @@
 //! A watched pixel within its tile: what clears and fragments do to it is written down.
 
 use super::batch::{Batch, BlockOf};
-use super::clear::{ClearJob, ClearTarget};
+use super::clear::ClearJob;
 use super::inputs::BlockDepth;
 use super::interpolate::PlaneSource;
 use super::job::{Chunk, PassJob, TileJob};
@@ -121,13 +121,9 @@ impl Spot {
     fn cleared(&mut self, job: &ClearJob, stored: &Stored) {
         let pixel = self.watch.pixel().map(|v| v as i32);
         let reaches = |axis: usize| (job.area[0][axis]..job.area[1][axis]).contains(&pixel[axis]);
-        let target = match job.target {
-            ClearTarget::Color(index) => Cleared::Color(index),
-            ClearTarget::Depth => Cleared::Depth,
-            ClearTarget::Stencil => Cleared::Stencil,
-        };
         if let Some(&after) = stored.first().filter(|_| reaches(0) && reaches(1)) {
-            self.events.push(Some(PixelEvent::Clear(Clear { label: job.label, target, after })));
+            let clear = Clear { label: job.label, target: job.target, after };
+            self.events.push(Some(PixelEvent::Clear(clear)));
         }
     }
 
@@ -268,8 +264,8 @@ impl TileJob {
     /// A clear was done.
     pub fn note_clear(&mut self, job: &ClearJob) {
         let stored = match job.target {
-            ClearTarget::Color(index) => self.watched_color(index),
-            ClearTarget::Depth | ClearTarget::Stencil => self.watched_depth(),
+            Cleared::Color(index) => self.watched_color(index),
+            Cleared::Depth | Cleared::Stencil => self.watched_depth(),
         };
         if let Some(spot) = &mut self.watched {
             spot.cleared(job, &stored);
