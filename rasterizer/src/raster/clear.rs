@@ -1,5 +1,6 @@
 //! Clears, tile by tile.
 
+use super::block::BlockAt;
 use super::coverage;
 use super::job::{PassJob, TileJob};
 use crate::output::expand_mask;
@@ -61,8 +62,8 @@ pub fn clear(pass: &PassJob, job: &ClearJob, tile: &mut TileJob) {
                 continue;
             }
             for (index, block) in plane.blocks_mut(!0).iter_mut().enumerate() {
-                let (bx, by) = (index as i32 % 8, index as i32 / 8);
-                let lanes = expand_mask(coverage::inside_area(&job.area, tile.x, tile.y, bx, by));
+                let at = BlockAt::numbered([tile.x, tile.y], index);
+                let lanes = expand_mask(coverage::inside_area(&job.area, at));
                 for lane in 0..LANES {
                     let write = lanes[lane] & write;
                     block[lane] = (word & write) | (block[lane] & !write);

@@ -2,6 +2,7 @@
 
 use super::area::{self, Areas, LEAST, Overlap};
 use super::band::{Band, Dashes, is_dash};
+use super::block::BlockAt;
 use super::coverage::{self, Edge};
 use crate::driver::Rim;
 use crate::plan::DrawPlan;
@@ -119,19 +120,17 @@ impl Cover {
         }
     }
 
-    /// The lanes that are covered of block column `bx`, row `by` of the tile; `parts` takes how much
-    /// of each, where the rim is smooth.
+    /// The lanes that are covered of a block; `parts` takes how much of each, where the rim is smooth.
     #[inline]
     pub fn block(
         &self,
         isa: Isa,
         plan: &DrawPlan,
         shape: &Shape,
-        tile: [i32; 2],
-        [bx, by]: [i32; 2],
+        at: BlockAt,
         parts: &mut F32s,
     ) -> u64 {
-        let first = [tile[0] + 8 * bx, tile[1] + 8 * by];
+        let (first, [bx, by]) = (at.first(), at.block);
         let origin = first.map(f64::from);
         let dashes = match shape.kind {
             Kind::Line { stipple, .. } => plan.raster.line.stipple.map(|state| (state, stipple)),
@@ -143,16 +142,16 @@ impl Cover {
             Self::Box => !0,
             Self::SmoothTriangle(corners) => {
                 let add = |areas: &mut Areas| area::add(isa, corners, origin, areas);
-                smooth(shape, first, area::overlap(corners, origin, 8.0), parts, add)
+                smooth(shape, at, area::overlap(corners, origin, 8.0), parts, add)
             }
             Self::Band(band) => {
                 let overlap = match area::overlap(&band.corners, origin, 8.0) {
                     Overlap::All if dashes.is_some() => Overlap::Part,
                     overlap => overlap,
                 };
-                smooth(shape, first, overlap, parts, |areas| band.add(isa, dashes, origin, areas))
+                smooth(shape, at, overlap, parts, |areas| band.add(isa, dashes, origin, areas))
             }
-            Self::Disc(center, radius) => smooth(shape, first, Overlap::Part, parts, |areas| {
+            Self::Disc(center, radius) => smooth(shape, at, Overlap::Part, parts, |areas| {
                 for (lane, area) in areas.iter_mut().enumerate() {
                     let pixel = [origin[0] + lane_x(lane) as f64, origin[1] + lane_y(lane) as f64];
                     *area = area::disc(*center, *radius, pixel);
@@ -186,8 +185,8 @@ fn run_blocks(run: &LineRun, width: i32, tile: [i32; 2]) -> u64 {
         let lowest = ends[0].min(ends[1]).max(0);
         let highest = (ends[0].max(ends[1]) + width - 1).min(last_row);
         for across in lowest / 8..(highest + 8) / 8 {
-            let at = if major == 0 { [along, across] } else { [across, along] };
-            blocks |= 1 << (at[1] * 8 + at[0]);
+            let block = if major == 0 { [along, across] } else { [across, along] };
+            blocks |= 1 << BlockAt { tile, block }.number();
         }
     }
     blocks
@@ -213,18 +212,18 @@ fn run_lanes(run: &LineRun, width: i32, dashes: Dashes, first: [i32; 2]) -> u64 
     lanes
 }
 
-/// The lanes of the block from pixel `first` on of which any part is covered: `overlap` says how the outline and the
+/// The lanes of a block of which any part is covered: `overlap` says how the outline and the
 /// block lie, `add` what it covers of each pixel.
 fn smooth(
     shape: &Shape,
-    first: [i32; 2],
+    at: BlockAt,
     overlap: Overlap,
     parts: &mut F32s,
     add: impl FnOnce(&mut Areas),
 ) -> u64 {
     let [low, high] = shape.bounds;
     let bounds = [low.map(i32::from), high.map(|last| i32::from(last) + 1)];
-    let inside = coverage::inside_area(&bounds, first[0], first[1], 0, 0);
+    let inside = coverage::inside_area(&bounds, at);
     match overlap {
         Overlap::None => 0,
         Overlap::All => {

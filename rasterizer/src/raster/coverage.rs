@@ -5,6 +5,7 @@
 //! 256 `dy`, so `E mod 256` is the same at every centre, and `floor(E / 256)` has the same sign as
 //! `E` and moves in steps of `dx` and `dy`: exact in 32 bits wherever an edge crosses a block.
 
+use super::block::BlockAt;
 use crate::primitive::SUBPIXEL;
 use texunit::lanes::{Isa, Kernel, LANES, QUADS, Simd, U32s, lane_x, lane_y};
 
@@ -141,9 +142,9 @@ pub fn is_inside_area(area: &[[i32; 2]; 2], x: i32, y: i32, side: i32) -> bool {
     x >= left && y >= low && x + side <= right && y + side <= high
 }
 
-/// The lanes of block column `bx`, row `by` of a tile at `(x, y)` that lie in `area`.
-pub fn inside_area(area: &[[i32; 2]; 2], x: i32, y: i32, bx: i32, by: i32) -> u64 {
-    let (left, low) = (x + 8 * bx, y + 8 * by);
+/// The lanes of a block that lie in `area`.
+pub fn inside_area(area: &[[i32; 2]; 2], at: BlockAt) -> u64 {
+    let [left, low] = at.first();
     if is_inside_area(area, left, low, 8) {
         return !0;
     }

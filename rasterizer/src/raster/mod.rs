@@ -6,6 +6,7 @@
 mod area;
 mod band;
 mod batch;
+mod block;
 mod broad;
 mod clear;
 mod cover;

@@ -5,6 +5,7 @@
 //! block waits the processor works at another.
 
 use super::batch::{BlockOf, EarlyTests};
+use super::block::BlockAt;
 use crate::primitive::Facing;
 use crate::shader::BANKS;
 
@@ -109,13 +110,14 @@ impl BlockRun {
         let planes = self.planes.len() / self.len.max(1);
         self.blocks[..self.len].iter().enumerate().map(move |(at, covered)| {
             let block = usize::from(covered.block);
+            let [x, y] = BlockAt::numbered(tile, block).first();
             BlockOf {
                 planes: &self.planes[at * planes..][..planes],
                 facing: covered.facing,
                 tests: EarlyTests::Done,
                 block,
-                x: tile[0] + block as i32 % 8 * 8,
-                y: tile[1] + block as i32 / 8 * 8,
+                x,
+                y,
                 coverage: None,
             }
         })

@@ -3,6 +3,7 @@
 mod fill;
 
 use super::batch::Packed;
+use super::block::BlockAt;
 use super::broad::Broad;
 use super::clear::clear;
 use super::cover::Cover;
@@ -230,7 +231,7 @@ impl Worker {
                     {
                         *to = plane;
                     }
-                    let at = [block as i32 % 8, block as i32 / 8];
+                    let at = BlockAt::numbered([tile.x, tile.y], block);
                     let mut masks = SampleMasks::one(lanes);
                     self.fill_block(pass, tile, job, shape(lane).facing, at, &mut masks);
                 }

@@ -2,6 +2,7 @@
 //! at once, or is shaded by itself.
 
 use super::super::batch::{Batch, BlockOf, EarlyTests, moved_quad, quads_of};
+use super::super::block::BlockAt;
 use super::super::broad;
 use super::super::cover::Cover;
 use super::super::coverage;
@@ -70,7 +71,7 @@ impl Worker {
         let job = &pass.draws[chunk.draw];
         let plan = &job.plan;
         let Some(range) = block_range(shape, tile.x, tile.y) else { return };
-        let at = [tile.x, tile.y];
+        let first = [tile.x, tile.y];
         let blocks = (range[1][0] - range[0][0] + 1) * (range[1][1] - range[0][1] + 1);
         let is_broad = blocks >= broad::WORTH_IT
             && shape.kind == Kind::Triangle
@@ -82,8 +83,8 @@ impl Worker {
         }
         self.covers.clear();
         let places = plan.samples.places().iter();
-        self.covers.extend(places.map(|&by| Cover::new(plan, &chunk.geometry, shape, at, by)));
-        let touched = self.covers.iter().fold(0, |blocks, cover| blocks | cover.touched(at));
+        self.covers.extend(places.map(|&by| Cover::new(plan, &chunk.geometry, shape, first, by)));
+        let touched = self.covers.iter().fold(0, |blocks, cover| blocks | cover.touched(first));
         if touched == 0 {
             return;
         }
@@ -98,24 +99,25 @@ impl Worker {
         let mut masks = SampleMasks::none(plan.samples.count);
         for by in range[0][1]..=range[1][1] {
             for bx in range[0][0]..=range[1][0] {
-                if touched >> (by * 8 + bx) & 1 == 0 {
+                let at = BlockAt { tile: first, block: [bx, by] };
+                if touched >> at.number() & 1 == 0 {
                     continue;
                 }
-                let mut inside = coverage::inside_area(&area, tile.x, tile.y, bx, by);
+                let mut inside = coverage::inside_area(&area, at);
                 if let Some(stipple) = stipple {
-                    let [column, row] = [at[0] / 8 + bx, at[1] / 8 + by];
+                    let [column, row] = [first[0] / 8 + bx, first[1] / 8 + by];
                     inside &= stipple[(row % 4 * 4 + column % 4) as usize];
                 }
-                self.covered(pass.isa, plan, shape, at, [bx, by], inside, &mut masks);
+                self.covered(pass.isa, plan, shape, at, inside, &mut masks);
                 if masks.any() != 0 {
                     if let Some(spot) = &mut tile.watched
-                        && spot.is_in((by * 8 + bx) as usize, masks.any())
+                        && spot.is_in(at.number(), masks.any())
                     {
                         spot.covered(pass, chunk, shape, &masks);
                     }
-                    let (x, y) = (at[0] + 8 * bx, at[1] + 8 * by);
+                    let [x, y] = at.first();
                     self.group.at(lane, x, y, &mut self.planes);
-                    self.fill_block(pass, tile, job, shape.facing, [bx, by], &mut masks);
+                    self.fill_block(pass, tile, job, shape.facing, at, &mut masks);
                 }
             }
         }
@@ -148,12 +150,13 @@ impl Worker {
             {
                 depth.prefetch(std::iter::once(left.trailing_zeros() as usize));
             }
-            let [bx, by] = [block as i32 % 8, block as i32 / 8];
+            let at = BlockAt::numbered([tile.x, tile.y], block);
             let mut covered = !0;
             if !is_inside {
-                covered &= coverage::inside_area(&job.area, tile.x, tile.y, bx, by);
+                covered &= coverage::inside_area(&job.area, at);
             }
             if self.broad.full >> block & 1 == 0 {
+                let [bx, by] = at.block;
                 covered &= coverage::block(pass.isa, &edges, bx, by).lanes();
             }
             if covered == !0 && is_plain {
@@ -167,7 +170,7 @@ impl Worker {
             } else if covered != 0 {
                 self.broad.corners(block, &mut self.planes);
                 let mut masks = SampleMasks::one(covered);
-                self.fill_block(pass, tile, job, shape.facing, [bx, by], &mut masks);
+                self.fill_block(pass, tile, job, shape.facing, at, &mut masks);
             }
         }
         self.level = None;
@@ -184,14 +187,12 @@ impl Worker {
 
     /// What `self.covers` cover of those lanes of a block that are `inside`.
     #[inline]
-    #[expect(clippy::too_many_arguments, reason = "a shape, a block, and what becomes of it")]
     fn covered(
         &mut self,
         isa: Isa,
         plan: &DrawPlan,
         shape: &Shape,
-        tile: [i32; 2],
-        block: [i32; 2],
+        at: BlockAt,
         inside: u64,
         masks: &mut SampleMasks,
     ) {
@@ -199,7 +200,7 @@ impl Worker {
         for (sample, mask) in masks.iter_mut().enumerate() {
             // Samples without an outline of their own are covered as the first is.
             if let Some(cover) = self.covers.get(sample) {
-                covered = cover.block(isa, plan, shape, tile, block, &mut self.parts);
+                covered = cover.block(isa, plan, shape, at, &mut self.parts);
             }
             *mask = if plan.samples.leaves(sample) { covered & inside } else { 0 };
         }
@@ -212,12 +213,12 @@ impl Worker {
         tile: &mut TileJob,
         job: &DrawJob,
         facing: Facing,
-        [bx, by]: [i32; 2],
+        at: BlockAt,
         masks: &mut SampleMasks,
     ) {
         let plan = &job.plan;
         let covered = masks.any();
-        let block = (by * 8 + bx) as usize;
+        let block = at.number();
         self.make_way(pass, job, tile, block, covered);
         let packs = plan.packing == Packing::Pixels && tile.watched.is_none();
         // To test a block costs less than to pack its pixels, where nothing is shaded.
@@ -231,13 +232,14 @@ impl Worker {
             }
             return;
         }
+        let [x, y] = at.first();
         let mut of = BlockOf {
             planes: &self.planes,
             facing,
             tests: EarlyTests::Due,
             block,
-            x: tile.x + 8 * bx,
-            y: tile.y + 8 * by,
+            x,
+            y,
             coverage: plan.reads_coverage.then_some(&self.parts),
         };
         let is_dense = |lanes: u64| packs || lanes == !0 || quads_of(lanes).count_ones() >= DENSE;
