@@ -114,7 +114,7 @@ pub struct Square {
 pub fn square<S: Simd>(place: &Place<'_>, at: [&F32s; 3]) -> Option<Square> {
     let reach = reach::<S>(place, at)?;
     let corners = reach.corners(place);
-    let words = if reach.inside[0] {
+    let words = if reach.pairs[0] == Pairs::Inside {
         let [a, b] = pair::<S>(place.level, &corners[0]);
         let [c, d] = pair::<S>(place.level, &corners[2]);
         [a, b, c, d]
@@ -153,18 +153,35 @@ struct Reach {
     first: [I32s; 2],
     /// Of the right and of the upper texels.
     weights: [F32s; 2],
-    /// Whether both columns, both rows, are the level's in every lane.
-    inside: [bool; 2],
+    /// Whether both columns, both rows, are the level's.
+    pairs: [Pairs; 2],
+}
+
+/// The two neighbours along an axis whose mean each lane takes.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Pairs {
+    /// Both are the level's in every lane.
+    Inside,
+    /// In some lane one is beyond an edge.
+    OverEdge,
+}
+
+impl Pairs {
+    /// Those that begin at `i`.
+    #[inline(always)]
+    fn of<S: Simd>(i: &I32s, size: u32) -> Self {
+        if side_by_side::<S>(i, size) { Self::Inside } else { Self::OverEdge }
+    }
 }
 
 impl Reach {
     /// Where each texel of the squares begins.
     #[inline(always)]
     fn corners(&self, place: &Place<'_>) -> [U32s; 4] {
-        let Self { axes: [s, t], first: [i, j], inside, .. } = self;
+        let Self { axes: [s, t], first: [i, j], pairs, .. } = self;
         let level = place.level;
-        let xs = ends(s, i, inside[0], level.format.bytes() as u32, level.origin() as u32);
-        let ys = ends(t, j, inside[1], level.row_bytes() as u32, 0);
+        let xs = ends(s, i, pairs[0], level.format.bytes() as u32, level.origin() as u32);
+        let ys = ends(t, j, pairs[1], level.row_bytes() as u32, 0);
         [sum(&xs[0], &ys[0]), sum(&xs[1], &ys[0]), sum(&xs[0], &ys[1]), sum(&xs[1], &ys[1])]
     }
 }
@@ -175,22 +192,23 @@ fn reach<S: Simd>(place: &Place<'_>, at: [&F32s; 3]) -> Option<Reach> {
     let axes = [place.axis(0), place.axis(1)];
     let (i, alpha) = enclosing::<S>(&axes[0].texel_coordinate::<S>(at[0]));
     let (j, beta) = enclosing::<S>(&axes[1].texel_coordinate::<S>(at[1]));
-    let inside = [side_by_side::<S>(&i, axes[0].size), side_by_side::<S>(&j, axes[1].size)];
+    let pairs = [Pairs::of::<S>(&i, axes[0].size), Pairs::of::<S>(&j, axes[1].size)];
     let seamless = place.texture.seamless == Seamless::On;
-    for (axis, inside) in axes.iter().zip(inside) {
-        if !inside && (seamless || axis.wrap.reaches_border(Filter::Linear)) {
+    for (axis, pairs) in axes.iter().zip(pairs) {
+        let is_over = pairs == Pairs::OverEdge;
+        if is_over && (seamless || axis.wrap.reaches_border(Filter::Linear)) {
             return None;
         }
     }
-    Some(Reach { axes, first: [i, j], weights: [alpha, beta], inside })
+    Some(Reach { axes, first: [i, j], weights: [alpha, beta], pairs })
 }
 
 /// The byte offsets of the lower and the upper texel along one axis, `stride` bytes apart.
 #[inline(always)]
-fn ends(axis: &Axis, i: &I32s, inside: bool, stride: u32, origin: u32) -> [U32s; 2] {
+fn ends(axis: &Axis, i: &I32s, pairs: Pairs, stride: u32, origin: u32) -> [U32s; 2] {
     let mut low = U32s::ZERO;
     let mut high = U32s::ZERO;
-    if inside {
+    if pairs == Pairs::Inside {
         for lane in 0..LANES {
             let at = (i[lane] as u32).wrapping_mul(stride).wrapping_add(origin);
             low[lane] = at;

@@ -27,16 +27,15 @@ impl Ends {
 const EIGHT: [u32; 2] = [0x1234_5607, 0x6543_2170];
 const SIX: [u32; 2] = [0x0012_3405, 0x0043_2150];
 
-/// What the weights of a line's ends add up to: `parts` of the largest number.
+/// What the weights of a line's ends add up to: fifths and sevenths of the largest number.
 #[inline(always)]
-fn whole(ends: Ends, eight: bool) -> [f32; 2] {
+const fn wholes(ends: Ends) -> [[f32; 2]; 2] {
     const WHOLES: [[[f32; 2]; 2]; 2] =
         [[reciprocal(5 * 255), reciprocal(7 * 255)], [reciprocal(5 * 127), reciprocal(7 * 127)]];
-    let [five, seven] = match ends {
+    match ends {
         Ends::Unsigned => WHOLES[0],
         Ends::Signed => WHOLES[1],
-    };
-    if eight { seven } else { five }
+    }
 }
 
 /// A texel's value. The two bytes are the lowest of `low`; 16 codes of 3 bits follow.
@@ -59,5 +58,7 @@ pub(crate) fn decode(low: u32, high: u32, at: u32, ends: Ends) -> f32 {
     let mean = a as i32 * first + b as i32 * second;
     let end = if code == 6 { 5 * smallest } else { 5 * largest };
     let is_end = !eight & (code >= 6);
-    quotient((if is_end { end } else { mean }) as f32, whole(ends, eight))
+    let [five, seven] = wholes(ends);
+    let whole = if eight { seven } else { five };
+    quotient((if is_end { end } else { mean }) as f32, whole)
 }

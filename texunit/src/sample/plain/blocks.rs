@@ -4,11 +4,11 @@
 //! decoded in one loop.
 
 use super::ends;
-use crate::format::Block;
 use crate::format::block::{
     CHANNELS, Ends, Palette, color_sixths, color_weights, explicit, interpolated, is_srgb_block,
     punched,
 };
+use crate::format::{Block, Format};
 use crate::lanes::{F32s, LANES, Simd, U32s};
 use crate::sample::filter::{Place, lerp};
 use crate::sample::plain::reach;
@@ -34,8 +34,8 @@ pub fn linear<S: Simd>(
 ) -> bool {
     let Some(reach) = reach::<S>(place, at) else { return false };
     let [s, t] = &reach.axes;
-    let xs = ends(s, &reach.first[0], reach.inside[0], 1, 0);
-    let ys = ends(t, &reach.first[1], reach.inside[1], 1, 0);
+    let xs = ends(s, &reach.first[0], reach.pairs[0], 1, 0);
+    let ys = ends(t, &reach.first[1], reach.pairs[1], 1, 0);
     let level = place.level;
     let (bytes, row) = (level.format.bytes() as u32, level.row_bytes() as u32);
     let corners = [
@@ -48,17 +48,16 @@ pub fn linear<S: Simd>(
     let squares = Squares { within, weights: [&reach.weights[0], &reach.weights[1]] };
     let first = halves::<S>(place, &corners, 0);
     let channels = level.format.channels();
-    let is_srgb = is_srgb_block(level.format);
     match block {
         Block::Dxt1 => {
-            squares.colors::<S>(&first, Palette::ByOrder, is_srgb, out);
+            squares.colors::<S>(&first, Palette::ByOrder, level.format, out);
             if channels > 3 {
                 squares.mean(&first, &mut out[3], punched);
             }
         }
         Block::Dxt3 | Block::Dxt5 => {
             let second = halves::<S>(place, &corners, 8);
-            squares.colors::<S>(&second, Palette::Four, is_srgb, out);
+            squares.colors::<S>(&second, Palette::Four, level.format, out);
             if block == Block::Dxt3 {
                 squares.mean(&first, &mut out[3], explicit);
             } else {
@@ -159,10 +158,10 @@ impl Squares<'_> {
         &self,
         halves: &Halves,
         palette: Palette,
-        is_srgb: bool,
+        format: Format,
         out: &mut [F32s; 4],
     ) {
-        if is_srgb {
+        if is_srgb_block(format) {
             return self.linear_light::<S>(halves, palette, out);
         }
         let [red, green, blue, _] = out;
