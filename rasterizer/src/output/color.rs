@@ -92,6 +92,12 @@ impl ColorPlan {
         if mask == !0 { self.old() } else { Old::Read }
     }
 
+    /// The bits that are written of a word of each texel.
+    #[inline(always)]
+    pub const fn write_of(&self, word: usize) -> Write {
+        Write { mask: self.write[word], whole: self.whole }
+    }
+
     /// What is done to an attachment that is written as `format`.
     pub fn new(
         target: usize,
@@ -122,16 +128,25 @@ impl ColorPlan {
     }
 }
 
+/// Which bits of a word are written.
+#[derive(Clone, Copy, Debug)]
+pub struct Write {
+    /// These.
+    pub mask: u32,
+    /// Whether they are all that there are.
+    pub whole: bool,
+}
+
 /// `new` in the fragments of a mask, through the write mask.
 #[inline(always)]
-pub fn put(stored: &mut U32s, new: &U32s, mask: u64, write: u32, whole: bool) {
-    if mask == !0 && whole {
+pub fn put(stored: &mut U32s, new: &U32s, mask: u64, write: Write) {
+    if mask == !0 && write.whole {
         *stored = *new;
         return;
     }
     let covered = expand_mask(mask);
     for lane in 0..LANES {
-        let write = covered[lane] & write;
+        let write = covered[lane] & write.mask;
         stored[lane] = (new[lane] & write) | (stored[lane] & !write);
     }
 }
@@ -168,7 +183,7 @@ impl Kernel for WriteBytes<'_> {
                 None => pack(|lane, channel| color[channel][lane]),
                 Some(state) => blended_bytes(state, plan.format, color, stored),
             };
-            put(stored, &word, mask, plan.write[0], plan.whole);
+            put(stored, &word, mask, plan.write_of(0));
         }
     }
 }
@@ -339,8 +354,9 @@ impl Kernel for WriteTexels<'_> {
                 logic::apply(op, &mut words[index], &stored[index]);
             }
             // Bits that no field has stay as they were under a logical operation.
-            let whole = plan.whole && plan.logic_op.is_none();
-            put(&mut stored[index], &words[index], mask, plan.write[index], whole);
+            let mut write = plan.write_of(index);
+            write.whole &= plan.logic_op.is_none();
+            put(&mut stored[index], &words[index], mask, write);
         }
     }
 }

@@ -226,17 +226,17 @@ impl Take for Times<'_> {
                 times(texels, factors, 3, a);
             }
             To::Words { color, stored, mask } => {
-                let write = color.write[0];
+                let write = color.write_of(0);
                 match texels.bytes() {
                     // A byte over 255 is that byte again.
-                    Some(bytes) if is_one => put(stored, bytes, mask, write, color.whole),
+                    Some(bytes) if is_one => put(stored, bytes, mask, write),
                     None if is_one => {
                         let words = pack_colors(&Alone(texels));
-                        put(stored, &words, mask, write, color.whole);
+                        put(stored, &words, mask, write);
                     }
                     Some(_) | None => {
                         let words = pack_colors(&Colors { texels, factors });
-                        put(stored, &words, mask, write, color.whole);
+                        put(stored, &words, mask, write);
                     }
                 }
             }
