@@ -185,10 +185,7 @@ impl Spot {
         let Some(waiting) = self.waiting.back() else { return };
         let event = self.events.get_mut(waiting.event);
         let Some(Some(PixelEvent::Fragment(fragment))) = event else { return };
-        for (sample, mask) in masks.iter().enumerate() {
-            let passed = mask >> self.lane & 1 == 1;
-            fragment.tests.extend(of.test(plan, fragment.facing, sample, passed));
-        }
+        fragment.tests.extend(of.tests(plan, fragment.facing, masks, self.lane));
         if left >> self.lane & 1 == 0 {
             fragment.fate = Fate::TestFailed;
             self.waiting.pop_back();
@@ -227,20 +224,29 @@ pub struct Tested<'a> {
 }
 
 impl Tested<'_> {
-    fn test(&self, plan: &DrawPlan, facing: Facing, sample: usize, passed: bool) -> Option<Test> {
+    /// The tests of a lane's samples, which passed where `masks` are left.
+    fn tests(
+        &self,
+        plan: &DrawPlan,
+        facing: Facing,
+        masks: &SampleMasks,
+        lane: usize,
+    ) -> impl Iterator<Item = Test> {
         let face = plan.tests.stencil.map(|stencil| match facing {
             Facing::Front => stencil.front,
             Facing::Back => stencil.back,
         });
-        Some(Test {
-            sample,
-            when: self.when,
-            depth: *self.depths.get(sample)?,
-            depth_test: plan.tests.depth.map(|plan| (plan.test, plan.write)),
-            stencil: face,
-            before: *self.before.get(sample)?,
-            after: *self.after.get(sample)?,
-            passed,
+        masks.iter().enumerate().filter_map(move |(sample, mask)| {
+            Some(Test {
+                sample,
+                when: self.when,
+                depth: *self.depths.get(sample)?,
+                depth_test: plan.tests.depth.map(|plan| (plan.test, plan.write)),
+                stencil: face,
+                before: *self.before.get(sample)?,
+                after: *self.after.get(sample)?,
+                passed: mask >> lane & 1 == 1,
+            })
         })
     }
 }
@@ -382,10 +388,7 @@ impl Shaded {
 
     /// Its samples were tested after shading: `masks` are left.
     pub fn tested(&mut self, plan: &DrawPlan, of: &Tested<'_>, masks: &SampleMasks) {
-        for (sample, mask) in masks.iter().enumerate() {
-            let passed = mask >> self.lane & 1 == 1;
-            self.fragment.tests.extend(of.test(plan, self.fragment.facing, sample, passed));
-        }
+        self.fragment.tests.extend(of.tests(plan, self.fragment.facing, masks, self.lane));
     }
 
     /// Its colour was written to the samples of `masks`.

@@ -271,9 +271,10 @@ impl Inst {
 }
 
 impl SampleInst {
-    /// Whether the level of detail comes from the differences within each quad, and matters.
-    pub fn reads_neighbours(&self, needs_lod: bool) -> bool {
-        let matters = needs_lod || matches!(self.access, Access::Lod);
+    /// Whether the level of detail comes from the differences within each quad, and matters: where what
+    /// is asked for, or the texture of its slot, needs one.
+    pub fn reads_neighbours(&self, needs_lod: impl Fn(u32) -> bool) -> bool {
+        let matters = matches!(self.access, Access::Lod) || needs_lod(self.texture);
         matters && matches!(self.lod, SampleLod::Implicit { .. })
     }
 

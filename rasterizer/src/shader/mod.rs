@@ -36,7 +36,7 @@ pub(crate) use sources::Sources;
 
 use crate::ir::{Input, Module, Output};
 use allocate::Layout;
-use inst::{Inst, SampleInst};
+use inst::Inst;
 use preamble::Preamble;
 use std::fmt::Write;
 use std::sync::Arc;
@@ -259,9 +259,8 @@ impl Program {
     /// which texture slots need a level of detail.
     pub fn reads_neighbours(&self, needs_lod: impl Fn(u32) -> bool) -> bool {
         self.code.iter().any(|inst| {
-            let samples = |sample: &SampleInst| sample.reads_neighbours(needs_lod(sample.texture));
             matches!(inst, Inst::Derivative { .. })
-                || matches!(inst, Inst::Sample(sample) if samples(sample))
+                || matches!(inst, Inst::Sample(sample) if sample.reads_neighbours(&needs_lod))
         })
     }
 
