@@ -1,32 +1,27 @@
 //! How much a program takes, and whether that is within the limits.
 
 use super::parser::Parser;
-use super::program::{Destination, Register, Source, Written};
+use super::program::{Instruction, Opcode, Register, Written};
 use super::{Failure, Parsed, limits};
 
 impl Parser<'_> {
     /// Counts a lookup or `KIL` that depends on what came before it as an indirection
     /// (ARB_fragment_program, section 3.11.6): its coordinates were computed, or its result was
     /// used, since the last one.
-    pub fn count_indirections(
-        &mut self,
-        destination: &Destination,
-        sources: &[Source],
-        is_lookup: bool,
-    ) {
-        let written = match destination.written {
+    pub fn count_indirections(&mut self, instruction: &Instruction) {
+        let written = match instruction.destination.written {
             Written::Temporary(number) => Some(number),
             Written::Address(_) | Written::Result(_) | Written::Nowhere => None,
         };
         let read = || {
-            sources.iter().filter_map(|source| match source.register {
+            instruction.sources.iter().filter_map(|source| match source.register {
                 Register::Temporary(number) => Some(number),
                 Register::Attribute(_) | Register::Parameter(_) | Register::Relative { .. } => None,
             })
         };
         // The first one begins with the first lookup.
         let now = self.counts.indirections.max(1);
-        if is_lookup {
+        if instruction.lookup.is_some() || instruction.opcode == Opcode::Kil {
             let happened = |number: u16, kind: usize| self.recent[usize::from(number)][kind] == now;
             let depends = read().any(|number| happened(number, 0))
                 || written.is_some_and(|number| happened(number, 1));

@@ -459,8 +459,9 @@ impl<'a> Parser<'a> {
             }
         }
         self.counts.instructions += 1;
-        self.count_indirections(&destination, &sources, lookup.is_some() || opcode == Opcode::Kil);
-        self.instructions.push(Instruction { opcode, saturation, destination, sources, lookup });
+        let instruction = Instruction { opcode, saturation, destination, sources, lookup };
+        self.count_indirections(&instruction);
+        self.instructions.push(instruction);
         Ok(())
     }
 

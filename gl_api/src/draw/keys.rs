@@ -75,7 +75,9 @@ fn lighting_key(context: &Context, vertices: &[VertexBinding]) -> Option<Lightin
     });
     let lights = std::array::from_fn(|index| {
         let on = state.lights.enabled >> index & 1 == 1;
-        on.then(|| light_key(&state.lights.lights[index], shines))
+        let mut key = on.then(|| light_key(&state.lights.lights[index]))?;
+        key.specular &= shines;
+        Some(key)
     });
     let specular = lights.iter().flatten().any(|light: &LightKey| light.specular);
     Some(LightingKey {
@@ -91,7 +93,7 @@ fn is_colored(color: [f32; 4]) -> bool {
     color[..3].iter().any(|component| *component != 0.0)
 }
 
-fn light_key(light: &Light, shines: bool) -> LightKey {
+fn light_key(light: &Light) -> LightKey {
     LightKey {
         place: match light.is_local() {
             false => Place::Infinite,
@@ -103,7 +105,7 @@ fn light_key(light: &Light, shines: bool) -> LightKey {
             (_, 0.0) => Spot::Even,
             (_, _) => Spot::Focused,
         },
-        specular: shines && is_colored(light.specular),
+        specular: is_colored(light.specular),
     }
 }
 

@@ -2,6 +2,7 @@
 //! is taken before anything is converted.
 
 use crate::constants::*;
+pub use crate::texture::layout::ByteOrder;
 use crate::texture::packed::{PACKED, Packed};
 use crate::types::GLenum;
 
@@ -147,15 +148,6 @@ pub struct Store {
     pub skip_images: usize,
     /// The order of an element's bytes.
     pub order: ByteOrder,
-}
-
-/// The order of the bytes of an element in client memory.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ByteOrder {
-    /// The processor's.
-    Native,
-    /// The other one: `GL_UNPACK_SWAP_BYTES`.
-    Swapped,
 }
 
 /// Rows without gaps.

@@ -96,12 +96,11 @@ pub fn gluQuadricCallback(quad: &mut GLUquadric, which: GLenum, callback: GLUqua
 }
 
 impl GLUquadric {
-    /// Draws, or tells of sizes that are not possible.
-    fn revolve(&self, possible: bool, surface: impl FnOnce() -> Surface) {
-        if possible {
-            draw(&surface(), self);
-        } else {
-            self.refuse(GLU_INVALID_VALUE);
+    /// Draws, or tells of sizes that give no surface.
+    fn revolve(&self, surface: Option<Surface>) {
+        match surface {
+            Some(surface) => draw(&surface, self),
+            None => self.refuse(GLU_INVALID_VALUE),
         }
     }
 
@@ -139,14 +138,15 @@ pub fn gluSphere(
     stacks: impl Arg<GLint>,
 ) {
     let (radius, slices, stacks) = (radius.arg(), count(slices.arg()), count(stacks.arg()));
-    quad.revolve(radius >= 0.0 && slices >= 2 && stacks >= 1, || {
+    let possible = radius >= 0.0 && slices >= 2 && stacks >= 1;
+    quad.revolve(possible.then(|| {
         let ring = |at: f64| {
             let (sin, cos) = sin_cos_degrees(180.0 * at / f64::from(stacks));
             let t = 1.0 - at / f64::from(stacks);
             Ring { radius: radius * sin, z: radius * cos, out: sin, up: cos, t }
         };
         Surface::new(slices, (0.0, 360.0), Bend::Round, stacks, ring)
-    });
+    }));
 }
 
 /// Draws a cylinder or cone without ends along z, from radius `base` at 0 to `top` at `height`;
@@ -166,7 +166,8 @@ pub fn gluCylinder(
     let possible = base >= 0.0 && top >= 0.0 && height >= 0.0 && slices >= 2 && stacks >= 1;
     // The slope's direction, which a cylinder of nothing does not have.
     let length = ((base - top) * (base - top) + height * height).sqrt();
-    quad.revolve(possible && length > 0.0, || {
+    let possible = possible && length > 0.0;
+    quad.revolve(possible.then(|| {
         let ring = |at: f64| {
             // From the top down, as the stacks of a sphere.
             let t = 1.0 - at / f64::from(stacks);
@@ -174,7 +175,7 @@ pub fn gluCylinder(
             Ring { radius, z: height * t, out: height / length, up: (base - top) / length, t }
         };
         Surface::new(slices, (0.0, 360.0), Bend::Straight, stacks, ring)
-    });
+    }));
 }
 
 /// Draws a disk in the plane of z = 0 with a hole of radius `inner`; texture coordinates are those
@@ -207,13 +208,14 @@ pub fn gluPartialDisk(
     let (start, sweep) = (start.arg(), sweep.arg().clamp(-360.0, 360.0));
     let (start, sweep) = if sweep < 0.0 { (start + sweep, -sweep) } else { (start, sweep) };
     let possible = inner >= 0.0 && outer > 0.0 && inner <= outer && slices >= 2 && loops >= 1;
-    quad.revolve(possible && start.is_finite() && sweep.is_finite(), || {
+    let possible = possible && start.is_finite() && sweep.is_finite();
+    quad.revolve(possible.then(|| {
         let ring = |at: f64| {
             let radius = inner + (outer - inner) * at / f64::from(loops);
             Ring { radius, z: 0.0, out: 0.0, up: 1.0, t: radius / outer }
         };
         Surface::new(slices, (start, sweep), Bend::Flat, loops, ring)
-    });
+    }));
 }
 
 #[cfg(test)]

@@ -18,7 +18,7 @@ use crate::state::enable::is_capability;
 use crate::state::fragment::COMPARE;
 use crate::state::masks::LOGIC_OP;
 use crate::state::material::{FACES, TRACKED};
-use crate::state::matrix::{MATRIX_MODE, MAX_MODELVIEW_STACK_DEPTH, MAX_STACK_DEPTH, Stack};
+use crate::state::matrix::{MATRIX_MODE, MAX_MODELVIEW_STACK_DEPTH, MAX_STACK_DEPTH};
 use crate::state::multisample::MAX_SAMPLE_MASK_WORDS;
 use crate::state::pixel_store::PixelStore;
 use crate::state::points::ORIGIN;
@@ -31,6 +31,7 @@ use crate::texture::pixel_map::MAX_PIXEL_MAP_TABLE;
 use crate::texture::{TextureTarget, transfer};
 use crate::types::*;
 use crate::uniform_buffer;
+use glam::DMat4;
 use rasterizer::driver::{DepthWrite, MAX_LINE_WIDTH, MAX_POINT_SIZE};
 
 /// State, before the conversion to the type that was asked for.
@@ -73,8 +74,7 @@ pub(crate) fn unit(values: &[f32]) -> Result<Value> {
     Ok(Value::Unit(values.iter().map(|&value| value.into()).collect()))
 }
 
-fn matrix(stack: &Stack, transposed: bool) -> Result<Value> {
-    let matrix = if transposed { stack.top.transpose() } else { stack.top };
+fn matrix(matrix: DMat4) -> Result<Value> {
     Ok(Value::Floats(matrix.to_cols_array().to_vec()))
 }
 
@@ -230,12 +230,14 @@ fn transform(context: &Context, pname: GLenum) -> Answer {
     };
     Some(match pname {
         GL_MATRIX_MODE => symbol(MATRIX_MODE.encode(matrices.mode)),
-        GL_MODELVIEW_MATRIX => matrix(&matrices.modelview, false),
-        GL_PROJECTION_MATRIX => matrix(&matrices.projection, false),
-        GL_TEXTURE_MATRIX => texture().and_then(|texture| matrix(texture, false)),
-        GL_TRANSPOSE_MODELVIEW_MATRIX => matrix(&matrices.modelview, true),
-        GL_TRANSPOSE_PROJECTION_MATRIX => matrix(&matrices.projection, true),
-        GL_TRANSPOSE_TEXTURE_MATRIX => texture().and_then(|texture| matrix(texture, true)),
+        GL_MODELVIEW_MATRIX => matrix(matrices.modelview.top),
+        GL_PROJECTION_MATRIX => matrix(matrices.projection.top),
+        GL_TEXTURE_MATRIX => texture().and_then(|texture| matrix(texture.top)),
+        GL_TRANSPOSE_MODELVIEW_MATRIX => matrix(matrices.modelview.top.transpose()),
+        GL_TRANSPOSE_PROJECTION_MATRIX => matrix(matrices.projection.top.transpose()),
+        GL_TRANSPOSE_TEXTURE_MATRIX => {
+            texture().and_then(|texture| matrix(texture.top.transpose()))
+        }
         GL_MODELVIEW_STACK_DEPTH => int(matrices.modelview.depth()),
         GL_PROJECTION_STACK_DEPTH => int(matrices.projection.depth()),
         GL_TEXTURE_STACK_DEPTH => texture().and_then(|texture| int(texture.depth())),

@@ -199,7 +199,15 @@ fn set_bit(bits: &mut u8, bit: u8, on: bool) {
     *bits = *bits & !(1 << bit) | u8::from(on) << bit;
 }
 
-fn switch(context: &mut Context, cap: GLenum, on: bool) -> Result<()> {
+/// What a call does to a capability.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Switch {
+    On,
+    Off,
+}
+
+fn switch(context: &mut Context, cap: GLenum, to: Switch) -> Result<()> {
+    let on = to == Switch::On;
     match capability(cap)? {
         Capability::Flag(flag) => {
             if flag == Flag::ColorMaterial {
@@ -233,16 +241,16 @@ fn switch(context: &mut Context, cap: GLenum, on: bool) -> Result<()> {
 /// GL 1.1's drivers switch the client's arrays by `glEnable` too, and programs came to rely on it.
 pub(crate) fn enable(context: &mut Context, cap: GLenum) -> Result<()> {
     if CLIENT_ARRAY.get(cap).is_some() {
-        return switch_client(context, cap, true);
+        return switch_client(context, cap, Switch::On);
     }
-    switch(context, cap, true)
+    switch(context, cap, Switch::On)
 }
 
 pub(crate) fn disable(context: &mut Context, cap: GLenum) -> Result<()> {
     if CLIENT_ARRAY.get(cap).is_some() {
-        return switch_client(context, cap, false);
+        return switch_client(context, cap, Switch::Off);
     }
-    switch(context, cap, false)
+    switch(context, cap, Switch::Off)
 }
 
 pub(crate) fn is_enabled(context: &mut Context, cap: GLenum) -> Result<bool> {
@@ -289,7 +297,8 @@ fn client_location(context: &Context, location: u8) -> usize {
     usize::from(location + unit)
 }
 
-fn switch_client(context: &mut Context, array: GLenum, on: bool) -> Result<()> {
+fn switch_client(context: &mut Context, array: GLenum, to: Switch) -> Result<()> {
+    let on = to == Switch::On;
     // NV_primitive_restart has it among the client's arrays.
     if array == GL_PRIMITIVE_RESTART_NV {
         context.state.enables.set(Flag::PrimitiveRestart, on);
@@ -301,9 +310,9 @@ fn switch_client(context: &mut Context, array: GLenum, on: bool) -> Result<()> {
 }
 
 pub(crate) fn enable_client_state(context: &mut Context, array: GLenum) -> Result<()> {
-    switch_client(context, array, true)
+    switch_client(context, array, Switch::On)
 }
 
 pub(crate) fn disable_client_state(context: &mut Context, array: GLenum) -> Result<()> {
-    switch_client(context, array, false)
+    switch_client(context, array, Switch::Off)
 }

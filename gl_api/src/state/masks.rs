@@ -2,7 +2,7 @@
 //! sections 4.1.10 and 4.2.2; `EXT_draw_buffers2`.
 
 use super::blend::Formula;
-use super::enable::Flag;
+use super::enable::{Flag, Switch};
 use super::multisample;
 use crate::constants::*;
 use crate::context::{Context, limits};
@@ -106,9 +106,9 @@ fn indexed(target: GLenum, buffer: GLuint) -> Result<usize> {
     buffer_index("index", buffer)
 }
 
-fn switch(context: &mut Context, target: GLenum, buffer: GLuint, on: bool) -> Result<()> {
+fn switch(context: &mut Context, target: GLenum, buffer: GLuint, to: Switch) -> Result<()> {
     let buffer = indexed(target, buffer)?;
-    context.state.fragment.buffers[buffer].blend = on;
+    context.state.fragment.buffers[buffer].blend = to == Switch::On;
     // `glIsEnabled(GL_BLEND)` answers for the first one.
     let first = context.state.fragment.buffers[0].blend;
     context.state.enables.set(Flag::Blend, first);
@@ -116,11 +116,11 @@ fn switch(context: &mut Context, target: GLenum, buffer: GLuint, on: bool) -> Re
 }
 
 pub(crate) fn enablei(context: &mut Context, target: GLenum, index: GLuint) -> Result<()> {
-    switch(context, target, index, true)
+    switch(context, target, index, Switch::On)
 }
 
 pub(crate) fn disablei(context: &mut Context, target: GLenum, index: GLuint) -> Result<()> {
-    switch(context, target, index, false)
+    switch(context, target, index, Switch::Off)
 }
 
 pub(crate) fn is_enabledi(context: &mut Context, target: GLenum, index: GLuint) -> Result<bool> {

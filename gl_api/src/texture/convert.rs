@@ -6,7 +6,7 @@
 //! path.
 
 use super::client::{ClientFormat, ClientType, LuminanceOf, Numbers};
-use super::layout::Layout;
+use super::layout::{ByteOrder, Layout};
 use super::texel::{self, Bytes};
 use super::transfer::{Kind, Steps, Transfer};
 use crate::state::clamp::Clamp;
@@ -61,7 +61,7 @@ impl<'a> Conversion<'a> {
         let (ty, size) = (self.layout.pixel.ty, self.layout.pixel.ty.size());
         let mut words = [0; 4];
         for (word, element) in words.iter_mut().zip(pixel.chunks_exact(size)) {
-            *word = load(element, self.layout.swap);
+            *word = load(element, self.layout.order);
         }
         let components = ty.read(words, self.layout.pixel.elements(self.numbers));
         let rgba = self.layout.pixel.format.expand(components);
@@ -81,7 +81,7 @@ impl<'a> Conversion<'a> {
         }
         let words = ty.write(components, self.numbers);
         for (word, element) in words.into_iter().zip(pixel.chunks_exact_mut(size)) {
-            store(word, element, self.layout.swap);
+            store(word, element, self.layout.order);
         }
     }
 
@@ -117,7 +117,7 @@ impl<'a> Conversion<'a> {
     fn elements(&self) -> Option<(usize, [usize; 4])> {
         let ty = self.layout.pixel.ty;
         let plain = (ty.size(), [0, 1, 2, 3]);
-        let is_native = cfg!(target_endian = "little") && !self.layout.swap;
+        let is_native = cfg!(target_endian = "little") && self.layout.order == ByteOrder::Native;
         let info = self.format.info();
         let bits = info.fields[0].bits;
         // Channels one after the other, as `FormatInfo::uniform` has them.
@@ -244,10 +244,10 @@ impl Shuffle {
 
 /// An element of up to four bytes as a word.
 #[inline]
-fn load(element: &[u8], swap: bool) -> u32 {
+fn load(element: &[u8], order: ByteOrder) -> u32 {
     let mut bytes = [0; 4];
     bytes[..element.len()].copy_from_slice(element);
-    if swap {
+    if order == ByteOrder::Swapped {
         bytes[..element.len()].reverse();
     }
     match (bytes, element.len()) {
@@ -259,13 +259,13 @@ fn load(element: &[u8], swap: bool) -> u32 {
 
 /// The low bytes of a word as an element.
 #[inline]
-fn store(word: u32, element: &mut [u8], swap: bool) {
+fn store(word: u32, element: &mut [u8], order: ByteOrder) {
     match element.len() {
         1 => element[0] = word as u8,
         2 => element.copy_from_slice(&(word as u16).to_ne_bytes()),
         _ => element.copy_from_slice(&word.to_ne_bytes()),
     }
-    if swap {
+    if order == ByteOrder::Swapped {
         element.reverse();
     }
 }

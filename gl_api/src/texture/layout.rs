@@ -13,6 +13,15 @@ pub(crate) enum Extent {
     Volume,
 }
 
+/// The order of the bytes of an element in the client's memory.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ByteOrder {
+    /// The processor's.
+    Native,
+    /// The other one: `GL_UNPACK_SWAP_BYTES`.
+    Swapped,
+}
+
 /// Where a box of pixels lies in the client's memory.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Layout {
@@ -27,8 +36,8 @@ pub(crate) struct Layout {
     pub image_stride: usize,
     /// Bytes that the memory must have.
     pub needed: usize,
-    /// Whether the bytes of each element are reversed.
-    pub swap: bool,
+    /// The order of an element's bytes; of one byte the processor's.
+    pub order: ByteOrder,
     /// Where the pixels are bits: how they lie in their bytes.
     pub bits: Option<Bits>,
 }
@@ -117,6 +126,7 @@ impl Layout {
         };
         let byte =
             |value: u128| usize::try_from(value).ok().filter(|&bytes| bytes <= isize::MAX as usize);
+        let is_swapped = store.swap_bytes && pixel.ty.size() > 1;
         match (byte(start), byte(stride), byte(image_stride), byte(needed)) {
             (Some(start), Some(stride), Some(image_stride), Some(needed)) => Ok(Self {
                 pixel,
@@ -125,7 +135,7 @@ impl Layout {
                 stride,
                 image_stride,
                 needed,
-                swap: store.swap_bytes && pixel.ty.size() > 1,
+                order: if is_swapped { ByteOrder::Swapped } else { ByteOrder::Native },
                 bits,
             }),
             _ => invalid_operation(

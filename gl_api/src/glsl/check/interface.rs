@@ -121,10 +121,9 @@ impl Checker<'_> {
         };
         match found {
             Ok(storage) => {
-                let is = |old| word.is_some_and(|(qualifier, _)| qualifier == old);
-                self.check_passing(storage, &words_of_passing, is(Qualifier::Varying));
-                let old = is(Qualifier::Attribute) || is(Qualifier::Varying);
-                self.check_location(storage, &ty.qualifiers, old);
+                let word = word.map(|(qualifier, _)| qualifier);
+                self.check_passing(storage, &words_of_passing, word);
+                self.check_location(storage, &ty.qualifiers, word);
                 if let Some(span) = invariant {
                     self.check_invariant(storage, span);
                 }
@@ -153,9 +152,15 @@ impl Checker<'_> {
     }
 
     /// Words about interpolation stand at what passes from the vertex to the fragment stage, and
-    /// not at the deprecated `varying` (GLSL 1.30 section 4.3).
-    fn check_passing(&mut self, storage: Storage, words: &[(Qualifier, Span)], varying: bool) {
+    /// not where the word for the storage is the deprecated `varying` (GLSL 1.30 section 4.3).
+    fn check_passing(
+        &mut self,
+        storage: Storage,
+        words: &[(Qualifier, Span)],
+        word: Option<Qualifier>,
+    ) {
         let passes = matches!(storage, Storage::Output(_) | Storage::Input(_));
+        let varying = word == Some(Qualifier::Varying);
         let deprecated = varying && !self.language.enabled(Extension::GpuShader4);
         for (qualifier, span) in words {
             let (message, help) = if !passes {
@@ -174,12 +179,17 @@ impl Checker<'_> {
 
     /// Locations are of the `in`s of the vertex stage and the `out`s of the fragment stage
     /// (ARB_explicit_attrib_location); the older words take none.
-    fn check_location(&mut self, storage: Storage, qualifiers: &[(Qualifier, Span)], old: bool) {
+    fn check_location(
+        &mut self,
+        storage: Storage,
+        qualifiers: &[(Qualifier, Span)],
+        word: Option<Qualifier>,
+    ) {
         let location =
             qualifiers.iter().find(|(qualifier, _)| matches!(qualifier, Qualifier::Location(_)));
         let Some(&(_, span)) = location else { return };
         let has_one = matches!(storage, Storage::Attribute | Storage::FragmentOutput);
-        if has_one && !old {
+        if has_one && !matches!(word, Some(Qualifier::Attribute | Qualifier::Varying)) {
             return;
         }
         let message = "only an `in` of the vertex stage and an `out` of the fragment stage have a \

@@ -73,7 +73,7 @@ impl Lowerer<'_> {
                     let interpolation = said.unwrap_or(Interpolation::Smooth);
                     return Ok(self.varying_input(variable, types, slot, interpolation));
                 }
-                let storage = self.new_slot(&variable.name, types, variable.dynamic);
+                let storage = self.new_slot(variable, types);
                 if variable.written {
                     self.varying_output(&storage, types, slot, copies);
                 }
@@ -110,7 +110,7 @@ impl Lowerer<'_> {
                 vec![Output::Color { target, component }]
             },
         };
-        let storage = self.new_slot(&variable.name, types, variable.dynamic);
+        let storage = self.new_slot(variable, types);
         if variable.written {
             for at in 0..types.len() as u32 {
                 for output in single(at) {

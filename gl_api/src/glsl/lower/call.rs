@@ -31,7 +31,7 @@ impl<'a> Lowerer<'a> {
                 Direction::Out | Direction::Inout => {
                     let place = self.place(argument)?.ok_or_else(not_a_variable)?;
                     let types = parameter.ty.flat();
-                    let slot = self.new_slot(&parameter.name, &types, parameter.dynamic);
+                    let slot = self.new_slot(parameter, &types);
                     let start = match direction {
                         Direction::Inout => self.load(&place)?,
                         Direction::In | Direction::Out => {
@@ -81,7 +81,7 @@ impl<'a> Lowerer<'a> {
         if !parameter.written && !parameter.dynamic {
             return Ok(Slot::Values(values.into()));
         }
-        let slot = self.new_slot(&parameter.name, &parameter.ty.flat(), parameter.dynamic);
+        let slot = self.new_slot(parameter, &parameter.ty.flat());
         self.fill(&slot, &values);
         Ok(slot)
     }
@@ -106,7 +106,7 @@ impl<'a> Lowerer<'a> {
             return value.as_ref().map_or(Ok(Vec::new()), |value| self.expr(value));
         }
         let types = function.result.flat();
-        let slot = self.new_slot(&function.name, &types, false);
+        let slot = self.new_vars(&function.name, &types);
         if let Slot::Vars(vars) = &slot {
             self.frame().result = vars.to_vec();
         }

@@ -172,7 +172,7 @@ impl Lowerer<'_> {
             let pairs = a.iter().zip(&b);
             return Ok(pairs.map(|(&a, &b)| self.emit.select(condition, a, b)).collect());
         }
-        let slot = self.new_slot("chosen", &accept.ty.flat(), false);
+        let slot = self.new_vars("chosen", &accept.ty.flat());
         let mut blocks = Vec::new();
         for part in [accept, reject] {
             self.emit.builder.begin();

@@ -236,14 +236,14 @@ impl Lowerer<'_> {
                 Ok(self.inputs(variable, &types, zero))
             }
             (Storage::Output(_), Some(Binding::Varying(slot))) => {
-                let storage = self.new_slot(&variable.name, &types, variable.dynamic);
+                let storage = self.new_slot(variable, &types);
                 if let Some(first) = slot {
                     self.varying_output(&storage, &types, first, copies);
                 }
                 Ok(storage)
             }
             (Storage::FragmentOutput, Some(Binding::Target(target))) => {
-                let storage = self.new_slot(&variable.name, &types, variable.dynamic);
+                let storage = self.new_slot(variable, &types);
                 let each = variable.ty.base().scalars();
                 for at in 0..types.len() as u32 {
                     let (target, component) = (target + (at / each) as u8, (at % each) as u8);
@@ -282,7 +282,7 @@ impl Lowerer<'_> {
                 Ok(Slot::Values(values.into()))
             }
             values => {
-                let slot = self.new_slot(&variable.name, types, variable.dynamic);
+                let slot = self.new_slot(variable, types);
                 if let Some(values) = values {
                     self.fill(&slot, &values);
                 }
@@ -306,7 +306,7 @@ impl Lowerer<'_> {
         if !variable.dynamic {
             return Slot::Values(values.into());
         }
-        let slot = self.new_slot(&variable.name, types, true);
+        let slot = self.new_slot(variable, types);
         self.fill(&slot, &values);
         slot
     }
@@ -349,7 +349,7 @@ impl Lowerer<'_> {
         if !variable.dynamic {
             return Slot::Values(values.into());
         }
-        let slot = self.new_slot(&variable.name, types, true);
+        let slot = self.new_slot(variable, types);
         self.fill(&slot, &values);
         slot
     }

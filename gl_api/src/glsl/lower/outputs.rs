@@ -144,7 +144,7 @@ impl Lowerer<'_> {
         types: &[Ty],
         copies: &mut Vec<Copy>,
     ) -> Slot {
-        let slot = self.new_slot(&variable.name, types, variable.dynamic);
+        let slot = self.new_slot(variable, types);
         if variable.written {
             for plane in 0..MAX_CLIP_PLANES {
                 let var = self.emit.builder.output(Output::ClipDistance(plane));
@@ -161,7 +161,7 @@ impl Lowerer<'_> {
         types: &[Ty],
         copies: &mut Vec<Copy>,
     ) -> Slot {
-        let slot = self.new_slot(&variable.name, types, variable.dynamic);
+        let slot = self.new_slot(variable, types);
         if variable.written {
             for plane in 0..types.len() as u8 {
                 let (at, part) = (plane.into(), Part::ClipDistance(plane));

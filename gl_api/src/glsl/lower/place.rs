@@ -3,7 +3,7 @@
 use super::expr::not_a_variable;
 use super::{Failure, Lowered, Lowerer};
 use crate::glsl::builtins::state::StateArray;
-use crate::glsl::hir::{Expr, ExprKind, VarRef};
+use crate::glsl::hir::{Expr, ExprKind, VarRef, Variable};
 use crate::glsl::types::Type;
 use rasterizer::ir::{Expr as IrExpr, Op, Stmt, Ty, Value, Var};
 use std::rc::Rc;
@@ -64,19 +64,30 @@ impl Place {
 }
 
 impl Lowerer<'_> {
-    /// New variables for scalars of these types; arrays if they are indexed dynamically.
-    pub(super) fn new_slot(&mut self, name: &str, types: &[Ty], dynamic: bool) -> Slot {
-        let builder = &mut self.emit.builder;
-        if !dynamic {
-            return Slot::Vars(types.iter().map(|&ty| builder.variable(name, ty)).collect());
+    /// Where a variable of scalars of these types lives: in arrays if it is indexed dynamically.
+    pub(super) fn new_slot(&mut self, variable: &Variable, types: &[Ty]) -> Slot {
+        if variable.dynamic {
+            Slot::Arrays(Rc::new(self.new_arrays(&variable.name, types)))
+        } else {
+            self.new_vars(&variable.name, types)
         }
+    }
+
+    /// New variables for scalars of these types.
+    pub(super) fn new_vars(&mut self, name: &str, types: &[Ty]) -> Slot {
+        let builder = &mut self.emit.builder;
+        Slot::Vars(types.iter().map(|&ty| builder.variable(name, ty)).collect())
+    }
+
+    /// The same in arrays, to be indexed dynamically.
+    fn new_arrays(&mut self, name: &str, types: &[Ty]) -> Arrays {
         let mut vars: Vec<(Ty, Var)> = Vec::new();
         for &ty in types {
             if !vars.iter().any(|(known, _)| *known == ty) {
-                vars.push((ty, builder.array(name, ty, types.len() as u32)));
+                vars.push((ty, self.emit.builder.array(name, ty, types.len() as u32)));
             }
         }
-        Slot::Arrays(Rc::new(Arrays { types: types.into(), vars }))
+        Arrays { types: types.into(), vars }
     }
 
     /// Writes every scalar of a variable.
@@ -87,12 +98,14 @@ impl Lowerer<'_> {
                     self.emit.push(Stmt::Store { var, value });
                 }
             }
-            Slot::Arrays(arrays) => {
-                for (index, &value) in values.iter().enumerate() {
-                    self.store_element(arrays, index as u32, None, value);
-                }
-            }
+            Slot::Arrays(arrays) => self.fill_arrays(arrays, values),
             Slot::Values(_) | Slot::Uniform(..) | Slot::States(..) | Slot::Alias(_) => {}
+        }
+    }
+
+    fn fill_arrays(&mut self, arrays: &Arrays, values: &[Value]) {
+        for (index, &value) in values.iter().enumerate() {
+            self.store_element(arrays, index as u32, None, value);
         }
     }
 
@@ -327,16 +340,9 @@ impl Lowerer<'_> {
     /// Puts values into arrays, to be indexed dynamically.
     fn spill(&mut self, values: &[Value]) -> Arrays {
         let types: Vec<Ty> = values.iter().map(|&value| self.emit.ty(value)).collect();
-        let slot = self.new_slot("spilt", &types, true);
-        self.fill(&slot, values);
-        match slot {
-            Slot::Arrays(arrays) => (*arrays).clone(),
-            Slot::Values(_)
-            | Slot::Vars(_)
-            | Slot::Uniform(..)
-            | Slot::States(..)
-            | Slot::Alias(_) => Arrays { types: types.into(), vars: Vec::new() },
-        }
+        let arrays = self.new_arrays("spilt", &types);
+        self.fill_arrays(&arrays, values);
+        arrays
     }
 
     /// Writes a part.

@@ -96,7 +96,7 @@ impl<'a> Lowerer<'a> {
             }
             values => {
                 let types = variable.ty.flat();
-                let slot = self.new_slot(&variable.name, &types, variable.dynamic);
+                let slot = self.new_slot(variable, &types);
                 match values {
                     Some(values) => self.fill(&slot, &values),
                     // Without an initializer it is zero, also in the next turn of a loop.
