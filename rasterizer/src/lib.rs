@@ -16,6 +16,7 @@
 //! | `output` | depth test, blending, masks, packing |
 //! | `target` | attachments as tiles of words in lane order |
 //! | [`trace`] | what happened to a pixel that is watched |
+//! | `pool` | what threads work with, kept, and how they share the work |
 #![forbid(unsafe_code)]
 
 pub mod driver;

@@ -116,7 +116,7 @@ impl SampleKernel {
     }
 }
 
-/// Which kernels read texels. Both give the same bits.
+/// Which kernels read texels. All give the same bits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Way {
     /// Any texture.

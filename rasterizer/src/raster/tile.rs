@@ -51,7 +51,7 @@ pub struct Worker {
     draw: Option<usize>,
     /// The number of the shape that is filled, if it has one, see [`BlockRun::level`].
     level: Option<u64>,
-    /// How many had one.
+    /// How many have been asked whether they have one: the numbers that are taken.
     levels: u64,
 }
 

@@ -1,5 +1,6 @@
-//! The short way for most textures: two-dimensional, of bytes, sRGB bytes, halves, floats or blocks,
-//! where neither the border nor another face is reached and nothing is compared.
+//! The short way for most textures: two-dimensional, of bytes, sRGB bytes, halves, floats, depths or
+//! blocks, where neither the border nor another face is reached. Nothing is compared here: where the
+//! texel that it gives of each lane is all that a comparison needs, [`super::flat`] makes it.
 //!
 //! Gives the bits of the general way in `filter` (a test holds this), in fewer passes: whole
 //! offsets in one loop, the two texels of a row in one gather, channels from words in registers.
