@@ -86,17 +86,6 @@ pub fn block(isa: Isa, edges: &[Edge; 3], bx: i32, by: i32) -> Coverage {
     }
 }
 
-/// The lanes where no edge function is negative.
-struct Inside([(i32, i32, i32); 3]);
-
-impl Kernel for Inside {
-    type Output = u64;
-    #[inline(always)]
-    fn run<S: Simd>(self) -> u64 {
-        inside::<S>(self.0)
-    }
-}
-
 /// Column of each lane.
 const COLUMN: [i32; LANES] = coordinates(0);
 /// Row of each lane.
@@ -114,19 +103,24 @@ const fn coordinates(axis: usize) -> [i32; LANES] {
 
 /// The lanes of 8×8 pixels where none of three edge functions is negative, given their values at
 /// the first pixel and their steps.
-#[inline(always)]
-fn inside<S: Simd>(edges: [(i32, i32, i32); 3]) -> u64 {
-    let [(e0, x0, y0), (e1, x1, y1), (e2, x2, y2)] = edges;
-    let mut outside = U32s::ZERO;
-    for lane in 0..LANES {
-        let at = |e: i32, x: i32, y: i32| {
-            let across = x.wrapping_mul(COLUMN[lane]);
-            e.wrapping_add(across).wrapping_add(y.wrapping_mul(ROW[lane]))
-        };
-        // The sign bit is set if any of the three has it.
-        outside[lane] = (at(e0, x0, y0) | at(e1, x1, y1) | at(e2, x2, y2)) as u32 & 1 << 31;
+struct Inside([(i32, i32, i32); 3]);
+
+impl Kernel for Inside {
+    type Output = u64;
+    #[inline(always)]
+    fn run<S: Simd>(self) -> u64 {
+        let [(e0, x0, y0), (e1, x1, y1), (e2, x2, y2)] = self.0;
+        let mut outside = U32s::ZERO;
+        for lane in 0..LANES {
+            let at = |e: i32, x: i32, y: i32| {
+                let across = x.wrapping_mul(COLUMN[lane]);
+                e.wrapping_add(across).wrapping_add(y.wrapping_mul(ROW[lane]))
+            };
+            // The sign bit is set if any of the three has it.
+            outside[lane] = (at(e0, x0, y0) | at(e1, x1, y1) | at(e2, x2, y2)) as u32 & 1 << 31;
+        }
+        !S::nonzero(&outside)
     }
-    !S::nonzero(&outside)
 }
 
 /// The lane of column `x`, row `y` of a block.

@@ -322,9 +322,7 @@ impl Shader {
             }
         }
     }
-}
 
-impl Shader {
     /// The tests that had to wait for the program; `output` is its output that holds the depth, if any
     /// does.
     fn late_tests(
