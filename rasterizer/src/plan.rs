@@ -370,29 +370,7 @@ impl DrawPlan {
             let _ = writeln!(text, "  {name:<12} {what}");
         };
         line("vertex", compiled.vertex.describe());
-        let dropped = compiled.written_varyings.saturating_sub(compiled.varyings.len());
-        line(
-            "varyings",
-            format!(
-                "{} scalars interpolated{}{}{}",
-                compiled.varyings.len(),
-                if compiled.left > 0 {
-                    format!(", of them {} made of others at the vertices", compiled.left)
-                } else {
-                    String::new()
-                },
-                if dropped > 0 {
-                    format!("; left out: {dropped} that the fragment stage does not read")
-                } else {
-                    String::new()
-                },
-                if self.denominator_plane.is_none() {
-                    "; left out: perspective division (nothing smooth is read)"
-                } else {
-                    ""
-                },
-            ),
-        );
+        line("varyings", self.describe_varyings());
         line(
             "depth",
             match (self.tests.depth, desc.depth) {
@@ -430,22 +408,7 @@ impl DrawPlan {
             );
         }
         for color in &self.colors {
-            line(
-                &format!("colour {}", color.target),
-                format!(
-                    "{}, written bits {}",
-                    match (color.logic_op, color.blend) {
-                        (Some(op), _) => format!("logical operation, {op:?}"),
-                        (None, Some(blend)) => format!("blended, {:?}", blend.equation),
-                        (None, None) => "left out: blending (the old colour is not read)".into(),
-                    },
-                    color.write[..color.format.words()]
-                        .iter()
-                        .map(|word| format!("{word:08x}"))
-                        .collect::<Vec<_>>()
-                        .join(" "),
-                ),
-            );
+            line(&format!("colour {}", color.target), describe_color(color));
         }
         if self.samples.count > 1 {
             let how =
@@ -455,6 +418,37 @@ impl DrawPlan {
         line("planes", format!("{} evaluated a pixel", self.planes.len()));
         text
     }
+
+    /// What is interpolated.
+    fn describe_varyings(&self) -> String {
+        let compiled = self.pipeline.compiled();
+        let mut text = format!("{} scalars interpolated", compiled.varyings.len());
+        if compiled.left > 0 {
+            let _ = write!(text, ", of them {} made of others at the vertices", compiled.left);
+        }
+        let dropped = compiled.written_varyings.saturating_sub(compiled.varyings.len());
+        if dropped > 0 {
+            let _ = write!(text, "; left out: {dropped} that the fragment stage does not read");
+        }
+        if self.denominator_plane.is_none() {
+            text += "; left out: perspective division (nothing smooth is read)";
+        }
+        text
+    }
+}
+
+/// What is done to an attachment.
+fn describe_color(color: &ColorPlan) -> String {
+    let how = match (color.logic_op, color.blend) {
+        (Some(op), _) => format!("logical operation, {op:?}"),
+        (None, Some(blend)) => format!("blended, {:?}", blend.equation),
+        (None, None) => "left out: blending (the old colour is not read)".into(),
+    };
+    let mut text = format!("{how}, written bits");
+    for word in &color.write[..color.format.words()] {
+        let _ = write!(text, " {word:08x}");
+    }
+    text
 }
 
 /// The components of attributes that vertices have for themselves.
