@@ -3,9 +3,10 @@
 #[cfg(test)]
 mod tests;
 
+use super::simd::{Kernel, Simd, private};
 use super::walk::{self, Walk};
 use super::weigh::{self, Sums};
-use super::{F32s, LANES, U32s};
+use super::{F32s, U32s};
 use super::{gather, math, reduce};
 use thiserror::Error;
 
@@ -145,147 +146,6 @@ impl Isa {
     }
 }
 
-/// One body of loops over lanes, compiled once per instruction set.
-///
-/// `run`, and every function it calls on the hot path, must be `#[inline(always)]`: only what is
-/// inlined takes on the instruction set. What is not inlined is still right, only slower.
-pub trait Kernel {
-    /// What the kernel gives back.
-    type Output;
-    /// The body. `S` provides the few operations that LLVM does not find by itself.
-    fn run<S: Simd>(self) -> Self::Output;
-}
-
-/// The operations that plain loops do not reach on every instruction set.
-pub trait Simd: Copy + private::Sealed {
-    /// Whether it is worth the size of a kernel to have a shorter way beside one that does as well.
-    const WIDE: bool;
-
-    /// Runs a kernel of the same instruction set as a function of its own: for what is large, and stands in
-    /// many places.
-    fn apart<K: Kernel>(kernel: K) -> K::Output;
-
-    /// Reads the four bytes at each byte offset as a little-endian word.
-    ///
-    /// # Panics
-    /// When an offset's four bytes are not all inside `bytes`.
-    #[inline(always)]
-    fn gather(bytes: &[u8], offsets: &U32s) -> U32s {
-        Self::apart(gather::Words { bytes, offsets })
-    }
-
-    /// Reads the eight bytes at each byte offset as two little-endian words: two neighbouring
-    /// texels for the price of one.
-    ///
-    /// # Panics
-    /// When an offset's eight bytes are not all inside `bytes`.
-    #[inline(always)]
-    fn gather_pairs(bytes: &[u8], offsets: &U32s) -> [U32s; 2] {
-        Self::apart(gather::Pairs { bytes, offsets })
-    }
-
-    /// [`Simd::gather`] without a call: a kilobyte in each place.
-    fn gather_here(bytes: &[u8], offsets: &U32s) -> U32s;
-
-    /// [`Simd::gather_pairs`] without a call: a kilobyte in each place.
-    fn gather_pairs_here(bytes: &[u8], offsets: &U32s) -> [U32s; 2];
-
-    /// Adds to the sum of each byte the bytes of two texels: `first` times the lower half of the
-    /// weight, `second` times its upper half. Weights are up to 2^15 - 1.
-    fn weigh(first: &U32s, second: &U32s, weights: &U32s, sums: &mut Sums);
-
-    /// [`Simd::weigh`] of the texel of `apart` bytes (3 or 4) at each byte offset and the one right
-    /// after. (Of three bytes the sum of the fourth means nothing.)
-    ///
-    /// # Panics
-    /// When an offset's eight bytes are not all inside `bytes`.
-    fn weigh_pairs(bytes: &[u8], offsets: &U32s, apart: u32, weights: &U32s, sums: &mut Sums);
-
-    /// [`Simd::weigh`] of the texels that a walk over rows comes by. Reads beyond `bytes` are of the
-    /// last ones.
-    ///
-    /// # Panics
-    /// When `bytes` are fewer than one read (eight, where texels of 3 or 4 bytes are neighbours, else
-    /// four), or more than 2^31 - 1.
-    #[inline(always)]
-    fn weigh_walk(bytes: &[u8], walk: &Walk<'_>, sums: &mut Sums) {
-        walk::by_rows::<Self>(bytes, walk, sums);
-    }
-
-    /// Reads `table[index]` in each lane.
-    ///
-    /// # Panics
-    /// When an index is not inside `table`.
-    fn gather_f32(table: &[f32], indices: &U32s) -> F32s;
-
-    /// The largest of the 64.
-    fn largest(words: &U32s) -> u32;
-
-    /// The smallest of the 64.
-    #[inline(always)]
-    fn smallest(words: &U32s) -> u32 {
-        let mut turned = U32s::ZERO;
-        for lane in 0..LANES {
-            turned[lane] = !words[lane];
-        }
-        !Self::largest(&turned)
-    }
-
-    /// Whether any lane is not 0.
-    fn any(words: &U32s) -> bool;
-
-    /// Whether every lane is below `bound`.
-    #[inline(always)]
-    fn below(words: &U32s, bound: u32) -> bool {
-        Self::largest(words) < bound
-    }
-
-    /// Which lanes are not 0, bit by lane.
-    fn nonzero(words: &U32s) -> u64;
-
-    /// Reads `table[word >> shift & 0xFF]` in each lane; `shift` is 0, 8, 16 or 24.
-    #[inline(always)]
-    fn lookup(table: &[f32; 256], words: &U32s, shift: u32) -> F32s {
-        Self::gather_f32(table, &gather::bytes(words, shift))
-    }
-
-    /// [`math::floor`] of one lane.
-    #[inline(always)]
-    fn floor(x: f32) -> f32 {
-        math::floor(x)
-    }
-
-    /// [`Simd::floor`] of one lane, whose zero has any sign.
-    #[inline(always)]
-    fn floor_unsigned(x: f32) -> f32 {
-        math::floor(x)
-    }
-
-    /// [`math::floor_small`] of one lane that is known to be small; of others some integer.
-    #[inline(always)]
-    fn floor_small(x: f32) -> (i32, f32) {
-        math::floor_small(x)
-    }
-
-    /// [`math::ceil`] of one lane.
-    #[inline(always)]
-    fn ceil(x: f32) -> f32 {
-        math::ceil(x)
-    }
-
-    /// [`math::trunc`] of one lane.
-    #[inline(always)]
-    fn trunc(x: f32) -> f32 {
-        math::trunc(x)
-    }
-
-    /// [`math::round_even`] of one lane.
-    #[inline(always)]
-    fn round_even(x: f32) -> f32 {
-        math::round_even(x)
-    }
-}
-
 /// Rounding by the instruction that AVX has for it; the same bits as [`math`]'s, whose zeros are
 /// positive but for `round_even`'s.
 #[cfg(target_arch = "x86_64")]
@@ -317,11 +177,6 @@ macro_rules! rounding_instructions {
             x.round_ties_even()
         }
     };
-}
-
-mod private {
-    /// Keeps [`super::Simd`] to the instruction sets of this module.
-    pub trait Sealed {}
 }
 
 /// Plain operations, for one lane outside of a kernel too.

@@ -1,6 +1,7 @@
 //! What every instruction set gives, against plain arithmetic.
 
 use super::*;
+use crate::lanes::LANES;
 
 struct Largest<'a>(&'a U32s);
 impl Kernel for Largest<'_> {
