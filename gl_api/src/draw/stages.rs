@@ -10,7 +10,7 @@ use crate::context::Context;
 use crate::error::{ErrorCode, GlError, Result, invalid_operation};
 use crate::explain::DrawNote;
 use crate::fixed::{
-    FragmentKey, add_alpha_test, add_clip_planes, add_coverage, add_two_sides, cached,
+    FragmentKey, VertexKey, add_alpha_test, add_clip_planes, add_coverage, add_two_sides, cached,
     clamp_fragment_colors, set_shade_model, word,
 };
 use crate::framebuffer::complete::draws_integers;
@@ -94,6 +94,64 @@ pub(super) fn internal(error: &IrError) -> GlError {
     }
 }
 
+/// The stages that programs bring, and what they read.
+#[derive(Default)]
+struct Programs {
+    vertex: Option<ShaderModule>,
+    fragment: Option<ShaderModule>,
+    samplers: Vec<SamplerSlot>,
+    words: Vec<u32>,
+    /// What the shaders say of the colours' interpolation.
+    said: [Option<Interpolation>; 2],
+    /// Of a vertex and a fragment stage that are assembly: where positions come from.
+    assembly: [Option<Position>; 2],
+}
+
+impl Programs {
+    /// The program in use, and assembly programs for the stages that it lacks.
+    fn new(context: &mut Context, name: u32) -> Result<Self> {
+        let mut programs = Self::default();
+        if let Some(linked) = context.objects.linked_program(name) {
+            if let Err(problem) = runnable(linked) {
+                return invalid_operation("GL 2.1, section 2.15.4", problem);
+            }
+            let program = &linked.program;
+            programs.words.clone_from(&linked.words);
+            programs.words.resize(program.words as usize, 0);
+            put_bindings(context, &mut programs.words, &program.state);
+            programs.vertex = linked.vertex_of(clamp::of_vertices(context)).clone();
+            programs.fragment = linked.fragment.clone();
+            programs.samplers.clone_from(&program.samplers);
+            programs.said = program.color_interpolation;
+        }
+        let (words, samplers) = (&mut programs.words, &mut programs.samplers);
+        if let Some(found) = assembled(context, Target::Vertex, words, samplers)? {
+            programs.vertex = Some(found.module);
+            programs.assembly[0] = Some(found.position);
+        }
+        if let Some(found) = assembled(context, Target::Fragment, words, samplers)? {
+            programs.fragment = Some(found.module);
+            programs.assembly[1] = Some(found.position);
+            programs.said = [None; 2];
+        }
+        Ok(programs)
+    }
+
+    /// The first word of the fixed function, which comes behind theirs.
+    fn base(&self) -> u32 {
+        self.words.len() as u32
+    }
+
+    fn textures(
+        &self,
+        context: &mut Context,
+        stage: Stage,
+        module: &ShaderModule,
+    ) -> Result<Textures> {
+        program_textures(context, stage, module, &self.samplers, &self.words)
+    }
+}
+
 /// Chooses the stages.
 pub(crate) fn choose(
     context: &mut Context,
@@ -103,116 +161,129 @@ pub(crate) fn choose(
     let name = context.state.bindings.program.name();
     uniform_buffer::unpack::refresh(context, name)?;
     let clamp = clamp::of_fragments(context);
-    let mut words = Vec::new();
-    let (mut vertex, mut fragment, mut samplers) = (None, None, Vec::new());
-    let mut said = [None; 2];
-    if let Some(linked) = context.objects.linked_program(name) {
-        if let Err(problem) = runnable(linked) {
-            return invalid_operation("GL 2.1, section 2.15.4", problem);
-        }
-        let program = &linked.program;
-        words.clone_from(&linked.words);
-        words.resize(program.words as usize, 0);
-        put_bindings(context, &mut words, &program.state);
-        vertex = linked.vertex_of(clamp::of_vertices(context)).clone();
-        fragment = linked.fragment.clone();
-        samplers.clone_from(&program.samplers);
-        said = program.color_interpolation;
-    }
-    // Assembly programs are the stages that the program in use lacks.
-    let mut assembly = [None; 2];
-    if let Some(found) = assembled(context, Target::Vertex, &mut words, &mut samplers)? {
-        (vertex, assembly[0]) = (Some(found.module), Some(found.position));
-    }
-    if let Some(found) = assembled(context, Target::Fragment, &mut words, &mut samplers)? {
-        (fragment, assembly[1]) = (Some(found.module), Some(found.position));
-        said = [None; 2];
-    }
-    let base = words.len() as u32;
-
-    let two_sided = match vertex {
-        Some(_) => context.state.enables.has(Flag::VertexProgramTwoSide),
-        None => context.state.enables.has(Flag::Lighting) && context.state.lights.model.two_side,
-    };
-    let vertex_textures = match &vertex {
-        Some(module) => program_textures(context, Stage::Vertex, module, &samplers, &words)?,
+    let programs = Programs::new(context, name)?;
+    let vertex_textures = match &programs.vertex {
+        Some(module) => programs.textures(context, Stage::Vertex, module)?,
         None => Arc::from([]),
     };
-    let mut fragment_key = None;
-    let (fragment, fragment_textures) = match fragment.take() {
-        Some(module) => {
-            let textures = program_textures(context, Stage::Fragment, &module, &samplers, &words)?;
+    let fragment = FragmentStage::new(context, &programs, vertices, rim, clamp)?;
+    let vertex = VertexStage::new(context, &programs, vertices)?;
+    let Programs { samplers, mut words, assembly, .. } = programs;
+    let note = context.watched.is_some().then(|| match (&fragment.key, assembly[1]) {
+        (Some(key), _) => DrawNote::of_fixed(context, key),
+        (None, Some(_)) => DrawNote::of_assembly(context, &samplers, &words),
+        (None, None) => DrawNote::of_program(context, name, &fragment.module, &words),
+    });
+    let needed = vertex.module.module().uniform_words.max(fragment.module.module().uniform_words);
+    let keys = Keys {
+        vertex: vertex.key.as_ref(),
+        fragment: fragment.key.as_ref(),
+        clip_planes: vertex.clip_planes,
+        clip_space: vertex.clip_space,
+        clamp,
+    };
+    fixed_words::append(context, &mut words, keys, needed);
+    Ok(Stages {
+        vertex: vertex.module,
+        fragment: fragment.module,
+        words,
+        vertex_textures,
+        fragment_textures: fragment.textures,
+        note,
+    })
+}
+
+/// The fragment stage.
+struct FragmentStage {
+    module: ShaderModule,
+    textures: Textures,
+    /// Of the fixed function.
+    key: Option<FragmentKey>,
+}
+
+impl FragmentStage {
+    /// The programs', or the fixed function. `vertices` are the fixed-function vertex stage's, where it runs.
+    fn new(
+        context: &mut Context,
+        programs: &Programs,
+        vertices: &[VertexBinding],
+        rim: Rim,
+        clamp: Clamp,
+    ) -> Result<Self> {
+        let enables = &context.state.enables;
+        let two_sided = match programs.vertex {
+            Some(_) => enables.has(Flag::VertexProgramTwoSide),
+            None => enables.has(Flag::Lighting) && context.state.lights.model.two_side,
+        };
+        if let Some(module) = &programs.fragment {
+            let textures = programs.textures(context, Stage::Fragment, module)?;
+            let alpha = alpha_test(context);
             let key = VariantKey {
-                alpha: alpha_test(context).map(|compare| (compare, base + word::ALPHA_REF)),
+                alpha: alpha.map(|compare| (compare, programs.base() + word::ALPHA_REF)),
                 shade_model: context.state.raster.shade_model,
                 sides: if two_sided { Sides::Two } else { Sides::One },
                 // Writing fractions clamps.
                 clamp: if clamp::draws_fractions(context) { Clamp::Off } else { clamp },
-                said,
+                said: programs.said,
                 rim,
-                module,
+                module: module.clone(),
             };
-            (program_fragment(context, key, clamp)?, textures)
-        }
-        None => {
-            let own = vertex.is_none().then_some(vertices);
-            let key = keys::fragment_key(context, own, base, clamp);
-            let textures = key.units.iter().map(|unit| {
-                let target = TextureTarget::of(unit.shape);
-                Some(plan(
-                    context,
-                    unit.unit,
-                    target,
-                    ComparisonResult::Placed,
-                    Reader::FixedFunction,
-                ))
+            return Ok(Self {
+                module: program_fragment(context, key, clamp)?,
+                textures,
+                key: None,
             });
-            let textures = textures.collect();
-            let key = fragment_key.insert(FragmentKey {
-                two_sided: key.two_sided || two_sided,
-                rim,
-                ..key
-            });
-            let module = context.recorder.fixed.fragment(key).map_err(|error| internal(&error))?;
-            (module, textures)
         }
-    };
-    let mut vertex_key = None;
-    let mut clip_planes = 0;
-    let mut clip_space = DMat4::IDENTITY;
-    let vertex = match vertex.take() {
-        Some(module) => {
-            match assembly[0] {
-                // ARB_vertex_program, section 2.11: other positions are not cut.
-                Some(Position::Computed) => {}
-                Some(Position::Invariant) => {
-                    clip_planes = context.state.clip.enabled;
-                    if clip_planes != 0 {
-                        clip_space = inverse(context.state.matrices.projection.top).transpose();
-                    }
+        let own = programs.vertex.is_none().then_some(vertices);
+        let key = keys::fragment_key(context, own, programs.base(), clamp);
+        let textures = key.units.iter().map(|unit| {
+            let target = TextureTarget::of(unit.shape);
+            let (result, reader) = (ComparisonResult::Placed, Reader::FixedFunction);
+            Some(plan(context, unit.unit, target, result, reader))
+        });
+        let textures = textures.collect();
+        let key = FragmentKey { two_sided: key.two_sided || two_sided, rim, ..key };
+        let module = context.recorder.fixed.fragment(&key).map_err(|error| internal(&error))?;
+        Ok(Self { module, textures, key: Some(key) })
+    }
+}
+
+/// The vertex stage.
+struct VertexStage {
+    module: ShaderModule,
+    /// Of the fixed function.
+    key: Option<VertexKey>,
+    /// The user clip planes that cut what a program gives, bit by plane, and the space they are in.
+    clip_planes: u8,
+    clip_space: DMat4,
+}
+
+impl VertexStage {
+    /// The programs', or the fixed function.
+    fn new(context: &mut Context, programs: &Programs, vertices: &[VertexBinding]) -> Result<Self> {
+        let (mut clip_planes, mut clip_space) = (0, DMat4::IDENTITY);
+        let base = programs.base();
+        let Some(module) = programs.vertex.clone() else {
+            let key = keys::vertex_key(context, vertices, base);
+            let module = context.recorder.fixed.vertex(&key).map_err(|error| internal(&error))?;
+            return Ok(Self { module, key: Some(key), clip_planes, clip_space });
+        };
+        match programs.assembly[0] {
+            // ARB_vertex_program, section 2.11: other positions are not cut.
+            Some(Position::Computed) => {}
+            Some(Position::Invariant) => {
+                clip_planes = context.state.clip.enabled;
+                if clip_planes != 0 {
+                    clip_space = inverse(context.state.matrices.projection.top).transpose();
                 }
-                None if !clips_itself(&module) => clip_planes = context.state.clip.enabled,
-                None => {}
             }
-            program_vertex(context, VertexVariantKey { module, planes: clip_planes, base })?
+            None if !clips_itself(&module) => clip_planes = context.state.clip.enabled,
+            None => {}
         }
-        None => {
-            let key = vertex_key.insert(keys::vertex_key(context, vertices, base));
-            context.recorder.fixed.vertex(key).map_err(|error| internal(&error))?
-        }
-    };
-    let note = context.watched.is_some().then(|| match &fragment_key {
-        Some(key) => DrawNote::of_fixed(context, key),
-        None => match assembly[1] {
-            Some(_) => DrawNote::of_assembly(context, &samplers, &words),
-            None => DrawNote::of_program(context, name, &fragment, &words),
-        },
-    });
-    let needed = vertex.module().uniform_words.max(fragment.module().uniform_words);
-    let (vertex_key, fragment_key) = (vertex_key.as_ref(), fragment_key.as_ref());
-    let keys = Keys { vertex: vertex_key, fragment: fragment_key, clip_planes, clip_space, clamp };
-    fixed_words::append(context, &mut words, keys, needed);
-    Ok(Stages { vertex, fragment, words, vertex_textures, fragment_textures, note })
+        let key = VertexVariantKey { module, planes: clip_planes, base };
+        let module = program_vertex(context, key)?;
+        Ok(Self { module, key: None, clip_planes, clip_space })
+    }
 }
 
 /// Whether a vertex stage says itself what user clip planes cut.

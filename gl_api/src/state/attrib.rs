@@ -241,48 +241,21 @@ pub(crate) fn pop_attrib(context: &mut Context) -> Result<()> {
 
 /// Puts the groups of plain state back.
 fn restore(state: &mut State, saved: Server) {
-    let has = |bit| saved.mask & bit != 0;
+    let mask = saved.mask;
+    let has = |bit| mask & bit != 0;
+    if has(GL_ENABLE_BIT) {
+        restore_enables(state, &saved);
+    }
     if has(GL_CURRENT_BIT) {
         state.current = saved.current;
         state.raster_position = saved.raster_position;
     }
-    if has(GL_ENABLE_BIT) {
-        state.lights.enabled = saved.lights.enabled;
-        state.evaluators.take_enabled(&saved.evaluators);
-        state.clip.enabled = saved.clip.enabled;
-        for (buffer, saved) in state.fragment.buffers.iter_mut().zip(&saved.fragment.buffers) {
-            buffer.blend = saved.blend;
-        }
-        let units = saved.units.iter().flat_map(|units| units.units.iter());
-        for (unit, saved) in state.units.units.iter_mut().zip(units) {
-            unit.enabled = saved.enabled;
-            for (generate, saved) in unit.generate.iter_mut().zip(&saved.generate) {
-                generate.enabled = saved.enabled;
-            }
-        }
-    }
     if let Some(mut units) = saved.units {
-        // The sprites' coordinates are of the points' group, the units' other state of the textures'.
-        let (points, textures) = (has(GL_POINT_BIT), has(GL_TEXTURE_BIT));
-        for (unit, saved) in state.units.units.iter_mut().zip(units.units.iter_mut()) {
-            let kept = if points { saved.coord_replace } else { unit.coord_replace };
-            (unit.coord_replace, saved.coord_replace) = (kept, kept);
-            // What was deleted meanwhile stays deleted: name 0 is bound in its place.
-            for (now, saved) in unit.bound.iter().zip(&mut saved.bound) {
-                *saved = std::mem::take(saved).restored(now);
-            }
-            saved.sampler = std::mem::take(&mut saved.sampler).restored(&unit.sampler);
-        }
-        if textures {
-            units.client_active = state.units.client_active;
-            state.units = *units;
-        }
+        restore_units(&mut state.units, &mut units, mask);
     }
     if has(GL_LIGHTING_BIT) {
         state.lights = saved.lights;
         state.materials = saved.materials;
-        state.raster.shade_model = saved.raster.shade_model;
-        state.raster.provoking = saved.raster.provoking;
     }
     if has(GL_LIGHTING_BIT | GL_ENABLE_BIT) {
         state.clamp.vertex = saved.clamp.vertex;
@@ -304,59 +277,127 @@ fn restore(state: &mut State, saved: Server) {
     if has(GL_VIEWPORT_BIT) {
         state.viewport = saved.viewport;
     }
-    if has(GL_HINT_BIT) {
-        state.raster.hints = saved.raster.hints;
-    }
-    if has(GL_LINE_BIT) {
-        state.raster.line_width = saved.raster.line_width;
-        state.raster.stipple_factor = saved.raster.stipple_factor;
-        state.raster.stipple_pattern = saved.raster.stipple_pattern;
-    }
-    if has(GL_POLYGON_STIPPLE_BIT) {
-        state.raster.polygons.stipple = saved.raster.polygons.stipple;
-    }
-    if has(GL_POLYGON_BIT) {
-        let stipple = state.raster.polygons.stipple;
-        state.raster.cull = saved.raster.cull;
-        state.raster.front_face = saved.raster.front_face;
-        state.raster.polygons = saved.raster.polygons;
-        state.raster.polygons.stipple = stipple;
-    }
-    if has(GL_MULTISAMPLE_BIT) {
-        state.raster.multisample = saved.raster.multisample;
-    }
-    if has(GL_POINT_BIT) {
-        state.raster.points = saved.raster.points;
-    }
     if has(GL_PIXEL_MODE_BIT) {
         // The maps are of no group (GL 2.1, section 6.2).
         state.transfer = Transfer { maps: state.transfer.maps, ..saved.transfer };
         state.pixel_zoom = saved.pixel_zoom;
     }
+    restore_raster(&mut state.raster, saved.raster, mask);
+    restore_fragments(&mut state.fragment, saved.fragment, mask);
+    restore_clear(&mut state.clear, &saved.clear, mask);
+}
+
+/// Of `GL_ENABLE_BIT`: what is not among the flags.
+fn restore_enables(state: &mut State, saved: &Server) {
+    state.lights.enabled = saved.lights.enabled;
+    state.evaluators.take_enabled(&saved.evaluators);
+    state.clip.enabled = saved.clip.enabled;
+    for (buffer, saved) in state.fragment.buffers.iter_mut().zip(&saved.fragment.buffers) {
+        buffer.blend = saved.blend;
+    }
+    let units = saved.units.iter().flat_map(|units| units.units.iter());
+    for (unit, saved) in state.units.units.iter_mut().zip(units) {
+        unit.enabled = saved.enabled;
+        for (generate, saved) in unit.generate.iter_mut().zip(&saved.generate) {
+            generate.enabled = saved.enabled;
+        }
+    }
+}
+
+/// The groups of texture units: the sprites' coordinates are of the points' group, the units' other
+/// state of the textures'.
+fn restore_units(now: &mut Units, saved: &mut Units, mask: GLbitfield) {
+    let points = mask & GL_POINT_BIT != 0;
+    for (unit, saved) in now.units.iter_mut().zip(saved.units.iter_mut()) {
+        let kept = if points { saved.coord_replace } else { unit.coord_replace };
+        (unit.coord_replace, saved.coord_replace) = (kept, kept);
+        // What was deleted meanwhile stays deleted: name 0 is bound in its place.
+        for (now, saved) in unit.bound.iter().zip(&mut saved.bound) {
+            *saved = std::mem::take(saved).restored(now);
+        }
+        saved.sampler = std::mem::take(&mut saved.sampler).restored(&unit.sampler);
+    }
+    if mask & GL_TEXTURE_BIT != 0 {
+        saved.client_active = now.client_active;
+        std::mem::swap(now, saved);
+    }
+}
+
+/// The groups of rasterization.
+fn restore_raster(now: &mut raster::RasterState, saved: raster::RasterState, mask: GLbitfield) {
+    let has = |bit| mask & bit != 0;
+    if has(GL_LIGHTING_BIT) {
+        now.shade_model = saved.shade_model;
+        now.provoking = saved.provoking;
+    }
+    if has(GL_HINT_BIT) {
+        now.hints = saved.hints;
+    }
+    if has(GL_LINE_BIT) {
+        now.line_width = saved.line_width;
+        now.stipple_factor = saved.stipple_factor;
+        now.stipple_pattern = saved.stipple_pattern;
+    }
+    if has(GL_POLYGON_STIPPLE_BIT) {
+        now.polygons.stipple = saved.polygons.stipple;
+    }
+    if has(GL_POLYGON_BIT) {
+        let stipple = now.polygons.stipple;
+        now.cull = saved.cull;
+        now.front_face = saved.front_face;
+        now.polygons = saved.polygons;
+        now.polygons.stipple = stipple;
+    }
+    if has(GL_MULTISAMPLE_BIT) {
+        now.multisample = saved.multisample;
+    }
+    if has(GL_POINT_BIT) {
+        now.points = saved.points;
+    }
+}
+
+/// The groups of what is done to fragments.
+fn restore_fragments(
+    now: &mut fragment::FragmentState,
+    saved: fragment::FragmentState,
+    mask: GLbitfield,
+) {
+    let has = |bit| mask & bit != 0;
     if has(GL_SCISSOR_BIT) {
-        state.fragment.scissor = saved.fragment.scissor;
+        now.scissor = saved.scissor;
     }
     if has(GL_DEPTH_BUFFER_BIT) {
-        state.fragment.depth_func = saved.fragment.depth_func;
-        state.fragment.depth_write = saved.fragment.depth_write;
-        state.clear.depth = saved.clear.depth;
-    }
-    if has(GL_ACCUM_BUFFER_BIT) {
-        state.clear.accumulation = saved.clear.accumulation;
+        now.depth_func = saved.depth_func;
+        now.depth_write = saved.depth_write;
     }
     if has(GL_STENCIL_BUFFER_BIT) {
-        state.fragment.stencil = saved.fragment.stencil;
-        state.clear.stencil = saved.clear.stencil;
+        now.stencil = saved.stencil;
     }
     if has(GL_COLOR_BUFFER_BIT) {
-        state.fragment.alpha_func = saved.fragment.alpha_func;
-        state.fragment.alpha_ref = saved.fragment.alpha_ref;
-        state.fragment.blend_color = saved.fragment.blend_color;
-        state.fragment.logic_op = saved.fragment.logic_op;
-        state.fragment.buffers = saved.fragment.buffers;
-        state.clear.color = saved.clear.color;
-        state.clear.index = saved.clear.index;
-        state.fragment.index_mask = saved.fragment.index_mask;
+        now.alpha_func = saved.alpha_func;
+        now.alpha_ref = saved.alpha_ref;
+        now.blend_color = saved.blend_color;
+        now.logic_op = saved.logic_op;
+        now.buffers = saved.buffers;
+        now.index_mask = saved.index_mask;
+    }
+}
+
+/// What each buffer is cleared to.
+fn restore_clear(now: &mut fragment::ClearState, saved: &fragment::ClearState, mask: GLbitfield) {
+    let has = |bit| mask & bit != 0;
+    if has(GL_DEPTH_BUFFER_BIT) {
+        now.depth = saved.depth;
+    }
+    if has(GL_ACCUM_BUFFER_BIT) {
+        now.accumulation = saved.accumulation;
+    }
+    if has(GL_STENCIL_BUFFER_BIT) {
+        now.stencil = saved.stencil;
+    }
+    if has(GL_COLOR_BUFFER_BIT) {
+        now.color = saved.color;
+        now.index = saved.index;
     }
 }
 

@@ -14,7 +14,7 @@ use super::diagnostics::{Diagnostic, Log};
 use super::hir::{Function, Storage, Unit, Variable};
 use super::lower::{self, Binding, Words, lower_stage};
 use super::version::{Version, stage_name};
-use super::{Bindings, Linked, Program, SamplerSlot, Shader, Stage};
+use super::{Bindings, Captured, Linked, Program, SamplerSlot, Shader, Stage};
 use crate::interface::MAX_TEXTURE_IMAGE_UNITS;
 use rasterizer::ir::Module;
 use std::collections::{BTreeMap, BTreeSet};
@@ -82,22 +82,7 @@ fn build(shaders: &[&Shader], bindings: &Bindings, log: &mut Log) -> Option<Prog
         None => Vec::new(),
     };
     if let Some(vertex) = &vertex {
-        let position = vertex.used.iter().any(|v| &*v.name == "gl_Position" && v.written);
-        if !position {
-            let message = "the vertex shader never writes gl_Position";
-            // What is seen is undefined in GLSL ES and from 1.40 on; those between forbid it.
-            let is_legal = vertex
-                .units
-                .iter()
-                .all(|unit| unit.version == Version::Es100 || unit.version >= Version::V140);
-            let rule = "GLSL 1.30 section 7.1";
-            if !is_legal {
-                log.push(Diagnostic::link_error(message).rule(rule));
-            } else if captured.is_empty() {
-                // What is captured need not be seen.
-                log.push(Diagnostic::link_warning(message).rule(rule));
-            }
-        }
+        check_position(vertex, &captured, log);
     }
     if log.has_errors() {
         return None;
@@ -105,42 +90,11 @@ fn build(shaders: &[&Shader], bindings: &Bindings, log: &mut Log) -> Option<Prog
 
     let builtin_uniforms = uniforms::builtins(&stages);
     let mut samplers = Vec::new();
-    let mut lower = |stage: &Option<StageUnits<'_>>, locations: &Locations, words: &mut Words| {
-        let stage = stage.as_ref()?;
-        match lower_stage(stage.stage, &stage.units, &stage.reachable, locations, words.clone()) {
-            Ok(lowered) => {
-                *words = lowered.words;
-                let slots = lowered.samplers.into_iter();
-                let stage = stage.stage;
-                let active: BTreeSet<u32> = slots.clone().map(|(_, word, ..)| word).collect();
-                if active.len() > usize::from(MAX_TEXTURE_IMAGE_UNITS) {
-                    let message = format!(
-                        "the {} shader uses {} samplers; a stage has {MAX_TEXTURE_IMAGE_UNITS} \
-                         texture image units",
-                        stage_name(stage),
-                        active.len()
-                    );
-                    log.push(Diagnostic::link_error(message).rule("GL 2.1 section 2.15.3"));
-                }
-                samplers.extend(slots.map(|(slot, word, dim, result)| SamplerSlot {
-                    stage,
-                    slot: slot.0,
-                    word,
-                    dim,
-                    result,
-                }));
-                Some(lowered.module)
-            }
-            Err(failure) => {
-                let stage = stage_name(stage.stage);
-                let message = format!("{stage} shader: {}", failure.0);
-                log.push(Diagnostic::link_error(message));
-                None
-            }
-        }
+    let mut lower = |stage: Option<&StageUnits<'_>>, locations: &Locations| {
+        lowered(stage?, locations, &mut words, &mut samplers, log)
     };
-    let vertex: Option<Module> = lower(&vertex, &in_vertex, &mut words);
-    let fragment: Option<Module> = lower(&fragment, &in_fragment, &mut words);
+    let vertex = lower(vertex.as_ref(), &in_vertex);
+    let fragment = lower(fragment.as_ref(), &in_fragment);
     Some(Program {
         vertex,
         fragment,
@@ -158,6 +112,66 @@ fn build(shaders: &[&Shader], bindings: &Bindings, log: &mut Log) -> Option<Prog
         state: words.state,
         words: words.next,
     })
+}
+
+/// The vertex stage writes the position.
+fn check_position(vertex: &StageUnits<'_>, captured: &[Captured], log: &mut Log) {
+    if vertex.used.iter().any(|v| &*v.name == "gl_Position" && v.written) {
+        return;
+    }
+    let message = "the vertex shader never writes gl_Position";
+    // What is seen is undefined in GLSL ES and from 1.40 on; those between forbid it.
+    let is_legal = vertex
+        .units
+        .iter()
+        .all(|unit| unit.version == Version::Es100 || unit.version >= Version::V140);
+    let rule = "GLSL 1.30 section 7.1";
+    if !is_legal {
+        log.push(Diagnostic::link_error(message).rule(rule));
+    } else if captured.is_empty() {
+        // What is captured need not be seen.
+        log.push(Diagnostic::link_warning(message).rule(rule));
+    }
+}
+
+/// The module of a stage; its words and samplers come to those that there are.
+fn lowered(
+    of: &StageUnits<'_>,
+    locations: &Locations,
+    words: &mut Words,
+    samplers: &mut Vec<SamplerSlot>,
+    log: &mut Log,
+) -> Option<Module> {
+    let stage = of.stage;
+    match lower_stage(stage, &of.units, &of.reachable, locations, words.clone()) {
+        Ok(lowered) => {
+            *words = lowered.words;
+            let slots = lowered.samplers.into_iter();
+            let active: BTreeSet<u32> = slots.clone().map(|(_, word, ..)| word).collect();
+            if active.len() > usize::from(MAX_TEXTURE_IMAGE_UNITS) {
+                let message = format!(
+                    "the {} shader uses {} samplers; a stage has {MAX_TEXTURE_IMAGE_UNITS} \
+                     texture image units",
+                    stage_name(stage),
+                    active.len()
+                );
+                log.push(Diagnostic::link_error(message).rule("GL 2.1 section 2.15.3"));
+            }
+            samplers.extend(slots.map(|(slot, word, dim, result)| SamplerSlot {
+                stage,
+                slot: slot.0,
+                word,
+                dim,
+                result,
+            }));
+            Some(lowered.module)
+        }
+        Err(failure) => {
+            let message = format!("{} shader: {}", stage_name(stage), failure.0);
+            log.push(Diagnostic::link_error(message));
+            None
+        }
+    }
 }
 
 /// The shaders of a stage, checked against each other; `None` if it has none.
