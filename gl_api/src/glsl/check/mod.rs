@@ -10,6 +10,7 @@ mod integers;
 mod interface;
 mod lvalue;
 mod operators;
+mod part;
 mod recursion;
 mod redeclare;
 mod scope;
