@@ -194,7 +194,7 @@ impl Form {
 
 /// The generations of names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Names {
+pub(super) enum Names {
     /// `texture2DProjLod`, with `EXT_gpu_shader4`.
     ByKind,
     /// `textureProjLod`, of 1.30.
@@ -202,7 +202,7 @@ enum Names {
 }
 
 impl Names {
-    fn preamble(self) -> &'static str {
+    pub(super) fn preamble(self) -> &'static str {
         match self {
             Self::ByKind => {
                 "#version 120\n#extension GL_EXT_gpu_shader4 : enable\n\
@@ -228,10 +228,10 @@ impl Names {
 
 /// What went wrong in a table.
 #[derive(Default)]
-struct Wrong(Vec<String>);
+pub(super) struct Wrong(Vec<String>);
 
 impl Wrong {
-    fn check(&mut self, what: &str, got: Result<[u8; 4], String>, want: [u8; 4]) {
+    pub(super) fn check(&mut self, what: &str, got: Result<[u8; 4], String>, want: [u8; 4]) {
         match got {
             Ok(got) if got == want => {}
             Ok(got) => self.0.push(format!("{what}: expected {want:?}, found {got:?}")),
@@ -249,7 +249,7 @@ impl Drop for Wrong {
 }
 
 /// The bytes that stand for a texel.
-fn bytes([x, y, z]: [i32; 3], level: usize) -> [u8; 4] {
+pub(super) fn bytes([x, y, z]: [i32; 3], level: usize) -> [u8; 4] {
     [x as u8, y as u8, z as u8, level as u8]
 }
 
@@ -435,67 +435,6 @@ fn fetches_and_sizes() {
             }
         }
     }
-}
-
-/// The names that other extensions bring, on `GL_TEXTURE_2D` alone: preamble, call, level.
-const EXTENSIONS: &[(&str, &str, usize)] = &[
-    ("", "texture2D(s, vec2(0.3, 0.6))", 0),
-    ("", "texture2D(s, vec2(0.3 + d / 8.0, 0.6), 1.0)", 1),
-    ("", "texture2DProj(s, vec3(0.6, 1.2, 2.0))", 0),
-    (LOD, "texture2DLod(s, vec2(0.3, 0.6), 1.0)", 1),
-    (LOD, "texture2DProjLod(s, vec3(0.6, 1.2, 2.0), 1.0)", 1),
-    (LOD, "texture2DGradARB(s, vec2(0.3, 0.6), vec2(0.25, 0.0), vec2(0.0))", 1),
-    (LOD, "texture2DProjGradARB(s, vec3(0.6, 1.2, 2.0), vec2(0.0, 0.5), vec2(0.0))", 1),
-    (LOD, "texture2DProjGradARB(s, vec4(0.6, 1.2, 7.0, 2.0), vec2(0.0, 0.5), vec2(0.0))", 1),
-];
-const LOD: &str = "#extension GL_ARB_shader_texture_lod : enable";
-
-#[test]
-fn names_of_extensions() {
-    let _current = context();
-    let mut wrong = Wrong::default();
-    let texels = Texels { target: GL_TEXTURE_2D, size: [8, 4, 1], kind: Kind::Float };
-    for &(preamble, call, level) in EXTENSIONS {
-        let body = format!("r = {call};");
-        let got = run(Stage::Fragment, preamble, "sampler2D", &body, texels);
-        wrong.check(&body, got, bytes([[2, 2, 0], [1, 1, 0]][level], level));
-    }
-}
-
-/// The layer of an array of cubes is the nearest, held in range.
-#[test]
-fn layers_of_cubes_are_rounded_and_held() {
-    let _current = context();
-    let mut wrong = Wrong::default();
-    let texels = Texels { target: GL_TEXTURE_CUBE_MAP_ARRAY, size: [4, 4, 18], kind: Kind::Float };
-    for (layer, cube) in [
-        ("-7.0", 0),
-        ("0.49", 0),
-        ("0.5", 1),
-        ("1.49", 1),
-        ("1.5", 2),
-        ("2.6", 2),
-        ("1e30", 2),
-        ("-1e30", 0),
-    ] {
-        // The middle of +Z.
-        let body = format!("r = texture(s, vec4(0.1, -0.1, 1.0, {layer}));");
-        let preamble = Names::Overloaded.preamble();
-        let got = run(Stage::Fragment, preamble, "samplerCubeArray", &body, texels);
-        wrong.check(&body, got, bytes([2, 2, 6 * cube + 4], 0));
-    }
-}
-
-/// The functions come with the extension, to earlier versions too, and only with it.
-#[test]
-fn arrays_of_cubes_come_with_their_extension() {
-    let _current = context();
-    let texels = Texels { target: GL_TEXTURE_CUBE_MAP_ARRAY, size: [4, 4, 12], kind: Kind::Float };
-    let body = "r = texture(s, vec4(0.1, -0.1, 1.0, 1.0));";
-    let run = |preamble| run(Stage::Fragment, preamble, "samplerCubeArray", body, texels);
-    let enabled = "#extension GL_ARB_texture_cube_map_array : enable";
-    assert_eq!(run(enabled), Ok([2, 2, 10, 0]));
-    assert!(run("#version 130").is_err_and(|log| log.contains(enabled)));
 }
 
 /// A sampler chosen by what is not constant gives integers too.

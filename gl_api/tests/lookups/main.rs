@@ -4,6 +4,7 @@
 
 mod borders;
 mod buffers;
+mod extensions;
 mod extremes;
 mod formats;
 mod functions;

@@ -11,6 +11,7 @@ mod blends;
 mod buffer_textures;
 mod coverage;
 mod fixed;
+mod fragments;
 mod framebuffers;
 mod more;
 mod packed;
@@ -19,6 +20,7 @@ mod programs;
 mod queries;
 mod reading;
 mod rest;
+mod samplers;
 mod short;
 mod textures;
 mod transform_feedback;
@@ -64,6 +66,7 @@ fn each_refusal_sets_its_flag_says_why_and_changes_nothing_and_each_call_has_one
         buffer_textures::run,
         blends::run,
         fixed::run,
+        fragments::run,
         framebuffers::run,
         more::run,
         packed::run,
@@ -72,6 +75,7 @@ fn each_refusal_sets_its_flag_says_why_and_changes_nothing_and_each_call_has_one
         queries::run,
         reading::run,
         rest::run,
+        samplers::run,
         short::run,
         textures::run,
         transform_feedback::run,

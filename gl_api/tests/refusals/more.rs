@@ -1,5 +1,5 @@
 //! What else is refused: pixel maps, storage for good, textures with several samples, lists, stacks, selection, feedback,
-//! evaluators, accumulation, conditional rendering.
+//! evaluators, accumulation, conditional rendering, locked arrays.
 
 use gl_api::*;
 
@@ -48,6 +48,10 @@ fn stored_samples(c: &mut Context) {
 }
 
 const CASES: &[Case] = &[
+    (nothing, |c| c.lock_arrays(-1, 3), GL_INVALID_VALUE, "first = -1"),
+    (nothing, |c| c.lock_arrays(0, 0), GL_INVALID_VALUE, "count = 0"),
+    (|c| c.lock_arrays(0, 3), |c| c.lock_arrays(0, 3), GL_INVALID_OPERATION, "locked already"),
+    (nothing, |c| c.unlock_arrays(), GL_INVALID_OPERATION, "glLockArraysEXT first"),
     // Pixel maps.
     (nothing, |c| c.pixel_mapfv(GL_RGBA, 1, (&[0.0_f32]).arg()), ENUM, "map = GL_RGBA"),
     (nothing, |c| c.pixel_mapfv(GL_PIXEL_MAP_R_TO_R, 0, (&[0.0_f32]).arg()), VALUE, "mapsize = 0"),

@@ -1,5 +1,4 @@
-//! What the calls on texture images, parameters and samplers refuse: rows of arguments, the flag,
-//! and words of the message. A 4×4 RGBA8 texture is bound to `GL_TEXTURE_2D`, a 4×4×4 one to
+//! What the calls on texture images refuse: rows of arguments, the flag, and words of the message. A 4×4 RGBA8 texture is bound to `GL_TEXTURE_2D`, a 4×4×4 one to
 //! `GL_TEXTURE_3D`, a DXT1 one of 8×8 to the face +X of the cube map.
 
 use gl_api::*;
@@ -18,18 +17,23 @@ fn context() -> Context {
     c
 }
 
-const FACE: GLenum = GL_TEXTURE_CUBE_MAP_POSITIVE_X;
-const ENUM: GLenum = GL_INVALID_ENUM;
-const VALUE: GLenum = GL_INVALID_VALUE;
-const OPERATION: GLenum = GL_INVALID_OPERATION;
+pub(super) const FACE: GLenum = GL_TEXTURE_CUBE_MAP_POSITIVE_X;
+pub(super) const ENUM: GLenum = GL_INVALID_ENUM;
+pub(super) const VALUE: GLenum = GL_INVALID_VALUE;
+pub(super) const OPERATION: GLenum = GL_INVALID_OPERATION;
 
 /// Runs a row.
-fn refused(row: &dyn std::fmt::Debug, flag: GLenum, words: &str, call: impl Fn(&mut Context)) {
+pub(super) fn refused(
+    row: &dyn std::fmt::Debug,
+    flag: GLenum,
+    words: &str,
+    call: impl Fn(&mut Context),
+) {
     refused_after(row, flag, words, |_| {}, call);
 }
 
 /// Runs a row after what it needs.
-fn refused_after(
+pub(super) fn refused_after(
     row: &dyn std::fmt::Debug,
     flag: GLenum,
     words: &str,
@@ -47,7 +51,6 @@ pub fn run() {
     sub_images();
     copies();
     compressed_images();
-    parameters_and_samplers();
     pixel_buffers();
 }
 
@@ -392,100 +395,6 @@ fn compressed_images() {
     });
     refused(&"room", OPERATION, "32 bytes are needed", |c| {
         c.get_compressed_tex_image(FACE, 0, DataOut::Bytes(&mut [0; 31]));
-    });
-}
-
-fn parameters_and_samplers() {
-    let rows: &[(GLenum, GLenum, f32, GLenum, &str)] = &[
-        (GL_TEXTURE_RECTANGLE, GL_TEXTURE_WRAP_S, GL_REPEAT as f32, ENUM, "GL_CLAMP"),
-        (GL_TEXTURE_RECTANGLE, GL_TEXTURE_WRAP_T, GL_MIRRORED_REPEAT as f32, ENUM, "GL_CLAMP"),
-        (
-            GL_TEXTURE_RECTANGLE,
-            GL_TEXTURE_MIN_FILTER,
-            GL_LINEAR_MIPMAP_LINEAR as f32,
-            ENUM,
-            "GL_NEAREST or GL_LINEAR",
-        ),
-        (
-            GL_TEXTURE_RECTANGLE,
-            GL_TEXTURE_BASE_LEVEL,
-            1.0,
-            OPERATION,
-            "of GL_TEXTURE_RECTANGLE must be 0",
-        ),
-        (GL_TEXTURE_3D, GL_TEXTURE_WRAP_R, GL_LINEAR as f32, ENUM, "GL_MIRRORED_REPEAT"),
-        (GL_TEXTURE_1D, GL_TEXTURE_MAX_LEVEL, -1.0, VALUE, "must not be negative"),
-        (GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, f32::NAN, VALUE, "must not be negative"),
-        (GL_TEXTURE_2D, GL_TEXTURE_SRGB_DECODE_EXT, 1.0, ENUM, "GL_DECODE_EXT or"),
-        (GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, 0.5, VALUE, "must be at least 1"),
-        (GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, f32::NAN, VALUE, "must be at least 1"),
-        (
-            GL_TEXTURE_2D,
-            GL_TEXTURE_SWIZZLE_R,
-            GL_LUMINANCE as f32,
-            ENUM,
-            "GL_ALPHA, GL_ZERO or GL_ONE",
-        ),
-        (GL_TEXTURE_2D, GL_TEXTURE_SWIZZLE_RGBA, GL_RED as f32, ENUM, "four components"),
-        (GL_TEXTURE_2D, GL_DEPTH_TEXTURE_MODE, GL_RGBA as f32, ENUM, "GL_INTENSITY"),
-        (GL_TEXTURE_2D, GL_TEXTURE_RESIDENT, 1.0, ENUM, "can only be read"),
-        (GL_PROXY_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP as f32, ENUM, "target"),
-        (FACE, GL_TEXTURE_WRAP_S, GL_CLAMP as f32, ENUM, "target"),
-    ];
-    for row in rows {
-        let &(target, pname, value, flag, words) = row;
-        refused(row, flag, words, |c| c.tex_parameterf(target, pname, value));
-    }
-    let rows: &[(GLuint, GLenum, f32, GLenum, &str)] = &[
-        (7, GL_TEXTURE_WRAP_S, GL_CLAMP as f32, OPERATION, "glGenSamplers"),
-        (1, GL_TEXTURE_BASE_LEVEL, 0.0, ENUM, "GL_TEXTURE_BASE_LEVEL must be"),
-        (1, GL_DEPTH_TEXTURE_MODE, 0.0, ENUM, "pname"),
-        (1, GL_TEXTURE_WRAP_R, GL_LINEAR as f32, ENUM, "GL_REPEAT"),
-        (1, GL_TEXTURE_MIN_FILTER, GL_REPEAT as f32, ENUM, "GL_NEAREST"),
-        (1, GL_TEXTURE_MAG_FILTER, GL_LINEAR_MIPMAP_LINEAR as f32, ENUM, "GL_LINEAR"),
-        (1, GL_TEXTURE_COMPARE_FUNC, GL_LINEAR as f32, ENUM, "GL_NEVER"),
-        (1, GL_TEXTURE_COMPARE_MODE, 1.0, ENUM, "GL_COMPARE_R_TO_TEXTURE"),
-        (1, GL_TEXTURE_MAX_ANISOTROPY_EXT, 0.0, VALUE, "at least 1"),
-        (1, GL_TEXTURE_BORDER_COLOR, 0.0, ENUM, "glSamplerParameterfv"),
-    ];
-    let sampler = |c: &mut Context| c.gen_samplers(1, &mut [0]);
-    for row in rows {
-        let &(name, pname, value, flag, words) = row;
-        refused_after(row, flag, words, sampler, |c| c.sampler_parameterf(name, pname, value));
-    }
-    refused_after(&"border", OPERATION, "3 of 4 values", sampler, |c| {
-        c.sampler_parameterfv(1, GL_TEXTURE_BORDER_COLOR, &[0.0; 3]);
-    });
-    refused(&"unit", VALUE, "not GL_TEXTURE0", |c| c.bind_sampler(GL_TEXTURE0, 0));
-    refused(&"unknown", OPERATION, "glGenSamplers", |c| c.bind_sampler(0, 7));
-    refused(&"n", VALUE, "n = -1", |c| c.gen_samplers(-1, &mut []));
-    refused(&"n", VALUE, "n = -1", |c| c.delete_samplers(-1, &[]));
-    refused(&"read", OPERATION, "glGenSamplers", |c| {
-        c.get_sampler_parameterfv(9, GL_TEXTURE_WRAP_S, &mut [0.0]);
-    });
-    refused(&"mipmaps", ENUM, "no mipmaps", |c| c.generate_mipmap(GL_TEXTURE_RECTANGLE));
-    refused(&"NaN", VALUE, "must be a number", |c| c.pixel_transferf(GL_RED_SCALE, f32::NAN));
-    refused(&"table", ENUM, "GL_RED_SCALE", |c| c.pixel_transferi(GL_PIXEL_MAP_R_TO_R, 1));
-    refused(&"images", VALUE, "must not be negative", |c| {
-        c.pixel_storei(GL_UNPACK_SKIP_IMAGES, -1);
-    });
-    refused(&"images", VALUE, "must not be negative", |c| {
-        c.pixel_storei(GL_PACK_IMAGE_HEIGHT, -1);
-    });
-    refused(&"level", VALUE, "level = 10", |c| {
-        c.get_tex_level_parameteriv(GL_TEXTURE_3D, 10, GL_TEXTURE_WIDTH, &mut [0]);
-    });
-    refused(&"size", OPERATION, "not compressed", |c| {
-        let pname = GL_TEXTURE_COMPRESSED_IMAGE_SIZE;
-        c.get_tex_level_parameteriv(GL_TEXTURE_2D, 0, pname, &mut [0]);
-    });
-    refused(&"proxy", ENUM, "proxy", |c| {
-        let out = DataOut::Bytes(&mut [0; 64]);
-        c.get_tex_image(GL_PROXY_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, out);
-    });
-    refused(&"integers", OPERATION, "integer", |c| {
-        let out = DataOut::Bytes(&mut [0; 64]);
-        c.get_tex_image(GL_TEXTURE_2D, 0, GL_RGBA_INTEGER, GL_UNSIGNED_BYTE, out);
     });
 }
 
