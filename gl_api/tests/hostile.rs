@@ -5,6 +5,8 @@
 mod calls;
 #[path = "../../fuzz/bodies/context.rs"]
 mod context;
+#[path = "common/shading.rs"]
+mod shading;
 
 use calls::{Random, make_calls};
 use context::{context, still_works};
@@ -125,30 +127,94 @@ const GREEDY: &[Greedy] = &[
         c.draw_arrays(GL_TRIANGLES, 0, 3);
     }),
     ("a buffer that is made anew", |c, bytes, _| {
-        c.bind_buffer(GL_ARRAY_BUFFER, 1);
-        c.buffer_data(
-            GL_ARRAY_BUFFER,
-            bytes.len() as GLsizeiptr,
-            Data::Bytes(bytes),
-            GL_STREAM_DRAW,
-        );
-        c.enable_client_state(GL_VERTEX_ARRAY);
-        c.vertex_pointer(3, GL_FLOAT, 0, Data::Offset(0));
-        c.draw_arrays(GL_TRIANGLES, 0, 3);
+        buffer(c, bytes);
+        draw_from_buffer(c);
     }),
     ("a buffer that changes", |c, bytes, number| {
-        c.bind_buffer(GL_ARRAY_BUFFER, 1);
         if number == 1 {
-            let size = bytes.len() as GLsizeiptr;
-            c.buffer_data(GL_ARRAY_BUFFER, size, Data::Bytes(bytes), GL_STREAM_DRAW);
+            buffer(c, bytes);
         } else {
             c.buffer_sub_data(GL_ARRAY_BUFFER, 0, 4, Data::Bytes(bytes));
         }
-        c.enable_client_state(GL_VERTEX_ARRAY);
-        c.vertex_pointer(3, GL_FLOAT, 0, Data::Offset(0));
-        c.draw_arrays(GL_TRIANGLES, 0, 3);
+        draw_from_buffer(c);
+    }),
+    ("a buffer that another is copied to", |c, bytes, number| {
+        if number == 1 {
+            buffer(c, bytes);
+            c.bind_buffer(GL_COPY_READ_BUFFER, 2);
+            c.buffer_data(GL_COPY_READ_BUFFER, 16, Data::Bytes(bytes), GL_STREAM_COPY);
+        } else {
+            c.copy_buffer_sub_data(GL_COPY_READ_BUFFER, GL_ARRAY_BUFFER, 0, 0, 16);
+        }
+        draw_from_buffer(c);
+    }),
+    ("a buffer that is copied within", |c, bytes, number| {
+        if number == 1 {
+            buffer(c, bytes);
+        } else {
+            c.copy_buffer_sub_data(GL_ARRAY_BUFFER, GL_ARRAY_BUFFER, 0, 64, 16);
+        }
+        draw_from_buffer(c);
+    }),
+    ("a buffer that a texture is packed into", |c, bytes, number| {
+        if number == 1 {
+            buffer(c, bytes);
+            c.bind_buffer(GL_PIXEL_PACK_BUFFER, 1);
+            let (format, ty, data) = (GL_RGBA, GL_UNSIGNED_BYTE, Data::Bytes(bytes));
+            c.bind_texture(GL_TEXTURE_2D, 1);
+            c.tex_image_2d(GL_TEXTURE_2D, 0, GL_RGBA as GLint, 2, 2, 0, format, ty, data);
+        } else {
+            let out = DataOut::Offset(0);
+            c.get_tex_image(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, out);
+        }
+        draw_from_buffer(c);
+    }),
+    ("a buffer that pixels are packed into", |c, bytes, number| {
+        if number == 1 {
+            buffer(c, bytes);
+            c.bind_buffer(GL_PIXEL_PACK_BUFFER, 1);
+            // What is read is not what is drawn to, which would carry the draws out.
+            c.bind_renderbuffer(GL_RENDERBUFFER, 1);
+            c.renderbuffer_storage(GL_RENDERBUFFER, GL_RGBA8, 2, 2);
+            c.bind_framebuffer(GL_READ_FRAMEBUFFER, 1);
+            let (target, at) = (GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0);
+            c.framebuffer_renderbuffer(target, at, GL_RENDERBUFFER, 1);
+            c.read_buffer(GL_COLOR_ATTACHMENT0);
+        } else {
+            c.read_pixels(0, 0, 2, 2, GL_RGBA, GL_UNSIGNED_BYTE, DataOut::Offset(0));
+        }
+        draw_from_buffer(c);
+    }),
+    ("a buffer that a draw is captured into", |c, bytes, number| {
+        if number == 1 {
+            buffer(c, bytes);
+            let vertex = "void main() { gl_Position = gl_Vertex; }";
+            let program = shading::use_program(c, vertex, "");
+            let mode = GL_INTERLEAVED_ATTRIBS;
+            c.transform_feedback_varyings(program, 1, Names(vec!["gl_Position"]), mode);
+            c.link_program(program);
+            c.use_program(program);
+            let (offset, size) = (64, 64);
+            c.bind_buffer_range(GL_TRANSFORM_FEEDBACK_BUFFER, 0, 1, offset, size);
+        }
+        c.begin_transform_feedback(GL_TRIANGLES);
+        draw_from_buffer(c);
+        c.end_transform_feedback();
     }),
 ];
+
+/// Buffer 1, of these bytes.
+fn buffer(c: &mut Context, bytes: &[u8]) {
+    c.bind_buffer(GL_ARRAY_BUFFER, 1);
+    let size = bytes.len() as GLsizeiptr;
+    c.buffer_data(GL_ARRAY_BUFFER, size, Data::Bytes(bytes), GL_STREAM_DRAW);
+}
+
+fn draw_from_buffer(c: &mut Context) {
+    c.enable_client_state(GL_VERTEX_ARRAY);
+    c.vertex_pointer(3, GL_FLOAT, 0, Data::Offset(0));
+    c.draw_arrays(GL_TRIANGLES, 0, 3);
+}
 
 /// What waits to be drawn keeps what it needs, but not without end.
 #[test]

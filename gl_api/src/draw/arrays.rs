@@ -154,7 +154,7 @@ pub(crate) fn vertex_source(
             if object.is_some_and(|object| object.map.is_some()) {
                 return mapped(buffer.name(), location);
             }
-            (object.map(|object| object.buffer.clone()).unwrap_or_default(), *offset)
+            (object.map(|object| object.buffer().clone()).unwrap_or_default(), *offset)
         }
     };
     Ok(VertexSource::Array {

@@ -240,7 +240,7 @@ fn index_buffer(
             ),
         );
     }
-    let object = object.map(|object| object.buffer.clone());
+    let object = object.map(|object| object.buffer().clone());
     let (buffer, offset) = match (indices.locate(name, needed), object) {
         (Located::Bytes(bytes), None) => match bytes.get(..needed) {
             Some(bytes) => (Buffer::new(bytes.to_vec()), 0),

@@ -5,13 +5,12 @@
 //! it saw and nothing else can read them; calls that would are refused.
 
 use super::bound::Bound;
-use super::buffers::{BUFFER_TARGET, BufferObject, Map, binding, bound, range, unmapped};
+use super::buffers::{BUFFER_TARGET, BufferObject, Map, binding, bound, range, unmapped, writable};
 use crate::constants::*;
 use crate::context::Context;
 use crate::error::{Result, Table, invalid_operation, invalid_value};
 use crate::query::put;
 use crate::types::*;
-use rasterizer::driver::Buffer;
 
 const SECTION: &str = "GL 2.1, section 2.9";
 const RANGE: &str = "ARB_map_buffer_range";
@@ -27,8 +26,7 @@ const ACCESS: Table<GLbitfield> = Table {
 
 /// Takes the bytes out.
 fn map(object: &mut BufferObject, range: std::ops::Range<usize>, access: GLbitfield) -> *mut u8 {
-    let mut buffer = std::mem::take(&mut object.buffer);
-    let bytes = std::mem::take(buffer.bytes_mut());
+    let bytes = object.take_bytes();
     let both = access & (GL_MAP_READ_BIT | GL_MAP_WRITE_BIT);
     object.access = ACCESS.encode(both);
     let map = object.map.insert(Map { bytes, range: range.clone(), access });
@@ -126,11 +124,8 @@ pub(crate) fn flush_mapped_buffer_range(
 }
 
 pub(crate) fn unmap_buffer(context: &mut Context, target: GLenum) -> Result<bool> {
-    let object = bound(context, target)?;
-    match object.map.take() {
-        Some(map) => {
-            let size = map.bytes.len();
-            object.buffer = Buffer::new(map.bytes);
+    match bound(context, target)?.unmap() {
+        Some(size) => {
             context.recorder.hold(size);
             Ok(true)
         }
@@ -161,9 +156,9 @@ pub(crate) fn copy_buffer_sub_data(
 ) -> Result<()> {
     let source = unmapped(bound(context, read_target)?)?;
     let from = range(source, read_offset, size)?;
-    let source = source.buffer.clone();
+    let source = source.buffer().clone();
     let same = binding_of(context, read_target) == binding_of(context, write_target);
-    let target = unmapped(bound(context, write_target)?)?;
+    let (target, recorder) = writable(context, write_target)?;
     let to = range(target, write_offset, size)?;
     if same && from.start < to.end && to.start < from.end {
         return invalid_value(
@@ -171,7 +166,13 @@ pub(crate) fn copy_buffer_sub_data(
             format!("bytes {from:?} and {to:?} of the same buffer must not overlap"),
         );
     }
-    target.buffer.bytes_mut()[to].copy_from_slice(&source.bytes()[from]);
+    if same {
+        // Nothing but draws shares what is written to.
+        drop(source);
+        target.bytes_mut(recorder).copy_within(from, to.start);
+    } else {
+        target.bytes_mut(recorder)[to].copy_from_slice(&source.bytes()[from]);
+    }
     Ok(())
 }
 

@@ -4,6 +4,7 @@ use super::bound::Bound;
 use super::{Sweep, doomed};
 use crate::constants::*;
 use crate::context::{Context, limits};
+use crate::draw::Recorder;
 use crate::entry::{Data, DataOut, Located, LocatedOut};
 use crate::error::{
     ErrorCode, GlError, Result, Table, invalid_operation, invalid_value, not_negative,
@@ -17,7 +18,7 @@ const SECTION: &str = "GL 2.1, section 2.9";
 #[derive(Clone, Debug)]
 pub(crate) struct BufferObject {
     /// Empty while it is mapped.
-    pub buffer: Buffer,
+    buffer: Buffer,
     pub usage: GLenum,
     pub map: Option<Map>,
     /// `GL_BUFFER_ACCESS`, of the last mapping.
@@ -32,6 +33,32 @@ impl BufferObject {
     /// Bytes, mapped or not.
     pub fn len(&self) -> usize {
         self.map.as_ref().map_or(self.buffer.bytes().len(), |map| map.bytes.len())
+    }
+
+    /// What draws read; empty while it is mapped.
+    pub fn buffer(&self) -> &Buffer {
+        &self.buffer
+    }
+
+    /// Its bytes for writing. Draws that wait keep those that they saw, of which the recorder is told.
+    pub fn bytes_mut(&mut self, recorder: &mut Recorder) -> &mut [u8] {
+        if self.buffer.is_shared() {
+            recorder.hold(self.buffer.bytes().len());
+        }
+        self.buffer.bytes_mut()
+    }
+
+    /// Takes the bytes out, to be mapped.
+    pub(super) fn take_bytes(&mut self) -> Vec<u8> {
+        std::mem::take(std::mem::take(&mut self.buffer).bytes_mut())
+    }
+
+    /// Ends the mapping, if there is one: of how many bytes.
+    pub(super) fn unmap(&mut self) -> Option<usize> {
+        let bytes = self.map.take()?.bytes;
+        let size = bytes.len();
+        self.buffer = Buffer::new(bytes);
+        Some(size)
     }
 }
 
@@ -120,9 +147,25 @@ pub(super) fn binding(context: &mut Context, target: BufferTarget) -> &mut Bound
 
 /// The buffer that is bound to a target.
 pub(super) fn bound(context: &mut Context, target: GLenum) -> Result<&mut BufferObject> {
+    Ok(with_recorder(context, target)?.0)
+}
+
+/// The buffer that is bound to a target and not mapped, and what is told of writes to it.
+pub(super) fn writable(
+    context: &mut Context,
+    target: GLenum,
+) -> Result<(&mut BufferObject, &mut Recorder)> {
+    let (object, recorder) = with_recorder(context, target)?;
+    Ok((unmapped(object)?, recorder))
+}
+
+fn with_recorder(
+    context: &mut Context,
+    target: GLenum,
+) -> Result<(&mut BufferObject, &mut Recorder)> {
     let bound = binding(context, BUFFER_TARGET.decode("target", target)?).clone();
     match context.objects.buffers.bound_mut(&bound) {
-        Some(object) => Ok(object),
+        Some(object) => Ok((object, &mut context.recorder)),
         None => invalid_operation(
             SECTION,
             format!("no buffer is bound to {}: call glBindBuffer", enum_name(target)),
@@ -145,10 +188,8 @@ pub(crate) fn delete_buffers(context: &mut Context, n: GLsizei, buffers: &[GLuin
         context.uniform_buffers.forget_buffer(&gone);
         drop(gone);
         // Its mapping ends, whoever has it.
-        if let Some(object) = context.objects.buffers.get_mut(name)
-            && let Some(map) = object.map.take()
-        {
-            object.buffer = Buffer::new(map.bytes);
+        if let Some(object) = context.objects.buffers.get_mut(name) {
+            object.unmap();
         }
         context.objects.buffers.remove(name);
     }
@@ -248,15 +289,12 @@ pub(crate) fn buffer_sub_data(
     size: GLsizeiptr,
     data: Data<'_>,
 ) -> Result<()> {
-    let object = unmapped(bound(context, target)?)?;
+    let (object, recorder) = writable(context, target)?;
     let range = range(object, offset, size)?;
     match data.locate(0, range.len()) {
         Located::Bytes(source) if source.len() >= range.len() => {
             let source = &source[..range.len()];
-            // Draws that wait keep the bytes that they saw.
-            let copied = if object.buffer.is_shared() { object.len() } else { 0 };
-            object.buffer.bytes_mut()[range].copy_from_slice(source);
-            context.recorder.hold(copied);
+            object.bytes_mut(recorder)[range].copy_from_slice(source);
             Ok(())
         }
         Located::Bytes(source) => invalid_operation(

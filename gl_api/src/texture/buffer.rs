@@ -114,7 +114,7 @@ pub(crate) fn plan(context: &mut Context, unit: u8) -> Result<Arc<SamplePlan>> {
             let rule = format!("buffer {buffer} of texture {name} is mapped: call glUnmapBuffer");
             return invalid_operation("ARB_texture_buffer_object, section 3.8", rule);
         }
-        Some(object) => object.buffer.clone(),
+        Some(object) => object.buffer().clone(),
         None => Buffer::default(),
     };
     if let Some((version, plan)) = &store.plan

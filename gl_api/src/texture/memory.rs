@@ -42,13 +42,13 @@ pub(crate) fn source<'a>(
         (None, Located::Bytes(bytes)) => Ok(Some(Source::Client(bytes))),
         (None, Located::Offset(offset)) => no_buffer(offset, "GL_PIXEL_UNPACK_BUFFER"),
         (Some(_), Located::Bytes(_)) => slice_and_buffer("GL_PIXEL_UNPACK_BUFFER"),
-        (Some(object), Located::Null) => Ok(Some(Source::Buffer(object.buffer.clone(), 0))),
+        (Some(object), Located::Null) => Ok(Some(Source::Buffer(object.buffer().clone(), 0))),
         (Some(object), Located::Offset(offset)) => {
             if needed > 0 {
-                let length = object.buffer.bytes().len();
+                let length = object.buffer().bytes().len();
                 check_offset(offset, length, name, "GL_PIXEL_UNPACK_BUFFER")?;
             }
-            Ok(Some(Source::Buffer(object.buffer.clone(), offset)))
+            Ok(Some(Source::Buffer(object.buffer().clone(), offset)))
         }
     }
 }
@@ -118,10 +118,10 @@ pub(crate) fn write_bytes(
         (Some(_), LocatedOut::Bytes(_)) => slice_and_buffer("GL_PIXEL_PACK_BUFFER"),
         (Some(object), out @ (LocatedOut::Null | LocatedOut::Offset(_))) => {
             let offset = if let LocatedOut::Offset(offset) = out { offset } else { 0 };
-            let length = object.buffer.bytes().len();
+            let length = object.buffer().bytes().len();
             check_offset(offset, length, name, "GL_PIXEL_PACK_BUFFER")?;
             check_room(length - offset, needed)?;
-            write(&mut object.buffer.bytes_mut()[offset..]);
+            write(&mut object.bytes_mut(&mut context.recorder)[offset..]);
             Ok(())
         }
     }

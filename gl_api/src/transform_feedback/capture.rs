@@ -107,7 +107,7 @@ impl Layout {
         let mut fit = vertices.len() / corners;
         for ((range, scalars), written) in ranges.iter().zip(&self.buffers).zip(active.written) {
             let buffer = context.objects.buffers.bound(&range.buffer);
-            let bytes = buffer.map_or(0, |object| object.buffer.bytes().len());
+            let bytes = buffer.map_or(0, |object| object.buffer().bytes().len());
             let room = bytes.saturating_sub(range.offset).min(range.size.unwrap_or(usize::MAX));
             let each = corners * scalars.len() * 4;
             fit = fit.min(room.saturating_sub(written) / each.max(1));
@@ -119,7 +119,8 @@ impl Layout {
             let places: Vec<Place> = places.collect();
             let first = range.offset + *written;
             let bytes = fit * corners * scalars.len() * 4;
-            let out = object.buffer.bytes_mut().get_mut(first..first + bytes).unwrap_or_default();
+            let out = object.bytes_mut(&mut context.recorder);
+            let out = out.get_mut(first..first + bytes).unwrap_or_default();
             let words = (0..fit * corners)
                 .flat_map(|at| places.iter().map(move |place| place.word(vertices, at)));
             for (out, word) in out.chunks_exact_mut(4).zip(words) {

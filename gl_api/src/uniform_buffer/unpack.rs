@@ -5,6 +5,7 @@ use super::SECTION;
 use crate::context::Context;
 use crate::error::{Result, invalid_operation};
 use crate::glsl::{DataType, MatrixOrder, Member, Scalar, UniformBlock};
+use crate::object::buffers::BufferObject;
 use crate::object::indexed_buffers::BufferRange;
 use crate::object::programs::{Linked, ShaderOrProgram};
 use crate::types::*;
@@ -66,7 +67,7 @@ pub(crate) fn refresh(context: &mut Context, name: GLuint) -> Result<()> {
                 ),
             );
         }
-        let buffer = object.map(|object| &object.buffer);
+        let buffer = object.map(BufferObject::buffer);
         if state.is_of(range, buffer) {
             continue;
         }
