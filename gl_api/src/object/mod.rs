@@ -27,7 +27,7 @@ use crate::types::*;
 use assemblies::Assembly;
 use bound::{Bound, Place};
 use rasterizer::driver::Image;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 /// The names of one kind of object.
@@ -35,8 +35,10 @@ use std::sync::Arc;
 pub(crate) struct Names<T> {
     /// `None` is a name that was made but never bound.
     objects: BTreeMap<GLuint, Option<Named<T>>>,
-    /// All names up to this one are used.
+    /// All names up to this one are used, or among the freed ones.
     used: GLuint,
+    /// What was deleted of those; binding may have used it again.
+    freed: BTreeSet<GLuint>,
     /// Objects that were deleted while something was bound to them, by number: sorted.
     departed: Vec<(GLuint, Named<T>)>,
     /// The last of these numbers.
@@ -72,35 +74,36 @@ impl<T> Named<T> {
 
 impl<T> Default for Names<T> {
     fn default() -> Self {
-        Self { objects: BTreeMap::new(), used: 0, departed: Vec::new(), departures: 0, left: 0 }
+        Self {
+            objects: BTreeMap::new(),
+            used: 0,
+            freed: BTreeSet::new(),
+            departed: Vec::new(),
+            departures: 0,
+            left: 0,
+        }
     }
 }
 
 impl<T> Names<T> {
     /// Takes the smallest unused name.
     fn take(&mut self, object: Option<Named<T>>) -> GLuint {
-        let mut name = self.used + 1;
-        for &used in self.objects.range(name..).map(|(used, _)| used) {
-            if used != name {
-                break;
+        let name = loop {
+            let name = self.freed.pop_first().unwrap_or_else(|| {
+                self.used += 1;
+                self.used
+            });
+            if !self.is_reserved(name) {
+                break name;
             }
-            name += 1;
-        }
-        self.used = name;
+        };
         self.objects.insert(name, object);
         name
     }
 
     /// `glGen…`: reserves `n` names.
     fn reserve(&mut self, section: &'static str, n: GLsizei, names: &mut [GLuint]) -> Result<()> {
-        let n = not_negative(section, "n", n.into())?;
-        if names.len() < n {
-            let has = names.len();
-            return invalid_operation(
-                section,
-                format!("n = {n}, but the memory has {has} elements"),
-            );
-        }
+        let n = doomed(section, n, names)?.len();
         for name in &mut names[..n] {
             *name = self.take(None);
         }
@@ -183,8 +186,11 @@ impl<T> Names<T> {
 
     /// Forgets a name, and its object unless something is bound to it.
     fn remove(&mut self, name: GLuint) {
-        self.used = self.used.min(name.saturating_sub(1));
-        let Some(Some(named)) = self.objects.remove(&name) else { return };
+        let Some(named) = self.objects.remove(&name) else { return };
+        if name <= self.used {
+            self.freed.insert(name);
+        }
+        let Some(named) = named else { return };
         if named.bound.is_shared() {
             self.departures = self.departures.wrapping_add(1).max(1);
             named.bound.depart(self.departures);

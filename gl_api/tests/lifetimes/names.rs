@@ -1,9 +1,11 @@
-//! Which names `glGen…` gives: the smallest that are free, whatever was bound and deleted before.
+//! Which names `glGen…` gives: the smallest that are free, whatever was bound and deleted before, and how
+//! soon.
 
 use super::{context, fine};
 use gl_api::*;
 use proptest::prelude::*;
 use std::collections::BTreeSet;
+use std::time::{Duration, Instant};
 
 #[derive(Clone, Debug)]
 enum Call {
@@ -50,4 +52,33 @@ proptest! {
         }
         fine(&mut c);
     }
+}
+
+/// With 200,000 names, to walk over all of them for each would take minutes.
+#[test]
+fn a_name_costs_the_same_however_many_there_are() {
+    const MANY: usize = 200_000;
+    let mut c = context();
+    let mut names = vec![0; MANY];
+    c.gen_buffers(MANY as GLsizei, &mut names);
+    let start = Instant::now();
+    for round in 0..10_000 {
+        c.delete_buffers(1, &[1]);
+        let mut two = [0; 2];
+        c.gen_buffers(2, &mut two);
+        assert_eq!(two, [1, MANY as GLuint + 1 + round]);
+    }
+    // In either order, and one by one.
+    names.reverse();
+    for name in &names {
+        c.delete_buffers(1, &[*name]);
+    }
+    for want in 1..=MANY as GLuint {
+        let mut one = [0];
+        c.gen_buffers(1, &mut one);
+        assert_eq!(one, [want]);
+    }
+    let took = start.elapsed();
+    assert!(took < Duration::from_secs(30), "{took:?}");
+    fine(&mut c);
 }
