@@ -1,7 +1,7 @@
 //! Assembly programs and their names: ARB_vertex_program, section 2.14.1.
 
 use super::bound::Bound;
-use super::{Objects, Sweep, doomed};
+use super::{Objects, Sweep, listed};
 use crate::assembly::{Loaded, Target};
 use crate::constants::*;
 use crate::context::Context;
@@ -60,7 +60,7 @@ pub(crate) fn delete_programs(
     n: GLsizei,
     programs: &[GLuint],
 ) -> Result<()> {
-    for &name in doomed(SECTION, n, programs)?.iter().filter(|&&name| name != 0) {
+    for &name in listed(SECTION, n, programs)?.iter().filter(|&&name| name != 0) {
         let gone = context.objects.assemblies.hold(name);
         context.state.assembly.bound.iter_mut().for_each(|bound| bound.forget(&gone));
         drop(gone);

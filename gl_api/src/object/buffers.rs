@@ -1,7 +1,7 @@
 //! Buffer objects: GL 2.1, section 2.9.
 
 use super::bound::Bound;
-use super::{Sweep, doomed};
+use super::{Sweep, listed};
 use crate::constants::*;
 use crate::context::{Context, limits};
 use crate::draw::Recorder;
@@ -178,7 +178,7 @@ pub(crate) fn gen_buffers(context: &mut Context, n: GLsizei, buffers: &mut [GLui
 }
 
 pub(crate) fn delete_buffers(context: &mut Context, n: GLsizei, buffers: &[GLuint]) -> Result<()> {
-    for &name in doomed(SECTION, n, buffers)?.iter().filter(|&&name| name != 0) {
+    for &name in listed(SECTION, n, buffers)?.iter().filter(|&&name| name != 0) {
         let gone = context.objects.buffers.hold(name);
         for target in BufferTarget::ALL {
             binding(context, target).forget(&gone);

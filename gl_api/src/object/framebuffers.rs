@@ -1,6 +1,6 @@
 //! Framebuffer objects: names and bindings (`ARB_framebuffer_object`, section 4.4.1).
 
-use super::doomed;
+use super::listed;
 use crate::constants::*;
 use crate::context::{Context, limits};
 use crate::error::{Result, Table};
@@ -116,7 +116,7 @@ pub(crate) fn delete_framebuffers(
     n: GLsizei,
     framebuffers: &[GLuint],
 ) -> Result<()> {
-    for &name in doomed(SECTION, n, framebuffers)?.iter().filter(|&&name| name != 0) {
+    for &name in listed(SECTION, n, framebuffers)?.iter().filter(|&&name| name != 0) {
         let bindings = &mut context.state.bindings;
         for bound in [&mut bindings.draw_framebuffer, &mut bindings.read_framebuffer] {
             if *bound == name {

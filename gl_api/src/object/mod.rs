@@ -103,7 +103,7 @@ impl<T> Names<T> {
 
     /// `glGen…`: reserves `n` names.
     fn reserve(&mut self, section: &'static str, n: GLsizei, names: &mut [GLuint]) -> Result<()> {
-        let n = doomed(section, n, names)?.len();
+        let n = listed(section, n, names)?.len();
         for name in &mut names[..n] {
             *name = self.take(None);
         }
@@ -212,8 +212,8 @@ impl<T> Names<T> {
     }
 }
 
-/// The names that a `glDelete…` call names.
-fn doomed<'a>(section: &'static str, n: GLsizei, names: &'a [GLuint]) -> Result<&'a [GLuint]> {
+/// The names that a call lists.
+fn listed<'a>(section: &'static str, n: GLsizei, names: &'a [GLuint]) -> Result<&'a [GLuint]> {
     let n = not_negative(section, "n", n.into())?;
     match names.get(..n) {
         Some(names) => Ok(names),

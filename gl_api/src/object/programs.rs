@@ -290,18 +290,13 @@ pub(crate) fn link_program(context: &mut Context, name: GLuint) -> Result<()> {
         let text = format!("glLinkProgram: program {name} did not link:\n{}", program.log);
         context.debug.say(text);
     } else if !program.log.is_empty() {
-        let text = format!(
-            "glLinkProgram: program {name} linked:
-{}",
-            program.log
-        );
+        let text = format!("glLinkProgram: program {name} linked:\n{}", program.log);
         context.debug.say(text);
     }
     Ok(())
 }
 
 pub(crate) fn use_program(context: &mut Context, name: GLuint) -> Result<()> {
-    const SECTION: &str = "GL 2.1, section 2.15.2";
     if name != 0 && program(context, name)?.linked().is_none() {
         return invalid_operation(
             SECTION,

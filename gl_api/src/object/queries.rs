@@ -2,11 +2,11 @@
 //! `ARB_occlusion_query2`, `ARB_timer_query`.
 
 use super::conditional::Verdict;
-use super::doomed;
+use super::listed;
 use crate::constants::*;
 use crate::context::Context;
 use crate::draw::submit;
-use crate::error::{Result, Table, invalid_operation, invalid_value};
+use crate::error::{Result, Table, invalid_operation};
 use crate::query::put;
 use crate::types::*;
 use rasterizer::driver::Counter;
@@ -120,7 +120,7 @@ pub(crate) fn gen_queries(context: &mut Context, n: GLsizei, ids: &mut [GLuint])
 }
 
 pub(crate) fn delete_queries(context: &mut Context, n: GLsizei, ids: &[GLuint]) -> Result<()> {
-    for &name in doomed(SECTION, n, ids)?.iter().filter(|&&name| name != 0) {
+    for &name in listed(SECTION, n, ids)?.iter().filter(|&&name| name != 0) {
         for active in &mut context.queries.names {
             if *active == name {
                 *active = 0;
@@ -290,9 +290,10 @@ fn answer(context: &mut Context, id: GLuint, pname: GLenum) -> Result<u64> {
         section: "GL 2.1, section 6.1.12",
         rows: &[(GL_QUERY_RESULT, Answer::Result), (GL_QUERY_RESULT_AVAILABLE, Answer::Available)],
     };
-    if context.objects.queries.get(id).is_none() {
+    // A copy shares the counter.
+    let Some(query) = context.objects.queries.get(id).cloned() else {
         return invalid_operation(ANSWER.section, format!("id = {id} is no query that has begun"));
-    }
+    };
     if context.queries.is_active(id) {
         return invalid_operation(
             ANSWER.section,
@@ -301,9 +302,6 @@ fn answer(context: &mut Context, id: GLuint, pname: GLenum) -> Result<u64> {
     }
     let wanted = ANSWER.decode("pname", pname)?;
     submit(context);
-    let Some(query) = context.objects.queries.get(id) else {
-        return invalid_value(ANSWER.section, format!("id = {id} is no query"));
-    };
     Ok(match (wanted, query.target) {
         (Answer::Available, _) => 1,
         (Answer::Result, QueryTarget::SamplesPassed) => query.counter.samples(),

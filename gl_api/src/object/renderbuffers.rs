@@ -1,7 +1,7 @@
 //! Renderbuffers: `ARB_framebuffer_object`, section 4.4.2.
 
 use super::framebuffers::Planes;
-use super::{Sweep, doomed};
+use super::{Sweep, listed};
 use crate::constants::*;
 use crate::context::{Context, limits};
 use crate::error::{
@@ -58,7 +58,7 @@ pub(crate) fn delete_renderbuffers(
     n: GLsizei,
     renderbuffers: &[GLuint],
 ) -> Result<()> {
-    for &name in doomed(SECTION, n, renderbuffers)?.iter().filter(|&&name| name != 0) {
+    for &name in listed(SECTION, n, renderbuffers)?.iter().filter(|&&name| name != 0) {
         let gone = context.objects.renderbuffers.hold(name);
         context.state.bindings.renderbuffer.forget(&gone);
         drop(gone);

@@ -1,6 +1,6 @@
 //! Sampler objects: `ARB_sampler_objects`, section 3.8.2.
 
-use super::{Sweep, doomed};
+use super::{Sweep, listed};
 use crate::constants::*;
 use crate::context::Context;
 use crate::error::{Result, invalid_enum, invalid_operation, invalid_value};
@@ -32,7 +32,7 @@ pub(crate) fn delete_samplers(
     n: GLsizei,
     samplers: &[GLuint],
 ) -> Result<()> {
-    for &name in doomed(SECTION, n, samplers)?.iter().filter(|&&name| name != 0) {
+    for &name in listed(SECTION, n, samplers)?.iter().filter(|&&name| name != 0) {
         let gone = context.objects.samplers.hold(name);
         context.state.units.units.iter_mut().for_each(|unit| unit.sampler.forget(&gone));
         drop(gone);

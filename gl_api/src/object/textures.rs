@@ -1,6 +1,6 @@
 //! Texture names and units: GL 2.1, sections 3.8.12 and 2.7.
 
-use super::{Sweep, doomed};
+use super::{Sweep, listed};
 use crate::constants::*;
 use crate::context::Context;
 use crate::error::{Result, invalid_enum, invalid_operation, invalid_value};
@@ -24,7 +24,7 @@ pub(crate) fn delete_textures(
     n: GLsizei,
     textures: &[GLuint],
 ) -> Result<()> {
-    for &name in doomed(SECTION, n, textures)?.iter().filter(|&&name| name != 0) {
+    for &name in listed(SECTION, n, textures)?.iter().filter(|&&name| name != 0) {
         let gone = context.objects.textures.hold(name);
         for unit in context.state.units.units.iter_mut() {
             unit.bound.iter_mut().for_each(|bound| bound.forget(&gone));
@@ -68,7 +68,7 @@ pub(crate) fn prioritize_textures(
     textures: &[GLuint],
     priorities: &[GLfloat],
 ) -> Result<()> {
-    let n = doomed(SECTION, n, textures)?.len();
+    let n = listed(SECTION, n, textures)?.len();
     if priorities.len() < n {
         return invalid_operation(SECTION, format!("priorities has {} of {n}", priorities.len()));
     }
@@ -86,7 +86,7 @@ pub(crate) fn are_textures_resident(
     textures: &[GLuint],
     _: &mut [GLboolean],
 ) -> Result<bool> {
-    for &name in doomed(SECTION, n, textures)? {
+    for &name in listed(SECTION, n, textures)? {
         if context.objects.textures.get(name).is_none() {
             return invalid_value(SECTION, format!("{name} is no texture"));
         }

@@ -2,7 +2,7 @@
 //! name. The current object's state is in the context; the others' is kept here.
 
 use super::bound::Bound;
-use super::{Sweep, doomed};
+use super::{Sweep, listed};
 use crate::context::Context;
 use crate::draw::arrays::Arrays;
 use crate::error::{Result, invalid_operation};
@@ -30,7 +30,7 @@ pub(crate) fn delete_vertex_arrays(
     n: GLsizei,
     arrays: &[GLuint],
 ) -> Result<()> {
-    for &name in doomed(SECTION, n, arrays)?.iter().filter(|&&name| name != 0) {
+    for &name in listed(SECTION, n, arrays)?.iter().filter(|&&name| name != 0) {
         if context.state.bindings.vertex_array == name {
             switch(context, 0);
         }
