@@ -56,6 +56,31 @@ fn bilinear() {
     }));
 }
 
+/// Each primitive has a section of its own for how it is filled and what its values are.
+#[test]
+fn primitives_by_their_sections() {
+    for (mode, places) in [
+        (GL_POINTS, [" 3.3.1", " 3.3.1"]),
+        (GL_LINES, [" 3.4.1", " 3.4.1, equation 3.6"]),
+        (GL_TRIANGLES, [" 3.5.1", " 3.5.1, equation 3.8"]),
+    ] {
+        let page = explained([8, 8], || {
+            texture(0, 3);
+            glPointSize(16);
+            glBegin(mode);
+            for (x, y) in [(0.05, 0.5), (0.05, -1.), (1., -1.)] {
+                glTexCoord2f(x, y);
+                glVertex2f(x, y);
+            }
+            glEnd();
+        });
+        for (what, place) in ["of those that are filled", "interpolation:"].iter().zip(places) {
+            let line = page.lines().find(|line| line.contains(what)).expect(&page);
+            assert!(line.ends_with(&format!("section{place}")), "{line}");
+        }
+    }
+}
+
 #[test]
 fn trilinear_and_anisotropic() {
     insta::assert_snapshot!(explained([8, 4], || {

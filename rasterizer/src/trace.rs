@@ -124,7 +124,7 @@ pub struct InputValue {
 /// How an input came to be.
 #[derive(Clone, Debug, PartialEq)]
 pub enum InputSource {
-    /// `(v/w) / (1/w)` (GL 2.1, equation 3.6); each is a plane of the primitive at the pixel,
+    /// `(v/w) / (1/w)` (GL 2.1, equations 3.6 and 3.8); each is a plane of the primitive at the pixel,
     /// or, of a centroid varying, at the centroid of the covered samples.
     Perspective {
         /// At each vertex.

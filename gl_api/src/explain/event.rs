@@ -89,7 +89,12 @@ fn value(input: Input, bits: u32) -> String {
 }
 
 fn inputs(page: &mut Page, fragment: &Fragment, note: &DrawNote) {
-    page.line(1, "interpolation: f = (Σ a f/w) / (Σ a 1/w)", "GL 2.1, section 3.5.1, equation 3.6");
+    let section = match fragment.vertices.len() {
+        3 => "GL 2.1, section 3.5.1, equation 3.8",
+        2 => "GL 2.1, section 3.4.1, equation 3.6",
+        _ => "GL 2.1, section 3.3.1",
+    };
+    page.line(1, "interpolation: f = (Σ a f/w) / (Σ a 1/w)", section);
     let rows: Vec<Vec<String>> = fragment
         .inputs
         .iter()

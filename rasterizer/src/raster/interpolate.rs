@@ -352,8 +352,8 @@ fn side(from: [f64; 3], to: [f64; 3], third: f64) -> f64 {
     (x * x + y * y) * (third * third)
 }
 
-/// The weights of a line: constant across it, so that `l_0 + l_1 = 1/w` along it (GL 2.1, equation
-/// 3.4 and 3.5).
+/// The weights of a line: constant across it, so that `l_0 + l_1 = 1/w` along it (GL 2.1, equations
+/// 3.5 and 3.6).
 fn line(shape: &Shape, geometry: &Geometry, viewport: &Viewport, origin: [f64; 2]) -> [Plane; 3] {
     let ends = [0, 1].map(|i| homogeneous(geometry.clip(shape.vertices[i]), viewport, origin));
     // A third point off the line, whose own weight is left out: at infinity, across it.
