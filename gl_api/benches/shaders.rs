@@ -124,7 +124,7 @@ fn texels(shape: Shape) -> Texels {
         }
         image.set_level(face, 0, level).expect("the face exists");
     }
-    image.generate_mipmaps(0, 1000).expect("small");
+    image.generate_mipmaps(Isa::best(), 0, 1000).expect("small");
     image
 }
 

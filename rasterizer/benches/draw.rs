@@ -86,7 +86,7 @@ fn texels() -> Texels {
     }
     let mut image = Texels::new(Shape::D2);
     image.set_level(0, 0, level).expect("face 0");
-    image.generate_mipmaps(0, 1000).expect("small");
+    image.generate_mipmaps(Isa::best(), 0, 1000).expect("small");
     image
 }
 

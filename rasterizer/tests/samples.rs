@@ -4,9 +4,10 @@ mod common;
 
 use common::{bindings, bytes, device, fragment, image, pass, pipeline, vertex, viewport};
 use rasterizer::driver::{
-    AlphaToCoverage, AlphaToOne, Blend, BlendEquation, BlendFactor, ClearValue, Command,
-    CommandBuffer, Counter, DepthState, DepthWrite, Device, Image, MultisampleState, Pipeline,
-    PipelineDesc, RasterState, Rect, Rows, SampleCoverage, SampleRule, ShaderModule, Topology,
+    AlphaToCoverage, AlphaToOne, Attachment, Blend, BlendEquation, BlendFactor, ClearValue,
+    Command, CommandBuffer, Counter, DepthState, DepthWrite, Device, Image, MultisampleState,
+    Pipeline, PipelineDesc, RasterState, Rect, Rows, SampleCoverage, SampleRule, ShaderModule,
+    Topology,
 };
 use rasterizer::ir::{Builder, Input, Interpolation, Output, Stage};
 use std::sync::Arc;
@@ -283,7 +284,8 @@ fn rows_of_every_sample_hold_what_it_holds() {
         let mut samples = target.each_sample(0, 0).expect("there");
         assert_eq!(samples.texels, rows.texels);
         samples.write_box([3, 4, 2], [1; 3], &7.0_f32.to_le_bytes()).expect("within");
-        target.set_each_sample(0, 0, &samples);
+        let attachment = Attachment { image: target.clone(), face: 0, level: 0 };
+        device.set_each_sample(&attachment, &samples);
         let texels = target.texels();
         assert_eq!(texels.level(0, 0).expect("there").texels, samples.texels);
     }

@@ -29,7 +29,7 @@ fn halving(c: &mut Criterion) {
         group.measurement_time(Duration::from_secs(1));
         for isa in Isa::available() {
             group.bench_function(isa.name(), |b| {
-                b.iter(|| black_box(level.halved_as(Shape::D2, isa).expect("colours have means")));
+                b.iter(|| black_box(level.halved(Shape::D2, isa).expect("colours have means")));
             });
         }
         group.finish();

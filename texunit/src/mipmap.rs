@@ -26,21 +26,12 @@ impl Format {
 }
 
 impl Level {
-    /// The next smaller level of a two-dimensional image: half the width and height, rounded
-    /// down, at least 1.
-    ///
-    /// # Errors
-    /// When texels of this format have no mean, or there is no memory.
-    pub fn halved(&self) -> Result<Self, ImageError> {
-        self.halved_as(Shape::D2, Isa::best())
-    }
-
     /// The next smaller level of an image of this shape: filtered axes are halved, rounded down,
     /// at least 1; layers stay. Every instruction set gives the same.
     ///
     /// # Errors
     /// When texels of this format have no mean, or there is no memory.
-    pub fn halved_as(&self, shape: Shape, isa: Isa) -> Result<Self, ImageError> {
+    pub fn halved(&self, shape: Shape, isa: Isa) -> Result<Self, ImageError> {
         let format = self.format;
         if !format.has_mean() {
             return Err(ImageError::NoMean { format });
@@ -61,7 +52,7 @@ impl Level {
 
     /// By way of the colours, in linear light.
     fn halved_blocks(&self, shape: Shape, isa: Isa) -> Result<Self, ImageError> {
-        self.as_format(Format::Rgba32F)?.halved_as(shape, isa)?.as_format(self.format)
+        self.as_format(Format::Rgba32F)?.halved(shape, isa)?.as_format(self.format)
     }
 
     /// The colours of a level without a border in another format.
@@ -74,13 +65,15 @@ impl Level {
 
 impl Image {
     /// Makes the levels above `base` of every face from the base level, to a single texel (along
-    /// the axes that are halved) or `max`. A rectangle has no more levels.
+    /// the axes that are halved) or `max`. A rectangle has no more levels. Every instruction set makes
+    /// the same.
     ///
     /// # Errors
     /// When a face has no base level, its texels have no mean, or there is no memory; levels made
     /// until then stay.
-    pub fn generate_mipmaps(&mut self, base: u32, max: u32) -> Result<(), ImageError> {
-        (0..self.shape().faces()).try_for_each(|face| self.generate_face_mipmaps(face, base, max))
+    pub fn generate_mipmaps(&mut self, isa: Isa, base: u32, max: u32) -> Result<(), ImageError> {
+        (0..self.shape().faces())
+            .try_for_each(|face| self.generate_face_mipmaps(isa, face, base, max))
     }
 
     /// [`Image::generate_mipmaps`] of one face.
@@ -89,12 +82,12 @@ impl Image {
     /// As that.
     pub fn generate_face_mipmaps(
         &mut self,
+        isa: Isa,
         face: usize,
         base: u32,
         max: u32,
     ) -> Result<(), ImageError> {
         let shape = self.shape();
-        let isa = Isa::from_env().unwrap_or(Isa::BASELINE);
         let mut level = base as usize;
         let Some(base) = self.level(face, level) else {
             return Err(ImageError::Missing { face, level });
@@ -108,7 +101,7 @@ impl Image {
             // Of colours that were not compressed in between: what is lost does not add up.
             let mut larger = base.as_format(Format::Rgba32F)?;
             while !is_last(level, &larger) {
-                larger = larger.halved_as(shape, isa)?;
+                larger = larger.halved(shape, isa)?;
                 level += 1;
                 self.set_level(face, level, larger.as_format(format)?)?;
             }
@@ -116,7 +109,7 @@ impl Image {
         }
         let mut larger = base;
         while !is_last(level, larger) {
-            let smaller = larger.halved_as(shape, isa)?;
+            let smaller = larger.halved(shape, isa)?;
             level += 1;
             self.set_level(face, level, smaller)?;
             let Some(next) = self.level(face, level) else { break };

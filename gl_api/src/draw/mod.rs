@@ -34,6 +34,7 @@ use rasterizer::driver::{
 use rasterizer::shader::Program;
 use std::collections::HashMap;
 use std::sync::Arc;
+use texunit::lanes::Isa;
 
 /// A command buffer of this many commands is submitted.
 const MAX_COMMANDS: usize = 1 << 14;
@@ -120,6 +121,11 @@ impl Recorder {
     /// The device that commands are submitted to.
     pub fn device(&self) -> Arc<Device> {
         Arc::clone(&self.device)
+    }
+
+    /// The instruction set that the device's kernels are run with, and the context's own.
+    pub fn isa(&self) -> Isa {
+        self.device.desc().isa
     }
 
     /// Notes that what is recorded next holds so many bytes that nothing recorded before it does.

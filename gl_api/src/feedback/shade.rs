@@ -77,7 +77,7 @@ impl Shaded<'_> {
 }
 
 /// An input of the stage for up to 64 vertices.
-fn input(vertices: &[VertexBinding], input: Input, ids: &[Id], out: &mut U32s) {
+fn input(isa: Isa, vertices: &[VertexBinding], input: Input, ids: &[Id], out: &mut U32s) {
     match input {
         Input::Attribute { location, component } => {
             match vertices.iter().find(|binding| binding.location == location) {
@@ -86,7 +86,7 @@ fn input(vertices: &[VertexBinding], input: Input, ids: &[Id], out: &mut U32s) {
                     for (element, id) in elements.iter_mut().zip(ids) {
                         *element = source.element(id.vertex, id.instance);
                     }
-                    source.component(component, &elements[..ids.len()], out.as_f32_mut());
+                    source.component(isa, component, &elements[..ids.len()], out.as_f32_mut());
                 }
                 None => *out = U32s::splat(0),
             }
@@ -115,17 +115,16 @@ pub(crate) fn shade(
     ids: &[Id],
 ) -> Result<Vertices> {
     let stages = stages::choose(context, vertices, Rim::Aliased)?;
-    // Every instruction set gives the same bits.
-    let isa = Isa::best();
+    let isa = context.recorder.isa();
     let program = context.recorder.single_vertex(&stages.vertex);
-    let prepared = program.prepare(isa, &stages.words, &stages.vertex_textures);
+    let prepared = program.prepare(isa, &stages.words, &stages.reads.vertex_textures);
     let mut machine = Machine::default();
     machine.begin(&program);
     let outputs: Vec<Output> = program.outputs().collect();
     let mut values = Vec::with_capacity(ids.len() * outputs.len());
     for ids in ids.chunks(LANES) {
         for (index, &wanted) in program.inputs().iter().enumerate() {
-            input(vertices, wanted, ids, machine.input_mut(index));
+            input(isa, vertices, wanted, ids, machine.input_mut(index));
         }
         let run = Run {
             isa,

@@ -187,21 +187,25 @@ pub(crate) fn edit(
     crate::draw::settle(context, image);
     context.outdate_mirror();
     if image.samples() > 1 {
-        edit_samples(attachment, change);
+        edit_samples(context, attachment, change);
     } else {
         edit_slice(attachment, |level, first| change(level, first, 0));
     }
     context.objects.images_changed(|other| other.same(image));
 }
 
-fn edit_samples(attachment: &Attachment, change: impl Fn(&mut Level, usize, usize)) {
+fn edit_samples(
+    context: &Context,
+    attachment: &Attachment,
+    change: impl Fn(&mut Level, usize, usize),
+) {
     let &Attachment { ref image, face, level: number } = attachment;
     let Some(mut level) = image.each_sample(face, number) else { return };
     for sample in 0..level.depth as usize {
         let first = sample * level.slice_bytes();
         change(&mut level, first, sample);
     }
-    image.set_each_sample(face, number, &level);
+    context.recorder.device().set_each_sample(attachment, &level);
 }
 
 fn edit_slice(attachment: &Attachment, change: impl FnOnce(&mut Level, usize)) {

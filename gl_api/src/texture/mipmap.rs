@@ -7,6 +7,7 @@ use crate::context::{Context, limits};
 use crate::error::{Result, invalid_enum, invalid_operation};
 use crate::types::*;
 use texunit::image::ImageError;
+use texunit::lanes::Isa;
 use texunit::sampler::Sampler;
 
 const SECTION: &str = "EXT_framebuffer_object, section 3.8.8";
@@ -19,12 +20,12 @@ enum Faces {
 }
 
 /// Makes the levels above the base from it.
-fn generate(texture: &mut Texture, faces: Faces) -> Result<()> {
+fn generate(isa: Isa, texture: &mut Texture, faces: Faces) -> Result<()> {
     let Sampler { base_level: base, max_level: max, .. } = texture.sampler();
     let max = max.min(limits::MAX_TEXTURE_LEVELS as u32 - 1);
     let made = texture.image.update(|image| match faces {
-        Faces::All => image.generate_mipmaps(base, max),
-        Faces::One(face) => image.generate_face_mipmaps(face, base, max),
+        Faces::All => image.generate_mipmaps(isa, base, max),
+        Faces::One(face) => image.generate_face_mipmaps(isa, face, base, max),
     });
     made.map_err(|error| super::storage_error(SECTION, &error))?;
     let base = base as usize;
@@ -43,12 +44,17 @@ fn generate(texture: &mut Texture, faces: Faces) -> Result<()> {
 
 /// With `GL_GENERATE_MIPMAP` set, a new base level of a face brings new mipmaps, if its texels
 /// have any.
-pub(super) fn base_level_changed(texture: &mut Texture, face: usize, level: usize) -> Result<()> {
+pub(super) fn base_level_changed(
+    isa: Isa,
+    texture: &mut Texture,
+    face: usize,
+    level: usize,
+) -> Result<()> {
     let base = texture.sampler().base_level as usize;
     let image = texture.image.texels();
     let has_mean = image.level(face, level).is_some_and(|level| level.format.has_mean());
     if texture.generate_mipmap && level == base && has_mean {
-        generate(texture, Faces::One(face))
+        generate(isa, texture, Faces::One(face))
     } else {
         Ok(())
     }
@@ -62,6 +68,7 @@ pub(crate) fn generate_mipmap(context: &mut Context, target: GLenum) -> Result<(
     }
     let image = bound(context, target).image.clone();
     crate::draw::settle(context, &image);
+    let isa = context.recorder.isa();
     let texture = bound_mut(context, target);
     let base = texture.sampler().base_level as usize;
     let texels = texture.image.texels();
@@ -85,5 +92,5 @@ pub(crate) fn generate_mipmap(context: &mut Context, target: GLenum) -> Result<(
     if kinds.iter().any(|kind| *kind != kinds[0]) {
         return invalid_operation(SECTION, "the faces of the cube map differ in size or format");
     }
-    generate(texture, Faces::All)
+    generate(isa, texture, Faces::All)
 }

@@ -239,6 +239,7 @@ pub(super) fn store_level(
 ) -> Result<()> {
     let image = bound(context, target.target).image.clone();
     crate::draw::settle(context, &image);
+    let isa = context.recorder.isa();
     let texture = bound_mut(context, target.target);
     let face = usize::from(target.face);
     texture
@@ -247,7 +248,7 @@ pub(super) fn store_level(
         .map_err(|error| super::storage_error(SECTION, &error))?;
     texture.requested[face][level] = internal;
     texture.texels_changed();
-    super::mipmap::base_level_changed(texture, face, level)
+    super::mipmap::base_level_changed(isa, texture, face, level)
 }
 
 /// A call's format, type and pixels.

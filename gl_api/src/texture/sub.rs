@@ -76,6 +76,7 @@ pub(super) fn write_area(context: &mut Context, area: &Area, texels: &[u8]) -> R
     let target = area.target;
     let image = bound(context, target.target).image.clone();
     crate::draw::settle(context, &image);
+    let isa = context.recorder.isa();
     let texture = bound_mut(context, target.target);
     // Its plan reads the texels: while it is there they would be copied first.
     texture.texels_changed();
@@ -85,7 +86,7 @@ pub(super) fn write_area(context: &mut Context, area: &Area, texels: &[u8]) -> R
             .map_or(Ok(()), |level| level.write_box(area.at, area.size, texels))
     });
     written.map_err(|error| super::storage_error(SECTION, &error))?;
-    super::mipmap::base_level_changed(texture, target.face.into(), area.level)
+    super::mipmap::base_level_changed(isa, texture, target.face.into(), area.level)
 }
 
 /// Memory for the texels of a box.

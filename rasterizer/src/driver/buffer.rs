@@ -159,8 +159,8 @@ impl VertexSource {
     }
 
     /// A component of the attribute, 0 to 3, for each of at most 64 elements.
-    pub fn component(&self, component: u8, elements: &[u32], out: &mut F32s) {
-        fetch::component(Isa::BASELINE, self, component, Elements::new(elements), out);
+    pub fn component(&self, isa: Isa, component: u8, elements: &[u32], out: &mut F32s) {
+        fetch::component(isa, self, component, Elements::new(elements), out);
     }
 
     /// The attribute of one vertex of the first instance.

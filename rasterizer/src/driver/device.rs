@@ -7,6 +7,7 @@ use super::{check, submit};
 use crate::pool::Pool;
 use crate::raster::{ShapeLists, Worker};
 use crate::shader::Machine;
+use crate::target::Storing;
 use crate::vertex::Geometry;
 use parking_lot::Mutex;
 use std::collections::BTreeSet;
@@ -161,7 +162,15 @@ impl Device {
     /// several are resolved to: a level, if it exists, and which slice of it.
     pub fn resolved(&self, attachment: &Attachment) -> Option<(Arc<Level>, usize)> {
         let Attachment { image, face, level } = attachment;
-        image.resolved_by(*face, *level, self.desc.threads)
+        let storing = Storing { isa: self.desc.isa, threads: self.desc.threads };
+        image.resolved_by(*face, *level, storing)
+    }
+
+    /// Puts back what [`Image::each_sample`] gave, changed. Draws that were recorded earlier keep what
+    /// they saw.
+    pub fn set_each_sample(&self, attachment: &Attachment, samples: &Level) {
+        let Attachment { image, face, level } = attachment;
+        image.set_each_sample(*face, *level, samples, self.desc.isa);
     }
 
     /// The plans kept since the last call, each different one once ([`Explain::Keep`]).

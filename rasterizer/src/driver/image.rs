@@ -8,11 +8,12 @@
 //! themselves are in the attachment layout alone; or every sample has rows of its own ([`Rows`]), so
 //! that they can be sampled one by one and several layers drawn to in turn.
 
-use crate::target::{MAX_SAMPLES, Slices, Surface};
+use crate::target::{MAX_SAMPLES, Slices, Storing, Surface};
 use parking_lot::Mutex;
 use std::sync::Arc;
 use texunit::format::Format;
 use texunit::image::{Image as Texels, ImageError, Level, Shape};
+use texunit::lanes::Isa;
 
 /// An image of the driver. Cloning gives another handle to the same image.
 #[derive(Clone, Debug)]
@@ -50,6 +51,8 @@ struct Blank {
 struct Attached {
     at: Subresource,
     surface: Surface,
+    /// That of the device that has drawn it.
+    isa: Isa,
     /// Whether the rows of the level are older than the surface.
     drawn: bool,
 }
@@ -145,7 +148,7 @@ impl State {
         if let (Some(attached), Some(slices)) = (attached, slices) {
             let Subresource { face, level, .. } = attached.at;
             if let Some(level) = self.texels.level_mut(face, level) {
-                attached.surface.store(level, slices, threads);
+                attached.surface.store(level, slices, Storing { isa: attached.isa, threads });
             }
             attached.drawn = false;
         }
@@ -236,22 +239,22 @@ impl Image {
     }
 
     /// What an attachment names with one sample a pixel, which several are resolved to: a level, and
-    /// which slice of it. On up to so many threads ([`super::Device::resolved`]).
+    /// which slice of it ([`super::Device::resolved`]).
     pub(super) fn resolved_by(
         &self,
         face: u16,
         level: u8,
-        threads: usize,
+        storing: Storing,
     ) -> Option<(Arc<Level>, usize)> {
         let mut state = self.0.lock();
         let at = state.place(face, level);
         if state.rows == Rows::Resolved {
-            state.resolve(threads);
+            state.resolve(storing.threads);
             return Some((Arc::clone(state.texels.level(at.face, at.level)?), at.slice));
         }
         let surface = state.surface(at)?;
         let mut level = Level::new(surface.format, surface.width, surface.height).ok()?;
-        surface.store(&mut level, Slices::One(0), threads);
+        surface.store(&mut level, Slices::One(0), storing);
         Some((Arc::new(level), 0))
     }
 
@@ -262,13 +265,14 @@ impl Image {
         let surface = state.surface(at)?;
         let size = [surface.width, surface.height, surface.samples.into()];
         let mut level = Level::with_size(surface.format, size, [0; 3]).ok()?;
-        surface.store(&mut level, Slices::Each(0), 1);
+        // Nothing is resolved.
+        surface.store(&mut level, Slices::Each(0), Storing { isa: Isa::BASELINE, threads: 1 });
         Some(level)
     }
 
-    /// Puts back what [`Image::each_sample`] gave, changed. Draws that were recorded earlier keep what
-    /// they saw.
-    pub fn set_each_sample(&self, face: u16, level: u8, samples: &Level) {
+    /// Puts other samples in place of those of what an attachment names
+    /// ([`super::Device::set_each_sample`]).
+    pub(super) fn set_each_sample(&self, face: u16, level: u8, samples: &Level, isa: Isa) {
         let count = samples.depth.min(MAX_SAMPLES as u32) as u8;
         let surface = Surface::from_level_alone(samples, Slices::Each(0), count);
         let mut state = self.0.lock();
@@ -276,7 +280,7 @@ impl Image {
         // What it replaces need not be brought to its rows.
         state.attached.take_if(|attached| attached.at == at);
         drop(state);
-        self.detach(face, level, surface);
+        self.detach(face, level, surface, isa);
     }
 
     /// Whether both handles name the same image.
@@ -311,15 +315,15 @@ impl Image {
         Some(Surface::from_level(texels.level(at.face, at.level)?, slices, samples))
     }
 
-    /// Puts back what [`Image::attach`] took, drawn to.
-    pub(crate) fn detach(&self, face: u16, level: u8, surface: Surface) {
+    /// Puts back what [`Image::attach`] took, drawn to by a device of this instruction set.
+    pub(crate) fn detach(&self, face: u16, level: u8, surface: Surface, isa: Isa) {
         let mut state = self.0.lock();
         // Another level of the same image may have been drawn to in the same pass.
         if state.attached.is_some() {
             state.resolve(1);
         }
         let at = state.place(face, level);
-        state.attached = Some(Attached { at, surface, drawn: true });
+        state.attached = Some(Attached { at, surface, isa, drawn: true });
     }
 }
 

@@ -477,13 +477,14 @@ impl<'a> Pass<'a> {
     /// Runs what is left and gives the attachments back.
     pub fn end(mut self, report: &mut SubmitReport) {
         self.run_tiles(report);
+        let isa = self.device.desc().isa;
         for (attachment, surface) in self.desc.colors.iter().zip(self.colors) {
             if let (Some(a), Some(surface)) = (attachment, surface) {
-                a.image.detach(a.face, a.level, surface);
+                a.image.detach(a.face, a.level, surface, isa);
             }
         }
         if let (Some(a), Some(surface)) = (&self.desc.depth, self.depth) {
-            a.image.detach(a.face, a.level, surface);
+            a.image.detach(a.face, a.level, surface, isa);
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use texunit::format::convert::{self, word_of};
 use texunit::format::{BaseFormat, Encoding, Format};
-use texunit::lanes::{Baseline, F32s, Isa, Kernel, LANES, Simd, U32s, math};
+use texunit::lanes::{Baseline, F32s, LANES, Simd, U32s, math};
 
 /// `[0, 1]` to 0 … `largest`, rounded to nearest; NaN gives 0 (GL 2.1, section 2.14.9).
 #[inline(always)]
@@ -52,18 +52,11 @@ pub fn decode_color<S: Simd>(format: Format, words: &[U32s; 4]) -> [F32s; 4] {
 }
 
 /// The words of an RGBA colour in an attachment of this format, as a draw of that colour would
-/// write them.
+/// write them. It is one texel: no kernel, but what every machine has.
 pub fn texel_words(format: Format, color: [f32; 4]) -> [u32; 4] {
-    struct Encode(Format, [f32; 4]);
-    impl Kernel for Encode {
-        type Output = [U32s; 4];
-        #[inline(always)]
-        fn run<S: Simd>(self) -> [U32s; 4] {
-            let [r, g, b, a] = self.1;
-            encode_color(self.0, &[F32s::splat(r), F32s::splat(g), F32s::splat(b), F32s::splat(a)])
-        }
-    }
-    Isa::best().run(Encode(format, color)).map(|words| words[0])
+    let [r, g, b, a] = color;
+    let lanes = [F32s::splat(r), F32s::splat(g), F32s::splat(b), F32s::splat(a)];
+    encode_color(format, &lanes).map(|words| words[0])
 }
 
 /// The words of a texel as the colour that blending sees; integers as numbers.

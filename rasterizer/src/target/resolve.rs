@@ -8,7 +8,7 @@ use texunit::format::Format;
 use texunit::lanes::{F32s, Isa, Kernel, LANES, Simd, U32s};
 
 /// The planes of a tile of one sample.
-pub fn resolve_tile(format: Format, samples: u8, planes: &[Plane]) -> Vec<Plane> {
+pub fn resolve_tile(isa: Isa, format: Format, samples: u8, planes: &[Plane]) -> Vec<Plane> {
     let words = attachment_words(format);
     let samples: Vec<&[Plane]> = planes.chunks(words).take(usize::from(samples)).collect();
     let Some((first, rest)) = samples.split_first() else { return Vec::new() };
@@ -19,8 +19,6 @@ pub fn resolve_tile(format: Format, samples: u8, planes: &[Plane]) -> Vec<Plane>
     if format.is_depth() || format.is_integer() || is_clear {
         return first.to_vec();
     }
-    // Every instruction set gives the same bits.
-    let isa = Isa::best();
     let mut out = vec![vec![U32s::ZERO; BLOCKS]; words];
     for block in 0..BLOCKS {
         let texels = isa.run(Mean { format, samples: &samples, block });

@@ -16,7 +16,7 @@ use rayon::prelude::*;
 use std::thread;
 use texunit::format::Format;
 use texunit::image::Level;
-use texunit::lanes::{LANES, QUADS, U32s, lane_x, lane_y};
+use texunit::lanes::{Isa, LANES, QUADS, U32s, lane_x, lane_y};
 
 /// The most samples that a pixel can have.
 pub const MAX_SAMPLES: usize = 4;
@@ -47,6 +47,16 @@ pub enum Slices {
     One(usize),
     /// One for each sample, from this one on.
     Each(usize),
+}
+
+/// By what a surface is stored.
+#[derive(Clone, Copy, Debug)]
+pub struct Storing {
+    /// What resolves samples: the device's.
+    pub isa: Isa,
+    /// Many tiles on up to this many threads, which are not the device's: after a `fork` those are no
+    /// more, and a caller that waits for them would do other work of theirs meanwhile.
+    pub threads: usize,
 }
 
 /// What of a pixel is written to a texel.
@@ -146,21 +156,19 @@ impl Surface {
         TileTarget { words: attachment_words(self.format), planes }
     }
 
-    /// Writes the tiles back into slices of the level they came from. Many tiles on this many threads,
-    /// which are not the device's: after a `fork` those are no more, and a caller that waits for them
-    /// would do other work of theirs meanwhile.
-    pub fn store(&self, level: &mut Level, slices: Slices, threads: usize) {
+    /// Writes the tiles back into slices of the level they came from.
+    pub fn store(&self, level: &mut Level, slices: Slices, storing: Storing) {
         match slices {
-            Slices::One(slice) => self.store_slice(Stored::All, level, slice, threads),
+            Slices::One(slice) => self.store_slice(Stored::All, level, slice, storing),
             Slices::Each(first) => {
                 for sample in 0..self.samples.into() {
-                    self.store_slice(Stored::One(sample), level, first + sample, threads);
+                    self.store_slice(Stored::One(sample), level, first + sample, storing);
                 }
             }
         }
     }
 
-    fn store_slice(&self, what: Stored, level: &mut Level, slice: usize, threads: usize) {
+    fn store_slice(&self, what: Stored, level: &mut Level, slice: usize, storing: Storing) {
         debug_assert_eq!((self.width, self.height), (level.width, level.height));
         if !is_attachable(self.format) || self.tiles.is_empty() {
             return;
@@ -174,10 +182,10 @@ impl Surface {
         let next = || left.lock().next();
         let work = || {
             while let Some((tiles, texels)) = next() {
-                self.store_tiles(what, tiles, row_bytes, texels);
+                self.store_tiles(storing.isa, what, tiles, row_bytes, texels);
             }
         };
-        let threads = if self.tiles.len() < WORTH_THREADS { 1 } else { threads };
+        let threads = if self.tiles.len() < WORTH_THREADS { 1 } else { storing.threads };
         thread::scope(|scope| {
             for _ in 1..threads {
                 // One that cannot be started leaves its work to the others.
@@ -188,12 +196,20 @@ impl Surface {
     }
 
     /// Writes a row of tiles into rows of texels.
-    fn store_tiles(&self, what: Stored, tiles: &[Vec<Plane>], row_bytes: usize, texels: &mut [u8]) {
+    fn store_tiles(
+        &self,
+        isa: Isa,
+        what: Stored,
+        tiles: &[Vec<Plane>],
+        row_bytes: usize,
+        texels: &mut [u8],
+    ) {
         let (size, words) = (self.format.bytes(), attachment_words(self.format));
         let resolved: Vec<Vec<Plane>>;
         let planes: Vec<&[Plane]> = match what {
             Stored::All if self.samples > 1 => {
-                let resolve = |tile: &Vec<Plane>| resolve_tile(self.format, self.samples, tile);
+                let resolve =
+                    |tile: &Vec<Plane>| resolve_tile(isa, self.format, self.samples, tile);
                 resolved = tiles.iter().map(resolve).collect();
                 resolved.iter().map(Vec::as_slice).collect()
             }
@@ -328,7 +344,8 @@ mod tests {
             let cleared = |tile: &Vec<Plane>| tile[0].alike().is_some();
             assert_eq!(surface.tiles.iter().filter(|tile| cleared(tile)).count(), 5);
             let mut back = Level::new(format, 150, 70).expect("small");
-            surface.store(&mut back, Slices::One(0), 3);
+            let storing = Storing { isa: Isa::best(), threads: 3 };
+            surface.store(&mut back, Slices::One(0), storing);
             assert_eq!(back.texels, level.texels, "{format:?}");
         }
     }
@@ -344,7 +361,8 @@ mod tests {
             }
             let surface = Surface::from_level(&level, Slices::Each(2), 4);
             let mut back = Level::with_size(format, [70, 3, 7], [0; 3]).expect("small");
-            surface.store(&mut back, Slices::Each(2), 1);
+            let storing = Storing { isa: Isa::best(), threads: 1 };
+            surface.store(&mut back, Slices::Each(2), storing);
             let slice = level.slice_bytes();
             let (stored, left) = (2 * slice..6 * slice, &back.texels[6 * slice..]);
             assert_eq!(back.texels[stored.clone()], level.texels[stored], "{format:?}");
@@ -363,7 +381,7 @@ mod tests {
         assert!(surface.tiles.len() >= WORTH_THREADS);
         for threads in [1, 2, 7] {
             let mut back = Level::new(Format::Rgba8, 641, 530).expect("small");
-            surface.store(&mut back, Slices::One(0), threads);
+            surface.store(&mut back, Slices::One(0), Storing { isa: Isa::best(), threads });
             assert!(back.texels == level.texels, "{threads} threads");
         }
     }

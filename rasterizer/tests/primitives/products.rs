@@ -27,7 +27,7 @@ fn noise(format: Format, sampler: Sampler) -> Arc<SamplePlan> {
     }
     let mut image = Texels::new(Shape::D2);
     image.set_level(0, 0, level).expect("face 0");
-    image.generate_mipmaps(0, 1000).expect("small");
+    image.generate_mipmaps(Isa::best(), 0, 1000).expect("small");
     Arc::new(SamplePlan::new(&image, &sampler))
 }
 
