@@ -7,7 +7,7 @@ use rasterizer::driver::{
     AlphaToCoverage, AlphaToOne, Attachment, Blend, BlendEquation, BlendFactor, ClearValue,
     Command, CommandBuffer, Counter, DepthState, DepthWrite, Device, Image, MultisampleState,
     Pipeline, PipelineDesc, RasterState, Rect, Rows, SampleCoverage, SampleRule, ShaderModule,
-    Topology,
+    Topology, sample_positions,
 };
 use rasterizer::ir::{Builder, Input, Interpolation, Output, Stage};
 use std::sync::Arc;
@@ -25,6 +25,14 @@ fn multisampled(format: Format, samples: u8) -> Image {
     let mut texels = Texels::new(Shape::D2);
     texels.set_level(0, 0, Level::new(format, SIZE, SIZE).expect("small")).expect("face 0");
     Image::with_samples(texels, samples)
+}
+
+#[test]
+fn an_image_has_as_many_samples_as_there_are_places() {
+    for (asked, got) in [(0, 1), (1, 1), (2, 2), (3, 4), (4, 4), (5, 4), (255, 4)] {
+        let image = multisampled(Format::Rgba8, asked);
+        assert_eq!((image.samples(), sample_positions(asked).len()), (got, usize::from(got)));
+    }
 }
 
 fn each() -> MultisampleState {

@@ -68,7 +68,7 @@ pub enum ContextError {
         limit: u32,
     },
     /// The default framebuffer cannot have so many bits or samples.
-    #[error("{0:?}: at most 32 bits of depth, 8 of stencil, and 4 samples")]
+    #[error("{0:?}: at most 32 bits of depth and 8 of stencil, and 1, 2 or 4 samples")]
     Surface(SurfaceDesc),
     /// There is no memory for the default framebuffer.
     #[error("no memory for the default framebuffer")]

@@ -1,6 +1,6 @@
 //! What a default framebuffer is made of.
 
-use super::limits;
+use rasterizer::driver::possible_samples;
 use texunit::format::Format;
 
 /// What the default framebuffer has. By default 8 bits of each colour and alpha, 24 of depth, 8 of
@@ -13,7 +13,7 @@ pub struct SurfaceDesc {
     pub depth_bits: u8,
     /// Bits of stencil: 0, or up to 8.
     pub stencil_bits: u8,
-    /// Samples of a pixel: 0 and 1 are one, at most 4.
+    /// Samples of a pixel: 2 or 4; 0 and 1 are one.
     pub samples: u8,
 }
 
@@ -69,6 +69,7 @@ impl SurfaceDesc {
 
     /// Whether there can be such a framebuffer.
     pub(crate) fn is_possible(self) -> bool {
-        self.depth_bits <= 32 && self.stencil_bits <= 8 && self.samples <= limits::MAX_SAMPLES
+        let samples = self.samples.max(1);
+        self.depth_bits <= 32 && self.stencil_bits <= 8 && samples == possible_samples(samples)
     }
 }

@@ -71,3 +71,29 @@ fn a_window_resolves_to_a_framebuffer_by_blit() {
         fine(&mut c);
     }
 }
+
+/// A window has the samples that it was asked for, at as many places, or it is refused.
+#[test]
+fn a_window_has_one_sample_two_or_four() {
+    for samples in 0..=9 {
+        let surface = SurfaceDesc { samples, ..SurfaceDesc::default() };
+        let desc = ContextDesc { width: 4, height: 4, surface, ..ContextDesc::default() };
+        let made = Context::new(desc);
+        if ![0, 1, 2, 4].contains(&samples) {
+            let text = made.expect_err("it is refused").to_string();
+            assert!(text.contains(&format!("samples: {samples}")), "{text}");
+            assert!(text.contains("1, 2 or 4 samples"), "{text}");
+            continue;
+        }
+        let mut c = made.expect("a context");
+        let mut value = [0];
+        c.get_integerv(GL_SAMPLES, &mut value);
+        let count = if samples < 2 { 0 } else { samples };
+        assert_eq!(value, [count.into()]);
+        let is_place = |index: u8| {
+            c.get_multisamplefv(GL_SAMPLE_POSITION, index.into(), &mut [0.0; 2]);
+            c.get_error() == GL_NO_ERROR
+        };
+        assert_eq!([0, 1, 2, 3, 4].map(is_place), [0, 1, 2, 3, 4].map(|index| index < count));
+    }
+}

@@ -8,6 +8,7 @@
 //! themselves are in the attachment layout alone; or every sample has rows of its own ([`Rows`]), so
 //! that they can be sampled one by one and several layers drawn to in turn.
 
+use crate::raster::possible_samples;
 use crate::target::{MAX_SAMPLES, Slices, Storing, Surface};
 use parking_lot::Mutex;
 use std::sync::Arc;
@@ -165,21 +166,16 @@ impl State {
     }
 }
 
-/// The number of samples that is given for one that is asked for.
-fn possible(samples: u8) -> u8 {
-    samples.clamp(1, MAX_SAMPLES as u8)
-}
-
 impl Image {
     /// An image with these texels.
     pub fn new(texels: Texels) -> Self {
         Self::with_samples(texels, 1)
     }
 
-    /// An image of one level with several samples a pixel, each with these texels; with one for 0,
-    /// with [`crate::driver::MAX_SAMPLES`] for more than that.
+    /// An image of one level with several samples a pixel, each with these texels: as many as
+    /// [`possible_samples`] says.
     pub fn with_samples(texels: Texels, samples: u8) -> Self {
-        let (samples, rows) = (possible(samples), Rows::Resolved);
+        let (samples, rows) = (possible_samples(samples), Rows::Resolved);
         Self::of(State { texels, blank: None, samples, rows, attached: None })
     }
 
@@ -193,7 +189,7 @@ impl Image {
             return Err(ImageError::TooLarge { width, height, depth: 1 });
         }
         let (texels, blank) = (Texels::new(Shape::D2), Some(Blank { format, width, height }));
-        let (samples, rows) = (possible(samples), Rows::Resolved);
+        let (samples, rows) = (possible_samples(samples), Rows::Resolved);
         Ok(Self::of(State { texels, blank, samples, rows, attached: None }))
     }
 
@@ -234,7 +230,7 @@ impl Image {
 
     /// Puts other texels in place of its own, which are `rows` of this many samples.
     pub fn replace(&self, texels: Texels, samples: u8, rows: Rows) {
-        let samples = possible(samples);
+        let samples = possible_samples(samples);
         *self.0.lock() = State { texels, blank: None, samples, rows, attached: None };
     }
 

@@ -18,7 +18,7 @@ mod watch;
 
 pub use crate::output::texel_words;
 pub use crate::primitive::{Primitive, Primitives, primitives};
-pub use crate::raster::sample_positions;
+pub use crate::raster::{possible_samples, sample_positions};
 pub use crate::target::MAX_SAMPLES;
 pub use buffer::{Buffer, Version, VertexBinding, VertexFormat, VertexSource, VertexType};
 pub use command::{

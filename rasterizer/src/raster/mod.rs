@@ -29,6 +29,6 @@ mod watched;
 pub use clear::ClearJob;
 pub use interpolate::{PlaneSource, depth_offset};
 pub use job::{Chunk, DrawJob, Entry, PassJob, ShapeLists, TileJob};
-pub use samples::{Samples, sample_positions};
+pub use samples::{Samples, possible_samples, sample_positions};
 pub use tile::Worker;
 pub use watched::{Formats, Spot};

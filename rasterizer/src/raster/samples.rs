@@ -77,15 +77,25 @@ impl DerefMut for SampleMasks {
     }
 }
 
+/// The samples of a pixel that is to have so many: one, two or four, the next that is possible; at most
+/// four.
+fn places(count: u8) -> &'static [[i32; 2]] {
+    match count {
+        0 | 1 => &CENTER,
+        2 => &TWO,
+        3.. => &FOUR,
+    }
+}
+
+/// How many samples a pixel gets that is to have so many.
+pub fn possible_samples(asked: u8) -> u8 {
+    places(asked).len() as u8
+}
+
 /// Where the samples of a pixel that has so many lie, each in a cell of its own, from the pixel's
 /// lower left corner in pixels.
 pub fn sample_positions(count: u8) -> Vec<[f32; 2]> {
-    let places: &[[i32; 2]] = match count {
-        0 | 1 => &CENTER,
-        2 => &TWO,
-        _ => &FOUR,
-    };
-    places.iter().map(|place| place.map(|v| 0.5 + v as f32 / SUBPIXEL as f32)).collect()
+    places(count).iter().map(|place| place.map(|v| 0.5 + v as f32 / SUBPIXEL as f32)).collect()
 }
 
 /// Two samples, from the pixel's centre, in subpixels.
@@ -99,7 +109,7 @@ const CENTER: [[i32; 2]; 1] = [[0, 0]];
 /// What a draw does with the samples of its pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Samples {
-    /// How many there are, from 1 to [`MAX_SAMPLES`].
+    /// How many there are: 1, 2 or 4.
     pub count: usize,
     /// Where each lies, from the pixel's centre, in subpixels; empty where all are covered, and
     /// have the depth, that the centre has.
@@ -116,15 +126,15 @@ impl Samples {
     /// The samples of attachments that have `count` each; `alpha` is the program output of the first
     /// colour's alpha.
     pub fn new(count: u8, state: &MultisampleState, alpha: Option<usize>) -> Self {
-        let count = usize::from(count).clamp(1, MAX_SAMPLES);
+        let each = places(count);
+        let count = each.len();
         if count == 1 {
             let alpha_to_one = AlphaToOne::Off;
             return Self { count, places: &[], left: 1, alpha: None, alpha_to_one };
         }
-        let places: &[[i32; 2]] = match (state.rule, count) {
-            (SampleRule::Center, _) => &[],
-            (SampleRule::Each, 2) => &TWO,
-            (SampleRule::Each, _) => &FOUR[..count],
+        let places = match state.rule {
+            SampleRule::Center => &[],
+            SampleRule::Each => each,
         };
         Self {
             count,
