@@ -254,9 +254,3 @@ c_functions! {
         }
     }
 }
-
-/// A GLU function by name, or null.
-pub(super) fn address(name: &str) -> *const c_void {
-    let found = FUNCTIONS.iter().find(|row| row.0 == name);
-    found.map_or(std::ptr::null(), |row| row.1.cast())
-}

@@ -3,7 +3,7 @@
 
 use super::proc_address;
 use crate::abi::guard;
-use std::ffi::{CStr, c_char, c_int, c_void};
+use std::ffi::{c_char, c_int, c_void};
 
 /// Functions that answer 0: `False`, `None` or a null pointer. They read no argument.
 macro_rules! nothing {
@@ -40,26 +40,16 @@ nothing! {
 
 errors! { glXGetConfig glXGetFBConfigAttrib glXQueryContext }
 
-/// A GL function by name, or null.
-unsafe fn by_name(name: *const c_char) -> *const c_void {
-    if name.is_null() {
-        return std::ptr::null();
-    }
-    // SAFETY: not null, and ended by a zero as C's prototype says.
-    let name = unsafe { CStr::from_ptr(name) };
-    name.to_str().map_or(std::ptr::null(), proc_address::any)
-}
-
 #[unsafe(no_mangle)]
 #[allow(non_snake_case, reason = "GLX's name")]
 unsafe extern "C" fn glXGetProcAddress(name: *const c_char) -> *const c_void {
     // SAFETY: C's prototype promises the same.
-    guard("glXGetProcAddress", || unsafe { by_name(name) })
+    guard("glXGetProcAddress", || unsafe { proc_address::named(name) })
 }
 
 #[unsafe(no_mangle)]
 #[allow(non_snake_case, reason = "GLX's name")]
 unsafe extern "C" fn glXGetProcAddressARB(name: *const c_char) -> *const c_void {
     // SAFETY: C's prototype promises the same.
-    guard("glXGetProcAddressARB", || unsafe { by_name(name) })
+    guard("glXGetProcAddressARB", || unsafe { proc_address::named(name) })
 }

@@ -333,11 +333,26 @@ fn steps(stride: isize, order: isize) -> usize {
 
 /// `glMap1`: (target, u1, u2, stride, order, points).
 fn map1(arguments: &[isize]) -> usize {
-    steps(arguments[3], arguments[4]) + map_components(arguments[0] as GLenum)
+    steps(arguments[3], arguments[4]).saturating_add(map_components(arguments[0] as GLenum))
 }
 
 /// `glMap2`: (target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points).
 fn map2(arguments: &[isize]) -> usize {
-    let along = steps(arguments[3], arguments[4]).saturating_add(steps(arguments[7], arguments[8]));
-    along.saturating_add(map_components(arguments[0] as GLenum))
+    map1(arguments).saturating_add(steps(arguments[7], arguments[8]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// From the first point to the last, and the last itself; not round the end of what is counted,
+    /// where memory has fewer addresses than these arguments numbers.
+    #[test]
+    fn maps_reach_to_their_last_point() {
+        let (line, plane) = (GL_MAP1_VERTEX_3 as isize, GL_MAP2_VERTEX_4 as isize);
+        assert_eq!(map1(&[line, 0, 1, 5, 4]), 3 * 5 + 3);
+        assert_eq!(map2(&[plane, 0, 1, 20, 3, 0, 1, 5, 4]), 2 * 20 + 3 * 5 + 4);
+        assert_eq!(map1(&[line, 0, 1, isize::MAX, 30]), usize::MAX);
+        assert_eq!(map2(&[plane, 0, 1, isize::MAX, 30, 0, 1, isize::MAX, 30]), usize::MAX);
+    }
 }

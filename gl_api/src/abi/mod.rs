@@ -115,7 +115,8 @@ macro_rules! c_functions {
             }
         )*
         /// Names and addresses.
-        const FUNCTIONS: &[(&str, *const ())] = &[$((stringify!($name), $name as *const ())),*];
+        pub(in $crate::abi) const FUNCTIONS: &[(&str, *const ())] =
+            &[$((stringify!($name), $name as *const ())),*];
     };
 }
 pub(crate) use c_functions;

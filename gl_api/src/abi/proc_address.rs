@@ -1,8 +1,9 @@
 //! Functions by name: what `eglGetProcAddress`, `OSMesaGetProcAddress` and Rust's loaders answer.
 
+use super::{egl, glu, osmesa};
 use crate::context::Context;
 use std::collections::BTreeMap;
-use std::ffi::c_void;
+use std::ffi::{CStr, c_char, c_void};
 use std::sync::LazyLock;
 
 /// Addresses, as numbers so that threads can share them.
@@ -17,9 +18,26 @@ pub(crate) fn gl(name: &str) -> *const c_void {
 
 /// A function of any of the libraries that this one stands in for; null where there is none.
 pub(crate) fn any(name: &str) -> *const c_void {
-    let libraries = [gl, super::egl::address, super::osmesa::address, super::glu::address];
-    let found = libraries.into_iter().map(|library| library(name));
-    found.into_iter().find(|address| !address.is_null()).unwrap_or(std::ptr::null())
+    let found = gl(name);
+    if !found.is_null() {
+        return found;
+    }
+    let others = [egl::FUNCTIONS, osmesa::FUNCTIONS, glu::FUNCTIONS];
+    let found = others.into_iter().flatten().find(|row| row.0 == name);
+    found.map_or(std::ptr::null(), |row| row.1.cast())
+}
+
+/// [`any`] of a name from C; null for null.
+///
+/// # Safety
+/// What is not null is text that a zero ends.
+pub(super) unsafe fn named(name: *const c_char) -> *const c_void {
+    if name.is_null() {
+        return std::ptr::null();
+    }
+    // SAFETY: promised by the caller.
+    let name = unsafe { CStr::from_ptr(name) };
+    name.to_str().map_or(std::ptr::null(), any)
 }
 
 impl Context {

@@ -2,14 +2,14 @@
 
 use super::error::{Code, call, fail};
 use super::{Attrib, Handle, Int, attributes, int_attributes};
-use super::{config, constants, context, current, display, error, registry, surface, sync};
-use std::ffi::{CStr, c_char, c_void};
+use super::{config, constants, context, current, display, registry, surface, sync};
+use std::ffi::{c_char, c_void};
 
 macro_rules! functions {
     ($($name:ident $params:tt -> $ret:ty => $body:expr;)*) => {
         $(functions!(@function $name $params -> $ret => $body);)*
         /// Names and addresses.
-        const FUNCTIONS: &[(&str, *const ())] = &[
+        pub(in crate::abi) const FUNCTIONS: &[(&str, *const ())] = &[
             ("eglGetError", eglGetError as *const ()),
             ("eglGetProcAddress", eglGetProcAddress as *const ()),
             $((stringify!($name), $name as *const ()),)*
@@ -162,14 +162,7 @@ unsafe extern "C" fn eglGetProcAddress(name: *const c_char) -> *const c_void {
         if name.is_null() {
             return fail(Code::BadParameter, "procname must not be NULL");
         }
-        // SAFETY: not null, and ended by a zero as C's prototype says.
-        let name = unsafe { CStr::from_ptr(name) };
-        Ok(name.to_str().map_or(std::ptr::null(), crate::abi::proc_address::any))
+        // SAFETY: ended by a zero, as C's prototype says.
+        Ok(unsafe { crate::abi::proc_address::named(name) })
     })
-}
-
-/// An EGL function by name, or null.
-pub(crate) fn address(name: &str) -> *const c_void {
-    let found = FUNCTIONS.iter().find(|row| row.0 == name);
-    found.map_or(<*const c_void as error::Answer>::FAILURE, |row| row.1.cast())
 }

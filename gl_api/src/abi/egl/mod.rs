@@ -31,7 +31,7 @@ mod sync;
 mod vendor;
 
 pub(in crate::abi) use context::shared_by;
-pub(crate) use functions::address;
+pub(super) use functions::FUNCTIONS;
 
 use std::ffi::c_void;
 

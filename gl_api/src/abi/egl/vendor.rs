@@ -6,7 +6,7 @@ use super::constants::*;
 use super::error::call;
 use super::{Attrib, Handle, Int, attributes, display};
 use crate::abi::{guard, proc_address};
-use std::ffi::{CStr, c_char, c_int, c_void};
+use std::ffi::{c_char, c_int, c_void};
 
 /// The part of `__EGLapiImports` that a vendor must fill in; what follows is optional.
 #[repr(C)]
@@ -46,14 +46,8 @@ extern "C" fn vendor_string(name: c_int) -> *const c_char {
 }
 
 unsafe extern "C" fn by_name(name: *const c_char) -> *const c_void {
-    guard("getProcAddress", || {
-        if name.is_null() {
-            return std::ptr::null();
-        }
-        // SAFETY: not null, and ended by a zero as C's prototype says.
-        let name = unsafe { CStr::from_ptr(name) };
-        name.to_str().map_or(std::ptr::null(), proc_address::any)
-    })
+    // SAFETY: C's prototype promises the same.
+    guard("getProcAddress", || unsafe { proc_address::named(name) })
 }
 
 extern "C" fn no_dispatch(_name: *const c_char) -> *const c_void {

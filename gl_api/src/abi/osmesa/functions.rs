@@ -9,7 +9,7 @@ use crate::abi::memory::ClientPointer;
 use crate::abi::{c_functions, proc_address};
 use crate::constants::{GL_FIXED_ONLY, GL_TRUE};
 use crate::types::{GLboolean, GLenum, GLint, GLsizei};
-use std::ffi::{CStr, c_char, c_void};
+use std::ffi::{c_char, c_void};
 
 /// Writes a result where the client wants one.
 ///
@@ -115,10 +115,7 @@ c_functions! {
     }
 
     OSMesaGetProcAddress(name: *const c_char) -> *const c_void {
-        if name.is_null() {
-            return std::ptr::null();
-        }
-        CStr::from_ptr(name).to_str().map_or(std::ptr::null(), proc_address::any)
+        proc_address::named(name)
     }
 
     OSMesaColorClamp(enable: GLboolean) {
@@ -127,10 +124,4 @@ c_functions! {
 
     // There are no filters.
     OSMesaPostprocess(_context: *mut c_void, _filter: *const c_char, _value: u32) {}
-}
-
-/// An OSMesa function by name, or null.
-pub(crate) fn address(name: &str) -> *const c_void {
-    let found = FUNCTIONS.iter().find(|row| row.0 == name);
-    found.map_or(std::ptr::null(), |row| row.1.cast())
 }

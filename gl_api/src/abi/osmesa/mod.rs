@@ -8,7 +8,7 @@
 mod functions;
 mod mirror;
 
-pub(crate) use functions::address;
+pub(super) use functions::FUNCTIONS;
 pub(crate) use mirror::Mirror;
 
 use super::egl::current;
