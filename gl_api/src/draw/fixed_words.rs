@@ -10,7 +10,7 @@ use crate::state::clamp::Clamp;
 use crate::state::enable::Flag;
 use crate::state::light::Light;
 use crate::state::material::{Material, material};
-use crate::state::matrix::inverse_3;
+use crate::state::matrix::{inverse_3, rescale_factor};
 use glam::{DMat3, DMat4, DVec4};
 
 /// The words, as the last draw left them, and what the dear ones were made from.
@@ -88,7 +88,7 @@ impl FixedWords {
         let normal = Normal { modelview, rescale };
         if self.normal != Some(normal) {
             let inverse: DMat3 = inverse_3(modelview);
-            let factor = if rescale { 1.0 / inverse.row(2).length() } else { 1.0 };
+            let factor = if rescale { rescale_factor(&inverse) } else { 1.0 };
             put(&mut self.words, word::NORMAL, (inverse.transpose() * factor).to_cols_array());
             self.normal = Some(normal);
         }

@@ -5,7 +5,7 @@ use crate::framebuffer::complete::draw_pass;
 use crate::interface::*;
 use crate::state::light::Light;
 use crate::state::material::{Material, material};
-use crate::state::matrix::{inverse, inverse_3};
+use crate::state::matrix::{inverse, inverse_3, rescale_factor};
 use glam::DMat4;
 
 /// A matrix of the state, in one of its forms.
@@ -102,7 +102,8 @@ fn put_state(context: &Context, words: &mut [u32], binding: StateBinding) {
             }
         }
         StateVar::NormalScale => {
-            put(words, word, [normal_scale(context)]);
+            let inverse = inverse_3(state.matrices.modelview.top);
+            put(words, word, [rescale_factor(&inverse)]);
         }
         StateVar::Point => {
             let points = &context.state.raster.points;
@@ -166,11 +167,6 @@ fn put_state(context: &Context, words: &mut [u32], binding: StateBinding) {
             put(words, word + 4, [fog.density.into(), start, end, 1.0 / (end - start)]);
         }
     }
-}
-
-/// The factor of `GL_RESCALE_NORMAL` (GL 2.1, section 2.11.3).
-pub(super) fn normal_scale(context: &Context) -> f64 {
-    1.0 / inverse_3(context.state.matrices.modelview.top).row(2).length()
 }
 
 /// The state that a program reads, into its words.

@@ -368,6 +368,11 @@ pub(crate) fn inverse_3(matrix: DMat4) -> DMat3 {
     DMat3::from_mat4(inverse(matrix))
 }
 
+/// The factor of `GL_RESCALE_NORMAL`, from what normals go through (GL 2.1, section 2.11.3).
+pub(crate) fn rescale_factor(inverse: &DMat3) -> f64 {
+    1.0 / inverse.row(2).length()
+}
+
 /// `1 - matrix * inverse`.
 fn residual(matrix: &DMat4, inverse: &DMat4) -> DMat4 {
     let rows = matrix.transpose().to_cols_array_2d();
