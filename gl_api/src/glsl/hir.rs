@@ -147,6 +147,27 @@ pub struct Variable {
 }
 
 impl Variable {
+    /// One that nothing is known of but how it is declared, at `span`.
+    pub fn new(name: Arc<str>, ty: Type, storage: Storage, span: Span) -> Self {
+        Self {
+            name,
+            ty,
+            storage,
+            span,
+            type_span: None,
+            written: false,
+            dynamic: false,
+            indexed: 0,
+            named: 0,
+            picked: 0,
+            passing: Passing::default(),
+            implicit: false,
+            block: None,
+            constant: None,
+            init: None,
+        }
+    }
+
     /// Whether its value has effects, so that it is worked out even if nobody names the variable.
     pub fn has_effects(&self) -> bool {
         self.storage == Storage::Plain && self.init.as_ref().is_some_and(Expr::has_effects)

@@ -1,7 +1,7 @@
 //! The built-in variables and constants (GLSL 1.30 chapter 7), but for the state of the context.
 
 use super::state::{self, StateArray};
-use crate::glsl::hir::{Passing, Storage, Variable};
+use crate::glsl::hir::{Storage, Variable};
 use crate::glsl::limits::{
     MAX_CLIP_DISTANCES, MAX_CLIP_PLANES, MAX_DRAW_BUFFERS, MAX_LIGHTS, MAX_UNIFORM_COMPONENTS,
     MAX_VARYING_FLOATS, MAX_VERTEX_ATTRIBS, TEXEL_OFFSETS,
@@ -83,25 +83,12 @@ pub fn find(name: &str, stage: Stage, language: Language) -> Option<Variable> {
     let row = ROWS
         .iter()
         .find(|row| row.name == name && row.stages.has(stage) && language.has(row.since))?;
-    let constant =
-        if let Builtin::Limit(value) = row.builtin { Some([value as u32].into()) } else { None };
-    Some(Variable {
-        name: row.name.into(),
-        ty: row.ty.clone(),
-        storage: Storage::Builtin(row.builtin),
-        span: Span::default(),
-        type_span: None,
-        written: false,
-        dynamic: false,
-        indexed: 0,
-        named: 0,
-        picked: 0,
-        passing: Passing::default(),
-        implicit: false,
-        block: None,
-        constant,
-        init: None,
-    })
+    let storage = Storage::Builtin(row.builtin);
+    let mut variable = Variable::new(row.name.into(), row.ty.clone(), storage, Span::default());
+    if let Builtin::Limit(value) = row.builtin {
+        variable.constant = Some([value as u32].into());
+    }
+    Some(variable)
 }
 
 /// The structure of that name that a built-in variable has.

@@ -6,7 +6,7 @@ use crate::glsl::Scalar;
 use crate::glsl::ast::{self, TypeBase};
 use crate::glsl::builtins::variables;
 use crate::glsl::diagnostics::{Diagnostic, closest};
-use crate::glsl::hir::{Expr, ExprKind, Passing, Storage, VarRef, Variable};
+use crate::glsl::hir::{Expr, ExprKind, Storage, VarRef, Variable};
 use crate::glsl::limits::{MAX_DIMENSIONS, MAX_SCALARS, MAX_STRUCT_DEPTH};
 use crate::glsl::source::Span;
 use crate::glsl::types::{Struct, Type};
@@ -232,23 +232,7 @@ impl Checker<'_> {
         ty: Type,
         storage: Storage,
     ) -> Variable {
-        Variable {
-            name: declared.name.text.clone(),
-            ty,
-            storage,
-            span: declared.name.span,
-            type_span: None,
-            written: false,
-            dynamic: false,
-            indexed: 0,
-            named: 0,
-            picked: 0,
-            passing: Passing::default(),
-            implicit: false,
-            block: None,
-            constant: None,
-            init: None,
-        }
+        Variable::new(declared.name.text.clone(), ty, storage, declared.name.span)
     }
 
     /// Checks an initializer, and keeps it in the variable.

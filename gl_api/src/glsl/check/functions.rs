@@ -5,7 +5,7 @@ use super::scope::Symbol;
 use super::{Body, Checker};
 use crate::glsl::ast::{self, Qualifier};
 use crate::glsl::diagnostics::Diagnostic;
-use crate::glsl::hir::{Direction, Function, Passing, Storage, VarRef, Variable};
+use crate::glsl::hir::{Direction, Function, Storage, VarRef, Variable};
 use crate::glsl::types::Type;
 use crate::glsl::version::Version;
 
@@ -95,23 +95,9 @@ impl Checker<'_> {
             self.error(span, "6.1", "a `const` parameter cannot be `out` or `inout`");
         }
         let storage = if constant { Storage::Const } else { Storage::Parameter(direction) };
-        let variable = Variable {
-            name: parameter.name.as_ref().map_or("".into(), |name| name.text.clone()),
-            ty,
-            storage,
-            span,
-            type_span: None,
-            written: direction != Direction::In,
-            dynamic: false,
-            indexed: 0,
-            named: 0,
-            picked: 0,
-            passing: Passing::default(),
-            implicit: false,
-            block: None,
-            constant: None,
-            init: None,
-        };
+        let name = parameter.name.as_ref().map_or("".into(), |name| name.text.clone());
+        let mut variable = Variable::new(name, ty, storage, span);
+        variable.written = direction != Direction::In;
         (direction, variable)
     }
 
