@@ -37,6 +37,11 @@ type Textures = Arc<[Option<Arc<SamplePlan>>]>;
 pub(crate) struct Stages {
     pub vertex: ShaderModule,
     pub fragment: ShaderModule,
+    pub reads: Reads,
+}
+
+/// What stages read beside vertices.
+pub(crate) struct Reads {
     pub words: Vec<u32>,
     pub vertex_textures: Textures,
     pub fragment_textures: Textures,
@@ -183,14 +188,8 @@ pub(crate) fn choose(
         clamp,
     };
     fixed_words::append(context, &mut words, keys, needed);
-    Ok(Stages {
-        vertex: vertex.module,
-        fragment: fragment.module,
-        words,
-        vertex_textures,
-        fragment_textures: fragment.textures,
-        note,
-    })
+    let reads = Reads { words, vertex_textures, fragment_textures: fragment.textures, note };
+    Ok(Stages { vertex: vertex.module, fragment: fragment.module, reads })
 }
 
 /// The fragment stage.

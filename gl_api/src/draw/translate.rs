@@ -1,7 +1,8 @@
 //! From validated state to commands of the driver.
 
 use super::primitives::{raster_state, smoothness};
-use super::{begin_pass, hints, stages};
+use super::stages::{self, Reads, Stages};
+use super::{begin_pass, hints};
 use crate::assembly::running as assembly;
 use crate::context::Context;
 use crate::error::{ErrorCode, GlError, Result, invalid_operation};
@@ -68,7 +69,23 @@ pub(crate) fn draw(
     vertices: Vec<VertexBinding>,
     elements: &Elements,
 ) -> Result<()> {
-    record(context, topology, vertices, elements, None)
+    let pass = checked_pass(context)?;
+    if context.queries.discards() {
+        return Ok(());
+    }
+    transform_feedback::draw(context, topology, &vertices, elements)?;
+    if !is_rasterized(context, topology, &vertices, elements)? {
+        return Ok(());
+    }
+    let rim = smoothness(context, topology);
+    // Choosing may carry out what was recorded, if a texture of this draw was drawn to.
+    let Stages { vertex, fragment, reads } = stages::choose(context, &vertices, rim)?;
+    let viewport = viewport(context);
+    let mut raster = raster_state(context, topology, &vertices);
+    raster.multisample = multisample_state(context, SampleRule::Each);
+    let desc = pipeline_desc(context, &pass, topology, vertex, fragment);
+    hints::state::check(context, &pass, &desc, elements);
+    record(context, Drawing { pass, desc, raster, viewport, reads }, vertices, elements)
 }
 
 /// Records the draw of a rectangle of pixels: four vertices in clip coordinates of the whole
@@ -82,28 +99,28 @@ pub(crate) fn draw_rectangle(
     elements: &Elements,
     rectangle: &Rectangle,
 ) -> Result<()> {
-    record(context, Topology::Quads, vertices, elements, Some(rectangle))
-}
-
-/// Refuses to draw to integers without a fragment shader, which alone writes them.
-fn no_integers(context: &Context) -> Result<()> {
-    if drawn_formats(context).any(Format::is_integer) {
-        return invalid_operation(
-            "EXT_texture_integer, section 2.6",
-            "a colour buffer that is drawn to holds integers, which only a fragment shader writes: \
-             call glUseProgram with one",
-        );
+    let topology = Topology::Quads;
+    let pass = checked_pass(context)?;
+    if context.queries.discards() || !is_rasterized(context, topology, &vertices, elements)? {
+        return Ok(());
     }
-    Ok(())
+    let mut stages = stages::choose(context, &vertices, Rim::Aliased)?;
+    rectangle.apply(context, &mut stages).map_err(|error| stages::internal(&error))?;
+    let Stages { vertex, fragment, reads } = stages;
+    let viewport = rectangle_viewport(&pass, rectangle.depth);
+    let multisample = multisample_state(context, SampleRule::Center);
+    let raster = RasterState { multisample, ..RasterState::default() };
+    let desc = PipelineDesc {
+        cull: Cull::None,
+        front_face: FrontFace::Ccw,
+        provoking: Provoking::Last,
+        ..pipeline_desc(context, &pass, topology, vertex, fragment)
+    };
+    record(context, Drawing { pass, desc, raster, viewport, reads }, vertices, elements)
 }
 
-fn record(
-    context: &mut Context,
-    topology: Topology,
-    vertices: Vec<VertexBinding>,
-    elements: &Elements,
-    rectangle: Option<&Rectangle>,
-) -> Result<()> {
+/// What is drawn to, if the state can draw to it.
+fn checked_pass(context: &mut Context) -> Result<PassDesc> {
     let pass = draw_pass(context)?;
     let program = context.state.bindings.program.name();
     let linked = context.objects.linked_program(program);
@@ -118,63 +135,108 @@ fn record(
     if !is_shaded {
         no_integers(context)?;
     }
-    if context.queries.discards() {
-        return Ok(());
+    Ok(pass)
+}
+
+/// Refuses to draw to integers without a fragment shader, which alone writes them.
+fn no_integers(context: &Context) -> Result<()> {
+    if drawn_formats(context).any(Format::is_integer) {
+        return invalid_operation(
+            "EXT_texture_integer, section 2.6",
+            "a colour buffer that is drawn to holds integers, which only a fragment shader writes: \
+             call glUseProgram with one",
+        );
     }
-    if rectangle.is_none() {
-        transform_feedback::draw(context, topology, &vertices, elements)?;
-    }
+    Ok(())
+}
+
+/// Whether a draw makes fragments. What it makes in other modes is made here.
+fn is_rasterized(
+    context: &mut Context,
+    topology: Topology,
+    vertices: &[VertexBinding],
+    elements: &Elements,
+) -> Result<bool> {
     if context.state.enables.has(Flag::RasterizerDiscard) {
-        return Ok(());
+        return Ok(false);
     }
     if context.feedback.mode != Mode::Render {
-        return feedback::draw(context, topology, &vertices, elements);
+        feedback::draw(context, topology, vertices, elements)?;
+        return Ok(false);
     }
     hints::textures::nothing_enabled(context);
-    // Choosing may carry out what was recorded, if a texture of this draw was drawn to.
-    let rim = if rectangle.is_some() { Rim::Aliased } else { smoothness(context, topology) };
-    let mut stages = stages::choose(context, &vertices, rim)?;
-    let mut viewport = viewport(context);
-    let mut raster = RasterState::default();
-    match rectangle {
-        Some(rectangle) => {
-            rectangle.apply(context, &mut stages).map_err(|error| stages::internal(&error))?;
-            viewport = rectangle_viewport(&pass, rectangle.depth);
-            raster.multisample = multisample_state(context, SampleRule::Center);
-        }
-        None => {
-            raster = raster_state(context, topology, &vertices);
-            raster.multisample = multisample_state(context, SampleRule::Each);
-        }
-    }
-    let mut desc = pipeline_desc(context, &pass, topology, stages.vertex, stages.fragment);
-    if rectangle.is_some() {
-        let (cull, front_face, provoking) = (Cull::None, FrontFace::Ccw, Provoking::Last);
-        desc = PipelineDesc { cull, front_face, provoking, ..desc };
-    } else {
-        hints::state::check(context, &pass, &desc, elements);
-    }
+    Ok(true)
+}
+
+/// A draw but its vertices.
+struct Drawing {
+    pass: PassDesc,
+    desc: PipelineDesc,
+    raster: RasterState,
+    viewport: Viewport,
+    reads: Reads,
+}
+
+fn record(
+    context: &mut Context,
+    drawing: Drawing,
+    vertices: Vec<VertexBinding>,
+    elements: &Elements,
+) -> Result<()> {
+    let Drawing { pass, desc, raster, viewport, reads } = drawing;
     let watched = is_watched(context, &pass);
     begin_pass(context, pass);
-    if let Some(note) = stages.note.take().filter(|_| watched) {
-        watch_draw(context, note.drawing(topology));
+    if let Some(note) = reads.note.filter(|_| watched) {
+        watch_draw(context, note.drawing(desc.topology));
     }
+    tell_pipeline(context, desc)?;
+    let read = context.recorder.told.attributes | raster.polygon.edge_flag.map_or(0, bit);
+    tell_state(context, raster, viewport, reads.words);
+    let vertices = vertices.into_iter().filter(|binding| read & bit(binding.location) != 0);
+    let vertices: Arc<[_]> = vertices.collect();
+    hints::arrays::short(context, &vertices, elements);
+    let recorder = &mut context.recorder;
+    let commands = &mut recorder.commands;
+    let buffers = vertices.iter().filter_map(|binding| binding.source.buffer());
+    recorder.held += buffers.map(Buffer::own_bytes).sum::<usize>();
+    commands.push(Command::BindVertices(vertices));
+    commands.push(Command::BindTextures {
+        vertex: reads.vertex_textures,
+        fragment: reads.fragment_textures,
+    });
+    commands.push(match elements {
+        Elements::Range { first, count, instances } => {
+            Command::Draw { first: *first, count: *count, instances: *instances }
+        }
+        Elements::Indexed { indices, count, instances } => {
+            recorder.held += indices.buffer.own_bytes();
+            Command::DrawIndexed { indices: indices.clone(), count: *count, instances: *instances }
+        }
+    });
+    Ok(())
+}
+
+/// Tells the open pass of its pipeline, if that is another.
+fn tell_pipeline(context: &mut Context, desc: PipelineDesc) -> Result<()> {
     if context.recorder.told.pipeline.as_ref() != Some(&desc) {
         let pipeline = pipeline(context, &desc)?;
         context.recorder.told.attributes = pipeline.attributes().fold(0, |all, at| all | bit(at));
         context.recorder.push(Command::BindPipeline(pipeline));
         context.recorder.told.pipeline = Some(desc);
     }
+    Ok(())
+}
 
+/// Tells the open pass what has changed of the rest of its state.
+fn tell_state(context: &mut Context, raster: RasterState, viewport: Viewport, words: Vec<u32>) {
     let scissor = scissor(context);
     let recorder = &mut context.recorder;
     let (told, commands) = (&mut recorder.told, &mut recorder.commands);
-    if told.words.as_deref() != Some(&stages.words) {
-        let shared: Arc<[u32]> = stages.words.into();
+    if told.words.as_deref() != Some(&words) {
+        let shared: Arc<[u32]> = words.into();
         commands.push(Command::SetUniforms(Arc::clone(&shared)));
         told.words = Some(shared);
     }
-    let read = told.attributes | raster.polygon.edge_flag.map_or(0, bit);
     if told.raster.as_deref() != Some(&raster) {
         let shared = Arc::new(raster);
         commands.push(Command::SetRaster(Arc::clone(&shared)));
@@ -190,28 +252,6 @@ fn record(
         commands.push(Command::SetCounter(recorder.counter.clone()));
         told.counter.clone_from(&recorder.counter);
     }
-    let vertices = vertices.into_iter().filter(|binding| read & bit(binding.location) != 0);
-    let vertices: Arc<[_]> = vertices.collect();
-    hints::arrays::short(context, &vertices, elements);
-    let recorder = &mut context.recorder;
-    let commands = &mut recorder.commands;
-    let buffers = vertices.iter().filter_map(|binding| binding.source.buffer());
-    recorder.held += buffers.map(Buffer::own_bytes).sum::<usize>();
-    commands.push(Command::BindVertices(vertices));
-    commands.push(Command::BindTextures {
-        vertex: stages.vertex_textures,
-        fragment: stages.fragment_textures,
-    });
-    commands.push(match elements {
-        Elements::Range { first, count, instances } => {
-            Command::Draw { first: *first, count: *count, instances: *instances }
-        }
-        Elements::Indexed { indices, count, instances } => {
-            recorder.held += indices.buffer.own_bytes();
-            Command::DrawIndexed { indices: indices.clone(), count: *count, instances: *instances }
-        }
-    });
-    Ok(())
 }
 
 /// A location in a set of attributes.

@@ -117,7 +117,7 @@ pub(crate) fn shade(
     let stages = stages::choose(context, vertices, Rim::Aliased)?;
     let isa = context.recorder.isa();
     let program = context.recorder.single_vertex(&stages.vertex);
-    let prepared = program.prepare(isa, &stages.words, &stages.reads.vertex_textures);
+    let prepared = program.prepare(isa, &stages.reads.words, &stages.reads.vertex_textures);
     let mut machine = Machine::default();
     machine.begin(&program);
     let outputs: Vec<Output> = program.outputs().collect();
@@ -130,7 +130,7 @@ pub(crate) fn shade(
             isa,
             program: &program,
             prepared: &prepared,
-            textures: &stages.vertex_textures,
+            textures: &stages.reads.vertex_textures,
             active: u64::MAX >> (LANES - ids.len()),
             budget: rasterizer::driver::DeviceDesc::BUDGET,
         };

@@ -244,8 +244,8 @@ impl Rectangle {
         context: &mut Context,
         stages: &mut Stages,
     ) -> std::result::Result<(), IrError> {
-        let word = stages.words.len() as u32;
-        stages.words.extend(self.origin.map(|corner| (corner as f32).to_bits()));
+        let word = stages.reads.words.len() as u32;
+        stages.reads.words.extend(self.origin.map(|corner| (corner as f32).to_bits()));
         let key = Key { module: stages.fragment.clone(), holds: self.holds, word };
         let modules = &mut context.recorder.rectangles;
         stages.fragment = cached(&mut modules.fragment, &key, fragment_module)?;
@@ -253,9 +253,9 @@ impl Rectangle {
             Some(module) => module.clone(),
             None => modules.vertex.insert(ShaderModule::new(vertex_module())?).clone(),
         };
-        stages.vertex_textures = Arc::from([]);
-        let textures = stages.fragment_textures.iter().cloned();
-        stages.fragment_textures = textures.chain([Some(Arc::clone(&self.plan))]).collect();
+        stages.reads.vertex_textures = Arc::from([]);
+        let textures = stages.reads.fragment_textures.iter().cloned();
+        stages.reads.fragment_textures = textures.chain([Some(Arc::clone(&self.plan))]).collect();
         Ok(())
     }
 }
