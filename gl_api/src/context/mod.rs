@@ -9,6 +9,7 @@ mod surface;
 
 use crate::abi::osmesa::Mirror;
 use crate::draw::Recorder;
+use crate::draw::ended::draw_ended;
 use crate::draw::immediate::Immediate;
 use crate::entry::{Fallback, Place};
 use crate::error::{ErrorCode, GlError, Result};
@@ -94,6 +95,8 @@ pub struct Context {
     said: said::Said,
     /// Between `glBegin` and `glEnd`.
     pub(crate) immediate: Option<Immediate>,
+    /// What ended with `glEnd` and is not drawn yet, as more like it may follow.
+    pub(crate) ended: Option<Immediate>,
     pub(crate) recorder: Recorder,
     /// Display lists, and the one that is being compiled.
     pub(crate) lists: Lists,
@@ -173,6 +176,7 @@ impl Context {
             debug: debug::Debug::from_env(device.desc()),
             said: said::Said::default(),
             immediate: None,
+            ended: None,
             recorder: Recorder::new(device),
             lists: Lists::default(),
             compiling: None,
@@ -256,8 +260,8 @@ impl Context {
     ) -> R {
         let turn = Turn::begin(self);
         let result = match place {
-            Place::Outside if turn.context.immediate.is_some() => Err(between_begin_and_end()),
-            Place::Outside | Place::Anywhere => f(turn.context),
+            Place::Outside => turn.context.leave_vertices().and_then(|()| f(turn.context)),
+            Place::Anywhere => f(turn.context),
         };
         drop(turn);
         let result = result.unwrap_or_else(|error: GlError| {
@@ -266,6 +270,24 @@ impl Context {
         });
         self.debug.deliver();
         result
+    }
+
+    /// Before a call that may not stand between `glBegin` and `glEnd`: what ended is drawn with the
+    /// state of now.
+    #[inline(never)]
+    fn leave_vertices(&mut self) -> Result<()> {
+        if self.immediate.is_some() {
+            return Err(between_begin_and_end());
+        }
+        if self.ended.is_some() {
+            draw_ended(self);
+        }
+        Ok(())
+    }
+
+    /// Whether no other context shares its objects.
+    pub(crate) fn is_alone(&self) -> bool {
+        self.group.is_none()
     }
 
     /// The group whose objects a call has to fetch.

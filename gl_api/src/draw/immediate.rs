@@ -1,10 +1,12 @@
 //! Immediate mode: GL 2.1, sections 2.6 and 2.7.
 //!
 //! `glBegin` opens a collection of vertices: positions, and a column for each attribute that is set
-//! before `glEnd`, which draws them. Attributes that are not set are constants of the draw.
+//! before `glEnd`, which draws them. Attributes that are not set are constants of the draw. One `glEnd`
+//! after the other with nothing else in between is one draw: what has [`ended`](super::ended) waits.
 
 use super::arrays::generic;
 use super::calls::topology;
+use super::ended::{draw_ended, joins, keep_for_more};
 use super::translate::{Elements, draw};
 use crate::assembly::running as assembly;
 use crate::context::Context;
@@ -16,10 +18,13 @@ use crate::state::material::{MATERIAL_COLUMNS, Materials};
 use crate::state::{LOCATIONS, State};
 use crate::types::*;
 use rasterizer::driver::{Buffer, Topology, VertexBinding, VertexFormat, VertexSource, VertexType};
+use std::ops::Range;
 
 const SECTION: &str = "GL 2.1, section 2.6.3";
 /// What can have a column: the attributes, and behind them the parts of the materials.
 const COLUMNS: usize = LOCATIONS + MATERIAL_COLUMNS;
+/// A column's place in [`Immediate::places`] where there is none.
+const NO_COLUMN: u8 = u8::MAX;
 /// Bytes of a value in a column.
 pub(crate) const VALUE: usize = 16;
 /// More vertices than this between `glBegin` and `glEnd` are an error.
@@ -28,14 +33,20 @@ const MAX_VERTICES: usize = 1 << 26;
 /// The vertices since `glBegin`.
 #[derive(Debug)]
 pub(crate) struct Immediate {
-    topology: Topology,
-    positions: Vec<[f32; 4]>,
-    /// By location; empty until the attribute is set.
-    columns: Vec<Vec<[f32; 4]>>,
-    /// The locations whose columns are in use.
-    used: Vec<usize>,
+    pub(super) topology: Topology,
+    pub(super) positions: Vec<[f32; 4]>,
+    pub(super) columns: Vec<Column>,
+    /// By location, which of the columns is its own.
+    places: [u8; COLUMNS],
     /// What the materials were before the first `glMaterial` since `glBegin`.
-    materials: Option<Box<Materials>>,
+    pub(super) materials: Option<Box<Materials>>,
+}
+
+/// The values of an attribute, or of a part of a material, that is set since `glBegin`.
+#[derive(Debug)]
+pub(super) struct Column {
+    pub location: usize,
+    pub values: Vec<[f32; 4]>,
 }
 
 /// What an attribute call sets.
@@ -69,10 +80,30 @@ impl Immediate {
         Self {
             topology,
             positions: Vec::new(),
-            columns: vec![Vec::new(); COLUMNS],
-            used: Vec::new(),
+            columns: Vec::new(),
+            places: [NO_COLUMN; COLUMNS],
             materials: None,
         }
+    }
+
+    /// Which of the columns is a location's.
+    pub(super) fn column_of(&self, location: usize) -> Option<usize> {
+        let place = self.places[location];
+        (place != NO_COLUMN).then_some(place.into())
+    }
+
+    /// Draws the vertices, of which there are some.
+    pub(super) fn draw(&self, context: &mut Context) -> Result<()> {
+        let count = self.positions.len();
+        let mut bytes = Vec::with_capacity((self.columns.len() + 1) * count * VALUE);
+        bytes.extend_from_slice(bytemuck::cast_slice(&self.positions));
+        for column in &self.columns {
+            bytes.extend_from_slice(bytemuck::cast_slice(&column.values));
+        }
+        context.recorder.hold(bytes.len());
+        let buffer = Buffer::new(bytes);
+        let columns = Columns { buffer: &buffer, count, part: 0..count };
+        draw_columns(context, self.topology, columns, |location| self.column_of(location))
     }
 }
 
@@ -96,76 +127,77 @@ pub(crate) fn end(context: &mut Context) -> Result<()> {
     finish(context)
 }
 
-/// Draws what was collected.
+/// Draws what was collected, or has it wait for more.
 fn finish(context: &mut Context) -> Result<()> {
-    let Some(immediate) = context.immediate.take() else {
+    let Some(mut immediate) = context.immediate.take() else {
         return invalid_operation(SECTION, "no glBegin is open: it was not called, or was refused");
     };
-    let count = immediate.positions.len();
-    if count == 0 {
+    if joins(context, &mut immediate) {
+        return Ok(());
+    }
+    draw_ended(context);
+    if immediate.positions.is_empty() {
         return checked_drawable(context);
     }
-    let mut bytes = Vec::with_capacity((immediate.used.len() + 1) * count * VALUE);
-    bytes.extend_from_slice(bytemuck::cast_slice(&immediate.positions));
-    for &location in &immediate.used {
-        bytes.extend_from_slice(bytemuck::cast_slice(&immediate.columns[location]));
-    }
-    context.recorder.hold(bytes.len());
-    let buffer = Buffer::new(bytes);
     // A program reads the materials that were current before: a change is sure to have an effect on
     // what comes after `glEnd` only (section 2.14.2), and everywhere it is left at that.
-    let mut materials = immediate.materials;
+    let mut materials = immediate.materials.take();
     let mut exchange = |context: &mut Context| {
         if let Some(others) = &mut materials {
             std::mem::swap(&mut context.state.materials, others);
         }
     };
     exchange(context);
-    let result = draw_columns(context, immediate.topology, &buffer, count, |location| {
-        immediate.used.iter().position(|used| *used == location)
-    });
+    let result = immediate.draw(context);
     exchange(context);
+    if result.is_ok() && materials.is_none() {
+        keep_for_more(context, immediate);
+    }
     result
 }
 
-/// Draws `count` vertices of a buffer of columns: positions, then a column for each attribute that
-/// `column_of` gives a number. The others are the current values.
+/// Vertices in a buffer of columns: positions, then a column for each attribute that has one.
+pub(crate) struct Columns<'a> {
+    pub buffer: &'a Buffer,
+    /// How many vertices the columns are of.
+    pub count: usize,
+    /// Those that are drawn.
+    pub part: Range<usize>,
+}
+
+/// Draws vertices of a buffer of columns; `column_of` gives the number of an attribute's. The others
+/// are the current values.
 ///
 /// # Errors
 /// As a draw.
 pub(crate) fn draw_columns(
     context: &mut Context,
     topology: Topology,
-    buffer: &Buffer,
-    count: usize,
+    Columns { buffer, count, part }: Columns<'_>,
     column_of: impl Fn(usize) -> Option<usize>,
 ) -> Result<()> {
-    let column = |index: usize| VertexSource::Array {
-        buffer: buffer.clone(),
-        offset: index * count * VALUE,
-        stride: VALUE,
-        ty: VertexType::F32,
-        components: 4,
-        format: VertexFormat::Plain,
-        divisor: 0,
-    };
-    let attributes = (0..LOCATIONS).map(|location| {
-        let source = if location == 0 || location == usize::from(ATTRIB_VERTEX) {
-            column(0)
-        } else {
-            match column_of(location) {
-                Some(index) => column(index + 1),
-                None => VertexSource::Constant(context.state.current[location]),
-            }
+    let mut vertices = Vec::with_capacity(COLUMNS);
+    for location in 0..COLUMNS {
+        let index = match location == 0 || location == usize::from(ATTRIB_VERTEX) {
+            true => Some(0),
+            false => column_of(location).map(|index| index + 1),
         };
-        VertexBinding { location: location as u8, source }
-    });
-    let materials = (LOCATIONS..COLUMNS).filter_map(|location| {
-        let source = column(column_of(location)? + 1);
-        Some(VertexBinding { location: location as u8, source })
-    });
-    let vertices = attributes.chain(materials).collect();
-    let elements = Elements::Range { first: 0, count: count as u32, instances: 1 };
+        let source = match (index, context.state.current.get(location)) {
+            (Some(index), _) => VertexSource::Array {
+                buffer: buffer.clone(),
+                offset: (index * count + part.start) * VALUE,
+                stride: VALUE,
+                ty: VertexType::F32,
+                components: 4,
+                format: VertexFormat::Plain,
+                divisor: 0,
+            },
+            (None, Some(&value)) => VertexSource::Constant(value),
+            (None, None) => continue,
+        };
+        vertices.push(VertexBinding { location: location as u8, source });
+    }
+    let elements = Elements::Range { first: 0, count: part.len() as u32, instances: 1 };
     draw(context, topology, vertices, &elements)
 }
 
@@ -197,16 +229,15 @@ pub(crate) fn attribute(context: &mut Context, slot: Slot, value: [f32; 4]) -> R
         }
         return vertex(context, value);
     };
-    if let Some(immediate) = &mut context.immediate {
-        let column = &mut immediate.columns[location];
-        if !immediate.used.contains(&location) {
-            // The vertices so far had the value from before.
-            let before = current(&context.state, location);
-            column.resize(immediate.positions.len(), before);
-            immediate.used.push(location);
-            if location >= LOCATIONS && immediate.materials.is_none() {
-                immediate.materials = Some(Box::new(context.state.materials.clone()));
-            }
+    if let Some(immediate) = &mut context.immediate
+        && immediate.places[location] == NO_COLUMN
+    {
+        // The vertices so far had the value from before.
+        let values = vec![current(&context.state, location); immediate.positions.len()];
+        immediate.places[location] = immediate.columns.len() as u8;
+        immediate.columns.push(Column { location, values });
+        if location >= LOCATIONS && immediate.materials.is_none() {
+            immediate.materials = Some(Box::new(context.state.materials.clone()));
         }
     }
     set_current(context, location, value);
@@ -223,9 +254,19 @@ pub(crate) fn current(state: &State, location: usize) -> [f32; 4] {
 
 /// Changes the current value of an attribute, or of a part of a material.
 pub(crate) fn set_current(context: &mut Context, location: usize, value: [f32; 4]) {
+    if context.ended.as_ref().is_some_and(|ended| ended.column_of(location).is_none()) {
+        end_before_change(context, location, value);
+    }
     match context.state.current.get_mut(location) {
         Some(current) => *current = value,
         None => context.state.materials.set_column(location, value),
+    }
+}
+
+/// What ended has the value from before as a constant.
+fn end_before_change(context: &mut Context, location: usize, value: [f32; 4]) {
+    if current(&context.state, location).map(f32::to_bits) != value.map(f32::to_bits) {
+        draw_ended(context);
     }
 }
 
@@ -235,8 +276,8 @@ fn vertex(context: &mut Context, position: [f32; 4]) -> Result<()> {
     if immediate.positions.len() == MAX_VERTICES {
         return invalid_operation(SECTION, format!("more than {MAX_VERTICES} vertices"));
     }
-    for &location in &immediate.used {
-        immediate.columns[location].push(current(&context.state, location));
+    for column in &mut immediate.columns {
+        column.values.push(current(&context.state, column.location));
     }
     immediate.positions.push(position);
     Ok(())

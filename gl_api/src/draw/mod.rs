@@ -8,6 +8,7 @@ pub(crate) mod arrays;
 mod assembly;
 pub(crate) mod calls;
 pub(crate) mod counted;
+pub(crate) mod ended;
 mod fixed_words;
 pub(crate) mod hints;
 pub(crate) mod immediate;
@@ -193,6 +194,7 @@ pub(crate) fn settle(context: &mut Context, image: &Image) {
 
 /// Carries out everything that was recorded.
 pub(crate) fn submit(context: &mut Context) {
+    ended::draw_ended(context);
     context.recorder.end_pass();
     context.objects.syncs.signal();
     let commands = std::mem::take(&mut context.recorder.commands);

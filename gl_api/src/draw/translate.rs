@@ -1,5 +1,6 @@
 //! From validated state to commands of the driver.
 
+use super::ended::draw_ended;
 use super::primitives::{raster_state, smoothness};
 use super::stages::{self, Reads, Stages};
 use super::{begin_pass, hints};
@@ -121,6 +122,7 @@ pub(crate) fn draw_rectangle(
 
 /// What is drawn to, if the state can draw to it.
 fn checked_pass(context: &mut Context) -> Result<PassDesc> {
+    draw_ended(context);
     let pass = draw_pass(context)?;
     let program = context.state.bindings.program.name();
     let linked = context.objects.linked_program(program);

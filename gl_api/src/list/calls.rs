@@ -1,5 +1,6 @@
 //! `glNewList` to `glCallLists`: GL 2.1, section 5.4.
 
+use super::shapes::join;
 use super::{Compiling, List, Mode};
 use crate::constants::*;
 use crate::context::Context;
@@ -106,7 +107,7 @@ pub(crate) fn end_list(context: &mut Context) -> Result<()> {
     let Some(compiling) = context.compiling.take() else {
         return invalid_operation(SECTION, "no list is being compiled: glNewList is missing");
     };
-    let list = List { steps: compiling.steps };
+    let list = List { steps: join(compiling.steps) };
     context.objects.lists.insert(compiling.name, Arc::new(list));
     Ok(())
 }

@@ -245,7 +245,9 @@ impl Context {
                 crate::draw::immediate::attribute(context, *slot, *value)
             }),
             Step::Shapes(shapes) => {
-                self.call("glBegin", Place::Anywhere, |context| shapes.draw(context));
+                for part in shapes.parts(self) {
+                    self.call("glBegin", Place::Anywhere, |context| shapes.draw(context, part));
+                }
             }
             Step::Arrays(arrays) => {
                 self.call("glDrawArrays", Place::Outside, |context| arrays.draw(context));

@@ -1,14 +1,17 @@
-//! `glBegin` to `glEnd` in a list: one buffer, filled when the list is compiled.
+//! `glBegin` to `glEnd` in a list: one buffer, filled when the list is compiled. Where one such
+//! follows another of its kind, they share a buffer and a draw: it costs what many vertices do.
 
 use super::Step;
 use crate::context::Context;
 use crate::draw::calls::topology;
-use crate::draw::immediate::{self, Slot, VALUE};
+use crate::draw::ended::{draws_together, vertices_of_primitive};
+use crate::draw::immediate::{self, Columns, Slot, VALUE};
 use crate::entry::Place;
 use crate::error::{Result, invalid_operation};
-use crate::state::State;
+use crate::state::{LOCATIONS, State};
 use crate::types::*;
 use rasterizer::driver::{Buffer, Topology};
+use std::ops::Range;
 
 /// Attributes since `glBegin`, in order.
 #[derive(Debug)]
@@ -73,11 +76,13 @@ struct Column {
     last: [f32; 4],
 }
 
-/// The vertices of a `glBegin` and `glEnd`.
+/// The vertices of a `glBegin` and `glEnd`, or of several.
 #[derive(Debug)]
 pub(super) struct Shapes {
     topology: Topology,
     count: usize,
+    /// Where each `glBegin` but the first stands among the vertices.
+    begins: Vec<usize>,
     /// Positions, then a column for each of `columns`.
     buffer: Buffer,
     columns: Vec<Column>,
@@ -117,6 +122,7 @@ impl Shapes {
         Some(Self {
             topology,
             count: positions.len(),
+            begins: Vec::new(),
             buffer: Buffer::new(bytes),
             columns: columns.into_iter().map(|(column, _)| column).collect(),
         })
@@ -139,25 +145,115 @@ impl Shapes {
         Buffer::new(bytes)
     }
 
-    /// Draws them, and leaves the attributes as the calls would.
-    pub fn draw(&self, context: &mut Context) -> Result<()> {
+    /// The vertices of each draw: all at once, where that makes no difference.
+    pub fn parts(&self, context: &Context) -> Vec<Range<usize>> {
+        if self.begins.is_empty() || draws_together(context) {
+            return vec![0..self.count];
+        }
+        let begins = std::iter::once(0).chain(self.begins.iter().copied());
+        let ends = self.begins.iter().copied().chain([self.count]);
+        begins.zip(ends).map(|(begin, end)| begin..end).collect()
+    }
+
+    /// Draws a part of them, and leaves the attributes as the calls would.
+    pub fn draw(&self, context: &mut Context, part: Range<usize>) -> Result<()> {
         if context.immediate.is_some() {
             return invalid_operation(
                 "GL 2.1, section 2.6.3",
                 "glBegin was called before: glEnd is missing",
             );
         }
-        let result = if self.count > 0 { self.draw_vertices(context) } else { Ok(()) };
+        let result = if part.is_empty() { Ok(()) } else { self.draw_vertices(context, part) };
         for column in &self.columns {
             immediate::set_current(context, column.location, column.last);
         }
         result
     }
 
-    fn draw_vertices(&self, context: &mut Context) -> Result<()> {
-        let buffer = self.patched(&context.state);
-        immediate::draw_columns(context, self.topology, &buffer, self.count, |location| {
+    fn draw_vertices(&self, context: &mut Context, part: Range<usize>) -> Result<()> {
+        let buffer = match part.start {
+            0 => self.patched(&context.state),
+            _ => self.buffer.clone(),
+        };
+        let columns = Columns { buffer: &buffer, count: self.count, part };
+        immediate::draw_columns(context, self.topology, columns, |location| {
             self.columns.iter().position(|column| column.location == location)
         })
     }
+
+    /// Whether `next` could have gone on without `glEnd` and `glBegin` in between: its primitives
+    /// stand each for itself, and its attributes are columns, or constants, as here.
+    fn goes_on(&self, next: &Self) -> bool {
+        let has = |location: usize| next.columns.iter().any(|column| column.location == location);
+        vertices_of_primitive(self.topology).is_some_and(|each| {
+            let is_whole = |count: usize| count > 0 && count.is_multiple_of(each);
+            self.topology == next.topology && is_whole(self.count) && is_whole(next.count)
+        }) && self.columns.len() == next.columns.len()
+            // What glMaterial changes within glBegin and glEnd counts from glEnd on.
+            && self.columns.iter().all(|column| column.location < LOCATIONS && has(column.location))
+    }
+
+    /// Those that go on one after the other as one; `None` where there are none.
+    fn joined(mut run: Vec<Self>) -> Option<Self> {
+        if run.len() < 2 {
+            return run.pop();
+        }
+        let first = &run[0];
+        let count = run.iter().map(|shapes| shapes.count).sum();
+        let mut bytes = Vec::with_capacity((first.columns.len() + 1) * count * VALUE);
+        let mut begins = Vec::with_capacity(run.len());
+        let mut begin = 0;
+        for shapes in &run {
+            begins.push(begin);
+            begin += shapes.count;
+            bytes.extend_from_slice(&shapes.buffer.bytes()[..shapes.count * VALUE]);
+        }
+        begins.remove(0);
+        let mut columns = Vec::with_capacity(first.columns.len());
+        for &Column { location, inherited, .. } in &first.columns {
+            let mut last: Option<[f32; 4]> = None;
+            for shapes in &run {
+                let Some(index) = shapes.columns.iter().position(|own| own.location == location)
+                else {
+                    continue;
+                };
+                let column = &shapes.columns[index];
+                let values = &shapes.buffer.bytes()[(index + 1) * shapes.count * VALUE..];
+                let (before, own) =
+                    values[..shapes.count * VALUE].split_at(column.inherited * VALUE);
+                match last {
+                    None => bytes.extend_from_slice(before),
+                    Some(last) => (0..column.inherited).for_each(|_| {
+                        bytes.extend_from_slice(bytemuck::cast_slice::<f32, u8>(&last))
+                    }),
+                }
+                bytes.extend_from_slice(own);
+                last = Some(column.last);
+            }
+            columns.push(Column { location, inherited, last: last? });
+        }
+        Some(Self { topology: first.topology, count, begins, buffer: Buffer::new(bytes), columns })
+    }
+}
+
+/// The steps of a list, with one in place of several shapes that go on one after the other.
+pub(super) fn join(steps: Vec<Step>) -> Vec<Step> {
+    let mut joined = Vec::with_capacity(steps.len());
+    let mut run: Vec<Shapes> = Vec::new();
+    for step in steps {
+        match step {
+            Step::Shapes(shapes) => {
+                if run.last().is_some_and(|last| !last.goes_on(&shapes)) {
+                    joined.extend(Shapes::joined(std::mem::take(&mut run)).map(Step::Shapes));
+                }
+                run.push(shapes);
+            }
+            Step::Call { .. } | Step::Attribute(..) | Step::Arrays(_) => {
+                joined.extend(Shapes::joined(std::mem::take(&mut run)).map(Step::Shapes));
+                joined.push(step);
+            }
+        }
+    }
+    joined.extend(Shapes::joined(run).map(Step::Shapes));
+    joined
 }

@@ -1,0 +1,217 @@
+//! Primitives that are drawn together though each has a `glBegin` and `glEnd` of its own: the picture,
+//! the current values, the samples that passed and the errors are those of one draw for each.
+
+#[path = "common/shading.rs"]
+mod shading;
+
+use gl_api::*;
+use proptest::prelude::*;
+
+const SIZE: u32 = 32;
+
+/// What comes from a seed, one number after the other.
+struct Random(u64);
+
+impl Random {
+    fn below(&mut self, end: u64) -> u64 {
+        self.0 =
+            self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 33) % end
+    }
+
+    fn pick<T: Copy>(&mut self, all: &[T]) -> T {
+        all[self.below(all.len() as u64) as usize]
+    }
+
+    fn float(&mut self) -> f32 {
+        self.below(201) as f32 / 100.0 - 1.0
+    }
+}
+
+/// How primitives follow one another.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Way {
+    /// A call in between that changes nothing.
+    Apart,
+    Immediate,
+    List,
+    ListAtOnce,
+    /// A list, while a pixel is watched.
+    Watched,
+}
+
+fn context(random: &mut Random) -> Context {
+    let desc = ContextDesc { width: SIZE, height: SIZE, ..ContextDesc::default() };
+    let mut c = Context::new(desc).expect("a device");
+    c.clear_color(0.1, 0.2, 0.3, 1.0);
+    c.clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    c.enable(GL_BLEND);
+    c.blend_func(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    let switches = [GL_LIGHTING, GL_COLOR_MATERIAL, GL_LINE_STIPPLE, GL_DEPTH_TEST, GL_CULL_FACE];
+    for cap in switches {
+        if random.below(3) == 0 {
+            c.enable(cap);
+        }
+    }
+    c.enable(GL_LIGHT0);
+    c.line_stipple(2, 0xA53C);
+    let parts = [GL_AMBIENT_AND_DIFFUSE, GL_AMBIENT, GL_SPECULAR, GL_EMISSION];
+    c.color_material(GL_FRONT_AND_BACK, random.pick(&parts));
+    c.polygon_mode(GL_FRONT_AND_BACK, random.pick(&[GL_FILL, GL_FILL, GL_LINE, GL_POINT]));
+    c.shade_model(random.pick(&[GL_SMOOTH, GL_FLAT]));
+    c.point_size(3.0);
+    c
+}
+
+/// Sets a value; few different ones, so that some are what they were.
+fn attribute(c: &mut Context, random: &mut Random, among: u64) {
+    let value = [random.float(), random.pick(&[0.0, 1.0]), 0.5];
+    match random.below(among) {
+        0 => c.normal_3f(value[0], value[1], 1.0),
+        1 => c.color_4f(value[0].abs(), value[1], value[2], random.pick(&[0.25, 1.0])),
+        2 => c.edge_flag(random.pick(&[true, false])),
+        3 => c.fog_coordf(value[0]),
+        _ => c.materialfv(GL_FRONT, GL_DIFFUSE, &[value[0].abs(), value[1], value[2], 0.5]),
+    }
+}
+
+fn shape(c: &mut Context, random: &mut Random, modes: &[GLenum], set: &[u64]) {
+    let (mode, among) = (random.pick(modes), random.pick(&[4, 4, 4, 5]));
+    c.begin(mode);
+    let each = match mode {
+        GL_POINTS => 1,
+        GL_LINES => 2,
+        GL_TRIANGLES => 3,
+        _ => 4,
+    };
+    let left_over = u64::from(random.below(12) == 0);
+    let count = each * random.below(3) + left_over;
+    for at in 0..count {
+        if random.pick(set) == 0 || (at == 0 && random.below(4) > 0) {
+            attribute(c, random, among);
+        }
+        c.vertex_3f(random.float(), random.float(), random.float());
+    }
+    c.end();
+}
+
+fn shapes(c: &mut Context, random: &mut Random, way: Way) {
+    let modes: &[GLenum] = random.pick(&[
+        &[GL_QUADS][..],
+        &[GL_TRIANGLES, GL_TRIANGLES, GL_TRIANGLE_FAN],
+        &[GL_LINES],
+        &[GL_POINTS, GL_LINES, GL_TRIANGLES, GL_QUADS, GL_LINE_STRIP, GL_POLYGON],
+    ]);
+    let set = random.pick(&[&[0_u64][..], &[0, 1], &[0, 1, 1, 1, 1, 1]]);
+    for _ in 0..random.below(12) + 2 {
+        shape(c, random, modes, set);
+        match random.below(12) {
+            0 => attribute(c, random, 5),
+            1 => c.translatef(0.1, 0.0, 0.0),
+            2 => c.eval_coord1f(0.5),
+            _ => {}
+        }
+        if way == Way::Apart {
+            c.finish();
+        }
+    }
+}
+
+/// The picture, the current colour, normal and edge flag, the samples that passed, and the error.
+type Outcome = (Vec<u8>, [[f32; 4]; 3], GLuint, GLenum);
+
+fn outcome(seed: u64, way: Way) -> Outcome {
+    let mut random = Random(seed);
+    let c = &mut context(&mut random);
+    if way == Way::Watched {
+        c.watch_pixel(SIZE / 2, SIZE / 2).expect("a pixel of the window");
+    }
+    c.begin_query(GL_SAMPLES_PASSED, 1);
+    match way {
+        Way::Apart | Way::Immediate => shapes(c, &mut random, way),
+        Way::List | Way::Watched => {
+            c.new_list(1, GL_COMPILE);
+            shapes(c, &mut random, way);
+            c.end_list();
+            c.call_list(1);
+        }
+        Way::ListAtOnce => {
+            c.new_list(1, GL_COMPILE_AND_EXECUTE);
+            shapes(c, &mut random, way);
+            c.end_list();
+        }
+    }
+    c.end_query(GL_SAMPLES_PASSED);
+    let mut passed = [0];
+    c.get_query_objectuiv(1, GL_QUERY_RESULT, &mut passed);
+    let mut current = [[0.0; 4]; 3];
+    let names = [GL_CURRENT_COLOR, GL_CURRENT_NORMAL, GL_EDGE_FLAG];
+    for (name, values) in names.into_iter().zip(&mut current) {
+        c.get_floatv(name, values);
+    }
+    let mut pixels = vec![0; (SIZE * SIZE * 4) as usize];
+    let size = SIZE as GLsizei;
+    c.read_pixels(0, 0, size, size, GL_RGBA, GL_UNSIGNED_BYTE, DataOut::Bytes(&mut pixels));
+    (pixels, current, passed[0], c.get_error())
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(300))]
+
+    #[test]
+    fn however_they_follow_each_other_the_picture_is_the_same(seed: u64) {
+        let apart = outcome(seed, Way::Apart);
+        prop_assert_eq!(apart.3, GL_NO_ERROR);
+        for way in [Way::Immediate, Way::List, Way::ListAtOnce, Way::Watched] {
+            let other = outcome(seed, way);
+            prop_assert_eq!(&other.1, &apart.1, "{:?}", way);
+            prop_assert_eq!((other.2, other.3), (apart.2, apart.3), "{:?}", way);
+            prop_assert!(other.0 == apart.0, "{:?}: the picture differs", way);
+        }
+    }
+}
+
+/// One quad.
+fn quad(c: &mut Context, x: f32) {
+    c.begin(GL_QUADS);
+    for [x, y] in [[x, -0.5], [x + 0.4, -0.5], [x + 0.4, 0.5], [x, 0.5]] {
+        c.vertex_2f(x, y);
+    }
+    c.end();
+}
+
+#[test]
+fn each_is_told_apart_where_it_is_an_error_or_counted() {
+    let random = &mut Random(0);
+    let c = &mut context(random);
+    c.new_list(1, GL_COMPILE);
+    (0..3).for_each(|at| quad(c, at as f32 / 2.0 - 1.0));
+    c.end_list();
+    // A framebuffer without anything attached: each draw is refused.
+    c.bind_framebuffer(GL_FRAMEBUFFER, 9);
+    let _ = c.messages();
+    c.call_list(1);
+    assert_eq!(c.get_error(), GL_INVALID_FRAMEBUFFER_OPERATION);
+    assert_eq!(c.messages().len(), 3);
+    (0..3).for_each(|at| quad(c, at as f32 / 2.0 - 1.0));
+    assert_eq!(c.get_error(), GL_INVALID_FRAMEBUFFER_OPERATION);
+    assert_eq!(c.messages().len(), 3);
+    c.bind_framebuffer(GL_FRAMEBUFFER, 0);
+    // A program sees the number of a primitive in its draw.
+    for list in [false, true] {
+        c.clear(GL_COLOR_BUFFER_BIT);
+        let fragment = "#version 120\n#extension GL_EXT_gpu_shader4 : require\n\
+            void main() { gl_FragColor = vec4(float(gl_PrimitiveID), 0.0, 0.0, 1.0); }";
+        shading::use_program(c, "void main() { gl_Position = gl_Vertex; }", fragment);
+        if list {
+            c.call_list(1);
+        } else {
+            (0..3).for_each(|at| quad(c, at as f32 / 2.0 - 1.0));
+        }
+        for x in [2, 10, 18] {
+            let mut pixel = [9; 4];
+            c.read_pixels(x, 16, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, DataOut::Bytes(&mut pixel));
+            assert_eq!(pixel[0], 0, "a list {list}, at {x}");
+        }
+    }
+}
