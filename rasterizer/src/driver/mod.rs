@@ -1,6 +1,7 @@
 //! The objects of the driver, as in Vulkan: a client makes images, buffers and pipelines, records
 //! commands, and submits them to the queue.
 
+mod bound;
 mod buffer;
 mod check;
 mod chunk;

@@ -3,16 +3,14 @@
 //! Its draws are shaded by vertices and set up as they come, their shapes binned to tiles; when the
 //! pass ends (or the bins are full) every tile runs, in parallel, its part of the whole pass.
 
-use super::buffer::VertexBinding;
+use super::bound::{Bound, Decided};
 use super::chunk::{DrawState, RUN, TileRun};
-use super::command::{ClearValue, Command, Rect, Viewport};
-use super::counter::Counter;
+use super::command::{ClearValue, Command, Rect};
 use super::device::{Device, SubmitReport};
 use super::image::PassDesc;
 use super::pipeline::Pipeline;
-use super::raster::RasterState;
 use crate::output::{DepthFormat, texel_words};
-use crate::plan::{Counting, DrawPlan, PlanInput, Textures, arrays, sprite_slots};
+use crate::plan::{Counting, DrawPlan, PlanInput, sprite_slots};
 use crate::primitive::{Setup, primitives};
 use crate::raster::{Chunk, ClearJob, DrawJob, Entry, Formats, PassJob, Spot, TileJob};
 use crate::shader::Prepared;
@@ -22,86 +20,10 @@ use crate::vertex::Ids;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use texunit::format::Format;
-use texunit::plan::SamplePlan;
 
 /// Shapes in the bins from which on they are drawn before the pass ends. A tile's part of so many is worth a turn of
 /// its own, and the next ones have their memory: it is near, and the system does not have to give any more.
 const BINS_FULL: usize = 1 << 16;
-
-/// The state that commands set.
-struct Bound {
-    pipeline: Option<Pipeline>,
-    vertices: Arc<[VertexBinding]>,
-    vertex_textures: Textures,
-    fragment_textures: Textures,
-    uniforms: Arc<[u32]>,
-    viewport: Viewport,
-    scissor: Option<Rect>,
-    raster: Arc<RasterState>,
-    counter: Option<Counter>,
-    /// What the draw before decided, while nothing that matters to it has changed.
-    decided: Option<Decided>,
-    /// The label of a watched pixel.
-    label: u32,
-}
-
-/// What draws with the same state share.
-#[derive(Clone)]
-struct Decided {
-    plan: Arc<DrawPlan>,
-    /// The vertex program's values.
-    vertex: Arc<Prepared>,
-}
-
-impl Bound {
-    /// Takes one command that sets state; what draws decided is forgotten where it matters.
-    fn set(&mut self, command: &Command) {
-        match command {
-            Command::BindPipeline(pipeline) => self.pipeline = Some(pipeline.clone()),
-            Command::BindTextures { vertex, fragment } => {
-                if same_textures(vertex, &self.vertex_textures)
-                    && same_textures(fragment, &self.fragment_textures)
-                {
-                    return;
-                }
-                self.vertex_textures = vertex.clone();
-                self.fragment_textures = fragment.clone();
-            }
-            Command::SetUniforms(words) => self.uniforms = words.clone(),
-            Command::SetRaster(raster) => self.raster = raster.clone(),
-            Command::SetViewport(viewport) => self.viewport = *viewport,
-            Command::SetCounter(counter) => self.counter = counter.clone(),
-            Command::BindVertices(bindings) => {
-                let same = arrays(bindings) == arrays(&self.vertices);
-                self.vertices = bindings.clone();
-                if same {
-                    return;
-                }
-            }
-            Command::SetScissor(scissor) => {
-                self.scissor = *scissor;
-                return;
-            }
-            Command::BeginPass(_)
-            | Command::EndPass
-            | Command::Watch(_)
-            | Command::Clear { .. }
-            | Command::Draw { .. }
-            | Command::DrawIndexed { .. } => return,
-        }
-        self.decided = None;
-    }
-}
-
-/// Whether two lists are of the same plans.
-fn same_textures(a: &Textures, b: &Textures) -> bool {
-    let same = |(a, b): (&Option<Arc<SamplePlan>>, &Option<Arc<SamplePlan>>)| match (a, b) {
-        (Some(a), Some(b)) => Arc::ptr_eq(a, b),
-        (None, None) => true,
-        (Some(_), None) | (None, Some(_)) => false,
-    };
-    a.len() == b.len() && a.iter().zip(b.iter()).all(same)
-}
 
 /// A pass that is being recorded into bins.
 pub struct Pass<'a> {
@@ -123,7 +45,6 @@ impl<'a> Pass<'a> {
     pub fn begin(device: &'a Device, desc: &'a PassDesc) -> Self {
         let across = desc.width.div_ceil(TILE);
         let tiles = across as usize * desc.height.div_ceil(TILE) as usize;
-        let none: Arc<[Option<Arc<SamplePlan>>]> = Arc::new([]);
         Self {
             device,
             desc,
@@ -147,27 +68,7 @@ impl<'a> Pass<'a> {
             },
             commands: Vec::new(),
             shapes: 0,
-            bound: Bound {
-                pipeline: None,
-                vertices: Arc::new([]),
-                vertex_textures: none.clone(),
-                fragment_textures: none,
-                uniforms: Arc::new([]),
-                viewport: Viewport {
-                    x: 0.0,
-                    y: 0.0,
-                    width: 0.0,
-                    height: 0.0,
-                    near: 0.0,
-                    far: 1.0,
-                    depth_clip: Default::default(),
-                },
-                scissor: None,
-                counter: None,
-                raster: Arc::default(),
-                decided: None,
-                label: 0,
-            },
+            bound: Bound::new(),
         }
     }
 
@@ -299,9 +200,9 @@ impl<'a> Pass<'a> {
             return;
         }
         let inner = self.inner_area(area);
-        let Decided { plan, vertex } = match &self.bound.decided {
-            Some(decided) => decided.clone(),
-            None => self.decide(&pipeline),
+        let (plan, vertex) = match &self.bound.decided {
+            Some(Decided { plan, vertex: Some(vertex) }) => (plan.clone(), vertex.clone()),
+            Some(Decided { vertex: None, .. }) | None => self.decide(&pipeline),
         };
         let raster = plan.raster.clone();
         let draw = self.job.draws.len();
@@ -364,15 +265,19 @@ impl<'a> Pass<'a> {
     }
 
     /// Decides how to draw with what is bound.
-    fn decide(&mut self, pipeline: &Pipeline) -> Decided {
-        let surface = self.colors.iter().flatten().chain(&self.depth).next();
-        let samples = surface.map_or(1, |surface| surface.samples);
-        let format = |surface: &Option<Surface>| surface.as_ref().map(|s| s.format);
-        let formats: Vec<Option<Format>> = self.colors.iter().map(format).collect();
+    fn decide(&mut self, pipeline: &Pipeline) -> (Arc<DrawPlan>, Arc<Prepared>) {
         let (isa, bound) = (self.job.isa, &mut self.bound);
-        let plan = DrawPlan::new(
-            pipeline,
-            PlanInput {
+        let (compiled, textures) = (pipeline.compiled(), &bound.fragment_textures);
+        // Where uniforms alone have changed, as matrices mostly do, fragments may have none of it.
+        let kept = bound.decided.take().map(|decided| decided.plan).filter(|plan| {
+            compiled.fragment.prepare(isa, &bound.uniforms, textures).has_values_of(&plan.prepared)
+        });
+        let plan = kept.unwrap_or_else(|| {
+            let surface = self.colors.iter().flatten().chain(&self.depth).next();
+            let samples = surface.map_or(1, |surface| surface.samples);
+            let format = |surface: &Option<Surface>| surface.as_ref().map(|s| s.format);
+            let formats: Vec<Option<Format>> = self.colors.iter().map(format).collect();
+            let input = PlanInput {
                 isa,
                 colors: &formats,
                 depth: format(&self.depth),
@@ -386,14 +291,14 @@ impl<'a> Pass<'a> {
                     None => Counting::Off,
                 },
                 vertices: &bound.vertices,
-            },
-        );
+            };
+            Arc::new(DrawPlan::new(pipeline, input))
+        });
         self.device.explain(&|| plan.describe());
-        let vertex = &pipeline.compiled().vertex;
-        let vertex = vertex.prepare(isa, &bound.uniforms, &bound.vertex_textures);
-        let decided = Decided { plan: Arc::new(plan), vertex: Arc::new(vertex) };
-        bound.decided = Some(decided.clone());
-        decided
+        let vertex = compiled.vertex.prepare(isa, &bound.uniforms, &bound.vertex_textures);
+        let vertex = Arc::new(vertex);
+        bound.decided = Some(Decided { plan: plan.clone(), vertex: Some(vertex.clone()) });
+        (plan, vertex)
     }
 
     /// Puts chunks into the bins of their tiles.

@@ -93,6 +93,11 @@ impl Prepared {
     pub fn id(&self) -> u64 {
         self.id
     }
+
+    /// Whether a program finds the same in both.
+    pub fn has_values_of(&self, other: &Self) -> bool {
+        self.words == other.words && self.uniforms == other.uniforms
+    }
 }
 
 /// What one run needs besides the registers.

@@ -1,0 +1,115 @@
+//! The state that the commands of a pass set, and what draws decided from it.
+
+use super::buffer::VertexBinding;
+use super::command::{Command, Rect, Viewport};
+use super::counter::Counter;
+use super::pipeline::Pipeline;
+use super::raster::RasterState;
+use crate::plan::{DrawPlan, Textures, arrays};
+use crate::shader::Prepared;
+use std::sync::Arc;
+use texunit::plan::SamplePlan;
+
+/// The state that commands set.
+pub struct Bound {
+    pub pipeline: Option<Pipeline>,
+    pub vertices: Arc<[VertexBinding]>,
+    pub vertex_textures: Textures,
+    pub fragment_textures: Textures,
+    pub uniforms: Arc<[u32]>,
+    pub viewport: Viewport,
+    pub scissor: Option<Rect>,
+    pub raster: Arc<RasterState>,
+    pub counter: Option<Counter>,
+    /// What the draw before decided, while nothing that matters to it has changed.
+    pub decided: Option<Decided>,
+    /// The label of a watched pixel.
+    pub label: u32,
+}
+
+/// What draws with the same state share.
+pub struct Decided {
+    pub plan: Arc<DrawPlan>,
+    /// The vertex program's values, while uniforms are those that they were made of.
+    pub vertex: Option<Arc<Prepared>>,
+}
+
+impl Bound {
+    /// What holds when a pass begins.
+    pub fn new() -> Self {
+        let none: Textures = Arc::new([]);
+        Self {
+            pipeline: None,
+            vertices: Arc::new([]),
+            vertex_textures: none.clone(),
+            fragment_textures: none,
+            uniforms: Arc::new([]),
+            viewport: Viewport {
+                x: 0.0,
+                y: 0.0,
+                width: 0.0,
+                height: 0.0,
+                near: 0.0,
+                far: 1.0,
+                depth_clip: Default::default(),
+            },
+            scissor: None,
+            counter: None,
+            raster: Arc::default(),
+            decided: None,
+            label: 0,
+        }
+    }
+
+    /// Takes one command that sets state; what draws decided is forgotten where it matters.
+    pub fn set(&mut self, command: &Command) {
+        match command {
+            Command::BindPipeline(pipeline) => self.pipeline = Some(pipeline.clone()),
+            Command::BindTextures { vertex, fragment } => {
+                if same_textures(vertex, &self.vertex_textures)
+                    && same_textures(fragment, &self.fragment_textures)
+                {
+                    return;
+                }
+                self.vertex_textures = vertex.clone();
+                self.fragment_textures = fragment.clone();
+            }
+            Command::SetUniforms(words) => {
+                self.uniforms = words.clone();
+                self.decided.iter_mut().for_each(|decided| decided.vertex = None);
+                return;
+            }
+            Command::SetRaster(raster) => self.raster = raster.clone(),
+            Command::SetViewport(viewport) => self.viewport = *viewport,
+            Command::SetCounter(counter) => self.counter = counter.clone(),
+            Command::BindVertices(bindings) => {
+                let same = arrays(bindings) == arrays(&self.vertices);
+                self.vertices = bindings.clone();
+                if same {
+                    return;
+                }
+            }
+            Command::SetScissor(scissor) => {
+                self.scissor = *scissor;
+                return;
+            }
+            Command::BeginPass(_)
+            | Command::EndPass
+            | Command::Watch(_)
+            | Command::Clear { .. }
+            | Command::Draw { .. }
+            | Command::DrawIndexed { .. } => return,
+        }
+        self.decided = None;
+    }
+}
+
+/// Whether two lists are of the same plans.
+fn same_textures(a: &Textures, b: &Textures) -> bool {
+    let same = |(a, b): (&Option<Arc<SamplePlan>>, &Option<Arc<SamplePlan>>)| match (a, b) {
+        (Some(a), Some(b)) => Arc::ptr_eq(a, b),
+        (None, None) => true,
+        (Some(_), None) | (None, Some(_)) => false,
+    };
+    a.len() == b.len() && a.iter().zip(b.iter()).all(same)
+}
