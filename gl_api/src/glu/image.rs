@@ -51,12 +51,14 @@ fn rescale(
         return Err(TooShort { needed: to.needed() });
     }
     let mut image = scale(&from.read(data)?, to.size, from.storage);
-    for (at, value) in image.values.iter_mut().enumerate() {
-        *value = if pixels::are_indices(format) {
-            to.storage.round(0, *value)
-        } else {
-            from.storage.convert(to.storage, at % to.count, *value)
-        };
+    if from.storage != to.storage {
+        for (at, value) in image.values.iter_mut().enumerate() {
+            *value = if pixels::are_indices(format) {
+                to.storage.round(0, *value)
+            } else {
+                from.storage.convert(to.storage, at % to.count, *value)
+            };
+        }
     }
     to.write(&image, out)
 }

@@ -3,7 +3,7 @@
 use super::error::GLU_INVALID_VALUE;
 use super::image::{UNPACK, bytes, get, layout};
 use super::pixels::{Components, Layout, Storage, Store, TIGHT};
-use super::scale::scale;
+use super::scale::{halve, scale};
 use crate::constants::*;
 use crate::entry::{Arg, Data, glTexImage1D, glTexImage2D, glTexImage3D};
 use crate::types::{GLenum, GLint, GLsizei};
@@ -196,20 +196,27 @@ fn build(
         Ok(layout) => layout,
         Err(code) => return code,
     };
-    let Ok(image) = layout.read(bytes(data, &layout)) else {
+    let put = |number: usize, size: [usize; 3], texels: &[u8]| {
+        let number = level.saturating_add(number as GLint);
+        if (base..=max).contains(&number) {
+            let size = size.map(|side| side as GLsizei);
+            texture.upload(number, size, (format, type_), Data::Bytes(texels));
+        }
+    };
+    let limit = texture.limit();
+    let given = bytes(data, &layout);
+    if given.len() < layout.needed() {
         texture.upload(level, size, (format, type_), data);
         return GLU_INVALID_VALUE;
-    };
+    }
     TIGHT.make_current(&UNPACK);
-    for (number, image) in (level..).zip(chain(image, layout.storage, texture.limit())) {
-        if !(base..=max).contains(&number) {
-            continue;
+    if layout.storage == Storage::U8 {
+        for (number, (size, texels)) in byte_chain(&layout, given, limit).enumerate() {
+            put(number, size, &texels);
         }
-        let layout = Layout::tight(image.size, image.count, layout.storage);
-        let mut texels = vec![0; layout.needed()];
-        if layout.write(&image, &mut texels).is_ok() {
-            let size = image.size.map(|side| side as GLsizei);
-            texture.upload(number, size, (format, type_), Data::Bytes(&texels));
+    } else if let Ok(image) = layout.read(given) {
+        for (number, image) in chain(image, layout.storage, limit).enumerate() {
+            put(number, image.size, &tight(&image, layout.storage));
         }
     }
     store.make_current(&UNPACK);
@@ -226,6 +233,34 @@ fn chain(image: Components, storage: Storage, limit: usize) -> impl Iterator<Ite
     })
 }
 
+/// An image in memory without gaps.
+fn tight(image: &Components, storage: Storage) -> Vec<u8> {
+    let layout = Layout::tight(image.size, image.count, storage);
+    let mut texels = vec![0; layout.needed()];
+    // There is room for it.
+    let _ = layout.write(image, &mut texels);
+    texels
+}
+
+/// As [`chain`], of bytes: they are read as numbers only where the first level has another size.
+fn byte_chain(
+    layout: &Layout,
+    given: &[u8],
+    limit: usize,
+) -> impl Iterator<Item = ([usize; 3], Vec<u8>)> {
+    let size = layout.size.map(|side| nearest_power_of_two(side).min(limit));
+    let base = match layout.size == size {
+        true => layout.texels(given),
+        false => layout
+            .read(given)
+            .map(|image| tight(&scale(&image, size, layout.storage), layout.storage)),
+    };
+    let count = layout.count;
+    std::iter::successors(base.ok().map(|base| (size, base)), move |(size, texels)| {
+        (*size != [1; 3]).then(|| halve(texels, *size, count))
+    })
+}
+
 /// libGLU's `nearestPower`: up from 3 quarters of the way on (3 gives 4, 5 gives 4, 6 gives 8).
 fn nearest_power_of_two(size: usize) -> usize {
     let below = 1 << size.ilog2();
@@ -235,6 +270,7 @@ fn nearest_power_of_two(size: usize) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use proptest::prelude::*;
 
     /// libGLU's own loop.
     fn oracle(mut value: usize) -> usize {
@@ -279,5 +315,44 @@ mod tests {
         let sizes: Vec<_> =
             chain(image, Storage::U8, 16).map(|level| (level.size[0], level.size[1])).collect();
         assert_eq!(sizes, [(16, 2), (8, 1), (4, 1), (2, 1), (1, 1)]);
+    }
+
+    proptest! {
+        #[test]
+        fn bytes_have_the_levels_that_numbers_have(
+            size in (1usize..40, 1usize..40, 1usize..5),
+            count in 1usize..5,
+            alignment in prop::sample::select(vec![1, 2, 4, 8]),
+            skipped in (0usize..4, 0usize..4, 0usize..4),
+            powers: bool,
+            seed: u64,
+        ) {
+            let mut size = [size.0, size.1, size.2];
+            if powers {
+                size = size.map(usize::next_power_of_two);
+            }
+            let (row_length, skip_rows, skip_pixels) = (size[0] + 3, skipped.0, skipped.1);
+            let store = Store {
+                alignment,
+                row_length: if skip_pixels == 0 { 0 } else { row_length },
+                skip_rows,
+                skip_pixels,
+                skip_images: skipped.2,
+                ..TIGHT
+            };
+            let layout = Layout { store, ..Layout::tight(size, count, Storage::U8) };
+            let mut random = seed;
+            let given: Vec<u8> = (0..layout.needed())
+                .map(|_| {
+                    random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+                    (random >> 33) as u8
+                })
+                .collect();
+            let numbers = chain(layout.read(&given).unwrap(), Storage::U8, 32);
+            let expected: Vec<_> =
+                numbers.map(|image| (image.size, tight(&image, Storage::U8))).collect();
+            let levels: Vec<_> = byte_chain(&layout, &given, 32).collect();
+            prop_assert!(levels == expected);
+        }
     }
 }

@@ -101,6 +101,10 @@ impl Storage {
             return f64::from(value as f32);
         }
         let (low, high) = self.range(component);
+        if low == 0.0 {
+            // As below: what is negative, or no number, becomes 0.
+            return f64::from(((value + 0.5) as u32).min(high as u32));
+        }
         (value + 0.5).floor().max(low).min(high)
     }
 
@@ -222,18 +226,36 @@ impl Layout {
         self.row(height - 1, depth - 1).saturating_add(width.saturating_mul(self.pixel()))
     }
 
+    /// The image without gaps, in the same storage.
+    ///
+    /// # Errors
+    /// When `bytes` ends before the image does.
+    pub fn texels(&self, bytes: &[u8]) -> Result<Vec<u8>, TooShort> {
+        self.check(bytes)?;
+        let row = self.size[0] * self.pixel();
+        let mut texels = Vec::with_capacity(self.size[1] * self.size[2] * row);
+        self.rows().for_each(|at| texels.extend_from_slice(&bytes[at..][..row]));
+        Ok(texels)
+    }
+
+    fn check(&self, bytes: &[u8]) -> Result<(), TooShort> {
+        let needed = self.needed();
+        if bytes.len() < needed { Err(TooShort { needed }) } else { Ok(()) }
+    }
+
     /// The image as numbers.
     ///
     /// # Errors
     /// When `bytes` ends before the image does.
     pub fn read(&self, bytes: &[u8]) -> Result<Components, TooShort> {
-        let needed = self.needed();
-        if bytes.len() < needed {
-            return Err(TooShort { needed });
-        }
+        self.check(bytes)?;
         let mut values = Vec::with_capacity(self.size.iter().product::<usize>() * self.count);
         for at in self.rows() {
             let row = &bytes[at..][..self.size[0] * self.pixel()];
+            if self.storage == Storage::U8 {
+                values.extend(row.iter().map(|&byte| f64::from(byte)));
+                continue;
+            }
             for element in row.chunks_exact(self.storage.bytes()) {
                 self.read_element(element, &mut values);
             }
@@ -271,14 +293,15 @@ impl Layout {
     /// # Errors
     /// When `bytes` ends before the image does; nothing is written.
     pub fn write(&self, image: &Components, bytes: &mut [u8]) -> Result<(), TooShort> {
-        let needed = self.needed();
-        if bytes.len() < needed {
-            return Err(TooShort { needed });
-        }
+        self.check(bytes)?;
         let (size, elements) = (self.storage.bytes(), self.storage.elements(self.count));
         let width = self.size[0];
         for (at, row) in self.rows().zip(image.values.chunks_exact((width * self.count).max(1))) {
             let out = &mut bytes[at..][..width * self.pixel()];
+            if self.storage == Storage::U8 {
+                out.iter_mut().zip(row).for_each(|(out, value)| *out = *value as u32 as u8);
+                continue;
+            }
             let values = row.chunks_exact(self.count / elements);
             for (element, values) in out.chunks_exact_mut(size).zip(values) {
                 let word = self.word(values);

@@ -3,6 +3,8 @@
 //! The weights are whole numbers (an edge of the old image's pixel is `new size` long, one of the
 //! new image's `old size`), so that the mean of integers is exact before it is rounded once, halves
 //! up. libGLU truncates where it rescales or halves a side of one pixel: its last bit differs there.
+//!
+//! Mipmaps of bytes, which nearly all are, need no more than sums of bytes ([`halve`]).
 
 use super::pixels::{Components, Storage};
 
@@ -13,10 +15,24 @@ pub fn scale(image: &Components, size: [usize; 3], storage: Storage) -> Componen
     let Components { size: old, count, .. } = *image;
     let [width, height, depth] = size;
     let volume = old.iter().map(|side| *side as f64).product::<f64>();
-    let columns: Vec<_> = (0..width).map(|x| covered(x, old[0], width)).collect();
+    // Where the pixels of each column begin, and how much of each.
+    let mut firsts = Vec::with_capacity(width);
+    let mut weights: Vec<f64> = Vec::new();
+    for x in 0..width {
+        let begin = weights.len();
+        let mut first = 0;
+        for (old_x, weight) in covered(x, old[0], width) {
+            if weights.len() == begin {
+                first = old_x * count;
+            }
+            weights.push(weight);
+        }
+        firsts.push((first, begin..weights.len()));
+    }
     let pitch = old[0] * count;
     let mut row = vec![0.0; pitch];
-    let mut values = Vec::with_capacity(size.iter().product::<usize>() * count);
+    let mut values = vec![0.0; size.iter().product::<usize>() * count];
+    let mut rows = values.chunks_exact_mut((width * count).max(1));
     for z in 0..depth {
         for y in 0..height {
             row.fill(0.0);
@@ -27,18 +43,52 @@ pub fn scale(image: &Components, size: [usize; 3], storage: Storage) -> Componen
                     row.iter_mut().zip(texels).for_each(|(sum, value)| *sum += weight * value);
                 }
             }
-            for column in &columns {
-                for component in 0..count {
-                    let sum: f64 = column
-                        .clone()
-                        .map(|(old_x, weight)| weight * row[old_x * count + component])
-                        .sum();
-                    values.push(storage.round(component, sum / volume));
+            let Some(out) = rows.next() else { continue };
+            for (out, (first, columns)) in out.chunks_exact_mut(count).zip(&firsts) {
+                let weights = &weights[columns.clone()];
+                for (component, out) in out.iter_mut().enumerate() {
+                    let mut sum = weights[0] * row[first + component];
+                    let mut at = first + component;
+                    for weight in &weights[1..] {
+                        at += count;
+                        sum += weight * row[at];
+                    }
+                    *out = storage.round(component, sum / volume);
                 }
             }
         }
     }
     Components { size, count, values }
+}
+
+/// What [`scale`] makes of bytes at half the size, a side of one pixel staying. All others are even.
+pub fn halve(texels: &[u8], size: [usize; 3], count: usize) -> ([usize; 3], Vec<u8>) {
+    let half = size.map(|side| (side / 2).max(1));
+    // 1 where two pixels become one.
+    let twice = size.map(|side| usize::from(side > 1));
+    let shift = twice.iter().sum::<usize>();
+    let bias = (1_u16 << shift) >> 1;
+    let pitch = size[0] * count;
+    let mut halved = vec![0; half.iter().product::<usize>() * count];
+    let mut sums = vec![0_u16; pitch];
+    for (number, out) in halved.chunks_exact_mut((half[0] * count).max(1)).enumerate() {
+        let (y, z) = (number % half[1] << twice[1], number / half[1] << twice[2]);
+        sums.fill(bias);
+        for z in z..=z + twice[2] {
+            for y in y..=y + twice[1] {
+                let row = &texels[(z * size[1] + y) * pitch..][..pitch];
+                sums.iter_mut().zip(row).for_each(|(sum, texel)| *sum += u16::from(*texel));
+            }
+        }
+        let pixels = sums.chunks_exact(count << twice[0]);
+        for (out, pixel) in out.chunks_exact_mut(count).zip(pixels) {
+            for (component, out) in out.iter_mut().enumerate() {
+                let other = if twice[0] == 1 { pixel[component + count] - bias } else { 0 };
+                *out = ((pixel[component] + other) >> shift) as u8;
+            }
+        }
+    }
+    (half, halved)
 }
 
 /// The old pixels that new pixel `index` covers, and how much of each.
@@ -112,6 +162,85 @@ mod tests {
                     prop_assert!((got - oracle).abs() <= oracle * 1e-7, "{got} {oracle}");
                 }
             }
+        }
+
+        /// To the bit: as it was written first, a pixel at a time.
+        #[test]
+        fn the_weights_are_added_up_in_their_order(
+            size in (1usize..9, 1usize..9, 1usize..4),
+            new in (1usize..9, 1usize..9, 1usize..4),
+            count in 1usize..5,
+            seed: u64,
+            storage in prop::sample::select(vec![Storage::U8, Storage::I16, Storage::F32]),
+        ) {
+            let (size, new) = ([size.0, size.1, size.2], [new.0, new.1, new.2]);
+            let mut random = seed;
+            let mut next = || {
+                random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+                match (storage, random >> 33) {
+                    (Storage::U8, bits) => f64::from(bits as u8),
+                    (Storage::I16, bits) => f64::from(bits as i16),
+                    (_, bits) if bits % 5 == 0 => -0.0,
+                    (_, bits) => f64::from(bits as i16 as f32 / 1000.0),
+                }
+            };
+            let values = (0..size.iter().product::<usize>() * count).map(|_| next()).collect();
+            let image = Components { size, count, values };
+            let mut expected = Vec::new();
+            for z in 0..new[2] {
+                for y in 0..new[1] {
+                    let mut row = vec![0.0; size[0] * count];
+                    for (old_z, inward) in covered(z, size[2], new[2]) {
+                        for (old_y, down) in covered(y, size[1], new[1]) {
+                            let first = (old_z * size[1] + old_y) * size[0] * count;
+                            let weight = inward * down;
+                            for (sum, value) in row.iter_mut().zip(&image.values[first..]) {
+                                *sum += weight * value;
+                            }
+                        }
+                    }
+                    for x in 0..new[0] {
+                        for component in 0..count {
+                            let sum: f64 = covered(x, size[0], new[0])
+                                .map(|(old_x, weight)| weight * row[old_x * count + component])
+                                .sum();
+                            let mean = sum / size.iter().map(|side| *side as f64).product::<f64>();
+                            let (low, high) = match storage {
+                                Storage::U8 => (0.0, 255.0),
+                                _ => (-32_768.0, 32_767.0),
+                            };
+                            expected.push(match storage {
+                                Storage::F32 => f64::from(mean as f32),
+                                _ => (mean + 0.5).floor().max(low).min(high),
+                            });
+                        }
+                    }
+                }
+            }
+            let bits = |values: &[f64]| values.iter().map(|v| v.to_bits()).collect::<Vec<_>>();
+            prop_assert_eq!(bits(&scale(&image, new, storage).values), bits(&expected));
+        }
+
+        #[test]
+        fn bytes_are_halved_as_numbers_are(
+            sides in (0u32..6, 0u32..6, 0u32..3),
+            count in 1usize..5,
+            seed: u64,
+        ) {
+            let size = [1 << sides.0, 1 << sides.1, 1 << sides.2];
+            let mut random = seed;
+            let texels: Vec<u8> = (0..size.iter().product::<usize>() * count)
+                .map(|_| {
+                    random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+                    (random >> 33) as u8
+                })
+                .collect();
+            let image = Layout::tight(size, count, Storage::U8).read(&texels).unwrap();
+            let (half, halved) = halve(&texels, size, count);
+            let scaled = scale(&image, half, Storage::U8);
+            prop_assert_eq!(scaled.size, size.map(|side| (side / 2).max(1)));
+            let expected: Vec<u8> = scaled.values.iter().map(|&value| value as u8).collect();
+            prop_assert_eq!(halved, expected);
         }
 
         #[test]
