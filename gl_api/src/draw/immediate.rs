@@ -176,7 +176,8 @@ pub(crate) fn draw_columns(
     Columns { buffer, count, part }: Columns<'_>,
     column_of: impl Fn(usize) -> Option<usize>,
 ) -> Result<()> {
-    let mut vertices = Vec::with_capacity(COLUMNS);
+    let mut vertices = std::mem::take(&mut context.recorder.bindings);
+    vertices.reserve(COLUMNS);
     for location in 0..COLUMNS {
         let index = match location == 0 || location == usize::from(ATTRIB_VERTEX) {
             true => Some(0),

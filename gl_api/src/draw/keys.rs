@@ -3,6 +3,7 @@
 use super::hints;
 use super::stages::{alpha_test, sampler};
 use crate::context::Context;
+use crate::env::Unit;
 use crate::env::texgen::GenMode;
 use crate::fixed::{
     Coordinates, Environment, FogKey, FragmentKey, Generated, LightKey, LightingKey, Normals,
@@ -19,6 +20,27 @@ use crate::texture::texel::is_wide;
 use glam::{DMat4, DVec4};
 use rasterizer::driver::{LevelInfo, Rim, VertexBinding, VertexSource};
 
+/// What draws have found out about the texture units, while these stay as they are.
+#[derive(Debug, Default)]
+pub(crate) struct UnitsSeen {
+    /// Of the units; 0 before the first.
+    version: u64,
+    /// Those that texture, if their texture is complete, bit by unit.
+    enabled: u8,
+    generated: [[Option<Generated>; 4]; MAX_TEXTURE_UNITS as usize],
+}
+
+/// Looks at the units, if they have changed.
+pub(super) fn see_units(context: &mut Context) {
+    let version = context.state.units.units.version();
+    if context.recorder.units_seen.version != version {
+        let units = (0..).zip(&context.state.units.units[..MAX_TEXTURE_UNITS.into()]);
+        let enabled = |(bit, unit): (u8, &Unit)| u8::from(unit.enabled.contains(&true)) << bit;
+        let enabled = units.map(enabled).fold(0, |all, unit| all | unit);
+        context.recorder.units_seen = UnitsSeen { version, enabled, generated: generated(context) };
+    }
+}
+
 /// The vertex stage for the state of now. `base` is its first uniform word.
 pub(super) fn vertex_key(context: &Context, vertices: &[VertexBinding], base: u32) -> VertexKey {
     let state = &context.state;
@@ -29,7 +51,7 @@ pub(super) fn vertex_key(context: &Context, vertices: &[VertexBinding], base: u3
     let mut key = VertexKey {
         base,
         matrices,
-        generated: generated(context),
+        generated: context.recorder.units_seen.generated,
         lighting: lighting_key(context, vertices),
         normals: Normals::AsTheyAre,
         clip_planes: state.clip.enabled,
@@ -176,7 +198,8 @@ fn enabled_units(
     clamp: Clamp,
 ) -> Vec<UnitKey> {
     let mut units = Vec::new();
-    for unit in 0..MAX_TEXTURE_UNITS {
+    let enabled = context.recorder.units_seen.enabled;
+    for unit in (0..MAX_TEXTURE_UNITS).filter(|unit| enabled >> unit & 1 == 1) {
         let state = &context.state.units.units[usize::from(unit)];
         let winner = TextureTarget::ALL.into_iter().rfind(|target| state.enabled[*target as usize]);
         let Some(target) = winner else { continue };

@@ -25,12 +25,14 @@ pub(crate) mod translate;
 mod words;
 
 use crate::context::Context;
+use crate::context::debug::Output;
 use crate::fixed::FixedModules;
 use crate::pixels::rectangle::RectangleModules;
 use fixed_words::FixedWords;
+use keys::UnitsSeen;
 use rasterizer::driver::{
     Attachment, Command, CommandBuffer, Counter, Device, Image, PassDesc, Pipeline, PipelineDesc,
-    RasterState, Rect, ShaderModule, Viewport,
+    RasterState, Rect, ShaderModule, VertexBinding, Viewport,
 };
 use rasterizer::shader::Program;
 use std::collections::HashMap;
@@ -59,6 +61,12 @@ pub(crate) struct Recorder {
     pipelines: HashMap<PipelineDesc, Pipeline>,
     pub fixed: FixedModules,
     fixed_words: FixedWords,
+    units_seen: UnitsSeen,
+    /// The version of the units, and where messages went, when it was last looked whether a texture
+    /// is bound though nothing is switched on.
+    nothing_enabled: Option<(u64, Output)>,
+    /// The memory of a draw's bindings.
+    bindings: Vec<VertexBinding>,
     variants: HashMap<stages::VariantKey, ShaderModule>,
     vertex_variants: HashMap<stages::VertexVariantKey, ShaderModule>,
     /// Stages of assembly programs, by what their uniform words are moved by.
@@ -98,6 +106,9 @@ impl Recorder {
             pipelines: HashMap::new(),
             fixed: FixedModules::default(),
             fixed_words: FixedWords::default(),
+            units_seen: UnitsSeen::default(),
+            nothing_enabled: None,
+            bindings: Vec::new(),
             variants: HashMap::new(),
             vertex_variants: HashMap::new(),
             moved: Vec::new(),

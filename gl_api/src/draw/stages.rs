@@ -165,6 +165,7 @@ pub(crate) fn choose(
 ) -> Result<Stages> {
     let name = context.state.bindings.program.name();
     uniform_buffer::unpack::refresh(context, name)?;
+    keys::see_units(context);
     let clamp = clamp::of_fragments(context);
     let programs = Programs::new(context, name)?;
     let vertex_textures = match &programs.vertex {

@@ -182,7 +182,7 @@ struct Drawing {
 fn record(
     context: &mut Context,
     drawing: Drawing,
-    vertices: Vec<VertexBinding>,
+    mut vertices: Vec<VertexBinding>,
     elements: &Elements,
 ) -> Result<()> {
     let Drawing { pass, desc, raster, viewport, reads } = drawing;
@@ -194,14 +194,14 @@ fn record(
     tell_pipeline(context, desc)?;
     let read = context.recorder.told.attributes | raster.polygon.edge_flag.map_or(0, bit);
     tell_state(context, raster, viewport, reads.words);
-    let vertices = vertices.into_iter().filter(|binding| read & bit(binding.location) != 0);
-    let vertices: Arc<[_]> = vertices.collect();
+    vertices.retain(|binding| read & bit(binding.location) != 0);
     hints::arrays::short(context, &vertices, elements);
     let recorder = &mut context.recorder;
     let commands = &mut recorder.commands;
     let buffers = vertices.iter().filter_map(|binding| binding.source.buffer());
     recorder.held += buffers.map(Buffer::own_bytes).sum::<usize>();
-    commands.push(Command::BindVertices(vertices));
+    commands.push(Command::BindVertices(vertices.drain(..).collect()));
+    recorder.bindings = vertices;
     commands.push(Command::BindTextures {
         vertex: reads.vertex_textures,
         fragment: reads.fragment_textures,

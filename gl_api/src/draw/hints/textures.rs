@@ -223,12 +223,17 @@ fn maybe_loop(
     }
 }
 
-/// Textures are bound, but no unit is switched on and no program is in use.
+/// Textures are bound, but no unit is switched on and no program is in use. Said once, it is so until
+/// units change.
 pub(in crate::draw) fn nothing_enabled(context: &mut Context) {
     if context.state.bindings.program.name() != 0 || has_fragment_program(context) {
         return;
     }
     let units = &context.state.units.units;
+    let now = (units.version(), context.debug.output);
+    if context.recorder.nothing_enabled.replace(now) == Some(now) {
+        return;
+    }
     if units.iter().any(|unit| unit.enabled.contains(&true)) {
         return;
     }
