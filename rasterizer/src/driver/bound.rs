@@ -105,7 +105,7 @@ impl Bound {
 }
 
 /// Whether two lists are of the same plans.
-fn same_textures(a: &Textures, b: &Textures) -> bool {
+pub fn same_textures(a: &Textures, b: &Textures) -> bool {
     let same = |(a, b): (&Option<Arc<SamplePlan>>, &Option<Arc<SamplePlan>>)| match (a, b) {
         (Some(a), Some(b)) => Arc::ptr_eq(a, b),
         (None, None) => true,

@@ -38,7 +38,7 @@ pub struct DrawState<'a> {
     /// The vertex program's values of this draw.
     pub prepared: Arc<Prepared>,
     /// The varying slots that the fragment stage reads.
-    pub slots: Vec<u16>,
+    pub slots: &'a [u16],
     pub setup: Setup<'a>,
     /// How far the line stipple has come, in subpixels.
     pub stipple: u32,
@@ -73,7 +73,6 @@ impl DrawState<'_> {
             Ids::Indexed(_) => Some(self.vertices(&range)?),
             Ids::Range(_) => None,
         };
-        let starts: Vec<u32> = range.clone().step_by(CHUNK as usize).collect();
         let shapes_of = |start: u32| -> Result<(Arc<Geometry>, ShapeLists), OverBudget> {
             let part = start..range.end.min(start + CHUNK);
             let own;
@@ -102,14 +101,15 @@ impl DrawState<'_> {
             let runs = sort_by_tile(&mut lists);
             (Chunk { draw, geometry, lists }, runs)
         };
-        if let &[start] = starts.as_slice() {
-            let mut one = shapes_of(start)?;
+        if range.len() <= CHUNK as usize {
+            let mut one = shapes_of(range.start)?;
             if is_strip {
                 let line = &self.setup.raster.line;
                 self.stipple = stipple_lines(line, &mut one.1.shapes, self.stipple);
             }
             return Ok(vec![chunk(one)]);
         }
+        let starts: Vec<u32> = range.clone().step_by(CHUNK as usize).collect();
         if !is_strip {
             return starts.into_par_iter().map(|start| shapes_of(start).map(chunk)).collect();
         }
@@ -140,7 +140,7 @@ impl DrawState<'_> {
             textures: self.textures,
             bindings: self.bindings,
             viewport: self.setup.viewport,
-            varyings: &self.slots,
+            varyings: self.slots,
             point_size: self.setup.raster.point.source,
             edge_flag: self.setup.raster.polygon.edge_flag,
         };
@@ -198,6 +198,12 @@ fn sort_by_tile(lists: &mut ShapeLists) -> Vec<TileRun> {
         }
     }
     let (low, high) = (low.map(tile), high.map(tile));
+    if low == high {
+        let end = shapes.len() as u32;
+        binned.clear();
+        binned.extend(0..end);
+        return vec![TileRun { tile: low, first: 0, end }];
+    }
     let across = (high[0] - low[0] + 1) as usize;
     let up = (high[1] - low[1] + 1) as usize;
     let index = |x: u32, y: u32| (y - low[1]) as usize * across + (x - low[0]) as usize;

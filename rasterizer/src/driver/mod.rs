@@ -21,6 +21,7 @@ pub use crate::output::texel_words;
 pub use crate::primitive::{Primitive, Primitives, primitives};
 pub use crate::raster::{possible_samples, sample_positions};
 pub use crate::target::MAX_SAMPLES;
+pub use bound::same_textures;
 pub use buffer::{Buffer, Version, VertexBinding, VertexFormat, VertexSource, VertexType};
 pub use command::{
     ClearValue, Command, CommandBuffer, DepthClip, IndexType, Indices, Rect, Viewport,

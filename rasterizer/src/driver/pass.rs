@@ -233,7 +233,7 @@ impl<'a> Pass<'a> {
             stipple: 0,
             instance: 0,
             prepared: vertex,
-            slots: compiled.varyings.iter().map(|&(slot, _)| slot).collect(),
+            slots: &compiled.slots,
             setup: Setup {
                 isa: self.job.isa,
                 viewport: self.bound.viewport,

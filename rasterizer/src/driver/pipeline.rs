@@ -247,6 +247,8 @@ pub(crate) struct Compiled {
     pub fragment: Program,
     /// The varying slots that the fragment program reads, ascending, and how each is interpolated.
     pub varyings: Vec<(u16, Interpolation)>,
+    /// Their slots alone.
+    pub slots: Vec<u16>,
     /// How many varying slots the vertex module writes.
     pub written_varyings: usize,
     /// How many varyings hold what the fragment module makes of others.
@@ -370,6 +372,7 @@ impl Compiled {
             Output::Color { .. } | Output::Depth => false,
         });
         let of_sprites = OnceLock::new();
-        Self { desc, vertex, fragment, varyings, written_varyings, left, of_sprites }
+        let slots = varyings.iter().map(|&(slot, _)| slot).collect();
+        Self { desc, vertex, fragment, varyings, slots, written_varyings, left, of_sprites }
     }
 }

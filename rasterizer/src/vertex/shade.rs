@@ -151,7 +151,7 @@ pub fn shade(stage: &VertexStage<'_>, ids: &[u32], instance: u32) -> Result<Geom
     let mut outcodes = Pieces { rest: &mut geometry.outcodes, each: 1 };
     let mut point_sizes = Pieces { rest: &mut geometry.point_sizes, each: sizes };
     let mut distances = Pieces { rest: &mut geometry.distances, each: planes };
-    let batches = ids.chunks(LANES).map(|ids| Batch {
+    let mut batches = ids.chunks(LANES).map(|ids| Batch {
         ids,
         instance,
         values: values.next(ids.len()),
@@ -160,9 +160,18 @@ pub fn shade(stage: &VertexStage<'_>, ids: &[u32], instance: u32) -> Result<Geom
         point_sizes: point_sizes.next(ids.len()),
         distances: distances.next(ids.len()),
     });
-    let mut batches: Vec<Batch<'_>> = batches.collect();
+    // Most draws of a scene of many have no more than one.
+    let mut first = batches.next();
+    let mut all: Vec<Batch<'_>> = Vec::new();
+    let batches = match ids.len() <= LANES {
+        true => first.as_mut_slice(),
+        false => {
+            all.extend(first.into_iter().chain(batches));
+            &mut all[..]
+        }
+    };
     let stopped = AtomicBool::new(false);
-    stage.machines.share(&mut batches, PIECE, |machine, batches| {
+    stage.machines.share(batches, PIECE, |machine, batches| {
         machine.begin(stage.program);
         for batch in batches {
             if !stopped.load(Ordering::Relaxed)
