@@ -4,7 +4,9 @@
 use super::words::{put, scene_color};
 use crate::context::Context;
 use crate::env::texgen::GenMode;
-use crate::fixed::{FragmentKey, Generated, PointSize, Varying, VertexKey, fog_constants, word};
+use crate::fixed::{
+    FragmentKey, Generated, LightingKey, PointSize, Varying, VertexKey, fog_constants, word,
+};
 use crate::interface::*;
 use crate::state::clamp::Clamp;
 use crate::state::enable::Flag;
@@ -19,6 +21,17 @@ pub(crate) struct FixedWords {
     words: Vec<u32>,
     transform: Option<Transform>,
     normal: Option<Normal>,
+    lit: Option<Lit>,
+}
+
+/// What the words of lighting are made from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Lit {
+    key: LightingKey,
+    /// The versions of lights and materials.
+    versions: [u64; 2],
+    /// The bits of the colour that materials track, if they do.
+    color: Option<[u32; 4]>,
 }
 
 /// What positions are transformed by.
@@ -65,6 +78,23 @@ impl FixedWords {
                 self.normal(context);
             }
             vertex(&mut self.words, context, key);
+            if let Some(key) = key.lighting {
+                self.lighting(context, key);
+            }
+        }
+    }
+
+    fn lighting(&mut self, context: &Context, key: LightingKey) {
+        let state = &context.state;
+        let color = state.current[usize::from(ATTRIB_COLOR)].map(f32::to_bits);
+        let lit = Lit {
+            key,
+            versions: [state.lights.version(), state.materials.version()],
+            color: state.enables.has(Flag::ColorMaterial).then_some(color),
+        };
+        if self.lit != Some(lit) {
+            lighting(&mut self.words, context, &key);
+            self.lit = Some(lit);
         }
     }
 
@@ -140,25 +170,27 @@ fn vertex(words: &mut [u32], context: &Context, key: &VertexKey) {
         let all = sizes.into_iter().chain(points.attenuation);
         put(words, word::POINT, all.map(f64::from));
     }
-    if let Some(lighting) = &key.lighting {
-        let ambient = state.lights.model.ambient;
-        put(words, word::MODEL_AMBIENT, [ambient[0], ambient[1], ambient[2]].map(f64::from));
-        let lights = || {
-            let on = lighting.lights.iter().zip(&state.lights.lights).enumerate();
-            on.filter(|(_, (key, _))| key.is_some()).map(|(index, (_, light))| (index, light))
-        };
+}
+
+fn lighting(words: &mut [u32], context: &Context, lighting: &LightingKey) {
+    let state = &context.state;
+    let ambient = state.lights.model.ambient;
+    put(words, word::MODEL_AMBIENT, [ambient[0], ambient[1], ambient[2]].map(f64::from));
+    let lights = || {
+        let on = lighting.lights.iter().zip(&state.lights.lights).enumerate();
+        on.filter(|(_, (key, _))| key.is_some()).map(|(index, (_, light))| (index, light))
+    };
+    for (index, light) in lights() {
+        put_light(words, word::light(index), light);
+    }
+    let sides: &[Side] =
+        if lighting.two_sided { &[Side::Front, Side::Back] } else { &[Side::Front] };
+    for &side in sides {
+        let own = lighting.varying(side);
+        put_material(words, side, &material(context, side), own, ambient);
+        let material = constant_parts(material(context, side), own);
         for (index, light) in lights() {
-            put_light(words, word::light(index), light);
-        }
-        let sides: &[Side] =
-            if lighting.two_sided { &[Side::Front, Side::Back] } else { &[Side::Front] };
-        for &side in sides {
-            let own = lighting.varying(side);
-            put_material(words, side, &material(context, side), own, ambient);
-            let material = constant_parts(material(context, side), own);
-            for (index, light) in lights() {
-                put_products(words, word::products(index, side), light, &material);
-            }
+            put_products(words, word::products(index, side), light, &material);
         }
     }
 }

@@ -15,6 +15,7 @@ use crate::framebuffer::complete::checked_drawable;
 use crate::interface::{ATTRIB_TEX_COORD, ATTRIB_VERTEX};
 use crate::object::textures::texture_unit;
 use crate::state::material::{MATERIAL_COLUMNS, Materials};
+use crate::state::versioned::Versioned;
 use crate::state::{LOCATIONS, State};
 use crate::types::*;
 use rasterizer::driver::{Buffer, Topology, VertexBinding, VertexFormat, VertexSource, VertexType};
@@ -39,7 +40,7 @@ pub(crate) struct Immediate {
     /// By location, which of the columns is its own.
     places: [u8; COLUMNS],
     /// What the materials were before the first `glMaterial` since `glBegin`.
-    pub(super) materials: Option<Box<Materials>>,
+    pub(super) materials: Option<Box<Versioned<Materials>>>,
 }
 
 /// The values of an attribute, or of a part of a material, that is set since `glBegin`.

@@ -35,6 +35,7 @@ use rasterizer::driver::{
     RasterState, Rect, ShaderModule, VertexBinding, Viewport,
 };
 use rasterizer::shader::Program;
+use stages::Textures;
 use std::collections::HashMap;
 use std::sync::Arc;
 use texunit::lanes::Isa;
@@ -61,6 +62,8 @@ pub(crate) struct Recorder {
     pipelines: HashMap<PipelineDesc, Pipeline>,
     pub fixed: FixedModules,
     fixed_words: FixedWords,
+    /// What stages without textures have.
+    no_textures: Textures,
     units_seen: UnitsSeen,
     /// The version of the units, and where messages went, when it was last looked whether a texture
     /// is bound though nothing is switched on.
@@ -88,6 +91,8 @@ struct Told {
     /// The attributes that the pipeline reads, bit by location.
     attributes: u64,
     words: Option<Arc<[u32]>>,
+    /// Of the vertex and of the fragment stage.
+    textures: Option<[Textures; 2]>,
     raster: Option<Arc<RasterState>>,
     viewport: Option<Viewport>,
     scissor: Option<Option<Rect>>,
@@ -106,6 +111,7 @@ impl Recorder {
             pipelines: HashMap::new(),
             fixed: FixedModules::default(),
             fixed_words: FixedWords::default(),
+            no_textures: Arc::new([]),
             units_seen: UnitsSeen::default(),
             nothing_enabled: None,
             bindings: Vec::new(),
@@ -208,13 +214,17 @@ pub(crate) fn submit(context: &mut Context) {
     ended::draw_ended(context);
     context.recorder.end_pass();
     context.objects.syncs.signal();
-    let commands = std::mem::take(&mut context.recorder.commands);
+    let mut commands = std::mem::take(&mut context.recorder.commands);
     context.recorder.held = 0;
     if commands.commands.is_empty() {
         return;
     }
     context.outdate_mirror();
-    match context.recorder.device.submit(&commands) {
+    let result = context.recorder.device.submit(&commands);
+    // Their memory is that of the next.
+    commands.commands.clear();
+    context.recorder.commands = commands;
+    match result {
         Ok(report) => {
             if !report.over_budget.is_empty() {
                 context.debug.warn(

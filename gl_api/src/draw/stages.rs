@@ -31,7 +31,7 @@ use texunit::plan::SamplePlan;
 use texunit::sampler::{Border, Compare, DepthMode, Sampler, Seamless, SrgbRead};
 
 /// The texture of each slot of a stage.
-type Textures = Arc<[Option<Arc<SamplePlan>>]>;
+pub(super) type Textures = Arc<[Option<Arc<SamplePlan>>]>;
 
 /// What a draw runs.
 pub(crate) struct Stages {
@@ -170,7 +170,7 @@ pub(crate) fn choose(
     let programs = Programs::new(context, name)?;
     let vertex_textures = match &programs.vertex {
         Some(module) => programs.textures(context, Stage::Vertex, module)?,
-        None => Arc::from([]),
+        None => Arc::clone(&context.recorder.no_textures),
     };
     let fragment = FragmentStage::new(context, &programs, vertices, rim, clamp)?;
     let vertex = VertexStage::new(context, &programs, vertices)?;
@@ -236,12 +236,16 @@ impl FragmentStage {
         }
         let own = programs.vertex.is_none().then_some(vertices);
         let key = keys::fragment_key(context, own, programs.base(), clamp);
-        let textures = key.units.iter().map(|unit| {
-            let target = TextureTarget::of(unit.shape);
-            let (result, reader) = (ComparisonResult::Placed, Reader::FixedFunction);
-            Some(plan(context, unit.unit, target, result, reader))
-        });
-        let textures = textures.collect();
+        let textures = if key.units.is_empty() {
+            Arc::clone(&context.recorder.no_textures)
+        } else {
+            let plans = key.units.iter().map(|unit| {
+                let target = TextureTarget::of(unit.shape);
+                let (result, reader) = (ComparisonResult::Placed, Reader::FixedFunction);
+                Some(plan(context, unit.unit, target, result, reader))
+            });
+            plans.collect()
+        };
         let key = FragmentKey { two_sided: key.two_sided || two_sided, rim, ..key };
         let module = context.recorder.fixed.fragment(&key).map_err(|error| internal(&error))?;
         Ok(Self { module, textures, key: Some(key) })

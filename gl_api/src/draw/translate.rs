@@ -2,7 +2,7 @@
 
 use super::ended::draw_ended;
 use super::primitives::{raster_state, smoothness};
-use super::stages::{self, Reads, Stages};
+use super::stages::{self, Reads, Stages, Textures};
 use super::{begin_pass, hints};
 use crate::assembly::running as assembly;
 use crate::context::Context;
@@ -20,7 +20,7 @@ use crate::transform_feedback;
 use rasterizer::driver::{
     Buffer, ColorState, Command, Cull, DepthClip, DepthState, FrontFace, IndexType, Indices,
     OutputState, PassDesc, Pipeline, PipelineDesc, Provoking, RasterState, Rect, Rim, SampleRule,
-    ShaderModule, Topology, VertexBinding, Viewport,
+    ShaderModule, Topology, VertexBinding, Viewport, same_textures,
 };
 use std::sync::Arc;
 use texunit::format::Format;
@@ -202,10 +202,15 @@ fn record(
     recorder.held += buffers.map(Buffer::own_bytes).sum::<usize>();
     commands.push(Command::BindVertices(vertices.drain(..).collect()));
     recorder.bindings = vertices;
-    commands.push(Command::BindTextures {
-        vertex: reads.vertex_textures,
-        fragment: reads.fragment_textures,
-    });
+    let textures = [reads.vertex_textures, reads.fragment_textures];
+    let same = |told: &[Textures; 2]| {
+        told.iter().zip(&textures).all(|(told, textures)| same_textures(told, textures))
+    };
+    if !recorder.told.textures.as_ref().is_some_and(same) {
+        let [vertex, fragment] = textures.clone();
+        commands.push(Command::BindTextures { vertex, fragment });
+        recorder.told.textures = Some(textures);
+    }
     commands.push(match elements {
         Elements::Range { first, count, instances } => {
             Command::Draw { first: *first, count: *count, instances: *instances }

@@ -11,11 +11,10 @@ use crate::object::bound::Bound;
 use crate::query::table::{self, Value};
 use crate::state::clamp;
 use crate::state::params::{Params, parameter_calls, parameter_queries};
+use crate::state::versioned::Versioned;
 use crate::texture::TextureTarget;
 use crate::types::*;
 use combine::{Arguments, COMBINER_PARAMETER, Combiner, CombinerParameter};
-use std::ops::{Deref, DerefMut};
-use std::sync::atomic::{AtomicU64, Ordering};
 use texgen::Generate;
 
 const SECTION: &str = "GL 2.1, section 3.8.13";
@@ -71,46 +70,12 @@ pub(crate) struct Unit {
     pub coord_replace: bool,
 }
 
-/// Every unit. Draws look at all of them only where the version is another than it was: they are much
-/// memory, and rarely changed.
-#[derive(Clone, Debug)]
-pub(crate) struct AllUnits {
-    /// A third of a context, which has to fit a client's stack several times while it is made.
-    units: Box<[Unit; MAX_COMBINED_TEXTURE_IMAGE_UNITS as usize]>,
-    version: u64,
-}
-
-impl AllUnits {
-    /// A number that no other state of units has, of any context; never 0.
-    pub fn version(&self) -> u64 {
-        self.version
-    }
-}
-
-impl Deref for AllUnits {
-    type Target = [Unit; MAX_COMBINED_TEXTURE_IMAGE_UNITS as usize];
-
-    fn deref(&self) -> &Self::Target {
-        &self.units
-    }
-}
-
-impl DerefMut for AllUnits {
-    fn deref_mut(&mut self) -> &mut Self::Target {
-        self.version = next_version();
-        &mut self.units
-    }
-}
-
-fn next_version() -> u64 {
-    static NEXT: AtomicU64 = AtomicU64::new(1);
-    NEXT.fetch_add(1, Ordering::Relaxed)
-}
-
 /// All units, and which one calls work on.
 #[derive(Clone, Debug)]
 pub(crate) struct Units {
-    pub units: AllUnits,
+    /// A third of a context, which has to fit a client's stack several times while it is made. Draws
+    /// look at all of it only where it has changed.
+    pub units: Versioned<Box<[Unit; MAX_COMBINED_TEXTURE_IMAGE_UNITS as usize]>>,
     pub active: u8,
     pub client_active: u8,
 }
@@ -129,8 +94,7 @@ impl Default for Units {
             coord_replace: false,
         };
         let units = Box::new(std::array::from_fn(|_| unit.clone()));
-        let units = AllUnits { units, version: next_version() };
-        Self { units, active: 0, client_active: 0 }
+        Self { units: Versioned::new(units), active: 0, client_active: 0 }
     }
 }
 

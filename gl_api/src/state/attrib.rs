@@ -2,6 +2,7 @@
 //! attribute groups of tables 6.5 to 6.37.
 
 use super::enable::{Enables, Flag};
+use super::versioned::Versioned;
 use super::{State, clamp, clip, fog, fragment, light, material, pixel_store, raster, viewport};
 use crate::constants::*;
 use crate::context::Context;
@@ -29,8 +30,8 @@ struct Server {
     mask: GLbitfield,
     current: [[f32; 4]; super::LOCATIONS],
     enables: Enables,
-    lights: light::Lights,
-    materials: material::Materials,
+    lights: Versioned<light::Lights>,
+    materials: Versioned<material::Materials>,
     fog: fog::FogState,
     clip: clip::ClipPlanes,
     raster: raster::RasterState,

@@ -20,6 +20,7 @@ pub(crate) mod points;
 pub(crate) mod polygon;
 pub(crate) mod raster;
 pub(crate) mod stencil;
+pub(crate) mod versioned;
 pub(crate) mod viewport;
 
 use crate::assembly::calls::AssemblyState;
@@ -41,6 +42,7 @@ use material::Materials;
 use matrix::Matrices;
 use pixel_store::PixelStore;
 use raster::RasterState;
+use versioned::Versioned;
 use viewport::ViewportState;
 
 /// How many attribute locations there are, conventional ones included; see [`crate::interface`].
@@ -77,8 +79,8 @@ pub(crate) struct State {
     pub restart_index: GLuint,
     pub locked: crate::draw::locked::Locked,
     pub enables: Enables,
-    pub lights: Lights,
-    pub materials: Materials,
+    pub lights: Versioned<Lights>,
+    pub materials: Versioned<Materials>,
     pub fog: FogState,
     pub clip: ClipPlanes,
     pub raster: RasterState,
@@ -113,8 +115,8 @@ impl State {
             restart_index: 0,
             locked: crate::draw::locked::Locked::default(),
             enables: Enables::default(),
-            lights: Lights::default(),
-            materials: Materials::default(),
+            lights: Versioned::new(Lights::default()),
+            materials: Versioned::new(Materials::default()),
             fog: FogState::default(),
             clip: ClipPlanes::default(),
             raster: RasterState::default(),
