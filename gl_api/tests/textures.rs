@@ -174,18 +174,29 @@ fn depth_and_stencil_go_together() {
 }
 
 #[test]
-fn scale_and_bias_are_applied_on_the_way_in_and_out() {
+fn scale_and_bias_are_applied_on_the_way_in_alone() {
     let mut c = context();
+    c.bind_texture(GL_TEXTURE_1D, 1);
     c.pixel_transferf(GL_RED_SCALE, 0.5);
     c.pixel_transferf(GL_GREEN_BIAS, 0.25);
     let pixels = [1.0_f32, 0.5, 0.25, 1.0];
     let bytes: Vec<u8> = pixels.iter().flat_map(|x| x.to_ne_bytes()).collect();
     let internal = GL_RGBA32F as i32;
     c.tex_image_1d(GL_TEXTURE_1D, 0, internal, 1, 0, GL_RGBA, GL_FLOAT, Data::Bytes(&bytes));
-    let mut out = [0; 16];
-    c.get_tex_image(GL_TEXTURE_1D, 0, GL_RGBA, GL_FLOAT, DataOut::Bytes(&mut out));
-    ok(&mut c);
-    assert_eq!(floats(&out), [0.25, 1.0, 0.25, 1.0]);
+    // GL 2.1, section 6.1.4: reading back performs no transfer operations, whatever the state is.
+    for state in 0..2 {
+        if state > 0 {
+            c.pixel_transferf(GL_ALPHA_SCALE, 0.5);
+            c.pixel_transferi(GL_MAP_COLOR, 1);
+        }
+        let (mut whole, mut part) = ([0; 16], [0; 16]);
+        c.get_tex_image(GL_TEXTURE_1D, 0, GL_RGBA, GL_FLOAT, DataOut::Bytes(&mut whole));
+        let out = DataOut::Bytes(&mut part);
+        c.get_texture_sub_image(1, 0, 0, 0, 0, 1, 1, 1, GL_RGBA, GL_FLOAT, 16, out);
+        ok(&mut c);
+        assert_eq!(floats(&whole), [0.5, 0.75, 0.25, 1.0]);
+        assert_eq!(floats(&part), [0.5, 0.75, 0.25, 1.0]);
+    }
 }
 
 #[test]

@@ -4,6 +4,7 @@ use super::client::{ClientFormat, LuminanceOf, Pixel};
 use super::layout::{Extent, Layout};
 use super::specify::kinds_match;
 use super::target::any_bound;
+use super::transfer::Transfer;
 use super::{TextureTarget, blocks, bound, checked_level, convert, memory};
 use crate::context::Context;
 use crate::entry::DataOut;
@@ -67,7 +68,8 @@ pub(crate) fn get_tex_image(
     readable(pixel, level.format)?;
     let size = target.target.level_box(level.stored_size()).map(|side| side as usize);
     let layout = Layout::new(&context.state.pack, pixel, size, extent(target.target))?;
-    let transfer = context.state.transfer;
+    // No transfer operations are performed on images that are read back.
+    let transfer = Transfer::default();
     if level.format.block().is_some() {
         let colors = blocks::decompress(level)?;
         return memory::write_pixels(context, &layout, pixels, |bytes| {

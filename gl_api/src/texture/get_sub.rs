@@ -3,6 +3,7 @@
 use super::client::LuminanceOf;
 use super::get::{asked_for, extent, readable};
 use super::layout::{Extent, Layout};
+use super::transfer::Transfer;
 use super::{TextureTarget, blocks, checked_level, convert, memory};
 use crate::context::Context;
 use crate::entry::DataOut;
@@ -174,7 +175,8 @@ pub(crate) fn get_texture_sub_image(
             part.cut(convert::texels(level), unit, &mut texels);
         }
     }
-    let transfer = context.state.transfer;
+    // As of glGetTexImage, no transfer operations are performed.
+    let transfer = Transfer::default();
     memory::write_pixels(context, &layout, pixels, |bytes| {
         convert::pack(&layout, stored, &transfer, LuminanceOf::Red, &texels, bytes);
     })
