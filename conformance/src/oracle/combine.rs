@@ -140,11 +140,14 @@ pub fn combine(
         let dot = || {
             let four = if variant.has(Mutation::Dot3WithoutFour) { 1.0 } else { 4.0 };
             let sum: f64 = (0..3).map(|c| (colors[0][c] - 0.5) * (colors[1][c] - 0.5)).sum();
-            scale(&unit.color, four * sum)
+            four * sum
         };
         previous = match unit.color.function {
-            Function::Dot3Rgba => [dot(); 4],
-            Function::Dot3Rgb => [dot(), dot(), dot(), alpha()],
+            Function::Dot3Rgba | Function::Dot3Rgb => {
+                let rgb = scale(&unit.color, dot());
+                let is_alpha = unit.color.function == Function::Dot3Rgba;
+                [rgb, rgb, rgb, if is_alpha { scale(&unit.alpha, dot()) } else { alpha() }]
+            }
             Function::Replace
             | Function::Modulate
             | Function::Add
@@ -202,6 +205,20 @@ mod tests {
         };
         let got = combine(&[unit], &[[1.0, 0.5, 0.5, 0.3]], [0.0; 4], Variant::TRUE);
         assert_eq!(got, [1.0; 4]);
+    }
+
+    /// "The RGB and alpha results are multiplied by RGB_SCALE and ALPHA_SCALE".
+    #[test]
+    fn a_dot_product_in_alpha_has_the_scale_of_alpha() {
+        let arguments = [(Source::Primary, Operand::Color); 3];
+        let combiner = |function, scale| Combiner { function, arguments, scale };
+        let unit = Unit {
+            color: combiner(Function::Dot3Rgba, 1.0),
+            alpha: combiner(Function::Replace, 4.0),
+            constant: [0.0; 4],
+        };
+        let got = combine(&[unit], &[[0.0; 4]], [0.75, 0.5, 0.5, 0.3], Variant::TRUE);
+        assert_eq!(got, [0.25, 0.25, 0.25, 1.0]);
     }
 
     #[test]

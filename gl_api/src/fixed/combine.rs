@@ -30,8 +30,8 @@ impl Sources<'_> {
 pub(crate) struct CombineKey {
     /// Of red, green and blue.
     pub(super) color: Combiner,
-    /// Of alpha; `None` where a dot product goes there.
-    pub(super) alpha: Option<Combiner>,
+    /// Of alpha; where a dot product goes there, the colours' with alpha's own scale.
+    pub(super) alpha: Combiner,
     pub(super) arguments: Arguments,
 }
 
@@ -66,7 +66,8 @@ impl CombineKey {
             combiner
         });
         let alpha = match color.function {
-            Function::Dot3Rgba | Function::Dot3RgbaUnscaled => None,
+            Function::Dot3Rgba => Combiner { scale: alpha.scale, ..color },
+            Function::Dot3RgbaUnscaled => color,
             Function::Replace
             | Function::Modulate
             | Function::Add
@@ -74,15 +75,14 @@ impl CombineKey {
             | Function::Interpolate
             | Function::Subtract
             | Function::Dot3Rgb
-            | Function::Dot3RgbUnscaled => Some(alpha),
+            | Function::Dot3RgbUnscaled => alpha,
         };
         Self { color, alpha, arguments }
     }
 
     /// The units whose textures it reads besides its own.
     pub fn crossbar(&self) -> impl Iterator<Item = u8> + '_ {
-        let combiners = std::iter::once(&self.color).chain(&self.alpha);
-        let arguments = combiners.flat_map(|combiner| &combiner.arguments);
+        let arguments = self.color.arguments.iter().chain(&self.alpha.arguments);
         arguments.filter_map(|argument| match argument.source {
             Source::Unit(unit) => Some(unit),
             Source::Texture
@@ -196,9 +196,5 @@ pub(super) fn combine(b: &mut Builder, key: &CombineKey, from: &Sources<'_>) -> 
     let red = component(b, *arguments, color, from, 0);
     let [green, blue] =
         if dot { [red; 2] } else { [1, 2].map(|i| component(b, *arguments, color, from, i)) };
-    let alpha = match alpha {
-        Some(alpha) => component(b, *arguments, alpha, from, 3),
-        None => red,
-    };
-    [red, green, blue, alpha]
+    [red, green, blue, component(b, *arguments, alpha, from, 3)]
 }

@@ -39,15 +39,11 @@ fn environment(unit: &UnitKey, clamp: Clamp) -> Vec<Formula> {
             vec![(format!("unit {number}: {name} of {:?}: {color}", unit.base), SECTION_STANDARD)]
         }
         Environment::Combine(CombineKey { color, alpha, arguments }) => {
-            let mut lines = vec![(
-                format!("unit {number}: GL_COMBINE_RGB: {}", combiner(&color, arguments, clamp)),
-                SECTION_COMBINE,
-            )];
-            lines.extend(alpha.map(|alpha| {
-                let text = combiner(&alpha, arguments, clamp);
-                (format!("unit {number}: GL_COMBINE_ALPHA: {text}"), SECTION_COMBINE)
-            }));
-            lines
+            let line = |(name, of)| {
+                let text = combiner(&of, arguments, clamp);
+                (format!("unit {number}: GL_COMBINE_{name}: {text}"), SECTION_COMBINE)
+            };
+            [("RGB", color), ("ALPHA", alpha)].map(line).to_vec()
         }
     }
 }

@@ -69,7 +69,7 @@ fn standard(unit: &Unit, p: [f64; 4]) -> [f64; 4] {
 /// Tables 3.24 and 3.25.
 fn combined(units: &[Unit], at: usize, primary: [f64; 4], previous: [f64; 4]) -> [f64; 4] {
     let unit = &units[at];
-    let value = |combiner: &Combiner, i: usize| {
+    let value = |combiner: &Combiner, i: usize, scale: f32| {
         let argument = |n: usize, i: usize| {
             let source = match combiner.sources[n] {
                 GL_TEXTURE => unit.texel,
@@ -101,13 +101,14 @@ fn combined(units: &[Unit], at: usize, primary: [f64; 4], previous: [f64; 4]) ->
         };
         // EXT_texture_env_dot3 leaves the scale out, ARB_texture_env_dot3 does not.
         let is_scaled = ![GL_DOT3_RGB_EXT, GL_DOT3_RGBA_EXT].contains(&combiner.function);
-        let scale = if is_scaled { f64::from(combiner.scale) } else { 1.0 };
+        let scale = if is_scaled { f64::from(scale) } else { 1.0 };
         (value * scale).clamp(0.0, 1.0)
     };
     let [rgb, alpha] = &unit.combiners;
     let is_alpha = [GL_DOT3_RGBA, GL_DOT3_RGBA_EXT].contains(&rgb.function);
-    let alpha = if is_alpha { value(rgb, 0) } else { value(alpha, 3) };
-    [value(rgb, 0), value(rgb, 1), value(rgb, 2), alpha]
+    let alpha = value(if is_alpha { rgb } else { alpha }, 3, alpha.scale);
+    let [r, g, b] = [0, 1, 2].map(|i| value(rgb, i, rgb.scale));
+    [r, g, b, alpha]
 }
 
 fn random_unit(random: &mut Random) -> (Unit, Vec<u8>, GLenum) {
