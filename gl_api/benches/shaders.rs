@@ -211,7 +211,7 @@ fn commands(text: &str) -> CommandBuffer {
                 far: 1.0,
                 depth_clip: Default::default(),
             }),
-            Command::Draw { first: 0, count: 6, instances: 1 },
+            Command::Draw { first: 0, count: 6, instances: 0..1 },
             Command::EndPass,
         ],
     }

@@ -270,6 +270,30 @@ fn instances_have_their_number_and_their_own_attributes() {
     assert_eq!(&picture(&mut c)[9 * 4..10 * 4], [128, 51, 0, 255]);
 }
 
+/// `ARB_draw_instanced`: an instance is drawn whole, with its restarts, before the next one.
+#[test]
+fn instances_go_around_restarts() {
+    let vertex = "#version 130\n#extension GL_ARB_draw_instanced : enable\n\
+        in vec2 position; in float extra; flat out vec3 color;\n\
+        void main() { color = vec3(float(gl_InstanceID), float(gl_VertexID) / 5.0, extra);\n\
+        gl_Position = vec4(position, 0.0, 1.0); }";
+    let fragment = "#version 130\nflat in vec3 color; void main() {\n\
+        if (color.xy == vec2(1.0)) discard; gl_FragColor = vec4(color, 1.0); }";
+    let mut c = context();
+    program(&mut c, vertex, fragment);
+    // The same triangle twice: without the last one of all, the first of the last instance stays.
+    c.enable_vertex_attrib_array(0);
+    c.vertex_attrib_pointer(0, 2, GL_FLOAT, false, 0, CORNERS[..6].repeat(2).as_slice().arg());
+    c.enable_vertex_attrib_array(1);
+    c.vertex_attrib_pointer(1, 1, GL_FLOAT, false, 0, [0.2f32, 1.0].as_slice().arg());
+    c.vertex_attrib_divisor(1, 1);
+    c.enable(GL_PRIMITIVE_RESTART);
+    c.primitive_restart_index(99);
+    let indices = Data::Bytes(&[0, 1, 2, 99, 3, 4, 5]);
+    c.draw_elements_instanced(GL_TRIANGLE_STRIP, 7, GL_UNSIGNED_BYTE, indices, 2);
+    assert_eq!(picture(&mut c)[(2 * 16 + 2) * 4..][..4], [255, 102, 255, 255]);
+}
+
 #[test]
 fn integer_attributes_keep_all_their_bits() {
     let vertex = "#version 130\nin vec2 position; in ivec2 extra; flat out ivec2 value;\n\

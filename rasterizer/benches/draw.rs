@@ -263,7 +263,7 @@ fn commands(scene: &Scene, texels: &Texels, target: Image) -> CommandBuffer {
                 far: 1.0,
                 depth_clip: Default::default(),
             }),
-            Command::Draw { first: 0, count: scene.count, instances: 1 },
+            Command::Draw { first: 0, count: scene.count, instances: 0..1 },
             Command::EndPass,
         ],
     }

@@ -56,7 +56,7 @@ fn drawn(
     commands.push(Command::SetRaster(Arc::new(raster)));
     commands.push(viewport(SIZE, SIZE));
     let count = vertices.len() as u32 / 8;
-    commands.push(Command::Draw { first: 0, count, instances: 1 });
+    commands.push(Command::Draw { first: 0, count, instances: 0..1 });
     commands.push(Command::EndPass);
     device.submit(&commands).expect("legal");
     let floats =

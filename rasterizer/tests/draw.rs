@@ -76,7 +76,7 @@ fn picture_cut(
         Cut::ByTriangle => 3,
     };
     for first in (0..all).step_by(count.max(1) as usize) {
-        commands.push(Command::Draw { first, count, instances: 1 });
+        commands.push(Command::Draw { first, count, instances: 0..1 });
     }
     commands.push(Command::EndPass);
     device.submit(&commands).expect("legal");

@@ -110,7 +110,7 @@ fn draw(device: &Device, coords: Coords, area: Option<Rect>) -> Vec<u8> {
     commands.push(Command::BindTextures { vertex: Arc::new([]), fragment: Arc::new([plan]) });
     commands.push(viewport(SIZE, SIZE));
     commands.push(Command::SetScissor(area));
-    commands.push(Command::Draw { first: 0, count: 6, instances: 1 });
+    commands.push(Command::Draw { first: 0, count: 6, instances: 0..1 });
     commands.push(Command::EndPass);
     device.submit(&commands).expect("legal");
     bytes(&color)

@@ -34,7 +34,7 @@ fn run(device: &Device, target: &Image, cleared: [f32; 4], desc: &PipelineDesc) 
         viewport(SIZE, SIZE),
         Command::BindPipeline(Pipeline::new(desc.clone()).expect("valid")),
         Command::BindVertices(bindings(&square(), 1)),
-        Command::Draw { first: 0, count: 6, instances: 1 },
+        Command::Draw { first: 0, count: 6, instances: 0..1 },
         Command::EndPass,
     ];
     device.submit(&CommandBuffer { commands }).expect("legal");
@@ -279,7 +279,7 @@ fn stencils_and_depths_of_one_image_do_not_disturb_each_other() {
         viewport(SIZE, SIZE),
         Command::BindPipeline(Pipeline::new(desc).expect("valid")),
         Command::BindVertices(bindings(&square(), 1)),
-        Command::Draw { first: 0, count: 6, instances: 1 },
+        Command::Draw { first: 0, count: 6, instances: 0..1 },
         Command::EndPass,
     ];
     device.submit(&CommandBuffer { commands }).expect("legal");

@@ -40,7 +40,7 @@ fn draw(desc: &PipelineDesc, z: f32) -> [Command; 3] {
     [
         Command::BindPipeline(Pipeline::new(desc.clone()).expect("valid")),
         Command::BindVertices(bindings(&square(z), 1)),
-        Command::Draw { first: 0, count: 6, instances: 1 },
+        Command::Draw { first: 0, count: 6, instances: 0..1 },
     ]
 }
 
@@ -285,7 +285,7 @@ fn an_endless_shader_is_stopped_and_the_rest_is_drawn() {
 fn what_breaks_a_rule_is_refused_whole() {
     let color = image(Format::Rgba8, 8, 8);
     let depth = image(Format::D24, 4, 8);
-    let draw_only = Command::Draw { first: 0, count: 3, instances: 1 };
+    let draw_only = Command::Draw { first: 0, count: 3, instances: 0..1 };
     let cases: Vec<(Vec<Command>, &str)> = vec![
         (vec![Command::EndPass], "outside a pass"),
         (vec![pass(&color, None, 8, 8)], "not ended"),
@@ -330,7 +330,7 @@ fn nothing_is_drawn_beyond_the_viewport() {
         }),
         Command::BindPipeline(Pipeline::new(desc).expect("valid")),
         Command::BindVertices(bindings(&wide, 1)),
-        Command::Draw { first: 0, count: 6, instances: 1 },
+        Command::Draw { first: 0, count: 6, instances: 0..1 },
         Command::EndPass,
     ];
     submit(&one(), commands);

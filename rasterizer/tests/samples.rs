@@ -75,7 +75,7 @@ fn draw_with(
         Command::SetCounter(Some(counter.clone())),
         Command::BindPipeline(Pipeline::new(desc.clone()).expect("valid")),
         Command::BindVertices(bindings(&vertices, 1)),
-        Command::Draw { first: 0, count: corners.len() as u32, instances: 1 },
+        Command::Draw { first: 0, count: corners.len() as u32, instances: 0..1 },
         Command::EndPass,
     ];
     device.submit(&CommandBuffer { commands }).expect("legal");

@@ -208,7 +208,8 @@ fn draw_ranges(
         let (last, instances) = ((first + count - 1) as u32, instances as u32);
         let vertices = bindings(context, Reach { first: first as u32, last, instances })?;
         check_range(context, &vertices, first, count)?;
-        let elements = Elements::Range { first: first as u32, count: count as u32, instances };
+        let (first, count) = (first as u32, count as u32);
+        let elements = Elements::Range { first, count, instances: 0..instances };
         return draw_or_record(context, topology, vertices, elements);
     }
     context.empty_draw("glDrawArrays")
@@ -302,14 +303,20 @@ pub(super) fn draw_indexed(
         return context.empty_draw("glDrawElements");
     }
     let base_vertex = request.base_vertex;
-    for run in super::restart::runs(context, &buffer, offset, ty, count) {
-        let offset = offset + run.start * ty.size();
-        let indices = Indices { buffer: buffer.clone(), offset, ty, base_vertex };
-        let elements = Elements::Indexed { indices, count: run.len() as u32, instances };
-        let bytes = &buffer.bytes()[offset..offset + run.len() * ty.size()];
-        let reach = indexed_reach(context, bytes, (ty, base_vertex), instances);
-        let vertices = bindings(context, reach)?;
-        draw_or_record(context, topology, vertices, elements)?;
+    let runs = super::restart::runs(context, &buffer, offset, ty, count);
+    // ARB_draw_instanced: each instance is drawn whole, all its runs, before the next one.
+    let step = if runs.len() > 1 { 1 } else { instances };
+    for first in (0..instances).step_by(step as usize) {
+        for run in &runs {
+            let offset = offset + run.start * ty.size();
+            let indices = Indices { buffer: buffer.clone(), offset, ty, base_vertex };
+            let (count, last) = (run.len() as u32, first + step);
+            let elements = Elements::Indexed { indices, count, instances: first..last };
+            let bytes = &buffer.bytes()[offset..offset + run.len() * ty.size()];
+            let reach = indexed_reach(context, bytes, (ty, base_vertex), last);
+            let vertices = bindings(context, reach)?;
+            draw_or_record(context, topology, vertices, elements)?;
+        }
     }
     Ok(())
 }

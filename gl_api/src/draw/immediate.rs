@@ -199,7 +199,7 @@ pub(crate) fn draw_columns(
         };
         vertices.push(VertexBinding { location: location as u8, source });
     }
-    let elements = Elements::Range { first: 0, count: part.len() as u32, instances: 1 };
+    let elements = Elements::Range { first: 0, count: part.len() as u32, instances: 0..1 };
     draw(context, topology, vertices, &elements)
 }
 

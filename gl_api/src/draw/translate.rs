@@ -22,6 +22,7 @@ use rasterizer::driver::{
     OutputState, PassDesc, Pipeline, PipelineDesc, Provoking, RasterState, Rect, Rim, SampleRule,
     ShaderModule, Topology, VertexBinding, Viewport, same_textures,
 };
+use std::ops::Range;
 use std::sync::Arc;
 use texunit::format::Format;
 
@@ -31,16 +32,16 @@ const KEPT: usize = 1024;
 /// Which vertices a draw takes.
 #[derive(Debug)]
 pub(crate) enum Elements {
-    Range { first: u32, count: u32, instances: u32 },
-    Indexed { indices: Indices, count: u32, instances: u32 },
+    Range { first: u32, count: u32, instances: Range<u32> },
+    Indexed { indices: Indices, count: u32, instances: Range<u32> },
 }
 
 impl Elements {
-    /// How many vertices an instance has, and how many instances there are.
-    pub fn counts(&self) -> (u32, u32) {
+    /// How many vertices an instance has, and which instances there are.
+    pub fn counts(&self) -> (u32, Range<u32>) {
         match self {
             Self::Range { count, instances, .. } | Self::Indexed { count, instances, .. } => {
-                (*count, *instances)
+                (*count, instances.clone())
             }
         }
     }
@@ -213,11 +214,12 @@ fn record(
     }
     commands.push(match elements {
         Elements::Range { first, count, instances } => {
-            Command::Draw { first: *first, count: *count, instances: *instances }
+            Command::Draw { first: *first, count: *count, instances: instances.clone() }
         }
         Elements::Indexed { indices, count, instances } => {
             recorder.held += indices.buffer.own_bytes();
-            Command::DrawIndexed { indices: indices.clone(), count: *count, instances: *instances }
+            let (indices, instances) = (indices.clone(), instances.clone());
+            Command::DrawIndexed { indices, count: *count, instances }
         }
     });
     Ok(())

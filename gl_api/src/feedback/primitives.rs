@@ -32,7 +32,7 @@ pub(crate) fn draw(
     elements: &Elements,
 ) -> Result<()> {
     let (count, instances) = elements.counts();
-    let total = u64::from(count) * u64::from(instances);
+    let total = u64::from(count) * instances.len() as u64;
     if total > MAX_VERTICES {
         return Err(GlError {
             code: ErrorCode::OutOfMemory,
@@ -40,7 +40,7 @@ pub(crate) fn draw(
             section: "GL 2.1, section 5.2",
         });
     }
-    for instance in 0..instances {
+    for instance in instances {
         let id = |at| Id { vertex: elements.number(at), instance };
         let ids: Vec<Id> = (0..count).map(id).collect();
         let shaded = shade(context, vertices, &ids)?;

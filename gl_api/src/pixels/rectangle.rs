@@ -89,7 +89,7 @@ pub(super) fn draw(
     let end = [zoomed.columns.len(), zoomed.rows.len()];
     let end = [0, 1].map(|axis| zoomed.origin[axis] + end[axis] as i32);
     let vertices = vertices(context, [zoomed.origin, end], [pass.width, pass.height]);
-    let elements = Elements::Range { first: 0, count: 4, instances: 1 };
+    let elements = Elements::Range { first: 0, count: 4, instances: 0..1 };
     draw_rectangle(context, vertices, &elements, &rectangle)
 }
 

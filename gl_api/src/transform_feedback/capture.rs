@@ -23,7 +23,7 @@ pub(crate) fn draw(
 ) -> Result<()> {
     let (count, instances) = elements.counts();
     let all = primitives(topology, context.state.raster.provoking, count);
-    let made = u64::from(all.len) * u64::from(instances);
+    let made = u64::from(all.len) * instances.len() as u64;
     let Some(mut active) = context.transform_feedback.active else {
         context.count_primitives(made, 0);
         return Ok(());
@@ -41,7 +41,7 @@ pub(crate) fn draw(
     let Some(layout) = Layout::of(context) else { return Ok(()) };
     layout.check(context)?;
     let mut written = 0;
-    'full: for instance in 0..instances {
+    'full: for instance in instances {
         for first in (0..all.len).step_by(CHUNK) {
             let chunk = first..all.len.min(first.saturating_add(CHUNK as u32));
             let asked = u64::from(chunk.end - chunk.start);

@@ -184,6 +184,25 @@ fn separate_buffers_and_their_ranges() {
     fine(&mut c);
 }
 
+/// `ARB_draw_instanced`: an instance is written whole, with its restarts, before the next one.
+#[test]
+fn instances_go_around_restarts() {
+    let vertex = "#version 130\n#extension GL_ARB_draw_instanced : enable\n\
+        flat out ivec2 a; void main() { a = ivec2(gl_VertexID, gl_InstanceID);\n\
+        gl_Position = vec4(0.0, 0.0, 0.0, 1.0); }";
+    let mut c = context();
+    capturing(&mut c, vertex, &["a"], GL_INTERLEAVED_ATTRIBS);
+    buffer(&mut c, 1, 0, 12);
+    c.enable(GL_PRIMITIVE_RESTART);
+    c.primitive_restart_index(99);
+    c.begin_transform_feedback(GL_POINTS);
+    let indices = Data::Bytes(&[4, 99, 7, 5]);
+    c.draw_elements_instanced(GL_POINTS, 4, GL_UNSIGNED_BYTE, indices, 2);
+    c.end_transform_feedback();
+    fine(&mut c);
+    assert_eq!(words(&mut c, 1, 12), [4, 0, 7, 0, 5, 0, 4, 1, 7, 1, 5, 1]);
+}
+
 /// Primitives are written whole or not at all.
 #[test]
 fn a_primitive_that_does_not_fit_is_left_out() {

@@ -6,6 +6,7 @@ use super::image::PassDesc;
 use super::pipeline::Pipeline;
 use super::raster::RasterState;
 use super::watch::Watch;
+use std::ops::Range;
 use std::sync::Arc;
 use texunit::plan::SamplePlan;
 
@@ -203,8 +204,8 @@ pub enum Command {
         first: u32,
         /// How many.
         count: u32,
-        /// How many times over.
-        instances: u32,
+        /// Which instances.
+        instances: Range<u32>,
     },
     /// Draws by `count` indices for each instance.
     DrawIndexed {
@@ -212,8 +213,8 @@ pub enum Command {
         indices: Indices,
         /// How many.
         count: u32,
-        /// How many times over.
-        instances: u32,
+        /// Which instances.
+        instances: Range<u32>,
     },
     /// Closes the pass.
     EndPass,

@@ -17,6 +17,7 @@ use crate::shader::Prepared;
 use crate::target::{Surface, TILE, all_bits, component_bits};
 use crate::trace::Cleared;
 use crate::vertex::Ids;
+use std::ops::Range;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use texunit::format::Format;
@@ -90,11 +91,11 @@ impl<'a> Pass<'a> {
                 self.job.watch = Some(watch.clone());
             }
             Command::Clear { value, area } => self.clear(*value, *area),
-            &Command::Draw { first, count, instances } => {
-                self.draw(index, &Ids::Range(first), count, instances, report);
+            Command::Draw { first, count, instances } => {
+                self.draw(index, &Ids::Range(*first), *count, instances, report);
             }
             Command::DrawIndexed { indices, count, instances } => {
-                self.draw(index, &Ids::Indexed(indices), *count, *instances, report);
+                self.draw(index, &Ids::Indexed(indices), *count, instances, report);
             }
         }
     }
@@ -187,7 +188,7 @@ impl<'a> Pass<'a> {
         command: usize,
         ids: &Ids<'_>,
         count: u32,
-        instances: u32,
+        instances: &Range<u32>,
         report: &mut SubmitReport,
     ) {
         let Some(pipeline) = self.bound.pipeline.clone() else { return };
@@ -246,7 +247,7 @@ impl<'a> Pass<'a> {
                 resolution,
             },
         };
-        for instance in 0..instances {
+        for instance in instances.clone() {
             (state.instance, state.stipple) = (instance, 0);
             let mut start = 0;
             while start < primitives.len {

@@ -66,7 +66,7 @@ pub fn picture(isa: Isa, drawn: &Drawn<'_>, watched: bool) -> (Vec<u8>, String) 
         Command::BindVertices(drawn.vertices.clone()),
         Command::BindTextures { vertex: Arc::new([]), fragment: drawn.textures.into() },
         Command::SetScissor(Some(Rect { x: 3, y: 1, width: 58, height: 61 })),
-        Command::Draw { first: 0, count: drawn.count, instances: 1 },
+        Command::Draw { first: 0, count: drawn.count, instances: 0..1 },
         Command::EndPass,
     ]);
     let device = device(isa, 2);

@@ -25,7 +25,7 @@ pub(in crate::draw) fn short(
         else {
             continue;
         };
-        let last = match instances.saturating_sub(1).checked_div(*divisor) {
+        let last = match instances.end.saturating_sub(1).checked_div(*divisor) {
             Some(last) => Some(last),
             None => *last.get_or_insert_with(|| last_vertex(context, elements)),
         };
