@@ -9,6 +9,7 @@ use crate::error::{Result, Table, invalid_enum};
 use crate::evaluate::grid;
 use crate::feedback::modes;
 use crate::framebuffer::accumulate;
+use crate::framebuffer::buffers::drawn_format;
 use crate::glsl::TEXEL_OFFSETS;
 use crate::interface::*;
 use crate::list::calls::{MAX_LIST_NESTING, MODE};
@@ -24,9 +25,9 @@ use crate::state::pixel_store::PixelStore;
 use crate::state::points::ORIGIN;
 use crate::state::polygon::POLYGON_MODE;
 use crate::state::raster::{FACE, FRONT_FACE, HINTS, PROVOKING, SHADE_MODEL};
-use crate::state::stencil::{ACTIVE_FACE, STENCIL_OP, Side};
+use crate::state::stencil::{ACTIVE_FACE, Face, STENCIL_OP, Side};
 use crate::state::{clamp, fog, index, light};
-use crate::texture::internal::general_purpose_formats;
+use crate::texture::internal::{Component, component_bits, general_purpose_formats};
 use crate::texture::pixel_map::MAX_PIXEL_MAP_TABLE;
 use crate::texture::{TextureTarget, transfer};
 use crate::types::*;
@@ -341,16 +342,22 @@ fn raster_position(context: &Context, pname: GLenum) -> Answer {
 fn stencil(context: &Context, pname: GLenum) -> Answer {
     let stencil = &context.state.fragment.stencil;
     let (front, back) = (stencil.active(), &stencil.faces[Side::Back as usize]);
+    // Section 4.1.4: kept as given, and clamped to the buffer's bits where it counts and here.
+    let reference = |face: &Face| {
+        let format = drawn_format(context, Component::Stencil);
+        let bits = format.map_or(0, |format| component_bits(format, Component::Stencil));
+        int(face.reference.clamp(0, (1 << bits) - 1))
+    };
     Some(match pname {
         GL_STENCIL_FUNC => symbol(COMPARE.encode(front.func)),
-        GL_STENCIL_REF => int(front.reference),
+        GL_STENCIL_REF => reference(front),
         GL_STENCIL_VALUE_MASK => symbol(front.value_mask),
         GL_STENCIL_WRITEMASK => symbol(front.write_mask),
         GL_STENCIL_FAIL => symbol(STENCIL_OP.encode(front.fail)),
         GL_STENCIL_PASS_DEPTH_FAIL => symbol(STENCIL_OP.encode(front.depth_fail)),
         GL_STENCIL_PASS_DEPTH_PASS => symbol(STENCIL_OP.encode(front.pass)),
         GL_STENCIL_BACK_FUNC => symbol(COMPARE.encode(back.func)),
-        GL_STENCIL_BACK_REF => int(back.reference),
+        GL_STENCIL_BACK_REF => reference(back),
         GL_STENCIL_BACK_VALUE_MASK => symbol(back.value_mask),
         GL_STENCIL_BACK_WRITEMASK => symbol(back.write_mask),
         GL_STENCIL_BACK_FAIL => symbol(STENCIL_OP.encode(back.fail)),

@@ -186,6 +186,27 @@ fn both_faces_can_be_compared_by_one_call() {
 }
 
 #[test]
+fn references_are_clamped_where_they_are_asked_for() {
+    let mut c = context(4, 4);
+    let references = |c: &mut Context| {
+        [GL_STENCIL_REF, GL_STENCIL_BACK_REF].map(|pname| {
+            let mut value = [-1];
+            c.get_integerv(pname, &mut value);
+            value[0]
+        })
+    };
+    c.stencil_func_separate(GL_FRONT, GL_LESS, 300, 0xFF);
+    c.stencil_func_separate(GL_BACK, GL_LESS, -3, 0xFF);
+    assert_eq!(references(&mut c), [255, 0]);
+    // To the stencils that are drawn to: of none here. What was given is kept.
+    c.bind_framebuffer(GL_FRAMEBUFFER, 1);
+    assert_eq!(references(&mut c), [0, 0]);
+    c.bind_framebuffer(GL_FRAMEBUFFER, 0);
+    assert_eq!(references(&mut c), [255, 0]);
+    fine(&mut c);
+}
+
+#[test]
 fn the_state_can_be_asked_for() {
     let mut c = context(4, 4);
     c.stencil_func_separate(GL_BACK, GL_LESS, -3, 0xF0);
@@ -194,7 +215,7 @@ fn the_state_can_be_asked_for() {
     for (pname, want) in [
         (GL_STENCIL_FUNC, GL_ALWAYS as i32),
         (GL_STENCIL_BACK_FUNC, GL_LESS as i32),
-        (GL_STENCIL_BACK_REF, -3),
+        (GL_STENCIL_BACK_REF, 0),
         (GL_STENCIL_BACK_VALUE_MASK, 0xF0),
         (GL_STENCIL_FAIL, GL_INCR_WRAP as i32),
         (GL_STENCIL_BACK_PASS_DEPTH_FAIL, GL_DECR_WRAP as i32),
