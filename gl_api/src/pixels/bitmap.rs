@@ -42,13 +42,17 @@ pub(crate) fn bitmap(
     if !context.state.raster_position.valid {
         return Ok(());
     }
-    if let (Some(source), Some(bits)) = (source.filter(|_| layout.needed > 0), layout.bits) {
+    let source = source.filter(|_| layout.needed > 0);
+    if let Some(source) = &source {
+        layout.check_length(source.bytes().len(), "GL_UNPACK_ALIGNMENT")?;
+    }
+    // An empty one is a bitmap, too (section 5.3).
+    if feedback::record::pixels(context, Kind::Bitmap) != Mode::Render {
+        position::advance(context, [xmove, ymove]);
+        return Ok(());
+    }
+    if let (Some(source), Some(bits)) = (source, layout.bits) {
         let bytes = source.bytes();
-        layout.check_length(bytes.len(), "GL_UNPACK_ALIGNMENT")?;
-        if feedback::record::pixels(context, Kind::Bitmap) != Mode::Render {
-            position::advance(context, [xmove, ymove]);
-            return Ok(());
-        }
         // The rectangle begins at a whole pixel, and is not zoomed.
         let before = context.state.raster_position.window;
         let zoom = std::mem::replace(&mut context.state.pixel_zoom, [1.0; 2]);

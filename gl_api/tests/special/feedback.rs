@@ -60,12 +60,17 @@ fn colours_coordinates_and_tokens_come_along() {
     let pixels = fed(&mut c, GL_2D, |c| {
         c.raster_pos_2f(0.0, 0.0);
         c.bitmap(8, 1, 0.0, 0.0, 1.0, 0.0, Data::Bytes(&[255]));
+        // What has no bits is a bitmap, too.
+        c.bitmap(0, 0, 0.0, 0.0, 1.0, 0.0, Data::Null);
         c.draw_pixels(1, 1, GL_RGBA, GL_UNSIGNED_BYTE, Data::Bytes(&[0; 4]));
         c.copy_pixels(0, 0, 1, 1, GL_COLOR);
     });
     let [bitmap, draw, copy] = [GL_BITMAP_TOKEN, GL_DRAW_PIXEL_TOKEN, GL_COPY_PIXEL_TOKEN];
     let tokens = [bitmap, draw, copy].map(|token| token as f32);
-    assert_eq!(pixels, [tokens[0], 4.0, 2.0, tokens[1], 5.0, 2.0, tokens[2], 5.0, 2.0]);
+    let starts = [4.0, 5.0, 6.0, 6.0];
+    let rows = [tokens[0], tokens[0], tokens[1], tokens[2]].into_iter().zip(starts);
+    let want: Vec<f32> = rows.flat_map(|(token, x)| [token, x, 2.0]).collect();
+    assert_eq!(pixels, want);
 }
 
 /// GL 2.1, section 2.5: of the calls of a list, only the one that is wrong is ignored.
