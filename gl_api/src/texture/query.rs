@@ -139,12 +139,17 @@ fn property(context: &Context, target: GLenum, level: GLint, pname: GLenum) -> R
     let image = any_known(target)?;
     let level = checked_level(SECTION, image.target(), level)?;
     let property = PROPERTY.decode("pname", pname)?;
-    let Some(known) = known(context, image, level) else {
+    let known = known(context, image, level);
+    let is_bound = matches!(image, ImageTarget::Bound(_));
+    let is_compressed = known.as_ref().is_some_and(|known| known.format.block().is_some());
+    if property == Property::CompressedBytes && !(is_bound && is_compressed) {
+        return invalid_operation(SECTION, "there is no image that is compressed");
+    }
+    let Some(known) = known else {
         // GL 2.1, table 6.17, and ARB_texture_multisample: the initial value; of a proxy, that the
         // image does not fit.
         let is_one = matches!(property, Property::InternalFormat | Property::FixedLocations);
-        let is_initial = is_one && matches!(image, ImageTarget::Bound(_));
-        return Ok(i32::from(is_initial));
+        return Ok(i32::from(is_one && is_bound));
     };
     let [width, height, depth] = known.given.map(|side| side as GLint);
     Ok(match property {
@@ -153,16 +158,13 @@ fn property(context: &Context, target: GLenum, level: GLint, pname: GLenum) -> R
         Property::Height => height,
         Property::DepthOfVolume => depth,
         Property::Border => known.border as GLint,
-        Property::Compressed => i32::from(known.format.block().is_some()),
-        Property::CompressedBytes if known.format.block().is_none() => {
-            return invalid_operation(SECTION, "the image is not compressed");
-        }
+        Property::Compressed => i32::from(is_compressed),
+        Property::Bits(component) => component_bits(known.format, component),
         Property::CompressedBytes => {
             let [width, height, depth] = known.given;
             let bytes = Level::required_bytes(known.format, width, height, depth);
             bytes.map_or(0, |bytes| bytes as GLint)
         }
-        Property::Bits(component) => component_bits(known.format, component),
         Property::SharedBits => match known.format.info().encoding {
             Encoding::SharedExponent => 5,
             Encoding::Unorm

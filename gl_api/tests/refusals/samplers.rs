@@ -85,10 +85,16 @@ pub fn run() {
     refused(&"level", VALUE, "level = 10", |c| {
         c.get_tex_level_parameteriv(GL_TEXTURE_3D, 10, GL_TEXTURE_WIDTH, &mut [0]);
     });
-    refused(&"size", OPERATION, "not compressed", |c| {
-        let pname = GL_TEXTURE_COMPRESSED_IMAGE_SIZE;
-        c.get_tex_level_parameteriv(GL_TEXTURE_2D, 0, pname, &mut [0]);
-    });
+    // Without compression, without an image, of a proxy.
+    for (target, level) in [(GL_TEXTURE_2D, 0), (FACE, 1), (GL_PROXY_TEXTURE_CUBE_MAP, 0)] {
+        refused(&(target, level), OPERATION, "no image that is compressed", |c| {
+            let (internal, ty) = (GL_COMPRESSED_RGB_S3TC_DXT1_EXT as i32, GL_UNSIGNED_BYTE);
+            let proxy = GL_PROXY_TEXTURE_CUBE_MAP;
+            c.tex_image_2d(proxy, 0, internal, 8, 8, 0, GL_RGB, ty, Data::Null);
+            let pname = GL_TEXTURE_COMPRESSED_IMAGE_SIZE;
+            c.get_tex_level_parameteriv(target, level, pname, &mut [0]);
+        });
+    }
     refused(&"proxy", ENUM, "proxy", |c| {
         let out = DataOut::Bytes(&mut [0; 64]);
         c.get_tex_image(GL_PROXY_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, out);
