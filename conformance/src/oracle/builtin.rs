@@ -74,7 +74,7 @@ fn above_one(rng: &mut Rng) -> [[f32; 4]; 3] {
     })
 }
 
-/// A positive base of any size and an exponent whose result is mostly finite.
+/// A base of any size and an exponent whose result is mostly finite, whole below 0.
 fn power(rng: &mut Rng) -> [[f32; 4]; 3] {
     let x = match rng.integer(0, 2) {
         0 => rng.real(0.9, 1.1),
@@ -82,7 +82,9 @@ fn power(rng: &mut Rng) -> [[f32; 4]; 3] {
         _ => rng.real(0.0, 16.0).max(1e-30),
     };
     let reach = (150.0 / f64::from(x).log2().abs().max(1e-6)).min(1e30);
-    [[x, rng.real(-reach, reach), 0.0, 0.0], [0.0; 4], [0.0; 4]]
+    let y = rng.real(-reach, reach);
+    let (x, y) = if rng.integer(0, 3) == 0 { (-x, y.round()) } else { (x, y) };
+    [[x, y, 0.0, 0.0], [0.0; 4], [0.0; 4]]
 }
 
 /// Two numbers of all exponents, no NaN nor infinity.
@@ -207,7 +209,7 @@ pub const BUILTINS: &[Builtin] = &[
     Builtin {
         name: "ulp-pow",
         glsl: "pow(a.x, a.y)",
-        what: "any positive base, exponents up to overflow and underflow",
+        what: "any base, below 0 to whole exponents, up to overflow and underflow",
         case: power,
         value: |i| i[0][0].powf(i[0][1]),
         size: none,

@@ -144,6 +144,21 @@ pub const TABLE: &[Row] = &[
         [0.0, 0.0, 1.0, 1.0],
     ),
     Row(110, "", "r = vec4(pow(u.xy, u.zw), exp2(-u.x), log2(u.y * 4.0));", [1.0, 16.0, 0.5, 3.0]),
+    // Below 0 GLSL leaves it undefined; everybody squares by it. Of constants, and not.
+    Row(110, "", "r = pow(vec4(-u.xyz, -0.5), vec4(2.0, 3.0, 2.0, -1.0));", [1.0, -8.0, 9.0, -2.0]),
+    Row(110, "", "r = pow(vec4(-1.0, -2.0, -3.0, -0.5), u.yzyx);", [1.0, -8.0, 9.0, -0.5]),
+    Row(
+        110,
+        "",
+        "r = pow(vec4(-1.0, -2.0, -3.0, -4.0), vec4(2.0, 3.0, 0.0, 1.0));",
+        [1.0, -8.0, 1.0, -4.0],
+    ),
+    Row(
+        110,
+        "",
+        "r = vec4(pow(-u.x, 0.5) == pow(-u.x, 0.5), pow(-u.y, -1.0), pow(-u.z, 0.0), 0.0);",
+        [0.0, -0.5, 1.0, 0.0],
+    ),
     Row(110, "", "r = vec4(sqrt(u * u)); r.w = inversesqrt(u.w * 4.0);", [1.0, 2.0, 3.0, 0.25]),
     Row(110, "", "r = vec4(sin(u.xx * 0.0), cos(u.xx * 0.0));", [0.0, 0.0, 1.0, 1.0]),
     // Common functions, all overloads

@@ -341,8 +341,9 @@ operations! { $
     Log "log" (a: f32) -> f32 = math::log(a);
     /// Logarithm to base 2.
     Log2 "log2" (a: f32) -> f32 = math::log2(a);
-    /// `a^b`; NaN for negative `a`, see [`math::pow`].
-    Pow "pow" (a: f32, b: f32) -> f32 = math::pow(a, b);
+    /// `a^b` as C has it, see [`math::pow`].
+    Pow "pow" (a: f32, b: f32) -> f32 = math::pow_positive(a, b),
+        where a: a.is_sign_negative() => math::pow_negative(a, b);
 
     /// `a < b`.
     Less "less" (a: f32, b: f32) -> bool = a < b;

@@ -125,13 +125,36 @@ pub fn log(x: f32) -> f32 {
 
 /// `x^y`. Within 0.7 ULP.
 ///
-/// GLSL leaves `x < 0`, and `x = 0` with `y <= 0`, undefined; here `x < 0` gives NaN unless
-/// `y = 0`, and everything else is as IEEE's `pow` for non-negative bases: `x^0 = 1` and `1^y = 1`
-/// even for NaN, `0^y = inf` for negative `y`.
+/// GLSL leaves `x < 0`, and `x = 0` with `y <= 0`, undefined. Here all is as IEEE's and C's `pow`:
+/// `x^0 = 1` and `1^y = 1` even for NaN, `0^y = inf` for negative `y`; a negative `x` has powers
+/// of whole `y`, as shaders square what may be negative by `pow(x, 2.0)`, and NaN of others.
 #[inline(always)]
 pub fn pow(x: f32, y: f32) -> f32 {
-    let power = exp2_wide(f64::from(y) * log_edges(x, log2_finite(x))) as f32;
+    if x.is_sign_negative() { pow_negative(x, y) } else { pow_positive(x, y) }
+}
+
+/// [`pow`] where `x` has no sign.
+#[inline(always)]
+pub fn pow_positive(x: f32, y: f32) -> f32 {
+    let log = if x < f32::INFINITY { log2_finite(x) } else { f64::from(x) };
+    let log = if x == 0.0 { f64::NEG_INFINITY } else { log };
+    let power = exp2_wide(f64::from(y) * log) as f32;
     if y == 0.0 || x == 1.0 { 1.0 } else { power }
+}
+
+/// [`pow`] where `x` has one.
+#[inline(always)]
+pub fn pow_negative(x: f32, y: f32) -> f32 {
+    /// From here on every `f32` is even; NaN stays.
+    const EVEN_FROM: f64 = 16_777_216.0;
+    let size = f64::from(y).abs();
+    let size = if size > EVEN_FROM { EVEN_FROM } else { size };
+    let shifted = size + ROUND;
+    let power = pow_positive(-x, y);
+    // The lowest bit of the sum is that of the integer.
+    let signed = f32::from_bits(power.to_bits() ^ (shifted.to_bits() as u32) << 31);
+    let broken = if x == 0.0 || x == f32::NEG_INFINITY { power } else { f32::NAN };
+    if shifted - ROUND == size { signed } else { broken }
 }
 
 /// `sinh` and `cosh` without their overflow: both too large by the same power when |x| > 90.

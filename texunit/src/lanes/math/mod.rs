@@ -18,7 +18,9 @@ mod tests;
 pub use circular::{
     cos, cos_far, cos_near, is_far, sin, sin_far, sin_near, tan, tan_far, tan_near,
 };
-pub use exponential::{acosh, asinh, atanh, cosh, exp, exp2, log, log2, pow, sinh, tanh};
+pub use exponential::{
+    acosh, asinh, atanh, cosh, exp, exp2, log, log2, pow, pow_negative, pow_positive, sinh, tanh,
+};
 pub use inverse::{acos, asin, atan, atan2};
 
 /// The bit of a number's sign.
