@@ -72,7 +72,7 @@ pub fn halve(texels: &[u8], size: [usize; 3], count: usize) -> ([usize; 3], Vec<
     let mut halved = vec![0; half.iter().product::<usize>() * count];
     let mut sums = vec![0_u16; pitch];
     for (number, out) in halved.chunks_exact_mut((half[0] * count).max(1)).enumerate() {
-        let (y, z) = (number % half[1] << twice[1], number / half[1] << twice[2]);
+        let (y, z) = ((number % half[1]) << twice[1], (number / half[1]) << twice[2]);
         sums.fill(bias);
         for z in z..=z + twice[2] {
             for y in y..=y + twice[1] {

@@ -148,7 +148,7 @@ impl Shapes {
     /// The vertices of each draw: all at once, where that makes no difference.
     pub fn parts(&self, context: &Context) -> Vec<Range<usize>> {
         if self.begins.is_empty() || draws_together(context) {
-            return vec![0..self.count];
+            return Vec::from([Range { start: 0, end: self.count }]);
         }
         let begins = std::iter::once(0).chain(self.begins.iter().copied());
         let ends = self.begins.iter().copied().chain([self.count]);
