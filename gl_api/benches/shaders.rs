@@ -132,6 +132,7 @@ fn texels(shape: Shape) -> Texels {
 fn binding(location: u8, buffer: &Buffer, offset: usize) -> VertexBinding {
     let source = VertexSource::Array {
         buffer: buffer.clone(),
+        first: 0,
         offset,
         stride: 32,
         ty: VertexType::F32,

@@ -112,6 +112,7 @@ fn bind(floats: &[f32]) -> Arc<[VertexBinding]> {
             location,
             source: VertexSource::Array {
                 buffer: buffer.clone(),
+                first: 0,
                 offset: usize::from(location) * 16,
                 stride: 32,
                 ty: VertexType::F32,

@@ -121,9 +121,9 @@ pub(crate) fn reads_pointers(context: &Context) -> bool {
     arrays.iter().any(|array| array.enabled && matches!(array.source, Source::Pointer(_)))
 }
 
-/// A C program's vertices from the first to the last of a draw. Nothing before them is read, as
-/// nothing says that it is there; those bytes are zeros that no page is ever mapped for.
-fn snapshot(array: &Array, pointer: ClientPointer<'_>, reach: Reach) -> Result<Buffer> {
+/// A C program's vertices from the first to the last of a draw, and which is the first. Nothing before them is read, as
+/// nothing says that it is there.
+fn snapshot(array: &Array, pointer: ClientPointer<'_>, reach: Reach) -> Result<(Buffer, u32)> {
     let (first, last) = reach.elements(array);
     let end = last.checked_mul(array.step()).and_then(|at| at.checked_add(array.size()));
     let Some(end) = end.filter(|&end| end <= limits::MAX_BUFFER_SIZE) else {
@@ -134,9 +134,7 @@ fn snapshot(array: &Array, pointer: ClientPointer<'_>, reach: Reach) -> Result<B
         });
     };
     let start = first * array.step();
-    let mut bytes = vec![0; end];
-    bytes[start..].copy_from_slice(pointer.bytes_from(start, end - start));
-    Ok(Buffer::new(bytes))
+    Ok((Buffer::new(pointer.bytes_from(start, end - start).to_vec()), first as u32))
 }
 
 /// Where the array of a location is for the driver, for a draw that reaches so far.
@@ -146,19 +144,20 @@ pub(crate) fn vertex_source(
     reach: Reach,
 ) -> Result<VertexSource> {
     let array = &context.state.arrays.by_location[location];
-    let (buffer, offset) = match &array.source {
-        Source::Client(buffer) => (buffer.clone(), 0),
+    let ((buffer, first), offset) = match &array.source {
+        Source::Client(buffer) => ((buffer.clone(), 0), 0),
         Source::Pointer(pointer) => (snapshot(array, *pointer, reach)?, 0),
         Source::Object { buffer, offset } => {
             let object = context.objects.buffers.bound(buffer);
             if object.is_some_and(|object| object.map.is_some()) {
                 return mapped(buffer.name(), location);
             }
-            (object.map(|object| object.buffer().clone()).unwrap_or_default(), *offset)
+            ((object.map(|object| object.buffer().clone()).unwrap_or_default(), 0), *offset)
         }
     };
     Ok(VertexSource::Array {
         buffer,
+        first,
         offset,
         stride: array.step(),
         ty: array.ty,

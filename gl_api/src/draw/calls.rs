@@ -128,9 +128,11 @@ fn check_range(
     count: usize,
 ) -> Result<()> {
     let arrays = vertices.iter().filter_map(|binding| match &binding.source {
-        VertexSource::Array { buffer, offset, stride, ty, components, divisor: 0, .. } => {
-            let vertex = ty.bytes(*components);
-            Some((binding.location, buffer.bytes().len(), *offset, *stride, vertex))
+        VertexSource::Array {
+            buffer, first, offset, stride, ty, components, divisor: 0, ..
+        } => {
+            let length = *first as usize * stride + buffer.bytes().len();
+            Some((binding.location, length, *offset, *stride, ty.bytes(*components)))
         }
         // Elements of instances are as many as there are instances.
         VertexSource::Array { .. } | VertexSource::Constant(_) => None,

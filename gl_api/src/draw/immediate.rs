@@ -187,6 +187,7 @@ pub(crate) fn draw_columns(
         let source = match (index, context.state.current.get(location)) {
             (Some(index), _) => VertexSource::Array {
                 buffer: buffer.clone(),
+                first: 0,
                 offset: (index * count + part.start) * VALUE,
                 stride: VALUE,
                 ty: VertexType::F32,

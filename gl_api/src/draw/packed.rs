@@ -19,6 +19,7 @@ fn set(
 ) -> Result<()> {
     let source = VertexSource::Array {
         buffer: Buffer::new(word.to_le_bytes().to_vec()),
+        first: 0,
         offset: 0,
         stride: 4,
         ty: PACKED.decode("type", ty)?,

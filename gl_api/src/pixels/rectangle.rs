@@ -132,6 +132,7 @@ fn vertices(context: &Context, corners: [[i32; 2]; 2], size: [u32; 2]) -> Vec<Ve
     let bytes = corners.iter().flatten().flat_map(|c| c.to_le_bytes()).collect();
     let position = VertexSource::Array {
         buffer: Buffer::new(bytes),
+        first: 0,
         offset: 0,
         stride: 8,
         ty: VertexType::F32,

@@ -129,7 +129,9 @@ pub enum VertexSource {
     Array {
         /// The bytes.
         buffer: Buffer,
-        /// Byte of vertex 0.
+        /// The element that they begin with; those before it read as zeros.
+        first: u32,
+        /// Where in the bytes that element is.
         offset: usize,
         /// Bytes from a vertex to the next.
         stride: usize,

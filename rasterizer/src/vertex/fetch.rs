@@ -17,6 +17,17 @@ impl<'a> Elements<'a> {
         debug_assert!(ids.len() <= LANES);
         Self { ids, furthest: ids.iter().copied().max().unwrap_or(0) }
     }
+
+    /// Counted from this one on; those before it become such as no memory has.
+    fn counted_from(self, first: u32, memory: &'a mut [u32; LANES]) -> Self {
+        if first == 0 {
+            return self;
+        }
+        for (id, from) in memory.iter_mut().zip(self.ids) {
+            *id = from.wrapping_sub(first);
+        }
+        Elements::new(&memory[..self.ids.len().min(LANES)])
+    }
 }
 
 /// Component `component` of an attribute for each of some elements.
@@ -37,7 +48,9 @@ pub fn component(
             };
             *out = F32s::splat(if component == 3 { one } else { 0.0 });
         }
-        VertexSource::Array { buffer, offset, stride, ty, format, .. } => {
+        VertexSource::Array { buffer, first, offset, stride, ty, format, .. } => {
+            let mut memory = [0; LANES];
+            let elements = elements.counted_from(*first, &mut memory);
             let component = match format {
                 NormalizedBgra => [2, 1, 0, 3][usize::from(component)],
                 Plain | Normalized | Integer => component,
@@ -266,6 +279,7 @@ mod tests {
         for (ty, format, bytes, want) in cases {
             let source = VertexSource::Array {
                 buffer: Buffer::new(bytes.to_vec()),
+                first: 0,
                 offset: 0,
                 stride: 16,
                 ty: *ty,

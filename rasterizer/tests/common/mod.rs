@@ -85,6 +85,7 @@ pub fn bindings(vertices: &[f32], attributes: u8) -> std::sync::Arc<[VertexBindi
             location,
             source: VertexSource::Array {
                 buffer: buffer.clone(),
+                first: 0,
                 offset: usize::from(location) * 16,
                 stride: usize::from(attributes) * 16,
                 ty: VertexType::F32,

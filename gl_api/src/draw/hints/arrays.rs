@@ -20,7 +20,7 @@ pub(in crate::draw) fn short(
     let mut last = None;
     let (_, instances) = elements.counts();
     for binding in vertices {
-        let VertexSource::Array { buffer, offset, stride, ty, components, divisor, .. } =
+        let VertexSource::Array { buffer, first, offset, stride, ty, components, divisor, .. } =
             &binding.source
         else {
             continue;
@@ -30,9 +30,9 @@ pub(in crate::draw) fn short(
             None => *last.get_or_insert_with(|| last_vertex(context, elements)),
         };
         let Some(last) = last else { continue };
-        let (first, size) = (*offset as u64, ty.bytes(*components) as u64);
-        let needed = first.saturating_add(u64::from(last) * *stride as u64).saturating_add(size);
-        let bytes = buffer.bytes().len();
+        let (begin, size) = (*offset as u64, ty.bytes(*components) as u64);
+        let needed = begin.saturating_add(u64::from(last) * *stride as u64).saturating_add(size);
+        let bytes = *first as usize * stride + buffer.bytes().len();
         if needed > bytes as u64 && context.is_news(Hint::ShortArray, binding.location.into()) {
             let extent = extent(context, binding.location, bytes);
             context.debug.warn(format!(
