@@ -101,6 +101,25 @@ fn at_least_1(v: f64) -> f64 {
     if v > 1.0 { v } else { 1.0 }
 }
 
+/// How a disc and the square of `side` from `at` on lie.
+pub fn disc_overlap(center: Point, radius: f64, at: Point, side: f64) -> Overlap {
+    // From the centre to the nearest and to the farthest point of the square, along each axis.
+    let [(near_x, far_x), (near_y, far_y)] = [0, 1].map(|axis| {
+        let (low, high) = (at[axis] - center[axis], at[axis] + side - center[axis]);
+        (low.max(-high).max(0.0), high.max(-low))
+    });
+    let (near, far) = (near_x * near_x + near_y * near_y, far_x * far_x + far_y * far_y);
+    // A millionth of a pixel is beyond what rounding can do.
+    let [less, more] = [radius - 1e-6, radius + 1e-6];
+    if near > more * more {
+        Overlap::None
+    } else if less > 0.0 && far < less * less {
+        Overlap::All
+    } else {
+        Overlap::Part
+    }
+}
+
 /// The area that a disc shares with the pixel whose lower left corner is `pixel`.
 ///
 /// Its outline runs along the sides of the pixel where they lie in the disc, and along the circle
@@ -213,6 +232,21 @@ mod tests {
 
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(60))]
+        #[test]
+        fn what_is_told_of_a_disc_is_so(
+            center in prop::array::uniform2(-9.0..9.0f64), r in 0.5..20.0f64, side in 1.0..8.0f64,
+        ) {
+            let (side, at) = (side.floor(), [0.0, 0.0]);
+            let pixels = (0..(side * side) as u32)
+                .map(|i| [f64::from(i) % side, (f64::from(i) / side).floor()]);
+            let mut parts = pixels.map(|pixel| disc(center, r, pixel));
+            match disc_overlap(center, r, at, side) {
+                Overlap::None => prop_assert!(parts.all(|part| part < LEAST)),
+                Overlap::All => prop_assert!(parts.all(|part| part as f32 == 1.0)),
+                Overlap::Part => {}
+            }
+        }
+
         #[test]
         fn a_disc_covers_what_strips_say(cx in -3.0..4.0f64, cy in -3.0..4.0f64, r in 0.5..4.0f64) {
             let want = strips(|x| {

@@ -151,12 +151,20 @@ impl Cover {
                 };
                 smooth(shape, at, overlap, parts, |areas| band.add(isa, dashes, origin, areas))
             }
-            Self::Disc(center, radius) => smooth(shape, at, Overlap::Part, parts, |areas| {
-                for (lane, area) in areas.iter_mut().enumerate() {
-                    let pixel = [origin[0] + lane_x(lane) as f64, origin[1] + lane_y(lane) as f64];
-                    *area = area::disc(*center, *radius, pixel);
-                }
-            }),
+            Self::Disc(center, radius) => {
+                let overlap = |at, side| area::disc_overlap(*center, *radius, at, side);
+                smooth(shape, at, overlap(origin, 8.0), parts, |areas| {
+                    for (lane, area) in areas.iter_mut().enumerate() {
+                        let [x, y] = [lane_x(lane) as f64, lane_y(lane) as f64];
+                        let pixel = [origin[0] + x, origin[1] + y];
+                        *area = match overlap(pixel, 1.0) {
+                            Overlap::None => 0.0,
+                            Overlap::Part => area::disc(*center, *radius, pixel),
+                            Overlap::All => 1.0,
+                        };
+                    }
+                })
+            }
             Self::BandSample(band) => match area::overlap(&band.corners, origin, 8.0) {
                 Overlap::None => 0,
                 Overlap::Part | Overlap::All => band.centers(isa, dashes, first),
