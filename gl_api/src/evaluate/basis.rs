@@ -1,11 +1,14 @@
 //! The Bernstein polynomials of evaluators (GL 2.1, equations 5.1 to 5.4), in `f64`.
 
-use super::map::Map;
+use super::map::{MAX_EVAL_ORDER, Map};
+
+/// A number for each polynomial of an order; zeros behind them.
+type Weights = [f64; MAX_EVAL_ORDER];
 
 /// The values at `t` of the polynomials of an order, of which there are as many: one number after
 /// the other from the order before it.
-fn bernstein(order: usize, t: f64) -> Vec<f64> {
-    let mut values = vec![0.0; order];
+fn bernstein(order: usize, t: f64) -> Weights {
+    let mut values = [0.0; MAX_EVAL_ORDER];
     values[0] = 1.0;
     for degree in 1..order {
         let mut carried = 0.0;
@@ -19,14 +22,19 @@ fn bernstein(order: usize, t: f64) -> Vec<f64> {
 }
 
 /// Their derivatives: `n (B(n-1, i-1) - B(n-1, i))`.
-fn derivative(order: usize, t: f64) -> Vec<f64> {
+fn derivative(order: usize, t: f64) -> Weights {
+    let mut values = [0.0; MAX_EVAL_ORDER];
     if order < 2 {
-        return vec![0.0; order];
+        return values;
     }
     let below = bernstein(order - 1, t);
     let degree = (order - 1) as f64;
-    let at = |index: Option<usize>| index.and_then(|i| below.get(i)).copied().unwrap_or(0.0);
-    (0..order).map(|i| degree * (at(i.checked_sub(1)) - at(Some(i)))).collect()
+    let mut before = 0.0;
+    for (value, below) in values[..order].iter_mut().zip(below) {
+        *value = degree * (before - below);
+        before = below;
+    }
+    values
 }
 
 /// What a map is asked for.
@@ -44,17 +52,19 @@ pub(super) fn evaluate(map: &Map, at: [f64; 2], wanted: Wanted) -> [f64; 4] {
         let t = (at[axis] - start) / (end - start);
         if wanted == Wanted::Slope(axis) {
             let per = 1.0 / (end - start);
-            derivative(map.order[axis], t).into_iter().map(|value| value * per).collect()
+            derivative(map.order[axis], t).map(|value| value * per)
         } else {
             bernstein(map.order[axis], t)
         }
     });
     let mut sum = [0.0; 4];
-    let points = map.points.chunks_exact(map.components);
-    let products = weights[0].iter().flat_map(|u| weights[1].iter().map(move |v| u * v));
-    for (point, weight) in points.zip(products) {
-        for (sum, &component) in sum.iter_mut().zip(point) {
-            *sum += weight * f64::from(component);
+    let [rows, columns] = map.order;
+    for (u, row) in weights[0][..rows].iter().zip(map.points.chunks(columns * map.components)) {
+        for (v, point) in weights[1].iter().zip(row.chunks_exact(map.components)) {
+            let weight = u * v;
+            for (sum, &component) in sum.iter_mut().zip(point) {
+                *sum += weight * f64::from(component);
+            }
         }
     }
     sum
@@ -78,11 +88,11 @@ mod tests {
     fn the_polynomials_are_bernsteins() {
         for order in 1..=30 {
             for t in [0.0, 0.125, 0.5, 0.7, 1.0] {
-                for (i, value) in bernstein(order, t).into_iter().enumerate() {
+                for (i, value) in bernstein(order, t).into_iter().take(order).enumerate() {
                     assert!((value - oracle(order, i, t)).abs() < 1e-13, "{order} {i} {t}");
                 }
                 let step = 1e-6;
-                for (i, slope) in derivative(order, t).into_iter().enumerate() {
+                for (i, slope) in derivative(order, t).into_iter().take(order).enumerate() {
                     let near =
                         (oracle(order, i, t + step) - oracle(order, i, t - step)) / (2.0 * step);
                     assert!((slope - near).abs() < 1e-5, "{order} {i} {t}: {slope} {near}");

@@ -28,12 +28,14 @@ fn first_on(context: &Context, dimension: Dimension, kinds: &[Kind]) -> Option<N
 /// `m / |m|`, `m` the cross product of how the point moves along both parameters.
 fn normal(context: &Context, vertex: Name, at: [f64; 2]) -> [f64; 4] {
     let map = context.evaluators.get(vertex);
-    let [x, y, z, w] = evaluate(map, at, Wanted::Value);
     let [u, v] = [0, 1].map(|axis| {
         let [dx, dy, dz, dw] = evaluate(map, at, Wanted::Slope(axis));
         match vertex.kind {
             // The point is (x/w, y/w, z/w); a positive factor changes no direction.
-            Kind::Vertex4 => [dx * w - x * dw, dy * w - y * dw, dz * w - z * dw],
+            Kind::Vertex4 => {
+                let [x, y, z, w] = evaluate(map, at, Wanted::Value);
+                [dx * w - x * dw, dy * w - y * dw, dz * w - z * dw]
+            }
             _ => [dx, dy, dz],
         }
     });
