@@ -147,11 +147,10 @@ impl Shapes {
 
     /// The vertices of each draw: all at once, where that makes no difference.
     pub fn parts(&self, context: &Context) -> Vec<Range<usize>> {
-        if self.begins.is_empty() || draws_together(context) {
-            return Vec::from([Range { start: 0, end: self.count }]);
-        }
-        let begins = std::iter::once(0).chain(self.begins.iter().copied());
-        let ends = self.begins.iter().copied().chain([self.count]);
+        let together = self.begins.is_empty() || draws_together(context);
+        let others = if together { &[][..] } else { &self.begins };
+        let begins = std::iter::once(0).chain(others.iter().copied());
+        let ends = others.iter().copied().chain([self.count]);
         begins.zip(ends).map(|(begin, end)| begin..end).collect()
     }
 
