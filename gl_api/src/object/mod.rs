@@ -27,7 +27,8 @@ use crate::types::*;
 use assemblies::Assembly;
 use bound::{Bound, Place};
 use rasterizer::driver::Image;
-use std::collections::{BTreeMap, BTreeSet};
+use std::cmp::Reverse;
+use std::collections::{BTreeMap, BinaryHeap};
 use std::sync::Arc;
 
 /// The names of one kind of object.
@@ -37,8 +38,8 @@ pub(crate) struct Names<T> {
     objects: BTreeMap<GLuint, Option<Named<T>>>,
     /// All names up to this one are used, or among the freed ones.
     used: GLuint,
-    /// What was deleted of those; binding may have used it again.
-    freed: BTreeSet<GLuint>,
+    /// What was deleted of those, the least first; binding may have used it again.
+    freed: BinaryHeap<Reverse<GLuint>>,
     /// Objects that were deleted while something was bound to them, by number: sorted.
     departed: Vec<(GLuint, Named<T>)>,
     /// The last of these numbers.
@@ -77,7 +78,7 @@ impl<T> Default for Names<T> {
         Self {
             objects: BTreeMap::new(),
             used: 0,
-            freed: BTreeSet::new(),
+            freed: BinaryHeap::new(),
             departed: Vec::new(),
             departures: 0,
             left: 0,
@@ -89,10 +90,13 @@ impl<T> Names<T> {
     /// Takes the smallest unused name.
     fn take(&mut self, object: Option<Named<T>>) -> GLuint {
         let name = loop {
-            let name = self.freed.pop_first().unwrap_or_else(|| {
-                self.used += 1;
-                self.used
-            });
+            let name = match self.freed.pop() {
+                Some(Reverse(name)) => name,
+                None => {
+                    self.used += 1;
+                    self.used
+                }
+            };
             if !self.is_reserved(name) {
                 break name;
             }
@@ -184,11 +188,22 @@ impl<T> Names<T> {
         self.objects.values_mut().flatten().chain(departed).map(|named| &mut named.object)
     }
 
+    /// Who binds and deletes one name again and again frees it as often.
+    fn forget_copies(&mut self) {
+        if self.freed.len() / 4 > self.used as usize {
+            let mut names = std::mem::take(&mut self.freed).into_vec();
+            names.sort_unstable();
+            names.dedup();
+            self.freed = BinaryHeap::from(names);
+        }
+    }
+
     /// Forgets a name, and its object unless something is bound to it.
     fn remove(&mut self, name: GLuint) {
         let Some(named) = self.objects.remove(&name) else { return };
         if name <= self.used {
-            self.freed.insert(name);
+            self.freed.push(Reverse(name));
+            self.forget_copies();
         }
         let Some(named) = named else { return };
         if named.bound.is_shared() {

@@ -7,7 +7,6 @@ use crate::interface::MAX_COMBINED_TEXTURE_IMAGE_UNITS;
 use crate::object::programs::{Linked, program};
 use crate::types::*;
 use rasterizer::ir::{Stage, TextureDecl};
-use std::collections::{BTreeMap, BTreeSet};
 
 pub(crate) fn validate_program(context: &mut Context, name: GLuint) -> Result<()> {
     let object = program(context, name)?;
@@ -27,8 +26,12 @@ pub(crate) fn validate_program(context: &mut Context, name: GLuint) -> Result<()
 pub(crate) fn runnable(linked: &Linked) -> Result<(), String> {
     let limit = usize::from(MAX_COMBINED_TEXTURE_IMAGE_UNITS);
     // A sampler that is compared in two ways has two slots.
-    let slots = linked.program.samplers.iter();
-    let samplers = slots.map(|slot| (slot.stage as u8, slot.word)).collect::<BTreeSet<_>>().len();
+    let slots = &linked.program.samplers;
+    let is_first = |(at, slot): &(usize, &SamplerSlot)| {
+        let is_same = |other: &SamplerSlot| (other.stage, other.word) == (slot.stage, slot.word);
+        !slots[..*at].iter().any(is_same)
+    };
+    let samplers = slots.iter().enumerate().filter(is_first).count();
     if samplers > limit {
         return Err(format!(
             "the stages sample {samplers} textures together; GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS \
@@ -40,14 +43,18 @@ pub(crate) fn runnable(linked: &Linked) -> Result<(), String> {
 
 /// Samplers of different types must name different units (GL 2.1, section 2.15.3).
 fn one_type_per_unit(linked: &Linked) -> Result<(), String> {
-    let mut seen: BTreeMap<u32, ((TextureDecl, Dim), u32)> = BTreeMap::new();
+    // They are few.
+    let mut seen: Vec<(u32, (TextureDecl, Dim), u32)> = Vec::new();
     for slot in &linked.program.samplers {
         let (Some(decl), Some(&unit)) =
             (declared(linked, slot), linked.words.get(slot.word as usize))
         else {
             continue;
         };
-        let &mut (other, word) = seen.entry(unit).or_insert((decl, slot.word));
+        let Some(&(_, other, word)) = seen.iter().find(|(of, ..)| *of == unit) else {
+            seen.push((unit, decl, slot.word));
+            continue;
+        };
         if other != decl {
             return Err(format!(
                 "samplers of different types,{} and{}, both name texture unit {unit}: set each to \
