@@ -144,15 +144,18 @@ pub(crate) fn vertex_source(
     reach: Reach,
 ) -> Result<VertexSource> {
     let array = &context.state.arrays.by_location[location];
-    let ((buffer, first), offset) = match &array.source {
-        Source::Client(buffer) => ((buffer.clone(), 0), 0),
-        Source::Pointer(pointer) => (snapshot(array, *pointer, reach)?, 0),
+    let (buffer, first, offset) = match &array.source {
+        Source::Client(buffer) => (buffer.clone(), 0, 0),
+        Source::Pointer(pointer) => {
+            let (buffer, first) = snapshot(array, *pointer, reach)?;
+            (buffer, first, 0)
+        }
         Source::Object { buffer, offset } => {
             let object = context.objects.buffers.bound(buffer);
             if object.is_some_and(|object| object.map.is_some()) {
                 return mapped(buffer.name(), location);
             }
-            ((object.map(|object| object.buffer().clone()).unwrap_or_default(), 0), *offset)
+            (object.map(|object| object.buffer().clone()).unwrap_or_default(), 0, *offset)
         }
     };
     Ok(VertexSource::Array {

@@ -128,11 +128,9 @@ fn check_range(
     count: usize,
 ) -> Result<()> {
     let arrays = vertices.iter().filter_map(|binding| match &binding.source {
-        VertexSource::Array {
-            buffer, first, offset, stride, ty, components, divisor: 0, ..
-        } => {
-            let length = *first as usize * stride + buffer.bytes().len();
-            Some((binding.location, length, *offset, *stride, ty.bytes(*components)))
+        VertexSource::Array { offset, stride, ty, components, divisor: 0, .. } => {
+            let vertex = ty.bytes(*components);
+            Some((binding.location, binding.source.end(), *offset, *stride, vertex))
         }
         // Elements of instances are as many as there are instances.
         VertexSource::Array { .. } | VertexSource::Constant(_) => None,

@@ -192,6 +192,16 @@ impl VertexSource {
             Self::Constant(_) => None,
         }
     }
+
+    /// Where that memory ends, in bytes from where element 0 counts from.
+    pub fn end(&self) -> usize {
+        match self {
+            Self::Array { buffer, first, stride, .. } => {
+                *first as usize * stride + buffer.bytes().len()
+            }
+            Self::Constant(_) => 0,
+        }
+    }
 }
 
 #[cfg(test)]

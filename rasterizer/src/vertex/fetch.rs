@@ -294,4 +294,29 @@ mod tests {
             assert_eq!(out[0], 1.0);
         }
     }
+
+    /// A source that begins with a later element is the whole array, of which what comes before reads as zeros.
+    #[test]
+    fn an_array_may_begin_with_a_later_element() {
+        let ids: [u32; LANES] = std::array::from_fn(|lane| lane as u32 + 5);
+        let words: Vec<u8> = ids.iter().flat_map(|&id| (id as f32).to_le_bytes()).collect();
+        let source = VertexSource::Array {
+            buffer: Buffer::new(words),
+            first: 5,
+            offset: 0,
+            stride: 4,
+            ty: VertexType::F32,
+            components: 1,
+            format: VertexFormat::Plain,
+            divisor: 0,
+        };
+        assert_eq!(source.end(), (LANES + 5) * 4);
+        let mut out = F32s::ZERO;
+        for isa in Isa::available() {
+            component(isa, &source, 0, Elements::new(&ids), &mut out);
+            assert_eq!(out, F32s::from_fn(|lane| ids[lane] as f32));
+            component(isa, &source, 0, Elements::new(&[0, 4, 5, 68, 69]), &mut out);
+            assert_eq!(out.0[..5], [0.0, 0.0, 5.0, 68.0, 0.0]);
+        }
+    }
 }

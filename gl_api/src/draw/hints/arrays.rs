@@ -20,8 +20,7 @@ pub(in crate::draw) fn short(
     let mut last = None;
     let (_, instances) = elements.counts();
     for binding in vertices {
-        let VertexSource::Array { buffer, first, offset, stride, ty, components, divisor, .. } =
-            &binding.source
+        let VertexSource::Array { offset, stride, ty, components, divisor, .. } = &binding.source
         else {
             continue;
         };
@@ -32,7 +31,7 @@ pub(in crate::draw) fn short(
         let Some(last) = last else { continue };
         let (begin, size) = (*offset as u64, ty.bytes(*components) as u64);
         let needed = begin.saturating_add(u64::from(last) * *stride as u64).saturating_add(size);
-        let bytes = *first as usize * stride + buffer.bytes().len();
+        let bytes = binding.source.end();
         if needed > bytes as u64 && context.is_news(Hint::ShortArray, binding.location.into()) {
             let extent = extent(context, binding.location, bytes);
             context.debug.warn(format!(
