@@ -55,8 +55,30 @@ fn main() {
         && std::env::var("DEBUG").is_ok_and(|debug| debug == "false")
     {
         println!("cargo:rustc-cdylib-link-arg=-Wl,-s");
+        fold_identical_code(Path::new(&directory));
     }
     link_unwinder();
+}
+
+/// Has the linker keep functions of the same instructions once, if it is one that can: many entry points, and many
+/// instances of generic functions, differ in types alone. No function's address is compared with another's.
+fn fold_identical_code(directory: &Path) {
+    const FOLD: &str = "-Wl,--icf=all";
+    let variable = |name: &str| std::env::var(name).unwrap_or_default();
+    let source = directory.join("empty.rs");
+    std::fs::write(&source, "").expect("OUT_DIR is writable");
+    let mut rustc = std::process::Command::new(variable("RUSTC"));
+    rustc.args(["--crate-type=cdylib", "--target", &variable("TARGET"), "-C"]);
+    rustc.arg(format!("link-arg={FOLD}")).arg("-o").arg(directory.join("empty.so")).arg(source);
+    let flags = variable("CARGO_ENCODED_RUSTFLAGS");
+    rustc.args(flags.split('\u{1f}').filter(|flag| !flag.is_empty()));
+    let linker = variable("RUSTC_LINKER");
+    if !linker.is_empty() {
+        rustc.args(["-C", &format!("linker={linker}")]);
+    }
+    if rustc.output().is_ok_and(|output| output.status.success()) {
+        println!("cargo:rustc-cdylib-link-arg={FOLD}");
+    }
 }
 
 /// Puts the unwinder into the library, where there is one to put in: else it needs libgcc_s.so.1.
