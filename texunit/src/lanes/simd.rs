@@ -25,6 +25,13 @@ pub trait Simd: Copy + private::Sealed {
     /// many places.
     fn apart<K: Kernel>(kernel: K) -> K::Output;
 
+    /// Runs a kernel in place where the instruction set is a wide one, for speed, else as a function of its own,
+    /// for size.
+    #[inline(always)]
+    fn apart_unless_wide<K: Kernel>(kernel: K) -> K::Output {
+        if Self::WIDE { kernel.run::<Self>() } else { Self::apart(kernel) }
+    }
+
     /// Reads the four bytes at each byte offset as a little-endian word.
     ///
     /// # Panics

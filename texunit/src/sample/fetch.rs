@@ -7,6 +7,7 @@ use super::wrap::Indices;
 use crate::format::{Encoding, Field, convert};
 use crate::image::Level;
 use crate::lanes::{F32s, I32s, Kernel, LANES, Simd, U32s};
+use crate::sampler::Compare;
 use crate::trace::{SampleStep, TexelSource};
 
 /// One texel in each lane. Only the stored channels of `out` are written.
@@ -18,7 +19,7 @@ pub fn texels<S: Simd>(
     recorder: &mut impl Recorder,
 ) {
     stored::<S>(place.level, [&x.index, &y.index, &z.index], out);
-    finish(place, [x, y, z], out, recorder);
+    finish::<S>(place, [x, y, z], out, recorder);
 }
 
 /// The channels of stored texels; those of integer formats are their bits. A function of its own: what knows all
@@ -81,10 +82,25 @@ pub fn row<S: Simd>(
         offsets[lane] = xs[0].index[lane].wrapping_mul(bytes).wrapping_add(line);
     }
     let [first, second] = neighbours::<S>(level, &offsets);
-    convert::decode_lanes::<S>(level.format, &[first], left);
-    convert::decode_lanes::<S>(level.format, &[second], right);
-    finish(place, [&xs[0], y, z], left, recorder);
-    finish(place, [&xs[1], y, z], right, recorder);
+    S::apart_unless_wide(Decoded { level, words: [first], out: &mut *left });
+    S::apart_unless_wide(Decoded { level, words: [second], out: &mut *right });
+    finish::<S>(place, [&xs[0], y, z], left, recorder);
+    finish::<S>(place, [&xs[1], y, z], right, recorder);
+}
+
+/// The channels of texels of one word, whatever their format.
+struct Decoded<'a> {
+    level: &'a Level,
+    words: [U32s; 1],
+    out: &'a mut [F32s; 4],
+}
+
+impl Kernel for Decoded<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn run<S: Simd>(self) {
+        convert::decode_lanes::<S>(self.level.format, &self.words, self.out);
+    }
 }
 
 /// Whether texel `i` and the next lie side by side in the row in every lane.
@@ -119,7 +135,7 @@ pub fn neighbours<S: Simd>(level: &Level, offsets: &U32s) -> [U32s; 2] {
 
 /// The border colour where an index lies outside, then the comparison.
 #[inline(always)]
-fn finish(
+fn finish<S: Simd>(
     place: &Place<'_>,
     [x, y, z]: [&Indices; 3],
     texels: &mut [F32s; 4],
@@ -144,11 +160,26 @@ fn finish(
         value: texels.each_ref().map(|channel| channel[lane]),
         compare: texture.compare.map(|op| {
             let (reference, mut passes) = (place.reference, texels[0]);
-            compare::compare(op, reference, &mut passes);
+            S::apart_unless_wide(Compared { op, reference, texels: &mut passes });
             (op, reference[lane], passes[lane])
         }),
     });
     if let Some(op) = texture.compare {
-        compare::compare(op, place.reference, &mut texels[0]);
+        S::apart_unless_wide(Compared { op, reference: place.reference, texels: &mut texels[0] });
+    }
+}
+
+/// Texels compared, whatever the operator.
+struct Compared<'a> {
+    op: Compare,
+    reference: &'a F32s,
+    texels: &'a mut F32s,
+}
+
+impl Kernel for Compared<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn run<S: Simd>(self) {
+        compare::compare(self.op, self.reference, self.texels);
     }
 }

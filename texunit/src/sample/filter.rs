@@ -5,11 +5,11 @@
 //! weighed as 0 to 255 and divided at last, which is one division for all texels.
 
 use super::record::Recorder;
-use super::wrap::{Axis, Indices, enclosing};
+use super::wrap::{Axis, Enclosing, Indices};
 use super::{fetch, plain, seamless};
 use crate::format::convert::over_255;
 use crate::image::{FACES, Level, Shape};
-use crate::lanes::{F32s, LANES, Simd, U32s};
+use crate::lanes::{F32s, Kernel, LANES, Simd, U32s};
 use crate::plan::{Texture, Way};
 use crate::sampler::{Filter, Seamless};
 use crate::trace::SampleStep;
@@ -59,9 +59,9 @@ pub fn sample_level<S: Simd>(
     recorder: &mut impl Recorder,
 ) {
     let done = match (place.texture.way, place.filter) {
-        (Way::Plain(class), Filter::Nearest) => plain::nearest::<S>(place, class, at, out),
-        (Way::Plain(class), Filter::Linear) => plain::linear::<S>(place, class, at, out),
-        (Way::Blocks(block), Filter::Linear) => plain::blocks::linear::<S>(place, block, at, out),
+        (Way::Plain(_), Filter::Nearest | Filter::Linear) | (Way::Blocks(_), Filter::Linear) => {
+            S::apart(Short { place, at, out: &mut *out })
+        }
         // A fetch of one texel is short in any case.
         (Way::Blocks(_), Filter::Nearest) => false,
         (Way::General | Way::Compared(_), Filter::Nearest | Filter::Linear) => false,
@@ -70,6 +70,30 @@ pub fn sample_level<S: Simd>(
         _ if done => {}
         Filter::Nearest => nearest::<S>(place, at, out, recorder),
         Filter::Linear => linear::<S>(place, at, out, recorder),
+    }
+}
+
+/// The short ways, as far as they lead.
+struct Short<'a> {
+    place: &'a Place<'a>,
+    at: [&'a F32s; 3],
+    out: &'a mut [F32s; 4],
+}
+
+impl Kernel for Short<'_> {
+    type Output = bool;
+    #[inline(always)]
+    fn run<S: Simd>(self) -> bool {
+        let Self { place, at, out } = self;
+        match (place.texture.way, place.filter) {
+            (Way::Plain(class), Filter::Nearest) => plain::nearest::<S>(place, class, at, out),
+            (Way::Plain(class), Filter::Linear) => plain::linear::<S>(place, class, at, out),
+            (Way::Blocks(block), Filter::Linear) => {
+                plain::blocks::linear::<S>(place, block, at, out)
+            }
+            (Way::Blocks(_), Filter::Nearest) => false,
+            (Way::General | Way::Compared(_), Filter::Nearest | Filter::Linear) => false,
+        }
     }
 }
 
@@ -82,17 +106,14 @@ fn nearest<S: Simd>(
 ) {
     let axes = place.texture.shape.axes();
     recorder.note(|lane| SampleStep::Nearest { u: texel_coordinates::<S>(place, at, lane) });
-    let axis = place.axis(0);
-    let x = axis.nearest::<S>(&axis.texel_coordinate::<S>(at[0]));
+    let x = place.axis(0).nearest_to::<S>(at[0]);
     let mut y = Indices { index: U32s::ZERO, outside: U32s::ZERO };
     let mut z = place.slice();
     if axes > 1 {
-        let axis = place.axis(1);
-        y = axis.nearest::<S>(&axis.texel_coordinate::<S>(at[1]));
+        y = place.axis(1).nearest_to::<S>(at[1]);
     }
     if axes > 2 {
-        let axis = place.axis(2);
-        z = axis.nearest::<S>(&axis.texel_coordinate::<S>(at[2]));
+        z = place.axis(2).nearest_to::<S>(at[2]);
     }
     fetch::texels::<S>(place, [&x, &y, &z], out, recorder);
 }
@@ -101,8 +122,11 @@ fn nearest<S: Simd>(
 #[inline(always)]
 fn texel_coordinates<S: Simd>(place: &Place<'_>, at: [&F32s; 3], lane: usize) -> [f32; 3] {
     let axes = place.texture.shape.axes();
-    let along = |axis: usize| place.axis(axis).texel_coordinate::<S>(at[axis])[lane];
-    std::array::from_fn(|axis| if axis < axes { along(axis) } else { 0.0 })
+    let mut u = [0.0; 3];
+    for (axis, u) in u.iter_mut().enumerate().take(axes) {
+        *u = place.axis(axis).texel_coordinate_apart::<S>(at[axis])[lane];
+    }
+    u
 }
 
 #[inline(always)]
@@ -114,16 +138,15 @@ fn linear<S: Simd>(
 ) {
     let axes = place.texture.shape.axes();
     let axis = place.axis(0);
-    let (i, alpha) = enclosing::<S>(&axis.texel_coordinate::<S>(at[0]));
+    let Enclosing { lower: i, weight: alpha, texels: xs } = axis.enclosing::<S>(at[0]);
     let close = fetch::side_by_side::<S>(&i, axis.size);
-    let xs = axis.pair(&i);
     let none = || Indices { index: U32s::ZERO, outside: U32s::ZERO };
     let (mut ys, mut beta) = ([none(), none()], F32s::ZERO);
     let (mut zs, mut gamma) = ([place.slice(), none()], F32s::ZERO);
     if axes > 1 {
         let axis = place.axis(1);
-        let j;
-        (j, beta) = enclosing::<S>(&axis.texel_coordinate::<S>(at[1]));
+        let Enclosing { lower: j, weight, texels } = axis.enclosing::<S>(at[1]);
+        beta = weight;
         let crosses = place.texture.seamless == Seamless::On
             && !(close && fetch::side_by_side::<S>(&j, axis.size));
         if crosses {
@@ -134,13 +157,10 @@ fn linear<S: Simd>(
             });
             return seamless::linear::<S>(place, [&i, &j], [&alpha, &beta], out, recorder);
         }
-        ys = axis.pair(&j);
+        ys = texels;
     }
     if axes > 2 {
-        let axis = place.axis(2);
-        let k;
-        (k, gamma) = enclosing::<S>(&axis.texel_coordinate::<S>(at[2]));
-        zs = axis.pair(&k);
+        Enclosing { weight: gamma, texels: zs, .. } = place.axis(2).enclosing::<S>(at[2]);
     }
     recorder.note(|lane| SampleStep::Linear {
         u: texel_coordinates::<S>(place, at, lane),

@@ -6,7 +6,7 @@
 //! ±inf where coordinates repeat; elsewhere ±inf is the end of the range.
 
 use crate::lanes::math::{clamp, floor, max, to_i32};
-use crate::lanes::{F32s, I32s, LANES, Simd, U32s};
+use crate::lanes::{F32s, I32s, Kernel, LANES, Simd, U32s};
 use crate::sampler::Wrap;
 
 /// One axis of a level.
@@ -28,6 +28,16 @@ pub struct Indices {
     pub index: U32s,
     /// `!0` where the border colour stands, else 0.
     pub outside: U32s,
+}
+
+/// The texels that enclose coordinates along one axis.
+pub struct Enclosing {
+    /// The lower one, -1 at least, without the border.
+    pub lower: I32s,
+    /// Of the upper one, in [0, 1).
+    pub weight: F32s,
+    /// Both, as they are stored.
+    pub texels: [Indices; 2],
 }
 
 /// The coordinate of a mirrored image within [0, 1], and whether it is mirrored there.
@@ -90,9 +100,27 @@ impl Axis {
         u
     }
 
+    /// [`Axis::texel_coordinate`] where it stands in many places: what knows all wrap modes is large.
+    #[inline(always)]
+    pub fn texel_coordinate_apart<S: Simd>(self, s: &F32s) -> F32s {
+        S::apart_unless_wide(TexelCoordinate { axis: self, s })
+    }
+
+    /// The texel nearest to a coordinate.
+    #[inline(always)]
+    pub fn nearest_to<S: Simd>(self, s: &F32s) -> Indices {
+        S::apart_unless_wide(NearestTo { axis: self, s })
+    }
+
+    /// The texels that enclose a coordinate.
+    #[inline(always)]
+    pub fn enclosing<S: Simd>(self, s: &F32s) -> Enclosing {
+        S::apart_unless_wide(EnclosingOf { axis: self, s })
+    }
+
     /// The texel that `u` lies in; `u = size` lies in the last, unless the border is reached.
     #[inline(always)]
-    pub fn nearest<S: Simd>(self, u: &F32s) -> Indices {
+    fn nearest<S: Simd>(self, u: &F32s) -> Indices {
         let mut i = I32s::ZERO;
         for lane in 0..LANES {
             i[lane] = S::floor_small(u[lane]).0;
@@ -119,7 +147,7 @@ impl Axis {
 
     /// The lower and upper of the two texels that enclose `u`, whose lower is `i`.
     #[inline(always)]
-    pub fn pair(self, i: &I32s) -> [Indices; 2] {
+    fn pair(self, i: &I32s) -> [Indices; 2] {
         let last = self.size as i32 - 1;
         match self.wrap {
             Wrap::Repeat => {
@@ -168,6 +196,47 @@ impl Axis {
             out.outside[lane] = if (at < 0) | (at > last) { !0 } else { 0 };
         }
         out
+    }
+}
+
+struct TexelCoordinate<'a> {
+    axis: Axis,
+    s: &'a F32s,
+}
+
+impl Kernel for TexelCoordinate<'_> {
+    type Output = F32s;
+    #[inline(always)]
+    fn run<S: Simd>(self) -> F32s {
+        self.axis.texel_coordinate::<S>(self.s)
+    }
+}
+
+struct NearestTo<'a> {
+    axis: Axis,
+    s: &'a F32s,
+}
+
+impl Kernel for NearestTo<'_> {
+    type Output = Indices;
+    #[inline(always)]
+    fn run<S: Simd>(self) -> Indices {
+        self.axis.nearest::<S>(&self.axis.texel_coordinate_apart::<S>(self.s))
+    }
+}
+
+struct EnclosingOf<'a> {
+    axis: Axis,
+    s: &'a F32s,
+}
+
+impl Kernel for EnclosingOf<'_> {
+    type Output = Enclosing;
+    #[inline(always)]
+    fn run<S: Simd>(self) -> Enclosing {
+        let (lower, weight) = enclosing::<S>(&self.axis.texel_coordinate_apart::<S>(self.s));
+        let texels = self.axis.pair(&lower);
+        Enclosing { lower, weight, texels }
     }
 }
 
