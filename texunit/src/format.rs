@@ -5,7 +5,6 @@
 //! and [`block`].
 
 pub mod block;
-pub mod client;
 pub mod convert;
 pub mod integer;
 pub mod shared_exponent;

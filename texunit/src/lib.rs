@@ -9,6 +9,7 @@
 //! |---|---|
 //! | [`lanes`] | the batch of 64, instruction-set dispatch, gather, exact math; the only `unsafe` |
 //! | [`format`](mod@format) | the table of texel formats, and their conversions to and from `f32` |
+//! | [`pixel`] | pixels in a client's memory and texels as numbers, 64 at a time: uploads, read-back, copies |
 //! | [`image`] | levels and faces of texels, shared by reference, copied when written |
 //! | [`mipmap`] | the box filter that makes a level from the one before |
 //! | [`sampler`] | wrap modes, filters, LOD range, compare: the state beside the texels |
@@ -23,6 +24,7 @@ pub mod format;
 pub mod image;
 pub mod lanes;
 pub mod mipmap;
+pub mod pixel;
 pub mod plan;
 mod sample;
 pub mod sampler;

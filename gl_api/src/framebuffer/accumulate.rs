@@ -10,9 +10,10 @@ use crate::context::Context;
 use crate::error::{Result, Table, invalid_operation};
 use crate::feedback::Mode;
 use crate::query::table::{Value, int, unit};
-use crate::texture::texel;
+use crate::texture::convert::Conversion;
 use crate::types::*;
-use rasterizer::driver::Rect;
+use rasterizer::driver::{Rect, SrgbWrite};
+use texunit::lanes::LANES;
 
 const SECTION: &str = "GL 2.1, section 4.2.4";
 
@@ -105,6 +106,15 @@ pub(crate) fn accum(context: &mut Context, op: GLenum, value: GLfloat) -> Result
     Ok(())
 }
 
+/// The rows of an area, in runs of up to 64 pixels: row, first column, and how many.
+fn runs(area: Rect) -> impl Iterator<Item = (usize, usize, usize)> {
+    let [x, y] = [area.x, area.y].map(|first| first as usize);
+    let [width, height] = [area.width, area.height].map(|size| size as usize);
+    let run = move |at: usize| (x + at, LANES.min(width - at));
+    (y..y + height)
+        .flat_map(move |y| (0..width).step_by(LANES).map(move |at| (y, run(at).0, run(at).1)))
+}
+
 /// Changes the sums of the pixels of an area by their colours, which are read and taken times a factor.
 fn colors(
     context: &mut Context,
@@ -113,10 +123,17 @@ fn colors(
     change: fn(&mut [f32; 4], [f32; 4]),
 ) -> Result<()> {
     let from = read::source(context, Readable::Color)?;
-    let format = from.format();
-    each(context, area, |x, y, sum| {
-        change(sum, texel::decode(format, from.row(x, y, 1)).map(|c| c as f32 * factor));
-    });
+    let isa = context.recorder.isa();
+    let conversion = Conversion::blit(isa, from.format(), from.format(), SrgbWrite::AsIs);
+    each(context, area, |_, _, _| {});
+    let width = context.window.width as usize;
+    for (y, x, count) in runs(area) {
+        let rgba = conversion.read(from.row(x, y, count));
+        let sums = &mut context.window.accumulation.0[y * width + x..][..count];
+        for (lane, sum) in sums.iter_mut().enumerate() {
+            change(sum, rgba.each_ref().map(|channel| channel[lane] as f32 * factor));
+        }
+    }
     Ok(())
 }
 
@@ -125,22 +142,22 @@ fn give_back(context: &mut Context, area: Rect, factor: f32) {
     each(context, area, |_, _, _| {});
     let Ok(pass) = draw_pass(context) else { return };
     let mask = context.state.fragment.buffers[0].mask;
-    let width = context.window.width as usize;
+    let (isa, width) = (context.recorder.isa(), context.window.width as usize);
     let sums = std::mem::take(&mut context.window.accumulation.0);
     for attachment in pass.colors.iter().flatten() {
         edit(context, attachment, |level, first, _| {
             let (format, size, row) = (level.format, level.format.bytes(), level.row_bytes());
-            for y in area.y as usize..area.y as usize + area.height as usize {
-                for x in area.x as usize..area.x as usize + area.width as usize {
-                    let at = first + y * row + x * size;
-                    let texel = &mut level.texels[at..at + size];
-                    let before = texel::decode(format, texel);
-                    let sum = sums[y * width + x].map(|c| c * factor);
-                    let color = [0, 1, 2, 3].map(|i| {
-                        if mask[i] { f64::from(sum[i]).clamp(0.0, 1.0) } else { before[i] }
-                    });
-                    texel.copy_from_slice(&texel::encode(format, color)[..size]);
+            let conversion = Conversion::blit(isa, format, format, SrgbWrite::AsIs);
+            for (y, x, count) in runs(area) {
+                let texels = &mut level.texels[first + y * row + x * size..][..count * size];
+                let mut rgba = conversion.read(texels);
+                let sums = &sums[y * width + x..][..count];
+                for (channel, numbers) in rgba.iter_mut().enumerate().filter(|(i, _)| mask[*i]) {
+                    for (number, sum) in numbers.0.iter_mut().zip(sums) {
+                        *number = f64::from(sum[channel] * factor).clamp(0.0, 1.0);
+                    }
                 }
+                conversion.write(&rgba, texels);
             }
         });
     }

@@ -3,6 +3,8 @@
 //! Where both sides have several samples a pixel, samples go to samples; a multisample image is else
 //! read as what it resolves to, and every sample of one is written alike.
 
+mod rows;
+
 use super::clear::drawn_area;
 use super::complete::{
     Readable, checked_complete, draw_pass, draw_planes, read_attachment, read_samples, samples,
@@ -12,11 +14,12 @@ use super::srgb_write;
 use crate::constants::*;
 use crate::context::Context;
 use crate::error::{Result, Table, invalid_operation, invalid_value};
-use crate::texture::texel;
 use crate::types::*;
 use rasterizer::driver::{Attachment, Rect, SrgbWrite};
-use texunit::format::{Format, convert};
+use rows::Way;
+use texunit::format::Format;
 use texunit::image::Level;
+use texunit::pixel::Tap;
 use texunit::sampler::Filter;
 
 const SECTION: &str = "ARB_framebuffer_object, section 4.3.3";
@@ -31,17 +34,17 @@ struct Axis {
     dst: [GLint; 2],
 }
 
-/// Which two texels of the source a pixel is made of, and the weight of the second.
-#[derive(Clone, Copy)]
-struct Tap {
-    texels: [usize; 2],
-    weight: f64,
+/// What pixels that lie side by side are made of.
+struct Taps {
+    /// How many pixels before them lie outside of the source.
+    before: usize,
+    taps: Vec<Tap>,
 }
 
 impl Axis {
     /// The pixels of the destination from `first` on, `count` of them, as texels of a source of
-    /// `size`; `None` for those that lie outside of it.
-    fn taps(self, first: i32, count: u32, size: u32, filter: Filter) -> Vec<Option<Tap>> {
+    /// `size`, without those that lie outside of it.
+    fn taps(self, first: i32, count: u32, size: u32, filter: Filter) -> Taps {
         let [src0, src1] = self.src.map(i128::from);
         let [dst0, dst1] = self.dst.map(i128::from);
         // The source of the pixel's centre, in units of 1 / 2n texels.
@@ -55,19 +58,22 @@ impl Axis {
                 return None;
             }
             Some(match filter {
-                Filter::Nearest => Tap { texels: [nearest as usize; 2], weight: 0.0 },
+                Filter::Nearest => Tap { pixels: [nearest as usize; 2], weight: 0.0 },
                 Filter::Linear => {
                     let at = at - units / 2;
                     let low = at.div_euclid(units);
                     let clamped = |texel: i128| texel.clamp(0, last) as usize;
                     Tap {
-                        texels: [clamped(low), clamped(low + 1)],
+                        pixels: [clamped(low), clamped(low + 1)],
                         weight: at.rem_euclid(units) as f64 / units as f64,
                     }
                 }
             })
         };
-        (0..count).map(|pixel| tap(first + pixel as i32)).collect()
+        let taps = (first..).take(count as usize).map(tap);
+        // Those that lie within lie side by side.
+        let before = taps.clone().take_while(Option::is_none).count();
+        Taps { before, taps: taps.flatten().collect() }
     }
 
     /// First pixel of the destination, and one past the last.
@@ -103,74 +109,22 @@ enum Part {
     Stencil,
 }
 
-/// A colour as it is copied: sRGB as light where it is written so.
-fn color(format: Format, texel: &[u8], srgb: SrgbWrite) -> [f64; 4] {
-    if srgb == SrgbWrite::Encode && format.is_srgb() {
-        let mut rgba = convert::decode(format, texel).map(f64::from);
-        if format.base().sources().first() == Some(&0) && format.channels() < 3 {
-            // Luminance is read as red (GL 2.1, table 4.7).
-            [rgba[1], rgba[2]] = [0.0; 2];
-        }
-        return rgba;
-    }
-    texel::decode(format, texel)
-}
-
-fn encode(format: Format, rgba: [f64; 4], srgb: SrgbWrite) -> texel::Bytes {
-    if srgb == SrgbWrite::Encode && format.is_srgb() {
-        return convert::encode(format, rgba.map(|c| c as f32));
-    }
-    texel::encode(format, rgba)
-}
-
 impl Blit {
-    /// The colour of a pixel.
-    fn filtered(&self, from: &Pixels, x: Tap, y: Tap) -> [f64; 4] {
-        let at = |x: usize, y: usize| color(from.format(), from.row(x, y, 1), self.srgb);
-        let mix = |a: [f64; 4], b: [f64; 4], w: f64| [0, 1, 2, 3].map(|i| a[i] + (b[i] - a[i]) * w);
-        let row = |y: usize| {
-            let [left, right] = x.texels.map(|x| at(x, y));
-            mix(left, right, x.weight)
-        };
-        match self.filter {
-            Filter::Nearest => at(x.texels[0], y.texels[0]),
-            Filter::Linear => mix(row(y.texels[0]), row(y.texels[1]), y.weight),
-        }
-    }
-
     /// Copies to one attachment, from what every sample has or from a sample each.
     fn write(&self, context: &mut Context, from: &[Pixels], to: &Attachment, part: Part) {
         let Some([width, height]) = from.first().map(Pixels::size) else { return };
-        let area = self.area;
+        let (area, isa) = (self.area, context.recorder.isa());
         let columns = self.axes[0].taps(area.x, area.width, width, self.filter);
         let rows = self.axes[1].taps(area.y, area.height, height, self.filter);
         edit(context, to, |level, first, sample| {
             let Some(from) = from.get(sample).or(from.first()) else { return };
-            let (format, size) = (level.format, level.format.bytes());
-            let row_bytes = level.row_bytes();
-            for (y, tap) in (area.y as usize..).zip(&rows) {
-                let Some(y_tap) = tap else { continue };
-                let start = first + y * row_bytes + area.x as usize * size;
-                let texels = &mut level.texels[start..start + area.width as usize * size];
-                for (texel, tap) in texels.chunks_exact_mut(size).zip(&columns) {
-                    let Some(x_tap) = tap else { continue };
-                    let source = from.row(x_tap.texels[0], y_tap.texels[0], 1);
-                    match part {
-                        Part::Color
-                            if format == from.format() && self.filter == Filter::Nearest =>
-                        {
-                            texel.copy_from_slice(source);
-                        }
-                        Part::Color => {
-                            let rgba = self.filtered(from, *x_tap, *y_tap);
-                            texel.copy_from_slice(&encode(format, rgba, self.srgb)[..size]);
-                        }
-                        Part::Depth => texel::copy_depth(format, source, texel),
-                        Part::Stencil => {
-                            texel::put_stencil(format, texel, texel::stencil_of(format, source));
-                        }
-                    }
-                }
+            let (format, row_bytes) = (level.format, level.row_bytes());
+            let mut way = Way::new(isa, self, part, [from.format(), format]);
+            let column = (area.x as usize + columns.before) * format.bytes();
+            for (y, &tap) in (area.y as usize + rows.before..).zip(&rows.taps) {
+                let texels = &mut level.texels[first + y * row_bytes + column..];
+                let used = columns.taps.len() * format.bytes();
+                way.write(from, &columns.taps, tap, &mut texels[..used]);
             }
         });
     }

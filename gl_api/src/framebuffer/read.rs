@@ -12,12 +12,13 @@ use crate::texture::convert::Final;
 use crate::texture::layout::{Extent, Layout};
 use crate::texture::specify::kinds_match;
 use crate::texture::transfer::{Kind, Transfer};
-use crate::texture::{convert, memory, texel};
+use crate::texture::{convert, memory};
 use crate::types::*;
 use rasterizer::driver::Attachment;
 use std::sync::Arc;
 use texunit::format::Format;
 use texunit::image::Level;
+use texunit::lanes::Isa;
 
 const SECTION: &str = "GL 2.1, section 4.3.2";
 
@@ -166,13 +167,15 @@ pub(crate) fn read_pixels(
     if !pixel.format.is_depth() && !from.format().is_integer() {
         last.clamp = clamp::of_reading(context, from.format());
     }
+    let isa = context.recorder.isa();
     memory::write_pixels(context, &layout, pixels, |bytes| {
-        pack(&from, region, &layout, &transfer, last, bytes);
+        pack(isa, &from, region, &layout, &transfer, last, bytes);
     })
 }
 
 /// A region of a level into the client's memory. Pixels outside the level are left as they are.
 fn pack(
+    isa: Isa,
     from: &Pixels,
     region: Region,
     layout: &Layout,
@@ -187,18 +190,7 @@ fn pack(
     let run = layout.run(column, row, visible.width);
     let rows = (0..visible.height)
         .map(|y| (run.start + y * run.stride, from.row(visible.x, visible.y + y, visible.width)));
-    if layout.pixel.format != ClientFormat::Stencil {
-        convert::pack_rows(&run, from.format(), transfer, last, rows, bytes);
-        return;
-    }
-    // A stencil is an integer of its own.
-    for (at, texels) in rows {
-        let texels = texels.chunks_exact(from.format().bytes());
-        let stencils: Vec<u8> = texels.map(|t| texel::stencil_of(from.format(), t)).collect();
-        let rows = std::iter::once((at, &stencils[..]));
-        let last = Final::of(Format::R8UI, LuminanceOf::Sum);
-        convert::pack_rows(&run, Format::R8UI, transfer, last, rows, bytes);
-    }
+    convert::pack_rows(isa, &run, from.format(), transfer, last, rows, bytes);
 }
 
 /// Whether signed integers go to signed ones, unsigned to unsigned and other numbers to others, as a blit needs.

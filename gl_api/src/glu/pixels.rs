@@ -91,7 +91,7 @@ impl Storage {
             Self::U32 => (0.0, f64::from(u32::MAX)),
             Self::I32 => (f64::from(i32::MIN), f64::from(i32::MAX)),
             Self::F32 => (f64::from(f32::MIN), 1.0),
-            Self::Packed(packed) => (0.0, f64::from(packed.field(component).1)),
+            Self::Packed(packed) => (0.0, f64::from(packed.field(component).mask())),
         }
     }
 
@@ -281,10 +281,9 @@ impl Layout {
             Storage::I16 => values.push(f64::from(word as u16 as i16)),
             Storage::I32 => values.push(f64::from(word as i32)),
             Storage::F32 => values.push(f64::from(f32::from_bits(word))),
-            Storage::Packed(packed) => values.extend((0..self.count).map(|component| {
-                let (shift, mask) = packed.field(component);
-                f64::from(word >> shift & mask)
-            })),
+            Storage::Packed(packed) => values.extend(
+                (0..self.count).map(|component| f64::from(packed.field(component).of(word))),
+            ),
         }
     }
 
@@ -327,7 +326,7 @@ impl Layout {
             Storage::Packed(packed) => values
                 .iter()
                 .enumerate()
-                .fold(0, |word, (at, &value)| word | (value as u32) << packed.field(at).0),
+                .fold(0, |word, (at, &value)| word | (value as u32) << packed.field(at).shift),
         }
     }
 }

@@ -12,6 +12,7 @@ use crate::texture::client::Pixel;
 use crate::texture::layout::{Extent, Layout};
 use crate::texture::memory;
 use crate::types::*;
+use texunit::format::Format;
 
 const SECTION: &str = "GL 2.1, section 3.7";
 
@@ -61,9 +62,9 @@ pub(crate) fn bitmap(
         for axis in 0..2 {
             start[axis] = snapped(before[axis] - origin[axis]).floor();
         }
-        let drawn = rectangle::draw(context, [width, height], Holds::Coverage, |x, y| {
+        let drawn = rectangle::draw(context, [width, height], (Holds::Coverage, Format::R8), |y| {
             let row = &bytes[layout.start + y * layout.stride..];
-            [bits.at(row, x).into(); 4]
+            (0..width).map(|x| bits.at(row, x)).collect()
         });
         context.state.raster_position.window = before;
         context.state.pixel_zoom = zoom;

@@ -1,6 +1,6 @@
 //! `glCopyPixels`: GL 2.1, section 4.3.3.
 
-use super::draw::{Floats, room};
+use super::draw::{DEPTHS, room, rows};
 use super::rectangle::{self, Holds};
 use super::stencil;
 use crate::constants::*;
@@ -9,8 +9,7 @@ use crate::error::{Result, Table, invalid_operation, not_negative};
 use crate::feedback::{self, Mode};
 use crate::framebuffer::complete::{Readable, checked_drawable, draw_planes};
 use crate::framebuffer::{Region, read};
-use crate::texture::client::Numbers;
-use crate::texture::{convert, texel, transfer};
+use crate::texture::convert::{self, Conversion};
 use crate::types::*;
 use texunit::format::Format;
 
@@ -97,31 +96,30 @@ pub(crate) fn copy_pixels(
     }
     let size = [width, height];
     let stored = texels(&from, Region::new(x, y, width, height))?;
-    let transfer = &context.state.transfer;
-    let as_format = |to: Format| convert::transcode(from.format(), &stored, to, transfer);
+    let (isa, transfer) = (context.recorder.isa(), &context.state.transfer);
+    let as_format = |to: Format| convert::transcode(isa, from.format(), &stored, to, transfer);
     match kind {
         Kind::Color => {
-            let floats = Floats { width, texels: as_format(Format::Rgba32F), channels: 4 };
-            rectangle::draw(context, size, Holds::Color, |x, y| floats.at(x, y))
+            let to =
+                match Conversion::between(isa, from.format(), Format::Rgba8, transfer).is_moved() {
+                    true => Format::Rgba8,
+                    false => Format::Rgba32F,
+                };
+            let texels = as_format(to);
+            rectangle::draw(context, size, (Holds::Color, to), rows(&texels, width * to.bytes()))
         }
         Kind::Depth => {
-            let floats = Floats { width, texels: as_format(Format::D32F), channels: 1 };
-            rectangle::draw(context, size, Holds::Depth, |x, y| floats.at(x, y))
+            let texels = as_format(Format::D32F);
+            rectangle::draw(context, size, DEPTHS, rows(&texels, width * 4))
         }
         Kind::Stencil => {
-            let bytes = from.format().bytes();
-            let steps = transfer.of(transfer::Kind::Stencil, Numbers::Integer);
-            let of = |texel: &[u8]| {
-                let stencil = texel::stencil_of(from.format(), texel);
-                steps.apply([stencil.into(), 0.0, 0.0, 1.0])[0] as u8
-            };
-            let stencils: Vec<u8> = stored.chunks_exact(bytes).map(of).collect();
+            let mut stencils = room(Format::R8UI, width, height)?;
+            Conversion::stencils(isa, from.format(), transfer).run(&stored, &mut stencils);
             stencil::draw(context, size, |x, y| stencils[y * width + x])
         }
         Kind::DepthStencil => {
             let texels = as_format(Format::D32FS8);
-            let at = |x: usize, y: usize| &texels[(y * width + x) * 8..][..8];
-            stencil::draw_with_depth(context, size, at)
+            stencil::draw_with_depth(context, size, &texels)
         }
     }
 }

@@ -14,30 +14,18 @@ use crate::texture::layout::{Extent, Layout};
 use crate::texture::transfer::Kind;
 use crate::texture::{convert, memory};
 use crate::types::*;
+use std::borrow::Cow;
 use texunit::format::Format;
 
 const SECTION: &str = "GL 2.1, section 3.6.4";
 
-/// The pixels of a rectangle as floats of one format.
-pub(super) struct Floats {
-    pub width: usize,
-    pub texels: Vec<u8>,
-    /// Floats of a pixel.
-    pub channels: usize,
+/// The rows of a rectangle of texels that lie one after the other.
+pub(super) fn rows<'a>(texels: &'a [u8], row_bytes: usize) -> impl Fn(usize) -> Cow<'a, [u8]> {
+    move |y| Cow::Borrowed(&texels[y * row_bytes..][..row_bytes])
 }
 
-impl Floats {
-    /// The pixel of a column and row; what there is not is 0.
-    pub fn at(&self, x: usize, y: usize) -> [f32; 4] {
-        let size = 4 * self.channels;
-        let texel = &self.texels[(y * self.width + x) * size..][..size];
-        let mut out = [0.0; 4];
-        for (out, bytes) in out.iter_mut().zip(texel.as_chunks::<4>().0) {
-            *out = f32::from_le_bytes(*bytes);
-        }
-        out
-    }
-}
+/// The format of a rectangle of depths, which its fragments read as red.
+pub(super) const DEPTHS: (Holds, Format) = (Holds::Depth, Format::R32F);
 
 /// Memory for the pixels of a rectangle.
 pub(super) fn room(format: Format, width: usize, height: usize) -> Result<Vec<u8>> {
@@ -98,27 +86,28 @@ pub(crate) fn draw_pixels(
         return Ok(());
     }
     let kind = pixel.format.kind();
+    let (isa, transfer) = (context.recorder.isa(), &context.state.transfer);
     let format = match kind {
         Kind::Depth => Format::D32F,
         Kind::Stencil => Format::R8UI,
         Kind::DepthStencil => Format::D32FS8,
-        Kind::Color | Kind::ColorIndex => Format::Rgba32F,
+        // Bytes stay bytes, where nothing is done to them.
+        Kind::Color | Kind::ColorIndex => {
+            match convert::is_moved(isa, &layout, Format::Rgba8, transfer) {
+                true => Format::Rgba8,
+                false => Format::Rgba32F,
+            }
+        }
     };
     let mut texels = room(format, width, height)?;
-    convert::unpack(&layout, source.bytes(), format, &context.state.transfer, &mut texels);
+    convert::unpack(isa, &layout, source.bytes(), format, transfer, &mut texels);
+    let rows = rows(&texels, width * format.bytes());
     match kind {
         Kind::Stencil => stencil::draw(context, [width, height], |x, y| texels[y * width + x]),
-        Kind::DepthStencil => {
-            let at = |x: usize, y: usize| &texels[(y * width + x) * 8..][..8];
-            stencil::draw_with_depth(context, [width, height], at)
-        }
-        Kind::Depth => {
-            let floats = Floats { width, texels, channels: 1 };
-            rectangle::draw(context, [width, height], Holds::Depth, |x, y| floats.at(x, y))
-        }
+        Kind::DepthStencil => stencil::draw_with_depth(context, [width, height], &texels),
+        Kind::Depth => rectangle::draw(context, [width, height], DEPTHS, rows),
         Kind::Color | Kind::ColorIndex => {
-            let floats = Floats { width, texels, channels: 4 };
-            rectangle::draw(context, [width, height], Holds::Color, |x, y| floats.at(x, y))
+            rectangle::draw(context, [width, height], (Holds::Color, format), rows)
         }
     }
 }

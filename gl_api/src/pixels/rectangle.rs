@@ -20,6 +20,7 @@ use rasterizer::ir::{
     Builder, Expr, Input, IrError, Lod, Module, Op, Output, Stage, Stmt, TextureDecl, Ty, Value,
     Var, Variable,
 };
+use std::borrow::Cow;
 use std::collections::HashMap;
 use std::sync::Arc;
 use texunit::format::Format;
@@ -57,15 +58,15 @@ pub(crate) struct Rectangle {
     pub depth: f32,
 }
 
-/// Draws a rectangle of pixels at the raster position; `pixel` gives those of column and row.
+/// Draws a rectangle of texels of a format at the raster position; `row` gives those of a row.
 ///
 /// # Errors
 /// As a draw, and where there is no memory for it.
-pub(super) fn draw(
+pub(super) fn draw<'a>(
     context: &mut Context,
     size: [usize; 2],
-    holds: Holds,
-    pixel: impl Fn(usize, usize) -> [f32; 4],
+    (holds, format): (Holds, Format),
+    row: impl Fn(usize) -> Cow<'a, [u8]>,
 ) -> Result<()> {
     let pass = draw_pass(context)?;
     if !context.state.raster_position.valid {
@@ -73,12 +74,12 @@ pub(super) fn draw(
     }
     let area = drawn_area(context, &pass);
     let Some(zoomed) = Zoomed::new(context, size, area) else { return Ok(()) };
-    let plan = image(&zoomed, pixel).map_err(|error| GlError {
+    let plan = image(&zoomed, format, row).map_err(|error| GlError {
         code: ErrorCode::OutOfMemory,
         rule: error.to_string(),
         section: "GL 2.1, section 3.6.4",
     })?;
-    context.recorder.hold(zoomed.columns.len() * zoomed.rows.len() * TEXEL);
+    context.recorder.hold(zoomed.columns.len() * zoomed.rows.len() * format.bytes());
     let position = &context.state.raster_position;
     let rectangle = Rectangle {
         holds,
@@ -93,22 +94,22 @@ pub(super) fn draw(
     draw_rectangle(context, vertices, &elements, &rectangle)
 }
 
-/// The bytes of a texel of a rectangle.
-const TEXEL: usize = 16;
-
 /// How the image of a rectangle is sampled.
-fn image(
+fn image<'a>(
     zoomed: &Zoomed,
-    pixel: impl Fn(usize, usize) -> [f32; 4],
+    format: Format,
+    row: impl Fn(usize) -> Cow<'a, [u8]>,
 ) -> std::result::Result<SamplePlan, ImageError> {
     let (width, height) = (zoomed.columns.len() as u32, zoomed.rows.len() as u32);
-    let mut level = Level::new(Format::Rgba32F, width, height)?;
-    let mut to = level.texels.chunks_exact_mut(TEXEL);
-    for &row in &zoomed.rows {
-        for (&column, texel) in zoomed.columns.iter().zip(&mut to) {
-            for (bytes, value) in texel.chunks_exact_mut(4).zip(pixel(column, row)) {
-                bytes.copy_from_slice(&value.to_le_bytes());
-            }
+    let mut level = Level::new(format, width, height)?;
+    let size = format.bytes();
+    let rows = level.texels.chunks_exact_mut(zoomed.columns.len() * size);
+    for (&y, mut texels) in zoomed.rows.iter().zip(rows) {
+        let row = row(y);
+        for run in zoomed.columns.chunk_by(|a, b| a + 1 == *b) {
+            let (to, rest) = texels.split_at_mut(run.len() * size);
+            to.copy_from_slice(&row[run[0] * size..][..to.len()]);
+            texels = rest;
         }
     }
     let mut texels = Texels::new(Shape::Rect);

@@ -7,9 +7,11 @@ use crate::error::Result;
 use crate::framebuffer::blit::edit;
 use crate::framebuffer::clear::drawn_area;
 use crate::framebuffer::complete::draw_pass;
-use crate::texture::texel;
+use crate::framebuffer::format_of;
+use crate::texture::transfer::Transfer;
+use crate::texture::{convert, texel};
 use rasterizer::driver::DepthWrite;
-use texunit::format::{Format, convert};
+use texunit::format::Format;
 
 /// Changes every texel of the depth buffer that a rectangle at the raster position covers.
 fn each_texel(
@@ -56,21 +58,21 @@ pub(super) fn draw(
     each_texel(context, size, |format, texel, x, y| put(format, texel, stencil(x, y), mask))
 }
 
-/// Draws a rectangle of depths and stencils; `pixel` gives texels of [`Format::D32FS8`].
-pub(super) fn draw_with_depth<'a>(
+/// Draws a rectangle of depths and stencils, texels of [`Format::D32FS8`].
+pub(super) fn draw_with_depth(
     context: &mut Context,
     size: [usize; 2],
-    pixel: impl Fn(usize, usize) -> &'a [u8],
+    texels: &[u8],
 ) -> Result<()> {
-    let mask = write_mask(context);
+    let Some(to) = draw_pass(context)?.depth.as_ref().and_then(format_of) else { return Ok(()) };
+    let (mask, isa) = (write_mask(context), context.recorder.isa());
+    let texels = convert::transcode(isa, Format::D32FS8, texels, to, &Transfer::default());
     let writes_depth = context.state.fragment.depth_write == DepthWrite::On;
     each_texel(context, size, |format, texel, x, y| {
-        let source = pixel(x, y);
+        let source = &texels[(y * size[0] + x) * to.bytes()..][..to.bytes()];
         if writes_depth {
-            let depth = convert::decode_channels(Format::D32FS8, source)[0];
-            let new = convert::encode(format, [depth; 4]);
-            texel::copy_depth(format, &new[..texel.len()], texel);
+            texel::copy_depth(format, source, texel);
         }
-        put(format, texel, texel::stencil_of(Format::D32FS8, source), mask);
+        put(format, texel, texel::stencil_of(format, source), mask);
     })
 }

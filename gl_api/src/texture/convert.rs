@@ -1,17 +1,19 @@
-//! Pixels in the client's memory to stored texels and back.
+//! Pixels in the client's memory to stored texels and back, and texels of one format to another.
 //!
-//! The general path takes each pixel through `f64`: elements → components → R, G, B, A → transfer →
-//! channels → texel. Where client and texel have the same elements, in whatever order, [`Shuffle`]
-//! copies them instead; which goes where it finds out by sending marked numbers down the general
-//! path.
+//! Pixels go 64 at a time through `f64`: the numbers of a record → R, G, B, A → transfer → the numbers of
+//! another. Which goes where is decided once; where nothing is done to them and both records have the same
+//! bits for the same numbers, those are moved ([`texunit::pixel`]).
 
 use super::client::{ClientFormat, ClientType, LuminanceOf, Numbers};
-use super::layout::{ByteOrder, Layout};
-use super::texel::{self, Bytes};
+use super::layout::Layout;
+use super::texel;
 use super::transfer::{Kind, Steps, Transfer};
 use crate::state::clamp::Clamp;
+use rasterizer::driver::SrgbWrite;
 use texunit::format::{Encoding, Format};
 use texunit::image::Level;
+use texunit::lanes::{F64s, Isa, LANES};
+use texunit::pixel::{self, Code, Moves, Record, Source};
 
 /// The last steps on the way to the client (GL 2.1, section 4.3.2, final conversion).
 #[derive(Clone, Copy, Debug)]
@@ -28,251 +30,274 @@ impl Final {
         let clamp = if is_fraction && !format.has_stencil() { Clamp::On } else { Clamp::Off };
         Self { luminance, clamp }
     }
+}
 
-    #[inline]
-    fn clamped(self, components: [f64; 4]) -> [f64; 4] {
-        match self.clamp {
-            Clamp::On => components.map(|c| c.clamp(0.0, 1.0)),
-            Clamp::Off => components,
+/// What the numbers of a record are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Side {
+    Client(ClientFormat),
+    Texel(Format),
+}
+
+impl Side {
+    /// The numbers as R, G, B, A.
+    fn rgba<T: Copy>(self, numbers: [T; 4], zero: T, one: T) -> [T; 4] {
+        match self {
+            Self::Client(format) => format.expand(numbers, zero, one),
+            Self::Texel(format) => texel::rgba(format, numbers, zero, one),
+        }
+    }
+
+    /// The numbers of R, G, B, A.
+    fn numbers<T: Copy>(self, rgba: [T; 4], zero: T, luminance: T) -> [T; 4] {
+        match self {
+            Self::Client(format) => format.select(rgba, zero, luminance),
+            Self::Texel(format) => texel::channels(format, rgba),
         }
     }
 }
 
-/// What both directions know of a conversion.
-struct Conversion<'a> {
-    layout: &'a Layout,
-    format: Format,
-    numbers: Numbers,
-    last: Final,
+/// What lies at one end of a conversion, and how.
+struct End {
+    side: Side,
+    record: Record,
+}
+
+impl End {
+    fn client(layout: &Layout, numbers: Numbers) -> Self {
+        let pixel = layout.pixel;
+        let record = pixel.ty.record(pixel.format.components(), numbers, layout.order.in_memory());
+        Self { side: Side::Client(pixel.format), record }
+    }
+
+    fn texel(format: Format) -> Self {
+        Self { side: Side::Texel(format), record: Record::of(format) }
+    }
+
+    /// The stencils of texels.
+    fn stencil(format: Format) -> Self {
+        Self { side: Side::Client(ClientFormat::Stencil), record: Record::of_stencil(format) }
+    }
+
+    /// Colours as they are copied: sRGB as light where it is written so.
+    fn color(format: Format, srgb: SrgbWrite) -> Self {
+        let record = match srgb {
+            SrgbWrite::AsIs => Record::of(format),
+            SrgbWrite::Encode => Record::of_light(format),
+        };
+        Self { side: Side::Texel(format), record }
+    }
+
+    /// Whether a luminance is made of R, G and B.
+    fn is_sum(&self, luminance: LuminanceOf) -> bool {
+        match self.side {
+            Side::Client(ClientFormat::Luminance | ClientFormat::LuminanceAlpha) => {
+                luminance == LuminanceOf::Sum
+            }
+            Side::Client(_) | Side::Texel(_) => false,
+        }
+    }
+}
+
+/// One way from pixels to pixels.
+pub(crate) struct Conversion<'a> {
+    isa: Isa,
+    from: End,
+    to: End,
     steps: Steps<'a>,
+    luminance: LuminanceOf,
+    ending: Ending,
+    /// Where nothing is done to numbers that have the same bits at both ends.
+    moves: Option<Moves>,
+}
+
+/// What is done to numbers last.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Ending {
+    Nothing,
+    /// They are clamped to [0, 1].
+    Clamp,
+    /// The lower seven bits of a stencil are taken, as a byte with a sign has them (GL 2.1, section 4.3.2).
+    SevenBits,
 }
 
 impl<'a> Conversion<'a> {
-    fn new(layout: &'a Layout, format: Format, transfer: &'a Transfer, last: Final) -> Self {
+    fn new(
+        isa: Isa,
+        [from, to]: [End; 2],
+        steps: Steps<'a>,
+        luminance: LuminanceOf,
+        ending: Ending,
+    ) -> Self {
+        let mut conversion = Self { isa, from, to, steps, luminance, ending, moves: None };
+        conversion.moves = conversion.moves();
+        conversion
+    }
+
+    /// To texels, which hold what their format can.
+    fn to_texels(isa: Isa, from: End, format: Format, steps: Steps<'a>) -> Self {
+        Self::new(isa, [from, End::texel(format)], steps, LuminanceOf::Red, Ending::Nothing)
+    }
+
+    /// The client's pixels as texels.
+    fn unpack(isa: Isa, layout: &Layout, format: Format, transfer: &'a Transfer) -> Self {
         let numbers = texel::numbers(format, layout.pixel.numbers);
-        let kind = layout.pixel.format.kind();
-        let steps = transfer.of(kind, numbers);
-        Self { layout, format, numbers, last, steps }
+        let steps = transfer.of(layout.pixel.format.kind(), numbers);
+        let from = End::client(layout, layout.pixel.elements(numbers));
+        Self::to_texels(isa, from, format, steps)
     }
 
-    /// A pixel of the client's as a texel.
-    #[inline]
-    fn unpack(&self, pixel: &[u8]) -> Bytes {
-        let (ty, size) = (self.layout.pixel.ty, self.layout.pixel.ty.size());
-        let mut words = [0; 4];
-        for (word, element) in words.iter_mut().zip(pixel.chunks_exact(size)) {
-            *word = load(element, self.layout.order);
-        }
-        let components = ty.read(words, self.layout.pixel.elements(self.numbers));
-        let rgba = self.layout.pixel.format.expand(components);
-        texel::encode(self.format, self.steps.apply(rgba))
-    }
-
-    /// A texel as a pixel of the client's.
-    #[inline]
-    fn pack(&self, texel: &[u8], pixel: &mut [u8]) {
-        let (ty, size) = (self.layout.pixel.ty, self.layout.pixel.ty.size());
-        let rgba = self.steps.apply(texel::decode(self.format, texel));
-        let components = self.layout.pixel.format.select(rgba, self.last.luminance);
-        let mut components = self.last.clamped(components);
-        // A byte with a sign takes the lower seven bits of a stencil (GL 2.1, section 4.3.2).
-        if (self.layout.pixel.format, ty) == (ClientFormat::Stencil, ClientType::I8) {
-            components[0] = (components[0] as u8 & 0x7F).into();
-        }
-        let words = ty.write(components, self.numbers);
-        for (word, element) in words.into_iter().zip(pixel.chunks_exact_mut(size)) {
-            store(word, element, self.layout.order);
-        }
-    }
-
-    fn unpack_row(&self, row: &[u8], texels: &mut [u8]) {
-        let (pixel, texel) = (self.layout.pixel.bytes(), self.format.bytes());
-        if let Some(bits) = self.layout.bits {
-            for (column, out) in texels.chunks_exact_mut(texel).enumerate() {
-                out.copy_from_slice(&self.unpack(&[bits.at(row, column)])[..texel]);
-            }
-            return;
-        }
-        for (pixel, out) in row.chunks_exact(pixel).zip(texels.chunks_exact_mut(texel)) {
-            out.copy_from_slice(&self.unpack(pixel)[..texel]);
-        }
-    }
-
-    fn pack_row(&self, texels: &[u8], row: &mut [u8]) {
-        let (pixel, texel) = (self.layout.pixel.bytes(), self.format.bytes());
-        if let Some(bits) = self.layout.bits {
-            for (column, texel) in texels.chunks_exact(texel).enumerate() {
-                let mut index = [0];
-                self.pack(texel, &mut index);
-                bits.put(row, column, index[0]);
-            }
-            return;
-        }
-        for (texel, out) in texels.chunks_exact(texel).zip(row.chunks_exact_mut(pixel)) {
-            self.pack(texel, out);
-        }
-    }
-
-    /// The elements of the client's pixel, if a texel has the same, and where each component's is.
-    fn elements(&self) -> Option<(usize, [usize; 4])> {
-        let ty = self.layout.pixel.ty;
-        let plain = (ty.size(), [0, 1, 2, 3]);
-        let is_native = cfg!(target_endian = "little") && self.layout.order == ByteOrder::Native;
-        let info = self.format.info();
-        let bits = info.fields[0].bits;
-        // Channels one after the other, as `FormatInfo::uniform` has them.
-        let is_uniform = bits as usize * self.format.channels() == 8 * info.bytes
-            && info.fields[..self.format.channels()].iter().all(|field| field.bits == bits)
-            && !self.format.is_depth();
-        let same = match (info.encoding, ty, bits) {
-            (Encoding::Unorm | Encoding::Srgb, ClientType::U8, 8) => Some(plain),
-            (Encoding::Unorm | Encoding::Srgb, ClientType::Packed(packed), 8)
-                if packed.bits == [8; 4] =>
-            {
-                // Where the first component is at the top, it comes last in memory.
-                let is_top = packed.field(0).0 != 0;
-                let is_last = is_top == is_native;
-                Some((1, if is_last { [3, 2, 1, 0] } else { [0, 1, 2, 3] }))
-            }
-            (Encoding::Unorm, ClientType::U16, 16) | (Encoding::Float, ClientType::F32, 32)
-                if is_native =>
-            {
-                Some(plain)
-            }
-            (_, _, _) => None,
+    /// Texels as the client's pixels.
+    fn pack(
+        isa: Isa,
+        layout: &Layout,
+        format: Format,
+        transfer: &'a Transfer,
+        last: Final,
+    ) -> Self {
+        let pixel = layout.pixel;
+        let numbers = texel::numbers(format, pixel.numbers);
+        let steps = transfer.of(pixel.format.kind(), numbers);
+        let from = match pixel.format.kind() {
+            Kind::Stencil => End::stencil(format),
+            Kind::Color | Kind::ColorIndex | Kind::Depth | Kind::DepthStencil => End::texel(format),
         };
-        let same = same.filter(|_| is_uniform);
-        same.filter(|_| self.steps.is_identity() && self.numbers != Numbers::Integer)
+        let ends = [from, End::client(layout, numbers)];
+        let ending = match (pixel.format, pixel.ty, last.clamp) {
+            (ClientFormat::Stencil, ClientType::I8, _) => Ending::SevenBits,
+            (_, _, Clamp::On) => Ending::Clamp,
+            (_, _, Clamp::Off) => Ending::Nothing,
+        };
+        Self::new(isa, ends, steps, last.luminance, ending)
     }
 
-    fn unpack_shuffle(&self) -> Option<Shuffle> {
-        let (size, places) = self.elements()?;
-        let rgba = self.layout.pixel.format.expand(MARKS);
-        let channels = texel::channels(self.format.base(), rgba);
-        let count = self.format.channels();
-        let one = self.layout.pixel.ty.write([1.0; 4], self.numbers)[0];
-        let from = self.layout.pixel.format.components();
-        Shuffle::new(size, from, &channels[..count], one, |component| places[component])
+    /// Texels of one format as texels of another, as a copy from a framebuffer makes them: luminance
+    /// and intensity take R (GL 2.1, table 3.15).
+    pub fn between(isa: Isa, from: Format, to: Format, transfer: &'a Transfer) -> Self {
+        let kind = if from.is_depth() { Kind::Depth } else { Kind::Color };
+        let steps = transfer.of(kind, crate::framebuffer::read::numbers_of(from));
+        Self::to_texels(isa, End::texel(from), to, steps)
     }
 
-    fn pack_shuffle(&self) -> Option<Shuffle> {
-        // A copy clamps nothing.
-        if self.last.clamp == Clamp::On && self.format.info().encoding == Encoding::Float {
+    /// Colours of one format as those of another, as a blit has them.
+    pub fn blit(isa: Isa, from: Format, to: Format, srgb: SrgbWrite) -> Self {
+        let ends = [from, to].map(|format| End::color(format, srgb));
+        Self::new(isa, ends, Steps::IDENTITY, LuminanceOf::Red, Ending::Nothing)
+    }
+
+    /// The stencils of texels as bytes.
+    pub fn stencils(isa: Isa, from: Format, transfer: &'a Transfer) -> Self {
+        let steps = transfer.of(Kind::Stencil, Numbers::Integer);
+        Self::to_texels(isa, End::stencil(from), Format::R8UI, steps)
+    }
+
+    /// Where each number comes from, if nothing is done to any.
+    fn moves(&self) -> Option<Moves> {
+        let is_fraction = |code: Code| match code {
+            Code::Unorm | Code::Srgb | Code::Depth => true,
+            Code::Fixed | Code::Snorm | Code::Uint | Code::Sint => false,
+            Code::Float | Code::SharedExponent => false,
+        };
+        let ends = match self.ending {
+            Ending::Nothing => false,
+            Ending::Clamp => !self.from.record.fields().iter().all(|&(_, code)| is_fraction(code)),
+            Ending::SevenBits => true,
+        };
+        if ends || !self.steps.is_identity() || self.to.is_sum(self.luminance) {
             return None;
         }
-        let (size, places) = self.elements()?;
-        let rgba = texel::rgba(self.format.base(), MARKS);
-        let components = self.layout.pixel.format.select(rgba, self.last.luminance);
-        let count = self.layout.pixel.format.components();
-        let mut placed = [0.0; 4];
-        for (component, value) in components.into_iter().enumerate().take(count) {
-            placed[places[component]] = value;
-        }
-        let one = self.layout.pixel.ty.write([1.0; 4], self.numbers)[0];
-        Shuffle::new(size, self.format.channels(), &placed[..count], one, |channel| channel)
-    }
-}
-
-/// Numbers that a conversion without arithmetic hands on as they are, or not at all; no sum of
-/// some of them is another.
-const MARKS: [f64; 4] = [10.0, 100.0, 1_000.0, 10_000.0];
-
-/// A copy of elements, or of the constants 0 and 1.
-struct Shuffle {
-    /// Bytes of an element.
-    size: usize,
-    /// Elements of what is read.
-    from: usize,
-    /// Of each element that is written: the element that is read, or else the constant.
-    elements: Vec<Result<usize, u32>>,
-}
-
-impl Shuffle {
-    /// `marks` are what came of [`MARKS`]; `place` says where the component is that had a mark.
-    fn new(
-        size: usize,
-        from: usize,
-        marks: &[f64],
-        one: u32,
-        place: impl Fn(usize) -> usize,
-    ) -> Option<Self> {
-        let one = if size == 1 { one & 0xFF } else { one };
-        let element = |&mark: &f64| match MARKS.iter().position(|&other| other == mark) {
-            Some(index) => Some(Ok(place(index))),
-            None if mark == 0.0 => Some(Err(0)),
-            None if mark == 1.0 => Some(Err(one)),
-            None => None,
-        };
-        let elements = marks.iter().map(element).collect::<Option<_>>()?;
-        Some(Self { size, from, elements })
+        let fields = [0, 1, 2, 3].map(Source::Field);
+        let rgba = self.from.side.rgba(fields, Source::Zero, Source::One);
+        let sources = self.to.side.numbers(rgba, Source::Zero, rgba[0]);
+        Moves::new(self.isa, &self.from.record, &self.to.record, sources)
     }
 
-    fn is_copy(&self) -> bool {
-        self.from == self.elements.len()
-            && self.elements.iter().enumerate().all(|(at, from)| *from == Ok(at))
+    /// Whether numbers are moved as they are.
+    pub fn is_moved(&self) -> bool {
+        self.moves.is_some()
     }
 
-    fn run(&self, from: &[u8], to: &mut [u8]) {
-        if self.is_copy() {
-            to.copy_from_slice(from);
-            return;
-        }
-        match self.size {
-            1 => self.run_sized::<1>(from, to),
-            2 => self.run_sized::<2>(from, to),
-            _ => self.run_sized::<4>(from, to),
+    /// R, G, B and A of up to 64 pixels that lie one after the other.
+    pub fn read(&self, from: &[u8]) -> [F64s; 4] {
+        let mut numbers = [F64s::ZERO; 4];
+        pixel::read(self.isa, &self.from.record, from, &mut numbers);
+        self.from.side.rgba(numbers, F64s::ZERO, F64s::splat(1.0))
+    }
+
+    /// Up to 64 pixels of these R, G, B and A.
+    pub fn write(&self, rgba: &[F64s; 4], to: &mut [u8]) {
+        let numbers = self.to.side.numbers(rgba.each_ref(), &F64s::ZERO, &rgba[0]);
+        pixel::write(self.isa, &self.to.record, numbers, to);
+    }
+
+    /// Converts pixels that lie one after the other: as many as `from` has.
+    pub fn run(&self, from: &[u8], to: &mut [u8]) {
+        match &self.moves {
+            Some(moves) => {
+                let (from_record, to_record) = (&self.from.record, &self.to.record);
+                pixel::move_all(self.isa, moves, (from_record, from), (to_record, to));
+            }
+            None => self.compute(from, to),
         }
     }
 
-    fn run_sized<const SIZE: usize>(&self, from: &[u8], to: &mut [u8]) {
-        let count = self.elements.len();
-        for (at, element) in self.elements.iter().enumerate() {
-            let to = to.chunks_exact_mut(SIZE).skip(at).step_by(count);
-            match element {
-                Ok(place) => {
-                    let from = from.chunks_exact(SIZE).skip(*place).step_by(self.from);
-                    to.zip(from).for_each(|(to, from)| to.copy_from_slice(from));
+    /// [`Conversion::run`] through `f64`.
+    fn compute(&self, from: &[u8], to: &mut [u8]) {
+        const ZEROS: &F64s = &F64s::ZERO;
+        const ONES: &F64s = &F64s::splat(1.0);
+        let (mut read, mut changed) = ([F64s::ZERO; 4], [F64s::ZERO; 4]);
+        let mut luminance = F64s::ZERO;
+        let runs = from.chunks(LANES * self.from.record.bytes());
+        for (from, to) in runs.zip(to.chunks_mut(LANES * self.to.record.bytes())) {
+            pixel::read(self.isa, &self.from.record, from, &mut read);
+            let mut rgba = self.from.side.rgba(read.each_ref(), ZEROS, ONES);
+            if !self.steps.is_identity() {
+                self.steps.apply(rgba, &mut changed);
+                rgba = changed.each_ref();
+            }
+            if self.to.is_sum(self.luminance) {
+                let [r, g, b, _] = rgba;
+                for (lane, sum) in luminance.0.iter_mut().enumerate() {
+                    *sum = r[lane] + g[lane] + b[lane];
                 }
-                Err(constant) => {
-                    let bytes = constant.to_le_bytes();
-                    to.for_each(|to| to.copy_from_slice(&bytes[..SIZE]));
+            } else {
+                luminance = *rgba[0];
+            }
+            let numbers = self.to.side.numbers(rgba, ZEROS, &luminance);
+            match self.ending {
+                Ending::Nothing => pixel::write(self.isa, &self.to.record, numbers, to),
+                Ending::Clamp | Ending::SevenBits => {
+                    let ended = numbers.map(|numbers| self.end(numbers));
+                    pixel::write(self.isa, &self.to.record, ended.each_ref(), to);
                 }
             }
         }
     }
+
+    /// What is done to numbers last.
+    fn end(&self, numbers: &F64s) -> F64s {
+        let mut out = *numbers;
+        for number in &mut out.0 {
+            *number = match self.ending {
+                Ending::Nothing => *number,
+                Ending::Clamp => number.clamp(0.0, 1.0),
+                Ending::SevenBits => (*number as u8 & 0x7F).into(),
+            };
+        }
+        out
+    }
 }
 
-/// An element of up to four bytes as a word.
-#[inline]
-fn load(element: &[u8], order: ByteOrder) -> u32 {
-    let mut bytes = [0; 4];
-    bytes[..element.len()].copy_from_slice(element);
-    if order == ByteOrder::Swapped {
-        bytes[..element.len()].reverse();
-    }
-    match (bytes, element.len()) {
-        ([a, ..], 1) => a.into(),
-        ([a, b, ..], 2) => u16::from_ne_bytes([a, b]).into(),
-        (bytes, _) => u32::from_ne_bytes(bytes),
-    }
-}
-
-/// The low bytes of a word as an element.
-#[inline]
-fn store(word: u32, element: &mut [u8], order: ByteOrder) {
-    match element.len() {
-        1 => element[0] = word as u8,
-        2 => element.copy_from_slice(&(word as u16).to_ne_bytes()),
-        _ => element.copy_from_slice(&word.to_ne_bytes()),
-    }
-    if order == ByteOrder::Swapped {
-        element.reverse();
-    }
+/// The bits of a row as bytes, one for each.
+fn apart(layout: &Layout, row: &[u8]) -> Option<Vec<u8>> {
+    let bits = layout.bits?;
+    Some((0..layout.size[0]).map(|column| bits.at(row, column)).collect())
 }
 
 /// The client's pixels as texels of `format`, tightly packed into `texels`. `bytes` has
 /// `layout.needed` bytes.
 pub(crate) fn unpack(
+    isa: Isa,
     layout: &Layout,
     bytes: &[u8],
     format: Format,
@@ -282,22 +307,26 @@ pub(crate) fn unpack(
     if layout.needed == 0 {
         return;
     }
-    let last = Final::of(format, LuminanceOf::Red);
-    let conversion = Conversion::new(layout, format, transfer, last);
-    let shuffle = conversion.unpack_shuffle();
+    let conversion = Conversion::unpack(isa, layout, format, transfer);
     let run = layout.size[0] * format.bytes();
     for (at, out) in layout.rows().zip(texels.chunks_exact_mut(run)) {
         let row = &bytes[at..at + layout.row_bytes()];
-        match &shuffle {
-            Some(shuffle) => shuffle.run(row, out),
-            None => conversion.unpack_row(row, out),
+        match apart(layout, row) {
+            Some(bytes) => conversion.run(&bytes, out),
+            None => conversion.run(row, out),
         }
     }
+}
+
+/// Whether texels of `format` have the very numbers of the client's pixels.
+pub(crate) fn is_moved(isa: Isa, layout: &Layout, format: Format, transfer: &Transfer) -> bool {
+    Conversion::unpack(isa, layout, format, transfer).is_moved()
 }
 
 /// The client's pixels themselves, where they are texels of `format`, tightly packed; never those
 /// of a compressed format.
 pub(crate) fn as_texels<'a>(
+    isa: Isa,
     layout: &Layout,
     bytes: &'a [u8],
     format: Format,
@@ -307,18 +336,18 @@ pub(crate) fn as_texels<'a>(
     let run = layout.row_bytes();
     let is_tight = (height == 1 || layout.stride == run)
         && (depth == 1 || layout.image_stride == run * height);
-    let last = Final::of(format, LuminanceOf::Red);
-    let conversion = Conversion::new(layout, format, transfer, last);
+    let conversion = Conversion::unpack(isa, layout, format, transfer);
     let is_copy = format.block().is_none()
         && layout.bits.is_none()
         && is_tight
-        && conversion.unpack_shuffle().is_some_and(|shuffle| shuffle.is_copy());
+        && conversion.moves.is_some_and(|moves| moves.is_copy());
     is_copy.then(|| &bytes[layout.start..layout.start + run * height * depth])
 }
 
 /// Rows of texels of `format`, each with as many as the layout's rows have pixels, into the
 /// client's memory, which has `layout.needed` bytes.
 pub(crate) fn pack(
+    isa: Isa,
     layout: &Layout,
     format: Format,
     transfer: &Transfer,
@@ -331,12 +360,14 @@ pub(crate) fn pack(
     }
     let run = layout.size[0] * format.bytes();
     let rows = layout.rows().zip(texels.chunks_exact(run));
-    pack_rows(layout, format, transfer, Final::of(format, luminance), rows, bytes);
+    let last = Final::of(format, luminance);
+    pack_rows(isa, layout, format, transfer, last, rows, bytes);
 }
 
 /// Rows of texels of `format`, each with as many as the layout's rows have pixels, to where each is
 /// to begin in the client's memory.
 pub(crate) fn pack_rows<'a>(
+    isa: Isa,
     layout: &Layout,
     format: Format,
     transfer: &Transfer,
@@ -344,32 +375,30 @@ pub(crate) fn pack_rows<'a>(
     rows: impl Iterator<Item = (usize, &'a [u8])>,
     bytes: &mut [u8],
 ) {
-    let conversion = Conversion::new(layout, format, transfer, last);
-    let shuffle = conversion.pack_shuffle();
+    let conversion = Conversion::pack(isa, layout, format, transfer, last);
     for (at, row) in rows {
         let out = &mut bytes[at..at + layout.row_bytes()];
-        match &shuffle {
-            Some(shuffle) => shuffle.run(row, out),
-            None => conversion.pack_row(row, out),
-        }
+        let Some(bits) = layout.bits else {
+            conversion.run(row, out);
+            continue;
+        };
+        let mut indices = vec![0; layout.size[0]];
+        conversion.run(row, &mut indices);
+        indices.iter().enumerate().for_each(|(column, &index)| bits.put(out, column, index));
     }
 }
 
-/// Texels of one format as texels of another, as a copy from a framebuffer makes them: luminance
-/// and intensity take R (GL 2.1, table 3.15).
-pub(crate) fn transcode(from: Format, texels: &[u8], to: Format, transfer: &Transfer) -> Vec<u8> {
-    let kind = if from.is_depth() { Kind::Depth } else { Kind::Color };
-    let steps = transfer.of(kind, crate::framebuffer::read::numbers_of(from));
-    if from == to && steps.is_identity() {
-        return texels.to_vec();
-    }
-    texels
-        .chunks_exact(from.bytes())
-        .flat_map(|texel| {
-            let rgba = steps.apply(texel::decode(from, texel));
-            texel::encode(to, rgba).into_iter().take(to.bytes())
-        })
-        .collect()
+/// Texels of one format as texels of another.
+pub(crate) fn transcode(
+    isa: Isa,
+    from: Format,
+    texels: &[u8],
+    to: Format,
+    transfer: &Transfer,
+) -> Vec<u8> {
+    let mut out = vec![0; texels.len() / from.bytes() * to.bytes()];
+    Conversion::between(isa, from, to, transfer).run(texels, &mut out);
+    out
 }
 
 /// The texels of a level, border included, without the padding.
@@ -384,45 +413,53 @@ mod tests {
     use super::*;
     use crate::state::pixel_store::PixelStore;
 
-    /// Every shuffle gives the bytes of the general path, both ways.
+    /// What is moved is what goes through `f64`, both ways.
     #[test]
-    fn shuffles_are_the_general_path_to_the_bit() {
+    fn moves_are_the_general_path_to_the_bit() {
+        // Neither NaN nor the lowest signed number, which has another of its value.
         let noise: Vec<u8> =
-            (0..7 * 16_u32).map(|i| (i.wrapping_mul(0x9E37_79B9) >> 24) as u8).collect();
-        // Floats of which none is a signalling NaN.
-        let floats: Vec<u8> = (0..28).flat_map(|i| (i as f32 / 7.0 - 1.5).to_ne_bytes()).collect();
+            (0..7 * 16_u32).map(|i| (i.wrapping_mul(0x9E37_79B9) >> 24) as u8 % 0x78).collect();
+        let (transfer, isa) = (Transfer::default(), Isa::best());
         let mut found = 0;
-        for (name, _) in FORMAT.rows {
-            for (type_name, ty) in TYPE.rows {
-                let Ok(pixel) = Pixel::new(*name, *type_name) else { continue };
-                for swap_bytes in [false, true] {
-                    let store = PixelStore { swap_bytes, alignment: 1, ..PixelStore::default() };
-                    let layout = Layout::new(&store, pixel, [7, 1, 1], Extent::Flat).unwrap();
-                    for format in Format::ALL {
-                        let transfer = Transfer::default();
+        let mut check = |conversion: &Conversion<'_>, from: usize, to: usize, what: &str| {
+            // Noise is no depth, and not an exponent that was shared by the rule.
+            let is_noise =
+                |&(_, code): &(_, Code)| code != Code::SharedExponent && code != Code::Depth;
+            if conversion.moves.is_some() && conversion.from.record.fields().iter().all(is_noise) {
+                let (mut got, mut want) = (vec![9; 7 * to], vec![8; 7 * to]);
+                conversion.run(&noise[..7 * from], &mut got);
+                conversion.compute(&noise[..7 * from], &mut want);
+                assert_eq!(got, want, "{what}");
+                found += 1;
+            }
+        };
+        for format in Format::ALL.into_iter().filter(|format| format.block().is_none()) {
+            for (name, _) in FORMAT.rows {
+                for (type_name, ty) in TYPE.rows {
+                    let Ok(pixel) = Pixel::new(*name, *type_name) else { continue };
+                    if *ty == ClientType::Bit {
+                        continue;
+                    }
+                    for swap_bytes in [false, true] {
+                        let store =
+                            PixelStore { swap_bytes, alignment: 1, ..PixelStore::default() };
+                        let layout = Layout::new(&store, pixel, [7, 1, 1], Extent::Flat).unwrap();
+                        let (size, what) = (pixel.bytes(), format!("{pixel:?} {format:?}"));
+                        let unpack = Conversion::unpack(isa, &layout, format, &transfer);
+                        check(&unpack, size, format.bytes(), &what);
                         let last = Final::of(format, LuminanceOf::Sum);
-                        let conversion = Conversion::new(&layout, format, &transfer, last);
-                        let bytes = if *ty == ClientType::F32 { &floats } else { &noise };
-                        if let Some(shuffle) = conversion.unpack_shuffle() {
-                            let mut got = vec![9; 7 * format.bytes()];
-                            let mut want = vec![8; 7 * format.bytes()];
-                            shuffle.run(&bytes[..layout.needed], &mut got);
-                            conversion.unpack_row(&bytes[..layout.needed], &mut want);
-                            assert_eq!(got, want, "{pixel:?} {format:?}");
-                            found += 1;
-                        }
-                        if let Some(shuffle) = conversion.pack_shuffle() {
-                            let (mut got, mut want) =
-                                (vec![9; layout.needed], vec![8; layout.needed]);
-                            shuffle.run(&bytes[..7 * format.bytes()], &mut got);
-                            conversion.pack_row(&bytes[..7 * format.bytes()], &mut want);
-                            assert_eq!(got, want, "{pixel:?} {format:?}");
-                            found += 1;
-                        }
+                        let pack = Conversion::pack(isa, &layout, format, &transfer, last);
+                        check(&pack, format.bytes(), size, &what);
                     }
                 }
             }
+            for to in Format::ALL.into_iter().filter(|to| to.block().is_none()) {
+                for srgb in [SrgbWrite::AsIs, SrgbWrite::Encode] {
+                    let blit = Conversion::blit(isa, format, to, srgb);
+                    check(&blit, format.bytes(), to.bytes(), &format!("{format:?} {to:?}"));
+                }
+            }
         }
-        assert!(found > 200, "{found}");
+        assert!(found > 2000, "{found}");
     }
 }

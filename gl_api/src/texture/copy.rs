@@ -46,7 +46,8 @@ fn copied(context: &mut Context, region: Region, format: Format) -> Result<Vec<u
         }
     }
     let to = if format.block().is_some() { blocks::COLORS } else { format };
-    Ok(convert::transcode(source.format(), &texels, to, &context.state.transfer))
+    let isa = context.recorder.isa();
+    Ok(convert::transcode(isa, source.format(), &texels, to, &context.state.transfer))
 }
 
 fn copy_tex_image(

@@ -69,15 +69,23 @@ pub(crate) fn get_tex_image(
     let size = target.target.level_box(level.stored_size()).map(|side| side as usize);
     let layout = Layout::new(&context.state.pack, pixel, size, extent(target.target))?;
     // No transfer operations are performed on images that are read back.
-    let transfer = Transfer::default();
+    let (isa, transfer) = (context.recorder.isa(), Transfer::default());
     if level.format.block().is_some() {
         let colors = blocks::decompress(level)?;
         return memory::write_pixels(context, &layout, pixels, |bytes| {
-            convert::pack(&layout, blocks::COLORS, &transfer, LuminanceOf::Red, &colors, bytes);
+            convert::pack(
+                isa,
+                &layout,
+                blocks::COLORS,
+                &transfer,
+                LuminanceOf::Red,
+                &colors,
+                bytes,
+            );
         });
     }
     memory::write_pixels(context, &layout, pixels, |bytes| {
         let texels = convert::texels(level);
-        convert::pack(&layout, level.format, &transfer, LuminanceOf::Red, texels, bytes);
+        convert::pack(isa, &layout, level.format, &transfer, LuminanceOf::Red, texels, bytes);
     })
 }

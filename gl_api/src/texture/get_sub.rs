@@ -176,9 +176,9 @@ pub(crate) fn get_texture_sub_image(
         }
     }
     // As of glGetTexImage, no transfer operations are performed.
-    let transfer = Transfer::default();
+    let (isa, transfer) = (context.recorder.isa(), Transfer::default());
     memory::write_pixels(context, &layout, pixels, |bytes| {
-        convert::pack(&layout, stored, &transfer, LuminanceOf::Red, &texels, bytes);
+        convert::pack(isa, &layout, stored, &transfer, LuminanceOf::Red, &texels, bytes);
     })
 }
 

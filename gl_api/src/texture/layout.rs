@@ -3,6 +3,7 @@
 use super::client::{ClientType, Pixel};
 use crate::error::{Result, invalid_operation};
 use crate::state::pixel_store::PixelStore;
+use texunit::pixel;
 
 /// Which of the skips and heights of the pixel store count.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -20,6 +21,16 @@ pub enum ByteOrder {
     Native,
     /// The other one: `GL_UNPACK_SWAP_BYTES`.
     Swapped,
+}
+
+impl ByteOrder {
+    /// Which byte comes first in memory.
+    pub(crate) fn in_memory(self) -> pixel::ByteOrder {
+        match (self, cfg!(target_endian = "little")) {
+            (Self::Native, true) | (Self::Swapped, false) => pixel::ByteOrder::Little,
+            (Self::Swapped, true) | (Self::Native, false) => pixel::ByteOrder::Big,
+        }
+    }
 }
 
 /// Where a box of pixels lies in the client's memory.

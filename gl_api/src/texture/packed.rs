@@ -2,6 +2,7 @@
 
 use crate::constants::*;
 use crate::types::GLenum;
+use texunit::format::Field;
 
 /// A packed pixel type of unsigned fields.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -46,29 +47,13 @@ pub(crate) const PACKED: [(GLenum, Packed); 12] = [
 ];
 
 impl Packed {
-    /// How far component `index` is from the lowest bit, and its largest value.
-    pub fn field(self, index: usize) -> (u32, u32) {
-        let bits = self.bits[index];
+    /// Where component `index` is; one that there is not has no bits.
+    pub fn field(self, index: usize) -> Field {
+        let bits = self.bits.get(index).copied().unwrap_or(0);
         let below: u8 = match self.first {
-            First::Top => self.bits[index + 1..].iter().sum(),
-            First::Bottom => self.bits[..index].iter().sum(),
+            First::Top => self.bits.iter().skip(index + 1).sum(),
+            First::Bottom => self.bits.iter().take(index).sum(),
         };
-        (u32::from(below), (1 << bits) - 1)
-    }
-
-    /// The components of a word.
-    pub fn split(self, word: u32) -> [u32; 4] {
-        let mut out = [0; 4];
-        for (index, value) in out.iter_mut().enumerate().take(self.bits.len()) {
-            let (shift, mask) = self.field(index);
-            *value = word >> shift & mask;
-        }
-        out
-    }
-
-    /// The word of components that are no larger than their fields.
-    pub fn join(self, components: [u32; 4]) -> u32 {
-        let all = components.into_iter().enumerate().take(self.bits.len());
-        all.fold(0, |word, (index, value)| word | value << self.field(index).0)
+        Field { word: 0, shift: below.into(), bits: bits.into() }
     }
 }

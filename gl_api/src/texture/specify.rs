@@ -278,19 +278,19 @@ fn tex_image(
     let size = request.given.map(|side| side as usize);
     let layout = Layout::new(&context.state.unpack, pixel, size, extent)?;
     let source = pixel_source(context, "glTexImage", &layout, pixels.data)?;
+    let (isa, transfer) = (context.recorder.isa(), &context.state.transfer);
     let texels = match (source, format.block()) {
         (None, _) => request.storage()?,
         (Some(source), None) => {
             let mut texels = request.storage()?;
             let room = texels.texels.len() - texunit::image::PADDING;
             let out = &mut texels.texels[..room];
-            convert::unpack(&layout, source.bytes(), format, &context.state.transfer, out);
+            convert::unpack(isa, &layout, source.bytes(), format, transfer, out);
             texels
         }
         (Some(source), Some(_)) => {
             let mut colors = room(blocks::COLORS, size)?;
-            let transfer = &context.state.transfer;
-            convert::unpack(&layout, source.bytes(), blocks::COLORS, transfer, &mut colors);
+            convert::unpack(isa, &layout, source.bytes(), blocks::COLORS, transfer, &mut colors);
             blocks::compress(format, request.size, &colors)?
         }
     };

@@ -125,12 +125,12 @@ fn tex_sub_image(
         );
     };
     let format = if area.format.block().is_some() { blocks::COLORS } else { area.format };
-    let transfer = &context.state.transfer;
-    if let Some(texels) = convert::as_texels(&layout, source.bytes(), area.format, transfer) {
+    let (isa, transfer) = (context.recorder.isa(), &context.state.transfer);
+    if let Some(texels) = convert::as_texels(isa, &layout, source.bytes(), area.format, transfer) {
         return write_area(context, &area, texels);
     }
     let mut texels = room(format, size)?;
-    convert::unpack(&layout, source.bytes(), format, &context.state.transfer, &mut texels);
+    convert::unpack(isa, &layout, source.bytes(), format, transfer, &mut texels);
     if area.format.block().is_some() {
         let level = blocks::compress(area.format, area.size, &texels)?;
         return write_area(context, &area, convert::texels(&level));

@@ -1,15 +1,10 @@
-//! Stored texels as the numbers that uploads and queries see: one definition for each encoding,
-//! in `f64`, which holds all of them exactly.
+//! Stored texels as the numbers that uploads and queries see.
 //!
 //! sRGB formats hold what the client gave: it is encoded already (`EXT_texture_sRGB`).
 
 use super::client::Numbers;
-use texunit::format::client::{read_channel, write_texel};
-use texunit::format::integer::{decode_int, set_stencil, stencil};
+use texunit::format::integer::{set_stencil, stencil};
 use texunit::format::{BaseFormat, Encoding, Format};
-
-/// The bytes of a texel, the first ones those that its format has.
-pub(crate) type Bytes = [u8; 16];
 
 /// What integers of the client's mean for a texel of this format.
 pub(crate) fn numbers(format: Format, client: Numbers) -> Numbers {
@@ -19,54 +14,29 @@ pub(crate) fn numbers(format: Format, client: Numbers) -> Numbers {
     }
 }
 
-/// The stored channels as R, G, B, A, as queries see them (GL 2.1, table 6.1): luminance and
-/// intensity as R alone.
-pub(crate) fn rgba(base: BaseFormat, [a, b, c, d]: [f64; 4]) -> [f64; 4] {
-    match base {
-        BaseFormat::Alpha => [0.0, 0.0, 0.0, a],
+/// The numbers of a texel as R, G, B, A, as queries see them (GL 2.1, table 6.1): luminance and
+/// intensity as R alone, depth as R, stencil as G.
+pub(crate) fn rgba<T: Copy>(format: Format, [a, b, c, d]: [T; 4], zero: T, one: T) -> [T; 4] {
+    match format.base() {
+        BaseFormat::Alpha => [zero, zero, zero, a],
+        BaseFormat::Depth if format.has_stencil() => [a, b, zero, one],
         BaseFormat::Luminance | BaseFormat::Intensity | BaseFormat::Red | BaseFormat::Depth => {
-            [a, 0.0, 0.0, 1.0]
+            [a, zero, zero, one]
         }
-        BaseFormat::LuminanceAlpha => [a, 0.0, 0.0, b],
-        BaseFormat::Rg => [a, b, 0.0, 1.0],
-        BaseFormat::Rgb => [a, b, c, 1.0],
+        BaseFormat::LuminanceAlpha => [a, zero, zero, b],
+        BaseFormat::Rg => [a, b, zero, one],
+        BaseFormat::Rgb => [a, b, c, one],
         BaseFormat::Rgba => [a, b, c, d],
     }
 }
 
-/// The stored channels of R, G, B, A (depth as R), as GL 2.1, table 3.15 has them.
-pub(crate) fn channels(base: BaseFormat, rgba: [f64; 4]) -> [f64; 4] {
-    let mut out = [0.0; 4];
-    for (channel, &source) in out.iter_mut().zip(base.sources()) {
+/// The numbers of a texel from R, G, B, A (depth as R, stencil as G), as GL 2.1, table 3.15 has them.
+pub(crate) fn channels<T: Copy>(format: Format, rgba: [T; 4]) -> [T; 4] {
+    let mut out = rgba;
+    for (channel, &source) in out.iter_mut().zip(format.base().sources()) {
         *channel = rgba[source];
     }
     out
-}
-
-/// The bytes of a texel that holds R, G, B, A (depth as R, stencil as G), clamped to what the
-/// format can hold.
-pub(crate) fn encode(format: Format, rgba: [f64; 4]) -> Bytes {
-    let mut texel = write_texel(format, rgba);
-    if format.has_stencil() {
-        set_stencil(format, &mut texel, rgba[1] as u8);
-    }
-    texel
-}
-
-/// A stored texel as R, G, B, A (depth as R, stencil as G).
-pub(crate) fn decode(format: Format, texel: &[u8]) -> [f64; 4] {
-    if format.is_integer() {
-        return decode_int(format, texel).map(|value| value as f64);
-    }
-    let mut channels = [0.0; 4];
-    for (channel, value) in channels.iter_mut().enumerate().take(format.channels()) {
-        *value = read_channel(format, texel, channel);
-    }
-    let mut rgba = rgba(format.base(), channels);
-    if let Some(stencil) = stencil(format, texel) {
-        rgba[1] = stencil.into();
-    }
-    rgba
 }
 
 /// The stencil of a texel; 0 where its format has none.

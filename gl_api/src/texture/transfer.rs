@@ -8,6 +8,7 @@ use crate::constants::*;
 use crate::context::Context;
 use crate::error::{Result, Table, invalid_value};
 use crate::types::*;
+use texunit::lanes::F64s;
 
 const SECTION: &str = "GL 2.1, section 3.6.3";
 
@@ -133,7 +134,8 @@ enum Index<'a> {
 }
 
 impl Steps<'_> {
-    const IDENTITY: Self = Self { linear: [Linear::IDENTITY; 4], colors: None, index: Index::None };
+    pub const IDENTITY: Self =
+        Self { linear: [Linear::IDENTITY; 4], colors: None, index: Index::None };
 
     /// Whether pixels pass as they are.
     pub fn is_identity(&self) -> bool {
@@ -142,22 +144,31 @@ impl Steps<'_> {
             && matches!(self.index, Index::None)
     }
 
-    /// Scales, biases and looks up R, G, B, A.
-    #[inline]
-    pub fn apply(&self, rgba: [f64; 4]) -> [f64; 4] {
-        let mut out = [0, 1, 2, 3].map(|i| self.linear[i].apply(rgba[i]));
-        if let Some(maps) = &self.colors {
-            out = [0, 1, 2, 3].map(|i| maps[i].at_fraction(out[i]).into());
+    /// Scales, biases and looks up R, G, B, A of 64 pixels.
+    pub fn apply(&self, rgba: [&F64s; 4], out: &mut [F64s; 4]) {
+        for (channel, (&linear, from)) in self.linear.iter().zip(rgba).enumerate() {
+            for (to, &value) in out[channel].0.iter_mut().zip(&from.0) {
+                *to = linear.apply(value);
+            }
+        }
+        for (map, values) in self.colors.iter().flatten().zip(&mut *out) {
+            values.0.iter_mut().for_each(|value| *value = map.at_fraction(*value).into());
         }
         match self.index {
             Index::None => {}
             Index::Color(transfer) => {
-                let index = transfer.index(rgba[0]);
-                out = transfer.maps.of_indices().map(|map| map.at_index(index).into());
+                let maps = transfer.maps.of_indices();
+                for (lane, &index) in rgba[0].0.iter().enumerate() {
+                    let index = transfer.index(index);
+                    for (map, values) in maps.iter().zip(&mut *out) {
+                        values[lane] = map.at_index(index).into();
+                    }
+                }
             }
-            Index::Stencil(at, transfer) => out[at] = transfer.stencil(out[at]),
+            Index::Stencil(at, transfer) => {
+                out[at].0.iter_mut().for_each(|value| *value = transfer.stencil(*value));
+            }
         }
-        out
     }
 }
 

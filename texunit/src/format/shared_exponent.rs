@@ -12,7 +12,7 @@ pub const LARGEST: f32 = 65_408.0;
 
 /// One channel of a word. Exact.
 #[inline(always)]
-pub(super) const fn decode(word: u32, mantissa: u32) -> f32 {
+pub(crate) const fn decode(word: u32, mantissa: u32) -> f32 {
     let exponent = (word >> 27) as i32;
     mantissa as i32 as f32 * power_of_two(exponent - BIAS - MANTISSA)
 }

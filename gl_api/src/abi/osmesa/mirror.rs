@@ -88,6 +88,7 @@ impl Mirror {
         let step = length * pixel.bytes();
         let memory = self.memory.bytes_mut((height.max(1) - 1) * step + row.needed);
         let used = width * level.format.bytes();
+        let (isa, transfer) = (context.recorder.isa(), Transfer::default());
         for y in 0..height {
             let from = &level.texels[y * level.row_bytes()..][..used];
             let at = match self.up {
@@ -95,7 +96,7 @@ impl Mirror {
                 Up::NotY => height - 1 - y,
             };
             let Some(out) = memory.get_mut(at * step..at * step + row.needed) else { return };
-            convert::pack(&row, level.format, &Transfer::default(), LuminanceOf::Sum, from, out);
+            convert::pack(isa, &row, level.format, &transfer, LuminanceOf::Sum, from, out);
             if self.pixels.alpha_first {
                 let alpha = pixel.bytes() / 4;
                 out.chunks_exact_mut(pixel.bytes()).for_each(|pixel| pixel.rotate_right(alpha));
@@ -112,6 +113,7 @@ impl Mirror {
         let store = PixelStore { alignment: 1, ..PixelStore::default() };
         let row = Layout::new(&store, pixel, [width, 1, 1], Extent::Flat).ok()?;
         let used = width * level.format.bytes();
+        let (isa, transfer) = (context.recorder.isa(), Transfer::default());
         let mut depths = vec![0_u32; width * height];
         for (y, out) in depths.chunks_exact_mut(width.max(1)).enumerate() {
             let y = match self.up {
@@ -120,7 +122,7 @@ impl Mirror {
             };
             let from = &level.texels[y * level.row_bytes()..][..used];
             let bytes = bytemuck::cast_slice_mut(out);
-            convert::pack(&row, level.format, &Transfer::default(), LuminanceOf::Sum, from, bytes);
+            convert::pack(isa, &row, level.format, &transfer, LuminanceOf::Sum, from, bytes);
             out.iter_mut().for_each(|depth| *depth >>= 32 - bits);
         }
         Some(depths)

@@ -121,44 +121,38 @@ impl ClientFormat {
 
     /// The pixel as R, G, B, A; depth and index as R, stencil beside a depth as G (GL 2.1, section
     /// 3.6.4, final expansion).
-    #[inline]
-    pub fn expand(self, [a, b, c, d]: [f64; 4]) -> [f64; 4] {
+    pub fn expand<T: Copy>(self, [a, b, c, d]: [T; 4], zero: T, one: T) -> [T; 4] {
         match self {
-            Red | Depth | Stencil | ColorIndex => [a, 0.0, 0.0, 1.0],
-            Green => [0.0, a, 0.0, 1.0],
-            Blue => [0.0, 0.0, a, 1.0],
-            Alpha => [0.0, 0.0, 0.0, a],
-            Rg | DepthStencil => [a, b, 0.0, 1.0],
-            Rgb => [a, b, c, 1.0],
-            Bgr => [c, b, a, 1.0],
+            Red | Depth | Stencil | ColorIndex => [a, zero, zero, one],
+            Green => [zero, a, zero, one],
+            Blue => [zero, zero, a, one],
+            Alpha => [zero, zero, zero, a],
+            Rg | DepthStencil => [a, b, zero, one],
+            Rgb => [a, b, c, one],
+            Bgr => [c, b, a, one],
             Rgba => [a, b, c, d],
             Bgra => [c, b, a, d],
             Abgr => [d, c, b, a],
-            Luminance => [a, a, a, 1.0],
+            Luminance => [a, a, a, one],
             LuminanceAlpha => [a, a, a, b],
         }
     }
 
-    /// The components of the pixel R, G, B, A (GL 2.1, section 4.3.2).
-    #[inline]
-    pub fn select(self, [r, g, b, a]: [f64; 4], luminance: LuminanceOf) -> [f64; 4] {
-        let l = match luminance {
-            LuminanceOf::Sum => r + g + b,
-            LuminanceOf::Red => r,
-        };
+    /// The components of the pixel R, G, B, A, of which `l` is the luminance (GL 2.1, section 4.3.2).
+    pub fn select<T: Copy>(self, [r, g, b, a]: [T; 4], zero: T, l: T) -> [T; 4] {
         match self {
-            Red | Depth | Stencil | ColorIndex => [r, 0.0, 0.0, 0.0],
-            Green => [g, 0.0, 0.0, 0.0],
-            Blue => [b, 0.0, 0.0, 0.0],
-            Alpha => [a, 0.0, 0.0, 0.0],
-            Rg | DepthStencil => [r, g, 0.0, 0.0],
-            Rgb => [r, g, b, 0.0],
-            Bgr => [b, g, r, 0.0],
+            Red | Depth | Stencil | ColorIndex => [r, zero, zero, zero],
+            Green => [g, zero, zero, zero],
+            Blue => [b, zero, zero, zero],
+            Alpha => [a, zero, zero, zero],
+            Rg | DepthStencil => [r, g, zero, zero],
+            Rgb => [r, g, b, zero],
+            Bgr => [b, g, r, zero],
             Rgba => [r, g, b, a],
             Bgra => [b, g, r, a],
             Abgr => [a, b, g, r],
-            Luminance => [l, 0.0, 0.0, 0.0],
-            LuminanceAlpha => [l, a, 0.0, 0.0],
+            Luminance => [l, zero, zero, zero],
+            LuminanceAlpha => [l, a, zero, zero],
         }
     }
 }

@@ -1,0 +1,125 @@
+//! How a row of texels becomes a row of what is drawn to.
+
+use super::{Blit, Part};
+use crate::framebuffer::read::Pixels;
+use crate::texture::convert::Conversion;
+use crate::texture::texel;
+use texunit::format::Format;
+use texunit::lanes::{F64s, Isa, LANES};
+use texunit::pixel::{self, Tap};
+use texunit::sampler::Filter;
+
+/// R, G, B and A of a row of texels.
+type Colors = Vec<[f64; 4]>;
+
+/// How texels are copied.
+pub(super) enum Way<'a> {
+    /// As they are.
+    Same,
+    /// As those of another format.
+    Convert(Conversion<'a>),
+    /// As means of four.
+    Filter {
+        isa: Isa,
+        conversion: Conversion<'a>,
+        /// The rows of the source that were read last, with their numbers.
+        read: Vec<(usize, Colors)>,
+    },
+    /// The depths alone, beside stencils.
+    Depth(Format),
+    /// The stencils alone.
+    Stencil(Format),
+}
+
+impl Way<'_> {
+    /// How a blit copies a part from one format to another.
+    pub fn new(isa: Isa, blit: &Blit, part: Part, [from, to]: [Format; 2]) -> Self {
+        let conversion = || Conversion::blit(isa, from, to, blit.srgb);
+        match (part, blit.filter) {
+            (Part::Color, Filter::Nearest) if from == to => Self::Same,
+            (Part::Color, Filter::Nearest) => Self::Convert(conversion()),
+            (Part::Color, Filter::Linear) => {
+                Self::Filter { isa, conversion: conversion(), read: Vec::new() }
+            }
+            (Part::Depth, _) if to.has_stencil() => Self::Depth(to),
+            (Part::Depth, _) => Self::Same,
+            (Part::Stencil, _) => Self::Stencil(to),
+        }
+    }
+
+    /// Writes a row of texels, made of these columns and rows of the source.
+    pub fn write(&mut self, from: &Pixels, columns: &[Tap], row: Tap, texels: &mut [u8]) {
+        let nearest = || gathered(from, columns, row.pixels[0]);
+        match self {
+            Self::Same => texels.copy_from_slice(&nearest()),
+            Self::Convert(conversion) => conversion.run(&nearest(), texels),
+            Self::Filter { isa, conversion, read } => {
+                read.retain(|(y, _)| row.pixels.contains(y));
+                for y in row.pixels {
+                    if !read.iter().any(|(at, _)| *at == y) {
+                        read.push((y, colors(conversion, from, y)));
+                    }
+                }
+                let of = |y: usize| read.iter().find(|(at, _)| *at == y).map(|(_, row)| &row[..]);
+                let [Some(low), Some(high)] = row.pixels.map(of) else { return };
+                filter(*isa, conversion, [low, high], columns, row.weight, texels);
+            }
+            Self::Depth(format) => each_texel(*format, &nearest(), texels, texel::copy_depth),
+            Self::Stencil(format) => each_texel(*format, &nearest(), texels, |format, from, to| {
+                texel::put_stencil(format, to, texel::stencil_of(format, from));
+            }),
+        }
+    }
+}
+
+/// The texels of a row that columns are nearest to.
+fn gathered(from: &Pixels, columns: &[Tap], y: usize) -> Vec<u8> {
+    let (size, [width, _]) = (from.format().bytes(), from.size());
+    let row = from.row(0, y, width as usize);
+    let mut out = Vec::with_capacity(columns.len() * size);
+    for run in columns.chunk_by(|a, b| a.pixels[0] + 1 == b.pixels[0]) {
+        out.extend_from_slice(&row[run[0].pixels[0] * size..][..run.len() * size]);
+    }
+    out
+}
+
+fn each_texel(
+    format: Format,
+    from: &[u8],
+    to: &mut [u8],
+    change: impl Fn(Format, &[u8], &mut [u8]),
+) {
+    let size = format.bytes();
+    for (from, to) in from.chunks_exact(size).zip(to.chunks_exact_mut(size)) {
+        change(format, from, to);
+    }
+}
+
+/// The numbers of a row of the source.
+fn colors(conversion: &Conversion<'_>, from: &Pixels, y: usize) -> Colors {
+    let [width, _] = from.size().map(|side| side as usize);
+    let mut out = Vec::with_capacity(width);
+    for x in (0..width).step_by(LANES) {
+        let count = LANES.min(width - x);
+        let rgba = conversion.read(from.row(x, y, count));
+        out.extend((0..count).map(|lane| rgba.each_ref().map(|channel| channel[lane])));
+    }
+    out
+}
+
+/// A row of means.
+fn filter(
+    isa: Isa,
+    conversion: &Conversion<'_>,
+    rows: [&[[f64; 4]]; 2],
+    columns: &[Tap],
+    weight: f64,
+    texels: &mut [u8],
+) {
+    let Some(size) = texels.len().checked_div(columns.len()) else { return };
+    let mut rgba = [F64s::ZERO; 4];
+    for (taps, texels) in columns.chunks(LANES).zip(texels.chunks_mut(LANES * size)) {
+        pixel::means(isa, rows, taps, weight, &mut rgba);
+        conversion.write(&rgba, texels);
+    }
+}

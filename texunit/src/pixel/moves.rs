@@ -1,0 +1,143 @@
+//! Pixels whose numbers have the same bits in another record, in whatever places: they are moved as they are.
+
+use super::{Code, Record, write};
+use crate::format::Field;
+use crate::lanes::{F64s, Isa, Kernel, LANES, Simd, U32s};
+
+/// Where a number of a pixel comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Source {
+    /// The number of this field.
+    Field(usize),
+    /// 0.
+    Zero,
+    /// 1.
+    One,
+}
+
+/// Bits of a word: turned to the left, and those of the mask taken.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Move {
+    from: usize,
+    to: usize,
+    turn: u32,
+    mask: u32,
+}
+
+/// How the words of one record come from those of another, without arithmetic.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Moves {
+    moves: Vec<Move>,
+    /// The bits of each word that are always the same.
+    constant: [u32; 4],
+    is_copy: bool,
+}
+
+/// Whether the bits of a number are the same in both codes, of fields of one width.
+fn is_same(from: Code, to: Code) -> bool {
+    match (from, to) {
+        // What was written is within its range.
+        (Code::Depth, Code::Float) => true,
+        (
+            Code::Unorm
+            | Code::Fixed
+            | Code::Snorm
+            | Code::Srgb
+            | Code::Uint
+            | Code::Sint
+            | Code::Float
+            | Code::Depth
+            | Code::SharedExponent,
+            to,
+        ) => from == to,
+    }
+}
+
+impl Moves {
+    /// Each number of `to` from its source; `None` where a number has other bits than in `from`.
+    pub fn new(isa: Isa, from: &Record, to: &Record, sources: [Source; 4]) -> Option<Self> {
+        let ones = constants(isa, to);
+        let mut out = Self { moves: Vec::new(), constant: [0; 4], is_copy: false };
+        for (&(field, code), source) in to.fields().iter().zip(sources) {
+            match source {
+                Source::Field(index) => {
+                    let &(old, old_code) = from.fields().get(index)?;
+                    if old.bits != field.bits || !is_same(old_code, code) {
+                        return None;
+                    }
+                    // Its exponent belongs to the others, too.
+                    if code == Code::SharedExponent && old != field {
+                        return None;
+                    }
+                    out.add(old, field);
+                }
+                Source::Zero | Source::One if code == Code::SharedExponent => return None,
+                Source::Zero => {}
+                Source::One => {
+                    out.constant[field.word] |= ones[field.word] & field.mask() << field.shift;
+                }
+            }
+        }
+        if let Some((field, _)) = to.shared_exponent() {
+            out.add(Field { shift: 27, bits: 5, ..field }, Field { shift: 27, bits: 5, ..field });
+        }
+        let whole = |word: usize| Move { from: word, to: word, turn: 0, mask: to.mask() };
+        out.is_copy = from.lies_as(to)
+            && out.moves.len() == to.words()
+            && (0..to.words()).all(|word| out.moves.contains(&whole(word)));
+        Some(out)
+    }
+
+    /// A field to another of its width.
+    fn add(&mut self, from: Field, to: Field) {
+        let turn = to.shift.wrapping_sub(from.shift) % 32;
+        let mask = to.mask() << to.shift;
+        let same = |old: &&mut Move| (old.from, old.to, old.turn) == (from.word, to.word, turn);
+        match self.moves.iter_mut().find(same) {
+            Some(old) => old.mask |= mask,
+            None => self.moves.push(Move { from: from.word, to: to.word, turn, mask }),
+        }
+    }
+
+    /// Whether all bytes stay where they are.
+    pub fn is_copy(&self) -> bool {
+        self.is_copy
+    }
+
+    /// The words of 64 pixels from those that they come from.
+    pub(super) fn run(&self, isa: Isa, words: &[U32s; 4], out: &mut [U32s; 4]) {
+        for (out, constant) in out.iter_mut().zip(self.constant) {
+            *out = U32s::splat(constant);
+        }
+        for &step in &self.moves {
+            isa.run(Turn { step, words: &words[step.from], out: &mut out[step.to] });
+        }
+    }
+}
+
+struct Turn<'a> {
+    step: Move,
+    words: &'a U32s,
+    out: &'a mut U32s,
+}
+
+impl Kernel for Turn<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn run<S: Simd>(self) {
+        let Move { turn, mask, .. } = self.step;
+        for lane in 0..LANES {
+            self.out[lane] |= self.words[lane].rotate_left(turn) & mask;
+        }
+    }
+}
+
+/// The words of a pixel whose numbers are all 1.
+fn constants(isa: Isa, record: &Record) -> [u32; 4] {
+    let ones = F64s::splat(1.0);
+    let mut bytes = [0; 16];
+    write(isa, record, [&ones; 4], &mut bytes[..record.bytes()]);
+    let mut words = [U32s::ZERO; 4];
+    record.load(&bytes[..record.bytes()], &mut words);
+    words.map(|words| words[0])
+}

@@ -1,0 +1,207 @@
+//! How a pixel lies in memory.
+
+use super::Code;
+use crate::format::{Encoding, Field, Format};
+use crate::lanes::{LANES, U32s};
+
+/// The order of the bytes of a word.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ByteOrder {
+    /// The lowest byte first.
+    Little,
+    /// The highest byte first.
+    Big,
+}
+
+/// How a pixel lies in memory: one to four words of one size, and where in them its numbers are.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Record {
+    /// Bytes of a word, 1 to 4.
+    size: usize,
+    words: usize,
+    order: ByteOrder,
+    fields: [(Field, Code); 4],
+    count: usize,
+}
+
+impl Record {
+    /// Numbers one after the other, each of as many bytes (1, 2 or 4).
+    pub fn uniform(count: usize, size: usize, code: Code, order: ByteOrder) -> Self {
+        let bits = 8 * size as u32;
+        let is_word = count * size <= 4 && (order == ByteOrder::Little || size == 1);
+        let field = |index: usize| match is_word {
+            true => Field { word: 0, shift: index as u32 * bits, bits },
+            false => Field { word: index, shift: 0, bits },
+        };
+        let fields = [0, 1, 2, 3].map(|index| (field(index), code));
+        if is_word {
+            return Self { size: count * size, words: 1, order: ByteOrder::Little, fields, count };
+        }
+        Self { size, words: count, order, fields, count }
+    }
+
+    /// Words of `size` bytes with these numbers in them, one to four.
+    pub fn packed(size: usize, words: usize, order: ByteOrder, numbers: &[(Field, Code)]) -> Self {
+        let none = (Field { word: 0, shift: 0, bits: 0 }, Code::Uint);
+        let mut fields = [none; 4];
+        for (to, &from) in fields.iter_mut().zip(numbers) {
+            *to = from;
+        }
+        let order = if size == 1 { ByteOrder::Little } else { order };
+        Self { size, words, order, fields, count: numbers.len().min(4) }
+    }
+
+    /// A texel: its stored channels, and the stencil behind a depth. Colours are as stored, sRGB too
+    /// (`EXT_texture_sRGB`). Of a compressed format a record without numbers.
+    pub fn of(format: Format) -> Self {
+        let info = format.info();
+        let code = match info.encoding {
+            Encoding::Unorm | Encoding::Srgb => Code::Unorm,
+            Encoding::Snorm => Code::Snorm,
+            Encoding::Float if format.is_depth() => Code::Depth,
+            Encoding::Float => Code::Float,
+            Encoding::SharedExponent => Code::SharedExponent,
+            Encoding::Uint => Code::Uint,
+            Encoding::Sint => Code::Sint,
+            Encoding::Block(_) | Encoding::SrgbBlock(_) => {
+                return Self::packed(4, format.words(), ByteOrder::Little, &[]);
+            }
+        };
+        let channels = format.channels();
+        let bits = info.fields[0].bits;
+        if info.fields[..channels].iter().map(|field| field.bits).sum::<u32>()
+            == 8 * info.bytes as u32
+            && info.fields[..channels].iter().all(|field| field.bits == bits && bits % 8 == 0)
+        {
+            return Self::uniform(channels, bits as usize / 8, code, ByteOrder::Little);
+        }
+        let channels = info.fields.into_iter().take(channels).map(|field| (field, code));
+        let stencil = format.has_stencil().then_some((info.stencil, Code::Uint));
+        let numbers: Vec<(Field, Code)> = channels.chain(stencil).collect();
+        Self::packed(info.bytes.min(4), format.words(), ByteOrder::Little, &numbers)
+    }
+
+    /// A texel whose sRGB-encoded channels are linear light.
+    pub fn of_light(format: Format) -> Self {
+        let mut record = Self::of(format);
+        for (channel, (_, code)) in record.fields.iter_mut().enumerate().take(format.channels()) {
+            if format.is_srgb_channel(channel) {
+                *code = Code::Srgb;
+            }
+        }
+        record
+    }
+
+    /// The stencil of a texel alone; without numbers where it has none.
+    pub fn of_stencil(format: Format) -> Self {
+        let stencil = (format.info().stencil, Code::Uint);
+        let numbers = if format.has_stencil() { &[stencil][..] } else { &[] };
+        Self::packed(format.bytes().min(4), format.words(), ByteOrder::Little, numbers)
+    }
+
+    /// Bytes of a pixel, 1 to 16.
+    pub fn bytes(&self) -> usize {
+        self.size * self.words
+    }
+
+    /// Where its numbers are, and what they are.
+    #[inline(always)]
+    pub fn fields(&self) -> &[(Field, Code)] {
+        &self.fields[..self.count]
+    }
+
+    /// The first of numbers that share an exponent.
+    #[inline(always)]
+    pub(super) fn shared_exponent(&self) -> Option<(Field, Code)> {
+        let first = self.fields[0];
+        (first.1 == Code::SharedExponent).then_some(first)
+    }
+
+    /// Whether the words lie in memory as another's do.
+    pub(super) fn lies_as(&self, other: &Self) -> bool {
+        (self.size, self.words, self.order) == (other.size, other.words, other.order)
+    }
+
+    /// How many words there are.
+    pub(super) fn words(&self) -> usize {
+        self.words
+    }
+
+    /// All bits of a word.
+    pub(super) fn mask(&self) -> u32 {
+        u32::MAX >> (32 - 8 * self.size)
+    }
+
+    /// The words of up to 64 pixels; those of pixels that are not there stay as they are.
+    pub(super) fn load(&self, bytes: &[u8], words: &mut [U32s; 4]) {
+        match self.size {
+            1 => self.load_sized(bytes, words, |[a]| u32::from(a)),
+            2 => self.load_sized(bytes, words, |bytes| u16::from_le_bytes(bytes).into()),
+            3 => self.load_sized(bytes, words, |[a, b, c]| u32::from_le_bytes([a, b, c, 0])),
+            _ => self.load_sized(bytes, words, u32::from_le_bytes),
+        }
+        self.put_in_order(words);
+    }
+
+    #[inline(always)]
+    fn load_sized<const SIZE: usize>(
+        &self,
+        bytes: &[u8],
+        words: &mut [U32s; 4],
+        word: impl Fn([u8; SIZE]) -> u32,
+    ) {
+        let (elements, _) = bytes.as_chunks::<SIZE>();
+        if self.words == 1 {
+            for (out, &element) in words[0].0.iter_mut().zip(elements) {
+                *out = word(element);
+            }
+            return;
+        }
+        for (lane, pixel) in elements.chunks_exact(self.words).enumerate().take(LANES) {
+            for (out, &element) in words.iter_mut().zip(pixel) {
+                out[lane] = word(element);
+            }
+        }
+    }
+
+    /// The words of up to 64 pixels into memory.
+    pub(super) fn store(&self, words: &mut [U32s; 4], bytes: &mut [u8]) {
+        self.put_in_order(words);
+        match self.size {
+            1 => self.store_sized(words, bytes, |[a, _, _, _]| [a]),
+            2 => self.store_sized(words, bytes, |[a, b, _, _]| [a, b]),
+            3 => self.store_sized(words, bytes, |[a, b, c, _]| [a, b, c]),
+            _ => self.store_sized(words, bytes, |bytes| bytes),
+        }
+    }
+
+    #[inline(always)]
+    fn store_sized<const SIZE: usize>(
+        &self,
+        words: &[U32s; 4],
+        bytes: &mut [u8],
+        element: impl Fn([u8; 4]) -> [u8; SIZE],
+    ) {
+        let (elements, _) = bytes.as_chunks_mut::<SIZE>();
+        if self.words == 1 {
+            for (to, word) in elements.iter_mut().zip(&words[0].0) {
+                *to = element(word.to_le_bytes());
+            }
+            return;
+        }
+        for (lane, pixel) in elements.chunks_exact_mut(self.words).enumerate().take(LANES) {
+            for (to, words) in pixel.iter_mut().zip(words) {
+                *to = element(words[lane].to_le_bytes());
+            }
+        }
+    }
+
+    /// From words as they lie in memory to numbers, and back: where the highest byte comes first, they are turned.
+    fn put_in_order(&self, words: &mut [U32s; 4]) {
+        if self.order == ByteOrder::Big {
+            for word in words.iter_mut().take(self.words).flat_map(|words| &mut words.0) {
+                *word = word.swap_bytes() >> (32 - 8 * self.size);
+            }
+        }
+    }
+}
