@@ -4,8 +4,6 @@
 //! Conversions are exact where they can be, and else round to the nearest, halves to even.
 //! Denormals and inf are kept; every NaN becomes the same one.
 
-use crate::lanes::math::round_even;
-
 /// Bits of a half float's mantissa.
 pub const HALF_MANTISSA: u32 = 10;
 /// The sign of a half float.
@@ -47,11 +45,10 @@ fn round_magnitude(magnitude: f32, mantissa: u32) -> u32 {
     let even = bits >> shift & 1;
     let rounded = (bits.wrapping_add((1 << (shift - 1)) - 1 + even)) >> shift;
     let normal = rounded.wrapping_sub(REBIAS >> shift);
-    // The scaling is exact, and the integer 2^mantissa is the least normal number.
     let least = power_of_two(-14);
-    let small = if magnitude < least { magnitude } else { 0.0 };
-    let denormal = round_even(small * power_of_two(14 + mantissa as i32));
-    let denormal = crate::lanes::math::to_i32(denormal) as u32;
+    // A number whose last bit is worth a denormal's: the sum rounds to those, halves to even.
+    let unit = power_of_two(9 - mantissa as i32);
+    let denormal = (magnitude + unit).to_bits().wrapping_sub(unit.to_bits());
     if magnitude < least { denormal } else { normal }
 }
 
