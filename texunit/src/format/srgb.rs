@@ -1,9 +1,11 @@
-//! The sRGB transfer function, as two tables made at compile time from exact arithmetic.
+//! The sRGB transfer function, as tables made at compile time from exact arithmetic.
 //!
 //! EXT_texture_sRGB, section 3.8.x: with `c` the byte over 255,
 //! `linear = c / 12.92` up to `c = 0.04045`, else `((c + 0.055) / 1.055)^2.4`.
 //! `x^2.4` is `x² · (x^(1/5))²`, and the fifth root comes from Newton's iteration in `f64`, so that
 //! no platform's `pow` takes part.
+
+use crate::lanes::math::clamp;
 
 /// Linear light of each sRGB byte, the nearest `f32`.
 pub static DECODE: [f32; 256] = {
@@ -17,10 +19,9 @@ pub static DECODE: [f32; 256] = {
 };
 
 /// `THRESHOLDS[k]` is the least `f32` whose encoding is nearer to `k + 1` than to `k`: the linear
-/// light of `(k + 1/2) / 255`, rounded up. The last entry, which nothing reaches, fills the table
-/// up to a power of two.
-pub static THRESHOLDS: [f32; 256] = {
-    let mut table = [f32::INFINITY; 256];
+/// light of `(k + 1/2) / 255`, rounded up.
+const THRESHOLDS: [f32; 255] = {
+    let mut table = [0.0; 255];
     let mut k = 0;
     while k < 255 {
         let exact = linear((k as f64 + 0.5) / 255.0);
@@ -31,17 +32,56 @@ pub static THRESHOLDS: [f32; 256] = {
     table
 };
 
+/// 2^-13, below the first threshold.
+const LEAST: f32 = 1.0 / 8192.0;
+/// The last `f32` before 1, above the last threshold.
+const MOST: f32 = 1.0_f32.next_down();
+/// Bits of a float that tell it from others of its row.
+const LOW: u32 = 16;
+const LOW_MASK: u32 = (1 << LOW) - 1;
+const ROWS: usize = ((1.0_f32.to_bits() - LEAST.to_bits()) >> LOW) as usize;
+
+/// A row is 2^16 neighbouring floats, which have one byte or two. Above the low bits is the first one's byte,
+/// in the low bits what has to be added to those of a float so that the sum carries from the threshold on.
+static STEPS: [u32; ROWS] = {
+    let mut table = [0; ROWS];
+    let (mut row, mut byte) = (0, 0);
+    while row < ROWS {
+        let first = LEAST.to_bits() + ((row as u32) << LOW);
+        let last = first + LOW_MASK;
+        while byte < 255 && THRESHOLDS[byte].to_bits() <= first {
+            byte += 1;
+        }
+        table[row] = (byte as u32) << LOW;
+        if byte < 255 && THRESHOLDS[byte].to_bits() <= last {
+            table[row] += last + 1 - THRESHOLDS[byte].to_bits();
+            assert!(
+                byte == 254 || THRESHOLDS[byte + 1].to_bits() > last,
+                "two thresholds in a row"
+            );
+        }
+        row += 1;
+    }
+    table
+};
+
+/// The bits of `x` held in the rows, as if the first one's were 0. NaN is in the first.
+#[inline(always)]
+fn place(x: f32) -> u32 {
+    clamp(x, LEAST, MOST).to_bits() - LEAST.to_bits()
+}
+
+/// The byte of a float in a row.
+#[inline(always)]
+fn byte(step: u32, place: u32) -> u32 {
+    (step + (place & LOW_MASK)) >> LOW
+}
+
 /// The sRGB byte nearest to linear light `x` on the encoded scale. Clamps; NaN gives 0.
 #[inline(always)]
 pub fn encode(x: f32) -> u8 {
-    // A binary search without branches: `byte` thresholds are known to be at or below `x`.
-    let mut byte = 0;
-    let mut step = 128;
-    while step > 0 {
-        byte += if x >= THRESHOLDS[(byte + step - 1) & 255] { step } else { 0 };
-        step /= 2;
-    }
-    byte as u8
+    let place = place(x);
+    byte(STEPS[(place >> LOW) as usize], place) as u8
 }
 
 /// Linear light of an sRGB value in 0 to 1.
@@ -93,6 +133,24 @@ mod tests {
             let threshold = THRESHOLDS[usize::from(k)];
             assert_eq!(encode(threshold), k + 1);
             assert_eq!(encode(threshold.next_down()), k);
+        }
+    }
+
+    /// The definition: as many thresholds as are at or below.
+    fn count(x: f32) -> u8 {
+        THRESHOLDS.partition_point(|&threshold| x >= threshold) as u8
+    }
+
+    #[test]
+    fn a_byte_is_the_number_of_thresholds_at_or_below() {
+        // Every row's first and last float, and every 251st of all there are.
+        for row in 0..1 << (32 - LOW) {
+            for x in [row << LOW, (row << LOW) + LOW_MASK].map(f32::from_bits) {
+                assert_eq!(encode(x), count(x), "{x:?}");
+            }
+        }
+        for x in (0..=u32::MAX).step_by(251).map(f32::from_bits) {
+            assert_eq!(encode(x), count(x), "{x:?}");
         }
     }
 
