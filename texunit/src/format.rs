@@ -125,6 +125,12 @@ impl Field {
     pub const fn of(self, word: u32) -> u32 {
         word >> self.shift & self.mask()
     }
+
+    /// Bits in their place in the word.
+    #[inline(always)]
+    pub const fn put(self, bits: u32) -> u32 {
+        (bits & self.mask()) << self.shift
+    }
 }
 
 /// One row of the table of formats.

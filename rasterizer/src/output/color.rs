@@ -325,15 +325,14 @@ impl Kernel for WriteTexels<'_> {
     #[inline(always)]
     fn run<S: Simd>(self) {
         let Self { plan, color, stored, mask } = self;
-        let [r, g, b, a] = color;
-        let source = [*r, *g, *b, *a];
         let mut words = match plan.class {
-            ColorClass::Integers => encode_integers(plan.format, &source),
+            ColorClass::Integers => encode_integers(plan.format, color),
             ColorClass::Bytes | ColorClass::Numbers => match &plan.blend {
-                None => encode_color(plan.format, &source),
+                None => encode_color::<S>(plan.format, color),
                 Some(state) => {
                     let range = plan.format.info().encoding.range();
-                    let mut clamped = source;
+                    let [r, g, b, a] = color;
+                    let mut clamped = [*r, *g, *b, *a];
                     if let Some([low, high]) = range {
                         for values in &mut clamped {
                             for lane in 0..LANES {
@@ -342,7 +341,8 @@ impl Kernel for WriteTexels<'_> {
                         }
                     }
                     let destination = decode_color::<S>(plan.format, stored);
-                    encode_color(plan.format, &blend::blend(state, &clamped, &destination, range))
+                    let blended = blend::blend(state, &clamped, &destination, range);
+                    encode_color::<S>(plan.format, blended.each_ref())
                 }
             },
         };
@@ -363,7 +363,7 @@ impl Kernel for WriteTexels<'_> {
 
 /// The texels of 64 integer colours, each clamped to what its field can hold.
 #[inline(always)]
-fn encode_integers(format: Format, rgba: &[F32s; 4]) -> [U32s; 4] {
+fn encode_integers(format: Format, rgba: [&F32s; 4]) -> [U32s; 4] {
     let info = format.info();
     let is_signed = info.encoding == Encoding::Sint;
     let mut out = [U32s::ZERO; 4];

@@ -7,12 +7,12 @@ use texunit::lanes::{Baseline, F32s, LANES, Simd, U32s, math};
 /// `[0, 1]` to 0 … `largest`, rounded to nearest; NaN gives 0 (GL 2.1, section 2.14.9).
 #[inline(always)]
 pub fn unorm(c: f32, largest: f32) -> u32 {
-    math::to_i32(math::clamp(c, 0.0, 1.0) * largest + 0.5) as u32
+    math::index(c * largest + 0.5, largest)
 }
 
 /// The texels of 64 colours.
 #[inline(always)]
-pub fn encode_color(format: Format, rgba: &[F32s; 4]) -> [U32s; 4] {
+pub fn encode_color<S: Simd>(format: Format, rgba: [&F32s; 4]) -> [U32s; 4] {
     let info = format.info();
     match info.encoding {
         Encoding::Unorm => {}
@@ -23,13 +23,13 @@ pub fn encode_color(format: Format, rgba: &[F32s; 4]) -> [U32s; 4] {
         | Encoding::Uint
         | Encoding::Sint
         | Encoding::Block(_)
-        | Encoding::SrgbBlock(_) => return convert::encode_lanes(format, rgba),
+        | Encoding::SrgbBlock(_) => return convert::encode_lanes::<S>(format, rgba),
     }
     let mut out = [U32s::ZERO; 4];
     for (channel, &source) in format.base().sources().iter().enumerate() {
         let field = info.fields[channel];
         let largest = field.mask() as i32 as f32;
-        let (values, to) = (&rgba[source], &mut out[field.word]);
+        let (values, to) = (rgba[source], &mut out[field.word]);
         for lane in 0..LANES {
             to[lane] |= unorm(values[lane], largest) << field.shift;
         }
@@ -56,7 +56,7 @@ pub fn decode_color<S: Simd>(format: Format, words: &[U32s; 4]) -> [F32s; 4] {
 pub fn texel_words(format: Format, color: [f32; 4]) -> [u32; 4] {
     let [r, g, b, a] = color;
     let lanes = [F32s::splat(r), F32s::splat(g), F32s::splat(b), F32s::splat(a)];
-    encode_color(format, &lanes).map(|words| words[0])
+    encode_color::<Baseline>(format, lanes.each_ref()).map(|words| words[0])
 }
 
 /// The words of a texel as the colour that blending sees; integers as numbers.
@@ -73,4 +73,21 @@ pub fn texel_color(format: Format, words: [u32; 4]) -> [f32; 4] {
         rgba[source] = if is_signed { (top as i32 >> down) as f32 } else { (top >> down) as f32 };
     }
     rgba
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_normalized_number_is_clamped_scaled_and_rounded() {
+        for bits in 1..=16 {
+            let largest = ((1_u32 << bits) - 1) as f32;
+            for at in (0..=u32::MAX).step_by(65_521) {
+                let c = f32::from_bits(at);
+                let held = if c > 0.0 { c.min(1.0) } else { 0.0 };
+                assert_eq!(unorm(c, largest), (held * largest + 0.5) as u32, "{c} of {largest}");
+            }
+        }
+    }
 }

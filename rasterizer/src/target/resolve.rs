@@ -60,6 +60,6 @@ impl Kernel for Mean<'_> {
                 channel[lane] /= count;
             }
         }
-        encode_color(format, &sum)
+        encode_color::<S>(format, sum.each_ref())
     }
 }

@@ -6,6 +6,7 @@
 //! no platform's `pow` takes part.
 
 use crate::lanes::math::clamp;
+use crate::lanes::{F32s, LANES, Simd, U32s};
 
 /// Linear light of each sRGB byte, the nearest `f32`.
 pub static DECODE: [f32; 256] = {
@@ -82,6 +83,22 @@ fn byte(step: u32, place: u32) -> u32 {
 pub fn encode(x: f32) -> u8 {
     let place = place(x);
     byte(STEPS[(place >> LOW) as usize], place) as u8
+}
+
+/// [`encode`] of 64.
+#[inline(always)]
+pub(super) fn encode_lanes<S: Simd>(values: &F32s) -> U32s {
+    let (mut places, mut rows) = (U32s::ZERO, U32s::ZERO);
+    for lane in 0..LANES {
+        places[lane] = place(values[lane]);
+        rows[lane] = places[lane] >> LOW;
+    }
+    let steps = S::gather_f32(bytemuck::cast_slice(&STEPS), &rows);
+    let mut bytes = U32s::ZERO;
+    for lane in 0..LANES {
+        bytes[lane] = byte(steps.as_u32()[lane], places[lane]);
+    }
+    bytes
 }
 
 /// Linear light of an sRGB value in 0 to 1.

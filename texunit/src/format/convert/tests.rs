@@ -19,7 +19,7 @@ impl Kernel for Encode<'_> {
     type Output = [U32s; 4];
     #[inline(always)]
     fn run<S: Simd>(self) -> [U32s; 4] {
-        encode_lanes(self.0, self.1)
+        encode_lanes::<S>(self.0, self.1.each_ref())
     }
 }
 
@@ -230,6 +230,21 @@ fn lanes_encode_as_single_texels_on_every_instruction_set() {
                 }
             }
         }
+    }
+}
+
+#[test]
+fn signed_normalized_numbers_are_the_nearest_halves_to_even() {
+    for largest in [127.0, 32_767.0_f32] {
+        let last = largest as i32;
+        for twice in -2 * last - 3..=2 * last + 3 {
+            let middle = twice as f32 / 2.0 / largest;
+            for x in [middle.next_down(), middle, middle.next_up()] {
+                let want = (x.clamp(-1.0, 1.0) * largest).round_ties_even() as i32;
+                assert_eq!(to_snorm(x, largest) as i32, want, "{x}");
+            }
+        }
+        assert_eq!(to_snorm(f32::NAN, largest), 0);
     }
 }
 

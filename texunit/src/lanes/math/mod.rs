@@ -108,10 +108,10 @@ pub fn floor_small(x: f32) -> (i32, f32) {
     (low_bits(whole), whole)
 }
 
-/// The integer that a whole number of a magnitude below 2^22 is.
+/// The nearest integer, halves to even, to a magnitude below 2^22.
 #[inline(always)]
-pub(super) fn low_bits(whole: f32) -> i32 {
-    (whole + MAGIC).to_bits().wrapping_sub(MAGIC.to_bits()) as i32
+pub fn low_bits(x: f32) -> i32 {
+    (x + MAGIC).to_bits().wrapping_sub(MAGIC.to_bits()) as i32
 }
 
 /// The smallest integer not below `x`. Exact; keeps inf and NaN.
