@@ -11,6 +11,7 @@
 use super::plane::{BLOCKS, Plane};
 use super::resolve::resolve_tile;
 use super::words::{attachment_words, is_attachable, texel_of, words_of};
+use bytemuck::Pod;
 use parking_lot::Mutex;
 use rayon::prelude::*;
 use std::thread;
@@ -285,31 +286,56 @@ fn load_tile(level: &Level, slice: usize, [x0, y0]: [u32; 2], words: usize) -> V
 
 /// Row `y` of a tile into the texels of one row.
 fn store_row(format: Format, planes: &[Plane], y: usize, row: &mut [u8]) {
-    let size = format.bytes();
     let words = |plane: &Plane, column: usize| {
         plane.with_block(y / 8 * 8 + column, |words| row_of(words, y % 8))
     };
-    // One word of four bytes is the texel itself.
-    if let ([plane], 4) = (planes, size) {
-        let bytes = |column| words(plane, column).map(u32::to_le_bytes);
-        let (whole, rest) = row.as_chunks_mut::<32>();
-        let columns = whole.len();
-        for (column, texels) in whole.iter_mut().enumerate() {
-            *texels = bytemuck::cast(bytes(column));
+    // Texels whose bytes are those of their words.
+    match (planes, format.bytes()) {
+        ([a], 1) => put_columns(row, |column| words(a, column).map(|word| word as u8)),
+        ([a], 2) => put_columns(row, |column| words(a, column).map(|word| (word as u16).to_le())),
+        ([a], 4) => put_columns(row, |column| words(a, column).map(u32::to_le)),
+        ([a, b], 8) => put_columns(row, |column| interleave([words(a, column), words(b, column)])),
+        ([a, b, c, d], 16) => {
+            put_columns(row, |column| interleave([a, b, c, d].map(|plane| words(plane, column))))
         }
-        if !rest.is_empty() {
-            rest.copy_from_slice(&bytes(columns).as_flattened()[..rest.len()]);
+        (_, size) => {
+            for (column, texels) in row.chunks_mut(8 * size).enumerate() {
+                let mut all = [[0; 8]; 4];
+                for (to, plane) in all.iter_mut().zip(planes) {
+                    *to = words(plane, column);
+                }
+                for (x, texel) in texels.chunks_exact_mut(size).enumerate() {
+                    texel_of(format, all.map(|words| words[x]), texel);
+                }
+            }
         }
-        return;
     }
-    for (column, texels) in row.chunks_mut(8 * size).enumerate() {
-        let mut all = [[0; 8]; 4];
-        for (to, plane) in all.iter_mut().zip(planes) {
-            *to = words(plane, column);
+}
+
+/// The texels of eight pixels from their words, plane by plane.
+#[inline]
+fn interleave<const WORDS: usize>(planes: [[u32; 8]; WORDS]) -> [[u32; WORDS]; 8] {
+    let mut texels = [[0; WORDS]; 8];
+    for (x, texel) in texels.iter_mut().enumerate() {
+        for (word, plane) in texel.iter_mut().zip(&planes) {
+            *word = plane[x].to_le();
         }
-        for (x, texel) in texels.chunks_exact_mut(size).enumerate() {
-            texel_of(format, all.map(|words| words[x]), texel);
-        }
+    }
+    texels
+}
+
+/// Writes columns of eight texels into a row, of the last as many as there are.
+#[inline]
+fn put_columns<T: Pod>(row: &mut [u8], column: impl Fn(usize) -> [T; 8]) {
+    let mut columns = row.chunks_exact_mut(size_of::<[T; 8]>());
+    let mut count = 0;
+    for texels in &mut columns {
+        texels.copy_from_slice(bytemuck::bytes_of(&column(count)));
+        count += 1;
+    }
+    let rest = columns.into_remainder();
+    if !rest.is_empty() {
+        rest.copy_from_slice(&bytemuck::cast_slice(&column(count))[..rest.len()]);
     }
 }
 
@@ -332,7 +358,8 @@ mod tests {
     /// were, edges included.
     #[test]
     fn what_is_loaded_is_what_is_stored() {
-        for format in [Format::Rgba8, Format::R8, Format::D24S8, Format::Rgba32F] {
+        use Format::{D24S8, R8, R16F, Rgb8, Rgb32F, Rgba8, Rgba16F, Rgba32F};
+        for format in [R8, R16F, Rgb8, Rgba8, D24S8, Rgba16F, Rgb32F, Rgba32F] {
             let mut level = Level::new(format, 150, 70).expect("small");
             let middle = level.row_bytes() * 30;
             for (index, byte) in
