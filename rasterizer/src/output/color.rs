@@ -308,57 +308,75 @@ impl<S: Fn(usize, usize) -> f32, D: Fn(usize, usize) -> f32> Each<S, D> {
     }
 }
 
-/// Blends, packs and writes 64 fragments of any class.
+/// Blends, packs and writes fragments of any class, block after block.
 pub struct WriteTexels<'a> {
     /// What is done.
     pub plan: &'a ColorPlan,
-    /// Red, green, blue, alpha of each fragment; integers as their bits.
-    pub color: [&'a F32s; 4],
-    /// The attachment's words.
-    pub stored: &'a mut [U32s; 4],
-    /// Which fragments there are.
-    pub mask: u64,
+    /// The fragments; integers as their bits.
+    pub colors: &'a [BlockColors<'a>],
+    /// The blocks of each of the attachment's words; none of a word that its texels do not have.
+    pub words: [&'a mut [U32s]; 4],
 }
 
 impl Kernel for WriteTexels<'_> {
     type Output = ();
     #[inline(always)]
     fn run<S: Simd>(self) {
-        let Self { plan, color, stored, mask } = self;
-        let mut words = match plan.class {
-            ColorClass::Integers => encode_integers(plan.format, color),
-            ColorClass::Bytes | ColorClass::Numbers => match &plan.blend {
-                None => encode_color::<S>(plan.format, color),
-                Some(state) => {
-                    let range = plan.format.info().encoding.range();
-                    let [r, g, b, a] = color;
-                    let mut clamped = [*r, *g, *b, *a];
-                    if let Some([low, high]) = range {
-                        for values in &mut clamped {
-                            for lane in 0..LANES {
-                                values[lane] = math::clamp(values[lane], low, high);
-                            }
+        let Self { plan, colors, mut words } = self;
+        for &BlockColors { block, color, mask } in colors {
+            let mut texels = match plan.class {
+                ColorClass::Integers => encode_integers(plan.format, color),
+                ColorClass::Bytes | ColorClass::Numbers => {
+                    let mixed;
+                    let color = match &plan.blend {
+                        None => color,
+                        Some(state) => {
+                            let [x, y, z, w] = &words;
+                            let stored = [x.get(block), y.get(block), z.get(block), w.get(block)];
+                            mixed = blended::<S>(state, plan.format, color, stored);
+                            mixed.each_ref()
                         }
-                    }
-                    let destination = decode_color::<S>(plan.format, stored);
-                    let blended = blend::blend(state, &clamped, &destination, range);
-                    encode_color::<S>(plan.format, blended.each_ref())
+                    };
+                    encode_color::<S>(plan.format, color)
                 }
-            },
-        };
-        for index in 0..4 {
-            if plan.write[index] == 0 {
-                continue;
+            };
+            for (index, blocks) in words.iter_mut().enumerate() {
+                let Some(stored) = blocks.get_mut(block) else { continue };
+                if let Some(op) = plan.logic_op {
+                    logic::apply(op, &mut texels[index], stored);
+                }
+                // Bits that no field has stay as they were under a logical operation.
+                let mut write = plan.write_of(index);
+                write.whole &= plan.logic_op.is_none();
+                put(stored, &texels[index], mask, write);
             }
-            if let Some(op) = plan.logic_op {
-                logic::apply(op, &mut words[index], &stored[index]);
-            }
-            // Bits that no field has stay as they were under a logical operation.
-            let mut write = plan.write_of(index);
-            write.whole &= plan.logic_op.is_none();
-            put(&mut stored[index], &words[index], mask, write);
         }
     }
+}
+
+/// Fragments blended with the texels that are stored, of which there are as many words as the format has.
+#[inline(always)]
+fn blended<S: Simd>(
+    state: &Blend,
+    format: Format,
+    color: [&F32s; 4],
+    stored: [Option<&U32s>; 4],
+) -> [F32s; 4] {
+    let range = format.info().encoding.range();
+    let [r, g, b, a] = color;
+    let mut clamped = [*r, *g, *b, *a];
+    if let Some([low, high]) = range {
+        for values in &mut clamped {
+            for lane in 0..LANES {
+                values[lane] = math::clamp(values[lane], low, high);
+            }
+        }
+    }
+    let [x, y, z, w] = stored;
+    const NONE: &U32s = &U32s::ZERO;
+    let words = [x.unwrap_or(NONE), y.unwrap_or(NONE), z.unwrap_or(NONE), w.unwrap_or(NONE)];
+    let destination = decode_color::<S>(format, words);
+    blend::blend(state, &clamped, &destination, range)
 }
 
 /// The texels of 64 integer colours, each clamped to what its field can hold.

@@ -39,10 +39,10 @@ pub fn encode_color<S: Simd>(format: Format, rgba: [&F32s; 4]) -> [U32s; 4] {
 
 /// The colours of 64 texels, as blending sees them: what is not stored is 0, alpha 1.
 #[inline(always)]
-pub fn decode_color<S: Simd>(format: Format, words: &[U32s; 4]) -> [F32s; 4] {
+pub fn decode_color<S: Simd>(format: Format, words: [&U32s; 4]) -> [F32s; 4] {
     let mut rgba = [F32s::ZERO, F32s::ZERO, F32s::ZERO, F32s::splat(1.0)];
     for (channel, &source) in format.base().sources().iter().enumerate() {
-        let words = &words[word_of(format, channel)];
+        let words = words[word_of(format, channel)];
         rgba[source] = convert::decode_channel::<S>(format, channel, words);
     }
     if format.base() == BaseFormat::Intensity {
@@ -62,7 +62,8 @@ pub fn texel_words(format: Format, color: [f32; 4]) -> [u32; 4] {
 /// The words of a texel as the colour that blending sees; integers as numbers.
 pub fn texel_color(format: Format, words: [u32; 4]) -> [f32; 4] {
     if !format.is_integer() {
-        return decode_color::<Baseline>(format, &words.map(U32s::splat)).map(|c| c[0]);
+        let lanes = words.map(U32s::splat);
+        return decode_color::<Baseline>(format, lanes.each_ref()).map(|c| c[0]);
     }
     let info = format.info();
     let mut rgba = [0.0, 0.0, 0.0, 1.0];

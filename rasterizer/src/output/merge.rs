@@ -108,8 +108,8 @@ pub fn write(
 ) {
     let planes = target.sample(sample);
     match (plan.class, planes, place) {
-        (ColorClass::Bytes, [plane], &Place::Block(block)) => {
-            write_bytes(isa, plan, plane, &[BlockColors { block, color, mask }]);
+        (_, planes, &Place::Block(block)) => {
+            write_planes(isa, plan, planes, &[BlockColors { block, color, mask }]);
         }
         (ColorClass::Bytes, [plane], _) => {
             with_words(isa, plane, place, mask, plan.old(), |stored| {
@@ -117,8 +117,9 @@ pub fn write(
                 isa.run(WriteBytes { plan, colors, blocks: std::slice::from_mut(stored) });
             });
         }
-        (_, planes, _) => with_texels(isa, planes, place, mask, |stored| {
-            isa.run(WriteTexels { plan, color, stored, mask });
+        (_, planes, _) => with_texels(isa, planes, place, mask, plan.old(), |words| {
+            let colors = &[BlockColors { block: 0, color, mask }];
+            isa.run(WriteTexels { plan, colors, words });
         }),
     }
 }
@@ -130,19 +131,25 @@ pub fn write_blocks(
     target: &mut TileTarget,
     colors: &[BlockColors<'_>],
 ) {
-    match (plan.class, target.sample(0)) {
-        (ColorClass::Bytes, [plane]) => write_bytes(isa, plan, plane, colors),
-        _ => {
-            for &BlockColors { block, color, mask } in colors {
-                write(isa, plan, target, 0, &Place::Block(block), color, mask);
-            }
-        }
-    }
+    write_planes(isa, plan, target.sample(0), colors);
 }
 
-fn write_bytes(isa: Isa, plan: &ColorPlan, plane: &mut Plane, colors: &[BlockColors<'_>]) {
-    for color in colors {
-        plane.ready(color.block, plan.old_under(color.mask));
+fn write_planes(isa: Isa, plan: &ColorPlan, planes: &mut [Plane], colors: &[BlockColors<'_>]) {
+    for plane in &mut *planes {
+        for color in colors {
+            plane.ready(color.block, plan.old_under(color.mask));
+        }
     }
-    isa.run(WriteBytes { plan, colors, blocks: plane.ready_blocks() });
+    match (plan.class, planes) {
+        (ColorClass::Bytes, [plane]) => {
+            isa.run(WriteBytes { plan, colors, blocks: plane.ready_blocks() });
+        }
+        (_, planes) => {
+            let mut words = <[&mut [U32s]; 4]>::default();
+            for (words, plane) in words.iter_mut().zip(planes) {
+                *words = plane.ready_blocks();
+            }
+            isa.run(WriteTexels { plan, colors, words });
+        }
+    }
 }

@@ -37,54 +37,63 @@ pub fn with_words<R>(
     old: Old,
     change: impl FnOnce(&mut U32s) -> R,
 ) -> R {
-    match *place {
-        Place::Block(block) => change(plane.block_mut(block)),
-        Place::Quads(of, quads) => {
-            let blocks = plane.blocks_mut(set_of(of));
-            let mut words = match old {
-                Old::Read => gather(blocks, of, quads),
-                Old::Ignored => U32s::ZERO,
-            };
-            let result = change(&mut words);
-            scatter(blocks, of, quads, mask, &words);
-            result
-        }
-        Place::Pixels(at, of) => {
-            let blocks = plane.blocks_mut(of);
-            let mut words = match old {
-                Old::Read => isa.run(Gather { blocks, at }),
-                Old::Ignored => U32s::ZERO,
-            };
-            let result = change(&mut words);
-            scatter_pixels(blocks, at, mask, &words);
-            result
-        }
+    if let Place::Block(block) = *place {
+        return change(plane.block_mut(block));
     }
+    let mut words = match old {
+        Old::Read => load(isa, plane, place),
+        Old::Ignored => U32s::ZERO,
+    };
+    let result = change(&mut words);
+    store(plane, place, mask, &words);
+    result
 }
 
-/// [`with_words`] for texels of up to four words, each in a plane of its own.
-pub fn with_texels<R>(
+/// [`with_words`] for texels of up to four words, each in a plane of its own: of words that there are
+/// `change` sees one batch.
+pub fn with_texels(
     isa: Isa,
     planes: &mut [Plane],
     place: &Place<'_>,
     mask: u64,
-    change: impl FnOnce(&mut [U32s; 4]) -> R,
-) -> R {
+    old: Old,
+    change: impl FnOnce([&mut [U32s]; 4]),
+) {
     let mut texels = [U32s::ZERO; 4];
-    for (plane, words) in planes.iter_mut().zip(&mut texels) {
-        with_words(isa, plane, place, 0, Old::Read, |stored| *words = *stored);
-    }
-    let result = change(&mut texels);
-    for (plane, words) in planes.iter_mut().zip(&texels) {
-        match *place {
-            Place::Block(block) => *plane.block_mut(block) = *words,
-            Place::Quads(of, quads) => {
-                scatter(plane.blocks_mut(set_of(of)), of, quads, mask, words)
-            }
-            Place::Pixels(at, of) => scatter_pixels(plane.blocks_mut(of), at, mask, words),
+    let is_read = match place {
+        // Put back whole.
+        Place::Block(_) => true,
+        Place::Quads(..) | Place::Pixels(..) => old == Old::Read,
+    };
+    if is_read {
+        for (words, plane) in texels.iter_mut().zip(&mut *planes) {
+            *words = load(isa, plane, place);
         }
     }
-    result
+    let mut words = <[&mut [U32s]; 4]>::default();
+    for (words, batch) in words.iter_mut().zip(texels.chunks_mut(1)).take(planes.len()) {
+        *words = batch;
+    }
+    change(words);
+    for (words, plane) in texels.iter().zip(planes) {
+        store(plane, place, mask, words);
+    }
+}
+
+fn load(isa: Isa, plane: &mut Plane, place: &Place<'_>) -> U32s {
+    match *place {
+        Place::Block(block) => plane.block(block),
+        Place::Quads(of, quads) => gather(plane.blocks_mut(set_of(of)), of, quads),
+        Place::Pixels(at, of) => isa.run(Gather { blocks: plane.blocks_mut(of), at }),
+    }
+}
+
+fn store(plane: &mut Plane, place: &Place<'_>, mask: u64, words: &U32s) {
+    match *place {
+        Place::Block(block) => *plane.block_mut(block) = *words,
+        Place::Quads(of, quads) => scatter(plane.blocks_mut(set_of(of)), of, quads, mask, words),
+        Place::Pixels(at, of) => scatter_pixels(plane.blocks_mut(of), at, mask, words),
+    }
 }
 
 /// Blocks as a set, bit by block.

@@ -47,7 +47,7 @@ impl Kernel for Mean<'_> {
             for (word, plane) in words.iter_mut().zip(*sample) {
                 *word = plane.block(block);
             }
-            let color = decode_color::<S>(format, &words);
+            let color = decode_color::<S>(format, words.each_ref());
             for channel in 0..4 {
                 for lane in 0..LANES {
                     sum[channel][lane] += color[channel][lane];
