@@ -2,6 +2,7 @@
 
 mod packing;
 mod products;
+mod targets;
 
 use super::common::{fragment, pipeline, vertex};
 use super::{Random, colored, devices, picture_with, varyings};

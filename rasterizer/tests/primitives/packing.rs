@@ -18,11 +18,11 @@ use texunit::plan::SamplePlan;
 use texunit::sampler::{Compare, Filter, Mipmap, Sampler};
 
 /// One tile.
-const SIZE: u32 = 64;
+pub const SIZE: u32 = 64;
 
 /// Triangles of all sizes from a subpixel to half the picture, some in perspective, some behind the
 /// eye, many over one another: position, then four values.
-fn triangles() -> Vec<f32> {
+pub fn triangles() -> Vec<f32> {
     let mut random = Random(5);
     let mut out = Vec::new();
     for n in 0..900 {
@@ -92,7 +92,7 @@ pub fn varying(b: &mut Builder, slot: u16) -> Value {
 }
 
 /// What is interpolated, and where the fragment is.
-fn inputs(b: &mut Builder) -> [Value; 4] {
+pub fn inputs(b: &mut Builder) -> [Value; 4] {
     let front = b.input(Input::FrontFacing);
     let (x, y) = (b.input(Input::FragCoord(0)), b.input(Input::FragCoord(1)));
     let (z, w) = (b.input(Input::FragCoord(2)), b.input(Input::FragCoord(3)));
