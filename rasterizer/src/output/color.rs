@@ -323,9 +323,10 @@ impl Kernel for WriteTexels<'_> {
     #[inline(always)]
     fn run<S: Simd>(self) {
         let Self { plan, colors, mut words } = self;
+        let mut texels = [U32s::ZERO; 4];
         for &BlockColors { block, color, mask } in colors {
-            let mut texels = match plan.class {
-                ColorClass::Integers => encode_integers(plan.format, color),
+            match plan.class {
+                ColorClass::Integers => encode_integers(plan.format, color, &mut texels),
                 ColorClass::Bytes | ColorClass::Numbers => {
                     let mixed;
                     let color = match &plan.blend {
@@ -337,9 +338,9 @@ impl Kernel for WriteTexels<'_> {
                             mixed.each_ref()
                         }
                     };
-                    encode_color::<S>(plan.format, color)
+                    encode_color::<S>(plan.format, color, &mut texels);
                 }
-            };
+            }
             for (index, blocks) in words.iter_mut().enumerate() {
                 let Some(stored) = blocks.get_mut(block) else { continue };
                 if let Some(op) = plan.logic_op {
@@ -379,14 +380,15 @@ fn blended<S: Simd>(
     blend::blend(state, &clamped, &destination, range)
 }
 
-/// The texels of 64 integer colours, each clamped to what its field can hold.
+/// The texels of 64 integer colours, each clamped to what its field can hold: as many words as the format has.
 #[inline(always)]
-fn encode_integers(format: Format, rgba: [&F32s; 4]) -> [U32s; 4] {
-    let info = format.info();
-    let is_signed = info.encoding == Encoding::Sint;
-    let mut out = [U32s::ZERO; 4];
+fn encode_integers(format: Format, rgba: [&F32s; 4], out: &mut [U32s; 4]) {
+    let is_signed = format.info().encoding == Encoding::Sint;
+    for words in &mut out[..format.words()] {
+        *words = U32s::ZERO;
+    }
     for (channel, &source) in format.base().sources().iter().enumerate() {
-        let field = info.fields[channel];
+        let field = format.field(channel);
         let (values, to) = (rgba[source].as_u32(), &mut out[field.word]);
         if is_signed {
             let high = (field.mask() >> 1) as i32;
@@ -404,7 +406,6 @@ fn encode_integers(format: Format, rgba: [&F32s; 4]) -> [U32s; 4] {
             }
         }
     }
-    out
 }
 
 #[cfg(test)]

@@ -10,11 +10,10 @@ pub fn unorm(c: f32, largest: f32) -> u32 {
     math::index(c * largest + 0.5, largest)
 }
 
-/// The texels of 64 colours.
+/// The texels of 64 colours: as many words as the format has.
 #[inline(always)]
-pub fn encode_color<S: Simd>(format: Format, rgba: [&F32s; 4]) -> [U32s; 4] {
-    let info = format.info();
-    match info.encoding {
+pub fn encode_color<S: Simd>(format: Format, rgba: [&F32s; 4], out: &mut [U32s; 4]) {
+    match format.info().encoding {
         Encoding::Unorm => {}
         Encoding::Srgb
         | Encoding::Snorm
@@ -23,18 +22,19 @@ pub fn encode_color<S: Simd>(format: Format, rgba: [&F32s; 4]) -> [U32s; 4] {
         | Encoding::Uint
         | Encoding::Sint
         | Encoding::Block(_)
-        | Encoding::SrgbBlock(_) => return convert::encode_lanes::<S>(format, rgba),
+        | Encoding::SrgbBlock(_) => return convert::encode_lanes::<S>(format, rgba, out),
     }
-    let mut out = [U32s::ZERO; 4];
+    for words in &mut out[..format.words()] {
+        *words = U32s::ZERO;
+    }
     for (channel, &source) in format.base().sources().iter().enumerate() {
-        let field = info.fields[channel];
+        let field = format.field(channel);
         let largest = field.mask() as i32 as f32;
         let (values, to) = (rgba[source], &mut out[field.word]);
         for lane in 0..LANES {
             to[lane] |= unorm(values[lane], largest) << field.shift;
         }
     }
-    out
 }
 
 /// The colours of 64 texels, as blending sees them: what is not stored is 0, alpha 1.
@@ -56,7 +56,9 @@ pub fn decode_color<S: Simd>(format: Format, words: [&U32s; 4]) -> [F32s; 4] {
 pub fn texel_words(format: Format, color: [f32; 4]) -> [u32; 4] {
     let [r, g, b, a] = color;
     let lanes = [F32s::splat(r), F32s::splat(g), F32s::splat(b), F32s::splat(a)];
-    encode_color::<Baseline>(format, lanes.each_ref()).map(|words| words[0])
+    let mut words = [U32s::ZERO; 4];
+    encode_color::<Baseline>(format, lanes.each_ref(), &mut words);
+    words.map(|word| word[0])
 }
 
 /// The words of a texel as the colour that blending sees; integers as numbers.

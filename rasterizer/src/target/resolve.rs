@@ -60,6 +60,8 @@ impl Kernel for Mean<'_> {
                 channel[lane] /= count;
             }
         }
-        encode_color::<S>(format, sum.each_ref())
+        let mut texels = [U32s::ZERO; 4];
+        encode_color::<S>(format, sum.each_ref(), &mut texels);
+        texels
     }
 }

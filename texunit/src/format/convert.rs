@@ -108,7 +108,7 @@ fn to_sint(x: f32, largest: i32) -> u32 {
 /// Which word of a texel holds this stored channel.
 #[inline(always)]
 pub const fn word_of(format: Format, channel: usize) -> usize {
-    format.info().fields[channel].word
+    format.field(channel).word
 }
 
 /// One stored channel of 64 texels from the word that holds it ([`word_of`]). Bits above the
@@ -116,10 +116,9 @@ pub const fn word_of(format: Format, channel: usize) -> usize {
 /// which give 0.
 #[inline(always)]
 pub fn decode_channel<S: Simd>(format: Format, channel: usize, words: &U32s) -> F32s {
-    let info = format.info();
-    let field = info.fields[channel];
+    let field = format.field(channel);
     let mut out = F32s::ZERO;
-    match info.encoding {
+    match format.info().encoding {
         Encoding::Srgb if format.is_srgb_channel(channel) => {
             let mut bytes = U32s::ZERO;
             for lane in 0..LANES {
@@ -221,23 +220,24 @@ pub(crate) fn decode_field(format: Format, channel: usize, words: [u32; 4]) -> f
     }
 }
 
-/// The texels of 64 colours as words, the first byte lowest; bytes beyond the texel's are 0.
-/// [`encode`] is the same for one. Not for compressed formats, which give 0.
+/// The texels of 64 colours as words, of which there are [`Format::words`], the first byte lowest; bytes
+/// beyond the texel's are 0. [`encode`] is the same for one. Not for compressed formats, which give 0.
 #[inline(always)]
-pub fn encode_lanes<S: Simd>(format: Format, rgba: [&F32s; 4]) -> [U32s; 4] {
-    let mut out = [U32s::ZERO; 4];
+pub fn encode_lanes<S: Simd>(format: Format, rgba: [&F32s; 4], out: &mut [U32s; 4]) {
     if format.info().encoding == Encoding::SharedExponent {
         let [r, g, b, _] = rgba;
         for lane in 0..LANES {
             out[0][lane] = shared_exponent::encode(r[lane], g[lane], b[lane]);
         }
-        return out;
+        return;
+    }
+    for words in &mut out[..format.words()] {
+        *words = U32s::ZERO;
     }
     for (channel, &source) in format.base().sources().iter().enumerate() {
         let (values, words) = (rgba[source], &mut out[word_of(format, channel)]);
         encode_values(format, channel, Lanes::<S> { values, words, simd: PhantomData });
     }
-    out
 }
 
 /// The bits of a stored channel in their place. 0 where channels are not encoded one by one.
@@ -251,6 +251,8 @@ trait Values {
     type Bits;
     /// By this function.
     fn by(self, field: Field, bits_of: impl Fn(f32) -> u32) -> Self::Bits;
+    /// By this function, to a word of its own.
+    fn to_word_by(self, bits_of: impl Fn(f32) -> u32) -> Self::Bits;
     /// By [`srgb::encode`].
     fn by_srgb(self, field: Field) -> Self::Bits;
 }
@@ -260,6 +262,10 @@ impl Values for f32 {
     #[inline(always)]
     fn by(self, field: Field, bits_of: impl Fn(Self) -> u32) -> u32 {
         field.put(bits_of(self))
+    }
+    #[inline(always)]
+    fn to_word_by(self, bits_of: impl Fn(Self) -> u32) -> u32 {
+        bits_of(self)
     }
     #[inline(always)]
     fn by_srgb(self, field: Field) -> u32 {
@@ -283,6 +289,12 @@ impl<S: Simd> Values for Lanes<'_, S> {
         }
     }
     #[inline(always)]
+    fn to_word_by(self, bits_of: impl Fn(f32) -> u32) {
+        for lane in 0..LANES {
+            self.words[lane] = bits_of(self.values[lane]);
+        }
+    }
+    #[inline(always)]
     fn by_srgb(self, field: Field) {
         let bytes = srgb::encode_lanes::<S>(self.values);
         for lane in 0..LANES {
@@ -294,9 +306,8 @@ impl<S: Simd> Values for Lanes<'_, S> {
 /// [`encode_channel`] of one value or of lanes.
 #[inline(always)]
 fn encode_values<V: Values>(format: Format, channel: usize, values: V) -> V::Bits {
-    let info = format.info();
-    let field = info.fields[channel];
-    match info.encoding {
+    let field = format.field(channel);
+    match format.info().encoding {
         Encoding::Srgb if format.is_srgb_channel(channel) => values.by_srgb(field),
         Encoding::Unorm | Encoding::Srgb if field.bits == 32 => {
             // Saturates at the top.
@@ -312,9 +323,9 @@ fn encode_values<V: Values>(format: Format, channel: usize, values: V) -> V::Bit
         }
         Encoding::Float if field.bits == 32 => {
             if format.is_depth() {
-                values.by(field, |x| to_float(clamp(x, 0.0, 1.0)))
+                values.to_word_by(|x| to_float(clamp(x, 0.0, 1.0)))
             } else {
-                values.by(field, to_float)
+                values.to_word_by(to_float)
             }
         }
         Encoding::Float if field.bits == HALF_MANTISSA + 6 => values.by(field, encode_half),

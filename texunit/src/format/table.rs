@@ -1,7 +1,7 @@
 //! The table: one row per format, `Name: layout(base, encoding, …)`.
 
 use super::block::Block::{Dxt1, Dxt3, Dxt5, Rgtc1, Rgtc1Snorm, Rgtc2, Rgtc2Snorm};
-use super::{BaseFormat, Encoding, FormatInfo};
+use super::{BaseFormat, Encoding, Field, FormatInfo};
 use BaseFormat::{Alpha, Intensity, Luminance, LuminanceAlpha, Red, Rg, Rgb, Rgba};
 use Encoding::{Block, Float, SharedExponent, Sint, Snorm, Srgb, SrgbBlock, Uint, Unorm};
 
@@ -25,6 +25,12 @@ macro_rules! formats {
             #[inline(always)]
             pub const fn info(self) -> FormatInfo {
                 ROWS[self as usize]
+            }
+
+            /// Where a stored channel is. (The row would be copied, to be indexed.)
+            #[inline(always)]
+            pub const fn field(self, channel: usize) -> Field {
+                ROWS[self as usize].fields[channel]
             }
         }
 

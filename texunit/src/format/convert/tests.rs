@@ -19,7 +19,9 @@ impl Kernel for Encode<'_> {
     type Output = [U32s; 4];
     #[inline(always)]
     fn run<S: Simd>(self) -> [U32s; 4] {
-        encode_lanes::<S>(self.0, self.1.each_ref())
+        let mut out = [U32s::ZERO; 4];
+        encode_lanes::<S>(self.0, self.1.each_ref(), &mut out);
+        out
     }
 }
 
