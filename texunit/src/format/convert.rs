@@ -16,6 +16,19 @@ use std::marker::PhantomData;
 const BYTE_HIGH: f32 = f32::from_bits((1.0_f32 / 255.0).to_bits() & 0xFFFF_FF00);
 const BYTE_LOW: f32 = (1.0 / 255.0 - BYTE_HIGH as f64) as f32;
 
+/// `1 / (2^n - 1)` in two parts, as those of 1/255, for `n` up to 16. The first has 8 significant bits.
+const INVERSES: [[f32; 2]; 17] = {
+    let mut table = [[0.0; 2]; 17];
+    let mut bits = 1;
+    while bits < 17 {
+        let inverse = 1.0 / ((1_u32 << bits) - 1) as f64;
+        let high = f32::from_bits((inverse as f32).to_bits() & 0xFFFF_0000);
+        table[bits] = [high, (inverse - high as f64) as f32];
+        bits += 1;
+    }
+    table
+};
+
 /// The one NaN that is stored, so that the bits do not depend on which instruction made it.
 const NAN: u32 = 0x7FC0_0000;
 
@@ -52,10 +65,16 @@ fn unorm32(bits: u32) -> f32 {
     (f64::from(bits) / UNORM32) as f32
 }
 
-/// A signed normalized number of the top bits of `c`, whose largest is `largest`.
+/// The nearest `f32` to a whole number over that of which these are the [`INVERSES`].
 #[inline(always)]
-fn snorm(c: i32, largest: f32) -> f32 {
-    max(c as f32 / largest, -1.0)
+fn over(c: i32, [high, low]: [f32; 2]) -> f32 {
+    c as f32 * high + c as f32 * low
+}
+
+/// A signed normalized number.
+#[inline(always)]
+fn snorm(c: i32, inverse: [f32; 2]) -> f32 {
+    max(over(c, inverse), -1.0)
 }
 
 /// The field of a word in two's complement.
@@ -136,16 +155,22 @@ pub fn decode_channel<S: Simd>(format: Format, channel: usize, words: &U32s) -> 
                 out[lane] = unorm32(words[lane]);
             }
         }
-        Encoding::Unorm | Encoding::Srgb => {
+        Encoding::Unorm | Encoding::Srgb if field.bits > 16 => {
             let largest = field.mask() as i32 as f32;
             for lane in 0..LANES {
                 out[lane] = field.of(words[lane]) as i32 as f32 / largest;
             }
         }
-        Encoding::Snorm => {
-            let largest = (field.mask() >> 1) as i32 as f32;
+        Encoding::Unorm | Encoding::Srgb => {
+            let inverse = INVERSES[field.bits as usize];
             for lane in 0..LANES {
-                out[lane] = snorm(signed(field, words[lane]), largest);
+                out[lane] = over(field.of(words[lane]) as i32, inverse);
+            }
+        }
+        Encoding::Snorm => {
+            let inverse = INVERSES[field.bits as usize - 1];
+            for lane in 0..LANES {
+                out[lane] = snorm(signed(field, words[lane]), inverse);
             }
         }
         Encoding::Float if field.bits == 32 => {
@@ -205,9 +230,10 @@ pub(crate) fn decode_field(format: Format, channel: usize, words: [u32; 4]) -> f
         Encoding::Unorm | Encoding::Srgb => match field.bits {
             8 => unorm8(bits),
             32 => unorm32(bits),
-            _ => bits as f32 / field.mask() as f32,
+            17.. => bits as f32 / field.mask() as f32,
+            _ => over(bits as i32, INVERSES[field.bits as usize]),
         },
-        Encoding::Snorm => snorm(signed(field, word), (field.mask() >> 1) as f32),
+        Encoding::Snorm => snorm(signed(field, word), INVERSES[field.bits as usize - 1]),
         Encoding::Float => match field.bits {
             32 => f32::from_bits(word),
             16 => decode_half(bits),
