@@ -2,7 +2,7 @@
 
 use texunit::format::convert::{self, word_of};
 use texunit::format::{BaseFormat, Encoding, Format};
-use texunit::lanes::{Baseline, F32s, LANES, Simd, U32s, math};
+use texunit::lanes::{Baseline, F32s, Kernel, LANES, Simd, U32s, math};
 
 /// `[0, 1]` to 0 … `largest`, rounded to nearest; NaN gives 0 (GL 2.1, section 2.14.9).
 #[inline(always)]
@@ -10,45 +10,74 @@ pub fn unorm(c: f32, largest: f32) -> u32 {
     math::index(c * largest + 0.5, largest)
 }
 
-/// The texels of 64 colours: as many words as the format has.
+/// The texels of 64 colours: as many words as the format has. A function of its own, as it is large.
 #[inline(always)]
 pub fn encode_color<S: Simd>(format: Format, rgba: [&F32s; 4], out: &mut [U32s; 4]) {
-    match format.info().encoding {
-        Encoding::Unorm => {}
-        Encoding::Srgb
-        | Encoding::Snorm
-        | Encoding::Float
-        | Encoding::SharedExponent
-        | Encoding::Uint
-        | Encoding::Sint
-        | Encoding::Block(_)
-        | Encoding::SrgbBlock(_) => return convert::encode_lanes::<S>(format, rgba, out),
-    }
-    for words in &mut out[..format.words()] {
-        *words = U32s::ZERO;
-    }
-    for (channel, &source) in format.base().sources().iter().enumerate() {
-        let field = format.field(channel);
-        let largest = field.mask() as i32 as f32;
-        let (values, to) = (rgba[source], &mut out[field.word]);
-        for lane in 0..LANES {
-            to[lane] |= unorm(values[lane], largest) << field.shift;
+    S::apart(Encode { format, rgba, out });
+}
+
+/// The colours of 64 texels, as blending sees them: what is not stored is 0, alpha 1. A function of its own.
+#[inline(always)]
+pub fn decode_color<S: Simd>(format: Format, words: [&U32s; 4]) -> [F32s; 4] {
+    S::apart(Decode { format, words })
+}
+
+struct Encode<'a> {
+    format: Format,
+    rgba: [&'a F32s; 4],
+    out: &'a mut [U32s; 4],
+}
+
+impl Kernel for Encode<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn run<S: Simd>(self) {
+        let Self { format, rgba, out } = self;
+        match format.info().encoding {
+            Encoding::Unorm => {}
+            Encoding::Srgb
+            | Encoding::Snorm
+            | Encoding::Float
+            | Encoding::SharedExponent
+            | Encoding::Uint
+            | Encoding::Sint
+            | Encoding::Block(_)
+            | Encoding::SrgbBlock(_) => return convert::encode_lanes::<S>(format, rgba, out),
+        }
+        for words in &mut out[..format.words()] {
+            *words = U32s::ZERO;
+        }
+        for (channel, &source) in format.base().sources().iter().enumerate() {
+            let field = format.field(channel);
+            let largest = field.mask() as i32 as f32;
+            let (values, to) = (rgba[source], &mut out[field.word]);
+            for lane in 0..LANES {
+                to[lane] |= unorm(values[lane], largest) << field.shift;
+            }
         }
     }
 }
 
-/// The colours of 64 texels, as blending sees them: what is not stored is 0, alpha 1.
-#[inline(always)]
-pub fn decode_color<S: Simd>(format: Format, words: [&U32s; 4]) -> [F32s; 4] {
-    let mut rgba = [F32s::ZERO, F32s::ZERO, F32s::ZERO, F32s::splat(1.0)];
-    for (channel, &source) in format.base().sources().iter().enumerate() {
-        let words = words[word_of(format, channel)];
-        rgba[source] = convert::decode_channel::<S>(format, channel, words);
+struct Decode<'a> {
+    format: Format,
+    words: [&'a U32s; 4],
+}
+
+impl Kernel for Decode<'_> {
+    type Output = [F32s; 4];
+    #[inline(always)]
+    fn run<S: Simd>(self) -> [F32s; 4] {
+        let Self { format, words } = self;
+        let mut rgba = [F32s::ZERO, F32s::ZERO, F32s::ZERO, F32s::splat(1.0)];
+        for (channel, &source) in format.base().sources().iter().enumerate() {
+            let words = words[word_of(format, channel)];
+            rgba[source] = convert::decode_channel::<S>(format, channel, words);
+        }
+        if format.base() == BaseFormat::Intensity {
+            rgba[3] = rgba[0];
+        }
+        rgba
     }
-    if format.base() == BaseFormat::Intensity {
-        rgba[3] = rgba[0];
-    }
-    rgba
 }
 
 /// The words of an RGBA colour in an attachment of this format, as a draw of that colour would
