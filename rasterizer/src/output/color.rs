@@ -380,7 +380,8 @@ fn blended<S: Simd>(
     blend::blend(state, &clamped, &destination, range)
 }
 
-/// The texels of 64 integer colours, each clamped to what its field can hold: as many words as the format has.
+/// The texels of 64 integer colours, each clamped to what its field can hold: as many words as the format
+/// has.
 #[inline(always)]
 fn encode_integers(format: Format, rgba: [&F32s; 4], out: &mut [U32s; 4]) {
     let is_signed = format.info().encoding == Encoding::Sint;
