@@ -19,6 +19,7 @@ use crate::texture::TextureTarget;
 use crate::texture::texel::is_wide;
 use glam::{DMat4, DVec4};
 use rasterizer::driver::{LevelInfo, Rim, VertexBinding, VertexSource};
+use std::sync::Arc;
 
 /// What draws have found out about the texture units, while these stay as they are.
 #[derive(Debug, Default)]
@@ -35,7 +36,7 @@ pub(super) fn see_units(context: &mut Context) {
     let version = context.state.units.units.version();
     if context.recorder.units_seen.version != version {
         let units = (0..).zip(&context.state.units.units[..MAX_TEXTURE_UNITS.into()]);
-        let enabled = |(bit, unit): (u8, &Unit)| u8::from(unit.enabled.contains(&true)) << bit;
+        let enabled = |(bit, unit): (u8, &Arc<Unit>)| u8::from(unit.enabled.contains(&true)) << bit;
         let enabled = units.map(enabled).fold(0, |all, unit| all | unit);
         context.recorder.units_seen = UnitsSeen { version, enabled, generated: generated(context) };
     }

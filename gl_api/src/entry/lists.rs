@@ -2,7 +2,7 @@
 
 use super::Data;
 use crate::list::calls;
-use crate::state::attrib;
+use crate::state::{attrib, client_attrib};
 use crate::types::*;
 
 entry_points! {
@@ -27,6 +27,8 @@ entry_points! {
         push_attrib: glPushAttrib (mask: GLbitfield);
         /// Puts the groups back that were kept last.
         pop_attrib: glPopAttrib ();
+    }
+    Outside in client_attrib {
         /// Keeps groups of the client's state.
         push_client_attrib: glPushClientAttrib (mask: GLbitfield);
         /// Puts the groups of the client's state back that were kept last.

@@ -15,6 +15,7 @@ use crate::state::versioned::Versioned;
 use crate::texture::TextureTarget;
 use crate::types::*;
 use combine::{Arguments, COMBINER_PARAMETER, Combiner, CombinerParameter};
+use std::sync::Arc;
 use texgen::Generate;
 
 const SECTION: &str = "GL 2.1, section 3.8.13";
@@ -70,12 +71,27 @@ pub(crate) struct Unit {
     pub coord_replace: bool,
 }
 
+impl Unit {
+    /// What is switched on: targets, and coordinates that are generated.
+    pub fn switches(&self) -> ([bool; TextureTarget::COUNT], [bool; 4]) {
+        (self.enabled, self.generate.each_ref().map(|generate| generate.enabled))
+    }
+
+    /// The reverse of [`Self::switches`].
+    pub fn switch(&mut self, (enabled, generate): ([bool; TextureTarget::COUNT], [bool; 4])) {
+        self.enabled = enabled;
+        for (coord, enabled) in self.generate.iter_mut().zip(generate) {
+            coord.enabled = enabled;
+        }
+    }
+}
+
 /// All units, and which one calls work on.
 #[derive(Clone, Debug)]
 pub(crate) struct Units {
-    /// A third of a context, which has to fit a client's stack several times while it is made. Draws
-    /// look at all of it only where it has changed.
-    pub units: Versioned<Box<[Unit; MAX_COMBINED_TEXTURE_IMAGE_UNITS as usize]>>,
+    /// What `glPushAttrib` keeps shares them until one is changed ([`Self::unit_mut`]). Draws look at
+    /// all of it only where it has changed.
+    pub units: Versioned<Box<[Arc<Unit>; MAX_COMBINED_TEXTURE_IMAGE_UNITS as usize]>>,
     pub active: u8,
     pub client_active: u8,
 }
@@ -93,7 +109,8 @@ impl Default for Units {
             generate: Generate::initial(),
             coord_replace: false,
         };
-        let units = Box::new(std::array::from_fn(|_| unit.clone()));
+        let unit = Arc::new(unit);
+        let units = Box::new(std::array::from_fn(|_| Arc::clone(&unit)));
         Self { units: Versioned::new(units), active: 0, client_active: 0 }
     }
 }
@@ -104,7 +121,18 @@ impl Units {
     }
 
     pub fn active_mut(&mut self) -> &mut Unit {
-        &mut self.units[usize::from(self.active)]
+        self.unit_mut(self.active.into())
+    }
+
+    /// A unit, to be changed.
+    pub fn unit_mut(&mut self, unit: usize) -> &mut Unit {
+        Arc::make_mut(&mut self.units[unit])
+    }
+
+    /// Where point sprites replace the coordinates: bit by unit.
+    pub fn coord_replace(&self) -> u32 {
+        let bits = (0..).zip(self.units.iter());
+        bits.fold(0, |bits, (at, unit)| bits | u32::from(unit.coord_replace) << at)
     }
 
     /// The active unit as the number of a set of texture coordinates.

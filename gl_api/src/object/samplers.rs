@@ -1,5 +1,6 @@
 //! Sampler objects: `ARB_sampler_objects`, section 3.8.2.
 
+use super::bound::Bound;
 use super::{Sweep, listed};
 use crate::constants::*;
 use crate::context::Context;
@@ -34,7 +35,12 @@ pub(crate) fn delete_samplers(
 ) -> Result<()> {
     for &name in listed(SECTION, n, samplers)?.iter().filter(|&&name| name != 0) {
         let gone = context.objects.samplers.hold(name);
-        context.state.units.units.iter_mut().for_each(|unit| unit.sampler.forget(&gone));
+        let units = &mut context.state.units;
+        for at in 0..units.units.len() {
+            if gone != Bound::default() && units.units[at].sampler == gone {
+                units.unit_mut(at).sampler.forget(&gone);
+            }
+        }
         drop(gone);
         context.objects.samplers.remove(name);
     }
@@ -59,7 +65,7 @@ pub(crate) fn bind_sampler(context: &mut Context, unit: GLuint, sampler: GLuint)
     if sampler != 0 {
         found(context, sampler)?;
     }
-    context.state.units.units[unit as usize].sampler = context.objects.samplers.hold(sampler);
+    context.state.units.unit_mut(unit as usize).sampler = context.objects.samplers.hold(sampler);
     Ok(())
 }
 

@@ -1,5 +1,6 @@
 //! Texture names and units: GL 2.1, sections 3.8.12 and 2.7.
 
+use super::bound::Bound;
 use super::{Sweep, listed};
 use crate::constants::*;
 use crate::context::Context;
@@ -26,8 +27,11 @@ pub(crate) fn delete_textures(
 ) -> Result<()> {
     for &name in listed(SECTION, n, textures)?.iter().filter(|&&name| name != 0) {
         let gone = context.objects.textures.hold(name);
-        for unit in context.state.units.units.iter_mut() {
-            unit.bound.iter_mut().for_each(|bound| bound.forget(&gone));
+        let units = &mut context.state.units;
+        for at in 0..units.units.len() {
+            if gone != Bound::default() && units.units[at].bound.contains(&gone) {
+                units.unit_mut(at).bound.iter_mut().for_each(|bound| bound.forget(&gone));
+            }
         }
         drop(gone);
         crate::framebuffer::attach::detach_texture(context, name);

@@ -1,16 +1,17 @@
-//! The attribute stacks: `glPushAttrib` and `glPushClientAttrib`, GL 2.1, section 6.1.17 and the
-//! attribute groups of tables 6.5 to 6.37.
+//! The attribute stack: `glPushAttrib`, GL 2.1, section 6.1.17 and the attribute groups of tables 6.5
+//! to 6.37. The client's is [`super::client_attrib`].
 
+use super::client_attrib::Client;
 use super::enable::{Enables, Flag};
 use super::versioned::Versioned;
-use super::{State, clamp, clip, fog, fragment, light, material, pixel_store, raster, viewport};
+use super::{State, clamp, clip, fog, fragment, light, material, raster, viewport};
 use crate::constants::*;
-use crate::context::Context;
-use crate::draw::arrays::Arrays;
+use crate::context::{Context, limits};
 use crate::env::Units;
 use crate::error::{ErrorCode, GlError, Result};
 use crate::evaluate::EvaluatorState;
 use crate::framebuffer::buffers::{self, Selection};
+use crate::interface::MAX_COMBINED_TEXTURE_IMAGE_UNITS;
 use crate::object::bound::Bound;
 use crate::pixels::position::RasterPosition;
 use crate::state::matrix::MatrixMode;
@@ -18,38 +19,68 @@ use crate::texture::TextureTarget;
 use crate::texture::sampler::SamplerState;
 use crate::texture::transfer::Transfer;
 use crate::types::*;
+use std::sync::Arc;
 
 const SECTION: &str = "GL 2.1, section 6.1.17";
 
 /// Each of the stacks holds so many groups (table 6.35).
 pub(crate) const MAX_ATTRIB_STACK_DEPTH: usize = 16;
 
-/// What of the context's state a push keeps; the parts that are small are kept whatever the mask.
-#[derive(Clone, Debug)]
+/// What of the context's state a push keeps: the groups of its mask.
+#[derive(Debug, Default)]
 struct Server {
     mask: GLbitfield,
-    current: [[f32; 4]; super::LOCATIONS],
     enables: Enables,
-    lights: Versioned<light::Lights>,
-    materials: Versioned<material::Materials>,
-    fog: fog::FogState,
-    clip: clip::ClipPlanes,
-    raster: raster::RasterState,
-    fragment: fragment::FragmentState,
-    clear: fragment::ClearState,
     clamp: clamp::ClampState,
-    transfer: Transfer,
-    pixel_zoom: [f32; 2],
-    raster_position: RasterPosition,
-    viewport: viewport::ViewportState,
-    evaluators: EvaluatorState,
     matrix_mode: MatrixMode,
     list_base: GLuint,
+    pixel_zoom: [f32; 2],
+    current: Option<([[f32; 4]; super::LOCATIONS], RasterPosition)>,
+    lighting: Option<(Versioned<light::Lights>, Versioned<material::Materials>)>,
+    fog: Option<fog::FogState>,
+    clip: Option<clip::ClipPlanes>,
+    /// Of the groups of rasterization.
+    raster: Option<raster::RasterState>,
+    /// Of the groups of what is done to fragments.
+    fragment: Option<fragment::FragmentState>,
+    clear: Option<fragment::ClearState>,
+    transfer: Option<Transfer>,
+    viewport: Option<viewport::ViewportState>,
+    evaluators: Option<EvaluatorState>,
     selection: Option<Selection>,
-    /// Of `GL_TEXTURE_BIT` and `GL_ENABLE_BIT`.
-    units: Option<Box<Units>>,
+    /// Of `GL_ENABLE_BIT`, what is not among the flags.
+    switches: Option<Switches>,
+    /// Of `GL_POINT_BIT`: bit by unit.
+    coord_replace: Option<u32>,
     /// Of `GL_TEXTURE_BIT`.
+    units: Option<Units>,
+    /// As `units`; the memory stays.
     textures: Vec<Parameters>,
+    /// The version of the units.
+    units_version: u64,
+}
+
+/// What is switched on besides the flags.
+#[derive(Debug)]
+struct Switches {
+    lights: u8,
+    clip: u8,
+    evaluators: EvaluatorState,
+    blend: [bool; limits::MAX_COLOR_ATTACHMENTS],
+    /// Of each unit the targets and the coordinates that are generated.
+    units: [([bool; TextureTarget::COUNT], [bool; 4]); MAX_COMBINED_TEXTURE_IMAGE_UNITS as usize],
+}
+
+impl Switches {
+    fn of(state: &State) -> Self {
+        Self {
+            lights: state.lights.enabled,
+            clip: state.clip.enabled,
+            evaluators: state.evaluators,
+            blend: state.fragment.buffers.each_ref().map(|buffer| buffer.blend),
+            units: state.units.units.each_ref().map(|unit| unit.switches()),
+        }
+    }
 }
 
 /// The parameters of a texture that is bound.
@@ -62,26 +93,13 @@ struct Parameters {
     priority: f32,
 }
 
-/// What of the client's state a push keeps.
-#[derive(Clone, Debug)]
-struct Client {
-    mask: GLbitfield,
-    pack: pixel_store::PixelStore,
-    unpack: pixel_store::PixelStore,
-    pixel_buffers: [Bound; 2],
-    arrays: Arrays,
-    array_buffers: [Bound; 2],
-    vertex_array: GLuint,
-    /// Whether primitives are restarted, and by which index.
-    restart: (bool, GLuint),
-    client_active: u8,
-}
-
 /// Both stacks.
 #[derive(Debug, Default)]
 pub(crate) struct AttribStacks {
-    server: Vec<Server>,
-    client: Vec<Client>,
+    server: Vec<Box<Server>>,
+    /// Memory of those that were popped, which hold nothing any more.
+    spare: Vec<Box<Server>>,
+    pub(super) client: Vec<Client>,
 }
 
 impl AttribStacks {
@@ -147,9 +165,14 @@ const FLAGS: &[(GLbitfield, &[Flag])] = &[
     ),
 ];
 
-fn bound_textures(context: &Context) -> Vec<Parameters> {
-    let mut textures: Vec<Parameters> = Vec::new();
-    for unit in context.state.units.units.iter() {
+/// Keeps the parameters of all textures that are bound.
+fn keep_textures(context: &Context, textures: &mut Vec<Parameters>) {
+    let units = &context.state.units.units;
+    for (at, unit) in units.iter().enumerate() {
+        // Units that nobody has changed are one.
+        if at > 0 && Arc::ptr_eq(unit, &units[at - 1]) {
+            continue;
+        }
         for target in TextureTarget::ALL {
             let bound = &unit.bound[target as usize];
             if textures.iter().all(|known| (known.target, &known.bound) != (target, bound)) {
@@ -164,10 +187,9 @@ fn bound_textures(context: &Context) -> Vec<Parameters> {
             }
         }
     }
-    textures
 }
 
-fn stack_error<T>(code: ErrorCode, rule: String) -> Result<T> {
+pub(super) fn stack_error<T>(code: ErrorCode, rule: String) -> Result<T> {
     Err(GlError { code, rule, section: SECTION })
 }
 
@@ -178,38 +200,63 @@ pub(crate) fn push_attrib(context: &mut Context, mask: GLbitfield) -> Result<()>
             format!("the stack has {MAX_ATTRIB_STACK_DEPTH} groups: glPopAttrib is missing"),
         );
     }
-    let has = |bits| mask & bits != 0;
-    let state = &context.state;
-    let saved = Server {
-        mask,
-        current: state.current,
-        enables: state.enables.clone(),
-        lights: state.lights.clone(),
-        materials: state.materials.clone(),
-        fog: state.fog.clone(),
-        clip: state.clip.clone(),
-        raster: state.raster.clone(),
-        fragment: state.fragment.clone(),
-        clear: state.clear.clone(),
-        clamp: state.clamp,
-        transfer: state.transfer,
-        pixel_zoom: state.pixel_zoom,
-        raster_position: state.raster_position.clone(),
-        viewport: state.viewport.clone(),
-        evaluators: state.evaluators,
-        matrix_mode: state.matrices.mode,
-        list_base: context.lists.base(),
-        selection: has(GL_COLOR_BUFFER_BIT | GL_PIXEL_MODE_BIT).then(|| buffers::selected(context)),
-        units: has(GL_TEXTURE_BIT | GL_ENABLE_BIT | GL_POINT_BIT)
-            .then(|| Box::new(state.units.clone())),
-        textures: if has(GL_TEXTURE_BIT) { bound_textures(context) } else { Vec::new() },
-    };
+    let mut saved = context.attribs.spare.pop().unwrap_or_default();
+    saved.keep(context, mask);
     context.attribs.server.push(saved);
     Ok(())
 }
 
+impl Server {
+    /// Keeps the groups of a mask; there are none in it yet.
+    fn keep(&mut self, context: &Context, mask: GLbitfield) {
+        let has = |bits| mask & bits != 0;
+        let state = &context.state;
+        self.mask = mask;
+        self.enables = state.enables.clone();
+        self.clamp = state.clamp;
+        self.matrix_mode = state.matrices.mode;
+        self.list_base = context.lists.base();
+        self.pixel_zoom = state.pixel_zoom;
+        self.units_version = state.units.units.version();
+        self.current = has(GL_CURRENT_BIT).then(|| (state.current, state.raster_position.clone()));
+        self.lighting =
+            has(GL_LIGHTING_BIT).then(|| (state.lights.clone(), state.materials.clone()));
+        self.fog = has(GL_FOG_BIT).then(|| state.fog.clone());
+        self.clip = has(GL_TRANSFORM_BIT).then(|| state.clip.clone());
+        self.raster = has(RASTER_BITS).then(|| state.raster.clone());
+        self.fragment = has(FRAGMENT_BITS).then(|| state.fragment.clone());
+        self.clear = has(CLEAR_BITS).then(|| state.clear.clone());
+        self.transfer = has(GL_PIXEL_MODE_BIT).then_some(state.transfer);
+        self.viewport = has(GL_VIEWPORT_BIT).then(|| state.viewport.clone());
+        self.evaluators = has(GL_EVAL_BIT).then_some(state.evaluators);
+        self.selection =
+            has(GL_COLOR_BUFFER_BIT | GL_PIXEL_MODE_BIT).then(|| buffers::selected(context));
+        self.switches = has(GL_ENABLE_BIT).then(|| Switches::of(state));
+        self.coord_replace = has(GL_POINT_BIT).then(|| state.units.coord_replace());
+        if has(GL_TEXTURE_BIT) {
+            self.units = Some(state.units.clone());
+            keep_textures(context, &mut self.textures);
+        }
+    }
+}
+
+/// The groups that have part of [`raster::RasterState`].
+const RASTER_BITS: GLbitfield = GL_LIGHTING_BIT
+    | GL_HINT_BIT
+    | GL_LINE_BIT
+    | GL_POLYGON_STIPPLE_BIT
+    | GL_POLYGON_BIT
+    | GL_MULTISAMPLE_BIT
+    | GL_POINT_BIT;
+/// The groups that have part of [`fragment::FragmentState`].
+const FRAGMENT_BITS: GLbitfield =
+    GL_SCISSOR_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT | GL_COLOR_BUFFER_BIT;
+/// The groups that have part of [`fragment::ClearState`].
+const CLEAR_BITS: GLbitfield =
+    GL_DEPTH_BUFFER_BIT | GL_ACCUM_BUFFER_BIT | GL_STENCIL_BUFFER_BIT | GL_COLOR_BUFFER_BIT;
+
 pub(crate) fn pop_attrib(context: &mut Context) -> Result<()> {
-    let Some(saved) = context.attribs.server.pop() else {
+    let Some(mut saved) = context.attribs.server.pop() else {
         return stack_error(
             ErrorCode::StackUnderflow,
             "the stack is empty: glPushAttrib is missing".into(),
@@ -222,41 +269,39 @@ pub(crate) fn pop_attrib(context: &mut Context) -> Result<()> {
             }
         }
     }
-    if saved.mask & GL_TEXTURE_BIT != 0 {
-        restore_textures(context, &saved);
-    }
+    restore_textures(context, &mut saved.textures);
     if saved.mask & GL_LIST_BIT != 0 {
         context.lists.set_base(saved.list_base);
     }
-    if let Some(selection) = &saved.selection {
-        if saved.mask & GL_COLOR_BUFFER_BIT != 0 {
-            buffers::draw_again(context, selection);
+    if let Some(selection) = saved.selection.take() {
+        let now = buffers::selected(context);
+        if saved.mask & GL_COLOR_BUFFER_BIT != 0 && selection.draw != now.draw {
+            buffers::draw_again(context, &selection);
         }
-        if saved.mask & GL_PIXEL_MODE_BIT != 0 {
-            buffers::read_again(context, selection);
+        if saved.mask & GL_PIXEL_MODE_BIT != 0 && selection.read != now.read {
+            buffers::read_again(context, &selection);
         }
     }
-    restore(&mut context.state, saved);
+    restore(&mut context.state, &mut saved);
+    context.attribs.spare.push(saved);
     Ok(())
 }
 
 /// Puts the groups of plain state back.
-fn restore(state: &mut State, saved: Server) {
+fn restore(state: &mut State, saved: &mut Server) {
     let mask = saved.mask;
     let has = |bit| mask & bit != 0;
-    if has(GL_ENABLE_BIT) {
-        restore_enables(state, &saved);
+    if let Some(switches) = saved.switches.take() {
+        restore_switches(state, &switches, saved.units_version);
     }
-    if has(GL_CURRENT_BIT) {
-        state.current = saved.current;
-        state.raster_position = saved.raster_position;
+    if let Some((current, raster_position)) = saved.current.take() {
+        state.current = current;
+        state.raster_position = raster_position;
     }
-    if let Some(mut units) = saved.units {
-        restore_units(&mut state.units, &mut units, mask);
-    }
-    if has(GL_LIGHTING_BIT) {
-        state.lights = saved.lights;
-        state.materials = saved.materials;
+    restore_units(&mut state.units, saved);
+    if let Some((lights, materials)) = saved.lighting.take() {
+        state.lights = lights;
+        state.materials = materials;
     }
     if has(GL_LIGHTING_BIT | GL_ENABLE_BIT) {
         state.clamp.vertex = saved.clamp.vertex;
@@ -265,62 +310,82 @@ fn restore(state: &mut State, saved: Server) {
         state.clamp.fragment = saved.clamp.fragment;
         state.clamp.read = saved.clamp.read;
     }
-    if has(GL_EVAL_BIT) {
-        state.evaluators = saved.evaluators;
+    if let Some(evaluators) = saved.evaluators.take() {
+        state.evaluators = evaluators;
     }
-    if has(GL_FOG_BIT) {
-        state.fog = saved.fog;
+    if let Some(fog) = saved.fog.take() {
+        state.fog = fog;
     }
-    if has(GL_TRANSFORM_BIT) {
-        state.clip = saved.clip;
+    if let Some(clip) = saved.clip.take() {
+        state.clip = clip;
         state.matrices.mode = saved.matrix_mode;
     }
-    if has(GL_VIEWPORT_BIT) {
-        state.viewport = saved.viewport;
+    if let Some(viewport) = saved.viewport.take() {
+        state.viewport = viewport;
     }
-    if has(GL_PIXEL_MODE_BIT) {
+    if let Some(transfer) = saved.transfer.take() {
         // The maps are of no group (GL 2.1, section 6.2).
-        state.transfer = Transfer { maps: state.transfer.maps, ..saved.transfer };
+        state.transfer = Transfer { maps: state.transfer.maps, ..transfer };
         state.pixel_zoom = saved.pixel_zoom;
     }
-    restore_raster(&mut state.raster, saved.raster, mask);
-    restore_fragments(&mut state.fragment, saved.fragment, mask);
-    restore_clear(&mut state.clear, &saved.clear, mask);
+    if let Some(raster) = saved.raster.take() {
+        restore_raster(&mut state.raster, raster, mask);
+    }
+    if let Some(fragment) = saved.fragment.take() {
+        restore_fragments(&mut state.fragment, fragment, mask);
+    }
+    if let Some(clear) = saved.clear.take() {
+        restore_clear(&mut state.clear, &clear, mask);
+    }
 }
 
-/// Of `GL_ENABLE_BIT`: what is not among the flags.
-fn restore_enables(state: &mut State, saved: &Server) {
-    state.lights.enabled = saved.lights.enabled;
-    state.evaluators.take_enabled(&saved.evaluators);
-    state.clip.enabled = saved.clip.enabled;
-    for (buffer, saved) in state.fragment.buffers.iter_mut().zip(&saved.fragment.buffers) {
-        buffer.blend = saved.blend;
+/// Of `GL_ENABLE_BIT`: what is not among the flags. What is as it was keeps its version.
+fn restore_switches(state: &mut State, saved: &Switches, units_version: u64) {
+    if state.lights.enabled != saved.lights {
+        state.lights.enabled = saved.lights;
     }
-    let units = saved.units.iter().flat_map(|units| units.units.iter());
-    for (unit, saved) in state.units.units.iter_mut().zip(units) {
-        unit.enabled = saved.enabled;
-        for (generate, saved) in unit.generate.iter_mut().zip(&saved.generate) {
-            generate.enabled = saved.enabled;
+    state.evaluators.take_enabled(&saved.evaluators);
+    state.clip.enabled = saved.clip;
+    for (buffer, &saved) in state.fragment.buffers.iter_mut().zip(&saved.blend) {
+        buffer.blend = saved;
+    }
+    if state.units.units.version() != units_version {
+        for (unit, saved) in saved.units.iter().enumerate() {
+            if state.units.units[unit].switches() != *saved {
+                state.units.unit_mut(unit).switch(*saved);
+            }
         }
     }
 }
 
 /// The groups of texture units: the sprites' coordinates are of the points' group, the units' other
 /// state of the textures'.
-fn restore_units(now: &mut Units, saved: &mut Units, mask: GLbitfield) {
-    let points = mask & GL_POINT_BIT != 0;
-    for (unit, saved) in now.units.iter_mut().zip(saved.units.iter_mut()) {
-        let kept = if points { saved.coord_replace } else { unit.coord_replace };
-        (unit.coord_replace, saved.coord_replace) = (kept, kept);
-        // What was deleted meanwhile stays deleted: name 0 is bound in its place.
-        for (now, saved) in unit.bound.iter().zip(&mut saved.bound) {
-            *saved = std::mem::take(saved).restored(now);
-        }
-        saved.sampler = std::mem::take(&mut saved.sampler).restored(&unit.sampler);
+fn restore_units(now: &mut Units, saved: &mut Server) {
+    let units = saved.units.take();
+    if now.units.version() == saved.units_version {
+        now.active = units.map_or(now.active, |units| units.active);
+        return;
     }
-    if mask & GL_TEXTURE_BIT != 0 {
-        saved.client_active = now.client_active;
-        std::mem::swap(now, saved);
+    let replace = saved.coord_replace.unwrap_or_else(|| now.coord_replace());
+    if let Some(mut units) = units {
+        for at in 0..units.units.len() {
+            if !Arc::ptr_eq(&units.units[at], &now.units[at]) {
+                let (saved, now) = (units.unit_mut(at), &now.units[at]);
+                // What was deleted meanwhile stays deleted: name 0 is bound in its place.
+                for (saved, now) in saved.bound.iter_mut().zip(&now.bound) {
+                    *saved = std::mem::take(saved).restored(now);
+                }
+                saved.sampler = std::mem::take(&mut saved.sampler).restored(&now.sampler);
+            }
+        }
+        units.client_active = now.client_active;
+        *now = units;
+    }
+    for at in 0..now.units.len() {
+        let replace = replace >> at & 1 == 1;
+        if now.units[at].coord_replace != replace {
+            now.unit_mut(at).coord_replace = replace;
+        }
     }
 }
 
@@ -403,69 +468,11 @@ fn restore_clear(now: &mut fragment::ClearState, saved: &fragment::ClearState, m
 }
 
 /// Puts the parameters of the textures back that were bound.
-fn restore_textures(context: &mut Context, saved: &Server) {
-    for saved in &saved.textures {
+fn restore_textures(context: &mut Context, saved: &mut Vec<Parameters>) {
+    for saved in saved.drain(..) {
         let texture = context.objects.texture_mut(saved.target, &saved.bound);
-        texture.state = saved.state.clone();
+        texture.state = saved.state;
         texture.generate_mipmap = saved.generate_mipmap;
         texture.priority = saved.priority;
     }
-}
-
-pub(crate) fn push_client_attrib(context: &mut Context, mask: GLbitfield) -> Result<()> {
-    if context.attribs.client.len() >= MAX_ATTRIB_STACK_DEPTH {
-        return stack_error(
-            ErrorCode::StackOverflow,
-            format!("the stack has {MAX_ATTRIB_STACK_DEPTH} groups: glPopClientAttrib is missing"),
-        );
-    }
-    let state = &context.state;
-    let bindings = &state.bindings;
-    context.attribs.client.push(Client {
-        mask,
-        pack: state.pack.clone(),
-        unpack: state.unpack.clone(),
-        pixel_buffers: [&bindings.pixel_pack_buffer, &bindings.pixel_unpack_buffer]
-            .map(Bound::clone),
-        arrays: state.arrays.clone(),
-        array_buffers: [&bindings.array_buffer, &bindings.element_array_buffer].map(Bound::clone),
-        vertex_array: bindings.vertex_array,
-        restart: (state.enables.has(Flag::PrimitiveRestart), state.restart_index),
-        client_active: state.units.client_active,
-    });
-    Ok(())
-}
-
-pub(crate) fn pop_client_attrib(context: &mut Context) -> Result<()> {
-    let Some(saved) = context.attribs.client.pop() else {
-        return stack_error(
-            ErrorCode::StackUnderflow,
-            "the stack is empty: glPushClientAttrib is missing".into(),
-        );
-    };
-    if saved.mask & GL_CLIENT_PIXEL_STORE_BIT != 0 {
-        context.state.pack = saved.pack;
-        context.state.unpack = saved.unpack;
-        let bindings = &mut context.state.bindings;
-        let [pack, unpack] = saved.pixel_buffers;
-        bindings.pixel_pack_buffer.restore(pack);
-        bindings.pixel_unpack_buffer.restore(unpack);
-    }
-    if saved.mask & GL_CLIENT_VERTEX_ARRAY_BIT != 0 {
-        let [array, element] = saved.array_buffers;
-        // A vertex array object that was deleted meanwhile stays deleted (ARB_vertex_array_object,
-        // section 2.10), and its arrays are no other object's.
-        let name = saved.vertex_array;
-        if name == 0 || context.objects.vertex_arrays.get(name).is_some() {
-            crate::object::vertex_arrays::bind_vertex_array(context, name)?;
-            context.state.arrays = saved.arrays;
-            context.state.bindings.element_array_buffer.restore(element);
-        }
-        context.state.bindings.array_buffer.restore(array);
-        let (restarts, index) = saved.restart;
-        context.state.enables.set(Flag::PrimitiveRestart, restarts);
-        context.state.restart_index = index;
-        context.state.units.client_active = saved.client_active;
-    }
-    Ok(())
 }

@@ -21,8 +21,9 @@ pub(crate) const MAX_MODELVIEW_STACK_DEPTH: usize = 32;
 pub(crate) const MAX_STACK_DEPTH: usize = 10;
 
 /// Which stack matrix calls work on.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum MatrixMode {
+    #[default]
     ModelView,
     Projection,
     Texture,

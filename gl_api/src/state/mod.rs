@@ -4,6 +4,7 @@
 pub(crate) mod attrib;
 pub(crate) mod blend;
 pub(crate) mod clamp;
+pub(crate) mod client_attrib;
 pub(crate) mod clip;
 pub(crate) mod enable;
 pub(crate) mod fog;
