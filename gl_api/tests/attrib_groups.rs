@@ -135,8 +135,8 @@ fn change(c: &mut Context, round: u8) {
     c.index_mask(u32::from(round));
     c.logic_op(choose(GL_COPY, GL_XOR));
     c.clear_color(four[0], four[1], four[2], four[3]);
-    c.clamp_color(GL_CLAMP_VERTEX_COLOR, choose(GL_TRUE.into(), GL_FALSE.into()));
-    c.clamp_color(GL_CLAMP_FRAGMENT_COLOR, choose(GL_TRUE.into(), GL_FALSE.into()));
+    c.clamp_color(GL_CLAMP_VERTEX_COLOR, choose(GL_TRUE, GL_FALSE));
+    c.clamp_color(GL_CLAMP_FRAGMENT_COLOR, choose(GL_TRUE, GL_FALSE));
     c.hint(GL_FOG_HINT, choose(GL_FASTEST, GL_NICEST));
     c.map_grid1f(1 + i32::from(round), 0.0, number);
     c.list_base(u32::from(round));
