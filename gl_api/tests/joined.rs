@@ -1,5 +1,6 @@
 //! Primitives that are drawn together though each has a `glBegin` and `glEnd` of its own: the picture,
-//! the current values, the samples that passed and the errors are those of one draw for each.
+//! the current values, the samples that passed, what feedback and selection gather and the errors are
+//! those of one draw for each.
 
 #[path = "common/shading.rs"]
 mod shading;
@@ -117,6 +118,42 @@ fn shapes(c: &mut Context, random: &mut Random, way: Way) {
     }
 }
 
+/// Draws shapes one way or another.
+fn play(c: &mut Context, random: &mut Random, way: Way) {
+    match way {
+        Way::Apart | Way::Immediate => shapes(c, random, way),
+        Way::List | Way::Watched => {
+            c.new_list(1, GL_COMPILE);
+            shapes(c, random, way);
+            c.end_list();
+            c.call_list(1);
+        }
+        Way::ListAtOnce => {
+            c.new_list(1, GL_COMPILE_AND_EXECUTE);
+            shapes(c, random, way);
+            c.end_list();
+        }
+    }
+}
+
+/// The numbers of feedback, and the hits of a name.
+fn gathered(seed: u64, way: Way) -> (Vec<f32>, Vec<GLuint>) {
+    let gather = |mode| {
+        let mut random = Random(seed);
+        let mut c = context(&mut random);
+        c.feedback_buffer(1 << 14, GL_3D_COLOR, DataOut::Null);
+        c.select_buffer(16, DataOut::Null);
+        c.render_mode(mode);
+        c.init_names();
+        c.push_name(7);
+        play(&mut c, &mut random, way);
+        assert!(c.render_mode(GL_RENDER) >= 0);
+        assert_eq!(c.get_error(), GL_NO_ERROR, "{:?}", c.messages());
+        (c.feedback().to_vec(), c.selection().to_vec())
+    };
+    (gather(GL_FEEDBACK).0, gather(GL_SELECT).1)
+}
+
 /// The picture, the current colour, normal and edge flag, the samples that passed, and the error.
 type Outcome = (Vec<u8>, [[f32; 4]; 3], GLuint, GLenum);
 
@@ -127,20 +164,7 @@ fn outcome(seed: u64, way: Way) -> Outcome {
         c.watch_pixel(SIZE / 2, SIZE / 2).expect("a pixel of the window");
     }
     c.begin_query(GL_SAMPLES_PASSED, 1);
-    match way {
-        Way::Apart | Way::Immediate => shapes(c, &mut random, way),
-        Way::List | Way::Watched => {
-            c.new_list(1, GL_COMPILE);
-            shapes(c, &mut random, way);
-            c.end_list();
-            c.call_list(1);
-        }
-        Way::ListAtOnce => {
-            c.new_list(1, GL_COMPILE_AND_EXECUTE);
-            shapes(c, &mut random, way);
-            c.end_list();
-        }
-    }
+    play(c, &mut random, way);
     c.end_query(GL_SAMPLES_PASSED);
     let mut passed = [0];
     c.get_query_objectuiv(1, GL_QUERY_RESULT, &mut passed);
@@ -167,6 +191,18 @@ proptest! {
             prop_assert_eq!(&other.1, &apart.1, "{:?}", way);
             prop_assert_eq!((other.2, other.3), (apart.2, apart.3), "{:?}", way);
             prop_assert!(other.0 == apart.0, "{:?}: the picture differs", way);
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(100))]
+
+    #[test]
+    fn what_feedback_and_selection_gather_is_the_same(seed: u64) {
+        let apart = gathered(seed, Way::Apart);
+        for way in [Way::Immediate, Way::List, Way::ListAtOnce] {
+            prop_assert!(gathered(seed, way) == apart, "{:?}", way);
         }
     }
 }

@@ -7,7 +7,6 @@
 
 use super::immediate::{Column, Immediate};
 use crate::context::Context;
-use crate::feedback::Mode;
 use crate::framebuffer::complete::{checked_drawable, draws_integers};
 use crate::state::LOCATIONS;
 use crate::state::enable::Flag;
@@ -36,8 +35,7 @@ pub(crate) fn vertices_of_primitive(topology: Topology) -> Option<usize> {
 /// error. A program can count those of a draw, and each draw is written down for who watches.
 pub(crate) fn draws_together(context: &Context) -> bool {
     let enables = &context.state.enables;
-    context.feedback.mode == Mode::Render
-        && context.immediate.is_none()
+    context.immediate.is_none()
         && context.watched.is_none()
         && context.state.bindings.program.name() == 0
         && !enables.has(Flag::VertexProgram)

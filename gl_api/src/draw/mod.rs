@@ -26,6 +26,7 @@ mod words;
 
 use crate::context::Context;
 use crate::context::debug::Output;
+use crate::feedback::shade::Single;
 use crate::fixed::FixedModules;
 use crate::pixels::rectangle::RectangleModules;
 use fixed_words::FixedWords;
@@ -34,7 +35,6 @@ use rasterizer::driver::{
     Attachment, Command, CommandBuffer, Counter, Device, Image, PassDesc, Pipeline, PipelineDesc,
     RasterState, Rect, ShaderModule, VertexBinding, Viewport,
 };
-use rasterizer::shader::Program;
 use stages::Textures;
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -78,7 +78,7 @@ pub(crate) struct Recorder {
     pub counter: Option<Counter>,
     pub rectangles: RectangleModules,
     /// Vertex stages that were compiled for raster positions.
-    single: HashMap<ShaderModule, Arc<Program>>,
+    single: HashMap<ShaderModule, Arc<Single>>,
 }
 
 /// More vertex stages of raster positions than this are forgotten and compiled again.
@@ -125,15 +125,12 @@ impl Recorder {
     }
 
     /// A vertex stage with all its outputs, to run it for one vertex.
-    pub fn single_vertex(&mut self, module: &ShaderModule) -> Arc<Program> {
+    pub fn single_vertex(&mut self, module: &ShaderModule) -> Arc<Single> {
         if self.single.len() >= KEPT_SINGLE {
             self.single.clear();
         }
-        let program = self
-            .single
-            .entry(module.clone())
-            .or_insert_with(|| Arc::new(Program::new(module.module(), |_| true)));
-        Arc::clone(program)
+        let stage = self.single.entry(module.clone());
+        Arc::clone(stage.or_insert_with(|| Arc::new(Single::new(module))))
     }
 
     /// The device that commands are submitted to.

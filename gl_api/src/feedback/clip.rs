@@ -75,6 +75,14 @@ pub(super) fn line([mut a, mut b]: [Vertex; 2]) -> Option<[Vertex; 2]> {
 /// The part of a polygon that is inside; no corners where there is none. The edges that clipping
 /// makes are edges of the polygon.
 pub(super) fn polygon(corners: Vec<Vertex>) -> Vec<Vertex> {
+    match corners.iter().all(holds) {
+        true => corners,
+        false => cut(corners),
+    }
+}
+
+/// As [`polygon`], plane by plane.
+fn cut(corners: Vec<Vertex>) -> Vec<Vertex> {
     (0..PLANES).fold(corners, |corners, plane| {
         let mut inside = Vec::with_capacity(corners.len() + 1);
         for (at, corner) in corners.iter().enumerate() {
@@ -110,6 +118,15 @@ mod tests {
         assert_eq!(corners, [[0.0, 0.0], [1.0, 0.0], [1.0, 0.25], [0.0, 0.5]]);
         assert!(clipped.iter().all(|v| v.values[0] == v.clip), "values move with the corners");
         assert!(polygon(vec![at(2.0, 0.0), at(3.0, 0.0), at(2.0, 1.0)]).is_empty());
+    }
+
+    #[test]
+    fn what_is_inside_of_every_plane_is_what_cutting_leaves() {
+        let at = |x, y| Vertex { edge: x == 0.0, ..at(x, y) };
+        for corners in [vec![at(0.0, 0.0), at(1.0, 0.25), at(-1.0, 1.0), at(0.0, -0.5)], vec![]] {
+            assert_eq!(cut(corners.clone()), corners);
+            assert_eq!(polygon(corners.clone()), corners);
+        }
     }
 
     #[test]

@@ -14,6 +14,7 @@ pub(crate) mod shade;
 
 use crate::abi::memory::ClientPointer;
 pub(crate) use primitives::draw;
+use rasterizer::shader::Machine;
 use record::Record;
 use select::Select;
 
@@ -44,6 +45,8 @@ pub(crate) struct Feedback {
     pub mode: Mode,
     pub select: Select,
     pub record: Record,
+    /// What the vertex stage runs in.
+    pub machine: Machine,
 }
 
 /// A corner of a primitive in window coordinates.

@@ -4,22 +4,27 @@
 use super::Corner;
 use super::clip::{self, Vertex};
 use super::record::Kind;
-use super::shade::{Id, Shaded, Vertices, shade};
+use super::shade::{Id, Vertices, shade};
 use crate::assembly::running::has_vertex_program;
 use crate::context::Context;
+use crate::draw::ended::vertices_of_primitive;
 use crate::draw::translate::Elements;
 use crate::error::{ErrorCode, GlError, Result};
 use crate::interface::*;
 use crate::state::enable::Flag;
 use crate::state::viewport::{depth_clip, within};
 use rasterizer::driver::{
-    Cull, DepthClip, FrontFace, PolygonMode, Provoking, Topology, VertexBinding,
+    Cull, DepthClip, FrontFace, PolygonMode, Provoking, Topology, VertexBinding, VertexSource,
 };
 use rasterizer::ir::{Interpolation, Output};
 use std::ops::Range;
+use texunit::lanes::LANES;
 
 /// More vertices than this are not taken at once.
 const MAX_VERTICES: u64 = 1 << 24;
+
+/// Vertices that are taken at once: whole batches, and whole primitives of any kind that shares none.
+const CHUNK: u32 = 12 * LANES as u32;
 
 /// Takes a draw.
 ///
@@ -40,12 +45,20 @@ pub(crate) fn draw(
             section: "GL 2.1, section 5.2",
         });
     }
+    // Primitives that share no vertices are taken few enough at a time to stay in the cache.
+    let at_once = match vertices_of_primitive(topology) {
+        Some(_) => CHUNK,
+        None => count.max(1),
+    };
     for instance in instances {
-        let id = |at| Id { vertex: elements.number(at), instance };
-        let ids: Vec<Id> = (0..count).map(id).collect();
-        let shaded = shade(context, vertices, &ids)?;
-        let corners = clip_vertices(context, vertices, &ids, &shaded);
-        assemble(context, topology, &corners);
+        for first in (0..count.max(1)).step_by(at_once as usize) {
+            let end = count.min(first.saturating_add(at_once));
+            let id = |at| Id { vertex: elements.number(at), instance };
+            let ids: Vec<Id> = (first..end).map(id).collect();
+            let shaded = shade(context, vertices, &ids)?;
+            let corners = clip_vertices(context, vertices, &ids, &shaded);
+            assemble(context, topology, &corners);
+        }
     }
     Ok(())
 }
@@ -59,23 +72,30 @@ fn clip_vertices(
     let current = |location: u8| context.state.current[usize::from(location)];
     let depth_clip = depth_clip(context);
     let flags = vertices.iter().find(|binding| binding.location == ATTRIB_EDGE_FLAG);
-    let vertex = |(id, shaded): (&Id, Shaded<'_>)| {
-        let front = shaded.varyings(VARYING_COLOR, current(ATTRIB_COLOR));
-        let values = [
-            front,
-            shaded.varyings(VARYING_BACK_COLOR, front),
-            shaded.varyings(VARYING_TEX_COORD, current(ATTRIB_TEX_COORD)),
-        ];
-        let distance = |plane| shaded.get(Output::ClipDistance(plane)).map_or(1.0, f64::from);
+    let edge = |id: &Id| match flags.map(|flags| &flags.source) {
+        Some(VertexSource::Constant(flag)) => flag[0] != 0.0,
+        Some(array @ VertexSource::Array { .. }) => array.read(id.vertex)[0] != 0.0,
+        None => true,
+    };
+    let colors = [VARYING_COLOR, VARYING_BACK_COLOR].map(|first| shaded.varyings(first));
+    let coords = shaded.varyings(VARYING_TEX_COORD);
+    let [color, coord] = [ATTRIB_COLOR, ATTRIB_TEX_COORD].map(current);
+    let position = shaded.position();
+    let planes = [0, 1, 2, 3, 4, 5, 6, 7].map(|plane| shaded.place(Output::ClipDistance(plane)));
+    let vertex = |(at, id): (usize, &Id)| {
+        let front = shaded.four(at, colors[0], color);
+        let back = shaded.four(at, colors[1], front);
+        let values = [front, back, shaded.four(at, coords, coord)];
+        let distance = |place: Option<usize>| place.map_or(1.0, |place| shaded.value(at, place));
         Vertex {
-            clip: shaded.position(),
-            distances: [0, 1, 2, 3, 4, 5, 6, 7].map(distance),
+            clip: shaded.four(at, position, [0.0; 4]).map(f64::from),
+            distances: planes.map(distance).map(f64::from),
             values: values.map(|value| value.map(f64::from)),
-            edge: flags.is_none_or(|flags| flags.source.read(id.vertex)[0] != 0.0),
+            edge: edge(id),
             depth_clip,
         }
     };
-    ids.iter().zip(shaded.iter()).map(vertex).collect()
+    ids.iter().enumerate().map(vertex).collect()
 }
 
 /// Takes the primitives that vertices make.

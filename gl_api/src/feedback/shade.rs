@@ -4,9 +4,10 @@
 use crate::context::Context;
 use crate::draw::stages;
 use crate::error::{Result, invalid_operation};
-use rasterizer::driver::{Rim, VertexBinding};
+use rasterizer::driver::{Rim, ShaderModule, VertexBinding};
 use rasterizer::ir::{Input, Output};
-use rasterizer::shader::{Machine, Run};
+use rasterizer::shader::{Program, Run};
+use std::sync::Arc;
 use texunit::lanes::{Isa, LANES, U32s};
 
 /// Which vertex of which instance.
@@ -16,10 +17,30 @@ pub(crate) struct Id {
     pub instance: u32,
 }
 
+/// A vertex stage with all its outputs.
+#[derive(Debug)]
+pub(crate) struct Single {
+    program: Program,
+    /// Its outputs in order, and where each is among [`Program::outputs`].
+    places: Vec<(Output, usize)>,
+}
+
+impl Single {
+    pub fn new(module: &ShaderModule) -> Self {
+        let program = Program::new(module.module(), |_| true);
+        let mut places: Vec<(Output, usize)> = Vec::new();
+        for (place, output) in program.outputs().enumerate() {
+            let before = places.partition_point(|&(other, _)| other < output);
+            places.insert(before, (output, place));
+        }
+        Self { program, places }
+    }
+}
+
 /// What the vertex stage made of vertices.
 pub(crate) struct Vertices {
-    outputs: Vec<Output>,
-    /// The outputs of the first vertex, then those of the next.
+    stage: Arc<Single>,
+    /// The outputs of the first 64 vertices, then those of the next: each output of all of them.
     values: Vec<f32>,
     len: usize,
 }
@@ -32,22 +53,37 @@ impl Vertices {
 
     /// Which of the outputs this is, if the stage has it.
     pub fn place(&self, wanted: Output) -> Option<usize> {
-        self.outputs.iter().position(|output| *output == wanted)
+        let places = &self.stage.places;
+        let found = places.binary_search_by_key(&wanted, |&(output, _)| output);
+        found.ok().map(|at| places[at].1)
+    }
+
+    /// The places of the clip coordinates.
+    pub fn position(&self) -> [Option<usize>; 4] {
+        [0, 1, 2, 3].map(|i| self.place(Output::Position(i)))
+    }
+
+    /// The places of four varyings from a slot on.
+    pub fn varyings(&self, first: u16) -> [Option<usize>; 4] {
+        [0, 1, 2, 3].map(|i| self.place(Output::Varying(first + i)))
     }
 
     /// The output at a [`Self::place`], of vertex `at`.
     pub fn value(&self, at: usize, place: usize) -> f32 {
-        self.values.get(at * self.outputs.len() + place).copied().unwrap_or_default()
+        let (first, lane) = (at - at % LANES, at % LANES);
+        let lanes = self.len.saturating_sub(first).min(LANES);
+        let index = first * self.stage.places.len() + place * lanes + lane;
+        self.values.get(index).copied().unwrap_or_default()
+    }
+
+    /// Four outputs of vertex `at`; those that the stage lacks are `otherwise`.
+    pub fn four(&self, at: usize, places: [Option<usize>; 4], otherwise: [f32; 4]) -> [f32; 4] {
+        std::array::from_fn(|i| places[i].map_or(otherwise[i], |place| self.value(at, place)))
     }
 
     /// Vertex `at`.
     pub fn vertex(&self, at: usize) -> Shaded<'_> {
         Shaded { vertices: self, at }
-    }
-
-    /// All of them, in order.
-    pub fn iter(&self) -> impl Iterator<Item = Shaded<'_>> {
-        (0..self.len).map(|at| self.vertex(at))
     }
 }
 
@@ -66,13 +102,12 @@ impl Shaded<'_> {
 
     /// The clip coordinates.
     pub fn position(&self) -> [f64; 4] {
-        [0, 1, 2, 3].map(|i| self.get(Output::Position(i)).unwrap_or(0.0).into())
+        self.vertices.four(self.at, self.vertices.position(), [0.0; 4]).map(f64::from)
     }
 
     /// Four varyings from a slot on; those that are not written are `otherwise`.
     pub fn varyings(&self, first: u16, otherwise: [f32; 4]) -> [f32; 4] {
-        [0, 1, 2, 3]
-            .map(|i| self.get(Output::Varying(first + i)).unwrap_or(otherwise[usize::from(i)]))
+        self.vertices.four(self.at, self.vertices.varyings(first), otherwise)
     }
 }
 
@@ -116,19 +151,20 @@ pub(crate) fn shade(
 ) -> Result<Vertices> {
     let stages = stages::choose(context, vertices, Rim::Aliased)?;
     let isa = context.recorder.isa();
-    let program = context.recorder.single_vertex(&stages.vertex);
+    let stage = context.recorder.single_vertex(&stages.vertex);
+    let program = &stage.program;
     let prepared = program.prepare(isa, &stages.reads.words, &stages.reads.vertex_textures);
-    let mut machine = Machine::default();
-    machine.begin(&program);
-    let outputs: Vec<Output> = program.outputs().collect();
-    let mut values = Vec::with_capacity(ids.len() * outputs.len());
+    let machine = &mut context.feedback.machine;
+    machine.begin(program);
+    let outputs = stage.places.len();
+    let mut values = Vec::with_capacity(ids.len() * outputs);
     for ids in ids.chunks(LANES) {
         for (index, &wanted) in program.inputs().iter().enumerate() {
             input(isa, vertices, wanted, ids, machine.input_mut(index));
         }
         let run = Run {
             isa,
-            program: &program,
+            program,
             prepared: &prepared,
             textures: &stages.reads.vertex_textures,
             active: u64::MAX >> (LANES - ids.len()),
@@ -140,10 +176,9 @@ pub(crate) fn shade(
                 "the vertex shader runs so long that it was stopped",
             );
         }
-        for lane in 0..ids.len() {
-            let value = |index: usize| machine.output(index).as_f32()[lane];
-            values.extend((0..outputs.len()).map(value));
+        for place in 0..outputs {
+            values.extend_from_slice(&machine.output(place).as_f32().0[..ids.len()]);
         }
     }
-    Ok(Vertices { outputs, values, len: ids.len() })
+    Ok(Vertices { stage, values, len: ids.len() })
 }

@@ -39,6 +39,26 @@ fn primitives_come_in_window_coordinates() {
     assert_eq!(cut, [POLYGON, 4.0, 4.0, 2.0, 8.0, 2.0, 8.0, 3.0, 4.0, 4.0]);
 }
 
+/// Vertices are run 64 at a time.
+#[test]
+fn each_vertex_of_many_has_its_own_numbers() {
+    let mut c = context(256, 4);
+    let x = |at: u16| f32::from(at) + 28.0;
+    c.feedback_buffer(1 << 12, GL_3D_COLOR, DataOut::Null);
+    c.render_mode(GL_FEEDBACK);
+    c.begin(GL_POINTS);
+    for at in 0..150 {
+        c.color_3f(f32::from(at) / 256.0, 1.0, 0.0);
+        c.vertex_2f(x(at) / 128.0 - 1.0, 0.0);
+    }
+    c.end();
+    assert_eq!(c.render_mode(GL_RENDER), 150 * 8);
+    let point = |at: u16| [POINT, x(at), 2.0, 0.5, f32::from(at) / 256.0, 1.0, 0.0, 1.0];
+    let points: Vec<f32> = (0..150).flat_map(point).collect();
+    assert_eq!(c.feedback(), points);
+    fine(&mut c);
+}
+
 #[test]
 fn colours_coordinates_and_tokens_come_along() {
     let mut c = context(8, 4);
