@@ -149,7 +149,8 @@ impl State {
         if let (Some(attached), Some(slices)) = (attached, slices) {
             let Subresource { face, level, .. } = attached.at;
             if let Some(level) = self.texels.level_mut(face, level) {
-                attached.surface.store(level, slices, Storing { isa: attached.isa, threads });
+                let storing = Storing { isa: attached.isa, threads };
+                attached.surface.store_changed(level, slices, storing);
             }
             attached.drawn = false;
         }
@@ -270,7 +271,8 @@ impl Image {
     /// ([`super::Device::set_each_sample`]).
     pub(super) fn set_each_sample(&self, face: u16, level: u8, samples: &Level, isa: Isa) {
         let count = samples.depth.min(MAX_SAMPLES as u32) as u8;
-        let surface = Surface::from_level_alone(samples, Slices::Each(0), count);
+        let mut surface = Surface::from_level_alone(samples, Slices::Each(0), count);
+        surface.change_all();
         let mut state = self.0.lock();
         let at = state.place(face, level);
         // What it replaces need not be brought to its rows.

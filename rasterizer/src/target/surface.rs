@@ -8,6 +8,8 @@
 //! A texel of several words has a plane for each, and so has every sample of a multisample image.
 //! Which words a format has is in [`super::words`].
 
+mod changed;
+
 use super::plane::{BLOCKS, Plane};
 use super::resolve::resolve_tile;
 use super::words::{attachment_words, is_attachable, texel_of, words_of};
@@ -39,6 +41,8 @@ pub struct Surface {
     /// The planes of each tile, row by row of tiles: word `w` of sample `s` is plane
     /// `s · words + w`.
     pub tiles: Vec<Vec<Plane>>,
+    /// Which of them are other than the level's texels.
+    changed: Vec<bool>,
 }
 
 /// Which slices of a level hold the samples of a surface.
@@ -131,16 +135,20 @@ impl Surface {
     pub fn from_level(level: &Level, slices: Slices, samples: u8) -> Self {
         let tiles = 0..level.width.div_ceil(TILE) * level.height.div_ceil(TILE);
         let tiles = tiles.into_par_iter().map(|tile| load_samples(level, slices, samples, tile));
-        let &Level { format, width, height, .. } = level;
-        Self { format, width, height, samples, tiles: tiles.collect() }
+        Self::of(level, samples, tiles.collect())
     }
 
     /// As [`Surface::from_level`], by the caller's thread alone, which may hold a lock.
     pub fn from_level_alone(level: &Level, slices: Slices, samples: u8) -> Self {
         let tiles = 0..level.width.div_ceil(TILE) * level.height.div_ceil(TILE);
         let tiles = tiles.map(|tile| load_samples(level, slices, samples, tile));
+        Self::of(level, samples, tiles.collect())
+    }
+
+    fn of(level: &Level, samples: u8, tiles: Vec<Vec<Plane>>) -> Self {
         let &Level { format, width, height, .. } = level;
-        Self { format, width, height, samples, tiles: tiles.collect() }
+        let changed = vec![false; tiles.len()];
+        Self { format, width, height, samples, tiles, changed }
     }
 
     /// A surface of zeros.
@@ -148,11 +156,13 @@ impl Surface {
         let planes = usize::from(samples) * attachment_words(format);
         let tiles = width.div_ceil(TILE) * height.div_ceil(TILE);
         let tiles = vec![vec![Plane::cleared(0); planes]; tiles as usize];
-        Self { format, width, height, samples, tiles }
+        let changed = vec![false; tiles.len()];
+        Self { format, width, height, samples, tiles, changed }
     }
 
-    /// Takes a tile's planes out.
+    /// Takes a tile's planes out, to be changed.
     pub fn take(&mut self, tile: usize) -> TileTarget {
+        self.changed[tile] = true;
         let planes = std::mem::take(&mut self.tiles[tile]);
         TileTarget { words: attachment_words(self.format), planes }
     }

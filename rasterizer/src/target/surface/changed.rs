@@ -1,0 +1,97 @@
+//! Storing what has changed: who reads a few pixels after a small draw waits for the tiles that it touched.
+
+use super::{Level, Plane, Slices, Storing, Surface, TILE, WORTH_THREADS};
+use super::{attachment_words, is_attachable, resolve_tile, store_row};
+use texunit::lanes::Isa;
+
+impl Surface {
+    /// Takes all tiles for changed.
+    pub fn change_all(&mut self) {
+        self.changed.fill(true);
+    }
+
+    /// Writes the tiles that have changed since they were last the level's back into its slices.
+    pub fn store_changed(&mut self, level: &mut Level, slices: Slices, storing: Storing) {
+        let changed: Vec<usize> =
+            (0..self.changed.len()).filter(|&tile| self.changed[tile]).collect();
+        if changed.len() >= WORTH_THREADS.min(self.tiles.len()) {
+            self.store(level, slices, storing);
+        } else if is_attachable(self.format) {
+            for tile in changed {
+                self.store_tile(storing.isa, tile, level, slices);
+            }
+        }
+        self.changed.fill(false);
+    }
+
+    fn store_tile(&self, isa: Isa, tile: usize, level: &mut Level, slices: Slices) {
+        let (planes, words) = (&self.tiles[tile], attachment_words(self.format));
+        match slices {
+            Slices::One(slice) if self.samples > 1 => {
+                let resolved = resolve_tile(isa, self.format, self.samples, planes);
+                self.store_planes(&resolved, tile, level, slice);
+            }
+            Slices::One(slice) => self.store_planes(planes, tile, level, slice),
+            Slices::Each(first) => {
+                for (slice, planes) in (first..).zip(planes.chunks(words)) {
+                    self.store_planes(planes, tile, level, slice);
+                }
+            }
+        }
+    }
+
+    /// Writes one sample of a tile into a slice.
+    fn store_planes(&self, planes: &[Plane], tile: usize, level: &mut Level, slice: usize) {
+        let across = self.tiles_across() as usize;
+        let [x, y] = [tile % across, tile / across].map(|at| at * TILE as usize);
+        let (row_bytes, size) = (level.row_bytes(), self.format.bytes());
+        let first = level.origin() + slice * level.slice_bytes() + y * row_bytes;
+        let columns = x * size..(self.width as usize).min(x + TILE as usize) * size;
+        let rows = (self.height as usize - y).min(TILE as usize);
+        let texels = &mut level.texels[first..first + rows * row_bytes];
+        for (y, row) in texels.chunks_mut(row_bytes).enumerate() {
+            store_row(self.format, planes, y, &mut row[columns.clone()]);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use texunit::format::Format;
+    use texunit::lanes::U32s;
+
+    /// Tile by tile gives what storing all of them gives.
+    #[test]
+    fn what_has_changed_is_stored_as_all_is() {
+        for (format, samples) in [(Format::Rgba8, 1), (Format::R8, 4), (Format::Rgba32F, 4)] {
+            for each in [false, true] {
+                let slices = if each { Slices::Each(1) } else { Slices::One(2) };
+                let mut level = Level::with_size(format, [150, 130, 5], [0; 3]).expect("small");
+                let mut surface = Surface::from_level(&level, slices, samples);
+                for tile in [0, 4, 8] {
+                    let mut target = surface.take(tile);
+                    for (at, plane) in target.planes.iter_mut().enumerate() {
+                        let word =
+                            |block: usize, lane: usize| (block * 977 + lane * 31 + at * 7) as u32;
+                        let block = |block| U32s::from_fn(|lane| word(block, lane) & 0xFF);
+                        *plane = Plane::of((0..64).map(block).collect());
+                    }
+                    surface.tiles[tile] = target.planes;
+                }
+                let storing = Storing { isa: Isa::best(), threads: 2 };
+                let mut all = level.clone();
+                surface.store(&mut all, slices, storing);
+                surface.store_changed(&mut level, slices, storing);
+                assert!(level.texels == all.texels, "{format:?} of {samples} samples, {slices:?}");
+                // Nothing has changed since.
+                let mut other = Level::with_size(format, [150, 130, 5], [0; 3]).expect("small");
+                surface.store_changed(&mut other, slices, storing);
+                assert!(other.texels.iter().all(|byte| *byte == 0));
+                surface.change_all();
+                surface.store_changed(&mut other, slices, storing);
+                assert!(other.texels == all.texels);
+            }
+        }
+    }
+}
