@@ -3,19 +3,17 @@
 //! A slice is copied when the pointer call is made, since it cannot be kept: later writes to it are
 //! not seen. Buffer objects, and pointers of C programs, are read when the draw is made.
 
-use super::array_names::{mapped, no_attribute, refuse_client_memory};
+use super::array_names::{no_attribute, refuse_client_memory};
 use crate::abi::memory::ClientPointer;
 use crate::constants::*;
-use crate::context::{Context, limits};
+use crate::context::Context;
 use crate::entry::Data;
-use crate::error::{
-    ErrorCode, GlError, Result, Table, invalid_operation, invalid_value, not_negative,
-};
+use crate::error::{Result, Table, invalid_operation, invalid_value, not_negative};
 use crate::interface::*;
 use crate::object::bound::Bound;
 use crate::state::LOCATIONS;
 use crate::types::*;
-use rasterizer::driver::{Buffer, VertexFormat, VertexSource, VertexType};
+use rasterizer::driver::{Buffer, VertexFormat, VertexType};
 
 const SECTION: &str = "GL 2.1, section 2.8";
 
@@ -87,87 +85,14 @@ impl Array {
     }
 
     /// Bytes from a vertex to the next.
-    fn step(&self) -> usize {
+    pub(super) fn step(&self) -> usize {
         if self.stride > 0 { self.stride } else { self.size() }
     }
 
     /// Bytes of a vertex.
-    fn size(&self) -> usize {
+    pub(super) fn size(&self) -> usize {
         self.ty.bytes(self.components)
     }
-}
-
-/// What a draw reads of the arrays: the vertices from the first to the last, of so many instances.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Reach {
-    pub first: u32,
-    pub last: u32,
-    pub instances: u32,
-}
-
-impl Reach {
-    /// The elements of an array: one with a divisor has one for every so many instances.
-    fn elements(self, array: &Array) -> (usize, usize) {
-        match self.instances.saturating_sub(1).checked_div(array.divisor) {
-            Some(last) => (0, last as usize),
-            None => (self.first as usize, self.last as usize),
-        }
-    }
-}
-
-/// Whether a draw has to know which vertices it reads: some array is a C program's memory.
-pub(crate) fn reads_pointers(context: &Context) -> bool {
-    let arrays = &context.state.arrays.by_location;
-    arrays.iter().any(|array| array.enabled && matches!(array.source, Source::Pointer(_)))
-}
-
-/// A C program's vertices from the first to the last of a draw, and which is the first. Nothing before them is read, as
-/// nothing says that it is there.
-fn snapshot(array: &Array, pointer: ClientPointer<'_>, reach: Reach) -> Result<(Buffer, u32)> {
-    let (first, last) = reach.elements(array);
-    let end = last.checked_mul(array.step()).and_then(|at| at.checked_add(array.size()));
-    let Some(end) = end.filter(|&end| end <= limits::MAX_BUFFER_SIZE) else {
-        return Err(GlError {
-            code: ErrorCode::OutOfMemory,
-            rule: format!("vertex {last} lies more than {} bytes on", limits::MAX_BUFFER_SIZE),
-            section: SECTION,
-        });
-    };
-    let start = first * array.step();
-    Ok((Buffer::new(pointer.bytes_from(start, end - start).to_vec()), first as u32))
-}
-
-/// Where the array of a location is for the driver, for a draw that reaches so far.
-pub(crate) fn vertex_source(
-    context: &Context,
-    location: usize,
-    reach: Reach,
-) -> Result<VertexSource> {
-    let array = &context.state.arrays.by_location[location];
-    let (buffer, first, offset) = match &array.source {
-        Source::Client(buffer) => (buffer.clone(), 0, 0),
-        Source::Pointer(pointer) => {
-            let (buffer, first) = snapshot(array, *pointer, reach)?;
-            (buffer, first, 0)
-        }
-        Source::Object { buffer, offset } => {
-            let object = context.objects.buffers.bound(buffer);
-            if object.is_some_and(|object| object.map.is_some()) {
-                return mapped(buffer.name(), location);
-            }
-            (object.map(|object| object.buffer().clone()).unwrap_or_default(), 0, *offset)
-        }
-    };
-    Ok(VertexSource::Array {
-        buffer,
-        first,
-        offset,
-        stride: array.step(),
-        ty: array.ty,
-        components: array.components,
-        format: array.format,
-        divisor: array.divisor,
-    })
 }
 
 /// Types of words that hold four components (`ARB_vertex_type_2_10_10_10_rev`).

@@ -1,9 +1,9 @@
 //! The draw calls on vertex arrays: GL 2.1, section 2.8.
 
 use super::array_names::{array_of, extent};
-use super::arrays::{Reach, reads_pointers, vertex_source};
 use super::hints;
 use super::immediate::{Slot, attribute};
+use super::reach::{Reach, reads_parts, small_part, vertex_source};
 use super::translate::{Elements, draw};
 use crate::assembly::running::has_vertex_program;
 use crate::constants::*;
@@ -70,7 +70,7 @@ fn indexed_reach(
     instances: u32,
 ) -> Reach {
     let mut reach = Reach { first: 0, last: 0, instances };
-    if reads_pointers(context) {
+    if reads_parts(context) {
         let indices = bytes.chunks_exact(ty.size());
         let indices = indices.map(IndexType::index);
         let (low, high) =
@@ -241,6 +241,7 @@ fn index_buffer(
             ),
         );
     }
+    let is_rewritten = object.is_some_and(|object| object.is_rewritten(&context.recorder));
     let object = object.map(|object| object.buffer().clone());
     let (buffer, offset) = match (indices.locate(name, needed), object) {
         (Located::Bytes(bytes), None) => match bytes.get(..needed) {
@@ -284,7 +285,8 @@ fn index_buffer(
             ),
         );
     }
-    Ok((buffer, offset))
+    let part = is_rewritten.then(|| small_part(&buffer, offset..offset + needed)).flatten();
+    Ok(part.map_or((buffer, offset), |part| (part, 0)))
 }
 
 /// Draws by index.

@@ -17,6 +17,7 @@ mod keys;
 pub(crate) mod locked;
 pub(crate) mod packed;
 mod primitives;
+mod reach;
 pub(crate) mod rect;
 pub(crate) mod restart;
 pub(crate) mod runs;
@@ -55,6 +56,8 @@ pub(crate) struct Recorder {
     pass: Option<PassDesc>,
     /// What the recorded passes write to.
     written: Vec<Image>,
+    /// How many draws were ever recorded.
+    pub draws: u64,
     /// The bytes that the recorded commands hold, of those that came since the last submission.
     held: usize,
     /// What the open pass was last told.
@@ -106,6 +109,7 @@ impl Recorder {
             commands: CommandBuffer::new(),
             pass: None,
             written: Vec::new(),
+            draws: 0,
             held: 0,
             told: Told::default(),
             pipelines: HashMap::new(),

@@ -198,6 +198,7 @@ fn record(
     vertices.retain(|binding| read & bit(binding.location) != 0);
     hints::arrays::short(context, &vertices, elements);
     let recorder = &mut context.recorder;
+    recorder.draws += 1;
     let commands = &mut recorder.commands;
     let buffers = vertices.iter().filter_map(|binding| binding.source.buffer());
     recorder.held += buffers.map(Buffer::own_bytes).sum::<usize>();

@@ -5,9 +5,12 @@
 //! it saw and nothing else can read them; calls that would are refused.
 
 use super::bound::Bound;
-use super::buffers::{BUFFER_TARGET, BufferObject, Map, binding, bound, range, unmapped, writable};
+use super::buffers::{
+    BUFFER_TARGET, BufferObject, Map, binding, bound, range, unmapped, with_recorder, writable,
+};
 use crate::constants::*;
 use crate::context::Context;
+use crate::draw::Recorder;
 use crate::error::{Result, Table, invalid_operation, invalid_value};
 use crate::query::put;
 use crate::types::*;
@@ -25,8 +28,12 @@ const ACCESS: Table<GLbitfield> = Table {
 };
 
 /// Takes the bytes out.
-fn map(object: &mut BufferObject, range: std::ops::Range<usize>, access: GLbitfield) -> *mut u8 {
-    let bytes = object.take_bytes();
+fn map(
+    (object, recorder): (&mut BufferObject, &mut Recorder),
+    range: std::ops::Range<usize>,
+    access: GLbitfield,
+) -> *mut u8 {
+    let bytes = object.take_bytes(recorder);
     let both = access & (GL_MAP_READ_BIT | GL_MAP_WRITE_BIT);
     object.access = ACCESS.encode(both);
     let map = object.map.insert(Map { bytes, range: range.clone(), access });
@@ -38,14 +45,14 @@ pub(crate) fn map_buffer(
     target: GLenum,
     access: GLenum,
 ) -> Result<*mut GLvoid> {
-    let object = bound(context, target)?;
+    let (object, recorder) = with_recorder(context, target)?;
     let access = ACCESS.decode("access", access)?;
     let object = unmapped(object)?;
     let all = 0..object.len();
     if all.is_empty() {
         return invalid_operation(SECTION, "the buffer has no bytes: call glBufferData first");
     }
-    Ok(map(object, all, access).cast())
+    Ok(map((object, recorder), all, access).cast())
 }
 
 pub(crate) fn map_buffer_range(
@@ -61,7 +68,7 @@ pub(crate) fn map_buffer_range(
         | GL_MAP_INVALIDATE_BUFFER_BIT
         | GL_MAP_FLUSH_EXPLICIT_BIT
         | GL_MAP_UNSYNCHRONIZED_BIT;
-    let object = bound(context, target)?;
+    let (object, recorder) = with_recorder(context, target)?;
     let range = range(object, offset, length)?;
     if access & !ALL != 0 {
         return invalid_value(
@@ -93,7 +100,7 @@ pub(crate) fn map_buffer_range(
     if range.is_empty() {
         return invalid_operation(RANGE, "length = 0 must be above 0");
     }
-    Ok(map(object, range, access).cast())
+    Ok(map((object, recorder), range, access).cast())
 }
 
 pub(crate) fn flush_mapped_buffer_range(
@@ -125,11 +132,8 @@ pub(crate) fn flush_mapped_buffer_range(
 
 pub(crate) fn unmap_buffer(context: &mut Context, target: GLenum) -> Result<bool> {
     match bound(context, target)?.unmap() {
-        Some(size) => {
-            context.recorder.hold(size);
-            Ok(true)
-        }
-        None => invalid_operation(
+        true => Ok(true),
+        false => invalid_operation(
             SECTION,
             "the buffer is not mapped: it never was, or glBufferData has ended it",
         ),

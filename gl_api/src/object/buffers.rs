@@ -23,11 +23,24 @@ pub(crate) struct BufferObject {
     pub map: Option<Map>,
     /// `GL_BUFFER_ACCESS`, of the last mapping.
     pub access: GLenum,
+    /// How many draws there had been when it was last written, if it was ever copied for that.
+    rewritten: Option<u64>,
 }
+
+/// Fewer bytes are copied as fast as the vertices of a draw are.
+const COPIED: usize = 1 << 12;
+/// After so many draws a buffer is no longer taken for one that is written between draws.
+const FORGOTTEN: u64 = 1 << 10;
 
 impl BufferObject {
     fn new() -> Self {
-        Self { buffer: Buffer::default(), usage: GL_STATIC_DRAW, map: None, access: GL_READ_WRITE }
+        Self {
+            buffer: Buffer::default(),
+            usage: GL_STATIC_DRAW,
+            map: None,
+            access: GL_READ_WRITE,
+            rewritten: None,
+        }
     }
 
     /// Bytes, mapped or not.
@@ -42,23 +55,41 @@ impl BufferObject {
 
     /// Its bytes for writing. Draws that wait keep those that they saw, of which the recorder is told.
     pub fn bytes_mut(&mut self, recorder: &mut Recorder) -> &mut [u8] {
-        if self.buffer.is_shared() {
-            recorder.hold(self.buffer.bytes().len());
+        self.all_bytes_mut(recorder)
+    }
+
+    fn all_bytes_mut(&mut self, recorder: &mut Recorder) -> &mut Vec<u8> {
+        let bytes = self.buffer.bytes().len();
+        let is_shared = self.buffer.is_shared();
+        if is_shared {
+            recorder.hold(bytes);
+        }
+        if self.rewritten.is_some() || is_shared && bytes >= COPIED {
+            self.rewritten = Some(recorder.draws);
         }
         self.buffer.bytes_mut()
     }
 
-    /// Takes the bytes out, to be mapped.
-    pub(super) fn take_bytes(&mut self) -> Vec<u8> {
-        std::mem::take(std::mem::take(&mut self.buffer).bytes_mut())
+    /// Whether it is written between draws, so that these had better have copies of what they read.
+    pub fn is_rewritten(&self, recorder: &Recorder) -> bool {
+        self.rewritten.is_some_and(|draws| recorder.draws - draws < FORGOTTEN)
     }
 
-    /// Ends the mapping, if there is one: of how many bytes.
-    pub(super) fn unmap(&mut self) -> Option<usize> {
-        let bytes = self.map.take()?.bytes;
-        let size = bytes.len();
-        self.buffer = Buffer::new(bytes);
-        Some(size)
+    /// Takes the bytes out, to be mapped.
+    pub(super) fn take_bytes(&mut self, recorder: &mut Recorder) -> Vec<u8> {
+        let bytes = std::mem::take(self.all_bytes_mut(recorder));
+        self.buffer = Buffer::default();
+        bytes
+    }
+
+    /// Ends the mapping; whether there was one.
+    pub(super) fn unmap(&mut self) -> bool {
+        let map = self.map.take();
+        let is_mapped = map.is_some();
+        if let Some(map) = map {
+            self.buffer = Buffer::new(map.bytes);
+        }
+        is_mapped
     }
 }
 
@@ -159,7 +190,7 @@ pub(super) fn writable(
     Ok((unmapped(object)?, recorder))
 }
 
-fn with_recorder(
+pub(super) fn with_recorder(
     context: &mut Context,
     target: GLenum,
 ) -> Result<(&mut BufferObject, &mut Recorder)> {

@@ -1,0 +1,154 @@
+//! What a draw takes of its arrays: a buffer object whole, or a copy of the vertices that it reads.
+//!
+//! Copies are taken of a C program's memory, which is there for as long as the call runs, and of buffer
+//! objects that are written between draws: what a waiting draw has of them whole would have to be copied
+//! whole to be written.
+
+use super::array_names::mapped;
+use super::arrays::{Array, Source};
+use crate::abi::memory::ClientPointer;
+use crate::context::{Context, limits};
+use crate::error::{ErrorCode, GlError, Result};
+use rasterizer::driver::{Buffer, VertexSource};
+use std::ops::Range;
+
+/// What a draw reads of the arrays: the vertices from the first to the last, of so many instances.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Reach {
+    pub first: u32,
+    pub last: u32,
+    pub instances: u32,
+}
+
+impl Reach {
+    /// The elements of an array: one with a divisor has one for every so many instances.
+    fn elements(self, array: &Array) -> (usize, usize) {
+        match self.instances.saturating_sub(1).checked_div(array.divisor) {
+            Some(last) => (0, last as usize),
+            None => (self.first as usize, self.last as usize),
+        }
+    }
+
+    /// Where its elements of an array are, in bytes, and which is the first of them.
+    fn bytes(self, array: &Array, offset: usize) -> Option<(Range<usize>, u32)> {
+        let (first, last) = self.elements(array);
+        let at = |element: usize| element.checked_mul(array.step())?.checked_add(offset);
+        Some((at(first)?..at(last)?.checked_add(array.size())?, first as u32))
+    }
+}
+
+/// Whether a draw has to know which vertices it reads: of some array it takes a copy of them.
+pub(super) fn reads_parts(context: &Context) -> bool {
+    let arrays = &context.state.arrays.by_location;
+    arrays.iter().filter(|array| array.enabled).any(|array| match &array.source {
+        Source::Client(_) => false,
+        Source::Pointer(_) => true,
+        Source::Object { buffer, .. } => {
+            let object = context.objects.buffers.bound(buffer);
+            object.is_some_and(|object| object.is_rewritten(&context.recorder))
+        }
+    })
+}
+
+/// A C program's vertices from the first to the last of a draw, and which is the first. Nothing before them
+/// is read, as nothing says that it is there.
+fn snapshot(array: &Array, pointer: ClientPointer<'_>, reach: Reach) -> Result<(Buffer, u32)> {
+    let place = reach.bytes(array, 0).filter(|(bytes, _)| bytes.end <= limits::MAX_BUFFER_SIZE);
+    let Some((bytes, first)) = place else {
+        let (_, last) = reach.elements(array);
+        return Err(GlError {
+            code: ErrorCode::OutOfMemory,
+            rule: format!("vertex {last} lies more than {} bytes on", limits::MAX_BUFFER_SIZE),
+            section: "GL 2.1, section 2.8",
+        });
+    };
+    Ok((Buffer::new(pointer.bytes_from(bytes.start, bytes.len()).to_vec()), first))
+}
+
+/// The bytes of a range, where they are there and a small part of a buffer.
+pub(super) fn small_part(buffer: &Buffer, range: Range<usize>) -> Option<Buffer> {
+    let bytes = buffer.bytes();
+    let part = bytes.get(range).filter(|part| part.len() <= bytes.len() / 4)?;
+    Some(Buffer::new(part.to_vec()))
+}
+
+/// Where the array of a location is for the driver, for a draw that reaches so far.
+pub(crate) fn vertex_source(
+    context: &Context,
+    location: usize,
+    reach: Reach,
+) -> Result<VertexSource> {
+    let array = &context.state.arrays.by_location[location];
+    let (buffer, first, offset) = match &array.source {
+        Source::Client(buffer) => (buffer.clone(), 0, 0),
+        Source::Pointer(pointer) => {
+            let (buffer, first) = snapshot(array, *pointer, reach)?;
+            (buffer, first, 0)
+        }
+        Source::Object { buffer, offset } => match context.objects.buffers.bound(buffer) {
+            Some(object) if object.map.is_some() => return mapped(buffer.name(), location),
+            Some(object) => {
+                let place = reach.bytes(array, *offset);
+                let part = place.filter(|_| object.is_rewritten(&context.recorder));
+                let part = part.and_then(|(bytes, first)| {
+                    Some((small_part(object.buffer(), bytes)?, first, 0))
+                });
+                part.unwrap_or_else(|| (object.buffer().clone(), 0, *offset))
+            }
+            None => (Buffer::default(), 0, *offset),
+        },
+    };
+    Ok(VertexSource::Array {
+        buffer,
+        first,
+        offset,
+        stride: array.step(),
+        ty: array.ty,
+        components: array.components,
+        format: array.format,
+        divisor: array.divisor,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::constants::*;
+    use crate::context::{Context, ContextDesc};
+    use crate::entry::Data;
+
+    /// Where the bytes of the first buffer are.
+    fn place(c: &Context) -> *const u8 {
+        c.objects.buffers.get(1).expect("a buffer").buffer().bytes().as_ptr()
+    }
+
+    fn draw_and_write(c: &mut Context) {
+        c.draw_elements(GL_TRIANGLES, 3, GL_UNSIGNED_BYTE, Data::Bytes(&[7, 8, 9]));
+        c.buffer_sub_data(GL_ARRAY_BUFFER, 0, 4, Data::Bytes(&[1; 4]));
+        c.draw_arrays(GL_TRIANGLES, 3, 3);
+        c.map_buffer(GL_ARRAY_BUFFER, GL_READ_WRITE);
+        c.unmap_buffer(GL_ARRAY_BUFFER);
+    }
+
+    #[test]
+    fn a_buffer_is_copied_once_and_then_draws_take_parts() {
+        let mut c = Context::new(ContextDesc::default()).expect("a device");
+        c.bind_buffer(GL_ARRAY_BUFFER, 1);
+        c.buffer_data(GL_ARRAY_BUFFER, 1 << 16, Data::Null, GL_STREAM_DRAW);
+        c.vertex_pointer(2, GL_FLOAT, 0, Data::Offset(0));
+        c.enable_client_state(GL_VERTEX_ARRAY);
+        let first = place(&c);
+        c.draw_arrays(GL_TRIANGLES, 0, 3);
+        c.buffer_sub_data(GL_ARRAY_BUFFER, 0, 4, Data::Bytes(&[1; 4]));
+        let copy = place(&c);
+        assert_ne!(copy, first);
+        for _ in 0..3 {
+            draw_and_write(&mut c);
+            assert_eq!(place(&c), copy);
+        }
+        // What is no longer written is read where it is.
+        (0..2000).for_each(|_| c.draw_arrays(GL_TRIANGLES, 3, 3));
+        c.buffer_sub_data(GL_ARRAY_BUFFER, 0, 4, Data::Bytes(&[1; 4]));
+        assert_ne!(place(&c), copy);
+        assert_eq!(c.get_error(), GL_NO_ERROR, "{:?}", c.messages());
+    }
+}
