@@ -152,6 +152,12 @@ impl Recorder {
         self.held = self.held.saturating_add(bytes);
     }
 
+    /// Whether anything is recorded and not submitted.
+    #[cfg(test)]
+    pub fn is_waiting(&self) -> bool {
+        !self.commands.commands.is_empty()
+    }
+
     /// Whether what waits is enough.
     fn is_full(&self) -> bool {
         self.commands.commands.len() >= MAX_COMMANDS || self.held >= MAX_HELD

@@ -10,7 +10,9 @@ use crate::context::Context;
 use crate::entry::Data;
 use crate::error::{ErrorCode, GlError, Result, invalid_operation, invalid_value, not_negative};
 use crate::types::*;
+use std::sync::Arc;
 use texunit::format::Format;
+use texunit::image::Level;
 
 const SECTION: &str = "GL 2.1, section 3.8.2";
 
@@ -77,9 +79,12 @@ pub(super) fn write_area(context: &mut Context, area: &Area, texels: &[u8]) -> R
     let image = bound(context, target.target).image.clone();
     crate::draw::settle(context, &image);
     let isa = context.recorder.isa();
-    let texture = bound_mut(context, target.target);
     // Its plan reads the texels: while it is there they would be copied first.
-    texture.texels_changed();
+    bound_mut(context, target.target).texels_changed();
+    if image.update(|image| is_dear(image.level(target.face.into(), area.level))) {
+        crate::draw::submit(context);
+    }
+    let texture = bound_mut(context, target.target);
     let written = texture.image.update(|image| {
         image
             .level_mut(target.face.into(), area.level)
@@ -87,6 +92,12 @@ pub(super) fn write_area(context: &mut Context, area: &Area, texels: &[u8]) -> R
     });
     written.map_err(|error| super::storage_error(SECTION, &error))?;
     super::mipmap::base_level_changed(isa, texture, target.face.into(), area.level)
+}
+
+/// Whether to copy a level for draws that wait costs more than to carry these out before it is written to.
+fn is_dear(level: Option<&Arc<Level>>) -> bool {
+    const DEAR: usize = 1 << 19;
+    level.is_some_and(|level| level.texels.len() >= DEAR && Arc::strong_count(level) > 1)
 }
 
 /// Memory for the texels of a box.
@@ -187,4 +198,31 @@ pub(crate) fn tex_sub_image_3d(
 ) -> Result<()> {
     let (target, offset) = ((Dimensions::Three, target), [xoffset, yoffset, zoffset]);
     tex_sub_image(context, target, level, offset, [width, height, depth], (format, ty), pixels)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::constants::*;
+    use crate::context::ContextDesc;
+
+    /// Whether a draw still waits after a texel of the texture that it reads was written.
+    fn waits(size: GLsizei) -> bool {
+        let mut c = Context::new(ContextDesc::default()).expect("a device");
+        let target = GL_TEXTURE_2D;
+        let (internal, data) = (GL_RGBA8 as GLint, Data::Null);
+        c.tex_image_2d(target, 0, internal, size, size, 0, GL_RGBA, GL_UNSIGNED_BYTE, data);
+        c.tex_parameteri(target, GL_TEXTURE_MIN_FILTER, GL_LINEAR as GLint);
+        c.enable(target);
+        c.rectf(-1.0, -1.0, 1.0, 1.0);
+        let texel = Data::Bytes(&[9; 4]);
+        c.tex_sub_image_2d(target, 0, 3, 3, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, texel);
+        assert_eq!(c.get_error(), GL_NO_ERROR, "{:?}", c.messages());
+        c.recorder.is_waiting()
+    }
+
+    #[test]
+    fn draws_are_carried_out_where_a_copy_for_them_would_be_dear() {
+        assert!(waits(64) && !waits(512));
+    }
 }
