@@ -3,7 +3,7 @@
 use super::array_names::{array_of, extent};
 use super::hints;
 use super::immediate::{Slot, attribute};
-use super::reach::{Reach, reads_parts, small_part, vertex_source};
+use super::reach::{Reach, reads_parts, small_part, vertex_source, vertices_apart};
 use super::translate::{Elements, draw};
 use crate::assembly::running::has_vertex_program;
 use crate::constants::*;
@@ -14,6 +14,7 @@ use crate::interface::ATTRIB_VERTEX;
 use crate::state::LOCATIONS;
 use crate::types::*;
 use rasterizer::driver::{Buffer, IndexType, Indices, Topology, VertexBinding, VertexSource};
+use std::ops::Range;
 
 pub(super) const SECTION: &str = "GL 2.1, section 2.8";
 const INSTANCED: &str = "ARB_draw_instanced";
@@ -68,8 +69,8 @@ fn indexed_reach(
     bytes: &[u8],
     (ty, base_vertex): (IndexType, GLint),
     instances: u32,
-) -> Reach {
-    let mut reach = Reach { first: 0, last: 0, instances };
+) -> Reach<'static> {
+    let mut reach = Reach { first: 0, last: 0, instances, apart: None };
     if reads_parts(context) {
         let indices = bytes.chunks_exact(ty.size());
         let indices = indices.map(IndexType::index);
@@ -82,9 +83,11 @@ fn indexed_reach(
 }
 
 /// Where every attribute of an array draw comes from.
-fn bindings(context: &Context, reach: Reach) -> Result<Vec<VertexBinding>> {
+fn bindings(context: &mut Context, reach: Reach<'_>) -> Result<Vec<VertexBinding>> {
+    let mut bindings = std::mem::take(&mut context.recorder.bindings);
+    bindings.clear();
+    bindings.reserve(LOCATIONS);
     let arrays = &context.state.arrays.by_location;
-    let mut bindings = Vec::with_capacity(LOCATIONS);
     for location in 0..LOCATIONS {
         let from = array_of(context, location);
         let source = if arrays[from].enabled {
@@ -206,10 +209,10 @@ fn draw_ranges(
     let instances = not_negative(INSTANCED, "primcount", instances.into())?;
     if count > 0 && instances > 0 && has_positions(context, topology) {
         let (last, instances) = ((first + count - 1) as u32, instances as u32);
-        let vertices = bindings(context, Reach { first: first as u32, last, instances })?;
+        let range = (first as u32, count as u32);
+        let elements = Elements::Range { first: range.0, count: range.1, instances: 0..instances };
+        let vertices = bindings(context, Reach { first: range.0, last, instances, apart: None })?;
         check_range(context, &vertices, first, count)?;
-        let (first, count) = (first as u32, count as u32);
-        let elements = Elements::Range { first, count, instances: 0..instances };
         return draw_or_record(context, topology, vertices, elements);
     }
     context.empty_draw("glDrawArrays")
@@ -306,6 +309,14 @@ pub(super) fn draw_indexed(
     }
     let base_vertex = request.base_vertex;
     let runs = super::restart::runs(context, &buffer, offset, ty, count);
+    let indexed =
+        |run: &Range<usize>| &buffer.bytes()[offset..][run.start * ty.size()..run.end * ty.size()];
+    let reach =
+        |context: &Context, run| indexed_reach(context, indexed(run), (ty, base_vertex), instances);
+    // What several runs read is taken once.
+    let all = runs.iter().map(|run| reach(context, run)).reduce(Reach::and);
+    let all = all.filter(|all| runs.len() > 1 && all.is_near(count));
+    let shared = all.map(|all| bindings(context, all)).transpose()?;
     // ARB_draw_instanced: each instance is drawn whole, all its runs, before the next one.
     let step = if runs.len() > 1 { 1 } else { instances };
     for first in (0..instances).step_by(step as usize) {
@@ -313,9 +324,17 @@ pub(super) fn draw_indexed(
             let offset = offset + run.start * ty.size();
             let indices = Indices { buffer: buffer.clone(), offset, ty, base_vertex };
             let (count, last) = (run.len() as u32, first + step);
-            let elements = Elements::Indexed { indices, count, instances: first..last };
-            let bytes = &buffer.bytes()[offset..offset + run.len() * ty.size()];
-            let reach = indexed_reach(context, bytes, (ty, base_vertex), last);
+            let mut elements = Elements::Indexed { indices, count, instances: first..last };
+            if let Some(vertices) = &shared {
+                draw_or_record(context, topology, vertices.clone(), elements)?;
+                continue;
+            }
+            let mut reach = reach(context, run);
+            let apart = vertices_apart(context, indexed(run), (ty, base_vertex), reach);
+            if apart.is_some() {
+                elements = Elements::Range { first: 0, count, instances: first..last };
+            }
+            reach.apart = apart.as_deref();
             let vertices = bindings(context, reach)?;
             draw_or_record(context, topology, vertices, elements)?;
         }
@@ -386,7 +405,7 @@ pub(crate) fn array_element(context: &mut Context, index: GLint) -> Result<()> {
     let arrays = &context.state.arrays.by_location;
     let enabled: Vec<usize> = (0..LOCATIONS).filter(|&at| arrays[at].enabled).collect();
     let position = usize::from(ATTRIB_VERTEX);
-    let reach = Reach { first: index, last: index, instances: 1 };
+    let reach = Reach { first: index, last: index, instances: 1, apart: None };
     let of_position = |location: &usize| *location == 0 || *location == position;
     for &location in enabled.iter().filter(|location| !of_position(location)) {
         let value = vertex_source(context, location, reach)?.read(index);

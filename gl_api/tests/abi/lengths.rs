@@ -4,10 +4,10 @@
 use super::*;
 use gl_api::{
     GL_ARRAY_BUFFER, GL_COMPILE, GL_DEBUG_SEVERITY_HIGH, GL_DEBUG_SOURCE_APPLICATION,
-    GL_DEBUG_TYPE_OTHER, GL_FRAGMENT_SHADER, GL_INVALID_OPERATION, GL_INVALID_VALUE, GL_NO_ERROR,
-    GL_PIXEL_UNPACK_BUFFER, GL_READ_WRITE, GL_RGBA, GL_STATIC_DRAW, GL_TEXTURE, GL_TEXTURE_2D,
-    GL_TRIANGLES, GL_UNIFORM_BLOCK_DATA_SIZE, GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT,
-    GL_VERTEX_SHADER,
+    GL_DEBUG_TYPE_OTHER, GL_FLOAT, GL_FRAGMENT_SHADER, GL_INVALID_OPERATION, GL_INVALID_VALUE,
+    GL_NO_ERROR, GL_PIXEL_UNPACK_BUFFER, GL_READ_WRITE, GL_RGBA, GL_STATIC_DRAW, GL_TEXTURE,
+    GL_TEXTURE_2D, GL_TRIANGLES, GL_UNIFORM_BLOCK_DATA_SIZE, GL_UNSIGNED_BYTE, GL_UNSIGNED_INT,
+    GL_UNSIGNED_SHORT, GL_VERTEX_ARRAY, GL_VERTEX_SHADER,
 };
 use std::ptr::{null, without_provenance};
 
@@ -32,6 +32,9 @@ unsafe extern "C" {
     fn glGetBufferSubData(target: GLenum, offset: isize, size: isize, data: *mut c_void);
     fn glMapBuffer(target: GLenum, access: GLenum) -> *mut c_void;
     fn glDrawElements(mode: GLenum, count: i32, ty: GLenum, indices: *const c_void);
+    fn glVertexPointer(size: i32, ty: GLenum, stride: i32, pointer: *const c_void);
+    fn glEnableClientState(array: GLenum);
+    fn glDisableClientState(array: GLenum);
     fn glNewList(list: u32, mode: GLenum);
     fn glEndList();
     fn glCallList(list: u32);
@@ -194,5 +197,30 @@ fn a_list_takes_the_pixels_of_a_buffer() {
             assert_eq!(glGetError(), GL_NO_ERROR);
         }
         assert_eq!(pixel(), yellow);
+    });
+}
+
+/// The vertices that a draw reads, and none of those between.
+#[test]
+fn indices_may_lie_far_apart() {
+    with_contexts(|| {
+        let mut vertices = vec![[f32::NAN; 2]; 100_000];
+        let indices = [0_u32, 99_999, 50_000];
+        for (index, place) in indices.into_iter().zip([[-1.0, -1.0], [3.0, -1.0], [-1.0, 3.0]]) {
+            vertices[index as usize] = place;
+        }
+        let green = "void main() { gl_FragColor = vec4(0.0, 1.0, 0.0, 1.0); }";
+        // SAFETY: the arrays are as long as the calls say, and stay until they are disabled.
+        unsafe {
+            fill([0.0, 0.0, 1.0]);
+            program(green);
+            glVertexPointer(2, GL_FLOAT, 0, vertices.as_ptr().cast());
+            glEnableClientState(GL_VERTEX_ARRAY);
+            glDrawElements(GL_TRIANGLES, 3, GL_UNSIGNED_INT, indices.as_ptr().cast());
+            glDisableClientState(GL_VERTEX_ARRAY);
+            assert_eq!(glGetError(), GL_NO_ERROR);
+            assert_eq!(pixel(), [0, 255, 0, 255]);
+            glUseProgram(0);
+        }
     });
 }
