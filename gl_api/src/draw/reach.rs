@@ -75,7 +75,7 @@ pub(super) fn all_have(context: &Context) -> [u32; 2] {
             Source::Pointer(_) => limits::MAX_BUFFER_SIZE,
             Source::Object { buffer, offset } => {
                 let object = context.objects.buffers.bound(buffer);
-                object.map_or(0, |object| object.len()).saturating_sub(*offset)
+                object.map_or(0, |object| object.buffer().bytes().len()).saturating_sub(*offset)
             }
         };
         let elements = bytes.checked_sub(array.size()).map_or(0, |rest| rest / array.step() + 1);
@@ -270,6 +270,11 @@ mod tests {
         assert_eq!(draw(&mut c, &[5, 99_999, 7]), 3 * 8);
         // What lies between a few is taken as well.
         assert_eq!(draw(&mut c, &[5, 9, 7]), 5 * 8);
+        // What is mapped is refused as ever.
+        c.map_buffer(GL_ARRAY_BUFFER, GL_READ_WRITE);
+        draw(&mut c, &[5, 99_999, 7]);
+        assert_eq!(c.get_error(), GL_INVALID_OPERATION);
+        let _ = c.messages();
         assert_eq!(c.get_error(), GL_NO_ERROR, "{:?}", c.messages());
     }
 }
