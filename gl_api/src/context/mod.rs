@@ -113,6 +113,8 @@ pub struct Context {
     group: Option<Group>,
     /// Where another thread asks for the group.
     pub(crate) invitation: Invitation,
+    /// How often anything may have changed that draws depend on.
+    pub(crate) changes: u64,
     /// Whether a call runs.
     pub(crate) entered: Entered,
     pub(crate) repairs: Repairs,
@@ -188,6 +190,7 @@ impl Context {
             uniform_buffers: UniformBuffers::default(),
             group,
             invitation: Invitation::default(),
+            changes: 0,
             entered: Entered::No,
             repairs,
             mirror: None,
@@ -260,8 +263,8 @@ impl Context {
     ) -> R {
         let turn = Turn::begin(self);
         let result = match place {
-            Place::Outside => turn.context.leave_vertices().and_then(|()| f(turn.context)),
-            Place::Anywhere => f(turn.context),
+            Place::Outside if !turn.context.leave_vertices(name) => Ok(R::fallback()),
+            Place::Outside | Place::Anywhere => f(turn.context),
         };
         drop(turn);
         let result = result.unwrap_or_else(|error: GlError| {
@@ -273,16 +276,18 @@ impl Context {
     }
 
     /// Before a call that may not stand between `glBegin` and `glEnd`: what ended is drawn with the
-    /// state of now.
+    /// state of now. Whether the call may follow.
     #[inline(never)]
-    fn leave_vertices(&mut self) -> Result<()> {
+    fn leave_vertices(&mut self, name: &'static str) -> bool {
+        self.changes += 1;
         if self.immediate.is_some() {
-            return Err(between_begin_and_end());
+            self.refuse(name, between_begin_and_end());
+            return false;
         }
         if self.ended.is_some() {
             draw_ended(self);
         }
-        Ok(())
+        true
     }
 
     /// Whether no other context shares its objects.

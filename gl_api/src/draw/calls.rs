@@ -4,6 +4,7 @@ use super::array_names::{array_of, extent};
 use super::hints;
 use super::immediate::{Slot, attribute};
 use super::reach::{Reach, reads_parts, small_part, vertex_source, vertices_apart};
+use super::repeat::{keep, repeat};
 use super::translate::{Elements, draw};
 use crate::assembly::running::has_vertex_program;
 use crate::constants::*;
@@ -161,10 +162,15 @@ fn draw_or_record(
     vertices: Vec<VertexBinding>,
     elements: Elements,
 ) -> Result<()> {
-    match context.record_arrays(topology, vertices, elements) {
-        Some((vertices, elements)) => draw(context, topology, vertices, &elements),
-        None => Ok(()),
+    let (before, is_whole) = (context.recorder.draws, !reads_parts(context));
+    let (count, _) = elements.counts();
+    if let Some((vertices, elements)) = context.record_arrays(topology, vertices, elements) {
+        draw(context, topology, vertices, &elements)?;
+        if is_whole && context.recorder.draws > before {
+            keep(context, topology, count);
+        }
     }
+    Ok(())
 }
 
 pub(crate) fn draw_arrays(
@@ -211,6 +217,9 @@ fn draw_ranges(
         let (last, instances) = ((first + count - 1) as u32, instances as u32);
         let range = (first as u32, count as u32);
         let elements = Elements::Range { first: range.0, count: range.1, instances: 0..instances };
+        if repeat(context, topology, &elements) {
+            return Ok(());
+        }
         let vertices = bindings(context, Reach { first: range.0, last, instances, apart: None })?;
         check_range(context, &vertices, first, count)?;
         return draw_or_record(context, topology, vertices, elements);
@@ -325,6 +334,9 @@ pub(super) fn draw_indexed(
             let indices = Indices { buffer: buffer.clone(), offset, ty, base_vertex };
             let (count, last) = (run.len() as u32, first + step);
             let mut elements = Elements::Indexed { indices, count, instances: first..last };
+            if repeat(context, topology, &elements) {
+                continue;
+            }
             if let Some(vertices) = &shared {
                 draw_or_record(context, topology, vertices.clone(), elements)?;
                 continue;

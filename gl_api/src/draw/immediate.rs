@@ -130,6 +130,7 @@ pub(crate) fn end(context: &mut Context) -> Result<()> {
 
 /// Draws what was collected, or has it wait for more.
 fn finish(context: &mut Context) -> Result<()> {
+    context.changes += 1;
     let Some(mut immediate) = context.immediate.take() else {
         return invalid_operation(SECTION, "no glBegin is open: it was not called, or was refused");
     };
@@ -257,6 +258,7 @@ pub(crate) fn current(state: &State, location: usize) -> [f32; 4] {
 
 /// Changes the current value of an attribute, or of a part of a material.
 pub(crate) fn set_current(context: &mut Context, location: usize, value: [f32; 4]) {
+    context.changes += 1;
     if context.ended.as_ref().is_some_and(|ended| ended.column_of(location).is_none()) {
         end_before_change(context, location, value);
     }

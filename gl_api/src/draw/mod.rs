@@ -19,6 +19,7 @@ pub(crate) mod packed;
 mod primitives;
 mod reach;
 pub(crate) mod rect;
+mod repeat;
 pub(crate) mod restart;
 pub(crate) mod runs;
 pub(crate) mod stages;
@@ -100,6 +101,8 @@ struct Told {
     viewport: Option<Viewport>,
     scissor: Option<Option<Rect>>,
     counter: Option<Counter>,
+    /// The draw before, which others may repeat.
+    repeat: Option<repeat::Repeat>,
 }
 
 impl Recorder {

@@ -199,6 +199,7 @@ fn record(
     hints::arrays::short(context, &vertices, elements);
     let recorder = &mut context.recorder;
     recorder.draws += 1;
+    recorder.told.repeat = None;
     let commands = &mut recorder.commands;
     let buffers = vertices.iter().filter_map(|binding| binding.source.buffer());
     recorder.held += buffers.map(Buffer::own_bytes).sum::<usize>();
@@ -213,16 +214,7 @@ fn record(
         commands.push(Command::BindTextures { vertex, fragment });
         recorder.told.textures = Some(textures);
     }
-    commands.push(match elements {
-        Elements::Range { first, count, instances } => {
-            Command::Draw { first: *first, count: *count, instances: instances.clone() }
-        }
-        Elements::Indexed { indices, count, instances } => {
-            recorder.held += indices.buffer.own_bytes();
-            let (indices, instances) = (indices.clone(), instances.clone());
-            Command::DrawIndexed { indices, count: *count, instances }
-        }
-    });
+    recorder.push_draw(elements);
     Ok(())
 }
 

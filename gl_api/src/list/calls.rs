@@ -180,6 +180,7 @@ fn not_there(context: &mut Context, list: GLuint) {
 
 /// Carries out a list, if there is one.
 fn run_list(context: &mut Context, list: GLuint) -> Result<()> {
+    context.changes += 1;
     let lists = &mut context.lists;
     if lists.depth == 0 {
         lists.budget = BUDGET;
