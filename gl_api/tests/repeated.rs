@@ -166,7 +166,7 @@ fn draw(c: &mut Context, random: &mut Random, modes: &[GLenum]) {
 fn change(c: &mut Context, random: &mut Random, pixels: &mut Vec<u8>) {
     let vertex = random.vertex();
     let at = (random.below(VERTICES as u64) as usize % 40 * STRIDE) as GLintptr;
-    match random.below(12) {
+    match random.below(15) {
         0 => c.buffer_sub_data(GL_ARRAY_BUFFER, at, STRIDE as _, Data::Bytes(&vertex)),
         1 => {
             let index = random.index().to_le_bytes();
@@ -208,7 +208,22 @@ fn change(c: &mut Context, random: &mut Random, pixels: &mut Vec<u8>) {
             c.copy_tex_sub_image_2d(GL_TEXTURE_2D, 0, 7, 9, x, y, 8, 8);
         }
         10 => c.vertex_attrib_4f(2, random.float() * 0.3, 0.0, 0.0, 1.0),
-        _ => c.scissor(20, 20, 150, 150),
+        11 => {
+            c.begin(GL_TRIANGLES);
+            (0..3).for_each(|_| c.vertex_attrib_4f(0, random.float(), random.float(), 0.0, 1.0));
+            c.end();
+        }
+        12 => {
+            c.new_list(1, random.pick(&[GL_COMPILE, GL_COMPILE_AND_EXECUTE]));
+            draw(c, random, &[GL_TRIANGLES, GL_TRIANGLE_STRIP]);
+            c.end_list();
+        }
+        13 => c.call_list(1),
+        _ => {
+            c.enable(GL_SCISSOR_TEST);
+            c.scissor(20, 20, random.below(150) as GLsizei, 150);
+            c.clear(random.pick(&[0, GL_COLOR_BUFFER_BIT]));
+        }
     }
 }
 
