@@ -40,6 +40,16 @@ impl ClearJob {
     }
 }
 
+/// The blocks of a tile that an area touches, bit by block.
+fn touched(area: &[[i32; 2]; 2], tile: [i32; 2]) -> u64 {
+    let [columns, rows] = [0, 1].map(|axis| {
+        let [first, end] = area.map(|pixel| (pixel[axis] - tile[axis]).clamp(0, TILE as i32));
+        first / 8..(end + 7) / 8
+    });
+    let blocks = rows.flat_map(|row| columns.clone().map(move |column| 8 * row + column));
+    blocks.fold(0, |all, block| all | 1 << block)
+}
+
 /// Clears a tile's part of an attachment.
 pub fn clear(pass: &PassJob, job: &ClearJob, tile: &mut TileJob) {
     let (target, first) = match job.target {
@@ -61,8 +71,12 @@ pub fn clear(pass: &PassJob, job: &ClearJob, tile: &mut TileJob) {
                 plane.clear(word);
                 continue;
             }
-            for (index, block) in plane.blocks_mut(!0).iter_mut().enumerate() {
-                let at = BlockAt::numbered([tile.x, tile.y], index);
+            let mut touched = touched(&job.area, [tile.x, tile.y]);
+            let blocks = plane.blocks_mut(touched);
+            while touched != 0 {
+                let index = touched.trailing_zeros() as usize;
+                touched &= touched - 1;
+                let (at, block) = (BlockAt::numbered([tile.x, tile.y], index), &mut blocks[index]);
                 let lanes = expand_mask(coverage::inside_area(&job.area, at));
                 for lane in 0..LANES {
                     let write = lanes[lane] & write;
@@ -76,6 +90,22 @@ pub fn clear(pass: &PassJob, job: &ClearJob, tile: &mut TileJob) {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn blocks_are_touched_where_a_lane_is_inside() {
+        let sides = [-3, 0, 63, 64, 65, 71, 72, 80, 100, 127, 128, 129, 200];
+        let areas = sides.into_iter().flat_map(|a| sides.map(|b| [a, b]));
+        for [first, end] in areas.filter(|[first, end]| first < end) {
+            for area in [[[first, 70], [end, 73]], [[70, first], [73, end]]] {
+                let inside = |block| {
+                    let at = BlockAt::numbered([64, 64], block);
+                    u64::from(coverage::inside_area(&area, at) != 0) << block
+                };
+                let want = (0..64).fold(0, |all, block| all | inside(block));
+                assert_eq!(touched(&area, [64, 64]), want, "{area:?}");
+            }
+        }
+    }
 
     #[test]
     fn a_clear_is_whole_where_no_pixel_and_no_bit_is_left() {
