@@ -63,6 +63,22 @@ pub fn read(isa: Isa, record: &Record, bytes: &[u8], out: &mut Numbers) {
     isa.run(Read { record, words: &words, out });
 }
 
+/// [`read`] within a kernel.
+#[inline(always)]
+pub(crate) fn read_by<S: Simd>(record: &Record, bytes: &[u8], out: &mut Numbers) {
+    let mut words = [U32s::ZERO; 4];
+    record.load(bytes, &mut words);
+    S::apart(Read { record, words: &words, out });
+}
+
+/// [`write`] within a kernel.
+#[inline(always)]
+pub(crate) fn write_by<S: Simd>(record: &Record, numbers: [&F64s; 4], bytes: &mut [u8]) {
+    let mut words = [U32s::ZERO; 4];
+    S::apart(Write { record, numbers, out: &mut words });
+    record.store(&mut words, bytes);
+}
+
 /// Up to 64 pixels with these numbers into `bytes`, tightly packed: clamped to what the record holds, and
 /// rounded to nearest, halves to even.
 pub fn write(isa: Isa, record: &Record, numbers: [&F64s; 4], bytes: &mut [u8]) {

@@ -195,7 +195,7 @@ impl<'a> Conversion<'a> {
     fn moves(&self) -> Option<Moves> {
         let is_fraction = |code: Code| match code {
             Code::Unorm | Code::Srgb | Code::Depth => true,
-            Code::Fixed | Code::Snorm | Code::Uint | Code::Sint => false,
+            Code::Fixed | Code::Snorm | Code::Uint | Code::Sint | Code::SnormSteps => false,
             Code::Float | Code::SharedExponent => false,
         };
         let ends = match self.ending {

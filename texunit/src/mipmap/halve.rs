@@ -1,10 +1,9 @@
 //! The box filter of one level, row by row.
 
-use crate::format::convert::{decode_field, encode_channel, signed};
-use crate::format::small_float::decode_half;
-use crate::format::{Encoding, Field, Format, shared_exponent};
+use crate::format::Format;
 use crate::image::Level;
-use crate::lanes::{Kernel, Simd};
+use crate::lanes::{F64s, Kernel, LANES, Simd};
+use crate::pixel::{self, Record};
 
 /// The texels that one smaller texel covers along an axis, counted from the first that is stored,
 /// and their weights; those without weight may lie outside.
@@ -68,6 +67,7 @@ impl Kernel for Halve<'_> {
         let Self { from, to, columns, rows, slices } = self;
         let format = from.format;
         let channels = format.channels();
+        let record = Record::of_means(format);
         let (row_bytes, slice_bytes) = (from.row_bytes(), from.slice_bytes());
         let pairs = format.is_bytes() && columns.iter().all(|column| column.is_pair());
         let mut sums = vec![0.0; from.stored_size()[0] as usize * channels];
@@ -97,7 +97,8 @@ impl Kernel for Halve<'_> {
                 sums.fill(0.0);
                 for (z, inward) in slice.taps() {
                     for (y, down) in row.taps() {
-                        accumulate(format, texels(z, y), inward * down, &mut sums);
+                        let weight = inward * down;
+                        accumulate::<S>(format, &record, texels(z, y), weight, &mut sums);
                     }
                 }
                 let across = slice.total() * row.total();
@@ -107,7 +108,7 @@ impl Kernel for Halve<'_> {
                     3 => along_row::<3>(&columns, across, &sums, &mut means),
                     _ => along_row::<4>(&columns, across, &sums, &mut means),
                 }
-                store(format, &means, out);
+                store::<S>(format, &record, &means, out);
             }
         }
     }
@@ -130,78 +131,29 @@ fn mean_of_pairs<const N: usize, const PAIR: usize>(lower: &[u8], upper: &[u8], 
 /// Adds the weighted channels of a row: as integers where the format is normalized, in linear
 /// light where it is sRGB, else as they are.
 #[inline(always)]
-fn accumulate(format: Format, texels: &[u8], weight: f64, sums: &mut [f64]) {
-    let info = format.info();
-    let [first, ..] = info.fields;
-    let uniform = info.bytes * 8 == format.channels() * first.bits as usize;
-    match (info.encoding, first.bits) {
-        (Encoding::Unorm, 8) if uniform => {
-            for (sum, &byte) in sums.iter_mut().zip(texels) {
-                *sum += weight * f64::from(byte);
-            }
+fn accumulate<S: Simd>(
+    format: Format,
+    record: &Record,
+    texels: &[u8],
+    weight: f64,
+    sums: &mut [f64],
+) {
+    if format.is_bytes() {
+        for (sum, &byte) in sums.iter_mut().zip(texels) {
+            *sum += weight * f64::from(byte);
         }
-        (Encoding::Unorm, 16) if uniform => {
-            for (sum, bytes) in sums.iter_mut().zip(texels.as_chunks::<2>().0) {
-                *sum += weight * f64::from(u16::from_le_bytes(*bytes));
-            }
-        }
-        (Encoding::Float, 16) => {
-            for (sum, bytes) in sums.iter_mut().zip(texels.as_chunks::<2>().0) {
-                *sum += weight * f64::from(decode_half(u32::from(u16::from_le_bytes(*bytes))));
-            }
-        }
-        (Encoding::Float, 32) => {
-            for (sum, bytes) in sums.iter_mut().zip(texels.as_chunks::<4>().0) {
-                *sum += weight * f64::from(f32::from_le_bytes(*bytes));
-            }
-        }
-        (_, _) => {
-            let sums = sums.chunks_exact_mut(format.channels());
-            for (sums, texel) in sums.zip(texels.chunks_exact(info.bytes)) {
-                let words = words(texel);
-                for (channel, sum) in sums.iter_mut().enumerate() {
-                    *sum += weight * addend(format, channel, words);
-                }
-            }
-        }
+        return;
     }
-}
-
-/// The bytes of a texel as words.
-#[inline(always)]
-fn words(texel: &[u8]) -> [u32; 4] {
-    let mut words = [0; 4];
-    for (i, &byte) in texel.iter().enumerate().take(16) {
-        words[i / 4] |= u32::from(byte) << (8 * (i % 4));
-    }
-    words
-}
-
-/// What is summed of a channel.
-#[inline(always)]
-fn addend(format: Format, channel: usize, words: [u32; 4]) -> f64 {
-    match integer(format, channel) {
-        Some((field, 0)) => f64::from(field.of(words[field.word])),
-        Some((field, smallest)) => f64::from(signed(field, words[field.word]).max(smallest)),
-        None => f64::from(decode_field(format, channel, words)),
-    }
-}
-
-/// The field of a channel that is summed as an integer, and the least number it stands for.
-#[inline(always)]
-fn integer(format: Format, channel: usize) -> Option<(Field, i32)> {
-    let info = format.info();
-    let field = info.fields[channel];
-    match info.encoding {
-        Encoding::Srgb if format.is_srgb_channel(channel) => None,
-        Encoding::Unorm | Encoding::Srgb => Some((field, 0)),
-        Encoding::Snorm => Some((field, -((field.mask() >> 1) as i32))),
-        Encoding::Float
-        | Encoding::SharedExponent
-        | Encoding::Uint
-        | Encoding::Sint
-        | Encoding::Block(_)
-        | Encoding::SrgbBlock(_) => None,
+    let channels = format.channels();
+    let mut numbers = [F64s::ZERO; 4];
+    let runs = texels.chunks(LANES * format.bytes()).zip(sums.chunks_mut(LANES * channels));
+    for (texels, sums) in runs {
+        pixel::read_by::<S>(record, texels, &mut numbers);
+        for (lane, sums) in sums.chunks_exact_mut(channels).enumerate() {
+            for (sum, numbers) in sums.iter_mut().zip(&numbers) {
+                *sum += weight * numbers[lane];
+            }
+        }
     }
 }
 
@@ -231,32 +183,30 @@ fn along_row<const N: usize>(columns: &[Cover], across: f64, sums: &[f64], means
 /// A mean of integers is within 2^-53 of itself a quotient of integers below 2^46, so that adding
 /// 1/2 and taking the integer part rounds halves up exactly.
 #[inline(always)]
-fn store(format: Format, means: &[f64], out: &mut [u8]) {
+fn store<S: Simd>(format: Format, record: &Record, means: &[f64], out: &mut [u8]) {
     if format.is_bytes() {
         for (byte, mean) in out.iter_mut().zip(means) {
             *byte = (mean + 0.5) as u8;
         }
         return;
     }
-    let bytes = format.bytes();
-    for (mean, out) in means.chunks_exact(format.channels()).zip(out.chunks_exact_mut(bytes)) {
-        let mut words = [0_u32; 4];
-        if format.info().encoding == Encoding::SharedExponent {
-            words[0] = shared_exponent::encode(mean[0] as f32, mean[1] as f32, mean[2] as f32);
+    let channels = format.channels();
+    let mut numbers = [F64s::ZERO; 4];
+    let runs = means.chunks(LANES * channels).zip(out.chunks_mut(LANES * format.bytes()));
+    for (means, out) in runs {
+        for (lane, means) in means.chunks_exact(channels).enumerate() {
+            for ((numbers, &mean), &(_, code)) in numbers.iter_mut().zip(means).zip(record.fields())
+            {
+                numbers[lane] = if code.is_integer() { floor(mean + 0.5) } else { mean };
+            }
         }
-        for (channel, &mean) in mean.iter().enumerate() {
-            let field = format.info().fields[channel];
-            words[field.word] |= match integer(format, channel) {
-                Some((field, smallest)) => {
-                    // Truncation is the floor of what is not negative.
-                    let above = (mean - f64::from(smallest) + 0.5) as u32;
-                    (above.wrapping_add(smallest as u32) & field.mask()) << field.shift
-                }
-                None => encode_channel(format, channel, mean as f32),
-            };
-        }
-        for (i, byte) in out.iter_mut().enumerate() {
-            *byte = (words[i / 4] >> (8 * (i % 4))) as u8;
-        }
+        pixel::write_by::<S>(record, numbers.each_ref(), out);
     }
+}
+
+/// The largest integer that is no larger, of what lies within -2^31 to 2^32.
+#[inline(always)]
+fn floor(x: f64) -> f64 {
+    let whole = (x as i64) as f64;
+    if whole > x { whole - 1.0 } else { whole }
 }

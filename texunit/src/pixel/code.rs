@@ -26,6 +26,8 @@ pub enum Code {
     Uint,
     /// An integer in two's complement.
     Sint,
+    /// The integer of a signed fraction, of which the two lowest are the same.
+    SnormSteps,
     /// IEEE `f32` (32 bits), half float (16), and unsigned floats (11 and 10, `EXT_packed_float`).
     Float,
     /// An `f32` that is clamped to [0, 1] when it is written.
@@ -76,6 +78,16 @@ fn inverse(largest: f64) -> [f64; 2] {
 }
 
 impl Code {
+    /// Whether its numbers are whole.
+    #[inline(always)]
+    pub fn is_integer(self) -> bool {
+        match self {
+            Self::Uint | Self::Sint | Self::SnormSteps => true,
+            Self::Unorm | Self::Fixed | Self::Snorm | Self::Srgb => false,
+            Self::Float | Self::Depth | Self::SharedExponent => false,
+        }
+    }
+
     /// The numbers of a field.
     #[inline(always)]
     pub(super) fn read(self, field: Field, words: &U32s, out: &mut F64s) {
@@ -122,6 +134,13 @@ impl Code {
             Self::Sint => {
                 for lane in 0..LANES {
                     out[lane] = signed(words[lane]);
+                }
+            }
+            Self::SnormSteps => {
+                let lowest = -f64::from(field.mask() >> 1);
+                for lane in 0..LANES {
+                    let c = signed(words[lane]);
+                    out[lane] = if c > lowest { c } else { lowest };
                 }
             }
             Self::Float | Self::Depth if field.bits == 32 => {
@@ -186,7 +205,7 @@ impl Code {
                     words[lane] |= place(field, nearest(held(numbers[lane], 0.0, largest)));
                 }
             }
-            Self::Sint => {
+            Self::Sint | Self::SnormSteps => {
                 let [low, high] = signed_range(field);
                 for lane in 0..LANES {
                     let c = held_or_zero(numbers[lane], low, high);

@@ -45,6 +45,7 @@ fn is_same(from: Code, to: Code) -> bool {
             | Code::Srgb
             | Code::Uint
             | Code::Sint
+            | Code::SnormSteps
             | Code::Float
             | Code::Depth
             | Code::SharedExponent,

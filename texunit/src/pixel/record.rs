@@ -92,6 +92,21 @@ impl Record {
         record
     }
 
+    /// A texel as its channels are averaged: normalized ones as the integers that they are, sRGB-encoded ones as
+    /// linear light.
+    pub fn of_means(format: Format) -> Self {
+        let mut record = Self::of_light(format);
+        for (_, code) in &mut record.fields {
+            *code = match *code {
+                Code::Unorm => Code::Uint,
+                Code::Snorm => Code::SnormSteps,
+                Code::Fixed | Code::Srgb | Code::Uint | Code::Sint => *code,
+                Code::Float | Code::Depth | Code::SharedExponent | Code::SnormSteps => *code,
+            };
+        }
+        record
+    }
+
     /// The stencil of a texel alone; without numbers where it has none.
     pub fn of_stencil(format: Format) -> Self {
         let stencil = (format.info().stencil, Code::Uint);

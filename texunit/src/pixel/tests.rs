@@ -48,6 +48,7 @@ fn oracle(code: Code, bits: u32, word: u32) -> f64 {
         }
         Code::Uint => c,
         Code::Sint => signed,
+        Code::SnormSteps => signed.max(1.0 - full / 2.0),
         Code::Float | Code::Depth => match bits {
             32 => f32::from_bits(word).into(),
             16 => float(10) * if word >> 15 == 1 { -1.0 } else { 1.0 },
@@ -58,13 +59,14 @@ fn oracle(code: Code, bits: u32, word: u32) -> f64 {
     }
 }
 
-const CASES: [(Code, &[u32]); 8] = [
+const CASES: [(Code, &[u32]); 9] = [
     (Code::Unorm, &[1, 2, 3, 4, 5, 6, 8, 10, 16, 24, 32]),
     (Code::Fixed, &[8, 16, 32]),
     (Code::Snorm, &[8, 16, 32]),
     (Code::Srgb, &[8]),
     (Code::Uint, &[2, 8, 10, 16, 32]),
     (Code::Sint, &[8, 16, 32]),
+    (Code::SnormSteps, &[8, 16]),
     (Code::Float, &[10, 11, 16, 32]),
     (Code::Depth, &[32]),
 ];
@@ -117,7 +119,8 @@ fn numbers_are_what_the_specifications_say_and_read_back() {
                             "{context}: {number} {want}"
                         );
                         // -1 has two forms, NaN many; depths are clamped.
-                        let twice = code == Code::Snorm && word == 1 << (bits - 1);
+                        let twice = matches!(code, Code::Snorm | Code::SnormSteps)
+                            && word == 1 << (bits - 1);
                         let held = code == Code::Depth && !(0..=0x3F80_0000).contains(&word);
                         if !twice && !held && !number.is_nan() {
                             assert_eq!(back, word << shift, "{context}");
@@ -161,7 +164,9 @@ fn numbers_go_to_the_nearest_and_clamp() {
                     Code::Fixed => Some(even((number.clamp(-1.0, 1.0) * all - 1.0) / 2.0) as i64),
                     Code::Snorm => Some(even(number.clamp(-1.0, 1.0) * high) as i64),
                     Code::Uint => Some(even(number.clamp(0.0, all)) as i64),
-                    Code::Sint => Some(even(number.clamp(-high - 1.0, high)) as i64),
+                    Code::Sint | Code::SnormSteps => {
+                        Some(even(number.clamp(-high - 1.0, high)) as i64)
+                    }
                     Code::Depth => Some((number as f32).clamp(0.0, 1.0).to_bits().into()),
                     // Their own tests are in `format`.
                     Code::Srgb | Code::Float | Code::SharedExponent => None,
