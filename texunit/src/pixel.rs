@@ -10,7 +10,7 @@ mod moves;
 mod record;
 
 pub use code::Code;
-pub use mean::{Tap, means};
+pub use mean::{Tap, interleave, means};
 pub use moves::{Moves, Source};
 pub use record::{ByteOrder, Record};
 

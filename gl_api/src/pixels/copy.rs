@@ -115,11 +115,12 @@ pub(crate) fn copy_pixels(
         Kind::Stencil => {
             let mut stencils = room(Format::R8UI, width, height)?;
             Conversion::stencils(isa, from.format(), transfer).run(&stored, &mut stencils);
-            stencil::draw(context, size, |x, y| stencils[y * width + x])
+            stencil::draw_stencils(context, size, &stencils)
         }
         Kind::DepthStencil => {
-            let texels = as_format(Format::D32FS8);
-            stencil::draw_with_depth(context, size, &texels)
+            let Some(to) = stencil::target(context)? else { return Ok(()) };
+            let (texels, depth) = (as_format(to), context.state.fragment.depth_write);
+            stencil::draw(context, size, &texels, depth)
         }
     }
 }

@@ -90,7 +90,10 @@ pub(crate) fn draw_pixels(
     let format = match kind {
         Kind::Depth => Format::D32F,
         Kind::Stencil => Format::R8UI,
-        Kind::DepthStencil => Format::D32FS8,
+        Kind::DepthStencil => match stencil::target(context)? {
+            Some(format) => format,
+            None => return Ok(()),
+        },
         // Bytes stay bytes, where nothing is done to them.
         Kind::Color | Kind::ColorIndex => {
             match convert::is_moved(isa, &layout, Format::Rgba8, transfer) {
@@ -103,8 +106,11 @@ pub(crate) fn draw_pixels(
     convert::unpack(isa, &layout, source.bytes(), format, transfer, &mut texels);
     let rows = rows(&texels, width * format.bytes());
     match kind {
-        Kind::Stencil => stencil::draw(context, [width, height], |x, y| texels[y * width + x]),
-        Kind::DepthStencil => stencil::draw_with_depth(context, [width, height], &texels),
+        Kind::Stencil => stencil::draw_stencils(context, [width, height], &texels),
+        Kind::DepthStencil => {
+            let depth = context.state.fragment.depth_write;
+            stencil::draw(context, [width, height], &texels, depth)
+        }
         Kind::Depth => rectangle::draw(context, [width, height], DEPTHS, rows),
         Kind::Color | Kind::ColorIndex => {
             rectangle::draw(context, [width, height], (Holds::Color, format), rows)

@@ -1,6 +1,7 @@
 //! Stencils, with depths or without, which go to the buffer without being tested: only scissor and
 //! write masks count (GL 2.1, section 4.3.1; `EXT_packed_depth_stencil`).
 
+use super::draw::room;
 use super::zoom::Zoomed;
 use crate::context::Context;
 use crate::error::Result;
@@ -8,71 +9,55 @@ use crate::framebuffer::blit::edit;
 use crate::framebuffer::clear::drawn_area;
 use crate::framebuffer::complete::draw_pass;
 use crate::framebuffer::format_of;
-use crate::texture::transfer::Transfer;
-use crate::texture::{convert, texel};
+use crate::texture::convert::Conversion;
+use crate::texture::texel;
 use rasterizer::driver::DepthWrite;
 use texunit::format::Format;
 
-/// Changes every texel of the depth buffer that a rectangle at the raster position covers.
-fn each_texel(
+/// The format of what is drawn to.
+pub(super) fn target(context: &Context) -> Result<Option<Format>> {
+    Ok(draw_pass(context)?.depth.as_ref().and_then(format_of))
+}
+
+/// Draws a rectangle of texels of [`target`]'s format: their stencils through the write mask of front faces, and
+/// their depths if `depth` says so.
+pub(super) fn draw(
     context: &mut Context,
     size: [usize; 2],
-    change: impl Fn(Format, &mut [u8], usize, usize),
+    texels: &[u8],
+    depth: DepthWrite,
 ) -> Result<()> {
     let pass = draw_pass(context)?;
     let area = drawn_area(context, &pass);
-    let (Some(depth), true) = (pass.depth, context.state.raster_position.valid) else {
+    let (Some(to), true) = (pass.depth, context.state.raster_position.valid) else {
         return Ok(());
     };
     let Some(zoomed) = Zoomed::new(context, size, area) else { return Ok(()) };
-    edit(context, &depth, |level, first, _| {
-        let (format, size, row_bytes) = (level.format, level.format.bytes(), level.row_bytes());
+    let mask = context.state.fragment.stencil.active().write_mask as u8;
+    edit(context, &to, |level, first, _| {
+        let (format, bytes, row_bytes) = (level.format, level.format.bytes(), level.row_bytes());
         for (y, &row) in (zoomed.origin[1] as usize..).zip(&zoomed.rows) {
-            let start = first + y * row_bytes + zoomed.origin[0] as usize * size;
-            let texels = level.texels[start..].chunks_exact_mut(size);
-            for (texel, &column) in texels.zip(&zoomed.columns) {
-                change(format, texel, column, row);
+            let from = &texels[row * size[0] * bytes..][..size[0] * bytes];
+            let mut at = first + y * row_bytes + zoomed.origin[0] as usize * bytes;
+            for run in zoomed.columns.chunk_by(|a, b| a + 1 == *b) {
+                let used = run.len() * bytes;
+                let out = &mut level.texels[at..at + used];
+                texel::merge(format, depth, mask, &from[run[0] * bytes..][..used], out);
+                at += used;
             }
         }
     });
     Ok(())
 }
 
-/// A stencil through the write mask of front faces.
-fn put(format: Format, texel: &mut [u8], value: u8, mask: u8) {
-    let old = texel::stencil_of(format, texel);
-    texel::put_stencil(format, texel, value & mask | old & !mask);
-}
-
-fn write_mask(context: &Context) -> u8 {
-    context.state.fragment.stencil.active().write_mask as u8
-}
-
-/// Draws a rectangle of stencils.
-pub(super) fn draw(
+/// Draws a rectangle of stencils, a byte each.
+pub(super) fn draw_stencils(
     context: &mut Context,
     size: [usize; 2],
-    stencil: impl Fn(usize, usize) -> u8,
+    stencils: &[u8],
 ) -> Result<()> {
-    let mask = write_mask(context);
-    each_texel(context, size, |format, texel, x, y| put(format, texel, stencil(x, y), mask))
-}
-
-/// Draws a rectangle of depths and stencils, texels of [`Format::D32FS8`].
-pub(super) fn draw_with_depth(
-    context: &mut Context,
-    size: [usize; 2],
-    texels: &[u8],
-) -> Result<()> {
-    let Some(to) = draw_pass(context)?.depth.as_ref().and_then(format_of) else { return Ok(()) };
-    let (mask, isa) = (write_mask(context), context.recorder.isa());
-    let texels = convert::transcode(isa, Format::D32FS8, texels, to, &Transfer::default());
-    let writes_depth = context.state.fragment.depth_write == DepthWrite::On;
-    each_texel(context, size, |format, texel, x, y| {
-        let source = &texels[(y * size[0] + x) * to.bytes()..][..to.bytes()];
-        if writes_depth {
-            texel::copy_depth(format, source, texel);
-        }
-        put(format, texel, texel::stencil_of(format, source), mask);
-    })
+    let Some(to) = target(context)? else { return Ok(()) };
+    let mut texels = room(to, size[0], size[1])?;
+    Conversion::to_stencils(context.recorder.isa(), to).run(stencils, &mut texels);
+    draw(context, size, &texels, DepthWrite::Off)
 }

@@ -191,6 +191,13 @@ impl<'a> Conversion<'a> {
         Self::to_texels(isa, End::stencil(from), Format::R8UI, steps)
     }
 
+    /// Bytes as the stencils of texels, whose depths are 0.
+    pub fn to_stencils(isa: Isa, to: Format) -> Self {
+        let side = Side::Client(ClientFormat::Stencil);
+        let ends = [End { side, record: Record::of(Format::R8UI) }, End::stencil(to)];
+        Self::new(isa, ends, Steps::IDENTITY, LuminanceOf::Red, Ending::Nothing)
+    }
+
     /// Where each number comes from, if nothing is done to any.
     fn moves(&self) -> Option<Moves> {
         let is_fraction = |code: Code| match code {

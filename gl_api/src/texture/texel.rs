@@ -3,7 +3,7 @@
 //! sRGB formats hold what the client gave: it is encoded already (`EXT_texture_sRGB`).
 
 use super::client::Numbers;
-use texunit::format::integer::{set_stencil, stencil};
+use rasterizer::driver::DepthWrite;
 use texunit::format::{BaseFormat, Encoding, Format};
 
 /// What integers of the client's mean for a texel of this format.
@@ -39,22 +39,31 @@ pub(crate) fn channels<T: Copy>(format: Format, rgba: [T; 4]) -> [T; 4] {
     out
 }
 
-/// The stencil of a texel; 0 where its format has none.
-pub(crate) fn stencil_of(format: Format, texel: &[u8]) -> u8 {
-    stencil(format, texel).unwrap_or(0)
+/// Depths, if they are written, and these bits of stencils of texels into others of the same format.
+pub(crate) fn merge(format: Format, depth: DepthWrite, bits: u8, from: &[u8], to: &mut [u8]) {
+    // A stencil is the low byte of its word.
+    let stencil = format.has_stencil().then(|| 4 * format.info().stencil.word);
+    match (stencil, format.bytes()) {
+        (Some(byte), 4) => merge_sized::<4>(byte, depth, bits, from, to),
+        (Some(byte), _) => merge_sized::<8>(byte, depth, bits, from, to),
+        (None, _) if depth == DepthWrite::On => to.copy_from_slice(from),
+        (None, _) => {}
+    }
 }
 
-/// Puts a stencil into a texel.
-pub(crate) fn put_stencil(format: Format, texel: &mut [u8], value: u8) {
-    set_stencil(format, texel, value);
-}
-
-/// The depth of one texel into another of the same format, whose stencil stays.
-pub(crate) fn copy_depth(format: Format, from: &[u8], to: &mut [u8]) {
-    let old = stencil(format, to);
-    to.copy_from_slice(from);
-    if let Some(old) = old {
-        set_stencil(format, to, old);
+fn merge_sized<const SIZE: usize>(
+    byte: usize,
+    depth: DepthWrite,
+    bits: u8,
+    from: &[u8],
+    to: &mut [u8],
+) {
+    for (to, from) in to.as_chunks_mut::<SIZE>().0.iter_mut().zip(from.as_chunks::<SIZE>().0) {
+        let stencil = from[byte] & bits | to[byte] & !bits;
+        if depth == DepthWrite::On {
+            *to = *from;
+        }
+        to[byte] = stencil;
     }
 }
 

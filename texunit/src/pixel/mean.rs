@@ -12,6 +12,12 @@ pub struct Tap {
     pub weight: f64,
 }
 
+/// Adds the numbers of the first `count` lanes pixel by pixel, as [`means`] takes them.
+pub fn interleave(numbers: &Numbers, count: usize, pixels: &mut Vec<[f64; 4]>) {
+    let [a, b, c, d] = numbers;
+    pixels.extend((0..count.min(LANES)).map(|lane| [a[lane], b[lane], c[lane], d[lane]]));
+}
+
 /// Means of four pixels each: along two rows first, then of both; `weight` is the second row's. Of up to 64 taps, in
 /// the first lanes.
 ///
@@ -41,11 +47,12 @@ impl Kernel for Means<'_> {
         let [low, high] = self.rows;
         for (lane, tap) in self.taps.iter().take(LANES).enumerate() {
             let [left, right] = tap.pixels;
-            let corners = [&low[left], &low[right], &high[left], &high[right]];
-            for channel in 0..4 {
-                let lower = lerp(corners[0][channel], corners[1][channel], tap.weight);
-                let upper = lerp(corners[2][channel], corners[3][channel], tap.weight);
-                self.out[channel][lane] = lerp(lower, upper, self.weight);
+            let [below, beside] = [&low[left], &low[right]];
+            let [above, across] = [&high[left], &high[right]];
+            for (channel, out) in self.out.iter_mut().enumerate() {
+                let lower = lerp(below[channel], beside[channel], tap.weight);
+                let upper = lerp(above[channel], across[channel], tap.weight);
+                out[lane] = lerp(lower, upper, self.weight);
             }
         }
     }

@@ -71,7 +71,9 @@ impl Record {
         let bits = info.fields[0].bits;
         if info.fields[..channels].iter().map(|field| field.bits).sum::<u32>()
             == 8 * info.bytes as u32
-            && info.fields[..channels].iter().all(|field| field.bits == bits && bits % 8 == 0)
+            && info.fields[..channels]
+                .iter()
+                .all(|field| field.bits == bits && bits.is_multiple_of(8))
         {
             return Self::uniform(channels, bits as usize / 8, code, ByteOrder::Little);
         }

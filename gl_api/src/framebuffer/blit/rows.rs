@@ -4,6 +4,7 @@ use super::{Blit, Part};
 use crate::framebuffer::read::Pixels;
 use crate::texture::convert::Conversion;
 use crate::texture::texel;
+use rasterizer::driver::DepthWrite;
 use texunit::format::Format;
 use texunit::lanes::{F64s, Isa, LANES};
 use texunit::pixel::{self, Tap};
@@ -25,10 +26,8 @@ pub(super) enum Way<'a> {
         /// The rows of the source that were read last, with their numbers.
         read: Vec<(usize, Colors)>,
     },
-    /// The depths alone, beside stencils.
-    Depth(Format),
-    /// The stencils alone.
-    Stencil(Format),
+    /// The depths or the stencils alone, where there are both.
+    Merge { format: Format, depth: DepthWrite, bits: u8 },
 }
 
 impl Way<'_> {
@@ -41,9 +40,8 @@ impl Way<'_> {
             (Part::Color, Filter::Linear) => {
                 Self::Filter { isa, conversion: conversion(), read: Vec::new() }
             }
-            (Part::Depth, _) if to.has_stencil() => Self::Depth(to),
-            (Part::Depth, _) => Self::Same,
-            (Part::Stencil, _) => Self::Stencil(to),
+            (Part::Depth, _) => Self::Merge { format: to, depth: DepthWrite::On, bits: 0 },
+            (Part::Stencil, _) => Self::Merge { format: to, depth: DepthWrite::Off, bits: !0 },
         }
     }
 
@@ -64,10 +62,9 @@ impl Way<'_> {
                 let [Some(low), Some(high)] = row.pixels.map(of) else { return };
                 filter(*isa, conversion, [low, high], columns, row.weight, texels);
             }
-            Self::Depth(format) => each_texel(*format, &nearest(), texels, texel::copy_depth),
-            Self::Stencil(format) => each_texel(*format, &nearest(), texels, |format, from, to| {
-                texel::put_stencil(format, to, texel::stencil_of(format, from));
-            }),
+            Self::Merge { format, depth, bits } => {
+                texel::merge(*format, *depth, *bits, &nearest(), texels);
+            }
         }
     }
 }
@@ -83,26 +80,13 @@ fn gathered(from: &Pixels, columns: &[Tap], y: usize) -> Vec<u8> {
     out
 }
 
-fn each_texel(
-    format: Format,
-    from: &[u8],
-    to: &mut [u8],
-    change: impl Fn(Format, &[u8], &mut [u8]),
-) {
-    let size = format.bytes();
-    for (from, to) in from.chunks_exact(size).zip(to.chunks_exact_mut(size)) {
-        change(format, from, to);
-    }
-}
-
 /// The numbers of a row of the source.
 fn colors(conversion: &Conversion<'_>, from: &Pixels, y: usize) -> Colors {
     let [width, _] = from.size().map(|side| side as usize);
     let mut out = Vec::with_capacity(width);
     for x in (0..width).step_by(LANES) {
         let count = LANES.min(width - x);
-        let rgba = conversion.read(from.row(x, y, count));
-        out.extend((0..count).map(|lane| rgba.each_ref().map(|channel| channel[lane])));
+        pixel::interleave(&conversion.read(from.row(x, y, count)), count, &mut out);
     }
     out
 }
