@@ -219,6 +219,17 @@ impl<'a> Conversion<'a> {
         Moves::new(self.isa, &self.from.record, &self.to.record, sources)
     }
 
+    /// The client's pixels themselves, where they are what they become, and tightly packed.
+    fn copied<'b>(&self, layout: &Layout, bytes: &'b [u8]) -> Option<&'b [u8]> {
+        let [_, height, depth] = layout.size;
+        let run = layout.row_bytes();
+        let is_tight = (height == 1 || layout.stride == run)
+            && (depth == 1 || layout.image_stride == run * height);
+        let is_copy = self.moves.as_ref().is_some_and(Moves::is_copy);
+        let same = || &bytes[layout.start..layout.start + run * height * depth];
+        (is_copy && is_tight && layout.bits.is_none()).then(same)
+    }
+
     /// Whether numbers are moved as they are.
     pub fn is_moved(&self) -> bool {
         self.moves.is_some()
@@ -315,6 +326,10 @@ pub(crate) fn unpack(
         return;
     }
     let conversion = Conversion::unpack(isa, layout, format, transfer);
+    if let Some(same) = conversion.copied(layout, bytes) {
+        texels.copy_from_slice(same);
+        return;
+    }
     let run = layout.size[0] * format.bytes();
     for (at, out) in layout.rows().zip(texels.chunks_exact_mut(run)) {
         let row = &bytes[at..at + layout.row_bytes()];
@@ -339,16 +354,10 @@ pub(crate) fn as_texels<'a>(
     format: Format,
     transfer: &Transfer,
 ) -> Option<&'a [u8]> {
-    let [_, height, depth] = layout.size;
-    let run = layout.row_bytes();
-    let is_tight = (height == 1 || layout.stride == run)
-        && (depth == 1 || layout.image_stride == run * height);
-    let conversion = Conversion::unpack(isa, layout, format, transfer);
-    let is_copy = format.block().is_none()
-        && layout.bits.is_none()
-        && is_tight
-        && conversion.moves.is_some_and(|moves| moves.is_copy());
-    is_copy.then(|| &bytes[layout.start..layout.start + run * height * depth])
+    match format.block() {
+        Some(_) => None,
+        None => Conversion::unpack(isa, layout, format, transfer).copied(layout, bytes),
+    }
 }
 
 /// Rows of texels of `format`, each with as many as the layout's rows have pixels, into the
