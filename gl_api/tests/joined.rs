@@ -2,32 +2,16 @@
 //! the current values, the samples that passed, what feedback and selection gather and the errors are
 //! those of one draw for each.
 
+#[path = "common/random.rs"]
+mod random;
 #[path = "common/shading.rs"]
 mod shading;
 
 use gl_api::*;
 use proptest::prelude::*;
+use random::Random;
 
 const SIZE: u32 = 32;
-
-/// What comes from a seed, one number after the other.
-struct Random(u64);
-
-impl Random {
-    fn below(&mut self, end: u64) -> u64 {
-        self.0 =
-            self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 33) % end
-    }
-
-    fn pick<T: Copy>(&mut self, all: &[T]) -> T {
-        all[self.below(all.len() as u64) as usize]
-    }
-
-    fn float(&mut self) -> f32 {
-        self.below(201) as f32 / 100.0 - 1.0
-    }
-}
 
 /// How primitives follow one another.
 #[derive(Clone, Copy, Debug, PartialEq)]

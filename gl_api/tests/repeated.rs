@@ -2,11 +2,14 @@
 //! are read on the way, the samples that passed, the errors and the messages are those of draws that are
 //! each carried out before the next call.
 
+#[path = "common/random.rs"]
+mod random;
 #[path = "common/shading.rs"]
 mod shading;
 
 use gl_api::*;
 use proptest::prelude::*;
+use random::Random;
 
 const SIZE: u32 = 200;
 /// Vertices of each buffer: two floats and four bytes.
@@ -15,24 +18,7 @@ const STRIDE: usize = 12;
 const INDICES: usize = 4000;
 const RESTART: u16 = 0xFFFF;
 
-/// What comes from a seed, one number after the other.
-struct Random(u64);
-
 impl Random {
-    fn below(&mut self, end: u64) -> u64 {
-        self.0 =
-            self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 33) % end
-    }
-
-    fn pick<T: Copy>(&mut self, all: &[T]) -> T {
-        all[self.below(all.len() as u64) as usize]
-    }
-
-    fn float(&mut self) -> f32 {
-        self.below(201) as f32 / 100.0 - 1.0
-    }
-
     fn vertex(&mut self) -> [u8; STRIDE] {
         let mut bytes = [0; STRIDE];
         bytes[..4].copy_from_slice(&self.float().to_le_bytes());

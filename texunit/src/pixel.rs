@@ -14,7 +14,6 @@ pub use mean::{Tap, interleave, means};
 pub use moves::{Moves, Source};
 pub use record::{ByteOrder, Record};
 
-use crate::format::Field;
 use crate::lanes::{F64s, Isa, Kernel, LANES, Simd, U32s};
 
 /// The numbers of 64 pixels: a batch for each of a record's fields.
@@ -101,12 +100,6 @@ pub fn move_all(isa: Isa, moves: &Moves, from: (&Record, &[u8]), to: (&Record, &
         moves.run(isa, &words, &mut moved);
         to_record.store(&mut moved, to);
     }
-}
-
-/// The bits of a field in all lanes, where they belong.
-#[inline(always)]
-fn place(field: Field, bits: u32) -> u32 {
-    (bits & field.mask()) << field.shift
 }
 
 #[cfg(test)]

@@ -57,17 +57,20 @@ pub(crate) fn clear_accum(
     Ok(())
 }
 
-/// Changes the sums of the pixels of an area; the function has the pixel's column and row.
-fn each(context: &mut Context, area: Rect, change: impl Fn(usize, usize, &mut [f32; 4])) {
+/// The sums of all pixels, row by row, which have memory from here on.
+fn all(context: &mut Context) -> &mut Vec<[f32; 4]> {
     let window = &mut context.window;
-    let width = window.width as usize;
     let sums = &mut window.accumulation.0;
-    sums.resize(width * window.height as usize, [0.0; 4]);
-    let columns = area.x as usize..area.x as usize + area.width as usize;
-    for y in area.y as usize..area.y as usize + area.height as usize {
-        for x in columns.clone() {
-            change(x, y, &mut sums[y * width + x]);
-        }
+    sums.resize(window.width as usize * window.height as usize, [0.0; 4]);
+    sums
+}
+
+/// Changes the sums of the pixels of an area.
+fn each(context: &mut Context, area: Rect, change: impl Fn(&mut [f32; 4])) {
+    let width = context.window.width as usize;
+    let sums = all(context);
+    for (y, x, count) in runs(area) {
+        sums[y * width + x..][..count].iter_mut().for_each(&change);
     }
 }
 
@@ -76,7 +79,7 @@ fn each(context: &mut Context, area: Rect, change: impl Fn(usize, usize, &mut [f
 pub(super) fn clear(context: &mut Context, area: Rect) {
     if context.state.bindings.draw_framebuffer == 0 {
         let value = context.state.clear.accumulation;
-        each(context, area, |_, _, sum| *sum = value);
+        each(context, area, |sum| *sum = value);
     }
 }
 
@@ -99,8 +102,8 @@ pub(crate) fn accum(context: &mut Context, op: GLenum, value: GLfloat) -> Result
             *sum = [0, 1, 2, 3].map(|i| sum[i] + color[i]);
         })?,
         Operation::Load => colors(context, area, value, |sum, color| *sum = color)?,
-        Operation::Multiply => each(context, area, |_, _, sum| *sum = sum.map(|c| c * value)),
-        Operation::Add => each(context, area, |_, _, sum| *sum = sum.map(|c| c + value)),
+        Operation::Multiply => each(context, area, |sum| *sum = sum.map(|c| c * value)),
+        Operation::Add => each(context, area, |sum| *sum = sum.map(|c| c + value)),
         Operation::Return => give_back(context, area, value),
     }
     Ok(())
@@ -125,11 +128,11 @@ fn colors(
     let from = read::source(context, Readable::Color)?;
     let isa = context.recorder.isa();
     let conversion = Conversion::blit(isa, from.format(), from.format(), SrgbWrite::AsIs);
-    each(context, area, |_, _, _| {});
     let width = context.window.width as usize;
+    let sums = all(context);
     for (y, x, count) in runs(area) {
         let rgba = conversion.read(from.row(x, y, count));
-        let sums = &mut context.window.accumulation.0[y * width + x..][..count];
+        let sums = &mut sums[y * width + x..][..count];
         for (lane, sum) in sums.iter_mut().enumerate() {
             change(sum, rgba.each_ref().map(|channel| channel[lane] as f32 * factor));
         }
@@ -139,11 +142,10 @@ fn colors(
 
 /// Writes the sums times a factor to the colour buffer that is drawn to, clamped, through the mask.
 fn give_back(context: &mut Context, area: Rect, factor: f32) {
-    each(context, area, |_, _, _| {});
     let Ok(pass) = draw_pass(context) else { return };
     let mask = context.state.fragment.buffers[0].mask;
     let (isa, width) = (context.recorder.isa(), context.window.width as usize);
-    let sums = std::mem::take(&mut context.window.accumulation.0);
+    let sums = std::mem::take(all(context));
     for attachment in pass.colors.iter().flatten() {
         edit(context, attachment, |level, first, _| {
             let (format, size, row) = (level.format, level.format.bytes(), level.row_bytes());

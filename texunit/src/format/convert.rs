@@ -105,7 +105,7 @@ fn to_snorm(x: f32, largest: f32) -> u32 {
 
 /// The bits of an `f32`.
 #[inline(always)]
-fn to_float(x: f32) -> u32 {
+pub(crate) fn to_float(x: f32) -> u32 {
     if x.is_nan() { NAN } else { x.to_bits() }
 }
 
@@ -220,7 +220,7 @@ pub fn decode_lanes<S: Simd>(format: Format, words: &[U32s], out: &mut [F32s; 4]
 
 /// One stored channel of a texel's words: [`decode_channel`] for one.
 #[inline(always)]
-pub(crate) fn decode_field(format: Format, channel: usize, words: [u32; 4]) -> f32 {
+fn decode_field(format: Format, channel: usize, words: [u32; 4]) -> f32 {
     let info = format.info();
     let field = info.fields[channel];
     let word = words[field.word];
@@ -268,7 +268,7 @@ pub fn encode_lanes<S: Simd>(format: Format, rgba: [&F32s; 4], out: &mut [U32s; 
 
 /// The bits of a stored channel in their place. 0 where channels are not encoded one by one.
 #[inline(always)]
-pub(crate) fn encode_channel(format: Format, channel: usize, x: f32) -> u32 {
+fn encode_channel(format: Format, channel: usize, x: f32) -> u32 {
     encode_values(format, channel, x)
 }
 

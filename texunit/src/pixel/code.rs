@@ -3,7 +3,7 @@
 //! Fractions of integers go through `f64`: the quotient is the nearest to the exact one, the product is rounded
 //! to nearest, halves to even. What is out of range is clamped, NaN is 0 in all but floats.
 
-use super::place;
+use crate::format::convert::{signed, to_float};
 use crate::format::small_float::{
     HALF_MANTISSA, decode_half, decode_unsigned, encode_half, encode_unsigned,
 };
@@ -36,9 +36,6 @@ pub enum Code {
     /// (`EXT_texture_shared_exponent`).
     SharedExponent,
 }
-
-/// The one NaN that is written, so that the bits do not depend on which instruction made it.
-const NAN: u32 = 0x7FC0_0000;
 
 /// A number whose sum with one below 2^51 has that number, rounded to nearest, halves to even, as its low bits.
 const ROUND: f64 = 6_755_399_441_055_744.0;
@@ -91,9 +88,7 @@ impl Code {
     /// The numbers of a field.
     #[inline(always)]
     pub(super) fn read(self, field: Field, words: &U32s, out: &mut F64s) {
-        let signed = |word: u32| {
-            f64::from(((field.of(word) << (32 - field.bits)) as i32) >> (32 - field.bits))
-        };
+        let signed = |word: u32| f64::from(signed(field, word));
         match self {
             Self::Unorm if field.bits <= 16 => {
                 let [high, low] = inverse(field.mask().into());
@@ -175,7 +170,7 @@ impl Code {
                 let largest = f64::from(field.mask());
                 for lane in 0..LANES {
                     let c = held(numbers[lane], 0.0, 1.0) * largest;
-                    words[lane] |= place(field, nearest(c));
+                    words[lane] |= field.put(nearest(c));
                 }
             }
             // GL 2.1, table 4.9.
@@ -183,33 +178,33 @@ impl Code {
                 let all = f64::from(field.mask());
                 for lane in 0..LANES {
                     let c = held_or_zero(numbers[lane], -1.0, 1.0);
-                    words[lane] |= place(field, nearest((c * all - 1.0) / 2.0));
+                    words[lane] |= field.put(nearest((c * all - 1.0) / 2.0));
                 }
             }
             Self::Snorm => {
                 let largest = f64::from(field.mask() >> 1);
                 for lane in 0..LANES {
                     let c = held_or_zero(numbers[lane], -1.0, 1.0) * largest;
-                    words[lane] |= place(field, nearest(c));
+                    words[lane] |= field.put(nearest(c));
                 }
             }
             Self::Srgb => {
                 for lane in 0..LANES {
                     let byte = srgb::encode(numbers[lane] as f32);
-                    words[lane] |= place(field, byte.into());
+                    words[lane] |= field.put(byte.into());
                 }
             }
             Self::Uint => {
                 let largest = f64::from(field.mask());
                 for lane in 0..LANES {
-                    words[lane] |= place(field, nearest(held(numbers[lane], 0.0, largest)));
+                    words[lane] |= field.put(nearest(held(numbers[lane], 0.0, largest)));
                 }
             }
             Self::Sint | Self::SnormSteps => {
                 let [low, high] = signed_range(field);
                 for lane in 0..LANES {
                     let c = held_or_zero(numbers[lane], low, high);
-                    words[lane] |= place(field, nearest(c));
+                    words[lane] |= field.put(nearest(c));
                 }
             }
             Self::Depth => {
@@ -219,19 +214,18 @@ impl Code {
             }
             Self::Float if field.bits == 32 => {
                 for lane in 0..LANES {
-                    let number = numbers[lane] as f32;
-                    words[lane] |= if number.is_nan() { NAN } else { number.to_bits() };
+                    words[lane] |= to_float(numbers[lane] as f32);
                 }
             }
             Self::Float if field.bits == HALF_MANTISSA + 6 => {
                 for lane in 0..LANES {
-                    words[lane] |= place(field, encode_half(numbers[lane] as f32));
+                    words[lane] |= field.put(encode_half(numbers[lane] as f32));
                 }
             }
             Self::Float => {
                 for lane in 0..LANES {
                     let bits = encode_unsigned(numbers[lane] as f32, field.bits - 5);
-                    words[lane] |= place(field, bits);
+                    words[lane] |= field.put(bits);
                 }
             }
             // All at once, see below.

@@ -1,6 +1,6 @@
 //! Pixels whose numbers have the same bits in another record, in whatever places: they are moved as they are.
 
-use super::{Code, Record, write};
+use super::{Code, Record, Write};
 use crate::format::Field;
 use crate::lanes::{F64s, Isa, Kernel, LANES, Simd, U32s};
 
@@ -57,7 +57,7 @@ fn is_same(from: Code, to: Code) -> bool {
 impl Moves {
     /// Each number of `to` from its source; `None` where a number has other bits than in `from`.
     pub fn new(isa: Isa, from: &Record, to: &Record, sources: [Source; 4]) -> Option<Self> {
-        let ones = constants(isa, to);
+        let mut ones = None;
         let mut out = Self { moves: Vec::new(), constant: [0; 4], is_copy: false };
         for (&(field, code), source) in to.fields().iter().zip(sources) {
             match source {
@@ -75,6 +75,7 @@ impl Moves {
                 Source::Zero | Source::One if code == Code::SharedExponent => return None,
                 Source::Zero => {}
                 Source::One => {
+                    let ones = ones.get_or_insert_with(|| constants(isa, to));
                     out.constant[field.word] |= ones[field.word] & field.mask() << field.shift;
                 }
             }
@@ -136,9 +137,7 @@ impl Kernel for Turn<'_> {
 /// The words of a pixel whose numbers are all 1.
 fn constants(isa: Isa, record: &Record) -> [u32; 4] {
     let ones = F64s::splat(1.0);
-    let mut bytes = [0; 16];
-    write(isa, record, [&ones; 4], &mut bytes[..record.bytes()]);
     let mut words = [U32s::ZERO; 4];
-    record.load(&bytes[..record.bytes()], &mut words);
+    isa.run(Write { record, numbers: [&ones; 4], out: &mut words });
     words.map(|words| words[0])
 }

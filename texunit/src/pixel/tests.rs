@@ -1,7 +1,7 @@
 //! Numbers against their definitions in `f64`, there and back, on every instruction set.
 
 use super::*;
-use crate::format::Format;
+use crate::format::{Field, Format};
 use crate::lanes::F64s;
 
 /// One number in a word of its own.
