@@ -23,6 +23,8 @@ pub(crate) enum Hint {
     Remainder,
     NoComparison,
     FeedbackLoop,
+    NothingSeen,
+    OldDepths,
     NoList,
     NoUniform,
     NoAttribute,

@@ -35,7 +35,7 @@ use fixed_words::FixedWords;
 use keys::UnitsSeen;
 use rasterizer::driver::{
     Attachment, Command, CommandBuffer, Counter, Device, Image, PassDesc, Pipeline, PipelineDesc,
-    RasterState, Rect, ShaderModule, VertexBinding, Viewport,
+    RasterState, Rect, ShaderModule, Sight, VertexBinding, Viewport,
 };
 use stages::Textures;
 use std::collections::HashMap;
@@ -78,6 +78,8 @@ pub(crate) struct Recorder {
     vertex_variants: HashMap<stages::VertexVariantKey, ShaderModule>,
     /// Stages of assembly programs, by what their uniform words are moved by.
     moved: Vec<(ShaderModule, u32, ShaderModule)>,
+    /// Whether anything is seen of what was submitted since the last picture was taken.
+    sight: Sight,
     /// What counts the samples of draws.
     pub counter: Option<Counter>,
     pub rectangles: RectangleModules,
@@ -125,6 +127,7 @@ impl Recorder {
             variants: HashMap::new(),
             vertex_variants: HashMap::new(),
             moved: Vec::new(),
+            sight: Sight::default(),
             counter: None,
             rectangles: RectangleModules::default(),
             single: HashMap::new(),
@@ -236,6 +239,7 @@ pub(crate) fn submit(context: &mut Context) {
     context.recorder.commands = commands;
     match result {
         Ok(report) => {
+            context.recorder.sight.add(report.sight);
             if !report.over_budget.is_empty() {
                 context.debug.warn(
                     "a shader ran so long that its draw was left out: look for a loop that does \

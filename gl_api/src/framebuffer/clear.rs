@@ -88,6 +88,9 @@ fn record(context: &mut Context, pass: PassDesc, clears: Vec<ClearValue>) {
     if !is_effective(context) || clears.is_empty() || area.width == 0 || area.height == 0 {
         return;
     }
+    if context.state.bindings.draw_framebuffer == 0 {
+        context.window.depths.clear(&clears);
+    }
     let watched = explain::is_watched(context, &pass);
     draw::begin_pass(context, pass);
     if watched {

@@ -11,6 +11,7 @@ pub(crate) mod read;
 mod swap;
 
 use crate::context::{Context, SurfaceDesc};
+use crate::draw::hints::depths::Depths;
 use crate::object::framebuffers::Planes;
 use crate::state::enable::Flag;
 use accumulate::Accumulation;
@@ -96,6 +97,8 @@ pub(crate) struct Window {
     pub selection: Selection,
     pub presence: Presence,
     pub accumulation: Accumulation,
+    /// What warnings of its depths go by.
+    pub depths: Depths,
 }
 
 impl Window {
@@ -112,6 +115,7 @@ impl Window {
             selection: Selection::window(),
             presence: Presence::Present,
             accumulation: Accumulation::default(),
+            depths: Depths::default(),
         })
     }
 

@@ -4,6 +4,7 @@ use super::Region;
 use super::complete::{Readable, read_attachment};
 use crate::constants::*;
 use crate::context::Context;
+use crate::draw::hints::sight;
 use crate::entry::DataOut;
 use crate::error::{Result, invalid_operation, not_negative};
 use crate::state::clamp;
@@ -167,6 +168,7 @@ pub(crate) fn read_pixels(
     if !pixel.format.is_depth() && !from.format().is_integer() {
         last.clamp = clamp::of_reading(context, from.format());
     }
+    sight::picture(context);
     let isa = context.recorder.isa();
     memory::write_pixels(context, &layout, pixels, |bytes| {
         pack(isa, &from, region, &layout, &transfer, last, bytes);

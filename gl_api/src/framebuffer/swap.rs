@@ -4,6 +4,7 @@ use super::Window;
 use super::accumulate::Accumulation;
 use super::buffers::Selection;
 use crate::context::Context;
+use crate::draw::hints::depths::Depths;
 use crate::object::framebuffers::Planes;
 use crate::state::State;
 use rasterizer::driver::Image;
@@ -30,6 +31,7 @@ impl Window {
             selection: Selection::window(),
             presence: Presence::Absent,
             accumulation: Accumulation::default(),
+            depths: Depths::default(),
         }
     }
 }

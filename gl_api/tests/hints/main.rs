@@ -7,6 +7,7 @@ mod shading;
 mod mistakes;
 mod right;
 mod scene;
+mod unseen;
 
 use gl_api::*;
 

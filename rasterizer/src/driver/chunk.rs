@@ -5,14 +5,16 @@ use super::buffer::VertexBinding;
 use super::pipeline::{Pipeline, Topology};
 use crate::plan::Textures;
 use crate::pool::Pool;
-use crate::primitive::{Primitive, Primitives, Setup, Shape, setup, stipple_lines};
+use crate::primitive::{
+    Primitive, Primitives, Reasons, Setup, Shape, reasons, setup, stipple_lines,
+};
 use crate::raster::{Chunk, ShapeLists};
 use crate::shader::{Machine, OverBudget, Prepared};
 use crate::target::TILE;
 use crate::vertex::{Geometry, Ids, VertexStage, Wanted, ordinals, shade};
 use rayon::prelude::*;
 use std::ops::Range;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 use texunit::lanes::Isa;
 
 /// Primitives of a draw whose vertices, where indices share them, are shaded together.
@@ -44,6 +46,10 @@ pub struct DrawState<'a> {
     pub stipple: u32,
     /// Which instance.
     pub instance: u32,
+    /// So many of its primitives are asked why nothing of them is seen, if that is so.
+    pub asked: u32,
+    /// What they say.
+    pub unseen: OnceLock<Reasons>,
 }
 
 /// The shapes of one tile in a chunk's `binned`.
@@ -170,7 +176,11 @@ impl DrawState<'_> {
         let mut lists = self.lists.take();
         lists.shapes.clear();
         lists.shapes.reserve(range.len());
-        setup(&self.setup, geometry, (&self.primitives, range), wanted, &mut lists.shapes);
+        setup(&self.setup, geometry, (&self.primitives, range.clone()), wanted, &mut lists.shapes);
+        if lists.shapes.is_empty() && range.start == 0 && self.asked > 0 {
+            let first = (&self.primitives, 0..range.end.min(self.asked));
+            self.unseen.get_or_init(|| reasons(&self.setup, geometry, first, wanted));
+        }
         lists
     }
 }

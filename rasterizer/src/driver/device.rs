@@ -2,6 +2,7 @@
 
 use super::command::CommandBuffer;
 use super::image::{Attachment, Image};
+use super::sight::Sight;
 use super::threads::Threads;
 use super::{check, submit};
 use crate::pool::Pool;
@@ -98,6 +99,8 @@ pub struct SubmitReport {
     /// Draws whose shader ran past the device's instruction budget, by index of their command.
     /// What they would have drawn is left out.
     pub over_budget: Vec<usize>,
+    /// Whether anything of its draws may be seen.
+    pub sight: Sight,
 }
 
 /// A driver instance.

@@ -13,12 +13,13 @@ mod output;
 mod pass;
 mod pipeline;
 mod raster;
+mod sight;
 mod submit;
 mod threads;
 mod watch;
 
 pub use crate::output::texel_words;
-pub use crate::primitive::{Primitive, Primitives, primitives};
+pub use crate::primitive::{Drawn, Primitive, Primitives, Reason, Reasons, Side, primitives};
 pub use crate::raster::{possible_samples, sample_positions};
 pub use crate::target::MAX_SAMPLES;
 pub use bound::same_textures;
@@ -40,4 +41,5 @@ pub use raster::{
     MultisampleState, PointSize, PointState, PolygonMode, PolygonOffset, PolygonState, RasterState,
     Rim, SampleCoverage, SampleRule, SpriteOrigin,
 };
+pub use sight::Sight;
 pub use watch::Watch;

@@ -9,6 +9,7 @@ use super::command::{ClearValue, Command, Rect};
 use super::device::{Device, SubmitReport};
 use super::image::PassDesc;
 use super::pipeline::Pipeline;
+use super::sight::Sight;
 use crate::output::{DepthFormat, texel_words};
 use crate::plan::{Counting, DrawPlan, PlanInput, sprite_slots};
 use crate::primitive::{Setup, primitives};
@@ -18,8 +19,8 @@ use crate::target::{Surface, TILE, all_bits, component_bits};
 use crate::trace::Cleared;
 use crate::vertex::Ids;
 use std::ops::Range;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, OnceLock};
 use texunit::format::Format;
 
 /// Shapes in the bins from which on they are drawn before the pass ends. A tile's part of so many is worth a turn of
@@ -233,6 +234,8 @@ impl<'a> Pass<'a> {
             textures: &textures,
             stipple: 0,
             instance: 0,
+            asked: report.sight.asks(),
+            unseen: OnceLock::new(),
             prepared: vertex,
             slots: &compiled.slots,
             setup: Setup {
@@ -247,6 +250,7 @@ impl<'a> Pass<'a> {
                 resolution,
             },
         };
+        let mut is_seen = false;
         for instance in instances.clone() {
             (state.instance, state.stipple) = (instance, 0);
             let mut start = 0;
@@ -257,12 +261,17 @@ impl<'a> Pass<'a> {
                     self.job.draws[draw].stopped.store(true, Ordering::Relaxed);
                     return;
                 };
-                self.take(chunks);
+                is_seen |= self.take(chunks);
                 if self.shapes >= BINS_FULL {
                     self.run_tiles(report);
                 }
             }
         }
+        report.sight.add(match (is_seen, state.unseen.into_inner()) {
+            (true, _) => Sight::Some,
+            (false, None) => Sight::Undrawn,
+            (false, Some(reasons)) => Sight::None(reasons),
+        });
     }
 
     /// Decides how to draw with what is bound.
@@ -302,8 +311,9 @@ impl<'a> Pass<'a> {
         (plan, vertex)
     }
 
-    /// Puts chunks into the bins of their tiles.
-    fn take(&mut self, chunks: Vec<(Chunk, Vec<TileRun>)>) {
+    /// Puts chunks into the bins of their tiles; says whether there are any shapes.
+    fn take(&mut self, chunks: Vec<(Chunk, Vec<TileRun>)>) -> bool {
+        let before = self.shapes;
         for (chunk, runs) in chunks {
             let index = self.job.chunks.len() as u32;
             for TileRun { tile: [x, y], first, end } in runs {
@@ -313,6 +323,7 @@ impl<'a> Pass<'a> {
             self.shapes += chunk.lists.shapes.len();
             self.job.chunks.push(chunk);
         }
+        self.shapes > before
     }
 
     /// Runs every tile that has something to do, and empties the bins.

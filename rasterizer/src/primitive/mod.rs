@@ -7,9 +7,11 @@ mod line;
 mod outline;
 mod setup;
 mod triangles;
+mod unseen;
 
 pub use assemble::{Primitive, Primitives, primitives};
 pub use clip::{Corner, MAX_DISTANCES};
 pub use line::LineRun;
 pub use outline::{rectangle, stipple_lines};
 pub use setup::{Facing, Kind, Part, SUBPIXEL, Setup, Shape, setup};
+pub use unseen::{Drawn, Reason, Reasons, Side, reasons};

@@ -1,7 +1,6 @@
 //! Lines and points (GL 2.1, sections 3.3 and 3.4), and polygons that are drawn as such (section
 //! 3.5.4).
 
-use super::clip::clip;
 use super::line::LineRun;
 use super::setup::{EdgeFlags, Facing, Kind, Part, SUBPIXEL, Scratch, Setup, Shape, bounds, snap};
 use crate::driver::{LineState, MAX_POINT_SIZE, PointState, PolygonMode, Rim};
@@ -82,11 +81,9 @@ impl Setup<'_> {
         }
         let mut corners = ends.map(|v| geometry.snapped[v as usize]);
         if any & Outcode::CUT != 0 {
-            scratch.polygon.clear();
-            scratch.polygon.extend(ends.map(|v| geometry.corner(v)));
-            clip(&mut scratch.polygon, &mut scratch.other, &scratch.planes, Outcode(any).user());
-            let &[a, b] = scratch.polygon.as_slice() else { return };
-            corners = [a, b].map(|p| snap(self.viewport.window(&p.clip)));
+            self.cut(geometry, &ends, Outcode(any), scratch);
+            let &[a, b] = scratch.snapped.as_slice() else { return };
+            corners = [a, b];
         }
         if self.raster.line.rim == Rim::Smooth {
             let Some(cut) = self.cut_to_view(corners) else { return };

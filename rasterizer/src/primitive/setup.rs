@@ -176,7 +176,7 @@ impl Setup<'_> {
             whole = vertices.map(|v| geometry.snapped[v as usize]);
             (whole.as_slice(), Part::Whole)
         } else {
-            self.cut(geometry, vertices, Outcode(any), scratch);
+            self.cut(geometry, &vertices, Outcode(any), scratch);
             (scratch.snapped.as_slice(), Part::Cut)
         };
         let Some((area, facing)) = self.facing(corners) else { return };
@@ -196,16 +196,16 @@ impl Setup<'_> {
         }
     }
 
-    /// What clipping leaves of a triangle, as a convex polygon in `scratch.snapped`.
-    fn cut(
+    /// What clipping leaves of a line or a triangle, as a convex polygon in `scratch.snapped`.
+    pub(super) fn cut(
         &self,
         geometry: &Geometry,
-        vertices: [u32; 3],
+        vertices: &[u32],
         outcode: Outcode,
         scratch: &mut Scratch,
     ) {
         scratch.polygon.clear();
-        scratch.polygon.extend(vertices.map(|v| geometry.corner(v)));
+        scratch.polygon.extend(vertices.iter().map(|&v| geometry.corner(v)));
         clip(&mut scratch.polygon, &mut scratch.other, &scratch.planes, outcode.user());
         scratch.snapped.clear();
         let snapped = scratch.polygon.iter().map(|p| snap(self.viewport.window(&p.clip)));
@@ -214,7 +214,7 @@ impl Setup<'_> {
 
     /// Twice the area of a convex polygon, and which side is seen; `None` where nothing of it is.
     #[inline]
-    fn facing(&self, corners: &[[i32; 2]]) -> Option<(i64, Facing)> {
+    pub(super) fn facing(&self, corners: &[[i32; 2]]) -> Option<(i64, Facing)> {
         if corners.len() < 3 {
             return None;
         }
@@ -295,7 +295,7 @@ pub(super) fn snap(window: [f64; 2]) -> [i32; 2] {
 }
 
 /// Twice the area of a triangle, positive counter-clockwise.
-fn doubled_area([a, b, c]: [[i32; 2]; 3]) -> i64 {
+pub(super) fn doubled_area([a, b, c]: [[i32; 2]; 3]) -> i64 {
     let d = |p: [i32; 2], axis: usize| i64::from(p[axis]) - i64::from(a[axis]);
     d(b, 0) * d(c, 1) - d(c, 0) * d(b, 1)
 }

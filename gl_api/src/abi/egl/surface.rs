@@ -6,6 +6,7 @@ use super::error::{Code, Result, fail};
 use super::registry::{Id, Registry, SurfaceEntry, handle, registry, thread};
 use super::{Attrib, Handle, Int, int_attributes, put};
 use crate::context::limits::MAX_VIEWPORT_DIMS;
+use crate::draw::hints::sight;
 use crate::framebuffer::Window;
 
 impl Registry {
@@ -189,7 +190,10 @@ pub(super) fn swap(dpy: Handle, surface: Handle) -> Result<u32> {
             "surface is not what the current context draws to: call eglMakeCurrent with it before",
         );
     }
-    crate::entry::with_current(crate::Context::flush);
+    crate::entry::with_current(|context| {
+        context.flush();
+        sight::picture(context);
+    });
     Ok(1)
 }
 

@@ -3,6 +3,7 @@
 use crate::abi::memory::ClientPointer;
 use crate::constants::*;
 use crate::context::Context;
+use crate::draw::hints::sight;
 use crate::object::sharing::Turn;
 use crate::state::pixel_store::PixelStore;
 use crate::texture::client::{LuminanceOf, Pixel};
@@ -54,6 +55,7 @@ impl Context {
         if let Some(mirror) = self.mirror {
             mirror.update(self);
             self.mirror = Some(Mirror { copied: Copied::Yes, ..mirror });
+            sight::picture(self);
         }
     }
 

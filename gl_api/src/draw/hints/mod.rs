@@ -4,5 +4,7 @@
 //! compares a few numbers that it has at hand; what is made for a message is made when one is due.
 
 pub(super) mod arrays;
+pub(crate) mod depths;
+pub(crate) mod sight;
 pub(super) mod state;
 pub(super) mod textures;

@@ -1,5 +1,6 @@
 //! State with which nothing is seen.
 
+use super::depths;
 use crate::assembly::running::has_vertex_program;
 use crate::context::Context;
 use crate::context::said::Hint;
@@ -53,6 +54,7 @@ pub(in crate::draw) fn check(
         left_out(context, remainder);
     }
     colors(context, pass, desc);
+    depths::check(context, desc.depth.as_ref());
 }
 
 const NO_SCISSOR: &str = "draw: GL_SCISSOR_TEST is enabled and the scissor box is 0×0, so nothing is \
