@@ -93,17 +93,17 @@ const ROWS: &[Case] = &[
          glViewport, glScissor and the size of what is drawn",
     ),
     (
-        "what a program puts behind the eye",
+        "a matrix that was not set",
         |c| {
             use_program(
                 c,
-                "#version 120\nvoid main() { gl_Position = vec4(gl_Vertex.xyz, -1.0); }",
+                "#version 120\nuniform mat4 m; void main() { gl_Position = m * gl_Vertex; }",
                 WHITE,
             );
             at(c, 0.0);
         },
         "the triangle is behind the eye (w <= 0): check the matrices of GL_MODELVIEW and GL_PROJECTION, or \
-         gl_Position (GL 2.1, section 2.12)",
+         gl_Position (a uniform matrix that was never set is zero) (GL 2.1, section 2.12)",
     ),
 ];
 

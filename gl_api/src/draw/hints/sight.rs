@@ -89,9 +89,15 @@ fn fix(reason: Reason) -> (&'static str, &'static str) {
             "look for a division by zero in the matrices, or in what gl_Position is made of",
             "2.11",
         ),
-        Reason::Outside(_) => {
-            ("check the matrices of GL_MODELVIEW and GL_PROJECTION, or gl_Position", "2.12")
-        }
+        // Where a matrix is zero, w is.
+        Reason::Outside(Side::Behind) => (
+            "check the matrices of GL_MODELVIEW and GL_PROJECTION, or gl_Position (a uniform matrix that was \
+             never set is zero)",
+            "2.12",
+        ),
+        Reason::Outside(
+            Side::Left | Side::Right | Side::Bottom | Side::Top | Side::Near | Side::Far,
+        ) => ("check the matrices of GL_MODELVIEW and GL_PROJECTION, or gl_Position", "2.12"),
         Reason::Cut => ("check glClipPlane, or gl_ClipVertex, and the matrices", "2.12"),
         Reason::Flat => {
             ("check size, type and stride of the vertex arrays, and the matrices", "3.5.1")
