@@ -1,7 +1,7 @@
 //! `glReadPixels`: GL 2.1, section 4.3.2.
 
-use super::Region;
 use super::complete::{Readable, read_attachment};
+use super::{Region, format_of};
 use crate::constants::*;
 use crate::context::Context;
 use crate::draw::hints::sight;
@@ -66,14 +66,28 @@ pub(super) fn settled_samples(context: &mut Context, attachment: &Attachment) ->
     (0..level.depth as usize).map(|slice| Pixels { level: Arc::clone(&level), slice }).collect()
 }
 
-/// What is read from.
+/// What is read from, which is there, and its format.
 ///
 /// # Errors
 /// Where the framebuffer is incomplete, has several samples a pixel, or has no such buffer.
-pub(crate) fn source(context: &mut Context, what: Readable) -> Result<Pixels> {
+fn readable(context: &Context, what: Readable) -> Result<(Attachment, Format)> {
     check_samples(context)?;
     let attachment = read_attachment(context, what)?;
-    match attachment.and_then(|attachment| settled(context, &attachment)) {
+    match attachment
+        .and_then(|attachment| format_of(&attachment).map(|format| (attachment, format)))
+    {
+        Some(found) => Ok(found),
+        None => invalid_operation(SECTION, nothing_there(context, what)),
+    }
+}
+
+/// The pixels that are read from.
+///
+/// # Errors
+/// As those of [`readable`].
+pub(crate) fn source(context: &mut Context, what: Readable) -> Result<Pixels> {
+    let (attachment, _) = readable(context, what)?;
+    match settled(context, &attachment) {
         Some(pixels) => Ok(pixels),
         None => invalid_operation(SECTION, nothing_there(context, what)),
     }
@@ -125,15 +139,15 @@ fn check_samples(context: &Context) -> Result<()> {
 }
 
 /// What a pixel of the client's is read from.
-fn chosen(context: &mut Context, format: ClientFormat) -> Result<Pixels> {
+fn chosen(context: &Context, format: ClientFormat) -> Result<(Attachment, Format)> {
     match format.kind() {
-        Kind::Depth => source(context, Readable::Depth),
-        Kind::Stencil => source(context, Readable::Stencil),
+        Kind::Depth => readable(context, Readable::Depth),
+        Kind::Stencil => readable(context, Readable::Stencil),
         Kind::DepthStencil => {
-            source(context, Readable::Stencil)?;
-            source(context, Readable::Depth)
+            readable(context, Readable::Stencil)?;
+            readable(context, Readable::Depth)
         }
-        Kind::Color | Kind::ColorIndex => source(context, Readable::Color),
+        Kind::Color | Kind::ColorIndex => readable(context, Readable::Color),
     }
 }
 
@@ -158,20 +172,29 @@ pub(crate) fn read_pixels(
         );
     }
     let layout = Layout::new(&context.state.pack, pixel, [width, height, 1], Extent::Flat)?;
-    let from = chosen(context, pixel.format)?;
+    let (attachment, from) = chosen(context, pixel.format)?;
     if pixel.format != ClientFormat::Stencil {
-        kinds_match(pixel, from.format())?;
+        kinds_match(pixel, from)?;
     }
     let region = Region::new(x, y, width, height);
     let transfer = context.state.transfer;
-    let mut last = Final::of(from.format(), LuminanceOf::Sum);
-    if !pixel.format.is_depth() && !from.format().is_integer() {
-        last.clamp = clamp::of_reading(context, from.format());
+    let mut last = Final::of(from, LuminanceOf::Sum);
+    if !pixel.format.is_depth() && !from.is_integer() {
+        last.clamp = clamp::of_reading(context, from);
     }
+    crate::draw::settle(context, &attachment.image);
     sight::picture(context);
+    let device = context.recorder.device();
     let isa = context.recorder.isa();
     memory::write_pixels(context, &layout, pixels, |bytes| {
-        pack(isa, &from, region, &layout, &transfer, last, bytes);
+        let is_all =
+            region.is_all(&attachment) && convert::is_copy(isa, &layout, from, &transfer, last);
+        if is_all && device.read(&attachment, &mut bytes[layout.start..], layout.stride) {
+            return;
+        }
+        if let Some((level, slice)) = device.resolved(&attachment) {
+            pack(isa, &Pixels { level, slice }, region, &layout, &transfer, last, bytes);
+        }
     })
 }
 

@@ -404,6 +404,18 @@ pub(crate) fn pack_rows<'a>(
     }
 }
 
+/// Whether pixels of a layout are texels of `format` as they are.
+pub(crate) fn is_copy(
+    isa: Isa,
+    layout: &Layout,
+    format: Format,
+    transfer: &Transfer,
+    last: Final,
+) -> bool {
+    let moves = Conversion::pack(isa, layout, format, transfer, last).moves;
+    layout.bits.is_none() && moves.is_some_and(|moves| moves.is_copy())
+}
+
 /// Texels of one format as texels of another.
 pub(crate) fn transcode(
     isa: Isa,

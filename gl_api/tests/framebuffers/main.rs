@@ -14,6 +14,7 @@ mod rectangles;
 mod sample_textures;
 mod samples;
 mod stencils;
+mod whole;
 
 use gl_api::*;
 

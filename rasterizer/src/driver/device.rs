@@ -169,6 +169,18 @@ impl Device {
         image.resolved_by(*face, *level, storing)
     }
 
+    /// Writes the texels of what an attachment names into a client's rows, each so many bytes after the one before,
+    /// if all that is there was drawn and has not been asked for since: nobody else needs it in rows then. Says
+    /// whether it did; else [`Self::resolved`] has them.
+    ///
+    /// # Panics
+    /// When there are not that many rows of that many texels.
+    pub fn read(&self, attachment: &Attachment, texels: &mut [u8], row_bytes: usize) -> bool {
+        let Attachment { image, face, level } = attachment;
+        let storing = Storing { isa: self.desc.isa, threads: self.desc.threads };
+        image.read_by((*face, *level), texels, row_bytes, storing)
+    }
+
     /// Puts back what [`Image::each_sample`] gave, changed. Draws that were recorded earlier keep what
     /// they saw.
     pub fn set_each_sample(&self, attachment: &Attachment, samples: &Level) {

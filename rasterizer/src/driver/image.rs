@@ -255,6 +255,24 @@ impl Image {
         Some((Arc::new(level), 0))
     }
 
+    /// Writes what an attachment names into a client's rows, each so many bytes after the one before, if its own rows
+    /// are older: those are left so. Says whether it did ([`super::Device::read`]).
+    pub(super) fn read_by(
+        &self,
+        (face, level): (u16, u8),
+        texels: &mut [u8],
+        row_bytes: usize,
+        storing: Storing,
+    ) -> bool {
+        let state = self.0.lock();
+        let at = state.place(face, level);
+        let drawn = state.attached.as_ref().filter(|attached| attached.drawn && attached.at == at);
+        if let Some(Attached { surface, .. }) = drawn {
+            surface.read(texels, row_bytes, storing);
+        }
+        drawn.is_some()
+    }
+
     /// The samples of what an attachment names, each a slice.
     pub fn each_sample(&self, face: u16, level: u8) -> Option<Level> {
         let mut state = self.0.lock();

@@ -181,12 +181,21 @@ impl Surface {
 
     fn store_slice(&self, what: Stored, level: &mut Level, slice: usize, storing: Storing) {
         debug_assert_eq!((self.width, self.height), (level.width, level.height));
-        if !is_attachable(self.format) || self.tiles.is_empty() {
-            return;
-        }
         let row_bytes = level.row_bytes();
         let first = level.origin() + slice * level.slice_bytes();
         let texels = &mut level.texels[first..first + self.height as usize * row_bytes];
+        self.store_rows(what, texels, row_bytes, storing);
+    }
+
+    /// Writes the texels, samples resolved, where a client has rows of them, each so many bytes after the one before.
+    pub fn read(&self, texels: &mut [u8], row_bytes: usize, storing: Storing) {
+        self.store_rows(Stored::All, texels, row_bytes, storing);
+    }
+
+    fn store_rows(&self, what: Stored, texels: &mut [u8], row_bytes: usize, storing: Storing) {
+        if !is_attachable(self.format) || self.tiles.is_empty() {
+            return;
+        }
         let texels = texels.chunks_mut(TILE as usize * row_bytes);
         let tiles = self.tiles.chunks(self.tiles_across() as usize);
         let left = Mutex::new(tiles.zip(texels));
