@@ -115,6 +115,21 @@ fn a_list_draws_what_its_calls_draw() {
     });
 }
 
+/// Names cost nothing until they are used.
+#[test]
+fn there_are_as_many_names_as_numbers() {
+    let mut c = context();
+    assert_eq!(c.gen_lists(GLsizei::MAX), 1);
+    assert_eq!(c.gen_lists(GLsizei::MAX), 1 << 31);
+    assert_eq!(c.gen_lists(2), 0, "one is left");
+    assert_eq!(c.gen_lists(1), GLuint::MAX);
+    assert!(c.is_list(1 << 31) && c.is_list(GLuint::MAX) && !c.is_list(0));
+    c.delete_lists(1000, 2);
+    assert_eq!([999, 1000, 1001, 1002].map(|name| c.is_list(name)), [true, false, false, true]);
+    assert_eq!((c.gen_lists(3), c.gen_lists(2)), (0, 1000));
+    assert_eq!(c.get_error(), GL_NO_ERROR, "{:?}", c.messages());
+}
+
 #[test]
 fn lists_call_lists_by_names_of_every_type() {
     let mut c = context();

@@ -230,7 +230,7 @@ fn exists(context: &Context, identifier: GLenum, name: GLuint) -> Result<()> {
         Labelled::VertexArray => objects.vertex_arrays.get(name).is_some(),
         Labelled::Sampler => objects.samplers.get(name).is_some(),
         Labelled::Query => objects.queries.get(name).is_some(),
-        Labelled::List => objects.lists.contains_key(&name),
+        Labelled::List => objects.lists.contains(name),
     };
     if exists {
         return Ok(());

@@ -8,7 +8,6 @@ use crate::context::said::Hint;
 use crate::entry::{Data, Located};
 use crate::error::{Result, Table, invalid_operation, invalid_value, not_negative};
 use crate::types::*;
-use std::sync::Arc;
 
 const SECTION: &str = "GL 2.1, section 5.4";
 
@@ -108,7 +107,7 @@ pub(crate) fn end_list(context: &mut Context) -> Result<()> {
         return invalid_operation(SECTION, "no list is being compiled: glNewList is missing");
     };
     let list = List { steps: join(compiling.steps) };
-    context.objects.lists.insert(compiling.name, Arc::new(list));
+    context.objects.lists.insert(compiling.name, list);
     Ok(())
 }
 
@@ -117,42 +116,17 @@ pub(crate) fn gen_lists(context: &mut Context, range: GLsizei) -> Result<GLuint>
     if range == 0 {
         return Ok(0);
     }
-    // The first gap that is wide enough.
-    let mut first = 1u64;
-    for &used in context.objects.lists.keys() {
-        if u64::from(used) >= first + range {
-            break;
-        }
-        first = first.max(u64::from(used) + 1);
-    }
-    if first + range > u64::from(GLuint::MAX) || range > 1 << 24 {
-        return Ok(0);
-    }
-    let empty = Arc::new(List::default());
-    for name in first..first + range {
-        context.objects.lists.insert(name as GLuint, Arc::clone(&empty));
-    }
-    Ok(first as GLuint)
+    Ok(context.objects.lists.take(range).unwrap_or(0))
 }
 
 pub(crate) fn delete_lists(context: &mut Context, list: GLuint, range: GLsizei) -> Result<()> {
     let range = not_negative(SECTION, "range", range.into())? as u64;
-    let end = u64::from(list) + range;
-    let doomed: Vec<GLuint> = context
-        .objects
-        .lists
-        .range(list..)
-        .map(|(&name, _)| name)
-        .take_while(|&name| u64::from(name) < end)
-        .collect();
-    for name in doomed {
-        context.objects.lists.remove(&name);
-    }
+    context.objects.lists.remove(list, range);
     Ok(())
 }
 
 pub(crate) fn is_list(context: &mut Context, list: GLuint) -> Result<bool> {
-    Ok(context.objects.lists.contains_key(&list))
+    Ok(context.objects.lists.contains(list))
 }
 
 pub(crate) fn list_base(context: &mut Context, base: GLuint) -> Result<()> {
@@ -162,7 +136,7 @@ pub(crate) fn list_base(context: &mut Context, base: GLuint) -> Result<()> {
 
 pub(crate) fn call_list(context: &mut Context, list: GLuint) -> Result<()> {
     // Of the names that glCallLists is given some may be none: letters that a font leaves out.
-    if list != 0 && !context.objects.lists.contains_key(&list) {
+    if list != 0 && !context.objects.lists.contains(list) {
         not_there(context, list);
     }
     run_list(context, list)
@@ -185,7 +159,7 @@ fn run_list(context: &mut Context, list: GLuint) -> Result<()> {
     if lists.depth == 0 {
         lists.budget = BUDGET;
     }
-    let Some(found) = context.objects.lists.get(&list).map(Arc::clone) else { return Ok(()) };
+    let Some(found) = context.objects.lists.get(list).cloned() else { return Ok(()) };
     if lists.depth >= MAX_LIST_NESTING || lists.budget == 0 {
         if lists.budget == 0 {
             context.debug.warn(format!(

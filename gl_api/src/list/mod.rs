@@ -8,10 +8,12 @@
 pub(crate) mod calls;
 mod class;
 mod keep;
+mod names;
 mod pixels;
 mod shapes;
 
 pub(crate) use keep::{Keep, Lend};
+pub(crate) use names::ListNames;
 
 use crate::context::Context;
 use crate::draw::immediate::Slot;

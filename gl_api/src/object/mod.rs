@@ -20,7 +20,7 @@ pub(crate) mod vertex_arrays;
 
 use crate::assembly::Target;
 use crate::error::{Result, invalid_operation, not_negative};
-use crate::list::List;
+use crate::list::ListNames;
 use crate::texture::sampler::SamplerState;
 use crate::texture::{Texture, TextureTarget};
 use crate::types::*;
@@ -29,7 +29,6 @@ use bound::{Bound, Place};
 use rasterizer::driver::Image;
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BinaryHeap};
-use std::sync::Arc;
 
 /// The names of one kind of object.
 #[derive(Debug)]
@@ -262,7 +261,7 @@ pub(crate) struct Objects {
     pub queries: Names<queries::Query>,
     pub syncs: syncs::Syncs,
     /// Display lists.
-    pub lists: BTreeMap<GLuint, Arc<List>>,
+    pub lists: ListNames,
 }
 
 impl Default for Objects {
@@ -282,7 +281,7 @@ impl Default for Objects {
             default_vertex_array: vertex_arrays::VertexArray::default(),
             queries: Names::default(),
             syncs: syncs::Syncs::default(),
-            lists: BTreeMap::new(),
+            lists: ListNames::default(),
         }
     }
 }
