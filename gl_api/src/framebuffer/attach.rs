@@ -10,6 +10,7 @@ use crate::object::framebuffers::{
 };
 use crate::texture::{FaceTarget, TARGET, TextureTarget, attachable_target};
 use crate::types::*;
+use rasterizer::driver::Image;
 
 const SECTION: &str = "ARB_framebuffer_object, section 4.4.2";
 
@@ -280,24 +281,15 @@ pub(crate) fn check_framebuffer_status(context: &mut Context, target: GLenum) ->
     })
 }
 
-/// Takes a deleted image from the bound framebuffers.
-fn detach(context: &mut Context, gone: impl Fn(Source) -> bool) {
+/// Takes a deleted image from the bound framebuffers. Its name is not asked for: an image that was deleted
+/// before may have had the same one.
+pub(crate) fn detach(context: &mut Context, gone: &Image) {
     let bindings = &context.state.bindings;
     for name in [bindings.draw_framebuffer, bindings.read_framebuffer] {
         if let Some(object) = context.objects.framebuffers.get_mut(name) {
             for point in object.points_mut() {
-                point.take_if(|attached| gone(attached.source));
+                point.take_if(|attached| attached.image.same(gone));
             }
         }
     }
-}
-
-/// Takes a deleted texture from the bound framebuffers.
-pub(crate) fn detach_texture(context: &mut Context, texture: GLuint) {
-    detach(context, |source| matches!(source, Source::Texture { name, .. } if name == texture));
-}
-
-/// Takes a deleted renderbuffer from the bound framebuffers.
-pub(crate) fn detach_renderbuffer(context: &mut Context, renderbuffer: GLuint) {
-    detach(context, |source| source == Source::Renderbuffer(renderbuffer));
 }

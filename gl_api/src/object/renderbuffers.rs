@@ -7,6 +7,7 @@ use crate::context::{Context, limits};
 use crate::error::{
     ErrorCode, GlError, Result, Table, invalid_enum, invalid_operation, invalid_value, not_negative,
 };
+use crate::framebuffer::attach::detach;
 use crate::framebuffer::texels;
 use crate::query::put;
 use crate::texture::internal::{
@@ -62,7 +63,10 @@ pub(crate) fn delete_renderbuffers(
         let gone = context.objects.renderbuffers.hold(name);
         context.state.bindings.renderbuffer.forget(&gone);
         drop(gone);
-        crate::framebuffer::attach::detach_renderbuffer(context, name);
+        if let Some(image) = context.objects.renderbuffers.get(name).map(|gone| gone.image.clone())
+        {
+            detach(context, &image);
+        }
         context.objects.renderbuffers.remove(name);
     }
     context.objects.sweep(Sweep::Deleted);

@@ -5,6 +5,7 @@ use super::{Sweep, listed};
 use crate::constants::*;
 use crate::context::Context;
 use crate::error::{Result, invalid_enum, invalid_operation, invalid_value};
+use crate::framebuffer::attach::detach;
 use crate::interface::{MAX_COMBINED_TEXTURE_IMAGE_UNITS, MAX_TEXTURE_UNITS};
 use crate::state::viewport::unit;
 use crate::texture::{TARGET, Texture};
@@ -34,7 +35,9 @@ pub(crate) fn delete_textures(
             }
         }
         drop(gone);
-        crate::framebuffer::attach::detach_texture(context, name);
+        if let Some(image) = context.objects.textures.get(name).map(|gone| gone.image.clone()) {
+            detach(context, &image);
+        }
         context.objects.textures.remove(name);
     }
     context.objects.sweep(Sweep::Deleted);

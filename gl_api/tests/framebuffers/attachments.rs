@@ -378,3 +378,46 @@ fn several_samples_are_resolved_when_read() {
     c.bind_framebuffer(GL_FRAMEBUFFER, 0);
     assert_eq!(bytes(&mut c, [3, 3, 1, 1], GL_RGBA, 4), [51, 102, 153, 204]);
 }
+
+/// What is attached to the bound framebuffer's colour and depth, by type.
+fn attached(c: &mut Context) -> [GLenum; 2] {
+    [GL_COLOR_ATTACHMENT0, GL_DEPTH_ATTACHMENT].map(|point| {
+        let (kind, mut value) = (GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, [0]);
+        c.get_framebuffer_attachment_parameteriv(GL_FRAMEBUFFER, point, kind, &mut value);
+        value[0] as GLenum
+    })
+}
+
+/// What was deleted while another framebuffer was bound stays, whatever has its name by now.
+#[test]
+fn a_deleted_image_is_detached_and_no_other_of_its_name() {
+    let mut c = context(4, 4);
+    let make = |c: &mut Context| {
+        c.bind_texture(GL_TEXTURE_2D, 7);
+        let (target, format) = (GL_TEXTURE_2D, GL_RGBA);
+        c.tex_image_2d(target, 0, GL_RGBA as i32, 4, 4, 0, format, GL_UNSIGNED_BYTE, Data::Null);
+        c.bind_renderbuffer(GL_RENDERBUFFER, 7);
+        c.renderbuffer_storage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, 4, 4);
+    };
+    let delete = |c: &mut Context| {
+        c.delete_textures(1, &[7]);
+        c.delete_renderbuffers(1, &[7]);
+    };
+    let name = framebuffer(&mut c);
+    make(&mut c);
+    c.framebuffer_texture_2d(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, 7, 0);
+    c.framebuffer_renderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, 7);
+    c.bind_framebuffer(GL_FRAMEBUFFER, 0);
+    delete(&mut c);
+    make(&mut c);
+    c.bind_framebuffer(GL_FRAMEBUFFER, name);
+    delete(&mut c);
+    assert_eq!(attached(&mut c), [GL_TEXTURE, GL_RENDERBUFFER]);
+    assert_eq!(c.check_framebuffer_status(GL_FRAMEBUFFER), GL_FRAMEBUFFER_COMPLETE);
+    make(&mut c);
+    c.framebuffer_texture_2d(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, 7, 0);
+    c.framebuffer_renderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, 7);
+    delete(&mut c);
+    assert_eq!(attached(&mut c), [0; 2]);
+    fine(&mut c);
+}
