@@ -1,6 +1,5 @@
 //! `glInterleavedArrays`: GL 2.1, table 2.5.
 
-use super::array_names::refuse_client_memory;
 use super::arrays;
 use crate::constants::*;
 use crate::context::Context;
@@ -62,8 +61,16 @@ const FORMAT: Table<Row> = Table {
     ],
 };
 
-/// The same memory from a byte on.
-fn from(pointer: Data<'_>, bytes: usize) -> Data<'_> {
+/// The same memory from a byte on. Where there is none, no part has any.
+fn from<'a>(context: &Context, pointer: Data<'a>, bytes: usize) -> Data<'a> {
+    let is_null = match pointer {
+        Data::Null | Data::Offset(0) => true,
+        Data::Client(pointer) => pointer.is_null(),
+        Data::Bytes(_) | Data::Offset(_) => false,
+    };
+    if is_null && context.state.bindings.array_buffer.name() == 0 {
+        return Data::Null;
+    }
     match pointer {
         Data::Bytes(all) => Data::Bytes(all.get(bytes..).unwrap_or(&[])),
         Data::Offset(offset) => Data::Offset(offset.saturating_add(bytes)),
@@ -82,7 +89,10 @@ pub(crate) fn interleaved_arrays(
     let row = FORMAT.decode("format", format)?;
     let given = not_negative("GL 2.1, section 2.8", "stride", stride.into())?;
     let stride = if given == 0 { row.stride as GLsizei } else { stride };
-    refuse_client_memory(context, &pointer)?;
+    // What is refused is refused here, before anything has changed.
+    let (size, at) = row.vertex;
+    arrays::vertex_pointer(context, size, GL_FLOAT, stride, from(context, pointer, at))?;
+    enable_client_state(context, GL_VERTEX_ARRAY)?;
     disable_client_state(context, GL_EDGE_FLAG_ARRAY)?;
     disable_client_state(context, GL_INDEX_ARRAY)?;
     disable_client_state(context, GL_SECONDARY_COLOR_ARRAY)?;
@@ -97,18 +107,18 @@ pub(crate) fn interleaved_arrays(
     match row.color {
         Some((size, ty, at)) => {
             enable_client_state(context, GL_COLOR_ARRAY)?;
-            arrays::color_pointer(context, size, ty, stride, from(pointer, at))?;
+            let pointer = from(context, pointer, at);
+            arrays::color_pointer(context, size, ty, stride, pointer)?;
         }
         None => disable_client_state(context, GL_COLOR_ARRAY)?,
     }
     match row.normal {
         Some(at) => {
             enable_client_state(context, GL_NORMAL_ARRAY)?;
-            arrays::normal_pointer(context, GL_FLOAT, stride, from(pointer, at))?;
+            let pointer = from(context, pointer, at);
+            arrays::normal_pointer(context, GL_FLOAT, stride, pointer)?;
         }
         None => disable_client_state(context, GL_NORMAL_ARRAY)?,
     }
-    enable_client_state(context, GL_VERTEX_ARRAY)?;
-    let (size, at) = row.vertex;
-    arrays::vertex_pointer(context, size, GL_FLOAT, stride, from(pointer, at))
+    Ok(())
 }

@@ -52,3 +52,34 @@ pub fn run() {
         super::row(&mut c, format!("vertex arrays {row}"), call, *flag, words);
     }
 }
+
+/// Which arrays are enabled, and where the vertices begin.
+fn interleaved(c: &mut Context) -> ([bool; 4], i32) {
+    let arrays = [GL_VERTEX_ARRAY, GL_COLOR_ARRAY, GL_EDGE_FLAG_ARRAY, GL_TEXTURE_COORD_ARRAY];
+    let mut stride = [0];
+    c.get_integerv(GL_VERTEX_ARRAY_STRIDE, &mut stride);
+    (arrays.map(|array| c.is_enabled(array)), stride[0])
+}
+
+#[test]
+fn interleaved_arrays_are_set_whole_or_not_at_all() {
+    // Without memory they all are, as each pointer may be.
+    let mut c = super::context();
+    for null in [Data::Null, Data::Offset(0)] {
+        c.interleaved_arrays(GL_V3F, 0, null);
+        c.enable_client_state(GL_EDGE_FLAG_ARRAY);
+        c.interleaved_arrays(GL_T2F_C4UB_V3F, 0, null);
+        assert_eq!(interleaved(&mut c), ([true, true, false, true], 24));
+        assert_eq!(c.get_error(), GL_NO_ERROR, "{:?}", c.messages());
+    }
+    // Memory, where a buffer is bound, and an offset, where none is.
+    let mut c = super::context();
+    c.enable_client_state(GL_EDGE_FLAG_ARRAY);
+    c.interleaved_arrays(GL_T2F_C4UB_V3F, 0, Data::Offset(8));
+    assert_eq!(interleaved(&mut c), ([false, false, true, false], 0));
+    assert_eq!(c.get_error(), GL_INVALID_OPERATION);
+    c.bind_buffer(GL_ARRAY_BUFFER, 1);
+    c.interleaved_arrays(GL_T2F_C4UB_V3F, 0, Data::Bytes(&[0; 240]));
+    assert_eq!(interleaved(&mut c), ([false, false, true, false], 0));
+    assert_eq!(c.get_error(), GL_INVALID_OPERATION);
+}
