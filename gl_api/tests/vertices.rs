@@ -386,7 +386,33 @@ fn mapped_buffers_belong_to_the_client() {
 #[test]
 fn several_runs_are_checked_before_the_first_is_drawn() {
     type Row = (fn(&mut Context, [Data<'_>; 2]), GLenum);
-    let rows: [Row; 8] = [
+    let rows: [Row; 12] = [
+        // What is not there, in memory, in a buffer and in no buffer.
+        (|c, _| c.multi_draw_arrays(GL_TRIANGLES, &[0, 4], &[3, 3], 2), GL_INVALID_OPERATION),
+        (
+            |c, runs| {
+                let runs = Pointers(vec![runs[0], Data::Bytes(&[3, 4])]);
+                c.multi_draw_elements(GL_TRIANGLES, &[3, 3], GL_UNSIGNED_BYTE, runs, 2);
+            },
+            GL_INVALID_OPERATION,
+        ),
+        (
+            |c, runs| {
+                let runs = Pointers(vec![runs[0], Data::Null]);
+                c.multi_draw_elements(GL_TRIANGLES, &[3, 3], GL_UNSIGNED_BYTE, runs, 2);
+            },
+            GL_INVALID_OPERATION,
+        ),
+        (
+            |c, _| {
+                c.bind_buffer(GL_ELEMENT_ARRAY_BUFFER, 1);
+                let (target, indices) = (GL_ELEMENT_ARRAY_BUFFER, Data::Bytes(&[0, 1, 2, 3, 4]));
+                c.buffer_data(target, 5, indices, GL_STATIC_DRAW);
+                let (runs, ty) = (Pointers([0, 3].map(Data::Offset).to_vec()), GL_UNSIGNED_BYTE);
+                c.multi_draw_elements_base_vertex(GL_TRIANGLES, &[3, 3], ty, runs, 2, &[0, 0]);
+            },
+            GL_INVALID_OPERATION,
+        ),
         (|c, _| c.multi_draw_arrays(GL_TRIANGLES, &[0, 3], &[3, -1], 2), GL_INVALID_VALUE),
         (|c, _| c.multi_draw_arrays(GL_TRIANGLES, &[0, -3], &[3, 3], 2), GL_INVALID_VALUE),
         (|c, _| c.multi_draw_arrays(GL_FRONT, &[], &[], 0), GL_INVALID_ENUM),

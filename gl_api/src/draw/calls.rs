@@ -3,18 +3,19 @@
 use super::array_names::{array_of, extent};
 use super::hints;
 use super::immediate::{Slot, attribute};
-use super::reach::{Reach, reads_parts, small_part, vertex_source, vertices_apart};
+use super::indices::{INDEX_TYPE, index_buffer};
+use super::reach::{Reach, reads_parts, vertex_source, vertices_apart};
 use super::repeat::{keep, repeat};
 use super::translate::{Elements, draw};
 use crate::assembly::running::has_vertex_program;
 use crate::constants::*;
 use crate::context::Context;
-use crate::entry::{Data, Located};
+use crate::entry::Data;
 use crate::error::{Result, Table, invalid_enum, invalid_operation, invalid_value, not_negative};
 use crate::interface::ATTRIB_VERTEX;
 use crate::state::LOCATIONS;
 use crate::types::*;
-use rasterizer::driver::{Buffer, IndexType, Indices, Topology, VertexBinding, VertexSource};
+use rasterizer::driver::{IndexType, Indices, Topology, VertexBinding, VertexSource};
 use std::ops::Range;
 
 pub(super) const SECTION: &str = "GL 2.1, section 2.8";
@@ -55,15 +56,6 @@ pub(crate) fn topology(mode: GLenum) -> Result<Topology> {
     }
 }
 
-pub(super) const INDEX_TYPE: Table<IndexType> = Table {
-    section: SECTION,
-    rows: &[
-        (GL_UNSIGNED_BYTE, IndexType::U8),
-        (GL_UNSIGNED_SHORT, IndexType::U16),
-        (GL_UNSIGNED_INT, IndexType::U32),
-    ],
-};
-
 /// The vertices that a draw by index reaches; looked for only where it matters.
 fn indexed_reach(
     context: &Context,
@@ -102,7 +94,7 @@ fn bindings(context: &mut Context, reach: Reach<'_>) -> Result<Vec<VertexBinding
 }
 
 /// Whether there are positions to draw; without, nothing is drawn.
-fn has_positions(context: &mut Context, topology: Topology) -> bool {
+pub(super) fn has_positions(context: &mut Context, topology: Topology) -> bool {
     let arrays = &context.state.arrays.by_location;
     let program = context.state.bindings.program.name() != 0;
     if program && !arrays.iter().any(|array| array.enabled) {
@@ -153,6 +145,16 @@ fn check_range(
         );
     }
     Ok(())
+}
+
+/// Checks that the arrays have the vertices of a draw, which is not drawn yet.
+pub(super) fn check_arrays(context: &mut Context, first: GLint, count: GLsizei) -> Result<()> {
+    let first = not_negative(SECTION, "first", first.into())?;
+    let count = not_negative(SECTION, "count", count.into())?;
+    let last = (first + count - 1) as u32;
+    let reach = Reach { first: last, last, instances: 1, apart: None };
+    let vertices = bindings(context, reach)?;
+    check_range(context, &vertices, first, count)
 }
 
 /// Draws, or adds the draw to the list that is compiled.
@@ -233,72 +235,6 @@ pub(super) struct IndexRequest<'a> {
     pub ty: GLenum,
     pub indices: Data<'a>,
     pub base_vertex: GLint,
-}
-
-/// The bytes of indices, and where they begin.
-fn index_buffer(
-    context: &Context,
-    indices: Data<'_>,
-    count: usize,
-    needed: usize,
-) -> Result<(Buffer, usize)> {
-    let bound = &context.state.bindings.element_array_buffer;
-    let name = bound.name();
-    let object = context.objects.buffers.bound(bound);
-    if object.is_some_and(|object| object.map.is_some()) {
-        return invalid_operation(
-            SECTION,
-            format!(
-                "buffer {name} is bound to GL_ELEMENT_ARRAY_BUFFER and mapped: call glUnmapBuffer"
-            ),
-        );
-    }
-    let is_rewritten = object.is_some_and(|object| object.is_rewritten(&context.recorder));
-    let object = object.map(|object| object.buffer().clone());
-    let (buffer, offset) = match (indices.locate(name, needed), object) {
-        (Located::Bytes(bytes), None) => match bytes.get(..needed) {
-            Some(bytes) => (Buffer::new(bytes.to_vec()), 0),
-            None => {
-                return invalid_operation(
-                    SECTION,
-                    format!(
-                        "count = {count} indices take {needed} bytes, the memory has {}",
-                        bytes.len()
-                    ),
-                );
-            }
-        },
-        (Located::Offset(offset), Some(buffer)) => (buffer, offset),
-        (Located::Null, Some(buffer)) => (buffer, 0),
-        // No index needs no memory.
-        (Located::Null, None) if needed == 0 => (Buffer::default(), 0),
-        (Located::Bytes(_), Some(_)) => {
-            return invalid_operation(
-                SECTION,
-                format!(
-                    "indices is memory, but buffer {name} is bound to GL_ELEMENT_ARRAY_BUFFER: \
-                     pass BUFFER_OFFSET(n), or bind buffer 0"
-                ),
-            );
-        }
-        (Located::Offset(_) | Located::Null, None) => {
-            return invalid_operation(
-                SECTION,
-                "indices is NULL or an offset, but no buffer is bound to GL_ELEMENT_ARRAY_BUFFER",
-            );
-        }
-    };
-    if offset.checked_add(needed).is_none_or(|end| end > buffer.bytes().len()) {
-        return invalid_operation(
-            SECTION,
-            format!(
-                "count = {count} indices from byte {offset} reach past the buffer's {} bytes",
-                buffer.bytes().len()
-            ),
-        );
-    }
-    let part = is_rewritten.then(|| small_part(&buffer, offset..offset + needed)).flatten();
-    Ok(part.map_or((buffer, offset), |part| (part, 0)))
 }
 
 /// Draws by index.

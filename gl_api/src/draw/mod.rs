@@ -12,6 +12,7 @@ pub(crate) mod ended;
 mod fixed_words;
 pub(crate) mod hints;
 pub(crate) mod immediate;
+mod indices;
 pub(crate) mod interleaved;
 mod keys;
 pub(crate) mod locked;

@@ -1,7 +1,10 @@
-//! Several draws by one call: `glMultiDrawArrays` and its kin. What is no array's or buffer's is checked
-//! before the first is drawn, so that a call that is refused for it draws nothing.
+//! Several draws by one call: `glMultiDrawArrays` and its kin. All are checked before the first is drawn, so
+//! that a call that is refused draws nothing.
 
-use super::calls::{INDEX_TYPE, IndexRequest, SECTION, draw_arrays, draw_indexed, topology};
+use super::calls::{
+    IndexRequest, SECTION, check_arrays, draw_arrays, draw_indexed, has_positions, topology,
+};
+use super::indices::{INDEX_TYPE, check_indices};
 use crate::context::Context;
 use crate::entry::{Data, Pointers};
 use crate::error::{Result, invalid_operation, not_negative};
@@ -31,11 +34,20 @@ pub(crate) fn multi_draw_arrays(
     count: &[GLsizei],
     primcount: GLsizei,
 ) -> Result<()> {
-    topology(mode)?;
+    let topology = topology(mode)?;
     let draws = draws(primcount, count, first.len())?;
     let all = first.iter().zip(count).take(draws);
-    for (&first, _) in all.clone().filter(|(_, count)| **count != 0) {
+    let some = all.clone().filter(|(_, count)| **count != 0);
+    for (&first, _) in some.clone() {
         not_negative(SECTION, "first", first.into())?;
+    }
+    // What goes farthest.
+    let farthest = some.max_by_key(|(first, count)| i64::from(**first) + i64::from(**count));
+    if let Some((&first, &count)) = farthest.filter(|_| draws > 1) {
+        if !has_positions(context, topology) {
+            return context.empty_draw("glMultiDrawArrays");
+        }
+        check_arrays(context, first, count)?;
     }
     for (&first, &count) in all {
         draw_arrays(context, mode, if count == 0 { 0 } else { first }, count)?;
@@ -65,10 +77,14 @@ fn multi_draw_indexed(
     base_vertices: Option<&[GLint]>,
 ) -> Result<()> {
     topology(mode)?;
-    INDEX_TYPE.decode("type", ty)?;
+    let index_type = INDEX_TYPE.decode("type", ty)?;
     let others = base_vertices.map_or(usize::MAX, <[_]>::len);
     let draws = draws(primcount, count, indices.0.len().min(others))?;
-    for (at, (&count, &indices)) in count.iter().zip(&indices.0).enumerate().take(draws) {
+    let all = count.iter().zip(&indices.0).take(draws);
+    for (&count, &indices) in all.clone().filter(|(count, _)| **count != 0) {
+        check_indices(context, indices, count, index_type)?;
+    }
+    for (at, (&count, &indices)) in all.enumerate() {
         // Where no index is read, it does not matter from where.
         let indices = if count == 0 { Data::Null } else { indices };
         let base_vertex = base_vertices.map_or(0, |all| all[at]);
