@@ -39,6 +39,10 @@ fn located_indices<'a>(
             ),
         );
     }
+    // No index needs no memory, wherever that is.
+    if needed == 0 {
+        return Ok(Located::Null);
+    }
     let offset = match (indices.locate(name, needed), object) {
         (Located::Bytes(bytes), None) => match bytes.get(..needed) {
             Some(bytes) => return Ok(Located::Bytes(bytes)),
@@ -54,8 +58,6 @@ fn located_indices<'a>(
         },
         (Located::Offset(offset), Some(_)) => offset,
         (Located::Null, Some(_)) => 0,
-        // No index needs no memory.
-        (Located::Null, None) if needed == 0 => return Ok(Located::Null),
         (Located::Bytes(_), Some(_)) => {
             return invalid_operation(
                 SECTION,

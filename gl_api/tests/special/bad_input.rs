@@ -49,6 +49,19 @@ fn buffered() -> Context {
     c
 }
 
+/// Where no index is read, it does not matter from where.
+#[test]
+fn a_draw_of_no_indices_reads_none() {
+    let mut c = buffered();
+    let (mode, ty, far) = (GL_TRIANGLES, GL_UNSIGNED_SHORT, Data::Offset(1 << 20));
+    c.draw_elements(mode, 0, ty, far);
+    c.draw_range_elements(mode, 0, 3, 0, ty, far);
+    c.draw_elements_instanced(mode, 3, ty, far, 0);
+    fine(&mut c);
+    c.draw_elements_instanced(mode, 3, ty, far, 1);
+    assert_eq!(c.get_error(), GL_INVALID_OPERATION);
+}
+
 #[test]
 fn offsets_past_the_end_of_a_buffer_draw_nothing_or_zeros() {
     let refused = |c: &mut Context, what: &str| {
