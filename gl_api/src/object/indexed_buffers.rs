@@ -131,6 +131,11 @@ pub(crate) fn bind_buffer_offset_ext(
     buffer: GLuint,
     offset: GLintptr,
 ) -> Result<()> {
+    const TARGET: Table<()> = Table {
+        section: "EXT_transform_feedback, section 2.Y",
+        rows: &[(GL_TRANSFORM_FEEDBACK_BUFFER, ())],
+    };
+    TARGET.decode("target", target)?;
     bind(context, target, index, buffer, [Some(offset as i64), None])
 }
 

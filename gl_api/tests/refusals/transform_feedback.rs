@@ -97,6 +97,12 @@ const ROWS: &[Case] = &[
     (nothing, |c| c.bind_buffer_range(TARGET, 0, 1, 0, 6), GL_INVALID_VALUE, "size = 6 must be"),
     (
         nothing,
+        |c| c.bind_buffer_offset_ext(GL_UNIFORM_BUFFER, 0, 1, 0),
+        GL_INVALID_ENUM,
+        "target = GL_UNIFORM_BUFFER must be GL_TRANSFORM_FEEDBACK_BUFFER",
+    ),
+    (
+        nothing,
         |c| c.bind_buffer_offset_ext(TARGET, 0, 1, 3),
         GL_INVALID_VALUE,
         "offset = 3 must be",
