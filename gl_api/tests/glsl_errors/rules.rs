@@ -204,6 +204,17 @@ pub const REFUSED: &[(Stage, &str, &str)] = &[
         "void main() { void f() {} }",
         "0:1(20): error: a function cannot be defined inside another",
     ),
+    // What is returned is not converted.
+    (
+        Fragment,
+        "#version 120\nfloat f() { return 1; }\nvoid main() {}",
+        "0:2(20): error: cannot return int where float is needed",
+    ),
+    (
+        Fragment,
+        "#version 120\nvec2 f() { return ivec2(1); }\nvoid main() {}",
+        "write `vec2(ivec2(1))`",
+    ),
 ];
 
 /// Shaders that compile, with a warning.

@@ -1,6 +1,7 @@
 //! Statements (GLSL 1.30 sections 6.2 to 6.4).
 
 use super::Checker;
+use super::operators::converts;
 use super::scope::Symbol;
 use crate::glsl::Scalar;
 use crate::glsl::ast::{self, Qualifier, StmtKind};
@@ -253,9 +254,24 @@ impl Checker<'_> {
                 }
                 None
             }
-            (Some(value), ty) => Some(self.converted(value, ty, "return")),
+            (Some(value), ty) => Some(self.returned(value, ty)),
         };
         all.push(Stmt::Return(value));
+    }
+
+    /// What a function returns, which is not converted.
+    fn returned(&mut self, value: Expr, ty: &Type) -> Expr {
+        if value.ty == *ty || !converts(&value.ty, ty, self.version) {
+            return self.converted(value, ty, "return");
+        }
+        let message = format!("cannot return {} where {ty} is needed", value.ty);
+        let text = self.source.slice(value.span);
+        let problem = Diagnostic::error(value.span, message)
+            .rule("GLSL 4.20 is the first to convert what is returned (section 4.1.10)")
+            .fix(format!("write `{ty}({text})`"), value.span, format!("{ty}({text})"));
+        let span = value.span;
+        self.log.push(problem);
+        Expr::error(span)
     }
 
     fn switch(&mut self, selector: &ast::Expr, body: &[ast::Stmt], all: &mut Vec<Stmt>) {
