@@ -202,6 +202,11 @@ pub struct Function {
 }
 
 impl Function {
+    /// Which ways its parameters go, and which are constant.
+    pub fn ways(&self) -> impl Iterator<Item = Storage> {
+        self.locals.iter().take(self.directions.len()).map(|local| local.storage)
+    }
+
     /// The types of the parameters.
     pub fn parameters(&self) -> impl Iterator<Item = &Type> {
         self.locals[..self.directions.len()].iter().map(|local| &local.ty)

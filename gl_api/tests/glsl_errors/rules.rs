@@ -215,6 +215,22 @@ pub const REFUSED: &[(Stage, &str, &str)] = &[
         "#version 120\nvec2 f() { return ivec2(1); }\nvoid main() {}",
         "write `vec2(ivec2(1))`",
     ),
+    // A function and its prototype.
+    (
+        Fragment,
+        "void f(const in int i);\nvoid f(in int i) { i = 3; }\nvoid main() {}",
+        "0:2(6): error: `f` differs from its declaration in line 1",
+    ),
+    // Qualifiers.
+    (Fragment, "void main() { const const float a = 1.0; }", "`const` stands here twice"),
+    (Fragment, "void f(inout inout float a) {}\nvoid main() {}", "`inout` stands here twice"),
+    (Fragment, "uniform uniform float a;\nvoid main() {}", "`uniform` stands here twice"),
+    (Fragment, "#version 130\nhighp lowp float a;\nvoid main() {}", "one precision"),
+    // There is nothing that is void.
+    (Fragment, "void main() { void v[1]; }", "0:1(15): error: there are no arrays of void"),
+    (Fragment, "uniform void v[2];\nvoid main() {}", "there are no arrays of void"),
+    // Names and numbers.
+    (Fragment, "struct S { int gl_a; };\nvoid main() {}", "names that begin with gl_ are reserved"),
 ];
 
 /// Shaders that compile, with a warning.

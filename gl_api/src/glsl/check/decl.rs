@@ -49,6 +49,10 @@ impl Checker<'_> {
             let message = format!("arrays of arrays come from {}", extension.name());
             self.log.push(Diagnostic::warning(name.span, message));
         }
+        if base == Type::Void && count > 0 {
+            self.error(name.span, "4.1.1", "there are no arrays of void");
+            return Type::Error;
+        }
         let mut ty = base;
         for size in name.array.iter().rev().chain(after.iter().rev()) {
             ty = self.array_of(ty, size);
@@ -124,6 +128,7 @@ impl Checker<'_> {
                 return Type::Error;
             }
             let field = self.type_of(ty, array);
+            self.check_reserved(name);
             if !names.insert(name.text.to_string()) {
                 self.error(name.span, "4.1.8", format!("a second member `{}`", name.text));
                 continue;
@@ -166,13 +171,18 @@ impl Checker<'_> {
         Type::Struct(structure)
     }
 
-    /// Reports a name that the innermost scope has already, or that is reserved.
-    pub(super) fn check_new(&mut self, name: &ast::Name) {
+    /// Reports a name that is reserved.
+    fn check_reserved(&mut self, name: &ast::Name) {
         if name.text.starts_with("gl_") {
             let message = format!("`{}`: names that begin with gl_ are reserved", name.text);
             let rule = format!("{} section 3.7", self.version.title());
             self.log.push(Diagnostic::error(name.span, message).rule(rule));
         }
+    }
+
+    /// Reports a name that the innermost scope has already, or that is reserved.
+    pub(super) fn check_new(&mut self, name: &ast::Name) {
+        self.check_reserved(name);
         match self.scopes.find_innermost(&name.text).cloned() {
             None | Some(Symbol::Undeclared(_)) => {}
             Some(symbol) => self.declared_already(name, &symbol),

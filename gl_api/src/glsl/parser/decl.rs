@@ -79,6 +79,14 @@ impl Parser<'_> {
             }
             match keywords::qualifier(word, self.language) {
                 Some(qualifier) => {
+                    if qualifiers.iter().any(|(before, _)| *before == qualifier) {
+                        let message = match qualifier {
+                            Qualifier::Precision => "a declaration has one precision".into(),
+                            _ => format!("`{word}` stands here twice"),
+                        };
+                        let rule = format!("{} chapter 9", self.version.title());
+                        self.log.push(Diagnostic::error(span, message).rule(rule));
+                    }
                     self.bump();
                     qualifiers.push((qualifier, span));
                 }
