@@ -4,7 +4,7 @@ mod rules;
 mod shaders;
 
 use gl_api::glsl::{Bindings, Compiled, Linked, Options, Repairs, Stage, compile, link};
-use rules::{LINKED, REFUSED, UNLINKED, WARNED};
+use rules::{CHANGED, LINKED, REFUSED, UNLINKED, WARNED};
 use shaders::{DIRECTIVES, FRAGMENT, VERTEX};
 use std::fmt::Write as _;
 
@@ -58,6 +58,19 @@ fn refused() {
 #[test]
 fn warned() {
     said(WARNED, |compiled| compiled.shader.is_some());
+}
+
+#[test]
+fn changed() {
+    for (fine, refused, body, words) in CHANGED {
+        let compiled = |version: &str| {
+            let source = format!("#version {version}\n{body}");
+            compile(Stage::Fragment, &source, &Options::default())
+        };
+        let (fine, refused) = (compiled(fine), compiled(refused));
+        assert!(fine.shader.is_some(), "{body}: {}", fine.log);
+        assert!(refused.shader.is_none() && refused.log.contains(words), "{body}: {}", refused.log);
+    }
 }
 
 #[test]

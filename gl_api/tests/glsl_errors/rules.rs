@@ -231,6 +231,18 @@ pub const REFUSED: &[(Stage, &str, &str)] = &[
     (Fragment, "uniform void v[2];\nvoid main() {}", "there are no arrays of void"),
     // Names and numbers.
     (Fragment, "struct S { int gl_a; };\nvoid main() {}", "names that begin with gl_ are reserved"),
+    // Noise is no constant.
+    (
+        Fragment,
+        "#version 120\nvoid main() { const float a = noise1(0.5); }",
+        "the value of a constant is not a constant expression",
+    ),
+];
+
+/// A version in which a shader compiles, one in which it does not, the shader, and what is said of it.
+pub const CHANGED: &[(&str, &str, &str, &str)] = &[
+    // The comma is no operator of constant expressions from GLSL 1.20 on.
+    ("110", "120", "void main() { const vec2 v = (vec2(1.0), vec2(2.0)); }", "constant expression"),
 ];
 
 /// Shaders that compile, with a warning.

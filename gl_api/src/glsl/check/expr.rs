@@ -55,9 +55,8 @@ impl Checker<'_> {
             ast::ExprKind::Comma(all) => {
                 let all: Vec<Expr> = all.iter().map(|expr| self.expr(expr)).collect();
                 let ty = all.last().map_or(Type::Void, |last| last.ty.clone());
-                // An operator like any other in GLSL ES 1.00 (section 5.10).
-                let constant =
-                    self.version == Version::Es100 && all.iter().all(|part| part.constant);
+                // An operator like any other in GLSL 1.10 (section 4.3.3) and GLSL ES 1.00 (section 5.10).
+                let constant = self.version < Version::V120 && all.iter().all(|part| part.constant);
                 Expr { ty, span, constant, kind: ExprKind::Comma(all) }
             }
             ast::ExprKind::Index(base, index) => self.index(base, index, span),
