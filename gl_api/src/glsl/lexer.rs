@@ -183,7 +183,7 @@ pub enum Literal {
     Int(i32),
     /// With the suffix `u`.
     Uint(u32),
-    /// With a point, an exponent or the suffix `f`.
+    /// With a point or an exponent; the suffix `f` may follow.
     Float(f32),
 }
 
@@ -195,6 +195,9 @@ pub fn literal(text: &str) -> Result<Literal, &'static str> {
         let digits = text.strip_suffix(['f', 'F']).unwrap_or(text);
         let plain = digits.bytes().all(|b| b.is_ascii_digit() || b".eE+-".contains(&b));
         let has_digit = digits.starts_with(|c: char| c.is_ascii_digit() || c == '.');
+        if plain && !digits.contains(['.', 'e', 'E']) {
+            return Err("a whole number, which takes no `f`");
+        }
         let value = if plain && has_digit { digits.parse::<f32>().ok() } else { None };
         return value.map(Literal::Float).ok_or("not a floating-point number");
     }
@@ -234,6 +237,7 @@ mod tests {
             ("089", Err("not a number")),
             ("12ab", Err("not a number")),
             ("1.2.3", Err("not a floating-point number")),
+            ("1f", Err("a whole number, which takes no `f`")),
             ("99999999999", Err("too large for 32 bits")),
         ];
         for (text, expected) in table {

@@ -141,7 +141,7 @@ static NAMES: [(&str, Type, Since); 69] = {
     const ARRAY: Since = INTEGER.or(Extension::TextureArray);
     const CUBE_ARRAY: Since = Since::only(Extension::TextureCubeMapArray);
     const RECT: Since = Since::V140.or(Extension::TextureRectangle);
-    const INTEGER_RECT: Since = RECT.or(Extension::GpuShader4);
+    const INTEGER_RECT: Since = Since::V140.or(Extension::GpuShader4);
     const MULTISAMPLE: Since = Since::only(Extension::TextureMultisample);
     const BUFFER: Since = Since::V140.or(Extension::GpuShader4);
     const fn plain(dim: Dim, scalar: Scalar) -> Type {

@@ -231,6 +231,8 @@ pub const REFUSED: &[(Stage, &str, &str)] = &[
     (Fragment, "uniform void v[2];\nvoid main() {}", "there are no arrays of void"),
     // Names and numbers.
     (Fragment, "struct S { int gl_a; };\nvoid main() {}", "names that begin with gl_ are reserved"),
+    (Fragment, "#version 110\nfloat switch;\nvoid main() {}", "`switch` is reserved"),
+    (Fragment, "#version 120\nvoid main() { float a = 1f; }", "which takes no `f`"),
     // Noise is no constant.
     (
         Fragment,
@@ -243,6 +245,13 @@ pub const REFUSED: &[(Stage, &str, &str)] = &[
 pub const CHANGED: &[(&str, &str, &str, &str)] = &[
     // The comma is no operator of constant expressions from GLSL 1.20 on.
     ("110", "120", "void main() { const vec2 v = (vec2(1.0), vec2(2.0)); }", "constant expression"),
+    // Words that a version reserves.
+    ("120", "130", "void main() { float superp = 1.0; }", "`superp` is reserved"),
+    ("110", "120", "void main() { float precision = 1.0; }", "`precision` is reserved"),
+    ("110", "120", "void main() { float lowp = 1.0; }", "`lowp` is reserved"),
+    ("130", "140", "void main() { float isampler2DRect; }", "`isampler2DRect` is a keyword"),
+    ("120", "140", "void main() { float usampler2DRect; }", "`usampler2DRect` is a keyword"),
+    ("130", "140", "void main() { float isamplerBuffer; }", "`isamplerBuffer` is a keyword"),
 ];
 
 /// Shaders that compile, with a warning.

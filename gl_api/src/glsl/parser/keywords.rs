@@ -93,26 +93,35 @@ const QUALIFIERS: [(&str, Qualifier, Since); 15] = [
 
 /// Words that every version reserves.
 #[rustfmt::skip]
-const RESERVED: [&str; 40] = [
+const RESERVED: [&str; 39] = [
     "asm", "class", "union", "enum", "typedef", "template",
     "this", "packed", "goto", "inline", "noinline", "volatile",
     "public", "static", "extern", "external", "interface", "long",
-    "short", "double", "half", "fixed", "unsigned", "superp",
+    "short", "double", "half", "fixed", "unsigned",
     "input", "output", "hvec2", "hvec3", "hvec4", "dvec2",
     "dvec3", "dvec4", "fvec2", "fvec3", "fvec4", "sampler3DRect",
     "sizeof", "cast", "namespace", "using",
 ];
 
+/// Words that only these versions reserve, from the first to the last.
+const RESERVED_EARLY: [(&str, Version, Version); 6] = [
+    ("switch", Version::V110, Version::V120),
+    ("superp", Version::Es100, Version::Es100),
+    ("lowp", Version::V120, Version::V120),
+    ("mediump", Version::V120, Version::V120),
+    ("highp", Version::V120, Version::V120),
+    ("precision", Version::V120, Version::V120),
+];
+
 /// Words that GLSL 1.30 reserves besides, and 1.40 as far as it does not use them.
 #[rustfmt::skip]
-const RESERVED_130: [&str; 37] = [
+const RESERVED_130: [&str; 34] = [
     "common", "partition", "active", "filter", "image1D", "image2D",
     "image3D", "imageCube", "image1DArray", "image2DArray", "image1DShadow", "image2DShadow",
     "image1DArrayShadow", "image2DArrayShadow", "imageBuffer", "iimage1D", "iimage2D", "iimage3D",
     "iimageCube", "iimage1DArray", "iimage2DArray", "iimageBuffer", "uimage1D", "uimage2D",
     "uimage3D", "uimageCube", "uimage1DArray", "uimage2DArray", "uimageBuffer", "samplerBuffer",
-    "isamplerBuffer", "usamplerBuffer", "isampler2DRect", "usampler2DRect", "sampler2DRect",
-    "sampler2DRectShadow", "row_major",
+    "sampler2DRect", "sampler2DRectShadow", "row_major", "superp",
 ];
 
 /// What a word is in a version.
@@ -126,7 +135,10 @@ pub fn classify(word: &str, language: Language) -> Word {
         return Word::Keyword;
     }
     let later = language.version >= Version::V130 && RESERVED_130.contains(&word);
-    if RESERVED.contains(&word) || later {
+    let early = |row: &(&str, Version, Version)| {
+        row.0 == word && (row.1..=row.2).contains(&language.version)
+    };
+    if RESERVED.contains(&word) || later || RESERVED_EARLY.iter().any(early) {
         return Word::Reserved;
     }
     Word::Name
