@@ -223,7 +223,8 @@ pub const REFUSED: &[(Stage, &str, &str)] = &[
     ),
     // Qualifiers.
     (Fragment, "void main() { const const float a = 1.0; }", "`const` stands here twice"),
-    (Fragment, "void f(inout inout float a) {}\nvoid main() {}", "`inout` stands here twice"),
+    (Fragment, "void f(inout inout float a) {}\nvoid main() {}", "one of `in`, `out` and `inout`"),
+    (Fragment, "void f(out in float a) {}\nvoid main() {}", "one of `in`, `out` and `inout`"),
     (Fragment, "uniform uniform float a;\nvoid main() {}", "`uniform` stands here twice"),
     (Fragment, "#version 130\nhighp lowp float a;\nvoid main() {}", "one precision"),
     // There is nothing that is void.

@@ -79,10 +79,15 @@ impl Parser<'_> {
             }
             match keywords::qualifier(word, self.language) {
                 Some(qualifier) => {
-                    if qualifiers.iter().any(|(before, _)| *before == qualifier) {
-                        let message = match qualifier {
-                            Qualifier::Precision => "a declaration has one precision".into(),
-                            _ => format!("`{word}` stands here twice"),
+                    let ways = [Qualifier::In, Qualifier::Out, Qualifier::Inout];
+                    let kind = if ways.contains(&qualifier) { &ways[..] } else { &[qualifier] };
+                    if qualifiers.iter().any(|(before, _)| kind.contains(before)) {
+                        let message = if qualifier == Qualifier::Precision {
+                            "a declaration has one precision".to_owned()
+                        } else if ways.contains(&qualifier) {
+                            "one of `in`, `out` and `inout` is enough".to_owned()
+                        } else {
+                            format!("`{word}` stands here twice")
                         };
                         let rule = format!("{} chapter 9", self.version.title());
                         self.log.push(Diagnostic::error(span, message).rule(rule));
