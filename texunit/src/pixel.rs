@@ -4,15 +4,18 @@
 //! [`Code`]. [`read`] and [`write`] are the way through `f64`, which holds every number of GL's types;
 //! where two records have the same bits in whatever places, [`Moves`] takes them over.
 
+mod change;
 mod code;
 mod mean;
 mod moves;
 mod record;
 
+pub use change::{Change, add, change};
 pub use code::Code;
 pub use mean::{Tap, interleave, means};
 pub use moves::{Moves, Source};
 pub use record::{ByteOrder, Record};
+use record::{Load, Store};
 
 use crate::lanes::{F64s, Isa, Kernel, LANES, Simd, U32s};
 
@@ -58,7 +61,7 @@ impl Kernel for Write<'_> {
 /// pixels that are not there, mean nothing.
 pub fn read(isa: Isa, record: &Record, bytes: &[u8], out: &mut Numbers) {
     let mut words = [U32s::ZERO; 4];
-    record.load(bytes, &mut words);
+    record.load(isa, bytes, &mut words);
     isa.run(Read { record, words: &words, out });
 }
 
@@ -66,7 +69,7 @@ pub fn read(isa: Isa, record: &Record, bytes: &[u8], out: &mut Numbers) {
 #[inline(always)]
 pub(crate) fn read_by<S: Simd>(record: &Record, bytes: &[u8], out: &mut Numbers) {
     let mut words = [U32s::ZERO; 4];
-    record.load(bytes, &mut words);
+    S::apart(Load { record, bytes, words: &mut words });
     S::apart(Read { record, words: &words, out });
 }
 
@@ -75,7 +78,7 @@ pub(crate) fn read_by<S: Simd>(record: &Record, bytes: &[u8], out: &mut Numbers)
 pub(crate) fn write_by<S: Simd>(record: &Record, numbers: [&F64s; 4], bytes: &mut [u8]) {
     let mut words = [U32s::ZERO; 4];
     S::apart(Write { record, numbers, out: &mut words });
-    record.store(&mut words, bytes);
+    S::apart(Store { record, words: &mut words, bytes });
 }
 
 /// Up to 64 pixels with these numbers into `bytes`, tightly packed: clamped to what the record holds, and
@@ -83,7 +86,7 @@ pub(crate) fn write_by<S: Simd>(record: &Record, numbers: [&F64s; 4], bytes: &mu
 pub fn write(isa: Isa, record: &Record, numbers: [&F64s; 4], bytes: &mut [u8]) {
     let mut words = [U32s::ZERO; 4];
     isa.run(Write { record, numbers, out: &mut words });
-    record.store(&mut words, bytes);
+    record.store(isa, &mut words, bytes);
 }
 
 /// Pixels of one record as those of another: as many as `from` has, in `to`.
@@ -96,9 +99,9 @@ pub fn move_all(isa: Isa, moves: &Moves, from: (&Record, &[u8]), to: (&Record, &
     let (mut words, mut moved) = ([U32s::ZERO; 4], [U32s::ZERO; 4]);
     let runs = from.chunks(LANES * from_record.bytes());
     for (from, to) in runs.zip(to.chunks_mut(LANES * to_record.bytes())) {
-        from_record.load(from, &mut words);
+        from_record.load(isa, from, &mut words);
         moves.run(isa, &words, &mut moved);
-        to_record.store(&mut moved, to);
+        to_record.store(isa, &mut moved, to);
     }
 }
 

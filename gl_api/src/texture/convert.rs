@@ -10,10 +10,10 @@ use super::texel;
 use super::transfer::{Kind, Steps, Transfer};
 use crate::state::clamp::Clamp;
 use rasterizer::driver::SrgbWrite;
-use texunit::format::{Encoding, Format};
+use texunit::format::{Encoding, Field, Format};
 use texunit::image::Level;
 use texunit::lanes::{F64s, Isa, LANES};
-use texunit::pixel::{self, Code, Moves, Record, Source};
+use texunit::pixel::{self, Change, Code, Moves, Record, Source};
 
 /// The last steps on the way to the client (GL 2.1, section 4.3.2, final conversion).
 #[derive(Clone, Copy, Debug)]
@@ -106,19 +106,10 @@ pub(crate) struct Conversion<'a> {
     to: End,
     steps: Steps<'a>,
     luminance: LuminanceOf,
-    ending: Ending,
+    /// What is done to numbers last.
+    ending: Option<Change>,
     /// Where nothing is done to numbers that have the same bits at both ends.
     moves: Option<Moves>,
-}
-
-/// What is done to numbers last.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Ending {
-    Nothing,
-    /// They are clamped to [0, 1].
-    Clamp,
-    /// The lower seven bits of a stencil are taken, as a byte with a sign has them (GL 2.1, section 4.3.2).
-    SevenBits,
 }
 
 impl<'a> Conversion<'a> {
@@ -127,8 +118,20 @@ impl<'a> Conversion<'a> {
         [from, to]: [End; 2],
         steps: Steps<'a>,
         luminance: LuminanceOf,
-        ending: Ending,
+        ending: Option<Change>,
     ) -> Self {
+        let fields = from.record.fields();
+        let is_byte = |&(field, code): &(Field, Code)| code == Code::Uint && field.bits <= 8;
+        let steps = if fields.iter().all(is_byte) { steps.of_byte_stencils() } else { steps };
+        let is_fraction = |&(_, code): &(Field, Code)| match code {
+            Code::Unorm | Code::Srgb | Code::Depth => true,
+            Code::Fixed | Code::Snorm | Code::Uint | Code::Sint | Code::SnormSteps => false,
+            Code::Float | Code::SharedExponent => false,
+        };
+        // What is within [0, 1] and stays there.
+        let is_clamped =
+            steps.is_identity() && !to.is_sum(luminance) && fields.iter().all(is_fraction);
+        let ending = ending.filter(|&ending| ending != Change::Clamp || !is_clamped);
         let mut conversion = Self { isa, from, to, steps, luminance, ending, moves: None };
         conversion.moves = conversion.moves();
         conversion
@@ -136,7 +139,7 @@ impl<'a> Conversion<'a> {
 
     /// To texels, which hold what their format can.
     fn to_texels(isa: Isa, from: End, format: Format, steps: Steps<'a>) -> Self {
-        Self::new(isa, [from, End::texel(format)], steps, LuminanceOf::Red, Ending::Nothing)
+        Self::new(isa, [from, End::texel(format)], steps, LuminanceOf::Red, None)
     }
 
     /// The client's pixels as texels.
@@ -164,9 +167,10 @@ impl<'a> Conversion<'a> {
         };
         let ends = [from, End::client(layout, numbers)];
         let ending = match (pixel.format, pixel.ty, last.clamp) {
-            (ClientFormat::Stencil, ClientType::I8, _) => Ending::SevenBits,
-            (_, _, Clamp::On) => Ending::Clamp,
-            (_, _, Clamp::Off) => Ending::Nothing,
+            // As a byte with a sign has them (GL 2.1, section 4.3.2).
+            (ClientFormat::Stencil, ClientType::I8, _) => Some(Change::SevenBits),
+            (_, _, Clamp::On) => Some(Change::Clamp),
+            (_, _, Clamp::Off) => None,
         };
         Self::new(isa, ends, steps, last.luminance, ending)
     }
@@ -182,7 +186,7 @@ impl<'a> Conversion<'a> {
     /// Colours of one format as those of another, as a blit has them.
     pub fn blit(isa: Isa, from: Format, to: Format, srgb: SrgbWrite) -> Self {
         let ends = [from, to].map(|format| End::color(format, srgb));
-        Self::new(isa, ends, Steps::IDENTITY, LuminanceOf::Red, Ending::Nothing)
+        Self::new(isa, ends, Steps::IDENTITY, LuminanceOf::Red, None)
     }
 
     /// The stencils of texels as bytes.
@@ -195,22 +199,12 @@ impl<'a> Conversion<'a> {
     pub fn to_stencils(isa: Isa, to: Format) -> Self {
         let side = Side::Client(ClientFormat::Stencil);
         let ends = [End { side, record: Record::of(Format::R8UI) }, End::stencil(to)];
-        Self::new(isa, ends, Steps::IDENTITY, LuminanceOf::Red, Ending::Nothing)
+        Self::new(isa, ends, Steps::IDENTITY, LuminanceOf::Red, None)
     }
 
     /// Where each number comes from, if nothing is done to any.
     fn moves(&self) -> Option<Moves> {
-        let is_fraction = |code: Code| match code {
-            Code::Unorm | Code::Srgb | Code::Depth => true,
-            Code::Fixed | Code::Snorm | Code::Uint | Code::Sint | Code::SnormSteps => false,
-            Code::Float | Code::SharedExponent => false,
-        };
-        let ends = match self.ending {
-            Ending::Nothing => false,
-            Ending::Clamp => !self.from.record.fields().iter().all(|&(_, code)| is_fraction(code)),
-            Ending::SevenBits => true,
-        };
-        if ends || !self.steps.is_identity() || self.to.is_sum(self.luminance) {
+        if self.ending.is_some() || !self.steps.is_identity() || self.to.is_sum(self.luminance) {
             return None;
         }
         let fields = [0, 1, 2, 3].map(Source::Field);
@@ -263,46 +257,31 @@ impl<'a> Conversion<'a> {
     fn compute(&self, from: &[u8], to: &mut [u8]) {
         const ZEROS: &F64s = &F64s::ZERO;
         const ONES: &F64s = &F64s::splat(1.0);
-        let (mut read, mut changed) = ([F64s::ZERO; 4], [F64s::ZERO; 4]);
-        let mut luminance = F64s::ZERO;
+        let [mut read, mut changed, mut ended] = [[F64s::ZERO; 4]; 3];
         let runs = from.chunks(LANES * self.from.record.bytes());
         for (from, to) in runs.zip(to.chunks_mut(LANES * self.to.record.bytes())) {
             pixel::read(self.isa, &self.from.record, from, &mut read);
             let mut rgba = self.from.side.rgba(read.each_ref(), ZEROS, ONES);
             if !self.steps.is_identity() {
-                self.steps.apply(rgba, &mut changed);
+                self.steps.apply(self.isa, rgba, &mut changed);
                 rgba = changed.each_ref();
             }
+            let mut luminance = *rgba[0];
             if self.to.is_sum(self.luminance) {
-                let [r, g, b, _] = rgba;
-                for (lane, sum) in luminance.0.iter_mut().enumerate() {
-                    *sum = r[lane] + g[lane] + b[lane];
+                for numbers in &rgba[1..3] {
+                    pixel::add(self.isa, 1.0, &numbers.0, &mut luminance.0);
                 }
-            } else {
-                luminance = *rgba[0];
             }
             let numbers = self.to.side.numbers(rgba, ZEROS, &luminance);
-            match self.ending {
-                Ending::Nothing => pixel::write(self.isa, &self.to.record, numbers, to),
-                Ending::Clamp | Ending::SevenBits => {
-                    let ended = numbers.map(|numbers| self.end(numbers));
-                    pixel::write(self.isa, &self.to.record, ended.each_ref(), to);
-                }
-            }
-        }
-    }
-
-    /// What is done to numbers last.
-    fn end(&self, numbers: &F64s) -> F64s {
-        let mut out = *numbers;
-        for number in &mut out.0 {
-            *number = match self.ending {
-                Ending::Nothing => *number,
-                Ending::Clamp => number.clamp(0.0, 1.0),
-                Ending::SevenBits => (*number as u8 & 0x7F).into(),
+            let Some(ending) = self.ending else {
+                pixel::write(self.isa, &self.to.record, numbers, to);
+                continue;
             };
+            for (numbers, out) in numbers.into_iter().zip(&mut ended) {
+                pixel::change(self.isa, ending, numbers, out);
+            }
+            pixel::write(self.isa, &self.to.record, ended.each_ref(), to);
         }
-        out
     }
 }
 

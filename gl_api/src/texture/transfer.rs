@@ -8,7 +8,8 @@ use crate::constants::*;
 use crate::context::Context;
 use crate::error::{Result, Table, invalid_value};
 use crate::types::*;
-use texunit::lanes::F64s;
+use texunit::lanes::{F64s, Isa};
+use texunit::pixel::{self, Change};
 
 const SECTION: &str = "GL 2.1, section 3.6.3";
 
@@ -22,9 +23,8 @@ pub(crate) struct Linear {
 impl Linear {
     const IDENTITY: Self = Self { scale: 1.0, bias: 0.0 };
 
-    #[inline]
-    fn apply(self, value: f64) -> f64 {
-        value * f64::from(self.scale) + f64::from(self.bias)
+    fn change(self) -> Change {
+        Change::Linear { scale: self.scale.into(), bias: self.bias.into() }
     }
 }
 
@@ -74,8 +74,7 @@ impl Transfer {
     /// What is done to pixels of this kind. Integers pass as they are (`EXT_texture_integer`).
     pub fn of(&self, kind: Kind, numbers: Numbers) -> Steps<'_> {
         let [r, g, b, a, depth] = self.linear;
-        let moves = self.index_shift != 0 || self.index_offset != 0 || self.map_stencil;
-        let beside = if moves { Index::Stencil(1, self) } else { Index::None };
+        let beside = if self.moves_indices() { Index::Stencil(1, self) } else { Index::None };
         let same = Linear::IDENTITY;
         match (kind, numbers) {
             (Kind::Color | Kind::Depth | Kind::DepthStencil, Numbers::Integer) => Steps::IDENTITY,
@@ -92,6 +91,11 @@ impl Transfer {
             // Of an index the bits count that a buffer has.
             (Kind::Stencil, _) => Steps { index: Index::Stencil(0, self), ..Steps::IDENTITY },
         }
+    }
+
+    /// Whether anything is done to stencils.
+    fn moves_indices(&self) -> bool {
+        self.index_shift != 0 || self.index_offset != 0 || self.map_stencil
     }
 
     /// An index shifted and offset (GL 2.1, section 3.6.5).
@@ -144,12 +148,20 @@ impl Steps<'_> {
             && matches!(self.index, Index::None)
     }
 
-    /// Scales, biases and looks up R, G, B, A of 64 pixels.
-    pub fn apply(&self, rgba: [&F64s; 4], out: &mut [F64s; 4]) {
-        for (channel, (&linear, from)) in self.linear.iter().zip(rgba).enumerate() {
-            for (to, &value) in out[channel].0.iter_mut().zip(&from.0) {
-                *to = linear.apply(value);
+    /// The same for stencils that are bytes: where nothing else is done to one, all of its bits count.
+    pub fn of_byte_stencils(self) -> Self {
+        match self.index {
+            Index::Stencil(_, transfer) if !transfer.moves_indices() => {
+                Self { index: Index::None, ..self }
             }
+            Index::None | Index::Color(_) | Index::Stencil(..) => self,
+        }
+    }
+
+    /// Scales, biases and looks up R, G, B, A of 64 pixels.
+    pub fn apply(&self, isa: Isa, rgba: [&F64s; 4], out: &mut [F64s; 4]) {
+        for ((linear, from), out) in self.linear.iter().zip(rgba).zip(&mut *out) {
+            pixel::change(isa, linear.change(), from, out);
         }
         for (map, values) in self.colors.iter().flatten().zip(&mut *out) {
             values.0.iter_mut().for_each(|value| *value = map.at_fraction(*value).into());

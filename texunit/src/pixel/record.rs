@@ -2,7 +2,7 @@
 
 use super::Code;
 use crate::format::{Encoding, Field, Format};
-use crate::lanes::{LANES, U32s};
+use crate::lanes::{Isa, Kernel, LANES, Simd, U32s};
 
 /// The order of the bytes of a word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -13,7 +13,8 @@ pub enum ByteOrder {
     Big,
 }
 
-/// How a pixel lies in memory: one to four words of one size, and where in them its numbers are.
+/// How a pixel lies in memory: one to four words of one size, and where in them its numbers are. Words of one or
+/// three bytes are alone.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Record {
     /// Bytes of a word, 1 to 4.
@@ -28,16 +29,20 @@ impl Record {
     /// Numbers one after the other, each of as many bytes (1, 2 or 4).
     pub fn uniform(count: usize, size: usize, code: Code, order: ByteOrder) -> Self {
         let bits = 8 * size as u32;
-        let is_word = count * size <= 4 && (order == ByteOrder::Little || size == 1);
-        let field = |index: usize| match is_word {
-            true => Field { word: 0, shift: index as u32 * bits, bits },
-            false => Field { word: index, shift: 0, bits },
+        // How many share a word: several where that word is as they are in memory.
+        let shared = match order {
+            ByteOrder::Big if size > 1 => 1,
+            ByteOrder::Little | ByteOrder::Big if count * size <= 4 => count,
+            ByteOrder::Little | ByteOrder::Big if (count * size).is_multiple_of(4) => 4 / size,
+            ByteOrder::Little | ByteOrder::Big => 1,
+        };
+        let field = |index: usize| {
+            let (word, place) = (index / shared, index % shared);
+            Field { word, shift: place as u32 * bits, bits }
         };
         let fields = [0, 1, 2, 3].map(|index| (field(index), code));
-        if is_word {
-            return Self { size: count * size, words: 1, order: ByteOrder::Little, fields, count };
-        }
-        Self { size, words: count, order, fields, count }
+        let order = if shared > 1 { ByteOrder::Little } else { order };
+        Self { size: shared * size, words: count.div_ceil(shared), order, fields, count }
     }
 
     /// Words of `size` bytes with these numbers in them, one to four.
@@ -150,7 +155,18 @@ impl Record {
     }
 
     /// The words of up to 64 pixels; those of pixels that are not there stay as they are.
-    pub(super) fn load(&self, bytes: &[u8], words: &mut [U32s; 4]) {
+    pub(super) fn load(&self, isa: Isa, bytes: &[u8], words: &mut [U32s; 4]) {
+        isa.run(Load { record: self, bytes, words });
+    }
+
+    /// The words of up to 64 pixels into memory.
+    pub(super) fn store(&self, isa: Isa, words: &mut [U32s; 4], bytes: &mut [u8]) {
+        isa.run(Store { record: self, words, bytes });
+    }
+
+    /// [`Record::load`] of whatever words.
+    #[inline(never)]
+    fn load_any(&self, bytes: &[u8], words: &mut [U32s; 4]) {
         match self.size {
             1 => self.load_sized(bytes, words, |[a]| u32::from(a)),
             2 => self.load_sized(bytes, words, |bytes| u16::from_le_bytes(bytes).into()),
@@ -168,7 +184,8 @@ impl Record {
         word: impl Fn([u8; SIZE]) -> u32,
     ) {
         let (elements, _) = bytes.as_chunks::<SIZE>();
-        if self.words == 1 {
+        // Those of one or three bytes are alone.
+        if self.words == 1 || SIZE % 2 == 1 {
             for (out, &element) in words[0].0.iter_mut().zip(elements) {
                 *out = word(element);
             }
@@ -181,8 +198,9 @@ impl Record {
         }
     }
 
-    /// The words of up to 64 pixels into memory.
-    pub(super) fn store(&self, words: &mut [U32s; 4], bytes: &mut [u8]) {
+    /// [`Record::store`] of whatever words.
+    #[inline(never)]
+    fn store_any(&self, words: &mut [U32s; 4], bytes: &mut [u8]) {
         self.put_in_order(words);
         match self.size {
             1 => self.store_sized(words, bytes, |[a, _, _, _]| [a]),
@@ -200,7 +218,8 @@ impl Record {
         element: impl Fn([u8; 4]) -> [u8; SIZE],
     ) {
         let (elements, _) = bytes.as_chunks_mut::<SIZE>();
-        if self.words == 1 {
+        // Those of one or three bytes are alone.
+        if self.words == 1 || SIZE % 2 == 1 {
             for (to, word) in elements.iter_mut().zip(&words[0].0) {
                 *to = element(word.to_le_bytes());
             }
@@ -221,4 +240,78 @@ impl Record {
             }
         }
     }
+}
+
+/// [`Record::load`].
+pub(super) struct Load<'a> {
+    pub record: &'a Record,
+    pub bytes: &'a [u8],
+    pub words: &'a mut [U32s; 4],
+}
+
+impl Kernel for Load<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn run<S: Simd>(self) {
+        let Self { record, bytes, words } = self;
+        let done = match (record.size, record.words, record.order) {
+            (4, 2, ByteOrder::Little) => load::<2>(bytes, words),
+            (4, 3, ByteOrder::Little) => load::<3>(bytes, words),
+            (4, 4, ByteOrder::Little) => load::<4>(bytes, words),
+            _ => None,
+        };
+        if done.is_none() {
+            record.load_any(bytes, words);
+        }
+    }
+}
+
+/// Words of four bytes, so many a pixel, of 64 pixels; `None` where there are fewer.
+#[inline(always)]
+fn load<const COUNT: usize>(bytes: &[u8], words: &mut [U32s; 4]) -> Option<()> {
+    let (pixels, _) = bytes.as_chunks::<4>().0.as_chunks::<COUNT>();
+    let pixels = pixels.first_chunk::<LANES>()?;
+    for lane in 0..LANES {
+        for index in 0..COUNT {
+            words[index][lane] = u32::from_le_bytes(pixels[lane][index]);
+        }
+    }
+    Some(())
+}
+
+/// [`Record::store`].
+pub(super) struct Store<'a> {
+    pub record: &'a Record,
+    pub words: &'a mut [U32s; 4],
+    pub bytes: &'a mut [u8],
+}
+
+impl Kernel for Store<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn run<S: Simd>(self) {
+        let Self { record, words, bytes } = self;
+        let done = match (record.size, record.words, record.order) {
+            (4, 2, ByteOrder::Little) => store::<2>(words, bytes),
+            (4, 3, ByteOrder::Little) => store::<3>(words, bytes),
+            (4, 4, ByteOrder::Little) => store::<4>(words, bytes),
+            _ => None,
+        };
+        if done.is_none() {
+            record.store_any(words, bytes);
+        }
+    }
+}
+
+/// Words of four bytes, so many a pixel, of 64 pixels; `None` where there are fewer.
+#[inline(always)]
+fn store<const COUNT: usize>(words: &[U32s; 4], bytes: &mut [u8]) -> Option<()> {
+    let (pixels, _) = bytes.as_chunks_mut::<4>().0.as_chunks_mut::<COUNT>();
+    let pixels = pixels.first_chunk_mut::<LANES>()?;
+    for lane in 0..LANES {
+        for index in 0..COUNT {
+            pixels[lane][index] = words[index][lane].to_le_bytes();
+        }
+    }
+    Some(())
 }

@@ -198,10 +198,11 @@ fn every_record_has_the_words_of_its_bytes_in_either_order() {
             for order in [ByteOrder::Little, ByteOrder::Big] {
                 let record = Record::uniform(count, size, Code::Uint, order);
                 assert_eq!(record.bytes(), count * size);
-                for pixels in [1, 5, 64] {
+                let isas = Isa::available();
+                for (isa, pixels) in isas.iter().flat_map(|&isa| [1, 5, 64].map(|n| (isa, n))) {
                     let bytes = &bytes[..pixels * record.bytes()];
                     let mut numbers = [F64s::ZERO; 4];
-                    read(Isa::best(), &record, bytes, &mut numbers);
+                    read(isa, &record, bytes, &mut numbers);
                     for (pixel, lane) in bytes.chunks_exact(record.bytes()).zip(0..) {
                         for (element, number) in pixel.chunks_exact(size).zip(&numbers) {
                             let from = |word: u64, &byte: &u8| word << 8 | u64::from(byte);
@@ -213,7 +214,7 @@ fn every_record_has_the_words_of_its_bytes_in_either_order() {
                         }
                     }
                     let mut back = vec![0xEE; bytes.len()];
-                    write(Isa::best(), &record, numbers.each_ref(), &mut back);
+                    write(isa, &record, numbers.each_ref(), &mut back);
                     assert_eq!(back, bytes, "{record:?}");
                 }
             }
@@ -327,5 +328,48 @@ fn means_are_linear_along_both_axes() {
                 assert_eq!(out[lane], x * (channel + 1) as f64 + 0.75, "{}", isa.name());
             }
         }
+    }
+}
+
+#[test]
+fn numbers_are_changed_as_is_said() {
+    let odd =
+        [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, -0.0, 0.5, -0.5, 1.5, -1.5, 254.5, 1e300];
+    let number = |lane: usize| match odd.get(lane) {
+        Some(&number) => number,
+        None => (lane as f64 - 30.0) * 4.25,
+    };
+    let mut numbers = F64s::ZERO;
+    (0..LANES).for_each(|lane| numbers[lane] = number(lane));
+    let whole = |low: f64, high: f64| Change::Whole { low, high };
+    let cases: [(Change, fn(f64) -> f64); 6] = [
+        (Change::Linear { scale: 0.3, bias: -2.0 }, |x| x * 0.3 - 2.0),
+        (Change::Clamp, |x| x.clamp(0.0, 1.0)),
+        (Change::Float, |x| f64::from(x as f32)),
+        (Change::Ratio { over: 3.0, times: 7.0 }, |x| x / 3.0 * 7.0),
+        (whole(0.0, 255.0), |x| (x + 0.5).floor().clamp(0.0, 255.0)),
+        (whole(-128.0, 127.0), |x| (x + 0.5).floor().clamp(-128.0, 127.0)),
+    ];
+    for isa in Isa::available() {
+        let mut out = F64s::ZERO;
+        for (what, want) in cases {
+            change(isa, what, &numbers, &mut out);
+            for lane in 0..LANES {
+                let want = match (what, want(number(lane))) {
+                    (Change::Whole { low, .. }, nan) if nan.is_nan() => low,
+                    (_, want) => want,
+                };
+                let is_same = out[lane] == want || out[lane].is_nan() && want.is_nan();
+                assert!(is_same, "{what:?} {}: {} {want}", number(lane), out[lane]);
+            }
+        }
+        (0..LANES).for_each(|lane| numbers[lane] = (4 * lane) as f64);
+        change(isa, Change::SevenBits, &numbers, &mut out);
+        (0..LANES).for_each(|lane| assert_eq!(out[lane], (4 * lane % 128) as f64));
+        let mut sums = numbers;
+        add(isa, 0.75, &out.0, &mut sums.0);
+        let want = |lane: usize| 4.0 * lane as f64 + 0.75 * (4 * lane % 128) as f64;
+        (0..LANES).for_each(|lane| assert_eq!(sums[lane], want(lane)));
+        (0..LANES).for_each(|lane| numbers[lane] = number(lane));
     }
 }
