@@ -1,5 +1,6 @@
 //! Texel storage: faces and levels, shared by reference, copied when written.
 
+mod blocks;
 mod complete;
 mod error;
 mod fetch;

@@ -17,7 +17,7 @@ pub use moves::{Moves, Source};
 pub use record::{ByteOrder, Record};
 use record::{Load, Store};
 
-use crate::lanes::{F64s, Isa, Kernel, LANES, Simd, U32s};
+use crate::lanes::{F32s, F64s, Isa, Kernel, LANES, Simd, U32s};
 
 /// The numbers of 64 pixels: a batch for each of a record's fields.
 pub type Numbers = [F64s; 4];
@@ -86,6 +86,13 @@ pub(crate) fn write_by<S: Simd>(record: &Record, numbers: [&F64s; 4], bytes: &mu
 pub fn write(isa: Isa, record: &Record, numbers: [&F64s; 4], bytes: &mut [u8]) {
     let mut words = [U32s::ZERO; 4];
     isa.run(Write { record, numbers, out: &mut words });
+    record.store(isa, &mut words, bytes);
+}
+
+/// Up to 64 pixels of four `f32` each into `bytes`, tightly packed.
+pub fn write_floats(isa: Isa, channels: [&F32s; 4], bytes: &mut [u8]) {
+    let record = Record::uniform(4, 4, Code::Float, ByteOrder::Little);
+    let mut words = channels.map(|channel| *channel.as_u32());
     record.store(isa, &mut words, bytes);
 }
 

@@ -361,26 +361,27 @@ pub(crate) fn pack(
 
 /// Rows of texels of `format`, each with as many as the layout's rows have pixels, to where each is
 /// to begin in the client's memory.
-pub(crate) fn pack_rows<'a>(
+pub(crate) fn pack_rows(
     isa: Isa,
     layout: &Layout,
     format: Format,
     transfer: &Transfer,
     last: Final,
-    rows: impl Iterator<Item = (usize, &'a [u8])>,
+    rows: impl Iterator<Item = (usize, impl AsRef<[u8]>)>,
     bytes: &mut [u8],
 ) {
     let conversion = Conversion::pack(isa, layout, format, transfer, last);
     for (at, row) in rows {
         let out = &mut bytes[at..at + layout.row_bytes()];
-        let Some(bits) = layout.bits else {
-            conversion.run(row, out);
-            continue;
-        };
-        let mut indices = vec![0; layout.size[0]];
-        conversion.run(row, &mut indices);
-        indices.iter().enumerate().for_each(|(column, &index)| bits.put(out, column, index));
+        pack_row(&conversion, layout, row.as_ref(), out);
     }
+}
+
+fn pack_row(conversion: &Conversion<'_>, layout: &Layout, row: &[u8], out: &mut [u8]) {
+    let Some(bits) = layout.bits else { return conversion.run(row, out) };
+    let mut indices = vec![0; layout.size[0]];
+    conversion.run(row, &mut indices);
+    indices.iter().enumerate().for_each(|(column, &index)| bits.put(out, column, index));
 }
 
 /// Whether pixels of a layout are texels of `format` as they are.

@@ -1,6 +1,7 @@
 //! Reading texels back: `glGetTexImage`, GL 2.1, section 6.1.4.
 
 use super::client::{ClientFormat, LuminanceOf, Pixel};
+use super::convert::Final;
 use super::layout::{Extent, Layout};
 use super::specify::kinds_match;
 use super::target::any_bound;
@@ -71,17 +72,10 @@ pub(crate) fn get_tex_image(
     // No transfer operations are performed on images that are read back.
     let (isa, transfer) = (context.recorder.isa(), Transfer::default());
     if level.format.block().is_some() {
-        let colors = blocks::decompress(level)?;
         return memory::write_pixels(context, &layout, pixels, |bytes| {
-            convert::pack(
-                isa,
-                &layout,
-                blocks::COLORS,
-                &transfer,
-                LuminanceOf::Red,
-                &colors,
-                bytes,
-            );
+            let rows = layout.rows().zip(blocks::rows(isa, level));
+            let last = Final::of(blocks::COLORS, LuminanceOf::Red);
+            convert::pack_rows(isa, &layout, blocks::COLORS, &transfer, last, rows, bytes);
         });
     }
     memory::write_pixels(context, &layout, pixels, |bytes| {

@@ -163,20 +163,21 @@ pub(crate) fn get_texture_sub_image(
     let extent = if is_cube { Extent::Volume } else { extent(part.target) };
     let layout = Layout::new(&context.state.pack, pixel, part.size, extent)?;
     check_room(layout.needed, buf_size)?;
+    // As of glGetTexImage, no transfer operations are performed.
+    let (isa, transfer) = (context.recorder.isa(), Transfer::default());
     let (mut texels, mut stored) = (Vec::new(), format);
     for level in part.levels() {
         if level.format.block().is_some() {
             stored = blocks::COLORS;
             let unit = Unit { side: 1, bytes: stored.bytes(), border: [0; 3] };
-            part.cut(&blocks::decompress(level)?, unit, &mut texels);
+            let colors = blocks::rows(isa, level).collect::<Vec<_>>().concat();
+            part.cut(&colors, unit, &mut texels);
         } else {
             let border = part.target.level_box(level.border).map(|side| side as usize);
             let unit = Unit { side: 1, bytes: format.bytes(), border };
             part.cut(convert::texels(level), unit, &mut texels);
         }
     }
-    // As of glGetTexImage, no transfer operations are performed.
-    let (isa, transfer) = (context.recorder.isa(), Transfer::default());
     memory::write_pixels(context, &layout, pixels, |bytes| {
         convert::pack(isa, &layout, stored, &transfer, LuminanceOf::Red, &texels, bytes);
     })

@@ -9,7 +9,7 @@ pub(crate) mod ahead;
 mod compare;
 mod cube;
 mod expand;
-mod fetch;
+pub(crate) mod fetch;
 mod filter;
 pub(crate) mod flat;
 mod footprint;

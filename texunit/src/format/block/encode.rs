@@ -76,11 +76,11 @@ fn fit_colors(colors: &[[f32; 3]; 16], transparent: &[bool; 16], palette: Palett
         let rise: f32 = opaque().map(|x| (x[c] - middle[c]) * (x[widest] - middle[widest])).sum();
         if rise < 0.0 { -width[c] } else { width[c] }
     });
-    let along = |x: [f32; 3]| x[0] * axis[0] + x[1] * axis[1] + x[2] * axis[2];
-    let first = opaque().reduce(|a, b| if along(b) < along(a) { b } else { a });
-    let last = opaque().reduce(|a, b| if along(b) > along(a) { b } else { a });
-    let pack = |color: Option<[f32; 3]>| {
-        let color = color.unwrap_or([0.0; 3]);
+    let along = |x: [f32; 3]| (x[0] * axis[0] + x[1] * axis[1] + x[2] * axis[2], x);
+    let first = opaque().map(along).reduce(|a, b| if b.0 < a.0 { b } else { a });
+    let last = opaque().map(along).reduce(|a, b| if b.0 > a.0 { b } else { a });
+    let pack = |color: Option<(f32, [f32; 3])>| {
+        let color = color.map_or([0.0; 3], |(_, color)| color);
         CHANNELS.iter().zip(color).fold(0, |bits, (channel, value)| {
             bits | to_integer(value, channel.largest as f32) << channel.shift
         })
@@ -92,21 +92,24 @@ fn fit_colors(colors: &[[f32; 3]; 16], transparent: &[bool; 16], palette: Palett
     let ends = if three { smaller | larger << 16 } else { larger | smaller << 16 };
     // Black of the three-colour palette is transparent where alpha is stored: never take it.
     let usable = if ends & 0xFFFF > ends >> 16 || palette == Palette::Four { 4 } else { 3 };
-    let mut codes = 0;
-    for (at, color) in colors.iter().enumerate() {
-        let distance = |code: u32| {
-            let mut sum = 0.0;
-            for (channel, value) in CHANNELS.into_iter().zip(color) {
-                let weights = color_weights(ends, code, 0, palette);
-                let sixths = color_sixths(ends, weights, channel);
-                let error = sixths as f32 / (SIXTHS * channel.largest) as f32 - value;
-                sum += error * error;
-            }
-            sum
-        };
-        let code = if transparent[at] { 3 } else { nearest(usable, distance) };
-        codes |= code << (2 * at);
+    // The nearest so far, and how far it is.
+    let (mut nearest, mut least) = ([0; 16], [f32::INFINITY; 16]);
+    for code in 0..usable {
+        let weights = color_weights(ends, code, 0, palette);
+        let of = CHANNELS.map(|channel| {
+            let sixths = color_sixths(ends, weights, channel);
+            sixths as f32 / (SIXTHS * channel.largest) as f32
+        });
+        for at in 0..16 {
+            let [r, g, b] = [0, 1, 2].map(|c| (of[c] - colors[at][c]) * (of[c] - colors[at][c]));
+            let distance = r + g + b;
+            let is_nearer = distance < least[at];
+            nearest[at] = if is_nearer { code } else { nearest[at] };
+            least[at] = if is_nearer { distance } else { least[at] };
+        }
     }
+    let codes = (0..16)
+        .fold(0, |codes, at| codes | if transparent[at] { 3 } else { nearest[at] } << (2 * at));
     [ends, codes]
 }
 
@@ -122,18 +125,24 @@ fn fit_values(values: [f32; 16], ends: Ends) -> [u32; 2] {
     let high = values.into_iter().fold(smallest / largest, f32::max);
     // The larger first: eight values; or both alike, where code 0 is exact.
     let first = byte(high) | byte(low) << 8;
+    let palette = std::array::from_fn::<_, 8, _>(|code| {
+        interpolated::decode(first | (code as u32) << 16, 0, 0, ends)
+    });
     let mut bits = u64::from(first);
     for (at, value) in values.into_iter().enumerate() {
-        let code = nearest(8, |code| {
-            let [low, high] = [first | code << 16, code >> 16];
-            (interpolated::decode(low, high, 0, ends) - value).abs()
-        });
+        let code = nearest(&palette, |of| (of - value).abs());
         bits |= u64::from(code) << (16 + 3 * at);
     }
     [bits as u32, (bits >> 32) as u32]
 }
 
-/// The code below `count` of the smallest distance; the first of equals.
-fn nearest(count: u32, distance: impl Fn(u32) -> f32) -> u32 {
-    (1..count).fold(0, |best, code| if distance(code) < distance(best) { code } else { best })
+/// The code of what has the smallest distance; the first of equals.
+fn nearest<T>(palette: &[T], distance: impl Fn(&T) -> f32) -> u32 {
+    let Some((first, rest)) = palette.split_first() else { return 0 };
+    let first = (distance(first), 0);
+    let (_, code) = (1..).zip(rest).fold(first, |best, (code, of)| {
+        let here = distance(of);
+        if here < best.0 { (here, code) } else { best }
+    });
+    code
 }

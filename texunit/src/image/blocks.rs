@@ -1,0 +1,121 @@
+//! Compressed levels whole: rows of texels out of blocks, and blocks of the texels of a level.
+
+use super::{Level, PADDING};
+use crate::format::block;
+use crate::lanes::{F32s, Isa, Kernel, LANES, Simd, U32s};
+use crate::sample::fetch;
+
+/// Bytes of a colour of four `f32`.
+const COLOR: usize = 16;
+
+impl Level {
+    /// The stored channels of the texel at `at` and of those after it in its row, up to 64; others are anything.
+    /// Only those that the format has are written.
+    ///
+    /// # Panics
+    /// When there is no such texel.
+    pub fn channels_of_run(&self, isa: Isa, at: [u32; 3], out: &mut [F32s; 4]) {
+        isa.run(Run { level: self, at, out });
+    }
+
+    /// Compresses colours of four `f32` each, tightly packed, as many as the level has texels: rows upward, then
+    /// slices. Beyond the edge, a block repeats it. Of a format without blocks, nothing.
+    pub fn compress(&mut self, colors: &[u8]) {
+        if self.format.block().is_none() {
+            return;
+        }
+        let [width, height, depth] = self.size().map(|side| side as usize);
+        let (texels, _) = colors.as_chunks::<COLOR>();
+        let bytes = self.format.bytes();
+        let end = self.texels.len() - PADDING;
+        let mut out = self.texels[..end].chunks_exact_mut(bytes);
+        for z in 0..depth {
+            for y in (0..height).step_by(4) {
+                for x in (0..width).step_by(4) {
+                    let mut block = [[0.0; 4]; 16];
+                    for (at, to) in block.iter_mut().enumerate() {
+                        let (x, y) = ((x + at % 4).min(width - 1), (y + at / 4).min(height - 1));
+                        *to = color(&texels[(z * height + y) * width + x]);
+                    }
+                    if let Some(out) = out.next() {
+                        out.copy_from_slice(&block::encode(self.format, &block)[..bytes]);
+                    }
+                }
+            }
+        }
+    }
+}
+
+fn color(bytes: &[u8; COLOR]) -> [f32; 4] {
+    let (channels, _) = bytes.as_chunks::<4>();
+    [0, 1, 2, 3].map(|channel| f32::from_le_bytes(channels[channel]))
+}
+
+struct Run<'a> {
+    level: &'a Level,
+    at: [u32; 3],
+    out: &'a mut [F32s; 4],
+}
+
+impl Kernel for Run<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn run<S: Simd>(self) {
+        let Self { level, at: [x, y, z], out } = self;
+        let [s, t, r] = level.border;
+        let last = level.width - 1;
+        let mut column = U32s::ZERO;
+        for lane in 0..LANES {
+            let at = x + lane as u32;
+            column[lane] = if at < last { at } else { last } + s;
+        }
+        fetch::stored::<S>(level, [&column, &U32s::splat(y + t), &U32s::splat(z + r)], out);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::format::Format;
+
+    /// A colour of each texel.
+    fn noise([x, y, z]: [i32; 3]) -> [f32; 4] {
+        let seed = (x + 31 * y + 1021 * z) as u32;
+        [1, 2, 3, 4].map(|c| {
+            (seed.wrapping_mul(0x9E37_79B9_u32.wrapping_mul(c)) >> 20) as f32 / 3000.0 - 0.1
+        })
+    }
+
+    #[test]
+    fn a_level_is_compressed_as_texel_by_texel_and_read_so() {
+        for format in Format::ALL.into_iter().filter(|format| format.block().is_some()) {
+            for size in [[70, 5, 1], [4, 4, 3], [3, 1, 1], [128, 2, 1]] {
+                let mut want = Level::with_size(format, size, [0; 3]).unwrap();
+                want.fill(noise);
+                let [width, height, depth] = size.map(|side| side as i32);
+                let places = (0..depth)
+                    .flat_map(|z| (0..height).map(move |y| [y, z]))
+                    .flat_map(|[y, z]| (0..width).map(move |x| [x, y, z]));
+                let colors: Vec<u8> =
+                    places.flat_map(noise).flat_map(|channel| channel.to_le_bytes()).collect();
+                let mut level = Level::with_size(format, size, [0; 3]).unwrap();
+                level.compress(&colors);
+                assert_eq!(level, want, "{format:?} {size:?}");
+                for isa in Isa::available() {
+                    let mut out = [F32s::ZERO; 4];
+                    for x in (0..width).step_by(LANES) {
+                        let (y, z) = (height - 1, depth - 1);
+                        level.channels_of_run(isa, [x, y, z].map(|at| at as u32), &mut out);
+                        for lane in 0..LANES.min((width - x) as usize) {
+                            let want = level.channels_at([x + lane as i32, y, z]).unwrap();
+                            for channel in 0..format.channels() {
+                                let got = out[channel][lane];
+                                assert_eq!(got.to_bits(), want[channel].to_bits(), "{format:?}");
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
