@@ -4,6 +4,7 @@
 //! [`Code`]. [`read`] and [`write`] are the way through `f64`, which holds every number of GL's types;
 //! where two records have the same bits in whatever places, [`Moves`] takes them over.
 
+pub mod boxes;
 mod change;
 mod code;
 mod mean;

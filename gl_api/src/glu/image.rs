@@ -1,7 +1,7 @@
 //! `gluScaleImage`, and images where the client's pixel store has them.
 
 use super::error::{GLU_INVALID_ENUM, GLU_INVALID_OPERATION, GLU_INVALID_VALUE, GLU_OUT_OF_MEMORY};
-use super::pixels::{self, ByteOrder, Layout, Storage, Store, TooShort};
+use super::pixels::{self, ByteOrder, Layout, Meaning, Storage, Store};
 use super::scale::scale;
 use crate::constants::*;
 use crate::entry::{Arg, Data, DataOut, Located, LocatedOut, glGetIntegerv, glPixelStorei};
@@ -34,33 +34,10 @@ pub fn gluScaleImage<'a>(
         let LocatedOut::Bytes(out) = data_out.arg().locate(0, to.needed()) else {
             return Err(GLU_INVALID_VALUE);
         };
-        rescale(format, (&from, bytes(data_in.arg(), &from)), &to, out)
-            .map_err(|_| GLU_INVALID_VALUE)
+        let given = bytes(data_in.arg(), &from);
+        scale(Meaning::of(format), (&from, given), (&to, out)).map_err(|_| GLU_INVALID_VALUE)
     });
     result.err().unwrap_or(0)
-}
-
-fn rescale(
-    format: GLenum,
-    (from, data): (&Layout, &[u8]),
-    to: &Layout,
-    out: &mut [u8],
-) -> Result<(), TooShort> {
-    // Before any work: no size that the slice does not back.
-    if out.len() < to.needed() {
-        return Err(TooShort { needed: to.needed() });
-    }
-    let mut image = scale(&from.read(data)?, to.size, from.storage);
-    if from.storage != to.storage {
-        for (at, value) in image.values.iter_mut().enumerate() {
-            *value = if pixels::are_indices(format) {
-                to.storage.round(0, *value)
-            } else {
-                from.storage.convert(to.storage, at % to.count, *value)
-            };
-        }
-    }
-    to.write(&image, out)
 }
 
 /// The client's memory; GLU knows no buffer objects.
@@ -97,7 +74,7 @@ pub(super) fn layout(
     Ok(Layout { size, count, storage, store })
 }
 
-/// How many components an image may have that is scaled: 2 GiB as `f64`.
+/// How many components an image may have that is scaled: 1 GiB as `f32`.
 const MOST_NUMBERS: usize = 1 << 28;
 
 /// The names of half of the `glPixelStore` state.
@@ -167,7 +144,7 @@ impl Store {
 
 #[cfg(test)]
 mod tests {
-    use super::super::pixels::TIGHT;
+    use super::super::pixels::{TIGHT, TooShort};
     use super::*;
 
     #[test]
@@ -187,7 +164,7 @@ mod tests {
         let huge = layout([i32::MAX, i32::MAX, 1], GL_RGBA, GL_FLOAT, TIGHT);
         assert_eq!(huge.err(), Some(GLU_OUT_OF_MEMORY));
         let huge = layout([8000, 8000, 1], GL_RGBA, GL_FLOAT, TIGHT).unwrap();
-        assert_eq!(huge.read(&[0; 5]), Err(TooShort { needed: huge.needed() }));
+        assert_eq!(huge.check(&[0; 5]), Err(TooShort { needed: huge.needed() }));
     }
 
     #[test]
@@ -196,7 +173,8 @@ mod tests {
         let to = Layout::tight([2, 1, 1], 1, Storage::U16);
         for (format, expected) in [(GL_COLOR_INDEX, [2_u16, 7]), (GL_RED, [514, 1799])] {
             let mut out = [0; 4];
-            assert_eq!(rescale(format, (&from, &[1, 3, 6, 8]), &to, &mut out), Ok(()));
+            let given = (&from, &[1, 3, 6, 8][..]);
+            assert_eq!(scale(Meaning::of(format), given, (&to, &mut out)), Ok(()));
             let pairs = [[out[0], out[1]], [out[2], out[3]]].map(u16::from_ne_bytes);
             assert_eq!(pairs, expected);
         }

@@ -2,10 +2,11 @@
 
 use super::error::GLU_INVALID_VALUE;
 use super::image::{UNPACK, bytes, get, layout};
-use super::pixels::{Components, Layout, Storage, Store, TIGHT};
-use super::scale::{halve, scale};
+use super::pixels::{Layout, Meaning, Storage, Store, TIGHT, TooShort};
+use super::scale::{self, halve, scale};
 use crate::constants::*;
 use crate::entry::{Arg, Data, glTexImage1D, glTexImage2D, glTexImage3D};
+use crate::texture::convert;
 use crate::types::{GLenum, GLint, GLsizei};
 
 /// Builds every mipmap level of a texture from one image of any size: scales it to powers of two
@@ -210,55 +211,74 @@ fn build(
         return GLU_INVALID_VALUE;
     }
     TIGHT.make_current(&UNPACK);
-    if layout.storage == Storage::U8 {
-        for (number, (size, texels)) in byte_chain(&layout, given, limit).enumerate() {
-            put(number, size, &texels);
-        }
-    } else if let Ok(image) = layout.read(given) {
-        for (number, image) in chain(image, layout.storage, limit).enumerate() {
-            put(number, image.size, &tight(&image, layout.storage));
-        }
-    }
+    levels(&layout, given, limit, put);
     store.make_current(&UNPACK);
     0
 }
 
-/// The images of all levels, the largest first.
-fn chain(image: Components, storage: Storage, limit: usize) -> impl Iterator<Item = Components> {
-    let size = image.size.map(|side| nearest_power_of_two(side).min(limit));
-    let base = if image.size == size { image } else { scale(&image, size, storage) };
-    std::iter::successors(Some(base), move |image| {
-        let half = image.size.map(|side| (side / 2).max(1));
-        (half != image.size).then(|| scale(image, half, storage))
-    })
+/// An image without gaps at another size, of the same type.
+fn at_size(layout: &Layout, given: &[u8], size: [usize; 3]) -> Result<Vec<u8>, TooShort> {
+    if layout.size == size {
+        return layout.texels(given);
+    }
+    let tight = Layout::tight(size, layout.count, layout.storage);
+    let mut texels = vec![0; tight.needed()];
+    scale(Meaning::Fractions, (layout, given), (&tight, &mut texels))?;
+    Ok(texels)
 }
 
-/// An image in memory without gaps.
-fn tight(image: &Components, storage: Storage) -> Vec<u8> {
-    let layout = Layout::tight(image.size, image.count, storage);
-    let mut texels = vec![0; layout.needed()];
-    // There is room for it.
-    let _ = layout.write(image, &mut texels);
-    texels
-}
-
-/// As [`chain`], of bytes: they are read as numbers only where the first level has another size.
-fn byte_chain(
+/// Hands the images of all levels to `put`, the largest first, without gaps and of the type of the first: number, size
+/// and texels. Ends where there is no memory for one.
+fn levels(
     layout: &Layout,
     given: &[u8],
     limit: usize,
-) -> impl Iterator<Item = ([usize; 3], Vec<u8>)> {
+    mut put: impl FnMut(usize, [usize; 3], &[u8]),
+) {
     let size = layout.size.map(|side| nearest_power_of_two(side).min(limit));
-    let base = match layout.size == size {
-        true => layout.texels(given),
-        false => layout
-            .read(given)
-            .map(|image| tight(&scale(&image, size, layout.storage), layout.storage)),
-    };
-    let count = layout.count;
-    std::iter::successors(base.ok().map(|base| (size, base)), move |(size, texels)| {
-        (*size != [1; 3]).then(|| halve(texels, *size, count))
-    })
+    let Ok(texels) = at_size(layout, given, size) else { return };
+    put(0, size, &texels);
+    if layout.storage == Storage::U8 {
+        bytes_below(size, layout.count, &texels, put);
+    } else {
+        numbers_below(&Layout { size, store: TIGHT, ..*layout }, texels, put);
+    }
+}
+
+/// The levels below one of bytes.
+fn bytes_below(
+    size: [usize; 3],
+    count: usize,
+    texels: &[u8],
+    mut put: impl FnMut(usize, [usize; 3], &[u8]),
+) {
+    let Ok(mut level) = scale::bytes(size, count, texels) else { return };
+    for number in 1.. {
+        if level.size() == [1; 3] {
+            return;
+        }
+        let Ok(half) = halve(&level) else { return };
+        put(number, half.size().map(|side| side as usize), convert::texels(&half));
+        level = half;
+    }
+}
+
+/// The levels below one of any type.
+fn numbers_below(
+    layout: &Layout,
+    mut texels: Vec<u8>,
+    mut put: impl FnMut(usize, [usize; 3], &[u8]),
+) {
+    let mut layout = *layout;
+    for number in 1.. {
+        if layout.size == [1; 3] {
+            return;
+        }
+        let half = layout.size.map(|side| (side / 2).max(1));
+        let Ok(halved) = at_size(&layout, &texels, half) else { return };
+        put(number, half, &halved);
+        (layout.size, texels) = (half, halved);
+    }
 }
 
 /// libGLU's `nearestPower`: up from 3 quarters of the way on (3 gives 4, 5 gives 4, 6 gives 8).
@@ -294,27 +314,44 @@ mod tests {
         }
     }
 
+    /// Size and texels of each level.
+    fn all(layout: &Layout, given: &[u8], limit: usize) -> Vec<([usize; 3], Vec<u8>)> {
+        let mut all = Vec::new();
+        levels(layout, given, limit, |number, size, texels| {
+            assert_eq!(number, all.len());
+            all.push((size, texels.to_vec()));
+        });
+        all
+    }
+
     #[test]
     fn a_chain_ends_at_one_pixel_and_keeps_the_mean_of_a_checkerboard() {
         let values: Vec<u8> =
             (0..128 * 128).map(|at| if (at + at / 128) % 2 == 0 { 0 } else { 255 }).collect();
-        let image = Layout::tight([128, 128, 1], 1, Storage::U8).read(&values).unwrap();
-        let levels: Vec<_> = chain(image, Storage::U8, 8192).collect();
-        let sizes: Vec<_> = levels.iter().map(|level| (level.size[0], level.size[1])).collect();
-        assert_eq!(sizes, [128, 64, 32, 16, 8, 4, 2, 1].map(|side| (side, side)));
-        assert!(levels[1..].iter().all(|level| level.values.iter().all(|&v| v == 128.0)));
+        let shorts: Vec<u8> = values.iter().flat_map(|&v| u16::from(v).to_ne_bytes()).collect();
+        for (storage, given, mean) in [
+            (Storage::U8, values, vec![128]),
+            (Storage::U16, shorts, 128_u16.to_ne_bytes().to_vec()),
+        ] {
+            let levels = all(&Layout::tight([128, 128, 1], 1, storage), &given, 8192);
+            let sizes: Vec<_> = levels.iter().map(|(size, _)| *size).collect();
+            assert_eq!(sizes, [128, 64, 32, 16, 8, 4, 2, 1].map(|side| [side, side, 1]));
+            let is_mean = |texels: &[u8]| texels.chunks(mean.len()).all(|texel| texel == mean);
+            assert!(levels[1..].iter().all(|(_, texels)| is_mean(texels)));
+        }
     }
 
     #[test]
     fn a_long_image_is_halved_along_its_long_side_alone_at_the_end() {
-        let image = Layout::tight([5, 3, 1], 1, Storage::U8).read(&[9; 15]).unwrap();
-        let sizes: Vec<_> =
-            chain(image, Storage::U8, 8192).map(|level| (level.size[0], level.size[1])).collect();
-        assert_eq!(sizes, [(4, 4), (2, 2), (1, 1)]);
-        let image = Layout::tight([40, 2, 1], 1, Storage::U8).read(&[9; 80]).unwrap();
-        let sizes: Vec<_> =
-            chain(image, Storage::U8, 16).map(|level| (level.size[0], level.size[1])).collect();
-        assert_eq!(sizes, [(16, 2), (8, 1), (4, 1), (2, 1), (1, 1)]);
+        for (storage, bytes) in [(Storage::U8, 1), (Storage::F32, 4)] {
+            let sizes = |size: [usize; 3], limit| {
+                let given = vec![0; size[0] * size[1] * bytes];
+                let levels = all(&Layout::tight(size, 1, storage), &given, limit);
+                levels.iter().map(|(size, _)| (size[0], size[1])).collect::<Vec<_>>()
+            };
+            assert_eq!(sizes([5, 3, 1], 8192), [(4, 4), (2, 2), (1, 1)]);
+            assert_eq!(sizes([40, 2, 1], 16), [(16, 2), (8, 1), (4, 1), (2, 1), (1, 1)]);
+        }
     }
 
     proptest! {
@@ -348,11 +385,14 @@ mod tests {
                     (random >> 33) as u8
                 })
                 .collect();
-            let numbers = chain(layout.read(&given).unwrap(), Storage::U8, 32);
-            let expected: Vec<_> =
-                numbers.map(|image| (image.size, tight(&image, Storage::U8))).collect();
-            let levels: Vec<_> = byte_chain(&layout, &given, 32).collect();
-            prop_assert!(levels == expected);
+            let levels = all(&layout, &given, 32);
+            let (size, texels) = levels[0].clone();
+            prop_assert!(at_size(&layout, &given, size) == Ok(texels.clone()));
+            let mut numbers = vec![(size, texels.clone())];
+            numbers_below(&Layout::tight(size, count, Storage::U8), texels, |_, size, texels| {
+                numbers.push((size, texels.to_vec()));
+            });
+            prop_assert!(levels == numbers);
         }
     }
 }

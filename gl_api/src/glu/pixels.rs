@@ -5,17 +5,9 @@ use crate::constants::*;
 pub use crate::texture::layout::ByteOrder;
 use crate::texture::packed::{PACKED, Packed};
 use crate::types::GLenum;
-
-/// An image as numbers: slices and rows from first to last, `count` components a pixel.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Components {
-    /// Pixels in a row, rows in a slice, slices.
-    pub size: [usize; 3],
-    /// Components of a pixel, 1 to 4.
-    pub count: usize,
-    /// `width * height * depth * count` numbers in steps of the storage: 0 to 255 for a byte.
-    pub values: Vec<f64>,
-}
+use texunit::pixel::{Change, Code, Record};
+#[cfg(test)]
+use texunit::{lanes::Isa, pixel::boxes};
 
 /// How a pixel's components are stored (GL 2.1 tables 3.5 and 3.8 to 3.11).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -95,26 +87,20 @@ impl Storage {
         }
     }
 
-    /// The nearest step, halves up. NaN gives the smallest of an integer type.
-    pub fn round(self, component: usize, value: f64) -> f64 {
-        if self == Self::F32 {
-            return f64::from(value as f32);
-        }
-        let (low, high) = self.range(component);
-        if low == 0.0 {
-            // As below: what is negative, or no number, becomes 0.
-            return f64::from(((value + 0.5) as u32).min(high as u32));
-        }
-        (value + 0.5).floor().max(low).min(high)
+    /// What takes each component of a pixel to the nearest step, halves up.
+    pub fn steps(self) -> [Change; 4] {
+        [0, 1, 2, 3].map(|component| match (self, self.range(component)) {
+            (Self::F32, _) => Change::Float,
+            (_, (low, high)) => Change::Whole { low, high },
+        })
     }
 
-    /// A number in steps of `self` as one in steps of `other`.
-    pub fn convert(self, other: Self, component: usize, value: f64) -> f64 {
-        if self == other {
-            return value;
-        }
-        let unit = value / self.range(component).1;
-        other.round(component, unit * other.range(component).1)
+    /// What makes each component in steps of `self` one in steps of `other`, before it is rounded.
+    pub fn to(self, other: Self) -> [Change; 4] {
+        [0, 1, 2, 3].map(|component| {
+            let [over, times] = [self, other].map(|storage| storage.range(component).1);
+            Change::Ratio { over, times }
+        })
     }
 }
 
@@ -130,9 +116,23 @@ pub fn components(format: GLenum) -> Option<usize> {
     })
 }
 
-/// Whether pixels of a format are indices, which are the same numbers in every type.
-pub fn are_indices(format: GLenum) -> bool {
-    matches!(format, GL_COLOR_INDEX | GL_STENCIL_INDEX)
+/// What the numbers of pixels stand for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Meaning {
+    /// Fractions of the largest step.
+    Fractions,
+    /// The same numbers in every type.
+    Indices,
+}
+
+impl Meaning {
+    /// Those of a format.
+    pub fn of(format: GLenum) -> Self {
+        match format {
+            GL_COLOR_INDEX | GL_STENCIL_INDEX => Self::Indices,
+            _ => Self::Fractions,
+        }
+    }
 }
 
 /// Where the rows of an image are in client memory: half of the `glPixelStore` state.
@@ -191,6 +191,11 @@ impl Layout {
         Self { size, count, storage, store: TIGHT }
     }
 
+    /// Bytes of the pixels of a row.
+    pub fn row_bytes(&self) -> usize {
+        self.size[0] * self.pixel()
+    }
+
     fn pixel(&self) -> usize {
         self.storage.bytes() * self.storage.elements(self.count)
     }
@@ -202,7 +207,7 @@ impl Layout {
     }
 
     /// Where row `y` of slice `z` begins.
-    fn row(&self, y: usize, z: usize) -> usize {
+    pub fn row(&self, y: usize, z: usize) -> usize {
         let Store { image_height, skip_images, skip_rows, skip_pixels, .. } = self.store;
         let rows = if image_height == 0 { self.size[1] } else { image_height };
         let rows = skip_images.saturating_add(z).saturating_mul(rows);
@@ -212,7 +217,7 @@ impl Layout {
     }
 
     /// Where each row begins.
-    fn rows(&self) -> impl Iterator<Item = usize> {
+    pub fn rows(&self) -> impl Iterator<Item = usize> {
         let [_, height, depth] = self.size;
         (0..depth).flat_map(move |z| (0..height).map(move |y| self.row(y, z)))
     }
@@ -232,108 +237,84 @@ impl Layout {
     /// When `bytes` ends before the image does.
     pub fn texels(&self, bytes: &[u8]) -> Result<Vec<u8>, TooShort> {
         self.check(bytes)?;
-        let row = self.size[0] * self.pixel();
+        let row = self.row_bytes();
         let mut texels = Vec::with_capacity(self.size[1] * self.size[2] * row);
         self.rows().for_each(|at| texels.extend_from_slice(&bytes[at..][..row]));
         Ok(texels)
     }
 
-    fn check(&self, bytes: &[u8]) -> Result<(), TooShort> {
+    /// Checks that there are as many bytes as the image takes.
+    ///
+    /// # Errors
+    /// When there are fewer.
+    pub fn check(&self, bytes: &[u8]) -> Result<(), TooShort> {
         let needed = self.needed();
         if bytes.len() < needed { Err(TooShort { needed }) } else { Ok(()) }
     }
 
+    /// Where its components lie in a pixel, as the numbers of their steps.
+    pub fn record(&self) -> Record {
+        let (size, order) = (self.storage.bytes(), self.store.order.in_memory());
+        let uniform = |code| Record::uniform(self.count, size, code, order);
+        match self.storage {
+            Storage::U8 | Storage::U16 | Storage::U32 => uniform(Code::Uint),
+            Storage::I8 | Storage::I16 | Storage::I32 => uniform(Code::Sint),
+            Storage::F32 => uniform(Code::Float),
+            Storage::Packed(packed) => {
+                let fields = [0, 1, 2, 3].map(|component| (packed.field(component), Code::Uint));
+                Record::packed(size, 1, order, &fields[..self.count])
+            }
+        }
+    }
+}
+
+/// An image as numbers: slices and rows from first to last.
+#[cfg(test)]
+#[derive(Clone, Debug, PartialEq)]
+pub struct Components {
+    /// Pixels in a row, rows in a slice, slices.
+    pub size: [usize; 3],
+    /// Components of a pixel, 1 to 4.
+    pub count: usize,
+    /// In steps of the storage: 0 to 255 for a byte.
+    pub values: Vec<f64>,
+}
+
+#[cfg(test)]
+impl Layout {
     /// The image as numbers.
-    ///
-    /// # Errors
-    /// When `bytes` ends before the image does.
     pub fn read(&self, bytes: &[u8]) -> Result<Components, TooShort> {
         self.check(bytes)?;
-        let mut values = Vec::with_capacity(self.size.iter().product::<usize>() * self.count);
+        let (mut values, mut planes) = (Vec::new(), [const { Vec::new() }; 4]);
+        planes.iter_mut().for_each(|plane| plane.resize(self.size[0], 0.0));
         for at in self.rows() {
-            let row = &bytes[at..][..self.size[0] * self.pixel()];
-            if self.storage == Storage::U8 {
-                values.extend(row.iter().map(|&byte| f64::from(byte)));
-                continue;
-            }
-            for element in row.chunks_exact(self.storage.bytes()) {
-                self.read_element(element, &mut values);
-            }
+            let row = &bytes[at..][..self.row_bytes()];
+            boxes::read_row(Isa::best(), &self.record(), row, &mut planes);
+            let numbers = |x: usize| planes[..self.count].iter().map(move |plane| plane[x]);
+            values.extend((0..self.size[0]).flat_map(numbers));
         }
         Ok(Components { size: self.size, count: self.count, values })
     }
 
-    fn read_element(&self, element: &[u8], values: &mut Vec<f64>) {
-        let mut raw = [0; 4];
-        raw[..element.len()].copy_from_slice(element);
-        if self.store.order == ByteOrder::Swapped {
-            raw[..element.len()].reverse();
-        }
-        let [a, b, c, d] = raw;
-        let word = match element.len() {
-            1 => u32::from(a),
-            2 => u32::from(u16::from_ne_bytes([a, b])),
-            _ => u32::from_ne_bytes([a, b, c, d]),
-        };
-        match self.storage {
-            Storage::U8 | Storage::U16 | Storage::U32 => values.push(f64::from(word)),
-            Storage::I8 => values.push(f64::from(word as u8 as i8)),
-            Storage::I16 => values.push(f64::from(word as u16 as i16)),
-            Storage::I32 => values.push(f64::from(word as i32)),
-            Storage::F32 => values.push(f64::from(f32::from_bits(word))),
-            Storage::Packed(packed) => values.extend(
-                (0..self.count).map(|component| f64::from(packed.field(component).of(word))),
-            ),
-        }
-    }
-
-    /// Writes numbers that are steps of the storage; bytes between the rows stay as they are.
-    ///
-    /// # Errors
-    /// When `bytes` ends before the image does; nothing is written.
+    /// Writes numbers that are steps of the storage.
     pub fn write(&self, image: &Components, bytes: &mut [u8]) -> Result<(), TooShort> {
         self.check(bytes)?;
-        let (size, elements) = (self.storage.bytes(), self.storage.elements(self.count));
-        let width = self.size[0];
-        for (at, row) in self.rows().zip(image.values.chunks_exact((width * self.count).max(1))) {
-            let out = &mut bytes[at..][..width * self.pixel()];
-            if self.storage == Storage::U8 {
-                out.iter_mut().zip(row).for_each(|(out, value)| *out = *value as u32 as u8);
-                continue;
-            }
-            let values = row.chunks_exact(self.count / elements);
-            for (element, values) in out.chunks_exact_mut(size).zip(values) {
-                let word = self.word(values);
-                match size {
-                    1 => element[0] = word as u8,
-                    2 => element.copy_from_slice(&(word as u16).to_ne_bytes()),
-                    _ => element.copy_from_slice(&word.to_ne_bytes()),
-                }
-                if self.store.order == ByteOrder::Swapped {
-                    element.reverse();
-                }
-            }
+        let rows = image.values.chunks_exact(self.size[0] * self.count);
+        for (at, row) in self.rows().zip(rows) {
+            let out = &mut bytes[at..][..self.row_bytes()];
+            let plane = |number: usize| row.iter().copied().skip(number).step_by(self.count);
+            let planes = [0, 1, 2, 3].map(|number| plane(number).collect());
+            boxes::write_row(Isa::best(), &self.record(), &[], &planes, out);
         }
         Ok(())
-    }
-
-    /// The bits of one element.
-    fn word(&self, values: &[f64]) -> u32 {
-        match self.storage {
-            Storage::U8 | Storage::U16 | Storage::U32 => values[0] as u32,
-            Storage::I8 | Storage::I16 | Storage::I32 => values[0] as i32 as u32,
-            Storage::F32 => (values[0] as f32).to_bits(),
-            Storage::Packed(packed) => values
-                .iter()
-                .enumerate()
-                .fold(0, |word, (at, &value)| word | (value as u32) << packed.field(at).shift),
-        }
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use texunit::lanes::F64s;
+    use texunit::pixel;
 
     #[test]
     fn rows_follow_alignment_row_length_and_skips() {
@@ -395,7 +376,8 @@ mod tests {
 
     #[test]
     fn every_type_comes_back_as_it_was() {
-        let bytes: Vec<u8> = (0..96u8).map(|n| n.wrapping_mul(37)).collect();
+        // None of which is part of a NaN.
+        let bytes: Vec<u8> = (0..96u8).map(|n| n.wrapping_mul(37) & 0xBF).collect();
         for type_ in [GL_UNSIGNED_BYTE, GL_BYTE, GL_SHORT, GL_UNSIGNED_SHORT, GL_INT, GL_FLOAT] {
             for order in [ByteOrder::Native, ByteOrder::Swapped] {
                 let storage = Storage::of(type_).unwrap();
@@ -411,9 +393,24 @@ mod tests {
     #[test]
     fn conversion_keeps_the_ends_of_the_range() {
         let small = Storage::of(GL_UNSIGNED_SHORT_5_6_5).unwrap();
-        assert_eq!(Storage::U8.convert(small, 0, 255.0), 31.0);
-        assert_eq!(Storage::U8.convert(Storage::F32, 0, 255.0), 1.0);
-        assert_eq!(Storage::F32.convert(Storage::I8, 0, -2.0), -128.0);
-        assert_eq!(Storage::F32.round(0, f64::from(f32::MAX)), f64::from(f32::MAX));
+        let changed = |changes: [Change; 4], value: f64| {
+            let mut out = F64s::ZERO;
+            pixel::change(Isa::best(), changes[0], &F64s::splat(value), &mut out);
+            out[0]
+        };
+        let round = |storage: Storage, value| changed(storage.steps(), value);
+        let convert = |from: Storage, to: Storage, value| round(to, changed(from.to(to), value));
+        assert_eq!(convert(Storage::U8, small, 255.0), 31.0);
+        assert_eq!(convert(Storage::U8, Storage::F32, 255.0), 1.0);
+        assert_eq!(convert(Storage::F32, Storage::I8, -2.0), -128.0);
+        assert_eq!(round(Storage::F32, f64::from(f32::MAX)), f64::from(f32::MAX));
+        for (value, step) in [(-0.6, 0.0), (1.5, 2.0), (2.49, 2.0), (f64::NAN, 0.0), (1e300, 255.0)]
+        {
+            assert_eq!(round(Storage::U8, value), step);
+        }
+        for (value, step) in [(-1.5, -1.0), (-1.6, -2.0), (f64::NAN, -32_768.0), (1e300, 32_767.0)]
+        {
+            assert_eq!(round(Storage::I16, value), step);
+        }
     }
 }

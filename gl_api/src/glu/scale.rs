@@ -1,110 +1,89 @@
-//! GLU's box filter: each new pixel is the mean of the area it covers in the old image.
+//! GLU's box filter: each new pixel is the mean of the area it covers in the old image ([`boxes`]), rounded once,
+//! halves up. libGLU truncates where it rescales or halves a side of one pixel: its last bit differs there.
 //!
-//! The weights are whole numbers (an edge of the old image's pixel is `new size` long, one of the
-//! new image's `old size`), so that the mean of integers is exact before it is rounded once, halves
-//! up. libGLU truncates where it rescales or halves a side of one pixel: its last bit differs there.
-//!
-//! Mipmaps of bytes, which nearly all are, need no more than sums of bytes ([`halve`]).
+//! Mipmaps of bytes, which nearly all are, are halved as GL's own are ([`halve`]).
 
-use super::pixels::{Components, Storage};
+use super::pixels::{Layout, Meaning, TooShort};
+use texunit::format::Format;
+use texunit::image::{ImageError, Level, Shape};
+use texunit::lanes::Isa;
+use texunit::pixel::boxes;
 
-/// `image` at another size, in steps of `storage`.
+/// The pixels of one image as those of another, at its size and of its type.
 ///
 /// Halving an even side is the mean of two pixels; a side that keeps its length keeps its pixels.
-pub fn scale(image: &Components, size: [usize; 3], storage: Storage) -> Components {
-    let Components { size: old, count, .. } = *image;
-    let [width, height, depth] = size;
-    let volume = old.iter().map(|side| *side as f64).product::<f64>();
-    // Where the pixels of each column begin, and how much of each.
-    let mut firsts = Vec::with_capacity(width);
-    let mut weights: Vec<f64> = Vec::new();
-    for x in 0..width {
-        let begin = weights.len();
-        let mut first = 0;
-        for (old_x, weight) in covered(x, old[0], width) {
-            if weights.len() == begin {
-                first = old_x * count;
-            }
-            weights.push(weight);
+///
+/// # Errors
+/// When the bytes of either end before it does; nothing is written then.
+pub fn scale(
+    meaning: Meaning,
+    (from, given): (&Layout, &[u8]),
+    (to, out): (&Layout, &mut [u8]),
+) -> Result<(), TooShort> {
+    to.check(out)?;
+    from.check(given)?;
+    let (isa, count) = (Isa::best(), from.count);
+    let records = [from, to].map(Layout::record);
+    let read = |[y, z]: [usize; 2], numbers: &mut boxes::Planes| {
+        let row = &given[from.row(y, z)..][..from.row_bytes()];
+        boxes::read_row(isa, &records[0], row, numbers);
+    };
+    let steps = [from, to].map(|layout| layout.storage.steps());
+    let between = [steps[0], from.storage.to(to.storage), steps[1]];
+    let changes = match meaning {
+        _ if from.storage == to.storage => &between[..1],
+        Meaning::Fractions => &between[..],
+        Meaning::Indices => &steps[..],
+    };
+    let mut rows = to.rows();
+    let write = |numbers: &boxes::Planes| {
+        if let Some(at) = rows.next() {
+            let row = &mut out[at..][..to.row_bytes()];
+            boxes::write_row(isa, &records[1], changes, numbers, row);
         }
-        firsts.push((first, begin..weights.len()));
-    }
-    let pitch = old[0] * count;
-    let mut row = vec![0.0; pitch];
-    let mut values = vec![0.0; size.iter().product::<usize>() * count];
-    let mut rows = values.chunks_exact_mut((width * count).max(1));
-    for z in 0..depth {
-        for y in 0..height {
-            row.fill(0.0);
-            for (old_z, inward) in covered(z, old[2], depth) {
-                for (old_y, down) in covered(y, old[1], height) {
-                    let texels = &image.values[(old_z * old[1] + old_y) * pitch..][..pitch];
-                    let weight = inward * down;
-                    row.iter_mut().zip(texels).for_each(|(sum, value)| *sum += weight * value);
-                }
-            }
-            let Some(out) = rows.next() else { continue };
-            for (out, (first, columns)) in out.chunks_exact_mut(count).zip(&firsts) {
-                let weights = &weights[columns.clone()];
-                for (component, out) in out.iter_mut().enumerate() {
-                    let mut sum = weights[0] * row[first + component];
-                    let mut at = first + component;
-                    for weight in &weights[1..] {
-                        at += count;
-                        sum += weight * row[at];
-                    }
-                    *out = storage.round(component, sum / volume);
-                }
-            }
-        }
-    }
-    Components { size, count, values }
+    };
+    boxes::scale(isa, [from.size, to.size], count, read, write);
+    Ok(())
 }
 
-/// What [`scale`] makes of bytes at half the size, a side of one pixel staying. All others are even.
-pub fn halve(texels: &[u8], size: [usize; 3], count: usize) -> ([usize; 3], Vec<u8>) {
-    let half = size.map(|side| (side / 2).max(1));
-    // 1 where two pixels become one.
-    let twice = size.map(|side| usize::from(side > 1));
-    let shift = twice.iter().sum::<usize>();
-    let bias = (1_u16 << shift) >> 1;
-    let pitch = size[0] * count;
-    let mut halved = vec![0; half.iter().product::<usize>() * count];
-    let mut sums = vec![0_u16; pitch];
-    for (number, out) in halved.chunks_exact_mut((half[0] * count).max(1)).enumerate() {
-        let (y, z) = ((number % half[1]) << twice[1], (number / half[1]) << twice[2]);
-        sums.fill(bias);
-        for z in z..=z + twice[2] {
-            for y in y..=y + twice[1] {
-                let row = &texels[(z * size[1] + y) * pitch..][..pitch];
-                sums.iter_mut().zip(row).for_each(|(sum, texel)| *sum += u16::from(*texel));
-            }
-        }
-        let pixels = sums.chunks_exact(count << twice[0]);
-        for (out, pixel) in out.chunks_exact_mut(count).zip(pixels) {
-            for (component, out) in out.iter_mut().enumerate() {
-                let other = if twice[0] == 1 { pixel[component + count] - bias } else { 0 };
-                *out = ((pixel[component] + other) >> shift) as u8;
-            }
-        }
-    }
-    (half, halved)
+/// Bytes, one to four a pixel, at half the size: what [`scale`] makes of them. A side of one pixel stays.
+pub fn halve(pixels: &Level) -> Result<Level, ImageError> {
+    pixels.halved(Shape::D3, Isa::best())
 }
 
-/// The old pixels that new pixel `index` covers, and how much of each.
-fn covered(index: usize, old: usize, new: usize) -> impl Iterator<Item = (usize, f64)> + Clone {
-    let (low, high) = (index * old, (index + 1) * old);
-    (low / new..high.div_ceil(new)).map(move |pixel| {
-        let overlap = high.min((pixel + 1) * new) - low.max(pixel * new);
-        (pixel, overlap as f64)
-    })
+/// Bytes without gaps, so many a pixel.
+pub fn bytes(size: [usize; 3], count: usize, texels: &[u8]) -> Result<Level, ImageError> {
+    let format = [Format::R8, Format::Rg8, Format::Rgb8, Format::Rgba8][(count - 1).min(3)];
+    let size = size.map(|side| side as u32);
+    let mut level = Level::with_size(format, size, [0; 3])?;
+    level.write_box([0; 3], size, texels)?;
+    Ok(level)
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::pixels::{Layout, Storage};
+    use super::super::pixels::{Components, Storage};
     use super::*;
+    use crate::texture::convert;
     use proptest::prelude::*;
+
+    /// An image of this storage at another size.
+    fn scale(image: &Components, size: [usize; 3], storage: Storage) -> Components {
+        let [from, to] = [image.size, size].map(|size| Layout::tight(size, image.count, storage));
+        let (mut given, mut out) = (vec![0; from.needed()], vec![0; to.needed()]);
+        from.write(image, &mut given).unwrap();
+        super::scale(Meaning::Fractions, (&from, &given), (&to, &mut out)).unwrap();
+        to.read(&out).unwrap()
+    }
+
+    /// The old pixels that new pixel `index` covers, and how much of each.
+    fn covered(index: usize, old: usize, new: usize) -> impl Iterator<Item = (usize, f64)> + Clone {
+        let (low, high) = (index * old, (index + 1) * old);
+        (low / new..high.div_ceil(new)).map(move |pixel| {
+            let overlap = high.min((pixel + 1) * new) - low.max(pixel * new);
+            (pixel, overlap as f64)
+        })
+    }
 
     fn bytes(width: usize, height: usize, values: &[u8]) -> Components {
         Layout::tight([width, height, 1], 1, Storage::U8).read(values).unwrap()
@@ -236,11 +215,12 @@ mod tests {
                 })
                 .collect();
             let image = Layout::tight(size, count, Storage::U8).read(&texels).unwrap();
-            let (half, halved) = halve(&texels, size, count);
-            let scaled = scale(&image, half, Storage::U8);
-            prop_assert_eq!(scaled.size, size.map(|side| (side / 2).max(1)));
+            let half = halve(&super::bytes(size, count, &texels).unwrap()).unwrap();
+            let half_size = size.map(|side| (side / 2).max(1));
+            prop_assert_eq!(half.size().map(|side| side as usize), half_size);
+            let scaled = scale(&image, half_size, Storage::U8);
             let expected: Vec<u8> = scaled.values.iter().map(|&value| value as u8).collect();
-            prop_assert_eq!(halved, expected);
+            prop_assert_eq!(convert::texels(&half), &expected[..]);
         }
 
         #[test]
