@@ -283,24 +283,59 @@ fn load_tile(level: &Level, slice: usize, [x0, y0]: [u32; 2], words: usize) -> V
     }
     let mut planes = vec![vec![U32s::ZERO; BLOCKS]; words];
     for y in 0..height {
-        let lanes = LANE_AT[(y % 8) as usize].map(usize::from);
-        for (column, texels) in row(y).chunks(8 * size).enumerate() {
-            let block = (y / 8 * 8) as usize + column;
-            if let ([plane], 4) = (planes.as_mut_slice(), size) {
-                let mut words = [0_u32; 8];
-                bytemuck::bytes_of_mut(&mut words)[..texels.len()].copy_from_slice(texels);
-                set_row(&mut plane[block], y as usize % 8, words.map(u32::from_le));
-                continue;
-            }
-            for (&lane, texel) in lanes.iter().zip(texels.chunks_exact(size)) {
-                let texel = words_of(level.format, texel);
-                for (plane, word) in planes.iter_mut().zip(texel) {
-                    plane[block][lane] = word;
+        load_row(level.format, &mut planes, y as usize, row(y));
+    }
+    planes.into_iter().map(Plane::of).collect()
+}
+
+/// Row `y` of a tile from the texels of one row.
+fn load_row(format: Format, planes: &mut [Vec<U32s>], y: usize, row: &[u8]) {
+    let put = |plane: &mut Vec<U32s>, column: usize, words: [u32; 8]| {
+        set_row(&mut plane[y / 8 * 8 + column], y % 8, words);
+    };
+    // Texels whose bytes are those of their words.
+    match (&mut *planes, format.bytes()) {
+        ([a], 1) => columns(row, |column, texels: [u8; 8]| put(a, column, texels.map(u32::from))),
+        ([a], 2) => columns(row, |column, texels: [u16; 8]| {
+            put(a, column, texels.map(|texel| u16::from_le(texel).into()));
+        }),
+        ([a], 3) => columns(row, |column, texels: [[u8; 3]; 8]| {
+            put(a, column, texels.map(|[r, g, b]| u32::from_le_bytes([r, g, b, 0])));
+        }),
+        ([a], 4) => {
+            columns(row, |column, texels: [u32; 8]| put(a, column, texels.map(u32::from_le)))
+        }
+        ([a, b], 8) => columns(row, |column, texels: [[u32; 2]; 8]| {
+            put(a, column, texels.map(|[word, _]| u32::from_le(word)));
+            put(b, column, texels.map(|[_, word]| u32::from_le(word)));
+        }),
+        ([a, b, c, d], 16) => columns(row, |column, texels: [[u32; 4]; 8]| {
+            put(a, column, texels.map(|[word, _, _, _]| u32::from_le(word)));
+            put(b, column, texels.map(|[_, word, _, _]| u32::from_le(word)));
+            put(c, column, texels.map(|[_, _, word, _]| u32::from_le(word)));
+            put(d, column, texels.map(|[_, _, _, word]| u32::from_le(word)));
+        }),
+        (_, size) => {
+            for (column, texels) in row.chunks(8 * size).enumerate() {
+                let lanes = LANE_AT[y % 8].map(usize::from);
+                for (lane, texel) in lanes.into_iter().zip(texels.chunks_exact(size)) {
+                    for (plane, word) in planes.iter_mut().zip(words_of(format, texel)) {
+                        plane[y / 8 * 8 + column][lane] = word;
+                    }
                 }
             }
         }
     }
-    planes.into_iter().map(Plane::of).collect()
+}
+
+/// Hands out a row in columns of eight texels, those that the last one lacks as zeros.
+#[inline(always)]
+fn columns<T: Pod>(row: &[u8], mut column: impl FnMut(usize, [T; 8])) {
+    for (count, bytes) in row.chunks(size_of::<[T; 8]>()).enumerate() {
+        let mut texels = [T::zeroed(); 8];
+        bytemuck::bytes_of_mut(&mut texels)[..bytes.len()].copy_from_slice(bytes);
+        column(count, texels);
+    }
 }
 
 /// Row `y` of a tile into the texels of one row.
