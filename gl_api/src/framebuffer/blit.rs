@@ -116,10 +116,13 @@ impl Blit {
         let (area, isa) = (self.area, context.recorder.isa());
         let columns = self.axes[0].taps(area.x, area.width, width, self.filter);
         let rows = self.axes[1].taps(area.y, area.height, height, self.filter);
+        // What is neither scaled nor moved by parts of a texel has no means.
+        let is_exact = columns.taps.iter().chain(&rows.taps).all(|tap| tap.weight == 0.0);
+        let filter = if is_exact { Filter::Nearest } else { self.filter };
         edit(context, to, |level, first, sample| {
             let Some(from) = from.get(sample).or(from.first()) else { return };
             let (format, row_bytes) = (level.format, level.row_bytes());
-            let mut way = Way::new(isa, self, part, [from.format(), format]);
+            let mut way = Way::new(isa, (part, filter), [from.format(), format], self.srgb);
             let column = (area.x as usize + columns.before) * format.bytes();
             for (y, &tap) in (area.y as usize + rows.before..).zip(&rows.taps) {
                 let texels = &mut level.texels[first + y * row_bytes + column..];

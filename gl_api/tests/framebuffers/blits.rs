@@ -118,3 +118,28 @@ fn formats_are_converted() {
     let got = super::floats(&mut c, [7, 5, 1, 1], GL_RGBA, 4);
     assert_eq!(got, [(140.0_f64 / 255.0) as f32, (100.0_f64 / 255.0) as f32, 0.0, 1.0]);
 }
+
+/// Of one that is infinite, too, which has no part in means.
+#[test]
+fn linear_means_of_one_texel_are_that_texel() {
+    let mut c = context(20, 20);
+    let [read, draw] = [0, 1].map(|_| {
+        let name = framebuffer(&mut c);
+        renderbuffer(&mut c, GL_COLOR_ATTACHMENT0, GL_RGBA32F, 8, 6);
+        name
+    });
+    c.bind_framebuffer(GL_FRAMEBUFFER, read);
+    c.clear_color(f32::INFINITY, -2.5, 0.0, 1.0);
+    c.clear(GL_COLOR_BUFFER_BIT);
+    for dst in [[0, 0, 8, 6], [8, 6, 0, 0]] {
+        c.bind_framebuffer(GL_FRAMEBUFFER, draw);
+        c.clear_color(0.0, 0.0, 0.0, 0.0);
+        c.clear(GL_COLOR_BUFFER_BIT);
+        c.bind_framebuffer(GL_READ_FRAMEBUFFER, read);
+        let [x0, y0, x1, y1] = dst;
+        c.blit_framebuffer(0, 0, 8, 6, x0, y0, x1, y1, GL_COLOR_BUFFER_BIT, GL_LINEAR);
+        c.bind_framebuffer(GL_READ_FRAMEBUFFER, draw);
+        let got = super::floats(&mut c, [0, 0, 8, 6], GL_RGBA, 4);
+        assert_eq!(got, [f32::INFINITY, -2.5, 0.0, 1.0].repeat(48));
+    }
+}

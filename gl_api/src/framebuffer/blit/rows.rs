@@ -1,10 +1,10 @@
 //! How a row of texels becomes a row of what is drawn to.
 
-use super::{Blit, Part};
+use super::Part;
 use crate::framebuffer::read::Pixels;
 use crate::texture::convert::Conversion;
 use crate::texture::texel;
-use rasterizer::driver::DepthWrite;
+use rasterizer::driver::{DepthWrite, SrgbWrite};
 use texunit::format::Format;
 use texunit::lanes::{F64s, Isa, LANES};
 use texunit::pixel::{self, Tap};
@@ -32,9 +32,14 @@ pub(super) enum Way<'a> {
 
 impl Way<'_> {
     /// How a blit copies a part from one format to another.
-    pub fn new(isa: Isa, blit: &Blit, part: Part, [from, to]: [Format; 2]) -> Self {
-        let conversion = || Conversion::blit(isa, from, to, blit.srgb);
-        match (part, blit.filter) {
+    pub fn new(
+        isa: Isa,
+        (part, filter): (Part, Filter),
+        [from, to]: [Format; 2],
+        srgb: SrgbWrite,
+    ) -> Self {
+        let conversion = || Conversion::blit(isa, from, to, srgb);
+        match (part, filter) {
             (Part::Color, Filter::Nearest) if from == to => Self::Same,
             (Part::Color, Filter::Nearest) => Self::Convert(conversion()),
             (Part::Color, Filter::Linear) => {
