@@ -255,9 +255,9 @@ impl Kernel for Load<'_> {
     fn run<S: Simd>(self) {
         let Self { record, bytes, words } = self;
         let done = match (record.size, record.words, record.order) {
-            (4, 2, ByteOrder::Little) => load::<2>(bytes, words),
-            (4, 3, ByteOrder::Little) => load::<3>(bytes, words),
-            (4, 4, ByteOrder::Little) => load::<4>(bytes, words),
+            (4, 2, ByteOrder::Little) if S::WIDE => load::<2>(bytes, words),
+            (4, 3, ByteOrder::Little) if S::WIDE => load::<3>(bytes, words),
+            (4, 4, ByteOrder::Little) if S::WIDE => load::<4>(bytes, words),
             _ => None,
         };
         if done.is_none() {
@@ -292,9 +292,9 @@ impl Kernel for Store<'_> {
     fn run<S: Simd>(self) {
         let Self { record, words, bytes } = self;
         let done = match (record.size, record.words, record.order) {
-            (4, 2, ByteOrder::Little) => store::<2>(words, bytes),
-            (4, 3, ByteOrder::Little) => store::<3>(words, bytes),
-            (4, 4, ByteOrder::Little) => store::<4>(words, bytes),
+            (4, 2, ByteOrder::Little) if S::WIDE => store::<2>(words, bytes),
+            (4, 3, ByteOrder::Little) if S::WIDE => store::<3>(words, bytes),
+            (4, 4, ByteOrder::Little) if S::WIDE => store::<4>(words, bytes),
             _ => None,
         };
         if done.is_none() {
