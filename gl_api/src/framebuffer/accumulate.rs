@@ -98,9 +98,7 @@ pub(crate) fn accum(context: &mut Context, op: GLenum, value: GLfloat) -> Result
         return Ok(());
     }
     match operation {
-        Operation::Accumulate => colors(context, area, value, |sum, color| {
-            *sum = [0, 1, 2, 3].map(|i| sum[i] + color[i]);
-        })?,
+        Operation::Accumulate => colors(context, area, value, |sum, color| *sum += color)?,
         Operation::Load => colors(context, area, value, |sum, color| *sum = color)?,
         Operation::Multiply => each(context, area, |sum| *sum = sum.map(|c| c * value)),
         Operation::Add => each(context, area, |sum| *sum = sum.map(|c| c + value)),
@@ -118,12 +116,12 @@ fn runs(area: Rect) -> impl Iterator<Item = (usize, usize, usize)> {
         .flat_map(move |y| (0..width).step_by(LANES).map(move |at| (y, run(at).0, run(at).1)))
 }
 
-/// Changes the sums of the pixels of an area by their colours, which are read and taken times a factor.
+/// Changes the sums of an area by its colours, which are read and taken times a factor.
 fn colors(
     context: &mut Context,
     area: Rect,
     factor: f32,
-    change: fn(&mut [f32; 4], [f32; 4]),
+    change: impl Fn(&mut f32, f32),
 ) -> Result<()> {
     let from = read::source(context, Readable::Color)?;
     let isa = context.recorder.isa();
@@ -133,8 +131,10 @@ fn colors(
     for (y, x, count) in runs(area) {
         let rgba = conversion.read(from.row(x, y, count));
         let sums = &mut sums[y * width + x..][..count];
-        for (lane, sum) in sums.iter_mut().enumerate() {
-            change(sum, rgba.each_ref().map(|channel| channel[lane] as f32 * factor));
+        for (channel, numbers) in rgba.iter().enumerate() {
+            for (sum, &number) in sums.iter_mut().zip(&numbers.0) {
+                change(&mut sum[channel], number as f32 * factor);
+            }
         }
     }
     Ok(())
