@@ -106,11 +106,10 @@ mod tests {
                     for x in (0..width).step_by(LANES) {
                         let (y, z) = (height - 1, depth - 1);
                         level.channels_of_run(isa, [x, y, z].map(|at| at as u32), &mut out);
-                        for lane in 0..LANES.min((width - x) as usize) {
-                            let want = level.channels_at([x + lane as i32, y, z]).unwrap();
-                            for channel in 0..format.channels() {
-                                let got = out[channel][lane];
-                                assert_eq!(got.to_bits(), want[channel].to_bits(), "{format:?}");
+                        for (x, lane) in (x..width).zip(0..LANES) {
+                            let want = level.channels_at([x, y, z]).unwrap();
+                            for (got, want) in out.iter().zip(want).take(format.channels()) {
+                                assert_eq!(got[lane].to_bits(), want.to_bits(), "{format:?}");
                             }
                         }
                     }

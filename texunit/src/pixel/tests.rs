@@ -342,7 +342,8 @@ fn numbers_are_changed_as_is_said() {
     let mut numbers = F64s::ZERO;
     (0..LANES).for_each(|lane| numbers[lane] = number(lane));
     let whole = |low: f64, high: f64| Change::Whole { low, high };
-    let cases: [(Change, fn(f64) -> f64); 6] = [
+    type Case = (Change, fn(f64) -> f64);
+    let cases: [Case; 6] = [
         (Change::Linear { scale: 0.3, bias: -2.0 }, |x| x * 0.3 - 2.0),
         (Change::Clamp, |x| x.clamp(0.0, 1.0)),
         (Change::Float, |x| f64::from(x as f32)),
