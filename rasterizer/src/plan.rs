@@ -4,9 +4,11 @@
 //! memory; `DETGL_EXPLAIN=1` prints it.
 
 mod inputs;
+mod stipple;
 
 pub use inputs::{FilledInput, FragmentInput, sprite_slots};
 use inputs::{Gathered, Inputs};
+use stipple::StippleLanes;
 
 use crate::driver::{
     DepthState, DepthWrite, Pipeline, PolygonMode, PolygonOffset, RasterState, Rim, VertexBinding,
@@ -20,7 +22,7 @@ use crate::target::component_bits;
 use std::fmt::Write;
 use std::sync::Arc;
 use texunit::format::Format;
-use texunit::lanes::{Isa, LANES, lane_x, lane_y};
+use texunit::lanes::Isa;
 use texunit::plan::SamplePlan;
 use texunit::sampler::Compare;
 
@@ -88,8 +90,8 @@ pub struct DrawPlan {
     pub samples: Samples,
     /// How primitives become fragments.
     pub raster: Arc<RasterState>,
-    /// Which lanes the polygon stipple leaves of each block of its 32×32 pixels.
-    pub stipple: Option<[u64; 16]>,
+    /// Which lanes the polygon stipple leaves.
+    pub stipple: Option<StippleLanes>,
 }
 
 /// What a fragment program that is a product ([`crate::shader::Product`]) comes to in a draw.
@@ -346,7 +348,7 @@ impl DrawPlan {
             viewport: input.viewport,
             offset: input.raster.polygon.offset[PolygonMode::Fill as usize]
                 .filter(|_| depth_plane.is_some()),
-            stipple: input.raster.polygon.stipple.as_ref().map(stipple_lanes),
+            stipple: input.raster.polygon.stipple.as_ref().map(StippleLanes::new),
             raster: input.raster,
             pipeline: pipeline.clone(),
         }
@@ -460,16 +462,4 @@ pub fn arrays(bindings: &[VertexBinding]) -> Sources {
         }
     };
     bindings.iter().fold(Sources::default(), of)
-}
-
-/// A stipple pattern (see [`crate::driver::PolygonState`]) as lanes of 4×4 blocks.
-fn stipple_lanes(rows: &[u32; 32]) -> [u64; 16] {
-    let mut blocks = [0; 16];
-    for (index, block) in blocks.iter_mut().enumerate() {
-        for lane in 0..LANES {
-            let (x, y) = (index % 4 * 8 + lane_x(lane), index / 4 * 8 + lane_y(lane));
-            *block |= u64::from(rows[y] >> (31 - x) & 1) << lane;
-        }
-    }
-    blocks
 }

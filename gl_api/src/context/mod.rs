@@ -9,7 +9,7 @@ mod surface;
 
 use crate::abi::osmesa::Mirror;
 use crate::draw::Recorder;
-use crate::draw::ended::draw_ended;
+use crate::draw::ended::{Ended, draw_ended};
 use crate::draw::immediate::Immediate;
 use crate::entry::{Fallback, Place};
 use crate::error::{ErrorCode, GlError, Result};
@@ -95,8 +95,8 @@ pub struct Context {
     said: said::Said,
     /// Between `glBegin` and `glEnd`.
     pub(crate) immediate: Option<Immediate>,
-    /// What ended with `glEnd` and is not drawn yet, as more like it may follow.
-    pub(crate) ended: Option<Immediate>,
+    /// What ended and is not drawn yet, as more like it may follow.
+    pub(crate) ended: Option<Ended>,
     pub(crate) recorder: Recorder,
     /// Display lists, and the one that is being compiled.
     pub(crate) lists: Lists,
@@ -284,7 +284,7 @@ impl Context {
             self.refuse(name, between_begin_and_end());
             return false;
         }
-        if self.ended.is_some() {
+        if self.ended.as_ref().is_some_and(|ended| !ended.outlasts(name)) {
             draw_ended(self);
         }
         true

@@ -1,4 +1,4 @@
-//! `glEnd` without a draw of its own: vertices that ended wait for more of their kind.
+//! `glEnd` without a draw of its own: vertices that ended wait for more of their kind, and so do bitmaps.
 //!
 //! A program that draws face by face calls `glBegin` and `glEnd` by the thousand, and a draw costs what
 //! hundreds of vertices do. The first of them is drawn. As long as nothing but vertices follows, what
@@ -8,9 +8,29 @@
 use super::immediate::{Column, Immediate};
 use crate::context::Context;
 use crate::framebuffer::complete::{checked_drawable, draws_integers};
+use crate::pixels::bitmap::{self, Bitmaps};
 use crate::state::LOCATIONS;
 use crate::state::enable::Flag;
 use rasterizer::driver::Topology;
+
+/// What waits.
+#[derive(Debug)]
+pub(crate) enum Ended {
+    /// Primitives.
+    Vertices(Immediate),
+    /// Bitmaps.
+    Bitmaps(Box<Bitmaps>),
+}
+
+impl Ended {
+    /// Whether it may wait while a call is made that may not stand between `glBegin` and `glEnd`.
+    pub fn outlasts(&self, call: &str) -> bool {
+        match self {
+            Self::Vertices(_) => false,
+            Self::Bitmaps(_) => bitmap::outlast(call),
+        }
+    }
+}
 
 /// So many vertices do not wait any longer.
 const MOST: usize = 1 << 16;
@@ -47,7 +67,7 @@ pub(crate) fn draws_together(context: &Context) -> bool {
 
 /// Takes what ends to what waits already, if they can be drawn together.
 pub(super) fn joins(context: &mut Context, immediate: &mut Immediate) -> bool {
-    let Some(ended) = &mut context.ended else { return false };
+    let Some(Ended::Vertices(ended)) = &mut context.ended else { return false };
     let same = ended.topology == immediate.topology
         && is_whole(immediate)
         && ended.columns.len() == immediate.columns.len()
@@ -80,7 +100,7 @@ pub(super) fn keep_for_more(context: &mut Context, mut immediate: Immediate) {
     if constant && is_whole(&immediate) && context.is_alone() && draws_together(context) {
         immediate.positions.clear();
         immediate.columns.iter_mut().for_each(|column| column.values.clear());
-        context.ended = Some(immediate);
+        context.ended = Some(Ended::Vertices(immediate));
     }
 }
 
@@ -91,7 +111,11 @@ pub(crate) fn draw_ended(context: &mut Context) {
 }
 
 fn draw_waiting(context: &mut Context) {
-    let Some(mut ended) = context.ended.take() else { return };
+    let mut ended = match context.ended.take() {
+        Some(Ended::Vertices(ended)) => ended,
+        Some(Ended::Bitmaps(bitmaps)) => return bitmap::draw_waiting(context, &bitmaps),
+        None => return,
+    };
     if !ended.positions.is_empty() {
         // What the driver cannot do is said, as of every draw.
         if let Err(error) = ended.draw(context) {
@@ -100,7 +124,7 @@ fn draw_waiting(context: &mut Context) {
         ended.positions.clear();
         ended.columns.iter_mut().for_each(|column| column.values.clear());
     }
-    context.ended = Some(ended);
+    context.ended = Some(Ended::Vertices(ended));
 }
 
 #[cfg(test)]

@@ -6,7 +6,7 @@
 
 use super::arrays::generic;
 use super::calls::topology;
-use super::ended::{draw_ended, joins, keep_for_more};
+use super::ended::{Ended, draw_ended, joins, keep_for_more};
 use super::translate::{Elements, draw};
 use crate::assembly::running as assembly;
 use crate::context::Context;
@@ -259,7 +259,9 @@ pub(crate) fn current(state: &State, location: usize) -> [f32; 4] {
 /// Changes the current value of an attribute, or of a part of a material.
 pub(crate) fn set_current(context: &mut Context, location: usize, value: [f32; 4]) {
     context.changes += 1;
-    if context.ended.as_ref().is_some_and(|ended| ended.column_of(location).is_none()) {
+    if let Some(Ended::Vertices(ended)) = &context.ended
+        && ended.column_of(location).is_none()
+    {
         end_before_change(context, location, value);
     }
     match context.state.current.get_mut(location) {

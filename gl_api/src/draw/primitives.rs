@@ -7,7 +7,7 @@ use crate::interface::{ATTRIB_EDGE_FLAG, VARYING_TEX_COORD};
 use crate::state::enable::Flag;
 use rasterizer::driver::{
     LineState, LineStipple, PointSize, PointState, PolygonMode, PolygonOffset, PolygonState,
-    RasterState, Rim, Topology, VertexBinding, VertexSource,
+    RasterState, Rim, Stipple, Topology, VertexBinding, VertexSource,
 };
 
 /// What the primitives of a draw are drawn as.
@@ -87,6 +87,7 @@ pub(super) fn raster_state(
 fn polygon_state(context: &Context, vertices: &[VertexBinding]) -> PolygonState {
     let (enables, polygons) = (&context.state.enables, &context.state.raster.polygons);
     let offset = PolygonOffset { factor: polygons.offset_factor, units: polygons.offset_units };
+    let stipple = enables.has(Flag::PolygonStipple).then_some(Stipple::Pattern(polygons.stipple));
     let flags = [Flag::PolygonOffsetPoint, Flag::PolygonOffsetLine, Flag::PolygonOffsetFill];
     // Edge flags that are all set change nothing, nor do they where the inside is filled.
     let flagged = polygons.mode != [PolygonMode::Fill; 2]
@@ -98,7 +99,7 @@ fn polygon_state(context: &Context, vertices: &[VertexBinding]) -> PolygonState 
         mode: polygons.mode,
         offset: flags.map(|flag| enables.has(flag).then_some(offset)),
         rim: rim(context, Flag::PolygonSmooth),
-        stipple: enables.has(Flag::PolygonStipple).then_some(polygons.stipple),
+        stipple,
         edge_flag: flagged.then_some(ATTRIB_EDGE_FLAG),
     }
 }

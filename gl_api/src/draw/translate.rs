@@ -19,8 +19,8 @@ use crate::state::viewport::depth_clip;
 use crate::transform_feedback;
 use rasterizer::driver::{
     Buffer, ColorState, Command, Cull, DepthClip, DepthState, FrontFace, IndexType, Indices,
-    OutputState, PassDesc, Pipeline, PipelineDesc, Provoking, RasterState, Rect, Rim, SampleRule,
-    ShaderModule, Topology, VertexBinding, Viewport, same_textures,
+    OutputState, PassDesc, Pipeline, PipelineDesc, PolygonState, Provoking, RasterState, Rect, Rim,
+    SampleRule, ShaderModule, Topology, VertexBinding, Viewport, same_textures,
 };
 use std::ops::Range;
 use std::sync::Arc;
@@ -90,7 +90,7 @@ pub(crate) fn draw(
     record(context, Drawing { pass, desc, raster, viewport, reads }, vertices, elements)
 }
 
-/// Records the draw of a rectangle of pixels: four vertices in clip coordinates of the whole
+/// Records the draw of rectangles of pixels: four vertices of each in clip coordinates of the whole
 /// framebuffer.
 ///
 /// # Errors
@@ -111,7 +111,8 @@ pub(crate) fn draw_rectangle(
     let Stages { vertex, fragment, reads } = stages;
     let viewport = rectangle_viewport(&pass, rectangle.depth);
     let multisample = multisample_state(context, SampleRule::Center);
-    let raster = RasterState { multisample, ..RasterState::default() };
+    let polygon = PolygonState { stipple: rectangle.stipple(), ..PolygonState::default() };
+    let raster = RasterState { polygon, multisample, ..RasterState::default() };
     let desc = PipelineDesc {
         cull: Cull::None,
         front_face: FrontFace::Ccw,

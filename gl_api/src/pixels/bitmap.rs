@@ -1,18 +1,22 @@
 //! `glBitmap`: GL 2.1, section 3.7.
 
-use super::position;
-use super::rectangle::{self, Holds};
+use super::position::{self, RasterPosition};
+use super::rectangle;
 use crate::context::Context;
+use crate::draw::ended::{Ended, draw_ended, draws_together};
 use crate::entry::Data;
 use crate::error::{Result, not_negative};
 use crate::feedback::record::Kind;
 use crate::feedback::{self, Mode};
-use crate::framebuffer::complete::checked_drawable;
+use crate::framebuffer::clear::drawn_area;
+use crate::framebuffer::complete::{checked_drawable, draw_pass};
 use crate::texture::client::Pixel;
-use crate::texture::layout::{Extent, Layout};
+use crate::texture::layout::{Bits, Extent, Layout};
 use crate::texture::memory;
 use crate::types::*;
-use texunit::format::Format;
+use rasterizer::driver::{MaskBlock, PixelMask, Rect};
+use std::ops::Range;
+use std::sync::Arc;
 
 const SECTION: &str = "GL 2.1, section 3.7";
 
@@ -53,23 +57,153 @@ pub(crate) fn bitmap(
         return Ok(());
     }
     if let (Some(source), Some(bits)) = (source, layout.bits) {
-        let bytes = source.bytes();
-        // The rectangle begins at a whole pixel, and is not zoomed.
-        let before = context.state.raster_position.window;
-        let zoom = std::mem::replace(&mut context.state.pixel_zoom, [1.0; 2]);
+        // The bitmap begins at a whole pixel, and is not zoomed.
+        let position = &context.state.raster_position.window;
         let origin = [xorig, yorig].map(f64::from);
-        let start = &mut context.state.raster_position.window;
-        for axis in 0..2 {
-            start[axis] = snapped(before[axis] - origin[axis]).floor();
-        }
-        let drawn = rectangle::draw(context, [width, height], (Holds::Coverage, Format::R8), |y| {
-            let row = &bytes[layout.start + y * layout.stride..];
-            (0..width).map(|x| bits.at(row, x)).collect()
-        });
-        context.state.raster_position.window = before;
-        context.state.pixel_zoom = zoom;
-        drawn?;
+        let first = [0, 1].map(|axis| snapped(position[axis] - origin[axis]).floor() as i64);
+        draw(context, &Bitmap { layout: &layout, bits, bytes: source.bytes(), first })?;
     }
     position::advance(context, [xmove, ymove]);
     Ok(())
+}
+
+/// A bitmap and where it lies.
+struct Bitmap<'a> {
+    layout: &'a Layout,
+    bits: Bits,
+    bytes: &'a [u8],
+    /// Its first pixel in the window.
+    first: [i64; 2],
+}
+
+impl Bitmap<'_> {
+    /// Its pixels within an area of the window.
+    fn blocks(&self, area: Rect) -> Vec<MaskBlock> {
+        let [width, height, _] = self.layout.size;
+        let seen = |axis: usize, size: usize, start: i32, length: u32| {
+            let [first, start] = [self.first[axis], start.into()];
+            first.max(start)..(first + size as i64).min(start + i64::from(length))
+        };
+        let columns = seen(0, width, area.x, area.width);
+        let rows = seen(1, height, area.y, area.height);
+        let mut blocks = Vec::new();
+        if columns.is_empty() {
+            return blocks;
+        }
+        for rows in by_blocks(rows) {
+            for columns in by_blocks(columns.clone()) {
+                let at = [&columns, &rows].map(|range| (range.start / 8) as u32);
+                let pixels = self.pixels(columns, rows.clone());
+                if pixels != 0 {
+                    blocks.push(MaskBlock { at, pixels });
+                }
+            }
+        }
+        blocks
+    }
+
+    /// Those of some columns and rows of a block.
+    fn pixels(&self, columns: Range<i64>, rows: Range<i64>) -> u64 {
+        let mut pixels = 0;
+        for y in rows {
+            let row = (y - self.first[1]) as usize * self.layout.stride;
+            let row = &self.bytes[self.layout.start + row..];
+            let first = (columns.start - self.first[0]) as usize;
+            let bits = self.bits.up_to_eight(row, first, (columns.end - columns.start) as usize);
+            pixels |= MaskBlock::row(y as u32 % 8, bits << (columns.start % 8));
+        }
+        pixels
+    }
+}
+
+/// The parts of a range of columns or rows, which is not empty, that lie in one block each.
+fn by_blocks(range: Range<i64>) -> impl Iterator<Item = Range<i64>> {
+    let blocks = range.start / 8..(range.end + 7) / 8;
+    blocks.map(move |block| range.start.max(block * 8)..range.end.min(block * 8 + 8))
+}
+
+/// Bitmaps that wait for more: text is drawn letter by letter.
+#[derive(Debug)]
+pub(crate) struct Bitmaps {
+    /// The raster position of the first.
+    position: RasterPosition,
+    /// The pixels that fragments reach.
+    area: Rect,
+    pixels: Arc<PixelMask>,
+}
+
+impl Bitmaps {
+    /// Whether fragments of a raster position are those of the first, but for where they are.
+    fn are_like(&self, position: &RasterPosition) -> bool {
+        let bits = |position: &RasterPosition| {
+            let [color, secondary] = [position.color, position.secondary_color];
+            let coords = position.tex_coords.map(|coords| coords.map(f32::to_bits));
+            let depth = position.window[2].to_bits();
+            let colors = [color, secondary].map(|color| color.map(f32::to_bits));
+            (depth, colors, coords, position.distance.to_bits())
+        };
+        bits(&self.position) == bits(position)
+    }
+
+    /// Adds pixels, unless one is there: it is to be drawn again.
+    fn take(&mut self, blocks: &[MaskBlock]) -> bool {
+        let is_free = |block: &MaskBlock| self.pixels.block(block.at) & block.pixels == 0;
+        let all_free = blocks.iter().all(is_free);
+        if all_free {
+            let pixels = Arc::make_mut(&mut self.pixels);
+            blocks.iter().for_each(|block| pixels.add(*block));
+        }
+        all_free
+    }
+}
+
+/// Whether bitmaps that wait may do so while this call is made, of those that may not stand between
+/// `glBegin` and `glEnd`: it changes nothing that their fragments depend on, or sees to that itself.
+pub(crate) fn outlast(call: &str) -> bool {
+    const CALLS: [&str; 12] = [
+        "glBitmap",
+        "glListBase",
+        "glPixelStorei",
+        "glPixelStoref",
+        "glPushClientAttrib",
+        "glPopClientAttrib",
+        "glPushAttrib",
+        "glPopAttrib",
+        "glGetIntegerv",
+        "glGetFloatv",
+        "glGetDoublev",
+        "glGetBooleanv",
+    ];
+    CALLS.contains(&call) || call.starts_with("glRasterPos") || call.starts_with("glWindowPos")
+}
+
+/// Draws a bitmap, or has it wait with others.
+fn draw(context: &mut Context, bitmap: &Bitmap<'_>) -> Result<()> {
+    if let Some(Ended::Bitmaps(waiting)) = &mut context.ended
+        && waiting.are_like(&context.state.raster_position)
+        && waiting.take(&bitmap.blocks(waiting.area))
+    {
+        return Ok(());
+    }
+    draw_ended(context);
+    let pass = draw_pass(context)?;
+    let mut bitmaps = Bitmaps {
+        position: context.state.raster_position.clone(),
+        area: drawn_area(context, &pass),
+        pixels: Arc::new(PixelMask::new(pass.width, pass.height)),
+    };
+    bitmaps.take(&bitmap.blocks(bitmaps.area));
+    if context.is_alone() && draws_together(context) {
+        context.ended = Some(Ended::Bitmaps(Box::new(bitmaps)));
+        return Ok(());
+    }
+    rectangle::draw_mask(context, &bitmaps.position, &bitmaps.pixels)
+}
+
+/// Draws the bitmaps that have waited.
+pub(crate) fn draw_waiting(context: &mut Context, bitmaps: &Bitmaps) {
+    // What the driver cannot do is said, as of every draw.
+    if let Err(error) = rectangle::draw_mask(context, &bitmaps.position, &bitmaps.pixels) {
+        context.refuse("glBitmap", error);
+    }
 }

@@ -1,9 +1,10 @@
-//! A rectangle of fragments whose colours, depths or coverage come from an image of the window's
-//! size, and everything else from the current raster position.
+//! A rectangle of fragments whose colours or depths come from an image of the window's size, and
+//! everything else from the current raster position; and the pixels of bitmaps, all of which does.
 //!
 //! The fragment stage is that of any other draw (GL 2.1, section 3.6.4: fragments are textured,
 //! fogged and tested), with the primary colour read from the image instead of a varying.
 
+use super::position::RasterPosition;
 use super::zoom::Zoomed;
 use crate::context::Context;
 use crate::draw::stages::Stages;
@@ -14,7 +15,8 @@ use crate::framebuffer::clear::drawn_area;
 use crate::framebuffer::complete::draw_pass;
 use crate::interface::*;
 use rasterizer::driver::{
-    Buffer, ShaderModule, VertexBinding, VertexFormat, VertexSource, VertexType,
+    Buffer, PixelMask, Rect, ShaderModule, Stipple, VertexBinding, VertexFormat, VertexSource,
+    VertexType,
 };
 use rasterizer::ir::{
     Builder, Expr, Input, IrError, Lod, Module, Op, Output, Stage, Stmt, TextureDecl, Ty, Value,
@@ -35,8 +37,6 @@ pub(crate) enum Holds {
     Color,
     /// The depth, as red.
     Depth,
-    /// Where there are fragments at all: red is not 0.
-    Coverage,
 }
 
 /// A fragment stage with an image in the place of its colour.
@@ -48,14 +48,23 @@ pub(crate) struct Key {
     word: u32,
 }
 
-/// What a rectangle brings to a draw.
+/// What rectangles bring to a draw.
 pub(crate) struct Rectangle {
-    holds: Holds,
-    plan: Arc<SamplePlan>,
-    /// The first pixel.
-    origin: [i32; 2],
-    /// Depth of the fragments, where the image has none.
+    content: Content,
+    /// Depth of the fragments, where an image has none.
     pub depth: f32,
+}
+
+/// What is in them.
+enum Content {
+    Image {
+        holds: Holds,
+        plan: Arc<SamplePlan>,
+        /// The first pixel.
+        origin: [i32; 2],
+    },
+    /// These pixels.
+    Mask(Arc<PixelMask>),
 }
 
 /// Draws a rectangle of texels of a format at the raster position; `row` gives those of a row.
@@ -81,16 +90,37 @@ pub(super) fn draw<'a>(
     })?;
     context.recorder.hold(zoomed.columns.len() * zoomed.rows.len() * format.bytes());
     let position = &context.state.raster_position;
+    let [x, y] = zoomed.origin;
     let rectangle = Rectangle {
-        holds,
-        plan: Arc::new(plan),
-        origin: zoomed.origin,
+        content: Content::Image { holds, plan: Arc::new(plan), origin: [x, y] },
         depth: position.window[2] as f32,
     };
-    let end = [zoomed.columns.len(), zoomed.rows.len()];
-    let end = [0, 1].map(|axis| zoomed.origin[axis] + end[axis] as i32);
-    let vertices = vertices(context, [zoomed.origin, end], [pass.width, pass.height]);
+    let (width, height) = (zoomed.columns.len() as u32, zoomed.rows.len() as u32);
+    let area = std::iter::once(Rect { x, y, width, height });
+    let vertices = vertices(position, area, [pass.width, pass.height]);
     let elements = Elements::Range { first: 0, count: 4, instances: 0..1 };
+    draw_rectangle(context, vertices, &elements, &rectangle)
+}
+
+/// Draws pixels of the framebuffer with what belongs to a raster position.
+///
+/// # Errors
+/// As a draw.
+pub(super) fn draw_mask(
+    context: &mut Context,
+    position: &RasterPosition,
+    mask: &Arc<PixelMask>,
+) -> Result<()> {
+    let pass = draw_pass(context)?;
+    let count = 4 * mask.areas().count() as u32;
+    if count == 0 {
+        return Ok(());
+    }
+    context.recorder.hold(mask.bytes());
+    let vertices = vertices(position, mask.areas(), [pass.width, pass.height]);
+    let elements = Elements::Range { first: 0, count, instances: 0..1 };
+    let content = Content::Mask(Arc::clone(mask));
+    let rectangle = Rectangle { content, depth: position.window[2] as f32 };
     draw_rectangle(context, vertices, &elements, &rectangle)
 }
 
@@ -124,13 +154,23 @@ fn image<'a>(
     Ok(SamplePlan::new(&texels, &sampler))
 }
 
-/// The corners in clip coordinates, and what belongs to the raster position as constants.
-fn vertices(context: &Context, corners: [[i32; 2]; 2], size: [u32; 2]) -> Vec<VertexBinding> {
-    let [low, high] = corners.map(|corner| {
-        [0, 1].map(|axis| (f64::from(corner[axis]) * 2.0 / f64::from(size[axis]) - 1.0) as f32)
-    });
-    let corners = [[low[0], low[1]], [high[0], low[1]], [high[0], high[1]], [low[0], high[1]]];
-    let bytes = corners.iter().flatten().flat_map(|c| c.to_le_bytes()).collect();
+/// The corners of rectangles within so many pixels, in clip coordinates, and what belongs to a raster position as
+/// constants.
+fn vertices(
+    raster: &RasterPosition,
+    areas: impl Iterator<Item = Rect>,
+    size: [u32; 2],
+) -> Vec<VertexBinding> {
+    let corners = |area: Rect| {
+        let ends = [(area.x, area.width), (area.y, area.height)];
+        let [x, y] = [0, 1].map(|axis| {
+            let (start, length) = ends[axis];
+            let end = (f64::from(start) + f64::from(length)).min(size[axis].into());
+            [f64::from(start), end].map(|at| (at * 2.0 / f64::from(size[axis]) - 1.0) as f32)
+        });
+        [x[0], y[0], x[1], y[0], x[1], y[1], x[0], y[1]]
+    };
+    let bytes = areas.flat_map(corners).flat_map(f32::to_le_bytes).collect();
     let position = VertexSource::Array {
         buffer: Buffer::new(bytes),
         first: 0,
@@ -141,7 +181,6 @@ fn vertices(context: &Context, corners: [[i32; 2]; 2], size: [u32; 2]) -> Vec<Ve
         format: VertexFormat::Plain,
         divisor: 0,
     };
-    let raster = &context.state.raster_position;
     let constant =
         |location, value| VertexBinding { location, source: VertexSource::Constant(value) };
     let mut bindings = vec![
@@ -202,11 +241,6 @@ fn fragment_module(key: &Key) -> Module {
                 after.push(Stmt::Store { var, value: texel[0] });
             }
         }
-        Holds::Coverage => {
-            let none = b.op(Op::Equal, &[texel[0], zero]);
-            let (accept, reject) = (vec![Stmt::Discard], Vec::new());
-            b.push(Stmt::If { condition: none, accept, reject });
-        }
     }
     let mut module = b.finish();
     if key.holds == Holds::Color {
@@ -246,19 +280,28 @@ impl Rectangle {
         context: &mut Context,
         stages: &mut Stages,
     ) -> std::result::Result<(), IrError> {
-        let word = stages.reads.words.len() as u32;
-        stages.reads.words.extend(self.origin.map(|corner| (corner as f32).to_bits()));
-        let key = Key { module: stages.fragment.clone(), holds: self.holds, word };
         let modules = &mut context.recorder.rectangles;
-        stages.fragment = cached(&mut modules.fragment, &key, fragment_module)?;
         stages.vertex = match &modules.vertex {
             Some(module) => module.clone(),
             None => modules.vertex.insert(ShaderModule::new(vertex_module())?).clone(),
         };
         stages.reads.vertex_textures = Arc::from([]);
+        let Content::Image { holds, plan, origin } = &self.content else { return Ok(()) };
+        let word = stages.reads.words.len() as u32;
+        stages.reads.words.extend(origin.map(|corner| (corner as f32).to_bits()));
+        let key = Key { module: stages.fragment.clone(), holds: *holds, word };
+        stages.fragment = cached(&mut modules.fragment, &key, fragment_module)?;
         let textures = stages.reads.fragment_textures.iter().cloned();
-        stages.reads.fragment_textures = textures.chain([Some(Arc::clone(&self.plan))]).collect();
+        stages.reads.fragment_textures = textures.chain([Some(Arc::clone(plan))]).collect();
         Ok(())
+    }
+
+    /// Which pixels of it there are, if not all.
+    pub fn stipple(&self) -> Option<Stipple> {
+        match &self.content {
+            Content::Image { .. } => None,
+            Content::Mask(mask) => Some(Stipple::Mask(Arc::clone(mask))),
+        }
     }
 }
 

@@ -7,6 +7,7 @@ use super::versioned::Versioned;
 use super::{State, clamp, clip, fog, fragment, light, material, raster, viewport};
 use crate::constants::*;
 use crate::context::{Context, limits};
+use crate::draw::ended::draw_ended;
 use crate::env::Units;
 use crate::error::{ErrorCode, GlError, Result};
 use crate::evaluate::EvaluatorState;
@@ -262,6 +263,10 @@ pub(crate) fn pop_attrib(context: &mut Context) -> Result<()> {
             "the stack is empty: glPushAttrib is missing".into(),
         );
     };
+    // Bitmaps that wait depend on all else.
+    if saved.mask & !(GL_LIST_BIT | GL_CURRENT_BIT) != 0 {
+        draw_ended(context);
+    }
     for &(bit, flags) in FLAGS {
         if saved.mask & (bit | GL_ENABLE_BIT) != 0 {
             for &flag in flags {

@@ -86,6 +86,18 @@ impl Bits {
         row[byte] >> shift & 1
     }
 
+    /// The bits of up to eight columns from this one on, the first lowest.
+    pub fn up_to_eight(self, row: &[u8], column: usize, count: usize) -> u8 {
+        let first = self.first + column;
+        let byte = |at: usize| row.get(at).copied().unwrap_or(0);
+        let (bytes, skipped) = ([byte(first / 8), byte(first / 8 + 1)], first % 8);
+        let bits = match self.order {
+            BitOrder::HighestFirst => (u16::from_be_bytes(bytes) << skipped).reverse_bits(),
+            BitOrder::LowestFirst => u16::from_le_bytes(bytes) >> skipped,
+        };
+        bits as u8 & (0xFF >> (8 - count))
+    }
+
     /// Sets the bit of a column to the lowest of `value`.
     pub fn put(self, row: &mut [u8], column: usize, value: u8) {
         let (byte, shift) = self.place(column);

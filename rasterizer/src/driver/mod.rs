@@ -9,6 +9,7 @@ mod command;
 mod counter;
 mod device;
 mod image;
+mod mask;
 mod output;
 mod pass;
 mod pipeline;
@@ -30,6 +31,7 @@ pub use command::{
 pub use counter::Counter;
 pub use device::{Device, DeviceDesc, DeviceError, Explain, SubmitError, SubmitReport};
 pub use image::{Attachment, Image, LevelInfo, PassDesc, Rows};
+pub use mask::{MaskBlock, PixelMask};
 pub use output::{LogicOp, OutputState, SrgbWrite, StencilFace, StencilOp, StencilState};
 pub(crate) use pipeline::Compiled;
 pub use pipeline::{
@@ -39,7 +41,7 @@ pub use pipeline::{
 pub use raster::{
     AlphaToCoverage, AlphaToOne, LineState, LineStipple, MAX_LINE_WIDTH, MAX_POINT_SIZE,
     MultisampleState, PointSize, PointState, PolygonMode, PolygonOffset, PolygonState, RasterState,
-    Rim, SampleCoverage, SampleRule, SpriteOrigin,
+    Rim, SampleCoverage, SampleRule, SpriteOrigin, Stipple,
 };
 pub use sight::Sight;
 pub use watch::Watch;

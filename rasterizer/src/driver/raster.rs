@@ -1,6 +1,7 @@
 //! How primitives become fragments: state that changes from draw to draw without compiling
 //! anything (GL 2.1, sections 3.3 to 3.5).
 
+use super::mask::PixelMask;
 use std::sync::Arc;
 
 /// The largest size of a point in pixels; larger ones are drawn with it.
@@ -39,6 +40,16 @@ pub struct PolygonOffset {
     pub units: f32,
 }
 
+/// Which pixels are left of filled polygons.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Stipple {
+    /// Of every 32×32, row by row from the lowest, the leftmost pixel in the highest bit (GL 2.1, section
+    /// 3.5.2).
+    Pattern([u32; 32]),
+    /// Those of a set.
+    Mask(Arc<PixelMask>),
+}
+
 /// Polygons, however they are drawn.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct PolygonState {
@@ -48,9 +59,8 @@ pub struct PolygonState {
     pub offset: [Option<PolygonOffset>; 3],
     /// The rim of filled ones.
     pub rim: Rim,
-    /// Which pixels of every 32×32 are left of filled ones: row by row from the lowest, the leftmost
-    /// pixel in the highest bit (GL 2.1, section 3.5.2).
-    pub stipple: Option<[u32; 32]>,
+    /// Which pixels are left of filled ones; `None` leaves all.
+    pub stipple: Option<Stipple>,
     /// The location of an attribute of one component: not zero where a boundary edge begins (GL 2.1,
     /// section 2.6.2). `None` makes all edges boundaries.
     pub edge_flag: Option<u8>,

@@ -8,7 +8,7 @@ use super::common::{fragment, pipeline, vertex};
 use super::{Random, colored, devices, picture_with, varyings};
 use rasterizer::driver::{
     Blend, BlendEquation, BlendFactor, Device, LineStipple, PipelineDesc, PointSize, PolygonMode,
-    PolygonOffset, RasterState, Rim, ShaderModule, SpriteOrigin, Topology,
+    PolygonOffset, RasterState, Rim, ShaderModule, SpriteOrigin, Stipple, Topology,
 };
 use rasterizer::ir::{Builder, Input, Op, Output, Stage};
 use std::collections::BTreeSet;
@@ -220,7 +220,7 @@ fn polygons_are_drawn_as_their_mode_says() {
 fn a_polygon_stipple_takes_pixels_out() {
     let mut raster = RasterState::default();
     let rows: [u32; 32] = std::array::from_fn(|y| 0x8F31_0245_u32.rotate_left(y as u32 * 5));
-    raster.polygon.stipple = Some(rows);
+    raster.polygon.stipple = Some(Stipple::Pattern(rows));
     let all = [[0.0, 0.0], [32.0, 0.0], [32.0, 32.0], [0.0, 32.0]];
     let on = |x: u32, y: u32| rows[y as usize] >> (31 - x) & 1 == 1;
     let want = set((0..32).flat_map(|y| (0..32).map(move |x| (x, y))).filter(|&(x, y)| on(x, y)));

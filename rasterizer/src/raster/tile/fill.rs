@@ -105,8 +105,11 @@ impl Worker {
                 }
                 let mut inside = coverage::inside_area(&area, at);
                 if let Some(stipple) = stipple {
-                    let [column, row] = [first[0] / 8 + bx, first[1] / 8 + by];
-                    inside &= stipple[(row % 4 * 4 + column % 4) as usize];
+                    inside &=
+                        stipple.block([first[0] / 8 + bx, first[1] / 8 + by].map(|at| at as u32));
+                    if inside == 0 {
+                        continue;
+                    }
                 }
                 self.covered(pass.isa, plan, shape, at, inside, &mut masks);
                 if masks.any() != 0 {
