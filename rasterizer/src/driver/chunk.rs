@@ -44,8 +44,8 @@ pub struct DrawState<'a> {
     pub setup: Setup<'a>,
     /// How far the line stipple has come, in subpixels.
     pub stipple: u32,
-    /// Which instance.
-    pub instance: u32,
+    /// Which instances: several only of [`Self::at_once`].
+    pub instances: Range<u32>,
     /// So many of its primitives are asked why nothing of them is seen, if that is so.
     pub asked: u32,
     /// What they say.
@@ -68,6 +68,25 @@ struct Vertices {
 }
 
 impl DrawState<'_> {
+    /// As many instances may be taken at once as make a chunk. Each strip of lines begins its stipple anew.
+    pub fn at_once(&self) -> u32 {
+        if self.is_strip() { 1 } else { (CHUNK / self.primitives.len.max(1)).max(1) }
+    }
+
+    fn is_strip(&self) -> bool {
+        match self.pipeline.desc().topology {
+            Topology::LineStrip | Topology::LineLoop => true,
+            Topology::Points
+            | Topology::Lines
+            | Topology::Triangles
+            | Topology::TriangleStrip
+            | Topology::TriangleFan
+            | Topology::Quads
+            | Topology::QuadStrip
+            | Topology::Polygon => false,
+        }
+    }
+
     /// Shades, sets up and sorts the primitives of `range`, at most [`RUN`].
     ///
     /// # Errors
@@ -91,17 +110,7 @@ impl DrawState<'_> {
             };
             Ok((vertices.geometry.clone(), self.shapes(vertices, part)))
         };
-        let is_strip = match self.pipeline.desc().topology {
-            Topology::LineStrip | Topology::LineLoop => true,
-            Topology::Points
-            | Topology::Lines
-            | Topology::Triangles
-            | Topology::TriangleStrip
-            | Topology::TriangleFan
-            | Topology::Quads
-            | Topology::QuadStrip
-            | Topology::Polygon => false,
-        };
+        let is_strip = self.is_strip();
         let draw = self.draw;
         let chunk = |(geometry, mut lists): (Arc<Geometry>, ShapeLists)| {
             let runs = sort_by_tile(&mut lists);
@@ -150,11 +159,14 @@ impl DrawState<'_> {
             point_size: self.setup.raster.point.source,
             edge_flag: self.setup.raster.polygon.edge_flag,
         };
-        let mut geometry = shade(&stage, &wanted.ids, self.instance)?;
+        let mut geometry = shade(&stage, &wanted.ids, self.instances.clone())?;
         for (part, varying) in [0, 16].into_iter().zip(numbered) {
             let Some(varying) = varying else { continue };
-            for at in range.clone() {
-                let vertex = wanted.local(provoking(self.primitives.get(at)));
+            for (at, instance) in
+                range.clone().flat_map(|at| (0..self.instances.len()).map(move |i| (at, i)))
+            {
+                let first = (instance * wanted.ids.len()) as u32;
+                let vertex = first + wanted.local(provoking(self.primitives.get(at)));
                 let bits = self.primitives.number(at) >> part & 0xFFFF;
                 geometry.set_varying(vertex, varying, bits as f32);
             }
@@ -175,8 +187,13 @@ impl DrawState<'_> {
         let Vertices { geometry, wanted } = vertices;
         let mut lists = self.lists.take();
         lists.shapes.clear();
-        lists.shapes.reserve(range.len());
-        setup(&self.setup, geometry, (&self.primitives, range.clone()), wanted, &mut lists.shapes);
+        lists.shapes.reserve(range.len() * self.instances.len());
+        let mut set_up = |wanted: &Wanted| {
+            let range = (&self.primitives, range.clone());
+            setup(&self.setup, geometry, range, wanted, &mut lists.shapes);
+        };
+        set_up(wanted);
+        (1..self.instances.len() as u32).for_each(|at| set_up(&wanted.of_instance(at)));
         if lists.shapes.is_empty() && range.start == 0 && self.asked > 0 {
             let first = (&self.primitives, 0..range.end.min(self.asked));
             self.unseen.get_or_init(|| reasons(&self.setup, geometry, first, wanted));

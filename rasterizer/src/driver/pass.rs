@@ -233,7 +233,7 @@ impl<'a> Pass<'a> {
             bindings: &vertices,
             textures: &textures,
             stipple: 0,
-            instance: 0,
+            instances: 0..0,
             asked: report.sight.asks(),
             unseen: OnceLock::new(),
             prepared: vertex,
@@ -251,8 +251,10 @@ impl<'a> Pass<'a> {
             },
         };
         let mut is_seen = false;
-        for instance in instances.clone() {
-            (state.instance, state.stipple) = (instance, 0);
+        let at_once = state.at_once();
+        for first in instances.clone().step_by(at_once as usize) {
+            state.instances = first..instances.end.min(first.saturating_add(at_once));
+            state.stipple = 0;
             let mut start = 0;
             while start < primitives.len {
                 let range = start..primitives.len.min(start + RUN);

@@ -52,6 +52,7 @@ fn read<const N: usize>(
 }
 
 /// The ordinals that a range of primitives uses: a run, and vertex 0 for a fan or a closing line.
+#[derive(Clone)]
 pub struct Ordinals {
     run: Range<u32>,
     zero: bool,
@@ -100,6 +101,8 @@ pub struct Wanted {
     pub ids: Vec<u32>,
     /// By ordinal, its place in `ids`; none where they are in the order of the ordinals.
     places: Option<Vec<u32>>,
+    /// Where the shaded ones of the instance begin.
+    base: u32,
 }
 
 impl Wanted {
@@ -111,16 +114,27 @@ impl Wanted {
             let high = wanted.iter().copied().max().unwrap_or(0);
             if (high - low) as usize <= wanted.len() {
                 wanted.iter_mut().for_each(|id| *id -= low);
-                return Self { ordinals, ids: (low..=high).collect(), places: Some(wanted) };
+                let ids = (low..=high).collect();
+                return Self { ordinals, ids, places: Some(wanted), base: 0 };
             }
         }
-        Self { ordinals, ids: wanted, places: None }
+        Self { ordinals, ids: wanted, places: None, base: 0 }
     }
 
     /// The vertices of ordinals of a draw, one for each ordinal, whatever the indices share.
     pub fn apart(ordinals: Ordinals, ids: &Ids<'_>) -> Self {
         let ids = ids.of(&ordinals);
-        Self { ordinals, ids, places: None }
+        Self { ordinals, ids, places: None, base: 0 }
+    }
+
+    /// The same of an instance, of several whose vertices lie one behind the other.
+    pub fn of_instance(&self, number: u32) -> Self {
+        Self {
+            ordinals: self.ordinals.clone(),
+            ids: Vec::new(),
+            places: self.places.clone(),
+            base: number * self.ids.len() as u32,
+        }
     }
 
     /// Where among the shaded ones the vertices of `len` times three ordinals from `first` on are, of which
@@ -134,11 +148,11 @@ impl Wanted {
             Some(places) => {
                 let (triples, _) = places[at..].as_chunks::<3>();
                 for (((a, b), c), &triple) in lanes.zip(triples) {
-                    [*a, *b, *c] = triple;
+                    [*a, *b, *c] = triple.map(|at| at + self.base);
                 }
             }
             None => {
-                for (((a, b), c), at) in lanes.zip((at as u32..).step_by(3)) {
+                for (((a, b), c), at) in lanes.zip((at as u32 + self.base..).step_by(3)) {
                     [*a, *b, *c] = [at, at + 1, at + 2];
                 }
             }
@@ -149,6 +163,6 @@ impl Wanted {
     #[inline]
     pub fn local(&self, ordinal: u32) -> u32 {
         let at = self.ordinals.position(ordinal);
-        self.places.as_ref().map_or(at as u32, |places| places[at])
+        self.places.as_ref().map_or(at as u32, |places| places[at]) + self.base
     }
 }

@@ -8,6 +8,7 @@ use crate::pool::Pool;
 use crate::primitive::{Corner, MAX_DISTANCES};
 use crate::shader::{Machine, OverBudget, Prepared, Program, Run};
 use std::num::NonZeroU32;
+use std::ops::Range;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use texunit::lanes::{F32s, Isa, LANES, U32s};
@@ -119,11 +120,51 @@ pub struct VertexStage<'a> {
 /// Batches that are not worth another thread.
 const PIECE: usize = 4;
 
-/// Shades the vertices `ids`, in parallel where there are many.
+/// Shades the vertices `ids` of instances, one behind the other, in parallel where there are many.
 ///
 /// # Errors
 /// When a batch runs over its budget.
-pub fn shade(stage: &VertexStage<'_>, ids: &[u32], instance: u32) -> Result<Geometry, OverBudget> {
+pub fn shade(
+    stage: &VertexStage<'_>,
+    ids: &[u32],
+    instances: Range<u32>,
+) -> Result<Geometry, OverBudget> {
+    if instances.len() == 1 {
+        return shade_all(stage, ids, Instances::One(instances.start));
+    }
+    let numbers: Vec<u32> =
+        instances.clone().flat_map(|instance| ids.iter().map(move |_| instance)).collect();
+    shade_all(stage, &ids.repeat(instances.len()), Instances::Each(&numbers))
+}
+
+/// Which instances some vertices are of.
+#[derive(Clone, Copy)]
+enum Instances<'a> {
+    /// All of this one.
+    One(u32),
+    /// Each of its own.
+    Each(&'a [u32]),
+}
+
+impl Instances<'_> {
+    /// What `of` makes of the number of the only one, or of each vertex's.
+    fn numbers<'a>(&self, out: &'a mut [u32; LANES], of: impl Fn(u32) -> u32) -> &'a [u32] {
+        let numbers = match self {
+            Self::One(instance) => std::slice::from_ref(instance),
+            Self::Each(numbers) => numbers,
+        };
+        for (out, &number) in out.iter_mut().zip(numbers) {
+            *out = of(number);
+        }
+        &out[..numbers.len()]
+    }
+}
+
+fn shade_all(
+    stage: &VertexStage<'_>,
+    ids: &[u32],
+    instances: Instances<'_>,
+) -> Result<Geometry, OverBudget> {
     let stride = stage.stride();
     let distance = |output: &Output| matches!(output, Output::ClipDistance(_));
     let planes = stage.program.outputs().filter(distance).count();
@@ -151,9 +192,13 @@ pub fn shade(stage: &VertexStage<'_>, ids: &[u32], instance: u32) -> Result<Geom
     let mut outcodes = Pieces { rest: &mut geometry.outcodes, each: 1 };
     let mut point_sizes = Pieces { rest: &mut geometry.point_sizes, each: sizes };
     let mut distances = Pieces { rest: &mut geometry.distances, each: planes };
-    let mut batches = ids.chunks(LANES).map(|ids| Batch {
+    let of_batch = |batch: usize, len: usize| match instances {
+        Instances::One(_) => instances,
+        Instances::Each(numbers) => Instances::Each(&numbers[batch * LANES..][..len]),
+    };
+    let mut batches = ids.chunks(LANES).enumerate().map(|(batch, ids)| Batch {
         ids,
-        instance,
+        instances: of_batch(batch, ids.len()),
         values: values.next(ids.len()),
         snapped: snapped.next(ids.len()),
         outcodes: outcodes.next(ids.len()),
@@ -225,7 +270,7 @@ enum Target {
 /// A batch of vertices: what goes in, and where the results go.
 struct Batch<'a> {
     ids: &'a [u32],
-    instance: u32,
+    instances: Instances<'a>,
     values: &'a mut [f32],
     snapped: &'a mut [[i32; 2]],
     outcodes: &'a mut [u32],
@@ -297,7 +342,7 @@ impl VertexStage<'_> {
         targets: &[Target],
         batch: &mut Batch<'_>,
     ) -> Result<(), OverBudget> {
-        let Batch { ids, instance, values, snapped, outcodes, point_sizes, distances } = batch;
+        let Batch { ids, instances, values, snapped, outcodes, point_sizes, distances } = batch;
         let elements = Elements::new(ids);
         for (index, source) in sources.iter().enumerate() {
             let lanes = machine.input_mut(index);
@@ -306,14 +351,20 @@ impl VertexStage<'_> {
                     fetch::component(self.isa, source, *component, elements, lanes.as_f32_mut());
                 }
                 Source::Instanced(source, component, divisor) => {
-                    let element = [*instance / *divisor];
-                    let element = Elements::new(&element);
-                    fetch::component(self.isa, source, *component, element, lanes.as_f32_mut());
-                    *lanes = U32s::splat(lanes[0]);
+                    let mut of = [0; LANES];
+                    let of = instances.numbers(&mut of, |instance| instance / *divisor);
+                    let elements = Elements::new(of);
+                    fetch::component(self.isa, source, *component, elements, lanes.as_f32_mut());
+                    if let Instances::One(_) = instances {
+                        *lanes = U32s::splat(lanes[0]);
+                    }
                 }
                 Source::Missing(value) => lanes.0 = [value.to_bits(); LANES],
                 Source::VertexId => lanes.0[..ids.len()].copy_from_slice(ids),
-                Source::InstanceId => lanes.0 = [*instance; LANES],
+                Source::InstanceId => match instances {
+                    Instances::One(instance) => *lanes = U32s::splat(*instance),
+                    Instances::Each(numbers) => lanes.0[..ids.len()].copy_from_slice(numbers),
+                },
             }
         }
         machine.run(Run {

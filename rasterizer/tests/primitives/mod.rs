@@ -1,5 +1,6 @@
 //! Points, lines, polygon modes and user clip planes: which pixels are drawn, against formulas.
 
+mod instances;
 mod packing;
 mod products;
 mod targets;
