@@ -12,7 +12,7 @@ use stipple::StippleLanes;
 
 use crate::driver::{
     DepthState, DepthWrite, Pipeline, PolygonMode, PolygonOffset, RasterState, Rim, VertexBinding,
-    VertexSource, Viewport,
+    VertexSource, Viewport, same_textures,
 };
 use crate::ir::{Input, Output};
 use crate::output::{ColorPlan, DepthFormat, DepthPlan, StencilPlan, Tests};
@@ -92,6 +92,9 @@ pub struct DrawPlan {
     pub raster: Arc<RasterState>,
     /// Which lanes the polygon stipple leaves.
     pub stipple: Option<StippleLanes>,
+    /// What vertices have for themselves.
+    arrays: Sources,
+    counting: Counting,
 }
 
 /// What a fragment program that is a product ([`crate::shader::Product`]) comes to in a draw.
@@ -349,9 +352,28 @@ impl DrawPlan {
             offset: input.raster.polygon.offset[PolygonMode::Fill as usize]
                 .filter(|_| depth_plane.is_some()),
             stipple: input.raster.polygon.stipple.as_ref().map(StippleLanes::new),
+            arrays: arrays(input.vertices),
+            counting: input.counting,
             raster: input.raster,
             pipeline: pipeline.clone(),
         }
+    }
+
+    /// Whether it is what would be decided of a draw in the same pass, of which `prepared` are the values, if the
+    /// fragment program has any.
+    pub fn is_of(
+        &self,
+        pipeline: &Pipeline,
+        input: &PlanInput<'_>,
+        prepared: Option<&Prepared>,
+    ) -> bool {
+        self.pipeline.is_same(pipeline)
+            && same_textures(&self.textures, &input.textures)
+            && prepared.is_none_or(|prepared| prepared.has_values_of(&self.prepared))
+            && self.viewport == input.viewport
+            && self.counting == input.counting
+            && self.arrays == arrays(input.vertices)
+            && (Arc::ptr_eq(&self.raster, &input.raster) || self.raster == input.raster)
     }
 
     /// Whether nothing but its outline says what a triangle covers, of one sample.

@@ -30,8 +30,8 @@ pub struct Bound {
 /// What draws with the same state share.
 pub struct Decided {
     pub plan: Arc<DrawPlan>,
-    /// The vertex program's values, while uniforms are those that they were made of.
-    pub vertex: Option<Arc<Prepared>>,
+    /// The vertex program's values.
+    pub vertex: Arc<Prepared>,
 }
 
 impl Bound {
@@ -74,11 +74,7 @@ impl Bound {
                 self.vertex_textures = vertex.clone();
                 self.fragment_textures = fragment.clone();
             }
-            Command::SetUniforms(words) => {
-                self.uniforms = words.clone();
-                self.decided.iter_mut().for_each(|decided| decided.vertex = None);
-                return;
-            }
+            Command::SetUniforms(words) => self.uniforms = words.clone(),
             Command::SetRaster(raster) => self.raster = raster.clone(),
             Command::SetViewport(viewport) => self.viewport = *viewport,
             Command::SetCounter(counter) => self.counter = counter.clone(),

@@ -27,6 +27,9 @@ use texunit::format::Format;
 /// its own, and the next ones have their memory: it is near, and the system does not have to give any more.
 const BINS_FULL: usize = 1 << 16;
 
+/// So many plans are kept for draws that are as others were.
+const RECENT: usize = 8;
+
 /// A pass that is being recorded into bins.
 pub struct Pass<'a> {
     device: &'a Device,
@@ -40,6 +43,10 @@ pub struct Pass<'a> {
     commands: Vec<usize>,
     shapes: usize,
     bound: Bound,
+    /// The formats of the colour attachments.
+    formats: Vec<Option<Format>>,
+    /// The last plans that were made, the newest last: draws go to and fro between a few states.
+    recent: Vec<Arc<DrawPlan>>,
 }
 
 impl<'a> Pass<'a> {
@@ -47,14 +54,18 @@ impl<'a> Pass<'a> {
     pub fn begin(device: &'a Device, desc: &'a PassDesc) -> Self {
         let across = desc.width.div_ceil(TILE);
         let tiles = across as usize * desc.height.div_ceil(TILE) as usize;
+        let attached = desc.colors.iter().map(|color| {
+            let attachment = color.as_ref()?;
+            attachment.image.attach(attachment.face, attachment.level)
+        });
+        let colors: Vec<Option<Surface>> = attached.collect();
+        let format = |surface: &Option<Surface>| surface.as_ref().map(|s| s.format);
         Self {
             device,
             desc,
-            colors: desc
-                .colors
-                .iter()
-                .map(|color| color.as_ref().and_then(|a| a.image.attach(a.face, a.level)))
-                .collect(),
+            formats: colors.iter().map(format).collect(),
+            recent: Vec::new(),
+            colors,
             depth: desc.depth.as_ref().and_then(|a| a.image.attach(a.face, a.level)),
             across,
             bins: vec![Vec::new(); tiles],
@@ -203,8 +214,8 @@ impl<'a> Pass<'a> {
         }
         let inner = self.inner_area(area);
         let (plan, vertex) = match &self.bound.decided {
-            Some(Decided { plan, vertex: Some(vertex) }) => (plan.clone(), vertex.clone()),
-            Some(Decided { vertex: None, .. }) | None => self.decide(&pipeline),
+            Some(Decided { plan, vertex }) => (plan.clone(), vertex.clone()),
+            None => self.decide(&pipeline),
         };
         let raster = plan.raster.clone();
         let draw = self.job.draws.len();
@@ -279,37 +290,45 @@ impl<'a> Pass<'a> {
     /// Decides how to draw with what is bound.
     fn decide(&mut self, pipeline: &Pipeline) -> (Arc<DrawPlan>, Arc<Prepared>) {
         let (isa, bound) = (self.job.isa, &mut self.bound);
-        let (compiled, textures) = (pipeline.compiled(), &bound.fragment_textures);
-        // Where uniforms alone have changed, as matrices mostly do, fragments may have none of it.
-        let kept = bound.decided.take().map(|decided| decided.plan).filter(|plan| {
-            compiled.fragment.prepare(isa, &bound.uniforms, textures).has_values_of(&plan.prepared)
-        });
-        let plan = kept.unwrap_or_else(|| {
-            let surface = self.colors.iter().flatten().chain(&self.depth).next();
-            let samples = surface.map_or(1, |surface| surface.samples);
-            let format = |surface: &Option<Surface>| surface.as_ref().map(|s| s.format);
-            let formats: Vec<Option<Format>> = self.colors.iter().map(format).collect();
-            let input = PlanInput {
-                isa,
-                colors: &formats,
-                depth: format(&self.depth),
-                samples,
-                uniforms: &bound.uniforms,
-                textures: bound.fragment_textures.clone(),
-                viewport: bound.viewport,
-                raster: bound.raster.clone().for_samples(samples),
-                counting: match bound.counter {
-                    Some(_) => Counting::On,
-                    None => Counting::Off,
-                },
-                vertices: &bound.vertices,
-            };
-            Arc::new(DrawPlan::new(pipeline, input))
-        });
+        let compiled = pipeline.compiled();
+        let surface = self.colors.iter().flatten().chain(&self.depth).next();
+        let samples = surface.map_or(1, |surface| surface.samples);
+        let input = PlanInput {
+            isa,
+            colors: &self.formats,
+            depth: self.depth.as_ref().map(|surface| surface.format),
+            samples,
+            uniforms: &bound.uniforms,
+            textures: bound.fragment_textures.clone(),
+            viewport: bound.viewport,
+            raster: bound.raster.clone().for_samples(samples),
+            counting: match bound.counter {
+                Some(_) => Counting::On,
+                None => Counting::Off,
+            },
+            vertices: &bound.vertices,
+        };
+        // Uniforms, such as matrices, are mostly not the fragments'.
+        let fragment = &compiled.fragment;
+        let prepared = fragment
+            .depends_on_uniforms()
+            .then(|| fragment.prepare(isa, &bound.uniforms, &bound.fragment_textures));
+        let mut recent = self.recent.iter().rev();
+        let plan = match recent.find(|plan| plan.is_of(pipeline, &input, prepared.as_ref())) {
+            Some(plan) => plan.clone(),
+            None => {
+                let plan = Arc::new(DrawPlan::new(pipeline, input));
+                if self.recent.len() == RECENT {
+                    self.recent.remove(0);
+                }
+                self.recent.push(plan.clone());
+                plan
+            }
+        };
         self.device.explain(&|| plan.describe());
         let vertex = compiled.vertex.prepare(isa, &bound.uniforms, &bound.vertex_textures);
         let vertex = Arc::new(vertex);
-        bound.decided = Some(Decided { plan: plan.clone(), vertex: Some(vertex.clone()) });
+        bound.decided = Some(Decided { plan: plan.clone(), vertex: vertex.clone() });
         (plan, vertex)
     }
 

@@ -301,6 +301,11 @@ impl Pipeline {
         of_sprites.clone()
     }
 
+    /// Whether it is the same one, not an equal one.
+    pub(crate) fn is_same(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.0, &other.0)
+    }
+
     /// What it was made of.
     pub fn desc(&self) -> &PipelineDesc {
         &self.0.desc

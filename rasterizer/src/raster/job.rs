@@ -27,6 +27,14 @@ pub struct DrawJob {
 }
 
 impl DrawJob {
+    /// Whether pixels of the next draw may be shaded with those of this one: nothing tells them apart, and no
+    /// loop of one takes long.
+    pub fn goes_on(&self, next: &Self) -> bool {
+        Arc::ptr_eq(&self.plan, &next.plan)
+            && self.counter == next.counter
+            && self.plan.pipeline.compiled().fragment.is_straight()
+    }
+
     /// Counts the samples of masks, if somebody does.
     pub fn count(&self, masks: &[u64]) {
         if let Some(counter) = &self.counter {

@@ -91,6 +91,11 @@ impl Worker {
         if self.draw == Some(draw) {
             return;
         }
+        let last = self.draw.map(|last| &pass.draws[last]);
+        if last.is_some_and(|last| last.goes_on(&pass.draws[draw])) && tile.watched.is_none() {
+            self.draw = Some(draw);
+            return;
+        }
         self.flush(pass, tile);
         self.draw = Some(draw);
         let plan = &pass.draws[draw].plan;

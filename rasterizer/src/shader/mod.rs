@@ -234,6 +234,16 @@ impl Program {
         sources.is_none_or(|(_, sources)| !sources.meet(arrays))
     }
 
+    /// Whether all of it runs once, whatever lanes hold.
+    pub fn is_straight(&self) -> bool {
+        self.code.iter().all(Inst::is_straight)
+    }
+
+    /// Whether what it computes depends on uniform words.
+    pub fn depends_on_uniforms(&self) -> bool {
+        self.reads_uniforms || self.preamble.reads_uniforms()
+    }
+
     /// How many batches may run together, see [`Machine::run_banks`].
     pub fn banks(&self) -> usize {
         self.banks

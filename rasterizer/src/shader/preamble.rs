@@ -104,6 +104,14 @@ impl Preamble {
         words
     }
 
+    /// Whether any word depends on uniform words.
+    pub fn reads_uniforms(&self) -> bool {
+        self.steps.iter().any(|step| match step {
+            Step::Uniform(_) | Step::UniformAt { .. } => true,
+            Step::Const(_) | Step::Op { .. } => false,
+        })
+    }
+
     /// How many operations the draw does once instead of once a batch.
     pub fn operations(&self) -> usize {
         self.steps
