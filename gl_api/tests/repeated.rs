@@ -152,7 +152,7 @@ fn draw(c: &mut Context, random: &mut Random, modes: &[GLenum]) {
 fn change(c: &mut Context, random: &mut Random, pixels: &mut Vec<u8>) {
     let vertex = random.vertex();
     let at = (random.below(VERTICES as u64) as usize % 40 * STRIDE) as GLintptr;
-    match random.below(15) {
+    match random.below(18) {
         0 => c.buffer_sub_data(GL_ARRAY_BUFFER, at, STRIDE as _, Data::Bytes(&vertex)),
         1 => {
             let index = random.index().to_le_bytes();
@@ -205,10 +205,36 @@ fn change(c: &mut Context, random: &mut Random, pixels: &mut Vec<u8>) {
             c.end_list();
         }
         13 => c.call_list(1),
+        14..17 => set_maybe(c, random),
         _ => {
             c.enable(GL_SCISSOR_TEST);
             c.scissor(20, 20, random.below(150) as GLsizei, 150);
             c.clear(random.pick(&[0, GL_COLOR_BUFFER_BIT]));
+        }
+    }
+}
+
+/// Sets what may be so already.
+fn set_maybe(c: &mut Context, random: &mut Random) {
+    let first = random.below(2) == 0;
+    let cap = random.pick(&[GL_DEPTH_TEST, GL_CULL_FACE, GL_SCISSOR_TEST, GL_CLIP_PLANE0]);
+    match random.below(5) {
+        0 if first => c.enable(cap),
+        0 => c.disable(cap),
+        1 => c.bind_texture(GL_TEXTURE_2D, random.pick(&[0, 0, 7])),
+        2 => {
+            let filter = if first { GL_LINEAR } else { GL_NEAREST };
+            c.tex_parameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter as GLint);
+        }
+        3 => {
+            let mode = if first { GL_MODULATE } else { GL_REPLACE };
+            c.tex_envi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, mode as GLint);
+        }
+        _ => {
+            let mut program = [0];
+            c.get_integerv(GL_CURRENT_PROGRAM, &mut program);
+            let place = c.get_uniform_location(program[0] as GLuint, "move");
+            c.uniform_2f(place, if first { 0.25 } else { 0.0 }, 0.1);
         }
     }
 }

@@ -290,6 +290,12 @@ impl Context {
         true
     }
 
+    /// To be called where a call that may not stand between `glBegin` and `glEnd` has left everything as it
+    /// was: draws before and after it are as if there had been none.
+    pub(crate) fn has_changed_nothing(&mut self) {
+        self.changes -= 1;
+    }
+
     /// Whether no other context shares its objects.
     pub(crate) fn is_alone(&self) -> bool {
         self.group.is_none()

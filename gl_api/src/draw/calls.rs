@@ -12,7 +12,7 @@ use crate::constants::*;
 use crate::context::Context;
 use crate::entry::Data;
 use crate::error::{Result, Table, invalid_enum, invalid_operation, invalid_value, not_negative};
-use crate::interface::ATTRIB_VERTEX;
+use crate::interface::{ATTRIB_EDGE_FLAG, ATTRIB_VERTEX};
 use crate::state::LOCATIONS;
 use crate::types::*;
 use rasterizer::driver::{IndexType, Indices, Topology, VertexBinding, VertexSource};
@@ -75,18 +75,31 @@ fn indexed_reach(
     reach
 }
 
-/// Where every attribute of an array draw comes from.
+/// The attributes whose current values a draw may ask for, bit by location. A list is drawn with whatever
+/// program is in use then.
+fn constants_read(context: &Context) -> u64 {
+    let linked = context.objects.linked_program(context.state.bindings.program.name());
+    match linked.filter(|linked| linked.vertex.is_some() && context.compiling.is_none()) {
+        Some(linked) => linked.attributes | 1 << ATTRIB_EDGE_FLAG,
+        None => u64::MAX,
+    }
+}
+
+/// Where every attribute of an array draw comes from, of those that matter.
 fn bindings(context: &mut Context, reach: Reach<'_>) -> Result<Vec<VertexBinding>> {
     let mut bindings = std::mem::take(&mut context.recorder.bindings);
     bindings.clear();
     bindings.reserve(LOCATIONS);
     let arrays = &context.state.arrays.by_location;
+    let constants = constants_read(context);
     for location in 0..LOCATIONS {
         let from = array_of(context, location);
         let source = if arrays[from].enabled {
             vertex_source(context, from, reach)?
-        } else {
+        } else if constants >> location & 1 == 1 {
             VertexSource::Constant(context.state.current[location])
+        } else {
+            continue;
         };
         bindings.push(VertexBinding { location: location as u8, source });
     }

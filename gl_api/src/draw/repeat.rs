@@ -231,6 +231,42 @@ mod tests {
         assert_eq!((draws(&c).len(), c.get_error()), (4, GL_INVALID_OPERATION));
     }
 
+    fn filter(c: &mut Context, filter: u32) {
+        c.tex_parameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter as i32);
+    }
+
+    fn mode(c: &mut Context, mode: u32) {
+        c.tex_envi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, mode as i32);
+    }
+
+    #[test]
+    fn calls_that_change_nothing_are_as_if_there_were_none() {
+        let mut c = context();
+        let mut calls = 0;
+        let mut between = |call: fn(&mut Context), joins: bool| {
+            c.draw_arrays(GL_TRIANGLES, 0, 3);
+            call(&mut c);
+            let before = draws(&c).len();
+            c.draw_arrays(GL_TRIANGLES, 0, 3);
+            calls += 1;
+            assert_eq!(draws(&c).len() == before, joins, "call {calls}");
+            assert_eq!(c.get_error(), GL_NO_ERROR);
+        };
+        for joins in [false, true] {
+            between(|c| c.enable(GL_DEPTH_TEST), joins);
+            between(|c| c.enable(GL_LIGHT3), joins);
+            between(|c| c.bind_texture(GL_TEXTURE_2D, 3), joins);
+        }
+        between(|c| c.disable(GL_FOG), true);
+        between(|c| c.disable(GL_DEPTH_TEST), false);
+        between(|c| filter(c, GL_LINEAR), true);
+        between(|c| filter(c, GL_NEAREST), false);
+        between(|c| filter(c, GL_NEAREST), true);
+        between(|c| mode(c, GL_MODULATE), true);
+        between(|c| mode(c, GL_REPLACE), false);
+        between(|c| mode(c, GL_REPLACE), true);
+    }
+
     #[test]
     fn others_are_told_nothing_but_their_vertices() {
         let mut c = context();

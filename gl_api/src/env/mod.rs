@@ -212,16 +212,23 @@ fn parameter(target: GLenum, pname: GLenum) -> Result<Parameter> {
 fn set_env(context: &mut Context, target: GLenum, pname: GLenum, params: &Params) -> Result<()> {
     let parameter = parameter(target, pname)?;
     params.need(SECTION, pname, if parameter == Parameter::Color { 4 } else { 1 })?;
-    let unit = context.state.units.active_mut();
+    let unit = context.state.units.active();
+    let before = (unit.mode, unit.color, unit.combiners, unit.lod_bias, unit.coord_replace);
+    let mut now = before;
+    let (mode, color, combiners, bias, coord_replace) = &mut now;
     match parameter {
-        Parameter::Mode => unit.mode = MODE.decode("param", params.symbol())?,
-        Parameter::Color => unit.color = params.color(),
-        Parameter::Combiner(parameter) => {
-            combine::set(&mut unit.combiners, parameter, params.number())?;
-        }
-        Parameter::LodBias => unit.lod_bias = lod_bias(params.number()),
-        Parameter::CoordReplace => unit.coord_replace = params.truth(),
+        Parameter::Mode => *mode = MODE.decode("param", params.symbol())?,
+        Parameter::Color => *color = params.color(),
+        Parameter::Combiner(parameter) => combine::set(combiners, parameter, params.number())?,
+        Parameter::LodBias => *bias = lod_bias(params.number()),
+        Parameter::CoordReplace => *coord_replace = params.truth(),
     }
+    if now == before {
+        context.has_changed_nothing();
+        return Ok(());
+    }
+    let unit = context.state.units.active_mut();
+    (unit.mode, unit.color, unit.combiners, unit.lod_bias, unit.coord_replace) = now;
     Ok(())
 }
 

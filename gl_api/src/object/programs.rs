@@ -12,7 +12,7 @@ use crate::transform_feedback::calls::not_while_active;
 use crate::types::*;
 use crate::uniform_buffer::unpack::BlockState;
 use rasterizer::driver::ShaderModule;
-use rasterizer::ir::{IrError, Module};
+use rasterizer::ir::{Expr, Input, IrError, Module};
 
 const SECTION: &str = "GL 2.1, section 2.15.2";
 
@@ -57,6 +57,8 @@ pub(crate) struct Linked {
     /// none.
     pub unclamped_vertex: Option<ShaderModule>,
     pub fragment: Option<ShaderModule>,
+    /// The attributes that its vertex stage reads, bit by location.
+    pub attributes: u64,
     /// The values of its uniforms; state is filled in when it draws.
     pub words: Vec<u32>,
     /// Its uniform blocks.
@@ -231,6 +233,17 @@ pub(crate) fn bind_frag_data_location(
     Ok(())
 }
 
+/// The attributes that a vertex stage reads, bit by location.
+fn read_attributes(module: &Module) -> u64 {
+    let mut read = 0;
+    for value in &module.values {
+        if let Expr::Input(Input::Attribute { location, .. }) = value {
+            read |= 1 << location;
+        }
+    }
+    read
+}
+
 /// A linker's result, ready to draw with.
 pub(crate) fn ready(mut program: glsl::Program) -> std::result::Result<Linked, IrError> {
     let module = |module: &Option<Module>| module.clone().map(ShaderModule::new).transpose();
@@ -246,7 +259,8 @@ pub(crate) fn ready(mut program: glsl::Program) -> std::result::Result<Linked, I
         }
     }
     let blocks = BlockState::of(&program);
-    Ok(Linked { program, vertex, unclamped_vertex, fragment, words, blocks })
+    let attributes = vertex.as_ref().map_or(0, |vertex| read_attributes(vertex.module()));
+    Ok(Linked { program, vertex, unclamped_vertex, fragment, attributes, words, blocks })
 }
 
 pub(crate) fn link_program(context: &mut Context, name: GLuint) -> Result<()> {

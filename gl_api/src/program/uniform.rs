@@ -91,8 +91,14 @@ fn store(
     }
     let first = uniform.word as usize + element * each;
     let place = linked.words.get_mut(first..first + taken * each).unwrap_or_default();
+    let mut differs = 0;
     for (index, place) in place.iter_mut().enumerate() {
-        *place = word(uniform, index);
+        let word = word(uniform, index);
+        differs |= *place ^ word;
+        *place = word;
+    }
+    if differs == 0 {
+        context.has_changed_nothing();
     }
     Ok(())
 }

@@ -206,9 +206,31 @@ pub(super) enum Switch {
     Off,
 }
 
+/// Whether a capability that draws depend on is what it is to be. Blending has a switch for each buffer, and
+/// what tracks the colour takes it when it is switched on.
+fn is_already(context: &Context, capability: Capability, to: Switch) -> bool {
+    let on = to == Switch::On;
+    match capability {
+        Capability::Flag(Flag::Blend | Flag::ColorMaterial) => false,
+        Capability::Flag(flag) => context.state.enables.has(flag) == on,
+        Capability::Texture(target) => {
+            context.state.units.active().enabled[target as usize] == on
+                && context.state.units.active_coordinates("GL 2.1, section 3.8.16").is_ok()
+        }
+        Capability::Light(light) => (context.state.lights.enabled >> light & 1 == 1) == on,
+        Capability::ClipPlane(plane) => (context.state.clip.enabled >> plane & 1 == 1) == on,
+        Capability::TexGen(_) | Capability::Map(_) | Capability::DebugOutput => false,
+    }
+}
+
 fn switch(context: &mut Context, cap: GLenum, to: Switch) -> Result<()> {
     let on = to == Switch::On;
-    match capability(cap)? {
+    let capability = capability(cap)?;
+    if is_already(context, capability, to) {
+        context.has_changed_nothing();
+        return Ok(());
+    }
+    match capability {
         Capability::Flag(flag) => {
             if flag == Flag::ColorMaterial {
                 keep_tracked(context);

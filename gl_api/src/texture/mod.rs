@@ -149,7 +149,7 @@ impl Texture {
         sampler
     }
 
-    /// To be called after every change of parameters.
+    /// To be called after every change but that of parameters, which a plan is asked for with.
     pub fn changed(&mut self) {
         self.plan = None;
     }

@@ -146,6 +146,7 @@ fn set(
 ) -> Result<()> {
     let symbol = symbol(value);
     let texture = bound_mut(context, target);
+    let before = texture.state.clone();
     // Levels that were given for good bound these parameters (ARB_texture_storage, section 3.8.X).
     let last = texture.immutable.map(|levels| levels - 1);
     let sampler = &mut texture.state.sampler;
@@ -172,7 +173,10 @@ fn set(
             return invalid_enum(SECTION, format!("pname = {} can only be read", enum_name(pname)));
         }
     }
-    texture.changed();
+    let is_sampling = !matches!(parameter, Parameter::Priority | Parameter::GenerateMipmap);
+    if is_sampling && texture.state == before {
+        context.has_changed_nothing();
+    }
     Ok(())
 }
 
@@ -209,7 +213,6 @@ fn vector(context: &mut Context, target: GLenum, pname: GLenum, values: &Values)
             return set(context, target, pname, parameter, values.one(SECTION, pname)?);
         }
     }
-    bound_mut(context, target).changed();
     Ok(())
 }
 

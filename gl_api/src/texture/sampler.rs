@@ -102,7 +102,7 @@ pub(crate) const SAMPLER_PARAMETER: Table<SamplerParameter> = Table {
 };
 
 /// How a texture or sampler object is read.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct SamplerState {
     pub sampler: Sampler,
     /// `GL_TEXTURE_COMPARE_FUNC`, whether comparing is on or not.
