@@ -60,7 +60,10 @@ pub(crate) fn bitmap(
         // The bitmap begins at a whole pixel, and is not zoomed.
         let position = &context.state.raster_position.window;
         let origin = [xorig, yorig].map(f64::from);
-        let first = [0, 1].map(|axis| snapped(position[axis] - origin[axis]).floor() as i64);
+        // Far beyond any window, so that sums are numbers.
+        let far = 1e12;
+        let first = |axis: usize| snapped(position[axis] - origin[axis]).floor().clamp(-far, far);
+        let first = [first(0) as i64, first(1) as i64];
         draw(context, &Bitmap { layout: &layout, bits, bytes: source.bytes(), first })?;
     }
     position::advance(context, [xmove, ymove]);
