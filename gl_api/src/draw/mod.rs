@@ -29,7 +29,7 @@ mod words;
 
 use crate::context::Context;
 use crate::context::debug::Output;
-use crate::feedback::shade::Single;
+use crate::feedback::shade::{Outputs, Single};
 use crate::fixed::FixedModules;
 use crate::pixels::rectangle::RectangleModules;
 use fixed_words::FixedWords;
@@ -84,11 +84,11 @@ pub(crate) struct Recorder {
     /// What counts the samples of draws.
     pub counter: Option<Counter>,
     pub rectangles: RectangleModules,
-    /// Vertex stages that were compiled for raster positions.
-    single: HashMap<ShaderModule, Arc<Single>>,
+    /// Vertex stages that were compiled for what is not drawn.
+    single: HashMap<(ShaderModule, Outputs), Arc<Single>>,
 }
 
-/// More vertex stages of raster positions than this are forgotten and compiled again.
+/// More vertex stages of what is not drawn than this are forgotten and compiled again.
 const KEPT_SINGLE: usize = 64;
 
 /// State that holds until the end of a pass and need not be recorded again.
@@ -135,13 +135,13 @@ impl Recorder {
         }
     }
 
-    /// A vertex stage with all its outputs, to run it for one vertex.
-    pub fn single_vertex(&mut self, module: &ShaderModule) -> Arc<Single> {
+    /// A vertex stage with some of its outputs, to run it for what is not drawn.
+    pub fn single_vertex(&mut self, module: &ShaderModule, outputs: Outputs) -> Arc<Single> {
         if self.single.len() >= KEPT_SINGLE {
             self.single.clear();
         }
-        let stage = self.single.entry(module.clone());
-        Arc::clone(stage.or_insert_with(|| Arc::new(Single::new(module))))
+        let stage = self.single.entry((module.clone(), outputs));
+        Arc::clone(stage.or_insert_with(|| Arc::new(Single::new(module, outputs))))
     }
 
     /// The device that commands are submitted to.

@@ -2,6 +2,7 @@
 //! mixed linearly there (section 2.14.8).
 
 use rasterizer::driver::DepthClip;
+use std::borrow::Cow;
 
 /// Most planes of the user.
 const USER_PLANES: usize = 8;
@@ -74,10 +75,10 @@ pub(super) fn line([mut a, mut b]: [Vertex; 2]) -> Option<[Vertex; 2]> {
 
 /// The part of a polygon that is inside; no corners where there is none. The edges that clipping
 /// makes are edges of the polygon.
-pub(super) fn polygon(corners: Vec<Vertex>) -> Vec<Vertex> {
+pub(super) fn polygon(corners: Cow<'_, [Vertex]>) -> Cow<'_, [Vertex]> {
     match corners.iter().all(holds) {
         true => corners,
-        false => cut(corners),
+        false => Cow::Owned(cut(corners.into_owned())),
     }
 }
 
@@ -113,11 +114,11 @@ mod tests {
 
     #[test]
     fn a_triangle_through_a_side_loses_a_corner_and_gains_an_edge() {
-        let clipped = polygon(vec![at(0.0, 0.0), at(2.0, 0.0), at(0.0, 0.5)]);
+        let clipped = polygon(vec![at(0.0, 0.0), at(2.0, 0.0), at(0.0, 0.5)].into());
         let corners: Vec<_> = clipped.iter().map(|v| [v.clip[0], v.clip[1]]).collect();
         assert_eq!(corners, [[0.0, 0.0], [1.0, 0.0], [1.0, 0.25], [0.0, 0.5]]);
         assert!(clipped.iter().all(|v| v.values[0] == v.clip), "values move with the corners");
-        assert!(polygon(vec![at(2.0, 0.0), at(3.0, 0.0), at(2.0, 1.0)]).is_empty());
+        assert!(polygon(vec![at(2.0, 0.0), at(3.0, 0.0), at(2.0, 1.0)].into()).is_empty());
     }
 
     #[test]
@@ -125,7 +126,7 @@ mod tests {
         let at = |x, y| Vertex { edge: x == 0.0, ..at(x, y) };
         for corners in [vec![at(0.0, 0.0), at(1.0, 0.25), at(-1.0, 1.0), at(0.0, -0.5)], vec![]] {
             assert_eq!(cut(corners.clone()), corners);
-            assert_eq!(polygon(corners.clone()), corners);
+            assert_eq!(polygon(corners.clone().into()).into_owned(), corners);
         }
     }
 

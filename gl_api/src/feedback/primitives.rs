@@ -1,10 +1,10 @@
 //! From a draw to the primitives that selection and feedback see: assembled (GL 2.1, section
 //! 2.6.1), clipped, culled, and drawn as the polygon mode says (section 3.5).
 
-use super::Corner;
 use super::clip::{self, Vertex};
 use super::record::Kind;
-use super::shade::{Id, Vertices, shade};
+use super::shade::{Id, Outputs, Vertices, shade};
+use super::{Corner, Mode};
 use crate::assembly::running::has_vertex_program;
 use crate::context::Context;
 use crate::draw::ended::vertices_of_primitive;
@@ -17,6 +17,7 @@ use rasterizer::driver::{
     Cull, DepthClip, FrontFace, PolygonMode, Provoking, Topology, VertexBinding, VertexSource,
 };
 use rasterizer::ir::{Interpolation, Output};
+use std::borrow::Cow;
 use std::ops::Range;
 use texunit::lanes::LANES;
 
@@ -50,12 +51,16 @@ pub(crate) fn draw(
         Some(_) => CHUNK,
         None => count.max(1),
     };
+    let outputs = match context.feedback.mode {
+        Mode::Select => Outputs::Positions,
+        Mode::Feedback | Mode::Render => Outputs::Corners,
+    };
     for instance in instances {
         for first in (0..count.max(1)).step_by(at_once as usize) {
             let end = count.min(first.saturating_add(at_once));
             let id = |at| Id { vertex: elements.number(at), instance };
             let ids: Vec<Id> = (first..end).map(id).collect();
-            let shaded = shade(context, vertices, &ids)?;
+            let shaded = shade(context, vertices, &ids, outputs)?;
             let corners = clip_vertices(context, vertices, &ids, &shaded);
             assemble(context, topology, &corners);
         }
@@ -103,7 +108,7 @@ fn assemble(context: &mut Context, topology: Topology, vertices: &[Vertex]) {
     let count = vertices.len();
     let at = |index: usize| vertices[index];
     let convention = context.state.raster.provoking;
-    let provoking = |first, last| at(chosen(convention, first, last));
+    let provoking = |first, last| &vertices[chosen(convention, first, last)];
     let line = |context: &mut Context, ends: [usize; 2], kind| {
         emit_line(context, ends.map(at), provoking(ends[0], ends[1]), kind);
     };
@@ -144,7 +149,7 @@ fn assemble(context: &mut Context, topology: Topology, vertices: &[Vertex]) {
                 polygon(context, &corners, provoking(first, first + 3));
             }
         }
-        Topology::Polygon if count >= 3 => polygon(context, vertices, at(0)),
+        Topology::Polygon if count >= 3 => polygon(context, vertices, &vertices[0]),
         Topology::Polygon => {}
     }
 }
@@ -165,17 +170,24 @@ fn edged(vertex: Vertex) -> Vertex {
 fn polygons(context: &mut Context, vertices: &[Vertex], corners: usize) {
     let provoking = chosen(context.state.raster.provoking, 0, corners - 1);
     for corners in vertices.chunks_exact(corners) {
-        polygon(context, corners, corners[provoking]);
+        polygon(context, corners, &corners[provoking]);
     }
 }
 
-/// A vertex with the colours of the one that provokes, where shading is flat.
-fn shaded_flat(context: &Context, vertex: &Vertex, provoking: &Vertex) -> Vertex {
-    let mut vertex = *vertex;
-    if context.state.raster.shade_model == Interpolation::Flat {
+/// Gives vertices the colours of the one that provokes, where shading is flat.
+fn shade_flat<'a>(
+    context: &Context,
+    vertices: &'a [Vertex],
+    provoking: &Vertex,
+) -> Cow<'a, [Vertex]> {
+    if context.state.raster.shade_model != Interpolation::Flat {
+        return Cow::Borrowed(vertices);
+    }
+    let mut vertices = vertices.to_vec();
+    for vertex in &mut vertices {
         vertex.values[..2].copy_from_slice(&provoking.values[..2]);
     }
-    vertex
+    Cow::Owned(vertices)
 }
 
 /// Which of a vertex's colours count.
@@ -218,9 +230,9 @@ fn point(context: &mut Context, vertex: &Vertex) {
     }
 }
 
-fn emit_line(context: &mut Context, ends: [Vertex; 2], provoking: Vertex, kind: Kind) {
-    let ends = ends.map(|end| shaded_flat(context, &end, &provoking));
-    if let Some(ends) = clip::line(ends) {
+fn emit_line(context: &mut Context, ends: [Vertex; 2], provoking: &Vertex, kind: Kind) {
+    let ends = shade_flat(context, &ends, provoking);
+    if let Some(ends) = clip::line([ends[0], ends[1]]) {
         let corners = ends.map(|end| corner(context, &end, Facing::Front));
         context.feedback.primitive(kind, &corners);
     }
@@ -245,9 +257,8 @@ fn is_two_sided(context: &Context) -> bool {
     enables.has(Flag::Lighting) && context.state.lights.model.two_side
 }
 
-fn polygon(context: &mut Context, vertices: &[Vertex], provoking: Vertex) {
-    let flat = vertices.iter().map(|vertex| shaded_flat(context, vertex, &provoking)).collect();
-    let clipped = clip::polygon(flat);
+fn polygon(context: &mut Context, vertices: &[Vertex], provoking: &Vertex) {
+    let clipped = clip::polygon(shade_flat(context, vertices, provoking));
     if clipped.len() < 3 {
         return;
     }

@@ -4,7 +4,8 @@
 use crate::context::Context;
 use crate::draw::stages;
 use crate::error::{Result, invalid_operation};
-use rasterizer::driver::{Rim, ShaderModule, VertexBinding};
+use crate::interface::{VARYING_BACK_COLOR, VARYING_COLOR, VARYING_TEX_COORD};
+use rasterizer::driver::{Rim, ShaderModule, VertexBinding, VertexSource};
 use rasterizer::ir::{Input, Output};
 use rasterizer::shader::{Program, Run};
 use std::sync::Arc;
@@ -17,23 +18,61 @@ pub(crate) struct Id {
     pub instance: u32,
 }
 
-/// A vertex stage with all its outputs.
+/// Which outputs of the stage are looked at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Outputs {
+    /// All of them.
+    All,
+    /// What feedback writes and clips by.
+    Corners,
+    /// What clips.
+    Positions,
+}
+
+impl Outputs {
+    fn has(self, output: Output) -> bool {
+        let four = |first: u16, slot: u16| (first..first + 4).contains(&slot);
+        match output {
+            Output::Position(_) | Output::ClipDistance(_) => true,
+            Output::Varying(slot) => match self {
+                Self::All => true,
+                Self::Corners => [VARYING_COLOR, VARYING_BACK_COLOR, VARYING_TEX_COORD]
+                    .into_iter()
+                    .any(|first| four(first, slot)),
+                Self::Positions => false,
+            },
+            Output::PointSize | Output::Color { .. } | Output::Depth => self == Self::All,
+        }
+    }
+}
+
+/// A vertex stage with the outputs that are looked at.
 #[derive(Debug)]
 pub(crate) struct Single {
     program: Program,
-    /// Its outputs in order, and where each is among [`Program::outputs`].
-    places: Vec<(Output, usize)>,
+    /// How many outputs it has.
+    outputs: usize,
+    /// Where each varying is among [`Program::outputs`], by its slot.
+    varyings: Vec<Option<usize>>,
+    /// Where others are.
+    others: Vec<(Output, usize)>,
 }
 
 impl Single {
-    pub fn new(module: &ShaderModule) -> Self {
-        let program = Program::new(module.module(), |_| true);
-        let mut places: Vec<(Output, usize)> = Vec::new();
+    pub fn new(module: &ShaderModule, outputs: Outputs) -> Self {
+        let program = Program::new(module.module(), |output| outputs.has(output));
+        let (mut varyings, mut others) = (Vec::new(), Vec::new());
         for (place, output) in program.outputs().enumerate() {
-            let before = places.partition_point(|&(other, _)| other < output);
-            places.insert(before, (output, place));
+            if let Output::Varying(slot) = output {
+                let slot = usize::from(slot);
+                varyings.resize(varyings.len().max(slot + 1), None);
+                varyings[slot] = Some(place);
+            } else {
+                others.push((output, place));
+            }
         }
-        Self { program, places }
+        let outputs = program.outputs().len();
+        Self { program, outputs, varyings, others }
     }
 }
 
@@ -53,9 +92,10 @@ impl Vertices {
 
     /// Which of the outputs this is, if the stage has it.
     pub fn place(&self, wanted: Output) -> Option<usize> {
-        let places = &self.stage.places;
-        let found = places.binary_search_by_key(&wanted, |&(output, _)| output);
-        found.ok().map(|at| places[at].1)
+        if let Output::Varying(slot) = wanted {
+            return self.stage.varyings.get(usize::from(slot)).copied().flatten();
+        }
+        self.stage.others.iter().find(|(output, _)| *output == wanted).map(|(_, place)| *place)
     }
 
     /// The places of the clip coordinates.
@@ -72,7 +112,7 @@ impl Vertices {
     pub fn value(&self, at: usize, place: usize) -> f32 {
         let (first, lane) = (at - at % LANES, at % LANES);
         let lanes = self.len.saturating_sub(first).min(LANES);
-        let index = first * self.stage.places.len() + place * lanes + lane;
+        let index = first * self.stage.outputs + place * lanes + lane;
         self.values.get(index).copied().unwrap_or_default()
     }
 
@@ -115,7 +155,13 @@ impl Shaded<'_> {
 fn input(isa: Isa, vertices: &[VertexBinding], input: Input, ids: &[Id], out: &mut U32s) {
     match input {
         Input::Attribute { location, component } => {
-            match vertices.iter().find(|binding| binding.location == location) {
+            // Where all are bound, they lie in order.
+            let is_its = |binding: &&VertexBinding| binding.location == location;
+            let in_order = vertices.get(usize::from(location)).filter(is_its);
+            match in_order.or_else(|| vertices.iter().find(is_its)) {
+                Some(VertexBinding { source: source @ VertexSource::Constant(_), .. }) => {
+                    source.component(isa, component, &[], out.as_f32_mut());
+                }
                 Some(VertexBinding { source, .. }) => {
                     let mut elements = [0; LANES];
                     for (element, id) in elements.iter_mut().zip(ids) {
@@ -148,16 +194,16 @@ pub(crate) fn shade(
     context: &mut Context,
     vertices: &[VertexBinding],
     ids: &[Id],
+    outputs: Outputs,
 ) -> Result<Vertices> {
     let stages = stages::choose(context, vertices, Rim::Aliased)?;
     let isa = context.recorder.isa();
-    let stage = context.recorder.single_vertex(&stages.vertex);
+    let stage = context.recorder.single_vertex(&stages.vertex, outputs);
     let program = &stage.program;
     let prepared = program.prepare(isa, &stages.reads.words, &stages.reads.vertex_textures);
     let machine = &mut context.feedback.machine;
     machine.begin(program);
-    let outputs = stage.places.len();
-    let mut values = Vec::with_capacity(ids.len() * outputs);
+    let mut values = Vec::with_capacity(ids.len() * stage.outputs);
     for ids in ids.chunks(LANES) {
         for (index, &wanted) in program.inputs().iter().enumerate() {
             input(isa, vertices, wanted, ids, machine.input_mut(index));
@@ -176,7 +222,7 @@ pub(crate) fn shade(
                 "the vertex shader runs so long that it was stopped",
             );
         }
-        for place in 0..outputs {
+        for place in 0..stage.outputs {
             values.extend_from_slice(&machine.output(place).as_f32().0[..ids.len()]);
         }
     }

@@ -4,7 +4,7 @@ use crate::constants::*;
 use crate::context::{Context, limits};
 use crate::error::{Result, invalid_operation};
 use crate::feedback::Mode;
-use crate::feedback::shade::{self, Id, Shaded, Vertices};
+use crate::feedback::shade::{self, Id, Outputs, Shaded, Vertices};
 use crate::interface::*;
 use crate::state::clamp;
 use crate::state::fog::FogSource;
@@ -65,7 +65,7 @@ fn shade(context: &mut Context, position: [f32; 4]) -> Result<Vertices> {
             VertexBinding { location, source: VertexSource::Constant(value) }
         })
         .collect();
-    shade::shade(context, &vertices, &[Id { vertex: 0, instance: 0 }])
+    shade::shade(context, &vertices, &[Id { vertex: 0, instance: 0 }], Outputs::All)
 }
 
 /// The distance that goes with a raster position: a depth without its sign, or else what the

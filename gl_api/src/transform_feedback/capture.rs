@@ -4,7 +4,7 @@ use super::{Active, Kind, SECTION};
 use crate::context::Context;
 use crate::draw::translate::Elements;
 use crate::error::{Result, invalid_operation};
-use crate::feedback::shade::{Id, Vertices, shade};
+use crate::feedback::shade::{Id, Outputs, Vertices, shade};
 use crate::glsl::{BufferMode, Captured, CapturedScalar};
 use rasterizer::driver::{Primitive, Topology, VertexBinding, primitives};
 
@@ -54,7 +54,7 @@ pub(crate) fn draw(
                     Primitive::Triangle(ordinals, _, _) => ids.extend(ordinals.map(id)),
                 }
             }
-            let shaded = shade(context, vertices, &ids)?;
+            let shaded = shade(context, vertices, &ids, Outputs::All)?;
             let fit = layout.write(context, &shaded, &mut active);
             written += fit;
             if fit < asked {
