@@ -4,6 +4,7 @@
 //! Mipmaps of bytes, which nearly all are, are halved as GL's own are ([`halve`]).
 
 use super::pixels::{Layout, Meaning, TooShort};
+use crate::entry::with_current;
 use texunit::format::Format;
 use texunit::image::{ImageError, Level, Shape};
 use texunit::lanes::Isa;
@@ -22,7 +23,7 @@ pub fn scale(
 ) -> Result<(), TooShort> {
     to.check(out)?;
     from.check(given)?;
-    let (isa, count) = (Isa::best(), from.count);
+    let (isa, count) = (isa(), from.count);
     let records = [from, to].map(Layout::record);
     let read = |[y, z]: [usize; 2], numbers: &mut boxes::Planes| {
         let row = &given[from.row(y, z)..][..from.row_bytes()];
@@ -46,9 +47,14 @@ pub fn scale(
     Ok(())
 }
 
+/// The instruction set of the current context's device; the plainest without a context.
+fn isa() -> Isa {
+    with_current(|context| context.recorder.isa()).unwrap_or(Isa::BASELINE)
+}
+
 /// Bytes, one to four a pixel, at half the size: what [`scale`] makes of them. A side of one pixel stays.
 pub fn halve(pixels: &Level) -> Result<Level, ImageError> {
-    pixels.halved(Shape::D3, Isa::best())
+    pixels.halved(Shape::D3, isa())
 }
 
 /// Bytes without gaps, so many a pixel.

@@ -210,7 +210,8 @@ impl Names {
                  #extension GL_EXT_texture_array : enable"
             }
             Self::Overloaded => {
-                "#version 130\n#extension GL_ARB_texture_rectangle : enable\n\
+                "#version 130\n#extension GL_EXT_gpu_shader4 : enable\n\
+                 #extension GL_ARB_texture_rectangle : enable\n\
                  #extension GL_ARB_texture_cube_map_array : enable"
             }
         }
