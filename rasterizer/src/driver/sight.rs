@@ -22,7 +22,9 @@ impl Sight {
     pub(super) fn asks(&self) -> u32 {
         match self {
             Self::Undrawn => ASKED,
-            Self::None(reasons) => ASKED.saturating_sub(reasons.values().sum()),
+            Self::None(reasons) => {
+                ASKED.saturating_sub(reasons.iter().map(|(.., count)| count).sum())
+            }
             Self::Some => 0,
         }
     }
@@ -34,9 +36,7 @@ impl Sight {
             (Self::Undrawn | Self::None(_), Self::Some) => *self = Self::Some,
             (Self::Undrawn, Self::None(reasons)) => *self = Self::None(reasons),
             (Self::None(reasons), Self::None(others)) => {
-                for (reason, count) in others {
-                    *reasons.entry(reason).or_default() += count;
-                }
+                others.iter().for_each(|(drawn, reason, n)| reasons.add(drawn, reason, n));
             }
         }
     }

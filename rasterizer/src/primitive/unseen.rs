@@ -5,7 +5,6 @@ use super::clip::planes;
 use super::setup::{Scratch, Setup, doubled_area};
 use crate::driver::Cull;
 use crate::vertex::{Geometry, Outcode, Wanted};
-use std::collections::BTreeMap;
 use std::ops::Range;
 
 /// Why nothing of a primitive is seen.
@@ -67,7 +66,23 @@ pub enum Drawn {
 }
 
 /// Why nothing is seen of primitives, and of how many of them.
-pub type Reasons = BTreeMap<(Drawn, Reason), u32>;
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Reasons(Vec<(Drawn, Reason, u32)>);
+
+impl Reasons {
+    /// Adds so many primitives.
+    pub fn add(&mut self, drawn: Drawn, reason: Reason, count: u32) {
+        match self.0.iter_mut().find(|of| (of.0, of.1) == (drawn, reason)) {
+            Some((.., all)) => *all += count,
+            None => self.0.push((drawn, reason, count)),
+        }
+    }
+
+    /// What primitives there are, why nothing is seen of them, and how many they are.
+    pub fn iter(&self) -> impl Iterator<Item = (Drawn, Reason, u32)> {
+        self.0.iter().copied()
+    }
+}
 
 /// Why nothing is seen of any of a range of primitives, which have no shapes.
 pub fn reasons(
@@ -77,7 +92,7 @@ pub fn reasons(
     wanted: &Wanted,
 ) -> Reasons {
     let mut scratch = Scratch { planes: planes(&setup.viewport), ..Scratch::default() };
-    let mut reasons = Reasons::new();
+    let mut reasons = Reasons::default();
     for at in range {
         let (drawn, ordinals) = match primitives.get(at) {
             Primitive::Point(ordinal) => (Drawn::Point, vec![ordinal]),
@@ -86,7 +101,7 @@ pub fn reasons(
         };
         let vertices: Vec<u32> = ordinals.into_iter().map(|v| wanted.local(v)).collect();
         let reason = setup.reason(geometry, &vertices, &mut scratch);
-        *reasons.entry((drawn, reason)).or_default() += 1;
+        reasons.add(drawn, reason, 1);
     }
     reasons
 }

@@ -1,9 +1,10 @@
 //! The inputs of a fragment program: planes at the pixels of a batch.
 
 use super::batch::{Batch, BlockOf, Packed, QUAD_X, QUAD_Y, Quads, front_word};
+use super::depths::clamp_depth;
 use super::pixels::Pixels;
 use super::run::BlockRun;
-use super::samples::{SampleMasks, moved};
+use super::samples::SampleMasks;
 use crate::ir::Axis;
 use crate::plan::{DrawPlan, FilledInput, FragmentInput};
 use crate::primitive::Facing;
@@ -11,7 +12,7 @@ use crate::shader::Machine;
 use texunit::lanes::{F32s, Kernel, LANES, QUADS, Simd, U32s};
 
 /// What a batch has for pixel `e` of its quad `q`.
-trait Places {
+pub(super) trait Places {
     /// A plane: at the first pixel of the block, per pixel across, per pixel up.
     fn plane(&self, plane: usize) -> impl Fn(usize, usize) -> [f32; 3];
     /// Whether a plane is known to be 1 at every lane.
@@ -191,7 +192,7 @@ impl Fill<'_> {
         // Planes and registers may overlap as far as the compiler knows: what is computed here is
         // computed on the stack and stored whole.
         if let Some(index) = plan.depth_plane.filter(|_| plan.shades_depth) {
-            **depth = evaluate(places, index);
+            **depth = evaluate::<S>(places, index);
             clamp_depth(depth, plan.viewport.depths());
         }
         let mut w = F32s::splat(1.0);
@@ -199,7 +200,7 @@ impl Fill<'_> {
         // Of shapes that do not lie in perspective nothing is divided.
         let is_divided = plan.denominator_plane.is_some_and(|index| !places.is_one(index));
         if is_divided {
-            w = evaluate(places, denominator);
+            w = evaluate::<S>(places, denominator);
             invert::<S>(&mut w);
         }
         let mut centroids = [F32s::ZERO; 2];
@@ -211,23 +212,23 @@ impl Fill<'_> {
             let Some(out) = registers.get_mut(number) else { continue };
             match from {
                 FragmentInput::Smooth(index) if is_divided => {
-                    *out.as_f32_mut() = divided(places, [index, denominator], &w);
+                    *out.as_f32_mut() = divided::<S>(places, [index, denominator], &w);
                 }
-                FragmentInput::Smooth(index) => *out.as_f32_mut() = evaluate(places, index),
-                FragmentInput::Linear(index) => *out.as_f32_mut() = evaluate(places, index),
+                FragmentInput::Smooth(index) => *out.as_f32_mut() = evaluate::<S>(places, index),
+                FragmentInput::Linear(index) => *out.as_f32_mut() = evaluate::<S>(places, index),
                 FragmentInput::SmoothWithin(index) => {
-                    let mut value = within(places, index, &centroids);
-                    let over = within(places, denominator, &centroids);
+                    let mut value = within::<S>(places, index, &centroids);
+                    let over = within::<S>(places, denominator, &centroids);
                     for lane in 0..LANES {
                         value[lane] *= 1.0 / over[lane];
                     }
                     *out.as_f32_mut() = value;
                 }
                 FragmentInput::LinearWithin(index) => {
-                    *out.as_f32_mut() = within(places, index, &centroids);
+                    *out.as_f32_mut() = within::<S>(places, index, &centroids);
                 }
                 FragmentInput::SmoothSlope(index, axis) => {
-                    let mut slope = evaluate(places, index);
+                    let mut slope = evaluate::<S>(places, index);
                     let (of, by) = (places.plane(index), places.plane(denominator));
                     let steps = |e, q| [along(axis, of(e, q)), along(axis, by(e, q))];
                     let [a, b, c, d] = pixels(&mut slope);
@@ -274,8 +275,12 @@ const Y: [f32; 4] = [0.0, 0.0, 1.0, 1.0];
 /// A plane over the denominator's, given its inverse. Where both are the same plane that is 1: what is 1 at all
 /// vertices is so in between.
 #[inline(always)]
-fn divided(places: &impl Places, [plane, denominator]: [usize; 2], inverse: &F32s) -> F32s {
-    let mut out = evaluate(places, plane);
+fn divided<S: Simd>(
+    places: &impl Places,
+    [plane, denominator]: [usize; 2],
+    inverse: &F32s,
+) -> F32s {
+    let mut out = evaluate::<S>(places, plane);
     let (of, by) = (places.plane(plane), places.plane(denominator));
     let is_one = |e, q| of(e, q) == by(e, q);
     let [a, b, c, d] = pixels(&mut out);
@@ -336,12 +341,28 @@ fn by_quad(out: &mut U32s, word: impl Fn(usize, usize) -> u32) {
 
 /// A plane at every lane.
 #[inline(always)]
-fn evaluate(places: &impl Places, plane: usize) -> F32s {
-    evaluate_plane(places, places.plane(plane))
+fn evaluate<S: Simd>(places: &impl Places, plane: usize) -> F32s {
+    S::apart_unless_wide(Evaluate { places, plane })
+}
+
+struct Evaluate<'a, P> {
+    places: &'a P,
+    plane: usize,
+}
+
+impl<P: Places> Kernel for Evaluate<'_, P> {
+    type Output = F32s;
+    #[inline(always)]
+    fn run<S: Simd>(self) -> F32s {
+        evaluate_plane(self.places, self.places.plane(self.plane))
+    }
 }
 
 #[inline(always)]
-fn evaluate_plane(places: &impl Places, plane: impl Fn(usize, usize) -> [f32; 3]) -> F32s {
+pub(super) fn evaluate_plane(
+    places: &impl Places,
+    plane: impl Fn(usize, usize) -> [f32; 3],
+) -> F32s {
     let mut out = F32s::ZERO;
     let [first, second, third, fourth] = pixels(&mut out);
     evaluate_pixel(places, &plane, 0, first);
@@ -360,9 +381,14 @@ fn evaluate_pixel(
     out: &mut [f32; QUADS],
 ) {
     for (q, out) in out.iter_mut().enumerate() {
-        let ([corner, a, b], [dx, dy]) = (plane(e, q), places.within(e, q));
-        *out = (corner + dx * a) + dy * b;
+        *out = value(plane(e, q), places.within(e, q));
     }
+}
+
+/// A plane at a place in its block.
+#[inline(always)]
+fn value([corner, a, b]: [f32; 3], [dx, dy]: [f32; 2]) -> f32 {
+    (corner + dx * a) + dy * b
 }
 
 /// The derivative of the quotient of two planes at one pixel of each quad, given the steps of both:
@@ -383,8 +409,8 @@ fn slope_pixel(
 
 /// A plane at every lane, moved so far across and up from the pixel's centre.
 #[inline(always)]
-fn within(places: &impl Places, plane: usize, [x, y]: &[F32s; 2]) -> F32s {
-    let mut out = evaluate(places, plane);
+fn within<S: Simd>(places: &impl Places, plane: usize, [x, y]: &[F32s; 2]) -> F32s {
+    let mut out = evaluate::<S>(places, plane);
     let plane = places.plane(plane);
     for lane in 0..LANES {
         let [_, a, b] = plane(lane / QUADS, lane % QUADS);
@@ -403,96 +429,24 @@ fn pixels(lanes: &mut F32s) -> &mut [[f32; QUADS]; 4] {
 impl Batch<'_> {
     /// A plane at one lane.
     pub fn at(&self, plane: usize, lane: usize) -> f32 {
-        let values = match self.quads {
-            Quads::Block(block) => evaluate(block, plane),
-            Quads::Packed(packed) => evaluate(packed, plane),
-            Quads::Pixels(pixels) => evaluate(pixels, plane),
-        };
-        values[lane]
+        let (plane, within) = self.place_of(plane, lane);
+        value(plane, within)
     }
 
     /// A plane at one lane, moved so far across and up from the pixel's centre.
-    pub fn at_moved(&self, plane: usize, lane: usize, by: &[F32s; 2]) -> f32 {
-        let values = match self.quads {
-            Quads::Block(block) => within(block, plane, by),
-            Quads::Packed(packed) => within(packed, plane, by),
-            Quads::Pixels(pixels) => within(pixels, plane, by),
-        };
-        values[lane]
+    pub fn at_moved(&self, plane: usize, lane: usize, [x, y]: &[F32s; 2]) -> f32 {
+        let (plane, within) = self.place_of(plane, lane);
+        let [_, a, b] = plane;
+        value(plane, within) + (x[lane] * a + y[lane] * b)
     }
-}
 
-/// Window depth lies within bounds, [0, 1] or closer ones, whatever the planes and offsets gave (GL 2.1,
-/// section 2.11.1; `ARB_depth_clamp`).
-#[inline(always)]
-pub fn clamp_depth(depth: &mut F32s, [low, high]: [f32; 2]) {
-    for lane in 0..LANES {
-        depth[lane] = texunit::lanes::math::clamp(depth[lane], low, high);
-    }
-}
-
-/// The depth of a block of one shape: the same numbers as [`Interpolate`] gives, before anything is
-/// shaded.
-pub struct BlockDepth {
-    /// At the first pixel, per pixel across, per pixel up.
-    pub plane: [f32; 3],
-    /// What depths are held within.
-    pub depths: [f32; 2],
-}
-
-impl Kernel for BlockDepth {
-    type Output = F32s;
-    #[inline(always)]
-    fn run<S: Simd>(self) -> F32s {
-        let [corner, a, b] = self.plane;
-        let mut out = F32s::ZERO;
-        for lane in 0..LANES {
-            let dx = texunit::lanes::lane_x(lane) as f32;
-            let dy = texunit::lanes::lane_y(lane) as f32;
-            out[lane] = (corner + dx * a) + dy * b;
+    /// A plane, and the column and row of a lane in its block.
+    fn place_of(&self, plane: usize, lane: usize) -> ([f32; 3], [f32; 2]) {
+        let (e, q) = (lane / QUADS, lane % QUADS);
+        match self.quads {
+            Quads::Block(block) => (block.plane(plane)(e, q), block.within(e, q)),
+            Quads::Packed(packed) => (packed.plane(plane)(e, q), packed.within(e, q)),
+            Quads::Pixels(pixels) => (pixels.plane(plane)(e, q), pixels.within(e, q)),
         }
-        clamp_depth(&mut out, self.depths);
-        out
-    }
-}
-
-/// The depth of a batch at a sample: the same numbers as [`BlockDepth`] gives for a plane that was
-/// moved there.
-pub struct BatchDepth<'a> {
-    /// The quads.
-    pub batch: &'a Batch<'a>,
-    /// The plane of depth.
-    pub plane: usize,
-    /// From the pixel's centre to the sample, in pixels; `None` for the centre itself.
-    pub offset: Option<[f32; 2]>,
-    /// What depths are held within.
-    pub depths: [f32; 2],
-    /// Takes the depth.
-    pub depth: &'a mut F32s,
-}
-
-impl Kernel for BatchDepth<'_> {
-    type Output = ();
-    #[inline(always)]
-    fn run<S: Simd>(self) {
-        match self.batch.quads {
-            Quads::Block(block) => self.fill(block),
-            Quads::Packed(packed) => self.fill(packed),
-            Quads::Pixels(pixels) => self.fill(pixels),
-        }
-    }
-}
-
-impl BatchDepth<'_> {
-    #[inline(always)]
-    fn fill(self, places: &impl Places) {
-        let Self { plane, offset, depths, depth, .. } = self;
-        let plane = places.plane(plane);
-        let mut out = match offset {
-            None => evaluate_plane(places, plane),
-            Some(by) => evaluate_plane(places, |e, q| moved(plane(e, q), Some(by))),
-        };
-        clamp_depth(&mut out, depths);
-        *depth = out;
     }
 }

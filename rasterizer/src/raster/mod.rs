@@ -11,6 +11,7 @@ mod broad;
 mod clear;
 mod cover;
 mod coverage;
+mod depths;
 mod group;
 mod inputs;
 mod interpolate;

@@ -2,7 +2,8 @@
 //! their colours.
 
 use super::batch::{Batch, BlockOf};
-use super::inputs::{BatchDepth, BlockDepth, Interpolate, InterpolateRun, clamp_depth};
+use super::depths::{BatchDepth, BlockDepth, clamp_depth};
+use super::inputs::{Interpolate, InterpolateRun};
 use super::job::{DrawJob, PassJob, TileJob};
 use super::product::{Factors, Multiply, Products, Words};
 use super::run::BlockRun;

@@ -2,7 +2,7 @@
 
 use super::batch::{Batch, BlockOf};
 use super::clear::ClearJob;
-use super::inputs::BlockDepth;
+use super::depths::BlockDepth;
 use super::interpolate::PlaneSource;
 use super::job::{Chunk, PassJob, TileJob};
 use super::samples::{SampleMasks, moved};

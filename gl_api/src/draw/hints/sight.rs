@@ -18,10 +18,9 @@ pub(crate) fn picture(context: &mut Context) {
 #[cold]
 #[inline(never)]
 fn nothing(context: &mut Context, reasons: &Reasons) {
-    let mut reasons: Vec<_> =
-        reasons.iter().map(|(&(drawn, reason), &n)| (drawn, reason, n)).collect();
-    // The most usual first; of equals the order of the enumeration.
-    reasons.sort_by_key(|&(.., count)| std::cmp::Reverse(count));
+    let mut reasons: Vec<_> = reasons.iter().collect();
+    // The most usual first; of equals the order of the enumerations.
+    reasons.sort_by_key(|&(drawn, reason, count)| (std::cmp::Reverse(count), drawn, reason));
     let Some(&(_, main, _)) = reasons.first() else { return };
     if !context.is_news(Hint::NothingSeen, context.state.bindings.draw_framebuffer) {
         return;

@@ -1,0 +1,80 @@
+//! The depth of fragments before anything is shaded: the same numbers as [`super::inputs`] gives.
+
+use super::batch::{Batch, Quads};
+use super::inputs::{Places, evaluate_plane};
+use super::samples::moved;
+use texunit::lanes::{F32s, Kernel, LANES, Simd};
+
+/// Window depth lies within bounds, [0, 1] or closer ones, whatever the planes and offsets gave (GL 2.1,
+/// section 2.11.1; `ARB_depth_clamp`).
+#[inline(always)]
+pub fn clamp_depth(depth: &mut F32s, [low, high]: [f32; 2]) {
+    for lane in 0..LANES {
+        depth[lane] = texunit::lanes::math::clamp(depth[lane], low, high);
+    }
+}
+
+/// The depth of a block of one shape.
+pub struct BlockDepth {
+    /// At the first pixel, per pixel across, per pixel up.
+    pub plane: [f32; 3],
+    /// What depths are held within.
+    pub depths: [f32; 2],
+}
+
+impl Kernel for BlockDepth {
+    type Output = F32s;
+    #[inline(always)]
+    fn run<S: Simd>(self) -> F32s {
+        let [corner, a, b] = self.plane;
+        let mut out = F32s::ZERO;
+        for lane in 0..LANES {
+            let dx = texunit::lanes::lane_x(lane) as f32;
+            let dy = texunit::lanes::lane_y(lane) as f32;
+            out[lane] = (corner + dx * a) + dy * b;
+        }
+        clamp_depth(&mut out, self.depths);
+        out
+    }
+}
+
+/// The depth of a batch at a sample: the same numbers as [`BlockDepth`] gives for a plane that was
+/// moved there.
+pub struct BatchDepth<'a> {
+    /// The quads.
+    pub batch: &'a Batch<'a>,
+    /// The plane of depth.
+    pub plane: usize,
+    /// From the pixel's centre to the sample, in pixels; `None` for the centre itself.
+    pub offset: Option<[f32; 2]>,
+    /// What depths are held within.
+    pub depths: [f32; 2],
+    /// Takes the depth.
+    pub depth: &'a mut F32s,
+}
+
+impl Kernel for BatchDepth<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn run<S: Simd>(self) {
+        match self.batch.quads {
+            Quads::Block(block) => self.fill(block),
+            Quads::Packed(packed) => self.fill(packed),
+            Quads::Pixels(pixels) => self.fill(pixels),
+        }
+    }
+}
+
+impl BatchDepth<'_> {
+    #[inline(always)]
+    fn fill(self, places: &impl Places) {
+        let Self { plane, offset, depths, depth, .. } = self;
+        let plane = places.plane(plane);
+        let mut out = match offset {
+            None => evaluate_plane(places, plane),
+            Some(by) => evaluate_plane(places, |e, q| moved(plane(e, q), Some(by))),
+        };
+        clamp_depth(&mut out, depths);
+        *depth = out;
+    }
+}
