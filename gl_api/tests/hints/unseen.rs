@@ -130,6 +130,28 @@ fn a_picture_of_nothing_says_why() {
     }
 }
 
+/// 40 points out of sight on the left, then 40 on the right.
+fn points(c: &mut Context, between: fn(&mut Context)) {
+    for x in [-2.0, 2.0] {
+        c.begin(GL_POINTS);
+        (0..40).for_each(|_| c.vertex_2f(x, 0.0));
+        c.end();
+        between(c);
+    }
+}
+
+#[test]
+fn what_is_said_does_not_depend_on_when_draws_are_carried_out() {
+    let ways: [fn(&mut Context); 3] = [|_| {}, Context::flush, Context::finish];
+    for between in ways {
+        let mut c = context();
+        points(&mut c, between);
+        let said = picture(&mut c);
+        assert!(said[0].contains("40 points are beyond the left side"), "{said:?}");
+        assert!(said[0].contains("24 points are beyond the right side"), "{said:?}");
+    }
+}
+
 #[test]
 fn nothing_is_said_of_a_picture_where_something_is_seen() {
     let mut c = context();

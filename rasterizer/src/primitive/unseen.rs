@@ -65,24 +65,8 @@ pub enum Drawn {
     Triangle,
 }
 
-/// Why nothing is seen of primitives, and of how many of them.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Reasons(Vec<(Drawn, Reason, u32)>);
-
-impl Reasons {
-    /// Adds so many primitives.
-    pub fn add(&mut self, drawn: Drawn, reason: Reason, count: u32) {
-        match self.0.iter_mut().find(|of| (of.0, of.1) == (drawn, reason)) {
-            Some((.., all)) => *all += count,
-            None => self.0.push((drawn, reason, count)),
-        }
-    }
-
-    /// What primitives there are, why nothing is seen of them, and how many they are.
-    pub fn iter(&self) -> impl Iterator<Item = (Drawn, Reason, u32)> {
-        self.0.iter().copied()
-    }
-}
+/// Of each of some primitives, in order, what it is and why nothing of it is seen.
+pub type Reasons = Vec<(Drawn, Reason)>;
 
 /// Why nothing is seen of any of a range of primitives, which have no shapes.
 pub fn reasons(
@@ -92,7 +76,7 @@ pub fn reasons(
     wanted: &Wanted,
 ) -> Reasons {
     let mut scratch = Scratch { planes: planes(&setup.viewport), ..Scratch::default() };
-    let mut reasons = Reasons::default();
+    let mut reasons = Reasons::new();
     for at in range {
         let (drawn, ordinals) = match primitives.get(at) {
             Primitive::Point(ordinal) => (Drawn::Point, vec![ordinal]),
@@ -101,7 +85,7 @@ pub fn reasons(
         };
         let vertices: Vec<u32> = ordinals.into_iter().map(|v| wanted.local(v)).collect();
         let reason = setup.reason(geometry, &vertices, &mut scratch);
-        reasons.add(drawn, reason, 1);
+        reasons.push((drawn, reason));
     }
     reasons
 }

@@ -18,20 +18,26 @@ pub(crate) fn picture(context: &mut Context) {
 #[cold]
 #[inline(never)]
 fn nothing(context: &mut Context, reasons: &Reasons) {
-    let mut reasons: Vec<_> = reasons.iter().collect();
+    let mut counts: Vec<(Drawn, Reason, u32)> = Vec::new();
+    for &(drawn, reason) in reasons {
+        match counts.iter_mut().find(|of| (of.0, of.1) == (drawn, reason)) {
+            Some((.., count)) => *count += 1,
+            None => counts.push((drawn, reason, 1)),
+        }
+    }
     // The most usual first; of equals the order of the enumerations.
-    reasons.sort_by_key(|&(drawn, reason, count)| (std::cmp::Reverse(count), drawn, reason));
-    let Some(&(_, main, _)) = reasons.first() else { return };
+    counts.sort_by_key(|&(drawn, reason, count)| (std::cmp::Reverse(count), drawn, reason));
+    let Some(&(_, main, _)) = counts.first() else { return };
     if !context.is_news(Hint::NothingSeen, context.state.bindings.draw_framebuffer) {
         return;
     }
-    let what = match reasons[..] {
+    let what = match counts[..] {
         [(drawn, reason, 1)] => format!("the {} {}", name(drawn, 1), verdict(reason, 1)),
         [(drawn, reason, n)] => format!("the first {n} {} {}", name(drawn, n), verdict(reason, n)),
         _ => {
             let each =
                 |&(drawn, reason, n)| format!("{n} {} {}", name(drawn, n), verdict(reason, n));
-            reasons.iter().map(each).collect::<Vec<_>>().join(", ")
+            counts.iter().map(each).collect::<Vec<_>>().join(", ")
         }
     };
     let (fix, section) = fix(main);
