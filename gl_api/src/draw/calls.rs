@@ -167,7 +167,9 @@ pub(super) fn check_arrays(context: &mut Context, first: GLint, count: GLsizei) 
     let last = (first + count - 1) as u32;
     let reach = Reach { first: last, last, instances: 1, apart: None };
     let vertices = bindings(context, reach)?;
-    check_range(context, &vertices, first, count)
+    let checked = check_range(context, &vertices, first, count);
+    context.recorder.bindings = vertices;
+    checked
 }
 
 /// Draws, or adds the draw to the list that is compiled.

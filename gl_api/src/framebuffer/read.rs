@@ -15,7 +15,7 @@ use crate::texture::specify::kinds_match;
 use crate::texture::transfer::{Kind, Transfer};
 use crate::texture::{convert, memory};
 use crate::types::*;
-use rasterizer::driver::Attachment;
+use rasterizer::driver::{Attachment, Device};
 use std::sync::Arc;
 use texunit::format::Format;
 use texunit::image::Level;
@@ -30,6 +30,11 @@ pub(crate) struct Pixels {
 }
 
 impl Pixels {
+    /// Those of an attachment, as everything submitted leaves them.
+    fn of(device: &Device, attachment: &Attachment) -> Option<Self> {
+        device.resolved(attachment).map(|(level, slice)| Self { level, slice })
+    }
+
     /// How its texels are stored.
     pub fn format(&self) -> Format {
         self.level.format
@@ -54,8 +59,7 @@ impl Pixels {
 /// The pixels of an attachment as everything recorded leaves them.
 pub(super) fn settled(context: &mut Context, attachment: &Attachment) -> Option<Pixels> {
     crate::draw::settle(context, &attachment.image);
-    let (level, slice) = context.recorder.device().resolved(attachment)?;
-    Some(Pixels { level, slice })
+    Pixels::of(&context.recorder.device(), attachment)
 }
 
 /// The pixels of every sample of an attachment, as everything recorded leaves them.
@@ -192,8 +196,8 @@ pub(crate) fn read_pixels(
         if is_all && device.read(&attachment, &mut bytes[layout.start..], layout.stride) {
             return;
         }
-        if let Some((level, slice)) = device.resolved(&attachment) {
-            pack(isa, &Pixels { level, slice }, region, &layout, &transfer, last, bytes);
+        if let Some(from) = Pixels::of(&device, &attachment) {
+            pack(isa, &from, region, &layout, &transfer, last, bytes);
         }
     })
 }

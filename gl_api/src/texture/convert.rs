@@ -219,9 +219,13 @@ impl<'a> Conversion<'a> {
         let run = layout.row_bytes();
         let is_tight = (height == 1 || layout.stride == run)
             && (depth == 1 || layout.image_stride == run * height);
-        let is_copy = self.moves.as_ref().is_some_and(Moves::is_copy);
         let same = || &bytes[layout.start..layout.start + run * height * depth];
-        (is_copy && is_tight && layout.bits.is_none()).then(same)
+        (is_tight && self.is_copy(layout)).then(same)
+    }
+
+    /// Whether the client's pixels are what they become, or come from.
+    fn is_copy(&self, layout: &Layout) -> bool {
+        layout.bits.is_none() && self.moves.as_ref().is_some_and(Moves::is_copy)
     }
 
     /// Whether numbers are moved as they are.
@@ -392,8 +396,7 @@ pub(crate) fn is_copy(
     transfer: &Transfer,
     last: Final,
 ) -> bool {
-    let moves = Conversion::pack(isa, layout, format, transfer, last).moves;
-    layout.bits.is_none() && moves.is_some_and(|moves| moves.is_copy())
+    Conversion::pack(isa, layout, format, transfer, last).is_copy(layout)
 }
 
 /// Texels of one format as texels of another.

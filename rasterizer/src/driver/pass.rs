@@ -125,6 +125,11 @@ impl<'a> Pass<'a> {
         ]
     }
 
+    /// The format of the depth attachment.
+    fn depth_format(&self) -> Option<Format> {
+        self.depth.as_ref().map(|surface| surface.format)
+    }
+
     /// The pixels of `area` that have their centre in the viewport.
     fn inner_area(&self, mut area: [[i32; 2]; 2]) -> [[i32; 2]; 2] {
         let [first, end] = self.bound.viewport.pixels();
@@ -137,9 +142,8 @@ impl<'a> Pass<'a> {
 
     fn clear(&mut self, value: ClearValue, rect: Rect) {
         let (area, label) = (self.area(Some(rect)), self.bound.label);
-        let format = |surface: Option<&Option<Surface>>| surface?.as_ref().map(|s| s.format);
-        let color = |target: u8| format(self.colors.get(usize::from(target)));
-        let depth = format(Some(&self.depth));
+        let color = |target: u8| self.formats.get(usize::from(target)).copied().flatten();
+        let depth = self.depth_format();
         let first = |word: u32| [word, 0, 0, 0];
         let job = match value {
             ClearValue::Color { target, value, mask } => color(target).map(|format| ClearJob {
@@ -226,8 +230,8 @@ impl<'a> Pass<'a> {
 
         let compiled = pipeline.compiled();
         let desc = pipeline.desc();
-        let depth = self.depth.as_ref().map(|surface| surface.format);
-        let resolution = depth.and_then(DepthFormat::of).and_then(DepthFormat::resolution);
+        let resolution =
+            self.depth_format().and_then(DepthFormat::of).and_then(DepthFormat::resolution);
         let primitives = primitives(desc.topology, desc.provoking, count);
         let vertices = self.bound.vertices.clone();
         let textures = self.bound.vertex_textures.clone();
@@ -289,14 +293,14 @@ impl<'a> Pass<'a> {
 
     /// Decides how to draw with what is bound.
     fn decide(&mut self, pipeline: &Pipeline) -> (Arc<DrawPlan>, Arc<Prepared>) {
-        let (isa, bound) = (self.job.isa, &mut self.bound);
+        let (isa, depth, bound) = (self.job.isa, self.depth_format(), &mut self.bound);
         let compiled = pipeline.compiled();
         let surface = self.colors.iter().flatten().chain(&self.depth).next();
         let samples = surface.map_or(1, |surface| surface.samples);
         let input = PlanInput {
             isa,
             colors: &self.formats,
-            depth: self.depth.as_ref().map(|surface| surface.format),
+            depth,
             samples,
             uniforms: &bound.uniforms,
             textures: bound.fragment_textures.clone(),
@@ -349,10 +353,9 @@ impl<'a> Pass<'a> {
 
     /// Runs every tile that has something to do, and empties the bins.
     fn run_tiles(&mut self, report: &mut SubmitReport) {
-        let format = |surface: &Option<Surface>| surface.as_ref().map(|s| s.format);
         let formats = Formats {
-            colors: self.colors.iter().map(format).collect(),
-            depth: format(&self.depth).and_then(DepthFormat::of),
+            colors: self.formats.clone(),
+            depth: self.depth_format().and_then(DepthFormat::of),
         };
         let mut tiles = Vec::new();
         let mut homes = Vec::new();

@@ -1,9 +1,9 @@
 //! The depth of fragments before anything is shaded: the same numbers as [`super::inputs`] gives.
 
 use super::batch::{Batch, Quads};
-use super::inputs::{Places, evaluate_plane};
+use super::inputs::{Places, evaluate_plane, value};
 use super::samples::moved;
-use texunit::lanes::{F32s, Kernel, LANES, Simd};
+use texunit::lanes::{F32s, Kernel, LANES, Simd, lane_x, lane_y};
 
 /// Window depth lies within bounds, [0, 1] or closer ones, whatever the planes and offsets gave (GL 2.1,
 /// section 2.11.1; `ARB_depth_clamp`).
@@ -26,12 +26,9 @@ impl Kernel for BlockDepth {
     type Output = F32s;
     #[inline(always)]
     fn run<S: Simd>(self) -> F32s {
-        let [corner, a, b] = self.plane;
         let mut out = F32s::ZERO;
         for lane in 0..LANES {
-            let dx = texunit::lanes::lane_x(lane) as f32;
-            let dy = texunit::lanes::lane_y(lane) as f32;
-            out[lane] = (corner + dx * a) + dy * b;
+            out[lane] = value(self.plane, [lane_x(lane) as f32, lane_y(lane) as f32]);
         }
         clamp_depth(&mut out, self.depths);
         out

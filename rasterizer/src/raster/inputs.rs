@@ -387,7 +387,7 @@ fn evaluate_pixel(
 
 /// A plane at a place in its block.
 #[inline(always)]
-fn value([corner, a, b]: [f32; 3], [dx, dy]: [f32; 2]) -> f32 {
+pub(super) fn value([corner, a, b]: [f32; 3], [dx, dy]: [f32; 2]) -> f32 {
     (corner + dx * a) + dy * b
 }
 

@@ -1,7 +1,6 @@
 //! Compressed levels whole: rows of texels out of blocks, and blocks of the texels of a level.
 
-use super::{Level, PADDING};
-use crate::format::block;
+use super::Level;
 use crate::lanes::{F32s, Isa, Kernel, LANES, Simd, U32s};
 use crate::sample::fetch;
 
@@ -18,31 +17,15 @@ impl Level {
         isa.run(Run { level: self, at, out });
     }
 
-    /// Compresses colours of four `f32` each, tightly packed, as many as the level has texels: rows upward, then
-    /// slices. Beyond the edge, a block repeats it. Of a format without blocks, nothing.
+    /// [`Level::fill`] of a level without border from colours of four `f32` each, tightly packed, as many as it has
+    /// texels: rows upward, then slices.
     pub fn compress(&mut self, colors: &[u8]) {
-        if self.format.block().is_none() {
-            return;
-        }
-        let [width, height, depth] = self.size().map(|side| side as usize);
+        let [width, height, _] = self.size().map(|side| side as usize);
         let (texels, _) = colors.as_chunks::<COLOR>();
-        let bytes = self.format.bytes();
-        let end = self.texels.len() - PADDING;
-        let mut out = self.texels[..end].chunks_exact_mut(bytes);
-        for z in 0..depth {
-            for y in (0..height).step_by(4) {
-                for x in (0..width).step_by(4) {
-                    let mut block = [[0.0; 4]; 16];
-                    for (at, to) in block.iter_mut().enumerate() {
-                        let (x, y) = ((x + at % 4).min(width - 1), (y + at / 4).min(height - 1));
-                        *to = color(&texels[(z * height + y) * width + x]);
-                    }
-                    if let Some(out) = out.next() {
-                        out.copy_from_slice(&block::encode(self.format, &block)[..bytes]);
-                    }
-                }
-            }
-        }
+        self.fill(|at| {
+            let [x, y, z] = at.map(|at| at as usize);
+            color(&texels[(z * height + y) * width + x])
+        });
     }
 }
 
