@@ -87,9 +87,7 @@ fn constants_read(context: &Context) -> u64 {
 
 /// Where every attribute of an array draw comes from, of those that matter.
 fn bindings(context: &mut Context, reach: Reach<'_>) -> Result<Vec<VertexBinding>> {
-    let mut bindings = std::mem::take(&mut context.recorder.bindings);
-    bindings.clear();
-    bindings.reserve(LOCATIONS);
+    let mut bindings = context.recorder.no_bindings();
     let arrays = &context.state.arrays.by_location;
     let constants = constants_read(context);
     for location in 0..LOCATIONS {

@@ -178,8 +178,7 @@ pub(crate) fn draw_columns(
     Columns { buffer, count, part }: Columns<'_>,
     column_of: impl Fn(usize) -> Option<usize>,
 ) -> Result<()> {
-    let mut vertices = std::mem::take(&mut context.recorder.bindings);
-    vertices.reserve(COLUMNS);
+    let mut vertices = context.recorder.no_bindings();
     for location in 0..COLUMNS {
         let index = match location == 0 || location == usize::from(ATTRIB_VERTEX) {
             true => Some(0),

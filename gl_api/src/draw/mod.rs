@@ -170,6 +170,13 @@ impl Recorder {
         self.commands.commands.len() >= MAX_COMMANDS || self.held >= MAX_HELD
     }
 
+    /// The memory of bindings, without any in it.
+    fn no_bindings(&mut self) -> Vec<VertexBinding> {
+        let mut bindings = std::mem::take(&mut self.bindings);
+        bindings.clear();
+        bindings
+    }
+
     /// Records a command into the open pass.
     pub fn push(&mut self, command: Command) {
         self.commands.push(command);

@@ -148,3 +148,23 @@ fn locked_arrays_draw_what_they_draw_unlocked() {
     });
     assert!(pictures.iter().all(|picture| *picture == pictures[0]));
 }
+
+/// Runs that only repeat the draw before leave nothing to the draw that follows them.
+#[test]
+fn what_follows_several_runs_has_arrays_of_its_own() {
+    let outcome = |between: fn(&mut Context)| {
+        let mut c = context();
+        c.enable_client_state(GL_VERTEX_ARRAY);
+        c.vertex_pointer(2, GL_FLOAT, 0, CORNERS.as_slice().arg());
+        c.draw_arrays(GL_TRIANGLES, 0, 3);
+        between(&mut c);
+        c.begin(GL_TRIANGLES);
+        for [x, y] in [[0.9, -0.9], [0.9, -0.2], [0.2, -0.9]] {
+            c.vertex_2f(x, y);
+        }
+        c.end();
+        picture(&mut c)
+    };
+    let runs = |c: &mut Context| c.multi_draw_arrays(GL_TRIANGLES, &[0, 0], &[3, 3], 2);
+    assert_eq!(outcome(runs), outcome(|_| ()));
+}
