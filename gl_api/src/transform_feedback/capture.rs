@@ -7,6 +7,7 @@ use crate::error::{Result, invalid_operation};
 use crate::feedback::shade::{Id, Outputs, Vertices, shade};
 use crate::glsl::{BufferMode, Captured, CapturedScalar};
 use rasterizer::driver::{Primitive, Topology, VertexBinding, primitives};
+use texunit::lanes::math;
 
 /// Primitives of this many vertices are run and written at once.
 const CHUNK: usize = 1 << 12;
@@ -154,7 +155,7 @@ impl Place {
     fn word(self, vertices: &Vertices, at: usize) -> u32 {
         let value = |place: Option<usize>| place.map_or(0.0, |place| vertices.value(at, place));
         match self {
-            Self::Float(place) => value(place).to_bits(),
+            Self::Float(place) => math::bits(value(place)),
             Self::Word(places) => {
                 let [low, high] = places.map(|place| value(place) as u32);
                 high << 16 | low

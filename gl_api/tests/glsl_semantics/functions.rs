@@ -401,4 +401,13 @@ pub const TABLE: &[Row] = &[
             r.zw = uintBitsToFloat(floatBitsToUint(-u.zw) ^ uvec2(1u << 31u));",
         [2.0, 4.0, 3.0, 4.0],
     ),
+    // The NaN of every processor has the same bits; those of others are kept.
+    Row(
+        130,
+        "#extension GL_ARB_shader_bit_encoding : require\n",
+        "float zero = u.x - 1.0;
+            r = vec4(floatBitsToUint(zero / zero) == 0x7FC00000u, floatBitsToInt(-(zero / zero)) == 0x7FC00000,
+                floatBitsToInt(sqrt(-u.x)) == 0x7FC00000, floatBitsToInt(intBitsToFloat(-k)));",
+        [1.0, 1.0, 1.0, -2.0],
+    ),
 ];

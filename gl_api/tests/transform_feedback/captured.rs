@@ -89,12 +89,12 @@ fn result(c: &mut Context, id: GLuint) -> GLuint {
 fn scalars_of_every_type_are_exact() {
     let vertex = "#version 130\n\
         uniform float zero; out vec3 v; flat out ivec2 i; flat out uint u[2]; out mat2x3 m;\n\
-        out float special[3];\n\
+        out float special[4];\n\
         void main() {\n\
           v = vec3(0.1, -2.5, 16777217.0); i = ivec2(-2147483647 - 1, 65537);\n\
           u = uint[2](4294967295u, 305419896u);\n\
           m = mat2x3(1.0, 2.0, 3.0, 4.0, 5.0, 6.0);\n\
-          special = float[3](1.0 / zero, -0.0, 1.0e-40);\n\
+          special = float[4](1.0 / zero, -0.0, 1.0e-40, zero / zero);\n\
           gl_PointSize = 7.0; gl_Position = vec4(0.25, 0.5, 0.75, 1.0);\n\
         }";
     let names = ["v", "i", "u", "m", "special", "gl_Position", "gl_PointSize"];
@@ -104,6 +104,7 @@ fn scalars_of_every_type_are_exact() {
         .chain([0x8000_0000, 65_537, u32::MAX, 0x1234_5678])
         .chain([1.0, 2.0, 3.0, 4.0, 5.0, 6.0].map(f32::to_bits))
         .chain([f32::INFINITY, -0.0, 1.0e-40].map(f32::to_bits))
+        .chain([0x7FC0_0000])
         .chain([0.25, 0.5, 0.75, 1.0, 7.0].map(f32::to_bits))
         .collect();
     let mut c = context();

@@ -7,7 +7,7 @@ use super::small_float::{
     HALF_MANTISSA, decode_half, decode_unsigned, encode_half, encode_unsigned,
 };
 use super::{BaseFormat, Encoding, Field, Format, block, shared_exponent, srgb};
-use crate::lanes::math::{clamp, low_bits, max, round_even, to_i32, to_u32};
+use crate::lanes::math::{NAN, clamp, low_bits, max, round_even, to_i32, to_u32};
 use crate::lanes::{F32s, LANES, Simd, U32s};
 use std::marker::PhantomData;
 
@@ -28,9 +28,6 @@ const INVERSES: [[f32; 2]; 17] = {
     }
     table
 };
-
-/// The one NaN that is stored, so that the bits do not depend on which instruction made it.
-const NAN: u32 = 0x7FC0_0000;
 
 /// The largest 32-bit unsigned normalized number.
 const UNORM32: f64 = u32::MAX as f64;
@@ -103,7 +100,7 @@ fn to_snorm(x: f32, largest: f32) -> u32 {
     low_bits(clamp(number, -1.0, 1.0) * largest) as u32
 }
 
-/// The bits of an `f32`.
+/// The bits of an `f32`. Every NaN is stored as one.
 #[inline(always)]
 pub(crate) fn to_float(x: f32) -> u32 {
     if x.is_nan() { NAN } else { x.to_bits() }

@@ -3,11 +3,14 @@
 #[cfg(test)]
 mod tests;
 
+#[cfg(target_arch = "x86_64")]
+use super::math;
 use super::simd::{Kernel, Simd, private};
+#[cfg(target_arch = "x86_64")]
 use super::walk::{self, Walk};
 use super::weigh::{self, Sums};
 use super::{F32s, U32s};
-use super::{gather, math, reduce};
+use super::{gather, reduce};
 use thiserror::Error;
 
 /// An instruction set that this processor has. Values exist only for instruction sets that were

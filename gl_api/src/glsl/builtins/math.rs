@@ -4,6 +4,7 @@
 use crate::glsl::lower::emit::Emit;
 use crate::glsl::types::Type;
 use rasterizer::ir::{Axis, Op, Ty, Value};
+use texunit::lanes::math::NAN;
 
 /// The arguments of a call.
 #[derive(Clone, Copy)]
@@ -66,9 +67,22 @@ fn each(
 /// The bits as a signed integer.
 pub fn float_bits_to_int(emit: &mut Emit, args: Args<'_>) -> Vec<Value> {
     each(emit, args, |emit, at| {
-        let bits = emit.op(Op::FloatBits, &[at(0)]);
+        let bits = float_bits(emit, at(0));
         emit.op(Op::UintToInt, &[bits])
     })
+}
+
+/// The bits as an unsigned integer.
+pub fn float_bits_to_uint(emit: &mut Emit, args: Args<'_>) -> Vec<Value> {
+    each(emit, args, |emit, at| float_bits(emit, at(0)))
+}
+
+/// The bits as [`texunit::lanes::math::bits`] gives them.
+fn float_bits(emit: &mut Emit, x: Value) -> Value {
+    let bits = emit.op(Op::FloatBits, &[x]);
+    let [signed, unsigned] = [NAN | 1 << 31, NAN].map(|bits| emit.uint(bits));
+    let is_signed = emit.equal(bits, signed);
+    emit.select(is_signed, unsigned, bits)
 }
 
 /// The float whose bits a signed integer has.

@@ -117,7 +117,7 @@ pub fn rows() -> Vec<Row> {
         any("isnan", B, &[F], V130, With(math::isnan)),
         any("isinf", B, &[F], V130, With(math::isinf)),
         any("floatBitsToInt", I, &[F], BITS, With(math::float_bits_to_int)),
-        any("floatBitsToUint", U, &[F], BITS, Map(Op::FloatBits)),
+        any("floatBitsToUint", U, &[F], BITS, With(math::float_bits_to_uint)),
         any("intBitsToFloat", F, &[I], BITS, With(math::int_bits_to_float)),
         any("uintBitsToFloat", F, &[U], BITS, Map(Op::BitsFloat)),
         // 8.4 Geometric

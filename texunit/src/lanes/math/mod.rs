@@ -23,14 +23,38 @@ pub use exponential::{
 };
 pub use inverse::{acos, asin, atan, atan2};
 
+/// The bits of the plainest NaN: quiet, without a sign.
+pub const NAN: u32 = 0x7FC0_0000;
 /// The bit of a number's sign.
 const SIGN: u32 = 1 << 31;
 /// 2^23, from which on every `f32` is an integer.
 const INTEGERS_FROM: f32 = 8_388_608.0;
 
+/// `x`, with the quiet bit of a NaN set. What a comparison with a constant chooses becomes a `maxNum` on
+/// other processors than x86 (AArch64's `fmaxnm`), and that gives a NaN for one that signals.
+#[inline(always)]
+pub(crate) fn quiet(x: f32) -> f32 {
+    const INFINITY: u32 = f32::INFINITY.to_bits();
+    const QUIET: u32 = 1 << 22;
+    let bits = x.to_bits();
+    if cfg!(target_arch = "x86_64") {
+        return x;
+    }
+    f32::from_bits(if bits & !SIGN > INFINITY { bits | QUIET } else { bits })
+}
+
+/// The bits of `x`. Operations on numbers give the NaN of the processor, which has a sign on x86 and none on
+/// AArch64: of both, [`NAN`]. Others, which somebody has put there, are kept.
+#[inline(always)]
+pub fn bits(x: f32) -> u32 {
+    let bits = x.to_bits();
+    if bits == NAN | SIGN { NAN } else { bits }
+}
+
 /// The integer part toward zero as an `i32`; out of range clamps, NaN gives the smallest.
 #[inline(always)]
 pub fn to_i32(x: f32) -> i32 {
+    let x = quiet(x);
     // The order of each comparison sends NaN to the lower bound. 2147483520 is the largest `f32`
     // below 2^31.
     let low = if x >= -2_147_483_648.0 { x } else { -2_147_483_648.0 };
@@ -71,6 +95,7 @@ pub fn unit_byte(c: f32) -> u32 {
 /// The integer part toward zero as a `u32`; negative and NaN give 0, too large clamps.
 #[inline(always)]
 pub fn to_u32(x: f32) -> u32 {
+    let x = quiet(x);
     let low = if x >= 0.0 { x } else { 0.0 };
     let clamped = if low <= 4_294_967_040.0 { low } else { 4_294_967_040.0 };
     // Through two halves of 31 bits: only signed conversions are vector instructions everywhere.
@@ -158,12 +183,14 @@ pub fn modulo_positive(a: f32, b: f32, nearest: f32) -> f32 {
 /// The smaller; `b` if `a` is NaN. (Rust's and each processor's own `min` differ on NaN and ±0.)
 #[inline(always)]
 pub fn min(a: f32, b: f32) -> f32 {
+    let a = quiet(a);
     if a < b { a } else { b }
 }
 
 /// The larger; `b` if `a` is NaN.
 #[inline(always)]
 pub fn max(a: f32, b: f32) -> f32 {
+    let a = quiet(a);
     if a > b { a } else { b }
 }
 
