@@ -16,7 +16,7 @@ use crate::object::framebuffers::Planes;
 use crate::state::enable::Flag;
 use accumulate::Accumulation;
 use buffers::Selection;
-use rasterizer::driver::{Attachment, Image, LevelInfo, SrgbWrite};
+use rasterizer::driver::{Attachment, Image, SrgbWrite};
 pub(crate) use swap::Presence;
 use texunit::format::Format;
 use texunit::image::{Image as Texels, ImageError, Level, Shape};
@@ -54,15 +54,6 @@ impl Region {
         let (x, width) = clip(self.x, self.width, width)?;
         let (y, height) = clip(self.y, self.height, height)?;
         Some(Visible { x, y, width, height })
-    }
-
-    /// Whether it is all that there is of an attachment.
-    pub fn is_all(&self, attachment: &Attachment) -> bool {
-        let level = attachment.image.level(0, attachment.level.into());
-        level.is_some_and(|LevelInfo { size: [width, height, _], .. }| {
-            let size = (self.width, self.height) == (width as usize, height as usize);
-            size && (self.x, self.y) == (0, 0)
-        })
     }
 }
 

@@ -1,7 +1,7 @@
 //! `glReadPixels`: GL 2.1, section 4.3.2.
 
 use super::complete::{Readable, read_attachment};
-use super::{Region, format_of};
+use super::{Region, Visible, format_of};
 use crate::constants::*;
 use crate::context::Context;
 use crate::draw::hints::sight;
@@ -9,17 +9,16 @@ use crate::entry::DataOut;
 use crate::error::{Result, invalid_operation, not_negative};
 use crate::state::clamp;
 use crate::texture::client::{ClientFormat, LuminanceOf, Numbers, Pixel};
-use crate::texture::convert::Final;
+use crate::texture::convert::{Conversion, Final};
 use crate::texture::layout::{Extent, Layout};
+use crate::texture::memory;
 use crate::texture::specify::kinds_match;
-use crate::texture::transfer::{Kind, Transfer};
-use crate::texture::{convert, memory};
+use crate::texture::transfer::Kind;
 use crate::types::*;
-use rasterizer::driver::{Attachment, Device};
+use rasterizer::driver::{Attachment, Device, Part, Put};
 use std::sync::Arc;
 use texunit::format::Format;
 use texunit::image::Level;
-use texunit::lanes::Isa;
 
 const SECTION: &str = "GL 2.1, section 4.3.2";
 
@@ -47,12 +46,7 @@ impl Pixels {
 
     /// The texels of a row from column `x` on, `width` of them.
     pub fn row(&self, x: usize, y: usize, width: usize) -> &[u8] {
-        let size = self.level.format.bytes();
-        let first = self.level.origin()
-            + self.slice * self.level.slice_bytes()
-            + y * self.level.row_bytes()
-            + x * size;
-        &self.level.texels[first..first + width * size]
+        self.level.run([x, y, self.slice], width)
     }
 }
 
@@ -190,36 +184,50 @@ pub(crate) fn read_pixels(
     sight::picture(context);
     let device = context.recorder.device();
     let isa = context.recorder.isa();
+    // Pixels outside are left as they are.
+    let visible = attachment.size().and_then(|[width, height]| region.within(width, height));
     memory::write_pixels(context, &layout, pixels, |bytes| {
-        let is_all =
-            region.is_all(&attachment) && convert::is_copy(isa, &layout, from, &transfer, last);
-        if is_all && device.read(&attachment, &mut bytes[layout.start..], layout.stride) {
-            return;
-        }
-        if let Some(from) = Pixels::of(&device, &attachment) {
-            pack(isa, &from, region, &layout, &transfer, last, bytes);
-        }
+        let Some(visible) = visible else { return };
+        let column = (visible.x as i64 - region.x) as usize;
+        let row = (visible.y as i64 - region.y) as usize;
+        let run = layout.run(column, row, visible.width);
+        let conversion = Conversion::pack(isa, &run, from, &transfer, last);
+        let convert = |texels: &[u8], out: &mut [u8]| conversion.pack_row(&run, texels, out);
+        let put = if conversion.is_copy(&run) { Put::AsStored } else { Put::By(&convert) };
+        let (stride, row_bytes) = (run.stride, run.row_bytes());
+        let end = run.start + (visible.height - 1) * stride + row_bytes;
+        let to = ClientRows { bytes: &mut bytes[run.start..end], stride, row_bytes };
+        read_rows(&device, &attachment, visible, to, put);
     })
 }
 
-/// A region of a level into the client's memory. Pixels outside the level are left as they are.
-fn pack(
-    isa: Isa,
-    from: &Pixels,
-    region: Region,
-    layout: &Layout,
-    transfer: &Transfer,
-    last: Final,
-    bytes: &mut [u8],
+/// Where a client has its rows: the first byte of each so many after that of the one before.
+struct ClientRows<'a> {
+    bytes: &'a mut [u8],
+    stride: usize,
+    row_bytes: usize,
+}
+
+/// Puts the pixels of an attachment, as everything submitted leaves them, where a client has its rows.
+fn read_rows(
+    device: &Device,
+    attachment: &Attachment,
+    visible: Visible,
+    to: ClientRows<'_>,
+    put: Put<'_>,
 ) {
-    let [width, height] = from.size();
-    let Some(visible) = region.within(width, height) else { return };
-    let column = (visible.x as i64 - region.x) as usize;
-    let row = (visible.y as i64 - region.y) as usize;
-    let run = layout.run(column, row, visible.width);
-    let rows = (0..visible.height)
-        .map(|y| (run.start + y * run.stride, from.row(visible.x, visible.y + y, visible.width)));
-    convert::pack_rows(isa, &run, from.format(), transfer, last, rows, bytes);
+    let ClientRows { bytes, stride, row_bytes } = to;
+    let [x, y, width] = [visible.x, visible.y, visible.width].map(|at| at as u32);
+    if stride < row_bytes {
+        // They overlap, and the last one stays.
+        for (row, y) in (y..).take(visible.height).enumerate() {
+            let out = &mut bytes[row * stride..][..row_bytes];
+            device.read(attachment, Part { x, y, width }, &mut [out], put);
+        }
+    } else {
+        let mut rows: Vec<&mut [u8]> = bytes.chunks_mut(stride).collect();
+        device.read(attachment, Part { x, y, width }, &mut rows, put);
+    }
 }
 
 /// Whether signed integers go to signed ones, unsigned to unsigned and other numbers to others, as a blit needs.

@@ -151,7 +151,7 @@ impl<'a> Conversion<'a> {
     }
 
     /// Texels as the client's pixels.
-    fn pack(
+    pub fn pack(
         isa: Isa,
         layout: &Layout,
         format: Format,
@@ -224,7 +224,7 @@ impl<'a> Conversion<'a> {
     }
 
     /// Whether the client's pixels are what they become, or come from.
-    fn is_copy(&self, layout: &Layout) -> bool {
+    pub fn is_copy(&self, layout: &Layout) -> bool {
         layout.bits.is_none() && self.moves.as_ref().is_some_and(Moves::is_copy)
     }
 
@@ -255,6 +255,15 @@ impl<'a> Conversion<'a> {
             }
             None => self.compute(from, to),
         }
+    }
+
+    /// A row of texels into the client's memory from where it begins there.
+    pub fn pack_row(&self, layout: &Layout, row: &[u8], out: &mut [u8]) {
+        let out = &mut out[..layout.row_bytes()];
+        let Some(bits) = layout.bits else { return self.run(row, out) };
+        let mut indices = vec![0; layout.size[0]];
+        self.run(row, &mut indices);
+        indices.iter().enumerate().for_each(|(column, &index)| bits.put(out, column, index));
     }
 
     /// [`Conversion::run`] through `f64`.
@@ -376,27 +385,8 @@ pub(crate) fn pack_rows(
 ) {
     let conversion = Conversion::pack(isa, layout, format, transfer, last);
     for (at, row) in rows {
-        let out = &mut bytes[at..at + layout.row_bytes()];
-        pack_row(&conversion, layout, row.as_ref(), out);
+        conversion.pack_row(layout, row.as_ref(), &mut bytes[at..]);
     }
-}
-
-fn pack_row(conversion: &Conversion<'_>, layout: &Layout, row: &[u8], out: &mut [u8]) {
-    let Some(bits) = layout.bits else { return conversion.run(row, out) };
-    let mut indices = vec![0; layout.size[0]];
-    conversion.run(row, &mut indices);
-    indices.iter().enumerate().for_each(|(column, &index)| bits.put(out, column, index));
-}
-
-/// Whether pixels of a layout are texels of `format` as they are.
-pub(crate) fn is_copy(
-    isa: Isa,
-    layout: &Layout,
-    format: Format,
-    transfer: &Transfer,
-    last: Final,
-) -> bool {
-    Conversion::pack(isa, layout, format, transfer, last).is_copy(layout)
 }
 
 /// Texels of one format as texels of another.

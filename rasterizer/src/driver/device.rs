@@ -8,7 +8,7 @@ use super::{check, submit};
 use crate::pool::Pool;
 use crate::raster::{ShapeLists, Worker};
 use crate::shader::Machine;
-use crate::target::Storing;
+use crate::target::{Part, Put, Storing};
 use crate::vertex::Geometry;
 use parking_lot::Mutex;
 use std::collections::BTreeSet;
@@ -169,16 +169,16 @@ impl Device {
         image.resolved_by(*face, *level, storing)
     }
 
-    /// Writes the texels of what an attachment names into a client's rows, each so many bytes after the one before,
-    /// if all that is there was drawn and has not been asked for since: nobody else needs it in rows then. Says
-    /// whether it did; else [`Self::resolved`] has them.
+    /// Puts a part of what an attachment names, as everything submitted leaves it, where a client has its rows, with one
+    /// sample a pixel, which several are resolved to. What was drawn and has not been asked for since is not stored
+    /// elsewhere for it. Nothing is put where nothing is attached.
     ///
     /// # Panics
-    /// When there are not that many rows of that many texels.
-    pub fn read(&self, attachment: &Attachment, texels: &mut [u8], row_bytes: usize) -> bool {
+    /// When a row has no room, or the part is not within the picture.
+    pub fn read(&self, attachment: &Attachment, part: Part, rows: &mut [&mut [u8]], put: Put<'_>) {
         let Attachment { image, face, level } = attachment;
         let storing = Storing { isa: self.desc.isa, threads: self.desc.threads };
-        image.read_by((*face, *level), texels, row_bytes, storing)
+        image.read_by((*face, *level), part, rows, put, storing);
     }
 
     /// Puts back what [`Image::each_sample`] gave, changed. Draws that were recorded earlier keep what

@@ -9,7 +9,7 @@
 //! that they can be sampled one by one and several layers drawn to in turn.
 
 use crate::raster::possible_samples;
-use crate::target::{MAX_SAMPLES, Slices, Storing, Surface};
+use crate::target::{MAX_SAMPLES, Part, Put, Slices, Storing, Surface};
 use parking_lot::Mutex;
 use std::sync::Arc;
 use texunit::format::Format;
@@ -255,22 +255,27 @@ impl Image {
         Some((Arc::new(level), 0))
     }
 
-    /// Writes what an attachment names into a client's rows, each so many bytes after the one before, if its own rows
-    /// are older: those are left so. Says whether it did ([`super::Device::read`]).
+    /// Puts a part of what an attachment names where a client has its rows ([`super::Device::read`]). Its own rows,
+    /// where they are older, are left so.
     pub(super) fn read_by(
         &self,
         (face, level): (u16, u8),
-        texels: &mut [u8],
-        row_bytes: usize,
+        part: Part,
+        rows: &mut [&mut [u8]],
+        put: Put<'_>,
         storing: Storing,
-    ) -> bool {
+    ) {
         let state = self.0.lock();
         let at = state.place(face, level);
         let drawn = state.attached.as_ref().filter(|attached| attached.drawn && attached.at == at);
         if let Some(Attached { surface, .. }) = drawn {
-            surface.read(texels, row_bytes, storing);
+            return surface.read(part, rows, put, storing);
         }
-        drawn.is_some()
+        drop(state);
+        let Some((level, slice)) = self.resolved_by(face, level, storing) else { return };
+        for (y, row) in (part.y as usize..).zip(rows) {
+            put.row(level.run([part.x as usize, y, slice], part.width as usize), row);
+        }
     }
 
     /// The samples of what an attachment names, each a slice.
@@ -356,6 +361,12 @@ pub struct Attachment {
 }
 
 impl Attachment {
+    /// Pixels across and up, if it exists.
+    pub fn size(&self) -> Option<[u32; 2]> {
+        let info = self.image.attachment(self.face, self.level)?;
+        Some([info.width, info.height])
+    }
+
     /// Which face it names, if its image is of this shape, and which slice.
     pub fn place(&self, shape: Shape) -> (usize, usize) {
         face_and_slice(shape, self.face)

@@ -22,7 +22,7 @@ mod watch;
 pub use crate::output::texel_words;
 pub use crate::primitive::{Drawn, Primitive, Primitives, Reason, Reasons, Side, primitives};
 pub use crate::raster::{possible_samples, sample_positions};
-pub use crate::target::MAX_SAMPLES;
+pub use crate::target::{MAX_SAMPLES, Part, Put};
 pub use bound::same_textures;
 pub use buffer::{Buffer, Version, VertexBinding, VertexFormat, VertexSource, VertexType};
 pub use command::{

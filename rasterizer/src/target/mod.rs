@@ -8,6 +8,6 @@ mod words;
 
 pub use place::{Old, Place, with_texels, with_words};
 pub use plane::{BLOCKS, Plane};
-pub use surface::{MAX_SAMPLES, Slices, Storing, Surface, TILE, TileTarget};
+pub use surface::{MAX_SAMPLES, Part, Put, Slices, Storing, Surface, TILE, TileTarget};
 pub(crate) use words::is_attachable;
 pub use words::{WordMask, all_bits, component_bits};

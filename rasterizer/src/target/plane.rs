@@ -48,16 +48,16 @@ impl Plane {
         self.cleared >> block & 1 == 1
     }
 
+    /// The words of a block, or the one that it is cleared to.
+    #[inline(always)]
+    pub fn held(&self, block: usize) -> Result<&U32s, u32> {
+        if self.is_cleared(block) { Err(self.word) } else { Ok(&self.words[block]) }
+    }
+
     /// The words of a block.
     #[inline]
     pub fn block(&self, block: usize) -> U32s {
-        self.with_block(block, |words| *words)
-    }
-
-    /// What `see` makes of the words of a block.
-    #[inline]
-    pub fn with_block<R>(&self, block: usize, see: impl FnOnce(&U32s) -> R) -> R {
-        if self.is_cleared(block) { see(&U32s::splat(self.word)) } else { see(&self.words[block]) }
+        self.held(block).copied().unwrap_or_else(U32s::splat)
     }
 
     /// A block, for writing.

@@ -4,11 +4,18 @@
 use super::plane::{BLOCKS, Plane};
 use super::words::attachment_words;
 use crate::output::{decode_color, encode_color};
+use std::ops::Range;
 use texunit::format::Format;
 use texunit::lanes::{F32s, Isa, Kernel, LANES, Simd, U32s};
 
-/// The planes of a tile of one sample.
-pub fn resolve_tile(isa: Isa, format: Format, samples: u8, planes: &[Plane]) -> Vec<Plane> {
+/// The planes of a tile of one sample, where these rows of blocks are right.
+pub fn resolve_tile(
+    isa: Isa,
+    format: Format,
+    samples: u8,
+    planes: &[Plane],
+    rows: Range<usize>,
+) -> Vec<Plane> {
     let words = attachment_words(format);
     let samples: Vec<&[Plane]> = planes.chunks(words).take(usize::from(samples)).collect();
     let Some((first, rest)) = samples.split_first() else { return Vec::new() };
@@ -20,7 +27,7 @@ pub fn resolve_tile(isa: Isa, format: Format, samples: u8, planes: &[Plane]) -> 
         return first.to_vec();
     }
     let mut out = vec![vec![U32s::ZERO; BLOCKS]; words];
-    for block in 0..BLOCKS {
+    for block in rows.start * 8..rows.end * 8 {
         let texels = isa.run(Mean { format, samples: &samples, block });
         for (plane, words) in out.iter_mut().zip(texels) {
             plane[block] = words;

@@ -9,14 +9,13 @@
 //! Which words a format has is in [`super::words`].
 
 mod changed;
+mod store;
 
 use super::plane::{BLOCKS, Plane};
-use super::resolve::resolve_tile;
-use super::words::{attachment_words, is_attachable, texel_of, words_of};
+use super::words::{attachment_words, is_attachable, words_of};
 use bytemuck::Pod;
-use parking_lot::Mutex;
 use rayon::prelude::*;
-use std::thread;
+pub use store::{Part, Put};
 use texunit::format::Format;
 use texunit::image::Level;
 use texunit::lanes::{Isa, LANES, QUADS, U32s, lane_x, lane_y};
@@ -64,15 +63,6 @@ pub struct Storing {
     pub threads: usize,
 }
 
-/// What of a pixel is written to a texel.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Stored {
-    /// All samples, resolved.
-    All,
-    /// This sample.
-    One(usize),
-}
-
 /// One attachment's part of a tile.
 #[derive(Debug)]
 pub struct TileTarget {
@@ -109,7 +99,7 @@ const LANE_AT: [[u8; 8]; 8] = {
 };
 
 /// Row `y` of a block.
-#[inline]
+#[inline(always)]
 fn row_of(block: &U32s, y: usize) -> [u32; 8] {
     let first = usize::from(LANE_AT[y][0]);
     let (even, odd) = (&block.0[first..first + 4], &block.0[first + QUADS..first + QUADS + 4]);
@@ -165,85 +155,6 @@ impl Surface {
         self.changed[tile] = true;
         let planes = std::mem::take(&mut self.tiles[tile]);
         TileTarget { words: attachment_words(self.format), planes }
-    }
-
-    /// Writes the tiles back into slices of the level they came from.
-    pub fn store(&self, level: &mut Level, slices: Slices, storing: Storing) {
-        match slices {
-            Slices::One(slice) => self.store_slice(Stored::All, level, slice, storing),
-            Slices::Each(first) => {
-                for sample in 0..self.samples.into() {
-                    self.store_slice(Stored::One(sample), level, first + sample, storing);
-                }
-            }
-        }
-    }
-
-    fn store_slice(&self, what: Stored, level: &mut Level, slice: usize, storing: Storing) {
-        debug_assert_eq!((self.width, self.height), (level.width, level.height));
-        let row_bytes = level.row_bytes();
-        let first = level.origin() + slice * level.slice_bytes();
-        let texels = &mut level.texels[first..first + self.height as usize * row_bytes];
-        self.store_rows(what, texels, row_bytes, storing);
-    }
-
-    /// Writes the texels, samples resolved, where a client has rows of them, each so many bytes after the one before.
-    pub fn read(&self, texels: &mut [u8], row_bytes: usize, storing: Storing) {
-        self.store_rows(Stored::All, texels, row_bytes, storing);
-    }
-
-    fn store_rows(&self, what: Stored, texels: &mut [u8], row_bytes: usize, storing: Storing) {
-        if !is_attachable(self.format) || self.tiles.is_empty() {
-            return;
-        }
-        let texels = texels.chunks_mut(TILE as usize * row_bytes);
-        let tiles = self.tiles.chunks(self.tiles_across() as usize);
-        let left = Mutex::new(tiles.zip(texels));
-        let next = || left.lock().next();
-        let work = || {
-            while let Some((tiles, texels)) = next() {
-                self.store_tiles(storing.isa, what, tiles, row_bytes, texels);
-            }
-        };
-        let threads = if self.tiles.len() < WORTH_THREADS { 1 } else { storing.threads };
-        thread::scope(|scope| {
-            for _ in 1..threads {
-                // One that cannot be started leaves its work to the others.
-                let _ = thread::Builder::new().spawn_scoped(scope, work);
-            }
-            work();
-        });
-    }
-
-    /// Writes a row of tiles into rows of texels.
-    fn store_tiles(
-        &self,
-        isa: Isa,
-        what: Stored,
-        tiles: &[Vec<Plane>],
-        row_bytes: usize,
-        texels: &mut [u8],
-    ) {
-        let (size, words) = (self.format.bytes(), attachment_words(self.format));
-        let resolved: Vec<Vec<Plane>>;
-        let planes: Vec<&[Plane]> = match what {
-            Stored::All if self.samples > 1 => {
-                let resolve =
-                    |tile: &Vec<Plane>| resolve_tile(isa, self.format, self.samples, tile);
-                resolved = tiles.iter().map(resolve).collect();
-                resolved.iter().map(Vec::as_slice).collect()
-            }
-            Stored::All => tiles.iter().map(Vec::as_slice).collect(),
-            Stored::One(sample) => {
-                tiles.iter().map(|tile| &tile[sample * words..][..words]).collect()
-            }
-        };
-        for (y, row) in texels.chunks_mut(row_bytes).enumerate() {
-            let row = &mut row[..self.width as usize * size];
-            for (texels, planes) in row.chunks_mut(TILE as usize * size).zip(&planes) {
-                store_row(self.format, planes, y, texels);
-            }
-        }
     }
 }
 
@@ -335,63 +246,6 @@ fn columns<T: Pod>(row: &[u8], mut column: impl FnMut(usize, [T; 8])) {
         let mut texels = [T::zeroed(); 8];
         bytemuck::bytes_of_mut(&mut texels)[..bytes.len()].copy_from_slice(bytes);
         column(count, texels);
-    }
-}
-
-/// Row `y` of a tile into the texels of one row.
-fn store_row(format: Format, planes: &[Plane], y: usize, row: &mut [u8]) {
-    let words = |plane: &Plane, column: usize| {
-        plane.with_block(y / 8 * 8 + column, |words| row_of(words, y % 8))
-    };
-    // Texels whose bytes are those of their words.
-    match (planes, format.bytes()) {
-        ([a], 1) => put_columns(row, |column| words(a, column).map(|word| word as u8)),
-        ([a], 2) => put_columns(row, |column| words(a, column).map(|word| (word as u16).to_le())),
-        ([a], 4) => put_columns(row, |column| words(a, column).map(u32::to_le)),
-        ([a, b], 8) => put_columns(row, |column| interleave([words(a, column), words(b, column)])),
-        // Not `map`, which stays a call for each.
-        ([a, b, c, d], 16) => put_columns(row, |column| {
-            let [a, b] = [words(a, column), words(b, column)];
-            interleave([a, b, words(c, column), words(d, column)])
-        }),
-        (_, size) => {
-            for (column, texels) in row.chunks_mut(8 * size).enumerate() {
-                let mut all = [[0; 8]; 4];
-                for (to, plane) in all.iter_mut().zip(planes) {
-                    *to = words(plane, column);
-                }
-                for (x, texel) in texels.chunks_exact_mut(size).enumerate() {
-                    texel_of(format, all.map(|words| words[x]), texel);
-                }
-            }
-        }
-    }
-}
-
-/// The texels of eight pixels from their words, plane by plane.
-#[inline(always)]
-fn interleave<const WORDS: usize>(planes: [[u32; 8]; WORDS]) -> [[u32; WORDS]; 8] {
-    let mut texels = [[0; WORDS]; 8];
-    for (x, texel) in texels.iter_mut().enumerate() {
-        for (word, plane) in texel.iter_mut().zip(&planes) {
-            *word = plane[x].to_le();
-        }
-    }
-    texels
-}
-
-/// Writes columns of eight texels into a row, of the last as many as there are.
-#[inline(always)]
-fn put_columns<T: Pod>(row: &mut [u8], column: impl Fn(usize) -> [T; 8]) {
-    let mut columns = row.chunks_exact_mut(size_of::<[T; 8]>());
-    let mut count = 0;
-    for texels in &mut columns {
-        texels.copy_from_slice(bytemuck::bytes_of(&column(count)));
-        count += 1;
-    }
-    let rest = columns.into_remainder();
-    if !rest.is_empty() {
-        rest.copy_from_slice(&bytemuck::cast_slice(&column(count))[..rest.len()]);
     }
 }
 

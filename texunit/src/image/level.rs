@@ -152,6 +152,16 @@ impl Level {
         r as usize * self.slice_bytes() + rows
     }
 
+    /// The bytes of this many texels of a row, from column, row and slice on, of a level that is not compressed.
+    ///
+    /// # Panics
+    /// When they are not within the level.
+    pub fn run(&self, [x, y, slice]: [usize; 3], width: usize) -> &[u8] {
+        let size = self.format.bytes();
+        let row = self.origin() + slice * self.slice_bytes() + y * self.row_bytes();
+        &self.texels[row + x * size..][..width * size]
+    }
+
     /// The bytes of one texel of the first slice, or none outside the level.
     pub fn texel(&self, x: u32, y: u32) -> &[u8] {
         match (i32::try_from(x), i32::try_from(y)) {

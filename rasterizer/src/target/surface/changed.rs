@@ -1,8 +1,6 @@
 //! Storing what has changed: who reads a few pixels after a small draw waits for the tiles that it touched.
 
-use super::{Level, Plane, Slices, Storing, Surface, TILE, WORTH_THREADS};
-use super::{attachment_words, is_attachable, resolve_tile, store_row};
-use texunit::lanes::Isa;
+use super::{Level, Part, Slices, Storing, Surface, TILE, WORTH_THREADS};
 
 impl Surface {
     /// Takes all tiles for changed.
@@ -16,50 +14,24 @@ impl Surface {
             (0..self.changed.len()).filter(|&tile| self.changed[tile]).collect();
         if changed.len() >= WORTH_THREADS.min(self.tiles.len()) {
             self.store(level, slices, storing);
-        } else if is_attachable(self.format) {
+        } else {
             for tile in changed {
-                self.store_tile(storing.isa, tile, level, slices);
+                let across = self.tiles_across();
+                let [x, y] = [tile as u32 % across, tile as u32 / across].map(|at| at * TILE);
+                let part = Part { x, y, width: TILE.min(self.width - x) };
+                self.store_rows(part, TILE.min(self.height - y), level, slices, storing);
             }
         }
         self.changed.fill(false);
-    }
-
-    fn store_tile(&self, isa: Isa, tile: usize, level: &mut Level, slices: Slices) {
-        let (planes, words) = (&self.tiles[tile], attachment_words(self.format));
-        match slices {
-            Slices::One(slice) if self.samples > 1 => {
-                let resolved = resolve_tile(isa, self.format, self.samples, planes);
-                self.store_planes(&resolved, tile, level, slice);
-            }
-            Slices::One(slice) => self.store_planes(planes, tile, level, slice),
-            Slices::Each(first) => {
-                for (slice, planes) in (first..).zip(planes.chunks(words)) {
-                    self.store_planes(planes, tile, level, slice);
-                }
-            }
-        }
-    }
-
-    /// Writes one sample of a tile into a slice.
-    fn store_planes(&self, planes: &[Plane], tile: usize, level: &mut Level, slice: usize) {
-        let across = self.tiles_across() as usize;
-        let [x, y] = [tile % across, tile / across].map(|at| at * TILE as usize);
-        let (row_bytes, size) = (level.row_bytes(), self.format.bytes());
-        let first = level.origin() + slice * level.slice_bytes() + y * row_bytes;
-        let columns = x * size..(self.width as usize).min(x + TILE as usize) * size;
-        let rows = (self.height as usize - y).min(TILE as usize);
-        let texels = &mut level.texels[first..first + rows * row_bytes];
-        for (y, row) in texels.chunks_mut(row_bytes).enumerate() {
-            store_row(self.format, planes, y, &mut row[columns.clone()]);
-        }
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::target::plane::Plane;
     use texunit::format::Format;
-    use texunit::lanes::U32s;
+    use texunit::lanes::{Isa, U32s};
 
     /// Tile by tile gives what storing all of them gives.
     #[test]
