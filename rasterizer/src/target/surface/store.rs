@@ -203,7 +203,13 @@ fn store_row(format: Format, planes: &[Plane], from: Start, row: &mut [u8]) {
         ([a], 2) => {
             put_columns(row, |column| from.words(a, column).map(|word| (word as u16).to_le()))
         }
+        ([a], 3) => put_columns(row, |column| from.words(a, column).map(|word| first_three(word))),
         ([a], 4) => put_columns(row, |column| from.words(a, column).map(u32::to_le)),
+        // Depth and stencil.
+        ([a, b], 4) => put_columns(row, |column| {
+            let (depths, stencils) = (from.words(a, column), from.words(b, column));
+            std::array::from_fn(|x| (depths[x] << 8 | stencils[x] & 0xFF).to_le())
+        }),
         ([a, b], 8) => {
             put_columns(row, |column| interleave([from.words(a, column), from.words(b, column)]))
         }
@@ -223,6 +229,13 @@ fn store_row(format: Format, planes: &[Plane], from: Start, row: &mut [u8]) {
             texel_of(format, all.map(|words| words[x]), texel);
         }
     }
+}
+
+/// The bytes of a texel that has three.
+#[inline(always)]
+fn first_three(word: u32) -> [u8; 3] {
+    let [r, g, b, _] = word.to_le_bytes();
+    [r, g, b]
 }
 
 /// The texels of eight pixels from their words, plane by plane.
