@@ -196,36 +196,54 @@ pub(crate) fn read_pixels(
         let put = if conversion.is_copy(&run) { Put::AsStored } else { Put::By(&convert) };
         let (stride, row_bytes) = (run.stride, run.row_bytes());
         let end = run.start + (visible.height - 1) * stride + row_bytes;
-        let to = ClientRows { bytes: &mut bytes[run.start..end], stride, row_bytes };
+        let (bytes, up) = (&mut bytes[run.start..end], Up::Y);
+        let to = ClientRows { bytes, stride, row_bytes, up };
         read_rows(&device, &attachment, visible, to, put);
     })
 }
 
+/// Which row comes first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Up {
+    /// The lowest.
+    Y,
+    /// The highest.
+    NotY,
+}
+
 /// Where a client has its rows: the first byte of each so many after that of the one before.
-struct ClientRows<'a> {
-    bytes: &'a mut [u8],
-    stride: usize,
-    row_bytes: usize,
+pub(crate) struct ClientRows<'a> {
+    pub bytes: &'a mut [u8],
+    pub stride: usize,
+    pub row_bytes: usize,
+    pub up: Up,
 }
 
 /// Puts the pixels of an attachment, as everything submitted leaves them, where a client has its rows.
-fn read_rows(
+pub(crate) fn read_rows(
     device: &Device,
     attachment: &Attachment,
     visible: Visible,
     to: ClientRows<'_>,
     put: Put<'_>,
 ) {
-    let ClientRows { bytes, stride, row_bytes } = to;
+    let ClientRows { bytes, stride, row_bytes, up } = to;
     let [x, y, width] = [visible.x, visible.y, visible.width].map(|at| at as u32);
     if stride < row_bytes {
         // They overlap, and the last one stays.
         for (row, y) in (y..).take(visible.height).enumerate() {
-            let out = &mut bytes[row * stride..][..row_bytes];
+            let at = match up {
+                Up::Y => row,
+                Up::NotY => visible.height - 1 - row,
+            };
+            let out = &mut bytes[at * stride..][..row_bytes];
             device.read(attachment, Part { x, y, width }, &mut [out], put);
         }
     } else {
         let mut rows: Vec<&mut [u8]> = bytes.chunks_mut(stride).collect();
+        if up == Up::NotY {
+            rows.reverse();
+        }
         device.read(attachment, Part { x, y, width }, &mut rows, put);
     }
 }

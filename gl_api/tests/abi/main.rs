@@ -72,6 +72,7 @@ unsafe extern "C" {
     fn glBlendFunc(from: GLenum, to: GLenum);
     fn glColor4f(r: f32, g: f32, b: f32, a: f32);
     fn glRectf(x1: f32, y1: f32, x2: f32, y2: f32);
+    fn glScissor(x: i32, y: i32, width: i32, height: i32);
     fn glReadPixels(x: i32, y: i32, w: i32, h: i32, f: GLenum, t: GLenum, out: *mut c_void);
     fn glCopyPixels(x: i32, y: i32, w: i32, h: i32, what: GLenum);
     fn glRasterPos2f(x: f32, y: f32);
@@ -85,6 +86,7 @@ unsafe extern "C" {
     fn OSMesaMakeCurrent(c: Handle, buffer: *mut c_void, ty: GLenum, w: i32, h: i32) -> u8;
     fn OSMesaDestroyContext(c: Handle);
     fn OSMesaGetCurrentContext() -> Handle;
+    fn OSMesaPixelStore(name: i32, value: i32);
 }
 
 const EGL_SUCCESS: i32 = 0x3000;

@@ -51,6 +51,64 @@ fn osmesa_fills_the_clients_memory_in_every_format() {
     assert_eq!(osmesa(gl_api::GL_COLOR_INDEX, GL_UNSIGNED_BYTE, 1), None);
 }
 
+/// Each pixel where its row and its format have it; what lies between rows stays.
+#[test]
+fn rows_go_up_or_down_and_may_lie_apart() {
+    const WIDTH: usize = 70;
+    const HEIGHT: usize = 67;
+    // Format, type, bytes of a component, and which component of the picture each of a pixel is.
+    let formats: [(GLenum, GLenum, usize, &[usize]); 7] = [
+        (GL_RGBA, GL_UNSIGNED_BYTE, 1, &[0, 1, 2, 3]),
+        (1, GL_UNSIGNED_BYTE, 1, &[2, 1, 0, 3]),
+        (2, GL_UNSIGNED_BYTE, 1, &[3, 0, 1, 2]),
+        (gl_api::GL_RGB, GL_UNSIGNED_BYTE, 1, &[0, 1, 2]),
+        (4, GL_UNSIGNED_BYTE, 1, &[2, 1, 0]),
+        (2, GL_UNSIGNED_SHORT, 2, &[3, 0, 1, 2]),
+        (GL_RGBA, GL_FLOAT, 4, &[0, 1, 2, 3]),
+    ];
+    for (format, ty, size, components) in formats {
+        for (up, length) in [(1, 0), (0, 0), (1, 75), (0, 75), (0, 10)] {
+            let bytes = size * components.len();
+            let stride = if length == 0 { WIDTH } else { length } * bytes;
+            let mut memory = vec![0xA5_u8; (HEIGHT - 1) * stride + WIDTH * bytes];
+            let mut want = memory.clone();
+            let mut picture = vec![0_u8; WIDTH * HEIGHT * 4 * size];
+            // SAFETY: both have as many pixels as are written, and stay until the context is gone.
+            unsafe {
+                let context = OSMesaCreateContextExt(format, 24, 8, 0, null_mut());
+                let [width, height] = [WIDTH, HEIGHT].map(|side| side as i32);
+                assert_eq!(
+                    OSMesaMakeCurrent(context, memory.as_mut_ptr().cast(), ty, width, height),
+                    1
+                );
+                OSMesaPixelStore(0x10, length as i32);
+                OSMesaPixelStore(0x11, up);
+                glEnable(gl_api::GL_SCISSOR_TEST);
+                for at in 0..60 {
+                    glScissor(at, at + 5, 9, 9);
+                    let shade = at as f32 / 64.0;
+                    glClearColor(shade, 1.0 - shade, 0.25, 0.5);
+                    glClear(GL_COLOR_BUFFER_BIT);
+                }
+                glFinish();
+                glReadPixels(0, 0, width, height, GL_RGBA, ty, picture.as_mut_ptr().cast());
+                OSMesaMakeCurrent(null_mut(), null_mut(), 0, 0, 0);
+                OSMesaDestroyContext(context);
+            }
+            for (y, row) in picture.chunks_exact(WIDTH * 4 * size).enumerate() {
+                let at = if up == 1 { y } else { HEIGHT - 1 - y } * stride;
+                let out = want[at..][..WIDTH * bytes].chunks_exact_mut(bytes);
+                for (out, pixel) in out.zip(row.chunks_exact(4 * size)) {
+                    for (out, &from) in out.chunks_exact_mut(size).zip(components) {
+                        out.copy_from_slice(&pixel[from * size..][..size]);
+                    }
+                }
+            }
+            assert!(memory == want, "{format:#x} {ty:#x}, up {up}, length {length}");
+        }
+    }
+}
+
 #[test]
 fn contexts_and_memory_that_are_not_there_are_refused() {
     let made_up = std::ptr::without_provenance_mut::<c_void>(0xDEAD_BEE1);

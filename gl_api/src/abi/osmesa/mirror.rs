@@ -4,13 +4,16 @@ use crate::abi::memory::ClientPointer;
 use crate::constants::*;
 use crate::context::Context;
 use crate::draw::hints::sight;
+use crate::framebuffer::read::{ClientRows, Up, read_rows};
+use crate::framebuffer::{Visible, format_of, whole};
 use crate::object::sharing::Turn;
 use crate::state::pixel_store::PixelStore;
 use crate::texture::client::{LuminanceOf, Pixel};
-use crate::texture::convert;
+use crate::texture::convert::{Conversion, Final};
 use crate::texture::layout::{Extent, Layout};
 use crate::texture::transfer::Transfer;
 use crate::types::GLenum;
+use rasterizer::driver::{Image, Put};
 
 /// How a pixel's components lie in the client's memory.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -19,15 +22,6 @@ pub(super) struct Pixels {
     pub gl: (GLenum, GLenum),
     /// Whether alpha comes first: the components are moved on by one.
     pub alpha_first: bool,
-}
-
-/// Which row comes first.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Up {
-    /// The lowest.
-    Y,
-    /// The highest.
-    NotY,
 }
 
 /// Whether the client's memory has the picture.
@@ -80,53 +74,57 @@ impl Context {
 
 impl Mirror {
     fn update(&self, context: &Context) {
-        let texels = context.recorder.device().texels(&context.window.color);
-        let Some(level) = texels.level(0, 0) else { return };
-        let (width, height) = (level.width as usize, level.height as usize);
         let Ok(pixel) = Pixel::new(self.pixels.gl.0, self.pixels.gl.1) else { return };
-        let store = PixelStore { alignment: 1, ..PixelStore::default() };
-        let Ok(row) = Layout::new(&store, pixel, [width, 1, 1], Extent::Flat) else { return };
+        let [width, height] =
+            [context.window.width, context.window.height].map(|side| side as usize);
         let length = if self.row_length > 0 { self.row_length } else { width };
-        let step = length * pixel.bytes();
-        let memory = self.memory.bytes_mut((height.max(1) - 1) * step + row.needed);
-        let used = width * level.format.bytes();
-        let (isa, transfer) = (context.recorder.isa(), Transfer::default());
-        for y in 0..height {
-            let from = &level.texels[y * level.row_bytes()..][..used];
-            let at = match self.up {
-                Up::Y => y,
-                Up::NotY => height - 1 - y,
-            };
-            let Some(out) = memory.get_mut(at * step..at * step + row.needed) else { return };
-            convert::pack(isa, &row, level.format, &transfer, LuminanceOf::Sum, from, out);
-            if self.pixels.alpha_first {
-                let alpha = pixel.bytes() / 4;
-                out.chunks_exact_mut(pixel.bytes()).for_each(|pixel| pixel.rotate_right(alpha));
-            }
+        let stride = length * pixel.bytes();
+        let memory = self.memory.bytes_mut((height - 1) * stride + width * pixel.bytes());
+        if !memory.is_empty() {
+            self.copy(context, &context.window.color, self.pixels, (memory, stride));
         }
     }
 
     /// The depths, 16 or 32 bits each; rows as the picture's.
     pub(super) fn depths(&self, context: &Context, bits: usize) -> Option<Vec<u32>> {
-        let texels = context.window.depth.as_ref()?.texels();
-        let level = texels.level(0, 0)?;
-        let (width, height) = (level.width as usize, level.height as usize);
-        let pixel = Pixel::new(GL_DEPTH_COMPONENT, GL_UNSIGNED_INT).ok()?;
-        let store = PixelStore { alignment: 1, ..PixelStore::default() };
-        let row = Layout::new(&store, pixel, [width, 1, 1], Extent::Flat).ok()?;
-        let used = width * level.format.bytes();
-        let (isa, transfer) = (context.recorder.isa(), Transfer::default());
+        let image = context.window.depth.as_ref()?;
+        let [width, height] =
+            [context.window.width, context.window.height].map(|side| side as usize);
         let mut depths = vec![0_u32; width * height];
-        for (y, out) in depths.chunks_exact_mut(width.max(1)).enumerate() {
-            let y = match self.up {
-                Up::Y => y,
-                Up::NotY => height - 1 - y,
-            };
-            let from = &level.texels[y * level.row_bytes()..][..used];
-            let bytes = bytemuck::cast_slice_mut(out);
-            convert::pack(isa, &row, level.format, &transfer, LuminanceOf::Sum, from, bytes);
-            out.iter_mut().for_each(|depth| *depth >>= 32 - bits);
-        }
+        let pixels = Pixels { gl: (GL_DEPTH_COMPONENT, GL_UNSIGNED_INT), alpha_first: false };
+        let to = (bytemuck::cast_slice_mut(&mut depths), 4 * width);
+        self.copy(context, image, pixels, to);
+        depths.iter_mut().for_each(|depth| *depth >>= 32 - bits);
         Some(depths)
+    }
+
+    /// Puts an image into memory for all of its rows, each so many bytes after the one before.
+    fn copy(
+        &self,
+        context: &Context,
+        image: &Image,
+        pixels: Pixels,
+        (bytes, stride): (&mut [u8], usize),
+    ) {
+        let from = whole(image);
+        let (Some([width, height]), Some(format)) = (from.size(), format_of(&from)) else { return };
+        let all = Visible { x: 0, y: 0, width: width as usize, height: height as usize };
+        let Ok(pixel) = Pixel::new(pixels.gl.0, pixels.gl.1) else { return };
+        let store = PixelStore { alignment: 1, ..PixelStore::default() };
+        let Ok(row) = Layout::new(&store, pixel, [all.width, 1, 1], Extent::Flat) else { return };
+        let (transfer, last) = (Transfer::default(), Final::of(format, LuminanceOf::Sum));
+        let conversion = Conversion::pack(context.recorder.isa(), &row, format, &transfer, last);
+        let row_bytes = row.row_bytes();
+        let convert = |texels: &[u8], out: &mut [u8]| {
+            conversion.pack_row(&row, texels, out);
+            if pixels.alpha_first {
+                let (out, alpha) = (&mut out[..row_bytes], pixel.bytes() / 4);
+                out.chunks_exact_mut(pixel.bytes()).for_each(|pixel| pixel.rotate_right(alpha));
+            }
+        };
+        let is_copy = conversion.is_copy(&row) && !pixels.alpha_first;
+        let put = if is_copy { Put::AsStored } else { Put::By(&convert) };
+        let to = ClientRows { bytes, stride, row_bytes, up: self.up };
+        read_rows(&context.recorder.device(), &from, all, to, put);
     }
 }

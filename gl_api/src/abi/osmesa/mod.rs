@@ -20,8 +20,9 @@ use crate::constants::*;
 use crate::context::{Context, ContextDesc, SurfaceColor, SurfaceDesc, limits};
 use crate::entry::with_current;
 use crate::framebuffer::Window;
+use crate::framebuffer::read::Up;
 use crate::types::{GLenum, GLint};
-use mirror::{Copied, Pixels, Up};
+use mirror::{Copied, Pixels};
 use std::collections::BTreeMap;
 use std::ffi::c_void;
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -103,6 +104,15 @@ fn pixels(format: GLenum, ty: GLenum) -> Option<Pixels> {
         OSMESA_BGRA => plain(GL_BGRA),
         OSMESA_RGB => plain(GL_RGB),
         OSMESA_BGR => plain(GL_BGR),
+        OSMESA_ARGB if ty == GL_UNSIGNED_BYTE => {
+            // Blue is the highest byte of a word, alpha the lowest.
+            let bytes = if cfg!(target_endian = "little") {
+                GL_UNSIGNED_INT_8_8_8_8
+            } else {
+                GL_UNSIGNED_INT_8_8_8_8_REV
+            };
+            Some(Pixels { gl: (GL_BGRA, bytes), alpha_first: false })
+        }
         OSMESA_ARGB => plain(GL_RGBA).map(|pixels| Pixels { alpha_first: true, ..pixels }),
         OSMESA_RGB_565 if ty == GL_UNSIGNED_SHORT_5_6_5 => {
             Some(Pixels { gl: (GL_RGB, ty), alpha_first: false })
