@@ -106,11 +106,11 @@ pub(crate) fn copy_pixels(
                     false => Format::Rgba32F,
                 };
             let texels = as_format(to);
-            rectangle::draw(context, size, (Holds::Color, to), rows(&texels, width * to.bytes()))
+            rectangle::draw(context, size, (Holds::Color, to), &rows(&texels, width * to.bytes()))
         }
         Kind::Depth => {
             let texels = as_format(Format::D32F);
-            rectangle::draw(context, size, DEPTHS, rows(&texels, width * 4))
+            rectangle::draw(context, size, DEPTHS, &rows(&texels, width * 4))
         }
         Kind::Stencil => {
             let mut stencils = room(Format::R8UI, width, height)?;

@@ -10,9 +10,10 @@ use crate::feedback::Mode;
 use crate::feedback::record;
 use crate::framebuffer::complete::{checked_drawable, draw_planes};
 use crate::texture::client::{ClientFormat, FORMAT, Numbers, Pixel};
+use crate::texture::convert::{self, Conversion};
 use crate::texture::layout::{Extent, Layout};
+use crate::texture::memory;
 use crate::texture::transfer::Kind;
-use crate::texture::{convert, memory};
 use crate::types::*;
 use std::borrow::Cow;
 use texunit::format::Format;
@@ -86,7 +87,8 @@ pub(crate) fn draw_pixels(
         return Ok(());
     }
     let kind = pixel.format.kind();
-    let (isa, transfer) = (context.recorder.isa(), &context.state.transfer);
+    let (isa, transfer) = (context.recorder.isa(), context.state.transfer);
+    let to = |format: Format| Conversion::unpack(isa, &layout, format, &transfer);
     let format = match kind {
         Kind::Depth => Format::D32F,
         Kind::Stencil => Format::R8UI,
@@ -96,24 +98,39 @@ pub(crate) fn draw_pixels(
         },
         // Bytes stay bytes, where nothing is done to them.
         Kind::Color | Kind::ColorIndex => {
-            match convert::is_moved(isa, &layout, Format::Rgba8, transfer) {
-                true => Format::Rgba8,
-                false => Format::Rgba32F,
+            if to(Format::Rgba8).is_moved() {
+                Format::Rgba8
+            } else {
+                Format::Rgba32F
             }
         }
     };
-    let mut texels = room(format, width, height)?;
-    convert::unpack(isa, &layout, source.bytes(), format, transfer, &mut texels);
-    let rows = rows(&texels, width * format.bytes());
+    let (size, bytes) = ([width, height], source.bytes());
+    let all = || -> Result<Vec<u8>> {
+        let mut texels = room(format, width, height)?;
+        convert::unpack(isa, &layout, bytes, format, &transfer, &mut texels);
+        Ok(texels)
+    };
+    // Row by row: all of them would be written and read once more.
+    let conversion = to(format);
+    let rows = |y: usize| {
+        let row = &bytes[layout.start + y * layout.stride..][..layout.row_bytes()];
+        if conversion.is_copy(&layout) {
+            return Cow::Borrowed(row);
+        }
+        let mut texels = vec![0; width * format.bytes()];
+        conversion.unpack_row(&layout, row, &mut texels);
+        Cow::Owned(texels)
+    };
     match kind {
-        Kind::Stencil => stencil::draw_stencils(context, [width, height], &texels),
+        Kind::Stencil => stencil::draw_stencils(context, size, &all()?),
         Kind::DepthStencil => {
             let depth = context.state.fragment.depth_write;
-            stencil::draw(context, [width, height], &texels, depth)
+            stencil::draw(context, size, &all()?, depth)
         }
-        Kind::Depth => rectangle::draw(context, [width, height], DEPTHS, rows),
+        Kind::Depth => rectangle::draw(context, size, DEPTHS, &rows),
         Kind::Color | Kind::ColorIndex => {
-            rectangle::draw(context, [width, height], (Holds::Color, format), rows)
+            rectangle::draw(context, size, (Holds::Color, format), &rows)
         }
     }
 }

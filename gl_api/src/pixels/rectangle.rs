@@ -75,7 +75,7 @@ pub(super) fn draw<'a>(
     context: &mut Context,
     size: [usize; 2],
     (holds, format): (Holds, Format),
-    row: impl Fn(usize) -> Cow<'a, [u8]>,
+    row: &dyn Fn(usize) -> Cow<'a, [u8]>,
 ) -> Result<()> {
     let pass = draw_pass(context)?;
     if !context.state.raster_position.valid {
@@ -128,7 +128,7 @@ pub(super) fn draw_mask(
 fn image<'a>(
     zoomed: &Zoomed,
     format: Format,
-    row: impl Fn(usize) -> Cow<'a, [u8]>,
+    row: &dyn Fn(usize) -> Cow<'a, [u8]>,
 ) -> std::result::Result<SamplePlan, ImageError> {
     let (width, height) = (zoomed.columns.len() as u32, zoomed.rows.len() as u32);
     let mut level = Level::new(format, width, height)?;

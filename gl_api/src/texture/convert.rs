@@ -143,7 +143,7 @@ impl<'a> Conversion<'a> {
     }
 
     /// The client's pixels as texels.
-    fn unpack(isa: Isa, layout: &Layout, format: Format, transfer: &'a Transfer) -> Self {
+    pub fn unpack(isa: Isa, layout: &Layout, format: Format, transfer: &'a Transfer) -> Self {
         let numbers = texel::numbers(format, layout.pixel.numbers);
         let steps = transfer.of(layout.pixel.format.kind(), numbers);
         let from = End::client(layout, layout.pixel.elements(numbers));
@@ -257,6 +257,15 @@ impl<'a> Conversion<'a> {
         }
     }
 
+    /// A row of the client's memory, from where it begins there, as texels.
+    pub fn unpack_row(&self, layout: &Layout, row: &[u8], texels: &mut [u8]) {
+        let row = &row[..layout.row_bytes()];
+        match apart(layout, row) {
+            Some(bytes) => self.run(&bytes, texels),
+            None => self.run(row, texels),
+        }
+    }
+
     /// A row of texels into the client's memory from where it begins there.
     pub fn pack_row(&self, layout: &Layout, row: &[u8], out: &mut [u8]) {
         let out = &mut out[..layout.row_bytes()];
@@ -324,17 +333,8 @@ pub(crate) fn unpack(
     }
     let run = layout.size[0] * format.bytes();
     for (at, out) in layout.rows().zip(texels.chunks_exact_mut(run)) {
-        let row = &bytes[at..at + layout.row_bytes()];
-        match apart(layout, row) {
-            Some(bytes) => conversion.run(&bytes, out),
-            None => conversion.run(row, out),
-        }
+        conversion.unpack_row(layout, &bytes[at..], out);
     }
-}
-
-/// Whether texels of `format` have the very numbers of the client's pixels.
-pub(crate) fn is_moved(isa: Isa, layout: &Layout, format: Format, transfer: &Transfer) -> bool {
-    Conversion::unpack(isa, layout, format, transfer).is_moved()
 }
 
 /// The client's pixels themselves, where they are texels of `format`, tightly packed; never those
