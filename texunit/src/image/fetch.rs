@@ -45,22 +45,14 @@ impl Level {
                 within[lane] = (x[lane] & 3) + 4 * (y[lane] & 3);
             }
         }
-        let mut words = [U32s::ZERO; 4];
-        if self.format.block().is_some() {
-            // Blocks are of 8 or 16 bytes.
-            [words[0], words[1]] = S::gather_pairs(&self.texels, &offsets);
-            if self.format.words() == 4 {
-                for lane in 0..LANES {
-                    offsets[lane] = offsets[lane].wrapping_add(8);
-                }
-                [words[2], words[3]] = S::gather_pairs(&self.texels, &offsets);
+        let (mut words, count) = ([U32s::ZERO; 4], self.format.words());
+        for pair in words[..count].chunks_mut(2) {
+            match pair {
+                [low, high] => [*low, *high] = S::gather_pairs(&self.texels, &offsets),
+                rest => rest.fill(S::gather(&self.texels, &offsets)),
             }
-            return (words, within);
-        }
-        for to in words.iter_mut().take(self.format.words()) {
-            *to = S::gather(&self.texels, &offsets);
             for lane in 0..LANES {
-                offsets[lane] = offsets[lane].wrapping_add(4);
+                offsets[lane] = offsets[lane].wrapping_add(8);
             }
         }
         (words, within)

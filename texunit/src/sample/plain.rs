@@ -30,10 +30,19 @@ pub fn nearest<S: Simd>(
     out: &mut [F32s; 4],
 ) -> bool {
     let Some(offsets) = texel_offsets::<S>(place, at) else { return false };
-    let level = place.level;
-    for word in 0..level.format.words() {
-        let words = S::gather(&level.texels, &moved(&offsets, word));
-        of_texel::<S>(class, level.format.channels(), word, &words, out);
+    let (texels, format) = (&place.level.texels, place.level.format);
+    let mut second = U32s::ZERO;
+    for word in 0..format.words() {
+        let words = match word % 2 {
+            0 if word + 1 < format.words() => {
+                let pair = S::gather_pairs(texels, &moved(&offsets, word));
+                second = pair[1];
+                pair[0]
+            }
+            0 => S::gather(texels, &moved(&offsets, word)),
+            _ => second,
+        };
+        of_texel::<S>(class, format.channels(), word, &words, out);
     }
     true
 }
