@@ -250,6 +250,7 @@ fn values_of_surfaces_attributes_are_refused_as_unknown_or_as_not_there() {
         (0x3081, 0x305C, EGL_SUCCESS),
         (0x3081, 0x305F, EGL_BAD_MATCH),
         (0x3081, 0x77, EGL_BAD_ATTRIBUTE),
+        (0x3087, 0x3089, EGL_SUCCESS),
         (0x309D, 0x308A, EGL_SUCCESS),
         (0x309D, 0x3089, EGL_BAD_MATCH),
         (0x309D, 1, EGL_BAD_ATTRIBUTE),

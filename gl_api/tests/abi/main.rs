@@ -8,6 +8,7 @@ mod handles;
 mod lengths;
 mod osmesa;
 mod stack;
+mod syncs;
 
 use gl_api::{COMMANDS, Context, GLenum, implemented};
 use std::collections::BTreeSet;
@@ -38,6 +39,13 @@ unsafe extern "C" {
     fn eglCopyBuffers(dpy: Handle, surface: Handle, target: Handle) -> u32;
     fn eglQuerySurface(dpy: Handle, surface: Handle, name: i32, value: *mut i32) -> u32;
     fn eglGetCurrentSurface(which: i32) -> Handle;
+    fn eglGetCurrentContext() -> Handle;
+    fn eglGetCurrentDisplay() -> Handle;
+    fn eglCreateSync(dpy: Handle, ty: u32, list: *const isize) -> Handle;
+    fn eglCreateSyncKHR(dpy: Handle, ty: u32, list: *const i32) -> Handle;
+    fn eglWaitSync(dpy: Handle, sync: Handle, flags: i32) -> u32;
+    fn eglClientWaitSync(dpy: Handle, sync: Handle, flags: i32, timeout: u64) -> u32;
+    fn eglDestroySync(dpy: Handle, sync: Handle) -> u32;
     fn eglGetProcAddress(name: *const c_char) -> *const c_void;
     fn glGetString(name: GLenum) -> *const c_char;
     fn glGetError() -> GLenum;

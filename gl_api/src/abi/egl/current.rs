@@ -3,8 +3,8 @@
 use super::constants::*;
 use super::error::{Code, Result, fail};
 use super::registry::{
-    Api, Binding, Id, Place, Registry, Thread, ThreadId, display, handle, registry, this_thread,
-    thread,
+    Api, Binding, Id, OSMESA, Place, Registry, Thread, ThreadId, display, handle, registry,
+    this_thread, thread,
 };
 use super::{Handle, Int};
 use crate::abi::thread_ends;
@@ -187,8 +187,9 @@ pub(in crate::abi) fn bind(thread: &Thread, binding: Binding) -> Result<()> {
     Ok(())
 }
 
+/// What EGL has made current; OSMesa's contexts have no display that it knows.
 fn binding() -> Option<Binding> {
-    thread(|thread| thread.binding.get())
+    thread(|thread| thread.binding.get()).filter(|binding| binding.display != OSMESA)
 }
 
 pub(super) fn current_context() -> Result<Handle> {

@@ -108,9 +108,9 @@ functions! {
     eglWaitNative(engine: Int) -> u32 => current::wait_native(engine);
 
     eglCreateSync(dpy: Handle, ty: u32, list: *const Attrib) -> Handle
-        => sync::create(dpy, ty, &attributes(list));
+        => sync::create(dpy, ty, &attributes(list), Code::BadParameter);
     eglCreateSyncKHR(dpy: Handle, ty: u32, list: *const Int) -> Handle
-        => sync::create(dpy, ty, &int_attributes(list));
+        => sync::create(dpy, ty, &int_attributes(list), Code::BadAttribute);
     eglDestroySync(dpy: Handle, sync: Handle) -> u32
         => sync::destroy(dpy, sync);
     eglDestroySyncKHR(dpy: Handle, sync: Handle) -> u32

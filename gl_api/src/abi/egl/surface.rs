@@ -54,7 +54,7 @@ fn request(attributes: &[(Int, Attrib)]) -> Result<Request> {
                 (_, value) => return no_value(name, value),
             },
             // Of OpenGL ES and OpenVG: accepted and without effect.
-            EGL_MIPMAP_TEXTURE | EGL_VG_ALPHA_FORMAT => {}
+            EGL_MIPMAP_TEXTURE | EGL_VG_ALPHA_FORMAT | EGL_VG_COLORSPACE => {}
             EGL_GL_COLORSPACE => match value as Int {
                 EGL_GL_COLORSPACE_LINEAR => {}
                 EGL_GL_COLORSPACE_SRGB => {

@@ -2,20 +2,27 @@
 //! signaled from the start.
 
 use super::constants::*;
+use super::current::{current_context, current_display};
 use super::error::{Code, Result, fail};
-use super::registry::{Id, Registry, handle, registry, thread};
+use super::registry::{Id, Registry, handle, registry};
 use super::{Attrib, Handle, Int, put};
 
-pub(super) fn create(dpy: Handle, ty: u32, attributes: &[(Int, Attrib)]) -> Result<Handle> {
+/// A new fence; `unknown` is the error of another type.
+pub(super) fn create(
+    dpy: Handle,
+    ty: u32,
+    attributes: &[(Int, Attrib)],
+    unknown: Code,
+) -> Result<Handle> {
     let display = registry().display(dpy)?;
     if ty as Int != EGL_SYNC_FENCE {
-        return fail(Code::BadAttribute, format!("type = {ty:#x} must be EGL_SYNC_FENCE"));
+        return fail(unknown, format!("type = {ty:#x} must be EGL_SYNC_FENCE"));
     }
     if let Some((name, _)) = attributes.first() {
         return fail(Code::BadAttribute, format!("attrib_list: no attribute {name:#x}"));
     }
-    if thread(|thread| thread.binding.get().is_none()) {
-        return fail(Code::BadMatch, "no context is current");
+    if current_display()? != dpy {
+        return fail(Code::BadMatch, "no context of dpy is current");
     }
     crate::entry::with_current(crate::Context::flush);
     let mut registry = registry();
@@ -52,6 +59,9 @@ pub(super) fn server_wait(dpy: Handle, sync: Handle, flags: Int) -> Result<u32> 
     registry().sync(dpy, sync)?;
     if flags != 0 {
         return fail(Code::BadParameter, format!("flags = {flags:#x} must be 0"));
+    }
+    if current_context()?.is_null() {
+        return fail(Code::BadMatch, "no context is current");
     }
     Ok(1)
 }
