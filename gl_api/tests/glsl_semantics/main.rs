@@ -9,6 +9,7 @@
 mod arrays;
 mod corners;
 mod data;
+mod extremes;
 mod functions;
 mod language;
 mod names;

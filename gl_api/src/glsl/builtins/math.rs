@@ -38,12 +38,21 @@ pub fn max(emit: &mut Emit, args: Args<'_>) -> Vec<Value> {
     extreme(emit, args, Op::Max)
 }
 
-/// A constant goes second, where the operation is a single step.
+/// A constant goes second, where the operation is a single step. Zero stays where it is: of zeros the second is
+/// taken, whatever their signs.
 fn extreme(emit: &mut Emit, args: Args<'_>, op: Op) -> Vec<Value> {
     each(emit, args, |emit, at| {
         let [a, b] = [at(0), at(1)];
-        let is_turned = emit.known(a).is_some() && emit.known(b).is_none();
-        emit.op(op, &if is_turned { [b, a] } else { [a, b] })
+        let first = emit.known(a).filter(|_| emit.known(b).is_none()).map(f32::from_bits);
+        match first {
+            Some(first) if first == 0.0 => {
+                let order = if op == Op::Min { [b, a] } else { [a, b] };
+                let is_second = emit.op(Op::LessEqual, &order);
+                emit.op(Op::SelectF, &[is_second, b, a])
+            }
+            Some(_) => emit.op(op, &[b, a]),
+            None => emit.op(op, &[a, b]),
+        }
     })
 }
 
