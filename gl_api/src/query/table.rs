@@ -102,7 +102,7 @@ fn pixel_store(
 /// `GL_INVALID_ENUM` where there is none of that name.
 pub(crate) fn state_value(context: &Context, pname: GLenum) -> Result<Value> {
     if is_capability(pname) {
-        return flag(is_on(context, pname));
+        return flag(crate::state::enable::is_on(context, pname)?);
     }
     if let Some(place) = HINTS.get(pname) {
         return symbol(context.state.raster.hints[place]);
@@ -141,10 +141,6 @@ pub(crate) fn state_value(context: &Context, pname: GLenum) -> Result<Value> {
         "GL 2.1, section 6.1.1",
         format!("pname = {} names no state that DetGL has", enum_name(pname)),
     )
-}
-
-fn is_on(context: &Context, pname: GLenum) -> bool {
-    crate::state::enable::is_on(context, pname).unwrap_or(false)
 }
 
 type Answer = Option<Result<Value>>;

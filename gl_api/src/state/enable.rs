@@ -291,7 +291,10 @@ pub(crate) fn is_on(context: &Context, cap: GLenum) -> Result<bool> {
         Capability::Flag(flag) => context.state.enables.has(flag),
         Capability::Texture(target) => context.state.units.active().enabled[target as usize],
         Capability::DebugOutput => context.debug.output == Output::On,
-        Capability::TexGen(coord) => context.state.units.active().generate[coord as usize].enabled,
+        Capability::TexGen(coord) => {
+            context.state.units.active_coordinates("GL 2.1, section 6.1.1")?;
+            context.state.units.active().generate[coord as usize].enabled
+        }
         Capability::Light(light) => context.state.lights.enabled >> light & 1 == 1,
         Capability::ClipPlane(plane) => context.state.clip.enabled >> plane & 1 == 1,
         Capability::Map(map) => context.state.evaluators.has(map),

@@ -106,6 +106,24 @@ const CASES: &[Case] = &[
         GL_INVALID_OPERATION,
         "for images alone",
     ),
+    (
+        |c| {
+            c.active_texture(GL_TEXTURE8);
+            c.is_enabled(GL_TEXTURE_GEN_T);
+            c.active_texture(GL_TEXTURE0);
+        },
+        GL_INVALID_OPERATION,
+        "for images alone",
+    ),
+    (
+        |c| {
+            c.active_texture(GL_TEXTURE8);
+            c.get_booleanv(GL_TEXTURE_GEN_R, &mut [0]);
+            c.active_texture(GL_TEXTURE0);
+        },
+        GL_INVALID_OPERATION,
+        "for images alone",
+    ),
     // User clip planes.
     (|c| c.clip_plane(GL_CLIP_PLANE0 + 8, &[0.0; 4]), GL_INVALID_ENUM, "to GL_CLIP_PLANE7"),
     (|c| c.clip_plane(GL_CLIP_PLANE0, &[0.0; 3]), GL_INVALID_OPERATION, "3 of the 4"),
