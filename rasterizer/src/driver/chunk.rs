@@ -112,7 +112,11 @@ impl DrawState<'_> {
         };
         let is_strip = self.is_strip();
         let draw = self.draw;
+        let is_stippled = self.setup.raster.line.stipple.is_some();
         let chunk = |(geometry, mut lists): (Arc<Geometry>, ShapeLists)| {
+            if is_stippled {
+                lists.shapes.retain(Shape::is_somewhere);
+            }
             let runs = sort_by_tile(&mut lists);
             (Chunk { draw, geometry, lists }, runs)
         };
@@ -194,7 +198,7 @@ impl DrawState<'_> {
         };
         set_up(wanted);
         (1..self.instances.len() as u32).for_each(|at| set_up(&wanted.of_instance(at)));
-        if lists.shapes.is_empty() && range.start == 0 && self.asked > 0 {
+        if !lists.shapes.iter().any(Shape::is_somewhere) && range.start == 0 && self.asked > 0 {
             let first = (&self.primitives, 0..range.end.min(self.asked));
             self.unseen.get_or_init(|| reasons(&self.setup, geometry, first, wanted));
         }

@@ -2,7 +2,9 @@
 //! 3.5.4).
 
 use super::line::LineRun;
-use super::setup::{EdgeFlags, Facing, Kind, Part, SUBPIXEL, Scratch, Setup, Shape, bounds, snap};
+use super::setup::{
+    EdgeFlags, Facing, Kind, NOWHERE, Part, SUBPIXEL, Scratch, Setup, Shape, bounds, snap,
+};
 use crate::driver::{LineState, MAX_POINT_SIZE, PointState, PolygonMode, Rim};
 use crate::raster::depth_offset;
 use crate::vertex::{Geometry, Outcode};
@@ -85,20 +87,40 @@ impl Setup<'_> {
             let &[a, b] = scratch.snapped.as_slice() else { return };
             corners = [a, b];
         }
-        if self.raster.line.rim == Rim::Smooth {
-            let Some(cut) = self.cut_to_view(corners) else { return };
-            corners = cut;
-        }
-        let Some(bounds) = self.line_bounds(corners) else { return };
-        out.push(Shape {
+        let shape = Shape {
             corners: [corners[0], corners[1], corners[1]],
-            bounds,
+            bounds: NOWHERE,
             vertices: line.vertices,
             provoking: line.provoking,
             part: Part::Whole,
             kind: Kind::Line { stipple: 0, bias: line.bias },
             facing: line.facing,
-        });
+        };
+        self.segment(shape, out);
+    }
+
+    /// A line between the corners of a shape.
+    fn segment(&self, shape: Shape, out: &mut Vec<Shape>) {
+        let [a, b, _] = shape.corners;
+        let mut ends = [a, b];
+        if self.raster.line.rim == Rim::Smooth {
+            let Some(cut) = self.cut_to_view(ends) else { return };
+            ends = cut;
+        }
+        let bounds = match self.line_bounds(ends) {
+            Some(bounds) => bounds,
+            // Where only the scissor or the image ends, the stipple goes on.
+            None if self.raster.line.stipple.is_some() => {
+                let area = [[i32::MIN / 2; 2], [i32::MAX / 2; 2]];
+                let unbounded = Setup { area, inner: self.viewport.pixels(), ..*self };
+                if unbounded.line_bounds(ends).is_none() {
+                    return;
+                }
+                NOWHERE
+            }
+            None => return,
+        };
+        out.push(Shape { corners: [ends[0], ends[1], ends[1]], bounds, ..shape });
     }
 
     /// The part of a smooth line in the view volume, where its ends leave that at a side: what is cut off is no part
@@ -258,6 +280,19 @@ pub fn rectangle(ends: [[f64; 2]; 2], width: f64, part: [f64; 2]) -> [[f64; 2]; 
         [a[0] + along[0] * at + side * across[0], a[1] + along[1] * at + side * across[1]]
     };
     [corner(part[0], -1.0), corner(part[1], -1.0), corner(part[1], 1.0), corner(part[0], 1.0)]
+}
+
+/// The stipple of the lines around a polygon, which begins anew at its first edge alone (section 3.5.4). `closing` is
+/// the edge that ends where that begins.
+pub(super) fn stipple_around(state: &LineState, shapes: &mut [Shape], closing: [u32; 2]) {
+    if state.stipple.is_none() {
+        return;
+    }
+    let closes = |shape: &Shape| shape.part == Part::Whole && shape.vertices[..2] == closing;
+    if let Some(at) = shapes.iter().position(closes) {
+        shapes[at..].rotate_left(1);
+    }
+    stipple_lines(state, shapes, 0);
 }
 
 /// Where the stipple of each line of a strip begins: where that of the line before ends (section

@@ -2,7 +2,7 @@
 
 use super::assemble::{Primitive, Primitives};
 use super::clip::{Corner, clip, planes};
-use super::outline::{Line, Outline};
+use super::outline::{Line, Outline, stipple_around};
 use super::triangles::Triangles;
 use crate::driver::{Cull, FrontFace, PolygonMode, RasterState, Rim, Viewport};
 use crate::vertex::{Geometry, Outcode, Wanted};
@@ -73,6 +73,16 @@ pub struct Shape {
     pub facing: Facing,
 }
 
+/// The bounds of a line that covers no pixel here, and only carries a stipple on.
+pub(super) const NOWHERE: [[u16; 2]; 2] = [[u16::MAX; 2], [0; 2]];
+
+impl Shape {
+    /// Whether there are pixels that it may cover.
+    pub fn is_somewhere(&self) -> bool {
+        self.bounds != NOWHERE
+    }
+}
+
 /// Whether the edge flags of vertices count.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EdgeFlags {
@@ -137,10 +147,23 @@ pub fn setup(
         return;
     }
     let local = |ordinal: u32| wanted.local(ordinal);
-    for primitive in range.map(|i| primitives.get(i)) {
-        match primitive {
+    // The polygon that is set up: its number, where its shapes begin, and the edge that closes it.
+    let mut polygon: Option<(u32, usize, [u32; 2])> = None;
+    let end = |polygon, out: &mut Vec<Shape>| {
+        if let Some((_, first, closing)) = polygon {
+            stipple_around(&setup.raster.line, &mut out[first..], closing);
+        }
+    };
+    for i in range {
+        match primitives.get(i) {
             Primitive::Triangle(v, provoking, edges) => {
-                let triangle = Outline { vertices: v.map(local), provoking, edges };
+                let vertices = v.map(local);
+                let number = primitives.number(i);
+                if polygon.is_none_or(|(last, ..)| last != number) {
+                    end(polygon, out);
+                    polygon = Some((number, out.len(), [vertices[2], vertices[0]]));
+                }
+                let triangle = Outline { vertices, provoking, edges };
                 setup.triangle(geometry, &triangle, &mut scratch, out);
             }
             Primitive::Line(v, provoking) => {
@@ -154,6 +177,7 @@ pub fn setup(
             }
         }
     }
+    end(polygon, out);
 }
 
 impl Setup<'_> {

@@ -1,0 +1,102 @@
+//! Outlines of polygons: the line stipple, which goes on around a polygon (GL 2.1, section 3.5.4) and where the scissor
+//! hides a part (section 3.4.2).
+
+use gl_api::*;
+use std::collections::BTreeSet;
+
+const SIZE: u32 = 40;
+
+fn context() -> Context {
+    let mut c = Context::new(ContextDesc { width: SIZE, height: SIZE, ..ContextDesc::default() })
+        .expect("a device");
+    c.ortho(0.0, SIZE.into(), 0.0, SIZE.into(), -1.0, 1.0);
+    c.polygon_mode(GL_FRONT_AND_BACK, GL_LINE);
+    c
+}
+
+fn pixels(c: &mut Context) -> Vec<[u8; 4]> {
+    let mut bytes = vec![0; (SIZE * SIZE * 4) as usize];
+    let side = SIZE as i32;
+    c.read_pixels(0, 0, side, side, GL_RGBA, GL_UNSIGNED_BYTE, DataOut::Bytes(&mut bytes));
+    assert_eq!(c.get_error(), GL_NO_ERROR, "{:?}", c.messages());
+    bytes.chunks_exact(4).map(|p| [p[0], p[1], p[2], p[3]]).collect()
+}
+
+/// The pixels that have green, and a clear picture for the next.
+fn drawn(c: &mut Context) -> BTreeSet<(u32, u32)> {
+    let found = (0..).zip(pixels(c)).filter(|(_, pixel)| pixel[1] != 0);
+    let found = found.map(|(at, _)| (at % SIZE, at / SIZE)).collect();
+    c.clear(GL_COLOR_BUFFER_BIT);
+    found
+}
+
+/// A quadrilateral between two corners, which gets redder upwards; its vertices have these `w`.
+fn quad(
+    c: &mut Context,
+    mode: GLenum,
+    [left, low]: [f32; 2],
+    [right, high]: [f32; 2],
+    ws: [f32; 4],
+) {
+    c.begin(mode);
+    let corners = [(left, low, 0.0), (right, low, 0.0), (right, high, 1.0), (left, high, 1.0)];
+    for ((x, y, red), w) in corners.into_iter().zip(ws) {
+        c.color_3f(red, 1.0, 0.0);
+        c.vertex_4f(x * w, y * w, 0.0, w);
+    }
+    c.end();
+}
+
+#[test]
+fn a_stipple_goes_on_around_a_polygon() {
+    let mut c = context();
+    c.enable(GL_LINE_STIPPLE);
+    for pattern in [0x00FF, 0x5555, 0x1C47] {
+        c.line_stipple(1, pattern);
+        let around = |low: u32| {
+            let rows = [(low, 5..25), (low + 10, 6..26)].map(|(y, xs)| (y, xs.collect::<Vec<_>>()));
+            let [bottom, top] = rows.map(|(y, xs)| xs.into_iter().map(move |x| (x, y)));
+            let right = (low..low + 10).map(|y| (25, y));
+            let left = (low + 1..=low + 10).rev().map(|y| (5, y));
+            let all = bottom.chain(right).chain(top.rev()).chain(left);
+            all.enumerate().filter(|(at, _)| pattern >> (at % 16) & 1 == 1).map(|(_, pixel)| pixel)
+        };
+        let want: BTreeSet<_> = around(5).chain(around(20)).collect();
+        for (mode, convention) in [
+            (GL_QUADS, GL_LAST_VERTEX_CONVENTION),
+            (GL_QUADS, GL_FIRST_VERTEX_CONVENTION),
+            (GL_POLYGON, GL_LAST_VERTEX_CONVENTION),
+        ] {
+            c.provoking_vertex(convention);
+            for low in [5.5, 20.5] {
+                quad(&mut c, mode, [5.5, low], [25.5, low + 10.0], [1.0; 4]);
+            }
+            assert_eq!(drawn(&mut c), want, "{mode:#x} {convention:#x} {pattern:#x}");
+        }
+    }
+}
+
+#[test]
+fn a_stipple_goes_on_where_the_scissor_hides_it() {
+    let mut c = context();
+    c.enable(GL_LINE_STIPPLE);
+    c.line_stipple(1, 0x00FF);
+    let zigzag = |c: &mut Context| {
+        c.color_3f(0.0, 1.0, 0.0);
+        c.begin(GL_LINE_STRIP);
+        for (x, y) in [(5.5, 5.5), (18.5, 5.5), (18.5, 25.5), (38.5, 25.5)] {
+            c.vertex_2f(x, y);
+        }
+        c.end();
+    };
+    zigzag(&mut c);
+    let whole = drawn(&mut c);
+    for low in [4, 6, 20] {
+        c.enable(GL_SCISSOR_TEST);
+        c.scissor(0, low, SIZE as i32, SIZE as i32);
+        zigzag(&mut c);
+        c.disable(GL_SCISSOR_TEST);
+        let want = whole.iter().copied().filter(|&(_, y)| y >= low as u32).collect();
+        assert_eq!(drawn(&mut c), want, "from {low} on");
+    }
+}
