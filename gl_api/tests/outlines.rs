@@ -1,5 +1,5 @@
-//! Outlines of polygons: the line stipple, which goes on around a polygon (GL 2.1, section 3.5.4) and where the scissor
-//! hides a part (section 3.4.2).
+//! Outlines of polygons: the edges that user clip planes make (GL 2.1, section 2.12), and the line stipple, which goes
+//! on around a polygon (section 3.5.4) and where the scissor hides a part (section 3.4.2).
 
 use gl_api::*;
 use std::collections::BTreeSet;
@@ -45,6 +45,46 @@ fn quad(
         c.vertex_4f(x * w, y * w, 0.0, w);
     }
     c.end();
+}
+
+/// The rim of a rectangle of pixels.
+fn rim([left, low]: [u32; 2], [right, high]: [u32; 2]) -> BTreeSet<(u32, u32)> {
+    let all = (left..=right).flat_map(|x| (low..=high).map(move |y| (x, y)));
+    all.filter(|&(x, y)| x == left || x == right || y == low || y == high).collect()
+}
+
+#[test]
+fn user_planes_give_polygons_edges() {
+    let mut c = context();
+    for mode in [GL_QUADS, GL_POLYGON] {
+        for ws in [[1.0; 4], [1.0, 3.0, 2.0, 0.5]] {
+            c.clip_plane(GL_CLIP_PLANE0, &[1.0, 0.0, 0.0, -15.5]);
+            c.clip_plane(GL_CLIP_PLANE1, &[0.0, 1.0, 0.0, -10.5]);
+            c.enable(GL_CLIP_PLANE0);
+            quad(&mut c, mode, [5.5, 5.5], [25.5, 25.5], ws);
+            assert_eq!(drawn(&mut c), rim([15, 5], [25, 25]), "{mode:#x} {ws:?}");
+            c.enable(GL_CLIP_PLANE1);
+            quad(&mut c, mode, [5.5, 5.5], [25.5, 25.5], ws);
+            let outline = pixels(&mut c);
+            assert_eq!(drawn(&mut c), rim([15, 10], [25, 25]), "{mode:#x} {ws:?}");
+            c.disable(GL_CLIP_PLANE0);
+            c.disable(GL_CLIP_PLANE1);
+            // What the edges have is what the polygon has there.
+            c.polygon_mode(GL_FRONT_AND_BACK, GL_FILL);
+            quad(&mut c, mode, [5.5, 5.5], [25.5, 25.5], ws);
+            let filled = pixels(&mut c);
+            c.polygon_mode(GL_FRONT_AND_BACK, GL_LINE);
+            drawn(&mut c);
+            for at in (11..25).map(|y| (15, y)).chain((16..25).map(|x| (x, 10))) {
+                let [got, want] = [&outline, &filled].map(|p| p[(at.1 * SIZE + at.0) as usize]);
+                assert!(got[0].abs_diff(want[0]) <= 1, "{at:?}: {got:?}, filled {want:?}");
+            }
+        }
+    }
+    // The view volume makes none.
+    quad(&mut c, GL_QUADS, [5.5, 5.5], [55.5, 25.5], [1.0; 4]);
+    let open = rim([5, 5], [50, 25]).into_iter().filter(|&(x, _)| x < SIZE).collect();
+    assert_eq!(drawn(&mut c), open);
 }
 
 #[test]

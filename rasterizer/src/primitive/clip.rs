@@ -11,6 +11,16 @@ use crate::vertex::GUARD_BAND;
 /// How many clip distances a vertex can have.
 pub const MAX_DISTANCES: usize = 8;
 
+/// What the edge of a polygon that begins at a corner is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Edge {
+    /// Part of one of its own, or along the view volume, where nothing is drawn.
+    #[default]
+    Own,
+    /// Along a plane of the user's: an edge like its own (GL 2.1, section 2.12).
+    Made,
+}
+
 /// A vertex in clip coordinates, and its distances to the user's planes.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Corner {
@@ -18,6 +28,8 @@ pub struct Corner {
     pub clip: [f64; 4],
     /// By plane.
     pub distances: [f64; MAX_DISTANCES],
+    /// To the next corner.
+    pub edge: Edge,
 }
 
 /// The smallest `w` that is left: whatever is closer to the eye's plane is outside every guard band.
@@ -64,14 +76,15 @@ pub fn clip(polygon: &mut Vec<Corner>, scratch: &mut Vec<Corner>, planes: &[Plan
             Some(axis) => p[axis] = -(plane[3] * p[3]) / plane[axis],
             None => p[3] = W_MIN,
         };
-        cut(polygon, scratch, distance, settle);
+        cut(polygon, scratch, Edge::Own, distance, settle);
     }
     for plane in (0..MAX_DISTANCES).filter(|plane| user >> plane & 1 == 1) {
-        cut(polygon, scratch, |corner| corner.distances[plane], |_| {});
+        cut(polygon, scratch, Edge::Made, |corner| corner.distances[plane], |_| {});
     }
 }
 
-/// Cuts away where `distance` is negative. `settle` puts a point between two ends on the plane.
+/// Cuts away where `distance` is negative, along an edge that is `made`. `settle` puts a point between two ends on
+/// the plane.
 ///
 /// Where an edge is cut depends on nothing but its two ends and their distances, and negated
 /// distances give the same point to the bit. So two primitives that share an edge are cut at the same
@@ -80,6 +93,7 @@ pub fn clip(polygon: &mut Vec<Corner>, scratch: &mut Vec<Corner>, planes: &[Plan
 fn cut(
     polygon: &mut Vec<Corner>,
     scratch: &mut Vec<Corner>,
+    made: Edge,
     distance: impl Fn(&Corner) -> f64,
     settle: impl Fn(&mut [f64; 4]),
 ) {
@@ -107,6 +121,7 @@ fn cut(
             scratch.push(Corner {
                 clip,
                 distances: std::array::from_fn(|k| mix(from.distances[k], to.distances[k])),
+                edge: if da >= 0.0 { made } else { a.edge },
             });
         }
     }

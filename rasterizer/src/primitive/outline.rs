@@ -1,6 +1,7 @@
 //! Lines and points (GL 2.1, sections 3.3 and 3.4), and polygons that are drawn as such (section
 //! 3.5.4).
 
+use super::clip::Edge;
 use super::line::LineRun;
 use super::setup::{
     EdgeFlags, Facing, Kind, NOWHERE, Part, SUBPIXEL, Scratch, Setup, Shape, bounds, snap,
@@ -62,6 +63,22 @@ impl Setup<'_> {
                         scratch,
                         out,
                     );
+                }
+            }
+        }
+        let any = vertices.iter().fold(0, |any, &v| any | geometry.outcode(v).0);
+        if mode == PolygonMode::Line && any & Outcode::USER != 0 {
+            self.cut(geometry, &vertices, Outcode(any), scratch);
+            let corners = scratch.polygon.iter().zip(&scratch.snapped);
+            for (at, (corner, &from)) in corners.enumerate() {
+                if corner.edge == Edge::Made {
+                    let to = scratch.snapped[(at + 1) % scratch.snapped.len()];
+                    let kind = Kind::Line { stipple: 0, bias };
+                    let bounds = NOWHERE;
+                    let part = Part::Cut;
+                    let corners = [from, to, to];
+                    let edge = Shape { corners, bounds, vertices, provoking, part, kind, facing };
+                    self.segment(edge, out);
                 }
             }
         }

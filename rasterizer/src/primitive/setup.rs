@@ -49,7 +49,7 @@ pub enum Kind {
 pub enum Part {
     /// It is as its vertices say.
     Whole,
-    /// Its corners are not its vertices.
+    /// Its corners are not its vertices. A line is an edge that clipping made of the triangle of its vertices.
     Cut,
 }
 

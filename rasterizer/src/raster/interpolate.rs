@@ -68,6 +68,14 @@ impl Plane {
         Self { a: self.a * factor, b: self.b * factor, c: self.c * factor }
     }
 
+    /// The same along a line from the origin, which is its first end, and constant across it.
+    fn along(self, [from, to, _]: &[[i32; 2]; 3]) -> Self {
+        let way = [0, 1].map(|axis| f64::from(to[axis]) - f64::from(from[axis]));
+        let square = way[0] * way[0] + way[1] * way[1];
+        let slope = if square > 0.0 { (self.a * way[0] + self.b * way[1]) / square } else { 0.0 };
+        Self { a: slope * way[0], b: slope * way[1], c: self.c }
+    }
+
     fn is_finite(self) -> bool {
         self.a.is_finite() && self.b.is_finite() && self.c.is_finite()
     }
@@ -161,14 +169,19 @@ struct Rows {
 impl Rows {
     fn new(shape: &Shape, geometry: &Geometry, viewport: &Viewport, origin: [f64; 2]) -> Self {
         let mut w = shape.vertices.map(|v| f64::from(geometry.clip(v)[3]));
-        if let Kind::Line { .. } = shape.kind {
+        if let (Kind::Line { .. }, Part::Whole) = (shape.kind, shape.part) {
             // Its third vertex has no weight.
             w[2] = w[1];
         }
-        let projective = match shape.kind {
-            Kind::Triangle => triangle(shape, geometry, viewport, origin),
-            Kind::Line { .. } => line(shape, geometry, viewport, origin),
-            Kind::Point { .. } => [Plane::constant(1.0 / w[0]), Plane::default(), Plane::default()],
+        let projective = match (shape.kind, shape.part) {
+            (Kind::Triangle, _) => triangle(shape, geometry, viewport, origin),
+            (Kind::Line { .. }, Part::Whole) => line(shape, geometry, viewport, origin),
+            (Kind::Line { .. }, Part::Cut) => {
+                triangle(shape, geometry, viewport, origin).map(|row| row.along(&shape.corners))
+            }
+            (Kind::Point { .. }, _) => {
+                [Plane::constant(1.0 / w[0]), Plane::default(), Plane::default()]
+            }
         };
         let inverse_w = Plane::sum(&projective, [1.0; 3]);
         let in_front = w.iter().all(|&w| w > 0.0);

@@ -9,7 +9,7 @@ use super::samples::{SampleMasks, moved};
 use crate::driver::Watch;
 use crate::output::{ColorPlan, DepthFormat, blend_factors, texel_color};
 use crate::plan::{DrawPlan, FragmentInput, Shading};
-use crate::primitive::{Facing, Kind, Shape};
+use crate::primitive::{Facing, Kind, Part, Shape};
 use crate::shader::{Machine, OverBudget, Run, Tracer};
 use crate::target::{Place, Plane, TILE, TileTarget};
 use crate::trace::{
@@ -134,10 +134,10 @@ impl Spot {
         let before = before.filter(|other| other.draw == chunk.draw);
         let before: usize = before.map(|other| other.lists.shapes.len()).sum();
         let at = chunk.lists.shapes.iter().position(|other| std::ptr::eq(other, shape));
-        let corners = match shape.kind {
-            Kind::Triangle => 3,
-            Kind::Line { .. } => 2,
-            Kind::Point { .. } => 1,
+        let corners = match (shape.kind, shape.part) {
+            (Kind::Triangle, _) | (Kind::Line { .. }, Part::Cut) => 3,
+            (Kind::Line { .. }, Part::Whole) => 2,
+            (Kind::Point { .. }, _) => 1,
         };
         let ids = &shape.vertices[..corners];
         let vertex = |&id: &u32| {
