@@ -7,7 +7,7 @@ use rasterizer::driver::{
     Attachment, ClearValue, ColorState, Command, CommandBuffer, DepthState, DepthWrite, Device,
     Image, PassDesc, Pipeline, PipelineDesc, Rect, ShaderModule,
 };
-use rasterizer::ir::{Builder, Output, Stage, Stmt, TextureDecl, Value};
+use rasterizer::ir::{Builder, Op, Output, Stage, Stmt, TextureDecl, Ty, Value};
 use std::sync::Arc;
 use texunit::format::Format;
 use texunit::image::{Image as Texels, Level, Shape};
@@ -209,7 +209,7 @@ fn a_texture_that_is_drawn_to_while_it_is_sampled_reads_what_it_held_before() {
         let lod = rasterizer::ir::Lod::Implicit { bias: None };
         let texel = b.sample(slot, coords, None, lod);
         let more = b.float(10.0 / 255.0);
-        texel.map(|v| b.op(rasterizer::ir::Op::Add, &[v, more]))
+        texel.map(|v| b.op(Op::Add, &[v, more]))
     });
     let desc = pipeline(vertex(0), shader);
     let mut commands = vec![pass(&target, None, 16, 16), viewport(16, 16)];
@@ -279,6 +279,35 @@ fn an_endless_shader_is_stopped_and_the_rest_is_drawn() {
     let report = one().submit(&CommandBuffer { commands }).expect("legal");
     assert_eq!(report.over_budget, [7]);
     assert!(bytes(&target).iter().all(|&b| b == 51));
+}
+
+#[test]
+fn draws_whose_vertices_never_end_are_left_out_one_by_one() {
+    let mut b = Builder::resume(vertex(0).module().clone());
+    let (limit, stops) = (b.float(0.0), b.uniform(0, Ty::F32));
+    let condition = b.op(Op::Less, &[stops, limit]);
+    let endless = Stmt::Loop { body: Vec::new(), continuing: Vec::new() };
+    b.push(Stmt::If { condition, accept: vec![endless], reject: Vec::new() });
+    let module = ShaderModule::new(b.finish()).expect("valid");
+    let desc = pipeline(module, constant([0.2; 4]));
+    let pipeline = Pipeline::new(desc).expect("valid");
+    // Which draws end, those that do not, and what is left.
+    let cases: [(&[f32], &[usize], u8); 3] =
+        [(&[-1.0, 1.0, -1.0, 1.0], &[5, 9], 51), (&[1.0, -1.0], &[7], 51), (&[-1.0], &[5], 0)];
+    for (stops, over, left) in cases {
+        let target = image(Format::Rgba8, 64, 64);
+        let mut commands = vec![pass(&target, None, 64, 64), viewport(64, 64)];
+        commands.push(Command::BindPipeline(pipeline.clone()));
+        commands.push(Command::BindVertices(bindings(&square(0.0), 1)));
+        for stop in stops {
+            commands.push(Command::SetUniforms(Arc::from([stop.to_bits()])));
+            commands.push(Command::Draw { first: 0, count: 6, instances: 0..1 });
+        }
+        commands.push(Command::EndPass);
+        let report = one().submit(&CommandBuffer { commands }).expect("legal");
+        assert_eq!(report.over_budget, over);
+        assert!(bytes(&target).iter().all(|&b| b == left), "{stops:?}");
+    }
 }
 
 #[test]

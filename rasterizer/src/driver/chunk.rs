@@ -61,10 +61,42 @@ pub struct TileRun {
     pub end: u32,
 }
 
-/// The shaded vertices of a run of primitives.
-struct Vertices {
-    geometry: Arc<Geometry>,
-    wanted: Wanted,
+/// What of small draws that share a plan becomes one chunk.
+pub struct Gathered {
+    /// The first of them.
+    pub draw: usize,
+    geometry: Geometry,
+    lists: ShapeLists,
+}
+
+impl Gathered {
+    /// Nothing of a draw.
+    pub fn new(draw: usize, mut geometry: Geometry, mut lists: ShapeLists) -> Self {
+        geometry.clear();
+        lists.shapes.clear();
+        Self { draw, geometry, lists }
+    }
+
+    /// How many shapes there are.
+    pub fn len(&self) -> usize {
+        self.lists.shapes.len()
+    }
+
+    /// Whether it is as much as one chunk should be.
+    pub fn is_full(&self) -> bool {
+        self.len() >= CHUNK as usize || self.geometry.len() >= 4 * CHUNK as usize
+    }
+
+    /// The chunk.
+    pub fn finish(self) -> (Chunk, Vec<TileRun>) {
+        sorted(self.draw, Arc::new(self.geometry), self.lists)
+    }
+}
+
+/// A chunk of these shapes.
+fn sorted(draw: usize, geometry: Arc<Geometry>, mut lists: ShapeLists) -> (Chunk, Vec<TileRun>) {
+    let runs = sort_by_tile(&mut lists);
+    (Chunk { draw, geometry, lists }, runs)
 }
 
 impl DrawState<'_> {
@@ -94,21 +126,29 @@ impl DrawState<'_> {
     pub fn chunks(&mut self, range: Range<u32>) -> Result<Vec<(Chunk, Vec<TileRun>)>, OverBudget> {
         // Indices may share vertices all over the run; consecutive ones belong to their primitives,
         // but for the few that strips and fans share.
+        let vertices = |range: &Range<u32>| {
+            let mut geometry = self.geometries.take();
+            let wanted = self.vertices(range, &mut geometry, 0)?;
+            Ok((Arc::new(geometry), wanted))
+        };
         let shared = match self.ids {
-            Ids::Indexed(_) => Some(self.vertices(&range)?),
+            Ids::Indexed(_) => Some(vertices(&range)?),
             Ids::Range(_) => None,
         };
         let shapes_of = |start: u32| -> Result<(Arc<Geometry>, ShapeLists), OverBudget> {
             let part = start..range.end.min(start + CHUNK);
             let own;
-            let vertices = match &shared {
+            let (geometry, wanted) = match &shared {
                 Some(vertices) => vertices,
                 None => {
-                    own = self.vertices(&part)?;
+                    own = vertices(&part)?;
                     &own
                 }
             };
-            Ok((vertices.geometry.clone(), self.shapes(vertices, part)))
+            let mut lists = self.lists.take();
+            lists.shapes.clear();
+            self.shapes(geometry, wanted, part, &mut lists);
+            Ok((geometry.clone(), lists))
         };
         let is_strip = self.is_strip();
         let draw = self.draw;
@@ -117,8 +157,7 @@ impl DrawState<'_> {
             if is_stippled {
                 lists.shapes.retain(Shape::is_somewhere);
             }
-            let runs = sort_by_tile(&mut lists);
-            (Chunk { draw, geometry, lists }, runs)
+            sorted(draw, geometry, lists)
         };
         if range.len() <= CHUNK as usize {
             let mut one = shapes_of(range.start)?;
@@ -141,21 +180,38 @@ impl DrawState<'_> {
         Ok(all.into_iter().map(chunk).collect())
     }
 
-    /// Shades the vertices of a run of primitives.
-    fn vertices(&self, range: &Range<u32>) -> Result<Vertices, OverBudget> {
+    /// Puts all of a draw of at most [`CHUNK`] primitives behind those of others.
+    ///
+    /// # Errors
+    /// When a batch of vertices runs over its budget; then nothing of it is there.
+    pub fn gather(&self, all: &mut Gathered) -> Result<(), OverBudget> {
+        let Gathered { geometry, lists, .. } = all;
+        let range = 0..self.primitives.len;
+        let wanted = self.vertices(&range, geometry, geometry.len())?;
+        self.shapes(geometry, &wanted, range, lists);
+        Ok(())
+    }
+
+    /// Shades the vertices of a run of primitives, which begin at this one of a geometry.
+    fn vertices(
+        &self,
+        range: &Range<u32>,
+        geometry: &mut Geometry,
+        first: usize,
+    ) -> Result<Wanted, OverBudget> {
         let ordinals = ordinals(self.pipeline.desc().topology, &self.primitives, range);
         let numbered = self.primitive_id();
-        let wanted = match numbered {
+        let mut wanted = match numbered {
             [None, None] => Wanted::new(ordinals, self.ids),
             [Some(_), _] | [None, Some(_)] => Wanted::apart(ordinals, self.ids),
         };
+        wanted.base = first as u32;
         let stage = VertexStage {
             isa: self.isa,
             budget: self.budget,
             program: &self.pipeline.compiled().vertex,
             prepared: &self.prepared,
             machines: self.machines,
-            geometries: self.geometries,
             textures: self.textures,
             bindings: self.bindings,
             viewport: self.setup.viewport,
@@ -163,19 +219,19 @@ impl DrawState<'_> {
             point_size: self.setup.raster.point.source,
             edge_flag: self.setup.raster.polygon.edge_flag,
         };
-        let mut geometry = shade(&stage, &wanted.ids, self.instances.clone())?;
+        shade(&stage, &wanted.ids, self.instances.clone(), (geometry, first))?;
         for (part, varying) in [0, 16].into_iter().zip(numbered) {
             let Some(varying) = varying else { continue };
             for (at, instance) in
                 range.clone().flat_map(|at| (0..self.instances.len()).map(move |i| (at, i)))
             {
-                let first = (instance * wanted.ids.len()) as u32;
-                let vertex = first + wanted.local(provoking(self.primitives.get(at)));
+                let before = (instance * wanted.ids.len()) as u32;
+                let vertex = before + wanted.local(provoking(self.primitives.get(at)));
                 let bits = self.primitives.number(at) >> part & 0xFFFF;
                 geometry.set_varying(vertex, varying, bits as f32);
             }
         }
-        Ok(Vertices { geometry: Arc::new(geometry), wanted })
+        Ok(wanted)
     }
 
     /// Which of the varyings are the halves of the primitive's number, where the fragment stage reads
@@ -186,11 +242,15 @@ impl DrawState<'_> {
         [0, 1].map(|half| first.and_then(|first| place(first.saturating_add(half))))
     }
 
-    /// The shapes of a run of primitives.
-    fn shapes(&self, vertices: &Vertices, range: Range<u32>) -> ShapeLists {
-        let Vertices { geometry, wanted } = vertices;
-        let mut lists = self.lists.take();
-        lists.shapes.clear();
+    /// Puts the shapes of a run of primitives behind others.
+    fn shapes(
+        &self,
+        geometry: &Geometry,
+        wanted: &Wanted,
+        range: Range<u32>,
+        lists: &mut ShapeLists,
+    ) {
+        let before = lists.shapes.len();
         lists.shapes.reserve(range.len() * self.instances.len());
         let mut set_up = |wanted: &Wanted| {
             let range = (&self.primitives, range.clone());
@@ -198,11 +258,11 @@ impl DrawState<'_> {
         };
         set_up(wanted);
         (1..self.instances.len() as u32).for_each(|at| set_up(&wanted.of_instance(at)));
-        if !lists.shapes.iter().any(Shape::is_somewhere) && range.start == 0 && self.asked > 0 {
+        let is_seen = lists.shapes[before..].iter().any(Shape::is_somewhere);
+        if !is_seen && range.start == 0 && self.asked > 0 {
             let first = (&self.primitives, 0..range.end.min(self.asked));
             self.unseen.get_or_init(|| reasons(&self.setup, geometry, first, wanted));
         }
-        lists
     }
 }
 

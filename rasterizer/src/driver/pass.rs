@@ -4,7 +4,7 @@
 //! pass ends (or the bins are full) every tile runs, in parallel, its part of the whole pass.
 
 use super::bound::{Bound, Decided};
-use super::chunk::{DrawState, RUN, TileRun};
+use super::chunk::{DrawState, Gathered, RUN, TileRun};
 use super::command::{ClearValue, Command, Rect};
 use super::device::{Device, SubmitReport};
 use super::image::PassDesc;
@@ -14,7 +14,7 @@ use crate::output::{DepthFormat, texel_words};
 use crate::plan::{Counting, DrawPlan, PlanInput, sprite_slots};
 use crate::primitive::{Setup, primitives};
 use crate::raster::{Chunk, ClearJob, DrawJob, Entry, Formats, PassJob, Spot, TileJob};
-use crate::shader::Prepared;
+use crate::shader::{OverBudget, Prepared};
 use crate::target::{Surface, TILE, all_bits, component_bits};
 use crate::trace::Cleared;
 use crate::vertex::Ids;
@@ -26,6 +26,9 @@ use texunit::format::Format;
 /// Shapes in the bins from which on they are drawn before the pass ends. A tile's part of so many is worth a turn of
 /// its own, and the next ones have their memory: it is near, and the system does not have to give any more.
 const BINS_FULL: usize = 1 << 16;
+
+/// Draws of so many primitives may share a chunk with others of the same plan.
+const SMALL: usize = 256;
 
 /// So many plans are kept for draws that are as others were.
 const RECENT: usize = 8;
@@ -42,6 +45,8 @@ pub struct Pass<'a> {
     /// The command of each draw.
     commands: Vec<usize>,
     shapes: usize,
+    /// The last draws, if they were small: what follows may be in one chunk with them.
+    gathered: Option<Gathered>,
     bound: Bound,
     /// The formats of the colour attachments.
     formats: Vec<Option<Format>>,
@@ -81,6 +86,7 @@ impl<'a> Pass<'a> {
             },
             commands: Vec::new(),
             shapes: 0,
+            gathered: None,
             bound: Bound::new(),
         }
     }
@@ -182,6 +188,7 @@ impl<'a> Pass<'a> {
             }
         };
         let Some(job) = job else { return };
+        self.take_gathered();
         let index = self.job.clears.len() as u32;
         self.job.clears.push(job);
         self.bin(area[0], [area[1][0] - 1, area[1][1] - 1], Entry::Clear(index));
@@ -248,7 +255,7 @@ impl<'a> Pass<'a> {
             bindings: &vertices,
             textures: &textures,
             stipple: 0,
-            instances: 0..0,
+            instances: instances.clone(),
             asked: report.sight.asks(),
             unseen: OnceLock::new(),
             prepared: vertex,
@@ -265,30 +272,69 @@ impl<'a> Pass<'a> {
                 resolution,
             },
         };
-        let mut is_seen = false;
-        let at_once = state.at_once();
-        for first in instances.clone().step_by(at_once as usize) {
-            state.instances = first..instances.end.min(first.saturating_add(at_once));
-            state.stipple = 0;
-            let mut start = 0;
-            while start < primitives.len {
-                let range = start..primitives.len.min(start + RUN);
-                start = range.end;
-                let Ok(chunks) = state.chunks(range) else {
-                    self.job.draws[draw].stopped.store(true, Ordering::Relaxed);
-                    return;
-                };
-                is_seen |= self.take(chunks);
-                if self.shapes >= BINS_FULL {
-                    self.run_tiles(report);
-                }
-            }
+        // Edge flags are kept of one draw, and so are lines that only carry a stipple on.
+        let is_small = raster.polygon.edge_flag.is_none()
+            && raster.line.stipple.is_none()
+            && self.job.watch.is_none()
+            && (1..=SMALL).contains(&(primitives.len as usize * instances.len()))
+            && instances.len() <= state.at_once() as usize;
+        let drawn = match is_small {
+            true => self.gather(&state),
+            false => self.draw_apart(&mut state, report),
+        };
+        let Ok(is_seen) = drawn else {
+            self.job.draws[draw].stopped.store(true, Ordering::Relaxed);
+            return;
+        };
+        if self.shapes >= BINS_FULL {
+            self.run_tiles(report);
         }
         report.sight.add(match (is_seen, state.unseen.into_inner()) {
             (true, _) => Sight::Some,
             (false, None) => Sight::Undrawn,
             (false, Some(reasons)) => Sight::None(reasons),
         });
+    }
+
+    /// Puts a small draw into one chunk with those before it, where that is the same; says whether it has shapes.
+    fn gather(&mut self, state: &DrawState<'_>) -> Result<bool, OverBudget> {
+        let draws = &self.job.draws;
+        let goes_on =
+            |all: &Gathered| !all.is_full() && draws[all.draw].gathers(&draws[state.draw]);
+        if !self.gathered.as_ref().is_some_and(goes_on) {
+            self.take_gathered();
+        }
+        let Device { geometries, lists, .. } = self.device;
+        let new = || Gathered::new(state.draw, geometries.take(), lists.take());
+        let all = self.gathered.get_or_insert_with(new);
+        let before = all.len();
+        state.gather(all)?;
+        Ok(all.len() > before)
+    }
+
+    /// Puts a draw into chunks of its own; says whether it has shapes.
+    fn draw_apart(
+        &mut self,
+        state: &mut DrawState<'_>,
+        report: &mut SubmitReport,
+    ) -> Result<bool, OverBudget> {
+        self.take_gathered();
+        let mut is_seen = false;
+        let (instances, at_once) = (state.instances.clone(), state.at_once());
+        for first in instances.clone().step_by(at_once as usize) {
+            state.instances = first..instances.end.min(first.saturating_add(at_once));
+            state.stipple = 0;
+            let mut start = 0;
+            while start < state.primitives.len {
+                let range = start..state.primitives.len.min(start + RUN);
+                start = range.end;
+                is_seen |= self.take(state.chunks(range)?);
+                if self.shapes >= BINS_FULL {
+                    self.run_tiles(report);
+                }
+            }
+        }
+        Ok(is_seen)
     }
 
     /// Decides how to draw with what is bound.
@@ -351,8 +397,16 @@ impl<'a> Pass<'a> {
         self.shapes > before
     }
 
+    /// Puts small draws into bins.
+    fn take_gathered(&mut self) {
+        if let Some(all) = self.gathered.take() {
+            self.take(vec![all.finish()]);
+        }
+    }
+
     /// Runs every tile that has something to do, and empties the bins.
     fn run_tiles(&mut self, report: &mut SubmitReport) {
+        self.take_gathered();
         let formats = Formats {
             colors: self.formats.clone(),
             depth: self.depth_format().and_then(DepthFormat::of),

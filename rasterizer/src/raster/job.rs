@@ -8,7 +8,7 @@ use crate::primitive::Shape;
 use crate::target::TileTarget;
 use crate::vertex::Geometry;
 use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, Ordering};
 use texunit::lanes::Isa;
 
 /// A draw of a pass.
@@ -33,6 +33,13 @@ impl DrawJob {
         Arc::ptr_eq(&self.plan, &next.plan)
             && self.counter == next.counter
             && self.plan.pipeline.compiled().fragment.is_straight()
+    }
+
+    /// Whether shapes of the next draw may be in one chunk with those of this one.
+    pub fn gathers(&self, next: &Self) -> bool {
+        self.goes_on(next)
+            && (self.area, self.label) == (next.area, next.label)
+            && !self.stopped.load(Ordering::Relaxed)
     }
 
     /// Counts the samples of masks, if somebody does.

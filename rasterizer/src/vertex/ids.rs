@@ -102,7 +102,7 @@ pub struct Wanted {
     /// By ordinal, its place in `ids`; none where they are in the order of the ordinals.
     places: Option<Vec<u32>>,
     /// Where the shaded ones of the instance begin.
-    base: u32,
+    pub base: u32,
 }
 
 impl Wanted {
@@ -133,7 +133,7 @@ impl Wanted {
             ordinals: self.ordinals.clone(),
             ids: Vec::new(),
             places: self.places.clone(),
-            base: number * self.ids.len() as u32,
+            base: self.base + number * self.ids.len() as u32,
         }
     }
 

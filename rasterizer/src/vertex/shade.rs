@@ -39,6 +39,21 @@ pub struct Geometry {
 pub const VARYINGS: usize = 4;
 
 impl Geometry {
+    /// How many vertices there are.
+    pub fn len(&self) -> usize {
+        self.outcodes.len()
+    }
+
+    /// Takes all vertices away.
+    pub fn clear(&mut self) {
+        self.values.clear();
+        self.snapped.clear();
+        self.outcodes.clear();
+        self.point_sizes.clear();
+        self.distances.clear();
+        self.edge_flags.clear();
+    }
+
     fn values_of(&self, vertex: u32) -> &[f32] {
         &self.values[vertex as usize * self.stride..][..self.stride]
     }
@@ -101,8 +116,6 @@ pub struct VertexStage<'a> {
     pub prepared: &'a Prepared,
     /// What runs it.
     pub machines: &'a Pool<Machine>,
-    /// Where the memory of its results comes from.
-    pub geometries: &'a Pool<Geometry>,
     /// Its textures.
     pub textures: &'a [Option<Arc<SamplePlan>>],
     /// Its attributes.
@@ -120,7 +133,8 @@ pub struct VertexStage<'a> {
 /// Batches that are not worth another thread.
 const PIECE: usize = 4;
 
-/// Shades the vertices `ids` of instances, one behind the other, in parallel where there are many.
+/// Shades the vertices `ids` of instances, one behind the other, in parallel where there are many. They begin at a
+/// vertex of a geometry, which has at least those before it.
 ///
 /// # Errors
 /// When a batch runs over its budget.
@@ -128,13 +142,14 @@ pub fn shade(
     stage: &VertexStage<'_>,
     ids: &[u32],
     instances: Range<u32>,
-) -> Result<Geometry, OverBudget> {
+    to: (&mut Geometry, usize),
+) -> Result<(), OverBudget> {
     if instances.len() == 1 {
-        return shade_all(stage, ids, Instances::One(instances.start));
+        return shade_all(stage, ids, Instances::One(instances.start), to);
     }
     let numbers: Vec<u32> =
         instances.clone().flat_map(|instance| ids.iter().map(move |_| instance)).collect();
-    shade_all(stage, &ids.repeat(instances.len()), Instances::Each(&numbers))
+    shade_all(stage, &ids.repeat(instances.len()), Instances::Each(&numbers), to)
 }
 
 /// Which instances some vertices are of.
@@ -164,7 +179,8 @@ fn shade_all(
     stage: &VertexStage<'_>,
     ids: &[u32],
     instances: Instances<'_>,
-) -> Result<Geometry, OverBudget> {
+    (geometry, first): (&mut Geometry, usize),
+) -> Result<(), OverBudget> {
     let stride = stage.stride();
     let distance = |output: &Output| matches!(output, Output::ClipDistance(_));
     let planes = stage.program.outputs().filter(distance).count();
@@ -172,26 +188,26 @@ fn shade_all(
     let mut plane = 0..;
     let outputs = stage.program.outputs();
     let targets: Vec<Target> = outputs.map(|o| stage.target(o, &mut plane)).collect();
-    let mut geometry = stage.geometries.take();
     (geometry.stride, geometry.planes) = (stride, planes);
     let sizes = usize::from(targets.contains(&Target::PointSize));
     // What it holds of another draw is written over, but for values that this one does not write.
-    let count = ids.len();
+    let count = first + ids.len();
     geometry.values.resize(count * stride, 0.0);
     geometry.snapped.resize(count, [0; 2]);
     geometry.outcodes.resize(count, 0);
     geometry.point_sizes.resize(count * sizes, 0.0);
     geometry.distances.resize(count * planes, 0.0);
     geometry.edge_flags = stage.edge_flags(ids);
+    let own = &mut geometry.values[first * stride..];
     let is_value = |target: &&Target| matches!(target, Target::Value(_));
     if targets.iter().filter(is_value).count() < VARYINGS + stage.varyings.len() {
-        geometry.values.fill(0.0);
+        own.fill(0.0);
     }
-    let mut values = Pieces { rest: &mut geometry.values, each: stride };
-    let mut snapped = Pieces { rest: &mut geometry.snapped, each: 1 };
-    let mut outcodes = Pieces { rest: &mut geometry.outcodes, each: 1 };
-    let mut point_sizes = Pieces { rest: &mut geometry.point_sizes, each: sizes };
-    let mut distances = Pieces { rest: &mut geometry.distances, each: planes };
+    let mut values = Pieces { rest: own, each: stride };
+    let mut snapped = Pieces { rest: &mut geometry.snapped[first..], each: 1 };
+    let mut outcodes = Pieces { rest: &mut geometry.outcodes[first..], each: 1 };
+    let mut point_sizes = Pieces { rest: &mut geometry.point_sizes[first * sizes..], each: sizes };
+    let mut distances = Pieces { rest: &mut geometry.distances[first * planes..], each: planes };
     let of_batch = |batch: usize, len: usize| match instances {
         Instances::One(_) => instances,
         Instances::Each(numbers) => Instances::Each(&numbers[batch * LANES..][..len]),
@@ -226,7 +242,7 @@ fn shade_all(
             }
         }
     });
-    if stopped.into_inner() { Err(OverBudget) } else { Ok(geometry) }
+    if stopped.into_inner() { Err(OverBudget) } else { Ok(()) }
 }
 
 /// What is left of values of which each vertex has so many, to be cut into batches. (`chunks_mut`

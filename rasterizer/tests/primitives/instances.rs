@@ -4,8 +4,9 @@
 use super::super::common::{bytes, device, fragment, image, pass, pipeline, viewport};
 use rasterizer::driver::{
     Blend, BlendEquation, BlendFactor, Buffer, ColorState, Command, CommandBuffer, Counter, Device,
-    IndexType, Indices, Pipeline, PipelineDesc, ShaderModule, Topology, VertexBinding,
-    VertexFormat, VertexSource, VertexType,
+    IndexType, Indices, LineState, LineStipple, Pipeline, PipelineDesc, PolygonMode, PolygonState,
+    RasterState, Rect, ShaderModule, Topology, VertexBinding, VertexFormat, VertexSource,
+    VertexType,
 };
 use rasterizer::ir::{Builder, Input, Op, Output, Stage, Ty};
 use std::sync::Arc;
@@ -137,32 +138,67 @@ fn instances_are_drawn_as_one_by_one() {
     }
 }
 
+/// As polygons are drawn, some by their edges.
+fn rasters() -> [Arc<RasterState>; 3] {
+    let stipple = Some(LineStipple { factor: 2, pattern: 0xA53C });
+    let line = LineState { stipple, ..RasterState::default().line };
+    let polygon = PolygonState { mode: [PolygonMode::Line; 2], ..PolygonState::default() };
+    let flagged = PolygonState { edge_flag: Some(3), ..polygon.clone() };
+    [
+        Arc::default(),
+        Arc::new(RasterState { line, polygon, ..RasterState::default() }),
+        Arc::new(RasterState { line, polygon: flagged, ..RasterState::default() }),
+    ]
+}
+
 #[test]
-fn draws_with_other_uniforms_are_drawn_as_one_by_one() {
+fn small_draws_are_drawn_as_one_by_one() {
     let device = device(Isa::best(), 2);
+    let (rasters, places) = (rasters(), numbers(800).collect::<Vec<f32>>());
+    let buffer = Buffer::new((0..90).map(|at: u16| (at * 7 % 60) as u8).collect());
+    let mut flags = array(3, 1, 0, 999);
+    if let VertexSource::Array { buffer, .. } = &mut flags.source {
+        buffer.bytes_mut().chunks_exact_mut(8).for_each(|pair| pair[..4].fill(0));
+    }
     for topology in TOPOLOGIES {
-        let counters = [Counter::new(), Counter::new()];
         let state = [
             Command::BindPipeline(blended(topology)),
             Command::BindVertices(Arc::from([
-                array(0, 2, 0, 99),
-                array(1, 2, 1, 1),
-                array(2, 4, 0, 99),
+                array(0, 2, 0, 999),
+                array(1, 2, 2, 9),
+                array(2, 4, 0, 999),
+                flags.clone(),
             ])),
         ];
-        let places: Vec<f32> = numbers(160).collect();
         let draw = |at: usize, counters: &[Counter; 2]| {
             let [x, y] = [places[2 * at], places[2 * at + 1]].map(|place| (place * 0.3).to_bits());
+            let area = Rect { x: 20, y: 30, width: 90, height: 70 };
+            let indices = Indices {
+                buffer: buffer.clone(),
+                offset: at % 9,
+                ty: IndexType::U8,
+                base_vertex: 3,
+            };
+            let first = (at % 90) as u32;
             vec![
                 Command::SetUniforms(Arc::from([x, y])),
                 Command::SetCounter(Some(counters[at / 7 % 2].clone())),
-                Command::Draw { first: (at % 90) as u32, count: 6, instances: 0..1 },
+                Command::SetScissor((at / 11 % 2 == 1).then_some(area)),
+                Command::SetRaster(rasters[at / 17 % 3].clone()),
+                match at % 5 {
+                    0 => Command::Draw { first, count: 0, instances: 0..3 },
+                    1 if at % 30 == 1 => Command::Draw { first, count: 800, instances: 0..1 },
+                    1 | 2 => Command::Draw { first, count: 6, instances: 1..4 },
+                    3 => Command::DrawIndexed { indices, count: 9, instances: 0..2 },
+                    _ => Command::DrawIndexed { indices, count: 7, instances: 3..4 },
+                },
             ]
         };
-        let all = (0..80).flat_map(|at| draw(at, &counters));
+        let counters = [Counter::new(), Counter::new()];
+        let all = (0..300).flat_map(|at| draw(at, &counters));
         let together = picture(&device, &[state.iter().cloned().chain(all).collect()]);
         let others = [Counter::new(), Counter::new()];
-        let each = (0..80).map(|at| [&state[..], &draw(at, &others)].concat());
+        let each = (0..300).map(|at| [&state[..], &draw(at, &others)].concat());
         assert!(together == picture(&device, &each.collect::<Vec<_>>()), "{topology:?}");
         for (counter, other) in counters.iter().zip(&others) {
             assert!(counter.samples() == other.samples(), "{topology:?}");
