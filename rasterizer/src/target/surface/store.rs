@@ -203,7 +203,7 @@ fn store_row(format: Format, planes: &[Plane], from: Start, row: &mut [u8]) {
         ([a], 2) => {
             put_columns(row, |column| from.words(a, column).map(|word| (word as u16).to_le()))
         }
-        ([a], 3) => put_columns(row, |column| from.words(a, column).map(|word| first_three(word))),
+        ([a], 3) => put_columns(row, |column| from.words(a, column).map(first_three)),
         ([a], 4) => put_columns(row, |column| from.words(a, column).map(u32::to_le)),
         // Depth and stencil.
         ([a, b], 4) => put_columns(row, |column| {
