@@ -140,3 +140,34 @@ fn a_stipple_goes_on_where_the_scissor_hides_it() {
         assert_eq!(drawn(&mut c), want, "from {low} on");
     }
 }
+
+/// A wide line is columns of one fragment, replicated (GL 2.1, section 3.4.2).
+#[test]
+fn a_wide_line_has_one_colour_across() {
+    let mut c = context();
+    c.line_width(7.0);
+    for (x, y) in [(31.5, 22.5), (18.5, 33.5), (31.5, 4.5)] {
+        c.clear(GL_COLOR_BUFFER_BIT);
+        c.begin(GL_LINES);
+        for ((x, y), red) in [((8.5, 12.5), 0.0), ((x, y), 1.0)] {
+            c.color_3f(red, 1.0, 0.0);
+            c.vertex_2f(x, y);
+        }
+        c.end();
+        let picture = pixels(&mut c);
+        let is_steep = y - 12.5 > x - 8.5;
+        let at = |along: u32, across: u32| match is_steep {
+            false => picture[(across * SIZE + along) as usize],
+            true => picture[(along * SIZE + across) as usize],
+        };
+        let columns = (0..SIZE).filter(|&along| (0..SIZE).any(|across| at(along, across)[1] > 0));
+        let reds = columns.map(|along| {
+            let column = (0..SIZE).map(|across| at(along, across)).filter(|pixel| pixel[1] > 0);
+            let column: Vec<_> = column.collect();
+            assert_eq!(column, [column[0]; 7], "({x}, {y}): column {along}");
+            column[0][0]
+        });
+        let reds: Vec<u8> = reds.collect();
+        assert!(reds.is_sorted() && reds[0] < 15 && reds[reds.len() - 1] > 240, "{reds:?}");
+    }
+}

@@ -381,6 +381,7 @@ impl Kernel for Enter<'_> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::interpolate::Across;
     use super::*;
     use crate::driver::{SpriteOrigin, Viewport};
     use crate::primitive::{Facing, Kind, Part};
@@ -443,6 +444,7 @@ mod tests {
             offset: None,
             resolution: None,
             origin: SpriteOrigin::UpperLeft,
+            across: Across::Line,
         };
         let bits = |group: &PlaneGroup, lane: usize| {
             let mut out = [[0.0; 3]; 5];

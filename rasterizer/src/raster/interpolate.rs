@@ -15,7 +15,7 @@
 //! A value at a pixel is `(corner + dx · A) + dy · B` in `f32`, where `corner` is the plane in `f64`
 //! at the first pixel of the screen-aligned 8×8 block, and `dx`, `dy` count pixels within it.
 
-use crate::driver::{PolygonOffset, SpriteOrigin, Viewport};
+use crate::driver::{LineState, PolygonOffset, Rim, SpriteOrigin, Viewport};
 use crate::primitive::{Facing, Kind, Part, SUBPIXEL, Shape};
 use crate::vertex::{Geometry, Outcode};
 
@@ -69,15 +69,47 @@ impl Plane {
     }
 
     /// The same along a line from the origin, which is its first end, and constant across it.
-    fn along(self, [from, to, _]: &[[i32; 2]; 3]) -> Self {
+    fn along(self, corners: &[[i32; 2]; 3], across: Across) -> Self {
+        let [from, to, _] = corners;
         let way = [0, 1].map(|axis| f64::from(to[axis]) - f64::from(from[axis]));
-        let square = way[0] * way[0] + way[1] * way[1];
+        let [x, y] = across.side(way, corners);
+        let square = x * x + y * y;
         let slope = if square > 0.0 { (self.a * way[0] + self.b * way[1]) / square } else { 0.0 };
-        Self { a: slope * way[0], b: slope * way[1], c: self.c }
+        Self { a: slope * y, b: slope * -x, c: self.c }
     }
 
     fn is_finite(self) -> bool {
         self.a.is_finite() && self.b.is_finite() && self.c.is_finite()
+    }
+}
+
+/// Where the values of a line are the same.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Across {
+    /// At right angles to it (GL 2.1, equation 3.5).
+    Line,
+    /// Along its minor axis, as a wide line's columns are one fragment, replicated (section 3.4.2).
+    Columns,
+}
+
+impl Across {
+    /// For lines of a state.
+    pub fn of(line: &LineState) -> Self {
+        match line.rim {
+            Rim::Aliased if line.drawn_width() > 1.0 => Self::Columns,
+            Rim::Aliased | Rim::Smooth => Self::Line,
+        }
+    }
+
+    /// The direction without change, of a line between `corners` that runs `along`.
+    fn side(self, along: [f64; 2], corners: &[[i32; 2]; 3]) -> [f64; 2] {
+        let mut side = [-along[1], along[0]];
+        let way = [0, 1].map(|axis| corners[1][axis].abs_diff(corners[0][axis]));
+        match self {
+            Self::Line => {}
+            Self::Columns => side[usize::from(way[1] > way[0])] = 0.0,
+        }
+        side
     }
 }
 
@@ -94,6 +126,8 @@ pub struct PlaneSetup<'a> {
     pub resolution: Option<f64>,
     /// Where t is 0 in a point.
     pub origin: SpriteOrigin,
+    /// Where lines have the same values.
+    pub across: Across,
 }
 
 /// The planes of a shape.
@@ -114,7 +148,7 @@ impl Planes {
             }
             Kind::Point { .. } => geometry.window(&setup.viewport, shape.vertices[0]),
         };
-        let rows = Rows::new(shape, geometry, &setup.viewport, self.origin);
+        let rows = Rows::new(shape, geometry, &setup.viewport, self.origin, setup.across);
         let varyings = shape.vertices.map(|v| geometry.varyings_of(v));
         let provoking = varyings[usize::from(shape.provoking)];
         let values = |at: usize| [0, 1, 2].map(|i| f64::from(varyings[i][at]));
@@ -167,7 +201,13 @@ struct Rows {
 }
 
 impl Rows {
-    fn new(shape: &Shape, geometry: &Geometry, viewport: &Viewport, origin: [f64; 2]) -> Self {
+    fn new(
+        shape: &Shape,
+        geometry: &Geometry,
+        viewport: &Viewport,
+        origin: [f64; 2],
+        across: Across,
+    ) -> Self {
         let mut w = shape.vertices.map(|v| f64::from(geometry.clip(v)[3]));
         if let (Kind::Line { .. }, Part::Whole) = (shape.kind, shape.part) {
             // Its third vertex has no weight.
@@ -175,9 +215,10 @@ impl Rows {
         }
         let projective = match (shape.kind, shape.part) {
             (Kind::Triangle, _) => triangle(shape, geometry, viewport, origin),
-            (Kind::Line { .. }, Part::Whole) => line(shape, geometry, viewport, origin),
+            (Kind::Line { .. }, Part::Whole) => line(shape, geometry, viewport, origin, across),
             (Kind::Line { .. }, Part::Cut) => {
-                triangle(shape, geometry, viewport, origin).map(|row| row.along(&shape.corners))
+                let along = |row: Plane| row.along(&shape.corners, across);
+                triangle(shape, geometry, viewport, origin).map(along)
             }
             (Kind::Point { .. }, _) => {
                 [Plane::constant(1.0 / w[0]), Plane::default(), Plane::default()]
@@ -272,13 +313,14 @@ pub fn depth_offset(
         facing: Facing::Front,
     };
     let origin = corners[0].map(|v| f64::from(v) / f64::from(SUBPIXEL));
-    let rows = Rows::new(&shape, geometry, viewport, origin);
+    let rows = Rows::new(&shape, geometry, viewport, origin, Across::Line);
     let setup = PlaneSetup {
         sources: &[],
         viewport: *viewport,
         offset: None,
         resolution,
         origin: SpriteOrigin::UpperLeft,
+        across: Across::Line,
     };
     let plane = rows.depth(&setup, &shape, geometry);
     let offset = offset(&plane, &corners, by, resolution);
@@ -367,13 +409,20 @@ fn side(from: [f64; 3], to: [f64; 3], third: f64) -> f64 {
 
 /// The weights of a line: constant across it, so that `l_0 + l_1 = 1/w` along it (GL 2.1, equations
 /// 3.5 and 3.6).
-fn line(shape: &Shape, geometry: &Geometry, viewport: &Viewport, origin: [f64; 2]) -> [Plane; 3] {
+fn line(
+    shape: &Shape,
+    geometry: &Geometry,
+    viewport: &Viewport,
+    origin: [f64; 2],
+    across: Across,
+) -> [Plane; 3] {
     let ends = [0, 1].map(|i| homogeneous(geometry.clip(shape.vertices[i]), viewport, origin));
     // A third point off the line, whose own weight is left out: at infinity, across it.
     let along = [
         ends[1][0] * ends[0][2] - ends[0][0] * ends[1][2],
         ends[1][1] * ends[0][2] - ends[0][1] * ends[1][2],
     ];
-    let rows = Inverse::of([ends[0], ends[1], [-along[1], along[0], 0.0]]).rows();
+    let [x, y] = across.side(along, &shape.corners);
+    let rows = Inverse::of([ends[0], ends[1], [x, y, 0.0]]).rows();
     [rows[0], rows[1], Plane::default()]
 }

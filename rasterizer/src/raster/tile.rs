@@ -8,7 +8,7 @@ use super::broad::Broad;
 use super::clear::clear;
 use super::cover::Cover;
 use super::group::PlaneGroup;
-use super::interpolate::PlaneSetup;
+use super::interpolate::{Across, PlaneSetup};
 use super::job::{Chunk, DrawJob, Entry, PassJob, TileJob};
 use super::lanes::ShapeLanes;
 use super::pack::{Pack, Progress, Stop};
@@ -180,6 +180,7 @@ impl Worker {
             offset: plan.offset,
             resolution: plan.resolution,
             origin: plan.raster.point.origin,
+            across: Across::of(&plan.raster.line),
         };
         let shapes = group.iter().map(|&index| &chunk.lists.shapes[index as usize]);
         self.shapes.load(shapes.clone());
