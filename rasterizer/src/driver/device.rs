@@ -169,9 +169,9 @@ impl Device {
         image.resolved_by(*face, *level, storing)
     }
 
-    /// Puts a part of what an attachment names, as everything submitted leaves it, where a client has its rows, with one
-    /// sample a pixel, which several are resolved to. What was drawn and has not been asked for since is not stored
-    /// elsewhere for it. Nothing is put where nothing is attached.
+    /// Puts a part of what an attachment names, as everything submitted leaves it, where a client has its
+    /// rows, with one sample a pixel, which several are resolved to. What was drawn and has not been asked
+    /// for since is not stored elsewhere for it. Nothing is put where nothing is attached.
     ///
     /// # Panics
     /// When a row has no room, or the part is not within the picture.

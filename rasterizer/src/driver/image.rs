@@ -255,8 +255,8 @@ impl Image {
         Some((Arc::new(level), 0))
     }
 
-    /// Puts a part of what an attachment names where a client has its rows ([`super::Device::read`]). Its own rows,
-    /// where they are older, are left so.
+    /// Puts a part of what an attachment names where a client has its rows ([`super::Device::read`]). Its own
+    /// rows, where they are older, are left so.
     pub(super) fn read_by(
         &self,
         (face, level): (u16, u8),

@@ -152,7 +152,8 @@ impl Level {
         r as usize * self.slice_bytes() + rows
     }
 
-    /// The bytes of this many texels of a row, from column, row and slice on, of a level that is not compressed.
+    /// The bytes of this many texels of a row, from column, row and slice on, of a level that is not
+    /// compressed.
     ///
     /// # Panics
     /// When they are not within the level.
