@@ -1,5 +1,6 @@
 //! The context: all state, all objects, and the driver they are drawn with.
 
+mod changes;
 pub(crate) mod debug;
 pub(crate) mod limits;
 pub(crate) mod log;
@@ -26,6 +27,7 @@ use crate::state::State;
 use crate::state::attrib::AttribStacks;
 use crate::transform_feedback::TransformFeedback;
 use crate::uniform_buffer::UniformBuffers;
+use changes::Changes;
 pub use debug::{Message, Severity};
 pub use log::GLDEBUGPROC;
 use rasterizer::driver::{Device, DeviceDesc, DeviceError};
@@ -113,8 +115,7 @@ pub struct Context {
     group: Option<Group>,
     /// Where another thread asks for the group.
     pub(crate) invitation: Invitation,
-    /// How often anything may have changed that draws depend on.
-    pub(crate) changes: u64,
+    pub(crate) changes: Changes,
     /// Whether a call runs.
     pub(crate) entered: Entered,
     pub(crate) repairs: Repairs,
@@ -190,7 +191,7 @@ impl Context {
             uniform_buffers: UniformBuffers::default(),
             group,
             invitation: Invitation::default(),
-            changes: 0,
+            changes: Changes::default(),
             entered: Entered::No,
             repairs,
             mirror: None,
@@ -279,7 +280,6 @@ impl Context {
     /// state of now. Whether the call may follow.
     #[inline(never)]
     fn leave_vertices(&mut self, name: &'static str) -> bool {
-        self.changes += 1;
         if self.immediate.is_some() {
             self.refuse(name, between_begin_and_end());
             return false;
@@ -287,13 +287,8 @@ impl Context {
         if self.ended.as_ref().is_some_and(|ended| !ended.outlasts(name)) {
             draw_ended(self);
         }
+        self.changes.count();
         true
-    }
-
-    /// To be called where a call that may not stand between `glBegin` and `glEnd` has left everything as it
-    /// was: draws before and after it are as if there had been none.
-    pub(crate) fn has_changed_nothing(&mut self) {
-        self.changes -= 1;
     }
 
     /// Whether no other context shares its objects.

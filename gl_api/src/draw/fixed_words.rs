@@ -49,30 +49,32 @@ struct Normal {
 }
 
 /// The stages of a draw that are the fixed function's.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Keys<'a> {
-    pub vertex: Option<&'a VertexKey>,
-    pub fragment: Option<&'a FragmentKey>,
+#[derive(Debug)]
+pub(super) struct Keys {
+    pub vertex: Option<VertexKey>,
+    pub fragment: Option<FragmentKey>,
     /// Bit by user clip plane that cuts what a program's vertex stage writes.
     pub clip_planes: u8,
     /// Brings their equations from eye coordinates to those of what they cut.
     pub clip_space: DMat4,
     /// Whether colours of fragments are clamped.
     pub clamp: Clamp,
+    /// How many words its stages read.
+    pub needed: u32,
 }
 
 impl FixedWords {
     /// The words for a draw, at least as many as its stages read.
-    fn update(&mut self, context: &Context, keys: Keys<'_>) {
+    fn update(&mut self, context: &Context, keys: &Keys) {
         self.words.resize(word::COUNT as usize, 0);
         let reference = keys.clamp.component(context.state.fragment.alpha_ref);
         put(&mut self.words, word::ALPHA_REF, [reference.into()]);
-        if let Some(key) = keys.fragment {
+        if let Some(key) = &keys.fragment {
             fragment(&mut self.words, context, key);
         }
         // Planes are in the coordinates that they are compared with.
         clip_planes(&mut self.words, context, keys.clip_planes, keys.clip_space);
-        if let Some(key) = keys.vertex {
+        if let Some(key) = &keys.vertex {
             self.transform(context);
             if key.reads_normals() {
                 self.normal(context);
@@ -265,10 +267,10 @@ fn put_products(words: &mut [u32], at: u32, light: &Light, material: &Material) 
 }
 
 /// Appends what a draw's stages read of the words, up to the last one of them.
-pub(super) fn append(context: &mut Context, words: &mut Vec<u32>, keys: Keys<'_>, needed: u32) {
+pub(super) fn append(context: &mut Context, words: &mut Vec<u32>, keys: &Keys) {
     let mut fixed = std::mem::take(&mut context.recorder.fixed_words);
     fixed.update(context, keys);
-    let count = (needed as usize).saturating_sub(words.len()).min(fixed.words.len());
+    let count = (keys.needed as usize).saturating_sub(words.len()).min(fixed.words.len());
     words.extend_from_slice(&fixed.words[..count]);
     context.recorder.fixed_words = fixed;
 }

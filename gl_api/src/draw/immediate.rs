@@ -12,8 +12,11 @@ use crate::assembly::running as assembly;
 use crate::context::Context;
 use crate::error::{Result, invalid_operation};
 use crate::framebuffer::complete::checked_drawable;
-use crate::interface::{ATTRIB_TEX_COORD, ATTRIB_VERTEX};
+use crate::interface::{
+    ATTRIB_COLOR, ATTRIB_EDGE_FLAG, ATTRIB_MATERIAL, ATTRIB_TEX_COORD, ATTRIB_VERTEX,
+};
 use crate::object::textures::texture_unit;
+use crate::state::enable::Flag;
 use crate::state::material::{MATERIAL_COLUMNS, Materials};
 use crate::state::versioned::Versioned;
 use crate::state::{LOCATIONS, State};
@@ -130,7 +133,6 @@ pub(crate) fn end(context: &mut Context) -> Result<()> {
 
 /// Draws what was collected, or has it wait for more.
 fn finish(context: &mut Context) -> Result<()> {
-    context.changes += 1;
     let Some(mut immediate) = context.immediate.take() else {
         return invalid_operation(SECTION, "no glBegin is open: it was not called, or was refused");
     };
@@ -257,15 +259,31 @@ pub(crate) fn current(state: &State, location: usize) -> [f32; 4] {
 
 /// Changes the current value of an attribute, or of a part of a material.
 pub(crate) fn set_current(context: &mut Context, location: usize, value: [f32; 4]) {
-    context.changes += 1;
     if let Some(Ended::Vertices(ended)) = &context.ended
         && ended.column_of(location).is_none()
     {
         end_before_change(context, location, value);
     }
+    context.changes.count();
+    if is_number(context, location, value) {
+        context.changes.only_numbers();
+    }
     match context.state.current.get_mut(location) {
         Some(current) => *current = value,
         None => context.state.materials.set_column(location, value),
+    }
+}
+
+/// Whether draws are decided alike with the current value of an attribute and with another one.
+fn is_number(context: &Context, location: usize, value: [f32; 4]) -> bool {
+    // Whether a material shines depends on its colours.
+    let is_tracked = context.state.enables.has(Flag::ColorMaterial);
+    match u8::try_from(location) {
+        Ok(ATTRIB_COLOR) => !is_tracked,
+        Ok(ATTRIB_EDGE_FLAG | ATTRIB_MATERIAL..) | Err(_) => false,
+        // Whether coordinates are divided depends on the last one.
+        Ok(ATTRIB_TEX_COORD..) => context.state.current[location][3] == value[3],
+        Ok(_) => true,
     }
 }
 

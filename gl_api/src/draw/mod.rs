@@ -3,6 +3,7 @@
 //! The modules in the order in which vertices pass through them: arrays and immediate mode collect
 //! them, the draw calls check them, the stages are chosen, and the translation records commands.
 
+mod again;
 mod array_names;
 pub(crate) mod arrays;
 mod assembly;
@@ -73,6 +74,8 @@ pub(crate) struct Recorder {
     /// The version of the units, and where messages went, when it was last looked whether a texture
     /// is bound though nothing is switched on.
     nothing_enabled: Option<(u64, Output)>,
+    /// The memory of a draw's uniform words.
+    words: Vec<u32>,
     /// The memory of a draw's bindings.
     bindings: Vec<VertexBinding>,
     variants: HashMap<stages::VariantKey, ShaderModule>,
@@ -106,6 +109,7 @@ struct Told {
     counter: Option<Counter>,
     /// The draw before, which others may repeat.
     repeat: Option<repeat::Repeat>,
+    decided: Option<again::Decided>,
 }
 
 impl Recorder {
@@ -124,6 +128,7 @@ impl Recorder {
             no_textures: Arc::new([]),
             units_seen: UnitsSeen::default(),
             nothing_enabled: None,
+            words: Vec::new(),
             bindings: Vec::new(),
             variants: HashMap::new(),
             vertex_variants: HashMap::new(),
@@ -168,6 +173,13 @@ impl Recorder {
     /// Whether what waits is enough.
     fn is_full(&self) -> bool {
         self.commands.commands.len() >= MAX_COMMANDS || self.held >= MAX_HELD
+    }
+
+    /// The memory of uniform words, without any in it.
+    fn no_words(&mut self) -> Vec<u32> {
+        let mut words = std::mem::take(&mut self.words);
+        words.clear();
+        words
     }
 
     /// The memory of bindings, without any in it.

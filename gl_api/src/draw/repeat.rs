@@ -21,8 +21,8 @@ const MOST: u32 = 1 << 16;
 /// The draw before, which is the last command of the open pass.
 #[derive(Debug)]
 pub(super) struct Repeat {
-    /// What [`Context::changes`] was at its call, or that of the last which has joined it.
-    changes: u64,
+    /// How many calls there had been, or at the last which has joined it.
+    at: u64,
     topology: Topology,
     /// How many vertices and instances all arrays have, once somebody has asked.
     arrays: Option<[u32; 2]>,
@@ -43,18 +43,18 @@ enum Joined {
 /// Remembers the draw that this call has just recorded, of arrays whole.
 pub(super) fn keep(context: &mut Context, topology: Topology, count: u32) {
     let joined = if is_whole(topology, count) { Joined::NotYet } else { Joined::Never };
-    let repeat = Repeat { changes: context.changes, topology, arrays: None, joined };
+    let repeat = Repeat { at: context.changes.calls, topology, arrays: None, joined };
     context.recorder.told.repeat = Some(repeat);
 }
 
 /// Whether no vertex is left over.
-fn is_whole(topology: Topology, count: u32) -> bool {
+pub(super) fn is_whole(topology: Topology, count: u32) -> bool {
     vertices_of_primitive(topology).is_none_or(|each| (count as usize).is_multiple_of(each))
 }
 
 /// Whether draws have all that they need from the one before: nobody else changes objects, and nobody asks
 /// what each has done.
-fn is_plain(context: &Context) -> bool {
+pub(super) fn is_plain(context: &Context) -> bool {
     context.is_alone()
         && context.compiling.is_none()
         && context.watched.is_none()
@@ -63,9 +63,10 @@ fn is_plain(context: &Context) -> bool {
 
 /// Draws, if nothing but draws has happened since the one before, and nothing has to be said of this one.
 pub(super) fn repeat(context: &mut Context, topology: Topology, elements: &Elements) -> bool {
+    context.changes.nothing();
     let Some(last) = &context.recorder.told.repeat else { return false };
-    if context.changes - last.changes > 1 || last.topology != topology || context.recorder.is_full()
-    {
+    let changed = context.changes.state.max(context.changes.numbers);
+    if changed > last.at || last.topology != topology || context.recorder.is_full() {
         return false;
     }
     let known = last.arrays.or_else(|| is_plain(context).then(|| all_have(context)));
@@ -84,15 +85,15 @@ pub(super) fn repeat(context: &mut Context, topology: Topology, elements: &Eleme
     if transform_feedback::draw(context, topology, &[], elements).is_err() {
         return false;
     }
-    context.recorder.repeat(context.changes, known, elements);
+    context.recorder.repeat(context.changes.calls, known, elements);
     true
 }
 
 impl Recorder {
-    fn repeat(&mut self, changes: u64, arrays: Option<[u32; 2]>, elements: &Elements) {
+    fn repeat(&mut self, at: u64, arrays: Option<[u32; 2]>, elements: &Elements) {
         let Told { repeat: Some(last), pipeline: Some(desc), .. } = &mut self.told else { return };
         self.draws += 1;
-        (last.changes, last.arrays) = (changes, arrays);
+        (last.at, last.arrays) = (at, arrays);
         if last.joined == Joined::NotYet && !may_join(desc) {
             last.joined = Joined::Never;
         }

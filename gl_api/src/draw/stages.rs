@@ -16,6 +16,7 @@ use crate::fixed::{
 use crate::framebuffer::complete::draws_integers;
 use crate::glsl::{ComparisonResult, SamplerSlot};
 use crate::interface::MAX_COMBINED_TEXTURE_IMAGE_UNITS;
+use crate::object::programs::Linked;
 use crate::program::validate::runnable;
 use crate::state::clamp::{self, Clamp};
 use crate::state::enable::Flag;
@@ -45,6 +46,8 @@ pub(crate) struct Reads {
     pub words: Vec<u32>,
     pub vertex_textures: Textures,
     pub fragment_textures: Textures,
+    /// What the words are made by, where nothing else is.
+    pub(super) keys: Option<Keys>,
     /// What it means, if a pixel is watched.
     pub note: Option<DrawNote>,
 }
@@ -115,15 +118,13 @@ struct Programs {
 impl Programs {
     /// The program in use, and assembly programs for the stages that it lacks.
     fn new(context: &mut Context, name: u32) -> Result<Self> {
-        let mut programs = Self::default();
+        let mut programs = Self { words: context.recorder.no_words(), ..Self::default() };
         if let Some(linked) = context.objects.linked_program(name) {
             if let Err(problem) = runnable(linked) {
                 return invalid_operation("GL 2.1, section 2.15.4", problem);
             }
             let program = &linked.program;
-            programs.words.clone_from(&linked.words);
-            programs.words.resize(program.words as usize, 0);
-            put_bindings(context, &mut programs.words, &program.state);
+            put_words(context, &mut programs.words, linked);
             programs.vertex = linked.vertex_of(clamp::of_vertices(context)).clone();
             programs.fragment = linked.fragment.clone();
             programs.samplers.clone_from(&program.samplers);
@@ -182,15 +183,41 @@ pub(crate) fn choose(
     });
     let needed = vertex.module.module().uniform_words.max(fragment.module.module().uniform_words);
     let keys = Keys {
-        vertex: vertex.key.as_ref(),
-        fragment: fragment.key.as_ref(),
+        vertex: vertex.key,
+        fragment: fragment.key,
         clip_planes: vertex.clip_planes,
         clip_space: vertex.clip_space,
         clamp,
+        needed,
     };
-    fixed_words::append(context, &mut words, keys, needed);
-    let reads = Reads { words, vertex_textures, fragment_textures: fragment.textures, note };
+    fixed_words::append(context, &mut words, &keys);
+    // The words of assembly programs, and their clip space, are not made anew by keys.
+    let keys = (assembly == [None; 2]).then_some(keys);
+    let reads = Reads { words, vertex_textures, fragment_textures: fragment.textures, keys, note };
     Ok(Stages { vertex: vertex.module, fragment: fragment.module, reads })
+}
+
+/// The words of a program in use: its own, and those of the state that it reads.
+fn put_words(context: &Context, words: &mut Vec<u32>, linked: &Linked) {
+    words.clone_from(&linked.words);
+    words.resize(linked.program.words as usize, 0);
+    put_bindings(context, words, &linked.program.state);
+}
+
+/// The words of a draw whose stages are those of the draw before; `None` where samplers have changed.
+pub(super) fn words(context: &mut Context, keys: &Keys) -> Option<Vec<u32>> {
+    let mut words = context.recorder.no_words();
+    if let Some(linked) = context.objects.linked_program(context.state.bindings.program.name()) {
+        put_words(context, &mut words, linked);
+        let told = context.recorder.told.words.as_deref()?;
+        let is_same =
+            |slot: &SamplerSlot| words.get(slot.word as usize) == told.get(slot.word as usize);
+        if !linked.program.samplers.iter().all(is_same) {
+            return None;
+        }
+    }
+    fixed_words::append(context, &mut words, keys);
+    Some(words)
 }
 
 /// The fragment stage.

@@ -1,9 +1,10 @@
 //! From validated state to commands of the driver.
 
+use super::again::{self, Decided};
 use super::ended::draw_ended;
 use super::primitives::{raster_state, smoothness};
 use super::stages::{self, Reads, Stages, Textures};
-use super::{begin_pass, hints};
+use super::{Recorder, begin_pass, hints};
 use crate::assembly::running as assembly;
 use crate::context::Context;
 use crate::error::{ErrorCode, GlError, Result, invalid_operation};
@@ -71,6 +72,14 @@ pub(crate) fn draw(
     vertices: Vec<VertexBinding>,
     elements: &Elements,
 ) -> Result<()> {
+    draw_ended(context);
+    if let Some(words) = again::words(context, topology, &vertices, elements) {
+        // Counts primitives; nothing is captured.
+        transform_feedback::draw(context, topology, &[], elements)?;
+        tell_words(&mut context.recorder, words);
+        record_vertices(context, vertices, elements);
+        return Ok(());
+    }
     let pass = checked_pass(context)?;
     if context.queries.discards() {
         return Ok(());
@@ -102,6 +111,7 @@ pub(crate) fn draw_rectangle(
     rectangle: &Rectangle,
 ) -> Result<()> {
     let topology = Topology::Quads;
+    draw_ended(context);
     let pass = checked_pass(context)?;
     if context.queries.discards() || !is_rasterized(context, topology, &vertices, elements)? {
         return Ok(());
@@ -109,6 +119,7 @@ pub(crate) fn draw_rectangle(
     let mut stages = stages::choose(context, &vertices, Rim::Aliased)?;
     rectangle.apply(context, &mut stages).map_err(|error| stages::internal(&error))?;
     let Stages { vertex, fragment, reads } = stages;
+    let reads = Reads { keys: None, ..reads };
     let viewport = rectangle_viewport(&pass, rectangle.depth);
     let multisample = multisample_state(context, SampleRule::Center);
     let polygon = PolygonState { stipple: rectangle.stipple(), ..PolygonState::default() };
@@ -124,7 +135,6 @@ pub(crate) fn draw_rectangle(
 
 /// What is drawn to, if the state can draw to it.
 fn checked_pass(context: &mut Context) -> Result<PassDesc> {
-    draw_ended(context);
     let pass = draw_pass(context)?;
     let program = context.state.bindings.program.name();
     let linked = context.objects.linked_program(program);
@@ -184,7 +194,7 @@ struct Drawing {
 fn record(
     context: &mut Context,
     drawing: Drawing,
-    mut vertices: Vec<VertexBinding>,
+    vertices: Vec<VertexBinding>,
     elements: &Elements,
 ) -> Result<()> {
     let Drawing { pass, desc, raster, viewport, reads } = drawing;
@@ -193,30 +203,51 @@ fn record(
     if let Some(note) = reads.note.filter(|_| watched) {
         watch_draw(context, note.drawing(desc.topology));
     }
+    let topology = desc.topology;
     tell_pipeline(context, desc)?;
-    let read = context.recorder.told.attributes | raster.polygon.edge_flag.map_or(0, bit);
-    tell_state(context, raster, viewport, reads.words);
-    vertices.retain(|binding| read & bit(binding.location) != 0);
-    hints::arrays::short(context, &vertices, elements);
+    tell_state(context, raster, viewport);
+    tell_words(&mut context.recorder, reads.words);
     let recorder = &mut context.recorder;
-    recorder.draws += 1;
-    recorder.told.repeat = None;
-    let commands = &mut recorder.commands;
-    let buffers = vertices.iter().filter_map(|binding| binding.source.buffer());
-    recorder.held += buffers.map(Buffer::own_bytes).sum::<usize>();
-    commands.push(Command::BindVertices(vertices.drain(..).collect()));
-    recorder.bindings = vertices;
     let textures = [reads.vertex_textures, reads.fragment_textures];
     let same = |told: &[Textures; 2]| {
         told.iter().zip(&textures).all(|(told, textures)| same_textures(told, textures))
     };
     if !recorder.told.textures.as_ref().is_some_and(same) {
         let [vertex, fragment] = textures.clone();
-        commands.push(Command::BindTextures { vertex, fragment });
+        recorder.push(Command::BindTextures { vertex, fragment });
         recorder.told.textures = Some(textures);
     }
-    recorder.push_draw(elements);
+    let decided = reads.keys.map(|keys| Decided::new(context, topology, &vertices, keys));
+    context.recorder.told.decided = decided;
+    record_vertices(context, vertices, elements);
     Ok(())
+}
+
+/// Records a draw of which everything else is told.
+fn record_vertices(context: &mut Context, mut vertices: Vec<VertexBinding>, elements: &Elements) {
+    let told = &context.recorder.told;
+    let edge_flag = told.raster.as_ref().and_then(|raster| raster.polygon.edge_flag);
+    let read = told.attributes | edge_flag.map_or(0, bit);
+    vertices.retain(|binding| read & bit(binding.location) != 0);
+    hints::arrays::short(context, &vertices, elements);
+    let recorder = &mut context.recorder;
+    recorder.draws += 1;
+    recorder.told.repeat = None;
+    let buffers = vertices.iter().filter_map(|binding| binding.source.buffer());
+    recorder.held += buffers.map(Buffer::own_bytes).sum::<usize>();
+    recorder.push(Command::BindVertices(vertices.drain(..).collect()));
+    recorder.bindings = vertices;
+    recorder.push_draw(elements);
+}
+
+/// Tells the open pass of uniform words, if they are others.
+fn tell_words(recorder: &mut Recorder, words: Vec<u32>) {
+    if recorder.told.words.as_deref() != Some(&words) {
+        let shared: Arc<[u32]> = Arc::from(words.as_slice());
+        recorder.push(Command::SetUniforms(Arc::clone(&shared)));
+        recorder.told.words = Some(shared);
+    }
+    recorder.words = words;
 }
 
 /// Tells the open pass of its pipeline, if that is another.
@@ -231,15 +262,10 @@ fn tell_pipeline(context: &mut Context, desc: PipelineDesc) -> Result<()> {
 }
 
 /// Tells the open pass what has changed of the rest of its state.
-fn tell_state(context: &mut Context, raster: RasterState, viewport: Viewport, words: Vec<u32>) {
+fn tell_state(context: &mut Context, raster: RasterState, viewport: Viewport) {
     let scissor = scissor(context);
     let recorder = &mut context.recorder;
     let (told, commands) = (&mut recorder.told, &mut recorder.commands);
-    if told.words.as_deref() != Some(&words) {
-        let shared: Arc<[u32]> = words.into();
-        commands.push(Command::SetUniforms(Arc::clone(&shared)));
-        told.words = Some(shared);
-    }
     if told.raster.as_deref() != Some(&raster) {
         let shared = Arc::new(raster);
         commands.push(Command::SetRaster(Arc::clone(&shared)));

@@ -224,7 +224,7 @@ fn set_env(context: &mut Context, target: GLenum, pname: GLenum, params: &Params
         Parameter::CoordReplace => *coord_replace = params.truth(),
     }
     if now == before {
-        context.has_changed_nothing();
+        context.changes.nothing();
         return Ok(());
     }
     let unit = context.state.units.active_mut();

@@ -154,7 +154,7 @@ fn not_there(context: &mut Context, list: GLuint) {
 
 /// Carries out a list, if there is one.
 fn run_list(context: &mut Context, list: GLuint) -> Result<()> {
-    context.changes += 1;
+    context.changes.count();
     let lists = &mut context.lists;
     if lists.depth == 0 {
         lists.budget = BUDGET;

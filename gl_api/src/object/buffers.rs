@@ -232,6 +232,17 @@ pub(crate) fn bind_buffer(context: &mut Context, target: GLenum, buffer: GLuint)
     let target = BUFFER_TARGET.decode("target", target)?;
     context.objects.buffers.create(buffer, BufferObject::new);
     *binding(context, target) = context.objects.buffers.hold(buffer);
+    match target {
+        // Calls look there for what they are given.
+        BufferTarget::Array | BufferTarget::ElementArray => context.changes.nothing(),
+        BufferTarget::PixelPack
+        | BufferTarget::PixelUnpack
+        | BufferTarget::CopyRead
+        | BufferTarget::CopyWrite
+        | BufferTarget::TransformFeedback
+        | BufferTarget::Uniform
+        | BufferTarget::Texture => {}
+    }
     Ok(())
 }
 

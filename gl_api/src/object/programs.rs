@@ -322,6 +322,7 @@ pub(crate) fn use_program(context: &mut Context, name: GLuint) -> Result<()> {
     let now = objects.programs.hold(name);
     let before = std::mem::replace(&mut context.state.bindings.program, now).name();
     if before == name {
+        context.changes.nothing();
         return Ok(());
     }
     sweep(objects);

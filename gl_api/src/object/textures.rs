@@ -62,7 +62,7 @@ pub(crate) fn bind_texture(context: &mut Context, target: GLenum, texture: GLuin
     context.objects.textures.create(texture, || Texture::new(target));
     let bound = context.objects.textures.hold(texture);
     if context.state.units.active().bound[target as usize] == bound {
-        context.has_changed_nothing();
+        context.changes.nothing();
         return Ok(());
     }
     context.state.units.active_mut().bound[target as usize] = bound;

@@ -80,6 +80,7 @@ pub(crate) fn bind_vertex_array(context: &mut Context, array: GLuint) -> Result<
     if array != context.state.bindings.vertex_array {
         switch(context, array);
     }
+    context.changes.only_numbers();
     Ok(())
 }
 

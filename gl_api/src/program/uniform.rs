@@ -97,8 +97,9 @@ fn store(
         differs |= *place ^ word;
         *place = word;
     }
-    if differs == 0 {
-        context.has_changed_nothing();
+    match differs {
+        0 => context.changes.nothing(),
+        _ => context.changes.only_numbers(),
     }
     Ok(())
 }

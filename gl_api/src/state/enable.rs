@@ -227,7 +227,7 @@ fn switch(context: &mut Context, cap: GLenum, to: Switch) -> Result<()> {
     let on = to == Switch::On;
     let capability = capability(cap)?;
     if is_already(context, capability, to) {
-        context.has_changed_nothing();
+        context.changes.nothing();
         return Ok(());
     }
     match capability {
@@ -331,6 +331,7 @@ fn switch_client(context: &mut Context, array: GLenum, to: Switch) -> Result<()>
     }
     let location = client_location(context, CLIENT_ARRAY.decode("array", array)?);
     context.state.arrays.by_location[location].enabled = on;
+    context.changes.only_numbers();
     Ok(())
 }
 

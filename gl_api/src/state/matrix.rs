@@ -95,6 +95,11 @@ impl Default for Matrices {
 /// `GL_INVALID_OPERATION` for the texture matrix of a unit that has none.
 fn stack(context: &mut Context) -> Result<&mut Stack> {
     let matrices = &mut context.state.matrices;
+    match matrices.mode {
+        MatrixMode::ModelView | MatrixMode::Projection => context.changes.only_numbers(),
+        // Whether there is one decides what is generated.
+        MatrixMode::Texture | MatrixMode::Program(_) => {}
+    }
     Ok(match matrices.mode {
         MatrixMode::ModelView => &mut matrices.modelview,
         MatrixMode::Projection => &mut matrices.projection,
@@ -141,6 +146,7 @@ fn matrix<T: Copy + Into<f64>>(m: &[T]) -> Result<DMat4> {
 
 pub(crate) fn matrix_mode(context: &mut Context, mode: GLenum) -> Result<()> {
     context.state.matrices.mode = MATRIX_MODE.decode("mode", mode)?;
+    context.changes.nothing();
     Ok(())
 }
 

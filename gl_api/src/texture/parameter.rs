@@ -175,7 +175,7 @@ fn set(
     }
     let is_sampling = !matches!(parameter, Parameter::Priority | Parameter::GenerateMipmap);
     if is_sampling && texture.state == before {
-        context.has_changed_nothing();
+        context.changes.nothing();
     }
     Ok(())
 }

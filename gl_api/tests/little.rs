@@ -1,0 +1,265 @@
+//! Draws between which little changes, as matrices, uniforms, current values or where vertices come from: the
+//! picture, the errors and the messages are those of draws that are each carried out before the next call.
+
+#[path = "common/random.rs"]
+mod random;
+#[path = "common/shading.rs"]
+mod shading;
+
+use gl_api::*;
+use proptest::prelude::*;
+use random::Random;
+
+const SIZE: u32 = 64;
+/// Vertices of each buffer: twelve floats.
+const VERTICES: usize = 60;
+const STRIDE: GLsizei = 48;
+
+const PROGRAM: [&str; 2] = [
+    "attribute vec4 shade; varying vec4 color; varying vec2 place; uniform vec2 move;
+     void main() { color = shade + 0.5 * gl_Color; place = gl_Vertex.xy * 9.0;
+         gl_Position = ftransform() + vec4(move, 0.0, 0.0); }",
+    "uniform sampler2D image; uniform float part; varying vec4 color; varying vec2 place;
+     void main() { gl_FragColor = mix(color, texture2D(image, place), part); }",
+];
+
+/// How calls follow one another.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Way {
+    /// Everything is done before the next.
+    Apart,
+    Together,
+}
+
+fn context(random: &mut Random) -> Context {
+    let desc = ContextDesc { width: SIZE, height: SIZE, ..ContextDesc::default() };
+    let mut c = Context::new(desc).expect("a device");
+    c.clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    c.enable(GL_BLEND);
+    c.blend_func(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    let switches = [
+        GL_LIGHTING,
+        GL_COLOR_MATERIAL,
+        GL_TEXTURE_2D,
+        GL_TEXTURE_GEN_S,
+        GL_FOG,
+        GL_CLIP_PLANE0,
+        GL_NORMALIZE,
+        GL_CULL_FACE,
+    ];
+    for cap in switches {
+        if random.below(3) == 0 {
+            c.enable(cap);
+        }
+    }
+    c.enable(GL_LIGHT0);
+    c.lightfv(GL_LIGHT0, GL_SPECULAR, &[0.5; 4]);
+    c.materialf(GL_FRONT_AND_BACK, GL_SHININESS, 5.0);
+    c.color_material(GL_FRONT_AND_BACK, random.pick(&[GL_AMBIENT_AND_DIFFUSE, GL_SPECULAR]));
+    c.tex_geni(GL_S, GL_TEXTURE_GEN_MODE, random.pick(&[GL_EYE_LINEAR, GL_OBJECT_LINEAR]) as GLint);
+    c.clip_plane(GL_CLIP_PLANE0, &[1.0, 0.5, 0.0, 0.3]);
+    c.polygon_mode(GL_FRONT_AND_BACK, random.pick(&[GL_FILL, GL_FILL, GL_LINE]));
+    for texture in [2, 1] {
+        let texels: Vec<u8> = (0..256).map(|_| random.below(256) as u8).collect();
+        c.bind_texture(GL_TEXTURE_2D, texture);
+        let filter = if texture == 1 { GL_LINEAR } else { GL_NEAREST };
+        c.tex_parameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter as GLint);
+        let data = Data::Bytes(&texels);
+        c.tex_image_2d(GL_TEXTURE_2D, 0, 4, 8, 8, 0, GL_RGBA, GL_UNSIGNED_BYTE, data);
+    }
+    c.active_texture(GL_TEXTURE1);
+    c.bind_texture(GL_TEXTURE_2D, 2);
+    c.active_texture(GL_TEXTURE0);
+    for buffer in 1..=2 {
+        let floats: Vec<f32> = (0..VERTICES * 12).map(|_| random.float()).collect();
+        c.bind_buffer(GL_ARRAY_BUFFER, buffer);
+        let bytes = bytemuck::cast_slice(&floats);
+        c.buffer_data(GL_ARRAY_BUFFER, bytes.len() as _, Data::Bytes(bytes), GL_STREAM_DRAW);
+    }
+    let indices: Vec<u8> = (0..200).map(|_| random.below(VERTICES as u64) as u8).collect();
+    c.bind_buffer(GL_ELEMENT_ARRAY_BUFFER, 3);
+    c.buffer_data(GL_ELEMENT_ARRAY_BUFFER, 200, Data::Bytes(&indices), GL_STATIC_DRAW);
+    c.enable_client_state(GL_VERTEX_ARRAY);
+    c.vertex_pointer(2, GL_FLOAT, STRIDE, Data::Offset(0));
+    if random.below(2) == 0 {
+        let [vertex, fragment] = PROGRAM;
+        shading::use_program(&mut c, vertex, fragment);
+    }
+    c
+}
+
+fn draw(c: &mut Context, random: &mut Random, mode: GLenum) {
+    let first = random.pick(&[0, 3, 12, 57, 58]);
+    match random.below(5) {
+        0 => c.draw_elements(mode, 6, GL_UNSIGNED_BYTE, Data::Offset(random.below(180) as usize)),
+        1 => {
+            c.begin(mode);
+            for _ in 0..3 {
+                if random.below(3) == 0 {
+                    current(c, random);
+                }
+                c.vertex_2f(random.float(), random.float());
+            }
+            c.end();
+        }
+        2 => c.multi_draw_arrays(mode, &[first, 9], &[3, 6], 2),
+        _ => c.draw_arrays(mode, first, random.pick(&[3, 3, 6])),
+    }
+}
+
+/// Sets a current value.
+fn current(c: &mut Context, random: &mut Random) {
+    let (x, y) = (random.float(), random.float().abs());
+    match random.below(8) {
+        0 => c.normal_3f(x, y, 0.5),
+        1 => c.edge_flag(x < 0.0),
+        2 => c.tex_coord_4f(x, y, 0.0, random.pick(&[1.0, 1.0, 0.5])),
+        3 => c.vertex_attrib_4f(1, x, y, 0.5, 1.0),
+        4 => c.fog_coordf(x),
+        5 => c.materialfv(GL_FRONT, GL_DIFFUSE, &[y, 0.5, 0.1, 1.0]),
+        6 => c.color_3f(0.0, 0.0, 0.0),
+        _ => c.color_4f(x.abs(), y, 0.3, random.pick(&[0.4, 1.0])),
+    }
+}
+
+fn matrix(c: &mut Context, random: &mut Random) {
+    let (x, y) = (random.float() * 0.5, random.float() * 0.5);
+    match random.below(9) {
+        0 => c.matrix_mode(random.pick(&[GL_MODELVIEW, GL_PROJECTION, GL_TEXTURE])),
+        1 => c.load_identity(),
+        2 => c.push_matrix(),
+        3 => c.pop_matrix(),
+        4 => c.rotatef(x * 90.0, y, 0.2, 1.0),
+        5 => c.scalef(1.0 + x, 1.0 - y, 1.0),
+        6 => {
+            let mut projected = [0.0; 16];
+            (0..4).for_each(|at| projected[at * 5] = 1.0);
+            (projected[3], projected[12]) = (x * 0.5, y);
+            c.load_matrixf(&projected);
+        }
+        _ => c.translatef(x, y, 0.0),
+    }
+}
+
+fn arrays(c: &mut Context, random: &mut Random) {
+    let offset = Data::Offset(random.pick(&[0, 8, 16]));
+    match random.below(10) {
+        0 => c.bind_buffer(GL_ARRAY_BUFFER, random.pick(&[1, 2])),
+        1 => c.vertex_pointer(random.pick(&[2, 2, 3]), GL_FLOAT, STRIDE, offset),
+        2 => c.color_pointer(random.pick(&[3, 4]), GL_FLOAT, STRIDE, offset),
+        3 => c.tex_coord_pointer(random.pick(&[2, 4]), GL_FLOAT, STRIDE, offset),
+        4 => c.vertex_attrib_pointer(1, 4, GL_FLOAT, false, STRIDE, offset),
+        5 => c.enable_vertex_attrib_array(1),
+        6 => c.disable_vertex_attrib_array(1),
+        7 => {
+            let sets = [
+                Context::enable_client_state as fn(&mut Context, GLenum),
+                Context::disable_client_state,
+            ];
+            let array = random.pick(&[GL_COLOR_ARRAY, GL_TEXTURE_COORD_ARRAY, GL_NORMAL_ARRAY]);
+            random.pick(&sets)(c, array);
+        }
+        8 => c.interleaved_arrays(
+            random.pick(&[GL_T2F_V3F, GL_C4F_N3F_V3F]),
+            STRIDE,
+            Data::Offset(0),
+        ),
+        _ => {
+            // What is written is copied in parts from then on.
+            let floats = [random.float(), random.float()];
+            let bytes = Data::Bytes(bytemuck::cast_slice(&floats));
+            c.buffer_sub_data(GL_ARRAY_BUFFER, 48 * random.below(5) as GLintptr, 8, bytes);
+        }
+    }
+}
+
+fn uniform(c: &mut Context, random: &mut Random) {
+    let mut program = [0];
+    c.get_integerv(GL_CURRENT_PROGRAM, &mut program);
+    if program == [0] {
+        return;
+    }
+    let program = program[0] as GLuint;
+    let place = |c: &mut Context, name: &str| c.get_uniform_location(program, name);
+    match random.below(5) {
+        0 => {
+            let at = place(c, "image");
+            c.uniform_1i(at, random.pick(&[0, 1, 5]));
+        }
+        1 => {
+            let at = place(c, "part");
+            c.uniform_1f(at, random.pick(&[0.0, 0.5]));
+        }
+        2 => c.use_program(program),
+        _ => {
+            let at = place(c, "move");
+            c.uniform_2f(at, random.float() * 0.5, random.float() * 0.5);
+        }
+    }
+}
+
+/// Changes what draws are decided by.
+fn state(c: &mut Context, random: &mut Random) {
+    let cap = random.pick(&[GL_LIGHTING, GL_TEXTURE_2D, GL_FOG, GL_CLIP_PLANE0, GL_DEPTH_TEST]);
+    match random.below(7) {
+        0 => c.enable(cap),
+        1 => c.disable(cap),
+        2 => c.bind_texture(GL_TEXTURE_2D, random.pick(&[1, 2])),
+        3 => c.clip_plane(GL_CLIP_PLANE0, &[0.5, random.float().into(), 0.0, 0.4]),
+        4 => c.lightfv(GL_LIGHT0, GL_POSITION, &[random.float(), 0.5, 1.0, 0.0]),
+        5 => c.push_attrib(GL_CURRENT_BIT | GL_TRANSFORM_BIT),
+        _ => c.pop_attrib(),
+    }
+}
+
+type Outcome = (Vec<u8>, GLenum, Vec<String>);
+
+fn outcome(seed: u64, way: Way) -> Outcome {
+    let mut random = Random(seed);
+    let c = &mut context(&mut random);
+    let modes: &[GLenum] = random.pick(&[
+        &[GL_TRIANGLES][..],
+        &[GL_TRIANGLES, GL_TRIANGLE_STRIP],
+        &[GL_LINES, GL_TRIANGLES, GL_POINTS],
+    ]);
+    let changes = random.pick(&[
+        &[current as fn(&mut Context, &mut Random), matrix, arrays, uniform][..],
+        &[matrix, matrix, current, state],
+        &[current, uniform, uniform],
+        &[arrays, arrays, current, state],
+    ]);
+    for _ in 0..random.below(50) + 5 {
+        let mode = random.pick(modes);
+        match random.below(12) {
+            0 => {
+                c.new_list(1, random.pick(&[GL_COMPILE, GL_COMPILE_AND_EXECUTE]));
+                random.pick(changes)(c, &mut random);
+                draw(c, &mut random, mode);
+                c.end_list();
+            }
+            1 => c.call_list(1),
+            2..6 => draw(c, &mut random, mode),
+            _ => random.pick(changes)(c, &mut random),
+        }
+        if way == Way::Apart {
+            c.finish();
+        }
+    }
+    let mut picture = vec![0; (SIZE * SIZE * 4) as usize];
+    let size = SIZE as GLsizei;
+    c.read_pixels(0, 0, size, size, GL_RGBA, GL_UNSIGNED_BYTE, DataOut::Bytes(&mut picture));
+    let messages = c.messages().into_iter().map(|message| message.text).collect();
+    (picture, c.get_error(), messages)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(300))]
+
+    #[test]
+    fn what_changes_little_is_drawn_as_what_is_drawn_alone(seed: u64) {
+        let (apart, together) = (outcome(seed, Way::Apart), outcome(seed, Way::Together));
+        prop_assert_eq!(&together.1, &apart.1);
+        prop_assert_eq!(&together.2, &apart.2);
+        prop_assert!(together.0 == apart.0, "the picture differs");
+    }
+}
