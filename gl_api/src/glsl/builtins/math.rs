@@ -45,7 +45,7 @@ fn extreme(emit: &mut Emit, args: Args<'_>, op: Op) -> Vec<Value> {
         let [a, b] = [at(0), at(1)];
         let first = emit.known(a).filter(|_| emit.known(b).is_none()).map(f32::from_bits);
         match first {
-            Some(first) if first == 0.0 => {
+            Some(0.0) => {
                 let order = if op == Op::Min { [b, a] } else { [a, b] };
                 let is_second = emit.op(Op::LessEqual, &order);
                 emit.op(Op::SelectF, &[is_second, b, a])
