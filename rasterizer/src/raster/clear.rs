@@ -51,6 +51,7 @@ fn touched(area: &[[i32; 2]; 2], tile: [i32; 2]) -> u64 {
 }
 
 /// Clears a tile's part of an attachment.
+#[inline(never)]
 pub fn clear(pass: &PassJob, job: &ClearJob, tile: &mut TileJob) {
     let (target, first) = match job.target {
         Cleared::Color(index) => (tile.colors.get_mut(index).and_then(Option::as_mut), 0),

@@ -141,6 +141,7 @@ pub struct Planes {
 
 impl Planes {
     /// Computes the planes of `shape`.
+    #[inline(never)]
     pub fn compute(&mut self, setup: &PlaneSetup<'_>, geometry: &Geometry, shape: &Shape) {
         self.origin = match shape.kind {
             Kind::Triangle | Kind::Line { .. } => {

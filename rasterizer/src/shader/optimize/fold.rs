@@ -18,6 +18,7 @@ const ONE: u32 = 0x3f80_0000;
 const MINUS_ZERO: u32 = 0x8000_0000;
 
 /// Looks at an operation whose operands are simplified already.
+#[inline(never)]
 pub(super) fn fold(module: &Module, op: Op, args: [Value; 3]) -> Folded {
     let known = args.map(|value| module.constant(value));
     let arity = op.args().len();
