@@ -23,6 +23,19 @@ const PROGRAM: [&str; 2] = [
      void main() { gl_FragColor = mix(color, texture2D(image, place), part); }",
 ];
 
+/// Its name and the places of its uniforms: to ask for them between draws would be a call as well.
+const NAME: GLuint = 1;
+const MOVE: GLint = 0;
+const IMAGE: GLint = 1;
+const PART: GLint = 2;
+
+fn program(c: &mut Context) {
+    let [vertex, fragment] = PROGRAM;
+    let program = shading::use_program(c, vertex, fragment);
+    let places = ["move", "image", "part"].map(|name| c.get_uniform_location(program, name));
+    assert_eq!((program, places), (NAME, [MOVE, IMAGE, PART]));
+}
+
 /// How calls follow one another.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Way {
@@ -59,6 +72,15 @@ fn context(random: &mut Random) -> Context {
     c.tex_geni(GL_S, GL_TEXTURE_GEN_MODE, random.pick(&[GL_EYE_LINEAR, GL_OBJECT_LINEAR]) as GLint);
     c.clip_plane(GL_CLIP_PLANE0, &[1.0, 0.5, 0.0, 0.3]);
     c.polygon_mode(GL_FRONT_AND_BACK, random.pick(&[GL_FILL, GL_FILL, GL_LINE]));
+    scene(&mut c, random);
+    if random.below(2) == 0 {
+        program(&mut c);
+    }
+    c
+}
+
+/// Textures, buffers, and an array of positions.
+fn scene(c: &mut Context, random: &mut Random) {
     for texture in [2, 1] {
         let texels: Vec<u8> = (0..256).map(|_| random.below(256) as u8).collect();
         c.bind_texture(GL_TEXTURE_2D, texture);
@@ -81,11 +103,6 @@ fn context(random: &mut Random) -> Context {
     c.buffer_data(GL_ELEMENT_ARRAY_BUFFER, 200, Data::Bytes(&indices), GL_STATIC_DRAW);
     c.enable_client_state(GL_VERTEX_ARRAY);
     c.vertex_pointer(2, GL_FLOAT, STRIDE, Data::Offset(0));
-    if random.below(2) == 0 {
-        let [vertex, fragment] = PROGRAM;
-        shading::use_program(&mut c, vertex, fragment);
-    }
-    c
 }
 
 fn draw(c: &mut Context, random: &mut Random, mode: GLenum) {
@@ -174,27 +191,12 @@ fn arrays(c: &mut Context, random: &mut Random) {
 }
 
 fn uniform(c: &mut Context, random: &mut Random) {
-    let mut program = [0];
-    c.get_integerv(GL_CURRENT_PROGRAM, &mut program);
-    if program == [0] {
-        return;
-    }
-    let program = program[0] as GLuint;
-    let place = |c: &mut Context, name: &str| c.get_uniform_location(program, name);
+    // Without a program in use, an error.
     match random.below(5) {
-        0 => {
-            let at = place(c, "image");
-            c.uniform_1i(at, random.pick(&[0, 1, 5]));
-        }
-        1 => {
-            let at = place(c, "part");
-            c.uniform_1f(at, random.pick(&[0.0, 0.5]));
-        }
-        2 => c.use_program(program),
-        _ => {
-            let at = place(c, "move");
-            c.uniform_2f(at, random.float() * 0.5, random.float() * 0.5);
-        }
+        0 => c.uniform_1i(IMAGE, random.pick(&[0, 1, 5])),
+        1 => c.uniform_1f(PART, random.pick(&[0.0, 0.5])),
+        2 => c.use_program(random.pick(&[0, NAME, NAME, NAME])),
+        _ => c.uniform_2f(MOVE, random.float() * 0.5, random.float() * 0.5),
     }
 }
 
@@ -250,6 +252,68 @@ fn outcome(seed: u64, way: Way) -> Outcome {
     c.read_pixels(0, 0, size, size, GL_RGBA, GL_UNSIGNED_BYTE, DataOut::Bytes(&mut picture));
     let messages = c.messages().into_iter().map(|message| message.text).collect();
     (picture, c.get_error(), messages)
+}
+
+/// A change that is one of a number in most draws, and decides something in this one.
+#[test]
+fn what_looks_like_a_number_and_is_none_is_seen() {
+    type Call = fn(&mut Context);
+    let cases: &[(Call, Call)] = &[
+        (|c| c.enable(GL_TEXTURE_2D), |c| c.tex_coord_4f(0.3, 0.3, 0.0, 0.5)),
+        (
+            |c| c.enable(GL_TEXTURE_2D),
+            |c| c.tex_coord_pointer(4, GL_FLOAT, STRIDE, Data::Offset(16)),
+        ),
+        (|c| c.polygon_mode(GL_FRONT_AND_BACK, GL_LINE), |c| c.edge_flag(false)),
+        (
+            |c| {
+                c.color_material(GL_FRONT_AND_BACK, GL_SPECULAR);
+                for cap in [GL_COLOR_MATERIAL, GL_LIGHTING, GL_LIGHT0] {
+                    c.enable(cap);
+                }
+                c.color_3f(0.0, 0.0, 0.0);
+                c.normal_3f(0.0, 0.0, 1.0);
+            },
+            |c| c.color_3f(1.0, 0.5, 0.2),
+        ),
+        (
+            |c| {
+                c.enable(GL_TEXTURE_2D);
+                c.tex_coord_3f(0.1, 0.2, 0.0);
+                c.matrix_mode(GL_TEXTURE);
+            },
+            |c| c.translatef(0.4, 0.4, 0.0),
+        ),
+        (
+            |c| {
+                program(c);
+                c.uniform_1f(PART, 1.0);
+            },
+            |c| c.uniform_1i(IMAGE, 1),
+        ),
+    ];
+    for (number, (before, change)) in cases.iter().enumerate() {
+        let picture = |way: Way| {
+            let desc = ContextDesc { width: SIZE, height: SIZE, ..ContextDesc::default() };
+            let mut c = Context::new(desc).expect("a device");
+            scene(&mut c, &mut Random(5));
+            before(&mut c);
+            for _ in 0..2 {
+                c.draw_arrays(GL_TRIANGLES, 0, 30);
+                if way == Way::Apart {
+                    c.finish();
+                }
+                change(&mut c);
+                c.translatef(0.01, 0.0, 0.0);
+            }
+            let mut picture = vec![0; (SIZE * SIZE * 4) as usize];
+            let data = DataOut::Bytes(&mut picture);
+            c.read_pixels(0, 0, SIZE as _, SIZE as _, GL_RGBA, GL_UNSIGNED_BYTE, data);
+            assert_eq!(c.get_error(), GL_NO_ERROR, "{:?}", c.messages());
+            picture
+        };
+        assert!(picture(Way::Apart) == picture(Way::Together), "case {number}");
+    }
 }
 
 proptest! {
