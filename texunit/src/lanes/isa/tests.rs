@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::lanes::LANES;
+use crate::lanes::math;
 
 struct Largest<'a>(&'a U32s);
 impl Kernel for Largest<'_> {
