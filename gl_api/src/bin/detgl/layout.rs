@@ -1,5 +1,6 @@
 //! The library under the names that programs and loaders look for, and its vendor file for libglvnd.
 
+use std::fs::File;
 use std::io;
 use std::os::unix::fs::symlink;
 use std::path::{Path, PathBuf};
@@ -61,16 +62,27 @@ fn library() -> io::Result<PathBuf> {
 
 /// Copies the library into a folder and links its names to it.
 pub fn install(folder: &Path, glu: Glu) -> io::Result<()> {
+    lay_out(&library()?, folder, glu)
+}
+
+/// What is there already and the same is left alone: programs may be about to load it.
+fn lay_out(library: &Path, folder: &Path, glu: Glu) -> io::Result<()> {
     let at = |path: &Path, error: io::Error| {
         io::Error::new(error.kind(), format!("{}: {error}", path.display()))
     };
-    let library = library()?;
     fs::create_dir_all(folder).map_err(|error| at(folder, error))?;
+    // One at a time, so that a program which loads the library under two names finds the same file behind both
+    // although another is started just then. Where files cannot be locked, nobody waits.
+    let file = File::open(library).map_err(|error| at(library, error))?;
+    let _ = file.lock();
     let target = folder.join(LIBRARY);
-    // A program that runs on an older copy keeps it: the new one is another file.
-    let fresh = folder.join(format!(".{LIBRARY}.{}", std::process::id()));
-    fs::copy(&library, &fresh).map_err(|error| at(&fresh, error))?;
-    fs::rename(&fresh, &target).map_err(|error| at(&target, error))?;
+    let text = fs::read(library).map_err(|error| at(library, error))?;
+    if fs::read(&target).ok().as_ref() != Some(&text) {
+        // A program that runs on an older copy keeps it: the new one is another file.
+        let fresh = folder.join(format!(".{LIBRARY}.{}", std::process::id()));
+        fs::copy(library, &fresh).map_err(|error| at(&fresh, error))?;
+        fs::rename(&fresh, &target).map_err(|error| at(&target, error))?;
+    }
     let glu_names = match glu {
         Glu::System => &[][..],
         Glu::Own => &GLU_NAMES,
@@ -89,7 +101,11 @@ pub fn install(folder: &Path, glu: Glu) -> io::Result<()> {
     }
     let path = target.canonicalize().map_err(|error| at(&target, error))?;
     let vendor = folder.join(VENDOR_FILE);
-    fs::write(&vendor, vendor_file(&path)).map_err(|error| at(&vendor, error))
+    let text = vendor_file(&path);
+    if fs::read(&vendor).is_ok_and(|old| old == text.as_bytes()) {
+        return Ok(());
+    }
+    fs::write(&vendor, text).map_err(|error| at(&vendor, error))
 }
 
 /// JSON in which the library's path is a string.
@@ -108,4 +124,28 @@ pub fn private_folder(glu: Glu) -> io::Result<PathBuf> {
         Glu::Own => "detgl-libraries-glu",
     };
     Ok(program.parent().unwrap_or(Path::new(".")).join(name))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::os::unix::fs::MetadataExt;
+
+    #[test]
+    fn the_same_library_is_not_replaced() {
+        let place = env::temp_dir().join(format!("detgl-layout-{}", std::process::id()));
+        let (source, folder) = (place.join(BUILT), place.join("libraries"));
+        fs::create_dir_all(&place).expect("a folder");
+        let laid_out = |text: &str| {
+            fs::write(&source, text).expect("written");
+            lay_out(&source, &folder, Glu::Own).expect("laid out");
+            assert_eq!(fs::read_to_string(folder.join("libGL.so.1")).expect("there"), text);
+            let files = [LIBRARY, VENDOR_FILE].map(|name| fs::metadata(folder.join(name)));
+            files.map(|file| file.map(|file| (file.ino(), file.mtime_nsec())).expect("there"))
+        };
+        let first = laid_out("one");
+        assert_eq!(laid_out("one"), first);
+        assert_ne!(laid_out("two")[0], first[0]);
+        fs::remove_dir_all(&place).expect("removed");
+    }
 }
