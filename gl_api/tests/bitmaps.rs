@@ -5,10 +5,13 @@
 mod random;
 #[path = "common/shading.rs"]
 mod shading;
+#[path = "common/switches.rs"]
+mod switches;
 
 use gl_api::*;
 use proptest::prelude::*;
 use random::Random;
+use switches::enable_some;
 
 const SIZE: u32 = 100;
 /// The first list, and how many there are.
@@ -65,11 +68,7 @@ fn context(random: &mut Random) -> Context {
         GL_POLYGON_STIPPLE,
         GL_CULL_FACE,
     ];
-    for cap in switches {
-        if random.below(4) == 0 {
-            c.enable(cap);
-        }
-    }
+    enable_some(&mut c, random, &switches, 4);
     c.enable(GL_LIGHT0);
     c.enable(GL_COLOR_MATERIAL);
     c.blend_func(GL_SRC_ALPHA, random.pick(&[GL_ONE, GL_ONE_MINUS_SRC_ALPHA]));

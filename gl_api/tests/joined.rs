@@ -6,10 +6,13 @@
 mod random;
 #[path = "common/shading.rs"]
 mod shading;
+#[path = "common/switches.rs"]
+mod switches;
 
 use gl_api::*;
 use proptest::prelude::*;
 use random::Random;
+use switches::enable_some;
 
 const SIZE: u32 = 32;
 
@@ -33,11 +36,7 @@ fn context(random: &mut Random) -> Context {
     c.enable(GL_BLEND);
     c.blend_func(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     let switches = [GL_LIGHTING, GL_COLOR_MATERIAL, GL_LINE_STIPPLE, GL_DEPTH_TEST, GL_CULL_FACE];
-    for cap in switches {
-        if random.below(3) == 0 {
-            c.enable(cap);
-        }
-    }
+    enable_some(&mut c, random, &switches, 3);
     c.enable(GL_LIGHT0);
     c.line_stipple(2, 0xA53C);
     let parts = [GL_AMBIENT_AND_DIFFUSE, GL_AMBIENT, GL_SPECULAR, GL_EMISSION];

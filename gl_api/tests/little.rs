@@ -5,10 +5,16 @@
 mod random;
 #[path = "common/shading.rs"]
 mod shading;
+#[path = "common/switches.rs"]
+mod switches;
+#[path = "common/ways.rs"]
+mod ways;
 
 use gl_api::*;
 use proptest::prelude::*;
 use random::Random;
+use switches::enable_some;
+use ways::{Way, picture};
 
 const SIZE: u32 = 64;
 /// Vertices of each buffer: twelve floats.
@@ -36,14 +42,6 @@ fn program(c: &mut Context) {
     assert_eq!((program, places), (NAME, [MOVE, IMAGE, PART]));
 }
 
-/// How calls follow one another.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Way {
-    /// Everything is done before the next.
-    Apart,
-    Together,
-}
-
 fn context(random: &mut Random) -> Context {
     let desc = ContextDesc { width: SIZE, height: SIZE, ..ContextDesc::default() };
     let mut c = Context::new(desc).expect("a device");
@@ -60,11 +58,7 @@ fn context(random: &mut Random) -> Context {
         GL_NORMALIZE,
         GL_CULL_FACE,
     ];
-    for cap in switches {
-        if random.below(3) == 0 {
-            c.enable(cap);
-        }
-    }
+    enable_some(&mut c, random, &switches, 3);
     c.enable(GL_LIGHT0);
     c.lightfv(GL_LIGHT0, GL_SPECULAR, &[0.5; 4]);
     c.materialf(GL_FRONT_AND_BACK, GL_SHININESS, 5.0);
@@ -243,13 +237,9 @@ fn outcome(seed: u64, way: Way) -> Outcome {
             2..6 => draw(c, &mut random, mode),
             _ => random.pick(changes)(c, &mut random),
         }
-        if way == Way::Apart {
-            c.finish();
-        }
+        way.go_on(c);
     }
-    let mut picture = vec![0; (SIZE * SIZE * 4) as usize];
-    let size = SIZE as GLsizei;
-    c.read_pixels(0, 0, size, size, GL_RGBA, GL_UNSIGNED_BYTE, DataOut::Bytes(&mut picture));
+    let picture = picture(c, SIZE);
     let messages = c.messages().into_iter().map(|message| message.text).collect();
     (picture, c.get_error(), messages)
 }
@@ -293,26 +283,22 @@ fn what_looks_like_a_number_and_is_none_is_seen() {
         ),
     ];
     for (number, (before, change)) in cases.iter().enumerate() {
-        let picture = |way: Way| {
+        let outcome = |way: Way| {
             let desc = ContextDesc { width: SIZE, height: SIZE, ..ContextDesc::default() };
             let mut c = Context::new(desc).expect("a device");
             scene(&mut c, &mut Random(5));
             before(&mut c);
             for _ in 0..2 {
                 c.draw_arrays(GL_TRIANGLES, 0, 30);
-                if way == Way::Apart {
-                    c.finish();
-                }
+                way.go_on(&mut c);
                 change(&mut c);
                 c.translatef(0.01, 0.0, 0.0);
             }
-            let mut picture = vec![0; (SIZE * SIZE * 4) as usize];
-            let data = DataOut::Bytes(&mut picture);
-            c.read_pixels(0, 0, SIZE as _, SIZE as _, GL_RGBA, GL_UNSIGNED_BYTE, data);
+            let picture = picture(&mut c, SIZE);
             assert_eq!(c.get_error(), GL_NO_ERROR, "{:?}", c.messages());
             picture
         };
-        assert!(picture(Way::Apart) == picture(Way::Together), "case {number}");
+        assert!(outcome(Way::Apart) == outcome(Way::Together), "case {number}");
     }
 }
 

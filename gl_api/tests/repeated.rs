@@ -6,10 +6,13 @@
 mod random;
 #[path = "common/shading.rs"]
 mod shading;
+#[path = "common/ways.rs"]
+mod ways;
 
 use gl_api::*;
 use proptest::prelude::*;
 use random::Random;
+use ways::{Way, picture};
 
 const SIZE: u32 = 200;
 /// Vertices of each buffer: two floats and four bytes.
@@ -36,14 +39,6 @@ impl Random {
             other => other as u16,
         }
     }
-}
-
-/// How calls follow one another.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Way {
-    /// Everything is done before the next.
-    Apart,
-    Together,
 }
 
 const PLAIN: [&str; 2] = [
@@ -258,17 +253,12 @@ fn outcome(seed: u64, way: Way) -> Outcome {
         } else {
             draw(c, &mut random, modes);
         }
-        if way == Way::Apart {
-            c.finish();
-        }
+        way.go_on(c);
     }
     c.end_query(GL_SAMPLES_PASSED);
     let mut passed = [0];
     c.get_query_objectuiv(1, GL_QUERY_RESULT, &mut passed);
-    let mut picture = vec![0; (SIZE * SIZE * 4) as usize];
-    let size = SIZE as GLsizei;
-    c.read_pixels(0, 0, size, size, GL_RGBA, GL_UNSIGNED_BYTE, DataOut::Bytes(&mut picture));
-    pixels.extend(picture);
+    pixels.extend(picture(c, SIZE));
     let messages = c.messages().into_iter().map(|message| message.text).collect();
     (pixels, passed[0], c.get_error(), messages)
 }
