@@ -18,7 +18,7 @@ use std::sync::{Arc, OnceLock};
 use texunit::lanes::Isa;
 
 /// Primitives of a draw whose vertices, where indices share them, are shaded together.
-pub const RUN: u32 = 1 << 15;
+pub const RUN: u32 = 1 << 14;
 /// Primitives of a chunk.
 const CHUNK: u32 = 1 << 12;
 

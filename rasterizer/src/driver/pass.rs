@@ -25,7 +25,7 @@ use texunit::format::Format;
 
 /// Shapes in the bins from which on they are drawn before the pass ends. A tile's part of so many is worth a turn of
 /// its own, and the next ones have their memory: it is near, and the system does not have to give any more.
-const BINS_FULL: usize = 1 << 16;
+const BINS_FULL: usize = 1 << 15;
 
 /// Draws of so many primitives may share a chunk with others of the same plan.
 const SMALL: usize = 256;

@@ -124,7 +124,7 @@ impl PlaneGroup {
     /// may reach into.
     #[inline(always)]
     pub fn in_window(&self, lane: usize, block: usize) -> impl Iterator<Item = [f32; 3]> + Clone {
-        let (lane, block) = (lane % LANES, block % (REACHED * REACHED));
+        let (lane, block) = (lane % LANES, block.min(REACHED * REACHED - 1));
         self.windows
             .iter()
             .map(move |plane| [plane.corners[block][lane], plane.a[lane], plane.b[lane]])

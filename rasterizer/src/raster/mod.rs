@@ -23,6 +23,7 @@ mod product;
 mod run;
 mod samples;
 mod shading;
+mod shares;
 mod small;
 mod tile;
 mod watched;

@@ -5,21 +5,12 @@ use super::group::PlaneGroup;
 use super::lanes::ShapeLanes;
 use super::pixels::Pixels;
 use super::run::BlockRun;
-use super::small::{Reached, Share, Windows};
+use super::shares::{Share, Shares};
 use texunit::lanes::{Kernel, Simd};
 
 /// Pixels of a block from which on it is shaded by itself rather than packed with others, where these
 /// need not be quads.
 pub const DENSE_PIXELS: u32 = 40;
-
-/// How far the shapes of a group are packed.
-#[derive(Debug, Default)]
-pub struct Progress {
-    /// The first shape that is not begun.
-    next: usize,
-    /// What is left of the one before it.
-    left: Reached,
-}
 
 /// Why it goes no further.
 #[derive(Clone, Copy, Debug)]
@@ -30,18 +21,16 @@ pub enum Stop {
     Pixels,
     /// So must the blocks.
     Blocks,
-    /// The shape in this lane has no window: it is for the caller, and will not come again.
-    Shape(usize),
-    /// So is this share of the shape in this lane, which is dense.
-    Dense(usize, Share),
+    /// This share is for the caller, and will not come again: it is dense, or has no lanes as its shape has no
+    /// window.
+    Share(Share),
 }
 
 /// Packs the shapes of a group that have windows, in order, until the caller is needed.
 pub struct Pack<'a> {
     pub shapes: &'a ShapeLanes,
-    pub windows: &'a Windows,
     pub group: &'a PlaneGroup,
-    pub progress: &'a mut Progress,
+    pub shares: &'a mut Shares,
     pub pixels: &'a mut Pixels,
     /// The blocks that wait.
     pub run: &'a BlockRun,
@@ -52,36 +41,23 @@ impl Kernel for Pack<'_> {
 
     #[inline(always)]
     fn run<S: Simd>(self) -> Stop {
-        let Self { shapes, windows, group, progress, pixels, run } = self;
-        let Progress { next, left } = progress;
-        loop {
-            let Some(share) = left.first() else {
-                let lane = *next;
-                if lane >= shapes.len {
-                    return Stop::Done;
-                }
-                *next += 1;
-                match windows.get(lane) {
-                    Some(window) => *left = window.blocks(),
-                    None => return Stop::Shape(lane),
-                }
-                continue;
-            };
-            let lane = next.saturating_sub(1);
-            if share.lanes.count_ones() >= DENSE_PIXELS {
-                left.leave(share, 0);
-                return Stop::Dense(lane, share);
+        let Self { shapes, group, shares, pixels, run } = self;
+        while let Some(share) = shares.first() {
+            let Share { shape, part, block, lanes } = share;
+            if !(1..DENSE_PIXELS).contains(&lanes.count_ones()) {
+                shares.leave(share, 0);
+                return Stop::Share(share);
             }
-            let Share { block, lanes, .. } = share;
             if pixels.is_full() || pixels.holds(block, lanes) {
                 return Stop::Pixels;
             }
             if run.holds(block, lanes) {
                 return Stop::Blocks;
             }
-            let planes = group.in_window(lane, share.part);
-            let rest = pixels.push(block, lanes, shapes.facing(lane), planes);
-            left.leave(share, rest);
+            let planes = group.in_window(shape, part);
+            let rest = pixels.push(block, lanes, shapes.facing(shape), planes);
+            shares.leave(share, rest);
         }
+        Stop::Done
     }
 }

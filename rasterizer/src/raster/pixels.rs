@@ -131,13 +131,13 @@ impl Pixels {
             // Which it is; so that nothing is checked.
             let at = at % LANES;
             for to in self.at[at..at + AT_ONCE].as_chunks_mut::<4>().0 {
-                let mut four = 0;
-                // One after the other into one word: as a loop over lanes this becomes a detour.
-                for _ in 0..4 {
-                    four = four >> 16 | u64::from(left.trailing_zeros()) << 48;
+                let mut next = || {
+                    let lane = u64::from(left.trailing_zeros());
                     left &= left.wrapping_sub(1);
-                }
-                let four = four | block;
+                    lane
+                };
+                // One after the other into one word: as a loop over lanes this becomes a detour.
+                let four = block | next() | next() << 16 | next() << 32 | next() << 48;
                 *to = [four as u16, (four >> 16) as u16, (four >> 32) as u16, (four >> 48) as u16];
             }
             for (plane, [corner, a, b]) in self.planes.iter_mut().zip(planes.clone()) {

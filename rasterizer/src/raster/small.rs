@@ -7,7 +7,6 @@
 //! triangle of the 64 may reach.
 
 use super::batch::quads_of;
-use super::coverage::lane_at;
 use super::lanes::ShapeLanes;
 use super::tile::DENSE;
 use crate::primitive::SUBPIXEL;
@@ -25,26 +24,6 @@ const PIXELS: usize = 2 * SIDE;
 /// Blocks along a side that a window can reach into.
 pub const REACHED: usize = 3;
 
-/// Lanes of the pixels from a window's column (axis 0) or row (axis 1) 0 or 1 to another, in each half
-/// of it.
-const fn spans(axis: usize) -> [[[u64; 2]; PIXELS]; 2] {
-    let mut table = [[[0; 2]; PIXELS]; 2];
-    let mut at = 0;
-    while at < 2 * PIXELS * 128 {
-        let (first, last) = (at / 128 / PIXELS, at / 128 % PIXELS);
-        let (half, pixel) = (at % 128 / 64, [at % 8, at / 8 % 8]);
-        let along = half * 8 + pixel[axis];
-        if along >= first && along <= last {
-            table[first][last][half] |= 1 << lane_at(pixel[0], pixel[1]);
-        }
-        at += 1;
-    }
-    table
-}
-
-const COLUMNS: [[[u64; 2]; PIXELS]; 2] = spans(0);
-const ROWS: [[[u64; 2]; PIXELS]; 2] = spans(1);
-
 /// The windows of up to 64 shapes.
 #[derive(Debug, Default)]
 pub struct Windows {
@@ -56,7 +35,7 @@ pub struct Windows {
     spans: [[I32s; 2]; 2],
     /// How many parts there are.
     parts: usize,
-    /// By part, the pixels inside the edges as the two words of a mask of lanes.
+    /// By part, the pixels inside the edges and the spans as the two words of a mask of lanes.
     inside: [[U32s; 2]; 4],
     /// The shapes that have one, bit by lane.
     small: u64,
@@ -73,104 +52,11 @@ pub struct Window {
     pub covered: [u64; 4],
 }
 
-/// Of parts that begin at column `q % 4`, row `q / 4` of a block's quads: the lanes in their first
-/// block, the one on its right, and those above.
-const SHARES: [[u64; 4]; QUADS] = {
-    let mut table = [[0; 4]; QUADS];
-    let mut at = 0;
-    while at < QUADS * LANES {
-        let (first, lane) = (at / LANES, at % LANES);
-        let quad = lane % QUADS;
-        let right = (first % 4 + quad % 4) / 4;
-        let above = (first / 4 + quad / 4) / 4;
-        table[first][above * 2 + right] |= 1 << lane;
-        at += 1;
-    }
-    table
-};
-
-/// From the first block that a window reaches into to each of them, in the tile.
-const FURTHER: [usize; REACHED * REACHED] = {
-    let mut table = [0; REACHED * REACHED];
-    let mut block = 0;
-    while block < table.len() {
-        table[block] = block / REACHED * (TILE as usize / 8) + block % REACHED;
-        block += 1;
-    }
-    table
-};
-
-/// The covered lanes of the blocks that a window reaches into, row by row of [`REACHED`].
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Reached {
-    lanes: [u64; REACHED * REACHED],
-    /// Which of them have any, bit by block.
-    any: u32,
-    /// The first block of the tile.
-    first: usize,
-}
-
 impl Window {
     /// Whether it is a few quads of its first part.
     pub fn is_sparse(&self) -> bool {
         let [first, others @ ..] = self.covered;
         others == [0; 3] && quads_of(first).count_ones() < DENSE
-    }
-
-    /// What it covers of blocks.
-    #[inline(always)]
-    pub fn blocks(&self) -> Reached {
-        let [x, y] = self.quad;
-        let begin = y % 4 * 4 + x % 4;
-        let mut out = Reached { lanes: [0; REACHED * REACHED], any: 0, first: y / 4 * 8 + x / 4 };
-        for (part, &covered) in self.covered.iter().enumerate() {
-            if covered == 0 {
-                continue;
-            }
-            // Nobody could tell before which there are: no branch does.
-            for (share, among) in SHARES[begin].iter().enumerate() {
-                let (right, above) = (share % 2, share / 2);
-                // By so many quads within each of the four words of a mask; none leaves its word.
-                let by = (begin + 64 - 4 * right - 16 * above) as u32;
-                let lanes = (covered & among).rotate_left(by % 64);
-                let block = (part / 2 + above) * REACHED + part % 2 + right;
-                out.lanes[block] |= lanes;
-                out.any |= u32::from(lanes != 0) << block;
-            }
-        }
-        out
-    }
-}
-
-/// What a window covers of one block.
-#[derive(Clone, Copy, Debug)]
-pub struct Share {
-    /// Which of the blocks that it reaches into.
-    pub part: usize,
-    /// Which of the tile.
-    pub block: usize,
-    /// The lanes.
-    pub lanes: u64,
-}
-
-impl Reached {
-    /// The first share that is left.
-    #[inline(always)]
-    pub fn first(&self) -> Option<Share> {
-        if self.any == 0 {
-            return None;
-        }
-        let part = self.any.trailing_zeros() as usize % self.lanes.len();
-        Some(Share { part, block: self.first + FURTHER[part], lanes: self.lanes[part] })
-    }
-
-    /// Leaves these lanes of it.
-    #[inline(always)]
-    pub fn leave(&mut self, share: Share, lanes: u64) {
-        self.lanes[share.part] = lanes;
-        if lanes == 0 {
-            self.any &= !(1 << share.part);
-        }
     }
 }
 
@@ -181,6 +67,18 @@ impl Windows {
         isa.run(Cover { windows: self, tile, shapes });
     }
 
+    /// The pixels inside, of each part that there is, as the two words of a mask of lanes.
+    #[inline(always)]
+    pub fn inside(&self) -> &[[U32s; 2]] {
+        &self.inside[..self.parts.min(4)]
+    }
+
+    /// The shapes that have one, bit by lane.
+    #[inline(always)]
+    pub fn small(&self) -> u64 {
+        self.small
+    }
+
     /// The window of the shape in a lane; `None` where it is not small.
     #[inline(always)]
     pub fn get(&self, lane: usize) -> Option<Window> {
@@ -188,14 +86,9 @@ impl Windows {
         if self.small >> lane & 1 == 0 {
             return None;
         }
-        let [[left, right], [low, high]] = &self.spans;
-        let columns = &COLUMNS[left[lane] as usize % 2][right[lane] as usize % PIXELS];
-        let rows = &ROWS[low[lane] as usize % 2][high[lane] as usize % PIXELS];
         let mut covered = [0; 4];
-        for (part, covered) in covered.iter_mut().enumerate().take(self.parts) {
-            let [even, odd] = &self.inside[part];
-            let inside = u64::from(even[lane]) | u64::from(odd[lane]) << 32;
-            *covered = inside & columns[part % 2] & rows[part / 2];
+        for (covered, [even, odd]) in covered.iter_mut().zip(self.inside()) {
+            *covered = u64::from(even[lane]) | u64::from(odd[lane]) << 32;
         }
         let [x, y] = &self.quads;
         Some(Window { quad: [x[lane] as usize, y[lane] as usize], covered })
@@ -263,20 +156,28 @@ impl Kernel for Cover<'_> {
         *further = [S::largest(&blocks[0]) as usize, S::largest(&blocks[1]) as usize];
         *parts = if up < SIDE / 2 { 1 + across / (SIDE / 2) } else { 4 };
         inside[..*parts].fill([U32s::ZERO; 2]);
+        let [[left, right], [low, high]] = &*spans;
         for row in 0..=up {
             let (mut a, mut b, mut c) = (*e0, *e1, *e2);
             for column in 0..=across {
                 let [even, odd] = &mut inside[row / 4 * 2 + column / 4];
                 let quad = (row % 4 * 4 + column % 4) as u32;
+                let [x, y] = [column, row].map(|quad| 2 * quad as i32);
                 for lane in 0..LANES {
-                    // The sign bit is set where any of the three is negative.
+                    // Negative outside; garbage lanes may wrap.
+                    let within = |at: i32, first: i32, last: i32| {
+                        at.wrapping_sub(first) | last.wrapping_sub(at)
+                    };
+                    // The sign bit is set where any of them is negative.
                     let at = |dx: i32, dy: i32| {
                         let step = |e: i32, x: i32, y: i32| {
                             e.wrapping_add(x.wrapping_mul(dx)).wrapping_add(y.wrapping_mul(dy))
                         };
                         !(step(a[lane], x0[lane], y0[lane])
                             | step(b[lane], x1[lane], y1[lane])
-                            | step(c[lane], x2[lane], y2[lane])) as u32
+                            | step(c[lane], x2[lane], y2[lane])
+                            | within(x + dx, left[lane], right[lane])
+                            | within(y + dy, low[lane], high[lane])) as u32
                             >> 31
                     };
                     even[lane] |= (at(0, 0) | at(1, 0) << QUADS) << quad;
@@ -300,6 +201,7 @@ impl Kernel for Cover<'_> {
 #[cfg(test)]
 mod tests {
     use super::super::coverage::{Coverage, block, edges};
+    use super::super::shares::{Divide, Shares};
     use super::*;
     use crate::primitive::{Facing, Kind, Part, Shape};
     use proptest::prelude::*;
@@ -335,15 +237,22 @@ mod tests {
                 let (mut windows, mut lanes) = (Windows::default(), ShapeLanes::default());
                 lanes.load(shapes.iter());
                 windows.compute(isa, tile, &lanes);
-                for (lane, shape) in shapes.iter().enumerate() {
-                    let Some(window) = windows.get(lane) else { continue };
-                    let edges = edges(&shape.corners, tile[0], tile[1]);
-                    let mut got = [0; 64];
-                    let mut reached = window.blocks();
-                    while let Some(share) = reached.first() {
-                        got[share.block] |= share.lanes;
-                        reached.leave(share, 0);
+                let mut shares = Shares::default();
+                isa.run(Divide { windows: &windows, shapes: shapes.len(), shares: &mut shares });
+                let mut all = vec![[0; 64]; shapes.len()];
+                while let Some(share) = shares.first() {
+                    if share.lanes != 0 {
+                        all[share.shape][share.block] |= share.lanes;
                     }
+                    shares.leave(share, 0);
+                }
+                for (lane, shape) in shapes.iter().enumerate() {
+                    let got = all[lane];
+                    if windows.get(lane).is_none() {
+                        prop_assert_eq!(got, [0; 64]);
+                        continue;
+                    }
+                    let edges = edges(&shape.corners, tile[0], tile[1]);
                     for (at, got) in got.into_iter().enumerate() {
                         let want = match block(isa, &edges, at as i32 % 8, at as i32 / 8) {
                             Coverage::None => 0,

@@ -11,12 +11,13 @@ use super::group::PlaneGroup;
 use super::interpolate::{Across, PlaneSetup};
 use super::job::{Chunk, DrawJob, Entry, PassJob, TileJob};
 use super::lanes::ShapeLanes;
-use super::pack::{Pack, Progress, Stop};
+use super::pack::{Pack, Stop};
 use super::pixels::Pixels;
 use super::run::BlockRun;
 use super::samples::SampleMasks;
 use super::shading::Shader;
-use super::small::{Share, Windows};
+use super::shares::{Divide, Share, Shares};
+use super::small::Windows;
 use crate::plan::{FragmentInput, Packing};
 use std::sync::atomic::Ordering;
 use texunit::lanes::{F32s, LANES, U32s, prefetch};
@@ -40,6 +41,7 @@ pub struct Worker {
     shapes: Box<ShapeLanes>,
     group: PlaneGroup,
     windows: Box<Windows>,
+    shares: Box<Shares>,
     broad: Broad,
     /// Of the block that is filled: each plane's value at its first pixel and steps.
     planes: Vec<[f32; 3]>,
@@ -214,16 +216,16 @@ impl Worker {
     fn pack_group(&mut self, pass: &PassJob, tile: &mut TileJob, chunk: &Chunk, group: &[u32]) {
         let job = &pass.draws[chunk.draw];
         let shape = |lane: usize| &chunk.lists.shapes[group[lane] as usize];
-        let mut progress = Progress::default();
+        let (windows, shares) = (&*self.windows, &mut *self.shares);
+        pass.isa.run(Divide { windows, shapes: group.len(), shares });
         loop {
             if job.stopped.load(Ordering::Relaxed) {
                 return;
             }
             let stop = pass.isa.run(Pack {
                 shapes: &self.shapes,
-                windows: &self.windows,
                 group: &self.group,
-                progress: &mut progress,
+                shares: &mut self.shares,
                 pixels: &mut self.pixels,
                 run: &self.run,
             });
@@ -231,8 +233,10 @@ impl Worker {
                 Stop::Done => return,
                 Stop::Pixels => self.flush_pixels(pass, job, tile),
                 Stop::Blocks => self.flush_run(pass, job, tile),
-                Stop::Shape(lane) => self.fill(pass, tile, chunk, shape(lane), lane),
-                Stop::Dense(lane, Share { part, block, lanes }) => {
+                Stop::Share(Share { shape: lane, lanes: 0, .. }) => {
+                    self.fill(pass, tile, chunk, shape(lane), lane);
+                }
+                Stop::Share(Share { shape: lane, part, block, lanes }) => {
                     for (to, plane) in self.planes.iter_mut().zip(self.group.in_window(lane, part))
                     {
                         *to = plane;
