@@ -4,10 +4,12 @@
 //! memory; `DETGL_EXPLAIN=1` prints it.
 
 mod inputs;
+mod product;
 mod stipple;
 
 pub use inputs::{FilledInput, FragmentInput, sprite_slots};
 use inputs::{Gathered, Inputs};
+pub use product::{FactorPlanes, ProductInputs, ProductPlan};
 use stipple::StippleLanes;
 
 use crate::driver::{
@@ -17,7 +19,7 @@ use crate::driver::{
 use crate::ir::{Input, Output};
 use crate::output::{ColorPlan, DepthFormat, DepthPlan, StencilPlan, Tests};
 use crate::raster::{PlaneSource, Samples};
-use crate::shader::{Prepared, Program, Sources};
+use crate::shader::{Prepared, Sources};
 use crate::target::component_bits;
 use std::fmt::Write;
 use std::sync::Arc;
@@ -95,69 +97,6 @@ pub struct DrawPlan {
     /// What vertices have for themselves.
     arrays: Sources,
     counting: Counting,
-}
-
-/// What a fragment program that is a product ([`crate::shader::Product`]) comes to in a draw.
-#[derive(Debug)]
-pub struct ProductPlan {
-    /// The planes that its factors depend on, if they depend on nothing else: where these are the same all over a
-    /// shape, so are the factors.
-    pub factor_planes: Option<FactorPlanes>,
-    /// The inputs that a block needs where the factors are known.
-    pub inputs: Vec<FilledInput>,
-}
-
-/// The planes that factors depend on.
-#[derive(Debug, Default)]
-pub struct FactorPlanes {
-    /// Those that are divided by the denominator.
-    pub smooth: Vec<usize>,
-    /// Those that are taken as they are.
-    pub linear: Vec<usize>,
-}
-
-impl ProductPlan {
-    /// Decides; `None` where the interpreter is needed.
-    fn new(fragment: &Program, inputs: &[FragmentInput], textures: &Textures) -> Option<Self> {
-        let product = fragment.product()?;
-        let is_there = |slot: u32| {
-            let texture = textures.get(slot as usize).and_then(Option::as_ref);
-            texture.is_some_and(|texture| texture.gives_colors())
-        };
-        if !product.textures().all(is_there) {
-            return None;
-        }
-        let mut factor_planes = Some(FactorPlanes::default());
-        for &index in &product.factor_inputs {
-            match inputs[index] {
-                FragmentInput::Flat(plane) | FragmentInput::Linear(plane) => {
-                    factor_planes.iter_mut().for_each(|planes| planes.linear.push(plane));
-                }
-                FragmentInput::Smooth(plane) => {
-                    factor_planes.iter_mut().for_each(|planes| planes.smooth.push(plane));
-                }
-                FragmentInput::Zero => {}
-                FragmentInput::SmoothWithin(_)
-                | FragmentInput::LinearWithin(_)
-                | FragmentInput::SmoothSlope(..)
-                | FragmentInput::LinearSlope(..)
-                | FragmentInput::X
-                | FragmentInput::Y
-                | FragmentInput::Depth
-                | FragmentInput::Front
-                | FragmentInput::Coverage => factor_planes = None,
-            }
-        }
-        if let Some(FactorPlanes { smooth, linear }) = &mut factor_planes {
-            for planes in [smooth, linear] {
-                planes.sort_unstable();
-                planes.dedup();
-            }
-        }
-        let mut filled = FilledInput::of(inputs);
-        filled.retain(|input| product.lookup_inputs.contains(&input.number));
-        Some(Self { factor_planes, inputs: filled })
-    }
 }
 
 /// How fragments of sparsely covered blocks are put into batches.
@@ -326,7 +265,7 @@ impl DrawPlan {
         let may_multiply = together > 1 && colors.len() == 1 && colors[0].target == 0;
         Self {
             product: if may_multiply {
-                ProductPlan::new(fragment, &inputs, &input.textures)
+                ProductPlan::new(input.isa, fragment, &inputs, &input.textures)
             } else {
                 None
             },

@@ -8,10 +8,11 @@ use prepare::wrap_of;
 use crate::format::{Block, Format};
 use crate::image::{FACES, Image, Incomplete, Level, Shape};
 use crate::lanes::{F32s, I32s, Isa, LANES, Simd};
+pub use crate::sample::ahead::Like;
 use crate::sample::lod::LodRange;
 use crate::sample::plain::Class;
 use crate::sample::query::Query;
-pub use crate::sample::take::{Take, Texels};
+pub use crate::sample::take::{Reading, Take, Texels};
 use crate::sample::texel::Fetch;
 use crate::sample::{Off, Probed, Sample, Scanned};
 use crate::sample::{ahead, flat, take};
@@ -283,32 +284,51 @@ impl SamplePlan {
     }
 
     /// Asks for the texels that [`SamplePlan::take`] will read around these points (s and t), as part of a kernel.
-    /// `like` and `lod` are of one of the batches that the points are of.
+    /// `like` is of one of the batches that the points are of.
     #[inline(always)]
-    pub fn ask<S: Simd>(&self, points: [&F32s; 2], like: [&F32s; 3], lod: &Lod<'_>) {
+    pub fn ask<S: Simd>(&self, points: [&F32s; 2], like: Like<'_>) {
         if let Ok(texture) = &self.0
             && S::WIDE
             && texture.gives_words
         {
-            ahead::ask::<S>(texture, points, like, lod);
+            ahead::ask::<S>(texture, points, like);
+        }
+    }
+
+    /// Whether a [`Reading`] is all that [`SamplePlan::take`] needs of the level of detail, where all lanes read the
+    /// same.
+    pub fn takes_by_reading(&self, isa: Isa) -> bool {
+        let takes = |texture: &Texture| texture.gives_words && take::always_leads(texture);
+        isa.is_wide() && self.0.as_ref().is_ok_and(takes)
+    }
+
+    /// Finds out what a batch with these coordinates reads, for [`SamplePlan::take`], as part of a kernel.
+    #[inline(always)]
+    pub fn read<S: Simd>(&self, coords: [&F32s; 3], lod: &Lod<'_>, reading: &mut Reading) {
+        if let Ok(texture) = &self.0
+            && S::WIDE
+            && texture.gives_words
+        {
+            reading.find::<S>(texture, coords, lod);
         }
     }
 
     /// [`SamplePlan::sample`] as part of a kernel, of images that are not compared. What it gives goes to `take`
     /// without a detour, where texels are bytes and all lanes read the same level, or the same two; else by way
-    /// of `lanes`.
+    /// of `lanes`. `reading` is what [`SamplePlan::read`] has found, of this batch or of one that reads the same.
     #[inline(always)]
     pub fn take<S: Simd, T: Take>(
         &self,
         isa: Isa,
         coords: [&F32s; 3],
         lod: Lod<'_>,
+        reading: &Reading,
         lanes: &mut [F32s; 4],
         take: T,
     ) -> T::Output {
         let take = match &self.0 {
             Ok(texture) if S::WIDE && texture.gives_words => {
-                match take::take::<S, T>(texture, coords, &lod, take) {
+                match take::take::<S, T>(texture, coords, reading, take) {
                     Ok(output) => return output,
                     Err(take) => take,
                 }

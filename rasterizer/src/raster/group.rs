@@ -109,6 +109,21 @@ impl PlaneGroup {
             && of.smooth.iter().all(|index| by == Some(plane(*index)) || is_one && rests(index))
     }
 
+    /// Whether the quotients of these planes rise by the same steps all over the shape `lane`: if they are divided by
+    /// one.
+    pub fn rises_evenly(&self, lane: usize, of: &[usize], denominator: Option<usize>) -> bool {
+        let lane = lane % LANES;
+        let plane = |index: usize| self.planes[index].each_ref().map(|numbers| numbers[lane]);
+        // Taking the other plane's part away may change the sign of a zero.
+        let is_kept = |step: f64| (step as f32).to_bits() != (-0.0_f32).to_bits();
+        let rises = |index: &usize| {
+            let [a, b, _] = plane(*index);
+            is_kept(a) && is_kept(b)
+        };
+        of.is_empty()
+            || denominator.is_some_and(|by| plane(by) == [0.0, 0.0, 1.0]) && of.iter().all(rises)
+    }
+
     /// The value of each plane at the centre of pixel `(x, y)` and its steps, of the shape `lane`.
     #[inline]
     pub fn at(&self, lane: usize, x: i32, y: i32, out: &mut [[f32; 3]]) {

@@ -1,12 +1,12 @@
 //! Shading without registers: of programs that are a product ([`crate::shader::Product`]), texels are multiplied
 //! as they come, and where nothing is blended they go straight into the attachment's words.
 
-use super::run::BlockRun;
+use super::run::{BlockRun, Level};
 use crate::output::{Color, ColorPlan, pack_colors, put};
-use crate::plan::{DrawPlan, FactorPlanes, ProductPlan};
+use crate::plan::{DrawPlan, FactorPlanes, FilledInput, ProductInputs, ProductPlan};
 use crate::shader::{BANKS, Machine, OverBudget, Part, Product, Run};
 use texunit::lanes::{F32s, Isa, Kernel, LANES, QUADS, Simd, U32s};
-use texunit::plan::{Lod, SamplePlan, Take, Texels};
+use texunit::plan::{Like, Lod, Reading, SamplePlan, Take, Texels};
 
 /// The colours of a run, and what there is between its lookups.
 #[derive(Debug, Default)]
@@ -24,8 +24,12 @@ pub struct Products {
     factors: Box<[F32s; 4]>,
     draw: u64,
     values: Vec<u32>,
-    /// The shape that they are known to be the same all over, see [`BlockRun::level`].
-    level: Option<u64>,
+    /// What each lookup reads, of the block that is done.
+    readings: Vec<Reading>,
+    /// Whether a run reads what the one before has read.
+    details: Details,
+    /// The shapes all over which the factors and readings are known to be the same.
+    level: Level,
     /// The planes' values of this run.
     now: Vec<u32>,
     /// Whether all of those factors are 1: then everything is what it was.
@@ -44,10 +48,42 @@ pub enum Factors {
     Known,
 }
 
+/// How a run has the levels that its lookups read.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Details {
+    /// Each block finds them out.
+    #[default]
+    Varying,
+    /// They are what they were in the run before.
+    Known,
+}
+
 impl Products {
+    /// Says which inputs a run needs: of the first bank, and of the others.
+    pub fn inputs_of<'a>(
+        &mut self,
+        plan: &DrawPlan,
+        of: &'a ProductPlan,
+        run: &BlockRun,
+    ) -> [&'a [FilledInput]; 2] {
+        let details = run.level().details;
+        let is_known = details.is_some() && details == self.level.details;
+        self.details = if is_known { Details::Known } else { Details::Varying };
+        let ProductInputs { all, lookups } = match self.details {
+            Details::Varying => &of.inputs,
+            Details::Known => &of.without_details,
+        };
+        match self.factors_of(plan, of, run) {
+            Factors::Varying => [all; 2],
+            Factors::Shared => [all, lookups],
+            Factors::Known => [lookups; 2],
+        }
+    }
+
     /// Says how the factors of a run are to be had.
-    pub fn factors_of(&mut self, plan: &DrawPlan, of: &ProductPlan, run: &BlockRun) -> Factors {
-        if run.level().is_some() && run.level() == self.level {
+    fn factors_of(&mut self, plan: &DrawPlan, of: &ProductPlan, run: &BlockRun) -> Factors {
+        let level = run.level().factors;
+        if level.is_some() && level == self.level.factors {
             self.how = Factors::Known;
             return self.how;
         }
@@ -64,7 +100,7 @@ impl Products {
             }
             None => false,
         };
-        self.level = run.level().filter(|_| shared);
+        self.level.factors = level.filter(|_| shared);
         self.how = match shared {
             false => Factors::Varying,
             true if self.draw == plan.prepared.id() && self.now == self.values => Factors::Known,
@@ -88,6 +124,9 @@ impl Products {
         product: &Product,
         banks: usize,
     ) -> Result<(), OverBudget> {
+        if self.readings.len() != product.lookups() {
+            self.readings.resize_with(product.lookups(), Reading::default);
+        }
         match self.how {
             Factors::Varying => return machine.run_before(run, product, Part::Whole, banks),
             Factors::Shared => {
@@ -98,6 +137,11 @@ impl Products {
             Factors::Known => {}
         }
         machine.run_before(run, product, Part::Lookups, banks)
+    }
+
+    /// Notes of a run that is done what the next one of its shape need not find out.
+    pub fn done(&mut self, run: &BlockRun) {
+        self.level.details = run.level().details;
     }
 
     /// Red, green, blue or alpha of a block of the run, where that is what was asked for.
@@ -132,16 +176,24 @@ impl Kernel for Multiply<'_> {
     #[inline(always)]
     fn run<S: Simd>(self) {
         let Self { isa, plan, product, machine, run, products, mut words } = self;
-        let Products { colors, between, lanes, factors, how, is_one, .. } = products;
+        let Products { colors, between, lanes, factors, how, is_one, readings, details, .. } =
+            products;
         let (how, is_one) = (*how, *is_one && *how != Factors::Varying);
         let [even, odd] = &mut **between;
-        ask::<S>(plan, product, machine, run.len());
+        let known = match details {
+            Details::Varying => None,
+            Details::Known => Some(&readings[..]),
+        };
+        ask::<S>(plan, product, machine, run.len(), known);
+        let is_kept = *details == Details::Varying && run.level().details.is_some();
+        // What lies here no store of colours can change.
+        let mut reading = Reading::default();
         for (bank, colors) in colors.iter_mut().enumerate().take(run.len()) {
             let given = match how {
                 Factors::Varying => machine.factors(product, bank),
                 Factors::Shared | Factors::Known => factors.each_ref(),
             };
-            for at in 0..product.lookups() {
+            for (at, kept) in readings.iter_mut().enumerate() {
                 let is_last = at + 1 == product.lookups();
                 let (before, after) =
                     if at % 2 == 0 { (&*odd, &mut *even) } else { (&*even, &mut *odd) };
@@ -161,20 +213,39 @@ impl Kernel for Multiply<'_> {
                 if let Some(texture) = texture.and_then(Option::as_ref) {
                     let coords = machine.coords(product, at, bank);
                     let lod = lod_of(texture, machine, product, at, bank);
-                    texture.take::<S, _>(isa, coords, lod, lanes, times);
+                    match details {
+                        Details::Known => reading.clone_from(kept),
+                        Details::Varying => texture.read::<S>(coords, &lod, &mut reading),
+                    }
+                    if is_kept {
+                        kept.clone_from(&reading);
+                    }
+                    texture.take::<S, _>(isa, coords, lod, &reading, lanes, times);
                 }
             }
         }
     }
 }
 
-/// Asks for the texels of a run: at every other pixel of each block.
+/// Asks for the texels of a run: at every other pixel of each block. What the lookups read may be known.
 #[inline(always)]
-fn ask<S: Simd>(plan: &DrawPlan, product: &Product, machine: &Machine, banks: usize) {
+fn ask<S: Simd>(
+    plan: &DrawPlan,
+    product: &Product,
+    machine: &Machine,
+    banks: usize,
+    known: Option<&[Reading]>,
+) {
     for at in 0..product.lookups() {
         let texture = plan.textures.get(product.texture(at));
         let Some(texture) = texture.and_then(Option::as_ref) else { continue };
-        let lod = lod_of(texture, machine, product, at, 0);
+        let like = match known {
+            Some(readings) => Like::Read(&readings[at]),
+            None => {
+                let lod = lod_of(texture, machine, product, at, 0);
+                Like::First(machine.coords(product, at, 0), lod)
+            }
+        };
         let mut points = [F32s::ZERO; 2];
         for bank in 0..BANKS {
             let coords = machine.coords(product, at, bank.min(banks - 1));
@@ -182,7 +253,7 @@ fn ask<S: Simd>(plan: &DrawPlan, product: &Product, machine: &Machine, banks: us
                 points.0[bank * QUADS..][..QUADS].copy_from_slice(&coords.0[..QUADS]);
             }
         }
-        texture.ask::<S>(points.each_ref(), machine.coords(product, at, 0), &lod);
+        texture.ask::<S>(points.each_ref(), like);
     }
 }
 

@@ -17,7 +17,26 @@ pub struct BlockRun {
     blocks: [Covered; BANKS],
     len: usize,
     /// What all blocks are of, see [`Self::level`].
-    level: Option<u64>,
+    level: Level,
+}
+
+/// What is the same all over a shape: the shape's number, where it is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Level {
+    /// The factors of a product.
+    pub factors: Option<u64>,
+    /// The levels that its lookups read.
+    pub details: Option<u64>,
+}
+
+impl Level {
+    /// What is so of both, where they are of one shape.
+    fn and(self, other: Self) -> Self {
+        Self {
+            factors: self.factors.filter(|_| self.factors == other.factors),
+            details: self.details.filter(|_| self.details == other.details),
+        }
+    }
 }
 
 /// What a shape covers of a block.
@@ -43,8 +62,8 @@ impl BlockRun {
         self.blocks.iter().take(self.len).any(|covered| waiting(covered) & lanes != 0)
     }
 
-    /// The number of the shape that all blocks are of, where the factors of a product are the same all over it.
-    pub fn level(&self) -> Option<u64> {
+    /// The number of the shape that all blocks are of, by what is the same all over it.
+    pub fn level(&self) -> Level {
         self.level
     }
 
@@ -88,8 +107,8 @@ impl BlockRun {
         self.len = 0;
     }
 
-    /// Adds a block of a shape, of which these lanes are left. There is room for [`BANKS`]. `level` is the shape's
-    /// number, if it has one: see [`Self::level`].
+    /// Adds a block of a shape, of which these lanes are left. There is room for [`BANKS`]. `level` is what is the
+    /// same all over the shape.
     #[inline]
     pub fn push(
         &mut self,
@@ -97,9 +116,9 @@ impl BlockRun {
         facing: Facing,
         block: usize,
         lanes: u64,
-        level: Option<u64>,
+        level: Level,
     ) {
-        self.level = level.filter(|_| self.len == 0 || self.level == level);
+        self.level = if self.len == 0 { level } else { self.level.and(level) };
         self.planes.extend(planes);
         self.blocks[self.len] = Covered { block: block as u8, facing, lanes };
         self.len += 1;

@@ -5,7 +5,7 @@ use super::batch::{Batch, BlockOf};
 use super::depths::{BatchDepth, BlockDepth, clamp_depth};
 use super::inputs::{Interpolate, InterpolateRun};
 use super::job::{DrawJob, PassJob, TileJob};
-use super::product::{Factors, Multiply, Products, Words};
+use super::product::{Multiply, Products, Words};
 use super::run::BlockRun;
 use super::samples::{SampleMasks, moved};
 use super::watched::{Shaded, Tested};
@@ -114,11 +114,7 @@ impl Shader {
         let product = plan.product.as_ref().zip(program.product());
         let all = &plan.filled[..];
         let inputs = match product {
-            Some((of, _)) => match self.products.factors_of(plan, of, blocks) {
-                Factors::Varying => [all; 2],
-                Factors::Shared => [all, &of.inputs],
-                Factors::Known => [&of.inputs[..]; 2],
-            },
+            Some((of, _)) => self.products.inputs_of(plan, of, blocks),
             None => [all; 2],
         };
         isa.run(InterpolateRun { plan, inputs, run: blocks, tile: [tile.x, tile.y], machine });
@@ -182,6 +178,7 @@ impl Shader {
         }
         let is_done = words.is_some();
         isa.run(Multiply { isa, plan, product, machine, run: blocks, products, words });
+        products.done(blocks);
         if !is_done {
             let products = &self.products;
             write_run(isa, job, blocks, tile, |bank, _, component| products.color(bank, component));

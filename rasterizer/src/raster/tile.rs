@@ -13,7 +13,7 @@ use super::job::{Chunk, DrawJob, Entry, PassJob, TileJob};
 use super::lanes::ShapeLanes;
 use super::pack::{Pack, Stop};
 use super::pixels::Pixels;
-use super::run::BlockRun;
+use super::run::{BlockRun, Level};
 use super::samples::SampleMasks;
 use super::shading::Shader;
 use super::shares::{Divide, Share, Shares};
@@ -51,9 +51,9 @@ pub struct Worker {
     covers: Vec<Cover>,
     /// The draw whose shapes come now.
     draw: Option<usize>,
-    /// The number of the shape that is filled, if it has one, see [`BlockRun::level`].
-    level: Option<u64>,
-    /// How many have been asked whether they have one: the numbers that are taken.
+    /// What is the same all over the shape that is filled.
+    level: Level,
+    /// How many have been asked whether anything is: the numbers that are taken.
     levels: u64,
 }
 

@@ -283,10 +283,17 @@ impl SampleInst {
         self.coords.iter_mut().for_each(&mut f);
         self.layer.iter_mut().for_each(&mut f);
         self.reference.iter_mut().for_each(&mut f);
-        match &mut self.lod {
-            SampleLod::Implicit { bias } => bias.iter_mut().for_each(f),
-            SampleLod::Explicit(lod) => f(lod),
-            SampleLod::Gradient { dx, dy, bias } => dx.iter_mut().chain(dy).chain(bias).for_each(f),
+        self.lod.reads(f);
+    }
+}
+
+impl SampleLod {
+    /// Visits the registers that it reads.
+    pub fn reads(&mut self, mut f: impl FnMut(&mut Reg)) {
+        match self {
+            Self::Implicit { bias } => bias.iter_mut().for_each(f),
+            Self::Explicit(lod) => f(lod),
+            Self::Gradient { dx, dy, bias } => dx.iter_mut().chain(dy).chain(bias).for_each(f),
         }
     }
 }

@@ -3,7 +3,7 @@
 //! needed: `raster/product.rs` multiplies texels as they come, by the same numbers in the same order.
 
 use super::fuse::{Compute, OPERANDS};
-use super::inst::{Inst, Reg, Role, SampleInst};
+use super::inst::{Inst, Reg, Role, SampleInst, SampleLod};
 use super::machine::{Interpreter, Machine, lod};
 use super::{Layout, OverBudget, Run};
 use crate::ir::{Access, Output};
@@ -30,6 +30,9 @@ pub struct Product {
     pub factor_inputs: Vec<usize>,
     /// Which inputs of the program its lookups depend on.
     pub lookup_inputs: Vec<usize>,
+    /// Which of them its levels of detail depend on, if they depend on nothing else, and nothing else on them:
+    /// not on the differences of coordinates.
+    pub detail_inputs: Option<Vec<usize>>,
 }
 
 /// A part of what comes before the lookups.
@@ -81,9 +84,22 @@ impl Product {
         let read_by_factors: Vec<Reg> = factors.into_iter().flatten().collect();
         let before_factors = needed(&steps.before, read_by_factors.clone());
         let before_lookups = needed(&steps.before, read_by_lookups.clone());
+        let of = |read: Vec<Reg>| inputs(layout, read.clone(), &needed(&steps.before, read));
+        let mut elsewhere = read_by_factors.clone();
+        elsewhere.extend(lookups.iter().flat_map(|sample| sample.coords));
+        let elsewhere = of(elsewhere);
+        let mut read_by_details = Vec::new();
+        for sample in &lookups {
+            sample.lod.clone().reads(|reg| read_by_details.push(*reg));
+        }
+        let detail_inputs = of(read_by_details);
+        let are_given = detail_inputs.iter().all(|input| !elsewhere.contains(input))
+            && lookups.iter().all(|sample| !matches!(sample.lod, SampleLod::Implicit { .. }));
+        let detail_inputs = are_given.then_some(detail_inputs);
         Some(Self {
             factor_inputs: inputs(layout, read_by_factors, &before_factors),
             lookup_inputs: inputs(layout, read_by_lookups, &before_lookups),
+            detail_inputs,
             before: steps.before,
             before_factors,
             before_lookups,

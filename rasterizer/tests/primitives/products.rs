@@ -38,6 +38,8 @@ fn triangles(factor: impl Fn(usize, f32) -> f32) -> Vec<f32> {
         [[-1.5, -1.2, 0.0, 1.0], [1.6, -1.1, 0.0, 1.0], [0.1, 1.9, 0.0, 1.0]],
         [[-1.0, -1.0, 0.0, 1.0], [2.5, -2.6, 0.0, 2.7], [0.2, 0.9, 0.0, 0.9]],
         [[0.9, -0.9, 0.0, 1.0], [-0.3, 1.4, 0.0, 1.5], [-0.8, -0.4, 0.0, 0.5]],
+        [[-0.9, -0.7, 0.0, 1.0], [0.8, -0.9, 0.0, 1.0], [-0.2, 0.6, 0.0, 1.0]],
+        [[-0.4, 0.9, 0.0, 1.0], [-0.9, 0.2, 0.0, 1.0], [0.9, -0.1, 0.0, 1.0]],
     ];
     let given = [[-0.3, 0.1, 0.2, 1.1], [1.9, 0.2, 0.9, -0.2], [0.7, 1.4, 0.5, 0.8]];
     let mut out = Vec::new();
@@ -135,6 +137,9 @@ fn samplers() -> Vec<(Format, Sampler)> {
         (Format::Rgba8, Sampler { wrap: [Wrap::ClampToBorder; 3], ..linear() }),
         (Format::Rgba8, trilinear()),
         (Format::Rgba8, with(Filter::Nearest, Mipmap::Linear)),
+        (Format::Rgb8, with(Filter::Nearest, Mipmap::Nearest)),
+        (Format::Rgba8, Sampler { wrap: [Wrap::MirroredRepeat; 3], ..trilinear() }),
+        (Format::Rgba8, Sampler { wrap: [Wrap::Clamp; 3], ..trilinear() }),
         (Format::Rgba8, Sampler { max_anisotropy: 8.0, ..trilinear() }),
         (Format::Rgba8, Sampler { swizzle: turned, ..linear() }),
         (Format::Srgb8A8, trilinear()),
@@ -154,8 +159,8 @@ fn texels_multiplied_as_they_come_are_what_the_interpreter_multiplies() {
     let vertices = [
         bindings(&triangles(|_, v| v), 3),
         bindings(&triangles(|_, _| 1.0), 3),
-        bindings(&triangles(|number, _| [1.0, 0.6, 0.3][number]), 3),
-        bindings(&triangles(|number, _| [0.6, -0.0, 0.0][number]), 3),
+        bindings(&triangles(|number, _| [1.0, 0.6, 0.3, 0.3, 1.0][number]), 3),
+        bindings(&triangles(|number, _| [0.6, -0.0, 0.0, 0.0, 0.9][number]), 3),
         constant([1.0; 4]),
         constant([0.25, 1.0, 1.5, 0.75]),
     ];
@@ -183,7 +188,7 @@ fn texels_multiplied_as_they_come_are_what_the_interpreter_multiplies() {
                 let textures = vec![Some(texture.clone()); 3];
                 let draw = |isa, watched| {
                     let drawn =
-                        Drawn { desc: &desc, textures: &textures, vertices, count: 9, target };
+                        Drawn { desc: &desc, textures: &textures, vertices, count: 15, target };
                     picture(isa, &drawn, watched)
                 };
                 let (want, _) = draw(Isa::BASELINE, true);
@@ -206,7 +211,7 @@ fn what_is_one_at_all_vertices_is_one_in_between() {
     let desc = pipeline(vertex(8), fragment(8, |b| each(b, |b, at| varying(b, 4 + at as u16))));
     let vertices = &bindings(&triangles(|_, _| 1.0), 3);
     let target = Format::Rgba32F;
-    let drawn = Drawn { desc: &desc, textures: &[], vertices, count: 9, target };
+    let drawn = Drawn { desc: &desc, textures: &[], vertices, count: 15, target };
     for isa in Isa::available() {
         for watched in [false, true] {
             let (bytes, _) = picture(isa, &drawn, watched);

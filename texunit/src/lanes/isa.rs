@@ -117,6 +117,11 @@ impl Isa {
         }
     }
 
+    /// Whether kernels have shorter ways on it, see [`Simd::WIDE`].
+    pub fn is_wide(self) -> bool {
+        self != Self::BASELINE
+    }
+
     /// Runs `kernel` as compiled for this instruction set.
     #[inline]
     pub fn run<K: Kernel>(self, kernel: K) -> K::Output {

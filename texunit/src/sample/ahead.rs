@@ -2,8 +2,9 @@
 //! rows lie too far apart for it to guess which one comes next. Whatever is asked for, no result depends on it.
 
 use super::filter::Place;
-use super::flat::place;
+use super::flat::{Read, place};
 use super::footprint::{Derivatives, rho_squared};
+use super::take::Reading;
 use crate::lanes::math::index;
 use crate::lanes::{F32s, LANES, QUADS, Simd, U32s, prefetch_at};
 use crate::plan::{Detail, Lod, Texture};
@@ -15,18 +16,30 @@ const FAR: usize = 1 << 20;
 /// way the texture is turned.
 const ASKED: [usize; 8] = [0, 5, 10, 15, 3, 6, 9, 12];
 
-/// Asks for the rows around points of a plane: of every 16 lanes, every other pixel of a block. `like` and `lod` are
-/// of a batch whose first lane reads about the levels that all of them read.
+/// What a batch reads, or about that.
+#[derive(Clone, Copy)]
+pub enum Like<'a> {
+    /// It is known.
+    Read(&'a Reading),
+    /// About what the first lane of a batch reads that has these coordinates and this level of detail.
+    First([&'a F32s; 3], Lod<'a>),
+}
+
+/// Asks for the rows around points of a plane: of every 16 lanes, every other pixel of a block.
 #[inline(always)]
-pub(crate) fn ask<S: Simd>(texture: &Texture, points: [&F32s; 2], like: [&F32s; 3], lod: &Lod<'_>) {
+pub(crate) fn ask<S: Simd>(texture: &Texture, points: [&F32s; 2], like: Like<'_>) {
     let levels = &texture.levels[0];
     if levels[0].texels.len() < FAR {
         return;
     }
-    let (filter, first, last) = match &texture.detail {
-        Detail::Fixed { filter, level, .. } => (*filter, *level, *level),
-        Detail::PerLane { min, range, .. } => {
-            let first = guess(texture, like, lod).min(range.last);
+    let (filter, first, last) = match (&texture.detail, like) {
+        (Detail::Fixed { filter, level, .. }, _) => (*filter, *level, *level),
+        (_, Like::Read(Reading { read: Some(Read { filter, levels: [first, last] }), .. })) => {
+            (*filter, *first, *last)
+        }
+        (Detail::PerLane { .. }, Like::Read(Reading { read: None, .. })) => return,
+        (Detail::PerLane { min, range, .. }, Like::First(like, lod)) => {
+            let first = guess(texture, like, &lod).min(range.last);
             (*min, first, (first + 1).min(range.last))
         }
     };

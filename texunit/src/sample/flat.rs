@@ -46,6 +46,7 @@ pub(crate) fn class(shape: Shape, way: Way) -> Option<Class> {
 }
 
 /// What all lanes of a batch read.
+#[derive(Clone, Copy, Debug)]
 pub struct Read {
     pub filter: Filter,
     /// Twice the same where no lane reads another.

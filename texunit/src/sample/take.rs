@@ -6,8 +6,8 @@ use super::flat::{self, Read};
 use super::plain::{self, Square};
 use crate::format::convert::{byte_channel, byte_of, over_255};
 use crate::lanes::{F32s, Simd, U32s, math};
-use crate::plan::{Lod, Texture};
-use crate::sampler::Filter;
+use crate::plan::{Detail, Lod, Texture};
+use crate::sampler::{Filter, Mipmap};
 
 /// What a lookup gives.
 pub trait Texels {
@@ -103,19 +103,44 @@ impl Texels for Both<'_> {
     }
 }
 
+/// Which levels the lanes of a batch read, if it is the same for all of them: what their level of detail comes to.
+#[derive(Clone, Debug, Default)]
+pub struct Reading {
+    /// `None` where lanes read different ones.
+    pub(crate) read: Option<Read>,
+    /// Of the second level.
+    weight: F32s,
+}
+
+impl Reading {
+    /// Finds it out.
+    #[inline(always)]
+    pub(crate) fn find<S: Simd>(&mut self, texture: &Texture, coords: [&F32s; 3], lod: &Lod<'_>) {
+        self.read = flat::read::<S>(texture, &coords, lod, &mut self.weight);
+    }
+}
+
+/// Whether [`take`] leads somewhere wherever all lanes read the same levels.
+pub(crate) fn always_leads(texture: &Texture) -> bool {
+    match &texture.detail {
+        Detail::Fixed { filter, .. } => !texture.reaches_border(*filter),
+        Detail::PerLane { min, range, .. } => {
+            let both = *min == Filter::Nearest && range.mipmap == Mipmap::Linear;
+            !both && !texture.reaches_border(*min)
+        }
+    }
+}
+
 /// Looks up 64 lanes of a texture whose texels are red, green, blue and, if any, alpha in bytes; gives `take` back
 /// where that leads nowhere.
 #[inline(always)]
 pub(crate) fn take<S: Simd, T: Take>(
     texture: &Texture,
     coords: [&F32s; 3],
-    lod: &Lod<'_>,
+    reading: &Reading,
     take: T,
 ) -> Result<T::Output, T> {
-    let mut weight = F32s::ZERO;
-    let Some(Read { filter, levels }) = flat::read::<S>(texture, &coords, lod, &mut weight) else {
-        return Err(take);
-    };
+    let Some(Read { filter, levels }) = reading.read else { return Err(take) };
     let [first, second] = levels.map(|number| flat::place(texture, filter, number));
     let is_same = levels[0] == levels[1];
     match filter {
@@ -132,7 +157,7 @@ pub(crate) fn take<S: Simd, T: Take>(
                 return Ok(take.take::<S>(&lower));
             }
             let Some(upper) = square::<S>(texture, &second, coords) else { return Err(take) };
-            Ok(take.take::<S>(&Both([&lower, &upper], &weight)))
+            Ok(take.take::<S>(&Both([&lower, &upper], &reading.weight)))
         }
     }
 }

@@ -8,6 +8,7 @@ use super::super::cover::Cover;
 use super::super::coverage;
 use super::super::job::{Chunk, DrawJob, PassJob, TileJob};
 use super::super::pack::DENSE_PIXELS;
+use super::super::run::Level;
 use super::super::samples::SampleMasks;
 use super::super::shading::early_tests;
 use super::super::small::Window;
@@ -143,7 +144,7 @@ impl Worker {
         let is_inside = coverage::is_inside_area(&job.area, tile.x, tile.y, TILE as i32);
         // No block of a shape is in another's way.
         let is_free = self.waiting.is_empty() && self.pixels.is_empty() && self.run.len() == 0;
-        self.level = self.number(&job.plan, lane);
+        self.level = self.level_of(&job.plan, lane);
         let mut left = self.broad.touched;
         while left != 0 {
             let block = left.trailing_zeros() as usize;
@@ -176,16 +177,21 @@ impl Worker {
                 self.fill_block(pass, tile, job, shape.facing, at, &mut masks);
             }
         }
-        self.level = None;
+        self.level = Level::default();
     }
 
-    /// A number of the shape in this lane of the group, where the factors of a product are the same all over it: then
-    /// no run of its blocks has to look. No other shape has it.
-    fn number(&mut self, plan: &DrawPlan, lane: usize) -> Option<u64> {
-        let factors = plan.product.as_ref()?.factor_planes.as_ref()?;
+    /// A number of the shape in this lane of the group for what is the same all over it: then no run of its blocks has
+    /// to look. No other shape has it.
+    fn level_of(&mut self, plan: &DrawPlan, lane: usize) -> Level {
+        let Some(product) = &plan.product else { return Level::default() };
         self.levels += 1;
-        let is_level = self.group.is_level(lane, factors, plan.denominator_plane);
-        is_level.then_some(self.levels)
+        let (number, group, by) = (Some(self.levels), &self.group, plan.denominator_plane);
+        let factors = product.factor_planes.as_ref();
+        let details = product.detail_planes.as_ref();
+        Level {
+            factors: number.filter(|_| factors.is_some_and(|of| group.is_level(lane, of, by))),
+            details: number.filter(|_| details.is_some_and(|of| group.rises_evenly(lane, of, by))),
+        }
     }
 
     /// What `self.covers` cover of those lanes of a block that are `inside`.

@@ -1,0 +1,127 @@
+//! What a fragment program that is a product comes to in a draw: what of it may be the same all over a shape.
+
+use super::Textures;
+use super::inputs::{FilledInput, FragmentInput};
+use crate::shader::Program;
+use texunit::lanes::Isa;
+
+/// What a fragment program that is a product ([`crate::shader::Product`]) comes to in a draw.
+#[derive(Debug)]
+pub struct ProductPlan {
+    /// The planes that its factors depend on, if they depend on nothing else: where these are the same all over a
+    /// shape, so are the factors.
+    pub factor_planes: Option<FactorPlanes>,
+    /// The planes that are divided by the denominator among those whose steps the levels of detail depend on, if they
+    /// depend on nothing else: where these do not lie in perspective, levels are the same all over a shape.
+    pub detail_planes: Option<Vec<usize>>,
+    /// The inputs of a block.
+    pub inputs: ProductInputs,
+    /// Those where the levels of detail are known.
+    pub without_details: ProductInputs,
+}
+
+/// The inputs that a block needs.
+#[derive(Debug)]
+pub struct ProductInputs {
+    pub all: Vec<FilledInput>,
+    /// Where the factors are known.
+    pub lookups: Vec<FilledInput>,
+}
+
+/// The planes that factors depend on.
+#[derive(Debug, Default)]
+pub struct FactorPlanes {
+    /// Those that are divided by the denominator.
+    pub smooth: Vec<usize>,
+    /// Those that are taken as they are.
+    pub linear: Vec<usize>,
+}
+
+impl ProductPlan {
+    /// Decides; `None` where the interpreter is needed.
+    pub(super) fn new(
+        isa: Isa,
+        fragment: &Program,
+        inputs: &[FragmentInput],
+        textures: &Textures,
+    ) -> Option<Self> {
+        let product = fragment.product()?;
+        let is_there = |slot: u32| {
+            let texture = textures.get(slot as usize).and_then(Option::as_ref);
+            texture.is_some_and(|texture| texture.gives_colors())
+        };
+        if !product.textures().all(is_there) {
+            return None;
+        }
+        let mut factor_planes = Some(FactorPlanes::default());
+        for &index in &product.factor_inputs {
+            match inputs[index] {
+                FragmentInput::Flat(plane) | FragmentInput::Linear(plane) => {
+                    factor_planes.iter_mut().for_each(|planes| planes.linear.push(plane));
+                }
+                FragmentInput::Smooth(plane) => {
+                    factor_planes.iter_mut().for_each(|planes| planes.smooth.push(plane));
+                }
+                FragmentInput::Zero => {}
+                FragmentInput::SmoothWithin(_)
+                | FragmentInput::LinearWithin(_)
+                | FragmentInput::SmoothSlope(..)
+                | FragmentInput::LinearSlope(..)
+                | FragmentInput::X
+                | FragmentInput::Y
+                | FragmentInput::Depth
+                | FragmentInput::Front
+                | FragmentInput::Coverage => factor_planes = None,
+            }
+        }
+        if let Some(FactorPlanes { smooth, linear }) = &mut factor_planes {
+            for planes in [smooth, linear] {
+                planes.sort_unstable();
+                planes.dedup();
+            }
+        }
+        let takes = |slot: u32| {
+            let texture = textures.get(slot as usize).and_then(Option::as_ref);
+            texture.is_some_and(|texture| !texture.needs_lod() || texture.takes_by_reading(isa))
+        };
+        let details = product.detail_inputs.as_ref().filter(|_| product.textures().all(takes));
+        let detail_planes = details.and_then(|details| detail_planes(details, inputs));
+        let filled = |left_out: &[usize]| {
+            let mut all = FilledInput::of(inputs);
+            all.retain(|input| !left_out.contains(&input.number));
+            let mut lookups = all.clone();
+            lookups.retain(|input| product.lookup_inputs.contains(&input.number));
+            ProductInputs { all, lookups }
+        };
+        Some(Self {
+            factor_planes,
+            detail_planes,
+            inputs: filled(&[]),
+            without_details: filled(details.map_or(&[], |details| &details[..])),
+        })
+    }
+}
+
+/// The smooth planes whose steps these inputs are; `None` where there are no steps, or anything else.
+fn detail_planes(details: &[usize], inputs: &[FragmentInput]) -> Option<Vec<usize>> {
+    let (mut smooth, mut any) = (Vec::new(), false);
+    for &index in details {
+        match inputs[index] {
+            FragmentInput::SmoothSlope(plane, _) => smooth.push(plane),
+            FragmentInput::LinearSlope(..) => {}
+            FragmentInput::Zero => continue,
+            FragmentInput::Smooth(_)
+            | FragmentInput::Linear(_)
+            | FragmentInput::SmoothWithin(_)
+            | FragmentInput::LinearWithin(_)
+            | FragmentInput::Flat(_)
+            | FragmentInput::X
+            | FragmentInput::Y
+            | FragmentInput::Depth
+            | FragmentInput::Front
+            | FragmentInput::Coverage => return None,
+        }
+        any = true;
+    }
+    any.then_some(smooth)
+}
