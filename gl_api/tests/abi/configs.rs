@@ -279,5 +279,14 @@ fn values_of_surfaces_attributes_are_refused_as_unknown_or_as_not_there() {
             assert_eq!(eglGetError(), error, "{attribute:#x} {value:#x}");
             assert_eq!(set == 1, error == EGL_SUCCESS, "{attribute:#x} {value:#x}");
         }
+        // EGL_SWAP_BEHAVIOR and EGL_MIPMAP_LEVEL are what they were set to.
+        for (attribute, values) in [(0x3093, [0x3095, 0x3094]), (0x3083, [3, 0])] {
+            for value in values {
+                assert_eq!(eglSurfaceAttrib(dpy, surface, attribute, value), 1);
+                let mut found = -1;
+                assert_eq!(eglQuerySurface(dpy, surface, attribute, &mut found), 1);
+                assert_eq!(found, value, "{attribute:#x}");
+            }
+        }
     }
 }

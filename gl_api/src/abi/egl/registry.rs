@@ -77,6 +77,21 @@ impl ContextEntry {
     }
 }
 
+/// What `eglSurfaceAttrib` sets, which has no effect without a swap and without mipmaps.
+#[derive(Clone, Copy, Debug, Default)]
+pub(in crate::abi) struct Settings {
+    pub mipmap_level: i32,
+    pub swap: SwapBehavior,
+}
+
+/// What a swap does to the buffer that was drawn to (EGL 1.5, section 3.5.6).
+#[derive(Clone, Copy, Debug, Default)]
+pub(in crate::abi) enum SwapBehavior {
+    #[default]
+    Preserved,
+    Destroyed,
+}
+
 #[derive(Debug)]
 pub(in crate::abi) struct SurfaceEntry {
     pub display: Id,
@@ -85,6 +100,7 @@ pub(in crate::abi) struct SurfaceEntry {
     pub width: u32,
     pub height: u32,
     pub largest: bool,
+    pub settings: Settings,
     /// The buffers, unless the surface is current.
     pub window: Option<Window>,
     /// The thread it is current on.

@@ -3,7 +3,9 @@
 use super::config::Config;
 use super::constants::*;
 use super::error::{Code, Result, fail};
-use super::registry::{Id, Registry, SurfaceEntry, handle, registry, thread};
+use super::registry::{
+    Id, Registry, Settings, SurfaceEntry, SwapBehavior, handle, registry, thread,
+};
 use super::{Attrib, Handle, Int, int_attributes, put};
 use crate::context::limits::MAX_VIEWPORT_DIMS;
 use crate::draw::hints::sight;
@@ -101,6 +103,7 @@ pub(super) unsafe fn create_pbuffer(
         width,
         height,
         largest,
+        settings: Settings::default(),
         window,
         thread: None,
         doomed: false,
@@ -132,13 +135,17 @@ pub(super) unsafe fn query(
         EGL_CONFIG_ID => entry.config.map_or(0, |config| config.id),
         EGL_LARGEST_PBUFFER => entry.largest.into(),
         EGL_RENDER_BUFFER => EGL_BACK_BUFFER,
-        EGL_SWAP_BEHAVIOR => EGL_BUFFER_PRESERVED,
+        EGL_SWAP_BEHAVIOR => match entry.settings.swap {
+            SwapBehavior::Preserved => EGL_BUFFER_PRESERVED,
+            SwapBehavior::Destroyed => EGL_BUFFER_DESTROYED,
+        },
         EGL_MULTISAMPLE_RESOLVE => EGL_MULTISAMPLE_RESOLVE_DEFAULT,
         EGL_GL_COLORSPACE => EGL_GL_COLORSPACE_LINEAR,
         EGL_VG_COLORSPACE => EGL_VG_COLORSPACE_sRGB,
         EGL_VG_ALPHA_FORMAT => EGL_VG_ALPHA_FORMAT_NONPRE,
         EGL_TEXTURE_FORMAT | EGL_TEXTURE_TARGET => EGL_NO_TEXTURE,
-        EGL_MIPMAP_TEXTURE | EGL_MIPMAP_LEVEL => 0,
+        EGL_MIPMAP_LEVEL => entry.settings.mipmap_level,
+        EGL_MIPMAP_TEXTURE => 0,
         EGL_HORIZONTAL_RESOLUTION | EGL_VERTICAL_RESOLUTION | EGL_PIXEL_ASPECT_RATIO => EGL_UNKNOWN,
         _ => {
             let rule = format!("attribute = {attribute:#x} is none of surfaces");
@@ -156,18 +163,23 @@ pub(super) unsafe fn query(
 pub(super) fn set_attrib(dpy: Handle, surface: Handle, attribute: Int, value: Int) -> Result<u32> {
     let mut registry = registry();
     let display = registry.display(dpy)?;
-    registry.surface(display, surface)?;
+    let (_, SurfaceEntry { settings, .. }) = registry.surface(display, surface)?;
     match (attribute, value) {
-        // Without a swap and without mipmaps these have no effect.
-        (EGL_MIPMAP_LEVEL, _)
-        | (EGL_MULTISAMPLE_RESOLVE, EGL_MULTISAMPLE_RESOLVE_DEFAULT)
-        | (EGL_SWAP_BEHAVIOR, EGL_BUFFER_PRESERVED | EGL_BUFFER_DESTROYED) => Ok(1),
+        (EGL_MIPMAP_LEVEL, level) => settings.mipmap_level = level,
+        (EGL_MULTISAMPLE_RESOLVE, EGL_MULTISAMPLE_RESOLVE_DEFAULT) => {}
+        (EGL_SWAP_BEHAVIOR, EGL_BUFFER_PRESERVED) => settings.swap = SwapBehavior::Preserved,
+        (EGL_SWAP_BEHAVIOR, EGL_BUFFER_DESTROYED) => settings.swap = SwapBehavior::Destroyed,
         (EGL_MULTISAMPLE_RESOLVE, EGL_MULTISAMPLE_RESOLVE_BOX) => {
-            fail(Code::BadMatch, format!("no config has {value:#x} for attribute {attribute:#x}"))
+            let rule = format!("no config has {value:#x} for attribute {attribute:#x}");
+            return fail(Code::BadMatch, rule);
         }
-        (EGL_MULTISAMPLE_RESOLVE | EGL_SWAP_BEHAVIOR, _) => no_value(attribute, value),
-        _ => fail(Code::BadAttribute, format!("attribute = {attribute:#x} cannot be set")),
+        (EGL_MULTISAMPLE_RESOLVE | EGL_SWAP_BEHAVIOR, _) => return no_value(attribute, value),
+        _ => {
+            let rule = format!("attribute = {attribute:#x} cannot be set");
+            return fail(Code::BadAttribute, rule);
+        }
     }
+    Ok(1)
 }
 
 /// `eglBindTexImage` and `eglReleaseTexImage`: no surface was made for it.

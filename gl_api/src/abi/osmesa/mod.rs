@@ -13,7 +13,7 @@ pub(crate) use mirror::Mirror;
 
 use super::egl::current;
 use super::egl::registry::{
-    Binding, ContextEntry, Id, OSMESA, SurfaceEntry, handle, registry, thread,
+    Binding, ContextEntry, Id, OSMESA, Settings, SurfaceEntry, handle, registry, thread,
 };
 use super::memory::ClientPointer;
 use crate::constants::*;
@@ -283,6 +283,7 @@ fn new_surface(request: Request, target: Target) -> Option<Id> {
         width,
         height,
         largest: false,
+        settings: Settings::default(),
         window: Some(window),
         thread: None,
         doomed: false,
