@@ -40,20 +40,37 @@ impl ErrorCode {
     }
 }
 
-/// A refused call: the flag, the rule that was broken, and where the rule stands.
+/// A refused call: the flag, the rule that was broken, and where the rule stands. No larger than a pointer, as
+/// whatever may refuse answers one.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct GlError {
+pub struct GlError(Box<Refusal>);
+
+#[derive(Clone, Debug, PartialEq, Eq)]
+struct Refusal {
+    code: ErrorCode,
+    rule: String,
+    section: &'static str,
+}
+
+impl GlError {
+    /// A refusal: `rule` says which argument or state it is about, and what that must be; `section` is that of the
+    /// specification.
+    #[cold]
+    #[inline(never)]
+    pub fn new(code: ErrorCode, section: &'static str, rule: impl Into<String>) -> Self {
+        Self(Box::new(Refusal { code, rule: rule.into(), section }))
+    }
+
     /// The flag.
-    pub code: ErrorCode,
-    /// Which argument or state, and what it must be.
-    pub rule: String,
-    /// The section of the specification.
-    pub section: &'static str,
+    pub fn code(&self) -> ErrorCode {
+        self.0.code
+    }
 }
 
 impl fmt::Display for GlError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} ({}); {}", self.rule, self.section, enum_name(self.code.to_gl()))
+        let Refusal { code, rule, section } = &*self.0;
+        write!(f, "{rule} ({section}); {}", enum_name(code.to_gl()))
     }
 }
 
@@ -62,17 +79,17 @@ pub type Result<T, E = GlError> = std::result::Result<T, E>;
 
 /// A refusal with `GL_INVALID_ENUM`.
 pub fn invalid_enum<T>(section: &'static str, rule: impl Into<String>) -> Result<T> {
-    Err(GlError { code: ErrorCode::InvalidEnum, rule: rule.into(), section })
+    Err(GlError::new(ErrorCode::InvalidEnum, section, rule))
 }
 
 /// A refusal with `GL_INVALID_VALUE`.
 pub fn invalid_value<T>(section: &'static str, rule: impl Into<String>) -> Result<T> {
-    Err(GlError { code: ErrorCode::InvalidValue, rule: rule.into(), section })
+    Err(GlError::new(ErrorCode::InvalidValue, section, rule))
 }
 
 /// A refusal with `GL_INVALID_OPERATION`.
 pub fn invalid_operation<T>(section: &'static str, rule: impl Into<String>) -> Result<T> {
-    Err(GlError { code: ErrorCode::InvalidOperation, rule: rule.into(), section })
+    Err(GlError::new(ErrorCode::InvalidOperation, section, rule))
 }
 
 /// A size or count as `usize`; negative is `GL_INVALID_VALUE`.
@@ -133,7 +150,7 @@ fn not_a_choice(
     choices: &[GLenum],
 ) -> GlError {
     let rule = format!("{argument} = {} {}", enum_name(value), must_be(value, choices));
-    GlError { code: ErrorCode::InvalidEnum, rule, section }
+    GlError::new(ErrorCode::InvalidEnum, section, rule)
 }
 
 /// `A, B or C`.

@@ -36,13 +36,12 @@ absent! {
 fn refuse(name: &'static str) {
     guard(name, || {
         with_current(|context| {
-            let error = GlError {
-                code: ErrorCode::InvalidOperation,
-                rule: "the imaging subset is optional, and DetGL does not have it: ask \
-                       glGetString(GL_EXTENSIONS) for GL_ARB_imaging before"
-                    .into(),
-                section: "GL 2.1, section 3.6.2",
-            };
+            let error = GlError::new(
+                ErrorCode::InvalidOperation,
+                "GL 2.1, section 3.6.2",
+                "the imaging subset is optional, and DetGL does not have it: ask \
+                 glGetString(GL_EXTENSIONS) for GL_ARB_imaging before",
+            );
             context.refuse(name, error);
         });
     });

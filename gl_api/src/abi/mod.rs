@@ -142,11 +142,11 @@ pub(crate) fn guard<R: Fallback>(name: &'static str, f: impl FnOnce() -> R) -> R
 #[cold]
 #[inline(never)]
 fn failed(name: &'static str, panic: &(dyn Any + Send)) {
-    let error = GlError {
-        code: ErrorCode::InvalidOperation,
-        rule: format!("DetGL failed inside this call, please report it: {}", text(panic)),
-        section: "no rule of the specification",
-    };
+    let error = GlError::new(
+        ErrorCode::InvalidOperation,
+        "no rule of the specification",
+        format!("DetGL failed inside this call, please report it: {}", text(panic)),
+    );
     // A second panic, as from a thread that is ending, has nobody to tell.
     let told = catch_unwind(AssertUnwindSafe(|| {
         with_current(|context| context.debug.error(name, &error));

@@ -98,9 +98,9 @@ impl Debug {
 
     /// Sets the flag and says why.
     pub fn error(&mut self, call: &str, error: &GlError) {
-        self.flag.get_or_insert(error.code);
+        self.flag.get_or_insert(error.code());
         let text = format!("{call}: {error}");
-        self.log(GL_DEBUG_TYPE_ERROR, error.code.to_gl(), GL_DEBUG_SEVERITY_HIGH, &text);
+        self.log(GL_DEBUG_TYPE_ERROR, error.code().to_gl(), GL_DEBUG_SEVERITY_HIGH, &text);
         self.push(Message { severity: Severity::Error, text });
     }
 

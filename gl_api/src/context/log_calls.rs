@@ -193,13 +193,13 @@ pub(crate) fn push_debug_group(
     OWN_SOURCE.decode("source", source)?;
     let text = text("message", length, message, MAX_LENGTH)?;
     if context.debug.log.depth() >= MAX_GROUPS {
-        return Err(GlError {
-            code: ErrorCode::StackOverflow,
-            rule: format!(
+        return Err(GlError::new(
+            ErrorCode::StackOverflow,
+            SECTION,
+            format!(
                 "{MAX_GROUPS} groups are open, the most there may be: glPopDebugGroup is missing"
             ),
-            section: SECTION,
-        });
+        ));
     }
     let (ty, severity) = (GL_DEBUG_TYPE_PUSH_GROUP, GL_DEBUG_SEVERITY_NOTIFICATION);
     context.debug.log.push_group(Logged { kind: Kind { source, ty, severity }, id, text });
@@ -208,11 +208,11 @@ pub(crate) fn push_debug_group(
 
 pub(crate) fn pop_debug_group(context: &mut Context) -> Result<()> {
     if context.debug.log.depth() == 1 {
-        return Err(GlError {
-            code: ErrorCode::StackUnderflow,
-            rule: "no group is open: glPushDebugGroup is missing".into(),
-            section: SECTION,
-        });
+        return Err(GlError::new(
+            ErrorCode::StackUnderflow,
+            SECTION,
+            "no group is open: glPushDebugGroup is missing",
+        ));
     }
     context.debug.log.pop_group();
     Ok(())

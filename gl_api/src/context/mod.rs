@@ -312,9 +312,9 @@ impl Context {
 #[cold]
 #[inline(never)]
 fn between_begin_and_end() -> GlError {
-    GlError {
-        code: ErrorCode::InvalidOperation,
-        rule: "must not be called between glBegin and glEnd".to_owned(),
-        section: "GL 2.1, section 2.6.3",
-    }
+    GlError::new(
+        ErrorCode::InvalidOperation,
+        "GL 2.1, section 2.6.3",
+        "must not be called between glBegin and glEnd",
+    )
 }

@@ -92,11 +92,11 @@ fn snapshot(array: &Array, pointer: ClientPointer<'_>, reach: Reach<'_>) -> Resu
     let place = reach.bytes(array, 0).filter(|(bytes, _)| bytes.end <= limits::MAX_BUFFER_SIZE);
     let Some((bytes, first)) = place else {
         let (_, last) = reach.elements(array);
-        return Err(GlError {
-            code: ErrorCode::OutOfMemory,
-            rule: format!("vertex {last} lies more than {} bytes on", limits::MAX_BUFFER_SIZE),
-            section: "GL 2.1, section 2.8",
-        });
+        return Err(GlError::new(
+            ErrorCode::OutOfMemory,
+            "GL 2.1, section 2.8",
+            format!("vertex {last} lies more than {} bytes on", limits::MAX_BUFFER_SIZE),
+        ));
     };
     Ok((Buffer::new(pointer.bytes_from(bytes.start, bytes.len()).to_vec()), first))
 }

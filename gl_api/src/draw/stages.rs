@@ -93,13 +93,11 @@ pub(super) fn alpha_test(context: &Context) -> Option<Compare> {
 }
 
 pub(super) fn internal(error: &IrError) -> GlError {
-    GlError {
-        code: ErrorCode::InvalidOperation,
-        rule: format!(
-            "a generated shader breaks a rule of the IR, which is DetGL's mistake: {error}"
-        ),
-        section: "GL 2.1, section 2.15",
-    }
+    GlError::new(
+        ErrorCode::InvalidOperation,
+        "GL 2.1, section 2.15",
+        format!("a generated shader breaks a rule of the IR, which is DetGL's mistake: {error}"),
+    )
 }
 
 /// The stages that programs bring, and what they read.

@@ -365,10 +365,8 @@ fn pipeline(context: &mut Context, desc: &PipelineDesc) -> Result<Pipeline> {
     if pipelines.len() >= KEPT {
         pipelines.clear();
     }
-    let pipeline = Pipeline::new(desc.clone()).map_err(|error| GlError {
-        code: ErrorCode::InvalidOperation,
-        rule: error.to_string(),
-        section: "GL 2.1, section 2.15.3",
+    let pipeline = Pipeline::new(desc.clone()).map_err(|error| {
+        GlError::new(ErrorCode::InvalidOperation, "GL 2.1, section 2.15.3", error.to_string())
     })?;
     pipelines.insert(desc.clone(), pipeline.clone());
     Ok(pipeline)

@@ -106,11 +106,11 @@ fn checked(ranges: [[GLint; 2]; 2]) -> Result<()> {
     if points <= MAX_POINTS {
         return Ok(());
     }
-    Err(GlError {
-        code: ErrorCode::OutOfMemory,
-        rule: format!("a mesh of {points} points: at most {MAX_POINTS} are drawn"),
-        section: SECTION,
-    })
+    Err(GlError::new(
+        ErrorCode::OutOfMemory,
+        SECTION,
+        format!("a mesh of {points} points: at most {MAX_POINTS} are drawn"),
+    ))
 }
 
 pub(crate) fn eval_mesh1(context: &mut Context, mode: GLenum, i1: GLint, i2: GLint) -> Result<()> {

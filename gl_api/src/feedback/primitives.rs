@@ -40,11 +40,11 @@ pub(crate) fn draw(
     let (count, instances) = elements.counts();
     let total = u64::from(count) * instances.len() as u64;
     if total > MAX_VERTICES {
-        return Err(GlError {
-            code: ErrorCode::OutOfMemory,
-            rule: format!("a draw of {total} vertices: at most {MAX_VERTICES} here"),
-            section: "GL 2.1, section 5.2",
-        });
+        return Err(GlError::new(
+            ErrorCode::OutOfMemory,
+            "GL 2.1, section 5.2",
+            format!("a draw of {total} vertices: at most {MAX_VERTICES} here"),
+        ));
     }
     // Primitives that share no vertices are taken few enough at a time to stay in the cache.
     let at_once = match vertices_of_primitive(topology) {

@@ -127,5 +127,5 @@ impl Select {
 }
 
 fn stack_error(code: ErrorCode, rule: String) -> Result<()> {
-    Err(GlError { code, rule, section: SECTION })
+    Err(GlError::new(code, SECTION, rule))
 }

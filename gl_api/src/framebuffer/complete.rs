@@ -250,10 +250,8 @@ pub(super) fn selects_nothing(object: &Framebuffer) -> Option<String> {
 
 /// [`completeness`] as the error of a call that needs it.
 pub(super) fn checked_complete(context: &Context, name: GLuint) -> Result<()> {
-    completeness(context, name).map_err(|incomplete| GlError {
-        code: ErrorCode::InvalidFramebufferOperation,
-        rule: incomplete.rule(name),
-        section: SECTION,
+    completeness(context, name).map_err(|incomplete| {
+        GlError::new(ErrorCode::InvalidFramebufferOperation, SECTION, incomplete.rule(name))
     })
 }
 

@@ -260,10 +260,12 @@ pub(crate) fn buffer_data(
     let object = bound(context, target)?;
     let size = not_negative(SECTION, "size", size as i64)?;
     let usage = USAGE.decode("usage", usage)?;
-    let no_memory = || GlError {
-        code: ErrorCode::OutOfMemory,
-        rule: format!("size = {size}: there is no memory for so many bytes"),
-        section: SECTION,
+    let no_memory = || {
+        GlError::new(
+            ErrorCode::OutOfMemory,
+            SECTION,
+            format!("size = {size}: there is no memory for so many bytes"),
+        )
     };
     if size > limits::MAX_BUFFER_SIZE {
         return Err(no_memory());

@@ -164,11 +164,8 @@ pub(crate) fn renderbuffer_storage_multisample(
     }
     bound(context)?;
     let texels = if width > 0 && height > 0 {
-        texels(format, width as u32, height as u32).map_err(|error| GlError {
-            code: ErrorCode::OutOfMemory,
-            rule: error.to_string(),
-            section: SECTION,
-        })?
+        texels(format, width as u32, height as u32)
+            .map_err(|error| GlError::new(ErrorCode::OutOfMemory, SECTION, error.to_string()))?
     } else {
         Texels::new(Shape::D2)
     };

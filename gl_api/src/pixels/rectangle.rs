@@ -83,10 +83,8 @@ pub(super) fn draw<'a>(
     }
     let area = drawn_area(context, &pass);
     let Some(zoomed) = Zoomed::new(context, size, area) else { return Ok(()) };
-    let plan = image(&zoomed, format, row).map_err(|error| GlError {
-        code: ErrorCode::OutOfMemory,
-        rule: error.to_string(),
-        section: "GL 2.1, section 3.6.4",
+    let plan = image(&zoomed, format, row).map_err(|error| {
+        GlError::new(ErrorCode::OutOfMemory, "GL 2.1, section 3.6.4", error.to_string())
     })?;
     context.recorder.hold(zoomed.columns.len() * zoomed.rows.len() * format.bytes());
     let position = &context.state.raster_position;

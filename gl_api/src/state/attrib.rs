@@ -191,7 +191,7 @@ fn keep_textures(context: &Context, textures: &mut Vec<Parameters>) {
 }
 
 pub(super) fn stack_error<T>(code: ErrorCode, rule: String) -> Result<T> {
-    Err(GlError { code, rule, section: SECTION })
+    Err(GlError::new(code, SECTION, rule))
 }
 
 pub(crate) fn push_attrib(context: &mut Context, mask: GLbitfield) -> Result<()> {

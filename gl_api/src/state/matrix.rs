@@ -194,11 +194,11 @@ pub(crate) fn mult_transpose_matrixd(context: &mut Context, m: &[GLdouble]) -> R
 pub(crate) fn push_matrix(context: &mut Context) -> Result<()> {
     let stack = stack(context)?;
     if stack.depth() == stack.limit {
-        return Err(GlError {
-            code: ErrorCode::StackOverflow,
-            rule: format!("the stack holds {} matrices and no more", stack.limit),
-            section: SECTION,
-        });
+        return Err(GlError::new(
+            ErrorCode::StackOverflow,
+            SECTION,
+            format!("the stack holds {} matrices and no more", stack.limit),
+        ));
     }
     stack.below.push(stack.top);
     Ok(())
@@ -211,11 +211,11 @@ pub(crate) fn pop_matrix(context: &mut Context) -> Result<()> {
             stack.top = matrix;
             Ok(())
         }
-        None => Err(GlError {
-            code: ErrorCode::StackUnderflow,
-            rule: "the stack holds one matrix, which cannot be popped".into(),
-            section: SECTION,
-        }),
+        None => Err(GlError::new(
+            ErrorCode::StackUnderflow,
+            SECTION,
+            "the stack holds one matrix, which cannot be popped",
+        )),
     }
 }
 

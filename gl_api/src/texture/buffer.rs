@@ -123,10 +123,8 @@ pub(crate) fn plan(context: &mut Context, unit: u8) -> Result<Arc<SamplePlan>> {
         return Ok(Arc::clone(plan));
     }
     let bytes = &buffer.bytes()[store.range_of(buffer.bytes().len())];
-    let row =
-        Level::row(store.format, bytes, limits::MAX_TEXTURE_BUFFER_SIZE).map_err(|error| {
-            GlError { code: ErrorCode::OutOfMemory, rule: error.to_string(), section: SECTION }
-        })?;
+    let row = Level::row(store.format, bytes, limits::MAX_TEXTURE_BUFFER_SIZE)
+        .map_err(|error| GlError::new(ErrorCode::OutOfMemory, SECTION, error.to_string()))?;
     context.recorder.hold(row.texels.len());
     let plan = Arc::new(SamplePlan::of_row(row));
     let store = &mut context.objects.texture_mut(TextureTarget::Buffer, bound).store;

@@ -249,5 +249,5 @@ pub(crate) fn storage_error(section: &'static str, error: &ImageError) -> GlErro
         | ImageError::NoSuchLevel { .. }
         | ImageError::Missing { .. } => ErrorCode::OutOfMemory,
     };
-    GlError { code, rule: error.to_string(), section }
+    GlError::new(code, section, error.to_string())
 }

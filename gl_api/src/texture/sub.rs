@@ -104,10 +104,12 @@ fn is_dear(level: Option<&Arc<Level>>) -> bool {
 pub(crate) fn room(format: Format, size: [usize; 3]) -> Result<Vec<u8>> {
     let sides = size.iter().chain([&format.bytes()]).try_fold(1_usize, |a, &b| a.checked_mul(b));
     let bytes = sides.unwrap_or(usize::MAX);
-    texunit::image::zeroed(bytes).ok_or_else(|| GlError {
-        code: ErrorCode::OutOfMemory,
-        rule: format!("there is no memory for {bytes} bytes of texels"),
-        section: SECTION,
+    texunit::image::zeroed(bytes).ok_or_else(|| {
+        GlError::new(
+            ErrorCode::OutOfMemory,
+            SECTION,
+            format!("there is no memory for {bytes} bytes of texels"),
+        )
     })
 }
 
