@@ -72,10 +72,18 @@ impl<T> Fallback for *const T {
     }
 }
 
-/// Puts the context back, even when a call panics.
-struct Taken(Option<Box<Context>>);
+/// Puts the context back, even when a call panics. It has nothing else to destroy, which each entry point would have
+/// code for.
+struct Taken(ManuallyDrop<Option<Box<Context>>>);
+
+impl Taken {
+    fn new(context: Box<Context>) -> Self {
+        Self(ManuallyDrop::new(Some(context)))
+    }
+}
 
 impl Drop for Taken {
+    #[inline(never)]
     fn drop(&mut self) {
         swap_current(self.0.take());
     }
@@ -85,18 +93,13 @@ impl Drop for Taken {
 
 #[inline(never)]
 fn take() -> Option<Taken> {
-    swap_current(None).map(|context| Taken(Some(context)))
-}
-
-#[inline(never)]
-fn give_back(taken: Taken) {
-    drop(taken);
+    swap_current(None).map(Taken::new)
 }
 
 /// The context for an entry point, which may have to let another thread share its objects.
 #[inline(never)]
 fn take_for(name: &str) -> Option<Taken> {
-    let mut taken = swap_current(None).map(|context| Taken(Some(context)));
+    let mut taken = swap_current(None).map(Taken::new);
     match taken.as_mut().and_then(|taken| taken.0.as_deref_mut()) {
         Some(context) => context.answer_invitation(),
         None => warn(name),
@@ -108,7 +111,7 @@ fn take_for(name: &str) -> Option<Taken> {
 pub fn with_current<R>(f: impl FnOnce(&mut Context) -> R) -> Option<R> {
     let mut taken = take()?;
     let result = taken.0.as_deref_mut().map(f);
-    give_back(taken);
+    drop(taken);
     result
 }
 
@@ -118,7 +121,7 @@ pub fn with_current<R>(f: impl FnOnce(&mut Context) -> R) -> Option<R> {
 pub(crate) fn call<R: Fallback>(name: &str, f: impl FnOnce(&mut Context) -> R) -> R {
     let Some(mut taken) = take_for(name) else { return R::fallback() };
     let result = taken.0.as_deref_mut().map(f);
-    give_back(taken);
+    drop(taken);
     result.unwrap_or_else(R::fallback)
 }
 
