@@ -118,10 +118,30 @@ fn draw(c: &mut Context, random: &mut Random, mode: GLenum) {
     }
 }
 
+/// Sets the raster position, and draws a few pixels there.
+fn raster(c: &mut Context, random: &mut Random) {
+    match random.below(5) {
+        0 => c.window_pos_2f(random.float().abs() * 60.0, 30.0),
+        1 => c.raster_pos_4f(random.float(), random.float(), 0.1, random.pick(&[1.0, 1.5, 0.0])),
+        _ => c.raster_pos_3f(random.float() * 0.7, random.float() * 0.7, random.float()),
+    }
+    if random.below(3) > 0 {
+        c.bitmap(
+            3,
+            2,
+            0.0,
+            0.0,
+            2.0,
+            random.pick(&[0.0, 1.0]),
+            Data::Bytes(&[0xA0, 0, 0, 0, 0x60]),
+        );
+    }
+}
+
 /// Sets a current value.
 fn current(c: &mut Context, random: &mut Random) {
     let (x, y) = (random.float(), random.float().abs());
-    match random.below(8) {
+    match random.below(9) {
         0 => c.normal_3f(x, y, 0.5),
         1 => c.edge_flag(x < 0.0),
         2 => c.tex_coord_4f(x, y, 0.0, random.pick(&[1.0, 1.0, 0.5])),
@@ -129,6 +149,7 @@ fn current(c: &mut Context, random: &mut Random) {
         4 => c.fog_coordf(x),
         5 => c.materialfv(GL_FRONT, GL_DIFFUSE, &[y, 0.5, 0.1, 1.0]),
         6 => c.color_3f(0.0, 0.0, 0.0),
+        7 => c.multi_tex_coord_2f(GL_TEXTURE3, x, y),
         _ => c.color_4f(x.abs(), y, 0.3, random.pick(&[0.4, 1.0])),
     }
 }
@@ -208,7 +229,32 @@ fn state(c: &mut Context, random: &mut Random) {
     }
 }
 
-type Outcome = (Vec<u8>, GLenum, Vec<String>);
+/// The raster position, and what goes with it.
+fn raster_state(c: &mut Context) -> Vec<[u32; 4]> {
+    let mut state = |pname| {
+        let mut values = [0.0; 4];
+        c.get_floatv(pname, &mut values);
+        values.map(f32::to_bits)
+    };
+    let mut all: Vec<[u32; 4]> = [
+        GL_CURRENT_RASTER_POSITION,
+        GL_CURRENT_RASTER_POSITION_VALID,
+        GL_CURRENT_RASTER_DISTANCE,
+        GL_CURRENT_RASTER_COLOR,
+        GL_CURRENT_RASTER_SECONDARY_COLOR,
+    ]
+    .map(&mut state)
+    .into();
+    for unit in [GL_TEXTURE3, GL_TEXTURE0] {
+        c.active_texture(unit);
+        let mut values = [0.0; 4];
+        c.get_floatv(GL_CURRENT_RASTER_TEXTURE_COORDS, &mut values);
+        all.push(values.map(f32::to_bits));
+    }
+    all
+}
+
+type Outcome = (Vec<u8>, GLenum, Vec<String>, Vec<[u32; 4]>);
 
 fn outcome(seed: u64, way: Way) -> Outcome {
     let mut random = Random(seed);
@@ -223,6 +269,8 @@ fn outcome(seed: u64, way: Way) -> Outcome {
         &[matrix, matrix, current, state],
         &[current, uniform, uniform],
         &[arrays, arrays, current, state],
+        &[raster, raster, current, matrix],
+        &[raster, raster, raster, current, matrix, uniform, state],
     ]);
     for _ in 0..random.below(50) + 5 {
         let mode = random.pick(modes);
@@ -240,8 +288,10 @@ fn outcome(seed: u64, way: Way) -> Outcome {
         way.go_on(c);
     }
     let picture = picture(c, SIZE);
-    let messages = c.messages().into_iter().map(|message| message.text).collect();
-    (picture, c.get_error(), messages)
+    let mut messages: Vec<String> = c.messages().into_iter().map(|message| message.text).collect();
+    // A bitmap that waits says later what there is to be said of it.
+    messages.sort_unstable();
+    (picture, c.get_error(), messages, raster_state(c))
 }
 
 /// A change that is one of a number in most draws, and decides something in this one.
@@ -282,14 +332,22 @@ fn what_looks_like_a_number_and_is_none_is_seen() {
             |c| c.uniform_1i(IMAGE, 1),
         ),
     ];
-    for (number, (before, change)) in cases.iter().enumerate() {
+    let draws: [Call; 2] = [
+        |c| c.draw_arrays(GL_TRIANGLES, 0, 30),
+        |c| {
+            c.raster_pos_2f(0.1, 0.2);
+            c.bitmap(8, 1, 0.0, 0.0, 0.0, 0.0, Data::Bytes(&[0xFF]));
+        },
+    ];
+    let cases = cases.iter().enumerate().flat_map(|case| draws.map(|draw| (case, draw)));
+    for ((number, (before, change)), draw) in cases {
         let outcome = |way: Way| {
             let desc = ContextDesc { width: SIZE, height: SIZE, ..ContextDesc::default() };
             let mut c = Context::new(desc).expect("a device");
             scene(&mut c, &mut Random(5));
             before(&mut c);
             for _ in 0..2 {
-                c.draw_arrays(GL_TRIANGLES, 0, 30);
+                draw(&mut c);
                 way.go_on(&mut c);
                 change(&mut c);
                 c.translatef(0.01, 0.0, 0.0);
@@ -310,6 +368,7 @@ proptest! {
         let (apart, together) = (outcome(seed, Way::Apart), outcome(seed, Way::Together));
         prop_assert_eq!(&together.1, &apart.1);
         prop_assert_eq!(&together.2, &apart.2);
+        prop_assert_eq!(&together.3, &apart.3);
         prop_assert!(together.0 == apart.0, "the picture differs");
     }
 }

@@ -50,7 +50,7 @@ struct Normal {
 
 /// The stages of a draw that are the fixed function's.
 #[derive(Debug)]
-pub(super) struct Keys {
+pub(crate) struct Keys {
     pub vertex: Option<VertexKey>,
     pub fragment: Option<FragmentKey>,
     /// Bit by user clip plane that cuts what a program's vertex stage writes.

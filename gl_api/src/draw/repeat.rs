@@ -54,7 +54,7 @@ pub(super) fn is_whole(topology: Topology, count: u32) -> bool {
 
 /// Whether draws have all that they need from the one before: nobody else changes objects, and nobody asks
 /// what each has done.
-pub(super) fn is_plain(context: &Context) -> bool {
+pub(crate) fn is_plain(context: &Context) -> bool {
     context.is_alone()
         && context.compiling.is_none()
         && context.watched.is_none()

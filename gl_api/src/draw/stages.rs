@@ -32,7 +32,7 @@ use texunit::plan::SamplePlan;
 use texunit::sampler::{Border, Compare, DepthMode, Sampler, Seamless, SrgbRead};
 
 /// The texture of each slot of a stage.
-pub(super) type Textures = Arc<[Option<Arc<SamplePlan>>]>;
+pub(crate) type Textures = Arc<[Option<Arc<SamplePlan>>]>;
 
 /// What a draw runs.
 pub(crate) struct Stages {
@@ -47,7 +47,7 @@ pub(crate) struct Reads {
     pub vertex_textures: Textures,
     pub fragment_textures: Textures,
     /// What the words are made by, where nothing else is.
-    pub(super) keys: Option<Keys>,
+    pub keys: Option<Keys>,
     /// What it means, if a pixel is watched.
     pub note: Option<DrawNote>,
 }
@@ -203,7 +203,7 @@ fn put_words(context: &Context, words: &mut Vec<u32>, linked: &Linked) {
 }
 
 /// The words of a draw whose stages are those of the draw before; `None` where samplers have changed.
-pub(super) fn words(context: &mut Context, keys: &Keys) -> Option<Vec<u32>> {
+pub(crate) fn words(context: &mut Context, keys: &Keys) -> Option<Vec<u32>> {
     let mut words = context.recorder.no_words();
     if let Some(linked) = context.objects.linked_program(context.state.bindings.program.name()) {
         put_words(context, &mut words, linked);

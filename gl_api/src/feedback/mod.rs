@@ -13,6 +13,7 @@ pub(crate) mod select;
 pub(crate) mod shade;
 
 use crate::abi::memory::ClientPointer;
+use crate::pixels::position::Passed;
 pub(crate) use primitives::draw;
 use rasterizer::shader::Machine;
 use record::Record;
@@ -47,6 +48,8 @@ pub(crate) struct Feedback {
     pub record: Record,
     /// What the vertex stage runs in.
     pub machine: Machine,
+    /// What the raster position before went through.
+    pub passed: Option<Passed>,
 }
 
 /// A corner of a primitive in window coordinates.

@@ -2,12 +2,14 @@
 //! transform feedback, raster positions.
 
 use crate::context::Context;
-use crate::draw::stages;
+use crate::draw::fixed_words::Keys;
+use crate::draw::stages::{self, Stages, Textures};
 use crate::error::{Result, invalid_operation};
-use crate::interface::{VARYING_BACK_COLOR, VARYING_COLOR, VARYING_TEX_COORD};
+use crate::interface::{MAX_TEXTURE_UNITS, VARYING_BACK_COLOR, VARYING_COLOR, VARYING_TEX_COORD};
 use rasterizer::driver::{Rim, ShaderModule, VertexBinding, VertexSource};
 use rasterizer::ir::{Input, Output};
-use rasterizer::shader::{Program, Run};
+use rasterizer::shader::{Machine, Prepared, Program, Run};
+use std::ops::Range;
 use std::sync::Arc;
 use texunit::lanes::{Isa, LANES, U32s};
 
@@ -23,6 +25,8 @@ pub(crate) struct Id {
 pub(crate) enum Outputs {
     /// All of them.
     All,
+    /// All but the texture coordinates of other units than these, bit by unit.
+    Units(u8),
     /// What feedback writes and clips by.
     Corners,
     /// What clips.
@@ -36,12 +40,18 @@ impl Outputs {
             Output::Position(_) | Output::ClipDistance(_) => true,
             Output::Varying(slot) => match self {
                 Self::All => true,
+                Self::Units(units) => (0..MAX_TEXTURE_UNITS)
+                    .filter(|unit| units >> unit & 1 == 0)
+                    .all(|unit| !four(VARYING_TEX_COORD + 4 * u16::from(unit), slot)),
                 Self::Corners => [VARYING_COLOR, VARYING_BACK_COLOR, VARYING_TEX_COORD]
                     .into_iter()
                     .any(|first| four(first, slot)),
                 Self::Positions => false,
             },
-            Output::PointSize | Output::Color { .. } | Output::Depth => self == Self::All,
+            Output::PointSize | Output::Color { .. } | Output::Depth => match self {
+                Self::All | Self::Units(_) => true,
+                Self::Corners | Self::Positions => false,
+            },
         }
     }
 }
@@ -140,6 +150,13 @@ impl Shaded<'_> {
         self.vertices.place(wanted).map(|place| self.vertices.value(self.at, place))
     }
 
+    /// The distances from what clips.
+    pub fn clip_distances(self) -> impl Iterator<Item = f32> {
+        let clips = |of: &(Output, usize)| matches!(of.0, Output::ClipDistance(_)).then_some(of.1);
+        let places = self.vertices.stage.others.iter().filter_map(clips);
+        places.map(move |place| self.vertices.value(self.at, place))
+    }
+
     /// The clip coordinates.
     pub fn position(&self) -> [f64; 4] {
         self.vertices.four(self.at, self.vertices.position(), [0.0; 4]).map(f64::from)
@@ -186,6 +203,81 @@ fn input(isa: Isa, vertices: &[VertexBinding], input: Input, ids: &[Id], out: &m
     }
 }
 
+/// A vertex stage that is ready to run.
+#[derive(Debug)]
+pub(crate) struct Ready {
+    stage: Arc<Single>,
+    prepared: Prepared,
+    textures: Textures,
+    words: Vec<u32>,
+    /// What the words are made by, where nothing else is.
+    keys: Option<Keys>,
+}
+
+impl Ready {
+    /// That of a draw.
+    pub fn new(context: &mut Context, stages: Stages, outputs: Outputs) -> Self {
+        let Stages { vertex, reads, .. } = stages;
+        let stage = context.recorder.single_vertex(&vertex, outputs);
+        let isa = context.recorder.isa();
+        let prepared = stage.program.prepare(isa, &reads.words, &reads.vertex_textures);
+        let textures = reads.vertex_textures;
+        Self { stage, prepared, textures, words: reads.words, keys: reads.keys }
+    }
+
+    /// The same stage where nothing but numbers has changed; `None` where it may be another.
+    pub fn again(mut self, context: &mut Context) -> Option<Self> {
+        let keys = self.keys.as_ref().filter(|_| self.textures.is_empty())?;
+        let words = stages::words(context, keys)?;
+        if words != self.words {
+            let isa = context.recorder.isa();
+            self.prepared = self.stage.program.prepare(isa, &words, &self.textures);
+            self.words = words;
+        }
+        Some(self)
+    }
+
+    /// Runs it for so many vertices; `fill` gives an input of up to 64 of them.
+    ///
+    /// # Errors
+    /// Where the shader runs too long.
+    pub fn run(
+        &self,
+        (isa, machine): (Isa, &mut Machine),
+        len: usize,
+        fill: impl Fn(Input, Range<usize>, &mut U32s),
+    ) -> Result<Vertices> {
+        let Self { stage, prepared, textures, .. } = self;
+        let program = &stage.program;
+        machine.begin(program);
+        let mut values = Vec::with_capacity(len * stage.outputs);
+        for first in (0..len).step_by(LANES) {
+            let lanes = (len - first).min(LANES);
+            for (index, &wanted) in program.inputs().iter().enumerate() {
+                fill(wanted, first..first + lanes, machine.input_mut(index));
+            }
+            let run = Run {
+                isa,
+                program,
+                prepared,
+                textures,
+                active: u64::MAX >> (LANES - lanes),
+                budget: rasterizer::driver::DeviceDesc::BUDGET,
+            };
+            if machine.run(run).is_err() {
+                return invalid_operation(
+                    "GL 2.1, section 2.15",
+                    "the vertex shader runs so long that it was stopped",
+                );
+            }
+            for place in 0..stage.outputs {
+                values.extend_from_slice(&machine.output(place).as_f32().0[..lanes]);
+            }
+        }
+        Ok(Vertices { stage: Arc::clone(stage), values, len })
+    }
+}
+
 /// Runs the vertex stage of the state for vertices.
 ///
 /// # Errors
@@ -197,34 +289,9 @@ pub(crate) fn shade(
     outputs: Outputs,
 ) -> Result<Vertices> {
     let stages = stages::choose(context, vertices, Rim::Aliased)?;
+    let ready = Ready::new(context, stages, outputs);
     let isa = context.recorder.isa();
-    let stage = context.recorder.single_vertex(&stages.vertex, outputs);
-    let program = &stage.program;
-    let prepared = program.prepare(isa, &stages.reads.words, &stages.reads.vertex_textures);
-    let machine = &mut context.feedback.machine;
-    machine.begin(program);
-    let mut values = Vec::with_capacity(ids.len() * stage.outputs);
-    for ids in ids.chunks(LANES) {
-        for (index, &wanted) in program.inputs().iter().enumerate() {
-            input(isa, vertices, wanted, ids, machine.input_mut(index));
-        }
-        let run = Run {
-            isa,
-            program,
-            prepared: &prepared,
-            textures: &stages.reads.vertex_textures,
-            active: u64::MAX >> (LANES - ids.len()),
-            budget: rasterizer::driver::DeviceDesc::BUDGET,
-        };
-        if machine.run(run).is_err() {
-            return invalid_operation(
-                "GL 2.1, section 2.15",
-                "the vertex shader runs so long that it was stopped",
-            );
-        }
-        for place in 0..stage.outputs {
-            values.extend_from_slice(&machine.output(place).as_f32().0[..ids.len()]);
-        }
-    }
-    Ok(Vertices { stage, values, len: ids.len() })
+    ready.run((isa, &mut context.feedback.machine), ids.len(), |wanted, of, out| {
+        input(isa, vertices, wanted, &ids[of], out);
+    })
 }

@@ -38,6 +38,8 @@ pub(crate) fn bitmap(
     ymove: GLfloat,
     bitmap: Data<'_>,
 ) -> Result<()> {
+    // Draws do not depend on the raster position, and are told anew what a bitmap was drawn with.
+    context.changes.nothing();
     let width = not_negative(SECTION, "width", width.into())?;
     let height = not_negative(SECTION, "height", height.into())?;
     checked_drawable(context)?;

@@ -2,16 +2,19 @@
 
 use crate::constants::*;
 use crate::context::{Context, limits};
+use crate::draw::repeat::is_plain;
+use crate::draw::stages::{self, Stages};
 use crate::error::{Result, invalid_operation};
 use crate::feedback::Mode;
-use crate::feedback::shade::{self, Id, Outputs, Shaded, Vertices};
+use crate::feedback::shade::{Outputs, Ready, Shaded, Vertices};
 use crate::interface::*;
 use crate::state::clamp;
 use crate::state::fog::FogSource;
 use crate::state::viewport::{depth_clip, unit, within};
 use crate::types::GLenum;
-use rasterizer::driver::{DepthClip, VertexBinding, VertexSource};
-use rasterizer::ir::Output;
+use rasterizer::driver::{DepthClip, Rim, VertexBinding, VertexSource};
+use rasterizer::ir::{Input, Output};
+use texunit::lanes::U32s;
 
 const SECTION: &str = "GL 2.1, section 2.13";
 
@@ -52,20 +55,85 @@ fn is_clipped(shaded: Shaded<'_>, depth_clip: DepthClip) -> bool {
         DepthClip::Clamp => [x, y, w],
     };
     let outside = bounded.iter().any(|c| !(-w <= *c && *c <= w));
-    outside || (0..8).any(|plane| shaded.get(Output::ClipDistance(plane)).is_some_and(|d| d < 0.0))
+    outside || shaded.clip_distances().any(|distance| distance < 0.0)
+}
+
+/// The vertex stage that a raster position went through.
+#[derive(Debug)]
+pub(crate) struct Passed {
+    /// How many calls there had been when it was chosen.
+    at: u64,
+    ready: Ready,
+}
+
+impl Passed {
+    fn new(context: &mut Context, position: [f32; 4]) -> Result<Self> {
+        let vertices: Vec<VertexBinding> = (0..)
+            .zip(&context.state.current)
+            .map(|(location, current)| {
+                let value = if is_position(location) { position } else { *current };
+                VertexBinding { location, source: VertexSource::Constant(value) }
+            })
+            .collect();
+        let stages = stages::choose(context, &vertices, Rim::Aliased)?;
+        let outputs = Outputs::Units(moved_units(&stages));
+        let ready = Ready::new(context, stages, outputs);
+        Ok(Self { at: context.changes.calls, ready })
+    }
+
+    /// That of the raster position before, if nothing but numbers has changed since.
+    fn again(context: &mut Context) -> Option<Self> {
+        let Self { at, ready } = context.feedback.passed.take()?;
+        if context.changes.state > at || !is_plain(context) {
+            return None;
+        }
+        Some(Self { at, ready: ready.again(context)? })
+    }
+}
+
+fn is_position(location: u8) -> bool {
+    location == 0 || location == ATTRIB_VERTEX
+}
+
+/// The units whose texture coordinates may be others than the current ones, bit by unit.
+fn moved_units(stages: &Stages) -> u8 {
+    let key = stages.reads.keys.as_ref().and_then(|keys| keys.vertex.as_ref());
+    key.map_or(u8::MAX, |key| {
+        let generated = (0..).zip(&key.generated);
+        generated.fold(key.matrices, |units, (unit, generated)| {
+            units | u8::from(generated.iter().any(Option::is_some)) << unit
+        })
+    })
 }
 
 /// Runs the vertex stage of the state for one vertex.
 fn shade(context: &mut Context, position: [f32; 4]) -> Result<Vertices> {
-    let vertices: Vec<VertexBinding> = (0..)
-        .zip(&context.state.current)
-        .map(|(location, current)| {
-            let is_position = location == 0 || location == ATTRIB_VERTEX;
-            let value = if is_position { position } else { *current };
-            VertexBinding { location, source: VertexSource::Constant(value) }
-        })
-        .collect();
-    shade::shade(context, &vertices, &[Id { vertex: 0, instance: 0 }], Outputs::All)
+    let passed = match Passed::again(context) {
+        Some(passed) => passed,
+        None => Passed::new(context, position)?,
+    };
+    let current = &context.state.current;
+    let machine = (context.recorder.isa(), &mut context.feedback.machine);
+    let vertices = passed.ready.run(machine, 1, |wanted, _, out| {
+        let number = match wanted {
+            Input::Attribute { location, component } => {
+                let of_vertex = is_position(location).then_some(&position);
+                let value = of_vertex.or_else(|| current.get(usize::from(location)));
+                value.map_or(0.0, |value| value[usize::from(component)])
+            }
+            Input::VertexId
+            | Input::InstanceId
+            | Input::Varying(_)
+            | Input::FragCoord(_)
+            | Input::FrontFacing
+            | Input::PointCoord(_)
+            | Input::Slope { .. }
+            | Input::Coverage => 0.0,
+        };
+        *out = U32s::splat(number.to_bits());
+    });
+    context.feedback.passed = Some(passed);
+    vertices
 }
 
 /// The distance that goes with a raster position: a depth without its sign, or else what the
@@ -86,6 +154,8 @@ fn select(context: &mut Context) {
 
 /// `glRasterPos`: the position goes through the vertex stage.
 pub(super) fn raster(context: &mut Context, position: [f64; 4]) -> Result<()> {
+    // Draws do not depend on raster positions.
+    context.changes.nothing();
     let vertices = shade(context, position.map(|c| c as f32))?;
     let shaded = vertices.vertex(0);
     let depth_clip = depth_clip(context);
@@ -132,6 +202,7 @@ pub(super) fn raster(context: &mut Context, position: [f64; 4]) -> Result<()> {
 
 /// `glWindowPos`: the position is one of the window, and nothing is transformed or lit.
 pub(super) fn window(context: &mut Context, position: [f64; 4]) -> Result<()> {
+    context.changes.nothing();
     let [x, y, z, _] = position;
     let [near, far] = context.state.viewport.depth;
     let depth = near + unit(z) * (far - near);
