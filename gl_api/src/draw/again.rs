@@ -37,6 +37,14 @@ fn arrays(vertices: &[VertexBinding]) -> impl Iterator<Item = (u8, u8)> {
     })
 }
 
+/// The attributes that a draw reads which is decided as the one before; `None` where it cannot be.
+pub(super) fn attributes(context: &Context) -> Option<u64> {
+    let told = &context.recorder.told;
+    let decided = told.decided.as_ref()?;
+    let may_be_alike = context.changes.state <= decided.at && context.compiling.is_none();
+    may_be_alike.then(|| told.attributes_read())
+}
+
 /// The uniform words of a draw that is decided as the one before; `None` where it may be decided otherwise.
 pub(super) fn words(
     context: &mut Context,

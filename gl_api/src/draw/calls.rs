@@ -6,13 +6,13 @@ use super::immediate::{Slot, attribute};
 use super::indices::{INDEX_TYPE, index_buffer};
 use super::reach::{Reach, reads_parts, vertex_source, vertices_apart};
 use super::repeat::{keep, repeat};
-use super::translate::{Elements, draw};
+use super::translate::{Elements, constants_asked, draw};
 use crate::assembly::running::has_vertex_program;
 use crate::constants::*;
 use crate::context::Context;
 use crate::entry::Data;
 use crate::error::{Result, Table, invalid_enum, invalid_operation, invalid_value, not_negative};
-use crate::interface::{ATTRIB_EDGE_FLAG, ATTRIB_VERTEX};
+use crate::interface::ATTRIB_VERTEX;
 use crate::state::LOCATIONS;
 use crate::types::*;
 use rasterizer::driver::{IndexType, Indices, Topology, VertexBinding, VertexSource};
@@ -75,21 +75,11 @@ fn indexed_reach(
     reach
 }
 
-/// The attributes whose current values a draw may ask for, bit by location. A list is drawn with whatever
-/// program is in use then.
-fn constants_read(context: &Context) -> u64 {
-    let linked = context.objects.linked_program(context.state.bindings.program.name());
-    match linked.filter(|linked| linked.vertex.is_some() && context.compiling.is_none()) {
-        Some(linked) => linked.attributes | 1 << ATTRIB_EDGE_FLAG,
-        None => u64::MAX,
-    }
-}
-
 /// Where every attribute of an array draw comes from, of those that matter.
 fn bindings(context: &mut Context, reach: Reach<'_>) -> Result<Vec<VertexBinding>> {
     let mut bindings = context.recorder.no_bindings();
     let arrays = &context.state.arrays.by_location;
-    let constants = constants_read(context);
+    let constants = constants_asked(context);
     for location in 0..LOCATIONS {
         let from = array_of(context, location);
         let source = if arrays[from].enabled {

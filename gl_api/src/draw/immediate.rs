@@ -7,7 +7,7 @@
 use super::arrays::generic;
 use super::calls::topology;
 use super::ended::{Ended, draw_ended, joins, keep_for_more};
-use super::translate::{Elements, draw};
+use super::translate::{Elements, constants_asked, draw};
 use crate::assembly::running as assembly;
 use crate::context::Context;
 use crate::error::{Result, invalid_operation};
@@ -181,6 +181,7 @@ pub(crate) fn draw_columns(
     column_of: impl Fn(usize) -> Option<usize>,
 ) -> Result<()> {
     let mut vertices = context.recorder.no_bindings();
+    let constants = constants_asked(context);
     for location in 0..COLUMNS {
         let index = match location == 0 || location == usize::from(ATTRIB_VERTEX) {
             true => Some(0),
@@ -197,8 +198,8 @@ pub(crate) fn draw_columns(
                 format: VertexFormat::Plain,
                 divisor: 0,
             },
-            (None, Some(&value)) => VertexSource::Constant(value),
-            (None, None) => continue,
+            (None, Some(&value)) if constants >> location & 1 == 1 => VertexSource::Constant(value),
+            (None, _) => continue,
         };
         vertices.push(VertexBinding { location: location as u8, source });
     }

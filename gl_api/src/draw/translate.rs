@@ -4,7 +4,7 @@ use super::again::{self, Decided};
 use super::ended::draw_ended;
 use super::primitives::{raster_state, smoothness};
 use super::stages::{self, Reads, Stages, Textures};
-use super::{Recorder, begin_pass, hints};
+use super::{Recorder, Told, begin_pass, hints};
 use crate::assembly::running as assembly;
 use crate::context::Context;
 use crate::error::{ErrorCode, GlError, Result, invalid_operation};
@@ -12,6 +12,7 @@ use crate::explain::{is_watched, watch_draw};
 use crate::feedback::{self, Mode};
 use crate::framebuffer::complete::{draw_pass, draw_planes, drawn_formats};
 use crate::framebuffer::srgb_write;
+use crate::interface::ATTRIB_EDGE_FLAG;
 use crate::pixels::rectangle::Rectangle;
 use crate::state::enable::Flag;
 use crate::state::multisample::multisample_state;
@@ -21,7 +22,7 @@ use crate::transform_feedback;
 use rasterizer::driver::{
     Buffer, ColorState, Command, Cull, DepthClip, DepthState, FrontFace, IndexType, Indices,
     OutputState, PassDesc, Pipeline, PipelineDesc, PolygonState, Provoking, RasterState, Rect, Rim,
-    SampleRule, ShaderModule, Topology, VertexBinding, Viewport, same_textures,
+    SampleRule, ShaderModule, Topology, VertexBinding, VertexSource, Viewport, same_textures,
 };
 use std::ops::Range;
 use std::sync::Arc;
@@ -62,6 +63,36 @@ impl Elements {
     }
 }
 
+/// The attributes whose current values a draw may ask for, bit by location. A list is drawn with whatever
+/// program is in use then.
+fn constants_read(context: &Context) -> u64 {
+    let linked = context.objects.linked_program(context.state.bindings.program.name());
+    match linked.filter(|linked| linked.vertex.is_some() && context.compiling.is_none()) {
+        Some(linked) => linked.attributes | 1 << ATTRIB_EDGE_FLAG,
+        None => u64::MAX,
+    }
+}
+
+/// Those of them that a draw has to bring: where it may be decided as the one before, what that reads.
+pub(super) fn constants_asked(context: &Context) -> u64 {
+    again::attributes(context).unwrap_or_else(|| constants_read(context))
+}
+
+/// Adds the current values that a draw has not brought, as it is decided anew.
+fn add_constants(context: &Context, vertices: &mut Vec<VertexBinding>) {
+    let brought = vertices.iter().fold(0, |all, binding| all | bit(binding.location));
+    let missing = constants_read(context) & !brought;
+    let before = vertices.len();
+    for (location, value) in (0..).zip(&context.state.current) {
+        if missing & bit(location) != 0 {
+            vertices.push(VertexBinding { location, source: VertexSource::Constant(*value) });
+        }
+    }
+    if vertices.len() > before {
+        vertices.sort_unstable_by_key(|binding| binding.location);
+    }
+}
+
 /// Records a draw.
 ///
 /// # Errors
@@ -69,7 +100,7 @@ impl Elements {
 pub(crate) fn draw(
     context: &mut Context,
     topology: Topology,
-    vertices: Vec<VertexBinding>,
+    mut vertices: Vec<VertexBinding>,
     elements: &Elements,
 ) -> Result<()> {
     draw_ended(context);
@@ -80,6 +111,7 @@ pub(crate) fn draw(
         record_vertices(context, vertices, elements);
         return Ok(());
     }
+    add_constants(context, &mut vertices);
     let pass = checked_pass(context)?;
     if context.queries.discards() {
         return Ok(());
@@ -225,9 +257,7 @@ fn record(
 
 /// Records a draw of which everything else is told.
 fn record_vertices(context: &mut Context, mut vertices: Vec<VertexBinding>, elements: &Elements) {
-    let told = &context.recorder.told;
-    let edge_flag = told.raster.as_ref().and_then(|raster| raster.polygon.edge_flag);
-    let read = told.attributes | edge_flag.map_or(0, bit);
+    let read = context.recorder.told.attributes_read();
     vertices.retain(|binding| read & bit(binding.location) != 0);
     hints::arrays::short(context, &vertices, elements);
     let recorder = &mut context.recorder;
@@ -238,6 +268,14 @@ fn record_vertices(context: &mut Context, mut vertices: Vec<VertexBinding>, elem
     recorder.push(Command::BindVertices(vertices.drain(..).collect()));
     recorder.bindings = vertices;
     recorder.push_draw(elements);
+}
+
+impl Told {
+    /// The attributes that draws read, bit by location.
+    pub(super) fn attributes_read(&self) -> u64 {
+        let edge_flag = self.raster.as_ref().and_then(|raster| raster.polygon.edge_flag);
+        self.attributes | edge_flag.map_or(0, bit)
+    }
 }
 
 /// Tells the open pass of uniform words, if they are others.
