@@ -10,6 +10,7 @@ use crate::feedback::record::Kind;
 use crate::feedback::{self, Mode};
 use crate::framebuffer::clear::drawn_area;
 use crate::framebuffer::complete::{checked_drawable, draw_pass};
+use crate::state::enable::Flag;
 use crate::texture::client::Pixel;
 use crate::texture::layout::{Bits, Extent, Layout};
 use crate::texture::memory;
@@ -135,6 +136,27 @@ pub(crate) struct Bitmaps {
     /// The pixels that fragments reach.
     area: Rect,
     pixels: Arc<PixelMask>,
+    twice: Twice,
+}
+
+/// What a fragment does where one like it was drawn before.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Twice {
+    /// Nothing.
+    Same,
+    /// Maybe something.
+    Other,
+}
+
+impl Twice {
+    fn of(context: &Context) -> Self {
+        let state = &context.state;
+        let adds = state.enables.has(Flag::ColorLogicOp)
+            || state.enables.has(Flag::StencilTest)
+            || state.fragment.buffers.iter().any(|buffer| buffer.blend)
+            || context.recorder.counter.is_some();
+        if adds { Self::Other } else { Self::Same }
+    }
 }
 
 impl Bitmaps {
@@ -150,15 +172,15 @@ impl Bitmaps {
         bits(&self.position) == bits(position)
     }
 
-    /// Adds pixels, unless one is there: it is to be drawn again.
+    /// Adds pixels, unless one is there that is to be drawn again.
     fn take(&mut self, blocks: &[MaskBlock]) -> bool {
         let is_free = |block: &MaskBlock| self.pixels.block(block.at) & block.pixels == 0;
-        let all_free = blocks.iter().all(is_free);
-        if all_free {
+        let fit = self.twice == Twice::Same || blocks.iter().all(is_free);
+        if fit {
             let pixels = Arc::make_mut(&mut self.pixels);
             blocks.iter().for_each(|block| pixels.add(*block));
         }
-        all_free
+        fit
     }
 }
 
@@ -196,6 +218,7 @@ fn draw(context: &mut Context, bitmap: &Bitmap<'_>) -> Result<()> {
         position: context.state.raster_position.clone(),
         area: drawn_area(context, &pass),
         pixels: Arc::new(PixelMask::new(pass.width, pass.height)),
+        twice: Twice::of(context),
     };
     bitmaps.take(&bitmap.blocks(bitmaps.area));
     if context.is_alone() && draws_together(context) {
