@@ -9,10 +9,11 @@ use crate::format::{Block, Format};
 use crate::image::{FACES, Image, Incomplete, Level, Shape};
 use crate::lanes::{F32s, I32s, Isa, LANES, Simd};
 pub use crate::sample::ahead::Like;
+pub use crate::sample::flat::Read;
 use crate::sample::lod::LodRange;
 use crate::sample::plain::Class;
 use crate::sample::query::Query;
-pub use crate::sample::take::{Reading, Take, Texels};
+pub use crate::sample::take::{Take, Texels};
 use crate::sample::texel::Fetch;
 use crate::sample::{Off, Probed, Sample, Scanned};
 use crate::sample::{ahead, flat, take};
@@ -295,40 +296,46 @@ impl SamplePlan {
         }
     }
 
-    /// Whether a [`Reading`] is all that [`SamplePlan::take`] needs of the level of detail, where all lanes read the
-    /// same.
+    /// Whether what [`SamplePlan::read`] gives is all that [`SamplePlan::take`] needs of the level of detail, where
+    /// all lanes read the same.
     pub fn takes_by_reading(&self, isa: Isa) -> bool {
         let takes = |texture: &Texture| texture.gives_words && take::always_leads(texture);
         isa.is_wide() && self.0.as_ref().is_ok_and(takes)
     }
 
-    /// Finds out what a batch with these coordinates reads, for [`SamplePlan::take`], as part of a kernel.
+    /// What all lanes of a batch with these coordinates read, for [`SamplePlan::take`], as part of a kernel; `None`
+    /// where they read different levels. Where they read two, `weight` takes that of the second.
     #[inline(always)]
-    pub fn read<S: Simd>(&self, coords: [&F32s; 3], lod: &Lod<'_>, reading: &mut Reading) {
-        if let Ok(texture) = &self.0
-            && S::WIDE
-            && texture.gives_words
-        {
-            reading.find::<S>(texture, coords, lod);
+    pub fn read<S: Simd>(
+        &self,
+        coords: [&F32s; 3],
+        lod: &Lod<'_>,
+        weight: &mut F32s,
+    ) -> Option<Read> {
+        match &self.0 {
+            Ok(texture) if S::WIDE && texture.gives_words => {
+                flat::read::<S>(texture, &coords, lod, weight)
+            }
+            Ok(_) | Err(_) => None,
         }
     }
 
     /// [`SamplePlan::sample`] as part of a kernel, of images that are not compared. What it gives goes to `take`
     /// without a detour, where texels are bytes and all lanes read the same level, or the same two; else by way
-    /// of `lanes`. `reading` is what [`SamplePlan::read`] has found, of this batch or of one that reads the same.
+    /// of `lanes`. `read` and `weight` are what [`SamplePlan::read`] gave, of this batch or of one that reads the same.
     #[inline(always)]
     pub fn take<S: Simd, T: Take>(
         &self,
         isa: Isa,
         coords: [&F32s; 3],
         lod: Lod<'_>,
-        reading: &Reading,
+        (read, weight): (Option<Read>, &F32s),
         lanes: &mut [F32s; 4],
         take: T,
     ) -> T::Output {
         let take = match &self.0 {
             Ok(texture) if S::WIDE && texture.gives_words => {
-                match take::take::<S, T>(texture, coords, reading, take) {
+                match take::take::<S, T>(texture, coords, read, weight, take) {
                     Ok(output) => return output,
                     Err(take) => take,
                 }

@@ -6,7 +6,7 @@ use crate::output::{Color, ColorPlan, pack_colors, put};
 use crate::plan::{DrawPlan, FactorPlanes, FilledInput, ProductInputs, ProductPlan};
 use crate::shader::{BANKS, Machine, OverBudget, Part, Product, Run};
 use texunit::lanes::{F32s, Isa, Kernel, LANES, QUADS, Simd, U32s};
-use texunit::plan::{Like, Lod, Reading, SamplePlan, Take, Texels};
+use texunit::plan::{Like, Lod, Read, SamplePlan, Take, Texels};
 
 /// The colours of a run, and what there is between its lookups.
 #[derive(Debug, Default)]
@@ -24,8 +24,8 @@ pub struct Products {
     factors: Box<[F32s; 4]>,
     draw: u64,
     values: Vec<u32>,
-    /// What each lookup reads, of the block that is done.
-    readings: Vec<Reading>,
+    /// What each lookup reads, and the weight of the second level, where that is the same all over a shape.
+    readings: Vec<(Option<Read>, F32s)>,
     /// Whether a run reads what the one before has read.
     details: Details,
     /// The shapes all over which the factors and readings are known to be the same.
@@ -125,7 +125,7 @@ impl Products {
         banks: usize,
     ) -> Result<(), OverBudget> {
         if self.readings.len() != product.lookups() {
-            self.readings.resize_with(product.lookups(), Reading::default);
+            self.readings.resize(product.lookups(), (None, F32s::ZERO));
         }
         match self.how {
             Factors::Varying => return machine.run_before(run, product, Part::Whole, banks),
@@ -186,8 +186,6 @@ impl Kernel for Multiply<'_> {
         };
         ask::<S>(plan, product, machine, run.len(), known);
         let is_kept = *details == Details::Varying && run.level().details.is_some();
-        // What lies here no store of colours can change.
-        let mut reading = Reading::default();
         for (bank, colors) in colors.iter_mut().enumerate().take(run.len()) {
             let given = match how {
                 Factors::Varying => machine.factors(product, bank),
@@ -213,14 +211,19 @@ impl Kernel for Multiply<'_> {
                 if let Some(texture) = texture.and_then(Option::as_ref) {
                     let coords = machine.coords(product, at, bank);
                     let lod = lod_of(texture, machine, product, at, bank);
-                    match details {
-                        Details::Known => reading.clone_from(kept),
-                        Details::Varying => texture.read::<S>(coords, &lod, &mut reading),
-                    }
+                    // What lies here no store of colours can change.
+                    let mut weight = F32s::ZERO;
+                    let read = match details {
+                        Details::Known => {
+                            weight = kept.1;
+                            kept.0
+                        }
+                        Details::Varying => texture.read::<S>(coords, &lod, &mut weight),
+                    };
                     if is_kept {
-                        kept.clone_from(&reading);
+                        *kept = (read, weight);
                     }
-                    texture.take::<S, _>(isa, coords, lod, &reading, lanes, times);
+                    texture.take::<S, _>(isa, coords, lod, (read, &weight), lanes, times);
                 }
             }
         }
@@ -234,13 +237,13 @@ fn ask<S: Simd>(
     product: &Product,
     machine: &Machine,
     banks: usize,
-    known: Option<&[Reading]>,
+    known: Option<&[(Option<Read>, F32s)]>,
 ) {
     for at in 0..product.lookups() {
         let texture = plan.textures.get(product.texture(at));
         let Some(texture) = texture.and_then(Option::as_ref) else { continue };
-        let like = match known {
-            Some(readings) => Like::Read(&readings[at]),
+        let like = match known.and_then(|readings| readings[at].0) {
+            Some(read) => Like::Read(read),
             None => {
                 let lod = lod_of(texture, machine, product, at, 0);
                 Like::First(machine.coords(product, at, 0), lod)

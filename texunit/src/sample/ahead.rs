@@ -4,7 +4,6 @@
 use super::filter::Place;
 use super::flat::{Read, place};
 use super::footprint::{Derivatives, rho_squared};
-use super::take::Reading;
 use crate::lanes::math::index;
 use crate::lanes::{F32s, LANES, QUADS, Simd, U32s, prefetch_at};
 use crate::plan::{Detail, Lod, Texture};
@@ -19,8 +18,8 @@ const ASKED: [usize; 8] = [0, 5, 10, 15, 3, 6, 9, 12];
 /// What a batch reads, or about that.
 #[derive(Clone, Copy)]
 pub enum Like<'a> {
-    /// It is known.
-    Read(&'a Reading),
+    /// This.
+    Read(Read),
     /// About what the first lane of a batch reads that has these coordinates and this level of detail.
     First([&'a F32s; 3], Lod<'a>),
 }
@@ -34,10 +33,7 @@ pub(crate) fn ask<S: Simd>(texture: &Texture, points: [&F32s; 2], like: Like<'_>
     }
     let (filter, first, last) = match (&texture.detail, like) {
         (Detail::Fixed { filter, level, .. }, _) => (*filter, *level, *level),
-        (_, Like::Read(Reading { read: Some(Read { filter, levels: [first, last] }), .. })) => {
-            (*filter, *first, *last)
-        }
-        (Detail::PerLane { .. }, Like::Read(Reading { read: None, .. })) => return,
+        (_, Like::Read(Read { filter, levels: [first, last] })) => (filter, first, last),
         (Detail::PerLane { min, range, .. }, Like::First(like, lod)) => {
             let first = guess(texture, like, &lod).min(range.last);
             (*min, first, (first + 1).min(range.last))

@@ -45,12 +45,12 @@ pub(crate) fn class(shape: Shape, way: Way) -> Option<Class> {
     }
 }
 
-/// What all lanes of a batch read.
+/// What all lanes of a batch read: what their level of detail comes to.
 #[derive(Clone, Copy, Debug)]
 pub struct Read {
-    pub filter: Filter,
+    pub(crate) filter: Filter,
     /// Twice the same where no lane reads another.
-    pub levels: [u32; 2],
+    pub(crate) levels: [u32; 2],
 }
 
 /// Which levels all lanes read; `None` where they read different ones. Where they read two, `weight` takes that of

@@ -6,7 +6,7 @@ use super::flat::{self, Read};
 use super::plain::{self, Square};
 use crate::format::convert::{byte_channel, byte_of, over_255};
 use crate::lanes::{F32s, Simd, U32s, math};
-use crate::plan::{Detail, Lod, Texture};
+use crate::plan::{Detail, Texture};
 use crate::sampler::{Filter, Mipmap};
 
 /// What a lookup gives.
@@ -103,23 +103,6 @@ impl Texels for Both<'_> {
     }
 }
 
-/// Which levels the lanes of a batch read, if it is the same for all of them: what their level of detail comes to.
-#[derive(Clone, Debug, Default)]
-pub struct Reading {
-    /// `None` where lanes read different ones.
-    pub(crate) read: Option<Read>,
-    /// Of the second level.
-    weight: F32s,
-}
-
-impl Reading {
-    /// Finds it out.
-    #[inline(always)]
-    pub(crate) fn find<S: Simd>(&mut self, texture: &Texture, coords: [&F32s; 3], lod: &Lod<'_>) {
-        self.read = flat::read::<S>(texture, &coords, lod, &mut self.weight);
-    }
-}
-
 /// Whether [`take`] leads somewhere wherever all lanes read the same levels.
 pub(crate) fn always_leads(texture: &Texture) -> bool {
     match &texture.detail {
@@ -132,15 +115,16 @@ pub(crate) fn always_leads(texture: &Texture) -> bool {
 }
 
 /// Looks up 64 lanes of a texture whose texels are red, green, blue and, if any, alpha in bytes; gives `take` back
-/// where that leads nowhere.
+/// where that leads nowhere. `weight` is that of the second level.
 #[inline(always)]
 pub(crate) fn take<S: Simd, T: Take>(
     texture: &Texture,
     coords: [&F32s; 3],
-    reading: &Reading,
+    read: Option<Read>,
+    weight: &F32s,
     take: T,
 ) -> Result<T::Output, T> {
-    let Some(Read { filter, levels }) = reading.read else { return Err(take) };
+    let Some(Read { filter, levels }) = read else { return Err(take) };
     let [first, second] = levels.map(|number| flat::place(texture, filter, number));
     let is_same = levels[0] == levels[1];
     match filter {
@@ -157,7 +141,7 @@ pub(crate) fn take<S: Simd, T: Take>(
                 return Ok(take.take::<S>(&lower));
             }
             let Some(upper) = square::<S>(texture, &second, coords) else { return Err(take) };
-            Ok(take.take::<S>(&Both([&lower, &upper], &reading.weight)))
+            Ok(take.take::<S>(&Both([&lower, &upper], weight)))
         }
     }
 }

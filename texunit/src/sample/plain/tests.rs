@@ -4,7 +4,7 @@ use super::*;
 use crate::format::Format;
 use crate::image::{Image, Level, Shape};
 use crate::lanes::{Isa, Kernel};
-use crate::plan::{Like, Lod, Reading, SamplePlan, Take, Texels};
+use crate::plan::{Like, Lod, SamplePlan, Take, Texels};
 use crate::sampler::{Compare, Filter, Mipmap, Sampler, Seamless, Wrap};
 
 fn noise(seed: u32) -> u32 {
@@ -108,11 +108,13 @@ impl Kernel for Taken<'_> {
     fn run<S: Simd>(self) -> Self::Output {
         let (lod, lanes) = (Lod::Implicit { bias: None }, &mut [F32s::ZERO; 4]);
         let [s, t, _] = self.coords;
-        let mut reading = Reading::default();
+        let mut weight = F32s::ZERO;
         self.plan.ask::<S>([s, t], Like::First(self.coords, lod));
-        self.plan.read::<S>(self.coords, &lod, &mut reading);
-        self.plan.ask::<S>([s, t], Like::Read(&reading));
-        self.plan.take::<S, _>(self.isa, self.coords, lod, &reading, lanes, Keep)
+        let read = self.plan.read::<S>(self.coords, &lod, &mut weight);
+        if let Some(read) = read {
+            self.plan.ask::<S>([s, t], Like::Read(read));
+        }
+        self.plan.take::<S, _>(self.isa, self.coords, lod, (read, &weight), lanes, Keep)
     }
 }
 
