@@ -7,7 +7,7 @@ use super::super::isa::{Avx2, Avx512};
 use super::{LANES, U32s, check};
 use std::arch::x86_64::{
     __m128, __m128i, __m256, __m256i, __m512, __m512i, _mm_castpd_ps, _mm_cvtsi32_si128,
-    _mm_insert_epi32, _mm_load_sd, _mm_loadh_pd, _mm256_castps_pd, _mm256_castps128_ps256,
+    _mm_insert_epi32, _mm_setr_pd, _mm256_castps_pd, _mm256_castps128_ps256,
     _mm256_castsi128_si256, _mm256_insertf128_ps, _mm256_inserti128_si256, _mm256_shuffle_ps,
     _mm256_store_ps, _mm256_store_si256, _mm512_castpd_ps, _mm512_castpd256_pd512,
     _mm512_castsi256_si512, _mm512_insertf64x4, _mm512_inserti64x4, _mm512_shuffle_ps,
@@ -140,10 +140,11 @@ pub unsafe fn eight_words<const SCALE: usize>(
 
 #[inline(always)]
 unsafe fn two_pairs(base: *const u8, offsets: &U32s, first: usize) -> __m128 {
-    // SAFETY: the caller vouches for the bytes; these loads ask for no alignment.
+    // SAFETY: the caller vouches for the bytes.
     unsafe {
-        let low = _mm_load_sd(at::<1>(base, offsets, first).cast::<f64>());
-        _mm_castpd_ps(_mm_loadh_pd(low, at::<1>(base, offsets, first + 1).cast::<f64>()))
+        let low = at::<1>(base, offsets, first).cast::<f64>().read_unaligned();
+        let high = at::<1>(base, offsets, first + 1).cast::<f64>().read_unaligned();
+        _mm_castpd_ps(_mm_setr_pd(low, high))
     }
 }
 
