@@ -100,6 +100,15 @@ mod tests {
     use super::*;
     use crate::lanes::Isa;
 
+    struct Table<'a>(&'a [f32], &'a U32s);
+    impl Kernel for Table<'_> {
+        type Output = F32s;
+        #[inline(always)]
+        fn run<S: Simd>(self) -> F32s {
+            S::gather_f32(self.0, self.1)
+        }
+    }
+
     /// A way to gather; as a call and in place.
     #[derive(Clone, Copy, Debug)]
     enum Way {
@@ -156,6 +165,33 @@ mod tests {
                     let run = std::panic::catch_unwind(|| isa.run(Gather(way, &bytes, &offsets)));
                     assert!(run.is_err(), "{} {way:?} took offset {bad}", isa.name());
                 }
+            }
+        }
+    }
+
+    /// Allocations of their own: whoever reads past the end of one is noticed by Miri.
+    #[test]
+    fn a_gather_takes_the_last_bytes_and_none_of_too_few() {
+        for isa in Isa::available() {
+            for (way, size) in [(Way::Words, 4), (Way::Pairs, 8)] {
+                for length in [0, size - 1] {
+                    let bytes = vec![0_u8; length].into_boxed_slice();
+                    let run =
+                        std::panic::catch_unwind(|| isa.run(Gather(way, &bytes, &U32s::ZERO)));
+                    assert!(run.is_err(), "{} {way:?} of {length} bytes", isa.name());
+                }
+                for begin in [0, 1, 3] {
+                    let bytes = vec![7_u8; begin + size].into_boxed_slice();
+                    let got = isa.run(Gather(way, &bytes, &U32s::splat(begin as u32)));
+                    assert!(got.iter().all(|words| *words == U32s::splat(0x0707_0707)));
+                }
+            }
+            let table = vec![2.5; 3].into_boxed_slice();
+            assert_eq!(isa.run(Table(&table, &U32s::splat(2))), F32s::splat(2.5));
+            for index in [3, u32::MAX / 4 + 1, u32::MAX] {
+                let indices = U32s::splat(index);
+                let run = std::panic::catch_unwind(|| isa.run(Table(&table, &indices)));
+                assert!(run.is_err(), "{} took index {index} of 3", isa.name());
             }
         }
     }

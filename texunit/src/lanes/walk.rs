@@ -225,3 +225,44 @@ pub(super) unsafe fn avx512(bytes: &[u8], walk: &Walk<'_>, sums: &mut Sums) {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::lanes::{Isa, Kernel};
+
+    struct Along<'a>(&'a [u8], Walk<'a>);
+    impl Kernel for Along<'_> {
+        type Output = Vec<I32s>;
+        #[inline(always)]
+        fn run<S: Simd>(self) -> Vec<I32s> {
+            let mut sums = Sums::ZERO;
+            S::weigh_walk(self.0, &self.1, &mut sums);
+            (0..3).map(|byte| sums.of_byte(byte)).collect()
+        }
+    }
+
+    /// Allocations of their own: whoever reads past the end of one is noticed by Miri.
+    #[test]
+    fn a_walk_leads_nowhere_but_over_its_bytes() {
+        let line = U32s::from_fn(|lane| (lane as u32).wrapping_mul(0x1234_5679));
+        let along = U32s::from_fn(|lane| [0, 1, 1 << 31, u32::MAX][lane % 4]);
+        let apart = U32s::from_fn(|lane| [3, u32::MAX, 1 << 31, 5][lane % 4]);
+        let place = I32s::from_fn(|lane| (lane as i32 - 32) << 24 | 0x1234);
+        let (step, even) = (I32s::splat(0x0123_4567), I32s::ZERO);
+        let (rest, before) = (I32s::splat(5 * ONE / 2), I32s::splat(ONE / 3));
+        for beside in [Beside::Next(1), Beside::Next(3), Beside::Next(4), Beside::Apart(&apart)] {
+            for length in [8, 9, 67] {
+                let bytes: Box<[u8]> = (0..length).map(|at| (at * 29) as u8).collect();
+                let (line, along, place, step) = (&line, &along, &place, &step);
+                let (rest, before, even, rows) = (&rest, &before, &even, 3);
+                let walk = Walk { line, along, beside, place, step, rest, before, even, rows };
+                let want = Isa::BASELINE.run(Along(&bytes, walk));
+                for isa in Isa::available() {
+                    let got = isa.run(Along(&bytes, walk));
+                    assert_eq!(got, want, "{} {length} {beside:?}", isa.name());
+                }
+            }
+        }
+    }
+}

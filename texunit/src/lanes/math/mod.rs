@@ -63,10 +63,10 @@ pub fn to_i32(x: f32) -> i32 {
     unsafe { clamped.to_int_unchecked::<i32>() }
 }
 
-/// The integer that `x` lies in or right above, held from 0 to `last`, which is not above 2^24; NaN gives 0.
+/// The integer that `x` lies in or right above, held from 0 to `last`, which is held from 0 to 2^24; NaN gives 0.
 #[inline(always)]
 pub fn index(x: f32, last: f32) -> u32 {
-    let inside = clamp(x, 0.0, if last < 16_777_216.0 { last } else { 16_777_216.0 });
+    let inside = clamp(x, 0.0, clamp(last, 0.0, 16_777_216.0));
     // SAFETY: the clamps leave no NaN, so this is in 0 ..= 2^24.
     unsafe { inside.to_int_unchecked::<i32>() as u32 }
 }

@@ -191,6 +191,10 @@ fn an_index_is_the_integer_part_held_in_range() {
             let want = if x.is_nan() { 0.0 } else { x.clamp(0.0, last) };
             assert_eq!(index(x, last), want as u32, "index({x:?}, {last})");
         }
+        // No conversion is of what has no integer, whatever the last may be.
+        for last in [-1.0, -3e9, f32::NEG_INFINITY, f32::NAN] {
+            assert_eq!(index(x, last), 0, "index({x:?}, {last})");
+        }
     }
 }
 
