@@ -6,6 +6,7 @@ use crate::entry::{Data, DataOut, Names, Pointers, Strings, TextOut, with_curren
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::ffi::{CStr, CString, c_char, c_void};
+use std::mem::MaybeUninit;
 use std::sync::{Mutex, PoisonError};
 
 /// What says how long the memory behind a pointer is.
@@ -125,7 +126,8 @@ impl<'a, T: Copy + 'static> Param<'a> for &'a [T] {
     const COUNTED: Counted = Counted::Elements;
 
     fn number(raw: *const T) -> isize {
-        raw.addr() as isize
+        // `Strings` makes a pointer of it again.
+        raw.expose_provenance() as isize
     }
 
     unsafe fn hold(raw: *const T, length: usize, _: &[isize]) -> Elements<T> {
@@ -148,18 +150,26 @@ impl<'a, T: Copy + 'static> Param<'a> for &'a [T] {
     }
 }
 
-/// Elements that are written; by way of a copy where C's pointer is misaligned.
+/// Elements that are written; by way of a copy where C's pointer is misaligned, or another one of the call points
+/// to the same memory, which C allows.
 pub(crate) struct ElementsMut<T: Copy> {
     pointer: *mut T,
     length: usize,
-    copy: Vec<T>,
+    /// C need not have written to it before.
+    copy: Vec<MaybeUninit<T>>,
+}
+
+/// Whether two arguments are this address.
+#[inline(never)]
+fn is_shared(address: usize, arguments: &[isize]) -> bool {
+    arguments.iter().filter(|&&argument| argument as usize == address).count() > 1
 }
 
 impl<T: Copy> Drop for ElementsMut<T> {
     fn drop(&mut self) {
         for (at, &value) in self.copy.iter().enumerate() {
             // SAFETY: promised to `hold`; such a write needs no alignment.
-            unsafe { self.pointer.add(at).write_unaligned(value) };
+            unsafe { self.pointer.cast::<MaybeUninit<T>>().add(at).write_unaligned(value) };
         }
     }
 }
@@ -174,17 +184,23 @@ impl<'a, T: Copy + 'static> Param<'a> for &'a mut [T] {
     }
 
     unsafe fn hold(raw: *mut T, length: usize, arguments: &[isize]) -> ElementsMut<T> {
-        // SAFETY: promised by the caller.
-        let Elements { length, copy, .. } = unsafe { <&[T]>::hold(raw, length, arguments) };
+        let length = if raw.is_null() { 0 } else { length };
+        let direct = raw.is_aligned() && !is_shared(raw.addr(), arguments);
+        let copied = if direct { 0 } else { length };
+        let from = raw.cast::<MaybeUninit<T>>();
+        // SAFETY: promised by the caller; such a read needs no alignment.
+        let copy = (0..copied).map(|at| unsafe { from.add(at).read_unaligned() }).collect();
         ElementsMut { pointer: raw, length, copy }
     }
 
     fn lend(held: &'a mut ElementsMut<T>) -> &'a mut [T] {
-        if held.length == 0 || !held.pointer.is_aligned() {
-            return &mut held.copy;
-        }
-        // SAFETY: promised to `hold`; aligned and not null.
-        unsafe { std::slice::from_raw_parts_mut(held.pointer, held.length) }
+        let from = match (held.length, held.copy.as_mut_ptr()) {
+            (0, _) => return &mut [],
+            (_, _) if held.copy.is_empty() => held.pointer,
+            (_, copy) => copy.cast(),
+        };
+        // SAFETY: promised to `hold`, or the copy; aligned and not null.
+        unsafe { std::slice::from_raw_parts_mut(from, held.length) }
     }
 }
 
@@ -290,7 +306,8 @@ impl<'a> Param<'a> for Strings<'a> {
         if raw.is_null() || with_current(|context| context.is_shader(shader)) != Some(true) {
             return Vec::new();
         }
-        let lengths = arguments.last().copied().unwrap_or(0) as *const i32;
+        let lengths = arguments.last().map_or(0, |&lengths| lengths as usize);
+        let lengths = std::ptr::with_exposed_provenance::<i32>(lengths);
         (0..length)
             .map(|at| {
                 // SAFETY: promised by the caller: `length` pointers, and as many lengths if any.

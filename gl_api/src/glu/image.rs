@@ -31,11 +31,12 @@ pub fn gluScaleImage<'a>(
     let to = layout([width_out.arg(), height_out.arg(), 1], format, type_out.arg(), pack);
     let result = from.and_then(|from| {
         let to = to?;
+        // A copy: C may want the new image where the old one is.
+        let given = bytes(data_in.arg(), &from).to_vec();
         let LocatedOut::Bytes(out) = data_out.arg().locate(0, to.needed()) else {
             return Err(GLU_INVALID_VALUE);
         };
-        let given = bytes(data_in.arg(), &from);
-        scale(Meaning::of(format), (&from, given), (&to, out)).map_err(|_| GLU_INVALID_VALUE)
+        scale(Meaning::of(format), (&from, &given), (&to, out)).map_err(|_| GLU_INVALID_VALUE)
     });
     result.err().unwrap_or(0)
 }

@@ -36,8 +36,7 @@ fn map(
     let bytes = object.take_bytes(recorder);
     let both = access & (GL_MAP_READ_BIT | GL_MAP_WRITE_BIT);
     object.access = ACCESS.encode(both);
-    let map = object.map.insert(Map { bytes, range: range.clone(), access });
-    map.bytes[range].as_mut_ptr()
+    object.map.insert(Map { bytes, range, access }).pointer()
 }
 
 pub(crate) fn map_buffer(
@@ -195,7 +194,7 @@ pub(crate) fn get_buffer_pointerv(
     POINTER.decode("pname", pname)?;
     let object = bound(context, target)?;
     let pointer = match &mut object.map {
-        Some(map) => map.bytes[map.range.clone()].as_mut_ptr().cast(),
+        Some(map) => map.pointer().cast(),
         None => std::ptr::null_mut(),
     };
     put(params, &[pointer])

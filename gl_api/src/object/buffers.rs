@@ -103,6 +103,14 @@ pub(crate) struct Map {
     pub access: GLbitfield,
 }
 
+impl Map {
+    /// Where the range is; the same pointer each time, good until the bytes are taken back. (One that is made of a
+    /// slice would end those before.)
+    pub fn pointer(&mut self) -> *mut u8 {
+        self.bytes.as_mut_ptr().wrapping_add(self.range.start)
+    }
+}
+
 /// What a buffer can be bound to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum BufferTarget {

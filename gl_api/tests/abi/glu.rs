@@ -19,7 +19,7 @@ unsafe extern "C" {
         f: GLenum,
         ty: GLenum,
         p: Handle,
-    ) -> i32;
+    ) -> u32;
     fn gluUnProject(
         x: f64,
         y: f64,
@@ -30,7 +30,7 @@ unsafe extern "C" {
         out_x: *mut f64,
         out_y: *mut f64,
         out_z: *mut f64,
-    ) -> i32;
+    ) -> u32;
 }
 
 thread_local! {

@@ -25,12 +25,12 @@ unsafe extern "C" {
     fn glGetUniformfv(program: u32, location: i32, out: *mut f32);
     fn glGetUniformBlockIndex(program: u32, name: *const c_char) -> u32;
     fn glGetActiveUniformBlockiv(program: u32, block: u32, pname: GLenum, out: *mut i32);
-    fn glGenBuffers(n: i32, names: *mut u32);
-    fn glBindBuffer(target: GLenum, name: u32);
-    fn glBufferData(target: GLenum, size: isize, data: *const c_void, usage: GLenum);
+    pub(crate) fn glGenBuffers(n: i32, names: *mut u32);
+    pub(crate) fn glBindBuffer(target: GLenum, name: u32);
+    pub(crate) fn glBufferData(target: GLenum, size: isize, data: *const c_void, usage: GLenum);
     fn glBufferSubData(target: GLenum, offset: isize, size: isize, data: *const c_void);
-    fn glGetBufferSubData(target: GLenum, offset: isize, size: isize, data: *mut c_void);
-    fn glMapBuffer(target: GLenum, access: GLenum) -> *mut c_void;
+    pub(crate) fn glGetBufferSubData(target: GLenum, offset: isize, size: isize, data: *mut c_void);
+    pub(crate) fn glMapBuffer(target: GLenum, access: GLenum) -> *mut c_void;
     fn glDrawElements(mode: GLenum, count: i32, ty: GLenum, indices: *const c_void);
     fn glVertexPointer(size: i32, ty: GLenum, stride: i32, pointer: *const c_void);
     fn glEnableClientState(array: GLenum);
@@ -45,7 +45,7 @@ unsafe extern "C" {
 }
 
 /// Runs `f` with a context of its own; with one that shares objects, too.
-fn with_contexts(f: fn()) {
+pub(crate) fn with_contexts(f: fn()) {
     let (dpy, config) = display();
     // SAFETY: handles are only looked up, and the list ends.
     unsafe {
@@ -61,7 +61,7 @@ fn with_contexts(f: fn()) {
 }
 
 /// A linked program of this fragment shader, in use.
-fn program(fragment: &str) -> u32 {
+pub(crate) fn program(fragment: &str) -> u32 {
     let vertex = "void main() { gl_Position = gl_Vertex; }";
     // SAFETY: strings with their lengths.
     unsafe {

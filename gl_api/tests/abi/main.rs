@@ -6,6 +6,7 @@ mod current;
 mod glu;
 mod handles;
 mod lengths;
+mod memory;
 mod osmesa;
 mod stack;
 mod syncs;
