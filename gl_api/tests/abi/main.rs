@@ -10,6 +10,7 @@ mod memory;
 mod osmesa;
 mod stack;
 mod syncs;
+mod threads;
 
 use gl_api::{COMMANDS, Context, GLenum, implemented};
 use std::collections::BTreeSet;
