@@ -46,6 +46,19 @@ fn main() {
     let mut text = String::new();
     constants("EGL", &registry, &mut text);
     write("egl.rs", text);
+    if links_elf() {
+        link_as_elf(Path::new(&directory));
+    }
+}
+
+/// Whether the library is linked as Linux's are; Windows' and Apple's linkers have other options.
+fn links_elf() -> bool {
+    let target = |key: &str| std::env::var(format!("CARGO_CFG_TARGET_{key}")).unwrap_or_default();
+    target("FAMILY") == "unix" && target("VENDOR") != "apple"
+}
+
+/// What the linker is asked for.
+fn link_as_elf(directory: &Path) {
     // Threads that wait in the library would crash if it were unloaded beneath them.
     println!("cargo:rustc-cdylib-link-arg=-Wl,-z,nodelete");
     // Names of its own are its own, whatever else the process has under them.
@@ -55,7 +68,7 @@ fn main() {
         && std::env::var("DEBUG").is_ok_and(|debug| debug == "false")
     {
         println!("cargo:rustc-cdylib-link-arg=-Wl,-s");
-        fold_identical_code(Path::new(&directory));
+        fold_identical_code(directory);
     }
     link_unwinder();
 }
@@ -83,8 +96,20 @@ fn fold_identical_code(directory: &Path) {
 
 /// Puts the unwinder into the library, where there is one to put in: else it needs libgcc_s.so.1.
 fn link_unwinder() {
+    let variable = |name: &str| std::env::var(name).unwrap_or_default();
+    // Others bring their own.
+    if variable("CARGO_CFG_TARGET_ENV") != "gnu" {
+        return;
+    }
+    let compiler = match variable("RUSTC_LINKER") {
+        named if !named.is_empty() => named,
+        _ if variable("HOST") == variable("TARGET") => "cc".to_owned(),
+        // `cc` has this machine's, which is another's.
+        _ => return,
+    };
     let name = "libgcc_eh.a";
-    let found = std::process::Command::new("cc").arg(format!("-print-file-name={name}")).output();
+    let found =
+        std::process::Command::new(compiler).arg(format!("-print-file-name={name}")).output();
     let Some(path) = found.ok().and_then(|output| String::from_utf8(output.stdout).ok()) else {
         return;
     };

@@ -1,7 +1,9 @@
 //! Programs that know nothing of DetGL, run by `detgl run`: C with the system's headers, PyOpenGL,
 //! MuJoCo, what others draw with. Where a client is not installed, its test says so and passes.
 //!
-//! `DETGL_PYTHON` names the Python to use, `python3` if it is not set.
+//! `DETGL_PYTHON` names the Python to use, `python3` if it is not set. Elsewhere than where `detgl run` stands in for
+//! the system's libraries, there is nothing to test.
+#![cfg(all(unix, not(target_vendor = "apple")))]
 
 mod c;
 mod demon;

@@ -1,5 +1,6 @@
 //! The library under the names that programs and loaders look for, and its vendor file for libglvnd.
 
+use super::Glu;
 use std::fs::File;
 use std::io;
 use std::os::unix::fs::symlink;
@@ -31,15 +32,6 @@ const GLU_NAMES: [&str; 2] = ["libGLU.so.1", "libGLU.so"];
 /// How the system's libEGL finds the library, where a program has loaded that: the file that
 /// `__EGL_VENDOR_LIBRARY_FILENAMES` names for libglvnd.
 pub const VENDOR_FILE: &str = "egl_vendor.json";
-
-/// Whose libGLU programs get.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Glu {
-    /// The system's, if there is one; it works on top of this library.
-    System,
-    /// This library, which has GLU's functions itself.
-    Own,
-}
 
 /// The library that was built together with this program: beside it, and where `cargo test` leaves
 /// it; whichever is newer.
