@@ -461,3 +461,25 @@ fn glu_builds_the_levels_of_a_row() {
     assert_eq!(glGetError(), GL_NO_ERROR);
     drop(current);
 }
+
+/// The way from a row or image to the next counts only where there is a next one: it may reach beyond any memory.
+#[test]
+fn one_row_may_lie_in_however_wide_an_image() {
+    let mut c = context();
+    for name in [GL_UNPACK_ROW_LENGTH, GL_UNPACK_IMAGE_HEIGHT] {
+        c.pixel_storei(name, i32::MAX);
+    }
+    for name in [GL_PACK_ROW_LENGTH, GL_PACK_IMAGE_HEIGHT] {
+        c.pixel_storei(name, i32::MAX);
+    }
+    let given: Vec<u8> = (0..32).collect();
+    let (target, format, ty) = (GL_TEXTURE_3D, GL_RGBA, GL_FLOAT);
+    c.tex_image_3d(target, 0, GL_RGBA32F as i32, 2, 1, 1, 0, format, ty, Data::Bytes(&given));
+    ok(&mut c);
+    let mut out = [0; 32];
+    c.get_tex_image(target, 0, format, ty, DataOut::Bytes(&mut out));
+    ok(&mut c);
+    assert_eq!(out[..], given);
+    c.tex_image_3d(target, 0, GL_RGBA32F as i32, 2, 1, 2, 0, format, ty, Data::Bytes(&given));
+    assert_eq!(c.get_error(), GL_INVALID_OPERATION);
+}

@@ -131,7 +131,9 @@ impl<'a, T: Copy + 'static> Param<'a> for &'a [T] {
     }
 
     unsafe fn hold(raw: *const T, length: usize, _: &[isize]) -> Elements<T> {
-        let length = if raw.is_null() { 0 } else { length };
+        // No memory has more.
+        let most = isize::MAX as usize / size_of::<T>().max(1);
+        let length = if raw.is_null() { 0 } else { length.min(most) };
         let copy = if raw.is_aligned() {
             Vec::new()
         } else {

@@ -251,7 +251,7 @@ pub(super) fn draw_indexed(
     let count = not_negative(SECTION, "count", request.count.into())?;
     let instances = not_negative(INSTANCED, "primcount", instances.into())? as u32;
     let ty = INDEX_TYPE.decode("type", request.ty)?;
-    let needed = if instances == 0 { 0 } else { count * ty.size() };
+    let needed = if instances == 0 { 0 } else { count.saturating_mul(ty.size()) };
     let (buffer, offset) = index_buffer(context, request.indices, count, needed)?;
     if count == 0 || instances == 0 || !has_positions(context, topology) {
         return context.empty_draw("glDrawElements");

@@ -113,5 +113,5 @@ pub(super) fn check_indices(
     ty: IndexType,
 ) -> Result<()> {
     let count = not_negative(SECTION, "count", count.into())?;
-    located_indices(context, indices, count, count * ty.size()).map(|_| ())
+    located_indices(context, indices, count, count.saturating_mul(ty.size())).map(|_| ())
 }

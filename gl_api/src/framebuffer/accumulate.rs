@@ -7,7 +7,7 @@ use super::complete::{Readable, draw_pass};
 use super::read;
 use crate::constants::*;
 use crate::context::Context;
-use crate::error::{Result, Table, invalid_operation};
+use crate::error::{ErrorCode, GlError, Result, Table, invalid_operation};
 use crate::feedback::Mode;
 use crate::query::table::{Value, int, unit};
 use crate::texture::convert::Conversion;
@@ -58,29 +58,39 @@ pub(crate) fn clear_accum(
 }
 
 /// The sums of all pixels, row by row, which have memory from here on.
-fn all(context: &mut Context) -> &mut Vec<[f32; 4]> {
+///
+/// # Errors
+/// If there is none.
+fn all(context: &mut Context) -> Result<&mut Vec<[f32; 4]>> {
     let window = &mut context.window;
+    let pixels = window.width as usize * window.height as usize;
     let sums = &mut window.accumulation.0;
-    sums.resize(window.width as usize * window.height as usize, [0.0; 4]);
-    sums
+    sums.try_reserve_exact(pixels.saturating_sub(sums.len())).map_err(|_| {
+        let rule = format!("there is no memory for the sums of {pixels} pixels");
+        GlError::new(ErrorCode::OutOfMemory, SECTION, rule)
+    })?;
+    sums.resize(pixels, [0.0; 4]);
+    Ok(sums)
 }
 
 /// Changes the sums of the pixels of an area.
-fn each(context: &mut Context, area: Rect, change: impl Fn(&mut [f32; 4])) {
+fn each(context: &mut Context, area: Rect, change: impl Fn(&mut [f32; 4])) -> Result<()> {
     let width = context.window.width as usize;
-    let sums = all(context);
+    let sums = all(context)?;
     for (y, x, count) in runs(area) {
         sums[y * width + x..][..count].iter_mut().for_each(&change);
     }
+    Ok(())
 }
 
 /// Fills the buffer with its clear value, through the scissor rectangle; a framebuffer object has
 /// none.
-pub(super) fn clear(context: &mut Context, area: Rect) {
+pub(super) fn clear(context: &mut Context, area: Rect) -> Result<()> {
     if context.state.bindings.draw_framebuffer == 0 {
         let value = context.state.clear.accumulation;
-        each(context, area, |sum| *sum = value);
+        each(context, area, |sum| *sum = value)?;
     }
+    Ok(())
 }
 
 pub(crate) fn accum(context: &mut Context, op: GLenum, value: GLfloat) -> Result<()> {
@@ -98,13 +108,12 @@ pub(crate) fn accum(context: &mut Context, op: GLenum, value: GLfloat) -> Result
         return Ok(());
     }
     match operation {
-        Operation::Accumulate => colors(context, area, value, |sum, color| *sum += color)?,
-        Operation::Load => colors(context, area, value, |sum, color| *sum = color)?,
+        Operation::Accumulate => colors(context, area, value, |sum, color| *sum += color),
+        Operation::Load => colors(context, area, value, |sum, color| *sum = color),
         Operation::Multiply => each(context, area, |sum| *sum = sum.map(|c| c * value)),
         Operation::Add => each(context, area, |sum| *sum = sum.map(|c| c + value)),
         Operation::Return => give_back(context, area, value),
     }
-    Ok(())
 }
 
 /// The rows of an area, in runs of up to 64 pixels: row, first column, and how many.
@@ -127,7 +136,7 @@ fn colors(
     let isa = context.recorder.isa();
     let conversion = Conversion::blit(isa, from.format(), from.format(), SrgbWrite::AsIs);
     let width = context.window.width as usize;
-    let sums = all(context);
+    let sums = all(context)?;
     for (y, x, count) in runs(area) {
         let rgba = conversion.read(from.row(x, y, count));
         let sums = &mut sums[y * width + x..][..count];
@@ -141,11 +150,11 @@ fn colors(
 }
 
 /// Writes the sums times a factor to the colour buffer that is drawn to, clamped, through the mask.
-fn give_back(context: &mut Context, area: Rect, factor: f32) {
-    let Ok(pass) = draw_pass(context) else { return };
+fn give_back(context: &mut Context, area: Rect, factor: f32) -> Result<()> {
+    let pass = draw_pass(context)?;
     let mask = context.state.fragment.buffers[0].mask;
     let (isa, width) = (context.recorder.isa(), context.window.width as usize);
-    let sums = std::mem::take(all(context));
+    let sums = std::mem::take(all(context)?);
     for attachment in pass.colors.iter().flatten() {
         edit(context, attachment, |level, first, _| {
             let (format, size, row) = (level.format, level.format.bytes(), level.row_bytes());
@@ -164,6 +173,7 @@ fn give_back(context: &mut Context, area: Rect, factor: f32) {
         });
     }
     context.window.accumulation.0 = sums;
+    Ok(())
 }
 
 /// What `glGet` reads.

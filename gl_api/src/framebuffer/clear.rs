@@ -125,7 +125,7 @@ pub(crate) fn clear(context: &mut Context, mask: GLbitfield) -> Result<()> {
     }
     if mask & GL_ACCUM_BUFFER_BIT != 0 && is_effective(context) {
         let area = drawn_area(context, &pass);
-        accumulate::clear(context, area);
+        accumulate::clear(context, area)?;
     }
     record(context, pass, clears);
     Ok(())

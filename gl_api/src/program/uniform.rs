@@ -80,13 +80,11 @@ fn store(
     let taken = count.min(uniform.array.unwrap_or(1) as usize - element);
     check(uniform, taken)?;
     let each = element_words(uniform.ty);
-    if given < count * each {
+    let needed = count.saturating_mul(each);
+    if given < needed {
         return invalid_operation(
             SECTION,
-            format!(
-                "count = {count} elements take {} numbers, the memory has {given}",
-                count * each
-            ),
+            format!("count = {count} elements take {needed} numbers, the memory has {given}"),
         );
     }
     let first = uniform.word as usize + element * each;

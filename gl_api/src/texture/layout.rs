@@ -147,8 +147,8 @@ impl Layout {
                 + (height as u128 - 1) * stride
                 + span((bits.map_or(0, |bits| bits.first) + width) as u128)
         };
-        let byte =
-            |value: u128| usize::try_from(value).ok().filter(|&bytes| bytes <= isize::MAX as usize);
+        // What reaches further is the way to a second row or image, and there is none.
+        let byte = |value: u128| isize::try_from(value.min(needed)).ok().map(isize::cast_unsigned);
         let is_swapped = store.swap_bytes && pixel.ty.size() > 1;
         match (byte(start), byte(stride), byte(image_stride), byte(needed)) {
             (Some(start), Some(stride), Some(image_stride), Some(needed)) => Ok(Self {
@@ -209,7 +209,8 @@ impl Layout {
         }
         let tight = self.row_bytes();
         let [width, height, depth] = self.size;
-        let hint = if has >= tight * height * depth && self.stride > tight && self.start == 0 {
+        let packed = tight.saturating_mul(height).saturating_mul(depth);
+        let hint = if has >= packed && self.stride > tight && self.start == 0 {
             format!(
                 "; its rows of {tight} bytes seem to be tightly packed: call \
                  glPixelStorei({alignment}, 1)"

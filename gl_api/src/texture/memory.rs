@@ -82,7 +82,10 @@ fn check_alignment(context: &mut Context, call: &'static str, layout: &Layout) {
     let unpack = &context.state.unpack;
     let (tight, apart, [_, height, depth]) = (layout.row_bytes(), layout.stride, layout.size);
     let default = PixelStore::default().alignment;
-    if unpack.alignment != default || unpack.row_length != 0 || height * depth < 2 || apart == tight
+    if unpack.alignment != default
+        || unpack.row_length != 0
+        || height.saturating_mul(depth) < 2
+        || apart == tight
     {
         return;
     }

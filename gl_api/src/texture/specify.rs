@@ -276,13 +276,14 @@ fn tex_image(
     let Some(target) = request.bound(context)? else { return Ok(()) };
     let extent = extent(dimensions);
     let size = request.given.map(|side| side as usize);
+    // Before its pixels: of a level that is too large there may be more than memory has addresses.
+    let mut texels = request.storage()?;
     let layout = Layout::new(&context.state.unpack, pixel, size, extent)?;
     let source = pixel_source(context, "glTexImage", &layout, pixels.data)?;
     let (isa, transfer) = (context.recorder.isa(), &context.state.transfer);
     let texels = match (source, format.block()) {
-        (None, _) => request.storage()?,
+        (None, _) => texels,
         (Some(source), None) => {
-            let mut texels = request.storage()?;
             let room = texels.texels.len() - texunit::image::PADDING;
             let out = &mut texels.texels[..room];
             convert::unpack(isa, &layout, source.bytes(), format, transfer, out);

@@ -25,6 +25,9 @@ unsafe extern "C" {
     fn glGetUniformfv(program: u32, location: i32, out: *mut f32);
     fn glGetUniformBlockIndex(program: u32, name: *const c_char) -> u32;
     fn glGetActiveUniformBlockiv(program: u32, block: u32, pname: GLenum, out: *mut i32);
+    fn glBegin(mode: GLenum);
+    fn glEnd();
+    fn glDeleteBuffers(n: i32, names: *const u32);
     pub(crate) fn glGenBuffers(n: i32, names: *mut u32);
     pub(crate) fn glBindBuffer(target: GLenum, name: u32);
     pub(crate) fn glBufferData(target: GLenum, size: isize, data: *const c_void, usage: GLenum);
@@ -221,6 +224,20 @@ fn indices_may_lie_far_apart() {
             assert_eq!(glGetError(), GL_NO_ERROR);
             assert_eq!(pixel(), [0, 255, 0, 255]);
             glUseProgram(0);
+        }
+    });
+}
+
+/// More bytes than a pointer of 32 bits can count, of which none is read.
+#[test]
+fn a_count_may_be_larger_than_memory() {
+    with_contexts(|| {
+        // SAFETY: between `glBegin` and `glEnd` nothing is deleted.
+        unsafe {
+            glBegin(GL_TRIANGLES);
+            glDeleteBuffers(i32::MAX, [0].as_ptr());
+            glEnd();
+            assert_eq!(glGetError(), GL_INVALID_OPERATION);
         }
     });
 }

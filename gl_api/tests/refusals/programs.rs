@@ -19,10 +19,10 @@ fn everything(c: &mut Context) -> GLuint {
     let vertex = "attribute vec4 a; void main() { gl_Position = a; }";
     let fragment = "#version 130
 uniform float f; uniform int i; uniform uint u; uniform bool b; uniform vec3 v; uniform mat3 m;
-uniform sampler2D s; uniform float fa[3]; uniform ivec2 iv; uniform mat2x3 n;
+uniform sampler2D s; uniform float fa[3]; uniform ivec2 iv; uniform mat2x3 n; uniform mat4 ma[2];
 out vec4 color;
 void main() {
-    float all = f + float(i) + float(u) + float(b) + fa[0] + fa[2] + float(iv.x) + n[0].x;
+    float all = f + float(i) + float(u) + float(b) + fa[0] + fa[2] + float(iv.x) + n[0].x + ma[0][0].x;
     color = vec4(m * v, all) + texture(s, v.xy);
 }";
     use_program(c, vertex, fragment)
@@ -246,6 +246,14 @@ const CASES: &[Case] = &[
         },
         OPERATION,
         "has 2",
+    ),
+    (
+        |c| {
+            let l = at(c, "ma");
+            c.uniform_matrix_4fv(l, 1 << 28, false, &[0.0; 16])
+        },
+        OPERATION,
+        "count = 268435456 elements take 4294967",
     ),
     (
         |c| {

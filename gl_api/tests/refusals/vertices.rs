@@ -139,6 +139,17 @@ const BUFFER_ROWS: &[Case] = &[
         "buffer 1 is bound to GL_ELEMENT_ARRAY_BUFFER and mapped: call glUnmapBuffer",
     ),
     (
+        "more bytes of indices than a pointer of 32 bits can count",
+        |c| {
+            c.bind_buffer(GL_ELEMENT_ARRAY_BUFFER, 1);
+        },
+        |c| {
+            c.draw_elements(GL_TRIANGLES, 1 << 30, GL_UNSIGNED_INT, Data::Offset(0));
+        },
+        GL_INVALID_OPERATION,
+        "count = 1073741824 indices from byte 0 reach past the buffer's 64 bytes",
+    ),
+    (
         "more vertices than the buffer has",
         |c| {
             c.enable_vertex_attrib_array(0);
@@ -155,13 +166,13 @@ const BUFFER_ROWS: &[Case] = &[
         "a pointer for an offset",
         |c| {
             c.enable_client_state(GL_VERTEX_ARRAY);
-            c.vertex_pointer(2, GL_FLOAT, 0, Data::Offset(0x7fff_0000_0000));
+            c.vertex_pointer(2, GL_FLOAT, 0, Data::Offset(0xf7ff_0000));
         },
         |c| {
             c.draw_arrays(GL_TRIANGLES, 0, 3);
         },
         GL_INVALID_OPERATION,
-        "GL_VERTEX_ARRAY reads buffer 1 from byte 140733193388032 on, which looks like a pointer",
+        "GL_VERTEX_ARRAY reads buffer 1 from byte 4160684032 on, which looks like a pointer",
     ),
     (
         "no memory",

@@ -55,7 +55,7 @@ pub fn component(
                 NormalizedBgra => [2, 1, 0, 3][usize::from(component)],
                 Plain | Normalized | Integer => component,
             };
-            let start = offset + usize::from(component) * ty.size();
+            let start = offset.saturating_add(usize::from(component) * ty.size());
             let words = Words { bytes: buffer.bytes(), start, stride: *stride, elements };
             match (ty, format) {
                 (VertexType::F32, _) => words.floats(isa, out),

@@ -78,8 +78,9 @@ impl Mirror {
         let [width, height] =
             [context.window.width, context.window.height].map(|side| side as usize);
         let length = if self.row_length > 0 { self.row_length } else { width };
-        let stride = length * pixel.bytes();
-        let memory = self.memory.bytes_mut((height - 1) * stride + width * pixel.bytes());
+        let stride = length.saturating_mul(pixel.bytes());
+        let before = (height - 1).saturating_mul(stride);
+        let memory = self.memory.bytes_mut(before.saturating_add(width * pixel.bytes()));
         if !memory.is_empty() {
             self.copy(context, &context.window.color, self.pixels, (memory, stride));
         }
