@@ -91,6 +91,7 @@ mod tests {
     use rayon::ThreadPoolBuilder;
 
     #[test]
+    #[cfg_attr(target_family = "wasm", ignore = "there are no threads there")]
     fn every_piece_is_worked_on_once_by_however_many_threads() {
         for threads in [1, 2, 5] {
             let rayon = ThreadPoolBuilder::new().num_threads(threads).build().unwrap();

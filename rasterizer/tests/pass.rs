@@ -372,6 +372,7 @@ fn nothing_is_drawn_beyond_the_viewport() {
 /// An image is put into tiles by several threads; one of them that waits may take up the commands of
 /// another client meanwhile, which ask for the same image.
 #[test]
+#[cfg_attr(target_family = "wasm", ignore = "there are no threads there")]
 fn clients_that_draw_to_one_image_at_a_time_do_not_wait_for_ever() {
     let device = &one();
     let mut level = Level::new(Format::Rgba8, 512, 512).expect("small");

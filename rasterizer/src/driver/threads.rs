@@ -3,15 +3,17 @@
 
 use super::device::DeviceError;
 use parking_lot::Mutex;
-use rayon::{ThreadPool, ThreadPoolBuilder};
-use std::process;
+use rayon::{ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
+use std::error::Error;
 use std::sync::Arc;
+use std::{io, process};
 
 /// A number of threads, in whichever process asks for them.
 #[derive(Debug)]
 pub(super) struct Threads {
     count: usize,
-    pool: Mutex<Pool>,
+    /// None where the system has no threads: whoever asks does the work.
+    pool: Mutex<Option<Pool>>,
 }
 
 /// Threads, and the process that they are of.
@@ -23,25 +25,36 @@ struct Pool {
 }
 
 impl Pool {
-    fn start(count: usize) -> Result<Self, DeviceError> {
-        let threads = ThreadPoolBuilder::new()
+    fn start(count: usize) -> Result<Option<Self>, DeviceError> {
+        let started = ThreadPoolBuilder::new()
             .num_threads(count)
             .thread_name(|index| format!("detgl-{index}"))
-            .build()
-            .map_err(|error| DeviceError::Pool(error.to_string()))?;
-        Ok(Self { process: process::id(), threads: Some(Arc::new(threads)) })
+            .build();
+        match started {
+            Ok(threads) => {
+                Ok(Some(Self { process: process::id(), threads: Some(Arc::new(threads)) }))
+            }
+            Err(error) if is_unsupported(&error) => Ok(None),
+            Err(error) => Err(DeviceError::Pool(error.to_string())),
+        }
     }
 
-    /// The threads, if they are of this process.
-    fn here(&self) -> Option<Arc<ThreadPool>> {
-        self.threads.clone().filter(|_| self.process == process::id())
+    /// Whether the threads are of this process.
+    fn is_here(&self) -> bool {
+        self.process == process::id()
     }
+}
+
+/// Whether the system has no threads, as WebAssembly's.
+fn is_unsupported(error: &ThreadPoolBuildError) -> bool {
+    let cause = error.source().and_then(|cause| cause.downcast_ref::<io::Error>());
+    cause.is_some_and(|cause| cause.kind() == io::ErrorKind::Unsupported)
 }
 
 impl Drop for Pool {
     fn drop(&mut self) {
         // Threads that are not there cannot be told to end, and may have kept their locks.
-        if self.process != process::id() {
+        if !self.is_here() {
             std::mem::forget(self.threads.take());
         }
     }
@@ -51,7 +64,7 @@ impl Threads {
     /// Starts threads; at least one.
     ///
     /// # Errors
-    /// When they cannot be started.
+    /// When they cannot be started, although the system has some.
     pub fn start(count: usize) -> Result<Self, DeviceError> {
         let count = count.max(1);
         Ok(Self { count, pool: Mutex::new(Pool::start(count)?) })
@@ -64,14 +77,14 @@ impl Threads {
     pub fn run<R: Send>(&self, f: impl FnOnce() -> R + Send) -> Result<R, DeviceError> {
         let threads = {
             let mut pool = self.pool.lock();
-            match pool.here() {
-                Some(threads) => threads,
-                None => {
-                    *pool = Pool::start(self.count)?;
-                    pool.here().ok_or_else(|| DeviceError::Pool("none started".into()))?
-                }
+            if pool.as_ref().is_some_and(|pool| !pool.is_here()) {
+                *pool = Pool::start(self.count)?;
             }
+            pool.as_ref().and_then(|pool| pool.threads.clone())
         };
-        Ok(threads.install(f))
+        Ok(match threads {
+            Some(threads) => threads.install(f),
+            None => f(),
+        })
     }
 }
