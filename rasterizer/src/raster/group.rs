@@ -114,11 +114,11 @@ impl PlaneGroup {
     pub fn rises_evenly(&self, lane: usize, of: &[usize], denominator: Option<usize>) -> bool {
         let lane = lane % LANES;
         let plane = |index: usize| self.planes[index].each_ref().map(|numbers| numbers[lane]);
-        // Taking the other plane's part away may change the sign of a zero.
+        // Taking away what is nothing may change the sign of a zero, and of what is infinite it is not nothing.
         let is_kept = |step: f64| (step as f32).to_bits() != (-0.0_f32).to_bits();
         let rises = |index: &usize| {
-            let [a, b, _] = plane(*index);
-            is_kept(a) && is_kept(b)
+            let [a, b, c] = plane(*index);
+            is_kept(a) && is_kept(b) && [a, b, c].iter().all(|number| number.abs() < 1e30)
         };
         of.is_empty()
             || denominator.is_some_and(|by| plane(by) == [0.0, 0.0, 1.0]) && of.iter().all(rises)
