@@ -96,12 +96,11 @@ impl PlaneGroup {
     /// Whether what factors depend on is the same all over the shape `lane`: planes that do not rise, or that are
     /// the denominator they are divided by.
     pub fn is_level(&self, lane: usize, of: &FactorPlanes, denominator: Option<usize>) -> bool {
-        let lane = lane % LANES;
-        let plane = |index: usize| self.planes[index].each_ref().map(|numbers| numbers[lane]);
+        let plane = |index: usize| self.plane(lane, index);
         // The sign of a zero may change on the way to a block.
         let rests = |index: &usize| {
             let [a, b, c] = plane(*index);
-            a == 0.0 && b == 0.0 && (c as f32).to_bits() != (-0.0_f32).to_bits()
+            a == 0.0 && b == 0.0 && !is_minus_zero(c)
         };
         let by = denominator.map(plane);
         let is_one = by.is_none_or(|by| by == [0.0, 0.0, 1.0]);
@@ -112,16 +111,20 @@ impl PlaneGroup {
     /// Whether the quotients of these planes rise by the same steps all over the shape `lane`: if they are divided by
     /// one.
     pub fn rises_evenly(&self, lane: usize, of: &[usize], denominator: Option<usize>) -> bool {
-        let lane = lane % LANES;
-        let plane = |index: usize| self.planes[index].each_ref().map(|numbers| numbers[lane]);
+        let plane = |index: usize| self.plane(lane, index);
         // Taking away what is nothing may change the sign of a zero, and of what is infinite it is not nothing.
-        let is_kept = |step: f64| (step as f32).to_bits() != (-0.0_f32).to_bits();
         let rises = |index: &usize| {
             let [a, b, c] = plane(*index);
-            is_kept(a) && is_kept(b) && [a, b, c].iter().all(|number| number.abs() < 1e30)
+            let is_far_from_infinite = [a, b, c].iter().all(|number| number.abs() < 1e30);
+            !is_minus_zero(a) && !is_minus_zero(b) && is_far_from_infinite
         };
         of.is_empty()
             || denominator.is_some_and(|by| plane(by) == [0.0, 0.0, 1.0]) && of.iter().all(rises)
+    }
+
+    /// `a`, `b` and `c` of a plane of the shape `lane`.
+    fn plane(&self, lane: usize, index: usize) -> [f64; 3] {
+        self.planes[index].each_ref().map(|numbers| numbers[lane % LANES])
     }
 
     /// The value of each plane at the centre of pixel `(x, y)` and its steps, of the shape `lane`.
@@ -198,6 +201,11 @@ impl PlaneGroup {
         let Self { planes, windows: out, lanes, .. } = self;
         isa.run(Enter { tile, windows, lanes, planes, out });
     }
+}
+
+/// Whether a number becomes -0 as an `f32`.
+fn is_minus_zero(number: f64) -> bool {
+    (number as f32).to_bits() == (-0.0_f32).to_bits()
 }
 
 /// The planes of 64 shapes; gives the lanes that the general computation must do.

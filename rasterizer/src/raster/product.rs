@@ -24,8 +24,8 @@ pub struct Products {
     factors: Box<[F32s; 4]>,
     draw: u64,
     values: Vec<u32>,
-    /// What each lookup reads, and the weight of the second level, where that is the same all over a shape.
-    readings: Vec<(Option<Read>, F32s)>,
+    /// What each lookup reads, where that is the same all over a shape.
+    readings: Vec<Reading>,
     /// Whether a run reads what the one before has read.
     details: Details,
     /// The shapes all over which the factors and readings are known to be the same.
@@ -47,6 +47,9 @@ pub enum Factors {
     /// They are what they were in the run before.
     Known,
 }
+
+/// What a lookup reads, and the weight of the second level.
+type Reading = (Option<Read>, F32s);
 
 /// How a run has the levels that its lookups read.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -237,7 +240,7 @@ fn ask<S: Simd>(
     product: &Product,
     machine: &Machine,
     banks: usize,
-    known: Option<&[(Option<Read>, F32s)]>,
+    known: Option<&[Reading]>,
 ) {
     for at in 0..product.lookups() {
         let texture = plan.textures.get(product.texture(at));
