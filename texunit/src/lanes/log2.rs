@@ -15,6 +15,19 @@ const P: [f64; 11] = [
     0.09481863798699576,
 ];
 
+/// The minimax fit of the same in `f32` (relative error below 2^-25).
+const P_SHORT: [f32; 9] = [
+    std::f32::consts::LOG2_E,
+    -0.721_347_33,
+    0.480_910_63,
+    -0.360_703_68,
+    0.287_916_24,
+    -0.238_944_95,
+    0.215_715_84,
+    -0.207_268_94,
+    0.125_835_37,
+];
+
 /// The bits of √½, where the mantissa's range is cut.
 const CUT: u32 = std::f32::consts::FRAC_1_SQRT_2.to_bits();
 
@@ -46,7 +59,7 @@ pub fn log2(x: f32) -> f32 {
     if x < 0.0 { f32::NAN } else { defined }
 }
 
-/// `log2(√x)`, in `f32` alone: to within 2 ULP from 2^-126 on (1.6 measured over every exponent).
+/// `log2(√x)`, in `f32` alone: to within 2.5 ULP from 2^-126 on (2.36 measured over every exponent).
 /// Zero and denormals give something from -64 to -62.5; what is below 0 means nothing; inf and NaN
 /// stay.
 #[inline(always)]
@@ -54,12 +67,11 @@ pub fn log2_of_root(x: f32) -> f32 {
     let above_cut = x.to_bits().wrapping_sub(CUT);
     let exponent = above_cut as i32 >> 23;
     let f = f32::from_bits((above_cut & 0x007F_FFFF).wrapping_add(CUT)) - 1.0;
-    let mut p = P[10] as f32;
-    let mut term = 10;
-    while term > 0 {
-        term -= 1;
-        p = p * f + P[term] as f32;
-    }
+    // All but the first term by pairs (Estrin's scheme): one after the other each would wait for the one before.
+    let (f2, p) = (f * f, &P_SHORT);
+    let low = (p[1] + p[2] * f) + (p[3] + p[4] * f) * f2;
+    let high = (p[5] + p[6] * f) + (p[7] + p[8] * f) * f2;
+    let p = p[0] + f * (low + high * (f2 * f2));
     let finite = 0.5 * (exponent as f32 + f * p);
     if x < f32::INFINITY { finite } else { x }
 }
@@ -90,17 +102,19 @@ mod tests {
     }
 
     #[test]
-    fn the_logarithm_of_a_root_stays_within_two_ulp() {
+    fn the_logarithm_of_a_root_stays_within_two_and_a_half_ulp() {
         let mut worst = 0.0_f64;
+        let every_exponent = (0x0080_0000..f32::INFINITY.to_bits()).step_by(4099);
         let near_one = 0x3F7F_0000..0x3F81_0000;
-        for bits in (0x0080_0000..f32::INFINITY.to_bits()).step_by(4099).chain(near_one) {
+        let whole_exponent = (0x3F00_0000..0x3F80_0000).step_by(61);
+        for bits in every_exponent.chain(near_one).chain(whole_exponent) {
             let x = f32::from_bits(bits);
             let exact = 0.5 * f64::from(x).log2();
             let nearest = (exact as f32).abs();
             let spacing = f64::from(nearest.next_up()) - f64::from(nearest);
             worst = worst.max(((f64::from(log2_of_root(x)) - exact) / spacing).abs());
         }
-        assert!(worst < 2.0, "{worst}");
+        assert!(worst < 2.5, "{worst}");
         assert!((-64.0..=-62.5).contains(&log2_of_root(0.0)));
         assert!((-64.0..=-62.5).contains(&log2_of_root(1e-40)));
         assert_eq!(log2_of_root(f32::INFINITY), f32::INFINITY);
