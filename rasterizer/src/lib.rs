@@ -19,6 +19,7 @@
 //! | `pool` | what threads work with, kept, and how they share the work |
 #![forbid(unsafe_code)]
 
+mod crew;
 pub mod driver;
 pub mod ir;
 mod output;

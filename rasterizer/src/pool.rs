@@ -4,8 +4,6 @@ use parking_lot::Mutex;
 
 /// As many of the values that nobody gives back by itself are kept.
 const KEPT: usize = 64;
-/// Into so many pieces goes a thread's share of what is left.
-const PARTS: usize = 4;
 
 /// Values that nobody uses now.
 #[derive(Debug, Default)]
@@ -15,40 +13,6 @@ impl<T: Default> Pool<T> {
     /// One of them, or a new one.
     pub fn lend(&self) -> Lent<'_, T> {
         Lent { value: self.0.lock().pop(), home: self }
-    }
-
-    /// Does all of some work, in parallel on the threads of the pool that this is called on. Each thread has one
-    /// value for as long as there is work, so that none goes from processor to processor; and it takes neighbours,
-    /// which read the same memory: many while there are many left, and in the end at most `least`, which are not
-    /// worth another thread.
-    pub fn share<I>(&self, work: &mut [I], least: usize, each: impl Fn(&mut T, &mut [I]) + Sync)
-    where
-        T: Send,
-        I: Send,
-    {
-        let threads = rayon::current_num_threads();
-        let helpers = threads.min(work.len().div_ceil(least)).saturating_sub(1);
-        let left = Mutex::new(work);
-        let next = || {
-            let mut left = left.lock();
-            let count = left.len().min(least.max(left.len() / (PARTS * threads)));
-            left.split_off_mut(..count).filter(|piece| !piece.is_empty())
-        };
-        let take_part = || {
-            let mut lent = self.lend();
-            while let Some(piece) = next() {
-                each(lent.get(), piece);
-            }
-        };
-        if helpers == 0 {
-            return take_part();
-        }
-        rayon::scope(|scope| {
-            for _ in 0..helpers {
-                scope.spawn(|_| take_part());
-            }
-            take_part();
-        });
     }
 
     /// One of them for as long as anybody likes, or a new one.
@@ -88,28 +52,16 @@ impl<T: Default> Drop for Lent<'_, T> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use rayon::ThreadPoolBuilder;
 
     #[test]
-    #[cfg_attr(target_family = "wasm", ignore = "there are no threads there")]
-    fn every_piece_is_worked_on_once_by_however_many_threads() {
-        for threads in [1, 2, 5] {
-            let rayon = ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-            for (count, least) in [(0, 1), (1, 4), (7, 4), (1000, 1), (1000, 3)] {
-                let pool = Pool::<usize>::default();
-                let mut work = vec![0; count];
-                rayon.install(|| {
-                    pool.share(&mut work, least, |own, piece| {
-                        assert!(piece.len() <= least.max(count / PARTS));
-                        *own += piece.len();
-                        piece.iter_mut().for_each(|times| *times += 1);
-                    });
-                });
-                assert_eq!(work, vec![1; count], "{threads} threads");
-                let lent = pool.0.into_inner();
-                assert!(lent.len() <= threads);
-                assert_eq!(lent.iter().sum::<usize>(), count);
-            }
-        }
+    fn what_is_lent_comes_back_and_is_lent_again() {
+        let pool = Pool::<Vec<u8>>::default();
+        drop(pool.lend());
+        assert!(pool.0.lock().is_empty(), "nobody asked for it");
+        pool.lend().get().push(1);
+        let (mut first, mut second) = (pool.lend(), pool.lend());
+        assert_eq!((first.get().len(), second.get().len()), (1, 0));
+        drop((first, second));
+        assert_eq!(pool.0.into_inner().len(), 2);
     }
 }

@@ -3,6 +3,7 @@
 
 use super::buffer::VertexBinding;
 use super::pipeline::{Pipeline, Topology};
+use crate::crew::Crew;
 use crate::plan::Textures;
 use crate::pool::Pool;
 use crate::primitive::{
@@ -12,7 +13,6 @@ use crate::raster::{Chunk, ShapeLists};
 use crate::shader::{Machine, OverBudget, Prepared};
 use crate::target::TILE;
 use crate::vertex::{Geometry, Ids, VertexStage, Wanted, ordinals, shade};
-use rayon::prelude::*;
 use std::ops::Range;
 use std::sync::{Arc, OnceLock};
 use texunit::lanes::Isa;
@@ -28,6 +28,7 @@ pub struct DrawState<'a> {
     pub draw: usize,
     pub isa: Isa,
     pub budget: u64,
+    pub crew: &'a Crew,
     pub machines: &'a Pool<Machine>,
     pub geometries: &'a Pool<Geometry>,
     pub lists: &'a Pool<ShapeLists>,
@@ -167,12 +168,13 @@ impl DrawState<'_> {
             }
             return Ok(vec![chunk(one)]);
         }
-        let starts: Vec<u32> = range.clone().step_by(CHUNK as usize).collect();
+        let (crew, starts) = (self.crew, range.clone().step_by(CHUNK as usize));
         if !is_strip {
-            return starts.into_par_iter().map(|start| shapes_of(start).map(chunk)).collect();
+            return crew.map(starts, 1, |start| shapes_of(start).map(chunk)).into_iter().collect();
         }
         // A line's stipple begins where that of the line before ends.
-        let mut all = starts.into_par_iter().map(shapes_of).collect::<Result<Vec<_>, _>>()?;
+        let all = crew.map(starts, 1, shapes_of);
+        let mut all = all.into_iter().collect::<Result<Vec<_>, _>>()?;
         for (_, lists) in &mut all {
             let shapes = &mut lists.shapes;
             self.stipple = stipple_lines(&self.setup.raster.line, shapes, self.stipple);
@@ -211,6 +213,7 @@ impl DrawState<'_> {
             budget: self.budget,
             program: &self.pipeline.compiled().vertex,
             prepared: &self.prepared,
+            crew: self.crew,
             machines: self.machines,
             textures: self.textures,
             bindings: self.bindings,

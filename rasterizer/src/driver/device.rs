@@ -22,7 +22,7 @@ use thiserror::Error;
 pub struct DeviceDesc {
     /// The instruction set of every kernel.
     pub isa: Isa,
-    /// How many threads shade tiles; at least 1.
+    /// How many threads shade tiles, with the one that asks; at least 1.
     pub threads: usize,
     /// How many instructions a batch of a shader may run before its draw is dropped.
     pub budget: u64,
@@ -152,8 +152,9 @@ impl Device {
     /// threads; then nothing was run.
     pub fn submit(&self, commands: &CommandBuffer) -> Result<SubmitReport, SubmitError> {
         check::check(&commands.commands)?;
-        let run = || submit::run(self, &commands.commands);
-        self.threads.run(run).map_err(|error| SubmitError { index: 0, rule: error.to_string() })
+        let crew = self.threads.crew();
+        let crew = crew.map_err(|error| SubmitError { index: 0, rule: error.to_string() })?;
+        Ok(submit::run(self, &crew, &commands.commands))
     }
 
     /// [`Image::texels`], faster of large ones.

@@ -8,6 +8,7 @@
 //! themselves are in the attachment layout alone; or every sample has rows of its own ([`Rows`]), so
 //! that they can be sampled one by one and several layers drawn to in turn.
 
+use crate::crew::Crew;
 use crate::raster::possible_samples;
 use crate::target::{MAX_SAMPLES, Part, Put, Slices, Storing, Surface};
 use parking_lot::Mutex;
@@ -163,7 +164,7 @@ impl State {
         }
         self.resolve(1);
         let level = self.texels.level(at.face, at.level)?;
-        Some(Surface::from_level_alone(level, self.slices(at), self.samples))
+        Some(Surface::from_level(level, self.slices(at), self.samples, &Crew::ALONE))
     }
 }
 
@@ -294,7 +295,7 @@ impl Image {
     /// ([`super::Device::set_each_sample`]).
     pub(super) fn set_each_sample(&self, face: u16, level: u8, samples: &Level, isa: Isa) {
         let count = samples.depth.min(MAX_SAMPLES as u32) as u8;
-        let mut surface = Surface::from_level_alone(samples, Slices::Each(0), count);
+        let mut surface = Surface::from_level(samples, Slices::Each(0), count, &Crew::ALONE);
         surface.change_all();
         let mut state = self.0.lock();
         let at = state.place(face, level);
@@ -318,7 +319,7 @@ impl Image {
     }
 
     /// Takes a slice of a level out in the attachment layout; `None` if it does not exist.
-    pub(crate) fn attach(&self, face: u16, level: u8) -> Option<Surface> {
+    pub(crate) fn attach(&self, face: u16, level: u8, crew: &Crew) -> Option<Surface> {
         let mut state = self.0.lock();
         let at = state.place(face, level);
         if let Some(attached) = state.attached.take_if(|attached| attached.at == at) {
@@ -333,7 +334,7 @@ impl Image {
         let texels = state.texels.clone();
         // What runs on several threads must not hold what another piece of work on them may wait for.
         drop(state);
-        Some(Surface::from_level(texels.level(at.face, at.level)?, slices, samples))
+        Some(Surface::from_level(texels.level(at.face, at.level)?, slices, samples, crew))
     }
 
     /// Puts back what [`Image::attach`] took, drawn to by a device of this instruction set.

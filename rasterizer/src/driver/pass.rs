@@ -10,6 +10,7 @@ use super::device::{Device, SubmitReport};
 use super::image::PassDesc;
 use super::pipeline::Pipeline;
 use super::sight::Sight;
+use crate::crew::Crew;
 use crate::output::{DepthFormat, texel_words};
 use crate::plan::{Counting, DrawPlan, PlanInput, sprite_slots};
 use crate::primitive::{Setup, primitives};
@@ -36,6 +37,7 @@ const RECENT: usize = 8;
 /// A pass that is being recorded into bins.
 pub struct Pass<'a> {
     device: &'a Device,
+    crew: &'a Crew,
     desc: &'a PassDesc,
     colors: Vec<Option<Surface>>,
     depth: Option<Surface>,
@@ -56,22 +58,23 @@ pub struct Pass<'a> {
 
 impl<'a> Pass<'a> {
     /// Opens a pass.
-    pub fn begin(device: &'a Device, desc: &'a PassDesc) -> Self {
+    pub fn begin(device: &'a Device, crew: &'a Crew, desc: &'a PassDesc) -> Self {
         let across = desc.width.div_ceil(TILE);
         let tiles = across as usize * desc.height.div_ceil(TILE) as usize;
         let attached = desc.colors.iter().map(|color| {
             let attachment = color.as_ref()?;
-            attachment.image.attach(attachment.face, attachment.level)
+            attachment.image.attach(attachment.face, attachment.level, crew)
         });
         let colors: Vec<Option<Surface>> = attached.collect();
         let format = |surface: &Option<Surface>| surface.as_ref().map(|s| s.format);
         Self {
             device,
+            crew,
             desc,
             formats: colors.iter().map(format).collect(),
             recent: Vec::new(),
             colors,
-            depth: desc.depth.as_ref().and_then(|a| a.image.attach(a.face, a.level)),
+            depth: desc.depth.as_ref().and_then(|a| a.image.attach(a.face, a.level, crew)),
             across,
             bins: vec![Vec::new(); tiles],
             job: PassJob {
@@ -246,6 +249,7 @@ impl<'a> Pass<'a> {
             draw,
             isa: self.job.isa,
             budget: self.job.budget,
+            crew: self.crew,
             machines: &self.device.machines,
             geometries: &self.device.geometries,
             lists: &self.device.lists,
@@ -441,9 +445,12 @@ impl<'a> Pass<'a> {
         let is_light = self.shapes == 0 && job.clears.iter().all(is_whole);
         // Whole clears are all done sooner than another thread is there.
         let least = if is_light { tiles.len().max(1) } else { 1 };
-        workers.share(&mut tiles, least, |worker, tiles| {
-            tiles.iter_mut().for_each(|tile| worker.run(job, tile));
-        });
+        self.crew.share(
+            &mut tiles,
+            least,
+            || workers.lend(),
+            |worker, tiles| tiles.iter_mut().for_each(|tile| worker.get().run(job, tile)),
+        );
         for (tile, (tx, ty)) in tiles.into_iter().zip(homes) {
             let surfaces = self.colors.iter_mut().chain([&mut self.depth]);
             for (surface, target) in surfaces.zip(tile.colors.into_iter().chain([tile.depth])) {

@@ -3,14 +3,15 @@
 use super::command::Command;
 use super::device::{Device, SubmitReport};
 use super::pass::Pass;
+use crate::crew::Crew;
 
 /// Runs checked commands.
-pub fn run(device: &Device, commands: &[Command]) -> SubmitReport {
+pub fn run(device: &Device, crew: &Crew, commands: &[Command]) -> SubmitReport {
     let mut report = SubmitReport::default();
     let mut pass = None;
     for (index, command) in commands.iter().enumerate() {
         match command {
-            Command::BeginPass(desc) => pass = Some(Pass::begin(device, desc)),
+            Command::BeginPass(desc) => pass = Some(Pass::begin(device, crew, desc)),
             Command::EndPass => {
                 if let Some(pass) = pass.take() {
                     pass.end(&mut report);

@@ -1,7 +1,8 @@
-//! The threads that a device shades with. `fork` copies the memory of a pool but none of its
+//! The threads that a device shades with besides the one that asks. `fork` copies the memory of a pool but none of its
 //! threads, so that a process that has not made its pool itself makes another.
 
 use super::device::DeviceError;
+use crate::crew::Crew;
 use parking_lot::Mutex;
 use rayon::{ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
 use std::error::Error;
@@ -11,8 +12,8 @@ use std::{io, process};
 /// A number of threads, in whichever process asks for them.
 #[derive(Debug)]
 pub(super) struct Threads {
-    count: usize,
-    /// None where the system has no threads: whoever asks does the work.
+    helpers: usize,
+    /// None where there is to be none, or the system has none: whoever asks does the work.
     pool: Mutex<Option<Pool>>,
 }
 
@@ -26,6 +27,9 @@ struct Pool {
 
 impl Pool {
     fn start(count: usize) -> Result<Option<Self>, DeviceError> {
+        if count == 0 {
+            return Ok(None);
+        }
         let started = ThreadPoolBuilder::new()
             .num_threads(count)
             .thread_name(|index| format!("detgl-{index}"))
@@ -61,30 +65,25 @@ impl Drop for Pool {
 }
 
 impl Threads {
-    /// Starts threads; at least one.
+    /// Starts threads: as many as are to work, less the one that asks.
     ///
     /// # Errors
     /// When they cannot be started, although the system has some.
     pub fn start(count: usize) -> Result<Self, DeviceError> {
-        let count = count.max(1);
-        Ok(Self { count, pool: Mutex::new(Pool::start(count)?) })
+        let helpers = count.saturating_sub(1);
+        Ok(Self { helpers, pool: Mutex::new(Pool::start(helpers)?) })
     }
 
-    /// Runs `f` on them.
+    /// Who shares work that is asked for now.
     ///
     /// # Errors
-    /// When this process has none yet, and they cannot be started.
-    pub fn run<R: Send>(&self, f: impl FnOnce() -> R + Send) -> Result<R, DeviceError> {
-        let threads = {
-            let mut pool = self.pool.lock();
-            if pool.as_ref().is_some_and(|pool| !pool.is_here()) {
-                *pool = Pool::start(self.count)?;
-            }
-            pool.as_ref().and_then(|pool| pool.threads.clone())
-        };
-        Ok(match threads {
-            Some(threads) => threads.install(f),
-            None => f(),
-        })
+    /// When this process has no threads yet, and they cannot be started.
+    pub fn crew(&self) -> Result<Crew, DeviceError> {
+        let mut pool = self.pool.lock();
+        if pool.as_ref().is_some_and(|pool| !pool.is_here()) {
+            *pool = Pool::start(self.helpers)?;
+        }
+        let threads = pool.as_ref().and_then(|pool| pool.threads.clone());
+        Ok(threads.map_or(Crew::ALONE, Crew::with))
     }
 }

@@ -13,8 +13,8 @@ mod store;
 
 use super::plane::{BLOCKS, Plane};
 use super::words::{attachment_words, is_attachable, words_of};
+use crate::crew::Crew;
 use bytemuck::Pod;
-use rayon::prelude::*;
 pub use store::{Part, Put};
 use texunit::format::Format;
 use texunit::image::Level;
@@ -24,6 +24,8 @@ use texunit::lanes::{Isa, LANES, QUADS, U32s, lane_x, lane_y};
 pub const MAX_SAMPLES: usize = 4;
 /// From so many tiles on threads are started to store them: each takes longer to start than a few.
 const WORTH_THREADS: usize = 64;
+/// As many tiles are loaded at least by a thread that is there already.
+const WORTH_A_THREAD: usize = 8;
 /// Pixels along a side of a tile.
 pub const TILE: u32 = 64;
 /// A level in the attachment layout.
@@ -122,21 +124,11 @@ impl Surface {
 
     /// The texels of slices of a level without border, in tiles; zeros where the format has no
     /// attachment layout, which a command buffer with such an attachment is refused for.
-    pub fn from_level(level: &Level, slices: Slices, samples: u8) -> Self {
-        let tiles = 0..level.width.div_ceil(TILE) * level.height.div_ceil(TILE);
-        let tiles = tiles.into_par_iter().map(|tile| load_samples(level, slices, samples, tile));
-        Self::of(level, samples, tiles.collect())
-    }
-
-    /// As [`Surface::from_level`], by the caller's thread alone, which may hold a lock.
-    pub fn from_level_alone(level: &Level, slices: Slices, samples: u8) -> Self {
-        let tiles = 0..level.width.div_ceil(TILE) * level.height.div_ceil(TILE);
-        let tiles = tiles.map(|tile| load_samples(level, slices, samples, tile));
-        Self::of(level, samples, tiles.collect())
-    }
-
-    fn of(level: &Level, samples: u8, tiles: Vec<Vec<Plane>>) -> Self {
+    pub fn from_level(level: &Level, slices: Slices, samples: u8, crew: &Crew) -> Self {
         let &Level { format, width, height, .. } = level;
+        let tiles = 0..width.div_ceil(TILE) * height.div_ceil(TILE);
+        let load = |tile: u32| load_samples(level, slices, samples, tile);
+        let tiles = crew.map(tiles, WORTH_A_THREAD, load);
         let changed = vec![false; tiles.len()];
         Self { format, width, height, samples, tiles, changed }
     }
@@ -277,7 +269,7 @@ mod tests {
             {
                 *byte = (index * 7 % 251) as u8;
             }
-            let surface = Surface::from_level(&level, Slices::One(0), 1);
+            let surface = Surface::from_level(&level, Slices::One(0), 1, &Crew::ALONE);
             let cleared = |tile: &Vec<Plane>| tile[0].alike().is_some();
             assert_eq!(surface.tiles.iter().filter(|tile| cleared(tile)).count(), 5);
             let mut back = Level::new(format, 150, 70).expect("small");
@@ -296,7 +288,7 @@ mod tests {
             for (index, byte) in level.texels[..used].iter_mut().enumerate() {
                 *byte = (index * 31 % 241) as u8;
             }
-            let surface = Surface::from_level(&level, Slices::Each(2), 4);
+            let surface = Surface::from_level(&level, Slices::Each(2), 4, &Crew::ALONE);
             let mut back = Level::with_size(format, [70, 3, 7], [0; 3]).expect("small");
             let storing = Storing { isa: Isa::best(), threads: 1 };
             surface.store(&mut back, Slices::Each(2), storing);
@@ -314,7 +306,7 @@ mod tests {
         for (index, byte) in level.texels[..used].iter_mut().enumerate() {
             *byte = (index * 37 % 253) as u8;
         }
-        let surface = Surface::from_level(&level, Slices::One(0), 1);
+        let surface = Surface::from_level(&level, Slices::One(0), 1, &Crew::ALONE);
         assert!(surface.tiles.len() >= WORTH_THREADS);
         for threads in [1, 2, 7] {
             let mut back = Level::new(Format::Rgba8, 641, 530).expect("small");

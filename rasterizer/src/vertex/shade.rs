@@ -2,6 +2,7 @@
 
 use super::fetch::{self, Elements};
 use super::place::{Outcode, Place, Placed, cut};
+use crate::crew::Crew;
 use crate::driver::{PointSize, VertexBinding, VertexSource, Viewport};
 use crate::ir::{Input, Output};
 use crate::pool::Pool;
@@ -114,6 +115,8 @@ pub struct VertexStage<'a> {
     pub program: &'a Program,
     /// Its values of this draw.
     pub prepared: &'a Prepared,
+    /// Who runs it.
+    pub crew: &'a Crew,
     /// What runs it.
     pub machines: &'a Pool<Machine>,
     /// Its textures.
@@ -232,7 +235,9 @@ fn shade_all(
         }
     };
     let stopped = AtomicBool::new(false);
-    stage.machines.share(batches, PIECE, |machine, batches| {
+    let lend = || stage.machines.lend();
+    stage.crew.share(batches, PIECE, lend, |machine, batches| {
+        let machine = machine.get();
         machine.begin(stage.program);
         for batch in batches {
             if !stopped.load(Ordering::Relaxed)

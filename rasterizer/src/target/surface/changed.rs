@@ -29,6 +29,7 @@ impl Surface {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::crew::Crew;
     use crate::target::plane::Plane;
     use texunit::format::Format;
     use texunit::lanes::{Isa, U32s};
@@ -40,7 +41,7 @@ mod tests {
             for each in [false, true] {
                 let slices = if each { Slices::Each(1) } else { Slices::One(2) };
                 let mut level = Level::with_size(format, [150, 130, 5], [0; 3]).expect("small");
-                let mut surface = Surface::from_level(&level, slices, samples);
+                let mut surface = Surface::from_level(&level, slices, samples, &Crew::ALONE);
                 for tile in [0, 4, 8] {
                     let mut target = surface.take(tile);
                     for (at, plane) in target.planes.iter_mut().enumerate() {
