@@ -27,6 +27,13 @@ impl Crew {
         Self { helpers: Some(helpers) }
     }
 
+    /// The one that asks and so many more, for tests.
+    #[cfg(test)]
+    pub fn of(helpers: usize) -> Self {
+        let pool = |count| rayon::ThreadPoolBuilder::new().num_threads(count).build().ok();
+        Self { helpers: Some(helpers).filter(|&count| count > 0).and_then(pool).map(Arc::new) }
+    }
+
     /// Does all of some work. Each thread has one value of its own for as long as there is work, so that none goes
     /// from processor to processor; and it takes neighbours, which read the same memory: many while there are many
     /// left, and in the end at most `least`, which are not worth another thread.
@@ -83,23 +90,13 @@ impl Crew {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use rayon::ThreadPoolBuilder;
     use std::sync::atomic::{AtomicUsize, Ordering};
-
-    fn crew(helpers: usize) -> Crew {
-        match helpers {
-            0 => Crew::ALONE,
-            _ => {
-                Crew::with(Arc::new(ThreadPoolBuilder::new().num_threads(helpers).build().unwrap()))
-            }
-        }
-    }
 
     #[test]
     #[cfg_attr(target_family = "wasm", ignore = "there are no threads there")]
     fn every_piece_is_worked_on_once_by_however_many_threads() {
         for helpers in [0, 1, 4] {
-            let crew = crew(helpers);
+            let crew = Crew::of(helpers);
             for (count, least) in [(0, 1), (1, 4), (7, 4), (1000, 1), (1000, 3)] {
                 let (mut work, takers) = (vec![0; count], AtomicUsize::new(0));
                 let own = || takers.fetch_add(1, Ordering::Relaxed);
@@ -118,7 +115,7 @@ mod tests {
     #[cfg_attr(target_family = "wasm", ignore = "there are no threads there")]
     fn pieces_share_pieces_of_theirs() {
         for helpers in [0, 1, 3] {
-            let crew = crew(helpers);
+            let crew = Crew::of(helpers);
             let sums =
                 crew.map(0..40, 1, |of| crew.map(0..of, 1, |each| each).into_iter().sum::<u32>());
             let want: Vec<u32> = (0..40).map(|of: u32| (0..of).sum()).collect();

@@ -5,6 +5,7 @@ use super::image::{Attachment, Image};
 use super::sight::Sight;
 use super::threads::Threads;
 use super::{check, submit};
+use crate::crew::Crew;
 use crate::pool::Pool;
 use crate::raster::{ShapeLists, Worker};
 use crate::shader::Machine;
@@ -157,16 +158,21 @@ impl Device {
         Ok(submit::run(self, &crew, &commands.commands))
     }
 
+    /// Who stores what was drawn. Without threads the one that asks does it alone.
+    fn crew(&self) -> Crew {
+        self.threads.crew().unwrap_or(Crew::ALONE)
+    }
+
     /// [`Image::texels`], faster of large ones.
     pub fn texels(&self, image: &Image) -> Texels {
-        image.texels_by(self.desc.threads)
+        image.texels_by(&self.crew())
     }
 
     /// What an attachment names, as everything submitted leaves it, with one sample a pixel, which
     /// several are resolved to: a level, if it exists, and which slice of it.
     pub fn resolved(&self, attachment: &Attachment) -> Option<(Arc<Level>, usize)> {
         let Attachment { image, face, level } = attachment;
-        let storing = Storing { isa: self.desc.isa, threads: self.desc.threads };
+        let storing = Storing { isa: self.desc.isa, crew: &self.crew() };
         image.resolved_by(*face, *level, storing)
     }
 
@@ -178,7 +184,7 @@ impl Device {
     /// When a row has no room, or the part is not within the picture.
     pub fn read(&self, attachment: &Attachment, part: Part, rows: &mut [&mut [u8]], put: Put<'_>) {
         let Attachment { image, face, level } = attachment;
-        let storing = Storing { isa: self.desc.isa, threads: self.desc.threads };
+        let storing = Storing { isa: self.desc.isa, crew: &self.crew() };
         image.read_by((*face, *level), part, rows, put, storing);
     }
 

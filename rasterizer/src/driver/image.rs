@@ -138,7 +138,7 @@ impl State {
     }
 
     /// Brings the rows up to date. Those of a blank level are not there if there is no memory.
-    fn resolve(&mut self, threads: usize) {
+    fn resolve(&mut self, crew: &Crew) {
         if let Some(Blank { format, width, height }) = self.blank.take()
             && let Ok(level) = Level::new(format, width, height)
         {
@@ -150,7 +150,7 @@ impl State {
         if let (Some(attached), Some(slices)) = (attached, slices) {
             let Subresource { face, level, .. } = attached.at;
             if let Some(level) = self.texels.level_mut(face, level) {
-                let storing = Storing { isa: attached.isa, threads };
+                let storing = Storing { isa: attached.isa, crew };
                 attached.surface.store_changed(level, slices, storing);
             }
             attached.drawn = false;
@@ -162,7 +162,7 @@ impl State {
         if let Some(attached) = self.attached.as_ref().filter(|attached| attached.at == at) {
             return Some(attached.surface.clone());
         }
-        self.resolve(1);
+        self.resolve(&Crew::ALONE);
         let level = self.texels.level(at.face, at.level)?;
         Some(Surface::from_level(level, self.slices(at), self.samples, &Crew::ALONE))
     }
@@ -207,13 +207,13 @@ impl Image {
     /// Its texels as they are after everything submitted so far. Shares them: later writes to the
     /// image copy. Of a multisample image, what its [`Rows`] hold.
     pub fn texels(&self) -> Texels {
-        self.texels_by(1)
+        self.texels_by(&Crew::ALONE)
     }
 
-    /// As [`Image::texels`], on up to so many threads ([`super::Device::texels`]).
-    pub(super) fn texels_by(&self, threads: usize) -> Texels {
+    /// As [`Image::texels`], brought up to date by these ([`super::Device::texels`]).
+    pub(super) fn texels_by(&self, crew: &Crew) -> Texels {
         let mut state = self.0.lock();
-        state.resolve(threads);
+        state.resolve(crew);
         state.texels.clone()
     }
 
@@ -225,7 +225,7 @@ impl Image {
     /// Changes its texels. Draws that were recorded earlier keep what they saw.
     pub fn update<R>(&self, change: impl FnOnce(&mut Texels) -> R) -> R {
         let mut state = self.0.lock();
-        state.resolve(1);
+        state.resolve(&Crew::ALONE);
         state.attached = None;
         change(&mut state.texels)
     }
@@ -242,12 +242,12 @@ impl Image {
         &self,
         face: u16,
         level: u8,
-        storing: Storing,
+        storing: Storing<'_>,
     ) -> Option<(Arc<Level>, usize)> {
         let mut state = self.0.lock();
         let at = state.place(face, level);
         if state.rows == Rows::Resolved {
-            state.resolve(storing.threads);
+            state.resolve(storing.crew);
             return Some((Arc::clone(state.texels.level(at.face, at.level)?), at.slice));
         }
         let surface = state.surface(at)?;
@@ -264,7 +264,7 @@ impl Image {
         part: Part,
         rows: &mut [&mut [u8]],
         put: Put<'_>,
-        storing: Storing,
+        storing: Storing<'_>,
     ) {
         let state = self.0.lock();
         let at = state.place(face, level);
@@ -287,7 +287,11 @@ impl Image {
         let size = [surface.width, surface.height, surface.samples.into()];
         let mut level = Level::with_size(surface.format, size, [0; 3]).ok()?;
         // Nothing is resolved.
-        surface.store(&mut level, Slices::Each(0), Storing { isa: Isa::BASELINE, threads: 1 });
+        surface.store(
+            &mut level,
+            Slices::Each(0),
+            Storing { isa: Isa::BASELINE, crew: &Crew::ALONE },
+        );
         Some(level)
     }
 
@@ -329,12 +333,10 @@ impl Image {
         if let Some(Blank { format, width, height }) = state.blank {
             return state.info(at).map(|_| Surface::zeros(format, width, height, samples));
         }
-        state.resolve(1);
+        state.resolve(&Crew::ALONE);
         state.attached = None;
-        let texels = state.texels.clone();
-        // What runs on several threads must not hold what another piece of work on them may wait for.
-        drop(state);
-        Some(Surface::from_level(texels.level(at.face, at.level)?, slices, samples, crew))
+        let level = state.texels.level(at.face, at.level)?;
+        Some(Surface::from_level(level, slices, samples, crew))
     }
 
     /// Puts back what [`Image::attach`] took, drawn to by a device of this instruction set.
@@ -342,7 +344,7 @@ impl Image {
         let mut state = self.0.lock();
         // Another level of the same image may have been drawn to in the same pass.
         if state.attached.is_some() {
-            state.resolve(1);
+            state.resolve(&Crew::ALONE);
         }
         let at = state.place(face, level);
         state.attached = Some(Attached { at, surface, isa, drawn: true });

@@ -9,7 +9,7 @@ impl Surface {
     }
 
     /// Writes the tiles that have changed since they were last the level's back into its slices.
-    pub fn store_changed(&mut self, level: &mut Level, slices: Slices, storing: Storing) {
+    pub fn store_changed(&mut self, level: &mut Level, slices: Slices, storing: Storing<'_>) {
         let changed: Vec<usize> =
             (0..self.changed.len()).filter(|&tile| self.changed[tile]).collect();
         if changed.len() >= WORTH_THREADS.min(self.tiles.len()) {
@@ -52,7 +52,7 @@ mod tests {
                     }
                     surface.tiles[tile] = target.planes;
                 }
-                let storing = Storing { isa: Isa::best(), threads: 2 };
+                let storing = Storing { isa: Isa::best(), crew: &Crew::ALONE };
                 let mut all = level.clone();
                 surface.store(&mut all, slices, storing);
                 surface.store_changed(&mut level, slices, storing);

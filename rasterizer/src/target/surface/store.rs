@@ -5,9 +5,7 @@ use super::{WORTH_THREADS, attachment_words, is_attachable};
 use crate::target::resolve::resolve_tile;
 use crate::target::words::texel_of;
 use bytemuck::Pod;
-use parking_lot::Mutex;
 use std::iter::once;
-use std::thread;
 use texunit::format::Format;
 use texunit::lanes::Isa;
 
@@ -52,7 +50,7 @@ enum Stored {
 
 impl Surface {
     /// Writes the tiles back into slices of the level they came from.
-    pub fn store(&self, level: &mut Level, slices: Slices, storing: Storing) {
+    pub fn store(&self, level: &mut Level, slices: Slices, storing: Storing<'_>) {
         let all = Part { x: 0, y: 0, width: self.width };
         self.store_rows(all, self.height, level, slices, storing);
     }
@@ -64,7 +62,7 @@ impl Surface {
         height: u32,
         level: &mut Level,
         slices: Slices,
-        storing: Storing,
+        storing: Storing<'_>,
     ) {
         debug_assert_eq!((self.width, self.height), (level.width, level.height));
         let (row_bytes, size) = (level.row_bytes(), self.format.bytes());
@@ -86,7 +84,7 @@ impl Surface {
     }
 
     /// Puts the texels of a part, samples resolved, where a client has its rows.
-    pub fn read(&self, part: Part, rows: &mut [&mut [u8]], put: Put<'_>, storing: Storing) {
+    pub fn read(&self, part: Part, rows: &mut [&mut [u8]], put: Put<'_>, storing: Storing<'_>) {
         self.store_part(Stored::All, part, rows, put, storing);
     }
 
@@ -96,32 +94,30 @@ impl Surface {
         part: Part,
         rows: &mut [&mut [u8]],
         put: Put<'_>,
-        storing: Storing,
+        storing: Storing<'_>,
     ) {
         if !is_attachable(self.format) || rows.is_empty() {
             return;
         }
         let pixels = rows.len() * part.width as usize;
-        let threads =
-            if pixels < WORTH_THREADS * (TILE * TILE) as usize { 1 } else { storing.threads };
         // A band is what lies in one row of tiles.
         let second = (part.y / TILE + 1) * TILE;
         let (first, rest) = rows.split_at_mut(rows.len().min((second - part.y) as usize));
         let rest = (second..).step_by(TILE as usize).zip(rest.chunks_mut(TILE as usize));
-        let left = Mutex::new(once((part.y, first)).chain(rest));
-        let next = || left.lock().next();
-        let work = || {
-            while let Some((y, rows)) = next() {
-                self.store_band(storing.isa, what, Part { y, ..part }, rows, put);
-            }
-        };
-        thread::scope(|scope| {
-            for _ in 1..threads {
-                // One that cannot be started leaves its work to the others.
-                let _ = thread::Builder::new().spawn_scoped(scope, work);
-            }
-            work();
-        });
+        let mut bands: Vec<_> = once((part.y, first)).chain(rest).collect();
+        let is_much = pixels >= WORTH_THREADS * (TILE * TILE) as usize;
+        let least = if is_much { 1 } else { bands.len() };
+        let isa = storing.isa;
+        storing.crew.share(
+            &mut bands,
+            least,
+            || (),
+            |(), bands| {
+                for (y, rows) in bands {
+                    self.store_band(isa, what, Part { y: *y, ..part }, rows, put);
+                }
+            },
+        );
     }
 
     /// Puts rows that lie in one row of tiles.
