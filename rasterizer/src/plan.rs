@@ -277,7 +277,7 @@ impl DrawPlan {
             prepared: fragment.prepare(input.isa, input.uniforms, &input.textures),
             textures: input.textures,
             planes,
-            filled: FilledInput::of(&inputs),
+            filled: FilledInput::of(&inputs, |_| true),
             inputs,
             depth_plane,
             denominator_plane,

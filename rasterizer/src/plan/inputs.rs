@@ -43,13 +43,41 @@ pub struct FilledInput {
     /// Of the program's inputs.
     pub number: usize,
     pub from: FragmentInput,
+    /// Those that are the slopes of this one across and up: filled with it, as they are made of the same quotient.
+    pub slopes: Option<[usize; 2]>,
 }
 
 impl FilledInput {
-    /// Those that are not zero.
-    pub fn of(inputs: &[FragmentInput]) -> Vec<Self> {
-        let all = inputs.iter().enumerate().map(|(number, &from)| Self { number, from });
-        all.filter(|input| input.from != FragmentInput::Zero).collect()
+    /// Those that are not zero, and that are asked for.
+    pub fn of(inputs: &[FragmentInput], is_asked_for: impl Fn(usize) -> bool) -> Vec<Self> {
+        let asked = |&number: &usize| inputs[number] != FragmentInput::Zero && is_asked_for(number);
+        let all: Vec<usize> = (0..inputs.len()).filter(asked).collect();
+        let slope = |plane: usize, axis: Axis| {
+            let of = FragmentInput::SmoothSlope(plane, axis);
+            all.iter().copied().find(|&number| inputs[number] == of)
+        };
+        let filled = all.iter().map(|&number| {
+            let slopes = match inputs[number] {
+                FragmentInput::Smooth(plane) => slope(plane, Axis::X).zip(slope(plane, Axis::Y)),
+                FragmentInput::Linear(_)
+                | FragmentInput::SmoothWithin(_)
+                | FragmentInput::LinearWithin(_)
+                | FragmentInput::Flat(_)
+                | FragmentInput::SmoothSlope(..)
+                | FragmentInput::LinearSlope(..)
+                | FragmentInput::X
+                | FragmentInput::Y
+                | FragmentInput::Depth
+                | FragmentInput::Front
+                | FragmentInput::Coverage
+                | FragmentInput::Zero => None,
+            };
+            Self { number, from: inputs[number], slopes: slopes.map(<[usize; 2]>::from) }
+        });
+        let mut filled: Vec<Self> = filled.collect();
+        let with: Vec<usize> = filled.iter().filter_map(|input| input.slopes).flatten().collect();
+        filled.retain(|input| !with.contains(&input.number));
+        filled
     }
 }
 

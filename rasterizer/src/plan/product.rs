@@ -87,11 +87,12 @@ impl ProductPlan {
         let details = product.detail_inputs.as_ref().filter(|_| product.textures().all(takes));
         let detail_planes = details.and_then(|details| detail_planes(details, inputs));
         let filled = |left_out: &[usize]| {
-            let mut all = FilledInput::of(inputs);
-            all.retain(|input| !left_out.contains(&input.number));
-            let mut lookups = all.clone();
-            lookups.retain(|input| product.lookup_inputs.contains(&input.number));
-            ProductInputs { all, lookups }
+            let is_in = |number: usize| !left_out.contains(&number);
+            let is_of_lookup = |number| is_in(number) && product.lookup_inputs.contains(&number);
+            ProductInputs {
+                all: FilledInput::of(inputs, is_in),
+                lookups: FilledInput::of(inputs, is_of_lookup),
+            }
         };
         Some(Self {
             factor_planes,

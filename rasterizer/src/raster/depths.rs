@@ -1,7 +1,8 @@
 //! The depth of fragments before anything is shaded: the same numbers as [`super::inputs`] gives.
 
 use super::batch::{Batch, Quads};
-use super::inputs::{Places, evaluate_plane, value};
+use super::inputs::Places;
+use super::quotients::{evaluate_plane, value_at};
 use super::samples::moved;
 use texunit::lanes::{F32s, Kernel, LANES, Simd, lane_x, lane_y};
 
@@ -28,7 +29,7 @@ impl Kernel for BlockDepth {
     fn run<S: Simd>(self) -> F32s {
         let mut out = F32s::ZERO;
         for lane in 0..LANES {
-            out[lane] = value(self.plane, [lane_x(lane) as f32, lane_y(lane) as f32]);
+            out[lane] = value_at(self.plane, [lane_x(lane) as f32, lane_y(lane) as f32]);
         }
         clamp_depth(&mut out, self.depths);
         out

@@ -3,12 +3,14 @@
 use super::batch::{Batch, BlockOf, Packed, QUAD_X, QUAD_Y, Quads, front_word};
 use super::depths::clamp_depth;
 use super::pixels::Pixels;
+use super::quotients::{X, Y, along, divided, evaluate, invert, value_at, with_slopes, within};
 use super::run::BlockRun;
 use super::samples::SampleMasks;
 use crate::ir::Axis;
 use crate::plan::{DrawPlan, FilledInput, FragmentInput};
 use crate::primitive::Facing;
 use crate::shader::Machine;
+use std::iter::once;
 use texunit::lanes::{F32s, Kernel, LANES, QUADS, Simd, U32s};
 
 /// What a batch has for pixel `e` of its quad `q`.
@@ -208,7 +210,16 @@ impl Fill<'_> {
             centroids = plan.samples.centroids(masks);
         }
         let registers = machine.inputs_of(*bank);
-        for &FilledInput { number, from } in *inputs {
+        for &FilledInput { number, from, slopes } in *inputs {
+            if let (FragmentInput::Smooth(index), Some(slopes)) = (from, slopes) {
+                let all = with_slopes::<S>(places, [index, denominator], &w);
+                for (number, filled) in once(number).chain(slopes).zip(all) {
+                    if let Some(out) = registers.get_mut(number) {
+                        *out.as_f32_mut() = filled;
+                    }
+                }
+                continue;
+            }
             let Some(out) = registers.get_mut(number) else { continue };
             match from {
                 FragmentInput::Smooth(index) if is_divided => {
@@ -228,16 +239,11 @@ impl Fill<'_> {
                     *out.as_f32_mut() = within::<S>(places, index, &centroids);
                 }
                 FragmentInput::SmoothSlope(index, axis) => {
-                    let mut slope = evaluate::<S>(places, index);
-                    let (of, by) = (places.plane(index), places.plane(denominator));
-                    let steps = |e, q| [along(axis, of(e, q)), along(axis, by(e, q))];
-                    let [a, b, c, d] = pixels(&mut slope);
-                    let [ia, ib, ic, id] = pixels(&mut w);
-                    slope_pixel(steps, 0, ia, a);
-                    slope_pixel(steps, 1, ib, b);
-                    slope_pixel(steps, 2, ic, c);
-                    slope_pixel(steps, 3, id, d);
-                    *out.as_f32_mut() = slope;
+                    let [_, across, up] = with_slopes::<S>(places, [index, denominator], &w);
+                    *out.as_f32_mut() = match axis {
+                        Axis::X => across,
+                        Axis::Y => up,
+                    };
                 }
                 FragmentInput::LinearSlope(index, axis) => {
                     let plane = places.plane(index);
@@ -267,70 +273,6 @@ impl Fill<'_> {
     }
 }
 
-/// Column of each pixel of a quad.
-const X: [f32; 4] = [0.0, 1.0, 0.0, 1.0];
-/// Row of each pixel of a quad.
-const Y: [f32; 4] = [0.0, 0.0, 1.0, 1.0];
-
-/// A plane over the denominator's, given its inverse. Where both are the same plane that is 1: what is 1 at all
-/// vertices is so in between.
-#[inline(always)]
-fn divided<S: Simd>(
-    places: &impl Places,
-    [plane, denominator]: [usize; 2],
-    inverse: &F32s,
-) -> F32s {
-    let mut out = evaluate::<S>(places, plane);
-    let (of, by) = (places.plane(plane), places.plane(denominator));
-    let is_one = |e, q| of(e, q) == by(e, q);
-    let [a, b, c, d] = pixels(&mut out);
-    divide_pixel(is_one, 0, inverse, a);
-    divide_pixel(is_one, 1, inverse, b);
-    divide_pixel(is_one, 2, inverse, c);
-    divide_pixel(is_one, 3, inverse, d);
-    out
-}
-
-/// One pixel of each quad times the inverse, or 1.
-#[inline(always)]
-fn divide_pixel(
-    is_one: impl Fn(usize, usize) -> bool,
-    e: usize,
-    inverse: &F32s,
-    out: &mut [f32; QUADS],
-) {
-    for (q, out) in out.iter_mut().enumerate() {
-        let quotient = *out * inverse[e * QUADS + q];
-        *out = if is_one(e, q) { 1.0 } else { quotient };
-    }
-}
-
-/// How a plane changes along an axis.
-#[inline(always)]
-fn along(axis: Axis, [_, a, b]: [f32; 3]) -> f32 {
-    match axis {
-        Axis::X => a,
-        Axis::Y => b,
-    }
-}
-
-/// The inverse of each lane. Where nothing is in perspective they are alike, and one division does.
-#[inline(always)]
-fn invert<S: Simd>(lanes: &mut F32s) {
-    let first = lanes[0].to_bits();
-    let mut different = U32s::ZERO;
-    for lane in 0..LANES {
-        different[lane] = lanes[lane].to_bits() ^ first;
-    }
-    if !S::any(&different) {
-        *lanes = F32s::splat(1.0 / lanes[0]);
-        return;
-    }
-    for lane in 0..LANES {
-        lanes[lane] = 1.0 / lanes[lane];
-    }
-}
-
 /// Fills lanes from the pixel of the quad and the quad.
 #[inline(always)]
 fn by_quad(out: &mut U32s, word: impl Fn(usize, usize) -> u32) {
@@ -339,105 +281,18 @@ fn by_quad(out: &mut U32s, word: impl Fn(usize, usize) -> u32) {
     }
 }
 
-/// A plane at every lane.
-#[inline(always)]
-fn evaluate<S: Simd>(places: &impl Places, plane: usize) -> F32s {
-    S::apart_unless_wide(Evaluate { places, plane })
-}
-
-struct Evaluate<'a, P> {
-    places: &'a P,
-    plane: usize,
-}
-
-impl<P: Places> Kernel for Evaluate<'_, P> {
-    type Output = F32s;
-    #[inline(always)]
-    fn run<S: Simd>(self) -> F32s {
-        evaluate_plane(self.places, self.places.plane(self.plane))
-    }
-}
-
-#[inline(always)]
-pub(super) fn evaluate_plane(
-    places: &impl Places,
-    plane: impl Fn(usize, usize) -> [f32; 3],
-) -> F32s {
-    let mut out = F32s::ZERO;
-    let [first, second, third, fourth] = pixels(&mut out);
-    evaluate_pixel(places, &plane, 0, first);
-    evaluate_pixel(places, &plane, 1, second);
-    evaluate_pixel(places, &plane, 2, third);
-    evaluate_pixel(places, &plane, 3, fourth);
-    out
-}
-
-/// A plane at one pixel of each quad.
-#[inline(always)]
-fn evaluate_pixel(
-    places: &impl Places,
-    plane: &impl Fn(usize, usize) -> [f32; 3],
-    e: usize,
-    out: &mut [f32; QUADS],
-) {
-    for (q, out) in out.iter_mut().enumerate() {
-        *out = value(plane(e, q), places.within(e, q));
-    }
-}
-
-/// A plane at a place in its block.
-#[inline(always)]
-pub(super) fn value([corner, a, b]: [f32; 3], [dx, dy]: [f32; 2]) -> f32 {
-    (corner + dx * a) + dy * b
-}
-
-/// The derivative of the quotient of two planes at one pixel of each quad, given the steps of both:
-/// `(n / d)' = (n' - n / d · d') / d`, of `1 / d` and, in `out`, `n`.
-#[inline(always)]
-fn slope_pixel(
-    steps: impl Fn(usize, usize) -> [f32; 2],
-    e: usize,
-    inverse: &[f32; QUADS],
-    out: &mut [f32; QUADS],
-) {
-    for q in 0..QUADS {
-        let [of, by] = steps(e, q);
-        let value = out[q] * inverse[q];
-        out[q] = (of - value * by) * inverse[q];
-    }
-}
-
-/// A plane at every lane, moved so far across and up from the pixel's centre.
-#[inline(always)]
-fn within<S: Simd>(places: &impl Places, plane: usize, [x, y]: &[F32s; 2]) -> F32s {
-    let mut out = evaluate::<S>(places, plane);
-    let plane = places.plane(plane);
-    for lane in 0..LANES {
-        let [_, a, b] = plane(lane / QUADS, lane % QUADS);
-        out[lane] += x[lane] * a + y[lane] * b;
-    }
-    out
-}
-
-/// The lanes by pixel of the quad. A loop over pixels around a loop over quads would be vectorized
-/// the wrong way round, with scattered stores.
-#[inline(always)]
-fn pixels(lanes: &mut F32s) -> &mut [[f32; QUADS]; 4] {
-    bytemuck::cast_mut(&mut lanes.0)
-}
-
 impl Batch<'_> {
     /// A plane at one lane.
     pub fn at(&self, plane: usize, lane: usize) -> f32 {
         let (plane, within) = self.place_of(plane, lane);
-        value(plane, within)
+        value_at(plane, within)
     }
 
     /// A plane at one lane, moved so far across and up from the pixel's centre.
     pub fn at_moved(&self, plane: usize, lane: usize, [x, y]: &[F32s; 2]) -> f32 {
         let (plane, within) = self.place_of(plane, lane);
         let [_, a, b] = plane;
-        value(plane, within) + (x[lane] * a + y[lane] * b)
+        value_at(plane, within) + (x[lane] * a + y[lane] * b)
     }
 
     /// A plane, and the column and row of a lane in its block.

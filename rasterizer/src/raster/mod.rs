@@ -20,6 +20,7 @@ mod lanes;
 mod pack;
 mod pixels;
 mod product;
+mod quotients;
 mod run;
 mod samples;
 mod shading;
