@@ -154,6 +154,11 @@ impl Recorder {
         Arc::clone(&self.device)
     }
 
+    /// [`Device::copy`].
+    pub fn copy(&self, from: &[u8], to: &mut [u8]) {
+        self.device.copy(from, to);
+    }
+
     /// The instruction set that the device's kernels are run with, and the context's own.
     pub fn isa(&self) -> Isa {
         self.device.desc().isa

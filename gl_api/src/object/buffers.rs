@@ -10,6 +10,7 @@ use crate::error::{
     ErrorCode, GlError, Result, Table, invalid_operation, invalid_value, not_negative,
 };
 use crate::types::*;
+use bytemuck::allocation::try_zeroed_vec;
 use rasterizer::driver::Buffer;
 
 const SECTION: &str = "GL 2.1, section 2.9";
@@ -80,6 +81,12 @@ impl BufferObject {
         let bytes = std::mem::take(self.all_bytes_mut(recorder));
         self.buffer = Buffer::default();
         bytes
+    }
+
+    /// Takes the bytes out if there are so many, and nobody else has them: their memory is there already.
+    fn take_as_many(&mut self, size: usize) -> Option<Vec<u8>> {
+        let is_free = !self.buffer.is_shared() && self.buffer.bytes().len() == size;
+        is_free.then(|| std::mem::take(self.buffer.bytes_mut()))
     }
 
     /// Ends the mapping; whether there was one.
@@ -265,6 +272,7 @@ pub(crate) fn buffer_data(
     data: Data<'_>,
     usage: GLenum,
 ) -> Result<()> {
+    let device = context.recorder.device();
     let object = bound(context, target)?;
     let size = not_negative(SECTION, "size", size as i64)?;
     let usage = USAGE.decode("usage", usage)?;
@@ -278,12 +286,13 @@ pub(crate) fn buffer_data(
     if size > limits::MAX_BUFFER_SIZE {
         return Err(no_memory());
     }
-    let mut bytes = Vec::new();
-    match data.locate(0, size) {
+    let zeros = || try_zeroed_vec(size).map_err(|()| no_memory());
+    let bytes = match data.locate(0, size) {
         Located::Bytes(source) => match source.get(..size) {
             Some(source) => {
-                bytes.try_reserve_exact(size).map_err(|_| no_memory())?;
-                bytes.extend_from_slice(source);
+                let mut bytes = object.take_as_many(size).map_or_else(zeros, Ok)?;
+                device.copy(source, &mut bytes);
+                bytes
             }
             None => {
                 return invalid_operation(
@@ -292,14 +301,11 @@ pub(crate) fn buffer_data(
                 );
             }
         },
-        Located::Null | Located::Offset(0) => {
-            bytes.try_reserve_exact(size).map_err(|_| no_memory())?;
-            bytes.resize(size, 0);
-        }
+        Located::Null | Located::Offset(0) => zeros()?,
         Located::Offset(_) => {
             return invalid_operation(SECTION, "data is an offset; it must be memory or NULL");
         }
-    }
+    };
     object.buffer = Buffer::new(bytes);
     object.usage = usage;
     object.map = None;
@@ -345,8 +351,8 @@ pub(crate) fn buffer_sub_data(
     let range = range(object, offset, size)?;
     match data.locate(0, range.len()) {
         Located::Bytes(source) if source.len() >= range.len() => {
-            let source = &source[..range.len()];
-            object.bytes_mut(recorder)[range].copy_from_slice(source);
+            let to = &mut object.bytes_mut(recorder)[range];
+            recorder.copy(&source[..to.len()], to);
             Ok(())
         }
         Located::Bytes(source) => invalid_operation(

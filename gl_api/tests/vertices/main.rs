@@ -3,6 +3,7 @@
 
 mod instances;
 mod runs;
+mod uploads;
 
 use gl_api::*;
 

@@ -18,6 +18,11 @@ use texunit::image::{Image as Texels, Level};
 use texunit::lanes::{Isa, IsaError};
 use thiserror::Error;
 
+/// From so many bytes on several threads copy them,
+const WORTH_THREADS: usize = 1 << 20;
+/// and so many at once.
+const COPIED: usize = 1 << 18;
+
 /// What a device is made from.
 #[derive(Clone, Copy, Debug)]
 pub struct DeviceDesc {
@@ -161,6 +166,25 @@ impl Device {
     /// Who stores what was drawn. Without threads the one that asks does it alone.
     fn crew(&self) -> Crew {
         self.threads.crew().unwrap_or(Crew::ALONE)
+    }
+
+    /// Copies bytes, by all threads where there are many: a client's go where the system often has yet to find
+    /// memory, page by page, which takes longer than to copy them.
+    ///
+    /// # Panics
+    /// When there are not as many.
+    pub fn copy(&self, from: &[u8], to: &mut [u8]) {
+        if from.len() < WORTH_THREADS {
+            return to.copy_from_slice(from);
+        }
+        assert_eq!(from.len(), to.len());
+        let mut pieces: Vec<_> = from.chunks(COPIED).zip(to.chunks_mut(COPIED)).collect();
+        self.crew().share(
+            &mut pieces,
+            1,
+            || (),
+            |(), pieces| pieces.iter_mut().for_each(|(from, to)| to.copy_from_slice(from)),
+        );
     }
 
     /// [`Image::texels`], faster of large ones.
