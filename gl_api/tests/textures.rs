@@ -408,6 +408,35 @@ fn sampler_objects_swizzles_and_borders_show() {
 }
 
 #[test]
+fn mirrored_once_a_row_ends_at_the_border() {
+    let mut c = context();
+    let (rgba, ty) = (GL_RGBA, GL_UNSIGNED_BYTE);
+    nearest(&mut c, GL_TEXTURE_1D);
+    let pixels = Data::Bytes(&[10, 20, 30, 40, 50, 60, 70, 80]);
+    c.tex_image_1d(GL_TEXTURE_1D, 0, rgba as i32, 2, 0, rgba, ty, pixels);
+    c.enable(GL_TEXTURE_1D);
+    c.tex_parameterfv(GL_TEXTURE_1D, GL_TEXTURE_BORDER_COLOR, &[1.0, 0.0, 1.0, 1.0]);
+    let wrap = GL_MIRROR_CLAMP_TO_BORDER_EXT as i32;
+    c.tex_parameteri(GL_TEXTURE_1D, GL_TEXTURE_WRAP_S, wrap);
+    let mut set = [0];
+    c.get_tex_parameteriv(GL_TEXTURE_1D, GL_TEXTURE_WRAP_S, &mut set);
+    assert_eq!(set, [wrap]);
+    let [first, second, border] = [[10, 20, 30, 40], [50, 60, 70, 80], [255, 0, 255, 255]];
+    for (s, expected) in [
+        (0.2, first),
+        (-0.2, first),
+        (-0.7, second),
+        (0.99, second),
+        (-1.0, border),
+        (1.01, border),
+        (-9.0, border),
+    ] {
+        assert_eq!(sampled(&mut c, [s, 0.5, 0.0]), expected, "{s}");
+    }
+    ok(&mut c);
+}
+
+#[test]
 fn copies_take_the_framebuffer_to_every_target() {
     let mut c = context();
     c.clear_color(1.0, 0.5, 0.0, 1.0);

@@ -179,9 +179,11 @@ impl Anisotropy {
     fn new(shape: Shape, sampler: &Sampler, most: u32) -> Self {
         let in_rows = |wrap: Wrap| match wrap_of(shape, sampler.seamless, wrap) {
             Wrap::Repeat | Wrap::MirroredRepeat | Wrap::ClampToEdge => true,
-            Wrap::Clamp | Wrap::ClampToBorder | Wrap::MirrorClamp | Wrap::MirrorClampToEdge => {
-                false
-            }
+            Wrap::Clamp
+            | Wrap::ClampToBorder
+            | Wrap::MirrorClamp
+            | Wrap::MirrorClampToEdge
+            | Wrap::MirrorClampToBorder => false,
         };
         let filters = [sampler.min, sampler.mag] == [Filter::Linear; 2];
         match shape {

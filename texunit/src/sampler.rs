@@ -17,11 +17,13 @@ pub enum Wrap {
     MirrorClamp,
     /// `GL_MIRROR_CLAMP_TO_EDGE_EXT`: mirrored once at 0, then as `ClampToEdge`.
     MirrorClampToEdge,
+    /// `GL_MIRROR_CLAMP_TO_BORDER_EXT`: mirrored once at 0, then as `ClampToBorder`.
+    MirrorClampToBorder,
 }
 
 impl Wrap {
     /// Every mode.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 8] = [
         Self::Repeat,
         Self::Clamp,
         Self::ClampToEdge,
@@ -29,13 +31,14 @@ impl Wrap {
         Self::MirroredRepeat,
         Self::MirrorClamp,
         Self::MirrorClampToEdge,
+        Self::MirrorClampToBorder,
     ];
 
     /// Whether a sample can mix in the border colour. `Clamp` holds the point inside, so that only
     /// a linear filter reaches past the edge.
     pub const fn reaches_border(self, filter: Filter) -> bool {
         match (self, filter) {
-            (Self::ClampToBorder, Filter::Nearest | Filter::Linear)
+            (Self::ClampToBorder | Self::MirrorClampToBorder, Filter::Nearest | Filter::Linear)
             | (Self::Clamp | Self::MirrorClamp, Filter::Linear) => true,
             (Self::Clamp | Self::MirrorClamp, Filter::Nearest)
             | (

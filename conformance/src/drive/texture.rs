@@ -177,6 +177,7 @@ pub(super) fn wrap_enum(wrap: Wrap) -> u32 {
         Wrap::MirroredRepeat => GL_MIRRORED_REPEAT,
         Wrap::MirrorClamp => GL_MIRROR_CLAMP_EXT,
         Wrap::MirrorClampToEdge => GL_MIRROR_CLAMP_TO_EDGE_EXT,
+        Wrap::MirrorClampToBorder => GL_MIRROR_CLAMP_TO_BORDER_EXT,
     }
 }
 

@@ -102,11 +102,13 @@ impl Texture {
             | Wrap::ClampToBorder
             | Wrap::MirroredRepeat
             | Wrap::MirrorClamp
-            | Wrap::MirrorClampToEdge => i as i64,
+            | Wrap::MirrorClampToEdge
+            | Wrap::MirrorClampToBorder => i as i64,
         };
         match self.filter {
             Filter::Nearest => {
-                let last = if wrap == Wrap::ClampToBorder { f64::INFINITY } else { n as f64 - 1.0 };
+                let past = matches!(wrap, Wrap::ClampToBorder | Wrap::MirrorClampToBorder);
+                let last = if past { f64::INFINITY } else { n as f64 - 1.0 };
                 vec![(index(u.floor().min(last)), 1.0)]
             }
             Filter::Linear => {

@@ -19,11 +19,13 @@ pub enum Wrap {
     MirrorClamp,
     /// `GL_MIRROR_CLAMP_TO_EDGE_EXT`.
     MirrorClampToEdge,
+    /// `GL_MIRROR_CLAMP_TO_BORDER_EXT`.
+    MirrorClampToBorder,
 }
 
 impl Wrap {
     /// All of them.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 8] = [
         Self::Repeat,
         Self::Clamp,
         Self::ClampToEdge,
@@ -31,6 +33,7 @@ impl Wrap {
         Self::MirroredRepeat,
         Self::MirrorClamp,
         Self::MirrorClampToEdge,
+        Self::MirrorClampToBorder,
     ];
 }
 
@@ -47,8 +50,8 @@ pub enum Index {
 ///
 /// `s - floor(s)` repeats; `mirror(f)` is `f - floor(f)` for an even `floor(f)` and
 /// `1 - (f - floor(f))` for an odd one; the clamps are to [0, 1], to [1/2N, 1 - 1/2N] and to
-/// [-1/2N, 1 + 1/2N]. The mirror clamps (EXT_texture_mirror_clamp) are of `|s|`, to [1/2N, 1] and
-/// to [1/2N, 1 - 1/2N].
+/// [-1/2N, 1 + 1/2N]. The mirror clamps (EXT_texture_mirror_clamp) are of `|s|`, to [1/2N, 1],
+/// to [1/2N, 1 - 1/2N] and to [1/2N, 1 + 1/2N].
 pub fn coordinate(wrap: Wrap, s: f64, size: usize, variant: Variant) -> f64 {
     let n = size as f64;
     let half = 0.5 / n;
@@ -65,13 +68,14 @@ pub fn coordinate(wrap: Wrap, s: f64, size: usize, variant: Variant) -> f64 {
             let odd = s.floor().rem_euclid(2.0) == 1.0 && !variant.has(Mutation::MirrorAsRepeat);
             (if odd { 1.0 - fraction } else { fraction }).clamp(half, 1.0 - half)
         }
-        Wrap::MirrorClamp | Wrap::MirrorClampToEdge
+        Wrap::MirrorClamp | Wrap::MirrorClampToEdge | Wrap::MirrorClampToBorder
             if variant.has(Mutation::MirrorNegativeIgnored) =>
         {
             s.clamp(half, 1.0 - half)
         }
         Wrap::MirrorClamp => s.abs().clamp(half, 1.0),
         Wrap::MirrorClampToEdge => s.abs().clamp(half, 1.0 - half),
+        Wrap::MirrorClampToBorder => s.abs().clamp(half, 1.0 + half),
     };
     s * n
 }
@@ -86,7 +90,8 @@ fn index(wrap: Wrap, i: f64, size: usize, variant: Variant) -> Index {
         | Wrap::ClampToBorder
         | Wrap::MirroredRepeat
         | Wrap::MirrorClamp
-        | Wrap::MirrorClampToEdge => i,
+        | Wrap::MirrorClampToEdge
+        | Wrap::MirrorClampToBorder => i,
     };
     if (0.0..n).contains(&inside) {
         Index::Texel(inside as usize)
@@ -107,7 +112,7 @@ pub fn nearest(wrap: Wrap, s: f64, size: usize, variant: Variant) -> Index {
         | Wrap::MirroredRepeat
         | Wrap::MirrorClamp
         | Wrap::MirrorClampToEdge => i = i.min(size as f64 - 1.0),
-        Wrap::Repeat | Wrap::ClampToBorder => {}
+        Wrap::Repeat | Wrap::ClampToBorder | Wrap::MirrorClampToBorder => {}
     }
     if variant.has(Mutation::TexelOffByOne) {
         i += 1.0;
@@ -148,6 +153,10 @@ mod tests {
             (Wrap::MirroredRepeat, 1.1, Texel(3)),
             (Wrap::MirroredRepeat, 2.1, Texel(0)),
             (Wrap::MirroredRepeat, 1.9, Texel(0)),
+            (Wrap::MirrorClamp, -1.0, Texel(3)),
+            (Wrap::MirrorClampToBorder, -0.3, Texel(1)),
+            (Wrap::MirrorClampToBorder, -1.0, Border),
+            (Wrap::MirrorClampToBorder, 1.01, Border),
         ];
         for (wrap, s, expected) in table {
             assert_eq!(nearest(wrap, s, 4, TRUE), expected, "{wrap:?} {s}");
@@ -165,6 +174,8 @@ mod tests {
             (Wrap::ClampToBorder, -5.0, [Border, Texel(0)], 0.0),
             (Wrap::ClampToBorder, 0.0625, [Border, Texel(0)], 0.75),
             (Wrap::MirroredRepeat, 1.25, [Texel(2), Texel(3)], 0.5),
+            (Wrap::MirrorClampToBorder, 0.0, [Texel(0), Texel(1)], 0.0),
+            (Wrap::MirrorClampToBorder, -0.9375, [Texel(3), Border], 0.25),
         ];
         for (wrap, s, texels, alpha) in table {
             assert_eq!(linear(wrap, s, 4, TRUE), (texels, alpha), "{wrap:?} {s}");

@@ -137,6 +137,7 @@ pub(crate) const EXTENSIONS: &[&str] = &[
     "GL_EXT_texture_filter_anisotropic",
     "GL_EXT_texture_integer",
     "GL_EXT_texture_lod_bias",
+    "GL_EXT_texture_mirror_clamp",
     "GL_EXT_texture_object",
     "GL_EXT_texture_rectangle",
     "GL_EXT_texture_sRGB",

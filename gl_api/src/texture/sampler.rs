@@ -20,6 +20,7 @@ const WRAP: Table<Wrap> = Table {
         (GL_MIRRORED_REPEAT, Wrap::MirroredRepeat),
         (GL_MIRROR_CLAMP_EXT, Wrap::MirrorClamp),
         (GL_MIRROR_CLAMP_TO_EDGE, Wrap::MirrorClampToEdge),
+        (GL_MIRROR_CLAMP_TO_BORDER_EXT, Wrap::MirrorClampToBorder),
     ],
 };
 

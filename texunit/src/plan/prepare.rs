@@ -103,7 +103,11 @@ pub(super) fn wrap_of(shape: Shape, seamless: Seamless, wrap: Wrap) -> Wrap {
         (
             Shape::Rect,
             _,
-            Wrap::Repeat | Wrap::MirroredRepeat | Wrap::MirrorClamp | Wrap::MirrorClampToEdge,
+            Wrap::Repeat
+            | Wrap::MirroredRepeat
+            | Wrap::MirrorClamp
+            | Wrap::MirrorClampToEdge
+            | Wrap::MirrorClampToBorder,
         ) => Wrap::ClampToEdge,
         (_, _, wrap) => wrap,
     }

@@ -96,6 +96,11 @@ impl Axis {
                     u[lane] = clamp((s[lane] * scale).abs(), 0.5, n - 0.5);
                 }
             }
+            Wrap::MirrorClampToBorder => {
+                for lane in 0..LANES {
+                    u[lane] = clamp((s[lane] * scale).abs(), 0.5, n + 0.5);
+                }
+            }
         }
         u
     }
@@ -126,7 +131,7 @@ impl Axis {
             i[lane] = S::floor_small(u[lane]).0;
         }
         match self.wrap {
-            Wrap::ClampToBorder => self.stored(&i),
+            Wrap::ClampToBorder | Wrap::MirrorClampToBorder => self.stored(&i),
             Wrap::Repeat
             | Wrap::Clamp
             | Wrap::ClampToEdge
@@ -173,7 +178,7 @@ impl Axis {
                 }
                 [lower, upper]
             }
-            Wrap::Clamp | Wrap::ClampToBorder | Wrap::MirrorClamp => {
+            Wrap::Clamp | Wrap::ClampToBorder | Wrap::MirrorClamp | Wrap::MirrorClampToBorder => {
                 let mut next = I32s::ZERO;
                 for lane in 0..LANES {
                     next[lane] = i[lane] + 1;

@@ -36,7 +36,9 @@ fn nan_counts_as_zero_and_infinity_as_the_end_of_the_range() {
             let (low, high) = match wrap {
                 Wrap::Repeat | Wrap::MirroredRepeat => (0.0, 0.0),
                 Wrap::Clamp | Wrap::ClampToEdge | Wrap::ClampToBorder => (-9.0, 9.0),
-                Wrap::MirrorClamp | Wrap::MirrorClampToEdge => (9.0, 9.0),
+                Wrap::MirrorClamp | Wrap::MirrorClampToEdge | Wrap::MirrorClampToBorder => {
+                    (9.0, 9.0)
+                }
             };
             assert_eq!(at(f32::NEG_INFINITY), at(low), "{wrap:?} {filter:?}");
             assert_eq!(at(f32::INFINITY), at(high), "{wrap:?} {filter:?}");

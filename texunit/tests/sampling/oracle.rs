@@ -206,10 +206,12 @@ impl Oracle<'_> {
                         Wrap::Clamp => !(0.0..=1.0).contains(&s),
                         Wrap::MirrorClamp => s.abs() > 1.0 || s.abs() < 0.5 / n,
                         Wrap::MirrorClampToEdge => s.abs() < 0.5 / n || s.abs() > 1.0 - 0.5 / n,
+                        Wrap::MirrorClampToBorder => s.abs() < 0.5 / n,
                         _ => false,
                     };
                     margin = margin.min(if held { f64::INFINITY } else { (u - u.round()).abs() });
-                    let last = wrap != Wrap::ClampToBorder && u >= n;
+                    let past = matches!(wrap, Wrap::ClampToBorder | Wrap::MirrorClampToBorder);
+                    let last = !past && u >= n;
                     vec![(if last { n - 1.0 } else { u.floor() }, 1.0)]
                 }
                 Filter::Linear => {
@@ -221,7 +223,10 @@ impl Oracle<'_> {
                         Wrap::ClampToEdge | Wrap::MirroredRepeat | Wrap::MirrorClampToEdge => {
                             i.clamp(0.0, n - 1.0)
                         }
-                        Wrap::Clamp | Wrap::ClampToBorder | Wrap::MirrorClamp => i,
+                        Wrap::Clamp
+                        | Wrap::ClampToBorder
+                        | Wrap::MirrorClamp
+                        | Wrap::MirrorClampToBorder => i,
                     };
                     vec![(fold(i), 1.0 - weight), (fold(i + 1.0), weight)]
                 }
@@ -408,6 +413,7 @@ fn wrapped(wrap: Wrap, s: f64, n: f64) -> f64 {
         }
         Wrap::MirrorClamp => s.abs().clamp(half, 1.0),
         Wrap::MirrorClampToEdge => s.abs().clamp(half, 1.0 - half),
+        Wrap::MirrorClampToBorder => s.abs().clamp(half, 1.0 + half),
     }
 }
 

@@ -81,7 +81,8 @@ fn coordinate<S: Simd>(axis: &Axis, s: &F32s) -> Coordinate {
         | Wrap::Clamp
         | Wrap::ClampToBorder
         | Wrap::MirrorClamp
-        | Wrap::MirrorClampToEdge => {
+        | Wrap::MirrorClampToEdge
+        | Wrap::MirrorClampToBorder => {
             for lane in 0..LANES {
                 let texels = s[lane] * axis.scale;
                 let number = if texels.is_nan() { 0.0 } else { texels };
@@ -262,7 +263,8 @@ fn wrapped(axis: &Axis, index: &I32s) -> U32s {
         | Wrap::Clamp
         | Wrap::ClampToBorder
         | Wrap::MirrorClamp
-        | Wrap::MirrorClampToEdge => {
+        | Wrap::MirrorClampToEdge
+        | Wrap::MirrorClampToBorder => {
             for lane in 0..LANES {
                 let low = if index[lane] > 0 { index[lane] } else { 0 };
                 out[lane] = if low < last { low } else { last } as u32;
