@@ -38,9 +38,17 @@ pub enum Timing {
     Never,
     /// Before shading: what fails is not shaded.
     Early,
-    /// After shading: the shader throws fragments away or writes depth. The program output that
-    /// holds the depth, if it does.
-    Late(Option<usize>),
+    /// After shading: the shader throws fragments away, or writes what is tested.
+    Late(Written),
+}
+
+/// What a shader writes for the tests: the program outputs that hold it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Written {
+    /// The depth.
+    pub depth: Option<usize>,
+    /// What stencils are compared with.
+    pub reference: Option<usize>,
 }
 
 /// The decisions of one draw.
@@ -156,9 +164,13 @@ impl Timing {
         match self {
             Self::Never => "left out".into(),
             Self::Early => format!("early, {test:?}, write {write:?}"),
-            Self::Late(output) => format!(
+            Self::Late(written) => format!(
                 "late, {test:?}, write {write:?}: the shader {}",
-                if output.is_some() { "writes depth" } else { "throws fragments away" },
+                match written {
+                    Written { depth: Some(_), .. } => "writes depth",
+                    Written { reference: Some(_), .. } => "writes the stencil's reference",
+                    Written { depth: None, reference: None } => "throws fragments away",
+                },
             ),
         }
     }
@@ -213,14 +225,17 @@ impl DrawPlan {
 
         let colors = colors(pipeline, input.colors);
         let tests = tests(pipeline, input.depth);
-        let depth_output = output(Output::Depth).filter(|_| tests.depth.is_some());
+        let written = Written {
+            depth: output(Output::Depth).filter(|_| tests.depth.is_some()),
+            reference: output(Output::StencilReference).filter(|_| tests.stencil.is_some()),
+        };
         let alpha = output(Output::Color { target: 0, component: 3 });
         let samples = Samples::new(input.samples, &input.raster.multisample, alpha);
         let discards = fragment.discards() || samples.alpha.is_some();
         let timing = if tests == Tests::default() {
             Timing::Never
-        } else if discards && tests.write() || depth_output.is_some() {
-            Timing::Late(depth_output)
+        } else if discards && tests.write() || written != Written::default() {
+            Timing::Late(written)
         } else {
             Timing::Early
         };
@@ -245,7 +260,7 @@ impl DrawPlan {
             planes: Vec::new(),
             denominator: None,
         };
-        let tests_z = tests.depth.is_some() && depth_output.is_none();
+        let tests_z = tests.depth.is_some() && written.depth.is_none();
         let reads_z = fragment.inputs().contains(&Input::FragCoord(2));
         let depth = (tests_z || reads_z).then_some(PlaneSource::Depth);
         let read = if shading == Shading::On { fragment.inputs() } else { &[] };

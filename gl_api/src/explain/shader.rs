@@ -43,6 +43,7 @@ pub fn steps(page: &mut Page, fragment: &Fragment, note: &DrawNote) {
                     format!("colour.{}", ["r", "g", "b", "a"][usize::from(*component % 4)])
                 }
                 Output::Depth => "depth".into(),
+                Output::StencilReference => "stencil reference".into(),
                 Output::Color { .. }
                 | Output::Position(_)
                 | Output::PointSize

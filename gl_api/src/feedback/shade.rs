@@ -48,10 +48,12 @@ impl Outputs {
                     .any(|first| four(first, slot)),
                 Self::Positions => false,
             },
-            Output::PointSize | Output::Color { .. } | Output::Depth => match self {
-                Self::All | Self::Units(_) => true,
-                Self::Corners | Self::Positions => false,
-            },
+            Output::PointSize | Output::Color { .. } | Output::Depth | Output::StencilReference => {
+                match self {
+                    Self::All | Self::Units(_) => true,
+                    Self::Corners | Self::Positions => false,
+                }
+            }
         }
     }
 }

@@ -16,7 +16,8 @@ pub(crate) fn clamp_vertex_colors(module: &mut Module) -> bool {
         | Output::PointSize
         | Output::ClipDistance(_)
         | Output::Color { .. }
-        | Output::Depth => false,
+        | Output::Depth
+        | Output::StencilReference => false,
     })
 }
 

@@ -64,6 +64,8 @@ pub enum Extension {
     FragmentCoordConventions,
     /// `GL_ARB_shader_bit_encoding`: `floatBitsToInt` and its kin.
     ShaderBitEncoding,
+    /// `GL_ARB_shader_stencil_export`: `gl_FragStencilRefARB`.
+    ShaderStencilExport,
     /// `GL_ARB_shader_texture_lod`: explicit levels and gradients in both stages.
     ShaderTextureLod,
     /// `GL_ARB_texture_cube_map_array`: `samplerCubeArray`.
@@ -86,7 +88,7 @@ pub enum Extension {
 
 impl Extension {
     /// Every extension and its name.
-    pub const ALL: [(Self, &'static str); 16] = [
+    pub const ALL: [(Self, &'static str); 17] = [
         (Self::ArraysOfArrays, "GL_ARB_arrays_of_arrays"),
         (Self::Compatibility, "GL_ARB_compatibility"),
         (Self::DrawBuffers, "GL_ARB_draw_buffers"),
@@ -94,6 +96,7 @@ impl Extension {
         (Self::ExplicitAttribLocation, "GL_ARB_explicit_attrib_location"),
         (Self::FragmentCoordConventions, "GL_ARB_fragment_coord_conventions"),
         (Self::ShaderBitEncoding, "GL_ARB_shader_bit_encoding"),
+        (Self::ShaderStencilExport, "GL_ARB_shader_stencil_export"),
         (Self::ShaderTextureLod, "GL_ARB_shader_texture_lod"),
         (Self::TextureCubeMapArray, "GL_ARB_texture_cube_map_array"),
         (Self::TextureMultisample, "GL_ARB_texture_multisample"),
@@ -126,6 +129,7 @@ impl Extension {
             | Self::ExplicitAttribLocation
             | Self::FragmentCoordConventions
             | Self::ShaderBitEncoding
+            | Self::ShaderStencilExport
             | Self::ShaderTextureLod
             | Self::UniformBufferObject
             | Self::TextureCubeMapArray

@@ -46,6 +46,7 @@ pub(crate) const EXTENSIONS: &[&str] = &[
     "GL_ARB_seamless_cube_map",
     "GL_ARB_shader_bit_encoding",
     "GL_ARB_shader_objects",
+    "GL_ARB_shader_stencil_export",
     "GL_ARB_shader_texture_lod",
     "GL_ARB_shading_language_100",
     "GL_ARB_shadow",

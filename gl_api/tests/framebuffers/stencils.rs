@@ -1,6 +1,7 @@
 //! The stencil test and its operations against a table of what they mean.
 
-use super::{ALL, bytes, context, fine, rectangle};
+use super::shading::use_program;
+use super::{ALL, bytes, context, fine, framebuffer, rectangle};
 use gl_api::*;
 
 /// GL 2.1, section 4.1.5, in plain arithmetic.
@@ -235,4 +236,133 @@ fn the_state_can_be_asked_for() {
     c.get_doublev(GL_STENCIL_BACK_WRITEMASK, &mut float);
     assert_eq!((long[0], float[0]), (i64::from(u32::MAX), f64::from(u32::MAX)));
     fine(&mut c);
+}
+
+/// A program that writes the stencil's reference, of pixel (x, y) the low bits of 7x + 31y - 100.
+const EXPORT: &str = "#extension GL_ARB_shader_stencil_export : require
+void main() {
+    gl_FragColor = vec4(1.0);
+    gl_FragStencilRefARB = 7 * int(gl_FragCoord.x) + 31 * int(gl_FragCoord.y) - 100;
+}";
+
+/// That reference of the pixel of this number, of 16 a row.
+fn exported(at: usize) -> u8 {
+    (7 * (at % 16) as i32 + 31 * (at / 16) as i32 - 100) as u8
+}
+
+#[test]
+fn a_reference_that_a_shader_writes_is_compared_and_stored() {
+    let mut c = context(16, 16);
+    for func in FUNCS {
+        for (mask, write_mask) in [(0xFF, 0xFF), (0x3C, 0x0F)] {
+            ramp(&mut c);
+            c.clear_color(0.0, 0.0, 0.0, 0.0);
+            c.clear(GL_COLOR_BUFFER_BIT);
+            c.enable(GL_STENCIL_TEST);
+            c.stencil_mask(write_mask);
+            // 0x55 is of nobody.
+            c.stencil_func(func, 0x55, mask);
+            c.stencil_op(GL_INVERT, GL_KEEP, GL_REPLACE);
+            use_program(&mut c, "", EXPORT);
+            rectangle(&mut c, ALL, 0.0);
+            c.use_program(0);
+            let (mask, write_mask) = (mask as u8, write_mask as u8);
+            let red = bytes(&mut c, [0, 0, 16, 16], GL_RED, 1);
+            let found = stencils(&mut c);
+            for at in 0..256 {
+                let (stored, reference) = (at as u8, exported(at));
+                let passed = passes(func, reference & mask, stored & mask);
+                assert_eq!(red[at] == 255, passed, "{} {at}", enum_name(func));
+                let new = if passed { reference } else { !stored };
+                let want = new & write_mask | stored & !write_mask;
+                assert_eq!(found[at], want, "{} {at}", enum_name(func));
+            }
+        }
+    }
+}
+
+/// Also where fragments are thrown away, of back faces, and where the depth is written as well.
+#[test]
+fn a_written_reference_counts_for_both_faces_and_only_for_what_is_left() {
+    let mut c = context(16, 16);
+    c.clear_depth(0.5);
+    c.clear(GL_STENCIL_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    c.enable(GL_STENCIL_TEST);
+    c.enable(GL_DEPTH_TEST);
+    c.stencil_op_separate(GL_FRONT, GL_KEEP, GL_INVERT, GL_REPLACE);
+    c.stencil_op_separate(GL_BACK, GL_KEEP, GL_REPLACE, GL_INVERT);
+    let fragment = "#extension GL_ARB_shader_stencil_export : require
+        void main() {
+            gl_FragColor = vec4(1.0);
+            gl_FragStencilRefARB = 256 + int(gl_FragCoord.y);
+            if (gl_FragCoord.y > 12.0) discard;
+            gl_FragDepth = mod(gl_FragCoord.y, 2.0) < 1.0 ? 0.25 : 0.75; }";
+    use_program(&mut c, "", fragment);
+    rectangle(&mut c, [-1.0, -1.0, 0.0, 1.0], 0.0);
+    // Seen from behind.
+    rectangle(&mut c, [1.0, -1.0, 0.0, 1.0], 0.0);
+    for (at, got) in stencils(&mut c).into_iter().enumerate() {
+        let (x, y) = (at % 16, at / 16);
+        let want = match (y, y % 2 == 0, x < 8) {
+            (12.., _, _) => 0,
+            (_, true, true) | (_, false, false) => y as u8,
+            (_, true, false) | (_, false, true) => 0xFF,
+        };
+        assert_eq!(got, want, "{x} {y}");
+    }
+}
+
+/// A shader that writes no reference, if only because nothing is tested, changes nothing.
+#[test]
+fn without_a_test_a_written_reference_does_nothing() {
+    let mut c = context(16, 16);
+    ramp(&mut c);
+    use_program(&mut c, "", EXPORT);
+    rectangle(&mut c, ALL, 0.0);
+    let want: Vec<u8> = (0..=255).collect();
+    assert_eq!(stencils(&mut c), want);
+    // Nor is there one without the extension.
+    let shader = c.create_shader(GL_FRAGMENT_SHADER);
+    let text = "void main() { gl_FragStencilRefARB = 1; }";
+    c.shader_source(shader, 1, Strings(vec![text]), &[]);
+    c.compile_shader(shader);
+    let mut log = String::new();
+    c.get_shader_info_log(shader, 1 << 16, &mut [], TextOut::String(&mut log));
+    assert!(log.contains("#extension GL_ARB_shader_stencil_export : enable"), "{log}");
+}
+
+/// Each of a pixel's samples has its own stencil, and the pixel's reference.
+#[test]
+fn a_written_reference_is_that_of_all_samples() {
+    let mut c = context(16, 16);
+    let object = framebuffer(&mut c);
+    for (point, format) in
+        [(GL_COLOR_ATTACHMENT0, GL_RGBA8), (GL_DEPTH_STENCIL_ATTACHMENT, GL_DEPTH24_STENCIL8)]
+    {
+        let mut name = [0];
+        c.gen_renderbuffers(1, &mut name);
+        c.bind_renderbuffer(GL_RENDERBUFFER, name[0]);
+        c.renderbuffer_storage_multisample(GL_RENDERBUFFER, 4, format, 16, 16);
+        c.framebuffer_renderbuffer(GL_FRAMEBUFFER, point, GL_RENDERBUFFER, name[0]);
+    }
+    c.clear(GL_STENCIL_BUFFER_BIT);
+    c.enable(GL_STENCIL_TEST);
+    c.stencil_op(GL_KEEP, GL_KEEP, GL_REPLACE);
+    use_program(&mut c, "", EXPORT);
+    rectangle(&mut c, ALL, 0.0);
+    // What all samples hold is what passes at all of them.
+    c.stencil_op(GL_KEEP, GL_KEEP, GL_KEEP);
+    c.stencil_func(GL_EQUAL, 0, !0);
+    c.clear(GL_COLOR_BUFFER_BIT);
+    rectangle(&mut c, ALL, 0.0);
+    c.bind_framebuffer(GL_DRAW_FRAMEBUFFER, 0);
+    let what = GL_COLOR_BUFFER_BIT | GL_STENCIL_BUFFER_BIT;
+    c.blit_framebuffer(0, 0, 16, 16, 0, 0, 16, 16, what, GL_NEAREST);
+    c.bind_framebuffer(GL_FRAMEBUFFER, 0);
+    let red = bytes(&mut c, [0, 0, 16, 16], GL_RED, 1);
+    assert!(red.iter().all(|&red| red == 255), "{red:?}");
+    for (at, got) in stencils(&mut c).into_iter().enumerate() {
+        assert_eq!(got, exported(at), "{at}");
+    }
+    c.delete_framebuffers(1, &[object]);
 }

@@ -334,6 +334,7 @@ impl Compiled {
                 .get(usize::from(target))
                 .is_some_and(|color| color.needs(usize::from(component))),
             Output::Depth => desc.depth.is_some(),
+            Output::StencilReference => desc.output.stencil.is_some(),
             Output::Position(_)
             | Output::PointSize
             | Output::ClipDistance(_)
@@ -374,7 +375,7 @@ impl Compiled {
             // Any topology can end as points, and what is written to clip distances cuts.
             Output::PointSize | Output::ClipDistance(_) => true,
             Output::Varying(slot) => varyings.iter().any(|&(read, _)| read == slot),
-            Output::Color { .. } | Output::Depth => false,
+            Output::Color { .. } | Output::Depth | Output::StencilReference => false,
         });
         let of_sprites = OnceLock::new();
         let slots = varyings.iter().map(|&(slot, _)| slot).collect();

@@ -109,8 +109,8 @@ pub enum Input {
     Coverage,
 }
 
-/// What a shader writes to the pipeline, one scalar at a time. All are `f32`, but colours for
-/// attachments of integers, which are `i32` or `u32`.
+/// What a shader writes to the pipeline, one scalar at a time. All are `f32`, but the stencil's reference (`i32`) and
+/// colours for attachments of integers, which are `i32` or `u32`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Output {
     /// `gl_Position`, in clip coordinates.
@@ -130,6 +130,8 @@ pub enum Output {
     },
     /// `gl_FragDepth`.
     Depth,
+    /// `gl_FragStencilRefARB`: stands in for the reference of the stencil test, of either face; its lowest 8 bits count.
+    StencilReference,
 }
 
 /// How a varying is interpolated over a primitive.

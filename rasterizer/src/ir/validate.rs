@@ -75,7 +75,7 @@ impl Module {
                 Output::PointSize | Output::Varying(_) => (Stage::Vertex, true),
                 Output::ClipDistance(plane) => (Stage::Vertex, plane < 8),
                 Output::Color { component, .. } => (Stage::Fragment, component < 4),
-                Output::Depth => (Stage::Fragment, true),
+                Output::Depth | Output::StencilReference => (Stage::Fragment, true),
             };
             rule!(stage == self.stage, "output {output:?} in a {:?} module", self.stage);
             rule!(in_range, "output {output:?} has no such component");
@@ -86,13 +86,18 @@ impl Module {
             // Colours may be integers, for attachments of integers.
             let fits = match output {
                 Output::Color { .. } => variable.ty != Ty::Bool,
+                Output::StencilReference => variable.ty == Ty::I32,
                 Output::Position(_)
                 | Output::PointSize
                 | Output::ClipDistance(_)
                 | Output::Varying(_)
                 | Output::Depth => variable.ty == Ty::F32,
             };
-            rule!(variable.len == 1 && fits, "output {output:?}: v{} is not one f32", var.0);
+            rule!(
+                variable.len == 1 && fits,
+                "output {output:?}: v{} is not one scalar of its type",
+                var.0
+            );
         }
         Ok(())
     }

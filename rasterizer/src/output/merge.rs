@@ -2,8 +2,7 @@
 
 use super::color::{BlockColors, ColorClass, ColorPlan, WriteBytes, WriteTexels};
 use super::depth::{DepthPlan, DepthTest};
-use super::stencil::{StencilPlan, StencilTest, StencilUpdate};
-use crate::driver::StencilFace;
+use super::stencil::{Reference, StencilPlan, StencilTest, StencilUpdate};
 use crate::target::{Old, Place, Plane, TileTarget, with_texels, with_words};
 use texunit::lanes::{F32s, Isa, U32s};
 
@@ -30,6 +29,8 @@ pub struct Fragments<'a> {
     pub place: &'a Place<'a>,
     /// Their depth, in [0, 1].
     pub depth: &'a F32s,
+    /// What their stencils are compared with.
+    pub reference: Reference<'a>,
     /// Which of them are of back faces.
     pub back: u64,
     /// Which there are.
@@ -44,39 +45,35 @@ pub fn test(
     sample: usize,
     of: &Fragments<'_>,
 ) -> u64 {
-    let Fragments { place, depth, back, mask } = *of;
+    let Fragments { place, depth, reference, back, mask } = *of;
     let planes = target.sample(sample);
     match (tests.stencil, planes) {
         (Some(plan), [depths, stencils]) => {
             with_words(isa, stencils, place, mask, Old::Read, |stored| {
                 let [front, back] =
                     [(plan.front, mask & !back), (plan.back, mask & back)].map(|(face, mask)| {
-                        (face, mask, isa.run(StencilTest { face: &face, stored, mask }))
+                        let test = StencilTest { face: &face, reference, stored, mask };
+                        (face, mask, isa.run(test))
                     });
                 let passed = front.2 | back.2;
                 let kept = test_depth(isa, tests.depth, depths, place, depth, passed);
                 for (face, mask, passed) in [front, back] {
-                    finish(isa, &face, stored, mask, passed, kept);
+                    let outcomes = [
+                        (face.fail, mask & !passed),
+                        (face.depth_fail, passed & !kept),
+                        (face.pass, passed & kept),
+                    ];
+                    for (op, mask) in outcomes {
+                        if mask != 0 {
+                            isa.run(StencilUpdate { op, face: &face, reference, stored, mask });
+                        }
+                    }
                 }
                 kept
             })
         }
         (_, [depths, ..]) => test_depth(isa, tests.depth, depths, place, depth, mask),
         (_, []) => mask,
-    }
-}
-
-/// The operations after both tests, of one face.
-fn finish(isa: Isa, face: &StencilFace, stored: &mut U32s, mask: u64, passed: u64, kept: u64) {
-    let outcomes = [
-        (face.fail, mask & !passed),
-        (face.depth_fail, passed & !kept),
-        (face.pass, passed & kept),
-    ];
-    for (op, mask) in outcomes {
-        if mask != 0 {
-            isa.run(StencilUpdate { op, face, stored, mask });
-        }
     }
 }
 

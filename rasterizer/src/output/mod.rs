@@ -16,4 +16,4 @@ pub use depth::{DepthFormat, DepthPlan};
 pub use encode::{decode_color, encode_color, texel_color, texel_words};
 pub use mask::expand_mask;
 pub use merge::{Fragments, Tests, test, write, write_blocks};
-pub use stencil::StencilPlan;
+pub use stencil::{Reference, StencilPlan};

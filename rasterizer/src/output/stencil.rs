@@ -35,10 +35,21 @@ fn writes(face: &StencilFace) -> bool {
     face.write_mask != 0 && ops.iter().any(|&op| op != StencilOp::Keep)
 }
 
+/// What stencils are compared with, and what takes their place.
+#[derive(Clone, Copy)]
+pub enum Reference<'a> {
+    /// That of the face.
+    OfFace,
+    /// Of each fragment its own, of which 8 bits count.
+    Each(&'a U32s),
+}
+
 /// Tests fragments of one face; gives those that passed.
 pub struct StencilTest<'a> {
     /// What is done.
     pub face: &'a StencilFace,
+    /// What is compared with.
+    pub reference: Reference<'a>,
     /// The attachment's words.
     pub stored: &'a U32s,
     /// Which fragments there are.
@@ -49,29 +60,42 @@ impl Kernel for StencilTest<'_> {
     type Output = u64;
     #[inline(always)]
     fn run<S: Simd>(self) -> u64 {
-        let Self { face, stored, mask } = self;
-        let read = u32::from(face.read_mask);
-        let reference = u32::from(face.reference) & read;
+        let Self { face, mask, .. } = self;
         let mut pass = U32s::ZERO;
         match face.test {
             Compare::Never => return 0,
-            Compare::Less => compare(&mut pass, stored, read, |s| reference < s),
-            Compare::Equal => compare(&mut pass, stored, read, |s| reference == s),
-            Compare::LessEqual => compare(&mut pass, stored, read, |s| reference <= s),
-            Compare::Greater => compare(&mut pass, stored, read, |s| reference > s),
-            Compare::NotEqual => compare(&mut pass, stored, read, |s| reference != s),
-            Compare::GreaterEqual => compare(&mut pass, stored, read, |s| reference >= s),
+            Compare::Less => self.compare(&mut pass, |r, s| r < s),
+            Compare::Equal => self.compare(&mut pass, |r, s| r == s),
+            Compare::LessEqual => self.compare(&mut pass, |r, s| r <= s),
+            Compare::Greater => self.compare(&mut pass, |r, s| r > s),
+            Compare::NotEqual => self.compare(&mut pass, |r, s| r != s),
+            Compare::GreaterEqual => self.compare(&mut pass, |r, s| r >= s),
             Compare::Always => return mask,
         }
         S::nonzero(&pass) & mask
     }
 }
 
-/// All ones in the lanes where `holds` of the masked stencil.
-#[inline(always)]
-fn compare(pass: &mut U32s, stored: &U32s, read: u32, holds: impl Fn(u32) -> bool) {
-    for lane in 0..LANES {
-        pass[lane] = if holds(stored[lane] & read) { !0 } else { 0 };
+impl StencilTest<'_> {
+    /// All ones in the lanes where `holds` of the masked reference and the masked stencil.
+    #[inline(always)]
+    fn compare(&self, pass: &mut U32s, holds: impl Fn(u32, u32) -> bool) {
+        let Self { face, stored, .. } = self;
+        let read = u32::from(face.read_mask);
+        match self.reference {
+            Reference::OfFace => {
+                let reference = u32::from(face.reference) & read;
+                for lane in 0..LANES {
+                    pass[lane] = if holds(reference, stored[lane] & read) { !0 } else { 0 };
+                }
+            }
+            Reference::Each(reference) => {
+                for lane in 0..LANES {
+                    let holds = holds(reference[lane] & read, stored[lane] & read);
+                    pass[lane] = if holds { !0 } else { 0 };
+                }
+            }
+        }
     }
 }
 
@@ -79,8 +103,10 @@ fn compare(pass: &mut U32s, stored: &U32s, read: u32, holds: impl Fn(u32) -> boo
 pub struct StencilUpdate<'a> {
     /// The operation.
     pub op: StencilOp,
-    /// Whose reference and write mask count.
+    /// Whose write mask counts.
     pub face: &'a StencilFace,
+    /// What [`StencilOp::Replace`] writes.
+    pub reference: Reference<'a>,
     /// The attachment's words.
     pub stored: &'a mut U32s,
     /// Which fragments it is for.
@@ -91,14 +117,24 @@ impl Kernel for StencilUpdate<'_> {
     type Output = ();
     #[inline(always)]
     fn run<S: Simd>(self) {
-        let Self { op, face, stored, mask } = self;
+        let Self { op, face, reference, stored, mask } = self;
         let covered = expand_mask(mask);
         let write = u32::from(face.write_mask);
-        let reference = u32::from(face.reference);
         match op {
             StencilOp::Keep => {}
             StencilOp::Zero => update(stored, &covered, write, |_| 0),
-            StencilOp::Replace => update(stored, &covered, write, |_| reference),
+            StencilOp::Replace => match reference {
+                Reference::OfFace => {
+                    let reference = u32::from(face.reference);
+                    update(stored, &covered, write, |_| reference);
+                }
+                Reference::Each(reference) => {
+                    for lane in 0..LANES {
+                        let write = covered[lane] & write;
+                        stored[lane] = (reference[lane] & write) | (stored[lane] & !write);
+                    }
+                }
+            },
             StencilOp::Increment => {
                 update(stored, &covered, write, |s| if s < 255 { s + 1 } else { 255 });
             }

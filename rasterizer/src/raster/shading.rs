@@ -10,8 +10,10 @@ use super::run::BlockRun;
 use super::samples::{SampleMasks, moved};
 use super::watched::{Shaded, Tested};
 use crate::driver::AlphaToOne;
-use crate::output::{BlockColors, ColorClass, ColorPlan, Fragments, test, write, write_blocks};
-use crate::plan::{DrawPlan, Shading, Timing};
+use crate::output::{
+    BlockColors, ColorClass, ColorPlan, Fragments, Reference, test, write, write_blocks,
+};
+use crate::plan::{DrawPlan, Shading, Timing, Written};
 use crate::primitive::Facing;
 use crate::shader::{BANKS, Machine, OverBudget, Product, Run};
 use crate::target::{Place, TileTarget};
@@ -40,8 +42,8 @@ pub fn early_tests(
             }
             None => F32s::ZERO,
         };
-        let fragments =
-            Fragments { place: &Place::Block(of.block), depth: &depth, back, mask: *mask };
+        let (place, reference) = (&Place::Block(of.block), Reference::OfFace);
+        let fragments = Fragments { place, depth: &depth, reference, back, mask: *mask };
         *mask = test(isa, &plan.tests, target, sample, &fragments);
     }
 }
@@ -92,7 +94,7 @@ impl Shader {
         match tile.depth.as_mut().filter(|_| is_due) {
             Some(target) => {
                 self.left.set(batch.masks, !batch.tested);
-                self.test(pass.isa, plan, batch, target, None, |_| {});
+                self.test(pass.isa, plan, batch, target, Written::default(), |_| {});
                 let masks = &self.left.or(batch.masks, batch.tested);
                 self.shade_tested(pass, job, &Batch { masks, ..*batch }, tile);
             }
@@ -288,10 +290,10 @@ impl Shader {
     ) {
         let (isa, plan, place) = (pass.isa, &job.plan, &batch.place());
         let samples = &plan.samples;
-        if let Timing::Late(output) = plan.timing
+        if let Timing::Late(written) = plan.timing
             && self.left.any() != 0
         {
-            self.late_tests(isa, plan, batch, tile, output, shaded);
+            self.late_tests(isa, plan, batch, tile, written, shaded);
         }
         let masks = &self.left;
         if masks.any() == 0 {
@@ -321,59 +323,65 @@ impl Shader {
         }
     }
 
-    /// The tests that had to wait for the program; `output` is its output that holds the depth, if any
-    /// does.
+    /// The tests that had to wait for the program, which has written some of what is tested.
     fn late_tests(
         &mut self,
         isa: Isa,
         plan: &DrawPlan,
         batch: &Batch<'_>,
         tile: &mut TileJob,
-        output: Option<usize>,
+        written: Written,
         shaded: &mut Option<Shaded>,
     ) {
         let before = shaded.as_ref().map(|_| tile.watched_depth());
         let Some(target) = tile.depth.as_mut() else { return };
         let mut depths = Vec::new();
-        self.test(isa, plan, batch, target, output, |depth| {
+        self.test(isa, plan, batch, target, written, |depth| {
             if let Some(shaded) = &*shaded {
                 depths.push(depth[shaded.lane]);
             }
         });
         if let (Some(shaded), Some(before)) = (shaded, before) {
             let (when, after) = (When::Late, &tile.watched_depth());
-            let tested = Tested { when, depths: &depths, before: &before, after };
+            let word = |output| self.machine.output(output)[shaded.lane] as u8;
+            let reference = written.reference.map(word);
+            let tested = Tested { when, depths: &depths, reference, before: &before, after };
             shaded.tested(plan, &tested, &self.left);
             shaded.ends_unless_in(&self.left, Fate::TestFailed);
         }
     }
 
-    /// The stencil and depth tests of the lanes that are left; leaves those that passed. `output` is
-    /// the program output that holds the depth, if any does; `see` is shown the depth of each sample.
+    /// The stencil and depth tests of the lanes that are left; leaves those that passed. The program has `written`
+    /// some of what is tested; `see` is shown the depth of each sample.
     fn test(
         &mut self,
         isa: Isa,
         plan: &DrawPlan,
         batch: &Batch<'_>,
         target: &mut TileTarget,
-        output: Option<usize>,
+        written: Written,
         mut see: impl FnMut(&F32s),
     ) {
         let depths = plan.viewport.depths();
-        if let Some(output) = output {
+        if let Some(output) = written.depth {
             self.depth = *self.machine.output(output).as_f32();
             isa.run(ClampDepth(&mut self.depth, depths));
         }
+        let reference = match written.reference {
+            Some(output) => Reference::Each(self.machine.output(output)),
+            None => Reference::OfFace,
+        };
         let (back, place) = (batch.back(), &batch.place());
         for (sample, mask) in self.left.iter_mut().enumerate() {
             let offset = plan.samples.offset(sample);
-            if let (Some(plane), None) = (plan.depth_plane, output)
+            if let (Some(plane), None) = (plan.depth_plane, written.depth)
                 && (sample == 0 || offset.is_some())
             {
                 let depth = &mut self.depth;
                 isa.run(BatchDepth { batch, plane, offset, depths, depth });
             }
-            let fragments = Fragments { place, depth: &self.depth, back, mask: *mask };
+            let depth = &self.depth;
+            let fragments = Fragments { place, depth, reference, back, mask: *mask };
             *mask = test(isa, &plan.tests, target, sample, &fragments);
             see(&self.depth);
         }

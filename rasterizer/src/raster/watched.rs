@@ -6,7 +6,7 @@ use super::depths::BlockDepth;
 use super::interpolate::PlaneSource;
 use super::job::{Chunk, PassJob, TileJob};
 use super::samples::{SampleMasks, moved};
-use crate::driver::Watch;
+use crate::driver::{StencilFace, Watch};
 use crate::output::{ColorPlan, DepthFormat, blend_factors, texel_color};
 use crate::plan::{DrawPlan, FragmentInput, Shading};
 use crate::primitive::{Facing, Kind, Part, Shape};
@@ -217,6 +217,8 @@ pub struct Tested<'a> {
     pub when: When,
     /// By sample.
     pub depths: &'a [f32],
+    /// What the shader wrote for stencils to be compared with, if it did.
+    pub reference: Option<u8>,
     /// By sample.
     pub before: &'a Stored,
     /// By sample.
@@ -235,6 +237,10 @@ impl Tested<'_> {
         let face = plan.tests.stencil.map(|stencil| match facing {
             Facing::Front => stencil.front,
             Facing::Back => stencil.back,
+        });
+        let face = face.map(|face| {
+            let reference = self.reference.unwrap_or(face.reference);
+            StencilFace { reference, ..face }
         });
         masks.iter().enumerate().filter_map(move |(sample, mask)| {
             Some(Test {
@@ -296,7 +302,8 @@ impl TileJob {
             plane.map_or(0.0, |plane| isa.run(BlockDepth { plane, depths })[spot.lane])
         };
         let depths: Vec<f32> = (0..plan.samples.count).map(depth).collect();
-        let tested = Tested { when: When::Early, depths: &depths, before, after: &after };
+        let (when, reference, after) = (When::Early, None, &after);
+        let tested = Tested { when, depths: &depths, reference, before, after };
         spot.tested_early(plan, &tested, masks);
         if plan.shading == Shading::Off {
             spot.waiting.clear();

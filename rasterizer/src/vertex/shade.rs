@@ -352,7 +352,7 @@ impl VertexStage<'_> {
                 None => Target::Nowhere,
             },
             Output::ClipDistance(_) => plane.next().map_or(Target::Nowhere, Target::Distance),
-            Output::Color { .. } | Output::Depth => Target::Nowhere,
+            Output::Color { .. } | Output::Depth | Output::StencilReference => Target::Nowhere,
         }
     }
 

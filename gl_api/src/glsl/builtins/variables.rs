@@ -51,6 +51,8 @@ pub enum Builtin {
     FragData,
     /// `gl_FragDepth`.
     FragDepth,
+    /// `gl_FragStencilRefARB`.
+    FragStencilRef,
     /// State of the context.
     State(StateVar),
     /// State of each texture unit, light or plane.
@@ -127,6 +129,7 @@ pub fn is_redeclarable(builtin: Builtin) -> bool {
         | Builtin::FragColor
         | Builtin::FragData
         | Builtin::FragDepth
+        | Builtin::FragStencilRef
         | Builtin::State(_)
         | Builtin::States(_)
         | Builtin::Limit(_) => false,
@@ -215,6 +218,8 @@ fn rows() -> Vec<Row> {
     let targets = array(vec(4), u32::from(MAX_DRAW_BUFFERS));
     row("gl_FragData", targets, Fragment, ALWAYS, ReadWrite, Builtin::FragData);
     row("gl_FragDepth", FLOAT, Fragment, V110, ReadWrite, Builtin::FragDepth);
+    let since = Since::only(Extension::ShaderStencilExport);
+    row("gl_FragStencilRefARB", INT, Fragment, since, ReadWrite, Builtin::FragStencilRef);
 
     for (name, ty, since, builtin) in state::rows() {
         row(name, ty, Any, since, ReadOnly, builtin);

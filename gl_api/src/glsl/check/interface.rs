@@ -214,7 +214,10 @@ impl Checker<'_> {
                 | Builtin::Varying(_)
                 | Builtin::FragCoord
                 | Builtin::PointCoord => true,
-                Builtin::FragColor | Builtin::FragData | Builtin::FragDepth => later,
+                Builtin::FragColor
+                | Builtin::FragData
+                | Builtin::FragDepth
+                | Builtin::FragStencilRef => later,
                 Builtin::InstanceId
                 | Builtin::VertexId
                 | Builtin::Attribute(_)

@@ -88,6 +88,7 @@ fn find(
             | Builtin::FragColor
             | Builtin::FragData
             | Builtin::FragDepth
+            | Builtin::FragStencilRef
             | Builtin::State(_)
             | Builtin::States(_)
             | Builtin::Limit(_),

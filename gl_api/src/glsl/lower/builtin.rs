@@ -100,6 +100,7 @@ impl Lowerer<'_> {
             Builtin::Position => |at| vec![Output::Position(at as u8)],
             Builtin::PointSize => |_| vec![Output::PointSize],
             Builtin::FragDepth => |_| vec![Output::Depth],
+            Builtin::FragStencilRef => |_| vec![Output::StencilReference],
             Builtin::FragColor => |at| {
                 let component = at as u8;
                 (0..MAX_DRAW_BUFFERS).map(|target| Output::Color { target, component }).collect()

@@ -70,10 +70,11 @@ impl Lowerer<'_> {
         output: Output,
         copies: &mut Vec<Copy>,
     ) {
-        // Colours for attachments of integers stay integers.
+        // The stencil's reference is an integer; colours for attachments of integers stay integers.
         let own = types[at as usize];
         let ty = match output {
             Output::Color { .. } if matches!(own, Ty::I32 | Ty::U32) => own,
+            Output::StencilReference => Ty::I32,
             Output::Color { .. }
             | Output::Position(_)
             | Output::PointSize

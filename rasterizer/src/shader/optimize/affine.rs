@@ -41,7 +41,8 @@ fn first_free(fragment: &Module, vertex: &Module) -> u16 {
         | Output::PointSize
         | Output::ClipDistance(_)
         | Output::Color { .. }
-        | Output::Depth => None,
+        | Output::Depth
+        | Output::StencilReference => None,
     });
     let own = fragment.primitive_id.map(|first| first + 2);
     written.chain(own).fold(fragment.varyings.len() as u16, u16::max)
