@@ -10,6 +10,7 @@ use crate::image::{FACES, Image, Incomplete, Level, Shape};
 use crate::lanes::{F32s, I32s, Isa, LANES, Simd};
 pub use crate::sample::ahead::Like;
 pub use crate::sample::flat::Read;
+use crate::sample::gather::Gather;
 use crate::sample::lod::LodRange;
 use crate::sample::plain::Class;
 use crate::sample::query::Query;
@@ -348,6 +349,16 @@ impl SamplePlan {
         let points = Points { coords, layer: None, reference: None };
         self.sample_offset(isa, points, [0; 3], lod, lanes);
         take.take::<S>(&take::Lanes(lanes))
+    }
+
+    /// The first component of each of the four texels of the base level that a linear filter would weigh, whatever the
+    /// filters are, with texels added along s and t (`textureGather`): those at (i, j + 1), (i + 1, j + 1), (i + 1, j)
+    /// and (i, j). Of images with two axes; an incomplete one has zeros.
+    pub fn gather(&self, isa: Isa, points: Points<'_>, offset: [i32; 2], out: &mut [F32s; 4]) {
+        match &self.0 {
+            Ok(texture) => isa.run(Gather { texture, points, offset, out }),
+            Err(_) => *out = [F32s::ZERO; 4],
+        }
     }
 
     /// What level of detail a lookup with these coordinates has (`textureQueryLOD`): the level that

@@ -21,6 +21,10 @@ pub fn lookup(page: &mut Page, lookup: &Lookup, note: &DrawNote) {
         Access::Fetch { offset } => {
             (format!("fetch, {offset:?} texels off"), "GLSL 1.30, section 8.7")
         }
+        Access::Gather { offset: [0, 0] } => ("gather".to_owned(), "ARB_texture_gather"),
+        Access::Gather { offset } => {
+            (format!("gather, {offset:?} texels off"), "ARB_texture_gather")
+        }
         Access::Size => ("size".to_owned(), "GLSL 1.30, section 8.7"),
         Access::Lod => ("level of detail".to_owned(), "ARB_texture_query_lod"),
     };

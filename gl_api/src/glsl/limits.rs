@@ -14,6 +14,8 @@ pub const MAX_VARYING_FLOATS: u16 = limits::MAX_VARYING_FLOATS as u16;
 pub const MAX_UNIFORM_COMPONENTS: i32 = limits::MAX_UNIFORM_COMPONENTS;
 /// The offsets that `textureOffset` takes.
 pub const TEXEL_OFFSETS: std::ops::RangeInclusive<i32> = -8..=7;
+/// The same of `textureGatherOffset`.
+pub const GATHER_OFFSETS: std::ops::RangeInclusive<i32> = -32..=31;
 
 /// The longest source that is taken, in bytes.
 pub const MAX_SOURCE: usize = 1 << 24;

@@ -24,7 +24,7 @@ mod version;
 use crate::interface::StateBinding;
 pub(crate) use diagnostics::edit_distance;
 use diagnostics::{Diagnostic, Log};
-pub(crate) use limits::TEXEL_OFFSETS;
+pub(crate) use limits::{GATHER_OFFSETS, TEXEL_OFFSETS};
 use rasterizer::ir::{Interpolation, Module, Output};
 use source::{Source, Span};
 use std::collections::BTreeMap;

@@ -70,6 +70,8 @@ pub enum Extension {
     ShaderTextureLod,
     /// `GL_ARB_texture_cube_map_array`: `samplerCubeArray`.
     TextureCubeMapArray,
+    /// `GL_ARB_texture_gather`: `textureGather`.
+    TextureGather,
     /// `GL_ARB_texture_multisample`: `sampler2DMS`.
     TextureMultisample,
     /// `GL_ARB_texture_query_lod`: `textureQueryLOD`.
@@ -88,7 +90,7 @@ pub enum Extension {
 
 impl Extension {
     /// Every extension and its name.
-    pub const ALL: [(Self, &'static str); 17] = [
+    pub const ALL: [(Self, &'static str); 18] = [
         (Self::ArraysOfArrays, "GL_ARB_arrays_of_arrays"),
         (Self::Compatibility, "GL_ARB_compatibility"),
         (Self::DrawBuffers, "GL_ARB_draw_buffers"),
@@ -99,6 +101,7 @@ impl Extension {
         (Self::ShaderStencilExport, "GL_ARB_shader_stencil_export"),
         (Self::ShaderTextureLod, "GL_ARB_shader_texture_lod"),
         (Self::TextureCubeMapArray, "GL_ARB_texture_cube_map_array"),
+        (Self::TextureGather, "GL_ARB_texture_gather"),
         (Self::TextureMultisample, "GL_ARB_texture_multisample"),
         (Self::TextureQueryLod, "GL_ARB_texture_query_lod"),
         (Self::TextureRectangle, "GL_ARB_texture_rectangle"),
@@ -133,6 +136,7 @@ impl Extension {
             | Self::ShaderTextureLod
             | Self::UniformBufferObject
             | Self::TextureCubeMapArray
+            | Self::TextureGather
             | Self::TextureMultisample
             | Self::TextureQueryLod
             | Self::TextureRectangle

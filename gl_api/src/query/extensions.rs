@@ -64,6 +64,7 @@ pub(crate) const EXTENSIONS: &[&str] = &[
     "GL_ARB_texture_env_crossbar",
     "GL_ARB_texture_env_dot3",
     "GL_ARB_texture_float",
+    "GL_ARB_texture_gather",
     "GL_ARB_texture_mirror_clamp_to_edge",
     "GL_ARB_texture_mirrored_repeat",
     "GL_ARB_texture_multisample",

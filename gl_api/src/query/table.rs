@@ -10,7 +10,7 @@ use crate::evaluate::grid;
 use crate::feedback::modes;
 use crate::framebuffer::accumulate;
 use crate::framebuffer::buffers::drawn_format;
-use crate::glsl::TEXEL_OFFSETS;
+use crate::glsl::{GATHER_OFFSETS, TEXEL_OFFSETS};
 use crate::interface::*;
 use crate::list::calls::{MAX_LIST_NESTING, MODE};
 use crate::object::queries;
@@ -188,6 +188,10 @@ fn limit(_: &Context, pname: GLenum) -> Answer {
         GL_SHADER_BINARY_FORMATS => ints(&[]),
         GL_MIN_PROGRAM_TEXEL_OFFSET => int(*TEXEL_OFFSETS.start()),
         GL_MAX_PROGRAM_TEXEL_OFFSET => int(*TEXEL_OFFSETS.end()),
+        GL_MIN_PROGRAM_TEXTURE_GATHER_OFFSET_ARB => int(*GATHER_OFFSETS.start()),
+        GL_MAX_PROGRAM_TEXTURE_GATHER_OFFSET_ARB => int(*GATHER_OFFSETS.end()),
+        // A texture of so many components has a first one, which is what is gathered.
+        GL_MAX_PROGRAM_TEXTURE_GATHER_COMPONENTS_ARB => int(4),
         GL_MAX_COLOR_ATTACHMENTS | GL_MAX_DRAW_BUFFERS => int(attachments),
         GL_MAX_MODELVIEW_STACK_DEPTH => int(MAX_MODELVIEW_STACK_DEPTH),
         GL_MAX_PROJECTION_STACK_DEPTH | GL_MAX_TEXTURE_STACK_DEPTH => int(MAX_STACK_DEPTH),

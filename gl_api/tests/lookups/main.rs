@@ -8,6 +8,7 @@ mod extensions;
 mod extremes;
 mod formats;
 mod functions;
+mod gathers;
 mod indices;
 mod limits;
 mod mipmaps;

@@ -193,6 +193,12 @@ pub enum Access {
         /// Along s, t, r.
         offset: [i32; 3],
     },
+    /// `textureGather`: the first component of each of the four texels that a linear filter of the base level would weigh,
+    /// of textures with two axes. Its λ is implicit, without a bias, and does not matter. No compare.
+    Gather {
+        /// Texels added along s, t.
+        offset: [i32; 2],
+    },
     /// `texelFetch`: coordinates and the level (an explicit λ) are `i32`. No compare.
     Fetch {
         /// Added to the coordinates.
@@ -477,7 +483,7 @@ impl Module {
         match sample.access {
             Access::Size => Ty::I32,
             Access::Lod => Ty::F32,
-            Access::Filter { .. } | Access::Fetch { .. } => {
+            Access::Filter { .. } | Access::Gather { .. } | Access::Fetch { .. } => {
                 self.textures.get(sample.texture.0 as usize).map_or(Ty::F32, |decl| decl.texels)
             }
         }

@@ -93,6 +93,7 @@ fn expr(f: &mut Formatter<'_>, module: &Module, value: Value) -> Result {
 fn sample(f: &mut Formatter<'_>, module: &Module, sample: &Sample) -> Result {
     let (name, offset) = match sample.access {
         Access::Filter { offset } => ("sample", offset),
+        Access::Gather { offset: [s, t] } => ("gather", [s, t, 0]),
         Access::Fetch { offset } => ("fetch", offset),
         Access::Size => ("size", [0; 3]),
         Access::Lod => ("lod of", [0; 3]),

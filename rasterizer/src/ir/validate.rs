@@ -299,8 +299,8 @@ impl Body<'_> {
             "{user}: texture slot {slot} gives {:?}",
             decl.texels
         );
-        let layered =
-            decl.shape == Shape::CubeArray && matches!(sample.access, Access::Filter { .. });
+        let layered = decl.shape == Shape::CubeArray
+            && matches!(sample.access, Access::Filter { .. } | Access::Gather { .. });
         rule!(
             layered == sample.layer.is_some(),
             "{user}: texture slot {slot} {} layer apart from its coordinates",
@@ -312,6 +312,15 @@ impl Body<'_> {
                     decl.compare == sample.reference.is_some(),
                     "{user}: texture slot {slot} {} a reference",
                     if decl.compare { "compares and needs" } else { "does not compare but has" }
+                );
+                Ty::F32
+            }
+            Access::Gather { .. } => {
+                rule!(
+                    decl.shape.axes() == 2
+                        && sample.reference.is_none()
+                        && sample.lod == Lod::Implicit { bias: None },
+                    "{user}: a gather takes a texture of two axes, no level, no bias and no reference"
                 );
                 Ty::F32
             }

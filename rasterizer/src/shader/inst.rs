@@ -274,7 +274,11 @@ impl SampleInst {
     /// Whether the level of detail comes from the differences within each quad, and matters: where what
     /// is asked for, or the texture of its slot, needs one.
     pub fn reads_neighbours(&self, needs_lod: impl Fn(u32) -> bool) -> bool {
-        let matters = matches!(self.access, Access::Lod) || needs_lod(self.texture);
+        let matters = match self.access {
+            Access::Lod => true,
+            Access::Filter { .. } | Access::Fetch { .. } | Access::Size => needs_lod(self.texture),
+            Access::Gather { .. } => false,
+        };
         matters && matches!(self.lod, SampleLod::Implicit { .. })
     }
 

@@ -302,7 +302,7 @@ impl Lowering<'_> {
         self.out.queries_lod |= sample.access == Access::Lod;
         let (texture, access, out) = (sample.texture.0, sample.access, out.map(Some));
         let one = match (access, self.module.component_ty(sample)) {
-            (Access::Size | Access::Lod, _) => 0,
+            (Access::Size | Access::Lod | Access::Gather { .. }, _) => 0,
             (Access::Filter { .. } | Access::Fetch { .. }, Ty::F32) => 1f32.to_bits(),
             (Access::Filter { .. } | Access::Fetch { .. }, Ty::I32 | Ty::U32 | Ty::Bool) => 1,
         };

@@ -230,6 +230,10 @@ impl Machine {
                             }
                         }
                     }
+                    (Access::Gather { offset }, _) => {
+                        let points = Points { coords, layer, reference };
+                        plan.gather(run.isa, points, offset, out);
+                    }
                     (Access::Lod, lod) => {
                         let [level, lambda, rest @ ..] = out;
                         let mut found = [F32s::ZERO; 2];

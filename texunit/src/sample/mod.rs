@@ -13,6 +13,7 @@ pub(crate) mod fetch;
 mod filter;
 pub(crate) mod flat;
 mod footprint;
+pub(crate) mod gather;
 pub(crate) mod lod;
 pub(crate) mod plain;
 pub(crate) mod query;

@@ -56,7 +56,7 @@ pub fn linear<S: Simd>(
 
 /// One texel of each lane, from whichever faces the lanes ended up on.
 #[inline(always)]
-fn texels<S: Simd>(place: &Place<'_>, found: &cube::Beyond, out: &mut [F32s; 4]) {
+pub fn texels<S: Simd>(place: &Place<'_>, found: &cube::Beyond, out: &mut [F32s; 4]) {
     for (face, levels) in place.texture.levels.iter().enumerate() {
         let mut here = U32s::ZERO;
         for lane in 0..LANES {

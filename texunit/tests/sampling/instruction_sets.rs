@@ -43,16 +43,27 @@ proptest! {
             };
             let [layer, reference] = [(); 2].map(|()| anything(&mut random));
             let bias = anything(&mut random);
+            let points = Points {
+                coords: coords.each_ref(),
+                layer: Some(&layer),
+                reference: Some(&reference),
+            };
+            let gather = |isa| {
+                let mut out = [F32s::ZERO; 4];
+                plan.gather(isa, points, [-32, 31], &mut out);
+                out.map(|texels| texels.0.map(bits))
+            };
+            if shape.axes() == 2 {
+                let want = gather(Isa::BASELINE);
+                for isa in Isa::available() {
+                    prop_assert_eq!(gather(isa), want, "{} {}", isa.name(), plan.describe());
+                }
+            }
             let lods =
                 [Lod::Implicit { bias: None }, Lod::Implicit { bias: Some(&bias) }, Lod::Explicit(&bias)];
             for lod in lods {
                 let sample = |isa| {
                     let mut out = [F32s::ZERO; 4];
-                    let points = Points {
-                        coords: coords.each_ref(),
-                        layer: Some(&layer),
-                        reference: Some(&reference),
-                    };
                     plan.sample_offset(isa, points, [0; 3], lod, &mut out);
                     out
                 };

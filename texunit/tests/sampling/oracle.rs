@@ -34,16 +34,17 @@ pub struct Oracle<'a> {
 
 /// Where a sample is taken, once face and layer are known.
 #[derive(Clone, Copy)]
-struct Place {
-    face: usize,
-    layer: i32,
-    at: [f64; 3],
+pub struct Place {
+    pub face: usize,
+    pub layer: i32,
+    pub at: [f64; 3],
 }
 
 impl Oracle<'_> {
-    pub fn sample(&self, at: [f64; 3], detail: Detail) -> Answer {
-        let (shape, sampler) = (self.image.shape(), self.sampler);
-        let base = sampler.base_level as usize;
+    /// Face and layer, and how far away the nearest other ones are.
+    pub fn place(&self, at: [f64; 3]) -> (Place, f64) {
+        let shape = self.image.shape();
+        let base = self.sampler.base_level as usize;
         let size = self.image.level(0, base).unwrap().size().map(f64::from);
         let mut margin = f64::INFINITY;
         let mut place = Place { face: 0, layer: 0, at };
@@ -70,6 +71,14 @@ impl Oracle<'_> {
                 place.at = [s, t, 0.0];
             }
         }
+        (place, margin)
+    }
+
+    pub fn sample(&self, at: [f64; 3], detail: Detail) -> Answer {
+        let (shape, sampler) = (self.image.shape(), self.sampler);
+        let base = sampler.base_level as usize;
+        let size = self.image.level(0, base).unwrap().size().map(f64::from);
+        let (place, mut margin) = self.place(at);
         let mut probes = vec![[0.0; 3]];
         let lambda_base = match detail {
             Detail::Lambda(lambda) => lambda + f64::from(sampler.lod_bias).clamp(-16.0, 16.0),
@@ -101,7 +110,7 @@ impl Oracle<'_> {
         self.swizzled(sum)
     }
 
-    fn swizzled(&self, answer: Answer) -> Answer {
+    pub fn swizzled(&self, answer: Answer) -> Answer {
         let from = answer.rgba;
         let rgba = self.sampler.swizzle.map(|source| match source {
             Swizzle::Red => from[0],
@@ -262,7 +271,7 @@ impl Oracle<'_> {
     }
 
     /// A texel of a seamless cube; none beyond a corner.
-    fn across(&self, place: Place, number: usize, [i, j, _]: [i32; 3]) -> Option<[f64; 4]> {
+    pub fn across(&self, place: Place, number: usize, [i, j, _]: [i32; 3]) -> Option<[f64; 4]> {
         let (level, slice) = self.stored(place, number);
         let n = level.width as i32;
         let inside = |i: i32| (0..n).contains(&i);
@@ -293,7 +302,7 @@ impl Oracle<'_> {
     }
 
     /// A level, and which slice of it a place is in.
-    fn stored(&self, place: Place, number: usize) -> (&Level, i32) {
+    pub fn stored(&self, place: Place, number: usize) -> (&Level, i32) {
         let (face, slice) = match self.image.shape() {
             Shape::CubeArray => (0, 6 * place.layer + place.face as i32),
             _ => (place.face, place.layer),

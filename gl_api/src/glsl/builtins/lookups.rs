@@ -1,6 +1,6 @@
 //! The texture lookups (GLSL 1.30 section 8.7; GLSL 1.20 section 8.7; `EXT_gpu_shader4`,
 //! `EXT_texture_array`, `ARB_texture_rectangle`, `ARB_shader_texture_lod`,
-//! `ARB_texture_cube_map_array`, `ARB_texture_multisample`; GLSL 1.40), generated from a table of what each kind of
+//! `ARB_texture_cube_map_array`, `ARB_texture_multisample`, `ARB_texture_gather`; GLSL 1.40), generated from a table of what each kind of
 //! sampler takes.
 
 use super::functions::{Lower, P, Row};
@@ -44,6 +44,8 @@ pub enum Shift {
 pub enum Lookup {
     /// A filtered sample.
     Sample(Projection, LodForm, Shift),
+    /// One component of four texels: `textureGather`.
+    Gather(Shift),
     /// One texel: `texelFetch`.
     Fetch(Shift),
     /// The size of a level: `textureSize`.
@@ -222,6 +224,7 @@ pub fn rows() -> Vec<Row> {
             }
             overloaded(kind, sampler, &mut rows);
             query(kind, sampler, &mut rows);
+            gathered(kind, sampler, &mut rows);
         }
     }
     multisample(&mut rows);
@@ -339,6 +342,29 @@ fn query(kind: &Kind, sampler: Sampler, rows: &mut Vec<Row>) {
     let (name, result) = ("textureQueryLOD".to_owned(), P::Fixed(Scalar::Float, 2));
     let row = row(name, result, parameters, since, Lookup::QueryLod);
     rows.push(Row { stages: Stages::Fragment, ..row });
+}
+
+/// `textureGather` and `textureGatherOffset` (ARB_texture_gather), of textures with two axes that do not compare.
+fn gathered(kind: &Kind, sampler: Sampler, rows: &mut Vec<Row>) {
+    let has_two_axes = match kind.dim {
+        Dim::D2 | Dim::D2Array | Dim::Cube | Dim::CubeArray => true,
+        Dim::D1
+        | Dim::D3
+        | Dim::Rect
+        | Dim::D1Array
+        | Dim::D2Multisample
+        | Dim::D2MultisampleArray
+        | Dim::Buffer => false,
+    };
+    if !has_two_axes || kind.comparison == Comparison::Yes {
+        return;
+    }
+    let (since, result) = (Since::only(Extension::TextureGather), P::Fixed(sampler.scalar, 4));
+    for &(shift, suffix) in kind.shifts() {
+        let parameters = kind.parameters(sampler, kind.coords, LodForm::Implicit, shift);
+        let name = format!("textureGather{suffix}");
+        rows.push(row(name, result, parameters, since, Lookup::Gather(shift)));
+    }
 }
 
 /// `textureSize`, `texelFetch` and `texelFetchOffset`, with `dim` in their names.

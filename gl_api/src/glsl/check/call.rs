@@ -9,7 +9,7 @@ use crate::glsl::builtins::functions::{self, Lower, P, Row};
 use crate::glsl::builtins::lookups::{LodForm, Lookup, Shift};
 use crate::glsl::diagnostics::{Diagnostic, closest};
 use crate::glsl::hir::{Direction, Expr, ExprKind, VarRef};
-use crate::glsl::limits::TEXEL_OFFSETS;
+use crate::glsl::limits::{GATHER_OFFSETS, TEXEL_OFFSETS};
 use crate::glsl::source::Span;
 use crate::glsl::types::Type;
 use crate::glsl::version::{Extension, Version, stage_name};
@@ -328,21 +328,27 @@ impl Checker<'_> {
             Lookup::Sample(_, form, Shift::Texels) => {
                 arguments.len().checked_sub(if form == LodForm::Bias { 2 } else { 1 })
             }
-            Lookup::Fetch(Shift::Texels) => arguments.len().checked_sub(1),
+            Lookup::Fetch(Shift::Texels) | Lookup::Gather(Shift::Texels) => {
+                arguments.len().checked_sub(1)
+            }
             Lookup::Sample(_, _, Shift::None)
+            | Lookup::Gather(Shift::None)
             | Lookup::Fetch(Shift::None)
             | Lookup::Size
             | Lookup::QueryLod => None,
         };
         if let Some(offset) = shift.and_then(|index| arguments.get(index)) {
+            let gathers = matches!(lookup, Lookup::Gather(_));
+            let range = if gathers { GATHER_OFFSETS } else { TEXEL_OFFSETS };
             let words = self.evaluate(offset);
-            let fits = words.as_ref().is_some_and(|words| {
-                words.iter().all(|&word| TEXEL_OFFSETS.contains(&(word as i32)))
-            });
+            let fits = words
+                .as_ref()
+                .is_some_and(|words| words.iter().all(|&word| range.contains(&(word as i32))));
             if !fits {
-                let (low, high) = (TEXEL_OFFSETS.start(), TEXEL_OFFSETS.end());
+                let (low, high) = (range.start(), range.end());
                 let message = format!("an offset is a constant expression from {low} to {high}");
-                let problem = Diagnostic::error(offset.span, message).rule(self.rule("8.7"));
+                let rule = if gathers { "ARB_texture_gather".into() } else { self.rule("8.7") };
+                let problem = Diagnostic::error(offset.span, message).rule(rule);
                 self.log.push(problem);
                 return false;
             }

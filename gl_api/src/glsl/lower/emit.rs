@@ -194,7 +194,7 @@ impl Emit {
             let ty = match sample.access {
                 Access::Size => Ty::I32,
                 Access::Lod => Ty::F32,
-                Access::Filter { .. } | Access::Fetch { .. } => decl.texels,
+                Access::Filter { .. } | Access::Gather { .. } | Access::Fetch { .. } => decl.texels,
             };
             return [self.constant(0, ty); 4];
         }

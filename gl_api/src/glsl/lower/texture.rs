@@ -107,6 +107,13 @@ impl Lowerer<'_> {
             Lookup::Sample(projection, form, shift) => {
                 self.sample_access(&arguments, projection, form, shift)
             }
+            Lookup::Gather(shift) => {
+                let at = (shift == Shift::Texels).then_some(1);
+                let [s, t, _] = self.texel_offset(&arguments, at);
+                let (projection, form) = (Projection::None, LodForm::Implicit);
+                let sample = self.sample_access(&arguments, projection, form, Shift::None);
+                Access { access: ir::Access::Gather { offset: [s, t] }, ..sample }
+            }
             Lookup::Fetch(shift) => self.fetch_access(&arguments, shift),
             Lookup::Size => {
                 let [zero, _] = zeros;

@@ -208,10 +208,10 @@ impl Machine {
             Access::Filter { offset } => plan
                 .filter(|plan| plan.incomplete().is_none())
                 .map(|plan| plan.trace(tracer.lane, points, offset, lod)),
-            Access::Fetch { .. } | Access::Size | Access::Lod => None,
+            Access::Gather { .. } | Access::Fetch { .. } | Access::Size | Access::Lod => None,
         };
         let ty = match sample.access {
-            Access::Filter { .. } | Access::Lod => Ty::F32,
+            Access::Filter { .. } | Access::Gather { .. } | Access::Lod => Ty::F32,
             Access::Fetch { .. } | Access::Size => Ty::I32,
         };
         let texture = plan.map_or_else(|| "no texture".into(), |plan| plan.describe());

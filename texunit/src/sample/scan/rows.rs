@@ -5,10 +5,10 @@
 //! exact.
 
 use super::{LONGEST, Scan};
-use crate::lanes::math::{clamp, floor_small, min, to_i32};
+use crate::lanes::math::{clamp, min, to_i32};
 use crate::lanes::{Beside, F32s, I32s, LANES, ONE, Simd, U32s, Walk, weights};
 use crate::sample::filter::Place;
-use crate::sample::wrap::{Axis, fold};
+use crate::sample::wrap::{Axis, fold, modulo};
 use crate::sampler::Wrap;
 
 /// How far beyond the edge coordinates that do not repeat are told apart.
@@ -272,11 +272,4 @@ fn wrapped(axis: &Axis, index: &I32s) -> U32s {
         }
     }
     out
-}
-
-/// `i mod n`, at least 0. The quotient of `i + 1/2` is never near an integer, so `f32` finds it.
-#[inline(always)]
-fn modulo(i: i32, n: i32) -> i32 {
-    let quotient = (i as f32 + 0.5) / n as f32;
-    i - floor_small(quotient).0 * n
 }
