@@ -351,9 +351,8 @@ impl SamplePlan {
         take.take::<S>(&take::Lanes(lanes))
     }
 
-    /// The first component of each of the four texels of the base level that a linear filter would weigh, whatever the
-    /// filters are, with texels added along s and t (`textureGather`): those at (i, j + 1), (i + 1, j + 1), (i + 1, j)
-    /// and (i, j). Of images with two axes; an incomplete one has zeros.
+    /// The first component of each of the four texels of the base level that a linear filter would weigh (`textureGather`):
+    /// those at (i, j + 1), (i + 1, j + 1), (i + 1, j) and (i, j). Of two axes; an incomplete image has zeros.
     pub fn gather(&self, isa: Isa, points: Points<'_>, offset: [i32; 2], out: &mut [F32s; 4]) {
         match &self.0 {
             Ok(texture) => isa.run(Gather { texture, points, offset, out }),

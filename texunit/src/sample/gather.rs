@@ -6,11 +6,12 @@
 
 use super::filter::Place;
 use super::record::Off;
-use super::wrap::Indices;
+use super::wrap::{Axis, Indices, enclosing, modulo};
 use super::{Coordinates, cube, expand, fetch, seamless, unit_range};
+use crate::lanes::math::{clamp, max};
 use crate::lanes::{F32s, I32s, Kernel, LANES, Simd, U32s};
 use crate::plan::{Points, Texture};
-use crate::sampler::{Filter, Seamless};
+use crate::sampler::{Filter, Seamless, Wrap};
 
 /// One call: 64 times four texels of an image with two axes.
 pub(crate) struct Gather<'a> {
@@ -46,12 +47,11 @@ impl Kernel for Gather<'_> {
             let Some(level) = levels.first().filter(|_| S::any(&here)) else { continue };
             let (filter, number, layer, reference) = (Filter::Linear, 0, &at.layer, &reference);
             let place = Place { texture, filter, face, number, level, layer, reference };
-            let axes = [place.axis(0), place.axis(1)];
-            let lower = [axes[0].below::<S>(s, offset[0]), axes[1].below::<S>(t, offset[1])];
-            let pairs = [axes[0].wrapped(&lower[0]), axes[1].wrapped(&lower[1])];
+            let x = S::apart(Along { axis: place.axis(0), s, offset: offset[0] });
+            let y = S::apart(Along { axis: place.axis(1), s: t, offset: offset[1] });
             for corner in 0..4 {
                 let step = [corner % 2, corner / 2];
-                let (found, lacks) = texel::<S>(&place, &lower, &pairs, step);
+                let (found, lacks) = S::apart(Texel { place: &place, along: [&x, &y], step });
                 let to = &mut out[PLACES[corner]];
                 for lane in 0..LANES {
                     let is_here = here[lane] != 0;
@@ -66,31 +66,149 @@ impl Kernel for Gather<'_> {
     }
 }
 
-/// The first component of a texel after the swizzle, and where there is none (a mask): beyond a corner of a cube.
-#[inline(always)]
-fn texel<S: Simd>(
-    place: &Place<'_>,
-    [i, j]: &[I32s; 2],
-    [xs, ys]: &[[Indices; 2]; 2],
-    step: [usize; 2],
-) -> (F32s, U32s) {
-    let texture = place.texture;
-    let (mut channels, mut missing) = ([F32s::ZERO; 4], U32s::ZERO);
-    match texture.seamless {
-        Seamless::Off => {
-            let at = [&xs[step[0]], &ys[step[1]], &place.slice()];
-            fetch::texels::<S>(place, at, &mut channels, &mut Off);
+/// The texels about coordinates along one axis.
+struct Found {
+    /// Where the lower one lies, if nothing wraps.
+    lower: I32s,
+    /// Both, as they are stored.
+    texels: [Indices; 2],
+}
+
+struct Along<'a> {
+    axis: Axis,
+    s: &'a F32s,
+    /// Texels that are added.
+    offset: i32,
+}
+
+impl Kernel for Along<'_> {
+    type Output = Found;
+
+    #[inline(always)]
+    fn run<S: Simd>(self) -> Found {
+        let Self { axis, s, offset } = self;
+        let rule = Rule::new(axis.wrap, axis.size as i32);
+        let mut u = F32s::ZERO;
+        match rule.repeats {
+            Some(each) => {
+                for lane in 0..LANES {
+                    let turns = s[lane] / each;
+                    u[lane] = max(turns - S::floor(turns), 0.0) * (each * axis.size as f32);
+                }
+            }
+            None => {
+                let most = axis.size as f32 + BEYOND;
+                for lane in 0..LANES {
+                    let x = s[lane] * axis.scale;
+                    u[lane] = clamp(if x.is_nan() { 0.0 } else { x }, -most, most);
+                }
+            }
         }
-        Seamless::On => {
-            let step = [step[0] as i32, step[1] as i32];
-            let found = cube::beyond(place.face as u32, i, j, step, place.level.width as i32);
-            seamless::texels::<S>(place, &found, &mut channels);
-            missing = found.missing;
+        let (mut lower, _) = enclosing::<S>(&u);
+        for lane in 0..LANES {
+            lower[lane] += offset;
+        }
+        let texels = [wrapped(axis, &rule, &lower, 0), wrapped(axis, &rule, &lower, 1)];
+        Found { lower, texels }
+    }
+}
+
+/// How far beyond an image a place counts, in texels: further than any offset.
+const BEYOND: f32 = 64.0;
+
+/// Further than any place.
+const FAR: i32 = 1 << 23;
+
+/// Which texel stands for place `i` or `i + 1` of `n` (OpenGL 3.2, table 3.20), in steps that do nothing where they do
+/// not apply.
+struct Rule {
+    /// After how much of the coordinate the image repeats.
+    repeats: Option<f32>,
+    /// `i` is held first. (The clamps that mix half a border in keep one of the two within the image.)
+    first: [i32; 2],
+    /// Places repeat: where one turn begins and how long it is.
+    turn: [i32; 2],
+    /// The bits that a place below 0 changes: all where 0 is a mirror.
+    mirror: i32,
+    /// What is held last; -1 and `n` are the border.
+    last: [i32; 2],
+}
+
+impl Rule {
+    fn new(wrap: Wrap, n: i32) -> Self {
+        let (edge, border) = ([0, n - 1], [-1, n]);
+        let straight = Self {
+            repeats: None,
+            first: [-FAR, FAR],
+            turn: [-FAR, 2 * FAR],
+            mirror: 0,
+            last: border,
+        };
+        let mirrored = Self { mirror: !0, ..straight };
+        match wrap {
+            Wrap::Repeat => Self { repeats: Some(1.0), turn: [0, n], ..straight },
+            Wrap::MirroredRepeat => Self { repeats: Some(2.0), turn: [-n, 2 * n], ..mirrored },
+            Wrap::Clamp => Self { first: [-1, n - 1], ..straight },
+            Wrap::ClampToEdge => Self { last: edge, ..straight },
+            Wrap::ClampToBorder => straight,
+            Wrap::MirrorClamp => Self { first: [-n - 1, n - 1], ..mirrored },
+            Wrap::MirrorClampToEdge => Self { last: edge, ..mirrored },
+            Wrap::MirrorClampToBorder => mirrored,
         }
     }
-    expand::expand(texture.format, texture.depth_mode, &mut channels);
-    expand::swizzle(texture.format, texture.swizzle, &mut channels);
-    (channels[0], missing)
+}
+
+#[inline(always)]
+fn held(i: i32, [low, high]: [i32; 2]) -> i32 {
+    let above = if i < low { low } else { i };
+    if above > high { high } else { above }
+}
+
+#[inline(always)]
+fn wrapped(axis: Axis, rule: &Rule, i: &I32s, step: i32) -> Indices {
+    let [start, length] = rule.turn;
+    let mut places = I32s::ZERO;
+    for lane in 0..LANES {
+        let place = held(i[lane], rule.first) + step;
+        let turned = modulo(place - start, length) + start;
+        places[lane] = held(turned ^ (turned >> 31 & rule.mirror), rule.last);
+    }
+    axis.stored(&places)
+}
+
+/// The first component of a texel after the swizzle, and where there is none (a mask): beyond a corner of a cube.
+struct Texel<'a> {
+    place: &'a Place<'a>,
+    along: [&'a Found; 2],
+    /// Whether it is the lower or the upper one along either axis.
+    step: [usize; 2],
+}
+
+impl Kernel for Texel<'_> {
+    type Output = (F32s, U32s);
+
+    #[inline(always)]
+    fn run<S: Simd>(self) -> (F32s, U32s) {
+        let Self { place, along: [x, y], step } = self;
+        let texture = place.texture;
+        let (mut channels, mut missing) = ([F32s::ZERO; 4], U32s::ZERO);
+        match texture.seamless {
+            Seamless::Off => {
+                let at = [&x.texels[step[0]], &y.texels[step[1]], &place.slice()];
+                fetch::texels::<S>(place, at, &mut channels, &mut Off);
+            }
+            Seamless::On => {
+                let (face, size) = (place.face as u32, place.level.width as i32);
+                let step = [step[0] as i32, step[1] as i32];
+                let found = cube::beyond(face, &x.lower, &y.lower, step, size);
+                seamless::texels::<S>(place, &found, &mut channels);
+                missing = found.missing;
+            }
+        }
+        expand::expand(texture.format, texture.depth_mode, &mut channels);
+        expand::swizzle(texture.format, texture.swizzle, &mut channels);
+        (channels[0], missing)
+    }
 }
 
 /// Where there is no texel, the mean of the other three; of integers, which have no mean, the one texel of the face.

@@ -93,19 +93,19 @@ impl Axis {
                     u[lane] = clamp(folded * n, 0.5, n - 0.5);
                 }
             }
-            Wrap::MirrorClamp => {
+            Wrap::MirrorClamp | Wrap::MirrorClampToEdge | Wrap::MirrorClampToBorder => {
+                let beyond = match wrap {
+                    Wrap::MirrorClampToEdge => -0.5,
+                    Wrap::MirrorClampToBorder => 0.5,
+                    Wrap::MirrorClamp
+                    | Wrap::Repeat
+                    | Wrap::Clamp
+                    | Wrap::ClampToEdge
+                    | Wrap::ClampToBorder
+                    | Wrap::MirroredRepeat => 0.0,
+                };
                 for lane in 0..LANES {
-                    u[lane] = clamp((s[lane] * scale).abs(), 0.5, n);
-                }
-            }
-            Wrap::MirrorClampToEdge => {
-                for lane in 0..LANES {
-                    u[lane] = clamp((s[lane] * scale).abs(), 0.5, n - 0.5);
-                }
-            }
-            Wrap::MirrorClampToBorder => {
-                for lane in 0..LANES {
-                    u[lane] = clamp((s[lane] * scale).abs(), 0.5, n + 0.5);
+                    u[lane] = clamp((s[lane] * scale).abs(), 0.5, n + beyond);
                 }
             }
         }
@@ -195,70 +195,9 @@ impl Axis {
         }
     }
 
-    /// The lower of the two texels about a coordinate, `offset` further, which may lie far beyond the image.
-    #[inline(always)]
-    pub fn below<S: Simd>(self, s: &F32s, offset: i32) -> I32s {
-        let Self { wrap, scale, .. } = self;
-        let n = self.size as f32;
-        let mut u = F32s::ZERO;
-        match wrap {
-            Wrap::Repeat => u = self.texel_coordinate_apart::<S>(s),
-            // Within a period, of two images.
-            Wrap::MirroredRepeat => {
-                for lane in 0..LANES {
-                    let half = s[lane] * 0.5;
-                    u[lane] = max(half - S::floor(half), 0.0) * (2.0 * n);
-                }
-            }
-            Wrap::Clamp
-            | Wrap::ClampToEdge
-            | Wrap::ClampToBorder
-            | Wrap::MirrorClamp
-            | Wrap::MirrorClampToEdge
-            | Wrap::MirrorClampToBorder => {
-                for lane in 0..LANES {
-                    let x = s[lane] * scale;
-                    let number = if x.is_nan() { 0.0 } else { x };
-                    u[lane] = clamp(number, -n - BEYOND, n + BEYOND);
-                }
-            }
-        }
-        let (mut i, _) = enclosing::<S>(&u);
-        for lane in 0..LANES {
-            i[lane] += offset;
-        }
-        i
-    }
-
-    /// The texels of any place and the next, each wrapped by itself (OpenGL 3.2, table 3.20). The clamps that mix half a
-    /// border in keep one of the two within the image.
-    #[inline(always)]
-    pub fn wrapped(self, i: &I32s) -> [Indices; 2] {
-        [self.wrapped_once(i, 0), self.wrapped_once(i, 1)]
-    }
-
-    #[inline(always)]
-    fn wrapped_once(self, i: &I32s, step: i32) -> Indices {
-        let n = self.size as i32;
-        let at = match self.wrap {
-            Wrap::Repeat => each(i, |i| modulo(i + step, n)),
-            Wrap::MirroredRepeat => each(i, |i| {
-                let at = modulo(i + step, 2 * n);
-                if at < n { at } else { 2 * n - 1 - at }
-            }),
-            Wrap::Clamp => each(i, |i| held(i, -1, n - 1) + step),
-            Wrap::ClampToEdge => each(i, |i| held(i + step, 0, n - 1)),
-            Wrap::ClampToBorder => each(i, |i| held(i + step, -1, n)),
-            Wrap::MirrorClamp => each(i, |i| mirrored(held(i, -n - 1, n - 1) + step)),
-            Wrap::MirrorClampToEdge => each(i, |i| held(mirrored(i + step), 0, n - 1)),
-            Wrap::MirrorClampToBorder => each(i, |i| held(mirrored(i + step), 0, n)),
-        };
-        self.stored(&at)
-    }
-
     /// The stored index of texel `i`, of which -1 and `size` may be the border's.
     #[inline(always)]
-    fn stored(self, i: &I32s) -> Indices {
+    pub fn stored(self, i: &I32s) -> Indices {
         let border = self.border as i32;
         let last = self.size as i32 - 1 + 2 * border;
         let mut out = Indices { index: U32s::ZERO, outside: U32s::ZERO };
@@ -270,30 +209,6 @@ impl Axis {
         }
         out
     }
-}
-
-/// How far beyond an image a place counts, in texels: further than any offset.
-const BEYOND: f32 = 64.0;
-
-#[inline(always)]
-fn each(i: &I32s, place: impl Fn(i32) -> i32) -> I32s {
-    let mut out = I32s::ZERO;
-    for lane in 0..LANES {
-        out[lane] = place(i[lane]);
-    }
-    out
-}
-
-#[inline(always)]
-fn held(i: i32, low: i32, high: i32) -> i32 {
-    let above = if i < low { low } else { i };
-    if above > high { high } else { above }
-}
-
-/// Place `i` of an image that is mirrored once, at 0.
-#[inline(always)]
-fn mirrored(i: i32) -> i32 {
-    if i < 0 { -1 - i } else { i }
 }
 
 struct TexelCoordinate<'a> {
