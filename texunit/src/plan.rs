@@ -3,8 +3,6 @@
 mod prepare;
 mod row;
 
-use prepare::wrap_of;
-
 use crate::format::{Block, Format};
 use crate::image::{FACES, Image, Incomplete, Level, Shape};
 use crate::lanes::{F32s, I32s, Isa, LANES, Simd};
@@ -19,6 +17,7 @@ use crate::sample::texel::Fetch;
 use crate::sample::{Off, Probed, Sample, Scanned};
 use crate::sample::{ahead, flat, take};
 use crate::sampler::{Compare, DepthMode, Filter, Sampler, Seamless, Swizzle, Wrap};
+use prepare::wrap_of;
 use std::marker::PhantomData;
 use std::sync::Arc;
 
@@ -351,8 +350,8 @@ impl SamplePlan {
         take.take::<S>(&take::Lanes(lanes))
     }
 
-    /// The first component of each of the four texels of the base level that a linear filter would weigh (`textureGather`):
-    /// those at (i, j + 1), (i + 1, j + 1), (i + 1, j) and (i, j). Of two axes; an incomplete image has zeros.
+    /// The first component of the texels at (i, j + 1), (i + 1, j + 1), (i + 1, j) and (i, j) that a linear filter of the
+    /// base level would weigh (`textureGather`). Of two axes; an incomplete image has zeros.
     pub fn gather(&self, isa: Isa, points: Points<'_>, offset: [i32; 2], out: &mut [F32s; 4]) {
         match &self.0 {
             Ok(texture) => isa.run(Gather { texture, points, offset, out }),
