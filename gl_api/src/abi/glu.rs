@@ -46,6 +46,15 @@ unsafe fn quadric<'a>(pointer: Quadric) -> Option<&'a mut GLUquadric> {
     if pointer.is_aligned() { unsafe { pointer.as_mut() } } else { None }
 }
 
+/// What a quadric of the client's holds: drawing it may call what deletes it.
+///
+/// # Safety
+/// As of [`quadric`].
+unsafe fn copied(pointer: Quadric) -> Option<GLUquadric> {
+    // SAFETY: promised by the caller.
+    unsafe { quadric(pointer) }.copied()
+}
+
 /// Text of the client's; empty for the null pointer and for what is no UTF-8.
 ///
 /// # Safety
@@ -197,9 +206,8 @@ c_functions! {
     }
 
     gluQuadricNormals(quad: Quadric, normal: GLenum) {
-        if let Some(quad) = quadric(quad) {
-            glu::gluQuadricNormals(quad, normal);
-        }
+        // Told when nothing is borrowed: the callback may delete the quadric.
+        glu::tell(quadric(quad).and_then(|quad| quad.set_normals(normal)));
     }
 
     gluQuadricTexture(quad: Quadric, texture: GLboolean) {
@@ -209,48 +217,42 @@ c_functions! {
     }
 
     gluQuadricOrientation(quad: Quadric, orientation: GLenum) {
-        if let Some(quad) = quadric(quad) {
-            glu::gluQuadricOrientation(quad, orientation);
-        }
+        glu::tell(quadric(quad).and_then(|quad| quad.set_orientation(orientation)));
     }
 
     gluQuadricDrawStyle(quad: Quadric, draw: GLenum) {
-        if let Some(quad) = quadric(quad) {
-            glu::gluQuadricDrawStyle(quad, draw);
-        }
+        glu::tell(quadric(quad).and_then(|quad| quad.set_style(draw)));
     }
 
     gluQuadricCallback(quad: Quadric, which: GLenum, callback: GLUquadricCallback) {
-        if let Some(quad) = quadric(quad) {
-            glu::gluQuadricCallback(quad, which, callback);
-        }
+        glu::tell(quadric(quad).and_then(|quad| quad.set_callback(which, callback)));
     }
 
     gluSphere(quad: Quadric, radius: f64, slices: GLint, stacks: GLint) {
-        if let Some(quad) = quadric(quad) {
-            glu::gluSphere(quad, radius, slices, stacks);
+        if let Some(quad) = copied(quad) {
+            glu::gluSphere(&quad, radius, slices, stacks);
         }
     }
 
     gluCylinder(
         quad: Quadric, base: f64, top: f64, height: f64, slices: GLint, stacks: GLint
     ) {
-        if let Some(quad) = quadric(quad) {
-            glu::gluCylinder(quad, base, top, height, slices, stacks);
+        if let Some(quad) = copied(quad) {
+            glu::gluCylinder(&quad, base, top, height, slices, stacks);
         }
     }
 
     gluDisk(quad: Quadric, inner: f64, outer: f64, slices: GLint, loops: GLint) {
-        if let Some(quad) = quadric(quad) {
-            glu::gluDisk(quad, inner, outer, slices, loops);
+        if let Some(quad) = copied(quad) {
+            glu::gluDisk(&quad, inner, outer, slices, loops);
         }
     }
 
     gluPartialDisk(
         quad: Quadric, inner: f64, outer: f64, slices: GLint, loops: GLint, start: f64, sweep: f64
     ) {
-        if let Some(quad) = quadric(quad) {
-            glu::gluPartialDisk(quad, inner, outer, slices, loops, start, sweep);
+        if let Some(quad) = copied(quad) {
+            glu::gluPartialDisk(&quad, inner, outer, slices, loops, start, sweep);
         }
     }
 }

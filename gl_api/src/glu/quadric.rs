@@ -57,9 +57,43 @@ pub fn gluNewQuadric() -> GLUquadric {
 }
 
 impl GLUquadric {
-    /// Sets one of several values, or tells of an error.
-    fn set(&mut self, value: GLenum, known: &[GLenum], place: impl FnOnce(&mut Self)) {
-        if known.contains(&value) { place(self) } else { self.refuse(GLU_INVALID_ENUM) }
+    /// Sets one of several values; where it is none of them, who is to be told.
+    fn set(
+        &mut self,
+        value: GLenum,
+        known: &[GLenum],
+        place: impl FnOnce(&mut Self),
+    ) -> GLUquadricCallback {
+        if known.contains(&value) {
+            place(self);
+            return None;
+        }
+        self.error
+    }
+
+    /// [`gluQuadricNormals`] up to the callback, which may delete the quadric.
+    pub(crate) fn set_normals(&mut self, normal: GLenum) -> GLUquadricCallback {
+        self.set(normal, &[GLU_SMOOTH, GLU_FLAT, GLU_NONE], |quad| quad.normals = normal)
+    }
+
+    /// [`gluQuadricOrientation`] up to the callback.
+    pub(crate) fn set_orientation(&mut self, orientation: GLenum) -> GLUquadricCallback {
+        self.set(orientation, &[GLU_OUTSIDE, GLU_INSIDE], |quad| quad.orientation = orientation)
+    }
+
+    /// [`gluQuadricDrawStyle`] up to the callback.
+    pub(crate) fn set_style(&mut self, draw: GLenum) -> GLUquadricCallback {
+        let known = [GLU_FILL, GLU_LINE, GLU_SILHOUETTE, GLU_POINT];
+        self.set(draw, &known, |quad| quad.style = draw)
+    }
+
+    /// [`gluQuadricCallback`] up to the callback that there was.
+    pub(crate) fn set_callback(
+        &mut self,
+        which: GLenum,
+        callback: GLUquadricCallback,
+    ) -> GLUquadricCallback {
+        self.set(which, &[GLU_ERROR], |quad| quad.error = callback)
     }
 
     fn refuse(&self, error: GLenum) {
@@ -69,9 +103,16 @@ impl GLUquadric {
     }
 }
 
+/// Tells of a value that is none of those that there are.
+pub(crate) fn tell(refused: GLUquadricCallback) {
+    if let Some(callback) = refused {
+        callback(GLU_INVALID_ENUM);
+    }
+}
+
 /// Whether and of what there are normals: [`GLU_SMOOTH`], [`GLU_FLAT`] or [`GLU_NONE`].
 pub fn gluQuadricNormals(quad: &mut GLUquadric, normal: GLenum) {
-    quad.set(normal, &[GLU_SMOOTH, GLU_FLAT, GLU_NONE], |quad| quad.normals = normal);
+    tell(quad.set_normals(normal));
 }
 
 /// Whether there are texture coordinates.
@@ -81,18 +122,17 @@ pub fn gluQuadricTexture(quad: &mut GLUquadric, texture: impl Arg<bool>) {
 
 /// Which side is the front: [`GLU_OUTSIDE`] or [`GLU_INSIDE`].
 pub fn gluQuadricOrientation(quad: &mut GLUquadric, orientation: GLenum) {
-    quad.set(orientation, &[GLU_OUTSIDE, GLU_INSIDE], |quad| quad.orientation = orientation);
+    tell(quad.set_orientation(orientation));
 }
 
 /// What is drawn: [`GLU_FILL`], [`GLU_LINE`], [`GLU_SILHOUETTE`] or [`GLU_POINT`].
 pub fn gluQuadricDrawStyle(quad: &mut GLUquadric, draw: GLenum) {
-    let known = [GLU_FILL, GLU_LINE, GLU_SILHOUETTE, GLU_POINT];
-    quad.set(draw, &known, |quad| quad.style = draw);
+    tell(quad.set_style(draw));
 }
 
 /// What is called with the code of an error; `which` must be [`GLU_ERROR`].
 pub fn gluQuadricCallback(quad: &mut GLUquadric, which: GLenum, callback: GLUquadricCallback) {
-    quad.set(which, &[GLU_ERROR], |quad| quad.error = callback);
+    tell(quad.set_callback(which, callback));
 }
 
 impl GLUquadric {

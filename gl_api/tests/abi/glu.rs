@@ -10,6 +10,8 @@ unsafe extern "C" {
     fn gluDeleteQuadric(quad: Handle);
     fn gluQuadricCallback(quad: Handle, which: GLenum, callback: Option<extern "C" fn(GLenum)>);
     fn gluQuadricDrawStyle(quad: Handle, style: GLenum);
+    fn gluQuadricNormals(quad: Handle, normals: GLenum);
+    fn gluQuadricOrientation(quad: Handle, orientation: GLenum);
     fn gluSphere(quad: Handle, radius: f64, slices: i32, stacks: i32);
     fn gluBuild2DMipmaps(
         t: GLenum,
@@ -87,5 +89,40 @@ fn quadrics_tell_of_errors_and_bear_null() {
         gluSphere(null_mut(), 1.0, 8, 8);
         gluQuadricDrawStyle(null_mut(), 100_012);
         gluDeleteQuadric(null_mut());
+    }
+}
+
+thread_local! {
+    static DOOMED: std::cell::Cell<Handle> = const { std::cell::Cell::new(null_mut()) };
+}
+
+extern "C" fn delete(error: GLenum) {
+    LAST.set(error);
+    // SAFETY: the quadric is GLU's own, and nobody uses it again.
+    unsafe { gluDeleteQuadric(DOOMED.take()) };
+}
+
+/// Run by Miri, which knows what is borrowed.
+#[test]
+fn a_quadric_may_be_deleted_by_its_own_callback() {
+    // Each is refused.
+    let calls: [(unsafe fn(Handle), GLenum); 5] = [
+        (|quad| unsafe { gluQuadricNormals(quad, 7) }, 100_900),
+        (|quad| unsafe { gluQuadricOrientation(quad, 7) }, 100_900),
+        (|quad| unsafe { gluQuadricDrawStyle(quad, 7) }, 100_900),
+        (|quad| unsafe { gluQuadricCallback(quad, 7, None) }, 100_900),
+        (|quad| unsafe { gluSphere(quad, -1.0, 8, 8) }, 100_901),
+    ];
+    for (call, error) in calls {
+        LAST.set(0);
+        // SAFETY: the quadric is GLU's own, and not used once it is deleted.
+        unsafe {
+            let quad = gluNewQuadric();
+            gluQuadricCallback(quad, 100_103, Some(delete));
+            DOOMED.set(quad);
+            call(quad);
+        }
+        assert_eq!(LAST.get(), error);
+        assert!(DOOMED.get().is_null());
     }
 }
