@@ -87,6 +87,55 @@ fn user_planes_give_polygons_edges() {
     assert_eq!(drawn(&mut c), open);
 }
 
+/// Where a plane cuts an edge of the polygon, and where two planes meet within it, and nowhere else.
+#[test]
+fn user_planes_give_polygons_vertices() {
+    let mut c = context();
+    c.polygon_mode(GL_FRONT_AND_BACK, GL_POINT);
+    c.clip_plane(GL_CLIP_PLANE0, &[1.0, 0.0, 0.0, -15.5]);
+    c.clip_plane(GL_CLIP_PLANE1, &[0.0, 1.0, 0.0, -10.5]);
+    for mode in [GL_QUADS, GL_POLYGON] {
+        // Red where the right edge is cut: of 5.5 to 25.5 a quarter, in perspective a third.
+        for (ws, red) in [([1.0; 4], 64_u8), ([1.0, 3.0, 2.0, 0.5], 85)] {
+            c.enable(GL_CLIP_PLANE0);
+            quad(&mut c, mode, [5.5, 5.5], [25.5, 25.5], ws);
+            let want = BTreeSet::from([(15, 5), (25, 5), (15, 25), (25, 25)]);
+            assert_eq!(drawn(&mut c), want, "{mode:#x} {ws:?}");
+            c.enable(GL_CLIP_PLANE1);
+            quad(&mut c, mode, [5.5, 5.5], [25.5, 25.5], ws);
+            let want = BTreeSet::from([(15, 10), (25, 10), (15, 25), (25, 25)]);
+            assert_eq!(drawn(&mut c), want, "{mode:#x} {ws:?}");
+            // One colour all over a point.
+            c.point_size(3.0);
+            quad(&mut c, mode, [5.5, 5.5], [25.5, 25.5], ws);
+            let found = pixels(&mut c);
+            for (x, y) in [(24, 9), (25, 10), (26, 11)] {
+                let [got, ..] = found[y * SIZE as usize + x];
+                assert!(got.abs_diff(red) <= 1, "{x} {y}: {got} for {red}");
+            }
+            assert_eq!(drawn(&mut c).len(), 4 * 9);
+            c.point_size(1.0);
+            c.disable(GL_CLIP_PLANE0);
+            c.disable(GL_CLIP_PLANE1);
+        }
+    }
+    // What is left of an edge keeps its flag; the edge that is made has one.
+    c.enable(GL_CLIP_PLANE0);
+    for flag in [GL_FALSE, GL_TRUE] {
+        c.begin(GL_POLYGON);
+        for (x, y, flag) in
+            [(5.5, 5.5, flag), (25.5, 5.5, GL_FALSE), (25.5, 25.5, GL_FALSE), (5.5, 25.5, GL_FALSE)]
+        {
+            c.edge_flag(flag == GL_TRUE);
+            c.vertex_2f(x, y);
+        }
+        c.end();
+        let mut want = BTreeSet::from([(15, 25)]);
+        want.extend((flag == GL_TRUE).then_some((15, 5)));
+        assert_eq!(drawn(&mut c), want, "{flag}");
+    }
+}
+
 #[test]
 fn a_stipple_goes_on_around_a_polygon() {
     let mut c = context();

@@ -14,9 +14,11 @@ pub const MAX_DISTANCES: usize = 8;
 /// What the edge of a polygon that begins at a corner is.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Edge {
-    /// Part of one of its own, or along the view volume, where nothing is drawn.
+    /// Along the view volume, where nothing is drawn.
     #[default]
-    Own,
+    View,
+    /// Part of one of its own, by the vertex where that begins.
+    Own(u8),
     /// Along a plane of the user's: an edge like its own (GL 2.1, section 2.12).
     Made,
 }
@@ -28,8 +30,12 @@ pub struct Corner {
     pub clip: [f64; 4],
     /// By plane.
     pub distances: [f64; MAX_DISTANCES],
+    /// How much of each of the polygon's first three vertices it is.
+    pub weights: [f64; 3],
     /// To the next corner.
     pub edge: Edge,
+    /// The edge that a plane of the user's has cut, if that made this corner.
+    pub cut: Option<Edge>,
 }
 
 /// The smallest `w` that is left: whatever is closer to the eye's plane is outside every guard band.
@@ -76,7 +82,7 @@ pub fn clip(polygon: &mut Vec<Corner>, scratch: &mut Vec<Corner>, planes: &[Plan
             Some(axis) => p[axis] = -(plane[3] * p[3]) / plane[axis],
             None => p[3] = W_MIN,
         };
-        cut(polygon, scratch, Edge::Own, distance, settle);
+        cut(polygon, scratch, Edge::View, distance, settle);
     }
     for plane in (0..MAX_DISTANCES).filter(|plane| user >> plane & 1 == 1) {
         cut(polygon, scratch, Edge::Made, |corner| corner.distances[plane], |_| {});
@@ -121,7 +127,9 @@ fn cut(
             scratch.push(Corner {
                 clip,
                 distances: std::array::from_fn(|k| mix(from.distances[k], to.distances[k])),
+                weights: std::array::from_fn(|k| mix(from.weights[k], to.weights[k])),
                 edge: if da >= 0.0 { made } else { a.edge },
+                cut: (made == Edge::Made).then_some(a.edge),
             });
         }
     }

@@ -10,7 +10,7 @@ mod triangles;
 mod unseen;
 
 pub use assemble::{Primitive, Primitives, primitives};
-pub use clip::{Corner, Edge, MAX_DISTANCES};
+pub use clip::{Corner, MAX_DISTANCES};
 pub use line::LineRun;
 pub use outline::{rectangle, stipple_lines};
 pub use setup::{Facing, Kind, Part, SUBPIXEL, Setup, Shape, setup};

@@ -1,7 +1,7 @@
 //! Lines and points (GL 2.1, sections 3.3 and 3.4), and polygons that are drawn as such (section
 //! 3.5.4).
 
-use super::clip::Edge;
+use super::clip::{Corner, Edge};
 use super::line::LineRun;
 use super::setup::{
     EdgeFlags, Facing, Kind, NOWHERE, Part, SUBPIXEL, Scratch, Setup, Shape, bounds, snap,
@@ -29,7 +29,8 @@ pub(super) struct Line {
 }
 
 impl Setup<'_> {
-    /// The boundary edges of a triangle as lines, or the vertices where they begin as points.
+    /// The boundary edges of a triangle as lines, or the vertices where they begin as points; where planes of the user's
+    /// cut it, those that they make too (section 2.12).
     pub(super) fn outline(
         &self,
         geometry: &Geometry,
@@ -44,13 +45,13 @@ impl Setup<'_> {
         let bias = polygon.offset[mode as usize].map_or(0.0, |offset| {
             depth_offset(&self.viewport, offset, self.resolution, geometry, vertices)
         });
+        let is_marked = |i: usize| match self.edge_flags {
+            EdgeFlags::AllSet => true,
+            EdgeFlags::ByVertex => geometry.begins_boundary(vertices[i]),
+        };
         for i in 0..3 {
             let from = vertices[i];
-            let marked = match self.edge_flags {
-                EdgeFlags::AllSet => true,
-                EdgeFlags::ByVertex => geometry.begins_boundary(from),
-            };
-            if edges >> i & 1 == 0 || !marked {
+            if edges >> i & 1 == 0 || !is_marked(i) {
                 continue;
             }
             match mode {
@@ -67,21 +68,43 @@ impl Setup<'_> {
             }
         }
         let any = vertices.iter().fold(0, |any, &v| any | geometry.outcode(v).0);
-        if mode == PolygonMode::Line && any & Outcode::USER != 0 {
-            self.cut(geometry, &vertices, Outcode(any), scratch);
-            let corners = scratch.polygon.iter().zip(&scratch.snapped);
-            for (at, (corner, &from)) in corners.enumerate() {
-                if corner.edge == Edge::Made {
+        if any & Outcode::USER == 0 {
+            return;
+        }
+        self.cut(geometry, &vertices, Outcode(any), scratch);
+        let corners = scratch.polygon.iter().zip(&scratch.snapped);
+        for (at, (corner, &from)) in corners.enumerate() {
+            let (bounds, part) = (NOWHERE, Part::Cut);
+            match mode {
+                PolygonMode::Line if corner.edge == Edge::Made => {
                     let to = scratch.snapped[(at + 1) % scratch.snapped.len()];
                     let kind = Kind::Line { stipple: 0, bias };
-                    let bounds = NOWHERE;
-                    let part = Part::Cut;
                     let corners = [from, to, to];
                     let edge = Shape { corners, bounds, vertices, provoking, part, kind, facing };
                     self.segment(edge, out);
                 }
+                PolygonMode::Point if is_vertex(corner, edges, is_marked) => {
+                    let size = self.size_at(geometry, vertices, corner.weights);
+                    let (kind, corners) = (Kind::Point { size, bias }, [from; 3]);
+                    let point = Shape { corners, bounds, vertices, provoking, part, kind, facing };
+                    let [x, y, _, w] = corner.clip;
+                    if x.abs() <= w && y.abs() <= w {
+                        self.disc(point, self.viewport.window(&corner.clip), size, out);
+                    }
+                }
+                PolygonMode::Line | PolygonMode::Point | PolygonMode::Fill => {}
             }
         }
+    }
+
+    /// The size of a point that is so much of each of three vertices.
+    fn size_at(&self, geometry: &Geometry, vertices: [u32; 3], weights: [f64; 3]) -> f32 {
+        let state = &self.raster.point;
+        let mut sum = 0.0;
+        for (vertex, weight) in vertices.into_iter().zip(weights) {
+            sum += weight * f64::from(geometry.point_size(vertex).unwrap_or(state.size));
+        }
+        drawn_size(state, sum as f32)
     }
 
     /// A line.
@@ -239,7 +262,22 @@ impl Setup<'_> {
         }
         let state = &self.raster.point;
         let size = drawn_size(state, geometry.point_size(vertex).unwrap_or(state.size));
-        let low = point_corner(state, geometry.window(&self.viewport, vertex), size);
+        let point = Shape {
+            corners: [geometry.snapped[vertex as usize]; 3],
+            bounds: NOWHERE,
+            vertices: [vertex; 3],
+            provoking: 0,
+            part: Part::Whole,
+            kind: Kind::Point { size, bias },
+            facing,
+        };
+        self.disc(point, geometry.window(&self.viewport, vertex), size, out);
+    }
+
+    /// A point of this size about a place in the window.
+    fn disc(&self, point: Shape, centre: [f64; 2], size: f32, out: &mut Vec<Shape>) {
+        let state = &self.raster.point;
+        let low = point_corner(state, centre, size);
         let high = low.map(|v| v + f64::from(size));
         // A smooth disc touches pixels beyond the subpixel that its square ends in.
         let rim = if state.sprite.is_some() { Rim::Aliased } else { state.rim };
@@ -251,15 +289,21 @@ impl Setup<'_> {
             Rim::Smooth => [low, high],
         };
         let Some(bounds) = bounds(&corners, rim, &self.area) else { return };
-        out.push(Shape {
-            corners: [geometry.snapped[vertex as usize]; 3],
-            bounds,
-            vertices: [vertex; 3],
-            provoking: 0,
-            part: Part::Whole,
-            kind: Kind::Point { size, bias },
-            facing,
-        });
+        out.push(Shape { bounds, ..point });
+    }
+}
+
+/// Whether a corner that a plane of the user's has made is a vertex of the polygon, and not only of one of its triangles.
+/// One where an edge begins that the plane has made is marked, one on the rest of an edge as that edge is. A vertex that
+/// lies on the plane is there already.
+fn is_vertex(corner: &Corner, edges: u8, is_marked: impl Fn(usize) -> bool) -> bool {
+    match corner.cut {
+        Some(_) if corner.weights.contains(&1.0) => false,
+        None | Some(Edge::View) => false,
+        Some(Edge::Made) => true,
+        Some(Edge::Own(edge)) => {
+            edges >> edge & 1 == 1 && (corner.edge == Edge::Made || is_marked(edge.into()))
+        }
     }
 }
 

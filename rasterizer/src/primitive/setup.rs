@@ -1,7 +1,7 @@
 //! From a primitive to shapes on the subpixel grid, culled.
 
 use super::assemble::{Primitive, Primitives};
-use super::clip::{Corner, clip, planes};
+use super::clip::{Corner, Edge, clip, planes};
 use super::outline::{Line, Outline, stipple_around};
 use super::triangles::Triangles;
 use crate::driver::{Cull, FrontFace, PolygonMode, RasterState, Rim, Viewport};
@@ -80,6 +80,14 @@ impl Shape {
     /// Whether there are pixels that it may cover.
     pub fn is_somewhere(&self) -> bool {
         self.bounds != NOWHERE
+    }
+
+    /// Where the centre of a point is in the window.
+    pub fn centre(&self, geometry: &Geometry, viewport: &Viewport) -> [f64; 2] {
+        match self.part {
+            Part::Whole => geometry.window(viewport, self.vertices[0]),
+            Part::Cut => self.corners[0].map(|v| f64::from(v) / f64::from(SUBPIXEL)),
+        }
     }
 }
 
@@ -229,7 +237,12 @@ impl Setup<'_> {
         scratch: &mut Scratch,
     ) {
         scratch.polygon.clear();
-        scratch.polygon.extend(vertices.iter().map(|&v| geometry.corner(v)));
+        scratch.polygon.extend(vertices.iter().enumerate().map(|(at, &vertex)| {
+            let mut corner = geometry.corner(vertex);
+            corner.weights[at] = 1.0;
+            corner.edge = Edge::Own(at as u8);
+            corner
+        }));
         clip(&mut scratch.polygon, &mut scratch.other, &scratch.planes, outcode.user());
         scratch.snapped.clear();
         let snapped = scratch.polygon.iter().map(|p| snap(self.viewport.window(&p.clip)));

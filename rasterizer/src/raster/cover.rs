@@ -68,7 +68,7 @@ impl Cover {
             }
             Kind::Point { size, .. } => match (raster.point.rim, &raster.point.sprite) {
                 (Rim::Smooth, None) => {
-                    let window = geometry.window(&plan.viewport, shape.vertices[0]);
+                    let window = shape.centre(geometry, &plan.viewport);
                     Self::Disc(window, f64::from(size) * 0.5)
                 }
                 (Rim::Aliased, _) | (Rim::Smooth, Some(_)) => Self::Box,
@@ -94,7 +94,7 @@ impl Cover {
             }
             Kind::Point { .. } if plan.raster.point.sprite.is_some() => Self::Box,
             Kind::Point { size, .. } => {
-                let window = geometry.window(&plan.viewport, shape.vertices[0]);
+                let window = shape.centre(geometry, &plan.viewport);
                 let by = place.map(|v| f64::from(v) / f64::from(SUBPIXEL));
                 let center = [window[0] - by[0], window[1] - by[1]];
                 Self::DiscSample(center, f64::from(size) * 0.5)

@@ -147,7 +147,7 @@ impl Planes {
             Kind::Triangle | Kind::Line { .. } => {
                 shape.corners[0].map(|v| f64::from(v) / f64::from(SUBPIXEL))
             }
-            Kind::Point { .. } => geometry.window(&setup.viewport, shape.vertices[0]),
+            Kind::Point { .. } => shape.centre(geometry, &setup.viewport),
         };
         let rows = Rows::new(shape, geometry, &setup.viewport, self.origin, setup.across);
         let varyings = shape.vertices.map(|v| geometry.varyings_of(v));
@@ -221,8 +221,12 @@ impl Rows {
                 let along = |row: Plane| row.along(&shape.corners, across);
                 triangle(shape, geometry, viewport, origin).map(along)
             }
-            (Kind::Point { .. }, _) => {
+            (Kind::Point { .. }, Part::Whole) => {
                 [Plane::constant(1.0 / w[0]), Plane::default(), Plane::default()]
+            }
+            // What the triangle has there, all over the point.
+            (Kind::Point { .. }, Part::Cut) => {
+                triangle(shape, geometry, viewport, origin).map(|row| Plane::constant(row.c))
             }
         };
         let inverse_w = Plane::sum(&projective, [1.0; 3]);

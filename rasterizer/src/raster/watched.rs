@@ -135,9 +135,9 @@ impl Spot {
         let before: usize = before.map(|other| other.lists.shapes.len()).sum();
         let at = chunk.lists.shapes.iter().position(|other| std::ptr::eq(other, shape));
         let corners = match (shape.kind, shape.part) {
-            (Kind::Triangle, _) | (Kind::Line { .. }, Part::Cut) => 3,
+            (Kind::Triangle, _) | (Kind::Line { .. } | Kind::Point { .. }, Part::Cut) => 3,
             (Kind::Line { .. }, Part::Whole) => 2,
-            (Kind::Point { .. }, _) => 1,
+            (Kind::Point { .. }, Part::Whole) => 1,
         };
         let ids = &shape.vertices[..corners];
         let vertex = |&id: &u32| {

@@ -6,7 +6,7 @@ use crate::crew::Crew;
 use crate::driver::{PointSize, VertexBinding, VertexSource, Viewport};
 use crate::ir::{Input, Output};
 use crate::pool::Pool;
-use crate::primitive::{Corner, Edge, MAX_DISTANCES};
+use crate::primitive::{Corner, MAX_DISTANCES};
 use crate::shader::{Machine, OverBudget, Prepared, Program, Run};
 use std::num::NonZeroU32;
 use std::ops::Range;
@@ -96,7 +96,7 @@ impl Geometry {
         for (to, &from) in distances.iter_mut().zip(own) {
             *to = from.into();
         }
-        Corner { clip: self.clip(vertex).map(f64::from), distances, edge: Edge::Own }
+        Corner { clip: self.clip(vertex).map(f64::from), distances, ..Corner::default() }
     }
 
     /// Whether a boundary edge begins at a vertex (GL 2.1, section 2.6.2).
