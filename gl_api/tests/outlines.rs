@@ -136,6 +136,27 @@ fn user_planes_give_polygons_vertices() {
     }
 }
 
+/// So many vertices that the polygon is drawn in parts, of which each must know where the stipple has come.
+#[test]
+fn a_stipple_goes_on_around_a_polygon_of_many_vertices() {
+    let mut c = context();
+    c.enable(GL_LINE_STIPPLE);
+    c.line_stipple(3, 0x0F3F);
+    c.color_3f(0.0, 1.0, 0.0);
+    let mut around = |mode: GLenum| {
+        c.begin(mode);
+        for at in 0..20_000 {
+            let (sin, cos) = (f64::from(at) / 20_000.0 * std::f64::consts::TAU).sin_cos();
+            c.vertex_2d(20.0 + 15.0 * cos, 20.0 + 15.0 * sin);
+        }
+        c.end();
+        drawn(&mut c)
+    };
+    let looped = around(GL_LINE_LOOP);
+    assert!((20..70).contains(&looped.len()), "{}", looped.len());
+    assert_eq!(around(GL_POLYGON), looped);
+}
+
 #[test]
 fn a_stipple_goes_on_around_a_polygon() {
     let mut c = context();

@@ -106,17 +106,18 @@ impl DrawState<'_> {
         if self.is_strip() { 1 } else { (CHUNK / self.primitives.len.max(1)).max(1) }
     }
 
+    /// Whether all lines of the draw are one, of which the stipple begins once: those around a polygon are, too.
     fn is_strip(&self) -> bool {
         match self.pipeline.desc().topology {
             Topology::LineStrip | Topology::LineLoop => true,
+            Topology::Polygon => self.setup.raster.line.stipple.is_some(),
             Topology::Points
             | Topology::Lines
             | Topology::Triangles
             | Topology::TriangleStrip
             | Topology::TriangleFan
             | Topology::Quads
-            | Topology::QuadStrip
-            | Topology::Polygon => false,
+            | Topology::QuadStrip => false,
         }
     }
 
