@@ -56,37 +56,57 @@ entry_points! {
         /// Sets the raster position: a vertex through the vertex stage.
         raster_pos_4dv: glRasterPos4dv (v: &'a [GLdouble]);
         /// Sets the raster position in window coordinates.
-        window_pos_2s: glWindowPos2s | glWindowPos2sARB (x: GLshort, y: GLshort);
+        window_pos_2s: glWindowPos2s | glWindowPos2sARB | glWindowPos2sMESA (x: GLshort, y: GLshort);
         /// Sets the raster position in window coordinates.
-        window_pos_2sv: glWindowPos2sv | glWindowPos2svARB (v: &'a [GLshort]);
+        window_pos_2sv: glWindowPos2sv | glWindowPos2svARB | glWindowPos2svMESA (v: &'a [GLshort]);
         /// Sets the raster position in window coordinates.
-        window_pos_2i: glWindowPos2i | glWindowPos2iARB (x: GLint, y: GLint);
+        window_pos_2i: glWindowPos2i | glWindowPos2iARB | glWindowPos2iMESA (x: GLint, y: GLint);
         /// Sets the raster position in window coordinates.
-        window_pos_2iv: glWindowPos2iv | glWindowPos2ivARB (v: &'a [GLint]);
+        window_pos_2iv: glWindowPos2iv | glWindowPos2ivARB | glWindowPos2ivMESA (v: &'a [GLint]);
         /// Sets the raster position in window coordinates.
-        window_pos_2f: glWindowPos2f | glWindowPos2fARB (x: GLfloat, y: GLfloat);
+        window_pos_2f: glWindowPos2f | glWindowPos2fARB | glWindowPos2fMESA (x: GLfloat, y: GLfloat);
         /// Sets the raster position in window coordinates.
-        window_pos_2fv: glWindowPos2fv | glWindowPos2fvARB (v: &'a [GLfloat]);
+        window_pos_2fv: glWindowPos2fv | glWindowPos2fvARB | glWindowPos2fvMESA (v: &'a [GLfloat]);
         /// Sets the raster position in window coordinates.
-        window_pos_2d: glWindowPos2d | glWindowPos2dARB (x: GLdouble, y: GLdouble);
+        window_pos_2d: glWindowPos2d | glWindowPos2dARB | glWindowPos2dMESA (x: GLdouble, y: GLdouble);
         /// Sets the raster position in window coordinates.
-        window_pos_2dv: glWindowPos2dv | glWindowPos2dvARB (v: &'a [GLdouble]);
+        window_pos_2dv: glWindowPos2dv | glWindowPos2dvARB | glWindowPos2dvMESA (v: &'a [GLdouble]);
         /// Sets the raster position in window coordinates.
-        window_pos_3s: glWindowPos3s | glWindowPos3sARB (x: GLshort, y: GLshort, z: GLshort);
+        window_pos_3s: glWindowPos3s | glWindowPos3sARB | glWindowPos3sMESA
+            (x: GLshort, y: GLshort, z: GLshort);
         /// Sets the raster position in window coordinates.
-        window_pos_3sv: glWindowPos3sv | glWindowPos3svARB (v: &'a [GLshort]);
+        window_pos_3sv: glWindowPos3sv | glWindowPos3svARB | glWindowPos3svMESA (v: &'a [GLshort]);
         /// Sets the raster position in window coordinates.
-        window_pos_3i: glWindowPos3i | glWindowPos3iARB (x: GLint, y: GLint, z: GLint);
+        window_pos_3i: glWindowPos3i | glWindowPos3iARB | glWindowPos3iMESA
+            (x: GLint, y: GLint, z: GLint);
         /// Sets the raster position in window coordinates.
-        window_pos_3iv: glWindowPos3iv | glWindowPos3ivARB (v: &'a [GLint]);
+        window_pos_3iv: glWindowPos3iv | glWindowPos3ivARB | glWindowPos3ivMESA (v: &'a [GLint]);
         /// Sets the raster position in window coordinates.
-        window_pos_3f: glWindowPos3f | glWindowPos3fARB (x: GLfloat, y: GLfloat, z: GLfloat);
+        window_pos_3f: glWindowPos3f | glWindowPos3fARB | glWindowPos3fMESA
+            (x: GLfloat, y: GLfloat, z: GLfloat);
         /// Sets the raster position in window coordinates.
-        window_pos_3fv: glWindowPos3fv | glWindowPos3fvARB (v: &'a [GLfloat]);
+        window_pos_3fv: glWindowPos3fv | glWindowPos3fvARB | glWindowPos3fvMESA (v: &'a [GLfloat]);
         /// Sets the raster position in window coordinates.
-        window_pos_3d: glWindowPos3d | glWindowPos3dARB (x: GLdouble, y: GLdouble, z: GLdouble);
+        window_pos_3d: glWindowPos3d | glWindowPos3dARB | glWindowPos3dMESA
+            (x: GLdouble, y: GLdouble, z: GLdouble);
         /// Sets the raster position in window coordinates.
-        window_pos_3dv: glWindowPos3dv | glWindowPos3dvARB (v: &'a [GLdouble]);
+        window_pos_3dv: glWindowPos3dv | glWindowPos3dvARB | glWindowPos3dvMESA (v: &'a [GLdouble]);
+        /// Sets the raster position in window coordinates, and its `w`.
+        window_pos_4s: glWindowPos4sMESA (x: GLshort, y: GLshort, z: GLshort, w: GLshort);
+        /// Sets the raster position in window coordinates, and its `w`.
+        window_pos_4sv: glWindowPos4svMESA (v: &'a [GLshort]);
+        /// Sets the raster position in window coordinates, and its `w`.
+        window_pos_4i: glWindowPos4iMESA (x: GLint, y: GLint, z: GLint, w: GLint);
+        /// Sets the raster position in window coordinates, and its `w`.
+        window_pos_4iv: glWindowPos4ivMESA (v: &'a [GLint]);
+        /// Sets the raster position in window coordinates, and its `w`.
+        window_pos_4f: glWindowPos4fMESA (x: GLfloat, y: GLfloat, z: GLfloat, w: GLfloat);
+        /// Sets the raster position in window coordinates, and its `w`.
+        window_pos_4fv: glWindowPos4fvMESA (v: &'a [GLfloat]);
+        /// Sets the raster position in window coordinates, and its `w`.
+        window_pos_4d: glWindowPos4dMESA (x: GLdouble, y: GLdouble, z: GLdouble, w: GLdouble);
+        /// Sets the raster position in window coordinates, and its `w`.
+        window_pos_4dv: glWindowPos4dvMESA (v: &'a [GLdouble]);
     }
     Outside in zoom {
         /// Sets how many pixels of the window a pixel of a rectangle takes.

@@ -200,10 +200,11 @@ pub(super) fn raster(context: &mut Context, position: [f64; 4]) -> Result<()> {
     Ok(())
 }
 
-/// `glWindowPos`: the position is one of the window, and nothing is transformed or lit.
+/// `glWindowPos`: the position is one of the window, and nothing is transformed or lit. Only `MESA_window_pos` has a `w`
+/// other than 1, which nobody but a query reads.
 pub(super) fn window(context: &mut Context, position: [f64; 4]) -> Result<()> {
     context.changes.nothing();
-    let [x, y, z, _] = position;
+    let [x, y, z, w] = position;
     let [near, far] = context.state.viewport.depth;
     let depth = near + unit(z) * (far - near);
     let clamp = clamp::of_vertices(context);
@@ -213,7 +214,7 @@ pub(super) fn window(context: &mut Context, position: [f64; 4]) -> Result<()> {
         *coords = current(ATTRIB_TEX_COORD + unit);
     }
     context.state.raster_position = RasterPosition {
-        window: [x, y, depth, 1.0],
+        window: [x, y, depth, w],
         valid: true,
         distance: distance(context, 0.0, current(ATTRIB_FOG_COORD)[0]),
         color: clamp.color(current(ATTRIB_COLOR)),
@@ -309,5 +310,9 @@ positions! {
         window_pos_3i, window_pos_3iv, i32, (x, y, z);
         window_pos_3f, window_pos_3fv, f32, (x, y, z);
         window_pos_3d, window_pos_3dv, f64, (x, y, z);
+        window_pos_4s, window_pos_4sv, i16, (x, y, z, w);
+        window_pos_4i, window_pos_4iv, i32, (x, y, z, w);
+        window_pos_4f, window_pos_4fv, f32, (x, y, z, w);
+        window_pos_4d, window_pos_4dv, f64, (x, y, z, w);
     }
 }

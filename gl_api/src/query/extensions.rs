@@ -153,6 +153,7 @@ pub(crate) const EXTENSIONS: &[&str] = &[
     "GL_EXT_vertex_array_bgra",
     "GL_IBM_texture_mirrored_repeat",
     "GL_KHR_debug",
+    "GL_MESA_window_pos",
     "GL_NV_blend_square",
     "GL_NV_conditional_render",
     "GL_NV_primitive_restart",

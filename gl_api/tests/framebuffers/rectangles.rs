@@ -152,3 +152,21 @@ fn a_position_outside_the_view_volume_is_not_valid() {
     rectangle(&mut c, ALL, 0.0);
     fine(&mut c);
 }
+
+#[test]
+fn a_raster_position_of_the_window_may_have_a_w() {
+    let mut c = context(4, 4);
+    c.depth_range(0.5, 1.0);
+    let position = |c: &mut Context| {
+        let mut found = [0.0; 4];
+        c.get_doublev(GL_CURRENT_RASTER_POSITION, &mut found);
+        found
+    };
+    c.window_pos_4i(3, -2, 0, 7);
+    assert_eq!(position(&mut c), [3.0, -2.0, 0.5, 7.0]);
+    c.window_pos_4dv(&[1.5, 2.5, 0.5, -0.25]);
+    assert_eq!(position(&mut c), [1.5, 2.5, 0.75, -0.25]);
+    c.window_pos_3s(1, 2, 1);
+    assert_eq!(position(&mut c), [1.0, 2.0, 1.0, 1.0]);
+    fine(&mut c);
+}

@@ -158,6 +158,10 @@ const CANNOT_FAIL: &[(&str, &[&str])] = &[
             "glWindowPos3f",
             "glWindowPos3i",
             "glWindowPos3s",
+            "glWindowPos4dMESA",
+            "glWindowPos4fMESA",
+            "glWindowPos4iMESA",
+            "glWindowPos4sMESA",
         ],
     ),
 ];
