@@ -1,35 +1,10 @@
 //! Random calls with random arguments: what the fuzz target `calls` and the tests of hostile calls
 //! share.
 
+use super::random::Random;
 use gl_api::*;
 
-/// splitmix64, with a byte of an input mixed into each number as long as there are any.
-pub struct Random<'a> {
-    state: u64,
-    bytes: &'a [u8],
-}
-
-impl<'a> Random<'a> {
-    /// The numbers of a seed, and what an input decides of them.
-    pub fn new(seed: u64, bytes: &'a [u8]) -> Self {
-        Self { state: seed, bytes }
-    }
-
-    fn next(&mut self) -> u64 {
-        self.state = self.state.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        if let Some((first, rest)) = self.bytes.split_first() {
-            self.state ^= u64::from(*first);
-            self.bytes = rest;
-        }
-        let z = (self.state ^ self.state >> 30).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        let z = (z ^ z >> 27).wrapping_mul(0x94D0_49BB_1331_11EB);
-        z ^ z >> 31
-    }
-
-    fn pick<T: Copy>(&mut self, from: &[T]) -> T {
-        from[(self.next() % from.len() as u64) as usize]
-    }
-
+impl Random<'_> {
     fn float(&mut self) -> f32 {
         match self.next() % 4 {
             0 => self.pick(&[

@@ -5,10 +5,13 @@
 mod calls;
 #[path = "../bodies/context.rs"]
 mod context;
+#[path = "../bodies/random.rs"]
+mod random;
 
-use calls::{Random, make_calls};
+use calls::make_calls;
 use context::{context, still_works};
 use libfuzzer_sys::fuzz_target;
+use random::Random;
 
 fuzz_target!(|bytes: &[u8]| {
     let mut c = context();

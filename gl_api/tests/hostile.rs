@@ -5,12 +5,15 @@
 mod calls;
 #[path = "../../fuzz/bodies/context.rs"]
 mod context;
+#[path = "../../fuzz/bodies/random.rs"]
+mod random;
 #[path = "common/shading.rs"]
 mod shading;
 
-use calls::{Random, make_calls};
+use calls::make_calls;
 use context::{context, still_works};
 use gl_api::*;
+use random::Random;
 use std::time::{Duration, Instant};
 
 #[test]
