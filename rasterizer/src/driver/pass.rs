@@ -13,7 +13,7 @@ use super::sight::Sight;
 use crate::crew::Crew;
 use crate::output::{DepthFormat, texel_words};
 use crate::plan::{Counting, DrawPlan, PlanInput, sprite_slots};
-use crate::primitive::{Setup, primitives};
+use crate::primitive::{Setup, Shape, primitives};
 use crate::raster::{Chunk, ClearJob, DrawJob, Entry, Formats, PassJob, Spot, TileJob};
 use crate::shader::{OverBudget, Prepared};
 use crate::target::{Surface, TILE, all_bits, component_bits};
@@ -30,6 +30,9 @@ const BINS_FULL: usize = 1 << 15;
 
 /// Draws of so many primitives may share a chunk with others of the same plan.
 const SMALL: usize = 256;
+
+/// Pixels that short programs draw sooner than another thread is awake.
+const LITTLE: u64 = 1 << 14;
 
 /// So many plans are kept for draws that are as others were.
 const RECENT: usize = 8;
@@ -408,6 +411,20 @@ impl<'a> Pass<'a> {
         }
     }
 
+    /// Whether all of it is done sooner than another thread is awake: whole clears, and shapes of few pixels.
+    fn is_little(&self) -> bool {
+        let Self { job, shapes, .. } = self;
+        let is_whole = |clear: &ClearJob| clear.is_whole(job.width, job.height);
+        let cost = |chunk: &Chunk| {
+            let pixels: u64 = chunk.lists.shapes.iter().map(Shape::pixels).sum();
+            // What runs by itself is long.
+            if job.draws[chunk.draw].plan.together > 1 { pixels } else { 16 * pixels }
+        };
+        *shapes <= SMALL
+            && job.clears.iter().all(is_whole)
+            && job.chunks.iter().map(cost).sum::<u64>() <= LITTLE
+    }
+
     /// Runs every tile that has something to do, and empties the bins.
     fn run_tiles(&mut self, report: &mut SubmitReport) {
         self.take_gathered();
@@ -441,10 +458,7 @@ impl<'a> Pass<'a> {
             homes.push((tx, ty));
         }
         let (job, workers) = (&self.job, &self.device.workers);
-        let is_whole = |clear: &ClearJob| clear.is_whole(job.width, job.height);
-        let is_light = self.shapes == 0 && job.clears.iter().all(is_whole);
-        // Whole clears are all done sooner than another thread is there.
-        let least = if is_light { tiles.len().max(1) } else { 1 };
+        let least = if self.is_little() { tiles.len().max(1) } else { 1 };
         self.crew.share(
             &mut tiles,
             least,

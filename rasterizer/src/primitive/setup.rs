@@ -82,6 +82,13 @@ impl Shape {
         self.bounds != NOWHERE
     }
 
+    /// How many pixels lie within its bounds.
+    pub fn pixels(&self) -> u64 {
+        let [low, high] = self.bounds;
+        let along = |axis: usize| (u64::from(high[axis]) + 1).saturating_sub(low[axis].into());
+        along(0) * along(1)
+    }
+
     /// Where the centre of a point is in the window.
     pub fn centre(&self, geometry: &Geometry, viewport: &Viewport) -> [f64; 2] {
         match self.part {

@@ -134,7 +134,7 @@ pub struct VertexStage<'a> {
 }
 
 /// Batches that are not worth another thread.
-const PIECE: usize = 4;
+const PIECE: usize = 8;
 
 /// Shades the vertices `ids` of instances, one behind the other, in parallel where there are many. They begin at a
 /// vertex of a geometry, which has at least those before it.
