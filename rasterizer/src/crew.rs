@@ -6,10 +6,16 @@
 
 use parking_lot::Mutex;
 use rayon::ThreadPool;
+use std::hint::spin_loop;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Into so many pieces goes a thread's share of what is left.
 const PARTS: usize = 4;
+
+/// So often the one that asks looks whether the others are done before it sleeps till then: they often are about to be,
+/// and it takes longer to be woken.
+const TURNS: usize = 2000;
 
 /// The threads that share work.
 #[derive(Clone, Debug)]
@@ -58,12 +64,22 @@ impl Crew {
                 each(&mut own, piece);
             }
         };
+        let done = AtomicUsize::new(0);
         match &self.helpers {
             Some(pool) if helpers > 0 => pool.in_place_scope(|scope| {
                 for _ in 0..helpers {
-                    scope.spawn(|_| take_part());
+                    scope.spawn(|_| {
+                        take_part();
+                        done.fetch_add(1, Ordering::Release);
+                    });
                 }
                 take_part();
+                for _ in 0..TURNS {
+                    if done.load(Ordering::Acquire) == helpers {
+                        break;
+                    }
+                    spin_loop();
+                }
             }),
             Some(_) | None => take_part(),
         }
@@ -90,7 +106,6 @@ impl Crew {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::sync::atomic::{AtomicUsize, Ordering};
 
     #[test]
     #[cfg_attr(target_family = "wasm", ignore = "there are no threads there")]
