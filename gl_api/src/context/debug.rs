@@ -2,8 +2,8 @@
 //!
 //! Messages are queued and never call back, so that nothing happens in the middle of a call.
 
-use super::limits;
 use super::log::{GLDEBUGPROC, Kind, Log, Logged, MAX_LENGTH};
+use super::{arithmetic, limits};
 use crate::constants::*;
 use crate::error::{ErrorCode, GlError};
 use crate::types::*;
@@ -85,7 +85,7 @@ impl Debug {
         if on {
             GREETED.call_once(|| print(&greeting(device)));
         }
-        Self {
+        let mut debug = Self {
             flag: None,
             queue: VecDeque::new(),
             given: [const { BTreeSet::new() }; 2],
@@ -93,7 +93,9 @@ impl Debug {
             output: Output::Off,
             at_first: Output::Off,
             echo: if on { Echo::Stderr } else { Echo::Off },
-        }
+        };
+        arithmetic::warning().into_iter().for_each(|text| debug.warn(text));
+        debug
     }
 
     /// Sets the flag and says why.

@@ -1,5 +1,6 @@
 //! The context: all state, all objects, and the driver they are drawn with.
 
+mod arithmetic;
 mod changes;
 pub(crate) mod debug;
 pub(crate) mod limits;
