@@ -94,7 +94,6 @@ pub struct Client {
     /// Of anything, alive or gone.
     handles: [Handle; 24],
     /// What OSMesa draws into.
-    #[allow(dead_code, reason = "it is held")]
     memory: Vec<u8>,
 }
 
@@ -297,7 +296,7 @@ impl Client {
             OSMesaMakeCurrent(context, memory.as_mut_ptr().cast(), ty, width, height)
         };
         if made == 1 {
-            self.memory = memory;
+            drop(std::mem::replace(&mut self.memory, memory));
         }
     }
 
