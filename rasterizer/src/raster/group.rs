@@ -229,7 +229,7 @@ impl Kernel for Together<'_> {
             }
         }
         lanes.general = [0; LANES];
-        gather(geometry, shapes, 0, &mut lanes.values);
+        gather::<S>(geometry, shapes, 0, &mut lanes.values);
         for (clip, [x, y, _, w]) in lanes.clip.iter_mut().zip(&lanes.values) {
             for (to, from) in clip.iter_mut().zip([x, y, w]) {
                 for lane in 0..LANES {
@@ -263,7 +263,7 @@ impl Kernel for Together<'_> {
             };
             if at / 4 != four {
                 four = at / 4;
-                gather(geometry, shapes, four, &mut lanes.values);
+                gather::<S>(geometry, shapes, four, &mut lanes.values);
             }
             sum(rows, &lanes.values, at % 4, out, &mut lanes.general);
             if *source == PlaneSource::Depth {
@@ -281,14 +281,21 @@ impl Kernel for Together<'_> {
 
 /// Four values, from `4 four` on, of the three vertices of each shape.
 #[inline(always)]
-fn gather(geometry: &Geometry, shapes: &ShapeLanes, four: usize, out: &mut [[F32s; 4]; 3]) {
-    let (values, _) = geometry.values.as_chunks::<4>();
-    let stride = geometry.stride / 4;
-    for (vertices, [a, b, c, d]) in shapes.vertices.iter().zip(out) {
+fn gather<S: Simd>(
+    geometry: &Geometry,
+    shapes: &ShapeLanes,
+    four: usize,
+    out: &mut [[F32s; 4]; 3],
+) {
+    let values: &[u8] = bytemuck::cast_slice(&geometry.values);
+    let [stride, first] = [geometry.stride, 4 * four].map(|values| 4 * values as u32);
+    for (vertices, out) in shapes.vertices.iter().zip(out) {
+        let mut offsets = U32s::ZERO;
         for lane in 0..LANES {
-            let values = values[vertices[lane] as usize * stride + four];
-            [a[lane], b[lane], c[lane], d[lane]] = values;
+            offsets[lane] = vertices[lane] * stride + first;
         }
+        let [a, b, c, d] = S::gather_fours(values, &offsets);
+        *out = [*a.as_f32(), *b.as_f32(), *c.as_f32(), *d.as_f32()];
     }
 }
 
@@ -336,15 +343,16 @@ fn sum(
     out: &mut PlaneLanes,
     general: &mut [u64; LANES],
 ) {
-    for part in 0..3 {
-        for lane in 0..LANES {
-            let value = |vertex: usize| f64::from(values[vertex][at][lane]);
-            let sum = rows[0][part][lane] * value(0)
-                + rows[1][part][lane] * value(1)
-                + rows[2][part][lane] * value(2);
-            out[part][lane] = sum;
-            general[lane] |= u64::from(!sum.is_finite());
-        }
+    let [first, second, third] = rows;
+    let [a, b, c] = out;
+    for lane in 0..LANES {
+        let (x, y) = (f64::from(values[0][at][lane]), f64::from(values[1][at][lane]));
+        let z = f64::from(values[2][at][lane]);
+        a[lane] = first[0][lane] * x + second[0][lane] * y + third[0][lane] * z;
+        b[lane] = first[1][lane] * x + second[1][lane] * y + third[1][lane] * z;
+        c[lane] = first[2][lane] * x + second[2][lane] * y + third[2][lane] * z;
+        let finite = a[lane].is_finite() & b[lane].is_finite() & c[lane].is_finite();
+        general[lane] |= u64::from(!finite);
     }
 }
 

@@ -85,6 +85,22 @@ pub(super) fn scalar_pairs(bytes: &[u8], offsets: &U32s) -> [U32s; 2] {
 }
 
 #[inline(never)]
+pub(super) fn scalar_fours(bytes: &[u8], offsets: &U32s) -> [U32s; 4] {
+    check::<Baseline>(bytes.len(), offsets, 1, 16);
+    let mut out = [U32s::ZERO; 4];
+    for lane in 0..LANES {
+        // SAFETY: `check` saw that these sixteen bytes are inside `bytes`.
+        let four = unsafe {
+            bytes.as_ptr().add(offsets[lane] as usize).cast::<[u32; 4]>().read_unaligned()
+        };
+        for (out, word) in out.iter_mut().zip(four) {
+            out[lane] = u32::from_le(word);
+        }
+    }
+    out
+}
+
+#[inline(never)]
 pub(super) fn scalar_f32(table: &[f32], indices: &U32s) -> F32s {
     check::<Baseline>(size_of_val(table), indices, 4, 4);
     let mut out = F32s::ZERO;
@@ -114,6 +130,7 @@ mod tests {
     enum Way {
         Words,
         Pairs,
+        Fours,
     }
 
     struct Gather<'a>(Way, &'a [u8], &'a U32s);
@@ -127,6 +144,7 @@ mod tests {
                 Way::Pairs => {
                     [S::gather_pairs(bytes, offsets), S::gather_pairs_here(bytes, offsets)].concat()
                 }
+                Way::Fours => S::gather_fours(bytes, offsets).to_vec(),
             }
         }
     }
@@ -134,10 +152,11 @@ mod tests {
     #[test]
     fn every_instruction_set_gathers_the_same_unaligned_words() {
         let bytes: Vec<u8> = (0..1024u32).map(|i| (i * 37 + i / 7) as u8).collect();
-        let offsets = U32s::from_fn(|lane| (lane as u32 * 131) % 1017);
+        let offsets = U32s::from_fn(|lane| (lane as u32 * 131) % 1009);
         let word = |at: usize| u32::from_le_bytes(bytes[at..at + 4].try_into().unwrap());
         // Where each batch that comes back has its words, from the offset.
-        let ways: [(Way, &[usize]); 2] = [(Way::Words, &[0, 0]), (Way::Pairs, &[0, 4, 0, 4])];
+        let ways: [(Way, &[usize]); 3] =
+            [(Way::Words, &[0, 0]), (Way::Pairs, &[0, 4, 0, 4]), (Way::Fours, &[0, 4, 8, 12])];
         for isa in Isa::available() {
             for (way, places) in ways {
                 let got = isa.run(Gather(way, &bytes, &offsets));
@@ -157,7 +176,7 @@ mod tests {
     fn a_gather_outside_its_slice_panics_on_every_instruction_set() {
         let bytes = [0; 64];
         for isa in Isa::available() {
-            for (way, last) in [(Way::Words, 60), (Way::Pairs, 56)] {
+            for (way, last) in [(Way::Words, 60), (Way::Pairs, 56), (Way::Fours, 48)] {
                 let mut offsets = U32s::ZERO;
                 offsets[63] = last;
                 isa.run(Gather(way, &bytes, &offsets));
@@ -174,7 +193,7 @@ mod tests {
     #[test]
     fn a_gather_takes_the_last_bytes_and_none_of_too_few() {
         for isa in Isa::available() {
-            for (way, size) in [(Way::Words, 4), (Way::Pairs, 8)] {
+            for (way, size) in [(Way::Words, 4), (Way::Pairs, 8), (Way::Fours, 16)] {
                 for length in [0, size - 1] {
                     let bytes = vec![0_u8; length].into_boxed_slice();
                     let run =

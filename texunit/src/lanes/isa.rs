@@ -206,6 +206,10 @@ impl Simd for Baseline {
         gather::scalar_pairs(bytes, offsets)
     }
     #[inline(always)]
+    fn gather_fours(bytes: &[u8], offsets: &U32s) -> [U32s; 4] {
+        gather::scalar_fours(bytes, offsets)
+    }
+    #[inline(always)]
     fn weigh(first: &U32s, second: &U32s, weights: &U32s, sums: &mut Sums) {
         weigh::scalar(first, second, weights, sums);
     }
@@ -254,6 +258,11 @@ impl Simd for Avx2 {
     fn gather_pairs_here(bytes: &[u8], offsets: &U32s) -> [U32s; 2] {
         // SAFETY: this type is reached only through `run_avx2`.
         unsafe { gather::x86::avx2_pairs(bytes, offsets) }
+    }
+    #[inline(always)]
+    fn gather_fours(bytes: &[u8], offsets: &U32s) -> [U32s; 4] {
+        // SAFETY: this type is reached only through `run_avx2`.
+        unsafe { gather::x86::avx2_fours(bytes, offsets) }
     }
     #[inline(always)]
     fn weigh(first: &U32s, second: &U32s, weights: &U32s, sums: &mut Sums) {
@@ -311,6 +320,11 @@ impl Simd for Avx512 {
     fn gather_pairs_here(bytes: &[u8], offsets: &U32s) -> [U32s; 2] {
         // SAFETY: this type is reached only through `run_avx512`.
         unsafe { gather::x86::avx512_pairs(bytes, offsets) }
+    }
+    #[inline(always)]
+    fn gather_fours(bytes: &[u8], offsets: &U32s) -> [U32s; 4] {
+        // SAFETY: this type is reached only through `run_avx512`.
+        unsafe { gather::x86::avx512_fours(bytes, offsets) }
     }
     #[inline(always)]
     fn weigh(first: &U32s, second: &U32s, weights: &U32s, sums: &mut Sums) {

@@ -51,6 +51,12 @@ pub trait Simd: Copy + private::Sealed {
         Self::apart(gather::Pairs { bytes, offsets })
     }
 
+    /// Reads the sixteen bytes at each byte offset as four little-endian words.
+    ///
+    /// # Panics
+    /// When an offset's sixteen bytes are not all inside `bytes`.
+    fn gather_fours(bytes: &[u8], offsets: &U32s) -> [U32s; 4];
+
     /// [`Simd::gather`] without a call: a kilobyte in each place.
     fn gather_here(bytes: &[u8], offsets: &U32s) -> U32s;
 

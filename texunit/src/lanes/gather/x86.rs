@@ -7,11 +7,11 @@ use super::super::isa::{Avx2, Avx512};
 use super::{LANES, U32s, check};
 use std::arch::x86_64::{
     __m128, __m128i, __m256, __m256i, __m512, __m512i, _mm_castpd_ps, _mm_cvtsi32_si128,
-    _mm_insert_epi32, _mm_setr_pd, _mm256_castps_pd, _mm256_castps128_ps256,
+    _mm_insert_epi32, _mm_loadu_ps, _mm_setr_pd, _mm256_castps_pd, _mm256_castps128_ps256,
     _mm256_castsi128_si256, _mm256_insertf128_ps, _mm256_inserti128_si256, _mm256_shuffle_ps,
-    _mm256_store_ps, _mm256_store_si256, _mm512_castpd_ps, _mm512_castpd256_pd512,
-    _mm512_castsi256_si512, _mm512_insertf64x4, _mm512_inserti64x4, _mm512_shuffle_ps,
-    _mm512_store_ps, _mm512_store_si512,
+    _mm256_store_ps, _mm256_store_si256, _mm256_unpackhi_ps, _mm256_unpacklo_ps, _mm512_castpd_ps,
+    _mm512_castpd256_pd512, _mm512_castsi256_si512, _mm512_insertf64x4, _mm512_inserti64x4,
+    _mm512_shuffle_ps, _mm512_store_ps, _mm512_store_si512, _mm512_unpackhi_ps, _mm512_unpacklo_ps,
 };
 
 /// The word at every `index * SCALE`.
@@ -98,6 +98,66 @@ pub unsafe fn avx512_pairs(bytes: &[u8], offsets: &U32s) -> [U32s; 2] {
     out
 }
 
+/// The four words at every offset.
+///
+/// # Safety
+/// AVX2 is there.
+#[inline(always)]
+pub unsafe fn avx2_fours(bytes: &[u8], offsets: &U32s) -> [U32s; 4] {
+    check::<Avx2>(bytes.len(), offsets, 1, 16);
+    let mut out = [U32s::ZERO; 4];
+    for first in (0..LANES).step_by(8) {
+        // SAFETY: the offsets were checked; batches are 64-byte aligned and have 8 words from `first` on.
+        unsafe {
+            let p = two_fours(bytes.as_ptr(), offsets, first);
+            let q = two_fours(bytes.as_ptr(), offsets, first + 1);
+            let r = two_fours(bytes.as_ptr(), offsets, first + 2);
+            let s = two_fours(bytes.as_ptr(), offsets, first + 3);
+            // A matrix of 4×4 in each 128 bits: turned.
+            let (pq, rs) = (_mm256_unpacklo_ps(p, q), _mm256_unpacklo_ps(r, s));
+            let first_word = _mm256_shuffle_ps::<0b01_00_01_00>(pq, rs);
+            let second = _mm256_shuffle_ps::<0b11_10_11_10>(pq, rs);
+            let (pq, rs) = (_mm256_unpackhi_ps(p, q), _mm256_unpackhi_ps(r, s));
+            let third = _mm256_shuffle_ps::<0b01_00_01_00>(pq, rs);
+            let fourth = _mm256_shuffle_ps::<0b11_10_11_10>(pq, rs);
+            for (out, words) in out.iter_mut().zip([first_word, second, third, fourth]) {
+                _mm256_store_ps(out.0.as_mut_ptr().add(first).cast::<f32>(), words);
+            }
+        }
+    }
+    out
+}
+
+/// The four words at every offset.
+///
+/// # Safety
+/// AVX-512 is there.
+#[inline(always)]
+pub unsafe fn avx512_fours(bytes: &[u8], offsets: &U32s) -> [U32s; 4] {
+    check::<Avx512>(bytes.len(), offsets, 1, 16);
+    let mut out = [U32s::ZERO; 4];
+    for first in (0..LANES).step_by(16) {
+        // SAFETY: the offsets were checked; batches are 64-byte aligned and have 16 words from `first` on.
+        unsafe {
+            let p = four_fours(bytes.as_ptr(), offsets, first);
+            let q = four_fours(bytes.as_ptr(), offsets, first + 1);
+            let r = four_fours(bytes.as_ptr(), offsets, first + 2);
+            let s = four_fours(bytes.as_ptr(), offsets, first + 3);
+            // A matrix of 4×4 in each 128 bits: turned.
+            let (pq, rs) = (_mm512_unpacklo_ps(p, q), _mm512_unpacklo_ps(r, s));
+            let first_word = _mm512_shuffle_ps::<0b01_00_01_00>(pq, rs);
+            let second = _mm512_shuffle_ps::<0b11_10_11_10>(pq, rs);
+            let (pq, rs) = (_mm512_unpackhi_ps(p, q), _mm512_unpackhi_ps(r, s));
+            let third = _mm512_shuffle_ps::<0b01_00_01_00>(pq, rs);
+            let fourth = _mm512_shuffle_ps::<0b11_10_11_10>(pq, rs);
+            for (out, words) in out.iter_mut().zip([first_word, second, third, fourth]) {
+                _mm512_store_ps(out.0.as_mut_ptr().add(first).cast::<f32>(), words);
+            }
+        }
+    }
+    out
+}
+
 /// Where the bytes of a lane are. Read from memory by itself: it would be taken out of a vector otherwise,
 /// which is slower.
 #[inline(always)]
@@ -171,6 +231,33 @@ pub unsafe fn eight_pairs(base: *const u8, offsets: &U32s, first: usize) -> __m5
     unsafe {
         let low = _mm256_castps_pd(four_pairs(base, offsets, first));
         let high = _mm256_castps_pd(four_pairs(base, offsets, first + 8));
+        _mm512_castpd_ps(_mm512_insertf64x4::<1>(_mm512_castpd256_pd512(low), high))
+    }
+}
+
+#[inline(always)]
+unsafe fn four(base: *const u8, offsets: &U32s, lane: usize) -> __m128 {
+    // SAFETY: the caller vouches for the bytes.
+    unsafe { _mm_loadu_ps(at::<1>(base, offsets, lane).cast::<f32>()) }
+}
+
+/// The four words of lane `first`, and of the one that is four further.
+#[inline(always)]
+unsafe fn two_fours(base: *const u8, offsets: &U32s, first: usize) -> __m256 {
+    // SAFETY: the caller vouches for the bytes.
+    unsafe {
+        let low = _mm256_castps128_ps256(four(base, offsets, first));
+        _mm256_insertf128_ps::<1>(low, four(base, offsets, first + 4))
+    }
+}
+
+/// [`two_fours`], and those of eight lanes further.
+#[inline(always)]
+unsafe fn four_fours(base: *const u8, offsets: &U32s, first: usize) -> __m512 {
+    // SAFETY: the caller vouches for the bytes.
+    unsafe {
+        let low = _mm256_castps_pd(two_fours(base, offsets, first));
+        let high = _mm256_castps_pd(two_fours(base, offsets, first + 8));
         _mm512_castpd_ps(_mm512_insertf64x4::<1>(_mm512_castpd256_pd512(low), high))
     }
 }
