@@ -27,8 +27,8 @@ const FURTHER: [usize; BITS] = {
 /// What up to 64 shapes cover of the blocks that their windows reach into.
 #[derive(Debug)]
 pub struct Shares {
-    /// The lanes, as two words, by block in rows of [`REACHED`].
-    lanes: [[U32s; 2]; MOST],
+    /// The lanes, by block in rows of [`REACHED`].
+    lanes: [[u64; LANES]; MOST],
     /// The first block of each shape.
     first: U32s,
     /// Of each shape the blocks of which it covers anything, four shapes a word. One without a window has its
@@ -43,7 +43,7 @@ pub struct Shares {
 impl Default for Shares {
     fn default() -> Self {
         Self {
-            lanes: [[U32s::ZERO; 2]; MOST],
+            lanes: [[0; LANES]; MOST],
             first: U32s::ZERO,
             any: [0; LANES / AT_ONCE],
             begun: 0,
@@ -76,8 +76,7 @@ impl Shares {
         let bit = self.left.trailing_zeros() as usize;
         let shape = ((self.begun - 1) * AT_ONCE + bit / BITS) % LANES;
         let part = bit % BITS;
-        let [even, odd] = &self.lanes[part.min(MOST - 1)];
-        let lanes = u64::from(even[shape]) | u64::from(odd[shape]) << 32;
+        let lanes = self.lanes[part.min(MOST - 1)][shape];
         Some(Share { shape, part, block: self.first[shape] as usize + FURTHER[part], lanes })
     }
 
@@ -88,8 +87,7 @@ impl Shares {
             self.left &= self.left.wrapping_sub(1);
             return;
         }
-        let [even, odd] = &mut self.lanes[share.part.min(MOST - 1)];
-        (even[share.shape], odd[share.shape]) = (lanes as u32, (lanes >> 32) as u32);
+        self.lanes[share.part.min(MOST - 1)][share.shape % LANES] = lanes;
     }
 }
 
@@ -113,7 +111,7 @@ impl Kernel for Divide<'_> {
         }
         let [across, up] = windows.further.map(|blocks| blocks.min(REACHED - 1));
         for row in 0..=up {
-            blocks[row * REACHED..][..=across].fill([U32s::ZERO; 2]);
+            blocks[row * REACHED..][..=across].fill([0; LANES]);
         }
         let small = expand_mask(windows.small());
         for (part, words) in windows.inside().iter().enumerate() {
@@ -122,14 +120,15 @@ impl Kernel for Divide<'_> {
                 if column > across || row > up {
                     continue;
                 }
-                for (inside, out) in words.iter().zip(&mut blocks[row * REACHED + column]) {
-                    for lane in 0..LANES {
-                        let (x, y) = (x[lane] as u32 % 4, y[lane] as u32 % 4);
-                        let there = side(to_the_right(x), right) & side(on_top(y), above);
-                        // By so many quads within each half of a word; none leaves it.
-                        let by = (4 * y + x).wrapping_sub((4 * right + 16 * above) as u32);
-                        out[lane] |= (inside[lane] & there & small[lane]).rotate_left(by % 32);
-                    }
+                let ([even, odd], out) = (words, &mut blocks[row * REACHED + column]);
+                for lane in 0..LANES {
+                    let (x, y) = (x[lane] as u32 % 4, y[lane] as u32 % 4);
+                    let there = side(to_the_right(x), right) & side(on_top(y), above) & small[lane];
+                    // By so many quads within each half of a word; none leaves it.
+                    let by = (4 * y + x).wrapping_sub((4 * right + 16 * above) as u32) % 32;
+                    let (even, odd) = (even[lane] & there, odd[lane] & there);
+                    let (even, odd) = (even.rotate_left(by), odd.rotate_left(by));
+                    out[lane] |= u64::from(even) | u64::from(odd) << 32;
                 }
             }
         }
@@ -140,9 +139,8 @@ impl Kernel for Divide<'_> {
         for row in 0..=up {
             for column in 0..=across {
                 let block = row * REACHED + column;
-                let [even, odd] = &blocks[block];
                 for lane in 0..LANES {
-                    found[lane] |= u32::from(even[lane] | odd[lane] != 0) << block;
+                    found[lane] |= u32::from(blocks[block][lane] != 0) << block;
                 }
             }
         }
