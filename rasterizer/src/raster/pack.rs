@@ -41,23 +41,26 @@ impl Kernel for Pack<'_> {
 
     #[inline(always)]
     fn run<S: Simd>(self) -> Stop {
+        let mut reader = self.shares.reader;
         let Self { shapes, group, shares, pixels, run } = self;
-        while let Some(share) = shares.first() {
+        let stop = loop {
+            let Some(share) = shares.first(&mut reader) else { break Stop::Done };
             let Share { shape, part, block, lanes } = share;
             if !(1..DENSE_PIXELS).contains(&lanes.count_ones()) {
-                shares.leave(share, 0);
-                return Stop::Share(share);
+                shares.leave(&mut reader, share, 0);
+                break Stop::Share(share);
             }
             if pixels.is_full() || pixels.holds(block, lanes) {
-                return Stop::Pixels;
+                break Stop::Pixels;
             }
             if run.holds(block, lanes) {
-                return Stop::Blocks;
+                break Stop::Blocks;
             }
             let planes = group.in_window(shape, part);
             let rest = pixels.push(block, lanes, shapes.facing(shape), planes);
-            shares.leave(share, rest);
-        }
-        Stop::Done
+            shares.leave(&mut reader, share, rest);
+        };
+        shares.reader = reader;
+        stop
     }
 }

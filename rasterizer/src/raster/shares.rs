@@ -27,14 +27,21 @@ const FURTHER: [usize; BITS] = {
 /// What up to 64 shapes cover of the blocks that their windows reach into.
 #[derive(Debug)]
 pub struct Shares {
-    /// The lanes, by block in rows of [`REACHED`].
-    lanes: [[u64; LANES]; MOST],
+    /// The lanes, by block in rows of [`REACHED`]; the others are there so that nothing is checked.
+    lanes: [[u64; LANES]; BITS],
     /// The first block of each shape.
     first: U32s,
     /// Of each shape the blocks of which it covers anything, four shapes a word. One without a window has its
     /// first, and covers nothing of it.
     any: [u64; LANES / AT_ONCE],
-    /// How many words of that are begun.
+    /// How far it is read.
+    pub reader: Reader,
+}
+
+/// How far shares are read. Apart, so that who reads many has it in registers.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Reader {
+    /// How many words are begun.
     begun: usize,
     /// What is left of the last of them.
     left: u64,
@@ -43,11 +50,10 @@ pub struct Shares {
 impl Default for Shares {
     fn default() -> Self {
         Self {
-            lanes: [[0; LANES]; MOST],
+            lanes: [[0; LANES]; BITS],
             first: U32s::ZERO,
             any: [0; LANES / AT_ONCE],
-            begun: 0,
-            left: 0,
+            reader: Reader::default(),
         }
     }
 }
@@ -68,26 +74,26 @@ pub struct Share {
 impl Shares {
     /// The first share that is left.
     #[inline(always)]
-    pub fn first(&mut self) -> Option<Share> {
-        while self.left == 0 {
-            self.left = *self.any.get(self.begun)?;
-            self.begun += 1;
+    pub fn first(&self, reader: &mut Reader) -> Option<Share> {
+        while reader.left == 0 {
+            reader.left = *self.any.get(reader.begun)?;
+            reader.begun += 1;
         }
-        let bit = self.left.trailing_zeros() as usize;
-        let shape = ((self.begun - 1) * AT_ONCE + bit / BITS) % LANES;
+        let bit = reader.left.trailing_zeros() as usize;
+        let shape = ((reader.begun - 1) * AT_ONCE + bit / BITS) % LANES;
         let part = bit % BITS;
-        let lanes = self.lanes[part.min(MOST - 1)][shape];
+        let lanes = self.lanes[part][shape];
         Some(Share { shape, part, block: self.first[shape] as usize + FURTHER[part], lanes })
     }
 
     /// Leaves these lanes of the first one.
     #[inline(always)]
-    pub fn leave(&mut self, share: Share, lanes: u64) {
+    pub fn leave(&mut self, reader: &mut Reader, share: Share, lanes: u64) {
         if lanes == 0 {
-            self.left &= self.left.wrapping_sub(1);
+            reader.left &= reader.left.wrapping_sub(1);
             return;
         }
-        self.lanes[share.part.min(MOST - 1)][share.shape % LANES] = lanes;
+        self.lanes[share.part % BITS][share.shape % LANES] = lanes;
     }
 }
 
@@ -102,9 +108,8 @@ impl Kernel for Divide<'_> {
     type Output = ();
     #[inline(always)]
     fn run<S: Simd>(self) {
-        let Self { windows, shapes, shares: Shares { lanes: blocks, first, any, begun, left } } =
-            self;
-        (*begun, *left) = (0, 0);
+        let Self { windows, shapes, shares: Shares { lanes: blocks, first, any, reader } } = self;
+        *reader = Reader::default();
         let [x, y] = &windows.quads;
         for lane in 0..LANES {
             first[lane] = (y[lane] / 4 * 8 + x[lane] / 4) as u32 % BLOCKS as u32;

@@ -240,11 +240,12 @@ mod tests {
                 let mut shares = Shares::default();
                 isa.run(Divide { windows: &windows, shapes: shapes.len(), shares: &mut shares });
                 let mut all = vec![[0; 64]; shapes.len()];
-                while let Some(share) = shares.first() {
+                let mut reader = shares.reader;
+                while let Some(share) = shares.first(&mut reader) {
                     if share.lanes != 0 {
                         all[share.shape][share.block] |= share.lanes;
                     }
-                    shares.leave(share, 0);
+                    shares.leave(&mut reader, share, 0);
                 }
                 for (lane, shape) in shapes.iter().enumerate() {
                     let got = all[lane];
