@@ -43,7 +43,7 @@ impl Default for ShapeLanes {
 impl ShapeLanes {
     /// Holds these shapes, at most 64.
     pub fn load<'a>(&mut self, shapes: impl Iterator<Item = &'a Shape>) {
-        (self.len, self.triangles, self.whole, self.back) = (0, 0, 0, 0);
+        let (mut len, mut triangles, mut whole, mut back) = (0, 0, 0, 0);
         for (lane, shape) in shapes.enumerate().take(LANES) {
             for k in 0..3 {
                 self.corners[k][0][lane] = shape.corners[k][0];
@@ -54,16 +54,22 @@ impl ShapeLanes {
                 self.bounds[end][0][lane] = shape.bounds[end][0].into();
                 self.bounds[end][1][lane] = shape.bounds[end][1].into();
             }
-            self.provoking[lane] = shape.vertices[usize::from(shape.provoking) % 3];
+            let [first, second, third] = shape.vertices;
+            self.provoking[lane] = match shape.provoking {
+                0 => first,
+                1 => second,
+                2.. => third,
+            };
             let is_triangle = match shape.kind {
                 Kind::Triangle => 1,
                 Kind::Line { .. } | Kind::Point { .. } => 0,
             };
-            self.triangles |= is_triangle << lane;
-            self.whole |= (is_triangle & u64::from(shape.part == Part::Whole)) << lane;
-            self.back |= u64::from(shape.facing == Facing::Back) << lane;
-            self.len = lane + 1;
+            triangles |= is_triangle << lane;
+            whole |= (is_triangle & u64::from(shape.part == Part::Whole)) << lane;
+            back |= u64::from(shape.facing == Facing::Back) << lane;
+            len = lane + 1;
         }
+        (self.len, self.triangles, self.whole, self.back) = (len, triangles, whole, back);
         for vertices in self.vertices.iter_mut().chain([&mut self.provoking]) {
             vertices.0[self.len..].fill(0);
         }
