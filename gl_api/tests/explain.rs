@@ -79,3 +79,17 @@ fn a_draw_that_needs_them_has_them() {
         assert!(!plans[0].contains(part), "`{part}` is in\n{}", plans[0]);
     }
 }
+
+#[test]
+fn alpha_that_is_1_everywhere_is_left_out_from_the_second_frame_on() {
+    let plans = plans(|| {
+        texture();
+        for _ in 0..3 {
+            triangle();
+            glFinish();
+        }
+    });
+    // The same plan is told once.
+    let left_out: Vec<bool> = plans.iter().map(|plan| plan.contains("left out: alpha (")).collect();
+    assert_eq!(left_out, [false, true], "{plans:?}");
+}

@@ -1,5 +1,6 @@
 //! One decision per draw: how this image is sampled with this sampler.
 
+mod describe;
 mod prepare;
 mod row;
 
@@ -85,8 +86,18 @@ pub(crate) struct Texture {
     pub way: Way,
     pub detail: Detail,
     pub kernel: SampleKernel,
+    pub alpha: Alpha,
     /// Whether texels may go to who looks them up as words of bytes: red, green, blue and, if any, alpha.
     pub gives_words: bool,
+}
+
+/// What there is to alpha.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Alpha {
+    /// It is a channel like others, or made of them.
+    Read,
+    /// It is 1 in every texel that a filter reaches: means of it need not be computed.
+    One,
 }
 
 /// Which kernel samples. Where several can, they give the same bits.
@@ -210,6 +221,13 @@ impl SamplePlan {
     /// section 3.8.10); ask the image for the reason.
     pub fn new(image: &Image, sampler: &Sampler) -> Self {
         Self(Texture::new(image, sampler))
+    }
+
+    /// The same plan with alpha left out, where it is 1 in every texel; else, and where it is left out already, none.
+    /// Reads all texels to know, which a second draw makes up for.
+    pub fn without_alpha(&self) -> Option<Self> {
+        let texture = self.texture().filter(|texture| texture.has_alpha_to_leave_out())?;
+        Some(Self(Ok(Texture { alpha: Alpha::One, ..texture.clone() })))
     }
 
     /// Why the image cannot be sampled, if it cannot.
@@ -417,7 +435,7 @@ impl SamplePlan {
         let way = Way::General;
         Self(self.0.clone().map(|texture| {
             let kernel = SampleKernel::new(texture.shape, way, &texture.detail);
-            Texture { way, kernel, gives_words: false, ..texture }
+            Texture { way, kernel, alpha: Alpha::Read, gives_words: false, ..texture }
         }))
     }
 
@@ -448,47 +466,6 @@ impl Texture {
     #[inline(always)]
     pub fn layers(&self) -> u32 {
         layers(self.shape, self.size)
-    }
-
-    fn describe(&self) -> String {
-        let Self { shape, format, size, wrap, .. } = self;
-        let mut sides = 3;
-        while sides > shape.axes() && size[sides - 1] == 1 {
-            sides -= 1;
-        }
-        let size = size[..sides].iter().map(u32::to_string).collect::<Vec<_>>().join("x");
-        let mut line = format!("{shape:?} {format:?} {size}, wrap");
-        for wrap in &wrap[..shape.axes()] {
-            line += &format!(" {wrap:?}");
-        }
-        if self.seamless == Seamless::On {
-            line += ", seamless";
-        }
-        if let Some(op) = self.compare {
-            line += &format!(", depth compare {op:?} before the filter");
-        }
-        match &self.detail {
-            Detail::Fixed { filter, level, why, bias: _ } => {
-                line += &format!(", {filter:?} of level {level} (from the base), no LOD: {why}");
-            }
-            Detail::PerLane { min, mag, range, anisotropy } => {
-                let LodRange { mipmap, last, magnified_to, .. } = range;
-                line += &format!(
-                    ", min {min:?} mipmap {mipmap:?} of levels 0 to {last} (from the base), \
-                     mag {mag:?} up to lambda {magnified_to}, LOD per lane"
-                );
-                line += &match anisotropy {
-                    Anisotropy::Off => String::new(),
-                    Anisotropy::Probes(most) => {
-                        format!(", up to {most} probes along the major axis")
-                    }
-                    Anisotropy::Scan(most) => {
-                        format!(", row by row along the major axis up to {most} times the minor")
-                    }
-                };
-            }
-        }
-        line
     }
 }
 

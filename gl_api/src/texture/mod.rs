@@ -63,10 +63,37 @@ pub(crate) struct Texture {
     pub store: DataStore,
     /// The internal format that was asked for, by face and level.
     pub requested: Vec<[GLenum; limits::MAX_TEXTURE_LEVELS]>,
-    /// How it is sampled with some sampler state, until something changes.
-    plan: Option<(Sampler, Arc<SamplePlan>)>,
+    /// How it was sampled last, until something changes.
+    plan: Option<Planned>,
     /// Whether no draw has its texels yet.
     is_new: bool,
+}
+
+/// How a texture is sampled with some sampler state.
+#[derive(Debug)]
+struct Planned {
+    sampler: Sampler,
+    plan: Arc<SamplePlan>,
+    draws: Draws,
+}
+
+/// How many draws had the same plan.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Draws {
+    One,
+    Several,
+}
+
+impl Planned {
+    /// The plan for one more draw. Texels that stay are looked through, once: draws are quicker then.
+    fn again(&mut self) -> Arc<SamplePlan> {
+        if std::mem::replace(&mut self.draws, Draws::Several) == Draws::One
+            && let Some(opaque) = self.plan.without_alpha()
+        {
+            self.plan = Arc::new(opaque);
+        }
+        Arc::clone(&self.plan)
+    }
 }
 
 /// The sampler state of a new texture (GL 2.1, table 6.16; `ARB_texture_rectangle`).
@@ -174,14 +201,12 @@ impl Texture {
 
     /// How it is sampled with this state. The device's threads bring its texels up to date.
     pub fn plan(&mut self, device: &Device, sampler: &Sampler) -> Arc<SamplePlan> {
-        match &self.plan {
-            Some((same, plan)) if same == sampler => Arc::clone(plan),
-            _ => {
-                let plan = Arc::new(SamplePlan::new(&device.texels(&self.image), sampler));
-                self.plan = Some((sampler.clone(), Arc::clone(&plan)));
-                plan
-            }
+        if let Some(planned) = self.plan.as_mut().filter(|planned| planned.sampler == *sampler) {
+            return planned.again();
         }
+        let plan = Arc::new(SamplePlan::new(&device.texels(&self.image), sampler));
+        let first = Planned { sampler: sampler.clone(), plan, draws: Draws::One };
+        Arc::clone(&self.plan.insert(first).plan)
     }
 
     /// Whether the base level's texels are floats or integers, not fractions.
@@ -192,9 +217,9 @@ impl Texture {
 
     /// Why it cannot be sampled, if so.
     pub fn incomplete_reason(&self, sampler: &Sampler) -> Option<String> {
-        if let Some((same, plan)) = &self.plan
-            && same == sampler
-            && plan.incomplete().is_none()
+        if let Some(planned) = &self.plan
+            && planned.sampler == *sampler
+            && planned.plan.incomplete().is_none()
         {
             return None;
         }

@@ -12,6 +12,7 @@ mod gathers;
 mod indices;
 mod limits;
 mod mipmaps;
+mod opaque;
 mod parts;
 mod shadows;
 mod storage;

@@ -1,7 +1,7 @@
 //! A texture as kernels read it: which levels, which wrap modes, which border, and which kernel, decided once from
 //! an image and a sampler.
 
-use super::{Anisotropy, Detail, SampleKernel, Texture, Way};
+use super::{Alpha, Anisotropy, Detail, SampleKernel, Texture, Way};
 use crate::format::{BaseFormat, Block, Encoding, Format};
 use crate::image::{FACES, Image, Incomplete, Level, Shape};
 use crate::lanes::F32s;
@@ -60,6 +60,7 @@ impl Texture {
             depth_mode: sampler.depth_mode,
             swizzle: sampler.swizzle,
             way,
+            alpha: if format.base() == BaseFormat::Rgb { Alpha::One } else { Alpha::Read },
             gives_words: kernel == SampleKernel::Flat(Class::Bytes)
                 && matches!(format.base(), BaseFormat::Rgb | BaseFormat::Rgba)
                 && sampler.swizzle == Swizzle::IDENTITY,
@@ -67,6 +68,36 @@ impl Texture {
             detail,
         })
     }
+
+    /// Whether kernels need no means of alpha, though they make some: it is a byte, and 255 all over
+    /// the levels that filters reach.
+    pub(super) fn has_alpha_to_leave_out(&self) -> bool {
+        let is_byte = match self.way {
+            Way::Plain(Class::Bytes | Class::Srgb) => self.format.channels() == 4,
+            Way::Plain(Class::Halves | Class::Floats | Class::Depth { .. })
+            | Way::General
+            | Way::Blocks(_)
+            | Way::Compared(_) => false,
+        };
+        let has_means = match &self.detail {
+            Detail::Fixed { filter, .. } => *filter == Filter::Linear,
+            Detail::PerLane { min, mag, .. } => [min, mag].contains(&&Filter::Linear),
+        };
+        let filtered = self.detail.last_level() as usize + 1;
+        let mut levels = self.levels.iter().flat_map(|face| face.iter().take(filtered));
+        is_byte
+            && has_means
+            && self.alpha == Alpha::Read
+            && levels.all(|level| is_opaque(&level.texels))
+    }
+}
+
+/// Whether the last of the four bytes of each texel is 255.
+fn is_opaque(texels: &[u8]) -> bool {
+    // A page at a time, so that most images with an alpha are not read to their end.
+    texels.as_chunks::<4>().0.chunks(1024).all(|page| {
+        page.iter().fold(!0, |all, &texel| all & u32::from_le_bytes(texel)) >> 24 == 0xFF
+    })
 }
 
 /// Component `from` of the border colour as a channel of texels, held in what the channel can be (OpenGL

@@ -1,6 +1,6 @@
 //! A row of texels that is fetched and never filtered (`ARB_texture_buffer_object`).
 
-use super::{Detail, SampleKernel, SamplePlan, Texture, Way};
+use super::{Alpha, Detail, SampleKernel, SamplePlan, Texture, Way};
 use crate::image::{Level, Shape};
 use crate::sampler::{DepthMode, Filter, Seamless, Swizzle, Wrap};
 use std::sync::Arc;
@@ -25,6 +25,7 @@ impl SamplePlan {
             depth_mode: DepthMode::Luminance,
             swizzle: Swizzle::IDENTITY,
             way: Way::General,
+            alpha: Alpha::Read,
             gives_words: false,
             kernel: SampleKernel::Probed,
             detail,

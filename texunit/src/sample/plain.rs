@@ -19,6 +19,7 @@ use super::wrap::{Axis, enclosing};
 use crate::image::Level;
 use crate::lanes::math::index;
 use crate::lanes::{F32s, I32s, LANES, Simd, U32s};
+use crate::plan::Alpha;
 use crate::sampler::{Filter, Seamless, Wrap};
 
 /// The texel that each point lies in; or `false`, where this way does not lead.
@@ -86,7 +87,12 @@ pub fn linear<S: Simd>(
     let (words, channels) = (place.level.format.words(), place.level.format.channels());
     if words == 1 {
         let Some(Square { words, weights }) = square::<S>(place, at) else { return false };
-        of_square::<S>(class, channels, 0, words.each_ref(), weights.each_ref(), out);
+        let is_opaque = channels == 4 && place.texture.alpha == Alpha::One;
+        let read = if is_opaque { 3 } else { channels };
+        of_square::<S>(class, read, 0, words.each_ref(), weights.each_ref(), out);
+        if is_opaque {
+            out[3] = F32s::splat(1.0);
+        }
         return true;
     }
     let Some(reach) = reach::<S>(place, at) else { return false };

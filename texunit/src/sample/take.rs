@@ -5,8 +5,8 @@ use super::filter::lerp;
 use super::flat::{self, Read};
 use super::plain::{self, Square};
 use crate::format::convert::{byte_channel, byte_of, over_255};
-use crate::lanes::{F32s, Simd, U32s, math};
-use crate::plan::{Detail, Texture};
+use crate::lanes::{F32s, Kernel, Simd, U32s, math};
+use crate::plan::{Alpha, Detail, Texture};
 use crate::sampler::{Filter, Mipmap};
 
 /// What a lookup gives.
@@ -79,6 +79,24 @@ impl Texels for Square {
     }
 }
 
+/// Of texels whose alpha is 1.
+struct Opaque<'a, T>(&'a T);
+
+impl<T: Texels> Texels for Opaque<'_, T> {
+    #[inline(always)]
+    fn channel(&self, lane: usize, channel: usize) -> f32 {
+        if channel == 3 { 1.0 } else { self.0.channel(lane, channel) }
+    }
+    #[inline(always)]
+    fn byte(&self, lane: usize, channel: usize) -> u32 {
+        if channel == 3 { 255 } else { self.0.byte(lane, channel) }
+    }
+    #[inline(always)]
+    fn bytes(&self) -> Option<&U32s> {
+        None
+    }
+}
+
 /// Of two levels, with the weight of the second.
 struct Both<'a>([&'a Square; 2], &'a F32s);
 
@@ -125,46 +143,78 @@ pub(crate) fn take<S: Simd, T: Take>(
     take: T,
 ) -> Result<T::Output, T> {
     let Some(Read { filter, levels }) = read else { return Err(take) };
-    let [first, second] = levels.map(|number| flat::place(texture, filter, number));
-    let is_same = levels[0] == levels[1];
-    match filter {
-        Filter::Nearest if is_same => {
-            let Some(mut words) = plain::texels::<S>(&first, coords) else { return Err(take) };
-            with_alpha(texture, &mut words);
+    match (filter, texture.alpha) {
+        (Filter::Nearest, _) if levels[0] == levels[1] => {
+            let place = flat::place(texture, filter, levels[0]);
+            let Some(mut words) = plain::texels::<S>(&place, coords) else { return Err(take) };
+            // Of texels without alpha the fourth byte is anything.
+            if texture.format.channels() < 4 {
+                for word in &mut words.0 {
+                    *word |= 0xFF00_0000;
+                }
+            }
             Ok(take.take::<S>(&One(words)))
         }
         // Two levels of one texel each are rare.
-        Filter::Nearest => Err(take),
-        Filter::Linear => {
-            let Some(lower) = square::<S>(texture, &first, coords) else { return Err(take) };
-            if is_same {
-                return Ok(take.take::<S>(&lower));
-            }
-            let Some(upper) = square::<S>(texture, &second, coords) else { return Err(take) };
-            Ok(take.take::<S>(&Both([&lower, &upper], weight)))
+        (Filter::Nearest, _) => Err(take),
+        // Kernels of their own, so that none carries another's size.
+        (Filter::Linear, Alpha::Read) => {
+            S::apart(Mean { texture, levels, coords, weight, alpha: AsRead, take })
+        }
+        (Filter::Linear, Alpha::One) => {
+            S::apart(Mean { texture, levels, coords, weight, alpha: AsOne, take })
         }
     }
 }
 
-#[inline(always)]
-fn square<S: Simd>(
-    texture: &Texture,
-    place: &super::filter::Place<'_>,
-    coords: [&F32s; 3],
-) -> Option<Square> {
-    let mut square = plain::square::<S>(place, coords)?;
-    for words in &mut square.words {
-        with_alpha(texture, words);
-    }
-    Some(square)
+/// The means of texels of one level, or of two.
+struct Mean<'a, T, A> {
+    texture: &'a Texture,
+    levels: [u32; 2],
+    coords: [&'a F32s; 3],
+    weight: &'a F32s,
+    alpha: A,
+    take: T,
 }
 
-/// Alpha is 1 where texels have none: then the fourth byte is anything.
-#[inline(always)]
-fn with_alpha(texture: &Texture, words: &mut U32s) {
-    if texture.format.channels() < 4 {
-        for word in &mut words.0 {
-            *word |= 0xFF00_0000;
+impl<T: Take, A: HasAlpha> Kernel for Mean<'_, T, A> {
+    type Output = Result<T::Output, T>;
+
+    #[inline(always)]
+    fn run<S: Simd>(self) -> Self::Output {
+        let Self { texture, levels: [first, second], coords, weight, alpha, take } = self;
+        let place = flat::place(texture, Filter::Linear, first);
+        let Some(lower) = plain::square::<S>(&place, coords) else { return Err(take) };
+        if first == second {
+            return Ok(alpha.take::<S, T>(take, &lower));
         }
+        let place = flat::place(texture, Filter::Linear, second);
+        let Some(upper) = plain::square::<S>(&place, coords) else { return Err(take) };
+        Ok(alpha.take::<S, T>(take, &Both([&lower, &upper], weight)))
+    }
+}
+
+/// How alpha comes to who takes the texels.
+trait HasAlpha {
+    fn take<S: Simd, T: Take>(self, take: T, texels: &impl Texels) -> T::Output;
+}
+
+/// As [`Alpha::Read`].
+struct AsRead;
+
+impl HasAlpha for AsRead {
+    #[inline(always)]
+    fn take<S: Simd, T: Take>(self, take: T, texels: &impl Texels) -> T::Output {
+        take.take::<S>(texels)
+    }
+}
+
+/// As [`Alpha::One`].
+struct AsOne;
+
+impl HasAlpha for AsOne {
+    #[inline(always)]
+    fn take<S: Simd, T: Take>(self, take: T, texels: &impl Texels) -> T::Output {
+        take.take::<S>(&Opaque(texels))
     }
 }

@@ -1,0 +1,51 @@
+//! What was decided of a texture, in one line.
+
+use super::{Alpha, Anisotropy, Detail, Texture};
+use crate::sample::lod::LodRange;
+use crate::sampler::Seamless;
+
+impl Texture {
+    pub(super) fn describe(&self) -> String {
+        let Self { shape, format, size, wrap, .. } = self;
+        let mut sides = 3;
+        while sides > shape.axes() && size[sides - 1] == 1 {
+            sides -= 1;
+        }
+        let size = size[..sides].iter().map(u32::to_string).collect::<Vec<_>>().join("x");
+        let mut line = format!("{shape:?} {format:?} {size}, wrap");
+        for wrap in &wrap[..shape.axes()] {
+            line += &format!(" {wrap:?}");
+        }
+        if self.seamless == Seamless::On {
+            line += ", seamless";
+        }
+        if let Some(op) = self.compare {
+            line += &format!(", depth compare {op:?} before the filter");
+        }
+        match &self.detail {
+            Detail::Fixed { filter, level, why, bias: _ } => {
+                line += &format!(", {filter:?} of level {level} (from the base), no LOD: {why}");
+            }
+            Detail::PerLane { min, mag, range, anisotropy } => {
+                let LodRange { mipmap, last, magnified_to, .. } = range;
+                line += &format!(
+                    ", min {min:?} mipmap {mipmap:?} of levels 0 to {last} (from the base), \
+                     mag {mag:?} up to lambda {magnified_to}, LOD per lane"
+                );
+                line += &match anisotropy {
+                    Anisotropy::Off => String::new(),
+                    Anisotropy::Probes(most) => {
+                        format!(", up to {most} probes along the major axis")
+                    }
+                    Anisotropy::Scan(most) => {
+                        format!(", row by row along the major axis up to {most} times the minor")
+                    }
+                };
+            }
+        }
+        if self.alpha == Alpha::One && format.channels() == 4 {
+            line += "; left out: alpha (it is 1 everywhere)";
+        }
+        line
+    }
+}
