@@ -87,12 +87,8 @@ pub fn linear<S: Simd>(
     let (words, channels) = (place.level.format.words(), place.level.format.channels());
     if words == 1 {
         let Some(Square { words, weights }) = square::<S>(place, at) else { return false };
-        let is_opaque = channels == 4 && place.texture.alpha == Alpha::One;
-        let read = if is_opaque { 3 } else { channels };
-        of_square::<S>(class, read, 0, words.each_ref(), weights.each_ref(), out);
-        if is_opaque {
-            out[3] = F32s::splat(1.0);
-        }
+        let alpha = place.texture.alpha;
+        of_square::<S>(class, (channels, alpha), 0, words.each_ref(), weights.each_ref(), out);
         return true;
     }
     let Some(reach) = reach::<S>(place, at) else { return false };
@@ -107,13 +103,13 @@ pub fn linear<S: Simd>(
         let d = S::gather_pairs(&level.texels, &moved(&corners[3], word));
         for half in 0..2 {
             let corners = [&a[half], &b[half], &c[half], &d[half]];
-            of_square::<S>(class, channels, word + half, corners, weights, out);
+            of_square::<S>(class, (channels, Alpha::Read), word + half, corners, weights, out);
         }
         word += 2;
     }
     if word < words {
         let words = one_by_one::<S>(place, &corners, word);
-        of_square::<S>(class, channels, word, words.each_ref(), weights, out);
+        of_square::<S>(class, (channels, Alpha::Read), word, words.each_ref(), weights, out);
     }
     true
 }

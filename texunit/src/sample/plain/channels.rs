@@ -7,6 +7,7 @@ use crate::format::convert::{byte_channel, byte_of, over_255};
 use crate::format::small_float::decode_half;
 use crate::format::{Encoding, Format, srgb};
 use crate::lanes::{F32s, LANES, Simd, U32s};
+use crate::plan::Alpha;
 use crate::sample::filter::lerp;
 
 /// What the channels of a texel are. They lie one after the other.
@@ -122,7 +123,7 @@ pub fn of_texel<S: Simd>(
 #[inline(always)]
 pub fn of_square<S: Simd>(
     class: Class,
-    channels: usize,
+    (channels, alpha): (usize, Alpha),
     word: usize,
     words: [&U32s; 4],
     weights: [&F32s; 2],
@@ -139,7 +140,7 @@ pub fn of_square<S: Simd>(
                 mean_of_bytes::<2>(words, weights, b);
             }
             if channels > 3 {
-                mean_of_bytes::<3>(words, weights, a);
+                mean_of_alpha(words, weights, alpha, a);
             }
         }
         Class::Srgb => {
@@ -152,7 +153,7 @@ pub fn of_square<S: Simd>(
                 mean_of_srgb::<S>(words, weights, b, 16);
             }
             if channels > 3 {
-                mean_of_bytes::<3>(words, weights, a);
+                mean_of_alpha(words, weights, alpha, a);
             }
         }
         Class::Halves => {
@@ -168,6 +169,15 @@ pub fn of_square<S: Simd>(
                 mean(words, weights, r, |word| depth(word, shift, largest));
             }
         }
+    }
+}
+
+/// Of the fourth byte, where it is not known.
+#[inline(always)]
+fn mean_of_alpha(words: [&U32s; 4], weights: [&F32s; 2], alpha: Alpha, out: &mut F32s) {
+    match alpha {
+        Alpha::Read => mean_of_bytes::<3>(words, weights, out),
+        Alpha::One => *out = F32s::splat(1.0),
     }
 }
 
