@@ -189,17 +189,12 @@ mod tests {
         }
     }
 
-    /// Allocations of their own: whoever reads past the end of one is noticed by Miri.
+    // Here and below, allocations of their own: whoever reads past the end of one is noticed by Miri.
+
     #[test]
-    fn a_gather_takes_the_last_bytes_and_none_of_too_few() {
+    fn a_gather_takes_the_last_bytes() {
         for isa in Isa::available() {
             for (way, size) in [(Way::Words, 4), (Way::Pairs, 8), (Way::Fours, 16)] {
-                for length in [0, size - 1] {
-                    let bytes = vec![0_u8; length].into_boxed_slice();
-                    let run =
-                        std::panic::catch_unwind(|| isa.run(Gather(way, &bytes, &U32s::ZERO)));
-                    assert!(run.is_err(), "{} {way:?} of {length} bytes", isa.name());
-                }
                 for begin in [0, 1, 3] {
                     let bytes = vec![7_u8; begin + size].into_boxed_slice();
                     let got = isa.run(Gather(way, &bytes, &U32s::splat(begin as u32)));
@@ -208,6 +203,22 @@ mod tests {
             }
             let table = vec![2.5; 3].into_boxed_slice();
             assert_eq!(isa.run(Table(&table, &U32s::splat(2))), F32s::splat(2.5));
+        }
+    }
+
+    #[test]
+    #[cfg_attr(target_family = "wasm", ignore = "a panic ends the program there")]
+    fn a_gather_takes_none_of_too_few_bytes() {
+        for isa in Isa::available() {
+            for (way, size) in [(Way::Words, 4), (Way::Pairs, 8), (Way::Fours, 16)] {
+                for length in [0, size - 1] {
+                    let bytes = vec![0_u8; length].into_boxed_slice();
+                    let run =
+                        std::panic::catch_unwind(|| isa.run(Gather(way, &bytes, &U32s::ZERO)));
+                    assert!(run.is_err(), "{} {way:?} of {length} bytes", isa.name());
+                }
+            }
+            let table = vec![2.5; 3].into_boxed_slice();
             for index in [3, u32::MAX / 4 + 1, u32::MAX] {
                 let indices = U32s::splat(index);
                 let run = std::panic::catch_unwind(|| isa.run(Table(&table, &indices)));
