@@ -158,63 +158,48 @@ pub(crate) fn take<S: Simd, T: Take>(
         // Two levels of one texel each are rare.
         (Filter::Nearest, _) => Err(take),
         // Kernels of their own, so that none carries another's size.
-        (Filter::Linear, Alpha::Read) => {
-            S::apart(Mean { texture, levels, coords, weight, alpha: AsRead, take })
-        }
+        (Filter::Linear, Alpha::Read) => S::apart(Mean { texture, levels, coords, weight, take }),
         (Filter::Linear, Alpha::One) => {
-            S::apart(Mean { texture, levels, coords, weight, alpha: AsOne, take })
+            let take = OfOpaque(take);
+            S::apart(Mean { texture, levels, coords, weight, take }).map_err(|OfOpaque(take)| take)
         }
     }
 }
 
 /// The means of texels of one level, or of two.
-struct Mean<'a, T, A> {
+struct Mean<'a, T> {
     texture: &'a Texture,
     levels: [u32; 2],
     coords: [&'a F32s; 3],
     weight: &'a F32s,
-    alpha: A,
     take: T,
 }
 
-impl<T: Take, A: HasAlpha> Kernel for Mean<'_, T, A> {
+impl<T: Take> Kernel for Mean<'_, T> {
     type Output = Result<T::Output, T>;
 
     #[inline(always)]
     fn run<S: Simd>(self) -> Self::Output {
-        let Self { texture, levels: [first, second], coords, weight, alpha, take } = self;
+        let Self { texture, levels: [first, second], coords, weight, take } = self;
         let place = flat::place(texture, Filter::Linear, first);
         let Some(lower) = plain::square::<S>(&place, coords) else { return Err(take) };
         if first == second {
-            return Ok(alpha.take::<S, T>(take, &lower));
+            return Ok(take.take::<S>(&lower));
         }
         let place = flat::place(texture, Filter::Linear, second);
         let Some(upper) = plain::square::<S>(&place, coords) else { return Err(take) };
-        Ok(alpha.take::<S, T>(take, &Both([&lower, &upper], weight)))
+        Ok(take.take::<S>(&Both([&lower, &upper], weight)))
     }
 }
 
-/// How alpha comes to who takes the texels.
-trait HasAlpha {
-    fn take<S: Simd, T: Take>(self, take: T, texels: &impl Texels) -> T::Output;
-}
+/// Takes texels of which it is known that their alpha is 1.
+struct OfOpaque<T>(T);
 
-/// As [`Alpha::Read`].
-struct AsRead;
+impl<T: Take> Take for OfOpaque<T> {
+    type Output = T::Output;
 
-impl HasAlpha for AsRead {
     #[inline(always)]
-    fn take<S: Simd, T: Take>(self, take: T, texels: &impl Texels) -> T::Output {
-        take.take::<S>(texels)
-    }
-}
-
-/// As [`Alpha::One`].
-struct AsOne;
-
-impl HasAlpha for AsOne {
-    #[inline(always)]
-    fn take<S: Simd, T: Take>(self, take: T, texels: &impl Texels) -> T::Output {
-        take.take::<S>(&Opaque(texels))
+    fn take<S: Simd>(self, texels: &impl Texels) -> T::Output {
+        self.0.take::<S>(&Opaque(texels))
     }
 }
