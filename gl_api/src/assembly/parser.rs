@@ -255,7 +255,7 @@ impl<'a> Parser<'a> {
                 }
                 return Ok(());
             }
-            ("ARB_draw_buffers", Target::Fragment) => {
+            ("ARB_draw_buffers" | "ATI_draw_buffers", Target::Fragment) => {
                 options.draw_buffers = true;
                 return Ok(());
             }

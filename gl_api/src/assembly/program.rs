@@ -293,7 +293,7 @@ pub(super) struct Options {
     pub precision: Option<bool>,
     /// `ARB_fog_exp` and its kin.
     pub fog: Option<Fog>,
-    /// `ARB_draw_buffers`.
+    /// `ARB_draw_buffers`, or `ATI_draw_buffers`, which says the same.
     pub draw_buffers: bool,
     /// `ARB_fragment_program_shadow`.
     pub shadow: bool,

@@ -224,8 +224,11 @@ fn fragments_know_where_they_are() {
 
 #[test]
 fn each_draw_buffer_has_a_colour_of_its_own_or_all_have_one() {
-    let options =
-        [("OPTION ARB_draw_buffers;", "MOV result.color[1], 3;", [2.0, 3.0]), ("", "", [2.0, 2.0])];
+    let options = [
+        ("OPTION ARB_draw_buffers;", "MOV result.color[1], 3;", [2.0, 3.0]),
+        ("OPTION ATI_draw_buffers;", "MOV result.color[1], 3;", [2.0, 3.0]),
+        ("", "", [2.0, 2.0]),
+    ];
     for (option, second, expected) in options {
         let mut c = context();
         c.bind_renderbuffer(GL_RENDERBUFFER, 2);

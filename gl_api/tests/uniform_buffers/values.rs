@@ -27,6 +27,8 @@ const TABLE: &[(&str, &str, &str, &[u32])] = &[
     ("layout(row_major) S s[2];", "vec3", "s[1].m[1]", &[84, 100, 116]),
     ("S s[2]; float f;", "float", "f", &[96]),
     ("T t[2];", "float", "t[1].s[1].x", &[176]),
+    ("float f; struct V { float x; vec2 y; } s[2]; V t;", "vec2", "s[1].y", &[40, 44]),
+    ("struct { float x; vec2 y; } s[2]; struct { vec2 y; } t;", "vec2", "t.y", &[32, 36]),
     // Indices that only a draw knows.
     ("vec2 a[4];", "vec2", "a[two]", &[32, 36]),
     ("float f; S s[3];", "float", "s[two].x", &[112]),

@@ -45,8 +45,9 @@ impl Parser<'_> {
             }
             let ty = self.qualified_type()?;
             if let TypeBase::Struct(_) = ty.ty.base {
+                // Against the rule, but Mesa takes it, and so there are programs that do it.
                 let message = "a structure is not defined inside of a uniform block";
-                let problem = Diagnostic::error(ty.ty.span, message).rule(SECTION);
+                let problem = Diagnostic::warning(ty.ty.span, message).rule(SECTION);
                 self.log.push(problem.help("define it before the block, and name it here"));
             }
             members.push(self.declarators(ty)?);
