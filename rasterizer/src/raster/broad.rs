@@ -1,8 +1,9 @@
-//! A triangle that covers many blocks of a tile: which they are, and its planes there, computed over lanes
+//! A triangle that covers many blocks of a tile: what it covers of them, and its planes there, computed over lanes
 //! that are blocks. The numbers are those of [`super::coverage::block`] and [`PlaneGroup::at`].
 
-use super::coverage::Edge;
+use super::coverage::{Edge, Within};
 use super::group::PlaneGroup;
+use super::pack::DENSE_PIXELS;
 use crate::target::{BLOCKS, TILE};
 use texunit::lanes::{F32s, Isa, Kernel, LANES, Simd, U32s};
 
@@ -14,13 +15,21 @@ const SIDE: usize = TILE as usize / 8;
 const _: () = assert!(BLOCKS == LANES && SIDE * SIDE == LANES, "lanes are the blocks of a tile");
 
 /// The blocks of a tile as a triangle sees them.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub struct Broad {
-    /// Those that it may cover, bit by block.
+    /// Those of which it covers anything, bit by block.
     pub touched: u64,
-    /// Those that it covers whole.
-    pub full: u64,
+    /// Those of which it covers at least [`DENSE_PIXELS`].
+    pub dense: u64,
+    /// The lanes that it covers, of those that it touches.
+    pub covered: [u64; BLOCKS],
     planes: Vec<Over>,
+}
+
+impl Default for Broad {
+    fn default() -> Self {
+        Self { touched: 0, dense: 0, covered: [0; BLOCKS], planes: Vec::new() }
+    }
 }
 
 /// A plane over the tile.
@@ -86,7 +95,7 @@ impl Kernel for Blocks<'_> {
     #[inline(always)]
     fn run<S: Simd>(self) {
         let Self { tile, edges, group, lane, out } = self;
-        [out.touched, out.full] = cover::<S>(edges);
+        out.cover::<S>(edges);
         let origin = group.origin(lane);
         // From the planes' origin to the first pixel of each column and row of blocks.
         let along = |axis: usize| {
@@ -111,9 +120,29 @@ impl Kernel for Blocks<'_> {
     }
 }
 
+impl Broad {
+    /// What lies within the edges of each block.
+    #[inline(always)]
+    fn cover<S: Simd>(&mut self, edges: &[Edge; 3]) {
+        let [touched, full] = blocks::<S>(edges);
+        (self.touched, self.dense) = (touched, full);
+        self.covered = [!0; BLOCKS];
+        let within = Within::of(edges);
+        let mut left = touched & !full;
+        while left != 0 {
+            let block = left.trailing_zeros() as usize % BLOCKS;
+            left &= left - 1;
+            let lanes = within.lanes::<S>([block % SIDE, block / SIDE].map(|at| at as i32));
+            self.covered[block] = lanes;
+            self.touched &= !(u64::from(lanes == 0) << block);
+            self.dense |= u64::from(lanes.count_ones() >= DENSE_PIXELS) << block;
+        }
+    }
+}
+
 /// The blocks that no edge leaves out, and those that all edges hold whole.
 #[inline(always)]
-fn cover<S: Simd>(edges: &[Edge; 3]) -> [u64; 2] {
+fn blocks<S: Simd>(edges: &[Edge; 3]) -> [u64; 2] {
     let (mut outside, mut crossed) = (U32s::ZERO, U32s::ZERO);
     for edge in edges {
         let (x, y) = (i64::from(edge.x), i64::from(edge.y));
@@ -138,35 +167,39 @@ fn cover<S: Simd>(edges: &[Edge; 3]) -> [u64; 2] {
 
 #[cfg(test)]
 mod tests {
-    use super::super::coverage::{Coverage, block, edges};
+    use super::super::coverage::{block, edges};
     use super::*;
     use proptest::prelude::*;
 
     struct CoverOf<'a>(&'a [Edge; 3]);
 
     impl Kernel for CoverOf<'_> {
-        type Output = [u64; 2];
+        type Output = Broad;
         #[inline(always)]
-        fn run<S: Simd>(self) -> [u64; 2] {
-            cover::<S>(self.0)
+        fn run<S: Simd>(self) -> Broad {
+            let mut broad = Broad::default();
+            broad.cover::<S>(self.0);
+            broad
         }
     }
 
     proptest! {
         #[test]
-        fn blocks_are_touched_and_full_as_each_by_itself_is(
+        fn blocks_are_covered_as_each_by_itself_is(
             corners in prop::array::uniform3(prop::array::uniform2(
                 prop_oneof![-8_000..24_000i32, -8_388_608..=8_388_608i32])),
         ) {
             let edges = edges(&corners, 0, 0);
             for isa in Isa::available() {
-                let [touched, full] = isa.run(CoverOf(&edges));
+                let broad = isa.run(CoverOf(&edges));
                 for at in 0..LANES {
-                    let want = block(isa, &edges, at as i32 % 8, at as i32 / 8);
-                    let is_full = full >> at & 1 == 1;
-                    prop_assert_eq!(is_full, want == Coverage::Full, "{} block {}", isa.name(), at);
-                    let is_touched = touched >> at & 1 == 1;
-                    prop_assert!(is_touched || want == Coverage::None, "{} block {}", isa.name(), at);
+                    let want = block(isa, &edges, at as i32 % 8, at as i32 / 8).lanes();
+                    let is_in = |blocks: u64| blocks >> at & 1 == 1;
+                    let lanes = if is_in(broad.touched) { broad.covered[at] } else { 0 };
+                    prop_assert_eq!(lanes, want, "{} block {}", isa.name(), at);
+                    prop_assert_eq!(is_in(broad.touched), want != 0, "{} block {}", isa.name(), at);
+                    let is_dense = want.count_ones() >= DENSE_PIXELS;
+                    prop_assert_eq!(is_in(broad.dense), is_dense, "{} block {}", isa.name(), at);
                 }
             }
         }

@@ -86,6 +86,46 @@ pub fn block(isa: Isa, edges: &[Edge; 3], bx: i32, by: i32) -> Coverage {
     }
 }
 
+/// The edges of a triangle for many blocks of a tile: what they rise by to each lane of a block.
+pub struct Within<'a> {
+    edges: &'a [Edge; 3],
+    rise: [[i32; LANES]; 3],
+}
+
+impl<'a> Within<'a> {
+    /// The edges of a triangle.
+    #[inline(always)]
+    pub fn of(edges: &'a [Edge; 3]) -> Self {
+        let mut rise = [[0; LANES]; 3];
+        for (rise, edge) in rise.iter_mut().zip(edges) {
+            for lane in 0..LANES {
+                rise[lane] = edge.x * COLUMN[lane] + edge.y * ROW[lane];
+            }
+        }
+        Self { edges, rise }
+    }
+
+    /// The lanes of block column `bx`, row `by` where no edge is negative. No edge may leave the whole of it out.
+    #[inline(always)]
+    pub fn lanes<S: Simd>(&self, [bx, by]: [i32; 2]) -> u64 {
+        let mut outside = U32s::ZERO;
+        for (edge, rise) in self.edges.iter().zip(&self.rise) {
+            let first = edge.value
+                + i64::from(edge.x) * i64::from(8 * bx)
+                + i64::from(edge.y) * i64::from(8 * by);
+            // What it rises and falls by within a block is less than this, and then it is nowhere negative.
+            let first = first.min(MOST_RISE) as i32;
+            for lane in 0..LANES {
+                outside[lane] |= first.wrapping_add(rise[lane]) as u32 & 1 << 31;
+            }
+        }
+        !S::nonzero(&outside)
+    }
+}
+
+/// No edge changes by more within a block: corners lie less than 2²⁴ subpixels apart along each axis.
+const MOST_RISE: i64 = 1 << 30;
+
 /// Column of each lane.
 const COLUMN: [i32; LANES] = coordinates(0);
 /// Row of each lane.

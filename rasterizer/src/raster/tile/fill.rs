@@ -155,13 +155,9 @@ impl Worker {
                 depth.prefetch(std::iter::once(left.trailing_zeros() as usize));
             }
             let at = BlockAt::numbered([tile.x, tile.y], block);
-            let mut covered = !0;
+            let mut covered = self.broad.covered[block];
             if !is_inside {
                 covered &= coverage::inside_area(&job.area, at);
-            }
-            if self.broad.full >> block & 1 == 0 {
-                let [bx, by] = at.block;
-                covered &= coverage::block(pass.isa, &edges, bx, by).lanes();
             }
             if covered == !0 && is_plain {
                 if !is_free {
