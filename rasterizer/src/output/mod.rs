@@ -12,7 +12,7 @@ mod stencil;
 
 pub use blend::factors as blend_factors;
 pub use color::{BlockColors, Color, ColorClass, ColorPlan, pack_colors, put};
-pub use depth::{DepthFormat, DepthPlan};
+pub use depth::{DepthFormat, DepthPlan, DepthTest};
 pub use encode::{decode_color, encode_color, texel_color, texel_words};
 pub use mask::expand_mask;
 pub use merge::{Fragments, Tests, test, write, write_blocks};

@@ -2,6 +2,7 @@
 
 use super::pixels::Pixels;
 use super::samples::SampleMasks;
+use crate::plan::Packing;
 use crate::primitive::Facing;
 use crate::target::Place;
 use texunit::lanes::{F32s, QUADS};
@@ -243,8 +244,22 @@ pub fn moved_quad(lanes: u64, from: usize, to: usize) -> u64 {
     (lanes >> from & lanes_of(1)) << to
 }
 
+/// Quads of a block from which on it is shaded by itself rather than packed with others.
+const DENSE_QUADS: u32 = 12;
+/// Pixels of one, where these need not be quads.
+const DENSE_PIXELS: u32 = 40;
+
+/// Whether lanes of a block are so many that they are shaded by themselves.
+#[inline(always)]
+pub fn is_dense(packing: Packing, lanes: u64) -> bool {
+    match packing {
+        Packing::Quads => quads_of(lanes).count_ones() >= DENSE_QUADS,
+        Packing::Pixels => lanes.count_ones() >= DENSE_PIXELS,
+    }
+}
+
 /// The quads of a mask of lanes, bit by quad.
-#[inline]
+#[inline(always)]
 pub fn quads_of(mask: u64) -> u16 {
     (mask | mask >> QUADS | mask >> (2 * QUADS) | mask >> (3 * QUADS)) as u16
 }

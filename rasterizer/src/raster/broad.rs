@@ -1,10 +1,13 @@
 //! A triangle that covers many blocks of a tile: what it covers of them, and its planes there, computed over lanes
 //! that are blocks. The numbers are those of [`super::coverage::block`] and [`PlaneGroup::at`].
 
+use super::batch::is_dense;
 use super::coverage::{Edge, Within};
+use super::depths::TestBlocks;
 use super::group::PlaneGroup;
-use super::pack::DENSE_PIXELS;
-use crate::target::{BLOCKS, TILE};
+use crate::output::DepthPlan;
+use crate::plan::Packing;
+use crate::target::{BLOCKS, Plane, TILE};
 use texunit::lanes::{F32s, Isa, Kernel, LANES, Simd, U32s};
 
 /// Blocks that a triangle may cover from which on they are looked at together.
@@ -19,7 +22,7 @@ const _: () = assert!(BLOCKS == LANES && SIDE * SIDE == LANES, "lanes are the bl
 pub struct Broad {
     /// Those of which it covers anything, bit by block.
     pub touched: u64,
-    /// Those of which it covers at least [`DENSE_PIXELS`].
+    /// Those of which it covers so much that they do not wait for others.
     pub dense: u64,
     /// The lanes that it covers, of those that it touches.
     pub covered: [u64; BLOCKS],
@@ -49,10 +52,44 @@ impl Broad {
         isa: Isa,
         tile: [i32; 2],
         edges: &[Edge; 3],
-        group: &PlaneGroup,
-        lane: usize,
+        packing: Packing,
+        (group, lane): (&PlaneGroup, usize),
     ) {
-        isa.run(Blocks { tile, edges, group, lane, out: self });
+        isa.run(Blocks { tile, edges, packing, group, lane, out: self });
+    }
+
+    /// Leaves what lies in an area, of which `inside` gives the lanes of a block.
+    pub fn cut(&mut self, packing: Packing, inside: impl Fn(usize) -> u64) {
+        let mut left = std::mem::take(&mut self.touched);
+        self.dense = 0;
+        while left != 0 {
+            let block = left.trailing_zeros() as usize;
+            left &= left - 1;
+            self.covered[block] &= inside(block);
+            self.note(packing, block);
+        }
+    }
+
+    /// Notes what is covered of a block.
+    #[inline(always)]
+    fn note(&mut self, packing: Packing, block: usize) {
+        let lanes = self.covered[block];
+        self.touched |= u64::from(lanes != 0) << block;
+        self.dense |= u64::from(is_dense(packing, lanes)) << block;
+    }
+
+    /// Tests the depth of some blocks, bit by block, which `of` is the plane of, and leaves the lanes that pass.
+    pub fn test(
+        &mut self,
+        isa: Isa,
+        plan: DepthPlan,
+        (of, depths): (usize, [f32; 2]),
+        stored: &mut Plane,
+        blocks: u64,
+    ) {
+        let Over { corners, steps } = &self.planes[of];
+        let (words, lanes) = (stored.blocks_mut(blocks), &mut self.covered);
+        isa.run(TestBlocks { plan, depths, corners, steps: *steps, words, blocks, lanes });
     }
 
     /// The planes' steps, which are those of every block; their values are left alone.
@@ -85,6 +122,7 @@ impl Broad {
 struct Blocks<'a> {
     tile: [i32; 2],
     edges: &'a [Edge; 3],
+    packing: Packing,
     group: &'a PlaneGroup,
     lane: usize,
     out: &'a mut Broad,
@@ -94,8 +132,8 @@ impl Kernel for Blocks<'_> {
     type Output = ();
     #[inline(always)]
     fn run<S: Simd>(self) {
-        let Self { tile, edges, group, lane, out } = self;
-        out.cover::<S>(edges);
+        let Self { tile, edges, packing, group, lane, out } = self;
+        out.cover::<S>(edges, packing);
         let origin = group.origin(lane);
         // From the planes' origin to the first pixel of each column and row of blocks.
         let along = |axis: usize| {
@@ -123,19 +161,18 @@ impl Kernel for Blocks<'_> {
 impl Broad {
     /// What lies within the edges of each block.
     #[inline(always)]
-    fn cover<S: Simd>(&mut self, edges: &[Edge; 3]) {
+    fn cover<S: Simd>(&mut self, edges: &[Edge; 3], packing: Packing) {
         let [touched, full] = blocks::<S>(edges);
-        (self.touched, self.dense) = (touched, full);
+        (self.touched, self.dense) = (full, full);
         self.covered = [!0; BLOCKS];
         let within = Within::of(edges);
         let mut left = touched & !full;
         while left != 0 {
             let block = left.trailing_zeros() as usize % BLOCKS;
             left &= left - 1;
-            let lanes = within.lanes::<S>([block % SIDE, block / SIDE].map(|at| at as i32));
-            self.covered[block] = lanes;
-            self.touched &= !(u64::from(lanes == 0) << block);
-            self.dense |= u64::from(lanes.count_ones() >= DENSE_PIXELS) << block;
+            let at = [block % SIDE, block / SIDE].map(|at| at as i32);
+            self.covered[block] = within.lanes::<S>(at);
+            self.note(packing, block);
         }
     }
 }
@@ -171,14 +208,14 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    struct CoverOf<'a>(&'a [Edge; 3]);
+    struct CoverOf<'a>(&'a [Edge; 3], Packing);
 
     impl Kernel for CoverOf<'_> {
         type Output = Broad;
         #[inline(always)]
         fn run<S: Simd>(self) -> Broad {
             let mut broad = Broad::default();
-            broad.cover::<S>(self.0);
+            broad.cover::<S>(self.0, self.1);
             broad
         }
     }
@@ -190,16 +227,16 @@ mod tests {
                 prop_oneof![-8_000..24_000i32, -8_388_608..=8_388_608i32])),
         ) {
             let edges = edges(&corners, 0, 0);
-            for isa in Isa::available() {
-                let broad = isa.run(CoverOf(&edges));
+            let packings = [Packing::Pixels, Packing::Quads];
+            for (isa, packing) in Isa::available().into_iter().flat_map(|isa| packings.map(|by| (isa, by))) {
+                let broad = isa.run(CoverOf(&edges, packing));
                 for at in 0..LANES {
                     let want = block(isa, &edges, at as i32 % 8, at as i32 / 8).lanes();
                     let is_in = |blocks: u64| blocks >> at & 1 == 1;
                     let lanes = if is_in(broad.touched) { broad.covered[at] } else { 0 };
                     prop_assert_eq!(lanes, want, "{} block {}", isa.name(), at);
                     prop_assert_eq!(is_in(broad.touched), want != 0, "{} block {}", isa.name(), at);
-                    let is_dense = want.count_ones() >= DENSE_PIXELS;
-                    prop_assert_eq!(is_in(broad.dense), is_dense, "{} block {}", isa.name(), at);
+                    prop_assert_eq!(is_in(broad.dense), is_dense(packing, want), "{} block {}", isa.name(), at);
                 }
             }
         }

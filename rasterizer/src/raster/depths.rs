@@ -4,7 +4,9 @@ use super::batch::{Batch, Quads};
 use super::inputs::Places;
 use super::quotients::{evaluate_plane, value_at};
 use super::samples::moved;
-use texunit::lanes::{F32s, Kernel, LANES, Simd, lane_x, lane_y};
+use crate::output::{DepthPlan, DepthTest};
+use crate::target::BLOCKS;
+use texunit::lanes::{F32s, Kernel, LANES, Simd, U32s, lane_x, lane_y};
 
 /// Window depth lies within bounds, [0, 1] or closer ones, whatever the planes and offsets gave (GL 2.1,
 /// section 2.11.1; `ARB_depth_clamp`).
@@ -33,6 +35,40 @@ impl Kernel for BlockDepth {
         }
         clamp_depth(&mut out, self.depths);
         out
+    }
+}
+
+/// The depth test of blocks of one shape, one after the other: leaves the lanes that pass.
+pub struct TestBlocks<'a> {
+    /// What is tested.
+    pub plan: DepthPlan,
+    /// What depths are held within.
+    pub depths: [f32; 2],
+    /// The depth at the first pixel of each block.
+    pub corners: &'a F32s,
+    /// Per pixel across, per pixel up.
+    pub steps: [f32; 2],
+    /// The attachment's words, block by block.
+    pub words: &'a mut [U32s],
+    /// Which blocks, bit by block.
+    pub blocks: u64,
+    /// The lanes of each.
+    pub lanes: &'a mut [u64; BLOCKS],
+}
+
+impl Kernel for TestBlocks<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn run<S: Simd>(self) {
+        let Self { plan, depths, corners, steps: [a, b], words, blocks, lanes } = self;
+        let mut left = blocks;
+        while left != 0 {
+            let block = left.trailing_zeros() as usize % BLOCKS;
+            left &= left - 1;
+            let Some(stored) = words.get_mut(block) else { return };
+            let depth = &BlockDepth { plane: [corners[block], a, b], depths }.run::<S>();
+            lanes[block] = DepthTest { plan, depth, stored, mask: lanes[block] }.run::<S>();
+        }
     }
 }
 

@@ -1,16 +1,14 @@
 //! Small triangles into the batch of pixels that waits: the innermost loop of fine meshes. A kernel, so that bits
 //! are counted and planes copied by what the instruction set has for it.
 
+use super::batch::is_dense;
 use super::group::PlaneGroup;
 use super::lanes::ShapeLanes;
 use super::pixels::Pixels;
 use super::run::BlockRun;
 use super::shares::{Share, Shares};
+use crate::plan::Packing;
 use texunit::lanes::{Kernel, Simd};
-
-/// Pixels of a block from which on it is shaded by itself rather than packed with others, where these
-/// need not be quads.
-pub const DENSE_PIXELS: u32 = 40;
 
 /// Why it goes no further.
 #[derive(Clone, Copy, Debug)]
@@ -46,7 +44,7 @@ impl Kernel for Pack<'_> {
         let stop = loop {
             let Some(share) = shares.first(&mut reader) else { break Stop::Done };
             let Share { shape, part, block, lanes } = share;
-            if !(1..DENSE_PIXELS).contains(&lanes.count_ones()) {
+            if lanes == 0 || is_dense(Packing::Pixels, lanes) {
                 shares.leave(&mut reader, share, 0);
                 break Stop::Share(share);
             }

@@ -6,9 +6,9 @@
 //! parts of 8×8 pixels, in the order of a block's lanes; as many quads are looked at as the largest
 //! triangle of the 64 may reach.
 
-use super::batch::quads_of;
+use super::batch::is_dense;
 use super::lanes::ShapeLanes;
-use super::tile::DENSE;
+use crate::plan::Packing;
 use crate::primitive::SUBPIXEL;
 use crate::target::TILE;
 use texunit::lanes::{I32s, Isa, Kernel, LANES, QUADS, Simd, U32s};
@@ -56,7 +56,7 @@ impl Window {
     /// Whether it is a few quads of its first part.
     pub fn is_sparse(&self) -> bool {
         let [first, others @ ..] = self.covered;
-        others == [0; 3] && quads_of(first).count_ones() < DENSE
+        others == [0; 3] && !is_dense(Packing::Quads, first)
     }
 }
 

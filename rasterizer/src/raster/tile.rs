@@ -2,7 +2,7 @@
 
 mod fill;
 
-use super::batch::Packed;
+use super::batch::{EarlyTests, Packed};
 use super::block::BlockAt;
 use super::broad::Broad;
 use super::clear::clear;
@@ -19,11 +19,10 @@ use super::shading::Shader;
 use super::shares::{Divide, Share, Shares};
 use super::small::Windows;
 use crate::plan::{FragmentInput, Packing};
+use fill::Part;
 use std::sync::atomic::Ordering;
 use texunit::lanes::{F32s, LANES, U32s, prefetch};
 
-/// Quads of a block from which on it is shaded by itself rather than packed with others.
-pub const DENSE: u32 = 12;
 /// Shapes of a group from which on their windows are computed together.
 const WINDOWS_FROM: usize = 4;
 
@@ -243,7 +242,9 @@ impl Worker {
                     }
                     let at = BlockAt::numbered([tile.x, tile.y], block);
                     let mut masks = SampleMasks::one(lanes);
-                    self.fill_block(pass, tile, job, shape(lane).facing, at, &mut masks);
+                    let facing = shape(lane).facing;
+                    let part = Part { at, facing, tests: EarlyTests::Due };
+                    self.fill_block(pass, tile, job, part, &mut masks);
                 }
             }
         }

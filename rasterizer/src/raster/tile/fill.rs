@@ -1,22 +1,32 @@
 //! Shapes into batches: what a shape covers of each block of the tile, and whether that waits for others, is tested
 //! at once, or is shaded by itself.
 
-use super::super::batch::{Batch, BlockOf, EarlyTests, moved_quad, quads_of};
+use super::super::batch::{Batch, BlockOf, EarlyTests, is_dense, moved_quad, quads_of};
 use super::super::block::BlockAt;
 use super::super::broad;
 use super::super::cover::Cover;
 use super::super::coverage;
 use super::super::job::{Chunk, DrawJob, PassJob, TileJob};
-use super::super::pack::DENSE_PIXELS;
 use super::super::run::Level;
 use super::super::samples::SampleMasks;
 use super::super::shading::early_tests;
 use super::super::small::Window;
-use super::{DENSE, Worker};
+use super::Worker;
+use crate::output::Tests;
 use crate::plan::{DrawPlan, Packing, Shading, Timing};
 use crate::primitive::{Facing, Kind, Shape};
 use crate::target::TILE;
 use texunit::lanes::{F32s, Isa};
+
+/// What a shape has in a block.
+pub(super) struct Part {
+    /// Where that is.
+    pub at: BlockAt,
+    /// The shape's.
+    pub facing: Facing,
+    /// Whether they are made.
+    pub tests: EarlyTests,
+}
 
 impl Worker {
     /// Fills a small triangle, quad by quad.
@@ -121,7 +131,8 @@ impl Worker {
                     }
                     let [x, y] = at.first();
                     self.group.at(lane, x, y, &mut self.planes);
-                    self.fill_block(pass, tile, job, shape.facing, at, &mut masks);
+                    let part = Part { at, facing: shape.facing, tests: EarlyTests::Due };
+                    self.fill_block(pass, tile, job, part, &mut masks);
                 }
             }
         }
@@ -136,44 +147,65 @@ impl Worker {
         shape: &Shape,
         lane: usize,
     ) {
+        let (plan, first) = (&job.plan, [tile.x, tile.y]);
         let edges = coverage::edges(&shape.corners, tile.x, tile.y);
-        self.broad.compute(pass.isa, [tile.x, tile.y], &edges, &self.group, lane);
-        self.broad.steps(&mut self.planes);
-        // Whole blocks have nothing to decide then.
-        let is_plain = job.plan.together > 1 && job.plan.timing == Timing::Never;
-        let is_inside = coverage::is_inside_area(&job.area, tile.x, tile.y, TILE as i32);
+        self.broad.compute(pass.isa, first, &edges, plan.packing, (&self.group, lane));
+        if !coverage::is_inside_area(&job.area, tile.x, tile.y, TILE as i32) {
+            let inside = |block| coverage::inside_area(&job.area, BlockAt::numbered(first, block));
+            self.broad.cut(plan.packing, inside);
+        }
         // No block of a shape is in another's way.
-        let is_free = self.waiting.is_empty() && self.pixels.is_empty() && self.run.len() == 0;
-        self.level = self.level_of(&job.plan, lane);
-        let mut left = self.broad.touched;
-        while left != 0 {
-            let block = left.trailing_zeros() as usize;
-            left &= left - 1;
-            if let (Timing::Early, Some(depth)) = (job.plan.timing, &tile.depth)
-                && left != 0
-            {
-                depth.prefetch(std::iter::once(left.trailing_zeros() as usize));
+        if !self.waiting.is_empty() || !self.pixels.is_empty() || self.run.len() > 0 {
+            for block in bits(self.broad.touched) {
+                self.make_way(pass, job, tile, block, self.broad.covered[block]);
             }
-            let at = BlockAt::numbered([tile.x, tile.y], block);
-            let mut covered = self.broad.covered[block];
-            if !is_inside {
-                covered &= coverage::inside_area(&job.area, at);
-            }
-            if covered == !0 && is_plain {
-                if !is_free {
-                    self.make_way(pass, job, tile, block, covered);
-                }
-                self.run.push(self.broad.at(block), shape.facing, block, covered, self.level);
-                if self.run.len() == job.plan.together {
+        }
+        let tested = self.test_broad(pass, job, tile);
+        if plan.shading == Shading::Off && tested == self.broad.touched {
+            bits(tested).for_each(|block| job.count(&[self.broad.covered[block]]));
+            return;
+        }
+        let ready = if plan.timing == Timing::Never { self.broad.dense } else { tested };
+        self.level = self.level_of(plan, lane);
+        self.broad.steps(&mut self.planes);
+        for block in bits(self.broad.touched) {
+            let lanes = self.broad.covered[block];
+            let is_ready = ready >> block & 1 == 1;
+            if is_ready && plan.together > 1 && is_alone(plan.packing, lanes) {
+                self.run.push(self.broad.at(block), shape.facing, block, lanes, self.level);
+                if self.run.len() == plan.together {
                     self.flush_run(pass, job, tile);
                 }
-            } else if covered != 0 {
+            } else if lanes != 0 {
+                let at = BlockAt::numbered(first, block);
+                let tests = if is_ready { EarlyTests::Done } else { EarlyTests::Due };
+                let part = Part { at, facing: shape.facing, tests };
                 self.broad.corners(block, &mut self.planes);
-                let mut masks = SampleMasks::one(covered);
-                self.fill_block(pass, tile, job, shape.facing, at, &mut masks);
+                self.fill_block(pass, tile, job, part, &mut SampleMasks::one(lanes));
             }
         }
         self.level = Level::default();
+    }
+
+    /// Makes the early test of what a broad triangle covers of blocks that do not wait for others, at once for all
+    /// where there is no test but that of depth. Gives the blocks.
+    fn test_broad(&mut self, pass: &PassJob, job: &DrawJob, tile: &mut TileJob) -> u64 {
+        let plan = &job.plan;
+        let Tests { stencil: None, depth: Some(test) } = plan.tests else { return 0 };
+        let (Timing::Early, Some(plane), None) =
+            (plan.timing, plan.depth_plane, plan.samples.offset(0))
+        else {
+            return 0;
+        };
+        let Some([stored, ..]) = tile.depth.as_mut().map(|target| target.sample(0)) else {
+            return 0;
+        };
+        let blocks = match plan.shading {
+            Shading::On => self.broad.dense,
+            Shading::Off => self.broad.touched,
+        };
+        self.broad.test(pass.isa, test, (plane, plan.viewport.depths()), stored, blocks);
+        blocks
     }
 
     /// A number of the shape in this lane of the group for what is the same all over it: then no run of its blocks has
@@ -217,17 +249,19 @@ impl Worker {
         pass: &PassJob,
         tile: &mut TileJob,
         job: &DrawJob,
-        facing: Facing,
-        at: BlockAt,
+        part: Part,
         masks: &mut SampleMasks,
     ) {
         let plan = &job.plan;
         let covered = masks.any();
+        let Part { at, facing, tests } = part;
         let block = at.number();
         self.make_way(pass, job, tile, block, covered);
-        let packs = plan.packing == Packing::Pixels && tile.watched.is_none();
+        let packing = if tile.watched.is_some() { Packing::Quads } else { plan.packing };
+        let is_due = tests == EarlyTests::Due;
         // To test a block costs less than to pack its pixels, where nothing is shaded.
-        if packs && covered.count_ones() < DENSE_PIXELS && plan.shading == Shading::On {
+        let packs = is_due && packing == Packing::Pixels && plan.shading == Shading::On;
+        if packs && !is_dense(packing, covered) {
             let mut left = covered;
             while left != 0 {
                 if self.pixels.is_full() {
@@ -238,22 +272,14 @@ impl Worker {
             return;
         }
         let [x, y] = at.first();
-        let mut of = BlockOf {
-            planes: &self.planes,
-            facing,
-            tests: EarlyTests::Due,
-            block,
-            x,
-            y,
-            coverage: plan.reads_coverage.then_some(&self.parts),
-        };
-        let is_dense = |lanes: u64| packs || lanes == !0 || quads_of(lanes).count_ones() >= DENSE;
-        let is_eager = is_dense(covered) || tile.watched.is_some();
-        let is_alone = plan.together == 1 || tile.watched.is_some();
-        if is_eager && is_alone {
+        let coverage = plan.reads_coverage.then_some(&self.parts);
+        let mut of = BlockOf { planes: &self.planes, facing, tests, block, x, y, coverage };
+        let is_eager = is_alone(packing, covered) || tile.watched.is_some();
+        let shades_one = plan.together == 1 || tile.watched.is_some();
+        if is_eager && shades_one {
             tile.prefetch(plan, std::iter::once(block));
         }
-        if is_eager && plan.timing == Timing::Early {
+        if is_eager && is_due && plan.timing == Timing::Early {
             let watched = tile.watched.as_ref();
             let watched = watched.filter(|spot| spot.is_in(block, covered));
             let before = watched.map(|_| tile.watched_depth());
@@ -263,10 +289,10 @@ impl Worker {
             }
             of.tests = EarlyTests::Done;
         }
-        if is_dense(masks.any()) {
-            if is_alone {
+        if is_alone(packing, masks.any()) {
+            if shades_one {
                 self.shader.shade(pass, job, &Batch::of_block(&of, masks), tile);
-            } else if masks.any() != 0 {
+            } else {
                 let planes = self.planes.iter().copied();
                 self.run.push(planes, facing, block, masks.any(), self.level);
                 if self.run.len() == plan.together {
@@ -286,6 +312,20 @@ impl Worker {
             self.waiting.push(&of, quad, quad, masks);
         }
     }
+}
+
+/// Whether lanes that are not packed as pixels are shaded as a block, rather than quad by quad with others.
+fn is_alone(packing: Packing, lanes: u64) -> bool {
+    lanes != 0 && (packing == Packing::Pixels || is_dense(packing, lanes))
+}
+
+/// The bits that are set.
+fn bits(mut set: u64) -> impl Iterator<Item = usize> {
+    std::iter::from_fn(move || {
+        let bit = (set != 0).then(|| set.trailing_zeros() as usize);
+        set &= set.wrapping_sub(1);
+        bit
+    })
 }
 
 /// A shape's bounds as first and one past the last pixel.
