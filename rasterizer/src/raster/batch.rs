@@ -247,7 +247,7 @@ pub fn moved_quad(lanes: u64, from: usize, to: usize) -> u64 {
 /// Quads of a block from which on it is shaded by itself rather than packed with others.
 const DENSE_QUADS: u32 = 12;
 /// Pixels of one, where these need not be quads.
-const DENSE_PIXELS: u32 = 24;
+const DENSE_PIXELS: u32 = 30;
 
 /// Whether lanes of a block are so many that they are shaded by themselves.
 #[inline(always)]
