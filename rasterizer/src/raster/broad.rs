@@ -100,8 +100,8 @@ impl Broad {
     }
 
     /// The planes of a block.
-    #[inline]
-    pub fn at(&self, block: usize) -> impl Iterator<Item = [f32; 3]> {
+    #[inline(always)]
+    pub fn at(&self, block: usize) -> impl Iterator<Item = [f32; 3]> + Clone {
         let block = block % BLOCKS;
         self.planes.iter().map(move |plane| {
             let [a, b] = plane.steps;

@@ -1,13 +1,16 @@
-//! Small triangles into the batch of pixels that waits: the innermost loop of fine meshes. A kernel, so that bits
-//! are counted and planes copied by what the instruction set has for it.
+//! Small triangles, and what broad ones cover sparsely, into the batch of pixels that waits: the innermost loop of
+//! fine meshes. Kernels, so that bits are counted and planes copied by what the instruction set has for it.
 
 use super::batch::is_dense;
+use super::broad::Broad;
 use super::group::PlaneGroup;
 use super::lanes::ShapeLanes;
 use super::pixels::Pixels;
 use super::run::BlockRun;
 use super::shares::{Share, Shares};
 use crate::plan::Packing;
+use crate::primitive::Facing;
+use crate::target::BLOCKS;
 use texunit::lanes::{Kernel, Simd};
 
 /// Why it goes no further.
@@ -60,5 +63,31 @@ impl Kernel for Pack<'_> {
         };
         shares.reader = reader;
         stop
+    }
+}
+
+/// Packs blocks of a broad triangle, bit by block, until the pixels that wait are a whole batch; gives the blocks of
+/// which any pixel is left.
+pub struct PackBroad<'a> {
+    pub broad: &'a mut Broad,
+    pub facing: Facing,
+    pub blocks: u64,
+    pub pixels: &'a mut Pixels,
+}
+
+impl Kernel for PackBroad<'_> {
+    type Output = u64;
+
+    #[inline(always)]
+    fn run<S: Simd>(self) -> u64 {
+        let Self { broad, facing, blocks, pixels } = self;
+        let mut left = blocks;
+        while left != 0 && !pixels.is_full() {
+            let block = left.trailing_zeros() as usize % BLOCKS;
+            let rest = pixels.push(block, broad.covered[block], facing, broad.at(block));
+            broad.covered[block] = rest;
+            left &= !(u64::from(rest == 0) << block);
+        }
+        left
     }
 }

@@ -7,6 +7,7 @@ use super::super::broad;
 use super::super::cover::Cover;
 use super::super::coverage;
 use super::super::job::{Chunk, DrawJob, PassJob, TileJob};
+use super::super::pack::PackBroad;
 use super::super::run::Level;
 use super::super::samples::SampleMasks;
 use super::super::shading::early_tests;
@@ -165,10 +166,15 @@ impl Worker {
             bits(tested).for_each(|block| job.count(&[self.broad.covered[block]]));
             return;
         }
+        let mut left = self.broad.touched;
+        if plan.packing == Packing::Pixels && plan.shading == Shading::On {
+            left = self.broad.dense;
+            self.pack_broad(pass, job, tile, shape.facing);
+        }
         let ready = if plan.timing == Timing::Never { self.broad.dense } else { tested };
         self.level = self.level_of(plan, lane);
         self.broad.steps(&mut self.planes);
-        for block in bits(self.broad.touched) {
+        for block in bits(left) {
             let lanes = self.broad.covered[block];
             let is_ready = ready >> block & 1 == 1;
             if is_ready && plan.together > 1 && is_alone(plan.packing, lanes) {
@@ -185,6 +191,18 @@ impl Worker {
             }
         }
         self.level = Level::default();
+    }
+
+    /// Puts the pixels of the blocks that a broad triangle covers sparsely into the batch that waits.
+    fn pack_broad(&mut self, pass: &PassJob, job: &DrawJob, tile: &mut TileJob, facing: Facing) {
+        let mut left = self.broad.touched & !self.broad.dense;
+        while left != 0 {
+            if self.pixels.is_full() {
+                self.flush_pixels(pass, job, tile);
+            }
+            let Self { broad, pixels, .. } = self;
+            left = pass.isa.run(PackBroad { broad, facing, blocks: left, pixels });
+        }
     }
 
     /// Makes the early test of what a broad triangle covers of blocks that do not wait for others, at once for all
