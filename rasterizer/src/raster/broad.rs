@@ -11,7 +11,7 @@ use crate::target::{BLOCKS, Plane, TILE};
 use texunit::lanes::{F32s, Isa, Kernel, LANES, Simd, U32s};
 
 /// Blocks that a triangle may cover from which on they are looked at together.
-pub const WORTH_IT: i32 = 6;
+pub const WORTH_IT: i32 = 3;
 
 /// Blocks along a side of a tile.
 const SIDE: usize = TILE as usize / 8;
