@@ -8,6 +8,7 @@ use super::group::PlaneGroup;
 use crate::output::DepthPlan;
 use crate::plan::Packing;
 use crate::target::{BLOCKS, Plane, TILE};
+use std::ops::Range;
 use texunit::lanes::{F32s, Isa, Kernel, LANES, Simd, U32s};
 
 /// Blocks that a triangle may cover from which on they are looked at together.
@@ -45,17 +46,17 @@ struct Over {
 }
 
 impl Broad {
-    /// Looks at the tile whose first pixel is `tile`, given the triangle's edges from there and the
-    /// lane of the group that holds its planes.
+    /// Looks at those `rows` of blocks that the triangle's bounds reach of the tile whose first pixel is `tile`,
+    /// given its edges from there and the lane of the group that holds its planes.
     pub fn compute(
         &mut self,
         isa: Isa,
         tile: [i32; 2],
-        edges: &[Edge; 3],
+        (edges, rows): (&[Edge; 3], Range<usize>),
         packing: Packing,
         (group, lane): (&PlaneGroup, usize),
     ) {
-        isa.run(Blocks { tile, edges, packing, group, lane, out: self });
+        isa.run(Blocks { tile, edges, rows, packing, group, lane, out: self });
     }
 
     /// Leaves what lies in an area, of which `inside` gives the lanes of a block.
@@ -122,6 +123,7 @@ impl Broad {
 struct Blocks<'a> {
     tile: [i32; 2],
     edges: &'a [Edge; 3],
+    rows: Range<usize>,
     packing: Packing,
     group: &'a PlaneGroup,
     lane: usize,
@@ -132,8 +134,8 @@ impl Kernel for Blocks<'_> {
     type Output = ();
     #[inline(always)]
     fn run<S: Simd>(self) {
-        let Self { tile, edges, packing, group, lane, out } = self;
-        out.cover::<S>(edges, packing);
+        let Self { tile, edges, rows, packing, group, lane, out } = self;
+        out.cover::<S>(edges, rows.clone(), packing);
         let origin = group.origin(lane);
         // From the planes' origin to the first pixel of each column and row of blocks.
         let along = |axis: usize| {
@@ -144,16 +146,16 @@ impl Kernel for Blocks<'_> {
             along
         };
         let (dx, dy) = (along(0), along(1));
-        out.planes.clear();
-        for [a, b, c] in group.of(lane) {
-            let mut corners = F32s::ZERO;
-            for (row, dy) in corners.0.chunks_exact_mut(SIDE).zip(dy) {
-                let up = dy * b;
-                for (corner, dx) in row.iter_mut().zip(dx) {
-                    *corner = ((dx * a + up) + c) as f32;
+        const NONE: Over = Over { corners: F32s::ZERO, steps: [0.0; 2] };
+        out.planes.resize(group.len(), NONE);
+        for ([a, b, c], out) in group.of(lane).zip(&mut out.planes) {
+            out.steps = [a as f32, b as f32];
+            for row in rows.clone() {
+                let up = dy[row] * b;
+                for (column, dx) in dx.iter().enumerate() {
+                    out.corners[row * SIDE + column] = ((dx * a + up) + c) as f32;
                 }
             }
-            out.planes.push(Over { corners, steps: [a as f32, b as f32] });
         }
     }
 }
@@ -161,8 +163,8 @@ impl Kernel for Blocks<'_> {
 impl Broad {
     /// What lies within the edges of each block.
     #[inline(always)]
-    fn cover<S: Simd>(&mut self, edges: &[Edge; 3], packing: Packing) {
-        let [touched, full] = blocks::<S>(edges);
+    fn cover<S: Simd>(&mut self, edges: &[Edge; 3], rows: Range<usize>, packing: Packing) {
+        let [touched, full] = blocks::<S>(edges, rows);
         (self.touched, self.dense) = (full, full);
         self.covered = [!0; BLOCKS];
         let within = Within::of(edges);
@@ -179,8 +181,9 @@ impl Broad {
 
 /// The blocks that no edge leaves out, and those that all edges hold whole.
 #[inline(always)]
-fn blocks<S: Simd>(edges: &[Edge; 3]) -> [u64; 2] {
+fn blocks<S: Simd>(edges: &[Edge; 3], rows: Range<usize>) -> [u64; 2] {
     let (mut outside, mut crossed) = (U32s::ZERO, U32s::ZERO);
+    let within = !0 << (SIDE * rows.start) & !0 >> (LANES - SIDE * rows.end.clamp(1, SIDE));
     for edge in edges {
         let (x, y) = (i64::from(edge.x), i64::from(edge.y));
         let most = 7 * (x.max(0) + y.max(0));
@@ -189,7 +192,7 @@ fn blocks<S: Simd>(edges: &[Edge; 3]) -> [u64; 2] {
         for (number, across) in across.iter_mut().enumerate() {
             *across = edge.value + 8 * x * number as i64;
         }
-        for row in 0..SIDE {
+        for row in rows.clone() {
             let up = 8 * y * row as i64;
             for column in 0..SIDE {
                 let first = across[column] + up;
@@ -199,7 +202,7 @@ fn blocks<S: Simd>(edges: &[Edge; 3]) -> [u64; 2] {
             }
         }
     }
-    [!S::nonzero(&outside), !S::nonzero(&crossed)]
+    [within & !S::nonzero(&outside), within & !S::nonzero(&crossed)]
 }
 
 #[cfg(test)]
@@ -215,7 +218,7 @@ mod tests {
         #[inline(always)]
         fn run<S: Simd>(self) -> Broad {
             let mut broad = Broad::default();
-            broad.cover::<S>(self.0, self.1);
+            broad.cover::<S>(self.0, 0..SIDE, self.1);
             broad
         }
     }

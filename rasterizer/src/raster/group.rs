@@ -86,6 +86,12 @@ impl PlaneGroup {
         [x[lane % LANES], y[lane % LANES]]
     }
 
+    /// How many planes there are.
+    #[inline(always)]
+    pub fn len(&self) -> usize {
+        self.planes.len()
+    }
+
     /// The planes of the shape `lane`: per pixel across, per pixel up, at the origin.
     #[inline(always)]
     pub fn of(&self, lane: usize) -> impl Iterator<Item = [f64; 3]> {

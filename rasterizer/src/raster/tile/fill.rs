@@ -90,7 +90,7 @@ impl Worker {
             && plan.covers_by_outline()
             && tile.watched.is_none();
         if is_broad {
-            self.fill_broad(pass, tile, job, shape, lane);
+            self.fill_broad(pass, tile, job, shape, (lane, range));
             return;
         }
         self.covers.clear();
@@ -146,11 +146,12 @@ impl Worker {
         tile: &mut TileJob,
         job: &DrawJob,
         shape: &Shape,
-        lane: usize,
+        (lane, range): (usize, [[i32; 2]; 2]),
     ) {
         let (plan, first) = (&job.plan, [tile.x, tile.y]);
         let edges = coverage::edges(&shape.corners, tile.x, tile.y);
-        self.broad.compute(pass.isa, first, &edges, plan.packing, (&self.group, lane));
+        let rows = range[0][1] as usize..range[1][1] as usize + 1;
+        self.broad.compute(pass.isa, first, (&edges, rows), plan.packing, (&self.group, lane));
         if !coverage::is_inside_area(&job.area, tile.x, tile.y, TILE as i32) {
             let inside = |block| coverage::inside_area(&job.area, BlockAt::numbered(first, block));
             self.broad.cut(plan.packing, inside);
