@@ -31,16 +31,12 @@ pub struct Windows {
     pub quads: [I32s; 2],
     /// How many blocks further than its first a window reaches at most, across and up.
     pub further: [usize; 2],
-    /// The first and the last column, and row, of it that the shape may cover.
-    spans: [[I32s; 2]; 2],
     /// How many parts there are.
     parts: usize,
     /// By part, the pixels inside the edges and the spans as the two words of a mask of lanes.
     inside: [[U32s; 2]; 4],
     /// The shapes that have one, bit by lane.
     small: u64,
-    /// Their edge functions at the first pixel of a row of quads, and per pixel across and up.
-    edges: [[I32s; 3]; 3],
 }
 
 /// The window of a small triangle.
@@ -107,8 +103,16 @@ impl Kernel for Cover<'_> {
     #[inline(always)]
     fn run<S: Simd>(self) {
         let Self { windows, tile, shapes } = self;
-        let Windows { quads, further, spans, parts, inside, small, edges } = windows;
+        let Windows { quads, further, parts, inside, small } = windows;
         let ShapeLanes { corners, bounds, .. } = shapes;
+        // What loops read and write is here, where the compiler sees that nothing overlaps.
+        //
+        // The first and the last column, and row, of its window that a shape may cover.
+        let mut spans = [[I32s::ZERO; 2]; 2];
+        // The edge functions at the first pixel of a row of quads, and per pixel across and up.
+        let mut edges = [[I32s::ZERO; 3]; 3];
+        // By part, what lies outside of any edge.
+        let mut outside = [[U32s::ZERO; 2]; 4];
         // Not zero where a triangle is not small.
         let mut large = U32s::ZERO;
         let mut origin = [I32s::ZERO; 2];
@@ -150,38 +154,29 @@ impl Kernel for Cover<'_> {
                 y[lane] = dx;
             }
         }
-        let [[e0, x0, y0], [e1, x1, y1], [e2, x2, y2]] = edges;
+        let [[e0, x0, y0], [e1, x1, y1], [e2, x2, y2]] = &mut edges;
         let last = |reach: &U32s| (S::largest(reach) as usize).min(SIDE - 1);
         let (across, up) = (last(&reach[0]), last(&reach[1]));
         *further = [S::largest(&blocks[0]) as usize, S::largest(&blocks[1]) as usize];
         *parts = if up < SIDE / 2 { 1 + across / (SIDE / 2) } else { 4 };
-        inside[..*parts].fill([U32s::ZERO; 2]);
-        let [[left, right], [low, high]] = &*spans;
         for row in 0..=up {
             let (mut a, mut b, mut c) = (*e0, *e1, *e2);
             for column in 0..=across {
-                let [even, odd] = &mut inside[row / 4 * 2 + column / 4];
+                let [even, odd] = &mut outside[row / 4 * 2 + column / 4];
                 let quad = (row % 4 * 4 + column % 4) as u32;
-                let [x, y] = [column, row].map(|quad| 2 * quad as i32);
                 for lane in 0..LANES {
-                    // Negative outside; garbage lanes may wrap.
-                    let within = |at: i32, first: i32, last: i32| {
-                        at.wrapping_sub(first) | last.wrapping_sub(at)
-                    };
-                    // The sign bit is set where any of them is negative.
-                    let at = |dx: i32, dy: i32| {
+                    // The sign bit is set where any of them is negative; it goes to bit `at`.
+                    let negative = |dx: i32, dy: i32, at: u32| {
                         let step = |e: i32, x: i32, y: i32| {
                             e.wrapping_add(x.wrapping_mul(dx)).wrapping_add(y.wrapping_mul(dy))
                         };
-                        !(step(a[lane], x0[lane], y0[lane])
+                        let any = step(a[lane], x0[lane], y0[lane])
                             | step(b[lane], x1[lane], y1[lane])
-                            | step(c[lane], x2[lane], y2[lane])
-                            | within(x + dx, left[lane], right[lane])
-                            | within(y + dy, low[lane], high[lane])) as u32
-                            >> 31
+                            | step(c[lane], x2[lane], y2[lane]);
+                        any as u32 >> (31 - at) & 1 << at
                     };
-                    even[lane] |= (at(0, 0) | at(1, 0) << QUADS) << quad;
-                    odd[lane] |= (at(0, 1) | at(1, 1) << QUADS) << quad;
+                    even[lane] |= negative(0, 0, quad) | negative(1, 0, quad + QUADS as u32);
+                    odd[lane] |= negative(0, 1, quad) | negative(1, 1, quad + QUADS as u32);
                 }
                 for lane in 0..LANES {
                     a[lane] = a[lane].wrapping_add(x0[lane].wrapping_mul(2));
@@ -195,7 +190,48 @@ impl Kernel for Cover<'_> {
                 e2[lane] = e2[lane].wrapping_add(y2[lane].wrapping_mul(2));
             }
         }
+        let [[left, right], [low, high]] = &spans;
+        for (part, (outside, inside)) in outside.iter().zip(&mut inside[..*parts]).enumerate() {
+            let [x, y] = [part % 2, part / 2].map(|part| (part * SIDE) as i32);
+            for lane in 0..LANES {
+                let columns = columns(left[lane] - x, right[lane] - x);
+                let rows = rows(low[lane] - y, high[lane] - y);
+                for word in 0..2 {
+                    inside[word][lane] = !outside[word][lane] & columns & rows[word];
+                }
+            }
+        }
     }
+}
+
+/// The bits from `first` to `last` of eight, which both may lie beyond.
+#[inline(always)]
+fn span(first: i32, last: i32) -> u32 {
+    let first = first.clamp(0, 8);
+    let end = last.clamp(-1, 7) + 1;
+    0xFF << first & 0xFF >> (8 - end) & 0xFF
+}
+
+/// The lanes of a word of a mask in these columns of a block: those of its quads' left pixels, and those of their
+/// right ones.
+#[inline(always)]
+fn columns(first: i32, last: i32) -> u32 {
+    let span = span(first, last);
+    // Every other bit: the four columns of quads.
+    let quads = |bits: u32| (bits & 1) | (bits >> 1 & 2) | (bits >> 2 & 4) | (bits >> 3 & 8);
+    (quads(span) | quads(span >> 1) << QUADS) * 0x1111
+}
+
+/// The lanes of both words in these rows: the even rows of quads and the odd ones.
+#[inline(always)]
+fn rows(first: i32, last: i32) -> [u32; 2] {
+    let span = span(first, last);
+    // Four lanes a row of quads, in both halves.
+    let quads = |bits: u32| {
+        let rows = (bits & 1) | (bits << 2 & 0x10) | (bits << 4 & 0x100) | (bits << 6 & 0x1000);
+        rows * 0xF_000F
+    };
+    [quads(span), quads(span >> 1)]
 }
 
 #[cfg(test)]
