@@ -7,7 +7,7 @@
 
 use super::block::BlockAt;
 use crate::primitive::SUBPIXEL;
-use texunit::lanes::{Isa, Kernel, LANES, QUADS, Simd, U32s, lane_x, lane_y};
+use texunit::lanes::{I32s, Isa, Kernel, LANES, QUADS, Simd, U32s, lane_x, lane_y};
 
 /// An edge function, scaled down by 256, relative to the centre of a tile's first pixel.
 #[derive(Clone, Copy, Debug, Default)]
@@ -89,14 +89,14 @@ pub fn block(isa: Isa, edges: &[Edge; 3], bx: i32, by: i32) -> Coverage {
 /// The edges of a triangle for many blocks of a tile: what they rise by to each lane of a block.
 pub struct Within<'a> {
     edges: &'a [Edge; 3],
-    rise: [[i32; LANES]; 3],
+    rise: [I32s; 3],
 }
 
 impl<'a> Within<'a> {
     /// The edges of a triangle.
     #[inline(always)]
     pub fn of(edges: &'a [Edge; 3]) -> Self {
-        let mut rise = [[0; LANES]; 3];
+        let mut rise = [I32s::ZERO; 3];
         for (rise, edge) in rise.iter_mut().zip(edges) {
             for lane in 0..LANES {
                 rise[lane] = edge.x * COLUMN[lane] + edge.y * ROW[lane];

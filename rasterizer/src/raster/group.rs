@@ -7,17 +7,13 @@ use super::small::{REACHED, Windows};
 use crate::plan::FactorPlanes;
 use crate::primitive::{SUBPIXEL, Shape};
 use crate::vertex::{Geometry, VARYINGS};
-use texunit::lanes::{F32s, Isa, Kernel, LANES, Simd, U32s};
+use texunit::lanes::{F32s, F64s, Isa, Kernel, LANES, Simd, U32s};
 
-/// A value of each of 64 shapes.
-type F64s = [f64; LANES];
 /// `a`, `b` and `c` of a plane of each.
 type PlaneLanes = [F64s; 3];
 
 /// Fewer shapes than this are computed one by one.
 const WORTH_IT: usize = 6;
-
-const ZERO: F64s = [0.0; LANES];
 
 /// The planes of up to 64 shapes.
 #[derive(Debug, Default)]
@@ -52,8 +48,6 @@ struct Lanes {
     rows: Rows,
     /// Not zero where the general computation must do it.
     general: [u64; LANES],
-    /// From the origin to the first pixel of each column of blocks that a window reaches into, and each row.
-    to_block: [[F64s; REACHED]; 2],
 }
 
 /// The planes that weight the three vertices; see `interpolate::Rows`.
@@ -66,14 +60,13 @@ struct Rows {
 
 impl Default for Lanes {
     fn default() -> Self {
-        const PLANE: PlaneLanes = [ZERO; 3];
+        const PLANE: PlaneLanes = [F64s::ZERO; 3];
         Self {
-            clip: [[ZERO; 3]; 3],
-            origin: [ZERO; 2],
+            clip: [[F64s::ZERO; 3]; 3],
+            origin: [F64s::ZERO; 2],
             values: [[F32s::ZERO; 4]; 3],
             rows: Rows { projective: [PLANE; 3], smooth: [PLANE; 3], denominator: PLANE },
             general: [0; LANES],
-            to_block: [[ZERO; REACHED]; 2],
         }
     }
 }
@@ -163,7 +156,7 @@ impl PlaneGroup {
         lanes: &ShapeLanes,
         shapes: impl Iterator<Item = &'a Shape>,
     ) {
-        self.planes.resize(setup.sources.len(), [ZERO; 3]);
+        self.planes.resize(setup.sources.len(), [F64s::ZERO; 3]);
         let plain = setup.offset.is_none()
             && setup.sources.iter().all(|source| match source {
                 PlaneSource::Depth
@@ -205,7 +198,7 @@ impl PlaneGroup {
             WindowPlane { corners: [F32s::ZERO; REACHED * REACHED], a: F32s::ZERO, b: F32s::ZERO };
         self.windows.resize(self.planes.len(), NONE);
         let Self { planes, windows: out, lanes, .. } = self;
-        isa.run(Enter { tile, windows, lanes, planes, out });
+        isa.run(Enter { tile, windows, origin: &lanes.origin, planes, out });
     }
 }
 
@@ -255,8 +248,8 @@ impl Kernel for Together<'_> {
                 }
                 PlaneSource::Flat(at) => {
                     let [a, b, c] = out;
-                    (*a, *b) = (ZERO, ZERO);
-                    for (c, &vertex) in c.iter_mut().zip(&shapes.provoking.0) {
+                    (*a, *b) = (F64s::ZERO, F64s::ZERO);
+                    for (c, &vertex) in c.0.iter_mut().zip(&shapes.provoking.0) {
                         let values = &geometry.values[vertex as usize * geometry.stride..];
                         *c = values[VARYINGS + at].into();
                     }
@@ -366,11 +359,11 @@ fn sum(
 #[inline(always)]
 fn to_depth(plane: &mut PlaneLanes, scale: f64, add: f64) {
     for part in plane.iter_mut() {
-        for value in part {
+        for value in &mut part.0 {
             *value *= scale;
         }
     }
-    for value in &mut plane[2] {
+    for value in &mut plane[2].0 {
         *value += add;
     }
 }
@@ -379,7 +372,7 @@ fn to_depth(plane: &mut PlaneLanes, scale: f64, add: f64) {
 struct Enter<'a> {
     tile: [i32; 2],
     windows: &'a Windows,
-    lanes: &'a mut Lanes,
+    origin: &'a [F64s; 2],
     planes: &'a [PlaneLanes],
     out: &'a mut [WindowPlane],
 }
@@ -388,25 +381,29 @@ impl Kernel for Enter<'_> {
     type Output = ();
     #[inline(always)]
     fn run<S: Simd>(self) {
-        let Self { tile, windows, lanes: Lanes { origin, to_block: d, .. }, planes, out } = self;
+        let Self { tile, windows, origin, planes, out } = self;
+        let further = windows.further.map(|blocks| blocks.min(REACHED - 1));
+        // Here and below on the stack, where the compiler sees that nothing overlaps: from the origin to the first
+        // pixel of each column of blocks that a window reaches into, and of each row.
+        let mut to_block = [[F64s::ZERO; REACHED]; 2];
         for axis in 0..2 {
-            for (block, d) in (0..).zip(&mut d[axis]) {
+            for (block, to) in to_block[axis].iter_mut().enumerate().take(further[axis] + 1) {
                 for lane in 0..LANES {
-                    let first = 2 * (windows.quads[axis][lane] & !3) + 8 * block;
-                    d[lane] = f64::from(tile[axis] + first) + 0.5 - origin[axis][lane];
+                    let first = 2 * (windows.quads[axis][lane] & !3) + 8 * block as i32;
+                    to[lane] = f64::from(tile[axis] + first) + 0.5 - origin[axis][lane];
                 }
             }
         }
-        let [across, up] = windows.further.map(|blocks| blocks.min(REACHED - 1));
-        for ([a, b, c], out) in planes.iter().zip(out) {
+        let [x, y] = &to_block;
+        let [across, up] = further;
+        for (&[a, b, c], out) in planes.iter().zip(out) {
             for lane in 0..LANES {
                 out.a[lane] = a[lane] as f32;
                 out.b[lane] = b[lane] as f32;
             }
-            for row in 0..=up {
-                for column in 0..=across {
-                    let ([x, y], to) = (&*d, &mut out.corners[row * REACHED + column]);
-                    let (x, y) = (&x[column], &y[row]);
+            for (row, y) in y.iter().enumerate().take(up + 1) {
+                for (column, x) in x.iter().enumerate().take(across + 1) {
+                    let to = &mut out.corners[row * REACHED + column];
                     for lane in 0..LANES {
                         to[lane] = ((x[lane] * a[lane] + y[lane] * b[lane]) + c[lane]) as f32;
                     }
