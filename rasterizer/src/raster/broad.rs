@@ -2,7 +2,7 @@
 //! that are blocks. The numbers are those of [`super::coverage::block`] and [`PlaneGroup::at`].
 
 use super::batch::is_dense;
-use super::coverage::{Edge, Within};
+use super::coverage::{Edge, Within, edges};
 use super::depths::TestBlocks;
 use super::group::PlaneGroup;
 use crate::output::DepthPlan;
@@ -47,16 +47,16 @@ struct Over {
 
 impl Broad {
     /// Looks at those `rows` of blocks that the triangle's bounds reach of the tile whose first pixel is `tile`,
-    /// given its edges from there and the lane of the group that holds its planes.
+    /// given its corners and the lane of the group that holds its planes.
     pub fn compute(
         &mut self,
         isa: Isa,
         tile: [i32; 2],
-        (edges, rows): (&[Edge; 3], Range<usize>),
+        (corners, rows): (&[[i32; 2]; 3], Range<usize>),
         packing: Packing,
         (group, lane): (&PlaneGroup, usize),
     ) {
-        isa.run(Blocks { tile, edges, rows, packing, group, lane, out: self });
+        isa.run(Blocks { tile, corners, rows, packing, group, lane, out: self });
     }
 
     /// Leaves what lies in an area, of which `inside` gives the lanes of a block.
@@ -122,7 +122,7 @@ impl Broad {
 
 struct Blocks<'a> {
     tile: [i32; 2],
-    edges: &'a [Edge; 3],
+    corners: &'a [[i32; 2]; 3],
     rows: Range<usize>,
     packing: Packing,
     group: &'a PlaneGroup,
@@ -134,8 +134,8 @@ impl Kernel for Blocks<'_> {
     type Output = ();
     #[inline(always)]
     fn run<S: Simd>(self) {
-        let Self { tile, edges, rows, packing, group, lane, out } = self;
-        out.cover::<S>(edges, rows.clone(), packing);
+        let Self { tile, corners, rows, packing, group, lane, out } = self;
+        out.cover::<S>(&edges(corners, tile[0], tile[1]), rows.clone(), packing);
         let origin = group.origin(lane);
         // From the planes' origin to the first pixel of each column and row of blocks.
         let along = |axis: usize| {

@@ -45,8 +45,10 @@ impl Coverage {
 
 /// The three edges of a counter-clockwise triangle, seen from a tile whose first pixel is
 /// `(x, y)`.
+#[inline(always)]
 pub fn edges(corners: &[[i32; 2]; 3], x: i32, y: i32) -> [Edge; 3] {
-    [0, 1, 2].map(|i| {
+    let mut edges = [Edge::default(); 3];
+    for (i, edge) in edges.iter_mut().enumerate() {
         let (a, b) = (corners[i], corners[(i + 1) % 3]);
         let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
         let px = i64::from(x) * i64::from(SUBPIXEL) + i64::from(SUBPIXEL / 2) - i64::from(a[0]);
@@ -54,8 +56,9 @@ pub fn edges(corners: &[[i32; 2]; 3], x: i32, y: i32) -> [Edge; 3] {
         // A centre on a left edge (going down) or on a top edge (going left) is inside.
         let top_left = dy < 0 || (dy == 0 && dx < 0);
         let e = i64::from(dx) * py - i64::from(dy) * px - i64::from(!top_left);
-        Edge { value: e.div_euclid(i64::from(SUBPIXEL)), x: -dy, y: dx }
-    })
+        *edge = Edge { value: e.div_euclid(i64::from(SUBPIXEL)), x: -dy, y: dx };
+    }
+    edges
 }
 
 /// The coverage of block column `bx`, row `by` of the tile.

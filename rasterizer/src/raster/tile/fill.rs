@@ -149,9 +149,14 @@ impl Worker {
         (lane, range): (usize, [[i32; 2]; 2]),
     ) {
         let (plan, first) = (&job.plan, [tile.x, tile.y]);
-        let edges = coverage::edges(&shape.corners, tile.x, tile.y);
         let rows = range[0][1] as usize..range[1][1] as usize + 1;
-        self.broad.compute(pass.isa, first, (&edges, rows), plan.packing, (&self.group, lane));
+        self.broad.compute(
+            pass.isa,
+            first,
+            (&shape.corners, rows),
+            plan.packing,
+            (&self.group, lane),
+        );
         if !coverage::is_inside_area(&job.area, tile.x, tile.y, TILE as i32) {
             let inside = |block| coverage::inside_area(&job.area, BlockAt::numbered(first, block));
             self.broad.cut(plan.packing, inside);
