@@ -146,9 +146,19 @@ fn packed_by_pixels_or_by_quads_is_the_same() {
         ("lookup", lookup),
         ("discards", discards),
     ] {
-        for (blend, depth) in [(None, None), (Some(blend), None), (Some(blend), Some(less))] {
+        let unwritten = DepthState { test: Compare::Less, write: DepthWrite::Off };
+        let all = [true; 4];
+        for (blend, depth, mask) in [
+            (None, None, all),
+            (Some(blend), None, all),
+            (Some(blend), Some(less), all),
+            (Some(blend), Some(unwritten), all),
+            // Nothing but depth.
+            (None, Some(less), [false; 4]),
+        ] {
             let mut desc = pipeline(vertex(4), fragment(4, color));
             desc.colors[0].blend = blend;
+            desc.colors[0].mask = mask;
             desc.depth = depth;
             let drawn = Drawn {
                 desc: &desc,
@@ -160,7 +170,7 @@ fn packed_by_pixels_or_by_quads_is_the_same() {
             let (want, _) = picture(Isa::BASELINE, &drawn, true);
             for isa in Isa::available() {
                 let (got, _) = picture(isa, &drawn, false);
-                assert!(got == want, "{name}, {blend:?}, {depth:?}, {}", isa.name());
+                assert!(got == want, "{name}, {blend:?}, {depth:?}, {mask:?}, {}", isa.name());
             }
         }
     }
