@@ -36,6 +36,16 @@ impl Default for Broad {
     }
 }
 
+/// The blocks of a set.
+#[inline(always)]
+pub fn bits(mut set: u64) -> impl Iterator<Item = usize> {
+    std::iter::from_fn(move || {
+        let bit = (set != 0).then(|| set.trailing_zeros() as usize % BLOCKS);
+        set &= set.wrapping_sub(1);
+        bit
+    })
+}
+
 /// A plane over the tile.
 #[derive(Clone, Debug)]
 struct Over {
@@ -61,14 +71,18 @@ impl Broad {
 
     /// Leaves what lies in an area, of which `inside` gives the lanes of a block.
     pub fn cut(&mut self, packing: Packing, inside: impl Fn(usize) -> u64) {
-        let mut left = std::mem::take(&mut self.touched);
+        let touched = std::mem::take(&mut self.touched);
         self.dense = 0;
-        while left != 0 {
-            let block = left.trailing_zeros() as usize;
-            left &= left - 1;
+        for block in bits(touched) {
             self.covered[block] &= inside(block);
             self.note(packing, block);
         }
+    }
+
+    /// Whether anybody holds any of the lanes that are covered of a block.
+    #[inline]
+    pub fn any(&self, holds: impl Fn(usize, u64) -> bool) -> bool {
+        bits(self.touched).any(|block| holds(block, self.covered[block]))
     }
 
     /// Notes what is covered of a block.
@@ -168,10 +182,7 @@ impl Broad {
         (self.touched, self.dense) = (full, full);
         self.covered = [!0; BLOCKS];
         let within = Within::of(edges);
-        let mut left = touched & !full;
-        while left != 0 {
-            let block = left.trailing_zeros() as usize % BLOCKS;
-            left &= left - 1;
+        for block in bits(touched & !full) {
             let at = [block % SIDE, block / SIDE].map(|at| at as i32);
             self.covered[block] = within.lanes::<S>(at);
             self.note(packing, block);

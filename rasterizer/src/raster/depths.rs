@@ -1,6 +1,7 @@
 //! The depth of fragments before anything is shaded: the same numbers as [`super::inputs`] gives.
 
 use super::batch::{Batch, Quads};
+use super::broad::bits;
 use super::inputs::Places;
 use super::quotients::{evaluate_plane, value_at};
 use super::samples::moved;
@@ -61,10 +62,7 @@ impl Kernel for TestBlocks<'_> {
     #[inline(always)]
     fn run<S: Simd>(self) {
         let Self { plan, depths, corners, steps: [a, b], words, blocks, lanes } = self;
-        let mut left = blocks;
-        while left != 0 {
-            let block = left.trailing_zeros() as usize % BLOCKS;
-            left &= left - 1;
+        for block in bits(blocks) {
             let Some(stored) = words.get_mut(block) else { return };
             let depth = &BlockDepth { plane: [corners[block], a, b], depths }.run::<S>();
             lanes[block] = DepthTest { plan, depth, stored, mask: lanes[block] }.run::<S>();

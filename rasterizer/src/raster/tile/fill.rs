@@ -3,7 +3,7 @@
 
 use super::super::batch::{Batch, BlockOf, EarlyTests, is_dense, moved_quad, quads_of};
 use super::super::block::BlockAt;
-use super::super::broad;
+use super::super::broad::{self, bits};
 use super::super::cover::Cover;
 use super::super::coverage;
 use super::super::job::{Chunk, DrawJob, PassJob, TileJob};
@@ -21,11 +21,11 @@ use texunit::lanes::{F32s, Isa};
 
 /// What a shape has in a block.
 pub(super) struct Part {
-    /// Where that is.
+    /// Where the block is.
     pub at: BlockAt,
-    /// The shape's.
+    /// Which side of the shape is seen.
     pub facing: Facing,
-    /// Whether they are made.
+    /// Whether the early tests are made.
     pub tests: EarlyTests,
 }
 
@@ -161,11 +161,15 @@ impl Worker {
             let inside = |block| coverage::inside_area(&job.area, BlockAt::numbered(first, block));
             self.broad.cut(plan.packing, inside);
         }
-        // No block of a shape is in another's way.
-        if !self.waiting.is_empty() || !self.pixels.is_empty() || self.run.len() > 0 {
-            for block in bits(self.broad.touched) {
-                self.make_way(pass, job, tile, block, self.broad.covered[block]);
-            }
+        // What waits of other shapes goes first, as in `make_way`. No block of a shape is in another's way.
+        if !self.waiting.is_empty() && self.broad.any(|of, lanes| self.waiting.holds(of, lanes)) {
+            self.flush_quads(pass, job, tile);
+        }
+        if !self.pixels.is_empty() && self.broad.any(|of, lanes| self.pixels.holds(of, lanes)) {
+            self.flush_pixels(pass, job, tile);
+        }
+        if self.run.len() > 0 && self.broad.any(|of, lanes| self.run.holds(of, lanes)) {
+            self.flush_run(pass, job, tile);
         }
         let tested = self.test_broad(pass, job, tile);
         if plan.shading == Shading::Off && tested == self.broad.touched {
@@ -228,7 +232,9 @@ impl Worker {
             Shading::On => self.broad.dense,
             Shading::Off => self.broad.touched,
         };
-        self.broad.test(pass.isa, test, (plane, plan.viewport.depths()), stored, blocks);
+        if blocks != 0 {
+            self.broad.test(pass.isa, test, (plane, plan.viewport.depths()), stored, blocks);
+        }
         blocks
     }
 
@@ -341,15 +347,6 @@ impl Worker {
 /// Whether lanes that are not packed as pixels are shaded as a block, rather than quad by quad with others.
 fn is_alone(packing: Packing, lanes: u64) -> bool {
     lanes != 0 && (packing == Packing::Pixels || is_dense(packing, lanes))
-}
-
-/// The bits that are set.
-fn bits(mut set: u64) -> impl Iterator<Item = usize> {
-    std::iter::from_fn(move || {
-        let bit = (set != 0).then(|| set.trailing_zeros() as usize);
-        set &= set.wrapping_sub(1);
-        bit
-    })
 }
 
 /// A shape's bounds as first and one past the last pixel.
