@@ -4,6 +4,11 @@
 //! A row of the table is a tree of operations over up to four operands. It is read twice: as the
 //! kernel, where each node is the operation's own body ([`scalar`]), and as the pattern that is
 //! looked for in the code. So a fused instruction cannot differ from the operations it replaces.
+//!
+//! Operands with large letters hold the same in all lanes: constants and values of uniforms, of which shaders are
+//! full. They are read once, and not where the lanes' registers are: those lie at multiples of 256 bytes, and a
+//! processor that knows stores on their way by the low twelve bits of their addresses takes every sixteenth
+//! register for the same.
 
 use super::inst::{Inst, Reg, Role};
 use super::lower::{Kind, Lowered};
@@ -18,28 +23,76 @@ pub(super) const OPERANDS: usize = 4;
 #[derive(Clone, Copy, Debug)]
 enum Tree {
     /// An operand of the fused instruction; the same one each time it stands in the tree.
-    Operand(usize),
+    Operand(usize, Holds),
     Node(Op, &'static [Self]),
+}
+
+/// What an operand holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Holds {
+    /// A number for each lane.
+    Lanes,
+    /// The same number in all lanes, see [`Kind::Splat`].
+    Same,
+}
+
+/// A small letter of the table.
+struct Lanes(usize);
+
+/// A large letter of the table.
+struct Same(usize);
+
+/// What the operands of an instruction hold, as far as its tree asks.
+struct Operands<'a> {
+    lanes: [&'a F32s; OPERANDS],
+    same: [f32; OPERANDS],
+}
+
+impl Lanes {
+    const fn tree(self) -> Tree {
+        Tree::Operand(self.0, Holds::Lanes)
+    }
+
+    #[inline(always)]
+    fn of(self, operands: &Operands<'_>, lane: usize) -> f32 {
+        operands.lanes[self.0][lane]
+    }
+}
+
+impl Same {
+    const fn tree(self) -> Tree {
+        Tree::Operand(self.0, Holds::Same)
+    }
+
+    #[inline(always)]
+    fn of(self, operands: &Operands<'_>, _lane: usize) -> f32 {
+        operands.same[self.0]
+    }
 }
 
 macro_rules! tree {
     ($op:ident ($($arg:tt)*)) => { Tree::Node(Op::$op, tree!(@list [] $($arg)*)) };
-    (@list [$($done:expr,)*]) => { &[$($done),*] };
+    (@list [$($done:expr,)*]) => { const { &[$($done),*] } };
     (@list [$($done:expr,)*] $op:ident ($($arg:tt)*) $(, $($rest:tt)*)?) => {
         tree!(@list [$($done,)* tree!($op ($($arg)*)),] $($($rest)*)?)
     };
     (@list [$($done:expr,)*] $operand:ident $(, $($rest:tt)*)?) => {
-        tree!(@list [$($done,)* Tree::Operand(operand::$operand),] $($($rest)*)?)
+        tree!(@list [$($done,)* operand::$operand.tree(),] $($($rest)*)?)
     };
 }
 
 /// The operands by their letters in the table.
 #[expect(non_upper_case_globals, reason = "they are letters of the table")]
 mod operand {
-    pub const a: usize = 0;
-    pub const b: usize = 1;
-    pub const c: usize = 2;
-    pub const d: usize = 3;
+    use super::{Lanes, Same};
+
+    pub const a: Lanes = Lanes(0);
+    pub const b: Lanes = Lanes(1);
+    pub const c: Lanes = Lanes(2);
+    pub const d: Lanes = Lanes(3);
+    pub const B: Same = Same(1);
+    pub const C: Same = Same(2);
+    pub const D: Same = Same(3);
 }
 
 /// The tree as an expression on one lane.
@@ -56,7 +109,7 @@ macro_rules! expression {
     };
     (@list $S:ident $args:ident $lane:ident $op:ident [$($done:expr,)*] $operand:ident $(, $($rest:tt)*)?) => {
         expression!(@list $S $args $lane $op
-            [$($done,)* $args[operand::$operand][$lane],] $($($rest)*)?)
+            [$($done,)* operand::$operand.of(&$args, $lane),] $($($rest)*)?)
     };
 }
 
@@ -90,16 +143,26 @@ macro_rules! trees {
             }
 
             /// Computes 64 lanes of a file of registers: what is at `args` to `out`, which may be
-            /// one of them. Operands that there are not are not looked at.
+            /// one of them. Operands that there are not are not looked at. `same` has what the first
+            /// registers hold in all their lanes.
             #[inline(always)]
-            pub fn run<S: Simd>(self, registers: &mut [U32s], out: Reg, args: [Reg; OPERANDS]) {
+            pub fn run<S: Simd>(
+                self,
+                registers: &mut [U32s],
+                same: &[f32],
+                out: Reg,
+                args: [Reg; OPERANDS],
+            ) {
                 let (out, args) = (out.0 as usize, args.map(|arg| arg.0 as usize));
                 let [a, b, c, _] = args;
                 match self {
                     $(Self::$One => batch::$One::<S>(registers, out, [a, b, c]),)*
                     $(Self::$Name => {
                         // All operands of the table are floats, and are loaded as such.
-                        let args = args.map(|at| registers[at].as_f32());
+                        let args = Operands {
+                            lanes: args.map(|at| registers[at].as_f32()),
+                            same: args.map(|at| same.get(at).copied().unwrap_or_default()),
+                        };
                         // Of each arm by itself, so that the compiler knows that no operand is written.
                         let mut result = F32s::ZERO;
                         for lane in 0..LANES {
@@ -115,25 +178,35 @@ macro_rules! trees {
 
 with_operations! { trees! {
     /// Hermite's cubic of the fraction of `a`.
-    FractSmooth = Mul(Mul(Fract(a), Fract(a)), Sub(b, Mul(c, Fract(a))));
-    /// Hermite's cubic, `a² (b - c a)`.
-    Smooth = Mul(Mul(a, a), Sub(b, Mul(c, a)));
-    /// GLSL's `mix`, `a (c - d) + b d`.
-    Mix = Add(Mul(a, Sub(c, d)), Mul(b, d));
+    FractSmooth = Mul(Mul(Fract(a), Fract(a)), Sub(B, Mul(C, Fract(a))));
+    /// Hermite's cubic, `a² (B - C a)`.
+    Smooth = Mul(Mul(a, a), Sub(B, Mul(C, a)));
+    /// GLSL's `mix`, `a (C - d) + b d`.
+    Mix = Add(Mul(a, Sub(C, d)), Mul(b, d));
     /// `a² + b² + c²`.
     Squares3 = Add(Add(Mul(a, a), Mul(b, b)), Mul(c, c));
     /// The length of (`a`, `b`).
     Length2 = Sqrt(Add(Mul(a, a), Mul(b, b)));
     /// `a² - b² + c`.
     SquaresSubAdd = Add(Sub(Mul(a, a), Mul(b, b)), c);
+    /// `a B + c D`.
+    Dot2Same = Add(Mul(a, B), Mul(c, D));
+    /// `a b + c D`.
+    Dot2HalfSame = Add(Mul(a, b), Mul(c, D));
     /// `a b + c d`.
     Dot2 = Add(Mul(a, b), Mul(c, d));
     /// `a b - c d`.
     Cross = Sub(Mul(a, b), Mul(c, d));
+    /// `(a B + C) a`.
+    MulAddMulSelf = Mul(Add(Mul(a, B), C), a);
+    /// `(a B + C) d`.
+    MulAddMulSame = Mul(Add(Mul(a, B), C), d);
     /// `(a b + c) d`.
     MulAddMul = Mul(Add(Mul(a, b), c), d);
     /// `(a b) c + d`.
     MulMulAdd = Add(Mul(Mul(a, b), c), d);
+    /// `(a + b) C + d`.
+    AddMulAddSame = Add(Mul(Add(a, b), C), d);
     /// `(a + b) c + d`.
     AddMulAdd = Add(Mul(Add(a, b), c), d);
     /// `(a - b) c + d`.
@@ -142,12 +215,18 @@ with_operations! { trees! {
     LessSelect = SelectF(Less(a, b), c, d);
     /// `c` where `a <= b`, else `d`.
     LessEqualSelect = SelectF(LessEqual(a, b), c, d);
-    /// `a` held between `b` and `c`, times `d`.
-    ClampMul = Mul(AtMost(AtLeast(a, b), c), d);
-    /// `a` held between `b` and `c`.
-    Clamp = AtMost(AtLeast(a, b), c);
+    /// `a` held between `B` and `C`, times `d`.
+    ClampMul = Mul(AtMost(AtLeast(a, B), C), d);
+    /// `a` held between `B` and `C`.
+    Clamp = AtMost(AtLeast(a, B), C);
+    /// `a B + C`.
+    MulAddSame = Add(Mul(a, B), C);
+    /// `a B + c`.
+    MulSameAdd = Add(Mul(a, B), c);
     /// `a b + c`, two roundings.
     MulAdd = Add(Mul(a, b), c);
+    /// `a B - C`.
+    MulSubSame = Sub(Mul(a, B), C);
     /// `a b - c`.
     MulSub = Sub(Mul(a, b), c);
     /// `c - a b`.
@@ -164,10 +243,24 @@ with_operations! { trees! {
     MulFract = Fract(Mul(a, b));
     /// The fraction of `a + b`.
     AddFract = Fract(Add(a, b));
-    /// `a b`, but at least `c`.
-    MulAtLeast = AtLeast(Mul(a, b), c);
-    /// `a + b`, but at least `c`.
-    AddAtLeast = AtLeast(Add(a, b), c);
+    /// `a b`, but at least `C`.
+    MulAtLeast = AtLeast(Mul(a, b), C);
+    /// `a + b`, but at least `C`.
+    AddAtLeast = AtLeast(Add(a, b), C);
+    /// `a + B`.
+    AddSame = Add(a, B);
+    /// `a - B`.
+    SubSame = Sub(a, B);
+    /// `B - a`.
+    SubFromSame = Sub(B, a);
+    /// `a B`.
+    MulSame = Mul(a, B);
+    /// `a / B`.
+    DivSame = Div(a, B);
+    /// `a`, but at least `B`.
+    AtLeastSame = AtLeast(a, B);
+    /// GLSL's `mod` of `a` and `B` above 0, whose inverse is `C`.
+    ModSame = ModPositive(a, B, C);
 } }
 
 impl Compute {
@@ -183,7 +276,7 @@ impl Compute {
     pub fn result(self) -> Ty {
         match self.as_tree() {
             Ok(Tree::Node(op, _)) | Err(op) => op.result(),
-            Ok(Tree::Operand(_)) => Ty::F32,
+            Ok(Tree::Operand(..)) => Ty::F32,
         }
     }
 
@@ -210,7 +303,7 @@ impl Compute {
 impl Tree {
     fn size(&self) -> [u32; 2] {
         match self {
-            Self::Operand(_) => [0, 0],
+            Self::Operand(..) => [0, 0],
             Self::Node(op, trees) => {
                 let (mut cost, mut depth) = (0, 0);
                 for [of, under] in trees.iter().map(Self::size) {
@@ -224,7 +317,7 @@ impl Tree {
 
     fn expression(&self, ty: Ty, operand: &impl Fn(usize, Ty) -> Expression) -> Expression {
         match self {
-            Self::Operand(at) => operand(*at, ty),
+            Self::Operand(at, _) => operand(*at, ty),
             Self::Node(op, trees) => {
                 let args = trees.iter().zip(op.args());
                 let args = args.map(|(tree, &ty)| tree.expression(ty, operand));
@@ -265,6 +358,8 @@ struct Definitions {
     /// By virtual register.
     of: Vec<Option<usize>>,
     reads: Vec<u32>,
+    /// By virtual register: whether it holds the same in all lanes.
+    same: Vec<bool>,
     /// By instruction: the number of jumps, and places that are jumped to, before it.
     block: Vec<u32>,
     /// By instruction: whether it has become part of another.
@@ -290,7 +385,8 @@ impl Definitions {
                 }
             });
         }
-        Self { of, reads, block, taken: vec![false; lowered.code.len()] }
+        let same = lowered.kinds.iter().map(|kind| matches!(kind, Kind::Splat { .. })).collect();
+        Self { of, reads, same, block, taken: vec![false; lowered.code.len()] }
     }
 
     /// The operation of the same straight run of code that makes `reg`.
@@ -335,7 +431,10 @@ impl Match {
         trees: &[Tree],
     ) -> bool {
         args.iter().zip(trees).all(|(&reg, tree)| match tree {
-            Tree::Operand(operand) => *self.operands[*operand].get_or_insert(reg) == reg,
+            Tree::Operand(operand, holds) => {
+                let fits = *holds == Holds::Lanes || definitions.same[reg.0 as usize];
+                fits && *self.operands[*operand].get_or_insert(reg) == reg
+            }
             Tree::Node(..) => definitions.maker(reg, reader).is_some_and(|at| {
                 let again = self.inner.contains(&at);
                 self.inner.push(at);
@@ -368,7 +467,8 @@ mod tests {
 
     fn build(b: &mut Builder, tree: &Tree) -> Value {
         match tree {
-            Tree::Operand(operand) => b.input(Input::Varying(*operand as u16)),
+            Tree::Operand(operand, Holds::Lanes) => b.input(Input::Varying(*operand as u16)),
+            Tree::Operand(operand, Holds::Same) => b.uniform(*operand as u32, Ty::F32),
             Tree::Node(op, trees) => {
                 let args: Vec<Value> = trees.iter().map(|tree| build(b, tree)).collect();
                 b.op(*op, &args)
@@ -388,7 +488,8 @@ mod tests {
             let program = Program::new(&module, |_| true);
             assert_eq!(program.code.len(), 1, "{what:?}: {:?}", program.code);
             let corners = [0.0, -0.0, 1.0, -2.5, 3.75, 1e30, -1e-30, f32::INFINITY, f32::NAN];
-            check(&module, &[], |input, lane| match input {
+            let same = [7.0_f32, -1.5, 0.25, 3.0].map(f32::to_bits);
+            check(&module, &same, |input, lane| match input {
                 Input::Varying(slot) => {
                     let roll = (lane * 7 + 3) * (usize::from(slot) * 5 + 2);
                     match corners.get(roll % 16) {

@@ -23,6 +23,8 @@ use texunit::plan::{Lod, Points};
 #[derive(Debug, Default)]
 pub struct Machine {
     registers: Vec<U32s>,
+    /// What the first registers of each bank hold in all their lanes.
+    same: Vec<f32>,
     /// The lanes that execute.
     exec: Mask,
     /// The lanes that the run began with.
@@ -110,6 +112,9 @@ impl Machine {
     pub fn start(&mut self, run: &Run<'_>) -> Result<u64, OverBudget> {
         self.begin(run.program);
         if self.prepared != run.prepared.id {
+            let splats = run.program.layout.splats.iter();
+            self.same.clear();
+            self.same.extend(splats.map(|&word| f32::from_bits(run.prepared.words[word as usize])));
             for bank in 0..run.program.banks {
                 let registers = &mut self.registers[bank * self.bank..];
                 for (reg, word) in registers.iter_mut().zip(&run.program.layout.splats) {
@@ -330,7 +335,7 @@ impl Kernel for Interpreter<'_> {
                 let registers = &mut m.registers[bank..];
                 pc = first;
                 while let Some(&Inst::Compute { what, out, args }) = code.get(pc) {
-                    what.run::<S>(registers, out, args);
+                    what.run::<S>(registers, &m.same, out, args);
                     pc += 1;
                 }
             }

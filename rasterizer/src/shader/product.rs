@@ -277,7 +277,7 @@ impl Steps {
         }
         // Trees that end in a product are taken apart.
         let [a, b, c, d] = args;
-        let (first, last) = if what == Compute::Mul {
+        let (first, last) = if matches!(what, Compute::Mul | Compute::MulSame) {
             (self.value(a)?, b)
         } else if what == Compute::MulMul {
             (self.compute(Compute::Mul, [a, b, a, a])?, c)

@@ -3,7 +3,8 @@
 //! A step over 64 lanes is a few vector operations, each of which waits for the one before it. A
 //! processor fills that time with the next step only if this does not wait for the same. So in each
 //! straight run of code the next instruction is the one whose operands are there first, among the few
-//! that follow ([`WINDOW`]: what is computed earlier than it is needed takes a register meanwhile).
+//! that follow ([`WINDOW`]: what is computed earlier than it is needed takes a register meanwhile, and of more than
+//! sixteen some are alike to a processor, see `fuse.rs`).
 
 use super::inst::{Inst, Reg, Role, Target};
 use super::lower::{Kind, Lowered};
@@ -11,7 +12,7 @@ use crate::ir::Op;
 use std::ops::Range;
 
 /// How far ahead of the first instruction that is left one is chosen.
-const WINDOW: usize = 32;
+const WINDOW: usize = 16;
 
 /// Orders the code, which is over virtual registers, each temporary written once.
 pub(super) fn run(lowered: &mut Lowered) {

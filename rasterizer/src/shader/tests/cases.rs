@@ -68,7 +68,7 @@ impl texunit::lanes::Kernel for OneOp<'_> {
     type Output = ();
     #[inline(always)]
     fn run<S: texunit::lanes::Simd>(self) {
-        Compute::from(self.0).run::<S>(self.1, Reg(3), [Reg(0), Reg(1), Reg(2), Reg(2)]);
+        Compute::from(self.0).run::<S>(self.1, &[], Reg(3), [Reg(0), Reg(1), Reg(2), Reg(2)]);
     }
 }
 
@@ -436,7 +436,9 @@ fn a_zero_is_added_to_what_may_be_minus_zero() {
         let module = b.finish();
         check(&module, &[], inputs);
         let program = Program::new(&module, |_| true);
-        let is_sum = |inst: &&Inst| matches!(inst, Inst::Compute { what: Compute::Add, .. });
+        let is_sum = |inst: &&Inst| {
+            matches!(inst, Inst::Compute { what: Compute::Add | Compute::AddSame, .. })
+        };
         assert_eq!(program.code.iter().filter(is_sum).count(), kept, "{op:?}");
     }
 }
