@@ -276,6 +276,11 @@ impl Simd for Avx2 {
         unsafe { weigh::x86::avx2_pairs(bytes.as_ptr(), offsets, apart, weights, sums) }
     }
     #[inline(always)]
+    fn weigh_walk(bytes: &[u8], walk: &Walk<'_>, sums: &mut Sums) {
+        // SAFETY: this type is reached only through `run_avx2`.
+        unsafe { walk::avx2(bytes, walk, sums) }
+    }
+    #[inline(always)]
     fn gather_f32(table: &[f32], indices: &U32s) -> F32s {
         // SAFETY: this type is reached only through `run_avx2`.
         *unsafe { gather::x86::avx2::<4>(bytemuck::cast_slice(table), indices) }.as_f32()

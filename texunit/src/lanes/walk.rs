@@ -1,7 +1,7 @@
 //! A walk over rows of texels of bytes, two neighbours of each, with their weighted sums.
 //!
-//! One row is a few dozen operations on what would be a dozen batches: AVX-512 keeps it all in
-//! registers, 16 lanes at a time. Everything is integers, so the way does not matter.
+//! One row is a few dozen operations on what would be a dozen batches: AVX keeps it all in registers, 8 or
+//! 16 lanes at a time. Everything is integers, so the way does not matter.
 
 use super::weigh::Sums;
 use super::{I32s, LANES, Simd, U32s};
@@ -120,6 +120,106 @@ impl Walk<'_> {
         let (len, read) = (bytes.len(), if self.in_pairs() { 8 } else { 4 });
         assert!((read..=i32::MAX as usize).contains(&len), "a walk over {len} bytes");
         (len - read) as u32
+    }
+}
+
+/// 8 lanes at a time, with sums in registers: of lanes 0, 1, 4 and 5, and of 2, 3, 6 and 7, as vectors of two halves
+/// are unpacked.
+///
+/// # Safety
+/// AVX2 is there.
+#[cfg(target_arch = "x86_64")]
+#[inline(always)]
+pub(super) unsafe fn avx2(bytes: &[u8], walk: &Walk<'_>, sums: &mut Sums) {
+    use super::gather::x86::{eight_words, four_pairs};
+    use super::weigh::x86::{avx2_places, avx2_sum};
+    use std::arch::x86_64::*;
+    let last = walk.last_offset(bytes);
+    let base = bytes.as_ptr();
+    let (size, apart) = match walk.beside {
+        Beside::Next(size) => (size, None),
+        Beside::Apart(apart) => (4, Some(apart)),
+    };
+    let pairs = walk.in_pairs();
+    // Offsets go through memory, from where each is an address.
+    let (mut firsts, mut seconds) = (U32s::ZERO, U32s::ZERO);
+    for at in (0..LANES).step_by(8) {
+        // SAFETY: batches hold 8 words at `at`; offsets are held to where all bytes of a read are there, and are
+        // below 2^31.
+        unsafe {
+            let load = |words: *const i32| _mm256_load_si256(words.add(at).cast::<__m256i>());
+            let signed = |words: &I32s| load(words.0.as_ptr());
+            let unsigned = |words: &U32s| load(words.0.as_ptr().cast());
+            let (one, zero) = (_mm256_set1_epi32(ONE), _mm256_setzero_si256());
+            let last = _mm256_set1_epi32(last as i32);
+            let places = avx2_places(if pairs { size } else { 4 });
+            let shift = _mm_cvtsi32_si128(8 * size as i32);
+            let (mut line, along) = (unsigned(walk.line), unsigned(walk.along));
+            let (mut place, step) = (signed(walk.place), signed(walk.step));
+            let (mut rest, mut before) = (signed(walk.rest), signed(walk.before));
+            let even = signed(walk.even);
+            let part = _mm256_sub_epi32(one, _mm256_slli_epi32::<1>(even));
+            let mut totals = [[zero; 2]; 2];
+            for _ in 0..walk.rows {
+                let number = _mm256_srai_epi32::<16>(place);
+                let number = match apart {
+                    Some(apart) => _mm256_mullo_epi32(number, unsigned(apart)),
+                    // Of 16 bits, as is the size.
+                    None => _mm256_madd_epi16(number, _mm256_set1_epi32(size as i32)),
+                };
+                let offset = _mm256_add_epi32(line, number);
+                let to = firsts.0.as_mut_ptr().cast::<__m256i>();
+                _mm256_store_si256(to, _mm256_min_epu32(offset, last));
+                // `weights`; all factors are below 2^15.
+                let fraction = _mm256_srli_epi32::<2>(place);
+                let fraction = _mm256_and_si256(fraction, _mm256_set1_epi32(ONE - 1));
+                let second = _mm256_srli_epi32::<14>(_mm256_madd_epi16(fraction, part));
+                let second = _mm256_add_epi32(even, second);
+                let whole = _mm256_max_epi32(_mm256_min_epi32(rest, one), zero);
+                let weight = _mm256_sub_epi32(whole, before);
+                let second = _mm256_srli_epi32::<14>(_mm256_madd_epi16(second, weight));
+                let weights = _mm256_or_si256(
+                    _mm256_slli_epi32::<16>(second),
+                    _mm256_sub_epi32(weight, second),
+                );
+                let texels = if pairs {
+                    [
+                        _mm256_castps_si256(four_pairs(base, &firsts, 0)),
+                        _mm256_castps_si256(four_pairs(base, &firsts, 2)),
+                    ]
+                } else {
+                    let a = eight_words::<1>(base, &firsts, 0);
+                    let b = if let Some(apart) = apart {
+                        let offset = _mm256_add_epi32(offset, unsigned(apart));
+                        let to = seconds.0.as_mut_ptr().cast::<__m256i>();
+                        _mm256_store_si256(to, _mm256_min_epu32(offset, last));
+                        eight_words::<1>(base, &seconds, 0)
+                    } else {
+                        _mm256_srl_epi32(a, shift)
+                    };
+                    [_mm256_unpacklo_epi32(a, b), _mm256_unpackhi_epi32(a, b)]
+                };
+                let twice = [
+                    _mm256_unpacklo_epi32(weights, weights),
+                    _mm256_unpackhi_epi32(weights, weights),
+                ];
+                for half in 0..2 {
+                    for part in 0..2 {
+                        let bytes = _mm256_shuffle_epi8(texels[part], places[half]);
+                        let products = _mm256_madd_epi16(bytes, twice[part]);
+                        totals[half][part] = _mm256_add_epi32(totals[half][part], products);
+                    }
+                }
+                line = _mm256_add_epi32(line, along);
+                place = _mm256_add_epi32(place, step);
+                rest = _mm256_sub_epi32(rest, one);
+                before = zero;
+            }
+            for (half, [even, odd]) in totals.into_iter().enumerate() {
+                avx2_sum(sums, half, at, _mm256_permute2x128_si256::<0x20>(even, odd));
+                avx2_sum(sums, half, at + 4, _mm256_permute2x128_si256::<0x31>(even, odd));
+            }
+        }
     }
 }
 

@@ -81,6 +81,7 @@ const fn places(apart: i8, half: i8) -> [i8; 16] {
 
 #[cfg(target_arch = "x86_64")]
 pub(super) mod x86 {
+    use super::super::gather::x86::four_pairs;
     use super::{LANES, Sums, U32s, places};
     use std::arch::x86_64::*;
 
@@ -88,19 +89,44 @@ pub(super) mod x86 {
         [[places(3, 0), places(3, 1)], [places(4, 0), places(4, 1)]];
 
     /// # Safety
-    /// AVX2 is there.
+    /// AVX2 is there, and `at` and the three lanes after it are lanes.
     #[inline(always)]
     unsafe fn avx2_add(texels: __m256i, weights: __m256i, apart: u32, sums: &mut Sums, at: usize) {
-        for (half, places) in BY_APART[usize::from(apart == 4)].iter().enumerate() {
-            // SAFETY: a table has 16 bytes; `at` and the three lanes after it are lanes.
+        for half in 0..2 {
+            // SAFETY: the caller vouches for it.
             unsafe {
-                let places = _mm_loadu_si128(places.as_ptr().cast::<__m128i>());
-                let places = _mm256_broadcastsi128_si256(places);
-                let bytes = _mm256_shuffle_epi8(texels, places);
-                let sum = sums.0[half].as_mut_ptr().add(at).cast::<__m256i>();
-                let products = _mm256_madd_epi16(bytes, weights);
-                _mm256_storeu_si256(sum, _mm256_add_epi32(_mm256_loadu_si256(sum), products));
+                let bytes = _mm256_shuffle_epi8(texels, avx2_places(apart)[half]);
+                avx2_sum(sums, half, at, _mm256_madd_epi16(bytes, weights));
             }
+        }
+    }
+
+    /// Where bytes go, for both halves.
+    ///
+    /// # Safety
+    /// AVX2 is there.
+    #[inline(always)]
+    pub unsafe fn avx2_places(apart: u32) -> [__m256i; 2] {
+        let [first, second] = &BY_APART[usize::from(apart == 4)];
+        // SAFETY: a table has 16 bytes.
+        unsafe {
+            [
+                _mm256_broadcastsi128_si256(_mm_loadu_si128(first.as_ptr().cast())),
+                _mm256_broadcastsi128_si256(_mm_loadu_si128(second.as_ptr().cast())),
+            ]
+        }
+    }
+
+    /// Adds to the sums of four lanes.
+    ///
+    /// # Safety
+    /// AVX2 is there, and `at` and the three lanes after it are lanes.
+    #[inline(always)]
+    pub unsafe fn avx2_sum(sums: &mut Sums, half: usize, at: usize, products: __m256i) {
+        // SAFETY: the caller vouches for it.
+        unsafe {
+            let sum = sums.0[half].as_mut_ptr().add(at).cast::<__m256i>();
+            _mm256_storeu_si256(sum, _mm256_add_epi32(_mm256_loadu_si256(sum), products));
         }
     }
 
@@ -132,15 +158,22 @@ pub(super) mod x86 {
         weights: &U32s,
         sums: &mut Sums,
     ) {
-        for at in (0..LANES).step_by(4) {
-            // SAFETY: a batch holds 4 words at `at`; the caller vouches for the gathered bytes.
+        for first in (0..LANES).step_by(8) {
+            // SAFETY: a batch holds 8 words at `first`; the caller vouches for the gathered bytes.
             unsafe {
-                let index = _mm_load_si128(offsets.0.as_ptr().add(at).cast::<__m128i>());
-                let texels = _mm256_i32gather_epi64::<1>(base.cast::<i64>(), index);
-                let weights = _mm_load_si128(weights.0.as_ptr().add(at).cast::<__m128i>());
-                let weights = _mm256_cvtepu32_epi64(weights);
-                let twice = _mm256_or_si256(weights, _mm256_slli_epi64::<32>(weights));
-                avx2_add(texels, twice, apart, sums, at);
+                let even = _mm256_castps_si256(four_pairs(base, offsets, first));
+                let odd = _mm256_castps_si256(four_pairs(base, offsets, first + 2));
+                let halves = [
+                    _mm256_permute2x128_si256::<0x20>(even, odd),
+                    _mm256_permute2x128_si256::<0x31>(even, odd),
+                ];
+                for (half, texels) in halves.into_iter().enumerate() {
+                    let at = first + 4 * half;
+                    let weights = _mm_load_si128(weights.0.as_ptr().add(at).cast::<__m128i>());
+                    let weights = _mm256_cvtepu32_epi64(weights);
+                    let twice = _mm256_or_si256(weights, _mm256_slli_epi64::<32>(weights));
+                    avx2_add(texels, twice, apart, sums, at);
+                }
             }
         }
     }
