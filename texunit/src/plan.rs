@@ -13,7 +13,7 @@ use crate::sample::gather::Gather;
 use crate::sample::lod::LodRange;
 use crate::sample::plain::Class;
 use crate::sample::query::Query;
-pub use crate::sample::take::{Take, Texels};
+pub use crate::sample::take::{Room, Take, Texels};
 use crate::sample::texel::Fetch;
 use crate::sample::{Off, Probed, Sample, Scanned};
 use crate::sample::{ahead, flat, take};
@@ -342,7 +342,7 @@ impl SamplePlan {
 
     /// [`SamplePlan::sample`] as part of a kernel, of images that are not compared. What it gives goes to `take`
     /// without a detour, where texels are bytes and all lanes read the same level, or the same two; else by way
-    /// of `lanes`. `read` and `weight` are what [`SamplePlan::read`] gave, of this batch or of one that reads the same.
+    /// of lanes. `read` and `weight` are what [`SamplePlan::read`] gave, of this batch or of one that reads the same.
     #[inline(always)]
     pub fn take<S: Simd, T: Take>(
         &self,
@@ -350,12 +350,13 @@ impl SamplePlan {
         coords: [&F32s; 3],
         lod: Lod<'_>,
         (read, weight): (Option<Read>, &F32s),
-        lanes: &mut [F32s; 4],
+        room: &mut Room,
         take: T,
     ) -> T::Output {
         let take = match &self.0 {
             Ok(texture) if S::WIDE && texture.gives_words => {
-                match take::take::<S, T>(texture, coords, read, weight, take) {
+                let squares = &mut room.squares;
+                match take::take::<S, T>(texture, coords, read, weight, squares, take) {
                     Ok(output) => return output,
                     Err(take) => take,
                 }
@@ -364,8 +365,8 @@ impl SamplePlan {
         };
         // By the same kernels that shaders call: another copy of them would be a megabyte.
         let points = Points { coords, layer: None, reference: None };
-        self.sample_offset(isa, points, [0; 3], lod, lanes);
-        take.take::<S>(&take::Lanes(lanes))
+        self.sample_offset(isa, points, [0; 3], lod, &mut room.lanes);
+        take.take::<S>(&take::Lanes(&room.lanes))
     }
 
     /// The first component of the texels at (i, j + 1), (i + 1, j + 1), (i + 1, j) and (i, j) that a linear filter of the

@@ -10,7 +10,7 @@ use crate::driver::{Blend, BlendEquation, BlendFactor, LogicOp};
 use crate::target::{Old, WordMask, all_bits};
 use texunit::format::convert::byte_channel;
 use texunit::format::{BaseFormat, Encoding, Format};
-use texunit::lanes::{F32s, Kernel, LANES, Simd, U32s, math};
+use texunit::lanes::{F32s, Kernel, LANES, PerLane, Simd, U32s, math};
 
 /// What a draw does to one colour attachment.
 #[derive(Clone, Debug, PartialEq)]
@@ -236,13 +236,19 @@ pub trait Color {
 /// Four bytes of each lane.
 #[inline(always)]
 pub fn pack_colors(color: &impl Color) -> U32s {
-    let mut words = U32s::ZERO;
-    for lane in 0..LANES {
-        let [r, g] = [color.byte(lane, 0), color.byte(lane, 1)];
-        let [b, a] = [color.byte(lane, 2), color.byte(lane, 3)];
-        words[lane] = r | g << 8 | b << 16 | a << 24;
+    U32s::of(Packed(color))
+}
+
+/// Four bytes of a lane.
+struct Packed<'a, C>(&'a C);
+
+impl<C: Color> PerLane<u32> for Packed<'_, C> {
+    #[inline(always)]
+    fn at(&self, lane: usize) -> u32 {
+        let [r, g] = [self.0.byte(lane, 0), self.0.byte(lane, 1)];
+        let [b, a] = [self.0.byte(lane, 2), self.0.byte(lane, 3)];
+        r | g << 8 | b << 16 | a << 24
     }
-    words
 }
 
 /// Fragments blended with the bytes that are stored. The usual ways in one loop, the others factor by

@@ -6,7 +6,7 @@ use crate::output::{Color, ColorPlan, pack_colors, put};
 use crate::plan::{DrawPlan, FactorPlanes, FilledInput, ProductInputs, ProductPlan};
 use crate::shader::{BANKS, Machine, OverBudget, Part, Product, Run};
 use texunit::lanes::{F32s, Isa, Kernel, LANES, QUADS, Simd, U32s};
-use texunit::plan::{Like, Lod, Read, SamplePlan, Take, Texels};
+use texunit::plan::{Like, Lod, Read, Room, SamplePlan, Take, Texels};
 
 /// The colours of a run, and what there is between its lookups.
 #[derive(Debug, Default)]
@@ -15,8 +15,8 @@ pub struct Products {
     colors: Box<[[F32s; 4]; BANKS]>,
     /// Products that are not done, by turns.
     between: Box<[[F32s; 4]; 2]>,
-    /// Of lookups that have to take a longer way.
-    lanes: Box<[F32s; 4]>,
+    /// Of lookups.
+    room: Box<Room>,
     /// How the run has its factors.
     how: Factors,
     /// Factors that are the same all over a run, for as long as these are what they depend on: the draw, and the
@@ -179,7 +179,7 @@ impl Kernel for Multiply<'_> {
     #[inline(always)]
     fn run<S: Simd>(self) {
         let Self { isa, plan, product, machine, run, products, mut words } = self;
-        let Products { colors, between, lanes, factors, how, is_one, readings, details, .. } =
+        let Products { colors, between, room, factors, how, is_one, readings, details, .. } =
             products;
         let (how, is_one) = (*how, *is_one && *how != Factors::Varying);
         let [even, odd] = &mut **between;
@@ -226,7 +226,7 @@ impl Kernel for Multiply<'_> {
                     if is_kept {
                         *kept = (read, weight);
                     }
-                    texture.take::<S, _>(isa, coords, lod, (read, &weight), lanes, times);
+                    texture.take::<S, _>(isa, coords, lod, (read, &weight), room, times);
                 }
             }
         }

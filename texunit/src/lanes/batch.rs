@@ -1,6 +1,7 @@
 //! The arrays of 64 and the place of each lane in its 8×8 block.
 
 use bytemuck::{Pod, Zeroable};
+use std::mem::MaybeUninit;
 
 /// Lanes in a batch: an 8×8 pixel block, 16 quads, or 64 vertices.
 pub const LANES: usize = 64;
@@ -29,6 +30,18 @@ macro_rules! batch {
                     out.0[lane] = f(lane);
                 }
                 out
+            }
+
+            /// [`Self::from_fn`] of what is long, and without storing zeros first.
+            #[inline(always)]
+            pub fn of(f: impl PerLane<$T>) -> Self {
+                let mut out = MaybeUninit::<Self>::uninit();
+                for lane in 0..LANES {
+                    // SAFETY: a batch is its 64 values, one after the other.
+                    unsafe { out.as_mut_ptr().cast::<$T>().add(lane).write(f.at(lane)) };
+                }
+                // SAFETY: all of them were written.
+                unsafe { out.assume_init() }
             }
 
             /// Zero in every lane.
@@ -74,6 +87,12 @@ batch!(
     /// 64 `u32`: raw bits, texels, or a mask whose lanes are 0 or `!0`.
     U32s, u32
 );
+
+/// A function of a lane. (A closure that is long would not be inlined, and take on no instruction set.)
+pub trait PerLane<T> {
+    /// What it is at a lane. `#[inline(always)]`, see [`super::Kernel`].
+    fn at(&self, lane: usize) -> T;
+}
 
 macro_rules! casts {
     ($From:ident, $To:ident, $name:ident, $name_mut:ident) => {

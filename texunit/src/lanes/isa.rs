@@ -260,6 +260,11 @@ impl Simd for Avx2 {
         unsafe { gather::x86::avx2_pairs(bytes, offsets) }
     }
     #[inline(always)]
+    fn gather_squares(bytes: &[u8], offsets: &U32s, apart: u32, out: &mut [U32s; 4]) {
+        // SAFETY: this type is reached only through `run_avx2`.
+        unsafe { gather::x86::avx2_squares(bytes, offsets, apart, out) }
+    }
+    #[inline(always)]
     fn gather_fours(bytes: &[u8], offsets: &U32s) -> [U32s; 4] {
         // SAFETY: this type is reached only through `run_avx2`.
         unsafe { gather::x86::avx2_fours(bytes, offsets) }

@@ -28,7 +28,7 @@ mod simd;
 mod walk;
 mod weigh;
 
-pub use batch::{F32s, F64s, I32s, LANES, QUADS, U32s, lane_x, lane_y};
+pub use batch::{F32s, F64s, I32s, LANES, PerLane, QUADS, U32s, lane_x, lane_y};
 pub use isa::{Baseline, Isa, IsaError};
 pub use log2::{log2, log2_of_root};
 pub use prefetch::{prefetch, prefetch_at};

@@ -63,6 +63,19 @@ pub trait Simd: Copy + private::Sealed {
     /// [`Simd::gather_pairs`] without a call: a kilobyte in each place.
     fn gather_pairs_here(bytes: &[u8], offsets: &U32s) -> [U32s; 2];
 
+    /// [`Simd::gather_pairs_here`] of each byte offset, and of `apart` bytes further: two neighbours, and the two
+    /// above them.
+    ///
+    /// # Panics
+    /// When not all of these bytes are inside `bytes`.
+    #[inline(always)]
+    fn gather_squares(bytes: &[u8], offsets: &U32s, apart: u32, out: &mut [U32s; 4]) {
+        let above = bytes.get(apart as usize..).unwrap_or(&[]);
+        let [a, b] = Self::gather_pairs_here(bytes, offsets);
+        let [c, d] = Self::gather_pairs_here(above, offsets);
+        *out = [a, b, c, d];
+    }
+
     /// Adds to the sum of each byte the bytes of two texels: `first` times the lower half of the
     /// weight, `second` times its upper half. Weights are up to 2^15 - 1.
     fn weigh(first: &U32s, second: &U32s, weights: &U32s, sums: &mut Sums);

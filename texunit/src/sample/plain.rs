@@ -15,10 +15,10 @@ pub use channels::{Class, of_texel};
 
 use super::fetch::{neighbours, side_by_side};
 use super::filter::Place;
-use super::wrap::{Axis, enclosing};
+use super::wrap::{Axis, enclosing, repeated};
 use crate::image::Level;
 use crate::lanes::math::index;
-use crate::lanes::{F32s, I32s, LANES, Simd, U32s};
+use crate::lanes::{F32s, I32s, Kernel, LANES, Simd, U32s};
 use crate::plan::Alpha;
 use crate::sampler::{Filter, Seamless, Wrap};
 
@@ -86,7 +86,11 @@ pub fn linear<S: Simd>(
 ) -> bool {
     let (words, channels) = (place.level.format.words(), place.level.format.channels());
     if words == 1 {
-        let Some(Square { words, weights }) = square::<S>(place, at) else { return false };
+        let mut found = Square::default();
+        if !square::<S>(place, at, &mut found) {
+            return false;
+        }
+        let Square { words, weights, .. } = &found;
         let alpha = place.texture.alpha;
         of_square::<S>(class, (channels, alpha), 0, words.each_ref(), weights.each_ref(), out);
         return true;
@@ -115,34 +119,116 @@ pub fn linear<S: Simd>(
 }
 
 /// 2×2 texels of one word each, in the order (0, 0), (1, 0), (0, 1), (1, 1).
+#[derive(Clone, Debug, Default)]
 pub struct Square {
     pub words: [U32s; 4],
     /// Of the right and of the upper texels.
     pub weights: [F32s; 2],
+    /// Where the first texels begin, while the others are looked for.
+    offsets: U32s,
 }
 
-/// The texels whose mean a point takes, of one word each; `None`, where this way does not lead.
+/// The texels whose mean a point takes, of one word each; or `false`, where this way does not lead.
+///
+/// A function of its own, which gives them in memory that is the caller's: where they are locals of several ways that
+/// lead to the same place, LLVM moves all of them once or twice.
 #[inline(always)]
-pub fn square<S: Simd>(place: &Place<'_>, at: [&F32s; 3]) -> Option<Square> {
-    let reach = reach::<S>(place, at)?;
-    let corners = reach.corners(place);
-    let words = if reach.pairs[0] == Pairs::Inside {
-        let [a, b] = pair::<S>(place.level, &corners[0]);
-        let [c, d] = pair::<S>(place.level, &corners[2]);
-        [a, b, c, d]
-    } else {
-        one_by_one::<S>(place, &corners, 0)
-    };
-    Some(Square { words, weights: reach.weights })
+pub fn square<S: Simd>(place: &Place<'_>, at: [&F32s; 3], out: &mut Square) -> bool {
+    S::apart(FindSquare { place, at, out })
 }
 
-/// [`neighbours`], without a call where a texel is a word.
-#[inline(always)]
-fn pair<S: Simd>(level: &Level, offsets: &U32s) -> [U32s; 2] {
-    match level.format.bytes() {
-        4 => S::gather_pairs_here(&level.texels, offsets),
-        _ => neighbours::<S>(level, offsets),
+struct FindSquare<'a> {
+    place: &'a Place<'a>,
+    at: [&'a F32s; 3],
+    out: &'a mut Square,
+}
+
+impl Kernel for FindSquare<'_> {
+    type Output = bool;
+
+    #[inline(always)]
+    fn run<S: Simd>(self) -> bool {
+        let Self { place, at, out } = self;
+        let level = place.level;
+        let bytes = level.format.bytes();
+        if bytes >= 3 && inside::<S>(place, at, &mut out.offsets, &mut out.weights) {
+            let row = level.row_bytes() as u32;
+            S::gather_squares(&level.texels, &out.offsets, row, &mut out.words);
+            if bytes == 3 {
+                let [a, b, c, d] = &mut out.words;
+                for lane in 0..LANES {
+                    b[lane] = a[lane] >> 24 | b[lane] << 8;
+                    d[lane] = c[lane] >> 24 | d[lane] << 8;
+                }
+            }
+            return true;
+        }
+        let Some(reach) = reach::<S>(place, at) else { return false };
+        let corners = reach.corners(place);
+        out.weights = reach.weights;
+        out.words = if reach.pairs[0] == Pairs::Inside {
+            let [a, b] = neighbours::<S>(level, &corners[0]);
+            let [c, d] = neighbours::<S>(level, &corners[2]);
+            [a, b, c, d]
+        } else {
+            one_by_one::<S>(place, &corners, 0)
+        };
+        true
     }
+}
+
+/// Where the lower left texels of the squares begin, and the weights of the right and of the upper texels; or `false`
+/// if coordinates do not wrap in a usual way, the same along both axes, or a lane reaches beyond an edge.
+///
+/// In one loop: of several, what lies between would be stored and loaded again where an instruction set has few
+/// registers.
+#[inline(always)]
+fn inside<S: Simd>(
+    place: &Place<'_>,
+    [s, t, _]: [&F32s; 3],
+    offsets: &mut U32s,
+    weights: &mut [F32s; 2],
+) -> bool {
+    let axes @ [across, up] = [place.axis(0), place.axis(1)];
+    match (across.wrap, up.wrap) {
+        (Wrap::Repeat, Wrap::Repeat) => {
+            let sizes = [across.size as f32, up.size as f32];
+            let wrapped = |axis: usize, x| repeated::<S>(x, sizes[axis]);
+            inside_of::<S>(place.level, [s, t], wrapped, offsets, weights)
+        }
+        (Wrap::ClampToEdge, Wrap::ClampToEdge) => {
+            let wrapped = |axis: usize, x| axes[axis].held_to_edge(x);
+            inside_of::<S>(place.level, [s, t], wrapped, offsets, weights)
+        }
+        (_, _) => false,
+    }
+}
+
+/// [`inside`] by what a coordinate is in texels.
+#[inline(always)]
+fn inside_of<S: Simd>(
+    level: &Level,
+    [s, t]: [&F32s; 2],
+    wrapped: impl Fn(usize, f32) -> f32,
+    offsets: &mut U32s,
+    [alpha, beta]: &mut [F32s; 2],
+) -> bool {
+    let (bytes, row) = (level.format.bytes() as u32, level.row_bytes() as u32);
+    let origin = level.origin() as u32;
+    let [mut column, mut line] = [0; 2];
+    for lane in 0..LANES {
+        let (u, v) = (wrapped(0, s[lane]) - 0.5, wrapped(1, t[lane]) - 0.5);
+        let ((i, left), (j, below)) = (S::floor_small(u), S::floor_small(v));
+        alpha[lane] = u - left;
+        beta[lane] = v - below;
+        // -1 is the largest of all.
+        let (i, j) = (i as u32, j as u32);
+        column = if i > column { i } else { column };
+        line = if j > line { j } else { line };
+        offsets[lane] =
+            j.wrapping_mul(row).wrapping_add(i.wrapping_mul(bytes).wrapping_add(origin));
+    }
+    column < level.width - 1 && line < level.height - 1
 }
 
 /// A word of each of four texels.

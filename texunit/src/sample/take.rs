@@ -60,18 +60,26 @@ impl Texels for One {
     }
 }
 
-impl Texels for Square {
+impl Square {
+    /// Of the four texels' bytes.
     #[inline(always)]
-    fn channel(&self, lane: usize, channel: usize) -> f32 {
+    fn mean(&self, lane: usize, channel: usize) -> f32 {
         let texel = |corner: usize| byte_of(self.words[corner][lane], channel);
         let [alpha, beta] = [self.weights[0][lane], self.weights[1][lane]];
         let (lower, upper) = (lerp(texel(0), texel(1), alpha), lerp(texel(2), texel(3), alpha));
-        over_255(lerp(lower, upper, beta))
+        lerp(lower, upper, beta)
+    }
+}
+
+impl Texels for &Square {
+    #[inline(always)]
+    fn channel(&self, lane: usize, channel: usize) -> f32 {
+        over_255(self.mean(lane, channel))
     }
     #[inline(always)]
     fn byte(&self, lane: usize, channel: usize) -> u32 {
-        // A mean of bytes over 255.
-        math::unit_byte(self.channel(lane, channel))
+        // As `unit_byte` of the channel, whichever mean it is: see the tests.
+        math::nearest_byte(self.mean(lane, channel))
     }
     #[inline(always)]
     fn bytes(&self) -> Option<&U32s> {
@@ -98,7 +106,7 @@ impl<T: Texels> Texels for Opaque<'_, T> {
 }
 
 /// Of two levels, with the weight of the second.
-struct Both<'a>([&'a Square; 2], &'a F32s);
+struct Both<'a>(&'a [Square; 2], &'a F32s);
 
 impl Texels for Both<'_> {
     #[inline(always)]
@@ -121,6 +129,15 @@ impl Texels for Both<'_> {
     }
 }
 
+/// What a lookup that is taken needs room for. It says nothing from one to the next.
+#[derive(Clone, Debug, Default)]
+pub struct Room {
+    /// Where the short way does not lead: what the long one gives.
+    pub(crate) lanes: [F32s; 4],
+    /// The texels of one level, or of two.
+    pub(crate) squares: [Square; 2],
+}
+
 /// Whether [`take`] leads somewhere wherever all lanes read the same levels.
 pub(crate) fn always_leads(texture: &Texture) -> bool {
     match &texture.detail {
@@ -140,6 +157,7 @@ pub(crate) fn take<S: Simd, T: Take>(
     coords: [&F32s; 3],
     read: Option<Read>,
     weight: &F32s,
+    squares: &mut [Square; 2],
     take: T,
 ) -> Result<T::Output, T> {
     let Some(Read { filter, levels }) = read else { return Err(take) };
@@ -158,10 +176,13 @@ pub(crate) fn take<S: Simd, T: Take>(
         // Two levels of one texel each are rare.
         (Filter::Nearest, _) => Err(take),
         // Kernels of their own, so that none carries another's size.
-        (Filter::Linear, Alpha::Read) => S::apart(Mean { texture, levels, coords, weight, take }),
+        (Filter::Linear, Alpha::Read) => {
+            S::apart(Mean { texture, levels, coords, weight, squares, take })
+        }
         (Filter::Linear, Alpha::One) => {
             let take = OfOpaque(take);
-            S::apart(Mean { texture, levels, coords, weight, take }).map_err(|OfOpaque(take)| take)
+            let mean = Mean { texture, levels, coords, weight, squares, take };
+            S::apart(mean).map_err(|OfOpaque(take)| take)
         }
     }
 }
@@ -172,6 +193,7 @@ struct Mean<'a, T> {
     levels: [u32; 2],
     coords: [&'a F32s; 3],
     weight: &'a F32s,
+    squares: &'a mut [Square; 2],
     take: T,
 }
 
@@ -180,15 +202,19 @@ impl<T: Take> Kernel for Mean<'_, T> {
 
     #[inline(always)]
     fn run<S: Simd>(self) -> Self::Output {
-        let Self { texture, levels: [first, second], coords, weight, take } = self;
-        let place = flat::place(texture, Filter::Linear, first);
-        let Some(lower) = plain::square::<S>(&place, coords) else { return Err(take) };
-        if first == second {
-            return Ok(take.take::<S>(&lower));
+        let Self { texture, levels, coords, weight, squares, take } = self;
+        let reads_both = levels[0] != levels[1];
+        let wanted = &mut squares[..1 + usize::from(reads_both)];
+        for (number, square) in levels.into_iter().zip(wanted) {
+            let place = flat::place(texture, Filter::Linear, number);
+            if !plain::square::<S>(&place, coords, square) {
+                return Err(take);
+            }
         }
-        let place = flat::place(texture, Filter::Linear, second);
-        let Some(upper) = plain::square::<S>(&place, coords) else { return Err(take) };
-        Ok(take.take::<S>(&Both([&lower, &upper], weight)))
+        match reads_both {
+            false => Ok(take.take::<S>(&&squares[0])),
+            true => Ok(take.take::<S>(&Both(squares, weight))),
+        }
     }
 }
 

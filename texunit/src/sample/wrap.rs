@@ -57,7 +57,19 @@ pub fn fold<S: Simd>(s: f32) -> (f32, bool) {
     (if odd { 1.0 - part } else { part }, odd)
 }
 
+/// `u` where `n` texels repeat.
+#[inline(always)]
+pub fn repeated<S: Simd>(s: f32, n: f32) -> f32 {
+    max(s - S::floor_unsigned(s), 0.0) * n
+}
+
 impl Axis {
+    /// `u` where it stops at the middle of the outermost texels.
+    #[inline(always)]
+    pub fn held_to_edge(&self, s: f32) -> f32 {
+        clamp(s * self.scale, 0.5, self.size as f32 - 0.5)
+    }
+
     /// `u`, the wrapped coordinate in texels: within [0, size], half a texel more for the border.
     #[inline(always)]
     pub fn texel_coordinate<S: Simd>(self, s: &F32s) -> F32s {
@@ -67,7 +79,7 @@ impl Axis {
         match wrap {
             Wrap::Repeat => {
                 for lane in 0..LANES {
-                    u[lane] = max(s[lane] - S::floor_unsigned(s[lane]), 0.0) * n;
+                    u[lane] = repeated::<S>(s[lane], n);
                 }
             }
             Wrap::Clamp => {
@@ -77,7 +89,7 @@ impl Axis {
             }
             Wrap::ClampToEdge => {
                 for lane in 0..LANES {
-                    u[lane] = clamp(s[lane] * scale, 0.5, n - 0.5);
+                    u[lane] = self.held_to_edge(s[lane]);
                 }
             }
             Wrap::ClampToBorder => {

@@ -76,6 +76,31 @@ pub unsafe fn avx2_pairs(bytes: &[u8], offsets: &U32s) -> [U32s; 2] {
     out
 }
 
+/// The pair at every offset, and the one `apart` bytes further.
+///
+/// # Safety
+/// AVX2 is there.
+#[inline(always)]
+pub unsafe fn avx2_squares(bytes: &[u8], offsets: &U32s, apart: u32, out: &mut [U32s; 4]) {
+    // There are as many bytes for pairs above which `apart` more are left.
+    let len = bytes.len().saturating_sub(apart as usize);
+    check::<Avx2>(len, offsets, 1, 8);
+    let rows = [bytes.as_ptr(), bytes.as_ptr().wrapping_add(apart as usize)];
+    for first in (0..LANES).step_by(8) {
+        for (row, base) in rows.into_iter().enumerate() {
+            // SAFETY: as for `avx2_pairs`.
+            unsafe {
+                let a = four_pairs(base, offsets, first);
+                let b = four_pairs(base, offsets, first + 2);
+                let even = _mm256_shuffle_ps::<0b10_00_10_00>(a, b);
+                let odd = _mm256_shuffle_ps::<0b11_01_11_01>(a, b);
+                _mm256_store_ps(out[2 * row].0.as_mut_ptr().add(first).cast::<f32>(), even);
+                _mm256_store_ps(out[2 * row + 1].0.as_mut_ptr().add(first).cast::<f32>(), odd);
+            }
+        }
+    }
+}
+
 /// The pair at every offset.
 ///
 /// # Safety

@@ -71,21 +71,31 @@ pub fn index(x: f32, last: f32) -> u32 {
     unsafe { inside.to_int_unchecked::<i32>() as u32 }
 }
 
+/// The largest number below a half. What is added to it and cut off is the nearest integer, halves up: a half itself
+/// would take what is right below a half to 1.
+const BELOW_HALF: f32 = 0.499_999_97;
+
 /// `[0, 1]` to the nearest byte, 0 to 255; what is outside clamps, NaN gives 0 (GL 2.1, section
 /// 2.14.9).
 #[inline(always)]
 pub fn byte(c: f32) -> u32 {
     // Held in bounds at last: LLVM makes a choice between products of a clamp before.
-    let near = clamp(c * 255.0 + 0.5, 0.5, 255.5);
-    // SAFETY: the clamp leaves no NaN, so this is in 0.5 ..= 255.5.
+    let near = clamp(c * 255.0 + BELOW_HALF, 0.0, 255.5);
+    // SAFETY: the clamp leaves no NaN, so this is in 0 ..= 255.5.
     unsafe { near.to_int_unchecked::<i32>() as u32 }
 }
 
 /// [`byte`] of what is known to lie in `[0, 1]`, give or take its last bits. What does not gives some byte.
 #[inline(always)]
 pub fn unit_byte(c: f32) -> u32 {
+    nearest_byte(c * 255.0)
+}
+
+/// The byte nearest to what is known to lie in `[0, 255]`, give or take its last bits. What does not gives some byte.
+#[inline(always)]
+pub fn nearest_byte(c: f32) -> u32 {
     const LAST: u32 = 255.5_f32.to_bits();
-    let bits = (c * 255.0 + 0.5).to_bits();
+    let bits = (c + BELOW_HALF).to_bits();
     // Floats that are not negative are in the order of their bits; all others are beyond.
     let near = f32::from_bits(if bits < LAST { bits } else { LAST });
     // SAFETY: bits from 0 to those of 255.5 are of floats from 0 to 255.5.

@@ -3,8 +3,8 @@
 use super::*;
 use crate::format::Format;
 use crate::image::{Image, Level, Shape};
-use crate::lanes::{Isa, Kernel};
-use crate::plan::{Like, Lod, SamplePlan, Take, Texels};
+use crate::lanes::{Isa, Kernel, math};
+use crate::plan::{Like, Lod, Room, SamplePlan, Take, Texels};
 use crate::sampler::{Compare, Filter, Mipmap, Sampler, Seamless, Wrap};
 
 fn noise(seed: u32) -> u32 {
@@ -96,7 +96,14 @@ impl Take for Keep {
 
     #[inline(always)]
     fn take<S: Simd>(self, texels: &impl Texels) -> Self::Output {
-        let channel = |channel| F32s::from_fn(|lane| texels.channel(lane, channel));
+        let channel = |channel| {
+            F32s::from_fn(|lane| {
+                let value = texels.channel(lane, channel);
+                // Bytes have ways of their own.
+                assert_eq!(texels.byte(lane, channel), math::byte(value), "{value}");
+                value
+            })
+        };
         ([0, 1, 2, 3].map(channel), texels.bytes().copied())
     }
 }
@@ -106,7 +113,7 @@ impl Kernel for Taken<'_> {
 
     #[inline(always)]
     fn run<S: Simd>(self) -> Self::Output {
-        let (lod, lanes) = (Lod::Implicit { bias: None }, &mut [F32s::ZERO; 4]);
+        let (lod, room) = (Lod::Implicit { bias: None }, &mut Room::default());
         let [s, t, _] = self.coords;
         let mut weight = F32s::ZERO;
         self.plan.ask::<S>([s, t], Like::First(self.coords, lod));
@@ -114,7 +121,7 @@ impl Kernel for Taken<'_> {
         if let Some(read) = read {
             self.plan.ask::<S>([s, t], Like::Read(read));
         }
-        self.plan.take::<S, _>(self.isa, self.coords, lod, (read, &weight), lanes, Keep)
+        self.plan.take::<S, _>(self.isa, self.coords, lod, (read, &weight), room, Keep)
     }
 }
 
