@@ -131,7 +131,13 @@ mod tests {
         Words,
         Pairs,
         Fours,
+        /// Of pairs that are one behind the other.
+        Squares,
     }
+
+    /// What each reads of a lane, in bytes.
+    const SIZES: [(Way, usize); 4] =
+        [(Way::Words, 4), (Way::Pairs, 8), (Way::Fours, 16), (Way::Squares, 16)];
 
     struct Gather<'a>(Way, &'a [u8], &'a U32s);
     impl Kernel for Gather<'_> {
@@ -145,6 +151,11 @@ mod tests {
                     [S::gather_pairs(bytes, offsets), S::gather_pairs_here(bytes, offsets)].concat()
                 }
                 Way::Fours => S::gather_fours(bytes, offsets).to_vec(),
+                Way::Squares => {
+                    let mut out = [U32s::ZERO; 4];
+                    S::gather_squares(bytes, offsets, 8, &mut out);
+                    out.to_vec()
+                }
             }
         }
     }
@@ -155,8 +166,12 @@ mod tests {
         let offsets = U32s::from_fn(|lane| (lane as u32 * 131) % 1009);
         let word = |at: usize| u32::from_le_bytes(bytes[at..at + 4].try_into().unwrap());
         // Where each batch that comes back has its words, from the offset.
-        let ways: [(Way, &[usize]); 3] =
-            [(Way::Words, &[0, 0]), (Way::Pairs, &[0, 4, 0, 4]), (Way::Fours, &[0, 4, 8, 12])];
+        let ways: [(Way, &[usize]); 4] = [
+            (Way::Words, &[0, 0]),
+            (Way::Pairs, &[0, 4, 0, 4]),
+            (Way::Fours, &[0, 4, 8, 12]),
+            (Way::Squares, &[0, 4, 8, 12]),
+        ];
         for isa in Isa::available() {
             for (way, places) in ways {
                 let got = isa.run(Gather(way, &bytes, &offsets));
@@ -176,7 +191,8 @@ mod tests {
     fn a_gather_outside_its_slice_panics_on_every_instruction_set() {
         let bytes = [0; 64];
         for isa in Isa::available() {
-            for (way, last) in [(Way::Words, 60), (Way::Pairs, 56), (Way::Fours, 48)] {
+            let ways = [(Way::Words, 60), (Way::Pairs, 56), (Way::Fours, 48), (Way::Squares, 48)];
+            for (way, last) in ways {
                 let mut offsets = U32s::ZERO;
                 offsets[63] = last;
                 isa.run(Gather(way, &bytes, &offsets));
@@ -194,7 +210,7 @@ mod tests {
     #[test]
     fn a_gather_takes_the_last_bytes() {
         for isa in Isa::available() {
-            for (way, size) in [(Way::Words, 4), (Way::Pairs, 8), (Way::Fours, 16)] {
+            for (way, size) in SIZES {
                 for begin in [0, 1, 3] {
                     let bytes = vec![7_u8; begin + size].into_boxed_slice();
                     let got = isa.run(Gather(way, &bytes, &U32s::splat(begin as u32)));
@@ -210,7 +226,7 @@ mod tests {
     #[cfg_attr(target_family = "wasm", ignore = "a panic ends the program there")]
     fn a_gather_takes_none_of_too_few_bytes() {
         for isa in Isa::available() {
-            for (way, size) in [(Way::Words, 4), (Way::Pairs, 8), (Way::Fours, 16)] {
+            for (way, size) in SIZES {
                 for length in [0, size - 1] {
                     let bytes = vec![0_u8; length].into_boxed_slice();
                     let run =

@@ -1,7 +1,7 @@
 //! Conversions against `f64`, there and back, and lanes against single texels.
 
 use super::*;
-use crate::lanes::{Isa, Kernel};
+use crate::lanes::{Isa, Kernel, math};
 
 struct Decode<'a>(Format, &'a [U32s; 4]);
 impl Kernel for Decode<'_> {
@@ -188,6 +188,22 @@ fn lanes_decode_as_single_texels_on_every_instruction_set() {
                 }
             }
         }
+    }
+}
+
+#[test]
+fn a_mean_of_bytes_gives_the_same_byte_divided_or_not() {
+    let around =
+        |half: f32| (half.to_bits().saturating_sub(9)..half.to_bits() + 9).map(f32::from_bits);
+    let halves = (0..255).flat_map(|byte| around(byte as f32 + 0.5));
+    let all = (0..=255.0_f32.to_bits()).step_by(997).map(f32::from_bits);
+    for mean in halves.chain(all) {
+        let want = math::byte(over_255(mean));
+        assert_eq!(
+            [math::unit_byte(over_255(mean)), math::nearest_byte(mean)],
+            [want; 2],
+            "{mean}"
+        );
     }
 }
 
