@@ -126,6 +126,10 @@ struct Leaf<'a> {
 
 /// How many elements of a uniform that is an array the shaders of a program name.
 fn reach(stages: &[&StageUnits<'_>], variable: &Variable) -> u32 {
+    // Who has thousands of uniforms has few arrays among them, and only these are looked for everywhere.
+    if !matches!(variable.ty, Type::Array(..)) {
+        return u32::MAX;
+    }
     let declared = stages.iter().flat_map(|stage| stage.declared());
     let same = declared.filter(|other| other.name == variable.name && other.named > 0);
     same.map(|other| other.reach().unwrap_or(u32::MAX)).max().unwrap_or(u32::MAX)
