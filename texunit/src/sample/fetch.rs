@@ -118,11 +118,9 @@ pub fn neighbours<S: Simd>(level: &Level, offsets: &U32s) -> [U32s; 2] {
         return S::gather_pairs(&level.texels, offsets);
     }
     if bytes == 3 {
-        let [low, mut high] = S::gather_pairs(&level.texels, offsets);
-        for lane in 0..LANES {
-            high[lane] = low[lane] >> 24 | high[lane] << 8;
-        }
-        return [low, high];
+        let mut pair = S::gather_pairs(&level.texels, offsets);
+        split_threes(pair.each_mut());
+        return pair;
     }
     let low = S::gather(&level.texels, offsets);
     let mut high = U32s::ZERO;
@@ -131,6 +129,14 @@ pub fn neighbours<S: Simd>(level: &Level, offsets: &U32s) -> [U32s; 2] {
         high[lane] = low[lane] >> shift;
     }
     [low, high]
+}
+
+/// Of the words at two texels of three bytes and four bytes further, makes those that begin at each of the texels.
+#[inline(always)]
+pub fn split_threes([low, high]: [&mut U32s; 2]) {
+    for lane in 0..LANES {
+        high[lane] = low[lane] >> 24 | high[lane] << 8;
+    }
 }
 
 /// The border colour where an index lies outside, then the comparison.

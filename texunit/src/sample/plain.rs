@@ -13,7 +13,7 @@ mod tests;
 use channels::of_square;
 pub use channels::{Class, of_texel};
 
-use super::fetch::{neighbours, side_by_side};
+use super::fetch::{neighbours, side_by_side, split_threes};
 use super::filter::Place;
 use super::wrap::{Axis, enclosing, repeated};
 use crate::image::Level;
@@ -155,11 +155,9 @@ impl Kernel for FindSquare<'_> {
             let row = level.row_bytes() as u32;
             S::gather_squares(&level.texels, &out.offsets, row, &mut out.words);
             if bytes == 3 {
-                let [a, b, c, d] = &mut out.words;
-                for lane in 0..LANES {
-                    b[lane] = a[lane] >> 24 | b[lane] << 8;
-                    d[lane] = c[lane] >> 24 | d[lane] << 8;
-                }
+                let [a, b, c, d] = out.words.each_mut();
+                split_threes([a, b]);
+                split_threes([c, d]);
             }
             return true;
         }

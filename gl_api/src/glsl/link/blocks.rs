@@ -97,19 +97,21 @@ pub fn blocks(stages: &[&StageUnits<'_>], words: &mut Words, log: &mut Log) -> B
 /// named is theirs alone.
 fn declared<'a>(stages: &[&StageUnits<'a>], log: &mut Log) -> Vec<(&'a Variable, &'a Block)> {
     let mut known: Vec<(&Variable, &Block)> = Vec::new();
+    let mut names: BTreeMap<&str, usize> = BTreeMap::new();
     let all = || stages.iter().flat_map(|stage| stage.declared());
     for variable in all() {
         let Some(block) = &variable.block else { continue };
-        match known.iter().find(|(other, _)| other.name == variable.name) {
-            None => known.push((variable, block)),
-            Some((other, same)) if other.ty == variable.ty && *same == &**block => {}
-            Some(_) => {
-                let message = format!(
-                    "the uniform block `{}` has other members or another layout in another shader",
-                    block.name
-                );
-                log.push(Diagnostic::link_error(message).rule(RULE));
-            }
+        let first = *names.entry(&*variable.name).or_insert(known.len());
+        let Some((other, same)) = known.get(first) else {
+            known.push((variable, block));
+            continue;
+        };
+        if other.ty != variable.ty || *same != &**block {
+            let message = format!(
+                "the uniform block `{}` has other members or another layout in another shader",
+                block.name
+            );
+            log.push(Diagnostic::link_error(message).rule(RULE));
         }
     }
     let mut owners: BTreeMap<&str, &str> = BTreeMap::new();

@@ -60,6 +60,7 @@ pub fn uniforms(stages: &[&StageUnits<'_>], words: &mut Words, log: &mut Log) ->
         }
     }
     let mut uniforms = Uniforms { list: Vec::new(), words: BTreeMap::new() };
+    let reaches = Reaches::of(stages);
     let mut location = 0;
     for (variable, initial) in &all {
         let count = variable.ty.scalars();
@@ -70,7 +71,7 @@ pub fn uniforms(stages: &[&StageUnits<'_>], words: &mut Words, log: &mut Log) ->
         }
         uniforms.words.insert(variable.name.clone(), words.next);
         let mut leaves = Vec::new();
-        add_leaves(&variable.name, &variable.ty, reach(stages, variable), 0, &mut leaves);
+        add_leaves(&variable.name, &variable.ty, reaches.get(variable), 0, &mut leaves);
         for Leaf { name, ty, array, at, scalars } in leaves {
             let Some(data_type) = ty.data_type() else {
                 let message = format!("uniform `{name}`: {ty} is not supported by DetGL yet");
@@ -102,9 +103,10 @@ pub fn builtins(stages: &[&StageUnits<'_>]) -> Vec<BuiltinUniform> {
             named.push(variable);
         }
     }
+    let reaches = Reaches::of(stages);
     let mut leaves = Vec::new();
     for variable in named {
-        add_leaves(&variable.name, &variable.ty, reach(stages, variable), 0, &mut leaves);
+        add_leaves(&variable.name, &variable.ty, reaches.get(variable), 0, &mut leaves);
     }
     let listed = |leaf: Leaf<'_>| {
         let ty = leaf.ty.data_type()?;
@@ -124,15 +126,25 @@ struct Leaf<'a> {
     scalars: usize,
 }
 
-/// How many elements of a uniform that is an array the shaders of a program name.
-fn reach(stages: &[&StageUnits<'_>], variable: &Variable) -> u32 {
-    // Who has thousands of uniforms has few arrays among them, and only these are looked for everywhere.
-    if !matches!(variable.ty, Type::Array(..)) {
-        return u32::MAX;
+/// How many elements the shaders of a program name of each array that any of them names, by its name.
+struct Reaches<'a>(BTreeMap<&'a str, u32>);
+
+impl<'a> Reaches<'a> {
+    fn of(stages: &[&StageUnits<'a>]) -> Self {
+        let mut reaches = BTreeMap::new();
+        for variable in stages.iter().flat_map(|stage| stage.declared()) {
+            if variable.named > 0 && matches!(variable.ty, Type::Array(..)) {
+                let all = variable.reach().unwrap_or(u32::MAX);
+                let most = reaches.entry(&*variable.name).or_insert(all);
+                *most = all.max(*most);
+            }
+        }
+        Self(reaches)
     }
-    let declared = stages.iter().flat_map(|stage| stage.declared());
-    let same = declared.filter(|other| other.name == variable.name && other.named > 0);
-    same.map(|other| other.reach().unwrap_or(u32::MAX)).max().unwrap_or(u32::MAX)
+
+    fn get(&self, variable: &Variable) -> u32 {
+        self.0.get(&*variable.name).copied().unwrap_or(u32::MAX)
+    }
 }
 
 /// Takes a variable apart into what GL lists; of an array, so many elements at most.

@@ -61,17 +61,8 @@ pub unsafe fn avx2_pairs(bytes: &[u8], offsets: &U32s) -> [U32s; 2] {
     check::<Avx2>(bytes.len(), offsets, 1, 8);
     let mut out = [U32s::ZERO; 2];
     for first in (0..LANES).step_by(8) {
-        // SAFETY: the offsets were checked; batches are 64-byte aligned and have 8 words from `first` on.
-        unsafe {
-            // Pairs 0, 1, 4 and 5; 2, 3, 6 and 7: within each half of 128 bits, the even (odd) words of one,
-            // then of the other, are eight in order.
-            let a = four_pairs(bytes.as_ptr(), offsets, first);
-            let b = four_pairs(bytes.as_ptr(), offsets, first + 2);
-            let even = _mm256_shuffle_ps::<0b10_00_10_00>(a, b);
-            let odd = _mm256_shuffle_ps::<0b11_01_11_01>(a, b);
-            _mm256_store_ps(out[0].0.as_mut_ptr().add(first).cast::<f32>(), even);
-            _mm256_store_ps(out[1].0.as_mut_ptr().add(first).cast::<f32>(), odd);
-        }
+        // SAFETY: the offsets were checked.
+        unsafe { store_pairs(bytes.as_ptr(), offsets, first, out.each_mut()) };
     }
     out
 }
@@ -85,19 +76,33 @@ pub unsafe fn avx2_squares(bytes: &[u8], offsets: &U32s, apart: u32, out: &mut [
     // There are as many bytes for pairs above which `apart` more are left.
     let len = bytes.len().saturating_sub(apart as usize);
     check::<Avx2>(len, offsets, 1, 8);
-    let rows = [bytes.as_ptr(), bytes.as_ptr().wrapping_add(apart as usize)];
+    let [below, above] = [bytes.as_ptr(), bytes.as_ptr().wrapping_add(apart as usize)];
     for first in (0..LANES).step_by(8) {
-        for (row, base) in rows.into_iter().enumerate() {
-            // SAFETY: as for `avx2_pairs`.
-            unsafe {
-                let a = four_pairs(base, offsets, first);
-                let b = four_pairs(base, offsets, first + 2);
-                let even = _mm256_shuffle_ps::<0b10_00_10_00>(a, b);
-                let odd = _mm256_shuffle_ps::<0b11_01_11_01>(a, b);
-                _mm256_store_ps(out[2 * row].0.as_mut_ptr().add(first).cast::<f32>(), even);
-                _mm256_store_ps(out[2 * row + 1].0.as_mut_ptr().add(first).cast::<f32>(), odd);
-            }
+        let [a, b, c, d] = out.each_mut();
+        // SAFETY: the offsets were checked for both rows.
+        unsafe {
+            store_pairs(below, offsets, first, [a, b]);
+            store_pairs(above, offsets, first, [c, d]);
         }
+    }
+}
+
+/// The first and the second words of the pairs of eight lanes from `first` on.
+///
+/// # Safety
+/// AVX2 is there, the eight bytes at the lanes' offsets can be read, and `first` is a multiple of 8 below [`LANES`].
+#[inline(always)]
+unsafe fn store_pairs(base: *const u8, offsets: &U32s, first: usize, out: [&mut U32s; 2]) {
+    // SAFETY: the caller vouches for the bytes; batches are 64-byte aligned and have 8 words from `first` on.
+    unsafe {
+        // Pairs 0, 1, 4 and 5; 2, 3, 6 and 7: within each half of 128 bits, the even (odd) words of one, then of
+        // the other, are eight in order.
+        let a = four_pairs(base, offsets, first);
+        let b = four_pairs(base, offsets, first + 2);
+        let even = _mm256_shuffle_ps::<0b10_00_10_00>(a, b);
+        let odd = _mm256_shuffle_ps::<0b11_01_11_01>(a, b);
+        _mm256_store_ps(out[0].0.as_mut_ptr().add(first).cast::<f32>(), even);
+        _mm256_store_ps(out[1].0.as_mut_ptr().add(first).cast::<f32>(), odd);
     }
 }
 
