@@ -5,6 +5,7 @@
 //! and Hanek), one lane at a time; a batch runs it only when [`is_far`] says that a lane needs it.
 
 use super::exponential::ROUND;
+use super::polynomial::polynomial;
 use std::f64::consts::{FRAC_1_PI, FRAC_2_PI, PI};
 
 /// The near pieces hold up to here, 2^22 radians: half turns have few enough bits that their
@@ -31,11 +32,14 @@ fn less_pi(x: f64, multiple: f64) -> f64 {
 #[inline(always)]
 fn sine(r: f64, turns: u64) -> f64 {
     let z = r * r;
-    let p = 2.601_902_758_951_064_8e-6;
-    let p = p * z - 0.000_198_074_186_045_782_83;
-    let p = p * z + 0.008_333_025_137_654_188;
-    let p = p * z - 0.166_666_566_839_897_33;
-    let p = p * z + 0.999_999_994_686_126_1;
+    const P: [f64; 5] = [
+        0.999_999_994_686_126_1,
+        -0.166_666_566_839_897_33,
+        0.008_333_025_137_654_188,
+        -0.000_198_074_186_045_782_83,
+        2.601_902_758_951_064_8e-6,
+    ];
+    let p = polynomial(z, &P);
     r * f64::from_bits(p.to_bits() ^ turns << 63)
 }
 
@@ -43,16 +47,22 @@ fn sine(r: f64, turns: u64) -> f64 {
 #[inline(always)]
 fn sine_cosine(r: f64) -> (f64, f64) {
     let z = r * r;
-    let s = 2.717_152_735_427_1e-6;
-    let s = s * z - 0.000_198_391_783_485_430_36;
-    let s = s * z + 0.008_333_328_690_132_49;
-    let s = s * z - 0.166_666_666_304_461_03;
-    let s = s * z + 0.999_999_999_995_450_4;
-    let c = 2.437_267_854_135_06e-5;
-    let c = c * z - 0.001_388_652_914_098_782;
-    let c = c * z + 0.041_666_613_233_305_026;
-    let c = c * z - 0.499_999_995_715_556_2;
-    let c = c * z + 0.999_999_999_943_937_2;
+    const S: [f64; 5] = [
+        0.999_999_999_995_450_4,
+        -0.166_666_666_304_461_03,
+        0.008_333_328_690_132_49,
+        -0.000_198_391_783_485_430_36,
+        2.717_152_735_427_1e-6,
+    ];
+    let s = polynomial(z, &S);
+    const C: [f64; 5] = [
+        0.999_999_999_943_937_2,
+        -0.499_999_995_715_556_2,
+        0.041_666_613_233_305_026,
+        -0.001_388_652_914_098_782,
+        2.437_267_854_135_06e-5,
+    ];
+    let c = polynomial(z, &C);
     (r * s, c)
 }
 

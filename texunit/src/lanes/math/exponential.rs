@@ -1,5 +1,7 @@
 //! Powers and logarithms, in `f64` inside and rounded once at the end.
 
+use super::polynomial::polynomial;
+
 /// 1.5 · 2^52: adding it leaves an integer in the low bits of the sum.
 pub(super) const ROUND: f64 = 6_755_399_441_055_744.0;
 
@@ -12,13 +14,16 @@ pub(super) fn exp2_wide(t: f64) -> f64 {
     let t = if t <= -150.0 { -151.0 } else { t };
     let shifted = t + ROUND;
     let z = t - (shifted - ROUND);
-    let p = 0.000_153_458_081_331_983_55;
-    let p = p * z + 0.001_339_993_391_533_856_4;
-    let p = p * z + 0.009_618_488_996_654_67;
-    let p = p * z + 0.055_503_287_703_895_295;
-    let p = p * z + 0.240_226_468_900_001_77;
-    let p = p * z + 0.693_147_205_740_167_2;
-    let p = p * z + 1.000_000_000_554_288;
+    const P: [f64; 7] = [
+        1.000_000_000_554_288,
+        0.693_147_205_740_167_2,
+        0.240_226_468_900_001_77,
+        0.055_503_287_703_895_295,
+        0.009_618_488_996_654_67,
+        0.001_339_993_391_533_856_4,
+        0.000_153_458_081_331_983_55,
+    ];
+    let p = polynomial(z, &P);
     // Into the exponent, where the low bits of the sum are the integer.
     f64::from_bits(p.to_bits().wrapping_add(shifted.to_bits() << 52))
 }
@@ -26,16 +31,18 @@ pub(super) fn exp2_wide(t: f64) -> f64 {
 /// `atanh(s) / s` as a series in `s²`; relative error below 1e-13 for |s| <= 0.1716.
 #[inline(always)]
 fn atanh_series(s: f64) -> f64 {
-    let s2 = s * s;
-    let p = 1.0 / 17.0;
-    let p = p * s2 + 1.0 / 15.0;
-    let p = p * s2 + 1.0 / 13.0;
-    let p = p * s2 + 1.0 / 11.0;
-    let p = p * s2 + 1.0 / 9.0;
-    let p = p * s2 + 1.0 / 7.0;
-    let p = p * s2 + 1.0 / 5.0;
-    let p = p * s2 + 1.0 / 3.0;
-    p * s2 + 1.0
+    const P: [f64; 9] = [
+        1.0,
+        1.0 / 3.0,
+        1.0 / 5.0,
+        1.0 / 7.0,
+        1.0 / 9.0,
+        1.0 / 11.0,
+        1.0 / 13.0,
+        1.0 / 15.0,
+        1.0 / 17.0,
+    ];
+    polynomial(s * s, &P)
 }
 
 /// Exponent and mantissa in [√½, √2) of a positive, finite, normal `x`.
@@ -83,13 +90,7 @@ fn log2_finite(x: f32) -> f64 {
     ];
     let (exponent, m) = split(f64::from(x));
     let f = m - 1.0;
-    let mut p = P[11];
-    let mut term = 11;
-    while term > 0 {
-        term -= 1;
-        p = p * f + P[term];
-    }
-    exponent + f * p
+    exponent + f * polynomial(f, &P)
 }
 
 #[inline(always)]

@@ -1,5 +1,6 @@
 //! The angles of sines, cosines and tangents, in `f64` inside and rounded once at the end.
 
+use super::polynomial::polynomial;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
 /// tan(π/8): beyond it, atan(t) = π/4 - atan((1 - t) / (1 + t)).
@@ -18,13 +19,16 @@ fn angle(y: f64, x: f64) -> f64 {
     let from = if far || (small == large && large > 0.0) { FRAC_PI_4 } else { 0.0 };
     // atan(z) / z as a polynomial in z²; relative error below 2^-35 for |z| <= tan(π/8).
     let z2 = z * z;
-    let p = 0.047_142_888_302_545_39;
-    let p = p * z2 - 0.084_597_768_921_775_4;
-    let p = p * z2 + 0.110_411_836_567_476_04;
-    let p = p * z2 - 0.142_816_508_399_232_68;
-    let p = p * z2 + 0.199_998_863_671_087_24;
-    let p = p * z2 - 0.333_333_321_348_176_06;
-    let p = p * z2 + 0.999_999_999_979_295_7;
+    const P: [f64; 7] = [
+        0.999_999_999_979_295_7,
+        -0.333_333_321_348_176_06,
+        0.199_998_863_671_087_24,
+        -0.142_816_508_399_232_68,
+        0.110_411_836_567_476_04,
+        -0.084_597_768_921_775_4,
+        0.047_142_888_302_545_39,
+    ];
+    let p = polynomial(z2, &P);
     let first = from + z * p;
     let upper = if steep { FRAC_PI_2 - first } else { first };
     let left = x.to_bits() >> 63 != 0;
@@ -48,14 +52,17 @@ pub fn atan(x: f32) -> f32 {
 /// `asin(s) / s` as a polynomial in `s²`, for |s| <= 1/2; relative error below 2^-35.
 #[inline(always)]
 fn asin_over(s2: f64) -> f64 {
-    let p = 0.034_951_560_034_103_44;
-    let p = p * s2 + 0.007_223_822_727_088_222;
-    let p = p * s2 + 0.024_711_544_611_968_97;
-    let p = p * s2 + 0.030_092_208_957_170_734;
-    let p = p * s2 + 0.044_662_035_569_441_76;
-    let p = p * s2 + 0.074_999_381_989_645_69;
-    let p = p * s2 + 0.166_666_674_216_678_77;
-    p * s2 + 0.999_999_999_984_903_3
+    const P: [f64; 8] = [
+        0.999_999_999_984_903_3,
+        0.166_666_674_216_678_77,
+        0.074_999_381_989_645_69,
+        0.044_662_035_569_441_76,
+        0.030_092_208_957_170_734,
+        0.024_711_544_611_968_97,
+        0.007_223_822_727_088_222,
+        0.034_951_560_034_103_44,
+    ];
+    polynomial(s2, &P)
 }
 
 /// The angle of a sine between 0 and 1/2; beyond it, half of what the angle lacks to π/2:

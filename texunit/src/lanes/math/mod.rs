@@ -12,6 +12,7 @@
 mod circular;
 mod exponential;
 mod inverse;
+mod polynomial;
 #[cfg(test)]
 mod tests;
 
