@@ -10,7 +10,7 @@ use std::time::Instant;
 use texunit::format::Format;
 use texunit::image::{Image, Level, Shape};
 use texunit::lanes::{F32s, Isa, LANES, QUADS, lane_x, lane_y};
-use texunit::plan::{Lod, SamplePlan};
+use texunit::plan::{Lod, Points, Room, SamplePlan};
 use texunit::sampler::{Filter, Mipmap, Sampler, Wrap};
 
 /// Texels of a side.
@@ -124,13 +124,14 @@ struct Cell {
 
 impl Cell {
     fn measure(&mut self, isa: Isa) {
-        let mut out = [F32s::ZERO; 4];
+        let mut room = Room::default();
         let start = Instant::now();
         for _ in 0..PICTURES {
             for [s, t] in &self.blocks {
                 let lod = Lod::Implicit { bias: None };
-                self.plan.sample(isa, [s, t, &F32s::ZERO], None, lod, &mut out);
-                black_box(&mut out);
+                let points = Points { coords: [s, t, &F32s::ZERO], layer: None, reference: None };
+                self.plan.sample_offset(isa, points, [0; 3], lod, &mut room);
+                black_box(&mut room);
             }
         }
         let samples = (PICTURES * self.blocks.len() * LANES) as f64;

@@ -17,7 +17,7 @@ use super::preamble::uniform_at;
 use super::{OverBudget, Prepared, Program, Run};
 use crate::ir::{Access, Axis};
 use texunit::lanes::{F32s, Kernel, LANES, QUADS, Simd, U32s};
-use texunit::plan::{Lod, Points};
+use texunit::plan::{Lod, Points, Room};
 
 /// The registers of a thread, reused from batch to batch and from program to program.
 #[derive(Debug, Default)]
@@ -31,7 +31,7 @@ pub struct Machine {
     start: Box<U32s>,
     discarded: Mask,
     slots: Vec<Mask>,
-    sampled: Box<[F32s; 4]>,
+    sampled: Box<Room>,
     /// Identity of the program that the registers are laid out for; 0 is none.
     program: u64,
     /// Identity of the draw whose words the registers hold; 0 is none.
@@ -219,7 +219,8 @@ impl Machine {
                 let lod = lod(registers, sample);
                 let coords = sample.coords.map(reg);
                 let (layer, reference) = (sample.layer.map(reg), sample.reference.map(reg));
-                let out = &mut *self.sampled;
+                let room = &mut *self.sampled;
+                let out = &mut room.lanes;
                 match (sample.access, lod) {
                     (Access::Fetch { offset }, Lod::Explicit(level)) => {
                         let texel = coords.map(|c| c.as_u32().as_i32());
@@ -248,7 +249,7 @@ impl Machine {
                     }
                     (Access::Filter { offset }, lod) => {
                         let points = Points { coords, layer, reference };
-                        plan.sample_offset(run.isa, points, offset, lod, out);
+                        plan.sample_offset(run.isa, points, offset, lod, room);
                     }
                     // Validation wants a level for these.
                     (Access::Fetch { .. } | Access::Size, Lod::Implicit { .. })
@@ -258,9 +259,12 @@ impl Machine {
                 }
             }
             // GL 2.1, section 3.11.2: what is not there or not complete is (0, 0, 0, 1).
-            None => *self.sampled = [0, 0, 0, sample.one].map(|c| F32s::splat(f32::from_bits(c))),
+            None => {
+                let black = [0, 0, 0, sample.one];
+                self.sampled.lanes = black.map(|c| F32s::splat(f32::from_bits(c)));
+            }
         }
-        for (out, texel) in sample.out.iter().zip(self.sampled.iter()) {
+        for (out, texel) in sample.out.iter().zip(&self.sampled.lanes) {
             if let Some(out) = out {
                 registers[out.0 as usize] = *texel.as_u32();
             }

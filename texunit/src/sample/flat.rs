@@ -6,9 +6,9 @@
 
 use super::compare::compare;
 use super::footprint::Round;
-use super::plain::Class;
+use super::plain::{Class, Square};
 use super::record::Off;
-use super::{Coordinates, Sample, expand, filter, plain, taps, unit_range};
+use super::{Coordinates, Sample, expand, filter, plain, take, taps, unit_range};
 use crate::image::Shape;
 use crate::lanes::{F32s, Kernel, Simd, U32s};
 use crate::plan::{Detail, Lod, Texture, Way};
@@ -18,6 +18,7 @@ use crate::sampler::Filter;
 pub(crate) struct Flat<'s, 'a, F> {
     pub sample: &'s mut Sample<'a, Off, F>,
     pub class: Class,
+    pub squares: &'s mut [Square; 2],
 }
 
 /// What became of a call.
@@ -97,11 +98,19 @@ impl<F> Kernel for Flat<'_, '_, F> {
 
     #[inline(always)]
     fn run<S: Simd>(self) -> Outcome {
-        let Self { sample, class } = self;
+        let Self { sample, class, squares } = self;
         let texture = sample.texture;
         let mut weight = F32s::ZERO;
         let read = read::<S>(texture, sample.coords, sample.lod, &mut weight);
         let Some(Read { filter, levels }) = read else { return Outcome::NotFlat };
+        if texture.gives_words && filter == Filter::Linear {
+            let (coords, out) = (*sample.coords, &mut *sample.out);
+            if !take::means::<S>(texture, coords, levels, &weight, squares, out) {
+                return Outcome::NotFlat;
+            }
+            expand::expand(texture.format, texture.depth_mode, out);
+            return Outcome::Sampled;
+        }
         // Takes no time where there is no second level.
         let mut second = None;
         let reads_both = levels[0] != levels[1];

@@ -5,7 +5,7 @@ use super::filter::lerp;
 use super::flat::{self, Read};
 use super::plain::{self, Square};
 use crate::format::convert::{byte_channel, byte_of, over_255};
-use crate::lanes::{F32s, Kernel, Simd, U32s, math};
+use crate::lanes::{F32s, Kernel, LANES, Simd, U32s, math};
 use crate::plan::{Alpha, Detail, Texture};
 use crate::sampler::{Filter, Mipmap};
 
@@ -129,11 +129,11 @@ impl Texels for Both<'_> {
     }
 }
 
-/// What a lookup that is taken needs room for. It says nothing from one to the next.
+/// What a lookup needs room for. It says nothing from one to the next.
 #[derive(Clone, Debug, Default)]
 pub struct Room {
-    /// Where the short way does not lead: what the long one gives.
-    pub(crate) lanes: [F32s; 4],
+    /// What a lookup gave: red, green, blue and alpha. Of one that is taken, only where the short way does not lead.
+    pub lanes: [F32s; 4],
     /// The texels of one level, or of two.
     pub(crate) squares: [Square; 2],
 }
@@ -203,18 +203,68 @@ impl<T: Take> Kernel for Mean<'_, T> {
     #[inline(always)]
     fn run<S: Simd>(self) -> Self::Output {
         let Self { texture, levels, coords, weight, squares, take } = self;
-        let reads_both = levels[0] != levels[1];
-        let wanted = &mut squares[..1 + usize::from(reads_both)];
-        for (number, square) in levels.into_iter().zip(wanted) {
-            let place = flat::place(texture, Filter::Linear, number);
-            if !plain::square::<S>(&place, coords, square) {
-                return Err(take);
-            }
+        if !find::<S>(texture, levels, coords, squares) {
+            return Err(take);
         }
-        match reads_both {
-            false => Ok(take.take::<S>(&&squares[0])),
-            true => Ok(take.take::<S>(&Both(squares, weight))),
+        match levels[0] == levels[1] {
+            true => Ok(take.take::<S>(&&squares[0])),
+            false => Ok(take.take::<S>(&Both(squares, weight))),
         }
+    }
+}
+
+/// The squares of one level, or of two; or `false`, where the short way does not lead.
+#[inline(always)]
+fn find<S: Simd>(
+    texture: &Texture,
+    levels: [u32; 2],
+    coords: [&F32s; 3],
+    squares: &mut [Square; 2],
+) -> bool {
+    let wanted = &mut squares[..1 + usize::from(levels[0] != levels[1])];
+    levels.into_iter().zip(wanted).all(|(number, square)| {
+        let place = flat::place(texture, Filter::Linear, number);
+        plain::square::<S>(&place, coords, square)
+    })
+}
+
+/// The means that [`take`] takes of a linear filter, as lanes of the channels that are stored, each computed in one
+/// loop; or `false`, where that leads nowhere.
+#[inline(always)]
+pub(super) fn means<S: Simd>(
+    texture: &Texture,
+    coords: [&F32s; 3],
+    levels: [u32; 2],
+    weight: &F32s,
+    squares: &mut [Square; 2],
+    out: &mut [F32s; 4],
+) -> bool {
+    if !find::<S>(texture, levels, coords, squares) {
+        return false;
+    }
+    match levels[0] == levels[1] {
+        true => store(texture, &&squares[0], out),
+        false => store(texture, &Both(squares, weight), out),
+    }
+    true
+}
+
+#[inline(always)]
+fn store(texture: &Texture, texels: &impl Texels, [r, g, b, a]: &mut [F32s; 4]) {
+    each(texels, 0, r);
+    each(texels, 1, g);
+    each(texels, 2, b);
+    match texture.alpha {
+        Alpha::Read if texture.format.channels() == 4 => each(texels, 3, a),
+        Alpha::Read => {}
+        Alpha::One => *a = F32s::splat(1.0),
+    }
+}
+
+#[inline(always)]
+fn each(texels: &impl Texels, channel: usize, out: &mut F32s) {
+    for lane in 0..LANES {
+        out[lane] = texels.channel(lane, channel);
     }
 }
 

@@ -5,7 +5,7 @@ use proptest::prelude::*;
 use texunit::format::Format;
 use texunit::image::Shape;
 use texunit::lanes::{F32s, Isa, LANES};
-use texunit::plan::{Lod, Points, SamplePlan};
+use texunit::plan::{Lod, Points, Room, SamplePlan};
 use texunit::sampler::{Filter, Mipmap, Sampler, Wrap};
 use texunit::trace::SampleStep;
 
@@ -46,11 +46,11 @@ proptest! {
                     layer: Some(&layer),
                     reference: Some(&reference),
                 };
-                let mut out = [F32s::ZERO; 4];
-                plan.sample_offset(Isa::best(), points, [1, 0, -2], lod, &mut out);
+                let mut room = Room::default();
+                plan.sample_offset(Isa::best(), points, [1, 0, -2], lod, &mut room);
                 for lane in (0..LANES).step_by(7) {
                     let trace = plan.trace(lane, points, [1, 0, -2], lod);
-                    let want = out.each_ref().map(|channel| bits(channel[lane]));
+                    let want = room.lanes.each_ref().map(|channel| bits(channel[lane]));
                     prop_assert_eq!(trace.result.map(bits), want, "{}", plan.describe());
                 }
             }
