@@ -19,6 +19,8 @@ pub(super) trait Places {
     fn plane(&self, plane: usize) -> impl Fn(usize, usize) -> [f32; 3];
     /// Whether a plane is known to be 1 at every lane.
     fn is_one(&self, plane: usize) -> bool;
+    /// Whether two planes may be the same at any lane: whether they are at the first pixel of any block.
+    fn may_agree<S: Simd>(&self, planes: [usize; 2]) -> bool;
     /// Its column and row in its block.
     fn within(&self, e: usize, q: usize) -> [f32; 2];
     /// The first pixel of its block.
@@ -36,6 +38,10 @@ impl Places for BlockOf<'_> {
     #[inline(always)]
     fn is_one(&self, plane: usize) -> bool {
         self.planes[plane] == [1.0, 0.0, 0.0]
+    }
+    #[inline(always)]
+    fn may_agree<S: Simd>(&self, [of, by]: [usize; 2]) -> bool {
+        self.planes[of][0] == self.planes[by][0]
     }
     #[inline(always)]
     fn within(&self, e: usize, q: usize) -> [f32; 2] {
@@ -64,6 +70,11 @@ impl Places for Packed {
     #[inline(always)]
     fn is_one(&self, _plane: usize) -> bool {
         false
+    }
+    #[inline(always)]
+    fn may_agree<S: Simd>(&self, planes: [usize; 2]) -> bool {
+        let [of, by] = planes.map(|plane| &self.planes[plane].corner);
+        of.iter().zip(by).any(|(of, by)| of == by)
     }
     #[inline(always)]
     fn within(&self, e: usize, q: usize) -> [f32; 2] {
@@ -102,6 +113,15 @@ impl Places for Pixels {
             other |= plane.corner[lane].to_bits() ^ 1.0_f32.to_bits() | steps;
         }
         other == 0
+    }
+    #[inline(always)]
+    fn may_agree<S: Simd>(&self, planes: [usize; 2]) -> bool {
+        let [of, by] = planes.map(|plane| &self.planes[plane].corner);
+        let mut same = U32s::ZERO;
+        for lane in 0..LANES {
+            same[lane] = u32::from(of[lane] == by[lane]);
+        }
+        S::any(&same)
     }
     #[inline(always)]
     fn within(&self, e: usize, q: usize) -> [f32; 2] {

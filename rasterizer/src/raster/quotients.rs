@@ -19,6 +19,12 @@ pub fn divided<S: Simd>(
     inverse: &F32s,
 ) -> F32s {
     let mut out = evaluate::<S>(places, plane);
+    if !places.may_agree::<S>([plane, denominator]) {
+        for lane in 0..LANES {
+            out[lane] *= inverse[lane];
+        }
+        return out;
+    }
     let (of, by) = (places.plane(plane), places.plane(denominator));
     let is_one = |e, q| of(e, q) == by(e, q);
     let [a, b, c, d] = pixels(&mut out);
