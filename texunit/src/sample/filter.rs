@@ -232,15 +232,9 @@ pub fn divide(place: &Place<'_>, means: &mut [F32s; 4]) {
 #[inline(always)]
 pub fn mix(first: &F32s, second: &F32s, weight: &F32s, out: &mut F32s) {
     for lane in 0..LANES {
-        out[lane] = mixed(first[lane], second[lane], weight[lane]);
+        let mean = lerp(first[lane], second[lane], weight[lane]);
+        out[lane] = if weight[lane] > 0.0 { mean } else { first[lane] };
     }
-}
-
-/// [`mix`] of one lane.
-#[inline(always)]
-pub fn mixed(first: f32, second: f32, weight: f32) -> f32 {
-    let mean = lerp(first, second, weight);
-    if weight > 0.0 { mean } else { first }
 }
 
 /// `a` to `b`, exact where they are equal and where `t` is 0.

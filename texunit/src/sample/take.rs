@@ -112,11 +112,8 @@ impl Texels for Both<'_> {
     #[inline(always)]
     fn channel(&self, lane: usize, channel: usize) -> f32 {
         let Self([first, second], weight) = self;
-        super::filter::mixed(
-            first.channel(lane, channel),
-            second.channel(lane, channel),
-            weight[lane],
-        )
+        // As `filter::mix`: means of bytes are finite, and the weight is not below 0.
+        lerp(first.channel(lane, channel), second.channel(lane, channel), weight[lane])
     }
     #[inline(always)]
     fn byte(&self, lane: usize, channel: usize) -> u32 {
@@ -206,9 +203,10 @@ impl<T: Take> Kernel for Mean<'_, T> {
         if !find::<S>(texture, levels, coords, squares) {
             return Err(take);
         }
-        match levels[0] == levels[1] {
-            true => Ok(take.take::<S>(&&squares[0])),
-            false => Ok(take.take::<S>(&Both(squares, weight))),
+        if levels[0] == levels[1] {
+            Ok(take.take::<S>(&&squares[0]))
+        } else {
+            Ok(take.take::<S>(&Both(squares, weight)))
         }
     }
 }
@@ -242,9 +240,10 @@ pub(super) fn means<S: Simd>(
     if !find::<S>(texture, levels, coords, squares) {
         return false;
     }
-    match levels[0] == levels[1] {
-        true => store(texture, &&squares[0], out),
-        false => store(texture, &Both(squares, weight), out),
+    if levels[0] == levels[1] {
+        store(texture, &&squares[0], out);
+    } else {
+        store(texture, &Both(squares, weight), out);
     }
     true
 }
