@@ -183,6 +183,12 @@ with_operations! { trees! {
     Smooth = Mul(Mul(a, a), Sub(B, Mul(C, a)));
     /// GLSL's `mix`, `a (C - d) + b d`.
     Mix = Add(Mul(a, Sub(C, d)), Mul(b, d));
+    /// One over the length of (`a`, `b`, `c`).
+    InverseLength3 = InverseSqrt(Add(Add(Mul(a, a), Mul(b, b)), Mul(c, c)));
+    /// One over the length of a vector of (`a`, `b`) and what has the square `C`.
+    InverseLength2Same = InverseSqrt(Add(Add(Mul(a, a), Mul(b, b)), C));
+    /// The length of (`a`, `b`, `c`).
+    Length3 = Sqrt(Add(Add(Mul(a, a), Mul(b, b)), Mul(c, c)));
     /// `a² + b² + c²`.
     Squares3 = Add(Add(Mul(a, a), Mul(b, b)), Mul(c, c));
     /// The length of (`a`, `b`).
@@ -219,6 +225,10 @@ with_operations! { trees! {
     ClampMul = Mul(AtMost(AtLeast(a, B), C), d);
     /// `a` held between `B` and `C`.
     Clamp = AtMost(AtLeast(a, B), C);
+    /// `a / b + C`.
+    DivAddSame = Add(Div(a, b), C);
+    /// The root of `a`, times `B`.
+    SqrtMulSame = Mul(Sqrt(a), B);
     /// `a B + C`.
     MulAddSame = Add(Mul(a, B), C);
     /// `a B + c`.
