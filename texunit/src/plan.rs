@@ -282,9 +282,28 @@ impl SamplePlan {
         lod: Lod<'_>,
         room: &mut Room,
     ) {
+        let Room { lanes: out, squares } = room;
         match &self.0 {
-            Ok(texture) => texture.sample(texture.kernel, isa, points, offset, lod, room),
-            Err(_) => room.lanes = OPAQUE_BLACK,
+            Ok(texture) => {
+                let (recorder, reads) = (&mut Off, PhantomData::<Probed>);
+                let Points { coords, layer, reference } = points;
+                let (coords, lod) = (&coords, &lod);
+                let sample =
+                    Sample { texture, coords, layer, reference, offset, lod, out, recorder, reads };
+                // Kernels of their own: none pays for another's size.
+                match (texture.kernel, lod) {
+                    (SampleKernel::Flat(class), _) if offset == [0; 3] => {
+                        sample.run_flat(isa, class, squares);
+                    }
+                    (SampleKernel::Scanned, Lod::Implicit { .. } | Lod::Gradient { .. }) => {
+                        sample.reading::<Scanned>().run_on(isa);
+                    }
+                    // With a level that is told, the footprint is not looked at.
+                    (SampleKernel::Scanned, Lod::Explicit(_))
+                    | (SampleKernel::Flat(_) | SampleKernel::Probed, _) => sample.run_on(isa),
+                }
+            }
+            Err(_) => *out = OPAQUE_BLACK,
         }
     }
 
@@ -337,28 +356,19 @@ impl SamplePlan {
         room: &mut Room,
         take: T,
     ) -> T::Output {
-        // By the same kernels that shaders call: another copy of them would be a megabyte.
-        let points = Points { coords, layer: None, reference: None };
         let take = match &self.0 {
             Ok(texture) if S::WIDE && texture.gives_words => {
                 let squares = &mut room.squares;
-                let take = match take::take::<S, T>(texture, coords, read, weight, squares, take) {
+                match take::take::<S, T>(texture, coords, read, weight, squares, take) {
                     Ok(output) => return output,
                     Err(take) => take,
-                };
-                // Where lanes read different levels is no other short way.
-                let kernel = match (texture.kernel, read) {
-                    (SampleKernel::Flat(_), None) => SampleKernel::Probed,
-                    (other, _) => other,
-                };
-                texture.sample(kernel, isa, points, [0; 3], lod, room);
-                take
+                }
             }
-            Ok(_) | Err(_) => {
-                self.sample_offset(isa, points, [0; 3], lod, room);
-                take
-            }
+            Ok(_) | Err(_) => take,
         };
+        // By the same kernels that shaders call: another copy of them would be a megabyte.
+        let points = Points { coords, layer: None, reference: None };
+        self.sample_offset(isa, points, [0; 3], lod, room);
         take.take::<S>(&take::Lanes(&room.lanes))
     }
 
@@ -440,36 +450,6 @@ impl SamplePlan {
 }
 
 impl Texture {
-    /// Samples by one of the kernels that it suits.
-    #[inline(always)]
-    fn sample(
-        &self,
-        kernel: SampleKernel,
-        isa: Isa,
-        points: Points<'_>,
-        offset: [i32; 3],
-        lod: Lod<'_>,
-        room: &mut Room,
-    ) {
-        let (recorder, reads, texture) = (&mut Off, PhantomData::<Probed>, self);
-        let Points { coords, layer, reference } = points;
-        let (coords, lod, Room { lanes: out, squares }) = (&coords, &lod, room);
-        let sample =
-            Sample { texture, coords, layer, reference, offset, lod, out, recorder, reads };
-        // Kernels of their own: none pays for another's size.
-        match (kernel, lod) {
-            (SampleKernel::Flat(class), _) if offset == [0; 3] => {
-                sample.run_flat(isa, class, squares);
-            }
-            (SampleKernel::Scanned, Lod::Implicit { .. } | Lod::Gradient { .. }) => {
-                sample.reading::<Scanned>().run_on(isa);
-            }
-            // With a level that is told, the footprint is not looked at.
-            (SampleKernel::Scanned, Lod::Explicit(_))
-            | (SampleKernel::Flat(_) | SampleKernel::Probed, _) => sample.run_on(isa),
-        }
-    }
-
     /// Whether a sample with this filter can mix in the border colour.
     #[inline(always)]
     pub fn reaches_border(&self, filter: Filter) -> bool {

@@ -31,7 +31,8 @@ pub struct Machine {
     start: Box<U32s>,
     discarded: Mask,
     slots: Vec<Mask>,
-    sampled: Box<Room>,
+    /// For lookups.
+    room: Box<Room>,
     /// Identity of the program that the registers are laid out for; 0 is none.
     program: u64,
     /// Identity of the draw whose words the registers hold; 0 is none.
@@ -219,7 +220,7 @@ impl Machine {
                 let lod = lod(registers, sample);
                 let coords = sample.coords.map(reg);
                 let (layer, reference) = (sample.layer.map(reg), sample.reference.map(reg));
-                let room = &mut *self.sampled;
+                let room = &mut *self.room;
                 let out = &mut room.lanes;
                 match (sample.access, lod) {
                     (Access::Fetch { offset }, Lod::Explicit(level)) => {
@@ -261,10 +262,10 @@ impl Machine {
             // GL 2.1, section 3.11.2: what is not there or not complete is (0, 0, 0, 1).
             None => {
                 let black = [0, 0, 0, sample.one];
-                self.sampled.lanes = black.map(|c| F32s::splat(f32::from_bits(c)));
+                self.room.lanes = black.map(|c| F32s::splat(f32::from_bits(c)));
             }
         }
-        for (out, texel) in sample.out.iter().zip(&self.sampled.lanes) {
+        for (out, texel) in sample.out.iter().zip(&self.room.lanes) {
             if let Some(out) = out {
                 registers[out.0 as usize] = *texel.as_u32();
             }

@@ -104,12 +104,9 @@ impl<F> Kernel for Flat<'_, '_, F> {
         let read = read::<S>(texture, sample.coords, sample.lod, &mut weight);
         let Some(Read { filter, levels }) = read else { return Outcome::NotFlat };
         if texture.gives_words && filter == Filter::Linear {
-            let (coords, out) = (*sample.coords, &mut *sample.out);
-            if !take::means::<S>(texture, coords, levels, &weight, squares, out) {
-                return Outcome::NotFlat;
-            }
-            expand::expand(texture.format, texture.depth_mode, out);
-            return Outcome::Sampled;
+            let spread = take::Spread(&mut *sample.out);
+            let taken = take::take::<S, _>(texture, *sample.coords, read, &weight, squares, spread);
+            return if taken.is_ok() { Outcome::Sampled } else { Outcome::NotFlat };
         }
         // Takes no time where there is no second level.
         let mut second = None;

@@ -200,68 +200,39 @@ impl<T: Take> Kernel for Mean<'_, T> {
     #[inline(always)]
     fn run<S: Simd>(self) -> Self::Output {
         let Self { texture, levels, coords, weight, squares, take } = self;
-        if !find::<S>(texture, levels, coords, squares) {
-            return Err(take);
+        let reads_both = levels[0] != levels[1];
+        let wanted = &mut squares[..1 + usize::from(reads_both)];
+        for (number, square) in levels.into_iter().zip(wanted) {
+            let place = flat::place(texture, Filter::Linear, number);
+            if !plain::square::<S>(&place, coords, square) {
+                return Err(take);
+            }
         }
-        if levels[0] == levels[1] {
-            Ok(take.take::<S>(&&squares[0]))
-        } else {
-            Ok(take.take::<S>(&Both(squares, weight)))
+        match reads_both {
+            false => Ok(take.take::<S>(&&squares[0])),
+            true => Ok(take.take::<S>(&Both(squares, weight))),
         }
     }
 }
 
-/// The squares of one level, or of two; or `false`, where the short way does not lead.
-#[inline(always)]
-fn find<S: Simd>(
-    texture: &Texture,
-    levels: [u32; 2],
-    coords: [&F32s; 3],
-    squares: &mut [Square; 2],
-) -> bool {
-    let wanted = &mut squares[..1 + usize::from(levels[0] != levels[1])];
-    levels.into_iter().zip(wanted).all(|(number, square)| {
-        let place = flat::place(texture, Filter::Linear, number);
-        plain::square::<S>(&place, coords, square)
-    })
-}
+/// Takes a lookup as lanes, each channel computed in one loop.
+pub(super) struct Spread<'a>(pub &'a mut [F32s; 4]);
 
-/// The means that [`take`] takes of a linear filter, as lanes of the channels that are stored, each computed in one
-/// loop; or `false`, where that leads nowhere.
-#[inline(always)]
-pub(super) fn means<S: Simd>(
-    texture: &Texture,
-    coords: [&F32s; 3],
-    levels: [u32; 2],
-    weight: &F32s,
-    squares: &mut [Square; 2],
-    out: &mut [F32s; 4],
-) -> bool {
-    if !find::<S>(texture, levels, coords, squares) {
-        return false;
-    }
-    if levels[0] == levels[1] {
-        store(texture, &&squares[0], out);
-    } else {
-        store(texture, &Both(squares, weight), out);
-    }
-    true
-}
+impl Take for Spread<'_> {
+    type Output = ();
 
-#[inline(always)]
-fn store(texture: &Texture, texels: &impl Texels, [r, g, b, a]: &mut [F32s; 4]) {
-    each(texels, 0, r);
-    each(texels, 1, g);
-    each(texels, 2, b);
-    match texture.alpha {
-        Alpha::Read if texture.format.channels() == 4 => each(texels, 3, a),
-        Alpha::Read => {}
-        Alpha::One => *a = F32s::splat(1.0),
+    #[inline(always)]
+    fn take<S: Simd>(self, texels: &impl Texels) {
+        let Self([r, g, b, a]) = self;
+        spread(texels, 0, r);
+        spread(texels, 1, g);
+        spread(texels, 2, b);
+        spread(texels, 3, a);
     }
 }
 
 #[inline(always)]
-fn each(texels: &impl Texels, channel: usize, out: &mut F32s) {
+fn spread(texels: &impl Texels, channel: usize, out: &mut F32s) {
     for lane in 0..LANES {
         out[lane] = texels.channel(lane, channel);
     }

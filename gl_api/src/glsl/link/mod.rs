@@ -62,7 +62,8 @@ fn build(shaders: &[&Shader], bindings: &Bindings, log: &mut Log) -> Option<Prog
     let mut in_fragment = Locations::new();
     let stages: Vec<&StageUnits<'_>> = vertex.iter().chain(&fragment).collect();
     let mut words = Words::default();
-    let uniforms = uniforms::uniforms(&stages, &mut words, log);
+    let reaches = uniforms::Reaches::of(&stages);
+    let uniforms = uniforms::uniforms(&stages, &reaches, &mut words, log);
     let blocks = blocks::blocks(&stages, &mut words, log);
     for (name, word) in uniforms.words.iter().chain(&blocks.words) {
         in_vertex.insert(name.clone(), Binding::Uniform(*word));
@@ -88,7 +89,7 @@ fn build(shaders: &[&Shader], bindings: &Bindings, log: &mut Log) -> Option<Prog
         return None;
     }
 
-    let builtin_uniforms = uniforms::builtins(&stages);
+    let builtin_uniforms = uniforms::builtins(&stages, &reaches);
     let mut samplers = Vec::new();
     let mut lower = |stage: Option<&StageUnits<'_>>, locations: &Locations| {
         lowered(stage?, locations, &mut words, &mut samplers, log)

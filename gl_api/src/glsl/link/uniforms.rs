@@ -22,7 +22,12 @@ pub struct Uniforms {
 
 /// The uniforms that the stages name. One with an initializer counts even if nothing names it here:
 /// any shader of the program may bring the value (GLSL 1.30 section 4.3.5).
-pub fn uniforms(stages: &[&StageUnits<'_>], words: &mut Words, log: &mut Log) -> Uniforms {
+pub fn uniforms(
+    stages: &[&StageUnits<'_>],
+    reaches: &Reaches<'_>,
+    words: &mut Words,
+    log: &mut Log,
+) -> Uniforms {
     let mut all: Vec<(&Variable, Vec<u32>)> = Vec::new();
     let mut names: BTreeMap<&str, usize> = BTreeMap::new();
     let is_uniform =
@@ -60,7 +65,6 @@ pub fn uniforms(stages: &[&StageUnits<'_>], words: &mut Words, log: &mut Log) ->
         }
     }
     let mut uniforms = Uniforms { list: Vec::new(), words: BTreeMap::new() };
-    let reaches = Reaches::of(stages);
     let mut location = 0;
     for (variable, initial) in &all {
         let count = variable.ty.scalars();
@@ -94,7 +98,7 @@ fn initial(variable: &Variable) -> Vec<u32> {
 }
 
 /// The built-in uniforms that the stages name.
-pub fn builtins(stages: &[&StageUnits<'_>]) -> Vec<BuiltinUniform> {
+pub fn builtins(stages: &[&StageUnits<'_>], reaches: &Reaches<'_>) -> Vec<BuiltinUniform> {
     let is_state =
         |storage| matches!(storage, Storage::Builtin(Builtin::State(_) | Builtin::States(_)));
     let mut named: Vec<&Variable> = Vec::new();
@@ -103,7 +107,6 @@ pub fn builtins(stages: &[&StageUnits<'_>]) -> Vec<BuiltinUniform> {
             named.push(variable);
         }
     }
-    let reaches = Reaches::of(stages);
     let mut leaves = Vec::new();
     for variable in named {
         add_leaves(&variable.name, &variable.ty, reaches.get(variable), 0, &mut leaves);
@@ -127,10 +130,11 @@ struct Leaf<'a> {
 }
 
 /// How many elements the shaders of a program name of each array that any of them names, by its name.
-struct Reaches<'a>(BTreeMap<&'a str, u32>);
+pub struct Reaches<'a>(BTreeMap<&'a str, u32>);
 
 impl<'a> Reaches<'a> {
-    fn of(stages: &[&StageUnits<'a>]) -> Self {
+    /// Of all arrays that the stages declare.
+    pub fn of(stages: &[&StageUnits<'a>]) -> Self {
         let mut reaches = BTreeMap::new();
         for variable in stages.iter().flat_map(|stage| stage.declared()) {
             if variable.named > 0 && matches!(variable.ty, Type::Array(..)) {

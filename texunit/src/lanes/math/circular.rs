@@ -31,7 +31,6 @@ fn less_pi(x: f64, multiple: f64) -> f64 {
 /// The sine of |r| <= π/2; relative error below 2^-27.5, and the sign flipped if bit 0 of `turns` is 1.
 #[inline(always)]
 fn sine(r: f64, turns: u64) -> f64 {
-    let z = r * r;
     const P: [f64; 5] = [
         0.999_999_994_686_126_1,
         -0.166_666_566_839_897_33,
@@ -39,6 +38,7 @@ fn sine(r: f64, turns: u64) -> f64 {
         -0.000_198_074_186_045_782_83,
         2.601_902_758_951_064_8e-6,
     ];
+    let z = r * r;
     let p = polynomial(z, &P);
     r * f64::from_bits(p.to_bits() ^ turns << 63)
 }
@@ -46,7 +46,6 @@ fn sine(r: f64, turns: u64) -> f64 {
 /// Sine and cosine of |r| <= π/4; relative errors below 2^-34.
 #[inline(always)]
 fn sine_cosine(r: f64) -> (f64, f64) {
-    let z = r * r;
     const S: [f64; 5] = [
         0.999_999_999_995_450_4,
         -0.166_666_666_304_461_03,
@@ -54,7 +53,6 @@ fn sine_cosine(r: f64) -> (f64, f64) {
         -0.000_198_391_783_485_430_36,
         2.717_152_735_427_1e-6,
     ];
-    let s = polynomial(z, &S);
     const C: [f64; 5] = [
         0.999_999_999_943_937_2,
         -0.499_999_995_715_556_2,
@@ -62,6 +60,8 @@ fn sine_cosine(r: f64) -> (f64, f64) {
         -0.001_388_652_914_098_782,
         2.437_267_854_135_06e-5,
     ];
+    let z = r * r;
+    let s = polynomial(z, &S);
     let c = polynomial(z, &C);
     (r * s, c)
 }
