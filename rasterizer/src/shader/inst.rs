@@ -5,7 +5,7 @@
 //! construct (`Break`, `Continue`, `Leave`) is one thing: move the executing lanes to the slot of
 //! the place they go to. So a join is a union of two masks, and nothing is ever recomputed.
 
-use super::fuse::{Compute, OPERANDS};
+use super::compute::{Compute, OPERANDS};
 use crate::ir::{Access, Axis};
 
 /// A register. While lowering: a virtual one.

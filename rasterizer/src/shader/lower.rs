@@ -7,7 +7,7 @@
 mod flow;
 
 use super::alike::Alike;
-use super::fuse::{Compute, OPERANDS};
+use super::compute::{Compute, OPERANDS};
 use super::inst::{Inst, Reg, SampleInst, SampleLod, Slot, Target};
 use super::owned::Owned;
 use super::preamble::Preamble;

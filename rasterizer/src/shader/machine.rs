@@ -339,8 +339,8 @@ impl Kernel for Interpreter<'_> {
             for bank in banks() {
                 let registers = &mut m.registers[bank..];
                 pc = first;
-                while let Some(&Inst::Compute { what, out, args }) = code.get(pc) {
-                    what.run::<S>(registers, &m.same, out, args);
+                while let Some(Inst::Compute { what, out, args }) = code.get(pc) {
+                    what.run::<S>(registers, &m.same, *out, args);
                     pc += 1;
                 }
             }

@@ -9,6 +9,7 @@
 //! | [`alike`] | what all lanes do alike: no mask is looked at |
 //! | [`exits`] | how lanes leave a statement |
 //! | [`owned`] | the variables that only one loop reads: stored without a mask |
+//! | [`compute`] | what an instruction computes: an operation, or a tree of them |
 //! | [`fuse`] | several operations as one instruction |
 //! | [`preamble`] | the values that a draw computes once |
 //! | [`allocate`] | real registers for virtual ones |
@@ -17,6 +18,7 @@
 
 mod alike;
 mod allocate;
+mod compute;
 mod exits;
 mod fuse;
 mod inst;

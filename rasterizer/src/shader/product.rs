@@ -2,7 +2,7 @@
 //! is drawn with textures is so, by the fixed function too. Between its lookups and its colours no register is
 //! needed: `raster/product.rs` multiplies texels as they come, by the same numbers in the same order.
 
-use super::fuse::{Compute, OPERANDS};
+use super::compute::{Compute, OPERANDS};
 use super::inst::{Inst, Reg, Role, SampleInst, SampleLod};
 use super::machine::{Interpreter, Machine, lod};
 use super::{Layout, OverBudget, Run};
@@ -276,13 +276,13 @@ impl Steps {
             return self.number(what, numbers);
         }
         // Trees that end in a product are taken apart.
-        let [a, b, c, d] = args;
+        let [a, b, c, d, ..] = args;
         let (first, last) = if matches!(what, Compute::Mul | Compute::MulSame) {
             (self.value(a)?, b)
         } else if what == Compute::MulMul {
-            (self.compute(Compute::Mul, [a, b, a, a])?, c)
+            (self.compute(Compute::Mul, padded([a, b, b]))?, c)
         } else if what == Compute::ClampMul {
-            (self.compute(Compute::Clamp, [a, b, c, a])?, d)
+            (self.compute(Compute::Clamp, padded([a, b, c]))?, d)
         } else {
             return None;
         };
@@ -328,6 +328,11 @@ impl Steps {
         self.written.retain(|(written, _)| *written != reg);
         self.written.push((reg, value));
     }
+}
+
+/// Operands that there are not repeat the last.
+fn padded(args: [Reg; 3]) -> [Reg; OPERANDS] {
+    std::array::from_fn(|at| args[at.min(2)])
 }
 
 /// The registers that a lookup reads.

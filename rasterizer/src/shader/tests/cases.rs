@@ -5,7 +5,7 @@ use crate::ir::{
     Axis, Block, Builder, Expr, Input, Interpolation, Lod, MAX_NESTING, Module, Op, Output, Stage,
     Stmt, TextureDecl, Ty, Var,
 };
-use crate::shader::fuse::Compute;
+use crate::shader::compute::Compute;
 use crate::shader::inst::{Inst, Reg};
 use crate::shader::{BANKS, Fusing, OverBudget, Program};
 use texunit::image::Shape;
@@ -68,7 +68,8 @@ impl texunit::lanes::Kernel for OneOp<'_> {
     type Output = ();
     #[inline(always)]
     fn run<S: texunit::lanes::Simd>(self) {
-        Compute::from(self.0).run::<S>(self.1, &[], Reg(3), [Reg(0), Reg(1), Reg(2), Reg(2)]);
+        let args = std::array::from_fn(|at| Reg(at.min(2) as u32));
+        Compute::from(self.0).run::<S>(self.1, &[], Reg(3), &args);
     }
 }
 
