@@ -16,6 +16,7 @@
 //! | `output` | depth test, blending, masks, packing |
 //! | `target` | attachments as tiles of words in lane order |
 //! | [`trace`] | what happened to a pixel that is watched |
+//! | [`stack`] | room for what recurses as deep as shaders nest |
 //! | `pool` | what threads work with, kept, and how they share the work |
 #![forbid(unsafe_code)]
 
@@ -28,6 +29,7 @@ mod pool;
 mod primitive;
 mod raster;
 pub mod shader;
+pub mod stack;
 mod target;
 pub mod trace;
 mod vertex;

@@ -26,6 +26,7 @@ pub(crate) use diagnostics::edit_distance;
 use diagnostics::{Diagnostic, Log};
 pub(crate) use limits::{GATHER_OFFSETS, TEXEL_OFFSETS};
 use rasterizer::ir::{Interpolation, Module, Output};
+use rasterizer::stack::with_room;
 use source::{Source, Span};
 use std::collections::BTreeMap;
 use std::fmt;
@@ -367,19 +368,19 @@ fn compile_once(stage: Stage, text: &str) -> Pass {
     Pass { unit, source, log }
 }
 
-/// Compiles one shader. Any text is fine; it never panics.
+/// Compiles one shader. Any text is fine; it never panics, and takes little of the caller's stack.
 pub fn compile(stage: Stage, source: &str, options: &Options) -> Compiled {
-    match options.repairs {
+    with_room(|| match options.repairs {
         Repairs::Off => {
             let pass = compile_once(stage, source);
             let log = pass.log.render(Some(&pass.source));
             Compiled { shader: pass.shader(), log }
         }
         Repairs::On => repair::compile(stage, source),
-    }
+    })
 }
 
-/// Links shaders into a program.
+/// Links shaders into a program. It takes little of the caller's stack.
 pub fn link(shaders: &[&Shader], bindings: &Bindings) -> Linked {
-    link::link(shaders, bindings)
+    with_room(|| link::link(shaders, bindings))
 }

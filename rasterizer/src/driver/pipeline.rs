@@ -3,10 +3,14 @@
 use super::output::OutputState;
 use crate::ir::{Input, Interpolation, Module, Output, Stage};
 use crate::shader::{Draft, Program};
+use crate::stack::with_room;
 use std::hash::{Hash, Hasher};
 use std::sync::{Arc, OnceLock};
 use texunit::sampler::Compare;
 use thiserror::Error;
+
+/// So many blocks deep, a module is compiled on any stack.
+const SHALLOW: usize = 16;
 
 /// A validated shader stage. Equal when it is the same module, not an equal one.
 #[derive(Clone, Debug)]
@@ -328,6 +332,15 @@ enum Sharing {
 impl Compiled {
     /// Compiles modules that are of their stages.
     fn new(desc: PipelineDesc, sharing: Sharing) -> Self {
+        let is_deep = |stage: &ShaderModule| stage.module().nests_deeper_than(SHALLOW);
+        if is_deep(&desc.vertex) || is_deep(&desc.fragment) {
+            with_room(|| Self::compiled(desc, sharing))
+        } else {
+            Self::compiled(desc, sharing)
+        }
+    }
+
+    fn compiled(desc: PipelineDesc, sharing: Sharing) -> Self {
         let mut fragment = Draft::new(desc.fragment.module(), |output| match output {
             Output::Color { target, component } => desc
                 .colors

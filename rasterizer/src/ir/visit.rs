@@ -1,6 +1,6 @@
 //! Walking over a module: the operands of an expression, the blocks of a statement.
 
-use super::{Block, Expr, Lod, Sample, Stmt, Value};
+use super::{Block, Expr, Lod, Module, Sample, Stmt, Value};
 
 impl Expr {
     /// The same expression over other operands.
@@ -104,5 +104,16 @@ impl Stmt {
             | Self::Loop { .. }
             | Self::Scope(_) => false,
         }
+    }
+}
+
+impl Module {
+    /// Whether statements stand more than `levels` blocks deep.
+    pub(crate) fn nests_deeper_than(&self, levels: usize) -> bool {
+        fn deeper(block: &[Stmt], levels: usize) -> bool {
+            let mut inner = block.iter().flat_map(Stmt::blocks);
+            inner.any(|inner| levels == 0 || deeper(inner, levels - 1))
+        }
+        deeper(&self.body, levels)
     }
 }

@@ -1,0 +1,48 @@
+//! Room on the stack for what recurses as deep as a shader nests, whoever calls it: a thread that musl starts has 128 KB
+//! of stack, one of macOS 512 KB, and to run out of it ends the process.
+
+use std::panic::resume_unwind;
+use std::thread::{Builder, scope};
+
+/// Bytes, of which the system gives what is touched. The deepest shaders take 1 MB of an optimized build and 8 MB of
+/// one that is not.
+const STACK: usize = 16 << 20;
+
+/// Runs `work` with a stack of its own and waits for it; on the caller's stack where there are no threads, or no more
+/// of them. A panic is handed on.
+pub fn with_room<T: Send>(work: impl FnOnce() -> T + Send) -> T {
+    let mut work = Some(work);
+    let done = scope(|scope| {
+        let run = || work.take().map(|work| work());
+        let thread = Builder::new().name("detgl shader".into()).stack_size(STACK);
+        let thread = thread.spawn_scoped(scope, run).ok()?;
+        thread.join().unwrap_or_else(|panic| resume_unwind(panic))
+    });
+    match (done, work) {
+        (Some(done), _) => done,
+        (None, Some(work)) => work(),
+        (None, None) => unreachable!("who took the work has done it"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::with_room;
+
+    #[test]
+    fn work_has_more_room_than_its_caller() {
+        fn depth(left: usize) -> usize {
+            let filler = std::hint::black_box([left; 128]);
+            if left == 0 { 0 } else { 1 + depth(filler[7] - 1) }
+        }
+        let caller = std::thread::Builder::new().stack_size(64 << 10);
+        let caller = caller.spawn(|| with_room(|| depth(4_000))).expect("a thread");
+        assert_eq!(caller.join().expect("no overflow"), 4_000);
+    }
+
+    #[test]
+    fn a_panic_is_handed_on() {
+        let panic = std::panic::catch_unwind(|| with_room(|| panic!("oh")));
+        assert_eq!(panic.expect_err("it panics").downcast_ref::<&str>(), Some(&"oh"));
+    }
+}
