@@ -188,7 +188,9 @@ pub fn modulo(a: f32, b: f32, inverse: f32, nearest: f32) -> f32 {
 #[inline(always)]
 pub fn modulo_positive(a: f32, b: f32, nearest: f32) -> f32 {
     let left = a - b * nearest;
-    if left < 0.0 { left + b } else { left }
+    // Of a number below 0 and a larger one, the larger has the smaller word; of two others, the smaller. (A difference
+    // is no -0 here: `nearest` has the sign of `a`.)
+    f32::from_bits(left.to_bits().min((left + b).to_bits()))
 }
 
 /// The smaller; `b` if `a` is NaN. (Rust's and each processor's own `min` differ on NaN and ±0.)
