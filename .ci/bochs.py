@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Runs a static program of Linux on an emulated processor with AVX-512: `bochs.py PROGRAM ARGUMENTS…`, by Debian's bochs.
+"""Runs Rust's tests on an emulated processor with AVX-512: `bochs.py PROGRAM ARGUMENTS…`, by Debian's bochs. The program
+is static; what its arguments choose runs test by test, as one that ends its process shall end no other.
 
 The machine starts Debian's kernel from a CD image, with a file system in memory that holds busybox and the program, and
 prints to a serial line. It runs some 20 million instructions a second: 10 s to start, and a test of a second is a minute.
@@ -13,6 +14,8 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import threading
+import time
 
 CONFIGURATION = """
 display_library: term
@@ -43,14 +46,22 @@ INIT = """#!/bin/busybox sh
 {variables}
 echo BEGIN
 if /bin/busybox grep -q avx512vl /proc/cpuinfo; then
-  {command} 2>&1
-  status=$?
+  status=0
+  {command} --list 2>&1 | /bin/busybox sed -n 's/: test$//p' > /tests
+  while read -r test; do
+    if /program --exact "$test" > /output 2>&1; then
+      echo "$test ... ok"
+    else
+      status=1
+      echo "$test ... FAILED"
+      /bin/busybox cat /output
+      /bin/busybox dmesg | /bin/busybox grep trap | /bin/busybox tail -n 1
+    fi
+  done < /tests
 else
   echo 'this kernel found no AVX-512'
   status=1
 fi
-# Where a program ended that the kernel had to end.
-[ $status -lt 128 ] || /bin/busybox dmesg | /bin/busybox tail -n 3
 echo END $status
 # What is still on its way to the serial line.
 /bin/busybox sleep 5
@@ -86,6 +97,15 @@ def build(folder, program, arguments):
     subprocess.run(["xorriso", "-as", "mkisofs", "-quiet", "-o", image, *boot, disc], check=True, capture_output=True)
 
 
+def read_all(terminal):
+    """Until there is no more."""
+    try:
+        while os.read(terminal, 65536):
+            pass
+    except OSError:
+        pass
+
+
 def run(folder):
     """What the program printed, as it does; its exit status."""
     with open(os.path.join(folder, "bochsrc"), "w") as file:
@@ -100,12 +120,11 @@ def run(folder):
         command, cwd=folder, env=terminal, stdin=end, stdout=end, stderr=end, start_new_session=True
     )
     os.close(end)
+    threading.Thread(target=read_all, args=[screen], daemon=True).start()
     serial, printed, text = os.path.join(folder, "serial"), 0, ""
     while True:
-        try:
-            alive = bool(os.read(screen, 65536))
-        except OSError:
-            alive = False
+        time.sleep(0.5)
+        alive = machine.poll() is None
         if os.path.exists(serial):
             with open(serial, errors="replace", newline="") as file:
                 text = file.read().replace("\r\n", "\n")
