@@ -334,13 +334,13 @@ impl Compiled {
     fn new(desc: PipelineDesc, sharing: Sharing) -> Self {
         let is_deep = |stage: &ShaderModule| stage.module().nests_deeper_than(SHALLOW);
         if is_deep(&desc.vertex) || is_deep(&desc.fragment) {
-            with_room(|| Self::compiled(desc, sharing))
+            with_room(|| Self::on_this_stack(desc, sharing))
         } else {
-            Self::compiled(desc, sharing)
+            Self::on_this_stack(desc, sharing)
         }
     }
 
-    fn compiled(desc: PipelineDesc, sharing: Sharing) -> Self {
+    fn on_this_stack(desc: PipelineDesc, sharing: Sharing) -> Self {
         let mut fragment = Draft::new(desc.fragment.module(), |output| match output {
             Output::Color { target, component } => desc
                 .colors
