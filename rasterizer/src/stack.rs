@@ -30,6 +30,7 @@ mod tests {
     use super::with_room;
 
     #[test]
+    #[cfg_attr(target_family = "wasm", ignore = "there are no threads there")]
     fn work_has_more_room_than_its_caller() {
         fn depth(left: usize) -> usize {
             let filler = std::hint::black_box([left; 128]);
@@ -41,6 +42,7 @@ mod tests {
     }
 
     #[test]
+    #[cfg_attr(target_family = "wasm", ignore = "a panic ends the program there")]
     fn a_panic_is_handed_on() {
         let panic = std::panic::catch_unwind(|| with_room(|| panic!("oh")));
         assert_eq!(panic.expect_err("it panics").downcast_ref::<&str>(), Some(&"oh"));
