@@ -3,7 +3,8 @@
 is static; what its arguments choose runs test by test, as one that ends its process shall end no other.
 
 The machine starts Debian's kernel from a CD image, with a file system in memory that holds busybox and the program, and
-prints to a serial line. It runs some 20 million instructions a second: 10 s to start, and a test of a second is a minute.
+prints to a serial line. It runs some 20 million instructions a second: most of a minute to start, and minutes for a
+test of a second.
 """
 import glob
 import os

@@ -31,7 +31,7 @@ pub(super) enum Tree {
 pub(super) enum Holds {
     /// A number for each lane.
     Lanes,
-    /// The same number in all lanes, see [`Kind::Splat`].
+    /// The same number in all lanes, see [`super::lower::Kind::Splat`].
     Same,
 }
 
