@@ -4,6 +4,7 @@
 use crate::check::{Bench, Effort, Subject, Verdict, checks};
 use crate::mutation::{MUTATIONS, MutationRow, Variant};
 use serde::Serialize;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// A mistake, and whether it was noticed.
 #[derive(Clone, Debug, Serialize)]
@@ -20,9 +21,26 @@ pub struct Trial {
     pub tolerance: f64,
 }
 
-/// Tries every mistake against `subject`: the true oracle, or the driver itself.
+/// Tries every mistake against `subject`: the true oracle, or the driver itself. On as many threads as there are
+/// processors, of which each has contexts of its own.
 pub fn run(subject: Subject) -> Vec<Trial> {
-    MUTATIONS.iter().map(|row| trial(row, subject)).collect()
+    let next = AtomicUsize::new(0);
+    let some = || {
+        let numbers = std::iter::repeat_with(|| next.fetch_add(1, Ordering::Relaxed));
+        let rows = numbers.map_while(|number| Some((number, MUTATIONS.get(number)?)));
+        rows.map(|(number, row)| (number, trial(row, subject))).collect::<Vec<_>>()
+    };
+    let threads = std::thread::available_parallelism().map_or(1, usize::from);
+    let mut trials = std::thread::scope(|scope| {
+        let others: Vec<_> = (1..threads).map(|_| scope.spawn(some)).collect();
+        let mut trials = some();
+        for other in others {
+            trials.extend(other.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)));
+        }
+        trials
+    });
+    trials.sort_by_key(|(number, _)| *number);
+    trials.into_iter().map(|(_, trial)| trial).collect()
 }
 
 fn trial(row: &MutationRow, subject: Subject) -> Trial {
