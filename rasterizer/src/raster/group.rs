@@ -1,16 +1,14 @@
 //! The planes of up to 64 shapes of a chunk, computed together: the arithmetic of
 //! [`super::interpolate`], in the same order, over lanes of triangles.
 
-use super::interpolate::{Inverse, PlaneSetup, PlaneSource, Planes};
+use super::interpolate::{PlaneSetup, PlaneSource, Planes};
 use super::lanes::ShapeLanes;
 use super::small::{REACHED, Windows};
+use super::weights::{PlaneLanes, Weights, Window, sum, to_depth};
 use crate::plan::FactorPlanes;
 use crate::primitive::{SUBPIXEL, Shape};
 use crate::vertex::{Geometry, VARYINGS};
 use texunit::lanes::{F32s, F64s, Isa, Kernel, LANES, Simd, U32s};
-
-/// `a`, `b` and `c` of a plane of each.
-type PlaneLanes = [F64s; 3];
 
 /// Fewer shapes than this are computed one by one.
 const WORTH_IT: usize = 6;
@@ -40,32 +38,20 @@ struct WindowPlane {
 /// What the kernels read and write.
 #[derive(Debug)]
 struct Lanes {
-    /// x, y and w in clip coordinates of each vertex.
-    clip: [[F64s; 3]; 3],
     origin: [F64s; 2],
     /// Four values that planes interpolate, by vertex.
     values: [[F32s; 4]; 3],
-    rows: Rows,
+    weights: Weights,
     /// Not zero where the general computation must do it.
     general: [u64; LANES],
 }
 
-/// The planes that weight the three vertices; see `interpolate::Rows`.
-#[derive(Debug)]
-struct Rows {
-    projective: [PlaneLanes; 3],
-    smooth: [PlaneLanes; 3],
-    denominator: PlaneLanes,
-}
-
 impl Default for Lanes {
     fn default() -> Self {
-        const PLANE: PlaneLanes = [F64s::ZERO; 3];
         Self {
-            clip: [[F64s::ZERO; 3]; 3],
             origin: [F64s::ZERO; 2],
             values: [[F32s::ZERO; 4]; 3],
-            rows: Rows { projective: [PLANE; 3], smooth: [PLANE; 3], denominator: PLANE },
+            weights: Weights::default(),
             general: [0; LANES],
         }
     }
@@ -229,21 +215,16 @@ impl Kernel for Together<'_> {
         }
         lanes.general = [0; LANES];
         gather::<S>(geometry, shapes, 0, &mut lanes.values);
-        for (clip, [x, y, _, w]) in lanes.clip.iter_mut().zip(&lanes.values) {
-            for (to, from) in clip.iter_mut().zip([x, y, w]) {
-                for lane in 0..LANES {
-                    to[lane] = from[lane].into();
-                }
-            }
-        }
-        rows(lanes, setup.viewport.half(), setup.viewport.center());
+        let window = Window { half: setup.viewport.half(), center: setup.viewport.center() };
+        let Lanes { values, origin, weights, general } = lanes;
+        weights.compute::<S>(values, origin, window, general);
         let mut four = 0;
         for (source, out) in setup.sources.iter().zip(planes) {
-            let (rows, at) = match *source {
-                PlaneSource::Depth => (&lanes.rows.projective, 2),
-                PlaneSource::Smooth(at) => (&lanes.rows.smooth, VARYINGS + at),
+            let (weights, at) = match *source {
+                PlaneSource::Depth => (weights.projective(), 2),
+                PlaneSource::Smooth(at) => (weights.smooth(), VARYINGS + at),
                 PlaneSource::Denominator => {
-                    *out = lanes.rows.denominator;
+                    *out = weights.denominator();
                     continue;
                 }
                 PlaneSource::Flat(at) => {
@@ -262,19 +243,19 @@ impl Kernel for Together<'_> {
             };
             if at / 4 != four {
                 four = at / 4;
-                gather::<S>(geometry, shapes, four, &mut lanes.values);
+                gather::<S>(geometry, shapes, four, values);
             }
-            sum(rows, &lanes.values, at % 4, out, &mut lanes.general);
+            sum(weights, values, at % 4, out, general);
             if *source == PlaneSource::Depth {
                 let (near, far) = (f64::from(setup.viewport.near), f64::from(setup.viewport.far));
                 to_depth(out, (far - near) * 0.5, (near + far) * 0.5);
             }
         }
-        let mut general = U32s::ZERO;
+        let mut marked = U32s::ZERO;
         for lane in 0..LANES {
-            general[lane] = u32::from(lanes.general[lane] != 0);
+            marked[lane] = u32::from(general[lane] != 0);
         }
-        S::nonzero(&general)
+        S::nonzero(&marked)
     }
 }
 
@@ -295,76 +276,6 @@ fn gather<S: Simd>(
         }
         let [a, b, c, d] = S::gather_fours(values, &offsets);
         *out = [*a.as_f32(), *b.as_f32(), *c.as_f32(), *d.as_f32()];
-    }
-}
-
-/// `interpolate::Rows::new` of triangles. Those that are too thin are left to the general
-/// computation.
-#[inline(always)]
-fn rows(lanes: &mut Lanes, half: [f64; 2], center: [f64; 2]) {
-    let Lanes { clip, origin, rows, general, .. } = lanes;
-    let Rows { projective, smooth, denominator } = rows;
-    for lane in 0..LANES {
-        let p = |k: usize| {
-            let (x, y, w) = (clip[k][0][lane], clip[k][1][lane], clip[k][2][lane]);
-            [
-                x * half[0] + w * (center[0] - origin[0][lane]),
-                y * half[1] + w * (center[1] - origin[1][lane]),
-                w,
-            ]
-        };
-        let (p0, p1, p2) = (p(0), p(1), p(2));
-        let inverse = Inverse::of([p0, p1, p2]);
-        let ([r0, r1, r2], scale) = (inverse.adjugate, inverse.scale());
-        let same = (p0[2] == p1[2]) & (p0[2] == p2[2]);
-        for part in 0..3 {
-            let row = [r0[part] * scale, r1[part] * scale, r2[part] * scale];
-            projective[0][part][lane] = row[0];
-            projective[1][part][lane] = row[1];
-            projective[2][part][lane] = row[2];
-            let sum = row[0] * 1.0 + row[1] * 1.0 + row[2] * 1.0;
-            let one = if part == 2 { 1.0 } else { 0.0 };
-            denominator[part][lane] = if same { one } else { sum };
-            smooth[0][part][lane] = if same { row[0] * p0[2] } else { row[0] };
-            smooth[1][part][lane] = if same { row[1] * p1[2] } else { row[1] };
-            smooth[2][part][lane] = if same { row[2] * p2[2] } else { row[2] };
-        }
-        general[lane] |= u64::from(!inverse.is_thick());
-    }
-}
-
-/// `Plane::sum` of one of four values; marks the lanes whose planes are not finite.
-#[inline(always)]
-fn sum(
-    rows: &[PlaneLanes; 3],
-    values: &[[F32s; 4]; 3],
-    at: usize,
-    out: &mut PlaneLanes,
-    general: &mut [u64; LANES],
-) {
-    let [first, second, third] = rows;
-    let [a, b, c] = out;
-    for lane in 0..LANES {
-        let (x, y) = (f64::from(values[0][at][lane]), f64::from(values[1][at][lane]));
-        let z = f64::from(values[2][at][lane]);
-        a[lane] = first[0][lane] * x + second[0][lane] * y + third[0][lane] * z;
-        b[lane] = first[1][lane] * x + second[1][lane] * y + third[1][lane] * z;
-        c[lane] = first[2][lane] * x + second[2][lane] * y + third[2][lane] * z;
-        let finite = a[lane].is_finite() & b[lane].is_finite() & c[lane].is_finite();
-        general[lane] |= u64::from(!finite);
-    }
-}
-
-/// From normalized device coordinates to the depth range (GL 2.1, section 2.11.1).
-#[inline(always)]
-fn to_depth(plane: &mut PlaneLanes, scale: f64, add: f64) {
-    for part in plane.iter_mut() {
-        for value in &mut part.0 {
-            *value *= scale;
-        }
-    }
-    for value in &mut plane[2].0 {
-        *value += add;
     }
 }
 
@@ -429,6 +340,16 @@ mod tests {
 
     #[test]
     fn shapes_together_have_the_planes_they_have_alone() {
+        have_the_planes_they_have_alone(|n| n % 3 == 0);
+    }
+
+    #[test]
+    fn so_have_those_of_a_parallel_view() {
+        have_the_planes_they_have_alone(|_| true);
+    }
+
+    /// `is_flat` says of which shapes w is 1.
+    fn have_the_planes_they_have_alone(is_flat: impl Fn(u32) -> bool) {
         let viewport = Viewport {
             x: 3.0,
             y: 5.0,
@@ -443,7 +364,7 @@ mod tests {
         geometry.stride = VARYINGS + 4;
         let mut shapes = Vec::new();
         for n in 0..64_u32 {
-            let w = if n % 3 == 0 { 1.0 } else { 0.0 };
+            let w = if is_flat(n) { 1.0 } else { 0.0 };
             for _ in 0..3 {
                 let w = if w > 0.0 { w } else { 1.5 + random(&mut state) };
                 // Some thin, some degenerate, some huge.

@@ -28,6 +28,7 @@ mod shares;
 mod small;
 mod tile;
 mod watched;
+mod weights;
 
 pub use clear::ClearJob;
 pub use interpolate::{PlaneSource, depth_offset};
