@@ -10,7 +10,7 @@ use std::time::Instant;
 use texunit::format::Format;
 use texunit::image::{Image, Level, Shape};
 use texunit::lanes::{F32s, Isa, LANES, QUADS, lane_x, lane_y};
-use texunit::plan::{Lod, Points, Room, SamplePlan};
+use texunit::plan::{Lod, Places, Points, Room, SamplePlan};
 use texunit::sampler::{Filter, Mipmap, Sampler, Wrap};
 
 /// Texels of a side.
@@ -130,7 +130,7 @@ impl Cell {
             for [s, t] in &self.blocks {
                 let lod = Lod::Implicit { bias: None };
                 let points = Points { coords: [s, t, &F32s::ZERO], layer: None, reference: None };
-                self.plan.sample_offset(isa, points, [0; 3], lod, &mut room);
+                self.plan.sample_offset(isa, points, [0; 3], lod, Places::Own, &mut room);
                 black_box(&mut room);
             }
         }

@@ -12,6 +12,7 @@ pub use crate::sample::flat::Read;
 use crate::sample::gather::Gather;
 use crate::sample::lod::LodRange;
 use crate::sample::plain::Class;
+pub use crate::sample::plain::Places;
 use crate::sample::query::Query;
 pub use crate::sample::take::{Room, Take, Texels};
 use crate::sample::texel::Fetch;
@@ -267,12 +268,14 @@ impl SamplePlan {
         out: &mut [F32s; 4],
     ) {
         let mut room = Room::default();
-        self.sample_offset(isa, Points { coords, layer: None, reference }, [0; 3], lod, &mut room);
+        let points = Points { coords, layer: None, reference };
+        self.sample_offset(isa, points, [0; 3], lod, Places::Own, &mut room);
         *out = room.lanes;
     }
 
     /// [`SamplePlan::sample`] with texels added along s, t, r on each level that is read
-    /// (`textureOffset`, GLSL 1.30, section 8.7), into the lanes of `room`. λ does not depend on them.
+    /// (`textureOffset`, GLSL 1.30, section 8.7), into the lanes of `room`. λ does not depend on them. With
+    /// [`Places::Kept`] what the lookup before found in this room is not looked for again.
     #[inline(always)]
     pub fn sample_offset(
         &self,
@@ -280,9 +283,10 @@ impl SamplePlan {
         points: Points<'_>,
         offset: [i32; 3],
         lod: Lod<'_>,
+        places: Places,
         room: &mut Room,
     ) {
-        let Room { lanes: out, squares } = room;
+        let Room { lanes: out, squares, detail } = room;
         match &self.0 {
             Ok(texture) => {
                 let (recorder, reads) = (&mut Off, PhantomData::<Probed>);
@@ -293,7 +297,7 @@ impl SamplePlan {
                 // Kernels of their own: none pays for another's size.
                 match (texture.kernel, lod) {
                     (SampleKernel::Flat(class), _) if offset == [0; 3] => {
-                        sample.run_flat(isa, class, squares);
+                        sample.run_flat(isa, class, places, (squares, detail));
                     }
                     (SampleKernel::Scanned, Lod::Implicit { .. } | Lod::Gradient { .. }) => {
                         sample.reading::<Scanned>().run_on(isa);
@@ -317,6 +321,19 @@ impl SamplePlan {
         {
             ahead::ask::<S>(texture, points, like);
         }
+    }
+
+    /// Whether a lookup reads the same levels at the same places as one of `other` with the same points, offset and level
+    /// of detail does: whether [`Places::Kept`] can be asked for.
+    pub fn reads_like(&self, other: &Self) -> bool {
+        let (Ok(one), Ok(other)) = (&self.0, &other.0) else { return false };
+        let of = |level: &Arc<Level>| (level.size(), level.border, level.format.bytes());
+        let layout = |texture: &Texture| texture.levels[0].iter().map(of).collect::<Vec<_>>();
+        one.gives_words
+            && other.gives_words
+            && (one.shape, one.wrap) == (other.shape, other.wrap)
+            && one.detail == other.detail
+            && layout(one) == layout(other)
     }
 
     /// Whether what [`SamplePlan::read`] gives is all that [`SamplePlan::take`] needs of the level of detail, where
@@ -359,7 +376,8 @@ impl SamplePlan {
         let take = match &self.0 {
             Ok(texture) if S::WIDE && texture.gives_words => {
                 let squares = &mut room.squares;
-                match take::take::<S, T>(texture, coords, read, weight, squares, take) {
+                let detail = (read, weight);
+                match take::take::<S, T>(texture, coords, detail, Places::Own, squares, take) {
                     Ok(output) => return output,
                     Err(take) => take,
                 }
@@ -368,7 +386,7 @@ impl SamplePlan {
         };
         // By the same kernels that shaders call: another copy of them would be a megabyte.
         let points = Points { coords, layer: None, reference: None };
-        self.sample_offset(isa, points, [0; 3], lod, room);
+        self.sample_offset(isa, points, [0; 3], lod, Places::Own, room);
         take.take::<S>(&take::Lanes(&room.lanes))
     }
 

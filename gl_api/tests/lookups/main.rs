@@ -14,6 +14,7 @@ mod limits;
 mod mipmaps;
 mod opaque;
 mod parts;
+mod repeats;
 mod shadows;
 mod storage;
 mod textures;

@@ -98,10 +98,12 @@ pub(super) struct SampleInst {
     pub one: u32,
     /// Components that nobody reads have no register.
     pub out: [Option<Reg>; 4],
+    /// Its number among the lookups that may keep what the one before found ([`super::repeat`]).
+    pub repeat: Option<u8>,
 }
 
 /// Where a sample's level of detail comes from.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum SampleLod {
     Implicit { bias: Option<Reg> },
     Explicit(Reg),

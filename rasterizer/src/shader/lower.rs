@@ -306,7 +306,8 @@ impl Lowering<'_> {
             (Access::Filter { .. } | Access::Fetch { .. }, Ty::F32) => 1f32.to_bits(),
             (Access::Filter { .. } | Access::Fetch { .. }, Ty::I32 | Ty::U32 | Ty::Bool) => 1,
         };
-        let inst = SampleInst { texture, access, coords, layer, reference, lod, one, out };
+        let repeat = None;
+        let inst = SampleInst { texture, access, coords, layer, reference, lod, one, out, repeat };
         self.emit(Inst::Sample(Box::new(inst)));
     }
 }

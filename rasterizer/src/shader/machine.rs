@@ -32,7 +32,9 @@ pub struct Machine {
     discarded: Mask,
     slots: Vec<Mask>,
     /// For lookups.
-    room: Box<Room>,
+    rooms: Vec<Room>,
+    /// From the room of a bank to that of the next: none, unless a lookup keeps what the one before found.
+    apart: usize,
     /// Identity of the program that the registers are laid out for; 0 is none.
     program: u64,
     /// Identity of the draw whose words the registers hold; 0 is none.
@@ -55,6 +57,11 @@ impl Machine {
         }
         if self.slots.len() < program.slots as usize {
             self.slots.resize_with(program.slots as usize, Mask::default);
+        }
+        self.apart = usize::from(!program.repeats.is_empty());
+        let rooms = 1 + self.apart * (program.banks - 1);
+        if self.rooms.len() < rooms {
+            self.rooms.resize_with(rooms, Room::default);
         }
         self.inputs = program.layout.inputs as usize;
         self.outputs.clone_from(&program.layout.outputs);
@@ -209,18 +216,18 @@ impl Machine {
         self.registers[bank + out.0 as usize] = *difference.as_u32();
     }
 
-    /// Samples for the bank whose first register is `bank`.
+    /// Samples for a bank.
     #[inline(always)]
     fn sample(&mut self, bank: usize, run: &Run<'_>, sample: &SampleInst) {
         let plan = run.textures.get(sample.texture as usize).and_then(Option::as_ref);
-        let registers = &mut self.registers[bank..];
+        let registers = &mut self.registers[bank * self.bank..];
+        let room = &mut self.rooms[bank * self.apart];
         match plan.filter(|plan| plan.incomplete().is_none()) {
             Some(plan) => {
                 let reg = |reg: Reg| registers[reg.0 as usize].as_f32();
                 let lod = lod(registers, sample);
                 let coords = sample.coords.map(reg);
                 let (layer, reference) = (sample.layer.map(reg), sample.reference.map(reg));
-                let room = &mut *self.room;
                 let out = &mut room.lanes;
                 match (sample.access, lod) {
                     (Access::Fetch { offset }, Lod::Explicit(level)) => {
@@ -250,7 +257,8 @@ impl Machine {
                     }
                     (Access::Filter { offset }, lod) => {
                         let points = Points { coords, layer, reference };
-                        plan.sample_offset(run.isa, points, offset, lod, room);
+                        let places = run.prepared.places(sample);
+                        plan.sample_offset(run.isa, points, offset, lod, places, room);
                     }
                     // Validation wants a level for these.
                     (Access::Fetch { .. } | Access::Size, Lod::Implicit { .. })
@@ -262,10 +270,10 @@ impl Machine {
             // GL 2.1, section 3.11.2: what is not there or not complete is (0, 0, 0, 1).
             None => {
                 let black = [0, 0, 0, sample.one];
-                self.room.lanes = black.map(|c| F32s::splat(f32::from_bits(c)));
+                room.lanes = black.map(|c| F32s::splat(f32::from_bits(c)));
             }
         }
-        for (out, texel) in sample.out.iter().zip(&self.room.lanes) {
+        for (out, texel) in sample.out.iter().zip(&room.lanes) {
             if let Some(out) = out {
                 registers[out.0 as usize] = *texel.as_u32();
             }
@@ -329,10 +337,10 @@ impl Kernel for Interpreter<'_> {
 
     #[inline(always)]
     fn run<S: Simd>(self) -> Result<usize, OverBudget> {
-        let Self { machine: m, run, code, banks, mut pc, mut left } = self;
+        let Self { machine: m, run, code, banks: count, mut pc, mut left } = self;
         let size = m.bank;
         // The first register of each bank.
-        let banks = || (0..banks).map(|bank| bank * size);
+        let banks = || (0..count).map(|bank| bank * size);
         loop {
             // Nearly all of a program, with one jump an instruction.
             let first = pc;
@@ -368,7 +376,7 @@ impl Kernel for Interpreter<'_> {
                     banks().for_each(|bank| m.derivative(bank, axis, out, from));
                 }
                 Inst::Sample(ref sample) => {
-                    banks().for_each(|bank| m.sample(bank, run, sample));
+                    (0..count).for_each(|bank| m.sample(bank, run, sample));
                 }
                 Inst::Unless { test, to } => {
                     let word = match test {

@@ -13,6 +13,7 @@
 //! | [`fuse`] | several operations as one instruction |
 //! | [`preamble`] | the values that a draw computes once |
 //! | [`allocate`] | real registers for virtual ones |
+//! | [`repeat`] | lookups at the points of the one before |
 //! | [`product`] | the programs that need no interpreter |
 //! | [`machine`] | the interpreter: 64 lanes an instruction, with an execution [`mask`] |
 
@@ -29,6 +30,7 @@ mod optimize;
 mod owned;
 mod preamble;
 mod product;
+mod repeat;
 mod schedule;
 mod sources;
 
@@ -38,13 +40,14 @@ pub(crate) use sources::Sources;
 
 use crate::ir::{Input, Module, Output};
 use allocate::Layout;
-use inst::Inst;
+use inst::{Inst, SampleInst};
 use preamble::Preamble;
+use repeat::Repeat;
 use std::fmt::Write;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 use texunit::lanes::Isa;
-use texunit::plan::SamplePlan;
+use texunit::plan::{Places, SamplePlan};
 
 /// A compiled stage.
 #[derive(Debug)]
@@ -71,6 +74,8 @@ pub struct Program {
     /// Banks of registers that one run may fill.
     banks: usize,
     product: Option<Product>,
+    /// The lookups that may keep what the one before found.
+    repeats: Vec<Repeat>,
 }
 
 /// The most banks of registers: batches that run together.
@@ -88,6 +93,8 @@ pub struct Prepared {
     words: Vec<u32>,
     /// The draw's uniform words, if the program indexes them per lane.
     uniforms: Vec<u32>,
+    /// Which of the program's repeated lookups keep what the one before found, bit by number.
+    alike: u64,
 }
 
 impl Prepared {
@@ -96,9 +103,18 @@ impl Prepared {
         self.id
     }
 
+    /// Who looks for the places of a lookup of the program.
+    #[inline(always)]
+    fn places(&self, sample: &SampleInst) -> Places {
+        match sample.repeat {
+            Some(number) if self.alike >> number & 1 == 1 => Places::Kept,
+            Some(_) | None => Places::Own,
+        }
+    }
+
     /// Whether a program finds the same in both.
     pub fn has_values_of(&self, other: &Self) -> bool {
-        self.words == other.words && self.uniforms == other.uniforms
+        (&self.words, &self.uniforms, self.alike) == (&other.words, &other.uniforms, other.alike)
     }
 }
 
@@ -194,6 +210,7 @@ impl Program {
         let mut layout = allocate::allocate(&mut lowered);
         let outputs = lowered.outputs.iter().map(|&(output, _)| output);
         let product = Product::of(&lowered.code, &mut layout, outputs);
+        let repeats = repeat::find(&mut lowered.code);
         Self {
             id: identity(),
             statements: [0; 2],
@@ -211,6 +228,7 @@ impl Program {
             discards: lowered.discards,
             queries_lod: lowered.queries_lod,
             reads_uniforms: lowered.reads_uniforms,
+            repeats,
         }
     }
 
@@ -297,16 +315,18 @@ impl Program {
         line
     }
 
-    /// Computes what depends on uniforms only. Missing words read as zero.
+    /// Computes what depends on uniforms only, and decides what depends on textures: those of the runs. Missing words
+    /// read as zero.
     pub fn prepare(
         &self,
         isa: Isa,
         uniforms: &[u32],
         textures: &[Option<Arc<SamplePlan>>],
     ) -> Prepared {
-        // Scalar steps are the same on every instruction set, and none of them samples.
-        let _ = (isa, textures);
+        // Scalar steps are the same on every instruction set.
+        let _ = isa;
         Prepared {
+            alike: repeat::alike(&self.repeats, textures),
             id: identity(),
             words: self.preamble.run(uniforms),
             uniforms: if self.reads_uniforms { uniforms.to_vec() } else { Vec::new() },

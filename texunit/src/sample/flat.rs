@@ -6,7 +6,7 @@
 
 use super::compare::compare;
 use super::footprint::Round;
-use super::plain::{Class, Square};
+use super::plain::{Class, Places};
 use super::record::Off;
 use super::{Coordinates, Sample, expand, filter, plain, take, taps, unit_range};
 use crate::image::Shape;
@@ -18,7 +18,9 @@ use crate::sampler::Filter;
 pub(crate) struct Flat<'s, 'a, F> {
     pub sample: &'s mut Sample<'a, Off, F>,
     pub class: Class,
-    pub squares: &'s mut [Square; 2],
+    pub places: Places,
+    pub squares: &'s mut take::Squares,
+    pub detail: &'s mut take::Found,
 }
 
 /// What became of a call.
@@ -98,14 +100,18 @@ impl<F> Kernel for Flat<'_, '_, F> {
 
     #[inline(always)]
     fn run<S: Simd>(self) -> Outcome {
-        let Self { sample, class, squares } = self;
+        let Self { sample, class, places, squares, detail } = self;
         let texture = sample.texture;
-        let mut weight = F32s::ZERO;
-        let read = read::<S>(texture, sample.coords, sample.lod, &mut weight);
-        let Some(Read { filter, levels }) = read else { return Outcome::NotFlat };
+        let take::Found { read: found, weight } = detail;
+        if places == Places::Own {
+            *found = read::<S>(texture, sample.coords, sample.lod, weight);
+        }
+        let Some(Read { filter, levels }) = *found else { return Outcome::NotFlat };
         if texture.gives_words && filter == Filter::Linear {
             let spread = take::Spread(&mut *sample.out);
-            let taken = take::take::<S, _>(texture, *sample.coords, read, &weight, squares, spread);
+            let detail = (*found, &*weight);
+            let taken =
+                take::take::<S, _>(texture, *sample.coords, detail, places, squares, spread);
             return if taken.is_ok() { Outcome::Sampled } else { Outcome::NotFlat };
         }
         // Takes no time where there is no second level.
@@ -134,7 +140,7 @@ impl<F> Kernel for Flat<'_, '_, F> {
             let channels = texture.format.channels();
             for (out, second) in sample.out.iter_mut().zip(second).take(channels) {
                 let first = *out;
-                filter::mix(&first, second, &weight, out);
+                filter::mix(&first, second, weight, out);
             }
         }
         expand::expand(texture.format, texture.depth_mode, sample.out);

@@ -82,8 +82,15 @@ impl<R: Recorder, F: Reads> Kernel for Sample<'_, R, F> {
 impl<'a, F: Reads> Sample<'a, Off, F> {
     /// Runs it the shortest way if that leads there; texels are of this class.
     #[inline]
-    pub fn run_flat(mut self, isa: Isa, class: plain::Class, squares: &mut [plain::Square; 2]) {
-        match isa.run_above_baseline(flat::Flat { sample: &mut self, class, squares }) {
+    pub fn run_flat(
+        mut self,
+        isa: Isa,
+        class: plain::Class,
+        places: plain::Places,
+        (squares, detail): (&mut take::Squares, &mut take::Found),
+    ) {
+        let sample = &mut self;
+        match isa.run_above_baseline(flat::Flat { sample, class, places, squares, detail }) {
             Ok(flat::Outcome::Sampled) => {}
             Ok(flat::Outcome::NotFlat) | Err(flat::Flat { .. }) => self.run_on(isa),
         }

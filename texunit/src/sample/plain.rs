@@ -87,7 +87,7 @@ pub fn linear<S: Simd>(
     let (words, channels) = (place.level.format.words(), place.level.format.channels());
     if words == 1 {
         let mut found = Square::default();
-        if !square::<S>(place, at, &mut found) {
+        if square::<S>(place, at, Places::Own, &mut found) == Search::Nowhere {
             return false;
         }
         let Square { words, weights, .. } = &found;
@@ -124,34 +124,65 @@ pub struct Square {
     pub words: [U32s; 4],
     /// Of the right and of the upper texels.
     pub weights: [F32s; 2],
-    /// Where the first texels begin, while the others are looked for.
+    /// Where the first texels begin, where all of them lie inside of their level.
     offsets: U32s,
 }
 
-/// The texels whose mean a point takes, of one word each; or `false`, where this way does not lead.
+/// Who looks for the places of a lookup's texels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Places {
+    /// The lookup itself.
+    Own,
+    /// The one before in the same room ([`crate::plan::Room`]), whose points, offset and level of detail were the same, of
+    /// a plan that reads alike ([`crate::plan::SamplePlan::reads_like`]).
+    Kept,
+}
+
+/// What came of looking for squares of texels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Search {
+    /// This way does not lead there.
+    Nowhere,
+    /// They are here, and some reach over an edge of their level.
+    OverEdge,
+    /// They are here, and their places can be kept.
+    Inside,
+}
+
+/// The texels whose mean a point takes, of one word each. Places are kept of squares that are [`Search::Inside`].
 ///
 /// A function of its own, which gives them in memory that is the caller's: where they are locals of several ways that
 /// lead to the same place, LLVM moves all of them once or twice.
 #[inline(always)]
-pub fn square<S: Simd>(place: &Place<'_>, at: [&F32s; 3], out: &mut Square) -> bool {
-    S::apart(FindSquare { place, at, out })
+pub fn square<S: Simd>(
+    place: &Place<'_>,
+    at: [&F32s; 3],
+    places: Places,
+    out: &mut Square,
+) -> Search {
+    S::apart(FindSquare { place, at, places, out })
 }
 
 struct FindSquare<'a> {
     place: &'a Place<'a>,
     at: [&'a F32s; 3],
+    places: Places,
     out: &'a mut Square,
 }
 
 impl Kernel for FindSquare<'_> {
-    type Output = bool;
+    type Output = Search;
 
     #[inline(always)]
-    fn run<S: Simd>(self) -> bool {
-        let Self { place, at, out } = self;
+    fn run<S: Simd>(self) -> Search {
+        let Self { place, at, places, out } = self;
         let level = place.level;
         let bytes = level.format.bytes();
-        if bytes >= 3 && inside::<S>(place, at, &mut out.offsets, &mut out.weights) {
+        let is_inside = match places {
+            Places::Kept => true,
+            Places::Own => bytes >= 3 && inside::<S>(place, at, &mut out.offsets, &mut out.weights),
+        };
+        if is_inside {
             let row = level.row_bytes() as u32;
             S::gather_squares(&level.texels, &out.offsets, row, &mut out.words);
             if bytes == 3 {
@@ -159,9 +190,9 @@ impl Kernel for FindSquare<'_> {
                 split_threes([a, b]);
                 split_threes([c, d]);
             }
-            return true;
+            return Search::Inside;
         }
-        let Some(reach) = reach::<S>(place, at) else { return false };
+        let Some(reach) = reach::<S>(place, at) else { return Search::Nowhere };
         let corners = reach.corners(place);
         out.weights = reach.weights;
         out.words = if reach.pairs[0] == Pairs::Inside {
@@ -171,7 +202,7 @@ impl Kernel for FindSquare<'_> {
         } else {
             one_by_one::<S>(place, &corners, 0)
         };
-        true
+        Search::OverEdge
     }
 }
 

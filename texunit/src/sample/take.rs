@@ -3,7 +3,7 @@
 
 use super::filter::lerp;
 use super::flat::{self, Read};
-use super::plain::{self, Square};
+use super::plain::{self, Places, Search, Square};
 use crate::format::convert::{byte_channel, byte_of, over_255};
 use crate::lanes::{F32s, Kernel, LANES, Simd, U32s, math};
 use crate::plan::{Alpha, Detail, Texture};
@@ -126,13 +126,29 @@ impl Texels for Both<'_> {
     }
 }
 
-/// What a lookup needs room for. It says nothing from one to the next.
+/// What a lookup needs room for, and what the next one may keep of it ([`Places::Kept`]).
 #[derive(Clone, Debug, Default)]
 pub struct Room {
     /// What a lookup gave: red, green, blue and alpha. Of one that is taken, only where the short way does not lead.
     pub lanes: [F32s; 4],
-    /// The texels of one level, or of two.
-    pub(crate) squares: [Square; 2],
+    pub(crate) squares: Squares,
+    pub(crate) detail: Found,
+}
+
+/// The texels of one level, or of two.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Squares {
+    levels: [Square; 2],
+    /// Whether all of those of the last lookup were [`Search::Inside`].
+    inside: bool,
+}
+
+/// What the level of detail of a lookup comes to.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Found {
+    pub read: Option<Read>,
+    /// Of the second level.
+    pub weight: F32s,
 }
 
 /// Whether [`take`] leads somewhere wherever all lanes read the same levels.
@@ -152,9 +168,9 @@ pub(crate) fn always_leads(texture: &Texture) -> bool {
 pub(crate) fn take<S: Simd, T: Take>(
     texture: &Texture,
     coords: [&F32s; 3],
-    read: Option<Read>,
-    weight: &F32s,
-    squares: &mut [Square; 2],
+    (read, weight): (Option<Read>, &F32s),
+    places: Places,
+    squares: &mut Squares,
     take: T,
 ) -> Result<T::Output, T> {
     let Some(Read { filter, levels }) = read else { return Err(take) };
@@ -174,11 +190,11 @@ pub(crate) fn take<S: Simd, T: Take>(
         (Filter::Nearest, _) => Err(take),
         // Kernels of their own, so that none carries another's size.
         (Filter::Linear, Alpha::Read) => {
-            S::apart(Mean { texture, levels, coords, weight, squares, take })
+            S::apart(Mean { texture, levels, coords, weight, places, squares, take })
         }
         (Filter::Linear, Alpha::One) => {
             let take = OfOpaque(take);
-            let mean = Mean { texture, levels, coords, weight, squares, take };
+            let mean = Mean { texture, levels, coords, weight, places, squares, take };
             S::apart(mean).map_err(|OfOpaque(take)| take)
         }
     }
@@ -190,7 +206,8 @@ struct Mean<'a, T> {
     levels: [u32; 2],
     coords: [&'a F32s; 3],
     weight: &'a F32s,
-    squares: &'a mut [Square; 2],
+    places: Places,
+    squares: &'a mut Squares,
     take: T,
 }
 
@@ -199,18 +216,25 @@ impl<T: Take> Kernel for Mean<'_, T> {
 
     #[inline(always)]
     fn run<S: Simd>(self) -> Self::Output {
-        let Self { texture, levels, coords, weight, squares, take } = self;
+        let Self { texture, levels, coords, weight, places, squares, take } = self;
         let reads_both = levels[0] != levels[1];
-        let wanted = &mut squares[..1 + usize::from(reads_both)];
+        let places = if squares.inside { places } else { Places::Own };
+        squares.inside = true;
+        let wanted = &mut squares.levels[..1 + usize::from(reads_both)];
         for (number, square) in levels.into_iter().zip(wanted) {
             let place = flat::place(texture, Filter::Linear, number);
-            if !plain::square::<S>(&place, coords, square) {
-                return Err(take);
+            match plain::square::<S>(&place, coords, places, square) {
+                Search::Inside => {}
+                Search::OverEdge => squares.inside = false,
+                Search::Nowhere => {
+                    squares.inside = false;
+                    return Err(take);
+                }
             }
         }
         match reads_both {
-            false => Ok(take.take::<S>(&&squares[0])),
-            true => Ok(take.take::<S>(&Both(squares, weight))),
+            false => Ok(take.take::<S>(&&squares.levels[0])),
+            true => Ok(take.take::<S>(&Both(&squares.levels, weight))),
         }
     }
 }

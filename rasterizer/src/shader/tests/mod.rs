@@ -3,6 +3,7 @@
 mod cases;
 mod random;
 mod reference;
+mod repeats;
 mod together;
 
 use super::{Fusing, Machine, OverBudget, Program, Run};

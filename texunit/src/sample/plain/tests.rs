@@ -4,7 +4,7 @@ use super::*;
 use crate::format::Format;
 use crate::image::{Image, Level, Shape};
 use crate::lanes::{Isa, Kernel, math};
-use crate::plan::{Like, Lod, Room, SamplePlan, Take, Texels};
+use crate::plan::{Like, Lod, Points, Room, SamplePlan, Take, Texels};
 use crate::sampler::{Compare, Filter, Mipmap, Sampler, Seamless, Wrap};
 
 fn noise(seed: u32) -> u32 {
@@ -203,6 +203,82 @@ fn the_short_way_gives_the_bits_of_the_general_one() {
     }
     assert!(bytes_given > 0 || Isa::available().len() == 1);
     assert!(left_out > 0);
+}
+
+#[test]
+fn places_that_are_kept_are_those_that_would_be_found() {
+    let (mut kept, mut apart) = (0, 0);
+    for round in 0..600_u32 {
+        let pick = |salt: u32, n: usize| noise(round * 32 + salt) as usize % n;
+        let filters = [Filter::Nearest, Filter::Linear, Filter::Linear];
+        let filter = filters[pick(0, 3)];
+        let sampler = Sampler {
+            wrap: [Wrap::ALL[pick(1, Wrap::ALL.len())]; 3],
+            min: filter,
+            mag: filter,
+            mipmap: [Mipmap::None, Mipmap::Nearest, Mipmap::Linear][pick(2, 3)],
+            ..Sampler::default()
+        };
+        let [width, height] = [3, 4].map(|salt| 1 + pick(salt, 40) as u32);
+        let size = [width, height, 1];
+        let format = [Format::Rgba8, Format::Rgb8][pick(5, 2)];
+        let first = SamplePlan::new(&image(Shape::D2, format, size, 2 * round), &sampler);
+        // Of the same size and sampler, or with one thing other.
+        let other = Sampler { lod_bias: 0.5, ..sampler.clone() };
+        let (is_like, size, format, sampler) = match pick(6, 8) {
+            0 => (false, [width + 1, height, 1], format, &sampler),
+            1 => (
+                false,
+                size,
+                if format == Format::Rgb8 { Format::Rgba8 } else { Format::Rgb8 },
+                &sampler,
+            ),
+            2 => (sampler.mipmap == Mipmap::None, size, format, &other),
+            _ => (true, size, format, &sampler),
+        };
+        let second = SamplePlan::new(&image(Shape::D2, format, size, 2 * round + 64), sampler);
+        // What decides λ, and the bias for who asks for it, differ where nothing else does.
+        if !is_like {
+            assert!(!second.reads_like(&first), "{} {}", first.describe(), second.describe());
+        }
+        if !second.reads_like(&first) {
+            apart += 1;
+            continue;
+        }
+        kept += 1;
+        let scale: f32 = [0.02, 0.3, 4.0][pick(7, 3)];
+        let coords = [8, 9, 10].map(|salt| {
+            let is_inside = pick(11, 2) == 0;
+            F32s::from_fn(|lane| match noise(lane as u32 ^ round << 8 ^ salt << 24) >> 8 {
+                part if part % 61 == 0 && !is_inside => f32::NAN,
+                part if is_inside => 0.4 + 0.1 * scale.min(1.0) * (part as f32 / 16_777_216.0),
+                part => scale * (part as f32 / 8_388_608.0 - 1.0) + 0.01 * lane as f32,
+            })
+        });
+        let points = Points { coords: coords.each_ref(), layer: None, reference: None };
+        let lod = Lod::Implicit { bias: None };
+        for isa in Isa::available() {
+            let alone = |plan: &SamplePlan| {
+                let mut out = [F32s::ZERO; 4];
+                plan.sample(isa, points.coords, None, lod, &mut out);
+                out.map(bits)
+            };
+            let mut room = Room::default();
+            let turns = [
+                (&first, Places::Own),
+                (&second, Places::Kept),
+                (&first, Places::Kept),
+                (&second, Places::Own),
+                (&first, Places::Kept),
+            ];
+            for (turn, (plan, places)) in turns.into_iter().enumerate() {
+                plan.sample_offset(isa, points, [0; 3], lod, places, &mut room);
+                let what = format!("{} turn {turn}: {}", isa.name(), plan.describe());
+                assert_eq!(room.lanes.map(bits), alone(plan), "{what}");
+            }
+        }
+    }
+    assert!(kept > 200 && apart > 100, "{kept} {apart}");
 }
 
 /// The image with the last of each four bytes 255: alpha, where that is a byte.

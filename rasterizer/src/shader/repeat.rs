@@ -1,0 +1,78 @@
+//! Lookups at the same points as the one before: a surface has its colours, normals and gloss in textures of one size.
+//! Where a draw's textures then read alike, levels of detail and places are found once.
+
+use super::inst::{Inst, Reg, Role, SampleInst};
+use crate::ir::Access;
+use std::sync::Arc;
+use texunit::plan::SamplePlan;
+
+/// Two lookups with nothing in between that changes what the second one reads.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Repeat {
+    /// The texture slots of both.
+    textures: [u32; 2],
+}
+
+/// As many have a bit in a word.
+const MOST: usize = u64::BITS as usize;
+
+/// Marks the lookups of straight code that repeat the one before; gives them in order.
+pub(super) fn find(code: &mut [Inst]) -> Vec<Repeat> {
+    let mut found = Vec::new();
+    if !code.iter().all(Inst::is_straight) {
+        return found;
+    }
+    let mut before: Option<SampleInst> = None;
+    for inst in code {
+        if let Inst::Sample(sample) = inst {
+            if let Some(before) = &before
+                && repeats(sample, before)
+                && found.len() < MOST
+            {
+                sample.repeat = Some(found.len() as u8);
+                found.push(Repeat { textures: [before.texture, sample.texture] });
+            }
+            before = Some(SampleInst::clone(sample));
+        }
+        inst.operands(&mut |reg, role| {
+            if role == Role::Write && before.as_mut().is_some_and(|before| reads(before, *reg)) {
+                before = None;
+            }
+        });
+    }
+    found
+}
+
+/// Whether a lookup asks for the same as the one before.
+fn repeats(sample: &SampleInst, before: &SampleInst) -> bool {
+    match (sample.access, before.access) {
+        (Access::Filter { offset }, Access::Filter { offset: same }) if offset == same => {
+            sample.coords == before.coords && sample.lod == before.lod
+        }
+        (
+            Access::Filter { .. }
+            | Access::Fetch { .. }
+            | Access::Gather { .. }
+            | Access::Size
+            | Access::Lod,
+            _,
+        ) => false,
+    }
+}
+
+fn reads(sample: &mut SampleInst, wanted: Reg) -> bool {
+    let mut found = false;
+    sample.reads(|reg| found |= *reg == wanted);
+    found
+}
+
+/// Of which of these both textures read alike: bit by number.
+pub(super) fn alike(repeats: &[Repeat], textures: &[Option<Arc<SamplePlan>>]) -> u64 {
+    let texture = |slot: u32| textures.get(slot as usize)?.as_ref();
+    let bit = |(number, repeat): (usize, &Repeat)| {
+        let [before, here] = repeat.textures.map(texture);
+        let are_alike = before.zip(here).is_some_and(|(before, here)| here.reads_like(before));
+        u64::from(are_alike) << number
+    };
+    repeats.iter().enumerate().map(bit).sum()
+}
