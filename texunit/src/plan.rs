@@ -328,12 +328,12 @@ impl SamplePlan {
     pub fn reads_like(&self, other: &Self) -> bool {
         let (Ok(one), Ok(other)) = (&self.0, &other.0) else { return false };
         let of = |level: &Arc<Level>| (level.size(), level.border, level.format.bytes());
-        let layout = |texture: &Texture| texture.levels[0].iter().map(of).collect::<Vec<_>>();
+        let [levels, others] = [one, other].map(|texture| texture.levels[0].iter().map(of));
         one.gives_words
             && other.gives_words
             && (one.shape, one.wrap) == (other.shape, other.wrap)
             && one.detail == other.detail
-            && layout(one) == layout(other)
+            && levels.eq(others)
     }
 
     /// Whether what [`SamplePlan::read`] gives is all that [`SamplePlan::take`] needs of the level of detail, where

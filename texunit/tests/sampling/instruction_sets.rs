@@ -3,7 +3,7 @@
 use crate::scene::{self, Random};
 use proptest::prelude::*;
 use texunit::lanes::{F32s, Isa, LANES};
-use texunit::plan::{Lod, Points, Room, SamplePlan};
+use texunit::plan::{Lod, Places, Points, Room, SamplePlan};
 
 /// Bits that no range of coordinates leaves out.
 fn anything(random: &mut Random) -> F32s {
@@ -64,7 +64,7 @@ proptest! {
             for lod in lods {
                 let sample = |isa| {
                     let mut room = Room::default();
-                    plan.sample_offset(isa, points, [0; 3], lod, &mut room);
+                    plan.sample_offset(isa, points, [0; 3], lod, Places::Own, &mut room);
                     room.lanes
                 };
                 let want = sample(Isa::BASELINE);

@@ -5,7 +5,7 @@ use proptest::prelude::*;
 use texunit::format::Format;
 use texunit::image::Shape;
 use texunit::lanes::{F32s, Isa, LANES};
-use texunit::plan::{Lod, Points, Room, SamplePlan};
+use texunit::plan::{Lod, Places, Points, Room, SamplePlan};
 use texunit::sampler::{Filter, Mipmap, Sampler, Wrap};
 use texunit::trace::SampleStep;
 
@@ -47,7 +47,7 @@ proptest! {
                     reference: Some(&reference),
                 };
                 let mut room = Room::default();
-                plan.sample_offset(Isa::best(), points, [1, 0, -2], lod, &mut room);
+                plan.sample_offset(Isa::best(), points, [1, 0, -2], lod, Places::Own, &mut room);
                 for lane in (0..LANES).step_by(7) {
                     let trace = plan.trace(lane, points, [1, 0, -2], lod);
                     let want = room.lanes.each_ref().map(|channel| bits(channel[lane]));
