@@ -323,8 +323,8 @@ impl SamplePlan {
         }
     }
 
-    /// Whether a lookup reads the same levels at the same places as one of `other` with the same points, offset and level
-    /// of detail does: whether [`Places::Kept`] can be asked for.
+    /// Whether a lookup reads the same levels at the same places as one of `other` with the same points, offset and
+    /// level of detail does: whether [`Places::Kept`] can be asked for.
     pub fn reads_like(&self, other: &Self) -> bool {
         let (Ok(one), Ok(other)) = (&self.0, &other.0) else { return false };
         let of = |level: &Arc<Level>| (level.size(), level.border, level.format.bytes());

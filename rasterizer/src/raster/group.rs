@@ -4,7 +4,7 @@
 use super::interpolate::{PlaneSetup, PlaneSource, Planes};
 use super::lanes::ShapeLanes;
 use super::small::{REACHED, Windows};
-use super::weights::{PlaneLanes, Weights, Window, sum, to_depth};
+use super::weights::{PlaneLanes, Weights, sum, to_depth};
 use crate::plan::FactorPlanes;
 use crate::primitive::{SUBPIXEL, Shape};
 use crate::vertex::{Geometry, VARYINGS};
@@ -215,9 +215,8 @@ impl Kernel for Together<'_> {
         }
         lanes.general = [0; LANES];
         gather::<S>(geometry, shapes, 0, &mut lanes.values);
-        let window = Window { half: setup.viewport.half(), center: setup.viewport.center() };
         let Lanes { values, origin, weights, general } = lanes;
-        weights.compute::<S>(values, origin, window, general);
+        weights.compute::<S>(values, origin, &setup.viewport, general);
         let mut four = 0;
         for (source, out) in setup.sources.iter().zip(planes) {
             let (weights, at) = match *source {

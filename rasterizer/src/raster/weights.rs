@@ -2,6 +2,7 @@
 //! [`super::interpolate`], in the same order, over lanes.
 
 use super::interpolate::Inverse;
+use crate::driver::Viewport;
 use texunit::lanes::{F32s, F64s, LANES, Simd, U32s};
 
 /// `a`, `b` and `c` of a plane of each.
@@ -55,14 +56,14 @@ impl View {
     }
 }
 
-/// From clip coordinates to the window: half its sides, and its centre.
+/// From clip coordinates to the window: half the viewport's sides, and its centre.
 #[derive(Clone, Copy, Debug)]
-pub struct Window {
-    pub half: [f64; 2],
-    pub center: [f64; 2],
+struct ToWindow {
+    half: [f64; 2],
+    center: [f64; 2],
 }
 
-impl Window {
+impl ToWindow {
     /// A homogeneous position, from an origin.
     #[inline(always)]
     fn position(self, [x, y, w]: [f64; 3], origin: [f64; 2]) -> [f64; 3] {
@@ -72,14 +73,14 @@ impl Window {
 }
 
 impl Weights {
-    /// Of triangles whose vertices these are (x, y, z and w of each), from an origin of each. Marks in `general` those that are
-    /// too thin: they are left to the general computation.
+    /// Of triangles whose vertices these are (x, y, z and w of each), from an origin of each. Marks in `general` those
+    /// that are too thin: they are left to the general computation.
     #[inline(always)]
     pub fn compute<S: Simd>(
         &mut self,
         vertices: &[[F32s; 4]; 3],
         origin: &[F64s; 2],
-        window: Window,
+        viewport: &Viewport,
         general: &mut [u64; LANES],
     ) {
         for (clip, [x, y, _, w]) in self.clip.iter_mut().zip(vertices) {
@@ -89,6 +90,7 @@ impl Weights {
                 }
             }
         }
+        let window = ToWindow { half: viewport.half(), center: viewport.center() };
         self.view = View::of::<S>(vertices);
         match self.view {
             View::Parallel => self.parallel(origin, window, general),
@@ -97,7 +99,7 @@ impl Weights {
     }
 
     #[inline(always)]
-    fn perspective(&mut self, origin: &[F64s; 2], window: Window, general: &mut [u64; LANES]) {
+    fn perspective(&mut self, origin: &[F64s; 2], window: ToWindow, general: &mut [u64; LANES]) {
         let Self { clip, projective, smooth, denominator, .. } = self;
         for lane in 0..LANES {
             let from = [origin[0][lane], origin[1][lane]];
@@ -126,7 +128,7 @@ impl Weights {
 
     /// The same where nothing is multiplied by w.
     #[inline(always)]
-    fn parallel(&mut self, origin: &[F64s; 2], window: Window, general: &mut [u64; LANES]) {
+    fn parallel(&mut self, origin: &[F64s; 2], window: ToWindow, general: &mut [u64; LANES]) {
         let Self { clip, projective: [first, second, third], .. } = self;
         for lane in 0..LANES {
             let from = [origin[0][lane], origin[1][lane]];

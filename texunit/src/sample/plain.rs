@@ -133,8 +133,8 @@ pub struct Square {
 pub enum Places {
     /// The lookup itself.
     Own,
-    /// The one before in the same room ([`crate::plan::Room`]), whose points, offset and level of detail were the same, of
-    /// a plan that reads alike ([`crate::plan::SamplePlan::reads_like`]).
+    /// The one before in the same room ([`crate::plan::Room`]), whose points, offset and level of detail were the same,
+    /// of a plan that reads alike ([`crate::plan::SamplePlan::reads_like`]).
     Kept,
 }
 
