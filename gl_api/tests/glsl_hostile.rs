@@ -73,7 +73,7 @@ fn rejected_soon() {
         ("conditions", format!("#if {}1", open("("))),
         ("structures", structures(40)),
         ("uniform blocks", BLOCKS.to_owned() + &open("uniform B {")),
-        ("members", format!("{BLOCKS}uniform B {{ {} }};", open("float f;"))),
+        ("members", format!("{BLOCKS}uniform B {{ {} }};", "float f;".repeat(MILLION / 4))),
         ("layouts", BLOCKS.to_owned() + &open("layout(std140) ")),
         ("hashes", open("#")),
         ("stray", open("\u{1F600}")),
