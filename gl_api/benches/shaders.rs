@@ -1,4 +1,4 @@
-//! Five shaders, full-screen at 1024×1024, per instruction set and thread count.
+//! Nine shaders, full-screen at 1024×1024, per instruction set and thread count.
 //!
 //! `cargo bench -p gl_api --bench shaders [words…]` runs the shaders and instruction sets whose names
 //! hold one of the words. A number is the fastest of many draws: the machine may do other things.
@@ -31,12 +31,22 @@ void main() { uv = coord; gl_Position = position; }
 ";
 
 /// Names and fragment shaders.
-const SHADERS: [(&str, &str); 7] = [
+const SHADERS: [(&str, &str); 9] = [
     ("constant", "void main() { gl_FragColor = vec4(0.25, 0.5, 0.75, 1.0); }"),
     (
         "texture",
         "varying vec2 uv; uniform sampler2D image;
 void main() { gl_FragColor = texture2D(image, uv * 2.0); }",
+    ),
+    (
+        "two_at_once",
+        "varying vec2 uv; uniform sampler2D image; uniform sampler2D light;
+void main() { gl_FragColor = texture2D(image, uv * 2.0) * texture2D(light, uv * 2.0); }",
+    ),
+    (
+        "two_apart",
+        "varying vec2 uv; uniform sampler2D image; uniform sampler2D light;
+void main() { gl_FragColor = texture2D(image, uv * 2.0) * texture2D(light, uv * 2.0 + 0.25); }",
     ),
     (
         "normal_map",

@@ -14,7 +14,7 @@ use crate::sample::lod::LodRange;
 use crate::sample::plain::Class;
 pub use crate::sample::plain::Places;
 use crate::sample::query::Query;
-pub use crate::sample::take::{Room, Take, Texels};
+pub use crate::sample::take::{Known, Room, Take, Texels};
 use crate::sample::texel::Fetch;
 use crate::sample::{Off, Probed, Sample, Scanned};
 use crate::sample::{ahead, flat, take};
@@ -362,22 +362,21 @@ impl SamplePlan {
 
     /// [`SamplePlan::sample`] as part of a kernel, of images that are not compared. What it gives goes to `take`
     /// without a detour, where texels are bytes and all lanes read the same level, or the same two; else by way
-    /// of lanes. `read` and `weight` are what [`SamplePlan::read`] gave, of this batch or of one that reads the same.
+    /// of lanes. What is `known` is what [`SamplePlan::read`] gave, of this batch or of one that reads the same.
     #[inline(always)]
     pub fn take<S: Simd, T: Take>(
         &self,
         isa: Isa,
         coords: [&F32s; 3],
         lod: Lod<'_>,
-        (read, weight): (Option<Read>, &F32s),
+        known: Known<'_>,
         room: &mut Room,
         take: T,
     ) -> T::Output {
         let take = match &self.0 {
             Ok(texture) if S::WIDE && texture.gives_words => {
                 let squares = &mut room.squares;
-                let detail = (read, weight);
-                match take::take::<S, T>(texture, coords, detail, Places::Own, squares, take) {
+                match take::take::<S, T>(texture, coords, known, squares, take) {
                     Ok(output) => return output,
                     Err(take) => take,
                 }

@@ -4,6 +4,7 @@ use super::Textures;
 use super::inputs::{FilledInput, FragmentInput};
 use crate::shader::Program;
 use texunit::lanes::Isa;
+use texunit::plan::Places;
 
 /// What a fragment program that is a product ([`crate::shader::Product`]) comes to in a draw.
 #[derive(Debug)]
@@ -18,6 +19,8 @@ pub struct ProductPlan {
     pub inputs: ProductInputs,
     /// Those where the levels of detail are known.
     pub without_details: ProductInputs,
+    /// Who looks for the texels of each lookup: the one before where both read alike at one point.
+    pub places: Vec<Places>,
 }
 
 /// The inputs that a block needs.
@@ -53,6 +56,15 @@ impl ProductPlan {
         if !product.textures().all(is_there) {
             return None;
         }
+        let texture = |at: usize| textures.get(product.texture(at))?.as_ref();
+        let is_kept = |at: usize| {
+            let both = texture(at - 1).zip(texture(at));
+            both.is_some_and(|(before, here)| here.reads_like(before))
+        };
+        let places = |at: usize| match product.repeats(at) && is_kept(at) {
+            true => Places::Kept,
+            false => Places::Own,
+        };
         let mut factor_planes = Some(FactorPlanes::default());
         for &index in &product.factor_inputs {
             match inputs[index] {
@@ -97,6 +109,7 @@ impl ProductPlan {
         Some(Self {
             factor_planes,
             detail_planes,
+            places: (0..product.lookups()).map(places).collect(),
             inputs: filled(&[]),
             without_details: filled(details.map_or(&[], |details| &details[..])),
         })

@@ -6,7 +6,7 @@ use crate::output::{Color, ColorPlan, pack_colors, put};
 use crate::plan::{DrawPlan, FactorPlanes, FilledInput, ProductInputs, ProductPlan};
 use crate::shader::{BANKS, Machine, OverBudget, Part, Product, Run};
 use texunit::lanes::{F32s, Isa, Kernel, LANES, QUADS, Simd, U32s};
-use texunit::plan::{Like, Lod, Read, Room, SamplePlan, Take, Texels};
+use texunit::plan::{Known, Like, Lod, Places, Read, Room, SamplePlan, Take, Texels};
 
 /// The colours of a run, and what there is between its lookups.
 #[derive(Debug, Default)]
@@ -182,6 +182,7 @@ impl Kernel for Multiply<'_> {
         let Products { colors, between, room, factors, how, is_one, readings, details, .. } =
             products;
         let (how, is_one) = (*how, *is_one && *how != Factors::Varying);
+        let places = plan.product.as_ref().map_or(&[][..], |product| &product.places[..]);
         let [even, odd] = &mut **between;
         let known = match details {
             Details::Varying => None,
@@ -194,7 +195,9 @@ impl Kernel for Multiply<'_> {
                 Factors::Varying => machine.factors(product, bank),
                 Factors::Shared | Factors::Known => factors.each_ref(),
             };
-            for (at, kept) in readings.iter_mut().enumerate() {
+            // What lies here no store of colours can change.
+            let (mut read, mut weight) = (None, F32s::ZERO);
+            for (at, (kept, &places)) in readings.iter_mut().zip(places).enumerate() {
                 let is_last = at + 1 == product.lookups();
                 let (before, after) =
                     if at % 2 == 0 { (&*odd, &mut *even) } else { (&*even, &mut *odd) };
@@ -214,19 +217,18 @@ impl Kernel for Multiply<'_> {
                 if let Some(texture) = texture.and_then(Option::as_ref) {
                     let coords = machine.coords(product, at, bank);
                     let lod = lod_of(texture, machine, product, at, bank);
-                    // What lies here no store of colours can change.
-                    let mut weight = F32s::ZERO;
-                    let read = match details {
-                        Details::Known => {
-                            weight = kept.1;
-                            kept.0
+                    match (&*details, places) {
+                        (Details::Known, _) => (read, weight) = *kept,
+                        (Details::Varying, Places::Own) => {
+                            read = texture.read::<S>(coords, &lod, &mut weight);
                         }
-                        Details::Varying => texture.read::<S>(coords, &lod, &mut weight),
-                    };
+                        (Details::Varying, Places::Kept) => {}
+                    }
                     if is_kept {
                         *kept = (read, weight);
                     }
-                    texture.take::<S, _>(isa, coords, lod, (read, &weight), room, times);
+                    let known = Known { read, weight: &weight, places };
+                    texture.take::<S, _>(isa, coords, lod, known, room, times);
                 }
             }
         }

@@ -5,6 +5,7 @@
 use super::compute::{Compute, OPERANDS};
 use super::inst::{Inst, Reg, Role, SampleInst, SampleLod};
 use super::machine::{Interpreter, Machine, lod};
+use super::repeat::repeats;
 use super::{Layout, OverBudget, Run};
 use crate::ir::{Access, Output};
 use texunit::lanes::F32s;
@@ -117,6 +118,11 @@ impl Product {
     #[inline(always)]
     pub fn texture(&self, at: usize) -> usize {
         self.lookups[at].texture as usize
+    }
+
+    /// Whether a lookup asks for the same as the one before, of another texture or of the same.
+    pub fn repeats(&self, at: usize) -> bool {
+        matches!(&self.lookups[..=at], [.., before, here] if repeats(here, before))
     }
 
     /// How many lookups there are, at least one.

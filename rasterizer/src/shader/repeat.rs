@@ -44,7 +44,7 @@ pub(super) fn find(code: &mut [Inst]) -> Vec<Repeat> {
 }
 
 /// Whether a lookup asks for the same as the one before.
-fn repeats(sample: &SampleInst, before: &SampleInst) -> bool {
+pub(super) fn repeats(sample: &SampleInst, before: &SampleInst) -> bool {
     match (sample.access, before.access) {
         (Access::Filter { offset }, Access::Filter { offset: same }) if offset == same => {
             sample.coords == before.coords && sample.lod == before.lod

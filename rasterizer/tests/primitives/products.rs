@@ -18,9 +18,18 @@ const SAID: &str = "texels are multiplied as they come";
 
 /// A texture of noise with mipmaps.
 fn noise(format: Format, sampler: Sampler) -> Arc<SamplePlan> {
+    of_noise(format, sampler, 2_654_435_761)
+}
+
+/// A texture of other noise.
+fn other(format: Format, sampler: Sampler) -> Arc<SamplePlan> {
+    of_noise(format, sampler, 2_246_822_519)
+}
+
+fn of_noise(format: Format, sampler: Sampler, by: u32) -> Arc<SamplePlan> {
     let mut level = Level::new(format, 64, 64).expect("small");
     for (i, byte) in level.texels.iter_mut().enumerate() {
-        *byte = (i as u32).wrapping_mul(2_654_435_761).to_le_bytes()[3];
+        *byte = (i as u32).wrapping_mul(by).to_le_bytes()[3];
         if format == Format::Rgba32F {
             *byte &= 0x3F;
         }
@@ -117,6 +126,16 @@ fn three_lookups(b: &mut Builder) -> [Value; 4] {
     })
 }
 
+/// Both at one point.
+fn twice(b: &mut Builder) -> [Value; 4] {
+    let (first, second) = (look_up(b, 0, 1), look_up(b, 0, 1));
+    each(b, |b, at| {
+        let factor = varying(b, 4 + at as u16);
+        let product = b.op(Op::Mul, &[factor, first[at]]);
+        b.op(Op::Mul, &[product, second[at]])
+    })
+}
+
 /// A colour of its own for one component: left to the interpreter.
 fn mixed_up(b: &mut Builder) -> [Value; 4] {
     let [r, g, b, a] = look_up(b, 0, 1);
@@ -176,16 +195,19 @@ fn texels_multiplied_as_they_come_are_what_the_interpreter_multiplies() {
         ("clamped", times_clamped, true),
         ("number", times_number, true),
         ("three", three_lookups, true),
+        ("twice", twice, true),
         ("mixed up", mixed_up, false),
     ] {
         for (at, (format, sampler)) in samplers().into_iter().enumerate() {
-            let texture = noise(format, sampler);
+            let texture = noise(format, sampler.clone());
+            let second = if at % 2 == 0 { texture.clone() } else { other(format, sampler) };
             let (target, blend, mask) = targets[at % targets.len()];
             let mut desc = pipeline(vertex(8), fragment(8, color));
             desc.colors[0].blend = blend;
             desc.colors[0].mask = mask;
             for vertices in &vertices {
-                let textures = vec![Some(texture.clone()); 3];
+                let textures =
+                    vec![Some(texture.clone()), Some(second.clone()), Some(texture.clone())];
                 let draw = |isa, watched| {
                     let drawn =
                         Drawn { desc: &desc, textures: &textures, vertices, count: 15, target };

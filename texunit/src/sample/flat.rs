@@ -109,9 +109,8 @@ impl<F> Kernel for Flat<'_, '_, F> {
         let Some(Read { filter, levels }) = *found else { return Outcome::NotFlat };
         if texture.gives_words && filter == Filter::Linear {
             let spread = take::Spread(&mut *sample.out);
-            let detail = (*found, &*weight);
-            let taken =
-                take::take::<S, _>(texture, *sample.coords, detail, places, squares, spread);
+            let known = take::Known { read: *found, weight, places };
+            let taken = take::take::<S, _>(texture, *sample.coords, known, squares, spread);
             return if taken.is_ok() { Outcome::Sampled } else { Outcome::NotFlat };
         }
         // Takes no time where there is no second level.

@@ -143,6 +143,17 @@ pub(crate) struct Squares {
     inside: bool,
 }
 
+/// What is known of a lookup that is taken.
+#[derive(Clone, Copy, Debug)]
+pub struct Known<'a> {
+    /// What all lanes read, if that is the same.
+    pub read: Option<Read>,
+    /// Of the second level.
+    pub weight: &'a F32s,
+    /// Who looks for its texels.
+    pub places: Places,
+}
+
 /// What the level of detail of a lookup comes to.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Found {
@@ -163,13 +174,12 @@ pub(crate) fn always_leads(texture: &Texture) -> bool {
 }
 
 /// Looks up 64 lanes of a texture whose texels are red, green, blue and, if any, alpha in bytes; gives `take` back
-/// where that leads nowhere. `weight` is that of the second level.
+/// where that leads nowhere.
 #[inline(always)]
 pub(crate) fn take<S: Simd, T: Take>(
     texture: &Texture,
     coords: [&F32s; 3],
-    (read, weight): (Option<Read>, &F32s),
-    places: Places,
+    Known { read, weight, places }: Known<'_>,
     squares: &mut Squares,
     take: T,
 ) -> Result<T::Output, T> {

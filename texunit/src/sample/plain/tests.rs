@@ -4,7 +4,7 @@ use super::*;
 use crate::format::Format;
 use crate::image::{Image, Level, Shape};
 use crate::lanes::{Isa, Kernel, math};
-use crate::plan::{Like, Lod, Points, Room, SamplePlan, Take, Texels};
+use crate::plan::{Known, Like, Lod, Points, Room, SamplePlan, Take, Texels};
 use crate::sampler::{Compare, Filter, Mipmap, Sampler, Seamless, Wrap};
 
 fn noise(seed: u32) -> u32 {
@@ -121,7 +121,8 @@ impl Kernel for Taken<'_> {
         if let Some(read) = read {
             self.plan.ask::<S>([s, t], Like::Read(read));
         }
-        self.plan.take::<S, _>(self.isa, self.coords, lod, (read, &weight), room, Keep)
+        let known = Known { read, weight: &weight, places: Places::Own };
+        self.plan.take::<S, _>(self.isa, self.coords, lod, known, room, Keep)
     }
 }
 
