@@ -56,15 +56,8 @@ impl ProductPlan {
         if !product.textures().all(is_there) {
             return None;
         }
-        let texture = |at: usize| textures.get(product.texture(at))?.as_ref();
-        let is_kept = |at: usize| {
-            let both = texture(at - 1).zip(texture(at));
-            both.is_some_and(|(before, here)| here.reads_like(before))
-        };
-        let places = |at: usize| match product.repeats(at) && is_kept(at) {
-            true => Places::Kept,
-            false => Places::Own,
-        };
+        let places =
+            |at: usize| product.repeat(at).map_or(Places::Own, |repeat| repeat.places(textures));
         let mut factor_planes = Some(FactorPlanes::default());
         for &index in &product.factor_inputs {
             match inputs[index] {

@@ -5,7 +5,7 @@
 use super::compute::{Compute, OPERANDS};
 use super::inst::{Inst, Reg, Role, SampleInst, SampleLod};
 use super::machine::{Interpreter, Machine, lod};
-use super::repeat::repeats;
+use super::repeat::Repeat;
 use super::{Layout, OverBudget, Run};
 use crate::ir::{Access, Output};
 use texunit::lanes::F32s;
@@ -120,9 +120,12 @@ impl Product {
         self.lookups[at].texture as usize
     }
 
-    /// Whether a lookup asks for the same as the one before, of another texture or of the same.
-    pub fn repeats(&self, at: usize) -> bool {
-        matches!(&self.lookups[..=at], [.., before, here] if repeats(here, before))
+    /// A lookup that asks for the same as the one before, of another texture or of the same.
+    pub(crate) fn repeat(&self, at: usize) -> Option<Repeat> {
+        match &self.lookups[..=at] {
+            [.., before, here] => Repeat::of(before, here),
+            [_] | [] => None,
+        }
     }
 
     /// How many lookups there are, at least one.

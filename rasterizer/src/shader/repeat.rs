@@ -4,13 +4,31 @@
 use super::inst::{Inst, Reg, Role, SampleInst};
 use crate::ir::Access;
 use std::sync::Arc;
-use texunit::plan::SamplePlan;
+use texunit::plan::{Places, SamplePlan};
 
 /// Two lookups with nothing in between that changes what the second one reads.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Repeat {
+pub(crate) struct Repeat {
     /// The texture slots of both.
     textures: [u32; 2],
+}
+
+impl Repeat {
+    /// The second lookup, if it asks for the same as the one before.
+    pub(super) fn of(before: &SampleInst, sample: &SampleInst) -> Option<Self> {
+        let textures = [before.texture, sample.texture];
+        repeats(sample, before).then_some(Self { textures })
+    }
+
+    /// Who looks for the places of the second, in a draw with these textures.
+    pub(crate) fn places(&self, textures: &[Option<Arc<SamplePlan>>]) -> Places {
+        let texture = |slot: u32| textures.get(slot as usize)?.as_ref();
+        let [before, here] = self.textures.map(texture);
+        match before.zip(here) {
+            Some((before, here)) if here.reads_like(before) => Places::Kept,
+            Some(_) | None => Places::Own,
+        }
+    }
 }
 
 /// As many have a bit in a word.
@@ -25,12 +43,10 @@ pub(super) fn find(code: &mut [Inst]) -> Vec<Repeat> {
     let mut before: Option<SampleInst> = None;
     for inst in code {
         if let Inst::Sample(sample) = inst {
-            if let Some(before) = &before
-                && repeats(sample, before)
-                && found.len() < MOST
-            {
+            let repeat = before.as_ref().and_then(|before| Repeat::of(before, sample));
+            if let Some(repeat) = repeat.filter(|_| found.len() < MOST) {
                 sample.repeat = Some(found.len() as u8);
-                found.push(Repeat { textures: [before.texture, sample.texture] });
+                found.push(repeat);
             }
             before = Some(SampleInst::clone(sample));
         }
@@ -44,7 +60,7 @@ pub(super) fn find(code: &mut [Inst]) -> Vec<Repeat> {
 }
 
 /// Whether a lookup asks for the same as the one before.
-pub(super) fn repeats(sample: &SampleInst, before: &SampleInst) -> bool {
+fn repeats(sample: &SampleInst, before: &SampleInst) -> bool {
     match (sample.access, before.access) {
         (Access::Filter { offset }, Access::Filter { offset: same }) if offset == same => {
             sample.coords == before.coords && sample.lod == before.lod
@@ -68,11 +84,8 @@ fn reads(sample: &mut SampleInst, wanted: Reg) -> bool {
 
 /// Of which of these both textures read alike: bit by number.
 pub(super) fn alike(repeats: &[Repeat], textures: &[Option<Arc<SamplePlan>>]) -> u64 {
-    let texture = |slot: u32| textures.get(slot as usize)?.as_ref();
     let bit = |(number, repeat): (usize, &Repeat)| {
-        let [before, here] = repeat.textures.map(texture);
-        let are_alike = before.zip(here).is_some_and(|(before, here)| here.reads_like(before));
-        u64::from(are_alike) << number
+        u64::from(repeat.places(textures) == Places::Kept) << number
     };
     repeats.iter().enumerate().map(bit).sum()
 }
