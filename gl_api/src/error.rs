@@ -2,7 +2,7 @@
 //! door.
 
 use crate::constants::*;
-use crate::glsl::diagnostics::edit_distance;
+use crate::glsl::spelling::edit_distance;
 use crate::types::GLenum;
 use std::fmt;
 

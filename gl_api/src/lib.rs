@@ -1,6 +1,6 @@
 //! # gl_api: OpenGL 3.1, compatibility, over the rasterizer
 //!
-//! The GL state machine: entry points, validation, objects, GLU, the GLSL front end, and the
+//! The GL state machine: entry points, validation, objects, GLU, and the
 //! translation of validated state into commands of the driver.
 //!
 //! ```
@@ -34,7 +34,7 @@
 //! | `framebuffer` | attachments, completeness, clearing, reading back |
 //! | `pixels` | pixel rectangles and bitmaps as fragments, the raster position |
 //! | `program` | uniforms, attributes, what a link found |
-//! | [`glsl`], [`interface`] | the GLSL front end, and where programs and state meet |
+//! | [`glsl`], [`interface`] | the GLSL front end, a crate of its own, and where programs and state meet |
 //! | `assembly` | assembly programs: parser, IR, the parameters they read |
 //! | `fixed` | the fixed function as generated shaders |
 //! | `uniform_buffer`, `transform_feedback` | blocks of uniforms from buffers; captured vertices |
@@ -58,9 +58,7 @@ pub mod explain;
 mod feedback;
 mod fixed;
 mod framebuffer;
-pub mod glsl;
 pub mod glu;
-pub mod interface;
 mod list;
 mod object;
 mod pixels;
@@ -72,10 +70,12 @@ mod transform_feedback;
 pub mod types;
 mod uniform_buffer;
 
+pub use ::glsl;
 pub use abi::memory::ClientPointer;
 pub use constants::*;
 pub use context::{
     Context, ContextDesc, ContextError, GLDEBUGPROC, Message, Severity, SurfaceColor, SurfaceDesc,
 };
 pub use entry::*;
+pub use glsl::interface;
 pub use types::*;

@@ -36,7 +36,7 @@ fn compiled(stage: Stage, source: &str, repairs: Repairs) -> Compiled {
     compile(stage, source, &Options { repairs })
 }
 
-fn linked(vertex: &str, fragment: &str) -> gl_api::glsl::Program {
+fn linked(vertex: &str, fragment: &str) -> glsl::Program {
     let vertex = compiled(Stage::Vertex, vertex, Repairs::On);
     let fragment = compiled(Stage::Fragment, fragment, Repairs::On);
     let shaders = [

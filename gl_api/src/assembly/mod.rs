@@ -20,7 +20,7 @@ pub(crate) mod query;
 pub(crate) mod running;
 mod state;
 
-use crate::glsl::diagnostics::closest;
+use crate::glsl::spelling::closest;
 use crate::glsl::{self, BufferMode};
 use crate::object::programs::{Linked, ready};
 use layout::Row;

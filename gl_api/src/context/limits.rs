@@ -1,5 +1,10 @@
 //! The limits that `glGet` reports and that calls are checked against.
 
+pub(crate) use glsl::limits::{
+    MAX_TRANSFORM_FEEDBACK_INTERLEAVED_COMPONENTS, MAX_TRANSFORM_FEEDBACK_SEPARATE_COMPONENTS,
+    MAX_UNIFORM_BLOCK_SIZE, MAX_UNIFORM_BLOCKS, MAX_UNIFORM_COMPONENTS,
+};
+
 /// `GL_MAJOR_VERSION` and `GL_MINOR_VERSION`.
 pub(crate) const VERSION: (i32, i32) = (3, 1);
 
@@ -19,28 +24,18 @@ pub(crate) const TEXTURE_BUFFER_OFFSET_ALIGNMENT: usize = 16;
 /// `GL_MAX_VIEWPORT_DIMS`, both.
 pub(crate) const MAX_VIEWPORT_DIMS: u32 = 8192;
 /// `GL_MAX_COLOR_ATTACHMENTS` and `GL_MAX_DRAW_BUFFERS`.
-pub(crate) const MAX_COLOR_ATTACHMENTS: usize = 8;
+pub(crate) const MAX_COLOR_ATTACHMENTS: usize = glsl::limits::MAX_DRAW_BUFFERS as usize;
 /// `GL_MAX_SAMPLES`.
 pub(crate) const MAX_SAMPLES: u8 = rasterizer::driver::MAX_SAMPLES as u8;
 /// `GL_MAX_TEXTURE_LOD_BIAS`.
 pub(crate) const MAX_TEXTURE_LOD_BIAS: f32 = 16.0;
-/// `GL_MAX_VERTEX_UNIFORM_COMPONENTS` and `GL_MAX_FRAGMENT_UNIFORM_COMPONENTS`.
-pub(crate) const MAX_UNIFORM_COMPONENTS: i32 = 16384;
-/// `GL_MAX_VERTEX_UNIFORM_BLOCKS` and `GL_MAX_FRAGMENT_UNIFORM_BLOCKS`.
-pub(crate) const MAX_UNIFORM_BLOCKS: usize = 16;
 /// `GL_MAX_UNIFORM_BUFFER_BINDINGS`.
 pub(crate) const MAX_UNIFORM_BUFFER_BINDINGS: usize = 64;
-/// `GL_MAX_UNIFORM_BLOCK_SIZE`, in bytes.
-pub(crate) const MAX_UNIFORM_BLOCK_SIZE: u32 = 65536;
 /// `GL_UNIFORM_BUFFER_OFFSET_ALIGNMENT`: what rows of blocks in one buffer are a multiple of.
 pub(crate) const UNIFORM_BUFFER_OFFSET_ALIGNMENT: usize = 16;
 /// `GL_MAX_VARYING_FLOATS`.
-pub(crate) const MAX_VARYING_FLOATS: i32 = 64;
+pub(crate) const MAX_VARYING_FLOATS: i32 = glsl::limits::MAX_VARYING_FLOATS as i32;
 /// The largest buffer object, in bytes.
 pub(crate) const MAX_BUFFER_SIZE: usize = 1 << 31;
 /// `GL_MAX_TRANSFORM_FEEDBACK_SEPARATE_ATTRIBS`: the buffers that transform feedback fills at once.
 pub(crate) const MAX_TRANSFORM_FEEDBACK_SEPARATE_ATTRIBS: usize = 4;
-/// `GL_MAX_TRANSFORM_FEEDBACK_SEPARATE_COMPONENTS`.
-pub(crate) const MAX_TRANSFORM_FEEDBACK_SEPARATE_COMPONENTS: usize = 128;
-/// `GL_MAX_TRANSFORM_FEEDBACK_INTERLEAVED_COMPONENTS`.
-pub(crate) const MAX_TRANSFORM_FEEDBACK_INTERLEAVED_COMPONENTS: usize = 128;

@@ -50,7 +50,7 @@ impl DrawNote {
                 });
             let unit = sampler.and_then(|sampler| words.get(sampler.word as usize));
             let uniform = sampler.and_then(|sampler| {
-                let of_word = |uniform: &&crate::glsl::Uniform| uniform.word == sampler.word;
+                let of_word = |uniform: &&glsl::Uniform| uniform.word == sampler.word;
                 linked.program.uniforms.iter().find(of_word)
             });
             let name = uniform.map_or_else(|| format!("sampler {slot}"), |u| u.name.to_string());

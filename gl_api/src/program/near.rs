@@ -7,7 +7,7 @@
 
 use crate::context::Context;
 use crate::context::said::Hint;
-use crate::glsl::edit_distance;
+use crate::glsl::spelling::edit_distance;
 use crate::interface::MAX_VERTEX_ATTRIBS;
 use crate::object::programs::ShaderOrProgram;
 use crate::types::GLuint;

@@ -23,7 +23,7 @@ pub(crate) struct BlockState {
 
 impl BlockState {
     /// The blocks of a program that was just linked.
-    pub fn of(program: &crate::glsl::Program) -> Vec<Self> {
+    pub fn of(program: &glsl::Program) -> Vec<Self> {
         vec![Self::default(); program.blocks.len()]
     }
 

@@ -1,0 +1,357 @@
+//! Calls: which function is meant (GLSL 1.30 section 6.1).
+
+use super::Checker;
+use super::expr::convert;
+use super::operators::converts;
+use super::scope::Symbol;
+use crate::ast::{self, BinaryOp};
+use crate::builtins::functions::{self, Lower, P, Row};
+use crate::builtins::lookups::{LodForm, Lookup, Shift};
+use crate::diagnostics::Diagnostic;
+use crate::hir::{Direction, Expr, ExprKind, VarRef};
+use crate::limits::{GATHER_OFFSETS, TEXEL_OFFSETS};
+use crate::source::Span;
+use crate::spelling::closest;
+use crate::types::Type;
+use crate::version::{Extension, Version, stage_name};
+use rasterizer::ir::Stage;
+
+/// A function that a call may mean.
+#[derive(Clone, Debug)]
+enum Target {
+    User(u32),
+    Builtin(&'static Row),
+}
+
+#[derive(Clone, Debug)]
+pub(super) struct Candidate {
+    target: Target,
+    parameters: Vec<Type>,
+    directions: Vec<Direction>,
+    result: Type,
+}
+
+impl Candidate {
+    /// A function of the language.
+    pub(super) fn builtin(row: &'static Row, parameters: Vec<Type>, result: Type) -> Self {
+        let direction = |p: &P| if *p == P::Out { Direction::Out } else { Direction::In };
+        let directions = row.parameters.iter().map(direction).collect();
+        Self { target: Target::Builtin(row), parameters, directions, result }
+    }
+
+    /// Whether it is a function of the shader.
+    fn is_own(&self) -> bool {
+        matches!(self.target, Target::User(_))
+    }
+
+    /// How many arguments need a conversion; `None` if one does not fit.
+    fn conversions(&self, arguments: &[Expr], version: Version) -> Option<usize> {
+        if arguments.len() != self.parameters.len() {
+            return None;
+        }
+        let mut count = 0;
+        for ((argument, parameter), direction) in
+            arguments.iter().zip(&self.parameters).zip(&self.directions)
+        {
+            if argument.ty == *parameter {
+                continue;
+            }
+            // An `out` argument takes the parameter's value back (GLSL 1.30 section 6.1).
+            let fits = match direction {
+                Direction::In => converts(&argument.ty, parameter, version),
+                Direction::Out => converts(parameter, &argument.ty, version),
+                Direction::Inout => false,
+            };
+            if !fits {
+                return None;
+            }
+            count += 1;
+        }
+        Some(count)
+    }
+
+    fn signature(&self, name: &str) -> String {
+        let types: Vec<String> = self.parameters.iter().map(ToString::to_string).collect();
+        format!("{name}({})", types.join(", "))
+    }
+}
+
+impl Checker<'_> {
+    pub(super) fn call(&mut self, name: &ast::Name, arguments: &[ast::Expr], span: Span) -> Expr {
+        if let Some(Symbol::Struct(structure)) = self.scopes.find(&name.text).cloned() {
+            let arguments: Vec<Expr> = arguments.iter().map(|a| self.expr(a)).collect();
+            return self.construct_struct(&structure, arguments, span);
+        }
+        let arguments: Vec<Expr> = arguments.iter().map(|a| self.expr(a)).collect();
+        if arguments.iter().any(Expr::is_error) {
+            return Expr::error(span);
+        }
+        if let Some(void) = arguments.iter().find(|argument| argument.ty == Type::Void) {
+            self.error(void.span, "6.1", "an argument has no value");
+            return Expr::error(span);
+        }
+        let candidates = self.candidates(name);
+        if candidates.is_empty() {
+            self.unknown_function(name);
+            return Expr::error(span);
+        }
+        let version = self.version;
+        let fits = |candidate: &&Candidate| candidate.conversions(&arguments, version);
+        let mut fitting: Vec<&Candidate> =
+            candidates.iter().filter(|c| fits(c).is_some()).collect();
+        // A function of the shader hides all of the language's that have its name: those lie in a
+        // scope around the global one. Before, it hides the one that takes the same.
+        let hides = version >= Version::V120;
+        if hides && fitting.iter().any(|c| c.is_own()) {
+            fitting.retain(|c| c.is_own());
+        }
+        let Some(&best) = fitting.iter().min_by_key(|c| fits(c)) else {
+            if let Some(function) = self.integer_function(name, &arguments) {
+                return self.finish_call(name, function, arguments, span);
+            }
+            self.no_match(name, &arguments, &candidates);
+            return Expr::error(span);
+        };
+        if fits(&best) != Some(0) && fitting.len() > 1 {
+            let list: Vec<String> = fitting.iter().map(|c| c.signature(&name.text)).collect();
+            let message = format!("the call of `{}` fits more than one function", name.text);
+            let problem = Diagnostic::error(name.span, message).rule(self.rule("6.1"));
+            self.log.push(problem.note(format!("there are: {}", list.join(", "))));
+            return Expr::error(span);
+        }
+        if hides && !best.is_own() && candidates.iter().any(Candidate::is_own) {
+            let message = format!("the shader's own `{0}` hides the language's `{0}`", name.text);
+            let problem = Diagnostic::warning(name.span, message).rule(self.rule("4.2"));
+            self.log.push(problem.help("name it otherwise: other compilers refuse this call"));
+        }
+        let best = best.clone();
+        self.finish_call(name, best, arguments, span)
+    }
+
+    /// What a name can mean in a call: the shader's functions, and those of the language that take
+    /// something else.
+    fn candidates(&mut self, name: &ast::Name) -> Vec<Candidate> {
+        if self.scopes.hides_functions(&name.text) {
+            return Vec::new();
+        }
+        let own = self.scopes.functions(&name.text).iter().map(|&index| {
+            let function = &self.unit.functions[index as usize];
+            Candidate {
+                target: Target::User(index),
+                parameters: function.parameters().cloned().collect(),
+                directions: function.directions.clone(),
+                result: function.result.clone(),
+            }
+        });
+        let mut candidates: Vec<Candidate> = own.collect();
+        for row in functions::find(&name.text, self.stage, self.language) {
+            for (parameters, result) in row.signatures() {
+                if candidates.iter().any(|candidate| candidate.parameters == parameters) {
+                    continue;
+                }
+                candidates.push(Candidate::builtin(row, parameters, result));
+            }
+        }
+        candidates
+    }
+
+    fn unknown_function(&mut self, name: &ast::Name) {
+        let text = &name.text;
+        if let Some(Symbol::Variable(_) | Symbol::Member(..)) = self.scopes.find(text) {
+            self.error(name.span, "6.4", format!("`{text}` is a variable, not a function"));
+            return;
+        }
+        let mut problem = Diagnostic::error(name.span, format!("there is no function `{text}`"));
+        let other = match self.stage {
+            Stage::Vertex => Stage::Fragment,
+            Stage::Fragment => Stage::Vertex,
+        };
+        let known: Vec<&Row> = functions::named(text).collect();
+        let here = |row: &&&Row| row.stages.has(self.stage);
+        if let Some(row) = known.iter().find(here) {
+            if let Some(advice) = self.language.advice(row.since) {
+                problem = problem.help(advice);
+            }
+        } else if !known.is_empty() {
+            let stage = stage_name(other);
+            problem = problem.note(format!("only the {stage} stage has it"));
+        } else {
+            let user = self.unit.functions.iter().map(|function| &*function.name);
+            let builtin: Vec<&str> = functions::names(self.stage, self.language).collect();
+            let names = user.chain(builtin);
+            if let Some(near) = closest(text, names) {
+                problem =
+                    problem.fix(format!("did you mean `{near}`?"), name.span, near.to_owned());
+            }
+        }
+        self.log.push(problem);
+    }
+
+    /// Says why no candidate takes the arguments.
+    fn no_match(&mut self, name: &ast::Name, arguments: &[Expr], candidates: &[Candidate]) {
+        let types: Vec<String> = arguments.iter().map(|a| a.ty.to_string()).collect();
+        let message = format!("no `{}` takes ({})", name.text, types.join(", "));
+        let rule = format!("{} section 6.1", self.version.title());
+        let mut problem = Diagnostic::error(name.span, message).rule(rule);
+        let same_length = |c: &&Candidate| c.parameters.len() == arguments.len();
+        let mut shown: Vec<&Candidate> = candidates.iter().filter(same_length).collect();
+        if shown.is_empty() {
+            shown = candidates.iter().collect();
+        }
+        let list: Vec<String> = shown.iter().take(6).map(|c| c.signature(&name.text)).collect();
+        let more = if shown.len() > 6 { ", ..." } else { "" };
+        problem = problem.note(format!("there are: {}{more}", list.join(", ")));
+
+        // One argument alone may be in the way.
+        let mut wrong = None;
+        for candidate in candidates.iter().filter(same_length) {
+            let fits = |index: usize| {
+                let (ty, parameter) = (&arguments[index].ty, &candidate.parameters[index]);
+                ty == parameter || converts(ty, parameter, self.version)
+            };
+            let mut misfits = (0..arguments.len()).filter(|&index| !fits(index));
+            if let (Some(index), None) = (misfits.next(), misfits.next()) {
+                wrong = wrong.or(Some((index, candidate.parameters[index].clone())));
+            }
+        }
+        if let Some((index, parameter)) = wrong {
+            let argument = &arguments[index];
+            problem.span = Some(argument.span);
+            problem = problem.label(format!("{}, not {parameter}", argument.ty));
+            if matches!((&argument.ty, &parameter), (Type::Sampler(_), Type::Sampler(_))) {
+                problem = self.with_sampler_fix(problem, argument, &parameter);
+            } else if parameter == crate::types::FLOAT && argument.ty == crate::types::INT {
+                problem = self.with_float_fix(problem, argument);
+            }
+        }
+        self.log.push(problem);
+    }
+
+    /// Advice for a sampler of the wrong kind: declare it as the kind that is needed.
+    fn with_sampler_fix(&self, problem: Diagnostic, argument: &Expr, needed: &Type) -> Diagnostic {
+        let ExprKind::Var(VarRef::Global(index)) = argument.kind else { return problem };
+        let variable = &self.unit.globals[index as usize];
+        let Some(span) = variable.type_span else { return problem };
+        if self.source.slice(span) != argument.ty.to_string() {
+            return problem;
+        }
+        let line = self.source.line_of(span.start).1;
+        let text = format!("declare `{}` in line {line} as `{needed}`", variable.name);
+        problem.fix(text, span, needed.to_string())
+    }
+
+    fn finish_call(
+        &mut self,
+        name: &ast::Name,
+        best: Candidate,
+        arguments: Vec<Expr>,
+        span: Span,
+    ) -> Expr {
+        let mut converted = Vec::new();
+        for ((argument, parameter), direction) in
+            arguments.into_iter().zip(&best.parameters).zip(&best.directions)
+        {
+            match direction {
+                Direction::In => converted.push(convert(argument, parameter)),
+                Direction::Out | Direction::Inout => {
+                    self.written(&argument, "pass as an `out` argument");
+                    converted.push(argument);
+                }
+            }
+        }
+        let ty = best.result;
+        match best.target {
+            Target::User(index) => {
+                match &mut self.body {
+                    Some(body) => body.calls.push((index, name.span)),
+                    // Initializers run before `main`; those of GLSL ES are constant.
+                    None if self.version != Version::Es100 => self.unit.calls.push(index),
+                    None => {
+                        let message =
+                            "functions of the shader cannot be called outside of functions";
+                        self.error(span, "6.1", message);
+                        return Expr::error(span);
+                    }
+                }
+                Expr { ty, span, constant: false, kind: ExprKind::Call(index, converted) }
+            }
+            Target::Builtin(row) => self.finish_builtin(row, ty, name, converted, span),
+        }
+    }
+
+    fn finish_builtin(
+        &mut self,
+        row: &'static Row,
+        ty: Type,
+        name: &ast::Name,
+        arguments: Vec<Expr>,
+        span: Span,
+    ) -> Expr {
+        match row.lower {
+            Lower::Ftransform => {
+                let matrix = self.builtin_expr("gl_ModelViewProjectionMatrix", span);
+                let vertex = self.builtin_expr("gl_Vertex", span);
+                return self.binary(BinaryOp::Mul, matrix, vertex, span);
+            }
+            Lower::Texture(lookup) => {
+                if !self.check_lookup(lookup, name, &arguments) {
+                    return Expr::error(span);
+                }
+            }
+            Lower::Map(_) | Lower::With(_) | Lower::Derivative(_) | Lower::Modf => {}
+        }
+        if let Some(extension) = self.language.warns(row.since) {
+            let message = format!("`{}` comes from {}", name.text, extension.name());
+            self.log.push(Diagnostic::warning(name.span, message));
+        }
+        // From ES 1.00 (section 5.10) and 1.20 (section 4.3.3) on a function of constants is constant.
+        let constant = row.folds()
+            && self.version >= Version::Es100
+            && arguments.iter().all(|argument| argument.constant);
+        Expr { ty, span, constant, kind: ExprKind::Builtin(row, arguments) }
+    }
+
+    /// What the types of a lookup's arguments do not say; whether it can be carried out.
+    fn check_lookup(&mut self, lookup: Lookup, name: &ast::Name, arguments: &[Expr]) -> bool {
+        let explicit = matches!(lookup, Lookup::Sample(_, LodForm::Explicit, _));
+        if explicit && !self.is_vertex() && self.version < Version::V130 {
+            let message = format!("`{}` in the fragment stage is an extension", name.text);
+            let warning = Diagnostic::warning(name.span, message)
+                .help("write `#extension GL_ARB_shader_texture_lod : enable` first");
+            let known = [Extension::ShaderTextureLod, Extension::GpuShader4];
+            if !known.iter().any(|known| self.language.enabled(*known)) {
+                self.log.push(warning);
+            }
+        }
+        let shift = match lookup {
+            Lookup::Sample(_, form, Shift::Texels) => {
+                arguments.len().checked_sub(if form == LodForm::Bias { 2 } else { 1 })
+            }
+            Lookup::Fetch(Shift::Texels) | Lookup::Gather(Shift::Texels) => {
+                arguments.len().checked_sub(1)
+            }
+            Lookup::Sample(_, _, Shift::None)
+            | Lookup::Gather(Shift::None)
+            | Lookup::Fetch(Shift::None)
+            | Lookup::Size
+            | Lookup::QueryLod => None,
+        };
+        if let Some(offset) = shift.and_then(|index| arguments.get(index)) {
+            let gathers = matches!(lookup, Lookup::Gather(_));
+            let range = if gathers { GATHER_OFFSETS } else { TEXEL_OFFSETS };
+            let words = self.evaluate(offset);
+            let fits = words
+                .as_ref()
+                .is_some_and(|words| words.iter().all(|&word| range.contains(&(word as i32))));
+            if !fits {
+                let (low, high) = (range.start(), range.end());
+                let message = format!("an offset is a constant expression from {low} to {high}");
+                let rule = if gathers { "ARB_texture_gather".into() } else { self.rule("8.7") };
+                let problem = Diagnostic::error(offset.span, message).rule(rule);
+                self.log.push(problem);
+                return false;
+            }
+        }
+        true
+    }
+}

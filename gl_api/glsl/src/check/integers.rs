@@ -1,0 +1,82 @@
+//! `abs`, `sign`, `min`, `max` and `clamp` of integers before GLSL 1.30, which brought them. Other
+//! compilers have them always, and programs rely on it. Here they are meant where nothing else can
+//! be: where a call or its result would be an error without them. That changes no valid shader.
+
+use super::Checker;
+use super::call::Candidate;
+use crate::Scalar;
+use crate::ast;
+use crate::builtins::functions::{self, P, Row};
+use crate::diagnostics::Diagnostic;
+use crate::hir::{Expr, ExprKind};
+use crate::source::Span;
+use crate::types::Type;
+use crate::version::Since;
+
+/// Whether a function is of signed integers alone.
+fn is_of_integers(row: &Row) -> bool {
+    let integer = |p: &P| matches!(p, P::Gen(Scalar::Int) | P::Fixed(Scalar::Int, 1));
+    row.result == P::Gen(Scalar::Int) && row.parameters.iter().all(integer)
+}
+
+impl Checker<'_> {
+    /// The function of integers that a call of what is no function here means.
+    pub(super) fn integer_function(
+        &mut self,
+        name: &ast::Name,
+        arguments: &[Expr],
+    ) -> Option<Candidate> {
+        let types = arguments.iter().map(|argument| &argument.ty);
+        let (row, parameters, result) = self.of_integers(&name.text, types)?;
+        self.warn_of_integers(row, name.span);
+        Some(Candidate::builtin(row, parameters, result))
+    }
+
+    /// A call of floats that were integers, where its result has to be an integer of this type: the
+    /// same of integers.
+    pub(super) fn as_integers(&mut self, value: &Expr, wanted: &Type) -> Option<Expr> {
+        let ExprKind::Builtin(row, arguments) = &value.kind else { return None };
+        if value.ty.with_scalar(Scalar::Int) != *wanted || value.ty == *wanted {
+            return None;
+        }
+        let mut integers = Vec::new();
+        for argument in arguments {
+            integers.push(match &argument.kind {
+                ExprKind::Convert(integer) => (**integer).clone(),
+                _ => self.as_integers(argument, &argument.ty.with_scalar(Scalar::Int))?,
+            });
+        }
+        let (row, _, ty) = self.of_integers(&row.name, integers.iter().map(|expr| &expr.ty))?;
+        self.warn_of_integers(row, value.span);
+        let kind = ExprKind::Builtin(row, integers);
+        Some(Expr { ty, span: value.span, constant: value.constant, kind })
+    }
+
+    /// The function of integers of a name that takes these types and is not here.
+    fn of_integers<'a>(
+        &self,
+        name: &str,
+        types: impl Iterator<Item = &'a Type> + Clone,
+    ) -> Option<(&'static Row, Vec<Type>, Type)> {
+        // Not in OpenGL ES, whose compilers keep to the letter.
+        if !self.language.has(Since::V110) {
+            return None;
+        }
+        let rows = functions::named(name).filter(|row| {
+            is_of_integers(row) && row.stages.has(self.stage) && !self.language.has(row.since)
+        });
+        let signatures = rows.flat_map(|row| {
+            row.signatures().into_iter().map(move |(parameters, result)| (row, parameters, result))
+        });
+        signatures.into_iter().find(|(_, parameters, _)| types.clone().eq(parameters))
+    }
+
+    fn warn_of_integers(&mut self, row: &Row, span: Span) {
+        let message = format!("`{}` of integers is not in {}", row.name, self.version.title());
+        let mut problem = Diagnostic::warning(span, message);
+        if let Some(advice) = self.language.advice(row.since) {
+            problem = problem.help(advice);
+        }
+        self.log.push(problem);
+    }
+}

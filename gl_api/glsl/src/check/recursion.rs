@@ -1,0 +1,54 @@
+//! Functions that call themselves.
+
+use crate::hir::Function;
+use crate::source::Span;
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+/// How far a function has been looked at.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Mark {
+    New,
+    Open,
+    Done,
+}
+
+/// The first function found that calls itself, directly or through others, and where. Prototypes
+/// count as the function they announce.
+pub fn recursive_call(functions: &[Function]) -> Option<(Arc<str>, Span)> {
+    let mut bodies: BTreeMap<String, usize> = BTreeMap::new();
+    for (index, function) in functions.iter().enumerate() {
+        if function.body.is_some() {
+            bodies.insert(function.signature(), index);
+        }
+    }
+    let target = |call: u32| bodies.get(&functions[call as usize].signature()).copied();
+    let mut marks = vec![Mark::New; functions.len()];
+    for start in 0..functions.len() {
+        if marks[start] != Mark::New {
+            continue;
+        }
+        // Depth first without recursion: function, and how many of its calls were followed.
+        let mut path = vec![(start, 0)];
+        marks[start] = Mark::Open;
+        while let Some((function, followed)) = path.last_mut() {
+            let function = *function;
+            let Some(&(call, span)) = functions[function].calls.get(*followed) else {
+                marks[function] = Mark::Done;
+                path.pop();
+                continue;
+            };
+            *followed += 1;
+            let Some(next) = target(call) else { continue };
+            match marks[next] {
+                Mark::Open => return Some((functions[next].name.clone(), span)),
+                Mark::New => {
+                    marks[next] = Mark::Open;
+                    path.push((next, 0));
+                }
+                Mark::Done => {}
+            }
+        }
+    }
+    None
+}

@@ -1,0 +1,133 @@
+//! Second declarations: arrays that get their size, and variables of the language with a size,
+//! words about interpolation or a layout (GLSL 1.30 sections 4.1.9, 4.3.7, 7.1 and 7.6).
+
+use super::Checker;
+use super::scope::Symbol;
+use crate::ast;
+use crate::builtins::variables::{self, Builtin};
+use crate::diagnostics::Diagnostic;
+use crate::hir::{Passing, Storage, VarRef, Variable};
+use crate::limits::MAX_CLIP_DISTANCES;
+use crate::types::Type;
+use crate::version::stage_name;
+use rasterizer::ir::Stage;
+
+impl Checker<'_> {
+    /// A redeclaration of a variable of the language; false if the name is none of those.
+    pub(super) fn redeclares_builtin(
+        &mut self,
+        declared: &ast::Declarator,
+        ty: &Type,
+        storage: Storage,
+        passing: Passing,
+    ) -> bool {
+        let name = &declared.name;
+        if !name.text.starts_with("gl_") {
+            return false;
+        }
+        let known = match self.scopes.find_global(&name.text) {
+            Some(symbol) => symbol.variable(),
+            None => None,
+        };
+        let Some(var) = known.or_else(|| self.builtin_variable(&name.text)) else { return false };
+        let variable = self.variable(var);
+        let Storage::Builtin(builtin) = variable.storage else { return false };
+        let (known, indexed) = (variable.ty.clone(), variable.indexed);
+        let fits = if let (Type::Array(a, limit), Type::Array(b, len)) = (&known, ty) {
+            let limit = limit.unwrap_or(MAX_CLIP_DISTANCES.into());
+            a == b && len.is_none_or(|len| (indexed..=limit).contains(&len))
+        } else {
+            known == *ty
+        };
+        let passes = match self.stage {
+            Stage::Vertex => matches!(storage, Storage::Output(_)),
+            Stage::Fragment => matches!(storage, Storage::Input(_)),
+        };
+        let used = variable.named > 0;
+        if *ty == Type::Error {
+            return true;
+        }
+        if !variables::is_redeclarable(builtin) {
+            let message = format!("`{}` is part of the language", name.text);
+            let problem = Diagnostic::error(name.span, message).rule(self.rule("3.7"));
+            self.log.push(problem.help("leave the declaration out"));
+        } else if !fits {
+            let message = format!("`{}` is {known}, not {ty}", name.text);
+            let problem = Diagnostic::error(name.span, message).rule(self.rule("7.6"));
+            self.log.push(problem.help("redeclare it as it is, or with another size that fits"));
+        } else if !passes {
+            let stage = stage_name(self.stage);
+            let way = if self.stage == Stage::Vertex { "out" } else { "in" };
+            let message = format!("`{}` is an `{way}` of the {stage} stage", name.text);
+            self.log.push(Diagnostic::error(name.span, message).rule(self.rule("7.6")));
+        } else {
+            if builtin != Builtin::FragCoord {
+                self.check_layout(name, passing);
+            } else if used {
+                let message = "`gl_FragCoord` is used before it is redeclared";
+                let rule = "ARB_fragment_coord_conventions";
+                self.log.push(Diagnostic::error(name.span, message).rule(rule));
+            }
+            let variable = self.variable_mut(var);
+            let invariant = variable.passing.invariant || passing.invariant;
+            variable.passing = Passing { invariant, ..passing };
+            if matches!(ty, Type::Array(_, Some(_))) {
+                variable.ty = ty.clone();
+            }
+        }
+        true
+    }
+
+    /// Nothing but `gl_FragCoord` has a layout.
+    pub(super) fn check_layout(&mut self, name: &ast::Name, passing: Passing) {
+        if passing.origin_upper_left || passing.pixel_center_integer {
+            let message = format!("`{}` has no layout: only gl_FragCoord has one", name.text);
+            let rule = "ARB_fragment_coord_conventions";
+            self.log.push(Diagnostic::error(name.span, message).rule(rule));
+        }
+    }
+
+    /// The array without a size that a second declaration gives its size.
+    pub(super) fn completes_array(
+        &mut self,
+        declared: &ast::Declarator,
+        ty: &Type,
+    ) -> Option<VarRef> {
+        let Some(Symbol::Variable(var)) = self.scopes.find_innermost(&declared.name.text) else {
+            return None;
+        };
+        let var = *var;
+        let variable = self.variable(var);
+        let (Type::Array(old, None), Type::Array(new, Some(len))) = (&variable.ty, ty) else {
+            return None;
+        };
+        if old != new {
+            return None;
+        }
+        if *len < variable.indexed {
+            let (last, name) = (variable.indexed - 1, &declared.name);
+            let message = format!("element {last} of `{}` is used already", name.text);
+            self.error(name.span, "4.1.9", message);
+        }
+        self.variable_mut(var).ty = ty.clone();
+        Some(var)
+    }
+
+    /// Makes an array without a size at least `len` long.
+    pub(super) fn pick(&mut self, var: VarRef, len: u32) {
+        let variable = self.variable_mut(var);
+        variable.picked += 1;
+        variable.indexed = variable.indexed.max(len);
+    }
+}
+
+/// Gives arrays without a size the one that their largest index needs. The linker makes a global
+/// longer that another shader of the program needs longer.
+pub(super) fn settle_arrays(variables: &mut [Variable]) {
+    for variable in variables {
+        if let Type::Array(element, None) = &variable.ty {
+            variable.ty = Type::Array(element.clone(), Some(variable.indexed.max(1)));
+            variable.implicit = true;
+        }
+    }
+}

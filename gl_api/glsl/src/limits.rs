@@ -1,0 +1,77 @@
+//! Every limit of the front end. What shaders can ask for (`gl_Max…`) is what `glGet` reports;
+//! the others keep a hostile source from costing more time or memory than it is long.
+
+/// How many generic vertex attributes there are (`GL_MAX_VERTEX_ATTRIBS`); locations 0 to 15.
+pub const MAX_VERTEX_ATTRIBS: u8 = 16;
+/// How many sets of texture coordinates there are, each with a fixed-function unit, a matrix and
+/// coordinate generation (`GL_MAX_TEXTURE_COORDS`, `GL_MAX_TEXTURE_UNITS`).
+pub const MAX_TEXTURE_UNITS: u8 = 8;
+/// How many lights there are (`GL_MAX_LIGHTS`).
+pub const MAX_LIGHTS: u8 = 8;
+/// How many user clip planes and clip distances there are (`GL_MAX_CLIP_PLANES`).
+pub const MAX_CLIP_PLANES: u8 = 8;
+/// How many samplers each stage of a program may use (`GL_MAX_TEXTURE_IMAGE_UNITS`,
+/// `GL_MAX_VERTEX_TEXTURE_IMAGE_UNITS`).
+pub const MAX_TEXTURE_IMAGE_UNITS: u8 = 16;
+/// How many units textures can be bound to (`GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS`): enough for both
+/// stages.
+pub const MAX_COMBINED_TEXTURE_IMAGE_UNITS: u8 = 32;
+/// `gl_MaxClipDistances`.
+pub const MAX_CLIP_DISTANCES: u8 = MAX_CLIP_PLANES;
+/// `gl_MaxDrawBuffers`: how many elements `gl_FragData` has.
+pub const MAX_DRAW_BUFFERS: u8 = 8;
+/// `gl_MaxVaryingFloats`: how many scalars may be handed from stage to stage.
+pub const MAX_VARYING_FLOATS: u16 = 64;
+/// `gl_MaxVertexUniformComponents` and `gl_MaxFragmentUniformComponents`.
+pub const MAX_UNIFORM_COMPONENTS: i32 = 16384;
+/// `GL_MAX_VERTEX_UNIFORM_BLOCKS` and `GL_MAX_FRAGMENT_UNIFORM_BLOCKS`.
+pub const MAX_UNIFORM_BLOCKS: usize = 16;
+/// `GL_MAX_UNIFORM_BLOCK_SIZE`, in bytes.
+pub const MAX_UNIFORM_BLOCK_SIZE: u32 = 65536;
+/// `GL_MAX_TRANSFORM_FEEDBACK_SEPARATE_COMPONENTS`.
+pub const MAX_TRANSFORM_FEEDBACK_SEPARATE_COMPONENTS: usize = 128;
+/// `GL_MAX_TRANSFORM_FEEDBACK_INTERLEAVED_COMPONENTS`.
+pub const MAX_TRANSFORM_FEEDBACK_INTERLEAVED_COMPONENTS: usize = 128;
+/// The offsets that `textureOffset` takes.
+pub const TEXEL_OFFSETS: std::ops::RangeInclusive<i32> = -8..=7;
+/// The same of `textureGatherOffset`.
+pub const GATHER_OFFSETS: std::ops::RangeInclusive<i32> = -32..=31;
+
+/// The longest source that is taken, in bytes.
+pub const MAX_SOURCE: usize = 1 << 24;
+/// How many errors are reported before the compiler gives up.
+pub const MAX_ERRORS: usize = 20;
+
+/// How many tokens the macros of a shader may produce together.
+pub const MAX_EXPANDED_TOKENS: usize = 1 << 20;
+/// How deep calls of macros may stand in arguments of one another.
+pub const MAX_MACRO_DEPTH: usize = 64;
+/// How many conditionals can be open at once.
+pub const MAX_CONDITIONALS: usize = 256;
+/// How deep parentheses and signs may nest in a condition of `#if`.
+pub const MAX_CONDITION_DEPTH: usize = 64;
+
+/// How many statements and expressions may stand inside one another.
+pub const MAX_NESTING: u32 = 256;
+/// How deep the tree of an expression may be, chains such as `a + b + c` included.
+pub const MAX_TREE: u32 = 3 * MAX_NESTING;
+
+/// How many scalars a variable may have.
+pub const MAX_SCALARS: u32 = 1 << 16;
+/// How long an array may grow that has no size but its largest index.
+pub const MAX_IMPLICIT_SIZE: u32 = MAX_SCALARS / 16;
+/// How many dimensions an array may have.
+pub const MAX_DIMENSIONS: u32 = 32;
+/// How deep structures may stand inside one another.
+pub const MAX_STRUCT_DEPTH: u32 = 32;
+
+/// How deep statements, expressions and calls may stand inside one another, calls inlined.
+pub const MAX_INLINED_DEPTH: u32 = 1024;
+/// How many values a stage may have.
+pub const MAX_VALUES: usize = 200_000;
+/// How many uniform words a program may have.
+pub const MAX_UNIFORM_WORDS: u32 = 1 << 20;
+/// How many samplers an array may have that is indexed by what is not constant.
+pub const MAX_DYNAMIC_SAMPLERS: u32 = 32;
+/// Up to how many scalars a variable without initializer is set to zero in each turn of a loop.
+pub const MAX_CLEARED: usize = 64;

@@ -1,0 +1,201 @@
+//! The uniform blocks of a program: which there are, their words, and where their members lie
+//! (ARB_uniform_buffer_object, sections 2.15.3.1 and 4.3.5.1).
+
+use super::{StageUnits, std140};
+use crate::diagnostics::{Diagnostic, Log};
+use crate::hir::{Block, Packing, Storage, Variable};
+use crate::limits::MAX_UNIFORM_WORDS;
+use crate::limits::{MAX_UNIFORM_BLOCK_SIZE, MAX_UNIFORM_BLOCKS};
+use crate::lower::Words;
+use crate::types::Type;
+use crate::version::stage_name;
+use crate::{MatrixOrder, Member, UniformBlock};
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+const RULE: &str = "ARB_uniform_buffer_object, section 2.15.3.1";
+
+/// The uniform blocks of a program.
+#[derive(Default)]
+pub struct Blocks {
+    /// What GL lists.
+    pub list: Vec<UniformBlock>,
+    /// Their members, block after block.
+    pub members: Vec<Member>,
+    /// The first word of each block that a stage reads, by the name of its variable.
+    pub words: BTreeMap<Arc<str>, u32>,
+}
+
+/// The blocks that are active: all but those that are `packed` and not named.
+pub fn blocks(stages: &[&StageUnits<'_>], words: &mut Words, log: &mut Log) -> Blocks {
+    let mut blocks = Blocks::default();
+    for (variable, block) in declared(stages, log) {
+        let named = |stage: &&&StageUnits<'_>| {
+            stage.used.iter().any(|used| used.block.is_some() && used.name == variable.name)
+        };
+        let readers: Vec<_> = stages.iter().filter(named).map(|stage| stage.stage).collect();
+        if block.packing == Packing::Packed && readers.is_empty() {
+            continue;
+        }
+        let index = blocks.list.len() as u32;
+        let first = blocks.members.len() as u32;
+        let Type::Struct(structure) = &variable.ty else { continue };
+        let (mut end, mut word) = (0, 0);
+        for ((name, ty), &order) in structure.fields.iter().zip(&block.orders) {
+            let offset = std140::place(end, ty);
+            end = offset.saturating_add(std140::size(ty, order));
+            if end > MAX_UNIFORM_BLOCK_SIZE {
+                break;
+            }
+            let mut layout = Layout { block: index, order, members: &mut blocks.members };
+            layout.add(name, ty, offset, word);
+            word += ty.scalars();
+        }
+        let bytes = std140::padded(end);
+        if bytes > MAX_UNIFORM_BLOCK_SIZE {
+            let message = format!(
+                "the uniform block `{}` takes {bytes} bytes; GL_MAX_UNIFORM_BLOCK_SIZE is \
+                 {MAX_UNIFORM_BLOCK_SIZE}",
+                block.name
+            );
+            log.push(Diagnostic::link_error(message).rule(RULE));
+            return blocks;
+        }
+        if !readers.is_empty() {
+            blocks.words.insert(variable.name.clone(), words.next);
+        }
+        blocks.list.push(UniformBlock {
+            name: block.name.to_string(),
+            bytes,
+            word: (!readers.is_empty()).then_some(words.next),
+            members: first..blocks.members.len() as u32,
+            stages: readers.clone(),
+        });
+        if !readers.is_empty() {
+            words.next = words.next.saturating_add(word);
+        }
+        if words.next > MAX_UNIFORM_WORDS {
+            let message = format!("the uniforms have more than {MAX_UNIFORM_WORDS} components");
+            log.push(Diagnostic::link_error(message));
+            return blocks;
+        }
+    }
+    for stage in stages {
+        let count = blocks.list.iter().filter(|block| block.stages.contains(&stage.stage)).count();
+        if count > MAX_UNIFORM_BLOCKS {
+            let message = format!(
+                "the {} shader reads {count} uniform blocks; a stage has {MAX_UNIFORM_BLOCKS}",
+                stage_name(stage.stage)
+            );
+            log.push(Diagnostic::link_error(message).rule(RULE));
+        }
+    }
+    blocks
+}
+
+/// Every block that a shader declares, once. All shaders declare it alike, and what its members are
+/// named is theirs alone.
+fn declared<'a>(stages: &[&StageUnits<'a>], log: &mut Log) -> Vec<(&'a Variable, &'a Block)> {
+    let mut known: Vec<(&Variable, &Block)> = Vec::new();
+    let mut names: BTreeMap<&str, usize> = BTreeMap::new();
+    let all = || stages.iter().flat_map(|stage| stage.declared());
+    for variable in all() {
+        let Some(block) = &variable.block else { continue };
+        let first = *names.entry(&*variable.name).or_insert(known.len());
+        let Some((other, same)) = known.get(first) else {
+            known.push((variable, block));
+            continue;
+        };
+        if other.ty != variable.ty || *same != &**block {
+            let message = format!(
+                "the uniform block `{}` has other members or another layout in another shader",
+                block.name
+            );
+            log.push(Diagnostic::link_error(message).rule(RULE));
+        }
+    }
+    let mut owners: BTreeMap<&str, &str> = BTreeMap::new();
+    for (variable, block) in &known {
+        let Type::Struct(structure) = &variable.ty else { continue };
+        for (member, _) in &structure.fields {
+            let other = owners.insert(member, &block.name);
+            if let Some(other) = other.filter(|other| **other != *block.name) {
+                let message =
+                    format!("`{member}` is in the uniform blocks `{other}` and `{}`", block.name);
+                log.push(Diagnostic::link_error(message).rule(RULE));
+            }
+        }
+    }
+    let uniform = |v: &&Variable| v.storage == Storage::Uniform && v.block.is_none();
+    for variable in all().filter(uniform) {
+        if let Some(block) = owners.remove(&*variable.name) {
+            let message = format!(
+                "`{}` is in the uniform block `{block}`, and a uniform of its own in another shader",
+                variable.name
+            );
+            log.push(Diagnostic::link_error(message).rule(RULE));
+        }
+    }
+    known
+}
+
+/// A member on its way to what GL lists.
+struct Layout<'a> {
+    block: u32,
+    order: MatrixOrder,
+    members: &'a mut Vec<Member>,
+}
+
+impl Layout<'_> {
+    /// Takes a part apart, which begins at this byte and this word.
+    fn add(&mut self, name: &str, ty: &Type, offset: u32, word: u32) {
+        match ty {
+            Type::Struct(structure) => {
+                let (mut end, mut word) = (offset, word);
+                for (field, ty) in &structure.fields {
+                    let offset = std140::place(end, ty);
+                    self.add(&format!("{name}.{field}"), ty, offset, word);
+                    end = offset + std140::size(ty, self.order);
+                    word += ty.scalars();
+                }
+            }
+            Type::Array(element, len) if matches!(**element, Type::Struct(_) | Type::Array(..)) => {
+                let stride = std140::stride(element, self.order);
+                for index in 0..len.unwrap_or(0) {
+                    let (offset, word) =
+                        (offset + index * stride, word + index * element.scalars());
+                    self.add(&format!("{name}[{index}]"), element, offset, word);
+                }
+            }
+            Type::Array(element, len) => {
+                let stride = std140::stride(element, self.order);
+                self.leaf(name, element, (*len, stride), [offset, word]);
+            }
+            Type::Vector(..) | Type::Matrix(..) | Type::Sampler(_) | Type::Void | Type::Error => {
+                self.leaf(name, ty, (None, 0), [offset, word]);
+            }
+        }
+    }
+
+    fn leaf(
+        &mut self,
+        name: &str,
+        ty: &Type,
+        (array, array_stride): (Option<u32>, u32),
+        [offset, word]: [u32; 2],
+    ) {
+        let matrix_stride = std140::matrix_stride(ty);
+        let Some(data_type) = ty.data_type() else { return };
+        self.members.push(Member {
+            name: name.to_owned(),
+            ty: data_type,
+            array,
+            block: self.block,
+            word,
+            offset,
+            array_stride,
+            matrix_stride,
+            order: if matrix_stride == 0 { MatrixOrder::Columns } else { self.order },
+        });
+    }
+}

@@ -1,0 +1,115 @@
+//! Globals that several shaders of a program declare: one size of each array, one type, one value
+//! (GLSL 1.30 sections 4.1.9 and 4.3).
+
+use crate::diagnostics::{Diagnostic, Log};
+use crate::hir::{Expr, Storage, Unit, Variable};
+use crate::limits::MAX_SCALARS;
+use crate::lower;
+use crate::types::Type;
+use crate::version::stage_name;
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+/// Whether a variable is one in the whole program, and not one in each stage.
+fn is_shared(variable: &Variable) -> bool {
+    match variable.storage {
+        Storage::Uniform | Storage::Output(_) | Storage::Input(_) => true,
+        Storage::Plain
+        | Storage::Const
+        | Storage::Parameter(_)
+        | Storage::Attribute
+        | Storage::FragmentOutput
+        | Storage::Builtin(_) => false,
+    }
+}
+
+/// A variable by its name, and its stage unless both stages share it.
+type Key<'a> = (Arc<str>, Option<&'a str>);
+
+/// The units, with arrays that have no size but their largest index as long as the declaration of
+/// another shader says, or as any of them needs.
+pub fn settled(units: impl Iterator<Item = Arc<Unit>>) -> Vec<Arc<Unit>> {
+    let mut units: Vec<Arc<Unit>> = units.collect();
+    // Of each name, in both stages or in one: the longest size, and the one that is declared.
+    let mut sizes: BTreeMap<Key<'_>, (u32, Option<u32>)> = BTreeMap::new();
+    let key = |unit: &Unit, variable: &Variable| {
+        (variable.name.clone(), (!is_shared(variable)).then(|| stage_name(unit.stage)))
+    };
+    let mut implicit: Vec<(usize, usize, u32)> = Vec::new();
+    for (index, unit) in units.iter().enumerate() {
+        for (global, variable) in unit.globals.iter().enumerate() {
+            let Type::Array(_, Some(len)) = variable.ty else { continue };
+            let (longest, declared) = sizes.entry(key(unit, variable)).or_default();
+            *longest = len.max(*longest);
+            if variable.implicit {
+                implicit.push((index, global, len));
+            } else {
+                *declared = Some(len);
+            }
+        }
+    }
+    let mut lengths = Vec::new();
+    for (unit, global, len) in implicit {
+        let known = sizes.get(&key(&units[unit], &units[unit].globals[global]));
+        let Some((longest, declared)) = known else { continue };
+        lengths.push((unit, global, declared.filter(|said| *said >= len).unwrap_or(*longest)));
+    }
+    for (unit, global, len) in lengths {
+        let variable = &mut Arc::make_mut(&mut units[unit]).globals[global];
+        if let Type::Array(element, size) = &mut variable.ty
+            && element.scalars().saturating_mul(len) <= MAX_SCALARS
+        {
+            *size = Some(len);
+        }
+    }
+    units
+}
+
+/// Globals of the same name in several shaders of a stage are the same.
+pub fn same_globals(units: &[&Unit], stage: &str, log: &mut Log) {
+    let mut known: BTreeMap<&str, (&Unit, &Variable)> = BTreeMap::new();
+    for (unit, variable) in
+        units.iter().flat_map(|unit| unit.globals.iter().map(move |v| (*unit, v)))
+    {
+        // Blocks are compared over all stages.
+        if variable.block.is_some() {
+            continue;
+        }
+        let entry = known.entry(&variable.name).or_insert((unit, variable));
+        let (home, other) = *entry;
+        let message = if other.ty != variable.ty || other.storage != variable.storage {
+            format!("is {} in one {stage} shader and {} in another", other.ty, variable.ty)
+        } else if other.passing.invariant != variable.passing.invariant {
+            format!("is invariant in one {stage} shader only")
+        } else if other.passing.centroid != variable.passing.centroid {
+            format!("is centroid in one {stage} shader only")
+        } else if let (Some(a), Some(b)) = (other.passing.location, variable.passing.location)
+            && a != b
+        {
+            format!("has location {a} in one {stage} shader and {b} in another")
+        } else if let (Some(a), Some(b)) = (&other.init, &variable.init)
+            && variable.storage != Storage::Uniform
+            && !std::ptr::eq(other, variable)
+            && !same_value((home, a), (unit, b))
+        {
+            format!("has two initial values in the {stage} shaders")
+        } else {
+            if other.init.is_none() && other.passing.location.is_none() {
+                *entry = (unit, variable);
+            }
+            continue;
+        };
+        let message = format!("`{}` {message}", variable.name);
+        log.push(Diagnostic::link_error(message).rule("GLSL 1.30 section 4.3"));
+    }
+}
+
+/// Whether two initializers give one value. Several shaders can only give what is constant
+/// (GLSL 1.30 section 4.3).
+fn same_value((home, a): (&Unit, &Expr), (away, b): (&Unit, &Expr)) -> bool {
+    if a.has_effects() || b.has_effects() {
+        return false;
+    }
+    let a = lower::constant(a, &home.globals, &[]);
+    a.is_some() && a == lower::constant(b, &away.globals, &[])
+}

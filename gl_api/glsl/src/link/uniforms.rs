@@ -1,0 +1,187 @@
+//! The uniforms of a program: which there are, their words, locations and initial values
+//! (GLSL 1.30 section 4.3.5).
+
+use super::StageUnits;
+use crate::builtins::variables::Builtin;
+use crate::diagnostics::{Diagnostic, Log};
+use crate::hir::{Storage, Variable};
+use crate::limits::MAX_UNIFORM_WORDS;
+use crate::lower::{self, Words};
+use crate::types::Type;
+use crate::{BuiltinUniform, Uniform};
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+/// The uniforms of a program.
+pub struct Uniforms {
+    /// What GL lists.
+    pub list: Vec<Uniform>,
+    /// The first word of each variable.
+    pub words: BTreeMap<Arc<str>, u32>,
+}
+
+/// The uniforms that the stages name. One with an initializer counts even if nothing names it here:
+/// any shader of the program may bring the value (GLSL 1.30 section 4.3.5).
+pub fn uniforms(
+    stages: &[&StageUnits<'_>],
+    reaches: &Reaches<'_>,
+    words: &mut Words,
+    log: &mut Log,
+) -> Uniforms {
+    let mut all: Vec<(&Variable, Vec<u32>)> = Vec::new();
+    let mut names: BTreeMap<&str, usize> = BTreeMap::new();
+    let is_uniform =
+        |variable: &&Variable| variable.storage == Storage::Uniform && variable.block.is_none();
+    let named = stages.iter().flat_map(|stage| stage.used.iter().copied()).filter(is_uniform);
+    let declared = || stages.iter().flat_map(|stage| stage.declared());
+    let valued = declared().filter(|v| is_uniform(v) && v.init.is_some());
+    for variable in named.chain(valued) {
+        if !names.contains_key(&*variable.name) {
+            names.insert(&variable.name, all.len());
+            all.push((variable, initial(variable)));
+        }
+    }
+    // Of each name, the first declaration.
+    let mut first: BTreeMap<&str, usize> = BTreeMap::new();
+    let every: Vec<&Variable> = declared().filter(is_uniform).collect();
+    for (at, variable) in every.iter().enumerate() {
+        let ty = &every[*first.entry(&variable.name).or_insert(at)].ty;
+        if *ty != variable.ty {
+            let message = format!(
+                "uniform `{}` is {ty} in one shader and {} in another",
+                variable.name, variable.ty
+            );
+            log.push(Diagnostic::link_error(message).rule("GLSL 1.30 section 4.3.5"));
+            continue;
+        }
+        let Some(&index) = names.get(&*variable.name) else { continue };
+        let (known, value) = &mut all[index];
+        let mine = initial(variable);
+        if known.init.is_none() && variable.init.is_some() {
+            (*known, *value) = (variable, mine);
+        } else if variable.init.is_some() && *value != mine {
+            let message = format!("uniform `{}` has two initial values", variable.name);
+            log.push(Diagnostic::link_error(message).rule("GLSL 1.30 section 4.3.5"));
+        }
+    }
+    let mut uniforms = Uniforms { list: Vec::new(), words: BTreeMap::new() };
+    let mut location = 0;
+    for (variable, initial) in &all {
+        let count = variable.ty.scalars();
+        if words.next.saturating_add(count) > MAX_UNIFORM_WORDS {
+            let message = format!("the uniforms have more than {MAX_UNIFORM_WORDS} components");
+            log.push(Diagnostic::link_error(message));
+            return uniforms;
+        }
+        uniforms.words.insert(variable.name.clone(), words.next);
+        let mut leaves = Vec::new();
+        add_leaves(&variable.name, &variable.ty, reaches.get(variable), 0, &mut leaves);
+        for Leaf { name, ty, array, at, scalars } in leaves {
+            let Some(data_type) = ty.data_type() else {
+                let message = format!("uniform `{name}`: {ty} is not supported by DetGL yet");
+                log.push(Diagnostic::link_error(message));
+                continue;
+            };
+            let word = words.next + at as u32;
+            let initial = initial[at..at + scalars].to_vec();
+            uniforms.list.push(Uniform { name, ty: data_type, array, location, word, initial });
+            location += array.unwrap_or(1);
+        }
+        words.next += count;
+    }
+    uniforms
+}
+
+fn initial(variable: &Variable) -> Vec<u32> {
+    let words = variable.init.as_ref().and_then(|init| lower::constant(init, &[], &[]));
+    words.unwrap_or_else(|| vec![0; variable.ty.scalars() as usize])
+}
+
+/// The built-in uniforms that the stages name.
+pub fn builtins(stages: &[&StageUnits<'_>], reaches: &Reaches<'_>) -> Vec<BuiltinUniform> {
+    let is_state =
+        |storage| matches!(storage, Storage::Builtin(Builtin::State(_) | Builtin::States(_)));
+    let mut named: Vec<&Variable> = Vec::new();
+    for variable in stages.iter().flat_map(|stage| stage.with(is_state)) {
+        if !named.iter().any(|known| known.name == variable.name) {
+            named.push(variable);
+        }
+    }
+    let mut leaves = Vec::new();
+    for variable in named {
+        add_leaves(&variable.name, &variable.ty, reaches.get(variable), 0, &mut leaves);
+    }
+    let listed = |leaf: Leaf<'_>| {
+        let ty = leaf.ty.data_type()?;
+        Some(BuiltinUniform { name: leaf.name, ty, array: leaf.array })
+    };
+    leaves.into_iter().filter_map(listed).collect()
+}
+
+/// A part of a variable that GL lists: no structure.
+struct Leaf<'a> {
+    name: String,
+    /// Its type, or that of its elements.
+    ty: &'a Type,
+    array: Option<u32>,
+    /// The scalars of the variable before it, and its own.
+    at: usize,
+    scalars: usize,
+}
+
+/// How many elements the shaders of a program name of each array that any of them names, by its name.
+pub struct Reaches<'a>(BTreeMap<&'a str, u32>);
+
+impl<'a> Reaches<'a> {
+    /// Of all arrays that the stages declare.
+    pub fn of(stages: &[&StageUnits<'a>]) -> Self {
+        let mut reaches = BTreeMap::new();
+        for variable in stages.iter().flat_map(|stage| stage.declared()) {
+            if variable.named > 0 && matches!(variable.ty, Type::Array(..)) {
+                let all = variable.reach().unwrap_or(u32::MAX);
+                let most = reaches.entry(&*variable.name).or_insert(all);
+                *most = all.max(*most);
+            }
+        }
+        Self(reaches)
+    }
+
+    fn get(&self, variable: &Variable) -> u32 {
+        self.0.get(&*variable.name).copied().unwrap_or(u32::MAX)
+    }
+}
+
+/// Takes a variable apart into what GL lists; of an array, so many elements at most.
+fn add_leaves<'a>(name: &str, ty: &'a Type, reach: u32, at: usize, leaves: &mut Vec<Leaf<'a>>) {
+    let (element, array) = match ty {
+        Type::Array(element, len) => (&**element, len.map(|len| len.min(reach))),
+        other => (other, None),
+    };
+    let each = element.scalars() as usize;
+    let count = array.unwrap_or(1);
+    let nth = |index: u32| match array {
+        Some(_) => format!("{name}[{index}]"),
+        None => name.to_owned(),
+    };
+    match element {
+        Type::Struct(structure) => {
+            let mut at = at;
+            for index in 0..count {
+                for (field, ty) in &structure.fields {
+                    let name = format!("{}.{field}", nth(index));
+                    add_leaves(&name, ty, u32::MAX, at, leaves);
+                    at += ty.scalars() as usize;
+                }
+            }
+        }
+        Type::Array(..) => {
+            for index in 0..count {
+                add_leaves(&nth(index), element, u32::MAX, at + index as usize * each, leaves);
+            }
+        }
+        Type::Void | Type::Vector(..) | Type::Matrix(..) | Type::Sampler(_) | Type::Error => {
+            let (name, scalars) = (name.to_owned(), each * count as usize);
+            leaves.push(Leaf { name, ty: element, array, at, scalars });
+        }
+    }
+}

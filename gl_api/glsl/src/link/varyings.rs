@@ -1,0 +1,181 @@
+//! What passes from the vertex to the fragment stage (GLSL 1.30 sections 4.3.6 and 4.3.7).
+
+use super::{Locations, StageUnits};
+use crate::diagnostics::{Diagnostic, Log};
+use crate::hir::{Storage, Variable};
+use crate::interface::VARYING_USER;
+use crate::limits::MAX_VARYING_FLOATS;
+use crate::lower::{Binding, varying_slots};
+use crate::version::Version;
+use rasterizer::ir::Interpolation;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Matches what the vertex stage writes with what the fragment stage reads; gives the first slot that
+/// is free.
+pub fn varyings(
+    vertex: Option<&StageUnits<'_>>,
+    fragment: Option<&StageUnits<'_>>,
+    in_vertex: &mut Locations,
+    in_fragment: &mut Locations,
+    log: &mut Log,
+) -> u16 {
+    // Of each name, what the vertex stage declares, and whether it writes it.
+    let mut outputs: Vec<(&Variable, bool)> = Vec::new();
+    let mut named: BTreeMap<&str, usize> = BTreeMap::new();
+    for variable in vertex.iter().flat_map(|stage| stage.declared()) {
+        if matches!(variable.storage, Storage::Output(_)) {
+            in_vertex.insert(variable.name.clone(), Binding::Varying(None));
+            let at = *named.entry(&variable.name).or_insert(outputs.len());
+            if at == outputs.len() {
+                outputs.push((variable, false));
+            }
+            outputs[at].1 |= variable.written;
+        }
+    }
+    let (mut next, mut scalars) = (VARYING_USER, 0u32);
+    let (Some(vertex), Some(fragment)) = (vertex, fragment) else {
+        // The fixed function writes no varying of the program's: it is undefined, here zero.
+        for input in fragment.iter().flat_map(|fragment| fragment.with(is_input)) {
+            in_fragment.insert(input.name.clone(), Binding::Varying(None));
+        }
+        return next;
+    };
+    let mut inputs: BTreeSet<&str> = BTreeSet::new();
+    for input in fragment.declared().filter(|variable| is_input(variable.storage)) {
+        if let Some(&at) = named.get(&*input.name)
+            && inputs.insert(&input.name)
+        {
+            check_alike(outputs[at].0, input, vertex, log);
+        }
+    }
+    for input in fragment.with(is_input) {
+        let name = &input.name;
+        let Some((_, written)) = named.get(&**name).map(|&at| outputs[at]) else {
+            let message =
+                format!("the fragment shader reads `{name}`, which no vertex shader writes");
+            log.push(Diagnostic::link_error(message).rule("GLSL 1.30 section 4.3.6"));
+            continue;
+        };
+        if !written && fragment.units.iter().all(|unit| unit.version <= Version::V120) {
+            let message =
+                format!("the fragment shader reads `{name}`, which the vertex shader never writes");
+            log.push(Diagnostic::link_error(message).rule("GLSL 1.20 section 4.3.6"));
+        }
+        scalars += input.ty.scalars();
+        if scalars > u32::from(MAX_VARYING_FLOATS) {
+            let message =
+                format!("more than {MAX_VARYING_FLOATS} components pass between the stages");
+            log.push(Diagnostic::link_error(message));
+            return next;
+        }
+        in_vertex.insert(name.clone(), Binding::Varying(Some(next)));
+        in_fragment.insert(name.clone(), Binding::Varying(Some(next)));
+        next += varying_slots(&input.ty.flat());
+    }
+    next
+}
+
+/// The slots of the varyings that the fragment stage reads: first, how many, name.
+pub fn slots(fragment: Option<&StageUnits<'_>>, locations: &Locations) -> Vec<(u16, u16, String)> {
+    let inputs = fragment.iter().flat_map(|stage| stage.with(|s| matches!(s, Storage::Input(_))));
+    inputs
+        .filter_map(|input| match locations.get(&input.name) {
+            Some(Binding::Varying(Some(first))) => {
+                Some((*first, varying_slots(&input.ty.flat()), input.name.to_string()))
+            }
+            _ => None,
+        })
+        .collect()
+}
+
+fn is_input(storage: Storage) -> bool {
+    matches!(storage, Storage::Input(_))
+}
+
+/// Reports a varying that the stages declare differently, whether it is read or not.
+fn check_alike(output: &Variable, input: &Variable, vertex: &StageUnits<'_>, log: &mut Log) {
+    let (a, b, rule) = if output.ty != input.ty {
+        (output.ty.to_string(), input.ty.to_string(), "GLSL 1.30 section 4.3.6")
+    } else if let Some((a, b)) = mismatch(output, input) {
+        (a.to_owned(), b.to_owned(), "GLSL 1.30 section 4.3.7")
+    } else if output.passing.invariant != input.passing.invariant
+        && !vertex.units.iter().any(|unit| unit.all_invariant)
+    {
+        let [a, b] = [output, input].map(|variable| match variable.passing.invariant {
+            true => "invariant".to_owned(),
+            false => "not invariant".to_owned(),
+        });
+        (a, b, "GLSL 1.20 section 4.6.1")
+    } else {
+        return;
+    };
+    let name = &output.name;
+    let message = format!("`{name}` is {a} in the vertex shader and {b} in the fragment shader");
+    log.push(Diagnostic::link_error(message).rule(rule));
+}
+
+/// The words about its passing that two declarations of a varying differ in.
+fn mismatch(output: &Variable, input: &Variable) -> Option<(&'static str, &'static str)> {
+    if let (Storage::Output(a), Storage::Input(b)) = (output.storage, input.storage)
+        && a != b
+    {
+        return Some((word(a), word(b)));
+    }
+    let words = |one: bool, word, without| if one { word } else { without };
+    let (a, b) = (output.passing, input.passing);
+    if a.centroid != b.centroid {
+        let of = |centroid| words(centroid, "centroid", "not centroid");
+        return Some((of(a.centroid), of(b.centroid)));
+    }
+    None
+}
+
+/// How an interpolation is written.
+fn word(interpolation: Interpolation) -> &'static str {
+    match interpolation {
+        Interpolation::Smooth => "smooth",
+        Interpolation::NoPerspective => "noperspective",
+        Interpolation::Flat => "flat",
+    }
+}
+
+/// What the fragment stage reads of a colour and what the vertex stage writes of it.
+const COLORS: [[&str; 3]; 2] = [
+    ["gl_Color", "gl_FrontColor", "gl_BackColor"],
+    ["gl_SecondaryColor", "gl_FrontSecondaryColor", "gl_BackSecondaryColor"],
+];
+
+/// The interpolation of the colour and the secondary colour, where the shaders say it: all of a
+/// colour that they use say the same (GLSL 1.30 section 4.3.7).
+pub fn colors(
+    vertex: Option<&StageUnits<'_>>,
+    fragment: Option<&StageUnits<'_>>,
+    log: &mut Log,
+) -> [Option<Interpolation>; 2] {
+    COLORS.map(|names| {
+        let used = |stage: Option<&StageUnits<'_>>, name: &str| {
+            stage.and_then(|stage| {
+                let found = stage.used.iter().find(|variable| *variable.name == *name);
+                found.map(|variable| variable.passing.interpolation)
+            })
+        };
+        let [input, front, back] = names;
+        let all = [
+            (input, used(fragment, input)),
+            (front, used(vertex, front)),
+            (back, used(vertex, back)),
+        ];
+        let mut said = all.into_iter().filter_map(|(name, said)| said.map(|said| (name, said)));
+        let (first, interpolation) = said.next()?;
+        if let Some((other, different)) = said.find(|(_, other)| *other != interpolation) {
+            let text = |said: Option<Interpolation>| said.map_or("not qualified", word);
+            let message = format!(
+                "`{first}` is {} and `{other}` is {}",
+                text(interpolation),
+                text(different)
+            );
+            log.push(Diagnostic::link_error(message).rule("GLSL 1.30 section 4.3.7"));
+        }
+        interpolation
+    })
+}

@@ -1,0 +1,176 @@
+//! What a stage hands on: outputs, some of them copied when `main` has ended.
+
+use super::place::Slot;
+use super::{Lowered, Lowerer};
+use crate::builtins::math::dot_product;
+use crate::hir::Variable;
+use crate::interface::{StateVar, VARYING_CLIP_DISTANCE};
+use crate::limits::MAX_CLIP_PLANES;
+use rasterizer::ir::{Op, Output, Stmt, Ty, Value, Var};
+
+/// Scalars to copy to outputs when `main` has ended.
+#[derive(Debug)]
+pub struct Copy {
+    /// Where they are.
+    pub slot: Slot,
+    /// Which of them.
+    pub at: u32,
+    /// What of it.
+    pub part: Part,
+    /// Where to.
+    pub var: Var,
+}
+
+/// What of a scalar is copied.
+#[derive(Clone, Copy, Debug)]
+pub enum Part {
+    /// Its value as a float.
+    Whole,
+    /// The low 16 bits.
+    Low,
+    /// The high 16 bits.
+    High,
+    /// Its value if this user clip plane is enabled, else 0, which cuts nothing away.
+    ClipDistance(u8),
+    /// The vector that begins there times this user clip plane, if it is enabled.
+    ClipVertex(u8),
+}
+
+impl Lowerer<'_> {
+    /// Hands a variable on as a varying.
+    pub(super) fn varying_output(
+        &mut self,
+        slot: &Slot,
+        types: &[Ty],
+        first: u16,
+        copies: &mut Vec<Copy>,
+    ) {
+        let mut next = first;
+        for (at, &ty) in types.iter().enumerate() {
+            let at = at as u32;
+            if ty == Ty::F32 {
+                self.output(slot, types, at, Output::Varying(next), copies);
+                next += 1;
+                continue;
+            }
+            for part in [Part::Low, Part::High] {
+                let var = self.emit.builder.output(Output::Varying(next));
+                copies.push(Copy { slot: slot.clone(), at, part, var });
+                next += 1;
+            }
+        }
+    }
+
+    /// Makes scalar `at` of a variable an output: the variable itself where it fits, else a copy.
+    pub(super) fn output(
+        &mut self,
+        slot: &Slot,
+        types: &[Ty],
+        at: u32,
+        output: Output,
+        copies: &mut Vec<Copy>,
+    ) {
+        // The stencil's reference is an integer; colours for attachments of integers stay integers.
+        let own = types[at as usize];
+        let ty = match output {
+            Output::Color { .. } if matches!(own, Ty::I32 | Ty::U32) => own,
+            Output::StencilReference => Ty::I32,
+            Output::Color { .. }
+            | Output::Position(_)
+            | Output::PointSize
+            | Output::ClipDistance(_)
+            | Output::Varying(_)
+            | Output::Depth => Ty::F32,
+        };
+        if let Slot::Vars(vars) = slot
+            && own == ty
+        {
+            let var = vars[at as usize];
+            self.emit.builder.module_mut().outputs.push((output, var));
+            return;
+        }
+        let var = self.emit.builder.variable(format!("{output:?}"), ty);
+        self.emit.builder.module_mut().outputs.push((output, var));
+        copies.push(Copy { slot: slot.clone(), at, part: Part::Whole, var });
+    }
+
+    pub(super) fn copy(&mut self, copy: &Copy) -> Lowered<()> {
+        let mut place = Self::value_place(Vec::new(), crate::types::FLOAT);
+        place.slot = copy.slot.clone();
+        place.base = copy.at;
+        if let Part::ClipVertex(_) = copy.part {
+            place.ty = crate::types::vec(4);
+        }
+        let words = self.load(&place)?;
+        let word = words[0];
+        let value = match copy.part {
+            Part::Whole => word,
+            Part::Low => {
+                let bits = self.emit.convert(word, Ty::U32);
+                let mask = self.emit.uint(0xffff);
+                self.emit.op(Op::BitAnd, &[bits, mask])
+            }
+            Part::High => {
+                let bits = self.emit.convert(word, Ty::U32);
+                let sixteen = self.emit.uint(16);
+                self.emit.op(Op::UShiftRight, &[bits, sixteen])
+            }
+            Part::ClipDistance(plane) => self.if_enabled(plane, word),
+            Part::ClipVertex(plane) => {
+                let first = self.words.state(StateVar::ClipPlane(plane));
+                let plane_words: Vec<Value> =
+                    (0..4).map(|i| self.emit.uniform(first + i, Ty::F32)).collect();
+                let distance = dot_product(&mut self.emit, &plane_words, &words);
+                self.if_enabled(plane, distance)
+            }
+        };
+        let ty = self.emit.builder.module_mut().variables[copy.var.0 as usize].ty;
+        let value = self.emit.convert(value, ty);
+        self.emit.push(Stmt::Store { var: copy.var, value });
+        Ok(())
+    }
+
+    /// A distance if a user clip plane is enabled, else 0.
+    fn if_enabled(&mut self, plane: u8, distance: Value) -> Value {
+        let word = self.words.state(StateVar::ClipEnables) + u32::from(plane);
+        let enabled = self.emit.uniform(word, Ty::F32);
+        let enabled = self.emit.convert(enabled, Ty::Bool);
+        let zero = self.emit.float(0.0);
+        self.emit.select(enabled, distance, zero)
+    }
+
+    pub(super) fn clip_vertex(
+        &mut self,
+        variable: &Variable,
+        types: &[Ty],
+        copies: &mut Vec<Copy>,
+    ) -> Slot {
+        let slot = self.new_slot(variable, types);
+        if variable.written {
+            for plane in 0..MAX_CLIP_PLANES {
+                let var = self.emit.builder.output(Output::ClipDistance(plane));
+                let part = Part::ClipVertex(plane);
+                copies.push(Copy { slot: slot.clone(), at: 0, part, var });
+            }
+        }
+        slot
+    }
+
+    pub(super) fn clip_distances(
+        &mut self,
+        variable: &Variable,
+        types: &[Ty],
+        copies: &mut Vec<Copy>,
+    ) -> Slot {
+        let slot = self.new_slot(variable, types);
+        if variable.written {
+            for plane in 0..types.len() as u8 {
+                let (at, part) = (plane.into(), Part::ClipDistance(plane));
+                let var = self.emit.builder.output(Output::ClipDistance(plane));
+                copies.push(Copy { slot: slot.clone(), at, part, var });
+            }
+            self.varying_output(&slot, types, VARYING_CLIP_DISTANCE, copies);
+        }
+        slot
+    }
+}

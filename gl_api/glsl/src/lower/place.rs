@@ -1,0 +1,371 @@
+//! Where variables live, and reading and writing parts of them.
+
+use super::expr::not_a_variable;
+use super::{Failure, Lowered, Lowerer};
+use crate::builtins::state::StateArray;
+use crate::hir::{Expr, ExprKind, VarRef, Variable};
+use crate::types::Type;
+use rasterizer::ir::{Expr as IrExpr, Op, Stmt, Ty, Value, Var};
+use std::rc::Rc;
+
+/// Where the scalars of a variable live.
+#[derive(Clone, Debug)]
+pub enum Slot {
+    /// They are these, and never change.
+    Values(Rc<[Value]>),
+    /// A variable each.
+    Vars(Rc<[Var]>),
+    /// Elements of arrays, one array for each type of scalar, all as long as the variable.
+    Arrays(Rc<Arrays>),
+    /// Uniform words in a row, beginning here.
+    Uniform(u32, Rc<[Ty]>),
+    /// State of each unit, light or plane: so many words an element, of these types all.
+    States(StateArray, u32, Rc<[Ty]>),
+    /// A part of another variable.
+    Alias(Rc<Place>),
+}
+
+/// Arrays that hold a variable which is indexed dynamically.
+#[derive(Clone, Debug)]
+pub struct Arrays {
+    /// The type of each scalar.
+    types: Rc<[Ty]>,
+    /// The array of each type.
+    vars: Vec<(Ty, Var)>,
+}
+
+/// A part of a variable.
+#[derive(Clone, Debug)]
+pub struct Place {
+    /// Where the whole variable lives.
+    pub slot: Slot,
+    /// How many scalars the whole variable has.
+    total: u32,
+    /// The first scalar, besides `dynamic`.
+    pub base: u32,
+    /// A `u32` to add, below the total.
+    pub dynamic: Option<Value>,
+    /// Of each index in `dynamic`, scalars from an element to the next and how many there are.
+    pub steps: Vec<(u32, u32)>,
+    /// The components of a swizzle.
+    components: Option<Vec<u8>>,
+    /// The type of the part.
+    pub ty: Type,
+}
+
+impl Place {
+    /// The scalars of the part, besides `dynamic`.
+    fn offsets(&self) -> Vec<u32> {
+        match &self.components {
+            Some(components) => components.iter().map(|&c| self.base + u32::from(c)).collect(),
+            None => (self.base..self.base + self.ty.scalars()).collect(),
+        }
+    }
+}
+
+impl Lowerer<'_> {
+    /// Where a variable of scalars of these types lives: in arrays if it is indexed dynamically.
+    pub(super) fn new_slot(&mut self, variable: &Variable, types: &[Ty]) -> Slot {
+        if variable.dynamic {
+            Slot::Arrays(Rc::new(self.new_arrays(&variable.name, types)))
+        } else {
+            self.new_vars(&variable.name, types)
+        }
+    }
+
+    /// New variables for scalars of these types.
+    pub(super) fn new_vars(&mut self, name: &str, types: &[Ty]) -> Slot {
+        let builder = &mut self.emit.builder;
+        Slot::Vars(types.iter().map(|&ty| builder.variable(name, ty)).collect())
+    }
+
+    /// The same in arrays, to be indexed dynamically.
+    fn new_arrays(&mut self, name: &str, types: &[Ty]) -> Arrays {
+        let mut vars: Vec<(Ty, Var)> = Vec::new();
+        for &ty in types {
+            if !vars.iter().any(|(known, _)| *known == ty) {
+                vars.push((ty, self.emit.builder.array(name, ty, types.len() as u32)));
+            }
+        }
+        Arrays { types: types.into(), vars }
+    }
+
+    /// Writes every scalar of a variable.
+    pub(super) fn fill(&mut self, slot: &Slot, values: &[Value]) {
+        match slot {
+            Slot::Vars(vars) => {
+                for (&var, &value) in vars.iter().zip(values) {
+                    self.emit.push(Stmt::Store { var, value });
+                }
+            }
+            Slot::Arrays(arrays) => self.fill_arrays(arrays, values),
+            Slot::Values(_) | Slot::Uniform(..) | Slot::States(..) | Slot::Alias(_) => {}
+        }
+    }
+
+    fn fill_arrays(&mut self, arrays: &Arrays, values: &[Value]) {
+        for (index, &value) in values.iter().enumerate() {
+            self.store_element(arrays, index as u32, None, value);
+        }
+    }
+
+    fn store_element(&mut self, arrays: &Arrays, at: u32, dynamic: Option<Value>, value: Value) {
+        let ty = arrays.types[at as usize];
+        let found = arrays.vars.iter().find(|(known, _)| *known == ty);
+        let Some(&(_, var)) = found else { return };
+        let index = self.index(at, dynamic);
+        if arrays.types.len() == 1 {
+            self.emit.push(Stmt::Store { var, value });
+        } else {
+            self.emit.push(Stmt::StoreAt { var, index, value });
+        }
+    }
+
+    /// `at + dynamic` as a `u32`.
+    fn index(&mut self, at: u32, dynamic: Option<Value>) -> Value {
+        let constant = self.emit.uint(at);
+        match dynamic {
+            None => constant,
+            Some(dynamic) if at == 0 => dynamic,
+            Some(dynamic) => self.emit.op(Op::UAdd, &[dynamic, constant]),
+        }
+    }
+
+    /// Where a variable lives.
+    pub(super) fn slot(&mut self, var: VarRef) -> Lowered<Slot> {
+        let variable = self.variable(var);
+        let known = match var {
+            VarRef::Global(_) => self.globals.get(&variable.name).cloned(),
+            VarRef::Local(index) => self.frame().slots[index as usize].clone(),
+        };
+        if let Some(slot) = known {
+            return Ok(slot);
+        }
+        match &variable.constant {
+            Some(words) => {
+                let types = variable.ty.flat();
+                Ok(Slot::Values(self.constants(words, &types).into()))
+            }
+            None => Err(Failure(format!("`{}` has no storage here", variable.name))),
+        }
+    }
+
+    /// The part of a variable that an expression names; `None` if it is a value.
+    pub(super) fn place(&mut self, expr: &Expr) -> Lowered<Option<Place>> {
+        if expr.root().is_none() {
+            return Ok(None);
+        }
+        self.nested(|lowerer| lowerer.part(expr)).map(Some)
+    }
+
+    fn part(&mut self, expr: &Expr) -> Lowered<Place> {
+        match &expr.kind {
+            ExprKind::Var(var) => {
+                let slot = self.slot(*var)?;
+                let ty = self.variable(*var).ty.clone();
+                Ok(match slot {
+                    Slot::Alias(place) => (*place).clone(),
+                    slot => Place {
+                        slot,
+                        total: ty.scalars(),
+                        base: 0,
+                        dynamic: None,
+                        steps: Vec::new(),
+                        components: None,
+                        ty,
+                    },
+                })
+            }
+            ExprKind::Field(base, index) => {
+                let mut place = self.part(base)?;
+                if let Type::Struct(structure) = &base.ty {
+                    let before = &structure.fields[..*index as usize];
+                    place.base += before.iter().map(|(_, ty)| ty.scalars()).sum::<u32>();
+                }
+                place.ty = expr.ty.clone();
+                Ok(place)
+            }
+            ExprKind::Swizzle(base, components) => {
+                let mut place = self.part(base)?;
+                let inner = place.components.take();
+                let through = |&c: &u8| inner.as_ref().map_or(c, |inner| inner[usize::from(c)]);
+                place.components = Some(components.iter().map(through).collect());
+                place.ty = expr.ty.clone();
+                Ok(place)
+            }
+            ExprKind::Index(base, index) => {
+                let place = self.part(base)?;
+                let index = self.expr(index)?[0];
+                self.element(place, index, &expr.ty)
+            }
+            ExprKind::Const(_)
+            | ExprKind::Convert(_)
+            | ExprKind::Unary(..)
+            | ExprKind::Binary(..)
+            | ExprKind::Assign(..)
+            | ExprKind::Step(..)
+            | ExprKind::Conditional(_)
+            | ExprKind::Comma(_)
+            | ExprKind::Construct(_)
+            | ExprKind::Call(..)
+            | ExprKind::Builtin(..)
+            | ExprKind::Error => Err(not_a_variable()),
+        }
+    }
+
+    /// An element of a part; an index out of range means the last element.
+    pub(super) fn element(&mut self, place: Place, index: Value, ty: &Type) -> Lowered<Place> {
+        let stride = ty.scalars().max(1);
+        let len = (place.ty.scalars() / stride).max(1);
+        let index = self.emit.convert(index, Ty::U32);
+        let last = self.emit.uint(len - 1);
+        let index = self.emit.op(Op::UMin, &[index, last]);
+        let mut place = place;
+        if let Some(known) = self.emit.known(index) {
+            match &place.components {
+                Some(components) => place.base += u32::from(components[known as usize]),
+                None => place.base += known * stride,
+            }
+            place.components = None;
+        } else {
+            let offset = match place.components.take() {
+                Some(components) => self.swizzled(&components, index),
+                None => {
+                    place.steps.push((stride, len));
+                    let stride = self.emit.uint(stride);
+                    self.emit.op(Op::UMul, &[index, stride])
+                }
+            };
+            place.dynamic = Some(match place.dynamic {
+                Some(other) => self.emit.op(Op::UAdd, &[other, offset]),
+                None => offset,
+            });
+        }
+        place.ty = ty.clone();
+        Ok(place)
+    }
+
+    /// Which component element `index` of a swizzle is.
+    fn swizzled(&mut self, components: &[u8], index: Value) -> Value {
+        let mut chosen = self.emit.uint(0);
+        for (at, &component) in components.iter().enumerate() {
+            let (at, component) = (self.emit.uint(at as u32), self.emit.uint(component.into()));
+            let here = self.emit.equal(index, at);
+            chosen = self.emit.select(here, component, chosen);
+        }
+        chosen
+    }
+
+    /// A place that holds these values.
+    pub(super) fn value_place(values: Vec<Value>, ty: Type) -> Place {
+        let total = values.len() as u32;
+        let slot = Slot::Values(values.into());
+        let (dynamic, steps) = (None, Vec::new());
+        Place { slot, total, base: 0, dynamic, steps, components: None, ty }
+    }
+
+    /// Reads a part.
+    pub(super) fn load(&mut self, place: &Place) -> Lowered<Vec<Value>> {
+        let offsets = place.offsets();
+        let slot = place.slot.clone();
+        match (&slot, place.dynamic) {
+            (Slot::Values(values), None) => {
+                Ok(offsets.iter().map(|&at| values[at as usize]).collect())
+            }
+            (Slot::Vars(vars), None) => {
+                Ok(offsets.iter().map(|&at| self.emit.load(vars[at as usize])).collect())
+            }
+            (Slot::Values(values), Some(dynamic)) => {
+                let spilt = self.spill(values);
+                Ok(self.load_elements(&spilt, &offsets, Some(dynamic)))
+            }
+            (Slot::Vars(vars), Some(dynamic)) => {
+                let values: Vec<Value> = vars.iter().map(|&var| self.emit.load(var)).collect();
+                let spilt = self.spill(&values);
+                Ok(self.load_elements(&spilt, &offsets, Some(dynamic)))
+            }
+            (Slot::Arrays(arrays), dynamic) => {
+                let arrays = arrays.clone();
+                Ok(self.load_elements(&arrays, &offsets, dynamic))
+            }
+            (Slot::Uniform(word, types), None) => {
+                let load = |&at: &u32| self.emit.uniform(word + at, types[at as usize]);
+                Ok(offsets.iter().map(load).collect())
+            }
+            (Slot::Uniform(word, types), Some(index)) => {
+                let load = |&at: &u32| {
+                    let (base, len, ty) = (word + at, place.total - at, types[at as usize]);
+                    let uniforms = &mut self.emit.builder.module_mut().uniform_words;
+                    *uniforms = (*uniforms).max(word + place.total);
+                    self.emit.value(IrExpr::UniformAt { base, len, index, ty }, ty)
+                };
+                Ok(offsets.iter().map(load).collect())
+            }
+            (Slot::States(array, stride, types), None) => {
+                let load = |&at: &u32| {
+                    let word = self.words.state(array.of((at / stride) as u8));
+                    self.emit.uniform(word + at % stride, types[at as usize])
+                };
+                Ok(offsets.iter().map(load).collect())
+            }
+            (Slot::States(array, _, types), Some(_)) => {
+                let slot = Slot::Uniform(self.words.array(*array), types.clone());
+                self.load(&Place { slot, ..place.clone() })
+            }
+            (Slot::Alias(_), _) => Err(Failure("an alias of an alias".to_owned())),
+        }
+    }
+
+    fn load_elements(
+        &mut self,
+        arrays: &Arrays,
+        offsets: &[u32],
+        dynamic: Option<Value>,
+    ) -> Vec<Value> {
+        let mut values = Vec::with_capacity(offsets.len());
+        for &at in offsets {
+            let ty = arrays.types[at as usize];
+            let found = arrays.vars.iter().find(|(known, _)| *known == ty);
+            let Some(&(_, var)) = found else { continue };
+            let index = self.index(at, dynamic);
+            values.push(if arrays.types.len() == 1 {
+                self.emit.load(var)
+            } else {
+                self.emit.load_at(var, index)
+            });
+        }
+        values
+    }
+
+    /// Puts values into arrays, to be indexed dynamically.
+    fn spill(&mut self, values: &[Value]) -> Arrays {
+        let types: Vec<Ty> = values.iter().map(|&value| self.emit.ty(value)).collect();
+        let arrays = self.new_arrays("spilt", &types);
+        self.fill_arrays(&arrays, values);
+        arrays
+    }
+
+    /// Writes a part.
+    pub(super) fn store(&mut self, place: &Place, values: &[Value]) -> Lowered<()> {
+        let offsets = place.offsets();
+        match (&place.slot, place.dynamic) {
+            (Slot::Vars(vars), None) => {
+                for (&at, &value) in offsets.iter().zip(values) {
+                    self.emit.push(Stmt::Store { var: vars[at as usize], value });
+                }
+                Ok(())
+            }
+            (Slot::Arrays(arrays), dynamic) => {
+                let arrays = arrays.clone();
+                for (&at, &value) in offsets.iter().zip(values) {
+                    self.store_element(&arrays, at, dynamic, value);
+                }
+                Ok(())
+            }
+            (Slot::Vars(_), Some(_))
+            | (Slot::Values(_) | Slot::Uniform(..) | Slot::States(..) | Slot::Alias(_), _) => {
+                Err(not_a_variable())
+            }
+        }
+    }
+}

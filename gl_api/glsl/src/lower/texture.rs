@@ -1,0 +1,286 @@
+//! Texture lookups (GLSL 1.30 section 8.7).
+
+use super::place::{Place, Slot};
+use super::{Failure, Lowered, Lowerer, texture_key};
+use crate::builtins::lookups::{LodForm, Lookup, Projection, Shift};
+use crate::hir::Expr;
+use crate::limits::MAX_DYNAMIC_SAMPLERS;
+use crate::types::{Comparison, Dim, Sampler, Type};
+use crate::{ComparisonResult, Scalar};
+use rasterizer::driver::MAX_SAMPLES;
+use rasterizer::ir::{self, Lod, Op, Texture, TextureDecl, Ty, Value};
+use texunit::image::Shape;
+
+/// A lookup, but for the texture.
+struct Access {
+    access: ir::Access,
+    coords: [Value; 3],
+    layer: Option<Value>,
+    reference: Option<Value>,
+    lod: Lod,
+    compared: ComparisonResult,
+}
+
+/// The shape of texture that a sampler takes; where there are several samples a texel, each is a
+/// layer.
+fn shape(dim: Dim) -> Shape {
+    match dim {
+        Dim::D1 | Dim::Buffer => Shape::D1,
+        Dim::D2 => Shape::D2,
+        Dim::D3 => Shape::D3,
+        Dim::Cube => Shape::Cube,
+        Dim::Rect => Shape::Rect,
+        Dim::D1Array => Shape::D1Array,
+        Dim::D2Array | Dim::D2Multisample | Dim::D2MultisampleArray => Shape::D2Array,
+        Dim::CubeArray => Shape::CubeArray,
+    }
+}
+
+/// The slot that a sampler needs.
+fn slot(sampler: Sampler) -> TextureDecl {
+    let texels = match sampler.scalar {
+        Scalar::Float | Scalar::Bool => Ty::F32,
+        Scalar::Int => Ty::I32,
+        Scalar::Uint => Ty::U32,
+    };
+    let compare = sampler.comparison == Comparison::Yes;
+    TextureDecl { shape: shape(sampler.dim), compare, texels }
+}
+
+/// Of what some indices can choose, each with so many words an element and so many elements, how far
+/// the one of this number lies behind the first.
+fn offset_of(mut number: u32, steps: &[(u32, u32)]) -> u32 {
+    let mut offset = 0;
+    for (stride, len) in steps {
+        offset += number % len * stride;
+        number /= len;
+    }
+    offset
+}
+
+/// The arguments of a lookup behind the sampler, taken apart.
+struct Arguments<'a> {
+    kind: Sampler,
+    values: &'a [Vec<Value>],
+    /// 0 and 0.0.
+    zeros: [Value; 2],
+    /// What a comparison gives.
+    compared: ComparisonResult,
+}
+
+impl Arguments<'_> {
+    fn scalar(&self, at: Option<usize>) -> Option<Value> {
+        self.values.get(at?).and_then(|values| values.first()).copied()
+    }
+
+    /// As many components as find a texel, the rest `zero`.
+    fn three(&self, values: &[Value], zero: Value) -> [Value; 3] {
+        let used = self.kind.dim.coords();
+        [0, 1, 2].map(|i| if i < used { values.get(i).copied().unwrap_or(zero) } else { zero })
+    }
+}
+
+impl Lowerer<'_> {
+    pub(super) fn texture(
+        &mut self,
+        lookup: Lookup,
+        arguments: &[Expr],
+        result: &Type,
+    ) -> Lowered<Vec<Value>> {
+        let [sampler, rest @ ..] = arguments else {
+            return Err(Failure("a texture lookup without a sampler".to_owned()));
+        };
+        let Type::Sampler(kind) = sampler.ty else {
+            return Err(Failure(format!("{} is no sampler", sampler.ty)));
+        };
+        let place = self
+            .place(sampler)?
+            .ok_or_else(|| Failure("a sampler that is no uniform".to_owned()))?;
+        let values = rest.iter().map(|expr| self.expr(expr)).collect::<Lowered<Vec<_>>>()?;
+        let zeros = [self.emit.constant(0, Ty::I32), self.emit.float(0.0)];
+        let compared = match (kind.comparison, result.scalars()) {
+            (Comparison::Yes, 1) => ComparisonResult::Scalar,
+            (Comparison::Yes | Comparison::No, _) => ComparisonResult::Placed,
+        };
+        let arguments = Arguments { kind, values: &values, zeros, compared };
+        let access = match lookup {
+            Lookup::Sample(projection, form, shift) => {
+                self.sample_access(&arguments, projection, form, shift)
+            }
+            Lookup::Gather(shift) => {
+                let at = (shift == Shift::Texels).then_some(1);
+                let [s, t, _] = self.texel_offset(&arguments, at);
+                let (projection, form) = (Projection::None, LodForm::Implicit);
+                let sample = self.sample_access(&arguments, projection, form, Shift::None);
+                Access { access: ir::Access::Gather { offset: [s, t] }, ..sample }
+            }
+            Lookup::Fetch(shift) => self.fetch_access(&arguments, shift),
+            Lookup::Size => {
+                let [zero, _] = zeros;
+                let lod = Lod::Explicit(arguments.scalar(Some(0)).unwrap_or(zero));
+                let compared = ComparisonResult::Placed;
+                Access {
+                    access: ir::Access::Size,
+                    coords: [zero; 3],
+                    layer: None,
+                    reference: None,
+                    lod,
+                    compared,
+                }
+            }
+            Lookup::QueryLod => {
+                let [_, zero] = zeros;
+                let coords = arguments.three(values.first().map_or(&[], |v| &v[..]), zero);
+                let lod = Lod::Implicit { bias: None };
+                let (layer, reference, compared) = (None, None, ComparisonResult::Placed);
+                Access { access: ir::Access::Lod, coords, layer, reference, lod, compared }
+            }
+        };
+        let mut values = self.look_up(&place, kind, &access)?;
+        if (lookup, kind.dim) == (Lookup::Size, Dim::D2MultisampleArray) {
+            let samples = self.emit.constant(MAX_SAMPLES as u32, Ty::I32);
+            values[2] = self.emit.op(Op::IDiv, &[values[2], samples]);
+        }
+        values.truncate(result.scalars() as usize);
+        Ok(values)
+    }
+
+    fn sample_access(
+        &mut self,
+        arguments: &Arguments<'_>,
+        projection: Projection,
+        form: LodForm,
+        shift: Shift,
+    ) -> Access {
+        let Arguments { kind, values, zeros: [_, zero], compared } = *arguments;
+        let mut coords = values.first().cloned().unwrap_or_default();
+        if projection == Projection::Divide
+            && let Some(q) = coords.pop()
+        {
+            coords = coords.iter().map(|&c| self.emit.op(Op::Div, &[c, q])).collect();
+        }
+        let compares = kind.comparison == Comparison::Yes;
+        let layer = match kind.dim {
+            Dim::CubeArray => Some(coords.get(3).copied().unwrap_or(zero)),
+            Dim::D1
+            | Dim::D2
+            | Dim::D3
+            | Dim::Cube
+            | Dim::Rect
+            | Dim::D1Array
+            | Dim::D2Array
+            | Dim::D2Multisample
+            | Dim::D2MultisampleArray
+            | Dim::Buffer => None,
+        };
+        if compares && layer.is_some() {
+            // Four components find the texel: the reference is an argument of its own.
+            coords.extend(arguments.scalar(Some(1)));
+        }
+        // The reference is the third component, or the one after the coordinates.
+        let behind = kind.dim.coords().max(2);
+        let reference = compares.then(|| coords.get(behind).copied().unwrap_or(zero));
+        let last = values.len().checked_sub(1);
+        // Behind the offset, where there is one.
+        let bias = if form == LodForm::Bias { last } else { None };
+        let offset = match (shift, bias) {
+            (Shift::None, _) => None,
+            (Shift::Texels, None) => last,
+            (Shift::Texels, Some(bias)) => bias.checked_sub(1),
+        };
+        let lod = match form {
+            LodForm::Implicit | LodForm::Bias => Lod::Implicit { bias: arguments.scalar(bias) },
+            LodForm::Explicit => Lod::Explicit(arguments.scalar(Some(1)).unwrap_or(zero)),
+            LodForm::Gradient => {
+                let derivative =
+                    |at: usize| arguments.three(values.get(at).map_or(&[], |v| &v[..]), zero);
+                Lod::Gradient { dx: derivative(1), dy: derivative(2), bias: None }
+            }
+        };
+        let access = ir::Access::Filter { offset: self.texel_offset(arguments, offset) };
+        Access { access, coords: arguments.three(&coords, zero), layer, reference, lod, compared }
+    }
+
+    fn fetch_access(&mut self, arguments: &Arguments<'_>, shift: Shift) -> Access {
+        let Arguments { kind, values, zeros: [zero, _], compared } = *arguments;
+        let coords = arguments.three(values.first().map_or(&[], |v| &v[..]), zero);
+        if let Dim::D2Multisample | Dim::D2MultisampleArray = kind.dim {
+            let number = arguments.scalar(Some(1)).unwrap_or(zero);
+            return self.sample_fetch(coords, number, zero);
+        }
+        let (level, offset) = match (kind.dim, shift) {
+            (Dim::Rect | Dim::Buffer, Shift::None) => (None, None),
+            (Dim::Rect, Shift::Texels) => (None, Some(1)),
+            (_, Shift::None) => (Some(1), None),
+            (_, Shift::Texels) => (Some(1), Some(2)),
+        };
+        let lod = Lod::Explicit(arguments.scalar(level).unwrap_or(zero));
+        let access = ir::Access::Fetch { offset: self.texel_offset(arguments, offset) };
+        Access { access, coords, layer: None, reference: None, lod, compared }
+    }
+
+    /// A sample of a texel: those of a layer lie together.
+    fn sample_fetch(&mut self, [x, y, layer]: [Value; 3], number: Value, zero: Value) -> Access {
+        let samples = self.emit.constant(MAX_SAMPLES as u32, Ty::I32);
+        let first = self.emit.op(Op::IMul, &[layer, samples]);
+        let coords = [x, y, self.emit.op(Op::IAdd, &[first, number])];
+        let (access, lod) = (ir::Access::Fetch { offset: [0; 3] }, Lod::Explicit(zero));
+        let compared = ComparisonResult::Placed;
+        Access { access, coords, layer: None, reference: None, lod, compared }
+    }
+
+    /// A constant offset, as the checker has seen it; 0 where there is none.
+    fn texel_offset(&self, arguments: &Arguments<'_>, at: Option<usize>) -> [i32; 3] {
+        let mut offset = [0; 3];
+        let values = at.and_then(|at| arguments.values.get(at)).into_iter().flatten();
+        for (offset, value) in offset.iter_mut().zip(values) {
+            *offset = self.emit.known(*value).unwrap_or(0) as i32;
+        }
+        offset
+    }
+
+    fn look_up(&mut self, place: &Place, kind: Sampler, access: &Access) -> Lowered<Vec<Value>> {
+        let Slot::Uniform(word, _) = &place.slot else {
+            return Err(Failure("a sampler that is no uniform".to_owned()));
+        };
+        let first = word + place.base;
+        let Some(dynamic) = place.dynamic else {
+            return Ok(self.sample(first, kind, access).to_vec());
+        };
+        // There is no texture by number in the IR: sample all, choose one.
+        let count = place.steps.iter().fold(1, |count: u32, (_, len)| count.saturating_mul(*len));
+        if count > MAX_DYNAMIC_SAMPLERS {
+            return Err(Failure(format!(
+                "one of {count} samplers, indexed by what is not constant, is not supported by \
+                 DetGL yet: {MAX_DYNAMIC_SAMPLERS} are the most"
+            )));
+        }
+        let mut chosen = self.sample(first, kind, access);
+        for index in 1..count {
+            let offset = offset_of(index, &place.steps);
+            let other = self.sample(first + offset, kind, access);
+            let number = self.emit.uint(offset);
+            let here = self.emit.equal(dynamic, number);
+            for (chosen, other) in chosen.iter_mut().zip(other) {
+                *chosen = self.emit.select(here, other, *chosen);
+            }
+        }
+        Ok(chosen.to_vec())
+    }
+
+    fn sample(&mut self, word: u32, kind: Sampler, access: &Access) -> [Value; 4] {
+        let decl = slot(kind);
+        let key = (word, texture_key(decl), access.compared);
+        let texture: Texture = match self.textures.get(&key) {
+            Some(&texture) => texture,
+            None => {
+                let texture = self.emit.texture(decl);
+                self.textures.insert(key, texture);
+                self.samplers.push((texture, word, kind.dim, access.compared));
+                texture
+            }
+        };
+        let Access { access, coords, layer, reference, lod, .. } = *access;
+        self.emit.access(ir::Sample { texture, access, coords, layer, reference, lod })
+    }
+}

@@ -1,0 +1,65 @@
+//! Uniform blocks (ARB_uniform_buffer_object, section 4.3.5.1).
+
+use super::keywords;
+use super::{Parsed, Parser};
+use crate::ast::{BlockDecl, Item, Qualifier, TypeBase};
+use crate::diagnostics::Diagnostic;
+use crate::lexer::Kind;
+use crate::source::Span;
+use crate::version::Since;
+
+const SECTION: &str = "ARB_uniform_buffer_object, section 4.3.5.1";
+
+impl Parser<'_> {
+    /// What these qualifiers begin, if it is no declaration of variables: `uniform name { ... };`,
+    /// or `layout(std140) uniform;`.
+    pub(super) fn block_item(&mut self, words: &[(Qualifier, Span)]) -> Parsed<Option<Item>> {
+        let uniform = matches!(words.last(), Some((Qualifier::Uniform, _)));
+        if uniform && words.len() > 1 && self.is(";") {
+            self.bump();
+            return Ok(Some(Item::BlockDefaults(words.to_vec())));
+        }
+        let begins = self.token().word().is_some() && self.ahead(1).is("{");
+        if !begins || !uniform || self.is_word("struct") {
+            return Ok(None);
+        }
+        if !keywords::has_blocks(self.language) {
+            let message = format!("uniform blocks are not in {}", self.version.title());
+            let mut problem = Diagnostic::error(self.span(), message);
+            if let Some(advice) = self.language.advice(Since::UNIFORM_BLOCKS) {
+                problem = problem.help(advice);
+            }
+            self.log.push(problem);
+            return Err(super::Broken);
+        }
+        self.uniform_block(words.to_vec()).map(|block| Some(Item::Block(block)))
+    }
+
+    fn uniform_block(&mut self, qualifiers: Vec<(Qualifier, Span)>) -> Parsed<BlockDecl> {
+        let name = self.name()?;
+        self.expect("{")?;
+        let mut members = Vec::new();
+        while !self.is("}") {
+            if self.kind() == &Kind::End {
+                return self.fail("the uniform block is not closed by `}`");
+            }
+            let ty = self.qualified_type()?;
+            if let TypeBase::Struct(_) = ty.ty.base {
+                // Against the rule, but Mesa takes it, and so there are programs that do it.
+                let message = "a structure is not defined inside of a uniform block";
+                let problem = Diagnostic::warning(ty.ty.span, message).rule(SECTION);
+                self.log.push(problem.help("define it before the block, and name it here"));
+            }
+            members.push(self.declarators(ty)?);
+            self.expect(";")?;
+        }
+        self.expect("}")?;
+        if self.token().word().is_some() {
+            let message = "a uniform block has no name behind it: its members are named directly";
+            self.log.push(Diagnostic::error(self.span(), message).rule(SECTION));
+            return Err(super::Broken);
+        }
+        self.expect(";")?;
+        Ok(BlockDecl { qualifiers, name, members })
+    }
+}

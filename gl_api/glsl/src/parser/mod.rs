@@ -1,0 +1,218 @@
+//! Tokens to the syntax tree: recursive descent, bounded in depth, that goes on after an error.
+
+mod block;
+mod decl;
+mod expr;
+mod keywords;
+mod stmt;
+
+use super::ast::{Item, Name};
+use super::diagnostics::{Diagnostic, Log};
+use super::lexer::{Kind, Token};
+use super::limits::MAX_NESTING;
+use super::source::Span;
+use super::spelling::closest;
+use super::version::{Language, Version};
+use keywords::Word;
+
+/// Where to go on after an error that has been reported.
+#[derive(Clone, Copy, Debug)]
+struct Broken;
+
+type Parsed<T> = Result<T, Broken>;
+
+/// The state of the parser.
+struct Parser<'a> {
+    tokens: &'a [Token],
+    at: usize,
+    language: Language,
+    version: Version,
+    log: &'a mut Log,
+    depth: u32,
+    /// Whether an error is such that what follows makes no sense (too deep a nesting).
+    hopeless: bool,
+}
+
+/// Parses a shader; what is wrong is in the log.
+pub fn parse(tokens: &[Token], language: Language, log: &mut Log) -> Vec<Item> {
+    let version = language.version;
+    let mut parser = Parser { tokens, at: 0, language, version, log, depth: 0, hopeless: false };
+    let mut items = Vec::new();
+    while parser.kind() != &Kind::End && !parser.log.is_full() && !parser.hopeless {
+        let start = parser.at;
+        match parser.item() {
+            Ok(Some(item)) => items.push(item),
+            Ok(None) => {}
+            Err(Broken) => parser.skip_item(start),
+        }
+    }
+    items
+}
+
+impl<'a> Parser<'a> {
+    fn token(&self) -> &'a Token {
+        &self.tokens[self.at.min(self.tokens.len() - 1)]
+    }
+
+    fn ahead(&self, distance: usize) -> &'a Token {
+        &self.tokens[(self.at + distance).min(self.tokens.len() - 1)]
+    }
+
+    fn kind(&self) -> &'a Kind {
+        &self.token().kind
+    }
+
+    fn span(&self) -> Span {
+        self.token().span
+    }
+
+    /// The span of the token before.
+    fn last_span(&self) -> Span {
+        self.tokens[self.at.saturating_sub(1).min(self.tokens.len() - 1)].span
+    }
+
+    fn bump(&mut self) -> &'a Token {
+        let token = self.token();
+        if token.kind != Kind::End {
+            self.at += 1;
+        }
+        token
+    }
+
+    fn is(&self, punct: &str) -> bool {
+        self.token().is(punct)
+    }
+
+    fn eat(&mut self, punct: &str) -> bool {
+        let found = self.is(punct);
+        if found {
+            self.bump();
+        }
+        found
+    }
+
+    fn is_word(&self, word: &str) -> bool {
+        self.token().word().is_some_and(|found| &**found == word)
+    }
+
+    fn eat_word(&mut self, word: &str) -> bool {
+        let found = self.is_word(word);
+        if found {
+            self.bump();
+        }
+        found
+    }
+
+    /// Takes a token that must be there. A missing `;` is reported where it should stand.
+    fn expect(&mut self, punct: &str) -> Parsed<()> {
+        if self.eat(punct) {
+            return Ok(());
+        }
+        let message = format!("expected `{punct}`, found {}", self.token().describe());
+        let mut problem = Diagnostic::error(self.span(), message);
+        if punct == ";" && self.at > 0 {
+            let end = self.last_span().end;
+            problem = problem.fix("add `;` before it", Span { start: end, end }, ";".to_owned());
+        }
+        self.log.push(problem);
+        Err(Broken)
+    }
+
+    fn fail<T>(&mut self, message: impl Into<String>) -> Parsed<T> {
+        self.log.push(Diagnostic::error(self.span(), message));
+        Err(Broken)
+    }
+
+    /// A name that is no keyword.
+    fn name(&mut self) -> Parsed<Name> {
+        let token = self.token();
+        let Some(word) = token.word() else {
+            return self.fail(format!("expected a name, found {}", token.describe()));
+        };
+        match keywords::classify(word, self.language) {
+            Word::Name => {
+                self.bump();
+                Ok(Name { text: word.clone(), span: token.span })
+            }
+            Word::Keyword | Word::Type => {
+                let message = format!("`{word}` is a keyword and cannot be a name");
+                self.log.push(
+                    Diagnostic::error(token.span, message)
+                        .rule(format!("{} section 3.6", self.version.title())),
+                );
+                Err(Broken)
+            }
+            Word::Reserved => {
+                let message = format!("`{word}` is reserved for later versions");
+                self.log.push(
+                    Diagnostic::error(token.span, message)
+                        .rule(format!("{} section 3.6", self.version.title())),
+                );
+                Err(Broken)
+            }
+        }
+    }
+
+    /// Runs `parse` one level deeper, or reports that this is too deep.
+    fn nested<T>(&mut self, parse: impl FnOnce(&mut Self) -> Parsed<T>) -> Parsed<T> {
+        if self.depth >= MAX_NESTING {
+            return self.too_deep();
+        }
+        self.depth += 1;
+        let result = parse(self);
+        self.depth -= 1;
+        result
+    }
+
+    fn too_deep<T>(&mut self) -> Parsed<T> {
+        if !self.hopeless {
+            self.hopeless = true;
+            let message = format!("nested more than {MAX_NESTING} levels deep");
+            self.log.push(Diagnostic::error(self.span(), message));
+        }
+        Err(Broken)
+    }
+
+    /// Skips to after the `;` or the balanced `}` that ends the broken statement, or to before the
+    /// `}` that closes the block around it.
+    fn skip_statement(&mut self) {
+        let mut depth = 0usize;
+        loop {
+            match self.kind() {
+                Kind::End => return,
+                Kind::Punct(";") if depth == 0 => {
+                    self.bump();
+                    return;
+                }
+                Kind::Punct("{") => depth += 1,
+                Kind::Punct("}") if depth == 0 => return,
+                Kind::Punct("}") => {
+                    depth -= 1;
+                    if depth == 0 {
+                        self.bump();
+                        return;
+                    }
+                }
+                Kind::Word(_)
+                | Kind::Number(_)
+                | Kind::Punct(_)
+                | Kind::Stray(_)
+                | Kind::Newline => {}
+            }
+            self.bump();
+        }
+    }
+
+    /// As [`Parser::skip_statement`], outside of functions.
+    fn skip_item(&mut self, start: usize) {
+        self.skip_statement();
+        if self.is("}") || self.at == start {
+            self.bump();
+        }
+    }
+
+    /// A name that is close to a misspelt word.
+    fn near_keyword(&self, word: &str) -> Option<&'static str> {
+        closest(word, keywords::known(self.language))
+    }
+}

@@ -1,0 +1,359 @@
+//! The directives: `#define`, `#if`, `#version`, `#extension`, `#line`, `#error`, `#pragma`.
+
+use super::condition;
+use super::macros::{Macro, Macros};
+use super::{Conditional, Group, Preprocessor};
+use crate::diagnostics::Diagnostic;
+use crate::lexer::{Kind, Token};
+use crate::limits::MAX_CONDITIONALS;
+use crate::source::Span;
+use crate::spelling::closest;
+use crate::version::{Behaviour, Extension, Version};
+
+/// The names of the directives.
+const NAMES: [&str; 13] = [
+    "define",
+    "undef",
+    "if",
+    "ifdef",
+    "ifndef",
+    "else",
+    "elif",
+    "endif",
+    "error",
+    "pragma",
+    "extension",
+    "version",
+    "line",
+];
+
+/// Whether a shader goes without an extension.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Required {
+    No,
+    Yes,
+}
+
+/// The value of a decimal number.
+fn number(token: &Token) -> Option<i64> {
+    let Kind::Number(number) = &token.kind else { return None };
+    number.parse::<u32>().ok().map(i64::from)
+}
+
+impl Preprocessor<'_> {
+    pub(super) fn directive(&mut self, hash: &Token, line: &[Token]) {
+        let Some((first, rest)) = line.split_first() else { return };
+        let span = hash.span.to(first.span);
+        let name = first.word().map_or("", |word| word);
+        match name {
+            "if" | "ifdef" | "ifndef" => self.open(name, span, rest),
+            "elif" => self.elif(span, rest),
+            "else" => self.otherwise(span, rest),
+            "endif" => {
+                self.nothing_more(rest);
+                if self.conditionals.pop().is_none() {
+                    self.error(span, "`#endif` without `#if`");
+                }
+            }
+            _ if !self.taking() => {}
+            "define" => self.define(span, rest),
+            "undef" => self.undef(span, rest),
+            "error" => {
+                let text = rest.first().zip(rest.last());
+                let text = text.map(|(a, b)| self.source.slice(a.span.to(b.span)).to_owned());
+                let message = format!("#error {}", text.unwrap_or_default());
+                self.error(span, message.trim_end());
+            }
+            "pragma" => {
+                let words = ["STDGL", "invariant", "(", "all", ")"];
+                let is = |(token, word): (&Token, &str)| {
+                    token.is(word) || token.word().is_some_and(|found| **found == *word)
+                };
+                self.all_invariant |= rest.len() == words.len() && rest.iter().zip(words).all(is);
+            }
+            "version" => self.version(span, rest),
+            "extension" => self.extension(span, rest),
+            "line" => self.line(span, rest),
+            _ => {
+                let mut problem = Diagnostic::error(
+                    first.span,
+                    format!("unknown directive {}", first.describe()),
+                )
+                .rule("GLSL 1.30 section 3.3 lists the directives");
+                if let Some(near) = closest(name, NAMES.into_iter()) {
+                    problem = problem.fix(
+                        format!("did you mean `#{near}`?"),
+                        first.span,
+                        near.to_owned(),
+                    );
+                }
+                self.log.push(problem);
+            }
+        }
+    }
+
+    fn nothing_more(&mut self, rest: &[Token]) {
+        if let Some(token) = rest.first() {
+            let message = format!("unexpected {} after the directive", token.describe());
+            self.log.push(Diagnostic::warning(token.span, message));
+        }
+    }
+
+    /// The name that a directive is about.
+    fn name<'t>(&mut self, span: Span, rest: &'t [Token]) -> Option<(&'t str, &'t [Token])> {
+        match rest {
+            [Token { kind: Kind::Word(name), .. }, more @ ..] => Some((name, more)),
+            _ => {
+                self.error(rest.first().map_or(span, |token| token.span), "a name is expected");
+                None
+            }
+        }
+    }
+
+    fn open(&mut self, kind: &str, span: Span, rest: &[Token]) {
+        if self.conditionals.len() >= MAX_CONDITIONALS {
+            self.error(span, "conditionals are nested too deeply");
+            return;
+        }
+        let state = if !self.taking() {
+            Group::Done
+        } else {
+            let holds = match kind {
+                "if" => self.condition(span, rest),
+                _ => self.name(span, rest).is_some_and(|(name, more)| {
+                    self.nothing_more(more);
+                    self.macros.is_defined(name) == (kind == "ifdef")
+                }),
+            };
+            if holds { Group::Taken } else { Group::Waiting }
+        };
+        self.conditionals.push(Conditional { span, state, after_else: false });
+    }
+
+    fn condition(&mut self, span: Span, rest: &[Token]) -> bool {
+        let version = self.language.version;
+        let value =
+            condition::evaluate(span, rest, &mut self.macros, self.source, version, self.log);
+        match value {
+            Ok(value) => value != 0,
+            Err(problem) => {
+                self.log.push(*problem);
+                false
+            }
+        }
+    }
+
+    fn elif(&mut self, span: Span, rest: &[Token]) {
+        let Some(last) = self.conditionals.last() else {
+            self.error(span, "`#elif` without `#if`");
+            return;
+        };
+        let (state, after_else) = (last.state, last.after_else);
+        if after_else {
+            self.error(span, "`#elif` after `#else`");
+        }
+        let state = match state {
+            Group::Taken | Group::Done => Group::Done,
+            Group::Waiting if self.condition(span, rest) => Group::Taken,
+            Group::Waiting => Group::Waiting,
+        };
+        if let Some(last) = self.conditionals.last_mut() {
+            last.state = state;
+        }
+    }
+
+    fn otherwise(&mut self, span: Span, rest: &[Token]) {
+        self.nothing_more(rest);
+        let Some(last) = self.conditionals.last_mut() else {
+            self.error(span, "`#else` without `#if`");
+            return;
+        };
+        last.state = match last.state {
+            Group::Taken | Group::Done => Group::Done,
+            Group::Waiting => Group::Taken,
+        };
+        if std::mem::replace(&mut last.after_else, true) {
+            self.error(span, "a second `#else` for the same `#if`");
+        }
+    }
+
+    fn define(&mut self, span: Span, rest: &[Token]) {
+        let Some((name, more)) = self.name(span, rest) else { return };
+        let at = rest[0].span;
+        let protected = ["defined", "__LINE__", "__FILE__", "__VERSION__"].contains(&name);
+        if protected || name.starts_with("GL_") {
+            let message = format!("`{name}` cannot be defined");
+            let rule = "GLSL 1.30 section 3.3: predefined names and names that begin with \
+                        GL_ are reserved";
+            self.log.push(Diagnostic::error(at, message).rule(rule));
+            return;
+        }
+        if name.contains("__") {
+            let message = format!("`{name}` holds two underscores in a row, which is reserved");
+            self.log.push(Diagnostic::warning(at, message));
+        }
+        match Macro::parse(at, more, self.language.version) {
+            Ok(new) => {
+                if !self.macros.define(name, new) {
+                    let message = format!("`{name}` is already defined differently");
+                    self.log.push(
+                        Diagnostic::error(at, message).help(format!("write `#undef {name}` first")),
+                    );
+                }
+            }
+            Err(problem) => self.log.push(*problem),
+        }
+    }
+
+    fn undef(&mut self, span: Span, rest: &[Token]) {
+        let Some((name, more)) = self.name(span, rest) else { return };
+        self.nothing_more(more);
+        if name.starts_with("__") || name.starts_with("GL_") {
+            self.error(rest[0].span, format!("`{name}` cannot be undefined"));
+        } else {
+            self.macros.undefine(name);
+        }
+    }
+
+    fn version(&mut self, span: Span, rest: &[Token]) {
+        let rule =
+            "GLSL 1.30 section 3.3: `#version` comes before anything but comments and blanks";
+        if self.begun {
+            let message = "`#version` is not at the beginning";
+            self.log.push(Diagnostic::error(span, message).rule(rule));
+            return;
+        }
+        let number = rest.first().and_then(number);
+        let at = rest.first().map_or(span, |token| token.span);
+        let Some(number) = number else {
+            self.error(at, "a version number is expected");
+            return;
+        };
+        let known = Version::ALL.into_iter().find(|known| i64::from(known.number()) == number);
+        // The rest of a shader in a version that there is not is read as one of the newest with all
+        // extensions, which is what later ones began as: most of it is alike, and what is wrong with
+        // it besides is worth saying.
+        let version = known.unwrap_or(Version::NEWEST);
+        self.language = version.into();
+        self.macros = Macros::new(version);
+        if known.is_none() {
+            self.set_all(Behaviour::Enable);
+        }
+        match (known, rest.get(1)) {
+            (None, _) => self.log.push(
+                Diagnostic::error(at, format!("GLSL version {number} is not supported"))
+                    .help("DetGL knows the versions 110, 120, 130, 140 and 100 (GLSL ES)"),
+            ),
+            (Some(_), Some(more)) => {
+                let message = format!("unexpected {} after the version", more.describe());
+                let problem = Diagnostic::error(more.span, message);
+                self.log.push(problem.rule("GLSL 1.30 section 3.3: `#version number`"));
+            }
+            (Some(_), None) => {}
+        }
+    }
+
+    /// Every extension of the version.
+    fn set_all(&mut self, behaviour: Behaviour) {
+        for (known, _) in Extension::ALL {
+            if known.is_in(self.language.version) {
+                self.language.set(known, behaviour);
+            }
+        }
+    }
+
+    fn extension(&mut self, span: Span, rest: &[Token]) {
+        let [name, colon, behaviour, ..] = rest else {
+            self.error(span, "`#extension name : behaviour` is expected");
+            return;
+        };
+        let (Some(extension), true, Some(behaviour_name)) =
+            (name.word(), colon.is(":"), behaviour.word())
+        else {
+            self.error(span, "`#extension name : behaviour` is expected");
+            return;
+        };
+        if let Some(more) = rest.get(3) {
+            let message = format!("unexpected {} after the behaviour", more.describe());
+            self.error(more.span, message);
+        }
+        let (name_span, behaviour_span) = (name.span, behaviour.span);
+        let (required, behaviour) = match &**behaviour_name {
+            "require" => (Required::Yes, Behaviour::Enable),
+            "enable" => (Required::No, Behaviour::Enable),
+            "warn" => (Required::No, Behaviour::Warn),
+            "disable" => (Required::No, Behaviour::Disable),
+            other => {
+                let names = ["require", "enable", "warn", "disable"];
+                let message = format!("`{other}` is no behaviour of an extension");
+                let mut problem = Diagnostic::error(behaviour_span, message)
+                    .rule("GLSL 1.30 section 3.3: it is `require`, `enable`, `warn` or `disable`");
+                if let Some(near) = closest(other, names.into_iter()) {
+                    let text = format!("did you mean `{near}`?");
+                    problem = problem.fix(text, behaviour_span, near.to_owned());
+                }
+                self.log.push(problem);
+                return;
+            }
+        };
+        if self.program_begun {
+            let message = "`#extension` stands behind a part of the program";
+            let problem = Diagnostic::warning(span, message);
+            self.log.push(problem.help("put it before anything but directives and comments"));
+        }
+        let version = self.language.version;
+        if &**extension == "all" {
+            if behaviour == Behaviour::Enable {
+                let message = "`all` can only be warned about or disabled";
+                let rule = "GLSL 1.30 section 3.3, `#extension`";
+                self.log.push(Diagnostic::error(span, message).rule(rule));
+                return;
+            }
+            self.set_all(behaviour);
+            return;
+        }
+        match Extension::named(extension).filter(|known| known.is_in(version)) {
+            Some(known) => self.language.set(known, behaviour),
+            None => {
+                let message = format!("extension `{extension}` is not supported");
+                let mut problem = match required {
+                    Required::Yes => Diagnostic::error(name_span, message),
+                    Required::No => Diagnostic::warning(name_span, message),
+                };
+                let names = Extension::ALL.iter().filter(|row| row.0.is_in(version));
+                if let Some(near) = closest(extension, names.map(|row| row.1)) {
+                    let text = format!("did you mean `{near}`?");
+                    problem = problem.fix(text, name_span, near.to_owned());
+                }
+                self.log.push(problem);
+            }
+        }
+    }
+
+    fn line(&mut self, span: Span, rest: &[Token]) {
+        let expanded = match self.macros.expand(rest.to_vec(), self.source, self.language.version) {
+            Ok(expanded) => expanded,
+            Err(problem) => {
+                self.log.push(*problem);
+                return;
+            }
+        };
+        // Versions before 3.30 number the line of the directive itself, so that the next one is
+        // `line + 1` (GLSL 1.30 section 3.3).
+        match self.numbers(span, &expanded).as_deref() {
+            Some([line]) => self.source.renumber(span.start, line + 1, None),
+            Some([line, string]) => self.source.renumber(span.start, line + 1, Some(*string)),
+            _ => self.error(span, "`#line line` or `#line line string` is expected"),
+        }
+    }
+
+    /// The numbers after `#line`, which may be expressions.
+    fn numbers(&mut self, span: Span, tokens: &[Token]) -> Option<Vec<i64>> {
+        let plain: Option<Vec<i64>> = tokens.iter().map(number).collect();
+        if plain.is_some() || tokens.iter().any(|token| token.word().is_some()) {
+            return plain;
+        }
+        let all = condition::values(span, tokens, self.language.version, self.log).ok()?;
+        all.iter().all(|value| u32::try_from(*value).is_ok()).then_some(all)
+    }
+}
