@@ -21,7 +21,7 @@ fn draw() -> Result<image::RgbaImage, Box<dyn Error>> {
     sketch::draw(SIZE)?;
     panel::draw(SIZE)?;
     let mut pixels = vec![0_u8; width as usize * height as usize * 4];
-    gl::load_with(Context::get_proc_address);
+    gl::load_with(detgl::get_proc_address);
     // SAFETY: the addresses are those of the functions of these names, on the current context; there
     // is room for as many pixels as are read.
     let error = unsafe {

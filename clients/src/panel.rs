@@ -2,7 +2,6 @@
 
 use egui::{Pos2, RawInput, Rect, Vec2};
 use egui_glow::{Painter, glow};
-use gl_api::Context;
 use std::sync::Arc;
 
 /// Draws over what is there.
@@ -30,7 +29,7 @@ pub fn draw(size: [u32; 2]) -> Result<(), Box<dyn std::error::Error>> {
     }
     // SAFETY: the addresses are those of the functions of these names, and the context that they
     // work on is current until after the painter is destroyed.
-    let gl = unsafe { glow::Context::from_loader_function(Context::get_proc_address) };
+    let gl = unsafe { glow::Context::from_loader_function(detgl::get_proc_address) };
     let mut painter = Painter::new(Arc::new(gl), "", None, false)?;
     painter.paint_and_update_textures(size, 1.0, &shapes, &mut textures);
     painter.destroy();

@@ -1,6 +1,5 @@
 //! What `speedy2d` draws: shapes and a picture, by GLSL 1.10 and vertex buffers.
 
-use gl_api::Context;
 use speedy2d::GLRenderer;
 use speedy2d::color::Color;
 use speedy2d::dimen::Vec2;
@@ -18,7 +17,7 @@ pub fn draw([width, height]: [u32; 2]) -> Result<(), Box<dyn std::error::Error>>
     // SAFETY: the addresses are those of the functions of these names, and the context that they
     // work on is current until after the renderer is dropped.
     let renderer =
-        unsafe { GLRenderer::new_for_gl_context((width, height), Context::get_proc_address) };
+        unsafe { GLRenderer::new_for_gl_context((width, height), detgl::get_proc_address) };
     let mut renderer = renderer.map_err(|error| format!("{error:?}"))?;
     let image = renderer.create_image_from_raw_pixels(
         ImageDataType::RGB,

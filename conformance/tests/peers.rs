@@ -8,8 +8,8 @@ use std::process::Command;
 fn compared(only: &str) -> Result<Option<Value>, Box<dyn std::error::Error>> {
     let program = Path::new(env!("CARGO_BIN_EXE_conformance"));
     let folder = program.parent().ok_or("a program is in a folder")?;
-    if !["", "deps"].iter().any(|name| folder.join(name).join("libgl_api.so").is_file()) {
-        println!("skipped: there is no libgl_api.so beside {}", program.display());
+    if !["", "deps"].iter().any(|name| folder.join(name).join("libdetgl.so").is_file()) {
+        println!("skipped: there is no libdetgl.so beside {}", program.display());
         return Ok(None);
     }
     let arguments = ["peers", "--size", "64", "--rounds", "1", "--json", "--only", only];

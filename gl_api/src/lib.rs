@@ -23,8 +23,8 @@
 //!
 //! | module | is |
 //! |---|---|
-//! | `abi` | the C ABI: the entry points for C, EGL, OSMesa, GLU |
-//! | [`entry`] | the tables of entry points: methods on [`Context`] and free functions |
+//! | [`entry`] | the table of entry points: methods on [`Context`] and free functions |
+//! | `client_memory`, `host` | what the crate of the C ABI hands in, and what it may do with contexts |
 //! | [`constants`], [`types`] | GL's constants, from the Khronos registry, and C's types |
 //! | [`error`] | refusals, and the tables that convert enums at the door |
 //! | [`context`] | the context, its messages and limits |
@@ -43,10 +43,10 @@
 //! | `query` | `glGet` |
 //! | [`explain`] | how a pixel came to be |
 //! | [`glu`] | the utility library over the free functions |
-#![deny(unsafe_code)]
+#![forbid(unsafe_code)]
 
-mod abi;
 mod assembly;
+mod client_memory;
 pub mod constants;
 pub mod context;
 mod draw;
@@ -59,6 +59,8 @@ mod feedback;
 mod fixed;
 mod framebuffer;
 pub mod glu;
+#[doc(hidden)]
+pub mod host;
 mod list;
 mod object;
 mod pixels;
@@ -71,7 +73,7 @@ pub mod types;
 mod uniform_buffer;
 
 pub use ::glsl;
-pub use abi::memory::ClientPointer;
+pub use client_memory::{ClientMemory, ClientPointer};
 pub use constants::*;
 pub use context::{
     Context, ContextDesc, ContextError, GLDEBUGPROC, Message, Severity, SurfaceColor, SurfaceDesc,

@@ -43,7 +43,7 @@ fn detgl(options: &Options) -> Result<PathBuf, PeersError> {
     if let Some(path) = &options.lib {
         return Ok(path.clone());
     }
-    const BUILT: &str = "libgl_api.so";
+    const BUILT: &str = "libdetgl.so";
     let program = std::env::current_exe().map_err(PeersError::Process)?;
     let folder = program.parent().unwrap_or(Path::new("."));
     // What is built along with this program is in deps/; a folder above may have an older one.

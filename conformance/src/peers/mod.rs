@@ -46,8 +46,8 @@ pub struct Options {
 #[expect(missing_docs, reason = "the messages say it")]
 pub enum PeersError {
     #[error(
-        "there is no libgl_api.so in {0} or its deps/: build it with `cargo build --release -p \
-         gl_api`, or name it with --lib"
+        "there is no libdetgl.so in {0} or its deps/: build it with `cargo build --release -p \
+         capi`, or name it with --lib"
     )]
     NoLibrary(PathBuf),
     #[error("there is no scene {0:?}")]

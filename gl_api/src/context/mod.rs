@@ -6,14 +6,14 @@ pub(crate) mod debug;
 pub(crate) mod limits;
 pub(crate) mod log;
 pub(crate) mod log_calls;
+pub(crate) mod mirror;
 pub(crate) mod said;
 mod surface;
 
-use crate::abi::osmesa::Mirror;
 use crate::draw::Recorder;
 use crate::draw::ended::{Ended, draw_ended};
 use crate::draw::immediate::Immediate;
-use crate::entry::{Fallback, Place};
+use crate::entry::{BeginEnd, Fallback};
 use crate::error::{ErrorCode, GlError, Result};
 use crate::evaluate::Maps;
 use crate::explain::Watched;
@@ -31,6 +31,7 @@ use crate::uniform_buffer::UniformBuffers;
 use changes::Changes;
 pub use debug::{Message, Severity};
 pub use log::GLDEBUGPROC;
+use mirror::Mirror;
 use rasterizer::driver::{Device, DeviceDesc, DeviceError};
 use std::sync::{Arc, OnceLock};
 pub use surface::{SurfaceColor, SurfaceDesc};
@@ -120,8 +121,8 @@ pub struct Context {
     /// Whether a call runs.
     pub(crate) entered: Entered,
     pub(crate) repairs: Repairs,
-    /// Where an OSMesa client wants the picture.
-    pub(crate) mirror: Option<Mirror>,
+    /// The client memory that shows the picture.
+    mirror: Option<Mirror>,
     /// The pixel that is watched.
     pub(crate) watched: Option<Box<Watched>>,
 }
@@ -260,13 +261,13 @@ impl Context {
     pub(crate) fn call<R: Fallback>(
         &mut self,
         name: &'static str,
-        place: Place,
+        begin_end: BeginEnd,
         f: impl FnOnce(&mut Self) -> Result<R>,
     ) -> R {
         let turn = Turn::begin(self);
-        let result = match place {
-            Place::Outside if !turn.context.leave_vertices(name) => Ok(R::fallback()),
-            Place::Outside | Place::Anywhere => f(turn.context),
+        let result = match begin_end {
+            BeginEnd::Refused if !turn.context.leave_vertices(name) => Ok(R::fallback()),
+            BeginEnd::Refused | BeginEnd::Allowed => f(turn.context),
         };
         drop(turn);
         let result = result.unwrap_or_else(|error: GlError| {

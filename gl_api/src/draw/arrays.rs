@@ -4,7 +4,7 @@
 //! not seen. Buffer objects, and pointers of C programs, are read when the draw is made.
 
 use super::array_names::{no_attribute, refuse_client_memory};
-use crate::abi::memory::ClientPointer;
+use crate::client_memory::ClientPointer;
 use crate::constants::*;
 use crate::context::Context;
 use crate::entry::Data;

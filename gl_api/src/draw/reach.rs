@@ -6,7 +6,7 @@
 
 use super::array_names::mapped;
 use super::arrays::{Array, Source};
-use crate::abi::memory::ClientPointer;
+use crate::client_memory::ClientPointer;
 use crate::context::{Context, limits};
 use crate::error::{ErrorCode, GlError, Result};
 use crate::types::GLint;

@@ -3,7 +3,7 @@
 
 mod conversions;
 
-use crate::abi::memory::ClientPointer;
+use crate::client_memory::ClientPointer;
 use crate::types::GLuint;
 
 /// Something that can be passed where an entry point expects a `T`.

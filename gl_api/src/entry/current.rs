@@ -5,15 +5,15 @@
 //!
 //! The place has nothing to destroy, so that it is there to the end of the thread: the main thread's
 //! destructors run before the functions of `atexit`, which may call GL. What a thread that is
-//! ending leaves there is taken away by [`thread_ends`](crate::abi::thread_ends).
+//! ending leaves there is dropped by [`ThreadEnd`], or by the host that the context belongs to.
 
-use crate::abi::thread_ends;
 use crate::context::Context;
 use crate::types::GLvoid;
 use std::cell::Cell;
 use std::fmt;
 use std::marker::PhantomData;
 use std::mem::ManuallyDrop;
+use std::sync::OnceLock;
 
 thread_local! {
     static CURRENT: Cell<Option<ManuallyDrop<Box<Context>>>> = const { Cell::new(None) };
@@ -118,7 +118,7 @@ pub fn with_current<R>(f: impl FnOnce(&mut Context) -> R) -> Option<R> {
 /// Runs the entry point `name`. As a part of each entry point: as functions of their own, a thousand of them,
 /// these few instructions are 70 KB more.
 #[inline(always)]
-pub(crate) fn call<R: Fallback>(name: &str, f: impl FnOnce(&mut Context) -> R) -> R {
+pub fn call<R: Fallback>(name: &str, f: impl FnOnce(&mut Context) -> R) -> R {
     let Some(mut taken) = take_for(name) else { return R::fallback() };
     let result = taken.0.as_deref_mut().map(f);
     drop(taken);
@@ -136,13 +136,54 @@ fn warn(name: &str) {
 
 /// Makes a context the thread's current one, or none; gives the one that was.
 pub fn set_current(context: Option<Context>) -> Option<Context> {
-    thread_ends::expect();
+    register_thread_end();
     swap_current(context.map(Box::new)).map(|context| *context)
 }
 
 /// As [`set_current`], where the thread's end is expected already.
-pub(crate) fn swap_current(context: Option<Box<Context>>) -> Option<Box<Context>> {
+pub fn swap_current(context: Option<Box<Context>>) -> Option<Box<Context>> {
     CURRENT.replace(context.map(ManuallyDrop::new)).map(ManuallyDrop::into_inner)
+}
+
+/// What a host does with the context that is current where a thread ends.
+static HOST: OnceLock<fn()> = OnceLock::new();
+
+/// Its destructor is the thread's end.
+struct ThreadEnd {
+    /// Whether the thread was the one that the program began with. With that the process ends, and what comes last may
+    /// use its context.
+    main: Cell<bool>,
+}
+
+impl Drop for ThreadEnd {
+    fn drop(&mut self) {
+        match HOST.get() {
+            Some(host) => host(),
+            None if self.main.get() => {}
+            None => drop(swap_current(None)),
+        }
+    }
+}
+
+thread_local! {
+    static END: ThreadEnd = const { ThreadEnd { main: Cell::new(false) } };
+}
+
+/// Sees to it that the current context is taken care of when this thread ends. A thread that is ending already keeps
+/// it.
+fn register_thread_end() {
+    // The first use registers the destructor.
+    let _ = END.try_with(|end| {
+        if HOST.get().is_none() {
+            end.main.set(std::thread::current().name() == Some("main"));
+        }
+    });
+}
+
+/// Has `host` take care of the current context when this thread ends, and any other that has one.
+pub fn expect_thread_end(host: fn()) {
+    HOST.get_or_init(|| host);
+    register_thread_end();
 }
 
 /// A context that is current until this is dropped; then the one before is current again.

@@ -1,4 +1,4 @@
-//! Every entry point with random arguments, made from the tables: what bounded tests and the fuzz
+//! Every entry point with random arguments, made from the table: what bounded tests and the fuzz
 //! target `table` draw from. An argument is random by its type, and by its name where a size would
 //! only cost time.
 
@@ -12,37 +12,14 @@ pub struct Exercise {
     /// GL's name.
     pub name: &'static str,
     #[cfg(test)]
-    pub(crate) place: super::Place,
+    pub(crate) begin_end: super::BeginEnd,
     /// The call.
     pub run: fn(&mut Context, &mut Random<'_>),
 }
 
-/// Every row of the tables.
+/// Every row of the table.
 pub fn exercises() -> Vec<Exercise> {
-    let chapters: [fn() -> Vec<Exercise>; 21] = [
-        super::assembly::exercises,
-        super::attributes::exercises,
-        super::debugging::exercises,
-        super::fragments::exercises,
-        super::framebuffers::exercises,
-        super::generics::exercises,
-        super::integers::exercises,
-        super::lighting::exercises,
-        super::lists::exercises,
-        super::packed::exercises,
-        super::pixels::exercises,
-        super::programs::exercises,
-        super::queries::exercises,
-        super::rasterization::exercises,
-        super::rectangles::exercises,
-        super::special::exercises,
-        super::textures::exercises,
-        super::transform::exercises,
-        super::transform_feedback::exercises,
-        super::uniform_buffers::exercises,
-        super::vertices::exercises,
-    ];
-    chapters.into_iter().flat_map(|chapter| chapter()).collect()
+    super::table::exercises()
 }
 
 /// splitmix64, with a byte of an input mixed into each number as long as there are any.

@@ -12,7 +12,7 @@ pub(crate) mod record;
 pub(crate) mod select;
 pub(crate) mod shade;
 
-use crate::abi::memory::ClientPointer;
+use crate::client_memory::ClientPointer;
 use crate::pixels::position::Passed;
 pub(crate) use primitives::draw;
 use rasterizer::shader::Machine;

@@ -1,15 +1,15 @@
 //! Display lists: GL 2.1, section 5.4.
 //!
 //! While a list is compiled, an entry point records its call with copies of its arguments instead
-//! of carrying it out; which calls are never compiled is in [`class`]. The vertices between
-//! `glBegin` and `glEnd` become one buffer, and a draw of vertex arrays keeps the buffers it would
-//! have read, so that calling a list costs what drawing from buffers costs.
+//! of carrying it out; which calls are never compiled is in the table of entry points, and in [`proxy`].
+//! The vertices between `glBegin` and `glEnd` become one buffer, and a draw of vertex arrays keeps the
+//! buffers it would have read, so that calling a list costs what drawing from buffers costs.
 
 pub(crate) mod calls;
-mod class;
 mod keep;
 mod names;
 mod pixels;
+pub(crate) mod proxy;
 mod shapes;
 
 pub(crate) use keep::{Keep, Lend};
@@ -18,7 +18,7 @@ pub(crate) use names::ListNames;
 use crate::context::Context;
 use crate::draw::immediate::Slot;
 use crate::draw::translate::{Elements, draw};
-use crate::entry::Place;
+use crate::entry::BeginEnd;
 use crate::error::Result;
 use crate::framebuffer::complete::checked_drawable;
 use crate::state::pixel_store::PixelStore;
@@ -42,7 +42,7 @@ struct ArrayDraw {
 /// What a list does, one thing after the other.
 enum Step {
     /// Any call. Pixels were taken when the list was compiled, and are unpacked as they lay then.
-    Call { name: &'static str, place: Place, unpack: Option<Box<PixelStore>>, run: Run },
+    Call { name: &'static str, begin_end: BeginEnd, unpack: Option<Box<PixelStore>>, run: Run },
     /// An attribute on its own.
     Attribute(Slot, [f32; 4]),
     /// Everything from `glBegin` to `glEnd`.
@@ -111,16 +111,10 @@ pub(crate) struct Compiling {
 }
 
 impl Context {
-    /// Whether a call is to be recorded. Proxies are asked at once.
-    pub(crate) fn records(&self, name: &str, integers: &[i64]) -> bool {
-        class::of(name) == class::Class::Compiled
-            && !(name.starts_with("glTexImage") && class::is_proxy(integers[0]))
-    }
-
     /// Records a call.
-    pub(crate) fn record(&mut self, name: &'static str, place: Place, run: Run) {
+    pub(crate) fn record(&mut self, name: &'static str, begin_end: BeginEnd, run: Run) {
         let unpack = pixels::reads_pixels(name).then(|| Box::new(self.state.unpack.clone()));
-        self.record_step(Step::Call { name, place, unpack, run });
+        self.record_step(Step::Call { name, begin_end, unpack, run });
     }
 
     /// Carries something out that may stand between `glBegin` and `glEnd`, or records it, if a list
@@ -136,7 +130,7 @@ impl Context {
         if self.compiling.is_none() {
             return run(self);
         }
-        self.record(name, Place::Anywhere, Box::new(run));
+        self.record(name, BeginEnd::Allowed, Box::new(run));
         Ok(())
     }
 
@@ -225,34 +219,35 @@ impl Context {
         if self.compiling.is_none() {
             return run(self);
         }
-        let step = Step::Call { name, place: Place::Outside, unpack: None, run: Box::new(run) };
+        let step =
+            Step::Call { name, begin_end: BeginEnd::Refused, unpack: None, run: Box::new(run) };
         self.record_step(step);
         Ok(())
     }
 
     fn run_step(&mut self, step: &Step) {
         match step {
-            Step::Call { name, place, unpack, run } => {
+            Step::Call { name, begin_end, unpack, run } => {
                 let before = unpack.as_ref().map(|store| {
                     let bound = std::mem::take(&mut self.state.bindings.pixel_unpack_buffer);
                     (std::mem::replace(&mut self.state.unpack, (**store).clone()), bound)
                 });
-                self.call(name, *place, &**run);
+                self.call(name, *begin_end, &**run);
                 if let Some((store, buffer)) = before {
                     self.state.unpack = store;
                     self.state.bindings.pixel_unpack_buffer = buffer;
                 }
             }
-            Step::Attribute(slot, value) => self.call("glCallList", Place::Anywhere, |context| {
+            Step::Attribute(slot, value) => self.call("glCallList", BeginEnd::Allowed, |context| {
                 crate::draw::immediate::attribute(context, *slot, *value)
             }),
             Step::Shapes(shapes) => {
                 for part in shapes.parts(self) {
-                    self.call("glBegin", Place::Anywhere, |context| shapes.draw(context, part));
+                    self.call("glBegin", BeginEnd::Allowed, |context| shapes.draw(context, part));
                 }
             }
             Step::Arrays(arrays) => {
-                self.call("glDrawArrays", Place::Outside, |context| arrays.draw(context));
+                self.call("glDrawArrays", BeginEnd::Refused, |context| arrays.draw(context));
             }
         }
     }

@@ -6,7 +6,7 @@ use crate::context::Context;
 use crate::draw::calls::topology;
 use crate::draw::ended::{draws_together, vertices_of_primitive};
 use crate::draw::immediate::{self, Columns, Slot, VALUE};
-use crate::entry::Place;
+use crate::entry::BeginEnd;
 use crate::error::{Result, invalid_operation};
 use crate::state::{LOCATIONS, State};
 use crate::types::*;
@@ -47,7 +47,7 @@ impl Open {
         let mode = self.mode;
         let begin = Step::Call {
             name: "glBegin",
-            place: Place::Anywhere,
+            begin_end: BeginEnd::Allowed,
             unpack: None,
             run: Box::new(move |context| immediate::begin(context, mode)),
         };
@@ -60,7 +60,7 @@ impl Open {
 pub(super) fn end_step() -> Step {
     Step::Call {
         name: "glEnd",
-        place: Place::Anywhere,
+        begin_end: BeginEnd::Allowed,
         unpack: None,
         run: Box::new(immediate::end),
     }

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::context::ContextDesc;
-use crate::entry::Place;
+use crate::entry::BeginEnd;
 use crate::types::GLenum;
 use rasterizer::driver::{Device, DeviceDesc, Explain};
 use std::sync::Arc;
@@ -95,7 +95,7 @@ fn every_call_is_made_by_itself_in_a_fresh_context() {
         for _ in 0..3 {
             (exercise.run)(&mut c, &mut random);
         }
-        if !matches!(exercise.place, Place::Anywhere) {
+        if exercise.begin_end != BeginEnd::Allowed {
             clear_errors(&mut c);
         }
     }
@@ -106,7 +106,7 @@ fn every_call_is_made_by_itself_in_a_fresh_context() {
 fn between_begin_and_end_every_other_call_is_refused_and_changes_nothing() {
     let mut random = Random::new(1, &[]);
     for exercise in exercises() {
-        if exercise.place == Place::Anywhere {
+        if exercise.begin_end == BeginEnd::Allowed {
             continue;
         }
         let mut c = context();
@@ -128,7 +128,7 @@ fn between_begin_and_end_every_other_call_is_refused_and_changes_nothing() {
 }
 
 #[test]
-fn every_row_of_the_tables_is_exercised() {
+fn every_row_of_the_table_is_exercised() {
     let names: Vec<&str> = exercises().iter().map(|exercise| exercise.name).collect();
     for name in crate::entry::canonical() {
         assert!(names.contains(&name), "{name}");

@@ -1,0 +1,180 @@
+//! Which versions and extensions of which API have a command: the registry's features and extensions, read line by
+//! line.
+
+use super::attribute;
+use std::collections::BTreeMap;
+use std::fmt::Write;
+
+type Version = (u8, u8);
+
+/// What is found of a command.
+#[derive(Default)]
+struct Found<'a> {
+    compatibility: Option<Version>,
+    core: Option<(Version, Option<Version>)>,
+    es1: Option<Version>,
+    es2: Option<Version>,
+    /// Names, and the APIs as the registry calls them.
+    extensions: Vec<(&'a str, Vec<&'a str>)>,
+}
+
+/// What the lines are inside of.
+enum Group<'a> {
+    /// A version of `gl`, `gles1` or `gles2`.
+    Feature(&'a str, Version),
+    /// An extension, and the APIs that it is for.
+    Extension(&'a str, Vec<&'a str>),
+    /// Another API's version.
+    Other,
+}
+
+/// What a block says of the commands in it.
+#[derive(Clone, Copy)]
+enum Block<'a> {
+    /// They are there, in one API or profile or in all.
+    Require { api: Option<&'a str>, profile: Option<&'a str> },
+    /// They are no longer there.
+    Remove,
+}
+
+/// The table, in Rust.
+pub fn table(xml: &str) -> String {
+    let mut commands: BTreeMap<&str, Found<'_>> = BTreeMap::new();
+    let (mut group, mut block) = (Group::Other, Block::Remove);
+    for line in xml.lines().map(str::trim_start) {
+        let named = |name| attribute(line, name);
+        if line.starts_with("<proto") {
+            if let Some(name) = prototype(line) {
+                commands.entry(name).or_default();
+            }
+        } else if line.starts_with("<feature ") {
+            group = match (named("api"), named("number").and_then(version)) {
+                (Some(api @ ("gl" | "gles1" | "gles2")), Some(version)) => {
+                    Group::Feature(api, version)
+                }
+                (_, _) => Group::Other,
+            };
+        } else if line.starts_with("<extension ") {
+            let apis = named("supported").unwrap_or_default().split('|').collect();
+            group = Group::Extension(named("name").expect("an extension has a name"), apis);
+        } else if line.starts_with("<require") {
+            block = Block::Require { api: named("api"), profile: named("profile") };
+        } else if line.starts_with("<remove") {
+            block = Block::Remove;
+        } else if line.starts_with("<command ")
+            && let Some(found) = named("name").and_then(|name| commands.get_mut(name))
+        {
+            found.note(&group, block);
+        }
+    }
+    text(&commands)
+}
+
+/// The name in a line `<proto>void <name>glAccum</name></proto>`.
+fn prototype(line: &str) -> Option<&str> {
+    let start = line.find("<name>")? + "<name>".len();
+    Some(&line[start..start + line[start..].find("</name>")?])
+}
+
+/// `major.minor`.
+fn version(text: &str) -> Option<Version> {
+    let (major, minor) = text.split_once('.')?;
+    Some((major.parse().ok()?, minor.parse().ok()?))
+}
+
+impl<'a> Found<'a> {
+    fn note(&mut self, group: &Group<'a>, block: Block<'a>) {
+        match (group, block) {
+            (Group::Feature("gl", version), Block::Require { profile, .. }) => {
+                if profile != Some("core") {
+                    self.compatibility.get_or_insert(*version);
+                }
+                if profile != Some("compatibility") {
+                    self.core = match self.core {
+                        Some((from, None)) => Some((from, None)),
+                        // New, or there again.
+                        None | Some((_, Some(_))) => Some((*version, None)),
+                    };
+                }
+            }
+            // All of them are the core profile's.
+            (Group::Feature("gl", version), Block::Remove) => {
+                self.core = self.core.map(|(from, _)| (from, Some(*version)));
+            }
+            (Group::Feature(api, version), Block::Require { .. }) => {
+                let first = if *api == "gles1" { &mut self.es1 } else { &mut self.es2 };
+                first.get_or_insert(*version);
+            }
+            (Group::Extension(name, apis), Block::Require { api, profile }) => {
+                let of_block = |other: &&str| {
+                    let profile_fits = match profile {
+                        Some("core") => *other != "gl",
+                        Some("compatibility") => *other != "glcore",
+                        Some(_) | None => true,
+                    };
+                    profile_fits && api.is_none_or(|api| api == other.trim_end_matches("core"))
+                };
+                let apis = apis.iter().copied().filter(of_block);
+                match self.extensions.iter_mut().find(|(other, _)| other == name) {
+                    Some((_, known)) => {
+                        for api in apis {
+                            if !known.contains(&api) {
+                                known.push(api);
+                            }
+                        }
+                    }
+                    None => self.extensions.push((name, apis.collect())),
+                }
+            }
+            (Group::Feature(..) | Group::Extension(..), Block::Remove) | (Group::Other, _) => {}
+        }
+    }
+}
+
+fn text(commands: &BTreeMap<&str, Found<'_>>) -> String {
+    let mut text = String::from("/// What the registry says of its commands, by name.\n");
+    let version = |(major, minor): Version| format!("Version::new({major}, {minor})");
+    let optional = |found: Option<Version>| match found {
+        Some(found) => format!("Some({})", version(found)),
+        None => "None".into(),
+    };
+    writeln!(text, "static REGISTRY: [(&str, Availability); {}] = [", commands.len())
+        .expect("a String takes everything");
+    for (name, found) in commands {
+        let core = match found.core {
+            Some((from, end)) => {
+                let (from, end) = (version(from), optional(end));
+                format!("Some(CoreVersions {{ from: {from}, removed_in: {end} }})")
+            }
+            None => "None".into(),
+        };
+        let extensions = found.extensions.iter().filter_map(|(name, apis)| {
+            let apis: Vec<&str> = apis.iter().filter_map(|api| variant(api)).collect();
+            let apis = apis.join(", ");
+            (!apis.is_empty()).then(|| format!("Extension {{ name: {name:?}, apis: &[{apis}] }}"))
+        });
+        let extensions: Vec<String> = extensions.collect();
+        writeln!(
+            text,
+            "    ({name:?}, Availability {{ compatibility: {}, core: {core}, es1: {}, es2: {}, extensions: &[{}] }}),",
+            optional(found.compatibility),
+            optional(found.es1),
+            optional(found.es2),
+            extensions.join(", "),
+        )
+        .expect("a String takes everything");
+    }
+    text.push_str("];\n");
+    text
+}
+
+/// The variant of `Api` for the registry's name; `None` for safety-critical and for disabled extensions.
+fn variant(api: &str) -> Option<&'static str> {
+    match api {
+        "gl" => Some("Api::Compatibility"),
+        "glcore" => Some("Api::Core"),
+        "gles1" => Some("Api::Es1"),
+        "gles2" => Some("Api::Es2"),
+        _ => None,
+    }
+}

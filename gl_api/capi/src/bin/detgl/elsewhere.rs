@@ -1,0 +1,25 @@
+//! Systems whose loaders do not look for OpenGL by Linux's names.
+
+use super::Glu;
+use std::env::consts::{DLL_PREFIX, DLL_SUFFIX, OS};
+use std::ffi::OsString;
+use std::io;
+use std::path::Path;
+
+pub fn install(_: &Path, _: Glu) -> io::Result<()> {
+    Err(not_here())
+}
+
+pub fn run(_: &[OsString], _: Glu) -> io::Result<()> {
+    Err(not_here())
+}
+
+fn not_here() -> io::Error {
+    io::Error::new(
+        io::ErrorKind::Unsupported,
+        format!(
+            "no program finds DetGL by itself on {OS}: only the names of Linux's libraries are stood in for. Depend \
+             on the crate gl_api, or load {DLL_PREFIX}detgl{DLL_SUFFIX} and ask its eglGetProcAddress"
+        ),
+    )
+}

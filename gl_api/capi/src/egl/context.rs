@@ -1,0 +1,232 @@
+//! Contexts and what their attributes ask for (EGL 1.5, section 3.7.1; `EGL_KHR_create_context`).
+
+use super::config::Config;
+use super::constants::*;
+use super::error::{Code, Result, fail};
+use super::registry::{
+    Api, ContextEntry, Holder, Id, Registry, handle, registry, this_thread, thread,
+};
+use super::{Attrib, Handle, Int, put};
+use gl_api::host::{self, DebugOutput, Shared, limits};
+use gl_api::{ContextDesc, with_current};
+use std::time::Duration;
+
+impl Registry {
+    /// Removes a context, now or when it is current no more.
+    pub fn doom_context(&mut self, id: Id) {
+        if let Some(entry) = self.contexts.get_mut(&id) {
+            entry.doomed = true;
+            if matches!(entry.holder, Holder::Registry(_)) {
+                self.contexts.remove(&id);
+            }
+        }
+    }
+}
+
+/// The versions of OpenGL that were ever defined.
+fn is_version(major: Attrib, minor: Attrib) -> bool {
+    match major {
+        1 => (0..=5).contains(&minor),
+        2 => (0..=1).contains(&minor),
+        3 => (0..=3).contains(&minor),
+        4 => (0..=6).contains(&minor),
+        _ => false,
+    }
+}
+
+/// Checks that the attributes ask for no more than there is. The log of messages is on at first in
+/// debug contexts (`KHR_debug`, section 5.5).
+fn check(attributes: &[(Int, Attrib)]) -> Result<DebugOutput> {
+    let (mut major, mut minor, mut flags) = (1, 0, 0);
+    let (mut forward, mut debug, mut robust, mut no_error) = (false, false, false, false);
+    let mut profile = EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT as Attrib;
+    for &(name, value) in attributes {
+        match name {
+            EGL_CONTEXT_MAJOR_VERSION => major = value,
+            EGL_CONTEXT_MINOR_VERSION => minor = value,
+            EGL_CONTEXT_OPENGL_PROFILE_MASK => profile = value,
+            EGL_CONTEXT_FLAGS_KHR => flags = value,
+            EGL_CONTEXT_OPENGL_FORWARD_COMPATIBLE => forward = value != 0,
+            EGL_CONTEXT_OPENGL_DEBUG => debug = value != 0,
+            // Accesses and errors are always checked, and nothing is ever lost.
+            EGL_CONTEXT_OPENGL_ROBUST_ACCESS | EGL_CONTEXT_OPENGL_ROBUST_ACCESS_EXT => {
+                robust = value != 0;
+            }
+            EGL_CONTEXT_OPENGL_NO_ERROR_KHR => no_error = value != 0,
+            EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY
+            | EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY_EXT => match value as Int {
+                EGL_NO_RESET_NOTIFICATION | EGL_LOSE_CONTEXT_ON_RESET => {}
+                value => {
+                    return fail(
+                        Code::BadAttribute,
+                        format!(
+                            "EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY = {value:#x} must be \
+                             EGL_NO_RESET_NOTIFICATION or EGL_LOSE_CONTEXT_ON_RESET"
+                        ),
+                    );
+                }
+            },
+            _ => return fail(Code::BadAttribute, format!("attrib_list: no attribute {name:#x}")),
+        }
+    }
+    let known = EGL_CONTEXT_OPENGL_DEBUG_BIT_KHR
+        | EGL_CONTEXT_OPENGL_FORWARD_COMPATIBLE_BIT_KHR
+        | EGL_CONTEXT_OPENGL_ROBUST_ACCESS_BIT_KHR;
+    if flags & !(known as Attrib) != 0 {
+        return fail(
+            Code::BadAttribute,
+            format!("EGL_CONTEXT_FLAGS_KHR = {flags:#x}: no such bit"),
+        );
+    }
+    debug |= flags & EGL_CONTEXT_OPENGL_DEBUG_BIT_KHR as Attrib != 0;
+    robust |= flags & EGL_CONTEXT_OPENGL_ROBUST_ACCESS_BIT_KHR as Attrib != 0;
+    forward |= flags & EGL_CONTEXT_OPENGL_FORWARD_COMPATIBLE_BIT_KHR as Attrib != 0;
+    if no_error && (debug || robust) {
+        return fail(
+            Code::BadMatch,
+            "EGL_CONTEXT_OPENGL_NO_ERROR_KHR cannot go with a debug or robust context: leave one out",
+        );
+    }
+    if !is_version(major, minor) {
+        return fail(Code::BadMatch, format!("there is no OpenGL {major}.{minor}"));
+    }
+    let (has_major, has_minor) = limits::VERSION;
+    if (major, minor) > (has_major as Attrib, has_minor as Attrib) {
+        let profiles =
+            EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT | EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT;
+        let named = if profile & profiles as Attrib != profile || profile == 0 {
+            ", of a profile that does not exist,"
+        } else {
+            ""
+        };
+        return fail(
+            Code::BadMatch,
+            format!(
+                "OpenGL {major}.{minor}{named} was asked for; DetGL has {has_major}.{has_minor}"
+            ),
+        );
+    }
+    if forward {
+        return fail(
+            Code::BadMatch,
+            "a forward-compatible context, without what OpenGL 3.0 calls deprecated, was asked for; \
+             DetGL has all of it",
+        );
+    }
+    Ok(if debug { DebugOutput::On } else { DebugOutput::Off })
+}
+
+/// How long a context that is current on another thread has to make its next call.
+const PATIENCE: Duration = Duration::from_secs(2);
+
+/// What a new context needs to share the objects of another, wherever that is current.
+pub(crate) fn shared_by(display: Id, share: Handle) -> Result<Shared> {
+    let mut registry = registry();
+    let (_, entry) = registry.context(display, share)?;
+    match &mut entry.holder {
+        Holder::Registry(context) => Ok(host::share_drawn(context)),
+        Holder::Thread(thread) if *thread == this_thread() => {
+            drop(registry);
+            match with_current(host::share) {
+                Some(shared) => Ok(shared),
+                None => fail(Code::BadContext, "share_context is current, but inside a call"),
+            }
+        }
+        Holder::Thread(_) => {
+            let invitation = entry.invitation.clone();
+            // Before the registry is let go of: a context that is released from now on answers.
+            invitation.open();
+            drop(registry);
+            match invitation.wait(PATIENCE) {
+                Some(shared) => Ok(shared),
+                None => fail(
+                    Code::BadAccess,
+                    "share_context is current on another thread, which made no GL call for 2 \
+                     seconds, and only its calls can let this one share: create the new context \
+                     there before it waits, or let it release share_context first",
+                ),
+            }
+        }
+    }
+}
+
+pub(super) fn create(
+    dpy: Handle,
+    config: Handle,
+    share: Handle,
+    attributes: &[(Int, Attrib)],
+) -> Result<Handle> {
+    let display = registry().display(dpy)?;
+    let config = if config.is_null() { None } else { Some(Config::find(config)?) };
+    if thread(|thread| thread.api.get()) == Api::None {
+        return fail(
+            Code::BadMatch,
+            "there is no OpenGL ES: call eglBindAPI(EGL_OPENGL_API) before",
+        );
+    }
+    let output = check(attributes)?;
+    // The surface comes with eglMakeCurrent.
+    let desc = ContextDesc { width: 1, height: 1, ..ContextDesc::default() };
+    let shared = if share.is_null() { None } else { Some(shared_by(display, share)?) };
+    let context = match host::new_context(desc, shared, output) {
+        Ok(context) => context,
+        Err(error) => return fail(Code::BadAlloc, error.to_string()),
+    };
+    let mut registry = registry();
+    let id = registry.new_id();
+    registry.contexts.insert(id, ContextEntry::new(display, config, context));
+    Ok(handle(id))
+}
+
+pub(super) fn destroy(dpy: Handle, context: Handle) -> Result<u32> {
+    let mut registry = registry();
+    let display = registry.display(dpy)?;
+    let (id, _) = registry.context(display, context)?;
+    registry.doom_context(id);
+    Ok(1)
+}
+
+pub(super) unsafe fn query(
+    dpy: Handle,
+    context: Handle,
+    attribute: Int,
+    value: *mut Int,
+) -> Result<u32> {
+    let mut registry = registry();
+    let display = registry.display(dpy)?;
+    let (id, entry) = registry.context(display, context)?;
+    let binding = thread(|thread| thread.binding.get());
+    let bound = binding.filter(|binding| binding.context == id);
+    let found = match attribute {
+        EGL_CONFIG_ID => entry.config.map_or(0, |config| config.id),
+        EGL_CONTEXT_CLIENT_TYPE => EGL_OPENGL_API,
+        EGL_CONTEXT_CLIENT_VERSION => 2,
+        EGL_RENDER_BUFFER if bound.is_some_and(|bound| bound.surface.is_some()) => EGL_BACK_BUFFER,
+        EGL_RENDER_BUFFER => EGL_NONE,
+        _ => {
+            let rule = format!("attribute = {attribute:#x} is none of contexts");
+            return fail(Code::BadAttribute, rule);
+        }
+    };
+    if value.is_null() {
+        return fail(Code::BadParameter, "value must not be NULL");
+    }
+    // SAFETY: not null, and the client's.
+    unsafe { put(value, found) };
+    Ok(1)
+}
+
+pub(super) fn bind_api(api: u32) -> Result<u32> {
+    if api as Int != EGL_OPENGL_API {
+        return fail(Code::BadParameter, format!("api = {api:#x} must be EGL_OPENGL_API"));
+    }
+    thread(|thread| thread.api.set(Api::OpenGl));
+    Ok(1)
+}
+
+pub(super) fn query_api() -> Result<u32> {
+    Ok(match thread(|thread| thread.api.get()) {
+        Api::None => EGL_NONE as u32,
+        Api::OpenGl => EGL_OPENGL_API as u32,
+    })
+}

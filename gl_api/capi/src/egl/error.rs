@@ -1,0 +1,98 @@
+//! What EGL refuses, and why (EGL 1.5, section 3.1).
+
+use super::Int;
+use super::constants::*;
+use super::registry::thread;
+use crate::guard::enter;
+
+/// The error codes of EGL 1.5, table 3.1.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Code {
+    NotInitialized,
+    BadAccess,
+    BadAlloc,
+    BadAttribute,
+    BadConfig,
+    BadContext,
+    BadDisplay,
+    BadMatch,
+    BadNativePixmap,
+    BadNativeWindow,
+    BadParameter,
+    BadSurface,
+    BadDevice,
+}
+
+impl Code {
+    pub fn to_egl(self) -> Int {
+        match self {
+            Self::NotInitialized => EGL_NOT_INITIALIZED,
+            Self::BadAccess => EGL_BAD_ACCESS,
+            Self::BadAlloc => EGL_BAD_ALLOC,
+            Self::BadAttribute => EGL_BAD_ATTRIBUTE,
+            Self::BadConfig => EGL_BAD_CONFIG,
+            Self::BadContext => EGL_BAD_CONTEXT,
+            Self::BadDisplay => EGL_BAD_DISPLAY,
+            Self::BadMatch => EGL_BAD_MATCH,
+            Self::BadNativePixmap => EGL_BAD_NATIVE_PIXMAP,
+            Self::BadNativeWindow => EGL_BAD_NATIVE_WINDOW,
+            Self::BadParameter => EGL_BAD_PARAMETER,
+            Self::BadSurface => EGL_BAD_SURFACE,
+            Self::BadDevice => EGL_BAD_DEVICE_EXT,
+        }
+    }
+}
+
+/// A refused call.
+#[derive(Debug)]
+pub(crate) struct Error {
+    pub code: Code,
+    pub rule: String,
+}
+
+pub(crate) type Result<T> = std::result::Result<T, Error>;
+
+pub(crate) fn fail<T>(code: Code, rule: impl Into<String>) -> Result<T> {
+    Err(Error { code, rule: rule.into() })
+}
+
+/// What a function answers when it has failed.
+pub(crate) trait Answer {
+    const FAILURE: Self;
+}
+
+impl Answer for u32 {
+    const FAILURE: u32 = 0;
+}
+
+impl<T> Answer for *const T {
+    const FAILURE: *const T = std::ptr::null();
+}
+
+impl<T> Answer for *mut T {
+    const FAILURE: *mut T = std::ptr::null_mut();
+}
+
+/// Prints a message if `DETGL_DEBUG` asks for them.
+pub(super) fn say(severity: &str, text: &str) {
+    if std::env::var_os("DETGL_DEBUG").is_some_and(|value| value != "0") {
+        eprintln!("detgl: {severity}: {text}");
+    }
+}
+
+/// Runs a function: sets what `eglGetError` answers, and says why it failed if `DETGL_DEBUG` asks.
+/// A panic is `EGL_BAD_ALLOC`.
+pub(crate) fn call<R: Answer>(name: &str, f: impl FnOnce() -> Result<R>) -> R {
+    let result = enter(f).unwrap_or_else(|_| fail(Code::BadAlloc, "DetGL failed inside this call"));
+    match result {
+        Ok(value) => {
+            thread(|thread| thread.error.set(EGL_SUCCESS));
+            value
+        }
+        Err(Error { code, rule }) => {
+            say("error", &format!("{name}: {rule}; {code:?}"));
+            thread(|thread| thread.error.set(code.to_egl()));
+            R::FAILURE
+        }
+    }
+}

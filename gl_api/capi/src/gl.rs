@@ -1,0 +1,98 @@
+//! The C functions of GL's entry points, one for each name in the table of [`gl_api`].
+
+use gl_api::*;
+
+/// The C function of an entry point under each of its names: `c_function!(method [glName …] (parameters) -> result)`.
+macro_rules! c_function {
+    ($method:ident [$($gl:ident)+] $params:tt $ret:tt) => {
+        $(c_function!(@one $method $gl $params $ret);)+
+    };
+    (@one $method:ident $gl:ident ($($param:ident: $ty:ty),*) [$($ret:ty)?]) => {
+        #[cfg_attr(feature = "c-names", unsafe(no_mangle))]
+        #[allow(
+            non_snake_case,
+            clippy::extra_unused_lifetimes,
+            clippy::too_many_arguments,
+            reason = "GL's name and signature; 'a is there for the rows that borrow"
+        )]
+        unsafe extern "C" fn $gl<'a>(
+            $($param: <$ty as $crate::param::Param<'a>>::Raw),*
+        ) $(-> <$ret as $crate::param::Return>::Raw)? {
+            #[allow(clippy::extra_unused_lifetimes, reason = "for the rows that borrow")]
+            fn run<'a>(
+                $($param: &'a mut <$ty as $crate::param::Param<'a>>::Held),*
+            ) $(-> $ret)? {
+                host::call(stringify!($gl), |context| {
+                    context.$method($(<$ty as $crate::param::Param<'a>>::lend($param)),*)
+                })
+            }
+            let result = $crate::guard::guard(stringify!($gl), || {
+                let rules = const {
+                    $crate::lengths::rules(
+                        stringify!($gl),
+                        [$(<$ty as $crate::param::Param<'a>>::COUNTED),*],
+                    )
+                };
+                let _arguments: &[isize] =
+                    &[$(<$ty as $crate::param::Param<'a>>::number($param)),*];
+                let mut _rules = rules.iter();
+                $(
+                    let rule = _rules.next();
+                    let length = match <$ty as $crate::param::Param<'a>>::COUNTED {
+                        $crate::param::Counted::No => 0,
+                        $crate::param::Counted::Elements | $crate::param::Counted::Text => {
+                            rule.map_or(0, |rule| rule.length(_arguments))
+                        }
+                    };
+                    // SAFETY: the caller vouches for its pointers, as C's prototypes cannot.
+                    let mut $param = unsafe {
+                        <$ty as $crate::param::Param<'a>>::hold($param, length, _arguments)
+                    };
+                )*
+                run($(&mut $param),*)
+            });
+            $crate::param::Return::to_c(result)
+        }
+    };
+}
+
+/// Applies a macro to both calls of a row of attributes.
+macro_rules! attribute {
+    ($apply:ident [$($lead:ident: $lead_ty:ty)?] $ty:ident ($($param:ident),+)
+        $method:ident $names:tt $vector:ident $vector_names:tt) => {
+        $apply!($method $names ($($lead: $lead_ty,)? $($param: $ty),+) []);
+        $apply!($vector $vector_names ($($lead: $lead_ty,)? v: &'a [$ty]) []);
+    };
+}
+
+/// Applies a macro to each row of the table: `apply!(method [glName …] (parameters) [result])`.
+macro_rules! each_row {
+    ([$apply:ident] $($begin_end:ident in $module:ident { $(
+        $(#[$doc:meta])+
+        $method:ident: $gl:ident $(| $alias:ident)* ($($params:tt)*) $(-> $ret:ty)? $(, $list:ident)?;
+    )* })*) => {
+        $($($apply!($method [$gl $($alias)*] ($($params)*) [$($ret)?]);)*)*
+    };
+    ([$apply:ident] $($doc:literal $lead:tt $slot:expr, $convert:ident { $(
+        $method:ident: $gl:ident $(| $alias:ident)?,
+        $vector:ident: $gl_vector:ident $(| $vector_alias:ident)?,
+        $ty:ident $params:tt;
+    )* })*) => {
+        $($(attribute!($apply $lead $ty $params
+            $method [$gl $($alias)?] $vector [$gl_vector $($vector_alias)?]);)*)*
+    };
+}
+
+entry_points!(each_row c_function);
+
+/// The name and address of each function.
+pub(crate) fn functions() -> Vec<(&'static str, *const ())> {
+    let mut all = Vec::new();
+    macro_rules! add {
+        ($method:ident [$($gl:ident)+] $params:tt $ret:tt) => {
+            all.extend([$((stringify!($gl), $gl as *const ())),+]);
+        };
+    }
+    entry_points!(each_row add);
+    all
+}

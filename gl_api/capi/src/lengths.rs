@@ -1,0 +1,341 @@
+//! How many elements a typed pointer of C has.
+//!
+//! The Khronos registry says so for nearly all: a number, another parameter, or a product
+//! (`LENGTHS` is generated from it). Where it only names a formula (`COMPSIZE(pname)`), the formula
+//! stands here; a new entry point whose formula is missing does not compile.
+
+use super::param::{Counted, TERMINATED};
+use gl_api::constants::*;
+use gl_api::host::limits::{MAX_EVAL_ORDER, MAX_LABEL, MAX_LENGTH};
+use gl_api::{GLenum, host, with_current};
+
+/// What the registry says of a parameter.
+#[derive(Clone, Copy)]
+pub(crate) enum Length {
+    /// Nothing, as for what is no pointer.
+    Unsaid,
+    /// So many.
+    Fixed(usize),
+    /// An argument, by position, times a number.
+    Times(usize, usize),
+    /// A formula of arguments, by position.
+    Formula(&'static str, &'static [usize]),
+}
+
+include!(concat!(env!("OUT_DIR"), "/lengths.rs"));
+
+/// How the length follows from the arguments.
+#[derive(Clone, Copy)]
+pub(crate) enum Rule {
+    /// Not needed.
+    None,
+    /// So many.
+    Fixed(usize),
+    /// An argument, by position, times a number.
+    Times(usize, usize),
+    /// As many as the state or parameter of that name has values; its position.
+    Named(usize),
+    /// Computed from all arguments.
+    Computed(fn(&[isize]) -> usize),
+    /// Text that a zero ends.
+    Terminated,
+    /// Text as long as an argument says, by position; a negative one means that a zero ends it.
+    Text(usize),
+    /// The same, of which nothing is read if it is so long or longer: the call refuses it by its length.
+    TextBelow(usize, usize),
+}
+
+/// Where the registry is silent, or says the largest of several lengths.
+const OVERRIDES: &[(&str, usize, Rule)] = &[
+    ("glGetVertexAttribfv", 2, Rule::Named(1)),
+    ("glGetVertexAttribfvARB", 2, Rule::Named(1)),
+    ("glGetVertexAttribdv", 2, Rule::Named(1)),
+    ("glGetVertexAttribdvARB", 2, Rule::Named(1)),
+    ("glGetVertexAttribiv", 2, Rule::Named(1)),
+    ("glGetVertexAttribivARB", 2, Rule::Named(1)),
+    ("glGetVertexAttribIiv", 2, Rule::Named(1)),
+    ("glGetVertexAttribIivEXT", 2, Rule::Named(1)),
+    ("glGetVertexAttribIuiv", 2, Rule::Named(1)),
+    ("glGetVertexAttribIuivEXT", 2, Rule::Named(1)),
+    ("glGetMultisamplefv", 2, Rule::Fixed(2)),
+    ("glPolygonStipple", 0, Rule::Fixed(128)),
+    ("glGetPolygonStipple", 0, Rule::Fixed(128)),
+    ("glDebugMessageInsert", 5, Rule::TextBelow(4, MAX_LENGTH)),
+    ("glPushDebugGroup", 3, Rule::TextBelow(2, MAX_LENGTH)),
+    ("glObjectLabel", 3, Rule::TextBelow(2, MAX_LABEL)),
+    ("glObjectPtrLabel", 2, Rule::TextBelow(1, MAX_LABEL)),
+];
+
+const fn same(a: &str, b: &str) -> bool {
+    matches!(order(a.as_bytes(), b.as_bytes()), std::cmp::Ordering::Equal)
+}
+
+const fn order(a: &[u8], b: &[u8]) -> std::cmp::Ordering {
+    let mut at = 0;
+    while at < a.len() && at < b.len() {
+        if a[at] < b[at] {
+            return std::cmp::Ordering::Less;
+        }
+        if a[at] > b[at] {
+            return std::cmp::Ordering::Greater;
+        }
+        at += 1;
+    }
+    if a.len() < b.len() {
+        std::cmp::Ordering::Less
+    } else if a.len() > b.len() {
+        std::cmp::Ordering::Greater
+    } else {
+        std::cmp::Ordering::Equal
+    }
+}
+
+const fn registry(command: &str) -> &'static [Length] {
+    let (mut low, mut high) = (0, LENGTHS.len());
+    while low < high {
+        let middle = usize::midpoint(low, high);
+        match order(LENGTHS[middle].0.as_bytes(), command.as_bytes()) {
+            std::cmp::Ordering::Less => low = middle + 1,
+            std::cmp::Ordering::Greater => high = middle,
+            std::cmp::Ordering::Equal => return LENGTHS[middle].1,
+        }
+    }
+    panic!("an entry point that is not in the Khronos registry")
+}
+
+const fn overridden(command: &str, parameter: usize) -> Option<Rule> {
+    let mut at = 0;
+    while at < OVERRIDES.len() {
+        if OVERRIDES[at].1 == parameter && same(OVERRIDES[at].0, command) {
+            return Some(OVERRIDES[at].2);
+        }
+        at += 1;
+    }
+    None
+}
+
+const fn rule(length: Length) -> Rule {
+    match length {
+        Length::Fixed(count) => Rule::Fixed(count),
+        Length::Times(argument, factor) => Rule::Times(argument, factor),
+        Length::Formula(formula, arguments) => {
+            if same(formula, "COMPSIZE(pname)")
+                || same(formula, "COMPSIZE(target,pname)")
+                || same(formula, "COMPSIZE(id,pname)")
+                || same(formula, "COMPSIZE(target)")
+            {
+                Rule::Named(arguments[arguments.len() - 1])
+            } else if same(formula, "COMPSIZE(drawcount)")
+                || same(formula, "COMPSIZE(primcount)")
+                || same(formula, "COMPSIZE(count)")
+                || same(formula, "COMPSIZE(uniformCount)")
+                || same(formula, "COMPSIZE(uniformCount,pname)")
+            {
+                Rule::Times(arguments[0], 1)
+            } else if same(formula, "COMPSIZE(program,location)")
+                || same(formula, "COMPSIZE(programObj,location)")
+            {
+                Rule::Computed(uniform)
+            } else if same(formula, "COMPSIZE(program,uniformBlockIndex,pname)") {
+                Rule::Computed(block)
+            } else if same(formula, "COMPSIZE(buffer)") {
+                Rule::Computed(buffer)
+            } else if same(formula, "COMPSIZE(target,stride,order)") {
+                Rule::Computed(map1)
+            } else if same(formula, "COMPSIZE(target,ustride,uorder,vstride,vorder)") {
+                Rule::Computed(map2)
+            } else {
+                panic!(
+                    "the length of a pointer is a formula that capi/src/lengths.rs lacks: add it"
+                )
+            }
+        }
+        Length::Unsaid => {
+            panic!("the registry has no length for a pointer: add a row to OVERRIDES")
+        }
+    }
+}
+
+/// Text has a length only beside one that is an argument.
+const fn text_rule(length: Length) -> Rule {
+    match length {
+        Length::Formula(_, arguments) if arguments.len() == 2 => Rule::Text(arguments[1]),
+        Length::Times(argument, 1) => Rule::Text(argument),
+        Length::Formula(..) | Length::Times(..) | Length::Fixed(_) | Length::Unsaid => {
+            Rule::Terminated
+        }
+    }
+}
+
+/// The rules of an entry point's parameters; `counted` says which need one.
+pub(crate) const fn rules<const N: usize>(command: &str, counted: [Counted; N]) -> [Rule; N] {
+    let lengths = registry(command);
+    let mut rules = [Rule::None; N];
+    let mut at = 0;
+    while at < N {
+        rules[at] = match (counted[at], overridden(command, at)) {
+            (Counted::No, _) => Rule::None,
+            (Counted::Elements | Counted::Text, Some(rule)) => rule,
+            (Counted::Elements, None) => rule(lengths[at]),
+            (Counted::Text, None) => text_rule(lengths[at]),
+        };
+        at += 1;
+    }
+    rules
+}
+
+impl Rule {
+    /// The length, of a call with these arguments; 0 for negative ones, which the call refuses.
+    #[inline]
+    pub(crate) fn length(self, arguments: &[isize]) -> usize {
+        match self {
+            Self::None => 0,
+            Self::Fixed(count) => count,
+            Self::Times(argument, factor) => {
+                usize::try_from(arguments[argument]).unwrap_or(0).saturating_mul(factor)
+            }
+            Self::Named(argument) => values(arguments[argument] as GLenum),
+            Self::Computed(formula) => formula(arguments),
+            Self::Terminated => TERMINATED,
+            Self::Text(argument) => usize::try_from(arguments[argument]).unwrap_or(TERMINATED),
+            Self::TextBelow(argument, limit) => match usize::try_from(arguments[argument]) {
+                Ok(length) if length >= limit => 0,
+                Ok(length) => length,
+                Err(_) => TERMINATED,
+            },
+        }
+    }
+}
+
+/// How many values the state or parameter `pname` has. GL never gives two meanings of one name
+/// different lengths. A missing row makes the call an error, as its slice is then too short.
+pub(crate) fn values(pname: GLenum) -> usize {
+    match pname {
+        GL_MODELVIEW_MATRIX
+        | GL_PROJECTION_MATRIX
+        | GL_TEXTURE_MATRIX
+        | GL_COLOR_MATRIX
+        | GL_TRANSPOSE_MODELVIEW_MATRIX
+        | GL_TRANSPOSE_PROJECTION_MATRIX
+        | GL_TRANSPOSE_TEXTURE_MATRIX
+        | GL_TRANSPOSE_COLOR_MATRIX
+        | GL_CURRENT_MATRIX_ARB
+        | GL_TRANSPOSE_CURRENT_MATRIX_ARB => 16,
+        GL_VIEWPORT
+        | GL_SCISSOR_BOX
+        | GL_COLOR_WRITEMASK
+        | GL_RGBA_SIGNED_COMPONENTS_EXT
+        | GL_BLEND_COLOR
+        | GL_COLOR_CLEAR_VALUE
+        | GL_ACCUM_CLEAR_VALUE
+        | GL_CURRENT_COLOR
+        | GL_CURRENT_SECONDARY_COLOR
+        | GL_CURRENT_TEXTURE_COORDS
+        | GL_CURRENT_VERTEX_ATTRIB
+        | GL_CURRENT_RASTER_COLOR
+        | GL_CURRENT_RASTER_SECONDARY_COLOR
+        | GL_CURRENT_RASTER_POSITION
+        | GL_CURRENT_RASTER_TEXTURE_COORDS
+        | GL_FOG_COLOR
+        | GL_LIGHT_MODEL_AMBIENT
+        | GL_AMBIENT
+        | GL_DIFFUSE
+        | GL_SPECULAR
+        | GL_EMISSION
+        | GL_AMBIENT_AND_DIFFUSE
+        | GL_POSITION
+        | GL_TEXTURE_BORDER_COLOR
+        | GL_TEXTURE_SWIZZLE_RGBA
+        | GL_TEXTURE_ENV_COLOR
+        | GL_OBJECT_PLANE
+        | GL_EYE_PLANE
+        | GL_MAP2_GRID_DOMAIN => 4,
+        GL_SPOT_DIRECTION
+        | GL_CURRENT_NORMAL
+        | GL_COLOR_INDEXES
+        | GL_POINT_DISTANCE_ATTENUATION => 3,
+        GL_MAX_VIEWPORT_DIMS
+        | GL_DEPTH_RANGE
+        | GL_POLYGON_MODE
+        | GL_POINT_SIZE_RANGE
+        | GL_ALIASED_POINT_SIZE_RANGE
+        | GL_LINE_WIDTH_RANGE
+        | GL_ALIASED_LINE_WIDTH_RANGE
+        | GL_MAP1_GRID_DOMAIN
+        | GL_MAP2_GRID_SEGMENTS => 2,
+        GL_COMPRESSED_TEXTURE_FORMATS => host::compressed_formats(),
+        GL_SHADER_BINARY_FORMATS => 0,
+        _ => 1,
+    }
+}
+
+/// `glGetUniform`: (program, location, params).
+fn uniform(arguments: &[isize]) -> usize {
+    let (program, location) = (arguments[0] as u32, arguments[1] as i32);
+    with_current(|context| host::uniform_values(context, program, location)).unwrap_or(0)
+}
+
+/// `glGetActiveUniformBlockiv`: (program, index, pname, params).
+fn block(arguments: &[isize]) -> usize {
+    let [program, index, pname] = [0, 1, 2].map(|at| arguments[at] as u32);
+    with_current(|context| host::block_values(context, program, index, pname)).unwrap_or(0)
+}
+
+/// `glClearBuffer`: (buffer, drawbuffer, value).
+fn buffer(arguments: &[isize]) -> usize {
+    if arguments[0] as GLenum == GL_COLOR { 4 } else { 1 }
+}
+
+/// Components of a control point of an evaluator (GL 2.1, table 5.1).
+fn map_components(target: GLenum) -> usize {
+    match target {
+        GL_MAP1_INDEX | GL_MAP1_TEXTURE_COORD_1 | GL_MAP2_INDEX | GL_MAP2_TEXTURE_COORD_1 => 1,
+        GL_MAP1_TEXTURE_COORD_2 | GL_MAP2_TEXTURE_COORD_2 => 2,
+        GL_MAP1_VERTEX_3
+        | GL_MAP1_NORMAL
+        | GL_MAP1_TEXTURE_COORD_3
+        | GL_MAP2_VERTEX_3
+        | GL_MAP2_NORMAL
+        | GL_MAP2_TEXTURE_COORD_3 => 3,
+        GL_MAP1_VERTEX_4
+        | GL_MAP1_COLOR_4
+        | GL_MAP1_TEXTURE_COORD_4
+        | GL_MAP2_VERTEX_4
+        | GL_MAP2_COLOR_4
+        | GL_MAP2_TEXTURE_COORD_4 => 4,
+        _ => 0,
+    }
+}
+
+/// Numbers between the first and the last point; an order that the call refuses reads nothing.
+fn steps(stride: isize, order: isize) -> usize {
+    let (stride, order) = (usize::try_from(stride), usize::try_from(order));
+    let order = order.ok().filter(|order| *order <= MAX_EVAL_ORDER);
+    stride.unwrap_or(0).saturating_mul(order.unwrap_or(0).saturating_sub(1))
+}
+
+/// `glMap1`: (target, u1, u2, stride, order, points).
+fn map1(arguments: &[isize]) -> usize {
+    steps(arguments[3], arguments[4]).saturating_add(map_components(arguments[0] as GLenum))
+}
+
+/// `glMap2`: (target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points).
+fn map2(arguments: &[isize]) -> usize {
+    map1(arguments).saturating_add(steps(arguments[7], arguments[8]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// From the first point to the last, and the last itself; not round the end of what is counted,
+    /// where memory has fewer addresses than these arguments numbers.
+    #[test]
+    fn maps_reach_to_their_last_point() {
+        let (line, plane) = (GL_MAP1_VERTEX_3 as isize, GL_MAP2_VERTEX_4 as isize);
+        assert_eq!(map1(&[line, 0, 1, 5, 4]), 3 * 5 + 3);
+        assert_eq!(map2(&[plane, 0, 1, 20, 3, 0, 1, 5, 4]), 2 * 20 + 3 * 5 + 4);
+        assert_eq!(map1(&[line, 0, 1, isize::MAX, 30]), usize::MAX);
+        assert_eq!(map2(&[plane, 0, 1, isize::MAX, 30, 0, 1, isize::MAX, 30]), usize::MAX);
+    }
+}

@@ -1,0 +1,458 @@
+//! C's arguments and results, and what the methods of [`Context`](gl_api::Context) take and give.
+
+use crate::memory;
+use gl_api::{
+    ClientPointer, Data, DataOut, GLDEBUGPROC, Names, Pointers, Strings, TextOut, with_current,
+};
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+use std::ffi::{CStr, CString, c_char, c_void};
+use std::mem::MaybeUninit;
+use std::sync::{Mutex, PoisonError};
+
+/// What says how long the memory behind a pointer is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Counted {
+    /// It is no pointer, or the call itself knows.
+    No,
+    /// A rule of [`lengths`](crate::lengths).
+    Elements,
+    /// A final zero, or an argument that is not negative.
+    Text,
+}
+
+/// Of text: it ends with a zero.
+pub(crate) const TERMINATED: usize = usize::MAX;
+
+/// A parameter's type: C's, what is held of it during the call, and ours.
+pub(crate) trait Param<'a>: Sized {
+    /// C's type.
+    type Raw: Copy;
+    /// What lives as long as the call.
+    type Held: 'static;
+    /// Whether C's pointer needs a length from [`lengths`](crate::lengths).
+    const COUNTED: Counted = Counted::No;
+
+    /// The argument as a number, for the lengths of others; of pointers the address.
+    fn number(raw: Self::Raw) -> isize;
+
+    /// Takes C's argument: `length` elements if it is a pointer; `arguments` are all of the call.
+    ///
+    /// # Safety
+    /// A pointer that is not null has `length` elements, or ends with a zero if it is a string.
+    unsafe fn hold(raw: Self::Raw, length: usize, arguments: &[isize]) -> Self::Held;
+
+    /// The argument for the method.
+    fn lend(held: &'a mut Self::Held) -> Self;
+}
+
+macro_rules! numbers {
+    ($($ty:ty),*) => { $(
+        impl Param<'_> for $ty {
+            type Raw = $ty;
+            type Held = $ty;
+
+            fn number(raw: $ty) -> isize {
+                raw as isize
+            }
+
+            unsafe fn hold(raw: $ty, _: usize, _: &[isize]) -> $ty {
+                raw
+            }
+
+            fn lend(held: &mut $ty) -> $ty {
+                *held
+            }
+        }
+    )* };
+}
+
+numbers!(i8, u8, i16, u16, i32, u32, i64, u64, isize, usize, f32, f64);
+
+impl Param<'_> for bool {
+    type Raw = u8;
+    type Held = bool;
+
+    fn number(raw: u8) -> isize {
+        raw.into()
+    }
+
+    unsafe fn hold(raw: u8, _: usize, _: &[isize]) -> bool {
+        raw != 0
+    }
+
+    fn lend(held: &mut bool) -> bool {
+        *held
+    }
+}
+
+/// What is passed on as it is.
+macro_rules! opaque {
+    ($($ty:ty: $raw:ident => $number:expr;)*) => { $(
+        impl Param<'_> for $ty {
+            type Raw = $ty;
+            type Held = $ty;
+
+            fn number($raw: $ty) -> isize {
+                $number
+            }
+
+            unsafe fn hold(raw: $ty, _: usize, _: &[isize]) -> $ty {
+                raw
+            }
+
+            fn lend(held: &mut $ty) -> $ty {
+                *held
+            }
+        }
+    )* };
+}
+
+opaque! {
+    *const c_void: raw => raw.addr() as isize;
+    *mut c_void: raw => raw.addr() as isize;
+    GLDEBUGPROC: _raw => 0;
+}
+
+/// Elements that are read; a copy of them where C's pointer is misaligned.
+pub(crate) struct Elements<T> {
+    pointer: *const T,
+    length: usize,
+    copy: Vec<T>,
+}
+
+impl<'a, T: Copy + 'static> Param<'a> for &'a [T] {
+    type Raw = *const T;
+    type Held = Elements<T>;
+    const COUNTED: Counted = Counted::Elements;
+
+    fn number(raw: *const T) -> isize {
+        // `Strings` makes a pointer of it again.
+        raw.expose_provenance() as isize
+    }
+
+    unsafe fn hold(raw: *const T, length: usize, _: &[isize]) -> Elements<T> {
+        // No memory has more.
+        let most = isize::MAX as usize / size_of::<T>().max(1);
+        let length = if raw.is_null() { 0 } else { length.min(most) };
+        let copy = if raw.is_aligned() {
+            Vec::new()
+        } else {
+            // SAFETY: promised by the caller; such a read needs no alignment.
+            (0..length).map(|at| unsafe { raw.add(at).read_unaligned() }).collect()
+        };
+        Elements { pointer: raw, length, copy }
+    }
+
+    fn lend(held: &'a mut Elements<T>) -> &'a [T] {
+        if held.length == 0 || !held.pointer.is_aligned() {
+            return &held.copy;
+        }
+        // SAFETY: promised to `hold`; aligned and not null.
+        unsafe { std::slice::from_raw_parts(held.pointer, held.length) }
+    }
+}
+
+/// Elements that are written; by way of a copy where C's pointer is misaligned, or another one of the call points
+/// to the same memory, which C allows.
+pub(crate) struct ElementsMut<T: Copy> {
+    pointer: *mut T,
+    length: usize,
+    /// C need not have written to it before.
+    copy: Vec<MaybeUninit<T>>,
+}
+
+/// Whether two arguments are this address.
+#[inline(never)]
+fn is_shared(address: usize, arguments: &[isize]) -> bool {
+    arguments.iter().filter(|&&argument| argument as usize == address).count() > 1
+}
+
+impl<T: Copy> Drop for ElementsMut<T> {
+    fn drop(&mut self) {
+        for (at, &value) in self.copy.iter().enumerate() {
+            // SAFETY: promised to `hold`; such a write needs no alignment.
+            unsafe { self.pointer.cast::<MaybeUninit<T>>().add(at).write_unaligned(value) };
+        }
+    }
+}
+
+impl<'a, T: Copy + 'static> Param<'a> for &'a mut [T] {
+    type Raw = *mut T;
+    type Held = ElementsMut<T>;
+    const COUNTED: Counted = Counted::Elements;
+
+    fn number(raw: *mut T) -> isize {
+        raw.addr() as isize
+    }
+
+    unsafe fn hold(raw: *mut T, length: usize, arguments: &[isize]) -> ElementsMut<T> {
+        let length = if raw.is_null() { 0 } else { length };
+        let direct = raw.is_aligned() && !is_shared(raw.addr(), arguments);
+        let copied = if direct { 0 } else { length };
+        let from = raw.cast::<MaybeUninit<T>>();
+        // SAFETY: promised by the caller; such a read needs no alignment.
+        let copy = (0..copied).map(|at| unsafe { from.add(at).read_unaligned() }).collect();
+        ElementsMut { pointer: raw, length, copy }
+    }
+
+    fn lend(held: &'a mut ElementsMut<T>) -> &'a mut [T] {
+        let from = match (held.length, held.copy.as_mut_ptr()) {
+            (0, _) => return &mut [],
+            (_, _) if held.copy.is_empty() => held.pointer,
+            (_, copy) => copy.cast(),
+        };
+        // SAFETY: promised to `hold`, or the copy; aligned and not null.
+        unsafe { std::slice::from_raw_parts_mut(from, held.length) }
+    }
+}
+
+impl<'a> Param<'a> for Data<'a> {
+    type Raw = *const c_void;
+    type Held = ClientPointer<'static>;
+
+    fn number(raw: *const c_void) -> isize {
+        raw.addr() as isize
+    }
+
+    unsafe fn hold(raw: *const c_void, _: usize, _: &[isize]) -> ClientPointer<'static> {
+        // SAFETY: promised by the caller.
+        unsafe { memory::pointer(raw.cast()) }
+    }
+
+    fn lend(held: &'a mut ClientPointer<'static>) -> Self {
+        Data::Client(*held)
+    }
+}
+
+impl<'a> Param<'a> for DataOut<'a> {
+    type Raw = *mut c_void;
+    type Held = ClientPointer<'static>;
+
+    fn number(raw: *mut c_void) -> isize {
+        raw.addr() as isize
+    }
+
+    unsafe fn hold(raw: *mut c_void, _: usize, _: &[isize]) -> ClientPointer<'static> {
+        // SAFETY: promised by the caller.
+        unsafe { memory::pointer(raw.cast_const().cast()) }
+    }
+
+    fn lend(held: &'a mut ClientPointer<'static>) -> Self {
+        DataOut::Client(*held)
+    }
+}
+
+/// Text of C's; bytes that are no UTF-8 become question marks, so that lengths stay.
+fn utf8(bytes: &[u8]) -> String {
+    match std::str::from_utf8(bytes) {
+        Ok(text) => text.to_owned(),
+        Err(_) => bytes.iter().map(|&b| if b.is_ascii() { char::from(b) } else { '?' }).collect(),
+    }
+}
+
+/// `length` bytes of C's, or [`TERMINATED`]; nothing for the null pointer.
+///
+/// # Safety
+/// A pointer that is not null has that length.
+unsafe fn text(raw: *const c_char, length: usize) -> Cow<'static, str> {
+    if raw.is_null() {
+        return Cow::Borrowed("");
+    }
+    // SAFETY: promised by the caller.
+    let bytes = unsafe {
+        if length == TERMINATED {
+            CStr::from_ptr(raw).to_bytes()
+        } else {
+            memory::bytes(raw.cast(), length)
+        }
+    };
+    Cow::Owned(utf8(bytes))
+}
+
+impl<'a> Param<'a> for &'a str {
+    type Raw = *const c_char;
+    type Held = Cow<'static, str>;
+    const COUNTED: Counted = Counted::Text;
+
+    fn number(raw: *const c_char) -> isize {
+        raw.addr() as isize
+    }
+
+    unsafe fn hold(raw: *const c_char, length: usize, _: &[isize]) -> Cow<'static, str> {
+        // SAFETY: promised by the caller.
+        unsafe { text(raw, length) }
+    }
+
+    fn lend(held: &'a mut Cow<'static, str>) -> &'a str {
+        held
+    }
+}
+
+/// `glShaderSource` alone has this type: its last argument is the array of lengths.
+impl<'a> Param<'a> for Strings<'a> {
+    type Raw = *const *const c_char;
+    type Held = Vec<Cow<'static, str>>;
+    const COUNTED: Counted = Counted::Elements;
+
+    fn number(raw: *const *const c_char) -> isize {
+        raw.addr() as isize
+    }
+
+    unsafe fn hold(
+        raw: *const *const c_char,
+        length: usize,
+        arguments: &[isize],
+    ) -> Vec<Cow<'static, str>> {
+        // Of a name that is no shader's the strings are not looked at.
+        let shader = arguments.first().map_or(0, |&name| name as u32);
+        if raw.is_null() || with_current(|context| context.is_shader(shader)) != Some(true) {
+            return Vec::new();
+        }
+        let lengths = arguments.last().map_or(0, |&lengths| lengths as usize);
+        let lengths = std::ptr::with_exposed_provenance::<i32>(lengths);
+        (0..length)
+            .map(|at| {
+                // SAFETY: promised by the caller: `length` pointers, and as many lengths if any.
+                let (text, length) = unsafe {
+                    let length =
+                        if lengths.is_null() { -1 } else { lengths.add(at).read_unaligned() };
+                    (raw.add(at).read_unaligned(), length)
+                };
+                // SAFETY: so many bytes, or a negative length, which says that a zero ends it.
+                unsafe { self::text(text, usize::try_from(length).unwrap_or(TERMINATED)) }
+            })
+            .collect()
+    }
+
+    fn lend(held: &'a mut Vec<Cow<'static, str>>) -> Self {
+        Strings(held.iter().map(AsRef::as_ref).collect())
+    }
+}
+
+/// `glTransformFeedbackVaryings` and `glGetUniformIndices` have this type.
+impl<'a> Param<'a> for Names<'a> {
+    type Raw = *const *const c_char;
+    type Held = Vec<Cow<'static, str>>;
+    const COUNTED: Counted = Counted::Elements;
+
+    fn number(raw: *const *const c_char) -> isize {
+        raw.addr() as isize
+    }
+
+    unsafe fn hold(
+        raw: *const *const c_char,
+        length: usize,
+        arguments: &[isize],
+    ) -> Vec<Cow<'static, str>> {
+        // Of a name that is no program's the strings are not looked at.
+        let program = arguments.first().map_or(0, |&name| name as u32);
+        if raw.is_null() || with_current(|context| context.is_program(program)) != Some(true) {
+            return Vec::new();
+        }
+        (0..length)
+            .map(|at| {
+                // SAFETY: promised by the caller: `length` pointers to texts that zeros end.
+                unsafe { text(raw.add(at).read_unaligned(), TERMINATED) }
+            })
+            .collect()
+    }
+
+    fn lend(held: &'a mut Vec<Cow<'static, str>>) -> Self {
+        Names(held.iter().map(AsRef::as_ref).collect())
+    }
+}
+
+impl<'a> Param<'a> for TextOut<'a> {
+    type Raw = *mut c_char;
+    type Held = (*mut c_char, usize);
+    const COUNTED: Counted = Counted::Elements;
+
+    fn number(raw: *mut c_char) -> isize {
+        raw.addr() as isize
+    }
+
+    unsafe fn hold(raw: *mut c_char, length: usize, _: &[isize]) -> (*mut c_char, usize) {
+        (raw, length)
+    }
+
+    fn lend(&mut (raw, length): &'a mut (*mut c_char, usize)) -> Self {
+        if raw.is_null() {
+            return TextOut::Null;
+        }
+        // SAFETY: promised to `hold`.
+        TextOut::Bytes(unsafe { memory::bytes_mut(raw.cast(), length) })
+    }
+}
+
+impl<'a> Param<'a> for Pointers<'a> {
+    type Raw = *const *const c_void;
+    type Held = Vec<ClientPointer<'static>>;
+    const COUNTED: Counted = Counted::Elements;
+
+    fn number(raw: *const *const c_void) -> isize {
+        raw.addr() as isize
+    }
+
+    unsafe fn hold(
+        raw: *const *const c_void,
+        length: usize,
+        _: &[isize],
+    ) -> Vec<ClientPointer<'static>> {
+        let length = if raw.is_null() { 0 } else { length };
+        (0..length)
+            .map(|at| {
+                // SAFETY: promised by the caller: `length` pointers, to what the call reads.
+                unsafe { memory::pointer(raw.add(at).read_unaligned().cast()) }
+            })
+            .collect()
+    }
+
+    fn lend(held: &'a mut Vec<ClientPointer<'static>>) -> Self {
+        Pointers(held.iter().map(|&pointer| Data::Client(pointer)).collect())
+    }
+}
+
+/// A result's type: ours and C's.
+pub(crate) trait Return {
+    /// C's type.
+    type Raw;
+    /// The conversion.
+    fn to_c(self) -> Self::Raw;
+}
+
+macro_rules! results {
+    ($($ty:ty),*) => { $(
+        impl Return for $ty {
+            type Raw = $ty;
+
+            fn to_c(self) -> $ty {
+                self
+            }
+        }
+    )* };
+}
+
+results!((), u32, i32, *mut c_void);
+
+impl Return for bool {
+    type Raw = u8;
+
+    fn to_c(self) -> u8 {
+        self.into()
+    }
+}
+
+/// Text that C gets to keep: made once for each different one. Empty text is the null pointer.
+impl Return for &'static str {
+    type Raw = *const u8;
+
+    fn to_c(self) -> *const u8 {
+        static KEPT: Mutex<BTreeMap<&str, CString>> = Mutex::new(BTreeMap::new());
+        if self.is_empty() {
+            return std::ptr::null();
+        }
+        let mut kept = KEPT.lock().unwrap_or_else(PoisonError::into_inner);
+        kept.entry(self).or_insert_with(|| CString::new(self).unwrap_or_default()).as_ptr().cast()
+    }
+}

@@ -1,0 +1,147 @@
+//! The table of entry points: one row each, by the chapters of the specification.
+//!
+//! A row names the method and GL's name (and its aliases), the parameters with C's types, and the type of the result.
+//! Rows are grouped: a group says whether its calls are allowed between `glBegin` and `glEnd`
+//! ([`BeginEnd`](super::BeginEnd)), and in which module the function is that carries a call out; it has the method's
+//! name. `not_compiled` after a row says that the call is carried out at once while a display list is compiled, or
+//! records itself (GL 2.1, section 5.4); calls with a result always are, and say nothing.
+//!
+//! Each chapter is a macro that applies another to its rows. [`implement!`](super::implement) makes the methods and
+//! free functions here; the crate of the C ABI makes its exports of the same rows. What the Khronos registry says of
+//! a command (the APIs and extensions it belongs to, the length behind a pointer) is looked up by name when the crates
+//! are built.
+
+mod assembly;
+mod attributes;
+mod debugging;
+mod fragments;
+mod framebuffers;
+mod generics;
+mod integers;
+mod lighting;
+mod lists;
+mod packed;
+mod pixels;
+mod programs;
+mod queries;
+mod rasterization;
+mod rectangles;
+mod special;
+mod textures;
+mod transform;
+mod transform_feedback;
+mod uniform_buffers;
+mod vertices;
+
+pub use assembly::*;
+pub use attributes::*;
+pub use debugging::*;
+pub use fragments::*;
+pub use framebuffers::*;
+pub use generics::*;
+pub use integers::*;
+pub use lighting::*;
+pub use lists::*;
+pub use packed::*;
+pub use pixels::*;
+pub use programs::*;
+pub use queries::*;
+pub use rasterization::*;
+pub use rectangles::*;
+pub use special::*;
+pub use textures::*;
+pub use transform::*;
+pub use transform_feedback::*;
+pub use uniform_buffers::*;
+pub use vertices::*;
+
+use super::description::EntryPoint;
+#[cfg(any(test, feature = "exercise"))]
+use super::exercise::Exercise;
+
+/// Applies a macro to the rows of every chapter, with arguments of the caller's in brackets before them.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! entry_points {
+    ($apply:ident $($arguments:tt)*) => {
+        $crate::entry_points_assembly!($apply $($arguments)*);
+        $crate::entry_points_attributes!($apply $($arguments)*);
+        $crate::entry_points_debugging!($apply $($arguments)*);
+        $crate::entry_points_fragments!($apply $($arguments)*);
+        $crate::entry_points_framebuffers!($apply $($arguments)*);
+        $crate::entry_points_generics!($apply $($arguments)*);
+        $crate::entry_points_integers!($apply $($arguments)*);
+        $crate::entry_points_lighting!($apply $($arguments)*);
+        $crate::entry_points_lists!($apply $($arguments)*);
+        $crate::entry_points_packed!($apply $($arguments)*);
+        $crate::entry_points_pixels!($apply $($arguments)*);
+        $crate::entry_points_programs!($apply $($arguments)*);
+        $crate::entry_points_queries!($apply $($arguments)*);
+        $crate::entry_points_rasterization!($apply $($arguments)*);
+        $crate::entry_points_rectangles!($apply $($arguments)*);
+        $crate::entry_points_special!($apply $($arguments)*);
+        $crate::entry_points_textures!($apply $($arguments)*);
+        $crate::entry_points_transform!($apply $($arguments)*);
+        $crate::entry_points_transform_feedback!($apply $($arguments)*);
+        $crate::entry_points_uniform_buffers!($apply $($arguments)*);
+        $crate::entry_points_vertices!($apply $($arguments)*);
+    };
+}
+
+/// The rows of every chapter.
+#[allow(
+    unused_qualifications,
+    reason = "the chapters' free functions are imported by globs, and `ROWS` with them"
+)]
+pub(super) const CHAPTERS: &[&[EntryPoint]] = &[
+    assembly::ROWS,
+    attributes::ROWS,
+    debugging::ROWS,
+    fragments::ROWS,
+    framebuffers::ROWS,
+    generics::ROWS,
+    integers::ROWS,
+    lighting::ROWS,
+    lists::ROWS,
+    packed::ROWS,
+    pixels::ROWS,
+    programs::ROWS,
+    queries::ROWS,
+    rasterization::ROWS,
+    rectangles::ROWS,
+    special::ROWS,
+    textures::ROWS,
+    transform::ROWS,
+    transform_feedback::ROWS,
+    uniform_buffers::ROWS,
+    vertices::ROWS,
+];
+
+/// The calls of every chapter with random arguments.
+#[cfg(any(test, feature = "exercise"))]
+pub(super) fn exercises() -> Vec<Exercise> {
+    let chapters: [fn() -> Vec<Exercise>; CHAPTERS.len()] = [
+        assembly::exercises,
+        attributes::exercises,
+        debugging::exercises,
+        fragments::exercises,
+        framebuffers::exercises,
+        generics::exercises,
+        integers::exercises,
+        lighting::exercises,
+        lists::exercises,
+        packed::exercises,
+        pixels::exercises,
+        programs::exercises,
+        queries::exercises,
+        rasterization::exercises,
+        rectangles::exercises,
+        special::exercises,
+        textures::exercises,
+        transform::exercises,
+        transform_feedback::exercises,
+        uniform_buffers::exercises,
+        vertices::exercises,
+    ];
+    chapters.into_iter().flat_map(|chapter| chapter()).collect()
+}

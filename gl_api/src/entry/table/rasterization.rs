@@ -1,0 +1,85 @@
+//! Rasterization: GL 2.1, chapter 3, and the enables of all chapters.
+
+use crate::draw::arrays;
+use crate::entry::{Data, DataOut};
+use crate::state::{enable, multisample, points, polygon, raster};
+use crate::types::*;
+
+#[doc(hidden)]
+#[macro_export]
+macro_rules! entry_points_rasterization {
+    ($apply:ident $($arguments:tt)*) => { $apply! { [$($arguments)*]
+    Refused in enable {
+        /// Switches a capability on.
+        enable: glEnable (cap: GLenum);
+        /// Switches a capability off.
+        disable: glDisable (cap: GLenum);
+        /// Whether a capability is on.
+        is_enabled: glIsEnabled (cap: GLenum) -> bool;
+        /// Switches a client array on.
+        enable_client_state: glEnableClientState (array: GLenum), not_compiled;
+        /// Switches a client array off.
+        disable_client_state: glDisableClientState (array: GLenum), not_compiled;
+    }
+    Refused in raster {
+        /// Sets which faces `GL_CULL_FACE` leaves out.
+        cull_face: glCullFace (mode: GLenum);
+        /// Sets which winding is the front.
+        front_face: glFrontFace (mode: GLenum);
+        /// Sets whether colours are interpolated.
+        shade_model: glShadeModel (mode: GLenum);
+        /// Sets which vertex of a primitive flat colours are of.
+        provoking_vertex: glProvokingVertex | glProvokingVertexEXT (mode: GLenum);
+        /// Sets the width of lines in pixels.
+        line_width: glLineWidth (width: GLfloat);
+        /// Sets which fragments of lines are left: `factor` fragments a bit of `pattern`.
+        line_stipple: glLineStipple (factor: GLint, pattern: GLushort);
+        /// Accepted; DetGL has one quality.
+        hint: glHint (target: GLenum, mode: GLenum);
+    }
+    Refused in multisample {
+        /// Sets which part of the samples of a pixel `GL_SAMPLE_COVERAGE` leaves.
+        sample_coverage: glSampleCoverage | glSampleCoverageARB (value: GLclampf, invert: bool);
+        /// Sets which samples `GL_SAMPLE_MASK` leaves, bit by sample.
+        sample_maski: glSampleMaski (mask_number: GLuint, mask: GLbitfield);
+        /// Reads where a sample of the draw framebuffer lies in its pixel.
+        get_multisamplefv: glGetMultisamplefv
+            (pname: GLenum, index: GLuint, val: &'a mut [GLfloat]);
+    }
+    Refused in polygon {
+        /// Sets whether polygons are filled, or drawn by their edges or vertices.
+        polygon_mode: glPolygonMode (face: GLenum, mode: GLenum);
+        /// Sets what is added to the depth of polygons.
+        polygon_offset: glPolygonOffset (factor: GLfloat, units: GLfloat);
+        /// Sets which pixels of filled polygons are left: 32 rows of 32 bits.
+        polygon_stipple: glPolygonStipple (mask: Data<'a>);
+        /// Gives the polygon stipple.
+        get_polygon_stipple: glGetPolygonStipple (mask: DataOut<'a>);
+    }
+    Allowed in polygon {
+        /// Sets whether the edges that begin at the vertices to come are boundaries.
+        edge_flag: glEdgeFlag (flag: bool);
+        /// The same from memory.
+        edge_flagv: glEdgeFlagv (flag: &'a [GLboolean]);
+    }
+    Refused in points {
+        /// Sets the size of points in pixels.
+        point_size: glPointSize (size: GLfloat);
+        /// Sets a limit of the size of points, the threshold of fading, or where t of a sprite is 0.
+        point_parameterf: glPointParameterf | glPointParameterfARB | glPointParameterfEXT
+            (pname: GLenum, param: GLfloat);
+        /// The same, or the attenuation of the size by distance.
+        point_parameterfv: glPointParameterfv | glPointParameterfvARB | glPointParameterfvEXT
+            (pname: GLenum, params: &'a [GLfloat]);
+        /// As `glPointParameterf`.
+        point_parameteri: glPointParameteri (pname: GLenum, param: GLint);
+        /// As `glPointParameterfv`.
+        point_parameteriv: glPointParameteriv (pname: GLenum, params: &'a [GLint]);
+    }
+    Refused in arrays {
+        /// Says where edge flags are. A slice is copied now; later writes to it are not seen.
+        edge_flag_pointer: glEdgeFlagPointer (stride: GLsizei, pointer: Data<'a>), not_compiled;
+    }
+    } };
+}
+entry_points_rasterization!(implement);

@@ -1,0 +1,325 @@
+//! What a host of contexts may do with them: EGL and OSMesa, and the C functions of the entry points.
+//!
+//! It is for the crate of the C ABI alone. What it gives out is opaque, so that nothing else of this crate is public for
+//! a host's sake.
+
+use crate::constants::*;
+use crate::context::debug::Output;
+use crate::context::{Context, ContextDesc, ContextError, SurfaceDesc};
+use crate::draw::hints::sight;
+use crate::error::{ErrorCode, GlError};
+use crate::framebuffer::read::{ClientRows, Up, read_rows};
+use crate::framebuffer::{Visible, Window, format_of, whole};
+use crate::glu::{GLUquadric, GLUquadricCallback};
+use crate::object::sharing::{self, Turn};
+use crate::state::pixel_store::PixelStore;
+use crate::texture::client::{LuminanceOf, Pixel};
+use crate::texture::convert::{Conversion, Final};
+use crate::texture::layout::{Extent, Layout};
+use crate::texture::transfer::Transfer;
+use crate::types::{GLenum, GLint, GLuint};
+use rasterizer::driver::{Image, Put};
+use std::time::Duration;
+
+pub use crate::context::mirror::SurfaceMirror;
+pub use crate::entry::current::{Fallback, call, expect_thread_end, swap_current};
+
+/// Limits that hosts check.
+pub mod limits {
+    use crate::{context, evaluate};
+
+    /// The version of OpenGL, major and minor.
+    pub const VERSION: (i32, i32) = context::limits::VERSION;
+    /// Pixels of a side of a default framebuffer.
+    pub const MAX_VIEWPORT_DIMS: u32 = context::limits::MAX_VIEWPORT_DIMS;
+    /// Bytes of a label with its final zero.
+    pub const MAX_LABEL: usize = context::log::MAX_LABEL;
+    /// Bytes of a message with its final zero.
+    pub const MAX_LENGTH: usize = context::log::MAX_LENGTH;
+    /// The order of an evaluator's map.
+    pub const MAX_EVAL_ORDER: usize = evaluate::map::MAX_EVAL_ORDER;
+}
+
+/// A default framebuffer that is not, or not yet, a context's.
+#[derive(Debug)]
+pub struct Surface(Window);
+
+impl Surface {
+    /// Buffers of a size; `None` if there is no memory for them.
+    pub fn new(width: u32, height: u32, desc: SurfaceDesc) -> Option<Self> {
+        Window::new(width, height, desc).ok().map(Self)
+    }
+
+    /// The default framebuffer of a context that has none (GL 3.0, section 2.1).
+    pub fn absent() -> Self {
+        Self(Window::absent())
+    }
+}
+
+/// What a new context needs to share the objects of another.
+#[derive(Clone, Debug)]
+pub struct Shared(sharing::Shared);
+
+/// How a thread asks a context that is current on another to share its objects: at its next call, or when it is
+/// released.
+#[derive(Clone, Debug)]
+pub struct Invitation(sharing::Invitation);
+
+impl Invitation {
+    /// Where a context is asked.
+    pub fn of(context: &Context) -> Self {
+        Self(context.invitation.clone())
+    }
+
+    /// Asks: [`Self::wait`] waits for the answer.
+    pub fn open(&self) {
+        self.0.open();
+    }
+
+    /// Waits until the context has answered; `None` if it makes no call for so long.
+    pub fn wait(&self, patience: Duration) -> Option<Shared> {
+        self.0.wait(patience).map(Shared)
+    }
+}
+
+/// Whether a context logs its messages at first (`KHR_debug`, section 5.5).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DebugOutput {
+    /// Not before `glEnable(GL_DEBUG_OUTPUT)`.
+    Off,
+    /// From the start.
+    On,
+}
+
+/// A context on the heap, which may share objects: where a client's thread has as little stack as 128 KB.
+///
+/// # Errors
+/// As [`Context::new`].
+pub fn new_context(
+    desc: ContextDesc,
+    shared: Option<Shared>,
+    output: DebugOutput,
+) -> Result<Box<Context>, ContextError> {
+    let mut context = Context::boxed(desc, shared.map(|shared| shared.0))?;
+    context.debug.begin_with(match output {
+        DebugOutput::Off => Output::Off,
+        DebugOutput::On => Output::On,
+    });
+    Ok(context)
+}
+
+/// What a new context needs to share this one's objects. Draws what was recorded.
+pub fn share(context: &mut Context) -> Shared {
+    Shared(context.share())
+}
+
+/// As [`share`], where nothing is recorded; no call of another context is waited for.
+pub fn share_drawn(context: &mut Context) -> Shared {
+    Shared(context.shared())
+}
+
+/// Answers who has asked to share the objects of a context to which everything was drawn.
+pub fn answer_invitation(context: &mut Context) {
+    if context.invitation.is_open() {
+        let shared = context.shared();
+        context.invitation.answer(shared);
+    }
+}
+
+/// Puts another default framebuffer in place of one to which everything was drawn.
+pub fn swap_surface(context: &mut Context, surface: Surface) -> Surface {
+    Surface(context.swap_window(surface.0))
+}
+
+/// Puts another default framebuffer in place to be read from, or that which is drawn to.
+pub fn swap_read_surface(context: &mut Context, surface: Option<Surface>) -> Option<Surface> {
+    context.swap_read_window(surface.map(|surface| surface.0)).map(Surface)
+}
+
+/// Viewport and scissor take the size of the first default framebuffer.
+pub fn first_surface(context: &mut Context, width: u32, height: u32) {
+    context.first_window(width, height);
+}
+
+/// Warns, if `DETGL_DEBUG` asks for it, of a picture in which nothing may be seen: it is about to be shown.
+pub fn shows_picture(context: &mut Context) {
+    sight::picture(context);
+}
+
+/// Takes note of a GL error of the call `name`.
+pub fn refuse(
+    context: &mut Context,
+    name: &'static str,
+    section: &'static str,
+    text: impl Into<String>,
+) {
+    context.refuse(name, GlError::new(ErrorCode::InvalidOperation, section, text));
+}
+
+/// Shows the default framebuffer in a client's memory from the next picture on, or no longer.
+pub fn set_mirror(context: &mut Context, mirror: Option<Box<dyn SurfaceMirror>>) {
+    context.set_mirror(mirror);
+}
+
+/// Has the mirror of a context, if it has one, take the next copy in another way.
+pub fn replace_mirror(context: &mut Context, mirror: Box<dyn SurfaceMirror>) {
+    context.replace_mirror(mirror);
+}
+
+/// Draws everything and forgets the mirror of a context.
+pub fn end_mirror(context: &mut Context) {
+    context.end_mirror();
+}
+
+/// How a pixel's components lie in memory.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Pixels {
+    /// GL's format and type.
+    pub gl: (GLenum, GLenum),
+    /// Where alpha is.
+    pub alpha: Alpha,
+}
+
+/// Where alpha lies in a pixel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Alpha {
+    /// Where the format says.
+    AsFormat,
+    /// First: all components are moved on by one.
+    First,
+}
+
+/// Which row comes first in memory.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FirstRow {
+    /// The lowest.
+    Bottom,
+    /// The highest.
+    Top,
+}
+
+/// Bytes of a pixel; `None` if there is no such format and type.
+pub fn pixel_bytes(pixels: Pixels) -> Option<usize> {
+    Pixel::new(pixels.gl.0, pixels.gl.1).ok().map(|pixel| pixel.bytes())
+}
+
+/// Copies the colours of the default framebuffer into memory for all of its rows, each `stride` bytes after the one
+/// before.
+pub fn copy_colors(
+    context: &Context,
+    pixels: Pixels,
+    first: FirstRow,
+    bytes: &mut [u8],
+    stride: usize,
+) {
+    copy(context, &context.window.color, pixels, first, (bytes, stride));
+}
+
+/// The depths of the default framebuffer, of the highest 16 to 32 bits; `None` if it has none.
+pub fn depths(context: &Context, first: FirstRow, bits: usize) -> Option<Vec<u32>> {
+    let image = context.window.depth.as_ref()?;
+    let [width, height] = [context.window.width, context.window.height].map(|side| side as usize);
+    let mut depths = vec![0_u32; width * height];
+    let pixels = Pixels { gl: (GL_DEPTH_COMPONENT, GL_UNSIGNED_INT), alpha: Alpha::AsFormat };
+    copy(context, image, pixels, first, (bytemuck::cast_slice_mut(&mut depths), 4 * width));
+    depths.iter_mut().for_each(|depth| *depth >>= 32 - bits);
+    Some(depths)
+}
+
+fn copy(
+    context: &Context,
+    image: &Image,
+    pixels: Pixels,
+    first: FirstRow,
+    (bytes, stride): (&mut [u8], usize),
+) {
+    let from = whole(image);
+    let (Some([width, height]), Some(format)) = (from.size(), format_of(&from)) else { return };
+    let all = Visible { x: 0, y: 0, width: width as usize, height: height as usize };
+    let Ok(pixel) = Pixel::new(pixels.gl.0, pixels.gl.1) else { return };
+    let store = PixelStore { alignment: 1, ..PixelStore::default() };
+    let Ok(row) = Layout::new(&store, pixel, [all.width, 1, 1], Extent::Flat) else { return };
+    let (transfer, last) = (Transfer::default(), Final::of(format, LuminanceOf::Sum));
+    let conversion = Conversion::pack(context.recorder.isa(), &row, format, &transfer, last);
+    let row_bytes = row.row_bytes();
+    let convert = |texels: &[u8], out: &mut [u8]| {
+        conversion.pack_row(&row, texels, out);
+        match pixels.alpha {
+            Alpha::AsFormat => {}
+            Alpha::First => {
+                let (out, alpha) = (&mut out[..row_bytes], pixel.bytes() / 4);
+                out.chunks_exact_mut(pixel.bytes()).for_each(|pixel| pixel.rotate_right(alpha));
+            }
+        }
+    };
+    let is_copy = conversion.is_copy(&row) && pixels.alpha == Alpha::AsFormat;
+    let put = if is_copy { Put::AsStored } else { Put::By(&convert) };
+    let up = match first {
+        FirstRow::Bottom => Up::Y,
+        FirstRow::Top => Up::NotY,
+    };
+    read_rows(
+        &context.recorder.device(),
+        &from,
+        all,
+        ClientRows { bytes, stride, row_bytes, up },
+        put,
+    );
+}
+
+/// How many values the uniform at a location of a program has; 0 if there is none.
+pub fn uniform_values(context: &mut Context, program: GLuint, location: GLint) -> usize {
+    let turn = Turn::begin(context);
+    match crate::program::inspect::words(turn.context, program, location) {
+        Ok((_, words)) => words.len(),
+        Err(_) => 0,
+    }
+}
+
+/// How many values `pname` of a uniform block has; 0 if there are none.
+pub fn block_values(context: &mut Context, program: GLuint, index: GLuint, pname: GLenum) -> usize {
+    let turn = Turn::begin(context);
+    match crate::uniform_buffer::inspect::block_values(turn.context, program, index, pname) {
+        Ok(values) => values.len(),
+        Err(_) => 0,
+    }
+}
+
+/// How many values `GL_COMPRESSED_TEXTURE_FORMATS` has.
+pub fn compressed_formats() -> usize {
+    crate::texture::internal::general_purpose_formats().count()
+}
+
+/// What sets a quadric up to the callback that a wrong value is told to, which may delete the quadric.
+pub mod quadric {
+    use super::{GLUquadric, GLUquadricCallback, GLenum};
+
+    /// `gluQuadricNormals`.
+    pub fn set_normals(quad: &mut GLUquadric, normal: GLenum) -> GLUquadricCallback {
+        quad.set_normals(normal)
+    }
+
+    /// `gluQuadricOrientation`.
+    pub fn set_orientation(quad: &mut GLUquadric, orientation: GLenum) -> GLUquadricCallback {
+        quad.set_orientation(orientation)
+    }
+
+    /// `gluQuadricDrawStyle`.
+    pub fn set_style(quad: &mut GLUquadric, draw: GLenum) -> GLUquadricCallback {
+        quad.set_style(draw)
+    }
+
+    /// `gluQuadricCallback`.
+    pub fn set_callback(
+        quad: &mut GLUquadric,
+        which: GLenum,
+        callback: GLUquadricCallback,
+    ) -> GLUquadricCallback {
+        quad.set_callback(which, callback)
+    }
+
+    /// Tells of a value that was refused.
+    pub fn tell(refused: GLUquadricCallback) {
+        crate::glu::tell(refused);
+    }
+}
