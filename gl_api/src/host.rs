@@ -3,41 +3,43 @@
 //! It is for the crate of the C ABI alone. What it gives out is opaque, so that nothing else of this crate is public for
 //! a host's sake.
 
-use crate::constants::*;
+use crate::base::constants::*;
+use crate::base::error::{ErrorCode, GlError};
+use crate::base::types::{GLenum, GLint, GLuint};
+use crate::calls::framebuffer::read::{ClientRows, Up, read_rows};
+use crate::calls::sharing::Turn;
 use crate::context::debug::Output;
-use crate::context::{Context, ContextDesc, ContextError, SurfaceDesc};
+use crate::context::window::{Visible, Window, format_of, whole};
+use crate::context::{Context, ContextDesc, ContextError, SurfaceDesc, sharing};
 use crate::draw::hints::sight;
-use crate::error::{ErrorCode, GlError};
-use crate::framebuffer::read::{ClientRows, Up, read_rows};
-use crate::framebuffer::{Visible, Window, format_of, whole};
 use crate::glu::{GLUquadric, GLUquadricCallback};
-use crate::object::sharing::{self, Turn};
-use crate::state::pixel_store::PixelStore;
-use crate::texture::client::{LuminanceOf, Pixel};
-use crate::texture::convert::{Conversion, Final};
-use crate::texture::layout::{Extent, Layout};
-use crate::texture::transfer::Transfer;
-use crate::types::{GLenum, GLint, GLuint};
+use crate::pixel::client::Pixel;
+use crate::pixel::client::format::LuminanceOf;
+use crate::pixel::convert::{Conversion, Final};
+use crate::pixel::layout::{Extent, Layout};
+use crate::pixel::store::PixelStore;
+use crate::pixel::transfer::Transfer;
 use rasterizer::driver::{Image, Put};
 use std::time::Duration;
 
+pub use crate::base::fallback::Fallback;
 pub use crate::context::mirror::SurfaceMirror;
-pub use crate::entry::current::{Fallback, call, expect_thread_end, swap_current};
+pub use crate::entry::current::{call, expect_thread_end, swap_current};
 
 /// Limits that hosts check.
 pub mod limits {
-    use crate::{context, evaluate};
+    use crate::context;
 
     /// The version of OpenGL, major and minor.
-    pub const VERSION: (i32, i32) = context::limits::VERSION;
+    pub const VERSION: (i32, i32) = crate::base::limits::VERSION;
     /// Pixels of a side of a default framebuffer.
-    pub const MAX_VIEWPORT_DIMS: u32 = context::limits::MAX_VIEWPORT_DIMS;
+    pub const MAX_VIEWPORT_DIMS: u32 = crate::base::limits::MAX_VIEWPORT_DIMS;
     /// Bytes of a label with its final zero.
     pub const MAX_LABEL: usize = context::log::MAX_LABEL;
     /// Bytes of a message with its final zero.
     pub const MAX_LENGTH: usize = context::log::MAX_LENGTH;
     /// The order of an evaluator's map.
-    pub const MAX_EVAL_ORDER: usize = evaluate::map::MAX_EVAL_ORDER;
+    pub const MAX_EVAL_ORDER: usize = crate::state::evaluator_map::MAX_EVAL_ORDER;
 }
 
 /// A default framebuffer that is not, or not yet, a context's.
@@ -270,7 +272,7 @@ fn copy(
 /// How many values the uniform at a location of a program has; 0 if there is none.
 pub fn uniform_values(context: &mut Context, program: GLuint, location: GLint) -> usize {
     let turn = Turn::begin(context);
-    match crate::program::inspect::words(turn.context, program, location) {
+    match crate::calls::program::inspect::words(turn.context, program, location) {
         Ok((_, words)) => words.len(),
         Err(_) => 0,
     }
@@ -279,7 +281,7 @@ pub fn uniform_values(context: &mut Context, program: GLuint, location: GLint) -
 /// How many values `pname` of a uniform block has; 0 if there are none.
 pub fn block_values(context: &mut Context, program: GLuint, index: GLuint, pname: GLenum) -> usize {
     let turn = Turn::begin(context);
-    match crate::uniform_buffer::inspect::block_values(turn.context, program, index, pname) {
+    match crate::calls::program::blocks::block_values(turn.context, program, index, pname) {
         Ok(values) => values.len(),
         Err(_) => 0,
     }
@@ -287,12 +289,13 @@ pub fn block_values(context: &mut Context, program: GLuint, index: GLuint, pname
 
 /// How many values `GL_COMPRESSED_TEXTURE_FORMATS` has.
 pub fn compressed_formats() -> usize {
-    crate::texture::internal::general_purpose_formats().count()
+    crate::pixel::internal::general_purpose_formats().count()
 }
 
 /// What sets a quadric up to the callback that a wrong value is told to, which may delete the quadric.
 pub mod quadric {
-    use super::{GLUquadric, GLUquadricCallback, GLenum};
+    use super::{GLUquadric, GLUquadricCallback};
+    use crate::base::types::GLenum;
 
     /// `gluQuadricNormals`.
     pub fn set_normals(quad: &mut GLUquadric, normal: GLenum) -> GLUquadricCallback {

@@ -19,65 +19,50 @@
 //! assert_eq!(glGetError(), GL_NO_ERROR);
 //! ```
 //!
-//! The modules in the order in which a call passes through them:
+//! The layers, from below; each uses only those above it in this table (ARCHITECTURE.md has the same order, and a test
+//! holds it):
 //!
-//! | module | is |
+//! | layer | is |
 //! |---|---|
-//! | [`entry`] | the table of entry points: methods on [`Context`] and free functions |
-//! | `client_memory`, `host` | what the crate of the C ABI hands in, and what it may do with contexts |
-//! | [`constants`], [`types`] | GL's constants, from the Khronos registry, and C's types |
-//! | [`error`] | refusals, and the tables that convert enums at the door |
-//! | [`context`] | the context, its messages and limits |
-//! | `state`, `env` | plain state by chapter; texture units and environments |
-//! | `object` | names of textures, buffers, framebuffers, shaders, programs |
-//! | `texture` | client pixels, internal formats, images and parameters |
-//! | `framebuffer` | attachments, completeness, clearing, reading back |
-//! | `pixels` | pixel rectangles and bitmaps as fragments, the raster position |
-//! | `program` | uniforms, attributes, what a link found |
-//! | [`glsl`], [`interface`] | the GLSL front end, a crate of its own, and where programs and state meet |
-//! | `assembly` | assembly programs: parser, IR, the parameters they read |
-//! | `fixed` | the fixed function as generated shaders |
-//! | `uniform_buffer`, `transform_feedback` | blocks of uniforms from buffers; captured vertices |
-//! | `draw` | vertices, draw calls, and their translation into driver commands |
-//! | `list`, `evaluate`, `feedback` | display lists, evaluators, selection and feedback |
-//! | `query` | `glGet` |
+//! | `base` | [`constants`] and [`types`] of GL, [`error`]s, limits, the types of parameters |
+//! | `pixel` | pixels in the client's memory and texels in storage: formats, layout, transfer, conversion |
+//! | `assembly` | assembly programs: text to IR |
+//! | `objects` | objects and their names, as plain data |
+//! | `state` | the state tables of the specification, as plain values |
+//! | `generate` | the fixed function as a generator of shaders |
+//! | [`context`] | the context: state, objects, share group, messages, what is recorded and not submitted |
+//! | `draw` | state and objects frozen into a draw, then commands of the driver |
+//! | `calls` | the commands by subject: each converts its arguments, validates them, and applies the request |
+//! | `record` | display lists, attribute stacks, selection and feedback |
 //! | [`explain`] | how a pixel came to be |
+//! | [`entry`] | the table of entry points: methods of [`Context`] and free functions with GL's names |
 //! | [`glu`] | the utility library over the free functions |
+//! | `host` | what the crate of the C ABI may do with contexts |
 #![forbid(unsafe_code)]
 
 mod assembly;
-mod client_memory;
-pub mod constants;
+mod base;
+mod calls;
 pub mod context;
 mod draw;
 pub mod entry;
-mod env;
-pub mod error;
-mod evaluate;
 pub mod explain;
-mod feedback;
-mod fixed;
-mod framebuffer;
+mod generate;
 pub mod glu;
 #[doc(hidden)]
 pub mod host;
-mod list;
-mod object;
-mod pixels;
-mod program;
-mod query;
+mod objects;
+mod pixel;
+mod record;
 mod state;
-mod texture;
-mod transform_feedback;
-pub mod types;
-mod uniform_buffer;
 
 pub use ::glsl;
-pub use client_memory::{ClientMemory, ClientPointer};
-pub use constants::*;
+pub use base::client_memory::{ClientMemory, ClientPointer};
+pub use base::constants::*;
+pub use base::types::*;
+pub use base::{constants, error, types};
 pub use context::{
     Context, ContextDesc, ContextError, GLDEBUGPROC, Message, Severity, SurfaceColor, SurfaceDesc,
 };
 pub use entry::*;
 pub use glsl::interface;
-pub use types::*;

@@ -8,7 +8,7 @@ use rasterizer::ir::{Builder, Op, Value};
 const LIT_EXPONENT: f32 = 127.996_09;
 
 /// Builds the values of a stage.
-pub(super) struct Math {
+pub(crate) struct Math {
     pub b: Builder,
 }
 

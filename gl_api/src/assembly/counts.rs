@@ -2,7 +2,8 @@
 
 use super::parser::Parser;
 use super::program::{Instruction, Opcode, Register, Written};
-use super::{Failure, Parsed, limits};
+use super::{Failure, Parsed};
+use crate::base::assembly_limits as limits;
 
 impl Parser<'_> {
     /// Counts a lookup or `KIL` that depends on what came before it as an indirection

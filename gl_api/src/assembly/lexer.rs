@@ -5,7 +5,7 @@ use super::Failure;
 
 /// A token.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Token<'a> {
+pub(crate) enum Token<'a> {
     /// A word, and a texture target such as `2D`.
     Word(&'a str),
     /// A whole number.
@@ -21,7 +21,7 @@ pub(super) enum Token<'a> {
 }
 
 /// A token and where it begins.
-pub(super) type Placed<'a> = (Token<'a>, usize);
+pub(crate) type Placed<'a> = (Token<'a>, usize);
 
 fn is_word(byte: u8) -> bool {
     byte.is_ascii_alphanumeric() || byte == b'_' || byte == b'$'
@@ -55,7 +55,7 @@ fn number(text: &[u8], at: usize) -> (usize, bool) {
 }
 
 /// All tokens of a program behind its first line's `!!ARBvp1.0`, which is `start` bytes long.
-pub(super) fn tokens(text: &str, start: usize) -> Result<Vec<Placed<'_>>, Failure> {
+pub(crate) fn tokens(text: &str, start: usize) -> Result<Vec<Placed<'_>>, Failure> {
     let bytes = text.as_bytes();
     let mut tokens = Vec::new();
     let mut at = start;

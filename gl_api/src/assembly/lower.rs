@@ -2,23 +2,24 @@
 
 use super::arithmetic::Math;
 use super::layout::Layout;
-use super::limits::MAX_ADDRESS_REGISTERS;
 use super::program::{
     Attribute, Destination, Fog, Instruction, Lookup, Opcode, Options, Pick, Program, Register,
     Result as Output, Saturation, Source, Target, Written,
 };
-use crate::context::limits::MAX_COLOR_ATTACHMENTS;
-use crate::fixed::vector::{clamp, transform};
+use crate::base::assembly_limits::MAX_ADDRESS_REGISTERS;
+use crate::base::limits::MAX_COLOR_ATTACHMENTS;
+use crate::base::vector::{clamp, transform};
 use crate::glsl::{ComparisonResult, Dim, SamplerSlot};
 use crate::interface::*;
+use rasterizer::ir;
 use rasterizer::ir::{
-    self, Builder, Expr, Input, Interpolation, Lod, Module, Op, Stage, Stmt, Texture, TextureDecl,
-    Ty, Value,
+    Builder, Expr, Input, Interpolation, Lod, Module, Op, Stage, Stmt, Texture, TextureDecl, Ty,
+    Value,
 };
 use texunit::image::Shape;
 
 /// The stage of a kind of program.
-pub(super) fn stage(target: Target) -> Stage {
+pub(crate) fn stage(target: Target) -> Stage {
     match target {
         Target::Vertex => Stage::Vertex,
         Target::Fragment => Stage::Fragment,
@@ -26,7 +27,7 @@ pub(super) fn stage(target: Target) -> Stage {
 }
 
 /// A program as IR.
-pub(super) struct Lowered {
+pub(crate) struct Lowered {
     pub module: Module,
     pub layout: Layout,
     pub samplers: Vec<SamplerSlot>,
@@ -52,7 +53,7 @@ struct Lowerer<'a> {
 }
 
 /// Lowers a program.
-pub(super) fn lower(program: &Program) -> Lowered {
+pub(crate) fn lower(program: &Program) -> Lowered {
     let mut lowerer = Lowerer {
         program,
         math: Math { b: Builder::new(stage(program.target)) },

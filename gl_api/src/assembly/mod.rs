@@ -7,22 +7,20 @@
 //! draw, where the program in use lacks the stage.
 
 mod arithmetic;
-pub(crate) mod calls;
 mod counts;
-mod layout;
+pub(crate) mod layout;
 mod lexer;
-pub(crate) mod limits;
-mod lower;
+pub(crate) mod lower;
 mod operand;
 mod parser;
-mod program;
-pub(crate) mod query;
-pub(crate) mod running;
+pub(crate) mod program;
 mod state;
 
+use crate::calls::program::programs::ready;
+use crate::glsl;
+use crate::glsl::BufferMode;
 use crate::glsl::spelling::closest;
-use crate::glsl::{self, BufferMode};
-use crate::object::programs::{Linked, ready};
+use crate::objects::programs::Linked;
 use layout::Row;
 pub(crate) use program::{Counts, Target};
 
@@ -50,7 +48,7 @@ impl Failure {
     }
 
     /// The message with its place and what stands there.
-    fn in_text(&self, text: &str) -> String {
+    pub(crate) fn in_text(&self, text: &str) -> String {
         /// How much of a line is shown to either side.
         const SHOWN: usize = 40;
         let position = text.floor_char_boundary(self.position);

@@ -7,7 +7,7 @@ use super::program::{
     Written,
 };
 use super::{Failure, Parsed};
-use crate::context::limits::MAX_COLOR_ATTACHMENTS;
+use crate::base::limits::MAX_COLOR_ATTACHMENTS;
 use crate::interface::*;
 use texunit::image::Shape;
 

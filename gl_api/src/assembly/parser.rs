@@ -2,17 +2,17 @@
 //! ARB_fragment_program, section 3.11.2).
 
 use super::lexer::{Placed, Token, tokens};
-use super::limits;
 use super::program::{
     Attribute, Counts, Destination, Fog, Instruction, Lookup, Opcode, Operands, Options, Parameter,
     Program, Result as Output, Saturation, Target, Written, instructions, opcode,
 };
 use super::{Failure, Parsed};
+use crate::base::assembly_limits as limits;
 use crate::interface::MAX_TEXTURE_IMAGE_UNITS;
 
 /// What a name stands for.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Symbol {
+pub(crate) enum Symbol {
     Temporary(u16),
     Address(u16),
     Attribute(Attribute),
@@ -23,7 +23,7 @@ pub(super) enum Symbol {
 }
 
 /// A program on its way from tokens.
-pub(super) struct Parser<'a> {
+pub(crate) struct Parser<'a> {
     tokens: Vec<Placed<'a>>,
     at: usize,
     pub target: Target,
@@ -48,7 +48,7 @@ pub(super) struct Parser<'a> {
 }
 
 /// The first line of a program.
-pub(super) fn header(target: Target) -> &'static str {
+pub(crate) fn header(target: Target) -> &'static str {
     match target {
         Target::Vertex => "!!ARBvp1.0",
         Target::Fragment => "!!ARBfp1.0",
@@ -59,7 +59,7 @@ pub(super) fn header(target: Target) -> &'static str {
 ///
 /// # Errors
 /// The first thing that is wrong.
-pub(super) fn parse(text: &str, target: Target) -> Parsed<Program> {
+pub(crate) fn parse(text: &str, target: Target) -> Parsed<Program> {
     let header = header(target);
     if !text.starts_with(header) {
         return Failure::at(0, format!("the program must begin with {header}"));

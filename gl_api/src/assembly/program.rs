@@ -24,7 +24,7 @@ impl Target {
 
 /// What an instruction does (ARB_vertex_program, table X.5; ARB_fragment_program, table X.5).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Opcode {
+pub(crate) enum Opcode {
     Abs,
     Add,
     Arl,
@@ -65,7 +65,7 @@ pub(super) enum Opcode {
 
 /// The operands of an instruction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Operands {
+pub(crate) enum Operands {
     /// A destination and so many vectors.
     Vectors(u8),
     /// A destination and so many numbers.
@@ -138,18 +138,18 @@ const INSTRUCTIONS: &[(&str, Opcode, Operands, Of)] = &[
 
 /// Whether results are held in [0, 1].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Saturation {
+pub(crate) enum Saturation {
     Off,
     On,
 }
 
 /// The names of the instructions of a target, without `_SAT`.
-pub(super) fn instructions(target: Target) -> Vec<&'static str> {
+pub(crate) fn instructions(target: Target) -> Vec<&'static str> {
     INSTRUCTIONS.iter().filter(|row| row.3.has(target)).map(|row| row.0).collect()
 }
 
 /// The instruction of that name; fragment programs have each with `_SAT` too.
-pub(super) fn opcode(name: &str, target: Target) -> Option<(Opcode, Operands, Saturation)> {
+pub(crate) fn opcode(name: &str, target: Target) -> Option<(Opcode, Operands, Saturation)> {
     let plain = name.strip_suffix("_SAT").filter(|_| target == Target::Fragment);
     let saturation = if plain.is_some() { Saturation::On } else { Saturation::Off };
     let plain = plain.unwrap_or(name);
@@ -163,7 +163,7 @@ pub(super) fn opcode(name: &str, target: Target) -> Option<(Opcode, Operands, Sa
 
 /// An input of a stage.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Attribute {
+pub(crate) enum Attribute {
     /// A vertex attribute, by location.
     Vertex(u8),
     /// Four varyings, by the first slot.
@@ -176,7 +176,7 @@ pub(super) enum Attribute {
 
 /// Where a component of a state parameter comes from.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Word {
+pub(crate) enum Word {
     /// A word of a piece of state.
     Of(StateVar, u8),
     /// This number.
@@ -185,7 +185,7 @@ pub(super) enum Word {
 
 /// A parameter, which is the same for all vertices or fragments of a draw.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Parameter {
+pub(crate) enum Parameter {
     Constant([f32; 4]),
     /// `program.env[n]`.
     Env(u16),
@@ -197,7 +197,7 @@ pub(super) enum Parameter {
 
 /// A source of numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Register {
+pub(crate) enum Register {
     Temporary(u16),
     Attribute(Attribute),
     Parameter(Parameter),
@@ -213,7 +213,7 @@ pub(super) enum Register {
 
 /// Where a component of an operand comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Pick {
+pub(crate) enum Pick {
     Component(u8),
     Zero,
     One,
@@ -221,7 +221,7 @@ pub(super) enum Pick {
 
 /// An operand: picked components, some of them negated.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Source {
+pub(crate) struct Source {
     pub register: Register,
     pub picks: [Pick; 4],
     pub negated: [bool; 4],
@@ -229,7 +229,7 @@ pub(super) struct Source {
 
 /// What a program computes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Result {
+pub(crate) enum Result {
     Position,
     PointSize,
     Fog,
@@ -242,7 +242,7 @@ pub(super) enum Result {
 
 /// Where an instruction writes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Written {
+pub(crate) enum Written {
     Temporary(u16),
     Address(u16),
     Result(Result),
@@ -252,14 +252,14 @@ pub(super) enum Written {
 
 /// A destination and which of its components are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Destination {
+pub(crate) struct Destination {
     pub written: Written,
     pub mask: [bool; 4],
 }
 
 /// A texture lookup's unit and what is bound to it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Lookup {
+pub(crate) struct Lookup {
     pub unit: u8,
     pub shape: Shape,
     /// Whether texels are compared with r.
@@ -268,7 +268,7 @@ pub(super) struct Lookup {
 
 /// An instruction.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Instruction {
+pub(crate) struct Instruction {
     pub opcode: Opcode,
     pub saturation: Saturation,
     pub destination: Destination,
@@ -278,7 +278,7 @@ pub(super) struct Instruction {
 
 /// The fog of a fragment program's option (ARB_fragment_program, section 3.11.4.5.1).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Fog {
+pub(crate) enum Fog {
     Exp,
     Exp2,
     Linear,
@@ -286,7 +286,7 @@ pub(super) enum Fog {
 
 /// What the options at the top of a program say.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(super) struct Options {
+pub(crate) struct Options {
     /// `ARB_position_invariant`.
     pub position_invariant: bool,
     /// Whether the precision that is hinted at is the nicest.
@@ -317,7 +317,7 @@ pub(crate) struct Counts {
 
 /// A program.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Program {
+pub(crate) struct Program {
     pub target: Target,
     pub options: Options,
     pub instructions: Vec<Instruction>,

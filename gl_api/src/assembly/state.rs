@@ -2,10 +2,10 @@
 //! (ARB_vertex_program, tables X.2.1 to X.2.8; ARB_fragment_program, tables X.3.1 to X.3.8).
 
 use super::lexer::Token;
-use super::limits;
 use super::parser::Parser;
 use super::program::{Parameter, Target, Word};
 use super::{Failure, Parsed};
+use crate::base::assembly_limits as limits;
 use crate::interface::*;
 
 /// What a binding stands for.

@@ -3,16 +3,16 @@
 //! Messages are queued and never call back, so that nothing happens in the middle of a call.
 
 use super::log::{GLDEBUGPROC, Kind, Log, Logged, MAX_LENGTH};
-use super::{arithmetic, limits};
-use crate::constants::*;
-use crate::error::{ErrorCode, GlError};
-use crate::types::*;
+use crate::base::constants::*;
+use crate::base::error::{ErrorCode, GlError};
+use crate::base::types::*;
+use crate::base::{arithmetic, limits};
 use rasterizer::driver::DeviceDesc;
 use std::collections::{BTreeSet, VecDeque};
 use std::ffi::CString;
-use std::fmt;
-use std::io::{self, Write};
+use std::io::Write;
 use std::sync::Once;
+use std::{fmt, io};
 
 /// The queue keeps this many messages; older ones are dropped.
 const KEPT: usize = 1024;

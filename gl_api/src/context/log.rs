@@ -3,8 +3,8 @@
 //! The log has what [`super::debug`] has, and what the program puts in. A callback is called when
 //! the call that caused a message is over, never in its middle.
 
-use crate::constants::*;
-use crate::types::*;
+use crate::base::constants::*;
+use crate::base::types::*;
 use std::collections::{BTreeMap, VecDeque};
 
 /// `GL_MAX_DEBUG_LOGGED_MESSAGES`.

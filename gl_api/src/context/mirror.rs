@@ -1,8 +1,8 @@
 //! Client memory that shows the default framebuffer: it has the picture after `glFlush` and `glFinish`.
 
 use super::Context;
+use crate::calls::sharing::Turn;
 use crate::draw::hints::sight;
-use crate::object::sharing::Turn;
 use std::fmt::Debug;
 
 /// Memory that is a copy of the default framebuffer.

@@ -1,33 +1,44 @@
 //! The context: all state, all objects, and the driver they are drawn with.
 
-mod arithmetic;
+pub(crate) mod bitmaps;
+pub(crate) mod draw_note;
+pub(crate) mod ended;
+pub(crate) mod immediate;
+pub(crate) mod lists;
+pub(crate) mod presence;
+pub(crate) mod recorder;
+pub(crate) mod sharing;
+pub(crate) mod watched;
+pub(crate) mod window;
+
 mod changes;
 pub(crate) mod debug;
-pub(crate) mod limits;
 pub(crate) mod log;
-pub(crate) mod log_calls;
 pub(crate) mod mirror;
 pub(crate) mod said;
 mod surface;
 
-use crate::draw::Recorder;
-use crate::draw::ended::{Ended, draw_ended};
-use crate::draw::immediate::Immediate;
-use crate::entry::{BeginEnd, Fallback};
-use crate::error::{ErrorCode, GlError, Result};
-use crate::evaluate::Maps;
-use crate::explain::Watched;
-use crate::feedback::Feedback;
-use crate::framebuffer::Window;
+use crate::base::begin_end::BeginEnd;
+use crate::base::error::{ErrorCode, GlError, Result};
+use crate::base::fallback::Fallback;
+use crate::calls::sharing::Turn;
+use crate::context::ended::Ended;
+use crate::context::immediate::Immediate;
+use crate::context::lists::{Compiling, Lists};
+use crate::context::recorder::Recorder;
+use crate::context::sharing::{Entered, Group, Invitation, Shared};
+use crate::context::watched::Watched;
+use crate::context::window::Window;
+use crate::draw::ended::draw_ended;
 use crate::glsl::Repairs;
-use crate::list::{Compiling, Lists};
-use crate::object::Objects;
-use crate::object::queries::ActiveQueries;
-use crate::object::sharing::{Entered, Group, Invitation, Shared, Turn};
+use crate::objects::Objects;
+use crate::objects::queries::ActiveQueries;
 use crate::state::State;
 use crate::state::attrib::AttribStacks;
-use crate::transform_feedback::TransformFeedback;
-use crate::uniform_buffer::UniformBuffers;
+use crate::state::evaluate::Maps;
+use crate::state::feedback::Feedback;
+use crate::state::transform_feedback::TransformFeedback;
+use crate::state::uniform_buffers::UniformBuffers;
 use changes::Changes;
 pub use debug::{Message, Severity};
 pub use log::GLDEBUGPROC;
@@ -151,7 +162,7 @@ impl Context {
     /// What a context is made of that there may not be.
     fn parts(desc: ContextDesc) -> Result<(Arc<Device>, Window), ContextError> {
         let ContextDesc { width, height, repairs: _, device, surface } = desc;
-        let limit = limits::MAX_VIEWPORT_DIMS;
+        let limit = crate::base::limits::MAX_VIEWPORT_DIMS;
         if !(1..=limit).contains(&width) || !(1..=limit).contains(&height) {
             return Err(ContextError::Size { width, height, limit });
         }

@@ -1,23 +1,13 @@
 //! Draws that only numbers tell apart from the draw before: uniform words, as matrices are, and where vertices
 //! come from. What was decided for that one holds for them.
 
-use super::fixed_words::Keys;
-use super::repeat::{is_plain, is_whole};
-use super::stages;
-use super::translate::Elements;
 use crate::context::Context;
-use rasterizer::driver::{Topology, VertexBinding, VertexSource};
-
-/// What the draw before was decided by.
-#[derive(Debug)]
-pub(super) struct Decided {
-    /// How many calls there had been.
-    at: u64,
-    topology: Topology,
-    /// The attributes that were read from arrays, and how many components of them.
-    arrays: Vec<(u8, u8)>,
-    keys: Keys,
-}
+use crate::context::recorder::again::{Decided, arrays};
+use crate::context::recorder::elements::Elements;
+use crate::context::recorder::fixed_words::Keys;
+use crate::context::recorder::repeat::is_whole;
+use crate::draw::repeat::is_plain;
+use rasterizer::driver::{Topology, VertexBinding};
 
 impl Decided {
     pub fn new(
@@ -30,15 +20,8 @@ impl Decided {
     }
 }
 
-fn arrays(vertices: &[VertexBinding]) -> impl Iterator<Item = (u8, u8)> {
-    vertices.iter().filter_map(|binding| match binding.source {
-        VertexSource::Array { components, .. } => Some((binding.location, components)),
-        VertexSource::Constant(_) => None,
-    })
-}
-
 /// The attributes that a draw reads which is decided as the one before; `None` where it cannot be.
-pub(super) fn attributes(context: &Context) -> Option<u64> {
+pub(crate) fn attributes(context: &Context) -> Option<u64> {
     let told = &context.recorder.told;
     let decided = told.decided.as_ref()?;
     let may_be_alike = context.changes.state <= decided.at && context.compiling.is_none();
@@ -46,7 +29,7 @@ pub(super) fn attributes(context: &Context) -> Option<u64> {
 }
 
 /// The uniform words of a draw that is decided as the one before; `None` where it may be decided otherwise.
-pub(super) fn words(
+pub(crate) fn words(
     context: &mut Context,
     topology: Topology,
     vertices: &[VertexBinding],
@@ -61,7 +44,7 @@ pub(super) fn words(
         && is_plain(context)
         && !context.queries.discards()
         && !context.recorder.is_full();
-    let words = if is_alike { stages::words(context, &decided.keys) } else { None };
+    let words = if is_alike { crate::draw::stages::words(context, &decided.keys) } else { None };
     context.recorder.told.decided = Some(decided);
     words
 }

@@ -1,17 +1,18 @@
 //! Vertex arrays in messages: what a client calls them, where they lie, and what is wrong with them.
 
-use super::arrays::Source;
-use crate::constants::*;
-use crate::context::{Context, limits};
-use crate::entry::Data;
-use crate::error::{Result, invalid_operation, invalid_value};
+use crate::base::args::Data;
+use crate::base::constants::*;
+use crate::base::error::{Result, invalid_operation, invalid_value};
+use crate::base::limits;
+use crate::base::types::*;
+use crate::context::Context;
 use crate::interface::{ATTRIB_TEX_COORD, ATTRIB_VERTEX, MAX_VERTEX_ATTRIBS};
+use crate::objects::arrays::Source;
 use crate::state::enable::CLIENT_ARRAY;
-use crate::types::*;
 
 /// The location of the array that an attribute is read from: generic attribute 0 and the vertex array
 /// stand in for each other (GL 2.1, section 2.8).
-pub(super) fn array_of(context: &Context, location: usize) -> usize {
+pub(crate) fn array_of(context: &Context, location: usize) -> usize {
     let vertex = usize::from(ATTRIB_VERTEX);
     match (location, context.state.arrays.by_location[0].enabled) {
         (0, false) => vertex,
@@ -35,7 +36,7 @@ fn array_name(location: usize) -> String {
 /// What the array behind an attribute has, for a message that it is too little: so many bytes.
 #[cold]
 #[inline(never)]
-pub(super) fn extent(context: &Context, location: u8, bytes: usize) -> String {
+pub(crate) fn extent(context: &Context, location: u8, bytes: usize) -> String {
     let location = array_of(context, location.into());
     let array = array_name(location);
     let source = &context.state.arrays.by_location[location].source;
@@ -60,7 +61,7 @@ pub(super) fn extent(context: &Context, location: u8, bytes: usize) -> String {
 
 /// Refuses the client's memory where a vertex array object would have to keep its address
 /// (`ARB_vertex_array_object`, section 2.10).
-pub(super) fn refuse_client_memory(context: &Context, pointer: &Data<'_>) -> Result<()> {
+pub(crate) fn refuse_client_memory(context: &Context, pointer: &Data<'_>) -> Result<()> {
     let bindings = &context.state.bindings;
     let is_memory = match pointer {
         Data::Bytes(_) => true,
@@ -83,7 +84,7 @@ pub(super) fn refuse_client_memory(context: &Context, pointer: &Data<'_>) -> Res
 /// Refuses to read an array whose buffer is mapped.
 #[cold]
 #[inline(never)]
-pub(super) fn mapped<T>(name: GLuint, location: usize) -> Result<T> {
+pub(crate) fn mapped<T>(name: GLuint, location: usize) -> Result<T> {
     let array = array_name(location);
     invalid_operation(
         "GL 3.1, section 2.9",
@@ -94,7 +95,7 @@ pub(super) fn mapped<T>(name: GLuint, location: usize) -> Result<T> {
 /// Refuses a generic attribute that there is not.
 #[cold]
 #[inline(never)]
-pub(super) fn no_attribute<T>(index: GLuint) -> Result<T> {
+pub(crate) fn no_attribute<T>(index: GLuint) -> Result<T> {
     const SECTION: &str = "GL 2.1, section 2.8";
     if index == GLuint::MAX {
         return invalid_value(

@@ -1,12 +1,11 @@
 //! An assembly program as a stage of a draw, beside a stage of another program.
 
-use super::words::put_bindings;
-use crate::assembly::running::{put_rows, running};
 use crate::assembly::{Position, Target};
+use crate::base::error::Result;
 use crate::context::Context;
-use crate::error::Result;
+use crate::draw::assembly_words::{put_rows, running};
+use crate::draw::words::put_bindings;
 use crate::glsl::SamplerSlot;
-use crate::state::clamp;
 use rasterizer::driver::ShaderModule;
 use rasterizer::ir::Expr;
 
@@ -14,13 +13,13 @@ use rasterizer::ir::Expr;
 const KEPT: usize = 64;
 
 /// A stage, whose words stand behind those that were there.
-pub(super) struct Assembled {
+pub(crate) struct Assembled {
     pub module: ShaderModule,
     pub position: Position,
 }
 
 /// The assembly program that runs as a stage, if one does; its words and samplers are added.
-pub(super) fn assembled(
+pub(crate) fn assembled(
     context: &mut Context,
     target: Target,
     words: &mut Vec<u32>,
@@ -29,7 +28,7 @@ pub(super) fn assembled(
     let Some(loaded) = running(context, target) else { return Ok(None) };
     let linked = &loaded.linked;
     let module = match target {
-        Target::Vertex => linked.vertex_of(clamp::of_vertices(context)),
+        Target::Vertex => linked.vertex_of(crate::calls::fragment::clamp::of_vertices(context)),
         Target::Fragment => &linked.fragment,
     };
     let Some(module) = module.clone() else { return Ok(None) };
@@ -63,7 +62,8 @@ fn moved_by(context: &mut Context, module: ShaderModule, first: u32) -> Result<S
         }
     }
     farther.uniform_words += first;
-    let farther = ShaderModule::new(farther).map_err(|error| super::stages::internal(&error))?;
+    let farther = ShaderModule::new(farther)
+        .map_err(|error| crate::context::recorder::stages::internal(&error))?;
     moved.push((module, first, farther.clone()));
     Ok(farther)
 }

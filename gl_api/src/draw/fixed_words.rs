@@ -1,67 +1,22 @@
 //! The uniform words of the fixed function: what its generated stages read, worked out in `f64` once
 //! a draw and rounded once.
 
-use super::words::{put, scene_color};
+use crate::calls::lighting::material::material;
+use crate::calls::transform::matrix::{inverse_3, rescale_factor};
 use crate::context::Context;
-use crate::env::texgen::GenMode;
-use crate::fixed::{
-    FragmentKey, Generated, LightingKey, PointSize, Varying, VertexKey, fog_constants, word,
-};
+use crate::context::recorder::fixed_words::{FixedWords, Keys, Lit, Normal, Transform};
+use crate::draw::words::{put, scene_color};
+use crate::generate::fixed::fog::constants as fog_constants;
+use crate::generate::fixed::fragment::FragmentKey;
+use crate::generate::fixed::light::{LightingKey, Varying};
+use crate::generate::fixed::vertex::{Generated, PointSize, VertexKey};
+use crate::generate::fixed::word;
 use crate::interface::*;
-use crate::state::clamp::Clamp;
 use crate::state::enable::Flag;
+use crate::state::env::texgen::GenMode;
 use crate::state::light::Light;
-use crate::state::material::{Material, material};
-use crate::state::matrix::{inverse_3, rescale_factor};
+use crate::state::material::Material;
 use glam::{DMat3, DMat4, DVec4};
-
-/// The words, as the last draw left them, and what the dear ones were made from.
-#[derive(Debug, Default)]
-pub(crate) struct FixedWords {
-    words: Vec<u32>,
-    transform: Option<Transform>,
-    normal: Option<Normal>,
-    lit: Option<Lit>,
-}
-
-/// What the words of lighting are made from.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Lit {
-    key: LightingKey,
-    /// The versions of lights and materials.
-    versions: [u64; 2],
-    /// The bits of the colour that materials track, if they do.
-    color: Option<[u32; 4]>,
-}
-
-/// What positions are transformed by.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Transform {
-    modelview: DMat4,
-    projection: DMat4,
-}
-
-/// What the matrix of normals is made from.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Normal {
-    modelview: DMat4,
-    rescale: bool,
-}
-
-/// The stages of a draw that are the fixed function's.
-#[derive(Debug)]
-pub(crate) struct Keys {
-    pub vertex: Option<VertexKey>,
-    pub fragment: Option<FragmentKey>,
-    /// Bit by user clip plane that cuts what a program's vertex stage writes.
-    pub clip_planes: u8,
-    /// Brings their equations from eye coordinates to those of what they cut.
-    pub clip_space: DMat4,
-    /// Whether colours of fragments are clamped.
-    pub clamp: Clamp,
-    /// How many words its stages read.
-    pub needed: u32,
-}
 
 impl FixedWords {
     /// The words for a draw, at least as many as its stages read.
@@ -127,7 +82,7 @@ impl FixedWords {
     }
 }
 
-fn fragment(words: &mut [u32], context: &Context, key: &FragmentKey) {
+pub(crate) fn fragment(words: &mut [u32], context: &Context, key: &FragmentKey) {
     if key.fog.is_some() {
         let fog = &context.state.fog;
         let [red, green, blue, _] = key.clamp.color(fog.color).map(f64::from);
@@ -142,7 +97,7 @@ fn fragment(words: &mut [u32], context: &Context, key: &FragmentKey) {
     }
 }
 
-fn clip_planes(words: &mut [u32], context: &Context, enabled: u8, to_eye: DMat4) {
+pub(crate) fn clip_planes(words: &mut [u32], context: &Context, enabled: u8, to_eye: DMat4) {
     for (plane, equation) in context.state.clip.planes.iter().enumerate() {
         if enabled >> plane & 1 == 1 {
             let plane = word::CLIP_PLANES + 4 * plane as u32;
@@ -151,7 +106,7 @@ fn clip_planes(words: &mut [u32], context: &Context, enabled: u8, to_eye: DMat4)
     }
 }
 
-fn vertex(words: &mut [u32], context: &Context, key: &VertexKey) {
+pub(crate) fn vertex(words: &mut [u32], context: &Context, key: &VertexKey) {
     let state = &context.state;
     let to_eye = state.matrices.modelview.top.transpose();
     clip_planes(words, context, key.clip_planes, to_eye);
@@ -267,7 +222,7 @@ fn put_products(words: &mut [u32], at: u32, light: &Light, material: &Material) 
 }
 
 /// Appends what a draw's stages read of the words, up to the last one of them.
-pub(super) fn append(context: &mut Context, words: &mut Vec<u32>, keys: &Keys) {
+pub(crate) fn append(context: &mut Context, words: &mut Vec<u32>, keys: &Keys) {
     let mut fixed = std::mem::take(&mut context.recorder.fixed_words);
     fixed.update(context, keys);
     let count = (keys.needed as usize).saturating_sub(words.len()).min(fixed.words.len());

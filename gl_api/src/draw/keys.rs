@@ -1,38 +1,31 @@
 //! The keys of the fixed-function stages: which state changes their code, and how.
 
-use super::hints;
-use super::stages::{alpha_test, sampler};
+use crate::calls::lighting::material::material;
 use crate::context::Context;
-use crate::env::Unit;
-use crate::env::texgen::GenMode;
-use crate::fixed::{
-    Coordinates, Environment, FogKey, FragmentKey, Generated, LightKey, LightingKey, Normals,
-    Place, PointSize, Spot, UnitKey, Varying, VertexKey, environment_base,
-};
+use crate::context::recorder::keys::UnitsSeen;
+use crate::draw::hints;
+use crate::draw::stages::{alpha_test, sampler};
+use crate::generate::fixed::environment::{Environment, environment_base};
+use crate::generate::fixed::fog::FogKey;
+use crate::generate::fixed::fragment::{Coordinates, FragmentKey, UnitKey};
+use crate::generate::fixed::light::{LightKey, LightingKey, Place, Spot, Varying};
+use crate::generate::fixed::vertex::{Generated, Normals, PointSize, VertexKey};
 use crate::interface::*;
-use crate::state::clamp::{self, Clamp};
+use crate::objects::target::TextureTarget;
+use crate::pixel::texel::is_wide;
+use crate::state::clamp::Clamp;
 use crate::state::enable::Flag;
+use crate::state::env::Unit;
+use crate::state::env::texgen::GenMode;
 use crate::state::fog::FogSource;
 use crate::state::light::{ColorControl, Light};
-use crate::state::material::{Part, column, material};
-use crate::texture::TextureTarget;
-use crate::texture::texel::is_wide;
+use crate::state::material::{Part, column};
 use glam::{DMat4, DVec4};
 use rasterizer::driver::{LevelInfo, Rim, VertexBinding, VertexSource};
 use std::sync::Arc;
 
-/// What draws have found out about the texture units, while these stay as they are.
-#[derive(Debug, Default)]
-pub(crate) struct UnitsSeen {
-    /// Of the units; 0 before the first.
-    version: u64,
-    /// Those that texture, if their texture is complete, bit by unit.
-    enabled: u8,
-    generated: [[Option<Generated>; 4]; MAX_TEXTURE_UNITS as usize],
-}
-
 /// Looks at the units, if they have changed.
-pub(super) fn see_units(context: &mut Context) {
+pub(crate) fn see_units(context: &mut Context) {
     let version = context.state.units.units.version();
     if context.recorder.units_seen.version != version {
         let units = (0..).zip(&context.state.units.units[..MAX_TEXTURE_UNITS.into()]);
@@ -43,7 +36,7 @@ pub(super) fn see_units(context: &mut Context) {
 }
 
 /// The vertex stage for the state of now. `base` is its first uniform word.
-pub(super) fn vertex_key(context: &Context, vertices: &[VertexBinding], base: u32) -> VertexKey {
+pub(crate) fn vertex_key(context: &Context, vertices: &[VertexBinding], base: u32) -> VertexKey {
     let state = &context.state;
     let mut matrices = 0;
     for (unit, stack) in state.matrices.texture.iter().enumerate() {
@@ -61,7 +54,7 @@ pub(super) fn vertex_key(context: &Context, vertices: &[VertexBinding], base: u3
             true => PointSize::Attenuated,
             false => PointSize::Constant,
         },
-        clamp: clamp::of_vertices(context),
+        clamp: crate::calls::fragment::clamp::of_vertices(context),
     };
     if state.enables.has(Flag::Normalize) && key.reads_normals() {
         key.normals = Normals::Normalized;
@@ -69,7 +62,7 @@ pub(super) fn vertex_key(context: &Context, vertices: &[VertexBinding], base: u3
     key
 }
 
-fn generated(context: &Context) -> [[Option<Generated>; 4]; MAX_TEXTURE_UNITS as usize] {
+pub(crate) fn generated(context: &Context) -> [[Option<Generated>; 4]; MAX_TEXTURE_UNITS as usize] {
     let units = &context.state.units.units;
     std::array::from_fn(|unit| {
         std::array::from_fn(|coord| {
@@ -162,7 +155,7 @@ fn varying(context: &Context, vertices: &[VertexBinding], side: Side) -> Varying
 
 /// The fragment stage for the state of now. `vertices` are those of the fixed-function vertex
 /// stage, where it runs.
-pub(super) fn fragment_key(
+pub(crate) fn fragment_key(
     context: &mut Context,
     vertices: Option<&[VertexBinding]>,
     base: u32,

@@ -1,8 +1,8 @@
 //! The state of the rasterizer for the primitives of a draw. What has no effect on them is left at
 //! its default, so that equal draws are told once.
 
-use crate::assembly::running::has_vertex_program;
 use crate::context::Context;
+use crate::draw::assembly_words::has_vertex_program;
 use crate::interface::{ATTRIB_EDGE_FLAG, VARYING_TEX_COORD};
 use crate::state::enable::Flag;
 use rasterizer::driver::{
@@ -47,7 +47,7 @@ fn rim(context: &Context, flag: Flag) -> Rim {
 
 /// Whether any primitive of the topology has a smooth rim, so that its coverage changes alpha (GL
 /// 2.1, section 3.12).
-pub(super) fn smoothness(context: &Context, topology: Topology) -> Rim {
+pub(crate) fn smoothness(context: &Context, topology: Topology) -> Rim {
     let DrawnAs { points, lines, polygons } = drawn_as(context, topology);
     let enables = &context.state.enables;
     let sprites = enables.has(Flag::PointSprite);
@@ -58,7 +58,7 @@ pub(super) fn smoothness(context: &Context, topology: Topology) -> Rim {
 }
 
 /// How the primitives of a draw become fragments.
-pub(super) fn raster_state(
+pub(crate) fn raster_state(
     context: &Context,
     topology: Topology,
     vertices: &[VertexBinding],

@@ -1,103 +1,45 @@
 //! Which shaders a draw runs, with which textures: the program in use, or the fixed function for
 //! each stage that it lacks.
 
-use super::assembly::assembled;
-use super::fixed_words::{self, Keys};
-use super::words::put_bindings;
-use super::{hints, keys};
 use crate::assembly::{Position, Target};
+use crate::base::error::{Result, invalid_operation};
+use crate::calls::program::validate::runnable;
+use crate::calls::transform::matrix::inverse;
 use crate::context::Context;
-use crate::error::{ErrorCode, GlError, Result, invalid_operation};
-use crate::explain::DrawNote;
-use crate::fixed::{
-    FragmentKey, VertexKey, add_alpha_test, add_clip_planes, add_coverage, add_two_sides, cached,
-    clamp_fragment_colors, set_shade_model, word,
+use crate::context::draw_note::DrawNote;
+use crate::context::recorder::fixed_words::Keys;
+use crate::context::recorder::stages::{
+    Reads, Sides, Stages, Textures, VariantKey, VertexVariantKey, internal,
 };
-use crate::framebuffer::complete::draws_integers;
+use crate::draw::assembly::assembled;
+use crate::draw::complete::draws_integers;
+use crate::draw::hints;
+use crate::draw::words::put_bindings;
+use crate::generate::fixed::clamp::clamp_fragment_colors;
+use crate::generate::fixed::fragment::{FragmentKey, add_alpha_test, set_shade_model};
+use crate::generate::fixed::rewrite::{add_clip_planes, add_coverage, add_two_sides};
+use crate::generate::fixed::vertex::VertexKey;
+use crate::generate::fixed::{cached, word};
 use crate::glsl::{ComparisonResult, SamplerSlot};
 use crate::interface::MAX_COMBINED_TEXTURE_IMAGE_UNITS;
-use crate::object::programs::Linked;
-use crate::program::validate::runnable;
-use crate::state::clamp::{self, Clamp};
+use crate::objects::programs::Linked;
+use crate::objects::target::TextureTarget;
+use crate::state::clamp::Clamp;
 use crate::state::enable::Flag;
-use crate::state::matrix::inverse;
 use crate::state::viewport;
-use crate::texture::{TextureTarget, buffer};
-use crate::uniform_buffer;
 use glam::DMat4;
 use rasterizer::driver::{Rim, ShaderModule, VertexBinding};
-use rasterizer::ir::{Access, Expr, Interpolation, IrError, Module, Output, Stage};
+use rasterizer::ir::{Access, Expr, Interpolation, Module, Output, Stage};
 use std::sync::Arc;
 use texunit::plan::SamplePlan;
 use texunit::sampler::{Border, Compare, DepthMode, Sampler, Seamless, SrgbRead};
 
-/// The texture of each slot of a stage.
-pub(crate) type Textures = Arc<[Option<Arc<SamplePlan>>]>;
-
-/// What a draw runs.
-pub(crate) struct Stages {
-    pub vertex: ShaderModule,
-    pub fragment: ShaderModule,
-    pub reads: Reads,
-}
-
-/// What stages read beside vertices.
-pub(crate) struct Reads {
-    pub words: Vec<u32>,
-    pub vertex_textures: Textures,
-    pub fragment_textures: Textures,
-    /// What the words are made by, where nothing else is.
-    pub keys: Option<Keys>,
-    /// What it means, if a pixel is watched.
-    pub note: Option<DrawNote>,
-}
-
-/// A program's fragment stage with state of the context built in.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub(super) struct VariantKey {
-    module: ShaderModule,
-    shade_model: Interpolation,
-    /// What the shaders say of the colours' interpolation.
-    said: [Option<Interpolation>; 2],
-    /// The alpha test and the word of its reference.
-    alpha: Option<(Compare, u32)>,
-    sides: Sides,
-    rim: Rim,
-    /// Whether its colours are clamped.
-    clamp: Clamp,
-}
-
-/// A program's vertex stage with state of the context built in.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub(super) struct VertexVariantKey {
-    module: ShaderModule,
-    /// The user clip planes that cut, bit by plane.
-    planes: u8,
-    /// The first word of the fixed function.
-    base: u32,
-}
-
-/// Whether the back of a polygon has colours of its own (GL 2.1, section 2.15.4).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-enum Sides {
-    One,
-    Two,
-}
-
 /// The alpha test, unless it lets everything through; colours of integers are not tested
 /// (`EXT_texture_integer`, section 4.1.4).
-pub(super) fn alpha_test(context: &Context) -> Option<Compare> {
+pub(crate) fn alpha_test(context: &Context) -> Option<Compare> {
     let compare = context.state.fragment.alpha_func;
     let tests = context.state.enables.has(Flag::AlphaTest) && compare != Compare::Always;
     (tests && !draws_integers(context)).then_some(compare)
-}
-
-pub(super) fn internal(error: &IrError) -> GlError {
-    GlError::new(
-        ErrorCode::InvalidOperation,
-        "GL 2.1, section 2.15",
-        format!("a generated shader breaks a rule of the IR, which is DetGL's mistake: {error}"),
-    )
 }
 
 /// The stages that programs bring, and what they read.
@@ -123,7 +65,8 @@ impl Programs {
             }
             let program = &linked.program;
             put_words(context, &mut programs.words, linked);
-            programs.vertex = linked.vertex_of(clamp::of_vertices(context)).clone();
+            programs.vertex =
+                linked.vertex_of(crate::calls::fragment::clamp::of_vertices(context)).clone();
             programs.fragment = linked.fragment.clone();
             programs.samplers.clone_from(&program.samplers);
             programs.said = program.color_interpolation;
@@ -163,9 +106,9 @@ pub(crate) fn choose(
     rim: Rim,
 ) -> Result<Stages> {
     let name = context.state.bindings.program.name();
-    uniform_buffer::unpack::refresh(context, name)?;
-    keys::see_units(context);
-    let clamp = clamp::of_fragments(context);
+    crate::draw::uniform_blocks::refresh(context, name)?;
+    crate::draw::keys::see_units(context);
+    let clamp = crate::calls::fragment::clamp::of_fragments(context);
     let programs = Programs::new(context, name)?;
     let vertex_textures = match &programs.vertex {
         Some(module) => programs.textures(context, Stage::Vertex, module)?,
@@ -188,7 +131,7 @@ pub(crate) fn choose(
         clamp,
         needed,
     };
-    fixed_words::append(context, &mut words, &keys);
+    crate::draw::fixed_words::append(context, &mut words, &keys);
     // The words of assembly programs, and their clip space, are not made anew by keys.
     let keys = (assembly == [None; 2]).then_some(keys);
     let reads = Reads { words, vertex_textures, fragment_textures: fragment.textures, keys, note };
@@ -214,7 +157,7 @@ pub(crate) fn words(context: &mut Context, keys: &Keys) -> Option<Vec<u32>> {
             return None;
         }
     }
-    fixed_words::append(context, &mut words, keys);
+    crate::draw::fixed_words::append(context, &mut words, keys);
     Some(words)
 }
 
@@ -248,7 +191,11 @@ impl FragmentStage {
                 shade_model: context.state.raster.shade_model,
                 sides: if two_sided { Sides::Two } else { Sides::One },
                 // Writing fractions clamps.
-                clamp: if clamp::draws_fractions(context) { Clamp::Off } else { clamp },
+                clamp: if crate::calls::fragment::clamp::draws_fractions(context) {
+                    Clamp::Off
+                } else {
+                    clamp
+                },
                 said: programs.said,
                 rim,
                 module: module.clone(),
@@ -260,7 +207,7 @@ impl FragmentStage {
             });
         }
         let own = programs.vertex.is_none().then_some(vertices);
-        let key = keys::fragment_key(context, own, programs.base(), clamp);
+        let key = crate::draw::keys::fragment_key(context, own, programs.base(), clamp);
         let textures = if key.units.is_empty() {
             Arc::clone(&context.recorder.no_textures)
         } else {
@@ -293,7 +240,7 @@ impl VertexStage {
         let (mut clip_planes, mut clip_space) = (0, DMat4::IDENTITY);
         let base = programs.base();
         let Some(module) = programs.vertex.clone() else {
-            let key = keys::vertex_key(context, vertices, base);
+            let key = crate::draw::keys::vertex_key(context, vertices, base);
             let module = context.recorder.fixed.vertex(&key).map_err(|error| internal(&error))?;
             return Ok(Self { module, key: Some(key), clip_planes, clip_space });
         };
@@ -395,7 +342,7 @@ fn program_textures(
         let decl = module.module().textures[slot];
         hints::textures::sampler(context, unit, target, sampler.word, decl);
         textures.push(Some(match target {
-            TextureTarget::Buffer => buffer::plan(context, unit)?,
+            TextureTarget::Buffer => crate::calls::texture::buffer::plan(context, unit)?,
             TextureTarget::D1Array
             | TextureTarget::D2Array
             | TextureTarget::CubeArray
@@ -416,7 +363,7 @@ fn program_textures(
 
 /// The sampler state of a unit and target: that of the bound sampler object or else the texture's,
 /// with the unit's bias.
-pub(super) fn sampler(context: &Context, unit: u8, target: TextureTarget) -> Sampler {
+pub(crate) fn sampler(context: &Context, unit: u8, target: TextureTarget) -> Sampler {
     let state = &context.state.units.units[usize::from(unit)];
     let texture = context.objects.texture(target, &state.bound[target as usize]);
     let own = texture.sampler();
@@ -440,13 +387,13 @@ pub(super) fn sampler(context: &Context, unit: u8, target: TextureTarget) -> Sam
         let fractions = sampler.border.floats().map(|c| viewport::unit(c.into()) as f32);
         sampler.border = Border::Float(fractions);
     }
-    sampler.lod_bias = crate::env::lod_bias(sampler.lod_bias + state.lod_bias);
+    sampler.lod_bias = crate::state::env::lod_bias(sampler.lod_bias + state.lod_bias);
     sampler
 }
 
 /// Who reads a texture.
 #[derive(Clone, Copy, Debug)]
-enum Reader<'a> {
+pub(crate) enum Reader<'a> {
     FixedFunction,
     /// A slot of a program's stage.
     Program(&'a Module, usize),
@@ -464,7 +411,7 @@ impl Reader<'_> {
 }
 
 /// How a unit samples the texture of a target, as everything recorded leaves it.
-fn plan(
+pub(crate) fn plan(
     context: &mut Context,
     unit: u8,
     target: TextureTarget,
@@ -473,7 +420,7 @@ fn plan(
 ) -> Arc<SamplePlan> {
     let bound = &context.state.units.units[usize::from(unit)].bound[target as usize];
     let image = context.objects.texture(target, bound).image.clone();
-    super::settle(context, &image);
+    crate::draw::settle(context, &image);
     let mut sampler = sampler(context, unit, target);
     match result {
         ComparisonResult::Placed => {}

@@ -1,67 +1,34 @@
 //! From validated state to commands of the driver.
 
-use super::again::{self, Decided};
-use super::ended::draw_ended;
-use super::primitives::{raster_state, smoothness};
-use super::stages::{self, Reads, Stages, Textures};
-use super::{Recorder, Told, begin_pass, hints};
-use crate::assembly::running as assembly;
+use crate::base::error::{ErrorCode, GlError, Result, invalid_operation};
+use crate::calls::raster::multisample::multisample_state;
+use crate::calls::transform::viewport::depth_clip;
 use crate::context::Context;
-use crate::error::{ErrorCode, GlError, Result, invalid_operation};
+use crate::context::recorder::again::Decided;
+use crate::context::recorder::elements::{Elements, bit};
+use crate::context::recorder::rectangle::Rectangle;
+use crate::context::recorder::stages::{Reads, Stages, Textures};
+use crate::context::recorder::{Recorder, stages};
+use crate::draw::complete::{draw_pass, draw_planes, drawn_formats};
+use crate::draw::ended::draw_ended;
+use crate::draw::primitives::{raster_state, smoothness};
+use crate::draw::srgb::srgb_write;
+use crate::draw::{assembly_words as assembly, begin_pass, hints};
 use crate::explain::{is_watched, watch_draw};
-use crate::feedback::{self, Mode};
-use crate::framebuffer::complete::{draw_pass, draw_planes, drawn_formats};
-use crate::framebuffer::srgb_write;
 use crate::interface::ATTRIB_EDGE_FLAG;
-use crate::pixels::rectangle::Rectangle;
 use crate::state::enable::Flag;
-use crate::state::multisample::multisample_state;
+use crate::state::feedback::Mode;
 use crate::state::stencil::Side;
-use crate::state::viewport::depth_clip;
-use crate::transform_feedback;
 use rasterizer::driver::{
-    Buffer, ColorState, Command, Cull, DepthClip, DepthState, FrontFace, IndexType, Indices,
-    OutputState, PassDesc, Pipeline, PipelineDesc, PolygonState, Provoking, RasterState, Rect, Rim,
-    SampleRule, ShaderModule, Topology, VertexBinding, VertexSource, Viewport, same_textures,
+    Buffer, ColorState, Command, Cull, DepthClip, DepthState, FrontFace, OutputState, PassDesc,
+    Pipeline, PipelineDesc, PolygonState, Provoking, RasterState, Rect, Rim, SampleRule,
+    ShaderModule, Topology, VertexBinding, VertexSource, Viewport, same_textures,
 };
-use std::ops::Range;
 use std::sync::Arc;
 use texunit::format::Format;
 
 /// More pipelines than this are forgotten and made again.
 const KEPT: usize = 1024;
-
-/// Which vertices a draw takes.
-#[derive(Debug)]
-pub(crate) enum Elements {
-    Range { first: u32, count: u32, instances: Range<u32> },
-    Indexed { indices: Indices, count: u32, instances: Range<u32> },
-}
-
-impl Elements {
-    /// How many vertices an instance has, and which instances there are.
-    pub fn counts(&self) -> (u32, Range<u32>) {
-        match self {
-            Self::Range { count, instances, .. } | Self::Indexed { count, instances, .. } => {
-                (*count, instances.clone())
-            }
-        }
-    }
-
-    /// The number of vertex `at`; 0 past the end of the indices.
-    pub fn number(&self, at: u32) -> u32 {
-        match self {
-            Self::Range { first, .. } => first.saturating_add(at),
-            Self::Indexed { indices, .. } => {
-                let size = indices.ty.size();
-                let start = indices.offset.saturating_add(at as usize * size);
-                let bytes = indices.buffer.bytes().get(start..start.saturating_add(size));
-                let index = IndexType::index(bytes.unwrap_or_default());
-                index.wrapping_add_signed(indices.base_vertex)
-            }
-        }
-    }
-}
 
 /// The attributes whose current values a draw may ask for, bit by location. A list is drawn with whatever
 /// program is in use then.
@@ -74,8 +41,8 @@ fn constants_read(context: &Context) -> u64 {
 }
 
 /// Those of them that a draw has to bring: where it may be decided as the one before, what that reads.
-pub(super) fn constants_asked(context: &Context) -> u64 {
-    again::attributes(context).unwrap_or_else(|| constants_read(context))
+pub(crate) fn constants_asked(context: &Context) -> u64 {
+    crate::draw::again::attributes(context).unwrap_or_else(|| constants_read(context))
 }
 
 /// Adds the current values that a draw has not brought, as it is decided anew.
@@ -104,9 +71,9 @@ pub(crate) fn draw(
     elements: &Elements,
 ) -> Result<()> {
     draw_ended(context);
-    if let Some(words) = again::words(context, topology, &vertices, elements) {
+    if let Some(words) = crate::draw::again::words(context, topology, &vertices, elements) {
         // Counts primitives; nothing is captured.
-        transform_feedback::draw(context, topology, &[], elements)?;
+        crate::draw::capture::draw(context, topology, &[], elements)?;
         tell_words(&mut context.recorder, words);
         record_vertices(context, vertices, elements);
         return Ok(());
@@ -116,13 +83,13 @@ pub(crate) fn draw(
     if context.queries.discards() {
         return Ok(());
     }
-    transform_feedback::draw(context, topology, &vertices, elements)?;
+    crate::draw::capture::draw(context, topology, &vertices, elements)?;
     if !is_rasterized(context, topology, &vertices, elements)? {
         return Ok(());
     }
     let rim = smoothness(context, topology);
     // Choosing may carry out what was recorded, if a texture of this draw was drawn to.
-    let Stages { vertex, fragment, reads } = stages::choose(context, &vertices, rim)?;
+    let Stages { vertex, fragment, reads } = crate::draw::stages::choose(context, &vertices, rim)?;
     let viewport = viewport(context);
     let mut raster = raster_state(context, topology, &vertices);
     raster.multisample = multisample_state(context, SampleRule::Each);
@@ -148,7 +115,7 @@ pub(crate) fn draw_rectangle(
     if context.queries.discards() || !is_rasterized(context, topology, &vertices, elements)? {
         return Ok(());
     }
-    let mut stages = stages::choose(context, &vertices, Rim::Aliased)?;
+    let mut stages = crate::draw::stages::choose(context, &vertices, Rim::Aliased)?;
     rectangle.apply(context, &mut stages).map_err(|error| stages::internal(&error))?;
     let Stages { vertex, fragment, reads } = stages;
     let reads = Reads { keys: None, ..reads };
@@ -207,7 +174,7 @@ fn is_rasterized(
         return Ok(false);
     }
     if context.feedback.mode != Mode::Render {
-        feedback::draw(context, topology, vertices, elements)?;
+        crate::draw::feedback::draw(context, topology, vertices, elements)?;
         return Ok(false);
     }
     hints::textures::nothing_enabled(context);
@@ -270,14 +237,6 @@ fn record_vertices(context: &mut Context, mut vertices: Vec<VertexBinding>, elem
     recorder.push_draw(elements);
 }
 
-impl Told {
-    /// The attributes that draws read, bit by location.
-    pub(super) fn attributes_read(&self) -> u64 {
-        let edge_flag = self.raster.as_ref().and_then(|raster| raster.polygon.edge_flag);
-        self.attributes | edge_flag.map_or(0, bit)
-    }
-}
-
 /// Tells the open pass of uniform words, if they are others.
 fn tell_words(recorder: &mut Recorder, words: Vec<u32>) {
     if recorder.told.words.as_deref() != Some(&words) {
@@ -321,12 +280,7 @@ fn tell_state(context: &mut Context, raster: RasterState, viewport: Viewport) {
     }
 }
 
-/// A location in a set of attributes.
-fn bit(location: u8) -> u64 {
-    1_u64.checked_shl(location.into()).unwrap_or(0)
-}
-
-fn viewport(context: &Context) -> Viewport {
+pub(crate) fn viewport(context: &Context) -> Viewport {
     let viewport = &context.state.viewport;
     let [near, far] = viewport.depth;
     Viewport {

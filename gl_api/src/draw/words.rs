@@ -1,11 +1,12 @@
 //! The uniform words of the state that programs read (GLSL 1.30, section 7.4).
 
+use crate::calls::lighting::material::material;
+use crate::calls::transform::matrix::{inverse, inverse_3, rescale_factor};
 use crate::context::Context;
-use crate::framebuffer::complete::draw_pass;
+use crate::draw::complete::draw_pass;
 use crate::interface::*;
 use crate::state::light::Light;
-use crate::state::material::{Material, material};
-use crate::state::matrix::{inverse, inverse_3, rescale_factor};
+use crate::state::material::Material;
 use glam::DMat4;
 
 /// A matrix of the state, in one of its forms.
@@ -31,7 +32,7 @@ fn matrix(context: &Context, matrix: StateMatrix, form: MatrixForm) -> DMat4 {
 }
 
 /// Writes numbers as `f32` words from a place on; what lies beyond the end is left out.
-pub(super) fn put(words: &mut [u32], first: u32, values: impl IntoIterator<Item = f64>) {
+pub(crate) fn put(words: &mut [u32], first: u32, values: impl IntoIterator<Item = f64>) {
     let Some(words) = words.get_mut(first as usize..) else { return };
     for (word, value) in words.iter_mut().zip(values) {
         *word = (value as f32).to_bits();
@@ -51,7 +52,7 @@ fn product(light: [f32; 4], material: [f32; 4]) -> [f32; 4] {
 }
 
 /// The emission and the product of the ambient colours; alpha is the material's.
-pub(super) fn scene_color(material: &Material, ambient: [f32; 4]) -> [f64; 4] {
+pub(crate) fn scene_color(material: &Material, ambient: [f32; 4]) -> [f64; 4] {
     let color = |i: usize| {
         f64::from(material.emission[i]) + f64::from(material.ambient[i]) * f64::from(ambient[i])
     };
@@ -170,7 +171,7 @@ fn put_state(context: &Context, words: &mut [u32], binding: StateBinding) {
 }
 
 /// The state that a program reads, into its words.
-pub(super) fn put_bindings(context: &Context, words: &mut [u32], bindings: &[StateBinding]) {
+pub(crate) fn put_bindings(context: &Context, words: &mut [u32], bindings: &[StateBinding]) {
     for &binding in bindings {
         put_state(context, words, binding);
     }

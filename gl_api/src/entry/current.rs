@@ -7,8 +7,8 @@
 //! destructors run before the functions of `atexit`, which may call GL. What a thread that is
 //! ending leaves there is dropped by [`ThreadEnd`], or by the host that the context belongs to.
 
+use crate::base::fallback::Fallback;
 use crate::context::Context;
-use crate::types::GLvoid;
 use std::cell::Cell;
 use std::fmt;
 use std::marker::PhantomData;
@@ -18,58 +18,6 @@ use std::sync::OnceLock;
 thread_local! {
     static CURRENT: Cell<Option<ManuallyDrop<Box<Context>>>> = const { Cell::new(None) };
     static WARNED: Cell<bool> = const { Cell::new(false) };
-}
-
-/// What a call answers where it has nothing to say.
-pub trait Fallback {
-    /// The answer.
-    fn fallback() -> Self;
-}
-
-impl Fallback for () {
-    fn fallback() {}
-}
-
-impl Fallback for bool {
-    fn fallback() -> Self {
-        false
-    }
-}
-
-impl Fallback for u8 {
-    fn fallback() -> Self {
-        0
-    }
-}
-
-impl Fallback for u32 {
-    fn fallback() -> Self {
-        0
-    }
-}
-
-impl Fallback for i32 {
-    fn fallback() -> Self {
-        -1
-    }
-}
-
-impl Fallback for *mut GLvoid {
-    fn fallback() -> Self {
-        std::ptr::null_mut()
-    }
-}
-
-impl Fallback for &'static str {
-    fn fallback() -> Self {
-        ""
-    }
-}
-
-impl<T> Fallback for *const T {
-    fn fallback() -> Self {
-        std::ptr::null()
-    }
 }
 
 /// Puts the context back, even when a call panics. It has nothing else to destroy, which each entry point would have

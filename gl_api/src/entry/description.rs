@@ -1,6 +1,8 @@
 //! What the table says of an entry point.
 
-use super::availability::{self, Api, Availability, Version};
+use crate::base::begin_end::BeginEnd;
+use crate::entry::availability;
+use crate::entry::availability::{Api, Availability, Version};
 
 /// An entry point, under all of its names.
 #[derive(Clone, Copy, Debug)]
@@ -47,15 +49,6 @@ pub struct Parameter {
     /// Its type, as Rust writes it: `&'a [T]` and `&'a mut [T]` are arrays that are read and written,
     /// [`Data`](super::Data) and [`DataOut`](super::DataOut) `void` pointers.
     pub ty: &'static str,
-}
-
-/// Whether a call is allowed between `glBegin` and `glEnd` (GL 2.1, section 2.6.3).
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum BeginEnd {
-    /// It is.
-    Allowed,
-    /// It is refused there with `GL_INVALID_OPERATION`.
-    Refused,
 }
 
 /// What becomes of a call while a display list is compiled (GL 2.1, section 5.4).

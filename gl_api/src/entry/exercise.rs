@@ -2,17 +2,17 @@
 //! target `table` draw from. An argument is random by its type, and by its name where a size would
 //! only cost time.
 
-use super::{Data, DataOut, Names, Pointers, Strings, TextOut};
-use crate::constants::*;
+use crate::base::args::{Data, DataOut, Names, Pointers, Strings, TextOut};
+use crate::base::constants::*;
+use crate::base::types::GLvoid;
 use crate::context::{Context, GLDEBUGPROC};
-use crate::types::GLvoid;
 
 /// An entry point that can be called with random arguments.
 pub struct Exercise {
     /// GL's name.
     pub name: &'static str,
     #[cfg(test)]
-    pub(crate) begin_end: super::BeginEnd,
+    pub(crate) begin_end: crate::base::begin_end::BeginEnd,
     /// The call.
     pub run: fn(&mut Context, &mut Random<'_>),
 }

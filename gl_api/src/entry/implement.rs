@@ -63,7 +63,7 @@ macro_rules! implement {
             )]
             pub fn $method<'a>(&mut self $(, $param: $ty)*) $(-> $ret)? {
                 implement!(@record self $begin_end $module $method $gl [$($param)*] [$($ret)?] $list);
-                self.call(stringify!($gl), $crate::entry::BeginEnd::$begin_end, |context| {
+                self.call(stringify!($gl), $crate::base::begin_end::BeginEnd::$begin_end, |context| {
                     $module::$method(context $(, $param)*)
                 })
             }
@@ -73,17 +73,17 @@ macro_rules! implement {
     (@record $context:ident $begin_end:ident $module:ident $method:ident $gl:ident
         [$($param:ident)*] [] []) => {
         if $context.compiling.is_some() {
-            let integers: &[i64] = &[$($crate::list::Keep::integer(&$param)),*];
+            let integers: &[i64] = &[$($crate::record::list::keep::Keep::integer(&$param)),*];
             let name = stringify!($gl);
-            if $crate::list::proxy::asks_proxy(name, integers) {
+            if $crate::record::list::proxy::asks_proxy(name, integers) {
                 // Carried out below.
             } else if let (Some(()), $(Some($param),)*) =
-                (Some(()), $($crate::list::Keep::keep(&$param, $context, name, integers),)*)
+                (Some(()), $($crate::record::list::keep::Keep::keep(&$param, $context, name, integers),)*)
             {
                 let run = move |context: &mut $crate::context::Context| {
-                    $module::$method(context $(, $crate::list::Lend::lend(&$param))*)
+                    $module::$method(context $(, $crate::record::list::keep::Lend::lend(&$param))*)
                 };
-                return $context.record(name, $crate::entry::BeginEnd::$begin_end, Box::new(run));
+                return $context.record(name, $crate::base::begin_end::BeginEnd::$begin_end, Box::new(run));
             }
         }
     };
@@ -116,7 +116,7 @@ macro_rules! implement {
                 $crate::entry::description::Parameter { name: stringify!($param), ty: stringify!($ty) }
             ),*],
             result: implement!(@result [$($ret)?]),
-            begin_end: $crate::entry::BeginEnd::$begin_end,
+            begin_end: $crate::base::begin_end::BeginEnd::$begin_end,
             display_list: implement!(@list [$($ret)?] [$($list)?]),
         }
     };
@@ -157,7 +157,7 @@ macro_rules! implement {
         $crate::entry::exercise::Exercise {
             name: stringify!($gl),
             #[cfg(test)]
-            begin_end: $crate::entry::BeginEnd::$begin_end,
+            begin_end: $crate::base::begin_end::BeginEnd::$begin_end,
             run: exercise,
         }
     }};
@@ -170,9 +170,9 @@ macro_rules! implement_attribute {
         impl $crate::context::Context {
             #[doc = $doc]
             pub fn $method(&mut self $(, $lead: $lead_ty)? $(, $param: $ty)+) {
-                self.call(stringify!($gl), $crate::entry::BeginEnd::Allowed, |context| {
+                self.call(stringify!($gl), $crate::base::begin_end::BeginEnd::Allowed, |context| {
                     let value = [$($crate::entry::Component::$convert($param)),+];
-                    $crate::draw::immediate::attribute(context, $slot, $crate::entry::filled(value))
+                    $crate::calls::vertex::immediate::attribute(context, $slot, $crate::entry::filled(value))
                 });
             }
         }
@@ -184,13 +184,13 @@ macro_rules! implement_attribute {
             pub fn $method(&mut self $(, $lead: $lead_ty)?, v: &[$ty]) {
                 const PARAMETERS: &[&str] = &[$(stringify!($param)),+];
                 const NEEDED: usize = PARAMETERS.len();
-                self.call(stringify!($gl), $crate::entry::BeginEnd::Allowed, |context| {
+                self.call(stringify!($gl), $crate::base::begin_end::BeginEnd::Allowed, |context| {
                     match v.first_chunk::<NEEDED>() {
                         Some(v) => {
                             let value = v.map($crate::entry::Component::$convert);
-                            $crate::draw::immediate::attribute(context, $slot, $crate::entry::filled(value))
+                            $crate::calls::vertex::immediate::attribute(context, $slot, $crate::entry::filled(value))
                         }
-                        None => $crate::error::invalid_operation(
+                        None => $crate::base::error::invalid_operation(
                             "GL 2.1, section 2.7",
                             format!("v has {} of {NEEDED} numbers", v.len()),
                         ),

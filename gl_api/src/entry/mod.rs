@@ -18,7 +18,7 @@
 #[macro_use]
 mod implement;
 
-mod args;
+pub(crate) mod args;
 pub mod availability;
 mod component;
 pub(crate) mod current;
@@ -27,14 +27,10 @@ pub mod description;
 pub mod exercise;
 mod table;
 
-pub use args::{
-    Arg, BUFFER_OFFSET, Data, DataOut, NULL, Names, Null, Offset, Pointers, Strings, TextOut,
-};
-pub(crate) use args::{Located, LocatedOut};
+pub use crate::base::args::{Data, DataOut, Names, Pointers, Strings, TextOut};
+pub use args::{Arg, BUFFER_OFFSET, NULL, Null, Offset};
 pub(crate) use component::{Component, filled};
-pub(crate) use current::Fallback;
 pub use current::{Current, set_current, with_current};
-pub(crate) use description::BeginEnd;
 pub use table::*;
 
 use description::EntryPoint;

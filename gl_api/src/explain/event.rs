@@ -1,8 +1,8 @@
 //! Clears, and what a fragment is made of.
 
-use super::note::DrawNote;
-use super::page::{Page, number, numbers};
-use super::{output, shader};
+use crate::context::draw_note::DrawNote;
+use crate::explain::page::{Page, number, numbers};
+use crate::explain::{output, shader};
 use rasterizer::ir::Input;
 use rasterizer::trace::{Clear, Cleared, Facing, Fate, Fragment, InputSource, When};
 

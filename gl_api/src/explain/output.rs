@@ -1,7 +1,7 @@
 //! What a fragment's tests and blending do, and what is stored.
 
-use super::Explanation;
-use super::page::{Page, number, numbers};
+use crate::context::watched::Explanation;
+use crate::explain::page::{Page, number, numbers};
 use rasterizer::driver::{BlendEquation, BlendFactor, DepthWrite};
 use rasterizer::trace::{Blending, Fragment, Test, When, Write};
 use texunit::sampler::Compare;

@@ -1,8 +1,8 @@
 //! A texture access: coordinates, λ, levels, texels with their weights.
 
-use super::note::DrawNote;
-use super::page::{Page, number, numbers};
-use super::shader::{operand, value};
+use crate::context::draw_note::DrawNote;
+use crate::explain::page::{Page, number, numbers};
+use crate::explain::shader::{operand, value};
 use rasterizer::ir::{Access, Ty};
 use rasterizer::trace::Lookup;
 use texunit::sampler::Filter;

@@ -1,8 +1,8 @@
 //! The fragment stage: texture accesses, and the arithmetic around them.
 
-use super::note::DrawNote;
-use super::page::{Page, number};
-use super::sample;
+use crate::context::draw_note::DrawNote;
+use crate::explain::page::{Page, number};
+use crate::explain::sample;
 use rasterizer::ir::{Axis, Op, Output, Ty};
 use rasterizer::trace::{Expression, Fragment, Name, Operand, Step};
 

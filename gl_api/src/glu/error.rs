@@ -1,7 +1,7 @@
 //! GLU's own error codes, the words for them and for GL's, and GLU's version.
 
-use crate::constants::*;
-use crate::types::GLenum;
+use crate::base::constants::*;
+use crate::base::types::GLenum;
 
 /// What a GLU function answers for an enumerant it does not know.
 pub const GLU_INVALID_ENUM: GLenum = 100_900;

@@ -1,11 +1,14 @@
 //! `gluScaleImage`, and images where the client's pixel store has them.
 
 use super::error::{GLU_INVALID_ENUM, GLU_INVALID_OPERATION, GLU_INVALID_VALUE, GLU_OUT_OF_MEMORY};
-use super::pixels::{self, ByteOrder, Layout, Meaning, Storage, Store};
+use super::pixels;
+use super::pixels::{Layout, Meaning, Storage, Store};
 use super::scale::scale;
-use crate::constants::*;
-use crate::entry::{Arg, Data, DataOut, Located, LocatedOut, glGetIntegerv, glPixelStorei};
-use crate::types::{GLenum, GLint, GLsizei};
+use crate::base::args::{Data, DataOut, Located, LocatedOut};
+use crate::base::constants::*;
+use crate::base::types::{GLenum, GLint, GLsizei};
+use crate::entry::{Arg, glGetIntegerv, glPixelStorei};
+use crate::pixel::layout::ByteOrder;
 
 /// Scales an image in client memory with GLU's box filter, from the `GL_UNPACK_*` state's layout
 /// to the `GL_PACK_*` state's.

@@ -1,6 +1,6 @@
 //! GLU's viewing and projection matrices, in `f64`, multiplied onto the current matrix.
 
-use super::angle::cotangent_degrees;
+use crate::base::angle::cotangent_degrees;
 use crate::entry::{Arg, glMultMatrixd, glOrtho, glTranslated};
 
 /// A 4×4 matrix as GL takes it: column by column.

@@ -4,10 +4,11 @@ use super::error::GLU_INVALID_VALUE;
 use super::image::{UNPACK, bytes, get, layout};
 use super::pixels::{Layout, Meaning, Storage, Store, TIGHT, TooShort};
 use super::scale::{self, halve, scale};
-use crate::constants::*;
-use crate::entry::{Arg, Data, glTexImage1D, glTexImage2D, glTexImage3D};
-use crate::texture::convert;
-use crate::types::{GLenum, GLint, GLsizei};
+use crate::base::args::Data;
+use crate::base::constants::*;
+use crate::base::types::{GLenum, GLint, GLsizei};
+use crate::entry::{Arg, glTexImage1D, glTexImage2D, glTexImage3D};
+use crate::pixel::convert;
 
 /// Builds every mipmap level of a texture from one image of any size: scales it to powers of two
 /// (the nearest, as libGLU's `closestFit`) no larger than `GL_MAX_TEXTURE_SIZE`, hands that to

@@ -18,7 +18,6 @@
 //! | [`error`] | GLU's error codes, `gluErrorString`, `gluGetString` |
 #![allow(non_snake_case)]
 
-pub mod angle;
 pub mod error;
 pub mod image;
 pub mod matrix;
@@ -29,6 +28,7 @@ pub mod quadric;
 mod revolve;
 pub mod scale;
 
+pub use crate::base::angle;
 pub use error::*;
 pub use image::gluScaleImage;
 pub use matrix::{gluLookAt, gluOrtho2D, gluPerspective};

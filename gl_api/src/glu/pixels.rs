@@ -1,10 +1,10 @@
 //! Pixels in client memory as GLU sees them: numbers in the type's own steps, so that their mean
 //! is taken before anything is converted.
 
-use crate::constants::*;
-pub use crate::texture::layout::ByteOrder;
-use crate::texture::packed::{PACKED, Packed};
-use crate::types::GLenum;
+use crate::base::constants::*;
+use crate::base::types::GLenum;
+pub use crate::pixel::layout::ByteOrder;
+use crate::pixel::packed::{PACKED, Packed};
 use texunit::pixel::{Change, Code, Record};
 #[cfg(test)]
 use texunit::{lanes::Isa, pixel::boxes};

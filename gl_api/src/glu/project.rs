@@ -1,8 +1,8 @@
 //! `gluProject` and its inverses, `gluPickMatrix`: the way between object and window coordinates
 //! (GL 2.1, section 2.11), in `f64`.
 
+use crate::base::types::GLint;
 use crate::entry::{Arg, glScaled, glTranslated};
-use crate::types::GLint;
 use glam::{DMat4, DVec3, DVec4};
 
 /// Where a point of an object comes to lie in the window: `x`, `y`, and a depth from 0 to 1.

@@ -3,11 +3,11 @@
 //! Each is a surface of revolution about the z axis: slices around it, counted from +y toward +x,
 //! and stacks along it, or loops around the centre of a disk. [`super::revolve`] draws them.
 
-use super::angle::sin_cos_degrees;
 use super::error::{GLU_INVALID_ENUM, GLU_INVALID_VALUE};
 use super::revolve::{Bend, Ring, Surface, draw};
+use crate::base::angle::sin_cos_degrees;
+use crate::base::types::{GLboolean, GLenum, GLint};
 use crate::entry::Arg;
-use crate::types::{GLboolean, GLenum, GLint};
 
 /// Normals of each point.
 pub const GLU_SMOOTH: GLenum = 100_000;
@@ -261,7 +261,7 @@ pub fn gluPartialDisk(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::constants::*;
+    use crate::base::constants::*;
     use crate::context::{Context, ContextDesc};
     use crate::entry::*;
 

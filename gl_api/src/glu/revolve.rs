@@ -1,11 +1,11 @@
 //! Draws a surface of revolution as a quadric asks: filled, as lines or points, with normals and
 //! texture coordinates.
 
-use super::angle::sin_cos_degrees;
 use super::quadric::{
     GLU_FLAT, GLU_LINE, GLU_NONE, GLU_POINT, GLU_SILHOUETTE, GLU_SMOOTH, GLUquadric,
 };
-use crate::constants::{GL_LINE_STRIP, GL_POINTS, GL_QUAD_STRIP};
+use crate::base::angle::sin_cos_degrees;
+use crate::base::constants::{GL_LINE_STRIP, GL_POINTS, GL_QUAD_STRIP};
 use crate::entry::{glBegin, glEnd, glNormal3d, glTexCoord2d, glVertex3d};
 
 /// A circle of the surface.

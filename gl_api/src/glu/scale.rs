@@ -70,7 +70,7 @@ pub fn bytes(size: [usize; 3], count: usize, texels: &[u8]) -> Result<Level, Ima
 mod tests {
     use super::super::pixels::{Components, Storage};
     use super::*;
-    use crate::texture::convert;
+    use crate::pixel::convert;
     use proptest::prelude::*;
 
     /// An image of this storage at another size.

@@ -1,102 +1,34 @@
 //! The attribute stack of the client's state: `glPushClientAttrib`, GL 2.1, section 6.1.17.
 
-use super::attrib::{MAX_ATTRIB_STACK_DEPTH, stack_error};
-use super::enable::Flag;
-use super::pixel_store;
-use crate::constants::*;
-use crate::context::Context;
-use crate::draw::arrays::Arrays;
-use crate::error::{ErrorCode, Result};
-use crate::object::bound::Bound;
-use crate::types::*;
+use crate::base::types::*;
+use crate::objects::arrays::Arrays;
+use crate::objects::bound::Bound;
+use crate::pixel::store as pixel_store;
 
 /// What of the client's state a push keeps: the groups of its mask.
 #[derive(Debug)]
 pub(crate) struct Client {
-    pixels: Option<ClientPixels>,
-    arrays: Option<Box<ClientArrays>>,
+    pub pixels: Option<ClientPixels>,
+    pub arrays: Option<Box<ClientArrays>>,
 }
 
 /// Of `GL_CLIENT_PIXEL_STORE_BIT`.
 #[derive(Debug)]
-struct ClientPixels {
-    pack: pixel_store::PixelStore,
-    unpack: pixel_store::PixelStore,
-    pack_buffer: Bound,
-    unpack_buffer: Bound,
+pub(crate) struct ClientPixels {
+    pub pack: pixel_store::PixelStore,
+    pub unpack: pixel_store::PixelStore,
+    pub pack_buffer: Bound,
+    pub unpack_buffer: Bound,
 }
 
 /// Of `GL_CLIENT_VERTEX_ARRAY_BIT`.
 #[derive(Debug)]
-struct ClientArrays {
-    arrays: Arrays,
-    array_buffer: Bound,
-    element_array_buffer: Bound,
-    vertex_array: GLuint,
+pub(crate) struct ClientArrays {
+    pub arrays: Arrays,
+    pub array_buffer: Bound,
+    pub element_array_buffer: Bound,
+    pub vertex_array: GLuint,
     /// Whether primitives are restarted, and by which index.
-    restart: (bool, GLuint),
-    client_active: u8,
-}
-
-pub(crate) fn push_client_attrib(context: &mut Context, mask: GLbitfield) -> Result<()> {
-    if context.attribs.client.len() >= MAX_ATTRIB_STACK_DEPTH {
-        return stack_error(
-            ErrorCode::StackOverflow,
-            format!("the stack has {MAX_ATTRIB_STACK_DEPTH} groups: glPopClientAttrib is missing"),
-        );
-    }
-    let state = &context.state;
-    let bindings = &state.bindings;
-    let pixels = || ClientPixels {
-        pack: state.pack.clone(),
-        unpack: state.unpack.clone(),
-        pack_buffer: bindings.pixel_pack_buffer.clone(),
-        unpack_buffer: bindings.pixel_unpack_buffer.clone(),
-    };
-    let arrays = || ClientArrays {
-        arrays: state.arrays.clone(),
-        array_buffer: bindings.array_buffer.clone(),
-        element_array_buffer: bindings.element_array_buffer.clone(),
-        vertex_array: bindings.vertex_array,
-        restart: (state.enables.has(Flag::PrimitiveRestart), state.restart_index),
-        client_active: state.units.client_active,
-    };
-    let saved = Client {
-        pixels: (mask & GL_CLIENT_PIXEL_STORE_BIT != 0).then(pixels),
-        arrays: (mask & GL_CLIENT_VERTEX_ARRAY_BIT != 0).then(|| Box::new(arrays())),
-    };
-    context.attribs.client.push(saved);
-    Ok(())
-}
-
-pub(crate) fn pop_client_attrib(context: &mut Context) -> Result<()> {
-    let Some(saved) = context.attribs.client.pop() else {
-        return stack_error(
-            ErrorCode::StackUnderflow,
-            "the stack is empty: glPushClientAttrib is missing".into(),
-        );
-    };
-    if let Some(saved) = saved.pixels {
-        context.state.pack = saved.pack;
-        context.state.unpack = saved.unpack;
-        let bindings = &mut context.state.bindings;
-        bindings.pixel_pack_buffer.restore(saved.pack_buffer);
-        bindings.pixel_unpack_buffer.restore(saved.unpack_buffer);
-    }
-    if let Some(saved) = saved.arrays {
-        // A vertex array object that was deleted meanwhile stays deleted (ARB_vertex_array_object,
-        // section 2.10), and its arrays are no other object's.
-        let name = saved.vertex_array;
-        if name == 0 || context.objects.vertex_arrays.get(name).is_some() {
-            crate::object::vertex_arrays::bind_vertex_array(context, name)?;
-            context.state.arrays = saved.arrays;
-            context.state.bindings.element_array_buffer.restore(saved.element_array_buffer);
-        }
-        context.state.bindings.array_buffer.restore(saved.array_buffer);
-        let (restarts, index) = saved.restart;
-        context.state.enables.set(Flag::PrimitiveRestart, restarts);
-        context.state.restart_index = index;
-        context.state.units.client_active = saved.client_active;
-    }
-    Ok(())
+    pub restart: (bool, GLuint),
+    pub client_active: u8,
 }

@@ -1,18 +1,15 @@
 //! What can be switched on and off: `glEnable` and `glEnableClientState`.
 
-use crate::constants::*;
-use crate::context::Context;
-use crate::context::debug::Output;
-use crate::error::{Result, Table, invalid_enum};
-use crate::evaluate::Name;
-use crate::evaluate::map::MAP;
+use crate::base::constants::*;
+use crate::base::error::Table;
+use crate::base::types::*;
 use crate::interface::{
     ATTRIB_COLOR, ATTRIB_EDGE_FLAG, ATTRIB_FOG_COORD, ATTRIB_INDEX, ATTRIB_NORMAL,
     ATTRIB_SECONDARY_COLOR, ATTRIB_TEX_COORD, ATTRIB_VERTEX, TexCoord,
 };
-use crate::state::material::keep_tracked;
-use crate::texture::{TARGET, TextureTarget};
-use crate::types::*;
+use crate::objects::target::TextureTarget;
+use crate::state::evaluate::Name;
+use crate::state::evaluator_map::MAP;
 
 /// A capability of the context as a whole, as its bit in [`Enables`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -151,21 +148,6 @@ pub(crate) const CAPABILITY: Table<Capability> = Table {
     ],
 };
 
-/// A capability of any kind.
-fn capability(cap: GLenum) -> Result<Capability> {
-    if let Some(map) = MAP.get(cap) {
-        return Ok(Capability::Map(map));
-    }
-    if CAPABILITY.get(cap).is_none() && TARGET.get(cap).is_some() {
-        let rule = format!(
-            "cap = {}: a texture of this target is sampled by shaders alone, which need no glEnable",
-            enum_name(cap)
-        );
-        return invalid_enum(CAPABILITY.section, rule);
-    }
-    CAPABILITY.decode("cap", cap)
-}
-
 /// Whether `glIsEnabled` and `glGet` know a capability.
 pub(crate) fn is_capability(cap: GLenum) -> bool {
     CAPABILITY.get(cap).is_some()
@@ -194,111 +176,11 @@ impl Enables {
     }
 }
 
-/// Sets or clears a bit.
-fn set_bit(bits: &mut u8, bit: u8, on: bool) {
-    *bits = *bits & !(1 << bit) | u8::from(on) << bit;
-}
-
 /// What a call does to a capability.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Switch {
+pub(crate) enum Switch {
     On,
     Off,
-}
-
-/// Whether a capability that draws depend on is what it is to be. Blending has a switch for each buffer, and
-/// what tracks the colour takes it when it is switched on.
-fn is_already(context: &Context, capability: Capability, to: Switch) -> bool {
-    let on = to == Switch::On;
-    match capability {
-        Capability::Flag(Flag::Blend | Flag::ColorMaterial) => false,
-        Capability::Flag(flag) => context.state.enables.has(flag) == on,
-        Capability::Texture(target) => {
-            context.state.units.active().enabled[target as usize] == on
-                && context.state.units.active_coordinates("GL 2.1, section 3.8.16").is_ok()
-        }
-        Capability::Light(light) => (context.state.lights.enabled >> light & 1 == 1) == on,
-        Capability::ClipPlane(plane) => (context.state.clip.enabled >> plane & 1 == 1) == on,
-        Capability::TexGen(_) | Capability::Map(_) | Capability::DebugOutput => false,
-    }
-}
-
-fn switch(context: &mut Context, cap: GLenum, to: Switch) -> Result<()> {
-    let on = to == Switch::On;
-    let capability = capability(cap)?;
-    if is_already(context, capability, to) {
-        context.changes.nothing();
-        return Ok(());
-    }
-    match capability {
-        Capability::Flag(flag) => {
-            if flag == Flag::ColorMaterial {
-                keep_tracked(context);
-            }
-            context.state.enables.set(flag, on);
-            if flag == Flag::Blend {
-                for buffer in &mut context.state.fragment.buffers {
-                    buffer.blend = on;
-                }
-            }
-        }
-        Capability::Texture(target) => {
-            context.state.units.active_coordinates("GL 2.1, section 3.8.16")?;
-            context.state.units.active_mut().enabled[target as usize] = on;
-        }
-        Capability::DebugOutput => {
-            context.debug.output = if on { Output::On } else { Output::Off };
-        }
-        Capability::TexGen(coord) => {
-            context.state.units.active_coordinates("GL 2.1, section 2.11.4")?;
-            context.state.units.active_mut().generate[coord as usize].enabled = on;
-        }
-        Capability::Light(light) => set_bit(&mut context.state.lights.enabled, light, on),
-        Capability::ClipPlane(plane) => set_bit(&mut context.state.clip.enabled, plane, on),
-        Capability::Map(map) => context.state.evaluators.set(map, on),
-    }
-    Ok(())
-}
-
-/// GL 1.1's drivers switch the client's arrays by `glEnable` too, and programs came to rely on it.
-pub(crate) fn enable(context: &mut Context, cap: GLenum) -> Result<()> {
-    if CLIENT_ARRAY.get(cap).is_some() {
-        return switch_client(context, cap, Switch::On);
-    }
-    switch(context, cap, Switch::On)
-}
-
-pub(crate) fn disable(context: &mut Context, cap: GLenum) -> Result<()> {
-    if CLIENT_ARRAY.get(cap).is_some() {
-        return switch_client(context, cap, Switch::Off);
-    }
-    switch(context, cap, Switch::Off)
-}
-
-pub(crate) fn is_enabled(context: &mut Context, cap: GLenum) -> Result<bool> {
-    is_on(context, cap)
-}
-
-/// Whether a capability or a client array is on.
-pub(crate) fn is_on(context: &Context, cap: GLenum) -> Result<bool> {
-    if cap == GL_PRIMITIVE_RESTART_NV {
-        return Ok(context.state.enables.has(Flag::PrimitiveRestart));
-    }
-    if let Some(location) = CLIENT_ARRAY.get(cap) {
-        return Ok(context.state.arrays.by_location[client_location(context, location)].enabled);
-    }
-    Ok(match capability(cap)? {
-        Capability::Flag(flag) => context.state.enables.has(flag),
-        Capability::Texture(target) => context.state.units.active().enabled[target as usize],
-        Capability::DebugOutput => context.debug.output == Output::On,
-        Capability::TexGen(coord) => {
-            context.state.units.active_coordinates("GL 2.1, section 6.1.1")?;
-            context.state.units.active().generate[coord as usize].enabled
-        }
-        Capability::Light(light) => context.state.lights.enabled >> light & 1 == 1,
-        Capability::ClipPlane(plane) => context.state.clip.enabled >> plane & 1 == 1,
-        Capability::Map(map) => context.state.evaluators.has(map),
-    })
 }
 
 /// The conventional arrays, as their attribute location.
@@ -315,30 +197,3 @@ pub(crate) const CLIENT_ARRAY: Table<u8> = Table {
         (GL_TEXTURE_COORD_ARRAY, ATTRIB_TEX_COORD),
     ],
 };
-
-/// The location with the client's active texture unit applied.
-fn client_location(context: &Context, location: u8) -> usize {
-    let unit = if location == ATTRIB_TEX_COORD { context.state.units.client_active } else { 0 };
-    usize::from(location + unit)
-}
-
-fn switch_client(context: &mut Context, array: GLenum, to: Switch) -> Result<()> {
-    let on = to == Switch::On;
-    // NV_primitive_restart has it among the client's arrays.
-    if array == GL_PRIMITIVE_RESTART_NV {
-        context.state.enables.set(Flag::PrimitiveRestart, on);
-        return Ok(());
-    }
-    let location = client_location(context, CLIENT_ARRAY.decode("array", array)?);
-    context.state.arrays.by_location[location].enabled = on;
-    context.changes.only_numbers();
-    Ok(())
-}
-
-pub(crate) fn enable_client_state(context: &mut Context, array: GLenum) -> Result<()> {
-    switch_client(context, array, Switch::On)
-}
-
-pub(crate) fn disable_client_state(context: &mut Context, array: GLenum) -> Result<()> {
-    switch_client(context, array, Switch::Off)
-}

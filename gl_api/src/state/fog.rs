@@ -1,12 +1,7 @@
 //! Fog: GL 2.1, section 3.10.
 
-use super::clamp;
-use super::params::{Params, at_least_zero, parameter_calls};
-use crate::constants::*;
-use crate::context::Context;
-use crate::error::{Result, Table};
-use crate::query::table::{Value, float, symbol, unit};
-use crate::types::*;
+use crate::base::constants::*;
+use crate::base::error::Table;
 
 const SECTION: &str = "GL 2.1, section 3.10";
 
@@ -62,60 +57,4 @@ impl Default for FogState {
             source: FogSource::Depth,
         }
     }
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Parameter {
-    Mode,
-    Density,
-    Start,
-    End,
-    Index,
-    Color,
-    Source,
-}
-
-const PARAMETER: Table<Parameter> = Table {
-    section: SECTION,
-    rows: &[
-        (GL_FOG_MODE, Parameter::Mode),
-        (GL_FOG_DENSITY, Parameter::Density),
-        (GL_FOG_START, Parameter::Start),
-        (GL_FOG_END, Parameter::End),
-        (GL_FOG_INDEX, Parameter::Index),
-        (GL_FOG_COLOR, Parameter::Color),
-        (GL_FOG_COORD_SRC, Parameter::Source),
-    ],
-};
-
-fn set_fog(context: &mut Context, pname: GLenum, params: &Params) -> Result<()> {
-    let parameter = PARAMETER.decode("pname", pname)?;
-    params.need(SECTION, pname, if parameter == Parameter::Color { 4 } else { 1 })?;
-    let fog = &mut context.state.fog;
-    match parameter {
-        Parameter::Mode => fog.mode = FOG_MODE.decode("param", params.symbol())?,
-        Parameter::Density => fog.density = at_least_zero(SECTION, pname, params.number())?,
-        Parameter::Start => fog.start = params.number(),
-        Parameter::End => fog.end = params.number(),
-        Parameter::Index => fog.index = params.number(),
-        Parameter::Color => fog.color = params.color(),
-        Parameter::Source => fog.source = FOG_SOURCE.decode("param", params.symbol())?,
-    }
-    Ok(())
-}
-
-parameter_calls!(set_fog(pname): fogf, fogi, fogfv, fogiv);
-
-/// What `glGet` answers.
-pub(crate) fn state_value(context: &Context, pname: GLenum) -> Option<Result<Value>> {
-    let fog = &context.state.fog;
-    Some(match PARAMETER.get(pname)? {
-        Parameter::Mode => symbol(FOG_MODE.encode(fog.mode)),
-        Parameter::Density => float(fog.density),
-        Parameter::Start => float(fog.start),
-        Parameter::End => float(fog.end),
-        Parameter::Index => float(fog.index),
-        Parameter::Color => unit(&clamp::of_fragments(context).color(fog.color)),
-        Parameter::Source => symbol(FOG_SOURCE.encode(fog.source)),
-    })
 }

@@ -1,16 +1,11 @@
 //! Which components are written, which buffers are blended, and the logical operation: GL 2.1,
 //! sections 4.1.10 and 4.2.2; `EXT_draw_buffers2`.
 
-use super::blend::Formula;
-use super::enable::{Flag, Switch};
-use super::multisample;
-use crate::constants::*;
-use crate::context::{Context, limits};
-use crate::error::{Result, Table, invalid_enum, invalid_value};
-use crate::object::indexed_buffers;
-use crate::query::get::{put_bools, put_ints, put_longs};
-use crate::query::table::{Value, flag, int, symbol};
-use crate::types::*;
+use crate::base::constants::*;
+use crate::base::error::{Result, Table, invalid_value};
+use crate::base::limits;
+use crate::base::types::*;
+use crate::state::blend::Formula;
 use rasterizer::driver::LogicOp;
 
 const SECTION: &str = "EXT_draw_buffers2, section 4.2.2";
@@ -56,11 +51,6 @@ pub(crate) const BUFFERS: BufferStates =
     [BufferState { mask: [true; 4], blend: false, formula: Formula::REPLACE };
         limits::MAX_COLOR_ATTACHMENTS];
 
-pub(crate) fn logic_op(context: &mut Context, opcode: GLenum) -> Result<()> {
-    context.state.fragment.logic_op = LOGIC_OP.decode("opcode", opcode)?;
-    Ok(())
-}
-
 /// The number of a draw buffer.
 pub(crate) fn buffer_index(argument: &str, index: GLuint) -> Result<usize> {
     let limit = limits::MAX_COLOR_ATTACHMENTS;
@@ -70,122 +60,4 @@ pub(crate) fn buffer_index(argument: &str, index: GLuint) -> Result<usize> {
             invalid_value(SECTION, format!("{argument} = {index} must be 0 to {}", limit - 1))
         }
     }
-}
-
-pub(crate) fn color_mask(
-    context: &mut Context,
-    red: bool,
-    green: bool,
-    blue: bool,
-    alpha: bool,
-) -> Result<()> {
-    for buffer in &mut context.state.fragment.buffers {
-        buffer.mask = [red, green, blue, alpha];
-    }
-    Ok(())
-}
-
-pub(crate) fn color_maski(
-    context: &mut Context,
-    buf: GLuint,
-    red: bool,
-    green: bool,
-    blue: bool,
-    alpha: bool,
-) -> Result<()> {
-    let buf = buffer_index("buf", buf)?;
-    context.state.fragment.buffers[buf].mask = [red, green, blue, alpha];
-    Ok(())
-}
-
-/// A capability that each draw buffer has on its own, and the buffer.
-fn indexed(target: GLenum, buffer: GLuint) -> Result<usize> {
-    if target != GL_BLEND {
-        return invalid_enum(SECTION, format!("target = {} must be GL_BLEND", enum_name(target)));
-    }
-    buffer_index("index", buffer)
-}
-
-fn switch(context: &mut Context, target: GLenum, buffer: GLuint, to: Switch) -> Result<()> {
-    let buffer = indexed(target, buffer)?;
-    context.state.fragment.buffers[buffer].blend = to == Switch::On;
-    // `glIsEnabled(GL_BLEND)` answers for the first one.
-    let first = context.state.fragment.buffers[0].blend;
-    context.state.enables.set(Flag::Blend, first);
-    Ok(())
-}
-
-pub(crate) fn enablei(context: &mut Context, target: GLenum, index: GLuint) -> Result<()> {
-    switch(context, target, index, Switch::On)
-}
-
-pub(crate) fn disablei(context: &mut Context, target: GLenum, index: GLuint) -> Result<()> {
-    switch(context, target, index, Switch::Off)
-}
-
-pub(crate) fn is_enabledi(context: &mut Context, target: GLenum, index: GLuint) -> Result<bool> {
-    let buffer = indexed(target, index)?;
-    Ok(context.state.fragment.buffers[buffer].blend)
-}
-
-/// State that has an index: of one draw buffer, of an indexed buffer, or a word of the sample mask.
-fn indexed_state(context: &Context, target: GLenum, index: GLuint) -> Result<Value> {
-    if let Some(value) = number(context, target, index) {
-        return int(value?);
-    }
-    let buffers = &context.state.fragment.buffers;
-    let at = || Ok(&buffers[buffer_index("index", index)?]);
-    match target {
-        GL_COLOR_WRITEMASK => at().map(|state| Value::Bools(state.mask.to_vec())),
-        GL_BLEND => at().and_then(|state| flag(state.blend)),
-        _ if Formula::REPLACE.get(target).is_some() => {
-            symbol(at()?.formula.get(target).unwrap_or_default())
-        }
-        _ => invalid_enum(
-            SECTION,
-            format!(
-                "target = {} must be GL_BLEND, GL_BLEND_SRC_RGB or another part of a blend \
-                 formula, GL_COLOR_WRITEMASK, GL_SAMPLE_MASK_VALUE or an indexed buffer",
-                enum_name(target)
-            ),
-        ),
-    }
-}
-
-pub(crate) fn get_booleani_v(
-    context: &mut Context,
-    target: GLenum,
-    index: GLuint,
-    data: &mut [GLboolean],
-) -> Result<()> {
-    put_bools(data, indexed_state(context, target, index)?)
-}
-
-pub(crate) fn get_integeri_v(
-    context: &mut Context,
-    target: GLenum,
-    index: GLuint,
-    data: &mut [GLint],
-) -> Result<()> {
-    put_ints(data, indexed_state(context, target, index)?)
-}
-
-pub(crate) fn get_integer64i_v(
-    context: &mut Context,
-    target: GLenum,
-    index: GLuint,
-    data: &mut [GLint64],
-) -> Result<()> {
-    if let Some(value) = number(context, target, index) {
-        return crate::query::put(data, &[value?]);
-    }
-    put_longs(data, indexed_state(context, target, index)?)
-}
-
-/// Indexed state that is a number.
-fn number(context: &Context, target: GLenum, index: GLuint) -> Option<Result<GLint64>> {
-    indexed_buffers::indexed_value(context, target, index).or_else(|| {
-        let word = multisample::indexed_value(context, target, index)?;
-        Some(word.map(GLint64::from))
-    })
 }

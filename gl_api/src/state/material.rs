@@ -1,14 +1,8 @@
 //! Materials and colour material: GL 2.1, sections 2.14.2 and 2.14.3.
 
-use super::enable::Flag;
-use super::params::{Params, parameter_calls, parameter_queries};
-use crate::constants::*;
-use crate::context::Context;
-use crate::draw::immediate::{Slot, attribute};
-use crate::error::{Result, Table, invalid_value};
-use crate::interface::{ATTRIB_COLOR, ATTRIB_MATERIAL, Side};
-use crate::query::table::{Value, float, floats, unit};
-use crate::types::*;
+use crate::base::constants::*;
+use crate::base::error::Table;
+use crate::interface::{ATTRIB_MATERIAL, Side};
 
 const SECTION: &str = "GL 2.1, section 2.14.2";
 
@@ -48,7 +42,7 @@ pub(crate) enum Part {
 }
 
 impl Part {
-    const ALL: [Self; 5] =
+    pub(crate) const ALL: [Self; 5] =
         [Self::Emission, Self::Ambient, Self::Diffuse, Self::Specular, Self::Shininess];
 }
 
@@ -62,13 +56,6 @@ pub(crate) fn column(side: Side, part: Part) -> u8 {
         Side::Back => Part::ALL.len() as u8,
     };
     ATTRIB_MATERIAL + side + part as u8
-}
-
-/// The side and the part that a location stands for.
-fn column_at(location: usize) -> (Side, Part) {
-    let place = (location - usize::from(ATTRIB_MATERIAL)) % MATERIAL_COLUMNS;
-    let side = if place < Part::ALL.len() { Side::Front } else { Side::Back };
-    (side, Part::ALL[place % Part::ALL.len()])
 }
 
 /// Which sides a call is about.
@@ -151,190 +138,17 @@ impl Default for Materials {
 }
 
 impl Materials {
-    fn side(&self, side: Side) -> &Material {
+    pub(crate) fn side(&self, side: Side) -> &Material {
         match side {
             Side::Front => &self.front,
             Side::Back => &self.back,
         }
     }
 
-    fn side_mut(&mut self, side: Side) -> &mut Material {
+    pub(crate) fn side_mut(&mut self, side: Side) -> &mut Material {
         match side {
             Side::Front => &mut self.front,
             Side::Back => &mut self.back,
         }
     }
-
-    /// What the column at a location is now, whatever is tracked.
-    pub fn column(&self, location: usize) -> [f32; 4] {
-        let (side, part) = column_at(location);
-        let material = self.side(side);
-        match part {
-            Part::Emission => material.emission,
-            Part::Ambient => material.ambient,
-            Part::Diffuse => material.diffuse,
-            Part::Specular => material.specular,
-            Part::Shininess => [material.shininess, 0.0, 0.0, 1.0],
-        }
-    }
-
-    /// Gives what the column at a location stands for another value.
-    pub fn set_column(&mut self, location: usize, value: [f32; 4]) {
-        let (side, part) = column_at(location);
-        let material = self.side_mut(side);
-        match part {
-            Part::Emission => material.emission = value,
-            Part::Ambient => material.ambient = value,
-            Part::Diffuse => material.diffuse = value,
-            Part::Specular => material.specular = value,
-            Part::Shininess => material.shininess = value[0],
-        }
-    }
 }
-
-/// Gives the tracked colours of a material another value.
-fn track(material: &mut Material, tracked: Tracked, color: [f32; 4]) {
-    match tracked {
-        Tracked::Emission => material.emission = color,
-        Tracked::Ambient => material.ambient = color,
-        Tracked::Diffuse => material.diffuse = color,
-        Tracked::Specular => material.specular = color,
-        Tracked::AmbientAndDiffuse => (material.ambient, material.diffuse) = (color, color),
-    }
-}
-
-/// A side's material as it is now: tracked colours are the current one.
-pub(crate) fn material(context: &Context, side: Side) -> Material {
-    let materials = &context.state.materials;
-    let mut material = materials.side(side).clone();
-    if context.state.enables.has(Flag::ColorMaterial) && materials.faces.has(side) {
-        let color = context.state.current[usize::from(ATTRIB_COLOR)];
-        track(&mut material, materials.tracked, color);
-    }
-    material
-}
-
-/// Lets what followed the current colour keep it: tracking is about to end or to change.
-pub(crate) fn keep_tracked(context: &mut Context) {
-    for side in [Side::Front, Side::Back] {
-        *context.state.materials.side_mut(side) = material(context, side);
-    }
-}
-
-pub(crate) fn color_material(context: &mut Context, face: GLenum, mode: GLenum) -> Result<()> {
-    let faces = FACES.decode("face", face)?;
-    let tracked = TRACKED.decode("mode", mode)?;
-    keep_tracked(context);
-    context.state.materials.faces = faces;
-    context.state.materials.tracked = tracked;
-    Ok(())
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Parameter {
-    Parts(&'static [Part]),
-    Indexes,
-}
-
-const SHININESS: &[Part] = &[Part::Shininess];
-
-const PARAMETER: Table<Parameter> = Table {
-    section: SECTION,
-    rows: &[
-        (GL_AMBIENT, Parameter::Parts(&[Part::Ambient])),
-        (GL_DIFFUSE, Parameter::Parts(&[Part::Diffuse])),
-        (GL_SPECULAR, Parameter::Parts(&[Part::Specular])),
-        (GL_EMISSION, Parameter::Parts(&[Part::Emission])),
-        (GL_SHININESS, Parameter::Parts(SHININESS)),
-        (GL_COLOR_INDEXES, Parameter::Indexes),
-        (GL_AMBIENT_AND_DIFFUSE, Parameter::Parts(&[Part::Ambient, Part::Diffuse])),
-    ],
-};
-
-/// A checked change of a material.
-enum Change {
-    /// A part of one or both sides, and its value: columns of the primitive that is begun.
-    Parts(&'static [Part], [f32; 4]),
-    Indexes([f32; 3]),
-}
-
-fn checked(face: GLenum, pname: GLenum, params: &Params) -> Result<(Sides, Change)> {
-    let faces = FACES.decode("face", face)?;
-    let parameter = PARAMETER.decode("pname", pname)?;
-    let count = match parameter {
-        Parameter::Parts(SHININESS) => 1,
-        Parameter::Parts(_) => 4,
-        Parameter::Indexes => 3,
-    };
-    params.need(SECTION, pname, count)?;
-    let change = match parameter {
-        Parameter::Parts(SHININESS) => {
-            let shininess = params.number();
-            if !(0.0..=128.0).contains(&shininess) {
-                return invalid_value(
-                    SECTION,
-                    format!("GL_SHININESS = {shininess} must be 0 to 128"),
-                );
-            }
-            Change::Parts(SHININESS, [shininess, 0.0, 0.0, 1.0])
-        }
-        Parameter::Parts(parts) => Change::Parts(parts, params.color()),
-        Parameter::Indexes => {
-            let [ambient, diffuse, specular, _] = params.point().map(|index| index as f32);
-            Change::Indexes([ambient, diffuse, specular])
-        }
-    };
-    Ok((faces, change))
-}
-
-/// Parts that track the current colour take no lasting effect. In a list, and between `glBegin` and
-/// `glEnd`, a part is an attribute of the vertices that follow.
-fn set_material(context: &mut Context, face: GLenum, pname: GLenum, params: &Params) -> Result<()> {
-    let (faces, change) = match checked(face, pname, params) {
-        Ok(checked) => checked,
-        Err(error) => {
-            return context.run_or_record("glMaterial", move |_| Err(error.clone()));
-        }
-    };
-    match change {
-        Change::Parts(parts, value) => {
-            for side in [Side::Front, Side::Back].into_iter().filter(|side| faces.has(*side)) {
-                for &part in parts {
-                    attribute(context, Slot::Location(column(side, part)), value)?;
-                }
-            }
-        }
-        Change::Indexes(indexes) => {
-            let set = move |context: &mut Context| {
-                for side in [Side::Front, Side::Back].into_iter().filter(|side| faces.has(*side)) {
-                    context.state.materials.side_mut(side).indexes = indexes;
-                }
-                Ok(())
-            };
-            return context.run_or_record("glMaterial", set);
-        }
-    }
-    Ok(())
-}
-
-parameter_calls!(set_material(face, pname): materialf, materiali, materialfv, materialiv);
-
-fn get_material(context: &Context, face: GLenum, pname: GLenum) -> Result<Value> {
-    const SIDE: Table<Side> =
-        Table { section: SECTION, rows: &[(GL_FRONT, Side::Front), (GL_BACK, Side::Back)] };
-    const QUERIED: Table<Parameter> =
-        Table { section: SECTION, rows: PARAMETER.rows.split_at(6).0 };
-    let side = SIDE.decode("face", face)?;
-    let parameter = QUERIED.decode("pname", pname)?;
-    let material = material(context, side);
-    match parameter {
-        Parameter::Indexes => floats(&material.indexes),
-        Parameter::Parts([Part::Emission, ..]) => unit(&material.emission),
-        Parameter::Parts([Part::Ambient, ..]) => unit(&material.ambient),
-        Parameter::Parts([Part::Diffuse, ..]) => unit(&material.diffuse),
-        Parameter::Parts([Part::Specular, ..]) => unit(&material.specular),
-        Parameter::Parts([Part::Shininess, ..] | []) => float(material.shininess),
-    }
-}
-
-parameter_queries!(get_material(face, pname): get_materialfv, get_materialiv);

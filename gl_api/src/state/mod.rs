@@ -1,6 +1,16 @@
 //! The state of a context, by chapter of the specification: plain values and the calls that set
 //! them. Objects are in [`crate::object`], texture environments in [`crate::env`].
 
+pub(crate) mod assembly;
+pub(crate) mod env;
+pub(crate) mod evaluate;
+pub(crate) mod evaluator_map;
+pub(crate) mod feedback;
+pub(crate) mod locked;
+pub(crate) mod raster_position;
+pub(crate) mod transform_feedback;
+pub(crate) mod uniform_buffers;
+
 pub(crate) mod attrib;
 pub(crate) mod blend;
 pub(crate) mod clamp;
@@ -9,14 +19,11 @@ pub(crate) mod clip;
 pub(crate) mod enable;
 pub(crate) mod fog;
 pub(crate) mod fragment;
-pub(crate) mod index;
 pub(crate) mod light;
 pub(crate) mod masks;
 pub(crate) mod material;
 pub(crate) mod matrix;
 pub(crate) mod multisample;
-pub(crate) mod params;
-pub(crate) mod pixel_store;
 pub(crate) mod points;
 pub(crate) mod polygon;
 pub(crate) mod raster;
@@ -24,15 +31,16 @@ pub(crate) mod stencil;
 pub(crate) mod versioned;
 pub(crate) mod viewport;
 
-use crate::assembly::calls::AssemblyState;
-use crate::env::Units;
-use crate::evaluate::EvaluatorState;
+use crate::base::types::GLuint;
 use crate::interface::{ATTRIB_COLOR, ATTRIB_EDGE_FLAG, ATTRIB_INDEX, ATTRIB_NORMAL};
-use crate::object::bound::Bound;
-use crate::pixels::position::RasterPosition;
-use crate::texture::Proxies;
-use crate::texture::transfer::Transfer;
-use crate::types::GLuint;
+use crate::objects::bound::Bound;
+use crate::objects::texture::Proxies;
+use crate::pixel::store::PixelStore;
+use crate::pixel::transfer::Transfer;
+use crate::state::assembly::AssemblyState;
+use crate::state::env::Units;
+use crate::state::evaluate::EvaluatorState;
+use crate::state::raster_position::RasterPosition;
 use clamp::ClampState;
 use clip::ClipPlanes;
 use enable::Enables;
@@ -41,7 +49,6 @@ use fragment::{ClearState, FragmentState};
 use light::Lights;
 use material::Materials;
 use matrix::Matrices;
-use pixel_store::PixelStore;
 use raster::RasterState;
 use versioned::Versioned;
 use viewport::ViewportState;
@@ -75,10 +82,10 @@ pub(crate) struct State {
     pub viewport: ViewportState,
     /// The current value of each attribute, by location.
     pub current: [[f32; 4]; LOCATIONS],
-    pub arrays: crate::draw::arrays::Arrays,
+    pub arrays: crate::objects::arrays::Arrays,
     /// The index that restarts a primitive; of no vertex array object.
     pub restart_index: GLuint,
-    pub locked: crate::draw::locked::Locked,
+    pub locked: locked::Locked,
     pub enables: Enables,
     pub lights: Versioned<Lights>,
     pub materials: Versioned<Materials>,
@@ -112,9 +119,9 @@ impl State {
             matrices: Matrices::default(),
             viewport: ViewportState::new(width, height),
             current,
-            arrays: crate::draw::arrays::Arrays::default(),
+            arrays: crate::objects::arrays::Arrays::default(),
             restart_index: 0,
-            locked: crate::draw::locked::Locked::default(),
+            locked: locked::Locked::default(),
             enables: Enables::default(),
             lights: Versioned::new(Lights::default()),
             materials: Versioned::new(Materials::default()),

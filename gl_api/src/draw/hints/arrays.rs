@@ -1,22 +1,18 @@
 //! Arrays that are not there, or too short.
 
-use crate::constants::*;
+use crate::base::constants::*;
+use crate::base::types::GLuint;
 use crate::context::Context;
+use crate::context::recorder::elements::Elements;
 use crate::context::said::Hint;
 use crate::draw::array_names::extent;
-use crate::draw::translate::Elements;
 use crate::state::enable::CLIENT_ARRAY;
-use crate::types::GLuint;
 use rasterizer::driver::{IndexType, Topology, VertexBinding, VertexSource};
 use rasterizer::ir::{Expr, Input};
 
 /// Arrays that a draw reads past their end. `glDrawArrays` refuses where the first one is too short;
 /// others, and all that indices reach, read as zeros. Indices are only looked through for somebody.
-pub(in crate::draw) fn short(
-    context: &mut Context,
-    vertices: &[VertexBinding],
-    elements: &Elements,
-) {
+pub(crate) fn short(context: &mut Context, vertices: &[VertexBinding], elements: &Elements) {
     let mut last = None;
     let (_, instances) = elements.counts();
     for binding in vertices {
@@ -57,7 +53,7 @@ fn last_vertex(context: &Context, elements: &Elements) -> Option<u32> {
 }
 
 /// Draws of a program's vertices that are all alike: it has attributes, and none has an array.
-pub(in crate::draw) fn none(context: &mut Context, topology: Topology) {
+pub(crate) fn none(context: &mut Context, topology: Topology) {
     let name = context.state.bindings.program.name();
     let linked = context.objects.linked_program(name);
     // A point can be where a constant says.

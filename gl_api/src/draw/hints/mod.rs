@@ -3,8 +3,9 @@
 //! What they warn of is legal, and may be right: each is said once ([`crate::context::said`]). A draw
 //! compares a few numbers that it has at hand; what is made for a message is made when one is due.
 
-pub(super) mod arrays;
 pub(crate) mod depths;
+
+pub(crate) mod arrays;
 pub(crate) mod sight;
-pub(super) mod state;
-pub(super) mod textures;
+pub(crate) mod state;
+pub(crate) mod textures;

@@ -1,6 +1,5 @@
 //! Pictures of which all that was drawn is out of sight.
 
-use super::depths;
 use crate::context::Context;
 use crate::context::said::Hint;
 use rasterizer::driver::{Drawn, Reason, Reasons, Side, Sight};
@@ -8,7 +7,7 @@ use rasterizer::driver::{Drawn, Reason, Reasons, Side, Sight};
 /// Looks back on what was drawn, when a picture is taken: since the one before, all of it may have been where
 /// nobody sees it.
 pub(crate) fn picture(context: &mut Context) {
-    depths::picture(context);
+    crate::draw::hints::depths::picture(context);
     match std::mem::take(&mut context.recorder.sight) {
         Sight::Undrawn | Sight::Some => {}
         Sight::None(reasons) => nothing(context, &reasons),

@@ -1,20 +1,19 @@
 //! State with which nothing is seen.
 
-use super::depths;
-use crate::assembly::running::has_vertex_program;
+use crate::calls::lighting::material::material;
 use crate::context::Context;
+use crate::context::recorder::elements::Elements;
 use crate::context::said::Hint;
-use crate::draw::translate::Elements;
+use crate::draw::assembly_words::has_vertex_program;
 use crate::interface::Side;
 use crate::state::enable::Flag;
-use crate::state::material::material;
 use crate::state::stencil::Face;
 use rasterizer::driver::{DepthWrite, PassDesc, PipelineDesc, Topology};
 use rasterizer::ir::Output;
 use texunit::sampler::Compare;
 
 /// Looks at what a draw is made of.
-pub(in crate::draw) fn check(
+pub(crate) fn check(
     context: &mut Context,
     pass: &PassDesc,
     desc: &PipelineDesc,
@@ -54,7 +53,7 @@ pub(in crate::draw) fn check(
         left_out(context, remainder);
     }
     colors(context, pass, desc);
-    depths::check(context, desc.depth.as_ref());
+    crate::draw::hints::depths::check(context, desc.depth.as_ref());
 }
 
 const NO_SCISSOR: &str = "draw: GL_SCISSOR_TEST is enabled and the scissor box is 0×0, so nothing is \

@@ -1,18 +1,17 @@
 //! Textures that are not where a draw looks for them, or not what it takes them for.
 
-use crate::assembly::running::has_fragment_program;
-use crate::constants::*;
+use crate::base::constants::*;
+use crate::base::types::GLuint;
 use crate::context::Context;
 use crate::context::said::Hint;
-use crate::draw::stages;
-use crate::env::Unit;
-use crate::framebuffer::buffers::attachment_index;
+use crate::draw::assembly_words::has_fragment_program;
 use crate::interface::MAX_COMBINED_TEXTURE_IMAGE_UNITS;
-use crate::object::bound::Bound;
-use crate::object::framebuffers::{Attached, Source};
+use crate::objects::bound::Bound;
+use crate::objects::color_buffers::attachment_index;
+use crate::objects::framebuffers::{Attached, Source};
+use crate::objects::target::{TARGET, TextureTarget};
 use crate::state::enable::{CAPABILITY, Flag};
-use crate::texture::{TARGET, TextureTarget};
-use crate::types::GLuint;
+use crate::state::env::Unit;
 use rasterizer::driver::{DepthWrite, Image};
 use rasterizer::ir::TextureDecl;
 use texunit::sampler::{Mipmap, Sampler};
@@ -53,12 +52,7 @@ fn elsewhere(context: &Context, unit: u8, target: TextureTarget) -> Option<Elsew
 /// A texture that the fixed function samples but that is incomplete: the unit is as if switched off.
 #[cold]
 #[inline(never)]
-pub(in crate::draw) fn incomplete(
-    context: &mut Context,
-    unit: u8,
-    target: TextureTarget,
-    reason: &str,
-) {
+pub(crate) fn incomplete(context: &mut Context, unit: u8, target: TextureTarget, reason: &str) {
     let name = context.state.units.units[usize::from(unit)].bound[target as usize].name();
     let asked = target_name(target);
     let text = match elsewhere(context, unit, target) {
@@ -86,7 +80,7 @@ pub(in crate::draw) fn incomplete(
 }
 
 /// A sampler uniform whose unit has nothing for it, or a texture that is not compared.
-pub(in crate::draw) fn sampler(
+pub(crate) fn sampler(
     context: &mut Context,
     unit: u8,
     target: TextureTarget,
@@ -94,7 +88,7 @@ pub(in crate::draw) fn sampler(
     decl: TextureDecl,
 ) {
     let bound = &context.state.units.units[usize::from(unit)].bound[target as usize];
-    let state = stages::sampler(context, unit, target);
+    let state = crate::draw::stages::sampler(context, unit, target);
     match context.objects.texture(target, bound).incomplete_reason(&state) {
         Some(reason) => reads_black(context, unit, target, word, &reason),
         None if decl.compare && state.compare.is_none() => {
@@ -173,7 +167,7 @@ fn uniform_name(context: &Context, word: u32) -> String {
 }
 
 /// A texture that is sampled by a draw that may draw to it (GL 3.1, section 4.4.3).
-pub(in crate::draw) fn feedback_loop(
+pub(crate) fn feedback_loop(
     context: &mut Context,
     place: (u8, TextureTarget),
     image: &Image,
@@ -225,7 +219,7 @@ fn maybe_loop(
 
 /// Textures are bound, but no unit is switched on and no program is in use. Said once, it is so until
 /// units change.
-pub(in crate::draw) fn nothing_enabled(context: &mut Context) {
+pub(crate) fn nothing_enabled(context: &mut Context) {
     if context.state.bindings.program.name() != 0 || has_fragment_program(context) {
         return;
     }

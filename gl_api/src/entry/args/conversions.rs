@@ -1,6 +1,7 @@
 //! What can be passed where an entry point expects an argument.
 
-use super::{Arg, Data, DataOut, Names, Null, Offset, Pointers, Strings, TextOut};
+use super::{Arg, Null, Offset};
+use crate::base::args::{Data, DataOut, Names, Pointers, Strings, TextOut};
 use crate::context::GLDEBUGPROC;
 use bytemuck::{NoUninit, Pod};
 

@@ -1,9 +1,9 @@
 //! The whole table of entry points with random arguments, bounded.
 
 use super::*;
+use crate::base::begin_end::BeginEnd;
+use crate::base::types::GLenum;
 use crate::context::ContextDesc;
-use crate::entry::BeginEnd;
-use crate::types::GLenum;
 use rasterizer::driver::{Device, DeviceDesc, Explain};
 use std::sync::Arc;
 use std::time::{Duration, Instant};

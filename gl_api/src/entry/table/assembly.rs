@@ -1,9 +1,10 @@
 //! Assembly programs: ARB_vertex_program, ARB_fragment_program, EXT_gpu_program_parameters.
 
-use crate::assembly::{calls, query};
-use crate::entry::DataOut;
-use crate::object::assemblies;
-use crate::types::*;
+use crate::base::args::DataOut;
+use crate::base::types::*;
+use crate::calls::program::{
+    assembly as calls, assembly_names as assemblies, assembly_query as query,
+};
 
 #[doc(hidden)]
 #[macro_export]

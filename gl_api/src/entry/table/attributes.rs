@@ -4,9 +4,9 @@
 //! are converted; a row the method, GL's name and an alias of the call, the same of its vector form, the type of a
 //! component, and the components.
 
-use crate::draw::immediate::Slot;
+use crate::base::types::{GLenum, GLuint};
+use crate::context::immediate::Slot;
 use crate::interface::*;
-use crate::types::{GLenum, GLuint};
 
 #[doc(hidden)]
 #[macro_export]

@@ -1,9 +1,10 @@
 //! Messages, labels and fences: `KHR_debug` and `ARB_sync`.
 
-use crate::context::{GLDEBUGPROC, log_calls};
-use crate::entry::TextOut;
-use crate::object::syncs;
-use crate::types::*;
+use crate::base::args::TextOut;
+use crate::base::types::*;
+use crate::calls::debug as log_calls;
+use crate::calls::sync::fences as syncs;
+use crate::context::GLDEBUGPROC;
 
 #[doc(hidden)]
 #[macro_export]

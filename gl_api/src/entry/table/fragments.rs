@@ -1,8 +1,9 @@
 //! Per-fragment operations: GL 2.1, chapter 4.
 
-use crate::framebuffer::{accumulate, clear};
-use crate::state::{blend, clamp, fragment, index, masks, stencil};
-use crate::types::*;
+use crate::base::types::*;
+use crate::calls::fragment::{blend, clamp, masks, stencil, tests as fragment};
+use crate::calls::framebuffer::{accumulate, clear};
+use crate::calls::index;
 
 #[doc(hidden)]
 #[macro_export]

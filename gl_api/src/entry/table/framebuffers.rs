@@ -1,9 +1,10 @@
 //! Framebuffer objects: `ARB_framebuffer_object` and `EXT_framebuffer_object`; draw and read
 //! buffers: GL 2.1, sections 4.2.1 and 4.3.2.
 
-use crate::framebuffer::{attach, blit, buffers, inspect};
-use crate::object::{framebuffers, renderbuffers};
-use crate::types::*;
+use crate::base::types::*;
+use crate::calls::framebuffer::{
+    attach, blit, buffers, inspect, names as framebuffers, renderbuffers,
+};
 
 #[doc(hidden)]
 #[macro_export]

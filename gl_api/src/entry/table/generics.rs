@@ -1,8 +1,8 @@
 //! Generic attributes of integer types that have a vector form only, and reading them: GL 2.1,
 //! sections 2.7 and 6.1.14.
 
-use crate::program::attribute;
-use crate::types::*;
+use crate::base::types::*;
+use crate::calls::program::attribute;
 
 #[doc(hidden)]
 #[macro_export]

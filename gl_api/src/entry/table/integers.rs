@@ -1,7 +1,7 @@
 //! Integers that reach shaders as they are: EXT_gpu_shader4, sections 2.7 and 6.1.
 
-use crate::program::{inspect, integer};
-use crate::types::*;
+use crate::base::types::*;
+use crate::calls::program::{inspect, integer};
 
 #[doc(hidden)]
 #[macro_export]

@@ -1,9 +1,9 @@
 //! Light, materials, fog, generated texture coordinates and user clip planes: GL 2.1, sections
 //! 2.11.4, 2.12, 2.14 and 3.10.
 
-use crate::env::texgen;
-use crate::state::{clip, fog, light, material};
-use crate::types::*;
+use crate::base::types::*;
+use crate::calls::lighting::{fog, light, material};
+use crate::calls::transform::{clip, texgen};
 
 #[doc(hidden)]
 #[macro_export]

@@ -1,9 +1,9 @@
 //! Display lists and attribute stacks: GL 2.1, sections 5.4 and 6.1.17.
 
-use crate::entry::Data;
-use crate::list::calls;
-use crate::state::{attrib, client_attrib};
-use crate::types::*;
+use crate::base::args::Data;
+use crate::base::types::*;
+use crate::record::list::calls;
+use crate::record::{attrib, client_attrib};
 
 #[doc(hidden)]
 #[macro_export]

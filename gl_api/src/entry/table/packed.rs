@@ -1,7 +1,7 @@
 //! Attributes whose components share a word: `ARB_vertex_type_2_10_10_10_rev`.
 
-use crate::draw::packed;
-use crate::types::*;
+use crate::base::types::*;
+use crate::calls::vertex::packed;
 
 #[doc(hidden)]
 #[macro_export]

@@ -1,10 +1,9 @@
 //! Pixel rectangles: GL 2.1, sections 3.6.1 and 4.3.2.
 
-use crate::entry::{Data, DataOut};
-use crate::framebuffer::read;
-use crate::state::pixel_store;
-use crate::texture::{pixel_map, transfer};
-use crate::types::*;
+use crate::base::args::{Data, DataOut};
+use crate::base::types::*;
+use crate::calls::framebuffer::read;
+use crate::calls::pixels::{map as pixel_map, store as pixel_store, transfer};
 
 #[doc(hidden)]
 #[macro_export]

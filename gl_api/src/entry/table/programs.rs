@@ -1,9 +1,8 @@
 //! Shaders and programs: GL 2.1, sections 2.15, 3.11 and 6.1.14.
 
-use crate::entry::{Data, Strings, TextOut};
-use crate::object::{compiler, programs, shaders};
-use crate::program::{arb, inspect, uniform, validate};
-use crate::types::*;
+use crate::base::args::{Data, Strings, TextOut};
+use crate::base::types::*;
+use crate::calls::program::{arb, compiler, inspect, programs, shaders, uniform, validate};
 
 #[doc(hidden)]
 #[macro_export]

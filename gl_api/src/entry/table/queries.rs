@@ -1,8 +1,8 @@
 //! State queries: GL 2.1, chapter 6; and the end of commands: section 5.5.
 
-use crate::object::{conditional, queries};
-use crate::query::{extensions, flush, get};
-use crate::types::*;
+use crate::base::types::*;
+use crate::calls::query::{extensions, flush, get};
+use crate::calls::sync::{conditional, queries};
 
 #[doc(hidden)]
 #[macro_export]

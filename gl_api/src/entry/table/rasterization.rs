@@ -1,9 +1,10 @@
 //! Rasterization: GL 2.1, chapter 3, and the enables of all chapters.
 
-use crate::draw::arrays;
-use crate::entry::{Data, DataOut};
-use crate::state::{enable, multisample, points, polygon, raster};
-use crate::types::*;
+use crate::base::args::{Data, DataOut};
+use crate::base::types::*;
+use crate::calls::enable;
+use crate::calls::raster::{lines as raster, multisample, points, polygon};
+use crate::calls::vertex::arrays;
 
 #[doc(hidden)]
 #[macro_export]

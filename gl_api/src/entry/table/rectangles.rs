@@ -1,8 +1,8 @@
 //! Pixel rectangles as fragments: GL 2.1, sections 2.13, 3.6.4, 3.7 and 4.3.3.
 
-use crate::entry::Data;
-use crate::pixels::{bitmap, copy, draw, position, zoom};
-use crate::types::*;
+use crate::base::args::Data;
+use crate::base::types::*;
+use crate::calls::pixels::{bitmap, copy, draw, position, zoom};
 
 #[doc(hidden)]
 #[macro_export]

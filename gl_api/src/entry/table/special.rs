@@ -1,9 +1,9 @@
 //! Special functions: GL 2.1, chapter 5. Display lists are in [`super::lists`].
 
-use crate::entry::DataOut;
-use crate::evaluate::{coord, grid, map};
-use crate::feedback::modes;
-use crate::types::*;
+use crate::base::args::DataOut;
+use crate::base::types::*;
+use crate::calls::evaluate::{coord, grid, map};
+use crate::record::render_mode as modes;
 
 #[doc(hidden)]
 #[macro_export]

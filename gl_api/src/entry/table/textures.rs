@@ -1,13 +1,11 @@
 //! Textures: GL 2.1, section 3.8 (and 6.1.3, 6.1.4 for queries).
 
-use crate::entry::{Data, DataOut};
-use crate::env;
-use crate::object::{samplers, textures};
-use crate::texture::{
-    buffer, compressed, copy, get, get_sub, mipmap, multisample, parameter, query, specify,
-    storage, sub,
+use crate::base::args::{Data, DataOut};
+use crate::base::types::*;
+use crate::calls::texture::{
+    buffer, compressed, copy, environment as env, get, get_sub, mipmap, multisample,
+    names as textures, parameter, query, samplers, specify, storage, sub,
 };
-use crate::types::*;
 
 #[doc(hidden)]
 #[macro_export]

@@ -1,7 +1,7 @@
 //! Coordinate transformations: GL 2.1, section 2.11.
 
-use crate::state::{matrix, viewport};
-use crate::types::*;
+use crate::base::types::*;
+use crate::calls::transform::{matrix, viewport};
 
 #[doc(hidden)]
 #[macro_export]

@@ -1,9 +1,10 @@
 //! Transform feedback: GL 3.0, section 2.15 (`EXT_transform_feedback`).
 
-use crate::entry::{Names, TextOut};
-use crate::object::indexed_buffers;
-use crate::transform_feedback::{calls, varyings};
-use crate::types::*;
+use crate::base::args::{Names, TextOut};
+use crate::base::types::*;
+use crate::calls::buffer::indexed as indexed_buffers;
+use crate::calls::program::varyings;
+use crate::calls::transform_feedback as calls;
 
 #[doc(hidden)]
 #[macro_export]

@@ -1,8 +1,8 @@
 //! Uniform blocks: ARB_uniform_buffer_object.
 
-use crate::entry::{Names, TextOut};
-use crate::types::*;
-use crate::uniform_buffer::inspect;
+use crate::base::args::{Names, TextOut};
+use crate::base::types::*;
+use crate::calls::program::blocks as inspect;
 
 #[doc(hidden)]
 #[macro_export]

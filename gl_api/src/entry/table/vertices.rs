@@ -1,11 +1,14 @@
 //! Vertices: GL 2.1, sections 2.6 to 2.9. The attributes of immediate mode are in
 //! [`super::attributes`].
 
-use crate::draw::{arrays, calls, counted, immediate, interleaved, locked, rect, restart, runs};
-use crate::entry::{Data, DataOut, Pointers};
-use crate::object::{buffer_map, buffers, vertex_arrays};
-use crate::query::arrays as query_arrays;
-use crate::types::*;
+use crate::base::args::{Data, DataOut, Pointers};
+use crate::base::types::*;
+use crate::calls::buffer::{data as buffers, map as buffer_map};
+use crate::calls::query::arrays as query_arrays;
+use crate::calls::vertex::{
+    array_objects as vertex_arrays, arrays, counted, draws as calls, immediate, interleaved,
+    locked, rect, restart, runs,
+};
 
 #[doc(hidden)]
 #[macro_export]

@@ -1,0 +1,220 @@
+//! Buffer objects: GL 2.1, section 2.9.
+
+use crate::base::args::{Data, DataOut, Located, LocatedOut};
+use crate::base::constants::*;
+use crate::base::error::{ErrorCode, GlError, Result, Table, invalid_operation, not_negative};
+use crate::base::limits;
+use crate::base::types::*;
+use crate::context::Context;
+use crate::context::recorder::Recorder;
+use crate::objects::bound::Bound;
+use crate::objects::buffers::{BUFFER_TARGET, BufferObject, BufferTarget, range, unmapped};
+use crate::objects::{Sweep, listed};
+use bytemuck::allocation::try_zeroed_vec;
+use rasterizer::driver::Buffer;
+
+const SECTION: &str = "GL 2.1, section 2.9";
+
+/// Kept for queries; it changes nothing.
+const USAGE: Table<GLenum> = Table {
+    section: "GL 2.1, table 2.6",
+    rows: &[
+        (GL_STREAM_DRAW, GL_STREAM_DRAW),
+        (GL_STREAM_READ, GL_STREAM_READ),
+        (GL_STREAM_COPY, GL_STREAM_COPY),
+        (GL_STATIC_DRAW, GL_STATIC_DRAW),
+        (GL_STATIC_READ, GL_STATIC_READ),
+        (GL_STATIC_COPY, GL_STATIC_COPY),
+        (GL_DYNAMIC_DRAW, GL_DYNAMIC_DRAW),
+        (GL_DYNAMIC_READ, GL_DYNAMIC_READ),
+        (GL_DYNAMIC_COPY, GL_DYNAMIC_COPY),
+    ],
+};
+
+pub(crate) fn binding(context: &mut Context, target: BufferTarget) -> &mut Bound {
+    match target {
+        BufferTarget::Array => &mut context.state.bindings.array_buffer,
+        BufferTarget::ElementArray => &mut context.state.bindings.element_array_buffer,
+        BufferTarget::PixelPack => &mut context.state.bindings.pixel_pack_buffer,
+        BufferTarget::PixelUnpack => &mut context.state.bindings.pixel_unpack_buffer,
+        BufferTarget::CopyRead => &mut context.state.bindings.copy_read_buffer,
+        BufferTarget::CopyWrite => &mut context.state.bindings.copy_write_buffer,
+        BufferTarget::TransformFeedback => &mut context.state.bindings.transform_feedback_buffer,
+        BufferTarget::Uniform => &mut context.state.bindings.uniform_buffer,
+        BufferTarget::Texture => &mut context.state.bindings.texture_buffer,
+    }
+}
+
+/// The buffer that is bound to a target.
+pub(crate) fn bound(context: &mut Context, target: GLenum) -> Result<&mut BufferObject> {
+    Ok(with_recorder(context, target)?.0)
+}
+
+/// The buffer that is bound to a target and not mapped, and what is told of writes to it.
+pub(crate) fn writable(
+    context: &mut Context,
+    target: GLenum,
+) -> Result<(&mut BufferObject, &mut Recorder)> {
+    let (object, recorder) = with_recorder(context, target)?;
+    Ok((unmapped(object)?, recorder))
+}
+
+pub(crate) fn with_recorder(
+    context: &mut Context,
+    target: GLenum,
+) -> Result<(&mut BufferObject, &mut Recorder)> {
+    let bound = binding(context, BUFFER_TARGET.decode("target", target)?).clone();
+    match context.objects.buffers.bound_mut(&bound) {
+        Some(object) => Ok((object, &mut context.recorder)),
+        None => invalid_operation(
+            SECTION,
+            format!("no buffer is bound to {}: call glBindBuffer", enum_name(target)),
+        ),
+    }
+}
+
+pub(crate) fn gen_buffers(context: &mut Context, n: GLsizei, buffers: &mut [GLuint]) -> Result<()> {
+    context.objects.buffers.reserve(SECTION, n, buffers)
+}
+
+pub(crate) fn delete_buffers(context: &mut Context, n: GLsizei, buffers: &[GLuint]) -> Result<()> {
+    for &name in listed(SECTION, n, buffers)?.iter().filter(|&&name| name != 0) {
+        let gone = context.objects.buffers.hold(name);
+        for target in BufferTarget::ALL {
+            binding(context, target).forget(&gone);
+        }
+        context.state.arrays.forget_buffer(&gone);
+        context.transform_feedback.forget_buffer(&gone);
+        context.uniform_buffers.forget_buffer(&gone);
+        drop(gone);
+        // Its mapping ends, whoever has it.
+        if let Some(object) = context.objects.buffers.get_mut(name) {
+            object.unmap();
+        }
+        context.objects.buffers.remove(name);
+    }
+    context.objects.sweep(Sweep::Deleted);
+    Ok(())
+}
+
+pub(crate) fn bind_buffer(context: &mut Context, target: GLenum, buffer: GLuint) -> Result<()> {
+    let target = BUFFER_TARGET.decode("target", target)?;
+    context.objects.buffers.create(buffer, BufferObject::new);
+    *binding(context, target) = context.objects.buffers.hold(buffer);
+    match target {
+        // Calls look there for what they are given.
+        BufferTarget::Array | BufferTarget::ElementArray => context.changes.nothing(),
+        BufferTarget::PixelPack
+        | BufferTarget::PixelUnpack
+        | BufferTarget::CopyRead
+        | BufferTarget::CopyWrite
+        | BufferTarget::TransformFeedback
+        | BufferTarget::Uniform
+        | BufferTarget::Texture => {}
+    }
+    Ok(())
+}
+
+pub(crate) fn is_buffer(context: &mut Context, buffer: GLuint) -> Result<bool> {
+    Ok(context.objects.buffers.get(buffer).is_some())
+}
+
+pub(crate) fn buffer_data(
+    context: &mut Context,
+    target: GLenum,
+    size: GLsizeiptr,
+    data: Data<'_>,
+    usage: GLenum,
+) -> Result<()> {
+    let device = context.recorder.device();
+    let object = bound(context, target)?;
+    let size = not_negative(SECTION, "size", size as i64)?;
+    let usage = USAGE.decode("usage", usage)?;
+    let no_memory = || {
+        GlError::new(
+            ErrorCode::OutOfMemory,
+            SECTION,
+            format!("size = {size}: there is no memory for so many bytes"),
+        )
+    };
+    if size > limits::MAX_BUFFER_SIZE {
+        return Err(no_memory());
+    }
+    let zeros = || try_zeroed_vec(size).map_err(|()| no_memory());
+    let bytes = match data.locate(0, size) {
+        Located::Bytes(source) => match source.get(..size) {
+            Some(source) => {
+                let mut bytes = object.take_as_many(size).map_or_else(zeros, Ok)?;
+                device.copy(source, &mut bytes);
+                bytes
+            }
+            None => {
+                return invalid_operation(
+                    SECTION,
+                    format!("size = {size}, but data has {} bytes", source.len()),
+                );
+            }
+        },
+        Located::Null | Located::Offset(0) => zeros()?,
+        Located::Offset(_) => {
+            return invalid_operation(SECTION, "data is an offset; it must be memory or NULL");
+        }
+    };
+    object.buffer = Buffer::new(bytes);
+    object.usage = usage;
+    object.map = None;
+    object.access = GL_READ_WRITE;
+    context.recorder.hold(size);
+    Ok(())
+}
+
+pub(crate) fn buffer_sub_data(
+    context: &mut Context,
+    target: GLenum,
+    offset: GLintptr,
+    size: GLsizeiptr,
+    data: Data<'_>,
+) -> Result<()> {
+    let (object, recorder) = writable(context, target)?;
+    let range = range(object, offset, size)?;
+    match data.locate(0, range.len()) {
+        Located::Bytes(source) if source.len() >= range.len() => {
+            let to = &mut object.bytes_mut(recorder)[range];
+            recorder.copy(&source[..to.len()], to);
+            Ok(())
+        }
+        Located::Bytes(source) => invalid_operation(
+            SECTION,
+            format!("size = {size}, but data has {} bytes", source.len()),
+        ),
+        // What an empty vector of C++ gives.
+        Located::Null | Located::Offset(_) if range.is_empty() => Ok(()),
+        Located::Null | Located::Offset(_) => {
+            invalid_operation(SECTION, "data is NULL or an offset; it must be memory")
+        }
+    }
+}
+
+pub(crate) fn get_buffer_sub_data(
+    context: &mut Context,
+    target: GLenum,
+    offset: GLintptr,
+    size: GLsizeiptr,
+    data: DataOut<'_>,
+) -> Result<()> {
+    let object = unmapped(bound(context, target)?)?;
+    let range = range(object, offset, size)?;
+    match data.locate(0, range.len()) {
+        LocatedOut::Bytes(out) if out.len() >= range.len() => {
+            out[..range.len()].copy_from_slice(&object.buffer.bytes()[range]);
+            Ok(())
+        }
+        LocatedOut::Bytes(out) => {
+            invalid_operation(SECTION, format!("size = {size}, but data has {} bytes", out.len()))
+        }
+        LocatedOut::Null | LocatedOut::Offset(_) if range.is_empty() => Ok(()),
+        LocatedOut::Null | LocatedOut::Offset(_) => {
+            invalid_operation(SECTION, "data is NULL or an offset; it must be memory")
+        }
+    }
+}

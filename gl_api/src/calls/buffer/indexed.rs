@@ -1,0 +1,181 @@
+//! Buffers that are bound to numbers: `glBindBufferRange`, `glBindBufferBase` (GL 3.0, section
+//! 2.15; ARB_uniform_buffer_object, section 2.15.3.2).
+
+use crate::base::constants::*;
+use crate::base::error::{Result, Table, invalid_value};
+use crate::base::limits::UNIFORM_BUFFER_OFFSET_ALIGNMENT;
+use crate::base::types::*;
+use crate::calls::transform_feedback::not_while_active;
+use crate::context::Context;
+use crate::objects::indexed_buffers::BufferRange;
+
+const SECTION: &str = "GL 3.1, section 2.9.1";
+
+/// A target with numbered bindings.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Numbered {
+    TransformFeedback,
+    Uniform,
+}
+
+impl Numbered {
+    const TARGET: Table<Self> = Table {
+        section: SECTION,
+        rows: &[
+            (GL_TRANSFORM_FEEDBACK_BUFFER, Self::TransformFeedback),
+            (GL_UNIFORM_BUFFER, Self::Uniform),
+        ],
+    };
+
+    fn ranges(self, context: &Context) -> &[BufferRange] {
+        match self {
+            Self::TransformFeedback => &context.transform_feedback.buffers,
+            Self::Uniform => &context.uniform_buffers.buffers,
+        }
+    }
+
+    fn ranges_mut(self, context: &mut Context) -> &mut [BufferRange] {
+        match self {
+            Self::TransformFeedback => &mut context.transform_feedback.buffers,
+            Self::Uniform => &mut context.uniform_buffers.buffers,
+        }
+    }
+
+    /// What says how many numbers there are.
+    fn limit(self) -> &'static str {
+        match self {
+            Self::TransformFeedback => "GL_MAX_TRANSFORM_FEEDBACK_SEPARATE_ATTRIBS",
+            Self::Uniform => "GL_MAX_UNIFORM_BUFFER_BINDINGS",
+        }
+    }
+
+    /// What offsets and sizes are multiples of.
+    fn alignments(self) -> [usize; 2] {
+        match self {
+            Self::TransformFeedback => [4, 4],
+            Self::Uniform => [UNIFORM_BUFFER_OFFSET_ALIGNMENT, 1],
+        }
+    }
+}
+
+/// A number of bytes that is large enough, and a multiple.
+fn multiple(what: &str, value: i64, least: i64, of: usize) -> Result<usize> {
+    match usize::try_from(value) {
+        Ok(bytes) if value >= least && bytes % of == 0 => Ok(bytes),
+        Ok(_) | Err(_) => invalid_value(
+            SECTION,
+            format!("{what} = {value} must be at least {least} and a multiple of {of}"),
+        ),
+    }
+}
+
+fn bind(
+    context: &mut Context,
+    target: GLenum,
+    index: GLuint,
+    buffer: GLuint,
+    [offset, size]: [Option<i64>; 2],
+) -> Result<()> {
+    let numbered = Numbered::TARGET.decode("target", target)?;
+    let mut range = BufferRange::default();
+    let [of_offset, of_size] = numbered.alignments();
+    // Without a buffer there is no range of it.
+    if buffer != 0 {
+        if let Some(offset) = offset {
+            range.offset = multiple("offset", offset, 0, of_offset)?;
+        }
+        if let Some(size) = size {
+            range.size = Some(multiple("size", size, of_size as i64, of_size)?);
+        }
+    }
+    let count = numbered.ranges(context).len();
+    if index as usize >= count {
+        let limit = numbered.limit();
+        return invalid_value(SECTION, format!("index = {index} must be below {limit}, {count}"));
+    }
+    if numbered == Numbered::TransformFeedback {
+        not_while_active(context)?;
+    }
+    crate::calls::buffer::data::bind_buffer(context, target, buffer)?;
+    range.buffer = context.objects.buffers.hold(buffer);
+    numbered.ranges_mut(context)[index as usize] = range;
+    Ok(())
+}
+
+pub(crate) fn bind_buffer_range(
+    context: &mut Context,
+    target: GLenum,
+    index: GLuint,
+    buffer: GLuint,
+    offset: GLintptr,
+    size: GLsizeiptr,
+) -> Result<()> {
+    bind(context, target, index, buffer, [Some(offset as i64), Some(size as i64)])
+}
+
+pub(crate) fn bind_buffer_offset_ext(
+    context: &mut Context,
+    target: GLenum,
+    index: GLuint,
+    buffer: GLuint,
+    offset: GLintptr,
+) -> Result<()> {
+    const TARGET: Table<()> = Table {
+        section: "EXT_transform_feedback, section 2.Y",
+        rows: &[(GL_TRANSFORM_FEEDBACK_BUFFER, ())],
+    };
+    TARGET.decode("target", target)?;
+    bind(context, target, index, buffer, [Some(offset as i64), None])
+}
+
+pub(crate) fn bind_buffer_base(
+    context: &mut Context,
+    target: GLenum,
+    index: GLuint,
+    buffer: GLuint,
+) -> Result<()> {
+    bind(context, target, index, buffer, [None, None])
+}
+
+/// What of a numbered binding is asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Property {
+    Name,
+    Start,
+    Size,
+}
+
+/// What `glGetIntegeri_v` reads of a numbered binding; `None` if `pname` is of something else.
+///
+/// # Errors
+/// `GL_INVALID_VALUE` for an index that there is not.
+pub(crate) fn indexed_value(
+    context: &Context,
+    pname: GLenum,
+    index: GLuint,
+) -> Option<Result<GLint64>> {
+    const PROPERTY: Table<(Numbered, Property)> = Table {
+        section: SECTION,
+        rows: &[
+            (GL_TRANSFORM_FEEDBACK_BUFFER_BINDING, (Numbered::TransformFeedback, Property::Name)),
+            (GL_TRANSFORM_FEEDBACK_BUFFER_START, (Numbered::TransformFeedback, Property::Start)),
+            (GL_TRANSFORM_FEEDBACK_BUFFER_SIZE, (Numbered::TransformFeedback, Property::Size)),
+            (GL_UNIFORM_BUFFER_BINDING, (Numbered::Uniform, Property::Name)),
+            (GL_UNIFORM_BUFFER_START, (Numbered::Uniform, Property::Start)),
+            (GL_UNIFORM_BUFFER_SIZE, (Numbered::Uniform, Property::Size)),
+        ],
+    };
+    let (numbered, property) = PROPERTY.get(pname)?;
+    let ranges = numbered.ranges(context);
+    let Some(range) = ranges.get(index as usize) else {
+        return Some(invalid_value(
+            SECTION,
+            format!("index = {index} must be below {}", ranges.len()),
+        ));
+    };
+    Some(Ok(match property {
+        Property::Name => range.buffer.name().into(),
+        Property::Start => range.offset as GLint64,
+        Property::Size => range.size.unwrap_or(0) as GLint64,
+    }))
+}

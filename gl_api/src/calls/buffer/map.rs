@@ -1,0 +1,243 @@
+//! Buffer objects in the client's hands: GL 2.1, section 2.9, `ARB_map_buffer_range`,
+//! `ARB_copy_buffer`; and what is known of a buffer.
+//!
+//! A mapped buffer's bytes are taken out of it, so that a draw that was recorded earlier keeps what
+//! it saw and nothing else can read them; calls that would are refused.
+
+use crate::base::constants::*;
+use crate::base::error::{Result, Table, invalid_operation, invalid_value};
+use crate::base::types::*;
+use crate::calls::buffer::data::{binding, bound, with_recorder, writable};
+use crate::calls::query::put;
+use crate::context::Context;
+use crate::context::recorder::Recorder;
+use crate::objects::bound::Bound;
+use crate::objects::buffers::{BUFFER_TARGET, BufferObject, Map, range, unmapped};
+
+const SECTION: &str = "GL 2.1, section 2.9";
+const RANGE: &str = "ARB_map_buffer_range";
+
+const ACCESS: Table<GLbitfield> = Table {
+    section: SECTION,
+    rows: &[
+        (GL_READ_ONLY, GL_MAP_READ_BIT),
+        (GL_WRITE_ONLY, GL_MAP_WRITE_BIT),
+        (GL_READ_WRITE, GL_MAP_READ_BIT | GL_MAP_WRITE_BIT),
+    ],
+};
+
+/// Takes the bytes out.
+fn map(
+    (object, recorder): (&mut BufferObject, &mut Recorder),
+    range: std::ops::Range<usize>,
+    access: GLbitfield,
+) -> *mut u8 {
+    let bytes = object.take_bytes(recorder);
+    let both = access & (GL_MAP_READ_BIT | GL_MAP_WRITE_BIT);
+    object.access = ACCESS.encode(both);
+    object.map.insert(Map { bytes, range, access }).pointer()
+}
+
+pub(crate) fn map_buffer(
+    context: &mut Context,
+    target: GLenum,
+    access: GLenum,
+) -> Result<*mut GLvoid> {
+    let (object, recorder) = with_recorder(context, target)?;
+    let access = ACCESS.decode("access", access)?;
+    let object = unmapped(object)?;
+    let all = 0..object.len();
+    if all.is_empty() {
+        return invalid_operation(SECTION, "the buffer has no bytes: call glBufferData first");
+    }
+    Ok(map((object, recorder), all, access).cast())
+}
+
+pub(crate) fn map_buffer_range(
+    context: &mut Context,
+    target: GLenum,
+    offset: GLintptr,
+    length: GLsizeiptr,
+    access: GLbitfield,
+) -> Result<*mut GLvoid> {
+    const ALL: GLbitfield = GL_MAP_READ_BIT
+        | GL_MAP_WRITE_BIT
+        | GL_MAP_INVALIDATE_RANGE_BIT
+        | GL_MAP_INVALIDATE_BUFFER_BIT
+        | GL_MAP_FLUSH_EXPLICIT_BIT
+        | GL_MAP_UNSYNCHRONIZED_BIT;
+    let (object, recorder) = with_recorder(context, target)?;
+    let range = range(object, offset, length)?;
+    if access & !ALL != 0 {
+        return invalid_value(
+            RANGE,
+            format!("access = {access:#x} has bits that are none of GL_MAP_..._BIT"),
+        );
+    }
+    let object = unmapped(object)?;
+    let has = |bits| access & bits != 0;
+    let rule = if !has(GL_MAP_READ_BIT | GL_MAP_WRITE_BIT) {
+        Some("must have GL_MAP_READ_BIT or GL_MAP_WRITE_BIT")
+    } else if has(GL_MAP_READ_BIT)
+        && has(GL_MAP_INVALIDATE_RANGE_BIT
+            | GL_MAP_INVALIDATE_BUFFER_BIT
+            | GL_MAP_UNSYNCHRONIZED_BIT)
+    {
+        Some(
+            "reads what it lets be undefined: GL_MAP_READ_BIT goes with no INVALIDATE or \
+              UNSYNCHRONIZED bit",
+        )
+    } else if has(GL_MAP_FLUSH_EXPLICIT_BIT) && !has(GL_MAP_WRITE_BIT) {
+        Some("has GL_MAP_FLUSH_EXPLICIT_BIT, which needs GL_MAP_WRITE_BIT")
+    } else {
+        None
+    };
+    if let Some(rule) = rule {
+        return invalid_operation(RANGE, format!("access = {access:#x} {rule}"));
+    }
+    if range.is_empty() {
+        return invalid_operation(RANGE, "length = 0 must be above 0");
+    }
+    Ok(map((object, recorder), range, access).cast())
+}
+
+pub(crate) fn flush_mapped_buffer_range(
+    context: &mut Context,
+    target: GLenum,
+    offset: GLintptr,
+    length: GLsizeiptr,
+) -> Result<()> {
+    let object = bound(context, target)?;
+    let Some(map) = &object.map else {
+        return invalid_operation(RANGE, "the buffer is not mapped: call glMapBufferRange");
+    };
+    if map.access & GL_MAP_FLUSH_EXPLICIT_BIT == 0 {
+        return invalid_operation(
+            RANGE,
+            "the buffer was mapped without GL_MAP_FLUSH_EXPLICIT_BIT: add it to the access of \
+             glMapBufferRange, or leave out the call",
+        );
+    }
+    let mapped = map.range.len();
+    if range(object, offset, length)?.end > mapped {
+        return invalid_value(
+            RANGE,
+            format!("offset = {offset} and length = {length} reach past the {mapped} mapped bytes"),
+        );
+    }
+    Ok(())
+}
+
+pub(crate) fn unmap_buffer(context: &mut Context, target: GLenum) -> Result<bool> {
+    match bound(context, target)?.unmap() {
+        true => Ok(true),
+        false => invalid_operation(
+            SECTION,
+            "the buffer is not mapped: it never was, or glBufferData has ended it",
+        ),
+    }
+}
+
+impl Context {
+    /// The bytes of a mapped buffer, for clients that do not want to work with the pointer that
+    /// `glMapBuffer` gives. `None` if nothing is bound to the target or it is not mapped.
+    pub fn mapped_bytes(&mut self, target: GLenum) -> Option<&mut [u8]> {
+        let bound = binding(self, BUFFER_TARGET.get(target)?).clone();
+        let map = self.objects.buffers.bound_mut(&bound)?.map.as_mut()?;
+        Some(&mut map.bytes[map.range.clone()])
+    }
+}
+
+pub(crate) fn copy_buffer_sub_data(
+    context: &mut Context,
+    read_target: GLenum,
+    write_target: GLenum,
+    read_offset: GLintptr,
+    write_offset: GLintptr,
+    size: GLsizeiptr,
+) -> Result<()> {
+    let source = unmapped(bound(context, read_target)?)?;
+    let from = range(source, read_offset, size)?;
+    let source = source.buffer().clone();
+    let same = binding_of(context, read_target) == binding_of(context, write_target);
+    let (target, recorder) = writable(context, write_target)?;
+    let to = range(target, write_offset, size)?;
+    if same && from.start < to.end && to.start < from.end {
+        return invalid_value(
+            "ARB_copy_buffer",
+            format!("bytes {from:?} and {to:?} of the same buffer must not overlap"),
+        );
+    }
+    if same {
+        // Nothing but draws shares what is written to.
+        drop(source);
+        target.bytes_mut(recorder).copy_within(from, to.start);
+    } else {
+        target.bytes_mut(recorder)[to].copy_from_slice(&source.bytes()[from]);
+    }
+    Ok(())
+}
+
+fn binding_of(context: &mut Context, target: GLenum) -> Option<Bound> {
+    BUFFER_TARGET.get(target).map(|target| binding(context, target).clone())
+}
+
+pub(crate) fn get_buffer_pointerv(
+    context: &mut Context,
+    target: GLenum,
+    pname: GLenum,
+    params: &mut [*mut GLvoid],
+) -> Result<()> {
+    const POINTER: Table<()> =
+        Table { section: "GL 2.1, section 6.1.13", rows: &[(GL_BUFFER_MAP_POINTER, ())] };
+    POINTER.decode("pname", pname)?;
+    let object = bound(context, target)?;
+    let pointer = match &mut object.map {
+        Some(map) => map.pointer().cast(),
+        None => std::ptr::null_mut(),
+    };
+    put(params, &[pointer])
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Property {
+    Size,
+    Usage,
+    Access,
+    AccessFlags,
+    Mapped,
+    MapOffset,
+    MapLength,
+}
+
+pub(crate) fn get_buffer_parameteriv(
+    context: &mut Context,
+    target: GLenum,
+    pname: GLenum,
+    params: &mut [GLint],
+) -> Result<()> {
+    const PROPERTY: Table<Property> = Table {
+        section: "GL 2.1, section 6.1.13",
+        rows: &[
+            (GL_BUFFER_SIZE, Property::Size),
+            (GL_BUFFER_USAGE, Property::Usage),
+            (GL_BUFFER_ACCESS, Property::Access),
+            (GL_BUFFER_ACCESS_FLAGS, Property::AccessFlags),
+            (GL_BUFFER_MAPPED, Property::Mapped),
+            (GL_BUFFER_MAP_OFFSET, Property::MapOffset),
+            (GL_BUFFER_MAP_LENGTH, Property::MapLength),
+        ],
+    };
+    let object = bound(context, target)?;
+    let map = object.map.as_ref();
+    let value = match PROPERTY.decode("pname", pname)? {
+        Property::Size => object.len() as GLint,
+        Property::Usage => object.usage as GLint,
+        Property::Access => object.access as GLint,
+        Property::AccessFlags => map.map_or(0, |map| map.access as GLint),
+        Property::Mapped => GLint::from(map.is_some()),
+        Property::MapOffset => map.map_or(0, |map| map.range.start as GLint),
+        Property::MapLength => map.map_or(0, |map| map.range.len() as GLint),
+    };
+    put(params, &[value])
+}

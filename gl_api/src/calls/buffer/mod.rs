@@ -1,0 +1,5 @@
+//! Buffer objects: data, mapping, indexed bindings.
+
+pub(crate) mod data;
+pub(crate) mod indexed;
+pub(crate) mod map;

@@ -1,0 +1,124 @@
+//! Which colours are clamped to [0, 1]: `glClampColor` (`ARB_color_buffer_float`).
+//!
+//! Colours of the state (fog, environments, the alpha reference, blending, clearing, borders) are kept
+//! as they are given, and clamped where they are used or asked for.
+
+use crate::base::constants::*;
+use crate::base::error::{Result, Table, invalid_enum};
+use crate::base::types::*;
+use crate::base::value::{Value, flag, symbol};
+use crate::calls::framebuffer::buffers::drawn_format;
+use crate::context::Context;
+use crate::draw::complete::drawn_formats;
+use crate::pixel::internal::Component;
+use crate::state::clamp::{Clamp, When};
+use texunit::format::{BaseFormat, Encoding, Format};
+
+const SECTION: &str = "ARB_color_buffer_float, section 2.14.6";
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Target {
+    Vertex,
+    Fragment,
+    Read,
+}
+
+const TARGET: Table<Target> = Table {
+    section: SECTION,
+    rows: &[
+        (GL_CLAMP_VERTEX_COLOR, Target::Vertex),
+        (GL_CLAMP_FRAGMENT_COLOR, Target::Fragment),
+        (GL_CLAMP_READ_COLOR, Target::Read),
+    ],
+};
+
+const WHEN: Table<When> = Table {
+    section: SECTION,
+    rows: &[(GL_TRUE, When::Always), (GL_FALSE, When::Never), (GL_FIXED_ONLY, When::Fixed)],
+};
+
+pub(crate) fn clamp_color(context: &mut Context, target: GLenum, clamp: GLenum) -> Result<()> {
+    let target = TARGET.decode("target", target)?;
+    let Some(when) = WHEN.get(clamp) else {
+        return invalid_enum(
+            SECTION,
+            format!("clamp = {clamp:#x} must be GL_TRUE, GL_FALSE or GL_FIXED_ONLY"),
+        );
+    };
+    let state = &mut context.state.clamp;
+    match target {
+        Target::Vertex => state.vertex = when,
+        Target::Fragment => state.fragment = when,
+        Target::Read => state.read = when,
+    }
+    Ok(())
+}
+
+/// Whether all that is drawn to holds numbers from 0 to 1, so that writing clamps.
+pub(crate) fn draws_fractions(context: &Context) -> bool {
+    drawn_formats(context).all(|format| format.info().encoding.range() == Some(Encoding::UNIT))
+}
+
+/// Whether colours of vertices are clamped now.
+pub(crate) fn of_vertices(context: &Context) -> Clamp {
+    context.state.clamp.vertex.now(drawn_formats(context))
+}
+
+/// Whether colours of fragments are clamped now.
+pub(crate) fn of_fragments(context: &Context) -> Clamp {
+    context.state.clamp.fragment.now(drawn_formats(context))
+}
+
+/// Whether colours that are read from a buffer of this format are clamped. Integers, depths and
+/// stencils are no colours.
+pub(crate) fn of_reading(context: &Context, format: Format) -> Clamp {
+    if format.is_integer() || format.is_depth() {
+        return Clamp::Off;
+    }
+    context.state.clamp.read.now(std::iter::once(format))
+}
+
+/// Which of red, green, blue and alpha can be negative (`EXT_packed_float`, table 6.33).
+fn signed_components(format: Format) -> [bool; 4] {
+    let info = format.info();
+    let is_signed = match info.encoding {
+        Encoding::Snorm | Encoding::Sint => true,
+        // Floats of fewer bits have no sign.
+        Encoding::Float => info.fields[0].bits >= 16,
+        Encoding::Unorm
+        | Encoding::Srgb
+        | Encoding::SharedExponent
+        | Encoding::Uint
+        | Encoding::Block(_)
+        | Encoding::SrgbBlock(_) => false,
+    };
+    let there = match format.base() {
+        BaseFormat::Red => [true, false, false, false],
+        BaseFormat::Rg => [true, true, false, false],
+        BaseFormat::Rgb | BaseFormat::Luminance => [true, true, true, false],
+        BaseFormat::Rgba | BaseFormat::LuminanceAlpha | BaseFormat::Intensity => [true; 4],
+        BaseFormat::Alpha => [false, false, false, true],
+        BaseFormat::Depth => [false; 4],
+    };
+    there.map(|there| is_signed && there)
+}
+
+/// What `glGet` answers.
+pub(crate) fn state_value(context: &Context, pname: GLenum) -> Option<Result<Value>> {
+    let state = &context.state.clamp;
+    Some(match pname {
+        GL_RGBA_FLOAT_MODE_ARB => {
+            let is_float = |format: Format| format.info().encoding == Encoding::Float;
+            flag(drawn_formats(context).any(is_float))
+        }
+        GL_RGBA_SIGNED_COMPONENTS_EXT => {
+            let format = drawn_format(context, Component::Red);
+            Ok(Value::Bools(format.map_or([false; 4], signed_components).to_vec()))
+        }
+        _ => match TARGET.get(pname)? {
+            Target::Vertex => symbol(WHEN.encode(state.vertex)),
+            Target::Fragment => symbol(WHEN.encode(state.fragment)),
+            Target::Read => symbol(WHEN.encode(state.read)),
+        },
+    })
+}

@@ -1,0 +1,108 @@
+//! Per-fragment operations: GL 2.1, section 4.1; masks and clear values: section 4.2.
+
+use crate::base::error::{Result, not_negative};
+use crate::base::types::*;
+use crate::context::Context;
+use crate::state::fragment::{COMPARE, ClearColor, FragmentState};
+use crate::state::masks::BUFFERS;
+use crate::state::stencil::Stencil;
+use crate::state::viewport::unit;
+use rasterizer::driver::{DepthWrite, LogicOp, Rect};
+use texunit::sampler::Compare;
+
+impl FragmentState {
+    pub fn new(width: u32, height: u32) -> Self {
+        Self {
+            scissor: Rect { x: 0, y: 0, width, height },
+            alpha_func: Compare::Always,
+            alpha_ref: 0.0,
+            depth_func: Compare::Less,
+            depth_write: DepthWrite::On,
+            blend_color: [0.0; 4],
+            stencil: Stencil::default(),
+            logic_op: LogicOp::Copy,
+            buffers: BUFFERS,
+            index_mask: GLuint::MAX,
+        }
+    }
+}
+
+/// The reference is kept as it is, and clamped where fragments are (`ARB_color_buffer_float`).
+pub(crate) fn alpha_func(context: &mut Context, func: GLenum, reference: GLclampf) -> Result<()> {
+    let func = COMPARE.decode("func", func)?;
+    context.state.fragment.alpha_func = func;
+    context.state.fragment.alpha_ref = reference;
+    Ok(())
+}
+
+pub(crate) fn depth_func(context: &mut Context, func: GLenum) -> Result<()> {
+    context.state.fragment.depth_func = COMPARE.decode("func", func)?;
+    Ok(())
+}
+
+pub(crate) fn depth_mask(context: &mut Context, flag: bool) -> Result<()> {
+    context.state.fragment.depth_write = if flag { DepthWrite::On } else { DepthWrite::Off };
+    Ok(())
+}
+
+pub(crate) fn scissor(
+    context: &mut Context,
+    x: GLint,
+    y: GLint,
+    width: GLsizei,
+    height: GLsizei,
+) -> Result<()> {
+    const SECTION: &str = "GL 2.1, section 4.1.2";
+    not_negative(SECTION, "width", width.into())?;
+    not_negative(SECTION, "height", height.into())?;
+    context.state.fragment.scissor = Rect { x, y, width: width as u32, height: height as u32 };
+    Ok(())
+}
+
+/// Kept as it is, and clamped where the buffer is fixed-point (`ARB_color_buffer_float`).
+pub(crate) fn clear_color(
+    context: &mut Context,
+    red: GLclampf,
+    green: GLclampf,
+    blue: GLclampf,
+    alpha: GLclampf,
+) -> Result<()> {
+    context.state.clear.color = ClearColor::Floats([red, green, blue, alpha]);
+    Ok(())
+}
+
+pub(crate) fn clear_color_ii_ext(
+    context: &mut Context,
+    red: GLint,
+    green: GLint,
+    blue: GLint,
+    alpha: GLint,
+) -> Result<()> {
+    context.state.clear.color = ClearColor::Signed([red, green, blue, alpha]);
+    Ok(())
+}
+
+pub(crate) fn clear_color_iui_ext(
+    context: &mut Context,
+    red: GLuint,
+    green: GLuint,
+    blue: GLuint,
+    alpha: GLuint,
+) -> Result<()> {
+    context.state.clear.color = ClearColor::Unsigned([red, green, blue, alpha]);
+    Ok(())
+}
+
+pub(crate) fn clear_depth(context: &mut Context, depth: GLclampd) -> Result<()> {
+    context.state.clear.depth = unit(depth);
+    Ok(())
+}
+
+pub(crate) fn clear_depthf(context: &mut Context, depth: GLclampf) -> Result<()> {
+    clear_depth(context, depth.into())
+}
+
+pub(crate) fn clear_stencil(context: &mut Context, s: GLint) -> Result<()> {
+    context.state.clear.stencil = s;
+    Ok(())
+}

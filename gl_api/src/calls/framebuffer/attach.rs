@@ -1,0 +1,265 @@
+//! Attaching images to framebuffer objects: `ARB_framebuffer_object`, sections 4.4.2 to 4.4.4.
+
+use crate::base::constants::*;
+use crate::base::error::{Result, Table, invalid_operation, invalid_value};
+use crate::base::limits;
+use crate::base::types::*;
+use crate::calls::framebuffer::names::bound;
+use crate::context::Context;
+use crate::draw::complete::{completeness, selects_nothing};
+use crate::objects::attachments::{Point, point};
+use crate::objects::framebuffers::{Attached, FRAMEBUFFER_TARGET, Framebuffer, Planes, Source};
+use crate::objects::target::{FaceTarget, TARGET, TextureTarget, attachable_target};
+use rasterizer::driver::Image;
+
+const SECTION: &str = "ARB_framebuffer_object, section 4.4.2";
+
+/// The bound framebuffer object.
+pub(crate) fn object(context: &mut Context, target: GLenum) -> Result<&mut Framebuffer> {
+    let name = bound(context, FRAMEBUFFER_TARGET.decode("target", target)?);
+    match context.objects.framebuffers.get_mut(name) {
+        Some(object) => Ok(object),
+        None => invalid_operation(
+            SECTION,
+            "the default framebuffer is bound, which takes no attachments: call glBindFramebuffer",
+        ),
+    }
+}
+
+fn attach(
+    context: &mut Context,
+    target: GLenum,
+    point: Point,
+    attached: Option<Attached>,
+) -> Result<()> {
+    let object = object(context, target)?;
+    match point {
+        Point::Color(index) => object.colors[index] = attached,
+        Point::Depth => object.depth = attached,
+        Point::Stencil => object.stencil = attached,
+        Point::DepthStencil => {
+            object.depth.clone_from(&attached);
+            object.stencil = attached;
+        }
+    }
+    Ok(())
+}
+
+/// A slice of a level of a texture, as a call names it.
+struct Slice {
+    texture: GLuint,
+    level: GLint,
+    /// The layer or slice, and the argument's name.
+    slice: (GLint, &'static str),
+}
+
+/// Checks that a level and slice can be there, and attaches it.
+fn attach_texture(
+    context: &mut Context,
+    target: GLenum,
+    point: Point,
+    of: FaceTarget,
+    slice: &Slice,
+) -> Result<()> {
+    let &Slice { texture: name, level, slice: (slice, argument) } = slice;
+    let Some(texture) = context.objects.textures.get(name) else {
+        return no_texture(name);
+    };
+    let image = texture.image.clone();
+    let level = crate::objects::target::checked_level(SECTION, of.target, level)?;
+    let most = match of.target {
+        TextureTarget::D3 => limits::MAX_3D_TEXTURE_SIZE,
+        TextureTarget::D1Array
+        | TextureTarget::D2Array
+        | TextureTarget::CubeArray
+        | TextureTarget::D2MultisampleArray => limits::MAX_ARRAY_TEXTURE_LAYERS,
+        TextureTarget::D1
+        | TextureTarget::D2
+        | TextureTarget::Rect
+        | TextureTarget::Cube
+        | TextureTarget::D2Multisample
+        | TextureTarget::Buffer => 1,
+    };
+    let slice = match u16::try_from(slice) {
+        Ok(slice) if u32::from(slice) < most => slice,
+        Ok(_) | Err(_) => {
+            return invalid_value(
+                SECTION,
+                format!("{argument} = {slice} must be 0 to {}", most - 1),
+            );
+        }
+    };
+    let source = Source::Texture { name, target: of, level, slice };
+    let planes = Planes { depth: true, stencil: true };
+    attach(context, target, point, Some(Attached { source, image, planes }))
+}
+
+fn no_texture<T>(name: GLuint) -> Result<T> {
+    invalid_operation(SECTION, format!("texture = {name} is no texture that was bound"))
+}
+
+/// `glFramebufferTexture1D`, `2D` and `3D`: the targets of a call with so many dimensions.
+fn framebuffer_texture(
+    context: &mut Context,
+    (target, attachment): (GLenum, GLenum),
+    (axes, textarget): (usize, GLenum),
+    slice: &Slice,
+) -> Result<()> {
+    FRAMEBUFFER_TARGET.decode("target", target)?;
+    let point = point(attachment)?;
+    if slice.texture == 0 {
+        return attach(context, target, point, None);
+    }
+    let face = attachable_target(axes, textarget)?;
+    let Some(texture) = context.objects.textures.get(slice.texture) else {
+        return no_texture(slice.texture);
+    };
+    if texture.target != face.target {
+        return invalid_operation(
+            SECTION,
+            format!(
+                "texture {} is a {}, textarget = {} does not fit",
+                slice.texture,
+                enum_name(TARGET.encode(texture.target)),
+                enum_name(textarget)
+            ),
+        );
+    }
+    attach_texture(context, target, point, face, slice)
+}
+
+pub(crate) fn framebuffer_texture_1d(
+    context: &mut Context,
+    target: GLenum,
+    attachment: GLenum,
+    textarget: GLenum,
+    texture: GLuint,
+    level: GLint,
+) -> Result<()> {
+    let slice = Slice { texture, level, slice: (0, "layer") };
+    framebuffer_texture(context, (target, attachment), (1, textarget), &slice)
+}
+
+pub(crate) fn framebuffer_texture_2d(
+    context: &mut Context,
+    target: GLenum,
+    attachment: GLenum,
+    textarget: GLenum,
+    texture: GLuint,
+    level: GLint,
+) -> Result<()> {
+    let slice = Slice { texture, level, slice: (0, "layer") };
+    framebuffer_texture(context, (target, attachment), (2, textarget), &slice)
+}
+
+pub(crate) fn framebuffer_texture_3d(
+    context: &mut Context,
+    target: GLenum,
+    attachment: GLenum,
+    textarget: GLenum,
+    texture: GLuint,
+    level: GLint,
+    zoffset: GLint,
+) -> Result<()> {
+    let slice = Slice { texture, level, slice: (zoffset, "zoffset") };
+    framebuffer_texture(context, (target, attachment), (3, textarget), &slice)
+}
+
+pub(crate) fn framebuffer_texture_layer(
+    context: &mut Context,
+    target: GLenum,
+    attachment: GLenum,
+    texture: GLuint,
+    level: GLint,
+    layer: GLint,
+) -> Result<()> {
+    FRAMEBUFFER_TARGET.decode("target", target)?;
+    let point = point(attachment)?;
+    if texture == 0 {
+        return attach(context, target, point, None);
+    }
+    let Some(object) = context.objects.textures.get(texture) else { return no_texture(texture) };
+    let of = FaceTarget { target: object.target, face: 0 };
+    match of.target {
+        TextureTarget::D3
+        | TextureTarget::D1Array
+        | TextureTarget::D2Array
+        | TextureTarget::CubeArray
+        | TextureTarget::D2MultisampleArray => {}
+        TextureTarget::D1
+        | TextureTarget::D2
+        | TextureTarget::Rect
+        | TextureTarget::Cube
+        | TextureTarget::D2Multisample
+        | TextureTarget::Buffer => {
+            return invalid_operation(
+                SECTION,
+                format!(
+                    "texture {texture} is a {}, which has no layers",
+                    enum_name(TARGET.encode(of.target))
+                ),
+            );
+        }
+    }
+    let slice = Slice { texture, level, slice: (layer, "layer") };
+    attach_texture(context, target, point, of, &slice)
+}
+
+pub(crate) fn framebuffer_renderbuffer(
+    context: &mut Context,
+    target: GLenum,
+    attachment: GLenum,
+    renderbuffertarget: GLenum,
+    renderbuffer: GLuint,
+) -> Result<()> {
+    const KIND: Table<()> = Table { section: SECTION, rows: &[(GL_RENDERBUFFER, ())] };
+    FRAMEBUFFER_TARGET.decode("target", target)?;
+    let point = point(attachment)?;
+    KIND.decode("renderbuffertarget", renderbuffertarget)?;
+    if renderbuffer == 0 {
+        return attach(context, target, point, None);
+    }
+    let Some(object) = context.objects.renderbuffers.get(renderbuffer) else {
+        return invalid_operation(
+            SECTION,
+            format!("renderbuffer = {renderbuffer} is no renderbuffer that was bound"),
+        );
+    };
+    let attached = Attached {
+        source: Source::Renderbuffer(renderbuffer),
+        image: object.image.clone(),
+        planes: object.planes(),
+    };
+    attach(context, target, point, Some(attached))
+}
+
+/// Says why a framebuffer is incomplete, as a message.
+pub(crate) fn check_framebuffer_status(context: &mut Context, target: GLenum) -> Result<GLenum> {
+    let name = bound(context, FRAMEBUFFER_TARGET.decode("target", target)?);
+    Ok(match completeness(context, name) {
+        Ok(()) => {
+            let object = context.objects.framebuffers.get(name);
+            if let Some(reason) = object.and_then(selects_nothing) {
+                context.debug.warn(format!("glCheckFramebufferStatus: {reason}"));
+            }
+            GL_FRAMEBUFFER_COMPLETE
+        }
+        Err(incomplete) => {
+            context.debug.say(format!("glCheckFramebufferStatus: {}", incomplete.rule(name)));
+            incomplete.status
+        }
+    })
+}
+
+/// Takes a deleted image from the bound framebuffers. Its name is not asked for: an image that was deleted
+/// before may have had the same one.
+pub(crate) fn detach(context: &mut Context, gone: &Image) {
+    let bindings = &context.state.bindings;
+    for name in [bindings.draw_framebuffer, bindings.read_framebuffer] {
+        if let Some(object) = context.objects.framebuffers.get_mut(name) {
+            for point in object.points_mut() {
+                point.take_if(|attached| attached.image.same(gone));
+            }
+        }
+    }
+}

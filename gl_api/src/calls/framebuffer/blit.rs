@@ -1,0 +1,326 @@
+//! `glBlitFramebuffer`: `ARB_framebuffer_object`, section 4.3.3.
+//!
+//! Where both sides have several samples a pixel, samples go to samples; a multisample image is else
+//! read as what it resolves to, and every sample of one is written alike.
+
+pub(crate) mod rows;
+
+use crate::base::constants::*;
+use crate::base::error::{Result, Table, invalid_operation, invalid_value};
+use crate::base::types::*;
+use crate::calls::framebuffer::blit::rows::Way;
+use crate::calls::framebuffer::clear::drawn_area;
+use crate::calls::framebuffer::read::{Pixels, same_kind, settled, settled_samples};
+use crate::context::Context;
+use crate::draw::complete::{
+    Readable, checked_complete, draw_pass, draw_planes, read_attachment, read_samples, samples,
+};
+use crate::draw::srgb::srgb_write;
+use rasterizer::driver::{Attachment, Rect, SrgbWrite};
+use texunit::format::Format;
+use texunit::image::Level;
+use texunit::pixel::Tap;
+use texunit::sampler::Filter;
+
+const SECTION: &str = "ARB_framebuffer_object, section 4.3.3";
+
+const FILTER: Table<Filter> =
+    Table { section: SECTION, rows: &[(GL_NEAREST, Filter::Nearest), (GL_LINEAR, Filter::Linear)] };
+
+/// The way along one axis: from where to where, on both sides.
+#[derive(Clone, Copy)]
+struct Axis {
+    src: [GLint; 2],
+    dst: [GLint; 2],
+}
+
+/// What pixels that lie side by side are made of.
+struct Taps {
+    /// How many pixels before them lie outside of the source.
+    before: usize,
+    taps: Vec<Tap>,
+}
+
+impl Axis {
+    /// The pixels of the destination from `first` on, `count` of them, as texels of a source of
+    /// `size`, without those that lie outside of it.
+    fn taps(self, first: i32, count: u32, size: u32, filter: Filter) -> Taps {
+        let [src0, src1] = self.src.map(i128::from);
+        let [dst0, dst1] = self.dst.map(i128::from);
+        // The source of the pixel's centre, in units of 1 / 2n texels.
+        let units = 2 * (dst1 - dst0);
+        let tap = |pixel: i32| {
+            let at = (2 * (i128::from(pixel) - dst0) + 1) * (src1 - src0) + src0 * units;
+            let (at, units) = if units < 0 { (-at, -units) } else { (at, units) };
+            let nearest = at.div_euclid(units);
+            let last = i128::from(size) - 1;
+            if nearest < 0 || nearest > last {
+                return None;
+            }
+            Some(match filter {
+                Filter::Nearest => Tap { pixels: [nearest as usize; 2], weight: 0.0 },
+                Filter::Linear => {
+                    let at = at - units / 2;
+                    let low = at.div_euclid(units);
+                    let clamped = |texel: i128| texel.clamp(0, last) as usize;
+                    Tap {
+                        pixels: [clamped(low), clamped(low + 1)],
+                        weight: at.rem_euclid(units) as f64 / units as f64,
+                    }
+                }
+            })
+        };
+        let taps = (first..).take(count as usize).map(tap);
+        // Those that lie within lie side by side.
+        let before = taps.clone().take_while(Option::is_none).count();
+        Taps { before, taps: taps.flatten().collect() }
+    }
+
+    /// First pixel of the destination, and one past the last.
+    fn covered(self) -> [GLint; 2] {
+        let [a, b] = self.dst;
+        [a.min(b), a.max(b)]
+    }
+
+    fn is_empty(self) -> bool {
+        self.src[0] == self.src[1] || self.dst[0] == self.dst[1]
+    }
+
+    fn is_scaled(self) -> bool {
+        let length = |[a, b]: [GLint; 2]| i64::from(a).abs_diff(b.into());
+        length(self.src) != length(self.dst)
+    }
+}
+
+/// A checked blit.
+struct Blit {
+    axes: [Axis; 2],
+    filter: Filter,
+    /// The pixels of the destination that are written.
+    area: Rect,
+    srgb: SrgbWrite,
+}
+
+/// What part of a texel is copied.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Part {
+    Color,
+    Depth,
+    Stencil,
+}
+
+impl Blit {
+    /// Copies to one attachment, from what every sample has or from a sample each.
+    fn write(&self, context: &mut Context, from: &[Pixels], to: &Attachment, part: Part) {
+        let Some([width, height]) = from.first().map(Pixels::size) else { return };
+        let (area, isa) = (self.area, context.recorder.isa());
+        let columns = self.axes[0].taps(area.x, area.width, width, self.filter);
+        let rows = self.axes[1].taps(area.y, area.height, height, self.filter);
+        // What is neither scaled nor moved by parts of a texel has no means.
+        let is_exact = columns.taps.iter().chain(&rows.taps).all(|tap| tap.weight == 0.0);
+        let filter = if is_exact { Filter::Nearest } else { self.filter };
+        edit(context, to, |level, first, sample| {
+            let Some(from) = from.get(sample).or(from.first()) else { return };
+            let (format, row_bytes) = (level.format, level.row_bytes());
+            let mut way = Way::new(isa, (part, filter), [from.format(), format], self.srgb);
+            let column = (area.x as usize + columns.before) * format.bytes();
+            for (y, &tap) in (area.y as usize + rows.before..).zip(&rows.taps) {
+                let texels = &mut level.texels[first + y * row_bytes + column..];
+                let used = columns.taps.len() * format.bytes();
+                way.write(from, &columns.taps, tap, &mut texels[..used]);
+            }
+        });
+    }
+}
+
+/// Lets `change` write the texels of an attachment, of one sample after the other: a level, where in
+/// its bytes they begin, and the number of the sample.
+pub(crate) fn edit(
+    context: &mut Context,
+    attachment: &Attachment,
+    change: impl Fn(&mut Level, usize, usize),
+) {
+    let image = &attachment.image;
+    crate::draw::settle(context, image);
+    context.outdate_mirror();
+    if image.samples() > 1 {
+        edit_samples(context, attachment, change);
+    } else {
+        edit_slice(attachment, |level, first| change(level, first, 0));
+    }
+    context.objects.images_changed(|other| other.same(image));
+}
+
+fn edit_samples(
+    context: &Context,
+    attachment: &Attachment,
+    change: impl Fn(&mut Level, usize, usize),
+) {
+    let &Attachment { ref image, face, level: number } = attachment;
+    let Some(mut level) = image.each_sample(face, number) else { return };
+    for sample in 0..level.depth as usize {
+        let first = sample * level.slice_bytes();
+        change(&mut level, first, sample);
+    }
+    context.recorder.device().set_each_sample(attachment, &level);
+}
+
+fn edit_slice(attachment: &Attachment, change: impl FnOnce(&mut Level, usize)) {
+    attachment.image.update(|texels| {
+        let (face, slice) = attachment.place(texels.shape());
+        if let Some(level) = texels.level_mut(face, attachment.level.into()) {
+            let first = level.origin() + slice * level.slice_bytes();
+            change(level, first);
+        }
+    });
+}
+
+/// What of a framebuffer a mask names, in the order in which it is copied.
+const PARTS: [(GLbitfield, Part, Readable); 3] = [
+    (GL_COLOR_BUFFER_BIT, Part::Color, Readable::Color),
+    (GL_DEPTH_BUFFER_BIT, Part::Depth, Readable::Depth),
+    (GL_STENCIL_BUFFER_BIT, Part::Stencil, Readable::Stencil),
+];
+
+/// Where a part is copied from and to.
+struct Copy {
+    part: Part,
+    /// Of one sample, or of each.
+    from: Vec<Pixels>,
+    to: Vec<Attachment>,
+}
+
+/// The attachments of the draw framebuffer that a part goes to.
+fn destinations(context: &Context, part: Part) -> Result<Vec<Attachment>> {
+    let (pass, planes) = (draw_pass(context)?, draw_planes(context));
+    let depth = |there: bool| pass.depth.clone().filter(|_| there).into_iter().collect();
+    Ok(match part {
+        Part::Color => pass.colors.into_iter().flatten().collect(),
+        Part::Depth => depth(planes.depth),
+        Part::Stencil => depth(planes.stencil),
+    })
+}
+
+/// Whether a part can go from one format to another with a filter.
+fn check_formats(part: Part, from: Format, to: Format, filter: Filter) -> Result<()> {
+    if part != Part::Color {
+        if from != to {
+            return invalid_operation(
+                SECTION,
+                format!("depth and stencil are not converted, from {from:?} to {to:?}"),
+            );
+        }
+        return Ok(());
+    }
+    if !same_kind(from, to) {
+        return invalid_operation(
+            SECTION,
+            format!("{from:?} is not converted to {to:?}: integers stay integers of their kind"),
+        );
+    }
+    if filter == Filter::Linear && from.is_integer() {
+        return invalid_operation(SECTION, "filter = GL_LINEAR, but integers are not filtered");
+    }
+    Ok(())
+}
+
+#[expect(clippy::too_many_arguments, reason = "GL's signature")]
+pub(crate) fn blit_framebuffer(
+    context: &mut Context,
+    src_x0: GLint,
+    src_y0: GLint,
+    src_x1: GLint,
+    src_y1: GLint,
+    dst_x0: GLint,
+    dst_y0: GLint,
+    dst_x1: GLint,
+    dst_y1: GLint,
+    mask: GLbitfield,
+    filter: GLenum,
+) -> Result<()> {
+    let known = PARTS.iter().fold(0, |known, part| known | part.0);
+    if mask & !known != 0 {
+        return invalid_value(
+            SECTION,
+            format!("mask = {mask:#x} has bits that name no buffer: {:#x}", mask & !known),
+        );
+    }
+    let filter = FILTER.decode("filter", filter)?;
+    if filter == Filter::Linear && mask & !GL_COLOR_BUFFER_BIT != 0 {
+        return invalid_operation(
+            SECTION,
+            "filter = GL_LINEAR, but depth and stencil are copied with GL_NEAREST",
+        );
+    }
+    let axes = [
+        Axis { src: [src_x0, src_x1], dst: [dst_x0, dst_x1] },
+        Axis { src: [src_y0, src_y1], dst: [dst_y0, dst_y1] },
+    ];
+    checked_complete(context, context.state.bindings.read_framebuffer)?;
+    let pass = draw_pass(context)?;
+    check_samples(context, axes)?;
+    let mut copies = Vec::new();
+    for (bit, part, readable) in PARTS {
+        if mask & bit == 0 {
+            continue;
+        }
+        // What is missing on either side is left out (section 4.3.3).
+        let to = destinations(context, part)?;
+        let Some(attachment) = read_attachment(context, readable)?.filter(|_| !to.is_empty())
+        else {
+            continue;
+        };
+        let format = crate::context::window::format_of(&attachment);
+        for (from, to) in
+            to.iter().filter_map(|to| format.zip(crate::context::window::format_of(to)))
+        {
+            check_formats(part, from, to, filter)?;
+        }
+        let several = |attachment: &Attachment| attachment.image.samples() > 1;
+        let from = if several(&attachment) && to.iter().any(several) {
+            settled_samples(context, &attachment)
+        } else {
+            settled(context, &attachment).into_iter().collect()
+        };
+        copies.push(Copy { part, from, to });
+    }
+    if context.queries.discards() {
+        return Ok(());
+    }
+    let Some(area) = covered(axes, drawn_area(context, &pass)) else { return Ok(()) };
+    let blit = Blit { axes, filter, area, srgb: srgb_write(context) };
+    for Copy { part, from, to } in &copies {
+        for to in to {
+            blit.write(context, from, to, *part);
+        }
+    }
+    Ok(())
+}
+
+/// Several samples are resolved, not scaled (`EXT_framebuffer_multisample`, section 4.3.3).
+fn check_samples(context: &Context, axes: [Axis; 2]) -> Result<()> {
+    let drawn = samples(context, context.state.bindings.draw_framebuffer);
+    if (drawn > 0 || read_samples(context) > 0) && axes.iter().any(|axis| axis.is_scaled()) {
+        return invalid_operation(
+            "EXT_framebuffer_multisample, section 4.3.3",
+            "a framebuffer with several samples a pixel is not scaled: make both rectangles the \
+             same size",
+        );
+    }
+    Ok(())
+}
+
+/// The pixels that a blit writes, if any.
+fn covered(axes: [Axis; 2], drawn: Rect) -> Option<Rect> {
+    if axes.iter().any(|axis| axis.is_empty()) {
+        return None;
+    }
+    let within = |axis: Axis, start: i32, size: u32| {
+        let [first, end] = axis.covered();
+        let (first, end) = (first.max(start), end.min(start + size as i32));
+        (first < end).then_some((first, (end - first) as u32))
+    };
+    let (x, width) = within(axes[0], drawn.x, drawn.width)?;
+    let (y, height) = within(axes[1], drawn.y, drawn.height)?;
+    Some(Rect { x, y, width, height })
+}

@@ -1,0 +1,12 @@
+//! Framebuffers: attachments, clears, reads, copies.
+
+pub(crate) mod accumulate;
+pub(crate) mod attach;
+pub(crate) mod blit;
+pub(crate) mod buffers;
+pub(crate) mod clear;
+pub(crate) mod inspect;
+pub(crate) mod names;
+pub(crate) mod read;
+pub(crate) mod renderbuffers;
+pub(crate) mod swap;

@@ -1,0 +1,206 @@
+//! Renderbuffers: `ARB_framebuffer_object`, section 4.4.2.
+
+use crate::base::constants::*;
+use crate::base::error::{
+    ErrorCode, GlError, Result, Table, invalid_enum, invalid_operation, invalid_value, not_negative,
+};
+use crate::base::limits;
+use crate::base::types::*;
+use crate::calls::framebuffer::attach::detach;
+use crate::calls::query::put;
+use crate::context::Context;
+use crate::context::window::texels;
+use crate::objects::renderbuffers::Renderbuffer;
+use crate::objects::{Sweep, listed};
+use crate::pixel::internal::{
+    Component, INTERNAL_FORMAT, STENCIL_FORMAT, component_bits, is_generic_compressed,
+};
+use crate::pixel::texel::is_renderable;
+use rasterizer::driver::{LevelInfo, Rows};
+use texunit::format::Format;
+use texunit::image::{Image as Texels, Shape};
+
+const SECTION: &str = "ARB_framebuffer_object, section 4.4.2";
+
+const RENDERBUFFER_TARGET: Table<()> = Table { section: SECTION, rows: &[(GL_RENDERBUFFER, ())] };
+
+pub(crate) fn gen_renderbuffers(
+    context: &mut Context,
+    n: GLsizei,
+    renderbuffers: &mut [GLuint],
+) -> Result<()> {
+    context.objects.renderbuffers.reserve(SECTION, n, renderbuffers)
+}
+
+pub(crate) fn delete_renderbuffers(
+    context: &mut Context,
+    n: GLsizei,
+    renderbuffers: &[GLuint],
+) -> Result<()> {
+    for &name in listed(SECTION, n, renderbuffers)?.iter().filter(|&&name| name != 0) {
+        let gone = context.objects.renderbuffers.hold(name);
+        context.state.bindings.renderbuffer.forget(&gone);
+        drop(gone);
+        if let Some(image) = context.objects.renderbuffers.get(name).map(|gone| gone.image.clone())
+        {
+            detach(context, &image);
+        }
+        context.objects.renderbuffers.remove(name);
+    }
+    context.objects.sweep(Sweep::Deleted);
+    Ok(())
+}
+
+pub(crate) fn bind_renderbuffer(
+    context: &mut Context,
+    target: GLenum,
+    renderbuffer: GLuint,
+) -> Result<()> {
+    RENDERBUFFER_TARGET.decode("target", target)?;
+    context.objects.renderbuffers.create(renderbuffer, Renderbuffer::new);
+    context.state.bindings.renderbuffer = context.objects.renderbuffers.hold(renderbuffer);
+    Ok(())
+}
+
+pub(crate) fn is_renderbuffer(context: &mut Context, renderbuffer: GLuint) -> Result<bool> {
+    Ok(context.objects.renderbuffers.get(renderbuffer).is_some())
+}
+
+/// The bound renderbuffer.
+fn bound(context: &mut Context) -> Result<&mut Renderbuffer> {
+    match context.objects.renderbuffers.bound_mut(&context.state.bindings.renderbuffer) {
+        Some(renderbuffer) => Ok(renderbuffer),
+        None => invalid_operation(SECTION, "no renderbuffer is bound: call glBindRenderbuffer"),
+    }
+}
+
+/// What a renderbuffer of an internal format stores.
+fn storage_format(internal: GLenum) -> Result<Format> {
+    let named = INTERNAL_FORMAT.get(internal).or_else(|| STENCIL_FORMAT.get(internal));
+    let format = match named {
+        Some(format) => format,
+        None => INTERNAL_FORMAT.decode("internalformat", internal)?,
+    };
+    // Its base format is that of colours which are drawn to, so it has storage (GL 3.0, section
+    // 4.4.4); that nothing can be drawn to it is the framebuffer's to say.
+    let is_stored = is_renderable(format) || format == Format::Rgb9E5;
+    if is_generic_compressed(internal) || !is_stored {
+        return invalid_enum(
+            SECTION,
+            format!(
+                "internalformat = {} is of numbers that nothing is drawn to",
+                enum_name(internal)
+            ),
+        );
+    }
+    Ok(format)
+}
+
+pub(crate) fn renderbuffer_storage(
+    context: &mut Context,
+    target: GLenum,
+    internalformat: GLenum,
+    width: GLsizei,
+    height: GLsizei,
+) -> Result<()> {
+    renderbuffer_storage_multisample(context, target, 0, internalformat, width, height)
+}
+
+/// There are one and four samples: what lies between is rounded up.
+pub(crate) fn renderbuffer_storage_multisample(
+    context: &mut Context,
+    target: GLenum,
+    samples: GLsizei,
+    internalformat: GLenum,
+    width: GLsizei,
+    height: GLsizei,
+) -> Result<()> {
+    RENDERBUFFER_TARGET.decode("target", target)?;
+    let format = storage_format(internalformat)?;
+    for (argument, size) in [("width", width), ("height", height)] {
+        if not_negative(SECTION, argument, size.into())? > limits::MAX_TEXTURE_SIZE as usize {
+            return invalid_value(
+                SECTION,
+                format!("{argument} = {size} must not be above {}", limits::MAX_TEXTURE_SIZE),
+            );
+        }
+    }
+    if not_negative(SECTION, "samples", samples.into())? > usize::from(limits::MAX_SAMPLES) {
+        if format.is_integer() {
+            return invalid_operation(
+                "ARB_texture_multisample, section 4.4.2",
+                format!(
+                    "samples = {samples} of integers must not be above {}",
+                    limits::MAX_SAMPLES
+                ),
+            );
+        }
+        return invalid_value(
+            SECTION,
+            format!("samples = {samples} must not be above {}", limits::MAX_SAMPLES),
+        );
+    }
+    bound(context)?;
+    let texels = if width > 0 && height > 0 {
+        texels(format, width as u32, height as u32)
+            .map_err(|error| GlError::new(ErrorCode::OutOfMemory, SECTION, error.to_string()))?
+    } else {
+        Texels::new(Shape::D2)
+    };
+    let image = bound(context)?.image.clone();
+    // What was recorded draws to the image as it was.
+    crate::draw::settle(context, &image);
+    let samples = if samples > 0 { limits::MAX_SAMPLES } else { 1 };
+    image.replace(texels, samples, Rows::Resolved);
+    bound(context)?.requested = internalformat;
+    Ok(())
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Property {
+    Width,
+    Height,
+    InternalFormat,
+    Samples,
+    Bits(Component),
+}
+
+const PROPERTY: Table<Property> = Table {
+    section: SECTION,
+    rows: &[
+        (GL_RENDERBUFFER_WIDTH, Property::Width),
+        (GL_RENDERBUFFER_HEIGHT, Property::Height),
+        (GL_RENDERBUFFER_INTERNAL_FORMAT, Property::InternalFormat),
+        (GL_RENDERBUFFER_SAMPLES, Property::Samples),
+        (GL_RENDERBUFFER_RED_SIZE, Property::Bits(Component::Red)),
+        (GL_RENDERBUFFER_GREEN_SIZE, Property::Bits(Component::Green)),
+        (GL_RENDERBUFFER_BLUE_SIZE, Property::Bits(Component::Blue)),
+        (GL_RENDERBUFFER_ALPHA_SIZE, Property::Bits(Component::Alpha)),
+        (GL_RENDERBUFFER_DEPTH_SIZE, Property::Bits(Component::Depth)),
+        (GL_RENDERBUFFER_STENCIL_SIZE, Property::Bits(Component::Stencil)),
+    ],
+};
+
+pub(crate) fn get_renderbuffer_parameteriv(
+    context: &mut Context,
+    target: GLenum,
+    pname: GLenum,
+    params: &mut [GLint],
+) -> Result<()> {
+    RENDERBUFFER_TARGET.decode("target", target)?;
+    let property = PROPERTY.decode("pname", pname)?;
+    let renderbuffer = bound(context)?;
+    let (level, planes) = (renderbuffer.level(), renderbuffer.planes());
+    let of_level = |f: &dyn Fn(LevelInfo) -> GLint| level.map_or(0, f);
+    let value = match property {
+        Property::Width => of_level(&|level| level.size[0] as GLint),
+        Property::Height => of_level(&|level| level.size[1] as GLint),
+        Property::InternalFormat => renderbuffer.requested as GLint,
+        Property::Samples => {
+            of_level(&|level| if level.samples > 1 { level.samples.into() } else { 0 })
+        }
+        Property::Bits(Component::Depth) if !planes.depth => 0,
+        Property::Bits(component) => of_level(&|level| component_bits(level.format, component)),
+    };
+    put(params, &[value])
+}

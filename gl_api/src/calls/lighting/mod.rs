@@ -1,0 +1,5 @@
+//! Lights, materials and fog.
+
+pub(crate) mod fog;
+pub(crate) mod light;
+pub(crate) mod material;

@@ -1,0 +1,21 @@
+//! The calls, by subject: each converts its arguments, validates them, and applies the request.
+
+pub(crate) mod buffer;
+pub(crate) mod debug;
+pub(crate) mod enable;
+pub(crate) mod evaluate;
+pub(crate) mod fragment;
+pub(crate) mod framebuffer;
+pub(crate) mod index;
+pub(crate) mod lighting;
+pub(crate) mod params;
+pub(crate) mod pixels;
+pub(crate) mod program;
+pub(crate) mod query;
+pub(crate) mod raster;
+pub(crate) mod sharing;
+pub(crate) mod sync;
+pub(crate) mod texture;
+pub(crate) mod transform;
+pub(crate) mod transform_feedback;
+pub(crate) mod vertex;

@@ -1,0 +1,135 @@
+//! `glCopyPixels`: GL 2.1, section 4.3.3.
+
+use crate::base::constants::*;
+use crate::base::error::{Result, Table, invalid_operation, not_negative};
+use crate::base::types::*;
+use crate::calls::framebuffer::read;
+use crate::calls::pixels::draw::{DEPTHS, room, rows};
+use crate::calls::pixels::stencil;
+use crate::context::Context;
+use crate::context::recorder::rectangle::Holds;
+use crate::context::window::Region;
+use crate::draw::complete::{Readable, checked_drawable, draw_planes};
+use crate::pixel::convert;
+use crate::pixel::convert::Conversion;
+use crate::state::feedback;
+use crate::state::feedback::Mode;
+use texunit::format::Format;
+
+const SECTION: &str = "GL 2.1, section 4.3.3";
+
+/// What is copied.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    Color,
+    Depth,
+    Stencil,
+    DepthStencil,
+}
+
+const KIND: Table<Kind> = Table {
+    section: SECTION,
+    rows: &[
+        (GL_COLOR, Kind::Color),
+        (GL_DEPTH, Kind::Depth),
+        (GL_STENCIL, Kind::Stencil),
+        (GL_DEPTH_STENCIL, Kind::DepthStencil),
+    ],
+};
+
+/// The texels of a region of what is read; zeros where it lies outside.
+fn texels(from: &read::Pixels, region: Region) -> Result<Vec<u8>> {
+    let size = from.format().bytes();
+    let mut out = room(from.format(), region.width, region.height)?;
+    let [width, height] = from.size();
+    if let Some(visible) = region.within(width, height) {
+        for y in visible.y..visible.y + visible.height {
+            let at = ((y as i64 - region.y) as usize * region.width
+                + (visible.x as i64 - region.x) as usize)
+                * size;
+            let row = from.row(visible.x, y, visible.width);
+            out[at..at + row.len()].copy_from_slice(row);
+        }
+    }
+    Ok(out)
+}
+
+pub(crate) fn copy_pixels(
+    context: &mut Context,
+    x: GLint,
+    y: GLint,
+    width: GLsizei,
+    height: GLsizei,
+    ty: GLenum,
+) -> Result<()> {
+    let width = not_negative(SECTION, "width", width.into())?;
+    let height = not_negative(SECTION, "height", height.into())?;
+    let kind = KIND.decode("type", ty)?;
+    checked_drawable(context)?;
+    let planes = draw_planes(context);
+    let missing = match kind {
+        Kind::Color => false,
+        Kind::Depth => !planes.depth,
+        Kind::Stencil => !planes.stencil,
+        Kind::DepthStencil => !planes.depth || !planes.stencil,
+    };
+    if missing {
+        return invalid_operation(
+            SECTION,
+            "the framebuffer that is drawn to has no such depth or stencil buffer",
+        );
+    }
+    let from = match kind {
+        Kind::Color => read::source(context, Readable::Color)?,
+        Kind::Depth => read::source(context, Readable::Depth)?,
+        Kind::Stencil => read::source(context, Readable::Stencil)?,
+        Kind::DepthStencil => {
+            read::source(context, Readable::Stencil)?;
+            read::source(context, Readable::Depth)?
+        }
+    };
+    if from.format().is_integer() {
+        return invalid_operation(
+            "EXT_texture_integer, section 4.3.3",
+            "integers are not copied: call glBlitFramebuffer",
+        );
+    }
+    if crate::record::feedback::pixels(context, feedback::record::Kind::CopyPixels) != Mode::Render
+    {
+        return Ok(());
+    }
+    let size = [width, height];
+    let stored = texels(&from, Region::new(x, y, width, height))?;
+    let (isa, transfer) = (context.recorder.isa(), &context.state.transfer);
+    let as_format = |to: Format| convert::transcode(isa, from.format(), &stored, to, transfer);
+    match kind {
+        Kind::Color => {
+            let to =
+                match Conversion::between(isa, from.format(), Format::Rgba8, transfer).is_moved() {
+                    true => Format::Rgba8,
+                    false => Format::Rgba32F,
+                };
+            let texels = as_format(to);
+            crate::draw::rectangle::draw(
+                context,
+                size,
+                (Holds::Color, to),
+                &rows(&texels, width * to.bytes()),
+            )
+        }
+        Kind::Depth => {
+            let texels = as_format(Format::D32F);
+            crate::draw::rectangle::draw(context, size, DEPTHS, &rows(&texels, width * 4))
+        }
+        Kind::Stencil => {
+            let mut stencils = room(Format::R8UI, width, height)?;
+            Conversion::stencils(isa, from.format(), transfer).run(&stored, &mut stencils);
+            stencil::draw_stencils(context, size, &stencils)
+        }
+        Kind::DepthStencil => {
+            let Some(to) = stencil::target(context)? else { return Ok(()) };
+            let (texels, depth) = (as_format(to), context.state.fragment.depth_write);
+            stencil::draw(context, size, &texels, depth)
+        }
+    }
+}

@@ -1,0 +1,138 @@
+//! `glDrawPixels`: GL 2.1, section 3.6.4.
+
+use crate::base::args::Data;
+use crate::base::constants::enum_name;
+use crate::base::error::{Result, invalid_operation, not_negative};
+use crate::base::types::*;
+use crate::calls::pixels::stencil;
+use crate::context::Context;
+use crate::context::recorder::rectangle::Holds;
+use crate::draw::complete::{checked_drawable, draw_planes};
+use crate::pixel::client::Pixel;
+use crate::pixel::client::format::{ClientFormat, FORMAT, Numbers};
+use crate::pixel::convert;
+use crate::pixel::convert::Conversion;
+use crate::pixel::layout::{Extent, Layout};
+use crate::pixel::transfer::Kind;
+use crate::state::feedback::{Mode, record};
+use std::borrow::Cow;
+use texunit::format::Format;
+
+const SECTION: &str = "GL 2.1, section 3.6.4";
+
+/// The rows of a rectangle of texels that lie one after the other.
+pub(crate) fn rows<'a>(texels: &'a [u8], row_bytes: usize) -> impl Fn(usize) -> Cow<'a, [u8]> {
+    move |y| Cow::Borrowed(&texels[y * row_bytes..][..row_bytes])
+}
+
+/// The format of a rectangle of depths, which its fragments read as red.
+pub(crate) const DEPTHS: (Holds, Format) = (Holds::Depth, Format::R32F);
+
+/// Memory for the pixels of a rectangle.
+pub(crate) fn room(format: Format, width: usize, height: usize) -> Result<Vec<u8>> {
+    crate::calls::texture::sub::room(format, [width, height, 1])
+}
+
+/// Whether what is drawn to takes these pixels.
+fn check_target(context: &Context, pixel: Pixel) -> Result<()> {
+    let planes = draw_planes(context);
+    let missing = match pixel.format.kind() {
+        Kind::Depth => !planes.depth,
+        Kind::Stencil => !planes.stencil,
+        Kind::DepthStencil => !planes.depth || !planes.stencil,
+        Kind::Color | Kind::ColorIndex => false,
+    };
+    if missing {
+        return invalid_operation(
+            SECTION,
+            "the framebuffer that is drawn to has no such depth or stencil buffer",
+        );
+    }
+    Ok(())
+}
+
+/// Integers are not drawn, whatever their type.
+fn check_numbers(format: GLenum) -> Result<()> {
+    match FORMAT.get(format) {
+        Some((ClientFormat::Stencil, _) | (_, Numbers::Fixed | Numbers::SignedNormalized)) => {
+            Ok(())
+        }
+        Some((_, Numbers::Integer)) => invalid_operation(
+            "EXT_texture_integer, section 3.6.4",
+            format!("format = {}: integers are not drawn", enum_name(format)),
+        ),
+        None => Ok(()),
+    }
+}
+
+pub(crate) fn draw_pixels(
+    context: &mut Context,
+    width: GLsizei,
+    height: GLsizei,
+    format: GLenum,
+    ty: GLenum,
+    pixels: Data<'_>,
+) -> Result<()> {
+    let width = not_negative(SECTION, "width", width.into())?;
+    let height = not_negative(SECTION, "height", height.into())?;
+    check_numbers(format)?;
+    let pixel = Pixel::new(format, ty)?;
+    let layout = Layout::new(&context.state.unpack, pixel, [width, height, 1], Extent::Flat)?;
+    checked_drawable(context)?;
+    check_target(context, pixel)?;
+    let Some(source) =
+        crate::calls::pixels::memory::pixel_source(context, "glDrawPixels", &layout, pixels)?
+    else {
+        return Ok(());
+    };
+    if crate::record::feedback::pixels(context, record::Kind::DrawPixels) != Mode::Render {
+        return Ok(());
+    }
+    let kind = pixel.format.kind();
+    let (isa, transfer) = (context.recorder.isa(), context.state.transfer);
+    let to = |format: Format| Conversion::unpack(isa, &layout, format, &transfer);
+    let format = match kind {
+        Kind::Depth => Format::D32F,
+        Kind::Stencil => Format::R8UI,
+        Kind::DepthStencil => match stencil::target(context)? {
+            Some(format) => format,
+            None => return Ok(()),
+        },
+        // Bytes stay bytes, where nothing is done to them.
+        Kind::Color | Kind::ColorIndex => {
+            if to(Format::Rgba8).is_moved() {
+                Format::Rgba8
+            } else {
+                Format::Rgba32F
+            }
+        }
+    };
+    let (size, bytes) = ([width, height], source.bytes());
+    let all = || -> Result<Vec<u8>> {
+        let mut texels = room(format, width, height)?;
+        convert::unpack(isa, &layout, bytes, format, &transfer, &mut texels);
+        Ok(texels)
+    };
+    // Row by row: all of them would be written and read once more.
+    let conversion = to(format);
+    let rows = |y: usize| {
+        let row = &bytes[layout.start + y * layout.stride..][..layout.row_bytes()];
+        if conversion.is_copy(&layout) {
+            return Cow::Borrowed(row);
+        }
+        let mut texels = vec![0; width * format.bytes()];
+        conversion.unpack_row(&layout, row, &mut texels);
+        Cow::Owned(texels)
+    };
+    match kind {
+        Kind::Stencil => stencil::draw_stencils(context, size, &all()?),
+        Kind::DepthStencil => {
+            let depth = context.state.fragment.depth_write;
+            stencil::draw(context, size, &all()?, depth)
+        }
+        Kind::Depth => crate::draw::rectangle::draw(context, size, DEPTHS, &rows),
+        Kind::Color | Kind::ColorIndex => {
+            crate::draw::rectangle::draw(context, size, (Holds::Color, format), &rows)
+        }
+    }
+}

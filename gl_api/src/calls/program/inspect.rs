@@ -1,0 +1,357 @@
+//! What is known of a program: GL 2.1, sections 2.15.3 and 6.1.14.
+
+use crate::base::args::TextOut;
+use crate::base::constants::*;
+use crate::base::error::{Result, Table, invalid_operation, invalid_value, not_negative};
+use crate::base::types::*;
+use crate::calls::program::data_type::gl_type;
+use crate::calls::program::near;
+use crate::calls::program::near::Of;
+use crate::calls::program::programs::program;
+use crate::calls::program::uniform::{at_location, element_words};
+use crate::calls::program::varyings::BUFFER_MODE;
+use crate::calls::query::put;
+use crate::context::Context;
+use crate::glsl::{DataType, Member, Scalar};
+use crate::interface::MAX_VERTEX_ATTRIBS;
+use crate::objects::programs::{Linked, ProgramObject};
+use crate::objects::shaders::{c_length, put_text};
+
+const SECTION: &str = "GL 2.1, section 6.1.14";
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Property {
+    Deleted,
+    Linked,
+    Validated,
+    LogLength,
+    AttachedShaders,
+    ActiveAttributes,
+    ActiveAttributeMaxLength,
+    ActiveUniforms,
+    ActiveUniformMaxLength,
+    ActiveBlocks,
+    ActiveBlockMaxLength,
+    BufferMode,
+    Captured,
+    CapturedMaxLength,
+}
+
+pub(crate) fn get_programiv(
+    context: &mut Context,
+    name: GLuint,
+    pname: GLenum,
+    params: &mut [GLint],
+) -> Result<()> {
+    const PROPERTY: Table<Property> = Table {
+        section: SECTION,
+        rows: &[
+            (GL_DELETE_STATUS, Property::Deleted),
+            (GL_LINK_STATUS, Property::Linked),
+            (GL_VALIDATE_STATUS, Property::Validated),
+            (GL_INFO_LOG_LENGTH, Property::LogLength),
+            (GL_ATTACHED_SHADERS, Property::AttachedShaders),
+            (GL_ACTIVE_ATTRIBUTES, Property::ActiveAttributes),
+            (GL_ACTIVE_ATTRIBUTE_MAX_LENGTH, Property::ActiveAttributeMaxLength),
+            (GL_ACTIVE_UNIFORMS, Property::ActiveUniforms),
+            (GL_ACTIVE_UNIFORM_MAX_LENGTH, Property::ActiveUniformMaxLength),
+            (GL_ACTIVE_UNIFORM_BLOCKS, Property::ActiveBlocks),
+            (GL_ACTIVE_UNIFORM_BLOCK_MAX_NAME_LENGTH, Property::ActiveBlockMaxLength),
+            (GL_TRANSFORM_FEEDBACK_BUFFER_MODE, Property::BufferMode),
+            (GL_TRANSFORM_FEEDBACK_VARYINGS, Property::Captured),
+            (GL_TRANSFORM_FEEDBACK_VARYING_MAX_LENGTH, Property::CapturedMaxLength),
+        ],
+    };
+    let object = program(context, name)?;
+    let property = PROPERTY.decode("pname", pname)?;
+    let linked = object.linked().map(|linked| &linked.program);
+    let attributes = linked.map_or(&[][..], |linked| &linked.attributes);
+    let captured = linked.map_or(&[][..], |linked| &linked.captured);
+    let blocks = linked.map_or(&[][..], |linked| &linked.blocks);
+    let value = match property {
+        Property::Deleted => object.doomed.into(),
+        Property::Linked => linked.is_some().into(),
+        Property::Validated => object.validated.into(),
+        Property::LogLength => c_length(&object.log),
+        Property::AttachedShaders => object.attached.len() as GLint,
+        Property::ActiveAttributes => attributes.len() as GLint,
+        Property::ActiveAttributeMaxLength => {
+            attributes.iter().map(|attribute| c_length(&attribute.name)).max().unwrap_or(0)
+        }
+        Property::ActiveUniforms => active_uniforms(object).count() as GLint,
+        Property::ActiveUniformMaxLength => {
+            active_uniforms(object).map(|uniform| c_length(&uniform.listed())).max().unwrap_or(0)
+        }
+        Property::ActiveBlocks => blocks.len() as GLint,
+        Property::ActiveBlockMaxLength => {
+            blocks.iter().map(|block| c_length(&block.name)).max().unwrap_or(0)
+        }
+        Property::BufferMode => BUFFER_MODE
+            .encode(linked.map_or_else(Default::default, |linked| linked.buffer_mode))
+            as GLint,
+        Property::Captured => captured.len() as GLint,
+        Property::CapturedMaxLength => {
+            captured.iter().map(|captured| c_length(&captured.name)).max().unwrap_or(0)
+        }
+    };
+    put(params, &[value])
+}
+
+/// A uniform as GL lists it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Active<'a> {
+    pub name: &'a str,
+    pub ty: DataType,
+    /// The length of an array.
+    pub array: Option<u32>,
+    /// What it is in a uniform block.
+    pub member: Option<&'a Member>,
+}
+
+impl Active<'_> {
+    /// Its name as GL lists it: arrays end in `[0]`.
+    pub fn listed(&self) -> String {
+        if self.array.is_some() { format!("{}[0]", self.name) } else { self.name.to_owned() }
+    }
+}
+
+/// The uniforms as GL lists them: the application's, members of blocks, then built-in state.
+pub(crate) fn active_uniforms(object: &ProgramObject) -> impl Iterator<Item = Active<'_>> {
+    let program = object.linked().map(|linked| &linked.program);
+    program.into_iter().flat_map(|program| {
+        let own = program.uniforms.iter();
+        let builtin = program.builtin_uniforms.iter();
+        let members = program.members.iter();
+        let plain = |name, ty, array| Active { name, ty, array, member: None };
+        own.map(move |uniform| plain(&uniform.name, uniform.ty, uniform.array))
+            .chain(members.map(|member| Active {
+                name: &member.name,
+                ty: member.ty,
+                array: member.array,
+                member: Some(member),
+            }))
+            .chain(builtin.map(move |uniform| plain(&uniform.name, uniform.ty, uniform.array)))
+    })
+}
+
+/// How many uniforms there are before the members of blocks.
+pub(crate) fn first_member(object: &ProgramObject) -> usize {
+    object.linked().map_or(0, |linked| linked.program.uniforms.len())
+}
+
+pub(crate) fn get_program_info_log(
+    context: &mut Context,
+    name: GLuint,
+    max_length: GLsizei,
+    length: &mut [GLsizei],
+    info_log: TextOut<'_>,
+) -> Result<()> {
+    put_text(&program(context, name)?.log, max_length, length, info_log)
+}
+
+pub(crate) fn get_attached_shaders(
+    context: &mut Context,
+    name: GLuint,
+    max_count: GLsizei,
+    count: &mut [GLsizei],
+    shaders: &mut [GLuint],
+) -> Result<()> {
+    let limit = not_negative(SECTION, "maxCount", max_count.into())?;
+    let attached = &program(context, name)?.attached;
+    let written = attached.len().min(limit).min(shaders.len());
+    shaders[..written].copy_from_slice(&attached[..written]);
+    if let Some(count) = count.first_mut() {
+        *count = written as GLsizei;
+    }
+    Ok(())
+}
+
+/// A linked program.
+fn linked(context: &mut Context, name: GLuint) -> Result<&Linked> {
+    match program(context, name)?.linked() {
+        Some(linked) => Ok(linked),
+        None => invalid_operation(SECTION, format!("program {name} is not linked")),
+    }
+}
+
+/// Writes what a uniform or attribute is.
+fn put_variable(
+    (name, ty, elements): (&str, DataType, u32),
+    max_length: GLsizei,
+    length: &mut [GLsizei],
+    size: &mut [GLint],
+    gl_ty: &mut [GLenum],
+    out: TextOut<'_>,
+) -> Result<()> {
+    put_text(name, max_length, length, out)?;
+    put(size, &[elements as GLint])?;
+    put(gl_ty, &[gl_type(ty)])
+}
+
+#[expect(clippy::too_many_arguments, reason = "GL's signature")]
+pub(crate) fn get_active_uniform(
+    context: &mut Context,
+    name: GLuint,
+    index: GLuint,
+    max_length: GLsizei,
+    length: &mut [GLsizei],
+    size: &mut [GLint],
+    ty: &mut [GLenum],
+    out: TextOut<'_>,
+) -> Result<()> {
+    let object = program(context, name)?;
+    let Some(uniform) = active_uniforms(object).nth(index as usize) else {
+        let count = active_uniforms(object).count();
+        return invalid_value(
+            SECTION,
+            format!("index = {index} must be below GL_ACTIVE_UNIFORMS, {count}"),
+        );
+    };
+    let variable = (&*uniform.listed(), uniform.ty, uniform.array.unwrap_or(1));
+    put_variable(variable, max_length, length, size, ty, out)
+}
+
+#[expect(clippy::too_many_arguments, reason = "GL's signature")]
+pub(crate) fn get_active_attrib(
+    context: &mut Context,
+    name: GLuint,
+    index: GLuint,
+    max_length: GLsizei,
+    length: &mut [GLsizei],
+    size: &mut [GLint],
+    ty: &mut [GLenum],
+    out: TextOut<'_>,
+) -> Result<()> {
+    let object = program(context, name)?;
+    let attributes = object.linked().map_or(&[][..], |linked| &linked.program.attributes);
+    let Some(attribute) = attributes.get(index as usize) else {
+        return invalid_value(
+            SECTION,
+            format!("index = {index} must be below GL_ACTIVE_ATTRIBUTES, {}", attributes.len()),
+        );
+    };
+    put_variable((&attribute.name, attribute.ty, 1), max_length, length, size, ty, out)
+}
+
+/// A name with an index at its end, taken apart: `a[2]` is `a` and 2.
+pub(crate) fn indexed(name: &str) -> Option<(&str, u32)> {
+    let (base, rest) = name.rsplit_once('[')?;
+    let digits = rest.strip_suffix(']')?;
+    let canonical = digits == "0" || !digits.starts_with('0');
+    (canonical && digits.bytes().all(|byte| byte.is_ascii_digit()))
+        .then_some((base, digits.parse().ok()?))
+}
+
+pub(crate) fn get_uniform_location(
+    context: &mut Context,
+    name: GLuint,
+    uniform: &str,
+) -> Result<GLint> {
+    let uniforms = &linked(context, name)?.program.uniforms;
+    let whole = uniforms.iter().find(|found| found.name == uniform).map(|found| found.location);
+    let element = || {
+        let (base, index) = indexed(uniform)?;
+        let found = uniforms.iter().find(|found| found.name == base)?;
+        (index < found.array?).then_some(found.location + index)
+    };
+    let location = whole.or_else(element);
+    if location.is_none() {
+        near::not_found(context, name, Of::Uniform, uniform);
+    }
+    Ok(location.map_or(-1, |location| location as GLint))
+}
+
+pub(crate) fn get_attrib_location(
+    context: &mut Context,
+    name: GLuint,
+    attribute: &str,
+) -> Result<GLint> {
+    let attributes = &linked(context, name)?.program.attributes;
+    let found = attributes
+        .iter()
+        .find(|found| found.name == attribute && found.location < MAX_VERTEX_ATTRIBS);
+    let location = found.map(|found| found.location);
+    if location.is_none() {
+        near::not_found(context, name, Of::Attribute, attribute);
+    }
+    Ok(location.map_or(-1, GLint::from))
+}
+
+pub(crate) fn get_frag_data_location(
+    context: &mut Context,
+    name: GLuint,
+    output: &str,
+) -> Result<GLint> {
+    let outputs = &linked(context, name)?.program.outputs;
+    let found = outputs.iter().find(|(found, _)| found == output);
+    Ok(found.map_or(-1, |(_, color)| (*color).into()))
+}
+
+/// The words of the uniform element at a location, and their scalar type.
+pub(crate) fn words(
+    context: &mut Context,
+    name: GLuint,
+    location: GLint,
+) -> Result<(Scalar, Vec<u32>)> {
+    let linked = linked(context, name)?;
+    let Some((uniform, element)) = at_location(&linked.program.uniforms, location) else {
+        return invalid_operation(
+            SECTION,
+            format!("location = {location} is no uniform's of program {name}"),
+        );
+    };
+    let each = element_words(uniform.ty);
+    let first = uniform.word as usize + element * each;
+    let scalar = match uniform.ty {
+        DataType::Vector(scalar, _) => scalar,
+        DataType::Matrix(..) => Scalar::Float,
+        DataType::Sampler(_) => Scalar::Int,
+    };
+    Ok((scalar, linked.words.get(first..first + each).unwrap_or_default().to_vec()))
+}
+
+pub(crate) fn get_uniformfv(
+    context: &mut Context,
+    name: GLuint,
+    location: GLint,
+    params: &mut [GLfloat],
+) -> Result<()> {
+    let (scalar, words) = words(context, name, location)?;
+    let number = |word: u32| match scalar {
+        Scalar::Float => f32::from_bits(word),
+        Scalar::Int => word as i32 as f32,
+        Scalar::Uint => word as f32,
+        Scalar::Bool => f32::from(u8::from(word != 0)),
+    };
+    put(params, &words.into_iter().map(number).collect::<Vec<_>>())
+}
+
+pub(crate) fn get_uniformuiv(
+    context: &mut Context,
+    name: GLuint,
+    location: GLint,
+    params: &mut [GLuint],
+) -> Result<()> {
+    let (scalar, words) = words(context, name, location)?;
+    let number = |word: u32| match scalar {
+        Scalar::Float => f32::from_bits(word).round() as GLuint,
+        Scalar::Int | Scalar::Uint => word,
+        Scalar::Bool => GLuint::from(word != 0),
+    };
+    put(params, &words.into_iter().map(number).collect::<Vec<_>>())
+}
+
+pub(crate) fn get_uniformiv(
+    context: &mut Context,
+    name: GLuint,
+    location: GLint,
+    params: &mut [GLint],
+) -> Result<()> {
+    let (scalar, words) = words(context, name, location)?;
+    let number = |word: u32| match scalar {
+        Scalar::Float => f32::from_bits(word).round() as GLint,
+        Scalar::Int | Scalar::Uint => word as GLint,
+        Scalar::Bool => GLint::from(word != 0),
+    };
+    put(params, &words.into_iter().map(number).collect::<Vec<_>>())
+}

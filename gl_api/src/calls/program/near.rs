@@ -1,0 +1,85 @@
+//! Names that a program does not have, though it nearly has: `glGetUniformLocation` answers -1 for
+//! them, and a program that goes on sets nothing.
+//!
+//! Programs also ask for what nothing uses, and ask all their programs for the same names, and rightly:
+//! only a name that no shader at all declares, and that is a slip away from one that there is, is worth a
+//! word.
+
+use crate::base::types::GLuint;
+use crate::context::Context;
+use crate::context::said::Hint;
+use crate::glsl::spelling::edit_distance;
+use crate::interface::MAX_VERTEX_ATTRIBS;
+use crate::objects::programs::ShaderOrProgram;
+
+/// Whose location was asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Of {
+    Uniform,
+    Attribute,
+}
+
+/// Says once that a name may be misspelt.
+#[cold]
+#[inline(never)]
+pub(crate) fn not_found(context: &mut Context, program: GLuint, of: Of, asked: &str) {
+    let (hint, call, what) = match of {
+        Of::Uniform => (Hint::NoUniform, "glGetUniformLocation", "uniform"),
+        Of::Attribute => (Hint::NoAttribute, "glGetAttribLocation", "attribute"),
+    };
+    // Asked for in each frame, it is looked at once.
+    let subject = asked.bytes().fold(program, |hash, byte| {
+        (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193).rotate_left(5)
+    });
+    if !context.is_news(hint, subject) || is_declared(context, asked) {
+        return;
+    }
+    let Some(near) = nearest(context, program, of, asked) else { return };
+    context.debug.warn(format!(
+        "{call}: -1, as program {program} has no active {what} \"{asked}\"; did you mean \"{near}\"?"
+    ));
+}
+
+/// Whether any shader declares a name: it is another program's, or not active because nothing uses it.
+fn is_declared(context: &Context, asked: &str) -> bool {
+    let base = asked.split(['[', '.']).next().unwrap_or(asked);
+    context.objects.programs.values().any(|object| match object {
+        ShaderOrProgram::Shader(shader) => {
+            shader.compiled.as_ref().is_some_and(|compiled| compiled.declares(base))
+        }
+        // Shaders may be deleted once they are linked.
+        ShaderOrProgram::Program(program) => program.executable.as_ref().is_some_and(|linked| {
+            let program = &linked.program;
+            program.members.iter().any(|member| member.name == asked)
+                || program.uniforms.iter().any(|uniform| uniform.name == asked)
+                || program.attributes.iter().any(|attribute| attribute.name == asked)
+        }),
+    })
+}
+
+/// The name that was meant, perhaps. Others differ in their numbers alone: elements that there may be.
+fn nearest(context: &Context, program: GLuint, of: Of, asked: &str) -> Option<String> {
+    let slips = match asked.len() {
+        ..4 => return None,
+        4..8 => 1,
+        8.. => 2,
+    };
+    let program = &context.objects.linked_program(program)?.program;
+    let uniforms = program.uniforms.iter().map(|uniform| &uniform.name);
+    let attributes = program.attributes.iter();
+    let generic = attributes.filter(|attribute| attribute.location < MAX_VERTEX_ATTRIBS);
+    let generic = generic.map(|attribute| &attribute.name);
+    let is_near = |name: &&String| {
+        let letters = |text: &str| -> String {
+            text.chars().filter(|letter| !letter.is_ascii_digit()).collect()
+        };
+        let near = name.eq_ignore_ascii_case(asked) || edit_distance(asked, name, slips).is_some();
+        near && letters(name) != letters(asked)
+    };
+    let mut names: Vec<&String> = match of {
+        Of::Uniform => uniforms.collect(),
+        Of::Attribute => generic.collect(),
+    };
+    names.retain(is_near);
+    names.into_iter().min_by_key(|name| edit_distance(asked, name, slips)).cloned()
+}

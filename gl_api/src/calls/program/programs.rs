@@ -1,0 +1,270 @@
+//! Program objects: GL 2.1, section 2.15.2.
+
+use crate::base::error::{Result, invalid_operation, invalid_value};
+use crate::base::limits;
+use crate::base::types::*;
+use crate::calls::program::shaders::{forget_if_doomed, shader};
+use crate::calls::transform_feedback::not_while_active;
+use crate::context::Context;
+use crate::draw::uniform_blocks::BlockState;
+use crate::generate::fixed::clamp::clamp_vertex_colors;
+use crate::glsl;
+use crate::interface::MAX_VERTEX_ATTRIBS;
+use crate::objects::programs::{LinkStatus, Linked, ProgramObject, ShaderOrProgram};
+use crate::objects::{Objects, Sweep};
+use rasterizer::driver::ShaderModule;
+use rasterizer::ir::{Expr, Input, IrError, Module};
+
+const SECTION: &str = "GL 2.1, section 2.15.2";
+
+impl Linked {
+    /// The name of the uniform that has this word, quoted, after a space.
+    pub fn quoted_name(&self, word: u32) -> String {
+        let uniform = self.program.uniforms.iter().rfind(|uniform| uniform.word <= word);
+        uniform.map_or_else(String::new, |uniform| format!(" \"{}\"", uniform.name))
+    }
+}
+
+impl Objects {
+    /// What a program draws with.
+    pub fn linked_program(&self, name: GLuint) -> Option<&Linked> {
+        match self.programs.get(name)? {
+            ShaderOrProgram::Program(program) => program.executable.as_ref(),
+            ShaderOrProgram::Shader(_) => None,
+        }
+    }
+}
+
+/// The program of a name.
+pub(crate) fn program(context: &mut Context, name: GLuint) -> Result<&mut ProgramObject> {
+    match context.objects.programs.get_mut(name) {
+        Some(ShaderOrProgram::Program(program)) => Ok(program),
+        Some(ShaderOrProgram::Shader(_)) => {
+            invalid_operation(SECTION, format!("program = {name} is a shader, not a program"))
+        }
+        None => invalid_value(SECTION, format!("program = {name} is no program")),
+    }
+}
+
+pub(crate) fn create_program(context: &mut Context) -> Result<GLuint> {
+    Ok(context.objects.programs.add(ShaderOrProgram::Program(Box::default())))
+}
+
+pub(crate) fn delete_program(context: &mut Context, name: GLuint) -> Result<()> {
+    if name == 0 {
+        return Ok(());
+    }
+    if std::mem::replace(&mut program(context, name)?.doomed, true) {
+        return Ok(());
+    }
+    // As long as it is part of the state of any context, it is only flagged.
+    context.objects.doomed_programs.push(name);
+    context.objects.sweep(Sweep::Deleted);
+    Ok(())
+}
+
+/// Removes deleted programs that no context uses any more, and lets go of their shaders.
+pub(crate) fn sweep(objects: &mut Objects) {
+    for name in std::mem::take(&mut objects.doomed_programs) {
+        if objects.programs.is_held(name) {
+            objects.doomed_programs.push(name);
+            continue;
+        }
+        let attached = match objects.programs.get_mut(name) {
+            Some(ShaderOrProgram::Program(program)) => std::mem::take(&mut program.attached),
+            Some(ShaderOrProgram::Shader(_)) | None => Vec::new(),
+        };
+        objects.programs.remove(name);
+        for name in attached {
+            release(objects, name);
+        }
+    }
+}
+
+/// One program less holds a shader.
+fn release(objects: &mut Objects, name: GLuint) {
+    if let Some(ShaderOrProgram::Shader(shader)) = objects.programs.get_mut(name) {
+        shader.attachments -= 1;
+    }
+    forget_if_doomed(objects, name);
+}
+
+pub(crate) fn is_program(context: &mut Context, name: GLuint) -> Result<bool> {
+    sweep(&mut context.objects);
+    Ok(matches!(context.objects.programs.get(name), Some(ShaderOrProgram::Program(_))))
+}
+
+pub(crate) fn attach_shader(context: &mut Context, name: GLuint, added: GLuint) -> Result<()> {
+    shader(context, added)?;
+    let program = program(context, name)?;
+    if program.attached.contains(&added) {
+        return invalid_operation(SECTION, format!("shader {added} is attached already"));
+    }
+    program.attached.push(added);
+    shader(context, added)?.attachments += 1;
+    Ok(())
+}
+
+pub(crate) fn detach_shader(context: &mut Context, name: GLuint, gone: GLuint) -> Result<()> {
+    shader(context, gone)?;
+    let program = program(context, name)?;
+    match program.attached.iter().position(|attached| *attached == gone) {
+        Some(place) => {
+            program.attached.remove(place);
+            release(&mut context.objects, gone);
+            Ok(())
+        }
+        None => invalid_operation(SECTION, format!("shader {gone} is not attached to it")),
+    }
+}
+
+/// A name that a location can be bound to.
+fn checked_name(name: &str) -> Result<&str> {
+    if name.starts_with("gl_") {
+        return invalid_operation(
+            "GL 2.1, section 2.15.3",
+            format!("name = \"{name}\" begins with gl_, which is reserved"),
+        );
+    }
+    Ok(name)
+}
+
+pub(crate) fn bind_attrib_location(
+    context: &mut Context,
+    name: GLuint,
+    index: GLuint,
+    attribute: &str,
+) -> Result<()> {
+    let location = match u8::try_from(index) {
+        Ok(location) if location < MAX_VERTEX_ATTRIBS => location,
+        _ => {
+            return invalid_value(
+                "GL 2.1, section 2.15.3",
+                format!("index = {index} must be below {MAX_VERTEX_ATTRIBS}"),
+            );
+        }
+    };
+    let attribute = checked_name(attribute)?.to_owned();
+    program(context, name)?.bindings.attributes.insert(attribute, location);
+    Ok(())
+}
+
+pub(crate) fn bind_frag_data_location(
+    context: &mut Context,
+    name: GLuint,
+    color: GLuint,
+    output: &str,
+) -> Result<()> {
+    let limit = limits::MAX_COLOR_ATTACHMENTS;
+    if color as usize >= limit {
+        return invalid_value(
+            "GL 3.0, section 3.12.2",
+            format!("color = {color} must be below {limit}"),
+        );
+    }
+    let output = checked_name(output)?.to_owned();
+    program(context, name)?.bindings.frag_data.insert(output, color as u8);
+    Ok(())
+}
+
+/// The attributes that a vertex stage reads, bit by location.
+fn read_attributes(module: &Module) -> u64 {
+    let mut read = 0;
+    for value in &module.values {
+        if let Expr::Input(Input::Attribute { location, .. }) = value {
+            read |= 1 << location;
+        }
+    }
+    read
+}
+
+/// A linker's result, ready to draw with.
+pub(crate) fn ready(mut program: glsl::Program) -> std::result::Result<Linked, IrError> {
+    let module = |module: &Option<Module>| module.clone().map(ShaderModule::new).transpose();
+    let unclamped = program.vertex.clone();
+    let has_colors = program.vertex.as_mut().is_some_and(clamp_vertex_colors);
+    let (vertex, fragment) = (module(&program.vertex)?, module(&program.fragment)?);
+    let unclamped_vertex = if has_colors { module(&unclamped)? } else { vertex.clone() };
+    let mut words = vec![0; program.words as usize];
+    for uniform in &program.uniforms {
+        let place = words.get_mut(uniform.word as usize..).unwrap_or_default();
+        for (word, initial) in place.iter_mut().zip(&uniform.initial) {
+            *word = *initial;
+        }
+    }
+    let blocks = BlockState::of(&program);
+    let attributes = vertex.as_ref().map_or(0, |vertex| read_attributes(vertex.module()));
+    Ok(Linked { program, vertex, unclamped_vertex, fragment, attributes, words, blocks })
+}
+
+pub(crate) fn link_program(context: &mut Context, name: GLuint) -> Result<()> {
+    if context.state.bindings.program.name() == name {
+        not_while_active(context)?;
+    }
+    let attached = program(context, name)?.attached.clone();
+    let mut log = String::new();
+    let mut shaders = Vec::new();
+    for &attached in &attached {
+        let Some(ShaderOrProgram::Shader(shader)) = context.objects.programs.get(attached) else {
+            continue;
+        };
+        match &shader.compiled {
+            Some(compiled) => shaders.push(compiled),
+            None => log.push_str(&format!("error: shader {attached} is not compiled\n")),
+        }
+    }
+    let mut linked = None;
+    if log.is_empty() {
+        let bindings = match context.objects.programs.get(name) {
+            Some(ShaderOrProgram::Program(program)) => program.bindings.clone(),
+            Some(ShaderOrProgram::Shader(_)) | None => glsl::Bindings::default(),
+        };
+        let result = glsl::link(&shaders, &bindings);
+        log = result.log;
+        match result.program.map(ready).transpose() {
+            Ok(program) => linked = program,
+            Err(error) => log.push_str(&format!("error: internal: {error}\n")),
+        }
+    }
+    let in_use = context.objects.programs.is_held(name);
+    let program = program(context, name)?;
+    program.link = if linked.is_some() { LinkStatus::Linked } else { LinkStatus::Failed };
+    if linked.is_some() || !in_use {
+        program.executable = linked;
+    }
+    program.log = log;
+    program.validated = false;
+    if program.link == LinkStatus::Failed {
+        let text = format!("glLinkProgram: program {name} did not link:\n{}", program.log);
+        context.debug.say(text);
+    } else if !program.log.is_empty() {
+        let text = format!("glLinkProgram: program {name} linked:\n{}", program.log);
+        context.debug.say(text);
+    }
+    Ok(())
+}
+
+pub(crate) fn use_program(context: &mut Context, name: GLuint) -> Result<()> {
+    if name != 0 && program(context, name)?.linked().is_none() {
+        return invalid_operation(
+            SECTION,
+            format!("program {name} is not linked: see glGetProgramInfoLog"),
+        );
+    }
+    not_while_active(context)?;
+    let objects = &mut context.objects;
+    let now = objects.programs.hold(name);
+    let before = std::mem::replace(&mut context.state.bindings.program, now).name();
+    if before == name {
+        context.changes.nothing();
+        return Ok(());
+    }
+    sweep(objects);
+    if !objects.programs.is_held(before)
+        && let Some(ShaderOrProgram::Program(before)) = objects.programs.get_mut(before)
+        && before.link == LinkStatus::Failed
+    {
+        before.executable = None;
+    }
+    Ok(())
+}

@@ -1,0 +1,88 @@
+//! What a program captures: `glTransformFeedbackVaryings` and what the last link made of it.
+
+use crate::base::args::{Names, TextOut};
+use crate::base::constants::*;
+use crate::base::error::{Result, Table, invalid_operation, invalid_value, not_negative};
+use crate::base::limits::MAX_TRANSFORM_FEEDBACK_SEPARATE_ATTRIBS;
+use crate::base::types::*;
+use crate::calls::program::data_type::gl_type;
+use crate::calls::program::inspect::indexed;
+use crate::calls::program::programs::program;
+use crate::calls::query::put;
+use crate::context::Context;
+use crate::glsl::{BufferMode, Capture, CaptureRequest};
+use crate::objects::shaders::put_text;
+use crate::state::transform_feedback::SECTION;
+
+/// How buffers are filled.
+pub(crate) const BUFFER_MODE: Table<BufferMode> = Table {
+    section: SECTION,
+    rows: &[
+        (GL_INTERLEAVED_ATTRIBS, BufferMode::Interleaved),
+        (GL_SEPARATE_ATTRIBS, BufferMode::Separate),
+    ],
+};
+
+/// What the next link is to capture.
+pub(crate) fn transform_feedback_varyings(
+    context: &mut Context,
+    name: GLuint,
+    count: GLsizei,
+    varyings: Names<'_>,
+    buffer_mode: GLenum,
+) -> Result<()> {
+    let program = program(context, name)?;
+    let count = not_negative(SECTION, "count", count.into())?;
+    let mode = BUFFER_MODE.decode("bufferMode", buffer_mode)?;
+    let most = MAX_TRANSFORM_FEEDBACK_SEPARATE_ATTRIBS;
+    if mode == BufferMode::Separate && count > most {
+        return invalid_value(
+            SECTION,
+            format!(
+                "count = {count}, but at most {most} buffers are filled \
+                 (GL_MAX_TRANSFORM_FEEDBACK_SEPARATE_ATTRIBS)"
+            ),
+        );
+    }
+    let Some(names) = varyings.0.get(..count) else {
+        let has = varyings.0.len();
+        return invalid_operation(SECTION, format!("count = {count}, but there are {has} names"));
+    };
+    let request = |name: &&str| match indexed(name) {
+        Some((variable, element)) => {
+            CaptureRequest { variable: variable.to_owned(), element: Some(element) }
+        }
+        None => CaptureRequest { variable: (*name).to_owned(), element: None },
+    };
+    program.bindings.capture = Capture { mode, varyings: names.iter().map(request).collect() };
+    Ok(())
+}
+
+#[expect(clippy::too_many_arguments, reason = "GL's signature")]
+pub(crate) fn get_transform_feedback_varying(
+    context: &mut Context,
+    name: GLuint,
+    index: GLuint,
+    max_length: GLsizei,
+    length: &mut [GLsizei],
+    size: &mut [GLsizei],
+    ty: &mut [GLenum],
+    out: TextOut<'_>,
+) -> Result<()> {
+    let Some(linked) = program(context, name)?.linked() else {
+        return invalid_operation(SECTION, format!("program {name} is not linked"));
+    };
+    let captured = &linked.program.captured;
+    let Some(found) = captured.get(index as usize) else {
+        return invalid_value(
+            SECTION,
+            format!(
+                "index = {index} must be below GL_TRANSFORM_FEEDBACK_VARYINGS, {}",
+                captured.len()
+            ),
+        );
+    };
+    put_text(&found.name, max_length, length, out)?;
+    put(size, &[found.size as GLsizei])?;
+    put(ty, &[gl_type(found.ty)])
+}

@@ -1,0 +1,5 @@
+//! Queries and fences.
+
+pub(crate) mod conditional;
+pub(crate) mod fences;
+pub(crate) mod queries;

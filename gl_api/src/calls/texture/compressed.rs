@@ -1,0 +1,214 @@
+//! Compressed images as the client has them: `glCompressedTexImage`, `glCompressedTexSubImage` and
+//! `glGetCompressedTexImage`; GL 2.1, sections 3.8.3 and 6.1.4.
+
+use crate::base::args::{Data, DataOut};
+use crate::base::error::{Result, invalid_operation, invalid_value};
+use crate::base::types::*;
+use crate::calls::pixels::memory::{source, write_bytes};
+use crate::calls::texture::bound::bound;
+use crate::calls::texture::specify::{Request, store_level};
+use crate::calls::texture::sub::{checked_area, write_area};
+use crate::context::Context;
+use crate::objects::target::{Dimensions, any_bound, checked_level};
+use crate::pixel::convert;
+use crate::pixel::internal::COMPRESSED_FORMAT;
+use texunit::format::Format;
+use texunit::image::Level;
+
+const SECTION: &str = "GL 2.1, section 3.8.3";
+
+/// Checks that `imageSize` is what a box of this size takes.
+fn checked_bytes(format: Format, size: [u32; 3], image_size: GLsizei) -> Result<usize> {
+    let [width, height, depth] = size;
+    let bytes = Level::required_bytes(format, width, height, depth).unwrap_or(usize::MAX);
+    if usize::try_from(image_size) == Ok(bytes) {
+        return Ok(bytes);
+    }
+    invalid_value(
+        SECTION,
+        format!("imageSize = {image_size}, but {width}×{height}×{depth} texels take {bytes} bytes"),
+    )
+}
+
+fn compressed_tex_image(
+    context: &mut Context,
+    (dimensions, target): (Dimensions, GLenum),
+    level: GLint,
+    internal: GLenum,
+    given: [GLsizei; 3],
+    border: GLint,
+    (image_size, data): (GLsizei, Data<'_>),
+) -> Result<()> {
+    let image = dimensions.image(target)?;
+    let format = COMPRESSED_FORMAT.decode("internalformat", internal)?;
+    if border != 0 {
+        return invalid_value(SECTION, format!("border = {border} of compressed images must be 0"));
+    }
+    let request = Request::new(image, level, internal, format, given, border)?;
+    let Some(target) = request.bound(context)? else { return Ok(()) };
+    let bytes = checked_bytes(format, request.size, image_size)?;
+    let source = source(context, data, bytes)?;
+    let mut texels = request.storage()?;
+    if let Some(source) = source {
+        texels.texels[..bytes].copy_from_slice(checked_slice(source.bytes(), bytes)?);
+    }
+    store_level(context, target, request.level, internal, texels)
+}
+
+fn checked_slice(has: &[u8], bytes: usize) -> Result<&[u8]> {
+    match has.get(..bytes) {
+        Some(blocks) => Ok(blocks),
+        None => invalid_operation(
+            SECTION,
+            format!("imageSize = {bytes}, but the memory has {} bytes", has.len()),
+        ),
+    }
+}
+
+fn compressed_tex_sub_image(
+    context: &mut Context,
+    (dimensions, target): (Dimensions, GLenum),
+    level: GLint,
+    offset: [GLint; 3],
+    size: [GLsizei; 3],
+    format: GLenum,
+    (image_size, data): (GLsizei, Data<'_>),
+) -> Result<()> {
+    let target = dimensions.bound(target)?;
+    let format = COMPRESSED_FORMAT.decode("format", format)?;
+    let area = checked_area(context, target, level, offset, size)?;
+    if area.format != format {
+        return invalid_operation(SECTION, "format must be the level's internalformat");
+    }
+    let bytes = checked_bytes(format, area.size, image_size)?;
+    let Some(source) = source(context, data, bytes)? else {
+        return invalid_operation(
+            SECTION,
+            format!("data must not be NULL: {bytes} bytes are needed"),
+        );
+    };
+    let blocks = checked_slice(source.bytes(), bytes)?;
+    write_area(context, &area, blocks)
+}
+
+pub(crate) fn get_compressed_tex_image(
+    context: &mut Context,
+    target: GLenum,
+    level: GLint,
+    img: DataOut<'_>,
+) -> Result<()> {
+    const SECTION: &str = "GL 2.1, section 6.1.4";
+    let target = any_bound(target)?;
+    let level = checked_level(SECTION, target.target, level)?;
+    let image = bound(context, target.target).image.texels();
+    let found = image.level(target.face.into(), level);
+    let Some(level) = found.filter(|level| level.format.block().is_some()) else {
+        return invalid_operation(SECTION, "the level is not compressed: use glGetTexImage");
+    };
+    let blocks = convert::texels(level);
+    write_bytes(context, img, blocks.len(), |out| {
+        out[..blocks.len()].copy_from_slice(blocks);
+    })
+}
+
+#[expect(clippy::too_many_arguments, reason = "GL's signature")]
+pub(crate) fn compressed_tex_image_1d(
+    context: &mut Context,
+    target: GLenum,
+    level: GLint,
+    internalformat: GLenum,
+    width: GLsizei,
+    border: GLint,
+    image_size: GLsizei,
+    data: Data<'_>,
+) -> Result<()> {
+    let (target, size) = ((Dimensions::One, target), [width, 1, 1]);
+    compressed_tex_image(context, target, level, internalformat, size, border, (image_size, data))
+}
+
+#[expect(clippy::too_many_arguments, reason = "GL's signature")]
+pub(crate) fn compressed_tex_image_2d(
+    context: &mut Context,
+    target: GLenum,
+    level: GLint,
+    internalformat: GLenum,
+    width: GLsizei,
+    height: GLsizei,
+    border: GLint,
+    image_size: GLsizei,
+    data: Data<'_>,
+) -> Result<()> {
+    let (target, size) = ((Dimensions::Two, target), [width, height, 1]);
+    compressed_tex_image(context, target, level, internalformat, size, border, (image_size, data))
+}
+
+#[expect(clippy::too_many_arguments, reason = "GL's signature")]
+pub(crate) fn compressed_tex_image_3d(
+    context: &mut Context,
+    target: GLenum,
+    level: GLint,
+    internalformat: GLenum,
+    width: GLsizei,
+    height: GLsizei,
+    depth: GLsizei,
+    border: GLint,
+    image_size: GLsizei,
+    data: Data<'_>,
+) -> Result<()> {
+    let (target, size) = ((Dimensions::Three, target), [width, height, depth]);
+    compressed_tex_image(context, target, level, internalformat, size, border, (image_size, data))
+}
+
+#[expect(clippy::too_many_arguments, reason = "GL's signature")]
+pub(crate) fn compressed_tex_sub_image_1d(
+    context: &mut Context,
+    target: GLenum,
+    level: GLint,
+    xoffset: GLint,
+    width: GLsizei,
+    format: GLenum,
+    image_size: GLsizei,
+    data: Data<'_>,
+) -> Result<()> {
+    let (target, size) = ((Dimensions::One, target), [width, 1, 1]);
+    let data = (image_size, data);
+    compressed_tex_sub_image(context, target, level, [xoffset, 0, 0], size, format, data)
+}
+
+#[expect(clippy::too_many_arguments, reason = "GL's signature")]
+pub(crate) fn compressed_tex_sub_image_2d(
+    context: &mut Context,
+    target: GLenum,
+    level: GLint,
+    xoffset: GLint,
+    yoffset: GLint,
+    width: GLsizei,
+    height: GLsizei,
+    format: GLenum,
+    image_size: GLsizei,
+    data: Data<'_>,
+) -> Result<()> {
+    let (target, size) = ((Dimensions::Two, target), [width, height, 1]);
+    let (offset, data) = ([xoffset, yoffset, 0], (image_size, data));
+    compressed_tex_sub_image(context, target, level, offset, size, format, data)
+}
+
+#[expect(clippy::too_many_arguments, reason = "GL's signature")]
+pub(crate) fn compressed_tex_sub_image_3d(
+    context: &mut Context,
+    target: GLenum,
+    level: GLint,
+    xoffset: GLint,
+    yoffset: GLint,
+    zoffset: GLint,
+    width: GLsizei,
+    height: GLsizei,
+    depth: GLsizei,
+    format: GLenum,
+    image_size: GLsizei,
+    data: Data<'_>,
+) -> Result<()> {
+    let (target, size) = ((Dimensions::Three, target), [width, height, depth]);
+    let (offset, data) = ([xoffset, yoffset, zoffset], (image_size, data));
+    compressed_tex_sub_image(context, target, level, offset, size, format, data)
+}

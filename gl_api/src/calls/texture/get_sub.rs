@@ -1,0 +1,227 @@
+//! Reading a part of a level back, by the texture's name: `ARB_get_texture_sub_image`.
+
+use crate::base::args::DataOut;
+use crate::base::error::{Result, invalid_operation, invalid_value, not_negative};
+use crate::base::types::*;
+use crate::calls::texture::get::{asked_for, extent, readable};
+use crate::context::Context;
+use crate::objects::target::{TextureTarget, checked_level};
+use crate::pixel::client::format::LuminanceOf;
+use crate::pixel::layout::{Extent, Layout};
+use crate::pixel::transfer::Transfer;
+use crate::pixel::{blocks, convert};
+use std::sync::Arc;
+use texunit::format::Format;
+use texunit::image::{Image, Level};
+
+const SECTION: &str = "ARB_get_texture_sub_image, section 8.11.4";
+
+/// A box of texels of a level; the faces of a cube are its images.
+struct Part {
+    target: TextureTarget,
+    level: usize,
+    texels: Image,
+    offset: [usize; 3],
+    size: [usize; 3],
+    /// Width, height and depth of the level.
+    whole: [usize; 3],
+}
+
+impl Part {
+    /// # Errors
+    /// Where there is no such texture or level, or the box reaches out of it.
+    fn new(
+        context: &mut Context,
+        name: GLuint,
+        level: GLint,
+        offset: [GLint; 3],
+        size: [GLsizei; 3],
+    ) -> Result<Self> {
+        let Some(texture) = context.objects.textures.get(name) else {
+            return invalid_operation(SECTION, format!("texture = {name} is no texture"));
+        };
+        let (target, image) = (texture.target, texture.image.clone());
+        if target.is_multisample() || target == TextureTarget::Buffer {
+            return invalid_operation(
+                SECTION,
+                "a texture with several samples has no texels to read, nor has one of a buffer",
+            );
+        }
+        let level = checked_level(SECTION, target, level)?;
+        let offset = checked(["xoffset", "yoffset", "zoffset"], offset)?;
+        let size = checked(["width", "height", "depth"], size)?;
+        crate::draw::settle(context, &image);
+        let texels = image.texels();
+        let faces = texels.shape().faces();
+        let kind = |face| texels.level(face, level).map(|level| (level.size(), level.format));
+        let (first, others) = (kind(0), 1..faces);
+        if faces > 1 && (first.is_none() || others.map(kind).any(|other| other != first)) {
+            return invalid_operation(SECTION, "the faces of the cube map are not all alike there");
+        }
+        // A level without an image has no texels.
+        let mut whole = first.map_or([0; 3], |(size, _)| target.level_box(size));
+        if faces > 1 {
+            whole[2] = faces as u32;
+        }
+        let whole = whole.map(|side| side as usize);
+        for (axis, whole) in whole.iter().enumerate() {
+            let end = offset[axis] + size[axis];
+            if end > *whole {
+                let axis = ["x", "y", "z"][axis];
+                return invalid_value(
+                    SECTION,
+                    format!("the box ends at {axis} = {end}; the level has {whole}"),
+                );
+            }
+        }
+        Ok(Self { target, level, texels, offset, size, whole })
+    }
+
+    /// The faces that it reaches into.
+    fn faces(&self) -> std::ops::Range<usize> {
+        match self.texels.shape().faces() {
+            1 => 0..usize::from(!self.size.contains(&0)),
+            _ => self.offset[2]..self.offset[2] + self.size[2],
+        }
+    }
+
+    /// The levels of these faces.
+    fn levels(&self) -> impl Iterator<Item = &Arc<Level>> {
+        self.faces().filter_map(|face| self.texels.level(face, self.level))
+    }
+
+    /// The format of the texels, if there are any.
+    fn format(&self) -> Option<Format> {
+        self.levels().next().map(|level| level.format)
+    }
+
+    /// Its texels out of those of a level, in units of `side` by `side` texels of so many bytes,
+    /// which lie so far within what is stored.
+    fn cut(&self, all: &[u8], unit: Unit, out: &mut Vec<u8>) {
+        let Unit { side, bytes, border } = unit;
+        let sides = [side, side, 1];
+        let stored: [usize; 3] =
+            std::array::from_fn(|axis| self.whole[axis].div_ceil(sides[axis]) + 2 * border[axis]);
+        let first: [usize; 3] =
+            std::array::from_fn(|axis| self.offset[axis] / sides[axis] + border[axis]);
+        let count: [usize; 3] = std::array::from_fn(|axis| self.size[axis].div_ceil(sides[axis]));
+        let is_cube = self.target == TextureTarget::Cube;
+        let images = if is_cube { 0..1 } else { first[2]..first[2] + count[2] };
+        for z in images {
+            for y in first[1]..first[1] + count[1] {
+                let start = ((z * stored[1] + y) * stored[0] + first[0]) * bytes;
+                out.extend_from_slice(&all[start..start + count[0] * bytes]);
+            }
+        }
+    }
+}
+
+/// What a level is stored in.
+struct Unit {
+    /// How many texels wide and high.
+    side: usize,
+    bytes: usize,
+    /// Along each axis, in front of the first.
+    border: [usize; 3],
+}
+
+fn checked(names: [&str; 3], values: [GLint; 3]) -> Result<[usize; 3]> {
+    let [x, y, z] = names;
+    let value = |name, value: GLint| not_negative(SECTION, name, value.into());
+    Ok([value(x, values[0])?, value(y, values[1])?, value(z, values[2])?])
+}
+
+fn check_room(needed: usize, size: GLsizei) -> Result<()> {
+    if usize::try_from(size).is_ok_and(|size| needed <= size) {
+        return Ok(());
+    }
+    invalid_operation(SECTION, format!("bufSize = {size}, but {needed} bytes are needed"))
+}
+
+#[expect(clippy::too_many_arguments, reason = "GL's signature")]
+pub(crate) fn get_texture_sub_image(
+    context: &mut Context,
+    texture: GLuint,
+    level: GLint,
+    xoffset: GLint,
+    yoffset: GLint,
+    zoffset: GLint,
+    width: GLsizei,
+    height: GLsizei,
+    depth: GLsizei,
+    format: GLenum,
+    ty: GLenum,
+    buf_size: GLsizei,
+    pixels: DataOut<'_>,
+) -> Result<()> {
+    let (offset, size) = ([xoffset, yoffset, zoffset], [width, height, depth]);
+    let part = Part::new(context, texture, level, offset, size)?;
+    let pixel = asked_for(SECTION, format, ty)?;
+    let Some(format) = part.format() else { return Ok(()) };
+    readable(pixel, format)?;
+    // Its faces are layers here.
+    let is_cube = part.target == TextureTarget::Cube;
+    let extent = if is_cube { Extent::Volume } else { extent(part.target) };
+    let layout = Layout::new(&context.state.pack, pixel, part.size, extent)?;
+    check_room(layout.needed, buf_size)?;
+    // As of glGetTexImage, no transfer operations are performed.
+    let (isa, transfer) = (context.recorder.isa(), Transfer::default());
+    let (mut texels, mut stored) = (Vec::new(), format);
+    for level in part.levels() {
+        if level.format.block().is_some() {
+            stored = blocks::COLORS;
+            let unit = Unit { side: 1, bytes: stored.bytes(), border: [0; 3] };
+            let colors = blocks::rows(isa, level).collect::<Vec<_>>().concat();
+            part.cut(&colors, unit, &mut texels);
+        } else {
+            let border = part.target.level_box(level.border).map(|side| side as usize);
+            let unit = Unit { side: 1, bytes: format.bytes(), border };
+            part.cut(convert::texels(level), unit, &mut texels);
+        }
+    }
+    crate::calls::pixels::memory::write_pixels(context, &layout, pixels, |bytes| {
+        convert::pack(isa, &layout, stored, &transfer, LuminanceOf::Red, &texels, bytes);
+    })
+}
+
+#[expect(clippy::too_many_arguments, reason = "GL's signature")]
+pub(crate) fn get_compressed_texture_sub_image(
+    context: &mut Context,
+    texture: GLuint,
+    level: GLint,
+    xoffset: GLint,
+    yoffset: GLint,
+    zoffset: GLint,
+    width: GLsizei,
+    height: GLsizei,
+    depth: GLsizei,
+    buf_size: GLsizei,
+    pixels: DataOut<'_>,
+) -> Result<()> {
+    let (offset, size) = ([xoffset, yoffset, zoffset], [width, height, depth]);
+    let part = Part::new(context, texture, level, offset, size)?;
+    let Some(format) = part.format() else { return Ok(()) };
+    if format.block().is_none() {
+        return invalid_operation(SECTION, "the level is not compressed: use glGetTextureSubImage");
+    }
+    let side = format.block_side() as usize;
+    for axis in [0, 1] {
+        let (start, end) = (part.offset[axis], part.offset[axis] + part.size[axis]);
+        let ends = end.is_multiple_of(side) || end == part.whole[axis];
+        if !start.is_multiple_of(side) || !ends {
+            return invalid_value(
+                SECTION,
+                format!("the box from {start} to {end} cuts blocks of {side} texels"),
+            );
+        }
+    }
+    let mut all = Vec::new();
+    for level in part.levels() {
+        let unit = Unit { side, bytes: format.bytes(), border: [0; 3] };
+        part.cut(convert::texels(level), unit, &mut all);
+    }
+    check_room(all.len(), buf_size)?;
+    crate::calls::pixels::memory::write_bytes(context, pixels, all.len(), |out| {
+        out[..all.len()].copy_from_slice(&all)
+    })
+}

@@ -1,0 +1,99 @@
+//! Making mipmaps: `glGenerateMipmap` (`EXT_framebuffer_object`, section 3.8.8) and
+//! `GL_GENERATE_MIPMAP` (GL 2.1, section 3.8.8).
+
+use crate::base::constants::*;
+use crate::base::error::{Result, invalid_enum, invalid_operation};
+use crate::base::limits;
+use crate::base::types::*;
+use crate::calls::texture::bound::{bound, bound_mut};
+use crate::context::Context;
+use crate::objects::target::TARGET;
+use crate::objects::texture::Texture;
+use texunit::image::ImageError;
+use texunit::lanes::Isa;
+use texunit::sampler::Sampler;
+
+const SECTION: &str = "EXT_framebuffer_object, section 3.8.8";
+
+/// The faces whose levels are made.
+#[derive(Clone, Copy)]
+enum Faces {
+    All,
+    One(usize),
+}
+
+/// Makes the levels above the base from it.
+fn generate(isa: Isa, texture: &mut Texture, faces: Faces) -> Result<()> {
+    let Sampler { base_level: base, max_level: max, .. } = texture.sampler();
+    let max = max.min(limits::MAX_TEXTURE_LEVELS as u32 - 1);
+    let made = texture.image.update(|image| match faces {
+        Faces::All => image.generate_mipmaps(isa, base, max),
+        Faces::One(face) => image.generate_face_mipmaps(isa, face, base, max),
+    });
+    made.map_err(|error| crate::objects::texture::storage_error(SECTION, &error))?;
+    let base = base as usize;
+    for (face, levels) in texture.requested.iter_mut().enumerate() {
+        let made = match faces {
+            Faces::All => true,
+            Faces::One(one) => one == face,
+        };
+        if let (true, Some(&format)) = (made, levels.get(base)) {
+            levels[base..].fill(format);
+        }
+    }
+    texture.texels_changed();
+    Ok(())
+}
+
+/// With `GL_GENERATE_MIPMAP` set, a new base level of a face brings new mipmaps, if its texels
+/// have any.
+pub(crate) fn base_level_changed(
+    isa: Isa,
+    texture: &mut Texture,
+    face: usize,
+    level: usize,
+) -> Result<()> {
+    let base = texture.sampler().base_level as usize;
+    let image = texture.image.texels();
+    let has_mean = image.level(face, level).is_some_and(|level| level.format.has_mean());
+    if texture.generate_mipmap && level == base && has_mean {
+        generate(isa, texture, Faces::One(face))
+    } else {
+        Ok(())
+    }
+}
+
+pub(crate) fn generate_mipmap(context: &mut Context, target: GLenum) -> Result<()> {
+    let target = TARGET.decode("target", target)?;
+    if target.levels() == 1 {
+        let name = enum_name(TARGET.encode(target));
+        return invalid_enum(SECTION, format!("target = {name} has no mipmaps"));
+    }
+    let image = bound(context, target).image.clone();
+    crate::draw::settle(context, &image);
+    let isa = context.recorder.isa();
+    let texture = bound_mut(context, target);
+    let base = texture.sampler().base_level as usize;
+    let texels = texture.image.texels();
+    let mut kinds = Vec::new();
+    for face in 0..texels.shape().faces() {
+        let Some(level) = texels.level(face, base) else {
+            return invalid_operation(
+                SECTION,
+                format!(
+                    "face {face} has no image at level {base}, {}",
+                    enum_name(GL_TEXTURE_BASE_LEVEL)
+                ),
+            );
+        };
+        if !level.format.has_mean() {
+            let error = ImageError::NoMean { format: level.format };
+            return Err(crate::objects::texture::storage_error(SECTION, &error));
+        }
+        kinds.push((level.size(), level.border, level.format));
+    }
+    if kinds.iter().any(|kind| *kind != kinds[0]) {
+        return invalid_operation(SECTION, "the faces of the cube map differ in size or format");
+    }
+    generate(isa, texture, Faces::All)
+}

@@ -1,0 +1,18 @@
+//! Texture objects: names, images, parameters, queries.
+
+pub(crate) mod bound;
+pub(crate) mod buffer;
+pub(crate) mod compressed;
+pub(crate) mod copy;
+pub(crate) mod environment;
+pub(crate) mod get;
+pub(crate) mod get_sub;
+pub(crate) mod mipmap;
+pub(crate) mod multisample;
+pub(crate) mod names;
+pub(crate) mod parameter;
+pub(crate) mod query;
+pub(crate) mod samplers;
+pub(crate) mod specify;
+pub(crate) mod storage;
+pub(crate) mod sub;

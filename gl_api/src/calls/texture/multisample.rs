@@ -1,0 +1,189 @@
+//! Textures with several samples a texel: `glTexImage2DMultisample`, `3D` and those for good
+//! (`ARB_texture_multisample`, section 3.8.X; `ARB_texture_storage_multisample`).
+//!
+//! An image is stored as layers, one for each sample, which is how shaders fetch them. What is asked
+//! for is a least number of samples: every image has the most that there are.
+
+use crate::base::constants::*;
+use crate::base::error::{Result, Table, invalid_enum, invalid_operation, invalid_value};
+use crate::base::limits;
+use crate::base::types::*;
+use crate::calls::texture::bound::{bound, bound_mut};
+use crate::calls::texture::specify::Request;
+use crate::context::Context;
+use crate::objects::target::{IMAGE_2D_MULTISAMPLE, IMAGE_3D_MULTISAMPLE, ImageTarget};
+use crate::objects::texture::{Samples, storage_error};
+use crate::pixel::internal::{INTERNAL_FORMAT, is_generic_compressed, sized_format};
+use crate::pixel::texel::is_renderable;
+use rasterizer::driver::Rows;
+use texunit::format::Format;
+use texunit::image::Image as Texels;
+
+const SECTION: &str = "ARB_texture_multisample, section 3.8.X";
+const STORAGE: &str = "ARB_texture_storage_multisample, section 3.8.X";
+
+/// Whether other images may follow.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Lifetime {
+    Replaceable,
+    Immutable,
+}
+
+/// The arguments of a call behind its target.
+struct Asked {
+    samples: GLsizei,
+    internal: GLenum,
+    size: [GLsizei; 3],
+    fixed_locations: bool,
+}
+
+/// A format that is drawn to, as nothing else fills such an image.
+fn checked_format(internal: GLenum, lifetime: Lifetime) -> Result<Format> {
+    let (format, how, section) = match lifetime {
+        Lifetime::Replaceable => (INTERNAL_FORMAT.get(internal), "drawn to", SECTION),
+        Lifetime::Immutable => (sized_format(internal), "sized and drawn to", STORAGE),
+    };
+    match format {
+        Some(format) if is_renderable(format) && !is_generic_compressed(internal) => Ok(format),
+        Some(_) | None => invalid_enum(
+            section,
+            format!(
+                "internalformat = {} must be one that is {how}, as GL_RGBA8 or \
+                 GL_DEPTH_COMPONENT24",
+                enum_name(internal)
+            ),
+        ),
+    }
+}
+
+/// What storage for good needs besides (`ARB_texture_storage`, section 3.8.X).
+fn checked_storage(context: &Context, image: ImageTarget, size: [GLsizei; 3]) -> Result<()> {
+    if size.iter().any(|side| *side < 1) {
+        let [width, height, depth] = size;
+        let rule = format!("the size {width}×{height}×{depth} must be at least 1");
+        return invalid_value(STORAGE, rule);
+    }
+    let target = image.target();
+    match image {
+        ImageTarget::Bound(_)
+            if context.state.units.active().bound[target as usize].name() == 0 =>
+        {
+            invalid_operation(STORAGE, "texture 0 is the default one: bind another")
+        }
+        ImageTarget::Bound(_) | ImageTarget::Proxy(_) => Ok(()),
+    }
+}
+
+fn specify(
+    context: &mut Context,
+    table: &Table<ImageTarget>,
+    target: GLenum,
+    asked: &Asked,
+    lifetime: Lifetime,
+) -> Result<()> {
+    let image = table.decode("target", target)?;
+    let &Asked { samples, internal, size, fixed_locations } = asked;
+    let format = checked_format(internal, lifetime)?;
+    if samples < 1 {
+        return invalid_value(SECTION, format!("samples = {samples} must be at least 1"));
+    }
+    if lifetime == Lifetime::Immutable {
+        checked_storage(context, image, size)?;
+    }
+    let mut request = Request::new(image, 0, internal, format, size, 0)?;
+    if samples > limits::MAX_SAMPLES.into() {
+        let ImageTarget::Proxy(target) = image else {
+            return invalid_operation(
+                SECTION,
+                format!("samples = {samples} must not be above {}", limits::MAX_SAMPLES),
+            );
+        };
+        context.state.proxies[target as usize] = Default::default();
+        return Ok(());
+    }
+    request.samples = Some(Samples { count: limits::MAX_SAMPLES, fixed_locations });
+    match request.bound(context)? {
+        Some(_) => store(context, &request, lifetime),
+        None => Ok(()),
+    }
+}
+
+/// Puts an image of zeros in place of the bound texture's.
+fn store(context: &mut Context, request: &Request, lifetime: Lifetime) -> Result<()> {
+    let target = request.image.target();
+    let mut texels = Texels::new(target.shape());
+    texels.set_level(0, 0, request.storage()?).map_err(|error| storage_error(SECTION, &error))?;
+    let image = bound(context, target).image.clone();
+    // What was recorded draws to the image as it was.
+    crate::draw::settle(context, &image);
+    image.replace(texels, limits::MAX_SAMPLES, Rows::EachSample);
+    let texture = bound_mut(context, target);
+    texture.samples = request.samples;
+    texture.requested[0][0] = request.internal;
+    texture.immutable = match lifetime {
+        Lifetime::Replaceable => None,
+        Lifetime::Immutable => Some(1),
+    };
+    texture.changed();
+    Ok(())
+}
+
+pub(crate) fn tex_image_2d_multisample(
+    context: &mut Context,
+    target: GLenum,
+    samples: GLsizei,
+    internalformat: GLenum,
+    width: GLsizei,
+    height: GLsizei,
+    fixedsamplelocations: bool,
+) -> Result<()> {
+    let (size, fixed_locations) = ([width, height, 1], fixedsamplelocations);
+    let asked = Asked { samples, internal: internalformat, size, fixed_locations };
+    specify(context, &IMAGE_2D_MULTISAMPLE, target, &asked, Lifetime::Replaceable)
+}
+
+#[expect(clippy::too_many_arguments, reason = "GL's signature")]
+pub(crate) fn tex_image_3d_multisample(
+    context: &mut Context,
+    target: GLenum,
+    samples: GLsizei,
+    internalformat: GLenum,
+    width: GLsizei,
+    height: GLsizei,
+    depth: GLsizei,
+    fixedsamplelocations: bool,
+) -> Result<()> {
+    let (size, fixed_locations) = ([width, height, depth], fixedsamplelocations);
+    let asked = Asked { samples, internal: internalformat, size, fixed_locations };
+    specify(context, &IMAGE_3D_MULTISAMPLE, target, &asked, Lifetime::Replaceable)
+}
+
+pub(crate) fn tex_storage_2d_multisample(
+    context: &mut Context,
+    target: GLenum,
+    samples: GLsizei,
+    internalformat: GLenum,
+    width: GLsizei,
+    height: GLsizei,
+    fixedsamplelocations: bool,
+) -> Result<()> {
+    let (size, fixed_locations) = ([width, height, 1], fixedsamplelocations);
+    let asked = Asked { samples, internal: internalformat, size, fixed_locations };
+    specify(context, &IMAGE_2D_MULTISAMPLE, target, &asked, Lifetime::Immutable)
+}
+
+#[expect(clippy::too_many_arguments, reason = "GL's signature")]
+pub(crate) fn tex_storage_3d_multisample(
+    context: &mut Context,
+    target: GLenum,
+    samples: GLsizei,
+    internalformat: GLenum,
+    width: GLsizei,
+    height: GLsizei,
+    depth: GLsizei,
+    fixedsamplelocations: bool,
+) -> Result<()> {
+    let (size, fixed_locations) = ([width, height, depth], fixedsamplelocations);
+    let asked = Asked { samples, internal: internalformat, size, fixed_locations };
+    specify(context, &IMAGE_3D_MULTISAMPLE, target, &asked, Lifetime::Immutable)
+}

@@ -1,0 +1,142 @@
+//! Texture names and units: GL 2.1, sections 3.8.12 and 2.7.
+
+use crate::base::constants::*;
+use crate::base::error::{Result, invalid_enum, invalid_operation, invalid_value};
+use crate::base::types::*;
+use crate::calls::framebuffer::attach::detach;
+use crate::context::Context;
+use crate::interface::{MAX_COMBINED_TEXTURE_IMAGE_UNITS, MAX_TEXTURE_UNITS};
+use crate::objects::bound::Bound;
+use crate::objects::target::TARGET;
+use crate::objects::texture::Texture;
+use crate::objects::{Sweep, listed};
+use crate::state::viewport::unit;
+
+const SECTION: &str = "GL 2.1, section 3.8.12";
+
+pub(crate) fn gen_textures(
+    context: &mut Context,
+    n: GLsizei,
+    textures: &mut [GLuint],
+) -> Result<()> {
+    context.objects.textures.reserve(SECTION, n, textures)
+}
+
+pub(crate) fn delete_textures(
+    context: &mut Context,
+    n: GLsizei,
+    textures: &[GLuint],
+) -> Result<()> {
+    for &name in listed(SECTION, n, textures)?.iter().filter(|&&name| name != 0) {
+        let gone = context.objects.textures.hold(name);
+        let units = &mut context.state.units;
+        for at in 0..units.units.len() {
+            if gone != Bound::default() && units.units[at].bound.contains(&gone) {
+                units.unit_mut(at).bound.iter_mut().for_each(|bound| bound.forget(&gone));
+            }
+        }
+        drop(gone);
+        if let Some(image) = context.objects.textures.get(name).map(|gone| gone.image.clone()) {
+            detach(context, &image);
+        }
+        context.objects.textures.remove(name);
+    }
+    context.objects.sweep(Sweep::Deleted);
+    Ok(())
+}
+
+pub(crate) fn bind_texture(context: &mut Context, target: GLenum, texture: GLuint) -> Result<()> {
+    let target = TARGET.decode("target", target)?;
+    if let Some(object) = context.objects.textures.get(texture)
+        && object.target != target
+    {
+        let (was, is) = (TARGET.encode(object.target), TARGET.encode(target));
+        return invalid_operation(
+            SECTION,
+            format!(
+                "texture {texture} was first bound to {}, it cannot be bound to {}",
+                enum_name(was),
+                enum_name(is)
+            ),
+        );
+    }
+    context.objects.textures.create(texture, || Texture::new(target));
+    let bound = context.objects.textures.hold(texture);
+    if context.state.units.active().bound[target as usize] == bound {
+        context.changes.nothing();
+        return Ok(());
+    }
+    context.state.units.active_mut().bound[target as usize] = bound;
+    Ok(())
+}
+
+pub(crate) fn is_texture(context: &mut Context, texture: GLuint) -> Result<bool> {
+    Ok(context.objects.textures.get(texture).is_some())
+}
+
+pub(crate) fn prioritize_textures(
+    context: &mut Context,
+    n: GLsizei,
+    textures: &[GLuint],
+    priorities: &[GLfloat],
+) -> Result<()> {
+    let n = listed(SECTION, n, textures)?.len();
+    if priorities.len() < n {
+        return invalid_operation(SECTION, format!("priorities has {} of {n}", priorities.len()));
+    }
+    for (&name, &priority) in textures.iter().zip(priorities).take(n) {
+        if let Some(texture) = context.objects.textures.get_mut(name) {
+            texture.priority = unit(priority.into()) as f32;
+        }
+    }
+    Ok(())
+}
+
+pub(crate) fn are_textures_resident(
+    context: &mut Context,
+    n: GLsizei,
+    textures: &[GLuint],
+    _: &mut [GLboolean],
+) -> Result<bool> {
+    for &name in listed(SECTION, n, textures)? {
+        if context.objects.textures.get(name).is_none() {
+            return invalid_value(SECTION, format!("{name} is no texture"));
+        }
+    }
+    Ok(true)
+}
+
+/// The unit that `GL_TEXTUREi` names, of so many.
+fn unit_below(section: &'static str, texture: GLenum, count: u8) -> Result<u8> {
+    let refuse = |rule: String| invalid_enum(section, format!("texture = {rule}"));
+    match texture.checked_sub(GL_TEXTURE0) {
+        Some(unit) if unit < u32::from(count) => Ok(unit as u8),
+        // Counted from there, as it was probably written: other values begin at GL_TEXTURE31 + 1.
+        Some(unit @ ..256) => {
+            refuse(format!("GL_TEXTURE0 + {unit} must be below GL_TEXTURE0 + {count}"))
+        }
+        Some(_) | None if texture < u32::from(count) => {
+            refuse(format!("{texture} must be a name: GL_TEXTURE0 + {texture} is this unit's"))
+        }
+        Some(_) | None => {
+            let last = count - 1;
+            refuse(format!("{} must be GL_TEXTURE0 to GL_TEXTURE{last}", enum_name(texture)))
+        }
+    }
+}
+
+/// The set of texture coordinates that `GL_TEXTUREi` names.
+pub(crate) fn texture_unit(section: &'static str, texture: GLenum) -> Result<u8> {
+    unit_below(section, texture, MAX_TEXTURE_UNITS)
+}
+
+pub(crate) fn active_texture(context: &mut Context, texture: GLenum) -> Result<()> {
+    let count = MAX_COMBINED_TEXTURE_IMAGE_UNITS;
+    context.state.units.active = unit_below("GL 2.1, section 2.11.2", texture, count)?;
+    Ok(())
+}
+
+pub(crate) fn client_active_texture(context: &mut Context, texture: GLenum) -> Result<()> {
+    context.state.units.client_active = texture_unit("GL 2.1, section 2.8", texture)?;
+    Ok(())
+}

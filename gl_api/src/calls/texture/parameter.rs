@@ -1,0 +1,345 @@
+//! Texture parameters: GL 2.1, section 3.8.4 and tables 3.18, 6.17.
+
+use crate::base::constants::*;
+use crate::base::error::{Result, Table, invalid_enum, invalid_operation, invalid_value, must_be};
+use crate::base::types::*;
+use crate::calls::query::put;
+use crate::calls::texture::bound::{bound, bound_mut};
+use crate::context::Context;
+use crate::objects::sampler::{Answer, SAMPLER_PARAMETER, SamplerParameter, Values, needs_vector};
+use crate::objects::target::{TARGET, TextureTarget};
+use crate::state::env::symbol;
+use crate::state::viewport::unit;
+use texunit::sampler::{Border, DepthMode, Swizzle};
+
+const SECTION: &str = "GL 2.1, section 3.8.4";
+
+const DEPTH_MODE: Table<DepthMode> = Table {
+    section: "GL 2.1, table 3.18",
+    rows: &[
+        (GL_LUMINANCE, DepthMode::Luminance),
+        (GL_INTENSITY, DepthMode::Intensity),
+        (GL_ALPHA, DepthMode::Alpha),
+        (GL_RED, DepthMode::Red),
+    ],
+};
+
+const SWIZZLE: Table<Swizzle> = Table {
+    section: "EXT_texture_swizzle, section 3.8.4",
+    rows: &[
+        (GL_RED, Swizzle::Red),
+        (GL_GREEN, Swizzle::Green),
+        (GL_BLUE, Swizzle::Blue),
+        (GL_ALPHA, Swizzle::Alpha),
+        (GL_ZERO, Swizzle::Zero),
+        (GL_ONE, Swizzle::One),
+    ],
+};
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Parameter {
+    Sampler(SamplerParameter),
+    BorderColor,
+    Priority,
+    Resident,
+    /// Whether its levels were given for good.
+    Immutable,
+    BaseLevel,
+    MaxLevel,
+    DepthMode,
+    GenerateMipmap,
+    /// Of one component.
+    Swizzle(u8),
+    /// Of all four.
+    Swizzles,
+}
+
+/// Those that sampler objects have not.
+const PARAMETER: Table<Parameter> = Table {
+    section: SECTION,
+    rows: &[
+        (GL_TEXTURE_BORDER_COLOR, Parameter::BorderColor),
+        (GL_TEXTURE_PRIORITY, Parameter::Priority),
+        (GL_TEXTURE_RESIDENT, Parameter::Resident),
+        (GL_TEXTURE_IMMUTABLE_FORMAT, Parameter::Immutable),
+        (GL_TEXTURE_BASE_LEVEL, Parameter::BaseLevel),
+        (GL_TEXTURE_MAX_LEVEL, Parameter::MaxLevel),
+        (GL_DEPTH_TEXTURE_MODE, Parameter::DepthMode),
+        (GL_GENERATE_MIPMAP, Parameter::GenerateMipmap),
+        (GL_TEXTURE_SWIZZLE_R, Parameter::Swizzle(0)),
+        (GL_TEXTURE_SWIZZLE_G, Parameter::Swizzle(1)),
+        (GL_TEXTURE_SWIZZLE_B, Parameter::Swizzle(2)),
+        (GL_TEXTURE_SWIZZLE_A, Parameter::Swizzle(3)),
+        (GL_TEXTURE_SWIZZLE_RGBA, Parameter::Swizzles),
+    ],
+};
+
+fn parameter(pname: GLenum) -> Result<Parameter> {
+    if let Some(parameter) = SAMPLER_PARAMETER.get(pname) {
+        return Ok(Parameter::Sampler(parameter));
+    }
+    match PARAMETER.get(pname) {
+        Some(parameter) => Ok(parameter),
+        None => invalid_enum(
+            SECTION,
+            format!(
+                "pname = {} {}",
+                enum_name(pname),
+                must_be(pname, &[SAMPLER_PARAMETER.values(), PARAMETER.values()].concat())
+            ),
+        ),
+    }
+}
+
+fn level_number(target: TextureTarget, pname: GLenum, value: f32) -> Result<u32> {
+    let name = enum_name(pname);
+    if value.is_nan() || value < 0.0 {
+        return invalid_value(SECTION, format!("{name} = {value} must not be negative"));
+    }
+    if target.levels() == 1 && pname == GL_TEXTURE_BASE_LEVEL && value != 0.0 {
+        let target = enum_name(TARGET.encode(target));
+        return invalid_operation(
+            "GL 3.3, section 3.8.7",
+            format!("{name} = {value} of {target} must be 0"),
+        );
+    }
+    Ok(value.round() as u32)
+}
+
+/// A target whose textures have parameters: those of buffers have none.
+fn checked_target(target: GLenum) -> Result<TextureTarget> {
+    let target = TARGET.decode("target", target)?;
+    if target == TextureTarget::Buffer {
+        return invalid_enum(
+            "GL 3.1, section 3.8.5",
+            "target = GL_TEXTURE_BUFFER: the texels of a buffer are fetched, which has no parameters",
+        );
+    }
+    Ok(target)
+}
+
+/// A parameter that textures of a target have: where there are several samples a texel, nothing is
+/// filtered, wrapped or compared.
+fn parameter_of(target: TextureTarget, pname: GLenum) -> Result<Parameter> {
+    let parameter = parameter(pname)?;
+    let is_samplers = matches!(parameter, Parameter::Sampler(_) | Parameter::BorderColor);
+    if is_samplers && target.is_multisample() {
+        return invalid_enum(
+            "ARB_texture_storage_multisample, section 3.8.8",
+            format!(
+                "pname = {} is of samplers, which do not count for target = {}",
+                enum_name(pname),
+                enum_name(TARGET.encode(target))
+            ),
+        );
+    }
+    Ok(parameter)
+}
+
+/// Sets a parameter of one number.
+fn set(
+    context: &mut Context,
+    target: TextureTarget,
+    pname: GLenum,
+    parameter: Parameter,
+    value: f32,
+) -> Result<()> {
+    let symbol = symbol(value);
+    let texture = bound_mut(context, target);
+    let before = texture.state.clone();
+    // Levels that were given for good bound these parameters (ARB_texture_storage, section 3.8.X).
+    let last = texture.immutable.map(|levels| levels - 1);
+    let sampler = &mut texture.state.sampler;
+    match parameter {
+        Parameter::Sampler(parameter) => texture.state.set(Some(target), parameter, value)?,
+        Parameter::Priority => texture.priority = unit(value.into()) as f32,
+        Parameter::BaseLevel => {
+            sampler.base_level = level_number(target, pname, value)?.min(last.unwrap_or(u32::MAX));
+        }
+        Parameter::MaxLevel => {
+            let level = level_number(target, pname, value)?;
+            let base = sampler.base_level;
+            sampler.max_level = last.map_or(level, |last| level.clamp(base.min(last), last));
+        }
+        Parameter::DepthMode => sampler.depth_mode = DEPTH_MODE.decode("param", symbol)?,
+        Parameter::GenerateMipmap => texture.generate_mipmap = value != 0.0,
+        Parameter::Swizzle(component) => {
+            sampler.swizzle[usize::from(component)] = SWIZZLE.decode("param", symbol)?;
+        }
+        Parameter::BorderColor | Parameter::Swizzles => {
+            return needs_vector(SECTION, pname, "glTexParameter");
+        }
+        Parameter::Resident | Parameter::Immutable => {
+            return invalid_enum(SECTION, format!("pname = {} can only be read", enum_name(pname)));
+        }
+    }
+    let is_sampling = !matches!(parameter, Parameter::Priority | Parameter::GenerateMipmap);
+    if is_sampling && texture.state == before {
+        context.changes.nothing();
+    }
+    Ok(())
+}
+
+fn scalar(context: &mut Context, target: GLenum, pname: GLenum, value: f32) -> Result<()> {
+    let target = checked_target(target)?;
+    set(context, target, pname, parameter_of(target, pname)?, value)
+}
+
+fn vector(context: &mut Context, target: GLenum, pname: GLenum, values: &Values) -> Result<()> {
+    let target = checked_target(target)?;
+    let parameter = parameter_of(target, pname)?;
+    match parameter {
+        Parameter::BorderColor => {
+            let color = values.four(SECTION, pname)?;
+            bound_mut(context, target).state.sampler.border = color;
+        }
+        Parameter::Swizzles => {
+            values.four(SECTION, pname)?;
+            let mut swizzle = Swizzle::IDENTITY;
+            for (component, &value) in swizzle.iter_mut().zip(&values.plain) {
+                *component = SWIZZLE.decode("params", symbol(value))?;
+            }
+            bound_mut(context, target).state.sampler.swizzle = swizzle;
+        }
+        Parameter::Sampler(_)
+        | Parameter::Priority
+        | Parameter::Resident
+        | Parameter::Immutable
+        | Parameter::BaseLevel
+        | Parameter::MaxLevel
+        | Parameter::DepthMode
+        | Parameter::GenerateMipmap
+        | Parameter::Swizzle(_) => {
+            return set(context, target, pname, parameter, values.one(SECTION, pname)?);
+        }
+    }
+    Ok(())
+}
+
+pub(crate) fn tex_parameteri(
+    context: &mut Context,
+    target: GLenum,
+    pname: GLenum,
+    param: GLint,
+) -> Result<()> {
+    scalar(context, target, pname, param as f32)
+}
+
+pub(crate) fn tex_parameterf(
+    context: &mut Context,
+    target: GLenum,
+    pname: GLenum,
+    param: GLfloat,
+) -> Result<()> {
+    scalar(context, target, pname, param)
+}
+
+pub(crate) fn tex_parameteriv(
+    context: &mut Context,
+    target: GLenum,
+    pname: GLenum,
+    params: &[GLint],
+) -> Result<()> {
+    vector(context, target, pname, &Values::fixed(params))
+}
+
+pub(crate) fn tex_parameterfv(
+    context: &mut Context,
+    target: GLenum,
+    pname: GLenum,
+    params: &[GLfloat],
+) -> Result<()> {
+    vector(context, target, pname, &Values::floats(params))
+}
+
+pub(crate) fn tex_parameter_i_iv(
+    context: &mut Context,
+    target: GLenum,
+    pname: GLenum,
+    params: &[GLint],
+) -> Result<()> {
+    vector(context, target, pname, &Values::signed(params))
+}
+
+pub(crate) fn tex_parameter_i_uiv(
+    context: &mut Context,
+    target: GLenum,
+    pname: GLenum,
+    params: &[GLuint],
+) -> Result<()> {
+    vector(context, target, pname, &Values::unsigned(params))
+}
+
+/// An answer as fractions are asked for: a border is clamped where fragments are
+/// (`ARB_color_buffer_float`, section 6.1.2).
+pub(crate) fn clamped(context: &Context, answer: Answer) -> Answer {
+    match answer {
+        Answer::Color(Border::Float(color)) => Answer::Color(Border::Float(
+            crate::calls::fragment::clamp::of_fragments(context).color(color),
+        )),
+        Answer::Color(Border::Sint(_) | Border::Uint(_)) | Answer::Numbers(_) => answer,
+    }
+}
+
+fn get(context: &Context, target: TextureTarget, parameter: Parameter) -> Answer {
+    let texture = bound(context, target);
+    let sampler = &texture.state.sampler;
+    let one = match parameter {
+        Parameter::BorderColor => return Answer::Color(sampler.border),
+        Parameter::Swizzles => {
+            let names = sampler.swizzle.iter().map(|&from| SWIZZLE.encode(from) as f32);
+            return Answer::Numbers(names.collect());
+        }
+        Parameter::Sampler(parameter) => texture.state.get(parameter),
+        Parameter::Priority => texture.priority,
+        Parameter::Resident => 1.0,
+        Parameter::Immutable => f32::from(u8::from(texture.immutable.is_some())),
+        Parameter::BaseLevel => sampler.base_level as f32,
+        Parameter::MaxLevel => sampler.max_level as f32,
+        Parameter::DepthMode => DEPTH_MODE.encode(sampler.depth_mode) as f32,
+        Parameter::GenerateMipmap => f32::from(u8::from(texture.generate_mipmap)),
+        Parameter::Swizzle(at) => SWIZZLE.encode(sampler.swizzle[usize::from(at)]) as f32,
+    };
+    Answer::Numbers(vec![one])
+}
+
+fn got(context: &Context, target: GLenum, pname: GLenum) -> Result<Answer> {
+    let target = checked_target(target)?;
+    Ok(get(context, target, parameter(pname)?))
+}
+
+pub(crate) fn get_tex_parameteriv(
+    context: &mut Context,
+    target: GLenum,
+    pname: GLenum,
+    params: &mut [GLint],
+) -> Result<()> {
+    put(params, &clamped(context, got(context, target, pname)?).fixed())
+}
+
+pub(crate) fn get_tex_parameterfv(
+    context: &mut Context,
+    target: GLenum,
+    pname: GLenum,
+    params: &mut [GLfloat],
+) -> Result<()> {
+    put(params, &clamped(context, got(context, target, pname)?).floats())
+}
+
+pub(crate) fn get_tex_parameter_i_iv(
+    context: &mut Context,
+    target: GLenum,
+    pname: GLenum,
+    params: &mut [GLint],
+) -> Result<()> {
+    put(params, &got(context, target, pname)?.signed())
+}
+
+pub(crate) fn get_tex_parameter_i_uiv(
+    context: &mut Context,
+    target: GLenum,
+    pname: GLenum,
+    params: &mut [GLuint],
+) -> Result<()> {
+    put(params, &got(context, target, pname)?.unsigned())
+}

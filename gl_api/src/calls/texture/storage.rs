@@ -1,0 +1,181 @@
+//! `glTexStorage1D`, `2D` and `3D`: all levels at once, for good (`ARB_texture_storage`).
+
+use crate::base::constants::*;
+use crate::base::error::{Result, Table, invalid_enum, invalid_operation, invalid_value};
+use crate::base::types::*;
+use crate::calls::texture::bound::{bound, bound_mut};
+use crate::calls::texture::specify::Request;
+use crate::context::Context;
+use crate::objects::target::{FaceTarget, ImageTarget, TextureTarget};
+use crate::pixel::internal::sized_format;
+use texunit::image::{Image as Texels, Level};
+
+const SECTION: &str = "ARB_texture_storage, section 3.8.X";
+
+const fn whole(target: TextureTarget) -> ImageTarget {
+    ImageTarget::Bound(FaceTarget { target, face: 0 })
+}
+
+const STORAGE_1D: Table<ImageTarget> = Table {
+    section: SECTION,
+    rows: &[
+        (GL_TEXTURE_1D, whole(TextureTarget::D1)),
+        (GL_PROXY_TEXTURE_1D, ImageTarget::Proxy(TextureTarget::D1)),
+    ],
+};
+
+const STORAGE_2D: Table<ImageTarget> = Table {
+    section: SECTION,
+    rows: &[
+        (GL_TEXTURE_2D, whole(TextureTarget::D2)),
+        (GL_TEXTURE_RECTANGLE, whole(TextureTarget::Rect)),
+        (GL_TEXTURE_CUBE_MAP, whole(TextureTarget::Cube)),
+        (GL_TEXTURE_1D_ARRAY, whole(TextureTarget::D1Array)),
+        (GL_PROXY_TEXTURE_2D, ImageTarget::Proxy(TextureTarget::D2)),
+        (GL_PROXY_TEXTURE_RECTANGLE, ImageTarget::Proxy(TextureTarget::Rect)),
+        (GL_PROXY_TEXTURE_CUBE_MAP, ImageTarget::Proxy(TextureTarget::Cube)),
+        (GL_PROXY_TEXTURE_1D_ARRAY, ImageTarget::Proxy(TextureTarget::D1Array)),
+    ],
+};
+
+const STORAGE_3D: Table<ImageTarget> = Table {
+    section: SECTION,
+    rows: &[
+        (GL_TEXTURE_3D, whole(TextureTarget::D3)),
+        (GL_TEXTURE_2D_ARRAY, whole(TextureTarget::D2Array)),
+        (GL_TEXTURE_CUBE_MAP_ARRAY, whole(TextureTarget::CubeArray)),
+        (GL_PROXY_TEXTURE_3D, ImageTarget::Proxy(TextureTarget::D3)),
+        (GL_PROXY_TEXTURE_2D_ARRAY, ImageTarget::Proxy(TextureTarget::D2Array)),
+        (GL_PROXY_TEXTURE_CUBE_MAP_ARRAY, ImageTarget::Proxy(TextureTarget::CubeArray)),
+    ],
+};
+
+/// How many levels a call asks for, of those that sides of this length have.
+fn checked_levels(target: TextureTarget, levels: GLsizei, size: [GLsizei; 3]) -> Result<usize> {
+    if levels < 1 || size.iter().any(|side| *side < 1) {
+        let [width, height, depth] = size;
+        return invalid_value(
+            SECTION,
+            format!("levels = {levels} and the size {width}×{height}×{depth} must be at least 1"),
+        );
+    }
+    let sides = &size[..target.shape().axes()];
+    let largest = sides.iter().fold(1, |most, side| most.max(*side));
+    let most = if target == TextureTarget::Rect { 1 } else { largest.ilog2() + 1 };
+    if levels as u32 > most {
+        return invalid_operation(
+            SECTION,
+            format!("levels = {levels}, but a side of {largest} has {most} levels"),
+        );
+    }
+    Ok(levels as usize)
+}
+
+fn tex_storage(
+    context: &mut Context,
+    table: &Table<ImageTarget>,
+    target: GLenum,
+    levels: GLsizei,
+    internal: GLenum,
+    size: [GLsizei; 3],
+) -> Result<()> {
+    let image = table.decode("target", target)?;
+    let target = image.target();
+    let Some(format) = sized_format(internal) else {
+        return invalid_enum(
+            SECTION,
+            format!(
+                "internalformat = {} must be sized, as GL_RGBA8 or GL_DEPTH_COMPONENT24",
+                enum_name(internal)
+            ),
+        );
+    };
+    let levels = checked_levels(target, levels, size)?;
+    if let ImageTarget::Bound(_) = image {
+        let name = context.state.units.active().bound[target as usize].name();
+        if name == 0 || bound(context, target).immutable.is_some() {
+            let why = if name == 0 { "is the default one" } else { "has storage for good already" };
+            return invalid_operation(SECTION, format!("texture {name} {why}: bind another"));
+        }
+    }
+    let mut made = Vec::new();
+    let mut side = target.level_box(size.map(|side| side as u32));
+    for level in 0..levels {
+        let given = target.level_box(side).map(|side| side as GLsizei);
+        let request = Request::new(image, level as GLint, internal, format, given, 0)?;
+        match request.bound(context)? {
+            Some(_) => made.push(request.storage()?),
+            None if context.state.proxies[target as usize][level].is_none() => {
+                // One level that cannot be stored is enough for the proxy to say so.
+                context.state.proxies[target as usize] = Default::default();
+                return Ok(());
+            }
+            None => {}
+        }
+        side = target.shape().halved(side);
+    }
+    match image {
+        ImageTarget::Bound(_) => store(context, target, internal, made),
+        ImageTarget::Proxy(_) => Ok(()),
+    }
+}
+
+/// Replaces all levels that the bound texture has.
+fn store(
+    context: &mut Context,
+    target: TextureTarget,
+    internal: GLenum,
+    levels: Vec<Level>,
+) -> Result<()> {
+    let mut all = Texels::new(target.shape());
+    for (number, level) in levels.iter().enumerate() {
+        for face in 0..target.shape().faces() {
+            all.set_level(face, number, level.clone())
+                .map_err(|error| crate::objects::texture::storage_error(SECTION, &error))?;
+        }
+    }
+    let image = bound(context, target).image.clone();
+    crate::draw::settle(context, &image);
+    let texture = bound_mut(context, target);
+    texture.image.update(|image| *image = all);
+    for requested in &mut texture.requested {
+        requested.fill(GL_NONE);
+        requested[..levels.len()].fill(internal);
+    }
+    texture.immutable = Some(levels.len() as u32);
+    texture.texels_changed();
+    Ok(())
+}
+
+pub(crate) fn tex_storage_1d(
+    context: &mut Context,
+    target: GLenum,
+    levels: GLsizei,
+    internalformat: GLenum,
+    width: GLsizei,
+) -> Result<()> {
+    tex_storage(context, &STORAGE_1D, target, levels, internalformat, [width, 1, 1])
+}
+
+pub(crate) fn tex_storage_2d(
+    context: &mut Context,
+    target: GLenum,
+    levels: GLsizei,
+    internalformat: GLenum,
+    width: GLsizei,
+    height: GLsizei,
+) -> Result<()> {
+    tex_storage(context, &STORAGE_2D, target, levels, internalformat, [width, height, 1])
+}
+
+pub(crate) fn tex_storage_3d(
+    context: &mut Context,
+    target: GLenum,
+    levels: GLsizei,
+    internalformat: GLenum,
+    width: GLsizei,
+    height: GLsizei,
+    depth: GLsizei,
+) -> Result<()> {
+    tex_storage(context, &STORAGE_3D, target, levels, internalformat, [width, height, depth])
+}

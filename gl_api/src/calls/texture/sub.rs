@@ -1,0 +1,233 @@
+//! `glTexSubImage1D`, `2D` and `3D`: GL 2.1, section 3.8.2.
+
+use crate::base::args::Data;
+use crate::base::error::{
+    ErrorCode, GlError, Result, invalid_operation, invalid_value, not_negative,
+};
+use crate::base::types::*;
+use crate::calls::pixels::memory::pixel_source;
+use crate::calls::texture::bound::{bound, bound_mut};
+use crate::calls::texture::specify::{extent, kinds_match};
+use crate::context::Context;
+use crate::objects::target::{Dimensions, FaceTarget, checked_level};
+use crate::pixel::client::Pixel;
+use crate::pixel::layout::Layout;
+use crate::pixel::{blocks, convert};
+use std::sync::Arc;
+use texunit::format::Format;
+use texunit::image::Level;
+
+const SECTION: &str = "GL 2.1, section 3.8.2";
+
+/// A box of a level that exists.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Area {
+    pub target: FaceTarget,
+    pub level: usize,
+    /// The level's format.
+    pub format: Format,
+    /// The lowest corner within the level; -1 is the border.
+    pub at: [i32; 3],
+    /// Width, height and depth within the level.
+    pub size: [u32; 3],
+}
+
+/// Checks that a box, as a call names it, lies inside a level that exists or its border.
+pub(crate) fn checked_area(
+    context: &Context,
+    target: FaceTarget,
+    level: GLint,
+    offset: [GLint; 3],
+    size: [GLsizei; 3],
+) -> Result<Area> {
+    let level = checked_level(SECTION, target.target, level)?;
+    for (argument, side) in ["width", "height", "depth"].into_iter().zip(size) {
+        not_negative(SECTION, argument, side.into())?;
+    }
+    let image = bound(context, target.target).image.texels();
+    let Some(texels) = image.level(target.face.into(), level) else {
+        return invalid_operation(
+            SECTION,
+            format!(
+                "level {level} has no image yet: call {} first",
+                target.target.shape().image_call()
+            ),
+        );
+    };
+    let limits = target.target.level_box(texels.size());
+    let borders = target.target.level_box(texels.border);
+    let names = [("xoffset", "width"), ("yoffset", "height"), ("zoffset", "depth")];
+    for (axis, (name, argument)) in names.into_iter().enumerate() {
+        let (at, side) = (offset[axis], size[axis]);
+        let (low, high) = (-i64::from(borders[axis]), i64::from(limits[axis] + borders[axis]));
+        if i64::from(at) < low || i64::from(at) + i64::from(side) > high {
+            return invalid_value(
+                SECTION,
+                format!("{name} = {at} and {argument} = {side} reach outside {low} to {high}"),
+            );
+        }
+    }
+    Ok(Area {
+        target,
+        level,
+        format: texels.format,
+        at: target.target.level_box(offset),
+        size: target.target.level_box(size.map(|side| side as u32)),
+    })
+}
+
+/// Overwrites a box that [`checked_area`] accepted.
+pub(crate) fn write_area(context: &mut Context, area: &Area, texels: &[u8]) -> Result<()> {
+    let target = area.target;
+    let image = bound(context, target.target).image.clone();
+    crate::draw::settle(context, &image);
+    let isa = context.recorder.isa();
+    // Its plan reads the texels: while it is there they would be copied first.
+    bound_mut(context, target.target).texels_changed();
+    if image.update(|image| is_dear(image.level(target.face.into(), area.level))) {
+        crate::draw::submit(context);
+    }
+    let texture = bound_mut(context, target.target);
+    let written = texture.image.update(|image| {
+        image
+            .level_mut(target.face.into(), area.level)
+            .map_or(Ok(()), |level| level.write_box(area.at, area.size, texels))
+    });
+    written.map_err(|error| crate::objects::texture::storage_error(SECTION, &error))?;
+    crate::calls::texture::mipmap::base_level_changed(isa, texture, target.face.into(), area.level)
+}
+
+/// Whether to copy a level for draws that wait costs more than to carry these out before it is written to.
+fn is_dear(level: Option<&Arc<Level>>) -> bool {
+    const DEAR: usize = 1 << 19;
+    level.is_some_and(|level| level.texels.len() >= DEAR && Arc::strong_count(level) > 1)
+}
+
+/// Memory for the texels of a box.
+pub(crate) fn room(format: Format, size: [usize; 3]) -> Result<Vec<u8>> {
+    let sides = size.iter().chain([&format.bytes()]).try_fold(1_usize, |a, &b| a.checked_mul(b));
+    let bytes = sides.unwrap_or(usize::MAX);
+    texunit::image::zeroed(bytes).ok_or_else(|| {
+        GlError::new(
+            ErrorCode::OutOfMemory,
+            SECTION,
+            format!("there is no memory for {bytes} bytes of texels"),
+        )
+    })
+}
+
+fn tex_sub_image(
+    context: &mut Context,
+    (dimensions, target): (Dimensions, GLenum),
+    level: GLint,
+    offset: [GLint; 3],
+    size: [GLsizei; 3],
+    (format, ty): (GLenum, GLenum),
+    pixels: Data<'_>,
+) -> Result<()> {
+    let target = dimensions.bound(target)?;
+    let pixel = Pixel::new(format, ty)?;
+    let area = checked_area(context, target, level, offset, size)?;
+    kinds_match(pixel, area.format)?;
+    let size = size.map(|side| side as usize);
+    let layout = Layout::new(&context.state.unpack, pixel, size, extent(dimensions))?;
+    if layout.needed == 0 {
+        return Ok(());
+    }
+    let Some(source) = pixel_source(context, "glTexSubImage", &layout, pixels)? else {
+        return invalid_operation(
+            SECTION,
+            format!("pixels must not be NULL: {} bytes are needed", layout.needed),
+        );
+    };
+    let format = if area.format.block().is_some() { blocks::COLORS } else { area.format };
+    let (isa, transfer) = (context.recorder.isa(), &context.state.transfer);
+    if let Some(texels) = convert::as_texels(isa, &layout, source.bytes(), area.format, transfer) {
+        return write_area(context, &area, texels);
+    }
+    let mut texels = room(format, size)?;
+    convert::unpack(isa, &layout, source.bytes(), format, transfer, &mut texels);
+    if area.format.block().is_some() {
+        let level = blocks::compress(area.format, area.size, &texels)?;
+        return write_area(context, &area, convert::texels(&level));
+    }
+    write_area(context, &area, &texels)
+}
+
+#[expect(clippy::too_many_arguments, reason = "GL's signature")]
+pub(crate) fn tex_sub_image_1d(
+    context: &mut Context,
+    target: GLenum,
+    level: GLint,
+    xoffset: GLint,
+    width: GLsizei,
+    format: GLenum,
+    ty: GLenum,
+    pixels: Data<'_>,
+) -> Result<()> {
+    let target = (Dimensions::One, target);
+    tex_sub_image(context, target, level, [xoffset, 0, 0], [width, 1, 1], (format, ty), pixels)
+}
+
+#[expect(clippy::too_many_arguments, reason = "GL's signature")]
+pub(crate) fn tex_sub_image_2d(
+    context: &mut Context,
+    target: GLenum,
+    level: GLint,
+    xoffset: GLint,
+    yoffset: GLint,
+    width: GLsizei,
+    height: GLsizei,
+    format: GLenum,
+    ty: GLenum,
+    pixels: Data<'_>,
+) -> Result<()> {
+    let (target, offset) = ((Dimensions::Two, target), [xoffset, yoffset, 0]);
+    tex_sub_image(context, target, level, offset, [width, height, 1], (format, ty), pixels)
+}
+
+#[expect(clippy::too_many_arguments, reason = "GL's signature")]
+pub(crate) fn tex_sub_image_3d(
+    context: &mut Context,
+    target: GLenum,
+    level: GLint,
+    xoffset: GLint,
+    yoffset: GLint,
+    zoffset: GLint,
+    width: GLsizei,
+    height: GLsizei,
+    depth: GLsizei,
+    format: GLenum,
+    ty: GLenum,
+    pixels: Data<'_>,
+) -> Result<()> {
+    let (target, offset) = ((Dimensions::Three, target), [xoffset, yoffset, zoffset]);
+    tex_sub_image(context, target, level, offset, [width, height, depth], (format, ty), pixels)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::base::constants::*;
+    use crate::calls::texture::sub::*;
+    use crate::context::ContextDesc;
+
+    /// Whether a draw still waits after a texel of the texture that it reads was written.
+    fn waits(size: GLsizei) -> bool {
+        let mut c = Context::new(ContextDesc::default()).expect("a device");
+        let target = GL_TEXTURE_2D;
+        let (internal, data) = (GL_RGBA8 as GLint, Data::Null);
+        c.tex_image_2d(target, 0, internal, size, size, 0, GL_RGBA, GL_UNSIGNED_BYTE, data);
+        c.tex_parameteri(target, GL_TEXTURE_MIN_FILTER, GL_LINEAR as GLint);
+        c.enable(target);
+        c.rectf(-1.0, -1.0, 1.0, 1.0);
+        let texel = Data::Bytes(&[9; 4]);
+        c.tex_sub_image_2d(target, 0, 3, 3, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, texel);
+        assert_eq!(c.get_error(), GL_NO_ERROR, "{:?}", c.messages());
+        c.recorder.is_waiting()
+    }
+
+    #[test]
+    fn draws_are_carried_out_where_a_copy_for_them_would_be_dear() {
+        assert!(waits(64) && !waits(512));
+    }
+}

@@ -1,0 +1,6 @@
+//! Transformation: matrices, viewport, clip planes, texture coordinate generation.
+
+pub(crate) mod clip;
+pub(crate) mod matrix;
+pub(crate) mod texgen;
+pub(crate) mod viewport;

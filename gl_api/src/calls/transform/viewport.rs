@@ -1,0 +1,43 @@
+//! The viewport transformation: GL 2.1, section 2.11.1.
+
+use crate::base::error::{Result, not_negative};
+use crate::base::limits;
+use crate::base::types::*;
+use crate::context::Context;
+use crate::state::enable::Flag;
+use crate::state::viewport::unit;
+use rasterizer::driver::DepthClip;
+
+/// Sizes beyond `GL_MAX_VIEWPORT_DIMS` are clamped to it, and places to twice that.
+pub(crate) fn viewport(
+    context: &mut Context,
+    x: GLint,
+    y: GLint,
+    width: GLsizei,
+    height: GLsizei,
+) -> Result<()> {
+    const SECTION: &str = "GL 2.1, section 2.11.1";
+    not_negative(SECTION, "width", width.into())?;
+    not_negative(SECTION, "height", height.into())?;
+    let limit = limits::MAX_VIEWPORT_DIMS as i32;
+    let state = &mut context.state.viewport;
+    state.x = x.clamp(-2 * limit, 2 * limit);
+    state.y = y.clamp(-2 * limit, 2 * limit);
+    state.width = width.min(limit);
+    state.height = height.min(limit);
+    Ok(())
+}
+
+pub(crate) fn depth_range(context: &mut Context, near: GLclampd, far: GLclampd) -> Result<()> {
+    context.state.viewport.depth = [unit(near), unit(far)];
+    Ok(())
+}
+
+pub(crate) fn depth_rangef(context: &mut Context, near: GLclampf, far: GLclampf) -> Result<()> {
+    depth_range(context, near.into(), far.into())
+}
+
+/// What the near and the far plane do (`ARB_depth_clamp`).
+pub(crate) fn depth_clip(context: &Context) -> DepthClip {
+    if context.state.enables.has(Flag::DepthClamp) { DepthClip::Clamp } else { DepthClip::Cut }
+}

@@ -1,0 +1,81 @@
+//! Vertex array objects (`ARB_vertex_array_object`): the arrays and the element buffer under a
+//! name. The current object's state is in the context; the others' is kept here.
+
+use crate::base::error::{Result, invalid_operation};
+use crate::base::types::*;
+use crate::context::Context;
+use crate::objects::vertex_arrays::VertexArray;
+use crate::objects::{Sweep, listed};
+
+const SECTION: &str = "ARB_vertex_array_object, section 2.10";
+
+pub(crate) fn gen_vertex_arrays(
+    context: &mut Context,
+    n: GLsizei,
+    arrays: &mut [GLuint],
+) -> Result<()> {
+    context.objects.vertex_arrays.reserve(SECTION, n, arrays)
+}
+
+pub(crate) fn delete_vertex_arrays(
+    context: &mut Context,
+    n: GLsizei,
+    arrays: &[GLuint],
+) -> Result<()> {
+    for &name in listed(SECTION, n, arrays)?.iter().filter(|&&name| name != 0) {
+        if context.state.bindings.vertex_array == name {
+            switch(context, 0);
+        }
+        context.objects.vertex_arrays.remove(name);
+    }
+    context.objects.sweep(Sweep::Deleted);
+    Ok(())
+}
+
+/// Exchanges the current arrays for those of another name.
+fn switch(context: &mut Context, name: GLuint) {
+    let bindings = &mut context.state.bindings;
+    let other = if name == 0 {
+        &mut context.objects.default_vertex_array
+    } else {
+        context.objects.vertex_arrays.create(name, VertexArray::default);
+        match context.objects.vertex_arrays.get_mut(name) {
+            Some(other) => other,
+            None => return,
+        }
+    };
+    let next = std::mem::take(other);
+    let before = VertexArray {
+        arrays: std::mem::replace(&mut context.state.arrays, next.arrays),
+        element_array_buffer: std::mem::replace(
+            &mut bindings.element_array_buffer,
+            next.element_array_buffer,
+        ),
+    };
+    match std::mem::replace(&mut bindings.vertex_array, name) {
+        0 => context.objects.default_vertex_array = before,
+        old => {
+            if let Some(slot) = context.objects.vertex_arrays.get_mut(old) {
+                *slot = before;
+            }
+        }
+    }
+}
+
+pub(crate) fn bind_vertex_array(context: &mut Context, array: GLuint) -> Result<()> {
+    if array != 0 && !context.objects.vertex_arrays.is_reserved(array) {
+        return invalid_operation(
+            SECTION,
+            format!("array = {array} must be a name that glGenVertexArrays gave"),
+        );
+    }
+    if array != context.state.bindings.vertex_array {
+        switch(context, array);
+    }
+    context.changes.only_numbers();
+    Ok(())
+}
+
+pub(crate) fn is_vertex_array(context: &mut Context, array: GLuint) -> Result<bool> {
+    Ok(context.objects.vertex_arrays.get(array).is_some())
+}

@@ -1,0 +1,318 @@
+//! Vertex arrays: GL 2.1, section 2.8.
+//!
+//! A slice is copied when the pointer call is made, since it cannot be kept: later writes to it are
+//! not seen. Buffer objects, and pointers of C programs, are read when the draw is made.
+
+use crate::base::args::Data;
+use crate::base::constants::*;
+use crate::base::error::{Result, Table, invalid_operation, invalid_value, not_negative};
+use crate::base::types::*;
+use crate::context::Context;
+use crate::draw::array_names::refuse_client_memory;
+use crate::interface::*;
+use crate::objects::arrays::{ALL_TYPES, ANY_TYPE, PACKED, Source, generic};
+use rasterizer::driver::{Buffer, VertexFormat, VertexType};
+
+const SECTION: &str = "GL 2.1, section 2.8";
+
+/// GL 3.0, table 2.5: of texture coordinates and vertices.
+const COORDINATE_TYPE: Table<VertexType> =
+    Table { section: "GL 3.0, table 2.5", rows: ALL_TYPES.split_at(7).0 };
+/// Of normals.
+const NORMAL_TYPE: Table<VertexType> =
+    Table { section: "GL 3.0, table 2.5", rows: ALL_TYPES.split_at(8).0 };
+/// Of fog coordinates.
+const FOG_TYPE: Table<VertexType> =
+    Table { section: "GL 3.0, table 2.5", rows: ALL_TYPES.split_at(7).0.split_at(4).1 };
+/// Of colours.
+const COLOR_TYPE: Table<VertexType> =
+    Table { section: "GL 3.0, table 2.5", rows: ALL_TYPES.split_at(11).0 };
+
+/// Of colour indices.
+const INDEX_TYPE: Table<VertexType> = Table {
+    section: "GL 3.0, table 2.5",
+    rows: &[
+        (GL_UNSIGNED_BYTE, VertexType::U8),
+        (GL_SHORT, VertexType::I16),
+        (GL_INT, VertexType::I32),
+        (GL_FLOAT, VertexType::F32),
+        (GL_DOUBLE, VertexType::F64),
+    ],
+};
+
+/// Of generic attributes that stay integers.
+const INTEGER_TYPE: Table<VertexType> = Table {
+    section: "EXT_gpu_shader4, section 2.8",
+    rows: &[
+        (GL_BYTE, VertexType::I8),
+        (GL_UNSIGNED_BYTE, VertexType::U8),
+        (GL_SHORT, VertexType::I16),
+        (GL_UNSIGNED_SHORT, VertexType::U16),
+        (GL_INT, VertexType::I32),
+        (GL_UNSIGNED_INT, VertexType::U32),
+    ],
+};
+
+/// Whether `GL_BGRA` is a size: four components in that order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Bgra {
+    Refused,
+    Taken,
+}
+
+/// Which sizes an array can have, and how its integers are read.
+struct Rules {
+    sizes: std::ops::RangeInclusive<GLint>,
+    bgra: Bgra,
+    types: Table<VertexType>,
+    format: VertexFormat,
+}
+
+impl Rules {
+    fn new(
+        sizes: std::ops::RangeInclusive<GLint>,
+        types: Table<VertexType>,
+        format: VertexFormat,
+    ) -> Self {
+        Self { sizes, bgra: Bgra::Refused, types, format }
+    }
+
+    fn or_bgra(self) -> Self {
+        Self { bgra: Bgra::Taken, ..self }
+    }
+
+    /// How many components there are, their type and how they are read.
+    ///
+    /// # Errors
+    /// As GL 3.3, section 2.8, says which sizes and types go together.
+    fn check(&self, size: GLint, ty: GLenum) -> Result<(u8, VertexType, VertexFormat)> {
+        let is_bgra = size == GL_BGRA as GLint && self.bgra == Bgra::Taken;
+        if !is_bgra && !self.sizes.contains(&size) {
+            let (least, most) = (self.sizes.start(), self.sizes.end());
+            let or = match self.bgra {
+                Bgra::Refused => "",
+                Bgra::Taken => " or GL_BGRA",
+            };
+            return invalid_value(SECTION, format!("size = {size} must be {least} to {most}{or}"));
+        }
+        let ty = self.types.decode("type", ty)?;
+        if is_bgra {
+            return self.check_bgra(ty);
+        }
+        // Normals have three components, whatever they are in.
+        if ty.is_packed() && size != 4 && self.sizes != (3..=3) {
+            return invalid_operation(
+                PACKED.section,
+                format!("size = {size} must be 4: {} has so many", enum_name(PACKED.encode(ty))),
+            );
+        }
+        Ok((size as u8, ty, self.format))
+    }
+
+    fn check_bgra(&self, ty: VertexType) -> Result<(u8, VertexType, VertexFormat)> {
+        const SECTION: &str = "EXT_vertex_array_bgra, section 2.8";
+        if self.format != VertexFormat::Normalized {
+            return invalid_operation(SECTION, "size = GL_BGRA needs normalized = GL_TRUE");
+        }
+        if ty != VertexType::U8 && !ty.is_packed() {
+            return invalid_operation(
+                SECTION,
+                format!("size = GL_BGRA needs type = GL_UNSIGNED_BYTE or {}", PACKED.list()),
+            );
+        }
+        Ok((4, ty, VertexFormat::NormalizedBgra))
+    }
+}
+
+fn set(
+    context: &mut Context,
+    location: u8,
+    rules: &Rules,
+    size: GLint,
+    ty: GLenum,
+    stride: GLsizei,
+    pointer: Data<'_>,
+) -> Result<()> {
+    let (components, ty, format) = rules.check(size, ty)?;
+    let stride = not_negative(SECTION, "stride", stride.into())?;
+    refuse_client_memory(context, &pointer)?;
+    let buffer = context.state.bindings.array_buffer.clone();
+    let name = buffer.name();
+    let source = match pointer {
+        Data::Bytes(_) if name != 0 => {
+            return invalid_operation(
+                SECTION,
+                format!(
+                    "pointer is memory, but buffer {name} is bound to GL_ARRAY_BUFFER: pass \
+                     BUFFER_OFFSET(n), or call glBindBuffer(GL_ARRAY_BUFFER, 0)"
+                ),
+            );
+        }
+        Data::Bytes(bytes) => {
+            context.recorder.hold(bytes.len());
+            Source::Client(Buffer::new(bytes.to_vec()))
+        }
+        Data::Client(pointer) if name != 0 => Source::Object { buffer, offset: pointer.offset() },
+        Data::Client(pointer) if pointer.is_null() => Source::Client(Buffer::default()),
+        Data::Client(pointer) => Source::Pointer(pointer.kept()),
+        Data::Null if name == 0 => Source::Client(Buffer::default()),
+        Data::Offset(0) if name == 0 => Source::Client(Buffer::default()),
+        Data::Null => Source::Object { buffer, offset: 0 },
+        Data::Offset(offset) if name != 0 => Source::Object { buffer, offset },
+        Data::Offset(offset) => {
+            return invalid_operation(
+                SECTION,
+                format!(
+                    "pointer = offset {offset}, but no buffer is bound to GL_ARRAY_BUFFER: pass a \
+                     slice, or call glBindBuffer"
+                ),
+            );
+        }
+    };
+    let array = &mut context.state.arrays.by_location[usize::from(location)];
+    array.components = components;
+    array.ty = ty;
+    array.format = format;
+    array.stride = stride;
+    array.source = source;
+    array.count = 0;
+    context.changes.only_numbers();
+    Ok(())
+}
+
+/// The location of the texture coordinates of the client's active unit.
+pub(crate) fn tex_coord_location(context: &Context) -> u8 {
+    ATTRIB_TEX_COORD + context.state.units.client_active
+}
+
+pub(crate) fn vertex_pointer(
+    context: &mut Context,
+    size: GLint,
+    ty: GLenum,
+    stride: GLsizei,
+    pointer: Data<'_>,
+) -> Result<()> {
+    let rules = Rules::new(2..=4, COORDINATE_TYPE, VertexFormat::Plain);
+    set(context, ATTRIB_VERTEX, &rules, size, ty, stride, pointer)
+}
+
+pub(crate) fn normal_pointer(
+    context: &mut Context,
+    ty: GLenum,
+    stride: GLsizei,
+    pointer: Data<'_>,
+) -> Result<()> {
+    let rules = Rules::new(3..=3, NORMAL_TYPE, VertexFormat::Normalized);
+    set(context, ATTRIB_NORMAL, &rules, 3, ty, stride, pointer)
+}
+
+pub(crate) fn color_pointer(
+    context: &mut Context,
+    size: GLint,
+    ty: GLenum,
+    stride: GLsizei,
+    pointer: Data<'_>,
+) -> Result<()> {
+    let rules = Rules::new(3..=4, COLOR_TYPE, VertexFormat::Normalized).or_bgra();
+    set(context, ATTRIB_COLOR, &rules, size, ty, stride, pointer)
+}
+
+pub(crate) fn secondary_color_pointer(
+    context: &mut Context,
+    size: GLint,
+    ty: GLenum,
+    stride: GLsizei,
+    pointer: Data<'_>,
+) -> Result<()> {
+    let rules = Rules::new(3..=3, COLOR_TYPE, VertexFormat::Normalized).or_bgra();
+    set(context, ATTRIB_SECONDARY_COLOR, &rules, size, ty, stride, pointer)
+}
+
+pub(crate) fn fog_coord_pointer(
+    context: &mut Context,
+    ty: GLenum,
+    stride: GLsizei,
+    pointer: Data<'_>,
+) -> Result<()> {
+    let rules = Rules::new(1..=1, FOG_TYPE, VertexFormat::Plain);
+    set(context, ATTRIB_FOG_COORD, &rules, 1, ty, stride, pointer)
+}
+
+pub(crate) fn index_pointer(
+    context: &mut Context,
+    ty: GLenum,
+    stride: GLsizei,
+    pointer: Data<'_>,
+) -> Result<()> {
+    let rules = Rules::new(1..=1, INDEX_TYPE, VertexFormat::Plain);
+    set(context, ATTRIB_INDEX, &rules, 1, ty, stride, pointer)
+}
+
+pub(crate) fn edge_flag_pointer(
+    context: &mut Context,
+    stride: GLsizei,
+    pointer: Data<'_>,
+) -> Result<()> {
+    let rules = Rules::new(1..=1, COLOR_TYPE, VertexFormat::Plain);
+    set(context, ATTRIB_EDGE_FLAG, &rules, 1, GL_UNSIGNED_BYTE, stride, pointer)
+}
+
+pub(crate) fn tex_coord_pointer(
+    context: &mut Context,
+    size: GLint,
+    ty: GLenum,
+    stride: GLsizei,
+    pointer: Data<'_>,
+) -> Result<()> {
+    let rules = Rules::new(1..=4, COORDINATE_TYPE, VertexFormat::Plain);
+    let location = tex_coord_location(context);
+    set(context, location, &rules, size, ty, stride, pointer)
+}
+
+pub(crate) fn vertex_attrib_pointer(
+    context: &mut Context,
+    index: GLuint,
+    size: GLint,
+    ty: GLenum,
+    normalized: bool,
+    stride: GLsizei,
+    pointer: Data<'_>,
+) -> Result<()> {
+    let format = if normalized { VertexFormat::Normalized } else { VertexFormat::Plain };
+    let rules = Rules::new(1..=4, ANY_TYPE, format).or_bgra();
+    set(context, generic(index)?, &rules, size, ty, stride, pointer)
+}
+
+pub(crate) fn vertex_attrib_i_pointer(
+    context: &mut Context,
+    index: GLuint,
+    size: GLint,
+    ty: GLenum,
+    stride: GLsizei,
+    pointer: Data<'_>,
+) -> Result<()> {
+    let rules = Rules::new(1..=4, INTEGER_TYPE, VertexFormat::Integer);
+    set(context, generic(index)?, &rules, size, ty, stride, pointer)
+}
+
+pub(crate) fn vertex_attrib_divisor(
+    context: &mut Context,
+    index: GLuint,
+    divisor: GLuint,
+) -> Result<()> {
+    context.state.arrays.by_location[usize::from(generic(index)?)].divisor = divisor;
+    context.changes.only_numbers();
+    Ok(())
+}
+
+pub(crate) fn enable_vertex_attrib_array(context: &mut Context, index: GLuint) -> Result<()> {
+    context.state.arrays.by_location[usize::from(generic(index)?)].enabled = true;
+    context.changes.only_numbers();
+    Ok(())
+}
+
+pub(crate) fn disable_vertex_attrib_array(context: &mut Context, index: GLuint) -> Result<()> {
+    context.state.arrays.by_location[usize::from(generic(index)?)].enabled = false;
+    context.changes.only_numbers();
+    Ok(())
+}

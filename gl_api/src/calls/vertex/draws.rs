@@ -1,0 +1,403 @@
+//! The draw calls on vertex arrays: GL 2.1, section 2.8.
+
+use crate::base::args::Data;
+use crate::base::constants::*;
+use crate::base::error::{
+    Result, Table, invalid_enum, invalid_operation, invalid_value, not_negative,
+};
+use crate::base::types::*;
+use crate::calls::vertex::immediate::attribute;
+use crate::calls::vertex::indices::{INDEX_TYPE, index_buffer};
+use crate::calls::vertex::reach::{Reach, reads_parts, vertex_source, vertices_apart};
+use crate::context::Context;
+use crate::context::immediate::Slot;
+use crate::context::recorder::elements::Elements;
+use crate::draw::array_names::{array_of, extent};
+use crate::draw::assembly_words::has_vertex_program;
+use crate::draw::hints;
+use crate::draw::repeat::{keep, repeat};
+use crate::draw::translate::{constants_asked, draw};
+use crate::interface::ATTRIB_VERTEX;
+use crate::state::LOCATIONS;
+use rasterizer::driver::{IndexType, Indices, Topology, VertexBinding, VertexSource};
+use std::ops::Range;
+
+pub(crate) const SECTION: &str = "GL 2.1, section 2.8";
+const INSTANCED: &str = "ARB_draw_instanced";
+
+const TOPOLOGY: Table<Topology> = Table {
+    section: "GL 2.1, section 2.6.1",
+    rows: &[
+        (GL_POINTS, Topology::Points),
+        (GL_LINES, Topology::Lines),
+        (GL_LINE_STRIP, Topology::LineStrip),
+        (GL_LINE_LOOP, Topology::LineLoop),
+        (GL_TRIANGLES, Topology::Triangles),
+        (GL_TRIANGLE_STRIP, Topology::TriangleStrip),
+        (GL_TRIANGLE_FAN, Topology::TriangleFan),
+        (GL_QUADS, Topology::Quads),
+        (GL_QUAD_STRIP, Topology::QuadStrip),
+        (GL_POLYGON, Topology::Polygon),
+    ],
+};
+
+/// What `mode` means. The values are so small that their names need saying here.
+///
+/// # Errors
+/// `GL_INVALID_ENUM`.
+pub(crate) fn topology(mode: GLenum) -> Result<Topology> {
+    match TOPOLOGY.get(mode) {
+        Some(topology) => Ok(topology),
+        None => invalid_enum(
+            TOPOLOGY.section,
+            format!(
+                "mode = {} must be GL_POINTS, GL_LINES, GL_LINE_LOOP, GL_LINE_STRIP, \
+                 GL_TRIANGLES, GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN, GL_QUADS, GL_QUAD_STRIP or \
+                 GL_POLYGON",
+                enum_name(mode)
+            ),
+        ),
+    }
+}
+
+/// The vertices that a draw by index reaches; looked for only where it matters.
+fn indexed_reach(
+    context: &Context,
+    bytes: &[u8],
+    (ty, base_vertex): (IndexType, GLint),
+    instances: u32,
+) -> Reach<'static> {
+    let mut reach = Reach { first: 0, last: 0, instances, apart: None };
+    if reads_parts(context) {
+        let indices = bytes.chunks_exact(ty.size());
+        let indices = indices.map(IndexType::index);
+        let (low, high) =
+            indices.fold((u32::MAX, 0), |(low, high), index| (low.min(index), high.max(index)));
+        reach.last = high.saturating_add_signed(base_vertex);
+        reach.first = low.saturating_add_signed(base_vertex).min(reach.last);
+    }
+    reach
+}
+
+/// Where every attribute of an array draw comes from, of those that matter.
+fn bindings(context: &mut Context, reach: Reach<'_>) -> Result<Vec<VertexBinding>> {
+    let mut bindings = context.recorder.no_bindings();
+    let arrays = &context.state.arrays.by_location;
+    let constants = constants_asked(context);
+    for location in 0..LOCATIONS {
+        let from = array_of(context, location);
+        let source = if arrays[from].enabled {
+            vertex_source(context, from, reach)?
+        } else if constants >> location & 1 == 1 {
+            VertexSource::Constant(context.state.current[location])
+        } else {
+            continue;
+        };
+        bindings.push(VertexBinding { location: location as u8, source });
+    }
+    Ok(bindings)
+}
+
+/// Whether there are positions to draw; without, nothing is drawn.
+pub(crate) fn has_positions(context: &mut Context, topology: Topology) -> bool {
+    let arrays = &context.state.arrays.by_location;
+    let program = context.state.bindings.program.name() != 0;
+    if program && !arrays.iter().any(|array| array.enabled) {
+        hints::arrays::none(context, topology);
+        return true;
+    }
+    let any = program
+        || arrays[0].enabled
+        || arrays[usize::from(ATTRIB_VERTEX)].enabled
+        || has_vertex_program(context);
+    if !any {
+        context.debug.warn(
+            "draw: nothing is drawn, as no array of positions is enabled: call \
+             glEnableClientState(GL_VERTEX_ARRAY) or glEnableVertexAttribArray(0)"
+                .into(),
+        );
+    }
+    any
+}
+
+/// Checks that the array of positions has all vertices of a draw; without one, the first array.
+/// Other arrays that are too short read as zeros.
+fn check_range(
+    context: &Context,
+    vertices: &[VertexBinding],
+    first: usize,
+    count: usize,
+) -> Result<()> {
+    let arrays = vertices.iter().filter_map(|binding| match &binding.source {
+        VertexSource::Array { offset, stride, ty, components, divisor: 0, .. } => {
+            let vertex = ty.bytes(*components);
+            Some((binding.location, binding.source.end(), *offset, *stride, vertex))
+        }
+        // Elements of instances are as many as there are instances.
+        VertexSource::Array { .. } | VertexSource::Constant(_) => None,
+    });
+    let by_rank = arrays.min_by_key(|array| (array.0 != ATTRIB_VERTEX, array.0));
+    let Some((location, length, offset, stride, vertex)) = by_rank else { return Ok(()) };
+    let last = first as u128 + count as u128 - 1;
+    let needed = offset as u128 + last * stride as u128 + vertex as u128;
+    if needed > length as u128 {
+        return invalid_operation(
+            SECTION,
+            format!(
+                "vertices {first} to {last} end at byte {needed}, but {}",
+                extent(context, location, length)
+            ),
+        );
+    }
+    Ok(())
+}
+
+/// Checks that the arrays have the vertices of a draw, which is not drawn yet.
+pub(crate) fn check_arrays(context: &mut Context, first: GLint, count: GLsizei) -> Result<()> {
+    let first = not_negative(SECTION, "first", first.into())?;
+    let count = not_negative(SECTION, "count", count.into())?;
+    let last = (first + count - 1) as u32;
+    let reach = Reach { first: last, last, instances: 1, apart: None };
+    let vertices = bindings(context, reach)?;
+    let checked = check_range(context, &vertices, first, count);
+    context.recorder.bindings = vertices;
+    checked
+}
+
+/// Draws, or adds the draw to the list that is compiled.
+fn draw_or_record(
+    context: &mut Context,
+    topology: Topology,
+    vertices: Vec<VertexBinding>,
+    elements: Elements,
+) -> Result<()> {
+    let (before, is_whole) = (context.recorder.draws, !reads_parts(context));
+    let (count, _) = elements.counts();
+    if let Some((vertices, elements)) = context.record_arrays(topology, vertices, elements) {
+        draw(context, topology, vertices, &elements)?;
+        if is_whole && context.recorder.draws > before {
+            keep(context, topology, count);
+        }
+    }
+    Ok(())
+}
+
+pub(crate) fn draw_arrays(
+    context: &mut Context,
+    mode: GLenum,
+    first: GLint,
+    count: GLsizei,
+) -> Result<()> {
+    draw_ranges(context, mode, first, count, 1)
+}
+
+/// Instances are no part of lists (`ARB_draw_instanced`).
+fn not_in_a_list(context: &Context) -> Result<()> {
+    if context.compiling.is_some() {
+        return invalid_operation(INSTANCED, "draws of instances are not compiled into lists");
+    }
+    Ok(())
+}
+
+pub(crate) fn draw_arrays_instanced(
+    context: &mut Context,
+    mode: GLenum,
+    first: GLint,
+    count: GLsizei,
+    instances: GLsizei,
+) -> Result<()> {
+    not_in_a_list(context)?;
+    draw_ranges(context, mode, first, count, instances)
+}
+
+/// Draws vertices in their order.
+fn draw_ranges(
+    context: &mut Context,
+    mode: GLenum,
+    first: GLint,
+    count: GLsizei,
+    instances: GLsizei,
+) -> Result<()> {
+    let topology = topology(mode)?;
+    let first = not_negative(SECTION, "first", first.into())?;
+    let count = not_negative(SECTION, "count", count.into())?;
+    let instances = not_negative(INSTANCED, "primcount", instances.into())?;
+    if count > 0 && instances > 0 && has_positions(context, topology) {
+        let (last, instances) = ((first + count - 1) as u32, instances as u32);
+        let range = (first as u32, count as u32);
+        let elements = Elements::Range { first: range.0, count: range.1, instances: 0..instances };
+        if repeat(context, topology, &elements) {
+            return Ok(());
+        }
+        let vertices = bindings(context, Reach { first: range.0, last, instances, apart: None })?;
+        check_range(context, &vertices, first, count)?;
+        return draw_or_record(context, topology, vertices, elements);
+    }
+    context.empty_draw("glDrawArrays")
+}
+
+/// The indices of a draw: where they are, and how many of them there must be.
+pub(crate) struct IndexRequest<'a> {
+    pub count: GLsizei,
+    pub ty: GLenum,
+    pub indices: Data<'a>,
+    pub base_vertex: GLint,
+}
+
+/// Draws by index.
+pub(crate) fn draw_indexed(
+    context: &mut Context,
+    mode: GLenum,
+    request: IndexRequest<'_>,
+    instances: GLsizei,
+) -> Result<()> {
+    let topology = topology(mode)?;
+    let count = not_negative(SECTION, "count", request.count.into())?;
+    let instances = not_negative(INSTANCED, "primcount", instances.into())? as u32;
+    let ty = INDEX_TYPE.decode("type", request.ty)?;
+    let needed = if instances == 0 { 0 } else { count.saturating_mul(ty.size()) };
+    let (buffer, offset) = index_buffer(context, request.indices, count, needed)?;
+    if count == 0 || instances == 0 || !has_positions(context, topology) {
+        return context.empty_draw("glDrawElements");
+    }
+    let base_vertex = request.base_vertex;
+    let runs = crate::calls::vertex::restart::runs(context, &buffer, offset, ty, count);
+    let indexed =
+        |run: &Range<usize>| &buffer.bytes()[offset..][run.start * ty.size()..run.end * ty.size()];
+    let reach =
+        |context: &Context, run| indexed_reach(context, indexed(run), (ty, base_vertex), instances);
+    // What several runs read is taken once.
+    let all = runs.iter().map(|run| reach(context, run)).reduce(Reach::and);
+    let all = all.filter(|all| runs.len() > 1 && all.is_near(count));
+    let shared = all.map(|all| bindings(context, all)).transpose()?;
+    // ARB_draw_instanced: each instance is drawn whole, all its runs, before the next one.
+    let step = if runs.len() > 1 { 1 } else { instances };
+    for first in (0..instances).step_by(step as usize) {
+        for run in &runs {
+            let offset = offset + run.start * ty.size();
+            let indices = Indices { buffer: buffer.clone(), offset, ty, base_vertex };
+            let (count, last) = (run.len() as u32, first + step);
+            let mut elements = Elements::Indexed { indices, count, instances: first..last };
+            if repeat(context, topology, &elements) {
+                continue;
+            }
+            if let Some(vertices) = &shared {
+                draw_or_record(context, topology, vertices.clone(), elements)?;
+                continue;
+            }
+            let mut reach = reach(context, run);
+            let apart = vertices_apart(context, indexed(run), (ty, base_vertex), reach);
+            if apart.is_some() {
+                elements = Elements::Range { first: 0, count, instances: first..last };
+            }
+            reach.apart = apart.as_deref();
+            let vertices = bindings(context, reach)?;
+            draw_or_record(context, topology, vertices, elements)?;
+        }
+    }
+    Ok(())
+}
+
+pub(crate) fn draw_elements(
+    context: &mut Context,
+    mode: GLenum,
+    count: GLsizei,
+    ty: GLenum,
+    indices: Data<'_>,
+) -> Result<()> {
+    draw_indexed(context, mode, IndexRequest { count, ty, indices, base_vertex: 0 }, 1)
+}
+
+pub(crate) fn draw_elements_instanced(
+    context: &mut Context,
+    mode: GLenum,
+    count: GLsizei,
+    ty: GLenum,
+    indices: Data<'_>,
+    instances: GLsizei,
+) -> Result<()> {
+    not_in_a_list(context)?;
+    draw_indexed(context, mode, IndexRequest { count, ty, indices, base_vertex: 0 }, instances)
+}
+
+pub(crate) fn draw_elements_base_vertex(
+    context: &mut Context,
+    mode: GLenum,
+    count: GLsizei,
+    ty: GLenum,
+    indices: Data<'_>,
+    base_vertex: GLint,
+) -> Result<()> {
+    draw_indexed(context, mode, IndexRequest { count, ty, indices, base_vertex }, 1)
+}
+
+/// Checks the range that indices are promised to be in.
+fn checked_range(start: GLuint, end: GLuint) -> Result<()> {
+    if end < start {
+        return invalid_value(SECTION, format!("end = {end} must not be below start = {start}"));
+    }
+    Ok(())
+}
+
+pub(crate) fn draw_range_elements(
+    context: &mut Context,
+    mode: GLenum,
+    start: GLuint,
+    end: GLuint,
+    count: GLsizei,
+    ty: GLenum,
+    indices: Data<'_>,
+) -> Result<()> {
+    checked_range(start, end)?;
+    draw_elements(context, mode, count, ty, indices)
+}
+
+/// GL 2.1, section 2.8: an element of every array that is enabled, the position last.
+pub(crate) fn array_element(context: &mut Context, index: GLint) -> Result<()> {
+    let index = not_negative(SECTION, "i", index.into())? as u32;
+    if crate::calls::vertex::restart::is_restart(context, index) {
+        return crate::calls::vertex::restart::primitive_restart(context);
+    }
+    let arrays = &context.state.arrays.by_location;
+    let enabled: Vec<usize> = (0..LOCATIONS).filter(|&at| arrays[at].enabled).collect();
+    let position = usize::from(ATTRIB_VERTEX);
+    let reach = Reach { first: index, last: index, instances: 1, apart: None };
+    let of_position = |location: &usize| *location == 0 || *location == position;
+    for &location in enabled.iter().filter(|location| !of_position(location)) {
+        let value = vertex_source(context, location, reach)?.read(index);
+        attribute(context, Slot::Location(location as u8), value)?;
+    }
+    if let Some(&location) = enabled.iter().find(|location| of_position(location)) {
+        let value = vertex_source(context, location, reach)?.read(index);
+        attribute(context, Slot::Vertex, value)?;
+    }
+    Ok(())
+}
+
+#[expect(clippy::too_many_arguments, reason = "GL's signature")]
+pub(crate) fn draw_range_elements_base_vertex(
+    context: &mut Context,
+    mode: GLenum,
+    start: GLuint,
+    end: GLuint,
+    count: GLsizei,
+    ty: GLenum,
+    indices: Data<'_>,
+    base_vertex: GLint,
+) -> Result<()> {
+    checked_range(start, end)?;
+    draw_elements_base_vertex(context, mode, count, ty, indices, base_vertex)
+}
+
+pub(crate) fn draw_elements_instanced_base_vertex(
+    context: &mut Context,
+    mode: GLenum,
+    count: GLsizei,
+    ty: GLenum,
+    indices: Data<'_>,
+    instances: GLsizei,
+    base_vertex: GLint,
+) -> Result<()> {
+    not_in_a_list(context)?;
+    draw_indexed(context, mode, IndexRequest { count, ty, indices, base_vertex }, instances)
+}

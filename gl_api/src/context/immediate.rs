@@ -1,0 +1,105 @@
+//! Immediate mode: GL 2.1, sections 2.6 and 2.7.
+//!
+//! `glBegin` opens a collection of vertices: positions, and a column for each attribute that is set
+//! before `glEnd`, which draws them. Attributes that are not set are constants of the draw. One `glEnd`
+//! after the other with nothing else in between is one draw: what has [`ended`](super::ended) waits.
+
+use crate::base::error::Result;
+use crate::base::types::*;
+use crate::calls::texture::names::texture_unit;
+use crate::interface::ATTRIB_TEX_COORD;
+use crate::objects::arrays::generic;
+use crate::state::material::{MATERIAL_COLUMNS, Materials};
+use crate::state::versioned::Versioned;
+use crate::state::{LOCATIONS, State};
+use rasterizer::driver::{Buffer, Topology};
+use std::ops::Range;
+/// What can have a column: the attributes, and behind them the parts of the materials.
+pub(crate) const COLUMNS: usize = LOCATIONS + MATERIAL_COLUMNS;
+/// A column's place in [`Immediate::places`] where there is none.
+pub(crate) const NO_COLUMN: u8 = u8::MAX;
+/// Bytes of a value in a column.
+pub(crate) const VALUE: usize = 16;
+
+/// The vertices since `glBegin`.
+#[derive(Debug)]
+pub(crate) struct Immediate {
+    pub(crate) topology: Topology,
+    pub(crate) positions: Vec<[f32; 4]>,
+    pub(crate) columns: Vec<Column>,
+    /// By location, which of the columns is its own.
+    pub places: [u8; COLUMNS],
+    /// What the materials were before the first `glMaterial` since `glBegin`.
+    pub(crate) materials: Option<Box<Versioned<Materials>>>,
+}
+
+/// The values of an attribute, or of a part of a material, that is set since `glBegin`.
+#[derive(Debug)]
+pub(crate) struct Column {
+    pub location: usize,
+    pub values: Vec<[f32; 4]>,
+}
+
+/// What an attribute call sets.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Slot {
+    /// The position: ends the vertex.
+    Vertex,
+    /// A conventional attribute, or a part of a material, by its location.
+    Location(u8),
+    /// The coordinates of a texture unit, as `GL_TEXTUREi`.
+    TexCoord(GLenum),
+    /// A generic attribute by its index; 0 is the position.
+    Generic(GLuint),
+}
+
+impl Immediate {
+    pub(crate) fn new(topology: Topology) -> Self {
+        Self {
+            topology,
+            positions: Vec::new(),
+            columns: Vec::new(),
+            places: [NO_COLUMN; COLUMNS],
+            materials: None,
+        }
+    }
+
+    /// Which of the columns is a location's.
+    pub(crate) fn column_of(&self, location: usize) -> Option<usize> {
+        let place = self.places[location];
+        (place != NO_COLUMN).then_some(place.into())
+    }
+}
+
+/// Vertices in a buffer of columns: positions, then a column for each attribute that has one.
+pub(crate) struct Columns<'a> {
+    pub buffer: &'a Buffer,
+    /// How many vertices the columns are of.
+    pub count: usize,
+    /// Those that are drawn.
+    pub part: Range<usize>,
+}
+
+/// The location that an attribute call sets; `None` for the position.
+///
+/// # Errors
+/// When there is no such unit or generic attribute.
+pub(crate) fn location(slot: Slot) -> Result<Option<usize>> {
+    Ok(match slot {
+        Slot::Vertex => None,
+        Slot::Location(location) => Some(usize::from(location)),
+        Slot::TexCoord(texture) => {
+            let unit = texture_unit("GL 2.1, section 2.7", texture)?;
+            Some(usize::from(ATTRIB_TEX_COORD + unit))
+        }
+        Slot::Generic(index) => Some(usize::from(generic(index)?)).filter(|&index| index != 0),
+    })
+}
+
+/// The current value of an attribute, or of a part of a material.
+pub(crate) fn current(state: &State, location: usize) -> [f32; 4] {
+    match state.current.get(location) {
+        Some(value) => *value,
+        None => state.materials.column(location),
+    }
+}

@@ -1,0 +1,73 @@
+//! Which shaders a draw runs, with which textures: the program in use, or the fixed function for
+//! each stage that it lacks.
+
+use crate::base::error::{ErrorCode, GlError};
+use crate::context::draw_note::DrawNote;
+use crate::context::recorder::fixed_words::Keys;
+use crate::state::clamp::Clamp;
+use rasterizer::driver::{Rim, ShaderModule};
+use rasterizer::ir::{Interpolation, IrError};
+use std::sync::Arc;
+use texunit::plan::SamplePlan;
+use texunit::sampler::Compare;
+
+/// The texture of each slot of a stage.
+pub(crate) type Textures = Arc<[Option<Arc<SamplePlan>>]>;
+
+/// What a draw runs.
+pub(crate) struct Stages {
+    pub vertex: ShaderModule,
+    pub fragment: ShaderModule,
+    pub reads: Reads,
+}
+
+/// What stages read beside vertices.
+pub(crate) struct Reads {
+    pub words: Vec<u32>,
+    pub vertex_textures: Textures,
+    pub fragment_textures: Textures,
+    /// What the words are made by, where nothing else is.
+    pub keys: Option<Keys>,
+    /// What it means, if a pixel is watched.
+    pub note: Option<DrawNote>,
+}
+
+/// A program's fragment stage with state of the context built in.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub(crate) struct VariantKey {
+    pub module: ShaderModule,
+    pub shade_model: Interpolation,
+    /// What the shaders say of the colours' interpolation.
+    pub said: [Option<Interpolation>; 2],
+    /// The alpha test and the word of its reference.
+    pub alpha: Option<(Compare, u32)>,
+    pub sides: Sides,
+    pub rim: Rim,
+    /// Whether its colours are clamped.
+    pub clamp: Clamp,
+}
+
+/// A program's vertex stage with state of the context built in.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub(crate) struct VertexVariantKey {
+    pub module: ShaderModule,
+    /// The user clip planes that cut, bit by plane.
+    pub planes: u8,
+    /// The first word of the fixed function.
+    pub base: u32,
+}
+
+/// Whether the back of a polygon has colours of its own (GL 2.1, section 2.15.4).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Sides {
+    One,
+    Two,
+}
+
+pub(crate) fn internal(error: &IrError) -> GlError {
+    GlError::new(
+        ErrorCode::InvalidOperation,
+        "GL 2.1, section 2.15",
+        format!("a generated shader breaks a rule of the IR, which is DetGL's mistake: {error}"),
+    )
+}

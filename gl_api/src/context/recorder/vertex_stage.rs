@@ -1,0 +1,223 @@
+//! Vertices through the vertex stage of the state, for what is not drawn: selection, feedback,
+//! transform feedback, raster positions.
+
+use crate::base::error::{Result, invalid_operation};
+use crate::context::recorder::fixed_words::Keys;
+use crate::context::recorder::stages::Textures;
+use crate::interface::{MAX_TEXTURE_UNITS, VARYING_BACK_COLOR, VARYING_COLOR, VARYING_TEX_COORD};
+use rasterizer::driver::ShaderModule;
+use rasterizer::ir::{Input, Output};
+use rasterizer::shader::{Machine, Prepared, Program, Run};
+use std::ops::Range;
+use std::sync::Arc;
+use texunit::lanes::{Isa, LANES, U32s};
+
+/// Which vertex of which instance.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Id {
+    pub vertex: u32,
+    pub instance: u32,
+}
+
+/// Which outputs of the stage are looked at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Outputs {
+    /// All of them.
+    All,
+    /// All but the texture coordinates of other units than these, bit by unit.
+    Units(u8),
+    /// What feedback writes and clips by.
+    Corners,
+    /// What clips.
+    Positions,
+}
+
+impl Outputs {
+    fn has(self, output: Output) -> bool {
+        let four = |first: u16, slot: u16| (first..first + 4).contains(&slot);
+        match output {
+            Output::Position(_) | Output::ClipDistance(_) => true,
+            Output::Varying(slot) => match self {
+                Self::All => true,
+                Self::Units(units) => (0..MAX_TEXTURE_UNITS)
+                    .filter(|unit| units >> unit & 1 == 0)
+                    .all(|unit| !four(VARYING_TEX_COORD + 4 * u16::from(unit), slot)),
+                Self::Corners => [VARYING_COLOR, VARYING_BACK_COLOR, VARYING_TEX_COORD]
+                    .into_iter()
+                    .any(|first| four(first, slot)),
+                Self::Positions => false,
+            },
+            Output::PointSize | Output::Color { .. } | Output::Depth | Output::StencilReference => {
+                match self {
+                    Self::All | Self::Units(_) => true,
+                    Self::Corners | Self::Positions => false,
+                }
+            }
+        }
+    }
+}
+
+/// A vertex stage with the outputs that are looked at.
+#[derive(Debug)]
+pub(crate) struct Single {
+    pub program: Program,
+    /// How many outputs it has.
+    outputs: usize,
+    /// Where each varying is among [`Program::outputs`], by its slot.
+    varyings: Vec<Option<usize>>,
+    /// Where others are.
+    others: Vec<(Output, usize)>,
+}
+
+impl Single {
+    pub fn new(module: &ShaderModule, outputs: Outputs) -> Self {
+        let program = Program::new(module.module(), |output| outputs.has(output));
+        let (mut varyings, mut others) = (Vec::new(), Vec::new());
+        for (place, output) in program.outputs().enumerate() {
+            if let Output::Varying(slot) = output {
+                let slot = usize::from(slot);
+                varyings.resize(varyings.len().max(slot + 1), None);
+                varyings[slot] = Some(place);
+            } else {
+                others.push((output, place));
+            }
+        }
+        let outputs = program.outputs().len();
+        Self { program, outputs, varyings, others }
+    }
+}
+
+/// What the vertex stage made of vertices.
+pub(crate) struct Vertices {
+    stage: Arc<Single>,
+    /// The outputs of the first 64 vertices, then those of the next: each output of all of them.
+    values: Vec<f32>,
+    len: usize,
+}
+
+impl Vertices {
+    /// How many there are.
+    pub fn len(&self) -> usize {
+        self.len
+    }
+
+    /// Which of the outputs this is, if the stage has it.
+    pub fn place(&self, wanted: Output) -> Option<usize> {
+        if let Output::Varying(slot) = wanted {
+            return self.stage.varyings.get(usize::from(slot)).copied().flatten();
+        }
+        self.stage.others.iter().find(|(output, _)| *output == wanted).map(|(_, place)| *place)
+    }
+
+    /// The places of the clip coordinates.
+    pub fn position(&self) -> [Option<usize>; 4] {
+        [0, 1, 2, 3].map(|i| self.place(Output::Position(i)))
+    }
+
+    /// The places of four varyings from a slot on.
+    pub fn varyings(&self, first: u16) -> [Option<usize>; 4] {
+        [0, 1, 2, 3].map(|i| self.place(Output::Varying(first + i)))
+    }
+
+    /// The output at a [`Self::place`], of vertex `at`.
+    pub fn value(&self, at: usize, place: usize) -> f32 {
+        let (first, lane) = (at - at % LANES, at % LANES);
+        let lanes = self.len.saturating_sub(first).min(LANES);
+        let index = first * self.stage.outputs + place * lanes + lane;
+        self.values.get(index).copied().unwrap_or_default()
+    }
+
+    /// Four outputs of vertex `at`; those that the stage lacks are `otherwise`.
+    pub fn four(&self, at: usize, places: [Option<usize>; 4], otherwise: [f32; 4]) -> [f32; 4] {
+        std::array::from_fn(|i| places[i].map_or(otherwise[i], |place| self.value(at, place)))
+    }
+
+    /// Vertex `at`.
+    pub fn vertex(&self, at: usize) -> Shaded<'_> {
+        Shaded { vertices: self, at }
+    }
+}
+
+/// What the vertex stage made of a vertex.
+#[derive(Clone, Copy)]
+pub(crate) struct Shaded<'a> {
+    vertices: &'a Vertices,
+    at: usize,
+}
+
+impl Shaded<'_> {
+    /// An output, if the stage has it.
+    pub fn get(&self, wanted: Output) -> Option<f32> {
+        self.vertices.place(wanted).map(|place| self.vertices.value(self.at, place))
+    }
+
+    /// The distances from what clips.
+    pub fn clip_distances(self) -> impl Iterator<Item = f32> {
+        let clips = |of: &(Output, usize)| matches!(of.0, Output::ClipDistance(_)).then_some(of.1);
+        let places = self.vertices.stage.others.iter().filter_map(clips);
+        places.map(move |place| self.vertices.value(self.at, place))
+    }
+
+    /// The clip coordinates.
+    pub fn position(&self) -> [f64; 4] {
+        self.vertices.four(self.at, self.vertices.position(), [0.0; 4]).map(f64::from)
+    }
+
+    /// Four varyings from a slot on; those that are not written are `otherwise`.
+    pub fn varyings(&self, first: u16, otherwise: [f32; 4]) -> [f32; 4] {
+        self.vertices.four(self.at, self.vertices.varyings(first), otherwise)
+    }
+}
+
+/// A vertex stage that is ready to run.
+#[derive(Debug)]
+pub(crate) struct Ready {
+    pub stage: Arc<Single>,
+    pub prepared: Prepared,
+    pub textures: Textures,
+    pub words: Vec<u32>,
+    /// What the words are made by, where nothing else is.
+    pub keys: Option<Keys>,
+}
+
+impl Ready {
+    /// Runs it for so many vertices; `fill` gives an input of up to 64 of them.
+    ///
+    /// # Errors
+    /// Where the shader runs too long.
+    pub fn run(
+        &self,
+        (isa, machine): (Isa, &mut Machine),
+        len: usize,
+        fill: impl Fn(Input, Range<usize>, &mut U32s),
+    ) -> Result<Vertices> {
+        let Self { stage, prepared, textures, .. } = self;
+        let program = &stage.program;
+        machine.begin(program);
+        let mut values = Vec::with_capacity(len * stage.outputs);
+        for first in (0..len).step_by(LANES) {
+            let lanes = (len - first).min(LANES);
+            for (index, &wanted) in program.inputs().iter().enumerate() {
+                fill(wanted, first..first + lanes, machine.input_mut(index));
+            }
+            let run = Run {
+                isa,
+                program,
+                prepared,
+                textures,
+                active: u64::MAX >> (LANES - lanes),
+                budget: rasterizer::driver::DeviceDesc::BUDGET,
+            };
+            if machine.run(run).is_err() {
+                return invalid_operation(
+                    "GL 2.1, section 2.15",
+                    "the vertex shader runs so long that it was stopped",
+                );
+            }
+            for place in 0..stage.outputs {
+                values.extend_from_slice(&machine.output(place).as_f32().0[..lanes]);
+            }
+        }
+        Ok(Vertices { stage: Arc::clone(stage), values, len })
+    }
+}

@@ -1,0 +1,166 @@
+//! What a draw writes to the buffers of transform feedback.
+
+use crate::base::error::{Result, invalid_operation};
+use crate::context::Context;
+use crate::context::recorder::elements::Elements;
+use crate::context::recorder::vertex_stage::{Id, Outputs, Vertices};
+use crate::draw::vertex_stage::shade;
+use crate::glsl::{BufferMode, Captured, CapturedScalar};
+use crate::state::transform_feedback::{Active, Kind, SECTION};
+use rasterizer::driver::{Primitive, Topology, VertexBinding, primitives};
+use texunit::lanes::math;
+
+/// Primitives of this many vertices are run and written at once.
+const CHUNK: usize = 1 << 12;
+
+/// Counts the primitives of a draw, and captures them if transform feedback is active.
+///
+/// # Errors
+/// `GL_INVALID_OPERATION` if they are not what is captured, or a buffer is mapped; as a draw.
+pub(crate) fn draw(
+    context: &mut Context,
+    topology: Topology,
+    vertices: &[VertexBinding],
+    elements: &Elements,
+) -> Result<()> {
+    let (count, instances) = elements.counts();
+    let all = primitives(topology, context.state.raster.provoking, count);
+    let made = u64::from(all.len) * instances.len() as u64;
+    let Some(mut active) = context.transform_feedback.active else {
+        context.count_primitives(made, 0);
+        return Ok(());
+    };
+    if Kind::of(topology) != active.kind {
+        return invalid_operation(
+            SECTION,
+            format!(
+                "mode draws {}, but glBeginTransformFeedback was called for {}",
+                Kind::of(topology).noun(),
+                active.kind.noun()
+            ),
+        );
+    }
+    let Some(layout) = Layout::of(context) else { return Ok(()) };
+    layout.check(context)?;
+    let mut written = 0;
+    'full: for instance in instances {
+        for first in (0..all.len).step_by(CHUNK) {
+            let chunk = first..all.len.min(first.saturating_add(CHUNK as u32));
+            let asked = u64::from(chunk.end - chunk.start);
+            let id = |at| Id { vertex: elements.number(at), instance };
+            let mut ids: Vec<Id> = Vec::new();
+            for at in chunk {
+                match all.get(at) {
+                    Primitive::Point(ordinal) => ids.push(id(ordinal)),
+                    Primitive::Line(ordinals, _) => ids.extend(ordinals.map(id)),
+                    Primitive::Triangle(ordinals, _, _) => ids.extend(ordinals.map(id)),
+                }
+            }
+            let shaded = shade(context, vertices, &ids, Outputs::All)?;
+            let fit = layout.write(context, &shaded, &mut active);
+            written += fit;
+            if fit < asked {
+                break 'full;
+            }
+        }
+    }
+    context.transform_feedback.active = Some(active);
+    context.count_primitives(made, written);
+    Ok(())
+}
+
+/// What is written for a vertex: for each buffer the scalars in order.
+struct Layout {
+    buffers: Vec<Vec<CapturedScalar>>,
+}
+
+impl Layout {
+    /// What the program in use captures.
+    fn of(context: &Context) -> Option<Self> {
+        let linked = context.objects.linked_program(context.state.bindings.program.name())?;
+        let scalars = |captured: &Captured| captured.scalars.clone();
+        let all = linked.program.captured.iter();
+        Some(Self {
+            buffers: match linked.program.buffer_mode {
+                BufferMode::Interleaved => vec![all.flat_map(scalars).collect()],
+                BufferMode::Separate => all.map(scalars).collect(),
+            },
+        })
+    }
+
+    /// Checks that the buffers can be written to.
+    fn check(&self, context: &Context) -> Result<()> {
+        for range in context.transform_feedback.buffers.iter().take(self.buffers.len()) {
+            let object = context.objects.buffers.bound(&range.buffer);
+            if object.is_some_and(|object| object.map.is_some()) {
+                return invalid_operation(
+                    SECTION,
+                    format!("buffer {} is mapped: call glUnmapBuffer", range.buffer.name()),
+                );
+            }
+        }
+        Ok(())
+    }
+
+    /// Writes whole primitives, as many as all buffers have room for: how many.
+    fn write(&self, context: &mut Context, vertices: &Vertices, active: &mut Active) -> u64 {
+        let corners = active.kind.corners();
+        let ranges = &context.transform_feedback.buffers;
+        let mut fit = vertices.len() / corners;
+        for ((range, scalars), written) in ranges.iter().zip(&self.buffers).zip(active.written) {
+            let buffer = context.objects.buffers.bound(&range.buffer);
+            let bytes = buffer.map_or(0, |object| object.buffer().bytes().len());
+            let room = bytes.saturating_sub(range.offset).min(range.size.unwrap_or(usize::MAX));
+            let each = corners * scalars.len() * 4;
+            fit = fit.min(room.saturating_sub(written) / each.max(1));
+        }
+        for ((range, scalars), written) in ranges.iter().zip(&self.buffers).zip(&mut active.written)
+        {
+            let Some(object) = context.objects.buffers.bound_mut(&range.buffer) else { continue };
+            let places = scalars.iter().map(|scalar| Place::of(vertices, *scalar));
+            let places: Vec<Place> = places.collect();
+            let first = range.offset + *written;
+            let bytes = fit * corners * scalars.len() * 4;
+            let out = object.bytes_mut(&mut context.recorder);
+            let out = out.get_mut(first..first + bytes).unwrap_or_default();
+            let words = (0..fit * corners)
+                .flat_map(|at| places.iter().map(move |place| place.word(vertices, at)));
+            for (out, word) in out.chunks_exact_mut(4).zip(words) {
+                out.copy_from_slice(&word.to_le_bytes());
+            }
+            *written += bytes;
+        }
+        fit as u64
+    }
+}
+
+/// Where a captured scalar is among the outputs that vertices have; an output that the stage does
+/// not have is 0.
+#[derive(Clone, Copy)]
+enum Place {
+    Float(Option<usize>),
+    Word([Option<usize>; 2]),
+}
+
+impl Place {
+    fn of(vertices: &Vertices, scalar: CapturedScalar) -> Self {
+        match scalar {
+            CapturedScalar::Float(output) => Self::Float(vertices.place(output)),
+            CapturedScalar::Word { low, high } => {
+                Self::Word([low, high].map(|output| vertices.place(output)))
+            }
+        }
+    }
+
+    /// The bits of the scalar at a vertex.
+    fn word(self, vertices: &Vertices, at: usize) -> u32 {
+        let value = |place: Option<usize>| place.map_or(0.0, |place| vertices.value(at, place));
+        match self {
+            Self::Float(place) => math::bits(value(place)),
+            Self::Word(places) => {
+                let [low, high] = places.map(|place| value(place) as u32);
+                high << 16 | low
+            }
+        }
+    }
+}

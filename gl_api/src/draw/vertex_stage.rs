@@ -1,0 +1,87 @@
+//! Vertices through the vertex stage of the state, for what is not drawn: selection, feedback,
+//! transform feedback, raster positions.
+
+use crate::base::error::Result;
+use crate::context::Context;
+use crate::context::recorder::stages::Stages;
+use crate::context::recorder::vertex_stage::{Id, Outputs, Ready, Vertices};
+use rasterizer::driver::{Rim, VertexBinding, VertexSource};
+use rasterizer::ir::Input;
+use texunit::lanes::{Isa, LANES, U32s};
+
+/// An input of the stage for up to 64 vertices.
+fn input(isa: Isa, vertices: &[VertexBinding], input: Input, ids: &[Id], out: &mut U32s) {
+    match input {
+        Input::Attribute { location, component } => {
+            // Where all are bound, they lie in order.
+            let is_its = |binding: &&VertexBinding| binding.location == location;
+            let in_order = vertices.get(usize::from(location)).filter(is_its);
+            match in_order.or_else(|| vertices.iter().find(is_its)) {
+                Some(VertexBinding { source: source @ VertexSource::Constant(_), .. }) => {
+                    source.component(isa, component, &[], out.as_f32_mut());
+                }
+                Some(VertexBinding { source, .. }) => {
+                    let mut elements = [0; LANES];
+                    for (element, id) in elements.iter_mut().zip(ids) {
+                        *element = source.element(id.vertex, id.instance);
+                    }
+                    source.component(isa, component, &elements[..ids.len()], out.as_f32_mut());
+                }
+                None => *out = U32s::splat(0),
+            }
+        }
+        Input::VertexId | Input::InstanceId => {
+            for (lane, id) in ids.iter().enumerate() {
+                out[lane] = if input == Input::VertexId { id.vertex } else { id.instance };
+            }
+        }
+        Input::Varying(_)
+        | Input::FragCoord(_)
+        | Input::FrontFacing
+        | Input::PointCoord(_)
+        | Input::Slope { .. }
+        | Input::Coverage => *out = U32s::splat(0),
+    }
+}
+
+impl Ready {
+    /// That of a draw.
+    pub fn new(context: &mut Context, stages: Stages, outputs: Outputs) -> Self {
+        let Stages { vertex, reads, .. } = stages;
+        let stage = context.recorder.single_vertex(&vertex, outputs);
+        let isa = context.recorder.isa();
+        let prepared = stage.program.prepare(isa, &reads.words, &reads.vertex_textures);
+        let textures = reads.vertex_textures;
+        Self { stage, prepared, textures, words: reads.words, keys: reads.keys }
+    }
+
+    /// The same stage where nothing but numbers has changed; `None` where it may be another.
+    pub fn again(mut self, context: &mut Context) -> Option<Self> {
+        let keys = self.keys.as_ref().filter(|_| self.textures.is_empty())?;
+        let words = crate::draw::stages::words(context, keys)?;
+        if words != self.words {
+            let isa = context.recorder.isa();
+            self.prepared = self.stage.program.prepare(isa, &words, &self.textures);
+            self.words = words;
+        }
+        Some(self)
+    }
+}
+
+/// Runs the vertex stage of the state for vertices.
+///
+/// # Errors
+/// As a draw, and where the shader runs too long.
+pub(crate) fn shade(
+    context: &mut Context,
+    vertices: &[VertexBinding],
+    ids: &[Id],
+    outputs: Outputs,
+) -> Result<Vertices> {
+    let stages = crate::draw::stages::choose(context, vertices, Rim::Aliased)?;
+    let ready = Ready::new(context, stages, outputs);
+    let isa = context.recorder.isa();
+    ready.run((isa, &mut context.feedback.machine), ids.len(), |wanted, of, out| {
+        input(isa, vertices, wanted, &ids[of], out);
+    })
+}

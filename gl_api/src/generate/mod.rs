@@ -1,0 +1,3 @@
+//! The fixed function as a generator of shaders.
+
+pub(crate) mod fixed;

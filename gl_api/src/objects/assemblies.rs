@@ -1,0 +1,46 @@
+//! Assembly programs and their names: ARB_vertex_program, section 2.14.1.
+
+use crate::assembly::{Loaded, Target};
+use crate::base::constants::*;
+use crate::base::error::Table;
+use crate::objects::Objects;
+use crate::objects::bound::Bound;
+use std::sync::Arc;
+
+const SECTION: &str = "ARB_vertex_program, section 2.14.1";
+
+/// The targets that programs are bound to.
+pub(crate) const TARGET: Table<Target> = Table {
+    section: SECTION,
+    rows: &[(GL_VERTEX_PROGRAM_ARB, Target::Vertex), (GL_FRAGMENT_PROGRAM_ARB, Target::Fragment)],
+};
+
+/// An assembly program.
+#[derive(Debug)]
+pub(crate) struct Assembly {
+    pub target: Target,
+    pub text: String,
+    /// What draws run, once a text was loaded.
+    pub loaded: Option<Arc<Loaded>>,
+    /// `program.local`, as far as it was set; the others are zeros.
+    pub local: Vec<[f32; 4]>,
+}
+
+impl Assembly {
+    /// A program without a text.
+    pub fn new(target: Target) -> Self {
+        Self { target, text: String::new(), loaded: None, local: Vec::new() }
+    }
+}
+
+impl Objects {
+    /// The assembly program that is bound; if none is, the target's own.
+    pub fn assembly(&self, target: Target, bound: &Bound) -> &Assembly {
+        self.assemblies.bound(bound).unwrap_or(&self.default_assemblies[target as usize])
+    }
+
+    /// The assembly program that is bound, to be changed.
+    pub fn assembly_mut(&mut self, target: Target, bound: &Bound) -> &mut Assembly {
+        self.assemblies.bound_mut(bound).unwrap_or(&mut self.default_assemblies[target as usize])
+    }
+}

@@ -1,0 +1,333 @@
+//! Objects and their names: GL 2.1, sections 2.9, 2.15 and 3.8.12; framebuffer objects.
+
+pub(crate) mod accumulation;
+pub(crate) mod arrays;
+pub(crate) mod assemblies;
+pub(crate) mod attachments;
+pub(crate) mod bound;
+pub(crate) mod buffer_map;
+pub(crate) mod buffers;
+pub(crate) mod color_buffers;
+pub(crate) mod conditional;
+pub(crate) mod framebuffers;
+pub(crate) mod indexed_buffers;
+pub(crate) mod lists;
+pub(crate) mod programs;
+pub(crate) mod queries;
+pub(crate) mod renderbuffers;
+pub(crate) mod sampler;
+pub(crate) mod shaders;
+pub(crate) mod syncs;
+pub(crate) mod target;
+pub(crate) mod texture;
+pub(crate) mod texture_buffer;
+pub(crate) mod vertex_arrays;
+
+use crate::assembly::Target;
+use crate::base::error::{Result, invalid_operation, not_negative};
+use crate::base::types::*;
+use crate::objects::assemblies::Assembly;
+use crate::objects::bound::{Bound, Place};
+use crate::objects::lists::ListNames;
+use crate::objects::sampler::SamplerState;
+use crate::objects::target::TextureTarget;
+use crate::objects::texture::Texture;
+use rasterizer::driver::Image;
+use std::cmp::Reverse;
+use std::collections::{BTreeMap, BinaryHeap};
+
+/// The names of one kind of object.
+#[derive(Debug)]
+pub(crate) struct Names<T> {
+    /// `None` is a name that was made but never bound.
+    objects: BTreeMap<GLuint, Option<Named<T>>>,
+    /// All names up to this one are used, or among the freed ones.
+    used: GLuint,
+    /// What was deleted of those, the least first; binding may have used it again.
+    freed: BinaryHeap<Reverse<GLuint>>,
+    /// Objects that were deleted while something was bound to them, by number: sorted.
+    departed: Vec<(GLuint, Named<T>)>,
+    /// The last of these numbers.
+    departures: GLuint,
+    /// How many of them were left when they were looked through.
+    left: usize,
+}
+
+/// Fewer of the departed than these are looked through after each deletion.
+const FEW: usize = 64;
+
+/// When what was deleted is looked through for what nothing is bound to any more.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Sweep {
+    /// After deletions: where there are few, or twice as many as were left the last time.
+    Deleted,
+    /// Where somebody flushes.
+    Flushed,
+}
+
+#[derive(Debug)]
+struct Named<T> {
+    object: T,
+    /// What is bound to it is a copy of this; nothing before the first is.
+    bound: Bound,
+}
+
+impl<T> Named<T> {
+    fn new(object: T) -> Self {
+        Self { object, bound: Bound::default() }
+    }
+}
+
+impl<T> Default for Names<T> {
+    fn default() -> Self {
+        Self {
+            objects: BTreeMap::new(),
+            used: 0,
+            freed: BinaryHeap::new(),
+            departed: Vec::new(),
+            departures: 0,
+            left: 0,
+        }
+    }
+}
+
+impl<T> Names<T> {
+    /// Takes the smallest unused name.
+    fn take(&mut self, object: Option<Named<T>>) -> GLuint {
+        let name = loop {
+            let name = match self.freed.pop() {
+                Some(Reverse(name)) => name,
+                None => {
+                    self.used += 1;
+                    self.used
+                }
+            };
+            if !self.is_reserved(name) {
+                break name;
+            }
+        };
+        self.objects.insert(name, object);
+        name
+    }
+
+    /// `glGen…`: reserves `n` names.
+    pub(crate) fn reserve(
+        &mut self,
+        section: &'static str,
+        n: GLsizei,
+        names: &mut [GLuint],
+    ) -> Result<()> {
+        let n = listed(section, n, names)?.len();
+        for name in &mut names[..n] {
+            *name = self.take(None);
+        }
+        Ok(())
+    }
+
+    /// Adds an object under an unused name.
+    pub(crate) fn add(&mut self, object: T) -> GLuint {
+        self.take(Some(Named::new(object)))
+    }
+
+    /// Makes sure that a name other than 0 has an object: binding creates it.
+    pub(crate) fn create(&mut self, name: GLuint, new: impl FnOnce() -> T) {
+        if name != 0 {
+            self.objects.entry(name).or_insert(None).get_or_insert_with(|| Named::new(new()));
+        }
+    }
+
+    /// What holds the object of a name; nothing if there is none.
+    pub fn hold(&mut self, name: GLuint) -> Bound {
+        let Some(Some(named)) = self.objects.get_mut(&name) else { return Bound::default() };
+        if named.bound.place().is_none() {
+            named.bound = Bound::new(name);
+        }
+        named.bound.clone()
+    }
+
+    /// Whether anything is bound to the object of a name.
+    pub(crate) fn is_held(&self, name: GLuint) -> bool {
+        matches!(self.objects.get(&name), Some(Some(named)) if named.bound.is_shared())
+    }
+
+    /// Whether a name was made, with an object or without.
+    pub(crate) fn is_reserved(&self, name: GLuint) -> bool {
+        self.objects.contains_key(&name)
+    }
+
+    /// The object of a name.
+    pub fn get(&self, name: GLuint) -> Option<&T> {
+        Some(&self.objects.get(&name)?.as_ref()?.object)
+    }
+
+    /// The object of a name, to be changed.
+    pub fn get_mut(&mut self, name: GLuint) -> Option<&mut T> {
+        Some(&mut self.objects.get_mut(&name)?.as_mut()?.object)
+    }
+
+    /// The object that is bound, deleted or not.
+    pub fn bound(&self, bound: &Bound) -> Option<&T> {
+        match bound.place()? {
+            Place::Named(name) => self.get(name),
+            Place::Departed(number) => {
+                let at = self.departed.binary_search_by_key(&number, |(number, _)| *number).ok()?;
+                Some(&self.departed[at].1.object)
+            }
+        }
+    }
+
+    /// The object that is bound, to be changed.
+    pub fn bound_mut(&mut self, bound: &Bound) -> Option<&mut T> {
+        match bound.place()? {
+            Place::Named(name) => self.get_mut(name),
+            Place::Departed(number) => {
+                let at = self.departed.binary_search_by_key(&number, |(number, _)| *number).ok()?;
+                Some(&mut self.departed[at].1.object)
+            }
+        }
+    }
+
+    /// Every object.
+    pub fn values(&self) -> impl Iterator<Item = &T> {
+        self.objects.values().flatten().map(|named| &named.object)
+    }
+
+    /// Every object, deleted ones too, to be changed.
+    pub fn values_mut(&mut self) -> impl Iterator<Item = &mut T> {
+        let departed = self.departed.iter_mut().map(|(_, named)| named);
+        self.objects.values_mut().flatten().chain(departed).map(|named| &mut named.object)
+    }
+
+    /// Who binds and deletes one name again and again frees it as often.
+    fn forget_copies(&mut self) {
+        if self.freed.len() / 4 > self.used as usize {
+            let mut names = std::mem::take(&mut self.freed).into_vec();
+            names.sort_unstable();
+            names.dedup();
+            self.freed = BinaryHeap::from(names);
+        }
+    }
+
+    /// Forgets a name, and its object unless something is bound to it.
+    pub(crate) fn remove(&mut self, name: GLuint) {
+        let Some(named) = self.objects.remove(&name) else { return };
+        if name <= self.used {
+            self.freed.push(Reverse(name));
+            self.forget_copies();
+        }
+        let Some(named) = named else { return };
+        if named.bound.is_shared() {
+            self.departures = self.departures.wrapping_add(1).max(1);
+            named.bound.depart(self.departures);
+            self.departed.push((self.departures, named));
+        }
+    }
+
+    /// Frees what nothing is bound to any more.
+    fn sweep(&mut self, when: Sweep) {
+        let is_due = match when {
+            Sweep::Flushed => true,
+            // So that deletions cost what each by itself does.
+            Sweep::Deleted => self.departed.len() < FEW || self.departed.len() >= 2 * self.left,
+        };
+        if is_due {
+            self.departed.retain(|(_, named)| named.bound.is_shared());
+            self.left = self.departed.len();
+        }
+    }
+}
+
+/// The names that a call lists.
+pub(crate) fn listed<'a>(
+    section: &'static str,
+    n: GLsizei,
+    names: &'a [GLuint],
+) -> Result<&'a [GLuint]> {
+    let n = not_negative(section, "n", n.into())?;
+    match names.get(..n) {
+        Some(names) => Ok(names),
+        None => {
+            let has = names.len();
+            invalid_operation(section, format!("n = {n}, but the memory has {has} elements"))
+        }
+    }
+}
+
+/// All objects of a context.
+#[derive(Debug)]
+pub(crate) struct Objects {
+    pub textures: Names<Texture>,
+    /// The textures named 0, by target.
+    pub default_textures: [Texture; TextureTarget::COUNT],
+    pub samplers: Names<SamplerState>,
+    pub buffers: Names<buffers::BufferObject>,
+    pub framebuffers: Names<framebuffers::Framebuffer>,
+    pub renderbuffers: Names<renderbuffers::Renderbuffer>,
+    /// Shaders and programs share one space of names.
+    pub programs: Names<programs::ShaderOrProgram>,
+    /// Programs that were deleted while a context used them: they keep their names.
+    pub doomed_programs: Vec<GLuint>,
+    /// Assembly programs, and those of name 0 by target.
+    pub assemblies: Names<Assembly>,
+    pub default_assemblies: [Assembly; 2],
+    /// Vertex array objects; that of name 0 has a place of its own while another is bound.
+    pub vertex_arrays: Names<vertex_arrays::VertexArray>,
+    pub default_vertex_array: vertex_arrays::VertexArray,
+    pub queries: Names<queries::Query>,
+    pub syncs: syncs::Syncs,
+    /// Display lists.
+    pub lists: ListNames,
+}
+
+impl Default for Objects {
+    fn default() -> Self {
+        Self {
+            textures: Names::default(),
+            default_textures: TextureTarget::ALL.map(Texture::new),
+            samplers: Names::default(),
+            buffers: Names::default(),
+            framebuffers: Names::default(),
+            renderbuffers: Names::default(),
+            programs: Names::default(),
+            doomed_programs: Vec::new(),
+            assemblies: Names::default(),
+            default_assemblies: [Target::Vertex, Target::Fragment].map(Assembly::new),
+            vertex_arrays: Names::default(),
+            default_vertex_array: vertex_arrays::VertexArray::default(),
+            queries: Names::default(),
+            syncs: syncs::Syncs::default(),
+            lists: ListNames::default(),
+        }
+    }
+}
+
+impl Objects {
+    /// Frees what was deleted and is not bound any more; textures hold buffers.
+    pub fn sweep(&mut self, when: Sweep) {
+        self.textures.sweep(when);
+        self.samplers.sweep(when);
+        self.buffers.sweep(when);
+        self.renderbuffers.sweep(when);
+        self.assemblies.sweep(when);
+        crate::calls::program::programs::sweep(self);
+    }
+
+    /// The texture that is bound; if none is, the default texture of the target.
+    pub fn texture(&self, target: TextureTarget, bound: &Bound) -> &Texture {
+        self.textures.bound(bound).unwrap_or(&self.default_textures[target as usize])
+    }
+
+    /// The texture that is bound, to be changed.
+    pub fn texture_mut(&mut self, target: TextureTarget, bound: &Bound) -> &mut Texture {
+        self.textures.bound_mut(bound).unwrap_or(&mut self.default_textures[target as usize])
+    }
+
+    /// Lets the textures know whose images the driver has drawn to.
+    pub fn images_changed(&mut self, changed: impl Fn(&Image) -> bool) {
+        for texture in self.textures.values_mut().chain(&mut self.default_textures) {
+            if changed(&texture.image) {
+                texture.texels_changed();
+            }
+        }
+    }
+}

@@ -1,0 +1,80 @@
+//! Program objects: GL 2.1, section 2.15.2.
+
+use crate::base::types::*;
+use crate::draw::uniform_blocks::BlockState;
+use crate::glsl;
+use crate::objects::Objects;
+use crate::objects::shaders::ShaderObject;
+use crate::state::clamp::Clamp;
+use rasterizer::driver::ShaderModule;
+
+/// Shaders and programs share one space of names.
+#[derive(Debug)]
+pub(crate) enum ShaderOrProgram {
+    Shader(ShaderObject),
+    Program(Box<ProgramObject>),
+}
+
+/// How the last link of a program went.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum LinkStatus {
+    /// It failed, or there was none.
+    #[default]
+    Failed,
+    Linked,
+}
+
+/// A program object.
+#[derive(Debug, Default)]
+pub(crate) struct ProgramObject {
+    /// Names of the attached shaders.
+    pub attached: Vec<GLuint>,
+    pub bindings: glsl::Bindings,
+    /// What draws run: the last link's result, or, while the program is in use and a link of it
+    /// failed, the one before (GL 2.1, section 2.15.2).
+    pub executable: Option<Linked>,
+    /// How the last link went.
+    pub link: LinkStatus,
+    pub log: String,
+    pub validated: bool,
+    pub doomed: bool,
+}
+
+/// A linked program, ready to draw with.
+#[derive(Debug)]
+pub(crate) struct Linked {
+    pub program: glsl::Program,
+    pub vertex: Option<ShaderModule>,
+    /// The vertex stage with its colours as they are, for `glClampColor`; the same one if it writes
+    /// none.
+    pub unclamped_vertex: Option<ShaderModule>,
+    pub fragment: Option<ShaderModule>,
+    /// The attributes that its vertex stage reads, bit by location.
+    pub attributes: u64,
+    /// The values of its uniforms; state is filled in when it draws.
+    pub words: Vec<u32>,
+    /// Its uniform blocks.
+    pub blocks: Vec<BlockState>,
+}
+
+impl Linked {
+    /// The vertex stage, whose colours are clamped or not.
+    pub fn vertex_of(&self, clamp: Clamp) -> &Option<ShaderModule> {
+        match clamp {
+            Clamp::On => &self.vertex,
+            Clamp::Off => &self.unclamped_vertex,
+        }
+    }
+}
+
+impl ProgramObject {
+    /// The result of the last link, if it worked.
+    pub fn linked(&self) -> Option<&Linked> {
+        match self.link {
+            LinkStatus::Linked => self.executable.as_ref(),
+            LinkStatus::Failed => None,
+        }
+    }
+}
+
+impl Objects {}

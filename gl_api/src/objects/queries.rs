@@ -1,0 +1,108 @@
+//! Queries: GL 2.1, section 4.1.7 (samples), GL 3.0, section 2.16 (primitives),
+//! `ARB_occlusion_query2`, `ARB_timer_query`.
+
+use crate::base::constants::*;
+use crate::base::error::Table;
+use crate::base::types::*;
+use crate::objects::conditional::Verdict;
+use rasterizer::driver::Counter;
+use std::time::Instant;
+
+const SECTION: &str = "GL 2.1, section 4.1.7";
+
+/// What is queried.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum QueryTarget {
+    SamplesPassed,
+    AnySamplesPassed,
+    PrimitivesGenerated,
+    TransformFeedbackPrimitivesWritten,
+    TimeElapsed,
+    Timestamp,
+}
+
+/// How many queries can be active at once: of samples, of either kind of primitives, of time.
+const ACTIVE: usize = 4;
+
+pub(crate) const TARGET: Table<QueryTarget> = Table {
+    section: SECTION,
+    rows: &[
+        (GL_SAMPLES_PASSED, QueryTarget::SamplesPassed),
+        (GL_ANY_SAMPLES_PASSED, QueryTarget::AnySamplesPassed),
+        (GL_PRIMITIVES_GENERATED, QueryTarget::PrimitivesGenerated),
+        (GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN, QueryTarget::TransformFeedbackPrimitivesWritten),
+        (GL_TIME_ELAPSED, QueryTarget::TimeElapsed),
+    ],
+};
+
+/// A query object.
+#[derive(Clone, Debug)]
+pub(crate) struct Query {
+    pub target: QueryTarget,
+    pub counter: Counter,
+    pub primitives: u64,
+    /// When it began, and nanoseconds since, once it has ended.
+    pub began: Option<Instant>,
+    pub nanoseconds: u64,
+}
+
+/// The names of the queries that have begun, by target (0 where none has), and what they let
+/// through.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct ActiveQueries {
+    pub names: [GLuint; ACTIVE],
+    /// Of conditional rendering, if it has begun.
+    pub(crate) conditional: Option<Verdict>,
+}
+
+impl Query {
+    /// What it counts.
+    pub fn target(&self) -> QueryTarget {
+        self.target
+    }
+
+    /// GL's name of the target.
+    pub(crate) fn target_name(&self) -> String {
+        enum_name(match self.target {
+            QueryTarget::Timestamp => GL_TIMESTAMP,
+            target @ (QueryTarget::SamplesPassed
+            | QueryTarget::AnySamplesPassed
+            | QueryTarget::TimeElapsed
+            | QueryTarget::PrimitivesGenerated
+            | QueryTarget::TransformFeedbackPrimitivesWritten) => TARGET.encode(target),
+        })
+    }
+
+    /// Samples, as far as draws were carried out.
+    pub fn samples(&self) -> u64 {
+        self.counter.samples()
+    }
+}
+
+impl ActiveQueries {
+    /// Whether a query has begun and not ended.
+    pub fn is_active(&self, id: GLuint) -> bool {
+        self.names.contains(&id)
+    }
+
+    pub(crate) fn slot(&mut self, target: QueryTarget) -> &mut GLuint {
+        // Both targets of samples share the counter that draws have.
+        match target {
+            QueryTarget::SamplesPassed | QueryTarget::AnySamplesPassed => &mut self.names[0],
+            QueryTarget::TimeElapsed | QueryTarget::Timestamp => &mut self.names[1],
+            QueryTarget::PrimitivesGenerated => &mut self.names[GENERATED],
+            QueryTarget::TransformFeedbackPrimitivesWritten => &mut self.names[WRITTEN],
+        }
+    }
+}
+
+/// Where the queries of primitives are among the active ones.
+pub(crate) const GENERATED: usize = 2;
+pub(crate) const WRITTEN: usize = 3;
+
+/// Nanoseconds since the first question for the time.
+pub(crate) fn timestamp() -> u64 {
+    use std::sync::LazyLock;
+    static START: LazyLock<Instant> = LazyLock::new(Instant::now);
+    START.elapsed().as_nanos() as u64
+}

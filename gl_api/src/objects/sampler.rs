@@ -1,0 +1,315 @@
+//! The parameters that textures and sampler objects share: GL 2.1, table 3.18;
+//! `ARB_sampler_objects`, `EXT_texture_filter_anisotropic`, `EXT_texture_mirror_clamp`,
+//! `EXT_texture_sRGB_decode`.
+
+use crate::base::constants::*;
+use crate::base::error::{Result, Table, invalid_enum, invalid_value};
+use crate::base::types::*;
+use crate::objects::target::TextureTarget;
+use crate::state::env::{lod_bias, symbol, unit_to_signed};
+use crate::state::fragment::COMPARE;
+use texunit::sampler::{Border, Compare, Filter, MAX_ANISOTROPY, Mipmap, Sampler, SrgbRead, Wrap};
+
+const WRAP: Table<Wrap> = Table {
+    section: "GL 2.1, table 3.18",
+    rows: &[
+        (GL_REPEAT, Wrap::Repeat),
+        (GL_CLAMP, Wrap::Clamp),
+        (GL_CLAMP_TO_EDGE, Wrap::ClampToEdge),
+        (GL_CLAMP_TO_BORDER, Wrap::ClampToBorder),
+        (GL_MIRRORED_REPEAT, Wrap::MirroredRepeat),
+        (GL_MIRROR_CLAMP_EXT, Wrap::MirrorClamp),
+        (GL_MIRROR_CLAMP_TO_EDGE, Wrap::MirrorClampToEdge),
+        (GL_MIRROR_CLAMP_TO_BORDER_EXT, Wrap::MirrorClampToBorder),
+    ],
+};
+
+const RECTANGLE_WRAP: Table<Wrap> = Table {
+    section: "ARB_texture_rectangle, section 3.8.4",
+    rows: &[
+        (GL_CLAMP, Wrap::Clamp),
+        (GL_CLAMP_TO_EDGE, Wrap::ClampToEdge),
+        (GL_CLAMP_TO_BORDER, Wrap::ClampToBorder),
+    ],
+};
+
+const MIN_FILTER: Table<(Filter, Mipmap)> = Table {
+    section: "GL 2.1, table 3.18",
+    rows: &[
+        (GL_NEAREST, (Filter::Nearest, Mipmap::None)),
+        (GL_LINEAR, (Filter::Linear, Mipmap::None)),
+        (GL_NEAREST_MIPMAP_NEAREST, (Filter::Nearest, Mipmap::Nearest)),
+        (GL_LINEAR_MIPMAP_NEAREST, (Filter::Linear, Mipmap::Nearest)),
+        (GL_NEAREST_MIPMAP_LINEAR, (Filter::Nearest, Mipmap::Linear)),
+        (GL_LINEAR_MIPMAP_LINEAR, (Filter::Linear, Mipmap::Linear)),
+    ],
+};
+
+const RECTANGLE_MIN_FILTER: Table<(Filter, Mipmap)> = Table {
+    section: "ARB_texture_rectangle, section 3.8.4",
+    rows: &[
+        (GL_NEAREST, (Filter::Nearest, Mipmap::None)),
+        (GL_LINEAR, (Filter::Linear, Mipmap::None)),
+    ],
+};
+
+const MAG_FILTER: Table<Filter> = Table {
+    section: "GL 2.1, table 3.18",
+    rows: &[(GL_NEAREST, Filter::Nearest), (GL_LINEAR, Filter::Linear)],
+};
+
+const COMPARE_MODE: Table<bool> = Table {
+    section: "GL 2.1, table 3.18",
+    rows: &[(GL_NONE, false), (GL_COMPARE_R_TO_TEXTURE, true)],
+};
+
+const SRGB_DECODE: Table<SrgbRead> = Table {
+    section: "EXT_texture_sRGB_decode",
+    rows: &[(GL_DECODE_EXT, SrgbRead::Decode), (GL_SKIP_DECODE_EXT, SrgbRead::AsIs)],
+};
+
+/// A parameter of one number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum SamplerParameter {
+    /// Of s, t or r.
+    Wrap(u8),
+    MinFilter,
+    MagFilter,
+    MinLod,
+    MaxLod,
+    LodBias,
+    CompareMode,
+    CompareFunc,
+    MaxAnisotropy,
+    SrgbDecode,
+}
+
+pub(crate) const SAMPLER_PARAMETER: Table<SamplerParameter> = Table {
+    section: "GL 2.1, table 3.18; ARB_sampler_objects",
+    rows: &[
+        (GL_TEXTURE_WRAP_S, SamplerParameter::Wrap(0)),
+        (GL_TEXTURE_WRAP_T, SamplerParameter::Wrap(1)),
+        (GL_TEXTURE_WRAP_R, SamplerParameter::Wrap(2)),
+        (GL_TEXTURE_MIN_FILTER, SamplerParameter::MinFilter),
+        (GL_TEXTURE_MAG_FILTER, SamplerParameter::MagFilter),
+        (GL_TEXTURE_MIN_LOD, SamplerParameter::MinLod),
+        (GL_TEXTURE_MAX_LOD, SamplerParameter::MaxLod),
+        (GL_TEXTURE_LOD_BIAS, SamplerParameter::LodBias),
+        (GL_TEXTURE_COMPARE_MODE, SamplerParameter::CompareMode),
+        (GL_TEXTURE_COMPARE_FUNC, SamplerParameter::CompareFunc),
+        (GL_TEXTURE_MAX_ANISOTROPY_EXT, SamplerParameter::MaxAnisotropy),
+        (GL_TEXTURE_SRGB_DECODE_EXT, SamplerParameter::SrgbDecode),
+    ],
+};
+
+/// How a texture or sampler object is read.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct SamplerState {
+    pub sampler: Sampler,
+    /// `GL_TEXTURE_COMPARE_FUNC`, whether comparing is on or not.
+    pub compare_func: CompareFunc,
+}
+
+/// A comparison, at first `GL_LEQUAL`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct CompareFunc(pub Compare);
+
+impl Default for CompareFunc {
+    fn default() -> Self {
+        Self(Compare::LessEqual)
+    }
+}
+
+impl SamplerState {
+    /// Sets a parameter; `target` is a texture's, none a sampler object's.
+    pub fn set(
+        &mut self,
+        target: Option<TextureTarget>,
+        parameter: SamplerParameter,
+        value: f32,
+    ) -> Result<()> {
+        let sampler = &mut self.sampler;
+        let symbol = symbol(value);
+        let (wrap, min_filter) = match target {
+            Some(TextureTarget::Rect) => (&RECTANGLE_WRAP, &RECTANGLE_MIN_FILTER),
+            Some(
+                TextureTarget::D1
+                | TextureTarget::D2
+                | TextureTarget::D3
+                | TextureTarget::Cube
+                | TextureTarget::D1Array
+                | TextureTarget::D2Array
+                | TextureTarget::CubeArray
+                | TextureTarget::D2Multisample
+                | TextureTarget::D2MultisampleArray
+                | TextureTarget::Buffer,
+            )
+            | None => (&WRAP, &MIN_FILTER),
+        };
+        match parameter {
+            SamplerParameter::Wrap(axis) => {
+                sampler.wrap[usize::from(axis)] = wrap.decode("param", symbol)?;
+            }
+            SamplerParameter::MinFilter => {
+                (sampler.min, sampler.mipmap) = min_filter.decode("param", symbol)?;
+            }
+            SamplerParameter::MagFilter => sampler.mag = MAG_FILTER.decode("param", symbol)?,
+            SamplerParameter::MinLod => sampler.min_lod = value,
+            SamplerParameter::MaxLod => sampler.max_lod = value,
+            SamplerParameter::LodBias => sampler.lod_bias = lod_bias(value),
+            SamplerParameter::CompareMode => {
+                let is_on = COMPARE_MODE.decode("param", symbol)?;
+                sampler.compare = is_on.then_some(self.compare_func.0);
+            }
+            SamplerParameter::CompareFunc => {
+                let func = COMPARE.decode("param", symbol)?;
+                self.compare_func = CompareFunc(func);
+                sampler.compare = sampler.compare.map(|_| func);
+            }
+            SamplerParameter::SrgbDecode => sampler.srgb = SRGB_DECODE.decode("param", symbol)?,
+            SamplerParameter::MaxAnisotropy if value >= 1.0 => {
+                sampler.max_anisotropy = value.min(MAX_ANISOTROPY);
+            }
+            SamplerParameter::MaxAnisotropy => {
+                return invalid_value(
+                    "EXT_texture_filter_anisotropic, section 3.8.4",
+                    format!("GL_TEXTURE_MAX_ANISOTROPY_EXT = {value} must be at least 1"),
+                );
+            }
+        }
+        Ok(())
+    }
+
+    /// A parameter as a number.
+    pub fn get(&self, parameter: SamplerParameter) -> f32 {
+        let sampler = &self.sampler;
+        let symbol = |value: GLenum| value as f32;
+        match parameter {
+            SamplerParameter::Wrap(axis) => symbol(WRAP.encode(sampler.wrap[usize::from(axis)])),
+            SamplerParameter::MinFilter => symbol(MIN_FILTER.encode((sampler.min, sampler.mipmap))),
+            SamplerParameter::MagFilter => symbol(MAG_FILTER.encode(sampler.mag)),
+            SamplerParameter::MinLod => sampler.min_lod,
+            SamplerParameter::MaxLod => sampler.max_lod,
+            SamplerParameter::LodBias => sampler.lod_bias,
+            SamplerParameter::CompareMode => symbol(COMPARE_MODE.encode(sampler.compare.is_some())),
+            SamplerParameter::CompareFunc => symbol(COMPARE.encode(self.compare_func.0)),
+            SamplerParameter::MaxAnisotropy => sampler.max_anisotropy,
+            SamplerParameter::SrgbDecode => symbol(SRGB_DECODE.encode(sampler.srgb)),
+        }
+    }
+}
+
+/// The numbers of a call, as its type has them.
+#[derive(Clone, Debug)]
+pub(crate) struct Values {
+    /// As they are.
+    pub plain: Vec<f32>,
+    /// As a colour, if there are four: `glTexParameteriv` scales the whole `i32` range to [-1, 1].
+    color: Option<Border>,
+}
+
+impl Values {
+    pub fn floats(values: &[GLfloat]) -> Self {
+        Self {
+            plain: values.iter().take(4).copied().collect(),
+            color: values.first_chunk().copied().map(Border::Float),
+        }
+    }
+
+    pub fn fixed(values: &[GLint]) -> Self {
+        let color = values.first_chunk::<4>();
+        let color = color.map(|color| Border::Float(color.map(crate::state::env::signed_to_unit)));
+        Self { color, ..Self::signed(values) }
+    }
+
+    /// Of the `I` calls: a colour is what it is.
+    pub fn signed(values: &[GLint]) -> Self {
+        Self {
+            plain: values.iter().take(4).map(|&value| value as f32).collect(),
+            color: values.first_chunk().copied().map(Border::Sint),
+        }
+    }
+
+    pub fn unsigned(values: &[GLuint]) -> Self {
+        Self {
+            plain: values.iter().take(4).map(|&value| value as f32).collect(),
+            color: values.first_chunk().copied().map(Border::Uint),
+        }
+    }
+
+    /// The first number.
+    pub fn one(&self, section: &'static str, pname: GLenum) -> Result<f32> {
+        match self.plain.first() {
+            Some(&value) => Ok(value),
+            None => self.too_few(section, pname, 1),
+        }
+    }
+
+    /// All four, as a colour.
+    pub fn four(&self, section: &'static str, pname: GLenum) -> Result<Border> {
+        match self.color {
+            Some(color) => Ok(color),
+            None => self.too_few(section, pname, 4),
+        }
+    }
+
+    fn too_few<T>(&self, section: &'static str, pname: GLenum, needed: usize) -> Result<T> {
+        crate::base::error::invalid_operation(
+            section,
+            format!("params has {} of {needed} values of {}", self.plain.len(), enum_name(pname)),
+        )
+    }
+}
+
+/// What a query of a parameter reads.
+#[derive(Clone, Debug)]
+pub(crate) enum Answer {
+    Numbers(Vec<f32>),
+    /// Colours go to integers by rules of their own.
+    Color(Border),
+}
+
+impl Answer {
+    pub fn floats(&self) -> Vec<GLfloat> {
+        match self {
+            Self::Numbers(numbers) => numbers.clone(),
+            Self::Color(border) => border.floats().to_vec(),
+        }
+    }
+
+    /// As integers; of a colour, the whole `i32` range stands for [-1, 1] (GL 2.1, section 6.1.2).
+    pub fn fixed(&self) -> Vec<GLint> {
+        match self {
+            Self::Numbers(_) => self.signed(),
+            Self::Color(border) => border.floats().map(unit_to_signed).to_vec(),
+        }
+    }
+
+    /// As the `I` calls read it: a colour of integers is what it is.
+    pub fn signed(&self) -> Vec<GLint> {
+        match self {
+            Self::Numbers(numbers) => numbers.iter().map(|n| n.round() as GLint).collect(),
+            Self::Color(Border::Uint(color)) => color.map(|c| c as GLint).to_vec(),
+            Self::Color(border) => {
+                let held = |c: i64| c.clamp(GLint::MIN.into(), GLint::MAX.into()) as GLint;
+                border.integers().map(held).to_vec()
+            }
+        }
+    }
+
+    /// As [`Answer::signed`].
+    pub fn unsigned(&self) -> Vec<GLuint> {
+        match self {
+            Self::Numbers(numbers) => numbers.iter().map(|n| n.round() as GLuint).collect(),
+            Self::Color(Border::Sint(color)) => color.map(|c| c as GLuint).to_vec(),
+            Self::Color(border) => {
+                border.integers().map(|c| c.clamp(0, GLuint::MAX.into()) as GLuint).to_vec()
+            }
+        }
+    }
+}
+
+/// A parameter of several numbers given to a call of one.
+pub(crate) fn needs_vector<T>(section: &'static str, pname: GLenum, call: &str) -> Result<T> {
+    invalid_enum(section, format!("pname = {} has four components: use {call}fv", enum_name(pname)))
+}

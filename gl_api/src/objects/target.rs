@@ -1,0 +1,396 @@
+//! What textures are bound to, and which images calls name.
+
+use crate::base::constants::*;
+use crate::base::error::{Result, Table, invalid_enum, invalid_value, must_be};
+use crate::base::limits;
+use crate::base::types::*;
+use crate::glsl::Dim;
+use texunit::image::Shape;
+
+/// What a texture can be bound to; also its place in per-target arrays.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum TextureTarget {
+    D1Array,
+    D2Array,
+    CubeArray,
+    D1,
+    D2,
+    Rect,
+    D3,
+    Cube,
+    D2Multisample,
+    D2MultisampleArray,
+    Buffer,
+}
+
+impl TextureTarget {
+    /// The targets, the one that wins where several are enabled after the others (section 3.8.15;
+    /// `ARB_texture_rectangle`). Arrays, several samples and buffers are for shaders alone.
+    pub const ALL: [Self; 11] = [
+        Self::D1Array,
+        Self::D2Array,
+        Self::CubeArray,
+        Self::D1,
+        Self::D2,
+        Self::Rect,
+        Self::D3,
+        Self::Cube,
+        Self::D2Multisample,
+        Self::D2MultisampleArray,
+        Self::Buffer,
+    ];
+    /// How many there are.
+    pub const COUNT: usize = Self::ALL.len();
+
+    /// The shape of its images; every sample of a texture with several is a layer, a buffer a row.
+    pub fn shape(self) -> Shape {
+        match self {
+            Self::D1 | Self::Buffer => Shape::D1,
+            Self::D2 => Shape::D2,
+            Self::D3 => Shape::D3,
+            Self::Rect => Shape::Rect,
+            Self::Cube => Shape::Cube,
+            Self::D1Array => Shape::D1Array,
+            Self::D2Array | Self::D2Multisample | Self::D2MultisampleArray => Shape::D2Array,
+            Self::CubeArray => Shape::CubeArray,
+        }
+    }
+
+    /// What textures of this shape with one sample a texel are bound to.
+    pub fn of(shape: Shape) -> Self {
+        match shape {
+            Shape::D1 => Self::D1,
+            Shape::D2 => Self::D2,
+            Shape::D3 => Self::D3,
+            Shape::Rect => Self::Rect,
+            Shape::Cube => Self::Cube,
+            Shape::D1Array => Self::D1Array,
+            Shape::D2Array => Self::D2Array,
+            Shape::CubeArray => Self::CubeArray,
+        }
+    }
+
+    /// What a sampler of a program takes.
+    pub fn of_sampler(dim: Dim) -> Self {
+        match dim {
+            Dim::D1 => Self::D1,
+            Dim::D2 => Self::D2,
+            Dim::D3 => Self::D3,
+            Dim::Rect => Self::Rect,
+            Dim::Cube => Self::Cube,
+            Dim::D1Array => Self::D1Array,
+            Dim::D2Array => Self::D2Array,
+            Dim::CubeArray => Self::CubeArray,
+            Dim::D2Multisample => Self::D2Multisample,
+            Dim::D2MultisampleArray => Self::D2MultisampleArray,
+            Dim::Buffer => Self::Buffer,
+        }
+    }
+
+    /// Whether its textures have several samples a texel.
+    pub fn is_multisample(self) -> bool {
+        match self {
+            Self::D2Multisample | Self::D2MultisampleArray => true,
+            Self::D1
+            | Self::D2
+            | Self::D3
+            | Self::Rect
+            | Self::Cube
+            | Self::D1Array
+            | Self::D2Array
+            | Self::CubeArray
+            | Self::Buffer => false,
+        }
+    }
+
+    /// The largest width, height and depth that a call may give, border aside: the layers of a
+    /// one-dimensional array are its height.
+    pub fn limits(self) -> [u32; 3] {
+        let (side, layers) = (limits::MAX_TEXTURE_SIZE, limits::MAX_ARRAY_TEXTURE_LAYERS);
+        match self {
+            Self::D1 => [side, 1, 1],
+            Self::D2 | Self::Rect | Self::Cube | Self::D2Multisample => [side, side, 1],
+            Self::D3 => [limits::MAX_3D_TEXTURE_SIZE; 3],
+            Self::D1Array => [side, layers, 1],
+            Self::Buffer => [limits::MAX_TEXTURE_BUFFER_SIZE, 1, 1],
+            Self::D2Array | Self::CubeArray | Self::D2MultisampleArray => [side, side, layers],
+        }
+    }
+
+    /// How many levels its textures can have.
+    pub fn levels(self) -> usize {
+        match self {
+            Self::Rect | Self::D2Multisample | Self::D2MultisampleArray | Self::Buffer => 1,
+            Self::D1
+            | Self::D2
+            | Self::D3
+            | Self::Cube
+            | Self::D1Array
+            | Self::D2Array
+            | Self::CubeArray => self.limits()[0].ilog2() as usize + 1,
+        }
+    }
+
+    /// Width, height and depth of a call as those of a level: the layers of an array come last.
+    pub fn level_box<T: Copy>(self, [width, height, depth]: [T; 3]) -> [T; 3] {
+        match self {
+            Self::D1Array => [width, depth, height],
+            Self::D1
+            | Self::D2
+            | Self::D3
+            | Self::Rect
+            | Self::Cube
+            | Self::D2Array
+            | Self::CubeArray
+            | Self::D2Multisample
+            | Self::D2MultisampleArray
+            | Self::Buffer => [width, height, depth],
+        }
+    }
+}
+
+/// What `glBindTexture` takes.
+pub(crate) const TARGET: Table<TextureTarget> = Table {
+    section: "GL 2.1, section 3.8.12",
+    rows: &[
+        (GL_TEXTURE_1D, TextureTarget::D1),
+        (GL_TEXTURE_2D, TextureTarget::D2),
+        (GL_TEXTURE_3D, TextureTarget::D3),
+        (GL_TEXTURE_CUBE_MAP, TextureTarget::Cube),
+        (GL_TEXTURE_RECTANGLE, TextureTarget::Rect),
+        (GL_TEXTURE_1D_ARRAY, TextureTarget::D1Array),
+        (GL_TEXTURE_2D_ARRAY, TextureTarget::D2Array),
+        (GL_TEXTURE_CUBE_MAP_ARRAY, TextureTarget::CubeArray),
+        (GL_TEXTURE_2D_MULTISAMPLE, TextureTarget::D2Multisample),
+        (GL_TEXTURE_2D_MULTISAMPLE_ARRAY, TextureTarget::D2MultisampleArray),
+        (GL_TEXTURE_BUFFER, TextureTarget::Buffer),
+    ],
+};
+
+/// An image within a texture: the target it is bound to, and the face.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct FaceTarget {
+    pub target: TextureTarget,
+    pub face: u8,
+}
+
+/// What an image's target names.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum ImageTarget {
+    /// An image of the bound texture.
+    Bound(FaceTarget),
+    /// The answer to whether such an image could be stored (section 3.8.11).
+    Proxy(TextureTarget),
+}
+
+impl ImageTarget {
+    pub fn target(self) -> TextureTarget {
+        match self {
+            Self::Bound(FaceTarget { target, .. }) | Self::Proxy(target) => target,
+        }
+    }
+}
+
+const fn face(face: u8) -> FaceTarget {
+    FaceTarget { target: TextureTarget::Cube, face }
+}
+
+const fn whole(target: TextureTarget) -> FaceTarget {
+    FaceTarget { target, face: 0 }
+}
+
+/// The images that can be attached to a framebuffer, those of two dimensions.
+pub(crate) const FACE_TARGET: Table<FaceTarget> = Table {
+    section: "GL 2.1, section 3.8.1",
+    rows: &[
+        (GL_TEXTURE_2D, whole(TextureTarget::D2)),
+        (GL_TEXTURE_CUBE_MAP_POSITIVE_X, face(0)),
+        (GL_TEXTURE_CUBE_MAP_NEGATIVE_X, face(1)),
+        (GL_TEXTURE_CUBE_MAP_POSITIVE_Y, face(2)),
+        (GL_TEXTURE_CUBE_MAP_NEGATIVE_Y, face(3)),
+        (GL_TEXTURE_CUBE_MAP_POSITIVE_Z, face(4)),
+        (GL_TEXTURE_CUBE_MAP_NEGATIVE_Z, face(5)),
+        (GL_TEXTURE_RECTANGLE, whole(TextureTarget::Rect)),
+        (GL_TEXTURE_2D_MULTISAMPLE, whole(TextureTarget::D2Multisample)),
+    ],
+};
+
+/// What `glFramebufferTexture1D` (1), `2D` (2) or `3D` (3) names as `textarget`.
+pub(crate) fn attachable_target(axes: usize, textarget: GLenum) -> Result<FaceTarget> {
+    const LINES: Table<FaceTarget> = Table {
+        section: "ARB_framebuffer_object, section 4.4.2",
+        rows: &[(GL_TEXTURE_1D, whole(TextureTarget::D1))],
+    };
+    const VOLUMES: Table<FaceTarget> = Table {
+        section: "ARB_framebuffer_object, section 4.4.2",
+        rows: &[(GL_TEXTURE_3D, whole(TextureTarget::D3))],
+    };
+    let table = match axes {
+        1 => &LINES,
+        2 => &FACE_TARGET,
+        _ => &VOLUMES,
+    };
+    table.decode("textarget", textarget)
+}
+
+const SECTION: &str = "GL 2.1, section 3.8.1";
+
+const IMAGE_1D: Table<ImageTarget> = Table {
+    section: SECTION,
+    rows: &[
+        (GL_TEXTURE_1D, ImageTarget::Bound(whole(TextureTarget::D1))),
+        (GL_PROXY_TEXTURE_1D, ImageTarget::Proxy(TextureTarget::D1)),
+    ],
+};
+
+const IMAGE_2D: Table<ImageTarget> = Table {
+    section: SECTION,
+    rows: &[
+        (GL_TEXTURE_2D, ImageTarget::Bound(whole(TextureTarget::D2))),
+        (GL_TEXTURE_CUBE_MAP_POSITIVE_X, ImageTarget::Bound(face(0))),
+        (GL_TEXTURE_CUBE_MAP_NEGATIVE_X, ImageTarget::Bound(face(1))),
+        (GL_TEXTURE_CUBE_MAP_POSITIVE_Y, ImageTarget::Bound(face(2))),
+        (GL_TEXTURE_CUBE_MAP_NEGATIVE_Y, ImageTarget::Bound(face(3))),
+        (GL_TEXTURE_CUBE_MAP_POSITIVE_Z, ImageTarget::Bound(face(4))),
+        (GL_TEXTURE_CUBE_MAP_NEGATIVE_Z, ImageTarget::Bound(face(5))),
+        (GL_TEXTURE_RECTANGLE, ImageTarget::Bound(whole(TextureTarget::Rect))),
+        (GL_TEXTURE_1D_ARRAY, ImageTarget::Bound(whole(TextureTarget::D1Array))),
+        (GL_PROXY_TEXTURE_2D, ImageTarget::Proxy(TextureTarget::D2)),
+        (GL_PROXY_TEXTURE_CUBE_MAP, ImageTarget::Proxy(TextureTarget::Cube)),
+        (GL_PROXY_TEXTURE_RECTANGLE, ImageTarget::Proxy(TextureTarget::Rect)),
+        (GL_PROXY_TEXTURE_1D_ARRAY, ImageTarget::Proxy(TextureTarget::D1Array)),
+    ],
+};
+
+const IMAGE_3D: Table<ImageTarget> = Table {
+    section: SECTION,
+    rows: &[
+        (GL_TEXTURE_3D, ImageTarget::Bound(whole(TextureTarget::D3))),
+        (GL_TEXTURE_2D_ARRAY, ImageTarget::Bound(whole(TextureTarget::D2Array))),
+        (GL_TEXTURE_CUBE_MAP_ARRAY, ImageTarget::Bound(whole(TextureTarget::CubeArray))),
+        (GL_PROXY_TEXTURE_3D, ImageTarget::Proxy(TextureTarget::D3)),
+        (GL_PROXY_TEXTURE_2D_ARRAY, ImageTarget::Proxy(TextureTarget::D2Array)),
+        (GL_PROXY_TEXTURE_CUBE_MAP_ARRAY, ImageTarget::Proxy(TextureTarget::CubeArray)),
+    ],
+};
+
+/// The images with several samples a texel, which only calls of their own specify
+/// (`ARB_texture_multisample`, section 3.8.X).
+pub(crate) const IMAGE_2D_MULTISAMPLE: Table<ImageTarget> = Table {
+    section: "ARB_texture_multisample, section 3.8.X",
+    rows: &[
+        (GL_TEXTURE_2D_MULTISAMPLE, ImageTarget::Bound(whole(TextureTarget::D2Multisample))),
+        (GL_PROXY_TEXTURE_2D_MULTISAMPLE, ImageTarget::Proxy(TextureTarget::D2Multisample)),
+    ],
+};
+
+/// Arrays of them.
+pub(crate) const IMAGE_3D_MULTISAMPLE: Table<ImageTarget> = Table {
+    section: "ARB_texture_multisample, section 3.8.X",
+    rows: &[
+        (
+            GL_TEXTURE_2D_MULTISAMPLE_ARRAY,
+            ImageTarget::Bound(whole(TextureTarget::D2MultisampleArray)),
+        ),
+        (
+            GL_PROXY_TEXTURE_2D_MULTISAMPLE_ARRAY,
+            ImageTarget::Proxy(TextureTarget::D2MultisampleArray),
+        ),
+    ],
+};
+
+/// The texels of a buffer, which are specified as a buffer's bytes.
+const IMAGE_BUFFER: Table<ImageTarget> = Table {
+    section: "ARB_texture_buffer_object, section 6.1.3",
+    rows: &[(GL_TEXTURE_BUFFER, ImageTarget::Bound(whole(TextureTarget::Buffer)))],
+};
+
+/// The dimensions that a call's name ends in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Dimensions {
+    One,
+    Two,
+    Three,
+}
+
+impl Dimensions {
+    const ALL: [Self; 3] = [Self::One, Self::Two, Self::Three];
+
+    fn table(self) -> &'static Table<ImageTarget> {
+        match self {
+            Self::One => &IMAGE_1D,
+            Self::Two => &IMAGE_2D,
+            Self::Three => &IMAGE_3D,
+        }
+    }
+
+    /// The image that `target` names, or a proxy.
+    pub fn image(self, target: GLenum) -> Result<ImageTarget> {
+        self.table().decode("target", target)
+    }
+
+    /// The image that `target` names; proxies have no texels.
+    pub fn bound(self, target: GLenum) -> Result<FaceTarget> {
+        refuse_proxy(target, self.image(target)?)
+    }
+}
+
+fn refuse_proxy(target: GLenum, image: ImageTarget) -> Result<FaceTarget> {
+    match image {
+        ImageTarget::Bound(target) => Ok(target),
+        ImageTarget::Proxy(_) => invalid_enum(
+            "GL 2.1, section 3.8.11",
+            format!("target = {} is a proxy, which has no texels", enum_name(target)),
+        ),
+    }
+}
+
+/// The image of any number of dimensions that `target` names, or a proxy.
+pub(crate) fn any_image(target: GLenum) -> Result<ImageTarget> {
+    match Dimensions::ALL.into_iter().find_map(|dimensions| dimensions.table().get(target)) {
+        Some(image) => Ok(image),
+        None => invalid_enum(
+            SECTION,
+            format!(
+                "target = {} {}",
+                enum_name(target),
+                must_be(
+                    target,
+                    &[IMAGE_1D.values(), IMAGE_2D.values(), IMAGE_3D.values()].concat()
+                )
+            ),
+        ),
+    }
+}
+
+/// What `target` names of which something is known: an image with any number of samples, a proxy, or
+/// the texels of a buffer.
+pub(crate) fn any_known(target: GLenum) -> Result<ImageTarget> {
+    let special = [&IMAGE_2D_MULTISAMPLE, &IMAGE_3D_MULTISAMPLE, &IMAGE_BUFFER];
+    match special.into_iter().find_map(|table| table.get(target)) {
+        Some(image) => Ok(image),
+        None => any_image(target),
+    }
+}
+
+/// The image of any number of dimensions that `target` names; proxies have no texels.
+pub(crate) fn any_bound(target: GLenum) -> Result<FaceTarget> {
+    refuse_proxy(target, any_image(target)?)
+}
+
+/// A level number that a texture of this target can have.
+pub(crate) fn checked_level(
+    section: &'static str,
+    target: TextureTarget,
+    level: GLint,
+) -> Result<usize> {
+    let levels = target.levels();
+    match usize::try_from(level) {
+        Ok(level) if level < levels => Ok(level),
+        _ if levels == 1 => invalid_value(
+            section,
+            format!("level = {level} of {} must be 0", enum_name(TARGET.encode(target))),
+        ),
+        _ => invalid_value(section, format!("level = {level} must be 0 to {}", levels - 1)),
+    }
+}

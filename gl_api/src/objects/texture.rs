@@ -1,0 +1,239 @@
+//! Texture images: GL 2.1, section 3.8.
+//!
+//! The modules in the order in which pixels pass through them: how they lie in the client's memory,
+//! scale and bias, which images and internal formats there are, the conversion between both, the
+//! calls that specify images, parameters, mipmaps, and reading back.
+
+use crate::base::constants::*;
+use crate::base::error::{ErrorCode, GlError};
+use crate::base::limits;
+use crate::base::types::*;
+use crate::objects::sampler::SamplerState;
+pub(crate) use crate::objects::target::TextureTarget;
+use crate::objects::texture_buffer::DataStore;
+use crate::pixel::internal::format_name;
+use rasterizer::driver::{Device, Image};
+use std::sync::Arc;
+use texunit::format::Format;
+use texunit::image::{Image as Texels, ImageError, Incomplete};
+use texunit::plan::SamplePlan;
+use texunit::sampler::{Filter, Mipmap, Sampler, Wrap};
+
+/// A texture object.
+#[derive(Debug)]
+pub(crate) struct Texture {
+    pub target: TextureTarget,
+    pub image: Image,
+    pub state: SamplerState,
+    /// Whether a change of the base level makes the others anew.
+    pub generate_mipmap: bool,
+    pub priority: f32,
+    /// How many levels it was given for good (`ARB_texture_storage`).
+    pub immutable: Option<u32>,
+    /// What was asked for of its samples, if it has several.
+    pub samples: Option<Samples>,
+    /// Where its texels come from, if it is a buffer texture.
+    pub store: DataStore,
+    /// The internal format that was asked for, by face and level.
+    pub requested: Vec<[GLenum; limits::MAX_TEXTURE_LEVELS]>,
+    /// How it was sampled last, until something changes.
+    plan: Option<Planned>,
+    /// Whether no draw has its texels yet.
+    is_new: bool,
+}
+
+/// How a texture is sampled with some sampler state.
+#[derive(Debug)]
+struct Planned {
+    sampler: Sampler,
+    plan: Arc<SamplePlan>,
+    draws: Draws,
+}
+
+/// How many draws had the same plan.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Draws {
+    One,
+    Several,
+}
+
+impl Planned {
+    /// The plan for one more draw. Texels that stay are looked through, once: draws are quicker then.
+    fn again(&mut self) -> Arc<SamplePlan> {
+        if std::mem::replace(&mut self.draws, Draws::Several) == Draws::One
+            && let Some(opaque) = self.plan.without_alpha()
+        {
+            self.plan = Arc::new(opaque);
+        }
+        Arc::clone(&self.plan)
+    }
+}
+
+/// The sampler state of a new texture (GL 2.1, table 6.16; `ARB_texture_rectangle`).
+fn default_sampler(target: TextureTarget) -> Sampler {
+    match target {
+        TextureTarget::Rect => Sampler {
+            wrap: [Wrap::ClampToEdge; 3],
+            min: Filter::Linear,
+            mipmap: Mipmap::None,
+            ..Sampler::default()
+        },
+        // Its texels are fetched, never filtered: integers are as good as others.
+        TextureTarget::D2Multisample
+        | TextureTarget::D2MultisampleArray
+        | TextureTarget::Buffer => Sampler {
+            wrap: [Wrap::ClampToEdge; 3],
+            min: Filter::Nearest,
+            mag: Filter::Nearest,
+            mipmap: Mipmap::None,
+            ..Sampler::default()
+        },
+        TextureTarget::D1
+        | TextureTarget::D2
+        | TextureTarget::D3
+        | TextureTarget::Cube
+        | TextureTarget::D1Array
+        | TextureTarget::D2Array
+        | TextureTarget::CubeArray => Sampler::default(),
+    }
+}
+
+/// The samples of an image that has several a texel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Samples {
+    /// How many there are.
+    pub count: u8,
+    /// Whether they were asked to lie alike in all texels, which they always do.
+    pub fixed_locations: bool,
+}
+
+/// An image that a proxy was asked about and that could be stored (GL 2.1, section 3.8.11).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Proxy {
+    /// Width, height and depth of the level, without border.
+    pub size: [u32; 3],
+    pub border: u32,
+    pub internal: GLenum,
+    pub format: Format,
+    pub samples: Option<Samples>,
+}
+
+/// The levels that each target's proxy was last asked about.
+pub(crate) type Proxies = [[Option<Proxy>; limits::MAX_TEXTURE_LEVELS]; TextureTarget::COUNT];
+
+impl Texture {
+    pub fn new(target: TextureTarget) -> Self {
+        let shape = target.shape();
+        Self {
+            target,
+            image: Image::new(Texels::new(shape)),
+            state: SamplerState { sampler: default_sampler(target), ..SamplerState::default() },
+            generate_mipmap: false,
+            priority: 1.0,
+            immutable: None,
+            samples: None,
+            store: DataStore::default(),
+            requested: vec![[GL_NONE; limits::MAX_TEXTURE_LEVELS]; shape.faces()],
+            plan: None,
+            is_new: true,
+        }
+    }
+
+    /// The sampler state with base and largest level held in the levels that it has for good.
+    pub fn sampler(&self) -> Sampler {
+        let mut sampler = self.state.sampler.clone();
+        if let Some(levels) = self.immutable {
+            sampler.base_level = sampler.base_level.min(levels - 1);
+            sampler.max_level = sampler.max_level.clamp(sampler.base_level, levels - 1);
+        }
+        sampler
+    }
+
+    /// To be called after every change but that of parameters, which a plan is asked for with.
+    pub fn changed(&mut self) {
+        self.plan = None;
+    }
+
+    /// To be called after every change of texels.
+    pub fn texels_changed(&mut self) {
+        self.changed();
+        self.is_new = true;
+    }
+
+    /// The bytes of its texels if no draw had them before, and none if one had.
+    pub fn new_bytes(&mut self) -> usize {
+        if !std::mem::take(&mut self.is_new) {
+            return 0;
+        }
+        let texels = self.image.texels();
+        let faces = 0..self.target.shape().faces();
+        let levels = |face| (0..limits::MAX_TEXTURE_LEVELS).map(move |level| (face, level));
+        let all = faces.flat_map(levels).filter_map(|(face, level)| texels.level(face, level));
+        all.map(|level| level.texels.len()).sum()
+    }
+
+    /// How it is sampled with this state. The device's threads bring its texels up to date.
+    pub fn plan(&mut self, device: &Device, sampler: &Sampler) -> Arc<SamplePlan> {
+        if let Some(planned) = self.plan.as_mut().filter(|planned| planned.sampler == *sampler) {
+            return planned.again();
+        }
+        let plan = Arc::new(SamplePlan::new(&device.texels(&self.image), sampler));
+        let first = Planned { sampler: sampler.clone(), plan, draws: Draws::One };
+        Arc::clone(&self.plan.insert(first).plan)
+    }
+
+    /// Whether the base level's texels are floats or integers, not fractions.
+    pub fn has_wide_texels(&self) -> bool {
+        let base = self.sampler().base_level as usize;
+        self.image.level(0, base).is_some_and(|level| crate::pixel::texel::is_wide(level.format))
+    }
+
+    /// Why it cannot be sampled, if so.
+    pub fn incomplete_reason(&self, sampler: &Sampler) -> Option<String> {
+        if let Some(planned) = &self.plan
+            && planned.sampler == *sampler
+            && planned.plan.incomplete().is_none()
+        {
+            return None;
+        }
+        if self.target == TextureTarget::Buffer {
+            return self.store.incomplete_reason();
+        }
+        if self.target.is_multisample() && self.image.level(0, 0).is_none() {
+            return Some("it has no image: give it one with glTexImage2DMultisample or 3D".into());
+        }
+        let reason = self.image.texels().completeness(sampler).err()?;
+        Some(match reason {
+            Incomplete::MixedFormats { got, expected, .. } => {
+                format!("{reason}: {} is not {}", format_name(got), format_name(expected))
+            }
+            Incomplete::FilteredIntegers { format, .. } => {
+                format!("{reason} (they are of {})", format_name(format))
+            }
+            Incomplete::NoBase { .. }
+            | Incomplete::Empty { .. }
+            | Incomplete::NoLevels { .. }
+            | Incomplete::Missing { .. }
+            | Incomplete::WrongSize { .. }
+            | Incomplete::MixedBorders { .. }
+            | Incomplete::NotSquare { .. }
+            | Incomplete::UnequalFaces { .. } => reason.to_string(),
+        })
+    }
+}
+
+/// What an image that cannot be stored means to the client.
+pub(crate) fn storage_error(section: &'static str, error: &ImageError) -> GlError {
+    let code = match error {
+        ImageError::NoMean { .. } | ImageError::CutsBlocks { .. } => ErrorCode::InvalidOperation,
+        ImageError::TooLarge { .. }
+        | ImageError::NotCubes { .. }
+        | ImageError::OutOfMemory { .. }
+        | ImageError::WrongBorder { .. }
+        | ImageError::TooShort { .. }
+        | ImageError::Outside { .. }
+        | ImageError::NoSuchLevel { .. }
+        | ImageError::Missing { .. } => ErrorCode::OutOfMemory,
+    };
+    GlError::new(code, section, error.to_string())
+}

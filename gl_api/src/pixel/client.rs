@@ -1,0 +1,101 @@
+//! Pixels in the client's memory: formats and types, and which of them go together (GL 2.1, tables
+//! 3.5, 3.6 and 3.8).
+//!
+//! Every component is an `f64`, which holds each of GL's types exactly.
+
+pub(crate) mod element;
+pub(crate) mod format;
+
+pub(crate) use crate::pixel::client::element::{ClientType, TYPE};
+pub(crate) use crate::pixel::client::format::{ClientFormat, FORMAT, Numbers};
+
+use crate::base::constants::*;
+use crate::base::error::{Result, invalid_enum, invalid_operation};
+use crate::base::types::*;
+use crate::pixel::client::format::ClientFormat::{ColorIndex, DepthStencil, Rgb, Stencil};
+use crate::pixel::client::format::Numbers::{Fixed, Integer};
+
+/// Format and type of a call, which go together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Pixel {
+    pub format: ClientFormat,
+    pub numbers: Numbers,
+    pub ty: ClientType,
+}
+
+impl Pixel {
+    /// The pixels of `glBitmap`.
+    pub const BIT: Self = Self { format: ColorIndex, numbers: Fixed, ty: ClientType::Bit };
+
+    /// What a call's `format` and `type` name.
+    ///
+    /// # Errors
+    /// `GL_INVALID_ENUM` for unknown ones, for integers written as floats, and for bits that are no
+    /// indices,
+    /// `GL_INVALID_OPERATION` for packed types that hold another number of components
+    /// (GL 2.1, table 3.8).
+    pub fn new(format: GLenum, ty: GLenum) -> Result<Self> {
+        let pixel = Self::decoded(format, ty)?;
+        let refuse = |what: &str| {
+            invalid_operation(
+                "GL 2.1, table 3.8",
+                format!("type = {} takes {what}, not {}", enum_name(ty), enum_name(format)),
+            )
+        };
+        let (count, rgb) = (pixel.format.components(), pixel.format == Rgb);
+        match pixel.ty {
+            ClientType::Packed(packed) if packed.bits.len() == 3 && !rgb => refuse("GL_RGB"),
+            ClientType::Packed(packed) if packed.bits.len() != count => {
+                refuse("GL_RGBA or GL_BGRA")
+            }
+            ClientType::Rgb9E5 | ClientType::R11G11B10F if !rgb || pixel.numbers == Integer => {
+                refuse("GL_RGB")
+            }
+            ClientType::Depth24Stencil8 | ClientType::Depth32FStencil8
+                if pixel.format != DepthStencil =>
+            {
+                refuse("GL_DEPTH_STENCIL")
+            }
+            _ => Ok(pixel),
+        }
+    }
+
+    fn decoded(format: GLenum, ty: GLenum) -> Result<Self> {
+        let (name, ty_name) = (format, ty);
+        let (format, numbers) = FORMAT.decode("format", name)?;
+        let ty = TYPE.decode("type", ty_name)?;
+        let refuse = |section, what: &str| {
+            invalid_enum(
+                section,
+                format!("type = {} with {}: {what}", enum_name(ty_name), enum_name(name)),
+            )
+        };
+        match (format, numbers, ty) {
+            (Stencil | ColorIndex, _, ty) => Ok(Self { format, numbers, ty }),
+            (_, _, ClientType::Bit) => {
+                refuse("GL 2.1, section 3.6.4", "bits are GL_COLOR_INDEX or GL_STENCIL_INDEX")
+            }
+            (_, Integer, ty) if ty.is_float() => {
+                refuse("EXT_texture_integer, section 3.6.4", "integers are not written as floats")
+            }
+            (DepthStencil, _, ClientType::Depth24Stencil8 | ClientType::Depth32FStencil8) => {
+                Ok(Self { format, numbers, ty })
+            }
+            (DepthStencil, ..) => refuse(
+                "EXT_packed_depth_stencil, section 3.6.4",
+                "must be GL_UNSIGNED_INT_24_8 or GL_FLOAT_32_UNSIGNED_INT_24_8_REV",
+            ),
+            (_, _, ty) => Ok(Self { format, numbers, ty }),
+        }
+    }
+
+    /// What its integers mean: an index is itself, whatever becomes of it.
+    pub fn elements(self, stored: Numbers) -> Numbers {
+        if self.format == ColorIndex { Integer } else { stored }
+    }
+
+    /// Bytes of a pixel; of a bit, those of the index that it is taken apart to.
+    pub fn bytes(self) -> usize {
+        self.ty.size() * self.ty.elements(self.format.components())
+    }
+}

@@ -1,0 +1,470 @@
+//! Pixels in the client's memory to stored texels and back, and texels of one format to another.
+//!
+//! Pixels go 64 at a time through `f64`: the numbers of a record → R, G, B, A → transfer → the numbers of
+//! another. Which goes where is decided once; where nothing is done to them and both records have the same
+//! bits for the same numbers, those are moved ([`texunit::pixel`]).
+
+use crate::pixel::client::element::ClientType;
+use crate::pixel::client::format::{ClientFormat, LuminanceOf, Numbers};
+use crate::pixel::layout::Layout;
+use crate::pixel::texel;
+use crate::pixel::transfer::{Kind, Steps, Transfer};
+use crate::state::clamp::Clamp;
+use rasterizer::driver::SrgbWrite;
+use texunit::format::{Encoding, Field, Format};
+use texunit::image::Level;
+use texunit::lanes::{F64s, Isa, LANES};
+use texunit::pixel;
+use texunit::pixel::{Change, Code, Moves, Record, Source};
+
+/// The last steps on the way to the client (GL 2.1, section 4.3.2, final conversion).
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Final {
+    pub luminance: LuminanceOf,
+    /// Whether components are clamped to [0, 1], whatever the client's numbers can hold.
+    pub clamp: Clamp,
+}
+
+impl Final {
+    /// The steps for texels of a format: fractions stay fractions.
+    pub fn of(format: Format, luminance: LuminanceOf) -> Self {
+        let is_fraction = format.info().encoding.range() == Some(Encoding::UNIT);
+        let clamp = if is_fraction && !format.has_stencil() { Clamp::On } else { Clamp::Off };
+        Self { luminance, clamp }
+    }
+}
+
+/// What the numbers of a record are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Side {
+    Client(ClientFormat),
+    Texel(Format),
+}
+
+impl Side {
+    /// The numbers as R, G, B, A.
+    fn rgba<T: Copy>(self, numbers: [T; 4], zero: T, one: T) -> [T; 4] {
+        match self {
+            Self::Client(format) => format.expand(numbers, zero, one),
+            Self::Texel(format) => texel::rgba(format, numbers, zero, one),
+        }
+    }
+
+    /// The numbers of R, G, B, A.
+    fn numbers<T: Copy>(self, rgba: [T; 4], zero: T, luminance: T) -> [T; 4] {
+        match self {
+            Self::Client(format) => format.select(rgba, zero, luminance),
+            Self::Texel(format) => texel::channels(format, rgba),
+        }
+    }
+}
+
+/// What lies at one end of a conversion, and how.
+struct End {
+    side: Side,
+    record: Record,
+}
+
+impl End {
+    fn client(layout: &Layout, numbers: Numbers) -> Self {
+        let pixel = layout.pixel;
+        let record = pixel.ty.record(pixel.format.components(), numbers, layout.order.in_memory());
+        Self { side: Side::Client(pixel.format), record }
+    }
+
+    fn texel(format: Format) -> Self {
+        Self { side: Side::Texel(format), record: Record::of(format) }
+    }
+
+    /// The stencils of texels.
+    fn stencil(format: Format) -> Self {
+        Self { side: Side::Client(ClientFormat::Stencil), record: Record::of_stencil(format) }
+    }
+
+    /// Colours as they are copied: sRGB as light where it is written so.
+    fn color(format: Format, srgb: SrgbWrite) -> Self {
+        let record = match srgb {
+            SrgbWrite::AsIs => Record::of(format),
+            SrgbWrite::Encode => Record::of_light(format),
+        };
+        Self { side: Side::Texel(format), record }
+    }
+
+    /// Whether a luminance is made of R, G and B.
+    fn is_sum(&self, luminance: LuminanceOf) -> bool {
+        match self.side {
+            Side::Client(ClientFormat::Luminance | ClientFormat::LuminanceAlpha) => {
+                luminance == LuminanceOf::Sum
+            }
+            Side::Client(_) | Side::Texel(_) => false,
+        }
+    }
+}
+
+/// One way from pixels to pixels.
+pub(crate) struct Conversion<'a> {
+    isa: Isa,
+    from: End,
+    to: End,
+    steps: Steps<'a>,
+    luminance: LuminanceOf,
+    /// What is done to numbers last.
+    ending: Option<Change>,
+    /// Where nothing is done to numbers that have the same bits at both ends.
+    moves: Option<Moves>,
+}
+
+impl<'a> Conversion<'a> {
+    fn new(
+        isa: Isa,
+        [from, to]: [End; 2],
+        steps: Steps<'a>,
+        luminance: LuminanceOf,
+        ending: Option<Change>,
+    ) -> Self {
+        let fields = from.record.fields();
+        let is_byte = |&(field, code): &(Field, Code)| code == Code::Uint && field.bits <= 8;
+        let steps = if fields.iter().all(is_byte) { steps.of_byte_stencils() } else { steps };
+        let is_fraction = |&(_, code): &(Field, Code)| match code {
+            Code::Unorm | Code::Srgb | Code::Depth => true,
+            Code::Fixed | Code::Snorm | Code::Uint | Code::Sint | Code::SnormSteps => false,
+            Code::Float | Code::SharedExponent => false,
+        };
+        // What is within [0, 1] and stays there.
+        let is_clamped =
+            steps.is_identity() && !to.is_sum(luminance) && fields.iter().all(is_fraction);
+        let ending = ending.filter(|&ending| ending != Change::Clamp || !is_clamped);
+        let mut conversion = Self { isa, from, to, steps, luminance, ending, moves: None };
+        conversion.moves = conversion.moves();
+        conversion
+    }
+
+    /// To texels, which hold what their format can.
+    fn to_texels(isa: Isa, from: End, format: Format, steps: Steps<'a>) -> Self {
+        Self::new(isa, [from, End::texel(format)], steps, LuminanceOf::Red, None)
+    }
+
+    /// The client's pixels as texels.
+    pub fn unpack(isa: Isa, layout: &Layout, format: Format, transfer: &'a Transfer) -> Self {
+        let numbers = texel::numbers(format, layout.pixel.numbers);
+        let steps = transfer.of(layout.pixel.format.kind(), numbers);
+        let from = End::client(layout, layout.pixel.elements(numbers));
+        Self::to_texels(isa, from, format, steps)
+    }
+
+    /// Texels as the client's pixels.
+    pub fn pack(
+        isa: Isa,
+        layout: &Layout,
+        format: Format,
+        transfer: &'a Transfer,
+        last: Final,
+    ) -> Self {
+        let pixel = layout.pixel;
+        let numbers = texel::numbers(format, pixel.numbers);
+        let steps = transfer.of(pixel.format.kind(), numbers);
+        let from = match pixel.format.kind() {
+            Kind::Stencil => End::stencil(format),
+            Kind::Color | Kind::ColorIndex | Kind::Depth | Kind::DepthStencil => End::texel(format),
+        };
+        let ends = [from, End::client(layout, numbers)];
+        let ending = match (pixel.format, pixel.ty, last.clamp) {
+            // As a byte with a sign has them (GL 2.1, section 4.3.2).
+            (ClientFormat::Stencil, ClientType::I8, _) => Some(Change::SevenBits),
+            (_, _, Clamp::On) => Some(Change::Clamp),
+            (_, _, Clamp::Off) => None,
+        };
+        Self::new(isa, ends, steps, last.luminance, ending)
+    }
+
+    /// Texels of one format as texels of another, as a copy from a framebuffer makes them: luminance
+    /// and intensity take R (GL 2.1, table 3.15).
+    pub fn between(isa: Isa, from: Format, to: Format, transfer: &'a Transfer) -> Self {
+        let kind = if from.is_depth() { Kind::Depth } else { Kind::Color };
+        let steps = transfer.of(kind, crate::calls::framebuffer::read::numbers_of(from));
+        Self::to_texels(isa, End::texel(from), to, steps)
+    }
+
+    /// Colours of one format as those of another, as a blit has them.
+    pub fn blit(isa: Isa, from: Format, to: Format, srgb: SrgbWrite) -> Self {
+        let ends = [from, to].map(|format| End::color(format, srgb));
+        Self::new(isa, ends, Steps::IDENTITY, LuminanceOf::Red, None)
+    }
+
+    /// The stencils of texels as bytes.
+    pub fn stencils(isa: Isa, from: Format, transfer: &'a Transfer) -> Self {
+        let steps = transfer.of(Kind::Stencil, Numbers::Integer);
+        Self::to_texels(isa, End::stencil(from), Format::R8UI, steps)
+    }
+
+    /// Bytes as the stencils of texels, whose depths are 0.
+    pub fn to_stencils(isa: Isa, to: Format) -> Self {
+        let side = Side::Client(ClientFormat::Stencil);
+        let ends = [End { side, record: Record::of(Format::R8UI) }, End::stencil(to)];
+        Self::new(isa, ends, Steps::IDENTITY, LuminanceOf::Red, None)
+    }
+
+    /// Where each number comes from, if nothing is done to any.
+    fn moves(&self) -> Option<Moves> {
+        if self.ending.is_some() || !self.steps.is_identity() || self.to.is_sum(self.luminance) {
+            return None;
+        }
+        let fields = [0, 1, 2, 3].map(Source::Field);
+        let rgba = self.from.side.rgba(fields, Source::Zero, Source::One);
+        let sources = self.to.side.numbers(rgba, Source::Zero, rgba[0]);
+        Moves::new(self.isa, &self.from.record, &self.to.record, sources)
+    }
+
+    /// The client's pixels themselves, where they are what they become, and tightly packed.
+    fn copied<'b>(&self, layout: &Layout, bytes: &'b [u8]) -> Option<&'b [u8]> {
+        let [_, height, depth] = layout.size;
+        let run = layout.row_bytes();
+        let is_tight = (height == 1 || layout.stride == run)
+            && (depth == 1 || layout.image_stride == run * height);
+        let same = || &bytes[layout.start..layout.start + run * height * depth];
+        (is_tight && self.is_copy(layout)).then(same)
+    }
+
+    /// Whether the client's pixels are what they become, or come from.
+    pub fn is_copy(&self, layout: &Layout) -> bool {
+        layout.bits.is_none() && self.moves.as_ref().is_some_and(Moves::is_copy)
+    }
+
+    /// Whether numbers are moved as they are.
+    pub fn is_moved(&self) -> bool {
+        self.moves.is_some()
+    }
+
+    /// R, G, B and A of up to 64 pixels that lie one after the other.
+    pub fn read(&self, from: &[u8]) -> [F64s; 4] {
+        let mut numbers = [F64s::ZERO; 4];
+        pixel::read(self.isa, &self.from.record, from, &mut numbers);
+        self.from.side.rgba(numbers, F64s::ZERO, F64s::splat(1.0))
+    }
+
+    /// Up to 64 pixels of these R, G, B and A.
+    pub fn write(&self, rgba: &[F64s; 4], to: &mut [u8]) {
+        let numbers = self.to.side.numbers(rgba.each_ref(), &F64s::ZERO, &rgba[0]);
+        pixel::write(self.isa, &self.to.record, numbers, to);
+    }
+
+    /// Converts pixels that lie one after the other: as many as `from` has.
+    pub fn run(&self, from: &[u8], to: &mut [u8]) {
+        match &self.moves {
+            Some(moves) => {
+                let (from_record, to_record) = (&self.from.record, &self.to.record);
+                pixel::move_all(self.isa, moves, (from_record, from), (to_record, to));
+            }
+            None => self.compute(from, to),
+        }
+    }
+
+    /// A row of the client's memory, from where it begins there, as texels.
+    pub fn unpack_row(&self, layout: &Layout, row: &[u8], texels: &mut [u8]) {
+        let row = &row[..layout.row_bytes()];
+        match apart(layout, row) {
+            Some(bytes) => self.run(&bytes, texels),
+            None => self.run(row, texels),
+        }
+    }
+
+    /// A row of texels into the client's memory from where it begins there.
+    pub fn pack_row(&self, layout: &Layout, row: &[u8], out: &mut [u8]) {
+        let out = &mut out[..layout.row_bytes()];
+        let Some(bits) = layout.bits else { return self.run(row, out) };
+        let mut indices = vec![0; layout.size[0]];
+        self.run(row, &mut indices);
+        indices.iter().enumerate().for_each(|(column, &index)| bits.put(out, column, index));
+    }
+
+    /// [`Conversion::run`] through `f64`.
+    fn compute(&self, from: &[u8], to: &mut [u8]) {
+        const ZEROS: &F64s = &F64s::ZERO;
+        const ONES: &F64s = &F64s::splat(1.0);
+        let [mut read, mut changed, mut ended] = [[F64s::ZERO; 4]; 3];
+        let runs = from.chunks(LANES * self.from.record.bytes());
+        for (from, to) in runs.zip(to.chunks_mut(LANES * self.to.record.bytes())) {
+            pixel::read(self.isa, &self.from.record, from, &mut read);
+            let mut rgba = self.from.side.rgba(read.each_ref(), ZEROS, ONES);
+            if !self.steps.is_identity() {
+                self.steps.apply(self.isa, rgba, &mut changed);
+                rgba = changed.each_ref();
+            }
+            let mut luminance = *rgba[0];
+            if self.to.is_sum(self.luminance) {
+                for numbers in &rgba[1..3] {
+                    pixel::add(self.isa, 1.0, &numbers.0, &mut luminance.0);
+                }
+            }
+            let numbers = self.to.side.numbers(rgba, ZEROS, &luminance);
+            let Some(ending) = self.ending else {
+                pixel::write(self.isa, &self.to.record, numbers, to);
+                continue;
+            };
+            for (numbers, out) in numbers.into_iter().zip(&mut ended) {
+                pixel::change(self.isa, ending, numbers, out);
+            }
+            pixel::write(self.isa, &self.to.record, ended.each_ref(), to);
+        }
+    }
+}
+
+/// The bits of a row as bytes, one for each.
+fn apart(layout: &Layout, row: &[u8]) -> Option<Vec<u8>> {
+    let bits = layout.bits?;
+    Some((0..layout.size[0]).map(|column| bits.at(row, column)).collect())
+}
+
+/// The client's pixels as texels of `format`, tightly packed into `texels`. `bytes` has
+/// `layout.needed` bytes.
+pub(crate) fn unpack(
+    isa: Isa,
+    layout: &Layout,
+    bytes: &[u8],
+    format: Format,
+    transfer: &Transfer,
+    texels: &mut [u8],
+) {
+    if layout.needed == 0 {
+        return;
+    }
+    let conversion = Conversion::unpack(isa, layout, format, transfer);
+    if let Some(same) = conversion.copied(layout, bytes) {
+        texels.copy_from_slice(same);
+        return;
+    }
+    let run = layout.size[0] * format.bytes();
+    for (at, out) in layout.rows().zip(texels.chunks_exact_mut(run)) {
+        conversion.unpack_row(layout, &bytes[at..], out);
+    }
+}
+
+/// The client's pixels themselves, where they are texels of `format`, tightly packed; never those
+/// of a compressed format.
+pub(crate) fn as_texels<'a>(
+    isa: Isa,
+    layout: &Layout,
+    bytes: &'a [u8],
+    format: Format,
+    transfer: &Transfer,
+) -> Option<&'a [u8]> {
+    match format.block() {
+        Some(_) => None,
+        None => Conversion::unpack(isa, layout, format, transfer).copied(layout, bytes),
+    }
+}
+
+/// Rows of texels of `format`, each with as many as the layout's rows have pixels, into the
+/// client's memory, which has `layout.needed` bytes.
+pub(crate) fn pack(
+    isa: Isa,
+    layout: &Layout,
+    format: Format,
+    transfer: &Transfer,
+    luminance: LuminanceOf,
+    texels: &[u8],
+    bytes: &mut [u8],
+) {
+    if layout.needed == 0 {
+        return;
+    }
+    let run = layout.size[0] * format.bytes();
+    let rows = layout.rows().zip(texels.chunks_exact(run));
+    let last = Final::of(format, luminance);
+    pack_rows(isa, layout, format, transfer, last, rows, bytes);
+}
+
+/// Rows of texels of `format`, each with as many as the layout's rows have pixels, to where each is
+/// to begin in the client's memory.
+pub(crate) fn pack_rows(
+    isa: Isa,
+    layout: &Layout,
+    format: Format,
+    transfer: &Transfer,
+    last: Final,
+    rows: impl Iterator<Item = (usize, impl AsRef<[u8]>)>,
+    bytes: &mut [u8],
+) {
+    let conversion = Conversion::pack(isa, layout, format, transfer, last);
+    for (at, row) in rows {
+        conversion.pack_row(layout, row.as_ref(), &mut bytes[at..]);
+    }
+}
+
+/// Texels of one format as texels of another.
+pub(crate) fn transcode(
+    isa: Isa,
+    from: Format,
+    texels: &[u8],
+    to: Format,
+    transfer: &Transfer,
+) -> Vec<u8> {
+    let mut out = vec![0; texels.len() / from.bytes() * to.bytes()];
+    Conversion::between(isa, from, to, transfer).run(texels, &mut out);
+    out
+}
+
+/// The texels of a level, border included, without the padding.
+pub(crate) fn texels(level: &Level) -> &[u8] {
+    &level.texels[..level.texels.len() - texunit::image::PADDING]
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::pixel::client::Pixel;
+    use crate::pixel::client::element::TYPE;
+    use crate::pixel::client::format::FORMAT;
+    use crate::pixel::convert::*;
+    use crate::pixel::layout::Extent;
+    use crate::pixel::store::PixelStore;
+
+    /// What is moved is what goes through `f64`, both ways.
+    #[test]
+    fn moves_are_the_general_path_to_the_bit() {
+        // Neither NaN nor the lowest signed number, which has another of its value.
+        let noise: Vec<u8> =
+            (0..7 * 16_u32).map(|i| (i.wrapping_mul(0x9E37_79B9) >> 24) as u8 % 0x78).collect();
+        let (transfer, isa) = (Transfer::default(), Isa::best());
+        let mut found = 0;
+        let mut check = |conversion: &Conversion<'_>, from: usize, to: usize, what: &str| {
+            // Noise is no depth, and not an exponent that was shared by the rule.
+            let is_noise =
+                |&(_, code): &(_, Code)| code != Code::SharedExponent && code != Code::Depth;
+            if conversion.moves.is_some() && conversion.from.record.fields().iter().all(is_noise) {
+                let (mut got, mut want) = (vec![9; 7 * to], vec![8; 7 * to]);
+                conversion.run(&noise[..7 * from], &mut got);
+                conversion.compute(&noise[..7 * from], &mut want);
+                assert_eq!(got, want, "{what}");
+                found += 1;
+            }
+        };
+        for format in Format::ALL.into_iter().filter(|format| format.block().is_none()) {
+            for (name, _) in FORMAT.rows {
+                for (type_name, ty) in TYPE.rows {
+                    let Ok(pixel) = Pixel::new(*name, *type_name) else { continue };
+                    if *ty == ClientType::Bit {
+                        continue;
+                    }
+                    for swap_bytes in [false, true] {
+                        let store =
+                            PixelStore { swap_bytes, alignment: 1, ..PixelStore::default() };
+                        let layout = Layout::new(&store, pixel, [7, 1, 1], Extent::Flat).unwrap();
+                        let (size, what) = (pixel.bytes(), format!("{pixel:?} {format:?}"));
+                        let unpack = Conversion::unpack(isa, &layout, format, &transfer);
+                        check(&unpack, size, format.bytes(), &what);
+                        let last = Final::of(format, LuminanceOf::Sum);
+                        let pack = Conversion::pack(isa, &layout, format, &transfer, last);
+                        check(&pack, format.bytes(), size, &what);
+                    }
+                }
+            }
+            for to in Format::ALL.into_iter().filter(|to| to.block().is_none()) {
+                for srgb in [SrgbWrite::AsIs, SrgbWrite::Encode] {
+                    let blit = Conversion::blit(isa, format, to, srgb);
+                    check(&blit, format.bytes(), to.bytes(), &format!("{format:?} {to:?}"));
+                }
+            }
+        }
+        assert!(found > 2000, "{found}");
+    }
+}

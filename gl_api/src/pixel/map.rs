@@ -1,0 +1,97 @@
+//! The look-up tables of pixel transfer: `glPixelMap` and `glGetPixelMap` (GL 2.1, sections 3.6.3
+//! and 6.1.3, table 3.3).
+
+use crate::state::viewport::unit;
+
+/// The most entries of a table (`GL_MAX_PIXEL_MAP_TABLE`).
+pub(crate) const MAX_PIXEL_MAP_TABLE: usize = 256;
+
+/// A table.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Map {
+    pub size: u16,
+    pub entries: [f32; MAX_PIXEL_MAP_TABLE],
+}
+
+impl Default for Map {
+    /// One entry, 0.
+    fn default() -> Self {
+        Self { size: 1, entries: [0.0; MAX_PIXEL_MAP_TABLE] }
+    }
+}
+
+impl Map {
+    pub(crate) fn entries(&self) -> &[f32] {
+        &self.entries[..usize::from(self.size)]
+    }
+
+    /// The entry of a component: clamped, then the nearest.
+    pub fn at_fraction(&self, value: f64) -> f32 {
+        let last = f64::from(self.size - 1);
+        self.entries[(unit(value) * last).round_ties_even() as usize]
+    }
+
+    /// The entry of an index, of which the bits count that the size leaves.
+    pub fn at_index(&self, index: i64) -> f32 {
+        self.entries[(index & i64::from(self.size - 1)) as usize]
+    }
+}
+
+/// Which table, as its place in [`Maps`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Name {
+    IToI,
+    SToS,
+    IToR,
+    IToG,
+    IToB,
+    IToA,
+    RToR,
+    GToG,
+    BToB,
+    AToA,
+}
+
+impl Name {
+    /// Whether it is looked up by an index, so that its size is a power of two.
+    pub(crate) fn is_indexed(self) -> bool {
+        match self {
+            Self::IToI | Self::SToS | Self::IToR | Self::IToG | Self::IToB | Self::IToA => true,
+            Self::RToR | Self::GToG | Self::BToB | Self::AToA => false,
+        }
+    }
+
+    /// Whether its entries are indices, not components of colours.
+    pub(crate) fn has_indices(self) -> bool {
+        match self {
+            Self::IToI | Self::SToS => true,
+            Self::IToR | Self::IToG | Self::IToB | Self::IToA => false,
+            Self::RToR | Self::GToG | Self::BToB | Self::AToA => false,
+        }
+    }
+}
+
+/// All tables, by [`Name`].
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Maps(pub(crate) [Map; 10]);
+
+impl Maps {
+    pub(crate) fn map(&self, name: Name) -> &Map {
+        &self.0[name as usize]
+    }
+
+    /// The tables from R, G, B, A to themselves.
+    pub fn colors(&self) -> [&Map; 4] {
+        [Name::RToR, Name::GToG, Name::BToB, Name::AToA].map(|name| self.map(name))
+    }
+
+    /// The tables from indices to R, G, B, A.
+    pub fn of_indices(&self) -> [&Map; 4] {
+        [Name::IToR, Name::IToG, Name::IToB, Name::IToA].map(|name| self.map(name))
+    }
+
+    /// The table from stencils to stencils.
+    pub fn stencil(&self) -> &Map {
+        self.map(Name::SToS)
+    }
+}

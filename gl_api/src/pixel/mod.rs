@@ -1,0 +1,13 @@
+//! Pixels in the client's memory and texels in storage: formats, layout, transfer, conversion.
+
+pub(crate) mod blocks;
+pub(crate) mod client;
+pub(crate) mod convert;
+pub(crate) mod internal;
+pub(crate) mod layout;
+pub(crate) mod map;
+pub(crate) mod memory;
+pub(crate) mod packed;
+pub(crate) mod store;
+pub(crate) mod texel;
+pub(crate) mod transfer;

@@ -1,0 +1,94 @@
+//! Stored texels as the numbers that uploads and queries see.
+//!
+//! sRGB formats hold what the client gave: it is encoded already (`EXT_texture_sRGB`).
+
+use crate::pixel::client::format::Numbers;
+use rasterizer::driver::DepthWrite;
+use texunit::format::{BaseFormat, Encoding, Format};
+
+/// What integers of the client's mean for a texel of this format.
+pub(crate) fn numbers(format: Format, client: Numbers) -> Numbers {
+    match (client, format.info().encoding) {
+        (Numbers::Fixed, Encoding::Snorm) => Numbers::SignedNormalized,
+        (Numbers::Fixed | Numbers::SignedNormalized | Numbers::Integer, _) => client,
+    }
+}
+
+/// The numbers of a texel as R, G, B, A, as queries see them (GL 2.1, table 6.1): luminance and
+/// intensity as R alone, depth as R, stencil as G.
+pub(crate) fn rgba<T: Copy>(format: Format, [a, b, c, d]: [T; 4], zero: T, one: T) -> [T; 4] {
+    match format.base() {
+        BaseFormat::Alpha => [zero, zero, zero, a],
+        BaseFormat::Depth if format.has_stencil() => [a, b, zero, one],
+        BaseFormat::Luminance | BaseFormat::Intensity | BaseFormat::Red | BaseFormat::Depth => {
+            [a, zero, zero, one]
+        }
+        BaseFormat::LuminanceAlpha => [a, zero, zero, b],
+        BaseFormat::Rg => [a, b, zero, one],
+        BaseFormat::Rgb => [a, b, c, one],
+        BaseFormat::Rgba => [a, b, c, d],
+    }
+}
+
+/// The numbers of a texel from R, G, B, A (depth as R, stencil as G), as GL 2.1, table 3.15 has them.
+pub(crate) fn channels<T: Copy>(format: Format, rgba: [T; 4]) -> [T; 4] {
+    let mut out = rgba;
+    for (channel, &source) in out.iter_mut().zip(format.base().sources()) {
+        *channel = rgba[source];
+    }
+    out
+}
+
+/// Depths, if they are written, and these bits of stencils of texels into others of the same format.
+pub(crate) fn merge(format: Format, depth: DepthWrite, bits: u8, from: &[u8], to: &mut [u8]) {
+    // A stencil is the low byte of its word.
+    let stencil = format.has_stencil().then(|| 4 * format.info().stencil.word);
+    match (stencil, format.bytes()) {
+        (Some(byte), 4) => merge_sized::<4>(byte, depth, bits, from, to),
+        (Some(byte), _) => merge_sized::<8>(byte, depth, bits, from, to),
+        (None, _) if depth == DepthWrite::On => to.copy_from_slice(from),
+        (None, _) => {}
+    }
+}
+
+fn merge_sized<const SIZE: usize>(
+    byte: usize,
+    depth: DepthWrite,
+    bits: u8,
+    from: &[u8],
+    to: &mut [u8],
+) {
+    for (to, from) in to.as_chunks_mut::<SIZE>().0.iter_mut().zip(from.as_chunks::<SIZE>().0) {
+        let stencil = from[byte] & bits | to[byte] & !bits;
+        if depth == DepthWrite::On {
+            *to = *from;
+        }
+        to[byte] = stencil;
+    }
+}
+
+/// Whether texels are floats or integers, which a border colour need not be a fraction for.
+pub(crate) fn is_wide(format: Format) -> bool {
+    match format.info().encoding {
+        Encoding::Float | Encoding::SharedExponent | Encoding::Uint | Encoding::Sint => true,
+        Encoding::Unorm
+        | Encoding::Snorm
+        | Encoding::Srgb
+        | Encoding::Block(_)
+        | Encoding::SrgbBlock(_) => false,
+    }
+}
+
+/// Whether the driver draws to images of this format: not to compressed ones, and not to shared
+/// exponents.
+pub(crate) fn is_renderable(format: Format) -> bool {
+    match format.info().encoding {
+        Encoding::Unorm
+        | Encoding::Snorm
+        | Encoding::Srgb
+        | Encoding::Float
+        | Encoding::Uint
+        | Encoding::Sint => format != Format::D32,
+        Encoding::SharedExponent | Encoding::Block(_) | Encoding::SrgbBlock(_) => false,
+    }
+}

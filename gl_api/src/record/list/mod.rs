@@ -1,0 +1,186 @@
+//! Display lists: GL 2.1, section 5.4.
+//!
+//! While a list is compiled, an entry point records its call with copies of its arguments instead
+//! of carrying it out; which calls are never compiled is in the table of entry points, and in [`proxy`].
+//! The vertices between `glBegin` and `glEnd` become one buffer, and a draw of vertex arrays keeps the
+//! buffers it would have read, so that calling a list costs what drawing from buffers costs.
+
+pub(crate) mod calls;
+pub(crate) mod keep;
+pub(crate) mod pixels;
+pub(crate) mod proxy;
+pub(crate) mod shapes;
+
+use crate::base::begin_end::BeginEnd;
+use crate::base::error::Result;
+use crate::base::types::*;
+use crate::context::Context;
+use crate::context::immediate::Slot;
+use crate::context::lists::shapes::Open;
+use crate::context::lists::{ArrayDraw, Mode, Run, Step};
+use crate::context::recorder::elements::Elements;
+use crate::draw::complete::checked_drawable;
+use crate::draw::translate::draw;
+use rasterizer::driver::{Topology, VertexBinding, VertexSource};
+
+impl Context {
+    /// Records a call.
+    pub(crate) fn record(&mut self, name: &'static str, begin_end: BeginEnd, run: Run) {
+        let unpack = pixels::reads_pixels(name).then(|| Box::new(self.state.unpack.clone()));
+        self.record_step(Step::Call { name, begin_end, unpack, run });
+    }
+
+    /// Carries something out that may stand between `glBegin` and `glEnd`, or records it, if a list
+    /// is compiled.
+    ///
+    /// # Errors
+    /// Those of `run`, where it is carried out.
+    pub(crate) fn run_or_record(
+        &mut self,
+        name: &'static str,
+        run: impl Fn(&mut Self) -> Result<()> + Send + Sync + 'static,
+    ) -> Result<()> {
+        if self.compiling.is_none() {
+            return run(self);
+        }
+        self.record(name, BeginEnd::Allowed, Box::new(run));
+        Ok(())
+    }
+
+    /// Records a step; what was open before it is closed first.
+    fn record_step(&mut self, step: Step) {
+        self.finish_open();
+        self.keep_steps(vec![step]);
+    }
+
+    /// Adds steps to the list, and carries them out if it is to be carried out, too.
+    fn keep_steps(&mut self, steps: Vec<Step>) {
+        // What a list does is not recorded again.
+        let Some(mut compiling) = self.compiling.take() else { return };
+        if compiling.mode == Mode::CompileAndExecute {
+            for step in &steps {
+                self.run_step(step);
+            }
+        }
+        compiling.steps.extend(steps);
+        self.compiling = Some(compiling);
+    }
+
+    /// Ends a `glBegin` that the list leaves open.
+    fn finish_open(&mut self) {
+        let Some(compiling) = &mut self.compiling else { return };
+        if let Some(open) = compiling.open.take() {
+            compiling.begun = true;
+            self.keep_steps(open.spill());
+        }
+    }
+
+    /// Records `glBegin`, if a list is compiled.
+    pub(crate) fn record_begin(&mut self, mode: GLenum) -> bool {
+        self.finish_open();
+        let nested = self.immediate.is_some();
+        let Some(compiling) = &mut self.compiling else { return false };
+        let open = Open::new(mode);
+        if nested || compiling.begun {
+            self.keep_steps(open.spill());
+        } else {
+            compiling.open = Some(open);
+        }
+        true
+    }
+
+    /// Records `glEnd`, if a list is compiled.
+    pub(crate) fn record_end(&mut self) -> bool {
+        let Some(compiling) = &mut self.compiling else { return false };
+        compiling.begun = false;
+        let steps = match compiling.open.take() {
+            Some(open) => open.close(),
+            None => vec![crate::context::lists::shapes::end_step()],
+        };
+        self.keep_steps(steps);
+        true
+    }
+
+    /// Records an attribute, if a list is compiled.
+    pub(crate) fn record_attribute(&mut self, slot: Slot, value: [f32; 4]) -> bool {
+        let Some(compiling) = &mut self.compiling else { return false };
+        match &mut compiling.open {
+            Some(open) => open.push(slot, value),
+            None => self.keep_steps(vec![Step::Attribute(slot, value)]),
+        }
+        true
+    }
+
+    /// Records a draw of vertex arrays, if a list is compiled; else gives its parts back.
+    pub(crate) fn record_arrays(
+        &mut self,
+        topology: Topology,
+        vertices: Vec<VertexBinding>,
+        elements: Elements,
+    ) -> Option<(Vec<VertexBinding>, Elements)> {
+        if self.compiling.is_none() {
+            return Some((vertices, elements));
+        }
+        self.record_step(Step::Arrays(ArrayDraw { topology, vertices, elements }));
+        None
+    }
+
+    /// A draw of nothing: it is still an error between `glBegin` and `glEnd`, and where the framebuffer is
+    /// incomplete. Recorded, if a list is compiled.
+    pub(crate) fn empty_draw(&mut self, name: &'static str) -> Result<()> {
+        let run = |context: &mut Self| checked_drawable(context);
+        if self.compiling.is_none() {
+            return run(self);
+        }
+        let step =
+            Step::Call { name, begin_end: BeginEnd::Refused, unpack: None, run: Box::new(run) };
+        self.record_step(step);
+        Ok(())
+    }
+
+    fn run_step(&mut self, step: &Step) {
+        match step {
+            Step::Call { name, begin_end, unpack, run } => {
+                let before = unpack.as_ref().map(|store| {
+                    let bound = std::mem::take(&mut self.state.bindings.pixel_unpack_buffer);
+                    (std::mem::replace(&mut self.state.unpack, (**store).clone()), bound)
+                });
+                self.call(name, *begin_end, &**run);
+                if let Some((store, buffer)) = before {
+                    self.state.unpack = store;
+                    self.state.bindings.pixel_unpack_buffer = buffer;
+                }
+            }
+            Step::Attribute(slot, value) => self.call("glCallList", BeginEnd::Allowed, |context| {
+                crate::calls::vertex::immediate::attribute(context, *slot, *value)
+            }),
+            Step::Shapes(shapes) => {
+                for part in shapes.parts(self) {
+                    self.call("glBegin", BeginEnd::Allowed, |context| shapes.draw(context, part));
+                }
+            }
+            Step::Arrays(arrays) => {
+                self.call("glDrawArrays", BeginEnd::Refused, |context| arrays.draw(context));
+            }
+        }
+    }
+}
+
+impl ArrayDraw {
+    fn draw(&self, context: &mut Context) -> Result<()> {
+        let vertices = self
+            .vertices
+            .iter()
+            .map(|binding| VertexBinding {
+                location: binding.location,
+                source: match &binding.source {
+                    VertexSource::Constant(_) => {
+                        VertexSource::Constant(context.state.current[usize::from(binding.location)])
+                    }
+                    array @ VertexSource::Array { .. } => array.clone(),
+                },
+            })
+            .collect();
+        draw(context, self.topology, vertices, &self.elements)
+    }
+}

@@ -1,0 +1,46 @@
+//! `glBegin` to `glEnd` in a list: one buffer, filled when the list is compiled. Where one such
+//! follows another of its kind, they share a buffer and a draw: it costs what many vertices do.
+
+use crate::base::error::{Result, invalid_operation};
+use crate::context::Context;
+use crate::context::immediate::Columns;
+use crate::context::lists::shapes::Shapes;
+use crate::draw::ended::draws_together;
+use std::ops::Range;
+
+impl Shapes {
+    /// The vertices of each draw: all at once, where that makes no difference.
+    pub fn parts(&self, context: &Context) -> Vec<Range<usize>> {
+        let together = self.begins.is_empty() || draws_together(context);
+        let others = if together { &[][..] } else { &self.begins };
+        let begins = std::iter::once(0).chain(others.iter().copied());
+        let ends = others.iter().copied().chain([self.count]);
+        begins.zip(ends).map(|(begin, end)| begin..end).collect()
+    }
+
+    /// Draws a part of them, and leaves the attributes as the calls would.
+    pub fn draw(&self, context: &mut Context, part: Range<usize>) -> Result<()> {
+        if context.immediate.is_some() {
+            return invalid_operation(
+                "GL 2.1, section 2.6.3",
+                "glBegin was called before: glEnd is missing",
+            );
+        }
+        let result = if part.is_empty() { Ok(()) } else { self.draw_vertices(context, part) };
+        for column in &self.columns {
+            crate::calls::vertex::immediate::set_current(context, column.location, column.last);
+        }
+        result
+    }
+
+    fn draw_vertices(&self, context: &mut Context, part: Range<usize>) -> Result<()> {
+        let buffer = match part.start {
+            0 => self.patched(&context.state),
+            _ => self.buffer.clone(),
+        };
+        let columns = Columns { buffer: &buffer, count: self.count, part };
+        crate::calls::vertex::immediate::draw_columns(context, self.topology, columns, |location| {
+            self.columns.iter().position(|column| column.location == location)
+        })
+    }
+}

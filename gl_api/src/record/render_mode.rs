@@ -1,0 +1,194 @@
+//! `glRenderMode`, and where the buffers of its modes are.
+
+use crate::base::args::DataOut;
+use crate::base::constants::*;
+use crate::base::error::{Result, Table, invalid_operation, not_negative};
+use crate::base::types::*;
+use crate::base::value::{Value, int, symbol};
+use crate::context::Context;
+use crate::state::feedback::record::{FeedbackType, Record};
+use crate::state::feedback::{Mode, Target};
+
+const SELECTION: &str = "GL 2.1, section 5.2";
+const FEEDBACK: &str = "GL 2.1, section 5.3";
+
+const MODE: Table<Mode> = Table {
+    section: SELECTION,
+    rows: &[(GL_RENDER, Mode::Render), (GL_SELECT, Mode::Select), (GL_FEEDBACK, Mode::Feedback)],
+};
+
+/// What glRenderMode answers about the mode that ends: a count, or -1 where the buffer was too
+/// small.
+fn leave(context: &mut Context) -> GLint {
+    let feedback = &mut context.feedback;
+    match feedback.mode {
+        Mode::Render => 0,
+        Mode::Select => feedback.select.leave(),
+        Mode::Feedback => feedback.record.leave(),
+    }
+}
+
+fn checked(context: &Context, mode: GLenum) -> Result<Mode> {
+    let mode = MODE.decode("mode", mode)?;
+    let feedback = &context.feedback;
+    let missing = match mode {
+        Mode::Render => None,
+        Mode::Select => feedback.select.target().is_none().then_some("glSelectBuffer"),
+        Mode::Feedback => feedback.record.target().is_none().then_some("glFeedbackBuffer"),
+    };
+    match missing {
+        None => Ok(mode),
+        Some(call) => invalid_operation(
+            SELECTION,
+            format!(
+                "there is no buffer for mode = {}: call {call} first",
+                enum_name(MODE.encode(mode))
+            ),
+        ),
+    }
+}
+
+/// A refused call answers 0.
+pub(crate) fn render_mode(context: &mut Context, mode: GLenum) -> Result<GLint> {
+    let mode = match checked(context, mode) {
+        Ok(mode) => mode,
+        Err(error) => {
+            context.debug.error("glRenderMode", &error);
+            return Ok(0);
+        }
+    };
+    let answer = leave(context);
+    context.feedback.mode = mode;
+    context.feedback.select.enter();
+    context.feedback.record.enter();
+    Ok(answer)
+}
+
+/// Where a buffer is. A slice ends with its call, before there is anything to write to it.
+fn target(section: &'static str, argument: &str, buffer: DataOut<'_>) -> Result<Target> {
+    match buffer {
+        DataOut::Null => Ok(Target::Own),
+        DataOut::Client(pointer) => Ok(Target::Client(pointer.kept())),
+        DataOut::Bytes(_) | DataOut::Offset(_) => invalid_operation(
+            section,
+            format!(
+                "{argument} cannot be memory that is borrowed for the call alone: pass NULL, and read \
+                 Context::selection or Context::feedback after glRenderMode"
+            ),
+        ),
+    }
+}
+
+fn not_in(context: &Context, mode: Mode, section: &'static str) -> Result<()> {
+    if context.feedback.mode == mode {
+        let mode = enum_name(MODE.encode(mode));
+        return invalid_operation(
+            section,
+            format!("the mode is {mode}, which fills the buffer: call glRenderMode first"),
+        );
+    }
+    Ok(())
+}
+
+pub(crate) fn select_buffer(
+    context: &mut Context,
+    size: GLsizei,
+    buffer: DataOut<'_>,
+) -> Result<()> {
+    let size = not_negative(SELECTION, "size", size.into())?;
+    not_in(context, Mode::Select, SELECTION)?;
+    let target = target(SELECTION, "buffer", buffer)?;
+    context.feedback.select.set_target(size, target);
+    Ok(())
+}
+
+pub(crate) fn feedback_buffer(
+    context: &mut Context,
+    size: GLsizei,
+    ty: GLenum,
+    buffer: DataOut<'_>,
+) -> Result<()> {
+    let size = not_negative(FEEDBACK, "size", size.into())?;
+    let ty = FeedbackType::TABLE.decode("type", ty)?;
+    not_in(context, Mode::Feedback, FEEDBACK)?;
+    let target = target(FEEDBACK, "buffer", buffer)?;
+    context.feedback.record = Record::new(size, ty, target);
+    Ok(())
+}
+
+pub(crate) fn pass_through(context: &mut Context, token: GLfloat) -> Result<()> {
+    if context.feedback.mode == Mode::Feedback {
+        context.feedback.record.pass_through(token);
+    }
+    Ok(())
+}
+
+pub(crate) fn init_names(context: &mut Context) -> Result<()> {
+    in_selection(context, |select| {
+        select.init_names();
+        Ok(())
+    })
+}
+
+pub(crate) fn load_name(context: &mut Context, name: GLuint) -> Result<()> {
+    in_selection(context, |select| select.load_name(name))
+}
+
+pub(crate) fn push_name(context: &mut Context, name: GLuint) -> Result<()> {
+    in_selection(context, |select| select.push_name(name))
+}
+
+pub(crate) fn pop_name(context: &mut Context) -> Result<()> {
+    in_selection(context, crate::state::feedback::select::Select::pop_name)
+}
+
+/// Changes the stack of names; in other modes such calls are ignored.
+fn in_selection(
+    context: &mut Context,
+    change: impl FnOnce(&mut crate::state::feedback::select::Select) -> Result<()>,
+) -> Result<()> {
+    match context.feedback.mode {
+        Mode::Select => change(&mut context.feedback.select),
+        Mode::Render | Mode::Feedback => Ok(()),
+    }
+}
+
+impl Context {
+    /// The hit records of the selection that ended last: for each the number of names, the least and
+    /// the largest depth (of 2³² - 1), and the names from the bottom of the stack.
+    pub fn selection(&self) -> &[GLuint] {
+        self.feedback.select.records()
+    }
+
+    /// The numbers of the feedback that ended last (GL 2.1, section 5.3).
+    pub fn feedback(&self) -> &[GLfloat] {
+        self.feedback.record.values()
+    }
+}
+
+/// What `glGet` reads.
+pub(crate) fn state_value(context: &Context, pname: GLenum) -> Option<Result<Value>> {
+    let feedback = &context.feedback;
+    Some(match pname {
+        GL_RENDER_MODE => symbol(MODE.encode(feedback.mode)),
+        GL_NAME_STACK_DEPTH => int(feedback.select.depth()),
+        GL_MAX_NAME_STACK_DEPTH => int(crate::state::feedback::select::MAX_NAME_STACK_DEPTH),
+        GL_SELECTION_BUFFER_SIZE => int(feedback.select.size()),
+        GL_FEEDBACK_BUFFER_SIZE => int(feedback.record.size()),
+        GL_FEEDBACK_BUFFER_TYPE => symbol(FeedbackType::TABLE.encode(feedback.record.ty())),
+        _ => return None,
+    })
+}
+
+/// Where a buffer begins, by the name that `glGetPointerv` has for it.
+pub(crate) fn pointer(context: &Context, pname: GLenum) -> Option<usize> {
+    let target = match pname {
+        GL_SELECTION_BUFFER_POINTER => context.feedback.select.target(),
+        GL_FEEDBACK_BUFFER_POINTER => context.feedback.record.target(),
+        _ => return None,
+    };
+    Some(match target {
+        Some(Target::Client(pointer)) => pointer.offset(),
+        Some(Target::Own) | None => 0,
+    })
+}

@@ -1,0 +1,174 @@
+//! Texture units and their environments: GL 2.1, sections 2.7, 3.8.12 and 3.8.13.
+
+pub(crate) mod combine;
+pub(crate) mod texgen;
+
+use crate::base::constants::*;
+use crate::base::error::{Result, Table, invalid_operation};
+use crate::base::limits;
+use crate::base::types::*;
+use crate::interface::{MAX_COMBINED_TEXTURE_IMAGE_UNITS, MAX_TEXTURE_UNITS};
+use crate::objects::bound::Bound;
+use crate::objects::target::TextureTarget;
+use crate::state::env::combine::{Arguments, Combiner};
+use crate::state::env::texgen::Generate;
+use crate::state::versioned::Versioned;
+use std::sync::Arc;
+
+const SECTION: &str = "GL 2.1, section 3.8.13";
+
+/// What a unit without combiners does with the colour that comes from the unit before.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Standard {
+    Replace,
+    Modulate,
+    Decal,
+    Blend,
+    Add,
+}
+
+/// What a unit does with the colour that comes from the unit before.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Mode {
+    Standard(Standard),
+    /// As the unit's combiners say.
+    Combine(Arguments),
+}
+
+pub(crate) const MODE: Table<Mode> = Table {
+    section: SECTION,
+    rows: &[
+        (GL_REPLACE, Mode::Standard(Standard::Replace)),
+        (GL_MODULATE, Mode::Standard(Standard::Modulate)),
+        (GL_DECAL, Mode::Standard(Standard::Decal)),
+        (GL_BLEND, Mode::Standard(Standard::Blend)),
+        (GL_ADD, Mode::Standard(Standard::Add)),
+        (GL_COMBINE, Mode::Combine(Arguments::Two)),
+        (GL_COMBINE4_NV, Mode::Combine(Arguments::Four)),
+    ],
+};
+
+/// One texture unit.
+#[derive(Clone, Debug)]
+pub(crate) struct Unit {
+    /// By [`TextureTarget`]; of several, the last in its list wins (section 3.8.15).
+    pub enabled: [bool; TextureTarget::COUNT],
+    /// Textures, by target.
+    pub bound: [Bound; TextureTarget::COUNT],
+    /// The sampler object, if any, whose state stands for the textures'.
+    pub sampler: Bound,
+    pub mode: Mode,
+    pub color: [f32; 4],
+    pub lod_bias: f32,
+    /// Of colour and of alpha.
+    pub combiners: [Combiner; 2],
+    /// How s, t, r and q are generated.
+    pub generate: [Generate; 4],
+    /// Whether point sprites replace the coordinates (section 3.3).
+    pub coord_replace: bool,
+}
+
+impl Unit {
+    /// What is switched on: targets, and coordinates that are generated.
+    pub fn switches(&self) -> ([bool; TextureTarget::COUNT], [bool; 4]) {
+        (self.enabled, self.generate.each_ref().map(|generate| generate.enabled))
+    }
+
+    /// The reverse of [`Self::switches`].
+    pub fn switch(&mut self, (enabled, generate): ([bool; TextureTarget::COUNT], [bool; 4])) {
+        self.enabled = enabled;
+        for (coord, enabled) in self.generate.iter_mut().zip(generate) {
+            coord.enabled = enabled;
+        }
+    }
+}
+
+/// All units, and which one calls work on.
+#[derive(Clone, Debug)]
+pub(crate) struct Units {
+    /// What `glPushAttrib` keeps shares them until one is changed ([`Self::unit_mut`]). Draws look at
+    /// all of it only where it has changed.
+    pub units: Versioned<Box<[Arc<Unit>; MAX_COMBINED_TEXTURE_IMAGE_UNITS as usize]>>,
+    pub active: u8,
+    pub client_active: u8,
+}
+
+impl Default for Units {
+    fn default() -> Self {
+        let unit = Unit {
+            enabled: [false; TextureTarget::COUNT],
+            bound: Default::default(),
+            sampler: Bound::default(),
+            mode: Mode::Standard(Standard::Modulate),
+            color: [0.0; 4],
+            lod_bias: 0.0,
+            combiners: Combiner::initial(),
+            generate: Generate::initial(),
+            coord_replace: false,
+        };
+        let unit = Arc::new(unit);
+        let units = Box::new(std::array::from_fn(|_| Arc::clone(&unit)));
+        Self { units: Versioned::new(units), active: 0, client_active: 0 }
+    }
+}
+
+impl Units {
+    pub fn active(&self) -> &Unit {
+        &self.units[usize::from(self.active)]
+    }
+
+    pub fn active_mut(&mut self) -> &mut Unit {
+        self.unit_mut(self.active.into())
+    }
+
+    /// A unit, to be changed.
+    pub fn unit_mut(&mut self, unit: usize) -> &mut Unit {
+        Arc::make_mut(&mut self.units[unit])
+    }
+
+    /// Where point sprites replace the coordinates: bit by unit.
+    pub fn coord_replace(&self) -> u32 {
+        let bits = (0..).zip(self.units.iter());
+        bits.fold(0, |bits, (at, unit)| bits | u32::from(unit.coord_replace) << at)
+    }
+
+    /// The active unit as the number of a set of texture coordinates.
+    ///
+    /// # Errors
+    /// `GL_INVALID_OPERATION` where the unit is for images alone (GL 2.1, section 2.11.2).
+    pub fn active_coordinates(&self, section: &'static str) -> Result<usize> {
+        if self.active < MAX_TEXTURE_UNITS {
+            return Ok(self.active.into());
+        }
+        invalid_operation(
+            section,
+            format!(
+                "the active unit GL_TEXTURE{} is for images alone: coordinates and matrices are of \
+                 GL_TEXTURE0 to GL_TEXTURE{}",
+                self.active,
+                MAX_TEXTURE_UNITS - 1
+            ),
+        )
+    }
+}
+
+/// A number as a named constant; what cannot be one gives a constant that no table has.
+pub(crate) fn symbol(value: f32) -> GLenum {
+    if value >= 0.0 && value.trunc() == value { value as GLenum } else { GLenum::MAX }
+}
+
+/// A level-of-detail bias within the limits; NaN counts as 0.
+pub(crate) fn lod_bias(value: f32) -> f32 {
+    let limit = limits::MAX_TEXTURE_LOD_BIAS;
+    if value.is_nan() { 0.0 } else { value.clamp(-limit, limit) }
+}
+
+/// A signed integer as a colour component (GL 2.1, table 2.9).
+pub(crate) fn signed_to_unit(value: i32) -> f32 {
+    ((2.0 * f64::from(value) + 1.0) / f64::from(u32::MAX)) as f32
+}
+
+/// A colour component as a signed integer (GL 2.1, table 4.9).
+pub(crate) fn unit_to_signed(value: f32) -> i32 {
+    ((f64::from(u32::MAX) * f64::from(value) - 1.0) / 2.0).round_ties_even() as i32
+}

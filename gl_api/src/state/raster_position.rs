@@ -1,0 +1,35 @@
+//! The current raster position: GL 2.1, section 2.13, and `glWindowPos`.
+
+use crate::context::recorder::vertex_stage::Ready;
+use crate::interface::*;
+
+/// The current raster position, and what goes with it.
+#[derive(Clone, Debug)]
+pub(crate) struct RasterPosition {
+    /// Window x, y and z, and clip w.
+    pub window: [f64; 4],
+    pub valid: bool,
+    pub distance: f32,
+    pub color: [f32; 4],
+    pub secondary_color: [f32; 4],
+    /// The colour index; kept, not used.
+    pub index: f32,
+    pub tex_coords: [[f32; 4]; MAX_TEXTURE_UNITS as usize],
+}
+
+/// The vertex stage that a raster position went through.
+#[derive(Debug)]
+pub(crate) struct Passed {
+    /// How many calls there had been when it was chosen.
+    pub at: u64,
+    pub ready: Ready,
+}
+
+impl Passed {}
+
+/// State that `glGet` reads.
+pub(crate) enum Answer {
+    Floats(Vec<f64>),
+    Color([f32; 4]),
+    Flag(bool),
+}
