@@ -11,7 +11,7 @@ use std::fmt::Write;
 use std::path::Path;
 
 /// Where the extensions are listed that DetGL has.
-const CLAIMED: &str = "src/calls/query/extensions.rs";
+const CLAIMED: &str = "src/query/extensions.rs";
 
 fn main() {
     println!("cargo:rerun-if-changed=build.rs");

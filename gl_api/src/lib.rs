@@ -40,6 +40,8 @@
 //! | `host` | what the crate of the C ABI may do with contexts |
 #![forbid(unsafe_code)]
 
+mod query;
+
 mod assembly;
 mod base;
 mod calls;

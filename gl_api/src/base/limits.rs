@@ -39,3 +39,6 @@ pub(crate) const MAX_VARYING_FLOATS: i32 = glsl::limits::MAX_VARYING_FLOATS as i
 pub(crate) const MAX_BUFFER_SIZE: usize = 1 << 31;
 /// `GL_MAX_TRANSFORM_FEEDBACK_SEPARATE_ATTRIBS`: the buffers that transform feedback fills at once.
 pub(crate) const MAX_TRANSFORM_FEEDBACK_SEPARATE_ATTRIBS: usize = 4;
+
+/// How many attribute locations there are, conventional ones included; see [`crate::interface`].
+pub(crate) const LOCATIONS: usize = 32;

@@ -1,5 +1,14 @@
 //! What every layer needs: GL's constants and types, refusals, limits, and the types of parameters.
 
+pub(crate) mod answer;
+pub(crate) mod clamp;
+pub(crate) mod compare;
+pub(crate) mod component;
+pub(crate) mod convert;
+pub(crate) mod inverse;
+pub(crate) mod texture_unit;
+pub(crate) mod topology;
+
 pub mod angle;
 pub(crate) mod args;
 pub(crate) mod arithmetic;

@@ -2,9 +2,9 @@
 //! components (GL 2.1, table 2.9), or as named constants.
 
 use crate::base::constants::enum_name;
+use crate::base::convert::{signed_to_unit, symbol};
 use crate::base::error::{Result, invalid_enum, invalid_operation, invalid_value};
 use crate::base::types::*;
-use crate::state::env::{signed_to_unit, symbol};
 
 /// Whether a call gives one number or points at several.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

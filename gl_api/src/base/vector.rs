@@ -1,6 +1,6 @@
 //! Vectors of values, for the generators.
 
-use crate::state::clamp::Clamp;
+use crate::base::clamp::Clamp;
 use rasterizer::ir::{Builder, Op, Ty, Value};
 
 /// An operation component by component.

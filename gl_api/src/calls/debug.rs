@@ -3,14 +3,12 @@
 use crate::base::args::TextOut;
 use crate::base::constants::*;
 use crate::base::error::{
-    ErrorCode, GlError, Result, Table, invalid_enum, invalid_operation, invalid_value, not_negative,
+    ErrorCode, GlError, Result, Table, invalid_operation, invalid_value, not_negative,
 };
 use crate::base::types::*;
-use crate::calls::query::{arrays, put};
 use crate::context::Context;
 use crate::context::debug::Output;
 use crate::context::log::{Filter, GLDEBUGPROC, Kind, Logged, MAX_GROUPS, MAX_LABEL, MAX_LENGTH};
-use crate::record::render_mode as modes;
 
 const SECTION: &str = "KHR_debug, section 5.5";
 
@@ -320,26 +318,4 @@ pub(crate) fn get_object_ptr_label(
 ) -> Result<()> {
     let key = sync_key(context, sync)?;
     get_label(context, key, room, length, label)
-}
-
-/// `glGetPointerv`: GL 2.1, section 6.1.11, and `KHR_debug`.
-pub(crate) fn get_pointerv(
-    context: &mut Context,
-    pname: GLenum,
-    params: &mut [*mut GLvoid],
-) -> Result<()> {
-    let address = match pname {
-        GL_DEBUG_CALLBACK_FUNCTION => context.debug.log.procedure(),
-        GL_DEBUG_CALLBACK_USER_PARAM => context.debug.log.user(),
-        _ => match arrays::pointer(context, pname).or_else(|| modes::pointer(context, pname)) {
-            Some(address) => address,
-            None => {
-                return invalid_enum(
-                    "GL 2.1, section 6.1.11",
-                    format!("pname = {} names no pointer", enum_name(pname)),
-                );
-            }
-        },
-    };
-    put(params, &[address as *mut GLvoid])
 }

@@ -1,5 +1,8 @@
 //! The calls, by subject: each converts its arguments, validates them, and applies the request.
 
+pub(crate) mod compile;
+pub(crate) mod flush;
+
 pub(crate) mod buffer;
 pub(crate) mod debug;
 pub(crate) mod enable;

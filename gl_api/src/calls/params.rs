@@ -35,14 +35,14 @@ macro_rules! parameter_queries {
             $($lead: GLenum,)+
             params: &mut [GLfloat],
         ) -> Result<()> {
-            $crate::calls::query::get::put_floats(params, $get(context, $($lead),+)?)
+            $crate::base::answer::put_floats(params, $get(context, $($lead),+)?)
         }
         pub(crate) fn $iv(
             context: &mut Context,
             $($lead: GLenum,)+
             params: &mut [GLint],
         ) -> Result<()> {
-            $crate::calls::query::get::put_ints(params, $get(context, $($lead),+)?)
+            $crate::base::answer::put_ints(params, $get(context, $($lead),+)?)
         }
     };
 }

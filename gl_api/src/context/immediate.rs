@@ -5,13 +5,14 @@
 //! after the other with nothing else in between is one draw: what has [`ended`](super::ended) waits.
 
 use crate::base::error::Result;
+use crate::base::limits::LOCATIONS;
+use crate::base::texture_unit::texture_unit;
 use crate::base::types::*;
-use crate::calls::texture::names::texture_unit;
 use crate::interface::ATTRIB_TEX_COORD;
 use crate::objects::arrays::generic;
+use crate::state::State;
 use crate::state::material::{MATERIAL_COLUMNS, Materials};
 use crate::state::versioned::Versioned;
-use crate::state::{LOCATIONS, State};
 use rasterizer::driver::{Buffer, Topology};
 use std::ops::Range;
 /// What can have a column: the attributes, and behind them the parts of the materials.

@@ -1,7 +1,7 @@
 //! Client memory that shows the default framebuffer: it has the picture after `glFlush` and `glFinish`.
 
 use super::Context;
-use crate::calls::sharing::Turn;
+use crate::context::sharing::Turn;
 use crate::draw::hints::sight;
 use std::fmt::Debug;
 

@@ -1,5 +1,10 @@
 //! The context: all state, all objects, and the driver they are drawn with.
 
+pub(crate) mod counting;
+pub(crate) mod feedback;
+pub(crate) mod raster_passed;
+pub(crate) mod swap;
+
 pub(crate) mod bitmaps;
 pub(crate) mod draw_note;
 pub(crate) mod ended;
@@ -21,12 +26,12 @@ mod surface;
 use crate::base::begin_end::BeginEnd;
 use crate::base::error::{ErrorCode, GlError, Result};
 use crate::base::fallback::Fallback;
-use crate::calls::sharing::Turn;
 use crate::context::ended::Ended;
+use crate::context::feedback::Feedback;
 use crate::context::immediate::Immediate;
 use crate::context::lists::{Compiling, Lists};
 use crate::context::recorder::Recorder;
-use crate::context::sharing::{Entered, Group, Invitation, Shared};
+use crate::context::sharing::{Entered, Group, Invitation, Shared, Turn};
 use crate::context::watched::Watched;
 use crate::context::window::Window;
 use crate::draw::ended::draw_ended;
@@ -36,7 +41,6 @@ use crate::objects::queries::ActiveQueries;
 use crate::state::State;
 use crate::state::attrib::AttribStacks;
 use crate::state::evaluate::Maps;
-use crate::state::feedback::Feedback;
 use crate::state::transform_feedback::TransformFeedback;
 use crate::state::uniform_buffers::UniformBuffers;
 use changes::Changes;

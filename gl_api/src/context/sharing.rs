@@ -4,8 +4,9 @@
 //! context's own for as long as it runs, under the group's lock. A context without a group does
 //! none of this. What one context records another sees after `glFlush` or `glFinish`.
 
+use crate::context::Context;
 use crate::objects::Objects;
-use parking_lot::{Condvar, Mutex};
+use parking_lot::{ArcMutexGuard, Condvar, Mutex, RawMutex};
 use rasterizer::driver::Device;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -95,4 +96,48 @@ pub(crate) fn exchange(a: &mut Objects, b: &mut Objects) {
     std::mem::swap(&mut a.assemblies, &mut b.assemblies);
     std::mem::swap(&mut a.syncs, &mut b.syncs);
     std::mem::swap(&mut a.lists, &mut b.lists);
+}
+
+/// A call, which has the objects of its context's group; gives them back, even if it panics.
+pub(crate) struct Turn<'a> {
+    pub context: &'a mut Context,
+    shared: Option<ArcMutexGuard<RawMutex, Objects>>,
+}
+
+impl<'a> Turn<'a> {
+    /// Waits for the calls of other contexts of the group; without a group there is nothing to do.
+    pub fn begin(context: &'a mut Context) -> Self {
+        let mut turn = Self { context, shared: None };
+        if turn.context.group_outside().is_some() {
+            turn.fetch();
+        }
+        turn
+    }
+
+    #[inline(never)]
+    fn fetch(&mut self) {
+        if let Some(group) = self.context.group_outside() {
+            let mut shared = group.0.lock_arc();
+            exchange(&mut self.context.objects, &mut shared);
+            self.context.entered = Entered::Yes;
+            self.shared = Some(shared);
+        }
+    }
+
+    #[inline(never)]
+    fn give_back(&mut self) {
+        if let Some(mut shared) = self.shared.take() {
+            self.context.entered = Entered::No;
+            exchange(&mut self.context.objects, &mut shared);
+        }
+    }
+}
+
+impl Drop for Turn<'_> {
+    #[inline]
+    fn drop(&mut self) {
+        if self.shared.is_some() {
+            self.give_back();
+        }
+    }
 }

@@ -2,7 +2,7 @@
 
 use crate::base::args::Data;
 use crate::base::constants::*;
-use crate::base::error::{Result, invalid_operation, invalid_value};
+use crate::base::error::{Result, invalid_operation};
 use crate::base::limits;
 use crate::base::types::*;
 use crate::context::Context;
@@ -90,20 +90,4 @@ pub(crate) fn mapped<T>(name: GLuint, location: usize) -> Result<T> {
         "GL 3.1, section 2.9",
         format!("{array} reads buffer {name}, which is mapped: call glUnmapBuffer"),
     )
-}
-
-/// Refuses a generic attribute that there is not.
-#[cold]
-#[inline(never)]
-pub(crate) fn no_attribute<T>(index: GLuint) -> Result<T> {
-    const SECTION: &str = "GL 2.1, section 2.8";
-    if index == GLuint::MAX {
-        return invalid_value(
-            SECTION,
-            "index = -1 is what glGetAttribLocation answers where the program has no such attribute: \
-             it is misspelt, or nothing uses it",
-        );
-    }
-    let rule = format!("index = {index} must be below GL_MAX_VERTEX_ATTRIBS, {MAX_VERTEX_ATTRIBS}");
-    invalid_value(SECTION, rule)
 }

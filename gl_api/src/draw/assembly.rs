@@ -28,7 +28,7 @@ pub(crate) fn assembled(
     let Some(loaded) = running(context, target) else { return Ok(None) };
     let linked = &loaded.linked;
     let module = match target {
-        Target::Vertex => linked.vertex_of(crate::calls::fragment::clamp::of_vertices(context)),
+        Target::Vertex => linked.vertex_of(crate::draw::clamp::of_vertices(context)),
         Target::Fragment => &linked.fragment,
     };
     let Some(module) = module.clone() else { return Ok(None) };

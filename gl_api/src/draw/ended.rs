@@ -5,11 +5,11 @@
 //! was true of it is true of the next: they can be drawn without an error, with the same state, at any
 //! time before something else happens ([`draw_ended`]).
 
+use crate::base::limits::LOCATIONS;
 use crate::context::Context;
 use crate::context::ended::{Ended, vertices_of_primitive};
 use crate::context::immediate::{Column, Immediate};
 use crate::draw::complete::{checked_drawable, draws_integers};
-use crate::state::LOCATIONS;
 use crate::state::enable::Flag;
 
 /// So many vertices do not wait any longer.
@@ -78,7 +78,7 @@ fn draw_waiting(context: &mut Context) {
     let mut ended = match context.ended.take() {
         Some(Ended::Vertices(ended)) => ended,
         Some(Ended::Bitmaps(bitmaps)) => {
-            return crate::calls::pixels::bitmap::draw_waiting(context, &bitmaps);
+            return crate::draw::bitmaps::draw_waiting(context, &bitmaps);
         }
         None => return,
     };

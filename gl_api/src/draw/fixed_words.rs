@@ -1,10 +1,10 @@
 //! The uniform words of the fixed function: what its generated stages read, worked out in `f64` once
 //! a draw and rounded once.
 
-use crate::calls::lighting::material::material;
-use crate::calls::transform::matrix::{inverse_3, rescale_factor};
+use crate::base::inverse::{inverse_3, rescale_factor};
 use crate::context::Context;
 use crate::context::recorder::fixed_words::{FixedWords, Keys, Lit, Normal, Transform};
+use crate::draw::material::material;
 use crate::draw::words::{put, scene_color};
 use crate::generate::fixed::fog::constants as fog_constants;
 use crate::generate::fixed::fragment::FragmentKey;

@@ -1,9 +1,10 @@
 //! The keys of the fixed-function stages: which state changes their code, and how.
 
-use crate::calls::lighting::material::material;
+use crate::base::clamp::Clamp;
 use crate::context::Context;
 use crate::context::recorder::keys::UnitsSeen;
 use crate::draw::hints;
+use crate::draw::material::material;
 use crate::draw::stages::{alpha_test, sampler};
 use crate::generate::fixed::environment::{Environment, environment_base};
 use crate::generate::fixed::fog::FogKey;
@@ -13,7 +14,6 @@ use crate::generate::fixed::vertex::{Generated, Normals, PointSize, VertexKey};
 use crate::interface::*;
 use crate::objects::target::TextureTarget;
 use crate::pixel::texel::is_wide;
-use crate::state::clamp::Clamp;
 use crate::state::enable::Flag;
 use crate::state::env::Unit;
 use crate::state::env::texgen::GenMode;
@@ -54,7 +54,7 @@ pub(crate) fn vertex_key(context: &Context, vertices: &[VertexBinding], base: u3
             true => PointSize::Attenuated,
             false => PointSize::Constant,
         },
-        clamp: crate::calls::fragment::clamp::of_vertices(context),
+        clamp: crate::draw::clamp::of_vertices(context),
     };
     if state.enables.has(Flag::Normalize) && key.reads_normals() {
         key.normals = Normals::Normalized;

@@ -3,6 +3,17 @@
 //! The modules in the order in which vertices pass through them: arrays and immediate mode collect
 //! them, the draw calls check them, the stages are chosen, and the translation records commands.
 
+pub(crate) mod area;
+pub(crate) mod bitmaps;
+pub(crate) mod clamp;
+pub(crate) mod material;
+pub(crate) mod multisample;
+pub(crate) mod reach;
+pub(crate) mod texture_buffer;
+pub(crate) mod validate;
+pub(crate) mod viewport;
+pub(crate) mod zoom;
+
 pub(crate) mod again;
 pub(crate) mod array_names;
 pub(crate) mod assembly;

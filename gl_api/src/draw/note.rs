@@ -3,11 +3,11 @@
 use crate::assembly::Target;
 use crate::base::constants::enum_name;
 use crate::context::Context;
-use crate::context::draw_note::DrawNote;
+use crate::context::draw_note::{DrawNote, Note};
 use crate::generate::fixed::fragment::FragmentKey;
 use crate::glsl::SamplerSlot;
 use crate::objects::target::{TARGET, TextureTarget};
-use rasterizer::driver::ShaderModule;
+use rasterizer::driver::{Command, PassDesc, ShaderModule};
 use rasterizer::ir::Stage;
 
 impl DrawNote {
@@ -76,4 +76,28 @@ pub(crate) fn texture(context: &Context, unit: u32, target: TextureTarget) -> St
     let state = context.state.units.units.get(unit as usize);
     let name = state.map_or(0, |state| state.bound[target as usize].name());
     format!("unit {unit}, {} {name}", enum_name(TARGET.encode(target)))
+}
+
+/// Whether what a pass draws to is watched.
+pub(crate) fn is_watched(context: &Context, pass: &PassDesc) -> bool {
+    let window = &context.window.color;
+    context.watched.is_some()
+        && pass.colors.iter().flatten().any(|attachment| attachment.image.same(window))
+}
+
+/// Records that what comes next in the open pass, which is watched, is a draw.
+pub(crate) fn watch_draw(context: &mut Context, note: DrawNote) {
+    watch(context, Note::Draw(Box::new(note)));
+}
+
+/// Records that what comes next in the open pass, which is watched, are clears.
+pub(crate) fn watch_clear(context: &mut Context) {
+    watch(context, Note::Clear);
+}
+
+pub(crate) fn watch(context: &mut Context, note: Note) {
+    let Some(watched) = &mut context.watched else { return };
+    let label = watched.notes.len() as u32;
+    watched.notes.push(note);
+    context.recorder.push(Command::Watch(watched.watch.labelled(label)));
 }

@@ -5,14 +5,14 @@
 //! fogged and tested), with the primary colour read from the image instead of a varying.
 
 use crate::base::error::{ErrorCode, GlError, Result};
-use crate::calls::framebuffer::clear::drawn_area;
-use crate::calls::pixels::zoom::Zoomed;
 use crate::context::Context;
 use crate::context::recorder::elements::Elements;
 use crate::context::recorder::rectangle::{Content, Holds, Key, Rectangle};
 use crate::context::recorder::stages::Stages;
+use crate::draw::area::drawn_area;
 use crate::draw::complete::draw_pass;
 use crate::draw::translate::draw_rectangle;
+use crate::draw::zoom::Zoomed;
 use crate::generate::fixed::cached;
 use crate::interface::*;
 use crate::state::raster_position::RasterPosition;

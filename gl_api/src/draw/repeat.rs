@@ -4,12 +4,12 @@
 //! A draw costs what hundreds of vertices do, and programs draw sprite by sprite, or call
 //! `glMultiDrawArrays`.
 
-use crate::calls::vertex::reach::all_have;
 use crate::context::Context;
 use crate::context::ended::vertices_of_primitive;
 use crate::context::recorder::elements::Elements;
 use crate::context::recorder::repeat::{Joined, Repeat, is_whole};
 use crate::context::recorder::{Recorder, Told};
+use crate::draw::reach::all_have;
 use rasterizer::driver::{Buffer, Command, IndexType, Indices, PipelineDesc, Topology};
 use rasterizer::ir::Stmt;
 

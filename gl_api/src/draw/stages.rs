@@ -2,9 +2,9 @@
 //! each stage that it lacks.
 
 use crate::assembly::{Position, Target};
+use crate::base::clamp::Clamp;
 use crate::base::error::{Result, invalid_operation};
-use crate::calls::program::validate::runnable;
-use crate::calls::transform::matrix::inverse;
+use crate::base::inverse::inverse;
 use crate::context::Context;
 use crate::context::draw_note::DrawNote;
 use crate::context::recorder::fixed_words::Keys;
@@ -14,6 +14,7 @@ use crate::context::recorder::stages::{
 use crate::draw::assembly::assembled;
 use crate::draw::complete::draws_integers;
 use crate::draw::hints;
+use crate::draw::validate::runnable;
 use crate::draw::words::put_bindings;
 use crate::generate::fixed::clamp::clamp_fragment_colors;
 use crate::generate::fixed::fragment::{FragmentKey, add_alpha_test, set_shade_model};
@@ -24,9 +25,7 @@ use crate::glsl::{ComparisonResult, SamplerSlot};
 use crate::interface::MAX_COMBINED_TEXTURE_IMAGE_UNITS;
 use crate::objects::programs::Linked;
 use crate::objects::target::TextureTarget;
-use crate::state::clamp::Clamp;
 use crate::state::enable::Flag;
-use crate::state::viewport;
 use glam::DMat4;
 use rasterizer::driver::{Rim, ShaderModule, VertexBinding};
 use rasterizer::ir::{Access, Expr, Interpolation, Module, Output, Stage};
@@ -65,8 +64,7 @@ impl Programs {
             }
             let program = &linked.program;
             put_words(context, &mut programs.words, linked);
-            programs.vertex =
-                linked.vertex_of(crate::calls::fragment::clamp::of_vertices(context)).clone();
+            programs.vertex = linked.vertex_of(crate::draw::clamp::of_vertices(context)).clone();
             programs.fragment = linked.fragment.clone();
             programs.samplers.clone_from(&program.samplers);
             programs.said = program.color_interpolation;
@@ -108,7 +106,7 @@ pub(crate) fn choose(
     let name = context.state.bindings.program.name();
     crate::draw::uniform_blocks::refresh(context, name)?;
     crate::draw::keys::see_units(context);
-    let clamp = crate::calls::fragment::clamp::of_fragments(context);
+    let clamp = crate::draw::clamp::of_fragments(context);
     let programs = Programs::new(context, name)?;
     let vertex_textures = match &programs.vertex {
         Some(module) => programs.textures(context, Stage::Vertex, module)?,
@@ -191,7 +189,7 @@ impl FragmentStage {
                 shade_model: context.state.raster.shade_model,
                 sides: if two_sided { Sides::Two } else { Sides::One },
                 // Writing fractions clamps.
-                clamp: if crate::calls::fragment::clamp::draws_fractions(context) {
+                clamp: if crate::draw::clamp::draws_fractions(context) {
                     Clamp::Off
                 } else {
                     clamp
@@ -342,7 +340,7 @@ fn program_textures(
         let decl = module.module().textures[slot];
         hints::textures::sampler(context, unit, target, sampler.word, decl);
         textures.push(Some(match target {
-            TextureTarget::Buffer => crate::calls::texture::buffer::plan(context, unit)?,
+            TextureTarget::Buffer => crate::draw::texture_buffer::plan(context, unit)?,
             TextureTarget::D1Array
             | TextureTarget::D2Array
             | TextureTarget::CubeArray
@@ -384,10 +382,11 @@ pub(crate) fn sampler(context: &Context, unit: u8, target: TextureTarget) -> Sam
     }
     // GL 2.1, section 3.8.4: a border of fractions is one; floats and integers keep theirs.
     if !texture.has_wide_texels() {
-        let fractions = sampler.border.floats().map(|c| viewport::unit(c.into()) as f32);
+        let fractions =
+            sampler.border.floats().map(|c| crate::base::convert::unit(c.into()) as f32);
         sampler.border = Border::Float(fractions);
     }
-    sampler.lod_bias = crate::state::env::lod_bias(sampler.lod_bias + state.lod_bias);
+    sampler.lod_bias = crate::base::convert::lod_bias(sampler.lod_bias + state.lod_bias);
     sampler
 }
 

@@ -1,9 +1,8 @@
 //! From validated state to commands of the driver.
 
 use crate::base::error::{ErrorCode, GlError, Result, invalid_operation};
-use crate::calls::raster::multisample::multisample_state;
-use crate::calls::transform::viewport::depth_clip;
 use crate::context::Context;
+use crate::context::feedback::Mode;
 use crate::context::recorder::again::Decided;
 use crate::context::recorder::elements::{Elements, bit};
 use crate::context::recorder::rectangle::Rectangle;
@@ -11,13 +10,14 @@ use crate::context::recorder::stages::{Reads, Stages, Textures};
 use crate::context::recorder::{Recorder, stages};
 use crate::draw::complete::{draw_pass, draw_planes, drawn_formats};
 use crate::draw::ended::draw_ended;
+use crate::draw::multisample::multisample_state;
+use crate::draw::note::{is_watched, watch_draw};
 use crate::draw::primitives::{raster_state, smoothness};
 use crate::draw::srgb::srgb_write;
+use crate::draw::viewport::depth_clip;
 use crate::draw::{assembly_words as assembly, begin_pass, hints};
-use crate::explain::{is_watched, watch_draw};
 use crate::interface::ATTRIB_EDGE_FLAG;
 use crate::state::enable::Flag;
-use crate::state::feedback::Mode;
 use crate::state::stencil::Side;
 use rasterizer::driver::{
     Buffer, ColorState, Command, Cull, DepthClip, DepthState, FrontFace, OutputState, PassDesc,

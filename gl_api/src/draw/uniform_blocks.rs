@@ -9,36 +9,8 @@ use crate::objects::buffers::BufferObject;
 use crate::objects::indexed_buffers::BufferRange;
 use crate::objects::programs::{Linked, ShaderOrProgram};
 use crate::state::uniform_buffers::SECTION;
-use rasterizer::driver::{Buffer, Version};
+use rasterizer::driver::Buffer;
 use rasterizer::ir::TRUE;
-
-/// A block of a linked program, and where its words came from.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct BlockState {
-    /// `GL_UNIFORM_BLOCK_BINDING`.
-    pub binding: GLuint,
-    /// Offset and size, and the buffer's version if there is a buffer; `None` before the first draw.
-    source: Option<(usize, Option<usize>, Option<Version>)>,
-}
-
-impl BlockState {
-    /// The blocks of a program that was just linked.
-    pub fn of(program: &glsl::Program) -> Vec<Self> {
-        vec![Self::default(); program.blocks.len()]
-    }
-
-    /// Whether the words are those of this range of a buffer as it is now.
-    fn is_of(&self, range: &BufferRange, buffer: Option<&Buffer>) -> bool {
-        self.source.as_ref().is_some_and(|(offset, size, version)| {
-            let same = match (version, buffer) {
-                (Some(version), Some(buffer)) => version.is_of(buffer),
-                (None, None) => true,
-                (Some(_), None) | (None, Some(_)) => false,
-            };
-            (*offset, *size) == (range.offset, range.size) && same
-        })
-    }
-}
 
 /// Brings the words of a program's uniform blocks up to date.
 ///

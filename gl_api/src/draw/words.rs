@@ -1,9 +1,9 @@
 //! The uniform words of the state that programs read (GLSL 1.30, section 7.4).
 
-use crate::calls::lighting::material::material;
-use crate::calls::transform::matrix::{inverse, inverse_3, rescale_factor};
+use crate::base::inverse::{inverse, inverse_3, rescale_factor};
 use crate::context::Context;
 use crate::draw::complete::draw_pass;
+use crate::draw::material::material;
 use crate::interface::*;
 use crate::state::light::Light;
 use crate::state::material::Material;

@@ -73,15 +73,15 @@ macro_rules! implement {
     (@record $context:ident $begin_end:ident $module:ident $method:ident $gl:ident
         [$($param:ident)*] [] []) => {
         if $context.compiling.is_some() {
-            let integers: &[i64] = &[$($crate::record::list::keep::Keep::integer(&$param)),*];
+            let integers: &[i64] = &[$($crate::record::keep::Keep::integer(&$param)),*];
             let name = stringify!($gl);
-            if $crate::record::list::proxy::asks_proxy(name, integers) {
+            if $crate::record::proxy::asks_proxy(name, integers) {
                 // Carried out below.
             } else if let (Some(()), $(Some($param),)*) =
-                (Some(()), $($crate::record::list::keep::Keep::keep(&$param, $context, name, integers),)*)
+                (Some(()), $($crate::record::keep::Keep::keep(&$param, $context, name, integers),)*)
             {
                 let run = move |context: &mut $crate::context::Context| {
-                    $module::$method(context $(, $crate::record::list::keep::Lend::lend(&$param))*)
+                    $module::$method(context $(, $crate::record::keep::Lend::lend(&$param))*)
                 };
                 return $context.record(name, $crate::base::begin_end::BeginEnd::$begin_end, Box::new(run));
             }
@@ -171,8 +171,8 @@ macro_rules! implement_attribute {
             #[doc = $doc]
             pub fn $method(&mut self $(, $lead: $lead_ty)? $(, $param: $ty)+) {
                 self.call(stringify!($gl), $crate::base::begin_end::BeginEnd::Allowed, |context| {
-                    let value = [$($crate::entry::Component::$convert($param)),+];
-                    $crate::calls::vertex::immediate::attribute(context, $slot, $crate::entry::filled(value))
+                    let value = [$($crate::base::component::Component::$convert($param)),+];
+                    $crate::calls::vertex::immediate::attribute(context, $slot, $crate::base::component::filled(value))
                 });
             }
         }
@@ -187,8 +187,8 @@ macro_rules! implement_attribute {
                 self.call(stringify!($gl), $crate::base::begin_end::BeginEnd::Allowed, |context| {
                     match v.first_chunk::<NEEDED>() {
                         Some(v) => {
-                            let value = v.map($crate::entry::Component::$convert);
-                            $crate::calls::vertex::immediate::attribute(context, $slot, $crate::entry::filled(value))
+                            let value = v.map($crate::base::component::Component::$convert);
+                            $crate::calls::vertex::immediate::attribute(context, $slot, $crate::base::component::filled(value))
                         }
                         None => $crate::base::error::invalid_operation(
                             "GL 2.1, section 2.7",

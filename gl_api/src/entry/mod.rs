@@ -20,7 +20,6 @@ mod implement;
 
 pub(crate) mod args;
 pub mod availability;
-mod component;
 pub(crate) mod current;
 pub mod description;
 #[cfg(any(test, feature = "exercise"))]
@@ -28,8 +27,8 @@ pub mod exercise;
 mod table;
 
 pub use crate::base::args::{Data, DataOut, Names, Pointers, Strings, TextOut};
+pub(crate) use crate::base::component::Component;
 pub use args::{Arg, BUFFER_OFFSET, NULL, Null, Offset};
-pub(crate) use component::{Component, filled};
 pub use current::{Current, set_current, with_current};
 pub use table::*;
 

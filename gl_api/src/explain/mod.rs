@@ -16,18 +16,16 @@
 //! | `output` | tests, blending, what is stored |
 
 pub(crate) mod event;
+pub(crate) mod explanation;
 pub(crate) mod output;
 pub(crate) mod page;
 pub(crate) mod sample;
 pub(crate) mod shader;
 
 use crate::context::Context;
-use crate::context::draw_note::Note;
 use crate::context::watched::Watched;
-pub use crate::context::watched::{Explanation, OutsideWindow};
-use rasterizer::driver::{Command, PassDesc, Watch};
-
-pub(crate) use crate::context::draw_note::DrawNote;
+pub use crate::explain::explanation::{Explanation, OutsideWindow};
+use rasterizer::driver::Watch;
 
 impl Context {
     /// From now on, until [`Context::explain_pixel`], writes down what happens to pixel `(x, y)` of
@@ -64,28 +62,4 @@ impl Context {
             notes: watched.notes,
         })
     }
-}
-
-/// Whether what a pass draws to is watched.
-pub(crate) fn is_watched(context: &Context, pass: &PassDesc) -> bool {
-    let window = &context.window.color;
-    context.watched.is_some()
-        && pass.colors.iter().flatten().any(|attachment| attachment.image.same(window))
-}
-
-/// Records that what comes next in the open pass, which is watched, is a draw.
-pub(crate) fn watch_draw(context: &mut Context, note: DrawNote) {
-    watch(context, Note::Draw(Box::new(note)));
-}
-
-/// Records that what comes next in the open pass, which is watched, are clears.
-pub(crate) fn watch_clear(context: &mut Context) {
-    watch(context, Note::Clear);
-}
-
-pub(crate) fn watch(context: &mut Context, note: Note) {
-    let Some(watched) = &mut context.watched else { return };
-    let label = watched.notes.len() as u32;
-    watched.notes.push(note);
-    context.recorder.push(Command::Watch(watched.watch.labelled(label)));
 }

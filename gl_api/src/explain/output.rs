@@ -1,6 +1,6 @@
 //! What a fragment's tests and blending do, and what is stored.
 
-use crate::context::watched::Explanation;
+use crate::explain::explanation::Explanation;
 use crate::explain::page::{Page, number, numbers};
 use rasterizer::driver::{BlendEquation, BlendFactor, DepthWrite};
 use rasterizer::trace::{Blending, Fragment, Test, When, Write};

@@ -3,7 +3,8 @@
 use super::error::GLU_INVALID_VALUE;
 use super::image::{UNPACK, bytes, get, layout};
 use super::pixels::{Layout, Meaning, Storage, Store, TIGHT, TooShort};
-use super::scale::{self, halve, scale};
+use super::scale;
+use super::scale::{halve, scale};
 use crate::base::args::Data;
 use crate::base::constants::*;
 use crate::base::types::{GLenum, GLint, GLsizei};

@@ -5,12 +5,12 @@
 
 use crate::base::client_memory::ClientPointer;
 use crate::base::constants::*;
-use crate::base::error::{Result, Table};
+use crate::base::error::{Result, Table, invalid_value};
+use crate::base::limits::LOCATIONS;
 use crate::base::types::*;
-use crate::draw::array_names::no_attribute;
+use crate::interface::MAX_VERTEX_ATTRIBS;
 use crate::interface::*;
 use crate::objects::bound::Bound;
-use crate::state::LOCATIONS;
 use rasterizer::driver::{Buffer, VertexFormat, VertexType};
 
 /// Where an array's bytes are.
@@ -119,4 +119,20 @@ pub(crate) fn generic(index: GLuint) -> Result<u8> {
         Ok(index) if index < MAX_VERTEX_ATTRIBS => Ok(index),
         _ => no_attribute(index),
     }
+}
+
+/// Refuses a generic attribute that there is not.
+#[cold]
+#[inline(never)]
+pub(crate) fn no_attribute<T>(index: GLuint) -> Result<T> {
+    const SECTION: &str = "GL 2.1, section 2.8";
+    if index == GLuint::MAX {
+        return invalid_value(
+            SECTION,
+            "index = -1 is what glGetAttribLocation answers where the program has no such attribute: \
+             it is misspelt, or nothing uses it",
+        );
+    }
+    let rule = format!("index = {index} must be below GL_MAX_VERTEX_ATTRIBS, {MAX_VERTEX_ATTRIBS}");
+    invalid_value(SECTION, rule)
 }

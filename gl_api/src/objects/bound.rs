@@ -95,7 +95,7 @@ mod tests {
     use crate::base::args::Data;
     use crate::base::constants::*;
     use crate::base::types::GLuint;
-    use crate::calls::sharing::Turn;
+    use crate::context::sharing::Turn;
     use crate::context::{Context, ContextDesc};
 
     /// How many deleted buffers, textures and programs there are in a context's group.

@@ -1,5 +1,7 @@
 //! Objects and their names: GL 2.1, sections 2.9, 2.15 and 3.8.12; framebuffer objects.
 
+pub(crate) mod blocks;
+
 pub(crate) mod accumulation;
 pub(crate) mod arrays;
 pub(crate) mod assemblies;
@@ -309,7 +311,7 @@ impl Objects {
         self.buffers.sweep(when);
         self.renderbuffers.sweep(when);
         self.assemblies.sweep(when);
-        crate::calls::program::programs::sweep(self);
+        programs::sweep(self);
     }
 
     /// The texture that is bound; if none is, the default texture of the target.

@@ -1,11 +1,11 @@
 //! Program objects: GL 2.1, section 2.15.2.
 
+use crate::base::clamp::Clamp;
 use crate::base::types::*;
-use crate::draw::uniform_blocks::BlockState;
 use crate::glsl;
 use crate::objects::Objects;
-use crate::objects::shaders::ShaderObject;
-use crate::state::clamp::Clamp;
+use crate::objects::blocks::BlockState;
+use crate::objects::shaders::{ShaderObject, forget_if_doomed};
 use rasterizer::driver::ShaderModule;
 
 /// Shaders and programs share one space of names.
@@ -78,3 +78,47 @@ impl ProgramObject {
 }
 
 impl Objects {}
+
+impl Linked {
+    /// The name of the uniform that has this word, quoted, after a space.
+    pub fn quoted_name(&self, word: u32) -> String {
+        let uniform = self.program.uniforms.iter().rfind(|uniform| uniform.word <= word);
+        uniform.map_or_else(String::new, |uniform| format!(" \"{}\"", uniform.name))
+    }
+}
+
+impl Objects {
+    /// What a program draws with.
+    pub fn linked_program(&self, name: GLuint) -> Option<&Linked> {
+        match self.programs.get(name)? {
+            ShaderOrProgram::Program(program) => program.executable.as_ref(),
+            ShaderOrProgram::Shader(_) => None,
+        }
+    }
+}
+
+/// Removes deleted programs that no context uses any more, and lets go of their shaders.
+pub(crate) fn sweep(objects: &mut Objects) {
+    for name in std::mem::take(&mut objects.doomed_programs) {
+        if objects.programs.is_held(name) {
+            objects.doomed_programs.push(name);
+            continue;
+        }
+        let attached = match objects.programs.get_mut(name) {
+            Some(ShaderOrProgram::Program(program)) => std::mem::take(&mut program.attached),
+            Some(ShaderOrProgram::Shader(_)) | None => Vec::new(),
+        };
+        objects.programs.remove(name);
+        for name in attached {
+            release(objects, name);
+        }
+    }
+}
+
+/// One program less holds a shader.
+pub(crate) fn release(objects: &mut Objects, name: GLuint) {
+    if let Some(ShaderOrProgram::Shader(shader)) = objects.programs.get_mut(name) {
+        shader.attachments -= 1;
+    }
+    forget_if_doomed(objects, name);
+}

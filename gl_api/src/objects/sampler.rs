@@ -2,12 +2,12 @@
 //! `ARB_sampler_objects`, `EXT_texture_filter_anisotropic`, `EXT_texture_mirror_clamp`,
 //! `EXT_texture_sRGB_decode`.
 
+use crate::base::compare::COMPARE;
 use crate::base::constants::*;
+use crate::base::convert::{lod_bias, symbol, unit_to_signed};
 use crate::base::error::{Result, Table, invalid_enum, invalid_value};
 use crate::base::types::*;
 use crate::objects::target::TextureTarget;
-use crate::state::env::{lod_bias, symbol, unit_to_signed};
-use crate::state::fragment::COMPARE;
 use texunit::sampler::{Border, Compare, Filter, MAX_ANISOTROPY, Mipmap, Sampler, SrgbRead, Wrap};
 
 const WRAP: Table<Wrap> = Table {
@@ -218,7 +218,8 @@ impl Values {
 
     pub fn fixed(values: &[GLint]) -> Self {
         let color = values.first_chunk::<4>();
-        let color = color.map(|color| Border::Float(color.map(crate::state::env::signed_to_unit)));
+        let color =
+            color.map(|color| Border::Float(color.map(crate::base::convert::signed_to_unit)));
         Self { color, ..Self::signed(values) }
     }
 

@@ -5,7 +5,6 @@
 //! calls that specify images, parameters, mipmaps, and reading back.
 
 use crate::base::constants::*;
-use crate::base::error::{ErrorCode, GlError};
 use crate::base::limits;
 use crate::base::types::*;
 use crate::objects::sampler::SamplerState;
@@ -15,7 +14,7 @@ use crate::pixel::internal::format_name;
 use rasterizer::driver::{Device, Image};
 use std::sync::Arc;
 use texunit::format::Format;
-use texunit::image::{Image as Texels, ImageError, Incomplete};
+use texunit::image::{Image as Texels, Incomplete};
 use texunit::plan::SamplePlan;
 use texunit::sampler::{Filter, Mipmap, Sampler, Wrap};
 
@@ -220,20 +219,4 @@ impl Texture {
             | Incomplete::UnequalFaces { .. } => reason.to_string(),
         })
     }
-}
-
-/// What an image that cannot be stored means to the client.
-pub(crate) fn storage_error(section: &'static str, error: &ImageError) -> GlError {
-    let code = match error {
-        ImageError::NoMean { .. } | ImageError::CutsBlocks { .. } => ErrorCode::InvalidOperation,
-        ImageError::TooLarge { .. }
-        | ImageError::NotCubes { .. }
-        | ImageError::OutOfMemory { .. }
-        | ImageError::WrongBorder { .. }
-        | ImageError::TooShort { .. }
-        | ImageError::Outside { .. }
-        | ImageError::NoSuchLevel { .. }
-        | ImageError::Missing { .. } => ErrorCode::OutOfMemory,
-    };
-    GlError::new(code, section, error.to_string())
 }

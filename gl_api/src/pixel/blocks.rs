@@ -15,8 +15,9 @@ pub(crate) const COLORS: Format = Format::Rgba32F;
 
 /// Compresses tightly packed [`COLORS`] into a level of this size.
 pub(crate) fn compress(format: Format, size: [u32; 3], colors: &[u8]) -> Result<Level> {
-    let mut level = Level::with_size(format.without_srgb(), size, [0; 3])
-        .map_err(|error| crate::objects::texture::storage_error("GL 2.1, section 3.8.3", &error))?;
+    let mut level = Level::with_size(format.without_srgb(), size, [0; 3]).map_err(|error| {
+        crate::pixel::storage_error::storage_error("GL 2.1, section 3.8.3", &error)
+    })?;
     level.compress(colors);
     level.format = format;
     Ok(level)

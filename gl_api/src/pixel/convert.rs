@@ -4,12 +4,12 @@
 //! another. Which goes where is decided once; where nothing is done to them and both records have the same
 //! bits for the same numbers, those are moved ([`texunit::pixel`]).
 
+use crate::base::clamp::Clamp;
 use crate::pixel::client::element::ClientType;
 use crate::pixel::client::format::{ClientFormat, LuminanceOf, Numbers};
 use crate::pixel::layout::Layout;
 use crate::pixel::texel;
 use crate::pixel::transfer::{Kind, Steps, Transfer};
-use crate::state::clamp::Clamp;
 use rasterizer::driver::SrgbWrite;
 use texunit::format::{Encoding, Field, Format};
 use texunit::image::Level;
@@ -181,7 +181,7 @@ impl<'a> Conversion<'a> {
     /// and intensity take R (GL 2.1, table 3.15).
     pub fn between(isa: Isa, from: Format, to: Format, transfer: &'a Transfer) -> Self {
         let kind = if from.is_depth() { Kind::Depth } else { Kind::Color };
-        let steps = transfer.of(kind, crate::calls::framebuffer::read::numbers_of(from));
+        let steps = transfer.of(kind, crate::pixel::numbers::numbers_of(from));
         Self::to_texels(isa, End::texel(from), to, steps)
     }
 

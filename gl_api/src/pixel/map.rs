@@ -1,7 +1,7 @@
 //! The look-up tables of pixel transfer: `glPixelMap` and `glGetPixelMap` (GL 2.1, sections 3.6.3
 //! and 6.1.3, table 3.3).
 
-use crate::state::viewport::unit;
+use crate::base::convert::unit;
 
 /// The most entries of a table (`GL_MAX_PIXEL_MAP_TABLE`).
 pub(crate) const MAX_PIXEL_MAP_TABLE: usize = 256;

@@ -1,5 +1,8 @@
 //! Pixels in the client's memory and texels in storage: formats, layout, transfer, conversion.
 
+pub(crate) mod numbers;
+pub(crate) mod storage_error;
+
 pub(crate) mod blocks;
 pub(crate) mod client;
 pub(crate) mod convert;

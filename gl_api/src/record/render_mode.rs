@@ -6,8 +6,8 @@ use crate::base::error::{Result, Table, invalid_operation, not_negative};
 use crate::base::types::*;
 use crate::base::value::{Value, int, symbol};
 use crate::context::Context;
-use crate::state::feedback::record::{FeedbackType, Record};
-use crate::state::feedback::{Mode, Target};
+use crate::context::feedback::record::{FeedbackType, Record};
+use crate::context::feedback::{Mode, Target};
 
 const SELECTION: &str = "GL 2.1, section 5.2";
 const FEEDBACK: &str = "GL 2.1, section 5.3";
@@ -139,13 +139,13 @@ pub(crate) fn push_name(context: &mut Context, name: GLuint) -> Result<()> {
 }
 
 pub(crate) fn pop_name(context: &mut Context) -> Result<()> {
-    in_selection(context, crate::state::feedback::select::Select::pop_name)
+    in_selection(context, crate::context::feedback::select::Select::pop_name)
 }
 
 /// Changes the stack of names; in other modes such calls are ignored.
 fn in_selection(
     context: &mut Context,
-    change: impl FnOnce(&mut crate::state::feedback::select::Select) -> Result<()>,
+    change: impl FnOnce(&mut crate::context::feedback::select::Select) -> Result<()>,
 ) -> Result<()> {
     match context.feedback.mode {
         Mode::Select => change(&mut context.feedback.select),
@@ -172,7 +172,7 @@ pub(crate) fn state_value(context: &Context, pname: GLenum) -> Option<Result<Val
     Some(match pname {
         GL_RENDER_MODE => symbol(MODE.encode(feedback.mode)),
         GL_NAME_STACK_DEPTH => int(feedback.select.depth()),
-        GL_MAX_NAME_STACK_DEPTH => int(crate::state::feedback::select::MAX_NAME_STACK_DEPTH),
+        GL_MAX_NAME_STACK_DEPTH => int(crate::context::feedback::select::MAX_NAME_STACK_DEPTH),
         GL_SELECTION_BUFFER_SIZE => int(feedback.select.size()),
         GL_FEEDBACK_BUFFER_SIZE => int(feedback.record.size()),
         GL_FEEDBACK_BUFFER_TYPE => symbol(FeedbackType::TABLE.encode(feedback.record.ty())),

@@ -33,7 +33,7 @@ pub(crate) struct Server {
     pub matrix_mode: MatrixMode,
     pub list_base: GLuint,
     pub pixel_zoom: [f32; 2],
-    pub current: Option<([[f32; 4]; crate::state::LOCATIONS], RasterPosition)>,
+    pub current: Option<([[f32; 4]; limits::LOCATIONS], RasterPosition)>,
     pub lighting: Option<(Versioned<light::Lights>, Versioned<material::Materials>)>,
     pub fog: Option<fog::FogState>,
     pub clip: Option<clip::ClipPlanes>,

@@ -3,15 +3,8 @@
 //! Colours of the state (fog, environments, the alpha reference, blending, clearing, borders) are kept
 //! as they are given, and clamped where they are used or asked for.
 
-use crate::state::viewport::unit;
+use crate::base::clamp::Clamp;
 use texunit::format::Format;
-
-/// Whether colours are clamped.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(crate) enum Clamp {
-    On,
-    Off,
-}
 
 /// When colours are clamped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -53,19 +46,4 @@ impl Default for ClampState {
 /// Whether a buffer of this format is of fixed-point numbers.
 fn is_fixed(format: Format) -> bool {
     format.info().encoding.range().is_some()
-}
-
-impl Clamp {
-    /// A component of a colour.
-    pub fn component(self, value: f32) -> f32 {
-        match self {
-            Self::On => unit(value.into()) as f32,
-            Self::Off => value,
-        }
-    }
-
-    /// A colour.
-    pub fn color(self, color: [f32; 4]) -> [f32; 4] {
-        color.map(|c| self.component(c))
-    }
 }

@@ -1,7 +1,5 @@
 //! Per-fragment operations: GL 2.1, section 4.1; masks and clear values: section 4.2.
 
-use crate::base::constants::*;
-use crate::base::error::Table;
 use crate::base::types::*;
 use crate::state::masks::BufferStates;
 use crate::state::stencil::Stencil;
@@ -78,17 +76,3 @@ impl Default for ClearState {
         }
     }
 }
-
-pub(crate) const COMPARE: Table<Compare> = Table {
-    section: "GL 2.1, section 4.1.5",
-    rows: &[
-        (GL_NEVER, Compare::Never),
-        (GL_LESS, Compare::Less),
-        (GL_EQUAL, Compare::Equal),
-        (GL_LEQUAL, Compare::LessEqual),
-        (GL_GREATER, Compare::Greater),
-        (GL_NOTEQUAL, Compare::NotEqual),
-        (GL_GEQUAL, Compare::GreaterEqual),
-        (GL_ALWAYS, Compare::Always),
-    ],
-};

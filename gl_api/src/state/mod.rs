@@ -2,24 +2,19 @@
 //! them. Objects are in [`crate::object`], texture environments in [`crate::env`].
 
 pub(crate) mod assembly;
-pub(crate) mod env;
-pub(crate) mod evaluate;
-pub(crate) mod evaluator_map;
-pub(crate) mod feedback;
-pub(crate) mod locked;
-pub(crate) mod raster_position;
-pub(crate) mod transform_feedback;
-pub(crate) mod uniform_buffers;
-
 pub(crate) mod attrib;
 pub(crate) mod blend;
 pub(crate) mod clamp;
 pub(crate) mod client_attrib;
 pub(crate) mod clip;
 pub(crate) mod enable;
+pub(crate) mod env;
+pub(crate) mod evaluate;
+pub(crate) mod evaluator_map;
 pub(crate) mod fog;
 pub(crate) mod fragment;
 pub(crate) mod light;
+pub(crate) mod locked;
 pub(crate) mod masks;
 pub(crate) mod material;
 pub(crate) mod matrix;
@@ -27,10 +22,14 @@ pub(crate) mod multisample;
 pub(crate) mod points;
 pub(crate) mod polygon;
 pub(crate) mod raster;
+pub(crate) mod raster_position;
 pub(crate) mod stencil;
+pub(crate) mod transform_feedback;
+pub(crate) mod uniform_buffers;
 pub(crate) mod versioned;
 pub(crate) mod viewport;
 
+use crate::base::limits::LOCATIONS;
 use crate::base::types::GLuint;
 use crate::interface::{ATTRIB_COLOR, ATTRIB_EDGE_FLAG, ATTRIB_INDEX, ATTRIB_NORMAL};
 use crate::objects::bound::Bound;
@@ -38,23 +37,20 @@ use crate::objects::texture::Proxies;
 use crate::pixel::store::PixelStore;
 use crate::pixel::transfer::Transfer;
 use crate::state::assembly::AssemblyState;
+use crate::state::clamp::ClampState;
+use crate::state::clip::ClipPlanes;
+use crate::state::enable::Enables;
 use crate::state::env::Units;
 use crate::state::evaluate::EvaluatorState;
+use crate::state::fog::FogState;
+use crate::state::fragment::{ClearState, FragmentState};
+use crate::state::light::Lights;
+use crate::state::material::Materials;
+use crate::state::matrix::Matrices;
+use crate::state::raster::RasterState;
 use crate::state::raster_position::RasterPosition;
-use clamp::ClampState;
-use clip::ClipPlanes;
-use enable::Enables;
-use fog::FogState;
-use fragment::{ClearState, FragmentState};
-use light::Lights;
-use material::Materials;
-use matrix::Matrices;
-use raster::RasterState;
-use versioned::Versioned;
-use viewport::ViewportState;
-
-/// How many attribute locations there are, conventional ones included; see [`crate::interface`].
-pub(crate) const LOCATIONS: usize = 32;
+use crate::state::versioned::Versioned;
+use crate::state::viewport::ViewportState;
 
 /// What is bound, or its name; 0 where nothing is.
 #[derive(Clone, Debug, Default)]

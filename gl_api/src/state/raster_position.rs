@@ -1,6 +1,5 @@
 //! The current raster position: GL 2.1, section 2.13, and `glWindowPos`.
 
-use crate::context::recorder::vertex_stage::Ready;
 use crate::interface::*;
 
 /// The current raster position, and what goes with it.
@@ -16,16 +15,6 @@ pub(crate) struct RasterPosition {
     pub index: f32,
     pub tex_coords: [[f32; 4]; MAX_TEXTURE_UNITS as usize],
 }
-
-/// The vertex stage that a raster position went through.
-#[derive(Debug)]
-pub(crate) struct Passed {
-    /// How many calls there had been when it was chosen.
-    pub at: u64,
-    pub ready: Ready,
-}
-
-impl Passed {}
 
 /// State that `glGet` reads.
 pub(crate) enum Answer {

@@ -17,11 +17,6 @@ impl ViewportState {
     }
 }
 
-/// Clamped to [0, 1]; NaN gives 0.
-pub(crate) fn unit(value: f64) -> f64 {
-    if value > 0.0 { value.min(1.0) } else { 0.0 }
-}
-
 /// A depth between those of the near and the far plane.
 pub(crate) fn within(depth: f64, [near, far]: [f64; 2]) -> f64 {
     depth.max(near.min(far)).min(near.max(far))

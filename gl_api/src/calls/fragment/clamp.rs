@@ -11,7 +11,7 @@ use crate::calls::framebuffer::buffers::drawn_format;
 use crate::context::Context;
 use crate::draw::complete::drawn_formats;
 use crate::pixel::internal::Component;
-use crate::state::clamp::{Clamp, When};
+use crate::state::clamp::When;
 use texunit::format::{BaseFormat, Encoding, Format};
 
 const SECTION: &str = "ARB_color_buffer_float, section 2.14.6";
@@ -52,30 +52,6 @@ pub(crate) fn clamp_color(context: &mut Context, target: GLenum, clamp: GLenum) 
         Target::Read => state.read = when,
     }
     Ok(())
-}
-
-/// Whether all that is drawn to holds numbers from 0 to 1, so that writing clamps.
-pub(crate) fn draws_fractions(context: &Context) -> bool {
-    drawn_formats(context).all(|format| format.info().encoding.range() == Some(Encoding::UNIT))
-}
-
-/// Whether colours of vertices are clamped now.
-pub(crate) fn of_vertices(context: &Context) -> Clamp {
-    context.state.clamp.vertex.now(drawn_formats(context))
-}
-
-/// Whether colours of fragments are clamped now.
-pub(crate) fn of_fragments(context: &Context) -> Clamp {
-    context.state.clamp.fragment.now(drawn_formats(context))
-}
-
-/// Whether colours that are read from a buffer of this format are clamped. Integers, depths and
-/// stencils are no colours.
-pub(crate) fn of_reading(context: &Context, format: Format) -> Clamp {
-    if format.is_integer() || format.is_depth() {
-        return Clamp::Off;
-    }
-    context.state.clamp.read.now(std::iter::once(format))
 }
 
 /// Which of red, green, blue and alpha can be negative (`EXT_packed_float`, table 6.33).

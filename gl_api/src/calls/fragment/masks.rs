@@ -1,11 +1,11 @@
 //! Which components are written, which buffers are blended, and the logical operation: GL 2.1,
 //! sections 4.1.10 and 4.2.2; `EXT_draw_buffers2`.
 
+use crate::base::answer::{put_bools, put_ints, put_longs};
 use crate::base::constants::*;
 use crate::base::error::{Result, invalid_enum};
 use crate::base::types::*;
 use crate::base::value::{Value, flag, int, symbol};
-use crate::calls::query::get::{put_bools, put_ints, put_longs};
 use crate::context::Context;
 use crate::state::blend::Formula;
 use crate::state::enable::{Flag, Switch};
@@ -123,7 +123,7 @@ pub(crate) fn get_integer64i_v(
     data: &mut [GLint64],
 ) -> Result<()> {
     if let Some(value) = number(context, target, index) {
-        return crate::calls::query::put(data, &[value?]);
+        return crate::base::answer::put(data, &[value?]);
     }
     put_longs(data, indexed_state(context, target, index)?)
 }

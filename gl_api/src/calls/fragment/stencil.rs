@@ -1,10 +1,10 @@
 //! The stencil test: GL 2.1, section 4.1.5, and `EXT_stencil_two_side`.
 
+use crate::base::compare::COMPARE;
 use crate::base::constants::*;
 use crate::base::error::{Result, Table};
 use crate::base::types::*;
 use crate::context::Context;
-use crate::state::fragment::COMPARE;
 use crate::state::stencil::{ACTIVE_FACE, Face, STENCIL_OP};
 use rasterizer::driver::StencilOp;
 

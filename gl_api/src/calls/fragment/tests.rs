@@ -1,12 +1,13 @@
 //! Per-fragment operations: GL 2.1, section 4.1; masks and clear values: section 4.2.
 
+use crate::base::compare::COMPARE;
+use crate::base::convert::unit;
 use crate::base::error::{Result, not_negative};
 use crate::base::types::*;
 use crate::context::Context;
-use crate::state::fragment::{COMPARE, ClearColor, FragmentState};
+use crate::state::fragment::{ClearColor, FragmentState};
 use crate::state::masks::BUFFERS;
 use crate::state::stencil::Stencil;
-use crate::state::viewport::unit;
 use rasterizer::driver::{DepthWrite, LogicOp, Rect};
 use texunit::sampler::Compare;
 

@@ -6,12 +6,12 @@ use crate::base::error::{ErrorCode, GlError, Result, Table, invalid_operation};
 use crate::base::types::*;
 use crate::base::value::{Value, int, unit};
 use crate::calls::framebuffer::blit::edit;
-use crate::calls::framebuffer::clear::drawn_area;
 use crate::calls::framebuffer::read;
 use crate::context::Context;
+use crate::context::feedback::Mode;
+use crate::draw::area::drawn_area;
 use crate::draw::complete::{Readable, draw_pass};
 use crate::pixel::convert::Conversion;
-use crate::state::feedback::Mode;
 use rasterizer::driver::{Rect, SrgbWrite};
 use texunit::lanes::LANES;
 

@@ -9,9 +9,9 @@ use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_operation, invalid_value};
 use crate::base::types::*;
 use crate::calls::framebuffer::blit::rows::Way;
-use crate::calls::framebuffer::clear::drawn_area;
 use crate::calls::framebuffer::read::{Pixels, same_kind, settled, settled_samples};
 use crate::context::Context;
+use crate::draw::area::drawn_area;
 use crate::draw::complete::{
     Readable, checked_complete, draw_pass, draw_planes, read_attachment, read_samples, samples,
 };

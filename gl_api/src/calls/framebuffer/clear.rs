@@ -1,44 +1,19 @@
 //! `glClear` and `glClearBuffer`: GL 2.1, section 4.2.3; GL 3.0, section 4.2.3.
 
 use crate::base::constants::*;
+use crate::base::convert::unit;
 use crate::base::error::{Result, invalid_enum, invalid_operation, invalid_value};
 use crate::base::limits;
 use crate::base::types::*;
 use crate::context::Context;
+use crate::context::feedback::Mode;
+use crate::draw::area::drawn_area;
 use crate::draw::complete::{draw_pass, draw_planes};
 use crate::draw::srgb::srgb_write;
 use crate::state::enable::Flag;
-use crate::state::feedback::Mode;
 use crate::state::fragment::ClearColor;
-use crate::state::viewport::unit;
-use rasterizer::driver::{
-    Attachment, ClearValue, Command, DepthWrite, PassDesc, Rect, texel_words,
-};
+use rasterizer::driver::{Attachment, ClearValue, Command, DepthWrite, PassDesc, texel_words};
 use texunit::format::integer::encode_int;
-
-/// The pixels that fragments reach: the attachments' area within the scissor rectangle.
-pub(crate) fn drawn_area(context: &Context, pass: &PassDesc) -> Rect {
-    let all = Rect { x: 0, y: 0, width: pass.width, height: pass.height };
-    if !context.state.enables.has(Flag::ScissorTest) {
-        return all;
-    }
-    let scissor = context.state.fragment.scissor;
-    let region = crate::context::window::Region::new(
-        scissor.x,
-        scissor.y,
-        scissor.width as usize,
-        scissor.height as usize,
-    );
-    match region.within(pass.width, pass.height) {
-        Some(visible) => Rect {
-            x: visible.x as i32,
-            y: visible.y as i32,
-            width: visible.width as u32,
-            height: visible.height as u32,
-        },
-        None => Rect { x: 0, y: 0, width: 0, height: 0 },
-    }
-}
 
 /// The words of a colour in an attachment.
 fn words(context: &Context, attachment: &Attachment, color: ClearColor) -> [u32; 4] {
@@ -93,10 +68,10 @@ fn record(context: &mut Context, pass: PassDesc, clears: Vec<ClearValue>) {
     if context.state.bindings.draw_framebuffer == 0 {
         context.window.depths.clear(&clears);
     }
-    let watched = crate::explain::is_watched(context, &pass);
+    let watched = crate::draw::note::is_watched(context, &pass);
     crate::draw::begin_pass(context, pass);
     if watched {
-        crate::explain::watch_clear(context);
+        crate::draw::note::watch_clear(context);
     }
     for value in clears {
         context.recorder.push(Command::Clear { value, area });

@@ -1,10 +1,10 @@
 //! What is known of an attachment: `ARB_framebuffer_object`, section 6.1.13.
 
+use crate::base::answer::put;
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_enum, invalid_operation};
 use crate::base::types::*;
 use crate::calls::framebuffer::names::bound;
-use crate::calls::query::put;
 use crate::context::Context;
 use crate::draw::complete::attached_format;
 use crate::objects::attachments::{Point, point};

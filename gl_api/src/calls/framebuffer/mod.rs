@@ -9,4 +9,3 @@ pub(crate) mod inspect;
 pub(crate) mod names;
 pub(crate) mod read;
 pub(crate) mod renderbuffers;
-pub(crate) mod swap;

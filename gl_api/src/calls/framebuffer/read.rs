@@ -10,7 +10,7 @@ use crate::context::window::{Region, Visible, format_of};
 use crate::draw::complete::{Readable, read_attachment};
 use crate::draw::hints::sight;
 use crate::pixel::client::Pixel;
-use crate::pixel::client::format::{ClientFormat, LuminanceOf, Numbers};
+use crate::pixel::client::format::{ClientFormat, LuminanceOf};
 use crate::pixel::convert::{Conversion, Final};
 use crate::pixel::layout::{Extent, Layout};
 use crate::pixel::transfer::Kind;
@@ -177,7 +177,7 @@ pub(crate) fn read_pixels(
     let transfer = context.state.transfer;
     let mut last = Final::of(from, LuminanceOf::Sum);
     if !pixel.format.is_depth() && !from.is_integer() {
-        last.clamp = crate::calls::fragment::clamp::of_reading(context, from);
+        last.clamp = crate::draw::clamp::of_reading(context, from);
     }
     crate::draw::settle(context, &attachment.image);
     sight::picture(context);
@@ -253,9 +253,4 @@ pub(crate) fn same_kind(a: Format, b: Format) -> bool {
         (format.is_integer()).then(|| format.info().encoding == texunit::format::Encoding::Sint)
     };
     kind(a) == kind(b)
-}
-
-/// The numbers of what is read, for a copy.
-pub(crate) fn numbers_of(format: Format) -> Numbers {
-    if format.is_integer() { Numbers::Integer } else { Numbers::Fixed }
 }

@@ -1,5 +1,6 @@
 //! Renderbuffers: `ARB_framebuffer_object`, section 4.4.2.
 
+use crate::base::answer::put;
 use crate::base::constants::*;
 use crate::base::error::{
     ErrorCode, GlError, Result, Table, invalid_enum, invalid_operation, invalid_value, not_negative,
@@ -7,7 +8,6 @@ use crate::base::error::{
 use crate::base::limits;
 use crate::base::types::*;
 use crate::calls::framebuffer::attach::detach;
-use crate::calls::query::put;
 use crate::context::Context;
 use crate::context::window::texels;
 use crate::objects::renderbuffers::Renderbuffer;

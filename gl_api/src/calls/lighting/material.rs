@@ -9,11 +9,9 @@ use crate::calls::params::{parameter_calls, parameter_queries};
 use crate::calls::vertex::immediate::attribute;
 use crate::context::Context;
 use crate::context::immediate::Slot;
-use crate::interface::{ATTRIB_COLOR, ATTRIB_MATERIAL, Side};
-use crate::state::enable::Flag;
-use crate::state::material::{
-    FACES, MATERIAL_COLUMNS, Material, Materials, Part, Sides, TRACKED, Tracked, column,
-};
+use crate::draw::material::material;
+use crate::interface::{ATTRIB_MATERIAL, Side};
+use crate::state::material::{FACES, MATERIAL_COLUMNS, Materials, Part, Sides, TRACKED, column};
 
 const SECTION: &str = "GL 2.1, section 2.14.2";
 
@@ -50,28 +48,6 @@ impl Materials {
             Part::Shininess => material.shininess = value[0],
         }
     }
-}
-
-/// Gives the tracked colours of a material another value.
-fn track(material: &mut Material, tracked: Tracked, color: [f32; 4]) {
-    match tracked {
-        Tracked::Emission => material.emission = color,
-        Tracked::Ambient => material.ambient = color,
-        Tracked::Diffuse => material.diffuse = color,
-        Tracked::Specular => material.specular = color,
-        Tracked::AmbientAndDiffuse => (material.ambient, material.diffuse) = (color, color),
-    }
-}
-
-/// A side's material as it is now: tracked colours are the current one.
-pub(crate) fn material(context: &Context, side: Side) -> Material {
-    let materials = &context.state.materials;
-    let mut material = materials.side(side).clone();
-    if context.state.enables.has(Flag::ColorMaterial) && materials.faces.has(side) {
-        let color = context.state.current[usize::from(ATTRIB_COLOR)];
-        track(&mut material, materials.tracked, color);
-    }
-    material
 }
 
 /// Lets what followed the current colour keep it: tracking is about to end or to change.

@@ -6,14 +6,13 @@ use crate::base::types::*;
 use crate::calls::framebuffer::read;
 use crate::calls::pixels::draw::{DEPTHS, room, rows};
 use crate::calls::pixels::stencil;
-use crate::context::Context;
+use crate::context::feedback::Mode;
 use crate::context::recorder::rectangle::Holds;
 use crate::context::window::Region;
+use crate::context::{Context, feedback};
 use crate::draw::complete::{Readable, checked_drawable, draw_planes};
 use crate::pixel::convert;
 use crate::pixel::convert::Conversion;
-use crate::state::feedback;
-use crate::state::feedback::Mode;
 use texunit::format::Format;
 
 const SECTION: &str = "GL 2.1, section 4.3.3";
@@ -94,7 +93,8 @@ pub(crate) fn copy_pixels(
             "integers are not copied: call glBlitFramebuffer",
         );
     }
-    if crate::record::feedback::pixels(context, feedback::record::Kind::CopyPixels) != Mode::Render
+    if crate::draw::feedback::pixels::pixels(context, feedback::record::Kind::CopyPixels)
+        != Mode::Render
     {
         return Ok(());
     }

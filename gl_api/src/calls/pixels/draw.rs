@@ -6,6 +6,7 @@ use crate::base::error::{Result, invalid_operation, not_negative};
 use crate::base::types::*;
 use crate::calls::pixels::stencil;
 use crate::context::Context;
+use crate::context::feedback::{Mode, record};
 use crate::context::recorder::rectangle::Holds;
 use crate::draw::complete::{checked_drawable, draw_planes};
 use crate::pixel::client::Pixel;
@@ -14,7 +15,6 @@ use crate::pixel::convert;
 use crate::pixel::convert::Conversion;
 use crate::pixel::layout::{Extent, Layout};
 use crate::pixel::transfer::Kind;
-use crate::state::feedback::{Mode, record};
 use std::borrow::Cow;
 use texunit::format::Format;
 
@@ -85,7 +85,7 @@ pub(crate) fn draw_pixels(
     else {
         return Ok(());
     };
-    if crate::record::feedback::pixels(context, record::Kind::DrawPixels) != Mode::Render {
+    if crate::draw::feedback::pixels::pixels(context, record::Kind::DrawPixels) != Mode::Render {
         return Ok(());
     }
     let kind = pixel.format.kind();

@@ -3,12 +3,12 @@
 
 use crate::base::args::{Data, DataOut};
 use crate::base::constants::*;
+use crate::base::convert::unit;
 use crate::base::error::{Result, Table, invalid_operation, invalid_value};
 use crate::base::types::*;
 use crate::calls::pixels::memory::{source, write_bytes};
 use crate::context::Context;
 use crate::pixel::map::{MAX_PIXEL_MAP_TABLE, Map, Maps, Name};
-use crate::state::viewport::unit;
 
 const SECTION: &str = "GL 2.1, section 3.6.3";
 

@@ -1,19 +1,21 @@
 //! The current raster position: GL 2.1, section 2.13, and `glWindowPos`.
 
 use crate::base::constants::*;
+use crate::base::convert::unit;
 use crate::base::error::{Result, invalid_operation};
 use crate::base::limits;
 use crate::base::types::GLenum;
-use crate::calls::transform::viewport::depth_clip;
 use crate::context::Context;
+use crate::context::feedback::Mode;
+use crate::context::raster_passed::Passed;
 use crate::context::recorder::stages::Stages;
 use crate::context::recorder::vertex_stage::{Outputs, Ready, Shaded, Vertices};
 use crate::draw::repeat::is_plain;
+use crate::draw::viewport::depth_clip;
 use crate::interface::*;
-use crate::state::feedback::Mode;
 use crate::state::fog::FogSource;
-use crate::state::raster_position::{Answer, Passed, RasterPosition};
-use crate::state::viewport::{unit, within};
+use crate::state::raster_position::{Answer, RasterPosition};
+use crate::state::viewport::within;
 use rasterizer::driver::{DepthClip, Rim, VertexBinding, VertexSource};
 use rasterizer::ir::{Input, Output};
 use texunit::lanes::U32s;
@@ -158,7 +160,7 @@ pub(crate) fn raster(context: &mut Context, position: [f64; 4]) -> Result<()> {
         },
         w,
     ];
-    let clamp = crate::calls::fragment::clamp::of_vertices(context);
+    let clamp = crate::draw::clamp::of_vertices(context);
     let current = |location: u8| context.state.current[usize::from(location)];
     let mut tex_coords = [[0.0; 4]; MAX_TEXTURE_UNITS as usize];
     for (unit, coords) in (0..).zip(&mut tex_coords) {
@@ -187,7 +189,7 @@ pub(crate) fn window(context: &mut Context, position: [f64; 4]) -> Result<()> {
     let [x, y, z, w] = position;
     let [near, far] = context.state.viewport.depth;
     let depth = near + unit(z) * (far - near);
-    let clamp = crate::calls::fragment::clamp::of_vertices(context);
+    let clamp = crate::draw::clamp::of_vertices(context);
     let current = |location: u8| context.state.current[usize::from(location)];
     let mut tex_coords = [[0.0; 4]; MAX_TEXTURE_UNITS as usize];
     for (unit, coords) in (0..).zip(&mut tex_coords) {

@@ -3,12 +3,12 @@
 
 use crate::base::error::Result;
 use crate::calls::framebuffer::blit::edit;
-use crate::calls::framebuffer::clear::drawn_area;
 use crate::calls::pixels::draw::room;
-use crate::calls::pixels::zoom::Zoomed;
 use crate::context::Context;
 use crate::context::window::format_of;
+use crate::draw::area::drawn_area;
 use crate::draw::complete::draw_pass;
+use crate::draw::zoom::Zoomed;
 use crate::pixel::convert::Conversion;
 use crate::pixel::texel;
 use rasterizer::driver::DepthWrite;

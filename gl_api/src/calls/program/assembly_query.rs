@@ -1,6 +1,7 @@
 //! What can be asked of assembly programs: ARB_vertex_program, section 6.1.12.
 
 use crate::assembly::program::{Counts, Target};
+use crate::base::answer::put;
 use crate::base::args::{DataOut, LocatedOut};
 use crate::base::assembly_limits as limits;
 use crate::base::constants::*;
@@ -8,7 +9,6 @@ use crate::base::error::{Result, Table, invalid_enum, invalid_operation};
 use crate::base::types::*;
 use crate::base::value::{Value, int};
 use crate::calls::program::assembly::parameters;
-use crate::calls::query::put;
 use crate::context::Context;
 use crate::interface::MAX_VERTEX_ATTRIBS;
 use crate::objects::assemblies::{Assembly, TARGET};

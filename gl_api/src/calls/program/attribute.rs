@@ -2,15 +2,15 @@
 //! other forms are rows of `entry/attributes.rs`), and what is read as other types than `float` and
 //! `int` (section 6.1.14).
 
+use crate::base::answer::put;
+use crate::base::component::{Component, filled};
 use crate::base::constants::GL_CURRENT_VERTEX_ATTRIB;
 use crate::base::error::{Result, invalid_operation};
 use crate::base::types::*;
-use crate::calls::query::arrays::property;
-use crate::calls::query::put;
 use crate::calls::vertex::immediate::attribute;
 use crate::context::Context;
 use crate::context::immediate::Slot;
-use crate::entry::{Component, filled};
+use crate::query::arrays::property;
 
 macro_rules! vectors {
     ($($name:ident $ty:ident $convert:ident;)*) => {

@@ -1,6 +1,7 @@
 //! What is known of uniform blocks, and of uniforms in them: ARB_uniform_buffer_object, section
 //! 2.15.3.
 
+use crate::base::answer::put;
 use crate::base::args::{Names, TextOut};
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_operation, invalid_value, not_negative};
@@ -9,7 +10,6 @@ use crate::base::types::*;
 use crate::calls::program::data_type::gl_type;
 use crate::calls::program::inspect::{Active, active_uniforms, first_member};
 use crate::calls::program::programs::program;
-use crate::calls::query::put;
 use crate::context::Context;
 use crate::glsl::{MatrixOrder, Stage, UniformBlock};
 use crate::objects::programs::ProgramObject;

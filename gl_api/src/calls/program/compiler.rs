@@ -1,11 +1,11 @@
 //! The compiler as OpenGL ES asks about it (ARB_ES2_compatibility): it is always there, takes no
 //! binaries, and calculates with 32 bits whatever precision is written.
 
+use crate::base::answer::put;
 use crate::base::args::Data;
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_enum, not_negative};
 use crate::base::types::*;
-use crate::calls::query::put;
 use crate::context::Context;
 use crate::objects::shaders::STAGE;
 

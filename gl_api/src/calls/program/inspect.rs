@@ -1,5 +1,6 @@
 //! What is known of a program: GL 2.1, sections 2.15.3 and 6.1.14.
 
+use crate::base::answer::put;
 use crate::base::args::TextOut;
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_operation, invalid_value, not_negative};
@@ -10,7 +11,6 @@ use crate::calls::program::near::Of;
 use crate::calls::program::programs::program;
 use crate::calls::program::uniform::{at_location, element_words};
 use crate::calls::program::varyings::BUFFER_MODE;
-use crate::calls::query::put;
 use crate::context::Context;
 use crate::glsl::{DataType, Member, Scalar};
 use crate::interface::MAX_VERTEX_ATTRIBS;

@@ -3,37 +3,21 @@
 use crate::base::error::{Result, invalid_operation, invalid_value};
 use crate::base::limits;
 use crate::base::types::*;
-use crate::calls::program::shaders::{forget_if_doomed, shader};
+use crate::calls::program::shaders::shader;
 use crate::calls::transform_feedback::not_while_active;
 use crate::context::Context;
-use crate::draw::uniform_blocks::BlockState;
 use crate::generate::fixed::clamp::clamp_vertex_colors;
 use crate::glsl;
 use crate::interface::MAX_VERTEX_ATTRIBS;
-use crate::objects::programs::{LinkStatus, Linked, ProgramObject, ShaderOrProgram};
-use crate::objects::{Objects, Sweep};
+use crate::objects::Sweep;
+use crate::objects::blocks::BlockState;
+use crate::objects::programs::{
+    LinkStatus, Linked, ProgramObject, ShaderOrProgram, release, sweep,
+};
 use rasterizer::driver::ShaderModule;
 use rasterizer::ir::{Expr, Input, IrError, Module};
 
 const SECTION: &str = "GL 2.1, section 2.15.2";
-
-impl Linked {
-    /// The name of the uniform that has this word, quoted, after a space.
-    pub fn quoted_name(&self, word: u32) -> String {
-        let uniform = self.program.uniforms.iter().rfind(|uniform| uniform.word <= word);
-        uniform.map_or_else(String::new, |uniform| format!(" \"{}\"", uniform.name))
-    }
-}
-
-impl Objects {
-    /// What a program draws with.
-    pub fn linked_program(&self, name: GLuint) -> Option<&Linked> {
-        match self.programs.get(name)? {
-            ShaderOrProgram::Program(program) => program.executable.as_ref(),
-            ShaderOrProgram::Shader(_) => None,
-        }
-    }
-}
 
 /// The program of a name.
 pub(crate) fn program(context: &mut Context, name: GLuint) -> Result<&mut ProgramObject> {
@@ -61,32 +45,6 @@ pub(crate) fn delete_program(context: &mut Context, name: GLuint) -> Result<()> 
     context.objects.doomed_programs.push(name);
     context.objects.sweep(Sweep::Deleted);
     Ok(())
-}
-
-/// Removes deleted programs that no context uses any more, and lets go of their shaders.
-pub(crate) fn sweep(objects: &mut Objects) {
-    for name in std::mem::take(&mut objects.doomed_programs) {
-        if objects.programs.is_held(name) {
-            objects.doomed_programs.push(name);
-            continue;
-        }
-        let attached = match objects.programs.get_mut(name) {
-            Some(ShaderOrProgram::Program(program)) => std::mem::take(&mut program.attached),
-            Some(ShaderOrProgram::Shader(_)) | None => Vec::new(),
-        };
-        objects.programs.remove(name);
-        for name in attached {
-            release(objects, name);
-        }
-    }
-}
-
-/// One program less holds a shader.
-fn release(objects: &mut Objects, name: GLuint) {
-    if let Some(ShaderOrProgram::Shader(shader)) = objects.programs.get_mut(name) {
-        shader.attachments -= 1;
-    }
-    forget_if_doomed(objects, name);
 }
 
 pub(crate) fn is_program(context: &mut Context, name: GLuint) -> Result<bool> {

@@ -1,15 +1,14 @@
 //! Shader objects: GL 2.1, sections 2.15.1 and 6.1.14.
 
+use crate::base::answer::put;
 use crate::base::args::{Strings, TextOut};
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_operation, invalid_value, not_negative};
 use crate::base::types::*;
-use crate::calls::query::put;
 use crate::context::Context;
 use crate::glsl;
-use crate::objects::Objects;
 use crate::objects::programs::ShaderOrProgram;
-use crate::objects::shaders::{STAGE, ShaderObject, c_length, put_text};
+use crate::objects::shaders::{STAGE, ShaderObject, c_length, forget_if_doomed, put_text};
 
 const SECTION: &str = "GL 2.1, section 2.15.1";
 
@@ -42,16 +41,6 @@ pub(crate) fn delete_shader(context: &mut Context, name: GLuint) -> Result<()> {
         forget_if_doomed(&mut context.objects, name);
     }
     Ok(())
-}
-
-/// Removes a shader that was deleted, once no program holds it.
-pub(crate) fn forget_if_doomed(objects: &mut Objects, name: GLuint) {
-    if let Some(ShaderOrProgram::Shader(shader)) = objects.programs.get(name)
-        && shader.doomed
-        && shader.attachments == 0
-    {
-        objects.programs.remove(name);
-    }
 }
 
 pub(crate) fn is_shader(context: &mut Context, name: GLuint) -> Result<bool> {

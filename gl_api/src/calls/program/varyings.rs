@@ -1,5 +1,6 @@
 //! What a program captures: `glTransformFeedbackVaryings` and what the last link made of it.
 
+use crate::base::answer::put;
 use crate::base::args::{Names, TextOut};
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_operation, invalid_value, not_negative};
@@ -8,7 +9,6 @@ use crate::base::types::*;
 use crate::calls::program::data_type::gl_type;
 use crate::calls::program::inspect::indexed;
 use crate::calls::program::programs::program;
-use crate::calls::query::put;
 use crate::context::Context;
 use crate::glsl::{BufferMode, Capture, CaptureRequest};
 use crate::objects::shaders::put_text;

@@ -1,17 +1,14 @@
 //! Several samples a pixel: GL 2.1, sections 3.2.1 and 4.1.3; `ARB_texture_multisample`, sections
 //! 3.3.1 and 4.1.3.
 
+use crate::base::answer::put;
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_value};
 use crate::base::types::*;
-use crate::calls::query::put;
 use crate::context::Context;
 use crate::draw::complete::samples;
-use crate::state::enable::Flag;
 use crate::state::multisample::{MAX_SAMPLE_MASK_WORDS, Multisample};
-use rasterizer::driver::{
-    AlphaToCoverage, AlphaToOne, MultisampleState, SampleCoverage, SampleRule, sample_positions,
-};
+use rasterizer::driver::sample_positions;
 
 pub(crate) fn sample_coverage(context: &mut Context, value: GLclampf, invert: bool) -> Result<()> {
     let value = texunit::lanes::math::clamp(value, 0.0, 1.0);
@@ -72,33 +69,5 @@ pub(crate) fn get_multisamplefv(
             SECTION,
             format!("index = {index} must be below GL_SAMPLES of the draw framebuffer, {count}"),
         ),
-    }
-}
-
-/// What a draw does with the samples of the draw framebuffer, whose coverage follows `rule`: the
-/// default where it has one a pixel or `GL_MULTISAMPLE` is off.
-pub(crate) fn multisample_state(context: &Context, rule: SampleRule) -> MultisampleState {
-    let state = &context.state;
-    let has = |flag| state.enables.has(flag);
-    if !has(Flag::Multisample) || samples(context, state.bindings.draw_framebuffer) == 0 {
-        return MultisampleState::default();
-    }
-    let Multisample { value, invert, mask } = state.raster.multisample;
-    let coverage = match invert {
-        false => SampleCoverage::Part(value),
-        true => SampleCoverage::AllBut(value),
-    };
-    MultisampleState {
-        rule,
-        alpha_to_coverage: match has(Flag::SampleAlphaToCoverage) {
-            false => AlphaToCoverage::Off,
-            true => AlphaToCoverage::On,
-        },
-        alpha_to_one: match has(Flag::SampleAlphaToOne) {
-            false => AlphaToOne::Off,
-            true => AlphaToOne::On,
-        },
-        coverage: has(Flag::SampleCoverage).then_some(coverage),
-        mask: if has(Flag::SampleMask) { mask } else { GLbitfield::MAX },
     }
 }

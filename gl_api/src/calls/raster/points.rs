@@ -62,7 +62,7 @@ fn set(context: &mut Context, pname: GLenum, values: &[f32]) -> Result<()> {
             points.attenuation.copy_from_slice(&values[..3]);
         }
         Parameter::Origin => {
-            points.origin = ORIGIN.decode("param", crate::state::env::symbol(values[0]))?;
+            points.origin = ORIGIN.decode("param", crate::base::convert::symbol(values[0]))?;
         }
     }
     Ok(())

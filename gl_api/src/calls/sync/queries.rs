@@ -1,29 +1,18 @@
 //! Queries: GL 2.1, section 4.1.7 (samples), GL 3.0, section 2.16 (primitives),
 //! `ARB_occlusion_query2`, `ARB_timer_query`.
 
+use crate::base::answer::put;
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_operation};
 use crate::base::types::*;
-use crate::calls::query::put;
 use crate::context::Context;
 use crate::draw::submit;
 use crate::objects::listed;
-use crate::objects::queries::{GENERATED, Query, QueryTarget, TARGET, WRITTEN, timestamp};
+use crate::objects::queries::{Query, QueryTarget, TARGET, timestamp};
 use rasterizer::driver::Counter;
 use std::time::Instant;
 
 const SECTION: &str = "GL 2.1, section 4.1.7";
-
-impl Context {
-    /// Counts primitives of a draw, and those of them that transform feedback wrote.
-    pub(crate) fn count_primitives(&mut self, generated: u64, written: u64) {
-        for (place, count) in [(GENERATED, generated), (WRITTEN, written)] {
-            if let Some(query) = self.objects.queries.get_mut(self.queries.names[place]) {
-                query.primitives = query.primitives.saturating_add(count);
-            }
-        }
-    }
-}
 
 pub(crate) fn gen_queries(context: &mut Context, n: GLsizei, ids: &mut [GLuint]) -> Result<()> {
     context.objects.queries.reserve(SECTION, n, ids)

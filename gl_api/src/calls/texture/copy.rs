@@ -9,8 +9,8 @@ use crate::context::Context;
 use crate::context::window::Region;
 use crate::draw::complete::Readable;
 use crate::objects::target::{Dimensions, ImageTarget};
-use crate::objects::texture::storage_error;
 use crate::pixel::internal::{COMPRESSED_FORMAT, INTERNAL_FORMAT, format_name};
+use crate::pixel::storage_error::storage_error;
 use crate::pixel::{blocks, convert};
 use texunit::format::Format;
 

@@ -1,6 +1,7 @@
 //! Texture units and their environments: GL 2.1, sections 2.7, 3.8.12 and 3.8.13.
 
 use crate::base::constants::*;
+use crate::base::convert::lod_bias;
 use crate::base::error::{Result, Table, invalid_enum, must_be};
 use crate::base::params::Params;
 use crate::base::types::*;
@@ -8,8 +9,8 @@ use crate::base::value as table;
 use crate::base::value::Value;
 use crate::calls::params::{parameter_calls, parameter_queries};
 use crate::context::Context;
+use crate::state::env::MODE;
 use crate::state::env::combine::{COMBINER_PARAMETER, CombinerParameter};
-use crate::state::env::{MODE, lod_bias};
 
 const SECTION: &str = "GL 2.1, section 3.8.13";
 
@@ -99,7 +100,7 @@ fn get_env(context: &Context, target: GLenum, pname: GLenum) -> Result<Value> {
     match parameter(target, pname)? {
         Parameter::Mode => table::symbol(MODE.encode(unit.mode)),
         Parameter::Color => {
-            table::unit(&crate::calls::fragment::clamp::of_fragments(context).color(unit.color))
+            table::unit(&crate::draw::clamp::of_fragments(context).color(unit.color))
         }
         Parameter::Combiner(parameter) => {
             crate::state::env::combine::get(&unit.combiners, parameter)

@@ -30,7 +30,7 @@ fn generate(isa: Isa, texture: &mut Texture, faces: Faces) -> Result<()> {
         Faces::All => image.generate_mipmaps(isa, base, max),
         Faces::One(face) => image.generate_face_mipmaps(isa, face, base, max),
     });
-    made.map_err(|error| crate::objects::texture::storage_error(SECTION, &error))?;
+    made.map_err(|error| crate::pixel::storage_error::storage_error(SECTION, &error))?;
     let base = base as usize;
     for (face, levels) in texture.requested.iter_mut().enumerate() {
         let made = match faces {
@@ -88,7 +88,7 @@ pub(crate) fn generate_mipmap(context: &mut Context, target: GLenum) -> Result<(
         };
         if !level.format.has_mean() {
             let error = ImageError::NoMean { format: level.format };
-            return Err(crate::objects::texture::storage_error(SECTION, &error));
+            return Err(crate::pixel::storage_error::storage_error(SECTION, &error));
         }
         kinds.push((level.size(), level.border, level.format));
     }

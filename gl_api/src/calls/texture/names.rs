@@ -1,16 +1,17 @@
 //! Texture names and units: GL 2.1, sections 3.8.12 and 2.7.
 
 use crate::base::constants::*;
-use crate::base::error::{Result, invalid_enum, invalid_operation, invalid_value};
+use crate::base::convert::unit;
+use crate::base::error::{Result, invalid_operation, invalid_value};
+use crate::base::texture_unit::{texture_unit, unit_below};
 use crate::base::types::*;
 use crate::calls::framebuffer::attach::detach;
 use crate::context::Context;
-use crate::interface::{MAX_COMBINED_TEXTURE_IMAGE_UNITS, MAX_TEXTURE_UNITS};
+use crate::interface::MAX_COMBINED_TEXTURE_IMAGE_UNITS;
 use crate::objects::bound::Bound;
 use crate::objects::target::TARGET;
 use crate::objects::texture::Texture;
 use crate::objects::{Sweep, listed};
-use crate::state::viewport::unit;
 
 const SECTION: &str = "GL 2.1, section 3.8.12";
 
@@ -104,30 +105,6 @@ pub(crate) fn are_textures_resident(
         }
     }
     Ok(true)
-}
-
-/// The unit that `GL_TEXTUREi` names, of so many.
-fn unit_below(section: &'static str, texture: GLenum, count: u8) -> Result<u8> {
-    let refuse = |rule: String| invalid_enum(section, format!("texture = {rule}"));
-    match texture.checked_sub(GL_TEXTURE0) {
-        Some(unit) if unit < u32::from(count) => Ok(unit as u8),
-        // Counted from there, as it was probably written: other values begin at GL_TEXTURE31 + 1.
-        Some(unit @ ..256) => {
-            refuse(format!("GL_TEXTURE0 + {unit} must be below GL_TEXTURE0 + {count}"))
-        }
-        Some(_) | None if texture < u32::from(count) => {
-            refuse(format!("{texture} must be a name: GL_TEXTURE0 + {texture} is this unit's"))
-        }
-        Some(_) | None => {
-            let last = count - 1;
-            refuse(format!("{} must be GL_TEXTURE0 to GL_TEXTURE{last}", enum_name(texture)))
-        }
-    }
-}
-
-/// The set of texture coordinates that `GL_TEXTUREi` names.
-pub(crate) fn texture_unit(section: &'static str, texture: GLenum) -> Result<u8> {
-    unit_below(section, texture, MAX_TEXTURE_UNITS)
 }
 
 pub(crate) fn active_texture(context: &mut Context, texture: GLenum) -> Result<()> {

@@ -1,15 +1,14 @@
 //! Texture parameters: GL 2.1, section 3.8.4 and tables 3.18, 6.17.
 
+use crate::base::answer::put;
 use crate::base::constants::*;
+use crate::base::convert::{symbol, unit};
 use crate::base::error::{Result, Table, invalid_enum, invalid_operation, invalid_value, must_be};
 use crate::base::types::*;
-use crate::calls::query::put;
 use crate::calls::texture::bound::{bound, bound_mut};
 use crate::context::Context;
 use crate::objects::sampler::{Answer, SAMPLER_PARAMETER, SamplerParameter, Values, needs_vector};
 use crate::objects::target::{TARGET, TextureTarget};
-use crate::state::env::symbol;
-use crate::state::viewport::unit;
 use texunit::sampler::{Border, DepthMode, Swizzle};
 
 const SECTION: &str = "GL 2.1, section 3.8.4";
@@ -274,9 +273,9 @@ pub(crate) fn tex_parameter_i_uiv(
 /// (`ARB_color_buffer_float`, section 6.1.2).
 pub(crate) fn clamped(context: &Context, answer: Answer) -> Answer {
     match answer {
-        Answer::Color(Border::Float(color)) => Answer::Color(Border::Float(
-            crate::calls::fragment::clamp::of_fragments(context).color(color),
-        )),
+        Answer::Color(Border::Float(color)) => {
+            Answer::Color(Border::Float(crate::draw::clamp::of_fragments(context).color(color)))
+        }
         Answer::Color(Border::Sint(_) | Border::Uint(_)) | Answer::Numbers(_) => answer,
     }
 }

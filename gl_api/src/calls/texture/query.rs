@@ -1,12 +1,12 @@
 //! What is known of a level: GL 2.1, section 6.1.3.
 
+use crate::base::answer::put;
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_operation};
 use crate::base::types::*;
-use crate::calls::query::put;
 use crate::calls::texture::bound::bound;
-use crate::calls::texture::buffer::length;
 use crate::context::Context;
+use crate::draw::texture_buffer::length;
 use crate::objects::target::{ImageTarget, TextureTarget, any_known, checked_level};
 use crate::objects::texture::Samples;
 use crate::pixel::internal::{Component, component_bits, specific};

@@ -1,9 +1,9 @@
 //! Sampler objects: `ARB_sampler_objects`, section 3.8.2.
 
+use crate::base::answer::put;
 use crate::base::constants::*;
 use crate::base::error::{Result, invalid_enum, invalid_operation, invalid_value};
 use crate::base::types::*;
-use crate::calls::query::put;
 use crate::calls::texture::parameter::clamped;
 use crate::context::Context;
 use crate::interface::MAX_COMBINED_TEXTURE_IMAGE_UNITS;

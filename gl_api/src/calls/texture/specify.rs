@@ -159,7 +159,7 @@ impl Request {
         let border = self.image.target().shape().border(self.border);
         let [width, height, _] = self.size;
         Level::with_size(self.format, [width, height, self.slices()], border)
-            .map_err(|error| crate::objects::texture::storage_error(SECTION, &error))
+            .map_err(|error| crate::pixel::storage_error::storage_error(SECTION, &error))
     }
 }
 
@@ -246,7 +246,7 @@ pub(crate) fn store_level(
     texture
         .image
         .update(|image| image.set_level(face, level, texels))
-        .map_err(|error| crate::objects::texture::storage_error(SECTION, &error))?;
+        .map_err(|error| crate::pixel::storage_error::storage_error(SECTION, &error))?;
     texture.requested[face][level] = internal;
     texture.texels_changed();
     crate::calls::texture::mipmap::base_level_changed(isa, texture, face, level)

@@ -131,7 +131,7 @@ fn store(
     for (number, level) in levels.iter().enumerate() {
         for face in 0..target.shape().faces() {
             all.set_level(face, number, level.clone())
-                .map_err(|error| crate::objects::texture::storage_error(SECTION, &error))?;
+                .map_err(|error| crate::pixel::storage_error::storage_error(SECTION, &error))?;
         }
     }
     let image = bound(context, target).image.clone();

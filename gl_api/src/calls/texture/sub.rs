@@ -93,7 +93,7 @@ pub(crate) fn write_area(context: &mut Context, area: &Area, texels: &[u8]) -> R
             .level_mut(target.face.into(), area.level)
             .map_or(Ok(()), |level| level.write_box(area.at, area.size, texels))
     });
-    written.map_err(|error| crate::objects::texture::storage_error(SECTION, &error))?;
+    written.map_err(|error| crate::pixel::storage_error::storage_error(SECTION, &error))?;
     crate::calls::texture::mipmap::base_level_changed(isa, texture, target.face.into(), area.level)
 }
 

@@ -1,12 +1,12 @@
 //! Generation of texture coordinates: GL 2.1, section 2.11.4.
 
+use crate::base::answer::put_doubles;
 use crate::base::constants::*;
 use crate::base::error::{Result, Table};
 use crate::base::params::Params;
 use crate::base::types::*;
 use crate::base::value::{Value, symbol};
 use crate::calls::params::{parameter_calls, parameter_queries};
-use crate::calls::query::get::put_doubles;
 use crate::calls::transform::clip::eye_plane;
 use crate::context::Context;
 use crate::interface::TexCoord;

@@ -1,12 +1,10 @@
 //! The viewport transformation: GL 2.1, section 2.11.1.
 
+use crate::base::convert::unit;
 use crate::base::error::{Result, not_negative};
 use crate::base::limits;
 use crate::base::types::*;
 use crate::context::Context;
-use crate::state::enable::Flag;
-use crate::state::viewport::unit;
-use rasterizer::driver::DepthClip;
 
 /// Sizes beyond `GL_MAX_VIEWPORT_DIMS` are clamped to it, and places to twice that.
 pub(crate) fn viewport(
@@ -35,9 +33,4 @@ pub(crate) fn depth_range(context: &mut Context, near: GLclampd, far: GLclampd) 
 
 pub(crate) fn depth_rangef(context: &mut Context, near: GLclampf, far: GLclampf) -> Result<()> {
     depth_range(context, near.into(), far.into())
-}
-
-/// What the near and the far plane do (`ARB_depth_clamp`).
-pub(crate) fn depth_clip(context: &Context) -> DepthClip {
-    if context.state.enables.has(Flag::DepthClamp) { DepthClip::Clamp } else { DepthClip::Cut }
 }

@@ -1,64 +1,27 @@
 //! The draw calls on vertex arrays: GL 2.1, section 2.8.
 
 use crate::base::args::Data;
-use crate::base::constants::*;
-use crate::base::error::{
-    Result, Table, invalid_enum, invalid_operation, invalid_value, not_negative,
-};
+use crate::base::error::{Result, invalid_operation, invalid_value, not_negative};
+use crate::base::limits::LOCATIONS;
+use crate::base::topology::topology;
 use crate::base::types::*;
 use crate::calls::vertex::immediate::attribute;
 use crate::calls::vertex::indices::{INDEX_TYPE, index_buffer};
-use crate::calls::vertex::reach::{Reach, reads_parts, vertex_source, vertices_apart};
 use crate::context::Context;
 use crate::context::immediate::Slot;
 use crate::context::recorder::elements::Elements;
 use crate::draw::array_names::{array_of, extent};
 use crate::draw::assembly_words::has_vertex_program;
 use crate::draw::hints;
+use crate::draw::reach::{Reach, reads_parts, vertex_source, vertices_apart};
 use crate::draw::repeat::{keep, repeat};
 use crate::draw::translate::{constants_asked, draw};
 use crate::interface::ATTRIB_VERTEX;
-use crate::state::LOCATIONS;
 use rasterizer::driver::{IndexType, Indices, Topology, VertexBinding, VertexSource};
 use std::ops::Range;
 
 pub(crate) const SECTION: &str = "GL 2.1, section 2.8";
 const INSTANCED: &str = "ARB_draw_instanced";
-
-const TOPOLOGY: Table<Topology> = Table {
-    section: "GL 2.1, section 2.6.1",
-    rows: &[
-        (GL_POINTS, Topology::Points),
-        (GL_LINES, Topology::Lines),
-        (GL_LINE_STRIP, Topology::LineStrip),
-        (GL_LINE_LOOP, Topology::LineLoop),
-        (GL_TRIANGLES, Topology::Triangles),
-        (GL_TRIANGLE_STRIP, Topology::TriangleStrip),
-        (GL_TRIANGLE_FAN, Topology::TriangleFan),
-        (GL_QUADS, Topology::Quads),
-        (GL_QUAD_STRIP, Topology::QuadStrip),
-        (GL_POLYGON, Topology::Polygon),
-    ],
-};
-
-/// What `mode` means. The values are so small that their names need saying here.
-///
-/// # Errors
-/// `GL_INVALID_ENUM`.
-pub(crate) fn topology(mode: GLenum) -> Result<Topology> {
-    match TOPOLOGY.get(mode) {
-        Some(topology) => Ok(topology),
-        None => invalid_enum(
-            TOPOLOGY.section,
-            format!(
-                "mode = {} must be GL_POINTS, GL_LINES, GL_LINE_LOOP, GL_LINE_STRIP, \
-                 GL_TRIANGLES, GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN, GL_QUADS, GL_QUAD_STRIP or \
-                 GL_POLYGON",
-                enum_name(mode)
-            ),
-        ),
-    }
-}
 
 /// The vertices that a draw by index reaches; looked for only where it matters.
 fn indexed_reach(

@@ -5,8 +5,9 @@
 //! after the other with nothing else in between is one draw: what has [`ended`](super::ended) waits.
 
 use crate::base::error::{Result, invalid_operation};
+use crate::base::limits::LOCATIONS;
+use crate::base::topology::topology;
 use crate::base::types::*;
-use crate::calls::vertex::draws::topology;
 use crate::context::Context;
 use crate::context::ended::Ended;
 use crate::context::immediate::{
@@ -20,7 +21,6 @@ use crate::draw::translate::{constants_asked, draw};
 use crate::interface::{
     ATTRIB_COLOR, ATTRIB_EDGE_FLAG, ATTRIB_MATERIAL, ATTRIB_TEX_COORD, ATTRIB_VERTEX,
 };
-use crate::state::LOCATIONS;
 use crate::state::enable::Flag;
 use rasterizer::driver::{Buffer, Topology, VertexBinding, VertexFormat, VertexSource, VertexType};
 

@@ -5,8 +5,8 @@ use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_operation, not_negative};
 use crate::base::types::*;
 use crate::calls::vertex::draws::SECTION;
-use crate::calls::vertex::reach::small_part;
 use crate::context::Context;
+use crate::draw::reach::small_part;
 use rasterizer::driver::{Buffer, IndexType};
 
 pub(crate) const INDEX_TYPE: Table<IndexType> = Table {

@@ -9,7 +9,6 @@ pub(crate) mod indices;
 pub(crate) mod interleaved;
 pub(crate) mod locked;
 pub(crate) mod packed;
-pub(crate) mod reach;
 pub(crate) mod rect;
 pub(crate) mod restart;
 pub(crate) mod runs;

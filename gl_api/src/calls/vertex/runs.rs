@@ -3,9 +3,10 @@
 
 use crate::base::args::{Data, Pointers};
 use crate::base::error::{Result, invalid_operation, not_negative};
+use crate::base::topology::topology;
 use crate::base::types::*;
 use crate::calls::vertex::draws::{
-    IndexRequest, SECTION, check_arrays, draw_arrays, draw_indexed, has_positions, topology,
+    IndexRequest, SECTION, check_arrays, draw_arrays, draw_indexed, has_positions,
 };
 use crate::calls::vertex::indices::{INDEX_TYPE, check_indices};
 use crate::context::Context;

@@ -2,13 +2,14 @@
 //! follows another of its kind, they share a buffer and a draw: it costs what many vertices do.
 
 use crate::base::begin_end::BeginEnd;
+use crate::base::limits::LOCATIONS;
+use crate::base::topology::topology;
 use crate::base::types::*;
-use crate::calls::vertex::draws::topology;
 use crate::context::ended::vertices_of_primitive;
 use crate::context::immediate;
 use crate::context::immediate::{Slot, VALUE};
 use crate::context::lists::Step;
-use crate::state::{LOCATIONS, State};
+use crate::state::State;
 use rasterizer::driver::{Buffer, Topology};
 
 /// Attributes since `glBegin`, in order.

@@ -1,10 +1,10 @@
 //! The uniform words of the fixed function: what its generated stages read, worked out in `f64` once
 //! a draw and rounded once.
 
+use crate::base::clamp::Clamp;
 use crate::generate::fixed::fragment::FragmentKey;
 use crate::generate::fixed::light::LightingKey;
 use crate::generate::fixed::vertex::VertexKey;
-use crate::state::clamp::Clamp;
 use glam::DMat4;
 
 /// The words, as the last draw left them, and what the dear ones were made from.

@@ -1,10 +1,10 @@
 //! Which shaders a draw runs, with which textures: the program in use, or the fixed function for
 //! each stage that it lacks.
 
+use crate::base::clamp::Clamp;
 use crate::base::error::{ErrorCode, GlError};
 use crate::context::draw_note::DrawNote;
 use crate::context::recorder::fixed_words::Keys;
-use crate::state::clamp::Clamp;
 use rasterizer::driver::{Rim, ShaderModule};
 use rasterizer::ir::{Interpolation, IrError};
 use std::sync::Arc;

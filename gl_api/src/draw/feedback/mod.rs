@@ -1,21 +1,23 @@
 //! From a draw to the primitives that selection and feedback see: assembled (GL 2.1, section
 //! 2.6.1), clipped, culled, and drawn as the polygon mode says (section 3.5).
 
+pub(crate) mod pixels;
+
 pub(crate) mod clip;
 
 use crate::base::error::{ErrorCode, GlError, Result};
-use crate::calls::transform::viewport::depth_clip;
 use crate::context::Context;
 use crate::context::ended::vertices_of_primitive;
+use crate::context::feedback::record::Kind;
+use crate::context::feedback::{Corner, Mode};
 use crate::context::recorder::elements::Elements;
 use crate::context::recorder::vertex_stage::{Id, Outputs, Vertices};
 use crate::draw::assembly_words::has_vertex_program;
 use crate::draw::feedback::clip::Vertex;
 use crate::draw::vertex_stage::shade;
+use crate::draw::viewport::depth_clip;
 use crate::interface::*;
 use crate::state::enable::Flag;
-use crate::state::feedback::record::Kind;
-use crate::state::feedback::{Corner, Mode};
 use crate::state::viewport::within;
 use rasterizer::driver::{
     Cull, DepthClip, FrontFace, PolygonMode, Provoking, Topology, VertexBinding, VertexSource,

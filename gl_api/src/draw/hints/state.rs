@@ -1,10 +1,10 @@
 //! State with which nothing is seen.
 
-use crate::calls::lighting::material::material;
 use crate::context::Context;
 use crate::context::recorder::elements::Elements;
 use crate::context::said::Hint;
 use crate::draw::assembly_words::has_vertex_program;
+use crate::draw::material::material;
 use crate::interface::Side;
 use crate::state::enable::Flag;
 use crate::state::stencil::Face;

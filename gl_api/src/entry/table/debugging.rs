@@ -5,6 +5,7 @@ use crate::base::types::*;
 use crate::calls::debug as log_calls;
 use crate::calls::sync::fences as syncs;
 use crate::context::GLDEBUGPROC;
+use crate::query::pointers;
 
 #[doc(hidden)]
 #[macro_export]
@@ -51,6 +52,8 @@ macro_rules! entry_points_debugging {
         );
     }
     Refused in log_calls {
+    }
+    Refused in pointers {
         /// Where arrays and callbacks are; an offset for an array in a buffer.
         get_pointerv: glGetPointerv | glGetPointervEXT
             (pname: GLenum, params: &'a mut [*mut GLvoid]);

@@ -2,7 +2,7 @@
 
 use crate::base::args::Data;
 use crate::base::types::*;
-use crate::record::list::calls;
+use crate::record::lists as calls;
 use crate::record::{attrib, client_attrib};
 
 #[doc(hidden)]

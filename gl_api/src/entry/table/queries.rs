@@ -1,8 +1,10 @@
 //! State queries: GL 2.1, chapter 6; and the end of commands: section 5.5.
 
 use crate::base::types::*;
-use crate::calls::query::{extensions, flush, get};
+use crate::calls::flush;
+use crate::calls::query::get;
 use crate::calls::sync::{conditional, queries};
+use crate::query::extensions;
 
 #[doc(hidden)]
 #[macro_export]

@@ -4,11 +4,11 @@
 use crate::base::args::{Data, DataOut, Pointers};
 use crate::base::types::*;
 use crate::calls::buffer::{data as buffers, map as buffer_map};
-use crate::calls::query::arrays as query_arrays;
 use crate::calls::vertex::{
     array_objects as vertex_arrays, arrays, counted, draws as calls, immediate, interleaved,
     locked, rect, restart, runs,
 };
+use crate::query::arrays as query_arrays;
 
 #[doc(hidden)]
 #[macro_export]

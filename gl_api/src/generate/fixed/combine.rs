@@ -1,7 +1,7 @@
 //! Combiners as code: GL 2.1, section 3.8.13, tables 3.24 and 3.25; `NV_texture_env_combine4`.
 
+use crate::base::clamp::Clamp;
 use crate::base::vector::clamped;
-use crate::state::clamp::Clamp;
 use crate::state::env::combine::{Argument, Arguments, Combiner, Function, Operand, Scale, Source};
 use rasterizer::ir::{Builder, Op, Value};
 

@@ -1,7 +1,7 @@
 //! Texture environments: GL 2.1, tables 3.21 to 3.23.
 
+use crate::base::clamp::Clamp;
 use crate::generate::fixed::combine::{CombineKey, Sources, combine};
-use crate::state::clamp::Clamp;
 use crate::state::env::combine::Combiner;
 use crate::state::env::{Mode, Standard};
 use rasterizer::ir::{Builder, Op, Value};

@@ -1,11 +1,11 @@
 //! The formulas of a fixed-function fragment stage as the specification prints them, for
 //! explanations.
 
+use crate::base::clamp::Clamp;
 use crate::generate::fixed::combine::CombineKey;
 use crate::generate::fixed::environment::Environment;
 use crate::generate::fixed::fog::FogKey;
 use crate::generate::fixed::fragment::{FragmentKey, UnitKey};
-use crate::state::clamp::Clamp;
 use crate::state::env::Standard;
 use crate::state::env::combine::{Argument, Arguments, Combiner, Function, Operand, Scale, Source};
 use crate::state::fog::FogMode;

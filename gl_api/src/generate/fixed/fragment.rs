@@ -1,6 +1,7 @@
 //! The fixed-function fragment stage: texturing (GL 2.1, section 3.8), colour sum (3.9), fog (3.10)
 //! and the alpha test (4.1.4).
 
+use crate::base::clamp::Clamp;
 use crate::base::limits::MAX_COLOR_ATTACHMENTS;
 use crate::base::vector::{clamped, words};
 use crate::generate::fixed::combine::Sources;
@@ -8,7 +9,6 @@ use crate::generate::fixed::environment::{Environment, apply};
 use crate::generate::fixed::fog::{FogKey, fog};
 use crate::generate::fixed::word;
 use crate::interface::*;
-use crate::state::clamp::Clamp;
 use rasterizer::driver::Rim;
 use rasterizer::ir::{
     Builder, Expr, Input, Interpolation, Lod, Module, Op, Output, Stage, Stmt, TextureDecl, Ty,

@@ -1,10 +1,10 @@
 //! The fixed-function vertex stage: GL 2.1, sections 2.11, 2.12 and 2.14.
 
+use crate::base::clamp::Clamp;
 use crate::base::vector::{clamped, dot, each, scale, transform, unit, words};
 use crate::generate::fixed::light::{LightingKey, Lit, Vertex, light};
 use crate::generate::fixed::word;
 use crate::interface::*;
-use crate::state::clamp::Clamp;
 use crate::state::fog::FogSource;
 use rasterizer::ir::{Builder, Input, Module, Op, Output, Stage, Value};
 

@@ -245,7 +245,7 @@ pub(crate) fn set(
 ) -> Result<()> {
     let CombinerParameter { combiner: which, part } = parameter;
     let combiner = &mut combiners[which];
-    let symbol = crate::state::env::symbol(number);
+    let symbol = crate::base::convert::symbol(number);
     match part {
         Part::Function => combiner.function = FUNCTION[which].decode("param", symbol)?,
         Part::Source(at) => {

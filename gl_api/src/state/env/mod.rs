@@ -5,8 +5,6 @@ pub(crate) mod texgen;
 
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_operation};
-use crate::base::limits;
-use crate::base::types::*;
 use crate::interface::{MAX_COMBINED_TEXTURE_IMAGE_UNITS, MAX_TEXTURE_UNITS};
 use crate::objects::bound::Bound;
 use crate::objects::target::TextureTarget;
@@ -150,25 +148,4 @@ impl Units {
             ),
         )
     }
-}
-
-/// A number as a named constant; what cannot be one gives a constant that no table has.
-pub(crate) fn symbol(value: f32) -> GLenum {
-    if value >= 0.0 && value.trunc() == value { value as GLenum } else { GLenum::MAX }
-}
-
-/// A level-of-detail bias within the limits; NaN counts as 0.
-pub(crate) fn lod_bias(value: f32) -> f32 {
-    let limit = limits::MAX_TEXTURE_LOD_BIAS;
-    if value.is_nan() { 0.0 } else { value.clamp(-limit, limit) }
-}
-
-/// A signed integer as a colour component (GL 2.1, table 2.9).
-pub(crate) fn signed_to_unit(value: i32) -> f32 {
-    ((2.0 * f64::from(value) + 1.0) / f64::from(u32::MAX)) as f32
-}
-
-/// A colour component as a signed integer (GL 2.1, table 4.9).
-pub(crate) fn unit_to_signed(value: f32) -> i32 {
-    ((f64::from(u32::MAX) * f64::from(value) - 1.0) / 2.0).round_ties_even() as i32
 }

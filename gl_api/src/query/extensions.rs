@@ -227,7 +227,7 @@ pub(crate) fn get_stringi(_: &mut Context, name: GLenum, index: GLuint) -> Resul
 
 #[cfg(test)]
 mod tests {
-    use crate::calls::query::extensions::*;
+    use crate::query::extensions::*;
 
     #[test]
     fn no_name_stands_twice() {

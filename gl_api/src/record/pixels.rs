@@ -4,7 +4,7 @@ use crate::base::args::{Data, Located};
 use crate::context::Context;
 use crate::pixel::client::Pixel;
 use crate::pixel::layout::{Extent, Layout};
-use crate::record::list::calls::NAME_TYPE;
+use crate::record::lists::NAME_TYPE;
 
 /// The integers of a call, by position.
 type Integers<'a> = &'a [i64];

@@ -9,9 +9,9 @@ pub(crate) mod record;
 pub(crate) mod select;
 
 use crate::base::client_memory::ClientPointer;
-use crate::state::feedback::record::Record;
-use crate::state::feedback::select::Select;
-use crate::state::raster_position::Passed;
+use crate::context::feedback::record::Record;
+use crate::context::feedback::select::Select;
+use crate::context::raster_passed::Passed;
 use rasterizer::shader::Machine;
 
 /// What becomes of primitives.

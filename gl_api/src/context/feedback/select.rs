@@ -2,7 +2,7 @@
 
 use crate::base::error::{ErrorCode, GlError, Result, invalid_operation};
 use crate::base::types::*;
-use crate::state::feedback::Target;
+use crate::context::feedback::Target;
 
 const SECTION: &str = "GL 2.1, section 5.2";
 

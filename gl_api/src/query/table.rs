@@ -1,5 +1,6 @@
 //! The table of state that `glGet` reads: GL 2.1, tables 6.5 to 6.37.
 
+use crate::base::compare::COMPARE;
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_enum};
 use crate::base::limits;
@@ -8,7 +9,6 @@ use crate::base::value::{Value, flag, float, floats, int, symbol, unit};
 use crate::calls::evaluate::grid;
 use crate::calls::framebuffer::buffers::drawn_format;
 use crate::calls::index;
-use crate::calls::query::arrays;
 use crate::context::Context;
 use crate::context::log::{MAX_GROUPS, MAX_LABEL, MAX_LENGTH, MAX_LOGGED};
 use crate::glsl::{GATHER_OFFSETS, TEXEL_OFFSETS};
@@ -19,12 +19,12 @@ use crate::pixel::internal::{Component, component_bits, general_purpose_formats}
 use crate::pixel::map::MAX_PIXEL_MAP_TABLE;
 use crate::pixel::store::PixelStore;
 use crate::pixel::transfer;
-use crate::record::list::calls::{MAX_LIST_NESTING, MODE};
+use crate::query::arrays;
+use crate::record::lists::{MAX_LIST_NESTING, MODE};
 use crate::record::render_mode as modes;
 use crate::state::attrib::MAX_ATTRIB_STACK_DEPTH;
 use crate::state::enable::is_capability;
 use crate::state::env::Unit;
-use crate::state::fragment::COMPARE;
 use crate::state::masks::LOGIC_OP;
 use crate::state::material::{FACES, TRACKED};
 use crate::state::matrix::{MATRIX_MODE, MAX_MODELVIEW_STACK_DEPTH, MAX_STACK_DEPTH};
@@ -174,7 +174,7 @@ fn limit(_: &Context, pname: GLenum) -> Answer {
         }
         GL_MAJOR_VERSION => int(limits::VERSION.0),
         GL_MINOR_VERSION => int(limits::VERSION.1),
-        GL_NUM_EXTENSIONS => int(crate::calls::query::extensions::EXTENSIONS.len()),
+        GL_NUM_EXTENSIONS => int(crate::query::extensions::EXTENSIONS.len()),
         GL_STEREO => flag(false),
         GL_AUX_BUFFERS => int(0),
         GL_MAX_SAMPLES
@@ -276,7 +276,7 @@ pub(crate) fn raster(context: &Context, pname: GLenum) -> Answer {
 pub(crate) fn fragment(context: &Context, pname: GLenum) -> Answer {
     let fragment = &context.state.fragment;
     let clear = &context.state.clear;
-    let clamp = crate::calls::fragment::clamp::of_fragments(context);
+    let clamp = crate::draw::clamp::of_fragments(context);
     Some(match pname {
         GL_SCISSOR_BOX => {
             let area = fragment.scissor;

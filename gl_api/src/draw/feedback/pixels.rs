@@ -1,8 +1,8 @@
 //! What feedback writes: GL 2.1, section 5.3 and figure 5.1.
 
 use crate::context::Context;
-use crate::state::feedback::record::Kind;
-use crate::state::feedback::{Corner, Mode};
+use crate::context::feedback::record::Kind;
+use crate::context::feedback::{Corner, Mode};
 
 /// Takes a bitmap or a rectangle of pixels at the raster position, unless fragments are made.
 pub(crate) fn pixels(context: &mut Context, kind: Kind) -> Mode {

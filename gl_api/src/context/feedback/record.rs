@@ -3,7 +3,7 @@
 use crate::base::constants::*;
 use crate::base::error::Table;
 use crate::base::types::*;
-use crate::state::feedback::{Corner, Target};
+use crate::context::feedback::{Corner, Target};
 
 /// What is written of each corner (GL 2.1, table 5.2).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -1,10 +1,10 @@
 //! What is known of vertex arrays: GL 2.1, tables 6.6 to 6.9, and sections 6.1.11 and 6.1.14.
 
+use crate::base::answer::put;
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_operation};
 use crate::base::types::*;
 use crate::base::value::{Value, int, symbol};
-use crate::calls::query::put;
 use crate::context::Context;
 use crate::interface::*;
 use crate::objects::arrays::{ANY_TYPE, Array, Source, generic};

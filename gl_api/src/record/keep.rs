@@ -2,9 +2,9 @@
 //! call again.
 
 use crate::base::args::{Data, DataOut, Located, Names, Pointers, Strings, TextOut};
-use crate::calls::sharing::Turn;
+use crate::context::sharing::Turn;
 use crate::context::{Context, GLDEBUGPROC};
-use crate::record::list::pixels;
+use crate::record::pixels;
 use std::convert::Infallible;
 use std::marker::PhantomData;
 

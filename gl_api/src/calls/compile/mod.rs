@@ -5,10 +5,6 @@
 //! The vertices between `glBegin` and `glEnd` become one buffer, and a draw of vertex arrays keeps the
 //! buffers it would have read, so that calling a list costs what drawing from buffers costs.
 
-pub(crate) mod calls;
-pub(crate) mod keep;
-pub(crate) mod pixels;
-pub(crate) mod proxy;
 pub(crate) mod shapes;
 
 use crate::base::begin_end::BeginEnd;
@@ -26,7 +22,8 @@ use rasterizer::driver::{Topology, VertexBinding, VertexSource};
 impl Context {
     /// Records a call.
     pub(crate) fn record(&mut self, name: &'static str, begin_end: BeginEnd, run: Run) {
-        let unpack = pixels::reads_pixels(name).then(|| Box::new(self.state.unpack.clone()));
+        let unpack =
+            crate::record::pixels::reads_pixels(name).then(|| Box::new(self.state.unpack.clone()));
         self.record_step(Step::Call { name, begin_end, unpack, run });
     }
 
@@ -67,7 +64,7 @@ impl Context {
     }
 
     /// Ends a `glBegin` that the list leaves open.
-    fn finish_open(&mut self) {
+    pub(crate) fn finish_open(&mut self) {
         let Some(compiling) = &mut self.compiling else { return };
         if let Some(open) = compiling.open.take() {
             compiling.begun = true;
@@ -138,7 +135,7 @@ impl Context {
         Ok(())
     }
 
-    fn run_step(&mut self, step: &Step) {
+    pub(crate) fn run_step(&mut self, step: &Step) {
         match step {
             Step::Call { name, begin_end, unpack, run } => {
                 let before = unpack.as_ref().map(|store| {

@@ -1,0 +1,33 @@
+//! The uniform blocks of a linked program.
+
+use crate::base::types::*;
+use crate::objects::indexed_buffers::BufferRange;
+use rasterizer::driver::{Buffer, Version};
+
+/// A block of a linked program, and where its words came from.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct BlockState {
+    /// `GL_UNIFORM_BLOCK_BINDING`.
+    pub binding: GLuint,
+    /// Offset and size, and the buffer's version if there is a buffer; `None` before the first draw.
+    pub source: Option<(usize, Option<usize>, Option<Version>)>,
+}
+
+impl BlockState {
+    /// The blocks of a program that was just linked.
+    pub fn of(program: &glsl::Program) -> Vec<Self> {
+        vec![Self::default(); program.blocks.len()]
+    }
+
+    /// Whether the words are those of this range of a buffer as it is now.
+    pub(crate) fn is_of(&self, range: &BufferRange, buffer: Option<&Buffer>) -> bool {
+        self.source.as_ref().is_some_and(|(offset, size, version)| {
+            let same = match (version, buffer) {
+                (Some(version), Some(buffer)) => version.is_of(buffer),
+                (None, None) => true,
+                (Some(_), None) | (None, Some(_)) => false,
+            };
+            (*offset, *size) == (range.offset, range.size) && same
+        })
+    }
+}
