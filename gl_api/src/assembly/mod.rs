@@ -16,13 +16,12 @@ mod parser;
 pub(crate) mod program;
 mod state;
 
-use crate::calls::program::programs::ready;
 use crate::glsl;
 use crate::glsl::BufferMode;
 use crate::glsl::spelling::closest;
-use crate::objects::programs::Linked;
 use layout::Row;
 pub(crate) use program::{Counts, Target};
+use rasterizer::ir::IrError;
 
 /// Why a program does not load.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -78,14 +77,21 @@ pub(crate) enum Position {
     Computed,
 }
 
-/// A loaded program.
+/// A loaded program: the stage that a linker would give, and what only an assembly program has.
 #[derive(Debug)]
 pub(crate) struct Loaded {
-    pub linked: Linked,
+    pub program: glsl::Program,
+    /// The values of its words before a draw fills in state and parameters.
+    pub initial: Vec<u32>,
     /// The words that a draw fills in beside the state, by their first words.
     pub rows: Vec<(u32, Row)>,
     pub counts: Counts,
     pub position: Position,
+}
+
+/// Why a program whose text is valid does not load: its module has too many values.
+pub(crate) fn too_large(text: &str, error: &IrError) -> Failure {
+    Failure { position: text.len(), message: format!("the program is too large: {error}") }
 }
 
 /// Loads a program. Any text is fine; it never panics.
@@ -99,7 +105,7 @@ pub(crate) fn load(text: &str, target: Target) -> Parsed<Loaded> {
         Target::Vertex => (Some(module), None),
         Target::Fragment => (None, Some(module)),
     };
-    let result = ready(glsl::Program {
+    let linked = glsl::Program {
         vertex,
         fragment,
         attributes: Vec::new(),
@@ -115,16 +121,16 @@ pub(crate) fn load(text: &str, target: Target) -> Parsed<Loaded> {
         color_interpolation: [None; 2],
         words: layout.len(),
         state: layout.state,
-    });
+    };
     let position = match program.options.position_invariant {
         true => Position::Invariant,
         false => Position::Computed,
     };
-    match result {
-        Ok(mut linked) => {
-            linked.words = layout.initial;
-            Ok(Loaded { linked, rows: layout.rows, counts: program.counts, position })
-        }
-        Err(error) => Failure::at(text.len(), format!("the program is too large: {error}")),
-    }
+    Ok(Loaded {
+        program: linked,
+        initial: layout.initial,
+        rows: layout.rows,
+        counts: program.counts,
+        position,
+    })
 }

@@ -5,6 +5,7 @@ pub(crate) mod flush;
 
 pub(crate) mod buffer;
 pub(crate) mod debug;
+pub(crate) mod dispatch;
 pub(crate) mod enable;
 pub(crate) mod evaluate;
 pub(crate) mod fragment;
@@ -14,7 +15,6 @@ pub(crate) mod lighting;
 pub(crate) mod params;
 pub(crate) mod pixels;
 pub(crate) mod program;
-pub(crate) mod query;
 pub(crate) mod raster;
 pub(crate) mod sharing;
 pub(crate) mod sync;

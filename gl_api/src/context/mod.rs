@@ -23,18 +23,15 @@ pub(crate) mod mirror;
 pub(crate) mod said;
 mod surface;
 
-use crate::base::begin_end::BeginEnd;
-use crate::base::error::{ErrorCode, GlError, Result};
-use crate::base::fallback::Fallback;
+use crate::base::error::{GlError, Result};
 use crate::context::ended::Ended;
 use crate::context::feedback::Feedback;
 use crate::context::immediate::Immediate;
 use crate::context::lists::{Compiling, Lists};
 use crate::context::recorder::Recorder;
-use crate::context::sharing::{Entered, Group, Invitation, Shared, Turn};
+use crate::context::sharing::{Entered, Group, Invitation, Shared};
 use crate::context::watched::Watched;
 use crate::context::window::Window;
-use crate::draw::ended::draw_ended;
 use crate::glsl::Repairs;
 use crate::objects::Objects;
 use crate::objects::queries::ActiveQueries;
@@ -137,7 +134,7 @@ pub struct Context {
     pub(crate) entered: Entered,
     pub(crate) repairs: Repairs,
     /// The client memory that shows the picture.
-    mirror: Option<Mirror>,
+    pub(crate) mirror: Option<Mirror>,
     /// The pixel that is watched.
     pub(crate) watched: Option<Box<Watched>>,
 }
@@ -216,16 +213,6 @@ impl Context {
         }
     }
 
-    /// A context that shares textures, samplers, buffers, renderbuffers, shaders, programs and
-    /// display lists with this one (GL 2.1, appendix D), and its device unless `desc` has one. The
-    /// two may be current on different threads; their calls take turns.
-    ///
-    /// # Errors
-    /// As [`Context::new`].
-    pub fn new_shared(&mut self, desc: ContextDesc) -> Result<Self, ContextError> {
-        Self::boxed(desc, Some(self.share())).map(|context| *context)
-    }
-
     /// As [`Context::new`], sharing what another context gave with [`Self::share`]. On the heap: a
     /// context is too large to be moved about on the stack of a client's thread, where there may be
     /// as little as 128 KB.
@@ -240,26 +227,11 @@ impl Context {
         Ok(Box::new(Self::assemble(device, window, repairs, group)))
     }
 
-    /// What a new context needs to share this one's objects.
-    pub(crate) fn share(&mut self) -> Shared {
-        // What was recorded is drawn before another thread can change what it reads.
-        self.flush();
-        self.shared()
-    }
-
-    /// As [`Self::share`], where nothing is recorded; no call of another context is waited for.
+    /// What a new context needs to share this one's objects, where nothing is recorded; no call of another context is waited for.
     pub(crate) fn shared(&mut self) -> Shared {
         let objects = &mut self.objects;
         let group = self.group.get_or_insert_with(|| Group::of(objects)).clone();
         Shared { group, device: self.recorder.device() }
-    }
-
-    /// Gives another thread what it waits for. Not within a call, whose objects are in use.
-    pub(crate) fn answer_invitation(&mut self) {
-        if self.invitation.is_open() {
-            let shared = self.share();
-            self.invitation.answer(shared);
-        }
     }
 
     /// Takes the messages that have gathered, oldest first.
@@ -270,42 +242,6 @@ impl Context {
     /// Width and height of the default framebuffer.
     pub fn size(&self) -> (u32, u32) {
         (self.window.width, self.window.height)
-    }
-
-    /// Runs the entry point `name`: an error sets the flag and says why.
-    pub(crate) fn call<R: Fallback>(
-        &mut self,
-        name: &'static str,
-        begin_end: BeginEnd,
-        f: impl FnOnce(&mut Self) -> Result<R>,
-    ) -> R {
-        let turn = Turn::begin(self);
-        let result = match begin_end {
-            BeginEnd::Refused if !turn.context.leave_vertices(name) => Ok(R::fallback()),
-            BeginEnd::Refused | BeginEnd::Allowed => f(turn.context),
-        };
-        drop(turn);
-        let result = result.unwrap_or_else(|error: GlError| {
-            self.refuse(name, error);
-            R::fallback()
-        });
-        self.debug.deliver();
-        result
-    }
-
-    /// Before a call that may not stand between `glBegin` and `glEnd`: what ended is drawn with the
-    /// state of now. Whether the call may follow.
-    #[inline(never)]
-    fn leave_vertices(&mut self, name: &'static str) -> bool {
-        if self.immediate.is_some() {
-            self.refuse(name, between_begin_and_end());
-            return false;
-        }
-        if self.ended.as_ref().is_some_and(|ended| !ended.outlasts(name)) {
-            draw_ended(self);
-        }
-        self.changes.count();
-        true
     }
 
     /// Whether no other context shares its objects.
@@ -324,14 +260,4 @@ impl Context {
     pub(crate) fn refuse(&mut self, name: &'static str, error: GlError) {
         self.debug.error(name, &error);
     }
-}
-
-#[cold]
-#[inline(never)]
-fn between_begin_and_end() -> GlError {
-    GlError::new(
-        ErrorCode::InvalidOperation,
-        "GL 2.1, section 2.6.3",
-        "must not be called between glBegin and glEnd",
-    )
 }

@@ -1,13 +1,12 @@
 //! Which assembly programs a draw runs, and the words that they read.
 
-use crate::assembly::Loaded;
 use crate::assembly::layout::Row;
 use crate::assembly::lower::stage;
 use crate::assembly::program::Target;
 use crate::base::constants::enum_name;
 use crate::base::error::{Result, invalid_operation};
 use crate::context::Context;
-use crate::objects::assemblies::{Assembly, TARGET};
+use crate::objects::assemblies::{Assembly, AssemblyExecutable, TARGET};
 use crate::state::enable::Flag;
 use rasterizer::ir::Stage;
 use std::sync::Arc;
@@ -33,7 +32,7 @@ fn enabled(context: &Context, target: Target) -> Option<&Assembly> {
 }
 
 /// The assembly program that runs as a stage.
-pub(crate) fn running(context: &Context, target: Target) -> Option<Arc<Loaded>> {
+pub(crate) fn running(context: &Context, target: Target) -> Option<Arc<AssemblyExecutable>> {
     enabled(context, target)?.loaded.clone()
 }
 
@@ -70,7 +69,12 @@ pub(crate) fn check(context: &Context) -> Result<()> {
 
 /// Fills in what a program's words take from its parameters and from the state, which is there
 /// already.
-pub(crate) fn put_rows(context: &Context, target: Target, loaded: &Loaded, words: &mut [u32]) {
+pub(crate) fn put_rows(
+    context: &Context,
+    target: Target,
+    loaded: &AssemblyExecutable,
+    words: &mut [u32],
+) {
     let state = &context.state.assembly;
     let env = &state.env[target as usize];
     let local = &context.objects.assembly(target, &state.bound[target as usize]).local;

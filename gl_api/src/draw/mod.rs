@@ -7,6 +7,7 @@ pub(crate) mod area;
 pub(crate) mod bitmaps;
 pub(crate) mod clamp;
 pub(crate) mod material;
+mod mirror;
 pub(crate) mod multisample;
 pub(crate) mod reach;
 pub(crate) mod texture_buffer;

@@ -62,3 +62,33 @@ impl Zoomed {
         (!columns.is_empty() && !rows.is_empty()).then_some(Self { origin: [x, y], columns, rows })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_pixel_covers_what_its_zoomed_square_covers() {
+        for (start, zoom, count) in [
+            (3.0, 1.0, 5),
+            (3.5, 1.0, 5),
+            (3.25, 2.5, 3),
+            (9.0, -1.0, 4),
+            (9.0, -0.5, 8),
+            (2.0, 0.5, 9),
+        ] {
+            let axis = Axis { start, zoom, count };
+            let (first, taps) = axis.taps(0, 20);
+            for pixel in 0..20 {
+                let centre = f64::from(pixel) + 0.5;
+                let covers = |i: &usize| {
+                    let (a, b) = (start + zoom * *i as f64, start + zoom * (*i + 1) as f64);
+                    a.min(b) <= centre && centre < a.max(b)
+                };
+                let want = (0..count).find(covers);
+                let got = usize::try_from(pixel - first).ok().and_then(|at| taps.get(at).copied());
+                assert_eq!(got, want, "{axis:?} at {pixel}");
+            }
+        }
+    }
+}

@@ -27,7 +27,6 @@ pub mod exercise;
 mod table;
 
 pub use crate::base::args::{Data, DataOut, Names, Pointers, Strings, TextOut};
-pub(crate) use crate::base::component::Component;
 pub use args::{Arg, BUFFER_OFFSET, NULL, Null, Offset};
 pub use current::{Current, set_current, with_current};
 pub use table::*;

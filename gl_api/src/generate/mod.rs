@@ -1,3 +1,4 @@
 //! The fixed function as a generator of shaders.
 
+pub(crate) mod executable;
 pub(crate) mod fixed;

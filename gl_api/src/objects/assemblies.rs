@@ -1,10 +1,12 @@
 //! Assembly programs and their names: ARB_vertex_program, section 2.14.1.
 
-use crate::assembly::{Loaded, Target};
+use crate::assembly::layout::Row;
+use crate::assembly::{Counts, Position, Target};
 use crate::base::constants::*;
 use crate::base::error::Table;
 use crate::objects::Objects;
 use crate::objects::bound::Bound;
+use crate::objects::programs::Linked;
 use std::sync::Arc;
 
 const SECTION: &str = "ARB_vertex_program, section 2.14.1";
@@ -15,13 +17,23 @@ pub(crate) const TARGET: Table<Target> = Table {
     rows: &[(GL_VERTEX_PROGRAM_ARB, Target::Vertex), (GL_FRAGMENT_PROGRAM_ARB, Target::Fragment)],
 };
 
+/// What draws run of an assembly program.
+#[derive(Debug)]
+pub(crate) struct AssemblyExecutable {
+    pub linked: Linked,
+    /// The words that a draw fills in beside the state, by their first words.
+    pub rows: Vec<(u32, Row)>,
+    pub counts: Counts,
+    pub position: Position,
+}
+
 /// An assembly program.
 #[derive(Debug)]
 pub(crate) struct Assembly {
     pub target: Target,
     pub text: String,
     /// What draws run, once a text was loaded.
-    pub loaded: Option<Arc<Loaded>>,
+    pub loaded: Option<Arc<AssemblyExecutable>>,
     /// `program.local`, as far as it was set; the others are zeros.
     pub local: Vec<[f32; 4]>,
 }

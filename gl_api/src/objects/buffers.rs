@@ -3,10 +3,17 @@
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_operation, invalid_value, not_negative};
 use crate::base::types::*;
-use crate::context::recorder::Recorder;
 use rasterizer::driver::Buffer;
 
 const SECTION: &str = "GL 2.1, section 2.9";
+
+/// The draws that are recorded and not carried out, as buffers see them.
+pub(crate) trait WaitingDraws {
+    /// Notes that what is recorded holds so many bytes that nothing recorded before it does.
+    fn hold(&mut self, bytes: usize);
+    /// How many draws were ever recorded.
+    fn draws(&self) -> u64;
+}
 
 /// A buffer object.
 #[derive(Clone, Debug)]
@@ -48,29 +55,29 @@ impl BufferObject {
     }
 
     /// Its bytes for writing. Draws that wait keep those that they saw, of which the recorder is told.
-    pub fn bytes_mut(&mut self, recorder: &mut Recorder) -> &mut [u8] {
+    pub fn bytes_mut(&mut self, recorder: &mut impl WaitingDraws) -> &mut [u8] {
         self.all_bytes_mut(recorder)
     }
 
-    fn all_bytes_mut(&mut self, recorder: &mut Recorder) -> &mut Vec<u8> {
+    fn all_bytes_mut(&mut self, recorder: &mut impl WaitingDraws) -> &mut Vec<u8> {
         let bytes = self.buffer.bytes().len();
         let is_shared = self.buffer.is_shared();
         if is_shared {
             recorder.hold(bytes);
         }
         if self.rewritten.is_some() || is_shared && bytes >= COPIED {
-            self.rewritten = Some(recorder.draws);
+            self.rewritten = Some(recorder.draws());
         }
         self.buffer.bytes_mut()
     }
 
     /// Whether it is written between draws, so that these had better have copies of what they read.
-    pub fn is_rewritten(&self, recorder: &Recorder) -> bool {
-        self.rewritten.is_some_and(|draws| recorder.draws - draws < FORGOTTEN)
+    pub fn is_rewritten(&self, recorder: &impl WaitingDraws) -> bool {
+        self.rewritten.is_some_and(|draws| recorder.draws() - draws < FORGOTTEN)
     }
 
     /// Takes the bytes out, to be mapped.
-    pub(crate) fn take_bytes(&mut self, recorder: &mut Recorder) -> Vec<u8> {
+    pub(crate) fn take_bytes(&mut self, recorder: &mut impl WaitingDraws) -> Vec<u8> {
         let bytes = std::mem::take(self.all_bytes_mut(recorder));
         self.buffer = Buffer::default();
         bytes

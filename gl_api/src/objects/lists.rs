@@ -1,12 +1,15 @@
 //! The names of lists: those that `glGenLists` gives are lists, too, if empty ones (GL 2.1, section 5.4).
 
 use crate::base::types::*;
-use crate::context::lists::List;
+use std::any::Any;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// One more than the largest name.
 const END: u64 = 1 << 32;
+
+/// What a list does, known to the layer that compiles it.
+pub(crate) type CompiledList = Arc<dyn Any + Send + Sync>;
 
 /// The lists by name.
 #[derive(Debug, Default)]
@@ -14,7 +17,7 @@ pub(crate) struct ListNames {
     /// The names in use, from each key up to, and without, its value; no two runs touch.
     runs: BTreeMap<u64, u64>,
     /// The lists that were compiled.
-    compiled: BTreeMap<GLuint, Arc<List>>,
+    compiled: BTreeMap<GLuint, CompiledList>,
 }
 
 impl ListNames {
@@ -24,12 +27,12 @@ impl ListNames {
     }
 
     /// The compiled list of a name.
-    pub fn get(&self, name: GLuint) -> Option<&Arc<List>> {
+    pub fn get(&self, name: GLuint) -> Option<&CompiledList> {
         self.compiled.get(&name)
     }
 
-    pub(crate) fn insert(&mut self, name: GLuint, list: List) {
-        self.compiled.insert(name, Arc::new(list));
+    pub(crate) fn insert(&mut self, name: GLuint, list: CompiledList) {
+        self.compiled.insert(name, list);
         self.add(name.into(), u64::from(name) + 1);
     }
 
@@ -104,7 +107,7 @@ mod tests {
                     model.retain(|&name| !run.contains(&name.into()));
                 }
                 1 => {
-                    names.insert(first, List::default());
+                    names.insert(first, Arc::new(()));
                     model.insert(first);
                 }
                 _ if count > 0 => {

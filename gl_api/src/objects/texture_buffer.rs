@@ -5,6 +5,7 @@
 //! A draw makes a row of texels of the bytes that the buffer has then, and keeps it until somebody
 //! asks to write to the buffer.
 
+use crate::base::constants::*;
 use crate::base::limits;
 use crate::base::types::*;
 use crate::objects::bound::Bound;
@@ -38,5 +39,23 @@ impl DataStore {
     pub fn texels(&self, bytes: usize) -> u32 {
         let most = limits::MAX_TEXTURE_BUFFER_SIZE;
         u32::try_from(bytes / self.format.bytes()).map_or(most, |texels| texels.min(most))
+    }
+}
+
+impl Default for DataStore {
+    /// As a new texture has it (`ARB_texture_buffer_object`, section 6.2).
+    fn default() -> Self {
+        let (internal, format) = (GL_LUMINANCE8, Format::L8);
+        Self { internal, format, buffer: Bound::default(), range: None, plan: None }
+    }
+}
+
+impl DataStore {
+    /// Which bytes of a buffer are texels.
+    pub fn range_of(&self, length: usize) -> Range<usize> {
+        match &self.range {
+            None => 0..length,
+            Some(range) => range.start.min(length)..range.end.min(length),
+        }
     }
 }

@@ -8,6 +8,7 @@ use crate::context::Context;
 use crate::context::lists::shapes::join;
 use crate::context::lists::{Compiling, List, Mode};
 use crate::context::said::Hint;
+use std::sync::Arc;
 
 const SECTION: &str = "GL 2.1, section 5.4";
 
@@ -107,7 +108,7 @@ pub(crate) fn end_list(context: &mut Context) -> Result<()> {
         return invalid_operation(SECTION, "no list is being compiled: glNewList is missing");
     };
     let list = List { steps: join(compiling.steps) };
-    context.objects.lists.insert(compiling.name, list);
+    context.objects.lists.insert(compiling.name, Arc::new(list));
     Ok(())
 }
 
@@ -159,7 +160,9 @@ fn run_list(context: &mut Context, list: GLuint) -> Result<()> {
     if lists.depth == 0 {
         lists.budget = BUDGET;
     }
-    let Some(found) = context.objects.lists.get(list).cloned() else { return Ok(()) };
+    let found =
+        context.objects.lists.get(list).cloned().and_then(|found| found.downcast::<List>().ok());
+    let Some(found) = found else { return Ok(()) };
     if lists.depth >= MAX_LIST_NESTING || lists.budget == 0 {
         if lists.budget == 0 {
             context.debug.warn(format!(

@@ -1,7 +1,9 @@
 //! Memory that a list takes when it is compiled: pixels, wherever they lie, and names of lists.
 
 use crate::base::args::{Data, Located};
+use crate::base::begin_end::BeginEnd;
 use crate::context::Context;
+use crate::context::lists::Run;
 use crate::pixel::client::Pixel;
 use crate::pixel::layout::{Extent, Layout};
 use crate::record::lists::NAME_TYPE;
@@ -38,8 +40,16 @@ fn reader(name: &str) -> Option<Needed> {
     READERS.iter().find(|row| row.0 == name).map(|row| row.1)
 }
 
+impl Context {
+    /// Records a call of the table of entry points.
+    pub(crate) fn record(&mut self, name: &'static str, begin_end: BeginEnd, run: Run) {
+        let unpack = reads_pixels(name).then(|| Box::new(self.state.unpack.clone()));
+        self.record_call(name, begin_end, unpack, run);
+    }
+}
+
 /// Whether a call reads by the unpack state.
-pub(crate) fn reads_pixels(name: &str) -> bool {
+fn reads_pixels(name: &str) -> bool {
     name != "glCallLists" && reader(name).is_some()
 }
 

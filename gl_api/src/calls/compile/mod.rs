@@ -17,13 +17,18 @@ use crate::context::lists::{ArrayDraw, Mode, Run, Step};
 use crate::context::recorder::elements::Elements;
 use crate::draw::complete::checked_drawable;
 use crate::draw::translate::draw;
+use crate::pixel::store::PixelStore;
 use rasterizer::driver::{Topology, VertexBinding, VertexSource};
 
 impl Context {
-    /// Records a call.
-    pub(crate) fn record(&mut self, name: &'static str, begin_end: BeginEnd, run: Run) {
-        let unpack =
-            crate::record::pixels::reads_pixels(name).then(|| Box::new(self.state.unpack.clone()));
+    /// Records a call, with the unpack state that its pixels lie by if it has any.
+    pub(crate) fn record_call(
+        &mut self,
+        name: &'static str,
+        begin_end: BeginEnd,
+        unpack: Option<Box<PixelStore>>,
+        run: Run,
+    ) {
         self.record_step(Step::Call { name, begin_end, unpack, run });
     }
 
@@ -40,7 +45,7 @@ impl Context {
         if self.compiling.is_none() {
             return run(self);
         }
-        self.record(name, BeginEnd::Allowed, Box::new(run));
+        self.record_call(name, BeginEnd::Allowed, None, Box::new(run));
         Ok(())
     }
 
@@ -92,7 +97,7 @@ impl Context {
         compiling.begun = false;
         let steps = match compiling.open.take() {
             Some(open) => open.close(),
-            None => vec![crate::context::lists::shapes::end_step()],
+            None => vec![shapes::end_step()],
         };
         self.keep_steps(steps);
         true

@@ -1,12 +1,42 @@
 //! `glBegin` to `glEnd` in a list: one buffer, filled when the list is compiled. Where one such
 //! follows another of its kind, they share a buffer and a draw: it costs what many vertices do.
 
+use crate::base::begin_end::BeginEnd;
 use crate::base::error::{Result, invalid_operation};
 use crate::context::Context;
 use crate::context::immediate::Columns;
-use crate::context::lists::shapes::Shapes;
+use crate::context::lists::Step;
+use crate::context::lists::shapes::{Open, Shapes};
 use crate::draw::ended::draws_together;
 use std::ops::Range;
+
+impl Open {
+    /// One step for all, where every call is valid; else step by step, so that the errors come
+    /// when the list is called.
+    pub fn close(self) -> Vec<Step> {
+        match Shapes::new(&self) {
+            Some(shapes) => vec![Step::Shapes(shapes)],
+            None => {
+                let mut steps = self.spill();
+                steps.push(end_step());
+                steps
+            }
+        }
+    }
+
+    /// The calls one by one.
+    pub fn spill(self) -> Vec<Step> {
+        let mode = self.mode;
+        let begin = Step::Call {
+            name: "glBegin",
+            begin_end: BeginEnd::Allowed,
+            unpack: None,
+            run: Box::new(move |context| crate::calls::vertex::immediate::begin(context, mode)),
+        };
+        let attributes = self.log.into_iter().map(|(slot, value)| Step::Attribute(slot, value));
+        std::iter::once(begin).chain(attributes).collect()
+    }
+}
 
 impl Shapes {
     /// The vertices of each draw: all at once, where that makes no difference.
@@ -42,5 +72,15 @@ impl Shapes {
         crate::calls::vertex::immediate::draw_columns(context, self.topology, columns, |location| {
             self.columns.iter().position(|column| column.location == location)
         })
+    }
+}
+
+/// `glEnd` on its own.
+pub(crate) fn end_step() -> Step {
+    Step::Call {
+        name: "glEnd",
+        begin_end: BeginEnd::Allowed,
+        unpack: None,
+        run: Box::new(crate::calls::vertex::immediate::end),
     }
 }

@@ -10,45 +10,10 @@ use crate::calls::vertex::immediate::attribute;
 use crate::context::Context;
 use crate::context::immediate::Slot;
 use crate::draw::material::material;
-use crate::interface::{ATTRIB_MATERIAL, Side};
-use crate::state::material::{FACES, MATERIAL_COLUMNS, Materials, Part, Sides, TRACKED, column};
+use crate::interface::Side;
+use crate::state::material::{FACES, Part, Sides, TRACKED, column};
 
 const SECTION: &str = "GL 2.1, section 2.14.2";
-
-/// The side and the part that a location stands for.
-fn column_at(location: usize) -> (Side, Part) {
-    let place = (location - usize::from(ATTRIB_MATERIAL)) % MATERIAL_COLUMNS;
-    let side = if place < Part::ALL.len() { Side::Front } else { Side::Back };
-    (side, Part::ALL[place % Part::ALL.len()])
-}
-
-impl Materials {
-    /// What the column at a location is now, whatever is tracked.
-    pub fn column(&self, location: usize) -> [f32; 4] {
-        let (side, part) = column_at(location);
-        let material = self.side(side);
-        match part {
-            Part::Emission => material.emission,
-            Part::Ambient => material.ambient,
-            Part::Diffuse => material.diffuse,
-            Part::Specular => material.specular,
-            Part::Shininess => [material.shininess, 0.0, 0.0, 1.0],
-        }
-    }
-
-    /// Gives what the column at a location stands for another value.
-    pub fn set_column(&mut self, location: usize, value: [f32; 4]) {
-        let (side, part) = column_at(location);
-        let material = self.side_mut(side);
-        match part {
-            Part::Emission => material.emission = value,
-            Part::Ambient => material.ambient = value,
-            Part::Diffuse => material.diffuse = value,
-            Part::Specular => material.specular = value,
-            Part::Shininess => material.shininess = value[0],
-        }
-    }
-}
 
 /// Lets what followed the current colour keep it: tracking is about to end or to change.
 pub(crate) fn keep_tracked(context: &mut Context) {

@@ -1,12 +1,13 @@
 //! The text and the parameters of programs: ARB_vertex_program, section 2.14.1;
 //! EXT_gpu_program_parameters.
 
-use crate::assembly::load;
 use crate::assembly::program::Target;
+use crate::assembly::{load, too_large};
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_operation, not_negative};
 use crate::base::types::*;
 use crate::context::Context;
+use crate::generate::executable::assembly_executable;
 use crate::objects::assemblies::TARGET;
 use crate::state::assembly::{SECTION, Scope, checked};
 use std::sync::Arc;
@@ -152,7 +153,9 @@ pub(crate) fn program_string(
         let has = string.len();
         return invalid_operation(SECTION, format!("len = {len}, but the string has {has} bytes"));
     };
-    match load(text, target) {
+    let loaded = load(text, target)
+        .and_then(|loaded| assembly_executable(loaded).map_err(|error| too_large(text, &error)));
+    match loaded {
         Ok(loaded) => {
             let bound = &context.state.assembly.bound[target as usize];
             let program = context.objects.assembly_mut(target, bound);

@@ -6,16 +6,11 @@ use crate::base::types::*;
 use crate::calls::program::shaders::shader;
 use crate::calls::transform_feedback::not_while_active;
 use crate::context::Context;
-use crate::generate::fixed::clamp::clamp_vertex_colors;
+use crate::generate::executable::executable;
 use crate::glsl;
 use crate::interface::MAX_VERTEX_ATTRIBS;
 use crate::objects::Sweep;
-use crate::objects::blocks::BlockState;
-use crate::objects::programs::{
-    LinkStatus, Linked, ProgramObject, ShaderOrProgram, release, sweep,
-};
-use rasterizer::driver::ShaderModule;
-use rasterizer::ir::{Expr, Input, IrError, Module};
+use crate::objects::programs::{LinkStatus, ProgramObject, ShaderOrProgram, release, sweep};
 
 const SECTION: &str = "GL 2.1, section 2.15.2";
 
@@ -125,36 +120,6 @@ pub(crate) fn bind_frag_data_location(
     Ok(())
 }
 
-/// The attributes that a vertex stage reads, bit by location.
-fn read_attributes(module: &Module) -> u64 {
-    let mut read = 0;
-    for value in &module.values {
-        if let Expr::Input(Input::Attribute { location, .. }) = value {
-            read |= 1 << location;
-        }
-    }
-    read
-}
-
-/// A linker's result, ready to draw with.
-pub(crate) fn ready(mut program: glsl::Program) -> std::result::Result<Linked, IrError> {
-    let module = |module: &Option<Module>| module.clone().map(ShaderModule::new).transpose();
-    let unclamped = program.vertex.clone();
-    let has_colors = program.vertex.as_mut().is_some_and(clamp_vertex_colors);
-    let (vertex, fragment) = (module(&program.vertex)?, module(&program.fragment)?);
-    let unclamped_vertex = if has_colors { module(&unclamped)? } else { vertex.clone() };
-    let mut words = vec![0; program.words as usize];
-    for uniform in &program.uniforms {
-        let place = words.get_mut(uniform.word as usize..).unwrap_or_default();
-        for (word, initial) in place.iter_mut().zip(&uniform.initial) {
-            *word = *initial;
-        }
-    }
-    let blocks = BlockState::of(&program);
-    let attributes = vertex.as_ref().map_or(0, |vertex| read_attributes(vertex.module()));
-    Ok(Linked { program, vertex, unclamped_vertex, fragment, attributes, words, blocks })
-}
-
 pub(crate) fn link_program(context: &mut Context, name: GLuint) -> Result<()> {
     if context.state.bindings.program.name() == name {
         not_while_active(context)?;
@@ -179,7 +144,7 @@ pub(crate) fn link_program(context: &mut Context, name: GLuint) -> Result<()> {
         };
         let result = glsl::link(&shaders, &bindings);
         log = result.log;
-        match result.program.map(ready).transpose() {
+        match result.program.map(executable).transpose() {
             Ok(program) => linked = program,
             Err(error) => log.push_str(&format!("error: internal: {error}\n")),
         }

@@ -11,12 +11,10 @@ use crate::base::limits;
 use crate::base::types::*;
 use crate::calls::texture::bound::bound_mut;
 use crate::context::Context;
-use crate::objects::bound::Bound;
 use crate::objects::target::TextureTarget;
 use crate::objects::texture_buffer::DataStore;
 use crate::pixel::internal::INTERNAL_FORMAT;
 use std::ops::Range;
-use texunit::format::Format;
 
 const SECTION: &str = "GL 3.1, section 3.8.4";
 const RANGE: &str = "ARB_texture_buffer_range, section 3.8.4";
@@ -48,24 +46,6 @@ const FORMATS: [GLenum; 73] = [
     GL_RGBA8, GL_RGBA16, GL_RGBA16F, GL_RGBA32F,
     GL_RGBA8I, GL_RGBA16I, GL_RGBA32I, GL_RGBA8UI, GL_RGBA16UI, GL_RGBA32UI,
 ];
-
-impl Default for DataStore {
-    /// As a new texture has it (`ARB_texture_buffer_object`, section 6.2).
-    fn default() -> Self {
-        let (internal, format) = (GL_LUMINANCE8, Format::L8);
-        Self { internal, format, buffer: Bound::default(), range: None, plan: None }
-    }
-}
-
-impl DataStore {
-    /// Which bytes of a buffer are texels.
-    pub fn range_of(&self, length: usize) -> Range<usize> {
-        match &self.range {
-            None => 0..length,
-            Some(range) => range.start.min(length)..range.end.min(length),
-        }
-    }
-}
 
 /// Gives the bound texture its texels, if the arguments are right.
 fn attach(

@@ -1,7 +1,6 @@
 //! `glBegin` to `glEnd` in a list: one buffer, filled when the list is compiled. Where one such
 //! follows another of its kind, they share a buffer and a draw: it costs what many vertices do.
 
-use crate::base::begin_end::BeginEnd;
 use crate::base::limits::LOCATIONS;
 use crate::base::topology::topology;
 use crate::base::types::*;
@@ -15,8 +14,8 @@ use rasterizer::driver::{Buffer, Topology};
 /// Attributes since `glBegin`, in order.
 #[derive(Debug)]
 pub(crate) struct Open {
-    mode: GLenum,
-    log: Vec<(Slot, [f32; 4])>,
+    pub mode: GLenum,
+    pub log: Vec<(Slot, [f32; 4])>,
 }
 
 impl Open {
@@ -26,42 +25,6 @@ impl Open {
 
     pub fn push(&mut self, slot: Slot, value: [f32; 4]) {
         self.log.push((slot, value));
-    }
-
-    /// One step for all, where every call is valid; else step by step, so that the errors come
-    /// when the list is called.
-    pub fn close(self) -> Vec<Step> {
-        match Shapes::new(&self) {
-            Some(shapes) => vec![Step::Shapes(shapes)],
-            None => {
-                let mut steps = self.spill();
-                steps.push(end_step());
-                steps
-            }
-        }
-    }
-
-    /// The calls one by one.
-    pub fn spill(self) -> Vec<Step> {
-        let mode = self.mode;
-        let begin = Step::Call {
-            name: "glBegin",
-            begin_end: BeginEnd::Allowed,
-            unpack: None,
-            run: Box::new(move |context| crate::calls::vertex::immediate::begin(context, mode)),
-        };
-        let attributes = self.log.into_iter().map(|(slot, value)| Step::Attribute(slot, value));
-        std::iter::once(begin).chain(attributes).collect()
-    }
-}
-
-/// `glEnd` on its own.
-pub(crate) fn end_step() -> Step {
-    Step::Call {
-        name: "glEnd",
-        begin_end: BeginEnd::Allowed,
-        unpack: None,
-        run: Box::new(crate::calls::vertex::immediate::end),
     }
 }
 
@@ -89,7 +52,7 @@ pub(crate) struct Shapes {
 
 impl Shapes {
     /// `None` where a call is not valid.
-    fn new(open: &Open) -> Option<Self> {
+    pub(crate) fn new(open: &Open) -> Option<Self> {
         let topology = topology(open.mode).ok()?;
         let mut positions: Vec<[f32; 4]> = Vec::new();
         let mut columns: Vec<(Column, Vec<[f32; 4]>)> = Vec::new();

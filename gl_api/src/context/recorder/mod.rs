@@ -20,6 +20,7 @@ use crate::context::recorder::rectangle::RectangleModules;
 use crate::context::recorder::stages::Textures;
 use crate::context::recorder::vertex_stage::{Outputs, Single};
 use crate::generate::fixed::FixedModules;
+use crate::objects::buffers::WaitingDraws;
 use rasterizer::driver::{
     Command, CommandBuffer, Counter, Device, Image, PassDesc, Pipeline, PipelineDesc, RasterState,
     Rect, ShaderModule, Sight, VertexBinding, Viewport,
@@ -94,6 +95,16 @@ pub(crate) struct Told {
     /// The draw before, which others may repeat.
     pub repeat: Option<repeat::Repeat>,
     pub decided: Option<again::Decided>,
+}
+
+impl WaitingDraws for Recorder {
+    fn hold(&mut self, bytes: usize) {
+        self.hold(bytes);
+    }
+
+    fn draws(&self) -> u64 {
+        self.draws
+    }
 }
 
 impl Recorder {

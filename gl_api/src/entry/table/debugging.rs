@@ -51,8 +51,6 @@ macro_rules! entry_points_debugging {
             ptr: *const GLvoid, bufsize: GLsizei, length: &'a mut [GLsizei], label: TextOut<'a>
         );
     }
-    Refused in log_calls {
-    }
     Refused in pointers {
         /// Where arrays and callbacks are; an offset for an array in a buffer.
         get_pointerv: glGetPointerv | glGetPointervEXT

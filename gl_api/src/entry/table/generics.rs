@@ -3,12 +3,13 @@
 
 use crate::base::types::*;
 use crate::calls::program::attribute;
+use crate::query::attributes;
 
 #[doc(hidden)]
 #[macro_export]
 macro_rules! entry_points_generics {
     ($apply:ident $($arguments:tt)*) => { $apply! { [$($arguments)*]
-    Refused in attribute {
+    Refused in attributes {
         /// Reads what is known of a generic attribute.
         get_vertex_attribdv: glGetVertexAttribdv | glGetVertexAttribdvARB
             (index: GLuint, pname: GLenum, params: &'a mut [GLdouble]);

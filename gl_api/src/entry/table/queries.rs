@@ -2,9 +2,9 @@
 
 use crate::base::types::*;
 use crate::calls::flush;
-use crate::calls::query::get;
 use crate::calls::sync::{conditional, queries};
 use crate::query::extensions;
+use crate::query::get;
 
 #[doc(hidden)]
 #[macro_export]

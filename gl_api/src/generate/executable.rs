@@ -1,0 +1,51 @@
+//! A linker's result as modules of the driver, ready to draw with.
+
+use crate::assembly::Loaded;
+use crate::generate::fixed::clamp::clamp_vertex_colors;
+use crate::glsl;
+use crate::objects::assemblies::AssemblyExecutable;
+use crate::objects::blocks::BlockState;
+use crate::objects::programs::Linked;
+use rasterizer::driver::ShaderModule;
+use rasterizer::ir::{Expr, Input, IrError, Module};
+
+/// The attributes that a vertex stage reads, bit by location.
+fn read_attributes(module: &Module) -> u64 {
+    let mut read = 0;
+    for value in &module.values {
+        if let Expr::Input(Input::Attribute { location, .. }) = value {
+            read |= 1 << location;
+        }
+    }
+    read
+}
+
+/// A linker's result, ready to draw with.
+pub(crate) fn executable(mut program: glsl::Program) -> Result<Linked, IrError> {
+    let module = |module: &Option<Module>| module.clone().map(ShaderModule::new).transpose();
+    let unclamped = program.vertex.clone();
+    let has_colors = program.vertex.as_mut().is_some_and(clamp_vertex_colors);
+    let (vertex, fragment) = (module(&program.vertex)?, module(&program.fragment)?);
+    let unclamped_vertex = if has_colors { module(&unclamped)? } else { vertex.clone() };
+    let mut words = vec![0; program.words as usize];
+    for uniform in &program.uniforms {
+        let place = words.get_mut(uniform.word as usize..).unwrap_or_default();
+        for (word, initial) in place.iter_mut().zip(&uniform.initial) {
+            *word = *initial;
+        }
+    }
+    let blocks = BlockState::of(&program);
+    let attributes = vertex.as_ref().map_or(0, |vertex| read_attributes(vertex.module()));
+    Ok(Linked { program, vertex, unclamped_vertex, fragment, attributes, words, blocks })
+}
+
+/// An assembly program, ready to draw with.
+///
+/// # Errors
+/// When its module has more values than the IR can name.
+pub(crate) fn assembly_executable(loaded: Loaded) -> Result<AssemblyExecutable, IrError> {
+    let Loaded { program, initial, rows, counts, position } = loaded;
+    let mut linked = executable(program)?;
+    linked.words = initial;
+    Ok(AssemblyExecutable { linked, rows, counts, position })
+}
