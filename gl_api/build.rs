@@ -92,7 +92,7 @@ fn names(registry: &Registry, implemented: &Registry, later: &Registry, text: &m
         vendor.iter().position(|vendor| *vendor == suffix)
     };
     let mut ours: BTreeSet<String> = BTreeSet::new();
-    for name in implemented.enums.iter().map(|item| c_name(item)) {
+    for name in implemented.enums.iter().map(c_name) {
         // Without the suffix too: so it is called where a later version took it up.
         if let (Some(_), Some((plain, _))) = (place(&name), name.rsplit_once('_')) {
             ours.insert(plain.to_owned());
@@ -106,7 +106,7 @@ fn names(registry: &Registry, implemented: &Registry, later: &Registry, text: &m
         let place = place(name).map_or(0, |place| 1 + place.min(2));
         (foreign, bit, place, name.len(), name.to_owned())
     };
-    let later: BTreeSet<String> = later.enums.iter().map(|item| c_name(item)).collect();
+    let later: BTreeSet<String> = later.enums.iter().map(c_name).collect();
     for item in &registry.enums {
         let Some(value) = item.value.strip_prefix("0x") else { continue };
         let Ok(value) = u32::from_str_radix(value, 16) else { continue };

@@ -1,5 +1,7 @@
-//! The tables of entry points against the Khronos registry, and calls as C writes them.
+//! The table of entry points against the Khronos registry, and calls as C writes them.
 
+use gl_api::availability::{self, Api, Availability, Version};
+use gl_api::description::{BeginEnd, DisplayList, EntryPoint};
 use gl_api::*;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -94,6 +96,52 @@ fn contexts_are_current_one_inside_the_other() {
     assert_eq!(width(), None);
 }
 
+/// What the registry says of a command.
+fn available(name: &str) -> Availability {
+    availability::of(name).expect("a command of the registry")
+}
+
+#[test]
+fn commands_are_where_the_registry_says() {
+    let is_in =
+        |name: &str, api, major, minor| available(name).is_in(api, Version::new(major, minor));
+    for (name, api, without, with) in [
+        ("glActiveTexture", Api::Compatibility, (1, 2), (1, 3)),
+        ("glGenVertexArrays", Api::Core, (2, 1), (3, 2)),
+        ("glGetPointerv", Api::Core, (4, 2), (4, 3)),
+        ("glGenVertexArrays", Api::Es2, (2, 0), (3, 0)),
+        ("glAlphaFuncx", Api::Es1, (0, 9), (1, 0)),
+    ] {
+        assert!(!is_in(name, api, without.0, without.1), "{name} {api:?} {without:?}");
+        assert!(is_in(name, api, with.0, with.1), "{name} {api:?} {with:?}");
+    }
+    assert!(is_in("glBegin", Api::Compatibility, 4, 6));
+    assert!(!is_in("glBegin", Api::Core, 3, 2) && !is_in("glBegin", Api::Es2, 3, 2));
+    assert!(!is_in("glVertexP2ui", Api::Core, 3, 3), "of the compatibility profile alone");
+    let brings = |name, api| available(name).extensions_of(api).collect::<Vec<_>>();
+    assert_eq!(brings("glDrawArraysInstancedARB", Api::Core), ["GL_ARB_draw_instanced"]);
+    assert!(brings("glDrawArraysInstancedARB", Api::Es2).is_empty());
+    assert_eq!(availability::of("glNothing"), None);
+}
+
+#[test]
+fn rows_say_what_is_allowed_and_compiled() {
+    let row = |name: &str| {
+        let is_named = |row: &&EntryPoint| row.names.iter().any(|known| known.name == name);
+        table().find(is_named).expect("an entry point")
+    };
+    let blend = row("glBlendFunc");
+    assert_eq!((blend.begin_end, blend.display_list), (BeginEnd::Refused, DisplayList::Compiled));
+    let parameters: Vec<_> = blend.parameters.iter().map(|row| (row.name, row.ty)).collect();
+    assert_eq!(parameters, [("sfactor", "GLenum"), ("dfactor", "GLenum")]);
+    let color = row("glColor3ubv");
+    assert_eq!((color.begin_end, color.display_list), (BeginEnd::Allowed, DisplayList::Compiled));
+    for name in ["glGenLists", "glBindBufferARB", "glFlush"] {
+        assert_eq!(row(name).display_list, DisplayList::NotCompiled, "{name}");
+    }
+    assert!(row("glVertexPointer").is_in(Api::Es1, Version::new(1, 0)));
+}
+
 /// A version or extension, and the commands that the registry says it brings.
 type Chapter<'a> = (&'a str, Vec<&'a str>);
 
@@ -166,7 +214,73 @@ fn page(registry: &str) -> String {
     text += &later;
     let bare: Vec<String> = bare.iter().map(|name| format!("`{name}`")).collect();
     text += &format!("\nExtensions without commands: {}.\n", bare.join(", "));
-    text + &lists
+    text += &by_api(&there);
+    text += &lists;
+    text + &rows()
+}
+
+/// How much there is of each API's version, and what not.
+fn by_api(there: &BTreeSet<&str>) -> String {
+    let mut text = String::from(
+        "\n## By API\n\nThe commands of a version without its extensions. Contexts are OpenGL 3.1's, compatibility; of \
+         the others, the table says what their programs would find.\n\n\
+         | API | there | of | missing |\n|---|---|---|---|\n",
+    );
+    for (title, api, version) in [
+        ("OpenGL 3.1, compatibility", Api::Compatibility, Version::new(3, 1)),
+        ("OpenGL 3.3, core", Api::Core, Version::new(3, 3)),
+        ("OpenGL ES 2.0", Api::Es2, Version::new(2, 0)),
+        ("OpenGL ES 3.0", Api::Es2, Version::new(3, 0)),
+    ] {
+        let commands = availability::registry().filter(|(_, found)| found.is_in(api, version));
+        let (has, lacks): (Vec<&str>, Vec<&str>) =
+            commands.map(|(name, _)| name).partition(|name| there.contains(name));
+        let missing: Vec<String> = lacks.iter().map(|name| format!("`{name}`")).collect();
+        let all = has.len() + lacks.len();
+        text += &format!("| {title} | {} | {all} | {} |\n", has.len(), missing.join(", "));
+    }
+    text
+}
+
+/// Every row of the table.
+fn rows() -> String {
+    let mut text = String::from(
+        "\n## Every entry point\n\nThe first version of each API that has it (the core profile begins with 3.2) or the extensions of OpenGL that do, whether \
+         it is allowed between `glBegin` and `glEnd`, and whether display lists compile it.\n\n\
+         | entry point | other names | compatibility | core | ES 1 | ES 2 and later | `glBegin` | lists |\n\
+         |---|---|---|---|---|---|---|---|\n",
+    );
+    let version =
+        |found: Option<Version>| found.map_or_else(String::new, |found| found.to_string());
+    let mut all: Vec<&EntryPoint> = table().collect();
+    all.sort_by_key(|row| row.names[0].name);
+    for row in all {
+        let (first, aliases) = row.names.split_first().expect("a row has a name");
+        let aliases: Vec<String> = aliases.iter().map(|row| format!("`{}`", row.name)).collect();
+        let found = first.availability;
+        let core = found.core.filter(|core| core.removed_in.is_none()).map(|core| core.from);
+        let allowed = match row.begin_end {
+            BeginEnd::Allowed => "allowed",
+            BeginEnd::Refused => "",
+        };
+        let compiled = match row.display_list {
+            DisplayList::Compiled => "compiled",
+            DisplayList::NotCompiled => "",
+        };
+        text += &format!(
+            "| `{}` | {} | {} | {} | {} | {} | {allowed} | {compiled} |\n",
+            first.name,
+            aliases.join(", "),
+            found.compatibility.map_or_else(
+                || found.extensions_of(Api::Compatibility).collect::<Vec<_>>().join(", "),
+                |version| version.to_string(),
+            ),
+            version(core.map(|from| from.max(Version::new(3, 2)))),
+            version(found.es1),
+            version(found.es2),
+        );
+    }
+    text
 }
 
 #[test]

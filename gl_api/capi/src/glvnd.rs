@@ -3,7 +3,9 @@
 //! `detgl install` writes. Extension functions of displays are not dispatched.
 
 use crate::egl::constants::*;
-use crate::egl::{Attrib, Handle, Int, attributes, call, display};
+use crate::egl::display;
+use crate::egl::error::call;
+use crate::egl::raw::{Attrib, Handle, Int, attributes};
 use crate::guard::guard;
 use crate::proc_address;
 use std::ffi::{c_char, c_int, c_void};

@@ -1,8 +1,8 @@
 //! Functions by name: what `eglGetProcAddress`, `OSMesaGetProcAddress`, `glXGetProcAddress` and Rust's loaders answer.
 
-use crate::egl::{self, Code};
+use crate::egl::error::{Code, call, fail};
 use crate::guard::guard;
-use crate::{gl, glu, osmesa};
+use crate::{egl, gl, glu, osmesa};
 use gl_api::availability::{Api, Version};
 use std::collections::BTreeMap;
 use std::ffi::{CStr, c_char, c_void};
@@ -64,9 +64,9 @@ pub(crate) unsafe fn named(name: *const c_char) -> *const c_void {
 #[cfg_attr(feature = "c-names", unsafe(no_mangle))]
 #[allow(non_snake_case, reason = "EGL's name")]
 unsafe extern "C" fn eglGetProcAddress(name: *const c_char) -> *const c_void {
-    egl::call::<*const c_void>("eglGetProcAddress", || {
+    call::<*const c_void>("eglGetProcAddress", || {
         if name.is_null() {
-            return egl::fail(Code::BadParameter, "procname must not be NULL");
+            return fail(Code::BadParameter, "procname must not be NULL");
         }
         // SAFETY: ended by a zero, as C's prototype says.
         Ok(unsafe { named(name) })

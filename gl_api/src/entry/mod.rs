@@ -1,12 +1,12 @@
 //! The entry points: one table row each.
 //!
-//! A row of the [`table`] gives GL's name (and its aliases), the parameters with C's types, and the function that
-//! does the work; [`implement!`](implement) makes of it a method on [`Context`](crate::Context) and free functions
+//! A row of the `table` gives GL's name (and its aliases), the parameters with C's types, and the function that
+//! does the work; `implement!` makes of it a method on [`Context`](crate::Context) and free functions
 //! with GL's own names over the thread's current context. What a parameter accepts is in [`Arg`].
 //!
 //! | module | is |
 //! |---|---|
-//! | [`table`] | the rows, a file per chapter of the specification |
+//! | `table` | the rows, a file per chapter of the specification |
 //! | [`description`] | what the table says of an entry point, as values |
 //! | [`availability`] | which APIs, versions and extensions have a command |
 //! | `implement` | methods and free functions from rows |

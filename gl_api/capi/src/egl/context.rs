@@ -3,10 +3,9 @@
 use super::config::Config;
 use super::constants::*;
 use super::error::{Code, Result, fail};
-use super::registry::{
-    Api, ContextEntry, Holder, Id, Registry, handle, registry, this_thread, thread,
-};
-use super::{Attrib, Handle, Int, put};
+use super::raw::{Attrib, Handle, Id, Int, handle, put};
+use super::registry::{ContextEntry, Holder, Registry, registry};
+use super::thread::{Api, this_thread, thread};
 use gl_api::host::{self, DebugOutput, Shared, limits};
 use gl_api::{ContextDesc, with_current};
 use std::time::Duration;

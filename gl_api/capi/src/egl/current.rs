@@ -2,11 +2,9 @@
 
 use super::constants::*;
 use super::error::{Code, Result, fail};
-use super::registry::{
-    Api, Binding, Holder, Id, OSMESA, Registry, Thread, ThreadId, display, handle, registry,
-    this_thread, thread,
-};
-use super::{Handle, Int};
+use super::raw::{Handle, Id, Int, handle};
+use super::registry::{Holder, OSMESA, Registry, display, registry};
+use super::thread::{Api, Binding, Thread, ThreadId, this_thread, thread};
 use crate::main_thread::is_main_thread;
 use gl_api::host::{self, Surface, swap_current};
 use gl_api::{Context, with_current};

@@ -2,8 +2,8 @@
 
 use super::constants::*;
 use super::error::{Code, Result, fail};
-use super::registry::{DEVICE, Platform, display, handle, registry};
-use super::{Attrib, Handle, Int, put};
+use super::raw::{Attrib, Handle, Int, handle, put};
+use super::registry::{DEVICE, Platform, display, registry};
 use std::ffi::{CStr, c_char};
 
 /// Extensions that belong to no display.

@@ -1,8 +1,8 @@
 //! What EGL refuses, and why (EGL 1.5, section 3.1).
 
-use super::Int;
 use super::constants::*;
-use super::registry::thread;
+use super::raw::Int;
+use super::thread::thread;
 use crate::guard::enter;
 
 /// The error codes of EGL 1.5, table 3.1.

@@ -1,8 +1,8 @@
 //! The table of EGL's functions: C's name and parameters, and what does the work.
 
 use super::error::{Code, call, fail};
-use super::{Attrib, Handle, Int, attributes, int_attributes};
-use super::{config, constants, context, current, display, registry, surface, sync};
+use super::raw::{Attrib, Handle, Int, attributes, int_attributes};
+use super::{choose, constants, context, current, display, registry, surface, sync, thread};
 use std::ffi::c_char;
 
 macro_rules! functions {
@@ -46,12 +46,12 @@ functions! {
         => display::query_display_attrib(dpy, attribute, value);
 
     eglGetConfigs(dpy: Handle, configs: *mut Handle, size: Int, number: *mut Int) -> u32
-        => config::get_configs(dpy, configs, size, number);
+        => choose::get_configs(dpy, configs, size, number);
     eglChooseConfig(
         dpy: Handle, list: *const Int, configs: *mut Handle, size: Int, number: *mut Int
-    ) -> u32 => config::choose_config(dpy, list, configs, size, number);
+    ) -> u32 => choose::choose_config(dpy, list, configs, size, number);
     eglGetConfigAttrib(dpy: Handle, config: Handle, attribute: Int, value: *mut Int) -> u32
-        => config::get_config_attrib(dpy, config, attribute, value);
+        => choose::get_config_attrib(dpy, config, attribute, value);
 
     eglCreatePbufferSurface(dpy: Handle, config: Handle, list: *const Int) -> Handle
         => surface::create_pbuffer(dpy, config, list);
@@ -151,5 +151,5 @@ impl From<Int> for AttribOut {
 #[cfg_attr(feature = "c-names", unsafe(no_mangle))]
 #[allow(non_snake_case, reason = "EGL's name")]
 extern "C" fn eglGetError() -> Int {
-    registry::thread(|thread| thread.error.replace(constants::EGL_SUCCESS))
+    thread::thread(|thread| thread.error.replace(constants::EGL_SUCCESS))
 }

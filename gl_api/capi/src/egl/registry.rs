@@ -1,17 +1,13 @@
-//! Displays, contexts, surfaces and syncs by handle, and what belongs to a thread.
+//! Displays, contexts, surfaces and syncs by handle.
 
 use super::config::Config;
 use super::error::{Code, Result, fail};
-use super::{Handle, Int};
+use super::raw::{Handle, Id};
+use super::thread::ThreadId;
 use gl_api::Context;
 use gl_api::host::{Invitation, Surface};
-use std::cell::Cell;
 use std::collections::BTreeMap;
-use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
-
-/// A handle as a number.
-pub(crate) type Id = usize;
 
 /// Where a display came from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -175,67 +171,4 @@ pub(super) fn display(handle: Handle) -> Result<Id> {
         return Ok(id);
     }
     fail(Code::BadDisplay, format!("dpy = {id:#x} is no display"))
-}
-
-/// A number as a handle.
-pub(crate) fn handle(id: Id) -> Handle {
-    std::ptr::without_provenance_mut(id)
-}
-
-/// What is current on a thread.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Binding {
-    pub display: Id,
-    pub context: Id,
-    /// What is drawn to; `None` without a default framebuffer.
-    pub surface: Option<Id>,
-    /// What is read from, if it is another.
-    pub read: Option<Id>,
-}
-
-/// The API that `eglBindAPI` chose.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Api {
-    /// Before the first call: OpenGL ES would be the default, but there is none.
-    None,
-    OpenGl,
-}
-
-/// A thread, by a number that no other has. (One that is ending has no `std::thread::ThreadId`.)
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct ThreadId(u64);
-
-/// The thread that asks.
-pub(crate) fn this_thread() -> ThreadId {
-    static LAST: AtomicU64 = AtomicU64::new(0);
-    thread(|thread| {
-        let id = thread.id.get().unwrap_or_else(|| ThreadId(LAST.fetch_add(1, Ordering::Relaxed)));
-        thread.id.set(Some(id));
-        id
-    })
-}
-
-/// What belongs to a thread. Nothing of it is to be destroyed, so it is there to the thread's end.
-#[derive(Debug)]
-pub(crate) struct Thread {
-    id: Cell<Option<ThreadId>>,
-    pub error: Cell<Int>,
-    pub api: Cell<Api>,
-    pub binding: Cell<Option<Binding>>,
-}
-
-thread_local! {
-    static THREAD: Thread = const {
-        Thread {
-            id: Cell::new(None),
-            error: Cell::new(super::constants::EGL_SUCCESS),
-            api: Cell::new(Api::None),
-            binding: Cell::new(None),
-        }
-    };
-}
-
-/// Runs `f` with what belongs to this thread.
-pub(crate) fn thread<R>(f: impl FnOnce(&Thread) -> R) -> R {
-    THREAD.with(f)
 }

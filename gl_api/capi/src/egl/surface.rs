@@ -3,10 +3,9 @@
 use super::config::Config;
 use super::constants::*;
 use super::error::{Code, Result, fail};
-use super::registry::{
-    Id, Registry, Settings, SurfaceEntry, SwapBehavior, handle, registry, thread,
-};
-use super::{Attrib, Handle, Int, int_attributes, put};
+use super::raw::{Attrib, Handle, Id, Int, handle, int_attributes, put};
+use super::registry::{Registry, Settings, SurfaceEntry, SwapBehavior, registry};
+use super::thread::thread;
 use gl_api::host::limits::MAX_VIEWPORT_DIMS;
 use gl_api::host::{self, Surface};
 

@@ -4,8 +4,8 @@
 use super::constants::*;
 use super::current::{current_context, current_display};
 use super::error::{Code, Result, fail};
-use super::registry::{Id, Registry, handle, registry};
-use super::{Attrib, Handle, Int, put};
+use super::raw::{Attrib, Handle, Id, Int, handle, put};
+use super::registry::{Registry, registry};
 
 /// A new fence; `unknown` is the error of another type.
 pub(super) fn create(

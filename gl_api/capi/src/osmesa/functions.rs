@@ -4,7 +4,7 @@ use super::{
     Request, Target, attributes, bits, color_clamp, create, current_id, depths, destroy, entries,
     get, make_current, pixel_store, release,
 };
-use crate::egl::registry::handle;
+use crate::egl::raw::handle;
 use crate::guard::c_functions;
 use gl_api::constants::{GL_FIXED_ONLY, GL_TRUE};
 use gl_api::{GLboolean, GLenum, GLint, GLsizei};

@@ -11,9 +11,9 @@ mod mirror;
 pub(crate) use functions::FUNCTIONS;
 
 use super::egl::current;
-use super::egl::registry::{
-    Binding, ContextEntry, Id, OSMESA, Settings, SurfaceEntry, handle, registry, thread,
-};
+use super::egl::raw::{Id, handle};
+use super::egl::registry::{ContextEntry, OSMESA, Settings, SurfaceEntry, registry};
+use super::egl::thread::{Binding, thread};
 use gl_api::constants::*;
 use gl_api::host::{self, Alpha, DebugOutput, FirstRow, Pixels, Surface, limits};
 use gl_api::{ContextDesc, SurfaceColor, SurfaceDesc, with_current};

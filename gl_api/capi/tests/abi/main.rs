@@ -134,6 +134,20 @@ fn every_name_has_an_address_and_no_other_has() {
     for (name, _) in COMMANDS {
         assert_eq!(detgl::get_proc_address(name).is_null(), !names.contains(name), "{name}");
     }
+    use gl_api::availability::{Api, Version};
+    let of = |api, version, name| !detgl::get_proc_address_of(api, version, name).is_null();
+    for (name, core, es2) in [
+        ("glClear", true, true),
+        ("glBegin", false, false),
+        ("glGenVertexArrays", true, false),
+        // By extensions.
+        ("glDrawArraysInstancedARB", true, false),
+        ("glDrawArraysInstancedEXT", true, true),
+        ("glDoesNotExist", false, false),
+    ] {
+        assert_eq!(of(Api::Core, Version::new(3, 3), name), core, "{name}");
+        assert_eq!(of(Api::Es2, Version::new(2, 0), name), es2, "{name}");
+    }
     for (name, there) in [
         (c"glClear", true),
         (c"eglMakeCurrent", true),
