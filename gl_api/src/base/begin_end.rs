@@ -1,4 +1,4 @@
-//! What the table says of an entry point.
+//! Whether a call may stand between `glBegin` and `glEnd`.
 
 /// Whether a call is allowed between `glBegin` and `glEnd` (GL 2.1, section 2.6.3).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

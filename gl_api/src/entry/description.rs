@@ -1,6 +1,6 @@
 //! What the table says of an entry point.
 
-use crate::base::begin_end::BeginEnd;
+pub use crate::base::begin_end::BeginEnd;
 use crate::entry::availability;
 use crate::entry::availability::{Api, Availability, Version};
 
