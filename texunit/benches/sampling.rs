@@ -10,7 +10,8 @@ use std::time::Instant;
 use texunit::format::Format;
 use texunit::image::{Image, Level, Shape};
 use texunit::lanes::{F32s, Isa, LANES, QUADS, lane_x, lane_y};
-use texunit::plan::{Lod, Places, Points, Room, SamplePlan};
+use texunit::plan::SamplePlan;
+use texunit::sample::{Lod, Places, Points, Room};
 use texunit::sampler::{Filter, Mipmap, Sampler, Wrap};
 
 /// Texels of a side.

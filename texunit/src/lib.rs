@@ -26,6 +26,6 @@ pub mod lanes;
 pub mod mipmap;
 pub mod pixel;
 pub mod plan;
-mod sample;
+pub mod sample;
 pub mod sampler;
 pub mod trace;

@@ -1,7 +1,7 @@
 //! What was decided of a texture, in one line.
 
-use super::{Alpha, Anisotropy, Detail, Texture};
-use crate::sample::lod::LodRange;
+use super::lod_range::LodRange;
+use super::texture::{Alpha, Anisotropy, Detail, Texture};
 use crate::sampler::Seamless;
 
 impl Texture {

@@ -1,16 +1,13 @@
 //! A texture as kernels read it: which levels, which wrap modes, which border, and which kernel, decided once from
 //! an image and a sampler.
 
-use super::{Alpha, Anisotropy, Detail, SampleKernel, Texture, Way};
+use super::selection::wrap_of;
+use super::texel_class::Class;
+use super::texture::{Alpha, Anisotropy, Detail, SampleKernel, Texture, Way};
 use crate::format::{BaseFormat, Block, Encoding, Format};
 use crate::image::{FACES, Image, Incomplete, Level, Shape};
-use crate::lanes::F32s;
 use crate::lanes::math::clamp;
-use crate::sample::lod::LodRange;
-use crate::sample::plain::Class;
-use crate::sampler::{
-    Border, Filter, MAX_ANISOTROPY, Mipmap, Sampler, Seamless, SrgbRead, Swizzle, Wrap,
-};
+use crate::sampler::{Border, Filter, Sampler, Seamless, SrgbRead, Swizzle};
 use std::sync::Arc;
 
 impl Texture {
@@ -126,24 +123,6 @@ fn border_channel(format: Format, channel: usize, border: Border, from: usize) -
     }
 }
 
-/// The wrap mode that this shape takes: rectangles do not repeat (ARB_texture_rectangle), and the
-/// coordinate on a seamless face only has to stay on it.
-pub(super) fn wrap_of(shape: Shape, seamless: Seamless, wrap: Wrap) -> Wrap {
-    match (shape, seamless, wrap) {
-        (Shape::Cube | Shape::CubeArray, Seamless::On, _) => Wrap::Clamp,
-        (
-            Shape::Rect,
-            _,
-            Wrap::Repeat
-            | Wrap::MirroredRepeat
-            | Wrap::MirrorClamp
-            | Wrap::MirrorClampToEdge
-            | Wrap::MirrorClampToBorder,
-        ) => Wrap::ClampToEdge,
-        (_, _, wrap) => wrap,
-    }
-}
-
 /// Lets colours that are encoded be numbers like others. The kernels go by a level's format, so it is a
 /// copy: what few draws ask for costs the others nothing.
 fn without_srgb(level: &mut Arc<Level>) {
@@ -173,54 +152,4 @@ fn levels(image: &Image, base: u32, last: u32) -> Vec<Vec<Arc<Level>>> {
         }
     }
     levels
-}
-
-impl Detail {
-    /// Decides whether λ is needed at all. `last` counts from the base level.
-    fn new(shape: Shape, sampler: &Sampler, last: u32) -> Self {
-        let Sampler { min, mipmap, mag, .. } = *sampler;
-        // GL 2.1, section 3.8.9: the switch-over to magnification.
-        let magnified_to = match (mag, min, mipmap) {
-            (Filter::Linear, Filter::Nearest, Mipmap::Nearest | Mipmap::Linear) => 0.5,
-            (Filter::Linear, Filter::Nearest, Mipmap::None)
-            | (Filter::Linear, Filter::Linear, _)
-            | (Filter::Nearest, _, _) => 0.0,
-        };
-        let fixed = |filter, why| Self::Fixed { filter, level: 0, why, bias: sampler.lod_bias };
-        let most = clamp(sampler.max_anisotropy, 1.0, MAX_ANISOTROPY) as u32;
-        let anisotropy = Anisotropy::new(shape, sampler, most);
-        let is_off = anisotropy == Anisotropy::Off;
-        if is_off && sampler.max_lod <= magnified_to {
-            return fixed(mag, "the largest LOD never leaves magnification");
-        }
-        if is_off && min == mag {
-            match mipmap {
-                Mipmap::None => return fixed(mag, "both filters are alike and without mipmaps"),
-                Mipmap::Nearest | Mipmap::Linear if last == 0 => {
-                    return fixed(mag, "both filters are alike and there is one level");
-                }
-                Mipmap::Nearest | Mipmap::Linear => {}
-            }
-        }
-        let mut range = LodRange {
-            bias: sampler.lod_bias,
-            min: sampler.min_lod,
-            max: sampler.max_lod,
-            magnified_to,
-            mipmap,
-            last,
-        };
-        // No λ is above `max`, so no level above that one's is read.
-        let ([first, second], _) = range.levels(&F32s::splat(range.max));
-        range.last = first[0].max(second[0]);
-        Self::PerLane { min, mag, range, anisotropy }
-    }
-
-    /// The last level that is read, counted from the base level.
-    fn last_level(&self) -> u32 {
-        match self {
-            Self::Fixed { level, .. } => *level,
-            Self::PerLane { range, .. } => range.last,
-        }
-    }
 }

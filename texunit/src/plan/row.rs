@@ -1,6 +1,7 @@
 //! A row of texels that is fetched and never filtered (`ARB_texture_buffer_object`).
 
-use super::{Alpha, Detail, SampleKernel, SamplePlan, Texture, Way};
+use super::SamplePlan;
+use super::texture::{Alpha, Detail, SampleKernel, Texture, Way};
 use crate::image::{Level, Shape};
 use crate::sampler::{DepthMode, Filter, Seamless, Swizzle, Wrap};
 use std::sync::Arc;

@@ -1,10 +1,10 @@
 //! Texels of a level as channels, compared, with the border colour in its place.
 
 use super::compare;
-use super::filter::Place;
-use super::record::Recorder;
+use super::level_view::Place;
+use super::recorder::Recorder;
 use super::wrap::Indices;
-use crate::format::{Encoding, Field, convert};
+use crate::format::convert;
 use crate::image::Level;
 use crate::lanes::{F32s, I32s, Kernel, LANES, Simd, U32s};
 use crate::sampler::Compare;
@@ -18,48 +18,8 @@ pub fn texels<S: Simd>(
     out: &mut [F32s; 4],
     recorder: &mut impl Recorder,
 ) {
-    stored::<S>(place.level, [&x.index, &y.index, &z.index], out);
+    place.level.fetch_stored::<S>([&x.index, &y.index, &z.index], out);
     finish::<S>(place, [x, y, z], out, recorder);
-}
-
-/// The channels of stored texels; those of integer formats are their bits. A function of its own: what knows all
-/// formats is large.
-#[inline(always)]
-pub fn stored<S: Simd>(level: &Level, at: [&U32s; 3], out: &mut [F32s; 4]) {
-    S::apart(Stored { level, at, out });
-}
-
-struct Stored<'a> {
-    level: &'a Level,
-    at: [&'a U32s; 3],
-    out: &'a mut [F32s; 4],
-}
-
-impl Kernel for Stored<'_> {
-    type Output = ();
-    #[inline(always)]
-    fn run<S: Simd>(self) {
-        let Self { level, at, out } = self;
-        if !level.format.is_integer() {
-            return level.fetch_lanes::<S>(at, out);
-        }
-        let info = level.format.info();
-        let (words, _) = level.gather::<S>(at);
-        for (channel, out) in out.iter_mut().enumerate().take(level.format.channels()) {
-            let Field { word, shift, bits } = info.fields[channel];
-            // To the top, and back with the sign or zeros.
-            let (up, down) = (32 - bits - shift, 32 - bits);
-            let out = out.as_u32_mut();
-            for lane in 0..LANES {
-                let top = words[word][lane] << up;
-                out[lane] = if info.encoding == Encoding::Sint {
-                    (top as i32 >> down) as u32
-                } else {
-                    top >> down
-                };
-            }
-        }
-    }
 }
 
 /// The two texels of a row, which lie side by side in every lane and in one word each: one gather

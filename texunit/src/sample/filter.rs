@@ -4,51 +4,15 @@
 //! `a + (b - a) · α` in this order: two equal texels give exactly themselves. Channels of bytes are
 //! weighed as 0 to 255 and divided at last, which is one division for all texels.
 
-use super::record::Recorder;
-use super::wrap::{Axis, Enclosing, Indices};
-use super::{fetch, plain, seamless};
-use crate::format::convert::over_255;
-use crate::image::{FACES, Level, Shape};
+use super::interpolate::{divide, lerp, mean};
+use super::level_view::Place;
+use super::recorder::Recorder;
+use super::wrap::{Enclosing, Indices};
+use super::{fast, fetch, seamless};
 use crate::lanes::{F32s, Kernel, LANES, Simd, U32s};
-use crate::plan::{Texture, Way};
+use crate::plan::Way;
 use crate::sampler::{Filter, Seamless};
 use crate::trace::SampleStep;
-
-/// A level, and all that is the same for each of its texels.
-#[derive(Clone, Copy)]
-pub struct Place<'a> {
-    pub texture: &'a Texture,
-    pub filter: Filter,
-    pub face: usize,
-    /// The level's number, from the base level.
-    pub number: usize,
-    pub level: &'a Level,
-    /// The layer of each lane (of an array of cubes: which cube); 0 where there are none.
-    pub layer: &'a U32s,
-    /// What texels are compared with.
-    pub reference: &'a F32s,
-}
-
-impl Place<'_> {
-    #[inline(always)]
-    pub fn axis(&self, axis: usize) -> Axis {
-        let size = [self.level.width, self.level.height, self.level.depth][axis];
-        let scale = self.texture.shape.scale(size);
-        Axis { wrap: self.texture.wrap[axis], size, border: self.level.border[axis], scale }
-    }
-
-    /// The slice that each lane reads where r is not filtered along.
-    #[inline(always)]
-    pub fn slice(&self) -> Indices {
-        let mut slice = Indices { index: *self.layer, outside: U32s::ZERO };
-        if self.texture.shape == Shape::CubeArray {
-            for lane in 0..LANES {
-                slice.index[lane] = slice.index[lane] * FACES as u32 + self.face as u32;
-            }
-        }
-        slice
-    }
-}
 
 /// Samples one level in all 64 lanes. Only the stored channels of `out` are written.
 #[inline(always)]
@@ -86,10 +50,10 @@ impl Kernel for Short<'_> {
     fn run<S: Simd>(self) -> bool {
         let Self { place, at, out } = self;
         match (place.texture.way, place.filter) {
-            (Way::Plain(class), Filter::Nearest) => plain::nearest::<S>(place, class, at, out),
-            (Way::Plain(class), Filter::Linear) => plain::linear::<S>(place, class, at, out),
+            (Way::Plain(class), Filter::Nearest) => fast::nearest::<S>(place, class, at, out),
+            (Way::Plain(class), Filter::Linear) => fast::linear::<S>(place, class, at, out),
             (Way::Blocks(block), Filter::Linear) => {
-                plain::blocks::linear::<S>(place, block, at, out)
+                fast::blocks::linear::<S>(place, block, at, out)
             }
             (Way::Blocks(_), Filter::Nearest) => false,
             (Way::General | Way::Compared(_), Filter::Nearest | Filter::Linear) => false,
@@ -181,7 +145,7 @@ fn linear<S: Simd>(
             }
         }
         for (channel, out) in out.iter_mut().enumerate().take(place.texture.format.channels()) {
-            let mean = mean(place, &corners, channel, [&alpha, &beta]);
+            let mean = mean(place.texture.format, &corners, channel, [&alpha, &beta]);
             if slice == 0 {
                 *out = mean;
             } else {
@@ -191,54 +155,5 @@ fn linear<S: Simd>(
             }
         }
     }
-    divide(place, out);
-}
-
-/// The mean of a channel of four texels, in the order (0, 0), (1, 0), (0, 1), (1, 1); of a byte, times
-/// 255.
-#[inline(always)]
-pub fn mean(
-    place: &Place<'_>,
-    corners: &[[F32s; 4]; 4],
-    channel: usize,
-    [alpha, beta]: [&F32s; 2],
-) -> F32s {
-    let scale = if place.texture.format.is_byte_channel(channel) { 255.0 } else { 1.0 };
-    let mut out = F32s::ZERO;
-    for lane in 0..LANES {
-        let texel = |corner: usize| corners[corner][channel][lane] * scale;
-        let lower = lerp(texel(0), texel(1), alpha[lane]);
-        let upper = lerp(texel(2), texel(3), alpha[lane]);
-        out[lane] = lerp(lower, upper, beta[lane]);
-    }
-    out
-}
-
-/// What [`mean`] gave of bytes, over 255.
-#[inline(always)]
-pub fn divide(place: &Place<'_>, means: &mut [F32s; 4]) {
-    let format = place.texture.format;
-    for (channel, mean) in means.iter_mut().enumerate().take(format.channels()) {
-        if format.is_byte_channel(channel) {
-            for lane in 0..LANES {
-                mean[lane] = over_255(mean[lane]);
-            }
-        }
-    }
-}
-
-/// Two levels in proportion, if the second has any weight at all: its inf and NaN do not matter
-/// otherwise.
-#[inline(always)]
-pub fn mix(first: &F32s, second: &F32s, weight: &F32s, out: &mut F32s) {
-    for lane in 0..LANES {
-        let mean = lerp(first[lane], second[lane], weight[lane]);
-        out[lane] = if weight[lane] > 0.0 { mean } else { first[lane] };
-    }
-}
-
-/// `a` to `b`, exact where they are equal and where `t` is 0.
-#[inline(always)]
-pub fn lerp(a: f32, b: f32, t: f32) -> f32 {
-    a + (b - a) * t
+    divide(place.texture.format, out);
 }

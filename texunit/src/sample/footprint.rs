@@ -7,7 +7,7 @@
 //! *Isotropic* (GL 2.1, equation 3.20): `ρ² = max(|∂/∂x|², |∂/∂y|²)`.
 //!
 //! *Anisotropic* (EXT_texture_filter_anisotropic leaves the scheme open): images in a plane are read
-//! row by row ([`super::scan`]); other shapes and wrap modes take `N` probes in a row along
+//! row by row ([`super::row_scan`]); other shapes and wrap modes take `N` probes in a row along
 //! the major axis, `N = min(⌈σ₁/σ₂ - 1/64⌉, max)`, each filtered for a width of
 //! `m = max(σ₂, σ₁/N)`, so that `λ = log2 m`. They lie `g = √((σ₁² - m²) / (N² - 1))` apart, the one
 //! distance at which `N` boxes of width `m` have the second moment `σ₁²/12` of the parallelogram
@@ -15,18 +15,12 @@
 //! nothing jumps where `N` changes. The probes weigh the same, as the area integral asks. Each is a
 //! sample of its own, of the levels that λ tells; on a cube, of the face that it comes to lie on.
 
-use super::record::Recorder;
-use super::scan::Scan;
+use super::derivatives::{Derivatives, rho_squared};
+use super::recorder::Recorder;
+use super::row_scan::Scan;
 use crate::lanes::math::{clamp, max};
 use crate::lanes::{F32s, LANES, Simd, U32s, log2_of_root};
 use crate::trace::SampleStep;
-
-/// Derivatives of the coordinates of each axis.
-#[derive(Clone, Copy)]
-pub struct Derivatives<'a> {
-    pub dx: [&'a F32s; 3],
-    pub dy: [&'a F32s; 3],
-}
 
 /// How the footprints of a batch are read.
 pub enum Footprint {
@@ -144,14 +138,6 @@ pub fn isotropic(
         lambda: lambda[lane],
     });
     lambda
-}
-
-/// ρ² of two axes.
-#[inline(always)]
-pub fn rho_squared(d: &Derivatives<'_>, scale: [f32; 3], lane: usize) -> f32 {
-    let (dudx, dvdx) = (d.dx[0][lane] * scale[0], d.dx[1][lane] * scale[1]);
-    let (dudy, dvdy) = (d.dy[0][lane] * scale[0], d.dy[1][lane] * scale[1]);
-    max(dudx * dudx + dvdx * dvdx, dudy * dudy + dvdy * dvdy)
 }
 
 /// λ of each probe, and the probes, if any lane has more than one.

@@ -4,13 +4,16 @@
 //! Which they are is a matter of integers, wrapped one by one (OpenGL 3.2, section 3.8.8). A filter holds the coordinate
 //! first: of two texels beyond an edge, one has no weight then, and may be any.
 
-use super::filter::Place;
-use super::record::Off;
+use super::compare::unit_range;
+use super::coordinates::Coordinates;
+use super::level_view::Place;
+use super::lookup::Points;
+use super::recorder::Off;
 use super::wrap::{Axis, Indices, enclosing, modulo};
-use super::{Coordinates, cube, expand, fetch, seamless, unit_range};
+use super::{cube, expand, fetch, seamless};
 use crate::lanes::math::{clamp, max};
 use crate::lanes::{F32s, I32s, Kernel, LANES, Simd, U32s};
-use crate::plan::{Points, Texture};
+use crate::plan::Texture;
 use crate::sampler::{Filter, Seamless, Wrap};
 
 /// One call: 64 times four texels of an image with two axes.

@@ -3,8 +3,9 @@
 //! A texel beyond an edge is the one that touches the edge from the other face. Beyond a corner
 //! there is none: the mean of the other three stands for it.
 
-use super::filter::{Place, divide, mean};
-use super::record::{Off, Recorder};
+use super::interpolate::{divide, mean};
+use super::level_view::Place;
+use super::recorder::{Off, Recorder};
 use super::wrap::Indices;
 use super::{cube, fetch};
 use crate::lanes::{F32s, I32s, LANES, Simd, U32s};
@@ -49,9 +50,9 @@ pub fn linear<S: Simd>(
                 corners[corner][channel][lane] = if there { here } else { (a + b + c) / 3.0 };
             }
         }
-        *out = mean(place, &corners, channel, [alpha, beta]);
+        *out = mean(place.texture.format, &corners, channel, [alpha, beta]);
     }
-    divide(place, out);
+    divide(place.texture.format, out);
 }
 
 /// One texel of each lane, from whichever faces the lanes ended up on.

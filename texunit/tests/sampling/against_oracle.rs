@@ -6,7 +6,8 @@ use proptest::prelude::*;
 use texunit::format::Format;
 use texunit::image::{Image, Shape};
 use texunit::lanes::{F32s, Isa, LANES};
-use texunit::plan::{Lod, Places, Points, Room, SamplePlan};
+use texunit::plan::SamplePlan;
+use texunit::sample::{Lod, Places, Points, Room};
 use texunit::sampler::Sampler;
 
 /// What a filter may be off by. A coordinate of magnitude up to about 20 has an error of a few

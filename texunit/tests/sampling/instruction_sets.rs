@@ -3,7 +3,8 @@
 use crate::scene::{self, Random};
 use proptest::prelude::*;
 use texunit::lanes::{F32s, Isa, LANES};
-use texunit::plan::{Lod, Places, Points, Room, SamplePlan};
+use texunit::plan::SamplePlan;
+use texunit::sample::{Lod, Places, Points, Room};
 
 /// Bits that no range of coordinates leaves out.
 fn anything(random: &mut Random) -> F32s {

@@ -5,7 +5,8 @@ use proptest::prelude::*;
 use texunit::format::Format;
 use texunit::image::Shape;
 use texunit::lanes::{F32s, Isa, LANES};
-use texunit::plan::{Lod, Places, Points, Room, SamplePlan};
+use texunit::plan::SamplePlan;
+use texunit::sample::{Lod, Places, Points, Room};
 use texunit::sampler::{Filter, Mipmap, Sampler, Wrap};
 use texunit::trace::SampleStep;
 

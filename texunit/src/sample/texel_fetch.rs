@@ -1,6 +1,6 @@
 //! Access by index instead of by filter (GLSL 1.30, section 8.7): `texelFetch` and `textureSize`.
 
-use super::{expand, fetch};
+use super::expand;
 use crate::lanes::{F32s, I32s, Kernel, LANES, Simd, U32s};
 use crate::plan::Texture;
 
@@ -54,7 +54,7 @@ impl Kernel for Fetch<'_> {
                 }
             }
             let mut values = [F32s::ZERO; 4];
-            fetch::stored::<S>(level, [&index[0], &index[1], &index[2]], &mut values);
+            level.fetch_stored::<S>([&index[0], &index[1], &index[2]], &mut values);
             for (found, values) in found.iter_mut().zip(&values) {
                 for lane in 0..LANES {
                     found[lane] = if here[lane] != 0 { values[lane] } else { found[lane] };

@@ -3,15 +3,15 @@
 //! As with the other filters there is a general way and a short one (`plain`), which read the same
 //! texels with the same weights and give the same bits.
 
-use super::Scan;
+use super::footprint::Scan;
 use super::rows::Rows;
 use crate::lanes::math::{floor_small, min};
 use crate::lanes::{Beside, F32s, I32s, LANES, ONE, Simd, Sums, U32s};
-use crate::plan::Way;
+use crate::plan::{Class, Way};
+use crate::sample::fast::{moved, of_texel};
 use crate::sample::fetch;
-use crate::sample::filter::Place;
-use crate::sample::plain::{Class, moved, of_texel};
-use crate::sample::record::Recorder;
+use crate::sample::level_view::Place;
+use crate::sample::recorder::Recorder;
 use crate::sample::wrap::Indices;
 use crate::trace::SampleStep;
 
@@ -255,7 +255,7 @@ fn blocks<S: Simd>(place: &Place<'_>, rows: &mut Rows, out: &mut [F32s; 4]) {
     while rows.number < rows.most {
         let mut texels = [[F32s::ZERO; 4]; 2];
         for (texel, [x, y]) in texels.iter_mut().zip(&rows.texels(place)) {
-            fetch::stored::<S>(place.level, [x, y, &U32s::ZERO], texel);
+            place.level.fetch_stored::<S>([x, y, &U32s::ZERO], texel);
         }
         means.add(channels, &rows.weights(), [&texels[0], &texels[1]]);
         rows.advance();

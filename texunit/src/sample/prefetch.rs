@@ -1,12 +1,13 @@
 //! Texels asked for before they are sampled. A texture is often larger than what a processor keeps near, and its
 //! rows lie too far apart for it to guess which one comes next. Whatever is asked for, no result depends on it.
 
-use super::filter::Place;
-use super::flat::{Read, place};
-use super::footprint::{Derivatives, rho_squared};
+use super::derivatives::{Derivatives, rho_squared};
+use super::level_view::Place;
+use super::lookup::Lod;
+use super::uniform_levels::{Read, place};
 use crate::lanes::math::index;
 use crate::lanes::{F32s, LANES, QUADS, Simd, U32s, prefetch_at};
-use crate::plan::{Detail, Lod, Texture};
+use crate::plan::{Detail, Texture};
 
 /// Levels of fewer bytes stay near by themselves.
 const FAR: usize = 1 << 20;

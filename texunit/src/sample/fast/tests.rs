@@ -3,8 +3,11 @@
 use super::*;
 use crate::format::Format;
 use crate::image::{Image, Level, Shape};
+use crate::lanes::{F32s, LANES, Simd, U32s};
 use crate::lanes::{Isa, Kernel, math};
-use crate::plan::{Known, Like, Lod, Points, Room, SamplePlan, Take, Texels};
+use crate::plan::Class;
+use crate::plan::SamplePlan;
+use crate::sample::{Known, Like, Lod, Points, Room, Take, Texels};
 use crate::sampler::{Compare, Filter, Mipmap, Sampler, Seamless, Wrap};
 
 fn noise(seed: u32) -> u32 {

@@ -1,12 +1,13 @@
 //! What level of detail a lookup has, without the lookup (`textureQueryLOD`,
 //! ARB_texture_query_lod).
 
-use super::lod::LodRange;
-use super::record::Off;
-use super::taps::base_lambda;
-use super::{Any, Coordinates};
+use super::coordinates::Coordinates;
+use super::footprint::Any;
+use super::level_taps::base_lambda;
+use super::lookup::Lod;
+use super::recorder::Off;
 use crate::lanes::{F32s, Kernel, LANES, Simd};
-use crate::plan::{Anisotropy, Detail, Lod, Texture};
+use crate::plan::{Anisotropy, Detail, LodRange, Texture};
 use crate::sampler::Mipmap;
 
 /// One call: 64 levels of detail.

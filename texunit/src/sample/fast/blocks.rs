@@ -3,15 +3,15 @@
 //! A block is gathered whole for each of the four corners, and all channels that share its codes are
 //! decoded in one loop.
 
-use super::ends;
+use super::reach::{ends, reach};
 use crate::format::block::{
     CHANNELS, Ends, Palette, color_sixths, color_weights, explicit, interpolated, is_srgb_block,
     punched,
 };
 use crate::format::{Block, Format};
 use crate::lanes::{F32s, LANES, Simd, U32s};
-use crate::sample::filter::{Place, lerp};
-use crate::sample::plain::reach;
+use crate::sample::interpolate::lerp;
+use crate::sample::level_view::Place;
 
 /// The texels of one corner of the squares.
 struct Corner {

@@ -4,10 +4,11 @@
 //! across it 2^16. A place is computed once, and goes on from row to row by additions, which are
 //! exact.
 
-use super::{LONGEST, Scan};
-use crate::lanes::math::{clamp, min, to_i32};
+use super::fixed_point::{LONGEST, to_fixed, to_large_fixed};
+use super::footprint::Scan;
+use crate::lanes::math::{clamp, min};
 use crate::lanes::{Beside, F32s, I32s, LANES, ONE, Simd, U32s, Walk, weights};
-use crate::sample::filter::Place;
+use crate::sample::level_view::Place;
 use crate::sample::wrap::{Axis, fold, modulo};
 use crate::sampler::Wrap;
 
@@ -16,21 +17,6 @@ const BEYOND: f32 = 64.0;
 
 /// More texels across per texel along have only levels that are one texel wide.
 const STEEPEST: f32 = 2.0;
-
-/// 1.5 · 2^23: its sum with a small number holds the nearest integer in its low bits.
-const MAGIC: f32 = 12_582_912.0;
-
-/// `x · one`, to the nearest integer, of two the even one. For results below 2^22.
-#[inline(always)]
-pub fn to_fixed(x: f32, one: i32) -> i32 {
-    (x * one as f32 + MAGIC).to_bits().wrapping_sub(MAGIC.to_bits()) as i32
-}
-
-/// The same for results below 2^31.
-#[inline(always)]
-fn to_large_fixed<S: Simd>(x: f32, one: i32) -> i32 {
-    to_i32(S::round_even(x * one as f32))
-}
 
 /// Where each lane is: before the first row at first.
 pub struct Rows {

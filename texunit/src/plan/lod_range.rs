@@ -1,7 +1,7 @@
 //! The level of detail (GL 2.1, section 3.8.8): from λ to the levels that a lane reads.
 
 use crate::lanes::math::{clamp, to_i32};
-use crate::lanes::{F32s, LANES, QUADS, U32s};
+use crate::lanes::{F32s, LANES, U32s};
 use crate::sampler::{MAX_LOD_BIAS, Mipmap};
 
 /// What turns λ of the base level into levels and weights.
@@ -19,36 +19,6 @@ pub struct LodRange {
     pub mipmap: Mipmap,
     /// The last level, counted from the base level.
     pub last: u32,
-}
-
-/// Fine differences across each quad's rows, in both of their pixels.
-#[inline(always)]
-pub fn across(v: &F32s) -> F32s {
-    let mut d = F32s::ZERO;
-    for q in 0..QUADS {
-        let lower = v[QUADS + q] - v[q];
-        let upper = v[3 * QUADS + q] - v[2 * QUADS + q];
-        d[q] = lower;
-        d[QUADS + q] = lower;
-        d[2 * QUADS + q] = upper;
-        d[3 * QUADS + q] = upper;
-    }
-    d
-}
-
-/// Fine differences along each quad's columns, in both of their pixels.
-#[inline(always)]
-pub fn upward(v: &F32s) -> F32s {
-    let mut d = F32s::ZERO;
-    for q in 0..QUADS {
-        let left = v[2 * QUADS + q] - v[q];
-        let right = v[3 * QUADS + q] - v[QUADS + q];
-        d[q] = left;
-        d[QUADS + q] = right;
-        d[2 * QUADS + q] = left;
-        d[3 * QUADS + q] = right;
-    }
-    d
 }
 
 impl LodRange {
@@ -153,15 +123,5 @@ mod tests {
         let got = lod.lambda(&base, Some(&F32s::splat(7.0)));
         assert_eq!(got.0[..4], [-1.0, 9.0, -1.0, 2.5]);
         assert_eq!(lod.lambda(&base, None).0[..4], [-1.0, 9.0, -1.0, 1.5]);
-    }
-
-    #[test]
-    fn differences_are_taken_row_by_row_and_column_by_column() {
-        let v = F32s::from_fn(|lane| [1.0, 3.0, 10.0, 17.0][lane / QUADS]);
-        let (dx, dy) = (across(&v), upward(&v));
-        for lane in 0..LANES {
-            assert_eq!(dx[lane], [2.0, 2.0, 7.0, 7.0][lane / QUADS]);
-            assert_eq!(dy[lane], [9.0, 14.0, 9.0, 14.0][lane / QUADS]);
-        }
     }
 }

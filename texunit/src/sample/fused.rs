@@ -1,13 +1,14 @@
 //! Lookups that are part of another kernel: what a lane gets is computed where it is used, from texels that are
-//! still words, and lies in no memory between. The numbers are those of [`super::flat`].
+//! still words, and lies in no memory between. The numbers are those of [`super::uniform`].
 
-use super::filter::lerp;
-use super::flat::{self, Read};
-use super::plain::{self, Places, Search, Square};
+use super::fast::{self, Places, Search, Square};
+use super::interpolate::lerp;
+use super::scratch::{Known, Squares};
+use super::uniform_levels::{self, Read};
 use crate::format::convert::{byte_channel, byte_of, over_255};
 use crate::lanes::{F32s, Kernel, LANES, Simd, U32s, math};
-use crate::plan::{Alpha, Detail, Texture};
-use crate::sampler::{Filter, Mipmap};
+use crate::plan::{Alpha, Texture};
+use crate::sampler::Filter;
 
 /// What a lookup gives.
 pub trait Texels {
@@ -24,7 +25,7 @@ pub trait Texels {
     fn bytes(&self) -> Option<&U32s>;
 }
 
-/// What is done with it, as part of the kernel: see [`super::super::plan::SamplePlan::take`].
+/// What is done with it, as part of the kernel: see [`crate::plan::SamplePlan::take`].
 pub trait Take {
     /// What comes of it.
     type Output;
@@ -112,7 +113,7 @@ impl Texels for Both<'_> {
     #[inline(always)]
     fn channel(&self, lane: usize, channel: usize) -> f32 {
         let Self([first, second], weight) = self;
-        // As `filter::mix`: means of bytes are finite, and the weight is not below 0.
+        // As `interpolate::mix`: means of bytes are finite, and the weight is not below 0.
         lerp(first.channel(lane, channel), second.channel(lane, channel), weight[lane])
     }
     #[inline(always)]
@@ -123,53 +124,6 @@ impl Texels for Both<'_> {
     #[inline(always)]
     fn bytes(&self) -> Option<&U32s> {
         None
-    }
-}
-
-/// What a lookup needs room for, and what the next one may keep of it ([`Places::Kept`]).
-#[derive(Clone, Debug, Default)]
-pub struct Room {
-    /// What a lookup gave: red, green, blue and alpha. Of one that is taken, only where the short way does not lead.
-    pub lanes: [F32s; 4],
-    pub(crate) squares: Squares,
-    pub(crate) detail: Found,
-}
-
-/// The texels of one level, or of two.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Squares {
-    levels: [Square; 2],
-    /// Whether all of those of the last lookup were [`Search::Inside`].
-    inside: bool,
-}
-
-/// What is known of a lookup that is taken.
-#[derive(Clone, Copy, Debug)]
-pub struct Known<'a> {
-    /// What all lanes read, if that is the same.
-    pub read: Option<Read>,
-    /// Of the second level.
-    pub weight: &'a F32s,
-    /// Who looks for its texels.
-    pub places: Places,
-}
-
-/// What the level of detail of a lookup comes to.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Found {
-    pub read: Option<Read>,
-    /// Of the second level.
-    pub weight: F32s,
-}
-
-/// Whether [`take`] leads somewhere wherever all lanes read the same levels.
-pub(crate) fn always_leads(texture: &Texture) -> bool {
-    match &texture.detail {
-        Detail::Fixed { filter, .. } => !texture.reaches_border(*filter),
-        Detail::PerLane { min, range, .. } => {
-            let both = *min == Filter::Nearest && range.mipmap == Mipmap::Linear;
-            !both && !texture.reaches_border(*min)
-        }
     }
 }
 
@@ -186,8 +140,8 @@ pub(crate) fn take<S: Simd, T: Take>(
     let Some(Read { filter, levels }) = read else { return Err(take) };
     match (filter, texture.alpha) {
         (Filter::Nearest, _) if levels[0] == levels[1] => {
-            let place = flat::place(texture, filter, levels[0]);
-            let Some(mut words) = plain::texels::<S>(&place, coords) else { return Err(take) };
+            let place = uniform_levels::place(texture, filter, levels[0]);
+            let Some(mut words) = fast::texels::<S>(&place, coords) else { return Err(take) };
             // Of texels without alpha the fourth byte is anything.
             if texture.format.channels() < 4 {
                 for word in &mut words.0 {
@@ -232,8 +186,8 @@ impl<T: Take> Kernel for Mean<'_, T> {
         squares.inside = true;
         let wanted = &mut squares.levels[..1 + usize::from(reads_both)];
         for (number, square) in levels.into_iter().zip(wanted) {
-            let place = flat::place(texture, Filter::Linear, number);
-            match plain::square::<S>(&place, coords, places, square) {
+            let place = uniform_levels::place(texture, Filter::Linear, number);
+            match fast::square::<S>(&place, coords, places, square) {
                 Search::Inside => {}
                 Search::OverEdge => squares.inside = false,
                 Search::Nowhere => {

@@ -1,11 +1,13 @@
 //! Which levels and faces the lanes of a batch read, and with which filter.
 
-use super::footprint::{self, Derivatives, Footprint, Reads};
-use super::lod::{across, upward};
-use super::record::Recorder;
-use super::{Coordinates, cube, scan};
+use super::coordinates::Coordinates;
+use super::derivatives::{Derivatives, of_quads};
+use super::footprint::{self, Footprint, Reads};
+use super::lookup::Lod;
+use super::recorder::Recorder;
+use super::{cube, row_scan};
 use crate::lanes::{F32s, LANES, Simd, U32s};
-use crate::plan::{Anisotropy, Detail, Lod, Texture};
+use crate::plan::{Anisotropy, Detail, Texture};
 use crate::sampler::Filter;
 use crate::trace::SampleStep;
 
@@ -228,7 +230,8 @@ pub fn base_lambda<'a, S: Simd, F: Reads>(
                     (base, probes.map_or(Footprint::Round, Footprint::Probes))
                 }
                 Anisotropy::Scan(most) if F::SCANS => {
-                    let (base, scan) = scan::footprint(&d, texture.scale, most as f32, recorder);
+                    let (base, scan) =
+                        row_scan::footprint(&d, texture.scale, most as f32, recorder);
                     (base, Footprint::Scan(scan))
                 }
                 Anisotropy::Off | Anisotropy::Probes(_) | Anisotropy::Scan(_) => {
@@ -285,17 +288,6 @@ fn mixed<S: Simd>(keys: [U32s; 2], weight: F32s) -> Taps {
         return Taps::Same(least);
     }
     Taps::Mixed { keys, weight }
-}
-
-/// The differences within each quad of the first `axes` coordinates.
-#[inline(always)]
-fn of_quads(coords: [&F32s; 3], axes: usize) -> [[F32s; 3]; 2] {
-    let mut out = [[F32s::ZERO; 3]; 2];
-    for (axis, from) in coords.into_iter().enumerate().take(axes) {
-        out[0][axis] = across(from);
-        out[1][axis] = upward(from);
-    }
-    out
 }
 
 /// What there is when there is no key.

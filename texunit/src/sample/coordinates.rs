@@ -1,0 +1,68 @@
+//! Coordinates of a batch: faces of cubes and layers of arrays told apart.
+
+use super::recorder::Recorder;
+use super::{cube, wrap};
+use crate::image::Shape;
+use crate::lanes::{F32s, U32s};
+use crate::plan::Texture;
+use crate::trace::SampleStep;
+
+/// Where the lanes sample.
+pub(crate) struct Coordinates<'a> {
+    /// s, t, r as given; of a cube, the direction.
+    pub given: [&'a F32s; 3],
+    /// Of a cube, else 0.
+    pub face: U32s,
+    /// Of an array, else 0.
+    pub layer: U32s,
+    /// On the face of a cube.
+    pub st: Option<[F32s; 2]>,
+}
+
+impl<'a> Coordinates<'a> {
+    /// Where there are neither faces nor layers.
+    #[inline(always)]
+    pub fn in_plane(given: [&'a F32s; 3]) -> Self {
+        Self { given, face: U32s::ZERO, layer: U32s::ZERO, st: None }
+    }
+
+    #[inline(always)]
+    pub fn new(
+        texture: &Texture,
+        given: [&'a F32s; 3],
+        layer: Option<&F32s>,
+        recorder: &mut impl Recorder,
+    ) -> Self {
+        let mut at = Self::in_plane(given);
+        match texture.shape {
+            Shape::D1 | Shape::D2 | Shape::Rect | Shape::D3 => {}
+            Shape::D1Array => at.layer = wrap::layer(given[1], texture.layers()),
+            Shape::D2Array => at.layer = wrap::layer(given[2], texture.layers()),
+            Shape::Cube | Shape::CubeArray => {
+                let projected = cube::project(given);
+                recorder.note(|lane| SampleStep::Face {
+                    face: projected.face[lane],
+                    st: projected.st.map(|coord| coord[lane]),
+                });
+                at.face = projected.face;
+                at.st = Some(projected.st);
+                if let Some(layer) = layer {
+                    at.layer = wrap::layer(layer, texture.layers());
+                }
+            }
+        }
+        if texture.is_array() {
+            recorder.note(|lane| SampleStep::Layer(at.layer[lane]));
+        }
+        at
+    }
+
+    /// The coordinates to filter along.
+    #[inline(always)]
+    pub fn filtered(&self) -> [&F32s; 3] {
+        match &self.st {
+            Some([s, t]) => [s, t, self.given[2]],
+            None => self.given,
+        }
+    }
+}

@@ -1,0 +1,164 @@
+//! The 2×2 texels of one word each that a linear filter weighs.
+
+use super::offsets::moved;
+use super::reach::{Pairs, reach};
+use crate::image::Level;
+use crate::lanes::{F32s, Kernel, LANES, Simd, U32s};
+use crate::sample::fetch::{neighbours, split_threes};
+use crate::sample::level_view::Place;
+use crate::sample::wrap::repeated;
+use crate::sampler::Wrap;
+
+/// 2×2 texels of one word each, in the order (0, 0), (1, 0), (0, 1), (1, 1).
+#[derive(Clone, Debug, Default)]
+pub struct Square {
+    pub words: [U32s; 4],
+    /// Of the right and of the upper texels.
+    pub weights: [F32s; 2],
+    /// Where the first texels begin, where all of them lie inside of their level.
+    offsets: U32s,
+}
+
+/// Who looks for the places of a lookup's texels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Places {
+    /// The lookup itself.
+    Own,
+    /// The one before in the same room ([`crate::sample::Room`]), whose points, offset and level of detail were the same,
+    /// of a plan that reads alike ([`crate::plan::SamplePlan::reads_like`]).
+    Kept,
+}
+
+/// What came of looking for squares of texels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Search {
+    /// This way does not lead there.
+    Nowhere,
+    /// They are here, and some reach over an edge of their level.
+    OverEdge,
+    /// They are here, and their places can be kept.
+    Inside,
+}
+
+/// The texels whose mean a point takes, of one word each. Places are kept of squares that are [`Search::Inside`].
+///
+/// A function of its own, which gives them in memory that is the caller's: where they are locals of several ways that
+/// lead to the same place, LLVM moves all of them once or twice.
+#[inline(always)]
+pub fn square<S: Simd>(
+    place: &Place<'_>,
+    at: [&F32s; 3],
+    places: Places,
+    out: &mut Square,
+) -> Search {
+    S::apart(FindSquare { place, at, places, out })
+}
+
+struct FindSquare<'a> {
+    place: &'a Place<'a>,
+    at: [&'a F32s; 3],
+    places: Places,
+    out: &'a mut Square,
+}
+
+impl Kernel for FindSquare<'_> {
+    type Output = Search;
+
+    #[inline(always)]
+    fn run<S: Simd>(self) -> Search {
+        let Self { place, at, places, out } = self;
+        let level = place.level;
+        let bytes = level.format.bytes();
+        let is_inside = match places {
+            Places::Kept => true,
+            Places::Own => bytes >= 3 && inside::<S>(place, at, &mut out.offsets, &mut out.weights),
+        };
+        if is_inside {
+            let row = level.row_bytes() as u32;
+            S::gather_squares(&level.texels, &out.offsets, row, &mut out.words);
+            if bytes == 3 {
+                let [a, b, c, d] = out.words.each_mut();
+                split_threes([a, b]);
+                split_threes([c, d]);
+            }
+            return Search::Inside;
+        }
+        let Some(reach) = reach::<S>(place, at) else { return Search::Nowhere };
+        let corners = reach.corners(place);
+        out.weights = reach.weights;
+        out.words = if reach.pairs[0] == Pairs::Inside {
+            let [a, b] = neighbours::<S>(level, &corners[0]);
+            let [c, d] = neighbours::<S>(level, &corners[2]);
+            [a, b, c, d]
+        } else {
+            one_by_one::<S>(place, &corners, 0)
+        };
+        Search::OverEdge
+    }
+}
+
+/// Where the lower left texels of the squares begin, and the weights of the right and of the upper texels; or `false`
+/// if coordinates do not wrap in a usual way, the same along both axes, or a lane reaches beyond an edge.
+///
+/// In one loop: of several, what lies between would be stored and loaded again where an instruction set has few
+/// registers.
+#[inline(always)]
+fn inside<S: Simd>(
+    place: &Place<'_>,
+    [s, t, _]: [&F32s; 3],
+    offsets: &mut U32s,
+    weights: &mut [F32s; 2],
+) -> bool {
+    let axes @ [across, up] = [place.axis(0), place.axis(1)];
+    match (across.wrap, up.wrap) {
+        (Wrap::Repeat, Wrap::Repeat) => {
+            let sizes = [across.size as f32, up.size as f32];
+            let wrapped = |axis: usize, x| repeated::<S>(x, sizes[axis]);
+            inside_of::<S>(place.level, [s, t], wrapped, offsets, weights)
+        }
+        (Wrap::ClampToEdge, Wrap::ClampToEdge) => {
+            let wrapped = |axis: usize, x| axes[axis].held_to_edge(x);
+            inside_of::<S>(place.level, [s, t], wrapped, offsets, weights)
+        }
+        (_, _) => false,
+    }
+}
+
+/// [`inside`] by what a coordinate is in texels.
+#[inline(always)]
+fn inside_of<S: Simd>(
+    level: &Level,
+    [s, t]: [&F32s; 2],
+    wrapped: impl Fn(usize, f32) -> f32,
+    offsets: &mut U32s,
+    [alpha, beta]: &mut [F32s; 2],
+) -> bool {
+    let (bytes, row) = (level.format.bytes() as u32, level.row_bytes() as u32);
+    let origin = level.origin() as u32;
+    let [mut column, mut line] = [0; 2];
+    for lane in 0..LANES {
+        let (u, v) = (wrapped(0, s[lane]) - 0.5, wrapped(1, t[lane]) - 0.5);
+        let ((i, left), (j, below)) = (S::floor_small(u), S::floor_small(v));
+        alpha[lane] = u - left;
+        beta[lane] = v - below;
+        // -1 is the largest of all.
+        let (i, j) = (i as u32, j as u32);
+        column = if i > column { i } else { column };
+        line = if j > line { j } else { line };
+        offsets[lane] =
+            j.wrapping_mul(row).wrapping_add(i.wrapping_mul(bytes).wrapping_add(origin));
+    }
+    column < level.width - 1 && line < level.height - 1
+}
+
+/// A word of each of four texels.
+#[inline(always)]
+pub fn one_by_one<S: Simd>(place: &Place<'_>, corners: &[U32s; 4], word: usize) -> [U32s; 4] {
+    let texels = &place.level.texels;
+    [
+        S::gather(texels, &moved(&corners[0], word)),
+        S::gather(texels, &moved(&corners[1], word)),
+        S::gather(texels, &moved(&corners[2], word)),
+        S::gather(texels, &moved(&corners[3], word)),
+    ]
+}

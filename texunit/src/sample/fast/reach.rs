@@ -1,0 +1,90 @@
+//! Where the 2×2 texels lie that lanes take means of, edges included.
+
+use super::offsets::sum;
+use crate::lanes::{F32s, I32s, LANES, Simd, U32s};
+use crate::sample::fetch::side_by_side;
+use crate::sample::level_view::Place;
+use crate::sample::wrap::{Axis, enclosing};
+use crate::sampler::{Filter, Seamless, Wrap};
+
+/// The squares of texels that lanes take means of.
+pub struct Reach {
+    /// Of s and t.
+    pub axes: [Axis; 2],
+    /// Column and row of the lower left texel; -1 is beyond the edge.
+    pub first: [I32s; 2],
+    /// Of the right and of the upper texels.
+    pub weights: [F32s; 2],
+    /// Whether both columns, both rows, are the level's.
+    pub pairs: [Pairs; 2],
+}
+
+/// The two neighbours along an axis whose mean each lane takes.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Pairs {
+    /// Both are the level's in every lane.
+    Inside,
+    /// In some lane one is beyond an edge.
+    OverEdge,
+}
+
+impl Pairs {
+    /// Those that begin at `i`.
+    #[inline(always)]
+    fn of<S: Simd>(i: &I32s, size: u32) -> Self {
+        if side_by_side::<S>(i, size) { Self::Inside } else { Self::OverEdge }
+    }
+}
+
+impl Reach {
+    /// Where each texel of the squares begins.
+    #[inline(always)]
+    pub fn corners(&self, place: &Place<'_>) -> [U32s; 4] {
+        let Self { axes: [s, t], first: [i, j], pairs, .. } = self;
+        let level = place.level;
+        let xs = ends(s, i, pairs[0], level.format.bytes() as u32, level.origin() as u32);
+        let ys = ends(t, j, pairs[1], level.row_bytes() as u32, 0);
+        [sum(&xs[0], &ys[0]), sum(&xs[1], &ys[0]), sum(&xs[0], &ys[1]), sum(&xs[1], &ys[1])]
+    }
+}
+
+/// Finds the squares; `None` where the border or another face is reached.
+#[inline(always)]
+pub fn reach<S: Simd>(place: &Place<'_>, at: [&F32s; 3]) -> Option<Reach> {
+    let axes = [place.axis(0), place.axis(1)];
+    let (i, alpha) = enclosing::<S>(&axes[0].texel_coordinate::<S>(at[0]));
+    let (j, beta) = enclosing::<S>(&axes[1].texel_coordinate::<S>(at[1]));
+    let pairs = [Pairs::of::<S>(&i, axes[0].size), Pairs::of::<S>(&j, axes[1].size)];
+    let seamless = place.texture.seamless == Seamless::On;
+    for (axis, pairs) in axes.iter().zip(pairs) {
+        let is_over = pairs == Pairs::OverEdge;
+        if is_over && (seamless || axis.wrap.reaches_border(Filter::Linear)) {
+            return None;
+        }
+    }
+    Some(Reach { axes, first: [i, j], weights: [alpha, beta], pairs })
+}
+
+/// The byte offsets of the lower and the upper texel along one axis, `stride` bytes apart.
+#[inline(always)]
+pub fn ends(axis: &Axis, i: &I32s, pairs: Pairs, stride: u32, origin: u32) -> [U32s; 2] {
+    let mut low = U32s::ZERO;
+    let mut high = U32s::ZERO;
+    if pairs == Pairs::Inside {
+        for lane in 0..LANES {
+            let at = (i[lane] as u32).wrapping_mul(stride).wrapping_add(origin);
+            low[lane] = at;
+            high[lane] = at.wrapping_add(stride);
+        }
+        return [low, high];
+    }
+    let last = axis.size as i32 - 1;
+    let (below, above) = if axis.wrap == Wrap::Repeat { (last, 0) } else { (0, last) };
+    for lane in 0..LANES {
+        let lower = if i[lane] < 0 { below } else { i[lane] } as u32;
+        let upper = if i[lane] < last { i[lane] + 1 } else { above } as u32;
+        low[lane] = lower.wrapping_mul(stride).wrapping_add(origin);
+        high[lane] = upper.wrapping_mul(stride).wrapping_add(origin);
+    }
+    [low, high]
+}
