@@ -11,7 +11,6 @@ mod selection;
 mod texel_class;
 mod texture;
 
-pub use crate::sample::{Known, Like, Lod, Places, Points, Read, Room, Take, Texels};
 pub(crate) use lod_range::LodRange;
 pub(crate) use texel_class::Class;
 pub(crate) use texture::{Alpha, Anisotropy, Detail, SampleKernel, Texture, Way};

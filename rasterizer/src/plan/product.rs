@@ -4,7 +4,7 @@ use super::Textures;
 use super::inputs::{FilledInput, FragmentInput};
 use crate::shader::Program;
 use texunit::lanes::Isa;
-use texunit::plan::Places;
+use texunit::sample::Places;
 
 /// What a fragment program that is a product ([`crate::shader::Product`]) comes to in a draw.
 #[derive(Debug)]

@@ -6,7 +6,8 @@ use crate::output::{Color, ColorPlan, pack_colors, put};
 use crate::plan::{DrawPlan, FactorPlanes, FilledInput, ProductInputs, ProductPlan};
 use crate::shader::{BANKS, Machine, OverBudget, Part, Product, Run};
 use texunit::lanes::{F32s, Isa, Kernel, LANES, QUADS, Simd, U32s};
-use texunit::plan::{Known, Like, Lod, Places, Read, Room, SamplePlan, Take, Texels};
+use texunit::plan::SamplePlan;
+use texunit::sample::{Known, Like, Lod, Places, Read, Room, Take, Texels};
 
 /// The colours of a run, and what there is between its lookups.
 #[derive(Debug, Default)]

@@ -17,7 +17,7 @@ use super::preamble::uniform_at;
 use super::{OverBudget, Prepared, Program, Run};
 use crate::ir::{Access, Axis};
 use texunit::lanes::{F32s, Kernel, LANES, QUADS, Simd, U32s};
-use texunit::plan::{Lod, Points, Room};
+use texunit::sample::{Lod, Points, Room};
 
 /// The registers of a thread, reused from batch to batch and from program to program.
 #[derive(Debug, Default)]

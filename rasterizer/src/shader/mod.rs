@@ -47,7 +47,8 @@ use std::fmt::Write;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 use texunit::lanes::Isa;
-use texunit::plan::{Places, SamplePlan};
+use texunit::plan::SamplePlan;
+use texunit::sample::Places;
 
 /// A compiled stage.
 #[derive(Debug)]

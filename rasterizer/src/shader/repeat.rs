@@ -4,7 +4,8 @@
 use super::inst::{Inst, Reg, Role, SampleInst};
 use crate::ir::Access;
 use std::sync::Arc;
-use texunit::plan::{Places, SamplePlan};
+use texunit::plan::SamplePlan;
+use texunit::sample::Places;
 
 /// Two lookups with nothing in between that changes what the second one reads.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
