@@ -6,7 +6,10 @@
 use super::small_float::{
     HALF_MANTISSA, decode_half, decode_unsigned, encode_half, encode_unsigned,
 };
-use super::{BaseFormat, Encoding, Field, Format, block, shared_exponent, srgb};
+use super::words::bytes_of;
+pub use super::words::expand;
+pub(crate) use super::words::words_of;
+use super::{Encoding, Field, Format, block, shared_exponent, srgb};
 use crate::lanes::math::{NAN, clamp, low_bits, max, round_even, to_i32, to_u32};
 use crate::lanes::{F32s, LANES, Simd, U32s};
 use std::marker::PhantomData;
@@ -383,24 +386,6 @@ pub fn encode(format: Format, rgba: [f32; 4]) -> [u8; 16] {
     bytes_of(words)
 }
 
-/// The words of a texel. Bytes that are missing count as 0.
-pub(crate) fn words_of(format: Format, texel: &[u8]) -> [u32; 4] {
-    let mut bytes = [0; 16];
-    for (to, from) in bytes.iter_mut().zip(texel.iter().take(format.bytes())) {
-        *to = *from;
-    }
-    [0, 4, 8, 12].map(|i| u32::from_le_bytes([bytes[i], bytes[i + 1], bytes[i + 2], bytes[i + 3]]))
-}
-
-/// Words as bytes, little end first.
-pub(super) fn bytes_of(words: [u32; 4]) -> [u8; 16] {
-    let mut bytes = [0; 16];
-    for (to, word) in bytes.chunks_exact_mut(4).zip(words) {
-        to.copy_from_slice(&word.to_le_bytes());
-    }
-    bytes
-}
-
 /// The stored channels of a texel, unused ones 0. Bytes that are missing count as 0. Of a
 /// compressed format, those of its block's first texel.
 pub fn decode_channels(format: Format, texel: &[u8]) -> [f32; 4] {
@@ -419,20 +404,6 @@ pub fn decode_channels(format: Format, texel: &[u8]) -> [f32; 4] {
 /// (GL 2.1, table 3.15 and section 3.8.8), depth as luminance.
 pub fn decode(format: Format, texel: &[u8]) -> [f32; 4] {
     expand(format.base(), decode_channels(format, texel))
-}
-
-/// Stored channels as the colour that a sample returns, depth as luminance.
-pub fn expand(base: BaseFormat, [a, b, c, d]: [f32; 4]) -> [f32; 4] {
-    match base {
-        BaseFormat::Alpha => [0.0, 0.0, 0.0, a],
-        BaseFormat::Luminance | BaseFormat::Depth => [a, a, a, 1.0],
-        BaseFormat::LuminanceAlpha => [a, a, a, b],
-        BaseFormat::Intensity => [a, a, a, a],
-        BaseFormat::Red => [a, 0.0, 0.0, 1.0],
-        BaseFormat::Rg => [a, b, 0.0, 1.0],
-        BaseFormat::Rgb => [a, b, c, 1.0],
-        BaseFormat::Rgba => [a, b, c, d],
-    }
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! Pixels whose numbers have the same bits in another record, in whatever places: they are moved as they are.
 
-use super::{Code, Record, Write};
+use super::numbers::Write;
+use super::{Code, Record};
 use crate::format::Field;
 use crate::lanes::{F64s, Isa, Kernel, LANES, Simd, U32s};
 
@@ -140,4 +141,20 @@ fn constants(isa: Isa, record: &Record) -> [u32; 4] {
     let mut words = [U32s::ZERO; 4];
     isa.run(Write { record, numbers: [&ones; 4], out: &mut words });
     words.map(|words| words[0])
+}
+
+/// Pixels of one record as those of another: as many as `from` has, in `to`.
+pub fn move_all(isa: Isa, moves: &Moves, from: (&Record, &[u8]), to: (&Record, &mut [u8])) {
+    let ((from_record, from), (to_record, to)) = (from, to);
+    if moves.is_copy() {
+        to.copy_from_slice(from);
+        return;
+    }
+    let (mut words, mut moved) = ([U32s::ZERO; 4], [U32s::ZERO; 4]);
+    let runs = from.chunks(LANES * from_record.bytes());
+    for (from, to) in runs.zip(to.chunks_mut(LANES * to_record.bytes())) {
+        from_record.load(isa, from, &mut words);
+        moves.run(isa, &words, &mut moved);
+        to_record.store(isa, &mut moved, to);
+    }
 }

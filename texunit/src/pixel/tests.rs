@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::format::{Field, Format};
-use crate::lanes::F64s;
+use crate::lanes::{F64s, Isa, LANES};
 
 /// One number in a word of its own.
 fn single(size: usize, shift: u32, bits: u32, code: Code) -> Record {

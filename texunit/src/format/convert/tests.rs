@@ -1,6 +1,7 @@
 //! Conversions against `f64`, there and back, and lanes against single texels.
 
 use super::*;
+use crate::format::BaseFormat;
 use crate::lanes::{Isa, Kernel, math};
 
 struct Decode<'a>(Format, &'a [U32s; 4]);

@@ -3,7 +3,7 @@
 //! The processors' own gathers are slower than the loads that they stand for: on AMD's by half, on Intel's by a
 //! little (on some older ones it is the other way round). So words are loaded one by one, and put together on the way.
 
-use super::super::isa::{Avx2, Avx512};
+use super::super::isa::x86::{Avx2, Avx512};
 use super::{LANES, U32s, check};
 use std::arch::x86_64::{
     __m128, __m128i, __m256, __m256i, __m512, __m512i, _mm_castpd_ps, _mm_cvtsi32_si128,

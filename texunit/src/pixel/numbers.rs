@@ -1,0 +1,82 @@
+//! Pixels as numbers and back, 64 at a time.
+
+use super::code::{self, Code};
+use super::record::{ByteOrder, Load, Record, Store};
+use crate::lanes::{F32s, F64s, Isa, Kernel, Simd, U32s};
+
+/// The numbers of 64 pixels: a batch for each of a record's fields.
+pub type Numbers = [F64s; 4];
+
+struct Read<'a> {
+    record: &'a Record,
+    words: &'a [U32s; 4],
+    out: &'a mut Numbers,
+}
+
+impl Kernel for Read<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn run<S: Simd>(self) {
+        for (&(field, code), out) in self.record.fields().iter().zip(self.out) {
+            code.read(field, &self.words[field.word], out);
+        }
+    }
+}
+
+pub(super) struct Write<'a> {
+    pub record: &'a Record,
+    pub numbers: [&'a F64s; 4],
+    pub out: &'a mut [U32s; 4],
+}
+
+impl Kernel for Write<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn run<S: Simd>(self) {
+        for (&(field, code), numbers) in self.record.fields().iter().zip(self.numbers) {
+            code.write(field, numbers, &mut self.out[field.word]);
+        }
+        if let Some((field, _)) = self.record.shared_exponent() {
+            code::write_shared_exponent(self.numbers, &mut self.out[field.word]);
+        }
+    }
+}
+
+/// The numbers of up to 64 pixels, tightly packed in `bytes`. Those of fields that the record lacks, and of
+/// pixels that are not there, mean nothing.
+pub fn read(isa: Isa, record: &Record, bytes: &[u8], out: &mut Numbers) {
+    let mut words = [U32s::ZERO; 4];
+    record.load(isa, bytes, &mut words);
+    isa.run(Read { record, words: &words, out });
+}
+
+/// [`read`] within a kernel.
+#[inline(always)]
+pub(crate) fn read_by<S: Simd>(record: &Record, bytes: &[u8], out: &mut Numbers) {
+    let mut words = [U32s::ZERO; 4];
+    S::apart(Load { record, bytes, words: &mut words });
+    S::apart(Read { record, words: &words, out });
+}
+
+/// [`write`] within a kernel.
+#[inline(always)]
+pub(crate) fn write_by<S: Simd>(record: &Record, numbers: [&F64s; 4], bytes: &mut [u8]) {
+    let mut words = [U32s::ZERO; 4];
+    S::apart(Write { record, numbers, out: &mut words });
+    S::apart(Store { record, words: &mut words, bytes });
+}
+
+/// Up to 64 pixels with these numbers into `bytes`, tightly packed: clamped to what the record holds, and
+/// rounded to nearest, halves to even.
+pub fn write(isa: Isa, record: &Record, numbers: [&F64s; 4], bytes: &mut [u8]) {
+    let mut words = [U32s::ZERO; 4];
+    isa.run(Write { record, numbers, out: &mut words });
+    record.store(isa, &mut words, bytes);
+}
+
+/// Up to 64 pixels of four `f32` each into `bytes`, tightly packed.
+pub fn write_floats(isa: Isa, channels: [&F32s; 4], bytes: &mut [u8]) {
+    let record = Record::uniform(4, 4, Code::Float, ByteOrder::Little);
+    let mut words = channels.map(|channel| *channel.as_u32());
+    record.store(isa, &mut words, bytes);
+}
